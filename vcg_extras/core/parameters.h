@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_PARAMETERS_H
+#define VCG_EXTRAS_CORE_PARAMETERS_H
+
+#include "options.h"
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gpr {
+
+/// What a parameter's value is, and so which widget and which .mlx type stand for it.
+enum class ParameterKind {
+	Count,  ///< whole number (RichInt)
+	Number, ///< real number (RichFloat)
+	Length, ///< mesh units, shown with percent of the diagonal (RichAbsPerc)
+	Switch, ///< on/off (RichBool)
+	Choice, ///< one of `choices` (RichEnum); the value is its index
+};
+
+using ParameterValue = std::variant<std::int64_t, double, bool>; ///< Choice uses std::int64_t
+
+/// What defaults may depend on.
+struct MeshFacts {
+	std::int64_t vertexNum = 0;
+	double       diagonal  = 0; ///< mesh units
+};
+
+/// One row of the table from which the dialog, .mlx scripts, the command line and the reference are
+/// made. Keys and option names are public: they change with a changelog line only.
+struct Parameter {
+	const char*              key;      ///< in the filter and .mlx: "TargetVertexNum"
+	const char*              option;   ///< on the command line: "--vertices"; "" where it has none
+	const char*              argument; ///< placeholder in --help: "N"; "" for a bare switch
+	ParameterKind            kind;
+	const char*              label;    ///< in the dialog
+	const char*              help;     ///< full sentences with unit and range
+	double                   minimum;
+	double                   maximum;
+	std::vector<const char*> choices;  ///< Choice only
+	ParameterValue (*defaultValue)(const MeshFacts&);
+	/// Puts a value into the options; null for NewLayer, which the host handles itself.
+	void (*store)(const ParameterValue&, RemeshOptions&);
+};
+
+/// The parameters of the whole remeshing, in the order in which the dialog shows them.
+const std::vector<Parameter>& remeshParameters();
+
+/// The row with this key, or null.
+const Parameter* findParameter(const std::string& key);
+
+/// Collects the values of the rows and makes options of them.
+/// TargetVertexNum, TargetPerc and TargetLen are three rows for one choice: a percentage or a length
+/// above 0 takes the place of the count; both above 0 is a mistake that complaints() tells.
+class ParameterSet {
+public:
+	/// Stores one value, rows in any order; the variant must hold the type of the row's kind.
+	void set(const Parameter& parameter, const ParameterValue& value);
+
+	/// The options, with targetMode chosen.
+	RemeshOptions options() const;
+	/// The one row that the host handles itself.
+	bool newLayer() const { return newLayer_; }
+	/// Sentences about values out of range or in conflict; empty when all is well.
+	std::vector<std::string> complaints() const;
+
+private:
+	RemeshOptions raw_ = unset();
+	bool          newLayer_ = false;
+
+	static RemeshOptions unset();
+};
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_REPORT_H
+#define VCG_EXTRAS_CORE_REPORT_H
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gpr {
+
+/// Counts that describe a mesh's topology and size.
+struct MeshFigures {
+	std::int64_t vertices            = 0;
+	std::int64_t faces               = 0;
+	std::int64_t components          = 0; ///< faces linked over edges
+	std::int64_t boundaryLoops       = 0;
+	std::int64_t eulerCharacteristic = 0;
+	double       area                = 0; ///< mesh units squared
+	double       diagonal            = 0; ///< of the bounding box, mesh units
+};
+
+/// What cleaning repaired, dropped or cut. All zero for a clean mesh.
+struct CleanCounts {
+	std::int64_t nonFiniteVertices      = 0; ///< NaN or Inf coordinates, dropped with their faces
+	std::int64_t unreferencedVertices   = 0; ///< in no face, dropped
+	std::int64_t weldedVertices         = 0; ///< of a triangle soup: equal positions made one vertex
+	std::int64_t repeatedIndexFaces     = 0; ///< a vertex twice in one face, dropped
+	std::int64_t zeroAreaFaces          = 0; ///< kept where they hold the surface together, counted
+	std::int64_t duplicateFaces         = 0; ///< the same three vertices again, dropped
+	std::int64_t reorientedFaces        = 0;
+	std::int64_t nonManifoldEdges       = 0; ///< more than two faces: cut but for the smoothest pair
+	std::int64_t nonManifoldVertices    = 0; ///< more than one fan: a copy for each further fan
+	std::int64_t nonOrientableCuts      = 0; ///< edges cut to make a one-sided surface orientable
+	std::int64_t longEdgesSplit         = 0; ///< edges longer than 0.8 r, split for the sampling only
+
+	/// Anything that changes what the input was (splitting edges does not).
+	bool changedInput() const
+	{
+		return nonFiniteVertices || weldedVertices || repeatedIndexFaces || duplicateFaces ||
+			   reorientedFaces || nonManifoldEdges || nonManifoldVertices || nonOrientableCuts;
+	}
+};
+
+/// Wall time of one stage.
+struct StageTime {
+	std::string stage; ///< a lowerCamelCase key: "order", "sampling", ...
+	double      seconds = 0;
+};
+
+/// Shape of the triangles.
+struct QualityFigures {
+	double radiusRatioMean = 0; ///< 2·inradius/circumradius, 1 = equilateral
+	double radiusRatioMin  = 0;
+	double aspectRatioMean = 0; ///< 2√3·inradius/longest edge, the paper's measure, 1 = equilateral
+	double aspectRatioMin  = 0;
+	double minAngleDeg     = 0; ///< smallest angle of all
+	double meanMinAngleDeg = 0; ///< mean over the faces of their smallest angle
+	double maxAngleDeg     = 0;
+	double below30Percent  = 0; ///< share of faces with an angle below 30°
+	double valence6Percent = 0; ///< share of interior vertices with six faces
+	double meanEdgeLen     = 0; ///< mesh units
+};
+
+/// What was checked before the result was handed out.
+struct AuditFigures {
+	bool         passed             = false;
+	std::int64_t nonManifoldEdges   = 0;
+	std::int64_t nonManifoldVertices = 0;
+	std::int64_t duplicateFaces     = 0;
+	std::int64_t zeroAreaFaces      = 0;
+	std::int64_t flippedFaces       = 0; ///< against the input's normals at their corners
+	std::int64_t nonFinitePositions = 0;
+	bool         componentsKept     = false;
+	bool         boundaryLoopsKept  = false;
+	bool         eulerKept          = false;
+	bool         countExact         = false;
+};
+
+/// Everything a run tells about itself.
+struct RemeshReport {
+	MeshFigures            input;   ///< as given
+	MeshFigures            cleanedInput; ///< after cleaning and cutting: what the result is held against
+	MeshFigures            result;
+	CleanCounts            cleaned;
+	QualityFigures         quality;
+	AuditFigures           audit;
+	std::vector<StageTime> stages;
+	double                 remeshSeconds = 0; ///< wall time from mesh in memory to result in memory
+
+	std::uint32_t seed              = 0;
+	int           threads           = 0;
+	std::int64_t  targetVertexNum   = 0; ///< after percent or edge length were resolved
+	double        diskRadius        = 0; ///< r, mesh units
+	double        radiusConstant    = 0; ///< c of eq. (1)
+	std::int64_t  sampleNum         = 0; ///< what the front sampling placed
+	std::int64_t  boundarySampleNum = 0;
+	std::int64_t  leftoverVertexNum = 0; ///< input vertices that removal had to keep
+	std::int64_t  splitNum          = 0; ///< of the exact count
+	std::int64_t  collapseNum       = 0;
+	std::int64_t  flipNum           = 0;
+	std::int64_t  samplesMoved      = 0; ///< retriangulate: samples that were off the surface
+	double        largestSampleMove = 0; ///< mesh units
+	std::vector<std::string> capsReached; ///< loops that ended by their bound, one phrase each
+};
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_VEC_H
+#define VCG_EXTRAS_CORE_VEC_H
+
+#include <cmath>
+
+namespace gpr {
+
+/// Plain 3-vector; S is float for stored coordinates, double where a decision needs it.
+template <class S>
+struct Vec3 {
+	S x = 0, y = 0, z = 0;
+
+	Vec3() = default;
+	Vec3(S x_, S y_, S z_) : x(x_), y(y_), z(z_) {}
+	template <class T>
+	explicit Vec3(const Vec3<T>& v) : x(S(v.x)), y(S(v.y)), z(S(v.z))
+	{
+	}
+
+	Vec3& operator+=(const Vec3& b)
+	{
+		x += b.x;
+		y += b.y;
+		z += b.z;
+		return *this;
+	}
+};
+
+using Vec3f = Vec3<float>;
+using Vec3d = Vec3<double>;
+
+template <class S>
+inline Vec3<S> operator+(const Vec3<S>& a, const Vec3<S>& b)
+{
+	return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+template <class S>
+inline Vec3<S> operator-(const Vec3<S>& a, const Vec3<S>& b)
+{
+	return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+template <class S>
+inline Vec3<S> operator*(const Vec3<S>& a, S s)
+{
+	return {a.x * s, a.y * s, a.z * s};
+}
+template <class S>
+inline bool operator==(const Vec3<S>& a, const Vec3<S>& b)
+{
+	return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+template <class S>
+inline S dot(const Vec3<S>& a, const Vec3<S>& b)
+{
+	return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+template <class S>
+inline Vec3<S> cross(const Vec3<S>& a, const Vec3<S>& b)
+{
+	return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+template <class S>
+inline S squaredLength(const Vec3<S>& a)
+{
+	return dot(a, a);
+}
+template <class S>
+inline S length(const Vec3<S>& a)
+{
+	return std::sqrt(dot(a, a));
+}
+/// a / |a|; the zero vector stays zero.
+template <class S>
+inline Vec3<S> normalized(const Vec3<S>& a)
+{
+	const S l = length(a);
+	return l > S(0) ? a * (S(1) / l) : a;
+}
+/// The part of a perpendicular to the unit vector n.
+template <class S>
+inline Vec3<S> tangential(const Vec3<S>& a, const Vec3<S>& n)
+{
+	return a - n * dot(n, a);
+}
+
+} // namespace gpr
+
+#endif
