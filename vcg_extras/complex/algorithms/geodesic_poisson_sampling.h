@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_GEODESIC_POISSON_SAMPLING_H
+#define VCG_EXTRAS_GEODESIC_POISSON_SAMPLING_H
+
+#include <cassert>
+#include <vcg_extras/complex/algorithms/attribute_transfer.h>
+#include <vcg_extras/complex/algorithms/geodesic_poisson_base.h>
+#include <vcg_extras/complex/algorithms/mesh_conversion.h>
+#include <vector>
+
+namespace vcg {
+namespace tri {
+
+/** \brief Geodesic Poisson-disk sampling of a surface: points about as dense as they can lie
+without two of them being nearer than a radius, measured along the surface.
+
+After "Fast Edge-based geodesic Poisson Disk Remeshing", section 3, steps 1 to 8. Differs from the
+paper: a new sample lies where the disks of two others meet, not on a random border edge, which
+packs closer; rims are sampled first; the mesh is not split, a sample is a point of a face.
+
+Works on any tri::TriMesh with coordinates in float or double; a minimal mesh type needs only
+coordinates, flags and vertex references. For example:
+\code
+std::vector<tri::GeodesicPoissonSampling<MyMesh>::SamplePoint> samples;
+tri::GeodesicPoissonSampling<MyMesh>::Params                   params;
+params.SetTargetVertexNum(1000);
+tri::GeodesicPoissonSampling<MyMesh>::Sample(m, params, samples);
+\endcode
+*/
+template <class MeshType>
+class GeodesicPoissonSampling {
+public:
+	typedef typename MeshType::ScalarType  ScalarType;
+	typedef typename MeshType::CoordType   CoordType;
+	typedef typename MeshType::FaceType    FaceType;
+	typedef typename MeshType::FacePointer FacePointer;
+
+	typedef GeodesicPoissonResult Result;
+
+	/// How many points (by number, percent of the vertices or mean distance), seed, threads.
+	struct Params : public GeodesicPoissonParams {
+		typedef gpr::RemeshReport Stat;
+	};
+	typedef typename Params::Stat Stat;
+
+	/// A point of the surface.
+	struct SamplePoint {
+		CoordType   position;       ///< mesh units
+		FacePointer face = nullptr; ///< the face of the sampled mesh that it lies on
+		CoordType   barycentric;    ///< weights of the face's corners; position is their mean
+	};
+
+	/** \brief Samples a surface, as points with the face they lie on.
+
+	Source: paper section 3, steps 1 to 8; the radius by equation (1).
+
+	Needs: per-vertex and per-face flags; deleted elements are left out, what is not 2-manifold is
+	cut for the sampling only and counted in stat->cleaned.
+
+	\param m       the surface, any number of components, open or closed; not modified
+	\param params  how many points, see Params; their number comes out within some percent
+	\param samples receives the points in place of its former content, in a reproducible order
+	\param stat    null, or receives what the run tells about itself; diskRadius is the radius r
+	\param cb      null, or progress in percent; returning false cancels
+
+	\return Ok; or why not, and then samples is as it was
+
+	\throw MissingComponentException where m has no flags
+
+	Cost: about 0.1 s per million faces and core; threads never change the result. */
+	static Result Sample(MeshType& m, const Params& params, std::vector<SamplePoint>& samples,
+						 Stat* stat = nullptr, vcg::CallBackPos* cb = nullptr)
+	{
+		gpr_detail::RequireReadableTriangles(m);
+		try {
+			const gpr_detail::FlatMesh<MeshType> flat(m);
+			const gpr::SamplingResult            run = Run(flat, params, stat, cb);
+			if (run.status == gpr::Status::Ok) samples = PointsOf(m, flat, run);
+			return gpr_detail::ResultOf(run);
+		}
+		catch (const std::bad_alloc&) {
+			return gpr_detail::OutOfMemoryResult();
+		}
+	}
+
+	/** \brief Samples a surface, as the vertices of a mesh without faces.
+
+	As above. Of what points has room for, quality becomes the disk radius, the normal that of the
+	face the point lies on, and the colour is carried over from m.
+
+	\param points  receives one vertex per sample in place of its former content; not m itself
+
+	\return Ok; or why not, and then points is as it was */
+	static Result Sample(const MeshType& m, const Params& params, MeshType& points,
+						 Stat* stat = nullptr, vcg::CallBackPos* cb = nullptr)
+	{
+		assert(&m != &points);
+		gpr_detail::RequireReadableTriangles(m);
+		try {
+			const gpr_detail::FlatMesh<MeshType> flat(m);
+			const gpr::SamplingResult            run = Run(flat, params, stat, cb);
+			if (run.status == gpr::Status::Ok) WritePoints(m, flat, run, points);
+			return gpr_detail::ResultOf(run);
+		}
+		catch (const std::bad_alloc&) {
+			return gpr_detail::OutOfMemoryResult();
+		}
+	}
+
+private:
+	static gpr::SamplingResult Run(const gpr_detail::FlatMesh<MeshType>& flat, const Params& params,
+								   Stat* stat, vcg::CallBackPos* cb)
+	{
+		gpr::SamplingResult run =
+			gpr::samplePoissonDisks(flat.View(), params.Options(), gpr_detail::ProgressOf(cb));
+		run.report.diskRadius = run.diskRadius;
+		if (stat != nullptr) *stat = run.report;
+		return run;
+	}
+
+	static std::vector<SamplePoint> PointsOf(MeshType&                             m,
+											 const gpr_detail::FlatMesh<MeshType>& flat,
+											 const gpr::SamplingResult&            run)
+	{
+		std::vector<SamplePoint> samples(run.points.size());
+		for (std::size_t i = 0; i < samples.size(); ++i) {
+			const gpr::SurfacePoint& anchor = run.anchors[i];
+			samples[i].position             = gpr_detail::ToCoord<CoordType>(run.points[i]);
+			samples[i].face                 = &m.face[Index(m, flat.Face(anchor.face))];
+			samples[i].barycentric =
+				CoordType(ScalarType(anchor.weight[0]), ScalarType(anchor.weight[1]),
+						  ScalarType(anchor.weight[2]));
+		}
+		return samples;
+	}
+
+	static void WritePoints(const MeshType& m, const gpr_detail::FlatMesh<MeshType>& flat,
+							const gpr::SamplingResult& run, MeshType& points)
+	{
+		const gpr_detail::AnchoredAttributes<MeshType> attributes(flat, run.anchors, m, points);
+		gpr_detail::ReplaceElements(points, run.points.size(), 0);
+		for (std::size_t i = 0; i < run.points.size(); ++i)
+			points.vert[i].P() = gpr_detail::ToCoord<CoordType>(run.points[i]);
+		attributes.Write(points);
+		if (HasPerVertexQuality(points))
+			for (auto& v : points.vert)
+				v.Q() = typename MeshType::VertexType::QualityType(run.diskRadius);
+		if (HasPerVertexNormal(points))
+			for (std::size_t i = 0; i < run.points.size(); ++i)
+				points.vert[i].N().Import(
+					vcg::TriangleNormal(*flat.Face(run.anchors[i].face)).Normalize());
+		UpdateBounding<MeshType>::Box(points);
+	}
+};
+
+} // namespace tri
+} // namespace vcg
+
+#endif

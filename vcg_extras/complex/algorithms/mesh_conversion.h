@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_MESH_CONVERSION_H
+#define VCG_EXTRAS_MESH_CONVERSION_H
+
+// Internal: between a vcg mesh and the flat arrays of the engine. Nothing here decides anything
+// about geometry; repair of bad input is the engine's, so that all its hosts give the same bytes.
+
+#include <vcg_extras/complex/algorithms/geodesic_poisson_base.h>
+
+// clang-format off: vcglib's headers need complex.h before them
+#include <vcg/complex/algorithms/update/bounding.h>
+#include <vcg/complex/algorithms/update/normal.h>
+#include <vcg/complex/algorithms/update/topology.h>
+#include <vcg/complex/complex.h>
+#include <wrap/callback.h>
+// clang-format on
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <new>
+#include <type_traits>
+#include <vector>
+
+namespace vcg {
+namespace tri {
+namespace gpr_detail {
+
+/** \brief A vcg mesh as the engine reads it. The mesh must outlive it, unchanged.
+
+Deleted elements are left out. Where no vertex is deleted the positions are viewed in place;
+otherwise they are copied without gaps, so that the engine does not count the gaps as vertices.
+A corner that is null, deleted or outside of the mesh becomes index -1, which the engine refuses.
+Cost: one pass over the mesh, 12 B per face (and 12 or 24 B per vertex when copied).
+*/
+template <class MeshType>
+class FlatMesh {
+public:
+	typedef typename MeshType::ScalarType       ScalarType;
+	typedef typename MeshType::VertexType       VertexType;
+	typedef typename MeshType::FaceType         FaceType;
+	typedef typename MeshType::ConstFacePointer ConstFacePointer;
+
+	static_assert(std::is_same<ScalarType, float>::value || std::is_same<ScalarType, double>::value,
+				  "coordinates are float or double");
+
+	explicit FlatMesh(const MeshType& m) : _mesh(m)
+	{
+		CollectVertices();
+		CollectFaces();
+	}
+
+	gpr::MeshView View() const
+	{
+		gpr::MeshView view(_position, _triangle);
+		if (_indexOf.empty() && !_mesh.vert.empty()) {
+			view.positions           = _mesh.vert[0].cP().V();
+			view.positionStrideBytes = sizeof(VertexType);
+			view.vertexNum           = _mesh.vert.size();
+		}
+		return view;
+	}
+
+	/// The mesh's face behind face f of the view.
+	ConstFacePointer Face(std::int32_t f) const
+	{
+		return &_mesh.face[_faceOf.empty() ? std::size_t(f) : std::size_t(_faceOf[f])];
+	}
+
+private:
+	void CollectVertices()
+	{
+		const auto& vert = _mesh.vert;
+		if (std::none_of(vert.begin(), vert.end(), [](const VertexType& v) { return v.IsD(); }))
+			return;
+		_indexOf.assign(vert.size(), -1);
+		for (std::size_t i = 0; i < vert.size(); ++i) {
+			if (vert[i].IsD()) continue;
+			_indexOf[i]   = std::int32_t(_position.size());
+			const auto& p = vert[i].cP();
+			_position.push_back(gpr::Vec3<ScalarType>(p[0], p[1], p[2]));
+		}
+	}
+
+	void CollectFaces()
+	{
+		const auto& face = _mesh.face;
+		const bool  compactFlag =
+			std::none_of(face.begin(), face.end(), [](const FaceType& f) { return f.IsD(); });
+		_triangle.reserve(3 * face.size());
+		for (std::size_t i = 0; i < face.size(); ++i) {
+			if (face[i].IsD()) continue;
+			if (!compactFlag) _faceOf.push_back(std::int32_t(i));
+			for (int k = 0; k < 3; ++k)
+				_triangle.push_back(VertexIndex(face[i].cV(k)));
+		}
+	}
+
+	std::int32_t VertexIndex(const VertexType* v) const
+	{
+		const std::less<const VertexType*> before;
+		const VertexType*                  first = _mesh.vert.data();
+		if (before(v, first) || !before(v, first + _mesh.vert.size())) return -1;
+		return _indexOf.empty() ? std::int32_t(v - first) : _indexOf[v - first];
+	}
+
+	const MeshType&                    _mesh;
+	std::vector<gpr::Vec3<ScalarType>> _position; ///< filled only where vertices are deleted
+	std::vector<std::int32_t>          _triangle;
+	std::vector<std::int32_t>          _indexOf; ///< per mesh vertex: index in the view; or empty
+	std::vector<std::int32_t> _faceOf; ///< per face of the view: index in the mesh; or empty
+};
+
+/// What every algorithm needs of a mesh; throws vcglib's exceptions where it is missing.
+template <class MeshType>
+void RequireReadableTriangles(const MeshType& m)
+{
+	RequireTriangularMesh(m);
+	RequirePerVertexFlags(m);
+	RequirePerFaceFlags(m);
+}
+
+/// The engine's progress as vcglib's callback, in percent. A false answer cancels. Null is allowed.
+inline gpr::ProgressCallback ProgressOf(vcg::CallBackPos* cb)
+{
+	if (cb == nullptr) return nullptr;
+	return [cb](double share, const char* phrase) {
+		return cb(int(100 * std::min(1.0, std::max(0.0, share))), phrase);
+	};
+}
+
+/// What the caller hears of an engine's result, whichever struct it came in.
+template <class EngineResultType>
+GeodesicPoissonResult ResultOf(const EngineResultType& r)
+{
+	GeodesicPoissonResult result;
+	result.status  = r.status;
+	result.message = r.message;
+	result.notes   = r.notes;
+	return result;
+}
+
+inline GeodesicPoissonResult OutOfMemoryResult()
+{
+	GeodesicPoissonResult result;
+	result.status  = gpr::Status::OutOfMemory;
+	result.message = "There is not enough memory for the mesh.";
+	return result;
+}
+
+template <class CoordType>
+CoordType ToCoord(const gpr::Vec3d& p)
+{
+	typedef typename CoordType::ScalarType ScalarType;
+	return CoordType(ScalarType(p.x), ScalarType(p.y), ScalarType(p.z));
+}
+
+/// Makes room for vertNum vertices and faceNum faces; where memory runs out m is as it was.
+template <class MeshType>
+void GrowContainers(MeshType& m, std::size_t vertNum, std::size_t faceNum)
+{
+	const std::size_t oldVertNum = m.vert.size(), oldFaceNum = m.face.size();
+	const int         vn = m.vn, fn = m.fn;
+	try {
+		if (vertNum > oldVertNum) Allocator<MeshType>::AddVertices(m, vertNum - oldVertNum);
+		if (faceNum > oldFaceNum) Allocator<MeshType>::AddFaces(m, faceNum - oldFaceNum);
+	}
+	catch (const std::bad_alloc&) {
+		m.vert.resize(oldVertNum);
+		m.face.resize(oldFaceNum);
+		m.vn = vn;
+		m.fn = fn;
+		throw;
+	}
+}
+
+/// Replaces all elements of m by fresh ones. Optional (ocf) components stay enabled and user
+/// attributes stay attached, both with fresh values; the mesh's colour stays.
+template <class MeshType>
+void ReplaceElements(MeshType& m, std::size_t vertNum, std::size_t faceNum)
+{
+	GrowContainers(m, vertNum, faceNum);
+	const Color4b meshColor = m.C();
+	// Clear() alone would leave the old values in optional components and attributes; capacity
+	// survives all of this, so nothing from here on allocates.
+	m.vert.resize(0);
+	m.face.resize(0);
+	ResizeAttribute(m.vert_attr, 0, m);
+	ResizeAttribute(m.face_attr, 0, m);
+	ResizeAttribute(m.edge_attr, 0, m);
+	m.Clear();
+	m.C() = meshColor;
+	Allocator<MeshType>::AddVertices(m, vertNum);
+	Allocator<MeshType>::AddFaces(m, faceNum);
+}
+
+/// Normals, bounding box and adjacency, as far as m has them, made true again by vcglib.
+template <class MeshType>
+void RefreshDerived(MeshType& m)
+{
+	typedef typename MeshType::CoordType CoordType;
+	UpdateBounding<MeshType>::Box(m);
+	// vcglib's normals compile only where they are of the type of the coordinates.
+	if constexpr (std::is_same<typename MeshType::FaceType::NormalType, CoordType>::value)
+		if (HasPerFaceNormal(m)) UpdateNormal<MeshType>::PerFaceNormalized(m);
+	if constexpr (std::is_same<typename MeshType::VertexType::NormalType, CoordType>::value)
+		if (HasPerVertexNormal(m)) UpdateNormal<MeshType>::PerVertexNormalized(m);
+	if (HasFFAdjacency(m)) UpdateTopology<MeshType>::FaceFace(m);
+	if (HasVFAdjacency(m)) UpdateTopology<MeshType>::VertexFace(m);
+}
+
+/// Replaces what m holds by the engine's mesh; derived data is left to RefreshDerived.
+template <class MeshType>
+void WriteMesh(const gpr::TriangleMesh& from, MeshType& m)
+{
+	ReplaceElements(m, from.vertexNum(), from.faceNum());
+	for (std::size_t v = 0; v < from.vertexNum(); ++v)
+		m.vert[v].P() = ToCoord<typename MeshType::CoordType>(from.positions[v]);
+	for (std::size_t f = 0; f < from.faceNum(); ++f)
+		for (int k = 0; k < 3; ++k)
+			m.face[f].V(k) = &m.vert[from.triangles[3 * f + k]];
+}
+
+} // namespace gpr_detail
+} // namespace tri
+} // namespace vcg
+
+#endif
