@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef FILTER_GEODESIC_POISSON_H
+#define FILTER_GEODESIC_POISSON_H
+
+#include <common/interfaces.h>
+#include <string>
+#include <vector>
+
+/// The adapter to MeshLab 2020.09's plugin interface: turns one applyFilter into one call of the
+/// engine. Parameters, mesh and texts go over bridges that other versions' adapters share.
+class FilterGeodesicPoisson : public QObject, public MeshFilterInterface {
+	Q_OBJECT
+	MESHLAB_PLUGIN_IID_EXPORTER(MESH_FILTER_INTERFACE_IID)
+	Q_INTERFACES(MeshFilterInterface)
+
+public:
+	enum { FP_GEODESIC_POISSON_REMESHING };
+
+	FilterGeodesicPoisson();
+
+	QString      pluginName() const override;
+	QString      filterName(FilterIDType filter) const override;
+	QString      filterInfo(FilterIDType filter) const override;
+	FilterClass  getClass(QAction* action) override;
+	int          getPreConditions(QAction* action) const override;
+	int          postCondition(QAction* action) const override;
+	FILTER_ARITY filterArity(QAction* action) const override;
+	using MeshFilterInterface::initParameterSet;
+	void initParameterSet(QAction* action, MeshModel& layer, RichParameterList& list) override;
+
+	/// Never throws. False, with errorMessage and a log line, when nothing was done: then the
+	/// document is as it was.
+	bool applyFilter(QAction* action, MeshDocument& document, const RichParameterList& list,
+					 vcg::CallBackPos* progress) override;
+
+private:
+	/// The host's progress bar handles events, so Apply can be pressed again while the filter runs.
+	bool _running = false;
+
+	bool refuse(const std::string& sentence);
+	bool refuse(const std::vector<std::string>& sentences);
+	bool giveUp(const char* what, const char* why) noexcept;
+	bool remeshLayer(MeshDocument& document, const RichParameterList& list,
+					 vcg::CallBackPos* progress);
+	void logAll(const std::vector<std::string>& lines);
+};
+
+#endif

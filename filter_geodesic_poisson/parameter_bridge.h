@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef FILTER_GEODESIC_POISSON_PARAMETER_BRIDGE_H
+#define FILTER_GEODESIC_POISSON_PARAMETER_BRIDGE_H
+
+// Between the engine's parameter table and MeshLab's parameter lists.
+
+#include <string>
+#include <vcg_extras/core/parameters.h>
+#include <vector>
+
+class RichParameterList;
+
+namespace gpr_filter {
+
+/// Adds one MeshLab parameter for each row of the table, in the table's order, with its default for
+/// a mesh of these facts. Lengths range from 0 to the diagonal.
+void fillParameterList(const std::vector<gpr::Parameter>& table, const gpr::MeshFacts& facts,
+					   RichParameterList& list);
+
+/// What a parameter list says, and what is wrong with it.
+struct ReadParameters {
+	gpr::ParameterSet        values;
+	std::vector<std::string> complaints; ///< one sentence each; empty when all is well
+};
+
+/// Reads the rows of the table out of a list. A row that is missing, of another type or out of its
+/// range makes a complaint; parameters that are not in the table are passed over. Never throws for
+/// what a user can write into a script.
+ReadParameters readParameterList(const std::vector<gpr::Parameter>& table,
+								 const RichParameterList&           list);
+
+/// The number a user meant whose decimal text the host has kept as float: 12.3f gives 12.3 and not
+/// 12.300000190734863, so that dialog, script and command line ask for the same.
+double typedNumber(float kept);
+
+} // namespace gpr_filter
+
+#endif
