@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_COMMAND_LINE_H
+#define VCG_EXTRAS_APPS_GPREMESH_COMMAND_LINE_H
+
+#include <string>
+#include <vcg_extras/core/options.h>
+
+namespace gpr::app {
+
+enum class Command {
+	None, ///< --help or --version: printed already
+	Remesh,
+	Info,
+};
+
+/// What the user asked for, checked.
+struct CommandLine {
+	Command       command = Command::None;
+	std::string   input;
+	std::string   output; ///< remesh only
+	std::string   report; ///< remesh only; empty = none
+	bool          quiet = false;
+	bool          json  = false; ///< info only
+	RemeshOptions options;       ///< remesh only
+};
+
+/// Reads the arguments; the remeshing options are made from the engine's parameter table. Prints
+/// --help and --version itself. Throws AppError (Usage) with a sentence on any mistake.
+CommandLine parseCommandLine(int argc, char** argv);
+
+} // namespace gpr::app
+
+#endif

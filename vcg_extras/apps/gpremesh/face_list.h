@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_FACE_LIST_H
+#define VCG_EXTRAS_APPS_GPREMESH_FACE_LIST_H
+
+#include "mesh_data.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gpr::app {
+
+/// Collects the faces of a file. Triangles are stored at once; larger polygons wait until all
+/// positions are known, since the best way to cut them up depends on their shape.
+class FaceList {
+public:
+	IndexArray triangles; ///< open to readers that copy whole blocks
+
+	/// Adds a face with any number of corners; an index that is no 32-bit number becomes -1, which
+	/// finish() refuses. Faces with fewer than three corners are left out and counted.
+	void add(const std::int64_t* corners, std::size_t cornerNum);
+
+	/// Checks every index, cuts the polygons into triangles and moves all into the mesh.
+	/// Throws AppError (BadInput) when an index names no vertex of the mesh.
+	void finish(InputMesh& mesh);
+
+private:
+	std::vector<std::int32_t> polygonCorners_;
+	std::vector<std::size_t>  polygonEnds_;
+	std::size_t               tooSmallNum_ = 0;
+
+	void cutPolygons(const InputMesh& mesh);
+};
+
+} // namespace gpr::app
+
+#endif

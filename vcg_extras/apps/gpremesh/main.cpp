@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// gpremesh: geodesic Poisson-disk remeshing on the command line.
+#include "command_line.h"
+#include "exit_code.h"
+#include "info_command.h"
+#include "remesh_command.h"
+#include "stopwatch.h"
+
+#include <cstdio>
+#include <new>
+#include <string>
+
+namespace {
+
+using namespace gpr::app;
+
+/// Shows a failure as one sentence and returns its exit code.
+int tell(ExitCode code, std::string sentence)
+{
+	if (sentence.empty() || sentence.back() != '.') sentence += '.';
+	std::fprintf(stderr, "gpremesh: %s\n", sentence.c_str());
+	return int(code);
+}
+
+void run(int argc, char** argv, const Stopwatch& programClock)
+{
+	const CommandLine line = parseCommandLine(argc, argv);
+	switch (line.command) {
+	case Command::None:
+		break;
+	case Command::Remesh:
+		runRemesh(line, programClock);
+		break;
+	case Command::Info:
+		runInfo(line);
+		break;
+	}
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+	const Stopwatch programClock;
+	try {
+		run(argc, argv, programClock);
+	}
+	catch (const AppError& error) {
+		return tell(error.code, error.what());
+	}
+	catch (const std::bad_alloc&) {
+		return tell(ExitCode::Failure, "there is not enough memory");
+	}
+	catch (const std::exception& error) {
+		return tell(ExitCode::Failure, error.what());
+	}
+	// What was printed must have arrived: a full disk behind a redirection is a failure.
+	if (std::fflush(stdout) != 0) return tell(ExitCode::Failure, "cannot write to standard output");
+	return int(ExitCode::Done);
+}

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_MESH_DATA_H
+#define VCG_EXTRAS_APPS_GPREMESH_MESH_DATA_H
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vcg_extras/core/mesh_view.h>
+#include <vector>
+
+namespace gpr::app {
+
+/// Leaves new elements of a vector as they are: a reader writes every one of them anyway, and
+/// zeroing a large array first costs as much as reading it.
+template <class T>
+struct UninitializedAllocator : std::allocator<T> {
+	template <class U>
+	struct rebind {
+		using other = UninitializedAllocator<U>;
+	};
+	template <class U>
+	void construct(U* at) noexcept
+	{
+		::new (static_cast<void*>(at)) U;
+	}
+	template <class U, class... Args>
+	void construct(U* at, Args&&... args)
+	{
+		::new (static_cast<void*>(at)) U(std::forward<Args>(args)...);
+	}
+};
+
+/// Vertex indices, three a triangle.
+using IndexArray = std::vector<std::int32_t, UninitializedAllocator<std::int32_t>>;
+
+/// Coordinates, three a vertex.
+template <class S>
+using CoordinateArray = std::vector<S, UninitializedAllocator<S>>;
+
+/// A mesh as its file holds it: nothing repaired, but every index is in range.
+struct InputMesh {
+	CoordinateArray<float>   floats;  ///< 3 a vertex; empty when doublePrecision
+	CoordinateArray<double>  doubles; ///< 3 a vertex; empty otherwise
+	IndexArray               triangles;
+	bool                     doublePrecision = false;
+	std::vector<std::string> notes; ///< sentences about oddities that were no reason to refuse
+
+	std::size_t vertexNum() const { return (doublePrecision ? doubles.size() : floats.size()) / 3; }
+	std::size_t faceNum() const { return triangles.size() / 3; }
+	MeshView    view() const
+	{
+		MeshView v;
+		v.positions = doublePrecision ? static_cast<const void*>(doubles.data()) : floats.data();
+		v.doublePrecision     = doublePrecision;
+		v.positionStrideBytes = 3 * (doublePrecision ? sizeof(double) : sizeof(float));
+		v.vertexNum           = vertexNum();
+		v.triangles           = triangles.data();
+		v.faceNum             = faceNum();
+		return v;
+	}
+};
+
+} // namespace gpr::app
+
+#endif

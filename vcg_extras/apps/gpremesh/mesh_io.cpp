@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_io.h"
+
+#include "exit_code.h"
+#include "obj_format.h"
+#include "off_format.h"
+#include "output_file.h"
+#include "platform.h"
+#include "ply_reader.h"
+#include "ply_writer.h"
+#include "stl_format.h"
+
+#include <filesystem>
+
+namespace gpr::app {
+
+namespace {
+
+std::string lowerCase(std::string text)
+{
+	for (char& c : text) {
+		if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
+	}
+	return text;
+}
+
+InputMesh readFormat(MeshFormat format, std::string_view content)
+{
+	switch (format) {
+	case MeshFormat::Ply:
+		return readPly(content);
+	case MeshFormat::Obj:
+		return readObj(content);
+	case MeshFormat::Off:
+		return readOff(content);
+	case MeshFormat::Stl:
+		return readStl(content);
+	}
+	return {};
+}
+
+InputMesh readContent(MeshFormat format, const std::string& path)
+{
+	const FileContent content(path);
+	if (content.view().empty()) throw AppError(ExitCode::BadInput, "the file is empty");
+	return readFormat(format, content.view());
+}
+
+} // namespace
+
+MeshFormat formatOfPath(const std::string& path)
+{
+	const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
+	if (extension == ".ply") return MeshFormat::Ply;
+	if (extension == ".obj") return MeshFormat::Obj;
+	if (extension == ".off") return MeshFormat::Off;
+	if (extension == ".stl") return MeshFormat::Stl;
+	throw AppError(ExitCode::Usage,
+				   "'" + path + "' has none of the extensions .ply, .obj, .off and .stl.");
+}
+
+InputMesh readMesh(const std::string& path)
+{
+	const MeshFormat format = formatOfPath(path);
+	InputMesh        mesh;
+	try {
+		mesh = readContent(format, path);
+	}
+	catch (const AppError& error) {
+		throw AppError(error.code, "cannot read '" + path + "': " + error.what() + ".");
+	}
+	if (mesh.faceNum() == 0) {
+		throw AppError(ExitCode::BadInput, "'" + path + "' has no faces (" +
+											   std::to_string(mesh.vertexNum()) + " vertices).");
+	}
+	return mesh;
+}
+
+void writeMesh(const TriangleMesh& mesh, bool doublePrecision, const std::string& path,
+			   const std::function<bool()>& shallStop)
+{
+	const MeshFormat format = formatOfPath(path);
+	OutputFile       out(path);
+	switch (format) {
+	case MeshFormat::Ply:
+		writePly(mesh, doublePrecision, out);
+		break;
+	case MeshFormat::Obj:
+		writeObj(mesh, doublePrecision, out);
+		break;
+	case MeshFormat::Off:
+		writeOff(mesh, doublePrecision, out);
+		break;
+	case MeshFormat::Stl:
+		writeStl(mesh, out);
+		break;
+	}
+	if (shallStop()) throw AppError(ExitCode::Stopped, "cancelled; nothing was written.");
+	out.commit();
+}
+
+} // namespace gpr::app

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_MESH_IO_H
+#define VCG_EXTRAS_APPS_GPREMESH_MESH_IO_H
+
+#include "mesh_data.h"
+
+#include <functional>
+#include <string>
+
+namespace gpr::app {
+
+enum class MeshFormat { Ply, Obj, Off, Stl };
+
+/// The format that a file's extension stands for, upper or lower case.
+/// Throws AppError (Usage) where it stands for none.
+MeshFormat formatOfPath(const std::string& path);
+
+/// Reads a mesh in the format that its extension stands for. Throws AppError (BadInput) with a
+/// sentence that names the file when it cannot be read or has no faces.
+InputMesh readMesh(const std::string& path);
+
+/// Writes a mesh in the format that the path's extension stands for; an older file is replaced
+/// only when all has gone well. Throws AppError (Failure) otherwise.
+/// shallStop is asked once more before the old file is replaced; true there throws (Stopped).
+void writeMesh(const TriangleMesh& mesh, bool doublePrecision, const std::string& path,
+			   const std::function<bool()>& shallStop);
+
+} // namespace gpr::app
+
+#endif

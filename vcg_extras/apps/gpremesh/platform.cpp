@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "platform.h"
+
+#include "exit_code.h"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <fstream>
+#include <sys/mman.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace gpr::app {
+
+namespace {
+
+volatile std::sig_atomic_t stopFlag = 0;
+
+extern "C" void noteStop(int)
+{
+	stopFlag = 1;
+}
+
+[[noreturn]] void failToRead()
+{
+	throw AppError(ExitCode::BadInput, std::strerror(errno));
+}
+
+/// Closes a file descriptor at the end of a scope.
+class Descriptor {
+public:
+	explicit Descriptor(const std::string& path) :
+			number(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
+	{
+	}
+	~Descriptor()
+	{
+		if (number >= 0) ::close(number);
+	}
+	Descriptor(const Descriptor&)            = delete;
+	Descriptor& operator=(const Descriptor&) = delete;
+
+	int number;
+};
+
+std::vector<char> readAll(int descriptor)
+{
+	constexpr std::size_t block = 1 << 20;
+	std::vector<char>     content;
+	while (true) {
+		const std::size_t used = content.size();
+		content.resize(used + block);
+		const ssize_t got = ::read(descriptor, content.data() + used, block);
+		if (got < 0) failToRead();
+		content.resize(used + std::size_t(got));
+		if (got == 0) return content;
+	}
+}
+
+} // namespace
+
+FileContent::FileContent(const std::string& path)
+{
+	const Descriptor file(path);
+	struct stat      status;
+	if (file.number < 0 || ::fstat(file.number, &status) != 0) failToRead();
+	if (S_ISDIR(status.st_mode)) throw AppError(ExitCode::BadInput, "it is a folder");
+	if (S_ISREG(status.st_mode) && status.st_size > 0) {
+		void* const at = ::mmap(nullptr, std::size_t(status.st_size), PROT_READ,
+								MAP_PRIVATE | MAP_POPULATE, file.number, 0);
+		if (at != MAP_FAILED) {
+			mapping_ = at;
+			data_    = static_cast<const char*>(at);
+			size_    = std::size_t(status.st_size);
+			return;
+		}
+	}
+	copy_ = readAll(file.number);
+	data_ = copy_.data();
+	size_ = copy_.size();
+}
+
+FileContent::~FileContent()
+{
+	if (mapping_ != nullptr) ::munmap(mapping_, size_);
+}
+
+bool errorIsTerminal()
+{
+	return ::isatty(STDERR_FILENO) == 1;
+}
+
+std::int64_t peakMemoryBytes()
+{
+	// getrusage would do, but after exec it still counts the program that started this one.
+	std::ifstream status("/proc/self/status");
+	std::string   word;
+	while (status >> word) {
+		std::int64_t kilobytes = 0;
+		if (word == "VmHWM:" && status >> kilobytes) return kilobytes * 1024;
+	}
+	struct rusage usage;
+	return ::getrusage(RUSAGE_SELF, &usage) == 0 ? std::int64_t(usage.ru_maxrss) * 1024 : 0;
+}
+
+long processId()
+{
+	return long(::getpid());
+}
+
+std::FILE* openNewFile(const std::string& path)
+{
+	return std::fopen(path.c_str(), "wbx");
+}
+
+void catchStopSignals()
+{
+	struct sigaction action = {};
+	action.sa_handler       = noteStop;
+	action.sa_flags         = int(SA_RESETHAND) | SA_RESTART;
+	::sigaction(SIGINT, &action, nullptr);
+	::sigaction(SIGTERM, &action, nullptr);
+}
+
+bool stopRequested()
+{
+	return stopFlag != 0;
+}
+
+} // namespace gpr::app

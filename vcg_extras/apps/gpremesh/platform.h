@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_PLATFORM_H
+#define VCG_EXTRAS_APPS_GPREMESH_PLATFORM_H
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// All that depends on the operating system.
+
+namespace gpr::app {
+
+/// The content of a file, mapped into memory where that is possible, else read.
+class FileContent {
+public:
+	/// Throws AppError (BadInput) when the file cannot be read.
+	explicit FileContent(const std::string& path);
+	~FileContent();
+	FileContent(const FileContent&)            = delete;
+	FileContent& operator=(const FileContent&) = delete;
+
+	std::string_view view() const { return {data_, size_}; }
+
+private:
+	const char*       data_    = nullptr;
+	std::size_t       size_    = 0;
+	void*             mapping_ = nullptr;
+	std::vector<char> copy_; ///< of what cannot be mapped, such as a pipe
+};
+
+/// True when standard error is a terminal that a person looks at.
+bool errorIsTerminal();
+
+/// The most memory that the process has held so far, bytes; 0 where that is unknown.
+std::int64_t peakMemoryBytes();
+
+/// A number that no other running process has.
+long processId();
+
+/// Opens a file for writing that must not exist yet; null, with errno set, when that fails.
+std::FILE* openNewFile(const std::string& path);
+
+/// From now on an interrupt or termination signal only sets a flag; a second one ends the program.
+void catchStopSignals();
+
+/// Whether such a signal has come.
+bool stopRequested();
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_PRECISION_H
+#define VCG_EXTRAS_APPS_GPREMESH_PRECISION_H
+
+#include "mesh_data.h"
+
+namespace gpr::app {
+
+/// The largest finite coordinate of a mesh, without its sign.
+double largestCoordinate(const MeshView& mesh);
+
+/// Whether floats of that size resolve a thousandth of an edge.
+bool floatResolves(double largestCoordinate, double edgeLen);
+
+/// Decides for a mesh read from text, held in double so far, whether float does: it does where it
+/// resolves a thousandth of the mean edge, whatever number of digits the text has. So a text file
+/// gives the same mesh as in MeshLab, and a georeferenced one keeps its detail.
+void settlePrecision(InputMesh& mesh);
+
+} // namespace gpr::app
+
+#endif

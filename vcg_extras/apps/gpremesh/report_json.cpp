@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace gpr::app {
+
+namespace {
+
+using Json = nlohmann::ordered_json; // keeps the keys in the order of writing
+
+Json figuresJson(const MeshFigures& m)
+{
+	return {{"vertices", m.vertices},
+			{"faces", m.faces},
+			{"components", m.components},
+			{"boundaryLoops", m.boundaryLoops},
+			{"eulerCharacteristic", m.eulerCharacteristic},
+			{"area", m.area},
+			{"diagonal", m.diagonal}};
+}
+
+Json fileJson(const std::string& path, bool doublePrecision, const MeshFigures& figures)
+{
+	Json json = {{"file", path}, {"precision", doublePrecision ? "double" : "float"}};
+	json.update(figuresJson(figures));
+	return json;
+}
+
+Json qualityJson(const QualityFigures& q)
+{
+	return {{"radiusRatio", {{"mean", q.radiusRatioMean}, {"min", q.radiusRatioMin}}},
+			{"aspectRatio", {{"mean", q.aspectRatioMean}, {"min", q.aspectRatioMin}}},
+			{"angles",
+			 {{"min", q.minAngleDeg},
+			  {"meanOfMinimum", q.meanMinAngleDeg},
+			  {"max", q.maxAngleDeg},
+			  {"below30Percent", q.below30Percent}}},
+			{"valence6Percent", q.valence6Percent},
+			{"meanEdgeLength", q.meanEdgeLen}};
+}
+
+const char* modeName(TargetMode mode)
+{
+	switch (mode) {
+	case TargetMode::VertexNum:
+		return "vertices";
+	case TargetMode::Percent:
+		return "percent";
+	case TargetMode::EdgeLength:
+		return "edgeLength";
+	}
+	return "";
+}
+
+/// The options in force; of the three sizes only the one that was used.
+Json optionsJson(const RemeshOptions& o)
+{
+	Json json = {{"target", modeName(o.targetMode)}};
+	switch (o.targetMode) {
+	case TargetMode::VertexNum:
+		json["vertices"] = o.targetVertexNum;
+		break;
+	case TargetMode::Percent:
+		json["percent"] = o.targetPercent;
+		break;
+	case TargetMode::EdgeLength:
+		json["edgeLength"] = o.targetEdgeLen;
+		break;
+	}
+	json["relax"]        = o.relaxIterations;
+	json["exactCount"]   = o.exactCount;
+	json["allowNearest"] = o.allowNearest;
+	json["seed"]         = o.seed;
+	json["threads"]      = o.threads;
+	return json;
+}
+
+/// One key a stage of the engine, then the parts that make up the total.
+Json secondsJson(const std::vector<StageTime>& stages, const RunTimes& times)
+{
+	Json json = Json::object();
+	for (const StageTime& s : stages)
+		json[s.stage] = s.seconds;
+	json["read"]   = times.read;
+	json["remesh"] = times.remesh;
+	json["write"]  = times.write;
+	json["total"]  = times.total();
+	return json;
+}
+
+Json cleanedJson(const CleanCounts& c)
+{
+	return {{"nonFiniteVertices", c.nonFiniteVertices},
+			{"unreferencedVertices", c.unreferencedVertices},
+			{"weldedVertices", c.weldedVertices},
+			{"repeatedIndexFaces", c.repeatedIndexFaces},
+			{"zeroAreaFaces", c.zeroAreaFaces},
+			{"duplicateFaces", c.duplicateFaces},
+			{"reorientedFaces", c.reorientedFaces},
+			{"nonManifoldEdges", c.nonManifoldEdges},
+			{"nonManifoldVertices", c.nonManifoldVertices},
+			{"nonOrientableCuts", c.nonOrientableCuts},
+			{"longEdgesSplit", c.longEdgesSplit}};
+}
+
+Json auditJson(const AuditFigures& a)
+{
+	return {{"passed", a.passed},
+			{"nonManifoldEdges", a.nonManifoldEdges},
+			{"nonManifoldVertices", a.nonManifoldVertices},
+			{"duplicateFaces", a.duplicateFaces},
+			{"zeroAreaFaces", a.zeroAreaFaces},
+			{"flippedFaces", a.flippedFaces},
+			{"nonFinitePositions", a.nonFinitePositions},
+			{"componentsKept", a.componentsKept},
+			{"boundaryLoopsKept", a.boundaryLoopsKept},
+			{"eulerKept", a.eulerKept},
+			{"countExact", a.countExact}};
+}
+
+Json countsJson(const RemeshReport& r)
+{
+	return {{"targetVertices", r.targetVertexNum},
+			{"samples", r.sampleNum},
+			{"boundarySamples", r.boundarySampleNum},
+			{"leftoverVertices", r.leftoverVertexNum},
+			{"splits", r.splitNum},
+			{"collapses", r.collapseNum},
+			{"flips", r.flipNum}};
+}
+
+Json programJson()
+{
+	return {{"name", "gpremesh"}, {"version", GPR_VERSION}};
+}
+
+/// Text that a file name may have made invalid UTF-8 is mended rather than refused.
+std::string textOf(const Json& json)
+{
+	return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace
+
+std::string remeshReportJson(const RunRecord& run)
+{
+	const RemeshReport& r = run.report;
+	Json                json;
+	json["program"]         = programJson();
+	json["input"]           = fileJson(run.inputPath, run.inputDouble, r.input);
+	json["cleanedInput"]    = figuresJson(r.cleanedInput);
+	json["result"]          = fileJson(run.outputPath, run.outputDouble, r.result);
+	json["options"]         = optionsJson(run.options);
+	json["seed"]            = r.seed;
+	json["threads"]         = r.threads;
+	json["diskRadius"]      = r.diskRadius;
+	json["radiusConstant"]  = r.radiusConstant;
+	json["counts"]          = countsJson(r);
+	json["seconds"]         = secondsJson(r.stages, run.times);
+	json["quality"]         = qualityJson(r.quality);
+	json["cleaned"]         = cleanedJson(r.cleaned);
+	json["audit"]           = auditJson(r.audit);
+	json["capsReached"]     = r.capsReached;
+	json["notes"]           = run.notes;
+	json["peakMemoryBytes"] = run.peakMemoryBytes;
+	return textOf(json);
+}
+
+std::string meshInfoJson(const std::string& path, bool doublePrecision, const MeshFigures& figures,
+						 const QualityFigures& quality, const std::vector<std::string>& notes)
+{
+	Json json;
+	json["program"] = programJson();
+	json["input"]   = fileJson(path, doublePrecision, figures);
+	json["quality"] = qualityJson(quality);
+	json["notes"]   = notes;
+	return textOf(json);
+}
+
+} // namespace gpr::app

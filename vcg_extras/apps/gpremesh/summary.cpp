@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "summary.h"
+
+#include <cstdarg>
+#include <cstdio>
+
+namespace gpr::app {
+
+namespace {
+
+/// printf into a string; the program never leaves the C locale, so the decimal sign is a point.
+__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...)
+{
+	char         text[512];
+	std::va_list arguments;
+	va_start(arguments, format);
+	std::vsnprintf(text, sizeof text, format, arguments);
+	va_end(arguments);
+	return text;
+}
+
+/// "1,234,567": large counts are read more easily in groups.
+std::string grouped(std::int64_t count)
+{
+	std::string digits = std::to_string(count);
+	for (int at = int(digits.size()) - 3; at > (count < 0 ? 1 : 0); at -= 3) {
+		digits.insert(std::size_t(at), ",");
+	}
+	return digits;
+}
+
+std::string counted(std::int64_t count, const char* one, const char* many)
+{
+	return grouped(count) + " " + (count == 1 ? one : many);
+}
+
+std::string countsText(const MeshFigures& m)
+{
+	return counted(m.vertices, "vertex", "vertices") + ", " + counted(m.faces, "face", "faces") +
+		   ", " + counted(m.components, "component", "components") + ", " +
+		   counted(m.boundaryLoops, "boundary loop", "boundary loops");
+}
+
+std::string qualityText(const QualityFigures& q)
+{
+	return formatted("mean aspect ratio %.4f, mean 2r/R %.4f, smallest angle %.2f deg, "
+					 "%.4g %% of faces below 30 deg",
+					 q.aspectRatioMean, q.radiusRatioMean, q.minAngleDeg, q.below30Percent);
+}
+
+void append(std::string& list, std::int64_t count, const char* one, const char* many)
+{
+	if (count != 0) list += (list.empty() ? "" : ", ") + counted(count, one, many);
+}
+
+/// What was repaired, or nothing where all was well.
+std::string cleanedText(const CleanCounts& c)
+{
+	std::string list;
+	append(list, c.nonFiniteVertices, "vertex without finite coordinates dropped",
+		   "vertices without finite coordinates dropped");
+	append(list, c.unreferencedVertices, "unused vertex dropped", "unused vertices dropped");
+	append(list, c.weldedVertices, "vertex welded", "vertices welded");
+	append(list, c.repeatedIndexFaces, "face with a repeated vertex dropped",
+		   "faces with a repeated vertex dropped");
+	append(list, c.zeroAreaFaces, "face without area", "faces without area");
+	append(list, c.duplicateFaces, "duplicate face dropped", "duplicate faces dropped");
+	append(list, c.reorientedFaces, "face turned over", "faces turned over");
+	append(list, c.nonManifoldEdges, "non-manifold edge cut", "non-manifold edges cut");
+	append(list, c.nonManifoldVertices, "non-manifold vertex cut", "non-manifold vertices cut");
+	append(list, c.nonOrientableCuts, "edge cut to make the surface orientable",
+		   "edges cut to make the surface orientable");
+	return list;
+}
+
+std::string notesText(const std::vector<std::string>& notes)
+{
+	std::string lines;
+	for (const std::string& n : notes)
+		lines += "note     " + n + "\n";
+	return lines;
+}
+
+} // namespace
+
+std::string remeshSummary(const RunRecord& run)
+{
+	const std::string cleaned = cleanedText(run.report.cleaned);
+	std::string text = "read     " + run.inputPath + ": " + countsText(run.report.input) + "\n";
+	if (!cleaned.empty()) text += "cleaned  " + cleaned + "\n";
+	text += "wrote    " + run.outputPath + ": " + countsText(run.report.result) + "\n";
+	text += "quality  " + qualityText(run.report.quality) + "\n";
+	text += formatted("seconds  %.3f: %.3f read, %.3f remesh, %.3f write\n", run.times.total(),
+					  run.times.read, run.times.remesh, run.times.write);
+	return text + notesText(run.notes);
+}
+
+std::string meshInfoText(const std::string& path, bool doublePrecision, const MeshFigures& figures,
+						 const QualityFigures& quality, const std::vector<std::string>& notes)
+{
+	std::string text = path + ": " + countsText(figures) + "\n";
+	text +=
+		formatted("topology  Euler characteristic %lld\n", (long long) figures.eulerCharacteristic);
+	text += formatted("size      area %.9g, diagonal %.9g, mean edge %.9g, coordinates %s\n",
+					  figures.area, figures.diagonal, quality.meanEdgeLen,
+					  doublePrecision ? "double" : "float");
+	text += "quality   " + qualityText(quality) + "\n";
+	return text + notesText(notes);
+}
+
+} // namespace gpr::app
