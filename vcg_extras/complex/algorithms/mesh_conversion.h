@@ -8,11 +8,12 @@
 
 #include <vcg_extras/complex/algorithms/geodesic_poisson_base.h>
 
-// clang-format off: vcglib's headers need complex.h before them
+// vcglib's headers need complex.h before them.
+// clang-format off
+#include <vcg/complex/complex.h>
 #include <vcg/complex/algorithms/update/bounding.h>
 #include <vcg/complex/algorithms/update/normal.h>
 #include <vcg/complex/algorithms/update/topology.h>
-#include <vcg/complex/complex.h>
 #include <wrap/callback.h>
 // clang-format on
 
