@@ -22,3 +22,14 @@ caller_home() {
 cache_dir() {
 	printf '%s\n' "${GPR_CACHE_DIR:-${XDG_CACHE_HOME:-$(caller_home)/.cache}/gpremesh}"
 }
+
+# Runs a program under a display of its own, drawn by software, away from the user's settings.
+# $1 is a folder for home and run-time files.
+with_display() {
+	local state=$1
+	shift
+	mkdir -p "$state/home" "$state/run"
+	chmod 700 "$state/run"
+	env HOME="$state/home" XDG_RUNTIME_DIR="$state/run" LIBGL_ALWAYS_SOFTWARE=1 \
+		xvfb-run -a -s "-screen 0 1280x900x24 -nolisten tcp" "$@" </dev/null
+}

@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The filter, called as MeshLab calls it.
+
+#include "host.h"
+#include "mesh_bridge.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <stdexcept>
+#include <vcg/complex/algorithms/clean.h>
+#include <vcg_extras/core/remesh.h>
+
+namespace {
+
+using namespace plugin_test;
+
+RichParameterList withCount(Document& document, int vertexNum)
+{
+	RichParameterList list = defaults(document);
+	list.setValue("TargetVertexNum", IntValue(vertexNum));
+	return list;
+}
+
+/// Everything of a layer that a failing filter must leave as it was.
+struct Snapshot {
+	gpr_filter::LayerCopy copy;
+	int                   mask;
+	int                   layers;
+	int                   currentId;
+
+	explicit Snapshot(Document& document) :
+			copy(gpr_filter::copyLayer(document.layer().cm, true, true)),
+			mask(document.layer().dataMask()), layers(document->size()),
+			currentId(document->mm()->id())
+	{
+	}
+	bool operator==(const Snapshot& o) const
+	{
+		return copy.sameGeometry(o.copy) && copy.colours == o.copy.colours &&
+			   copy.qualities == o.copy.qualities && mask == o.mask && layers == o.layers &&
+			   currentId == o.currentId;
+	}
+};
+
+void expectSoundMesh(CMeshO& mesh)
+{
+	EXPECT_EQ(std::size_t(mesh.vn), mesh.vert.size()) << "deleted vertices are left";
+	EXPECT_EQ(std::size_t(mesh.fn), mesh.face.size()) << "deleted faces are left";
+	for (const CVertexO& v : mesh.vert) {
+		ASSERT_FALSE(v.IsD() || v.IsS());
+		ASSERT_NEAR(v.cN().Norm(), 1, 0.5) << "a vertex normal was not computed";
+	}
+	vcg::Box3f box;
+	for (const CFaceO& f : mesh.face) {
+		ASSERT_FALSE(f.IsD() || f.IsS() || f.IsF(0) || f.IsF(1) || f.IsF(2));
+		ASSERT_NEAR(f.cN().Norm(), 1, 1e-4);
+		for (int k = 0; k < 3; ++k) {
+			ASSERT_LT(vcg::tri::Index(mesh, f.cV(k)), mesh.vert.size());
+			box.Add(f.cP(k));
+		}
+	}
+	EXPECT_EQ(mesh.bbox, box);
+	EXPECT_EQ(mesh.svn, 0);
+	EXPECT_EQ(mesh.sfn, 0);
+}
+
+TEST(Filter, HostFindsItAndItsTexts)
+{
+	ASSERT_NE(remeshAction(), nullptr);
+	EXPECT_EQ(remeshAction()->parent(), dynamic_cast<QObject*>(&plugin()));
+	const QString info = plugin().filterInfo(remeshAction());
+	EXPECT_TRUE(info.contains("Fast Edge-based geodesic Poisson Disk Remeshing"));
+	EXPECT_TRUE(info.contains("Direct sampling on surfaces for high quality remeshing"));
+	EXPECT_EQ(plugin().getClass(remeshAction()), MeshFilterInterface::Remeshing);
+	EXPECT_EQ(plugin().postCondition(remeshAction()), MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE);
+}
+
+TEST(Filter, RemeshesInPlace)
+{
+	Document   document;
+	MeshModel& ball = addBall(document);
+	ASSERT_TRUE(apply(document, withCount(document, 700))) << document.logText().toStdString();
+	EXPECT_EQ(document->size(), 1);
+	EXPECT_EQ(ball.cm.vn, 700);
+	EXPECT_EQ(ball.cm.fn, 2 * 700 - 4); // a ball: V - E + F = 2
+	expectSoundMesh(ball.cm);
+	EXPECT_TRUE(document.logText().contains("to 700 vertices"));
+}
+
+TEST(Filter, MoreVerticesThanBefore)
+{
+	Document   document;
+	MeshModel& sheet = addSheet(document);
+	ASSERT_TRUE(apply(document, withCount(document, 5202))) << document.logText().toStdString();
+	EXPECT_EQ(sheet.cm.vn, 5202);
+	expectSoundMesh(sheet.cm);
+}
+
+TEST(Filter, SameBitsAsTheEngine)
+{
+	Document   document;
+	MeshModel& ball = addBall(document);
+
+	gpr::RemeshOptions options;
+	options.targetMode                 = gpr::TargetMode::VertexNum;
+	options.targetVertexNum            = 500;
+	options.seed                       = 7;
+	const gpr_filter::LayerCopy copy   = gpr_filter::copyLayer(ball.cm, false, false);
+	const gpr::RemeshResult     wanted = gpr::remesh(copy.view(), options);
+	ASSERT_EQ(wanted.status, gpr::Status::Ok) << wanted.message;
+
+	RichParameterList list = withCount(document, 500);
+	list.setValue("Seed", IntValue(7));
+	list.setValue("Threads", IntValue(1));
+	ASSERT_TRUE(apply(document, list));
+	const gpr_filter::LayerCopy got = gpr_filter::copyLayer(ball.cm, false, false);
+	EXPECT_EQ(got.triangles, wanted.mesh.triangles);
+	ASSERT_EQ(got.positions.size(), wanted.mesh.positions.size());
+	for (std::size_t v = 0; v < got.positions.size(); ++v) {
+		ASSERT_TRUE(got.positions[v] == gpr::Vec3f(wanted.mesh.positions[v])) << v;
+	}
+}
+
+TEST(Filter, ColourAndQualityAreCarriedOver)
+{
+	Document   document;
+	MeshModel& ball = addBall(document);
+	ASSERT_TRUE(apply(document, withCount(document, 900)));
+	ASSERT_TRUE(ball.hasDataMask(MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY));
+	for (const CVertexO& v : ball.cm.vert) {
+		for (int k = 0; k < 3; ++k) {
+			ASSERT_NEAR(v.cC()[k], 128 + 100 * v.cP()[k], 2);
+		}
+		ASSERT_EQ(v.cC()[3], 255);
+		ASSERT_NEAR(v.cQ(), v.cP()[2], 0.01);
+	}
+}
+
+TEST(Filter, StaleDataIsGone)
+{
+	Document   document;
+	MeshModel& ball = addBall(document);
+	using Allocator = vcg::tri::Allocator<CMeshO>;
+	Allocator::AddPerVertexAttribute<int>(ball.cm, "number");
+	Allocator::AddPerFaceAttribute<float>(ball.cm, "weight");
+	Allocator::AddEdges(ball.cm, 1);
+	ball.cm.edge[0].V(0) = &ball.cm.vert[0];
+	ball.cm.edge[0].V(1) = &ball.cm.vert[1];
+	ball.cm.textures.push_back("wood.png");
+	ball.cm.face.EnableMark(); // as some filters do, behind the mask's back
+	ball.updateDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO |
+						MeshModel::MM_WEDGTEXCOORD | MeshModel::MM_VERTTEXCOORD |
+						MeshModel::MM_FACECOLOR | MeshModel::MM_FACEQUALITY |
+						MeshModel::MM_VERTCURV | MeshModel::MM_VERTRADIUS);
+	for (CFaceO& f : ball.cm.face) {
+		f.SetS();
+		f.SetF(1);
+	}
+	ball.cm.sfn = ball.cm.fn;
+	ASSERT_TRUE(apply(document, withCount(document, 600)));
+
+	expectSoundMesh(ball.cm);
+	EXPECT_FALSE(ball.cm.face.IsFFAdjacencyEnabled() || ball.cm.face.IsVFAdjacencyEnabled());
+	EXPECT_FALSE(ball.cm.face.IsWedgeTexCoordEnabled() || ball.cm.vert.IsTexCoordEnabled());
+	EXPECT_FALSE(ball.cm.face.IsColorEnabled() || ball.cm.face.IsQualityEnabled());
+	EXPECT_FALSE(ball.cm.vert.IsCurvatureEnabled() || ball.cm.vert.IsRadiusEnabled());
+	EXPECT_FALSE(ball.hasDataMask(MeshModel::MM_WEDGTEXCOORD));
+	EXPECT_TRUE(ball.cm.vert_attr.empty() && ball.cm.face_attr.empty());
+	EXPECT_TRUE(ball.cm.edge.empty() && ball.cm.textures.empty());
+	EXPECT_TRUE(document.logText().contains("texture coordinates"));
+	// The host recomputes topology for the next filter.
+	ball.updateDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_FACEMARK);
+	EXPECT_EQ(vcg::tri::Clean<CMeshO>::CountNonManifoldEdgeFF(ball.cm), 0);
+}
+
+TEST(Filter, DeletedElementsAreSkipped)
+{
+	Document   document;
+	MeshModel& sheet = addSheet(document);
+	// The row of faces along one side goes, and a vertex there with them.
+	for (CFaceO& f : sheet.cm.face) {
+		if (vcg::Barycenter(f)[0] < 0.02) vcg::tri::Allocator<CMeshO>::DeleteFace(sheet.cm, f);
+	}
+	vcg::tri::Clean<CMeshO>::RemoveUnreferencedVertex(sheet.cm);
+	ASSERT_LT(std::size_t(sheet.cm.vn), sheet.cm.vert.size());
+	ASSERT_TRUE(apply(document, withCount(document, 400))) << document.logText().toStdString();
+	EXPECT_EQ(sheet.cm.vn, 400);
+	expectSoundMesh(sheet.cm);
+	EXPECT_GT(sheet.cm.bbox.min[0], 0.015f);
+}
+
+TEST(Filter, NewLayerLeavesTheOldOne)
+{
+	Document   document;
+	MeshModel& ball = addBall(document);
+	ball.cm.Tr.SetTranslate(1, 2, 3);
+	const Snapshot    before(document);
+	RichParameterList list = withCount(document, 500);
+	list.setValue("NewLayer", BoolValue(true));
+	ASSERT_TRUE(apply(document, list));
+
+	ASSERT_EQ(document->size(), 2);
+	MeshModel& added = document.layer(1);
+	EXPECT_EQ(document->mm(), &added);
+	EXPECT_EQ(added.label().toStdString(), "ball_remeshed");
+	EXPECT_EQ(added.cm.vn, 500);
+	EXPECT_TRUE(added.cm.Tr == ball.cm.Tr);
+	EXPECT_TRUE(added.hasDataMask(MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY));
+	expectSoundMesh(added.cm);
+	EXPECT_TRUE(before.copy.sameGeometry(gpr_filter::copyLayer(ball.cm, false, false)));
+	EXPECT_EQ(before.mask, ball.dataMask());
+}
+
+TEST(Filter, TooFewVerticesIsRefusedAndNothingChanges)
+{
+	Document document;
+	addBall(document);
+	const Snapshot before(document);
+	EXPECT_FALSE(apply(document, withCount(document, 1)));
+	EXPECT_FALSE(plugin().errorMsg().isEmpty());
+	EXPECT_TRUE(document.logText().contains('4')) << "the smallest count is not named";
+	EXPECT_TRUE(before == Snapshot(document));
+}
+
+TEST(Filter, BadParametersAreRefusedAndNothingChanges)
+{
+	Document document;
+	addBall(document);
+	const Snapshot    before(document);
+	RichParameterList list = defaults(document);
+	list.setValue("TargetPerc", FloatValue(10));
+	list.setValue("TargetLen", AbsPercValue(0.1f));
+	EXPECT_FALSE(apply(document, list));
+	EXPECT_FALSE(plugin().errorMsg().isEmpty());
+	EXPECT_FALSE(apply(document, RichParameterList()));
+	EXPECT_TRUE(document.logText().contains("TargetVertexNum"));
+	EXPECT_TRUE(before == Snapshot(document));
+}
+
+TEST(Filter, NoLayerNoFaces)
+{
+	Document document;
+	addBall(document);
+	const RichParameterList list = defaults(document);
+	Document                empty;
+	EXPECT_FALSE(apply(empty, list));
+	EXPECT_FALSE(plugin().errorMsg().isEmpty());
+	empty->addNewMesh("", "nothing");
+	EXPECT_FALSE(apply(empty, list));
+	EXPECT_FALSE(plugin().errorMsg().isEmpty());
+	EXPECT_FALSE(defaults(empty).isEmpty());
+}
+
+TEST(Filter, NestedRunIsRefusedAndTheOuterOneEndsWell)
+{
+	Document                document;
+	MeshModel&              ball  = addBall(document);
+	const RichParameterList list  = withCount(document, 500);
+	int                     calls = 0, nestedSuccesses = 0;
+	QString                 sentence;
+	DuringRun               nest([&](int) {
+        ++calls;
+        nestedSuccesses += apply(document, list) ? 1 : 0;
+        sentence = plugin().errorMsg();
+        return true;
+    });
+	EXPECT_TRUE(apply(document, list, nest.callback()));
+	ASSERT_GT(calls, 0) << "the engine never told its progress";
+	EXPECT_EQ(nestedSuccesses, 0);
+	EXPECT_TRUE(sentence.contains("running"));
+	EXPECT_EQ(ball.cm.vn, 500);
+	// And the guard is open again.
+	EXPECT_TRUE(apply(document, withCount(document, 400)));
+}
+
+TEST(Filter, LayerChangedMeanwhileIsLeftAlone)
+{
+	Document   document;
+	MeshModel& ball = addBall(document);
+	DuringRun  move([&](int) {
+        ball.cm.vert[0].P()[0] += 0.001f;
+        return true;
+    });
+	EXPECT_FALSE(apply(document, withCount(document, 500), move.callback()));
+	EXPECT_TRUE(plugin().errorMsg().contains("changed"));
+	EXPECT_GT(ball.cm.vn, 5000);
+}
+
+TEST(Filter, LayerRemovedMeanwhile)
+{
+	Document document;
+	addSheet(document);
+	MeshModel* ball    = &addBall(document);
+	bool       removed = false;
+	DuringRun  remove([&](int) {
+        if (!removed) document->delMesh(ball);
+        removed = true;
+        return true;
+    });
+	EXPECT_FALSE(apply(document, withCount(document, 500), remove.callback()));
+	EXPECT_TRUE(removed);
+	EXPECT_EQ(document->size(), 1);
+}
+
+TEST(Filter, CancelledRunChangesNothing)
+{
+	Document document;
+	addBall(document);
+	const Snapshot before(document);
+	DuringRun      cancel([](int) { return false; });
+	EXPECT_FALSE(apply(document, withCount(document, 500), cancel.callback()));
+	EXPECT_FALSE(plugin().errorMsg().isEmpty());
+	EXPECT_TRUE(before == Snapshot(document));
+}
+
+TEST(Filter, NoExceptionLeaves)
+{
+	Document document;
+	addBall(document);
+	const Snapshot before(document);
+	const auto     throwers = {
+			+[](int) -> bool { throw std::runtime_error("100 %s of %n trouble"); },
+			+[](int) -> bool { throw std::bad_alloc(); },
+			+[](int) -> bool { throw 42; },
+    };
+	for (const auto& thrower : throwers) {
+		DuringRun trouble(thrower);
+		bool      done = true;
+		EXPECT_NO_THROW(done = apply(document, withCount(document, 500), trouble.callback()));
+		EXPECT_FALSE(done);
+		EXPECT_FALSE(plugin().errorMsg().isEmpty());
+	}
+	EXPECT_TRUE(before == Snapshot(document));
+	EXPECT_TRUE(apply(document, withCount(document, 500)));
+}
+
+TEST(Filter, ProgressGrowsAndStaysInRange)
+{
+	Document document;
+	addBall(document);
+	int       last  = -1;
+	bool      sound = true;
+	DuringRun watch([&](int percent) {
+		sound = sound && percent >= last && percent >= 0 && percent <= 100;
+		last  = percent;
+		return true;
+	});
+	ASSERT_TRUE(apply(document, withCount(document, 500), watch.callback()));
+	EXPECT_TRUE(sound);
+	EXPECT_GE(last, 0);
+}
+
+} // namespace

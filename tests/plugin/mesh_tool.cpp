@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Meshes for the tests in meshlabserver:
+//   plugin_mesh_tool make OUT.ply        a bumpy torus, 12,800 vertices, float coordinates
+//   plugin_mesh_tool same A.ply B.ply    ends with 0 where coordinates and faces are the same bits
+//   plugin_mesh_tool count A.ply         prints the number of vertices
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <vcg/complex/complex.h>
+#include <wrap/io_trimesh/export_ply.h>
+#include <wrap/io_trimesh/import_ply.h>
+
+namespace {
+
+class ToolVertex;
+class ToolFace;
+struct ToolTypes
+		: vcg::UsedTypes<vcg::Use<ToolVertex>::AsVertexType, vcg::Use<ToolFace>::AsFaceType> {};
+class ToolVertex : public vcg::Vertex<ToolTypes, vcg::vertex::Coord3f, vcg::vertex::BitFlags> {};
+class ToolFace : public vcg::Face<ToolTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
+class ToolMesh : public vcg::tri::TriMesh<std::vector<ToolVertex>, std::vector<ToolFace>> {};
+
+/// A point of a torus with bumps, u and v in [0, 1).
+vcg::Point3f torusPoint(double u, double v)
+{
+	const double turn  = 2 * M_PI;
+	const double small = 0.4 + 0.03 * std::sin(5 * turn * u) * std::cos(3 * turn * v);
+	const double ring  = 1 + small * std::cos(turn * v);
+	return {float(ring * std::cos(turn * u)), float(ring * std::sin(turn * u)),
+			float(small * std::sin(turn * v))};
+}
+
+void makeTorus(ToolMesh& mesh, int around, int across)
+{
+	vcg::tri::Allocator<ToolMesh>::AddVertices(mesh, std::size_t(around * across));
+	const auto at = [&](int i, int j) {
+		return &mesh.vert[std::size_t((i % around) * across + j % across)];
+	};
+	for (int i = 0; i < around; ++i) {
+		for (int j = 0; j < across; ++j) {
+			at(i, j)->P() = torusPoint(double(i) / around, double(j) / across);
+			vcg::tri::Allocator<ToolMesh>::AddFace(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1));
+			vcg::tri::Allocator<ToolMesh>::AddFace(mesh, at(i, j), at(i + 1, j + 1), at(i, j + 1));
+		}
+	}
+}
+
+bool open(ToolMesh& mesh, const char* file)
+{
+	if (vcg::tri::io::ImporterPLY<ToolMesh>::Open(mesh, file) == 0) return true;
+	std::fprintf(stderr, "cannot read %s\n", file);
+	return false;
+}
+
+bool same(const ToolMesh& a, const ToolMesh& b)
+{
+	if (a.vn != b.vn || a.fn != b.fn) {
+		std::fprintf(stderr, "%d vertices, %d faces against %d, %d\n", a.vn, a.fn, b.vn, b.fn);
+		return false;
+	}
+	for (int v = 0; v < a.vn; ++v) {
+		const auto &p = a.vert[std::size_t(v)].cP(), &q = b.vert[std::size_t(v)].cP();
+		if (std::memcmp(&p, &q, sizeof(p)) != 0) {
+			std::fprintf(stderr, "vertex %d differs by %g\n", v, double((p - q).Norm()));
+			return false;
+		}
+	}
+	for (int f = 0; f < a.fn; ++f) {
+		for (int k = 0; k < 3; ++k) {
+			if (vcg::tri::Index(a, a.face[std::size_t(f)].cV(k)) !=
+				vcg::tri::Index(b, b.face[std::size_t(f)].cV(k))) {
+				std::fprintf(stderr, "face %d differs\n", f);
+				return false;
+			}
+		}
+	}
+	return true;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+	const std::string task = argc > 1 ? argv[1] : "";
+	ToolMesh          a, b;
+	if (task == "make" && argc == 3) {
+		makeTorus(a, 160, 80);
+		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2]) == 0 ? 0 : 1;
+	}
+	if (task == "same" && argc == 4) {
+		return open(a, argv[2]) && open(b, argv[3]) && same(a, b) ? 0 : 1;
+	}
+	if (task == "count" && argc == 3 && open(a, argv[2])) {
+		std::printf("%d\n", a.vn);
+		return 0;
+	}
+	return 2;
+}

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The parameter table, the dialog, the shipped script: the same thing three times.
+
+#include "host.h"
+#include "parameter_bridge.h"
+
+#include <cmath>
+#include <common/filterscript.h>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace {
+
+using namespace plugin_test;
+using gpr::TargetMode;
+
+RichParameterList tableList()
+{
+	gpr::MeshFacts facts;
+	facts.vertexNum = 1000;
+	facts.diagonal  = 2;
+	RichParameterList list;
+	gpr_filter::fillParameterList(gpr::remeshParameters(), facts, list);
+	return list;
+}
+
+gpr_filter::ReadParameters read(const RichParameterList& list)
+{
+	return gpr_filter::readParameterList(gpr::remeshParameters(), list);
+}
+
+TEST(Parameters, DialogHasEveryRowInOrder)
+{
+	Document document;
+	addBall(document);
+	const RichParameterList list = defaults(document);
+	ASSERT_EQ(list.size(), gpr::remeshParameters().size());
+	unsigned i = 0;
+	for (const gpr::Parameter& row : gpr::remeshParameters()) {
+		EXPECT_EQ(list.at(i).name().toStdString(), row.key);
+		EXPECT_EQ(list.at(i).fieldDescription().toStdString(), row.label);
+		EXPECT_EQ(list.at(i).toolTip().toStdString(), row.help);
+		++i;
+	}
+}
+
+TEST(Parameters, DefaultsAreTheEngines)
+{
+	const gpr_filter::ReadParameters got = read(tableList());
+	ASSERT_TRUE(got.complaints.empty()) << got.complaints.front();
+	const gpr::RemeshOptions options = got.values.options();
+	const gpr::RemeshOptions engine;
+	EXPECT_EQ(options.targetMode, TargetMode::VertexNum);
+	EXPECT_EQ(options.targetVertexNum, 100);
+	EXPECT_EQ(options.relaxIterations, engine.relaxIterations);
+	EXPECT_EQ(options.exactCount, engine.exactCount);
+	EXPECT_EQ(options.allowNearest, engine.allowNearest);
+	EXPECT_EQ(options.seed, engine.seed);
+	EXPECT_EQ(options.threads, engine.threads);
+	EXPECT_FALSE(got.values.newLayer());
+}
+
+TEST(Parameters, ValuesComeThroughTheList)
+{
+	RichParameterList list = tableList();
+	list.setValue("TargetVertexNum", IntValue(321));
+	list.setValue("RelaxIter", IntValue(7));
+	list.setValue("ExactCount", BoolValue(false));
+	list.setValue("AllowNearest", BoolValue(true));
+	list.setValue("Seed", IntValue(2147483647));
+	list.setValue("Threads", IntValue(3));
+	list.setValue("NewLayer", BoolValue(true));
+	const gpr_filter::ReadParameters got = read(list);
+	ASSERT_TRUE(got.complaints.empty()) << got.complaints.front();
+	const gpr::RemeshOptions options = got.values.options();
+	EXPECT_EQ(options.targetVertexNum, 321);
+	EXPECT_EQ(options.relaxIterations, 7);
+	EXPECT_FALSE(options.exactCount);
+	EXPECT_TRUE(options.allowNearest);
+	EXPECT_EQ(options.seed, 2147483647u);
+	EXPECT_EQ(options.threads, 3);
+	EXPECT_TRUE(got.values.newLayer());
+}
+
+TEST(Parameters, PercentAndLengthTakeTheCountsPlace)
+{
+	RichParameterList list = tableList();
+	list.setValue("TargetPerc", FloatValue(12.3f));
+	EXPECT_EQ(read(list).values.options().targetMode, TargetMode::Percent);
+	EXPECT_EQ(read(list).values.options().targetPercent, 12.3); // as --percent 12.3 gives it
+	list = tableList();
+	list.setValue("TargetLen", AbsPercValue(0.05f));
+	EXPECT_EQ(read(list).values.options().targetMode, TargetMode::EdgeLength);
+	EXPECT_EQ(read(list).values.options().targetEdgeLen, 0.05);
+	list.setValue("TargetPerc", FloatValue(10.f));
+	EXPECT_FALSE(read(list).complaints.empty());
+}
+
+TEST(Parameters, WhatIsOutOfRangeIsToldAndNotWrapped)
+{
+	for (const char* key : {"TargetVertexNum", "RelaxIter", "Seed", "Threads"}) {
+		RichParameterList list = tableList();
+		list.setValue(key, IntValue(-1));
+		const gpr_filter::ReadParameters got = read(list);
+		ASSERT_EQ(got.complaints.size(), 1u) << key;
+		EXPECT_NE(got.complaints.front().find(key), std::string::npos) << got.complaints.front();
+	}
+	RichParameterList list = tableList();
+	list.setValue("TargetPerc", FloatValue(std::numeric_limits<float>::quiet_NaN()));
+	EXPECT_FALSE(read(list).complaints.empty());
+}
+
+TEST(Parameters, MissingOrWronglyTypedIsASentence)
+{
+	EXPECT_EQ(read(RichParameterList()).complaints.size(), gpr::remeshParameters().size());
+	RichParameterList list;
+	for (const gpr::Parameter& row : gpr::remeshParameters()) {
+		list.addParam(RichString(row.key, "text"));
+	}
+	EXPECT_EQ(read(list).complaints.size(), gpr::remeshParameters().size());
+}
+
+TEST(Parameters, TypedNumberIsTheDecimalOne)
+{
+	for (double number : {0.0, 10.0, 12.3, 0.05, 1e-9, 33.3333, 1234.5}) {
+		EXPECT_EQ(gpr_filter::typedNumber(float(number)), number);
+	}
+	EXPECT_TRUE(std::isnan(gpr_filter::typedNumber(std::numeric_limits<float>::quiet_NaN())));
+}
+
+// meshlabserver aborts on a script in which one parameter is missing.
+TEST(Parameters, ShippedScriptIsComplete)
+{
+	FilterScript script;
+	ASSERT_TRUE(script.open(GPR_SCRIPT_FILE));
+	ASSERT_EQ(script.size(), 1);
+	EXPECT_EQ(script.at(0).filterName(), plugin().filterName(remeshAction()));
+	const RichParameterList& inScript = script.at(0).second;
+	const RichParameterList  inDialog = tableList();
+	ASSERT_EQ(inScript.size(), inDialog.size());
+	for (unsigned i = 0; i < inDialog.size(); ++i) {
+		const RichParameter& wanted = inDialog.at(i);
+		const RichParameter& given  = inScript.at(i);
+		EXPECT_EQ(given.name().toStdString(), wanted.name().toStdString());
+		EXPECT_EQ(given.stringType().toStdString(), wanted.stringType().toStdString())
+			<< wanted.name().toStdString();
+	}
+	EXPECT_TRUE(read(inScript).complaints.empty());
+}
+
+TEST(Parameters, ShippedScriptAsksForTheDefaults)
+{
+	FilterScript script;
+	ASSERT_TRUE(script.open(GPR_SCRIPT_FILE));
+	const gpr::RemeshOptions got = read(script.at(0).second).values.options();
+	const gpr::RemeshOptions engine;
+	EXPECT_EQ(got.targetMode, engine.targetMode);
+	EXPECT_EQ(got.targetPercent, engine.targetPercent);
+	EXPECT_EQ(got.relaxIterations, engine.relaxIterations);
+	EXPECT_EQ(got.exactCount, engine.exactCount);
+	EXPECT_EQ(got.allowNearest, engine.allowNearest);
+	EXPECT_EQ(got.seed, engine.seed);
+	EXPECT_EQ(got.threads, engine.threads);
+}
+
+} // namespace
