@@ -57,7 +57,7 @@ public:
 	{
 		gpr::MeshView view(_position, _triangle);
 		if (_indexOf.empty() && !_mesh.vert.empty()) {
-			view.positions           = _mesh.vert[0].cP().V();
+			view.positions           = _mesh.vert[0].P().V(); // cP() would copy
 			view.positionStrideBytes = sizeof(VertexType);
 			view.vertexNum           = _mesh.vert.size();
 		}

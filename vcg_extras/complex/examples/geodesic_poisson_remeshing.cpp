@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vcg/complex/algorithms/create/platonic.h>
 #include <vcg_extras/complex/algorithms/geodesic_poisson_remeshing.h>
-#include <wrap/io_trimesh/export_ply.h>
+#include <wrap/io_trimesh/export_off.h>
 
 int main(int argc, char** argv)
 {
@@ -23,5 +23,5 @@ int main(int argc, char** argv)
 		return 1;
 	}
 	std::printf("%d vertices, %d faces\n", m.VN(), m.FN());
-	return vcg::tri::io::ExporterPLY<MyMesh>::Save(m, argc > 1 ? argv[1] : "remeshed.ply");
+	return vcg::tri::io::ExporterOFF<MyMesh>::Save(m, argc > 1 ? argv[1] : "remeshed.off");
 }

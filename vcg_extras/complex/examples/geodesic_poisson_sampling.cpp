@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vcg/complex/algorithms/create/platonic.h>
 #include <vcg_extras/complex/algorithms/geodesic_poisson_sampling.h>
-#include <wrap/io_trimesh/export_ply.h>
+#include <wrap/io_trimesh/export_off.h>
 
 int main(int argc, char** argv)
 {
@@ -24,5 +24,5 @@ int main(int argc, char** argv)
 		return 1;
 	}
 	std::printf("%d points, disk radius %g\n", points.VN(), stat.diskRadius);
-	return vcg::tri::io::ExporterPLY<MyMesh>::Save(points, argc > 1 ? argv[1] : "samples.ply");
+	return vcg::tri::io::ExporterOFF<MyMesh>::Save(points, argc > 1 ? argv[1] : "samples.off");
 }

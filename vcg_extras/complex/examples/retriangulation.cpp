@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vcg/complex/algorithms/create/platonic.h>
 #include <vcg_extras/complex/algorithms/retriangulation.h>
-#include <wrap/io_trimesh/export_ply.h>
+#include <wrap/io_trimesh/export_off.h>
 
 int main(int argc, char** argv)
 {
@@ -24,5 +24,5 @@ int main(int argc, char** argv)
 		return 1;
 	}
 	std::printf("%d vertices, %d faces\n", coarse.VN(), coarse.FN());
-	return vcg::tri::io::ExporterPLY<MyMesh>::Save(coarse, argc > 1 ? argv[1] : "coarse.ply");
+	return vcg::tri::io::ExporterOFF<MyMesh>::Save(coarse, argc > 1 ? argv[1] : "coarse.off");
 }
