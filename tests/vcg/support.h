@@ -144,7 +144,8 @@ Topology TopologyOf(MeshType& m)
 	typedef vcg::tri::Clean<MeshType> CleanType;
 	vcg::tri::UpdateTopology<MeshType>::FaceFace(m);
 	Topology t;
-	t.nonManifoldEdgeNum   = CleanType::CountNonManifoldEdgeFF(m);
+	t.nonManifoldEdgeNum = CleanType::CountNonManifoldEdgeFF(m);
+	if (t.nonManifoldEdgeNum > 0) return t; // what follows walks over manifold edges
 	t.nonManifoldVertexNum = CleanType::CountNonManifoldVertexFF(m, false);
 	t.componentNum         = CleanType::CountConnectedComponents(m);
 	t.holeNum              = CleanType::CountHoles(m);
@@ -161,7 +162,7 @@ void ExpectSound(MeshType& m)
 	EXPECT_EQ(m.VN(), int(m.vert.size()));
 	EXPECT_EQ(m.FN(), int(m.face.size()));
 	const Topology t = TopologyOf(m);
-	EXPECT_EQ(t.nonManifoldEdgeNum, 0);
+	ASSERT_EQ(t.nonManifoldEdgeNum, 0);
 	EXPECT_EQ(t.nonManifoldVertexNum, 0);
 	EXPECT_TRUE(CleanType::IsCoherentlyOrientedMesh(m));
 	EXPECT_EQ(CleanType::CountUnreferencedVertex(m), 0);
@@ -179,7 +180,7 @@ double MeanRadiusRatio(const MeshType& m)
 	return sum / double(m.face.size());
 }
 
-/// A callback that cancels at once, and one that never does and counts.
+/// A callback that cancels at once.
 inline bool CancelAtOnce(const int, const char*)
 {
 	return false;
