@@ -49,10 +49,14 @@ gpr_filter::LayerCopy copyOf(const MeshModel& layer)
 								 layer.hasDataMask(MeshModel::MM_VERTQUALITY));
 }
 
+/// meshlabserver prints the phrases back to back, so each ends its line; the status bar of the
+/// window shows one line anyway.
 gpr::ProgressCallback progressTo(vcg::CallBackPos* host)
 {
 	if (host == nullptr) return nullptr;
-	return [host](double share, const char* phrase) { return host(int(100 * share), phrase); };
+	return [host](double share, const char* phrase) {
+		return host(int(100 * share), (std::string(phrase) + '\n').c_str());
+	};
 }
 
 /// Whether the layer is still there and as it was copied. Other filters can run inside ours.

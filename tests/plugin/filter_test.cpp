@@ -50,7 +50,7 @@ void expectSoundMesh(CMeshO& mesh)
 	EXPECT_EQ(std::size_t(mesh.fn), mesh.face.size()) << "deleted faces are left";
 	for (const CVertexO& v : mesh.vert) {
 		ASSERT_FALSE(v.IsD() || v.IsS());
-		ASSERT_NEAR(v.cN().Norm(), 1, 0.5) << "a vertex normal was not computed";
+		ASSERT_GT(v.cN().Norm(), 0.1) << "a vertex normal was not computed";
 	}
 	vcg::Box3f box;
 	for (const CFaceO& f : mesh.face) {
@@ -86,6 +86,9 @@ TEST(Filter, RemeshesInPlace)
 	EXPECT_EQ(ball.cm.vn, 700);
 	EXPECT_EQ(ball.cm.fn, 2 * 700 - 4); // a ball: V - E + F = 2
 	expectSoundMesh(ball.cm);
+	for (const CVertexO& v : ball.cm.vert) {
+		ASSERT_GT(v.cN() * v.cP() / v.cN().Norm(), 0.9) << "a vertex normal is stale";
+	}
 	EXPECT_TRUE(document.logText().contains("to 700 vertices"));
 }
 
