@@ -197,6 +197,13 @@ TYPED_TEST(GeodesicPoissonRemeshingTest, TheLeastMeshTypeWillDo)
 		EXPECT_TRUE(bare.vert[v].cP() == full.vert[v].cP());
 }
 
+TYPED_TEST(GeodesicPoissonRemeshingTest, AMissingComponentIsThrown)
+{
+	using MeshType = FlaglessMesh<TypeParam>;
+	MeshType m;
+	EXPECT_THROW(GeodesicPoissonRemeshing<MeshType>::Do(m), vcg::MissingComponentException);
+}
+
 TYPED_TEST(GeodesicPoissonRemeshingTest, GapsInTheVectorsAreNoVertices)
 {
 	using MeshType  = FullMesh<TypeParam>;

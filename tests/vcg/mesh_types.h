@@ -3,8 +3,7 @@
 #ifndef GPR_TESTS_VCG_MESH_TYPES_H
 #define GPR_TESTS_VCG_MESH_TYPES_H
 
-// Three mesh types, each for float and double: everything, nothing but the least, everything
-// optional.
+// Mesh types, each for float and double: everything, nothing but the least, everything optional.
 
 #include <vcg/complex/complex.h>
 
@@ -66,6 +65,27 @@ class BareFace : public vcg::Face<BareTypes<S>, vcg::face::VertexRef, vcg::face:
 };
 template <class S>
 class BareMesh : public vcg::tri::TriMesh<std::vector<BareVertex<S>>, std::vector<BareFace<S>>> {
+};
+
+/// Too little: faces without flags cannot tell whether they are deleted.
+template <class S>
+class FlaglessVertex;
+template <class S>
+class FlaglessFace;
+template <class S>
+struct FlaglessTypes : public vcg::UsedTypes<vcg::Use<FlaglessVertex<S>>::template AsVertexType,
+											 vcg::Use<FlaglessFace<S>>::template AsFaceType> {
+};
+template <class S>
+class FlaglessVertex
+		: public vcg::Vertex<FlaglessTypes<S>, Of<S>::template Coord, vcg::vertex::BitFlags> {
+};
+template <class S>
+class FlaglessFace : public vcg::Face<FlaglessTypes<S>, vcg::face::VertexRef> {
+};
+template <class S>
+class FlaglessMesh
+		: public vcg::tri::TriMesh<std::vector<FlaglessVertex<S>>, std::vector<FlaglessFace<S>>> {
 };
 
 template <class S>
