@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The readers of OBJ, OFF and STL, on what real programs write.
+#include "mesh_files.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vcg_extras/apps/gpremesh/obj_format.h>
+#include <vcg_extras/apps/gpremesh/off_format.h>
+#include <vcg_extras/apps/gpremesh/stl_format.h>
+#include <vcg_extras/apps/gpremesh/text_scanner.h>
+
+namespace gpr_test {
+
+namespace {
+
+using gpr::app::InputMesh;
+using gpr::app::readObj;
+using gpr::app::readOff;
+using gpr::app::readStl;
+
+std::vector<int> corners(const InputMesh& mesh)
+{
+	return {mesh.triangles.begin(), mesh.triangles.end()};
+}
+
+/// Area of the triangles, those that face downwards counted as negative.
+double signedArea(const InputMesh& mesh)
+{
+	double sum = 0;
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		const gpr::Vec3d a = mesh.view().position(std::size_t(mesh.triangles[3 * f]));
+		const gpr::Vec3d b = mesh.view().position(std::size_t(mesh.triangles[3 * f + 1]));
+		const gpr::Vec3d c = mesh.view().position(std::size_t(mesh.triangles[3 * f + 2]));
+		sum += cross(b - a, c - a).z / 2;
+	}
+	return sum;
+}
+
+double unsignedArea(const InputMesh& mesh)
+{
+	double sum = 0;
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		InputMesh one = mesh;
+		one.triangles.assign(mesh.triangles.begin() + long(3 * f),
+							 mesh.triangles.begin() + long(3 * f + 3));
+		sum += std::abs(signedArea(one));
+	}
+	return sum;
+}
+
+} // namespace
+
+TEST(ObjReader, FacesThatUseTheFirstVertexStay)
+{
+	const InputMesh mesh = readObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n");
+	EXPECT_EQ(corners(mesh), (std::vector<int>{0, 1, 2, 1, 3, 2}));
+}
+
+TEST(ObjReader, FormsOfCornersAndLines)
+{
+	const InputMesh mesh =
+		readObj("# comment\r\nv 0 0 0 1.0\r\nv 1 0 0 0.5 0.5 0.5\r\nv 0 1 0\r\n\r\n"
+				"vt 0 0\r\nvn 0 0 1\r\ng a b\r\ns off\r\n"
+				"f 1/1 2/1 3/1\r\nf 1//1 2//1 3//1\r\nf 1/1/1 2/1/1 3/1/1 # end\r\n"
+				"f -3 -2 \\\r\n -1\r\nf 1 2\\\n 3");
+	EXPECT_EQ(mesh.vertexNum(), 3u);
+	EXPECT_EQ(mesh.faceNum(), 5u);
+	for (std::size_t f = 0; f < 5; ++f) {
+		EXPECT_EQ(mesh.triangles[3 * f + 2], 2) << f;
+	}
+}
+
+TEST(ObjReader, NegativeIndicesCountFromWhereTheyStand)
+{
+	const InputMesh mesh = readObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -2 -1\nv 5 5 5\nf -3 -2 -1\n");
+	EXPECT_EQ(corners(mesh), (std::vector<int>{0, 1, 2, 1, 2, 3}));
+}
+
+TEST(ObjReader, FacesMayComeBeforeTheirVertices)
+{
+	EXPECT_EQ(readObj("f 1 2 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n").faceNum(), 1u);
+}
+
+TEST(ObjReader, ConcavePolygonIsNotFolded)
+{
+	// 4-----2    the corner 3 lies inwards: only a fan around it covers the polygon
+	// |  3  |
+	// | / \ |
+	// 0     1
+	const InputMesh mesh = readObj("v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nv 1 1 0\nf 1 5 2 3 4\n");
+	EXPECT_EQ(mesh.faceNum(), 3u);
+	EXPECT_NEAR(signedArea(mesh), 3, 1e-12);
+	EXPECT_NEAR(unsignedArea(mesh), 3, 1e-12);
+}
+
+TEST(ObjReader, LargePolygon)
+{
+	std::string  text, face = "f";
+	const int    num = 500;
+	const double pi  = std::acos(-1.0);
+	for (int i = 0; i < num; ++i) {
+		text += "v " + digits(std::cos(2 * pi * i / num)) + " " +
+				digits(std::sin(2 * pi * i / num)) + " 0\n";
+		face += " " + std::to_string(i + 1);
+	}
+	const InputMesh mesh = readObj(text + face);
+	EXPECT_EQ(mesh.faceNum(), std::size_t(num - 2));
+	EXPECT_NEAR(signedArea(mesh), pi, 1e-3);
+}
+
+TEST(OffReader, VariantsOfTheHeader)
+{
+	const std::string body = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+	for (const std::string header :
+		 {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF\r\n\r\n# c\r\n3 1 0 # edges\r\n", "OFF\n3 1\n"}) {
+		EXPECT_EQ(corners(readOff(header + body)), (std::vector<int>{0, 1, 2})) << header;
+	}
+	EXPECT_EQ(readOff("COFF\n3 1 0\n0 0 0 255 0 0 255\n1 0 0 1 1 1 1\n0 1 0 9 9 9 9\n3 0 1 2 7\n")
+				  .faceNum(),
+			  1u);
+	EXPECT_EQ(readOff("NOFF\n3 1 0\n0 0 0 0 0 1\n1 0 0 0 0 1\n0 1 0 0 0 1\n3 0 1 2\n").vertexNum(),
+			  3u);
+	EXPECT_EQ(readOff("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3").faceNum(), 2u);
+}
+
+TEST(StlReader, EqualCornersAreWelded)
+{
+	for (const std::string& file : {asciiStl(sphere(5)), binaryStl(sphere(5))}) {
+		const InputMesh mesh = readStl(file);
+		EXPECT_EQ(mesh.vertexNum(), sphere(5).points.size());
+		EXPECT_EQ(mesh.faceNum(), sphere(5).faces.size());
+		EXPECT_TRUE(mesh.notes.empty());
+	}
+}
+
+TEST(StlReader, NegativeZeroIsZeroAndNearIsNotEqual)
+{
+	TestMesh mesh;
+	mesh.points = {{0.0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {0, 1, -0.0}, {-1, 0, 1e-30}};
+	mesh.faces  = {{0, 1, 2}, {3, 4, 5}};
+	EXPECT_EQ(readStl(binaryStl(mesh)).vertexNum(), 4u);
+	mesh.points[3] = {1e-30, 0, 0};
+	EXPECT_EQ(readStl(binaryStl(mesh)).vertexNum(), 5u);
+}
+
+TEST(StlReader, SeveralSolidsAndAMissingEnd)
+{
+	const std::string two = asciiStl(grid(1)) + asciiStl(moved(grid(1), 5, 0, 0));
+	EXPECT_EQ(readStl(two).faceNum(), 4u);
+	const std::string open = two.substr(0, two.rfind("endsolid"));
+	EXPECT_EQ(readStl(open).notes.size(), 1u);
+}
+
+TEST(TextPrecision, DoubleOnlyWhereFloatDoesNotDo)
+{
+	EXPECT_FALSE(readObj(obj(sphere(5))).doublePrecision);
+	EXPECT_TRUE(readObj(obj(moved(sphere(5), 500000, 0, 0))).doublePrecision);
+	EXPECT_TRUE(readStl(asciiStl(moved(sphere(5), 500000, 0, 0))).doublePrecision);
+}
+
+TEST(TextNumbers, CLocaleAndEdgeCases)
+{
+	double value = 0;
+	EXPECT_TRUE(gpr::app::parseNumber("+1.5e3", value));
+	EXPECT_EQ(value, 1500);
+	EXPECT_TRUE(gpr::app::parseNumber("1e-999", value));
+	EXPECT_EQ(value, 0);
+	EXPECT_TRUE(gpr::app::parseNumber("-1e999", value));
+	EXPECT_TRUE(std::isinf(value));
+	EXPECT_TRUE(gpr::app::parseNumber("nan", value));
+	EXPECT_TRUE(std::isnan(value));
+	for (const char* word : {"", "1,5", "1.5x", "--1", "+-1", "0x10", "e5"}) {
+		EXPECT_FALSE(gpr::app::parseNumber(word, value)) << word;
+	}
+	std::int64_t number = 0;
+	EXPECT_FALSE(gpr::app::parseInteger("1.0", number));
+	EXPECT_FALSE(gpr::app::parseInteger("99999999999999999999", number));
+	EXPECT_TRUE(gpr::app::parseInteger("-7", number));
+	EXPECT_EQ(number, -7);
+}
+
+} // namespace gpr_test

@@ -1,0 +1,362 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// gpremesh remesh and info as a user runs them.
+#include "mesh_files.h"
+#include "program_runner.h"
+#include "surface_check.h"
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace gpr_test {
+
+using Json = nlohmann::json;
+
+class Remesh : public CliTest {
+protected:
+	/// Remeshes the content of a file into out.ply and returns the parsed result.
+	TestMesh remeshed(const std::string& name, const std::string& fileContent,
+					  std::vector<std::string> options, std::string* precision = nullptr)
+	{
+		options.insert(options.begin(), {"remesh", put(name, fileContent), path("out.ply")});
+		options.insert(options.end(), {"--report", path("report.json")});
+		const ProgramResult result = run(options);
+		EXPECT_EQ(result.exitCode, 0) << result.err;
+		std::string type;
+		if (result.exitCode != 0) return {};
+		const TestMesh mesh = parseWrittenPly(content(path("out.ply")), type);
+		if (precision != nullptr) *precision = type;
+		return mesh;
+	}
+
+	Json report() { return Json::parse(content(path("report.json"))); }
+
+	Json info(const std::string& file)
+	{
+		const ProgramResult result = run({"info", file, "--json"});
+		EXPECT_EQ(result.exitCode, 0) << result.err;
+		return Json::parse(result.out);
+	}
+
+	/// The largest distance of the points from the unit sphere around a centre.
+	static double offSphere(const TestMesh& mesh, double x, double y, double z)
+	{
+		double worst = 0;
+		for (const auto& p : mesh.points) {
+			worst = std::max(worst, std::abs(std::hypot(p[0] - x, p[1] - y, p[2] - z) - 1));
+		}
+		return worst;
+	}
+};
+
+TEST_F(Remesh, EveryInputFormatGivesASphere)
+{
+	const TestMesh                                         in    = sphere(24);
+	const std::vector<std::pair<std::string, std::string>> files = {
+		{"ascii.ply", asciiPly(in)},
+		{"little.ply", binaryPly(in, true, false)},
+		{"big.ply", binaryPly(in, false, false)},
+		{"double.PLY", binaryPly(in, true, true)},
+		{"plain.obj", obj(in)},
+		{"negative.Obj", objWithNegativeIndices(in)},
+		{"plain.off", off(in)},
+		{"ascii.stl", asciiStl(in)},
+		{"binary.STL", binaryStl(in)},
+	};
+	for (const auto& [name, fileContent] : files) {
+		SCOPED_TRACE(name);
+		const TestMesh out = remeshed(name, fileContent, {"--vertices", "400"});
+		EXPECT_EQ(out.points.size(), 400u);
+		expectManifold(out);
+		EXPECT_EQ(eulerCharacteristic(out), 2);
+		EXPECT_EQ(boundaryEdgeNum(out), 0);
+		EXPECT_LT(offSphere(out, 0, 0, 0), 0.01);
+		EXPECT_EQ(report()["input"]["vertices"], in.points.size());
+		EXPECT_EQ(report()["input"]["faces"], in.faces.size());
+	}
+}
+
+TEST_F(Remesh, SameMeshFromEveryExactFormat)
+{
+	// Coordinates with all digits: how they were stored must not matter.
+	const TestMesh in   = torus(40);
+	const TestMesh want = remeshed("a.ply", binaryPly(in, true, false), {"--percent", "20"});
+	for (const auto& [name, fileContent] :
+		 std::vector<std::pair<std::string, std::string>>{{"b.ply", binaryPly(in, false, false)},
+														  {"c.ply", asciiPly(in)},
+														  {"d.obj", obj(in)},
+														  {"e.off", off(in)}}) {
+		SCOPED_TRACE(name);
+		const TestMesh got = remeshed(name, fileContent, {"--percent", "20"});
+		EXPECT_EQ(got.points, want.points);
+		EXPECT_EQ(got.faces, want.faces);
+	}
+}
+
+TEST_F(Remesh, EveryOutputFormatHoldsTheResult)
+{
+	const std::string in = put("in.ply", binaryPly(torus(40), true, false));
+	for (const char* name : {"out.ply", "out.obj", "out.off", "out.stl", "UPPER.OBJ"}) {
+		SCOPED_TRACE(name);
+		const ProgramResult result =
+			run({"remesh", in, path(name), "--report", path("report.json")});
+		ASSERT_EQ(result.exitCode, 0) << result.err;
+		const Json written = info(path(name))["input"], want = report()["result"];
+		for (const char* key :
+			 {"vertices", "faces", "components", "boundaryLoops", "eulerCharacteristic"}) {
+			EXPECT_EQ(written[key], want[key]) << key;
+		}
+		EXPECT_NEAR(double(written["area"]), double(want["area"]), 1e-5);
+		EXPECT_EQ(want["vertices"], 160);
+		EXPECT_EQ(want["eulerCharacteristic"], 0);
+	}
+}
+
+TEST_F(Remesh, TextOutputGivesBackTheBits)
+{
+	const std::string in = put("in.ply", binaryPly(moved(torus(40), 5e5, 5e6, 0.1), true, true));
+	std::string       precision;
+	ASSERT_EQ(run({"remesh", in, path("out.ply")}).exitCode, 0);
+	ASSERT_EQ(run({"remesh", in, path("out.obj")}).exitCode, 0);
+	const TestMesh     want = parseWrittenPly(content(path("out.ply")), precision);
+	std::istringstream text(content(path("out.obj")));
+	std::size_t        v = 0;
+	for (std::string word; text >> word;) {
+		if (word != "v") continue;
+		std::array<double, 3> p;
+		text >> p[0] >> p[1] >> p[2];
+		ASSERT_LT(v, want.points.size());
+		EXPECT_EQ(p, want.points[v++]);
+	}
+	EXPECT_EQ(v, want.points.size());
+}
+
+TEST_F(Remesh, DoubleWhereTheInputWasDouble)
+{
+	std::string    precision;
+	const TestMesh in = moved(sphere(24), 500000, 5000000, 100);
+	const TestMesh out =
+		remeshed("utm.ply", binaryPly(in, true, true), {"--vertices", "400"}, &precision);
+	EXPECT_EQ(precision, "double");
+	EXPECT_LT(offSphere(out, 500000, 5000000, 100), 0.01);
+	remeshed("origin.ply", binaryPly(sphere(24), true, true), {"--vertices", "400"}, &precision);
+	EXPECT_EQ(precision, "double");
+}
+
+TEST_F(Remesh, DoubleWhereFloatDoesNotResolveTheOffset)
+{
+	// L is about 0.19: floats resolve L/1000 around 1000, not around 5000.
+	std::string precision;
+	remeshed("here.ply", binaryPly(sphere(24), true, false), {"--vertices", "400"}, &precision);
+	EXPECT_EQ(precision, "float");
+	remeshed("near.ply", binaryPly(moved(sphere(24), 1000, 0, 0), true, false),
+			 {"--vertices", "400"}, &precision);
+	EXPECT_EQ(precision, "float");
+	remeshed("far.ply", binaryPly(moved(sphere(24), 5000, 0, 0), true, false),
+			 {"--vertices", "400"}, &precision);
+	EXPECT_EQ(precision, "double");
+}
+
+TEST_F(Remesh, TextWithAnOffsetKeepsItsDetail)
+{
+	const TestMesh in = moved(sphere(24), 500000, 5000000, 100);
+	for (const auto& [name, fileContent] : std::vector<std::pair<std::string, std::string>>{
+			 {"u.obj", obj(in)}, {"u.off", off(in)}, {"u.stl", asciiStl(in)}}) {
+		SCOPED_TRACE(name);
+		std::string    precision;
+		const TestMesh out = remeshed(name, fileContent, {"--vertices", "400"}, &precision);
+		EXPECT_EQ(precision, "double");
+		EXPECT_EQ(out.points.size(), 400u);
+		EXPECT_LT(offSphere(out, 500000, 5000000, 100), 0.01);
+	}
+}
+
+TEST_F(Remesh, OpenSurfaceKeepsItsBoundary)
+{
+	const TestMesh out = remeshed("grid.ply", binaryPly(grid(60), true, false), {});
+	expectManifold(out);
+	EXPECT_EQ(out.points.size(), 372u); // 10 % of 61²
+	EXPECT_EQ(eulerCharacteristic(out), 1);
+	EXPECT_EQ(report()["result"]["boundaryLoops"], 1);
+	EXPECT_NEAR(double(report()["result"]["area"]), 1, 0.01);
+}
+
+TEST_F(Remesh, EdgeLengthIsMet)
+{
+	remeshed("in.ply", binaryPly(sphere(40), true, false), {"--edge-length", "0.15"});
+	EXPECT_NEAR(double(report()["quality"]["meanEdgeLength"]), 0.15, 0.01);
+}
+
+TEST_F(Remesh, InputAndOutputMayBeTheSameFile)
+{
+	const std::string   both   = put("both.ply", binaryPly(sphere(24), true, false));
+	const ProgramResult result = run({"remesh", both, both, "--vertices", "300", "--quiet"});
+	ASSERT_EQ(result.exitCode, 0) << result.err;
+	std::string precision;
+	EXPECT_EQ(parseWrittenPly(content(both), precision).points.size(), 300u);
+	EXPECT_EQ(files(), std::vector<std::string>{"both.ply"});
+}
+
+TEST_F(Remesh, LinkedOutputStaysALink)
+{
+	const std::string in   = put("in.ply", binaryPly(sphere(24), true, false));
+	const std::string real = put("real.ply", "old");
+	std::filesystem::create_symlink(real, path("link.ply"));
+	ASSERT_EQ(run({"remesh", in, path("link.ply")}).exitCode, 0);
+	EXPECT_TRUE(std::filesystem::is_symlink(path("link.ply")));
+	EXPECT_NE(content(real), "old");
+}
+
+TEST_F(Remesh, TooFewVerticesNamesTheSmallestCount)
+{
+	const std::string   in  = put("in.ply", binaryPly(torus(40), true, false));
+	const std::string   old = put("out.ply", "old");
+	const ProgramResult result =
+		run({"remesh", in, old, "--vertices", "3", "--report", path("r.json")});
+	expectFailure(result, 4);
+	EXPECT_EQ(content(old), "old");
+	EXPECT_EQ(files(), (std::vector<std::string>{"in.ply", "out.ply"}));
+
+	// The number named is kept: it works, and is at least what a torus needs.
+	std::string smallest;
+	for (const char c : result.err) {
+		if (c >= '0' && c <= '9')
+			smallest += c;
+		else if (!smallest.empty() && std::stol(smallest) > 3)
+			break;
+		else
+			smallest.clear();
+	}
+	ASSERT_FALSE(smallest.empty()) << result.err;
+	EXPECT_GE(std::stol(smallest), 7);
+	const ProgramResult again = run({"remesh", in, path("again.ply"), "--vertices", smallest});
+	ASSERT_EQ(again.exitCode, 0) << again.err;
+	std::string precision;
+	EXPECT_EQ(parseWrittenPly(content(path("again.ply")), precision).points.size(),
+			  std::stoul(smallest));
+
+	const ProgramResult nearest =
+		run({"remesh", in, path("near.ply"), "--vertices", "3", "--allow-nearest"});
+	EXPECT_EQ(nearest.exitCode, 0) << nearest.err;
+}
+
+TEST_F(Remesh, ReportHasThePromisedKeys)
+{
+	remeshed("in.ply", binaryPly(sphere(40), true, false),
+			 {"--vertices", "500", "--seed", "7", "--threads", "1"});
+	const Json r = report();
+	for (const char* part : {"input", "result"}) {
+		for (const char* key :
+			 {"vertices", "faces", "components", "boundaryLoops", "eulerCharacteristic", "area"}) {
+			EXPECT_TRUE(r[part].contains(key)) << part << "." << key;
+		}
+	}
+	EXPECT_EQ(r["program"]["name"], "gpremesh");
+	EXPECT_EQ(r["program"]["version"], GPR_VERSION);
+	EXPECT_EQ(r["result"]["vertices"], 500);
+	EXPECT_EQ(r["result"]["components"], 1);
+	EXPECT_EQ(r["result"]["eulerCharacteristic"], 2);
+	EXPECT_NEAR(double(r["input"]["area"]), 12.56, 0.05);
+	EXPECT_NEAR(double(r["result"]["area"]), 12.56, 0.2);
+	EXPECT_EQ(r["options"]["vertices"], 500);
+	EXPECT_EQ(r["seed"], 7);
+	EXPECT_EQ(r["threads"], 1);
+	EXPECT_GT(double(r["diskRadius"]), 0);
+	EXPECT_GT(double(r["quality"]["radiusRatio"]["mean"]), 0.95);
+	EXPECT_GT(double(r["quality"]["radiusRatio"]["min"]), 0.3);
+	EXPECT_GT(double(r["quality"]["aspectRatio"]["mean"]), 0.85);
+	EXPECT_GT(double(r["quality"]["angles"]["min"]), 20);
+	EXPECT_TRUE(r["cleaned"].contains("nonManifoldEdges"));
+	EXPECT_EQ(r["audit"]["passed"], true);
+	EXPECT_GT(std::int64_t(r["peakMemoryBytes"]), 1000000);
+	EXPECT_TRUE(r["notes"].is_array());
+	EXPECT_TRUE(r["capsReached"].is_array());
+}
+
+TEST_F(Remesh, SecondsAddUpToTheWallTime)
+{
+	const std::string   in = put("in.ply", binaryPly(sphere(250), true, false));
+	const ProgramResult result =
+		run({"remesh", in, path("out.ply"), "--report", path("report.json")});
+	ASSERT_EQ(result.exitCode, 0) << result.err;
+	const Json   s     = report()["seconds"];
+	const double total = s["total"];
+	EXPECT_NEAR(double(s["read"]) + double(s["remesh"]) + double(s["write"]), total, 1e-9);
+	EXPECT_LE(total, result.seconds);
+	// Starting and ending a process cost some milliseconds that it cannot see, more on a busy
+	// machine.
+	EXPECT_GE(total, 0.9 * result.seconds - 0.05);
+	EXPECT_GT(s.size(), 4u) << "no stages";
+}
+
+TEST_F(Remesh, QuietSilencesAllButErrors)
+{
+	const std::string   in   = put("in.ply", binaryPly(sphere(24), true, false));
+	const ProgramResult loud = run({"remesh", in, path("out.ply")});
+	EXPECT_NE(loud.out.find("wrote"), std::string::npos);
+	EXPECT_EQ(loud.err, "") << "progress without a terminal";
+	const ProgramResult quiet = run({"remesh", in, path("out.ply"), "--quiet"});
+	EXPECT_EQ(quiet.exitCode, 0);
+	EXPECT_EQ(quiet.out + quiet.err, "");
+	expectFailure(run({"remesh", in, path("out.ply"), "--quiet", "--vertices", "1"}), 4);
+	expectFailure(run({"remesh", path("nowhere.ply"), path("out.ply"), "--quiet"}), 3);
+}
+
+TEST_F(Remesh, SameSeedSameBytesOnAnyNumberOfThreads)
+{
+	const std::string in        = put("in.ply", binaryPly(sphere(60), true, false));
+	const auto        bytesWith = [&](const std::vector<std::string>& options) {
+        std::vector<std::string> all{"remesh", in, path("out.ply")};
+        all.insert(all.end(), options.begin(), options.end());
+        EXPECT_EQ(run(all).exitCode, 0);
+        return content(path("out.ply"));
+	};
+	const std::string one = bytesWith({"--threads", "1"});
+	EXPECT_EQ(bytesWith({"--threads", "1"}), one);
+	EXPECT_EQ(bytesWith({"--threads", "2"}), one);
+	EXPECT_EQ(bytesWith({"--threads", "4", "--seed", "1"}), one);
+	EXPECT_NE(bytesWith({"--seed", "2"}), one);
+}
+
+TEST_F(Remesh, SignalCancelsAndLeavesTheOldFile)
+{
+	const std::string in  = put("in.ply", binaryPly(sphere(400), true, false));
+	const std::string old = put("out.ply", "old");
+	for (const int signal : {SIGINT, SIGTERM}) {
+		expectFailure(runAndSignal({"remesh", in, old, "--report", path("r.json")}, signal), 5,
+					  "cancelled");
+		EXPECT_EQ(content(old), "old");
+		EXPECT_EQ(files(), (std::vector<std::string>{"in.ply", "out.ply"}));
+	}
+}
+
+TEST_F(Remesh, StlIsTakenAsFloatWithANote)
+{
+	const std::string   in     = put("in.ply", binaryPly(sphere(24), true, true));
+	const ProgramResult result = run({"remesh", in, path("out.stl")});
+	EXPECT_EQ(result.exitCode, 0) << result.err;
+	EXPECT_NE(result.out.find("rounded to float"), std::string::npos);
+}
+
+TEST_F(Remesh, InfoTellsWhatIsThere)
+{
+	const Json ball = info(put("ball.ply", asciiPly(sphere(10))));
+	EXPECT_EQ(ball["input"]["vertices"], 402);
+	EXPECT_EQ(ball["input"]["faces"], 800);
+	EXPECT_EQ(ball["input"]["components"], 1);
+	EXPECT_EQ(ball["input"]["boundaryLoops"], 0);
+	EXPECT_EQ(ball["input"]["eulerCharacteristic"], 2);
+	const Json ring = info(put("ring.off", off(torus(20))));
+	EXPECT_EQ(ring["input"]["eulerCharacteristic"], 0);
+	const Json sheet = info(put("sheet.obj", obj(grid(10))));
+	EXPECT_EQ(sheet["input"]["boundaryLoops"], 1);
+	EXPECT_NEAR(double(sheet["input"]["area"]), 1, 1e-6);
+	EXPECT_NEAR(double(sheet["quality"]["angles"]["min"]), 45, 1e-3);
+	const ProgramResult text = run({"info", path("sheet.obj")});
+	EXPECT_EQ(text.exitCode, 0);
+	EXPECT_NE(text.out.find("121 vertices, 200 faces"), std::string::npos) << text.out;
+}
+
+} // namespace gpr_test
