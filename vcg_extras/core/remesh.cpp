@@ -1,9 +1,528 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remesh.h"
+
+#include "audit.h"
+#include "blocks.h"
+#include "boundary_curves.h"
+#include "connect.h"
+#include "delaunay_flips.h"
+#include "exact_count.h"
+#include "face_tree.h"
+#include "failure.h"
+#include "front_sampling.h"
+#include "load.h"
+#include "measure.h"
+#include "relaxation.h"
+#include "repair_manifold.h"
+#include "spatial_order.h"
+#include "split_long_edges.h"
+#include "vertex_removal.h"
+#include "worst_triangles.h"
+
+#include <chrono>
+#include <cmath>
+#include <new>
+#include <random>
+
 namespace gpr {
-RemeshResult remesh(const MeshView&, const RemeshOptions&, const ProgressCallback&) { return {}; }
-SamplingResult samplePoissonDisks(const MeshView&, const RemeshOptions&, const ProgressCallback&) { return {}; }
-RemeshResult retriangulate(const MeshView&, const std::vector<Vec3d>&, const RemeshOptions&, const ProgressCallback&) { return {}; }
-const char* statusName(Status) { return ""; }
+
+namespace {
+
+/// c of eq. (1). The paper's 0.844 belongs to random border edges; placement by disk intersection
+/// packs tighter, and with this value lands at 98 to 99 % of the target, which the exact count makes up.
+constexpr double intersectionRadiusConstant = 0.962;
+/// Spacing of border samples in r: the mean edge length of the result.
+constexpr float borderSpacing = 1.04f;
+/// Longest edge of the mesh the sampling works on, in r.
+constexpr float longestEdge = 0.8f;
+/// Least width of a block in r; fewer, larger blocks mean fewer seams in the packing.
+constexpr float blockWidth      = 20;
+constexpr float smallBlockWidth = 12;
+constexpr int   smallMeshFaces  = 2000000;
+/// Angles below this get a pass of their own at the end.
+constexpr float poorAngleDeg = 32;
+/// How often a count found to be reachable is tried as target, to be sure that it is.
+constexpr int mostCountTrials = 4;
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+	return std::chrono::duration<double>(Clock::now() - start).count();
 }
+
+/// Times stages and tells progress. Stages follow each other without a gap, so that their seconds add
+/// up to the whole.
+class StageClock {
+public:
+	StageClock(Workers& workers, RemeshReport& report) :
+			workers_(workers),
+			report_(report),
+			stageStart_(Clock::now())
+	{
+	}
+	~StageClock() { finish(); }
+	StageClock(const StageClock&) = delete;
+	StageClock& operator=(const StageClock&) = delete;
+
+	void enter(const char* key, const char* phrase, double until)
+	{
+		finish();
+		key_ = key;
+		workers_.enterStage(phrase, share_, until);
+		share_ = until;
+	}
+
+private:
+	Workers&          workers_;
+	RemeshReport&     report_;
+	Clock::time_point stageStart_;
+	const char*       key_   = nullptr;
+	double            share_ = 0;
+
+	void finish()
+	{
+		const double seconds = secondsSince(stageStart_);
+		stageStart_          = Clock::now();
+		if (key_ == nullptr) return;
+		for (StageTime& s : report_.stages) {
+			if (s.stage == key_) {
+				s.seconds += seconds;
+				return;
+			}
+		}
+		report_.stages.push_back({key_, seconds});
+	}
+};
+
+/// The input made ready, and what was learnt on the way.
+struct Prepared {
+	Surface      surface;
+	double       area      = 0; ///< working units squared
+	std::int64_t targetNum = 0;
+	float        radius    = 0; ///< working units
+};
+
+/// Vertices of about-equilateral triangles of this edge length that cover the area.
+double vertexNumForEdgeLength(double area, double edgeLength)
+{
+	return 2 * area / (std::sqrt(3.0) * edgeLength * edgeLength);
+}
+
+/// Eq. (1).
+double diskRadius(double area, double vertexNum, double constant)
+{
+	return 2 * std::sqrt(area) * std::sqrt(1 / (2 * std::sqrt(3.0) * vertexNum)) * constant;
+}
+
+std::int64_t resolveTarget(const MeshView& input, const RemeshOptions& o, double area, double scale)
+{
+	double n = 0;
+	switch (o.targetMode) {
+	case TargetMode::VertexNum: n = double(o.targetVertexNum); break;
+	case TargetMode::Percent: n = o.targetPercent / 100 * double(input.vertexNum); break;
+	case TargetMode::EdgeLength: n = vertexNumForEdgeLength(area, o.targetEdgeLen * scale); break;
+	}
+	n = std::round(n);
+	if (n > 2e8) {
+		throw Failure(Status::OutOfMemory, "The result would have more than 200,000,000 vertices.");
+	}
+	return std::max<std::int64_t>(1, std::int64_t(n));
+}
+
+std::uint32_t freshSeed()
+{
+	std::random_device device;
+	return std::max(1u, std::uint32_t(device()));
+}
+
+/// One call of the engine: the stages in order, each one function of its own header.
+class Run {
+public:
+	Run(const MeshView& input, const RemeshOptions& options, Workers& workers, RemeshReport& report) :
+			input_(input),
+			options_(options),
+			workers_(workers),
+			report_(report),
+			clock_(workers, report)
+	{
+		if (options_.seed == 0) options_.seed = freshSeed();
+		report_.seed    = options_.seed;
+		report_.threads = workers.threadNum();
+	}
+
+	void remesh(RemeshResult& out)
+	{
+		Prepared p = prepare(0);
+		ResultMesh result = sampleAndImprove(p);
+		if (options_.exactCount && result.mesh.vertexNum != p.targetNum) {
+			result = settleForNearest(p, std::move(result), out);
+		}
+		finish(p, result, out);
+	}
+
+	void sample(SamplingResult& out)
+	{
+		Prepared             p         = prepare(0);
+		const BlockPartition partition = cut(p);
+		BoundaryCurves       boundary;
+		const Sampling       sampling = sampleAll(p, partition, boundary);
+		clock_.enter("export", "Handing out the samples", 1);
+		for (const Sample& s : sampling.samples) {
+			out.points.push_back(p.surface.frame.toCaller(s.anchor.position));
+			out.anchors.push_back(surfacePoint(p.surface, s.anchor));
+		}
+		out.diskRadius = report_.diskRadius;
+	}
+
+	void retriangulate(const std::vector<Vec3d>& points, RemeshResult& out)
+	{
+		if (points.empty()) throw Failure(Status::BadOptions, "There are no samples.");
+		Prepared p = prepare(std::int64_t(points.size()));
+		BoundaryCurves boundary;
+		const Sampling sampling = takeOver(p, points);
+		const BlockPartition partition = cut(p);
+		clock_.enter("retriangulation", "Retriangulating", 0.9);
+		ResultMesh result = removeVertices(p.surface, sampling, boundary, partition, workers_);
+		report_.leftoverVertexNum = result.leftoverNum;
+		clock_.enter("flips", "Flipping edges", 0.95);
+		flipToDelaunay(result, workers_);
+		report_.targetVertexNum = result.mesh.vertexNum;
+		p.targetNum             = 0;
+		finish(p, result, out);
+	}
+
+private:
+	const MeshView& input_;
+	RemeshOptions   options_;
+	Workers&        workers_;
+	RemeshReport&   report_;
+	StageClock      clock_;
+	double          areaScale_ = 1;
+
+	// ---- the input
+
+	/// Loads, cleans, splits, orders and connects. fixedTarget replaces the options' target if above 0.
+	Prepared prepare(std::int64_t fixedTarget)
+	{
+		Prepared p;
+		clock_.enter("load", "Taking over the mesh", 0.05);
+		IndexedMesh mesh = loadInput(input_, workers_, report_.cleaned);
+		p.area           = surfaceArea(mesh, workers_);
+		if (!(p.area > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
+		const double scale = mesh.frame.scale;
+		p.targetNum        = fixedTarget > 0 ? fixedTarget
+											 : resolveTarget(input_, options_, p.area, scale);
+		p.radius = float(diskRadius(p.area, double(p.targetNum), intersectionRadiusConstant));
+		report_.targetVertexNum = p.targetNum;
+		report_.diskRadius      = double(p.radius) / scale;
+		report_.radiusConstant  = intersectionRadiusConstant;
+
+		clock_.enter("splitLongEdges", "Splitting long edges", 0.06);
+		const std::int64_t mostFaces =
+			std::max<std::int64_t>(std::int64_t(4) * mesh.faceNum, 200 * p.targetNum + 10000000);
+		report_.cleaned.longEdgesSplit =
+			splitLongEdges(mesh, longestEdge * p.radius, std::min<std::int64_t>(mostFaces, 700000000),
+						   workers_);
+		connectOrRepair(mesh, p.surface);
+		describeInput(p);
+		return p;
+	}
+
+	void connectOrRepair(IndexedMesh& mesh, Surface& surface)
+	{
+		Buffer<int> faceStart;
+		clock_.enter("order", "Ordering", 0.12);
+		surface.grid = orderSpatially(mesh, workers_, faceStart);
+		clock_.enter("connect", "Connecting", 0.2);
+		if (connect(mesh, faceStart, workers_, surface)) return;
+		clock_.enter("repair", "Repairing", 0.22);
+		repairManifold(mesh, workers_, report_.cleaned);
+		surface.grid = orderSpatially(mesh, workers_, faceStart);
+		if (!connect(mesh, faceStart, workers_, surface)) {
+			throw Failure(Status::InternalError, "The surface could not be made manifold.");
+		}
+	}
+
+	void describeInput(const Prepared& p)
+	{
+		clock_.enter("audit", "Counting", 0.22);
+		report_.cleanedInput = figuresOf(p.surface.mesh, 1 / p.surface.frame.scale, workers_);
+		report_.input          = report_.cleanedInput;
+		report_.input.vertices = std::int64_t(input_.vertexNum);
+		report_.input.faces    = std::int64_t(input_.faceNum);
+	}
+
+	// ---- sampling and what follows
+
+	BlockPartition cut(const Prepared& p)
+	{
+		const bool small = p.surface.mesh.faceNum < smallMeshFaces;
+		return cutIntoBlocks(p.surface, (small ? smallBlockWidth : blockWidth) * p.radius, workers_);
+	}
+
+	Sampling sampleAll(const Prepared& p, const BlockPartition& partition, BoundaryCurves& boundary)
+	{
+		clock_.enter("boundary", "Sampling the boundary", 0.24);
+		boundary = sampleBoundary(p.surface, p.radius, borderSpacing * p.radius);
+		clock_.enter("sampling", "Sampling", 0.6);
+		Sampling sampling =
+			sampleFront(p.surface, boundary, partition, p.radius, options_.seed, workers_);
+		report_.sampleNum         = std::int64_t(sampling.samples.size());
+		report_.boundarySampleNum = sampling.boundarySampleNum;
+		if (sampling.capped) report_.capsReached.push_back("samples of a block");
+		return sampling;
+	}
+
+	ResultMesh sampleAndImprove(const Prepared& p)
+	{
+		const BlockPartition partition = cut(p);
+		BoundaryCurves       boundary;
+		Sampling             sampling = sampleAll(p, partition, boundary);
+		clock_.enter("retriangulation", "Retriangulating", 0.8);
+		ResultMesh result = removeVertices(p.surface, sampling, boundary, partition, workers_);
+		result.idealEdge  = float(diskRadius(p.area, double(p.targetNum), 1));
+		sampling          = Sampling();
+
+		clock_.enter("flips", "Flipping edges", 0.83);
+		flipToDelaunay(result, workers_);
+		if (options_.exactCount) {
+			clock_.enter("count", "Reaching the count", 0.87);
+			collapseShortEdges(result, workers_);
+			reachExactCount(p.surface, boundary, p.targetNum, result, workers_);
+		}
+		relax(p, result);
+		noteOperations(result);
+		return result;
+	}
+
+	/// The first two steps leave the edges alone: flips straight away would undo what the exact count
+	/// did for the valences.
+	void relax(const Prepared& p, ResultMesh& result)
+	{
+		constexpr int stepsWithoutFlips = 2;
+		clock_.enter("relaxation", "Relaxing", 0.95);
+		for (int step = 0; step < options_.relaxIterations; ++step) {
+			relaxOnce(p.surface, result, workers_);
+			if (step >= stepsWithoutFlips) flipToDelaunay(result, workers_);
+		}
+		if (options_.relaxIterations > 0) raiseWorstAngles(p.surface, poorAngleDeg, result, workers_);
+	}
+
+	void noteOperations(const ResultMesh& result)
+	{
+		report_.leftoverVertexNum = result.leftoverNum;
+		report_.splitNum          = result.splitNum;
+		report_.collapseNum       = result.collapseNum;
+		report_.flipNum           = result.flipNum;
+	}
+
+	/// The count could not be reached. Finds the nearest one that can, by asking for what came out until
+	/// it comes out, and takes it or refuses.
+	ResultMesh settleForNearest(Prepared& p, ResultMesh&& first, RemeshResult& out)
+	{
+		const std::int64_t asked  = p.targetNum;
+		ResultMesh         result = std::move(first);
+		for (int trial = 0; trial < mostCountTrials && result.mesh.vertexNum != p.targetNum; ++trial) {
+			setTarget(p, result.mesh.vertexNum);
+			result = sampleAndImprove(p);
+		}
+		const std::int64_t nearest = result.mesh.vertexNum;
+		setTarget(p, nearest);
+		const bool mayRaise = options_.allowNearest || options_.targetMode != TargetMode::VertexNum;
+		if (!mayRaise) {
+			out.smallestVertexNum = nearest;
+			throw Failure(Status::CountTooSmall,
+						  "The surface cannot be meshed with " + std::to_string(asked) +
+							  " vertices; the nearest possible number is " + std::to_string(nearest) +
+							  ".");
+		}
+		out.notes.push_back("The result has " + std::to_string(nearest) + " vertices instead of " +
+							std::to_string(asked) + ", the nearest number the topology allows.");
+		return result;
+	}
+
+	void setTarget(Prepared& p, std::int64_t targetNum)
+	{
+		p.targetNum = targetNum;
+		p.radius    = float(diskRadius(p.area, double(targetNum), intersectionRadiusConstant));
+		report_.targetVertexNum = targetNum;
+		report_.diskRadius      = double(p.radius) / p.surface.frame.scale;
+	}
+
+	// ---- samples of any origin
+
+	Sampling takeOver(const Prepared& p, const std::vector<Vec3d>& points)
+	{
+		clock_.enter("sampling", "Putting the samples on the surface", 0.6);
+		const FaceTree tree(p.surface.mesh);
+		const float    onSurface = 1e-5f;
+		Sampling       sampling;
+		sampling.radius = p.radius;
+		float farthest  = 0;
+		for (const Vec3d& point : points) {
+			workers_.poll();
+			const Vec3f  q = p.surface.frame.toWorking(point);
+			const Anchor a = tree.nearest(q);
+			if (a.face < 0) throw Failure(Status::BadOptions, "A sample is not finite.");
+			const float moved = length(a.position - q);
+			report_.samplesMoved += moved > onSurface;
+			farthest = std::max(farthest, moved);
+			sampling.samples.push_back({a, p.surface.mesh.faceNormal(a.face)});
+		}
+		report_.largestSampleMove = double(farthest) / p.surface.frame.scale;
+		report_.sampleNum         = std::int64_t(points.size());
+		sampling.nearest          = assignToSamples(p.surface, sampling.samples, workers_);
+		return sampling;
+	}
+
+	// ---- the result
+
+	void finish(const Prepared& p, const ResultMesh& result, RemeshResult& out)
+	{
+		clock_.enter("audit", "Checking", 0.98);
+		const double unit = 1 / p.surface.frame.scale;
+		report_.result    = figuresOf(result.mesh, unit, workers_);
+		const std::int64_t promised = options_.exactCount ? p.targetNum : 0;
+		report_.audit = audit(result, report_.cleanedInput, report_.result, promised, workers_);
+		if (!report_.audit.passed) {
+			throw Failure(Status::PromiseBroken, describeFailure(report_.audit));
+		}
+		clock_.enter("export", "Handing out the result", 1);
+		exportMesh(p.surface, result, out);
+		report_.quality = measureQuality(out.mesh.view(), 1);
+	}
+
+	void exportMesh(const Surface& surface, const ResultMesh& result, RemeshResult& out)
+	{
+		const HalfEdgeMesh& m = result.mesh;
+		out.mesh.positions.resize(m.vertexNum);
+		out.anchors.resize(m.vertexNum);
+		out.mesh.triangles.assign(m.origin.data(), m.origin.data() + m.halfEdgeNum());
+		workers_.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v) {
+				out.mesh.positions[v] = surface.frame.toCaller(m.position[v]);
+				out.anchors[v]        = surfacePoint(surface, result.vertex[v].anchor);
+			}
+		});
+	}
+
+	/// Weights of the anchor in the caller's own face.
+	SurfacePoint surfacePoint(const Surface& surface, const Anchor& anchor) const
+	{
+		SurfacePoint        s;
+		const Vec3d         p = surface.frame.toCaller(anchor.position);
+		const std::int32_t* t = input_.triangles;
+		s.face                = surface.sourceFace[anchor.face];
+		const Vec3d a = input_.position(t[3 * s.face]), b = input_.position(t[3 * s.face + 1]);
+		const Vec3d c = input_.position(t[3 * s.face + 2]);
+		const Vec3d n = cross(b - a, c - a);
+		const double squared = squaredLength(n);
+		double       wb = 0, wc = 0;
+		if (squared > 0) {
+			wb = dot(cross(p - a, c - a), n) / squared;
+			wc = dot(cross(b - a, p - a), n) / squared;
+		}
+		wb          = std::min(1.0, std::max(0.0, wb));
+		wc          = std::min(1.0 - wb, std::max(0.0, wc));
+		s.weight[0] = float(1 - wb - wc);
+		s.weight[1] = float(wb);
+		s.weight[2] = float(wc);
+		return s;
+	}
+};
+
+/// Runs body and turns what it throws into status and message; on failure nothing but those, the report
+/// and the notes is handed out.
+template <class Result, class Body>
+Result guarded(const RemeshOptions& options, const ProgressCallback& progress, const Body& body)
+{
+	const Clock::time_point start = Clock::now();
+	Result                  result;
+	const auto              fail = [&](Status status, const std::string& message) {
+        Result failed;
+        failed.status  = status;
+        failed.message = message;
+        failed.report  = std::move(result.report);
+        failed.notes   = std::move(result.notes);
+        return failed;
+	};
+	const std::vector<std::string> complaints = validate(options);
+	if (!complaints.empty()) return fail(Status::BadOptions, complaints.front());
+	try {
+		{
+			Workers workers(options.threads, progress);
+			body(workers, result);
+		}
+		result.status               = Status::Ok;
+		result.report.remeshSeconds = secondsSince(start);
+		return result;
+	}
+	catch (const Failure& f) {
+		Result failed = fail(f.status, f.message);
+		return failed;
+	}
+	catch (const CancelledError&) {
+		return fail(Status::Cancelled, "Cancelled.");
+	}
+	catch (const std::bad_alloc&) {
+		return fail(Status::OutOfMemory, "There is not enough memory.");
+	}
+	catch (const std::exception& e) {
+		return fail(Status::InternalError, std::string("Internal error: ") + e.what());
+	}
+}
+
+} // namespace
+
+RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
+					const ProgressCallback& progress)
+{
+	std::int64_t smallest = 0;
+	RemeshResult result   = guarded<RemeshResult>(
+        options, progress, [&](Workers& workers, RemeshResult& r) {
+            try {
+                Run(input, options, workers, r.report).remesh(r);
+            }
+            catch (const Failure&) {
+                smallest = r.smallestVertexNum;
+                throw;
+            }
+        });
+	result.smallestVertexNum = smallest;
+	return result;
+}
+
+SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& options,
+								  const ProgressCallback& progress)
+{
+	return guarded<SamplingResult>(options, progress, [&](Workers& workers, SamplingResult& r) {
+		Run(input, options, workers, r.report).sample(r);
+	});
+}
+
+RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samples,
+						   const RemeshOptions& options, const ProgressCallback& progress)
+{
+	return guarded<RemeshResult>(options, progress, [&](Workers& workers, RemeshResult& r) {
+		Run(input, options, workers, r.report).retriangulate(samples, r);
+	});
+}
+
+const char* statusName(Status status)
+{
+	switch (status) {
+	case Status::Ok: return "ok";
+	case Status::BadOptions: return "bad options";
+	case Status::UnusableInput: return "unusable input";
+	case Status::CountTooSmall: return "count too small";
+	case Status::PromiseBroken: return "promise broken";
+	case Status::OutOfMemory: return "out of memory";
+	case Status::Cancelled: return "cancelled";
+	case Status::InternalError: return "internal error";
+	}
+	return "unknown";
+}
+
+} // namespace gpr

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "audit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+struct Findings {
+	std::int64_t badEdges = 0, badVertices = 0, corners = 0;
+	std::int64_t zeroArea = 0, flipped = 0, notFinite = 0;
+
+	Findings& operator+=(const Findings& o)
+	{
+		badEdges += o.badEdges;
+		badVertices += o.badVertices;
+		corners += o.corners;
+		zeroArea += o.zeroArea;
+		flipped += o.flipped;
+		notFinite += o.notFinite;
+		return *this;
+	}
+};
+
+bool isSoundHalfEdge(const HalfEdgeMesh& m, int h)
+{
+	const int a = m.origin[h], b = m.target(h), g = m.opposite[h];
+	if (a == b || a < 0 || a >= m.vertexNum) return false;
+	if (g < 0) return true;
+	return g < m.halfEdgeNum() && m.opposite[g] == h && m.origin[g] == b && m.target(g) == a;
+}
+
+/// Turns round v: its own half-edges only, every neighbour once, no fan beyond bounds.
+bool isSoundVertex(const HalfEdgeMesh& m, int v, std::vector<int>& ring, std::int64_t& corners)
+{
+	ring.clear();
+	const int first = m.outgoing[v];
+	if (first < 0) return false;
+	int h = first;
+	do {
+		if (m.origin[h] != v) return false;
+		ring.push_back(m.target(h));
+		++corners;
+		const int in = prevInFace(h);
+		h            = m.opposite[in];
+		if (h < 0) ring.push_back(m.origin[in]);
+		if (ring.size() > std::size_t(m.halfEdgeNum())) return false;
+	} while (h >= 0 && h != first);
+	std::sort(ring.begin(), ring.end());
+	return std::adjacent_find(ring.begin(), ring.end()) == ring.end();
+}
+
+void checkFace(const ResultMesh& r, int f, Findings& found)
+{
+	const Vec3f n = r.mesh.faceCross(f);
+	if (!(squaredLength(n) > 0)) {
+		++found.zeroArea;
+		return;
+	}
+	bool against = true;
+	for (int k = 0; k < 3; ++k)
+		against = against && dot(n, r.vertex[r.mesh.origin[3 * f + k]].normal) < 0;
+	found.flipped += against;
+}
+
+} // namespace
+
+AuditFigures audit(const ResultMesh& r, const MeshFigures& input, const MeshFigures& output,
+				   std::int64_t targetNum, Workers& workers)
+{
+	const HalfEdgeMesh& m = r.mesh;
+	Findings            found =
+		workers.sum<Findings>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+			Findings part;
+			for (int f = int(begin); f < int(end); ++f) {
+				for (int h = 3 * f; h < 3 * f + 3; ++h)
+					part.badEdges += !isSoundHalfEdge(m, h);
+				checkFace(r, f, part);
+			}
+			return part;
+		});
+	// A table with wrong half-edges could lead the turning below astray.
+	if (found.badEdges == 0) {
+		found += workers.sum<Findings>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+			Findings         part;
+			std::vector<int> ring;
+			for (int v = int(begin); v < int(end); ++v) {
+				part.badVertices += !isSoundVertex(m, v, ring, part.corners);
+				const Vec3f p = m.position[v];
+				part.notFinite += !(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+			}
+			return part;
+		});
+		// A corner that no turn came to belongs to a second fan.
+		if (found.corners != m.halfEdgeNum()) ++found.badVertices;
+	}
+	AuditFigures a;
+	a.nonManifoldEdges    = found.badEdges;
+	a.nonManifoldVertices = found.badVertices;
+	a.zeroAreaFaces       = found.zeroArea;
+	a.flippedFaces        = found.flipped;
+	a.nonFinitePositions  = found.notFinite;
+	a.componentsKept      = input.components == output.components;
+	a.boundaryLoopsKept   = input.boundaryLoops == output.boundaryLoops;
+	a.eulerKept           = input.eulerCharacteristic == output.eulerCharacteristic;
+	a.countExact          = targetNum == output.vertices;
+	a.passed = found.badEdges == 0 && found.badVertices == 0 && found.zeroArea == 0 &&
+			   found.flipped == 0 && found.notFinite == 0 && a.componentsKept &&
+			   a.boundaryLoopsKept && a.eulerKept && (targetNum == 0 || a.countExact);
+	return a;
+}
+
+std::string describeFailure(const AuditFigures& a)
+{
+	if (a.passed) return "";
+	std::string what;
+	const auto  add = [&](bool failed, const std::string& phrase) {
+        if (failed) what += (what.empty() ? "" : ", ") + phrase;
+	};
+	add(a.nonManifoldEdges > 0, "edges that are not manifold");
+	add(a.nonManifoldVertices > 0, "vertices that are not manifold");
+	add(a.zeroAreaFaces > 0, std::to_string(a.zeroAreaFaces) + " faces without area");
+	add(a.flippedFaces > 0, std::to_string(a.flippedFaces) + " faces turned over");
+	add(a.nonFinitePositions > 0, "coordinates that are not finite");
+	add(!a.componentsKept, "another number of components");
+	add(!a.boundaryLoopsKept, "another number of boundary loops");
+	add(!a.eulerKept, "another Euler characteristic");
+	if (what.empty()) what = "another number of vertices than promised";
+	return "The result was withheld because it has " + what + ".";
+}
+
+} // namespace gpr

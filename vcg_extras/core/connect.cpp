@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "connect.h"
+
+#include "counting_sort.h"
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+/// A half-edge at its smaller end: the other end, and whether it leads there or comes from there.
+struct Spoke {
+	int  other;
+	bool leaves;
+	int  halfEdge;
+};
+
+bool spokeLess(const Spoke& a, const Spoke& b)
+{
+	if (a.other != b.other) return a.other < b.other;
+	if (a.leaves != b.leaves) return a.leaves < b.leaves;
+	return a.halfEdge < b.halfEdge;
+}
+
+/// Pairs the half-edges whose smaller end is one vertex. False if an edge is not shared by at most
+/// two faces in opposite directions.
+bool pairSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
+{
+	std::sort(spokes.begin(), spokes.end(), spokeLess);
+	bool isManifold = true;
+	for (std::size_t i = 0; i < spokes.size();) {
+		std::size_t end = i + 1;
+		while (end < spokes.size() && spokes[end].other == spokes[i].other)
+			++end;
+		const bool isPair = end - i == 2 && spokes[i].leaves != spokes[i + 1].leaves;
+		for (std::size_t k = i; k < end; ++k)
+			opposite[spokes[k].halfEdge] = -1;
+		if (isPair) {
+			opposite[spokes[i].halfEdge]     = spokes[i + 1].halfEdge;
+			opposite[spokes[i + 1].halfEdge] = spokes[i].halfEdge;
+		}
+		else if (end - i > 1) {
+			isManifold = false;
+		}
+		i = end;
+	}
+	return isManifold;
+}
+
+/// Of each face two half-edges have the first corner as their smaller end, and are found through
+/// faceStart; only the third one is bucketed.
+bool fillOpposites(const IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers,
+				   Buffer<int>& opposite)
+{
+	Buffer<int> thirdStart, third;
+	sortIntoBuckets(
+		mesh.faceNum, mesh.vertexNum,
+		[&](std::size_t f) {
+			return std::min(mesh.triangle[3 * f + 1], mesh.triangle[3 * f + 2]);
+		},
+		workers, thirdStart, third);
+
+	std::atomic<bool> isManifold{true};
+	opposite.reset(std::size_t(3) * mesh.faceNum);
+	workers.forRange(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
+		std::vector<Spoke> spokes;
+		for (int v = int(begin); v < int(end); ++v) {
+			spokes.clear();
+			for (int f = faceStart[v]; f < faceStart[v + 1]; ++f) {
+				spokes.push_back({mesh.triangle[3 * f + 1], true, 3 * f});
+				spokes.push_back({mesh.triangle[3 * f + 2], false, 3 * f + 2});
+			}
+			for (int i = thirdStart[v]; i < thirdStart[v + 1]; ++i) {
+				const int h = 3 * third[i] + 1;
+				const int a = mesh.triangle[h], b = mesh.triangle[h + 1];
+				spokes.push_back({a == v ? b : a, a == v, h});
+			}
+			if (!pairSpokes(spokes, opposite)) isManifold = false;
+		}
+	});
+	return isManifold;
+}
+
+void lowerTo(int& place, int value)
+{
+	int seen = __atomic_load_n(&place, __ATOMIC_RELAXED);
+	while ((seen < 0 || value < seen) &&
+		   !__atomic_compare_exchange_n(&place, &seen, value, true, __ATOMIC_RELAXED,
+										__ATOMIC_RELAXED)) {
+	}
+}
+
+/// A border half-edge where there is one; else one of the first face of the vertex' own range, or,
+/// for vertices that are no face's smallest, the smallest of all.
+void fillOutgoing(HalfEdgeMesh& m, const Buffer<int>& faceStart, Workers& workers)
+{
+	m.outgoing.reset(m.vertexNum);
+	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			m.outgoing[v] = faceStart[v] < faceStart[v + 1] ? 3 * faceStart[v] : -1;
+	});
+	workers.forRange(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (int f = int(begin); f < int(end); ++f) {
+			for (int h = 3 * f + 1; h < 3 * f + 3; ++h) {
+				const int v = m.origin[h];
+				if (faceStart[v] == faceStart[v + 1]) lowerTo(m.outgoing[v], h);
+			}
+		}
+	});
+	workers.forRange(m.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t h = begin; h < end; ++h) {
+			if (m.opposite[h] < 0) {
+				__atomic_store_n(&m.outgoing[m.origin[h]], int(h), __ATOMIC_RELAXED);
+			}
+		}
+	});
+}
+
+/// Vertex normals by turning round every vertex, which also counts the corners seen: they are all
+/// corners exactly if every vertex has a single fan.
+bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& normal)
+{
+	normal.reset(m.vertexNum);
+	const std::int64_t seen =
+		workers.sum<std::int64_t>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+			std::int64_t corners = 0;
+			for (int v = int(begin); v < int(end); ++v) {
+				const Vec3f p = m.position[v];
+				Vec3f       sum;
+				forEachOutgoing(m, v, [&](int h) {
+					sum += cross(m.position[m.target(h)] - p, m.position[m.apex(h)] - p);
+					++corners;
+				});
+				normal[v] = PackedNormal(normalized(sum));
+			}
+			return corners;
+		});
+	return seen == std::int64_t(m.halfEdgeNum());
+}
+
+} // namespace
+
+bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface)
+{
+	HalfEdgeMesh& m = surface.mesh;
+	if (!fillOpposites(mesh, faceStart, workers, m.opposite)) return false;
+	m.vertexNum = mesh.vertexNum;
+	m.faceNum   = mesh.faceNum;
+	m.position.swap(mesh.position);
+	m.origin.swap(mesh.triangle);
+	fillOutgoing(m, faceStart, workers);
+	if (!fillNormals(m, workers, surface.normal)) {
+		m.position.swap(mesh.position);
+		m.origin.swap(mesh.triangle);
+		return false;
+	}
+	surface.sourceFace.swap(mesh.sourceFace);
+	surface.frame = mesh.frame;
+	return true;
+}
+
+} // namespace gpr

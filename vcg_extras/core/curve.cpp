@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+float distanceToSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
+{
+	const Vec3f ab = b - a, ap = p - a;
+	const float squared = squaredLength(ab);
+	const float t       = squared > 0 ? std::clamp(dot(ap, ab) / squared, 0.0f, 1.0f) : 0.0f;
+	return length(ap - ab * t);
+}
+
+/// Goes from arc a to b by chords of length d: the first point where the distance from the last one
+/// reaches d. Returns the steps made, with the fraction left over; appends the arcs if asked.
+float march(const Curve& c, float a, float b, float d, std::vector<float>* arcs)
+{
+	const float stride = d * 0.1f;
+	float       from   = a;
+	float       steps  = 0;
+	while (true) {
+		const Vec3f start  = c.at(from);
+		float       s      = from;
+		float       before = 0;
+		bool        found  = false;
+		while (s < b) {
+			const float next = std::min(b, s + stride);
+			const float far  = length(c.at(next) - start);
+			if (far >= d) {
+				s += (next - s) * (d - before) / std::max(far - before, 1e-30f);
+				found = true;
+				break;
+			}
+			before = far;
+			if (!(next > s)) break;
+			s = next;
+		}
+		if (!found || !(s > from)) return steps + length(c.at(b) - start) / d;
+		from = s;
+		steps += 1;
+		if (arcs != nullptr) arcs->push_back(s);
+	}
+}
+
+/// Exactly `steps` chords of one length: bisection on that length.
+std::vector<float> evenSpacing(const Curve& c, float a, float b, float d, int steps)
+{
+	std::vector<float> arcs;
+	if (steps < 2) return arcs;
+	if (steps == 2) return {0.5f * (a + b)};
+	float low = 0.3f * d, high = 3 * d;
+	for (int round = 0; round < 18; ++round) {
+		const float middle = 0.5f * (low + high);
+		(march(c, a, b, middle, nullptr) > float(steps) ? low : high) = middle;
+	}
+	march(c, a, b, high, &arcs);
+	arcs.resize(std::min<std::size_t>(arcs.size(), steps - 1));
+	return arcs;
+}
+
+float worstDeviation(const Curve& c, float a, float b, const std::vector<float>& arcs)
+{
+	float worst = 0, last = a;
+	for (float s : arcs) {
+		worst = std::max(worst, deviation(c, last, s));
+		last  = s;
+	}
+	return std::max(worst, deviation(c, last, b));
+}
+
+/// Arcs of the curve's own points and of evenly spread ones, from a to b, both included.
+std::vector<float> candidateArcs(const Curve& c, float a, float b, float d)
+{
+	std::vector<float> arcs;
+	const int          n = std::max(1, int(std::ceil((b - a) / (0.1f * d))));
+	for (int i = 0; i <= n; ++i)
+		arcs.push_back(a + (b - a) * float(i) / float(n));
+	arcs.back() = b;
+	// Points of the curve where it bends belong to the best polygon; dense ones add nothing.
+	const float close = 0.05f * d;
+	float       last  = a;
+	for (int i = c.segmentAt(a) + 1; c.arcOf(i) < b; ++i) {
+		const float s = c.arcOf(i);
+		if (s > a && s - last > close) {
+			arcs.push_back(s);
+			last = s;
+		}
+		if (i >= 2 * c.pointNum() - 1) break;
+	}
+	std::sort(arcs.begin(), arcs.end());
+	arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+	return arcs;
+}
+
+/// Cheapest chain of chords from the first to the last candidate.
+std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const CurveSpacing& spacing)
+{
+	constexpr float shortest = 0.5f, longest = 1.5f; // of the wanted chord
+	const float     d = spacing.chord;
+
+	const std::vector<float> arcs = candidateArcs(c, a, b, d);
+	const int                n    = int(arcs.size());
+	std::vector<Vec3f>       place(n);
+	for (int i = 0; i < n; ++i)
+		place[i] = c.at(arcs[i]);
+
+	std::vector<double> cost(n, HUGE_VAL);
+	std::vector<int>    before(n, -1);
+	cost[0] = 0;
+	for (int i = 1; i < n; ++i) {
+		for (int k = i - 1; k >= 0; --k) {
+			// A chord is never longer than its arc; past this arc no ragged curve is worth a look.
+			if (arcs[i] - arcs[k] > 3 * longest * d && before[i] >= 0) break;
+			const float chord = length(place[i] - place[k]) / d;
+			const bool  isEnd = i == n - 1 || k == 0;
+			if (chord > longest && before[i] >= 0) continue;
+			if (chord < shortest && !isEnd) continue;
+			const float  excess = deviation(c, arcs[k], arcs[i]) / (spacing.tolerance * d) - 1;
+			const double here   = double(chord - 1) * (chord - 1) +
+								(excess > 0 ? double(excess) * excess : 0.0);
+			if (cost[k] + here < cost[i]) {
+				cost[i]   = cost[k] + here;
+				before[i] = k;
+			}
+		}
+	}
+	std::vector<float> chosen;
+	for (int i = before[n - 1]; i > 0; i = before[i])
+		chosen.push_back(arcs[i]);
+	std::reverse(chosen.begin(), chosen.end());
+	return chosen;
+}
+
+} // namespace
+
+float Curve::wrap(float s) const
+{
+	if (!(length > 0)) return 0;
+	while (s < 0)
+		s += length;
+	while (s >= length)
+		s -= length;
+	return s;
+}
+
+int Curve::segmentAt(float s) const
+{
+	const auto above = std::upper_bound(arc.begin(), arc.end(), wrap(s));
+	return std::max(0, int(above - arc.begin()) - 1);
+}
+
+Vec3f Curve::at(float s) const
+{
+	const float w      = wrap(s);
+	const int   i      = segmentAt(w);
+	const int   next   = (i + 1) % pointNum();
+	const float extent = (next > 0 ? arc[next] : length) - arc[i];
+	const float t      = extent > 0 ? std::clamp((w - arc[i]) / extent, 0.0f, 1.0f) : 0.0f;
+	return point[i] * (1 - t) + point[next] * t;
+}
+
+float deviation(const Curve& c, float a, float b)
+{
+	const Vec3f p = c.at(a), q = c.at(b);
+	float       worst = 0;
+	const int   lap   = a >= c.length ? c.pointNum() : 0;
+	for (int i = c.segmentAt(a) + 1 + lap; i < 3 * c.pointNum(); ++i) {
+		const float s = c.arc[i % c.pointNum()] + float(i / c.pointNum()) * c.length;
+		if (s >= b) break;
+		worst = std::max(worst, distanceToSegment(c.point[i % c.pointNum()], p, q));
+	}
+	return worst;
+}
+
+std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
+							int minSteps)
+{
+	const float        d     = spacing.chord;
+	const int          steps = std::max(minSteps, int(std::lround(march(curve, from, to, d, nullptr))));
+	std::vector<float> even  = evenSpacing(curve, from, to, d, steps);
+	if (worstDeviation(curve, from, to, even) <= spacing.tolerance * d) return even;
+	std::vector<float> fitted = cheapestSpacing(curve, from, to, spacing);
+	return int(fitted.size()) + 1 >= minSteps ? fitted : even;
+}
+
+} // namespace gpr

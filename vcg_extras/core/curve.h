@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_CURVE_H
+#define VCG_EXTRAS_CORE_CURVE_H
+
+#include "vec.h"
+
+#include <vector>
+
+namespace gpr {
+
+/// A closed polyline on the surface, by arc length: today the loops of the border, later feature
+/// lines too.
+struct Curve {
+	std::vector<int>   vertex; ///< of the surface, in order
+	std::vector<Vec3f> point;  ///< their positions
+	std::vector<int>   face;   ///< face at the segment from point i to the next
+	std::vector<float> arc;    ///< arc length at point i
+	float              length = 0;
+
+	int   pointNum() const { return int(point.size()); }
+	float wrap(float s) const;
+	/// The segment that holds arc length s, after wrapping.
+	int   segmentAt(float s) const;
+	Vec3f at(float s) const;
+	/// Arc length of point i, where i may run on past the end once round.
+	float arcOf(int i) const
+	{
+		return arc[i % pointNum()] + (i >= pointNum() ? length : 0.0f);
+	}
+};
+
+/// Where spacing by chords puts samples on a piece of a curve.
+struct CurveSpacing {
+	float chord     = 0;     ///< wanted distance of neighbours, straight through space
+	float tolerance = 0.08f; ///< of the chord: how far the curve may leave the polygon of the samples
+};
+
+/// Arc lengths strictly between `from` and `to` (to may run past the curve's end) where samples lie:
+/// evenly by chords if the curve then stays within the tolerance of the polygon; otherwise at the
+/// places that cost least, by dynamic programming over candidates a tenth of the chord apart: the
+/// squared deviation of each chord from its wanted length, plus the squared excess over the
+/// tolerance. At least minSteps steps are made. Cost: linear in length, × candidates per chord².
+std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
+							int minSteps);
+
+/// Largest distance of the curve's points between arcs a and b from the chord between them.
+float deviation(const Curve& curve, float a, float b);
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "delaunay_flips.h"
+
+#include "mesh_edit.h"
+
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// Flips that one edge can set off; an unending exchange between two places ends here.
+constexpr int mostFlipsInARow = 200;
+
+/// New faces that meet below this cosine (60°) must not meet much sharper than the old ones.
+constexpr float creaseCosine = 0.5f;
+
+bool improvesAngles(const HalfEdgeMesh& m, int h)
+{
+	const int g = m.opposite[h];
+	if (g < 0) return false;
+	const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
+	const Vec3f c = m.position[m.apex(h)], d = m.position[m.apex(g)];
+	const Vec3f ca = a - c, cb = b - c, da = a - d, db = b - d;
+	const Vec3f n1 = cross(ca, cb), n2 = cross(db, da);
+	const float sin1 = length(n1), sin2 = length(n2);
+	const float cos1 = dot(ca, cb), cos2 = dot(da, db);
+	// sin(γ + δ) < 0, with a margin for nearly co-circular corners.
+	const float sine = sin1 * cos2 + cos1 * sin2;
+	if (sine >= -1e-4f * (sin1 * sin2 + std::abs(cos1 * cos2))) return false;
+
+	const Vec3f m1 = cross(a - c, d - c), m2 = cross(d - c, b - c);
+	const Vec3f normal = n1 + n2;
+	if (dot(m1, normal) <= 0 || dot(m2, normal) <= 0) return false;
+	const float oldCosine = dot(n1, n2) / (sin1 * sin2 + 1e-30f);
+	const float newCosine = dot(m1, m2) / (length(m1) * length(m2) + 1e-30f);
+	return newCosine >= creaseCosine || newCosine >= oldCosine - 0.1f;
+}
+
+/// Flips h and whatever its flips unsettle.
+std::int64_t settleFrom(HalfEdgeMesh& m, int h, std::vector<int>& stack)
+{
+	std::int64_t flips = 0;
+	stack.assign(1, h);
+	while (!stack.empty()) {
+		const int e = stack.back();
+		stack.pop_back();
+		if (flips == mostFlipsInARow) break;
+		if (!improvesAngles(m, e) || !canFlip(m, e)) continue;
+		const int g = m.opposite[e];
+		flip(m, e);
+		++flips;
+		const int inner = nextInFace(e);
+		for (int k = 0; k < 3; ++k) {
+			const int x = 3 * (e / 3) + k, y = 3 * (g / 3) + k;
+			if (x != inner) stack.push_back(x);
+			if (m.opposite[y] != inner) stack.push_back(y);
+		}
+	}
+	return flips;
+}
+
+} // namespace
+
+bool flipKeepsShape(const HalfEdgeMesh& m, int h, float leastAngle, float leastCosine)
+{
+	const int   g = m.opposite[h];
+	const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
+	const Vec3f c = m.position[m.apex(h)], d = m.position[m.apex(g)];
+	const Vec3f normal = cross(b - a, c - a) + cross(a - b, d - b);
+	const Vec3f n1 = cross(d - a, c - a), n2 = cross(c - b, d - b);
+	if (dot(n1, normal) <= 0 || dot(n2, normal) <= 0) return false;
+	if (dot(n1, n2) < leastCosine * length(n1) * length(n2)) return false;
+	return std::min(smallestAngle(a, d, c), smallestAngle(b, c, d)) >= leastAngle;
+}
+
+std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers)
+{
+	HalfEdgeMesh&          m = result.mesh;
+	const std::vector<int> candidates =
+		workers.collect<int>(m.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
+			for (std::size_t h = begin; h < end; ++h) {
+				if (m.opposite[h] > int(h) && improvesAngles(m, int(h))) out.push_back(int(h));
+			}
+		});
+	std::vector<int> stack;
+	std::int64_t     flips = 0;
+	for (int h : candidates)
+		flips += settleFrom(m, h, stack);
+	result.flipNum += flips;
+	return flips;
+}
+
+} // namespace gpr

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "disk_flood.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// Cosine of about 37°: beyond it the chord says too little about the distance.
+constexpr float flatCosine = 0.8f;
+
+} // namespace
+
+/// The triangle (v, b, a) is laid into the plane with v at 0 and b on the axis; the source lies below
+/// the axis, a above it.
+///
+///               a
+///             /   \.
+///     v -----x-----> b        The straight line from the source to a must cross v-b.
+///         \  |  /
+///          source
+float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float lengthAB)
+{
+	const float half = 0.5f / lengthVB;
+	const float sx = (d1 * d1 - d2 * d2 + lengthVB * lengthVB) * half;
+	const float ax = (lengthVA * lengthVA - lengthAB * lengthAB + lengthVB * lengthVB) * half;
+	const float sy = std::sqrt(std::max(0.0f, d1 * d1 - sx * sx));
+	const float ay = std::sqrt(std::max(0.0f, lengthVA * lengthVA - ax * ax));
+	const float height = sy + ay;
+	if (!(height > 0)) return HUGE_VALF;
+	const float crossing = sx + (ax - sx) * sy / height;
+	if (!(crossing >= 0 && crossing <= lengthVB)) return HUGE_VALF;
+	return std::sqrt((ax - sx) * (ax - sx) + height * height);
+}
+
+void DiskFlood::run(int id, const Sample& sample)
+{
+	if (!runFlat(id, sample)) runUnfolding(id, sample);
+}
+
+void DiskFlood::meet(int vertex)
+{
+	const NearestField::Nearest& n = field_.nearest[vertex];
+	if (n.sample < 0 || n.distance > radius_) return;
+	// A dozen at most: a linear search beats every set.
+	if (std::find(met_.begin(), met_.end(), n.sample) == met_.end()) met_.push_back(n.sample);
+}
+
+/// Writes nothing but trial entries until the whole disk proved flat. False: not flat.
+bool DiskFlood::runFlat(int id, const Sample& sample)
+{
+	const int stamp = 2 * ++flood_;
+	queue_.clear();
+	met_.clear();
+	const auto reach = [&](int v) {
+		NearestField::Trial& t = field_.trial[v];
+		if (t.stamp >= stamp) return;
+		t.stamp = stamp;
+		queue_.push_back(v);
+	};
+	for (int k = 0; k < 3; ++k)
+		reach(m_.origin[3 * sample.anchor.face + k]);
+	for (std::size_t i = 0; i < queue_.size(); ++i) {
+		const int   v       = queue_[i];
+		const float cosine  = dot(surface_.normal[v].unpack(), sample.normal);
+		if (!(cosine >= flatCosine)) return false;
+		const float chord    = length(m_.position[v] - sample.anchor.position);
+		const float distance = chord * (1 + (1 - std::min(cosine, 1.0f)) * (1 / 12.0f));
+		field_.trial[v].distance = distance;
+		if (distance > radius_ || distance >= field_.nearest[v].distance) continue;
+		forEachNeighbour(m_, v, reach);
+	}
+	for (int v : queue_) {
+		meet(v);
+		NearestField::Nearest& n = field_.nearest[v];
+		if (field_.trial[v].distance < n.distance) n = {field_.trial[v].distance, id};
+	}
+	return true;
+}
+
+void DiskFlood::runUnfolding(int id, const Sample& sample)
+{
+	++flood_;
+	queue_.clear();
+	met_.clear();
+	heap_.clear();
+	for (int k = 0; k < 3; ++k) {
+		const int v = m_.origin[3 * sample.anchor.face + k];
+		tryDistance(v, length(m_.position[v] - sample.anchor.position));
+	}
+	while (!heap_.empty()) {
+		const HeapEntry            e = popHeap();
+		const NearestField::Trial& t = field_.trial[e.vertex];
+		if (t.stamp != 2 * flood_ || e.distance > t.distance) continue;
+		settle(e.vertex, e.distance, id, sample);
+	}
+}
+
+void DiskFlood::tryDistance(int vertex, float distance)
+{
+	NearestField::Trial& t = field_.trial[vertex];
+	if (t.stamp == 2 * flood_ + 1) return;
+	if (t.stamp == 2 * flood_ && distance >= t.distance) return;
+	t = {distance, 2 * flood_};
+	pushHeap({distance, vertex});
+}
+
+void DiskFlood::settle(int v, float distance, int id, const Sample& sample)
+{
+	const int stamp          = 2 * flood_;
+	field_.trial[v].stamp    = stamp + 1;
+	NearestField::Nearest& n = field_.nearest[v];
+	queue_.push_back(v);
+	meet(v);
+	if (!(distance < n.distance)) return;
+	n = {distance, id};
+	if (distance > radius_) return;
+
+	// Along the edges, and across every triangle one of whose other corners is settled too.
+	const Vec3f p    = m_.position[v];
+	const Vec3f from = sample.anchor.position;
+	forEachNeighbour(m_, v, [&](int w) {
+		tryDistance(w, distance + length(m_.position[w] - p));
+	});
+	forEachOutgoing(m_, v, [&](int h) {
+		const int  a        = m_.target(h), b = m_.apex(h);
+		const bool aSettled = field_.trial[a].stamp == stamp + 1;
+		const bool bSettled = field_.trial[b].stamp == stamp + 1;
+		if (aSettled == bSettled) return;
+		const int   known = aSettled ? a : b, wanted = aSettled ? b : a;
+		const Vec3f q = m_.position[known], w = m_.position[wanted];
+		const float d = unfoldedDistance(distance, field_.trial[known].distance, length(q - p),
+										 length(w - p), length(w - q));
+		// No way on the surface is shorter than the chord, and the front never runs back.
+		if (d < HUGE_VALF) tryDistance(wanted, std::max({d, distance, length(w - from)}));
+	});
+}
+
+void DiskFlood::pushHeap(HeapEntry e)
+{
+	std::size_t i = heap_.size();
+	heap_.push_back(e);
+	while (i > 0) {
+		const std::size_t parent = (i - 1) / 2;
+		if (heap_[parent].distance <= e.distance) break;
+		heap_[i] = heap_[parent];
+		i        = parent;
+	}
+	heap_[i] = e;
+}
+
+DiskFlood::HeapEntry DiskFlood::popHeap()
+{
+	const HeapEntry top  = heap_.front();
+	const HeapEntry last = heap_.back();
+	heap_.pop_back();
+	const std::size_t n = heap_.size();
+	std::size_t       i = 0;
+	while (n > 0) {
+		std::size_t child = 2 * i + 1;
+		if (child >= n) break;
+		if (child + 1 < n && heap_[child + 1].distance < heap_[child].distance) ++child;
+		if (heap_[child].distance >= last.distance) break;
+		heap_[i] = heap_[child];
+		i        = child;
+	}
+	if (n > 0) heap_[i] = last;
+	return top;
+}
+
+} // namespace gpr

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_DISK_FLOOD_H
+#define VCG_EXTRAS_CORE_DISK_FLOOD_H
+
+#include "connect.h"
+#include "walk.h"
+
+#include <vector>
+
+namespace gpr {
+
+/// A sample of the surface: where it lies, and the normal of its face.
+struct Sample {
+	Anchor anchor;
+	Vec3f  normal;
+};
+
+/// What the sampling knows about every vertex of the input. Distance and sample, trial distance and
+/// stamp lie side by side because they are read together.
+struct NearestField {
+	struct Nearest {
+		float distance; ///< geodesic, to the nearest sample so far
+		int   sample;   ///< that sample; -1 while there is none
+	};
+	struct Trial {
+		float distance;
+		int   stamp; ///< 2·flood: reached by that flood; 2·flood + 1: settled by it
+	};
+	Buffer<Nearest> nearest;
+	Buffer<Trial>   trial;
+};
+
+/// Computes geodesic distances from a sample up to the disk radius r and takes every vertex that is
+/// nearer to it than to its present sample (paper §3, step 3).
+///
+/// Metric. Where all normals met are within 37° of the sample's, the distance is the chord,
+/// lengthened by (1 + (1 - n·n_s)/12), in a plain queue: no heap, and exact to third order on
+/// spheres. Otherwise the front is propagated by unfolding triangles (Kimmel & Sethian 1998; Novotni
+/// & Klein 2002). Since normals are looked at along the flood, a thin sheet's other side is never
+/// taken for near. The ring that did not improve keeps its trial distance, so that updates stay
+/// accurate where Voronoi cells meet.
+class DiskFlood {
+public:
+	DiskFlood(const Surface& surface, NearestField& field, float radius) :
+			surface_(surface),
+			m_(surface.mesh),
+			field_(field),
+			radius_(radius)
+	{
+	}
+
+	/// Floods from sample `id`. Afterwards metSamples() are the other samples that own vertices within
+	/// r that the flood came to, and visited() the vertices it looked at.
+	void run(int id, const Sample& sample);
+
+	const std::vector<int>& metSamples() const { return met_; }
+	const std::vector<int>& visited() const { return queue_; }
+
+	/// Floods of one thread are numbered; a later phase must begin above every number of an earlier one.
+	int  floodNumber() const { return flood_; }
+	void setFloodNumber(int n) { flood_ = n; }
+
+private:
+	struct HeapEntry {
+		float distance;
+		int   vertex;
+	};
+
+	const Surface&         surface_;
+	const HalfEdgeMesh&    m_;
+	NearestField&          field_;
+	float                  radius_;
+	int                    flood_ = 0;
+	std::vector<int>       met_;
+	std::vector<int>       queue_;
+	std::vector<HeapEntry> heap_;
+
+	bool runFlat(int id, const Sample& sample);
+	void runUnfolding(int id, const Sample& sample);
+	void settle(int vertex, float distance, int id, const Sample& sample);
+	void tryDistance(int vertex, float distance);
+	void meet(int vertex);
+	void pushHeap(HeapEntry e);
+	HeapEntry popHeap();
+};
+
+/// Distance of the third corner of a triangle from a source whose distances to the other two are
+/// known, by unfolding: d1 at v, d2 at b, lengths of v-b, v-a and a-b given. Infinite where the
+/// straight line would leave the edge v-b.
+float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float lengthAB);
+
+} // namespace gpr
+
+#endif

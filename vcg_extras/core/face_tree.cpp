@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "face_tree.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace gpr {
+
+namespace {
+
+constexpr int leafSize = 4;
+
+Vec3f lower(const Vec3f& a, const Vec3f& b)
+{
+	return {std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)};
+}
+
+Vec3f upper(const Vec3f& a, const Vec3f& b)
+{
+	return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
+}
+
+} // namespace
+
+/// Ericson, Real-Time Collision Detection, §5.1.5: the region of the triangle in which p lies.
+Vec3f nearestOnTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c)
+{
+	const Vec3f ab = b - a, ac = c - a, ap = p - a;
+	const float d1 = dot(ab, ap), d2 = dot(ac, ap);
+	if (d1 <= 0 && d2 <= 0) return a;
+	const Vec3f bp = p - b;
+	const float d3 = dot(ab, bp), d4 = dot(ac, bp);
+	if (d3 >= 0 && d4 <= d3) return b;
+	const float vc = d1 * d4 - d3 * d2;
+	if (vc <= 0 && d1 >= 0 && d3 <= 0) return d1 > d3 ? a + ab * (d1 / (d1 - d3)) : a;
+	const Vec3f cp = p - c;
+	const float d5 = dot(ab, cp), d6 = dot(ac, cp);
+	if (d6 >= 0 && d5 <= d6) return c;
+	const float vb = d5 * d2 - d1 * d6;
+	if (vb <= 0 && d2 >= 0 && d6 <= 0) return d2 > d6 ? a + ac * (d2 / (d2 - d6)) : a;
+	const float va = d3 * d6 - d5 * d4;
+	if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+		const float sum = (d4 - d3) + (d5 - d6);
+		return sum > 0 ? b + (c - b) * ((d4 - d3) / sum) : b;
+	}
+	const float scale = 1 / (va + vb + vc);
+	return a + ab * (vb * scale) + ac * (vc * scale);
+}
+
+FaceTree::FaceTree(const HalfEdgeMesh& mesh) : m_(mesh), face_(mesh.faceNum)
+{
+	std::iota(face_.begin(), face_.end(), 0);
+	build(0, mesh.faceNum);
+}
+
+int FaceTree::build(int begin, int end)
+{
+	Node node;
+	node.begin = begin;
+	node.end   = end;
+	node.low   = Vec3f(HUGE_VALF, HUGE_VALF, HUGE_VALF);
+	node.high  = Vec3f(-HUGE_VALF, -HUGE_VALF, -HUGE_VALF);
+	for (int i = begin; i < end; ++i) {
+		for (int k = 0; k < 3; ++k) {
+			const Vec3f p = m_.position[m_.origin[3 * face_[i] + k]];
+			node.low      = lower(node.low, p);
+			node.high     = upper(node.high, p);
+		}
+	}
+	const int index = int(node_.size());
+	node_.push_back(node);
+	if (end - begin <= leafSize) return index;
+
+	const Vec3f size   = node.high - node.low;
+	const auto  centre = [&](int f) {
+		const Vec3f sum = m_.position[m_.origin[3 * f]] + m_.position[m_.origin[3 * f + 1]] +
+						  m_.position[m_.origin[3 * f + 2]];
+		if (size.x >= size.y && size.x >= size.z) return sum.x;
+		return size.y >= size.z ? sum.y : sum.z;
+	};
+	const int middle = begin + (end - begin) / 2;
+	std::nth_element(face_.begin() + begin, face_.begin() + middle, face_.begin() + end,
+					 [&](int f, int g) {
+						 const float x = centre(f), y = centre(g);
+						 return x != y ? x < y : f < g;
+					 });
+	const int left     = build(begin, middle);
+	const int right    = build(middle, end);
+	node_[index].left  = left;
+	node_[index].right = right;
+	return index;
+}
+
+float FaceTree::squaredDistance(const Node& n, const Vec3f& p) const
+{
+	const Vec3f inside = lower(upper(p, n.low), n.high);
+	return squaredLength(p - inside);
+}
+
+Anchor FaceTree::nearest(const Vec3f& p) const
+{
+	Anchor           best;
+	float            bestSquared = HUGE_VALF;
+	std::vector<int> stack{0};
+	while (!stack.empty()) {
+		const Node& n = node_[stack.back()];
+		stack.pop_back();
+		if (squaredDistance(n, p) >= bestSquared) continue;
+		if (n.left >= 0) {
+			const bool leftFirst =
+				squaredDistance(node_[n.left], p) <= squaredDistance(node_[n.right], p);
+			stack.push_back(leftFirst ? n.right : n.left);
+			stack.push_back(leftFirst ? n.left : n.right);
+			continue;
+		}
+		for (int i = n.begin; i < n.end; ++i) {
+			const int   f = face_[i];
+			const Vec3f q = nearestOnTriangle(p, m_.position[m_.origin[3 * f]],
+											  m_.position[m_.origin[3 * f + 1]],
+											  m_.position[m_.origin[3 * f + 2]]);
+			const float d = squaredLength(p - q);
+			if (d < bestSquared) {
+				bestSquared = d;
+				best        = {q, f};
+			}
+		}
+	}
+	return best;
+}
+
+} // namespace gpr

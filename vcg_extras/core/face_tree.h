@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_FACE_TREE_H
+#define VCG_EXTRAS_CORE_FACE_TREE_H
+
+#include "half_edge_mesh.h"
+#include "walk.h"
+
+#include <vector>
+
+namespace gpr {
+
+/// Bounding-box tree over the faces of a mesh, for nearest points. Only samples that the engine did
+/// not place itself need it: everything else is found by walking.
+class FaceTree {
+public:
+	/// Cost: O(F log F).
+	explicit FaceTree(const HalfEdgeMesh& mesh);
+
+	/// The point of the mesh nearest to p. Cost: O(log F) on well-behaved meshes.
+	Anchor nearest(const Vec3f& p) const;
+
+private:
+	struct Node {
+		Vec3f low, high;
+		int   begin, end; ///< faces of a leaf
+		int   left = -1, right = -1;
+	};
+
+	const HalfEdgeMesh& m_;
+	std::vector<int>    face_;
+	std::vector<Node>   node_;
+
+	int   build(int begin, int end);
+	float squaredDistance(const Node& n, const Vec3f& p) const;
+};
+
+/// The point of the triangle a b c nearest to p.
+Vec3f nearestOnTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c);
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,499 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "front_sampling.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+namespace gpr {
+
+namespace {
+
+/// Pairs farther apart than this, or nearer, make no useful intersection (of r).
+constexpr float widestPair   = 1.98f;
+constexpr float closestPair  = 0.3f;
+
+struct BlockRange {
+	int firstSample = 0; ///< ids [firstSample, firstSample + room) belong to the block
+	int room        = 0;
+	int used        = 0;
+};
+
+/// A place for a sample, and how closely a third disk touches it: the smaller the better it fits.
+struct Candidate {
+	Anchor anchor;
+	float  fit;
+};
+
+bool fitsWorse(const Candidate& a, const Candidate& b)
+{
+	return a.fit > b.fit;
+}
+
+std::uint32_t mix(std::uint32_t x)
+{
+	x ^= x >> 16;
+	x *= 0x7feb352du;
+	x ^= x >> 15;
+	x *= 0x846ca68bu;
+	return x ^ x >> 16;
+}
+
+struct SharedState {
+	const Surface&          surface;
+	float                   radius;
+	std::uint32_t           seed;
+	NearestField            field;
+	Buffer<Sample>          samples;
+	std::vector<BlockRange> ranges;
+};
+
+/// Samples blocks, one after the other; each thread has one of its own.
+class BlockSampler {
+public:
+	explicit BlockSampler(SharedState& shared) :
+			shared_(shared),
+			m_(shared.surface.mesh),
+			flood_(shared.surface, shared.field, shared.radius),
+			r_(shared.radius),
+			nearLimit_((1 - spacingSlack) * shared.radius)
+	{
+	}
+
+	void         setFloodNumber(int n) { flood_.setFloodNumber(n); }
+	int          floodNumber() const { return flood_.floodNumber(); }
+	std::int64_t fillNum() const { return fillNum_; }
+	bool         capped() const { return capped_; }
+
+	/// Floods from samples that are already placed (those of the border).
+	void floodGiven(int first, int end)
+	{
+		for (int s = first; s < end; ++s)
+			flood_.run(s, shared_.samples[s]);
+	}
+
+	void run(const Block& block, int blockIndex)
+	{
+		block_ = &block;
+		range_ = &shared_.ranges[blockIndex];
+		heap_.clear();
+		borderEdges_.clear();
+		nextBorderEdge_ = 0;
+		beginScan(blockIndex);
+		takeUpNeighbours();
+		Anchor place;
+		while (findPlace(place)) {
+			if (!improvesAVertex(place)) continue;
+			if (range_->used == range_->room) {
+				capped_ = true;
+				return;
+			}
+			accept(place);
+		}
+	}
+
+private:
+	SharedState&           shared_;
+	const HalfEdgeMesh&    m_;
+	DiskFlood              flood_;
+	float                  r_;
+	float                  nearLimit_;
+	const Block*           block_ = nullptr;
+	BlockRange*            range_ = nullptr;
+	std::vector<Candidate> heap_;
+	std::vector<int>       borderEdges_; ///< half-edges out of the covered part: the paper's cache C
+	std::size_t            nextBorderEdge_ = 0;
+	int                    scanned_        = 0; ///< vertices of the block seen by the scan
+	int                    scanStart_      = 0;
+	std::int64_t           fillNum_        = 0;
+	bool                   capped_         = false;
+
+	float distanceOf(int v) const { return shared_.field.nearest[v].distance; }
+	int   sampleOf(int v) const { return shared_.field.nearest[v].sample; }
+	Vec3f placeOf(int sample) const { return shared_.samples[sample].anchor.position; }
+
+	/// A face belongs to the block that holds its smallest vertex, its first corner.
+	bool isMine(int face) const
+	{
+		const int v = m_.origin[3 * face];
+		return v >= block_->begin && v < block_->end;
+	}
+
+	void beginScan(int blockIndex)
+	{
+		const int n = block_->end - block_->begin;
+		scanned_    = 0;
+		scanStart_  = int(mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex)) % n);
+	}
+
+	/// Samples of other blocks (and of the border) that reach into this one: their intersections and
+	/// border edges are where this block's front begins.
+	void takeUpNeighbours()
+	{
+		std::vector<int> foreign;
+		for (int v = block_->begin; v < block_->end; ++v) {
+			const int s = sampleOf(v);
+			if (s >= 0) foreign.push_back(s);
+		}
+		std::sort(foreign.begin(), foreign.end());
+		foreign.erase(std::unique(foreign.begin(), foreign.end()), foreign.end());
+		if (foreign.empty()) return;
+		const float      reach = 4 * r_ * r_;
+		std::vector<int> near;
+		for (int s : foreign) {
+			near.clear();
+			for (int t : foreign) {
+				if (t != s && squaredLength(placeOf(t) - placeOf(s)) < reach) near.push_back(t);
+			}
+			for (int t : near) {
+				if (t > s) addIntersections(s, t, near);
+			}
+		}
+		for (int v = block_->begin; v < block_->end; ++v) {
+			if (sampleOf(v) >= 0) addBorderEdges(v);
+		}
+	}
+
+	void addBorderEdges(int v)
+	{
+		if (distanceOf(v) > r_) return;
+		forEachOutgoing(m_, v, [&](int h) {
+			if (distanceOf(m_.target(h)) > r_) borderEdges_.push_back(h);
+		});
+	}
+
+	/// The next place for a sample: best intersection, else border edge, else an uncovered vertex.
+	bool findPlace(Anchor& place)
+	{
+		while (!heap_.empty()) {
+			std::pop_heap(heap_.begin(), heap_.end(), fitsWorse);
+			place = heap_.back().anchor;
+			heap_.pop_back();
+			if (!isTaken(place)) return true;
+		}
+		while (nextBorderEdge_ < borderEdges_.size()) {
+			if (placeOnBorderEdge(borderEdges_[nextBorderEdge_++], place)) {
+				++fillNum_;
+				return true;
+			}
+		}
+		borderEdges_.clear();
+		nextBorderEdge_ = 0;
+		return findUncoveredVertex(place);
+	}
+
+	bool findUncoveredVertex(Anchor& place)
+	{
+		const int n = block_->end - block_->begin;
+		for (; scanned_ < n; ++scanned_) {
+			const int v = block_->begin + (scanStart_ + scanned_) % n;
+			if (distanceOf(v) <= r_ || m_.outgoing[v] < 0) continue;
+			place = {m_.position[v], m_.outgoing[v] / 3};
+			++scanned_;
+			++fillNum_;
+			return true;
+		}
+		return false;
+	}
+
+	/// Eq. (3): the point of a border edge (eq. (2)) at distance r from the sample of its inner end.
+	bool placeOnBorderEdge(int h, Anchor& place) const
+	{
+		const int a = m_.origin[h], b = m_.target(h);
+		if (!(distanceOf(a) <= r_ && distanceOf(b) > r_) || !isMine(h / 3)) return false;
+		const Vec3f  edge = m_.position[b] - m_.position[a];
+		const Vec3f  w    = m_.position[a] - placeOf(sampleOf(a));
+		const double qa = squaredLength(edge), qb = 2 * double(dot(edge, w));
+		const double qc   = double(squaredLength(w)) - double(r_) * r_;
+		const double root = qb * qb - 4 * qa * qc;
+		double       t    = root > 0 && qa > 0 ? (-qb + std::sqrt(root)) / (2 * qa) : 0.5;
+		t                 = std::min(1.0, std::max(0.0, t));
+		place             = {m_.position[a] + edge * float(t), h / 3};
+		return true;
+	}
+
+	/// Whether a sample that owns a vertex near the place is too close by now.
+	bool isTaken(const Anchor& place) const
+	{
+		const float limit = nearLimit_ * nearLimit_;
+		int         own[3];
+		for (int k = 0; k < 3; ++k) {
+			own[k] = sampleOf(m_.origin[3 * place.face + k]);
+			if (own[k] >= 0 && squaredLength(place.position - placeOf(own[k])) < limit) return true;
+		}
+		bool taken = false;
+		for (int k = 0; k < 3 && !taken; ++k) {
+			forEachNeighbour(m_, m_.origin[3 * place.face + k], [&](int w) {
+				const int s = sampleOf(w);
+				if (s < 0 || s == own[0] || s == own[1] || s == own[2]) return;
+				taken = taken || squaredLength(place.position - placeOf(s)) < limit;
+			});
+		}
+		return taken;
+	}
+
+	/// A sample that would own no vertex could be inserted again and again.
+	bool improvesAVertex(const Anchor& place) const
+	{
+		for (int k = 0; k < 3; ++k) {
+			const int v = m_.origin[3 * place.face + k];
+			if (length(m_.position[v] - place.position) * 1.02f < distanceOf(v)) return true;
+		}
+		return false;
+	}
+
+	void accept(const Anchor& place)
+	{
+		const int s         = range_->firstSample + range_->used++;
+		shared_.samples[s]  = {place, m_.faceNormal(place.face)};
+		flood_.run(s, shared_.samples[s]);
+		for (int t : flood_.metSamples()) {
+			if (t != s) addIntersections(s, t, flood_.metSamples());
+		}
+		// Border edges are only looked for where the front has no intersections.
+		if (heap_.empty()) {
+			for (int v : flood_.visited()) {
+				if (sampleOf(v) == s) addBorderEdges(v);
+			}
+		}
+	}
+
+	/// The two points at distance r from both samples, if the disks met leave them free.
+	void addIntersections(int s, int t, const std::vector<int>& near)
+	{
+		const Sample& a        = shared_.samples[s];
+		const Vec3f   between  = placeOf(t) - a.anchor.position;
+		const float   distance = length(between);
+		if (distance > widestPair * r_ || distance < closestPair * r_) return;
+		const Vec3f u      = normalized(tangential(between, a.normal));
+		const Vec3f w      = cross(a.normal, u);
+		const float cosine = distance / (2 * r_);
+		const float sine   = std::sqrt(1 - cosine * cosine);
+		for (float side : {-1.0f, 1.0f}) {
+			const Vec3f guess = a.anchor.position + (u * cosine + w * (side * sine)) * r_;
+			float       third = 0;
+			if (!isRoughlyFree(guess, s, t, near, third)) continue;
+			Candidate c{a.anchor, third};
+			if (!walkToIntersection(a, placeOf(t), u, w, side, distance, c.anchor)) continue;
+			if (!isMine(c.anchor.face) || !isFree(c.anchor.position, s, t, near)) continue;
+			heap_.push_back(c);
+			std::push_heap(heap_.begin(), heap_.end(), fitsWorse);
+		}
+	}
+
+	/// Cheap test in the tangent plane, before walking; also finds the nearest third sample.
+	bool isRoughlyFree(const Vec3f& p, int s, int t, const std::vector<int>& near, float& third) const
+	{
+		const float limit   = (nearLimit_ - 0.05f * r_) * (nearLimit_ - 0.05f * r_);
+		float       nearest = HUGE_VALF;
+		for (int other : near) {
+			if (other == s || other == t) continue;
+			nearest = std::min(nearest, squaredLength(p - placeOf(other)));
+			if (nearest < limit) return false;
+		}
+		third = std::sqrt(nearest);
+		return true;
+	}
+
+	bool isFree(const Vec3f& p, int s, int t, const std::vector<int>& near) const
+	{
+		const float limit = nearLimit_ * nearLimit_;
+		if (squaredLength(p - placeOf(t)) < limit) return false;
+		for (int other : near) {
+			if (other != s && other != t && squaredLength(p - placeOf(other)) < limit) return false;
+		}
+		return true;
+	}
+
+	/// Walks r from a at the angle the plane suggests; if the surface's bend leaves the other sample
+	/// off by more than 1 %, once more at the angle of a secant step.
+	bool walkToIntersection(const Sample& a, const Vec3f& other, const Vec3f& u, const Vec3f& w,
+							float side, float distance, Anchor& place) const
+	{
+		const float cosine = distance / (2 * r_);
+		const float sine   = std::sqrt(1 - cosine * cosine);
+		place              = a.anchor;
+		if (walk(m_, place, (u * cosine + w * (side * sine)) * r_) != WalkEnd::Arrived) return false;
+		const float error = length(place.position - other) - r_;
+		if (std::abs(error) <= 0.01f * r_) return true;
+		const float turn  = std::clamp(-error / (distance * sine + 1e-20f), -0.3f, 0.3f);
+		// The angle turned by a small one, without trigonometric functions of libm, whose last bits
+		// differ between systems.
+		const float ct = 1 - 0.5f * turn * turn + turn * turn * turn * turn * (1 / 24.0f);
+		const float st = turn - turn * turn * turn * (1 / 6.0f);
+		const float c2 = cosine * ct - sine * st, s2 = sine * ct + cosine * st;
+		place = a.anchor;
+		return walk(m_, place, (u * c2 + w * (side * s2)) * r_) == WalkEnd::Arrived;
+	}
+};
+
+/// How many samples a face can hold at most: disks of radius (1-ε) r/2 do not overlap, so a sample
+/// takes at least 0.78 r² of a flat surface; a needle has no area, but no more samples than length.
+double roomOf(const HalfEdgeMesh& m, int f, float r)
+{
+	const double area = 0.5 * double(length(m.faceCross(f)));
+	double       longest = 0;
+	for (int h = 3 * f; h < 3 * f + 3; ++h)
+		longest = std::max(longest,
+						   double(squaredLength(m.position[m.target(h)] - m.position[m.origin[h]])));
+	const double bySpace = area / (0.5 * double(r) * r);
+	return area < 0.05 * longest ? bySpace + std::sqrt(longest) / (0.5 * r) : bySpace;
+}
+
+std::vector<BlockRange> makeRanges(const Surface& surface, const BlockPartition& partition,
+								   float radius, int firstSample, Workers& workers)
+{
+	constexpr int           spareRoom = 64;
+	const HalfEdgeMesh&     m         = surface.mesh;
+	std::vector<BlockRange> ranges(partition.blocks.size());
+	// Faces lie in the order of their first corner, so a block's faces are one range as well.
+	workers.forTasks(ranges.size(), [&](std::size_t b, int) {
+		const auto firstFaceFrom = [&](int vertex) {
+			int low = 0, high = m.faceNum;
+			while (low < high) {
+				const int middle = low + (high - low) / 2;
+				if (m.origin[3 * middle] < vertex)
+					low = middle + 1;
+				else
+					high = middle;
+			}
+			return low;
+		};
+		double    room = spareRoom;
+		const int end  = firstFaceFrom(partition.blocks[b].end);
+		for (int f = firstFaceFrom(partition.blocks[b].begin); f < end; ++f)
+			room += roomOf(m, f, radius);
+		ranges[b].room = int(std::min(room, 1e9));
+	});
+	std::int64_t next = firstSample;
+	for (BlockRange& range : ranges) {
+		range.firstSample = int(next);
+		next += range.room;
+	}
+	return ranges;
+}
+
+/// Puts the samples of all blocks in a row and renames them in the vertices' entries.
+void compact(const SharedState& shared, Workers& workers, Sampling& result)
+{
+	const int   given = result.boundarySampleNum;
+	Buffer<int> rename(shared.samples.size());
+	for (int s = 0; s < given; ++s) {
+		rename[s] = s;
+		result.samples.push_back(shared.samples[s]);
+	}
+	for (const BlockRange& range : shared.ranges) {
+		for (int i = 0; i < range.used; ++i) {
+			rename[range.firstSample + i] = int(result.samples.size());
+			result.samples.push_back(shared.samples[range.firstSample + i]);
+		}
+	}
+	workers.forRange(result.nearest.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			int& s = result.nearest[v].sample;
+			if (s >= 0) s = rename[s];
+		}
+	});
+}
+
+/// Border vertices belong to the nearest sample along their curve, at distance 0 of the interior's
+/// choice: no interior sample is stood for by a border vertex.
+void labelBorder(const BoundaryCurves& boundary, Sampling& result)
+{
+	for (std::size_t c = 0; c < boundary.curves.size(); ++c) {
+		const Curve& curve = boundary.curves[c];
+		for (int i = 0; i < curve.pointNum(); ++i)
+			result.nearest[curve.vertex[i]] = {0.0f, boundary.sampleOfPoint[c][i]};
+	}
+}
+
+} // namespace
+
+Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
+					 const BlockPartition& partition, float radius, std::uint32_t seed,
+					 Workers& workers)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	Sampling            result;
+	result.radius            = radius;
+	result.boundarySampleNum = int(boundary.samples.size());
+
+	SharedState shared{surface, radius, seed, {}, {}, {}};
+	shared.ranges = makeRanges(surface, partition, radius, result.boundarySampleNum, workers);
+	shared.samples.reset(std::size_t(shared.ranges.back().firstSample) + shared.ranges.back().room);
+	shared.field.nearest.reset(m.vertexNum);
+	shared.field.trial.reset(m.vertexNum);
+	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			shared.field.nearest[v] = {HUGE_VALF, -1};
+			shared.field.trial[v]   = {0, 0};
+		}
+	});
+
+	std::vector<BlockSampler> samplers(workers.threadNum(), BlockSampler(shared));
+	for (int s = 0; s < result.boundarySampleNum; ++s) {
+		const Anchor& a   = boundary.samples[s].anchor;
+		shared.samples[s] = {a, m.faceNormal(a.face)};
+	}
+	samplers[0].floodGiven(0, result.boundarySampleNum);
+	int floodNumber = samplers[0].floodNumber();
+	for (const std::vector<int>& ids : partition.byColour) {
+		for (BlockSampler& s : samplers)
+			s.setFloodNumber(floodNumber);
+		workers.forTasks(ids.size(), [&](std::size_t i, int worker) {
+			samplers[worker].run(partition.blocks[ids[i]], ids[i]);
+		});
+		for (const BlockSampler& s : samplers)
+			floodNumber = std::max(floodNumber, s.floodNumber());
+	}
+	for (const BlockSampler& s : samplers) {
+		result.fillNum += s.fillNum();
+		result.capped = result.capped || s.capped();
+	}
+	result.nearest.swap(shared.field.nearest);
+	compact(shared, workers, result);
+	labelBorder(boundary, result);
+	return result;
+}
+
+Buffer<NearestField::Nearest> assignToSamples(const Surface& surface,
+											  const std::vector<Sample>& samples, Workers& workers)
+{
+	// Dijkstra from all samples at once, by edges: cells only need to be sensible, not exact.
+	const HalfEdgeMesh&           m = surface.mesh;
+	Buffer<NearestField::Nearest> nearest(m.vertexNum, {HUGE_VALF, -1});
+	struct Entry {
+		float distance;
+		int   vertex;
+		int   sample;
+		bool  operator<(const Entry& o) const
+		{
+			if (distance != o.distance) return distance > o.distance;
+			return vertex != o.vertex ? vertex > o.vertex : sample > o.sample;
+		}
+	};
+	std::priority_queue<Entry> front;
+	for (std::size_t s = 0; s < samples.size(); ++s) {
+		const Anchor& a = samples[s].anchor;
+		for (int k = 0; k < 3; ++k) {
+			const int v = m.origin[3 * a.face + k];
+			front.push({length(m.position[v] - a.position), v, int(s)});
+		}
+	}
+	for (std::int64_t popped = 0; !front.empty(); ++popped) {
+		const Entry e = front.top();
+		front.pop();
+		if (popped % 65536 == 0) workers.poll();
+		if (nearest[e.vertex].sample >= 0) continue;
+		nearest[e.vertex] = {e.distance, e.sample};
+		forEachNeighbour(m, e.vertex, [&](int w) {
+			if (nearest[w].sample >= 0) return;
+			const float d = e.distance + length(m.position[w] - m.position[e.vertex]);
+			front.push({d, w, e.sample});
+		});
+	}
+	return nearest;
+}
+
+} // namespace gpr

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_HALF_EDGE_MESH_H
+#define VCG_EXTRAS_CORE_HALF_EDGE_MESH_H
+
+#include "buffer.h"
+#include "vec.h"
+
+#include <cstddef>
+
+namespace gpr {
+
+/// Half-edge h belongs to face h / 3; the three of a face follow each other.
+inline int nextInFace(int h)
+{
+	return h % 3 == 2 ? h - 2 : h + 1;
+}
+inline int prevInFace(int h)
+{
+	return h % 3 == 0 ? h + 2 : h - 1;
+}
+
+/// Triangle mesh as flat arrays: 32 B a face in all.
+///
+///            c
+///          /   \        half-edge h runs from origin[h] = a to origin[nextInFace(h)] = b,
+///         /  f  \       opposite[h] is b -> a in the neighbour, or -1 at a border.
+///        a --h--> b
+///
+/// outgoing[v] is a half-edge leaving v; at a border vertex the one that is itself a border, so that
+/// one turn (forEachOutgoing) sees the whole fan. -1 where v is in no face.
+struct HalfEdgeMesh {
+	int           vertexNum = 0;
+	int           faceNum   = 0;
+	Buffer<Vec3f> position; ///< of at least vertexNum
+	Buffer<int>   origin;   ///< of at least 3·faceNum
+	Buffer<int>   opposite;
+	Buffer<int>   outgoing;
+
+	int halfEdgeNum() const { return 3 * faceNum; }
+	int target(int h) const { return origin[nextInFace(h)]; }
+	int apex(int h) const { return origin[prevInFace(h)]; }
+
+	bool isBorderEdge(int h) const { return opposite[h] < 0; }
+	/// True for vertices of a border and for those in no face.
+	bool isBorderVertex(int v) const { return outgoing[v] < 0 || opposite[outgoing[v]] < 0; }
+
+	/// Area times two times the unit normal.
+	Vec3f faceCross(int f) const
+	{
+		const Vec3f a = position[origin[3 * f]];
+		return cross(position[origin[3 * f + 1]] - a, position[origin[3 * f + 2]] - a);
+	}
+	Vec3f faceNormal(int f) const { return normalized(faceCross(f)); }
+
+	/// Half-edge a -> b, or -1.
+	int findHalfEdge(int a, int b) const;
+	/// Whether a and b are joined by an edge, seen from a; also over a border edge b -> a.
+	bool areNeighbours(int a, int b) const;
+	/// Number of faces at v.
+	int valence(int v) const;
+	/// The border half-edge that ends in the border vertex v.
+	int incomingBorder(int v) const;
+};
+
+/// Calls visit(h) for every half-edge that leaves v, counter-clockwise; at a border beginning there.
+template <class Visit>
+inline void forEachOutgoing(const HalfEdgeMesh& m, int v, const Visit& visit)
+{
+	const int first = m.outgoing[v];
+	if (first < 0) return;
+	int h = first;
+	do {
+		visit(h);
+		h = m.opposite[prevInFace(h)];
+	} while (h >= 0 && h != first);
+}
+
+/// Calls visit(w) for every neighbour w of v, the one behind the last border edge included.
+template <class Visit>
+inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)
+{
+	const int first = m.outgoing[v];
+	if (first < 0) return;
+	int h = first;
+	for (;;) {
+		visit(m.target(h));
+		const int in   = prevInFace(h);
+		const int next = m.opposite[in];
+		if (next < 0) {
+			visit(m.origin[in]);
+			return;
+		}
+		if (next == first) return;
+		h = next;
+	}
+}
+
+} // namespace gpr
+
+#endif

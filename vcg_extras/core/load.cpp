@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "load.h"
+
+#include "failure.h"
+
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace gpr {
+
+namespace {
+
+struct Box {
+	Vec3d low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+	Vec3d high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+	void add(const Vec3d& p)
+	{
+		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+	}
+	// Named so that Workers::sum can join boxes of pieces.
+	Box& operator+=(const Box& b)
+	{
+		add(b.low);
+		add(b.high);
+		return *this;
+	}
+	double extent() const
+	{
+		return std::max(high.x - low.x, std::max(high.y - low.y, high.z - low.z));
+	}
+	double largestCoordinate() const
+	{
+		double most = 0;
+		for (double c : {low.x, low.y, low.z, high.x, high.y, high.z})
+			most = std::max(most, std::abs(c));
+		return most;
+	}
+};
+
+bool isFinite(const Vec3d& p)
+{
+	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+void refuseHugeInput(const MeshView& input)
+{
+	// Half-edges are numbered with 32 bits; a factor of two is left for splitting.
+	constexpr std::size_t mostFaces = std::size_t(1) << 29;
+	if (input.faceNum > mostFaces || input.vertexNum > mostFaces) {
+		throw Failure(Status::UnusableInput,
+					  "The mesh has more than 536,870,912 faces or vertices.");
+	}
+}
+
+void checkIndices(const MeshView& input, Workers& workers)
+{
+	std::atomic<bool> bad{false};
+	const auto        vertexNum = std::uint32_t(input.vertexNum);
+	workers.forRange(3 * input.faceNum, [&](std::size_t begin, std::size_t end) {
+		bool outside = false;
+		for (std::size_t i = begin; i < end; ++i)
+			outside |= std::uint32_t(input.triangles[i]) >= vertexNum;
+		if (outside) bad = true;
+	});
+	if (bad) {
+		throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
+	}
+}
+
+/// A face that stays: three different vertices, all finite.
+bool isUsable(const int* corner, const Buffer<char>& finite)
+{
+	if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) return false;
+	return finite[corner[0]] && finite[corner[1]] && finite[corner[2]];
+}
+
+Buffer<char> findFinite(const MeshView& input, Workers& workers, std::int64_t& badNum)
+{
+	Buffer<char> finite(input.vertexNum);
+	badNum = workers.sum<std::int64_t>(input.vertexNum, [&](std::size_t begin, std::size_t end) {
+		std::int64_t bad = 0;
+		for (std::size_t v = begin; v < end; ++v) {
+			finite[v] = isFinite(input.position(v));
+			bad += !finite[v];
+		}
+		return bad;
+	});
+	return finite;
+}
+
+/// Copies the usable faces in their order; sourceFace tells where each came from.
+void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& workers,
+			   IndexedMesh& mesh, CleanCounts& counts)
+{
+	mesh.triangle.reset(3 * input.faceNum);
+	mesh.sourceFace.reset(input.faceNum);
+	const std::int64_t dropped =
+		workers.sum<std::int64_t>(input.faceNum, [&](std::size_t begin, std::size_t end) {
+			std::int64_t n = 0;
+			for (std::size_t f = begin; f < end; ++f) {
+				for (int k = 0; k < 3; ++k)
+					mesh.triangle[3 * f + k] = input.triangles[3 * f + k];
+				mesh.sourceFace[f] = int(f);
+				n += !isUsable(input.triangles + 3 * f, finite);
+			}
+			return n;
+		});
+	mesh.faceNum = int(input.faceNum);
+	if (dropped == 0) return;
+
+	int kept = 0;
+	for (std::size_t f = 0; f < input.faceNum; ++f) {
+		const int* corner = input.triangles + 3 * f;
+		if (!isUsable(corner, finite)) {
+			const bool repeated =
+				corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
+			counts.repeatedIndexFaces += repeated;
+			continue;
+		}
+		for (int k = 0; k < 3; ++k)
+			mesh.triangle[3 * kept + k] = corner[k];
+		mesh.sourceFace[kept++] = int(f);
+	}
+	mesh.faceNum = kept;
+}
+
+
+/// Which vertices a face uses.
+class UsedVertices {
+public:
+	UsedVertices(const IndexedMesh& mesh, std::size_t vertexNum, Workers& workers) :
+			used_(vertexNum, 0)
+	{
+		workers.forRange(std::size_t(3) * mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i)
+				mark(mesh.triangle[i]);
+		});
+	}
+	bool operator[](std::size_t v) const { return used_[v] != 0; }
+
+private:
+	Buffer<char> used_;
+
+	void mark(int v)
+	{
+		// Relaxed atomic store: every thread writes the same 1.
+		__atomic_store_n(&used_[v], char(1), __ATOMIC_RELAXED);
+	}
+};
+
+Box boxOfUsed(const MeshView& input, const UsedVertices& used, Workers& workers)
+{
+	return workers.sum<Box>(input.vertexNum, [&](std::size_t begin, std::size_t end) {
+		Box box;
+		for (std::size_t v = begin; v < end; ++v) {
+			if (used[v]) box.add(input.position(v));
+		}
+		return box;
+	});
+}
+
+Frame frameOf(const Box& box)
+{
+	Frame        frame;
+	const double extent = box.extent();
+	if (!(extent > 0) || !std::isfinite(extent)) {
+		throw Failure(Status::UnusableInput, "The surface has no area.");
+	}
+	// Coordinates that lie near the surface's own size stay as they are, so that float input is
+	// taken over exactly; only far offsets (georeferenced scans) are removed.
+	if (box.largestCoordinate() > 4 * extent) frame.origin = (box.low + box.high) * 0.5;
+	int exponent = 0;
+	std::frexp(extent, &exponent);
+	frame.scale = std::ldexp(1.0, -exponent);
+	if (!std::isfinite(frame.scale)) {
+		throw Failure(Status::UnusableInput, "The surface is too small to be computed with.");
+	}
+	return frame;
+}
+
+/// Puts the used vertices in a row and renames them in the faces.
+void copyVertices(const MeshView& input, const UsedVertices& used, Workers& workers,
+				  IndexedMesh& mesh, CleanCounts& counts)
+{
+	const std::int64_t unused =
+		workers.sum<std::int64_t>(input.vertexNum, [&](std::size_t begin, std::size_t end) {
+			std::int64_t n = 0;
+			for (std::size_t v = begin; v < end; ++v)
+				n += !used[v];
+			return n;
+		});
+	mesh.vertexNum = int(input.vertexNum - unused);
+	mesh.position.reset(mesh.vertexNum);
+	if (unused == 0) {
+		workers.forRange(input.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				mesh.position[v] = mesh.frame.toWorking(input.position(v));
+		});
+		return;
+	}
+	counts.unreferencedVertices = unused;
+	Buffer<int> rename(input.vertexNum);
+	int         kept = 0;
+	for (std::size_t v = 0; v < input.vertexNum; ++v) {
+		if (!used[v]) continue;
+		rename[v]             = kept;
+		mesh.position[kept++] = mesh.frame.toWorking(input.position(v));
+	}
+	workers.forRange(std::size_t(3) * mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i)
+			mesh.triangle[i] = rename[mesh.triangle[i]];
+	});
+}
+
+bool isSoup(const IndexedMesh& mesh)
+{
+	// Every vertex is used, so 3 F vertices means that no face shares one.
+	return mesh.faceNum > 1 && mesh.vertexNum == 3 * mesh.faceNum;
+}
+
+/// Makes vertices at equal positions one; faces that lose a corner by it are dropped.
+void weld(IndexedMesh& mesh, CleanCounts& counts)
+{
+	std::vector<int> order(mesh.vertexNum);
+	std::iota(order.begin(), order.end(), 0);
+	const auto less = [&](int a, int b) {
+		const Vec3f p = mesh.position[a], q = mesh.position[b];
+		if (p.x != q.x) return p.x < q.x;
+		if (p.y != q.y) return p.y < q.y;
+		if (p.z != q.z) return p.z < q.z;
+		return a < b;
+	};
+	std::sort(order.begin(), order.end(), less);
+	std::vector<int> first(mesh.vertexNum);
+	for (std::size_t i = 0; i < order.size(); ++i) {
+		const bool same = i > 0 && mesh.position[order[i]] == mesh.position[order[i - 1]];
+		first[order[i]] = same ? first[order[i - 1]] : order[i];
+	}
+	std::vector<int> rename(mesh.vertexNum);
+	int              kept = 0;
+	for (int v = 0; v < mesh.vertexNum; ++v) {
+		if (first[v] != v) continue;
+		rename[v]             = kept;
+		mesh.position[kept++] = mesh.position[v];
+	}
+	counts.weldedVertices = mesh.vertexNum - kept;
+	mesh.vertexNum        = kept;
+
+	int faces = 0;
+	for (int f = 0; f < mesh.faceNum; ++f) {
+		int corner[3];
+		for (int k = 0; k < 3; ++k)
+			corner[k] = rename[first[mesh.triangle[3 * f + k]]];
+		if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) {
+			++counts.zeroAreaFaces;
+			continue;
+		}
+		for (int k = 0; k < 3; ++k)
+			mesh.triangle[3 * faces + k] = corner[k];
+		mesh.sourceFace[faces++] = mesh.sourceFace[f];
+	}
+	mesh.faceNum = faces;
+}
+
+} // namespace
+
+IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& counts)
+{
+	refuseHugeInput(input);
+	if (input.faceNum == 0) throw Failure(Status::UnusableInput, "The mesh has no faces.");
+	checkIndices(input, workers);
+
+	IndexedMesh        mesh;
+	const Buffer<char> finite = findFinite(input, workers, counts.nonFiniteVertices);
+	copyFaces(input, finite, workers, mesh, counts);
+	if (mesh.faceNum == 0) {
+		throw Failure(Status::UnusableInput, "No face has three different, finite vertices.");
+	}
+	const UsedVertices used(mesh, input.vertexNum, workers);
+	mesh.frame = frameOf(boxOfUsed(input, used, workers));
+	copyVertices(input, used, workers, mesh, counts);
+	counts.unreferencedVertices -= counts.nonFiniteVertices;
+	if (isSoup(mesh)) weld(mesh, counts);
+	if (mesh.faceNum == 0) {
+		throw Failure(Status::UnusableInput, "No face has an area.");
+	}
+	return mesh;
+}
+
+double surfaceArea(const IndexedMesh& mesh, Workers& workers)
+{
+	return workers.sum<double>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		double area = 0;
+		for (std::size_t f = begin; f < end; ++f)
+			area += 0.5 * double(length(mesh.faceCross(int(f))));
+		return area;
+	});
+}
+
+} // namespace gpr

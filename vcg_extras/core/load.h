@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_LOAD_H
+#define VCG_EXTRAS_CORE_LOAD_H
+
+#include "indexed_mesh.h"
+#include "mesh_view.h"
+#include "report.h"
+#include "workers.h"
+
+namespace gpr {
+
+/// Stage 1: a working copy of the caller's mesh, with what no surface can have left out: vertices
+/// that are not finite (and their faces), vertices in no face, faces with a vertex twice. A triangle
+/// soup (no vertex shared at all) is welded at equal positions first.
+/// Throws Failure{UnusableInput} for indices out of range, no face left or no area.
+/// Cost: linear, parallel.
+IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& counts);
+
+/// Surface area in working units squared, summed in double; the same bits for any number of threads.
+double surfaceArea(const IndexedMesh& mesh, Workers& workers);
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace gpr {
+
+namespace {
+
+constexpr double degrees = 180 / 3.14159265358979323846;
+
+/// Disjoint sets with path halving.
+class DisjointSets {
+public:
+	explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+
+	int find(int x)
+	{
+		while (parent_[x] != x)
+			x = parent_[x] = parent_[parent_[x]];
+		return x;
+	}
+	void unite(int a, int b)
+	{
+		a = find(a);
+		b = find(b);
+		if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+	}
+	bool isRoot(int x) const { return parent_[x] == x; }
+
+private:
+	std::vector<int> parent_;
+};
+
+struct EdgeUse {
+	int low, high, face;
+
+	bool operator<(const EdgeUse& o) const
+	{
+		if (low != o.low) return low < o.low;
+		return high != o.high ? high < o.high : face < o.face;
+	}
+};
+
+std::vector<EdgeUse> sortedEdges(const MeshView& mesh)
+{
+	std::vector<EdgeUse> edges;
+	edges.reserve(3 * mesh.faceNum);
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		const std::int32_t* t = mesh.triangles + 3 * f;
+		for (int k = 0; k < 3; ++k) {
+			const int a = t[k], b = t[(k + 1) % 3];
+			edges.push_back({std::min(a, b), std::max(a, b), int(f)});
+		}
+	}
+	std::sort(edges.begin(), edges.end());
+	return edges;
+}
+
+/// Fills components, boundaryLoops and eulerCharacteristic.
+void measureTopology(const MeshView& mesh, MeshFigures& figures)
+{
+	const std::vector<EdgeUse> edges = sortedEdges(mesh);
+	DisjointSets               faces(mesh.faceNum), rim(mesh.vertexNum);
+	std::vector<char>          used(mesh.vertexNum, 0), onRim(mesh.vertexNum, 0);
+	std::int64_t               edgeNum = 0;
+	for (std::size_t i = 0; i < edges.size();) {
+		std::size_t end = i + 1;
+		while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) {
+			faces.unite(edges[i].face, edges[end].face);
+			++end;
+		}
+		++edgeNum;
+		used[edges[i].low] = used[edges[i].high] = 1;
+		if (end - i == 1) {
+			rim.unite(edges[i].low, edges[i].high);
+			onRim[edges[i].low] = onRim[edges[i].high] = 1;
+		}
+		i = end;
+	}
+	for (std::size_t f = 0; f < mesh.faceNum; ++f)
+		figures.components += faces.isRoot(int(f));
+	std::int64_t usedNum = 0;
+	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
+		usedNum += used[v];
+		figures.boundaryLoops += onRim[v] && rim.isRoot(int(v));
+	}
+	figures.eulerCharacteristic = usedNum - edgeNum + std::int64_t(mesh.faceNum);
+}
+
+struct Extent {
+	Vec3d low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+	Vec3d high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+
+	void add(const Vec3d& p)
+	{
+		if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))) return;
+		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+	}
+	Extent& operator+=(const Extent& o)
+	{
+		add(o.low);
+		add(o.high);
+		return *this;
+	}
+	double diagonal() const { return high.x >= low.x ? length(high - low) : 0; }
+};
+
+/// Sums and extremes of the shapes of some faces.
+struct ShapeSums {
+	double       radiusRatio = 0, radiusRatioMin = 1;
+	double       aspectRatio = 0, aspectRatioMin = 1;
+	double       minAngle = 0, minAngleMin = 4, maxAngle = 0;
+	double       edgeLen = 0;
+	std::int64_t below30 = 0;
+
+	ShapeSums& operator+=(const ShapeSums& o)
+	{
+		radiusRatio += o.radiusRatio;
+		radiusRatioMin = std::min(radiusRatioMin, o.radiusRatioMin);
+		aspectRatio += o.aspectRatio;
+		aspectRatioMin = std::min(aspectRatioMin, o.aspectRatioMin);
+		minAngle += o.minAngle;
+		minAngleMin = std::min(minAngleMin, o.minAngleMin);
+		maxAngle    = std::max(maxAngle, o.maxAngle);
+		edgeLen += o.edgeLen;
+		below30 += o.below30;
+		return *this;
+	}
+
+	void add(const Vec3d& p, const Vec3d& q, const Vec3d& s)
+	{
+		const double a = length(s - q), b = length(s - p), c = length(q - p);
+		const double doubled = length(cross(q - p, s - p)); // two times the area
+		const double longest = std::max({a, b, c});
+		edgeLen += (a + b + c) / 3;
+		if (!(doubled > 0)) {
+			radiusRatioMin = aspectRatioMin = minAngleMin = 0;
+			++below30;
+			return;
+		}
+		// inradius = doubled / (a + b + c), circumradius = a b c / (2 doubled).
+		const double radius = 4 * doubled * doubled / ((a + b + c) * a * b * c);
+		const double aspect = 2 * std::sqrt(3.0) * doubled / ((a + b + c) * longest);
+		radiusRatio += radius;
+		radiusRatioMin = std::min(radiusRatioMin, radius);
+		aspectRatio += aspect;
+		aspectRatioMin = std::min(aspectRatioMin, aspect);
+		const double angles[3] = {std::atan2(doubled, dot(q - p, s - p)),
+								  std::atan2(doubled, dot(p - q, s - q)),
+								  std::atan2(doubled, dot(p - s, q - s))};
+		const double smallest = std::min({angles[0], angles[1], angles[2]});
+		minAngle += smallest;
+		minAngleMin = std::min(minAngleMin, smallest);
+		maxAngle    = std::max({maxAngle, angles[0], angles[1], angles[2]});
+		below30 += smallest * degrees < 30;
+	}
+};
+
+/// Share of vertices with six faces among those not at a border, in percent.
+double valence6Percent(const MeshView& mesh)
+{
+	// At an inner vertex every neighbour is named twice by the ring's outer edges, once as start and
+	// once as end: signed sums over the ring cancel exactly there, and at a border almost surely not.
+	std::vector<int>           faces(mesh.vertexNum, 0);
+	std::vector<std::uint64_t> balance(mesh.vertexNum, 0);
+	const auto hash = [](std::int32_t v) {
+		return (std::uint64_t(v) + 1) * 0x9e3779b97f4a7c15ull;
+	};
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		const std::int32_t* t = mesh.triangles + 3 * f;
+		for (int k = 0; k < 3; ++k) {
+			++faces[t[k]];
+			balance[t[k]] += hash(t[(k + 1) % 3]) - hash(t[(k + 2) % 3]);
+		}
+	}
+	std::int64_t inner = 0, six = 0;
+	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
+		if (faces[v] == 0 || balance[v] != 0) continue;
+		++inner;
+		six += faces[v] == 6;
+	}
+	return inner > 0 ? 100.0 * double(six) / double(inner) : 0;
+}
+
+} // namespace
+
+MeshFigures measureMesh(const MeshView& mesh)
+{
+	MeshFigures figures;
+	figures.vertices = std::int64_t(mesh.vertexNum);
+	figures.faces    = std::int64_t(mesh.faceNum);
+	measureTopology(mesh, figures);
+	Extent extent;
+	for (std::size_t i = 0; i < 3 * mesh.faceNum; ++i)
+		extent.add(mesh.position(mesh.triangles[i]));
+	figures.diagonal = extent.diagonal();
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		const std::int32_t* t    = mesh.triangles + 3 * f;
+		const Vec3d         a    = mesh.position(t[0]);
+		const double        area = 0.5 * length(cross(mesh.position(t[1]) - a, mesh.position(t[2]) - a));
+		if (std::isfinite(area)) figures.area += area;
+	}
+	return figures;
+}
+
+QualityFigures measureQuality(const MeshView& mesh, int threads)
+{
+	QualityFigures q;
+	if (mesh.faceNum == 0) return q;
+	Workers         workers(threads, nullptr);
+	const ShapeSums sums =
+		workers.sum<ShapeSums>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+			ShapeSums part;
+			for (std::size_t f = begin; f < end; ++f) {
+				const std::int32_t* t = mesh.triangles + 3 * f;
+				part.add(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+			}
+			return part;
+		});
+	const double n    = double(mesh.faceNum);
+	q.radiusRatioMean = sums.radiusRatio / n;
+	q.radiusRatioMin  = sums.radiusRatioMin;
+	q.aspectRatioMean = sums.aspectRatio / n;
+	q.aspectRatioMin  = sums.aspectRatioMin;
+	q.minAngleDeg     = sums.minAngleMin * degrees;
+	q.meanMinAngleDeg = sums.minAngle / n * degrees;
+	q.maxAngleDeg     = sums.maxAngle * degrees;
+	q.below30Percent  = 100 * double(sums.below30) / n;
+	q.meanEdgeLen     = sums.edgeLen / n;
+	q.valence6Percent = valence6Percent(mesh);
+	return q;
+}
+
+MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
+{
+	MeshFigures figures;
+	figures.vertices = m.vertexNum;
+	figures.faces    = m.faceNum;
+	DisjointSets sets(m.vertexNum), rims(m.vertexNum);
+	std::int64_t borderEdges = 0;
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		if ((h & 0xfffff) == 0) workers.poll();
+		const int a = m.origin[h], b = m.target(h);
+		if (m.opposite[h] < 0) {
+			++borderEdges;
+			rims.unite(a, b);
+		}
+		if (m.opposite[h] < h) sets.unite(a, b);
+	}
+	for (int v = 0; v < m.vertexNum; ++v) {
+		figures.components += sets.isRoot(v);
+		figures.boundaryLoops += m.isBorderVertex(v) && rims.isRoot(v);
+	}
+	const std::int64_t edges    = (std::int64_t(m.halfEdgeNum()) + borderEdges) / 2;
+	figures.eulerCharacteristic = std::int64_t(m.vertexNum) - edges + m.faceNum;
+	figures.area = unit * unit * workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		double area = 0;
+		for (std::size_t f = begin; f < end; ++f)
+			area += 0.5 * double(length(m.faceCross(int(f))));
+		return area;
+	});
+	const Extent extent = workers.sum<Extent>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		Extent part;
+		for (std::size_t v = begin; v < end; ++v)
+			part.add(Vec3d(m.position[v]));
+		return part;
+	});
+	figures.diagonal = unit * extent.diagonal();
+	return figures;
+}
+
+} // namespace gpr

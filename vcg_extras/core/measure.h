@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_MEASURE_H
+#define VCG_EXTRAS_CORE_MEASURE_H
+
+#include "half_edge_mesh.h"
+#include "mesh_view.h"
+#include "report.h"
+#include "workers.h"
+
+namespace gpr {
+
+/// Counts and topology of any set of triangles, manifold or not: components are faces linked over
+/// edges, boundary loops the connected sets of edges with one face, the Euler characteristic counts
+/// vertices in use. Indices must be in range. Cost: O(F log F), serial; for `gpremesh info` and dirty
+/// input, not for the hot path.
+MeshFigures measureMesh(const MeshView& mesh);
+
+/// Shape of the triangles; valence6Percent over vertices not at a border.
+QualityFigures measureQuality(const MeshView& mesh, int threads = 1);
+
+/// The same figures of a half-edge mesh, whose topology is known; lengths in the mesh's units times
+/// unit. Cost: linear.
+MeshFigures figuresOf(const HalfEdgeMesh& mesh, double unit, Workers& workers);
+
+} // namespace gpr
+
+#endif

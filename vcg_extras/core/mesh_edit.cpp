@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_edit.h"
+
+#include <algorithm>
+
+namespace gpr {
+
+namespace {
+
+/// Makes g and h opposite; either may be -1, the other then is a border.
+void join(HalfEdgeMesh& m, int g, int h)
+{
+	if (g >= 0) m.opposite[g] = h;
+	if (h >= 0) m.opposite[h] = g;
+}
+
+void collectNeighbours(const HalfEdgeMesh& m, int v, std::vector<int>& ring)
+{
+	ring.clear();
+	forEachNeighbour(m, v, [&](int w) { ring.push_back(w); });
+}
+
+int commonNeighbourNum(const HalfEdgeMesh& m, const std::vector<int>& ring, int v)
+{
+	int n = 0;
+	forEachNeighbour(m, v, [&](int w) {
+		n += std::find(ring.begin(), ring.end(), w) != ring.end();
+	});
+	return n;
+}
+
+/// Whether v keeps enough faces when it loses one: three inside, one at a border.
+bool canLoseFace(const HalfEdgeMesh& m, int v)
+{
+	const int enough = m.isBorderVertex(v) ? 2 : 4;
+	int       n      = 0;
+	int       h      = m.outgoing[v];
+	const int first  = h;
+	do {
+		if (++n == enough) return true;
+		h = m.opposite[prevInFace(h)];
+	} while (h >= 0 && h != first);
+	return false;
+}
+
+void killFace(HalfEdgeMesh& m, int f)
+{
+	m.origin[3 * f] = m.origin[3 * f + 1] = m.origin[3 * f + 2] = -1;
+}
+
+void renameOrigin(HalfEdgeMesh& m, int from, int to)
+{
+	const int first = m.outgoing[from];
+	int       h     = first;
+	do {
+		const int next = m.opposite[prevInFace(h)];
+		m.origin[h]    = to;
+		h              = next;
+	} while (h >= 0 && h != first);
+}
+
+} // namespace
+
+bool canCollapse(const HalfEdgeMesh& m, int h, EditScratch& scratch)
+{
+	const int g = m.opposite[h];
+	const int a = m.origin[h], b = m.target(h);
+	if (g < 0 || m.isBorderVertex(a)) return false;
+	const int c = m.apex(h), d = m.apex(g);
+	if (c == d) return false;
+	collectNeighbours(m, a, scratch.ringA);
+	if (commonNeighbourNum(m, scratch.ringA, b) != 2) return false;
+	return canLoseFace(m, c) && canLoseFace(m, d);
+}
+
+///          c                       c
+///     T2 / | \ T1                  |
+///       /  |  \          T2 = T1   |
+///      a --h-> b     =>            b
+///       \  g  /          T3 = T4   |
+///     T3 \ | / T4                  |
+///          d                       d
+void collapse(HalfEdgeMesh& m, int h)
+{
+	const int g = m.opposite[h];
+	const int a = m.origin[h], b = m.target(h), c = m.apex(h), d = m.apex(g);
+	renameOrigin(m, a, b);
+	const int t1 = m.opposite[nextInFace(h)], t2 = m.opposite[prevInFace(h)];
+	const int t3 = m.opposite[nextInFace(g)], t4 = m.opposite[prevInFace(g)];
+	join(m, t1, t2);
+	join(m, t3, t4);
+	// a was inside, so t2 and t3 exist; t1 and t4 are missing where b's border ran along the faces.
+	const bool bAtBorder = m.opposite[m.outgoing[b]] < 0 && m.outgoing[b] / 3 != h / 3;
+	if (t1 < 0)
+		m.outgoing[b] = t2;
+	else if (!bAtBorder)
+		m.outgoing[b] = t2;
+	if (m.outgoing[c] == prevInFace(h)) m.outgoing[c] = t1 >= 0 ? t1 : nextInFace(t2);
+	if (m.outgoing[d] == prevInFace(g)) m.outgoing[d] = t3;
+	m.outgoing[a] = -1;
+	killFace(m, h / 3);
+	killFace(m, g / 3);
+}
+
+int borderNeighbour(const HalfEdgeMesh& m, int v, bool forward)
+{
+	return forward ? m.target(m.outgoing[v]) : m.origin[m.incomingBorder(v)];
+}
+
+bool canCollapseAlongBorder(const HalfEdgeMesh& m, int v, bool forward, EditScratch& scratch)
+{
+	const int h = forward ? m.outgoing[v] : m.incomingBorder(v);
+	const int b = forward ? m.target(h) : m.origin[h];
+	const int c = m.apex(h);
+	collectNeighbours(m, v, scratch.ringA);
+	// The third vertex of a loop shares two neighbours with the next one, and stays.
+	if (commonNeighbourNum(m, scratch.ringA, b) != 1) return false;
+	return canLoseFace(m, c);
+}
+
+///  forward:  v --h-> b (border), face (v, b, c)      backward:  b --h-> v (border), face (b, v, c)
+void collapseAlongBorder(HalfEdgeMesh& m, int v, bool forward)
+{
+	const int border = m.outgoing[v];
+	const int h      = forward ? border : m.incomingBorder(v);
+	const int b      = forward ? m.target(h) : m.origin[h];
+	const int c      = m.apex(h);
+	renameOrigin(m, v, b);
+	const int inner1 = nextInFace(h), inner2 = prevInFace(h);
+	const int t1 = m.opposite[inner1], t2 = m.opposite[inner2];
+	join(m, t1, t2);
+	if (forward) {
+		// b keeps its outgoing border unless that was in the dead face.
+		if (m.outgoing[b] == inner1) m.outgoing[b] = t2;
+	}
+	else {
+		// b takes over v's outgoing border unless that was in the dead face.
+		m.outgoing[b] = border == inner1 ? t2 : border;
+	}
+	if (m.outgoing[c] == inner2) m.outgoing[c] = t1 >= 0 ? t1 : nextInFace(t2);
+	m.outgoing[v] = -1;
+	killFace(m, h / 3);
+}
+
+bool canFlip(const HalfEdgeMesh& m, int h)
+{
+	const int g = m.opposite[h];
+	if (g < 0) return false;
+	const int c = m.apex(h), d = m.apex(g);
+	return c != d && canLoseFace(m, m.origin[h]) && canLoseFace(m, m.target(h)) &&
+		   !m.areNeighbours(c, d);
+}
+
+void flip(HalfEdgeMesh& m, int h)
+{
+	const int g  = m.opposite[h];
+	const int hn = nextInFace(h), hp = prevInFace(h), gn = nextInFace(g), gp = prevInFace(g);
+	const int a = m.origin[h], b = m.origin[hn], c = m.origin[hp], d = m.origin[gp];
+	const int acrossBC = m.opposite[hn], acrossAD = m.opposite[gn];
+	// Faces (a, b, c), (b, a, d) become (a, d, c), (b, c, d).
+	m.origin[hn] = d;
+	m.origin[g]  = b;
+	m.origin[gn] = c;
+	m.origin[gp] = d;
+	join(m, h, acrossAD);
+	join(m, g, acrossBC);
+	join(m, hn, gn);
+	if (m.outgoing[a] == gn) m.outgoing[a] = h;
+	if (m.outgoing[b] == hn) m.outgoing[b] = g;
+}
+
+void splitEdge(HalfEdgeMesh& m, int h, int v)
+{
+	const int g  = m.opposite[h];
+	const int hn = nextInFace(h), hp = prevInFace(h), gp = prevInFace(g);
+	const int b = m.origin[hn], c = m.origin[hp], d = m.origin[gp];
+	const int acrossBC = m.opposite[hn], acrossDB = m.opposite[gp];
+	const int e = 3 * m.faceNum, k = 3 * (m.faceNum + 1);
+	m.faceNum += 2;
+	m.opposite[e + 1] = m.opposite[k + 2] = -1;
+	// (a, b, c), (b, a, d) become (a, v, c), (v, a, d); new are (v, b, c), (b, v, d).
+	m.origin[hn]    = v;
+	m.origin[g]     = v;
+	m.origin[e]     = v;
+	m.origin[e + 1] = b;
+	m.origin[e + 2] = c;
+	m.origin[k]     = b;
+	m.origin[k + 1] = v;
+	m.origin[k + 2] = d;
+	join(m, hn, e + 2);
+	join(m, e + 1, acrossBC);
+	join(m, e, k);
+	join(m, gp, k + 1);
+	join(m, k + 2, acrossDB);
+	m.outgoing[v]     = hn;
+	if (m.outgoing[b] == hn) m.outgoing[b] = e + 1;
+	if (m.outgoing[b] == g) m.outgoing[b] = k;
+	if (m.outgoing[d] == gp) m.outgoing[d] = k + 2;
+}
+
+void splitBorderEdge(HalfEdgeMesh& m, int h, int v)
+{
+	const int hn = nextInFace(h), hp = prevInFace(h);
+	const int b = m.origin[hn], c = m.origin[hp];
+	const int acrossBC = m.opposite[hn];
+	const int e        = 3 * m.faceNum;
+	m.faceNum += 1;
+	// (a, b, c) becomes (a, v, c); new is (v, b, c).
+	m.origin[hn]      = v;
+	m.origin[e]       = v;
+	m.origin[e + 1]   = b;
+	m.origin[e + 2]   = c;
+	m.opposite[e]     = -1;
+	m.opposite[e + 1] = -1;
+	join(m, hn, e + 2);
+	join(m, e + 1, acrossBC);
+	m.outgoing[v] = e;
+	if (m.outgoing[b] == hn) m.outgoing[b] = e + 1;
+}
+
+void reserve(HalfEdgeMesh& m, int vertexRoom, int faceRoom)
+{
+	if (m.position.size() < std::size_t(vertexRoom)) {
+		m.position.resize(vertexRoom);
+		m.outgoing.resize(vertexRoom);
+	}
+	if (m.origin.size() < 3 * std::size_t(faceRoom)) {
+		m.origin.resize(3 * std::size_t(faceRoom));
+		m.opposite.resize(3 * std::size_t(faceRoom));
+	}
+}
+
+void compact(HalfEdgeMesh& m, std::vector<int>& newIndex)
+{
+	newIndex.assign(m.vertexNum, -1);
+	int vertices = 0;
+	for (int v = 0; v < m.vertexNum; ++v) {
+		if (m.outgoing[v] < 0) continue;
+		newIndex[v]            = vertices;
+		m.position[vertices]   = m.position[v];
+		m.outgoing[vertices++] = m.outgoing[v];
+	}
+	std::vector<int> newFace(m.faceNum, -1);
+	int              faces = 0;
+	for (int f = 0; f < m.faceNum; ++f) {
+		if (!isDeadFace(m, f)) newFace[f] = faces++;
+	}
+	const auto renamed = [&](int h) { return h < 0 ? -1 : 3 * newFace[h / 3] + h % 3; };
+	for (int f = 0; f < m.faceNum; ++f) {
+		if (newFace[f] < 0) continue;
+		for (int k = 0; k < 3; ++k) {
+			m.origin[3 * newFace[f] + k]   = newIndex[m.origin[3 * f + k]];
+			m.opposite[3 * newFace[f] + k] = renamed(m.opposite[3 * f + k]);
+		}
+	}
+	m.vertexNum = vertices;
+	m.faceNum   = faces;
+	for (int v = 0; v < vertices; ++v)
+		m.outgoing[v] = renamed(m.outgoing[v]);
+}
+
+} // namespace gpr

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_PACKED_NORMAL_H
+#define VCG_EXTRAS_CORE_PACKED_NORMAL_H
+
+#include "vec.h"
+
+#include <cstdint>
+
+namespace gpr {
+
+/// A unit vector in 32 bits, 10 a coordinate: true to about 0.1°, enough to tell flat from bent.
+class PackedNormal {
+public:
+	PackedNormal() = default;
+	explicit PackedNormal(const Vec3f& n) : bits_(pack(n.x) | pack(n.y) << 10 | pack(n.z) << 20) {}
+
+	Vec3f unpack() const { return {part(0), part(10), part(20)}; }
+
+private:
+	std::uint32_t bits_;
+
+	static std::uint32_t pack(float c) { return std::uint32_t(int(c * 511.0f) + 512) & 1023; }
+	float part(int shift) const { return float(int(bits_ >> shift & 1023) - 512) * (1 / 511.0f); }
+};
+
+} // namespace gpr
+
+#endif

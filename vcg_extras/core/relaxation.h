@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_RELAXATION_H
+#define VCG_EXTRAS_CORE_RELAXATION_H
+
+#include "connect.h"
+#include "result_mesh.h"
+#include "workers.h"
+
+namespace gpr {
+
+/// Per vertex: whether all faces of its ring lie within about 37° of their mean normal. Vertices on
+/// creases are not: moving them would round the crease off.
+Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers);
+
+/// Stage 10: one relaxation step on the surface: every flat inner vertex walks to the area-weighted
+/// barycentre of its ring, all at once (Jacobi). Moves that would fold a face, or make a poor one
+/// poorer, are taken back. Vertices never leave the input's surface. Cost: linear, parallel.
+void relaxOnce(const Surface& surface, ResultMesh& result, Workers& workers);
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_RESULT_MESH_H
+#define VCG_EXTRAS_CORE_RESULT_MESH_H
+
+#include "disk_flood.h"
+#include "half_edge_mesh.h"
+
+#include <string>
+#include <vector>
+
+namespace gpr {
+
+/// What a vertex of the result knows of the input.
+struct ResultVertex {
+	Anchor anchor;            ///< where on the input's surface it lies
+	Vec3f  normal;            ///< of that face
+	int    curve    = -1;     ///< border curve it belongs to, or -1
+	float  arc      = 0;      ///< where on the curve
+	bool   isCorner = false;  ///< of the curve: never moves
+};
+
+/// The mesh under way from retriangulation to the end. vertex[v].anchor.position is mesh.position[v].
+struct ResultMesh {
+	HalfEdgeMesh              mesh;
+	std::vector<ResultVertex> vertex;
+	float                     idealEdge = 0; ///< edge of the lattice of equilateral triangles, L0
+
+	std::int64_t flipNum     = 0;
+	std::int64_t splitNum    = 0;
+	std::int64_t collapseNum = 0;
+	std::int64_t leftoverNum = 0; ///< input vertices that removal had to keep
+	std::vector<std::string> capsReached;
+};
+
+/// Drops dead faces and vertices (see mesh_edit.h) from mesh and vertex records.
+void compactResult(ResultMesh& result);
+
+/// Smallest angle of a triangle in radians; 0 where it has no area.
+float smallestAngle(const Vec3f& a, const Vec3f& b, const Vec3f& c);
+
+/// Shape of a triangle in [0, 1]: 4√3·area / (sum of squared edges); 1 = equilateral. Cheap: one root.
+float triangleShape(const Vec3f& a, const Vec3f& b, const Vec3f& c);
+
+} // namespace gpr
+
+#endif

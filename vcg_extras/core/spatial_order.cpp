@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spatial_order.h"
+
+#include "counting_sort.h"
+
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// Spreads the lowest 21 bits of x so that two zero bits lie between each two.
+std::uint64_t spreadBits(std::uint64_t x)
+{
+	x &= 0x1fffff;
+	x = (x | x << 32) & 0x1f00000000ffffull;
+	x = (x | x << 16) & 0x1f0000ff0000ffull;
+	x = (x | x << 8) & 0x100f00f00f00f00full;
+	x = (x | x << 4) & 0x10c30c30c30c30c3ull;
+	x = (x | x << 2) & 0x1249249249249249ull;
+	return x;
+}
+
+struct KeyedVertex {
+	std::uint64_t key;
+	int           vertex;
+};
+
+/// Stable radix sort by `bits` leading-level bits starting at bit `lowest`, 11 bits a pass. Stable
+/// sorting has one outcome, so pieces can be sorted by any thread.
+void radixSort(Buffer<KeyedVertex>& items, int lowest, int bits, Workers& workers)
+{
+	constexpr int         digitBits = 11;
+	constexpr std::size_t digitNum  = std::size_t(1) << digitBits;
+	const std::size_t     n         = items.size();
+	const std::size_t     pieceNum  = std::min<std::size_t>(64, n / 4096 + 1);
+	const std::size_t     pieceSize = (n + pieceNum - 1) / pieceNum;
+	Buffer<KeyedVertex>   other(n);
+	Buffer<std::size_t>   place(pieceNum * digitNum);
+
+	for (int shift = lowest; shift < lowest + bits; shift += digitBits) {
+		const auto digitOf = [&](std::size_t i) { return items[i].key >> shift & (digitNum - 1); };
+		workers.forTasks(pieceNum, [&](std::size_t piece, int) {
+			std::size_t* count = &place[piece * digitNum];
+			std::fill(count, count + digitNum, 0);
+			const std::size_t end = std::min(n, (piece + 1) * pieceSize);
+			for (std::size_t i = piece * pieceSize; i < end; ++i)
+				++count[digitOf(i)];
+		});
+		std::size_t total = 0;
+		for (std::size_t digit = 0; digit < digitNum; ++digit) {
+			for (std::size_t piece = 0; piece < pieceNum; ++piece) {
+				std::size_t&      count = place[piece * digitNum + digit];
+				const std::size_t here  = count;
+				count                   = total;
+				total += here;
+			}
+		}
+		workers.forTasks(pieceNum, [&](std::size_t piece, int) {
+			std::size_t*      next = &place[piece * digitNum];
+			const std::size_t end  = std::min(n, (piece + 1) * pieceSize);
+			for (std::size_t i = piece * pieceSize; i < end; ++i)
+				other[next[digitOf(i)]++] = items[i];
+		});
+		items.swap(other);
+	}
+}
+
+struct Bounds {
+	Vec3f low{HUGE_VALF, HUGE_VALF, HUGE_VALF};
+	Vec3f high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
+
+	Bounds& operator+=(const Bounds& b)
+	{
+		low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+		high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
+		return *this;
+	}
+};
+
+MortonGrid gridAround(const IndexedMesh& mesh, Workers& workers)
+{
+	const Bounds b =
+		workers.sum<Bounds>(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
+			Bounds part;
+			for (std::size_t v = begin; v < end; ++v)
+				part += Bounds{mesh.position[v], mesh.position[v]};
+			return part;
+		});
+	MortonGrid grid;
+	grid.low      = b.low;
+	grid.cubeSize = std::max(b.high.x - b.low.x, std::max(b.high.y - b.low.y, b.high.z - b.low.z));
+	// A little wider, so that the highest coordinate still falls into the last cell.
+	grid.cubeSize *= 1.000001f;
+	if (!(grid.cubeSize > 0)) grid.cubeSize = 1;
+	return grid;
+}
+
+/// A surface fills about 4^level cells of a level: this one has about a vertex in each.
+int levelFor(int vertexNum)
+{
+	const int level = int(std::ceil(std::log2(double(vertexNum) + 1) / 2)) + 1;
+	return std::min(level, 11);
+}
+
+void orderVertices(IndexedMesh& mesh, const MortonGrid& grid, Workers& workers)
+{
+	const std::size_t   n = mesh.vertexNum;
+	Buffer<KeyedVertex> items(n);
+	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			items[v] = {grid.key(mesh.position[v]), int(v)};
+	});
+	const int bits = 3 * grid.level;
+	radixSort(items, 3 * MortonGrid::deepestLevel - bits, bits, workers);
+
+	Buffer<Vec3f> position(n);
+	Buffer<int>   rename(n);
+	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			position[v]             = mesh.position[items[v].vertex];
+			rename[items[v].vertex] = int(v);
+		}
+	});
+	mesh.position.swap(position);
+	workers.forRange(std::size_t(3) * mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i)
+			mesh.triangle[i] = rename[mesh.triangle[i]];
+	});
+}
+
+/// Which corner of a face is its smallest vertex.
+int smallestCorner(const int* t)
+{
+	if (t[0] < t[1]) return t[0] < t[2] ? 0 : 2;
+	return t[1] < t[2] ? 1 : 2;
+}
+
+void orderFaces(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart)
+{
+	Buffer<int> face;
+	sortIntoBuckets(
+		mesh.faceNum, mesh.vertexNum,
+		[&](std::size_t f) {
+			const int* t = &mesh.triangle[3 * f];
+			return t[smallestCorner(t)];
+		},
+		workers, faceStart, face);
+
+	Buffer<int> triangle(std::size_t(3) * mesh.faceNum);
+	Buffer<int> sourceFace(mesh.faceNum);
+	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const int* from  = &mesh.triangle[std::size_t(3) * face[f]];
+			const int  first = smallestCorner(from);
+			for (int k = 0; k < 3; ++k)
+				triangle[3 * f + k] = from[(first + k) % 3];
+			sourceFace[f] = mesh.sourceFace[face[f]];
+		}
+	});
+	mesh.triangle.swap(triangle);
+	mesh.sourceFace.swap(sourceFace);
+}
+
+} // namespace
+
+std::uint64_t MortonGrid::key(const Vec3f& p) const
+{
+	const float scale = float(1 << deepestLevel) / cubeSize;
+	const auto  cell  = [scale](float offset) {
+		const float c = offset * scale;
+		return std::uint64_t(std::min(std::max(c, 0.0f), float((1 << deepestLevel) - 1)));
+	};
+	return spreadBits(cell(p.x - low.x)) | spreadBits(cell(p.y - low.y)) << 1 |
+		   spreadBits(cell(p.z - low.z)) << 2;
+}
+
+MortonGrid orderSpatially(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart)
+{
+	MortonGrid grid = gridAround(mesh, workers);
+	grid.level      = levelFor(mesh.vertexNum);
+	orderVertices(mesh, grid, workers);
+	orderFaces(mesh, workers, faceStart);
+	return grid;
+}
+
+} // namespace gpr

@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "split_long_edges.h"
+
+#include "failure.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+struct Face {
+	int corner[3];
+	int source;
+};
+
+/// Splits the long faces round by round; both faces of a long edge are among them, so no others are
+/// needed.
+class Splitter {
+public:
+	Splitter(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces) :
+			mesh_(mesh),
+			maxSquared_(maxLength * maxLength),
+			maxFaces_(maxFaces),
+			faceNum_(mesh.faceNum)
+	{
+	}
+
+	void addFace(int f)
+	{
+		const int* t = &mesh_.triangle[3 * f];
+		todo_.push_back({{t[0], t[1], t[2]}, mesh_.sourceFace[f]});
+		--faceNum_;
+	}
+
+	bool isLong(int a, int b) const
+	{
+		return squaredLength(position(a) - position(b)) > maxSquared_;
+	}
+
+	void run(Workers& workers)
+	{
+		while (!todo_.empty()) {
+			midpoint_.clear();
+			std::vector<Face> round;
+			round.swap(todo_);
+			for (const Face& face : round) {
+				workers.poll();
+				split(face);
+			}
+		}
+	}
+
+	const std::vector<Face>&  finished() const { return finished_; }
+	const std::vector<Vec3f>& newPositions() const { return added_; }
+	std::int64_t              splitNum() const { return std::int64_t(added_.size()); }
+
+private:
+	IndexedMesh&                           mesh_;
+	float                                  maxSquared_;
+	std::int64_t                           maxFaces_;
+	std::int64_t                           faceNum_;
+	std::vector<Face>                      todo_;
+	std::vector<Face>                      finished_;
+	std::vector<Vec3f>                     added_;
+	std::unordered_map<std::uint64_t, int> midpoint_; ///< of the edges split in this round
+
+	Vec3f position(int v) const
+	{
+		return v < mesh_.vertexNum ? mesh_.position[v] : added_[v - mesh_.vertexNum];
+	}
+
+	int midpointOf(int a, int b)
+	{
+		const std::uint64_t low = std::min(a, b), high = std::max(a, b);
+		const auto          found = midpoint_.emplace(low << 32 | high, 0);
+		if (found.second) {
+			found.first->second = mesh_.vertexNum + int(added_.size());
+			added_.push_back((position(a) + position(b)) * 0.5f);
+		}
+		return found.first->second;
+	}
+
+	void put(int a, int b, int c, int source)
+	{
+		const bool isDone = !isLong(a, b) && !isLong(b, c) && !isLong(c, a);
+		(isDone ? finished_ : todo_).push_back({{a, b, c}, source});
+		if (faceNum_ + std::int64_t(finished_.size() + todo_.size()) > maxFaces_) {
+			throw Failure(Status::OutOfMemory,
+						  "Splitting the long edges would make too many faces; ask for fewer "
+						  "vertices or remove the stray triangles.");
+		}
+	}
+
+	void split(const Face& face)
+	{
+		int middle[3];
+		int longNum = 0;
+		for (int k = 0; k < 3; ++k) {
+			const int a = face.corner[k], b = face.corner[(k + 1) % 3];
+			middle[k] = isLong(a, b) ? midpointOf(a, b) : -1;
+			longNum += middle[k] >= 0;
+		}
+		const int* v = face.corner;
+		if (longNum == 3) {
+			put(v[0], middle[0], middle[2], face.source);
+			put(v[1], middle[1], middle[0], face.source);
+			put(v[2], middle[2], middle[1], face.source);
+			put(middle[0], middle[1], middle[2], face.source);
+		}
+		else if (longNum == 2) {
+			splitTwo(face, middle);
+		}
+		else if (longNum == 1) {
+			const int k = middle[0] >= 0 ? 0 : middle[1] >= 0 ? 1 : 2;
+			put(v[k], middle[k], v[(k + 2) % 3], face.source);
+			put(middle[k], v[(k + 1) % 3], v[(k + 2) % 3], face.source);
+		}
+		else {
+			put(v[0], v[1], v[2], face.source);
+		}
+	}
+
+	/// a-b is the short edge; the corner c is cut off, the rest divided along its shorter diagonal.
+	void splitTwo(const Face& face, const int middle[3])
+	{
+		const int k = middle[0] < 0 ? 0 : middle[1] < 0 ? 1 : 2;
+		const int a = face.corner[k], b = face.corner[(k + 1) % 3], c = face.corner[(k + 2) % 3];
+		const int bc = middle[(k + 1) % 3], ca = middle[(k + 2) % 3];
+		put(c, ca, bc, face.source);
+		if (squaredLength(position(a) - position(bc)) < squaredLength(position(b) - position(ca))) {
+			put(a, b, bc, face.source);
+			put(a, bc, ca, face.source);
+		}
+		else {
+			put(a, b, ca, face.source);
+			put(b, bc, ca, face.source);
+		}
+	}
+};
+
+std::vector<int> findLongFaces(const IndexedMesh& mesh, const Splitter& splitter, Workers& workers)
+{
+	Buffer<char>       isLong(mesh.faceNum);
+	const std::int64_t n =
+		workers.sum<std::int64_t>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+			std::int64_t found = 0;
+			for (std::size_t f = begin; f < end; ++f) {
+				const int* t = &mesh.triangle[3 * f];
+				isLong[f]    = splitter.isLong(t[0], t[1]) || splitter.isLong(t[1], t[2]) ||
+							splitter.isLong(t[2], t[0]);
+				found += isLong[f];
+			}
+			return found;
+		});
+	std::vector<int> faces;
+	if (n == 0) return faces;
+	faces.reserve(n);
+	for (int f = 0; f < mesh.faceNum; ++f) {
+		if (isLong[f]) faces.push_back(f);
+	}
+	return faces;
+}
+
+/// The first new faces take the places of the long ones, the others follow at the end.
+void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Splitter& splitter)
+{
+	const std::vector<Face>& faces = splitter.finished();
+	const int                extra = int(faces.size() - longFaces.size());
+	mesh.triangle.resize(3 * (std::size_t(mesh.faceNum) + extra));
+	mesh.sourceFace.resize(std::size_t(mesh.faceNum) + extra);
+	for (std::size_t i = 0; i < faces.size(); ++i) {
+		const int f = i < longFaces.size() ? longFaces[i] : mesh.faceNum + int(i - longFaces.size());
+		for (int k = 0; k < 3; ++k)
+			mesh.triangle[3 * f + k] = faces[i].corner[k];
+		mesh.sourceFace[f] = faces[i].source;
+	}
+	mesh.faceNum += extra;
+
+	const std::vector<Vec3f>& added = splitter.newPositions();
+	mesh.position.resize(mesh.vertexNum + added.size());
+	for (std::size_t i = 0; i < added.size(); ++i)
+		mesh.position[mesh.vertexNum + i] = added[i];
+	mesh.vertexNum += int(added.size());
+}
+
+} // namespace
+
+std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
+							Workers& workers)
+{
+	Splitter               splitter(mesh, maxLength, maxFaces);
+	const std::vector<int> longFaces = findLongFaces(mesh, splitter, workers);
+	if (longFaces.empty()) return 0;
+	for (int f : longFaces)
+		splitter.addFace(f);
+	splitter.run(workers);
+	writeBack(mesh, longFaces, splitter);
+	return splitter.splitNum();
+}
+
+} // namespace gpr

@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vertex_removal.h"
+
+#include "mesh_edit.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace gpr {
+
+namespace {
+
+/// What a pass of the removal accepts.
+struct PassRules {
+	bool  sameLabelOnly;
+	float leastCosine; ///< of each new face's normal with the mean normal of the ring; -2 = anything
+	int   tries;       ///< targets tried per vertex, best first
+};
+
+constexpr PassRules passRules[] = {
+	{true, 0.1f, 3},  {true, 0.1f, 3},  {false, 0.1f, 3},
+	{false, -0.5f, 3}, {false, -2.0f, 64}, {false, -2.0f, 64},
+};
+
+constexpr float noScore = -2;
+
+/// Removes vertices of one connectivity; each thread has one of its own.
+class Remover {
+public:
+	Remover(HalfEdgeMesh& mesh, const Sampling& sampling, float longestEdge) :
+			m_(mesh),
+			nearest_(sampling.nearest),
+			longestSquared_(longestEdge * longestEdge)
+	{
+	}
+
+	/// Tries to merge v into a neighbour. False: v stays for now.
+	bool remove(int v, const PassRules& rules)
+	{
+		return m_.isBorderVertex(v) ? removeAtBorder(v, rules) : removeInside(v, rules);
+	}
+
+private:
+	struct Spoke {
+		int   halfEdge;
+		int   target;
+		Vec3f place;
+		float score;
+	};
+
+	HalfEdgeMesh&                        m_;
+	const Buffer<NearestField::Nearest>& nearest_;
+	float                                longestSquared_;
+	std::vector<Spoke>                   ring_;
+	EditScratch                          scratch_;
+
+	int labelOf(int v) const { return nearest_[v].sample; }
+
+	bool removeInside(int v, const PassRules& rules)
+	{
+		const Vec3f normal = collectRing(v);
+		scoreTargets(labelOf(v), normal, rules);
+		for (int attempt = 0; attempt < rules.tries; ++attempt) {
+			Spoke* best = nullptr;
+			for (Spoke& s : ring_) {
+				if (s.score > noScore && (best == nullptr || s.score > best->score)) best = &s;
+			}
+			if (best == nullptr) return false;
+			if (canCollapse(m_, best->halfEdge, scratch_)) {
+				collapse(m_, best->halfEdge);
+				return true;
+			}
+			best->score = noScore;
+		}
+		return false;
+	}
+
+	/// Fills ring_; returns the mean normal.
+	Vec3f collectRing(int v)
+	{
+		ring_.clear();
+		forEachOutgoing(m_, v, [&](int h) {
+			const int w = m_.target(h);
+			ring_.push_back({h, w, m_.position[w], noScore});
+		});
+		const Vec3f p = m_.position[v];
+		Vec3f       sum;
+		for (std::size_t i = 0, last = ring_.size() - 1; i < ring_.size(); last = i++)
+			sum += cross(ring_[last].place - p, ring_[i].place - p);
+		return normalized(sum);
+	}
+
+	void scoreTargets(int label, const Vec3f& normal, const PassRules& rules)
+	{
+		for (Spoke& t : ring_) {
+			const bool allowed = !rules.sameLabelOnly || labelOf(t.target) == label;
+			t.score            = allowed ? scoreOf(t, normal, rules.leastCosine) : noScore;
+		}
+	}
+
+	/// The worst shape among the triangles that moving v to t would leave.
+	float scoreOf(const Spoke& t, const Vec3f& normal, float leastCosine) const
+	{
+		float worst = 1;
+		for (std::size_t i = 0, last = ring_.size() - 1; i < ring_.size(); last = i++) {
+			if (&ring_[i] == &t || &ring_[last] == &t) continue;
+			const Vec3f e = ring_[last].place - t.place, g = ring_[i].place - t.place;
+			const Vec3f n       = cross(e, g);
+			const float doubled = length(n);
+			const float eSquared = squaredLength(e), gSquared = squaredLength(g);
+			if (dot(n, normal) < leastCosine * doubled) return noScore;
+			if (eSquared > longestSquared_ || gSquared > longestSquared_) return noScore;
+			const float edges = eSquared + gSquared + squaredLength(ring_[i].place - ring_[last].place);
+			worst             = std::min(worst, 3.4641016f * doubled / (edges + 1e-30f));
+		}
+		return worst;
+	}
+
+	bool removeAtBorder(int v, const PassRules& rules)
+	{
+		float score[2];
+		for (int forward = 0; forward < 2; ++forward)
+			score[forward] = scoreAlongBorder(v, forward != 0, rules);
+		for (int forward : {score[1] >= score[0] ? 1 : 0, score[1] >= score[0] ? 0 : 1}) {
+			if (score[forward] <= noScore) continue;
+			if (!canCollapseAlongBorder(m_, v, forward != 0, scratch_)) continue;
+			collapseAlongBorder(m_, v, forward != 0);
+			return true;
+		}
+		return false;
+	}
+
+	float scoreAlongBorder(int v, bool forward, const PassRules& rules) const
+	{
+		const int b = borderNeighbour(m_, v, forward);
+		if (rules.sameLabelOnly && labelOf(b) != labelOf(v)) return noScore;
+		const Vec3f p = m_.position[v], q = m_.position[b];
+		Vec3f       normal;
+		forEachOutgoing(m_, v, [&](int h) {
+			normal += cross(m_.position[m_.target(h)] - p, m_.position[m_.apex(h)] - p);
+		});
+		normal      = normalized(normal);
+		float worst = 1;
+		forEachOutgoing(m_, v, [&](int h) {
+			if (m_.target(h) == b || m_.apex(h) == b) return;
+			const Vec3f x = m_.position[m_.target(h)], y = m_.position[m_.apex(h)];
+			const Vec3f n       = cross(x - q, y - q);
+			const bool  tooLong = squaredLength(x - q) > longestSquared_ ||
+								 squaredLength(y - q) > longestSquared_;
+			if (tooLong || dot(n, normal) < rules.leastCosine * length(n)) worst = noScore;
+			worst = std::min(worst, triangleShape(q, x, y));
+		});
+		return worst;
+	}
+};
+
+/// For each sample the vertex of its cell that is nearest to it; -1 where it owns none. Samples of the
+/// border have theirs from their curve.
+std::vector<int> findRepresentatives(const Surface& surface, const Sampling& sampling,
+									 const BoundaryCurves& boundary, Workers& workers)
+{
+	// Distance and vertex in one word: the smallest word is the nearest vertex, ties by index.
+	constexpr std::uint64_t    none = ~std::uint64_t(0);
+	const std::size_t          n    = sampling.samples.size();
+	std::vector<std::uint64_t> best(n, none);
+	workers.forRange(surface.mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			const NearestField::Nearest& near = sampling.nearest[v];
+			if (near.sample < sampling.boundarySampleNum) continue;
+			std::uint32_t bits;
+			std::memcpy(&bits, &near.distance, sizeof bits);
+			const std::uint64_t word = std::uint64_t(bits) << 32 | std::uint32_t(v);
+			std::uint64_t       seen = __atomic_load_n(&best[near.sample], __ATOMIC_RELAXED);
+			while (word < seen &&
+				   !__atomic_compare_exchange_n(&best[near.sample], &seen, word, true,
+												__ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
+			}
+		}
+	});
+	std::vector<int> representative(n, -1);
+	for (std::size_t s = 0; s < n; ++s) {
+		if (int(s) < sampling.boundarySampleNum)
+			representative[s] = boundary.samples[s].vertex;
+		else if (best[s] != none)
+			representative[s] = int(best[s] & 0xffffffffu);
+	}
+	return representative;
+}
+
+HalfEdgeMesh copyConnectivity(const HalfEdgeMesh& from, Workers& workers)
+{
+	HalfEdgeMesh to;
+	to.vertexNum = from.vertexNum;
+	to.faceNum   = from.faceNum;
+	to.position.reset(from.vertexNum);
+	to.outgoing.reset(from.vertexNum);
+	to.origin.reset(from.halfEdgeNum());
+	to.opposite.reset(from.halfEdgeNum());
+	workers.forRange(from.vertexNum, [&](std::size_t begin, std::size_t end) {
+		std::copy(from.position.data() + begin, from.position.data() + end, to.position.data() + begin);
+		std::copy(from.outgoing.data() + begin, from.outgoing.data() + end, to.outgoing.data() + begin);
+	});
+	workers.forRange(from.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+		std::copy(from.origin.data() + begin, from.origin.data() + end, to.origin.data() + begin);
+		std::copy(from.opposite.data() + begin, from.opposite.data() + end, to.opposite.data() + begin);
+	});
+	return to;
+}
+
+/// Runs one pass over the vertices still to be removed, block by block, colour by colour.
+void runPass(const BlockPartition& partition, const PassRules& rules, std::vector<Remover>& removers,
+			 std::vector<std::vector<int>>& todo, Workers& workers)
+{
+	for (const std::vector<int>& ids : partition.byColour) {
+		workers.forTasks(ids.size(), [&](std::size_t i, int worker) {
+			std::vector<int>& vertices = todo[ids[i]];
+			std::size_t       left     = 0;
+			for (int v : vertices) {
+				if (!removers[worker].remove(v, rules)) vertices[left++] = v;
+			}
+			vertices.resize(left);
+		});
+	}
+}
+
+/// What the blocks left, in one go, without the bound on edges.
+void removeRest(HalfEdgeMesh& m, const Sampling& sampling, std::vector<int>& rest, Workers& workers)
+{
+	Remover remover(m, sampling, HUGE_VALF);
+	for (const PassRules& rules : passRules) {
+		if (rest.empty()) return;
+		std::size_t left = 0;
+		for (int v : rest) {
+			workers.poll();
+			if (!remover.remove(v, rules)) rest[left++] = v;
+		}
+		rest.resize(left);
+	}
+}
+
+/// The vertices that are left become the result, each at its sample's place.
+ResultMesh emit(HalfEdgeMesh&& m, const Surface& surface, const Sampling& sampling,
+				const BoundaryCurves& boundary, const std::vector<int>& representative,
+				const std::vector<int>& rest)
+{
+	ResultMesh       result;
+	std::vector<int> newIndex;
+	compact(m, newIndex);
+	result.vertex.resize(m.vertexNum);
+	result.leftoverNum = std::int64_t(rest.size());
+	for (std::size_t s = 0; s < representative.size(); ++s) {
+		if (representative[s] < 0) continue;
+		const int     v = newIndex[representative[s]];
+		ResultVertex& r = result.vertex[v];
+		r.anchor        = sampling.samples[s].anchor;
+		r.normal        = sampling.samples[s].normal;
+		if (int(s) < sampling.boundarySampleNum && s < boundary.samples.size()) {
+			r.curve    = boundary.samples[s].curve;
+			r.arc      = boundary.samples[s].arc;
+			r.isCorner = boundary.samples[s].isCorner;
+		}
+	}
+	for (int old : rest) {
+		ResultVertex& r = result.vertex[newIndex[old]];
+		r.anchor        = {surface.mesh.position[old], surface.mesh.outgoing[old] / 3};
+		r.normal        = surface.mesh.faceNormal(r.anchor.face);
+	}
+	for (int v = 0; v < m.vertexNum; ++v)
+		m.position[v] = result.vertex[v].anchor.position;
+
+	// Give the memory of the input's size back.
+	result.mesh.vertexNum = m.vertexNum;
+	result.mesh.faceNum   = m.faceNum;
+	m.position.resize(m.vertexNum);
+	m.outgoing.resize(m.vertexNum);
+	m.origin.resize(m.halfEdgeNum());
+	m.opposite.resize(m.halfEdgeNum());
+	result.mesh = std::move(m);
+	return result;
+}
+
+} // namespace
+
+ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
+						  const BoundaryCurves& boundary, const BlockPartition& partition,
+						  Workers& workers)
+{
+	const std::vector<int> representative =
+		findRepresentatives(surface, sampling, boundary, workers);
+	HalfEdgeMesh m = copyConnectivity(surface.mesh, workers);
+
+	std::vector<char> stays(m.vertexNum, 0);
+	for (int v : representative) {
+		if (v >= 0) stays[v] = 1;
+	}
+	std::vector<std::vector<int>> todo(partition.blocks.size());
+	workers.forTasks(todo.size(), [&](std::size_t b, int) {
+		for (int v = partition.blocks[b].begin; v < partition.blocks[b].end; ++v) {
+			if (!stays[v]) todo[b].push_back(v);
+		}
+	});
+	std::vector<Remover> removers(workers.threadNum(),
+								  Remover(m, sampling, 0.25f * partition.cellSize));
+	for (const PassRules& rules : passRules)
+		runPass(partition, rules, removers, todo, workers);
+
+	std::vector<int> rest;
+	for (const std::vector<int>& vertices : todo)
+		rest.insert(rest.end(), vertices.begin(), vertices.end());
+	removeRest(m, sampling, rest, workers);
+	return emit(std::move(m), surface, sampling, boundary, representative, rest);
+}
+
+} // namespace gpr

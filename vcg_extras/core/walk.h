@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_WALK_H
+#define VCG_EXTRAS_CORE_WALK_H
+
+#include "half_edge_mesh.h"
+
+namespace gpr {
+
+/// A point of the engine's surface.
+struct Anchor {
+	Vec3f position;
+	int   face = -1;
+};
+
+/// How a walk ended.
+enum class WalkEnd {
+	Arrived,
+	AtBorder, ///< stopped at the border or before a face without area
+	Capped,   ///< more faces crossed than any sensible walk does
+};
+
+/// Traces a straight geodesic: moves `at` by the vector `step`, turned into the plane of its face and
+/// kept at its length, unfolding across every edge on the way. The point stays on the surface, so
+/// nothing has to be projected and no other sheet can be met. Cost: the faces crossed.
+WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step);
+
+} // namespace gpr
+
+#endif

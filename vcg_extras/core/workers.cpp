@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "workers.h"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace gpr {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr auto pollPeriod = std::chrono::milliseconds(40);
+
+int coreNum()
+{
+	const unsigned n = std::thread::hardware_concurrency();
+	return n == 0 ? 1 : int(n);
+}
+
+} // namespace
+
+struct Workers::Pool {
+	std::vector<std::thread> threads;
+	std::mutex               mutex;
+	std::condition_variable  wake;
+	std::condition_variable  done;
+	std::size_t              generation = 0;
+	int                      busy       = 0;
+	bool                     quit       = false;
+
+	// The loop under way.
+	Task                     task    = nullptr;
+	void*                    body    = nullptr;
+	std::size_t              taskNum = 0;
+	std::atomic<std::size_t> next{0};
+	std::atomic<bool>        stop{false};
+	std::exception_ptr       failure;
+
+	// Progress; touched by the calling thread only.
+	ProgressCallback  progress;
+	Clock::time_point lastPoll  = Clock::now();
+	const char*       phrase    = "";
+	double            stageFrom = 0;
+	double            stageTo   = 0;
+	double            told      = 0;
+
+	/// Takes tasks until none is left. Worker 0 is the calling thread and polls in between.
+	void work(int worker, Workers& owner)
+	{
+		try {
+			for (;;) {
+				if (stop.load(std::memory_order_relaxed)) return;
+				const std::size_t i = next.fetch_add(1, std::memory_order_relaxed);
+				if (i >= taskNum) return;
+				task(body, i, worker);
+				if (worker == 0) owner.poll(double(i) / double(taskNum));
+			}
+		}
+		catch (...) {
+			std::lock_guard<std::mutex> lock(mutex);
+			if (!failure) failure = std::current_exception();
+			stop = true;
+		}
+	}
+
+	void threadMain(int worker, Workers& owner)
+	{
+		std::size_t seen = 0;
+		for (;;) {
+			{
+				std::unique_lock<std::mutex> lock(mutex);
+				wake.wait(lock, [&] { return quit || generation != seen; });
+				if (quit) return;
+				seen = generation;
+			}
+			work(worker, owner);
+			std::lock_guard<std::mutex> lock(mutex);
+			if (--busy == 0) done.notify_one();
+		}
+	}
+};
+
+Workers::Workers(int threads, ProgressCallback progress) : pool_(new Pool)
+{
+	const int n     = threads > 0 ? threads : coreNum();
+	pool_->progress = std::move(progress);
+	pool_->lastPoll -= pollPeriod;
+	for (int t = 1; t < n; ++t)
+		pool_->threads.emplace_back([this, t] { pool_->threadMain(t, *this); });
+}
+
+Workers::~Workers()
+{
+	{
+		std::lock_guard<std::mutex> lock(pool_->mutex);
+		pool_->quit = true;
+	}
+	pool_->wake.notify_all();
+	for (std::thread& t : pool_->threads)
+		t.join();
+}
+
+int Workers::threadNum() const
+{
+	return int(pool_->threads.size()) + 1;
+}
+
+std::size_t Workers::grainFor(std::size_t n)
+{
+	// Small enough to share the work evenly, large enough that taking a piece costs nothing.
+	return std::min<std::size_t>(16384, std::max<std::size_t>(1, n / 64));
+}
+
+void Workers::runTasks(std::size_t taskNum, Task task, void* body)
+{
+	Pool& p   = *pool_;
+	p.task    = task;
+	p.body    = body;
+	p.taskNum = taskNum;
+	p.next    = 0;
+	p.stop    = false;
+	p.failure = nullptr;
+	const bool shared = taskNum > 1 && !p.threads.empty();
+	if (shared) {
+		{
+			std::lock_guard<std::mutex> lock(p.mutex);
+			p.busy = int(p.threads.size());
+			++p.generation;
+		}
+		p.wake.notify_all();
+	}
+	p.work(0, *this);
+	if (shared) {
+		std::unique_lock<std::mutex> lock(p.mutex);
+		p.done.wait(lock, [&] { return p.busy == 0; });
+	}
+	if (p.failure) std::rethrow_exception(p.failure);
+}
+
+void Workers::enterStage(const char* phrase, double from, double to)
+{
+	pool_->phrase    = phrase;
+	pool_->stageFrom = from;
+	pool_->stageTo   = to;
+	poll(0);
+}
+
+void Workers::poll(double share)
+{
+	Pool& p = *pool_;
+	if (!p.progress) return;
+	const Clock::time_point now = Clock::now();
+	if (now - p.lastPoll < pollPeriod) return;
+	p.lastPoll = now;
+	// Several loops make up a stage, so a loop's own share may fall back: never tell less than before.
+	p.told = std::max(p.told, p.stageFrom + share * (p.stageTo - p.stageFrom));
+	if (!p.progress(p.told, p.phrase)) throw CancelledError();
+}
+
+} // namespace gpr

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "worst_triangles.h"
+
+#include "delaunay_flips.h"
+#include "mesh_edit.h"
+#include "relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+constexpr float radians    = 3.14159265f / 180;
+constexpr int   mostRounds = 8;
+constexpr int   mostMoves  = 3; ///< of a vertex with one step length
+/// A move or flip must not turn a face by more than about 26°.
+constexpr float turnCosine = 0.9f;
+constexpr float stepShares[] = {0.2f, 0.1f, 0.05f, 0.025f}; ///< of the ideal edge
+
+/// Unit directions of the pattern search, an eighth of a turn apart.
+constexpr float diagonal = 0.70710678f;
+constexpr float compass[8][2] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
+								 {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
+
+class AngleRaiser {
+public:
+	AngleRaiser(const Surface& surface, float angle, ResultMesh& result, Workers& workers) :
+			surface_(surface),
+			angle_(angle),
+			r_(result),
+			m_(result.mesh),
+			workers_(workers)
+	{
+	}
+
+	void run()
+	{
+		for (int round = 0; round < mostRounds; ++round) {
+			const std::vector<int> faces = findPoorFaces();
+			if (faces.empty()) return;
+			flat_             = findFlatVertices(r_, workers_);
+			const bool better = improve(faces);
+			if (!better) return;
+		}
+	}
+
+private:
+	const Surface& surface_;
+	float          angle_;
+	ResultMesh&    r_;
+	HalfEdgeMesh&  m_;
+	Workers&       workers_;
+	Buffer<char>   flat_;
+
+	float angleOf(int f) const
+	{
+		return smallestAngle(m_.position[m_.origin[3 * f]], m_.position[m_.origin[3 * f + 1]],
+							 m_.position[m_.origin[3 * f + 2]]);
+	}
+
+	std::vector<int> findPoorFaces()
+	{
+		return workers_.collect<int>(m_.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+			for (int f = int(begin); f < int(end); ++f) {
+				if (angleOf(f) < angle_) out.push_back(f);
+			}
+		});
+	}
+
+	bool improve(const std::vector<int>& faces)
+	{
+		std::vector<int> vertices;
+		for (int f : faces)
+			vertices.insert(vertices.end(), &m_.origin[3 * f], &m_.origin[3 * f] + 3);
+		std::sort(vertices.begin(), vertices.end());
+		vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+		bool better = false;
+		for (int v : vertices) {
+			if (flat_[v] && !m_.isBorderVertex(v)) better = search(v) || better;
+		}
+		for (int f : faces) {
+			for (int h = 3 * f; h < 3 * f + 3; ++h)
+				better = flipIfBetter(h) || better;
+		}
+		return better;
+	}
+
+	/// Smallest angle of v's ring with v at p; below 0 if a face turns too far.
+	float worstAngle(int v, const Vec3f& p) const
+	{
+		const Vec3f here  = m_.position[v];
+		float       worst = 4;
+		forEachOutgoing(m_, v, [&](int h) {
+			const Vec3f a = m_.position[m_.target(h)], b = m_.position[m_.apex(h)];
+			const Vec3f now = cross(a - here, b - here), then = cross(a - p, b - p);
+			const bool  turns = dot(now, then) <= turnCosine * length(now) * length(then);
+			worst             = std::min(worst, turns ? -1.0f : smallestAngle(p, a, b));
+		});
+		return worst;
+	}
+
+	bool search(int v)
+	{
+		float worst  = worstAngle(v, m_.position[v]);
+		bool  better = false;
+		if (worst >= angle_) return false;
+		for (float share : stepShares) {
+			for (int move = 0; move < mostMoves; ++move) {
+				if (!moveToBest(v, share * r_.idealEdge, worst)) break;
+				better = true;
+			}
+		}
+		return better;
+	}
+
+	bool moveToBest(int v, float reach, float& worst)
+	{
+		const ResultVertex start = r_.vertex[v];
+		const Vec3f        away  = std::abs(start.normal.x) < 0.8f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
+		const Vec3f        u     = normalized(cross(start.normal, away));
+		const Vec3f        w     = cross(start.normal, u);
+		Anchor             best;
+		for (const auto& direction : compass) {
+			Anchor at = start.anchor;
+			if (walk(surface_.mesh, at, (u * direction[0] + w * direction[1]) * reach) !=
+				WalkEnd::Arrived)
+				continue;
+			const float angle = worstAngle(v, at.position);
+			if (angle <= worst) continue;
+			worst = angle;
+			best  = at;
+		}
+		if (best.face < 0) return false;
+		r_.vertex[v].anchor = best;
+		r_.vertex[v].normal = surface_.mesh.faceNormal(best.face);
+		m_.position[v]      = best.position;
+		return true;
+	}
+
+	/// Only on flat ground and away from creases.
+	bool flipIfBetter(int h)
+	{
+		const int g = m_.opposite[h];
+		if (g < 0) return false;
+		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(g);
+		if (!flat_[a] || !flat_[b] || !flat_[c] || !flat_[d]) return false;
+		const float now = std::min(angleOf(h / 3), angleOf(g / 3));
+		if (now >= angle_ || !flipKeepsShape(m_, h, now * 1.001f, turnCosine) || !canFlip(m_, h))
+			return false;
+		flip(m_, h);
+		++r_.flipNum;
+		return true;
+	}
+};
+
+} // namespace
+
+void raiseWorstAngles(const Surface& surface, float angleDeg, ResultMesh& result, Workers& workers)
+{
+	AngleRaiser(surface, angleDeg * radians, result, workers).run();
+}
+
+} // namespace gpr
