@@ -6,24 +6,7 @@
 #include "summary.h"
 
 #include <cstdio>
-#if __has_include(<vcg_extras/core/measure.h>)
 #include <vcg_extras/core/measure.h>
-#else
-namespace gpr {
-// Until the engine measures: the counts alone.
-static MeshFigures measureMesh(const MeshView& mesh)
-{
-	MeshFigures figures;
-	figures.vertices = std::int64_t(mesh.vertexNum);
-	figures.faces    = std::int64_t(mesh.faceNum);
-	return figures;
-}
-static QualityFigures measureQuality(const MeshView&)
-{
-	return {};
-}
-} // namespace gpr
-#endif
 
 namespace gpr::app {
 
