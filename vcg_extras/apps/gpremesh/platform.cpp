@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <fcntl.h>
 #include <fstream>
 #include <sys/mman.h>
@@ -105,6 +106,13 @@ std::int64_t peakMemoryBytes()
 	}
 	struct rusage usage;
 	return ::getrusage(RUSAGE_SELF, &usage) == 0 ? std::int64_t(usage.ru_maxrss) * 1024 : 0;
+}
+
+double processorSeconds()
+{
+	struct timespec used;
+	if (::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used) != 0) return 0;
+	return double(used.tv_sec) + 1e-9 * double(used.tv_nsec);
 }
 
 long processId()

@@ -37,6 +37,9 @@ bool errorIsTerminal();
 /// The most memory that the process has held so far, bytes; 0 where that is unknown.
 std::int64_t peakMemoryBytes();
 
+/// Processor time that this process has used so far.
+double processorSeconds();
+
 /// A number that no other running process has.
 long processId();
 

@@ -7,15 +7,19 @@
 
 namespace gpr::app {
 
-/// Wall time since it was made.
+/// Wall time since it was made, plus what had passed before that.
 class Stopwatch {
 public:
+	explicit Stopwatch(double secondsBefore = 0) : before_(secondsBefore) {}
+
 	double seconds() const
 	{
-		return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+		const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+		return before_ + passed.count();
 	}
 
 private:
+	double                                before_;
 	std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
