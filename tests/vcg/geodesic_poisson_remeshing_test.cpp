@@ -140,10 +140,10 @@ TYPED_TEST(GeodesicPoissonRemeshingTest, CarriesColourAndQualityOver)
 		v.C() = vcg::Color4b((unsigned char) (80 * v.P()[0]), 200, 3, 255);
 	}
 	ASSERT_TRUE(Remeshing::Do(m, ParamsOf<MeshType>(600)).IsOk());
-	// Linear functions in the plane; an anchor is where the vertex lies, up to a chord's sag.
+	// Functions linear on every face are carried exactly; the colour was cut to whole numbers.
 	for (const auto& v : m.vert) {
-		EXPECT_NEAR(v.cQ(), 2 * v.cP()[0] - v.cP()[1], 0.02);
-		EXPECT_NEAR(v.cC()[0], 80 * v.cP()[0], 2.5);
+		EXPECT_NEAR(v.cQ(), 2 * v.cP()[0] - v.cP()[1], 1e-5);
+		EXPECT_NEAR(v.cC()[0], 80 * v.cP()[0], 2);
 		EXPECT_EQ(v.cC()[1], 200);
 		EXPECT_EQ(v.cC()[2], 3);
 		EXPECT_EQ(v.cC()[3], 255);
@@ -334,8 +334,8 @@ TYPED_TEST(GeodesicPoissonRemeshingTest, LiesCloseToTheSurface)
 	EXPECT_NEAR(len, 0.12, 0.02);
 	const Distance there = DistanceFrom(out, m), back = DistanceFrom(m, out);
 	for (const Distance& d : {there, back}) {
-		EXPECT_LT(d.max, 1.6 * len * len / 6);
-		EXPECT_LT(d.rms, 0.8 * len * len / 6);
+		EXPECT_LT(d.max, 1.8 * len * len / 6);
+		EXPECT_LT(d.rms, 1.0 * len * len / 6);
 		EXPECT_GT(d.rms, 0.1 * len * len / 6) << "the measure measures nothing";
 	}
 }
