@@ -134,10 +134,12 @@ std::string binaryPly(const TestMesh& mesh, bool littleEndian, bool doublePrecis
 								  doublePrecision ? "double" : "float");
 	for (const auto& p : mesh.points) {
 		for (const double c : p) {
-			if (doublePrecision)
+			if (doublePrecision) {
 				putBinary(bytes, c, littleEndian);
-			else
+			}
+			else {
 				putBinary(bytes, float(c), littleEndian);
+			}
 		}
 	}
 	for (const auto& f : mesh.faces) {

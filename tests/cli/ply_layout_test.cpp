@@ -29,24 +29,33 @@ public:
 	void put(const std::string& type, double value)
 	{
 		const bool little = format_ == Format::Little;
-		if (format_ == Format::Ascii)
+		if (format_ == Format::Ascii) {
 			bytes += digits(value) + " ";
-		else if (type == "char" || type == "int8")
+		}
+		else if (type == "char" || type == "int8") {
 			putBinary(bytes, std::int8_t(value), little);
-		else if (type == "uchar" || type == "uint8")
+		}
+		else if (type == "uchar" || type == "uint8") {
 			putBinary(bytes, std::uint8_t(value), little);
-		else if (type == "short" || type == "int16")
+		}
+		else if (type == "short" || type == "int16") {
 			putBinary(bytes, std::int16_t(value), little);
-		else if (type == "ushort" || type == "uint16")
+		}
+		else if (type == "ushort" || type == "uint16") {
 			putBinary(bytes, std::uint16_t(value), little);
-		else if (type == "int" || type == "int32")
+		}
+		else if (type == "int" || type == "int32") {
 			putBinary(bytes, std::int32_t(value), little);
-		else if (type == "uint" || type == "uint32")
+		}
+		else if (type == "uint" || type == "uint32") {
 			putBinary(bytes, std::uint32_t(value), little);
-		else if (type == "float" || type == "float32")
+		}
+		else if (type == "float" || type == "float32") {
 			putBinary(bytes, float(value), little);
-		else
+		}
+		else {
 			putBinary(bytes, value, little);
+		}
 	}
 	void endRecord()
 	{
@@ -189,10 +198,12 @@ private:
 			header += declared(p);
 		for (const auto& point : mesh_.points) {
 			for (const Property& p : vertexProperties_) {
-				if (p.name == "x" || p.name == "y" || p.name == "z")
+				if (p.name == "x" || p.name == "y" || p.name == "z") {
 					body.put(p.type, point[std::size_t(p.name[0] - 'x')]);
-				else
+				}
+				else {
 					writeNoise(p, body);
+				}
 			}
 			body.endRecord();
 		}

@@ -3,8 +3,12 @@
 // The readers of OBJ, OFF and STL, on what real programs write.
 #include "mesh_files.h"
 
+#include <cctype>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <random>
+#include <vcg_extras/apps/gpremesh/exit_code.h>
 #include <vcg_extras/apps/gpremesh/obj_format.h>
 #include <vcg_extras/apps/gpremesh/off_format.h>
 #include <vcg_extras/apps/gpremesh/stl_format.h>
@@ -150,6 +154,44 @@ TEST(StlReader, SeveralSolidsAndAMissingEnd)
 	EXPECT_EQ(readStl(two).faceNum(), 4u);
 	const std::string open = two.substr(0, two.rfind("endsolid"));
 	EXPECT_EQ(readStl(open).notes.size(), 1u);
+}
+
+TEST(StlReader, KeywordsInCapitals)
+{
+	std::string text = asciiStl(grid(1));
+	for (char& c : text)
+		c = char(std::toupper(static_cast<unsigned char>(c)));
+	EXPECT_EQ(readStl(text).faceNum(), 2u);
+}
+
+TEST(AllReaders, DamagedBytesAreReadOrRefusedWithoutHarm)
+{
+	// Under the sanitizers this also shows that nothing is read beyond the end.
+	using Reader                                 = InputMesh (*)(std::string_view);
+	const std::pair<Reader, std::string> files[] = {{readObj, objWithNegativeIndices(sphere(2))},
+													{readObj, obj(torus(4))},
+													{readOff, off(sphere(2))},
+													{readStl, asciiStl(grid(2))},
+													{readStl, binaryStl(grid(2))}};
+	std::mt19937                         random(7);
+	for (int round = 0; round < 2000; ++round) {
+		const auto& [read, whole] = files[round % std::size(files)];
+		std::vector<char> damaged(whole.begin(), whole.end());
+		for (int i = 0; i < 3; ++i)
+			damaged[random() % damaged.size()] = char(random());
+		damaged.resize(damaged.size() - (round % 2 ? random() % damaged.size() : 0));
+		damaged.shrink_to_fit();
+		try {
+			const InputMesh mesh = read({damaged.data(), damaged.size()});
+			for (const std::int32_t i : mesh.triangles) {
+				ASSERT_GE(i, 0) << round;
+				ASSERT_LT(std::size_t(i), mesh.vertexNum()) << round;
+			}
+		}
+		catch (const gpr::app::AppError& error) {
+			EXPECT_EQ(error.code, gpr::app::ExitCode::BadInput);
+		}
+	}
 }
 
 TEST(TextPrecision, DoubleOnlyWhereFloatDoesNotDo)

@@ -123,8 +123,9 @@ std::string defaultText(const Parameter& p)
 	if (isSizeOption(p)) return "";
 	const ParameterValue value = p.defaultValue(MeshFacts());
 	if (p.kind == ParameterKind::Switch) return std::get<bool>(value) ? "on" : "off";
-	if (p.kind == ParameterKind::Choice)
+	if (p.kind == ParameterKind::Choice) {
 		return p.choices[std::size_t(std::get<std::int64_t>(value))];
+	}
 	return plain(p.kind == ParameterKind::Count ? double(std::get<std::int64_t>(value))
 												: std::get<double>(value));
 }

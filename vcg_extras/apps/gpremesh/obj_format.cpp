@@ -51,10 +51,12 @@ InputMesh readObj(std::string_view file)
 	mesh.doublePrecision = true;
 	do {
 		const std::string_view keyword = text.wordOnLine();
-		if (keyword == "v")
+		if (keyword == "v") {
 			readPosition(text, mesh.doubles);
-		else if (keyword == "f")
+		}
+		else if (keyword == "f") {
 			readFace(text, mesh.doubles.size() / 3, faces, corners);
+		}
 	} while (text.nextLine());
 	faces.finish(mesh);
 	settlePrecision(mesh);

@@ -214,14 +214,18 @@ void readVerticesOneByOne(const PlyElement& e, const CoordinateProperties& c, So
 	for (std::uint64_t v = 0; v < e.count; ++v, out += 3) {
 		for (int i = 0; i < int(e.properties.size()); ++i) {
 			const PlyProperty& p = e.properties[i];
-			if (i == c.x)
+			if (i == c.x) {
 				out[0] = S(source.real(p.type));
-			else if (i == c.y)
+			}
+			else if (i == c.y) {
 				out[1] = S(source.real(p.type));
-			else if (i == c.z)
+			}
+			else if (i == c.z) {
 				out[2] = S(source.real(p.type));
-			else
+			}
+			else {
 				skipProperty(p, source);
+			}
 		}
 	}
 }
@@ -284,10 +288,12 @@ void readVertices(const PlyElement& e, Source& source, InputMesh& mesh)
 			readVerticesOneByOne(e, c, source, coordinates.data());
 		}
 	};
-	if (mesh.doublePrecision)
+	if (mesh.doublePrecision) {
 		readInto(mesh.doubles);
-	else
+	}
+	else {
 		readInto(mesh.floats);
+	}
 }
 
 // ---- faces
@@ -314,10 +320,12 @@ void readFace(const PlyElement& e, int indexList, Source& source, FaceList& face
 			  std::vector<std::int64_t>& corners)
 {
 	for (int i = 0; i < int(e.properties.size()); ++i) {
-		if (i == indexList)
+		if (i == indexList) {
 			readIndexList(e.properties[i], source, corners);
-		else
+		}
+		else {
 			skipProperty(e.properties[i], source);
+		}
 	}
 	faces.add(corners.data(), corners.size());
 }
@@ -410,10 +418,12 @@ void readStrips(const PlyElement& e, Source& source, FaceList& faces)
 	std::vector<std::int64_t> strip;
 	for (std::uint64_t s = 0; s < e.count; ++s) {
 		for (int i = 0; i < int(e.properties.size()); ++i) {
-			if (i == indexList)
+			if (i == indexList) {
 				readIndexList(e.properties[i], source, strip);
-			else
+			}
+			else {
 				skipProperty(e.properties[i], source);
+			}
 		}
 		addStrip(strip, faces);
 	}
@@ -426,14 +436,18 @@ void readElement(const PlyElement& e, Source& source, InputMesh& mesh, FaceList&
 {
 	if (e.properties.empty() || e.count == 0) return;
 	if (e.count > source.recordsLeft(e)) failTruncated(e);
-	if (e.name == "vertex")
+	if (e.name == "vertex") {
 		readVertices(e, source, mesh);
-	else if (e.name == "face")
+	}
+	else if (e.name == "face") {
 		readFaces(e, source, faces);
-	else if (e.name == "tristrips")
+	}
+	else if (e.name == "tristrips") {
 		readStrips(e, source, faces);
-	else
+	}
+	else {
 		skipElement(e, source);
+	}
 }
 
 void checkElements(const PlyHeader& header)

@@ -38,10 +38,12 @@ void writePly(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out)
 		char  record[24];
 		char* at = record;
 		for (const double c : {p.x, p.y, p.z}) {
-			if (doublePrecision)
+			if (doublePrecision) {
 				put<std::uint64_t>(c, at);
-			else
+			}
+			else {
 				put<std::uint32_t>(float(c), at);
+			}
 		}
 		out.bytes(record, std::size_t(at - record));
 	}

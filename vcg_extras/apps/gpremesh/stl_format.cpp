@@ -64,14 +64,25 @@ InputMesh readBinary(std::string_view file)
 	return mesh;
 }
 
+/// Compares with a keyword in lower case; some programs write capitals.
+bool isKeyword(std::string_view word, std::string_view keyword)
+{
+	if (word.size() != keyword.size()) return false;
+	for (std::size_t i = 0; i < word.size(); ++i) {
+		const char c = word[i] >= 'A' && word[i] <= 'Z' ? char(word[i] - 'A' + 'a') : word[i];
+		if (c != keyword[i]) return false;
+	}
+	return true;
+}
+
 /// Reads "facet normal x y z outer loop vertex ... endloop endfacet" from its second word on.
 void readFacet(TextScanner& text, CoordinateArray<double>& positions)
 {
 	int              cornerNum = 0;
 	std::string_view word      = text.word();
-	for (; word != "endfacet"; word = text.word()) {
+	for (; !isKeyword(word, "endfacet"); word = text.word()) {
 		if (word.empty()) text.failTruncated();
-		if (word != "vertex") continue; // the normal and the words around the corners
+		if (!isKeyword(word, "vertex")) continue; // the normal and the words around the corners
 		if (++cornerNum > 3) text.fail("a facet with more than three corners");
 		for (int k = 0; k < 3; ++k)
 			positions.push_back(text.nextNumber());
@@ -86,14 +97,16 @@ InputMesh readAscii(std::string_view file)
 	bool        ended    = false;
 	mesh.doublePrecision = true;
 	for (std::string_view word = text.word(); !word.empty(); word = text.word()) {
-		if (word == "facet")
+		if (isKeyword(word, "facet")) {
 			readFacet(text, mesh.doubles);
-		else if (word == "solid" || word == "endsolid") {
-			ended = word == "endsolid";
+		}
+		else if (isKeyword(word, "solid") || isKeyword(word, "endsolid")) {
+			ended = word.size() > 5;
 			text.nextLine(); // the rest is the solid's name
 		}
-		else
+		else {
 			text.fail("neither a facet nor the end of the solid");
+		}
 	}
 	if (!ended) mesh.notes.push_back("The STL file has no 'endsolid'; it may be cut off.");
 	numberCorners(mesh);
@@ -101,16 +114,20 @@ InputMesh readAscii(std::string_view file)
 	return mesh;
 }
 
-/// Binary files may begin with "solid" too: the size that the count asks for decides first.
+bool beginsWithSolid(std::string_view file)
+{
+	return isKeyword(TextScanner(file.substr(0, 1024), 0).word(), "solid");
+}
+
+/// The first word decides, but binary files may begin with "solid" too: so the size that the count
+/// asks for goes first, and zero bytes tell as well.
 bool isBinary(std::string_view file)
 {
 	if (file.size() < headerBytes + 4) return false;
 	const std::size_t promised =
 		headerBytes + 4 + facetBytes * loadCount(file.data() + headerBytes);
 	if (file.size() == promised) return true;
-	const std::string_view begin = file.substr(0, 1024);
-	const bool             text  = begin.find('\0') == begin.npos;
-	return !(text && begin.find("solid") != begin.npos);
+	return !beginsWithSolid(file) || file.substr(0, 1024).find('\0') != file.npos;
 }
 
 } // namespace
@@ -118,7 +135,7 @@ bool isBinary(std::string_view file)
 InputMesh readStl(std::string_view file)
 {
 	const bool binary = isBinary(file);
-	if (!binary && file.find("solid") == file.npos) {
+	if (!binary && !beginsWithSolid(file)) {
 		throw AppError(ExitCode::BadInput, "neither an ASCII nor a binary STL file");
 	}
 	InputMesh mesh = binary ? readBinary(file) : readAscii(file);
