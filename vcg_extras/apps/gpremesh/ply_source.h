@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_PLY_SOURCE_H
+#define VCG_EXTRAS_APPS_GPREMESH_PLY_SOURCE_H
+
+#include "exit_code.h"
+#include "ply_header.h"
+#include "text_scanner.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string_view>
+
+// Where the values of a PLY file's body come from. The two classes have the same functions, so that
+// the reader is written once for both; none of them ever reads beyond the end of the file.
+
+namespace gpr::app {
+
+inline bool hostIsLittleEndian()
+{
+	const std::uint16_t one = 1;
+	char                first;
+	std::memcpy(&first, &one, 1);
+	return first == 1;
+}
+
+template <class T>
+T loadAs(const char* at, bool swap)
+{
+	char bytes[sizeof(T)];
+	std::memcpy(bytes, at, sizeof(T));
+	if (swap) std::reverse(bytes, bytes + sizeof(T));
+	T value;
+	std::memcpy(&value, bytes, sizeof(T));
+	return value;
+}
+
+/// One value of a binary file as an S.
+template <class S>
+S loadValue(PlyType type, const char* at, bool swap)
+{
+	switch (type) {
+	case PlyType::Int8:
+		return S(loadAs<std::int8_t>(at, swap));
+	case PlyType::UInt8:
+		return S(loadAs<std::uint8_t>(at, swap));
+	case PlyType::Int16:
+		return S(loadAs<std::int16_t>(at, swap));
+	case PlyType::UInt16:
+		return S(loadAs<std::uint16_t>(at, swap));
+	case PlyType::Int32:
+		return S(loadAs<std::int32_t>(at, swap));
+	case PlyType::UInt32:
+		return S(loadAs<std::uint32_t>(at, swap));
+	case PlyType::Float32:
+		return S(loadAs<float>(at, swap));
+	case PlyType::Float64:
+		return S(loadAs<double>(at, swap));
+	}
+	return S(0);
+}
+
+/// Where the values of an element come from: one word after the other of an ASCII file.
+class AsciiSource {
+public:
+	AsciiSource(std::string_view body, std::size_t firstLine) : scanner_(body, 0, false, firstLine)
+	{
+	}
+
+	double       real(PlyType) { return scanner_.nextNumber(); }
+	std::int64_t whole(PlyType) { return scanner_.nextInteger(); }
+	void         skip(PlyType) { scanner_.nextNumber(); }
+	void         skip(PlyType type, std::uint64_t num)
+	{
+		for (; num > 0; --num)
+			skip(type);
+	}
+
+	/// How many records of that many values the rest of the file can hold at most: each value takes
+	/// a digit and a separator, the very last one no separator.
+	std::uint64_t recordsLeft(const PlyElement& e) const
+	{
+		return (scanner_.bytesLeft() + 1) / (2 * e.properties.size());
+	}
+	std::uint64_t valuesLeft(PlyType) const { return (scanner_.bytesLeft() + 1) / 2; }
+
+private:
+	TextScanner scanner_;
+};
+
+/// The same for a binary file of either byte order.
+class BinarySource {
+public:
+	BinarySource(std::string_view body, bool littleEndian) :
+			at_(body.data()), end_(body.data() + body.size()),
+			swap_(littleEndian != hostIsLittleEndian())
+	{
+	}
+
+	double real(PlyType type) { return loadValue<double>(type, take(plyTypeSize(type)), swap_); }
+	std::int64_t whole(PlyType type)
+	{
+		return loadValue<std::int64_t>(type, take(plyTypeSize(type)), swap_);
+	}
+	void skip(PlyType type) { take(plyTypeSize(type)); }
+	void skip(PlyType type, std::uint64_t num)
+	{
+		if (num > valuesLeft(type)) failCut();
+		take(std::size_t(num) * plyTypeSize(type));
+	}
+
+	std::uint64_t recordsLeft(const PlyElement& e) const
+	{
+		return bytesLeft() / e.smallestRecordBytes();
+	}
+	std::uint64_t valuesLeft(PlyType type) const { return bytesLeft() / plyTypeSize(type); }
+
+	std::size_t bytesLeft() const { return std::size_t(end_ - at_); }
+	bool        swapped() const { return swap_; }
+	const char* peek() const { return at_; }
+	const char* take(std::size_t byteNum)
+	{
+		if (byteNum > bytesLeft()) failCut();
+		const char* const here = at_;
+		at_ += byteNum;
+		return here;
+	}
+
+private:
+	const char* at_;
+	const char* end_;
+	bool        swap_;
+
+	[[noreturn]] static void failCut()
+	{
+		throw AppError(ExitCode::BadInput, "the file ends too early; it seems to be cut off");
+	}
+};
+
+} // namespace gpr::app
+
+#endif

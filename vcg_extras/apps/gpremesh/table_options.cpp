@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "table_options.h"
+
+#include "exit_code.h"
+#include "text_scanner.h"
+
+#include <cmath>
+#include <locale>
+#include <sstream>
+
+namespace gpr::app {
+
+namespace {
+
+[[noreturn]] void failUsage(const std::string& sentence)
+{
+	throw AppError(ExitCode::Usage, sentence);
+}
+
+/// The three rows that stand for one choice, the size of the result. 0 means "off" in the dialog;
+/// here an option that is not given is off, so 0 is a mistake.
+bool isSizeOption(const Parameter& p)
+{
+	const std::string key = p.key;
+	return key == "TargetVertexNum" || key == "TargetPerc" || key == "TargetLen";
+}
+
+/// A number as a person writes it: no trailing zeros.
+std::string plain(double value)
+{
+	std::ostringstream text;
+	text.imbue(std::locale::classic());
+	text.precision(10);
+	text << value;
+	return text.str();
+}
+
+/// The range of a row in words: " from 0 to 1000", " above 0, at most 10000".
+std::string rangeText(const Parameter& p)
+{
+	const bool  open = isSizeOption(p) && p.minimum == 0;
+	std::string text = open ? " above 0" : " from " + plain(p.minimum);
+	if (p.maximum < 1e100) text += (open ? ", at most " : " to ") + plain(p.maximum);
+	return text;
+}
+
+[[noreturn]] void failRange(const Parameter& p, const std::string& kind, const std::string& given)
+{
+	failUsage(std::string(p.option) + " takes " + kind + rangeText(p) + ", not '" + given + "'.");
+}
+
+ParameterValue parseCount(const Parameter& p, const std::string& given)
+{
+	std::int64_t value = 0;
+	if (!parseInteger(given, value) || double(value) < p.minimum || double(value) > p.maximum) {
+		failRange(p, "a whole number", given);
+	}
+	return value;
+}
+
+ParameterValue parseReal(const Parameter& p, const std::string& given)
+{
+	double     value  = 0;
+	const bool number = parseNumber(given, value) && std::isfinite(value);
+	if (!number || value < p.minimum || value > p.maximum || (isSizeOption(p) && value <= 0)) {
+		failRange(p, "a number", given);
+	}
+	return value;
+}
+
+ParameterValue parseSwitch(const Parameter& p, const std::string& given)
+{
+	if (given == "on" || given == "true") return true;
+	if (given == "off" || given == "false") return false;
+	failUsage(std::string(p.option) + " takes on or off, not '" + given + "'.");
+}
+
+ParameterValue parseChoice(const Parameter& p, const std::string& given)
+{
+	std::string names;
+	for (std::size_t i = 0; i < p.choices.size(); ++i) {
+		if (given == p.choices[i]) return std::int64_t(i);
+		names += (i > 0 ? ", " : "") + std::string(p.choices[i]);
+	}
+	failUsage(std::string(p.option) + " takes one of " + names + ", not '" + given + "'.");
+}
+
+ParameterValue parseValue(const Parameter& p, const std::string& given)
+{
+	switch (p.kind) {
+	case ParameterKind::Count:
+		return parseCount(p, given);
+	case ParameterKind::Number:
+	case ParameterKind::Length:
+		return parseReal(p, given);
+	case ParameterKind::Switch:
+		return parseSwitch(p, given);
+	case ParameterKind::Choice:
+		return parseChoice(p, given);
+	}
+	return false;
+}
+
+/// The default as the user would write it; empty for the size, whose default is a share.
+std::string defaultText(const Parameter& p)
+{
+	if (isSizeOption(p)) return "";
+	const ParameterValue value = p.defaultValue(MeshFacts());
+	if (p.kind == ParameterKind::Switch) return std::get<bool>(value) ? "on" : "off";
+	if (p.kind == ParameterKind::Choice) {
+		return p.choices[std::size_t(std::get<std::int64_t>(value))];
+	}
+	return plain(p.kind == ParameterKind::Count ? double(std::get<std::int64_t>(value))
+												: std::get<double>(value));
+}
+
+/// Breaks a text into lines that fit beside the names of the options on 100 columns.
+std::string wrapped(const std::string& text)
+{
+	constexpr std::size_t width = 68;
+	std::string           lines;
+	std::size_t           used = 0;
+	std::istringstream    words(text);
+	for (std::string word; words >> word; used += word.size()) {
+		if (used > 0) {
+			const bool full = used + 1 + word.size() > width;
+			lines += full ? '\n' : ' ';
+			used = full ? 0 : used + 1;
+		}
+		lines += word;
+	}
+	return lines;
+}
+
+std::string helpText(const Parameter& p)
+{
+	const std::string value = defaultText(p);
+	return wrapped(std::string(p.help) + (value.empty() ? "" : " Default: " + value + "."));
+}
+
+} // namespace
+
+void addTableOptions(CLI::App& command, GivenOptions& given)
+{
+	for (const Parameter& p : remeshParameters()) {
+		if (std::string(p.option).empty()) continue;
+		const Parameter* const row = &p;
+		if (std::string(p.argument).empty()) {
+			command.add_flag_callback(
+				p.option, [row, &given] { given[row] = "on"; }, helpText(p));
+			continue;
+		}
+		const auto keep = [row, &given](const std::string& word) { given[row] = word; };
+		command.add_option_function<std::string>(p.option, keep, helpText(p))
+			->type_name(p.argument);
+	}
+}
+
+RemeshOptions optionsOf(const GivenOptions& given)
+{
+	ParameterSet set;
+	int          sizeNum = 0;
+	for (const auto& [row, word] : given) {
+		sizeNum += isSizeOption(*row) ? 1 : 0;
+		set.set(*row, parseValue(*row, word));
+	}
+	if (sizeNum > 1) failUsage("give only one of --vertices, --percent and --edge-length.");
+	const std::vector<std::string> complaints = set.complaints();
+	if (!complaints.empty()) failUsage(complaints.front());
+	return set.options();
+}
+
+} // namespace gpr::app

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_TABLE_OPTIONS_H
+#define VCG_EXTRAS_APPS_GPREMESH_TABLE_OPTIONS_H
+
+#include <CLI/App.hpp>
+#include <map>
+#include <string>
+#include <vcg_extras/core/parameters.h>
+
+namespace gpr::app {
+
+/// The options of the engine's parameter table that the user gave, their values as words.
+using GivenOptions = std::map<const Parameter*, std::string>;
+
+/// Adds an option to the command for every row of the table that has a name on the command line;
+/// parsing fills given, which must stay where it is until then.
+void addTableOptions(CLI::App& command, GivenOptions& given);
+
+/// The engine's options from what was given; all others keep their defaults. Throws AppError
+/// (Usage) for values of the wrong kind or out of range, and for more than one size.
+RemeshOptions optionsOf(const GivenOptions& given);
+
+} // namespace gpr::app
+
+#endif
