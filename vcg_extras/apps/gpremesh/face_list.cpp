@@ -3,6 +3,7 @@
 #include "face_list.h"
 
 #include "exit_code.h"
+#include "polygon.h"
 
 #include <algorithm>
 #include <limits>
@@ -31,42 +32,6 @@ void checkRange(const std::int32_t* indices, std::size_t indexNum, std::size_t v
 										   std::to_string(vertexNum) + " vertices)");
 }
 
-/// Twice the area vector of a polygon (Newell), robust for corners that are not in one plane.
-Vec3d areaVector(const std::vector<Vec3d>& corners)
-{
-	Vec3d sum;
-	for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-		sum += cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
-	}
-	return sum;
-}
-
-/// True when every triangle of the fan around this corner faces the same way as the polygon.
-bool fanFits(const std::vector<Vec3d>& corners, std::size_t apex, const Vec3d& normal)
-{
-	const std::size_t n = corners.size();
-	for (std::size_t i = 1; i + 1 < n; ++i) {
-		const Vec3d a = corners[(apex + i) % n] - corners[apex];
-		const Vec3d b = corners[(apex + i + 1) % n] - corners[apex];
-		if (!(dot(cross(a, b), normal) > 0)) return false;
-	}
-	return true;
-}
-
-/// The corner around which a fan covers the polygon without folding; the first one where there is
-/// none such.
-std::size_t fanApex(const std::vector<Vec3d>& corners)
-{
-	// The search is quadratic; a polygon of thousands of corners is given up on.
-	constexpr std::size_t searchLimit = 1000;
-	if (corners.size() > searchLimit) return 0;
-	const Vec3d normal = areaVector(corners);
-	for (std::size_t apex = 0; apex < corners.size(); ++apex) {
-		if (fanFits(corners, apex, normal)) return apex;
-	}
-	return 0;
-}
-
 } // namespace
 
 void FaceList::add(const std::int64_t* corners, std::size_t cornerNum)
@@ -87,21 +52,18 @@ void FaceList::add(const std::int64_t* corners, std::size_t cornerNum)
 
 void FaceList::cutPolygons(const InputMesh& mesh)
 {
-	const MeshView     view = mesh.view();
-	std::vector<Vec3d> corners;
-	std::size_t        begin = 0;
+	const MeshView           view = mesh.view();
+	std::vector<Vec3d>       corners;
+	std::vector<std::size_t> cut;
+	std::size_t              begin = 0;
 	for (const std::size_t end : polygonEnds_) {
 		corners.clear();
 		for (std::size_t k = begin; k < end; ++k) {
 			corners.push_back(view.position(std::size_t(polygonCorners_[k])));
 		}
-		const std::size_t n    = end - begin;
-		const std::size_t apex = fanApex(corners);
-		for (std::size_t i = 1; i + 1 < n; ++i) {
-			triangles.push_back(polygonCorners_[begin + apex]);
-			triangles.push_back(polygonCorners_[begin + (apex + i) % n]);
-			triangles.push_back(polygonCorners_[begin + (apex + i + 1) % n]);
-		}
+		cutPolygon(corners, cut);
+		for (const std::size_t c : cut)
+			triangles.push_back(polygonCorners_[begin + c]);
 		begin = end;
 	}
 }

@@ -120,6 +120,11 @@ long processId()
 	return long(::getpid());
 }
 
+bool mayOverwrite(const std::string& path)
+{
+	return ::access(path.c_str(), F_OK) != 0 || ::access(path.c_str(), W_OK) == 0;
+}
+
 std::FILE* openNewFile(const std::string& path)
 {
 	return std::fopen(path.c_str(), "wbx");

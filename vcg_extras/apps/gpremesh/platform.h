@@ -43,6 +43,9 @@ double processorSeconds();
 /// A number that no other running process has.
 long processId();
 
+/// False when the file exists and its permissions forbid to write it.
+bool mayOverwrite(const std::string& path);
+
 /// Opens a file for writing that must not exist yet; null, with errno set, when that fails.
 std::FILE* openNewFile(const std::string& path);
 
