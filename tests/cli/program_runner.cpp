@@ -29,7 +29,7 @@ std::string programPath()
 
 void redirect(int descriptor, const std::string& file)
 {
-	const int target = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+	const int target = ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOCTTY, 0600);
 	if (target < 0 || ::dup2(target, descriptor) < 0) ::_exit(126);
 }
 
@@ -118,24 +118,38 @@ std::vector<std::string> CliTest::files() const
 
 ProgramResult CliTest::run(const std::vector<std::string>& arguments, double timeLimit) const
 {
-	return run(arguments, timeLimit, 0);
+	return run(arguments, timeLimit, 0, stream("err"));
 }
 
 ProgramResult CliTest::runAndSignal(const std::vector<std::string>& arguments, int signal) const
 {
-	return run(arguments, 60, signal);
+	return run(arguments, 60, signal, stream("err"));
 }
 
-ProgramResult CliTest::run(const std::vector<std::string>& arguments, double timeLimit,
-						   int signal) const
+ProgramResult CliTest::runOnTerminal(const std::vector<std::string>& arguments) const
 {
-	using Clock           = std::chrono::steady_clock;
-	const std::string out = folder_ + "/.streams/out", err = folder_ + "/.streams/err";
+	const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY);
+	if (terminal < 0 || ::grantpt(terminal) != 0 || ::unlockpt(terminal) != 0) {
+		throw std::runtime_error("no pseudo terminal");
+	}
+	// What the program writes is little enough to wait in the terminal until it has ended.
+	ProgramResult result = run(arguments, 60, 0, ::ptsname(terminal));
+	char          text[4096];
+	for (ssize_t got; (got = ::read(terminal, text, sizeof text)) > 0;) {
+		result.err.append(text, std::size_t(got));
+	}
+	::close(terminal);
+	return result;
+}
 
+ProgramResult CliTest::run(const std::vector<std::string>& arguments, double timeLimit, int signal,
+						   const std::string& errorTo) const
+{
+	using Clock = std::chrono::steady_clock;
 	std::vector<std::string> all{programPath()};
 	all.insert(all.end(), arguments.begin(), arguments.end());
 	const auto    begin = Clock::now();
-	const pid_t   child = start(all, out, err);
+	const pid_t   child = start(all, stream("out"), errorTo);
 	ProgramResult result;
 	int           status = 0;
 	while (::waitpid(child, &status, WNOHANG) == 0) {
@@ -152,8 +166,8 @@ ProgramResult CliTest::run(const std::vector<std::string>& arguments, double tim
 	}
 	result.seconds  = std::chrono::duration<double>(Clock::now() - begin).count();
 	result.exitCode = exitCodeOf(status);
-	result.out      = fileContent(out);
-	result.err      = fileContent(err);
+	result.out      = fileContent(stream("out"));
+	if (errorTo == stream("err")) result.err = fileContent(errorTo);
 	return result;
 }
 

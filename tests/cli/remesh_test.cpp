@@ -307,6 +307,19 @@ TEST_F(Remesh, QuietSilencesAllButErrors)
 	expectFailure(run({"remesh", path("nowhere.ply"), path("out.ply"), "--quiet"}), 3);
 }
 
+TEST_F(Remesh, ProgressOnATerminalLeavesACleanLine)
+{
+	const std::string   in     = put("in.ply", binaryPly(sphere(300), true, false));
+	const ProgramResult result = runOnTerminal({"remesh", in, path("out.ply")});
+	EXPECT_EQ(result.exitCode, 0);
+	EXPECT_NE(result.err.find(" % "), std::string::npos) << result.err;
+	EXPECT_EQ(result.err.find('\n'), std::string::npos) << "one line only";
+	const std::string wiped = "\r\033[K";
+	ASSERT_GE(result.err.size(), wiped.size());
+	EXPECT_EQ(result.err.substr(result.err.size() - wiped.size()), wiped);
+	EXPECT_EQ(runOnTerminal({"remesh", in, path("out.ply"), "--quiet"}).err, "");
+}
+
 TEST_F(Remesh, SameSeedSameBytesOnAnyNumberOfThreads)
 {
 	const std::string in        = put("in.ply", binaryPly(sphere(60), true, false));
