@@ -36,12 +36,15 @@ protected:
 	ProgramResult run(const std::vector<std::string>& arguments, double timeLimit = 30) const;
 	/// The same, but sends it a signal as soon as it is ready to catch it.
 	ProgramResult runAndSignal(const std::vector<std::string>& arguments, int signal) const;
+	/// The same, but its standard error is a terminal.
+	ProgramResult runOnTerminal(const std::vector<std::string>& arguments) const;
 
 private:
 	std::string folder_;
 
-	ProgramResult run(const std::vector<std::string>& arguments, double timeLimit,
-					  int signal) const;
+	std::string   stream(const std::string& name) const { return folder_ + "/.streams/" + name; }
+	ProgramResult run(const std::vector<std::string>& arguments, double timeLimit, int signal,
+					  const std::string& errorTo) const;
 };
 
 /// A failed run as gpremesh owes it: that exit code, nothing on standard output, and one sentence
