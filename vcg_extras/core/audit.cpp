@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "audit.h"
 
+#include "fold_repair.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,23 +55,18 @@ bool isSoundVertex(const HalfEdgeMesh& m, int v, std::vector<int>& ring, std::in
 	return std::adjacent_find(ring.begin(), ring.end()) == ring.end();
 }
 
-void checkFace(const ResultMesh& r, int f, Findings& found)
+void checkFace(const Surface& surface, const ResultMesh& r, int f, Findings& found)
 {
-	const Vec3f n = r.mesh.faceCross(f);
-	if (!(squaredLength(n) > 0)) {
+	if (!(squaredLength(r.mesh.faceCross(f)) > 0))
 		++found.zeroArea;
-		return;
-	}
-	bool against = true;
-	for (int k = 0; k < 3; ++k)
-		against = against && dot(n, r.vertex[r.mesh.origin[3 * f + k]].normal) < 0;
-	found.flipped += against;
+	else
+		found.flipped += faceAgreement(surface, r, f) < 0;
 }
 
 } // namespace
 
-AuditFigures audit(const ResultMesh& r, const MeshFigures& input, const MeshFigures& output,
-				   std::int64_t targetNum, Workers& workers)
+AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigures& input,
+				   const MeshFigures& output, std::int64_t targetNum, Workers& workers)
 {
 	const HalfEdgeMesh& m = r.mesh;
 	Findings            found =
@@ -78,7 +75,7 @@ AuditFigures audit(const ResultMesh& r, const MeshFigures& input, const MeshFigu
 			for (int f = int(begin); f < int(end); ++f) {
 				for (int h = 3 * f; h < 3 * f + 3; ++h)
 					part.badEdges += !isSoundHalfEdge(m, h);
-				checkFace(r, f, part);
+				checkFace(surface, r, f, part);
 			}
 			return part;
 		});
@@ -108,7 +105,7 @@ AuditFigures audit(const ResultMesh& r, const MeshFigures& input, const MeshFigu
 	a.eulerKept           = input.eulerCharacteristic == output.eulerCharacteristic;
 	a.countExact          = targetNum == output.vertices;
 	a.passed = found.badEdges == 0 && found.badVertices == 0 && found.zeroArea == 0 &&
-			   found.flipped == 0 && found.notFinite == 0 && a.componentsKept &&
+			   found.notFinite == 0 && a.componentsKept &&
 			   a.boundaryLoopsKept && a.eulerKept && (targetNum == 0 || a.countExact);
 	return a;
 }
@@ -123,7 +120,6 @@ std::string describeFailure(const AuditFigures& a)
 	add(a.nonManifoldEdges > 0, "edges that are not manifold");
 	add(a.nonManifoldVertices > 0, "vertices that are not manifold");
 	add(a.zeroAreaFaces > 0, std::to_string(a.zeroAreaFaces) + " faces without area");
-	add(a.flippedFaces > 0, std::to_string(a.flippedFaces) + " faces turned over");
 	add(a.nonFinitePositions > 0, "coordinates that are not finite");
 	add(!a.componentsKept, "another number of components");
 	add(!a.boundaryLoopsKept, "another number of boundary loops");

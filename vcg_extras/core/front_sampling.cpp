@@ -80,6 +80,7 @@ public:
 		heap_.clear();
 		borderEdges_.clear();
 		nextBorderEdge_ = 0;
+		mostCrossings_  = mostFacesCrossed;
 		beginScan(blockIndex);
 		takeUpNeighbours();
 		Anchor place;
@@ -104,6 +105,7 @@ private:
 	std::vector<Candidate> heap_;
 	std::vector<int>       borderEdges_; ///< half-edges out of the covered part: the paper's cache C
 	std::size_t            nextBorderEdge_ = 0;
+	int                    mostCrossings_  = mostFacesCrossed; ///< of a walk to an intersection
 	int                    scanned_        = 0; ///< vertices of the block seen by the scan
 	int                    scanStart_      = 0;
 	std::int64_t           fillNum_        = 0;
@@ -173,10 +175,10 @@ private:
 			if (!isTaken(place)) return true;
 		}
 		while (nextBorderEdge_ < borderEdges_.size()) {
-			if (placeOnBorderEdge(borderEdges_[nextBorderEdge_++], place)) {
-				++fillNum_;
-				return true;
-			}
+			if (!placeOnBorderEdge(borderEdges_[nextBorderEdge_++], place)) continue;
+			if (isTaken(place)) continue;
+			++fillNum_;
+			return true;
 		}
 		borderEdges_.clear();
 		nextBorderEdge_ = 0;
@@ -213,7 +215,8 @@ private:
 		return true;
 	}
 
-	/// Whether a sample that owns a vertex near the place is too close by now.
+	/// Whether a sample that owns a vertex near the place is too close by now. The ring of the face is
+	/// enough where cells have many vertices; among large faces one ring more is looked at.
 	bool isTaken(const Anchor& place) const
 	{
 		const float limit = nearLimit_ * nearLimit_;
@@ -222,15 +225,31 @@ private:
 			own[k] = sampleOf(m_.origin[3 * place.face + k]);
 			if (own[k] >= 0 && squaredLength(place.position - placeOf(own[k])) < limit) return true;
 		}
-		bool taken = false;
+		const bool coarse = isCoarse(place.face);
+		bool       taken  = false;
+		const auto look   = [&](int w) {
+            const int s = sampleOf(w);
+            if (s < 0 || s == own[0] || s == own[1] || s == own[2]) return;
+            taken = taken || squaredLength(place.position - placeOf(s)) < limit;
+		};
 		for (int k = 0; k < 3 && !taken; ++k) {
 			forEachNeighbour(m_, m_.origin[3 * place.face + k], [&](int w) {
-				const int s = sampleOf(w);
-				if (s < 0 || s == own[0] || s == own[1] || s == own[2]) return;
-				taken = taken || squaredLength(place.position - placeOf(s)) < limit;
+				look(w);
+				if (coarse && !taken) forEachNeighbour(m_, w, look);
 			});
 		}
 		return taken;
+	}
+
+	bool isCoarse(int face) const
+	{
+		constexpr float coarseEdge = 0.3f; // of r
+		const float     limit      = coarseEdge * coarseEdge * r_ * r_;
+		for (int h = 3 * face; h < 3 * face + 3; ++h) {
+			const float squared = squaredLength(m_.position[m_.target(h)] - m_.position[m_.origin[h]]);
+			if (squared > limit) return true;
+		}
+		return false;
 	}
 
 	/// A sample that would own no vertex could be inserted again and again.
@@ -248,6 +267,9 @@ private:
 		const int s         = range_->firstSample + range_->used++;
 		shared_.samples[s]  = {place, m_.faceNormal(place.face)};
 		flood_.run(s, shared_.samples[s]);
+		// A straight way through a disk of n vertices crosses about √n faces. Among needles it can cross
+		// thousands; such a place is better left to the border edges.
+		mostCrossings_ = 64 + 16 * int(std::sqrt(double(flood_.visited().size())));
 		for (int t : flood_.metSamples()) {
 			if (t != s) addIntersections(s, t, flood_.metSamples());
 		}
@@ -313,8 +335,7 @@ private:
 	{
 		const float cosine = distance / (2 * r_);
 		const float sine   = std::sqrt(1 - cosine * cosine);
-		place              = a.anchor;
-		if (walk(m_, place, (u * cosine + w * (side * sine)) * r_) != WalkEnd::Arrived) return false;
+		if (!walkFrom(a, (u * cosine + w * (side * sine)) * r_, place)) return false;
 		const float error = length(place.position - other) - r_;
 		if (std::abs(error) <= 0.01f * r_) return true;
 		const float turn  = std::clamp(-error / (distance * sine + 1e-20f), -0.3f, 0.3f);
@@ -323,8 +344,13 @@ private:
 		const float ct = 1 - 0.5f * turn * turn + turn * turn * turn * turn * (1 / 24.0f);
 		const float st = turn - turn * turn * turn * (1 / 6.0f);
 		const float c2 = cosine * ct - sine * st, s2 = sine * ct + cosine * st;
+		return walkFrom(a, (u * c2 + w * (side * s2)) * r_, place);
+	}
+
+	bool walkFrom(const Sample& a, const Vec3f& step, Anchor& place) const
+	{
 		place = a.anchor;
-		return walk(m_, place, (u * c2 + w * (side * s2)) * r_) == WalkEnd::Arrived;
+		return walk(m_, place, step, mostCrossings_) == WalkEnd::Arrived;
 	}
 };
 
@@ -374,19 +400,34 @@ std::vector<BlockRange> makeRanges(const Surface& surface, const BlockPartition&
 	return ranges;
 }
 
+/// Which samples own a vertex; one whose vertices were all taken by later ones says nothing any more.
+Buffer<char> findOwners(const SharedState& shared, const Sampling& result, Workers& workers)
+{
+	Buffer<char> owns(shared.samples.size(), 0);
+	workers.forRange(result.nearest.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			const int s = result.nearest[v].sample;
+			if (s >= 0) __atomic_store_n(&owns[s], char(1), __ATOMIC_RELAXED);
+		}
+	});
+	return owns;
+}
+
 /// Puts the samples of all blocks in a row and renames them in the vertices' entries.
 void compact(const SharedState& shared, Workers& workers, Sampling& result)
 {
-	const int   given = result.boundarySampleNum;
-	Buffer<int> rename(shared.samples.size());
+	const int          given = result.boundarySampleNum;
+	const Buffer<char> owns  = findOwners(shared, result, workers);
+	Buffer<int>        rename(shared.samples.size());
 	for (int s = 0; s < given; ++s) {
 		rename[s] = s;
 		result.samples.push_back(shared.samples[s]);
 	}
 	for (const BlockRange& range : shared.ranges) {
-		for (int i = 0; i < range.used; ++i) {
-			rename[range.firstSample + i] = int(result.samples.size());
-			result.samples.push_back(shared.samples[range.firstSample + i]);
+		for (int s = range.firstSample; s < range.firstSample + range.used; ++s) {
+			if (!owns[s]) continue;
+			rename[s] = int(result.samples.size());
+			result.samples.push_back(shared.samples[s]);
 		}
 	}
 	workers.forRange(result.nearest.size(), [&](std::size_t begin, std::size_t end) {

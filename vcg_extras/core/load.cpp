@@ -7,7 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <unordered_map>
 
 namespace gpr {
 
@@ -223,24 +223,41 @@ bool isSoup(const IndexedMesh& mesh)
 	return mesh.faceNum > 1 && mesh.vertexNum == 3 * mesh.faceNum;
 }
 
-/// Makes vertices at equal positions one; faces that lose a corner by it are dropped.
+/// Of every vertex the first one within the tolerance, by way of a hash grid whose cells are as wide
+/// as the tolerance.
+std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance)
+{
+	const auto cellOf = [tolerance](float c) { return std::int64_t(std::floor(c / tolerance)); };
+	const auto keyOf  = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+        return std::uint64_t(x) * 0x9e3779b97f4a7c15ull ^ std::uint64_t(y) * 0xc2b2ae3d27d4eb4full ^
+               std::uint64_t(z) * 0x165667b19e3779f9ull;
+	};
+	std::unordered_multimap<std::uint64_t, int> firsts;
+	std::vector<int>                            first(mesh.vertexNum);
+	for (int v = 0; v < mesh.vertexNum; ++v) {
+		const Vec3f        p = mesh.position[v];
+		const std::int64_t x = cellOf(p.x), y = cellOf(p.y), z = cellOf(p.z);
+		first[v] = v;
+		for (int i = 0; i < 27; ++i) {
+			const auto cell = firsts.equal_range(keyOf(x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1));
+			for (auto it = cell.first; it != cell.second; ++it) {
+				const bool near =
+					squaredLength(mesh.position[it->second] - p) <= tolerance * tolerance;
+				if (near) first[v] = std::min(first[v], it->second);
+			}
+		}
+		if (first[v] == v) firsts.emplace(keyOf(x, y, z), v);
+	}
+	return first;
+}
+
+/// Makes vertices at (nearly) equal positions one; faces that lose a corner by it are dropped.
 void weld(IndexedMesh& mesh, CleanCounts& counts)
 {
-	std::vector<int> order(mesh.vertexNum);
-	std::iota(order.begin(), order.end(), 0);
-	const auto less = [&](int a, int b) {
-		const Vec3f p = mesh.position[a], q = mesh.position[b];
-		if (p.x != q.x) return p.x < q.x;
-		if (p.y != q.y) return p.y < q.y;
-		if (p.z != q.z) return p.z < q.z;
-		return a < b;
-	};
-	std::sort(order.begin(), order.end(), less);
-	std::vector<int> first(mesh.vertexNum);
-	for (std::size_t i = 0; i < order.size(); ++i) {
-		const bool same = i > 0 && mesh.position[order[i]] == mesh.position[order[i - 1]];
-		first[order[i]] = same ? first[order[i - 1]] : order[i];
-	}
+	// Of the box, whose largest side is about 1 in working units: far below any edge worth keeping,
+	// and above the noise of coordinates that went through text or float.
+	constexpr float        tolerance = 1e-6f;
+	const std::vector<int> first     = findFirstNear(mesh, tolerance);
 	std::vector<int> rename(mesh.vertexNum);
 	int              kept = 0;
 	for (int v = 0; v < mesh.vertexNum; ++v) {

@@ -10,6 +10,7 @@
 #include "exact_count.h"
 #include "face_tree.h"
 #include "failure.h"
+#include "fold_repair.h"
 #include "front_sampling.h"
 #include "load.h"
 #include "measure.h"
@@ -287,6 +288,7 @@ private:
 
 		clock_.enter("flips", "Flipping edges", 0.83);
 		flipToDelaunay(result, workers_);
+		mendFolds(p.surface, true, result, workers_);
 		if (options_.exactCount) {
 			clock_.enter("count", "Reaching the count", 0.87);
 			collapseShortEdges(result, workers_);
@@ -308,6 +310,7 @@ private:
 			if (step >= stepsWithoutFlips) flipToDelaunay(result, workers_);
 		}
 		if (options_.relaxIterations > 0) raiseWorstAngles(p.surface, poorAngleDeg, result, workers_);
+		mendFolds(p.surface, false, result, workers_);
 	}
 
 	void noteOperations(const ResultMesh& result)
@@ -385,9 +388,14 @@ private:
 		const double unit = 1 / p.surface.frame.scale;
 		report_.result    = figuresOf(result.mesh, unit, workers_);
 		const std::int64_t promised = options_.exactCount ? p.targetNum : 0;
-		report_.audit = audit(result, report_.cleanedInput, report_.result, promised, workers_);
+		report_.audit = audit(p.surface, result, report_.cleanedInput, report_.result, promised, workers_);
 		if (!report_.audit.passed) {
 			throw Failure(Status::PromiseBroken, describeFailure(report_.audit));
+		}
+		if (report_.audit.flippedFaces > 0) {
+			out.notes.push_back(std::to_string(report_.audit.flippedFaces) +
+								" faces look against the input's normals, where the surface is "
+								"thinner than the triangles are wide.");
 		}
 		clock_.enter("export", "Handing out the result", 1);
 		exportMesh(p.surface, result, out);

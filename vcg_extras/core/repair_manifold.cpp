@@ -271,11 +271,17 @@ void separateFans(IndexedMesh& mesh, const std::vector<int>& link, CleanCounts& 
 	mesh.vertexNum += int(added.size());
 }
 
-/// After cutting, two borders may still run between the same two vertices (a slit of one edge). A
-/// vertex in the middle of one of them tells them apart.
+/// Two borders, or two joined pairs of faces, may still run between the same two vertices (a slit of
+/// one edge; sheets that touch in an edge without ending there). Adjacency is told by vertices from
+/// here on, so all but one of them get a vertex in the middle.
 class SlitOpener {
 public:
-	SlitOpener(IndexedMesh& mesh, const std::vector<int>& link) : mesh_(mesh), link_(link) {}
+	SlitOpener(IndexedMesh& mesh, const std::vector<int>& link) :
+			mesh_(mesh),
+			link_(link),
+			middle_(link.size(), -1)
+	{
+	}
 
 	void run()
 	{
@@ -298,19 +304,21 @@ public:
 private:
 	IndexedMesh&            mesh_;
 	const std::vector<int>& link_;
-	std::vector<int>        slits_; ///< border half-edges to get a vertex
+	std::vector<int>        slits_;  ///< half-edges to get a vertex
+	std::vector<int>        middle_; ///< per half-edge: that vertex, the same on both joined sides
 
 	void findSlits()
 	{
 		const std::vector<EdgeSide> sides = sortedSides(mesh_);
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
-			bool nameTaken = false;
-			for (std::size_t i = begin; i < end; ++i)
-				nameTaken = nameTaken || link_[sides[i].halfEdge] >= 0;
+			// The first joined pair keeps the plain edge, or else the first border.
+			int keeper = sides[begin].halfEdge;
+			for (std::size_t i = end; i-- > begin;) {
+				if (link_[sides[i].halfEdge] >= 0) keeper = sides[i].halfEdge;
+			}
 			for (std::size_t i = begin; i < end; ++i) {
-				if (link_[sides[i].halfEdge] >= 0) continue;
-				if (nameTaken) slits_.push_back(sides[i].halfEdge);
-				nameTaken = true;
+				const int h = sides[i].halfEdge;
+				if (h != keeper && link_[h] != keeper) slits_.push_back(h);
 			}
 		});
 	}
@@ -340,9 +348,12 @@ private:
 
 	int middleOf(int h)
 	{
+		const int other = link_[h];
+		if (other >= 0 && middle_[other] >= 0) return middle_[other];
 		const Vec3f a = mesh_.position[mesh_.triangle[h]];
 		const Vec3f b = mesh_.position[mesh_.triangle[nextInFace(h)]];
 		mesh_.position[mesh_.vertexNum] = (a + b) * 0.5f;
+		middle_[h]                      = mesh_.vertexNum;
 		return mesh_.vertexNum++;
 	}
 };

@@ -69,7 +69,7 @@ struct AuditFigures {
 	std::int64_t nonManifoldVertices = 0;
 	std::int64_t duplicateFaces     = 0;
 	std::int64_t zeroAreaFaces      = 0;
-	std::int64_t flippedFaces       = 0; ///< against the input's normals at their corners
+	std::int64_t flippedFaces       = 0; ///< look against the input; counted, not failed
 	std::int64_t nonFinitePositions = 0;
 	bool         componentsKept     = false;
 	bool         boundaryLoopsKept  = false;

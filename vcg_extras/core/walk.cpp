@@ -8,7 +8,8 @@ namespace gpr {
 
 namespace {
 
-constexpr int mostFacesCrossed = 20000;
+/// Crossings in a row without getting on, as happens among slivers that meet in one vertex.
+constexpr int mostIdleCrossings = 32;
 
 /// Where the ray p + t·d leaves the face, for t in [0, 1]: the half-edge, or -1 if it stays inside.
 int exitEdge(const HalfEdgeMesh& m, int face, const Vec3f& normal, const Vec3f& p, const Vec3f& d,
@@ -41,7 +42,7 @@ void settle(const HalfEdgeMesh& m, Anchor& at, const Vec3f& normal)
 
 } // namespace
 
-WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step)
+WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCrossings)
 {
 	const float wanted = length(step);
 	if (!(wanted > 0)) return WalkEnd::Arrived;
@@ -52,7 +53,8 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step)
 	d = d * (wanted / flat);
 
 	int enteredBy = -1;
-	for (int crossed = 0; crossed < mostFacesCrossed; ++crossed) {
+	int idle      = 0;
+	for (int crossed = 0; crossed < mostCrossings; ++crossed) {
 		float     t    = 1;
 		const int exit = exitEdge(m, at.face, normal, at.position, d, enteredBy, t);
 		at.position    = at.position + d * t;
@@ -60,6 +62,8 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step)
 			settle(m, at, normal);
 			return WalkEnd::Arrived;
 		}
+		idle = t > 1e-6f ? 0 : idle + 1;
+		if (idle > mostIdleCrossings) return WalkEnd::Capped;
 		const int beyond = m.opposite[exit];
 		if (beyond < 0) return WalkEnd::AtBorder;
 		const Vec3f nextNormal = m.faceNormal(beyond / 3);

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fold_repair.h"
+
+#include "mesh_edit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+constexpr int mostRounds = 12;
+/// A face that agrees less with the surface than this costs.
+constexpr float wantedAgreement = 0.3f;
+/// A face that agrees less than this is mended.
+constexpr float badAgreement = 0.05f;
+/// Poor shapes cost a little, so that one fold is not bought with a needle.
+constexpr float wantedShape = 0.35f;
+/// A change must lower the cost by this.
+constexpr float leastGain = 0.01f;
+
+constexpr float diagonal = 0.70710678f;
+constexpr float compass[8][2] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
+								 {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
+constexpr float reaches[]     = {0.6f, 0.3f, 0.1f}; ///< of the ideal edge
+
+class FoldMender {
+public:
+	FoldMender(const Surface& surface, bool mayCollapse, ResultMesh& result, Workers& workers) :
+			surface_(surface),
+			mayCollapse_(mayCollapse),
+			r_(result),
+			m_(result.mesh),
+			workers_(workers)
+	{
+	}
+
+	int run()
+	{
+		std::vector<int> bad = findBad();
+		for (int round = 0; round < mostRounds && !bad.empty(); ++round) {
+			bool better = false;
+			for (int f : bad) {
+				workers_.poll();
+				if (!isDeadFace(m_, f) && isBad(f)) better = mend(f) || better;
+			}
+			bad = findBad();
+			if (!better) break;
+		}
+		if (mayCollapse_) compactResult(r_);
+		int turned = 0;
+		for (int f = 0; f < m_.faceNum; ++f)
+			turned += faceAgreement(surface_, r_, f) < 0;
+		return turned;
+	}
+
+private:
+	/// One of the changes tried, and what it would do to the cost.
+	struct Change {
+		enum Kind { None, Flip, Move, Collapse } kind = None;
+		float  gain     = leastGain;
+		int    halfEdge = -1;
+		int    vertex   = -1;
+		Anchor place;
+	};
+
+	const Surface& surface_;
+	bool           mayCollapse_;
+	ResultMesh&    r_;
+	HalfEdgeMesh&  m_;
+	Workers&       workers_;
+	EditScratch    scratch_;
+
+	bool isBad(int f) const { return faceAgreement(surface_, r_, f) < badAgreement; }
+
+	std::vector<int> findBad()
+	{
+		return workers_.collect<int>(m_.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+			for (int f = int(begin); f < int(end); ++f) {
+				if (!isDeadFace(m_, f) && isBad(f)) out.push_back(f);
+			}
+		});
+	}
+
+	/// A corner of a face under consideration: where it is and what the surface looks like there.
+	struct Corner {
+		Vec3f place;
+		Vec3f normal;
+	};
+
+	Corner cornerOf(int v) const
+	{
+		return {m_.position[v], smoothNormal(surface_, r_.vertex[v].anchor)};
+	}
+
+	float costOf(const Corner& a, const Corner& b, const Corner& c) const
+	{
+		const Vec3f n         = cross(b.place - a.place, c.place - a.place);
+		const Vec3f wanted    = a.normal + b.normal + c.normal;
+		const float scale     = length(n) * length(wanted);
+		const float agreement = scale > 0 ? dot(n, wanted) / scale : -1.0f;
+		const float shape     = triangleShape(a.place, b.place, c.place);
+		const float off       = std::max(0.0f, wantedAgreement - agreement);
+		return off * off + 0.2f * std::max(0.0f, wantedShape - shape);
+	}
+
+	/// Cost of v's ring with v as given, leaving out faces with `other`.
+	float ringCost(int v, const Corner& at, int other) const
+	{
+		float sum = 0;
+		forEachOutgoing(m_, v, [&](int h) {
+			const int a = m_.target(h), b = m_.apex(h);
+			if (a != other && b != other) sum += costOf(at, cornerOf(a), cornerOf(b));
+		});
+		return sum;
+	}
+
+	bool mend(int f)
+	{
+		Change best;
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			tryFlip(h, best);
+			tryMove(m_.origin[h], best);
+			if (!mayCollapse_) continue;
+			tryCollapse(h, best);
+			if (m_.opposite[h] >= 0) tryCollapse(m_.opposite[h], best);
+		}
+		apply(best);
+		return best.kind != Change::None;
+	}
+
+	void tryFlip(int h, Change& best) const
+	{
+		const int g = m_.opposite[h];
+		if (g < 0 || !canFlip(m_, h)) return;
+		const Corner a = cornerOf(m_.origin[h]), b = cornerOf(m_.target(h));
+		const Corner c = cornerOf(m_.apex(h)), d = cornerOf(m_.apex(g));
+		const float  gain = costOf(a, b, c) + costOf(b, a, d) - costOf(a, d, c) - costOf(b, c, d);
+		if (gain <= best.gain) return;
+		best.kind     = Change::Flip;
+		best.gain     = gain;
+		best.halfEdge = h;
+	}
+
+	void tryMove(int v, Change& best) const
+	{
+		if (m_.isBorderVertex(v)) return;
+		const ResultVertex& here  = r_.vertex[v];
+		const float         now   = ringCost(v, cornerOf(v), -1);
+		const Vec3f         away  = std::abs(here.normal.x) < 0.8f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
+		const Vec3f         u     = normalized(cross(here.normal, away));
+		const Vec3f         w     = cross(here.normal, u);
+		for (float reach : reaches) {
+			for (const auto& direction : compass) {
+				Anchor      at   = here.anchor;
+				const Vec3f step = (u * direction[0] + w * direction[1]) * (reach * r_.idealEdge);
+				if (walk(surface_.mesh, at, step) != WalkEnd::Arrived) continue;
+				const Corner corner{at.position, smoothNormal(surface_, at)};
+				const float  gain = now - ringCost(v, corner, -1);
+				if (gain <= best.gain) continue;
+				best.kind   = Change::Move;
+				best.gain   = gain;
+				best.vertex = v;
+				best.place  = at;
+			}
+		}
+	}
+
+	void tryCollapse(int h, Change& best)
+	{
+		const int a = m_.origin[h], b = m_.target(h);
+		if (m_.isBorderVertex(a) || !canCollapse(m_, h, scratch_)) return;
+		const float gain = ringCost(a, cornerOf(a), -1) - ringCost(a, cornerOf(b), b);
+		// A vertex less has to be worth it.
+		if (gain - 2 * leastGain <= best.gain) return;
+		best.kind     = Change::Collapse;
+		best.gain     = gain - 2 * leastGain;
+		best.halfEdge = h;
+	}
+
+	void apply(const Change& change)
+	{
+		switch (change.kind) {
+		case Change::None: return;
+		case Change::Flip:
+			flip(m_, change.halfEdge);
+			++r_.flipNum;
+			return;
+		case Change::Move:
+			r_.vertex[change.vertex].anchor = change.place;
+			r_.vertex[change.vertex].normal = surface_.mesh.faceNormal(change.place.face);
+			m_.position[change.vertex]      = change.place.position;
+			return;
+		case Change::Collapse:
+			collapse(m_, change.halfEdge);
+			++r_.collapseNum;
+			return;
+		}
+	}
+};
+
+} // namespace
+
+Vec3f smoothNormal(const Surface& surface, const Anchor& anchor)
+{
+	const int h = 3 * anchor.face;
+	return normalized(surface.normal[surface.mesh.origin[h]].unpack() +
+					  surface.normal[surface.mesh.origin[h + 1]].unpack() +
+					  surface.normal[surface.mesh.origin[h + 2]].unpack());
+}
+
+float faceAgreement(const Surface& surface, const ResultMesh& result, int face)
+{
+	const Vec3f n = result.mesh.faceCross(face);
+	Vec3f       wanted;
+	for (int k = 0; k < 3; ++k)
+		wanted += smoothNormal(surface, result.vertex[result.mesh.origin[3 * face + k]].anchor);
+	const float scale = length(n) * length(wanted);
+	return scale > 0 ? dot(n, wanted) / scale : -1.0f;
+}
+
+int mendFolds(const Surface& surface, bool mayCollapse, ResultMesh& result, Workers& workers)
+{
+	return FoldMender(surface, mayCollapse, result, workers).run();
+}
+
+} // namespace gpr
