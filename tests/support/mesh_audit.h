@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GPR_TESTS_SUPPORT_MESH_AUDIT_H
+#define GPR_TESTS_SUPPORT_MESH_AUDIT_H
+
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <string>
+#include <vcg_extras/core/half_edge_mesh.h>
+#include <vcg_extras/core/mesh_view.h>
+
+namespace gpr::test {
+
+/// What a list of triangles is, worked out from the list alone: no half-edges, nothing of the
+/// engine's.
+struct SurfaceFacts {
+	std::int64_t indicesOutOfRange = 0;
+	std::int64_t repeatedCorners   = 0; ///< faces that name a vertex twice
+	std::int64_t unusedVertices    = 0;
+	std::int64_t notFinite         = 0; ///< vertices
+	std::int64_t crowdedEdges      = 0; ///< more than two faces
+	std::int64_t againstEachOther  = 0; ///< edges whose two faces run along them the same way
+	std::int64_t brokenFans        = 0; ///< vertices whose faces are not one fan or one full turn
+	std::int64_t duplicateFaces    = 0; ///< the same three vertices in any order
+	std::int64_t zeroAreaFaces     = 0;
+	std::int64_t usedVertices      = 0;
+	std::int64_t edges             = 0;
+	std::int64_t faces             = 0;
+	std::int64_t borderEdges       = 0;
+	std::int64_t components        = 0; ///< faces linked over edges
+	std::int64_t boundaryLoops     = 0;
+	double       area              = 0;
+
+	std::int64_t euler() const { return usedVertices - edges + faces; }
+	/// An oriented 2-manifold with border, shape aside.
+	bool isManifold() const;
+	/// Everything that is wrong, in words; empty for a sound surface.
+	std::string complaints() const;
+};
+
+SurfaceFacts factsOf(const TriangleMesh& mesh);
+
+/// A sound surface: oriented 2-manifold with border, no vertex unused, no face without area.
+::testing::AssertionResult isSoundSurface(const TriangleMesh& mesh);
+
+/// Equal numbers of components, boundary loops and equal Euler characteristic.
+::testing::AssertionResult hasSameTopology(const TriangleMesh& a, const TriangleMesh& b);
+
+/// The half-edge table says exactly what its triangles say: opposites found by comparing all edges,
+/// outgoing[v] leaves v and is a border wherever v has one. Dead faces and vertices are skipped.
+::testing::AssertionResult isSoundTable(const HalfEdgeMesh& mesh);
+
+} // namespace gpr::test
+
+#endif

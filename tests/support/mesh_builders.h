@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GPR_TESTS_SUPPORT_MESH_BUILDERS_H
+#define GPR_TESTS_SUPPORT_MESH_BUILDERS_H
+
+#include "random_source.h"
+
+#include <vcg_extras/core/mesh_view.h>
+
+namespace gpr::test {
+
+// Meshes made in code. Lengths in mesh units; all are oriented, outwards where closed, unless said.
+
+// ---- open surfaces
+
+/// nx × ny squares, each of two triangles, over [0, width] × [0, height] in the plane z = 0.
+TriangleMesh grid(int nx, int ny, double width = 1, double height = 1);
+/// A square grid of side 1 whose inner points are moved by up to `jitter` of a cell.
+TriangleMesh jitteredGrid(int n, double jitter, Random& random);
+/// A square grid of side 1, folded along x = 0.5 by an angle (0 = flat).
+TriangleMesh bentSheet(int n, double angleRad);
+/// Two square grids of side 1, one `gap` above the other: two components that only look near.
+TriangleMesh twoSheets(int n, double gap);
+/// Side of a cylinder about the z axis; two border loops.
+TriangleMesh openCylinder(int around, int along, double radius, double height);
+/// Side of a cone with its tip at the origin, opening upwards; one border loop.
+TriangleMesh cone(int around, int along, double radius, double height);
+/// One-sided, one border loop; the strip is `across` squares wide.
+TriangleMesh moebiusStrip(int around, int across);
+
+// ---- closed surfaces
+
+TriangleMesh icosphere(int level, double radius = 1);
+/// Latitude and longitude: slivers at both poles.
+TriangleMesh uvSphere(int rings, int segments, double radius = 1);
+/// n squares round the axis, m round the tube.
+TriangleMesh torus(int n, int m, double axisRadius = 1, double tubeRadius = 0.4);
+/// Surface of a box of nx × ny × nz cells, a corner at the origin.
+TriangleMesh box(int nx, int ny, int nz, const Vec3d& size);
+TriangleMesh cube(int n);
+TriangleMesh thinPlate(int n, double thickness);
+TriangleMesh closedCylinder(int around, int along, double radius, double height);
+/// A sphere whose vertices are moved along their normals by up to `amplitude`.
+TriangleMesh noisySphere(int level, double amplitude, Random& random);
+/// One-sided and closed; it runs through itself.
+TriangleMesh kleinBottle(int n, int m);
+
+// ---- defects
+
+/// `fanNum` fans of three triangles that share their first vertex and nothing else.
+TriangleMesh fansSharingVertex(int fanNum);
+/// `finNum` triangles that share one edge.
+TriangleMesh finsOnEdge(int finNum);
+/// Every face with three vertices of its own, each moved by up to `noise` per coordinate.
+TriangleMesh soupOf(const TriangleMesh& mesh, double noise, Random& random);
+/// Without the faces round `holeNum` inner vertices that are not near each other: each makes a
+/// loop.
+TriangleMesh withHoles(const TriangleMesh& mesh, int holeNum, Random& random);
+/// `editNum` random acts of damage: faces dropped, doubled, turned over, corners renamed.
+TriangleMesh damaged(const TriangleMesh& mesh, int editNum, Random& random);
+
+// ---- random ones
+
+/// One of the sound shapes above with random size, jitter, holes and further components.
+TriangleMesh randomSurface(Random& random);
+/// Every face made four by its edges' midpoints.
+TriangleMesh subdivided(const TriangleMesh& mesh);
+
+} // namespace gpr::test
+
+#endif

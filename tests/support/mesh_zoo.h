@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GPR_TESTS_SUPPORT_MESH_ZOO_H
+#define GPR_TESTS_SUPPORT_MESH_ZOO_H
+
+#include <ostream>
+#include <string>
+#include <vcg_extras/core/mesh_view.h>
+#include <vector>
+
+namespace gpr::test {
+
+/// A mesh of at most 12 vertices and what is known of it without computing.
+struct ZooMesh {
+	std::string  name;
+	TriangleMesh mesh;
+	bool         isManifold    = true; ///< 2-manifold with border, oriented alike
+	int          components    = 1;
+	int          boundaryLoops = 0;
+	int          euler         = 2;
+};
+
+inline std::ostream& operator<<(std::ostream& out, const ZooMesh& m)
+{
+	return out << m.name;
+}
+
+/// The smallest meshes of every kind that a surface mesh can be.
+std::vector<ZooMesh> meshZoo();
+
+/// For the names of parametrised tests.
+template <class Info>
+std::string zooName(const Info& info)
+{
+	return info.param.name;
+}
+
+} // namespace gpr::test
+
+#endif

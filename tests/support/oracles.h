@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GPR_TESTS_SUPPORT_ORACLES_H
+#define GPR_TESTS_SUPPORT_ORACLES_H
+
+#include <cmath>
+#include <vcg_extras/core/mesh_view.h>
+#include <vector>
+
+namespace gpr::test {
+
+// Slow answers that are right by construction, and geodesic distances in closed form.
+
+struct NearestPair {
+	int    first = -1, second = -1;
+	double distance = HUGE_VAL; ///< straight through space
+};
+
+/// The two points nearest to each other, by comparing all.
+NearestPair nearestPair(const std::vector<Vec3d>& points);
+/// How many pairs of points are nearer to each other than that, by comparing all.
+int pairsNearerThan(const std::vector<Vec3d>& points, double distance);
+/// Distance from p to the nearest of the points, straight through space.
+double distanceToNearest(const std::vector<Vec3d>& points, const Vec3d& p);
+
+/// Distance from p to a triangle, a segment, and to the nearest face of a mesh.
+double distanceToTriangle(const Vec3d& p, const Vec3d& a, const Vec3d& b, const Vec3d& c);
+double distanceToSegment(const Vec3d& p, const Vec3d& a, const Vec3d& b);
+double distanceToMesh(const TriangleMesh& mesh, const Vec3d& p);
+
+/// Ends of the edges with one face, two points an edge.
+std::vector<Vec3d> rimSegments(const TriangleMesh& mesh);
+/// Largest distance from a point of one rim (ends, and points between them) to the other rim: one
+/// way.
+double rimDistance(const TriangleMesh& from, const TriangleMesh& to);
+
+/// Great-circle distance on the sphere about the origin that both points lie on.
+double onSphere(const Vec3d& a, const Vec3d& b);
+/// On the cylinder of that radius about the z axis: straight on the unrolled surface.
+double onCylinder(const Vec3d& a, const Vec3d& b, double radius);
+
+} // namespace gpr::test
+
+#endif

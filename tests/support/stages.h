@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GPR_TESTS_SUPPORT_STAGES_H
+#define GPR_TESTS_SUPPORT_STAGES_H
+
+#include <vcg_extras/core/boundary_curves.h>
+#include <vcg_extras/core/connect.h>
+#include <vcg_extras/core/half_edge_mesh.h>
+#include <vcg_extras/core/indexed_mesh.h>
+#include <vcg_extras/core/mesh_view.h>
+#include <vcg_extras/core/result_mesh.h>
+#include <vcg_extras/core/workers.h>
+
+namespace gpr::test {
+
+// Ways into the middle of the engine, and out of it again.
+
+/// The mesh as loadInput takes it over.
+IndexedMesh loaded(const TriangleMesh& mesh, Workers& workers);
+/// Loaded, ordered and connected; throws std::logic_error if the mesh is not manifold.
+Surface surfaceOf(const TriangleMesh& mesh, Workers& workers);
+/// A half-edge mesh in the numbering of the mesh, opposites found by comparing all edges. The mesh
+/// must be manifold. There is room for as many more vertices and faces as asked.
+HalfEdgeMesh halfEdgesOf(const TriangleMesh& mesh, int spareVertices = 0, int spareFaces = 0);
+HalfEdgeMesh copyOf(const HalfEdgeMesh& mesh);
+
+/// A result whose vertices are those of the surface, each where it is: the start of tests of the
+/// stages that improve a result. Border vertices know their curve.
+ResultMesh resultOf(const Surface& surface, const BoundaryCurves& boundary);
+
+/// The triangles that are alive, in working coordinates, with unused vertices left out.
+TriangleMesh meshOf(const HalfEdgeMesh& mesh);
+TriangleMesh meshOf(const IndexedMesh& mesh);
+
+} // namespace gpr::test
+
+#endif

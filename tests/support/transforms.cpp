@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "transforms.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace gpr::test {
+
+TriangleMesh shifted(const TriangleMesh& mesh, const Vec3d& by)
+{
+	TriangleMesh result = mesh;
+	for (Vec3d& p : result.positions)
+		p += by;
+	return result;
+}
+
+TriangleMesh scaled(const TriangleMesh& mesh, double factor)
+{
+	TriangleMesh result = mesh;
+	for (Vec3d& p : result.positions)
+		p = p * factor;
+	return result;
+}
+
+TriangleMesh rotated(const TriangleMesh& mesh, const Vec3d& axis, double angleRad)
+{
+	const Vec3d  n = normalized(axis);
+	const double c = std::cos(angleRad), s = std::sin(angleRad);
+	TriangleMesh result = mesh;
+	for (Vec3d& p : result.positions)
+		p = p * c + cross(n, p) * s + n * (dot(n, p) * (1 - c));
+	return result;
+}
+
+TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b)
+{
+	TriangleMesh result = a;
+	result.positions.insert(result.positions.end(), b.positions.begin(), b.positions.end());
+	for (std::int32_t v : b.triangles)
+		result.triangles.push_back(v + std::int32_t(a.vertexNum()));
+	return result;
+}
+
+TriangleMesh shuffled(const TriangleMesh& mesh, Random& random)
+{
+	std::vector<int> newVertex(mesh.vertexNum()), faces(mesh.faceNum());
+	std::iota(newVertex.begin(), newVertex.end(), 0);
+	std::iota(faces.begin(), faces.end(), 0);
+	random.shuffle(newVertex);
+	random.shuffle(faces);
+	TriangleMesh result;
+	result.positions.resize(mesh.vertexNum());
+	for (std::size_t v = 0; v < mesh.vertexNum(); ++v)
+		result.positions[newVertex[v]] = mesh.positions[v];
+	for (int f : faces) {
+		const int turn = random.below(3);
+		for (int k = 0; k < 3; ++k)
+			result.triangles.push_back(newVertex[mesh.triangles[3 * f + (k + turn) % 3]]);
+	}
+	return result;
+}
+
+TriangleMesh insideOut(const TriangleMesh& mesh)
+{
+	TriangleMesh result = mesh;
+	for (std::size_t f = 0; f < result.faceNum(); ++f)
+		std::swap(result.triangles[3 * f + 1], result.triangles[3 * f + 2]);
+	return result;
+}
+
+TriangleMesh withoutUnused(const TriangleMesh& mesh)
+{
+	TriangleMesh     result;
+	std::vector<int> newVertex(mesh.vertexNum(), -1);
+	for (std::int32_t v : mesh.triangles) {
+		if (newVertex[v] < 0) {
+			newVertex[v] = int(result.positions.size());
+			result.positions.push_back(mesh.positions[v]);
+		}
+		result.triangles.push_back(newVertex[v]);
+	}
+	return result;
+}
+
+FloatMesh::FloatMesh(const TriangleMesh& mesh) : triangles(mesh.triangles)
+{
+	for (const Vec3d& p : mesh.positions)
+		positions.push_back(Vec3f(p));
+}
+
+} // namespace gpr::test
