@@ -126,8 +126,8 @@ TEST_F(MalformedInput, PlyListsBeyondTheFile)
 	putBinary(body, std::uint32_t(4000000000u), true);
 	expectRefused("list.ply", header + body + std::string(100, '\0'), "list");
 	const std::string ascii = asciiPlyHeader(std::string(plyVertices) + plyFaces);
-	expectRefused("list.ply", ascii + "0 0 0\n1 0 0\n0 1 0\n999999999 0 1 2\n", "list");
-	expectRefused("list.ply", ascii + "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", "list");
+	expectRefused("list.ply", ascii + "0 0 0\n1 0 0\n0 1 0\n999999999 0 1 2\n", "line 13");
+	expectRefused("list.ply", ascii + "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", "line 13");
 }
 
 TEST_F(MalformedInput, CutOffAtManyPlaces)
@@ -181,20 +181,22 @@ TEST_F(MalformedInput, WordsInPlaceOfNumbers)
 {
 	std::string ply = goodPly;
 	ply.replace(ply.find("1 0 0\n"), 1, "one");
-	expectRefused("word.ply", ply, "'one' is not a number");
-	expectRefused("word.ply", goodPly.substr(0, goodPly.size() - 2) + "x\n", "not a whole number");
+	expectRefused("word.ply", ply, "line 11: a number is malformed");
+	expectRefused("word.ply", goodPly.substr(0, goodPly.size() - 2) + "x\n",
+				  "line 13: a number is malformed");
 	expectRefused("word.obj", "v 0 zero 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1");
-	expectRefused("word.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 c\n", "line 4");
+	expectRefused("word.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 c\n", "no number");
 	expectRefused("word.obj", "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1");
 	expectRefused("word.off", "OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n", "line 4");
-	expectRefused("word.off", "OFF\n3 one 0\n", "line 2");
+	expectRefused("word.off", "OFF\n3 one 0\n", "'one' is no count");
 	expectRefused("word.off", "OFF\n-3 1 0\n", "negative");
 	expectRefused("word.off", "OFF BINARY\n", "binary");
 	expectRefused("word.off", "4OFF\n1 1 1\n", "dimensions");
 	expectRefused("word.off", "OFF\n999999999 1 0\n0 0 0\n", "too early");
-	expectRefused("word.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 z\n", "line 4");
+	expectRefused("word.stl", "solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 z\n",
+				  "malformed");
 	expectRefused("word.stl", "solid x", "no faces");
-	expectRefused("word.stl", "solid x\nwhat is this\n", "line 2");
+	expectRefused("word.stl", "solid x\nwhat is this\n", "no faces");
 }
 
 TEST_F(MalformedInput, NothingToRemesh)

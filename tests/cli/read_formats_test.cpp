@@ -9,10 +9,8 @@
 #include <iterator>
 #include <random>
 #include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/obj_format.h>
-#include <vcg_extras/apps/gpremesh/off_format.h>
-#include <vcg_extras/apps/gpremesh/stl_format.h>
-#include <vcg_extras/apps/gpremesh/text_scanner.h>
+#include <vcg_extras/apps/gpremesh/number_text.h>
+#include <vcg_extras/apps/gpremesh/soup_io.h>
 
 namespace gpr_test {
 

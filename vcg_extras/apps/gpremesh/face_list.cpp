@@ -50,6 +50,23 @@ void FaceList::add(const std::int64_t* corners, std::size_t cornerNum)
 	polygonEnds_.push_back(polygonCorners_.size());
 }
 
+void FaceList::addStrip(const std::vector<std::int64_t>& strip)
+{
+	std::size_t begin = 0;
+	for (std::size_t i = 0; i < strip.size(); ++i) {
+		if (strip[i] == -1) {
+			begin = i + 1;
+			continue;
+		}
+		if (i < begin + 2) continue;
+		const bool         turned  = (i - begin) % 2 == 1;
+		const std::int64_t third[] = {turned ? strip[i - 1] : strip[i - 2],
+									  turned ? strip[i - 2] : strip[i - 1], strip[i]};
+		if (third[0] == third[1] || third[1] == third[2] || third[2] == third[0]) continue;
+		add(third, 3);
+	}
+}
+
 void FaceList::cutPolygons(const InputMesh& mesh)
 {
 	const MeshView           view = mesh.view();

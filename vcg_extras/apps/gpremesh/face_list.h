@@ -21,6 +21,10 @@ public:
 	/// finish() refuses. Faces with fewer than three corners are left out and counted.
 	void add(const std::int64_t* corners, std::size_t cornerNum);
 
+	/// Adds a strip: each index makes a triangle with the two before it, every second one turned
+	/// over; -1 ends the strip. Triangles with a repeated index only steer it and are left out.
+	void addStrip(const std::vector<std::int64_t>& strip);
+
 	/// Checks every index, cuts the polygons into triangles and moves all into the mesh.
 	/// Throws AppError (BadInput) when an index names no vertex of the mesh.
 	void finish(InputMesh& mesh);

@@ -3,13 +3,11 @@
 #include "mesh_io.h"
 
 #include "exit_code.h"
-#include "obj_format.h"
-#include "off_format.h"
 #include "output_file.h"
 #include "platform.h"
 #include "ply_reader.h"
 #include "ply_writer.h"
-#include "stl_format.h"
+#include "soup_io.h"
 
 #include <filesystem>
 

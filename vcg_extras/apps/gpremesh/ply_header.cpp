@@ -3,9 +3,11 @@
 #include "ply_header.h"
 
 #include "exit_code.h"
-#include "text_scanner.h"
+#include "number_text.h"
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
 namespace gpr::app {
 
@@ -20,12 +22,8 @@ constexpr std::size_t longestHeader = 1 << 20; // bytes; real ones have a few hu
 
 std::vector<std::string> splitWords(std::string_view line)
 {
-	std::vector<std::string> words;
-	TextScanner              scanner(line, 0);
-	for (std::string_view w = scanner.wordOnLine(); !w.empty(); w = scanner.wordOnLine()) {
-		words.emplace_back(w);
-	}
-	return words;
+	std::istringstream words{std::string(line)};
+	return {std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
 }
 
 /// Hands out the lines of the header. How a line ends is decided by the first one: a binary file

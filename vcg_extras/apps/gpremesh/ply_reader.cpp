@@ -4,8 +4,9 @@
 
 #include "exit_code.h"
 #include "face_list.h"
-#include "ply_header.h"
+#include "ply_layout.h"
 #include "ply_source.h"
+#include "soup_io.h"
 
 #include <algorithm>
 #include <cstring>
@@ -21,14 +22,7 @@ namespace {
 	throw AppError(ExitCode::BadInput, sentence);
 }
 
-[[noreturn]] void failTruncated(const PlyElement& element)
-{
-	fail("the file ends too early: its header promises " + std::to_string(element.count) +
-		 " records of '" + element.name + "'");
-}
-
-template <class Source>
-std::uint64_t listLength(const PlyProperty& list, Source& source)
+std::uint64_t listLength(const PlyProperty& list, BinarySource& source)
 {
 	const std::int64_t num = source.whole(list.countType);
 	if (num < 0) fail("a list of negative length");
@@ -38,8 +32,7 @@ std::uint64_t listLength(const PlyProperty& list, Source& source)
 	return std::uint64_t(num);
 }
 
-template <class Source>
-void skipProperty(const PlyProperty& p, Source& source)
+void skipProperty(const PlyProperty& p, BinarySource& source)
 {
 	if (p.isList) {
 		source.skip(p.type, listLength(p, source));
@@ -50,47 +43,22 @@ void skipProperty(const PlyProperty& p, Source& source)
 }
 
 /// Steps over an element that is of no use here.
-template <class Source>
-void skipElement(const PlyElement& element, Source& source)
-{
-	for (std::uint64_t i = 0; i < element.count; ++i) {
-		for (const PlyProperty& p : element.properties)
-			skipProperty(p, source);
-	}
-}
-
 void skipElement(const PlyElement& element, BinarySource& source)
 {
 	if (!element.hasList()) {
 		source.take(std::size_t(element.count) * element.smallestRecordBytes());
 		return;
 	}
-	skipElement<BinarySource>(element, source);
+	for (std::uint64_t i = 0; i < element.count; ++i) {
+		for (const PlyProperty& p : element.properties)
+			skipProperty(p, source);
+	}
 }
 
 // ---- vertices
 
-/// Which of an element's properties are the coordinates.
-struct CoordinateProperties {
-	int x = -1, y = -1, z = -1;
-};
-
-CoordinateProperties findCoordinates(const PlyElement& e)
-{
-	const CoordinateProperties c{e.find("x"), e.find("y"), e.find("z")};
-	for (const int i : {c.x, c.y, c.z}) {
-		if (i < 0 || e.properties[i].isList) fail("its vertices have no x, y and z");
-	}
-	return c;
-}
-
-bool needsDouble(PlyType type)
-{
-	return type == PlyType::Float64 || type == PlyType::Int32 || type == PlyType::UInt32;
-}
-
-template <class S, class Source>
-void readVerticesOneByOne(const PlyElement& e, const CoordinateProperties& c, Source& source,
+template <class S>
+void readVerticesOneByOne(const PlyElement& e, const CoordinateProperties& c, BinarySource& source,
 						  S* out)
 {
 	for (std::uint64_t v = 0; v < e.count; ++v, out += 3) {
@@ -148,27 +116,18 @@ bool copyVertices(const PlyElement& e, const CoordinateProperties& c, BinarySour
 	return true;
 }
 
-template <class S>
-bool copyVertices(const PlyElement&, const CoordinateProperties&, AsciiSource&, S*)
-{
-	return false;
-}
-
-template <class Source>
-void readVertices(const PlyElement& e, Source& source, InputMesh& mesh)
+void readVertices(const PlyElement& e, BinarySource& source, InputMesh& mesh)
 {
 	if (e.count > std::uint64_t(std::numeric_limits<std::int32_t>::max())) {
 		fail("more than 2147483647 vertices");
 	}
 	const CoordinateProperties c = findCoordinates(e);
-	for (const int i : {c.x, c.y, c.z}) {
-		mesh.doublePrecision = mesh.doublePrecision || needsDouble(e.properties[i].type);
-	}
-	const auto readInto = [&](auto& coordinates) {
-		coordinates.resize(3 * std::size_t(e.count));
-		if (!copyVertices(e, c, source, coordinates.data())) {
-			readVerticesOneByOne(e, c, source, coordinates.data());
-		}
+	mesh.doublePrecision         = needsDouble(e, c);
+	const auto readInto          = [&](auto& coordinates) {
+        coordinates.resize(3 * std::size_t(e.count));
+        if (!copyVertices(e, c, source, coordinates.data())) {
+            readVerticesOneByOne(e, c, source, coordinates.data());
+        }
 	};
 	if (mesh.doublePrecision) {
 		readInto(mesh.doubles);
@@ -180,25 +139,15 @@ void readVertices(const PlyElement& e, Source& source, InputMesh& mesh)
 
 // ---- faces
 
-int findIndexList(const PlyElement& e)
-{
-	for (const char* name : {"vertex_indices", "vertex_index"}) {
-		const int i = e.find(name);
-		if (i >= 0 && e.properties[i].isList && isInteger(e.properties[i].type)) return i;
-	}
-	fail("its element '" + e.name + "' has no list of vertex indices");
-}
-
-template <class Source>
-void readIndexList(const PlyProperty& list, Source& source, std::vector<std::int64_t>& indices)
+void readIndexList(const PlyProperty& list, BinarySource& source,
+				   std::vector<std::int64_t>& indices)
 {
 	indices.resize(std::size_t(listLength(list, source)));
 	for (std::int64_t& i : indices)
 		i = source.whole(list.type);
 }
 
-template <class Source>
-void readFace(const PlyElement& e, int indexList, Source& source, FaceList& faces,
+void readFace(const PlyElement& e, int indexList, BinarySource& source, FaceList& faces,
 			  std::vector<std::int64_t>& corners)
 {
 	for (int i = 0; i < int(e.properties.size()); ++i) {
@@ -249,52 +198,21 @@ std::uint64_t copyTriangles(const TriangleRecord& record, std::uint64_t most, Bi
 	return num;
 }
 
-template <class Source>
-void readFaces(const PlyElement& e, Source& source, FaceList& faces)
-{
-	const int                 indexList = findIndexList(e);
-	std::vector<std::int64_t> corners;
-	for (std::uint64_t f = 0; f < e.count; ++f)
-		readFace(e, indexList, source, faces, corners);
-}
-
 void readFaces(const PlyElement& e, BinarySource& source, FaceList& faces)
 {
-	const int      indexList = findIndexList(e);
-	TriangleRecord record;
-	if (source.swapped() || !findTriangleRecord(e, indexList, record)) {
-		readFaces<BinarySource>(e, source, faces);
-		return;
-	}
+	const int                 indexList = findIndexList(e);
+	TriangleRecord            record;
 	std::vector<std::int64_t> corners;
-	std::uint64_t             f = copyTriangles(record, e.count, source, faces.triangles);
-	for (; f < e.count; ++f) {
-		// After the first polygon no block is tried again: its memory would be asked for each time.
+	std::uint64_t             f = 0;
+	if (!source.swapped() && findTriangleRecord(e, indexList, record)) {
+		f = copyTriangles(record, e.count, source, faces.triangles);
+	}
+	// After the first polygon no block is tried again: its memory would be asked for each time.
+	for (; f < e.count; ++f)
 		readFace(e, indexList, source, faces, corners);
-	}
 }
 
-/// A strip: each index makes a triangle with the two before it, every second one turned over; -1
-/// ends the strip. Triangles with a repeated index only steer the strip and are left out.
-void addStrip(const std::vector<std::int64_t>& strip, FaceList& faces)
-{
-	std::size_t begin = 0;
-	for (std::size_t i = 0; i < strip.size(); ++i) {
-		if (strip[i] == -1) {
-			begin = i + 1;
-			continue;
-		}
-		if (i < begin + 2) continue;
-		const bool         turned  = (i - begin) % 2 == 1;
-		const std::int64_t third[] = {turned ? strip[i - 1] : strip[i - 2],
-									  turned ? strip[i - 2] : strip[i - 1], strip[i]};
-		if (third[0] == third[1] || third[1] == third[2] || third[2] == third[0]) continue;
-		faces.add(third, 3);
-	}
-}
-
-template <class Source>
-void readStrips(const PlyElement& e, Source& source, FaceList& faces)
+void readStrips(const PlyElement& e, BinarySource& source, FaceList& faces)
 {
 	const int                 indexList = findIndexList(e);
 	std::vector<std::int64_t> strip;
@@ -307,14 +225,13 @@ void readStrips(const PlyElement& e, Source& source, FaceList& faces)
 				skipProperty(e.properties[i], source);
 			}
 		}
-		addStrip(strip, faces);
+		faces.addStrip(strip);
 	}
 }
 
 // ---- the whole
 
-template <class Source>
-void readElement(const PlyElement& e, Source& source, InputMesh& mesh, FaceList& faces)
+void readElement(const PlyElement& e, BinarySource& source, InputMesh& mesh, FaceList& faces)
 {
 	if (e.properties.empty() || e.count == 0) return;
 	if (e.count > source.recordsLeft(e)) failTruncated(e);
@@ -332,28 +249,7 @@ void readElement(const PlyElement& e, Source& source, InputMesh& mesh, FaceList&
 	}
 }
 
-void checkElements(const PlyHeader& header)
-{
-	for (const char* name : {"vertex", "face", "tristrips"}) {
-		const auto num = std::count_if(header.elements.begin(), header.elements.end(),
-									   [&](const PlyElement& e) { return e.name == name; });
-		if (num > 1) fail("its header has the element '" + std::string(name) + "' twice");
-	}
-}
-
-/// Nothing after the last element of the three is read: files with damaged extras still serve.
-std::size_t usefulElementNum(const PlyHeader& header)
-{
-	std::size_t num = 0;
-	for (std::size_t i = 0; i < header.elements.size(); ++i) {
-		const std::string& name = header.elements[i].name;
-		if (name == "vertex" || name == "face" || name == "tristrips") num = i + 1;
-	}
-	return num;
-}
-
-template <class Source>
-InputMesh readBody(const PlyHeader& header, Source source)
+InputMesh readBody(const PlyHeader& header, BinarySource source)
 {
 	InputMesh         mesh;
 	FaceList          faces;
@@ -371,9 +267,7 @@ InputMesh readPly(std::string_view file)
 	const PlyHeader header = readPlyHeader(file);
 	checkElements(header);
 	const std::string_view body = file.substr(header.byteNum);
-	if (header.format == PlyFormat::Ascii) {
-		return readBody(header, AsciiSource(body, header.lineNum + 1));
-	}
+	if (header.format == PlyFormat::Ascii) return readAsciiPly(header, body);
 	return readBody(header, BinarySource(body, header.format == PlyFormat::LittleEndian));
 }
 

@@ -12,8 +12,7 @@ namespace gpr::app {
 /// Reads a PLY file that lies in memory: ASCII and both binary forms, properties of any type in any
 /// order, elements that are of no use here, polygons, triangle strips. Triangles of the usual
 /// layout are read at the speed of copying.
-/// Own code for two reasons: vcglib's reader takes ten times as long for binary files, and hands
-/// out faces with indices out of range.
+/// The binary forms are read by own code, for speed, ASCII by CGAL.
 /// Positions are double where x, y or z is stored as double or as a 32-bit whole number.
 /// Throws AppError (BadInput) when the file is malformed, cut off, or an index is out of range;
 /// sizes are checked against the file's length before memory is asked for.

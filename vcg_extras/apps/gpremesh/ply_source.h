@@ -5,14 +5,10 @@
 
 #include "exit_code.h"
 #include "ply_header.h"
-#include "text_scanner.h"
 
 #include <algorithm>
 #include <cstring>
 #include <string_view>
-
-// Where the values of a PLY file's body come from. The two classes have the same functions, so that
-// the reader is written once for both; none of them ever reads beyond the end of the file.
 
 namespace gpr::app {
 
@@ -60,35 +56,8 @@ S loadValue(PlyType type, const char* at, bool swap)
 	return S(0);
 }
 
-/// Where the values of an element come from: one word after the other of an ASCII file.
-class AsciiSource {
-public:
-	AsciiSource(std::string_view body, std::size_t firstLine) : scanner_(body, 0, false, firstLine)
-	{
-	}
-
-	double       real(PlyType) { return scanner_.nextNumber(); }
-	std::int64_t whole(PlyType) { return scanner_.nextInteger(); }
-	void         skip(PlyType) { scanner_.nextNumber(); }
-	void         skip(PlyType type, std::uint64_t num)
-	{
-		for (; num > 0; --num)
-			skip(type);
-	}
-
-	/// How many records of that many values the rest of the file can hold at most: each value takes
-	/// a digit and a separator, the very last one no separator.
-	std::uint64_t recordsLeft(const PlyElement& e) const
-	{
-		return (scanner_.bytesLeft() + 1) / (2 * e.properties.size());
-	}
-	std::uint64_t valuesLeft(PlyType) const { return (scanner_.bytesLeft() + 1) / 2; }
-
-private:
-	TextScanner scanner_;
-};
-
-/// The same for a binary file of either byte order.
+/// The values of a binary file of either byte order, one after the other. It never reads beyond the
+/// end.
 class BinarySource {
 public:
 	BinarySource(std::string_view body, bool littleEndian) :

@@ -45,13 +45,17 @@ bool floatResolves(double largest, double edgeLen)
 	return largest < largestFloat && largest * floatEpsilon <= edgeLen / 1000;
 }
 
-void settlePrecision(InputMesh& mesh)
+void roundToFloat(InputMesh& mesh)
 {
-	const MeshView view = mesh.view();
-	if (!floatResolves(largestCoordinate(view), meanEdgeLength(view))) return;
 	mesh.floats.assign(mesh.doubles.begin(), mesh.doubles.end());
 	CoordinateArray<double>().swap(mesh.doubles);
 	mesh.doublePrecision = false;
+}
+
+void settlePrecision(InputMesh& mesh)
+{
+	const MeshView view = mesh.view();
+	if (floatResolves(largestCoordinate(view), meanEdgeLength(view))) roundToFloat(mesh);
 }
 
 } // namespace gpr::app

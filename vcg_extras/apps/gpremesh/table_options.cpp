@@ -3,7 +3,7 @@
 #include "table_options.h"
 
 #include "exit_code.h"
-#include "text_scanner.h"
+#include "number_text.h"
 
 #include <cmath>
 #include <locale>

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_SOUP_IO_H
+#define VCG_EXTRAS_APPS_GPREMESH_SOUP_IO_H
+
+#include "mesh_data.h"
+#include "output_file.h"
+#include "ply_header.h"
+
+#include <string_view>
+
+// OBJ, OFF, STL and ASCII PLY by CGAL's readers and writers of polygon soups. The files lie in
+// memory. The readers check what CGAL hands out: no index is out of range, nothing is lost
+// silently. They throw AppError (BadInput) on anything malformed or cut off.
+
+namespace gpr::app {
+
+/// Positions and faces; all else is passed over. Indices count from the begin or from the end.
+InputMesh readObj(std::string_view file);
+
+/// ASCII, one vertex and one face a line; what follows the coordinates and the corners on a line is
+/// passed over.
+InputMesh readOff(std::string_view file);
+
+/// ASCII or binary, whatever the first word claims; corners at exactly the same position become one
+/// vertex, in the order of their first use.
+InputMesh readStl(std::string_view file);
+
+/// The body of an ASCII PLY file whose header has been read. Positions are double where the header
+/// says so.
+InputMesh readAsciiPly(const PlyHeader& header, std::string_view body);
+
+/// Coordinates with as many digits as give back each double, or each float.
+void writeObj(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out);
+void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out);
+
+/// Binary. The format holds floats only.
+void writeStl(const TriangleMesh& mesh, OutputFile& out);
+
+} // namespace gpr::app
+
+#endif
