@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/mesh_zoo.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/connect.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// Orders and connects; the mesh as it was before and after is left in the members.
+struct Connected {
+	Workers      workers{2, nullptr};
+	IndexedMesh  indexed;
+	TriangleMesh ordered;
+	Surface      surface;
+	bool         ok = false;
+
+	explicit Connected(const TriangleMesh& mesh)
+	{
+		indexed = loaded(mesh, workers);
+		Buffer<int> faceStart;
+		surface.grid = orderSpatially(indexed, workers, faceStart);
+		ordered      = meshOf(indexed);
+		ok           = connect(indexed, faceStart, workers, surface);
+	}
+};
+
+class ConnectZoo : public ::testing::TestWithParam<ZooMesh> {};
+
+TEST_P(ConnectZoo, TakesManifoldsOnly)
+{
+	Connected c(GetParam().mesh);
+	EXPECT_EQ(c.ok, GetParam().isManifold);
+	if (c.ok) {
+		EXPECT_TRUE(isSoundTable(c.surface.mesh));
+	}
+	else {
+		EXPECT_EQ(meshOf(c.indexed).triangles, c.ordered.triangles)
+			<< "left as it was, for the repair";
+		EXPECT_TRUE(meshOf(c.indexed).positions == c.ordered.positions);
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(, ConnectZoo, ::testing::ValuesIn(meshZoo()),
+						 zooName<::testing::TestParamInfo<ZooMesh>>);
+
+class Connect : public ::testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(Connect, OppositesAreThoseFoundByComparingAllEdges)
+{
+	Random random(GetParam());
+	for (int round = 0; round < 4; ++round) {
+		Connected c(randomSurface(random));
+		ASSERT_TRUE(c.ok);
+		EXPECT_TRUE(isSoundTable(c.surface.mesh));
+		EXPECT_EQ(meshOf(c.surface.mesh).faceNum(), c.ordered.faceNum());
+		const HalfEdgeMesh& m = c.surface.mesh;
+		for (int h = 0; h < m.halfEdgeNum(); ++h)
+			ASSERT_EQ(m.origin[h], c.ordered.triangles[h]);
+	}
+}
+
+TEST_P(Connect, DamageIsNoticed)
+{
+	Random random(GetParam());
+	for (int round = 0; round < 20; ++round) {
+		const TriangleMesh mesh  = damaged(icosphere(1), 1 + random.below(3), random);
+		const SurfaceFacts facts = factsOf(mesh);
+		if (facts.repeatedCorners > 0) continue; // loading drops those
+		EXPECT_EQ(Connected(mesh).ok, facts.isManifold()) << facts.complaints();
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Connect, ::testing::ValuesIn(testSeeds(6)));
+
+TEST(ConnectNormals, AreTheSpheres)
+{
+	Workers       workers(2, nullptr);
+	const Surface s = surfaceOf(icosphere(3), workers);
+	for (int v = 0; v < s.mesh.vertexNum; ++v) {
+		const Vec3f outward = normalized(s.mesh.position[v]);
+		EXPECT_GT(dot(normalized(s.normal[v].unpack()), outward), std::cos(0.02f));
+	}
+}
+
+TEST(HalfEdgeMesh, TurnsRoundAVertexSeeEveryNeighbourOnce)
+{
+	const HalfEdgeMesh m = halfEdgesOf(grid(4, 4));
+	for (int v = 0; v < m.vertexNum; ++v) {
+		std::vector<int> ring;
+		int              corners = 0;
+		forEachNeighbour(m, v, [&](int w) { ring.push_back(w); });
+		forEachOutgoing(m, v, [&](int h) { corners += m.origin[h] == v; });
+		EXPECT_EQ(corners, m.valence(v));
+		EXPECT_EQ(int(ring.size()), m.valence(v) + m.isBorderVertex(v));
+		std::sort(ring.begin(), ring.end());
+		EXPECT_EQ(std::unique(ring.begin(), ring.end()), ring.end());
+		for (int w = 0; w < m.vertexNum; ++w) {
+			const bool near = std::binary_search(ring.begin(), ring.end(), w);
+			EXPECT_EQ(m.areNeighbours(v, w), near);
+			const int h = m.findHalfEdge(v, w);
+			if (h >= 0) {
+				EXPECT_TRUE(m.origin[h] == v && m.target(h) == w);
+			}
+			EXPECT_EQ(near, h >= 0 || m.findHalfEdge(w, v) >= 0);
+		}
+		if (m.isBorderVertex(v)) {
+			EXPECT_EQ(m.target(m.incomingBorder(v)), v);
+			EXPECT_TRUE(m.isBorderEdge(m.incomingBorder(v)));
+			EXPECT_TRUE(m.isBorderEdge(m.outgoing[v]));
+		}
+	}
+}
+
+TEST(PackedNormal, IsTrueToATenthOfADegree)
+{
+	Random random(4);
+	for (int i = 0; i < 1000; ++i) {
+		const Vec3f n = normalized(
+			Vec3f(Vec3d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1))));
+		EXPECT_LT(length(normalized(PackedNormal(n).unpack()) - n), 0.0035f);
+	}
+}
+
+} // namespace
+
+} // namespace gpr::test

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/mesh_zoo.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/mesh_edit.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// Shapes play no part here: only what the triangles say.
+::testing::AssertionResult isManifold(const HalfEdgeMesh& m)
+{
+	const SurfaceFacts facts = factsOf(meshOf(m));
+	if (facts.isManifold()) return isSoundTable(m);
+	return ::testing::AssertionFailure() << facts.complaints();
+}
+
+int edgeBetween(const HalfEdgeMesh& m, int a, int b)
+{
+	const int h = m.findHalfEdge(a, b);
+	EXPECT_GE(h, 0) << "no edge " << a << " - " << b;
+	return h;
+}
+
+///   6---7---8      Collapsing the centre of a 2 × 2 grid into vertex 5 takes two faces away.
+///   | \ | / |
+///   3---4---5
+///   | / | \ |
+///   0---1---2
+TEST(MeshEdit, CollapseMergesTheCentreIntoANeighbour)
+{
+	HalfEdgeMesh m = halfEdgesOf(grid(2, 2));
+	EditScratch  scratch;
+	int          into = -1;
+	forEachOutgoing(m, 4, [&](int h) {
+		if (canCollapse(m, h, scratch)) into = h;
+	});
+	ASSERT_GE(into, 0);
+	collapse(m, into);
+	EXPECT_TRUE(isManifold(m));
+	EXPECT_EQ(meshOf(m).faceNum(), 6u);
+	EXPECT_EQ(meshOf(m).vertexNum(), 8u);
+	EXPECT_LT(m.outgoing[4], 0);
+}
+
+/// Nothing smaller than a tetrahedron is closed: none of its edges may go.
+TEST(MeshEdit, ATetrahedronAllowsNoCollapseAndNoFlip)
+{
+	for (const ZooMesh& zoo : meshZoo()) {
+		if (zoo.name != "tetrahedron" && zoo.name != "sevenVertexTorus") continue;
+		const HalfEdgeMesh m = halfEdgesOf(zoo.mesh);
+		EditScratch        scratch;
+		for (int h = 0; h < m.halfEdgeNum(); ++h) {
+			EXPECT_FALSE(canCollapse(m, h, scratch)) << zoo.name;
+			EXPECT_FALSE(canFlip(m, h)) << zoo.name;
+		}
+	}
+}
+
+/// A neck of three edges: contracting one of them would close it.
+TEST(MeshEdit, TheLinkConditionKeepsANeckOpen)
+{
+	const HalfEdgeMesh m = halfEdgesOf(torus(3, 8));
+	EditScratch        scratch;
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		const int a = m.origin[h], b = m.target(h);
+		if (a / 3 == b / 3) {
+			EXPECT_FALSE(canCollapse(m, h, scratch)) << a << " - " << b;
+		}
+	}
+}
+
+TEST(MeshEdit, CollapseNeverTakesABorderVertex)
+{
+	const HalfEdgeMesh m = halfEdgesOf(grid(3, 3));
+	EditScratch        scratch;
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		if (m.isBorderVertex(m.origin[h])) {
+			EXPECT_FALSE(canCollapse(m, h, scratch));
+		}
+	}
+}
+
+///   3---2          3---2
+///   |  /|    =>    |\  |
+///   | / |          | \ |
+///   0---1          0---1
+TEST(MeshEdit, FlipTurnsTheDiagonalAndBackAgain)
+{
+	HalfEdgeMesh m =
+		halfEdgesOf(subdivided({{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {0, 1, 2, 0, 2, 3}}));
+	const TriangleMesh before = meshOf(m);
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		if (!canFlip(m, h)) continue;
+		const int a = m.origin[h], b = m.target(h), c = m.apex(h), d = m.apex(m.opposite[h]);
+		flip(m, h);
+		EXPECT_TRUE(isManifold(m));
+		EXPECT_LT(m.findHalfEdge(a, b), 0);
+		EXPECT_EQ(m.origin[h], a);
+		EXPECT_EQ(m.target(h), d);
+		EXPECT_EQ(m.apex(h), c);
+		flip(m, edgeBetween(m, d, c));
+		EXPECT_TRUE(isManifold(m));
+		EXPECT_GE(m.findHalfEdge(a, b), 0);
+	}
+	EXPECT_EQ(factsOf(meshOf(m)).edges, factsOf(before).edges);
+}
+
+TEST(MeshEdit, SplitsAddOneVertexAndTwoFacesOrOneAtTheBorder)
+{
+	HalfEdgeMesh m = halfEdgesOf(grid(1, 1), 2, 3);
+	m.vertexNum    = 5;
+	m.position[4]  = {0.5f, 0.5f, 0};
+	splitEdge(m, edgeBetween(m, 0, 3), 4);
+	EXPECT_TRUE(isManifold(m));
+	EXPECT_EQ(m.faceNum, 4);
+	const int h   = m.outgoing[0];
+	m.vertexNum   = 6;
+	m.position[5] = (m.position[0] + m.position[m.target(h)]) * 0.5f;
+	splitBorderEdge(m, h, 5);
+	EXPECT_TRUE(isManifold(m));
+	EXPECT_EQ(m.faceNum, 5);
+	EXPECT_EQ(borderNeighbour(m, 5, false), 0);
+	EXPECT_EQ(borderNeighbour(m, 0, true), 5);
+}
+
+TEST(MeshEdit, ALoopKeepsThreeVertices)
+{
+	HalfEdgeMesh m = halfEdgesOf(grid(6, 6));
+	EditScratch  scratch;
+	for (bool again = true; again;) {
+		again = false;
+		for (int v = 0; v < m.vertexNum; ++v) {
+			if (m.outgoing[v] < 0 || !m.isBorderVertex(v)) continue;
+			for (bool forward : {true, false}) {
+				if (m.outgoing[v] < 0 || !canCollapseAlongBorder(m, v, forward, scratch)) continue;
+				collapseAlongBorder(m, v, forward);
+				again = true;
+			}
+		}
+		ASSERT_TRUE(isManifold(m));
+	}
+	EXPECT_EQ(factsOf(meshOf(m)).borderEdges, 3);
+}
+
+TEST(MeshEdit, CompactDropsTheDeadAndKeepsTheOrder)
+{
+	HalfEdgeMesh m = halfEdgesOf(icosphere(2));
+	EditScratch  scratch;
+	for (int h = 0; h < m.halfEdgeNum(); h += 7) {
+		if (m.origin[h] >= 0 && canCollapse(m, h, scratch)) collapse(m, h);
+	}
+	const TriangleMesh before = meshOf(m);
+	const int          room   = m.vertexNum;
+	std::vector<int>   newIndex;
+	compact(m, newIndex);
+	ASSERT_EQ(int(newIndex.size()), room);
+	EXPECT_TRUE(isManifold(m));
+	EXPECT_EQ(m.vertexNum, int(before.vertexNum()));
+	EXPECT_EQ(m.faceNum, int(before.faceNum()));
+	EXPECT_EQ(meshOf(m).triangles, before.triangles);
+	int last = -1;
+	for (int n : newIndex) {
+		if (n < 0) continue;
+		EXPECT_EQ(n, last + 1);
+		last = n;
+	}
+}
+
+/// Random edits: whatever the tests allow keeps the mesh an oriented manifold of the same topology.
+class RandomEdits : public ::testing::TestWithParam<std::uint32_t> {
+protected:
+	Random       random{GetParam()};
+	HalfEdgeMesh m;
+	EditScratch  scratch;
+	int          done = 0;
+
+	void editOnce()
+	{
+		const int h = random.below(m.halfEdgeNum());
+		if (m.origin[h] < 0) return;
+		switch (random.below(5)) {
+		case 0:
+			count(canCollapse(m, h, scratch), [&] { collapse(m, h); });
+			break;
+		case 1:
+			count(canFlip(m, h), [&] { flip(m, h); });
+			break;
+		case 2:
+			collapseBorder(m.origin[h], random.chance(0.5));
+			break;
+		case 3:
+			if (m.opposite[h] >= 0) count(true, [&] { splitEdge(m, h, addVertex(h)); });
+			break;
+		default:
+			if (m.opposite[h] < 0) count(true, [&] { splitBorderEdge(m, h, addVertex(h)); });
+			break;
+		}
+	}
+
+private:
+	template <class Edit>
+	void count(bool allowed, const Edit& edit)
+	{
+		if (!allowed) return;
+		edit();
+		++done;
+	}
+	void collapseBorder(int v, bool forward)
+	{
+		if (!m.isBorderVertex(v)) return;
+		count(canCollapseAlongBorder(m, v, forward, scratch),
+			  [&] { collapseAlongBorder(m, v, forward); });
+	}
+	int addVertex(int h)
+	{
+		m.position[m.vertexNum] = (m.position[m.origin[h]] + m.position[m.target(h)]) * 0.5f;
+		return m.vertexNum++;
+	}
+};
+
+TEST_P(RandomEdits, KeepManifoldAndTopology)
+{
+	SCOPED_TRACE("seed " + std::to_string(GetParam()));
+	constexpr int edits = 1500, checkEvery = 50;
+	for (int round = 0; round < 3; ++round) {
+		const TriangleMesh mesh = round == 0
+									  ? meshZoo()[std::size_t(GetParam()) % 8].mesh
+									  : withHoles(round == 1 ? torus(9, 7) : grid(9, 9), 2, random);
+		m                       = halfEdgesOf(mesh, edits, 2 * edits);
+		for (int i = 1; i <= edits; ++i) {
+			editOnce();
+			if (i % checkEvery != 0) continue;
+			ASSERT_TRUE(isManifold(m)) << "after " << done << " edits";
+			ASSERT_TRUE(hasSameTopology(meshOf(m), mesh)) << "after " << done << " edits";
+		}
+	}
+	EXPECT_GT(done, 1000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomEdits, ::testing::ValuesIn(testSeeds(12)));
+
+} // namespace
+
+} // namespace gpr::test

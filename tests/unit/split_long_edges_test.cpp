@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/oracles.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/failure.h>
+#include <vcg_extras/core/split_long_edges.h>
+
+namespace gpr::test {
+
+namespace {
+
+double longestEdge(const TriangleMesh& mesh)
+{
+	double most = 0;
+	for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+		const std::size_t next = i % 3 == 2 ? i - 2 : i + 1;
+		most                   = std::max(
+							  most, length(mesh.positions[mesh.triangles[next]] - mesh.positions[mesh.triangles[i]]));
+	}
+	return most;
+}
+
+class SplitLongEdges : public ::testing::TestWithParam<std::uint32_t> {
+protected:
+	Workers workers{2, nullptr};
+};
+
+TEST_P(SplitLongEdges, NoneIsLongerAndTheSurfaceStaysWhereItIs)
+{
+	Random random(GetParam());
+	SCOPED_TRACE("seed " + std::to_string(GetParam()));
+	for (int round = 0; round < 4; ++round) {
+		IndexedMesh        m      = loaded(randomSurface(random), workers);
+		const TriangleMesh before = meshOf(m);
+		const float        limit  = float(longestEdge(before) * random.between(0.05, 1.1));
+		const std::int64_t splits = splitLongEdges(m, limit, 1 << 28, workers);
+		const TriangleMesh after  = meshOf(m);
+
+		EXPECT_LE(longestEdge(after), limit * 1.000001);
+		EXPECT_EQ(splits, std::int64_t(after.vertexNum() - before.vertexNum()));
+		EXPECT_EQ(splits > 0, longestEdge(before) > limit);
+		EXPECT_TRUE(isSoundSurface(after))
+			<< "conforming: no vertex may lie on an edge of a neighbour";
+		EXPECT_TRUE(hasSameTopology(before, after));
+		EXPECT_NEAR(factsOf(after).area, factsOf(before).area, 1e-5 * factsOf(before).area);
+		for (int f = 0; f < m.faceNum; ++f) {
+			const std::int32_t* t = &before.triangles[3 * m.sourceFace[f]];
+			Vec3d               centre;
+			for (int k = 0; k < 3; ++k)
+				centre += after.positions[after.triangles[3 * f + k]] * (1.0 / 3);
+			ASSERT_LT(distanceToTriangle(centre, before.positions[t[0]], before.positions[t[1]],
+										 before.positions[t[2]]),
+					  1e-5)
+				<< "sourceFace names the face that a piece lies in";
+		}
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, SplitLongEdges, ::testing::ValuesIn(testSeeds(8)));
+
+TEST(SplitLongEdgesOf, ShortEdgesNothingChanges)
+{
+	Workers            workers(1, nullptr);
+	IndexedMesh        m      = loaded(icosphere(3), workers);
+	const TriangleMesh before = meshOf(m);
+	EXPECT_EQ(splitLongEdges(m, 10, 1000000, workers), 0);
+	EXPECT_EQ(meshOf(m).triangles, before.triangles);
+}
+
+/// One huge face beside small ones, as stray triangles of scans are: only it and what it touches
+/// grow.
+TEST(SplitLongEdgesOf, AStrayTriangleIsDividedAndTheRestLeftAlone)
+{
+	Workers      workers(1, nullptr);
+	TriangleMesh mesh = joined(icosphere(3, 0.1), {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}, {0, 1, 2}});
+	IndexedMesh  m    = loaded(mesh, workers);
+	const int    old  = m.faceNum;
+	splitLongEdges(m, float(0.1 * m.frame.scale), 1000000, workers);
+	int fromStray = 0;
+	for (int f = 0; f < m.faceNum; ++f)
+		fromStray += m.sourceFace[f] == old - 1;
+	EXPECT_EQ(m.faceNum - fromStray, old - 1);
+	EXPECT_EQ(fromStray, 4096) << "six halvings of all edges: 5.66 to 0.088";
+}
+
+TEST(SplitLongEdgesOf, TooManyFacesAreRefusedWithoutHanging)
+{
+	Workers     workers(1, nullptr);
+	IndexedMesh m = loaded(grid(2, 2), workers);
+	try {
+		splitLongEdges(m, 1e-4f, 10000, workers);
+		FAIL() << "accepted";
+	}
+	catch (const Failure& f) {
+		EXPECT_EQ(f.status, Status::OutOfMemory);
+	}
+}
+
+} // namespace
+
+} // namespace gpr::test
