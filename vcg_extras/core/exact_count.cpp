@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace gpr {
 
@@ -59,9 +60,9 @@ public:
 	{
 	}
 
-	bool run(std::int64_t targetNum)
+	bool run(std::int64_t targetNum, std::initializer_list<Care> cares)
 	{
-		for (Care care : {Care::FlatGroundOnly, Care::SoundShapes, Care::TopologyOnly}) {
+		for (Care care : cares) {
 			care_ = care;
 			while (liveNum_ != targetNum) {
 				workers_.poll();
@@ -123,7 +124,10 @@ private:
 	/// off: once the cheap ones are gone, fresh valences find cheaper ones.
 	std::vector<Operation> chosen(std::vector<Operation>&& all, std::int64_t wanted) const
 	{
-		const std::size_t most = std::min<std::size_t>(all.size(), std::size_t(4 * wanted + 64));
+		// By topology alone the order must not depend on how many are wanted.
+		const std::size_t most = care_ == Care::TopologyOnly
+									 ? all.size()
+									 : std::min<std::size_t>(all.size(), std::size_t(4 * wanted + 64));
 		std::partial_sort(all.begin(), all.begin() + most, all.end());
 		all.resize(most);
 		if (care_ == Care::FlatGroundOnly && !all.empty()) {
@@ -475,7 +479,15 @@ float worstAngleAt(const HalfEdgeMesh& m, int v, const Vec3f& p, int other)
 bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
 					 ResultMesh& result, Workers& workers)
 {
-	return CountCorrector(surface, boundary, result, workers).run(targetNum);
+	return CountCorrector(surface, boundary, result, workers)
+		.run(targetNum, {Care::FlatGroundOnly, Care::SoundShapes, Care::TopologyOnly});
+}
+
+bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
+						  std::int64_t targetNum, ResultMesh& result, Workers& workers)
+{
+	return CountCorrector(surface, boundary, result, workers)
+		.run(targetNum, {Care::TopologyOnly});
 }
 
 void collapseShortEdges(ResultMesh& result, Workers& workers)

@@ -22,6 +22,12 @@ namespace gpr {
 bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
 					 ResultMesh& result, Workers& workers);
 
+/// The same by topology alone, whatever the shapes: the last resort for tiny counts. Which edges are
+/// taken, and in which order, does not depend on targetNum, so that every count between the one it
+/// starts from and the one it ends at for targetNum = 1 can be reached.
+bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
+						  std::int64_t targetNum, ResultMesh& result, Workers& workers);
+
 /// Merges inner vertices nearer than 0.6 ideal edges to a neighbour into it where the worst angle of
 /// the ring grows by it. Clears narrow ribbons along borders before the count is corrected.
 void collapseShortEdges(ResultMesh& result, Workers& workers);

@@ -28,8 +28,10 @@ constexpr float reaches[]     = {0.6f, 0.3f, 0.1f}; ///< of the ideal edge
 
 class FoldMender {
 public:
-	FoldMender(const Surface& surface, bool mayCollapse, ResultMesh& result, Workers& workers) :
+	FoldMender(const Surface& surface, const BoundaryCurves& boundary, bool mayCollapse,
+			   ResultMesh& result, Workers& workers) :
 			surface_(surface),
+			boundary_(boundary),
 			mayCollapse_(mayCollapse),
 			r_(result),
 			m_(result.mesh),
@@ -64,14 +66,16 @@ private:
 		int    halfEdge = -1;
 		int    vertex   = -1;
 		Anchor place;
+		float  arc = 0; ///< of a border vertex that moves
 	};
 
-	const Surface& surface_;
-	bool           mayCollapse_;
-	ResultMesh&    r_;
-	HalfEdgeMesh&  m_;
-	Workers&       workers_;
-	EditScratch    scratch_;
+	const Surface&        surface_;
+	const BoundaryCurves& boundary_;
+	bool                  mayCollapse_;
+	ResultMesh&           r_;
+	HalfEdgeMesh&         m_;
+	Workers&              workers_;
+	EditScratch           scratch_;
 
 	bool isBad(int f) const { return faceAgreement(surface_, r_, f) < badAgreement; }
 
@@ -146,7 +150,10 @@ private:
 
 	void tryMove(int v, Change& best) const
 	{
-		if (m_.isBorderVertex(v)) return;
+		if (m_.isBorderVertex(v)) {
+			trySlide(v, best);
+			return;
+		}
 		const ResultVertex& here  = r_.vertex[v];
 		const float         now   = ringCost(v, cornerOf(v), -1);
 		const Vec3f         away  = std::abs(here.normal.x) < 0.8f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
@@ -164,6 +171,38 @@ private:
 				best.gain   = gain;
 				best.vertex = v;
 				best.place  = at;
+			}
+		}
+	}
+
+	/// Arc length of the curve from v to a neighbour on it, or 0 if that is not on the curve.
+	float arcTo(int v, int neighbour, bool forward) const
+	{
+		const ResultVertex &a = r_.vertex[v], &b = r_.vertex[neighbour];
+		if (a.curve < 0 || a.curve != b.curve) return 0;
+		const Curve& c = boundary_.curves[a.curve];
+		return forward ? c.wrap(b.arc - a.arc) : c.wrap(a.arc - b.arc);
+	}
+
+	void trySlide(int v, Change& best) const
+	{
+		const ResultVertex& here = r_.vertex[v];
+		if (here.curve < 0) return;
+		const Curve& c   = boundary_.curves[here.curve];
+		const float  now = ringCost(v, cornerOf(v), -1);
+		for (bool forward : {false, true}) {
+			const float room = arcTo(v, borderNeighbour(m_, v, forward), forward);
+			for (float share : {0.1f, 0.25f, 0.5f, 0.75f}) {
+				const float  arc = c.wrap(here.arc + (forward ? room : -room) * share);
+				const Anchor at{c.at(arc), c.face[c.segmentAt(arc)]};
+				const Corner corner{at.position, smoothNormal(surface_, at)};
+				const float  gain = now - ringCost(v, corner, -1);
+				if (gain <= best.gain) continue;
+				best.kind   = Change::Move;
+				best.gain   = gain;
+				best.vertex = v;
+				best.place  = at;
+				best.arc    = arc;
 			}
 		}
 	}
@@ -191,6 +230,7 @@ private:
 		case Change::Move:
 			r_.vertex[change.vertex].anchor = change.place;
 			r_.vertex[change.vertex].normal = surface_.mesh.faceNormal(change.place.face);
+			r_.vertex[change.vertex].arc    = change.arc;
 			m_.position[change.vertex]      = change.place.position;
 			return;
 		case Change::Collapse:
@@ -221,9 +261,10 @@ float faceAgreement(const Surface& surface, const ResultMesh& result, int face)
 	return scale > 0 ? dot(n, wanted) / scale : -1.0f;
 }
 
-int mendFolds(const Surface& surface, bool mayCollapse, ResultMesh& result, Workers& workers)
+int mendFolds(const Surface& surface, const BoundaryCurves& boundary, bool mayCollapse,
+			  ResultMesh& result, Workers& workers)
 {
-	return FoldMender(surface, mayCollapse, result, workers).run();
+	return FoldMender(surface, boundary, mayCollapse, result, workers).run();
 }
 
 } // namespace gpr

@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_FOLD_REPAIR_H
 #define VCG_EXTRAS_CORE_FOLD_REPAIR_H
 
+#include "boundary_curves.h"
 #include "connect.h"
 #include "result_mesh.h"
 #include "workers.h"
@@ -20,10 +21,12 @@ float faceAgreement(const Surface& surface, const ResultMesh& result, int face);
 /// Where the surface is thinner than the triangles (fingers, lips, thin plates) removal can leave faces
 /// that look against the surface. Each such face, and its neighbours, is mended by the flip, move or
 /// collapse that helps most, one after the other, until none is left or none helps.
+/// Border vertices move along their curve only, and stay between their neighbours.
 /// mayCollapse: whether vertices may go, which only the exact count makes good again.
 /// Returns the number of faces that still look the wrong way.
 /// Cost: a pass over the faces a round, and the few faces concerned.
-int mendFolds(const Surface& surface, bool mayCollapse, ResultMesh& result, Workers& workers);
+int mendFolds(const Surface& surface, const BoundaryCurves& boundary, bool mayCollapse,
+			  ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

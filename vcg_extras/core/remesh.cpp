@@ -43,8 +43,6 @@ constexpr float smallBlockWidth = 12;
 constexpr int   smallMeshFaces  = 2000000;
 /// Angles below this get a pass of their own at the end.
 constexpr float poorAngleDeg = 32;
-/// How often a count found to be reachable is tried as target, to be sure that it is.
-constexpr int mostCountTrials = 4;
 
 using Clock = std::chrono::steady_clock;
 
@@ -155,10 +153,10 @@ public:
 
 	void remesh(RemeshResult& out)
 	{
-		Prepared p = prepare(0);
+		Prepared   p      = prepare(0);
 		ResultMesh result = sampleAndImprove(p);
 		if (options_.exactCount && result.mesh.vertexNum != p.targetNum) {
-			result = settleForNearest(p, std::move(result), out);
+			result = reachByTopology(p, out);
 		}
 		finish(p, result, out);
 	}
@@ -186,7 +184,6 @@ public:
 		const BlockPartition partition = cut(p);
 		clock_.enter("retriangulation", "Retriangulating", 0.9);
 		ResultMesh result = removeVertices(p.surface, sampling, boundary, partition, workers_);
-		report_.leftoverVertexNum = result.leftoverNum;
 		clock_.enter("flips", "Flipping edges", 0.95);
 		flipToDelaunay(result, workers_);
 		report_.targetVertexNum = result.mesh.vertexNum;
@@ -276,32 +273,37 @@ private:
 		return sampling;
 	}
 
+	/// From the samples to a mesh of about, or exactly, the wanted count.
 	ResultMesh sampleAndImprove(const Prepared& p)
 	{
-		const BlockPartition partition = cut(p);
-		BoundaryCurves       boundary;
-		Sampling             sampling = sampleAll(p, partition, boundary);
-		clock_.enter("retriangulation", "Retriangulating", 0.8);
-		ResultMesh result = removeVertices(p.surface, sampling, boundary, partition, workers_);
-		result.idealEdge  = float(diskRadius(p.area, double(p.targetNum), 1));
-		sampling          = Sampling();
-
-		clock_.enter("flips", "Flipping edges", 0.83);
-		flipToDelaunay(result, workers_);
-		mendFolds(p.surface, true, result, workers_);
+		BoundaryCurves boundary;
+		ResultMesh     result = sampleAndRetriangulate(p, boundary);
 		if (options_.exactCount) {
 			clock_.enter("count", "Reaching the count", 0.87);
 			collapseShortEdges(result, workers_);
 			reachExactCount(p.surface, boundary, p.targetNum, result, workers_);
 		}
-		relax(p, result);
-		noteOperations(result);
+		relax(p, boundary, result);
+		return result;
+	}
+
+	ResultMesh sampleAndRetriangulate(const Prepared& p, BoundaryCurves& boundary)
+	{
+		const BlockPartition partition = cut(p);
+		Sampling             sampling  = sampleAll(p, partition, boundary);
+		clock_.enter("retriangulation", "Retriangulating", 0.8);
+		ResultMesh result = removeVertices(p.surface, sampling, boundary, partition, workers_);
+		result.idealEdge  = idealEdge(p);
+		sampling          = Sampling();
+		clock_.enter("flips", "Flipping edges", 0.83);
+		flipToDelaunay(result, workers_);
+		mendFolds(p.surface, boundary, true, result, workers_);
 		return result;
 	}
 
 	/// The first two steps leave the edges alone: flips straight away would undo what the exact count
 	/// did for the valences.
-	void relax(const Prepared& p, ResultMesh& result)
+	void relax(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
 	{
 		constexpr int stepsWithoutFlips = 2;
 		clock_.enter("relaxation", "Relaxing", 0.95);
@@ -310,7 +312,7 @@ private:
 			if (step >= stepsWithoutFlips) flipToDelaunay(result, workers_);
 		}
 		if (options_.relaxIterations > 0) raiseWorstAngles(p.surface, poorAngleDeg, result, workers_);
-		mendFolds(p.surface, false, result, workers_);
+		mendFolds(p.surface, boundary, false, result, workers_);
 	}
 
 	void noteOperations(const ResultMesh& result)
@@ -321,29 +323,57 @@ private:
 		report_.flipNum           = result.flipNum;
 	}
 
-	/// The count could not be reached. Finds the nearest one that can, by asking for what came out until
-	/// it comes out, and takes it or refuses.
-	ResultMesh settleForNearest(Prepared& p, ResultMesh&& first, RemeshResult& out)
+	/// The count could not be reached from samples of the right spacing. Starts from the fewest samples
+	/// instead and changes the count by topology alone; what even that cannot reach is refused, or, where
+	/// the target was a wish, raised to the smallest possible count.
+	ResultMesh reachByTopology(Prepared& p, RemeshResult& out)
 	{
 		const std::int64_t asked  = p.targetNum;
-		ResultMesh         result = std::move(first);
-		for (int trial = 0; trial < mostCountTrials && result.mesh.vertexNum != p.targetNum; ++trial) {
-			setTarget(p, result.mesh.vertexNum);
-			result = sampleAndImprove(p);
-		}
+		ResultMesh         result = meshByTopology(p, asked);
 		const std::int64_t nearest = result.mesh.vertexNum;
-		setTarget(p, nearest);
+		if (nearest == asked) return result;
+
 		const bool mayRaise = options_.allowNearest || options_.targetMode != TargetMode::VertexNum;
 		if (!mayRaise) {
 			out.smallestVertexNum = nearest;
 			throw Failure(Status::CountTooSmall,
 						  "The surface cannot be meshed with " + std::to_string(asked) +
-							  " vertices; the nearest possible number is " + std::to_string(nearest) +
-							  ".");
+							  " vertices; the smallest possible number is " +
+							  std::to_string(nearest) + ".");
 		}
 		out.notes.push_back("The result has " + std::to_string(nearest) + " vertices instead of " +
-							std::to_string(asked) + ", the nearest number the topology allows.");
+							std::to_string(asked) + ", the smallest number the topology allows.");
+		// Samples of the right spacing, if they lead there, make better triangles.
+		p                = prepareAgain(nearest);
+		ResultMesh again = sampleAndImprove(p);
+		if (again.mesh.vertexNum == nearest) return again;
+		return meshByTopology(p, nearest);
+	}
+
+	/// Everything before the count is the same for every target, so that the smallest count is.
+	ResultMesh meshByTopology(Prepared& p, std::int64_t targetNum)
+	{
+		p = prepareAgain(1);
+		BoundaryCurves boundary;
+		ResultMesh     result = sampleAndRetriangulate(p, boundary);
+		setTarget(p, targetNum);
+		result.idealEdge = idealEdge(p);
+		clock_.enter("count", "Reaching the count", 0.87);
+		reachCountByTopology(p.surface, boundary, targetNum, result, workers_);
+		setTarget(p, result.mesh.vertexNum);
+		relax(p, boundary, result);
 		return result;
+	}
+
+	Prepared prepareAgain(std::int64_t targetNum)
+	{
+		report_.cleaned = CleanCounts();
+		return prepare(targetNum);
+	}
+
+	static float idealEdge(const Prepared& p)
+	{
+		return float(diskRadius(p.area, double(p.targetNum), 1));
 	}
 
 	void setTarget(Prepared& p, std::int64_t targetNum)
@@ -388,6 +418,7 @@ private:
 		const double unit = 1 / p.surface.frame.scale;
 		report_.result    = figuresOf(result.mesh, unit, workers_);
 		const std::int64_t promised = options_.exactCount ? p.targetNum : 0;
+		noteOperations(result);
 		report_.audit = audit(p.surface, result, report_.cleanedInput, report_.result, promised, workers_);
 		if (!report_.audit.passed) {
 			throw Failure(Status::PromiseBroken, describeFailure(report_.audit));

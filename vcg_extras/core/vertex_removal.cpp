@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <unordered_map>
 
 namespace gpr {
 
@@ -239,6 +240,24 @@ void removeRest(HalfEdgeMesh& m, const Sampling& sampling, std::vector<int>& res
 	}
 }
 
+/// Curve and arc length of those of the vertices that lie on a curve.
+std::unordered_map<int, std::pair<int, float>> findOnCurves(const BoundaryCurves&   boundary,
+															const std::vector<int>& vertices)
+{
+	std::unordered_map<int, std::pair<int, float>> place;
+	for (int v : vertices)
+		place[v] = {-1, 0.0f};
+	if (place.empty()) return place;
+	for (std::size_t c = 0; c < boundary.curves.size(); ++c) {
+		const Curve& curve = boundary.curves[c];
+		for (int i = 0; i < curve.pointNum(); ++i) {
+			const auto found = place.find(curve.vertex[i]);
+			if (found != place.end()) found->second = {int(c), curve.arc[i]};
+		}
+	}
+	return place;
+}
+
 /// The vertices that are left become the result, each at its sample's place.
 ResultMesh emit(HalfEdgeMesh&& m, const Surface& surface, const Sampling& sampling,
 				const BoundaryCurves& boundary, const std::vector<int>& representative,
@@ -261,8 +280,11 @@ ResultMesh emit(HalfEdgeMesh&& m, const Surface& surface, const Sampling& sampli
 			r.isCorner = boundary.samples[s].isCorner;
 		}
 	}
+	const auto onCurve = findOnCurves(boundary, rest);
 	for (int old : rest) {
 		ResultVertex& r = result.vertex[newIndex[old]];
+		r.curve = onCurve.at(old).first;
+		r.arc   = onCurve.at(old).second;
 		r.anchor        = {surface.mesh.position[old], surface.mesh.outgoing[old] / 3};
 		r.normal        = surface.mesh.faceNormal(r.anchor.face);
 	}
