@@ -128,6 +128,22 @@ TriangleMesh twoSheets(int n, double gap)
 	return joined(grid(n, n), shifted(grid(n, n), {0, 0, gap}));
 }
 
+TriangleMesh squareFrame(int n, int holeCells)
+{
+	const TriangleMesh whole = grid(n, n);
+	const int          low = (n - holeCells) / 2, high = low + holeCells;
+	TriangleMesh       mesh;
+	mesh.positions = whole.positions;
+	for (int f = 0; f < int(whole.faceNum()); ++f) {
+		const int  i = f / 2 % n, j = f / 2 / n;
+		const bool inHole = i >= low && i < high && j >= low && j < high;
+		if (inHole) continue;
+		const std::int32_t* t = &whole.triangles[3 * f];
+		addFace(mesh, t[0], t[1], t[2]);
+	}
+	return withoutUnused(mesh);
+}
+
 TriangleMesh openCylinder(int around, int along, double radius, double height)
 {
 	TriangleMesh mesh;

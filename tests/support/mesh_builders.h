@@ -21,6 +21,9 @@ TriangleMesh jitteredGrid(int n, double jitter, Random& random);
 TriangleMesh bentSheet(int n, double angleRad);
 /// Two square grids of side 1, one `gap` above the other: two components that only look near.
 TriangleMesh twoSheets(int n, double gap);
+/// A square of side 1 and n cells without the holeCells × holeCells in its middle; two border
+/// loops.
+TriangleMesh squareFrame(int n, int holeCells);
 /// Side of a cylinder about the z axis; two border loops.
 TriangleMesh openCylinder(int around, int along, double radius, double height);
 /// Side of a cone with its tip at the origin, opening upwards; one border loop.

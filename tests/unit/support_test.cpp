@@ -51,6 +51,7 @@ TEST(MeshBuilders, MakeTheSurfacesTheyName)
 		{"jitteredGrid", jitteredGrid(9, 0.3, random), 1, 1, 1, 1},
 		{"bentSheet", bentSheet(8, 1.2), 1, 1, 1, 1},
 		{"twoSheets", twoSheets(6, 0.1), 2, 2, 2, 2},
+		{"squareFrame", squareFrame(12, 4), 1, 2, 0, 8.0 / 9},
 		{"openCylinder", openCylinder(64, 9, 1, 2), 1, 2, 0, 4 * pi},
 		{"closedCylinder", closedCylinder(64, 9, 1, 2), 1, 0, 2, 6 * pi},
 		{"cone", cone(64, 9, 3, 4), 1, 1, 1, 15 * pi},

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Progress is told truly, and a callback that returns false ends the run soon and in order.
+
+#include <chrono>
+#include <gtest/gtest.h>
+#include <string>
+#include <tests/support/mesh_builders.h>
+#include <thread>
+#include <vcg_extras/core/remesh.h>
+#include <vector>
+
+namespace gpr::test {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// From the refusal to the end of the call; generous, for loaded machines.
+constexpr double mostSecondsToCancel = 1.0;
+
+RemeshOptions someOptions()
+{
+	RemeshOptions options;
+	options.targetPercent = 60;
+	options.threads       = 2;
+	return options;
+}
+
+double secondsSince(Clock::time_point start)
+{
+	return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+TEST(Progress, RisesFromNothingToOneWithAPhrase)
+{
+	const TriangleMesh       mesh = torus(400, 200);
+	std::vector<double>      shares;
+	std::vector<std::string> phrases;
+	const auto               caller = std::this_thread::get_id();
+	const RemeshResult       r =
+		remesh(mesh.view(), someOptions(), [&](double share, const char* phrase) {
+			EXPECT_EQ(std::this_thread::get_id(), caller) << "from the thread that called";
+			shares.push_back(share);
+			phrases.push_back(phrase);
+			return true;
+		});
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	ASSERT_GE(shares.size(), 3u);
+	for (std::size_t i = 0; i < shares.size(); ++i) {
+		EXPECT_GE(shares[i], i > 0 ? shares[i - 1] : 0.0);
+		EXPECT_LE(shares[i], 1.0);
+		EXPECT_FALSE(phrases[i].empty());
+	}
+}
+
+TEST(Progress, TheCallbackDoesNotChangeTheResult)
+{
+	const TriangleMesh mesh = torus(90, 46);
+	const RemeshResult a    = remesh(mesh.view(), someOptions());
+	const RemeshResult b =
+		remesh(mesh.view(), someOptions(), [](double, const char*) { return true; });
+	EXPECT_TRUE(a.mesh.positions == b.mesh.positions);
+	EXPECT_EQ(a.mesh.triangles, b.mesh.triangles);
+}
+
+class CancelAfter : public ::testing::TestWithParam<std::uint32_t> {};
+
+/// At a random moment of the run, on a clean mesh and on one that is repaired first.
+TEST_P(CancelAfter, ARandomTimeEndsSoonWithNothingHandedOut)
+{
+	Random random(GetParam());
+	SCOPED_TRACE("seed " + std::to_string(GetParam()));
+	const TriangleMesh clean = torus(400, 200);
+	for (const TriangleMesh& mesh : {clean, damaged(clean, 20, random)}) {
+		const double       moment  = random.between(0, 0.5);
+		const auto         start   = Clock::now();
+		bool               refused = false;
+		Clock::time_point  refusedAt;
+		const RemeshResult r = remesh(mesh.view(), someOptions(), [&](double, const char*) {
+			EXPECT_FALSE(refused) << "not asked again";
+			if (secondsSince(start) < moment) return true;
+			refused   = true;
+			refusedAt = Clock::now();
+			return false;
+		});
+		if (!refused) continue; // done before the moment came
+		EXPECT_LT(secondsSince(refusedAt), mostSecondsToCancel);
+		EXPECT_EQ(r.status, Status::Cancelled);
+		EXPECT_FALSE(r.message.empty());
+		EXPECT_EQ(r.mesh.vertexNum(), 0u);
+		EXPECT_TRUE(r.anchors.empty());
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, CancelAfter, ::testing::ValuesIn(testSeeds(8)));
+
+TEST(Cancel, StopsTheSamplingAndTheRetriangulationToo)
+{
+	const auto         never = [](double, const char*) { return false; };
+	const TriangleMesh mesh  = torus(90, 46);
+	EXPECT_EQ(samplePoissonDisks(mesh.view(), someOptions(), never).status, Status::Cancelled);
+	EXPECT_EQ(retriangulate(mesh.view(), mesh.positions, someOptions(), never).status,
+			  Status::Cancelled);
+}
+
+TEST(Cancel, AThrowingCallbackIsReported)
+{
+	const RemeshResult r =
+		remesh(torus(90, 46).view(), someOptions(),
+			   [](double, const char*) -> bool { throw std::runtime_error("host failed"); });
+	EXPECT_EQ(r.status, Status::InternalError);
+	EXPECT_NE(r.message.find("host failed"), std::string::npos);
+}
+
+} // namespace
+
+} // namespace gpr::test

@@ -1,0 +1,304 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What a remeshing promises, held against an audit that shares nothing with the engine.
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/oracles.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr::test {
+
+namespace {
+
+RemeshOptions percentOptions(double percent, std::uint32_t seed = 1)
+{
+	RemeshOptions options;
+	options.targetPercent = percent;
+	options.seed          = seed;
+	options.threads       = 2;
+	return options;
+}
+
+struct Shape {
+	std::string  name;
+	TriangleMesh mesh;
+	double       leastMeanShape; ///< mean 2r/R that every target from 5 % on reaches
+	double       tinyLoop = 0;   ///< radius of loops of which only three vertices can be kept
+};
+
+std::ostream& operator<<(std::ostream& out, const Shape& shape)
+{
+	return out << shape.name;
+}
+
+std::vector<Shape> shapes()
+{
+	Random random(1);
+	return {{"sphere", icosphere(4), 0.96},
+			{"torus", torus(90, 46), 0.96},
+			{"uvSphere", uvSphere(40, 70), 0.96},
+			{"noisySphere", noisySphere(4, 0.01, random), 0.96},
+			{"grid", grid(60, 60), 0.88},
+			{"jitteredGrid", jitteredGrid(60, 0.3, random), 0.88},
+			{"gridWithHoles", withHoles(grid(60, 60), 4, random), 0.88, 1 / 60.0},
+			{"squareFrame", squareFrame(60, 25), 0.85},
+			{"cylinder", openCylinder(60, 60, 0.5, 1.5), 0.95},
+			{"twoSpheres", joined(icosphere(4), shifted(icosphere(3, 0.5), {2, 0, 0})), 0.95},
+			{"twoSheets", twoSheets(40, 0.02), 0.88},
+			{"cube", cube(25), 0.95},
+			{"closedCylinder", closedCylinder(60, 60, 0.5, 1.5), 0.93},
+			{"cone", cone(60, 50, 0.5, 1), 0.94}};
+}
+
+class Remesh : public ::testing::TestWithParam<Shape> {};
+
+TEST_P(Remesh, HitsTheCountAndKeepsTheTopologyForAnyTarget)
+{
+	const TriangleMesh& mesh = GetParam().mesh;
+	for (double percent : {1.0, 2.0, 5.0, 10.0, 37.0, 80.0, 100.0, 200.0}) {
+		SCOPED_TRACE(std::to_string(percent) + " %");
+		const RemeshResult r = remesh(mesh.view(), percentOptions(percent));
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_EQ(std::int64_t(r.mesh.vertexNum()),
+				  std::int64_t(std::round(percent / 100 * double(mesh.vertexNum()))));
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		EXPECT_TRUE(hasSameTopology(r.mesh, mesh));
+		EXPECT_TRUE(r.report.audit.passed);
+		if (percent >= 5) {
+			EXPECT_GE(r.report.quality.radiusRatioMean, GetParam().leastMeanShape);
+		}
+	}
+}
+
+TEST_P(Remesh, KeepsEveryVertexOnTheSurfaceWhereItsAnchorSays)
+{
+	const TriangleMesh& mesh = GetParam().mesh;
+	const RemeshResult  r    = remesh(mesh.view(), percentOptions(10));
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	ASSERT_EQ(r.anchors.size(), r.mesh.vertexNum());
+	for (std::size_t v = 0; v < r.mesh.vertexNum(); ++v) {
+		const SurfacePoint& a = r.anchors[v];
+		ASSERT_TRUE(a.face >= 0 && a.face < int(mesh.faceNum()));
+		Vec3d p;
+		for (int k = 0; k < 3; ++k) {
+			ASSERT_TRUE(a.weight[k] >= 0 && a.weight[k] <= 1);
+			p += mesh.positions[mesh.triangles[3 * a.face + k]] * double(a.weight[k]);
+		}
+		ASSERT_LT(length(p - r.mesh.positions[v]), 2e-5) << "vertex " << v;
+	}
+}
+
+/// In mean edges of the result; both ways, so that neither corners nor bays are lost. A closed surface
+/// has no boundary to be far from.
+TEST_P(Remesh, KeepsTheBoundaryInPlace)
+{
+	constexpr double    share = 0.1;
+	const TriangleMesh& mesh  = GetParam().mesh;
+	for (double percent : {3.0, 10.0, 60.0}) {
+		const RemeshResult r = remesh(mesh.view(), percentOptions(percent));
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		const double allowed = std::max(share * r.report.quality.meanEdgeLen, GetParam().tinyLoop);
+		EXPECT_LE(rimDistance(r.mesh, mesh), allowed) << percent << " %";
+		EXPECT_LE(rimDistance(mesh, r.mesh), allowed) << percent << " %";
+	}
+}
+
+TEST_P(Remesh, LeavesTheInputUntouched)
+{
+	const TriangleMesh before = GetParam().mesh;
+	const TriangleMesh mesh   = before;
+	remesh(mesh.view(), percentOptions(10));
+	EXPECT_EQ(mesh.triangles, before.triangles);
+	EXPECT_EQ(std::memcmp(mesh.positions.data(), before.positions.data(),
+						  before.positions.size() * sizeof(Vec3d)),
+			  0);
+}
+
+/// No face of the result looks against the surface: the area it spans agrees with the input's, up
+/// to what is cut off along creases and borders.
+TEST_P(Remesh, KeepsTheAreaWhereTrianglesAreSmall)
+{
+	const RemeshResult r = remesh(GetParam().mesh.view(), percentOptions(40));
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	const double area = factsOf(GetParam().mesh).area;
+	EXPECT_NEAR(factsOf(r.mesh).area, area, 0.05 * area);
+	EXPECT_EQ(r.report.audit.flippedFaces, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Remesh, ::testing::ValuesIn(shapes()),
+						 [](const auto& shape) { return std::string(shape.param.name); });
+
+TEST(RemeshOptionsMean, AnEdgeLengthIsTheResultsMean)
+{
+	for (double wanted : {0.05, 0.1, 0.2}) {
+		RemeshOptions options = percentOptions(10);
+		options.targetMode    = TargetMode::EdgeLength;
+		options.targetEdgeLen = wanted;
+		const RemeshResult r  = remesh(icosphere(5).view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_NEAR(r.report.quality.meanEdgeLen, wanted, 0.05 * wanted);
+		EXPECT_EQ(std::int64_t(r.mesh.vertexNum()), r.report.targetVertexNum);
+	}
+}
+
+TEST(RemeshOptionsMean, WithoutExactCountTheNumberLandsNear)
+{
+	RemeshOptions options = percentOptions(20);
+	options.exactCount    = false;
+	const RemeshResult r  = remesh(torus(90, 46).view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_NEAR(double(r.mesh.vertexNum()) / (0.2 * 90 * 46), 0.97, 0.08);
+	EXPECT_TRUE(isSoundSurface(r.mesh));
+}
+
+TEST(RemeshOptionsMean, RelaxationMakesTrianglesMoreRegular)
+{
+	RemeshOptions options   = percentOptions(20);
+	options.relaxIterations = 0;
+	const double before     = remesh(torus(90, 46).view(), options).report.quality.radiusRatioMean;
+	options.relaxIterations = 5;
+	const double after      = remesh(torus(90, 46).view(), options).report.quality.radiusRatioMean;
+	EXPECT_GT(after, before + 0.01);
+}
+
+TEST(RemeshOptionsMean, ValuesOutOfRangeAreRefusedBeforeAnythingIsDone)
+{
+	RemeshOptions      options = percentOptions(-1);
+	const RemeshResult r       = remesh(icosphere(2).view(), options);
+	EXPECT_EQ(r.status, Status::BadOptions);
+	EXPECT_FALSE(r.message.empty());
+	EXPECT_EQ(r.mesh.faceNum(), 0u);
+}
+
+TEST(RemeshReportTells, WhatHappened)
+{
+	const TriangleMesh mesh = joined(grid(40, 40), shifted(icosphere(3), {3, 0, 0}));
+	const RemeshResult r    = remesh(mesh.view(), percentOptions(50, 77));
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_EQ(r.report.seed, 77u);
+	EXPECT_EQ(r.report.threads, 2);
+	EXPECT_EQ(r.report.input.vertices, std::int64_t(mesh.vertexNum()));
+	EXPECT_EQ(r.report.input.components, 2);
+	EXPECT_EQ(r.report.result.vertices, std::int64_t(r.mesh.vertexNum()));
+	EXPECT_EQ(r.report.result.faces, std::int64_t(r.mesh.faceNum()));
+	EXPECT_EQ(r.report.result.boundaryLoops, 1);
+	EXPECT_EQ(r.report.result.eulerCharacteristic, factsOf(r.mesh).euler());
+	EXPECT_NEAR(r.report.result.area, factsOf(r.mesh).area, 1e-4);
+	double sum = 0;
+	for (const StageTime& stage : r.report.stages)
+		sum += stage.seconds;
+	EXPECT_LE(sum, r.report.remeshSeconds * 1.0001);
+	EXPECT_GE(sum, r.report.remeshSeconds * 0.8 - 0.005);
+}
+
+TEST(RemeshReportTells, AFreshSeedForSeedZero)
+{
+	const RemeshResult r = remesh(icosphere(2).view(), percentOptions(50, 0));
+	ASSERT_EQ(r.status, Status::Ok);
+	ASSERT_NE(r.report.seed, 0u);
+	const RemeshResult again = remesh(icosphere(2).view(), percentOptions(50, r.report.seed));
+	EXPECT_TRUE(again.mesh.positions == r.mesh.positions) << "which gives the same mesh again";
+}
+
+class RandomRemesh : public ::testing::TestWithParam<std::uint32_t> {};
+
+RemeshOptions randomOptions(Random& random, const TriangleMesh& mesh)
+{
+	RemeshOptions options;
+	options.seed            = 1 + std::uint32_t(random.below(1000));
+	options.threads         = 1 + random.below(4);
+	options.relaxIterations = random.below(8);
+	options.allowNearest    = random.chance(0.5);
+	options.exactCount      = random.chance(0.8);
+	options.targetPercent   = std::pow(10, random.between(0, 2.3));
+	if (random.chance(0.3)) {
+		options.targetMode      = TargetMode::VertexNum;
+		options.targetVertexNum = 1 + random.below(int(mesh.vertexNum()));
+	}
+	return options;
+}
+
+/// A sound result, or a refusal with a sentence; never anything else.
+void expectSoundOrRefused(const RemeshResult& r, const RemeshOptions& options)
+{
+	if (r.status != Status::Ok) {
+		EXPECT_TRUE(r.status == Status::CountTooSmall || r.status == Status::UnusableInput)
+			<< statusName(r.status) << ": " << r.message;
+		EXPECT_FALSE(r.message.empty());
+		EXPECT_EQ(r.mesh.vertexNum(), 0u);
+		EXPECT_EQ(r.status == Status::CountTooSmall, r.smallestVertexNum > 0);
+		return;
+	}
+	EXPECT_TRUE(isSoundSurface(r.mesh));
+	EXPECT_EQ(factsOf(r.mesh).components, r.report.cleanedInput.components);
+	EXPECT_EQ(factsOf(r.mesh).boundaryLoops, r.report.cleanedInput.boundaryLoops);
+	EXPECT_EQ(factsOf(r.mesh).euler(), r.report.cleanedInput.eulerCharacteristic);
+	if (options.exactCount) {
+		EXPECT_EQ(std::int64_t(r.mesh.vertexNum()), r.report.targetVertexNum);
+	}
+}
+
+TEST_P(RandomRemesh, SoundSurfacesKeepTheirTopology)
+{
+	Random random(GetParam());
+	for (int round = 0; round < 4; ++round) {
+		SCOPED_TRACE("seed " + std::to_string(GetParam()) + ", round " + std::to_string(round));
+		const TriangleMesh  mesh    = randomSurface(random);
+		const RemeshOptions options = randomOptions(random, mesh);
+		const RemeshResult  r       = remesh(mesh.view(), options);
+		ASSERT_NE(r.status, Status::UnusableInput) << r.message;
+		expectSoundOrRefused(r, options);
+		if (r.status == Status::Ok) {
+			EXPECT_TRUE(hasSameTopology(r.mesh, mesh));
+		}
+	}
+}
+
+TEST_P(RandomRemesh, DamagedSurfacesGiveASoundResultOrASentence)
+{
+	Random random(GetParam());
+	for (int round = 0; round < 4; ++round) {
+		SCOPED_TRACE("seed " + std::to_string(GetParam()) + ", round " + std::to_string(round));
+		const TriangleMesh  mesh    = damaged(randomSurface(random), 1 + random.below(30), random);
+		const RemeshOptions options = randomOptions(random, mesh);
+		expectSoundOrRefused(remesh(mesh.view(), options), options);
+	}
+}
+
+/// Random triangles over a few points: no surface at all, and still an orderly end.
+TEST_P(RandomRemesh, HeapsOfTrianglesGiveASoundResultOrASentence)
+{
+	Random random(GetParam());
+	for (int round = 0; round < 10; ++round) {
+		SCOPED_TRACE("seed " + std::to_string(GetParam()) + ", round " + std::to_string(round));
+		TriangleMesh mesh;
+		const int    n = 3 + random.below(10);
+		for (int v = 0; v < n; ++v)
+			mesh.positions.push_back(
+				{double(random.below(4)), double(random.below(4)), double(random.below(3))});
+		for (int i = 3 * (1 + random.below(20)); i > 0; --i)
+			mesh.triangles.push_back(random.below(n));
+		RemeshOptions options = randomOptions(random, mesh);
+		options.targetPercent = std::pow(10, random.between(1, 3.5));
+		const RemeshResult r  = remesh(mesh.view(), options);
+		// Where most faces have no area to begin with, a result may have to be withheld.
+		if (r.status == Status::PromiseBroken) {
+			EXPECT_NE(r.message.find("without area"), std::string::npos) << r.message;
+			continue;
+		}
+		expectSoundOrRefused(r, options);
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomRemesh, ::testing::ValuesIn(testSeeds(12)));
+
+} // namespace
+
+} // namespace gpr::test

@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What makes a sampling a Poisson-disk sampling: no two samples too near, no place too far from
+// all.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/oracles.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/front_sampling.h>
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// Share by which float rounding may miss the promised (1 - spacingSlack) r, or r.
+constexpr double rounding = 1e-3;
+
+struct Shape {
+	std::string  name;
+	TriangleMesh mesh;
+};
+
+std::ostream& operator<<(std::ostream& out, const Shape& shape)
+{
+	return out << shape.name;
+}
+
+/// Shapes on which the chord between neighbours tells their distance on the surface to a few
+/// percent.
+std::vector<Shape> gentleShapes()
+{
+	Random random(1);
+	return {{"sphere", icosphere(4)},
+			{"fineSphere", icosphere(5)},
+			{"torus", torus(90, 46)},
+			{"uvSphere", uvSphere(40, 70)},
+			{"grid", grid(60, 60)},
+			{"coarseGrid", grid(13, 13)},
+			{"jitteredGrid", jitteredGrid(50, 0.3, random)},
+			{"squareFrame", squareFrame(48, 20)},
+			{"cylinder", openCylinder(60, 60, 0.5, 1.5)}};
+}
+
+SamplingResult sample(const TriangleMesh& mesh, double percent, std::uint32_t seed, int threads = 2)
+{
+	RemeshOptions options;
+	options.targetPercent = percent;
+	options.seed          = seed;
+	options.threads       = threads;
+	return samplePoissonDisks(mesh.view(), options);
+}
+
+class GentleShapes : public ::testing::TestWithParam<Shape> {
+protected:
+	/// Calls check(result, percent) for several targets and seeds, those with too few samples to
+	/// speak of a spacing left out.
+	void forEachSampling(const std::function<void(const SamplingResult&)>& check)
+	{
+		for (double percent : {3.0, 10.0, 40.0, 100.0, 200.0}) {
+			if (percent * double(GetParam().mesh.vertexNum()) > 6e5) continue;
+			for (std::uint32_t seed : testSeeds(2)) {
+				SCOPED_TRACE(std::to_string(percent) + " %, seed " + std::to_string(seed));
+				const SamplingResult s = sample(GetParam().mesh, percent, seed);
+				ASSERT_EQ(s.status, Status::Ok) << s.message;
+				ASSERT_GE(s.points.size(), 3u);
+				check(s);
+			}
+		}
+	}
+};
+
+TEST_P(GentleShapes, NoTwoSamplesAreNearerThanPromised)
+{
+	forEachSampling([](const SamplingResult& s) {
+		const double least = (1 - spacingSlack) * s.diskRadius * (1 - rounding);
+		EXPECT_EQ(pairsNearerThan(s.points, least), 0)
+			<< "nearest pair at " << nearestPair(s.points).distance / s.diskRadius << " r";
+	});
+}
+
+TEST_P(GentleShapes, EveryVertexOfTheInputIsCovered)
+{
+	forEachSampling([&](const SamplingResult& s) {
+		double farthest = 0;
+		for (const Vec3d& p : GetParam().mesh.positions)
+			farthest = std::max(farthest, distanceToNearest(s.points, p));
+		EXPECT_LE(farthest, s.diskRadius * (1 + rounding));
+		EXPECT_GT(farthest, 0.4 * s.diskRadius) << "r is no larger than it has to be";
+	});
+}
+
+TEST_P(GentleShapes, SamplesLieOnTheSurfaceWhereTheirAnchorsSay)
+{
+	const TriangleMesh& mesh = GetParam().mesh;
+	forEachSampling([&](const SamplingResult& s) {
+		ASSERT_EQ(s.anchors.size(), s.points.size());
+		for (std::size_t i = 0; i < s.points.size(); ++i) {
+			const SurfacePoint& a = s.anchors[i];
+			ASSERT_TRUE(a.face >= 0 && a.face < int(mesh.faceNum()));
+			Vec3d p;
+			for (int k = 0; k < 3; ++k)
+				p += mesh.positions[mesh.triangles[3 * a.face + k]] * double(a.weight[k]);
+			ASSERT_LT(length(p - s.points[i]), 1e-5);
+		}
+	});
+}
+
+INSTANTIATE_TEST_SUITE_P(, GentleShapes, ::testing::ValuesIn(gentleShapes()),
+						 [](const auto& shape) { return std::string(shape.param.name); });
+
+/// Flat coordinates of a point of bentSheet: the fold straightened out.
+Vec3d unfolded(const Vec3d& p)
+{
+	const double beyond = std::hypot(p.x - 0.5, p.z);
+	return p.x > 0.5 || p.z > 0 ? Vec3d(0.5 + beyond, p.y, 0) : Vec3d(p.x, p.y, 0);
+}
+
+/// Across a fold the chord is shorter than the way on the surface: measured on the sheet laid flat,
+/// every vertex is covered within what unfolding over triangles can be off.
+TEST(Sampling, CoversAFoldedSheetMeasuredFlat)
+{
+	constexpr double unfoldingError = 0.03;
+	for (double angle : {0.5, 1.5, 2.5}) {
+		const TriangleMesh   sheet = bentSheet(50, angle);
+		const SamplingResult s     = sample(sheet, 20, 1);
+		ASSERT_EQ(s.status, Status::Ok);
+		std::vector<Vec3d> flat;
+		for (const Vec3d& p : s.points)
+			flat.push_back(unfolded(p));
+		for (const Vec3d& p : sheet.positions) {
+			ASSERT_LE(distanceToNearest(flat, unfolded(p)), s.diskRadius * (1 + unfoldingError))
+				<< "angle " << angle;
+		}
+		EXPECT_LE(pairsNearerThan(flat, 0.9 * s.diskRadius), int(flat.size()) / 500);
+	}
+}
+
+/// The other sheet is near through space and far on the surface: it must not count.
+TEST(Sampling, DoesNotLeakFromSheetToSheet)
+{
+	const double gap = 0.02;
+	for (double percent : {2.0, 10.0, 50.0}) {
+		const TriangleMesh   sheets = twoSheets(40, gap);
+		const SamplingResult s      = sample(sheets, percent, 1);
+		ASSERT_EQ(s.status, Status::Ok);
+		ASSERT_GT(s.diskRadius, gap) << "else nothing is tested";
+		for (bool upper : {false, true}) {
+			std::vector<Vec3d> own;
+			for (const Vec3d& p : s.points) {
+				if ((p.z > gap / 2) == upper) own.push_back(p);
+			}
+			for (const Vec3d& p : sheets.positions) {
+				if ((p.z > gap / 2) == upper) {
+					ASSERT_LE(distanceToNearest(own, p), s.diskRadius * (1 + rounding));
+				}
+			}
+			EXPECT_EQ(pairsNearerThan(own, (1 - spacingSlack) * s.diskRadius * (1 - rounding)), 0);
+		}
+	}
+}
+
+TEST(Sampling, CoversBothSidesOfAThinPlate)
+{
+	const double         thickness = 0.01;
+	const TriangleMesh   plate     = thinPlate(40, thickness);
+	const SamplingResult s         = sample(plate, 10, 1);
+	ASSERT_EQ(s.status, Status::Ok);
+	ASSERT_GT(s.diskRadius, 3 * thickness);
+	// Away from the rim, a side can only be covered by its own samples or round the rim.
+	for (const Vec3d& p : plate.positions) {
+		const double toRim = std::min({p.x, p.y, 1 - p.x, 1 - p.y});
+		if (toRim < s.diskRadius) continue;
+		std::vector<Vec3d> own;
+		for (const Vec3d& q : s.points) {
+			if (std::abs(q.z - p.z) < thickness / 2) own.push_back(q);
+		}
+		ASSERT_LE(distanceToNearest(own, p), s.diskRadius * (1 + rounding));
+	}
+}
+
+/// On coarse input disks hold a handful of vertices, and a pair may slip through: few, and not far.
+TEST(Sampling, FewPairsSlipThroughOnCoarseInput)
+{
+	int pairs = 0, samples = 0;
+	for (const TriangleMesh& mesh : {torus(30, 14), torus(40, 18), torus(60, 28), icosphere(2)}) {
+		for (double percent : {50.0, 100.0, 200.0}) {
+			for (std::uint32_t seed : testSeeds(3)) {
+				const SamplingResult s = sample(mesh, percent, seed);
+				ASSERT_EQ(s.status, Status::Ok);
+				samples += int(s.points.size());
+				pairs +=
+					pairsNearerThan(s.points, (1 - spacingSlack) * s.diskRadius * (1 - rounding));
+				EXPECT_GT(nearestPair(s.points).distance, 0.6 * s.diskRadius);
+			}
+		}
+	}
+	EXPECT_LE(pairs, samples / 1000);
+}
+
+/// Closed surfaces with a few hundred samples or more: no correction is made, so a band.
+TEST(Sampling, TheNumberLandsNearTheTarget)
+{
+	for (const TriangleMesh& mesh : {icosphere(4), torus(90, 46), cube(25)}) {
+		for (double percent : {10.0, 50.0, 200.0}) {
+			const SamplingResult s     = sample(mesh, percent, 1);
+			const double         asked = percent / 100 * double(mesh.vertexNum());
+			EXPECT_NEAR(double(s.points.size()) / asked, 0.98, 0.08) << percent << " %";
+		}
+	}
+}
+
+TEST(Sampling, DoesNotDependOnThreads)
+{
+	const TriangleMesh   mesh = torus(90, 46);
+	const SamplingResult one  = sample(mesh, 30, 7, 1);
+	for (int threads = 2; threads <= 4; ++threads) {
+		const SamplingResult several = sample(mesh, 30, 7, threads);
+		EXPECT_TRUE(several.points == one.points) << threads << " threads";
+	}
+	EXPECT_FALSE(sample(mesh, 30, 8, 1).points == one.points) << "another seed";
+}
+
+/// The stage itself, in working units: what it says of every vertex.
+TEST(SampleFront, KnowsTheNearestSampleOfEveryVertex)
+{
+	Workers              workers(2, nullptr);
+	const Surface        surface   = surfaceOf(icosphere(5), workers);
+	const float          r         = 0.05f;
+	const BlockPartition partition = cutIntoBlocks(surface, 12 * r, workers);
+	const BoundaryCurves boundary  = sampleBoundary(surface, r, r);
+	const Sampling       s         = sampleFront(surface, boundary, partition, r, 1, workers);
+	EXPECT_FALSE(s.capped);
+	EXPECT_EQ(s.boundarySampleNum, 0);
+	EXPECT_LT(double(s.fillNum), 0.05 * double(s.samples.size())) << "nearly all are intersections";
+	std::vector<Vec3d> places;
+	for (const Sample& sample : s.samples)
+		places.push_back(Vec3d(sample.anchor.position));
+	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
+		const NearestField::Nearest n = s.nearest[v];
+		const Vec3d                 p = Vec3d(surface.mesh.position[v]);
+		ASSERT_TRUE(n.sample >= 0 && n.sample < int(places.size()));
+		ASSERT_LE(n.distance, r);
+		ASSERT_NEAR(double(n.distance), length(places[n.sample] - p), 0.01 * double(r));
+		ASSERT_LE(double(n.distance), distanceToNearest(places, p) + 0.01 * double(r));
+	}
+}
+
+} // namespace
+
+} // namespace gpr::test

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Counts below what a topology needs: refused, and the smallest possible one named.
+
+#include <gtest/gtest.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr::test {
+
+namespace {
+
+RemeshOptions countOptions(std::int64_t vertexNum, std::uint32_t seed)
+{
+	RemeshOptions options;
+	options.targetMode      = TargetMode::VertexNum;
+	options.targetVertexNum = vertexNum;
+	options.seed            = seed;
+	options.threads         = 2;
+	return options;
+}
+
+struct Shape {
+	const char*  name;
+	TriangleMesh mesh;
+	int          leastPossible; ///< no triangulation of this topology has fewer vertices
+	int          mostNamed;     ///< a smallest count above this would be a poor answer
+};
+
+std::ostream& operator<<(std::ostream& out, const Shape& shape)
+{
+	return out << shape.name;
+}
+
+std::vector<Shape> shapes()
+{
+	Random random(1);
+	return {{"sphere", icosphere(3), 4, 6},
+			{"cube", cube(8), 4, 8},
+			{"torus", torus(40, 20), 7, 14},
+			{"twoSpheres", joined(icosphere(3), shifted(icosphere(2), {3, 0, 0})), 8, 12},
+			{"grid", grid(20, 20), 3, 4},
+			{"cylinder", openCylinder(24, 24, 0.5, 1.5), 6, 9},
+			{"gridWithHoles", withHoles(grid(30, 30), 2, random), 7, 18},
+			{"twoSheets", twoSheets(15, 0.1), 6, 8}};
+}
+
+class SmallestCount : public ::testing::TestWithParam<Shape> {};
+
+TEST_P(SmallestCount, IsNamedAndCanBeHad)
+{
+	const TriangleMesh& mesh = GetParam().mesh;
+	for (std::uint32_t seed : {1u, 2u, 3u}) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		const RemeshResult refused = remesh(mesh.view(), countOptions(1, seed));
+		ASSERT_EQ(refused.status, Status::CountTooSmall) << refused.message;
+		EXPECT_EQ(refused.mesh.vertexNum(), 0u) << "nothing is handed out";
+		const std::int64_t smallest = refused.smallestVertexNum;
+		EXPECT_GE(smallest, GetParam().leastPossible);
+		EXPECT_LE(smallest, GetParam().mostNamed);
+		EXPECT_NE(refused.message.find(std::to_string(smallest)), std::string::npos)
+			<< "the sentence names it: " << refused.message;
+
+		const RemeshResult r = remesh(mesh.view(), countOptions(smallest, seed));
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_EQ(std::int64_t(r.mesh.vertexNum()), smallest);
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		EXPECT_TRUE(hasSameTopology(r.mesh, mesh));
+	}
+}
+
+TEST_P(SmallestCount, IsTakenWithAllowNearestAndForPercentages)
+{
+	const TriangleMesh& mesh    = GetParam().mesh;
+	RemeshOptions       nearest = countOptions(1, 1);
+	nearest.allowNearest        = true;
+	RemeshOptions percent       = countOptions(0, 1);
+	percent.targetMode          = TargetMode::Percent;
+	percent.targetPercent       = 0.001;
+	for (const RemeshOptions& options : {nearest, percent}) {
+		const RemeshResult r = remesh(mesh.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_FALSE(r.notes.empty()) << "said so";
+		EXPECT_GE(std::int64_t(r.mesh.vertexNum()), GetParam().leastPossible);
+		EXPECT_LE(std::int64_t(r.mesh.vertexNum()), GetParam().mostNamed);
+		EXPECT_EQ(r.report.targetVertexNum, std::int64_t(r.mesh.vertexNum()));
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		EXPECT_TRUE(hasSameTopology(r.mesh, mesh));
+	}
+}
+
+/// From the smallest count on, every count can be had: no gaps.
+TEST_P(SmallestCount, EveryLargerCountIsHit)
+{
+	const TriangleMesh& mesh    = GetParam().mesh;
+	const RemeshResult  refused = remesh(mesh.view(), countOptions(1, 1));
+	ASSERT_EQ(refused.status, Status::CountTooSmall);
+	for (std::int64_t n = refused.smallestVertexNum; n <= refused.smallestVertexNum + 30; ++n) {
+		const RemeshResult r = remesh(mesh.view(), countOptions(n, 1));
+		ASSERT_EQ(r.status, Status::Ok) << n << " vertices: " << r.message;
+		EXPECT_EQ(std::int64_t(r.mesh.vertexNum()), n);
+		EXPECT_TRUE(isSoundSurface(r.mesh)) << n << " vertices";
+		EXPECT_TRUE(hasSameTopology(r.mesh, mesh)) << n << " vertices";
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(, SmallestCount, ::testing::ValuesIn(shapes()),
+						 [](const auto& shape) { return std::string(shape.param.name); });
+
+} // namespace
+
+} // namespace gpr::test
