@@ -185,7 +185,7 @@ TEST_F(MalformedInput, WordsInPlaceOfNumbers)
 	expectRefused("word.ply", goodPly.substr(0, goodPly.size() - 2) + "x\n",
 				  "line 13: a number is malformed");
 	expectRefused("word.obj", "v 0 zero 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1");
-	expectRefused("word.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 c\n", "no number");
+	expectRefused("word.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 c\n", "line 4");
 	expectRefused("word.obj", "v 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "line 1");
 	expectRefused("word.off", "OFF\n3 1 0\n0 0 0\n1 zero 0\n0 1 0\n3 0 1 2\n", "line 4");
 	expectRefused("word.off", "OFF\n3 one 0\n", "'one' is no count");

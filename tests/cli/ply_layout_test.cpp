@@ -347,6 +347,32 @@ TEST(PlyLayout, TriangleStrips)
 			  (std::vector<std::array<int, 3>>{{0, 1, 2}, {2, 1, 3}, {2, 3, 4}}));
 }
 
+TEST(PlyLayout, StripsAndFacesInEitherOrder)
+{
+	const std::string vertices = "element vertex 4\nproperty float x\nproperty float y\n"
+								 "property float z\n";
+	const std::string strips   = "element tristrips 1\nproperty list int int vertex_indices\n";
+	const std::string faces    = "element face 1\nproperty list uchar int vertex_indices\n";
+	const std::string begin    = "ply\nformat ascii 1.0\n" + vertices,
+					  points   = "0 0 0\n1 0 0\n0 1 0\n1 1 0\n";
+	const std::string face = "3 3 2 1\n", strip = "4 0 1 2 3\n";
+	EXPECT_EQ(
+		asTestMesh(readPly(begin + strips + faces + "end_header\n" + points + strip + face)).faces,
+		(std::vector<std::array<int, 3>>{{0, 1, 2}, {2, 1, 3}, {3, 2, 1}}));
+	EXPECT_EQ(
+		asTestMesh(readPly(begin + faces + strips + "end_header\n" + points + face + strip)).faces,
+		(std::vector<std::array<int, 3>>{{3, 2, 1}, {0, 1, 2}, {2, 1, 3}}));
+}
+
+TEST(PlyLayout, WhatFollowsTheFacesDoesNotMatter)
+{
+	const std::string file =
+		"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+		"property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+		"element other 99\nproperty float q\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\nbroken";
+	EXPECT_EQ(readPly(file).faceNum(), 1u);
+}
+
 TEST(PlyLayout, PolygonsAmongTriangles)
 {
 	const std::string file =

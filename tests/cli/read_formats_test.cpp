@@ -10,6 +10,7 @@
 #include <random>
 #include <vcg_extras/apps/gpremesh/exit_code.h>
 #include <vcg_extras/apps/gpremesh/number_text.h>
+#include <vcg_extras/apps/gpremesh/ply_reader.h>
 #include <vcg_extras/apps/gpremesh/soup_io.h>
 
 namespace gpr_test {
@@ -19,6 +20,7 @@ namespace {
 using gpr::app::InputMesh;
 using gpr::app::readObj;
 using gpr::app::readOff;
+using gpr::app::readPly;
 using gpr::app::readStl;
 
 std::vector<int> corners(const InputMesh& mesh)
@@ -71,6 +73,13 @@ TEST(ObjReader, FormsOfCornersAndLines)
 	for (std::size_t f = 0; f < 5; ++f) {
 		EXPECT_EQ(mesh.triangles[3 * f + 2], 2) << f;
 	}
+}
+
+TEST(ObjReader, TabsAndUnknownKeywords)
+{
+	const InputMesh mesh = readObj(
+		"v\t0\t0\t0\nv 1 0 0\n\tv 0 1 0\nl 1 2\nmg 1\nfoo bar\nf\t1/1\t2/1\t3/1\nf 3\t2 1\n");
+	EXPECT_EQ(corners(mesh), (std::vector<int>{0, 1, 2, 2, 1, 0}));
 }
 
 TEST(ObjReader, NegativeIndicesCountFromWhereTheyStand)
@@ -165,6 +174,19 @@ TEST(OffReader, VariantsOfTheHeader)
 	EXPECT_EQ(readOff("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3").faceNum(), 2u);
 }
 
+TEST(OffReader, AnnouncedColoursMayBeMissing)
+{
+	EXPECT_EQ(readOff("STCNOFF\n3 1 0\n0 0 0\n1 0 0 9\n0 1 0 9 9\n3 0 1 2\n").faceNum(), 1u);
+}
+
+TEST(OffReader, LengthsOfFacesAreNotTrusted)
+{
+	for (const char* length : {"4000000000", "-3", "1000000"}) {
+		const std::string file = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n" + std::string(length);
+		EXPECT_THROW(readOff(file + " 0 1 2\n"), gpr::app::AppError) << length;
+	}
+}
+
 TEST(StlReader, EqualCornersAreWelded)
 {
 	for (const std::string& file : {asciiStl(sphere(5)), binaryStl(sphere(5))}) {
@@ -193,12 +215,83 @@ TEST(StlReader, SeveralSolidsAndAMissingEnd)
 	EXPECT_EQ(readStl(open).notes.size(), 1u);
 }
 
+TEST(StlReader, NamesLikeKeywords)
+{
+	const std::string body = asciiStl(grid(1)), name = " Solid endloop Facet vertex endsolid\n";
+	const std::size_t begin = body.find('\n') + 1, end = body.rfind("endsolid");
+	EXPECT_EQ(
+		readStl("solid" + name + body.substr(begin, end - begin) + "endsolid" + name).faceNum(),
+		2u);
+}
+
+TEST(StlReader, CornersThatAreNoNumbersStayApart)
+{
+	TestMesh     mesh   = sphere(3);
+	const double nan    = std::nan("");
+	const auto   num    = mesh.points.size();
+	mesh.points[0]      = {nan, 0, 0};
+	mesh.points[1]      = {0, nan, nan};
+	const InputMesh got = readStl(binaryStl(mesh));
+	EXPECT_EQ(got.vertexNum(), num);
+	EXPECT_EQ(got.faceNum(), mesh.faces.size());
+}
+
 TEST(StlReader, KeywordsInCapitals)
 {
 	std::string text = asciiStl(grid(1));
 	for (char& c : text)
 		c = char(std::toupper(static_cast<unsigned char>(c)));
 	EXPECT_EQ(readStl(text).faceNum(), 2u);
+}
+
+TEST(AllReaders, NotANumberIsReadAsThat)
+{
+	const std::string ply = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty "
+							"float y\nproperty float "
+							"z\nelement face 2\nproperty list uchar int vertex_index\nend_header\n";
+	const std::string stl = "solid\nfacet normal nan nan nan\nouter loop\n";
+	for (const std::string word : {"nan", "NaN", "-nan", "-nan(ind)", "inf", "-Infinity"}) {
+		SCOPED_TRACE(word);
+		const std::string points[] = {"0 0 0\n", "1 0 " + word + "\n", "0 1 0\n", "1 1 0\n"};
+		const std::string all      = points[0] + points[1] + points[2] + points[3];
+		std::string       obj;
+		for (const std::string& p : points)
+			obj += "v " + p;
+		for (const InputMesh& mesh :
+			 {readObj(obj + "f 1 2 3\nf 1 3 4\n"),
+			  readOff("OFF 4 2 0\n" + all + "3 0 1 2\n3 0 2 3"),
+			  readPly(ply + all + "3 0 1 2\n3 0 2 3\n"),
+			  readStl(stl + "vertex " + points[0] + "vertex " + points[1] + "vertex " + points[2] +
+					  "endloop\nendfacet\nendsolid\n")}) {
+			ASSERT_GE(mesh.vertexNum(), 3u);
+			EXPECT_TRUE(std::isnan(mesh.view().position(1).z));
+			EXPECT_EQ(mesh.view().position(1).x, 1);
+			EXPECT_EQ(mesh.view().position(2).y, 1);
+		}
+	}
+}
+
+TEST(AllReaders, NumbersWithATailAreRefused)
+{
+	// Where a stream reads a number, it is content with the begin of a word.
+	for (const std::string word : {"1.5x", "1,5", "0x10", "1-1", "--1", "1e", "e5"}) {
+		SCOPED_TRACE(word);
+		EXPECT_THROW(readObj("v 0 0 0\nv 1 0 0\nv 0 1 " + word + "\nf 1 2 3\n"),
+					 gpr::app::AppError);
+		EXPECT_THROW(readObj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 " + word + "\n"),
+					 gpr::app::AppError);
+		EXPECT_THROW(readOff("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 " + word + "\n3 0 1 2\n"),
+					 gpr::app::AppError);
+		EXPECT_THROW(readStl("solid\nfacet normal 0 0 0\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+							 "vertex 0 1 " +
+							 word + "\nendloop\nendfacet\nendsolid\n"),
+					 gpr::app::AppError);
+		EXPECT_THROW(readPly("ply\nformat ascii 1.0\nelement face 1\nproperty list uchar int "
+							 "vertex_index\nelement vertex 3\nproperty float x\nproperty float "
+							 "y\nproperty float z\nend_header\n3 0 1 2\n0 0 0\n1 0 0\n0 1 " +
+							 word + "\n"),
+					 gpr::app::AppError);
+	}
 }
 
 TEST(AllReaders, DamagedBytesAreReadOrRefusedWithoutHarm)

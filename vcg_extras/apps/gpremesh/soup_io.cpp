@@ -99,11 +99,9 @@ bool succeeds(Reader read)
 	in.clear();
 	const std::size_t at  = std::size_t(in.tellg());
 	const bool        end = at >= soup.text.size();
-	fail("line " + std::to_string(lineAt(soup, at + byWords)) + ": " +
-		 (end ? "the file ends too early, or " : "") + what);
+	fail("line " + std::to_string(lineAt(soup, at + (byWords || end))) + ": " + what +
+		 (end ? ", or the file ends too early" : ""));
 }
-
-constexpr const char* badNumber = "a number is malformed or missing";
 
 template <class P>
 void copyPositions(const std::vector<P>& points, InputMesh& mesh)
@@ -113,7 +111,7 @@ void copyPositions(const std::vector<P>& points, InputMesh& mesh)
 	for (const P& p : points) {
 		for (int k = 0; k < 3; ++k) {
 			const double c = p[k];
-			mesh.doubles.push_back(std::abs(c) < nonFiniteMark ? c : std::nan(""));
+			mesh.doubles.push_back(c != nonFiniteMark ? c : std::nan(""));
 		}
 	}
 }

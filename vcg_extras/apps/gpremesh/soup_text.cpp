@@ -16,7 +16,7 @@ namespace {
 
 using MemoryStream = boost::interprocess::ibufferstream;
 
-constexpr const char* nonFiniteMarkText = "1.7976931348623157e308";
+constexpr const char* nonFiniteMarkText = "-1.7976931348623157e308"; // the lowest double
 
 [[noreturn]] void fail(const std::string& sentence)
 {
@@ -33,6 +33,12 @@ bool isBlank(char c)
 	return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+bool isDigit(char c)
+{
+	return c >= '0' && c <= '9';
+}
+
+/// Whether a word begins like nan, inf, infinity, whatever follows ("nan(ind)").
 bool isNonFiniteWord(std::string_view word)
 {
 	if (word.size() < 3) return false;
@@ -40,19 +46,33 @@ bool isNonFiniteWord(std::string_view word)
 	return std::string_view(begin) == "nan" || std::string_view(begin) == "inf";
 }
 
-/// Appends text with the words nan, inf and the like replaced by the mark.
-void appendFinite(std::string_view text, std::string& out)
+/// Whether a character that is neither a digit nor a blank may follow another one in a number.
+bool mayFollow(char before, char c)
+{
+	const bool afterDigit = isDigit(before) || before == '.';
+	if (c == '.') return isBlank(before) || isDigit(before) || before == '-' || before == '+';
+	if (c == '-' || c == '+') return isBlank(before) || lower(before) == 'e';
+	return lower(c) == 'e' && afterDigit;
+}
+
+/// Appends a text of numbers, with the words nan, inf and the like replaced by the mark. The text
+/// ends before the first word that is no number: a stream would read "1.5x" as 1.5, so it finds too
+/// little there. Comments are left as they are.
+void appendNumbers(std::string_view text, std::string& out)
 {
 	std::size_t done = 0;
 	for (std::size_t i = 0; i < text.size(); ++i) {
-		const bool letter = lower(text[i]) == 'n' || lower(text[i]) == 'i';
-		if (!letter) continue;
-		const bool        isSigned = i > 0 && (text[i - 1] == '-' || text[i - 1] == '+');
-		const std::size_t begin    = isSigned ? i - 1 : i;
-		if (begin > 0 && !isBlank(text[begin - 1])) continue;
-		const std::size_t end = std::min(text.find_first_of(" \t\r\n", i), text.size());
-		if (!isNonFiniteWord(text.substr(i, end - i))) continue;
+		const char c = text[i], before = i > 0 ? text[i - 1] : ' ';
+		if (isDigit(c) || isBlank(c) || mayFollow(before, c)) continue;
+		if (c == '#') {
+			i = std::min(text.find('\n', i), text.size());
+			continue;
+		}
+		const std::size_t begin    = text.find_last_of(" \t\r\n", i) + 1;
+		const bool        isSigned = i == begin + 1 && (before == '-' || before == '+');
+		const std::size_t end      = std::min(text.find_first_of(" \t\r\n", i), text.size());
 		out.append(text, done, begin - done);
+		if (!(i == begin || isSigned) || !isNonFiniteWord(text.substr(i, end - i))) return;
 		out += nonFiniteMarkText;
 		done = i = end;
 	}
@@ -74,6 +94,17 @@ std::string joinedLines(std::string_view file)
 	return text;
 }
 
+/// Whether a text has the form of whole numbers between blanks and slashes.
+bool holdsIndices(std::string_view text)
+{
+	for (std::size_t i = 0; i < text.size(); ++i) {
+		const char c = text[i], before = i > 0 ? text[i - 1] : ' ';
+		const bool sign = (c == '-' || c == '+') && (before == ' ' || before == '/');
+		if (!isDigit(c) && c != ' ' && c != '/' && !sign) return false;
+	}
+	return true;
+}
+
 std::size_t wordNum(std::string_view line)
 {
 	std::size_t num = 0;
@@ -83,16 +114,20 @@ std::size_t wordNum(std::string_view line)
 	return num;
 }
 
-void addObjLine(std::string_view line, SoupText& soup)
+void addObjLine(std::string_view line, std::size_t lineNum, SoupText& soup)
 {
 	line = line.substr(0, line.find('#'));
 	line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
 	const std::string_view keyword = line.substr(0, line.find(' '));
 	if (keyword == "v") {
 		++soup.vertexNum;
-		appendFinite(line, soup.text);
+		soup.text += 'v';
+		appendNumbers(line.substr(1), soup.text);
 	}
 	else if (keyword == "f") {
+		if (!holdsIndices(line.substr(1))) {
+			fail("line " + std::to_string(lineNum) + ": " + badNumber);
+		}
 		++soup.faceNum;
 		soup.cornerNum += wordNum(line) - 1;
 		soup.text.append(line);
@@ -148,6 +183,30 @@ void dropSolidNames(std::string& text)
 	}
 }
 
+/// Where the third word from a place on ends.
+std::size_t afterThreeWords(std::string_view text, std::size_t at)
+{
+	for (int k = 0; k < 3; ++k) {
+		at = std::min(text.find_first_not_of(" \t\r\n", at), text.size());
+		at = std::min(text.find_first_of(" \t\r\n", at), text.size());
+	}
+	return at;
+}
+
+/// Appends the text of a file with the numbers of its corners checked.
+void appendStl(std::string_view text, std::string& out)
+{
+	constexpr std::string_view keyword = "vertex";
+	std::size_t                done    = 0;
+	for (std::size_t at = text.find(keyword); at != text.npos; at = text.find(keyword, done)) {
+		at += keyword.size();
+		out.append(text, done, at - done);
+		done = afterThreeWords(text, at);
+		appendNumbers(text.substr(at, done - at), out);
+	}
+	out.append(text, done);
+}
+
 std::size_t occurrenceNum(std::string_view text, std::string_view word)
 {
 	std::size_t num = 0;
@@ -169,43 +228,39 @@ bool isOneOf(const std::string& name, std::initializer_list<const char*> names)
 	return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-std::string asciiVertexElement(const PlyElement& e)
-{
-	std::string lines = "element vertex " + std::to_string(e.count) + "\n";
-	for (const PlyProperty& p : e.properties) {
-		const bool coordinate = isOneOf(p.name, {"x", "y", "z"});
-		lines += p.isList ? "property list short double " : "property double ";
-		lines += (coordinate ? p.name : "unused") + "\n";
-	}
-	return lines;
-}
-
 /// The length of a face or of an unused list is taken as a short: a damaged one cannot ask for much
 /// memory then. Strips may be as long as the file.
-std::string asciiFaceElement(const PlyElement& e)
+std::string asciiElement(const PlyElement& e, const std::string& name, int indexList)
 {
-	const int   indexList = findIndexList(e);
-	std::string lines     = "element face " + std::to_string(e.count) + "\n";
+	std::string lines = "element " + name + " " + std::to_string(e.count) + "\n";
 	for (int i = 0; i < int(e.properties.size()); ++i) {
+		const PlyProperty& p = e.properties[i];
 		if (i == indexList) {
-			lines += e.name == "face" ? "property list short" : "property list int";
-			lines += " int vertex_indices\n";
+			lines += e.name == "tristrips" ? "property list int int" : "property list short int";
+			lines += " vertex_indices\n";
+			continue;
 		}
-		else {
-			lines += e.properties[i].isList ? "property list short double" : "property double";
-			lines += " unused\n";
-		}
+		lines += p.isList ? "property list short double " : "property double ";
+		lines += (isOneOf(p.name, {"x", "y", "z"}) ? p.name : "unused") + "\n";
 	}
 	return lines;
 }
 
-std::string asciiOtherElement(const PlyElement& e)
+std::string vertexElement(const PlyElement& e, SoupText& soup)
 {
-	std::string lines = "element unused " + std::to_string(e.count) + "\n";
-	for (const PlyProperty& p : e.properties) {
-		lines += p.isList ? "property list short double unused\n" : "property double unused\n";
+	soup.vertexNum       = std::size_t(e.count);
+	soup.doublePrecision = needsDouble(e, findCoordinates(e));
+	return asciiElement(e, "vertex", -1);
+}
+
+std::string faceElement(const PlyElement& e, SoupText& soup)
+{
+	if (e.name == "tristrips") {
+		soup.stripBegin = soup.faceNum;
+		soup.stripNum   = std::size_t(e.count);
 	}
-	return lines;
+	soup.faceNum += std::size_t(e.count);
+	return asciiElement(e, "face", findIndexList(e));
 }
 
 } // namespace
@@ -215,9 +270,10 @@ SoupText prepareObj(std::string_view file)
 	SoupText          soup;
 	const std::string text = joinedLines(file);
 	soup.text.reserve(text.size() + 1);
+	std::size_t lineNum = 0;
 	for (std::size_t begin = 0; begin < text.size();) {
 		const std::size_t end = std::min(text.find('\n', begin), text.size());
-		addObjLine(std::string_view(text).substr(begin, end - begin), soup);
+		addObjLine(std::string_view(text).substr(begin, end - begin), ++lineNum, soup);
 		begin = end + 1;
 	}
 	return soup;
@@ -239,18 +295,21 @@ SoupText prepareOff(std::string_view file)
 	soup.text =
 		"OFF " + std::to_string(soup.vertexNum) + " " + std::to_string(soup.faceNum) + " 0\n";
 	soup.lineNumShift = std::size_t(lineNum) - 1;
-	appendFinite(file.substr(bodyBegin), soup.text);
+	appendNumbers(file.substr(bodyBegin), soup.text);
 	return soup;
 }
 
 SoupText prepareAsciiStl(std::string_view file)
 {
-	SoupText soup;
-	appendFinite(file, soup.text);
-	std::transform(soup.text.begin(), soup.text.end(), soup.text.begin(), lower);
-	dropSolidNames(soup.text);
-	soup.faceNum = occurrenceNum(soup.text, "endloop");
-	soup.ended   = solidIsClosed(soup.text);
+	SoupText    soup;
+	std::string text(file);
+	std::transform(text.begin(), text.end(), text.begin(), lower);
+	dropSolidNames(text);
+	appendStl(text, soup.text);
+	// CGAL passes over words that it does not know, such as a damaged "facet".
+	soup.faceNum =
+		std::max(occurrenceNum(soup.text, "endloop"), occurrenceNum(soup.text, "endfacet"));
+	soup.ended = solidIsClosed(soup.text);
 	if (!soup.ended) soup.text += "\nendsolid\n";
 	// CGAL tries the binary form on a text that it could not read: let the count there be absurd.
 	soup.text.append(100, ' ');
@@ -268,30 +327,21 @@ SoupText prepareAsciiPly(const PlyHeader& header, std::string_view body)
 		// Each value takes a digit and a separator, the very last one no separator.
 		if (e.count > (body.size() + 1) / (2 * e.properties.size())) failTruncated(e);
 		const bool faces = isOneOf(e.name, {"face", "tristrips"});
-		if (e.name == "vertex") {
-			soup.vertexNum       = std::size_t(e.count);
-			soup.doublePrecision = needsDouble(e, findCoordinates(e));
-		}
-		if (e.name == "tristrips") {
-			soup.stripBegin = soup.faceNum;
-			soup.stripNum   = std::size_t(e.count);
-		}
-		if (faces) soup.faceNum += std::size_t(e.count);
-		soup.text += e.name == "vertex" ? asciiVertexElement(e)
-					 : faces            ? asciiFaceElement(e)
-										: asciiOtherElement(e);
+		soup.text += e.name == "vertex" ? vertexElement(e, soup)
+					 : faces            ? faceElement(e, soup)
+										: asciiElement(e, "unused", -1);
 	}
 	soup.text += "end_header\n";
 	soup.lineNumShift =
 		header.lineNum - std::size_t(std::count(soup.text.begin(), soup.text.end(), '\n'));
-	appendFinite(body, soup.text);
+	appendNumbers(body, soup.text);
 	return soup;
 }
 
 std::size_t lineAt(const SoupText& soup, std::size_t position)
 {
-	const std::size_t before = std::min(position, soup.text.size());
-	const auto        end    = soup.text.begin() + long(before > 0 ? before - 1 : 0);
+	const std::size_t before = std::min(position > 0 ? position - 1 : 0, soup.text.size());
+	const auto        end    = soup.text.begin() + long(before);
 	return 1 + std::size_t(std::count(soup.text.begin(), end, '\n')) + soup.lineNumShift;
 }
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <string_view>
 
-// Text files made ready for CGAL's readers: what those misread or trip over is taken out here, what
-// can be known without reading the numbers is checked. Throws AppError (BadInput).
+// Text files made ready for CGAL's readers: what those misread or trip over is taken out here.
+// Throws AppError (BadInput) where that shows already that a file is malformed.
 
 namespace gpr::app {
 
@@ -49,9 +49,11 @@ SoupText prepareAsciiPly(const PlyHeader& header, std::string_view body);
 /// The number in the file of the line that the character before a position belongs to.
 std::size_t lineAt(const SoupText& soup, std::size_t position);
 
-/// Stands for "nan" and "inf", which streams do not read, until the mesh is made: the largest
-/// double.
-constexpr double nonFiniteMark = std::numeric_limits<double>::max();
+constexpr const char* badNumber = "a number is malformed or missing";
+
+/// Stands for "nan" and "inf", which streams do not read, until the mesh is made. As an index it is
+/// out of range.
+constexpr double nonFiniteMark = std::numeric_limits<double>::lowest();
 
 } // namespace gpr::app
 
