@@ -14,11 +14,14 @@
 #include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
 #include <CGAL/Simple_cartesian.h>
+#include <array>
 #include <boost/container/small_vector.hpp>
 #include <boost/interprocess/streams/bufferstream.hpp>
 #include <boost/iostreams/stream.hpp>
+#include <cctype>
 #include <cmath>
-#include <cstring>
+#include <limits>
+#include <stdexcept>
 
 namespace gpr::app {
 
@@ -189,7 +192,8 @@ bool beginsWithSolid(std::string_view file)
 	std::string word(file.substr(0, 6));
 	for (char& c : word)
 		c = char(std::tolower(static_cast<unsigned char>(c)));
-	return word == "solid" || (word.compare(0, 5, "solid") == 0 && std::isspace(word[5]));
+	return word == "solid" ||
+		   (word.compare(0, 5, "solid") == 0 && std::isspace(static_cast<unsigned char>(word[5])));
 }
 
 /// The first word decides, but binary files may begin with "solid" too: so the size that the count

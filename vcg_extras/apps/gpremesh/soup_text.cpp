@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <boost/interprocess/streams/bufferstream.hpp>
+#include <initializer_list>
 #include <istream>
 
 namespace gpr::app {
@@ -228,16 +229,17 @@ bool isOneOf(const std::string& name, std::initializer_list<const char*> names)
 	return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// The length of a face or of an unused list is taken as a short: a damaged one cannot ask for much
-/// memory then. Strips may be as long as the file.
-std::string asciiElement(const PlyElement& e, const std::string& name, int indexList)
+/// The length of a list is taken as a short: CGAL asks for memory by it, and a damaged one cannot
+/// ask for much then. Strips may be longer, where the file is.
+std::string asciiElement(const PlyElement& e, const std::string& name, int indexList,
+						 bool longStrips = false)
 {
 	std::string lines = "element " + name + " " + std::to_string(e.count) + "\n";
 	for (int i = 0; i < int(e.properties.size()); ++i) {
 		const PlyProperty& p = e.properties[i];
 		if (i == indexList) {
-			lines += e.name == "tristrips" ? "property list int int" : "property list short int";
-			lines += " vertex_indices\n";
+			lines += longStrips ? "property list int" : "property list short";
+			lines += " int vertex_indices\n";
 			continue;
 		}
 		lines += p.isList ? "property list short double " : "property double ";
@@ -253,14 +255,16 @@ std::string vertexElement(const PlyElement& e, SoupText& soup)
 	return asciiElement(e, "vertex", -1);
 }
 
-std::string faceElement(const PlyElement& e, SoupText& soup)
+std::string faceElement(const PlyElement& e, std::size_t bodySize, SoupText& soup)
 {
-	if (e.name == "tristrips") {
+	constexpr std::size_t longestShort = std::numeric_limits<std::int16_t>::max();
+	const bool            strips       = e.name == "tristrips";
+	if (strips) {
 		soup.stripBegin = soup.faceNum;
 		soup.stripNum   = std::size_t(e.count);
 	}
 	soup.faceNum += std::size_t(e.count);
-	return asciiElement(e, "face", findIndexList(e));
+	return asciiElement(e, "face", findIndexList(e), strips && bodySize / 2 > longestShort);
 }
 
 } // namespace
@@ -328,7 +332,7 @@ SoupText prepareAsciiPly(const PlyHeader& header, std::string_view body)
 		if (e.count > (body.size() + 1) / (2 * e.properties.size())) failTruncated(e);
 		const bool faces = isOneOf(e.name, {"face", "tristrips"});
 		soup.text += e.name == "vertex" ? vertexElement(e, soup)
-					 : faces            ? faceElement(e, soup)
+					 : faces            ? faceElement(e, body.size(), soup)
 										: asciiElement(e, "unused", -1);
 	}
 	soup.text += "end_header\n";
