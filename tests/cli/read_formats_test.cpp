@@ -174,9 +174,10 @@ TEST(OffReader, VariantsOfTheHeader)
 	EXPECT_EQ(readOff("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3").faceNum(), 2u);
 }
 
-TEST(OffReader, AnnouncedColoursMayBeMissing)
+TEST(OffReader, AnnouncedColoursMayBeMissingOrWrong)
 {
-	EXPECT_EQ(readOff("STCNOFF\n3 1 0\n0 0 0\n1 0 0 9\n0 1 0 9 9\n3 0 1 2\n").faceNum(), 1u);
+	EXPECT_EQ(readOff("STCNOFF\n3 1 0\n0 0 0\n1 0 0 -999999999\n0 1 0 9 9\n3 0 1 2\n").faceNum(),
+			  1u);
 }
 
 TEST(OffReader, LengthsOfFacesAreNotTrusted)
