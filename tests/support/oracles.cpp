@@ -51,9 +51,13 @@ double distanceToSegment(const Vec3d& p, const Vec3d& a, const Vec3d& b)
 
 double distanceToTriangle(const Vec3d& p, const Vec3d& a, const Vec3d& b, const Vec3d& c)
 {
-	const Vec3d n      = normalized(cross(b - a, c - a));
-	const bool  inside = dot(cross(b - a, p - a), n) >= 0 && dot(cross(c - b, p - b), n) >= 0 &&
-						dot(cross(a - c, p - c), n) >= 0 && squaredLength(n) > 0;
+	const Vec3d doubled = cross(b - a, c - a);
+	// Without area there is no inside, and rounding alone would make the normal.
+	const double sides   = squaredLength(b - a) + squaredLength(c - a);
+	const bool   hasArea = squaredLength(doubled) > 1e-18 * sides * sides;
+	const Vec3d  n       = normalized(doubled);
+	const bool   inside  = dot(cross(b - a, p - a), n) >= 0 && dot(cross(c - b, p - b), n) >= 0 &&
+						dot(cross(a - c, p - c), n) >= 0 && hasArea;
 	if (inside) return std::abs(dot(p - a, n));
 	return std::min(
 		{distanceToSegment(p, a, b), distanceToSegment(p, b, c), distanceToSegment(p, c, a)});

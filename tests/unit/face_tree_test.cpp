@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/oracles.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/core/face_tree.h>
+
+namespace gpr::test {
+
+namespace {
+
+TEST(FaceTree, FindsWhatComparingAllFacesFinds)
+{
+	Random random(1);
+	for (const TriangleMesh& mesh :
+		 {noisySphere(3, 0.2, random), thinPlate(10, 0.01), grid(1, 1)}) {
+		const HalfEdgeMesh m = halfEdgesOf(mesh);
+		const FaceTree     tree(m);
+		for (int i = 0; i < 200; ++i) {
+			const Vec3d  p(random.between(-2, 2), random.between(-2, 2), random.between(-2, 2));
+			const Anchor a = tree.nearest(Vec3f(p));
+			ASSERT_GE(a.face, 0);
+			EXPECT_NEAR(length(Vec3d(a.position) - p), distanceToMesh(mesh, p), 1e-5);
+			const std::int32_t* t = &mesh.triangles[3 * a.face];
+			EXPECT_LT(distanceToTriangle(Vec3d(a.position), mesh.positions[t[0]],
+										 mesh.positions[t[1]], mesh.positions[t[2]]),
+					  1e-5);
+		}
+	}
+}
+
+TEST(NearestOnTriangle, AgreesWithTheOracle)
+{
+	Random random(2);
+	for (int i = 0; i < 2000; ++i) {
+		const auto point = [&] {
+			return Vec3d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+		};
+		const Vec3d a = point(), b = point(), p = point() * 2.0;
+		const Vec3d c = point();
+		if (length(cross(b - a, c - a)) < 0.02) continue; // slivers say little in single precision
+		const Vec3f q = nearestOnTriangle(Vec3f(p), Vec3f(a), Vec3f(b), Vec3f(c));
+		EXPECT_NEAR(length(Vec3d(q) - p), distanceToTriangle(p, a, b, c), 2e-4);
+	}
+}
+
+} // namespace
+
+} // namespace gpr::test

@@ -1,0 +1,345 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The stages that improve a result: flips, count, relaxation, worst angles, folds. Each starts from
+// a result whose vertices are those of the surface itself.
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/oracles.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/delaunay_flips.h>
+#include <vcg_extras/core/exact_count.h>
+#include <vcg_extras/core/fold_repair.h>
+#include <vcg_extras/core/measure.h>
+#include <vcg_extras/core/mesh_edit.h>
+#include <vcg_extras/core/relaxation.h>
+#include <vcg_extras/core/worst_triangles.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// A surface and a result on it.
+struct OnSurface {
+	Workers        workers{2, nullptr};
+	Surface        surface;
+	BoundaryCurves boundary;
+	ResultMesh     result;
+
+	explicit OnSurface(const TriangleMesh& mesh) : surface(surfaceOf(mesh, workers))
+	{
+		result        = resultOf(surface, boundary);
+		const float r = result.idealEdge / 1.04f;
+		boundary      = sampleBoundary(surface, r, result.idealEdge);
+		result        = resultOf(surface, boundary);
+	}
+
+	HalfEdgeMesh& m() { return result.mesh; }
+	double        meanShape() { return measureQuality(meshOf(m()).view()).radiusRatioMean; }
+	double        leastAngleDeg() { return measureQuality(meshOf(m()).view()).minAngleDeg; }
+
+	void expectSound()
+	{
+		EXPECT_TRUE(isSoundTable(m()));
+		EXPECT_TRUE(isSoundSurface(meshOf(m())));
+		ASSERT_EQ(int(result.vertex.size()), m().vertexNum);
+	}
+	/// Every vertex lies in the face that its anchor names, and where its anchor says.
+	void expectOnSurface()
+	{
+		const HalfEdgeMesh& s = surface.mesh;
+		for (int v = 0; v < m().vertexNum; ++v) {
+			const Anchor& a = result.vertex[v].anchor;
+			ASSERT_EQ(a.position, m().position[v]) << "vertex " << v;
+			ASSERT_TRUE(a.face >= 0 && a.face < s.faceNum);
+			const auto corner = [&](int k) { return Vec3d(s.position[s.origin[3 * a.face + k]]); };
+			ASSERT_LT(distanceToTriangle(Vec3d(a.position), corner(0), corner(1), corner(2)), 1e-5);
+		}
+	}
+};
+
+/// Twice the signed area in the plane z = 0.
+double turn(const Vec3f& a, const Vec3f& b, const Vec3f& c)
+{
+	return (double(b.x) - double(a.x)) * (double(c.y) - double(a.y)) -
+		   (double(b.y) - double(a.y)) * (double(c.x) - double(a.x));
+}
+
+/// Flips inner edges at random where the two triangles stay positive: a triangulation far from
+/// Delaunay.
+void scramble(HalfEdgeMesh& m, Random& random)
+{
+	for (int i = 0; i < 6 * m.halfEdgeNum(); ++i) {
+		const int h = random.below(m.halfEdgeNum());
+		if (!canFlip(m, h)) continue;
+		const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
+		const Vec3f c = m.position[m.apex(h)], d = m.position[m.apex(m.opposite[h])];
+		if (turn(a, d, c) > 1e-6 && turn(d, b, c) > 1e-6) flip(m, h);
+	}
+}
+
+double angleAt(const Vec3f& p, const Vec3f& a, const Vec3f& b)
+{
+	const Vec3d u = Vec3d(a) - Vec3d(p), v = Vec3d(b) - Vec3d(p);
+	return std::atan2(length(cross(u, v)), dot(u, v));
+}
+
+int edgesNotDelaunay(const HalfEdgeMesh& m)
+{
+	int n = 0;
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		const int g = m.opposite[h];
+		if (g < h) continue;
+		const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
+		n += angleAt(m.position[m.apex(h)], a, b) + angleAt(m.position[m.apex(g)], a, b) >
+			 3.14159265 + 1e-3;
+	}
+	return n;
+}
+
+class FlipToDelaunay : public ::testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(FlipToDelaunay, EndsDelaunayInThePlane)
+{
+	Random    random(GetParam());
+	OnSurface on(jitteredGrid(24, 0.35, random));
+	scramble(on.m(), random);
+	const TriangleMesh before = meshOf(on.m());
+	ASSERT_GT(edgesNotDelaunay(on.m()), 100);
+	EXPECT_GT(flipToDelaunay(on.result, on.workers), 100);
+	EXPECT_EQ(edgesNotDelaunay(on.m()), 0);
+	on.expectSound();
+	EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));
+	EXPECT_NEAR(factsOf(meshOf(on.m())).area, factsOf(before).area, 1e-5) << "nothing overlaps";
+	EXPECT_EQ(flipToDelaunay(on.result, on.workers), 0) << "and there is nothing left to do";
+}
+
+TEST_P(FlipToDelaunay, DoesNotDependOnThreads)
+{
+	std::vector<std::int32_t> first;
+	for (int threads = 1; threads <= 4; ++threads) {
+		Random    random(GetParam());
+		OnSurface on(jitteredGrid(24, 0.35, random));
+		scramble(on.m(), random);
+		Workers workers(threads, nullptr);
+		flipToDelaunay(on.result, workers);
+		const std::vector<std::int32_t> triangles = meshOf(on.m()).triangles;
+		if (threads == 1) first = triangles;
+		EXPECT_EQ(triangles, first) << threads << " threads";
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, FlipToDelaunay, ::testing::ValuesIn(testSeeds(4)));
+
+/// The fold of a bent sheet is an edge of the surface: flipping over it would cut the corner off.
+TEST(FlipToDelaunayKeeps, ASharpFold)
+{
+	OnSurface on(bentSheet(12, 1.8));
+	flipToDelaunay(on.result, on.workers);
+	on.expectSound();
+	const double area = 1;
+	EXPECT_NEAR(factsOf(meshOf(on.m())).area / std::pow(on.surface.frame.scale, 2), area, 1e-5);
+}
+
+class ReachExactCount : public ::testing::TestWithParam<int> {};
+
+TEST_P(ReachExactCount, HitsAnyNumberOnAnySurface)
+{
+	Random random(1);
+	for (const TriangleMesh& mesh : {icosphere(3), torus(30, 20), jitteredGrid(24, 0.2, random),
+									 openCylinder(24, 24, 0.5, 1.5)}) {
+		OnSurface          on(mesh);
+		const TriangleMesh before = meshOf(on.m());
+		const int          target = int(before.vertexNum()) * GetParam() / 100;
+		EXPECT_TRUE(reachExactCount(on.surface, on.boundary, target, on.result, on.workers));
+		EXPECT_EQ(on.m().vertexNum, target);
+		on.expectSound();
+		on.expectOnSurface();
+		EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Percent, ReachExactCount,
+						 ::testing::Values(30, 60, 95, 100, 103, 150, 250));
+
+TEST(ReachExactCountTells, WhenTheTopologyDoesNotAllowIt)
+{
+	OnSurface on(icosphere(2));
+	EXPECT_FALSE(reachExactCount(on.surface, on.boundary, 3, on.result, on.workers));
+	EXPECT_GE(on.m().vertexNum, 4);
+	EXPECT_LE(on.m().vertexNum, 6);
+	on.expectSound();
+}
+
+TEST(ReachExactCountKeeps, TheCornersOfASquare)
+{
+	OnSurface on(grid(20, 20));
+	for (ResultVertex& v : on.result.vertex) {
+		const Vec3d p = on.surface.frame.toCaller(v.anchor.position);
+		v.isCorner    = (p.x == 0 || p.x == 1) && (p.y == 0 || p.y == 1);
+	}
+	ASSERT_TRUE(reachExactCount(on.surface, on.boundary, 150, on.result, on.workers));
+	EXPECT_EQ(std::count_if(on.result.vertex.begin(), on.result.vertex.end(),
+							[](const ResultVertex& v) { return v.isCorner; }),
+			  4);
+}
+
+TEST(CollapseShortEdges, MergesWhatLiesTooClose)
+{
+	// Latitude and longitude: around the poles vertices crowd.
+	OnSurface    on(uvSphere(16, 64));
+	const int    before = on.m().vertexNum;
+	const double angle  = on.leastAngleDeg();
+	collapseShortEdges(on.result, on.workers);
+	EXPECT_LT(on.m().vertexNum, before);
+	EXPECT_GE(on.leastAngleDeg(), angle);
+	on.expectSound();
+}
+
+class RelaxOnce : public ::testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(RelaxOnce, MakesTrianglesMoreRegularAndTurnsNone)
+{
+	Random random(GetParam());
+	for (const TriangleMesh& mesh :
+		 {jitteredGrid(30, 0.35, random), uvSphere(20, 40), torus(50, 20)}) {
+		OnSurface          on(mesh);
+		const double       shape  = on.meanShape();
+		const HalfEdgeMesh before = copyOf(on.m());
+		relaxOnce(on.surface, on.result, on.workers);
+		if (!on.boundary.curves.empty()) {
+			EXPECT_GT(on.meanShape(), shape + 0.01);
+		}
+		on.expectOnSurface();
+		int moved = 0;
+		for (int f = 0; f < before.faceNum; ++f)
+			ASSERT_GT(dot(before.faceNormal(f), on.m().faceNormal(f)), 0.0f) << "face " << f;
+		for (int v = 0; v < before.vertexNum; ++v) {
+			const bool stays = before.position[v] == on.m().position[v];
+			moved += !stays;
+			if (before.isBorderVertex(v)) {
+				EXPECT_TRUE(stays);
+			}
+		}
+		EXPECT_GT(moved, before.vertexNum / 2);
+	}
+}
+
+TEST_P(RelaxOnce, DoesNotDependOnThreads)
+{
+	Buffer<Vec3f> first;
+	for (int threads = 1; threads <= 4; ++threads) {
+		Random    random(GetParam());
+		OnSurface on(jitteredGrid(70, 0.35, random));
+		Workers   workers(threads, nullptr);
+		for (int step = 0; step < 3; ++step)
+			relaxOnce(on.surface, on.result, workers);
+		if (threads == 1)
+			first.swap(on.m().position);
+		else
+			EXPECT_TRUE(std::equal(first.begin(), first.end(), on.m().position.begin())) << threads;
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RelaxOnce, ::testing::ValuesIn(testSeeds(3)));
+
+TEST(RelaxOnceKeeps, VerticesOnCreasesInPlace)
+{
+	OnSurface          on(cube(8));
+	const Buffer<char> flat = findFlatVertices(on.result, on.workers);
+	relaxOnce(on.surface, on.result, on.workers);
+	for (int v = 0; v < on.m().vertexNum; ++v) {
+		const Vec3d p = on.surface.frame.toCaller(on.surface.mesh.position[v]);
+		const int   extreme =
+			int(p.x == 0 || p.x == 1) + int(p.y == 0 || p.y == 1) + int(p.z == 0 || p.z == 1);
+		EXPECT_EQ(flat[v] != 0, extreme == 1);
+		if (extreme > 1) {
+			EXPECT_EQ(on.m().position[v], on.surface.mesh.position[v]);
+		}
+	}
+}
+
+TEST(RaiseWorstAngles, RaisesThemAndStaysOnTheSurface)
+{
+	Random random(5);
+	for (const TriangleMesh& mesh :
+		 {jitteredGrid(30, 0.45, random), noisySphere(3, 0.02, random)}) {
+		OnSurface    on(mesh);
+		const double before  = on.leastAngleDeg();
+		const double below30 = measureQuality(meshOf(on.m()).view()).below30Percent;
+		raiseWorstAngles(on.surface, 32, on.result, on.workers);
+		EXPECT_GE(on.leastAngleDeg(), before);
+		if (below30 > 0) {
+			EXPECT_LT(measureQuality(meshOf(on.m()).view()).below30Percent, 0.5 * below30);
+		}
+		on.expectSound();
+		on.expectOnSurface();
+	}
+}
+
+int wrongFaces(const OnSurface& on)
+{
+	int wrong = 0;
+	for (int f = 0; f < on.result.mesh.faceNum; ++f)
+		wrong += faceAgreement(on.surface, on.result, f) < 0;
+	return wrong;
+}
+
+/// Pulls inner vertices over the far side of their ring, so that faces fold back; how many do.
+int fold(OnSurface& on, int every)
+{
+	const float far = 1.4f * on.result.idealEdge, aside = 0.3f * on.result.idealEdge;
+	for (int v = 0; v < on.m().vertexNum; v += every) {
+		if (on.m().isBorderVertex(v)) continue;
+		walk(on.surface.mesh, on.result.vertex[v].anchor, {far, aside, 0});
+		on.m().position[v] = on.result.vertex[v].anchor.position;
+	}
+	return wrongFaces(on);
+}
+
+TEST(MendFolds, MendsNearlyAllAndCountsTheRest)
+{
+	for (bool mayCollapse : {false, true}) {
+		OnSurface          on(grid(30, 30));
+		const TriangleMesh before = meshOf(on.m());
+		const int          wrong  = fold(on, 97);
+		ASSERT_GT(wrong, 5);
+		const int left = mendFolds(on.surface, on.boundary, mayCollapse, on.result, on.workers);
+		EXPECT_LE(left, mayCollapse ? wrong / 4 : wrong / 2) << "of " << wrong;
+		EXPECT_EQ(left, wrongFaces(on));
+		EXPECT_TRUE(isSoundTable(on.m()));
+		on.expectOnSurface();
+		EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));
+		if (!mayCollapse) {
+			EXPECT_EQ(on.m().vertexNum, int(before.vertexNum()));
+		}
+	}
+}
+
+TEST(MendFolds, LeavesAGoodMeshAlone)
+{
+	OnSurface          on(icosphere(3));
+	const TriangleMesh before = meshOf(on.m());
+	EXPECT_EQ(mendFolds(on.surface, on.boundary, true, on.result, on.workers), 0);
+	EXPECT_EQ(meshOf(on.m()).triangles, before.triangles);
+	EXPECT_TRUE(meshOf(on.m()).positions == before.positions);
+}
+
+TEST(TriangleMeasures, AreThoseOfKnownTriangles)
+{
+	const Vec3f a(0, 0, 0), b(1, 0, 0), top(0.5f, float(std::sqrt(0.75)), 0);
+	EXPECT_NEAR(double(triangleShape(a, b, top)), 1, 1e-6);
+	EXPECT_NEAR(double(smallestAngle(a, b, top)), 3.14159265 / 3, 1e-6);
+	EXPECT_NEAR(double(smallestAngle(a, b, {0, 1, 0})), 3.14159265 / 4, 1e-6);
+	EXPECT_EQ(triangleShape(a, b, {2, 0, 0}), 0);
+	EXPECT_EQ(smallestAngle(a, b, {2, 0, 0}), 0);
+}
+
+} // namespace
+
+} // namespace gpr::test

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
+#include <string>
+#include <vcg_extras/core/options.h>
+#include <vcg_extras/core/parameters.h>
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr::test {
+
+namespace {
+
+RemeshOptions withCount(std::int64_t n)
+{
+	RemeshOptions o;
+	o.targetMode      = TargetMode::VertexNum;
+	o.targetVertexNum = n;
+	return o;
+}
+
+RemeshOptions withPercent(double p)
+{
+	RemeshOptions o;
+	o.targetPercent = p;
+	return o;
+}
+
+RemeshOptions withEdgeLen(double l)
+{
+	RemeshOptions o;
+	o.targetMode    = TargetMode::EdgeLength;
+	o.targetEdgeLen = l;
+	return o;
+}
+
+TEST(Validate, DefaultsAreInOrder)
+{
+	EXPECT_TRUE(validate(RemeshOptions()).empty());
+	EXPECT_TRUE(validate(withCount(1)).empty());
+	EXPECT_TRUE(validate(withPercent(10000)).empty());
+	EXPECT_TRUE(validate(withEdgeLen(1e-12)).empty());
+}
+
+TEST(Validate, ComplainsOfEveryValueOutOfRangeInASentence)
+{
+	RemeshOptions relax, threads, both;
+	relax.relaxIterations = 1001;
+	threads.threads       = -1;
+	both.relaxIterations  = -1;
+	both.threads          = 2000;
+	for (const RemeshOptions& o :
+		 {withCount(0), withCount(-5), withCount(std::int64_t(1) << 31), withPercent(0),
+		  withPercent(-1), withPercent(10001), withPercent(NAN), withEdgeLen(0), withEdgeLen(-1),
+		  withEdgeLen(NAN), withEdgeLen(HUGE_VAL), relax, threads}) {
+		const std::vector<std::string> complaints = validate(o);
+		ASSERT_EQ(complaints.size(), 1u);
+		EXPECT_EQ(complaints[0].back(), '.');
+	}
+	EXPECT_EQ(validate(both).size(), 2u);
+}
+
+/// Only the target that is used is looked at.
+TEST(Validate, LeavesTargetsAloneThatAreNotUsed)
+{
+	RemeshOptions o = withCount(5);
+	o.targetPercent = -1;
+	o.targetEdgeLen = NAN;
+	EXPECT_TRUE(validate(o).empty());
+}
+
+TEST(ParameterTable, KeysAndOptionsAreUniqueAndComplete)
+{
+	std::set<std::string> keys, options;
+	for (const Parameter& p : remeshParameters()) {
+		EXPECT_TRUE(keys.insert(p.key).second) << p.key;
+		if (std::string(p.option) != "") {
+			EXPECT_TRUE(options.insert(p.option).second) << p.option;
+			EXPECT_EQ(std::string(p.option).substr(0, 2), "--");
+		}
+		EXPECT_EQ(findParameter(p.key), &p);
+		EXPECT_STRNE(p.label, "");
+		EXPECT_EQ(std::string(p.help).back(), '.') << p.key << ": full sentences";
+		EXPECT_LT(p.minimum, p.maximum);
+		EXPECT_EQ(p.kind == ParameterKind::Choice, !p.choices.empty());
+		ASSERT_NE(p.defaultValue, nullptr);
+	}
+	for (const char* key : {"TargetVertexNum", "TargetPerc", "TargetLen", "RelaxIter", "Seed",
+							"Threads", "ExactCount", "AllowNearest", "NewLayer"})
+		EXPECT_EQ(keys.count(key), 1u) << key << " is public";
+	EXPECT_EQ(findParameter("Nonsense"), nullptr);
+}
+
+TEST(ParameterTable, DefaultsFitTheirKindAndRange)
+{
+	for (const MeshFacts& facts : {MeshFacts{0, 0}, MeshFacts{3, 1}, MeshFacts{134345, 2.5}}) {
+		for (const Parameter& p : remeshParameters()) {
+			const ParameterValue v      = p.defaultValue(facts);
+			double               number = 0;
+			switch (p.kind) {
+			case ParameterKind::Count:
+			case ParameterKind::Choice:
+				number = double(std::get<std::int64_t>(v));
+				break;
+			case ParameterKind::Number:
+			case ParameterKind::Length:
+				number = std::get<double>(v);
+				break;
+			case ParameterKind::Switch:
+				number = std::get<bool>(v);
+				break;
+			}
+			EXPECT_TRUE(number >= p.minimum && number <= p.maximum) << p.key;
+		}
+	}
+	EXPECT_EQ(std::get<std::int64_t>(findParameter("TargetVertexNum")->defaultValue({134345, 1})),
+			  13435);
+}
+
+class ParameterSets : public ::testing::Test {
+protected:
+	ParameterSet set_;
+
+	void set(const char* key, const ParameterValue& value) { set_.set(*findParameter(key), value); }
+};
+
+TEST_F(ParameterSets, DefaultsGiveDefaultOptionsWithTheCountOfTheTable)
+{
+	for (const Parameter& p : remeshParameters())
+		set_.set(p, p.defaultValue({1000, 1}));
+	const RemeshOptions o = set_.options(), plain;
+	EXPECT_EQ(o.targetMode, TargetMode::VertexNum);
+	EXPECT_EQ(o.targetVertexNum, 100);
+	EXPECT_EQ(o.relaxIterations, plain.relaxIterations);
+	EXPECT_EQ(o.seed, plain.seed);
+	EXPECT_EQ(o.threads, plain.threads);
+	EXPECT_EQ(o.exactCount, plain.exactCount);
+	EXPECT_EQ(o.allowNearest, plain.allowNearest);
+	EXPECT_FALSE(set_.newLayer());
+	EXPECT_TRUE(set_.complaints().empty());
+}
+
+TEST_F(ParameterSets, NothingSetMeansTenPercent)
+{
+	EXPECT_EQ(set_.options().targetMode, TargetMode::Percent);
+	EXPECT_EQ(set_.options().targetPercent, 10);
+	EXPECT_TRUE(set_.complaints().empty());
+}
+
+TEST_F(ParameterSets, PercentageOrLengthTakeThePlaceOfTheCountInAnyOrder)
+{
+	set("TargetPerc", 25.0);
+	set("TargetVertexNum", std::int64_t(500));
+	EXPECT_EQ(set_.options().targetMode, TargetMode::Percent);
+	EXPECT_EQ(set_.options().targetPercent, 25);
+	set("TargetPerc", 0.0);
+	EXPECT_EQ(set_.options().targetMode, TargetMode::VertexNum);
+	set("TargetLen", 0.5);
+	EXPECT_EQ(set_.options().targetMode, TargetMode::EdgeLength);
+	EXPECT_EQ(set_.options().targetEdgeLen, 0.5);
+	EXPECT_TRUE(set_.complaints().empty());
+}
+
+TEST_F(ParameterSets, BothAboveZeroIsTold)
+{
+	set("TargetPerc", 25.0);
+	set("TargetLen", 0.5);
+	EXPECT_EQ(set_.complaints().size(), 1u);
+}
+
+TEST_F(ParameterSets, ValuesOutOfRangeAreTold)
+{
+	set("TargetPerc", -3.0);
+	EXPECT_FALSE(set_.complaints().empty());
+	set("TargetPerc", 0.0);
+	set("RelaxIter", std::int64_t(5000));
+	EXPECT_FALSE(set_.complaints().empty());
+}
+
+TEST_F(ParameterSets, EveryRowReachesItsOption)
+{
+	set("RelaxIter", std::int64_t(3));
+	set("Seed", std::int64_t(77));
+	set("Threads", std::int64_t(2));
+	set("ExactCount", false);
+	set("AllowNearest", true);
+	set("NewLayer", true);
+	const RemeshOptions o = set_.options();
+	EXPECT_EQ(o.relaxIterations, 3);
+	EXPECT_EQ(o.seed, 77u);
+	EXPECT_EQ(o.threads, 2);
+	EXPECT_FALSE(o.exactCount);
+	EXPECT_TRUE(o.allowNearest);
+	EXPECT_TRUE(set_.newLayer());
+}
+
+TEST(StatusName, IsOneOfItsOwnForEveryStatus)
+{
+	std::set<std::string> names;
+	for (Status s :
+		 {Status::Ok, Status::BadOptions, Status::UnusableInput, Status::CountTooSmall,
+		  Status::PromiseBroken, Status::OutOfMemory, Status::Cancelled, Status::InternalError})
+		EXPECT_TRUE(names.insert(statusName(s)).second);
+	EXPECT_EQ(names.count("unknown"), 0u);
+}
+
+} // namespace
+
+} // namespace gpr::test
