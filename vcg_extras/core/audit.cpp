@@ -55,12 +55,12 @@ bool isSoundVertex(const HalfEdgeMesh& m, int v, std::vector<int>& ring, std::in
 	return std::adjacent_find(ring.begin(), ring.end()) == ring.end();
 }
 
-void checkFace(const Surface& surface, const ResultMesh& r, int f, Findings& found)
+void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, Findings& found)
 {
-	if (!(squaredLength(r.mesh.faceCross(f)) > 0))
+	if (!(squaredLength(m.faceCross(f)) > 0))
 		++found.zeroArea;
 	else
-		found.flipped += faceAgreement(surface, r, f) < 0;
+		found.flipped += faceAgreement(m, smoothNormal, f) < 0;
 }
 
 } // namespace
@@ -68,14 +68,15 @@ void checkFace(const Surface& surface, const ResultMesh& r, int f, Findings& fou
 AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigures& input,
 				   const MeshFigures& output, std::int64_t targetNum, Workers& workers)
 {
-	const HalfEdgeMesh& m = r.mesh;
+	const HalfEdgeMesh& m       = r.mesh;
+	const Buffer<Vec3f> normals = smoothNormals(surface, r, workers);
 	Findings            found =
 		workers.sum<Findings>(m.faceNum, [&](std::size_t begin, std::size_t end) {
 			Findings part;
 			for (int f = int(begin); f < int(end); ++f) {
 				for (int h = 3 * f; h < 3 * f + 3; ++h)
 					part.badEdges += !isSoundHalfEdge(m, h);
-				checkFace(surface, r, f, part);
+				checkFace(m, normals, f, part);
 			}
 			return part;
 		});

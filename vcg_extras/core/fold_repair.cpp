@@ -35,27 +35,30 @@ public:
 			mayCollapse_(mayCollapse),
 			r_(result),
 			m_(result.mesh),
-			workers_(workers)
+			workers_(workers),
+			normal_(smoothNormals(surface, result, workers))
 	{
 	}
 
 	int run()
 	{
-		std::vector<int> bad = findBad();
-		for (int round = 0; round < mostRounds && !bad.empty(); ++round) {
+		std::vector<char> before(m_.vertexNum, 1);
+		for (int round = 0; round < mostRounds; ++round) {
+			const std::vector<int> bad = findBad();
+			touched_.assign(m_.vertexNum, 0);
 			bool better = false;
 			for (int f : bad) {
 				workers_.poll();
-				if (!isDeadFace(m_, f) && isBad(f)) better = mend(f) || better;
+				// What could not be mended is only tried again where something changed.
+				if (isDeadFace(m_, f) || !isBad(f) || !hasCorner(f, before)) continue;
+				better = mend(f) || better;
 			}
-			bad = findBad();
 			if (!better) break;
+			before = touched_;
 		}
+		const int left = int(findBad().size());
 		if (mayCollapse_) compactResult(r_);
-		int turned = 0;
-		for (int f = 0; f < m_.faceNum; ++f)
-			turned += faceAgreement(surface_, r_, f) < 0;
-		return turned;
+		return left;
 	}
 
 private:
@@ -76,8 +79,21 @@ private:
 	HalfEdgeMesh&         m_;
 	Workers&              workers_;
 	EditScratch           scratch_;
+	Buffer<Vec3f>         normal_;  ///< smooth normals of the vertices
+	std::vector<char>     touched_; ///< vertices whose ring a change of this round altered
 
-	bool isBad(int f) const { return faceAgreement(surface_, r_, f) < badAgreement; }
+	bool hasCorner(int f, const std::vector<char>& marked) const
+	{
+		return marked[m_.origin[3 * f]] || marked[m_.origin[3 * f + 1]] || marked[m_.origin[3 * f + 2]];
+	}
+
+	void touch(int v)
+	{
+		touched_[v] = 1;
+		forEachNeighbour(m_, v, [&](int w) { touched_[w] = 1; });
+	}
+
+	bool isBad(int f) const { return faceAgreement(m_, normal_, f) < badAgreement; }
 
 	std::vector<int> findBad()
 	{
@@ -96,7 +112,7 @@ private:
 
 	Corner cornerOf(int v) const
 	{
-		return {m_.position[v], smoothNormal(surface_, r_.vertex[v].anchor)};
+		return {m_.position[v], normal_[v]};
 	}
 
 	float costOf(const Corner& a, const Corner& b, const Corner& c) const
@@ -224,6 +240,8 @@ private:
 		switch (change.kind) {
 		case Change::None: return;
 		case Change::Flip:
+			touch(m_.apex(change.halfEdge));
+			touch(m_.apex(m_.opposite[change.halfEdge]));
 			flip(m_, change.halfEdge);
 			++r_.flipNum;
 			return;
@@ -232,8 +250,11 @@ private:
 			r_.vertex[change.vertex].normal = surface_.mesh.faceNormal(change.place.face);
 			r_.vertex[change.vertex].arc    = change.arc;
 			m_.position[change.vertex]      = change.place.position;
+			normal_[change.vertex]          = smoothNormal(surface_, change.place);
+			touch(change.vertex);
 			return;
 		case Change::Collapse:
+			touch(m_.origin[change.halfEdge]);
 			collapse(m_, change.halfEdge);
 			++r_.collapseNum;
 			return;
@@ -251,13 +272,22 @@ Vec3f smoothNormal(const Surface& surface, const Anchor& anchor)
 					  surface.normal[surface.mesh.origin[h + 2]].unpack());
 }
 
-float faceAgreement(const Surface& surface, const ResultMesh& result, int face)
+Buffer<Vec3f> smoothNormals(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
-	const Vec3f n = result.mesh.faceCross(face);
-	Vec3f       wanted;
-	for (int k = 0; k < 3; ++k)
-		wanted += smoothNormal(surface, result.vertex[result.mesh.origin[3 * face + k]].anchor);
-	const float scale = length(n) * length(wanted);
+	Buffer<Vec3f> normal(result.vertex.size());
+	workers.forRange(normal.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			normal[v] = smoothNormal(surface, result.vertex[v].anchor);
+	});
+	return normal;
+}
+
+float faceAgreement(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int face)
+{
+	const int*  corner = &m.origin[3 * face];
+	const Vec3f n      = m.faceCross(face);
+	const Vec3f wanted = smoothNormal[corner[0]] + smoothNormal[corner[1]] + smoothNormal[corner[2]];
+	const float scale  = length(n) * length(wanted);
 	return scale > 0 ? dot(n, wanted) / scale : -1.0f;
 }
 

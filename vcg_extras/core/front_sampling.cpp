@@ -140,20 +140,30 @@ private:
 		}
 		std::sort(foreign.begin(), foreign.end());
 		foreign.erase(std::unique(foreign.begin(), foreign.end()), foreign.end());
-		if (foreign.empty()) return;
+		addIntersectionsAmong(foreign);
+		for (int v = block_->begin; v < block_->end; ++v) {
+			if (sampleOf(v) >= 0) addBorderEdges(v);
+		}
+	}
+
+	/// Intersections of samples in no particular order. About twenty disks reach into one on a surface;
+	/// where there are far more, as among a dust of tiny components whose borders are all sampled, the
+	/// border edges serve as well and do not cost the cube of their number.
+	void addIntersectionsAmong(const std::vector<int>& samples)
+	{
+		constexpr std::size_t mostSamples = 4096, mostNear = 64;
+		if (samples.size() > mostSamples) return;
 		const float      reach = 4 * r_ * r_;
 		std::vector<int> near;
-		for (int s : foreign) {
+		for (int s : samples) {
 			near.clear();
-			for (int t : foreign) {
+			for (int t : samples) {
 				if (t != s && squaredLength(placeOf(t) - placeOf(s)) < reach) near.push_back(t);
 			}
+			if (near.size() > mostNear) continue;
 			for (int t : near) {
 				if (t > s) addIntersections(s, t, near);
 			}
-		}
-		for (int v = block_->begin; v < block_->end; ++v) {
-			if (sampleOf(v) >= 0) addBorderEdges(v);
 		}
 	}
 
@@ -243,7 +253,7 @@ private:
 
 	bool isCoarse(int face) const
 	{
-		constexpr float coarseEdge = 0.3f; // of r
+		constexpr float coarseEdge = 0.4f; // of r
 		const float     limit      = coarseEdge * coarseEdge * r_ * r_;
 		for (int h = 3 * face; h < 3 * face + 3; ++h) {
 			const float squared = squaredLength(m_.position[m_.target(h)] - m_.position[m_.origin[h]]);
