@@ -95,8 +95,8 @@ TEST_P(Remesh, KeepsEveryVertexOnTheSurfaceWhereItsAnchorSays)
 	}
 }
 
-/// In mean edges of the result; both ways, so that neither corners nor bays are lost. A closed surface
-/// has no boundary to be far from.
+/// In mean edges of the result; both ways, so that neither corners nor bays are lost. A closed
+/// surface has no boundary to be far from.
 TEST_P(Remesh, KeepsTheBoundaryInPlace)
 {
 	constexpr double    share = 0.1;

@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Real scans and parts, with bands that fail. The models are no part of the project: the folder is
+// named by the environment variable GPR_MODELS_DIR, and where it is unset the tests are skipped.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <optional>
+#include <string>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/oracles.h>
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/core/measure.h>
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// What a model must come to. Zeroes are not asked for.
+struct Band {
+	const char*  file;
+	double       percent;
+	std::int64_t vertexNum       = 0;    ///< takes the place of percent where above 0
+	double       meanRadiusRatio = 0;    ///< at least
+	double       meanAspectRatio = 0;    ///< at least
+	double       minAngleDeg     = 0;    ///< at least
+	double       below30Percent  = 100;  ///< at most
+	double       rim             = 1;    ///< largest distance of the rims in mean edges, at most
+	bool         keepsFlipped    = true; ///< faces against the surface are allowed
+};
+
+std::ostream& operator<<(std::ostream& out, const Band& band)
+{
+	return out << band.file << " to " << band.percent << " %";
+}
+
+TriangleMesh copyOf(const MeshView& view)
+{
+	TriangleMesh mesh;
+	for (std::size_t v = 0; v < view.vertexNum; ++v)
+		mesh.positions.push_back(view.position(v));
+	mesh.triangles.assign(view.triangles, view.triangles + 3 * view.faceNum);
+	return mesh;
+}
+
+/// Result and bands of one model.
+void expectWithin(const std::string& path, const Band& band)
+{
+	const app::InputMesh input = app::readMesh(path);
+	RemeshOptions        options;
+	options.targetPercent = band.percent;
+	options.threads       = 2;
+	if (band.vertexNum > 0) {
+		options.targetMode      = TargetMode::VertexNum;
+		options.targetVertexNum = band.vertexNum;
+	}
+	const RemeshResult r = remesh(input.view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_TRUE(isSoundSurface(r.mesh));
+	EXPECT_EQ(std::int64_t(r.mesh.vertexNum()),
+			  band.vertexNum > 0
+				  ? band.vertexNum
+				  : std::int64_t(std::round(band.percent / 100 * double(input.vertexNum()))));
+
+	const SurfaceFacts facts = factsOf(r.mesh);
+	EXPECT_EQ(facts.components, r.report.cleanedInput.components);
+	EXPECT_EQ(facts.boundaryLoops, r.report.cleanedInput.boundaryLoops);
+	EXPECT_EQ(facts.euler(), r.report.cleanedInput.eulerCharacteristic);
+	const QualityFigures q = measureQuality(r.mesh.view(), 2);
+	EXPECT_GE(q.radiusRatioMean, band.meanRadiusRatio);
+	EXPECT_GE(q.aspectRatioMean, band.meanAspectRatio);
+	EXPECT_GE(q.minAngleDeg, band.minAngleDeg);
+	EXPECT_LE(q.below30Percent, band.below30Percent);
+	if (!band.keepsFlipped) {
+		EXPECT_EQ(r.report.audit.flippedFaces, 0);
+	}
+	if (band.rim < 1) {
+		const TriangleMesh original = copyOf(input.view());
+		const double       most     = band.rim * q.meanEdgeLen;
+		EXPECT_LE(rimDistance(r.mesh, original), most) << "mean edge " << q.meanEdgeLen;
+		EXPECT_LE(rimDistance(original, r.mesh), most) << "mean edge " << q.meanEdgeLen;
+	}
+}
+
+class RealMesh : public ::testing::TestWithParam<Band> {};
+
+TEST_P(RealMesh, StaysWithinItsBands)
+{
+	const char* folder = std::getenv("GPR_MODELS_DIR");
+	if (folder == nullptr) GTEST_SKIP() << "GPR_MODELS_DIR is not set";
+	const std::string path = std::string(folder) + "/" + GetParam().file;
+	if (!std::ifstream(path)) GTEST_SKIP() << GetParam().file << " is not there";
+	expectWithin(path, GetParam());
+}
+
+std::vector<Band> bands()
+{
+	Band igea{"igea_269k.ply", 10};
+	igea.vertexNum       = 13434;
+	igea.meanRadiusRatio = 0.978;
+	igea.meanAspectRatio = 0.925;
+	igea.minAngleDeg     = 22;
+	igea.below30Percent  = 0.02;
+	igea.keepsFlipped    = false;
+
+	Band facemask{"facemask_62k_open.ply", 10};
+	facemask.meanRadiusRatio = 0.97;
+	facemask.minAngleDeg     = 30;
+	facemask.below30Percent  = 0;
+	facemask.rim             = 0.15;
+
+	Band laurana{"laurana_50k_colour_open.ply", 10};
+	laurana.meanRadiusRatio = 0.97;
+	laurana.rim             = 0.25; // its rim is ragged
+
+	Band terrain{"terrain_N44W072_2.9M_open.ply", 10};
+	terrain.meanRadiusRatio = 0.97;
+	terrain.rim             = 0.15;
+
+	Band iguana{"iguana_ct_skin_1.9M.ply", 10};
+	iguana.meanRadiusRatio = 0.95;
+
+	Band casting{"casting_10k_genus9.ply", 50};
+	casting.meanRadiusRatio = 0.9;
+	Band cheese{"cheese_18k_genus133.ply", 50};
+	cheese.meanRadiusRatio = 0.85;
+
+	Band fullSize{"rockerarm_20k.ply", 100};
+	fullSize.meanRadiusRatio = 0.97;
+	Band doubled{"rockerarm_20k.ply", 200};
+	doubled.meanRadiusRatio = 0.97;
+	Band gargoyle{"gargoyle_96k.ply", 10};
+	gargoyle.meanRadiusRatio = 0.96;
+	Band fandisk{"fandisk_13k_cad.ply", 50};
+	fandisk.meanRadiusRatio = 0.95;
+	return {igea,   facemask, laurana, terrain,  iguana, casting,
+			cheese, fullSize, doubled, gargoyle, fandisk};
+}
+
+std::string bandName(const ::testing::TestParamInfo<Band>& info)
+{
+	std::string name = info.param.file;
+	name = name.substr(0, name.find('_')) + "To" + std::to_string(int(info.param.percent));
+	return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(, RealMesh, ::testing::ValuesIn(bands()), bandName);
+
+/// The bunny of Debian's glmark2-data, which every checkout can install.
+TEST(Bunny, StaysWithinItsBands)
+{
+	const std::string path = "/usr/share/glmark2/models/bunny.obj";
+	if (!std::ifstream(path)) GTEST_SKIP() << "glmark2-data is not installed";
+	Band bunny{"bunny.obj", 10};
+	bunny.meanRadiusRatio = 0.97;
+	bunny.meanAspectRatio = 0.91;
+	bunny.minAngleDeg     = 20;
+	bunny.below30Percent  = 0.05;
+	expectWithin(path, bunny);
+}
+
+/// Models that are no manifold: repaired, counted, and a sound result.
+class RealDefects : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(RealDefects, AreRepairedAndCounted)
+{
+	const char* folder = std::getenv("GPR_MODELS_DIR");
+	if (folder == nullptr) GTEST_SKIP() << "GPR_MODELS_DIR is not set";
+	const std::string path = std::string(folder) + "/" + GetParam();
+	if (!std::ifstream(path)) GTEST_SKIP() << GetParam() << " is not there";
+	const app::InputMesh input = app::readMesh(path);
+	RemeshOptions        options;
+	options.targetPercent = 30;
+	options.threads       = 2;
+	const RemeshResult r  = remesh(input.view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_TRUE(isSoundSurface(r.mesh));
+	EXPECT_TRUE(r.report.cleaned.changedInput());
+	EXPECT_EQ(factsOf(r.mesh).components, r.report.cleanedInput.components);
+}
+
+INSTANTIATE_TEST_SUITE_P(, RealDefects,
+						 ::testing::Values("abominevole_51k_nonmanifold.off",
+										   "motorbike_332k_nonmanifold.ply",
+										   "triple_vierbein_nonmanifold_edges.obj",
+										   "hourglass_nonmanifold_vertex.obj"),
+						 [](const auto& file) {
+							 const std::string name = file.param;
+							 return name.substr(0, name.find('_'));
+						 });
+
+} // namespace
+
+} // namespace gpr::test
