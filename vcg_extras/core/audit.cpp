@@ -70,16 +70,15 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 {
 	const HalfEdgeMesh& m       = r.mesh;
 	const Buffer<Vec3f> normals = smoothNormals(surface, r, workers);
-	Findings            found =
-		workers.sum<Findings>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-			Findings part;
-			for (int f = int(begin); f < int(end); ++f) {
-				for (int h = 3 * f; h < 3 * f + 3; ++h)
-					part.badEdges += !isSoundHalfEdge(m, h);
-				checkFace(m, normals, f, part);
-			}
-			return part;
-		});
+	Findings found = workers.sum<Findings>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		Findings part;
+		for (int f = int(begin); f < int(end); ++f) {
+			for (int h = 3 * f; h < 3 * f + 3; ++h)
+				part.badEdges += !isSoundHalfEdge(m, h);
+			checkFace(m, normals, f, part);
+		}
+		return part;
+	});
 	// A table with wrong half-edges could lead the turning below astray.
 	if (found.badEdges == 0) {
 		found += workers.sum<Findings>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
@@ -105,9 +104,9 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	a.boundaryLoopsKept   = input.boundaryLoops == output.boundaryLoops;
 	a.eulerKept           = input.eulerCharacteristic == output.eulerCharacteristic;
 	a.countExact          = targetNum == output.vertices;
-	a.passed = found.badEdges == 0 && found.badVertices == 0 && found.zeroArea == 0 &&
-			   found.notFinite == 0 && a.componentsKept &&
-			   a.boundaryLoopsKept && a.eulerKept && (targetNum == 0 || a.countExact);
+	a.passed              = found.badEdges == 0 && found.badVertices == 0 && found.zeroArea == 0 &&
+			   found.notFinite == 0 && a.componentsKept && a.boundaryLoopsKept && a.eulerKept &&
+			   (targetNum == 0 || a.countExact);
 	return a;
 }
 

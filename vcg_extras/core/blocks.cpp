@@ -40,9 +40,7 @@ BlockPartition cutIntoBlocks(const Surface& surface, float minCellSize, Workers&
 		partition.byColour[colour].push_back(int(b));
 		partition.blocks.push_back({begins[b], end, colour});
 	}
-	const auto sizeOf = [&](int b) {
-		return partition.blocks[b].end - partition.blocks[b].begin;
-	};
+	const auto sizeOf = [&](int b) { return partition.blocks[b].end - partition.blocks[b].begin; };
 	for (std::vector<int>& ids : partition.byColour) {
 		std::stable_sort(ids.begin(), ids.end(),
 						 [&](int a, int b) { return sizeOf(a) > sizeOf(b); });

@@ -18,9 +18,10 @@ struct Block {
 	int colour; ///< parity of the cell's coordinates, 0 to 7
 };
 
-/// The surface cut into octree cells. Cells of one colour have at least a cell's width between them:
-/// work that begins in a cell and reaches less than half of that beyond it can be done in all cells
-/// of a colour at once, without locks, and the outcome depends only on the order of the colours.
+/// The surface cut into octree cells. Cells of one colour have at least a cell's width between
+/// them: work that begins in a cell and reaches less than half of that beyond it can be done in all
+/// cells of a colour at once, without locks, and the outcome depends only on the order of the
+/// colours.
 struct BlockPartition {
 	std::vector<Block>              blocks;   ///< in vertex order
 	std::array<std::vector<int>, 8> byColour; ///< block indices, largest block first

@@ -99,9 +99,7 @@ std::vector<float> findCorners(const Curve& c, float diskRadius, bool& hasCorner
 class LoopSampler {
 public:
 	LoopSampler(const Curve& c, int index, std::vector<CurveSample>& out) :
-			c_(c),
-			index_(index),
-			out_(out)
+			c_(c), index_(index), out_(out)
 	{
 	}
 
@@ -163,14 +161,16 @@ float arcDistance(const Curve& c, float a, float b)
 }
 
 /// Nearest of the samples [begin, end), sorted by arc, to arc s.
-int nearestSample(const Curve& c, const std::vector<CurveSample>& samples, int begin, int end, float s)
+int nearestSample(const Curve& c, const std::vector<CurveSample>& samples, int begin, int end,
+				  float s)
 {
 	const auto above = std::lower_bound(samples.begin() + begin, samples.begin() + end, s,
 										[](const CurveSample& a, float x) { return a.arc < x; });
 	const int  n     = end - begin;
 	const int  high  = int(above - samples.begin()) - begin;
-	const int  next  = begin + high % n, last = begin + (high + n - 1) % n;
-	return arcDistance(c, samples[next].arc, s) < arcDistance(c, samples[last].arc, s) ? next : last;
+	const int  next = begin + high % n, last = begin + (high + n - 1) % n;
+	return arcDistance(c, samples[next].arc, s) < arcDistance(c, samples[last].arc, s) ? next
+																					   : last;
 }
 
 /// Gives every point of the curve its sample, and every sample the nearest of its points.
@@ -179,8 +179,8 @@ std::vector<int> assignPoints(const Curve& c, std::vector<CurveSample>& samples,
 	std::vector<int>   owner(c.pointNum());
 	std::vector<float> distance(samples.size() - begin, HUGE_VALF);
 	for (int i = 0; i < c.pointNum(); ++i) {
-		const int s = nearestSample(c, samples, begin, int(samples.size()), c.arc[i]);
-		owner[i]    = s;
+		const int s   = nearestSample(c, samples, begin, int(samples.size()), c.arc[i]);
+		owner[i]      = s;
 		const float d = arcDistance(c, samples[s].arc, c.arc[i]);
 		if (d < distance[s - begin]) {
 			distance[s - begin] = d;

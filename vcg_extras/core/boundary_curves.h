@@ -17,7 +17,7 @@ struct CurveSample {
 	int    curve    = -1;
 	float  arc      = 0;
 	bool   isCorner = false;
-	int    vertex   = -1; ///< the input vertex that stands for it in the removal; -1 if none is left
+	int    vertex = -1; ///< the input vertex that stands for it in the removal; -1 if none is left
 };
 
 /// The border loops of the input, their samples, and which sample each border vertex belongs to.

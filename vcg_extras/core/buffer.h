@@ -33,7 +33,7 @@ public:
 		swap(o);
 		return *this;
 	}
-	Buffer(const Buffer&) = delete;
+	Buffer(const Buffer&)            = delete;
 	Buffer& operator=(const Buffer&) = delete;
 
 	/// n values of unknown content; throws std::bad_alloc.
@@ -46,7 +46,7 @@ public:
 	/// Keeps the first min(n, size()) values.
 	void resize(std::size_t n)
 	{
-		Buffer other(n);
+		Buffer            other(n);
 		const std::size_t kept = n < size_ ? n : size_;
 		if (kept > 0) std::memcpy(static_cast<void*>(other.data_), data_, kept * sizeof(T));
 		swap(other);

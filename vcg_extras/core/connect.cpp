@@ -59,9 +59,7 @@ bool fillOpposites(const IndexedMesh& mesh, const Buffer<int>& faceStart, Worker
 	Buffer<int> thirdStart, third;
 	sortIntoBuckets(
 		mesh.faceNum, mesh.vertexNum,
-		[&](std::size_t f) {
-			return std::min(mesh.triangle[3 * f + 1], mesh.triangle[3 * f + 2]);
-		},
+		[&](std::size_t f) { return std::min(mesh.triangle[3 * f + 1], mesh.triangle[3 * f + 2]); },
 		workers, thirdStart, third);
 
 	std::atomic<bool> isManifold{true};
@@ -90,8 +88,7 @@ void lowerTo(int& place, int value)
 	int seen = __atomic_load_n(&place, __ATOMIC_RELAXED);
 	while ((seen < 0 || value < seen) &&
 		   !__atomic_compare_exchange_n(&place, &seen, value, true, __ATOMIC_RELAXED,
-										__ATOMIC_RELAXED)) {
-	}
+										__ATOMIC_RELAXED)) {}
 }
 
 /// A border half-edge where there is one; else one of the first face of the vertex' own range, or,

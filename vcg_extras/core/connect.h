@@ -13,17 +13,17 @@ namespace gpr {
 
 /// The input as the engine works on it: ordered, with half-edges. Never changed once it is built.
 struct Surface {
-	HalfEdgeMesh  mesh;
-	Buffer<int>   sourceFace; ///< per face: the caller's face it is part of
-	Buffer<PackedNormal> normal; ///< per vertex, area-weighted (zero where undefined)
-	Frame         frame;
-	MortonGrid    grid;
+	HalfEdgeMesh         mesh;
+	Buffer<int>          sourceFace; ///< per face: the caller's face it is part of
+	Buffer<PackedNormal> normal;     ///< per vertex, area-weighted (zero where undefined)
+	Frame                frame;
+	MortonGrid           grid;
 };
 
-/// Stage 4: half-edge table of an ordered mesh (see orderSpatially) by bucketing half-edges at their
-/// smaller end. Moves the arrays out of `mesh` when all is manifold and consistently oriented, and
-/// returns true; otherwise returns false and leaves `mesh` as it was, for repairManifold.
-/// Cost: linear, parallel.
+/// Stage 4: half-edge table of an ordered mesh (see orderSpatially) by bucketing half-edges at
+/// their smaller end. Moves the arrays out of `mesh` when all is manifold and consistently
+/// oriented, and returns true; otherwise returns false and leaves `mesh` as it was, for
+/// repairManifold. Cost: linear, parallel.
 bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface);
 
 } // namespace gpr

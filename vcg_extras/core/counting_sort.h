@@ -29,8 +29,8 @@ void sortIntoBuckets(std::size_t itemNum, std::size_t bucketNum, const BucketOf&
 			if (b >= 0) __atomic_fetch_add(&start[b], 1, __ATOMIC_RELAXED);
 		}
 	});
-	// Now start[b] is a count; make it the end of bucket b, and let the filling below lower it to the
-	// beginning.
+	// Now start[b] is a count; make it the end of bucket b, and let the filling below lower it to
+	// the beginning.
 	int total = 0;
 	for (std::size_t b = 0; b < bucketNum; ++b) {
 		total += start[b];

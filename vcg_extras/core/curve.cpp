@@ -56,7 +56,7 @@ std::vector<float> evenSpacing(const Curve& c, float a, float b, float d, int st
 	if (steps == 2) return {0.5f * (a + b)};
 	float low = 0.3f * d, high = 3 * d;
 	for (int round = 0; round < 18; ++round) {
-		const float middle = 0.5f * (low + high);
+		const float middle                                            = 0.5f * (low + high);
 		(march(c, a, b, middle, nullptr) > float(steps) ? low : high) = middle;
 	}
 	march(c, a, b, high, &arcs);
@@ -122,8 +122,8 @@ std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const Curve
 			if (chord > longest && before[i] >= 0) continue;
 			if (chord < shortest && !isEnd) continue;
 			const float  excess = deviation(c, arcs[k], arcs[i]) / (spacing.tolerance * d) - 1;
-			const double here   = double(chord - 1) * (chord - 1) +
-								(excess > 0 ? double(excess) * excess : 0.0);
+			const double here =
+				double(chord - 1) * (chord - 1) + (excess > 0 ? double(excess) * excess : 0.0);
 			if (cost[k] + here < cost[i]) {
 				cost[i]   = cost[k] + here;
 				before[i] = k;
@@ -181,9 +181,9 @@ float deviation(const Curve& c, float a, float b)
 std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
 							int minSteps)
 {
-	const float        d     = spacing.chord;
-	const int          steps = std::max(minSteps, int(std::lround(march(curve, from, to, d, nullptr))));
-	std::vector<float> even  = evenSpacing(curve, from, to, d, steps);
+	const float d     = spacing.chord;
+	const int   steps = std::max(minSteps, int(std::lround(march(curve, from, to, d, nullptr))));
+	std::vector<float> even = evenSpacing(curve, from, to, d, steps);
 	if (worstDeviation(curve, from, to, even) <= spacing.tolerance * d) return even;
 	std::vector<float> fitted = cheapestSpacing(curve, from, to, spacing);
 	return int(fitted.size()) + 1 >= minSteps ? fitted : even;

@@ -24,22 +24,20 @@ struct Curve {
 	int   segmentAt(float s) const;
 	Vec3f at(float s) const;
 	/// Arc length of point i, where i may run on past the end once round.
-	float arcOf(int i) const
-	{
-		return arc[i % pointNum()] + (i >= pointNum() ? length : 0.0f);
-	}
+	float arcOf(int i) const { return arc[i % pointNum()] + (i >= pointNum() ? length : 0.0f); }
 };
 
 /// Where spacing by chords puts samples on a piece of a curve.
 struct CurveSpacing {
-	float chord     = 0;     ///< wanted distance of neighbours, straight through space
-	float tolerance = 0.08f; ///< of the chord: how far the curve may leave the polygon of the samples
+	float chord = 0; ///< wanted distance of neighbours, straight through space
+	float tolerance =
+		0.08f; ///< of the chord: how far the curve may leave the polygon of the samples
 };
 
-/// Arc lengths strictly between `from` and `to` (to may run past the curve's end) where samples lie:
-/// evenly by chords if the curve then stays within the tolerance of the polygon; otherwise at the
-/// places that cost least, by dynamic programming over candidates a tenth of the chord apart: the
-/// squared deviation of each chord from its wanted length, plus the squared excess over the
+/// Arc lengths strictly between `from` and `to` (to may run past the curve's end) where samples
+/// lie: evenly by chords if the curve then stays within the tolerance of the polygon; otherwise at
+/// the places that cost least, by dynamic programming over candidates a tenth of the chord apart:
+/// the squared deviation of each chord from its wanted length, plus the squared excess over the
 /// tolerance. At least minSteps steps are made. Cost: linear in length, × candidates per chord².
 std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
 							int minSteps);

@@ -14,8 +14,8 @@ constexpr float flatCosine = 0.8f;
 
 } // namespace
 
-/// The triangle (v, b, a) is laid into the plane with v at 0 and b on the axis; the source lies below
-/// the axis, a above it.
+/// The triangle (v, b, a) is laid into the plane with v at 0 and b on the axis; the source lies
+/// below the axis, a above it.
 ///
 ///               a
 ///             /   \.
@@ -24,11 +24,11 @@ constexpr float flatCosine = 0.8f;
 ///          source
 float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float lengthAB)
 {
-	const float half = 0.5f / lengthVB;
-	const float sx = (d1 * d1 - d2 * d2 + lengthVB * lengthVB) * half;
-	const float ax = (lengthVA * lengthVA - lengthAB * lengthAB + lengthVB * lengthVB) * half;
-	const float sy = std::sqrt(std::max(0.0f, d1 * d1 - sx * sx));
-	const float ay = std::sqrt(std::max(0.0f, lengthVA * lengthVA - ax * ax));
+	const float half   = 0.5f / lengthVB;
+	const float sx     = (d1 * d1 - d2 * d2 + lengthVB * lengthVB) * half;
+	const float ax     = (lengthVA * lengthVA - lengthAB * lengthAB + lengthVB * lengthVB) * half;
+	const float sy     = std::sqrt(std::max(0.0f, d1 * d1 - sx * sx));
+	const float ay     = std::sqrt(std::max(0.0f, lengthVA * lengthVA - ax * ax));
 	const float height = sy + ay;
 	if (!(height > 0)) return HUGE_VALF;
 	const float crossing = sx + (ax - sx) * sy / height;
@@ -64,11 +64,11 @@ bool DiskFlood::runFlat(int id, const Sample& sample)
 	for (int k = 0; k < 3; ++k)
 		reach(m_.origin[3 * sample.anchor.face + k]);
 	for (std::size_t i = 0; i < queue_.size(); ++i) {
-		const int   v       = queue_[i];
-		const float cosine  = dot(surface_.normal[v].unpack(), sample.normal);
+		const int   v      = queue_[i];
+		const float cosine = dot(surface_.normal[v].unpack(), sample.normal);
 		if (!(cosine >= flatCosine)) return false;
-		const float chord    = length(m_.position[v] - sample.anchor.position);
-		const float distance = chord * (1 + (1 - std::min(cosine, 1.0f)) * (1 / 12.0f));
+		const float chord        = length(m_.position[v] - sample.anchor.position);
+		const float distance     = chord * (1 + (1 - std::min(cosine, 1.0f)) * (1 / 12.0f));
 		field_.trial[v].distance = distance;
 		if (distance > radius_ || distance >= field_.nearest[v].distance) continue;
 		forEachNeighbour(m_, v, reach);
@@ -122,11 +122,9 @@ void DiskFlood::settle(int v, float distance, int id, const Sample& sample)
 	// Along the edges, and across every triangle one of whose other corners is settled too.
 	const Vec3f p    = m_.position[v];
 	const Vec3f from = sample.anchor.position;
-	forEachNeighbour(m_, v, [&](int w) {
-		tryDistance(w, distance + length(m_.position[w] - p));
-	});
+	forEachNeighbour(m_, v, [&](int w) { tryDistance(w, distance + length(m_.position[w] - p)); });
 	forEachOutgoing(m_, v, [&](int h) {
-		const int  a        = m_.target(h), b = m_.apex(h);
+		const int  a = m_.target(h), b = m_.apex(h);
 		const bool aSettled = field_.trial[a].stamp == stamp + 1;
 		const bool bSettled = field_.trial[b].stamp == stamp + 1;
 		if (aSettled == bSettled) return;

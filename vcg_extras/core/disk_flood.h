@@ -36,28 +36,26 @@ struct NearestField {
 ///
 /// Metric. Where all normals met are within 37° of the sample's, the distance is the chord,
 /// lengthened by (1 + (1 - n·n_s)/12), in a plain queue: no heap, and exact to third order on
-/// spheres. Otherwise the front is propagated by unfolding triangles (Kimmel & Sethian 1998; Novotni
-/// & Klein 2002). Since normals are looked at along the flood, a thin sheet's other side is never
-/// taken for near. The ring that did not improve keeps its trial distance, so that updates stay
-/// accurate where Voronoi cells meet.
+/// spheres. Otherwise the front is propagated by unfolding triangles (Kimmel & Sethian 1998;
+/// Novotni & Klein 2002). Since normals are looked at along the flood, a thin sheet's other side is
+/// never taken for near. The ring that did not improve keeps its trial distance, so that updates
+/// stay accurate where Voronoi cells meet.
 class DiskFlood {
 public:
 	DiskFlood(const Surface& surface, NearestField& field, float radius) :
-			surface_(surface),
-			m_(surface.mesh),
-			field_(field),
-			radius_(radius)
+			surface_(surface), m_(surface.mesh), field_(field), radius_(radius)
 	{
 	}
 
-	/// Floods from sample `id`. Afterwards metSamples() are the other samples that own vertices within
-	/// r that the flood came to, and visited() the vertices it looked at.
+	/// Floods from sample `id`. Afterwards metSamples() are the other samples that own vertices
+	/// within r that the flood came to, and visited() the vertices it looked at.
 	void run(int id, const Sample& sample);
 
 	const std::vector<int>& metSamples() const { return met_; }
 	const std::vector<int>& visited() const { return queue_; }
 
-	/// Floods of one thread are numbered; a later phase must begin above every number of an earlier one.
+	/// Floods of one thread are numbered; a later phase must begin above every number of an earlier
+	/// one.
 	int  floodNumber() const { return flood_; }
 	void setFloodNumber(int n) { flood_ = n; }
 
@@ -76,12 +74,12 @@ private:
 	std::vector<int>       queue_;
 	std::vector<HeapEntry> heap_;
 
-	bool runFlat(int id, const Sample& sample);
-	void runUnfolding(int id, const Sample& sample);
-	void settle(int vertex, float distance, int id, const Sample& sample);
-	void tryDistance(int vertex, float distance);
-	void meet(int vertex);
-	void pushHeap(HeapEntry e);
+	bool      runFlat(int id, const Sample& sample);
+	void      runUnfolding(int id, const Sample& sample);
+	void      settle(int vertex, float distance, int id, const Sample& sample);
+	void      tryDistance(int vertex, float distance);
+	void      meet(int vertex);
+	void      pushHeap(HeapEntry e);
 	HeapEntry popHeap();
 };
 

@@ -19,13 +19,14 @@ constexpr float radians = 3.14159265f / 180;
 /// What a split or collapse may do, from careful to whatever the topology allows.
 enum class Care { FlatGroundOnly, SoundShapes, TopologyOnly };
 
-/// Flips that go with a split: edges of the quadrilateral w-c-x-d round the new vertex, one bit each.
+/// Flips that go with a split: edges of the quadrilateral w-c-x-d round the new vertex, one bit
+/// each.
 enum QuadEdge { WC = 1, XC = 2, WD = 4, XD = 8 };
 /// Never two flips at c or at d: they would lose two faces at once.
 constexpr int splitPatterns[] = {0, WC, XC, WD, XD, WC | WD, XC | XD, WC | XD, XC | WD};
 
 /// Angles of flips after a split, and of collapses, must reach this.
-constexpr float leastAngle = 17 * radians;
+constexpr float leastAngle      = 17 * radians;
 constexpr float leastFlipCosine = 0.8f;
 
 struct Operation {
@@ -52,10 +53,7 @@ public:
 	CountCorrector(const Surface& surface, const BoundaryCurves& boundary, ResultMesh& result,
 				   Workers& workers) :
 			surface_(surface),
-			boundary_(boundary),
-			r_(result),
-			m_(result.mesh),
-			workers_(workers),
+			boundary_(boundary), r_(result), m_(result.mesh), workers_(workers),
 			liveNum_(result.mesh.vertexNum)
 	{
 	}
@@ -120,14 +118,15 @@ private:
 		return atBorder ? n + 6 - std::max(1, int(std::lround(angle / (60 * radians)))) : n;
 	}
 
-	/// Operations in the order in which to take them, the last ones not worth taking in this round cut
-	/// off: once the cheap ones are gone, fresh valences find cheaper ones.
+	/// Operations in the order in which to take them, the last ones not worth taking in this round
+	/// cut off: once the cheap ones are gone, fresh valences find cheaper ones.
 	std::vector<Operation> chosen(std::vector<Operation>&& all, std::int64_t wanted) const
 	{
 		// By topology alone the order must not depend on how many are wanted.
-		const std::size_t most = care_ == Care::TopologyOnly
-									 ? all.size()
-									 : std::min<std::size_t>(all.size(), std::size_t(4 * wanted + 64));
+		const std::size_t most =
+			care_ == Care::TopologyOnly
+				? all.size()
+				: std::min<std::size_t>(all.size(), std::size_t(4 * wanted + 64));
 		std::partial_sort(all.begin(), all.begin() + most, all.end());
 		all.resize(most);
 		if (care_ == Care::FlatGroundOnly && !all.empty()) {
@@ -187,8 +186,8 @@ private:
 		reserve(m_, m_.vertexNum + int(wanted), m_.faceNum + 2 * int(wanted));
 		for (const Operation& op : chosen(std::move(all), wanted)) {
 			if (wanted == 0) return;
-			const bool done = m_.opposite[op.halfEdge] < 0 ? splitAtBorder(op.halfEdge)
-														   : splitInside(op);
+			const bool done =
+				m_.opposite[op.halfEdge] < 0 ? splitAtBorder(op.halfEdge) : splitInside(op);
 			wanted -= done;
 		}
 	}
@@ -229,10 +228,14 @@ private:
 	{
 		const int g = m_.opposite[h];
 		switch (quadEdge) {
-		case WC: return prevInFace(h);
-		case XC: return nextInFace(h);
-		case WD: return nextInFace(g);
-		default: return prevInFace(g);
+		case WC:
+			return prevInFace(h);
+		case XC:
+			return nextInFace(h);
+		case WD:
+			return nextInFace(g);
+		default:
+			return prevInFace(g);
 		}
 	}
 
@@ -262,7 +265,7 @@ private:
 		const int c = valence_[m_.apex(h)], d = valence_[m_.apex(m_.opposite[h])];
 		const int wc = !!(pattern & WC), xc = !!(pattern & XC);
 		const int wd = !!(pattern & WD), xd = !!(pattern & XD);
-		int       e  = squaredDefect(4 + wc + xc + wd + xd);
+		int       e = squaredDefect(4 + wc + xc + wd + xd);
 		e += squaredDefect(w - wc - wd) - squaredDefect(w);
 		e += squaredDefect(x - xc - xd) - squaredDefect(x);
 		e += squaredDefect(c + 1 - wc - xc) - squaredDefect(c);
@@ -409,8 +412,8 @@ private:
 		markRing(a);
 		markRing(b);
 		collapse(m_, h);
-		r_.vertex[b]    = survivor;
-		m_.position[b]  = survivor.anchor.position;
+		r_.vertex[b]   = survivor;
+		m_.position[b] = survivor.anchor.position;
 		countCollapse();
 		return true;
 	}
@@ -458,7 +461,8 @@ private:
 	}
 };
 
-/// Smallest angle in v's ring with v at p, leaving out faces with `other`; negative if a face turns.
+/// Smallest angle in v's ring with v at p, leaving out faces with `other`; negative if a face
+/// turns.
 float worstAngleAt(const HalfEdgeMesh& m, int v, const Vec3f& p, int other)
 {
 	float worst = 4;
@@ -469,7 +473,7 @@ float worstAngleAt(const HalfEdgeMesh& m, int v, const Vec3f& p, int other)
 		const Vec3f before = cross(x - m.position[v], y - m.position[v]);
 		const Vec3f after  = cross(x - p, y - p);
 		const bool  turns  = dot(before, after) < 0.3f * length(before) * length(after);
-		worst = std::min(worst, turns ? -1.0f : smallestAngle(p, x, y));
+		worst              = std::min(worst, turns ? -1.0f : smallestAngle(p, x, y));
 	});
 	return worst;
 }
@@ -486,8 +490,7 @@ bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std
 bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
 						  std::int64_t targetNum, ResultMesh& result, Workers& workers)
 {
-	return CountCorrector(surface, boundary, result, workers)
-		.run(targetNum, {Care::TopologyOnly});
+	return CountCorrector(surface, boundary, result, workers).run(targetNum, {Care::TopologyOnly});
 }
 
 void collapseShortEdges(ResultMesh& result, Workers& workers)

@@ -13,23 +13,23 @@ namespace gpr {
 /// Stage 9: splits or collapses edges of the result until it has exactly targetNum vertices.
 ///
 /// Which ones is chosen by valence: of every edge the change of Σ(valence - 6)² is worked out, for
-/// splits together with up to two flips round the new vertex; lowest first, then the longest edge to
-/// split and the shortest to collapse. A change of 0 moves a dislocation instead of making one, so the
-/// triangles stay as regular as they were. Only edges on flat ground are taken at first, then any, then
-/// whatever the topology allows.
-/// Returns false where the topology allows no more collapses; the mesh is then as near as it gets.
-/// Cost: a pass over the edges per round, some rounds.
+/// splits together with up to two flips round the new vertex; lowest first, then the longest edge
+/// to split and the shortest to collapse. A change of 0 moves a dislocation instead of making one,
+/// so the triangles stay as regular as they were. Only edges on flat ground are taken at first,
+/// then any, then whatever the topology allows. Returns false where the topology allows no more
+/// collapses; the mesh is then as near as it gets. Cost: a pass over the edges per round, some
+/// rounds.
 bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
 					 ResultMesh& result, Workers& workers);
 
-/// The same by topology alone, whatever the shapes: the last resort for tiny counts. Which edges are
-/// taken, and in which order, does not depend on targetNum, so that every count between the one it
-/// starts from and the one it ends at for targetNum = 1 can be reached.
+/// The same by topology alone, whatever the shapes: the last resort for tiny counts. Which edges
+/// are taken, and in which order, does not depend on targetNum, so that every count between the one
+/// it starts from and the one it ends at for targetNum = 1 can be reached.
 bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
 						  std::int64_t targetNum, ResultMesh& result, Workers& workers);
 
-/// Merges inner vertices nearer than 0.6 ideal edges to a neighbour into it where the worst angle of
-/// the ring grows by it. Clears narrow ribbons along borders before the count is corrected.
+/// Merges inner vertices nearer than 0.6 ideal edges to a neighbour into it where the worst angle
+/// of the ring grows by it. Clears narrow ribbons along borders before the count is corrected.
 void collapseShortEdges(ResultMesh& result, Workers& workers);
 
 } // namespace gpr

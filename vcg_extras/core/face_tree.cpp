@@ -75,10 +75,10 @@ int FaceTree::build(int begin, int end)
 
 	const Vec3f size   = node.high - node.low;
 	const auto  centre = [&](int f) {
-		const Vec3f sum = m_.position[m_.origin[3 * f]] + m_.position[m_.origin[3 * f + 1]] +
-						  m_.position[m_.origin[3 * f + 2]];
-		if (size.x >= size.y && size.x >= size.z) return sum.x;
-		return size.y >= size.z ? sum.y : sum.z;
+        const Vec3f sum = m_.position[m_.origin[3 * f]] + m_.position[m_.origin[3 * f + 1]] +
+                          m_.position[m_.origin[3 * f + 2]];
+        if (size.x >= size.y && size.x >= size.z) return sum.x;
+        return size.y >= size.z ? sum.y : sum.z;
 	};
 	const int middle = begin + (end - begin) / 2;
 	std::nth_element(face_.begin() + begin, face_.begin() + middle, face_.begin() + end,

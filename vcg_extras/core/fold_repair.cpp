@@ -21,7 +21,10 @@ constexpr float wantedShape = 0.35f;
 /// A change must lower the cost by this.
 constexpr float leastGain = 0.01f;
 
-constexpr float diagonal = 0.70710678f;
+/// Faces that a trial move may cross; longer ways, among needles, are not worth their time.
+constexpr int mostCrossings = 256;
+
+constexpr float diagonal      = 0.70710678f;
 constexpr float compass[8][2] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
 								 {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
 constexpr float reaches[]     = {0.6f, 0.3f, 0.1f}; ///< of the ideal edge
@@ -31,12 +34,8 @@ public:
 	FoldMender(const Surface& surface, const BoundaryCurves& boundary, bool mayCollapse,
 			   ResultMesh& result, Workers& workers) :
 			surface_(surface),
-			boundary_(boundary),
-			mayCollapse_(mayCollapse),
-			r_(result),
-			m_(result.mesh),
-			workers_(workers),
-			normal_(smoothNormals(surface, result, workers))
+			boundary_(boundary), mayCollapse_(mayCollapse), r_(result), m_(result.mesh),
+			workers_(workers), normal_(smoothNormals(surface, result, workers))
 	{
 	}
 
@@ -46,6 +45,7 @@ public:
 		for (int round = 0; round < mostRounds; ++round) {
 			const std::vector<int> bad = findBad();
 			touched_.assign(m_.vertexNum, 0);
+			mayMove_    = bad.size() <= std::max<std::size_t>(500, std::size_t(m_.faceNum) / 50);
 			bool better = false;
 			for (int f : bad) {
 				workers_.poll();
@@ -65,9 +65,9 @@ private:
 	/// One of the changes tried, and what it would do to the cost.
 	struct Change {
 		enum Kind { None, Flip, Move, Collapse } kind = None;
-		float  gain     = leastGain;
-		int    halfEdge = -1;
-		int    vertex   = -1;
+		float  gain                                   = leastGain;
+		int    halfEdge                               = -1;
+		int    vertex                                 = -1;
 		Anchor place;
 		float  arc = 0; ///< of a border vertex that moves
 	};
@@ -79,12 +79,16 @@ private:
 	HalfEdgeMesh&         m_;
 	Workers&              workers_;
 	EditScratch           scratch_;
-	Buffer<Vec3f>         normal_;  ///< smooth normals of the vertices
-	std::vector<char>     touched_; ///< vertices whose ring a change of this round altered
+	/// Trial moves cost most. Where more than single faces look wrong the triangles are hopelessly
+	/// large for the surface, and moving vertices one by one mends nothing.
+	bool              mayMove_ = true;
+	Buffer<Vec3f>     normal_;  ///< smooth normals of the vertices
+	std::vector<char> touched_; ///< vertices whose ring a change of this round altered
 
 	bool hasCorner(int f, const std::vector<char>& marked) const
 	{
-		return marked[m_.origin[3 * f]] || marked[m_.origin[3 * f + 1]] || marked[m_.origin[3 * f + 2]];
+		return marked[m_.origin[3 * f]] || marked[m_.origin[3 * f + 1]] ||
+			   marked[m_.origin[3 * f + 2]];
 	}
 
 	void touch(int v)
@@ -97,11 +101,12 @@ private:
 
 	std::vector<int> findBad()
 	{
-		return workers_.collect<int>(m_.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-			for (int f = int(begin); f < int(end); ++f) {
-				if (!isDeadFace(m_, f) && isBad(f)) out.push_back(f);
-			}
-		});
+		return workers_.collect<int>(m_.faceNum,
+									 [&](std::size_t begin, std::size_t end, auto& out) {
+										 for (int f = int(begin); f < int(end); ++f) {
+											 if (!isDeadFace(m_, f) && isBad(f)) out.push_back(f);
+										 }
+									 });
 	}
 
 	/// A corner of a face under consideration: where it is and what the surface looks like there.
@@ -110,10 +115,7 @@ private:
 		Vec3f normal;
 	};
 
-	Corner cornerOf(int v) const
-	{
-		return {m_.position[v], normal_[v]};
-	}
+	Corner cornerOf(int v) const { return {m_.position[v], normal_[v]}; }
 
 	float costOf(const Corner& a, const Corner& b, const Corner& c) const
 	{
@@ -170,16 +172,17 @@ private:
 			trySlide(v, best);
 			return;
 		}
-		const ResultVertex& here  = r_.vertex[v];
-		const float         now   = ringCost(v, cornerOf(v), -1);
-		const Vec3f         away  = std::abs(here.normal.x) < 0.8f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
-		const Vec3f         u     = normalized(cross(here.normal, away));
-		const Vec3f         w     = cross(here.normal, u);
+		if (!mayMove_) return;
+		const ResultVertex& here = r_.vertex[v];
+		const float         now  = ringCost(v, cornerOf(v), -1);
+		const Vec3f         away = std::abs(here.normal.x) < 0.8f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
+		const Vec3f         u    = normalized(cross(here.normal, away));
+		const Vec3f         w    = cross(here.normal, u);
 		for (float reach : reaches) {
 			for (const auto& direction : compass) {
 				Anchor      at   = here.anchor;
 				const Vec3f step = (u * direction[0] + w * direction[1]) * (reach * r_.idealEdge);
-				if (walk(surface_.mesh, at, step) != WalkEnd::Arrived) continue;
+				if (walk(surface_.mesh, at, step, mostCrossings) != WalkEnd::Arrived) continue;
 				const Corner corner{at.position, smoothNormal(surface_, at)};
 				const float  gain = now - ringCost(v, corner, -1);
 				if (gain <= best.gain) continue;
@@ -238,7 +241,8 @@ private:
 	void apply(const Change& change)
 	{
 		switch (change.kind) {
-		case Change::None: return;
+		case Change::None:
+			return;
 		case Change::Flip:
 			touch(m_.apex(change.halfEdge));
 			touch(m_.apex(m_.opposite[change.halfEdge]));
@@ -286,8 +290,9 @@ float faceAgreement(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, in
 {
 	const int*  corner = &m.origin[3 * face];
 	const Vec3f n      = m.faceCross(face);
-	const Vec3f wanted = smoothNormal[corner[0]] + smoothNormal[corner[1]] + smoothNormal[corner[2]];
-	const float scale  = length(n) * length(wanted);
+	const Vec3f wanted =
+		smoothNormal[corner[0]] + smoothNormal[corner[1]] + smoothNormal[corner[2]];
+	const float scale = length(n) * length(wanted);
 	return scale > 0 ? dot(n, wanted) / scale : -1.0f;
 }
 

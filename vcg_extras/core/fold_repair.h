@@ -21,13 +21,13 @@ Buffer<Vec3f> smoothNormals(const Surface& surface, const ResultMesh& result, Wo
 /// for a face without area. Below 0 the face looks the wrong way.
 float faceAgreement(const HalfEdgeMesh& mesh, const Buffer<Vec3f>& smoothNormal, int face);
 
-/// Where the surface is thinner than the triangles (fingers, lips, thin plates) removal can leave faces
-/// that look against the surface. Each such face, and its neighbours, is mended by the flip, move or
-/// collapse that helps most, one after the other, until none is left or none helps.
-/// Border vertices move along their curve only, and stay between their neighbours.
-/// mayCollapse: whether vertices may go, which only the exact count makes good again.
-/// Returns the number of faces that still look the wrong way, or nearly.
-/// Cost: a pass over the faces a round, and the few faces concerned.
+/// Where the surface is thinner than the triangles (fingers, lips, thin plates) removal can leave
+/// faces that look against the surface. Each such face, and its neighbours, is mended by the flip,
+/// move or collapse that helps most, one after the other, until none is left or none helps. Border
+/// vertices move along their curve only, and stay between their neighbours. mayCollapse: whether
+/// vertices may go, which only the exact count makes good again. Returns the number of faces that
+/// still look the wrong way, or nearly. Cost: a pass over the faces a round, and the few faces
+/// concerned.
 int mendFolds(const Surface& surface, const BoundaryCurves& boundary, bool mayCollapse,
 			  ResultMesh& result, Workers& workers);
 

@@ -11,8 +11,8 @@ namespace gpr {
 namespace {
 
 /// Pairs farther apart than this, or nearer, make no useful intersection (of r).
-constexpr float widestPair   = 1.98f;
-constexpr float closestPair  = 0.3f;
+constexpr float widestPair  = 1.98f;
+constexpr float closestPair = 0.3f;
 
 struct BlockRange {
 	int firstSample = 0; ///< ids [firstSample, firstSample + room) belong to the block
@@ -53,10 +53,8 @@ struct SharedState {
 class BlockSampler {
 public:
 	explicit BlockSampler(SharedState& shared) :
-			shared_(shared),
-			m_(shared.surface.mesh),
-			flood_(shared.surface, shared.field, shared.radius),
-			r_(shared.radius),
+			shared_(shared), m_(shared.surface.mesh),
+			flood_(shared.surface, shared.field, shared.radius), r_(shared.radius),
 			nearLimit_((1 - spacingSlack) * shared.radius)
 	{
 	}
@@ -103,13 +101,13 @@ private:
 	const Block*           block_ = nullptr;
 	BlockRange*            range_ = nullptr;
 	std::vector<Candidate> heap_;
-	std::vector<int>       borderEdges_; ///< half-edges out of the covered part: the paper's cache C
-	std::size_t            nextBorderEdge_ = 0;
-	int                    mostCrossings_  = mostFacesCrossed; ///< of a walk to an intersection
-	int                    scanned_        = 0; ///< vertices of the block seen by the scan
-	int                    scanStart_      = 0;
-	std::int64_t           fillNum_        = 0;
-	bool                   capped_         = false;
+	std::vector<int> borderEdges_; ///< half-edges out of the covered part: the paper's cache C
+	std::size_t      nextBorderEdge_ = 0;
+	int              mostCrossings_  = mostFacesCrossed; ///< of a walk to an intersection
+	int              scanned_        = 0;                ///< vertices of the block seen by the scan
+	int              scanStart_      = 0;
+	std::int64_t     fillNum_        = 0;
+	bool             capped_         = false;
 
 	float distanceOf(int v) const { return shared_.field.nearest[v].distance; }
 	int   sampleOf(int v) const { return shared_.field.nearest[v].sample; }
@@ -129,8 +127,8 @@ private:
 		scanStart_  = int(mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex)) % n);
 	}
 
-	/// Samples of other blocks (and of the border) that reach into this one: their intersections and
-	/// border edges are where this block's front begins.
+	/// Samples of other blocks (and of the border) that reach into this one: their intersections
+	/// and border edges are where this block's front begins.
 	void takeUpNeighbours()
 	{
 		std::vector<int> foreign;
@@ -146,9 +144,9 @@ private:
 		}
 	}
 
-	/// Intersections of samples in no particular order. About twenty disks reach into one on a surface;
-	/// where there are far more, as among a dust of tiny components whose borders are all sampled, the
-	/// border edges serve as well and do not cost the cube of their number.
+	/// Intersections of samples in no particular order. About twenty disks reach into one on a
+	/// surface; where there are far more, as among a dust of tiny components whose borders are all
+	/// sampled, the border edges serve as well and do not cost the cube of their number.
 	void addIntersectionsAmong(const std::vector<int>& samples)
 	{
 		constexpr std::size_t mostSamples = 4096, mostNear = 64;
@@ -209,7 +207,8 @@ private:
 		return false;
 	}
 
-	/// Eq. (3): the point of a border edge (eq. (2)) at distance r from the sample of its inner end.
+	/// Eq. (3): the point of a border edge (eq. (2)) at distance r from the sample of its inner
+	/// end.
 	bool placeOnBorderEdge(int h, Anchor& place) const
 	{
 		const int a = m_.origin[h], b = m_.target(h);
@@ -225,8 +224,8 @@ private:
 		return true;
 	}
 
-	/// Whether a sample that owns a vertex near the place is too close by now. The ring of the face is
-	/// enough where cells have many vertices; among large faces one ring more is looked at.
+	/// Whether a sample that owns a vertex near the place is too close by now. The ring of the face
+	/// is enough where cells have many vertices; among large faces one ring more is looked at.
 	bool isTaken(const Anchor& place) const
 	{
 		const float limit = nearLimit_ * nearLimit_;
@@ -256,7 +255,8 @@ private:
 		constexpr float coarseEdge = 0.4f; // of r
 		const float     limit      = coarseEdge * coarseEdge * r_ * r_;
 		for (int h = 3 * face; h < 3 * face + 3; ++h) {
-			const float squared = squaredLength(m_.position[m_.target(h)] - m_.position[m_.origin[h]]);
+			const float squared =
+				squaredLength(m_.position[m_.target(h)] - m_.position[m_.origin[h]]);
 			if (squared > limit) return true;
 		}
 		return false;
@@ -274,12 +274,12 @@ private:
 
 	void accept(const Anchor& place)
 	{
-		const int s         = range_->firstSample + range_->used++;
-		shared_.samples[s]  = {place, m_.faceNormal(place.face)};
+		const int s        = range_->firstSample + range_->used++;
+		shared_.samples[s] = {place, m_.faceNormal(place.face)};
 		flood_.run(s, shared_.samples[s]);
-		// A straight way through a disk of n vertices crosses about √n faces. Among needles it can cross
-		// thousands; such a place is better left to the border edges.
-		mostCrossings_ = 64 + 16 * int(std::sqrt(double(flood_.visited().size())));
+		// A straight way through a disk of n vertices crosses about √n faces. Among needles it can
+		// cross thousands; such a place is better left to the border edges.
+		mostCrossings_ = 32 + 8 * int(std::sqrt(double(flood_.visited().size())));
 		for (int t : flood_.metSamples()) {
 			if (t != s) addIntersections(s, t, flood_.metSamples());
 		}
@@ -315,7 +315,8 @@ private:
 	}
 
 	/// Cheap test in the tangent plane, before walking; also finds the nearest third sample.
-	bool isRoughlyFree(const Vec3f& p, int s, int t, const std::vector<int>& near, float& third) const
+	bool isRoughlyFree(const Vec3f& p, int s, int t, const std::vector<int>& near,
+					   float& third) const
 	{
 		const float limit   = (nearLimit_ - 0.05f * r_) * (nearLimit_ - 0.05f * r_);
 		float       nearest = HUGE_VALF;
@@ -338,8 +339,8 @@ private:
 		return true;
 	}
 
-	/// Walks r from a at the angle the plane suggests; if the surface's bend leaves the other sample
-	/// off by more than 1 %, once more at the angle of a secant step.
+	/// Walks r from a at the angle the plane suggests; if the surface's bend leaves the other
+	/// sample off by more than 1 %, once more at the angle of a secant step.
 	bool walkToIntersection(const Sample& a, const Vec3f& other, const Vec3f& u, const Vec3f& w,
 							float side, float distance, Anchor& place) const
 	{
@@ -348,7 +349,7 @@ private:
 		if (!walkFrom(a, (u * cosine + w * (side * sine)) * r_, place)) return false;
 		const float error = length(place.position - other) - r_;
 		if (std::abs(error) <= 0.01f * r_) return true;
-		const float turn  = std::clamp(-error / (distance * sine + 1e-20f), -0.3f, 0.3f);
+		const float turn = std::clamp(-error / (distance * sine + 1e-20f), -0.3f, 0.3f);
 		// The angle turned by a small one, without trigonometric functions of libm, whose last bits
 		// differ between systems.
 		const float ct = 1 - 0.5f * turn * turn + turn * turn * turn * turn * (1 / 24.0f);
@@ -368,11 +369,11 @@ private:
 /// takes at least 0.78 r² of a flat surface; a needle has no area, but no more samples than length.
 double roomOf(const HalfEdgeMesh& m, int f, float r)
 {
-	const double area = 0.5 * double(length(m.faceCross(f)));
+	const double area    = 0.5 * double(length(m.faceCross(f)));
 	double       longest = 0;
 	for (int h = 3 * f; h < 3 * f + 3; ++h)
-		longest = std::max(longest,
-						   double(squaredLength(m.position[m.target(h)] - m.position[m.origin[h]])));
+		longest = std::max(
+			longest, double(squaredLength(m.position[m.target(h)] - m.position[m.origin[h]])));
 	const double bySpace = area / (0.5 * double(r) * r);
 	return area < 0.05 * longest ? bySpace + std::sqrt(longest) / (0.5 * r) : bySpace;
 }
@@ -410,7 +411,8 @@ std::vector<BlockRange> makeRanges(const Surface& surface, const BlockPartition&
 	return ranges;
 }
 
-/// Which samples own a vertex; one whose vertices were all taken by later ones says nothing any more.
+/// Which samples own a vertex; one whose vertices were all taken by later ones says nothing any
+/// more.
 Buffer<char> findOwners(const SharedState& shared, const Sampling& result, Workers& workers)
 {
 	Buffer<char> owns(shared.samples.size(), 0);
@@ -508,7 +510,7 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 	return result;
 }
 
-Buffer<NearestField::Nearest> assignToSamples(const Surface& surface,
+Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface,
 											  const std::vector<Sample>& samples, Workers& workers)
 {
 	// Dijkstra from all samples at once, by edges: cells only need to be sensible, not exact.

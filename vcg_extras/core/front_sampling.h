@@ -18,21 +18,21 @@ constexpr float spacingSlack = 0.05f;
 
 /// A geodesic Poisson-disk sampling and the Voronoi cells it makes of the input's vertices.
 struct Sampling {
-	float               radius = 0;
-	std::vector<Sample> samples;           ///< those of the border first, in their order
-	int                 boundarySampleNum = 0;
+	float                         radius = 0;
+	std::vector<Sample>           samples; ///< those of the border first, in their order
+	int                           boundarySampleNum = 0;
 	Buffer<NearestField::Nearest> nearest; ///< per input vertex: its sample and how far
-	std::int64_t        fillNum = 0;       ///< samples placed by border edge or scan, not by intersection
-	bool                capped  = false;   ///< a block had room for no more samples
+	std::int64_t fillNum = 0;     ///< samples placed by border edge or scan, not by intersection
+	bool         capped  = false; ///< a block had room for no more samples
 };
 
 /// Stage 6: front sampling (paper §3, steps 2–8) with disk-intersection placement.
 ///
 /// Differs from the paper: the next sample is put where the circles of radius r round two
-/// neighbouring samples intersect (the paper's own wish, §4), which packs tighter than a random point
-/// of the front; the place touched most closely by a third disk comes first. Where no intersection is
-/// left, the paper's border edges are used (eq. (2), (3)), then any vertex beyond r, which reaches
-/// every component. The mesh is not split: a sample is a point in a face.
+/// neighbouring samples intersect (the paper's own wish, §4), which packs tighter than a random
+/// point of the front; the place touched most closely by a third disk comes first. Where no
+/// intersection is left, the paper's border edges are used (eq. (2), (3)), then any vertex beyond
+/// r, which reaches every component. The mesh is not split: a sample is a point in a face.
 ///
 /// Works block by block (see BlockPartition); each block's first free start is chosen by `seed`.
 /// Cost: each vertex is visited 3.4 to 4 times.
@@ -42,7 +42,7 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 
 /// Voronoi cells of given samples: floods from all of them, then from what is still uncovered.
 /// Used to retriangulate from samples of any origin, whatever their spacing.
-Buffer<NearestField::Nearest> assignToSamples(const Surface& surface,
+Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface,
 											  const std::vector<Sample>& samples, Workers& workers);
 
 } // namespace gpr

@@ -27,8 +27,8 @@ inline int prevInFace(int h)
 ///         /  f  \       opposite[h] is b -> a in the neighbour, or -1 at a border.
 ///        a --h--> b
 ///
-/// outgoing[v] is a half-edge leaving v; at a border vertex the one that is itself a border, so that
-/// one turn (forEachOutgoing) sees the whole fan. -1 where v is in no face.
+/// outgoing[v] is a half-edge leaving v; at a border vertex the one that is itself a border, so
+/// that one turn (forEachOutgoing) sees the whole fan. -1 where v is in no face.
 struct HalfEdgeMesh {
 	int           vertexNum = 0;
 	int           faceNum   = 0;
@@ -63,7 +63,8 @@ struct HalfEdgeMesh {
 	int incomingBorder(int v) const;
 };
 
-/// Calls visit(h) for every half-edge that leaves v, counter-clockwise; at a border beginning there.
+/// Calls visit(h) for every half-edge that leaves v, counter-clockwise; at a border beginning
+/// there.
 template <class Visit>
 inline void forEachOutgoing(const HalfEdgeMesh& m, int v, const Visit& visit)
 {

@@ -129,7 +129,6 @@ void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& worke
 	mesh.faceNum = kept;
 }
 
-
 /// Which vertices a face uses.
 class UsedVertices {
 public:
@@ -223,8 +222,8 @@ bool isSoup(const IndexedMesh& mesh)
 	return mesh.faceNum > 1 && mesh.vertexNum == 3 * mesh.faceNum;
 }
 
-/// Of every vertex the first one within the tolerance, by way of a hash grid whose cells are as wide
-/// as the tolerance.
+/// Of every vertex the first one within the tolerance, by way of a hash grid whose cells are as
+/// wide as the tolerance.
 std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance)
 {
 	const auto cellOf = [tolerance](float c) { return std::int64_t(std::floor(c / tolerance)); };
@@ -239,7 +238,8 @@ std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance)
 		const std::int64_t x = cellOf(p.x), y = cellOf(p.y), z = cellOf(p.z);
 		first[v] = v;
 		for (int i = 0; i < 27; ++i) {
-			const auto cell = firsts.equal_range(keyOf(x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1));
+			const auto cell =
+				firsts.equal_range(keyOf(x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1));
 			for (auto it = cell.first; it != cell.second; ++it) {
 				const bool near =
 					squaredLength(mesh.position[it->second] - p) <= tolerance * tolerance;
@@ -258,8 +258,8 @@ void weld(IndexedMesh& mesh, CleanCounts& counts)
 	// and above the noise of coordinates that went through text or float.
 	constexpr float        tolerance = 1e-6f;
 	const std::vector<int> first     = findFirstNear(mesh, tolerance);
-	std::vector<int> rename(mesh.vertexNum);
-	int              kept = 0;
+	std::vector<int>       rename(mesh.vertexNum);
+	int                    kept = 0;
 	for (int v = 0; v < mesh.vertexNum; ++v) {
 		if (first[v] != v) continue;
 		rename[v]             = kept;

@@ -11,13 +11,14 @@
 namespace gpr {
 
 /// Stage 1: a working copy of the caller's mesh, with what no surface can have left out: vertices
-/// that are not finite (and their faces), vertices in no face, faces with a vertex twice. A triangle
-/// soup (no vertex shared at all) is welded where positions agree to a millionth of the box.
-/// Throws Failure{UnusableInput} for indices out of range, no face left or no area.
-/// Cost: linear, parallel.
+/// that are not finite (and their faces), vertices in no face, faces with a vertex twice. A
+/// triangle soup (no vertex shared at all) is welded where positions agree to a millionth of the
+/// box. Throws Failure{UnusableInput} for indices out of range, no face left or no area. Cost:
+/// linear, parallel.
 IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& counts);
 
-/// Surface area in working units squared, summed in double; the same bits for any number of threads.
+/// Surface area in working units squared, summed in double; the same bits for any number of
+/// threads.
 double surfaceArea(const IndexedMesh& mesh, Workers& workers);
 
 } // namespace gpr

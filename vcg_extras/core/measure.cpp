@@ -16,7 +16,10 @@ constexpr double degrees = 180 / 3.14159265358979323846;
 /// Disjoint sets with path halving.
 class DisjointSets {
 public:
-	explicit DisjointSets(std::size_t n) : parent_(n) { std::iota(parent_.begin(), parent_.end(), 0); }
+	explicit DisjointSets(std::size_t n) : parent_(n)
+	{
+		std::iota(parent_.begin(), parent_.end(), 0);
+	}
 
 	int find(int x)
 	{
@@ -70,7 +73,8 @@ void measureTopology(const MeshView& mesh, MeshFigures& figures)
 	std::int64_t               edgeNum = 0;
 	for (std::size_t i = 0; i < edges.size();) {
 		std::size_t end = i + 1;
-		while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high) {
+		while (end < edges.size() && edges[end].low == edges[i].low &&
+			   edges[end].high == edges[i].high) {
 			faces.unite(edges[i].face, edges[end].face);
 			++end;
 		}
@@ -150,11 +154,11 @@ struct ShapeSums {
 		radiusRatio += radius;
 		radiusRatioMin = std::min(radiusRatioMin, radius);
 		aspectRatio += aspect;
-		aspectRatioMin = std::min(aspectRatioMin, aspect);
+		aspectRatioMin         = std::min(aspectRatioMin, aspect);
 		const double angles[3] = {std::atan2(doubled, dot(q - p, s - p)),
 								  std::atan2(doubled, dot(p - q, s - q)),
 								  std::atan2(doubled, dot(p - s, q - s))};
-		const double smallest = std::min({angles[0], angles[1], angles[2]});
+		const double smallest  = std::min({angles[0], angles[1], angles[2]});
 		minAngle += smallest;
 		minAngleMin = std::min(minAngleMin, smallest);
 		maxAngle    = std::max({maxAngle, angles[0], angles[1], angles[2]});
@@ -165,13 +169,12 @@ struct ShapeSums {
 /// Share of vertices with six faces among those not at a border, in percent.
 double valence6Percent(const MeshView& mesh)
 {
-	// At an inner vertex every neighbour is named twice by the ring's outer edges, once as start and
-	// once as end: signed sums over the ring cancel exactly there, and at a border almost surely not.
+	// At an inner vertex every neighbour is named twice by the ring's outer edges, once as start
+	// and once as end: signed sums over the ring cancel exactly there, and at a border almost
+	// surely not.
 	std::vector<int>           faces(mesh.vertexNum, 0);
 	std::vector<std::uint64_t> balance(mesh.vertexNum, 0);
-	const auto hash = [](std::int32_t v) {
-		return (std::uint64_t(v) + 1) * 0x9e3779b97f4a7c15ull;
-	};
+	const auto hash = [](std::int32_t v) { return (std::uint64_t(v) + 1) * 0x9e3779b97f4a7c15ull; };
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
 		const std::int32_t* t = mesh.triangles + 3 * f;
 		for (int k = 0; k < 3; ++k) {
@@ -201,9 +204,9 @@ MeshFigures measureMesh(const MeshView& mesh)
 		extent.add(mesh.position(mesh.triangles[i]));
 	figures.diagonal = extent.diagonal();
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		const std::int32_t* t    = mesh.triangles + 3 * f;
-		const Vec3d         a    = mesh.position(t[0]);
-		const double        area = 0.5 * length(cross(mesh.position(t[1]) - a, mesh.position(t[2]) - a));
+		const std::int32_t* t = mesh.triangles + 3 * f;
+		const Vec3d         a = mesh.position(t[0]);
+		const double area = 0.5 * length(cross(mesh.position(t[1]) - a, mesh.position(t[2]) - a));
 		if (std::isfinite(area)) figures.area += area;
 	}
 	return figures;
@@ -259,19 +262,20 @@ MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
 	}
 	const std::int64_t edges    = (std::int64_t(m.halfEdgeNum()) + borderEdges) / 2;
 	figures.eulerCharacteristic = std::int64_t(m.vertexNum) - edges + m.faceNum;
-	figures.area = unit * unit * workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		double area = 0;
-		for (std::size_t f = begin; f < end; ++f)
-			area += 0.5 * double(length(m.faceCross(int(f))));
-		return area;
-	});
+	figures.area =
+		unit * unit * workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+			double area = 0;
+			for (std::size_t f = begin; f < end; ++f)
+				area += 0.5 * double(length(m.faceCross(int(f))));
+			return area;
+		});
 	const Extent extent = workers.sum<Extent>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
 		Extent part;
 		for (std::size_t v = begin; v < end; ++v)
 			part.add(Vec3d(m.position[v]));
 		return part;
 	});
-	figures.diagonal = unit * extent.diagonal();
+	figures.diagonal    = unit * extent.diagonal();
 	return figures;
 }
 

@@ -12,8 +12,8 @@ namespace gpr {
 
 /// Counts and topology of any set of triangles, manifold or not: components are faces linked over
 /// edges, boundary loops the connected sets of edges with one face, the Euler characteristic counts
-/// vertices in use. Indices must be in range. Cost: O(F log F), serial; for `gpremesh info` and dirty
-/// input, not for the hot path.
+/// vertices in use. Indices must be in range. Cost: O(F log F), serial; for `gpremesh info` and
+/// dirty input, not for the hot path.
 MeshFigures measureMesh(const MeshView& mesh);
 
 /// Shape of the triangles; valence6Percent over vertices not at a border.

@@ -24,9 +24,8 @@ void collectNeighbours(const HalfEdgeMesh& m, int v, std::vector<int>& ring)
 int commonNeighbourNum(const HalfEdgeMesh& m, const std::vector<int>& ring, int v)
 {
 	int n = 0;
-	forEachNeighbour(m, v, [&](int w) {
-		n += std::find(ring.begin(), ring.end(), w) != ring.end();
-	});
+	forEachNeighbour(m, v,
+					 [&](int w) { n += std::find(ring.begin(), ring.end(), w) != ring.end(); });
 	return n;
 }
 
@@ -193,7 +192,7 @@ void splitEdge(HalfEdgeMesh& m, int h, int v)
 	join(m, e, k);
 	join(m, gp, k + 1);
 	join(m, k + 2, acrossDB);
-	m.outgoing[v]     = hn;
+	m.outgoing[v] = hn;
 	if (m.outgoing[b] == hn) m.outgoing[b] = e + 1;
 	if (m.outgoing[b] == g) m.outgoing[b] = k;
 	if (m.outgoing[d] == gp) m.outgoing[d] = k + 2;

@@ -38,7 +38,8 @@ int borderNeighbour(const HalfEdgeMesh& m, int v, bool forward);
 
 /// Whether the inner edge h may be turned to join its two apexes.
 bool canFlip(const HalfEdgeMesh& m, int h);
-/// Turns a-b into d-c, where c = apex(h) and d = apex(opposite): h becomes a -> d in face (a, d, c).
+/// Turns a-b into d-c, where c = apex(h) and d = apex(opposite): h becomes a -> d in face (a, d,
+/// c).
 void flip(HalfEdgeMesh& m, int h);
 
 /// Puts newVertex on the inner edge h; the two new faces take the next two numbers, for which there

@@ -25,11 +25,8 @@ struct MeshView {
 	MeshView() = default;
 	template <class S>
 	MeshView(const std::vector<Vec3<S>>& p, const std::vector<std::int32_t>& t) :
-			positions(p.data()),
-			doublePrecision(sizeof(S) == sizeof(double)),
-			positionStrideBytes(sizeof(Vec3<S>)),
-			vertexNum(p.size()),
-			triangles(t.data()),
+			positions(p.data()), doublePrecision(sizeof(S) == sizeof(double)),
+			positionStrideBytes(sizeof(Vec3<S>)), vertexNum(p.size()), triangles(t.data()),
 			faceNum(t.size() / 3)
 	{
 	}
@@ -48,7 +45,7 @@ struct MeshView {
 
 /// A point of the caller's surface: face index and barycentric weights of its three corners.
 struct SurfacePoint {
-	std::int32_t face = -1;
+	std::int32_t face      = -1;
 	float        weight[3] = {1, 0, 0};
 };
 

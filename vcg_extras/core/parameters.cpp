@@ -51,60 +51,120 @@ void storeEdgeLen(const ParameterValue& v, RemeshOptions& o)
 std::vector<Parameter> makeTable()
 {
 	std::vector<Parameter> t;
-	t.push_back({"TargetVertexNum", "--vertices", "N", ParameterKind::Count,
+	t.push_back({"TargetVertexNum",
+				 "--vertices",
+				 "N",
+				 ParameterKind::Count,
 				 "Number of vertices",
 				 "How many vertices the result has, exactly. Used where percentage and edge length "
 				 "are 0. A number below what the topology needs is refused, and the smallest "
 				 "possible one named. The default is 10 % of the layer's vertices.",
-				 1, largestCount, {}, tenPercent, storeVertexNum});
-	t.push_back({"TargetPerc", "--percent", "P", ParameterKind::Number,
+				 1,
+				 largestCount,
+				 {},
+				 tenPercent,
+				 storeVertexNum});
+	t.push_back({"TargetPerc",
+				 "--percent",
+				 "P",
+				 ParameterKind::Number,
 				 "Percentage of vertices (0 = off)",
 				 "Size of the result in percent of the layer's vertices, in (0, 10000]; takes the "
 				 "place of the number of vertices where it is above 0. Raised where the topology "
 				 "needs more vertices.",
-				 0, 10000, {}, [](const MeshFacts&) { return ParameterValue(0.0); }, storePercent});
-	t.push_back({"TargetLen", "--edge-length", "L", ParameterKind::Length,
+				 0,
+				 10000,
+				 {},
+				 [](const MeshFacts&) { return ParameterValue(0.0); },
+				 storePercent});
+	t.push_back({"TargetLen",
+				 "--edge-length",
+				 "L",
+				 ParameterKind::Length,
 				 "Mean edge length (0 = off)",
 				 "Wanted mean edge length of the result in mesh units; takes the place of the "
 				 "number of vertices where it is above 0. Raised count where the topology needs "
 				 "more vertices.",
-				 0, 1e300, {}, [](const MeshFacts&) { return ParameterValue(0.0); }, storeEdgeLen});
-	t.push_back({"RelaxIter", "--relax", "K", ParameterKind::Count, "Relaxation steps",
-				 "How often the vertices are moved towards the centre of their neighbours, on the "
-				 "surface; 0 to 1000. 3 to 5 make the triangles regular, more change little.",
-				 0, 1000, {}, [](const MeshFacts&) { return ParameterValue(std::int64_t(5)); },
-				 [](const ParameterValue& v, RemeshOptions& o) {
-					 o.relaxIterations = int(countOf(v));
-				 }});
-	t.push_back({"ExactCount", "--exact-count", "on|off", ParameterKind::Switch,
-				 "Exact number of vertices",
-				 "Splits and collapses edges after the sampling until the number of vertices is hit "
-				 "exactly. Off: the number lands within some percent of the target.",
-				 0, 1, {}, [](const MeshFacts&) { return ParameterValue(true); },
-				 [](const ParameterValue& v, RemeshOptions& o) { o.exactCount = switchOf(v); }});
-	t.push_back({"AllowNearest", "--allow-nearest", "", ParameterKind::Switch,
+				 0,
+				 1e300,
+				 {},
+				 [](const MeshFacts&) { return ParameterValue(0.0); },
+				 storeEdgeLen});
+	t.push_back(
+		{"RelaxIter",
+		 "--relax",
+		 "K",
+		 ParameterKind::Count,
+		 "Relaxation steps",
+		 "How often the vertices are moved towards the centre of their neighbours, on the "
+		 "surface; 0 to 1000. 3 to 5 make the triangles regular, more change little.",
+		 0,
+		 1000,
+		 {},
+		 [](const MeshFacts&) { return ParameterValue(std::int64_t(5)); },
+		 [](const ParameterValue& v, RemeshOptions& o) { o.relaxIterations = int(countOf(v)); }});
+	t.push_back(
+		{"ExactCount",
+		 "--exact-count",
+		 "on|off",
+		 ParameterKind::Switch,
+		 "Exact number of vertices",
+		 "Splits and collapses edges after the sampling until the number of vertices is hit "
+		 "exactly. Off: the number lands within some percent of the target.",
+		 0,
+		 1,
+		 {},
+		 [](const MeshFacts&) { return ParameterValue(true); },
+		 [](const ParameterValue& v, RemeshOptions& o) { o.exactCount = switchOf(v); }});
+	t.push_back({"AllowNearest",
+				 "--allow-nearest",
+				 "",
+				 ParameterKind::Switch,
 				 "Take the nearest possible number",
 				 "Where the topology needs more vertices than asked for: take the nearest possible "
 				 "number instead of refusing.",
-				 0, 1, {}, [](const MeshFacts&) { return ParameterValue(false); },
+				 0,
+				 1,
+				 {},
+				 [](const MeshFacts&) { return ParameterValue(false); },
 				 [](const ParameterValue& v, RemeshOptions& o) { o.allowNearest = switchOf(v); }});
-	t.push_back({"Seed", "--seed", "S", ParameterKind::Count, "Random seed",
-				 "The same seed gives the same mesh, byte for byte, with any number of threads. 0 "
-				 "takes a fresh seed and logs it.",
-				 0, largestCount, {},
-				 [](const MeshFacts&) { return ParameterValue(std::int64_t(1)); },
-				 [](const ParameterValue& v, RemeshOptions& o) {
-					 o.seed = std::uint32_t(countOf(v));
-				 }});
-	t.push_back({"Threads", "--threads", "T", ParameterKind::Count, "Threads (0 = all cores)",
+	t.push_back(
+		{"Seed",
+		 "--seed",
+		 "S",
+		 ParameterKind::Count,
+		 "Random seed",
+		 "The same seed gives the same mesh, byte for byte, with any number of threads. 0 "
+		 "takes a fresh seed and logs it.",
+		 0,
+		 largestCount,
+		 {},
+		 [](const MeshFacts&) { return ParameterValue(std::int64_t(1)); },
+		 [](const ParameterValue& v, RemeshOptions& o) { o.seed = std::uint32_t(countOf(v)); }});
+	t.push_back({"Threads",
+				 "--threads",
+				 "T",
+				 ParameterKind::Count,
+				 "Threads (0 = all cores)",
 				 "How many threads work, 0 to 1024; 0 takes one for each core. Never changes the "
 				 "result.",
-				 0, 1024, {}, [](const MeshFacts&) { return ParameterValue(std::int64_t(0)); },
+				 0,
+				 1024,
+				 {},
+				 [](const MeshFacts&) { return ParameterValue(std::int64_t(0)); },
 				 [](const ParameterValue& v, RemeshOptions& o) { o.threads = int(countOf(v)); }});
-	t.push_back({"NewLayer", "", "", ParameterKind::Switch, "Put the result into a new layer",
+	t.push_back({"NewLayer",
+				 "",
+				 "",
+				 ParameterKind::Switch,
+				 "Put the result into a new layer",
 				 "Off: the result takes the place of the layer's mesh. MeshLab has no undo, so "
 				 "switch this on to keep the original.",
-				 0, 1, {}, [](const MeshFacts&) { return ParameterValue(false); }, nullptr});
+				 0,
+				 1,
+				 {},
+				 [](const MeshFacts&) { return ParameterValue(false); },
+				 nullptr});
 	return t;
 }
 

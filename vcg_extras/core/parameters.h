@@ -36,11 +36,11 @@ struct Parameter {
 	const char*              option;   ///< on the command line: "--vertices"; "" where it has none
 	const char*              argument; ///< placeholder in --help: "N"; "" for a bare switch
 	ParameterKind            kind;
-	const char*              label;    ///< in the dialog
-	const char*              help;     ///< full sentences with unit and range
+	const char*              label; ///< in the dialog
+	const char*              help;  ///< full sentences with unit and range
 	double                   minimum;
 	double                   maximum;
-	std::vector<const char*> choices;  ///< Choice only
+	std::vector<const char*> choices; ///< Choice only
 	ParameterValue (*defaultValue)(const MeshFacts&);
 	/// Puts a value into the options; null for NewLayer, which the host handles itself.
 	void (*store)(const ParameterValue&, RemeshOptions&);
@@ -53,8 +53,8 @@ const std::vector<Parameter>& remeshParameters();
 const Parameter* findParameter(const std::string& key);
 
 /// Collects the values of the rows and makes options of them.
-/// TargetVertexNum, TargetPerc and TargetLen are three rows for one choice: a percentage or a length
-/// above 0 takes the place of the count; both above 0 is a mistake that complaints() tells.
+/// TargetVertexNum, TargetPerc and TargetLen are three rows for one choice: a percentage or a
+/// length above 0 takes the place of the count; both above 0 is a mistake that complaints() tells.
 class ParameterSet {
 public:
 	/// Stores one value, rows in any order; the variant must hold the type of the row's kind.
@@ -68,7 +68,7 @@ public:
 	std::vector<std::string> complaints() const;
 
 private:
-	RemeshOptions raw_ = unset();
+	RemeshOptions raw_      = unset();
 	bool          newLayer_ = false;
 
 	static RemeshOptions unset();

@@ -21,9 +21,8 @@ bool isFlat(const HalfEdgeMesh& m, int v)
 {
 	const Vec3f p = m.position[v];
 	Vec3f       sum;
-	forEachOutgoing(m, v, [&](int h) {
-		sum += cross(m.position[m.target(h)] - p, m.position[m.apex(h)] - p);
-	});
+	forEachOutgoing(
+		m, v, [&](int h) { sum += cross(m.position[m.target(h)] - p, m.position[m.apex(h)] - p); });
 	const float limit = flatCosine * flatCosine * squaredLength(sum);
 	bool        flat  = squaredLength(sum) > 0;
 	forEachOutgoing(m, v, [&](int h) {
@@ -54,9 +53,7 @@ Vec3f stepToBarycentre(const HalfEdgeMesh& m, int v, const Vec3f& normal)
 class MoveGuard {
 public:
 	MoveGuard(ResultMesh& result, Workers& workers) :
-			r_(result),
-			workers_(workers),
-			before_(result.vertex.size())
+			r_(result), workers_(workers), before_(result.vertex.size())
 	{
 	}
 
@@ -87,9 +84,9 @@ private:
 	void takeBack(int v, Buffer<char>& moved)
 	{
 		if (!moved[v]) return;
-		moved[v]              = 0;
-		r_.vertex[v]          = before_[v];
-		r_.mesh.position[v]   = before_[v].anchor.position;
+		moved[v]            = 0;
+		r_.vertex[v]        = before_[v];
+		r_.mesh.position[v] = before_[v].anchor.position;
 	}
 
 	Vec3f placeBefore(int v, const Buffer<char>& moved) const
@@ -112,14 +109,16 @@ private:
 
 	bool isBad(int f, const Vec3f& a, const Vec3f& b, const Vec3f& c) const
 	{
-		const HalfEdgeMesh& m     = r_.mesh;
-		const Vec3f         now   = m.faceCross(f);
-		const Vec3f         then  = cross(b - a, c - a);
-		const float         turn  = dot(now, then);
-		if (turn <= 0 || turn * turn < foldCosine * foldCosine * squaredLength(now) * squaredLength(then))
+		const HalfEdgeMesh& m    = r_.mesh;
+		const Vec3f         now  = m.faceCross(f);
+		const Vec3f         then = cross(b - a, c - a);
+		const float         turn = dot(now, then);
+		if (turn <= 0 ||
+			turn * turn < foldCosine * foldCosine * squaredLength(now) * squaredLength(then))
 			return true;
-		const float shape = triangleShape(m.position[m.origin[3 * f]], m.position[m.origin[3 * f + 1]],
-										  m.position[m.origin[3 * f + 2]]);
+		const float shape =
+			triangleShape(m.position[m.origin[3 * f]], m.position[m.origin[3 * f + 1]],
+						  m.position[m.origin[3 * f + 2]]);
 		return shape < poorShape && shape < triangleShape(a, b, c);
 	}
 };

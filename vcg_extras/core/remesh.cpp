@@ -31,7 +31,8 @@ namespace gpr {
 namespace {
 
 /// c of eq. (1). The paper's 0.844 belongs to random border edges; placement by disk intersection
-/// packs tighter, and with this value lands at 98 to 99 % of the target, which the exact count makes up.
+/// packs tighter, and with this value lands at 98 to 99 % of the target, which the exact count
+/// makes up.
 constexpr double intersectionRadiusConstant = 0.962;
 /// Spacing of border samples in r: the mean edge length of the result.
 constexpr float borderSpacing = 1.04f;
@@ -51,18 +52,16 @@ double secondsSince(Clock::time_point start)
 	return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Times stages and tells progress. Stages follow each other without a gap, so that their seconds add
-/// up to the whole.
+/// Times stages and tells progress. Stages follow each other without a gap, so that their seconds
+/// add up to the whole.
 class StageClock {
 public:
 	StageClock(Workers& workers, RemeshReport& report) :
-			workers_(workers),
-			report_(report),
-			stageStart_(Clock::now())
+			workers_(workers), report_(report), stageStart_(Clock::now())
 	{
 	}
 	~StageClock() { finish(); }
-	StageClock(const StageClock&) = delete;
+	StageClock(const StageClock&)            = delete;
 	StageClock& operator=(const StageClock&) = delete;
 
 	void enter(const char* key, const char* phrase, double until)
@@ -119,9 +118,15 @@ std::int64_t resolveTarget(const MeshView& input, const RemeshOptions& o, double
 {
 	double n = 0;
 	switch (o.targetMode) {
-	case TargetMode::VertexNum: n = double(o.targetVertexNum); break;
-	case TargetMode::Percent: n = o.targetPercent / 100 * double(input.vertexNum); break;
-	case TargetMode::EdgeLength: n = vertexNumForEdgeLength(area, o.targetEdgeLen * scale); break;
+	case TargetMode::VertexNum:
+		n = double(o.targetVertexNum);
+		break;
+	case TargetMode::Percent:
+		n = o.targetPercent / 100 * double(input.vertexNum);
+		break;
+	case TargetMode::EdgeLength:
+		n = vertexNumForEdgeLength(area, o.targetEdgeLen * scale);
+		break;
 	}
 	n = std::round(n);
 	if (n > 2e8) {
@@ -139,12 +144,10 @@ std::uint32_t freshSeed()
 /// One call of the engine: the stages in order, each one function of its own header.
 class Run {
 public:
-	Run(const MeshView& input, const RemeshOptions& options, Workers& workers, RemeshReport& report) :
+	Run(const MeshView& input, const RemeshOptions& options, Workers& workers,
+		RemeshReport& report) :
 			input_(input),
-			options_(options),
-			workers_(workers),
-			report_(report),
-			clock_(workers, report)
+			options_(options), workers_(workers), report_(report), clock_(workers, report)
 	{
 		if (options_.seed == 0) options_.seed = freshSeed();
 		report_.seed    = options_.seed;
@@ -178,9 +181,9 @@ public:
 	void retriangulate(const std::vector<Vec3d>& points, RemeshResult& out)
 	{
 		if (points.empty()) throw Failure(Status::BadOptions, "There are no samples.");
-		Prepared p = prepare(std::int64_t(points.size()));
-		BoundaryCurves boundary;
-		const Sampling sampling = takeOver(p, points);
+		Prepared             p = prepare(std::int64_t(points.size()));
+		BoundaryCurves       boundary;
+		const Sampling       sampling  = takeOver(p, points);
 		const BlockPartition partition = cut(p);
 		clock_.enter("retriangulation", "Retriangulating", 0.9);
 		ResultMesh result = removeVertices(p.surface, sampling, boundary, partition, workers_);
@@ -189,19 +192,21 @@ public:
 		report_.targetVertexNum = result.mesh.vertexNum;
 		p.targetNum             = 0;
 		finish(p, result, out);
+		nameSamples(points, result, out);
 	}
 
 private:
-	const MeshView& input_;
-	RemeshOptions   options_;
-	Workers&        workers_;
-	RemeshReport&   report_;
-	StageClock      clock_;
-	double          areaScale_ = 1;
+	const MeshView&   input_;
+	RemeshOptions     options_;
+	Workers&          workers_;
+	RemeshReport&     report_;
+	StageClock        clock_;
+	std::vector<char> sampleMoved_; ///< retriangulate: samples that were off the surface
 
 	// ---- the input
 
-	/// Loads, cleans, splits, orders and connects. fixedTarget replaces the options' target if above 0.
+	/// Loads, cleans, splits, orders and connects. fixedTarget replaces the options' target if
+	/// above 0.
 	Prepared prepare(std::int64_t fixedTarget)
 	{
 		Prepared p;
@@ -210,8 +215,8 @@ private:
 		p.area           = surfaceArea(mesh, workers_);
 		if (!(p.area > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
 		const double scale = mesh.frame.scale;
-		p.targetNum        = fixedTarget > 0 ? fixedTarget
-											 : resolveTarget(input_, options_, p.area, scale);
+		p.targetNum =
+			fixedTarget > 0 ? fixedTarget : resolveTarget(input_, options_, p.area, scale);
 		p.radius = float(diskRadius(p.area, double(p.targetNum), intersectionRadiusConstant));
 		report_.targetVertexNum = p.targetNum;
 		report_.diskRadius      = double(p.radius) / scale;
@@ -220,9 +225,8 @@ private:
 		clock_.enter("splitLongEdges", "Splitting long edges", 0.06);
 		const std::int64_t mostFaces =
 			std::max<std::int64_t>(std::int64_t(4) * mesh.faceNum, 200 * p.targetNum + 10000000);
-		report_.cleaned.longEdgesSplit =
-			splitLongEdges(mesh, longestEdge * p.radius, std::min<std::int64_t>(mostFaces, 700000000),
-						   workers_);
+		report_.cleaned.longEdgesSplit = splitLongEdges(
+			mesh, longestEdge * p.radius, std::min<std::int64_t>(mostFaces, 700000000), workers_);
 		connectOrRepair(mesh, p.surface);
 		describeInput(p);
 		return p;
@@ -246,7 +250,7 @@ private:
 	void describeInput(const Prepared& p)
 	{
 		clock_.enter("audit", "Counting", 0.22);
-		report_.cleanedInput = figuresOf(p.surface.mesh, 1 / p.surface.frame.scale, workers_);
+		report_.cleanedInput   = figuresOf(p.surface.mesh, 1 / p.surface.frame.scale, workers_);
 		report_.input          = report_.cleanedInput;
 		report_.input.vertices = std::int64_t(input_.vertexNum);
 		report_.input.faces    = std::int64_t(input_.faceNum);
@@ -257,7 +261,8 @@ private:
 	BlockPartition cut(const Prepared& p)
 	{
 		const bool small = p.surface.mesh.faceNum < smallMeshFaces;
-		return cutIntoBlocks(p.surface, (small ? smallBlockWidth : blockWidth) * p.radius, workers_);
+		return cutIntoBlocks(p.surface, (small ? smallBlockWidth : blockWidth) * p.radius,
+							 workers_);
 	}
 
 	Sampling sampleAll(const Prepared& p, const BlockPartition& partition, BoundaryCurves& boundary)
@@ -301,8 +306,8 @@ private:
 		return result;
 	}
 
-	/// The first two steps leave the edges alone: flips straight away would undo what the exact count
-	/// did for the valences.
+	/// The first two steps leave the edges alone: flips straight away would undo what the exact
+	/// count did for the valences.
 	void relax(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
 	{
 		constexpr int stepsWithoutFlips = 2;
@@ -311,7 +316,8 @@ private:
 			relaxOnce(p.surface, result, workers_);
 			if (step >= stepsWithoutFlips) flipToDelaunay(result, workers_);
 		}
-		if (options_.relaxIterations > 0) raiseWorstAngles(p.surface, poorAngleDeg, result, workers_);
+		if (options_.relaxIterations > 0)
+			raiseWorstAngles(p.surface, poorAngleDeg, result, workers_);
 		mendFolds(p.surface, boundary, false, result, workers_);
 	}
 
@@ -323,23 +329,23 @@ private:
 		report_.flipNum           = result.flipNum;
 	}
 
-	/// The count could not be reached from samples of the right spacing. Starts from the fewest samples
-	/// instead and changes the count by topology alone; what even that cannot reach is refused, or, where
-	/// the target was a wish, raised to the smallest possible count.
+	/// The count could not be reached from samples of the right spacing. Starts from the fewest
+	/// samples instead and changes the count by topology alone; what even that cannot reach is
+	/// refused, or, where the target was a wish, raised to the smallest possible count.
 	ResultMesh reachByTopology(Prepared& p, RemeshResult& out)
 	{
-		const std::int64_t asked  = p.targetNum;
-		ResultMesh         result = meshByTopology(p, asked);
+		const std::int64_t asked   = p.targetNum;
+		ResultMesh         result  = meshByTopology(p, asked);
 		const std::int64_t nearest = result.mesh.vertexNum;
 		if (nearest == asked) return result;
 
 		const bool mayRaise = options_.allowNearest || options_.targetMode != TargetMode::VertexNum;
 		if (!mayRaise) {
 			out.smallestVertexNum = nearest;
-			throw Failure(Status::CountTooSmall,
-						  "The surface cannot be meshed with " + std::to_string(asked) +
-							  " vertices; the smallest possible number is " +
-							  std::to_string(nearest) + ".");
+			throw Failure(Status::CountTooSmall, "The surface cannot be meshed with " +
+													 std::to_string(asked) +
+													 " vertices; the smallest possible number is " +
+													 std::to_string(nearest) + ".");
 		}
 		out.notes.push_back("The result has " + std::to_string(nearest) + " vertices instead of " +
 							std::to_string(asked) + ", the smallest number the topology allows.");
@@ -400,6 +406,7 @@ private:
 			const Anchor a = tree.nearest(q);
 			if (a.face < 0) throw Failure(Status::BadOptions, "A sample is not finite.");
 			const float moved = length(a.position - q);
+			sampleMoved_.push_back(moved > onSurface);
 			report_.samplesMoved += moved > onSurface;
 			farthest = std::max(farthest, moved);
 			sampling.samples.push_back({a, p.surface.mesh.faceNormal(a.face)});
@@ -410,16 +417,28 @@ private:
 		return sampling;
 	}
 
+	/// A sample that lay on the surface, up to rounding, keeps its very coordinates.
+	void nameSamples(const std::vector<Vec3d>& points, const ResultMesh& result, RemeshResult& out)
+	{
+		out.sampleOf.resize(result.vertex.size());
+		for (std::size_t v = 0; v < result.vertex.size(); ++v) {
+			const int s     = result.vertex[v].sample;
+			out.sampleOf[v] = s;
+			if (s >= 0 && !sampleMoved_[s]) out.mesh.positions[v] = points[s];
+		}
+	}
+
 	// ---- the result
 
 	void finish(const Prepared& p, const ResultMesh& result, RemeshResult& out)
 	{
 		clock_.enter("audit", "Checking", 0.98);
-		const double unit = 1 / p.surface.frame.scale;
-		report_.result    = figuresOf(result.mesh, unit, workers_);
+		const double unit           = 1 / p.surface.frame.scale;
+		report_.result              = figuresOf(result.mesh, unit, workers_);
 		const std::int64_t promised = options_.exactCount ? p.targetNum : 0;
 		noteOperations(result);
-		report_.audit = audit(p.surface, result, report_.cleanedInput, report_.result, promised, workers_);
+		report_.audit =
+			audit(p.surface, result, report_.cleanedInput, report_.result, promised, workers_);
 		if (!report_.audit.passed) {
 			throw Failure(Status::PromiseBroken, describeFailure(report_.audit));
 		}
@@ -454,9 +473,9 @@ private:
 		const Vec3d         p = surface.frame.toCaller(anchor.position);
 		const std::int32_t* t = input_.triangles;
 		s.face                = surface.sourceFace[anchor.face];
-		const Vec3d a = input_.position(t[3 * s.face]), b = input_.position(t[3 * s.face + 1]);
-		const Vec3d c = input_.position(t[3 * s.face + 2]);
-		const Vec3d n = cross(b - a, c - a);
+		const Vec3d  a = input_.position(t[3 * s.face]), b = input_.position(t[3 * s.face + 1]);
+		const Vec3d  c       = input_.position(t[3 * s.face + 2]);
+		const Vec3d  n       = cross(b - a, c - a);
 		const double squared = squaredLength(n);
 		double       wb = 0, wc = 0;
 		if (squared > 0) {
@@ -472,8 +491,8 @@ private:
 	}
 };
 
-/// Runs body and turns what it throws into status and message; on failure nothing but those, the report
-/// and the notes is handed out.
+/// Runs body and turns what it throws into status and message; on failure nothing but those, the
+/// report and the notes is handed out.
 template <class Result, class Body>
 Result guarded(const RemeshOptions& options, const ProgressCallback& progress, const Body& body)
 {
@@ -519,16 +538,16 @@ RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 					const ProgressCallback& progress)
 {
 	std::int64_t smallest = 0;
-	RemeshResult result   = guarded<RemeshResult>(
-        options, progress, [&](Workers& workers, RemeshResult& r) {
-            try {
-                Run(input, options, workers, r.report).remesh(r);
-            }
-            catch (const Failure&) {
-                smallest = r.smallestVertexNum;
-                throw;
-            }
-        });
+	RemeshResult result =
+		guarded<RemeshResult>(options, progress, [&](Workers& workers, RemeshResult& r) {
+			try {
+				Run(input, options, workers, r.report).remesh(r);
+			}
+			catch (const Failure&) {
+				smallest = r.smallestVertexNum;
+				throw;
+			}
+		});
 	result.smallestVertexNum = smallest;
 	return result;
 }
@@ -552,14 +571,22 @@ RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samp
 const char* statusName(Status status)
 {
 	switch (status) {
-	case Status::Ok: return "ok";
-	case Status::BadOptions: return "bad options";
-	case Status::UnusableInput: return "unusable input";
-	case Status::CountTooSmall: return "count too small";
-	case Status::PromiseBroken: return "promise broken";
-	case Status::OutOfMemory: return "out of memory";
-	case Status::Cancelled: return "cancelled";
-	case Status::InternalError: return "internal error";
+	case Status::Ok:
+		return "ok";
+	case Status::BadOptions:
+		return "bad options";
+	case Status::UnusableInput:
+		return "unusable input";
+	case Status::CountTooSmall:
+		return "count too small";
+	case Status::PromiseBroken:
+		return "promise broken";
+	case Status::OutOfMemory:
+		return "out of memory";
+	case Status::Cancelled:
+		return "cancelled";
+	case Status::InternalError:
+		return "internal error";
 	}
 	return "unknown";
 }

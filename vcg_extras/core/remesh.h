@@ -27,12 +27,13 @@ enum class Status {
 /// A remeshed surface, or the reason why there is none.
 struct RemeshResult {
 	Status                    status = Status::InternalError;
-	std::string               message;               ///< empty when Ok; a sentence for the user otherwise
-	std::vector<std::string>  notes;                 ///< sentences worth showing even when all went well
-	TriangleMesh              mesh;                  ///< in the caller's frame
-	std::vector<SurfacePoint> anchors;               ///< per result vertex: where on the caller's mesh it lies
-	std::int64_t              smallestVertexNum = 0; ///< set with CountTooSmall: what to ask for instead
-	RemeshReport              report;
+	std::string               message;  ///< empty when Ok; a sentence for the user otherwise
+	std::vector<std::string>  notes;    ///< sentences worth showing even when all went well
+	TriangleMesh              mesh;     ///< in the caller's frame
+	std::vector<SurfacePoint> anchors;  ///< per result vertex: where on the caller's mesh it lies
+	std::vector<std::int32_t> sampleOf; ///< retriangulate: which sample each vertex is, or -1
+	std::int64_t smallestVertexNum = 0; ///< set with CountTooSmall: what to ask for instead
+	RemeshReport report;
 };
 
 /// Points of a geodesic Poisson-disk sampling.
@@ -40,10 +41,10 @@ struct SamplingResult {
 	Status                    status = Status::InternalError;
 	std::string               message;
 	std::vector<std::string>  notes;
-	std::vector<Vec3d>        points;     ///< in the caller's frame
-	std::vector<SurfacePoint> anchors;    ///< per point: where on the caller's mesh it lies
-	double                    diskRadius = 0; ///< r of eq. (1), mesh units: the smallest spacing is (1-ε) r
-	RemeshReport              report;
+	std::vector<Vec3d>        points;  ///< in the caller's frame
+	std::vector<SurfacePoint> anchors; ///< per point: where on the caller's mesh it lies
+	double       diskRadius = 0; ///< r of eq. (1), mesh units: the smallest spacing is (1-ε) r
+	RemeshReport report;
 };
 
 /// Remeshes a surface with about-equilateral triangles of equal size: the whole way of
@@ -53,20 +54,22 @@ struct SamplingResult {
 /// Cost: about 0.3 s and 80 B per million input faces and core (docs/benchmark).
 /// Never throws but for programming errors.
 RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
-                    const ProgressCallback& progress = nullptr);
+					const ProgressCallback& progress = nullptr);
 
 /// The sampling stage alone (paper §3, steps 1–8): points at least (1-ε) r apart, every vertex of
 /// the input within r of one. The count lands within some percent of the target (no correction).
 SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& options,
-                                  const ProgressCallback& progress = nullptr);
+								  const ProgressCallback& progress = nullptr);
 
 /// Retriangulation from given samples (paper §3, last paragraph): a mesh with the input's topology
-/// whose vertices are the samples. Samples off the surface are put on it first (nearest point);
-/// report.samplesMoved and report.largestSampleMove tell how many and how far.
-/// Where the topology needs more vertices than there are samples, vertices of the input stay:
-/// report.leftoverVertexNum. Of the options, seed and threads count; relaxIterations and count do not.
+/// whose vertices are the samples, each exactly where it was given. Samples off the surface are put
+/// on it first (nearest point); report.samplesMoved and report.largestSampleMove tell how many and
+/// how far. Where the topology needs more vertices than there are samples, vertices of the input
+/// stay: report.leftoverVertexNum. Of the options, seed and threads count; relaxIterations and
+/// count do not.
 RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samples,
-                           const RemeshOptions& options, const ProgressCallback& progress = nullptr);
+						   const RemeshOptions&    options,
+						   const ProgressCallback& progress = nullptr);
 
 /// One word for a status, for logs and reports: "ok", "cancelled", ...
 const char* statusName(Status status);

@@ -87,9 +87,7 @@ void forEachEdge(const std::vector<EdgeSide>& sides, const Visit& visit)
 class Linker {
 public:
 	Linker(const IndexedMesh& mesh, CleanCounts& counts) :
-			mesh_(mesh),
-			counts_(counts),
-			link_(std::size_t(3) * mesh.faceNum, -1)
+			mesh_(mesh), counts_(counts), link_(std::size_t(3) * mesh.faceNum, -1)
 	{
 	}
 
@@ -165,10 +163,7 @@ private:
 class Orienter {
 public:
 	Orienter(IndexedMesh& mesh, std::vector<int>& link, CleanCounts& counts) :
-			mesh_(mesh),
-			link_(link),
-			counts_(counts),
-			turned_(mesh.faceNum, unseen)
+			mesh_(mesh), link_(link), counts_(counts), turned_(mesh.faceNum, unseen)
 	{
 	}
 
@@ -271,15 +266,13 @@ void separateFans(IndexedMesh& mesh, const std::vector<int>& link, CleanCounts& 
 	mesh.vertexNum += int(added.size());
 }
 
-/// Two borders, or two joined pairs of faces, may still run between the same two vertices (a slit of
-/// one edge; sheets that touch in an edge without ending there). Adjacency is told by vertices from
-/// here on, so all but one of them get a vertex in the middle.
+/// Two borders, or two joined pairs of faces, may still run between the same two vertices (a slit
+/// of one edge; sheets that touch in an edge without ending there). Adjacency is told by vertices
+/// from here on, so all but one of them get a vertex in the middle.
 class SlitOpener {
 public:
 	SlitOpener(IndexedMesh& mesh, const std::vector<int>& link) :
-			mesh_(mesh),
-			link_(link),
-			middle_(link.size(), -1)
+			mesh_(mesh), link_(link), middle_(link.size(), -1)
 	{
 	}
 
@@ -338,7 +331,7 @@ private:
 		const std::size_t start = 1 + std::size_t(slits_[begin] - 3 * f);
 		std::rotate(outline.begin(), outline.begin() + start, outline.end());
 		for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
-			const int face = k == 1 ? f : mesh_.faceNum++;
+			const int face               = k == 1 ? f : mesh_.faceNum++;
 			mesh_.triangle[3 * face]     = outline[0];
 			mesh_.triangle[3 * face + 1] = outline[k];
 			mesh_.triangle[3 * face + 2] = outline[k + 1];
@@ -350,8 +343,8 @@ private:
 	{
 		const int other = link_[h];
 		if (other >= 0 && middle_[other] >= 0) return middle_[other];
-		const Vec3f a = mesh_.position[mesh_.triangle[h]];
-		const Vec3f b = mesh_.position[mesh_.triangle[nextInFace(h)]];
+		const Vec3f a                   = mesh_.position[mesh_.triangle[h]];
+		const Vec3f b                   = mesh_.position[mesh_.triangle[nextInFace(h)]];
 		mesh_.position[mesh_.vertexNum] = (a + b) * 0.5f;
 		middle_[h]                      = mesh_.vertexNum;
 		return mesh_.vertexNum++;

@@ -11,9 +11,10 @@ namespace gpr {
 
 /// Makes any set of triangles an oriented 2-manifold with border, without moving anything:
 /// duplicate faces are dropped; where more than two faces share an edge the smoothest pair stays
-/// joined and the others get a border; faces are oriented alike, a one-sided surface being cut open;
-/// each fan of faces round a vertex gets a vertex of its own. Cut borders stay where they were.
-/// The slow way: only taken where connect() found something to repair. Cost: O(F log F), serial.
+/// joined and the others get a border; faces are oriented alike, a one-sided surface being cut
+/// open; each fan of faces round a vertex gets a vertex of its own. Cut borders stay where they
+/// were. The slow way: only taken where connect() found something to repair. Cost: O(F log F),
+/// serial.
 void repairManifold(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
 
 } // namespace gpr

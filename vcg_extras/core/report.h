@@ -22,17 +22,17 @@ struct MeshFigures {
 
 /// What cleaning repaired, dropped or cut. All zero for a clean mesh.
 struct CleanCounts {
-	std::int64_t nonFiniteVertices      = 0; ///< NaN or Inf coordinates, dropped with their faces
-	std::int64_t unreferencedVertices   = 0; ///< in no face, dropped
-	std::int64_t weldedVertices         = 0; ///< of a triangle soup: equal positions made one vertex
-	std::int64_t repeatedIndexFaces     = 0; ///< a vertex twice in one face, dropped
-	std::int64_t zeroAreaFaces          = 0; ///< kept where they hold the surface together, counted
-	std::int64_t duplicateFaces         = 0; ///< the same three vertices again, dropped
-	std::int64_t reorientedFaces        = 0;
-	std::int64_t nonManifoldEdges       = 0; ///< more than two faces: cut but for the smoothest pair
-	std::int64_t nonManifoldVertices    = 0; ///< more than one fan: a copy for each further fan
-	std::int64_t nonOrientableCuts      = 0; ///< edges cut to make a one-sided surface orientable
-	std::int64_t longEdgesSplit         = 0; ///< edges longer than 0.8 r, split for the sampling only
+	std::int64_t nonFiniteVertices    = 0; ///< NaN or Inf coordinates, dropped with their faces
+	std::int64_t unreferencedVertices = 0; ///< in no face, dropped
+	std::int64_t weldedVertices       = 0; ///< of a triangle soup: equal positions made one vertex
+	std::int64_t repeatedIndexFaces   = 0; ///< a vertex twice in one face, dropped
+	std::int64_t zeroAreaFaces        = 0; ///< kept where they hold the surface together, counted
+	std::int64_t duplicateFaces       = 0; ///< the same three vertices again, dropped
+	std::int64_t reorientedFaces      = 0;
+	std::int64_t nonManifoldEdges     = 0; ///< more than two faces: cut but for the smoothest pair
+	std::int64_t nonManifoldVertices  = 0; ///< more than one fan: a copy for each further fan
+	std::int64_t nonOrientableCuts    = 0; ///< edges cut to make a one-sided surface orientable
+	std::int64_t longEdgesSplit       = 0; ///< edges longer than 0.8 r, split for the sampling only
 
 	/// Anything that changes what the input was (splitting edges does not).
 	bool changedInput() const
@@ -64,43 +64,43 @@ struct QualityFigures {
 
 /// What was checked before the result was handed out.
 struct AuditFigures {
-	bool         passed             = false;
-	std::int64_t nonManifoldEdges   = 0;
+	bool         passed              = false;
+	std::int64_t nonManifoldEdges    = 0;
 	std::int64_t nonManifoldVertices = 0;
-	std::int64_t duplicateFaces     = 0;
-	std::int64_t zeroAreaFaces      = 0;
-	std::int64_t flippedFaces       = 0; ///< look against the input; counted, not failed
-	std::int64_t nonFinitePositions = 0;
-	bool         componentsKept     = false;
-	bool         boundaryLoopsKept  = false;
-	bool         eulerKept          = false;
-	bool         countExact         = false;
+	std::int64_t duplicateFaces      = 0;
+	std::int64_t zeroAreaFaces       = 0;
+	std::int64_t flippedFaces        = 0; ///< look against the input; counted, not failed
+	std::int64_t nonFinitePositions  = 0;
+	bool         componentsKept      = false;
+	bool         boundaryLoopsKept   = false;
+	bool         eulerKept           = false;
+	bool         countExact          = false;
 };
 
 /// Everything a run tells about itself.
 struct RemeshReport {
-	MeshFigures            input;   ///< as given
-	MeshFigures            cleanedInput; ///< after cleaning and cutting: what the result is held against
-	MeshFigures            result;
-	CleanCounts            cleaned;
-	QualityFigures         quality;
-	AuditFigures           audit;
+	MeshFigures    input;        ///< as given
+	MeshFigures    cleanedInput; ///< after cleaning and cutting: what the result is held against
+	MeshFigures    result;
+	CleanCounts    cleaned;
+	QualityFigures quality;
+	AuditFigures   audit;
 	std::vector<StageTime> stages;
 	double                 remeshSeconds = 0; ///< wall time from mesh in memory to result in memory
 
-	std::uint32_t seed              = 0;
-	int           threads           = 0;
-	std::int64_t  targetVertexNum   = 0; ///< after percent or edge length were resolved
-	double        diskRadius        = 0; ///< r, mesh units
-	double        radiusConstant    = 0; ///< c of eq. (1)
-	std::int64_t  sampleNum         = 0; ///< what the front sampling placed
-	std::int64_t  boundarySampleNum = 0;
-	std::int64_t  leftoverVertexNum = 0; ///< input vertices that removal had to keep
-	std::int64_t  splitNum          = 0; ///< of the exact count
-	std::int64_t  collapseNum       = 0;
-	std::int64_t  flipNum           = 0;
-	std::int64_t  samplesMoved      = 0; ///< retriangulate: samples that were off the surface
-	double        largestSampleMove = 0; ///< mesh units
+	std::uint32_t            seed              = 0;
+	int                      threads           = 0;
+	std::int64_t             targetVertexNum   = 0; ///< after percent or edge length were resolved
+	double                   diskRadius        = 0; ///< r, mesh units
+	double                   radiusConstant    = 0; ///< c of eq. (1)
+	std::int64_t             sampleNum         = 0; ///< what the front sampling placed
+	std::int64_t             boundarySampleNum = 0;
+	std::int64_t             leftoverVertexNum = 0; ///< input vertices that removal had to keep
+	std::int64_t             splitNum          = 0; ///< of the exact count
+	std::int64_t             collapseNum       = 0;
+	std::int64_t             flipNum           = 0;
+	std::int64_t             samplesMoved = 0; ///< retriangulate: samples that were off the surface
+	double                   largestSampleMove = 0; ///< mesh units
 	std::vector<std::string> capsReached; ///< loops that ended by their bound, one phrase each
 };
 

@@ -13,23 +13,25 @@ namespace gpr {
 
 /// What a vertex of the result knows of the input.
 struct ResultVertex {
-	Anchor anchor;            ///< where on the input's surface it lies
-	Vec3f  normal;            ///< of that face
-	int    curve    = -1;     ///< border curve it belongs to, or -1
-	float  arc      = 0;      ///< where on the curve
-	bool   isCorner = false;  ///< of the curve: never moves
+	Anchor anchor;           ///< where on the input's surface it lies
+	Vec3f  normal;           ///< of that face
+	int    curve    = -1;    ///< border curve it belongs to, or -1
+	float  arc      = 0;     ///< where on the curve
+	bool   isCorner = false; ///< of the curve: never moves
+	int    sample   = -1;    ///< the sample it was, in the sampling's order; -1 for later ones
 };
 
-/// The mesh under way from retriangulation to the end. vertex[v].anchor.position is mesh.position[v].
+/// The mesh under way from retriangulation to the end. vertex[v].anchor.position is
+/// mesh.position[v].
 struct ResultMesh {
 	HalfEdgeMesh              mesh;
 	std::vector<ResultVertex> vertex;
 	float                     idealEdge = 0; ///< edge of the lattice of equilateral triangles, L0
 
-	std::int64_t flipNum     = 0;
-	std::int64_t splitNum    = 0;
-	std::int64_t collapseNum = 0;
-	std::int64_t leftoverNum = 0; ///< input vertices that removal had to keep
+	std::int64_t             flipNum     = 0;
+	std::int64_t             splitNum    = 0;
+	std::int64_t             collapseNum = 0;
+	std::int64_t             leftoverNum = 0; ///< input vertices that removal had to keep
 	std::vector<std::string> capsReached;
 };
 
@@ -39,7 +41,8 @@ void compactResult(ResultMesh& result);
 /// Smallest angle of a triangle in radians; 0 where it has no area.
 float smallestAngle(const Vec3f& a, const Vec3f& b, const Vec3f& c);
 
-/// Shape of a triangle in [0, 1]: 4√3·area / (sum of squared edges); 1 = equilateral. Cheap: one root.
+/// Shape of a triangle in [0, 1]: 4√3·area / (sum of squared edges); 1 = equilateral. Cheap: one
+/// root.
 float triangleShape(const Vec3f& a, const Vec3f& b, const Vec3f& c);
 
 } // namespace gpr

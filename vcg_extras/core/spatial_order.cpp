@@ -73,7 +73,7 @@ struct Bounds {
 
 	Bounds& operator+=(const Bounds& b)
 	{
-		low = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+		low  = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
 		high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
 		return *this;
 	}
@@ -81,14 +81,13 @@ struct Bounds {
 
 MortonGrid gridAround(const IndexedMesh& mesh, Workers& workers)
 {
-	const Bounds b =
-		workers.sum<Bounds>(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
-			Bounds part;
-			for (std::size_t v = begin; v < end; ++v)
-				part += Bounds{mesh.position[v], mesh.position[v]};
-			return part;
-		});
-	MortonGrid grid;
+	const Bounds b = workers.sum<Bounds>(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
+		Bounds part;
+		for (std::size_t v = begin; v < end; ++v)
+			part += Bounds{mesh.position[v], mesh.position[v]};
+		return part;
+	});
+	MortonGrid   grid;
 	grid.low      = b.low;
 	grid.cubeSize = std::max(b.high.x - b.low.x, std::max(b.high.y - b.low.y, b.high.z - b.low.z));
 	// A little wider, so that the highest coordinate still falls into the last cell.
@@ -169,8 +168,8 @@ std::uint64_t MortonGrid::key(const Vec3f& p) const
 {
 	const float scale = float(1 << deepestLevel) / cubeSize;
 	const auto  cell  = [scale](float offset) {
-		const float c = offset * scale;
-		return std::uint64_t(std::min(std::max(c, 0.0f), float((1 << deepestLevel) - 1)));
+        const float c = offset * scale;
+        return std::uint64_t(std::min(std::max(c, 0.0f), float((1 << deepestLevel) - 1)));
 	};
 	return spreadBits(cell(p.x - low.x)) | spreadBits(cell(p.y - low.y)) << 1 |
 		   spreadBits(cell(p.z - low.z)) << 2;

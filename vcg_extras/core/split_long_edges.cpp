@@ -21,9 +21,7 @@ struct Face {
 class Splitter {
 public:
 	Splitter(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces) :
-			mesh_(mesh),
-			maxSquared_(maxLength * maxLength),
-			maxFaces_(maxFaces),
+			mesh_(mesh), maxSquared_(maxLength * maxLength), maxFaces_(maxFaces),
 			faceNum_(mesh.faceNum)
 	{
 	}
@@ -172,7 +170,8 @@ void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Split
 	mesh.triangle.resize(3 * (std::size_t(mesh.faceNum) + extra));
 	mesh.sourceFace.resize(std::size_t(mesh.faceNum) + extra);
 	for (std::size_t i = 0; i < faces.size(); ++i) {
-		const int f = i < longFaces.size() ? longFaces[i] : mesh.faceNum + int(i - longFaces.size());
+		const int f =
+			i < longFaces.size() ? longFaces[i] : mesh.faceNum + int(i - longFaces.size());
 		for (int k = 0; k < 3; ++k)
 			mesh.triangle[3 * f + k] = faces[i].corner[k];
 		mesh.sourceFace[f] = faces[i].source;

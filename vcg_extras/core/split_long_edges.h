@@ -10,10 +10,10 @@
 
 namespace gpr {
 
-/// Stage 2: splits edges longer than maxLength at their midpoints, as often as needed, so that a disk
-/// always covers a few vertices. This removes both weaknesses that the paper admits (§4): stray huge
-/// triangles, and targets near the input's own vertex number. The surface stays where it is.
-/// Only faces with a long edge are looked at again; their midpoints are found by hashing.
+/// Stage 2: splits edges longer than maxLength at their midpoints, as often as needed, so that a
+/// disk always covers a few vertices. This removes both weaknesses that the paper admits (§4):
+/// stray huge triangles, and targets near the input's own vertex number. The surface stays where it
+/// is. Only faces with a long edge are looked at again; their midpoints are found by hashing.
 /// Returns the number of edges split; throws Failure{OutOfMemory} where the result would have more
 /// than maxFaces faces.
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,

@@ -14,13 +14,14 @@ namespace {
 
 /// What a pass of the removal accepts.
 struct PassRules {
-	bool  sameLabelOnly;
-	float leastCosine; ///< of each new face's normal with the mean normal of the ring; -2 = anything
-	int   tries;       ///< targets tried per vertex, best first
+	bool sameLabelOnly;
+	float
+		leastCosine; ///< of each new face's normal with the mean normal of the ring; -2 = anything
+	int tries;       ///< targets tried per vertex, best first
 };
 
 constexpr PassRules passRules[] = {
-	{true, 0.1f, 3},  {true, 0.1f, 3},  {false, 0.1f, 3},
+	{true, 0.1f, 3},   {true, 0.1f, 3},    {false, 0.1f, 3},
 	{false, -0.5f, 3}, {false, -2.0f, 64}, {false, -2.0f, 64},
 };
 
@@ -30,9 +31,7 @@ constexpr float noScore = -2;
 class Remover {
 public:
 	Remover(HalfEdgeMesh& mesh, const Sampling& sampling, float longestEdge) :
-			m_(mesh),
-			nearest_(sampling.nearest),
-			longestSquared_(longestEdge * longestEdge)
+			m_(mesh), nearest_(sampling.nearest), longestSquared_(longestEdge * longestEdge)
 	{
 	}
 
@@ -107,13 +106,14 @@ private:
 		for (std::size_t i = 0, last = ring_.size() - 1; i < ring_.size(); last = i++) {
 			if (&ring_[i] == &t || &ring_[last] == &t) continue;
 			const Vec3f e = ring_[last].place - t.place, g = ring_[i].place - t.place;
-			const Vec3f n       = cross(e, g);
-			const float doubled = length(n);
+			const Vec3f n        = cross(e, g);
+			const float doubled  = length(n);
 			const float eSquared = squaredLength(e), gSquared = squaredLength(g);
 			if (dot(n, normal) < leastCosine * doubled) return noScore;
 			if (eSquared > longestSquared_ || gSquared > longestSquared_) return noScore;
-			const float edges = eSquared + gSquared + squaredLength(ring_[i].place - ring_[last].place);
-			worst             = std::min(worst, 3.4641016f * doubled / (edges + 1e-30f));
+			const float edges =
+				eSquared + gSquared + squaredLength(ring_[i].place - ring_[last].place);
+			worst = std::min(worst, 3.4641016f * doubled / (edges + 1e-30f));
 		}
 		return worst;
 	}
@@ -146,9 +146,9 @@ private:
 		forEachOutgoing(m_, v, [&](int h) {
 			if (m_.target(h) == b || m_.apex(h) == b) return;
 			const Vec3f x = m_.position[m_.target(h)], y = m_.position[m_.apex(h)];
-			const Vec3f n       = cross(x - q, y - q);
-			const bool  tooLong = squaredLength(x - q) > longestSquared_ ||
-								 squaredLength(y - q) > longestSquared_;
+			const Vec3f n = cross(x - q, y - q);
+			const bool  tooLong =
+				squaredLength(x - q) > longestSquared_ || squaredLength(y - q) > longestSquared_;
 			if (tooLong || dot(n, normal) < rules.leastCosine * length(n)) worst = noScore;
 			worst = std::min(worst, triangleShape(q, x, y));
 		});
@@ -156,8 +156,8 @@ private:
 	}
 };
 
-/// For each sample the vertex of its cell that is nearest to it; -1 where it owns none. Samples of the
-/// border have theirs from their curve.
+/// For each sample the vertex of its cell that is nearest to it; -1 where it owns none. Samples of
+/// the border have theirs from their curve.
 std::vector<int> findRepresentatives(const Surface& surface, const Sampling& sampling,
 									 const BoundaryCurves& boundary, Workers& workers)
 {
@@ -175,8 +175,7 @@ std::vector<int> findRepresentatives(const Surface& surface, const Sampling& sam
 			std::uint64_t       seen = __atomic_load_n(&best[near.sample], __ATOMIC_RELAXED);
 			while (word < seen &&
 				   !__atomic_compare_exchange_n(&best[near.sample], &seen, word, true,
-												__ATOMIC_RELAXED, __ATOMIC_RELAXED)) {
-			}
+												__ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
 		}
 	});
 	std::vector<int> representative(n, -1);
@@ -199,19 +198,22 @@ HalfEdgeMesh copyConnectivity(const HalfEdgeMesh& from, Workers& workers)
 	to.origin.reset(from.halfEdgeNum());
 	to.opposite.reset(from.halfEdgeNum());
 	workers.forRange(from.vertexNum, [&](std::size_t begin, std::size_t end) {
-		std::copy(from.position.data() + begin, from.position.data() + end, to.position.data() + begin);
-		std::copy(from.outgoing.data() + begin, from.outgoing.data() + end, to.outgoing.data() + begin);
+		std::copy(from.position.data() + begin, from.position.data() + end,
+				  to.position.data() + begin);
+		std::copy(from.outgoing.data() + begin, from.outgoing.data() + end,
+				  to.outgoing.data() + begin);
 	});
 	workers.forRange(from.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
 		std::copy(from.origin.data() + begin, from.origin.data() + end, to.origin.data() + begin);
-		std::copy(from.opposite.data() + begin, from.opposite.data() + end, to.opposite.data() + begin);
+		std::copy(from.opposite.data() + begin, from.opposite.data() + end,
+				  to.opposite.data() + begin);
 	});
 	return to;
 }
 
 /// Runs one pass over the vertices still to be removed, block by block, colour by colour.
-void runPass(const BlockPartition& partition, const PassRules& rules, std::vector<Remover>& removers,
-			 std::vector<std::vector<int>>& todo, Workers& workers)
+void runPass(const BlockPartition& partition, const PassRules& rules,
+			 std::vector<Remover>& removers, std::vector<std::vector<int>>& todo, Workers& workers)
 {
 	for (const std::vector<int>& ids : partition.byColour) {
 		workers.forTasks(ids.size(), [&](std::size_t i, int worker) {
@@ -274,6 +276,7 @@ ResultMesh emit(HalfEdgeMesh&& m, const Surface& surface, const Sampling& sampli
 		ResultVertex& r = result.vertex[v];
 		r.anchor        = sampling.samples[s].anchor;
 		r.normal        = sampling.samples[s].normal;
+		r.sample        = int(s);
 		if (int(s) < sampling.boundarySampleNum && s < boundary.samples.size()) {
 			r.curve    = boundary.samples[s].curve;
 			r.arc      = boundary.samples[s].arc;
@@ -283,8 +286,8 @@ ResultMesh emit(HalfEdgeMesh&& m, const Surface& surface, const Sampling& sampli
 	const auto onCurve = findOnCurves(boundary, rest);
 	for (int old : rest) {
 		ResultVertex& r = result.vertex[newIndex[old]];
-		r.curve = onCurve.at(old).first;
-		r.arc   = onCurve.at(old).second;
+		r.curve         = onCurve.at(old).first;
+		r.arc           = onCurve.at(old).second;
 		r.anchor        = {surface.mesh.position[old], surface.mesh.outgoing[old] / 3};
 		r.normal        = surface.mesh.faceNormal(r.anchor.face);
 	}

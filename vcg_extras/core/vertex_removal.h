@@ -13,11 +13,11 @@ namespace gpr {
 /// Stage 7: retriangulation (paper §3, last paragraph) by label-guided removal.
 ///
 /// Differs from the paper, whose samples are fused into the mesh by edge splits and whose holes are
-/// closed in a local parametrization: here one vertex of each Voronoi cell stands for its sample, every
-/// other vertex is merged into a neighbour of the same cell, the one that leaves the best worst
-/// triangle, and the last vertex of a cell takes the sample's place. Later passes allow any cell, then
-/// any geometry, so that only what the topology needs is left over. Border vertices move along their
-/// border only. Topology is kept by construction (see mesh_edit.h).
+/// closed in a local parametrization: here one vertex of each Voronoi cell stands for its sample,
+/// every other vertex is merged into a neighbour of the same cell, the one that leaves the best
+/// worst triangle, and the last vertex of a cell takes the sample's place. Later passes allow any
+/// cell, then any geometry, so that only what the topology needs is left over. Border vertices move
+/// along their border only. Topology is kept by construction (see mesh_edit.h).
 ///
 /// Works block by block: no edge grows beyond a quarter of a cell, so that two blocks of a colour
 /// never touch the same vertex; what that forbids is done in the end, serially.

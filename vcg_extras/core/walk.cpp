@@ -70,8 +70,7 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCross
 		if (!(squaredLength(nextNormal) > 0)) return WalkEnd::AtBorder;
 
 		// Unfold: the part along the edge stays, the part across turns into the next face's plane.
-		const Vec3f along =
-			normalized(m.position[m.target(exit)] - m.position[m.origin[exit]]);
+		const Vec3f along  = normalized(m.position[m.target(exit)] - m.position[m.origin[exit]]);
 		d                  = d * (1 - t);
 		const float across = std::max(0.0f, dot(d, cross(along, normal)));
 		d                  = along * dot(d, along) + cross(along, nextNormal) * across;

@@ -23,9 +23,9 @@ enum class WalkEnd {
 /// Faces a walk crosses at most where the caller knows no better bound.
 constexpr int mostFacesCrossed = 20000;
 
-/// Traces a straight geodesic: moves `at` by the vector `step`, turned into the plane of its face and
-/// kept at its length, unfolding across every edge on the way. The point stays on the surface, so
-/// nothing has to be projected and no other sheet can be met. Cost: the faces crossed.
+/// Traces a straight geodesic: moves `at` by the vector `step`, turned into the plane of its face
+/// and kept at its length, unfolding across every edge on the way. The point stays on the surface,
+/// so nothing has to be projected and no other sheet can be met. Cost: the faces crossed.
 WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step,
 			 int mostCrossings = mostFacesCrossed);
 

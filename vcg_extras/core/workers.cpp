@@ -119,13 +119,13 @@ std::size_t Workers::grainFor(std::size_t n)
 
 void Workers::runTasks(std::size_t taskNum, Task task, void* body)
 {
-	Pool& p   = *pool_;
-	p.task    = task;
-	p.body    = body;
-	p.taskNum = taskNum;
-	p.next    = 0;
-	p.stop    = false;
-	p.failure = nullptr;
+	Pool& p           = *pool_;
+	p.task            = task;
+	p.body            = body;
+	p.taskNum         = taskNum;
+	p.next            = 0;
+	p.stop            = false;
+	p.failure         = nullptr;
 	const bool shared = taskNum > 1 && !p.threads.empty();
 	if (shared) {
 		{
@@ -158,7 +158,8 @@ void Workers::poll(double share)
 	const Clock::time_point now = Clock::now();
 	if (now - p.lastPoll < pollPeriod) return;
 	p.lastPoll = now;
-	// Several loops make up a stage, so a loop's own share may fall back: never tell less than before.
+	// Several loops make up a stage, so a loop's own share may fall back: never tell less than
+	// before.
 	p.told = std::max(p.told, p.stageFrom + share * (p.stageTo - p.stageFrom));
 	if (!p.progress(p.told, p.phrase)) throw CancelledError();
 }

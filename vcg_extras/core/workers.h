@@ -13,8 +13,7 @@
 namespace gpr {
 
 /// Thrown in the calling thread when the progress callback asked to stop.
-struct CancelledError {
-};
+struct CancelledError {};
 
 /// Threads that share loops, and the one place where progress is told and cancelling noticed.
 /// Every loop ends before its call returns. Which thread does what never shows in a result: loops
@@ -24,7 +23,7 @@ public:
 	/// threads = 0 takes one per core.
 	Workers(int threads, ProgressCallback progress);
 	~Workers();
-	Workers(const Workers&) = delete;
+	Workers(const Workers&)            = delete;
 	Workers& operator=(const Workers&) = delete;
 
 	int threadNum() const;
@@ -34,9 +33,8 @@ public:
 	void forRange(std::size_t n, const Body& body)
 	{
 		const std::size_t grain = grainFor(n);
-		run((n + grain - 1) / grain, [&](std::size_t piece, int) {
-			body(piece * grain, std::min(n, (piece + 1) * grain));
-		});
+		run((n + grain - 1) / grain,
+			[&](std::size_t piece, int) { body(piece * grain, std::min(n, (piece + 1) * grain)); });
 	}
 
 	/// Calls body(task, worker) for every task in [0, taskNum); worker in [0, threadNum()).
@@ -83,8 +81,8 @@ public:
 
 	/// From here on the work done runs from `from` to `to` (shares of 1).
 	void enterStage(const char* phrase, double from, double to);
-	/// Tells progress if the last time is a while ago; throws CancelledError. Long serial loops call
-	/// it now and then, from the calling thread only. share: of the stage's own work.
+	/// Tells progress if the last time is a while ago; throws CancelledError. Long serial loops
+	/// call it now and then, from the calling thread only. share: of the stage's own work.
 	void poll(double share = 0);
 
 private:

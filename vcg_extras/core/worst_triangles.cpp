@@ -17,22 +17,18 @@ constexpr float radians    = 3.14159265f / 180;
 constexpr int   mostRounds = 8;
 constexpr int   mostMoves  = 3; ///< of a vertex with one step length
 /// A move or flip must not turn a face by more than about 26°.
-constexpr float turnCosine = 0.9f;
+constexpr float turnCosine   = 0.9f;
 constexpr float stepShares[] = {0.2f, 0.1f, 0.05f, 0.025f}; ///< of the ideal edge
 
 /// Unit directions of the pattern search, an eighth of a turn apart.
-constexpr float diagonal = 0.70710678f;
+constexpr float diagonal      = 0.70710678f;
 constexpr float compass[8][2] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
 								 {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
 
 class AngleRaiser {
 public:
 	AngleRaiser(const Surface& surface, float angle, ResultMesh& result, Workers& workers) :
-			surface_(surface),
-			angle_(angle),
-			r_(result),
-			m_(result.mesh),
-			workers_(workers)
+			surface_(surface), angle_(angle), r_(result), m_(result.mesh), workers_(workers)
 	{
 	}
 
@@ -63,11 +59,12 @@ private:
 
 	std::vector<int> findPoorFaces()
 	{
-		return workers_.collect<int>(m_.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-			for (int f = int(begin); f < int(end); ++f) {
-				if (angleOf(f) < angle_) out.push_back(f);
-			}
-		});
+		return workers_.collect<int>(m_.faceNum,
+									 [&](std::size_t begin, std::size_t end, auto& out) {
+										 for (int f = int(begin); f < int(end); ++f) {
+											 if (angleOf(f) < angle_) out.push_back(f);
+										 }
+									 });
 	}
 
 	bool improve(const std::vector<int>& faces)
@@ -119,9 +116,9 @@ private:
 	bool moveToBest(int v, float reach, float& worst)
 	{
 		const ResultVertex start = r_.vertex[v];
-		const Vec3f        away  = std::abs(start.normal.x) < 0.8f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
-		const Vec3f        u     = normalized(cross(start.normal, away));
-		const Vec3f        w     = cross(start.normal, u);
+		const Vec3f        away = std::abs(start.normal.x) < 0.8f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
+		const Vec3f        u    = normalized(cross(start.normal, away));
+		const Vec3f        w    = cross(start.normal, u);
 		Anchor             best;
 		for (const auto& direction : compass) {
 			Anchor at = start.anchor;

@@ -10,10 +10,10 @@
 namespace gpr {
 
 /// Stage 11: raises the smallest angles. Flat inner vertices of triangles with an angle below
-/// `angleDeg` search for a better place on the surface round them, accepted if the worst angle of the
-/// ring grows and no face turns; then edges are flipped where that raises the smaller angle of the
-/// pair. Some rounds, until none is left or none improves. Cost: a pass over the faces a round, and the
-/// few vertices concerned.
+/// `angleDeg` search for a better place on the surface round them, accepted if the worst angle of
+/// the ring grows and no face turns; then edges are flipped where that raises the smaller angle of
+/// the pair. Some rounds, until none is left or none improves. Cost: a pass over the faces a round,
+/// and the few vertices concerned.
 void raiseWorstAngles(const Surface& surface, float angleDeg, ResultMesh& result, Workers& workers);
 
 } // namespace gpr
