@@ -171,7 +171,8 @@ float deviation(const Curve& c, float a, float b)
 	float       worst = 0;
 	const int   lap   = a >= c.length ? c.pointNum() : 0;
 	for (int i = c.segmentAt(a) + 1 + lap; i < 3 * c.pointNum(); ++i) {
-		const float s = c.arc[i % c.pointNum()] + float(i / c.pointNum()) * c.length;
+		const int   round = i / c.pointNum();
+		const float s     = c.arc[i % c.pointNum()] + float(round) * c.length;
 		if (s >= b) break;
 		worst = std::max(worst, distanceToSegment(c.point[i % c.pointNum()], p, q));
 	}

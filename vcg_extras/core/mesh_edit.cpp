@@ -90,11 +90,8 @@ void collapse(HalfEdgeMesh& m, int h)
 	join(m, t1, t2);
 	join(m, t3, t4);
 	// a was inside, so t2 and t3 exist; t1 and t4 are missing where b's border ran along the faces.
-	const bool bAtBorder = m.opposite[m.outgoing[b]] < 0 && m.outgoing[b] / 3 != h / 3;
-	if (t1 < 0)
-		m.outgoing[b] = t2;
-	else if (!bAtBorder)
-		m.outgoing[b] = t2;
+	const bool keepsBorder = t1 >= 0 && m.isBorderVertex(b);
+	if (!keepsBorder) m.outgoing[b] = t2;
 	if (m.outgoing[c] == prevInFace(h)) m.outgoing[c] = t1 >= 0 ? t1 : nextInFace(t2);
 	if (m.outgoing[d] == prevInFace(g)) m.outgoing[d] = t3;
 	m.outgoing[a] = -1;

@@ -41,9 +41,10 @@ public:
 	void run(Workers& workers)
 	{
 		while (!todo_.empty()) {
-			midpoint_.clear();
 			std::vector<Face> round;
 			round.swap(todo_);
+			midpoint_.clear();
+			midpoint_.reserve(2 * round.size());
 			for (const Face& face : round) {
 				workers.poll();
 				split(face);
