@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What setup, test and demo share; read by `source`, never run.
+# What setup, test, demo and measure share; read by `source`, never run.
 
 say() { printf '%s: %s\n' "${0##*/}" "$*"; }
 
@@ -32,4 +32,64 @@ with_display() {
 	chmod 700 "$state/run"
 	env HOME="$state/home" XDG_RUNTIME_DIR="$state/run" LIBGL_ALWAYS_SOFTWARE=1 \
 		xvfb-run -a -s "-screen 0 1280x900x24 -nolisten tcp" "$@" </dev/null
+}
+
+# Set-up, a build without tests in the folder $1, and in $1/meshlab a MeshLab that has our plugin.
+# The build's words go to the file $2.
+build_for_meshlab() {
+	scripts/setup
+	say "building"
+	cmake -S . -B "$1" -DGPR_BUILD_TESTS=OFF >"$2"
+	cmake --build "$1" -j"$(nproc)" >>"$2" 2>&1 || {
+		tail -40 "$2" >&2
+		fail "the build failed"
+	}
+	scripts/private_meshlab "$1/meshlab" "$1/lib/libfilter_geodesic_poisson.so"
+}
+
+# bunny.obj of Debian's glmark2-data as the PLY file $1: the OBJ reader of MeshLab 2020.09 ends with a
+# failed assertion on this file.
+bunny_as_ply() {
+	local obj
+	obj=$(dpkg -L glmark2-data | grep '/bunny\.obj$')
+	awk '$1 == "v" { vertex[nv++] = $2 " " $3 " " $4 }
+		$1 == "f" { face[nf++] = "3 " $2 - 1 " " $3 - 1 " " $4 - 1 }
+		END {
+			print "ply\nformat ascii 1.0\nelement vertex " nv
+			print "property float x\nproperty float y\nproperty float z\nelement face " nf
+			print "property list uchar int vertex_indices\nend_header"
+			for (i = 0; i < nv; ++i) print vertex[i]
+			for (i = 0; i < nf; ++i) print face[i]
+		}' "$obj" >"$1"
+}
+
+# Quadric Edge Collapse as MeshLab's dialog proposes it, but for the number of faces, $1.
+quadric_script() {
+	cat <<END
+<!DOCTYPE FilterScript>
+<FilterScript>
+ <filter name="Simplification: Quadric Edge Collapse Decimation">
+  <Param name="TargetFaceNum" type="RichInt" value="$1"/>
+  <Param name="TargetPerc" type="RichFloat" value="0"/>
+  <Param name="QualityThr" type="RichFloat" value="0.3"/>
+  <Param name="PreserveBoundary" type="RichBool" value="false"/>
+  <Param name="BoundaryWeight" type="RichFloat" value="1"/>
+  <Param name="PreserveNormal" type="RichBool" value="false"/>
+  <Param name="PreserveTopology" type="RichBool" value="false"/>
+  <Param name="OptimalPlacement" type="RichBool" value="true"/>
+  <Param name="PlanarQuadric" type="RichBool" value="false"/>
+  <Param name="PlanarWeight" type="RichFloat" value="0.001"/>
+  <Param name="QualityWeight" type="RichBool" value="false"/>
+  <Param name="AutoClean" type="RichBool" value="true"/>
+  <Param name="Selected" type="RichBool" value="false"/>
+ </filter>
+</FilterScript>
+END
+}
+
+# Runs a command and leaves its wall time in $seconds.
+timed() {
+	local start=$EPOCHREALTIME
+	"$@"
+	seconds=$(awk -v a="$start" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.3f", b - a }')
 }
