@@ -38,6 +38,24 @@ TEST(Retriangulate, MakesTheSamplesOfAClosedSurfaceItsVertices)
 	}
 }
 
+TEST(Retriangulate, TellsWhichSampleAVertexIsAndKeepsItsCoordinates)
+{
+	const TriangleMesh   mesh = torus(90, 46);
+	const SamplingResult s    = samplePoissonDisks(mesh.view(), someOptions());
+	const RemeshResult   r    = retriangulate(mesh.view(), s.points, someOptions());
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	ASSERT_EQ(r.sampleOf.size(), r.mesh.vertexNum());
+	std::vector<int> seen(s.points.size(), 0);
+	for (std::size_t v = 0; v < r.sampleOf.size(); ++v) {
+		if (r.sampleOf[v] < 0) continue;
+		ASSERT_LT(std::size_t(r.sampleOf[v]), s.points.size());
+		++seen[r.sampleOf[v]];
+		ASSERT_LT(length(r.mesh.positions[v] - s.points[r.sampleOf[v]]), 1e-6);
+	}
+	for (int n : seen)
+		ASSERT_EQ(n, 1) << "every sample is one vertex";
+}
+
 TEST(Retriangulate, PutsSamplesOnTheSurfaceAndTellsHowFar)
 {
 	const TriangleMesh   mesh = icosphere(4);

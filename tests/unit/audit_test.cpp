@@ -56,24 +56,15 @@ TEST(Audit, CatchesAWrongOpposite)
 	EXPECT_FALSE(auditAfter(icosphere(2), [](HalfEdgeMesh& m) { m.opposite[30] = -1; }).passed);
 }
 
-TEST(Audit, CatchesAVertexOutOfRange)
+/// Held against good figures: only the table is wrong.
+TEST(Audit, CatchesAVertexTwiceInAFace)
 {
-	const auto corner = [](int value) {
-		return [value](HalfEdgeMesh& m) {
-			// Only the table is looked at: figuresOf would read beyond its arrays.
-			Workers           workers(1, nullptr);
-			const MeshFigures good = figuresOf(m, 1, workers);
-			(void) good;
-			m.origin[33] = value;
-		};
-	};
 	Workers           workers(1, nullptr);
 	const Surface     surface = surfaceOf(icosphere(2), workers);
 	ResultMesh        result  = resultOf(surface, {});
 	const MeshFigures good    = figuresOf(result.mesh, 1, workers);
-	corner(result.mesh.origin[34])(result.mesh);
-	EXPECT_FALSE(audit(surface, result, good, good, 0, workers).passed)
-		<< "a vertex twice in a face";
+	result.mesh.origin[33]    = result.mesh.origin[34];
+	EXPECT_FALSE(audit(surface, result, good, good, 0, workers).passed);
 }
 
 TEST(Audit, CatchesADuplicateFace)
@@ -125,17 +116,25 @@ TEST(Audit, CatchesADroppedFace)
 	EXPECT_FALSE(a.eulerKept);
 }
 
-TEST(Audit, CatchesALostComponent)
+/// Each figure of the topology by itself, all others being right.
+TEST(Audit, CatchesEachChangeOfTopology)
 {
 	Workers           workers(1, nullptr);
 	const Surface     surface = surfaceOf(icosphere(2), workers);
 	const ResultMesh  result  = resultOf(surface, {});
 	const MeshFigures good    = figuresOf(result.mesh, 1, workers);
-	MeshFigures       input   = good;
-	input.components          = 2;
-	const AuditFigures a      = audit(surface, result, input, good, 0, workers);
-	EXPECT_FALSE(a.passed);
-	EXPECT_FALSE(a.componentsKept);
+	const auto        against = [&](std::int64_t MeshFigures::*figure) {
+        MeshFigures input = good;
+        input.*figure += 1;
+        const AuditFigures a = audit(surface, result, input, good, 0, workers);
+        EXPECT_FALSE(a.passed);
+        EXPECT_FALSE(describeFailure(a).empty());
+        return a;
+	};
+	EXPECT_FALSE(against(&MeshFigures::components).componentsKept);
+	EXPECT_FALSE(against(&MeshFigures::boundaryLoops).boundaryLoopsKept);
+	EXPECT_FALSE(against(&MeshFigures::eulerCharacteristic).eulerKept);
+	EXPECT_TRUE(audit(surface, result, good, good, 0, workers).passed);
 }
 
 TEST(Audit, CatchesCoordinatesThatAreNotFinite)
@@ -162,8 +161,8 @@ TEST(Audit, CountsFacesThatLookAgainstTheSurface)
 	const AuditFigures a = auditAfter(grid(9, 9), [](HalfEdgeMesh& m) {
 		for (int v = 0; v < m.vertexNum; ++v) {
 			if (m.isBorderVertex(v)) continue;
-			m.position[v].x += 1.4f / 9 / 2; // the box is 2 wide in working units at most
-			m.position[v].x += 1.4f / 9 / 2;
+			m.position[v].x +=
+				1.4f / 9; // beyond the next column; a working unit is two of the mesh's
 			return;
 		}
 	});

@@ -230,6 +230,20 @@ TEST_P(RelaxOnce, MakesTrianglesMoreRegularAndTurnsNone)
 	}
 }
 
+/// Among long, crossing-prone triangles the barycentre of a ring may lie outside of what its vertex
+/// can see: such moves have to be taken back.
+TEST_P(RelaxOnce, TurnsNoFaceAmongPoorTrianglesEither)
+{
+	Random    random(GetParam());
+	OnSurface on(jitteredGrid(30, 0.45, random));
+	scramble(on.m(), random);
+	const HalfEdgeMesh before = copyOf(on.m());
+	relaxOnce(on.surface, on.result, on.workers);
+	for (int f = 0; f < before.faceNum; ++f)
+		ASSERT_GT(dot(before.faceNormal(f), on.m().faceNormal(f)), 0.0f) << "face " << f;
+	on.expectOnSurface();
+}
+
 TEST_P(RelaxOnce, DoesNotDependOnThreads)
 {
 	Buffer<Vec3f> first;
@@ -282,11 +296,12 @@ TEST(RaiseWorstAngles, RaisesThemAndStaysOnTheSurface)
 	}
 }
 
-int wrongFaces(const OnSurface& on)
+int wrongFaces(OnSurface& on)
 {
-	int wrong = 0;
+	const Buffer<Vec3f> normals = smoothNormals(on.surface, on.result, on.workers);
+	int                 wrong   = 0;
 	for (int f = 0; f < on.result.mesh.faceNum; ++f)
-		wrong += faceAgreement(on.surface, on.result, f) < 0;
+		wrong += faceAgreement(on.result.mesh, normals, f) < 0;
 	return wrong;
 }
 
@@ -311,7 +326,7 @@ TEST(MendFolds, MendsNearlyAllAndCountsTheRest)
 		ASSERT_GT(wrong, 5);
 		const int left = mendFolds(on.surface, on.boundary, mayCollapse, on.result, on.workers);
 		EXPECT_LE(left, mayCollapse ? wrong / 4 : wrong / 2) << "of " << wrong;
-		EXPECT_EQ(left, wrongFaces(on));
+		EXPECT_GE(left, wrongFaces(on)) << "those that nearly do are counted too";
 		EXPECT_TRUE(isSoundTable(on.m()));
 		on.expectOnSurface();
 		EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));
