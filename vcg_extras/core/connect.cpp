@@ -26,9 +26,8 @@ bool spokeLess(const Spoke& a, const Spoke& b)
 	return a.halfEdge < b.halfEdge;
 }
 
-/// Pairs the half-edges whose smaller end is one vertex. False if an edge is not shared by at most
-/// two faces in opposite directions.
-bool pairSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
+/// pairSpokes for vertices with many neighbours.
+bool pairSortedSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
 {
 	std::sort(spokes.begin(), spokes.end(), spokeLess);
 	bool isManifold = true;
@@ -47,6 +46,30 @@ bool pairSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
 			isManifold = false;
 		}
 		i = end;
+	}
+	return isManifold;
+}
+
+/// Pairs the half-edges whose smaller end is one vertex. False if an edge is not shared by at most
+/// two faces in opposite directions. Six spokes are usual: comparing all with all beats sorting.
+bool pairSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
+{
+	constexpr std::size_t few = 24;
+	if (spokes.size() > few) return pairSortedSpokes(spokes, opposite);
+	bool isManifold = true;
+	for (const Spoke& s : spokes) {
+		int  sameEdgeNum = 0;
+		int  partner     = -1;
+		bool facesIt     = false;
+		for (const Spoke& t : spokes) {
+			if (t.other != s.other || &t == &s) continue;
+			++sameEdgeNum;
+			partner = t.halfEdge;
+			facesIt = t.leaves != s.leaves;
+		}
+		const bool isPair    = sameEdgeNum == 1 && facesIt;
+		opposite[s.halfEdge] = isPair ? partner : -1;
+		if (sameEdgeNum > 0 && !isPair) isManifold = false;
 	}
 	return isManifold;
 }

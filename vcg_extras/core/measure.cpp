@@ -142,8 +142,8 @@ struct ShapeSums {
 		const double a = length(s - q), b = length(s - p), c = length(q - p);
 		const double doubled = length(cross(q - p, s - p)); // two times the area
 		const double longest = std::max({a, b, c});
-		edgeLen += (a + b + c) / 3;
-		if (!(doubled > 0)) {
+		if (std::isfinite(longest)) edgeLen += (a + b + c) / 3;
+		if (!(doubled > 0) || !std::isfinite(doubled)) {
 			radiusRatioMin = aspectRatioMin = minAngleMin = 0;
 			++below30;
 			return;
@@ -214,9 +214,14 @@ MeshFigures measureMesh(const MeshView& mesh)
 
 QualityFigures measureQuality(const MeshView& mesh, int threads)
 {
+	Workers workers(threads, nullptr);
+	return measureQuality(mesh, workers);
+}
+
+QualityFigures measureQuality(const MeshView& mesh, Workers& workers)
+{
 	QualityFigures q;
 	if (mesh.faceNum == 0) return q;
-	Workers         workers(threads, nullptr);
 	const ShapeSums sums =
 		workers.sum<ShapeSums>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
 			ShapeSums part;

@@ -449,7 +449,7 @@ private:
 		}
 		clock_.enter("export", "Handing out the result", 1);
 		exportMesh(p.surface, result, out);
-		report_.quality = measureQuality(out.mesh.view(), 1);
+		report_.quality = measureQuality(out.mesh.view(), workers_);
 	}
 
 	void exportMesh(const Surface& surface, const ResultMesh& result, RemeshResult& out)
