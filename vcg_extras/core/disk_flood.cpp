@@ -36,9 +36,17 @@ float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float
 	return std::sqrt((ax - sx) * (ax - sx) + height * height);
 }
 
-void DiskFlood::run(int id, const Sample& sample)
+void DiskFlood::explore(const Sample& sample)
 {
-	if (!runFlat(id, sample)) runUnfolding(id, sample);
+	if (!exploreFlat(sample)) exploreUnfolding(sample);
+}
+
+void DiskFlood::commit(int id)
+{
+	for (int v : queue_) {
+		NearestField::Nearest& n = field_.nearest[v];
+		if (field_.trial[v].distance < n.distance) n = {field_.trial[v].distance, id};
+	}
 }
 
 void DiskFlood::meet(int vertex)
@@ -49,8 +57,8 @@ void DiskFlood::meet(int vertex)
 	if (std::find(met_.begin(), met_.end(), n.sample) == met_.end()) met_.push_back(n.sample);
 }
 
-/// Writes nothing but trial entries until the whole disk proved flat. False: not flat.
-bool DiskFlood::runFlat(int id, const Sample& sample)
+/// False: the disk is not flat.
+bool DiskFlood::exploreFlat(const Sample& sample)
 {
 	const int stamp = 2 * ++flood_;
 	queue_.clear();
@@ -73,15 +81,12 @@ bool DiskFlood::runFlat(int id, const Sample& sample)
 		if (distance > radius_ || distance >= field_.nearest[v].distance) continue;
 		forEachNeighbour(m_, v, reach);
 	}
-	for (int v : queue_) {
+	for (int v : queue_)
 		meet(v);
-		NearestField::Nearest& n = field_.nearest[v];
-		if (field_.trial[v].distance < n.distance) n = {field_.trial[v].distance, id};
-	}
 	return true;
 }
 
-void DiskFlood::runUnfolding(int id, const Sample& sample)
+void DiskFlood::exploreUnfolding(const Sample& sample)
 {
 	++flood_;
 	queue_.clear();
@@ -95,7 +100,7 @@ void DiskFlood::runUnfolding(int id, const Sample& sample)
 		const HeapEntry            e = popHeap();
 		const NearestField::Trial& t = field_.trial[e.vertex];
 		if (t.stamp != 2 * flood_ || e.distance > t.distance) continue;
-		settle(e.vertex, e.distance, id, sample);
+		settle(e.vertex, e.distance, sample);
 	}
 }
 
@@ -108,16 +113,13 @@ void DiskFlood::tryDistance(int vertex, float distance)
 	pushHeap({distance, vertex});
 }
 
-void DiskFlood::settle(int v, float distance, int id, const Sample& sample)
+void DiskFlood::settle(int v, float distance, const Sample& sample)
 {
-	const int stamp          = 2 * flood_;
-	field_.trial[v].stamp    = stamp + 1;
-	NearestField::Nearest& n = field_.nearest[v];
+	const int stamp       = 2 * flood_;
+	field_.trial[v].stamp = stamp + 1;
 	queue_.push_back(v);
 	meet(v);
-	if (!(distance < n.distance)) return;
-	n = {distance, id};
-	if (distance > radius_) return;
+	if (!(distance < field_.nearest[v].distance) || distance > radius_) return;
 
 	// Along the edges, and across every triangle one of whose other corners is settled too.
 	const Vec3f p    = m_.position[v];

@@ -47,9 +47,18 @@ public:
 	{
 	}
 
-	/// Floods from sample `id`. Afterwards metSamples() are the other samples that own vertices
-	/// within r that the flood came to, and visited() the vertices it looked at.
-	void run(int id, const Sample& sample);
+	/// Finds the disk of a sample that may still be given up: afterwards metSamples() are the
+	/// samples that own vertices within r that the flood came to, and visited() the vertices it
+	/// looked at. Nothing but trial distances is written.
+	void explore(const Sample& sample);
+	/// Takes the vertices of the disk explored last that are nearer to the sample, now called `id`,
+	/// than to their present one.
+	void commit(int id);
+	void run(int id, const Sample& sample)
+	{
+		explore(sample);
+		commit(id);
+	}
 
 	const std::vector<int>& metSamples() const { return met_; }
 	const std::vector<int>& visited() const { return queue_; }
@@ -74,9 +83,9 @@ private:
 	std::vector<int>       queue_;
 	std::vector<HeapEntry> heap_;
 
-	bool      runFlat(int id, const Sample& sample);
-	void      runUnfolding(int id, const Sample& sample);
-	void      settle(int vertex, float distance, int id, const Sample& sample);
+	bool      exploreFlat(const Sample& sample);
+	void      exploreUnfolding(const Sample& sample);
+	void      settle(int vertex, float distance, const Sample& sample);
 	void      tryDistance(int vertex, float distance);
 	void      meet(int vertex);
 	void      pushHeap(HeapEntry e);

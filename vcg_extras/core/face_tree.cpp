@@ -22,11 +22,38 @@ Vec3f upper(const Vec3f& a, const Vec3f& b)
 	return {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)};
 }
 
+Vec3f nearestOnSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
+{
+	const Vec3f ab      = b - a;
+	const float squared = squaredLength(ab);
+	if (!(squared > 0)) return a;
+	return a + ab * std::min(1.0f, std::max(0.0f, dot(p - a, ab) / squared));
+}
+
+/// For triangles without area, whose inside says nothing.
+Vec3f nearestOnOutline(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c)
+{
+	Vec3f best = nearestOnSegment(p, a, b);
+	for (const Vec3f& q : {nearestOnSegment(p, b, c), nearestOnSegment(p, c, a)}) {
+		if (squaredLength(p - q) < squaredLength(p - best)) best = q;
+	}
+	return best;
+}
+
+/// False where the sine of the angle at a is lost in rounding.
+bool hasArea(const Vec3f& a, const Vec3f& b, const Vec3f& c)
+{
+	const Vec3f ab = b - a, ac = c - a;
+	const float sine = squaredLength(cross(ab, ac));
+	return sine > 1e-10f * squaredLength(ab) * squaredLength(ac);
+}
+
 } // namespace
 
 /// Ericson, Real-Time Collision Detection, §5.1.5: the region of the triangle in which p lies.
 Vec3f nearestOnTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {
+	if (!hasArea(a, b, c)) return nearestOnOutline(p, a, b, c);
 	const Vec3f ab = b - a, ac = c - a, ap = p - a;
 	const float d1 = dot(ab, ap), d2 = dot(ac, ap);
 	if (d1 <= 0 && d2 <= 0) return a;

@@ -14,13 +14,17 @@ namespace {
 constexpr float widestPair  = 1.98f;
 constexpr float closestPair = 0.3f;
 
+/// How much the distance of a pair from r counts against how closely a third disk fits.
+constexpr float pairWeight = 1;
+
 struct BlockRange {
 	int firstSample = 0; ///< ids [firstSample, firstSample + room) belong to the block
 	int room        = 0;
 	int used        = 0;
 };
 
-/// A place for a sample, and how closely a third disk touches it: the smaller the better it fits.
+/// A place for a sample, and how well it fits: the closer a third disk touches it, and the nearer
+/// the distance of the first two to r, the smaller.
 struct Candidate {
 	Anchor anchor;
 	float  fit;
@@ -80,15 +84,17 @@ public:
 		nextBorderEdge_ = 0;
 		mostCrossings_  = mostFacesCrossed;
 		beginScan(blockIndex);
+		random_ = mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex));
 		takeUpNeighbours();
 		Anchor place;
-		while (findPlace(place)) {
+		bool   isUncovered = false;
+		while (findPlace(place, isUncovered)) {
 			if (!improvesAVertex(place)) continue;
 			if (range_->used == range_->room) {
 				capped_ = true;
 				return;
 			}
-			accept(place);
+			tryToPlace(place, isUncovered);
 		}
 	}
 
@@ -106,6 +112,7 @@ private:
 	int              mostCrossings_  = mostFacesCrossed; ///< of a walk to an intersection
 	int              scanned_        = 0;                ///< vertices of the block seen by the scan
 	int              scanStart_      = 0;
+	std::uint32_t    random_         = 1; ///< of the block, from the seed
 	std::int64_t     fillNum_        = 0;
 	bool             capped_         = false;
 
@@ -174,8 +181,9 @@ private:
 	}
 
 	/// The next place for a sample: best intersection, else border edge, else an uncovered vertex.
-	bool findPlace(Anchor& place)
+	bool findPlace(Anchor& place, bool& isUncovered)
 	{
+		isUncovered = false;
 		while (!heap_.empty()) {
 			std::pop_heap(heap_.begin(), heap_.end(), fitsWorse);
 			place = heap_.back().anchor;
@@ -190,6 +198,7 @@ private:
 		}
 		borderEdges_.clear();
 		nextBorderEdge_ = 0;
+		isUncovered     = true;
 		return findUncoveredVertex(place);
 	}
 
@@ -272,11 +281,30 @@ private:
 		return false;
 	}
 
-	void accept(const Anchor& place)
+	/// A vertex that no disk covers gets its sample in any case; every other place is given up if
+	/// its own disk comes to a sample that is too near after all.
+	void tryToPlace(const Anchor& place, bool isUncovered)
 	{
+		const Sample sample{place, m_.faceNormal(place.face)};
+		flood_.explore(sample);
+		if (!isUncovered && isNearMetSample(place)) return;
 		const int s        = range_->firstSample + range_->used++;
-		shared_.samples[s] = {place, m_.faceNormal(place.face)};
-		flood_.run(s, shared_.samples[s]);
+		shared_.samples[s] = sample;
+		flood_.commit(s);
+		extendFront(s);
+	}
+
+	bool isNearMetSample(const Anchor& place) const
+	{
+		for (int t : flood_.metSamples()) {
+			if (squaredLength(place.position - placeOf(t)) < nearLimit_ * nearLimit_) return true;
+		}
+		return false;
+	}
+
+	/// New intersections and border edges of a sample just placed.
+	void extendFront(int s)
+	{
 		// A straight way through a disk of n vertices crosses about √n faces. Among needles it can
 		// cross thousands; such a place is better left to the border edges.
 		mostCrossings_ = 32 + 8 * int(std::sqrt(double(flood_.visited().size())));
@@ -306,12 +334,22 @@ private:
 			const Vec3f guess = a.anchor.position + (u * cosine + w * (side * sine)) * r_;
 			float       third = 0;
 			if (!isRoughlyFree(guess, s, t, near, third)) continue;
-			Candidate c{a.anchor, third};
+			// Pairs nearer than the ideal leave room for a whole triangle; far ones would start a
+			// square lattice, which is just as saturated but not what is wanted.
+			Candidate c{a.anchor, third + pairWeight * std::abs(distance - r_) + smallChance()};
 			if (!walkToIntersection(a, placeOf(t), u, w, side, distance, c.anchor)) continue;
 			if (!isMine(c.anchor.face) || !isFree(c.anchor.position, s, t, near)) continue;
 			heap_.push_back(c);
 			std::push_heap(heap_.begin(), heap_.end(), fitsWorse);
 		}
+	}
+
+	/// A hundredth of r at most: lets the seed decide between places that fit alike, of which there
+	/// are many where the front begins at a straight border.
+	float smallChance()
+	{
+		random_ = random_ * 1664525u + 1013904223u;
+		return 0.01f * r_ * float(random_ >> 8) * (1 / 16777216.0f);
 	}
 
 	/// Cheap test in the tangent plane, before walking; also finds the nearest third sample.

@@ -16,8 +16,8 @@ namespace gpr {
 /// dirty input, not for the hot path.
 MeshFigures measureMesh(const MeshView& mesh);
 
-/// Shape of the triangles; valence6Percent over vertices not at a border. Faces with a corner that is
-/// not finite count as having no area.
+/// Shape of the triangles; valence6Percent over vertices not at a border. Faces with a corner that
+/// is not finite count as having no area.
 QualityFigures measureQuality(const MeshView& mesh, Workers& workers);
 QualityFigures measureQuality(const MeshView& mesh, int threads = 1);
 
