@@ -93,3 +93,12 @@ timed() {
 	"$@"
 	seconds=$(awk -v a="$start" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.3f", b - a }')
 }
+
+# A picture of a mesh with its edges, 640 pixels wide and high. $1 is as for with_display; then the
+# mesh, the picture, and the camera's position and focal point as x,y,z.
+render() {
+	with_display "$1" f3d --dry-run --quiet --output "$3" --resolution 640,640 --edges \
+		--color 0.8,0.88,1 --roughness 0.8 --bg-color 1,1,1 --camera-view-up 0,1,0 --camera-view-angle 30 \
+		--camera-position "$4" --camera-focal-point "$5" "$2"
+	convert "$3" -level 0,66% "$3" # f3d's one light leaves a white surface grey
+}
