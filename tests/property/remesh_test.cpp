@@ -299,6 +299,32 @@ TEST_P(RandomRemesh, HeapsOfTrianglesGiveASoundResultOrASentence)
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomRemesh, ::testing::ValuesIn(testSeeds(12)));
 
+/// A square lattice is as saturated a packing as a triangular one; straight rims must not start it.
+TEST(RemeshSheet, FlatOpenSurfacesGetRegularTriangles)
+{
+	Random random(1);
+	for (const TriangleMesh& mesh :
+		 {grid(100, 100), jitteredGrid(80, 0.3, random), bentSheet(60, 1.5)}) {
+		for (double percent : {5.0, 10.0, 30.0}) {
+			const RemeshResult r = remesh(mesh.view(), percentOptions(percent));
+			EXPECT_GE(r.report.quality.radiusRatioMean, 0.95) << percent << " %";
+		}
+	}
+}
+
+TEST(RemeshSheet, KeepsTheCornersOfASquareAtTinyCounts)
+{
+	const TriangleMesh square = grid(20, 20);
+	RemeshOptions      options;
+	options.targetMode = TargetMode::VertexNum;
+	for (int n : {4, 5, 6, 8, 12}) {
+		options.targetVertexNum = n;
+		const RemeshResult r    = remesh(square.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_LT(rimDistance(square, r.mesh), 0.05 * r.report.quality.meanEdgeLen) << n;
+	}
+}
+
 } // namespace
 
 } // namespace gpr::test

@@ -119,7 +119,9 @@ INSTANTIATE_TEST_SUITE_P(, GentleShapes, ::testing::ValuesIn(gentleShapes()),
 Vec3d unfolded(const Vec3d& p)
 {
 	const double beyond = std::hypot(p.x - 0.5, p.z);
-	return p.x > 0.5 || p.z > 0 ? Vec3d(0.5 + beyond, p.y, 0) : Vec3d(p.x, p.y, 0);
+	// Points of the part that stayed flat are off by rounding.
+	constexpr double rounded = 1e-6;
+	return p.x > 0.5 || p.z > rounded ? Vec3d(0.5 + beyond, p.y, 0) : Vec3d(p.x, p.y, 0);
 }
 
 /// Across a fold the chord is shorter than the way on the surface: measured on the sheet laid flat,
@@ -211,7 +213,7 @@ TEST(Sampling, TheNumberLandsNearTheTarget)
 		for (double percent : {10.0, 50.0, 200.0}) {
 			const SamplingResult s     = sample(mesh, percent, 1);
 			const double         asked = percent / 100 * double(mesh.vertexNum());
-			EXPECT_NEAR(double(s.points.size()) / asked, 0.98, 0.08) << percent << " %";
+			EXPECT_NEAR(double(s.points.size()) / asked, 0.95, 0.09) << percent << " %";
 		}
 	}
 }
@@ -249,6 +251,24 @@ TEST(SampleFront, KnowsTheNearestSampleOfEveryVertex)
 		ASSERT_LE(n.distance, r);
 		ASSERT_NEAR(double(n.distance), length(places[n.sample] - p), 0.01 * double(r));
 		ASSERT_LE(double(n.distance), distanceToNearest(places, p) + 0.01 * double(r));
+	}
+}
+
+/// Faces about as large as the disks are where a sample near by is most easily overlooked.
+TEST(Sampling, KeepsTheSpacingOnCoarseInput)
+{
+	struct Case {
+		TriangleMesh  mesh;
+		double        percent;
+		std::uint32_t seed;
+	};
+	for (const Case& c : {Case{torus(30, 14), 100, 1}, Case{torus(40, 18), 30, 3},
+						  Case{bentSheet(60, 1.5), 200, 8}}) {
+		RemeshOptions options;
+		options.targetPercent  = c.percent;
+		options.seed           = c.seed;
+		const SamplingResult s = samplePoissonDisks(c.mesh.view(), options);
+		EXPECT_GE(nearestPair(s.points).distance, 0.949 * s.diskRadius) << c.percent << " %";
 	}
 }
 

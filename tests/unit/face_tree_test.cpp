@@ -45,6 +45,20 @@ TEST(NearestOnTriangle, AgreesWithTheOracle)
 	}
 }
 
+TEST(NearestOnTriangle, IsRightForTrianglesWithoutArea)
+{
+	Random     random(2);
+	const auto point = [&] {
+		return Vec3d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+	};
+	for (int i = 0; i < 4000; ++i) {
+		const Vec3d a = point(), b = point(), p = point() * 2.0;
+		const Vec3d c = a + (b - a) * random.between(-1, 2);
+		const Vec3f q = nearestOnTriangle(Vec3f(p), Vec3f(a), Vec3f(b), Vec3f(c));
+		EXPECT_LE(length(Vec3d(q) - p), distanceToTriangle(p, a, b, c) + 1e-3);
+	}
+}
+
 } // namespace
 
 } // namespace gpr::test

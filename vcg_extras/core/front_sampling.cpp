@@ -281,25 +281,46 @@ private:
 		return false;
 	}
 
-	/// A vertex that no disk covers gets its sample in any case; every other place is given up if
-	/// its own disk comes to a sample that is too near after all.
+	/// A place is given up if its own disk comes to a sample that is too near after all. For a
+	/// vertex that no disk covered this says that the front overrated the way to it, across folds
+	/// or among needles: it then belongs to that sample.
 	void tryToPlace(const Anchor& place, bool isUncovered)
 	{
 		const Sample sample{place, m_.faceNormal(place.face)};
 		flood_.explore(sample);
-		if (!isUncovered && isNearMetSample(place)) return;
+		const int tooNear = findTooNear(sample, isUncovered);
+		if (tooNear >= 0) {
+			if (isUncovered) cover(place, tooNear);
+			return;
+		}
 		const int s        = range_->firstSample + range_->used++;
 		shared_.samples[s] = sample;
 		flood_.commit(s);
 		extendFront(s);
 	}
 
-	bool isNearMetSample(const Anchor& place) const
+	/// A sample met by the flood and nearer than the spacing, or -1. For a vertex that must get a
+	/// sample only those that look the same way count: through space the other side of a thin sheet
+	/// is near too.
+	int findTooNear(const Sample& sample, bool sameSideOnly) const
 	{
+		constexpr float sameSideCosine = 0.8f;
 		for (int t : flood_.metSamples()) {
-			if (squaredLength(place.position - placeOf(t)) < nearLimit_ * nearLimit_) return true;
+			const float squared = squaredLength(sample.anchor.position - placeOf(t));
+			if (squared >= nearLimit_ * nearLimit_) continue;
+			const float cosine = dot(sample.normal, shared_.samples[t].normal);
+			if (!sameSideOnly || cosine >= sameSideCosine) return t;
 		}
-		return false;
+		return -1;
+	}
+
+	void cover(const Anchor& place, int sample)
+	{
+		for (int k = 0; k < 3; ++k) {
+			const int v = m_.origin[3 * place.face + k];
+			if (!(m_.position[v] == place.position)) continue;
+			shared_.field.nearest[v] = {length(place.position - placeOf(sample)), sample};
+		}
 	}
 
 	/// New intersections and border edges of a sample just placed.
