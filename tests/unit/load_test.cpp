@@ -244,6 +244,21 @@ TEST_F(LoadInput, SurfaceAreaHasTheSameBitsForAnyNumberOfThreads)
 	EXPECT_NEAR(alone, factsOf(meshOf(m)).area, 1e-6);
 }
 
+/// Boxes are joined from pieces of 4096 vertices; a piece without a used vertex must not count.
+TEST_F(LoadInput, TakesLongRunsOfUnusedVertices)
+{
+	TriangleMesh mesh;
+	mesh.positions.assign(3 * 4096, Vec3d(5, 5, 5));
+	mesh.positions[0]        = Vec3d(0, 0, 0);
+	mesh.positions[1]        = Vec3d(1, 0, 0);
+	mesh.positions[2]        = Vec3d(0, 1, 0);
+	mesh.positions[3]        = Vec3d(0, 0, 1);
+	mesh.triangles           = {0, 2, 1, 0, 1, 3, 1, 2, 3, 2, 0, 3};
+	const IndexedMesh loaded = load(mesh);
+	EXPECT_EQ(loaded.vertexNum, 4);
+	EXPECT_EQ(counts.unreferencedVertices, 3 * 4096 - 4);
+}
+
 } // namespace
 
 } // namespace gpr::test

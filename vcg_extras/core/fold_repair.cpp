@@ -24,10 +24,7 @@ constexpr float leastGain = 0.01f;
 /// Faces that a trial move may cross; longer ways, among needles, are not worth their time.
 constexpr int mostCrossings = 256;
 
-constexpr float diagonal      = 0.70710678f;
-constexpr float compass[8][2] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
-								 {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
-constexpr float reaches[]     = {0.6f, 0.3f, 0.1f}; ///< of the ideal edge
+constexpr float reaches[] = {0.6f, 0.3f, 0.1f}; ///< of the ideal edge
 
 class FoldMender {
 public:
@@ -173,15 +170,13 @@ private:
 			return;
 		}
 		if (!mayMove_) return;
-		const ResultVertex& here = r_.vertex[v];
-		const float         now  = ringCost(v, cornerOf(v), -1);
-		const Vec3f         away = std::abs(here.normal.x) < 0.8f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
-		const Vec3f         u    = normalized(cross(here.normal, away));
-		const Vec3f         w    = cross(here.normal, u);
+		const ResultVertex& here       = r_.vertex[v];
+		const float         now        = ringCost(v, cornerOf(v), -1);
+		const auto          directions = compassDirections(here.normal);
 		for (float reach : reaches) {
-			for (const auto& direction : compass) {
+			for (const Vec3f& direction : directions) {
 				Anchor      at   = here.anchor;
-				const Vec3f step = (u * direction[0] + w * direction[1]) * (reach * r_.idealEdge);
+				const Vec3f step = direction * (reach * r_.idealEdge);
 				if (walk(surface_.mesh, at, step, mostCrossings) != WalkEnd::Arrived) continue;
 				const Corner corner{at.position, smoothNormal(surface_, at)};
 				const float  gain = now - ringCost(v, corner, -1);

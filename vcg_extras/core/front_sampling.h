@@ -29,7 +29,7 @@ struct Sampling {
 /// Stage 6: front sampling (paper §3, steps 2–8) with disk-intersection placement.
 ///
 /// Differs from the paper: the next sample is put where the circles of radius r round two
-/// neighbouring samples intersect (the paper's own wish, §4), which packs tighter than a random
+/// neighbouring samples intersect (the paper's own wish, §5), which packs tighter than a random
 /// point of the front; the place touched most closely by a third disk comes first. Where no
 /// intersection is left, the paper's border edges are used (eq. (2), (3)), then any vertex beyond
 /// r, which reaches every component. The mesh is not split: a sample is a point in a face.

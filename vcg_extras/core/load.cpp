@@ -17,16 +17,12 @@ struct Box {
 	Vec3d low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
 	Vec3d high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 
-	void add(const Vec3d& p)
-	{
-		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-	}
-	// Named so that Workers::sum can join boxes of pieces.
+	void add(const Vec3d& p) { *this += Box{p, p}; }
+	// An empty box changes nothing. Named so that Workers::sum can join boxes of pieces.
 	Box& operator+=(const Box& b)
 	{
-		add(b.low);
-		add(b.high);
+		low  = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+		high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
 		return *this;
 	}
 	double extent() const

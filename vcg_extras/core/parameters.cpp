@@ -110,7 +110,7 @@ std::vector<Parameter> makeTable()
 		 ParameterKind::Switch,
 		 "Exact number of vertices",
 		 "Splits and collapses edges after the sampling until the number of vertices is hit "
-		 "exactly. Off: the number lands within some percent of the target.",
+		 "exactly. Off: the number lands within about a tenth of the target.",
 		 0,
 		 1,
 		 {},

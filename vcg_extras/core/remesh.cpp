@@ -348,7 +348,7 @@ private:
 													 std::to_string(nearest) + ".");
 		}
 		out.notes.push_back("The result has " + std::to_string(nearest) + " vertices instead of " +
-							std::to_string(asked) + ", the smallest number the topology allows.");
+							std::to_string(asked) + ", the smallest number that could be reached.");
 		// Samples of the right spacing, if they lead there, make better triangles.
 		p                = prepareAgain(nearest);
 		ResultMesh again = sampleAndImprove(p);

@@ -51,13 +51,13 @@ struct SamplingResult {
 /// "Fast Edge-based geodesic Poisson Disk Remeshing" with the placement by disk intersection.
 /// Needs any triangle mesh; what is not 2-manifold is repaired or cut, counted in report.cleaned.
 /// The input is never modified. The result depends on input, options and seed only, not on threads.
-/// Cost: about 0.3 s and 80 B per million input faces and core (docs/benchmark).
+/// Cost: linear in the input; docs/measurements.md has seconds.
 /// Never throws but for programming errors.
 RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 					const ProgressCallback& progress = nullptr);
 
 /// The sampling stage alone (paper §3, steps 1–8): points at least (1-ε) r apart, every vertex of
-/// the input within r of one. The count lands within some percent of the target (no correction).
+/// the input within r of one. The count lands within about a tenth of the target (no correction).
 SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& options,
 								  const ProgressCallback& progress = nullptr);
 

@@ -3,6 +3,7 @@
 #include "walk.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gpr {
 
@@ -79,6 +80,17 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCross
 		enteredBy          = beyond;
 	}
 	return WalkEnd::Capped;
+}
+
+std::array<Vec3f, 8> compassDirections(const Vec3f& normal)
+{
+	constexpr float diagonal = 0.70710678f;
+	const Vec3f     away     = std::abs(normal.x) < 0.8f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
+	const Vec3f     u        = normalized(cross(normal, away));
+	const Vec3f     w        = cross(normal, u);
+	const Vec3f     v        = (u + w) * diagonal;
+	const Vec3f     x        = (w - u) * diagonal;
+	return {u, v, w, x, u * -1.0f, v * -1.0f, w * -1.0f, x * -1.0f};
 }
 
 } // namespace gpr

@@ -5,6 +5,8 @@
 
 #include "half_edge_mesh.h"
 
+#include <array>
+
 namespace gpr {
 
 /// A point of the engine's surface.
@@ -28,6 +30,10 @@ constexpr int mostFacesCrossed = 20000;
 /// so nothing has to be projected and no other sheet can be met. Cost: the faces crossed.
 WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step,
 			 int mostCrossings = mostFacesCrossed);
+
+/// Eight unit vectors perpendicular to a unit normal, an eighth of a turn apart: the directions of
+/// a pattern search on the surface.
+std::array<Vec3f, 8> compassDirections(const Vec3f& normal);
 
 } // namespace gpr
 

@@ -20,11 +20,6 @@ constexpr int   mostMoves  = 3; ///< of a vertex with one step length
 constexpr float turnCosine   = 0.9f;
 constexpr float stepShares[] = {0.2f, 0.1f, 0.05f, 0.025f}; ///< of the ideal edge
 
-/// Unit directions of the pattern search, an eighth of a turn apart.
-constexpr float diagonal      = 0.70710678f;
-constexpr float compass[8][2] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
-								 {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
-
 class AngleRaiser {
 public:
 	AngleRaiser(const Surface& surface, float angle, ResultMesh& result, Workers& workers) :
@@ -116,15 +111,10 @@ private:
 	bool moveToBest(int v, float reach, float& worst)
 	{
 		const ResultVertex start = r_.vertex[v];
-		const Vec3f        away = std::abs(start.normal.x) < 0.8f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
-		const Vec3f        u    = normalized(cross(start.normal, away));
-		const Vec3f        w    = cross(start.normal, u);
 		Anchor             best;
-		for (const auto& direction : compass) {
+		for (const Vec3f& direction : compassDirections(start.normal)) {
 			Anchor at = start.anchor;
-			if (walk(surface_.mesh, at, (u * direction[0] + w * direction[1]) * reach) !=
-				WalkEnd::Arrived)
-				continue;
+			if (walk(surface_.mesh, at, direction * reach) != WalkEnd::Arrived) continue;
 			const float angle = worstAngle(v, at.position);
 			if (angle <= worst) continue;
 			worst = angle;
