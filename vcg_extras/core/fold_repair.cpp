@@ -178,15 +178,21 @@ private:
 				Anchor      at   = here.anchor;
 				const Vec3f step = direction * (reach * r_.idealEdge);
 				if (walk(surface_.mesh, at, step, mostCrossings) != WalkEnd::Arrived) continue;
-				const Corner corner{at.position, smoothNormal(surface_, at)};
-				const float  gain = now - ringCost(v, corner, -1);
-				if (gain <= best.gain) continue;
-				best.kind   = Change::Move;
-				best.gain   = gain;
-				best.vertex = v;
-				best.place  = at;
+				offerMove(v, now, at, here.arc, best);
 			}
 		}
+	}
+
+	/// Takes the move of v, whose ring costs `now`, as the best change if it gains more.
+	void offerMove(int v, float now, const Anchor& at, float arc, Change& best) const
+	{
+		const float gain = now - ringCost(v, {at.position, smoothNormal(surface_, at)}, -1);
+		if (gain <= best.gain) return;
+		best.kind   = Change::Move;
+		best.gain   = gain;
+		best.vertex = v;
+		best.place  = at;
+		best.arc    = arc;
 	}
 
 	/// Arc length of the curve from v to a neighbour on it, or 0 if that is not on the curve.
@@ -209,14 +215,7 @@ private:
 			for (float share : {0.1f, 0.25f, 0.5f, 0.75f}) {
 				const float  arc = c.wrap(here.arc + (forward ? room : -room) * share);
 				const Anchor at{c.at(arc), c.face[c.segmentAt(arc)]};
-				const Corner corner{at.position, smoothNormal(surface_, at)};
-				const float  gain = now - ringCost(v, corner, -1);
-				if (gain <= best.gain) continue;
-				best.kind   = Change::Move;
-				best.gain   = gain;
-				best.vertex = v;
-				best.place  = at;
-				best.arc    = arc;
+				offerMove(v, now, at, arc, best);
 			}
 		}
 	}

@@ -8,7 +8,6 @@
 #include "disk_flood.h"
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 namespace gpr {

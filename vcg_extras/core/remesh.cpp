@@ -214,13 +214,10 @@ private:
 		IndexedMesh mesh = loadInput(input_, workers_, report_.cleaned);
 		p.area           = surfaceArea(mesh, workers_);
 		if (!(p.area > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
-		const double scale = mesh.frame.scale;
-		p.targetNum =
-			fixedTarget > 0 ? fixedTarget : resolveTarget(input_, options_, p.area, scale);
-		p.radius = float(diskRadius(p.area, double(p.targetNum), intersectionRadiusConstant));
-		report_.targetVertexNum = p.targetNum;
-		report_.diskRadius      = double(p.radius) / scale;
-		report_.radiusConstant  = intersectionRadiusConstant;
+		p.surface.frame        = mesh.frame;
+		report_.radiusConstant = intersectionRadiusConstant;
+		setTarget(p, fixedTarget > 0 ? fixedTarget
+									 : resolveTarget(input_, options_, p.area, mesh.frame.scale));
 
 		clock_.enter("splitLongEdges", "Splitting long edges", 0.06);
 		const std::int64_t mostFaces =

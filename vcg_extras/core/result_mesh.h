@@ -6,7 +6,6 @@
 #include "disk_flood.h"
 #include "half_edge_mesh.h"
 
-#include <string>
 #include <vector>
 
 namespace gpr {
@@ -28,11 +27,10 @@ struct ResultMesh {
 	std::vector<ResultVertex> vertex;
 	float                     idealEdge = 0; ///< edge of the lattice of equilateral triangles, L0
 
-	std::int64_t             flipNum     = 0;
-	std::int64_t             splitNum    = 0;
-	std::int64_t             collapseNum = 0;
-	std::int64_t             leftoverNum = 0; ///< input vertices that removal had to keep
-	std::vector<std::string> capsReached;
+	std::int64_t flipNum     = 0;
+	std::int64_t splitNum    = 0;
+	std::int64_t collapseNum = 0;
+	std::int64_t leftoverNum = 0; ///< input vertices that removal had to keep
 };
 
 /// Drops dead faces and vertices (see mesh_edit.h) from mesh and vertex records.
