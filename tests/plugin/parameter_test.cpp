@@ -67,7 +67,7 @@ TEST(Parameters, ValuesComeThroughTheList)
 	RichParameterList list = tableList();
 	list.setValue("TargetVertexNum", IntValue(321));
 	list.setValue("RelaxIter", IntValue(7));
-	list.setValue("ExactCount", BoolValue(false));
+	list.setValue("ExactCount", EnumValue(2));
 	list.setValue("AllowNearest", BoolValue(true));
 	list.setValue("Seed", IntValue(2147483647));
 	list.setValue("Threads", IntValue(3));

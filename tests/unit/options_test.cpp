@@ -45,15 +45,21 @@ TEST(Validate, DefaultsAreInOrder)
 
 TEST(Validate, ComplainsOfEveryValueOutOfRangeInASentence)
 {
-	RemeshOptions relax, threads, both;
-	relax.relaxIterations = 1001;
-	threads.threads       = -1;
-	both.relaxIterations  = -1;
-	both.threads          = 2000;
+	RemeshOptions relax, flips, threads, lambda, stretch, scale, weak, both;
+	flips.flipIterations           = -1;
+	lambda.lambda                  = NAN;
+	stretch.largestStretch         = 0.5;
+	scale.featureDiskScale         = 0;
+	weak.featureThresholds.weakDeg = 50;
+	relax.relaxIterations          = 1001;
+	threads.threads                = -1;
+	both.relaxIterations           = -1;
+	both.threads                   = 2000;
 	for (const RemeshOptions& o :
 		 {withCount(0), withCount(-5), withCount(std::int64_t(1) << 31), withPercent(0),
 		  withPercent(-1), withPercent(10001), withPercent(NAN), withEdgeLen(0), withEdgeLen(-1),
-		  withEdgeLen(NAN), withEdgeLen(HUGE_VAL), relax, threads}) {
+		  withEdgeLen(NAN), withEdgeLen(HUGE_VAL), relax, flips, threads, lambda, stretch, scale,
+		  weak}) {
 		const std::vector<std::string> complaints = validate(o);
 		ASSERT_EQ(complaints.size(), 1u);
 		EXPECT_EQ(complaints[0].back(), '.');
@@ -183,7 +189,7 @@ TEST_F(ParameterSets, EveryRowReachesItsOption)
 	set("RelaxIter", std::int64_t(3));
 	set("Seed", std::int64_t(77));
 	set("Threads", std::int64_t(2));
-	set("ExactCount", false);
+	set("ExactCount", std::int64_t(2));
 	set("AllowNearest", true);
 	set("NewLayer", true);
 	const RemeshOptions o = set_.options();
@@ -193,6 +199,20 @@ TEST_F(ParameterSets, EveryRowReachesItsOption)
 	EXPECT_FALSE(o.exactCount);
 	EXPECT_TRUE(o.allowNearest);
 	EXPECT_TRUE(set_.newLayer());
+}
+
+TEST_F(ParameterSets, PresetChoosesTheStagesAndASingleChoiceWins)
+{
+	set("Smoothing", std::int64_t(1));
+	set("Preset", std::int64_t(2));
+	const RemeshOptions paper = set_.options();
+	EXPECT_EQ(paper.placement, Placement::BorderEdge);
+	EXPECT_EQ(paper.retriangulation, Retriangulation::VertexRemoval);
+	EXPECT_EQ(paper.smoothing, Smoothing::Barycentric);
+	EXPECT_EQ(paper.equations, Equations::AsPrinted);
+	EXPECT_FALSE(paper.exactCount);
+	set("ExactCount", std::int64_t(1));
+	EXPECT_TRUE(set_.options().exactCount);
 }
 
 TEST(StatusName, IsOneOfItsOwnForEveryStatus)

@@ -21,6 +21,8 @@ struct MeshView {
 	std::size_t         vertexNum           = 0;
 	const std::int32_t* triangles           = nullptr;
 	std::size_t         faceNum             = 0;
+	const float*        quality  = nullptr; ///< per vertex, or null; for SizingSource::Quality
+	const std::uint8_t* selected = nullptr; ///< per vertex, or null; for FeatureRegion::Selection
 
 	MeshView() = default;
 	template <class S>

@@ -29,7 +29,52 @@ void checkTarget(const RemeshOptions& o, std::vector<std::string>& complaints)
 	}
 }
 
+bool isWithin(double value, double least, double most)
+{
+	return value >= least && value <= most; // false for NaN
+}
+
+void checkDensity(const RemeshOptions& o, std::vector<std::string>& complaints)
+{
+	if (!isWithin(o.lambda, 0, 1e6)) {
+		complaints.push_back("Lambda must be between 0 and 1000000.");
+	}
+	if (!isWithin(o.largestStretch, 1, 100)) {
+		complaints.push_back("The largest stretch must be between 1 and 100.");
+	}
+}
+
+void checkFeatures(const RemeshOptions& o, std::vector<std::string>& complaints)
+{
+	const FeatureThresholds& t = o.featureThresholds;
+	if (!isWithin(o.featureDiskScale, 0.05, 1)) {
+		complaints.push_back("The feature disk scale must be between 0.05 and 1.");
+	}
+	if (!(t.support > 0 && t.support <= 100)) {
+		complaints.push_back("The feature support must be above 0 and at most 100 mean edges.");
+	}
+	if (!(t.strongDeg > 0 && t.strongDeg <= 180)) {
+		complaints.push_back("The strong feature angle must be above 0 and at most 180 degrees.");
+	}
+	if (!(t.weakDeg > 0 && t.weakDeg <= t.strongDeg)) {
+		complaints.push_back("The weak feature angle must be above 0 and at most the strong one.");
+	}
+	if (!isWithin(t.leastLength, 0, 1e6)) {
+		complaints.push_back("The least feature length must be between 0 and 1000000 supports.");
+	}
+}
+
 } // namespace
+
+void applyPreset(Preset preset, RemeshOptions& o)
+{
+	const bool paper  = preset == Preset::Paper;
+	o.placement       = paper ? Placement::BorderEdge : Placement::DiskIntersection;
+	o.retriangulation = paper ? Retriangulation::VertexRemoval : Retriangulation::LabelCollapse;
+	o.smoothing       = paper ? Smoothing::Umbrella2 : Smoothing::Barycentric;
+	o.equations       = paper ? Equations::AsPrinted : Equations::Calibrated;
+	o.exactCount      = !paper;
+}
 
 std::vector<std::string> validate(const RemeshOptions& o)
 {
@@ -38,6 +83,11 @@ std::vector<std::string> validate(const RemeshOptions& o)
 	if (o.relaxIterations < 0 || o.relaxIterations > 1000) {
 		complaints.push_back("The number of relaxation steps must be between 0 and 1000.");
 	}
+	if (o.flipIterations < 0 || o.flipIterations > 1000) {
+		complaints.push_back("The number of flip passes must be between 0 and 1000.");
+	}
+	checkDensity(o, complaints);
+	checkFeatures(o, complaints);
 	if (o.threads < 0 || o.threads > 1024) {
 		complaints.push_back("The number of threads must be between 0 and 1024.");
 	}

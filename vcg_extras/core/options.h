@@ -18,6 +18,65 @@ enum class TargetMode {
 	EdgeLength, ///< mean edge length targetEdgeLen; raised count where the topology needs more
 };
 
+/// A named set of the stage choices below.
+enum class Preset {
+	Default, ///< the project's own way: the most regular triangles
+	Fast,    ///< the same, without the passes that cost most
+	Paper,   ///< the paper as it is written
+};
+
+/// Where the next sample is put (docs/paper.md).
+enum class Placement {
+	DiskIntersection, ///< where the borders of two disks meet
+	BorderEdge,       ///< paper §3: a random border edge, eq. (3), fused into the mesh by a split
+};
+
+/// How the samples become a mesh.
+enum class Retriangulation {
+	LabelCollapse, ///< every vertex is merged into its own sample's cell
+	VertexRemoval, ///< paper §3: every vertex is removed, its hole closed by constrained Delaunay
+};
+
+/// How vertices move after the retriangulation.
+enum class Smoothing {
+	Barycentric, ///< to the area-weighted barycentre, on the surface
+	Umbrella2,   ///< paper §3: second-order umbrella (Kobbelt et al. 1998), tangential part
+	None,
+};
+
+/// Which form of eq. (1), (4) and (5) sets the radius and the density.
+enum class Equations {
+	Calibrated, ///< a constant that hits the count, a density without units, its area mean
+	AsPrinted,  ///< 0.844, signed mean curvature in 1/mesh unit, vertex mean
+};
+
+/// What the local density comes from where lambda is above 0.
+enum class SizingSource {
+	Curvature, ///< eq. (4)
+	Quality,   ///< MeshView::quality takes the place of λ·H
+};
+
+/// Where the features are that §3.1.1 of the paper preserves.
+enum class FeatureRegion {
+	None,
+	Detected,  ///< by second-order difference, see feature_detection.h
+	Selection, ///< MeshView::selected
+};
+
+/// How a feature region is preserved (paper §3.1.1).
+enum class FeatureSampling {
+	Disks,    ///< sampled first, with disks scaled by featureDiskScale
+	Vertices, ///< every vertex of the region becomes a vertex of the result
+};
+
+/// Thresholds of the second-order difference.
+struct FeatureThresholds {
+	double support     = 2;  ///< radius of the support in mean edges of the input, > 0, <= 100
+	double strongDeg   = 40; ///< a feature begins where the normals differ by this, (0, 180]
+	double weakDeg     = 20; ///< and goes on down to this, (0, strongDeg]
+	double leastLength = 3;  ///< shorter chains are dropped; in supports, >= 0
+};
+
 /// Everything a caller can choose. Plain data; nothing here is working state.
 struct RemeshOptions {
 	TargetMode    targetMode      = TargetMode::Percent;
@@ -26,10 +85,29 @@ struct RemeshOptions {
 	double        targetEdgeLen   = 0;     ///< mesh units, > 0; used with TargetMode::EdgeLength
 	bool          exactCount      = true;  ///< split and collapse until the count is hit exactly
 	bool          allowNearest    = false; ///< take the nearest reachable count instead of refusing
-	int           relaxIterations = 5;     ///< relaxation steps, 0 to 1000
+	int           relaxIterations = 5;     ///< smoothing steps, 0 to 1000
+	int           flipIterations  = 1000;  ///< passes of edge flips at most, each time; 0 to 1000
 	std::uint32_t seed            = 1;     ///< 0 = a fresh seed, told in the report
 	int           threads         = 0;     ///< 0 = one per core; never changes the result
+
+	Placement       placement       = Placement::DiskIntersection;
+	Retriangulation retriangulation = Retriangulation::LabelCollapse;
+	Smoothing       smoothing       = Smoothing::Barycentric;
+	Equations       equations       = Equations::Calibrated;
+
+	double       lambda         = 0; ///< weight of the density, >= 0; without unit if calibrated
+	double       largestStretch = 4; ///< s_max of the density, [1, 100]; calibrated only
+	SizingSource sizing         = SizingSource::Curvature;
+
+	FeatureRegion     featureRegion    = FeatureRegion::None;
+	FeatureSampling   featureSampling  = FeatureSampling::Disks;
+	double            featureDiskScale = 0.5; ///< disk radius in the region over r, [0.05, 1]
+	FeatureThresholds featureThresholds;
 };
+
+/// Sets placement, retriangulation, smoothing, equations and exactCount to those of a preset and
+/// leaves the rest alone.
+void applyPreset(Preset preset, RemeshOptions& options);
 
 /// Complaints about values out of range, one sentence each; empty when all is well.
 std::vector<std::string> validate(const RemeshOptions& options);

@@ -6,6 +6,7 @@
 #include "options.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -29,8 +30,16 @@ struct MeshFacts {
 	double       diagonal  = 0; ///< mesh units
 };
 
-/// One row of the table from which the dialog, .mlx scripts, the command line and the reference are
-/// made. Keys and option names are public: they change with a changelog line only.
+/// What parameters are for: each is a filter in MeshLab, most are a command of gpremesh.
+enum Tool : unsigned {
+	RemeshTool        = 1, ///< the whole way
+	SamplingTool      = 2, ///< the samples only
+	RetriangulateTool = 4, ///< a mesh from given samples
+	FeatureTool       = 8, ///< feature detection
+};
+
+/// One row of the table from which the dialogs, .mlx scripts, the command line and the reference
+/// are made. Keys and option names are public: they change with a changelog line only.
 struct Parameter {
 	const char*              key;      ///< in the filter and .mlx: "TargetVertexNum"
 	const char*              option;   ///< on the command line: "--vertices"; "" where it has none
@@ -42,17 +51,25 @@ struct Parameter {
 	double                   maximum;
 	std::vector<const char*> choices; ///< Choice only
 	ParameterValue (*defaultValue)(const MeshFacts&);
-	/// Puts a value into the options; null for NewLayer, which the host handles itself.
+	/// Puts a value into the options; null for rows that the host handles itself.
 	void (*store)(const ParameterValue&, RemeshOptions&);
+	unsigned tools; ///< the Tool bits it is offered by
 };
 
-/// The parameters of the whole remeshing, in the order in which the dialog shows them.
-const std::vector<Parameter>& remeshParameters();
+/// The parameters of a tool, in the order in which its dialog shows them.
+const std::vector<Parameter>& parametersOf(Tool tool);
 
-/// The row with this key, or null.
-const Parameter* findParameter(const std::string& key);
+/// The parameters of the whole remeshing.
+inline const std::vector<Parameter>& remeshParameters()
+{
+	return parametersOf(RemeshTool);
+}
+
+/// The row of the tool with this key, or null.
+const Parameter* findParameter(const std::string& key, Tool tool = RemeshTool);
 
 /// Collects the values of the rows and makes options of them.
+/// The preset is applied before everything else, so that a stage named by itself wins over it.
 /// TargetVertexNum, TargetPerc and TargetLen are three rows for one choice: a percentage or a
 /// length above 0 takes the place of the count; both above 0 is a mistake that complaints() tells.
 class ParameterSet {
@@ -60,18 +77,22 @@ public:
 	/// Stores one value, rows in any order; the variant must hold the type of the row's kind.
 	void set(const Parameter& parameter, const ParameterValue& value);
 
-	/// The options, with targetMode chosen.
+	/// The options, with preset applied and targetMode chosen.
 	RemeshOptions options() const;
-	/// The one row that the host handles itself.
-	bool newLayer() const { return newLayer_; }
+	/// Rows that the host handles itself.
+	bool         newLayer() const;
+	std::int64_t sampleLayer() const;
 	/// Sentences about values out of range or in conflict; empty when all is well.
 	std::vector<std::string> complaints() const;
 
 private:
-	RemeshOptions raw_      = unset();
-	bool          newLayer_ = false;
+	struct Given {
+		const Parameter* parameter;
+		ParameterValue   value;
+	};
+	std::map<std::string, Given> given_; ///< by key
 
-	static RemeshOptions unset();
+	RemeshOptions raw() const;
 };
 
 } // namespace gpr
