@@ -19,7 +19,8 @@ using gpr::ParameterKind;
 using gpr::ParameterValue;
 
 const char* const intro =
-	"<!-- Made by build/bin/gpr_parameter_reference from vcg_extras/core/parameter_table.cpp; do not "
+	"<!-- Made by build/bin/gpr_parameter_reference from vcg_extras/core/parameter_table.cpp; do "
+	"not "
 	"edit. "
 	"-->\n"
 	"# Parameters\n"

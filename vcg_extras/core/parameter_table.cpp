@@ -75,7 +75,8 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 		ParameterKind kind, const char* label, const char* help)
 {
 	ParameterValue (*zero)(const MeshFacts&) = count<0>;
-	if (kind == ParameterKind::Switch) zero = [](const MeshFacts&) { return ParameterValue(false); };
+	if (kind == ParameterKind::Switch)
+		zero = [](const MeshFacts&) { return ParameterValue(false); };
 	if (kind == ParameterKind::Number || kind == ParameterKind::Length)
 		zero = [](const MeshFacts&) { return ParameterValue(0.0); };
 	return {{key, option, argument, kind, label, help, 0, 1, {}, zero, nullptr, tools}};
@@ -132,17 +133,18 @@ void addStages(Table& t)
 						if (countOf(v) > 0) o.placement = Placement(countOf(v) - 1);
 					})
 					.p);
-	t.push_back(
-		row(RemeshTool | RetriangulateTool, "Retriangulation", "--retriangulation", "NAME",
-			Kind::Choice, "Retriangulation",
-			"How the samples become a mesh: label-collapse merges every vertex into the cell of its "
-			"sample (default and fast); vertex-removal takes the vertices out one by one and closes "
-			"each hole by a constrained Delaunay triangulation (paper).")
-			.choices({"preset", "label-collapse", "vertex-removal"})
-			.store([](const Value& v, RemeshOptions& o) {
-				if (countOf(v) > 0) o.retriangulation = Retriangulation(countOf(v) - 1);
-			})
-			.p);
+	t.push_back(row(RemeshTool | RetriangulateTool, "Retriangulation", "--retriangulation", "NAME",
+					Kind::Choice, "Retriangulation",
+					"How the samples become a mesh: label-collapse merges every vertex into the "
+					"cell of its "
+					"sample (default and fast); vertex-removal takes the vertices out one by one "
+					"and closes "
+					"each hole by a constrained Delaunay triangulation (paper).")
+					.choices({"preset", "label-collapse", "vertex-removal"})
+					.store([](const Value& v, RemeshOptions& o) {
+						if (countOf(v) > 0) o.retriangulation = Retriangulation(countOf(v) - 1);
+					})
+					.p);
 	t.push_back(row(RemeshTool, "Smoothing", "--smoothing", "NAME", Kind::Choice, "Smoothing",
 					"How vertices move on the surface in the end: barycentric, to the centre of "
 					"their neighbours (default and fast); umbrella2, by the second-order umbrella "
@@ -196,10 +198,13 @@ void addCount(Table& t)
 void addDensity(Table& t)
 {
 	t.push_back(
-		row(sized, "Equations", "--equations", "NAME", Kind::Choice, "Equations of radius and density",
-			"Which form of the paper's equations (1), (4) and (5): calibrated, with a constant that "
+		row(sized, "Equations", "--equations", "NAME", Kind::Choice,
+			"Equations of radius and density",
+			"Which form of the paper's equations (1), (4) and (5): calibrated, with a constant "
+			"that "
 			"hits the number, a density without units and its mean over the area (default and "
-			"fast); paper, as printed, with 0.844, the mean curvature in 1/mesh unit with its sign, "
+			"fast); paper, as printed, with 0.844, the mean curvature in 1/mesh unit with its "
+			"sign, "
 			"and the mean over the vertices.")
 			.choices({"preset", "calibrated", "paper"})
 			.store([](const Value& v, RemeshOptions& o) {
@@ -222,21 +227,21 @@ void addDensity(Table& t)
 			.byDefault([](const MeshFacts&) { return Value(4.0); })
 			.store([](const Value& v, RemeshOptions& o) { o.largestStretch = numberOf(v); })
 			.p);
-	t.push_back(row(sized, "Sizing", "--sizing", "NAME", Kind::Choice, "Density from",
-					"What the density goes with: curvature, or the mesh's vertex quality, which "
-					"then takes the place of |H| r.")
-					.choices({"curvature", "quality"})
-					.store([](const Value& v, RemeshOptions& o) {
-						o.sizing = SizingSource(countOf(v));
-					})
-					.p);
+	t.push_back(
+		row(sized, "Sizing", "--sizing", "NAME", Kind::Choice, "Density from",
+			"What the density goes with: curvature, or the mesh's vertex quality, which "
+			"then takes the place of |H| r.")
+			.choices({"curvature", "quality"})
+			.store([](const Value& v, RemeshOptions& o) { o.sizing = SizingSource(countOf(v)); })
+			.p);
 }
 
 void addFeatures(Table& t)
 {
 	t.push_back(
 		row(sized, "FeatureRegion", "--feature-region", "NAME", Kind::Choice, "Feature region",
-			"Which part of the surface is preserved as in the paper's 3.1.1: none; detected, by the "
+			"Which part of the surface is preserved as in the paper's 3.1.1: none; detected, by "
+			"the "
 			"second-order difference and the thresholds below; selection, the selected vertices "
 			"(on the command line those whose property 'selected' is not 0).")
 			.choices({"none", "detected", "selection"})
@@ -319,12 +324,13 @@ void addRun(Table& t)
 					.range(0, 1024)
 					.store([](const Value& v, RemeshOptions& o) { o.threads = int(countOf(v)); })
 					.p);
-	t.push_back(row(RetriangulateTool, "SampleLayer", "", "", Kind::Count,
-					"Number of the layer with the samples",
-					"The number that MeshLab shows before the layer's name; its vertices become the "
-					"vertices of the result.")
-					.range(0, largestCount)
-					.p);
+	t.push_back(
+		row(RetriangulateTool, "SampleLayer", "", "", Kind::Count,
+			"Number of the layer with the samples",
+			"The number that MeshLab shows before the layer's name; its vertices become the "
+			"vertices of the result.")
+			.range(0, largestCount)
+			.p);
 	t.push_back(row(RemeshTool | RetriangulateTool, "NewLayer", "", "", Kind::Switch,
 					"Put the result into a new layer",
 					"Off: the result takes the place of the layer's mesh. MeshLab has no undo, so "
