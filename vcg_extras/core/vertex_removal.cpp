@@ -3,10 +3,10 @@
 #include "vertex_removal.h"
 
 #include "mesh_edit.h"
+#include "sampled_result.h"
 
 #include <cmath>
 #include <cstring>
-#include <unordered_map>
 
 namespace gpr {
 
@@ -60,7 +60,7 @@ private:
 	bool removeInside(int v, const PassRules& rules)
 	{
 		const Vec3f normal = collectRing(v);
-		scoreTargets(labelOf(v), normal, rules);
+		scoreTargets(rules.sameLabelOnly ? labelOf(v) : -1, normal, rules);
 		for (int attempt = 0; attempt < rules.tries; ++attempt) {
 			Spoke* best = nullptr;
 			for (Spoke& s : ring_) {
@@ -227,12 +227,14 @@ void runPass(const BlockPartition& partition, const PassRules& rules,
 	}
 }
 
-/// What the blocks left, in one go, without the bound on edges.
+/// What the blocks left, in one go, without the bound on edges. Passes that need labels are left
+/// out where there are none.
 void removeRest(HalfEdgeMesh& m, const Sampling& sampling, std::vector<int>& rest, Workers& workers)
 {
 	Remover remover(m, sampling, HUGE_VALF);
 	for (const PassRules& rules : passRules) {
 		if (rest.empty()) return;
+		if (rules.sameLabelOnly && sampling.nearest.empty()) continue;
 		std::size_t left = 0;
 		for (int v : rest) {
 			workers.poll();
@@ -240,69 +242,6 @@ void removeRest(HalfEdgeMesh& m, const Sampling& sampling, std::vector<int>& res
 		}
 		rest.resize(left);
 	}
-}
-
-/// Curve and arc length of those of the vertices that lie on a curve.
-std::unordered_map<int, std::pair<int, float>> findOnCurves(const BoundaryCurves&   boundary,
-															const std::vector<int>& vertices)
-{
-	std::unordered_map<int, std::pair<int, float>> place;
-	for (int v : vertices)
-		place[v] = {-1, 0.0f};
-	if (place.empty()) return place;
-	for (std::size_t c = 0; c < boundary.curves.size(); ++c) {
-		const Curve& curve = boundary.curves[c];
-		for (int i = 0; i < curve.pointNum(); ++i) {
-			const auto found = place.find(curve.vertex[i]);
-			if (found != place.end()) found->second = {int(c), curve.arc[i]};
-		}
-	}
-	return place;
-}
-
-/// The vertices that are left become the result, each at its sample's place.
-ResultMesh emit(HalfEdgeMesh&& m, const Surface& surface, const Sampling& sampling,
-				const BoundaryCurves& boundary, const std::vector<int>& representative,
-				const std::vector<int>& rest)
-{
-	ResultMesh       result;
-	std::vector<int> newIndex;
-	compact(m, newIndex);
-	result.vertex.resize(m.vertexNum);
-	result.leftoverNum = std::int64_t(rest.size());
-	for (std::size_t s = 0; s < representative.size(); ++s) {
-		if (representative[s] < 0) continue;
-		const int     v = newIndex[representative[s]];
-		ResultVertex& r = result.vertex[v];
-		r.anchor        = sampling.samples[s].anchor;
-		r.normal        = sampling.samples[s].normal;
-		r.sample        = int(s);
-		if (int(s) < sampling.boundarySampleNum && s < boundary.samples.size()) {
-			r.curve    = boundary.samples[s].curve;
-			r.arc      = boundary.samples[s].arc;
-			r.isCorner = boundary.samples[s].isCorner;
-		}
-	}
-	const auto onCurve = findOnCurves(boundary, rest);
-	for (int old : rest) {
-		ResultVertex& r = result.vertex[newIndex[old]];
-		r.curve         = onCurve.at(old).first;
-		r.arc           = onCurve.at(old).second;
-		r.anchor        = {surface.mesh.position[old], surface.mesh.outgoing[old] / 3};
-		r.normal        = surface.mesh.faceNormal(r.anchor.face);
-	}
-	for (int v = 0; v < m.vertexNum; ++v)
-		m.position[v] = result.vertex[v].anchor.position;
-
-	// Give the memory of the input's size back.
-	result.mesh.vertexNum = m.vertexNum;
-	result.mesh.faceNum   = m.faceNum;
-	m.position.resize(m.vertexNum);
-	m.outgoing.resize(m.vertexNum);
-	m.origin.resize(m.halfEdgeNum());
-	m.opposite.resize(m.halfEdgeNum());
-	result.mesh = std::move(m);
-	return result;
 }
 
 } // namespace
@@ -313,7 +252,9 @@ ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
 {
 	const std::vector<int> representative =
 		findRepresentatives(surface, sampling, boundary, workers);
-	HalfEdgeMesh m = copyConnectivity(surface.mesh, workers);
+	Retriangulated removed;
+	removed.mesh    = copyConnectivity(surface.mesh, workers);
+	HalfEdgeMesh& m = removed.mesh;
 
 	std::vector<char> stays(m.vertexNum, 0);
 	for (int v : representative) {
@@ -330,11 +271,18 @@ ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
 	for (const PassRules& rules : passRules)
 		runPass(partition, rules, removers, todo, workers);
 
-	std::vector<int> rest;
+	std::vector<int>& rest = removed.leftover;
 	for (const std::vector<int>& vertices : todo)
 		rest.insert(rest.end(), vertices.begin(), vertices.end());
 	removeRest(m, sampling, rest, workers);
-	return emit(std::move(m), surface, sampling, boundary, representative, rest);
+	removed.sampleVertex = representative;
+	return resultOfSamples(std::move(removed), surface, sampling, boundary);
+}
+
+void collapseRest(HalfEdgeMesh& m, std::vector<int>& rest, Workers& workers)
+{
+	const Sampling noLabels;
+	removeRest(m, noLabels, rest, workers);
 }
 
 } // namespace gpr

@@ -26,6 +26,11 @@ ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
 						  const BoundaryCurves& boundary, const BlockPartition& partition,
 						  Workers& workers);
 
+/// Collapses what another removal had to leave: each of the vertices is merged into whichever
+/// neighbour leaves the best worst triangle, under looser and looser geometry. rest keeps those
+/// that the topology needs. Cost: a few vertices, serially.
+void collapseRest(HalfEdgeMesh& m, std::vector<int>& rest, Workers& workers);
+
 } // namespace gpr
 
 #endif

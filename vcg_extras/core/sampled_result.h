@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SAMPLED_RESULT_H
+#define VCG_EXTRAS_CORE_SAMPLED_RESULT_H
+
+#include "boundary_curves.h"
+#include "front_sampling.h"
+#include "result_mesh.h"
+
+#include <vector>
+
+namespace gpr {
+
+/// What a removal of the input's vertices ends with, in the numbering it began with.
+struct Retriangulated {
+	HalfEdgeMesh     mesh;         ///< dead faces and vertices among the living ones
+	std::vector<int> sampleVertex; ///< per sample: the vertex that is or stands for it; -1: none
+	std::vector<int> leftover;     ///< the surface's vertices that had to stay
+};
+
+/// The vertices that are left become the result, each at its sample's place; those left over stay
+/// where they were. Samples of the border keep their curve, leftovers on the border find theirs.
+/// Cost: linear.
+ResultMesh resultOfSamples(Retriangulated&& removed, const Surface& surface,
+						   const Sampling& sampling, const BoundaryCurves& boundary);
+
+} // namespace gpr
+
+#endif
