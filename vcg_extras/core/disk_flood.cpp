@@ -38,7 +38,7 @@ float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float
 
 void DiskFlood::explore(const Sample& sample)
 {
-	if (!exploreFlat(sample)) exploreUnfolding(sample);
+	if (stretch_ != nullptr || !exploreFlat(sample)) exploreUnfolding(sample);
 }
 
 void DiskFlood::commit(int id)
@@ -73,7 +73,7 @@ bool DiskFlood::exploreFlat(const Sample& sample)
 		reach(m_.origin[3 * sample.anchor.face + k]);
 	for (std::size_t i = 0; i < queue_.size(); ++i) {
 		const int   v      = queue_[i];
-		const float cosine = dot(surface_.normal[v].unpack(), sample.normal);
+		const float cosine = dot(normal_[v].unpack(), sample.normal);
 		if (!(cosine >= flatCosine)) return false;
 		const float chord        = length(m_.position[v] - sample.anchor.position);
 		const float distance     = chord * (1 + (1 - std::min(cosine, 1.0f)) * (1 / 12.0f));
@@ -94,7 +94,7 @@ void DiskFlood::exploreUnfolding(const Sample& sample)
 	heap_.clear();
 	for (int k = 0; k < 3; ++k) {
 		const int v = m_.origin[3 * sample.anchor.face + k];
-		tryDistance(v, length(m_.position[v] - sample.anchor.position));
+		tryDistance(v, wayFrom(sample, v));
 	}
 	while (!heap_.empty()) {
 		const HeapEntry            e = popHeap();
@@ -102,6 +102,24 @@ void DiskFlood::exploreUnfolding(const Sample& sample)
 		if (t.stamp != 2 * flood_ || e.distance > t.distance) continue;
 		settle(e.vertex, e.distance, sample);
 	}
+}
+
+/// Length of the edge v-w in the metric in force.
+float DiskFlood::wayAlong(int v, int w) const
+{
+	const float edge = length(m_.position[w] - m_.position[v]);
+	return stretch_ == nullptr ? edge : edge * 0.5f * ((*stretch_)[v] + (*stretch_)[w]);
+}
+
+/// From the sample straight to a corner of its face.
+float DiskFlood::wayFrom(const Sample& sample, int corner) const
+{
+	const float straight = length(m_.position[corner] - sample.anchor.position);
+	if (stretch_ == nullptr) return straight;
+	float sum = 3 * (*stretch_)[corner];
+	for (int k = 0; k < 3; ++k)
+		sum += (*stretch_)[m_.origin[3 * sample.anchor.face + k]];
+	return straight * sum * (1 / 6.0f);
 }
 
 void DiskFlood::tryDistance(int vertex, float distance)
@@ -122,20 +140,19 @@ void DiskFlood::settle(int v, float distance, const Sample& sample)
 	if (!(distance < field_.nearest[v].distance) || distance > radius_) return;
 
 	// Along the edges, and across every triangle one of whose other corners is settled too.
-	const Vec3f p    = m_.position[v];
 	const Vec3f from = sample.anchor.position;
-	forEachNeighbour(m_, v, [&](int w) { tryDistance(w, distance + length(m_.position[w] - p)); });
+	forEachNeighbour(m_, v, [&](int w) { tryDistance(w, distance + wayAlong(v, w)); });
 	forEachOutgoing(m_, v, [&](int h) {
 		const int  a = m_.target(h), b = m_.apex(h);
 		const bool aSettled = field_.trial[a].stamp == stamp + 1;
 		const bool bSettled = field_.trial[b].stamp == stamp + 1;
 		if (aSettled == bSettled) return;
 		const int   known = aSettled ? a : b, wanted = aSettled ? b : a;
-		const Vec3f q = m_.position[known], w = m_.position[wanted];
-		const float d = unfoldedDistance(distance, field_.trial[known].distance, length(q - p),
-										 length(w - p), length(w - q));
+		const float d = unfoldedDistance(distance, field_.trial[known].distance, wayAlong(v, known),
+										 wayAlong(v, wanted), wayAlong(known, wanted));
 		// No way on the surface is shorter than the chord, and the front never runs back.
-		if (d < HUGE_VALF) tryDistance(wanted, std::max({d, distance, length(w - from)}));
+		const float chord = stretch_ == nullptr ? length(m_.position[wanted] - from) : 0.0f;
+		if (d < HUGE_VALF) tryDistance(wanted, std::max({d, distance, chord}));
 	});
 }
 

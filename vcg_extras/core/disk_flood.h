@@ -31,6 +31,14 @@ struct NearestField {
 	Buffer<Trial>   trial;
 };
 
+/// What floods run on. The mesh may grow between them. Under a density (paper §3.1.2, eq. (4))
+/// every way is longer by the mean stretch of the ends of its edges.
+struct FloodGround {
+	const HalfEdgeMesh&         mesh;
+	const Buffer<PackedNormal>& normal;            ///< per vertex
+	const Buffer<float>*        stretch = nullptr; ///< per vertex, > 0; nullptr = 1 everywhere
+};
+
 /// Computes geodesic distances from a sample up to the disk radius r and takes every vertex that is
 /// nearer to it than to its present sample (paper §3, step 3).
 ///
@@ -39,11 +47,16 @@ struct NearestField {
 /// spheres. Otherwise the front is propagated by unfolding triangles (Kimmel & Sethian 1998;
 /// Novotni & Klein 2002). Since normals are looked at along the flood, a thin sheet's other side is
 /// never taken for near. The ring that did not improve keeps its trial distance, so that updates
-/// stay accurate where Voronoi cells meet.
+/// stay accurate where Voronoi cells meet. Under a stretch all is propagated by unfolding.
 class DiskFlood {
 public:
+	DiskFlood(const FloodGround& ground, NearestField& field, float radius) :
+			m_(ground.mesh), normal_(ground.normal), stretch_(ground.stretch), field_(field),
+			radius_(radius)
+	{
+	}
 	DiskFlood(const Surface& surface, NearestField& field, float radius) :
-			surface_(surface), m_(surface.mesh), field_(field), radius_(radius)
+			DiskFlood(FloodGround{surface.mesh, surface.normal}, field, radius)
 	{
 	}
 
@@ -74,18 +87,21 @@ private:
 		int   vertex;
 	};
 
-	const Surface&         surface_;
-	const HalfEdgeMesh&    m_;
-	NearestField&          field_;
-	float                  radius_;
-	int                    flood_ = 0;
-	std::vector<int>       met_;
-	std::vector<int>       queue_;
-	std::vector<HeapEntry> heap_;
+	const HalfEdgeMesh&         m_;
+	const Buffer<PackedNormal>& normal_;
+	const Buffer<float>*        stretch_;
+	NearestField&               field_;
+	float                       radius_;
+	int                         flood_ = 0;
+	std::vector<int>            met_;
+	std::vector<int>            queue_;
+	std::vector<HeapEntry>      heap_;
 
 	bool      exploreFlat(const Sample& sample);
 	void      exploreUnfolding(const Sample& sample);
 	void      settle(int vertex, float distance, const Sample& sample);
+	float     wayAlong(int v, int w) const;
+	float     wayFrom(const Sample& sample, int corner) const;
 	void      tryDistance(int vertex, float distance);
 	void      meet(int vertex);
 	void      pushHeap(HeapEntry e);

@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_CORE_FUSED_MESH_H
 #define VCG_EXTRAS_CORE_FUSED_MESH_H
 
+#include "boundary_curves.h"
+#include "connect.h"
 #include "half_edge_mesh.h"
 
 #include <vector>
@@ -17,6 +19,21 @@ struct FusedMesh {
 	Buffer<int>      parentFace;   ///< of at least mesh.faceNum: the surface's face it lies in
 	std::vector<int> sampleVertex; ///< per sample: its vertex, no two alike
 };
+
+/// The surface itself: a tessellation with no sample fused yet. Cost: a copy, in parallel.
+FusedMesh beginFusion(const Surface& surface, Workers& workers);
+
+/// Makes room for so many more vertices and the faces that their splits need.
+void makeRoom(FusedMesh& fused, int moreVertices);
+
+/// Splits the edge h, inner or border, at a place on it (paper §3, step 6): the new vertex, which
+/// is the mesh's last. What is left of h still begins at origin[h]. Makes room where there is none.
+int splitAt(FusedMesh& fused, int h, const Vec3f& place);
+
+/// Makes every border sample a vertex: the border vertex it lies on, or a new one on its border
+/// edge. Appends to sampleVertex, in the order of boundary.samples. Needs a mesh whose border edges
+/// are still those of the curves. Cost: linear in the border's samples.
+void fuseBoundary(const BoundaryCurves& boundary, FusedMesh& fused);
 
 } // namespace gpr
 

@@ -256,4 +256,27 @@ void compact(HalfEdgeMesh& m, std::vector<int>& newIndex)
 		m.outgoing[v] = renamed(m.outgoing[v]);
 }
 
+HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers)
+{
+	HalfEdgeMesh to;
+	to.vertexNum = from.vertexNum;
+	to.faceNum   = from.faceNum;
+	to.position.reset(from.vertexNum);
+	to.outgoing.reset(from.vertexNum);
+	to.origin.reset(from.halfEdgeNum());
+	to.opposite.reset(from.halfEdgeNum());
+	workers.forRange(from.vertexNum, [&](std::size_t begin, std::size_t end) {
+		std::copy(from.position.data() + begin, from.position.data() + end,
+				  to.position.data() + begin);
+		std::copy(from.outgoing.data() + begin, from.outgoing.data() + end,
+				  to.outgoing.data() + begin);
+	});
+	workers.forRange(from.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+		std::copy(from.origin.data() + begin, from.origin.data() + end, to.origin.data() + begin);
+		std::copy(from.opposite.data() + begin, from.opposite.data() + end,
+				  to.opposite.data() + begin);
+	});
+	return to;
+}
+
 } // namespace gpr

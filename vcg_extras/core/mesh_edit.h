@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_CORE_MESH_EDIT_H
 
 #include "half_edge_mesh.h"
+#include "workers.h"
 
 #include <vector>
 
@@ -55,6 +56,9 @@ void reserve(HalfEdgeMesh& m, int vertexRoom, int faceRoom);
 
 /// Drops dead faces and vertices, keeping order; newIndex[v] is the vertex' new place or -1.
 void compact(HalfEdgeMesh& m, std::vector<int>& newIndex);
+
+/// A mesh of its own with the same vertices and faces, and no room beyond them.
+HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers);
 
 } // namespace gpr
 

@@ -188,29 +188,6 @@ std::vector<int> findRepresentatives(const Surface& surface, const Sampling& sam
 	return representative;
 }
 
-HalfEdgeMesh copyConnectivity(const HalfEdgeMesh& from, Workers& workers)
-{
-	HalfEdgeMesh to;
-	to.vertexNum = from.vertexNum;
-	to.faceNum   = from.faceNum;
-	to.position.reset(from.vertexNum);
-	to.outgoing.reset(from.vertexNum);
-	to.origin.reset(from.halfEdgeNum());
-	to.opposite.reset(from.halfEdgeNum());
-	workers.forRange(from.vertexNum, [&](std::size_t begin, std::size_t end) {
-		std::copy(from.position.data() + begin, from.position.data() + end,
-				  to.position.data() + begin);
-		std::copy(from.outgoing.data() + begin, from.outgoing.data() + end,
-				  to.outgoing.data() + begin);
-	});
-	workers.forRange(from.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
-		std::copy(from.origin.data() + begin, from.origin.data() + end, to.origin.data() + begin);
-		std::copy(from.opposite.data() + begin, from.opposite.data() + end,
-				  to.opposite.data() + begin);
-	});
-	return to;
-}
-
 /// Runs one pass over the vertices still to be removed, block by block, colour by colour.
 void runPass(const BlockPartition& partition, const PassRules& rules,
 			 std::vector<Remover>& removers, std::vector<std::vector<int>>& todo, Workers& workers)
@@ -253,7 +230,7 @@ ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
 	const std::vector<int> representative =
 		findRepresentatives(surface, sampling, boundary, workers);
 	Retriangulated removed;
-	removed.mesh    = copyConnectivity(surface.mesh, workers);
+	removed.mesh    = copyMesh(surface.mesh, workers);
 	HalfEdgeMesh& m = removed.mesh;
 
 	std::vector<char> stays(m.vertexNum, 0);
