@@ -195,7 +195,7 @@ TEST(CollapseShortEdges, MergesWhatLiesTooClose)
 	OnSurface    on(uvSphere(16, 64));
 	const int    before = on.m().vertexNum;
 	const double angle  = on.leastAngleDeg();
-	collapseShortEdges(on.result, on.workers);
+	collapseShortEdges(on.surface, on.result, on.workers);
 	EXPECT_LT(on.m().vertexNum, before);
 	EXPECT_GE(on.leastAngleDeg(), angle);
 	on.expectSound();

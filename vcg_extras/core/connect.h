@@ -11,11 +11,13 @@
 
 namespace gpr {
 
-/// The input as the engine works on it: ordered, with half-edges. Never changed once it is built.
+/// The input as the engine works on it: ordered, with half-edges. Never changed once it is
+/// built.
 struct Surface {
 	HalfEdgeMesh         mesh;
 	Buffer<int>          sourceFace; ///< per face: the caller's face it is part of
 	Buffer<PackedNormal> normal;     ///< per vertex, area-weighted (zero where undefined)
+	Buffer<float>        size;       ///< per vertex: see sizing.h; empty: the same everywhere
 	Frame                frame;
 	MortonGrid           grid;
 };

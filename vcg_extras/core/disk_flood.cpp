@@ -38,6 +38,7 @@ float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float
 
 void DiskFlood::explore(const Sample& sample)
 {
+	scale_ = 1 / sample.size;
 	if (stretch_ != nullptr || !exploreFlat(sample)) exploreUnfolding(sample);
 }
 
@@ -75,7 +76,7 @@ bool DiskFlood::exploreFlat(const Sample& sample)
 		const int   v      = queue_[i];
 		const float cosine = dot(normal_[v].unpack(), sample.normal);
 		if (!(cosine >= flatCosine)) return false;
-		const float chord        = length(m_.position[v] - sample.anchor.position);
+		const float chord        = length(m_.position[v] - sample.anchor.position) * scale_;
 		const float distance     = chord * (1 + (1 - std::min(cosine, 1.0f)) * (1 / 12.0f));
 		field_.trial[v].distance = distance;
 		if (distance > radius_ || distance >= field_.nearest[v].distance) continue;
@@ -94,7 +95,7 @@ void DiskFlood::exploreUnfolding(const Sample& sample)
 	heap_.clear();
 	for (int k = 0; k < 3; ++k) {
 		const int v = m_.origin[3 * sample.anchor.face + k];
-		tryDistance(v, wayFrom(sample, v));
+		tryDistance(v, wayFrom(sample, v) * scale_);
 	}
 	while (!heap_.empty()) {
 		const HeapEntry            e = popHeap();
@@ -141,17 +142,20 @@ void DiskFlood::settle(int v, float distance, const Sample& sample)
 
 	// Along the edges, and across every triangle one of whose other corners is settled too.
 	const Vec3f from = sample.anchor.position;
-	forEachNeighbour(m_, v, [&](int w) { tryDistance(w, distance + wayAlong(v, w)); });
+	forEachNeighbour(m_, v,
+					 [&](int w) { tryDistance(w, distance + wayAlong(v, w) * scale_); });
 	forEachOutgoing(m_, v, [&](int h) {
 		const int  a = m_.target(h), b = m_.apex(h);
 		const bool aSettled = field_.trial[a].stamp == stamp + 1;
 		const bool bSettled = field_.trial[b].stamp == stamp + 1;
 		if (aSettled == bSettled) return;
 		const int   known = aSettled ? a : b, wanted = aSettled ? b : a;
-		const float d = unfoldedDistance(distance, field_.trial[known].distance, wayAlong(v, known),
-										 wayAlong(v, wanted), wayAlong(known, wanted));
+		const float d = unfoldedDistance(
+			distance, field_.trial[known].distance, wayAlong(v, known) * scale_,
+			wayAlong(v, wanted) * scale_, wayAlong(known, wanted) * scale_);
 		// No way on the surface is shorter than the chord, and the front never runs back.
-		const float chord = stretch_ == nullptr ? length(m_.position[wanted] - from) : 0.0f;
+		const float chord =
+			stretch_ == nullptr ? length(m_.position[wanted] - from) * scale_ : 0.0f;
 		if (d < HUGE_VALF) tryDistance(wanted, std::max({d, distance, chord}));
 	});
 }

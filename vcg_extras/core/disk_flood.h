@@ -10,17 +10,18 @@
 
 namespace gpr {
 
-/// A sample of the surface: where it lies, and the normal of its face.
+/// A sample of the surface: where it lies, the normal of its face, and how large its disk is.
 struct Sample {
 	Anchor anchor;
 	Vec3f  normal;
+	float  size = 1; ///< radius of its disk over r, in (0, 1]
 };
 
 /// What the sampling knows about every vertex of the input. Distance and sample, trial distance and
 /// stamp lie side by side because they are read together.
 struct NearestField {
 	struct Nearest {
-		float distance; ///< geodesic, to the nearest sample so far
+		float distance; ///< geodesic over the sample's size, to the nearest sample so far
 		int   sample;   ///< that sample; -1 while there is none
 	};
 	struct Trial {
@@ -46,8 +47,10 @@ struct FloodGround {
 /// lengthened by (1 + (1 - n·n_s)/12), in a plain queue: no heap, and exact to third order on
 /// spheres. Otherwise the front is propagated by unfolding triangles (Kimmel & Sethian 1998;
 /// Novotni & Klein 2002). Since normals are looked at along the flood, a thin sheet's other side is
-/// never taken for near. The ring that did not improve keeps its trial distance, so that updates
-/// stay accurate where Voronoi cells meet. Under a stretch all is propagated by unfolding.
+/// never taken for near. Lengths are divided by the sample's size, so that every disk ends at r
+/// and a vertex belongs to the sample that it lies deepest in the disk of. The ring that did not
+/// improve keeps its trial distance, so that updates stay accurate where Voronoi cells meet. Under
+/// a stretch all is propagated by unfolding.
 class DiskFlood {
 public:
 	DiskFlood(const FloodGround& ground, NearestField& field, float radius) :
@@ -93,6 +96,7 @@ private:
 	NearestField&               field_;
 	float                       radius_;
 	int                         flood_ = 0;
+	float                       scale_ = 1; ///< of lengths: 1 over the size of the sample explored
 	std::vector<int>            met_;
 	std::vector<int>            queue_;
 	std::vector<HeapEntry>      heap_;

@@ -5,6 +5,7 @@
 #include "delaunay_flips.h"
 #include "mesh_edit.h"
 #include "relaxation.h"
+#include "sizing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,7 @@ private:
 	Care                  care_ = Care::FlatGroundOnly;
 	Buffer<int>           valence_; ///< faces, corrected at borders so that 6 is right everywhere
 	Buffer<char>          flat_;
+	Buffer<float>         size_; ///< wanted at each vertex; empty: the same everywhere
 	std::vector<char>     used_; ///< vertices whose surroundings changed in this round
 	EditScratch           scratch_;
 
@@ -94,6 +96,7 @@ private:
 	void beginRound()
 	{
 		flat_ = findFlatVertices(r_, workers_);
+		size_ = sizesOf(surface_, r_, workers_);
 		valence_.reset(m_.vertexNum);
 		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
 			for (std::size_t v = begin; v < end; ++v)
@@ -145,9 +148,12 @@ private:
 		return flat_[a] && flat_[b] && flat_[c] && flat_[d];
 	}
 
-	float edgeLength(int h) const
+	/// Over the size that triangles are to have there.
+	float relativeLength(int h) const
 	{
-		return length(m_.position[m_.target(h)] - m_.position[m_.origin[h]]);
+		const int   a = m_.origin[h], b = m_.target(h);
+		const float straight = length(m_.position[b] - m_.position[a]);
+		return size_.empty() ? straight : straight / (0.5f * (size_[a] + size_[b]));
 	}
 
 	/// A point of the surface halfway from a to b, by walking from a.
@@ -200,7 +206,7 @@ private:
 
 	void addSplit(int h, std::vector<Operation>& out) const
 	{
-		const float rank = -edgeLength(h);
+		const float rank = -relativeLength(h);
 		if (m_.opposite[h] < 0) {
 			out.push_back({1000, rank, h, 0});
 			return;
@@ -365,7 +371,7 @@ private:
 
 	void addCollapse(int h, std::vector<Operation>& out) const
 	{
-		const float rank = edgeLength(h);
+		const float rank = relativeLength(h);
 		if (m_.opposite[h] < 0) {
 			// Corners of the border go last.
 			const int energy = r_.vertex[m_.origin[h]].isCorner ? 2000 : 1000;
@@ -495,19 +501,24 @@ bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary
 	return CountCorrector(surface, boundary, result, workers).run(targetNum, {Care::TopologyOnly});
 }
 
-void collapseShortEdges(ResultMesh& result, Workers& workers)
+void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& workers)
 {
-	constexpr float        tooShort = 0.6f; // of the ideal edge
-	HalfEdgeMesh&          m        = result.mesh;
-	const float            limit    = tooShort * result.idealEdge;
-	std::vector<Operation> all      = workers.collect<Operation>(
-        m.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
-            for (int h = int(begin); h < int(end); ++h) {
-                if (m.opposite[h] < 0 || m.isBorderVertex(m.origin[h])) continue;
-                const float d = length(m.position[m.target(h)] - m.position[m.origin[h]]);
-                if (d < limit) out.push_back({0, d, h, 0});
-            }
-        });
+	constexpr float     tooShort = 0.6f; // of the ideal edge
+	HalfEdgeMesh&       m        = result.mesh;
+	const Buffer<float> size     = sizesOf(surface, result, workers);
+	const auto          isShort  = [&](int a, int b) {
+        const float local = size.empty() ? 1.0f : std::min(size[a], size[b]);
+        const float limit = tooShort * result.idealEdge * local;
+        return squaredLength(m.position[b] - m.position[a]) < limit * limit;
+	};
+	std::vector<Operation> all = workers.collect<Operation>(
+		m.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
+			for (int h = int(begin); h < int(end); ++h) {
+				if (m.opposite[h] < 0 || m.isBorderVertex(m.origin[h])) continue;
+				const int a = m.origin[h], b = m.target(h);
+				if (isShort(a, b)) out.push_back({0, length(m.position[b] - m.position[a]), h, 0});
+			}
+		});
 	std::sort(all.begin(), all.end());
 	EditScratch scratch;
 	for (const Operation& op : all) {
@@ -515,8 +526,7 @@ void collapseShortEdges(ResultMesh& result, Workers& workers)
 		if (isDeadFace(m, h / 3)) continue;
 		const int a = m.origin[h], b = m.target(h);
 		// Earlier collapses may have given this edge another end.
-		const bool stillShort = squaredLength(m.position[b] - m.position[a]) < limit * limit;
-		if (!stillShort || m.isBorderVertex(a) || !canCollapse(m, h, scratch)) continue;
+		if (!isShort(a, b) || m.isBorderVertex(a) || !canCollapse(m, h, scratch)) continue;
 		if (worstAngleAt(m, a, m.position[b], b) <= worstAngleAt(m, a, m.position[a], -1)) continue;
 		collapse(m, h);
 		++result.collapseNum;

@@ -30,7 +30,7 @@ bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary
 
 /// Merges inner vertices nearer than 0.6 ideal edges to a neighbour into it where the worst angle
 /// of the ring grows by it. Clears narrow ribbons along borders before the count is corrected.
-void collapseShortEdges(ResultMesh& result, Workers& workers);
+void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

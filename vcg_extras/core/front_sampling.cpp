@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "front_sampling.h"
 
+#include "sizing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <queue>
@@ -23,11 +25,34 @@ struct BlockRange {
 	int used        = 0;
 };
 
+/// A place for a sample, and the size of its disk over the largest one.
+struct Place {
+	Anchor anchor;
+	float  size = 1;
+};
+
 /// A place for a sample, and how well it fits: the closer a third disk touches it, and the nearer
 /// the distance of the first two to r, the smaller.
 struct Candidate {
-	Anchor anchor;
-	float  fit;
+	Place place;
+	float fit;
+};
+
+/// Two samples next to each other, and the plane of the first.
+struct Pair {
+	int   a, b;
+	Vec3f u;        ///< unit vector from a towards b
+	Vec3f w;        ///< perpendicular to it
+	float distance; ///< straight from a to b
+};
+
+/// Where the third corner of a triangle over a pair lies, seen from its first sample.
+struct Apex {
+	float size        = 1; ///< assumed there
+	float length      = 0; ///< distance from a
+	float otherLength = 0; ///< distance from b
+	float cosine      = 0; ///< of the angle between the ways to it and to b
+	float sine        = 0;
 };
 
 bool fitsWorse(const Candidate& a, const Candidate& b)
@@ -86,8 +111,8 @@ public:
 		beginScan(blockIndex);
 		random_ = mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex));
 		takeUpNeighbours();
-		Anchor place;
-		bool   isUncovered = false;
+		Place place;
+		bool  isUncovered = false;
 		while (findPlace(place, isUncovered)) {
 			if (!improvesAVertex(place)) continue;
 			if (range_->used == range_->room) {
@@ -119,6 +144,20 @@ private:
 	float distanceOf(int v) const { return shared_.field.nearest[v].distance; }
 	int   sampleOf(int v) const { return shared_.field.nearest[v].sample; }
 	Vec3f placeOf(int sample) const { return shared_.samples[sample].anchor.position; }
+	float sizeOf(int sample) const { return shared_.samples[sample].size; }
+
+	/// Whether the sample is nearer to p than `limit` times the mean of both sizes.
+	bool isNearer(const Vec3f& p, float size, int sample, float limit) const
+	{
+		const float wanted = limit * (0.5f * (size + sizeOf(sample)));
+		return squaredLength(p - placeOf(sample)) < wanted * wanted;
+	}
+	bool isTooNear(const Vec3f& p, float size, int sample) const
+	{
+		return isNearer(p, size, sample, nearLimit_);
+	}
+
+	Place placeAt(const Anchor& anchor) const { return {anchor, sizeAt(shared_.surface, anchor)}; }
 
 	/// A face belongs to the block that holds its smallest vertex, its first corner.
 	bool isMine(int face) const
@@ -158,12 +197,11 @@ private:
 	{
 		constexpr std::size_t mostSamples = 4096, mostNear = 64;
 		if (samples.size() > mostSamples) return;
-		const float      reach = 4 * r_ * r_;
 		std::vector<int> near;
 		for (int s : samples) {
 			near.clear();
 			for (int t : samples) {
-				if (t != s && squaredLength(placeOf(t) - placeOf(s)) < reach) near.push_back(t);
+				if (t != s && isNearer(placeOf(s), sizeOf(s), t, 2 * r_)) near.push_back(t);
 			}
 			if (near.size() > mostNear) continue;
 			for (int t : near) {
@@ -181,12 +219,12 @@ private:
 	}
 
 	/// The next place for a sample: best intersection, else border edge, else an uncovered vertex.
-	bool findPlace(Anchor& place, bool& isUncovered)
+	bool findPlace(Place& place, bool& isUncovered)
 	{
 		isUncovered = false;
 		while (!heap_.empty()) {
 			std::pop_heap(heap_.begin(), heap_.end(), fitsWorse);
-			place = heap_.back().anchor;
+			place = heap_.back().place;
 			heap_.pop_back();
 			if (!isTaken(place)) return true;
 		}
@@ -202,13 +240,13 @@ private:
 		return findUncoveredVertex(place);
 	}
 
-	bool findUncoveredVertex(Anchor& place)
+	bool findUncoveredVertex(Place& place)
 	{
 		const int n = block_->end - block_->begin;
 		for (; scanned_ < n; ++scanned_) {
 			const int v = block_->begin + (scanStart_ + scanned_) % n;
 			if (distanceOf(v) <= r_ || m_.outgoing[v] < 0) continue;
-			place = {m_.position[v], m_.outgoing[v] / 3};
+			place = placeAt({m_.position[v], m_.outgoing[v] / 3});
 			++scanned_;
 			++fillNum_;
 			return true;
@@ -216,42 +254,44 @@ private:
 		return false;
 	}
 
-	/// Eq. (3): the point of a border edge (eq. (2)) at distance r from the sample of its inner
-	/// end.
-	bool placeOnBorderEdge(int h, Anchor& place) const
+	/// Eq. (3): the point of a border edge (eq. (2)) where the disk of the sample of its inner end
+	/// ends.
+	bool placeOnBorderEdge(int h, Place& place) const
 	{
 		const int a = m_.origin[h], b = m_.target(h);
 		if (!(distanceOf(a) <= r_ && distanceOf(b) > r_) || !isMine(h / 3)) return false;
 		const Vec3f  edge = m_.position[b] - m_.position[a];
 		const Vec3f  w    = m_.position[a] - placeOf(sampleOf(a));
 		const double qa = squaredLength(edge), qb = 2 * double(dot(edge, w));
-		const double qc   = double(squaredLength(w)) - double(r_) * r_;
-		const double root = qb * qb - 4 * qa * qc;
-		double       t    = root > 0 && qa > 0 ? (-qb + std::sqrt(root)) / (2 * qa) : 0.5;
-		t                 = std::min(1.0, std::max(0.0, t));
-		place             = {m_.position[a] + edge * float(t), h / 3};
+		const double radius = double(r_) * sizeOf(sampleOf(a));
+		const double qc     = double(squaredLength(w)) - radius * radius;
+		const double root   = qb * qb - 4 * qa * qc;
+		double       t      = root > 0 && qa > 0 ? (-qb + std::sqrt(root)) / (2 * qa) : 0.5;
+		t                   = std::min(1.0, std::max(0.0, t));
+		place               = placeAt({m_.position[a] + edge * float(t), h / 3});
 		return true;
 	}
 
 	/// Whether a sample that owns a vertex near the place is too close by now. The ring of the face
 	/// is enough where cells have many vertices; among large faces one ring more is looked at.
-	bool isTaken(const Anchor& place) const
+	bool isTaken(const Place& place) const
 	{
-		const float limit = nearLimit_ * nearLimit_;
+		const Vec3f p    = place.anchor.position;
+		const int   face = place.anchor.face;
 		int         own[3];
 		for (int k = 0; k < 3; ++k) {
-			own[k] = sampleOf(m_.origin[3 * place.face + k]);
-			if (own[k] >= 0 && squaredLength(place.position - placeOf(own[k])) < limit) return true;
+			own[k] = sampleOf(m_.origin[3 * face + k]);
+			if (own[k] >= 0 && isTooNear(p, place.size, own[k])) return true;
 		}
-		const bool coarse = isCoarse(place.face);
+		const bool coarse = isCoarse(face, place.size);
 		bool       taken  = false;
 		const auto look   = [&](int w) {
             const int s = sampleOf(w);
             if (s < 0 || s == own[0] || s == own[1] || s == own[2]) return;
-            taken = taken || squaredLength(place.position - placeOf(s)) < limit;
+            taken = taken || isTooNear(p, place.size, s);
 		};
 		for (int k = 0; k < 3 && !taken; ++k) {
-			forEachNeighbour(m_, m_.origin[3 * place.face + k], [&](int w) {
+			forEachNeighbour(m_, m_.origin[3 * face + k], [&](int w) {
 				look(w);
 				if (coarse && !taken) forEachNeighbour(m_, w, look);
 			});
@@ -259,10 +299,10 @@ private:
 		return taken;
 	}
 
-	bool isCoarse(int face) const
+	bool isCoarse(int face, float size) const
 	{
-		constexpr float coarseEdge = 0.4f; // of r
-		const float     limit      = coarseEdge * coarseEdge * r_ * r_;
+		constexpr float coarseEdge = 0.4f; // of the disk's radius
+		const float     limit      = coarseEdge * coarseEdge * r_ * r_ * (size * size);
 		for (int h = 3 * face; h < 3 * face + 3; ++h) {
 			const float squared =
 				squaredLength(m_.position[m_.target(h)] - m_.position[m_.origin[h]]);
@@ -272,11 +312,12 @@ private:
 	}
 
 	/// A sample that would own no vertex could be inserted again and again.
-	bool improvesAVertex(const Anchor& place) const
+	bool improvesAVertex(const Place& place) const
 	{
 		for (int k = 0; k < 3; ++k) {
-			const int v = m_.origin[3 * place.face + k];
-			if (length(m_.position[v] - place.position) * 1.02f < distanceOf(v)) return true;
+			const int   v        = m_.origin[3 * place.anchor.face + k];
+			const float distance = length(m_.position[v] - place.anchor.position);
+			if (distance * 1.02f < distanceOf(v) * place.size) return true;
 		}
 		return false;
 	}
@@ -284,13 +325,13 @@ private:
 	/// A place is given up if its own disk comes to a sample that is too near after all. For a
 	/// vertex that no disk covered this says that the front overrated the way to it, across folds
 	/// or among needles: it then belongs to that sample.
-	void tryToPlace(const Anchor& place, bool isUncovered)
+	void tryToPlace(const Place& place, bool isUncovered)
 	{
-		const Sample sample{place, m_.faceNormal(place.face)};
+		const Sample sample{place.anchor, m_.faceNormal(place.anchor.face), place.size};
 		flood_.explore(sample);
 		const int tooNear = findTooNear(sample, isUncovered);
 		if (tooNear >= 0) {
-			if (isUncovered) cover(place, tooNear);
+			if (isUncovered) cover(place.anchor, tooNear);
 			return;
 		}
 		const int s        = range_->firstSample + range_->used++;
@@ -306,8 +347,7 @@ private:
 	{
 		constexpr float sameSideCosine = 0.8f;
 		for (int t : flood_.metSamples()) {
-			const float squared = squaredLength(sample.anchor.position - placeOf(t));
-			if (squared >= nearLimit_ * nearLimit_) continue;
+			if (!isTooNear(sample.anchor.position, sample.size, t)) continue;
 			const float cosine = dot(sample.normal, shared_.samples[t].normal);
 			if (!sameSideOnly || cosine >= sameSideCosine) return t;
 		}
@@ -319,7 +359,8 @@ private:
 		for (int k = 0; k < 3; ++k) {
 			const int v = m_.origin[3 * place.face + k];
 			if (!(m_.position[v] == place.position)) continue;
-			shared_.field.nearest[v] = {length(place.position - placeOf(sample)), sample};
+			shared_.field.nearest[v] = {length(place.position - placeOf(sample)) / sizeOf(sample),
+										sample};
 		}
 	}
 
@@ -340,29 +381,58 @@ private:
 		}
 	}
 
-	/// The two points at distance r from both samples, if the disks met leave them free.
+	/// The two points at the wanted distance from both samples, if the disks met leave them free.
 	void addIntersections(int s, int t, const std::vector<int>& near)
 	{
-		const Sample& a        = shared_.samples[s];
-		const Vec3f   between  = placeOf(t) - a.anchor.position;
-		const float   distance = length(between);
-		if (distance > widestPair * r_ || distance < closestPair * r_) return;
-		const Vec3f u      = normalized(tangential(between, a.normal));
-		const Vec3f w      = cross(a.normal, u);
-		const float cosine = distance / (2 * r_);
-		const float sine   = std::sqrt(1 - cosine * cosine);
-		for (float side : {-1.0f, 1.0f}) {
-			const Vec3f guess = a.anchor.position + (u * cosine + w * (side * sine)) * r_;
-			float       third = 0;
-			if (!isRoughlyFree(guess, s, t, near, third)) continue;
-			// Pairs nearer than the ideal leave room for a whole triangle; far ones would start a
-			// square lattice, which is just as saturated but not what is wanted.
-			Candidate c{a.anchor, third + pairWeight * std::abs(distance - r_) + smallChance()};
-			if (!walkToIntersection(a, placeOf(t), u, w, side, distance, c.anchor)) continue;
-			if (!isMine(c.anchor.face) || !isFree(c.anchor.position, s, t, near)) continue;
-			heap_.push_back(c);
-			std::push_heap(heap_.begin(), heap_.end(), fitsWorse);
+		const Sample& a       = shared_.samples[s];
+		const Vec3f   between = placeOf(t) - a.anchor.position;
+		Pair          pair{s, t, {}, {}, length(between)};
+		const float   wanted = r_ * (0.5f * (a.size + sizeOf(t)));
+		if (pair.distance > widestPair * wanted || pair.distance < closestPair * wanted) return;
+		pair.u = normalized(tangential(between, a.normal));
+		pair.w = cross(a.normal, pair.u);
+		for (float side : {-1.0f, 1.0f})
+			addIntersection(pair, side, std::abs(pair.distance - wanted), near);
+	}
+
+	void addIntersection(const Pair& pair, float side, float misfit, const std::vector<int>& near)
+	{
+		const Sample& a = shared_.samples[pair.a];
+		// As large as the mean of the two, until the place is known.
+		Apex        apex = apexOf(pair, 0.5f * (a.size + sizeOf(pair.b)));
+		const Vec3f guess =
+			a.anchor.position + (pair.u * apex.cosine + pair.w * (side * apex.sine)) * apex.length;
+		float third = 0;
+		if (!isRoughlyFree(guess, apex.size, pair, near, third)) return;
+		// Pairs nearer than the ideal leave room for a whole triangle; far ones would start a
+		// square lattice, which is just as saturated but not what is wanted. Both are compared over
+		// the local size, or dense places would always come first.
+		Candidate c{{}, (third + pairWeight * misfit) / apex.size + smallChance()};
+		if (!walkToIntersection(pair, side, apex, c.place.anchor)) return;
+		c.place.size = sizeAt(shared_.surface, c.place.anchor);
+		if (std::abs(c.place.size - apex.size) > 0.01f * apex.size) {
+			apex = apexOf(pair, c.place.size);
+			if (!walkToIntersection(pair, side, apex, c.place.anchor)) return;
+			c.place.size = sizeAt(shared_.surface, c.place.anchor);
 		}
+		if (!isMine(c.place.anchor.face) || !isFree(c.place, pair, near)) return;
+		heap_.push_back(c);
+		std::push_heap(heap_.begin(), heap_.end(), fitsWorse);
+	}
+
+	/// The triangle of a pair and a place of a given size next to it, by the law of cosines.
+	Apex apexOf(const Pair& pair, float size) const
+	{
+		Apex apex;
+		apex.size           = size;
+		apex.length         = r_ * (0.5f * (sizeOf(pair.a) + size));
+		apex.otherLength    = r_ * (0.5f * (sizeOf(pair.b) + size));
+		const float unequal = (apex.length - apex.otherLength) * (apex.length + apex.otherLength);
+		const float cosine =
+			pair.distance / (2 * apex.length) + unequal / (2 * pair.distance * apex.length);
+		apex.cosine = std::clamp(cosine, -1.0f, 1.0f);
+		apex.sine   = std::sqrt(1 - apex.cosine * apex.cosine);
+		return apex;
 	}
 
 	/// A hundredth of r at most: lets the seed decide between places that fit alike, of which there
@@ -373,48 +443,51 @@ private:
 		return 0.01f * r_ * float(random_ >> 8) * (1 / 16777216.0f);
 	}
 
-	/// Cheap test in the tangent plane, before walking; also finds the nearest third sample.
-	bool isRoughlyFree(const Vec3f& p, int s, int t, const std::vector<int>& near,
+	/// Cheap test in the tangent plane, before walking; also finds the nearest third sample, over
+	/// its wanted distance.
+	bool isRoughlyFree(const Vec3f& p, float size, const Pair& pair, const std::vector<int>& near,
 					   float& third) const
 	{
 		const float limit   = (nearLimit_ - 0.05f * r_) * (nearLimit_ - 0.05f * r_);
 		float       nearest = HUGE_VALF;
 		for (int other : near) {
-			if (other == s || other == t) continue;
-			nearest = std::min(nearest, squaredLength(p - placeOf(other)));
-			if (nearest < limit) return false;
+			if (other == pair.a || other == pair.b) continue;
+			const float relative = 2 * size / (size + sizeOf(other));
+			nearest = std::min(nearest, squaredLength(p - placeOf(other)) * (relative * relative));
+			if (nearest < limit * (size * size)) return false;
 		}
 		third = std::sqrt(nearest);
 		return true;
 	}
 
-	bool isFree(const Vec3f& p, int s, int t, const std::vector<int>& near) const
+	bool isFree(const Place& place, const Pair& pair, const std::vector<int>& near) const
 	{
-		const float limit = nearLimit_ * nearLimit_;
-		if (squaredLength(p - placeOf(t)) < limit) return false;
+		if (isTooNear(place.anchor.position, place.size, pair.b)) return false;
 		for (int other : near) {
-			if (other != s && other != t && squaredLength(p - placeOf(other)) < limit) return false;
+			if (other == pair.a || other == pair.b) continue;
+			if (isTooNear(place.anchor.position, place.size, other)) return false;
 		}
 		return true;
 	}
 
-	/// Walks r from a at the angle the plane suggests; if the surface's bend leaves the other
-	/// sample off by more than 1 %, once more at the angle of a secant step.
-	bool walkToIntersection(const Sample& a, const Vec3f& other, const Vec3f& u, const Vec3f& w,
-							float side, float distance, Anchor& place) const
+	/// Walks from a at the angle the plane suggests; if the surface's bend leaves the other sample
+	/// off by more than 1 %, once more at the angle of a secant step.
+	bool walkToIntersection(const Pair& pair, float side, const Apex& apex, Anchor& place) const
 	{
-		const float cosine = distance / (2 * r_);
-		const float sine   = std::sqrt(1 - cosine * cosine);
-		if (!walkFrom(a, (u * cosine + w * (side * sine)) * r_, place)) return false;
-		const float error = length(place.position - other) - r_;
-		if (std::abs(error) <= 0.01f * r_) return true;
-		const float turn = std::clamp(-error / (distance * sine + 1e-20f), -0.3f, 0.3f);
+		const Sample& a      = shared_.samples[pair.a];
+		const float   cosine = apex.cosine, sine = apex.sine;
+		if (!walkFrom(a, (pair.u * cosine + pair.w * (side * sine)) * apex.length, place))
+			return false;
+		const float error = length(place.position - placeOf(pair.b)) - apex.otherLength;
+		if (std::abs(error) <= 0.01f * apex.otherLength) return true;
+		const float lever = pair.distance * sine * (apex.length / apex.otherLength);
+		const float turn  = std::clamp(-error / (lever + 1e-20f), -0.3f, 0.3f);
 		// The angle turned by a small one, without trigonometric functions of libm, whose last bits
 		// differ between systems.
 		const float ct = 1 - 0.5f * turn * turn + turn * turn * turn * turn * (1 / 24.0f);
 		const float st = turn - turn * turn * turn * (1 / 6.0f);
 		const float c2 = cosine * ct - sine * st, s2 = sine * ct + cosine * st;
-		return walkFrom(a, (u * c2 + w * (side * s2)) * r_, place);
+		return walkFrom(a, (pair.u * c2 + pair.w * (side * s2)) * apex.length, place);
 	}
 
 	bool walkFrom(const Sample& a, const Vec3f& step, Anchor& place) const
@@ -426,8 +499,14 @@ private:
 
 /// How many samples a face can hold at most: disks of radius (1-ε) r/2 do not overlap, so a sample
 /// takes at least 0.78 r² of a flat surface; a needle has no area, but no more samples than length.
-double roomOf(const HalfEdgeMesh& m, int f, float r)
+double roomOf(const Surface& surface, int f, float radius)
 {
+	const HalfEdgeMesh& m      = surface.mesh;
+	const int*          v      = &m.origin[3 * f];
+	const bool          graded = !surface.size.empty();
+	const float         size =
+        graded ? std::min({surface.size[v[0]], surface.size[v[1]], surface.size[v[2]]}) : 1.0f;
+	const float  r       = radius * size;
 	const double area    = 0.5 * double(length(m.faceCross(f)));
 	double       longest = 0;
 	for (int h = 3 * f; h < 3 * f + 3; ++h)
@@ -459,7 +538,7 @@ std::vector<BlockRange> makeRanges(const Surface& surface, const BlockPartition&
 		double    room = spareRoom;
 		const int end  = firstFaceFrom(partition.blocks[b].end);
 		for (int f = firstFaceFrom(partition.blocks[b].begin); f < end; ++f)
-			room += roomOf(m, f, radius);
+			room += roomOf(surface, f, radius);
 		ranges[b].room = int(std::min(room, 1e9));
 	});
 	std::int64_t next = firstSample;
@@ -546,7 +625,7 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 	std::vector<BlockSampler> samplers(workers.threadNum(), BlockSampler(shared));
 	for (int s = 0; s < result.boundarySampleNum; ++s) {
 		const Anchor& a   = boundary.samples[s].anchor;
-		shared.samples[s] = {a, m.faceNormal(a.face)};
+		shared.samples[s] = {a, m.faceNormal(a.face), sizeAt(surface, a)};
 	}
 	samplers[0].floodGiven(0, result.boundarySampleNum);
 	int floodNumber = samplers[0].floodNumber();

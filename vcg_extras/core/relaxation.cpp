@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "relaxation.h"
 
+#include "sizing.h"
 #include "walk.h"
 
 namespace gpr {
@@ -33,15 +34,34 @@ bool isFlat(const HalfEdgeMesh& m, int v)
 	return flat;
 }
 
-/// From v to the area-weighted barycentre of its ring, in the tangent plane.
-Vec3f stepToBarycentre(const HalfEdgeMesh& m, int v, const Vec3f& normal)
+/// Weight of area where the triangles are to be of this size. Lloyd's theory asks for the fourth
+/// power of 1/size for the density of the area; for barycentres of rings, whose faces are small
+/// already where they are to be small, the third power keeps the grading (docs/algorithm.md).
+float densityOfSize(float size)
+{
+	return 1 / (size * size * size);
+}
+
+/// Per vertex of the result; empty where the triangles are to be of one size.
+Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	Buffer<float> density = sizesOf(surface, result, workers);
+	for (float& d : density)
+		d = densityOfSize(d);
+	return density;
+}
+
+/// From v to the barycentre of its ring, weighted by area and density, in the tangent plane.
+Vec3f stepToBarycentre(const HalfEdgeMesh& m, int v, const Vec3f& normal,
+					   const Buffer<float>& density)
 {
 	const Vec3f p = m.position[v];
 	Vec3f       sum;
 	float       weight = 0;
 	forEachOutgoing(m, v, [&](int h) {
 		const Vec3f a = m.position[m.target(h)] - p, b = m.position[m.apex(h)] - p;
-		const float area = length(cross(a, b));
+		float       area = length(cross(a, b));
+		if (!density.empty()) area *= density[v] + density[m.target(h)] + density[m.apex(h)];
 		sum += (a + b) * (area / 3);
 		weight += area;
 	});
@@ -137,13 +157,15 @@ Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers)
 
 void relaxOnce(const Surface& surface, ResultMesh& result, Workers& workers)
 {
-	HalfEdgeMesh&      m    = result.mesh;
-	const Buffer<char> flat = findFlatVertices(result, workers);
-	Buffer<Vec3f>      step(m.vertexNum);
+	HalfEdgeMesh&       m       = result.mesh;
+	const Buffer<char>  flat    = findFlatVertices(result, workers);
+	const Buffer<float> density = findDensities(surface, result, workers);
+	Buffer<Vec3f>       step(m.vertexNum);
 	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t v = begin; v < end; ++v) {
 			const bool moves = flat[v] && !m.isBorderVertex(int(v));
-			step[v] = moves ? stepToBarycentre(m, int(v), result.vertex[v].normal) : Vec3f();
+			step[v] =
+				moves ? stepToBarycentre(m, int(v), result.vertex[v].normal, density) : Vec3f();
 		}
 	});
 	MoveGuard    guard(result, workers);

@@ -16,8 +16,10 @@
 #include "measure.h"
 #include "relaxation.h"
 #include "repair_manifold.h"
+#include "sizing.h"
 #include "spatial_order.h"
 #include "split_long_edges.h"
+#include "surface_point.h"
 #include "vertex_removal.h"
 #include "worst_triangles.h"
 
@@ -97,9 +99,11 @@ private:
 /// The input made ready, and what was learnt on the way.
 struct Prepared {
 	Surface      surface;
-	double       area      = 0; ///< working units squared
-	std::int64_t targetNum = 0;
-	float        radius    = 0; ///< working units
+	double       area         = 0; ///< working units squared
+	std::int64_t targetNum    = 0;
+	float        radius       = 0; ///< of the largest disks, working units
+	double       radiusFactor = 1; ///< that over the radius of eq. (1): see Sizing
+	Buffer<char> isFeatureVertex;  ///< of the region to be preserved; empty: none
 };
 
 /// Vertices of about-equilateral triangles of this edge length that cover the area.
@@ -173,7 +177,7 @@ public:
 		clock_.enter("export", "Handing out the samples", 1);
 		for (const Sample& s : sampling.samples) {
 			out.points.push_back(p.surface.frame.toCaller(s.anchor.position));
-			out.anchors.push_back(surfacePoint(p.surface, s.anchor));
+			out.anchors.push_back(surfacePoint(input_, p.surface, s.anchor));
 		}
 		out.diskRadius = report_.diskRadius;
 	}
@@ -215,18 +219,72 @@ private:
 		p.area           = surfaceArea(mesh, workers_);
 		if (!(p.area > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
 		p.surface.frame        = mesh.frame;
-		report_.radiusConstant = intersectionRadiusConstant;
+		report_.radiusConstant = radiusConstant();
 		setTarget(p, fixedTarget > 0 ? fixedTarget
 									 : resolveTarget(input_, options_, p.area, mesh.frame.scale));
 
 		clock_.enter("splitLongEdges", "Splitting long edges", 0.06);
-		const std::int64_t mostFaces =
-			std::max<std::int64_t>(std::int64_t(4) * mesh.faceNum, 200 * p.targetNum + 10000000);
 		report_.cleaned.longEdgesSplit = splitLongEdges(
-			mesh, longestEdge * p.radius, std::min<std::int64_t>(mostFaces, 700000000), workers_);
+			mesh, longestEdge * p.radius, mostFacesFor(p.targetNum, mesh.faceNum), workers_);
 		connectOrRepair(mesh, p.surface);
+		setSizes(p);
 		describeInput(p);
 		return p;
+	}
+
+	static std::int64_t mostFacesFor(std::int64_t targetNum, std::int64_t faceNum)
+	{
+		const std::int64_t most = std::max<std::int64_t>(4 * faceNum, 200 * targetNum + 10000000);
+		return std::min<std::int64_t>(most, 700000000);
+	}
+
+	/// Gives the surface its sizes, and the largest disks the radius that goes with them. Where
+	/// small sizes meet edges that are too long for them, those are split and the sizes found anew.
+	void setSizes(Prepared& p)
+	{
+		constexpr int mostRefinements = 4;
+		for (int pass = 0; pass <= mostRefinements; ++pass) {
+			Sizing sizing = findSizes(p);
+			if (sizing.size.empty()) return;
+			p.surface.size              = std::move(sizing.size);
+			p.radiusFactor              = sizing.radiusFactor;
+			report_.curvatureClampedNum = sizing.clampedNum;
+			setTarget(p, p.targetNum);
+			const float longest = longestEdge * p.radius;
+			if (pass == mostRefinements || edgesFitSizes(p.surface, longest, workers_)) return;
+			refine(p, longest);
+		}
+	}
+
+	Sizing findSizes(Prepared& p)
+	{
+		clock_.enter("sizing", "Finding the density", 0.23);
+		findFeatureRegion(p);
+		const float uniform = float(diskRadius(p.area, double(p.targetNum), radiusConstant()));
+		return makeSizing({input_, options_, uniform, p.isFeatureVertex}, p.surface, workers_);
+	}
+
+	void refine(Prepared& p, float longest)
+	{
+		IndexedMesh mesh;
+		mesh.frame         = p.surface.frame;
+		mesh.vertexNum     = p.surface.mesh.vertexNum;
+		mesh.faceNum       = p.surface.mesh.faceNum;
+		mesh.position      = std::move(p.surface.mesh.position);
+		mesh.triangle      = std::move(p.surface.mesh.origin);
+		mesh.sourceFace    = std::move(p.surface.sourceFace);
+		Buffer<float> size = std::move(p.surface.size);
+		p.surface          = Surface();
+		p.surface.frame    = mesh.frame;
+		report_.cleaned.longEdgesSplit +=
+			splitLongEdges(mesh, longest, size, mostFacesFor(p.targetNum, mesh.faceNum), workers_);
+		connectOrRepair(mesh, p.surface);
+	}
+
+	void findFeatureRegion(Prepared& p)
+	{
+		if (options_.featureRegion == FeatureRegion::Selection)
+			p.isFeatureVertex = selectedVertices(input_, p.surface, workers_);
 	}
 
 	void connectOrRepair(IndexedMesh& mesh, Surface& surface)
@@ -282,7 +340,7 @@ private:
 		ResultMesh     result = sampleAndRetriangulate(p, boundary);
 		if (options_.exactCount) {
 			clock_.enter("count", "Reaching the count", 0.87);
-			collapseShortEdges(result, workers_);
+			collapseShortEdges(p.surface, result, workers_);
 			reachExactCount(p.surface, boundary, p.targetNum, result, workers_);
 		}
 		relax(p, boundary, result);
@@ -374,15 +432,18 @@ private:
 		return prepare(targetNum);
 	}
 
+	double radiusConstant() const { return intersectionRadiusConstant; }
+
+	/// Of the largest triangles.
 	static float idealEdge(const Prepared& p)
 	{
-		return float(diskRadius(p.area, double(p.targetNum), 1));
+		return float(p.radiusFactor * diskRadius(p.area, double(p.targetNum), 1));
 	}
 
 	void setTarget(Prepared& p, std::int64_t targetNum)
 	{
 		p.targetNum = targetNum;
-		p.radius    = float(diskRadius(p.area, double(targetNum), intersectionRadiusConstant));
+		p.radius = float(p.radiusFactor * diskRadius(p.area, double(targetNum), radiusConstant()));
 		report_.targetVertexNum = targetNum;
 		report_.diskRadius      = double(p.radius) / p.surface.frame.scale;
 	}
@@ -458,33 +519,9 @@ private:
 		workers_.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
 			for (std::size_t v = begin; v < end; ++v) {
 				out.mesh.positions[v] = surface.frame.toCaller(m.position[v]);
-				out.anchors[v]        = surfacePoint(surface, result.vertex[v].anchor);
+				out.anchors[v]        = surfacePoint(input_, surface, result.vertex[v].anchor);
 			}
 		});
-	}
-
-	/// Weights of the anchor in the caller's own face.
-	SurfacePoint surfacePoint(const Surface& surface, const Anchor& anchor) const
-	{
-		SurfacePoint        s;
-		const Vec3d         p = surface.frame.toCaller(anchor.position);
-		const std::int32_t* t = input_.triangles;
-		s.face                = surface.sourceFace[anchor.face];
-		const Vec3d  a = input_.position(t[3 * s.face]), b = input_.position(t[3 * s.face + 1]);
-		const Vec3d  c       = input_.position(t[3 * s.face + 2]);
-		const Vec3d  n       = cross(b - a, c - a);
-		const double squared = squaredLength(n);
-		double       wb = 0, wc = 0;
-		if (squared > 0) {
-			wb = dot(cross(p - a, c - a), n) / squared;
-			wc = dot(cross(b - a, p - a), n) / squared;
-		}
-		wb          = std::min(1.0, std::max(0.0, wb));
-		wc          = std::min(1.0 - wb, std::max(0.0, wc));
-		s.weight[0] = float(1 - wb - wc);
-		s.weight[1] = float(wb);
-		s.weight[2] = float(wc);
-		return s;
 	}
 };
 

@@ -88,17 +88,18 @@ struct RemeshReport {
 	std::vector<StageTime> stages;
 	double                 remeshSeconds = 0; ///< wall time from mesh in memory to result in memory
 
-	std::uint32_t            seed              = 0;
-	int                      threads           = 0;
-	std::int64_t             targetVertexNum   = 0; ///< after percent or edge length were resolved
-	double                   diskRadius        = 0; ///< r, mesh units
-	double                   radiusConstant    = 0; ///< c of eq. (1)
-	std::int64_t             sampleNum         = 0; ///< what the front sampling placed
-	std::int64_t             boundarySampleNum = 0;
-	std::int64_t             leftoverVertexNum = 0; ///< input vertices that removal had to keep
-	std::int64_t             splitNum          = 0; ///< of the exact count
-	std::int64_t             collapseNum       = 0;
-	std::int64_t             flipNum           = 0;
+	std::uint32_t            seed            = 0;
+	int                      threads         = 0;
+	std::int64_t             targetVertexNum = 0; ///< after percent or edge length were resolved
+	double                   diskRadius      = 0; ///< r, mesh units
+	double                   radiusConstant  = 0; ///< c of eq. (1)
+	std::int64_t             curvatureClampedNum = 0; ///< vertices where 1 + λH fell below 0.1
+	std::int64_t             sampleNum           = 0; ///< what the front sampling placed
+	std::int64_t             boundarySampleNum   = 0;
+	std::int64_t             leftoverVertexNum   = 0; ///< input vertices that removal had to keep
+	std::int64_t             splitNum            = 0; ///< of the exact count
+	std::int64_t             collapseNum         = 0;
+	std::int64_t             flipNum             = 0;
 	std::int64_t             samplesMoved = 0; ///< retriangulate: samples that were off the surface
 	double                   largestSampleMove = 0; ///< mesh units
 	std::vector<std::string> capsReached; ///< loops that ended by their bound, one phrase each

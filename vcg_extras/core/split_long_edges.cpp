@@ -4,6 +4,7 @@
 
 #include "failure.h"
 
+#include <algorithm>
 #include <unordered_map>
 #include <vector>
 
@@ -20,8 +21,9 @@ struct Face {
 /// needed.
 class Splitter {
 public:
-	Splitter(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces) :
-			mesh_(mesh), maxSquared_(maxLength * maxLength), maxFaces_(maxFaces),
+	/// size: empty, or one of each vertex.
+	Splitter(IndexedMesh& mesh, float maxLength, const Buffer<float>& size, std::int64_t maxFaces) :
+			mesh_(mesh), maxSquared_(maxLength * maxLength), size_(size), maxFaces_(maxFaces),
 			faceNum_(mesh.faceNum)
 	{
 	}
@@ -35,7 +37,10 @@ public:
 
 	bool isLong(int a, int b) const
 	{
-		return squaredLength(position(a) - position(b)) > maxSquared_;
+		const float squared = squaredLength(position(a) - position(b));
+		if (size_.empty()) return squared > maxSquared_;
+		const float size = std::min(sizeOf(a), sizeOf(b));
+		return squared > maxSquared_ * size * size;
 	}
 
 	void run(Workers& workers)
@@ -59,16 +64,23 @@ public:
 private:
 	IndexedMesh&                           mesh_;
 	float                                  maxSquared_;
+	const Buffer<float>&                   size_;
 	std::int64_t                           maxFaces_;
 	std::int64_t                           faceNum_;
 	std::vector<Face>                      todo_;
 	std::vector<Face>                      finished_;
 	std::vector<Vec3f>                     added_;
+	std::vector<float>                     addedSize_;
 	std::unordered_map<std::uint64_t, int> midpoint_; ///< of the edges split in this round
 
 	Vec3f position(int v) const
 	{
 		return v < mesh_.vertexNum ? mesh_.position[v] : added_[v - mesh_.vertexNum];
+	}
+
+	float sizeOf(int v) const
+	{
+		return v < mesh_.vertexNum ? size_[v] : addedSize_[v - mesh_.vertexNum];
 	}
 
 	int midpointOf(int a, int b)
@@ -78,6 +90,7 @@ private:
 		if (found.second) {
 			found.first->second = mesh_.vertexNum + int(added_.size());
 			added_.push_back((position(a) + position(b)) * 0.5f);
+			if (!size_.empty()) addedSize_.push_back(0.5f * (sizeOf(a) + sizeOf(b)));
 		}
 		return found.first->second;
 	}
@@ -191,7 +204,13 @@ void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Split
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
 							Workers& workers)
 {
-	Splitter               splitter(mesh, maxLength, maxFaces);
+	return splitLongEdges(mesh, maxLength, Buffer<float>(), maxFaces, workers);
+}
+
+std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, const Buffer<float>& size,
+							std::int64_t maxFaces, Workers& workers)
+{
+	Splitter               splitter(mesh, maxLength, size, maxFaces);
 	const std::vector<int> longFaces = findLongFaces(mesh, splitter, workers);
 	if (longFaces.empty()) return 0;
 	for (int f : longFaces)

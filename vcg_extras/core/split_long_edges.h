@@ -19,6 +19,12 @@ namespace gpr {
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
 							Workers& workers);
 
+/// The same where edges may be the shorter the smaller the triangles are to be: at most maxLength
+/// times the lesser size of their ends; size[v] in (0, 1] for each of the mesh's vertices, new ones
+/// take the mean of the two ends.
+std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, const Buffer<float>& size,
+							std::int64_t maxFaces, Workers& workers);
+
 } // namespace gpr
 
 #endif

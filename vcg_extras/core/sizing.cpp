@@ -1,0 +1,384 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sizing.h"
+
+#include "failure.h"
+#include "surface_point.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// How much sizes may grow by distance, both in units of the largest radius: sizes that change
+/// faster cost angles.
+constexpr float gradingSlope = 0.15f;
+/// The grading passes end by themselves long before; its ramps are a few radii long.
+constexpr int mostGradingPasses = 10000;
+/// Least 1 + λH of the equations as printed.
+constexpr float leastPrintedStretch = 0.1f;
+/// More ring passes than this would take longer than the remeshing.
+constexpr int mostCurvaturePasses = 200;
+
+/// Mean curvature summed over faces, and their area: both are averaged alike, so that the quotient
+/// is an area mean.
+struct CurvatureSum {
+	float curvature = 0;
+	float area      = 0;
+};
+
+Buffer<Vec3f> vertexNormals(const HalfEdgeMesh& m, Workers& workers)
+{
+	Buffer<Vec3f> normal(m.vertexNum);
+	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			Vec3f sum;
+			forEachOutgoing(m, int(v), [&](int h) { sum += m.faceCross(h / 3); });
+			normal[v] = normalized(sum);
+		}
+	});
+	return normal;
+}
+
+/// Mean curvature integrated over a face: half the sum over its corners of the normal there times
+/// the integral of its hat function's gradient, half the opposite edge turned inwards.
+float integratedCurvature(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int f)
+{
+	const Vec3f faceNormal = m.faceNormal(f);
+	float       sum        = 0;
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		const Vec3f opposite = m.position[m.apex(h)] - m.position[m.target(h)];
+		sum += dot(normal[m.origin[h]], cross(faceNormal, opposite));
+	}
+	return 0.25f * sum;
+}
+
+/// Curvature and area of the ring of every vertex.
+Buffer<CurvatureSum> curvatureOfRings(const HalfEdgeMesh& m, Workers& workers)
+{
+	const Buffer<Vec3f> normal = vertexNormals(m, workers);
+	Buffer<CurvatureSum>     ring(m.vertexNum);
+	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			CurvatureSum d;
+			forEachOutgoing(m, int(v), [&](int h) {
+				d.curvature += integratedCurvature(m, normal, h / 3);
+				d.area += 0.5f * length(m.faceCross(h / 3));
+			});
+			ring[v] = d;
+		}
+	});
+	return ring;
+}
+
+/// Every vertex takes the mean of itself and its neighbours.
+void averageOverRings(const HalfEdgeMesh& m, Workers& workers, Buffer<CurvatureSum>& value)
+{
+	Buffer<CurvatureSum> mean(value.size());
+	workers.forRange(value.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			CurvatureSum sum = value[v];
+			int     n   = 1;
+			forEachNeighbour(m, int(v), [&](int w) {
+				sum.curvature += value[w].curvature;
+				sum.area += value[w].area;
+				++n;
+			});
+			mean[v] = {sum.curvature / float(n), sum.area / float(n)};
+		}
+	});
+	value.swap(mean);
+}
+
+double surfaceAreaOf(const HalfEdgeMesh& m, Workers& workers)
+{
+	return workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		double area = 0;
+		for (std::size_t f = begin; f < end; ++f)
+			area += 0.5 * double(length(m.faceCross(int(f))));
+		return area;
+	});
+}
+
+/// Passes of ring averages that reach over a disk: the spread of n passes is that of a random walk
+/// of n steps an edge long, of which half the radius covers most of a disk.
+int passesForRadius(const Surface& surface, float radius, Workers& workers)
+{
+	const double area  = surfaceAreaOf(surface.mesh, workers);
+	const double edge2 = area / std::max(1, surface.mesh.faceNum) * (4 / std::sqrt(3.0));
+	const double steps = 0.25 * double(radius) * radius / std::max(edge2, 1e-30);
+	return std::clamp(int(std::lround(steps)), 0, mostCurvaturePasses);
+}
+
+/// The caller's quality at every vertex of the surface.
+Buffer<float> qualityAtVertices(const SizingRequest& request, const Surface& surface,
+								Workers& workers)
+{
+	const float* quality = request.input.quality;
+	if (quality == nullptr) {
+		throw Failure(Status::BadOptions,
+					  "The density is to come from the vertex quality, but the mesh has none.");
+	}
+	Buffer<float> value(surface.mesh.vertexNum);
+	workers.forRange(value.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			value[v] = 0;
+			if (surface.mesh.outgoing[v] < 0) continue;
+			const SurfacePoint at =
+				surfacePoint(request.input, surface, anchorOfVertex(surface, int(v)));
+			for (int k = 0; k < 3; ++k)
+				value[v] += at.weight[k] * quality[request.input.triangles[3 * at.face + k]];
+		}
+	});
+	for (float q : value) {
+		if (!std::isfinite(q)) {
+			throw Failure(Status::BadOptions, "The vertex quality holds values that are not finite.");
+		}
+	}
+	return value;
+}
+
+/// What λ is multiplied with: |H|·r or the quality where calibrated; signed H in 1/mesh unit, or
+/// the quality, as printed.
+Buffer<float> strengthAtVertices(const SizingRequest& request, const Surface& surface,
+								 Workers& workers)
+{
+	const bool printed = request.options.equations == Equations::AsPrinted;
+	if (request.options.sizing == SizingSource::Quality) {
+		Buffer<float> quality = qualityAtVertices(request, surface, workers);
+		for (float& q : quality)
+			q = std::abs(q);
+		return quality;
+	}
+	const int     passes   = printed ? 0 : passesForRadius(surface, request.radius, workers);
+	Buffer<float> strength = meanCurvature(surface, passes, workers);
+	const float   scale    = float(surface.frame.scale);
+	for (float& h : strength)
+		h = printed ? h * scale : std::abs(h) * request.radius;
+	return strength;
+}
+
+/// Lowers sizes until none grows faster than the slope along any edge. Each pass reads the last
+/// one's values, so that it does not matter which thread does what.
+void grade(const Surface& surface, float radius, Workers& workers, Buffer<float>& size)
+{
+	const HalfEdgeMesh& m        = surface.mesh;
+	const float         perUnit  = gradingSlope / radius;
+	Buffer<float>       lowered(size.size());
+	for (int pass = 0; pass < mostGradingPasses; ++pass) {
+		const int changed = workers.sum<int>(size.size(), [&](std::size_t begin, std::size_t end) {
+			int n = 0;
+			for (std::size_t v = begin; v < end; ++v) {
+				float least = size[v];
+				forEachNeighbour(m, int(v), [&](int w) {
+					const float distance = length(m.position[w] - m.position[v]);
+					least                = std::min(least, size[w] + perUnit * distance);
+				});
+				// Ever smaller changes far from their cause are not worth a pass.
+				const bool lower = least < size[v] * 0.999f;
+				lowered[v]       = lower ? least : size[v];
+				n += lower;
+			}
+			return n;
+		});
+		size.swap(lowered);
+		if (changed == 0) return;
+	}
+}
+
+/// Area mean of 1/size².
+double meanSquaredStretch(const HalfEdgeMesh& m, const Buffer<float>& size, Workers& workers)
+{
+	struct Sums {
+		double weighted = 0, area = 0;
+		Sums&  operator+=(const Sums& o)
+		{
+			weighted += o.weighted;
+			area += o.area;
+			return *this;
+		}
+	};
+	const Sums sums = workers.sum<Sums>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		Sums s;
+		for (std::size_t f = begin; f < end; ++f) {
+			const double area = 0.5 * double(length(m.faceCross(int(f))));
+			double       inverse = 0;
+			for (int k = 0; k < 3; ++k) {
+				const double here = size[m.origin[3 * f + k]];
+				inverse += 1 / (3 * here * here);
+			}
+			s.weighted += area * inverse;
+			s.area += area;
+		}
+		return s;
+	});
+	return sums.area > 0 ? sums.weighted / sums.area : 1;
+}
+
+/// Sizes over the largest one, which may be above or below 1; returns it.
+float normalise(Buffer<float>& size)
+{
+	float largest = 0;
+	for (float s : size)
+		largest = std::max(largest, s);
+	for (float& s : size)
+		s /= largest;
+	return largest;
+}
+
+void shrinkFeatures(const SizingRequest& request, Buffer<float>& size)
+{
+	if (request.isFeatureVertex.empty()) return;
+	for (std::size_t v = 0; v < size.size(); ++v) {
+		if (request.isFeatureVertex[v]) size[v] *= float(request.options.featureDiskScale);
+	}
+}
+
+bool wantsSmallerDisks(const SizingRequest& request)
+{
+	return !request.isFeatureVertex.empty() &&
+		   request.options.featureSampling == FeatureSampling::Disks &&
+		   request.options.featureDiskScale < 1;
+}
+
+Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Workers& workers)
+{
+	Sizing      sizing;
+	const float lambda   = float(request.options.lambda);
+	const float smallest = float(1 / request.options.largestStretch);
+	sizing.size.reset(surface.mesh.vertexNum);
+	sizing.size.fill(1);
+	if (lambda > 0) {
+		const Buffer<float> strength = strengthAtVertices(request, surface, workers);
+		for (std::size_t v = 0; v < strength.size(); ++v)
+			sizing.size[v] = std::max(smallest, 1 / (1 + lambda * strength[v]));
+	}
+	if (wantsSmallerDisks(request)) shrinkFeatures(request, sizing.size);
+	// How steep a ramp is depends on the radius, and that on the sizes: the sizes before grading
+	// give it well enough.
+	const double before = meanSquaredStretch(surface.mesh, sizing.size, workers);
+	grade(surface, request.radius * float(std::sqrt(before)), workers, sizing.size);
+	const float largest = normalise(sizing.size);
+	if (!(largest > 0)) throw Failure(Status::InternalError, "The density has no largest size.");
+	sizing.radiusFactor = std::sqrt(meanSquaredStretch(surface.mesh, sizing.size, workers));
+	return sizing;
+}
+
+Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers& workers)
+{
+	Sizing      sizing;
+	const float lambda = float(request.options.lambda);
+	sizing.size.reset(surface.mesh.vertexNum);
+	sizing.size.fill(1);
+	double meanStretch = 1;
+	if (lambda > 0) {
+		const Buffer<float> strength = strengthAtVertices(request, surface, workers);
+		double              sum      = 0;
+		for (std::size_t v = 0; v < strength.size(); ++v) {
+			const float stretch = 1 + lambda * strength[v];
+			sum += double(lambda) * strength[v];
+			sizing.clampedNum += stretch < leastPrintedStretch;
+			sizing.size[v] = 1 / std::max(stretch, leastPrintedStretch);
+		}
+		// A surface that is hollow on the whole must not get a radius of nothing.
+		meanStretch = std::max(double(leastPrintedStretch), 1 + sum / double(strength.size()));
+	}
+	if (wantsSmallerDisks(request)) shrinkFeatures(request, sizing.size);
+	sizing.radiusFactor = meanStretch * double(normalise(sizing.size));
+	return sizing;
+}
+
+} // namespace
+
+Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& workers)
+{
+	Buffer<CurvatureSum> ring = curvatureOfRings(surface.mesh, workers);
+	for (int pass = 0; pass < ringPasses; ++pass)
+		averageOverRings(surface.mesh, workers, ring);
+	Buffer<float> h(ring.size());
+	for (std::size_t v = 0; v < ring.size(); ++v)
+		h[v] = ring[v].area > 0 ? ring[v].curvature / ring[v].area : 0.0f;
+	return h;
+}
+
+Buffer<char> selectedVertices(const MeshView& input, const Surface& surface, Workers& workers)
+{
+	constexpr float    weightThatCounts = 1e-4f; // rounding puts less on the corners beside
+	Buffer<char>       isSelected(surface.mesh.vertexNum);
+	const std::int64_t n = workers.sum<std::int64_t>(
+		input.selected == nullptr ? 0 : isSelected.size(), [&](std::size_t begin, std::size_t end) {
+			std::int64_t found = 0;
+			for (std::size_t v = begin; v < end; ++v) {
+				isSelected[v] = surface.mesh.outgoing[v] >= 0;
+				if (!isSelected[v]) continue;
+				const SurfacePoint at =
+					surfacePoint(input, surface, anchorOfVertex(surface, int(v)));
+				for (int k = 0; k < 3; ++k) {
+					if (at.weight[k] > weightThatCounts)
+						isSelected[v] &= input.selected[input.triangles[3 * at.face + k]] != 0;
+				}
+				found += isSelected[v];
+			}
+			return found;
+		});
+	if (n == 0) {
+		throw Failure(Status::BadOptions,
+					  "The selection is to be preserved, but no vertex is selected.");
+	}
+	return isSelected;
+}
+
+Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers)
+{
+	if (!(request.options.lambda > 0) && !wantsSmallerDisks(request)) return Sizing();
+	return request.options.equations == Equations::AsPrinted
+			   ? makePrinted(request, surface, workers)
+			   : makeCalibrated(request, surface, workers);
+}
+
+float interpolatedSize(const Surface& surface, const Anchor& at)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	const int           i = m.origin[3 * at.face], j = m.origin[3 * at.face + 1];
+	const int           k       = m.origin[3 * at.face + 2];
+	const Vec3f         a       = m.position[i];
+	const Vec3f         n       = m.faceCross(at.face);
+	const float         squared = squaredLength(n);
+	if (!(squared > 0)) return std::min({surface.size[i], surface.size[j], surface.size[k]});
+	const float wj = dot(cross(at.position - a, m.position[k] - a), n) / squared;
+	const float wk = dot(cross(m.position[j] - a, at.position - a), n) / squared;
+	const float b  = std::clamp(wj, 0.0f, 1.0f);
+	const float c  = std::clamp(wk, 0.0f, 1.0f - b);
+	return surface.size[i] * (1 - b - c) + surface.size[j] * b + surface.size[k] * c;
+}
+
+Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	if (surface.size.empty()) return Buffer<float>();
+	Buffer<float> size(result.vertex.size());
+	workers.forRange(size.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			size[v] = interpolatedSize(surface, result.vertex[v].anchor);
+	});
+	return size;
+}
+
+bool edgesFitSizes(const Surface& surface, float longest, Workers& workers)
+{
+	const HalfEdgeMesh& m       = surface.mesh;
+	const int           tooLong = workers.sum<int>(m.halfEdgeNum(), [&](std::size_t begin,
+																		std::size_t end) {
+        int n = 0;
+        for (std::size_t h = begin; h < end; ++h) {
+            const int   a = m.origin[h], b = m.target(int(h));
+            const float limit = longest * std::min(surface.size[a], surface.size[b]);
+            n += squaredLength(m.position[a] - m.position[b]) > limit * limit;
+        }
+        return n;
+    });
+	return tooLong == 0;
+}
+
+} // namespace gpr
