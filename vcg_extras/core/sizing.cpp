@@ -58,8 +58,8 @@ float integratedCurvature(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, in
 /// Curvature and area of the ring of every vertex.
 Buffer<CurvatureSum> curvatureOfRings(const HalfEdgeMesh& m, Workers& workers)
 {
-	const Buffer<Vec3f> normal = vertexNormals(m, workers);
-	Buffer<CurvatureSum>     ring(m.vertexNum);
+	const Buffer<Vec3f>  normal = vertexNormals(m, workers);
+	Buffer<CurvatureSum> ring(m.vertexNum);
 	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t v = begin; v < end; ++v) {
 			CurvatureSum d;
@@ -80,7 +80,7 @@ void averageOverRings(const HalfEdgeMesh& m, Workers& workers, Buffer<CurvatureS
 	workers.forRange(value.size(), [&](std::size_t begin, std::size_t end) {
 		for (std::size_t v = begin; v < end; ++v) {
 			CurvatureSum sum = value[v];
-			int     n   = 1;
+			int          n   = 1;
 			forEachNeighbour(m, int(v), [&](int w) {
 				sum.curvature += value[w].curvature;
 				sum.area += value[w].area;
@@ -134,7 +134,8 @@ Buffer<float> qualityAtVertices(const SizingRequest& request, const Surface& sur
 	});
 	for (float q : value) {
 		if (!std::isfinite(q)) {
-			throw Failure(Status::BadOptions, "The vertex quality holds values that are not finite.");
+			throw Failure(Status::BadOptions,
+						  "The vertex quality holds values that are not finite.");
 		}
 	}
 	return value;
@@ -164,8 +165,8 @@ Buffer<float> strengthAtVertices(const SizingRequest& request, const Surface& su
 /// one's values, so that it does not matter which thread does what.
 void grade(const Surface& surface, float radius, Workers& workers, Buffer<float>& size)
 {
-	const HalfEdgeMesh& m        = surface.mesh;
-	const float         perUnit  = gradingSlope / radius;
+	const HalfEdgeMesh& m       = surface.mesh;
+	const float         perUnit = gradingSlope / radius;
 	Buffer<float>       lowered(size.size());
 	for (int pass = 0; pass < mostGradingPasses; ++pass) {
 		const int changed = workers.sum<int>(size.size(), [&](std::size_t begin, std::size_t end) {
@@ -203,7 +204,7 @@ double meanSquaredStretch(const HalfEdgeMesh& m, const Buffer<float>& size, Work
 	const Sums sums = workers.sum<Sums>(m.faceNum, [&](std::size_t begin, std::size_t end) {
 		Sums s;
 		for (std::size_t f = begin; f < end; ++f) {
-			const double area = 0.5 * double(length(m.faceCross(int(f))));
+			const double area    = 0.5 * double(length(m.faceCross(int(f))));
 			double       inverse = 0;
 			for (int k = 0; k < 3; ++k) {
 				const double here = size[m.origin[3 * f + k]];
@@ -367,17 +368,16 @@ Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers&
 
 bool edgesFitSizes(const Surface& surface, float longest, Workers& workers)
 {
-	const HalfEdgeMesh& m       = surface.mesh;
-	const int           tooLong = workers.sum<int>(m.halfEdgeNum(), [&](std::size_t begin,
-																		std::size_t end) {
-        int n = 0;
-        for (std::size_t h = begin; h < end; ++h) {
-            const int   a = m.origin[h], b = m.target(int(h));
-            const float limit = longest * std::min(surface.size[a], surface.size[b]);
-            n += squaredLength(m.position[a] - m.position[b]) > limit * limit;
-        }
-        return n;
-    });
+	const HalfEdgeMesh& m = surface.mesh;
+	const int tooLong = workers.sum<int>(m.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+		int n = 0;
+		for (std::size_t h = begin; h < end; ++h) {
+			const int   a = m.origin[h], b = m.target(int(h));
+			const float limit = longest * std::min(surface.size[a], surface.size[b]);
+			n += squaredLength(m.position[a] - m.position[b]) > limit * limit;
+		}
+		return n;
+	});
 	return tooLong == 0;
 }
 

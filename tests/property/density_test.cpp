@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Whether the density of the result goes with curvature, quality or region as it was asked to.
+
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr::test {
+
+namespace {
+
+constexpr double pi = 3.14159265358979;
+constexpr double tube = 0.4; // radius of the torus' tube; its axis has radius 1
+
+/// Mean curvature of the torus at an angle round its tube, 0 = outermost.
+double torusCurvature(double angle)
+{
+	const double c = tube * std::cos(angle);
+	return (1 + 2 * c) / (2 * tube * (1 + c));
+}
+
+/// Parts of the tube, from outermost to innermost.
+constexpr int partNum = 5;
+using Shares          = std::array<double, partNum>;
+
+int partOf(double angle)
+{
+	return std::min(partNum - 1, int(std::abs(angle) / pi * partNum));
+}
+
+Shares measuredShares(const TriangleMesh& mesh)
+{
+	Shares share{};
+	for (const Vec3d& p : mesh.positions)
+		share[partOf(std::atan2(p.z, std::hypot(p.x, p.y) - 1))] += 1 / double(mesh.vertexNum());
+	return share;
+}
+
+/// Share of the samples where their density goes with the stretch squared.
+template <class Stretch>
+Shares expectedShares(const Stretch& stretch)
+{
+	Shares share{};
+	double sum = 0;
+	for (int i = 0; i < 3600; ++i) {
+		const double angle  = (i + 0.5) / 3600 * pi;
+		const double s      = stretch(torusCurvature(angle));
+		const double weight = (1 + tube * std::cos(angle)) * s * s;
+		share[partOf(angle)] += weight;
+		sum += weight;
+	}
+	for (double& s : share)
+		s /= sum;
+	return share;
+}
+
+void expectNear(const Shares& measured, const Shares& expected, double tolerance)
+{
+	for (int i = 0; i < partNum; ++i)
+		EXPECT_NEAR(measured[i] / expected[i], 1, tolerance) << "part " << i;
+}
+
+RemeshOptions withCount(std::int64_t n)
+{
+	RemeshOptions options;
+	options.targetMode      = TargetMode::VertexNum;
+	options.targetVertexNum = n;
+	return options;
+}
+
+double evenRadius(double area, double n)
+{
+	return 2 * std::sqrt(area) * std::sqrt(1 / (2 * std::sqrt(3.0) * n)) * 0.962;
+}
+
+class DensityGoesWithCurvature : public ::testing::TestWithParam<double> {};
+
+TEST_P(DensityGoesWithCurvature, AsTheStretchSquared)
+{
+	const double       lambda  = GetParam();
+	const TriangleMesh ring    = torus(250, 120, 1, tube);
+	RemeshOptions      options = withCount(4000);
+	options.lambda             = lambda;
+	options.largestStretch     = 100;
+	const RemeshResult result  = remesh(ring.view(), options);
+	ASSERT_EQ(result.status, Status::Ok) << result.message;
+	EXPECT_EQ(result.mesh.vertexNum(), 4000u);
+	const double r = evenRadius(result.report.input.area, 4000);
+	expectNear(measuredShares(result.mesh),
+			   expectedShares([&](double h) { return 1 + lambda * std::abs(h) * r; }), 0.1);
+	EXPECT_GT(result.report.quality.radiusRatioMean, 0.96);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lambda, DensityGoesWithCurvature, ::testing::Values(0, 2, 5, 20));
+
+/// The bands are narrow enough: what fits a weight of 20 does not fit an even density.
+TEST(DensityGoesWithCurvature, AndTheTestWouldTell)
+{
+	const double r     = evenRadius(4 * pi * pi * tube, 4000);
+	const Shares even  = expectedShares([](double) { return 1.0; });
+	const Shares steep = expectedShares([&](double h) { return 1 + 20 * std::abs(h) * r; });
+	EXPECT_GT(std::abs(steep[partNum - 1] / even[partNum - 1] - 1), 0.2);
+}
+
+TEST(DensityAsPrinted, GoesWithTheStretchSquaredAndOvershoots)
+{
+	const TriangleMesh ring    = torus(250, 120, 1, tube);
+	RemeshOptions      options = withCount(3000);
+	options.equations          = Equations::AsPrinted;
+	options.exactCount         = false;
+	options.lambda             = 2;
+	const RemeshResult result  = remesh(ring.view(), options);
+	ASSERT_EQ(result.status, Status::Ok) << result.message;
+	expectNear(measuredShares(result.mesh), expectedShares([](double h) { return 1 + 2 * h; }),
+			   0.15);
+}
+
+TEST(DensityBySelection, MakesTheRegionFiner)
+{
+	const TriangleMesh        ball = icosphere(5);
+	std::vector<std::uint8_t> selected(ball.vertexNum());
+	for (std::size_t v = 0; v < selected.size(); ++v)
+		selected[v] = ball.positions[v].z > 0.8;
+	MeshView view            = ball.view();
+	view.selected            = selected.data();
+	RemeshOptions options    = withCount(1500);
+	options.featureRegion    = FeatureRegion::Selection;
+	options.featureDiskScale = 0.4;
+	const RemeshResult result = remesh(view, options);
+	ASSERT_EQ(result.status, Status::Ok) << result.message;
+	EXPECT_EQ(result.mesh.vertexNum(), 1500u);
+	double inside = 0, below = 0;
+	for (const Vec3d& p : result.mesh.positions) {
+		inside += p.z > 0.85;
+		below += p.z < -0.4;
+	}
+	// Per area: caps of height 0.15 and 0.6.
+	const double ratio = inside / 0.15 / (below / 0.6);
+	EXPECT_NEAR(ratio, 1 / (0.4 * 0.4), 1.2);
+}
+
+class AnyLambda : public ::testing::TestWithParam<double> {};
+
+TEST_P(AnyLambda, HitsTheCountAndKeepsTheTopology)
+{
+	Random random(7);
+	for (int i = 0; i < 6; ++i) {
+		const TriangleMesh mesh = randomSurface(random);
+		RemeshOptions      options;
+		options.lambda        = GetParam();
+		options.targetPercent = 10 + 15 * i;
+		options.threads       = 1 + i % 3;
+		SCOPED_TRACE(i);
+		const RemeshResult result = remesh(mesh.view(), options);
+		ASSERT_EQ(result.status, Status::Ok) << result.message;
+		EXPECT_TRUE(result.report.audit.passed);
+		EXPECT_TRUE(result.report.audit.countExact);
+		options.threads           = 4 - options.threads;
+		const RemeshResult again = remesh(mesh.view(), options);
+		ASSERT_EQ(again.mesh.vertexNum(), result.mesh.vertexNum());
+		EXPECT_EQ(again.mesh.triangles, result.mesh.triangles);
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Lambda, AnyLambda, ::testing::Values(0.5, 1, 2, 5));
+
+} // namespace
+
+} // namespace gpr::test

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/core/failure.h>
+#include <vcg_extras/core/sizing.h>
+#include <vcg_extras/core/split_long_edges.h>
+
+namespace gpr::test {
+
+namespace {
+
+class SizingTest : public ::testing::Test {
+protected:
+	Workers       workers{2, nullptr};
+	RemeshOptions options;
+	Buffer<char>  isFeature;
+
+	Sizing sizing(const TriangleMesh& mesh, const Surface& surface, float radius,
+				  const float* quality = nullptr)
+	{
+		MeshView view = mesh.view();
+		view.quality  = quality;
+		return makeSizing({view, options, radius, isFeature}, surface, workers);
+	}
+};
+
+/// In the caller's unit, with the sign that the normals give it.
+TEST_F(SizingTest, MeanCurvatureOfASphereIsOneOverItsRadius)
+{
+	for (int passes : {0, 5}) {
+		const Surface       ball = surfaceOf(icosphere(4, 2.0), workers);
+		const Buffer<float> h    = meanCurvature(ball, passes, workers);
+		for (float value : h)
+			EXPECT_NEAR(value * ball.frame.scale, 0.5, 0.015);
+	}
+	TriangleMesh hollow = icosphere(4, 2.0);
+	for (std::size_t f = 0; f < hollow.faceNum(); ++f)
+		std::swap(hollow.triangles[3 * f], hollow.triangles[3 * f + 1]);
+	const Surface       inside = surfaceOf(hollow, workers);
+	const Buffer<float> h      = meanCurvature(inside, 0, workers);
+	for (float value : h)
+		EXPECT_NEAR(value * inside.frame.scale, -0.5, 0.015);
+}
+
+TEST_F(SizingTest, MeanCurvatureOfATorusFollowsItsFormula)
+{
+	const Surface       ring = surfaceOf(torus(160, 80, 1, 0.4), workers);
+	const Buffer<float> h    = meanCurvature(ring, 0, workers);
+	for (int v = 0; v < ring.mesh.vertexNum; ++v) {
+		const Vec3d  p        = ring.frame.toCaller(ring.mesh.position[v]);
+		const double fromAxis = std::hypot(p.x, p.y);
+		const double expected = (2 * fromAxis - 1) / (0.8 * fromAxis);
+		EXPECT_NEAR(h[v] * ring.frame.scale, expected, 0.03);
+	}
+}
+
+TEST_F(SizingTest, MeanCurvatureOfAPlaneIsNothingEvenAmongSlivers)
+{
+	const Surface flat = surfaceOf(grid(200, 3, 1, 1), workers);
+	for (float value : meanCurvature(flat, 2, workers))
+		EXPECT_NEAR(value, 0, 1e-4);
+}
+
+TEST_F(SizingTest, NothingWantedIsNothingGiven)
+{
+	const TriangleMesh mesh = icosphere(2);
+	const Sizing       none = sizing(mesh, surfaceOf(mesh, workers), 0.1f);
+	EXPECT_TRUE(none.size.empty());
+	EXPECT_EQ(none.radiusFactor, 1);
+}
+
+/// On a sphere all sizes are equal: the largest is 1, and the radius is that without a density.
+TEST_F(SizingTest, EvenCurvatureChangesNothing)
+{
+	options.lambda          = 3;
+	const TriangleMesh mesh = icosphere(4);
+	const Sizing       even = sizing(mesh, surfaceOf(mesh, workers), 0.1f);
+	for (float size : even.size)
+		EXPECT_NEAR(size, 1, 0.02);
+	EXPECT_NEAR(even.radiusFactor, 1, 0.02);
+}
+
+TEST_F(SizingTest, SizesGrowNoFasterThanTheirSlopeAndNoWiderThanTheStretch)
+{
+	options.lambda          = 100;
+	options.largestStretch  = 3;
+	const TriangleMesh mesh = bentSheet(60, 1.5);
+	const Surface      bent = surfaceOf(mesh, workers);
+	const float        r    = 0.05f;
+	const Sizing       s    = sizing(mesh, bent, r);
+	const float        rMax = r * float(s.radiusFactor);
+	float              least = 1;
+	for (int h = 0; h < bent.mesh.halfEdgeNum(); ++h) {
+		const int   a = bent.mesh.origin[h], b = bent.mesh.target(h);
+		const float d = length(bent.mesh.position[a] - bent.mesh.position[b]);
+		EXPECT_LE(s.size[b] - s.size[a], 0.151f * d / rMax * 1.3f + 2e-3f);
+		least = std::min(least, s.size[a]);
+	}
+	EXPECT_GE(least, 1 / 3.001f);
+	EXPECT_LT(least, 0.5f);
+}
+
+TEST_F(SizingTest, QualityTakesTheCurvaturesPlace)
+{
+	const TriangleMesh mesh = grid(40, 40);
+	const Surface      flat = surfaceOf(mesh, workers);
+	options.lambda          = 1;
+	options.sizing          = SizingSource::Quality;
+	EXPECT_THROW(sizing(mesh, flat, 0.05f), Failure);
+	std::vector<float> quality(mesh.vertexNum());
+	for (std::size_t v = 0; v < quality.size(); ++v)
+		quality[v] = float(mesh.positions[v].x);
+	const Sizing s = sizing(mesh, flat, 0.05f, quality.data());
+	for (int v = 0; v < flat.mesh.vertexNum; ++v) {
+		const double x = flat.frame.toCaller(flat.mesh.position[v]).x;
+		EXPECT_NEAR(s.size[v], 1 / (1 + x), 1e-3);
+	}
+	quality[3] = std::numeric_limits<float>::quiet_NaN();
+	EXPECT_THROW(sizing(mesh, flat, 0.05f, quality.data()), Failure);
+}
+
+TEST_F(SizingTest, PrintedEquationsClampHollowsAndCountThem)
+{
+	TriangleMesh hollow = icosphere(3);
+	for (std::size_t f = 0; f < hollow.faceNum(); ++f)
+		std::swap(hollow.triangles[3 * f], hollow.triangles[3 * f + 1]);
+	options.equations = Equations::AsPrinted;
+	options.lambda    = 5; // 1 + λH = -4
+	const Sizing s    = sizing(hollow, surfaceOf(hollow, workers), 0.1f);
+	EXPECT_EQ(s.clampedNum, std::int64_t(hollow.vertexNum()));
+	options.lambda = 0.5;
+	EXPECT_EQ(sizing(hollow, surfaceOf(hollow, workers), 0.1f).clampedNum, 0);
+}
+
+TEST_F(SizingTest, SelectionOfVerticesTakesInWhatLiesBetween)
+{
+	const TriangleMesh        mesh = grid(10, 10);
+	std::vector<std::uint8_t> selected(mesh.vertexNum(), 0);
+	MeshView                  view = mesh.view();
+	const Surface             flat = surfaceOf(mesh, workers);
+	EXPECT_THROW(selectedVertices(view, flat, workers), Failure);
+	view.selected = selected.data();
+	EXPECT_THROW(selectedVertices(view, flat, workers), Failure);
+	for (std::size_t v = 0; v < selected.size(); ++v)
+		selected[v] = mesh.positions[v].x > 0.55;
+	const Buffer<char> in = selectedVertices(view, flat, workers);
+	for (int v = 0; v < flat.mesh.vertexNum; ++v)
+		EXPECT_EQ(in[v] != 0, flat.frame.toCaller(flat.mesh.position[v]).x > 0.55);
+}
+
+TEST_F(SizingTest, LongEdgesAreSplitByTheirLocalSize)
+{
+	IndexedMesh   mesh = loaded(grid(8, 8), workers);
+	Buffer<float> size(mesh.vertexNum);
+	for (int v = 0; v < mesh.vertexNum; ++v)
+		size[v] = mesh.frame.toCaller(mesh.position[v]).x < 0.5 ? 1.0f : 0.2f;
+	const float unit = float(mesh.frame.scale);
+	splitLongEdges(mesh, 0.2f * unit, size, 1000000, workers);
+	for (int h = 0; h < 3 * mesh.faceNum; ++h) {
+		const Vec3f  a = mesh.position[mesh.triangle[h]];
+		const Vec3f  b = mesh.position[mesh.triangle[nextInFace(h)]];
+		const double x = std::min(mesh.frame.toCaller(a).x, mesh.frame.toCaller(b).x);
+		const double most = x >= 0.5 ? 0.04 : 0.2;
+		EXPECT_LE(length(a - b) / unit, most * 1.001);
+	}
+}
+
+} // namespace
+
+} // namespace gpr::test
