@@ -5,7 +5,12 @@
 
 #include <common/interfaces.h>
 #include <string>
+#include <vcg_extras/core/parameters.h>
 #include <vector>
+
+namespace gpr_filter {
+class LayerJob;
+}
 
 /// The adapter to MeshLab 2020.09's plugin interface: turns one applyFilter into one call of the
 /// engine. Parameters, mesh and texts go over bridges that other versions' adapters share.
@@ -15,7 +20,12 @@ class FilterGeodesicPoisson : public QObject, public MeshFilterInterface {
 	Q_INTERFACES(MeshFilterInterface)
 
 public:
-	enum { FP_GEODESIC_POISSON_REMESHING };
+	/// A filter for each tool of the engine, by the tool's number.
+	enum {
+		FP_GEODESIC_POISSON_REMESHING = gpr::RemeshTool,
+		FP_GEODESIC_POISSON_SAMPLING  = gpr::SamplingTool,
+		FP_RETRIANGULATION            = gpr::RetriangulateTool,
+	};
 
 	FilterGeodesicPoisson();
 
@@ -27,7 +37,8 @@ public:
 	int          postCondition(QAction* action) const override;
 	FILTER_ARITY filterArity(QAction* action) const override;
 	using MeshFilterInterface::initParameterSet;
-	void initParameterSet(QAction* action, MeshModel& layer, RichParameterList& list) override;
+	void initParameterSet(QAction* action, MeshDocument& document,
+						  RichParameterList& list) override;
 
 	/// Never throws. False, with errorMessage and a log line, when nothing was done: then the
 	/// document is as it was.
@@ -38,12 +49,18 @@ private:
 	/// The host's progress bar handles events, so Apply can be pressed again while the filter runs.
 	bool _running = false;
 
-	bool refuse(const std::string& sentence);
-	bool refuse(const std::vector<std::string>& sentences);
-	bool giveUp(const char* what, const char* why) noexcept;
-	bool remeshLayer(MeshDocument& document, const RichParameterList& list,
+	using Lines = std::vector<std::string>; ///< for the log
+
+	// What a filter does; throws gpr_filter::Refusal where it cannot.
+	static Lines run(FilterIDType filter, MeshDocument& document, const RichParameterList& list,
 					 vcg::CallBackPos* progress);
-	void logAll(const std::vector<std::string>& lines);
+	static Lines remesh(const gpr_filter::LayerJob& job, vcg::CallBackPos* progress);
+	static Lines sample(const gpr_filter::LayerJob& job, vcg::CallBackPos* progress);
+	static Lines retriangulate(const gpr_filter::LayerJob& job, vcg::CallBackPos* progress);
+
+	bool refuse(const Lines& sentences);
+	bool giveUp(const char* what, const char* why) noexcept;
+	void logAll(const Lines& lines);
 };
 
 #endif

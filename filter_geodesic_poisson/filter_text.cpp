@@ -2,36 +2,70 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_text.h"
 
+// The paper, without an opening "See:".
+#define GPR_PAPER "<b>\"Fast Edge-based geodesic Poisson Disk Remeshing\"</b><br>"
+
 namespace gpr_filter {
 
-QString remeshName()
-{
-	return QStringLiteral("Remeshing: Geodesic Poisson Disk");
-}
+namespace {
 
-QString remeshPythonName()
-{
-	return QStringLiteral("meshing_geodesic_poisson_disk_remeshing");
-}
+const FilterText remeshing = {
+	"Remeshing: Geodesic Poisson Disk",
+	"meshing_geodesic_poisson_disk_remeshing",
+	"Remeshes the surface with about-equilateral triangles of equal size and exactly as many "
+	"vertices as asked for. Samples are placed one by one at the border of the geodesic disks of "
+	"those before them, so that no two are nearer than the disk radius and no gap stays; the "
+	"original vertices are removed, and the new ones relaxed on the surface. Components, holes and "
+	"handles are kept.<br>"
+	"What is not a 2-manifold is repaired or cut first, and the log tells what. Vertex colour and "
+	"vertex quality are carried over; texture coordinates and face attributes are not. MeshLab has "
+	"no undo: put the result into a new layer to keep the original.<br>"
+	"<br>See:<br>" GPR_PAPER "and<br>"
+	"<i>Yan Fu, Bingfeng Zhou</i>,<br>"
+	"<b>\"Direct sampling on surfaces for high quality remeshing\"</b><br>"
+	"ACM Symposium on Solid and Physical Modeling, 2008",
+};
 
-QString remeshInfo()
+const FilterText sampling = {
+	"Sampling: Geodesic Poisson Disk",
+	"generate_sampling_geodesic_poisson_disk",
+	"Makes a new layer of points that lie on the surface as densely as they can without two of "
+	"them "
+	"being nearer than the disk radius, measured along the surface. Their number comes out within "
+	"about a tenth of what was asked for.<br>"
+	"Each point's quality is its disk radius, its normal that of the surface; vertex colour is "
+	"carried over. \"Remeshing: Retriangulate from Samples\" makes a mesh of the points.<br>"
+	"<br>See:<br>" GPR_PAPER "section 3, steps 1 to 8, and<br>"
+	"<i>Yan Fu, Bingfeng Zhou</i>,<br>"
+	"<b>\"Direct sampling on surfaces for high quality remeshing\"</b><br>"
+	"ACM Symposium on Solid and Physical Modeling, 2008",
+};
+
+const FilterText retriangulation = {
+	"Remeshing: Retriangulate from Samples",
+	"meshing_retriangulate_from_samples",
+	"Gives the surface of the current layer new vertices: those of another layer, chosen by its "
+	"number, whatever made them. Components, holes and handles are kept; where they need more "
+	"vertices than there are samples, some of the original ones stay.<br>"
+	"Samples off the surface are put on its nearest point, and the log tells how many and how far. "
+	"The transforms of both layers are honoured. Vertex colour and vertex quality are carried over "
+	"from the surface. MeshLab has no undo: put the result into a new layer to keep the "
+	"original.<br>"
+	"<br>See:<br>" GPR_PAPER "section 3, last paragraph",
+};
+
+} // namespace
+
+const FilterText& textOf(gpr::Tool tool)
 {
-	return QStringLiteral(
-		"Remeshes the surface with about-equilateral triangles of equal size and exactly as many "
-		"vertices as asked for. Samples are placed one by one at the border of the geodesic disks "
-		"of "
-		"those before them, so that no two are nearer than the disk radius and no gap stays; the "
-		"original vertices are removed, and the new ones relaxed on the surface. Components, holes "
-		"and handles are kept.<br>"
-		"What is not a 2-manifold is repaired or cut first, and the log tells what. Vertex colour "
-		"and vertex quality are carried over; texture coordinates and face attributes are not. "
-		"MeshLab has no undo: put the result into a new layer to keep the original.<br>"
-		"<br>See:<br>"
-		"<b>\"Fast Edge-based geodesic Poisson Disk Remeshing\"</b><br>"
-		"and<br>"
-		"<i>Yan Fu, Bingfeng Zhou</i>,<br>"
-		"<b>\"Direct sampling on surfaces for high quality remeshing\"</b><br>"
-		"ACM Symposium on Solid and Physical Modeling, 2008");
+	switch (tool) {
+	case gpr::SamplingTool:
+		return sampling;
+	case gpr::RetriangulateTool:
+		return retriangulation;
+	default:
+		return remeshing;
+	}
 }
 
 } // namespace gpr_filter

@@ -3,18 +3,22 @@
 #ifndef FILTER_GEODESIC_POISSON_FILTER_TEXT_H
 #define FILTER_GEODESIC_POISSON_FILTER_TEXT_H
 
-#include <QString>
+#include <vcg_extras/core/parameters.h>
 
 namespace gpr_filter {
 
-/// Menu entry and key in .mlx scripts: public, changes with a changelog line only.
-QString remeshName();
+/// What a filter is called and says of itself, in UTF-8.
+struct FilterText {
+	/// Menu entry and key in .mlx scripts: public, changes with a changelog line only.
+	const char* name;
+	/// Name in PyMeshLab and of the script in mlx/; MeshLab 2020.09 does not ask for it.
+	const char* pythonName;
+	/// The text at the top of the dialog: two paragraphs of HTML and the references.
+	const char* info;
+};
 
-/// Name in PyMeshLab and of the script in mlx/; MeshLab 2020.09 does not ask for it.
-QString remeshPythonName();
-
-/// The text at the top of the dialog: two paragraphs of HTML and the references.
-QString remeshInfo();
+/// The text of the filter that stands for a tool.
+const FilterText& textOf(gpr::Tool tool);
 
 } // namespace gpr_filter
 

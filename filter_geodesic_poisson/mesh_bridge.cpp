@@ -20,7 +20,7 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b)
 }
 
 /// Copies the vertices and returns the new index of each element of mesh.vert.
-std::vector<std::int32_t> copyVertices(const CMeshO& mesh, bool withColour, bool withQuality,
+std::vector<std::int32_t> copyVertices(const CMeshO& mesh, const CopiedParts& parts,
 									   LayerCopy& copy)
 {
 	std::vector<std::int32_t> newIndex(mesh.vert.size(), -1);
@@ -31,10 +31,19 @@ std::vector<std::int32_t> copyVertices(const CMeshO& mesh, bool withColour, bool
 		newIndex[v]          = std::int32_t(copy.positions.size());
 		const Point3m& point = vertex.cP();
 		copy.positions.push_back({point[0], point[1], point[2]});
-		if (withColour) copy.colours.push_back(vertex.cC());
-		if (withQuality) copy.qualities.push_back(vertex.cQ());
+		if (parts.colour) copy.colours.push_back(vertex.cC());
+		if (parts.quality) copy.qualities.push_back(float(vertex.cQ()));
+		if (parts.selection) copy.selected.push_back(vertex.IsS());
 	}
 	return newIndex;
+}
+
+void selectCorners(const CFaceO& face, const CMeshO& mesh,
+				   const std::vector<std::int32_t>& newIndex, LayerCopy& copy)
+{
+	for (int k = 0; k < 3; ++k) {
+		copy.selected[std::size_t(newIndex[vcg::tri::Index(mesh, face.cV(k))])] = 1;
+	}
 }
 
 /// Sum of weight · value over the corners of the anchor's face; corners of no weight are left out,
@@ -62,14 +71,36 @@ vcg::Color4b colourAt(const gpr::SurfacePoint& anchor, const LayerCopy& source)
 	return colour;
 }
 
+float qualityAt(const gpr::SurfacePoint& anchor, const LayerCopy& source)
+{
+	return interpolate<float>(anchor, source, [&](std::size_t v) { return source.qualities[v]; });
+}
+
 void carryOver(const gpr::SurfacePoint& anchor, const LayerCopy& source, CVertexO& vertex)
 {
 	if (anchor.face < 0) return;
 	if (!source.colours.empty()) vertex.C() = colourAt(anchor, source);
-	if (!source.qualities.empty()) {
-		vertex.Q() = interpolate<CVertexO::QualityType>(
-			anchor, source, [&](std::size_t v) { return source.qualities[v]; });
+	if (!source.qualities.empty()) vertex.Q() = qualityAt(anchor, source);
+}
+
+/// The unit normal of the face on which a point lies, or zero where the face has no area.
+Point3m normalAt(const gpr::SurfacePoint& anchor, const LayerCopy& source)
+{
+	const std::int32_t* corner = &source.triangles[3 * std::size_t(anchor.face)];
+	gpr::Vec3d          p[3];
+	for (int k = 0; k < 3; ++k) {
+		p[k] = gpr::Vec3d(source.positions[std::size_t(corner[k])]);
 	}
+	const gpr::Vec3d normal = cross(p[1] - p[0], p[2] - p[0]);
+	const double     length = gpr::length(normal);
+	if (!(length > 0)) return Point3m(0, 0, 0);
+	return Point3m(Scalarm(normal.x / length), Scalarm(normal.y / length),
+				   Scalarm(normal.z / length));
+}
+
+Point3m pointOf(const gpr::Vec3d& p)
+{
+	return Point3m(Scalarm(p.x), Scalarm(p.y), Scalarm(p.z));
 }
 
 /// The vectors of a vcg mesh know their elements and the elements their vector: both change sides.
@@ -98,23 +129,76 @@ void dropElementAttributes(CMeshO& mesh)
 
 } // namespace
 
+gpr::MeshView LayerCopy::view() const
+{
+	gpr::MeshView view(positions, triangles);
+	view.quality  = qualities.empty() ? nullptr : qualities.data();
+	view.selected = selected.empty() ? nullptr : selected.data();
+	return view;
+}
+
 bool LayerCopy::sameGeometry(const LayerCopy& other) const
 {
 	return sameBits(positions, other.positions) && sameBits(triangles, other.triangles);
 }
 
-LayerCopy copyLayer(const CMeshO& mesh, bool withColour, bool withQuality)
+bool LayerCopy::anySelected() const
+{
+	return std::find(selected.begin(), selected.end(), 1) != selected.end();
+}
+
+LayerCopy copyLayer(const CMeshO& mesh, const CopiedParts& parts)
 {
 	LayerCopy                       copy;
-	const std::vector<std::int32_t> newIndex = copyVertices(mesh, withColour, withQuality, copy);
+	const std::vector<std::int32_t> newIndex = copyVertices(mesh, parts, copy);
 	copy.triangles.reserve(3 * std::size_t(mesh.fn));
 	for (const CFaceO& face : mesh.face) {
 		if (face.IsD()) continue;
 		for (int k = 0; k < 3; ++k) {
 			copy.triangles.push_back(newIndex[vcg::tri::Index(mesh, face.cV(k))]);
 		}
+		if (parts.selection && face.IsS()) selectCorners(face, mesh, newIndex, copy);
 	}
 	return copy;
+}
+
+namespace {
+
+/// From the frame of one transform into that of another.
+vcg::Matrix44d changeOfFrame(const Matrix44m& from, const Matrix44m& to)
+{
+	vcg::Matrix44d a, b;
+	a.Import(from);
+	b.Import(to);
+	return vcg::Inverse(b) * a;
+}
+
+bool isFinite(const vcg::Matrix44d& matrix)
+{
+	const double* entry = matrix.V();
+	return std::all_of(entry, entry + 16, [](double e) { return std::isfinite(e); });
+}
+
+} // namespace
+
+bool canReach(const Matrix44m& to, const Matrix44m& from)
+{
+	return to == from || isFinite(changeOfFrame(from, to));
+}
+
+std::vector<gpr::Vec3d> copyPoints(const CMeshO& mesh, const Matrix44m& frame)
+{
+	const bool              sameFrame = mesh.Tr == frame;
+	const vcg::Matrix44d    change    = changeOfFrame(mesh.Tr, frame);
+	std::vector<gpr::Vec3d> points;
+	points.reserve(std::size_t(mesh.vn));
+	for (const CVertexO& vertex : mesh.vert) {
+		if (vertex.IsD()) continue;
+		vcg::Point3d p = vcg::Point3d::Construct(vertex.cP());
+		if (!sameFrame) p = change * p;
+		points.push_back({p[0], p[1], p[2]});
+	}
+	return points;
 }
 
 void buildMesh(const gpr::RemeshResult& result, const LayerCopy& source, CMeshO& built)
@@ -123,15 +207,27 @@ void buildMesh(const gpr::RemeshResult& result, const LayerCopy& source, CMeshO&
 	Allocator::AddVertices(built, mesh.vertexNum());
 	Allocator::AddFaces(built, mesh.faceNum());
 	for (std::size_t v = 0; v < mesh.vertexNum(); ++v) {
-		const gpr::Vec3d& p = mesh.positions[v];
-		built.vert[v].P()   = Point3m(Scalarm(p.x), Scalarm(p.y), Scalarm(p.z));
-		if (v < result.anchors.size()) carryOver(result.anchors[v], source, built.vert[v]);
+		built.vert[v].P() = pointOf(mesh.positions[v]);
+		carryOver(result.anchors[v], source, built.vert[v]);
 	}
 	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
 		for (int k = 0; k < 3; ++k) {
 			const std::int32_t v = mesh.triangles[3 * f + std::size_t(k)];
 			built.face[f].V(k)   = &built.vert[std::size_t(v)];
 		}
+	}
+}
+
+void buildPoints(const gpr::SamplingResult& result, const LayerCopy& source, CMeshO& built)
+{
+	Allocator::AddVertices(built, result.points.size());
+	for (std::size_t s = 0; s < result.points.size(); ++s) {
+		const gpr::SurfacePoint& anchor = result.anchors[s];
+		CVertexO&                vertex = built.vert[s];
+		vertex.P()                      = pointOf(result.points[s]);
+		vertex.N()                      = normalAt(anchor, source);
+		carryOver(anchor, source, vertex);
+		vertex.Q() = Scalarm(result.diskRadius);
 	}
 }
 

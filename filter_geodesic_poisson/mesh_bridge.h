@@ -12,26 +12,48 @@
 
 namespace gpr_filter {
 
+/// What of a mesh is copied beside its vertices and faces.
+struct CopiedParts {
+	bool colour    = false; ///< of the vertices
+	bool quality   = false; ///< of the vertices
+	bool selection = false; ///< of the vertices and the corners of faces
+};
+
 /// A copy of what the engine and the carrying over need of a layer, without its deleted elements.
 /// A copy and no view: while the filter runs, the host's progress bar lets the user start other
 /// filters on the same layer, and they may move its vectors under the engine's threads.
 struct LayerCopy {
-	std::vector<gpr::Vec3<Scalarm>>    positions;
-	std::vector<std::int32_t>          triangles; ///< 3 indices a face
-	std::vector<vcg::Color4b>          colours;   ///< one a vertex, or none
-	std::vector<CVertexO::QualityType> qualities; ///< one a vertex, or none
+	std::vector<gpr::Vec3<Scalarm>> positions;
+	std::vector<std::int32_t>       triangles; ///< 3 indices a face
+	std::vector<vcg::Color4b>       colours;   ///< one a vertex, or none
+	std::vector<float>              qualities; ///< one a vertex, or none
+	std::vector<std::uint8_t>       selected;  ///< one a vertex, or none; 1 = selected
 
-	gpr::MeshView view() const { return gpr::MeshView(positions, triangles); }
+	gpr::MeshView view() const;
 	/// Bit by bit, so that a NaN equals itself.
 	bool sameGeometry(const LayerCopy& other) const;
+	bool anySelected() const;
 };
 
-/// Copies a mesh, with or without its vertex colours and qualities.
-LayerCopy copyLayer(const CMeshO& mesh, bool withColour, bool withQuality);
+/// Copies a mesh. Selected is a vertex that is selected itself or is a corner of a selected face.
+LayerCopy copyLayer(const CMeshO& mesh, const CopiedParts& parts);
+
+/// Whether points of a mesh with the transform `from` can be brought into the frame of a mesh with
+/// the transform `to`: both are finite and `to` has an inverse.
+bool canReach(const Matrix44m& to, const Matrix44m& from);
+
+/// The vertices of a mesh in the frame of another, which has the transform `frame`. With equal
+/// transforms they are the same numbers.
+std::vector<gpr::Vec3d> copyPoints(const CMeshO& mesh, const Matrix44m& frame);
 
 /// Fills an empty mesh with the result; colours and qualities that the copy has are interpolated at
 /// the anchors. Normals and box are not computed. Throws std::bad_alloc only.
 void buildMesh(const gpr::RemeshResult& result, const LayerCopy& source, CMeshO& built);
+
+/// Fills an empty mesh with the samples as vertices: quality is the disk radius, the normal that of
+/// the face the sample lies on; colours that the copy has are interpolated at the anchors.
+/// The box is not computed. Throws std::bad_alloc only.
+void buildPoints(const gpr::SamplingResult& result, const LayerCopy& source, CMeshO& built);
 
 /// Puts the vertices and faces of `built` in the place of those of `layer`, and removes what
 /// belonged to the old ones: edges, per-element attributes, textures, selection counts. Optional

@@ -61,13 +61,11 @@ void addRow(const Parameter& row, const gpr::MeshFacts& facts, RichParameterList
 	}
 }
 
-/// The row's value in the list; nothing where it is missing or of another type.
+/// The row's value in a list that has it; nothing where it is of another type.
 /// Asked for the type first, because MeshLab asserts on the wrong one.
 std::optional<ParameterValue> find(const Parameter& row, const RichParameterList& list)
 {
-	const QString key = QString::fromUtf8(row.key);
-	if (!list.hasParameter(key)) return std::nullopt;
-	const Value& value = list.getParameterByName(key).value();
+	const Value& value = list.getParameterByName(QString::fromUtf8(row.key)).value();
 	switch (row.kind) {
 	case ParameterKind::Count:
 		if (value.isInt()) return ParameterValue(std::int64_t(value.getInt()));
@@ -123,14 +121,19 @@ void fillParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts
 	}
 }
 
-ReadParameters readParameterList(const std::vector<Parameter>& table, const RichParameterList& list)
+ReadParameters readParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts& facts,
+								 const RichParameterList& list)
 {
 	ReadParameters read;
 	for (const Parameter& row : table) {
+		if (!list.hasParameter(QString::fromUtf8(row.key))) {
+			read.values.set(row, row.defaultValue(facts));
+			continue;
+		}
 		const std::optional<ParameterValue> value = find(row, list);
 		if (!value) {
 			read.complaints.push_back(std::string("The parameter ") + row.key +
-									  " is missing or of another type.");
+									  " is of another type.");
 		}
 		else if (!inRange(row, *value)) {
 			read.complaints.push_back(outOfRange(row));

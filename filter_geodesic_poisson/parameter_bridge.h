@@ -24,11 +24,12 @@ struct ReadParameters {
 	std::vector<std::string> complaints; ///< one sentence each; empty when all is well
 };
 
-/// Reads the rows of the table out of a list. A row that is missing, of another type or out of its
-/// range makes a complaint; parameters that are not in the table are passed over. Never throws for
-/// what a user can write into a script.
+/// Reads the rows of the table out of a list. A row that is missing gets its default for a mesh of
+/// these facts, as the hosts after 2020.09 do it; one of another type or out of its range makes a
+/// complaint; parameters that are not in the table are passed over. Never throws for what a user
+/// can write into a script.
 ReadParameters readParameterList(const std::vector<gpr::Parameter>& table,
-								 const RichParameterList&           list);
+								 const gpr::MeshFacts& facts, const RichParameterList& list);
 
 /// The number a user meant whose decimal text the host has kept as float: 12.3f gives 12.3 and not
 /// 12.300000190734863, so that dialog, script and command line ask for the same.

@@ -4,6 +4,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <algorithm>
 
 namespace gpr_filter {
 
@@ -24,11 +25,43 @@ QString count(std::int64_t value)
 	return QString::number(value);
 }
 
-QString countsLine(const gpr::RemeshReport& r)
+QString countsLine(const char* done, const gpr::RemeshReport& r)
 {
-	return QStringLiteral("Remeshed %1 vertices, %2 faces to %3 vertices, %4 faces")
-		.arg(count(r.input.vertices), count(r.input.faces), count(r.result.vertices),
-			 count(r.result.faces));
+	return QStringLiteral("%1 %2 vertices, %3 faces to %4 vertices, %5 faces")
+		.arg(QString::fromUtf8(done), count(r.input.vertices), count(r.input.faces),
+			 count(r.result.vertices), count(r.result.faces));
+}
+
+QString pointsLine(const gpr::SamplingResult& result)
+{
+	const gpr::MeshFigures& input = result.report.input;
+	return QStringLiteral("Sampled %1 vertices, %2 faces by %3 points, at least %4 apart; seed %5")
+		.arg(count(input.vertices), count(input.faces), count(std::int64_t(result.points.size())),
+			 number(result.diskRadius, 6), QString::number(result.report.seed));
+}
+
+/// "Samples: 700, of which 3 were off the surface and were put on it, the farthest by 0.01".
+QString samplesLine(const gpr::RemeshReport& r)
+{
+	QString line = QStringLiteral("Samples: %1, of which %2 were off the surface")
+					   .arg(count(r.sampleNum), count(r.samplesMoved));
+	if (r.samplesMoved == 0) return line;
+	return line + " and were put on it, the farthest by " + number(r.largestSampleMove) +
+		   QStringLiteral(" (%1 % of the diagonal)")
+			   .arg(number(100 * r.largestSampleMove / r.input.diagonal, 3));
+}
+
+/// Empty where every sample is a vertex and every vertex a sample.
+QString leftoverLine(const gpr::RemeshResult& result)
+{
+	const std::int64_t used = std::count_if(result.sampleOf.begin(), result.sampleOf.end(),
+											[](std::int32_t sample) { return sample >= 0; });
+	const std::int64_t lost = result.report.sampleNum - used;
+	const std::int64_t kept = std::int64_t(result.sampleOf.size()) - used;
+	QStringList        parts;
+	if (lost > 0) parts << count(lost) + " samples, too near to others, became no vertex";
+	if (kept > 0) parts << count(kept) + " vertices of the original stay, which the topology needs";
+	return parts.join("; ");
 }
 
 QString topologyLine(const gpr::RemeshReport& r)
@@ -93,29 +126,52 @@ QString timeLine(const gpr::RemeshReport& r)
 		.arg(fixed(r.remeshSeconds, 3), QString::number(r.threads), stages.join(", "));
 }
 
-} // namespace
-
-std::vector<std::string> logLines(const gpr::RemeshResult& result)
+/// What every run begins with.
+template <class Result>
+QStringList firstLines(const Result& result)
 {
-	const gpr::RemeshReport& r = result.report;
-
 	QStringList lines;
 	for (const std::string& note : result.notes) {
 		lines << QString::fromStdString(note);
 	}
-	lines << cleanedLine(r.cleaned);
-	for (const std::string& cap : r.capsReached) {
+	lines << cleanedLine(result.report.cleaned);
+	for (const std::string& cap : result.report.capsReached) {
 		lines << "Ended by its bound: " + QString::fromStdString(cap);
 	}
-	lines << countsLine(r) << topologyLine(r) << radiusLine(r) << qualityLine(r.quality)
-		  << auditLine(r.audit) << timeLine(r);
-	lines.removeAll(QString());
+	return lines;
+}
 
+std::vector<std::string> withoutEmpty(const QStringList& lines)
+{
 	std::vector<std::string> texts;
 	for (const QString& line : lines) {
-		texts.push_back(line.toStdString());
+		if (!line.isEmpty()) texts.push_back(line.toStdString());
 	}
 	return texts;
+}
+
+} // namespace
+
+std::vector<std::string> remeshingLines(const gpr::RemeshResult& result)
+{
+	const gpr::RemeshReport& r = result.report;
+	return withoutEmpty(firstLines(result)
+						<< countsLine("Remeshed", r) << topologyLine(r) << radiusLine(r)
+						<< qualityLine(r.quality) << auditLine(r.audit) << timeLine(r));
+}
+
+std::vector<std::string> samplingLines(const gpr::SamplingResult& result)
+{
+	return withoutEmpty(firstLines(result) << pointsLine(result) << timeLine(result.report));
+}
+
+std::vector<std::string> retriangulationLines(const gpr::RemeshResult& result)
+{
+	const gpr::RemeshReport& r = result.report;
+	return withoutEmpty(firstLines(result)
+						<< countsLine("Retriangulated", r) << samplesLine(r) << leftoverLine(result)
+						<< topologyLine(r) << qualityLine(r.quality) << auditLine(r.audit)
+						<< timeLine(r));
 }
 
 } // namespace gpr_filter

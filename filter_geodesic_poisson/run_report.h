@@ -9,9 +9,13 @@
 
 namespace gpr_filter {
 
-/// What a finished run tells in MeshLab's log: notes, counts before and after, what was cleaned,
-/// radius and seed, quality, audit, seconds by stage. One entry a line.
-std::vector<std::string> logLines(const gpr::RemeshResult& result);
+// What a finished run tells in MeshLab's log, one entry a line: notes, what was cleaned, bounds
+// reached, what came out of what, seconds by stage.
+
+std::vector<std::string> remeshingLines(const gpr::RemeshResult& result);
+std::vector<std::string> samplingLines(const gpr::SamplingResult& result);
+/// Also how many samples were off the surface and how far, and what became of all of them.
+std::vector<std::string> retriangulationLines(const gpr::RemeshResult& result);
 
 } // namespace gpr_filter
 

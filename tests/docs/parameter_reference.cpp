@@ -1,15 +1,20 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes vcg_extras/docs/parameters.md from the engine's parameter table.
+// Makes vcg_extras/docs/parameters.md and the scripts of filter_geodesic_poisson/mlx from the
+// engine's parameter table.
 //
-//   gpr_parameter_reference           prints the page
-//   gpr_parameter_reference FILE      ends with 0 where FILE is that page, else with 1
+//   gpr_parameter_reference                 prints the page
+//   gpr_parameter_reference --write ROOT    writes the page and the scripts into the repository
+//   gpr_parameter_reference --check ROOT    ends with 0 where they are up to date, else with 1
+#include "filter_text.h"
+
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string>
-#include <vcg_extras/core/parameters.h>
+#include <vcg_extras/core/parameter_table.h>
+#include <vector>
 
 namespace {
 
@@ -18,21 +23,23 @@ using gpr::Parameter;
 using gpr::ParameterKind;
 using gpr::ParameterValue;
 
+using gpr::Tool;
+using gpr_filter::textOf;
+
+constexpr Tool tools[] = {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool};
+
 const char* const intro =
-	"<!-- Made by build/bin/gpr_parameter_reference from vcg_extras/core/parameter_table.cpp; do "
-	"not "
-	"edit. "
-	"-->\n"
+	"<!-- Made by build/bin/gpr_parameter_reference --write . from "
+	"vcg_extras/core/parameter_table.cpp; do not edit. -->\n"
 	"# Parameters\n"
 	"\n"
-	"The options of `gpremesh remesh` and the parameters of MeshLab's filter \"Remeshing: "
-	"Geodesic\n"
-	"Poisson Disk\" are made from one table, and so is this page. A script for `meshlabserver` "
-	"names\n"
-	"every key, with its type; a complete one is\n"
-	"[meshing_geodesic_poisson_disk_remeshing.mlx](../../filter_geodesic_poisson/mlx/"
-	"meshing_geodesic_poisson_disk_remeshing.mlx).\n"
-	"\n";
+	"The options of `gpremesh` and the parameters of MeshLab's filters are made from one table, "
+	"and "
+	"so\n"
+	"is this page: first what each filter has, then [what it means](#what-each-one-means).\n"
+	"A script for `meshlabserver` names every key of its filter, with its type; a complete one "
+	"belongs to\n"
+	"each filter.\n";
 
 std::string plain(double value)
 {
@@ -120,21 +127,48 @@ std::string defaultText(const Parameter& p)
 	return plain(p, value);
 }
 
-std::string overview()
+// ---- the page
+
+std::string overviewRow(const Parameter& p, bool withOption)
 {
-	std::string text = "| command line | filter key | type in a script | range | default |\n"
-					   "|---|---|---|---|---|\n";
-	for (const Parameter& p : gpr::remeshParameters()) {
-		text += "| " + inCell(optionText(p)) + " | [" + code(p.key) + "](#" + p.key + ") | " +
-				scriptType(p.kind) + " | " + rangeText(p) + " | " + defaultText(p) + " |\n";
-	}
+	return (withOption ? "| " + inCell(optionText(p)) + " " : "") + "| [" + code(p.key) + "](#" +
+		   p.key + ") | " + scriptType(p.kind) + " | " + rangeText(p) + " | " + defaultText(p) +
+		   " |\n";
+}
+
+/// Only the whole remeshing has a command of its own.
+std::string overview(Tool tool)
+{
+	const bool  withOption = tool == gpr::RemeshTool;
+	std::string text       = withOption ? "| command line " : "";
+	text += "| filter key | type in a script | range | default |\n";
+	text += withOption ? "|---|---|---|---|---|\n" : "|---|---|---|---|\n";
+	for (const Parameter& p : gpr::parametersOf(tool))
+		text += overviewRow(p, withOption);
 	return text;
+}
+
+std::string scriptLink(Tool tool)
+{
+	const std::string file = textOf(tool).pythonName + std::string(".mlx");
+	return "Script: [" + file + "](../../filter_geodesic_poisson/mlx/" + file + ")\n";
+}
+
+std::string chapter(Tool tool)
+{
+	std::string text = std::string("\n## ") + textOf(tool).name + "\n\n";
+	if (tool == gpr::RemeshTool)
+		text +=
+			"`gpremesh remesh` takes one of `--vertices`, `--percent` and `--edge-length`, 10 % "
+			"of the\n"
+			"vertices where none is given, and writes to OUT, so that it needs no new layer.\n\n";
+	return text + overview(tool) + "\n" + scriptLink(tool);
 }
 
 std::string explanations()
 {
-	std::string text;
-	for (const Parameter& p : gpr::remeshParameters()) {
+	std::string text = "\n## What each one means\n";
+	for (const Parameter& p : gpr::makeParameterTable()) {
 		text += "\n<a id=\"" + std::string(p.key) + "\"></a>\n### " + p.label + "\n\n" +
 				code(p.key) + (*p.option != '\0' ? ", " + optionText(p) : std::string()) + "\n\n" +
 				p.help + "\n";
@@ -144,31 +178,106 @@ std::string explanations()
 
 std::string page()
 {
-	return intro + overview() +
-		   "\nThe command line takes one of `--vertices`, `--percent` and `--edge-length`, 10 % of "
-		   "the\n"
-		   "vertices where none is given, and writes to OUT, so that it needs no new layer.\n" +
-		   explanations();
+	std::string text = intro;
+	for (Tool tool : tools)
+		text += chapter(tool);
+	return text + explanations();
 }
 
-std::string contentOf(const char* path)
+// ---- scripts
+
+/// A script is made for no mesh in particular, so that the size is a share.
+ParameterValue scriptValue(const Parameter& p)
+{
+	if (std::string(p.key) == "TargetPerc") return 10.0;
+	return p.defaultValue(MeshFacts{100000, 1.0});
+}
+
+std::string valueText(const Parameter& p, const ParameterValue& value)
+{
+	if (p.kind == ParameterKind::Switch) return std::get<bool>(value) ? "true" : "false";
+	return plain(p, numberOf(value));
+}
+
+/// What meshlabserver needs to know of a type beside its name.
+std::string typeAttributes(const Parameter& p)
+{
+	if (p.kind == ParameterKind::Length) return " min=\"0\" max=\"1\"";
+	std::string text;
+	if (p.kind != ParameterKind::Choice) return text;
+	text += " enum_cardinality=\"" + std::to_string(p.choices.size()) + "\"";
+	for (std::size_t i = 0; i < p.choices.size(); ++i)
+		text += " enum_val" + std::to_string(i) + "=\"" + p.choices[i] + "\"";
+	return text;
+}
+
+std::string script(Tool tool)
+{
+	std::string text = "<!DOCTYPE FilterScript>\n<FilterScript>\n <filter name=\"";
+	text += textOf(tool).name + std::string("\">\n");
+	for (const Parameter& p : gpr::parametersOf(tool)) {
+		text += "  <Param name=\"" + std::string(p.key) + "\" type=\"" + scriptType(p.kind) +
+				"\" value=\"" + valueText(p, scriptValue(p)) + "\"" + typeAttributes(p) + "/>\n";
+	}
+	return text + " </filter>\n</FilterScript>\n";
+}
+
+// ---- the program
+
+/// A file that is made from the table: its path below the repository's root, and its text.
+struct MadeFile {
+	std::string path, text;
+};
+
+std::vector<MadeFile> madeFiles()
+{
+	std::vector<MadeFile> files = {{"vcg_extras/docs/parameters.md", page()}};
+	for (Tool tool : tools) {
+		const std::string name = textOf(tool).pythonName;
+		files.push_back({"filter_geodesic_poisson/mlx/" + name + ".mlx", script(tool)});
+	}
+	return files;
+}
+
+std::string contentOf(const std::string& path)
 {
 	std::ifstream file(path, std::ios::binary);
 	return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+bool write(const std::string& root)
+{
+	bool good = true;
+	for (const MadeFile& made : madeFiles()) {
+		std::ofstream file(root + "/" + made.path, std::ios::binary);
+		file << made.text;
+		good = file.flush().good() && good;
+	}
+	return good;
+}
+
+bool check(const std::string& root)
+{
+	bool good = true;
+	for (const MadeFile& made : madeFiles()) {
+		if (contentOf(root + "/" + made.path) == made.text) continue;
+		std::fprintf(stderr,
+					 "%s differs from the parameter table; make it anew:\n"
+					 "  build/bin/gpr_parameter_reference --write .\n",
+					 made.path.c_str());
+		good = false;
+	}
+	return good;
 }
 
 } // namespace
 
 int main(int argc, char** argv)
 {
-	if (argc < 2) {
-		std::fputs(page().c_str(), stdout);
-		return 0;
-	}
-	if (contentOf(argv[1]) == page()) return 0;
-	std::fprintf(stderr,
-				 "%s differs from the parameter table; make it anew:\n"
-				 "  build/bin/gpr_parameter_reference > vcg_extras/docs/parameters.md\n",
-				 argv[1]);
-	return 1;
+	const std::string task = argc > 1 ? argv[1] : "";
+	if (task == "--write" && argc == 3) return write(argv[2]) ? 0 : 1;
+	if (task == "--check" && argc == 3) return check(argv[2]) ? 0 : 1;
+	if (argc != 1) return 2;
+	std::fputs(page().c_str(), stdout);
+	return 0;
 }

@@ -23,58 +23,30 @@ RichParameterList withCount(Document& document, int vertexNum)
 	return list;
 }
 
-/// Everything of a layer that a failing filter must leave as it was.
-struct Snapshot {
-	gpr_filter::LayerCopy copy;
-	int                   mask;
-	int                   layers;
-	int                   currentId;
-
-	explicit Snapshot(Document& document) :
-			copy(gpr_filter::copyLayer(document.layer().cm, true, true)),
-			mask(document.layer().dataMask()), layers(document->size()),
-			currentId(document->mm()->id())
-	{
-	}
-	bool operator==(const Snapshot& o) const
-	{
-		return copy.sameGeometry(o.copy) && copy.colours == o.copy.colours &&
-			   copy.qualities == o.copy.qualities && mask == o.mask && layers == o.layers &&
-			   currentId == o.currentId;
-	}
-};
-
-void expectSoundMesh(CMeshO& mesh)
+TEST(Filter, HostFindsAllAndTheirTexts)
 {
-	EXPECT_EQ(std::size_t(mesh.vn), mesh.vert.size()) << "deleted vertices are left";
-	EXPECT_EQ(std::size_t(mesh.fn), mesh.face.size()) << "deleted faces are left";
-	for (const CVertexO& v : mesh.vert) {
-		ASSERT_FALSE(v.IsD() || v.IsS());
-		ASSERT_GT(v.cN().Norm(), 0.1) << "a vertex normal was not computed";
+	for (gpr::Tool tool : {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool}) {
+		QAction* const action = actionOf(tool);
+		ASSERT_NE(action, nullptr) << tool;
+		EXPECT_EQ(action->parent(), dynamic_cast<QObject*>(&plugin()));
+		EXPECT_EQ(plugin().ID(action), int(tool));
+		EXPECT_EQ(plugin().getPreConditions(action), MeshModel::MM_FACENUMBER);
+		const QString info = plugin().filterInfo(action);
+		EXPECT_TRUE(info.contains("Fast Edge-based geodesic Poisson Disk Remeshing"));
 	}
-	vcg::Box3f box;
-	for (const CFaceO& f : mesh.face) {
-		ASSERT_FALSE(f.IsD() || f.IsS() || f.IsF(0) || f.IsF(1) || f.IsF(2));
-		ASSERT_NEAR(f.cN().Norm(), 1, 1e-4);
-		for (int k = 0; k < 3; ++k) {
-			ASSERT_LT(vcg::tri::Index(mesh, f.cV(k)), mesh.vert.size());
-			box.Add(f.cP(k));
-		}
-	}
-	EXPECT_EQ(mesh.bbox, box);
-	EXPECT_EQ(mesh.svn, 0);
-	EXPECT_EQ(mesh.sfn, 0);
 }
 
-TEST(Filter, HostFindsItAndItsTexts)
+TEST(Filter, ClassAndPostCondition)
 {
-	ASSERT_NE(remeshAction(), nullptr);
-	EXPECT_EQ(remeshAction()->parent(), dynamic_cast<QObject*>(&plugin()));
-	const QString info = plugin().filterInfo(remeshAction());
-	EXPECT_TRUE(info.contains("Fast Edge-based geodesic Poisson Disk Remeshing"));
-	EXPECT_TRUE(info.contains("Direct sampling on surfaces for high quality remeshing"));
-	EXPECT_EQ(plugin().getClass(remeshAction()), MeshFilterInterface::Remeshing);
-	EXPECT_EQ(plugin().postCondition(remeshAction()), MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE);
+	QAction* const remeshing = actionOf(gpr::RemeshTool);
+	EXPECT_EQ(plugin().getClass(remeshing), MeshFilterInterface::Remeshing);
+	EXPECT_EQ(plugin().postCondition(remeshing), MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE);
+	QAction* const sampling = actionOf(gpr::SamplingTool);
+	EXPECT_EQ(plugin().getClass(sampling), MeshFilterInterface::Sampling);
+	EXPECT_EQ(plugin().postCondition(sampling), MeshModel::MM_NONE);
+	QAction* const retriangulation = actionOf(gpr::RetriangulateTool);
+	EXPECT_EQ(plugin().getClass(retriangulation), MeshFilterInterface::Remeshing);
+	EXPECT_EQ(plugin().postCondition(retriangulation), MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE);
 }
 
 TEST(Filter, RemeshesInPlace)
@@ -110,7 +82,7 @@ TEST(Filter, SameBitsAsTheEngine)
 	options.targetMode                 = gpr::TargetMode::VertexNum;
 	options.targetVertexNum            = 500;
 	options.seed                       = 7;
-	const gpr_filter::LayerCopy copy   = gpr_filter::copyLayer(ball.cm, false, false);
+	const gpr_filter::LayerCopy copy   = gpr_filter::copyLayer(ball.cm, {});
 	const gpr::RemeshResult     wanted = gpr::remesh(copy.view(), options);
 	ASSERT_EQ(wanted.status, gpr::Status::Ok) << wanted.message;
 
@@ -118,7 +90,7 @@ TEST(Filter, SameBitsAsTheEngine)
 	list.setValue("Seed", IntValue(7));
 	list.setValue("Threads", IntValue(1));
 	ASSERT_TRUE(apply(document, list));
-	const gpr_filter::LayerCopy got = gpr_filter::copyLayer(ball.cm, false, false);
+	const gpr_filter::LayerCopy got = gpr_filter::copyLayer(ball.cm, {});
 	EXPECT_EQ(got.triangles, wanted.mesh.triangles);
 	ASSERT_EQ(got.positions.size(), wanted.mesh.positions.size());
 	for (std::size_t v = 0; v < got.positions.size(); ++v) {
@@ -199,8 +171,9 @@ TEST(Filter, NewLayerLeavesTheOldOne)
 	Document   document;
 	MeshModel& ball = addBall(document);
 	ball.cm.Tr.SetTranslate(1, 2, 3);
-	const Snapshot    before(document);
-	RichParameterList list = withCount(document, 500);
+	const int         mask   = ball.dataMask();
+	const auto        before = gpr_filter::copyLayer(ball.cm, {});
+	RichParameterList list   = withCount(document, 500);
 	list.setValue("NewLayer", BoolValue(true));
 	ASSERT_TRUE(apply(document, list));
 
@@ -212,8 +185,8 @@ TEST(Filter, NewLayerLeavesTheOldOne)
 	EXPECT_TRUE(added.cm.Tr == ball.cm.Tr);
 	EXPECT_TRUE(added.hasDataMask(MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY));
 	expectSoundMesh(added.cm);
-	EXPECT_TRUE(before.copy.sameGeometry(gpr_filter::copyLayer(ball.cm, false, false)));
-	EXPECT_EQ(before.mask, ball.dataMask());
+	EXPECT_TRUE(before.sameGeometry(gpr_filter::copyLayer(ball.cm, {})));
+	EXPECT_EQ(mask, ball.dataMask());
 }
 
 TEST(Filter, TooFewVerticesIsRefusedAndNothingChanges)
@@ -237,7 +210,9 @@ TEST(Filter, BadParametersAreRefusedAndNothingChanges)
 	list.setValue("TargetLen", AbsPercValue(0.1f));
 	EXPECT_FALSE(apply(document, list));
 	EXPECT_FALSE(plugin().errorMsg().isEmpty());
-	EXPECT_FALSE(apply(document, RichParameterList()));
+	RichParameterList wrongType;
+	wrongType.addParam(RichString("TargetVertexNum", "many"));
+	EXPECT_FALSE(apply(document, wrongType));
 	EXPECT_TRUE(document.logText().contains("TargetVertexNum"));
 	EXPECT_TRUE(before == Snapshot(document));
 }

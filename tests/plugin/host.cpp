@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host.h"
 
+#include "filter_text.h"
+
 #include <QApplication>
 #include <QFileInfo>
 #include <common/pluginmanager.h>
@@ -45,9 +47,9 @@ MeshFilterInterface& plugin()
 	return *manager().stringFilterMap.value("Remeshing: Geodesic Poisson Disk");
 }
 
-QAction* remeshAction()
+QAction* actionOf(gpr::Tool tool)
 {
-	return manager().actionFilterMap.value("Remeshing: Geodesic Poisson Disk");
+	return manager().actionFilterMap.value(gpr_filter::textOf(tool).name);
 }
 
 Document::Document()
@@ -88,16 +90,70 @@ MeshModel& addSheet(Document& document)
 	return layer;
 }
 
-RichParameterList defaults(Document& document)
+MeshModel& addPoints(Document& document, const std::vector<gpr::Vec3d>& points)
+{
+	MeshModel& layer = *document->addNewMesh("", "points");
+	vcg::tri::Allocator<CMeshO>::AddVertices(layer.cm, points.size());
+	for (std::size_t i = 0; i < points.size(); ++i) {
+		const gpr::Vec3d& p  = points[i];
+		layer.cm.vert[i].P() = Point3m(Scalarm(p.x), Scalarm(p.y), Scalarm(p.z));
+	}
+	layer.UpdateBoxAndNormals();
+	return layer;
+}
+
+RichParameterList defaults(Document& document, gpr::Tool tool)
 {
 	RichParameterList list;
-	plugin().initParameterSet(remeshAction(), *document, list);
+	plugin().initParameterSet(actionOf(tool), *document, list);
 	return list;
+}
+
+bool apply(Document& document, gpr::Tool tool, const RichParameterList& list,
+		   vcg::CallBackPos* progress)
+{
+	return plugin().applyFilter(actionOf(tool), *document, list, progress);
 }
 
 bool apply(Document& document, const RichParameterList& list, vcg::CallBackPos* progress)
 {
-	return plugin().applyFilter(remeshAction(), *document, list, progress);
+	return apply(document, gpr::RemeshTool, list, progress);
+}
+
+void expectSoundMesh(CMeshO& mesh)
+{
+	EXPECT_EQ(std::size_t(mesh.vn), mesh.vert.size()) << "deleted vertices are left";
+	EXPECT_EQ(std::size_t(mesh.fn), mesh.face.size()) << "deleted faces are left";
+	for (const CVertexO& v : mesh.vert) {
+		ASSERT_FALSE(v.IsD() || v.IsS());
+		ASSERT_GT(v.cN().Norm(), 0.1) << "a vertex normal was not computed";
+	}
+	vcg::Box3f box;
+	for (const CFaceO& f : mesh.face) {
+		ASSERT_FALSE(f.IsD() || f.IsS() || f.IsF(0) || f.IsF(1) || f.IsF(2));
+		ASSERT_NEAR(f.cN().Norm(), 1, 1e-4);
+		for (int k = 0; k < 3; ++k) {
+			ASSERT_LT(vcg::tri::Index(mesh, f.cV(k)), mesh.vert.size());
+			box.Add(f.cP(k));
+		}
+	}
+	EXPECT_EQ(mesh.bbox, box);
+	EXPECT_EQ(mesh.svn, 0);
+	EXPECT_EQ(mesh.sfn, 0);
+}
+
+Snapshot::Snapshot(Document& document) :
+		_copy(gpr_filter::copyLayer(document->mm()->cm, {true, true, true})),
+		_mask(document->mm()->dataMask()), _layers(document->size()),
+		_currentId(document->mm()->id())
+{
+}
+
+bool Snapshot::operator==(const Snapshot& o) const
+{
+	return _copy.sameGeometry(o._copy) && _copy.colours == o._copy.colours &&
+		   _copy.qualities == o._copy.qualities && _copy.selected == o._copy.selected &&
+		   _mask == o._mask && _layers == o._layers && _currentId == o._currentId;
 }
 
 DuringRun::DuringRun(std::function<bool(int)> action)

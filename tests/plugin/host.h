@@ -5,15 +5,20 @@
 
 // A host for the plugin without window or OpenGL: MeshLab's own plugin manager and documents.
 
+#include "mesh_bridge.h"
+
 #include <common/interfaces.h>
 #include <functional>
+#include <vcg_extras/core/mesh_view.h>
+#include <vcg_extras/core/parameters.h>
+#include <vector>
 
 namespace plugin_test {
 
 /// The plugin as MeshLab's plugin manager loaded it.
 MeshFilterInterface& plugin();
-/// The plugin's one filter.
-QAction* remeshAction();
+/// The plugin's filter that stands for a tool.
+QAction* actionOf(gpr::Tool tool);
 
 /// A document with a log that goes to the plugin, as in the real hosts.
 class Document {
@@ -36,11 +41,30 @@ MeshModel& addBall(Document& document);
 /// Adds a square sheet of 51 x 51 vertices in z = 0.
 MeshModel& addSheet(Document& document);
 
-/// The filter's parameters with their defaults for the current layer.
-RichParameterList defaults(Document& document);
+/// Adds a layer of points without faces.
+MeshModel& addPoints(Document& document, const std::vector<gpr::Vec3d>& points);
 
-/// Calls the filter.
+/// A filter's parameters with their defaults for the current layer.
+RichParameterList defaults(Document& document, gpr::Tool tool = gpr::RemeshTool);
+
+/// Calls a filter.
 bool apply(Document& document, const RichParameterList& list, vcg::CallBackPos* progress = nullptr);
+bool apply(Document& document, gpr::Tool tool, const RichParameterList& list,
+		   vcg::CallBackPos* progress = nullptr);
+
+/// Fails where a mesh has deleted elements, faces out of range, stale normals or a stale box.
+void expectSoundMesh(CMeshO& mesh);
+
+/// Everything of the current layer, and of the document, that a failing filter must leave alone.
+class Snapshot {
+public:
+	explicit Snapshot(Document& document);
+	bool operator==(const Snapshot& o) const;
+
+private:
+	gpr_filter::LayerCopy _copy;
+	int                   _mask, _layers, _currentId;
+};
 
 /// Lets a test do something while the filter runs: called with the percentage.
 class DuringRun {

@@ -5,7 +5,10 @@
 //   plugin_mesh_tool make OUT.ply        a bumpy torus, 12,800 vertices, float coordinates
 //   plugin_mesh_tool same A.ply B.ply    ends with 0 where coordinates and faces are the same bits
 //   plugin_mesh_tool count A.ply         prints the number of vertices
+//   plugin_mesh_tool within A.ply B.ply D   ends with 0 where every vertex of A is at most D away
+//                                           from one of B
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -81,6 +84,17 @@ bool same(const ToolMesh& a, const ToolMesh& b)
 	return true;
 }
 
+bool within(const ToolMesh& a, const ToolMesh& b, float most)
+{
+	for (const ToolVertex& v : a.vert) {
+		const bool found = std::any_of(b.vert.begin(), b.vert.end(), [&](const ToolVertex& w) {
+			return (v.cP() - w.cP()).Norm() <= most;
+		});
+		if (!found) return false;
+	}
+	return true;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -93,6 +107,9 @@ int main(int argc, char** argv)
 	}
 	if (task == "same" && argc == 4) {
 		return open(a, argv[2]) && open(b, argv[3]) && same(a, b) ? 0 : 1;
+	}
+	if (task == "within" && argc == 5) {
+		return open(a, argv[2]) && open(b, argv[3]) && within(a, b, std::stof(argv[4])) ? 0 : 1;
 	}
 	if (task == "count" && argc == 3 && open(a, argv[2])) {
 		std::printf("%d\n", a.vn);

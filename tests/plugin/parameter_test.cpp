@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The parameter table, the dialog, the shipped script: the same thing three times.
+// The parameter table, the dialog, the shipped scripts: the same thing three times.
 
+#include "filter_text.h"
 #include "host.h"
 #include "parameter_bridge.h"
 
@@ -16,34 +17,61 @@ namespace {
 using namespace plugin_test;
 using gpr::TargetMode;
 
-RichParameterList tableList()
+constexpr gpr::Tool tools[] = {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool};
+
+gpr::MeshFacts facts()
 {
-	gpr::MeshFacts facts;
-	facts.vertexNum = 1000;
-	facts.diagonal  = 2;
+	gpr::MeshFacts known;
+	known.vertexNum = 1000;
+	known.diagonal  = 2;
+	return known;
+}
+
+RichParameterList tableList(gpr::Tool tool = gpr::RemeshTool)
+{
 	RichParameterList list;
-	gpr_filter::fillParameterList(gpr::remeshParameters(), facts, list);
+	gpr_filter::fillParameterList(gpr::parametersOf(tool), facts(), list);
 	return list;
 }
 
-gpr_filter::ReadParameters read(const RichParameterList& list)
+gpr_filter::ReadParameters read(const RichParameterList& list, gpr::Tool tool = gpr::RemeshTool)
 {
-	return gpr_filter::readParameterList(gpr::remeshParameters(), list);
+	return gpr_filter::readParameterList(gpr::parametersOf(tool), facts(), list);
 }
 
-TEST(Parameters, DialogHasEveryRowInOrder)
+void expectDialogLikeTable(gpr::Tool tool)
 {
 	Document document;
 	addBall(document);
-	const RichParameterList list = defaults(document);
-	ASSERT_EQ(list.size(), gpr::remeshParameters().size());
+	const RichParameterList list = defaults(document, tool);
+	ASSERT_EQ(list.size(), gpr::parametersOf(tool).size());
 	unsigned i = 0;
-	for (const gpr::Parameter& row : gpr::remeshParameters()) {
+	for (const gpr::Parameter& row : gpr::parametersOf(tool)) {
 		EXPECT_EQ(list.at(i).name().toStdString(), row.key);
 		EXPECT_EQ(list.at(i).fieldDescription().toStdString(), row.label);
 		EXPECT_EQ(list.at(i).toolTip().toStdString(), row.help);
 		++i;
 	}
+}
+
+TEST(Parameters, DialogHasEveryRowInOrder)
+{
+	for (gpr::Tool tool : tools) {
+		expectDialogLikeTable(tool);
+	}
+}
+
+TEST(Parameters, DialogProposesTheNewestLayerOfPoints)
+{
+	Document document;
+	addPoints(document, {{0, 0, 0}});
+	const MeshModel& points = addPoints(document, {{0, 0, 0}});
+	addSheet(document);
+	addBall(document);
+	EXPECT_EQ(defaults(document, gpr::RetriangulateTool).getInt("SampleLayer"), points.id());
+	Document alone;
+	addBall(alone);
+	EXPECT_EQ(defaults(alone, gpr::RetriangulateTool).getInt("SampleLayer"), 1);
 }
 
 TEST(Parameters, DefaultsAreTheEngines)
@@ -112,9 +140,19 @@ TEST(Parameters, WhatIsOutOfRangeIsToldAndNotWrapped)
 	EXPECT_FALSE(read(list).complaints.empty());
 }
 
-TEST(Parameters, MissingOrWronglyTypedIsASentence)
+TEST(Parameters, MissingIsTheDefault)
 {
-	EXPECT_EQ(read(RichParameterList()).complaints.size(), gpr::remeshParameters().size());
+	const gpr_filter::ReadParameters none = read(RichParameterList());
+	ASSERT_TRUE(none.complaints.empty()) << none.complaints.front();
+	EXPECT_EQ(none.values.options().targetVertexNum, 100); // 10 % of what facts() has
+	RichParameterList list;
+	list.addParam(RichInt("RelaxIter", 3));
+	EXPECT_EQ(read(list).values.options().relaxIterations, 3);
+	EXPECT_EQ(read(list).values.options().seed, 1u);
+}
+
+TEST(Parameters, WronglyTypedIsASentence)
+{
 	RichParameterList list;
 	for (const gpr::Parameter& row : gpr::remeshParameters()) {
 		list.addParam(RichString(row.key, "text"));
@@ -130,15 +168,24 @@ TEST(Parameters, TypedNumberIsTheDecimalOne)
 	EXPECT_TRUE(std::isnan(gpr_filter::typedNumber(std::numeric_limits<float>::quiet_NaN())));
 }
 
-// meshlabserver aborts on a script in which one parameter is missing.
-TEST(Parameters, ShippedScriptIsComplete)
+/// Opens the shipped script of a tool; its only filter is the tool's.
+RichParameterList shippedScript(gpr::Tool tool)
 {
-	FilterScript script;
-	ASSERT_TRUE(script.open(GPR_SCRIPT_FILE));
-	ASSERT_EQ(script.size(), 1);
-	EXPECT_EQ(script.at(0).filterName(), plugin().filterName(remeshAction()));
-	const RichParameterList& inScript = script.at(0).second;
-	const RichParameterList  inDialog = tableList();
+	const gpr_filter::FilterText& text = gpr_filter::textOf(tool);
+	FilterScript                  script;
+	EXPECT_TRUE(script.open(QString(GPR_SCRIPT_DIR "/") + text.pythonName + ".mlx"));
+	if (script.size() != 1) {
+		ADD_FAILURE() << text.pythonName << " has " << script.size() << " filters";
+		return {};
+	}
+	EXPECT_EQ(script.at(0).filterName().toStdString(), text.name);
+	return script.at(0).second;
+}
+
+void expectCompleteScript(gpr::Tool tool)
+{
+	const RichParameterList inScript = shippedScript(tool);
+	const RichParameterList inDialog = tableList(tool);
 	ASSERT_EQ(inScript.size(), inDialog.size());
 	for (unsigned i = 0; i < inDialog.size(); ++i) {
 		const RichParameter& wanted = inDialog.at(i);
@@ -147,22 +194,30 @@ TEST(Parameters, ShippedScriptIsComplete)
 		EXPECT_EQ(given.stringType().toStdString(), wanted.stringType().toStdString())
 			<< wanted.name().toStdString();
 	}
-	EXPECT_TRUE(read(inScript).complaints.empty());
+	EXPECT_TRUE(read(inScript, tool).complaints.empty());
 }
 
-TEST(Parameters, ShippedScriptAsksForTheDefaults)
+// meshlabserver aborts on a script in which one parameter is missing.
+TEST(Parameters, ShippedScriptsAreComplete)
 {
-	FilterScript script;
-	ASSERT_TRUE(script.open(GPR_SCRIPT_FILE));
-	const gpr::RemeshOptions got = read(script.at(0).second).values.options();
-	const gpr::RemeshOptions engine;
-	EXPECT_EQ(got.targetMode, engine.targetMode);
-	EXPECT_EQ(got.targetPercent, engine.targetPercent);
-	EXPECT_EQ(got.relaxIterations, engine.relaxIterations);
-	EXPECT_EQ(got.exactCount, engine.exactCount);
-	EXPECT_EQ(got.allowNearest, engine.allowNearest);
-	EXPECT_EQ(got.seed, engine.seed);
-	EXPECT_EQ(got.threads, engine.threads);
+	for (gpr::Tool tool : tools) {
+		expectCompleteScript(tool);
+	}
+}
+
+TEST(Parameters, ShippedScriptsAskForTheDefaults)
+{
+	for (gpr::Tool tool : tools) {
+		const gpr::RemeshOptions got = read(shippedScript(tool), tool).values.options();
+		const gpr::RemeshOptions engine;
+		EXPECT_EQ(got.targetMode, engine.targetMode);
+		EXPECT_EQ(got.targetPercent, engine.targetPercent);
+		EXPECT_EQ(got.relaxIterations, engine.relaxIterations);
+		EXPECT_EQ(got.exactCount, engine.exactCount);
+		EXPECT_EQ(got.allowNearest, engine.allowNearest);
+		EXPECT_EQ(got.seed, engine.seed);
+		EXPECT_EQ(got.threads, engine.threads);
+	}
 }
 
 } // namespace

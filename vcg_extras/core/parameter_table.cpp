@@ -86,11 +86,26 @@ using Table = std::vector<Parameter>;
 using Kind  = ParameterKind;
 using Value = ParameterValue;
 
+void addSamples(Table& t)
+{
+	t.push_back(row(RetriangulateTool, "SampleLayer", "", "", Kind::Count,
+					"Number of the layer with the samples",
+					"The layer whose vertices become the vertices of the result, by the number "
+					"that MeshLab "
+					"shows before its name; the current layer is the surface. The dialog proposes "
+					"the newest "
+					"other layer of points.")
+					.range(0, largestCount)
+					.byDefault([](const MeshFacts& facts) { return Value(facts.sampleLayer); })
+					.p);
+}
+
 void addSize(Table& t)
 {
 	t.push_back(row(sized, "TargetVertexNum", "--vertices", "N", Kind::Count, "Number of vertices",
-					"How many vertices the result has, exactly. Used where percentage and edge "
-					"length are 0. A number below what the topology needs is refused, and the "
+					"How many vertices the result has, exactly; a sampling lands within about a "
+					"tenth of it. Used where percentage and edge length are 0. A number below what "
+					"the topology needs is refused, and the "
 					"smallest possible one named. The default is 10 % of the layer's vertices.")
 					.range(1, largestCount)
 					.byDefault(tenPercent)
@@ -324,13 +339,6 @@ void addRun(Table& t)
 					.range(0, 1024)
 					.store([](const Value& v, RemeshOptions& o) { o.threads = int(countOf(v)); })
 					.p);
-	t.push_back(
-		row(RetriangulateTool, "SampleLayer", "", "", Kind::Count,
-			"Number of the layer with the samples",
-			"The number that MeshLab shows before the layer's name; its vertices become the "
-			"vertices of the result.")
-			.range(0, largestCount)
-			.p);
 	t.push_back(row(RemeshTool | RetriangulateTool, "NewLayer", "", "", Kind::Switch,
 					"Put the result into a new layer",
 					"Off: the result takes the place of the layer's mesh. MeshLab has no undo, so "
@@ -343,6 +351,7 @@ void addRun(Table& t)
 std::vector<Parameter> makeParameterTable()
 {
 	Table table;
+	addSamples(table);
 	addSize(table);
 	addStages(table);
 	addCount(table);

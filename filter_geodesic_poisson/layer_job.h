@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef FILTER_GEODESIC_POISSON_LAYER_JOB_H
+#define FILTER_GEODESIC_POISSON_LAYER_JOB_H
+
+// What all filters do with MeshLab's document. The interface is 2020.09's.
+
+#include "mesh_bridge.h"
+
+#include <common/interfaces.h>
+#include <string>
+#include <vcg_extras/core/parameters.h>
+#include <vector>
+
+namespace gpr_filter {
+
+/// What the dialog's defaults depend on; a document without a layer has facts, too.
+gpr::MeshFacts factsOf(const MeshDocument& document);
+
+/// One run of a filter on the current layer: what the user asked for, a copy of the mesh for the
+/// engine, and the way back into the document.
+class LayerJob {
+public:
+	/// Reads the parameters and copies the layer. Throws Refusal: no layer, values out of range, a
+	/// layer without the quality or selection that the values ask for.
+	LayerJob(MeshDocument& document, gpr::Tool tool, const RichParameterList& list);
+
+	const LayerCopy&          copy() const { return _copy; }
+	const gpr::RemeshOptions& options() const { return _options; }
+
+	/// The vertices of the layer that the parameter SampleLayer names, in the frame of ours.
+	/// Throws Refusal: no such layer, an empty one, our own, a transform that has no inverse.
+	std::vector<gpr::Vec3d> samples() const;
+
+	/// The layer, to be written to. Other filters can run while ours does; throws Refusal where
+	/// they removed the layer or changed its mesh.
+	MeshModel& layer() const;
+
+	/// Puts a mesh into the layer, or into a new one where the parameters say so, whose label ends
+	/// with the suffix. Returns a sentence about what was lost, or nothing. Throws as layer() does;
+	/// the document is then as it was.
+	std::string put(CMeshO& built, const char* suffix) const;
+
+	/// Puts points, with quality and the layer's colour, into a new layer that becomes the current
+	/// one. Throws as layer() does.
+	void putPoints(CMeshO& built, const char* suffix) const;
+
+private:
+	MeshDocument&      _document;
+	int                _layerId;
+	gpr::ParameterSet  _values;
+	gpr::RemeshOptions _options;
+	LayerCopy          _copy;
+
+	const MeshModel& sampleModel() const;
+	MeshModel&       addLayer(const MeshModel& source, int mask, const char* suffix) const;
+};
+
+} // namespace gpr_filter
+
+#endif

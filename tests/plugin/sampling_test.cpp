@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The filter "Sampling: Geodesic Poisson Disk", called as MeshLab calls it.
+
+#include "host.h"
+
+#include <gtest/gtest.h>
+#include <vcg_extras/core/remesh.h>
+
+namespace {
+
+using namespace plugin_test;
+
+constexpr gpr::Tool tool = gpr::SamplingTool;
+
+/// The engine's samples of a layer.
+gpr::SamplingResult engineSamples(const MeshModel& layer, int vertexNum)
+{
+	gpr::RemeshOptions options;
+	options.targetMode               = gpr::TargetMode::VertexNum;
+	options.targetVertexNum          = vertexNum;
+	const gpr_filter::LayerCopy copy = gpr_filter::copyLayer(layer.cm, {});
+	return gpr::samplePoissonDisks(copy.view(), options);
+}
+
+bool sample(Document& document, int vertexNum)
+{
+	RichParameterList list = defaults(document, tool);
+	list.setValue("TargetVertexNum", IntValue(vertexNum));
+	return apply(document, tool, list);
+}
+
+TEST(SamplingFilter, PointsAreTheEngines)
+{
+	Document                  document;
+	MeshModel&                ball   = addBall(document);
+	const gpr::SamplingResult wanted = engineSamples(ball, 500);
+	ASSERT_TRUE(sample(document, 500)) << document.logText().toStdString();
+	ASSERT_EQ(document->size(), 2);
+	CMeshO& points = document.layer(1).cm;
+	ASSERT_EQ(std::size_t(points.vn), wanted.points.size());
+	for (std::size_t i = 0; i < wanted.points.size(); ++i) {
+		const Point3m& p = points.vert[i].cP();
+		ASSERT_TRUE(gpr::Vec3f(p[0], p[1], p[2]) == gpr::Vec3f(wanted.points[i])) << i;
+		ASSERT_EQ(points.vert[i].cQ(), float(wanted.diskRadius));
+	}
+}
+
+TEST(SamplingFilter, NewLayerOfPoints)
+{
+	Document   document;
+	MeshModel& ball = addBall(document);
+	ball.cm.Tr.SetTranslate(1, 2, 3);
+	const Snapshot before(document);
+	ASSERT_TRUE(sample(document, 500)) << document.logText().toStdString();
+	MeshModel& added = document.layer(1);
+	EXPECT_EQ(document->mm(), &added);
+	EXPECT_EQ(added.label().toStdString(), "ball_samples");
+	EXPECT_EQ(added.cm.fn, 0);
+	EXPECT_TRUE(added.cm.Tr == ball.cm.Tr);
+	EXPECT_TRUE(added.hasDataMask(MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTCOLOR));
+	EXPECT_NEAR(added.cm.bbox.max[2], 1, 0.1);
+	EXPECT_TRUE(document.logText().contains("points"));
+	// The ball itself is as it was.
+	document->delMesh(&added);
+	document->setCurrentMesh(ball.id());
+	EXPECT_TRUE(before == Snapshot(document));
+}
+
+TEST(SamplingFilter, NormalAndColourAreTheSurfaces)
+{
+	Document document;
+	addBall(document);
+	ASSERT_TRUE(sample(document, 500));
+	for (const CVertexO& v : document.layer(1).cm.vert) {
+		ASSERT_NEAR(v.cN().Norm(), 1, 1e-5);
+		ASSERT_GT(v.cN() * v.cP(), 0.99);
+		for (int k = 0; k < 3; ++k) {
+			ASSERT_NEAR(v.cC()[k], 128 + 100 * v.cP()[k], 2);
+		}
+	}
+}
+
+TEST(SamplingFilter, NoColourWhereTheMeshHasNone)
+{
+	Document document;
+	addSheet(document);
+	ASSERT_TRUE(sample(document, 200));
+	EXPECT_FALSE(document.layer(1).hasDataMask(MeshModel::MM_VERTCOLOR));
+	EXPECT_TRUE(document.layer(1).hasDataMask(MeshModel::MM_VERTQUALITY));
+}
+
+TEST(SamplingFilter, CancelledOrWithoutFacesChangesNothing)
+{
+	Document document;
+	addBall(document);
+	const Snapshot          before(document);
+	const RichParameterList list = defaults(document, tool);
+	DuringRun               cancel([](int) { return false; });
+	EXPECT_FALSE(apply(document, tool, list, cancel.callback()));
+	EXPECT_TRUE(before == Snapshot(document));
+	Document noFaces;
+	addPoints(noFaces, {{0, 0, 0}, {1, 0, 0}});
+	EXPECT_FALSE(apply(noFaces, tool, list));
+	EXPECT_FALSE(plugin().errorMsg().isEmpty());
+	EXPECT_EQ(noFaces->size(), 1);
+}
+
+TEST(SamplingFilter, DensityByAQualityThatIsMissing)
+{
+	Document document;
+	addSheet(document);
+	RichParameterList list = defaults(document, tool);
+	list.setValue("Lambda", FloatValue(1));
+	list.setValue("Sizing", EnumValue(1));
+	EXPECT_FALSE(apply(document, tool, list));
+	EXPECT_TRUE(plugin().errorMsg().contains("quality"));
+}
+
+TEST(SamplingFilter, FeatureRegionBySelectionWithoutOne)
+{
+	Document document;
+	addBall(document);
+	RichParameterList list = defaults(document, tool);
+	list.setValue("FeatureRegion", EnumValue(2));
+	EXPECT_FALSE(apply(document, tool, list));
+	EXPECT_TRUE(plugin().errorMsg().contains("selected"));
+}
+
+TEST(LayerCopy, SelectedAreVerticesAndCornersOfFaces)
+{
+	Document   document;
+	MeshModel& sheet = addSheet(document);
+	sheet.cm.vert[7].SetS();
+	sheet.cm.face[100].SetS();
+	const gpr_filter::LayerCopy copy = gpr_filter::copyLayer(sheet.cm, {false, false, true});
+	std::vector<std::uint8_t>   wanted(sheet.cm.vert.size());
+	wanted[7] = 1;
+	for (int k = 0; k < 3; ++k) {
+		wanted[vcg::tri::Index(sheet.cm, sheet.cm.face[100].cV(k))] = 1;
+	}
+	EXPECT_EQ(copy.selected, wanted);
+	EXPECT_EQ(copy.view().selected, copy.selected.data());
+	EXPECT_EQ(gpr_filter::copyLayer(sheet.cm, {}).view().selected, nullptr);
+}
+
+} // namespace
