@@ -14,7 +14,7 @@ namespace gpr::test {
 
 namespace {
 
-constexpr double pi = 3.14159265358979;
+constexpr double pi   = 3.14159265358979;
 constexpr double tube = 0.4; // radius of the torus' tube; its axis has radius 1
 
 /// Mean curvature of the torus at an angle round its tube, 0 = outermost.
@@ -126,11 +126,11 @@ TEST(DensityBySelection, MakesTheRegionFiner)
 	std::vector<std::uint8_t> selected(ball.vertexNum());
 	for (std::size_t v = 0; v < selected.size(); ++v)
 		selected[v] = ball.positions[v].z > 0.8;
-	MeshView view            = ball.view();
-	view.selected            = selected.data();
-	RemeshOptions options    = withCount(1500);
-	options.featureRegion    = FeatureRegion::Selection;
-	options.featureDiskScale = 0.4;
+	MeshView view             = ball.view();
+	view.selected             = selected.data();
+	RemeshOptions options     = withCount(1500);
+	options.featureRegion     = FeatureRegion::Selection;
+	options.featureDiskScale  = 0.4;
 	const RemeshResult result = remesh(view, options);
 	ASSERT_EQ(result.status, Status::Ok) << result.message;
 	EXPECT_EQ(result.mesh.vertexNum(), 1500u);
@@ -160,7 +160,7 @@ TEST_P(AnyLambda, HitsTheCountAndKeepsTheTopology)
 		ASSERT_EQ(result.status, Status::Ok) << result.message;
 		EXPECT_TRUE(result.report.audit.passed);
 		EXPECT_TRUE(result.report.audit.countExact);
-		options.threads           = 4 - options.threads;
+		options.threads          = 4 - options.threads;
 		const RemeshResult again = remesh(mesh.view(), options);
 		ASSERT_EQ(again.mesh.vertexNum(), result.mesh.vertexNum());
 		EXPECT_EQ(again.mesh.triangles, result.mesh.triangles);

@@ -76,8 +76,8 @@ TEST(FuseBoundary, MakesEverySampleABorderVertexAtItsPlace)
 			for (std::size_t s = 0; s < boundary.samples.size(); ++s) {
 				const int v = fused.sampleVertex[s];
 				ASSERT_TRUE(fused.mesh.isBorderVertex(v));
-				ASSERT_LE(
-					length(fused.mesh.position[v] - boundary.samples[s].anchor.position), 1e-5f);
+				ASSERT_LE(length(fused.mesh.position[v] - boundary.samples[s].anchor.position),
+						  1e-5f);
 			}
 			EXPECT_TRUE(isSoundTable(fused.mesh));
 			EXPECT_TRUE(hasSameTopology(meshOf(fused.mesh), mesh));

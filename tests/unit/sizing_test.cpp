@@ -87,13 +87,13 @@ TEST_F(SizingTest, EvenCurvatureChangesNothing)
 
 TEST_F(SizingTest, SizesGrowNoFasterThanTheirSlopeAndNoWiderThanTheStretch)
 {
-	options.lambda          = 100;
-	options.largestStretch  = 3;
-	const TriangleMesh mesh = bentSheet(60, 1.5);
-	const Surface      bent = surfaceOf(mesh, workers);
-	const float        r    = 0.05f;
-	const Sizing       s    = sizing(mesh, bent, r);
-	const float        rMax = r * float(s.radiusFactor);
+	options.lambda           = 100;
+	options.largestStretch   = 3;
+	const TriangleMesh mesh  = bentSheet(60, 1.5);
+	const Surface      bent  = surfaceOf(mesh, workers);
+	const float        r     = 0.05f;
+	const Sizing       s     = sizing(mesh, bent, r);
+	const float        rMax  = r * float(s.radiusFactor);
 	float              least = 1;
 	for (int h = 0; h < bent.mesh.halfEdgeNum(); ++h) {
 		const int   a = bent.mesh.origin[h], b = bent.mesh.target(h);
@@ -162,9 +162,9 @@ TEST_F(SizingTest, LongEdgesAreSplitByTheirLocalSize)
 	const float unit = float(mesh.frame.scale);
 	splitLongEdges(mesh, 0.2f * unit, size, 1000000, workers);
 	for (int h = 0; h < 3 * mesh.faceNum; ++h) {
-		const Vec3f  a = mesh.position[mesh.triangle[h]];
-		const Vec3f  b = mesh.position[mesh.triangle[nextInFace(h)]];
-		const double x = std::min(mesh.frame.toCaller(a).x, mesh.frame.toCaller(b).x);
+		const Vec3f  a    = mesh.position[mesh.triangle[h]];
+		const Vec3f  b    = mesh.position[mesh.triangle[nextInFace(h)]];
+		const double x    = std::min(mesh.frame.toCaller(a).x, mesh.frame.toCaller(b).x);
 		const double most = x >= 0.5 ? 0.04 : 0.2;
 		EXPECT_LE(length(a - b) / unit, most * 1.001);
 	}

@@ -142,17 +142,16 @@ void DiskFlood::settle(int v, float distance, const Sample& sample)
 
 	// Along the edges, and across every triangle one of whose other corners is settled too.
 	const Vec3f from = sample.anchor.position;
-	forEachNeighbour(m_, v,
-					 [&](int w) { tryDistance(w, distance + wayAlong(v, w) * scale_); });
+	forEachNeighbour(m_, v, [&](int w) { tryDistance(w, distance + wayAlong(v, w) * scale_); });
 	forEachOutgoing(m_, v, [&](int h) {
 		const int  a = m_.target(h), b = m_.apex(h);
 		const bool aSettled = field_.trial[a].stamp == stamp + 1;
 		const bool bSettled = field_.trial[b].stamp == stamp + 1;
 		if (aSettled == bSettled) return;
 		const int   known = aSettled ? a : b, wanted = aSettled ? b : a;
-		const float d = unfoldedDistance(
-			distance, field_.trial[known].distance, wayAlong(v, known) * scale_,
-			wayAlong(v, wanted) * scale_, wayAlong(known, wanted) * scale_);
+		const float d =
+			unfoldedDistance(distance, field_.trial[known].distance, wayAlong(v, known) * scale_,
+							 wayAlong(v, wanted) * scale_, wayAlong(known, wanted) * scale_);
 		// No way on the surface is shorter than the chord, and the front never runs back.
 		const float chord =
 			stretch_ == nullptr ? length(m_.position[wanted] - from) * scale_ : 0.0f;

@@ -75,10 +75,10 @@ int splitAt(FusedMesh& fused, int h, const Vec3f& place)
 		m.position.size() == std::size_t(m.vertexNum) ||
 		std::min(m.origin.size() / 3, fused.parentFace.size()) < std::size_t(m.faceNum) + 2;
 	if (isFull) makeRoom(fused, m.vertexNum / 4 + 64);
-	const int v      = m.vertexNum++;
-	const int g      = m.opposite[h];
-	const int first  = m.faceNum;
-	m.position[v]    = place;
+	const int v     = m.vertexNum++;
+	const int g     = m.opposite[h];
+	const int first = m.faceNum;
+	m.position[v]   = place;
 	if (g < 0) {
 		splitBorderEdge(m, h, v);
 	}

@@ -178,6 +178,7 @@ public:
 		for (const Sample& s : sampling.samples) {
 			out.points.push_back(p.surface.frame.toCaller(s.anchor.position));
 			out.anchors.push_back(surfacePoint(input_, p.surface, s.anchor));
+			out.radii.push_back(report_.diskRadius * double(s.size));
 		}
 		out.diskRadius = report_.diskRadius;
 	}

@@ -144,8 +144,8 @@ private:
 			points.vert[i].P() = gpr_detail::ToCoord<CoordType>(run.points[i]);
 		attributes.Write(points);
 		if (HasPerVertexQuality(points))
-			for (auto& v : points.vert)
-				v.Q() = typename MeshType::VertexType::QualityType(run.diskRadius);
+			for (std::size_t i = 0; i < run.points.size(); ++i)
+				points.vert[i].Q() = typename MeshType::VertexType::QualityType(run.radii[i]);
 		if (HasPerVertexNormal(points))
 			for (std::size_t i = 0; i < run.points.size(); ++i)
 				points.vert[i].N().Import(
