@@ -10,6 +10,8 @@
 #include "exact_count.h"
 #include "face_tree.h"
 #include "failure.h"
+#include "feature_detection.h"
+#include "feature_export.h"
 #include "fold_repair.h"
 #include "front_sampling.h"
 #include "load.h"
@@ -200,6 +202,24 @@ public:
 		nameSamples(points, result, out);
 	}
 
+	void detect(FeatureResult& out)
+	{
+		Surface surface;
+		clock_.enter("load", "Taking over the mesh", 0.1);
+		IndexedMesh mesh     = loadInput(input_, workers_, report_.cleaned);
+		surface.frame        = mesh.frame;
+		const float meanEdge = meanEdgeLength(mesh, workers_);
+		if (!(meanEdge > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
+		connectOrRepair(mesh, surface);
+		describeInput(surface);
+		clock_.enter("features", "Detecting features", 0.95);
+		const FeatureEdges features =
+			findFeatures(surface, options_.featureThresholds, meanEdge, workers_);
+		clock_.enter("export", "Handing out the features", 1);
+		exportFeatures(input_, surface, features, out);
+		noteDetection(features, out);
+	}
+
 private:
 	const MeshView&   input_;
 	RemeshOptions     options_;
@@ -229,7 +249,7 @@ private:
 			mesh, longestEdge * p.radius, mostFacesFor(p.targetNum, mesh.faceNum), workers_);
 		connectOrRepair(mesh, p.surface);
 		setSizes(p);
-		describeInput(p);
+		describeInput(p.surface);
 		return p;
 	}
 
@@ -303,10 +323,10 @@ private:
 		}
 	}
 
-	void describeInput(const Prepared& p)
+	void describeInput(const Surface& surface)
 	{
 		clock_.enter("audit", "Counting", 0.22);
-		report_.cleanedInput   = figuresOf(p.surface.mesh, 1 / p.surface.frame.scale, workers_);
+		report_.cleanedInput   = figuresOf(surface.mesh, 1 / surface.frame.scale, workers_);
 		report_.input          = report_.cleanedInput;
 		report_.input.vertices = std::int64_t(input_.vertexNum);
 		report_.input.faces    = std::int64_t(input_.faceNum);
@@ -487,6 +507,19 @@ private:
 		}
 	}
 
+	// ---- features
+
+	void noteDetection(const FeatureEdges& features, FeatureResult& out)
+	{
+		if (features.supportCut) {
+			out.notes.push_back("The feature support was cut to 5 % of the diagonal, the most that "
+								"tells the sides of an edge apart.");
+		}
+		if (features.cappedRayNum > 0) {
+			report_.capsReached.push_back("faces crossed by the rays of the feature support");
+		}
+	}
+
 	// ---- the result
 
 	void finish(const Prepared& p, const ResultMesh& result, RemeshResult& out)
@@ -600,6 +633,14 @@ RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samp
 {
 	return guarded<RemeshResult>(options, progress, [&](Workers& workers, RemeshResult& r) {
 		Run(input, options, workers, r.report).retriangulate(samples, r);
+	});
+}
+
+FeatureResult detectFeatures(const MeshView& input, const RemeshOptions& options,
+							 const ProgressCallback& progress)
+{
+	return guarded<FeatureResult>(options, progress, [&](Workers& workers, FeatureResult& r) {
+		Run(input, options, workers, r.report).detect(r);
 	});
 }
 

@@ -77,6 +77,13 @@ struct AuditFigures {
 	bool         countExact          = false;
 };
 
+/// What a vertex is to the features, as bits.
+enum VertexFeature : std::uint8_t {
+	OnFeatureLine = 1, ///< end of a feature edge
+	FeatureCorner = 2, ///< on a line, which ends, branches or turns here
+	FeatureTip    = 4, ///< tip of a cone: a feature by itself
+};
+
 /// Everything a run tells about itself.
 struct RemeshReport {
 	MeshFigures    input;        ///< as given
