@@ -27,6 +27,33 @@ int edgeBetween(const HalfEdgeMesh& m, int a, int b)
 	return h;
 }
 
+/// The patch that joins every place of the ring to one of them.
+HolePatch fanPatch(int placeNum, int from)
+{
+	HolePatch patch;
+	for (int t = 0; t + 2 < placeNum; ++t) {
+		const int a = (from + t + 1) % placeNum;
+		patch.corner.insert(patch.corner.end(), {from, a, (a + 1) % placeNum});
+		patch.across.insert(patch.across.end(), {3 * t - 1, -1 - a, 3 * t + 3});
+	}
+	if (placeNum > 2) {
+		patch.across.front() = -1 - from;
+		patch.across.back()  = -1 - (from + placeNum - 1) % placeNum;
+	}
+	return patch;
+}
+
+/// Whether the vertex may go, any fan closing its hole; if so it goes.
+bool removeByFan(HalfEdgeMesh& m, int v, int from, EditScratch& scratch)
+{
+	VertexStar star;
+	collectStar(m, v, star);
+	const HolePatch patch = fanPatch(star.placeNum(), from % star.placeNum());
+	if (!canRemoveVertex(m, star, patch, scratch)) return false;
+	removeVertex(m, star, patch, scratch);
+	return true;
+}
+
 ///   6---7---8      Collapsing the centre of a 2 × 2 grid into vertex 5 takes two faces away.
 ///   | \ | / |
 ///   3---4---5
@@ -129,6 +156,128 @@ TEST(MeshEdit, SplitsAddOneVertexAndTwoFacesOrOneAtTheBorder)
 	EXPECT_EQ(borderNeighbour(m, 0, true), 5);
 }
 
+TEST(MeshEdit, SplittingAFaceMakesThreeOfIt)
+{
+	const TriangleMesh mesh = grid(2, 2);
+	for (int f = 0; f < int(mesh.faceNum()); ++f) {
+		HalfEdgeMesh m = halfEdgesOf(mesh, 1, 2);
+		m.position[9]  = (m.position[m.origin[3 * f]] + m.position[m.origin[3 * f + 1]] +
+                         m.position[m.origin[3 * f + 2]]) *
+						(1 / 3.0f);
+		m.vertexNum = 10;
+		splitFace(m, f, 9);
+		EXPECT_TRUE(isManifold(m)) << "face " << f;
+		EXPECT_EQ(m.faceNum, 10);
+		EXPECT_EQ(m.valence(9), 3);
+		EXPECT_NEAR(factsOf(meshOf(m)).area, 1, 1e-6);
+	}
+}
+
+/// Round the centre of a 2 × 2 grid lie eight places; every fan of them closes the hole.
+TEST(MeshEdit, RemovingAVertexClosesItsHoleByThePatch)
+{
+	EditScratch scratch;
+	for (int from = 0; from < 8; ++from) {
+		HalfEdgeMesh m = halfEdgesOf(grid(2, 2));
+		ASSERT_EQ(m.valence(4), 8);
+		ASSERT_TRUE(removeByFan(m, 4, from, scratch));
+		EXPECT_TRUE(isManifold(m));
+		EXPECT_EQ(meshOf(m).faceNum(), 6u);
+		EXPECT_LT(m.outgoing[4], 0);
+		EXPECT_TRUE(hasSameTopology(meshOf(m), grid(2, 2)));
+	}
+}
+
+///   6---7---8      Taking out vertex 1 makes 0 - 2 the border, taking out 0 makes 3 - 1.
+///   | \ | / |
+///   3---4---5
+///   | / | \ |
+///   0---1---2
+TEST(MeshEdit, RemovingABorderVertexClosesTheHoleAlongTheBorder)
+{
+	EditScratch scratch;
+	for (int v : {0, 1, 2, 3, 5, 6, 7, 8}) {
+		HalfEdgeMesh m = halfEdgesOf(grid(2, 2));
+		VertexStar   star;
+		collectStar(m, v, star);
+		ASSERT_FALSE(star.isClosed);
+		ASSERT_EQ(star.placeNum(), int(star.spoke.size()) + 1);
+		bool removed = false;
+		for (int from = 0; from < star.placeNum() && !removed; ++from)
+			removed = removeByFan(m, v, from, scratch);
+		ASSERT_TRUE(removed) << v;
+		EXPECT_TRUE(isManifold(m)) << v;
+		EXPECT_EQ(meshOf(m).faceNum(), 7u) << v;
+		EXPECT_EQ(factsOf(meshOf(m)).borderEdges, 7) << v;
+		EXPECT_TRUE(m.isBorderVertex(star.ring.front()));
+		EXPECT_EQ(borderNeighbour(m, star.ring.back(), true), star.ring.front());
+	}
+}
+
+/// The top of an octahedron may go; then the bottom only if the other diagonal is taken.
+TEST(MeshEdit, RemovalNeverDoublesAnEdge)
+{
+	const TriangleMesh octahedron{
+		{{1, 0, 0}, {0, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+		{0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4, 1, 0, 5, 2, 1, 5, 3, 2, 5, 0, 3, 5}};
+	HalfEdgeMesh m = halfEdgesOf(octahedron);
+	EditScratch  scratch;
+	ASSERT_TRUE(removeByFan(m, 4, 0, scratch));
+	EXPECT_TRUE(isManifold(m));
+	VertexStar star;
+	collectStar(m, 5, star);
+	int allowed = 0;
+	for (int from = 0; from < 2; ++from)
+		allowed += canRemoveVertex(m, star, fanPatch(4, from), scratch);
+	EXPECT_EQ(allowed, 1);
+	ASSERT_TRUE(removeByFan(m, 5, 0, scratch) || removeByFan(m, 5, 1, scratch));
+	EXPECT_TRUE(isManifold(m));
+	EXPECT_EQ(meshOf(m).faceNum(), 4u) << "a tetrahedron is left";
+	for (int v = 0; v < 4; ++v)
+		EXPECT_FALSE(removeByFan(m, v, 0, scratch)) << "nothing smaller is closed";
+}
+
+TEST(MeshEdit, RemovalRefusesWhatIsNoTriangulationOfTheRing)
+{
+	const HalfEdgeMesh m = halfEdgesOf(grid(2, 2));
+	EditScratch        scratch;
+	VertexStar         star;
+	collectStar(m, 4, star);
+	const HolePatch good = fanPatch(8, 3);
+	ASSERT_TRUE(canRemoveVertex(m, star, good, scratch));
+	EXPECT_FALSE(canRemoveVertex(m, star, fanPatch(7, 3), scratch)) << "a place is left out";
+	EXPECT_FALSE(canRemoveVertex(m, star, HolePatch(), scratch));
+	for (std::size_t x = 0; x < good.corner.size(); ++x) {
+		HolePatch wrongCorner = good, wrongAcross = good, outOfRange = good;
+		wrongCorner.corner[x] = (good.corner[x] + 1) % 8;
+		wrongAcross.across[x] = good.across[x] >= 0 ? -1 : 0;
+		outOfRange.across[x]  = 99;
+		EXPECT_FALSE(canRemoveVertex(m, star, wrongCorner, scratch)) << x;
+		EXPECT_FALSE(canRemoveVertex(m, star, wrongAcross, scratch)) << x;
+		EXPECT_FALSE(canRemoveVertex(m, star, outOfRange, scratch)) << x;
+	}
+}
+
+/// A single triangle is nothing but border; a loop of three keeps its vertices.
+TEST(MeshEdit, RemovalKeepsTheLastFaceAndLoopsOfThree)
+{
+	EditScratch  scratch;
+	HalfEdgeMesh triangle = halfEdgesOf({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {0, 1, 2}});
+	for (int v = 0; v < 3; ++v)
+		EXPECT_FALSE(removeByFan(triangle, v, 0, scratch));
+	HalfEdgeMesh m = halfEdgesOf(grid(6, 6));
+	for (bool again = true; again;) {
+		again = false;
+		for (int v = 0; v < m.vertexNum; ++v) {
+			if (m.outgoing[v] < 0 || !m.isBorderVertex(v)) continue;
+			for (int from = 0; from < 6 && m.outgoing[v] >= 0; ++from)
+				again = removeByFan(m, v, from, scratch) || again;
+		}
+		ASSERT_TRUE(isManifold(m));
+	}
+	EXPECT_EQ(factsOf(meshOf(m)).borderEdges, 3);
+}
+
 TEST(MeshEdit, ALoopKeepsThreeVertices)
 {
 	HalfEdgeMesh m = halfEdgesOf(grid(6, 6));
@@ -184,7 +333,7 @@ protected:
 	{
 		const int h = random.below(m.halfEdgeNum());
 		if (m.origin[h] < 0) return;
-		switch (random.below(5)) {
+		switch (random.below(7)) {
 		case 0:
 			count(canCollapse(m, h, scratch), [&] { collapse(m, h); });
 			break;
@@ -196,6 +345,12 @@ protected:
 			break;
 		case 3:
 			if (m.opposite[h] >= 0) count(true, [&] { splitEdge(m, h, addVertex(h)); });
+			break;
+		case 4:
+			done += removeByFan(m, m.origin[h], random.below(100), scratch);
+			break;
+		case 5:
+			count(true, [&] { splitFace(m, h / 3, addVertex(h)); });
 			break;
 		default:
 			if (m.opposite[h] < 0) count(true, [&] { splitBorderEdge(m, h, addVertex(h)); });

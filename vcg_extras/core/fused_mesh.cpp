@@ -49,6 +49,18 @@ private:
 	}
 };
 
+/// A vertex in no face yet, with room for the split that puts it in some.
+int addVertex(FusedMesh& fused, const Vec3f& place)
+{
+	HalfEdgeMesh& m = fused.mesh;
+	const bool    isFull =
+		m.position.size() == std::size_t(m.vertexNum) ||
+		std::min(m.origin.size() / 3, fused.parentFace.size()) < std::size_t(m.faceNum) + 2;
+	if (isFull) makeRoom(fused, m.vertexNum / 4 + 64);
+	m.position[m.vertexNum] = place;
+	return m.vertexNum++;
+}
+
 } // namespace
 
 FusedMesh beginFusion(const Surface& surface, Workers& workers)
@@ -70,15 +82,10 @@ void makeRoom(FusedMesh& fused, int moreVertices)
 
 int splitAt(FusedMesh& fused, int h, const Vec3f& place)
 {
-	HalfEdgeMesh& m = fused.mesh;
-	const bool    isFull =
-		m.position.size() == std::size_t(m.vertexNum) ||
-		std::min(m.origin.size() / 3, fused.parentFace.size()) < std::size_t(m.faceNum) + 2;
-	if (isFull) makeRoom(fused, m.vertexNum / 4 + 64);
-	const int v     = m.vertexNum++;
-	const int g     = m.opposite[h];
-	const int first = m.faceNum;
-	m.position[v]   = place;
+	HalfEdgeMesh& m     = fused.mesh;
+	const int     v     = addVertex(fused, place);
+	const int     g     = m.opposite[h];
+	const int     first = m.faceNum;
 	if (g < 0) {
 		splitBorderEdge(m, h, v);
 	}
@@ -87,6 +94,15 @@ int splitAt(FusedMesh& fused, int h, const Vec3f& place)
 		fused.parentFace[first + 1] = fused.parentFace[g / 3];
 	}
 	fused.parentFace[first] = fused.parentFace[h / 3];
+	return v;
+}
+
+int splitFaceAt(FusedMesh& fused, int f, const Vec3f& place)
+{
+	const int v     = addVertex(fused, place);
+	const int first = fused.mesh.faceNum;
+	splitFace(fused.mesh, f, v);
+	fused.parentFace[first] = fused.parentFace[first + 1] = fused.parentFace[f];
 	return v;
 }
 

@@ -17,7 +17,7 @@ namespace gpr {
 struct FusedMesh {
 	HalfEdgeMesh     mesh;
 	Buffer<int>      parentFace;   ///< of at least mesh.faceNum: the surface's face it lies in
-	std::vector<int> sampleVertex; ///< per sample: its vertex, no two alike
+	std::vector<int> sampleVertex; ///< per sample: its vertex, no two alike; -1: none
 };
 
 /// The surface itself: a tessellation with no sample fused yet. Cost: a copy, in parallel.
@@ -29,6 +29,9 @@ void makeRoom(FusedMesh& fused, int moreVertices);
 /// Splits the edge h, inner or border, at a place on it (paper §3, step 6): the new vertex, which
 /// is the mesh's last. What is left of h still begins at origin[h]. Makes room where there is none.
 int splitAt(FusedMesh& fused, int h, const Vec3f& place);
+
+/// Splits face f in three at a place inside; as splitAt else.
+int splitFaceAt(FusedMesh& fused, int f, const Vec3f& place);
 
 /// Makes every border sample a vertex: the border vertex it lies on, or a new one on its border
 /// edge. Appends to sampleVertex, in the order of boundary.samples. Needs a mesh whose border edges

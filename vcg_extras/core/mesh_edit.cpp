@@ -48,6 +48,66 @@ void killFace(HalfEdgeMesh& m, int f)
 	m.origin[3 * f] = m.origin[3 * f + 1] = m.origin[3 * f + 2] = -1;
 }
 
+/// Whether every edge of the patch's triangles is an edge of the ring, each once, or a diagonal
+/// that two of them share. With two triangles fewer than places this makes it a disk.
+bool isTriangulation(const HolePatch& patch, int placeNum, EditScratch& scratch)
+{
+	if (patch.triangleNum() != placeNum - 2 || patch.across.size() != patch.corner.size())
+		return false;
+	scratch.count.assign(placeNum, 0);
+	for (int x = 0; x < int(patch.corner.size()); ++x) {
+		const int from = patch.corner[x], to = patch.corner[nextInFace(x)];
+		const int y = patch.across[x];
+		if (y >= int(patch.corner.size()) || y < -placeNum) return false;
+		if (y < 0) {
+			if (from != -1 - y || to != (from + 1) % placeNum) return false;
+			if (++scratch.count[from] > 1) return false;
+			continue;
+		}
+		if (patch.across[y] != x || patch.corner[y] != to || patch.corner[nextInFace(y)] != from)
+			return false;
+	}
+	return true;
+}
+
+bool hasNewEdgesOnly(const HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch)
+{
+	for (int x = 0; x < int(patch.corner.size()); ++x) {
+		const bool isDiagonal = patch.across[x] > x;
+		const bool isClosing  = !star.isClosed && patch.across[x] == -star.placeNum();
+		if (!isDiagonal && !isClosing) continue;
+		const int a = star.ring[patch.corner[x]], b = star.ring[patch.corner[nextInFace(x)]];
+		if (m.areNeighbours(a, b)) return false;
+	}
+	return true;
+}
+
+/// A place with one triangle of the patch had two faces of the star, and loses one.
+bool leavesEnoughFaces(const HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
+					   EditScratch& scratch)
+{
+	const int n = star.placeNum();
+	scratch.count.assign(n, 0);
+	for (int place : patch.corner)
+		++scratch.count[place];
+	for (int place = 0; place < n; ++place) {
+		const bool isEnd  = !star.isClosed && (place == 0 || place == n - 1);
+		const int  before = isEnd ? 1 : 2;
+		if (scratch.count[place] < before && !canLoseFace(m, star.ring[place])) return false;
+	}
+	return true;
+}
+
+/// The only face of a border vertex goes; the edge opposite becomes border.
+void removeEar(HalfEdgeMesh& m, const VertexStar& star)
+{
+	const int beyond         = m.opposite[nextInFace(star.spoke[0])];
+	m.opposite[beyond]       = -1;
+	m.outgoing[star.ring[1]] = beyond;
+	m.outgoing[star.vertex]  = -1;
+	killFace(m, star.spoke[0] / 3);
+}
+
 void renameOrigin(HalfEdgeMesh& m, int from, int to)
 {
 	const int first = m.outgoing[from];
@@ -213,6 +273,100 @@ void splitBorderEdge(HalfEdgeMesh& m, int h, int v)
 	join(m, e + 1, acrossBC);
 	m.outgoing[v] = e;
 	if (m.outgoing[b] == hn) m.outgoing[b] = e + 1;
+}
+
+///        c                  c
+///      /   \              / | \          (a, b, c) becomes (a, b, v);
+///     /     \      =>    / .v. \         new are (b, c, v) and (c, a, v).
+///    a-------b          a-------b
+void splitFace(HalfEdgeMesh& m, int f, int v)
+{
+	const int ab = 3 * f, bc = ab + 1, ca = ab + 2;
+	const int a = m.origin[ab], b = m.origin[bc], c = m.origin[ca];
+	const int e = 3 * m.faceNum, k = 3 * (m.faceNum + 1);
+	m.faceNum += 2;
+	m.origin[ca]    = v;
+	m.origin[e]     = b;
+	m.origin[e + 1] = c;
+	m.origin[e + 2] = v;
+	m.origin[k]     = c;
+	m.origin[k + 1] = a;
+	m.origin[k + 2] = v;
+	m.opposite[e] = m.opposite[k] = -1;
+	join(m, e, m.opposite[bc]);
+	join(m, k, m.opposite[ca]);
+	join(m, bc, e + 2);
+	join(m, e + 1, k + 2);
+	join(m, k + 1, ca);
+	m.outgoing[v] = ca;
+	if (m.outgoing[b] == bc) m.outgoing[b] = e;
+	if (m.outgoing[c] == ca) m.outgoing[c] = k;
+}
+
+void collectStar(const HalfEdgeMesh& m, int v, VertexStar& star)
+{
+	star.vertex   = v;
+	star.isClosed = true;
+	star.ring.clear();
+	star.spoke.clear();
+	const int first = m.outgoing[v];
+	int       h     = first;
+	do {
+		star.spoke.push_back(h);
+		star.ring.push_back(m.target(h));
+		const int in = prevInFace(h);
+		h            = m.opposite[in];
+		if (h < 0) {
+			star.isClosed = false;
+			star.ring.push_back(m.origin[in]);
+		}
+	} while (h >= 0 && h != first);
+}
+
+bool canRemoveVertex(const HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
+					 EditScratch& scratch)
+{
+	const int n = star.placeNum();
+	if (n < 3) {
+		return !star.isClosed && patch.corner.empty() &&
+			   m.opposite[nextInFace(star.spoke[0])] >= 0 && canLoseFace(m, star.ring[0]) &&
+			   canLoseFace(m, star.ring[1]);
+	}
+	return isTriangulation(patch, n, scratch) && hasNewEdgesOnly(m, star, patch) &&
+		   leavesEnoughFaces(m, star, patch, scratch);
+}
+
+void removeVertex(HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
+				  EditScratch& scratch)
+{
+	if (star.placeNum() < 3) {
+		removeEar(m, star);
+		return;
+	}
+	// What lies beyond the ring; its last edge at a border has nothing there.
+	std::vector<int>& beyond = scratch.ringA;
+	beyond.clear();
+	for (int h : star.spoke)
+		beyond.push_back(m.opposite[nextInFace(h)]);
+	beyond.resize(star.placeNum(), -1);
+	// An inner vertex may begin at any of its half-edges, one of the border must keep its own.
+	std::vector<int>& onBorder = scratch.count;
+	onBorder.clear();
+	for (int w : star.ring)
+		onBorder.push_back(m.isBorderVertex(w));
+
+	const auto placed = [&](int x) { return 3 * (star.spoke[x / 3] / 3) + x % 3; };
+	for (int x = 0; x < int(patch.corner.size()); ++x) {
+		const int place = patch.corner[x], y = patch.across[x];
+		const int h = placed(x), w = star.ring[place];
+		m.origin[h]   = w;
+		m.opposite[h] = -1;
+		join(m, h, y >= 0 ? placed(y) : beyond[-1 - y]);
+		if (!onBorder[place] || m.opposite[h] < 0) m.outgoing[w] = h;
+	}
+	for (std::size_t i = std::size_t(patch.triangleNum()); i < star.spoke.size(); ++i)
+		killFace(m, star.spoke[i] / 3);
+	m.outgoing[star.vertex] = -1;
 }
 
 void reserve(HalfEdgeMesh& m, int vertexRoom, int faceRoom)

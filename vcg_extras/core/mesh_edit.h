@@ -22,6 +22,7 @@ inline bool isDeadFace(const HalfEdgeMesh& m, int f)
 /// Working memory of the tests, reused from call to call.
 struct EditScratch {
 	std::vector<int> ringA;
+	std::vector<int> count;
 };
 
 /// Whether the inner vertex origin[h] may be merged into target(h): the link condition (Dey et al.
@@ -50,6 +51,43 @@ void splitEdge(HalfEdgeMesh& m, int h, int newVertex);
 /// Puts newVertex on the border edge h; the new face takes the next number. newVertex becomes the
 /// border vertex after origin[h].
 void splitBorderEdge(HalfEdgeMesh& m, int h, int newVertex);
+
+/// Puts newVertex inside face f; the two new faces take the next two numbers.
+void splitFace(HalfEdgeMesh& m, int f, int newVertex);
+
+/// A vertex and what lies round it, counter-clockwise. Places of the ring are counted from 0; edge
+/// i of the ring runs from place i to the next. Round a border vertex the ring is a path from the
+/// next border vertex to the previous one, and its last edge, back to place 0, is not in the mesh.
+struct VertexStar {
+	int              vertex   = -1;
+	bool             isClosed = true;
+	std::vector<int> ring;  ///< neighbours
+	std::vector<int> spoke; ///< half-edges from the vertex to places 0, 1, ..., one a face
+
+	int placeNum() const { return int(ring.size()); }
+};
+void collectStar(const HalfEdgeMesh& m, int v, VertexStar& star);
+
+/// Triangles that close the hole a vertex leaves: two fewer than its ring has places, joined by
+/// diagonals.
+struct HolePatch {
+	std::vector<int> corner; ///< places of the ring, three a triangle, counter-clockwise
+	std::vector<int> across; ///< beyond the edge from corner k to the next of its triangle: the
+							 ///< diagonal's other k, or -1 - i for edge i of the ring
+
+	int triangleNum() const { return int(corner.size()) / 3; }
+};
+
+/// Whether patch is a triangulation of the star's ring, taken as a polygon without inner points,
+/// that may take the place of the star: none of its diagonals may be an edge of the mesh, and no
+/// vertex may be left with too few faces. Cost: a turn round a vertex per diagonal.
+bool canRemoveVertex(const HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
+					 EditScratch& scratch);
+
+/// Takes the star's vertex out and closes the hole by the patch. At a border the ring's last edge
+/// becomes border; a border vertex of one face only loses that.
+void removeVertex(HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
+				  EditScratch& scratch);
 
 /// Makes room for so many vertices and faces, keeping what is there.
 void reserve(HalfEdgeMesh& m, int vertexRoom, int faceRoom);

@@ -14,6 +14,8 @@
 #include "feature_export.h"
 #include "fold_repair.h"
 #include "front_sampling.h"
+#include "fuse_samples.h"
+#include "hole_retriangulation.h"
 #include "load.h"
 #include "measure.h"
 #include "relaxation.h"
@@ -193,7 +195,7 @@ public:
 		const Sampling       sampling  = takeOver(p, points);
 		const BlockPartition partition = cut(p);
 		clock_.enter("retriangulation", "Retriangulating", 0.9);
-		ResultMesh result = removeVertices(p.surface, sampling, boundary, partition, workers_);
+		ResultMesh result = retriangulateFrom(p, sampling, boundary, partition);
 		clock_.enter("flips", "Flipping edges", 0.95);
 		flipToDelaunay(result, workers_);
 		report_.targetVertexNum = result.mesh.vertexNum;
@@ -373,13 +375,23 @@ private:
 		const BlockPartition partition = cut(p);
 		Sampling             sampling  = sampleAll(p, partition, boundary);
 		clock_.enter("retriangulation", "Retriangulating", 0.8);
-		ResultMesh result = removeVertices(p.surface, sampling, boundary, partition, workers_);
+		ResultMesh result = retriangulateFrom(p, sampling, boundary, partition);
 		result.idealEdge  = idealEdge(p);
 		sampling          = Sampling();
 		clock_.enter("flips", "Flipping edges", 0.83);
 		flipToDelaunay(result, workers_);
 		mendFolds(p.surface, boundary, true, result, workers_);
 		return result;
+	}
+
+	/// From samples to a mesh of them, in the way the options ask for.
+	ResultMesh retriangulateFrom(const Prepared& p, const Sampling& sampling,
+								 const BoundaryCurves& boundary, const BlockPartition& partition)
+	{
+		if (options_.retriangulation == Retriangulation::LabelCollapse)
+			return removeVertices(p.surface, sampling, boundary, partition, workers_);
+		return removeOriginalVertices(fuseSamples(p.surface, sampling, boundary, workers_),
+									  p.surface, sampling, boundary, partition, workers_);
 	}
 
 	/// The first two steps leave the edges alone: flips straight away would undo what the exact

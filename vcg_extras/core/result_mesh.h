@@ -27,10 +27,11 @@ struct ResultMesh {
 	std::vector<ResultVertex> vertex;
 	float                     idealEdge = 0; ///< edge of the lattice of equilateral triangles, L0
 
-	std::int64_t flipNum     = 0;
-	std::int64_t splitNum    = 0;
-	std::int64_t collapseNum = 0;
-	std::int64_t leftoverNum = 0; ///< input vertices that removal had to keep
+	std::int64_t flipNum       = 0;
+	std::int64_t splitNum      = 0;
+	std::int64_t collapseNum   = 0;
+	std::int64_t byCollapseNum = 0; ///< input vertices that went though their hole was not closed
+	std::int64_t leftoverNum   = 0; ///< input vertices that removal had to keep
 };
 
 /// Drops dead faces and vertices (see mesh_edit.h) from mesh and vertex records.
