@@ -120,6 +120,50 @@ TEST(DensityAsPrinted, GoesWithTheStretchSquaredAndOvershoots)
 			   0.15);
 }
 
+/// Root of the sum of the squared principal curvatures of the ellipsoid x² + y² + z²/9 = 1.
+double ellipsoidCurvature(const Vec3d& p)
+{
+	const double a = 1, c = 3;
+	const double rho2     = p.x * p.x + p.y * p.y;
+	const double w        = rho2 / (a * a * a * a) + p.z * p.z / (c * c * c * c);
+	const double gaussian = 1 / (a * a * a * a * c * c * w * w);
+	// Round the axis: 1 over the length of the normal up to the axis, which is a² √w.
+	const double round = 1 / (a * a * std::sqrt(w));
+	return std::hypot(round, gaussian / round);
+}
+
+TEST(DensityByError, GoesWithTheRootOfTheCurvature)
+{
+	TriangleMesh egg = icosphere(6);
+	for (Vec3d& p : egg.positions)
+		p.z *= 3;
+	RemeshOptions options     = withCount(4000);
+	options.adapt             = 1;
+	const RemeshResult result = remesh(egg.view(), options);
+	ASSERT_EQ(result.status, Status::Ok) << result.message;
+	EXPECT_EQ(result.mesh.vertexNum(), 4000u);
+	// Sizes go with κ^-1/4, so the density with κ^1/2.
+	Shares     expected{}, measured{};
+	const auto part = [](double z) {
+		return std::min(partNum - 1, int(std::abs(z) / 3 * partNum));
+	};
+	double sum = 0;
+	for (std::size_t f = 0; f < egg.faceNum(); ++f) {
+		const Vec3d  a = egg.positions[egg.triangles[3 * f]];
+		const Vec3d  b = egg.positions[egg.triangles[3 * f + 1]];
+		const Vec3d  c = egg.positions[egg.triangles[3 * f + 2]];
+		const double w = length(cross(b - a, c - a)) * std::sqrt(ellipsoidCurvature(a));
+		expected[part(a.z)] += w;
+		sum += w;
+	}
+	for (double& e : expected)
+		e /= sum;
+	for (const Vec3d& p : result.mesh.positions)
+		measured[part(p.z)] += 1 / 4000.0;
+	expectNear(measured, expected, 0.1);
+	EXPECT_GT(result.report.quality.radiusRatioMean, 0.97);
+}
+
 TEST(DensityBySelection, MakesTheRegionFiner)
 {
 	const TriangleMesh        ball = icosphere(5);

@@ -39,6 +39,9 @@ void checkDensity(const RemeshOptions& o, std::vector<std::string>& complaints)
 	if (!isWithin(o.lambda, 0, 1e6)) {
 		complaints.push_back("Lambda must be between 0 and 1000000.");
 	}
+	if (!isWithin(o.adapt, 0, 1)) {
+		complaints.push_back("The adaptivity must be between 0 and 1.");
+	}
 	if (!isWithin(o.largestStretch, 1, 100)) {
 		complaints.push_back("The largest stretch must be between 1 and 100.");
 	}

@@ -98,6 +98,7 @@ struct RemeshOptions {
 	double       lambda         = 0; ///< weight of the density, >= 0; without unit if calibrated
 	double       largestStretch = 4; ///< s_max of the density, [1, 100]; calibrated only
 	SizingSource sizing         = SizingSource::Curvature;
+	double       adapt          = 0; ///< sizes by the error, [0, 1]; 0 = evenly; calibrated only
 
 	FeatureRegion     featureRegion    = FeatureRegion::None;
 	FeatureSampling   featureSampling  = FeatureSampling::Disks;

@@ -249,6 +249,13 @@ void addDensity(Table& t)
 			.choices({"curvature", "quality"})
 			.store([](const Value& v, RemeshOptions& o) { o.sizing = SizingSource(countOf(v)); })
 			.p);
+	t.push_back(row(sized, "Adapt", "--adapt", "A", Kind::Number, "Adaptivity to the error",
+					"Spends the vertices where the surface bends, for a smaller error at the same "
+					"number: 0, all triangles of one size, to 1, sizes within a range of four. Not "
+					"used with the paper's equations.")
+					.range(0, 1)
+					.store([](const Value& v, RemeshOptions& o) { o.adapt = numberOf(v); })
+					.p);
 }
 
 void addFeatures(Table& t)

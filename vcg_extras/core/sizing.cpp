@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace gpr {
 
@@ -22,8 +23,8 @@ constexpr float leastPrintedStretch = 0.1f;
 /// More ring passes than this would take longer than the remeshing.
 constexpr int mostCurvaturePasses = 200;
 
-/// Mean curvature summed over faces, and their area: both are averaged alike, so that the quotient
-/// is an area mean.
+/// A curvature, or its square, integrated over faces, and their area: both are averaged alike, so
+/// that the quotient is an area mean.
 struct CurvatureSum {
 	float curvature = 0;
 	float area      = 0;
@@ -53,24 +54,6 @@ float integratedCurvature(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, in
 		sum += dot(normal[m.origin[h]], cross(faceNormal, opposite));
 	}
 	return 0.25f * sum;
-}
-
-/// Curvature and area of the ring of every vertex.
-Buffer<CurvatureSum> curvatureOfRings(const HalfEdgeMesh& m, Workers& workers)
-{
-	const Buffer<Vec3f>  normal = vertexNormals(m, workers);
-	Buffer<CurvatureSum> ring(m.vertexNum);
-	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			CurvatureSum d;
-			forEachOutgoing(m, int(v), [&](int h) {
-				d.curvature += integratedCurvature(m, normal, h / 3);
-				d.area += 0.5f * length(m.faceCross(h / 3));
-			});
-			ring[v] = d;
-		}
-	});
-	return ring;
 }
 
 /// Every vertex takes the mean of itself and its neighbours.
@@ -110,6 +93,139 @@ int passesForRadius(const Surface& surface, float radius, Workers& workers)
 	const double edge2 = area / std::max(1, surface.mesh.faceNum) * (4 / std::sqrt(3.0));
 	const double steps = 0.25 * double(radius) * radius / std::max(edge2, 1e-30);
 	return std::clamp(int(std::lround(steps)), 0, mostCurvaturePasses);
+}
+
+/// Normals averaged over so many rings: what noise there is in them goes, creases stay within a
+/// fraction of the radius.
+Buffer<Vec3f> smoothedNormals(const HalfEdgeMesh& m, int passes, Workers& workers)
+{
+	Buffer<Vec3f> normal = vertexNormals(m, workers);
+	Buffer<Vec3f> mean(normal.size());
+	for (int pass = 0; pass < passes; ++pass) {
+		workers.forRange(normal.size(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v) {
+				Vec3f sum = normal[v];
+				forEachNeighbour(m, int(v), [&](int w) { sum += normal[w]; });
+				mean[v] = normalized(sum);
+			}
+		});
+		normal.swap(mean);
+	}
+	return normal;
+}
+
+/// κ₁² + κ₂² integrated over a face: the Dirichlet energy of its normals, half the sum over the
+/// edges of the cotangent of the angle opposite times the squared change of the normal.
+float integratedSquaredCurvature(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int f)
+{
+	constexpr float leastCotangent = -5; // of needles
+	float           sum            = 0;
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		const Vec3f p = m.position[m.origin[h]];
+		const Vec3f a = m.position[m.target(h)] - p, b = m.position[m.apex(h)] - p;
+		const float doubled = length(cross(a, b));
+		if (!(doubled > 0)) continue;
+		const float cotangent = std::max(leastCotangent, dot(a, b) / doubled);
+		sum += cotangent * squaredLength(normal[m.target(h)] - normal[m.apex(h)]);
+	}
+	return std::max(0.0f, 0.5f * sum);
+}
+
+/// What ofFace(f) gives, and the area, summed over the ring of every vertex.
+template <class OfFace>
+Buffer<CurvatureSum> sumOverRings(const HalfEdgeMesh& m, Workers& workers, const OfFace& ofFace)
+{
+	Buffer<float> amount(m.faceNum);
+	workers.forRange(amount.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f)
+			amount[f] = ofFace(int(f));
+	});
+	Buffer<CurvatureSum> ring(m.vertexNum);
+	workers.forRange(ring.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			CurvatureSum sum;
+			forEachOutgoing(m, int(v), [&](int h) {
+				sum.curvature += amount[h / 3];
+				sum.area += 0.5f * length(m.faceCross(h / 3));
+			});
+			ring[v] = sum;
+		}
+	});
+	return ring;
+}
+
+/// Root of κ₁² + κ₂² at every vertex, averaged over half a disk's radius.
+Buffer<float> totalCurvature(const Surface& surface, float radius, Workers& workers)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	const int           normalPasses =
+		std::max(1, passesForRadius(surface, 0.5f * radius, workers)); // of .25 r
+	const Buffer<Vec3f>  normal = smoothedNormals(m, normalPasses, workers);
+	Buffer<CurvatureSum> ring =
+		sumOverRings(m, workers, [&](int f) { return integratedSquaredCurvature(m, normal, f); });
+	const int passes = passesForRadius(surface, radius, workers); // of .5 r
+	for (int pass = 0; pass < passes; ++pass)
+		averageOverRings(m, workers, ring);
+	Buffer<float> kappa(ring.size());
+	for (std::size_t v = 0; v < ring.size(); ++v)
+		kappa[v] = ring[v].area > 0 ? std::sqrt(ring[v].curvature / ring[v].area) : 0.0f;
+	return kappa;
+}
+
+/// The value that half of the area lies below, by a histogram of eighths of a percent; 0 where half
+/// of the surface is flat.
+float areaMedian(const HalfEdgeMesh& m, const Buffer<float>& value)
+{
+	constexpr int       binsPerOctave = 512, octaves = 64;
+	std::vector<double> bin(std::size_t(binsPerOctave) * octaves, 0.0);
+	double              flat = 0, whole = 0;
+	for (int f = 0; f < m.faceNum; ++f) {
+		const double area = double(length(m.faceCross(f)));
+		whole += area;
+		for (int k = 0; k < 3; ++k) {
+			const float x = value[m.origin[3 * f + k]];
+			if (!(x > 0)) {
+				flat += area / 3;
+				continue;
+			}
+			int         exponent = 0;
+			const float fraction = std::frexp(x, &exponent); // in [0.5, 1)
+			const int   inOctave = int((fraction - 0.5f) * 2 * binsPerOctave);
+			const int   at = (std::clamp(exponent + octaves / 2, 0, octaves - 1)) * binsPerOctave;
+			bin[std::size_t(at + inOctave)] += area / 3;
+		}
+	}
+	double below = flat;
+	if (below * 2 >= whole) return 0;
+	for (std::size_t i = 0; i < bin.size(); ++i) {
+		below += bin[i];
+		if (below * 2 < whole) continue;
+		const int octave = int(i) / binsPerOctave - octaves / 2;
+		return std::ldexp(0.5f + 0.5f * float(int(i) % binsPerOctave) / binsPerOctave, octave);
+	}
+	return 0;
+}
+
+/// Sizes that lessen the error at the same number of vertices: the fourth root of the curvature's
+/// inverse, within a range of 4 to the power of `adapt`. Where half of the surface is flat the mean
+/// takes the median's place.
+void adaptSizes(const SizingRequest& request, const Surface& surface, Workers& workers,
+				Buffer<float>& size)
+{
+	const Buffer<float> kappa  = totalCurvature(surface, request.radius, workers);
+	float               middle = areaMedian(surface.mesh, kappa);
+	if (!(middle > 0)) {
+		double sum = 0;
+		for (float k : kappa)
+			sum += k;
+		middle = float(sum / double(std::max<std::size_t>(1, kappa.size())));
+	}
+	if (!(middle > 0)) return;                                   // all flat
+	const float range = std::exp2(float(request.options.adapt)); // root of 4^adapt
+	for (std::size_t v = 0; v < size.size(); ++v) {
+		const float wanted = kappa[v] > 0 ? std::sqrt(std::sqrt(middle / kappa[v])) : range;
+		size[v] *= std::clamp(wanted, 1 / range, range);
+	}
 }
 
 /// The caller's quality at every vertex of the surface.
@@ -256,6 +372,7 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 		for (std::size_t v = 0; v < strength.size(); ++v)
 			sizing.size[v] = std::max(smallest, 1 / (1 + lambda * strength[v]));
 	}
+	if (request.options.adapt > 0) adaptSizes(request, surface, workers, sizing.size);
 	if (wantsSmallerDisks(request)) shrinkFeatures(request, sizing.size);
 	// How steep a ramp is depends on the radius, and that on the sizes: the sizes before grading
 	// give it well enough.
@@ -295,9 +412,12 @@ Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers
 
 Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& workers)
 {
-	Buffer<CurvatureSum> ring = curvatureOfRings(surface.mesh, workers);
+	const HalfEdgeMesh&  m      = surface.mesh;
+	const Buffer<Vec3f>  normal = vertexNormals(m, workers);
+	Buffer<CurvatureSum> ring =
+		sumOverRings(m, workers, [&](int f) { return integratedCurvature(m, normal, f); });
 	for (int pass = 0; pass < ringPasses; ++pass)
-		averageOverRings(surface.mesh, workers, ring);
+		averageOverRings(m, workers, ring);
 	Buffer<float> h(ring.size());
 	for (std::size_t v = 0; v < ring.size(); ++v)
 		h[v] = ring[v].area > 0 ? ring[v].curvature / ring[v].area : 0.0f;
@@ -333,7 +453,8 @@ Buffer<char> selectedVertices(const MeshView& input, const Surface& surface, Wor
 
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
-	if (!(request.options.lambda > 0) && !wantsSmallerDisks(request)) return Sizing();
+	const bool uniform = !(request.options.lambda > 0) && !(request.options.adapt > 0);
+	if (uniform && !wantsSmallerDisks(request)) return Sizing();
 	return request.options.equations == Equations::AsPrinted
 			   ? makePrinted(request, surface, workers)
 			   : makeCalibrated(request, surface, workers);
