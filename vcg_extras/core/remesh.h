@@ -44,8 +44,8 @@ struct SamplingResult {
 	std::vector<Vec3d>        points;  ///< in the caller's frame
 	std::vector<SurfacePoint> anchors; ///< per point: where on the caller's mesh it lies
 	std::vector<double>       radii;   ///< per point: of its disk, mesh units
-	double       diskRadius = 0; ///< of the largest disks, mesh units: r of eq. (1) where all are
-								 ///< the same; the smallest spacing is (1-ε) times the mean of two
+	double diskRadius = 0; ///< of the largest disks, mesh units: r of eq. (1) where all are
+						   ///< the same; the smallest spacing is (1-ε) times the mean of two
 	RemeshReport report;
 };
 
