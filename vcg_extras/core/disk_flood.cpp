@@ -38,8 +38,8 @@ float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float
 
 void DiskFlood::explore(const Sample& sample)
 {
-	scale_ = 1 / sample.size;
-	if (stretch_ != nullptr || !exploreFlat(sample)) exploreUnfolding(sample);
+	scale_ = stretch_ == nullptr ? 1 / sample.size : 1.0f; // a stretch says it already
+	if (!useChords_ || !exploreFlat(sample)) exploreUnfolding(sample);
 }
 
 void DiskFlood::commit(int id)

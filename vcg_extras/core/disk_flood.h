@@ -38,6 +38,7 @@ struct FloodGround {
 	const HalfEdgeMesh&         mesh;
 	const Buffer<PackedNormal>& normal;            ///< per vertex
 	const Buffer<float>*        stretch = nullptr; ///< per vertex, > 0; nullptr = 1 everywhere
+	bool useChords = true; ///< where all is flat and not stretched; false: unfolding everywhere
 };
 
 /// Computes geodesic distances from a sample up to the disk radius r and takes every vertex that is
@@ -54,7 +55,8 @@ struct FloodGround {
 class DiskFlood {
 public:
 	DiskFlood(const FloodGround& ground, NearestField& field, float radius) :
-			m_(ground.mesh), normal_(ground.normal), stretch_(ground.stretch), field_(field),
+			m_(ground.mesh), normal_(ground.normal), stretch_(ground.stretch),
+			useChords_(ground.useChords && ground.stretch == nullptr), field_(field),
 			radius_(radius)
 	{
 	}
@@ -93,6 +95,7 @@ private:
 	const HalfEdgeMesh&         m_;
 	const Buffer<PackedNormal>& normal_;
 	const Buffer<float>*        stretch_;
+	bool                        useChords_;
 	NearestField&               field_;
 	float                       radius_;
 	int                         flood_ = 0;

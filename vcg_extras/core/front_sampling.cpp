@@ -588,8 +588,8 @@ void compact(const SharedState& shared, Workers& workers, Sampling& result)
 	});
 }
 
-/// Border vertices belong to the nearest sample along their curve, at distance 0 of the interior's
-/// choice: no interior sample is stood for by a border vertex.
+} // namespace
+
 void labelBorder(const BoundaryCurves& boundary, Sampling& result)
 {
 	for (std::size_t c = 0; c < boundary.curves.size(); ++c) {
@@ -598,8 +598,6 @@ void labelBorder(const BoundaryCurves& boundary, Sampling& result)
 			result.nearest[curve.vertex[i]] = {0.0f, boundary.sampleOfPoint[c][i]};
 	}
 }
-
-} // namespace
 
 Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 					 const BlockPartition& partition, float radius, std::uint32_t seed,

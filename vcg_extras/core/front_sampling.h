@@ -39,6 +39,10 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 					 const BlockPartition& partition, float radius, std::uint32_t seed,
 					 Workers& workers);
 
+/// The last step of a sampling: border vertices belong to the nearest sample along their curve, at
+/// distance 0 whatever the interior chose: no interior sample is stood for by a border vertex.
+void labelBorder(const BoundaryCurves& boundary, Sampling& sampling);
+
 /// Voronoi cells of given samples: floods from all of them, then from what is still uncovered.
 /// Used to retriangulate from samples of any origin, whatever their spacing.
 Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface,

@@ -4,6 +4,7 @@
 
 #include "audit.h"
 #include "blocks.h"
+#include "border_edge_sampling.h"
 #include "boundary_curves.h"
 #include "connect.h"
 #include "delaunay_flips.h"
@@ -36,10 +37,12 @@ namespace gpr {
 
 namespace {
 
-/// c of eq. (1). The paper's 0.844 belongs to random border edges; placement by disk intersection
-/// packs tighter, and with this value lands at 98 to 99 % of the target, which the exact count
-/// makes up.
+/// c of eq. (1) as the paper has it, from Fu and Zhou's sampler.
+constexpr double printedRadiusConstant = 0.844;
+/// Those that land at 98 to 99 % of the target, which the exact count makes up: placement by disk
+/// intersection packs tighter than random border edges do.
 constexpr double intersectionRadiusConstant = 0.962;
+constexpr double borderEdgeRadiusConstant   = 0.808;
 /// Spacing of border samples in r: the mean edge length of the result.
 constexpr float borderSpacing = 1.04f;
 /// Longest edge of the mesh the sampling works on, in r.
@@ -228,6 +231,7 @@ private:
 	Workers&          workers_;
 	RemeshReport&     report_;
 	StageClock        clock_;
+	FusedMesh         fused_;       ///< with the samples of the border-edge placement
 	std::vector<char> sampleMoved_; ///< retriangulate: samples that were off the surface
 
 	// ---- the input
@@ -349,11 +353,25 @@ private:
 		boundary = sampleBoundary(p.surface, p.radius, borderSpacing * p.radius);
 		clock_.enter("sampling", "Sampling", 0.6);
 		Sampling sampling =
-			sampleFront(p.surface, boundary, partition, p.radius, options_.seed, workers_);
+			options_.placement == Placement::BorderEdge
+				? sampleOnBorderEdges(p, boundary)
+				: sampleFront(p.surface, boundary, partition, p.radius, options_.seed, workers_);
 		report_.sampleNum         = std::int64_t(sampling.samples.size());
 		report_.boundarySampleNum = sampling.boundarySampleNum;
 		if (sampling.capped) report_.capsReached.push_back("samples of a block");
 		return sampling;
+	}
+
+	/// The paper's placement; keeps the mesh that the samples were fused into.
+	Sampling sampleOnBorderEdges(const Prepared& p, const BoundaryCurves& boundary)
+	{
+		BorderEdgeOptions o;
+		o.radius                  = p.radius;
+		o.seed                    = options_.seed;
+		o.mostSamples             = 100000 + 10 * p.targetNum;
+		BorderEdgeSampling placed = sampleBorderEdges(p.surface, boundary, o, workers_);
+		fused_                    = std::move(placed.fused);
+		return std::move(placed.sampling);
 	}
 
 	/// From the samples to a mesh of about, or exactly, the wanted count.
@@ -465,7 +483,13 @@ private:
 		return prepare(targetNum);
 	}
 
-	double radiusConstant() const { return intersectionRadiusConstant; }
+	/// c of eq. (1) for the equations and the placement chosen.
+	double radiusConstant() const
+	{
+		if (options_.equations == Equations::AsPrinted) return printedRadiusConstant;
+		return options_.placement == Placement::BorderEdge ? borderEdgeRadiusConstant
+														   : intersectionRadiusConstant;
+	}
 
 	/// Of the largest triangles.
 	static float idealEdge(const Prepared& p)

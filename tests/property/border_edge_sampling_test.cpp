@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The paper's placement through the engine's front door: it is a Poisson-disk sampling, and whole
+// runs with it keep every promise.
+
+#include <cstring>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/oracles.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/front_sampling.h>
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr::test {
+
+namespace {
+
+struct Shape {
+	std::string  name;
+	TriangleMesh mesh;
+};
+
+std::ostream& operator<<(std::ostream& out, const Shape& shape)
+{
+	return out << shape.name;
+}
+
+std::vector<Shape> shapes()
+{
+	Random random(1);
+	return {{"sphere", icosphere(4)},
+			{"torus", torus(90, 46)},
+			{"uvSphere", uvSphere(40, 70)},
+			{"grid", grid(60, 60)},
+			{"coarseGrid", grid(13, 13)},
+			{"jitteredGrid", jitteredGrid(50, 0.3, random)},
+			{"squareFrame", squareFrame(48, 20)},
+			{"cylinder", openCylinder(60, 60, 0.5, 1.5)}};
+}
+
+RemeshOptions borderEdges(double percent, std::uint32_t seed)
+{
+	RemeshOptions options;
+	options.placement     = Placement::BorderEdge;
+	options.targetPercent = percent;
+	options.seed          = seed;
+	options.threads       = 2;
+	return options;
+}
+
+class BorderEdgeShapes : public ::testing::TestWithParam<Shape> {};
+
+TEST_P(BorderEdgeShapes, SamplesAreAPoissonDiskSampling)
+{
+	constexpr double rounding = 1e-3;
+	for (double percent : {3.0, 10.0, 40.0, 100.0, 200.0}) {
+		// With fewer samples the chord does not tell the distance on the surface.
+		if (percent / 100 * double(GetParam().mesh.vertexNum()) < 150) continue;
+		for (std::uint32_t seed : testSeeds(2)) {
+			SCOPED_TRACE(std::to_string(percent) + " %, seed " + std::to_string(seed));
+			const SamplingResult s =
+				samplePoissonDisks(GetParam().mesh.view(), borderEdges(percent, seed));
+			ASSERT_EQ(s.status, Status::Ok) << s.message;
+			ASSERT_TRUE(s.report.capsReached.empty());
+			const double least = (1 - double(spacingSlack)) * s.diskRadius * (1 - rounding);
+			EXPECT_EQ(pairsNearerThan(s.points, least), 0)
+				<< "nearest pair at " << nearestPair(s.points).distance / s.diskRadius << " r";
+			double farthest = 0;
+			for (const Vec3d& p : GetParam().mesh.positions)
+				farthest = std::max(farthest, distanceToNearest(s.points, p));
+			EXPECT_LE(farthest, s.diskRadius * (1 + rounding));
+		}
+	}
+}
+
+TEST_P(BorderEdgeShapes, BothRetriangulationsKeepEveryPromise)
+{
+	const TriangleMesh& mesh = GetParam().mesh;
+	for (Retriangulation way : {Retriangulation::LabelCollapse, Retriangulation::VertexRemoval}) {
+		for (double percent : {10.0, 60.0}) {
+			if (percent / 100 * double(mesh.vertexNum()) < 50) continue;
+			RemeshOptions options   = borderEdges(percent, 1);
+			options.retriangulation = way;
+			const RemeshResult r    = remesh(mesh.view(), options);
+			ASSERT_EQ(r.status, Status::Ok) << r.message;
+			EXPECT_TRUE(isSoundSurface(r.mesh));
+			EXPECT_TRUE(hasSameTopology(r.mesh, mesh));
+			EXPECT_EQ(std::int64_t(r.mesh.vertexNum()), r.report.targetVertexNum);
+			EXPECT_EQ(r.report.leftoverVertexNum, 0);
+			EXPECT_GT(r.report.quality.aspectRatioMean, percent < 50 ? 0.82 : 0.8);
+		}
+	}
+}
+
+TEST_P(BorderEdgeShapes, ThePaperAsWrittenLandsNearTheTarget)
+{
+	RemeshOptions options = borderEdges(20, 1);
+	applyPreset(Preset::Paper, options);
+	const RemeshResult r = remesh(GetParam().mesh.view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_TRUE(isSoundSurface(r.mesh));
+	EXPECT_TRUE(hasSameTopology(r.mesh, GetParam().mesh));
+	EXPECT_EQ(r.report.radiusConstant, 0.844);
+	if (r.report.targetVertexNum < 300 || r.report.boundarySampleNum > 0) return;
+	EXPECT_NEAR(double(r.mesh.vertexNum()) / double(r.report.targetVertexNum), 0.92, 0.1);
+}
+
+INSTANTIATE_TEST_SUITE_P(, BorderEdgeShapes, ::testing::ValuesIn(shapes()),
+						 [](const auto& shape) { return std::string(shape.param.name); });
+
+TEST(BorderEdge, TheSameBytesForAnyNumberOfThreads)
+{
+	const TriangleMesh mesh = torus(90, 46);
+	for (bool paper : {false, true}) {
+		RemeshOptions options = borderEdges(20, 7);
+		if (paper) applyPreset(Preset::Paper, options);
+		options.threads        = 1;
+		const RemeshResult one = remesh(mesh.view(), options);
+		ASSERT_EQ(one.status, Status::Ok) << one.message;
+		for (int threads = 2; threads <= 4; ++threads) {
+			options.threads      = threads;
+			const RemeshResult r = remesh(mesh.view(), options);
+			EXPECT_TRUE(r.mesh.positions == one.mesh.positions) << threads << " threads";
+			EXPECT_EQ(r.mesh.triangles, one.mesh.triangles);
+		}
+		options.seed = 8;
+		EXPECT_FALSE(remesh(mesh.view(), options).mesh.positions == one.mesh.positions);
+	}
+}
+
+/// The other sheet is near through space and far on the surface: it must not count.
+TEST(BorderEdge, DoesNotLeakFromSheetToSheet)
+{
+	const double       gap    = 0.02;
+	const TriangleMesh sheets = twoSheets(40, gap);
+	for (double percent : {2.0, 10.0, 50.0}) {
+		const SamplingResult s = samplePoissonDisks(sheets.view(), borderEdges(percent, 1));
+		ASSERT_EQ(s.status, Status::Ok);
+		ASSERT_GT(s.diskRadius, gap) << "else nothing is tested";
+		for (bool upper : {false, true}) {
+			std::vector<Vec3d> own;
+			for (const Vec3d& p : s.points) {
+				if ((p.z > gap / 2) == upper) own.push_back(p);
+			}
+			for (const Vec3d& p : sheets.positions) {
+				if ((p.z > gap / 2) == upper) {
+					ASSERT_LE(distanceToNearest(own, p), s.diskRadius * 1.001);
+				}
+			}
+		}
+	}
+}
+
+/// A dust of closed components needs as many starts.
+TEST(BorderEdge, ReachesEveryComponentOfADust)
+{
+	TriangleMesh dust;
+	for (int i = 0; i < 300; ++i)
+		dust = joined(dust, shifted(icosphere(1), Vec3d(3.0 * (i % 20), 3.0 * (i / 20), 0)));
+	RemeshOptions      options = borderEdges(50, 1);
+	const RemeshResult r       = remesh(dust.view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_TRUE(hasSameTopology(r.mesh, dust));
+}
+
+TEST(BorderEdge, KeepsTheTopologyOfRandomSurfaces)
+{
+	for (std::uint32_t seed : testSeeds(60)) {
+		Random random(seed);
+		SCOPED_TRACE(seed);
+		const TriangleMesh mesh    = randomSurface(random);
+		RemeshOptions      options = borderEdges(random.between(1, 150), seed);
+		if (random.chance(0.5)) applyPreset(Preset::Paper, options);
+		options.allowNearest = true;
+		const RemeshResult r = remesh(mesh.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		EXPECT_TRUE(hasSameTopology(r.mesh, mesh));
+	}
+}
+
+/// Where the default placement copes with damage, so does the paper's; faces without area in the
+/// input are a matter of luck for either.
+TEST(BorderEdge, CopesWithDamageAsTheDefaultDoes)
+{
+	int coped = 0, failed = 0;
+	for (std::uint32_t seed : testSeeds(60)) {
+		Random random(seed);
+		SCOPED_TRACE(seed);
+		const TriangleMesh mesh    = damaged(randomSurface(random), 10, random);
+		RemeshOptions      options = borderEdges(random.between(1, 150), seed);
+		options.allowNearest       = true;
+		const Status paper         = remesh(mesh.view(), options).status;
+		options.placement          = Placement::DiskIntersection;
+		if (remesh(mesh.view(), options).status != Status::Ok) continue;
+		failed += paper != Status::Ok;
+		++coped;
+	}
+	EXPECT_GT(coped, 40);
+	EXPECT_LE(failed, coped / 20);
+}
+
+} // namespace
+
+} // namespace gpr::test
