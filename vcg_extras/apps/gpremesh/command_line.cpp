@@ -79,19 +79,45 @@ CLI::App* addInfo(CLI::App& app, CommandLine& line)
 	return info;
 }
 
+/// The options of the table that make sense for several methods at once.
+bool isForCompare(const Parameter& p)
+{
+	const std::string key = p.key;
+	return isSizeOption(p) || key == "Seed" || key == "Threads";
+}
+
+CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
+{
+	CLI::App* compare = app.add_subcommand(
+		"compare", "Remeshes IN by default, by the paper's preset and by MeshLab's Quadric Edge\n"
+				   "Collapse and prints a table: time, distances from IN, triangle quality.");
+	compare->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off or .stl")->required();
+	addTableOptions(*compare, given, isForCompare);
+	compare->add_flag("--isotropic", line.isotropic, "MeshLab's Isotropic Explicit Remeshing too");
+	compare->add_option("--runs", line.runNum, "How often each method is run; the median counts")
+		->check(CLI::Range(1, 101))
+		->type_name("K");
+	compare->add_flag("--json", line.json, "Print JSON");
+	compare->add_option("--html", line.htmlFolder, "Write the page DIR/index.html with pictures")
+		->type_name("DIR");
+	compare->footer(exitCodeHelp);
+	return compare;
+}
+
 } // namespace
 
 CommandLine parseCommandLine(int argc, char** argv)
 {
 	CommandLine  line;
-	GivenOptions given;
+	GivenOptions given; // by one command only: there is no second
 	CLI::App     app("Remeshes triangle meshes by geodesic Poisson-disk sampling.", "gpremesh");
 	app.set_version_flag("--version", std::string("gpremesh ") + GPR_VERSION);
 	app.require_subcommand(1);
 	app.footer("'gpremesh COMMAND --help' tells the options of a command.\n\n" +
 			   std::string(exitCodeHelp));
-	CLI::App* const remesh = addRemesh(app, line, given);
-	CLI::App* const info   = addInfo(app, line);
+	CLI::App* const remesh  = addRemesh(app, line, given);
+	CLI::App* const info    = addInfo(app, line);
+	CLI::App* const compare = addCompare(app, line, given);
 	try {
 		app.parse(argc, argv);
 	}
@@ -104,6 +130,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 	}
 	if (remesh->parsed()) line.command = Command::Remesh;
 	if (info->parsed()) line.command = Command::Info;
+	if (compare->parsed()) line.command = Command::Compare;
 	line.options = optionsOf(given);
 	checkPaths(line);
 	return line;

@@ -12,6 +12,7 @@ enum class Command {
 	None, ///< --help or --version: printed already
 	Remesh,
 	Info,
+	Compare,
 };
 
 /// What the user asked for, checked.
@@ -20,9 +21,12 @@ struct CommandLine {
 	std::string   input;
 	std::string   output; ///< remesh only
 	std::string   report; ///< remesh only; empty = none
-	bool          quiet = false;
-	bool          json  = false; ///< info only
-	RemeshOptions options;       ///< remesh only
+	bool          quiet     = false;
+	bool          json      = false; ///< info and compare only
+	bool          isotropic = false; ///< compare only
+	int           runNum    = 1;     ///< compare only
+	std::string   htmlFolder;        ///< compare only; empty = no page
+	RemeshOptions options;           ///< remesh and compare only
 };
 
 /// Reads the arguments; the remeshing options are made from the engine's parameter table. Prints

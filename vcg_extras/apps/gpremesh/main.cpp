@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // gpremesh: geodesic Poisson-disk remeshing on the command line.
 #include "command_line.h"
+#include "compare_command.h"
 #include "exit_code.h"
 #include "info_command.h"
 #include "platform.h"
@@ -35,6 +36,9 @@ void run(int argc, char** argv, const Stopwatch& programClock)
 		break;
 	case Command::Info:
 		runInfo(line);
+		break;
+	case Command::Compare:
+		runCompare(line);
 		break;
 	}
 }

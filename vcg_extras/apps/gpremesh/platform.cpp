@@ -3,16 +3,23 @@
 #include "platform.h"
 
 #include "exit_code.h"
+#include "stopwatch.h"
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <ctime>
 #include <fcntl.h>
 #include <fstream>
+#include <spawn.h>
+#include <sstream>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace gpr::app {
@@ -60,6 +67,29 @@ std::vector<char> readAll(int descriptor)
 		content.resize(used + std::size_t(got));
 		if (got == 0) return content;
 	}
+}
+
+/// Starts a program in a process group of its own, so that all it starts can be ended with it.
+bool startProgram(const std::vector<std::string>& words, pid_t& process)
+{
+	std::vector<char*> arguments;
+	for (const std::string& w : words)
+		arguments.push_back(const_cast<char*>(w.c_str()));
+	arguments.push_back(nullptr);
+	posix_spawn_file_actions_t actions;
+	posix_spawnattr_t          attributes;
+	::posix_spawn_file_actions_init(&actions);
+	::posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+	::posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
+	::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+	::posix_spawnattr_init(&attributes);
+	::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+	::posix_spawnattr_setpgroup(&attributes, 0);
+	const int error =
+		::posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), environ);
+	::posix_spawnattr_destroy(&attributes);
+	::posix_spawn_file_actions_destroy(&actions);
+	return error == 0;
 }
 
 } // namespace
@@ -128,6 +158,36 @@ bool mayOverwrite(const std::string& path)
 std::FILE* openNewFile(const std::string& path)
 {
 	return std::fopen(path.c_str(), "wbx");
+}
+
+bool hasProgram(const std::string& name)
+{
+	const char* const  path = std::getenv("PATH");
+	std::istringstream folders(path != nullptr ? path : "");
+	for (std::string folder; std::getline(folders, folder, ':');) {
+		if (folder.empty()) folder = ".";
+		if (::access((folder + "/" + name).c_str(), X_OK) == 0) return true;
+	}
+	return false;
+}
+
+int runProgram(const std::vector<std::string>& words, double secondsAllowed)
+{
+	pid_t process = 0;
+	if (!startProgram(words, process)) return -1;
+	const Stopwatch clock;
+	int             status = 0;
+	while (::waitpid(process, &status, WNOHANG) == 0) {
+		if (clock.seconds() > secondsAllowed || stopRequested()) {
+			::kill(-process, SIGTERM);
+			std::this_thread::sleep_for(std::chrono::seconds(1));
+			::kill(-process, SIGKILL);
+			::waitpid(process, &status, 0);
+			return -1;
+		}
+		std::this_thread::sleep_for(std::chrono::milliseconds(10));
+	}
+	return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 void catchStopSignals()

@@ -49,6 +49,14 @@ bool mayOverwrite(const std::string& path);
 /// Opens a file for writing that must not exist yet; null, with errno set, when that fails.
 std::FILE* openNewFile(const std::string& path);
 
+/// Whether a program of that name is found along PATH.
+bool hasProgram(const std::string& name);
+
+/// Runs a program found along PATH, its arguments as they are, with no input and its output thrown
+/// away. Returns its exit code; -1 where it could not be started, was killed, or took longer than
+/// allowed or until a stop was requested: then it and all it has started are ended.
+int runProgram(const std::vector<std::string>& words, double secondsAllowed);
+
 /// From now on an interrupt or termination signal only sets a flag; a second one ends the program.
 void catchStopSignals();
 

@@ -8,6 +8,7 @@
 #include "platform.h"
 #include "precision.h"
 #include "progress_bar.h"
+#include "remesh_outcome.h"
 #include "summary.h"
 
 #include <cstdio>
@@ -15,37 +16,6 @@
 namespace gpr::app {
 
 namespace {
-
-ExitCode exitCodeOf(Status status)
-{
-	switch (status) {
-	case Status::Ok:
-		return ExitCode::Done;
-	case Status::BadOptions:
-		return ExitCode::Usage;
-	case Status::UnusableInput:
-		return ExitCode::BadInput;
-	case Status::CountTooSmall:
-	case Status::PromiseBroken:
-		return ExitCode::PromiseBroken;
-	case Status::Cancelled:
-		return ExitCode::Stopped;
-	case Status::OutOfMemory:
-	case Status::InternalError:
-		return ExitCode::Failure;
-	}
-	return ExitCode::Failure;
-}
-
-/// The sentence for a run that gave no mesh.
-std::string sentenceOf(const RemeshResult& result)
-{
-	if (result.message.empty()) return "the remeshing failed, for a reason it did not tell.";
-	const std::string smallest = std::to_string(result.smallestVertexNum);
-	const bool        named    = result.message.find(smallest) != std::string::npos;
-	if (result.status != Status::CountTooSmall || named) return result.message;
-	return result.message + " The smallest possible number is " + smallest + ".";
-}
 
 RemeshResult remeshWithProgress(const InputMesh& mesh, const CommandLine& line)
 {
@@ -56,7 +26,7 @@ RemeshResult remeshWithProgress(const InputMesh& mesh, const CommandLine& line)
 	});
 	bar.clear();
 	if (stopRequested()) throw AppError(ExitCode::Stopped, "cancelled; nothing was written.");
-	if (result.status != Status::Ok) throw AppError(exitCodeOf(result.status), sentenceOf(result));
+	requireMesh(result);
 	return result;
 }
 

@@ -2,44 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report_json.h"
 
-#include <nlohmann/json.hpp>
+#include "json_parts.h"
 
 namespace gpr::app {
 
 namespace {
-
-using Json = nlohmann::ordered_json; // keeps the keys in the order of writing
-
-Json figuresJson(const MeshFigures& m)
-{
-	return {{"vertices", m.vertices},
-			{"faces", m.faces},
-			{"components", m.components},
-			{"boundaryLoops", m.boundaryLoops},
-			{"eulerCharacteristic", m.eulerCharacteristic},
-			{"area", m.area},
-			{"diagonal", m.diagonal}};
-}
-
-Json fileJson(const std::string& path, bool doublePrecision, const MeshFigures& figures)
-{
-	Json json = {{"file", path}, {"precision", doublePrecision ? "double" : "float"}};
-	json.update(figuresJson(figures));
-	return json;
-}
-
-Json qualityJson(const QualityFigures& q)
-{
-	return {{"radiusRatio", {{"mean", q.radiusRatioMean}, {"min", q.radiusRatioMin}}},
-			{"aspectRatio", {{"mean", q.aspectRatioMean}, {"min", q.aspectRatioMin}}},
-			{"angles",
-			 {{"min", q.minAngleDeg},
-			  {"meanOfMinimum", q.meanMinAngleDeg},
-			  {"max", q.maxAngleDeg},
-			  {"below30Percent", q.below30Percent}}},
-			{"valence6Percent", q.valence6Percent},
-			{"meanEdgeLength", q.meanEdgeLen}};
-}
 
 const char* modeName(TargetMode mode)
 {
@@ -129,17 +96,6 @@ Json countsJson(const RemeshReport& r)
 			{"splits", r.splitNum},
 			{"collapses", r.collapseNum},
 			{"flips", r.flipNum}};
-}
-
-Json programJson()
-{
-	return {{"name", "gpremesh"}, {"version", GPR_VERSION}};
-}
-
-/// Text that a file name may have made invalid UTF-8 is mended rather than refused.
-std::string textOf(const Json& json)
-{
-	return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace

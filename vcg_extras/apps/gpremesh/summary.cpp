@@ -2,33 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "summary.h"
 
-#include <cstdarg>
-#include <cstdio>
+#include "formatted_text.h"
 
 namespace gpr::app {
 
 namespace {
-
-/// printf into a string; the program never leaves the C locale, so the decimal sign is a point.
-__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...)
-{
-	char         text[512];
-	std::va_list arguments;
-	va_start(arguments, format);
-	std::vsnprintf(text, sizeof text, format, arguments);
-	va_end(arguments);
-	return text;
-}
-
-/// "1,234,567": large counts are read more easily in groups.
-std::string grouped(std::int64_t count)
-{
-	std::string digits = std::to_string(count);
-	for (int at = int(digits.size()) - 3; at > (count < 0 ? 1 : 0); at -= 3) {
-		digits.insert(std::size_t(at), ",");
-	}
-	return digits;
-}
 
 std::string counted(std::int64_t count, const char* one, const char* many)
 {

@@ -18,14 +18,6 @@ namespace {
 	throw AppError(ExitCode::Usage, sentence);
 }
 
-/// The three rows that stand for one choice, the size of the result. 0 means "off" in the dialog;
-/// here an option that is not given is off, so 0 is a mistake.
-bool isSizeOption(const Parameter& p)
-{
-	const std::string key = p.key;
-	return key == "TargetVertexNum" || key == "TargetPerc" || key == "TargetLen";
-}
-
 /// A number as a person writes it: no trailing zeros.
 std::string plain(double value)
 {
@@ -39,6 +31,7 @@ std::string plain(double value)
 /// The range of a row in words: " from 0 to 1000", " above 0, at most 10000".
 std::string rangeText(const Parameter& p)
 {
+	// A size of 0 means "off" in the dialog; here one that is not given is off, and 0 a mistake.
 	const bool  open = isSizeOption(p) && p.minimum == 0;
 	std::string text = open ? " above 0" : " from " + plain(p.minimum);
 	if (p.maximum < 1e100) text += (open ? ", at most " : " to ") + plain(p.maximum);
@@ -141,10 +134,16 @@ std::string helpText(const Parameter& p)
 
 } // namespace
 
-void addTableOptions(CLI::App& command, GivenOptions& given)
+bool isSizeOption(const Parameter& p)
+{
+	const std::string key = p.key;
+	return key == "TargetVertexNum" || key == "TargetPerc" || key == "TargetLen";
+}
+
+void addTableOptions(CLI::App& command, GivenOptions& given, bool (*isWanted)(const Parameter&))
 {
 	for (const Parameter& p : remeshParameters()) {
-		if (std::string(p.option).empty()) continue;
+		if (std::string(p.option).empty() || (isWanted != nullptr && !isWanted(p))) continue;
 		const Parameter* const row = &p;
 		if (std::string(p.argument).empty()) {
 			command.add_flag_callback(

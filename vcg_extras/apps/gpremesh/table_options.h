@@ -13,9 +13,13 @@ namespace gpr::app {
 /// The options of the engine's parameter table that the user gave, their values as words.
 using GivenOptions = std::map<const Parameter*, std::string>;
 
-/// Adds an option to the command for every row of the table that has a name on the command line;
-/// parsing fills given, which must stay where it is until then.
-void addTableOptions(CLI::App& command, GivenOptions& given);
+/// Whether a row is one of the three that stand for one choice, the size of the result.
+bool isSizeOption(const Parameter& p);
+
+/// Adds an option to the command for every row of the table that has a name on the command line and
+/// is wanted; parsing fills given, which must stay where it is until then.
+void addTableOptions(CLI::App& command, GivenOptions& given,
+					 bool (*isWanted)(const Parameter&) = nullptr);
 
 /// The engine's options from what was given; all others keep their defaults. Throws AppError
 /// (Usage) for values of the wrong kind or out of range, and for more than one size.

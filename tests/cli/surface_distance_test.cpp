@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Distances between surfaces against closed forms.
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
+#include <vcg_extras/apps/gpremesh/surface_distance.h>
+
+namespace gpr_test {
+
+using gpr::TriangleMesh;
+using gpr::Vec3d;
+using gpr::app::DistanceFigures;
+using gpr::app::DistanceTarget;
+
+namespace {
+
+/// The unit square in two triangles, moved.
+TriangleMesh square(double x, double y, double z)
+{
+	TriangleMesh mesh;
+	mesh.positions = {{x, y, z}, {x + 1, y, z}, {x + 1, y + 1, z}, {x, y + 1, z}};
+	mesh.triangles = {0, 1, 2, 0, 2, 3};
+	return mesh;
+}
+
+/// All of [-1,2]² that is not in the unit square.
+TriangleMesh frame()
+{
+	TriangleMesh mesh;
+	mesh.positions = {{0, 0, 0},   {1, 0, 0},  {1, 1, 0}, {0, 1, 0},
+					  {-1, -1, 0}, {2, -1, 0}, {2, 2, 0}, {-1, 2, 0}};
+	for (int k = 0; k < 4; ++k) {
+		const int next = (k + 1) % 4;
+		mesh.triangles.insert(mesh.triangles.end(), {k, k + 4, next, next, k + 4, next + 4});
+	}
+	return mesh;
+}
+
+DistanceFigures distance(const TriangleMesh& from, const TriangleMesh& to, std::int64_t samples,
+						 int threads = 2)
+{
+	gpr::Workers workers(threads, nullptr);
+	return DistanceTarget(to.view()).from(from.view(), samples, workers);
+}
+
+} // namespace
+
+TEST(SurfaceDistance, OfParallelSquaresIsTheirGap)
+{
+	const DistanceFigures d = distance(square(0, 0, 0.25), square(0, 0, 0), 1000);
+	EXPECT_NEAR(d.mean, 0.25, 1e-12);
+	EXPECT_NEAR(d.rms, 0.25, 1e-12);
+	EXPECT_NEAR(d.max, 0.25, 1e-12);
+	EXPECT_EQ(d.sampleNum, 1000);
+	EXPECT_EQ(d.vertexNum, 4);
+}
+
+// From the square to what surrounds it the distance is that to the nearest side: mean 1/6, mean of
+// the squares 1/24, largest 1/2 in the middle, where no vertex is and hardly a sample.
+TEST(SurfaceDistance, IsSpreadEvenlyAndItsMaximumFoundBetweenSamples)
+{
+	const DistanceFigures many = distance(square(0, 0, 0), frame(), 200000);
+	EXPECT_NEAR(many.mean, 1.0 / 6, 1e-4);
+	EXPECT_NEAR(many.rms, std::sqrt(1.0 / 24), 1e-4);
+	for (const std::int64_t samples : {1, 10, 200000}) {
+		const DistanceFigures d = distance(square(0, 0, 0), frame(), samples);
+		EXPECT_LE(d.max, 0.5 + 1e-12) << samples;
+		EXPECT_GE(d.max, 0.5 / 1.01) << samples;
+	}
+}
+
+TEST(SurfaceDistance, IsOneSided)
+{
+	const DistanceFigures outwards = distance(frame(), square(0, 0, 0), 1000);
+	EXPECT_NEAR(outwards.max, std::sqrt(2.0), 1e-12); // from the frame's outer corners
+	EXPECT_LT(distance(square(0, 0, 0), frame(), 1000).max, 0.51);
+}
+
+TEST(SurfaceDistance, LosesNoDigitsFarFromTheOrigin)
+{
+	const DistanceFigures d = distance(square(5e6, 4e5, 100.001), square(5e6, 4e5, 100), 1000);
+	EXPECT_NEAR(d.rms, 0.001, 1e-8);
+	EXPECT_NEAR(d.max, 0.001, 1e-8);
+}
+
+TEST(SurfaceDistance, IsTheSameForAnyNumberOfThreads)
+{
+	const DistanceFigures one = distance(square(0.3, 0.2, 0.1), frame(), 50000, 1);
+	const DistanceFigures two = distance(square(0.3, 0.2, 0.1), frame(), 50000, 2);
+	EXPECT_EQ(one.rms, two.rms);
+	EXPECT_EQ(one.max, two.max);
+}
+
+TEST(SurfaceDistance, PassesOverUnusableFaces)
+{
+	const double nan   = std::numeric_limits<double>::quiet_NaN();
+	TriangleMesh dirty = square(0, 0, 0.25);
+	dirty.positions.push_back({nan, 0, 0});
+	dirty.positions.push_back({9, 9, 9});
+	dirty.triangles.insert(dirty.triangles.end(), {0, 1, 4, 5, 5, 0});
+	const DistanceFigures from = distance(dirty, square(0, 0, 0), 1000);
+	EXPECT_NEAR(from.max, 0.25, 1e-12);
+	EXPECT_NEAR(distance(square(0, 0, 0), dirty, 1000).max, 0.25, 1e-12);
+	EXPECT_EQ(from.vertexNum, 4);
+	EXPECT_EQ(distance(TriangleMesh(), dirty, 1000).max, 0);
+	EXPECT_EQ(distance(dirty, TriangleMesh(), 1000).max, 0);
+}
+
+} // namespace gpr_test

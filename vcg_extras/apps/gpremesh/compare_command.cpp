@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare_command.h"
+
+#include "compare_json.h"
+#include "compare_methods.h"
+#include "compare_page.h"
+#include "compare_table.h"
+#include "exit_code.h"
+#include "formatted_text.h"
+#include "mesh_io.h"
+#include "output_file.h"
+#include "platform.h"
+#include "progress_bar.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace gpr::app {
+
+namespace {
+
+std::string pagePath(const std::string& folder)
+{
+	return folder + "/index.html";
+}
+
+/// To be asked before long work.
+void checkFolder(const std::string& folder)
+{
+	std::error_code error;
+	std::filesystem::create_directories(folder, error);
+	if (!std::filesystem::is_directory(folder, error)) {
+		throw AppError(ExitCode::Failure, folder + " cannot be made a folder.");
+	}
+	checkWritable(pagePath(folder));
+}
+
+/// Shows the bar and hears whether the user has had enough.
+CompareProgress progressOn(ProgressBar& bar)
+{
+	return [&bar](double share, const std::string& phrase) {
+		if (stopRequested()) throw AppError(ExitCode::Stopped, "cancelled.");
+		bar.show(share, phrase.c_str());
+	};
+}
+
+std::vector<CaptionedPictures> takePictures(const InputMesh& input, const CompareRecord& record,
+											MeshPhotographer& photographer, ProgressBar& bar)
+{
+	std::vector<CaptionedPictures> list;
+	const auto                     take = [&](const std::string& name, const MeshView& mesh) {
+        bar.show(1, "taking pictures");
+        list.push_back({name + ", " + grouped(std::int64_t(mesh.faceNum)) + " faces",
+                        photographer.take(mesh)});
+	};
+	take("input", input.view());
+	for (const MethodRecord& m : record.methods)
+		if (m.failure.empty()) take(m.name, m.mesh.view());
+	return list;
+}
+
+void writePage(const std::string& folder, const InputMesh& input, CompareRecord& record,
+			   ProgressBar& bar)
+{
+	const std::string workFolder = folder + "/.gpremesh-" + std::to_string(processId());
+	const double      edgeLen    = record.methods.front().record.quality.meanEdgeLen;
+	MeshPhotographer  photographer(input.view(), edgeLen, workFolder);
+	const std::vector<CaptionedPictures> pictures = takePictures(input, record, photographer, bar);
+	if (!photographer.complaint().empty()) record.notes.push_back(photographer.complaint());
+	OutputFile page(pagePath(folder));
+	page.text(comparePage(record, pictures));
+	page.commit();
+}
+
+} // namespace
+
+void runCompare(const CommandLine& line)
+{
+	if (!line.htmlFolder.empty()) checkFolder(line.htmlFolder);
+	catchStopSignals();
+	const InputMesh input = readMesh(line.input);
+	ProgressBar     bar(errorIsTerminal());
+	CompareRecord   record =
+		compareMethods(input, {line.options, line.runNum, line.isotropic}, progressOn(bar));
+	record.inputPath = line.input;
+	if (!line.htmlFolder.empty()) writePage(line.htmlFolder, input, record, bar);
+	bar.clear();
+	const std::string text = line.json ? compareJson(record) : compareText(record);
+	std::fputs(text.c_str(), stdout);
+}
+
+} // namespace gpr::app

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_JSON_PARTS_H
+#define VCG_EXTRAS_APPS_GPREMESH_JSON_PARTS_H
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vcg_extras/core/report.h>
+
+// What several of the program's JSON texts have in common.
+
+namespace gpr::app {
+
+using Json = nlohmann::ordered_json; // keeps the keys in the order of writing
+
+Json programJson();
+Json figuresJson(const MeshFigures& m);
+/// The same with the file's name and precision before them.
+Json fileJson(const std::string& path, bool doublePrecision, const MeshFigures& figures);
+Json qualityJson(const QualityFigures& q);
+
+/// The text of a whole file. What a file name may have made invalid UTF-8 is mended rather than
+/// refused.
+std::string textOf(const Json& json);
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_PEER_REMESHERS_H
+#define VCG_EXTRAS_APPS_GPREMESH_PEER_REMESHERS_H
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vcg_extras/core/mesh_view.h>
+
+// What MeshLab offers for the same purpose, for the comparison only: vcglib's own code with the
+// parameters that MeshLab's dialogs propose. In a program built without vcglib every one fails with
+// a sentence.
+
+namespace gpr::app {
+
+/// What a peer made of a mesh, and how long that took.
+struct PeerResult {
+	TriangleMesh mesh;
+	double       seconds          = 0; ///< from vcglib's mesh in memory to the result in memory
+	double       processorSeconds = 0; ///< of the same; the fairer figure on a busy machine
+	std::string  failure;              ///< a sentence where there is no mesh
+};
+
+/// Asked now and then; true ends the work.
+using StopQuestion = std::function<bool()>;
+
+/// MeshLab's "Simplification: Quadric Edge Collapse Decimation" (Garland, Heckbert 1997) down to
+/// faceNum faces: quality threshold 0.3, optimal placement, clean-up at the end; boundary, normals
+/// and topology are not preserved. Coordinates are floats, as in MeshLab. Corners that are not
+/// finite, and faces without area in the index sense, are dropped first, as MeshLab does on opening
+/// a file. Not re-entrant: vcglib keeps state in static variables. Cost: O(F log F), one thread.
+PeerResult collapseQuadricEdges(const MeshView& mesh, std::int64_t faceNum,
+								const StopQuestion& shallStop);
+
+/// MeshLab's "Remeshing: Isotropic Explicit Remeshing" with that target length, mesh units: three
+/// rounds of splits, collapses, flips, smoothing and reprojection; crease angle 30°, no operation
+/// further than 1 % of the diagonal from the surface. One thread; cannot be stopped.
+PeerResult remeshIsotropically(const MeshView& mesh, double edgeLen);
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh_outcome.h"
+
+#include "exit_code.h"
+
+namespace gpr::app {
+
+namespace {
+
+ExitCode exitCodeOf(Status status)
+{
+	switch (status) {
+	case Status::Ok:
+		return ExitCode::Done;
+	case Status::BadOptions:
+		return ExitCode::Usage;
+	case Status::UnusableInput:
+		return ExitCode::BadInput;
+	case Status::CountTooSmall:
+	case Status::PromiseBroken:
+		return ExitCode::PromiseBroken;
+	case Status::Cancelled:
+		return ExitCode::Stopped;
+	case Status::OutOfMemory:
+	case Status::InternalError:
+		return ExitCode::Failure;
+	}
+	return ExitCode::Failure;
+}
+
+} // namespace
+
+std::string sentenceOf(const RemeshResult& result)
+{
+	if (result.message.empty()) return "the remeshing failed, for a reason it did not tell.";
+	const std::string smallest = std::to_string(result.smallestVertexNum);
+	const bool        named    = result.message.find(smallest) != std::string::npos;
+	if (result.status != Status::CountTooSmall || named) return result.message;
+	return result.message + " The smallest possible number is " + smallest + ".";
+}
+
+void requireMesh(const RemeshResult& result)
+{
+	if (result.status != Status::Ok) throw AppError(exitCodeOf(result.status), sentenceOf(result));
+}
+
+} // namespace gpr::app

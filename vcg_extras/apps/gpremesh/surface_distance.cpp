@@ -1,0 +1,322 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_distance.h"
+
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Simple_cartesian.h>
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace gpr::app {
+
+namespace {
+
+using Kernel   = CGAL::Simple_cartesian<double>;
+using Point    = Kernel::Point_3;
+using Triangle = Kernel::Triangle_3;
+
+/// The mesh behind a tree; its points are moved to the origin, so that no digit is lost to an
+/// offset.
+struct TargetMesh {
+	MeshView view;
+	Vec3d    origin;
+
+	Point point(std::size_t v) const { return local(view.position(v)); }
+	Point local(const Vec3d& p) const { return {p.x - origin.x, p.y - origin.y, p.z - origin.z}; }
+};
+
+/// A triangle of the mesh as CGAL's tree wants it: the index here, the corners from the mesh.
+class FacePrimitive {
+public:
+	using Id          = std::int32_t;
+	using Point       = gpr::app::Point;
+	using Datum       = Triangle;
+	using Shared_data = const TargetMesh*;
+
+	FacePrimitive() = default;
+	FacePrimitive(std::vector<std::int32_t>::const_iterator face, Shared_data) : face_(*face) {}
+
+	static Shared_data construct_shared_data(Shared_data mesh) { return mesh; }
+
+	const Id& id() const { return face_; }
+	Point     reference_point(Shared_data mesh) const { return corner(mesh, 0); }
+	Datum     datum(Shared_data mesh) const
+	{
+		return {corner(mesh, 0), corner(mesh, 1), corner(mesh, 2)};
+	}
+
+private:
+	Id face_ = -1;
+
+	Point corner(Shared_data mesh, int k) const
+	{
+		return mesh->point(std::size_t(mesh->view.triangles[3 * std::size_t(face_) + k]));
+	}
+};
+
+using FaceTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, FacePrimitive>>;
+
+bool isFinite(const Vec3d& p)
+{
+	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+bool isUsable(const MeshView& mesh, std::size_t face)
+{
+	const std::int32_t* t = mesh.triangles + 3 * face;
+	if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
+	return isFinite(mesh.position(t[0])) && isFinite(mesh.position(t[1])) &&
+		   isFinite(mesh.position(t[2]));
+}
+
+/// Sums over some of the points.
+struct DistanceSums {
+	double sum = 0, squares = 0, max = 0;
+
+	void add(double squaredDistance)
+	{
+		const double d = std::sqrt(squaredDistance);
+		sum += d;
+		squares += squaredDistance;
+		max = std::max(max, d);
+	}
+	DistanceSums& operator+=(const DistanceSums& o)
+	{
+		sum += o.sum;
+		squares += o.squares;
+		max = std::max(max, o.max);
+		return *this;
+	}
+};
+
+/// Where the running area stands behind each face of a mesh.
+std::vector<double> runningArea(const MeshView& mesh)
+{
+	std::vector<double> behind(mesh.faceNum);
+	double              area = 0;
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		if (isUsable(mesh, f)) {
+			const std::int32_t* t = mesh.triangles + 3 * f;
+			const Vec3d         a = mesh.position(t[0]);
+			area += 0.5 * length(cross(mesh.position(t[1]) - a, mesh.position(t[2]) - a));
+		}
+		behind[f] = area;
+	}
+	return behind;
+}
+
+/// Point number j of the R2 sequence (Roberts 2018: the additive recurrence by the plastic number)
+/// in the triangle; the upper half of the unit square is folded onto the lower.
+Vec3d pointInFace(const MeshView& mesh, std::size_t face, std::size_t j)
+{
+	constexpr double    stepU = 0.7548776662466927, stepV = 0.5698402909980532;
+	const std::int32_t* t = mesh.triangles + 3 * face;
+	double              u = stepU * double(j), v = stepV * double(j);
+	u -= std::floor(u);
+	v -= std::floor(v);
+	if (u + v > 1) {
+		u = 1 - u;
+		v = 1 - v;
+	}
+	const Vec3d a = mesh.position(t[0]);
+	return a + (mesh.position(t[1]) - a) * u + (mesh.position(t[2]) - a) * v;
+}
+
+std::vector<char> usedVertices(const MeshView& mesh)
+{
+	std::vector<char> used(mesh.vertexNum, 0);
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		if (!isUsable(mesh, f)) continue;
+		for (int k = 0; k < 3; ++k)
+			used[mesh.triangles[3 * f + k]] = 1;
+	}
+	return used;
+}
+
+/// Nearest points, one query after the other: the last answer bounds the next search, which is
+/// quick where the points follow each other on the surface.
+class NearestSearch {
+public:
+	NearestSearch(const FaceTree& tree, const TargetMesh& mesh) :
+			tree_(tree), mesh_(mesh), last_(tree.any_reference_point_and_id())
+	{
+	}
+
+	double squaredDistance(const Vec3d& from)
+	{
+		const Point p = mesh_.local(from);
+		last_         = tree_.closest_point_and_primitive(p, last_);
+		return CGAL::squared_distance(p, last_.first);
+	}
+
+private:
+	const FaceTree&                  tree_;
+	const TargetMesh&                mesh_;
+	FaceTree::Point_and_primitive_id last_;
+};
+
+/// A piece of a face in which the largest distance may lie.
+struct Suspect {
+	Vec3d  corner[3];
+	double distance[3]; ///< of the corners
+
+	double largest() const { return std::max({distance[0], distance[1], distance[2]}); }
+	/// No point of the piece is further away: every point is within longest edge/√3 of a corner,
+	/// and the distance changes by at most the way.
+	double bound() const
+	{
+		const double longest =
+			std::max({length(corner[1] - corner[0]), length(corner[2] - corner[1]),
+					  length(corner[0] - corner[2])});
+		return largest() + longest / std::sqrt(3.0);
+	}
+};
+
+} // namespace
+
+struct DistanceTarget::Tree {
+	TargetMesh                mesh;
+	std::vector<std::int32_t> faces;
+	FaceTree                  tree;
+
+	NearestSearch search() const { return {tree, mesh}; }
+
+	DistanceSums sumOfSamples(const MeshView& from, std::int64_t num, Workers& workers) const;
+	std::vector<double> ofVertices(const MeshView& from, const std::vector<char>& used,
+								   Workers& workers) const;
+	double refinedMax(const MeshView& from, const std::vector<double>& ofVertex, double atLeast,
+					  Workers& workers) const;
+	std::vector<Suspect> cut(const std::vector<Suspect>& whole, Workers& workers) const;
+};
+
+/// Systematic sampling: sample j lies where the running area passes (j + 1/2) / num of the whole.
+DistanceSums DistanceTarget::Tree::sumOfSamples(const MeshView& from, std::int64_t num,
+												Workers& workers) const
+{
+	const std::vector<double> area = runningArea(from);
+	if (area.empty() || !(area.back() > 0)) return {};
+	const double spacing = area.back() / double(num);
+	return workers.sum<DistanceSums>(std::size_t(num), [&](std::size_t begin, std::size_t end) {
+		NearestSearch nearest = search();
+		DistanceSums  part;
+		auto face = std::upper_bound(area.begin(), area.end() - 1, (double(begin) + 0.5) * spacing);
+		for (std::size_t j = begin; j < end; ++j) {
+			while (*face <= (double(j) + 0.5) * spacing && face != area.end() - 1)
+				++face;
+			const Vec3d point = pointInFace(from, std::size_t(face - area.begin()), j);
+			part.add(nearest.squaredDistance(point));
+		}
+		return part;
+	});
+}
+
+/// 0 for vertices that are not used.
+std::vector<double> DistanceTarget::Tree::ofVertices(const MeshView&          from,
+													 const std::vector<char>& used,
+													 Workers&                 workers) const
+{
+	std::vector<double> distance(from.vertexNum, 0);
+	workers.forRange(from.vertexNum, [&](std::size_t begin, std::size_t end) {
+		NearestSearch nearest = search();
+		for (std::size_t v = begin; v < end; ++v)
+			if (used[v] != 0) distance[v] = std::sqrt(nearest.squaredDistance(from.position(v)));
+	});
+	return distance;
+}
+
+/// Cuts every piece into four at the middles of its edges.
+std::vector<Suspect> DistanceTarget::Tree::cut(const std::vector<Suspect>& whole,
+											   Workers&                    workers) const
+{
+	std::vector<Suspect> quarters(4 * whole.size());
+	workers.forRange(whole.size(), [&](std::size_t begin, std::size_t end) {
+		NearestSearch nearest = search();
+		for (std::size_t i = begin; i < end; ++i) {
+			const Suspect& w      = whole[i];
+			Suspect&       middle = quarters[4 * i + 3];
+			for (int k = 0; k < 3; ++k) {
+				middle.corner[k]   = (w.corner[k] + w.corner[(k + 1) % 3]) * 0.5;
+				middle.distance[k] = std::sqrt(nearest.squaredDistance(middle.corner[k]));
+			}
+			for (int k = 0; k < 3; ++k) {
+				const int last      = (k + 2) % 3;
+				quarters[4 * i + k] = {{w.corner[k], middle.corner[k], middle.corner[last]},
+									   {w.distance[k], middle.distance[k], middle.distance[last]}};
+			}
+		}
+	});
+	return quarters;
+}
+
+/// The largest distance by branch and bound (Guthe, Borodin, Klein 2005): pieces of faces that may
+/// hold a larger one than known are cut until there are none. Where that would be too many, as
+/// between surfaces that all but agree, the most promising are followed.
+double DistanceTarget::Tree::refinedMax(const MeshView& from, const std::vector<double>& ofVertex,
+										double atLeast, Workers& workers) const
+{
+	constexpr double      accuracy   = 1.01;
+	constexpr int         levelNum   = 12;
+	constexpr std::size_t suspectNum = 10000;
+	double                largest    = atLeast;
+	const auto innocent = [&](const Suspect& s) { return s.bound() <= accuracy * largest; };
+	const auto worse = [](const Suspect& a, const Suspect& b) { return a.largest() > b.largest(); };
+
+	std::vector<Suspect> suspects;
+	for (std::size_t f = 0; f < from.faceNum; ++f) {
+		if (!isUsable(from, f)) continue;
+		const std::int32_t* t = from.triangles + 3 * f;
+		const Suspect       s = {{from.position(t[0]), from.position(t[1]), from.position(t[2])},
+								 {ofVertex[t[0]], ofVertex[t[1]], ofVertex[t[2]]}};
+		if (!innocent(s)) suspects.push_back(s);
+	}
+	for (int level = 0; level < levelNum && !suspects.empty(); ++level) {
+		std::stable_sort(suspects.begin(), suspects.end(), worse);
+		suspects.resize(std::min(suspects.size(), suspectNum), Suspect());
+		suspects = cut(suspects, workers);
+		for (const Suspect& s : suspects)
+			largest = std::max(largest, s.largest());
+		suspects.erase(std::remove_if(suspects.begin(), suspects.end(), innocent), suspects.end());
+	}
+	return largest;
+}
+
+DistanceTarget::DistanceTarget(const MeshView& mesh) : tree_(std::make_unique<Tree>())
+{
+	tree_->mesh.view = mesh;
+	for (std::size_t f = 0; f < mesh.faceNum; ++f)
+		if (isUsable(mesh, f)) tree_->faces.push_back(std::int32_t(f));
+	if (tree_->faces.empty()) return;
+	tree_->mesh.origin = mesh.position(std::size_t(mesh.triangles[3 * tree_->faces.front()]));
+	const TargetMesh* const shared = &tree_->mesh;
+	tree_->tree.insert(tree_->faces.cbegin(), tree_->faces.cend(), shared);
+	tree_->tree.do_not_accelerate_distance_queries(); // the last answer is the better hint
+	tree_->tree.build();
+}
+
+DistanceTarget::~DistanceTarget() = default;
+
+DistanceFigures DistanceTarget::from(const MeshView& mesh, std::int64_t sampleNum,
+									 Workers& workers) const
+{
+	DistanceFigures         figures;
+	const std::vector<char> used = usedVertices(mesh);
+	figures.vertexNum            = std::count(used.begin(), used.end(), 1);
+	if (tree_->faces.empty() || figures.vertexNum == 0) return figures;
+	const DistanceSums        sums     = tree_->sumOfSamples(mesh, sampleNum, workers);
+	const std::vector<double> ofVertex = tree_->ofVertices(mesh, used, workers);
+	const double              atVertex = *std::max_element(ofVertex.begin(), ofVertex.end());
+	figures.sampleNum                  = sampleNum;
+	figures.mean                       = sums.sum / double(sampleNum);
+	figures.rms                        = std::sqrt(sums.squares / double(sampleNum));
+	figures.max = tree_->refinedMax(mesh, ofVertex, std::max(sums.max, atVertex), workers);
+	return figures;
+}
+
+std::int64_t distanceSampleNum(std::size_t resultFaceNum)
+{
+	return std::clamp<std::int64_t>(10 * std::int64_t(resultFaceNum), 200000, 2000000);
+}
+
+} // namespace gpr::app
