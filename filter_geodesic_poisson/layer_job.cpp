@@ -45,8 +45,7 @@ bool asksForSelection(const gpr::RemeshOptions& options)
 gpr::ParameterSet readValues(gpr::Tool tool, const RichParameterList& list,
 							 const MeshDocument& document)
 {
-	const ReadParameters read =
-		readParameterList(gpr::parametersOf(tool), factsOf(document), list);
+	const ReadParameters read = readParameterList(gpr::parametersOf(tool), factsOf(document), list);
 	if (!read.complaints.empty()) throw Refusal(read.complaints);
 	return read.values;
 }
@@ -86,10 +85,11 @@ QString numberAndLabel(const MeshModel& layer)
 	for (const MeshModel* layer : document.meshList) {
 		layers << numberAndLabel(*layer);
 	}
-	throw Refusal(QStringLiteral("There is no layer number %1 to take samples from. Layers are: %2.")
-					  .arg(number)
-					  .arg(layers.join(", "))
-					  .toStdString());
+	throw Refusal(
+		QStringLiteral("There is no layer number %1 to take samples from. Layers are: %2.")
+			.arg(number)
+			.arg(layers.join(", "))
+			.toStdString());
 }
 
 /// A sentence about what a layer has and the result has not; empty where nothing was lost.
@@ -178,8 +178,8 @@ MeshModel& LayerJob::layer() const
 MeshModel& LayerJob::addLayer(const MeshModel& source, int mask, const char* suffix) const
 {
 	const Matrix44m transform = source.cm.Tr;
-	MeshModel& added = *_document.addNewMesh(QString(), baseLabel(source) + suffix, true);
-	added.cm.Tr      = transform;
+	MeshModel&      added     = *_document.addNewMesh(QString(), baseLabel(source) + suffix, true);
+	added.cm.Tr               = transform;
 	added.updateDataMask(mask);
 	return added;
 }
