@@ -33,8 +33,8 @@ struct Found {
 	}
 
 	const HalfEdgeMesh& mesh() const { return surface.mesh; }
-	Vec3d at(int v) const { return surface.frame.toCaller(mesh().position[v]); }
-	float largestVertexStrength() const
+	Vec3d               at(int v) const { return surface.frame.toCaller(mesh().position[v]); }
+	float               largestVertexStrength() const
 	{
 		return *std::max_element(features.vertexStrength.begin(), features.vertexStrength.end());
 	}
@@ -153,8 +153,8 @@ INSTANTIATE_TEST_SUITE_P(Cells, Cube, ::testing::Values(1, 2, 5, 12, 30));
 
 TEST(FeatureMarks, FacesAreMarkedWhereAVertexIs)
 {
-	const TriangleMesh  mesh = cube(8);
-	const FeatureResult r    = detected(mesh);
+	const TriangleMesh  mesh   = cube(8);
+	const FeatureResult r      = detected(mesh);
 	std::int64_t        marked = 0;
 	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
 		bool touches = false;
@@ -169,8 +169,8 @@ TEST(FeatureMarks, FacesAreMarkedWhereAVertexIs)
 
 TEST(FeatureMarks, TwoRimsOfAThinPlateStayTwoLines)
 {
-	const TriangleMesh  mesh = thinPlate(20, 0.02);
-	const FeatureResult r    = detected(mesh);
+	const TriangleMesh  mesh     = thinPlate(20, 0.02);
+	const FeatureResult r        = detected(mesh);
 	std::int64_t        rimEdges = 0;
 	for (const FeatureEdge& e : r.edges) {
 		const Vec3d a = mesh.positions[e.vertex[0]], b = mesh.positions[e.vertex[1]];
@@ -204,14 +204,15 @@ class Noise : public ::testing::TestWithParam<std::uint32_t> {};
 /// Noise of an eighth of an edge turns single faces by 20° and more.
 TEST_P(Noise, OfAScanIsNoFeature)
 {
-	Random        random(GetParam());
-	const double  edge = 0.07; // mean of the sphere of that level
-	const Found   f(noisySphere(4, edge / 8, random));
-	const float   largest = *std::max_element(
-        f.features.edgeStrength.begin(), f.features.edgeStrength.end());
+	Random       random(GetParam());
+	const double edge = 0.07; // mean of the sphere of that level
+	const Found  f(noisySphere(4, edge / 8, random));
+	const float  largest =
+		*std::max_element(f.features.edgeStrength.begin(), f.features.edgeStrength.end());
 	const EdgeDifferences d =
 		edgeDifferences(f.mesh(), f.features.support, const_cast<Workers&>(f.workers));
-	EXPECT_GT(*std::max_element(d.dihedral.begin(), d.dihedral.end()), 25) << "noise worth the name";
+	EXPECT_GT(*std::max_element(d.dihedral.begin(), d.dihedral.end()), 25)
+		<< "noise worth the name";
 	EXPECT_LT(largest, 40);
 	EXPECT_EQ(f.features.edgeNum, 0);
 	EXPECT_EQ(f.features.tipNum, 0);
@@ -268,8 +269,8 @@ TEST(FeatureThresholds, HysteresisFollowsAFadingFold)
         EXPECT_EQ(r.figures.lineNum, 1);
         return lowest;
 	};
-	const double toWeak = reach();
-	t.weakDeg           = t.strongDeg;
+	const double toWeak   = reach();
+	t.weakDeg             = t.strongDeg;
 	const double toStrong = reach();
 	EXPECT_NEAR(toWeak, std::tan(10 * pi / 180) / std::tan(30 * pi / 180), 0.06);
 	EXPECT_NEAR(toStrong, std::tan(20 * pi / 180) / std::tan(30 * pi / 180), 0.06);
@@ -278,9 +279,9 @@ TEST(FeatureThresholds, HysteresisFollowsAFadingFold)
 TEST(FeatureRegion, ReachesAsFarAsAsked)
 {
 	const Found                f(bentSheet(20, 1));
-	const Buffer<std::uint8_t> line  = featureRegion(f.surface, f.features, 0);
-	const Buffer<std::uint8_t> broad = featureRegion(
-		f.surface, f.features, float(0.12 * f.surface.frame.scale));
+	const Buffer<std::uint8_t> line = featureRegion(f.surface, f.features, 0);
+	const Buffer<std::uint8_t> broad =
+		featureRegion(f.surface, f.features, float(0.12 * f.surface.frame.scale));
 	for (int v = 0; v < f.mesh().vertexNum; ++v) {
 		EXPECT_EQ(line[v] != 0, f.features.vertexFeature[v] != 0);
 		EXPECT_LE(line[v], broad[v]);
@@ -311,8 +312,8 @@ TEST(DetectFeatures, RefusesWhatItCannotUse)
 	bad.weakDeg = 50;
 	EXPECT_EQ(detected(cube(2), bad).status, Status::BadOptions);
 	RemeshOptions       options;
-	const FeatureResult stopped = detectFeatures(
-		cube(30).view(), options, [](double, const char*) { return false; });
+	const FeatureResult stopped =
+		detectFeatures(cube(30).view(), options, [](double, const char*) { return false; });
 	EXPECT_TRUE(stopped.status == Status::Cancelled || stopped.status == Status::Ok);
 }
 

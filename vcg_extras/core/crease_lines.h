@@ -31,8 +31,8 @@ struct CreaseFindings {
 /// An edge is sharp where the normals of its faces differ by strongDeg. From the free ends of sharp
 /// chains the line goes on along the edge that continues it best, as long as that has weakDeg. In
 /// Auto mode lines are only taken if sharp edges stand out: those of a scan's noise have others
-/// nearly as sharp beside them and break off after a few edges; where less than three quarters of
-/// the sharp length is clear of that, there are no lines. Cone tips are vertices whose angle defect
+/// nearly as sharp beside them and break off after a few edges; where less than 70 % of the sharp
+/// length is clear of that, there are no lines. Cone tips are vertices whose angle defect
 /// exceeds strongDeg while the vertices round them are smooth.
 /// Needs: connected, crease empty. Cost: linear, parallel, a few milliseconds a million faces; what
 /// follows the test for sharpness is serial, over the sharp edges.

@@ -19,7 +19,7 @@ namespace {
 constexpr float largestSupport = 0.05f;
 /// Where the surface bends as much on both sides of an edge as at it, it is round there.
 constexpr float plateauShare  = 0.7f;
-constexpr int   mostCrossings    = 256;
+constexpr int   mostCrossings = 256;
 /// Share of an edge's strength that its own two faces must make up for it to be a crease of the
 /// mesh, not of the shape the mesh goes round.
 constexpr float creaseShare = 0.5f;
@@ -97,8 +97,8 @@ private:
 	Buffer<std::uint8_t>     degree_;    ///< per vertex: marked edges, 255 at most
 	std::vector<int>         marked_;    ///< one half of each marked edge, ascending at first
 
-	bool isFirstHalf(int h) const { return m_.opposite[h] > h; }
-	bool isMarked(int h) const { return out_.isFeatureEdge[h] != 0; }
+	bool  isFirstHalf(int h) const { return m_.opposite[h] > h; }
+	bool  isMarked(int h) const { return out_.isFeatureEdge[h] != 0; }
 	Vec3f along(int h) const { return m_.position[m_.target(h)] - m_.position[m_.origin[h]]; }
 
 	// ---- strength
@@ -114,9 +114,8 @@ private:
 		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
 			for (int v = int(begin); v < int(end); ++v) {
 				float strongest = 0;
-				forEachOutgoing(m_, v, [&](int h) {
-					strongest = std::max(strongest, out_.edgeStrength[h]);
-				});
+				forEachOutgoing(
+					m_, v, [&](int h) { strongest = std::max(strongest, out_.edgeStrength[h]); });
 				out_.vertexStrength[v] = strongest;
 			}
 		});
@@ -166,10 +165,10 @@ private:
 			degree_[v] = std::uint8_t(std::clamp(degree_[v] + by, 0, 255));
 	}
 
-	/// A crease of the mesh that is no smaller than the weak angle and the sharpest across. Where it
-	/// is strong by its own two faces, only their edges compete, so that two creases may lie closer
-	/// than a support; otherwise all within half a support, so that a crease that the mesh rounds
-	/// off over several edges becomes one line, and there must be a flatter side.
+	/// A crease of the mesh that is no smaller than the weak angle and the sharpest across. Where
+	/// it is strong by its own two faces, only their edges compete, so that two creases may lie
+	/// closer than a support; otherwise all within half a support, so that a crease that the mesh
+	/// rounds off over several edges becomes one line, and there must be a flatter side.
 	bool isCandidate(int h) const
 	{
 		if (sharpness_[h] < float(thresholds_.weakDeg) || !isCrease(h)) return false;

@@ -13,13 +13,13 @@ namespace gpr {
 
 /// Features of a surface, in its numbering.
 struct FeatureEdges {
-	Buffer<float>        edgeStrength;   ///< per half-edge, degrees; both halves alike, 0 at borders
-	Buffer<std::uint8_t> isFeatureEdge;  ///< per half-edge, 0 or 1; both halves alike
+	Buffer<float>        edgeStrength;  ///< per half-edge, degrees; both halves alike, 0 at borders
+	Buffer<std::uint8_t> isFeatureEdge; ///< per half-edge, 0 or 1; both halves alike
 	Buffer<float>        vertexStrength; ///< per vertex, degrees
 	Buffer<std::uint8_t> vertexFeature;  ///< per vertex: VertexFeature bits, 0 for most
 
-	float        support      = 0; ///< radius of the half-disks, working units
-	float        leastLength  = 0; ///< of a line, working units
+	float        support      = 0;     ///< radius of the half-disks, working units
+	float        leastLength  = 0;     ///< of a line, working units
 	bool         supportCut   = false; ///< the support asked for was above the largest one
 	std::int64_t edgeNum      = 0;     ///< feature edges
 	std::int64_t lineNum      = 0;     ///< connected sets of feature edges

@@ -73,11 +73,11 @@ void exportFeatures(const MeshView& input, const Surface& surface, const Feature
 		out.figures.vertexNum += mark != 0;
 	for (std::uint8_t mark : out.faceMark)
 		out.figures.faceNum += mark != 0;
-	out.figures.edgeNum   = features.edgeNum;
-	out.figures.lineNum   = features.lineNum;
-	out.figures.cornerNum = features.cornerNum;
-	out.figures.tipNum    = features.tipNum;
-	out.figures.support   = double(features.support) / surface.frame.scale;
+	out.figures.edgeNum     = features.edgeNum;
+	out.figures.lineNum     = features.lineNum;
+	out.figures.cornerNum   = features.cornerNum;
+	out.figures.tipNum      = features.tipNum;
+	out.figures.support     = double(features.support) / surface.frame.scale;
 	out.figures.leastLength = double(features.leastLength) / surface.frame.scale;
 }
 

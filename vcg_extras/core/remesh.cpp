@@ -169,14 +169,14 @@ public:
 	void remesh(RemeshResult& out)
 	{
 		Prepared p = prepare(0);
-		findFeatures(p);
+		findFeatureLines(p);
 		ResultMesh result = sampleAndImprove(p);
 		if (options_.exactCount && result.mesh.vertexNum != p.targetNum &&
 			report_.featureEdgeNum > 0) {
 			out.notes.push_back(
 				"The number of vertices could not be reached with feature lines, so "
 				"that there are none.");
-			forgetFeatures(p);
+			forgetFeatureLines(p);
 			result = sampleAndImprove(p);
 		}
 		if (options_.exactCount && result.mesh.vertexNum != p.targetNum) {
@@ -188,7 +188,7 @@ public:
 	void sample(SamplingResult& out)
 	{
 		Prepared p = prepare(0);
-		findFeatures(p);
+		findFeatureLines(p);
 		const BlockPartition partition = cut(p);
 		BoundaryCurves       boundary;
 		const Sampling       sampling = sampleAll(p, partition, boundary);
@@ -326,7 +326,7 @@ private:
 
 	/// Marks the feature lines; from here on the surface does not change any more. Where there are
 	/// more of them than the wanted vertices can follow, the shorter ones are left out.
-	void findFeatures(Prepared& p)
+	void findFeatureLines(Prepared& p)
 	{
 		clock_.enter("features", "Finding feature lines", 0.23);
 		CreaseRules rules;
@@ -338,7 +338,7 @@ private:
 
 		CreaseFindings found = markCreases(rules, workers_, p.surface);
 		while (found.edgeNum > 0 && sampleCurves(p).samples.size() > std::size_t(p.targetNum)) {
-			forgetFeatures(p);
+			forgetFeatureLines(p);
 			rules.leastLength *= 2;
 			found = markCreases(rules, workers_, p.surface);
 		}
@@ -347,7 +347,7 @@ private:
 		report_.featureTipNum  = std::int64_t(found.tips.size());
 	}
 
-	void forgetFeatures(Prepared& p)
+	void forgetFeatureLines(Prepared& p)
 	{
 		p.surface.mesh.crease.release();
 		p.tips.clear();
