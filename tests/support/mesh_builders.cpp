@@ -123,6 +123,22 @@ TriangleMesh bentSheet(int n, double angleRad)
 	return mesh;
 }
 
+TriangleMesh crossedCreases(int n, double slope)
+{
+	TriangleMesh mesh = grid(n, n);
+	for (Vec3d& p : mesh.positions)
+		p.z = slope * (std::abs(p.x - 0.5) + std::abs(p.y - 0.5));
+	return mesh;
+}
+
+TriangleMesh fadingCrease(int n, double angleRad)
+{
+	TriangleMesh mesh = grid(n, n);
+	for (Vec3d& p : mesh.positions)
+		p.z = std::abs(p.x - 0.5) * std::tan(0.5 * angleRad * (1 - p.y));
+	return mesh;
+}
+
 TriangleMesh twoSheets(int n, double gap)
 {
 	return joined(grid(n, n), shifted(grid(n, n), {0, 0, gap}));
@@ -266,6 +282,43 @@ TriangleMesh box(int nx, int ny, int nz, const Vec3d& size)
 TriangleMesh cube(int n)
 {
 	return box(n, n, n, {1, 1, 1});
+}
+
+TriangleMesh lPrism(int n)
+{
+	using Place = std::array<int, 3>;
+	TriangleMesh         mesh;
+	std::map<Place, int> vertexAt;
+	const auto           vertex = [&](const Place& at) {
+        const auto found = vertexAt.emplace(at, int(mesh.positions.size()));
+        if (found.second) mesh.positions.push_back(Vec3d(at[0], at[1], at[2]) * (1.0 / n));
+        return found.first->second;
+	};
+	const auto isInside = [&](const Place& at) {
+		const bool inBox =
+			at[0] >= 0 && at[1] >= 0 && at[2] >= 0 && at[0] < 2 * n && at[1] < 2 * n && at[2] < n;
+		return inBox && (at[0] < n || at[1] < n);
+	};
+	/// The square between a cell and its neighbour before or behind it along an axis.
+	const auto addSquare = [&](Place at, int axis, bool far) {
+		const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+		at[axis] += far;
+		addSquares(mesh, 1, 1, [&](int i, int j) {
+			Place corner = at;
+			corner[far ? u : v] += i;
+			corner[far ? v : u] += j;
+			return vertex(corner);
+		});
+	};
+	for (int cell = 0; cell < 4 * n * n * n; ++cell) {
+		const Place at = {cell % (2 * n), cell / (2 * n) % (2 * n), cell / (4 * n * n)};
+		for (int side = 0; side < 6 && isInside(at); ++side) {
+			Place beyond = at;
+			beyond[side / 2] += side % 2 == 1 ? 1 : -1;
+			if (!isInside(beyond)) addSquare(at, side / 2, side % 2 == 1);
+		}
+	}
+	return mesh;
 }
 
 TriangleMesh thinPlate(int n, double thickness)

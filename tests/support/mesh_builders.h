@@ -19,6 +19,12 @@ TriangleMesh grid(int nx, int ny, double width = 1, double height = 1);
 TriangleMesh jitteredGrid(int n, double jitter, Random& random);
 /// A square grid of side 1, folded along x = 0.5 by an angle (0 = flat).
 TriangleMesh bentSheet(int n, double angleRad);
+/// A square grid of side 1 that rises by `slope` along both |x - 0.5| and |y - 0.5|: two creases
+/// that cross in the middle.
+TriangleMesh crossedCreases(int n, double slope);
+/// A square grid of side 1, folded along x = 0.5 by an angle that falls from angleRad at y = 0 to 0
+/// at y = 1.
+TriangleMesh fadingCrease(int n, double angleRad);
 /// Two square grids of side 1, one `gap` above the other: two components that only look near.
 TriangleMesh twoSheets(int n, double gap);
 /// A square of side 1 and n cells without the holeCells × holeCells in its middle; two border
@@ -42,6 +48,8 @@ TriangleMesh torus(int n, int m, double axisRadius = 1, double tubeRadius = 0.4)
 TriangleMesh box(int nx, int ny, int nz, const Vec3d& size);
 TriangleMesh cube(int n);
 TriangleMesh thinPlate(int n, double thickness);
+/// A prism over an L: three cubes of side 1 and n cells in a corner.
+TriangleMesh lPrism(int n);
 TriangleMesh closedCylinder(int around, int along, double radius, double height);
 /// A sphere whose vertices are moved along their normals by up to `amplitude`.
 TriangleMesh noisySphere(int level, double amplitude, Random& random);

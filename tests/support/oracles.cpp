@@ -3,6 +3,7 @@
 #include "oracles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -90,21 +91,78 @@ std::vector<Vec3d> rimSegments(const TriangleMesh& mesh)
 	return ends;
 }
 
-double rimDistance(const TriangleMesh& from, const TriangleMesh& to)
+double segmentDistance(const std::vector<Vec3d>& from, const std::vector<Vec3d>& to)
 {
-	constexpr int            pointsPerEdge = 4;
-	const std::vector<Vec3d> a = rimSegments(from), b = rimSegments(to);
-	double                   worst = 0;
-	for (std::size_t i = 0; i < a.size(); i += 2) {
+	constexpr int pointsPerEdge = 4;
+	double        worst         = 0;
+	for (std::size_t i = 0; i < from.size(); i += 2) {
 		for (int k = 0; k < pointsPerEdge; ++k) {
-			const Vec3d p    = a[i] + (a[i + 1] - a[i]) * (double(k) / pointsPerEdge);
+			const Vec3d p    = from[i] + (from[i + 1] - from[i]) * (double(k) / pointsPerEdge);
 			double      best = HUGE_VAL;
-			for (std::size_t j = 0; j < b.size(); j += 2)
-				best = std::min(best, distanceToSegment(p, b[j], b[j + 1]));
+			for (std::size_t j = 0; j < to.size(); j += 2)
+				best = std::min(best, distanceToSegment(p, to[j], to[j + 1]));
 			worst = std::max(worst, best);
 		}
 	}
 	return worst;
+}
+
+double rimDistance(const TriangleMesh& from, const TriangleMesh& to)
+{
+	return segmentDistance(rimSegments(from), rimSegments(to));
+}
+
+std::vector<Vec3d> sharpSegments(const TriangleMesh& mesh, double angleDeg)
+{
+	std::map<std::pair<int, int>, std::vector<Vec3d>> normals;
+	for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+		const std::int32_t* t = &mesh.triangles[i - i % 3];
+		const Vec3d         a = mesh.positions[t[0]];
+		const Vec3d         n = cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
+		const int           p = t[i % 3], q = t[(i + 1) % 3];
+		normals[{std::min(p, q), std::max(p, q)}].push_back(n);
+	}
+	std::vector<Vec3d> ends;
+	for (const auto& edge : normals) {
+		const std::vector<Vec3d>& n = edge.second;
+		if (n.size() != 2) continue;
+		const double angle = std::atan2(length(cross(n[0], n[1])), dot(n[0], n[1]));
+		if (angle <= angleDeg * pi / 180) continue;
+		ends.push_back(mesh.positions[edge.first.first]);
+		ends.push_back(mesh.positions[edge.first.second]);
+	}
+	return ends;
+}
+
+std::vector<Vec3d> withoutShortPieces(const std::vector<Vec3d>& segments, double leastLength)
+{
+	// Pieces are named by their smallest segment and renamed until nothing changes.
+	const std::size_t                            n = segments.size() / 2;
+	std::vector<std::size_t>                     piece(n);
+	std::map<std::array<double, 3>, std::size_t> at;
+	for (std::size_t i = 0; i < n; ++i)
+		piece[i] = i;
+	for (bool changed = true; changed;) {
+		changed = false;
+		for (std::size_t i = 0; i < 2 * n; ++i) {
+			const Vec3d& p = segments[i];
+			std::size_t& name =
+				at.emplace(std::array<double, 3>{p.x, p.y, p.z}, piece[i / 2]).first->second;
+			if (name == piece[i / 2]) continue;
+			name = piece[i / 2] = std::min(name, piece[i / 2]);
+			changed             = true;
+		}
+	}
+	std::map<std::size_t, double> lengthOf;
+	for (std::size_t i = 0; i < n; ++i)
+		lengthOf[piece[i]] += length(segments[2 * i + 1] - segments[2 * i]);
+	std::vector<Vec3d> kept;
+	for (std::size_t i = 0; i < n; ++i) {
+		if (lengthOf[piece[i]] < leastLength) continue;
+		kept.push_back(segments[2 * i]);
+		kept.push_back(segments[2 * i + 1]);
+	}
+	return kept;
 }
 
 double onSphere(const Vec3d& a, const Vec3d& b)

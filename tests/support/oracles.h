@@ -34,6 +34,13 @@ std::vector<Vec3d> rimSegments(const TriangleMesh& mesh);
 /// way.
 double rimDistance(const TriangleMesh& from, const TriangleMesh& to);
 
+/// Ends of the edges whose two faces' normals differ by more than that, two points an edge.
+std::vector<Vec3d> sharpSegments(const TriangleMesh& mesh, double angleDeg);
+/// The segments that hang together in pieces at least that long.
+std::vector<Vec3d> withoutShortPieces(const std::vector<Vec3d>& segments, double leastLength);
+/// Largest distance from a point of the one segments (ends, and points between them) to the others.
+double segmentDistance(const std::vector<Vec3d>& from, const std::vector<Vec3d>& to);
+
 /// Great-circle distance on the sphere about the origin that both points lie on.
 double onSphere(const Vec3d& a, const Vec3d& b);
 /// On the cylinder of that radius about the z axis: straight on the unrolled surface.

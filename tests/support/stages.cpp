@@ -77,6 +77,7 @@ HalfEdgeMesh copyOf(const HalfEdgeMesh& mesh)
 	copy.origin    = copyOf(mesh.origin);
 	copy.opposite  = copyOf(mesh.opposite);
 	copy.outgoing  = copyOf(mesh.outgoing);
+	if (mesh.hasCreases()) copy.crease = copyOf(mesh.crease);
 	return copy;
 }
 

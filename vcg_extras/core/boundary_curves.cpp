@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <map>
 
 namespace gpr {
 
@@ -20,17 +22,22 @@ int nextOnBorder(const HalfEdgeMesh& m, int h)
 	return x;
 }
 
+void addPoint(const HalfEdgeMesh& m, int h, Curve& c)
+{
+	c.vertex.push_back(m.origin[h]);
+	c.point.push_back(m.position[m.origin[h]]);
+	c.face.push_back(h / 3);
+	c.arc.push_back(c.length);
+	c.length += length(m.position[m.target(h)] - m.position[m.origin[h]]);
+}
+
 Curve traceLoop(const HalfEdgeMesh& m, int first, std::vector<char>& seen)
 {
 	Curve c;
 	int   h = first;
 	do {
 		seen[m.origin[h]] = 1;
-		c.vertex.push_back(m.origin[h]);
-		c.point.push_back(m.position[m.origin[h]]);
-		c.face.push_back(h / 3);
-		c.arc.push_back(c.length);
-		c.length += length(m.position[m.target(h)] - m.position[m.origin[h]]);
+		addPoint(m, h, c);
 		h = nextOnBorder(m, h);
 	} while (h != first);
 	return c;
@@ -44,6 +51,62 @@ std::vector<Curve> traceBorder(const HalfEdgeMesh& m)
 		const int h = m.outgoing[v];
 		if (h < 0 || m.opposite[h] >= 0 || seen[v]) continue;
 		curves.push_back(traceLoop(m, h, seen));
+	}
+	return curves;
+}
+
+/// Where feature lines end, fork, cross or meet the border.
+bool isNode(const HalfEdgeMesh& m, int v)
+{
+	const int n = m.creaseNum(v);
+	return n > 0 && (n != 2 || m.isBorderVertex(v));
+}
+
+/// The feature line's half-edge after h, whose target is no node.
+int nextOnCrease(const HalfEdgeMesh& m, int h)
+{
+	int next = -1;
+	forEachOutgoing(m, m.target(h), [&](int x) {
+		if (m.isCreaseEdge(x) && x != m.opposite[h]) next = x;
+	});
+	return next;
+}
+
+/// From half-edge `first` to the next node, or once round.
+Curve traceChain(const HalfEdgeMesh& m, int first, std::vector<char>& seen)
+{
+	Curve c;
+	int   h = first;
+	while (true) {
+		seen[h] = seen[m.opposite[h]] = 1;
+		addPoint(m, h, c);
+		const int end = m.target(h);
+		if (isNode(m, end)) {
+			c.isClosed = false;
+			c.vertex.push_back(end);
+			c.point.push_back(m.position[end]);
+			c.face.push_back(h / 3);
+			c.arc.push_back(c.length);
+			return c;
+		}
+		if (end == m.origin[first]) return c;
+		h = nextOnCrease(m, h);
+	}
+}
+
+/// Chains from node to node, then closed lines; in the order of their first vertex.
+std::vector<Curve> traceCreases(const HalfEdgeMesh& m)
+{
+	std::vector<Curve> curves;
+	if (!m.hasCreases()) return curves;
+	std::vector<char> seen(m.halfEdgeNum(), 0);
+	for (bool fromNodes : {true, false}) {
+		for (int v = 0; v < m.vertexNum; ++v) {
+			forEachOutgoing(m, v, [&](int h) {
+				if (!m.isCreaseEdge(h) || seen[h] || isNode(m, v) != fromNodes) return;
+				curves.push_back(traceChain(m, h, seen));
+			});
+		}
 	}
 	return curves;
 }
@@ -69,6 +132,7 @@ bool isLargestTurn(const Curve& c, const std::vector<float>& turn, int i, float 
 		int   k    = i;
 		float walk = 0;
 		while (true) {
+			if (!c.isClosed && (k + direction < 0 || k + direction >= n)) break;
 			const int next = (k + direction + n) % n;
 			walk += length(c.point[next] - c.point[k]);
 			k = next;
@@ -79,139 +143,271 @@ bool isLargestTurn(const Curve& c, const std::vector<float>& turn, int i, float 
 	return true;
 }
 
-/// Arcs of the corners; for a loop without any, of the sharpest turn, so that there is a start.
-std::vector<float> findCorners(const Curve& c, float diskRadius, bool& hasCorners)
+/// Points of the curve where it turns by more than cornerTurn, its ends left out.
+std::vector<char> findTurns(const Curve& c, const std::vector<float>& turn, float window)
 {
-	const float              window = std::min(diskRadius, c.length / 6);
-	const std::vector<float> turn   = turnsOver(c, window);
-	std::vector<float>       arcs;
-	for (int i = 0; i < c.pointNum(); ++i) {
-		if (turn[i] > cornerTurn && isLargestTurn(c, turn, i, window)) arcs.push_back(c.arc[i]);
-	}
-	hasCorners = !arcs.empty();
-	if (arcs.empty()) {
-		const auto sharpest = std::max_element(turn.begin(), turn.end());
-		arcs.push_back(c.arc[sharpest - turn.begin()]);
-	}
-	return arcs;
+	std::vector<char> turns(c.pointNum(), 0);
+	const int         skip = c.isClosed ? 0 : 1;
+	for (int i = skip; i < c.pointNum() - skip; ++i)
+		turns[i] = turn[i] > cornerTurn && isLargestTurn(c, turn, i, window);
+	return turns;
 }
 
-class LoopSampler {
+/// A sample of the list, and where it lies on the curve at hand.
+struct Mark {
+	float arc;
+	int   sample;
+	bool  operator<(const Mark& o) const { return arc < o.arc; }
+};
+
+/// Samples one curve after the other; remembers the nodes they share.
+class CurveSampler {
 public:
-	LoopSampler(const Curve& c, int index, std::vector<CurveSample>& out) :
-			c_(c), index_(index), out_(out)
+	CurveSampler(const HalfEdgeMesh& mesh, float diskRadius, float spacing, BoundaryCurves& out) :
+			m_(mesh), out_(out), diskRadius_(diskRadius)
 	{
+		wanted_.chord = spacing;
 	}
 
-	/// Three of the loop's own vertices, as even as possible.
-	void keepThree()
+	void sampleClosed(int index)
 	{
-		std::vector<char> taken(c_.pointNum(), 0);
-		for (int k = 0; k < 3; ++k) {
-			const float wanted = c_.length * float(k) / 3;
+		const Curve& c = begin(index);
+		if (c.pointNum() <= 3 || c.length < 1.8f * wanted_.chord)
+			keepThree(c);
+		else
+			sampleLoop(c);
+		sortSamples();
+		finish(c);
+	}
+
+	/// minSteps: pieces the chain must have, so that it does not fall together with another.
+	void sampleOpen(int index, int minSteps)
+	{
+		const Curve&            c      = begin(index);
+		const float             window = std::min(diskRadius_, c.length / 6);
+		const std::vector<char> turns  = findTurns(c, turnsOver(c, window), window);
+		std::vector<float>      stops  = {0};
+		for (int i = 0; i < c.pointNum(); ++i) {
+			if (turns[i]) stops.push_back(c.arc[i]);
+		}
+		stops.push_back(c.length);
+		marks_.push_back({0, nodeSample(c.vertex.front(), c, 0)});
+		const int pieceNum = int(stops.size()) - 1;
+		for (int i = 0; i < pieceNum; ++i) {
+			if (i > 0) put(c, stops[i], true);
+			const int steps = std::max(1, minSteps - pieceNum + 1);
+			for (float s : spaceOut(c, stops[i], stops[i + 1], wanted_, steps))
+				put(c, s, false);
+		}
+		marks_.push_back({c.length, nodeSample(c.vertex.back(), c, c.length)});
+		finish(c);
+	}
+
+	void addTip(int v)
+	{
+		CurveSample sample;
+		sample.isCorner = true;
+		sample.anchor   = {m_.position[v], m_.outgoing[v] / 3};
+		sample.vertex   = v;
+		out_.samples.push_back(sample);
+	}
+
+private:
+	const HalfEdgeMesh& m_;
+	BoundaryCurves&     out_;
+	float               diskRadius_;
+	CurveSpacing        wanted_;
+	int                 index_       = 0;
+	std::size_t         firstSample_ = 0; ///< of the curve at hand
+	std::vector<Mark>   marks_;
+	std::map<int, int>  sampleOfNode_;
+
+	const Curve& begin(int index)
+	{
+		index_       = index;
+		firstSample_ = out_.samples.size();
+		marks_.clear();
+		return out_.curves[index];
+	}
+
+	void put(const Curve& c, float s, bool isCorner)
+	{
+		CurveSample sample;
+		sample.arc      = c.wrap(s);
+		sample.curve    = index_;
+		sample.isCorner = isCorner;
+		sample.anchor   = {c.at(sample.arc), c.face[c.segmentAt(sample.arc)]};
+		marks_.push_back({sample.arc, int(out_.samples.size())});
+		out_.samples.push_back(sample);
+	}
+
+	/// Those of a loop, which are all its own, by arc.
+	void sortSamples()
+	{
+		std::sort(out_.samples.begin() + std::ptrdiff_t(firstSample_), out_.samples.end(),
+				  [](const CurveSample& a, const CurveSample& b) { return a.arc < b.arc; });
+		marks_.clear();
+		for (std::size_t s = firstSample_; s < out_.samples.size(); ++s)
+			marks_.push_back({out_.samples[s].arc, int(s)});
+	}
+
+	int nodeSample(int v, const Curve& c, float s)
+	{
+		const auto found = sampleOfNode_.find(v);
+		if (found != sampleOfNode_.end()) return found->second;
+		put(c, s, true);
+		marks_.pop_back();
+		const int sample            = int(out_.samples.size()) - 1;
+		out_.samples[sample].vertex = v;
+		sampleOfNode_[v]            = sample;
+		return sample;
+	}
+
+	/// Three of the loop's own vertices, as even as possible; nodes before others.
+	void keepThree(const Curve& c)
+	{
+		std::vector<char> taken(c.pointNum(), 0);
+		int               kept = 0;
+		for (int i = 0; i < c.pointNum(); ++i) {
+			if (!isNode(m_, c.vertex[i])) continue;
+			taken[i] = 1;
+			put(c, c.arc[i], true);
+			++kept;
+		}
+		for (int k = kept; k < 3; ++k) {
+			const float wanted = c.length * float(k) / 3;
 			int         best   = -1;
-			for (int i = 0; i < c_.pointNum(); ++i) {
+			for (int i = 0; i < c.pointNum(); ++i) {
 				if (taken[i]) continue;
-				if (best < 0 || std::abs(c_.arc[i] - wanted) < std::abs(c_.arc[best] - wanted)) {
+				if (best < 0 || std::abs(c.arc[i] - wanted) < std::abs(c.arc[best] - wanted))
 					best = i;
-				}
 			}
 			taken[best] = 1;
-			put(c_.arc[best], true);
+			put(c, c.arc[best], true);
 		}
 	}
 
-	void sample(float diskRadius, const CurveSpacing& spacing)
+	/// Corners and the nodes of feature lines that end here; without any, the sharpest turn is
+	/// where the loop begins.
+	std::vector<float> stopsOfLoop(const Curve& c, bool& hasCorners) const
+	{
+		const float              window = std::min(diskRadius_, c.length / 6);
+		const std::vector<float> turn   = turnsOver(c, window);
+		const std::vector<char>  turns  = findTurns(c, turn, window);
+		std::vector<float>       arcs;
+		for (int i = 0; i < c.pointNum(); ++i) {
+			if (turns[i] || isNode(m_, c.vertex[i])) arcs.push_back(c.arc[i]);
+		}
+		hasCorners = !arcs.empty();
+		if (arcs.empty()) {
+			const auto sharpest = std::max_element(turn.begin(), turn.end());
+			arcs.push_back(c.arc[sharpest - turn.begin()]);
+		}
+		return arcs;
+	}
+
+	void sampleLoop(const Curve& c)
 	{
 		bool                     hasCorners = false;
-		const std::vector<float> corners    = findCorners(c_, diskRadius, hasCorners);
+		const std::vector<float> corners    = stopsOfLoop(c, hasCorners);
 		const int                n          = int(corners.size());
 		// However few the corners, three samples must come out.
 		const int minSteps = n == 1 ? 3 : n == 2 ? 2 : 1;
 		for (int i = 0; i < n; ++i) {
 			const float from = corners[i];
-			const float to   = i + 1 < n ? corners[i + 1] : corners[0] + c_.length;
-			put(from, hasCorners);
-			for (float s : spaceOut(c_, from, to, spacing, minSteps))
-				put(s, false);
+			const float to   = i + 1 < n ? corners[i + 1] : corners[0] + c.length;
+			put(c, from, hasCorners);
+			for (float s : spaceOut(c, from, to, wanted_, minSteps))
+				put(c, s, false);
 		}
 	}
 
-private:
-	const Curve&              c_;
-	int                       index_;
-	std::vector<CurveSample>& out_;
-
-	void put(float s, bool isCorner)
+	static float arcDistance(const Curve& c, float a, float b)
 	{
-		CurveSample sample;
-		sample.arc      = c_.wrap(s);
-		sample.curve    = index_;
-		sample.isCorner = isCorner;
-		sample.anchor   = {c_.at(sample.arc), c_.face[c_.segmentAt(sample.arc)]};
-		out_.push_back(sample);
+		const float d = std::abs(a - b);
+		return c.isClosed ? std::min(d, c.length - d) : d;
+	}
+
+	/// Nearest of the marks, sorted by arc, to arc s.
+	int nearestMark(const Curve& c, float s) const
+	{
+		const auto above = std::lower_bound(marks_.begin(), marks_.end(), Mark{s, 0});
+		const int  n     = int(marks_.size());
+		const int  high  = int(above - marks_.begin());
+		const int  next = high % n, last = (high + n - 1) % n;
+		return arcDistance(c, marks_[next].arc, s) < arcDistance(c, marks_[last].arc, s) ? next
+																						 : last;
+	}
+
+	bool isOfNode(const CurveSample& sample) const
+	{
+		return sampleOfNode_.count(sample.vertex) != 0;
+	}
+
+	/// Gives every point of the curve its sample, and every sample the nearest of its points.
+	void finish(const Curve& c)
+	{
+		std::sort(marks_.begin(), marks_.end());
+		std::vector<int>   owner(c.pointNum());
+		std::vector<float> distance(marks_.size(), HUGE_VALF);
+		for (int i = 0; i < c.pointNum(); ++i) {
+			const int    k      = nearestMark(c, c.arc[i]);
+			CurveSample& sample = out_.samples[marks_[k].sample];
+			owner[i]            = marks_[k].sample;
+			const float d       = arcDistance(c, marks_[k].arc, c.arc[i]);
+			if (d >= distance[k] || isOfNode(sample)) continue;
+			distance[k]   = d;
+			sample.vertex = c.vertex[i];
+			if (isNode(m_, c.vertex[i])) sampleOfNode_[c.vertex[i]] = owner[i];
+		}
+		out_.sampleOfPoint.push_back(std::move(owner));
 	}
 };
 
-/// Distance along a closed curve.
-float arcDistance(const Curve& c, float a, float b)
+using ChainEnds = std::map<std::pair<int, int>, int>;
+
+std::pair<int, int> endsOf(const Curve& c)
 {
-	const float d = std::abs(a - b);
-	return std::min(d, c.length - d);
+	return std::minmax({c.vertex.front(), c.vertex.back()});
 }
 
-/// Nearest of the samples [begin, end), sorted by arc, to arc s.
-int nearestSample(const Curve& c, const std::vector<CurveSample>& samples, int begin, int end,
-				  float s)
+ChainEnds countChainEnds(const std::vector<Curve>& creases)
 {
-	const auto above = std::lower_bound(samples.begin() + begin, samples.begin() + end, s,
-										[](const CurveSample& a, float x) { return a.arc < x; });
-	const int  n     = end - begin;
-	const int  high  = int(above - samples.begin()) - begin;
-	const int  next = begin + high % n, last = begin + (high + n - 1) % n;
-	return arcDistance(c, samples[next].arc, s) < arcDistance(c, samples[last].arc, s) ? next
-																					   : last;
-}
-
-/// Gives every point of the curve its sample, and every sample the nearest of its points.
-std::vector<int> assignPoints(const Curve& c, std::vector<CurveSample>& samples, int begin)
-{
-	std::vector<int>   owner(c.pointNum());
-	std::vector<float> distance(samples.size() - begin, HUGE_VALF);
-	for (int i = 0; i < c.pointNum(); ++i) {
-		const int s   = nearestSample(c, samples, begin, int(samples.size()), c.arc[i]);
-		owner[i]      = s;
-		const float d = arcDistance(c, samples[s].arc, c.arc[i]);
-		if (d < distance[s - begin]) {
-			distance[s - begin] = d;
-			samples[s].vertex   = c.vertex[i];
-		}
+	ChainEnds number;
+	for (const Curve& c : creases) {
+		if (!c.isClosed) ++number[endsOf(c)];
 	}
-	return owner;
+	return number;
+}
+
+/// A chain back to its own node needs three edges, chains that share both nodes two each.
+int leastPieces(const Curve& c, const ChainEnds& chainEnds)
+{
+	if (c.vertex.front() == c.vertex.back()) return 3;
+	return chainEnds.at(endsOf(c)) > 1 ? 2 : 1;
 }
 
 } // namespace
 
-BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing)
+BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
+							  const std::vector<int>& tips)
 {
-	BoundaryCurves result;
-	result.curves = traceBorder(surface.mesh);
-	CurveSpacing wanted;
-	wanted.chord = spacing;
+	const HalfEdgeMesh& m = surface.mesh;
+	BoundaryCurves      result;
+	result.curves                = traceBorder(m);
+	std::vector<Curve> creases   = traceCreases(m);
+	const ChainEnds    chainEnds = countChainEnds(creases);
+	std::move(creases.begin(), creases.end(), std::back_inserter(result.curves));
+
+	CurveSampler sampler(m, diskRadius, spacing, result);
 	for (std::size_t i = 0; i < result.curves.size(); ++i) {
-		const Curve& c     = result.curves[i];
-		const int    begin = int(result.samples.size());
-		LoopSampler  sampler(c, int(i), result.samples);
-		if (c.pointNum() <= 3 || c.length < 1.8f * spacing) {
-			sampler.keepThree();
-		}
-		else {
-			sampler.sample(diskRadius, wanted);
-		}
-		std::sort(result.samples.begin() + begin, result.samples.end(),
-				  [](const CurveSample& a, const CurveSample& b) { return a.arc < b.arc; });
-		result.sampleOfPoint.push_back(assignPoints(c, result.samples, begin));
+		if (result.curves[i].isClosed)
+			sampler.sampleClosed(int(i));
+		else
+			sampler.sampleOpen(int(i), leastPieces(result.curves[i], chainEnds));
 	}
+	for (int v : tips)
+		sampler.addTip(v);
 	return result;
 }
 

@@ -11,7 +11,8 @@
 
 namespace gpr {
 
-/// A sample on a border curve: fixed in number, free to slide along its curve unless a corner.
+/// A sample on a curve: fixed in number, free to slide along its curve unless a corner. Where
+/// curves meet they share one; a cone's tip has no curve.
 struct CurveSample {
 	Anchor anchor;
 	int    curve    = -1;
@@ -20,19 +21,24 @@ struct CurveSample {
 	int    vertex = -1; ///< the input vertex that stands for it in the removal; -1 if none is left
 };
 
-/// The border loops of the input, their samples, and which sample each border vertex belongs to.
+/// The border loops and feature lines of the input, their samples, and which sample each of their
+/// vertices belongs to.
 struct BoundaryCurves {
-	std::vector<Curve>       curves;
+	std::vector<Curve>       curves; ///< loops of the border first
 	std::vector<CurveSample> samples;
 	/// For every vertex of curves[c], in order: the nearest sample along the arc.
 	std::vector<std::vector<int>> sampleOfPoint;
 };
 
-/// Stage 5: samples the border before anything else, so that it keeps its shape and its triangles
-/// are as regular as inside: loops are cut at corners (a turn of 50° that persists over r), each
-/// piece is sampled by chords of `spacing` (see spaceOut). Loops too short for three samples keep
-/// three of their own vertices. Cost: linear in the border.
-BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing);
+/// Stage 5: samples border and feature lines (surface.mesh.crease) before anything else, so that
+/// they keep their shape and triangles are as regular there as inside. Feature lines are cut into
+/// chains between nodes, the vertices where other than two of their edges meet or the border is
+/// met; nodes and the given tips are samples that never move. Loops and chains are cut further at
+/// corners (a turn of 50° that persists over r), each piece is sampled by chords of `spacing` (see
+/// spaceOut). Loops too short for three samples keep three of their own vertices. Cost: linear in
+/// the curves.
+BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
+							  const std::vector<int>& tips = {});
 
 } // namespace gpr
 

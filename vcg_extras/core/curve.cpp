@@ -142,6 +142,7 @@ std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const Curve
 float Curve::wrap(float s) const
 {
 	if (!(length > 0)) return 0;
+	if (!isClosed) return std::clamp(s, 0.0f, length);
 	while (s < 0)
 		s += length;
 	while (s >= length)
@@ -152,7 +153,8 @@ float Curve::wrap(float s) const
 int Curve::segmentAt(float s) const
 {
 	const auto above = std::upper_bound(arc.begin(), arc.end(), wrap(s));
-	return std::max(0, int(above - arc.begin()) - 1);
+	const int  last  = isClosed ? pointNum() - 1 : pointNum() - 2;
+	return std::clamp(int(above - arc.begin()) - 1, 0, last);
 }
 
 Vec3f Curve::at(float s) const

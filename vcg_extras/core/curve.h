@@ -9,21 +9,22 @@
 
 namespace gpr {
 
-/// A closed polyline on the surface, by arc length: today the loops of the border, later feature
-/// lines too.
+/// A polyline on the surface, by arc length: a loop of the border or a feature line.
 struct Curve {
 	std::vector<int>   vertex; ///< of the surface, in order
 	std::vector<Vec3f> point;  ///< their positions
 	std::vector<int>   face;   ///< face at the segment from point i to the next
 	std::vector<float> arc;    ///< arc length at point i
-	float              length = 0;
+	float              length   = 0;
+	bool               isClosed = true; ///< the last point is followed by the first
 
-	int   pointNum() const { return int(point.size()); }
+	int pointNum() const { return int(point.size()); }
+	/// Arc length within the curve: once round if closed, else the nearer end.
 	float wrap(float s) const;
 	/// The segment that holds arc length s, after wrapping.
 	int   segmentAt(float s) const;
 	Vec3f at(float s) const;
-	/// Arc length of point i, where i may run on past the end once round.
+	/// Arc length of point i, where i may run on past the end of a closed curve, once round.
 	float arcOf(int i) const { return arc[i % pointNum()] + (i >= pointNum() ? length : 0.0f); }
 };
 

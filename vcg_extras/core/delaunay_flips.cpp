@@ -19,7 +19,7 @@ constexpr float creaseCosine = 0.5f;
 bool improvesAngles(const HalfEdgeMesh& m, int h)
 {
 	const int g = m.opposite[h];
-	if (g < 0) return false;
+	if (m.isCurveEdge(h)) return false;
 	const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
 	const Vec3f c = m.position[m.apex(h)], d = m.position[m.apex(g)];
 	const Vec3f ca = a - c, cb = b - c, da = a - d, db = b - d;

@@ -10,8 +10,8 @@ namespace gpr {
 
 /// Flips edges whose opposite angles add up to more than 180°, until none is left. An edge stays
 /// where the flip would fold the surface, sharpen a crease, leave a vertex with two faces or double
-/// an edge; border edges always stay. Returns the number of flips. Cost: linear; edges are tested
-/// in parallel, the few that flip are turned serially.
+/// an edge; edges of the border and of feature lines always stay. Returns the number of flips.
+/// Cost: linear; edges are tested in parallel, the few that flip are turned serially.
 std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers);
 
 /// Whether the faces that flipping h would make are sound: not turned over, no angle below

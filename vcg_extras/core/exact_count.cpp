@@ -5,6 +5,7 @@
 #include "delaunay_flips.h"
 #include "mesh_edit.h"
 #include "relaxation.h"
+#include "sectors.h"
 #include "sizing.h"
 
 #include <algorithm>
@@ -100,25 +101,9 @@ private:
 		valence_.reset(m_.vertexNum);
 		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
 			for (std::size_t v = begin; v < end; ++v)
-				valence_[v] = correctedValence(int(v));
+				valence_[v] = correctedValence(m_, int(v));
 		});
 		used_.assign(m_.vertexNum, 0);
-	}
-
-	/// A straight border wants 3 faces, a corner of 90° one or two: as many as 60° fit the angle.
-	int correctedValence(int v) const
-	{
-		int        n        = 0;
-		float      angle    = 0;
-		const bool atBorder = m_.isBorderVertex(v);
-		forEachOutgoing(m_, v, [&](int h) {
-			++n;
-			if (!atBorder) return;
-			const Vec3f a = m_.position[m_.target(h)] - m_.position[v];
-			const Vec3f b = m_.position[m_.apex(h)] - m_.position[v];
-			angle += std::atan2(length(cross(a, b)), dot(a, b));
-		});
-		return atBorder ? n + 6 - std::max(1, int(std::lround(angle / (60 * radians)))) : n;
 	}
 
 	/// Operations in the order in which to take them, the last ones not worth taking in this round
@@ -156,12 +141,12 @@ private:
 		return size_.empty() ? straight : straight / (0.5f * (size_[a] + size_[b]));
 	}
 
-	/// A point of the surface halfway from a to b, by walking from a.
-	bool walkHalfway(int a, int b, ResultVertex& middle) const
+	/// A point of the surface halfway from a to b, by walking from a, in the face at hand.
+	bool walkHalfway(int a, int b, const Anchor& from, ResultVertex& middle) const
 	{
-		middle.anchor       = r_.vertex[a].anchor;
+		middle.anchor       = from;
 		const Vec3f half    = (m_.position[b] - m_.position[a]) * 0.5f;
-		const Vec3f flat    = tangential(half, r_.vertex[a].normal);
+		const Vec3f flat    = tangential(half, surface_.mesh.faceNormal(from.face));
 		const float reach   = length(half);
 		const float flatLen = length(flat);
 		if (!(flatLen > 0)) return false;
@@ -174,7 +159,29 @@ private:
 
 	bool findMiddle(int a, int b, ResultVertex& middle) const
 	{
-		return walkHalfway(a, b, middle) || walkHalfway(b, a, middle);
+		const bool fromCrease = m_.isCreaseVertex(a), toCrease = m_.isCreaseVertex(b);
+		if (fromCrease && toCrease) return findMiddleFromCrease(a, b, middle);
+		if (fromCrease) return walkHalfway(b, a, r_.vertex[b].anchor, middle);
+		if (walkHalfway(a, b, r_.vertex[a].anchor, middle)) return true;
+		return !toCrease && walkHalfway(b, a, r_.vertex[b].anchor, middle);
+	}
+
+	/// The right face to begin in is the one whose walk stays nearest to the straight line.
+	bool findMiddleFromCrease(int a, int b, ResultVertex& middle) const
+	{
+		const Vec3f straight = (m_.position[a] + m_.position[b]) * 0.5f;
+		float       nearest  = 0.25f * length(m_.position[b] - m_.position[a]);
+		bool        found    = false;
+		for (int face : facesAt(surface_.mesh, r_.vertex[a].anchor)) {
+			ResultVertex trial;
+			if (!walkHalfway(a, b, {m_.position[a], face}, trial)) continue;
+			const float off = length(trial.anchor.position - straight);
+			if (off >= nearest) continue;
+			nearest = off;
+			middle  = trial;
+			found   = true;
+		}
+		return found;
 	}
 
 	// ---- splitting
@@ -185,7 +192,7 @@ private:
 		std::vector<Operation> all = workers_.collect<Operation>(
 			m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
 				for (int h = int(begin); h < int(end); ++h) {
-					if (isDeadFace(m_, h / 3)) continue;
+					if (isDeadFace(m_, h / 3) || m_.isCreaseEdge(h)) continue;
 					if (m_.opposite[h] > h || isSplittableBorder(h)) addSplit(h, out);
 				}
 			});
@@ -379,8 +386,8 @@ private:
 			return;
 		}
 		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
-		if (m_.isBorderVertex(a)) return;
-		const bool seenFromOtherSide = !m_.isBorderVertex(b) && m_.opposite[h] < h;
+		if (!isFree(r_, a)) return;
+		const bool seenFromOtherSide = isFree(r_, b) && m_.opposite[h] < h;
 		if (seenFromOtherSide && care_ != Care::TopologyOnly) return;
 		if (care_ == Care::FlatGroundOnly && !allFlat(a, b, c, d)) return;
 		if (care_ != Care::TopologyOnly && (valence_[c] <= 4 || valence_[d] <= 4)) return;
@@ -409,7 +416,7 @@ private:
 		const int a = m_.origin[h], b = m_.target(h);
 		if (!ringIsUnused(a) || !ringIsUnused(b) || !canCollapse(m_, h, scratch_)) return false;
 		ResultVertex survivor = r_.vertex[b];
-		if (!m_.isBorderVertex(b)) {
+		if (isFree(r_, b)) {
 			ResultVertex middle;
 			if (findMiddle(a, b, middle))
 				survivor = middle;
@@ -514,7 +521,7 @@ void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& wor
 	std::vector<Operation> all = workers.collect<Operation>(
 		m.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
 			for (int h = int(begin); h < int(end); ++h) {
-				if (m.opposite[h] < 0 || m.isBorderVertex(m.origin[h])) continue;
+				if (m.opposite[h] < 0 || !isFree(result, m.origin[h])) continue;
 				const int a = m.origin[h], b = m.target(h);
 				if (isShort(a, b)) out.push_back({0, length(m.position[b] - m.position[a]), h, 0});
 			}
@@ -526,7 +533,7 @@ void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& wor
 		if (isDeadFace(m, h / 3)) continue;
 		const int a = m.origin[h], b = m.target(h);
 		// Earlier collapses may have given this edge another end.
-		if (!isShort(a, b) || m.isBorderVertex(a) || !canCollapse(m, h, scratch)) continue;
+		if (!isShort(a, b) || !isFree(result, a) || !canCollapse(m, h, scratch)) continue;
 		if (worstAngleAt(m, a, m.position[b], b) <= worstAngleAt(m, a, m.position[a], -1)) continue;
 		collapse(m, h);
 		++result.collapseNum;

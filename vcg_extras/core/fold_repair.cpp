@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fold_repair.h"
 
+#include "curve_slide.h"
 #include "mesh_edit.h"
 
 #include <algorithm>
@@ -165,11 +166,11 @@ private:
 
 	void tryMove(int v, Change& best) const
 	{
-		if (m_.isBorderVertex(v)) {
+		if (m_.isCurveVertex(v)) {
 			trySlide(v, best);
 			return;
 		}
-		if (!mayMove_) return;
+		if (!mayMove_ || r_.vertex[v].isCorner) return;
 		const ResultVertex& here       = r_.vertex[v];
 		const float         now        = ringCost(v, cornerOf(v), -1);
 		const auto          directions = compassDirections(here.normal);
@@ -195,27 +196,17 @@ private:
 		best.arc    = arc;
 	}
 
-	/// Arc length of the curve from v to a neighbour on it, or 0 if that is not on the curve.
-	float arcTo(int v, int neighbour, bool forward) const
-	{
-		const ResultVertex &a = r_.vertex[v], &b = r_.vertex[neighbour];
-		if (a.curve < 0 || a.curve != b.curve) return 0;
-		const Curve& c = boundary_.curves[a.curve];
-		return forward ? c.wrap(b.arc - a.arc) : c.wrap(a.arc - b.arc);
-	}
-
 	void trySlide(int v, Change& best) const
 	{
 		const ResultVertex& here = r_.vertex[v];
 		if (here.curve < 0) return;
-		const Curve& c   = boundary_.curves[here.curve];
-		const float  now = ringCost(v, cornerOf(v), -1);
+		const float     now  = ringCost(v, cornerOf(v), -1);
+		const SlideRoom room = slideRoom(r_, boundary_, v);
 		for (bool forward : {false, true}) {
-			const float room = arcTo(v, borderNeighbour(m_, v, forward), forward);
 			for (float share : {0.1f, 0.25f, 0.5f, 0.75f}) {
-				const float  arc = c.wrap(here.arc + (forward ? room : -room) * share);
-				const Anchor at{c.at(arc), c.face[c.segmentAt(arc)]};
-				offerMove(v, now, at, arc, best);
+				const float        step = (forward ? room.forward : -room.backward) * share;
+				const ResultVertex to   = slid(surface_, boundary_, here, step);
+				offerMove(v, now, to.anchor, to.arc, best);
 			}
 		}
 	}
@@ -223,7 +214,7 @@ private:
 	void tryCollapse(int h, Change& best)
 	{
 		const int a = m_.origin[h], b = m_.target(h);
-		if (m_.isBorderVertex(a) || !canCollapse(m_, h, scratch_)) return;
+		if (!isFree(r_, a) || !canCollapse(m_, h, scratch_)) return;
 		const float gain = ringCost(a, cornerOf(a), -1) - ringCost(a, cornerOf(b), b);
 		// A vertex less has to be worth it.
 		if (gain - 2 * leastGain <= best.gain) return;

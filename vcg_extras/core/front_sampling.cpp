@@ -590,12 +590,18 @@ void compact(const SharedState& shared, Workers& workers, Sampling& result)
 
 } // namespace
 
+/// Vertices of curves belong to the nearest sample along their curve, tips to their own, at
+/// distance 0 of the interior's choice: no interior sample is stood for by such a vertex.
 void labelBorder(const BoundaryCurves& boundary, Sampling& result)
 {
 	for (std::size_t c = 0; c < boundary.curves.size(); ++c) {
 		const Curve& curve = boundary.curves[c];
 		for (int i = 0; i < curve.pointNum(); ++i)
 			result.nearest[curve.vertex[i]] = {0.0f, boundary.sampleOfPoint[c][i]};
+	}
+	for (std::size_t s = 0; s < boundary.samples.size(); ++s) {
+		const CurveSample& sample = boundary.samples[s];
+		if (sample.curve < 0) result.nearest[sample.vertex] = {0.0f, int(s)};
 	}
 }
 

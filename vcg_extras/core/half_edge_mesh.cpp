@@ -27,6 +27,13 @@ int HalfEdgeMesh::valence(int v) const
 	return n;
 }
 
+int HalfEdgeMesh::creaseNum(int v) const
+{
+	int n = 0;
+	forEachOutgoing(*this, v, [&](int h) { n += isCreaseEdge(h); });
+	return n;
+}
+
 int HalfEdgeMesh::incomingBorder(int v) const
 {
 	int last = -1;

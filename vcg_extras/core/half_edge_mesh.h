@@ -36,6 +36,8 @@ struct HalfEdgeMesh {
 	Buffer<int>   origin;   ///< of at least 3·faceNum
 	Buffer<int>   opposite;
 	Buffer<int>   outgoing;
+	/// Per half-edge: 1 on feature lines, at both halves of an edge. Empty where there are none.
+	Buffer<char> crease;
 
 	int halfEdgeNum() const { return 3 * faceNum; }
 	int target(int h) const { return origin[nextInFace(h)]; }
@@ -44,6 +46,15 @@ struct HalfEdgeMesh {
 	bool isBorderEdge(int h) const { return opposite[h] < 0; }
 	/// True for vertices of a border and for those in no face.
 	bool isBorderVertex(int v) const { return outgoing[v] < 0 || opposite[outgoing[v]] < 0; }
+	bool hasCreases() const { return !crease.empty(); }
+	bool isCreaseEdge(int h) const { return hasCreases() && crease[h] != 0; }
+	/// Of the border or of a feature line: edges that stay edges, whatever happens round them.
+	bool isCurveEdge(int h) const { return isBorderEdge(h) || isCreaseEdge(h); }
+	/// Feature lines that meet in v; at the border without the border's own edges.
+	int  creaseNum(int v) const;
+	bool isCreaseVertex(int v) const { return hasCreases() && creaseNum(v) > 0; }
+	/// Vertices that move along a curve only, if at all.
+	bool isCurveVertex(int v) const { return isBorderVertex(v) || isCreaseVertex(v); }
 
 	/// Area times two times the unit normal.
 	Vec3f faceCross(int f) const

@@ -15,6 +15,31 @@ void join(HalfEdgeMesh& m, int g, int h)
 	if (h >= 0) m.opposite[h] = g;
 }
 
+/// After join(g, h): the edge of a feature line if one of the two edges was.
+void mergeMarks(HalfEdgeMesh& m, int g, int h)
+{
+	if (!m.hasCreases() || g < 0 || h < 0) return;
+	m.crease[g] = m.crease[h] = char(m.crease[g] | m.crease[h]);
+}
+
+void joinMerged(HalfEdgeMesh& m, int g, int h)
+{
+	join(m, g, h);
+	mergeMarks(m, g, h);
+}
+
+/// Half-edge `to` now is the edge that `from` was, or a new one (from < 0).
+void moveMark(HalfEdgeMesh& m, int to, int from)
+{
+	if (m.hasCreases()) m.crease[to] = from < 0 ? char(0) : m.crease[from];
+}
+
+/// Whether the face of h has no curve edges but h, or one: two would fall together.
+bool sideCanClose(const HalfEdgeMesh& m, int h)
+{
+	return !(m.isCurveEdge(nextInFace(h)) && m.isCurveEdge(prevInFace(h)));
+}
+
 void collectNeighbours(const HalfEdgeMesh& m, int v, std::vector<int>& ring)
 {
 	ring.clear();
@@ -121,16 +146,35 @@ void renameOrigin(HalfEdgeMesh& m, int from, int to)
 
 } // namespace
 
-bool canCollapse(const HalfEdgeMesh& m, int h, EditScratch& scratch)
+namespace {
+
+/// The part of the test that asks for topology alone; origin[h] is an inner vertex.
+bool linkAllowsCollapse(const HalfEdgeMesh& m, int h, EditScratch& scratch)
 {
 	const int g = m.opposite[h];
 	const int a = m.origin[h], b = m.target(h);
-	if (g < 0 || m.isBorderVertex(a)) return false;
 	const int c = m.apex(h), d = m.apex(g);
 	if (c == d) return false;
 	collectNeighbours(m, a, scratch.ringA);
 	if (commonNeighbourNum(m, scratch.ringA, b) != 2) return false;
 	return canLoseFace(m, c) && canLoseFace(m, d);
+}
+
+} // namespace
+
+bool canCollapse(const HalfEdgeMesh& m, int h, EditScratch& scratch)
+{
+	const int a = m.origin[h];
+	if (m.opposite[h] < 0 || m.isBorderVertex(a) || m.isCreaseVertex(a)) return false;
+	return linkAllowsCollapse(m, h, scratch);
+}
+
+bool canCollapseAlongCrease(const HalfEdgeMesh& m, int h, EditScratch& scratch)
+{
+	const int a = m.origin[h];
+	if (m.isBorderVertex(a) || !m.isCreaseEdge(h) || m.creaseNum(a) != 2) return false;
+	if (!sideCanClose(m, h) || !sideCanClose(m, m.opposite[h])) return false;
+	return linkAllowsCollapse(m, h, scratch);
 }
 
 ///          c                       c
@@ -147,8 +191,8 @@ void collapse(HalfEdgeMesh& m, int h)
 	renameOrigin(m, a, b);
 	const int t1 = m.opposite[nextInFace(h)], t2 = m.opposite[prevInFace(h)];
 	const int t3 = m.opposite[nextInFace(g)], t4 = m.opposite[prevInFace(g)];
-	join(m, t1, t2);
-	join(m, t3, t4);
+	joinMerged(m, t1, t2);
+	joinMerged(m, t3, t4);
 	// a was inside, so t2 and t3 exist; t1 and t4 are missing where b's border ran along the faces.
 	const bool keepsBorder = t1 >= 0 && m.isBorderVertex(b);
 	if (!keepsBorder) m.outgoing[b] = t2;
@@ -169,6 +213,7 @@ bool canCollapseAlongBorder(const HalfEdgeMesh& m, int v, bool forward, EditScra
 	const int h = forward ? m.outgoing[v] : m.incomingBorder(v);
 	const int b = forward ? m.target(h) : m.origin[h];
 	const int c = m.apex(h);
+	if (m.isCreaseVertex(v) || !sideCanClose(m, h)) return false;
 	collectNeighbours(m, v, scratch.ringA);
 	// The third vertex of a loop shares two neighbours with the next one, and stays.
 	if (commonNeighbourNum(m, scratch.ringA, b) != 1) return false;
@@ -185,7 +230,7 @@ void collapseAlongBorder(HalfEdgeMesh& m, int v, bool forward)
 	renameOrigin(m, v, b);
 	const int inner1 = nextInFace(h), inner2 = prevInFace(h);
 	const int t1 = m.opposite[inner1], t2 = m.opposite[inner2];
-	join(m, t1, t2);
+	joinMerged(m, t1, t2);
 	if (forward) {
 		// b keeps its outgoing border unless that was in the dead face.
 		if (m.outgoing[b] == inner1) m.outgoing[b] = t2;
@@ -202,7 +247,7 @@ void collapseAlongBorder(HalfEdgeMesh& m, int v, bool forward)
 bool canFlip(const HalfEdgeMesh& m, int h)
 {
 	const int g = m.opposite[h];
-	if (g < 0) return false;
+	if (g < 0 || m.isCreaseEdge(h)) return false;
 	const int c = m.apex(h), d = m.apex(g);
 	return c != d && canLoseFace(m, m.origin[h]) && canLoseFace(m, m.target(h)) &&
 		   !m.areNeighbours(c, d);
@@ -219,6 +264,10 @@ void flip(HalfEdgeMesh& m, int h)
 	m.origin[g]  = b;
 	m.origin[gn] = c;
 	m.origin[gp] = d;
+	moveMark(m, h, gn);
+	moveMark(m, g, hn);
+	moveMark(m, hn, -1);
+	moveMark(m, gn, -1);
 	join(m, h, acrossAD);
 	join(m, g, acrossBC);
 	join(m, hn, gn);
@@ -244,6 +293,14 @@ void splitEdge(HalfEdgeMesh& m, int h, int v)
 	m.origin[k]     = b;
 	m.origin[k + 1] = v;
 	m.origin[k + 2] = d;
+	moveMark(m, e, h);
+	moveMark(m, e + 1, hn);
+	moveMark(m, e + 2, -1);
+	moveMark(m, k, h);
+	moveMark(m, k + 1, -1);
+	moveMark(m, k + 2, gp);
+	moveMark(m, hn, -1);
+	moveMark(m, gp, -1);
 	join(m, hn, e + 2);
 	join(m, e + 1, acrossBC);
 	join(m, e, k);
@@ -269,6 +326,10 @@ void splitBorderEdge(HalfEdgeMesh& m, int h, int v)
 	m.origin[e + 2]   = c;
 	m.opposite[e]     = -1;
 	m.opposite[e + 1] = -1;
+	moveMark(m, e, -1);
+	moveMark(m, e + 1, hn);
+	moveMark(m, e + 2, -1);
+	moveMark(m, hn, -1);
 	join(m, hn, e + 2);
 	join(m, e + 1, acrossBC);
 	m.outgoing[v] = e;
@@ -378,6 +439,7 @@ void reserve(HalfEdgeMesh& m, int vertexRoom, int faceRoom)
 	if (m.origin.size() < 3 * std::size_t(faceRoom)) {
 		m.origin.resize(3 * std::size_t(faceRoom));
 		m.opposite.resize(3 * std::size_t(faceRoom));
+		if (m.hasCreases()) m.crease.resize(3 * std::size_t(faceRoom));
 	}
 }
 
@@ -402,6 +464,7 @@ void compact(HalfEdgeMesh& m, std::vector<int>& newIndex)
 		for (int k = 0; k < 3; ++k) {
 			m.origin[3 * newFace[f] + k]   = newIndex[m.origin[3 * f + k]];
 			m.opposite[3 * newFace[f] + k] = renamed(m.opposite[3 * f + k]);
+			if (m.hasCreases()) m.crease[3 * newFace[f] + k] = m.crease[3 * f + k];
 		}
 	}
 	m.vertexNum = vertices;
@@ -419,6 +482,7 @@ HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers)
 	to.outgoing.reset(from.vertexNum);
 	to.origin.reset(from.halfEdgeNum());
 	to.opposite.reset(from.halfEdgeNum());
+	if (from.hasCreases()) to.crease.reset(from.halfEdgeNum());
 	workers.forRange(from.vertexNum, [&](std::size_t begin, std::size_t end) {
 		std::copy(from.position.data() + begin, from.position.data() + end,
 				  to.position.data() + begin);
@@ -429,6 +493,8 @@ HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers)
 		std::copy(from.origin.data() + begin, from.origin.data() + end, to.origin.data() + begin);
 		std::copy(from.opposite.data() + begin, from.opposite.data() + end,
 				  to.opposite.data() + begin);
+		if (!from.hasCreases()) return;
+		std::copy(from.crease.data() + begin, from.crease.data() + end, to.crease.data() + begin);
 	});
 	return to;
 }

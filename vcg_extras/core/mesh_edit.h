@@ -12,6 +12,8 @@ namespace gpr {
 
 /// The only place where topology changes. Every change has a test that can refuse it and keeps the
 /// mesh an oriented 2-manifold of the same topology; positions and shapes are the caller's matter.
+/// Feature lines (HalfEdgeMesh::crease) are kept too: their edges are never flipped, their vertices
+/// are only merged by canCollapseAlongCrease, and both halves of an edge stay marked alike.
 /// A dead face has origin[3f] = -1, a dead vertex outgoing[v] = -1.
 
 inline bool isDeadFace(const HalfEdgeMesh& m, int f)
@@ -26,19 +28,25 @@ struct EditScratch {
 };
 
 /// Whether the inner vertex origin[h] may be merged into target(h): the link condition (Dey et al.
-/// 1999), and no vertex may be left with too few faces. Border vertices: canCollapseAlongBorder.
+/// 1999), and no vertex may be left with too few faces. Never for vertices of curves: see
+/// canCollapseAlongBorder and canCollapseAlongCrease.
 bool canCollapse(const HalfEdgeMesh& m, int h, EditScratch& scratch);
+
+/// Whether origin[h], an inner vertex that exactly one feature line passes, may be merged into the
+/// next vertex of that line, target(h), by collapse(). No two curves may fall together by it.
+bool canCollapseAlongCrease(const HalfEdgeMesh& m, int h, EditScratch& scratch);
 
 /// Merges origin[h] into target(h) over an inner edge; origin[h] must be an inner vertex.
 void collapse(HalfEdgeMesh& m, int h);
 
-/// Whether the border vertex v may be merged into its next (forward) or previous border vertex.
+/// Whether the border vertex v may be merged into its next (forward) or previous border vertex. Not
+/// where a feature line ends in v.
 bool canCollapseAlongBorder(const HalfEdgeMesh& m, int v, bool forward, EditScratch& scratch);
 void collapseAlongBorder(HalfEdgeMesh& m, int v, bool forward);
 /// The border vertex that v would be merged into.
 int borderNeighbour(const HalfEdgeMesh& m, int v, bool forward);
 
-/// Whether the inner edge h may be turned to join its two apexes.
+/// Whether the inner edge h, of no feature line, may be turned to join its two apexes.
 bool canFlip(const HalfEdgeMesh& m, int h);
 /// Turns a-b into d-c, where c = apex(h) and d = apex(opposite): h becomes a -> d in face (a, d,
 /// c).

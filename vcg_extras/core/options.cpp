@@ -50,6 +50,9 @@ void checkDensity(const RemeshOptions& o, std::vector<std::string>& complaints)
 void checkFeatures(const RemeshOptions& o, std::vector<std::string>& complaints)
 {
 	const FeatureThresholds& t = o.featureThresholds;
+	if (!isWithin(o.featureAngleDeg, 5, 175)) {
+		complaints.push_back("The feature angle must be between 5 and 175 degrees.");
+	}
 	if (!isWithin(o.featureDiskScale, 0.05, 1)) {
 		complaints.push_back("The feature disk scale must be between 0.05 and 1.");
 	}
@@ -77,6 +80,7 @@ void applyPreset(Preset preset, RemeshOptions& o)
 	o.smoothing       = paper ? Smoothing::Umbrella2 : Smoothing::Barycentric;
 	o.equations       = paper ? Equations::AsPrinted : Equations::Calibrated;
 	o.exactCount      = !paper;
+	o.featureMode     = paper ? FeatureMode::Off : FeatureMode::Auto;
 }
 
 std::vector<std::string> validate(const RemeshOptions& o)

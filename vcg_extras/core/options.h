@@ -69,6 +69,13 @@ enum class FeatureSampling {
 	Vertices, ///< every vertex of the region becomes a vertex of the result
 };
 
+/// Whether sharp edges of the input become edges of the result.
+enum class FeatureMode {
+	Auto,  ///< where they are real creases, not a scan's noise; see crease_lines.h
+	Lines, ///< wherever the surface turns by featureAngleDeg
+	Off,
+};
+
 /// Thresholds of the second-order difference.
 struct FeatureThresholds {
 	double support     = 2;  ///< radius of the support in mean edges of the input, > 0, <= 100
@@ -100,14 +107,17 @@ struct RemeshOptions {
 	SizingSource sizing         = SizingSource::Curvature;
 	double       adapt          = 0; ///< sizes by the error, [0, 1]; 0 = evenly; calibrated only
 
+	FeatureMode featureMode     = FeatureMode::Auto;
+	double      featureAngleDeg = 40; ///< feature lines: between the normals of two faces, [5, 175]
+
 	FeatureRegion     featureRegion    = FeatureRegion::None;
 	FeatureSampling   featureSampling  = FeatureSampling::Disks;
 	double            featureDiskScale = 0.5; ///< disk radius in the region over r, [0.05, 1]
 	FeatureThresholds featureThresholds;
 };
 
-/// Sets placement, retriangulation, smoothing, equations and exactCount to those of a preset and
-/// leaves the rest alone.
+/// Sets placement, retriangulation, smoothing, equations, exactCount and featureMode to those of a
+/// preset and leaves the rest alone.
 void applyPreset(Preset preset, RemeshOptions& options);
 
 /// Complaints about values out of range, one sentence each; empty when all is well.

@@ -259,6 +259,29 @@ void addDensity(Table& t)
 					.p);
 }
 
+void addFeatureLines(Table& t)
+{
+	t.push_back(row(sized, "Features", "--features", "NAME", Kind::Choice, "Feature lines",
+					"Sharp edges of the mesh become edges of the result, corners and cone tips its "
+					"vertices: "
+					"auto, where they are real creases and not a scan's noise (none with the paper "
+					"preset); "
+					"lines, wherever the faces turn by the feature angle; off, nowhere.")
+					.choices({"auto", "lines", "off"})
+					.store([](const Value& v, RemeshOptions& o) {
+						if (countOf(v) > 0) o.featureMode = FeatureMode(countOf(v));
+					})
+					.p);
+	t.push_back(
+		row(sized, "FeatureAngle", "--feature-angle", "DEG", Kind::Number, "Feature angle",
+			"A feature line begins where the normals of two faces differ by so many degrees, "
+			"and goes on from its ends down to half of that; 5 to 175.")
+			.range(5, 175)
+			.byDefault([](const MeshFacts&) { return Value(40.0); })
+			.store([](const Value& v, RemeshOptions& o) { o.featureAngleDeg = numberOf(v); })
+			.p);
+}
+
 void addFeatures(Table& t)
 {
 	t.push_back(
@@ -366,6 +389,7 @@ std::vector<Parameter> makeParameterTable()
 	addStages(table);
 	addCount(table);
 	addDensity(table);
+	addFeatureLines(table);
 	addFeatures(table);
 	addRun(table);
 	return table;

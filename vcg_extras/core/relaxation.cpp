@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "relaxation.h"
 
+#include "sectors.h"
 #include "sizing.h"
 #include "walk.h"
 
@@ -9,30 +10,12 @@ namespace gpr {
 
 namespace {
 
-/// Cosine of about 37°.
-constexpr float flatCosine = 0.8f;
 /// A face of a shape below this (30°-30°-120°) must not get worse.
 constexpr float poorShape = 0.6f;
 /// A move must not turn a face by more than 60°.
 constexpr float foldCosine = 0.5f;
 /// Rounds of taking moves back; then all moves near the trouble are.
 constexpr int mostTakeBackRounds = 8;
-
-bool isFlat(const HalfEdgeMesh& m, int v)
-{
-	const Vec3f p = m.position[v];
-	Vec3f       sum;
-	forEachOutgoing(
-		m, v, [&](int h) { sum += cross(m.position[m.target(h)] - p, m.position[m.apex(h)] - p); });
-	const float limit = flatCosine * flatCosine * squaredLength(sum);
-	bool        flat  = squaredLength(sum) > 0;
-	forEachOutgoing(m, v, [&](int h) {
-		const Vec3f n = cross(m.position[m.target(h)] - p, m.position[m.apex(h)] - p);
-		const float d = dot(n, sum);
-		flat          = flat && d > 0 && d * d >= limit * squaredLength(n);
-	});
-	return flat;
-}
 
 /// Weight of area where the triangles are to be of this size. Lloyd's theory asks for the fourth
 /// power of 1/size for the density of the area; for barycentres of rings, whose faces are small
@@ -163,7 +146,7 @@ void relaxOnce(const Surface& surface, ResultMesh& result, Workers& workers)
 	Buffer<Vec3f>       step(m.vertexNum);
 	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t v = begin; v < end; ++v) {
-			const bool moves = flat[v] && !m.isBorderVertex(int(v));
+			const bool moves = flat[v] && isFree(result, int(v));
 			step[v] =
 				moves ? stepToBarycentre(m, int(v), result.vertex[v].normal, density) : Vec3f();
 		}

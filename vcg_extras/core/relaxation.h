@@ -9,11 +9,11 @@
 
 namespace gpr {
 
-/// Per vertex: whether all faces of its ring lie within about 37° of their mean normal. Vertices on
-/// creases are not: moving them would round the crease off.
+/// Per vertex: whether all faces of its ring, or of each of its sectors (sectors.h), lie within
+/// about 37° of their mean normal. Moving others would round off what is sharp there.
 Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers);
 
-/// Stage 10: one relaxation step on the surface: every flat inner vertex walks to the area-weighted
+/// Stage 10: one relaxation step on the surface: every flat free vertex walks to the area-weighted
 /// barycentre of its ring, all at once (Jacobi). Moves that would fold a face, or make a poor one
 /// poorer, are taken back. Vertices never leave the input's surface. Cost: linear, parallel.
 void relaxOnce(const Surface& surface, ResultMesh& result, Workers& workers);

@@ -7,6 +7,7 @@
 #include "border_edge_sampling.h"
 #include "boundary_curves.h"
 #include "connect.h"
+#include "crease_lines.h"
 #include "delaunay_flips.h"
 #include "exact_count.h"
 #include "face_tree.h"
@@ -45,6 +46,8 @@ constexpr double intersectionRadiusConstant = 0.962;
 constexpr double borderEdgeRadiusConstant   = 0.808;
 /// Spacing of border samples in r: the mean edge length of the result.
 constexpr float borderSpacing = 1.04f;
+/// Connected feature lines shorter than this in all are dropped; in ideal edges.
+constexpr float leastLineLength = 3;
 /// Longest edge of the mesh the sampling works on, in r.
 constexpr float longestEdge = 0.8f;
 /// Least width of a block in r; fewer, larger blocks mean fewer seams in the packing.
@@ -105,12 +108,13 @@ private:
 
 /// The input made ready, and what was learnt on the way.
 struct Prepared {
-	Surface      surface;
-	double       area         = 0; ///< working units squared
-	std::int64_t targetNum    = 0;
-	float        radius       = 0; ///< of the largest disks, working units
-	double       radiusFactor = 1; ///< that over the radius of eq. (1): see Sizing
-	Buffer<char> isFeatureVertex;  ///< of the region to be preserved; empty: none
+	Surface          surface;
+	double           area         = 0; ///< working units squared
+	std::int64_t     targetNum    = 0;
+	float            radius       = 0; ///< of the largest disks, working units
+	double           radiusFactor = 1; ///< that over the radius of eq. (1): see Sizing
+	Buffer<char>     isFeatureVertex;  ///< of the region to be preserved; empty: none
+	std::vector<int> tips;             ///< vertices at tips of cones
 };
 
 /// Vertices of about-equilateral triangles of this edge length that cover the area.
@@ -167,8 +171,17 @@ public:
 
 	void remesh(RemeshResult& out)
 	{
-		Prepared   p      = prepare(0);
+		Prepared p = prepare(0);
+		findFeatureLines(p);
 		ResultMesh result = sampleAndImprove(p);
+		if (options_.exactCount && result.mesh.vertexNum != p.targetNum &&
+			report_.featureEdgeNum > 0) {
+			out.notes.push_back(
+				"The number of vertices could not be reached with feature lines, so "
+				"that there are none.");
+			forgetFeatureLines(p);
+			result = sampleAndImprove(p);
+		}
 		if (options_.exactCount && result.mesh.vertexNum != p.targetNum) {
 			result = reachByTopology(p, out);
 		}
@@ -177,7 +190,8 @@ public:
 
 	void sample(SamplingResult& out)
 	{
-		Prepared             p         = prepare(0);
+		Prepared p = prepare(0);
+		findFeatureLines(p);
 		const BlockPartition partition = cut(p);
 		BoundaryCurves       boundary;
 		const Sampling       sampling = sampleAll(p, partition, boundary);
@@ -314,6 +328,41 @@ private:
 			p.isFeatureVertex = selectedVertices(input_, p.surface, workers_);
 	}
 
+	/// Marks the feature lines; from here on the surface does not change any more. Where there are
+	/// more of them than the wanted vertices can follow, the shorter ones are left out.
+	void findFeatureLines(Prepared& p)
+	{
+		clock_.enter("features", "Finding feature lines", 0.23);
+		CreaseRules rules;
+		rules.mode        = options_.featureMode;
+		rules.strongDeg   = float(options_.featureAngleDeg);
+		rules.weakDeg     = 0.5f * rules.strongDeg;
+		rules.leastLength = leastLineLength * idealEdge(p);
+		rules.leastTwig   = idealEdge(p);
+
+		CreaseFindings found = markCreases(rules, workers_, p.surface);
+		while (found.edgeNum > 0 && sampleCurves(p).samples.size() > std::size_t(p.targetNum)) {
+			forgetFeatureLines(p);
+			rules.leastLength *= 2;
+			found = markCreases(rules, workers_, p.surface);
+		}
+		p.tips                 = found.tips;
+		report_.featureEdgeNum = found.edgeNum;
+		report_.featureTipNum  = std::int64_t(found.tips.size());
+	}
+
+	void forgetFeatureLines(Prepared& p)
+	{
+		p.surface.mesh.crease.release();
+		p.tips.clear();
+		report_.featureEdgeNum = report_.featureTipNum = 0;
+	}
+
+	BoundaryCurves sampleCurves(const Prepared& p) const
+	{
+		return sampleBoundary(p.surface, p.radius, borderSpacing * p.radius, p.tips);
+	}
+
 	void connectOrRepair(IndexedMesh& mesh, Surface& surface)
 	{
 		Buffer<int> faceStart;
@@ -350,7 +399,7 @@ private:
 	Sampling sampleAll(const Prepared& p, const BlockPartition& partition, BoundaryCurves& boundary)
 	{
 		clock_.enter("boundary", "Sampling the boundary", 0.24);
-		boundary = sampleBoundary(p.surface, p.radius, borderSpacing * p.radius);
+		boundary = sampleCurves(p);
 		clock_.enter("sampling", "Sampling", 0.6);
 		Sampling sampling =
 			options_.placement == Placement::BorderEdge

@@ -103,6 +103,8 @@ struct RemeshReport {
 	std::int64_t             curvatureClampedNum = 0; ///< vertices where 1 + λH fell below 0.1
 	std::int64_t             sampleNum           = 0; ///< what the front sampling placed
 	std::int64_t             boundarySampleNum   = 0;
+	std::int64_t             featureEdgeNum      = 0; ///< edges of the input on feature lines
+	std::int64_t             featureTipNum       = 0; ///< tips of cones
 	std::int64_t             leftoverVertexNum   = 0; ///< input vertices that removal had to keep
 	std::int64_t             splitNum            = 0; ///< of the exact count
 	std::int64_t             collapseNum         = 0;

@@ -14,9 +14,9 @@ namespace gpr {
 struct ResultVertex {
 	Anchor anchor;           ///< where on the input's surface it lies
 	Vec3f  normal;           ///< of that face
-	int    curve    = -1;    ///< border curve it belongs to, or -1
+	int    curve    = -1;    ///< border or feature line it belongs to, or -1
 	float  arc      = 0;     ///< where on the curve
-	bool   isCorner = false; ///< of the curve: never moves
+	bool   isCorner = false; ///< of the curves, or a cone's tip: never moves
 	int    sample   = -1;    ///< the sample it was, in the sampling's order; -1 for later ones
 };
 
@@ -33,6 +33,12 @@ struct ResultMesh {
 	std::int64_t byCollapseNum = 0; ///< input vertices that went though their hole was not closed
 	std::int64_t leftoverNum   = 0; ///< input vertices that removal had to keep
 };
+
+/// Whether v may move over the surface and be merged: neither on a curve nor a cone's tip.
+inline bool isFree(const ResultMesh& result, int v)
+{
+	return !result.vertex[v].isCorner && !result.mesh.isCurveVertex(v);
+}
 
 /// Drops dead faces and vertices (see mesh_edit.h) from mesh and vertex records.
 void compactResult(ResultMesh& result);

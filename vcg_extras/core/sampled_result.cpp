@@ -50,6 +50,7 @@ void shrink(HalfEdgeMesh& m)
 	m.outgoing.resize(m.vertexNum);
 	m.origin.resize(m.halfEdgeNum());
 	m.opposite.resize(m.halfEdgeNum());
+	if (m.hasCreases()) m.crease.resize(m.halfEdgeNum());
 }
 
 } // namespace

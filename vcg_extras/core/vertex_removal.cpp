@@ -5,6 +5,7 @@
 #include "mesh_edit.h"
 #include "sampled_result.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -38,7 +39,8 @@ public:
 	/// Tries to merge v into a neighbour. False: v stays for now.
 	bool remove(int v, const PassRules& rules)
 	{
-		return m_.isBorderVertex(v) ? removeAtBorder(v, rules) : removeInside(v, rules);
+		if (m_.isBorderVertex(v)) return removeAtBorder(v, rules);
+		return m_.isCreaseVertex(v) ? removeOnCrease(v, rules) : removeInside(v, rules);
 	}
 
 private:
@@ -115,6 +117,49 @@ private:
 				eSquared + gSquared + squaredLength(ring_[i].place - ring_[last].place);
 			worst = std::min(worst, 3.4641016f * doubled / (edges + 1e-30f));
 		}
+		return worst;
+	}
+
+	/// Into one of the two neighbours on the feature line, the better one first.
+	bool removeOnCrease(int v, const PassRules& rules)
+	{
+		struct Way {
+			int   halfEdge;
+			float score;
+		};
+		std::vector<Way> ways;
+		forEachOutgoing(m_, v, [&](int h) {
+			if (m_.isCreaseEdge(h)) ways.push_back({h, scoreOnCrease(h, rules)});
+		});
+		std::stable_sort(ways.begin(), ways.end(),
+						 [](const Way& a, const Way& b) { return a.score > b.score; });
+		for (const Way& way : ways) {
+			if (way.score <= noScore || !canCollapseAlongCrease(m_, way.halfEdge, scratch_))
+				continue;
+			collapse(m_, way.halfEdge);
+			return true;
+		}
+		return false;
+	}
+
+	/// The worst shape that merging origin(h) into target(h) would leave. Each face is held against
+	/// itself: the two sides of a crease have no normal in common.
+	float scoreOnCrease(int h, const PassRules& rules) const
+	{
+		const int v = m_.origin[h], b = m_.target(h);
+		if (rules.sameLabelOnly && labelOf(b) != labelOf(v)) return noScore;
+		const Vec3f p = m_.position[v], q = m_.position[b];
+		float       worst = 1;
+		forEachOutgoing(m_, v, [&](int x) {
+			if (m_.target(x) == b || m_.apex(x) == b) return;
+			const Vec3f s = m_.position[m_.target(x)], t = m_.position[m_.apex(x)];
+			const Vec3f then = cross(s - p, t - p), now = cross(s - q, t - q);
+			const bool  tooLong =
+				squaredLength(s - q) > longestSquared_ || squaredLength(t - q) > longestSquared_;
+			const float scale = length(then) * length(now);
+			if (tooLong || dot(then, now) < rules.leastCosine * scale) worst = noScore;
+			worst = std::min(worst, triangleShape(q, s, t));
+		});
 		return worst;
 	}
 

@@ -82,6 +82,24 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCross
 	return WalkEnd::Capped;
 }
 
+std::vector<int> facesAt(const HalfEdgeMesh& m, const Anchor& at)
+{
+	constexpr float  rounding = 1e-4f; // of the edge
+	std::vector<int> faces    = {at.face};
+	for (int h = 3 * at.face; h < 3 * at.face + 3; ++h) {
+		const Vec3f a = m.position[m.origin[h]], ab = m.position[m.target(h)] - a;
+		const float close = rounding * length(ab);
+		if (length(at.position - a) <= close) {
+			faces.clear();
+			forEachOutgoing(m, m.origin[h], [&](int x) { faces.push_back(x / 3); });
+			return faces;
+		}
+		const bool onEdge = length(cross(at.position - a, ab)) <= close * length(ab);
+		if (onEdge && m.opposite[h] >= 0) faces.push_back(m.opposite[h] / 3);
+	}
+	return faces;
+}
+
 std::array<Vec3f, 8> compassDirections(const Vec3f& normal)
 {
 	constexpr float diagonal = 0.70710678f;

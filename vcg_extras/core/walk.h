@@ -6,6 +6,7 @@
 #include "half_edge_mesh.h"
 
 #include <array>
+#include <vector>
 
 namespace gpr {
 
@@ -30,6 +31,10 @@ constexpr int mostFacesCrossed = 20000;
 /// so nothing has to be projected and no other sheet can be met. Cost: the faces crossed.
 WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step,
 			 int mostCrossings = mostFacesCrossed);
+
+/// The faces that a point lies in: its own, and where it lies on an edge or in a corner of that, up
+/// to rounding, all those that meet there. On a crease a walk goes wrong from all but one of them.
+std::vector<int> facesAt(const HalfEdgeMesh& m, const Anchor& at);
 
 /// Eight unit vectors perpendicular to a unit normal, an eighth of a turn apart: the directions of
 /// a pattern search on the surface.

@@ -71,7 +71,7 @@ private:
 		vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 		bool better = false;
 		for (int v : vertices) {
-			if (flat_[v] && !m_.isBorderVertex(v)) better = search(v) || better;
+			if (flat_[v] && isFree(r_, v)) better = search(v) || better;
 		}
 		for (int f : faces) {
 			for (int h = 3 * f; h < 3 * f + 3; ++h)

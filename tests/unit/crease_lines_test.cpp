@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/core/crease_lines.h>
+
+namespace gpr::test {
+
+namespace {
+
+class MarkCreases : public ::testing::Test {
+protected:
+	Workers        workers{2, nullptr};
+	Surface        surface;
+	CreaseRules    rules;
+	CreaseFindings found;
+
+	void mark(const TriangleMesh& mesh)
+	{
+		surface = surfaceOf(mesh, workers);
+		found   = markCreases(rules, workers, surface);
+		EXPECT_EQ(surface.mesh.hasCreases(), found.edgeNum > 0);
+		std::int64_t marked = 0;
+		for (int h = 0; h < surface.mesh.halfEdgeNum(); ++h) {
+			if (!surface.mesh.isCreaseEdge(h)) continue;
+			++marked;
+			ASSERT_GE(surface.mesh.opposite[h], 0);
+			EXPECT_TRUE(surface.mesh.isCreaseEdge(surface.mesh.opposite[h])) << "both halves";
+		}
+		EXPECT_EQ(marked, 2 * found.edgeNum);
+	}
+	Vec3d place(int v) const { return surface.frame.toCaller(surface.mesh.position[v]); }
+	/// Vertices where so many feature edges meet.
+	int vertexNumWith(int creaseNum) const
+	{
+		int n = 0;
+		for (int v = 0; v < surface.mesh.vertexNum; ++v)
+			n += surface.mesh.isCreaseVertex(v) && surface.mesh.creaseNum(v) == creaseNum;
+		return n;
+	}
+	double markedLength() const
+	{
+		double sum = 0;
+		for (int h = 0; h < surface.mesh.halfEdgeNum(); ++h) {
+			if (!surface.mesh.isCreaseEdge(h)) continue;
+			sum += 0.5 * length(place(surface.mesh.target(h)) - place(surface.mesh.origin[h]));
+		}
+		return sum;
+	}
+};
+
+TEST_F(MarkCreases, TheTwelveEdgesOfACube)
+{
+	mark(cube(8));
+	EXPECT_EQ(found.edgeNum, 12 * 8);
+	EXPECT_EQ(vertexNumWith(3), 8);
+	EXPECT_EQ(vertexNumWith(2), 12 * 7);
+	EXPECT_TRUE(found.tips.empty());
+	EXPECT_NEAR(markedLength(), 12, 1e-6);
+}
+
+/// A cube of twelve triangles: every face has two creases.
+TEST_F(MarkCreases, TheCoarsestCubeIsNoNoise)
+{
+	mark(cube(1));
+	EXPECT_EQ(found.edgeNum, 12);
+}
+
+TEST_F(MarkCreases, TheConcaveEdgeOfAnLToo)
+{
+	mark(lPrism(6));
+	EXPECT_EQ(vertexNumWith(3), 12);
+	EXPECT_NEAR(markedLength(), 2 * 8 + 6, 1e-6);
+}
+
+TEST_F(MarkCreases, TwoThatCross)
+{
+	mark(crossedCreases(20, 0.6));
+	EXPECT_EQ(vertexNumWith(4), 1);
+	EXPECT_EQ(vertexNumWith(1), 4) << "where they meet the border";
+	EXPECT_EQ(found.edgeNum, 2 * 20);
+}
+
+TEST_F(MarkCreases, TheTwoCirclesOfACylinder)
+{
+	mark(closedCylinder(64, 12, 0.5, 1));
+	EXPECT_EQ(found.edgeNum, 2 * 64);
+	EXPECT_EQ(vertexNumWith(2), 2 * 64);
+}
+
+TEST_F(MarkCreases, AThinPlateHasTwelveEdges)
+{
+	mark(thinPlate(30, 0.005));
+	EXPECT_EQ(vertexNumWith(3), 8);
+	EXPECT_NEAR(markedLength(), 8 + 4 * 0.005, 1e-6);
+}
+
+TEST_F(MarkCreases, NoneOnANoisySphere)
+{
+	Random random(5);
+	mark(noisySphere(5, 0.02, random));
+	EXPECT_EQ(found.edgeNum, 0);
+	EXPECT_TRUE(found.tips.empty());
+	EXPECT_TRUE(found.wasNoise) << "the test wants noise with sharp edges";
+}
+
+TEST_F(MarkCreases, NoneOnASmoothSphere)
+{
+	mark(icosphere(4));
+	EXPECT_EQ(found.edgeNum, 0);
+	EXPECT_TRUE(found.tips.empty());
+	EXPECT_FALSE(found.wasNoise);
+}
+
+TEST_F(MarkCreases, NothingWhereItIsOff)
+{
+	rules.mode = FeatureMode::Off;
+	mark(cube(4));
+	EXPECT_EQ(found.edgeNum, 0);
+}
+
+TEST_F(MarkCreases, TheTipOfACone)
+{
+	mark(cone(60, 20, 0.5, 0.7));
+	ASSERT_EQ(found.tips.size(), 1u);
+	EXPECT_NEAR(length(place(found.tips[0])), 0, 1e-6);
+	EXPECT_EQ(found.edgeNum, 0);
+}
+
+TEST_F(MarkCreases, FromTheAngleGivenOn)
+{
+	const double radians = 3.14159265358979 / 180;
+	rules.mode           = FeatureMode::Lines;
+	for (float angle : {20.0f, 40.0f, 90.0f, 150.0f}) {
+		rules.strongDeg = angle + 2;
+		rules.weakDeg   = 0.5f * rules.strongDeg;
+		mark(bentSheet(16, double(angle) * radians));
+		EXPECT_EQ(found.edgeNum, 0) << angle;
+		rules.strongDeg = angle - 2;
+		mark(bentSheet(16, double(angle) * radians));
+		EXPECT_EQ(found.edgeNum, 16) << angle;
+	}
+}
+
+/// 80° at the border, nothing at the other: the line goes on from 40° down to 20°.
+TEST_F(MarkCreases, FadeOut)
+{
+	mark(fadingCrease(80, 80 * 3.14159265358979 / 180));
+	ASSERT_GT(found.edgeNum, 0);
+	double last = 0;
+	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
+		if (!surface.mesh.isCreaseVertex(v)) continue;
+		EXPECT_NEAR(place(v).x, 0.5, 1e-6);
+		last = std::max(last, place(v).y);
+	}
+	EXPECT_NEAR(last, 0.75, 0.02);
+	EXPECT_EQ(vertexNumWith(1), 2) << "one end at the border, one inside";
+}
+
+TEST_F(MarkCreases, LeavesOutWhatIsTooShort)
+{
+	rules.leastLength = 30;
+	mark(cube(8));
+	EXPECT_EQ(found.edgeNum, 0);
+}
+
+} // namespace
+
+} // namespace gpr::test

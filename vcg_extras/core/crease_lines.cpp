@@ -1,0 +1,354 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crease_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+namespace gpr {
+
+namespace {
+
+constexpr float radians = 3.14159265f / 180;
+
+/// A sharp edge is clear of noise if the other edges of its two faces are so many times flatter.
+constexpr float clearRatio = 3;
+/// Fewer mean edges than this in a row are noise whatever they look like.
+constexpr float clearLength = 4;
+/// Share of the sharp length that must be clear: CAD models have 0.77 and more, scans up to 0.47.
+constexpr float clearShare = 0.7f;
+/// A line goes on straight ahead within this.
+constexpr float goOnCosine = 0.5f;
+/// The angle defects round a tip are at most this share of its own.
+constexpr float tipContrast = 0.2f;
+
+/// Angle between the normals of the two faces of h; 0 at a border and beside faces without area.
+float dihedral(const HalfEdgeMesh& m, int h)
+{
+	const int g = m.opposite[h];
+	if (g < 0) return 0;
+	const Vec3f a = m.faceCross(h / 3), b = m.faceCross(g / 3);
+	if (!(squaredLength(a) > 0 && squaredLength(b) > 0)) return 0;
+	return std::atan2(length(cross(a, b)), dot(a, b));
+}
+
+float edgeLength(const HalfEdgeMesh& m, int h)
+{
+	return length(m.position[m.target(h)] - m.position[m.origin[h]]);
+}
+
+/// The lines under way: a set of edges, each named by its smaller half-edge, as a graph.
+class CreaseGraph {
+public:
+	CreaseGraph(Surface& surface, const CreaseRules& rules, Workers& workers) :
+			m_(surface.mesh), rules_(rules), workers_(workers)
+	{
+	}
+
+	CreaseFindings run()
+	{
+		CreaseFindings         found;
+		const std::vector<int> sharp = findSharpEdges();
+		if (!sharp.empty()) {
+			markAll(sharp);
+			if (rules_.mode == FeatureMode::Auto && looksLikeNoise(sharp)) {
+				m_.crease.release();
+				found.wasNoise = true;
+				return found;
+			}
+			growFromEnds(sharp);
+			dropShortOnes();
+		}
+		found.edgeNum = std::int64_t(edges_.size());
+		if (edges_.empty()) m_.crease.release();
+		found.tips = findTips();
+		return found;
+	}
+
+private:
+	HalfEdgeMesh&      m_;
+	const CreaseRules& rules_;
+	Workers&           workers_;
+	std::vector<int>   edges_; ///< marked ones
+
+	// ---- sharp edges
+
+	std::vector<int> findSharpEdges() const
+	{
+		const float cosine = std::cos(rules_.strongDeg * radians);
+		return workers_.collect<int>(
+			m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
+				for (std::size_t h = begin; h < end; ++h) {
+					if (m_.opposite[h] > int(h) && isSharper(int(h), cosine)) out.push_back(int(h));
+				}
+			});
+	}
+
+	/// Cheaper than the angle: no root for the many flat edges.
+	bool isSharper(int h, float cosine) const
+	{
+		const Vec3f a = m_.faceCross(h / 3), b = m_.faceCross(m_.opposite[h] / 3);
+		// In double, or the fourth powers of short edges would vanish.
+		const double scale = double(squaredLength(a)) * double(squaredLength(b));
+		const double d     = double(dot(a, b));
+		if (!(scale > 0)) return false;
+		if (cosine > 0 && d > 0) return d * d <= double(cosine) * double(cosine) * scale;
+		return d <= double(cosine) * std::sqrt(scale);
+	}
+
+	void markAll(const std::vector<int>& edges)
+	{
+		m_.crease.reset(m_.halfEdgeNum());
+		workers_.forRange(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+			std::fill(m_.crease.data() + begin, m_.crease.data() + end, char(0));
+		});
+		for (int h : edges)
+			mark(h, true);
+		edges_ = edges;
+	}
+
+	void mark(int h, bool on) { m_.crease[h] = m_.crease[m_.opposite[h]] = char(on); }
+
+	// ---- noise
+
+	bool looksLikeNoise(const std::vector<int>& sharp) const
+	{
+		const std::unordered_map<int, float> lengthAt = lengthOfComponents(sharp);
+		const float                          least    = clearLength * meanEdge();
+		double                               all = 0, clear = 0;
+		for (int h : sharp) {
+			const float l = edgeLength(m_, h);
+			all += l;
+			if (lengthAt.at(m_.origin[h]) >= least && isClear(h)) clear += l;
+		}
+		return clear < clearShare * all;
+	}
+
+	/// A crease beside it, as at the corner of a cube, says nothing.
+	bool isClear(int h) const
+	{
+		const float angle = dihedral(m_, h);
+		const int   g     = m_.opposite[h];
+		int         flat  = 0;
+		for (int e : {nextInFace(h), prevInFace(h), nextInFace(g), prevInFace(g)}) {
+			if (m_.isCreaseEdge(e)) continue;
+			if (dihedral(m_, e) * clearRatio > angle) return false;
+			++flat;
+		}
+		return flat > 0;
+	}
+
+	float meanEdge() const
+	{
+		const double sum =
+			workers_.sum<double>(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+				double s = 0;
+				for (std::size_t h = begin; h < end; ++h)
+					s += double(edgeLength(m_, int(h)));
+				return s;
+			});
+		return float(sum / m_.halfEdgeNum());
+	}
+
+	/// For every vertex of the edges, all marked: the length of what is linked to it.
+	std::unordered_map<int, float> lengthOfComponents(const std::vector<int>& edges) const
+	{
+		std::unordered_map<int, float> lengthAt;
+		std::vector<int>               stack, component;
+		for (int h : edges)
+			lengthAt[m_.origin[h]] = lengthAt[m_.target(h)] = -1;
+		for (int start : edges) {
+			if (lengthAt[m_.origin[start]] >= 0) continue;
+			double sum = 0;
+			component.clear();
+			stack.assign(1, m_.origin[start]);
+			lengthAt[m_.origin[start]] = 0;
+			while (!stack.empty()) {
+				const int v = stack.back();
+				stack.pop_back();
+				component.push_back(v);
+				forEachOutgoing(m_, v, [&](int h) {
+					if (!m_.isCreaseEdge(h)) return;
+					sum += 0.5 * double(edgeLength(m_, h)); // seen from both ends
+					float& seen = lengthAt[m_.target(h)];
+					if (seen >= 0) return;
+					seen = 0;
+					stack.push_back(m_.target(h));
+				});
+			}
+			for (int v : component)
+				lengthAt[v] = float(sum);
+		}
+		return lengthAt;
+	}
+
+	// ---- growing
+
+	/// Lines fade: from each free end on along the weaker edges that continue them.
+	void growFromEnds(const std::vector<int>& sharp)
+	{
+		std::vector<int> ends;
+		for (int h : sharp) {
+			for (int v : {m_.origin[h], m_.target(h)}) {
+				if (!m_.isBorderVertex(v) && m_.creaseNum(v) == 1) ends.push_back(v);
+			}
+		}
+		std::sort(ends.begin(), ends.end());
+		for (int v : ends)
+			growFrom(v);
+		std::sort(edges_.begin(), edges_.end());
+	}
+
+	void growFrom(int v)
+	{
+		while (!m_.isBorderVertex(v) && m_.creaseNum(v) == 1) {
+			const int on = bestContinuation(v);
+			if (on < 0) return;
+			mark(on, true);
+			edges_.push_back(std::min(on, m_.opposite[on]));
+			v = m_.target(on);
+		}
+	}
+
+	/// The sharpest edge that goes on from the end v of a line within 60° of its direction.
+	int bestContinuation(int v) const
+	{
+		Vec3f ahead;
+		forEachOutgoing(m_, v, [&](int h) {
+			if (m_.isCreaseEdge(h)) ahead = normalized(m_.position[v] - m_.position[m_.target(h)]);
+		});
+		int   best     = -1;
+		float sharpest = rules_.weakDeg * radians;
+		forEachOutgoing(m_, v, [&](int h) {
+			if (m_.isCurveEdge(h)) return;
+			const Vec3f along = normalized(m_.position[m_.target(h)] - m_.position[v]);
+			const float angle = dihedral(m_, h);
+			if (dot(along, ahead) < goOnCosine || angle < sharpest) return;
+			sharpest = angle;
+			best     = h;
+		});
+		return best;
+	}
+
+	// ---- short ones
+
+	void dropShortOnes()
+	{
+		const std::unordered_map<int, float> lengthAt = lengthOfComponents(edges_);
+		keepOnly([&](int h) { return lengthAt.at(m_.origin[h]) >= rules_.leastLength; });
+		std::vector<int> twigs;
+		for (int h : edges_) {
+			for (int e : {h, m_.opposite[h]}) {
+				if (isFreeEnd(m_.origin[e])) collectTwig(e, twigs);
+			}
+		}
+		std::sort(twigs.begin(), twigs.end());
+		keepOnly([&](int h) { return !std::binary_search(twigs.begin(), twigs.end(), h); });
+	}
+
+	template <class Keep>
+	void keepOnly(const Keep& keep)
+	{
+		std::size_t left = 0;
+		for (int h : edges_) {
+			if (keep(h))
+				edges_[left++] = h;
+			else
+				mark(h, false);
+		}
+		edges_.resize(left);
+	}
+
+	bool isFreeEnd(int v) const { return !m_.isBorderVertex(v) && m_.creaseNum(v) == 1; }
+
+	/// The chain that begins with e, if it is too short and ends at a fork: dropped, the fork is a
+	/// plain vertex of the line.
+	void collectTwig(int e, std::vector<int>& twigs) const
+	{
+		std::vector<int> chain;
+		float            sum = 0;
+		int              h   = e;
+		while (h >= 0) {
+			chain.push_back(std::min(h, m_.opposite[h]));
+			sum += edgeLength(m_, h);
+			if (sum >= rules_.leastTwig) return;
+			h = onlyNext(h);
+		}
+		twigs.insert(twigs.end(), chain.begin(), chain.end());
+	}
+
+	/// The edge after h in a chain; -1 at its end or at a fork.
+	int onlyNext(int h) const
+	{
+		const int v    = m_.target(h);
+		int       next = -1, n = 0;
+		forEachOutgoing(m_, v, [&](int x) {
+			if (!m_.isCreaseEdge(x)) return;
+			++n;
+			if (x != m_.opposite[h]) next = x;
+		});
+		return n == 2 && !m_.isBorderVertex(v) ? next : -1;
+	}
+
+	// ---- tips
+
+	/// 2π less the angles at v: 0 on flat ground.
+	float defect(int v) const
+	{
+		float sum = 2 * 3.14159265f;
+		forEachOutgoing(m_, v, [&](int h) {
+			const Vec3f a = m_.position[m_.target(h)] - m_.position[v];
+			const Vec3f b = m_.position[m_.apex(h)] - m_.position[v];
+			sum -= std::atan2(length(cross(a, b)), dot(a, b));
+		});
+		return sum;
+	}
+
+	std::vector<int> findTips() const
+	{
+		return workers_.collect<int>(m_.vertexNum,
+									 [&](std::size_t begin, std::size_t end, auto& out) {
+										 for (int v = int(begin); v < int(end); ++v) {
+											 if (isTip(v)) out.push_back(v);
+										 }
+									 });
+	}
+
+	/// Cheap test that the tip of any cone with such a defect passes: the normals round it spread,
+	/// to n·axis = 1 - defect / 2π.
+	bool isPointed(int v) const
+	{
+		Vec3f sum;
+		float area = 0;
+		forEachOutgoing(m_, v, [&](int h) {
+			const Vec3f n = m_.faceCross(h / 3);
+			sum += n;
+			area += length(n);
+		});
+		return length(sum) < (1.05f - rules_.strongDeg / 360) * area;
+	}
+
+	bool isTip(int v) const
+	{
+		if (m_.isBorderVertex(v) || !isPointed(v) || m_.isCreaseVertex(v)) return false;
+		const float own = defect(v);
+		if (own < rules_.strongDeg * radians) return false;
+		bool alone = true;
+		forEachNeighbour(m_, v, [&](int w) {
+			const bool smooth = m_.isCurveVertex(w) || std::abs(defect(w)) <= tipContrast * own;
+			alone             = alone && smooth;
+		});
+		return alone;
+	}
+};
+
+} // namespace
+
+CreaseFindings markCreases(const CreaseRules& rules, Workers& workers, Surface& surface)
+{
+	if (rules.mode == FeatureMode::Off) return {};
+	return CreaseGraph(surface, rules, workers).run();
+}
+
+} // namespace gpr

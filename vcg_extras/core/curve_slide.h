@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_CURVE_SLIDE_H
+#define VCG_EXTRAS_CORE_CURVE_SLIDE_H
+
+#include "boundary_curves.h"
+#include "connect.h"
+#include "result_mesh.h"
+
+namespace gpr {
+
+/// How far a vertex of a curve may slide along it: arc lengths to its two neighbours on the curve.
+/// Zero where it must stay or where a neighbour is on no curve of the same.
+struct SlideRoom {
+	float backward = 0;
+	float forward  = 0;
+};
+
+/// The room of v, a vertex of a curve. None for a vertex where feature lines meet.
+SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int v);
+
+/// The record of a vertex, moved by `step` along its curve.
+ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const ResultVertex& vertex,
+				  float step);
+
+} // namespace gpr
+
+#endif

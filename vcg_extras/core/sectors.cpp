@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sectors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+constexpr float radians = 3.14159265f / 180;
+/// Cosine of about 37°.
+constexpr float flatCosine = 0.8f;
+
+/// Calls visit(h) for the half-edges of a sector.
+template <class Visit>
+void forEachInSector(const HalfEdgeMesh& m, int first, int faceNum, const Visit& visit)
+{
+	int h = first;
+	for (int i = 0; i < faceNum; ++i) {
+		visit(h);
+		h = m.opposite[prevInFace(h)];
+	}
+}
+
+Vec3f crossAt(const HalfEdgeMesh& m, int h)
+{
+	const Vec3f p = m.position[m.origin[h]];
+	return cross(m.position[m.target(h)] - p, m.position[m.apex(h)] - p);
+}
+
+bool isFlatSector(const HalfEdgeMesh& m, int first, int faceNum)
+{
+	Vec3f sum;
+	forEachInSector(m, first, faceNum, [&](int h) { sum += crossAt(m, h); });
+	const float limit = flatCosine * flatCosine * squaredLength(sum);
+	bool        flat  = squaredLength(sum) > 0;
+	forEachInSector(m, first, faceNum, [&](int h) {
+		const Vec3f n = crossAt(m, h);
+		const float d = dot(n, sum);
+		flat          = flat && d > 0 && d * d >= limit * squaredLength(n);
+	});
+	return flat;
+}
+
+int wantedFaces(const HalfEdgeMesh& m, int first, int faceNum)
+{
+	float angle = 0;
+	forEachInSector(m, first, faceNum, [&](int h) {
+		const Vec3f a = m.position[m.target(h)] - m.position[m.origin[h]];
+		const Vec3f b = m.position[m.apex(h)] - m.position[m.origin[h]];
+		angle += std::atan2(length(cross(a, b)), dot(a, b));
+	});
+	return std::max(1, int(std::lround(angle / (60 * radians))));
+}
+
+} // namespace
+
+int correctedValence(const HalfEdgeMesh& m, int v)
+{
+	if (!m.isCurveVertex(v)) return m.valence(v);
+	int n = 6;
+	forEachSector(m, v,
+				  [&](int first, int faceNum) { n += faceNum - wantedFaces(m, first, faceNum); });
+	return n;
+}
+
+bool isFlat(const HalfEdgeMesh& m, int v)
+{
+	bool flat = true;
+	forEachSector(m, v,
+				  [&](int first, int faceNum) { flat = flat && isFlatSector(m, first, faceNum); });
+	return flat;
+}
+
+} // namespace gpr
