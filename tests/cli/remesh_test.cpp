@@ -5,10 +5,12 @@
 #include "program_runner.h"
 #include "surface_check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 namespace gpr_test {
 
@@ -378,6 +380,63 @@ TEST_F(Remesh, InfoTellsWhatIsThere)
 	const ProgramResult text = run({"info", path("sheet.obj")});
 	EXPECT_EQ(text.exitCode, 0);
 	EXPECT_NE(text.out.find("121 vertices, 200 faces"), std::string::npos) << text.out;
+}
+
+/// A sphere as ASCII PLY with one more property of the vertices: 1 in the upper half, 0 below.
+static std::string sphereWith(const std::string& property)
+{
+	const TestMesh mesh = sphere(24);
+	std::string    text = "ply\nformat ascii 1.0\nelement vertex " +
+					   std::to_string(mesh.points.size()) +
+					   "\nproperty float x\nproperty float y\nproperty float z\nproperty float " +
+					   property + "\nelement face " + std::to_string(mesh.faces.size()) +
+					   "\nproperty list uchar int vertex_indices\nend_header\n";
+	for (const auto& p : mesh.points) {
+		text +=
+			digits(p[0]) + " " + digits(p[1]) + " " + digits(p[2]) + (p[2] > 0 ? " 1\n" : " 0\n");
+	}
+	for (const auto& f : mesh.faces) {
+		text += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " +
+				std::to_string(f[2]) + "\n";
+	}
+	return text;
+}
+
+/// How many of a mesh's vertices are in the upper half, over those in the lower one.
+static double upperOverLower(const TestMesh& mesh)
+{
+	const auto upper = std::count_if(mesh.points.begin(), mesh.points.end(),
+									 [](const auto& p) { return p[2] > 0; });
+	return double(upper) / double(mesh.points.size() - std::size_t(upper));
+}
+
+TEST_F(Remesh, VertexQualityMakesDenser)
+{
+	const std::string in = sphereWith("quality");
+	// Twice as dense along both directions.
+	EXPECT_NEAR(upperOverLower(remeshed(
+					"q.ply", in, {"--vertices", "4000", "--lambda", "1", "--sizing", "quality"})),
+				4, 1);
+	EXPECT_NEAR(upperOverLower(remeshed("q.ply", in, {})), 1, 0.1);
+}
+
+TEST_F(Remesh, SelectionMakesDenser)
+{
+	const std::string in = sphereWith("selected");
+	EXPECT_GT(upperOverLower(
+				  remeshed("s.ply", in, {"--vertices", "4000", "--feature-region", "selection"})),
+			  2.5);
+}
+
+TEST_F(Remesh, QualityThatTheFileHasNot)
+{
+	const std::vector<std::string> wish = {"--lambda", "1", "--sizing", "quality"};
+	for (const auto& [name, content, exitCode] :
+		 {std::tuple{"a.ply", asciiPly(sphere(8)), 3}, {"a.off", off(sphere(8)), 2}}) {
+		std::vector<std::string> words = {"remesh", put(name, content), path("out.ply")};
+		words.insert(words.end(), wish.begin(), wish.end());
+		expectFailure(run(words), exitCode, "quality");
+	}
 }
 
 } // namespace gpr_test

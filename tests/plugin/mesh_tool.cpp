@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Meshes for the tests in meshlabserver:
-//   plugin_mesh_tool make OUT.ply        a bumpy torus, 12,800 vertices, float coordinates
+//   plugin_mesh_tool make OUT.ply        a bumpy torus, 12,800 vertices, float coordinates; vertex
+//                                        quality from 0 below to 1 above, some vertices and faces
+//                                        selected
 //   plugin_mesh_tool same A.ply B.ply    ends with 0 where coordinates and faces are the same bits
 //   plugin_mesh_tool count A.ply         prints the number of vertices
 //   plugin_mesh_tool within A.ply B.ply D   ends with 0 where every vertex of A is at most D away
@@ -23,7 +25,8 @@ class ToolVertex;
 class ToolFace;
 struct ToolTypes
 		: vcg::UsedTypes<vcg::Use<ToolVertex>::AsVertexType, vcg::Use<ToolFace>::AsFaceType> {};
-class ToolVertex : public vcg::Vertex<ToolTypes, vcg::vertex::Coord3f, vcg::vertex::BitFlags> {};
+class ToolVertex : public vcg::Vertex<ToolTypes, vcg::vertex::Coord3f, vcg::vertex::Qualityf,
+									  vcg::vertex::BitFlags> {};
 class ToolFace : public vcg::Face<ToolTypes, vcg::face::VertexRef, vcg::face::BitFlags> {};
 class ToolMesh : public vcg::tri::TriMesh<std::vector<ToolVertex>, std::vector<ToolFace>> {};
 
@@ -49,6 +52,17 @@ void makeTorus(ToolMesh& mesh, int around, int across)
 			vcg::tri::Allocator<ToolMesh>::AddFace(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1));
 			vcg::tri::Allocator<ToolMesh>::AddFace(mesh, at(i, j), at(i + 1, j + 1), at(i, j + 1));
 		}
+	}
+}
+
+void addAttributes(ToolMesh& mesh)
+{
+	for (ToolVertex& v : mesh.vert) {
+		v.Q() = 0.5f + v.P()[2];
+		if (v.P()[0] > 1) v.SetS();
+	}
+	for (ToolFace& f : mesh.face) {
+		if (f.P(0)[1] > 1.2f) f.SetS();
 	}
 }
 
@@ -102,8 +116,11 @@ int main(int argc, char** argv)
 	const std::string task = argc > 1 ? argv[1] : "";
 	ToolMesh          a, b;
 	if (task == "make" && argc == 3) {
+		using vcg::tri::io::Mask;
+		const int mask = Mask::IOM_VERTQUALITY | Mask::IOM_VERTFLAGS | Mask::IOM_FACEFLAGS;
 		makeTorus(a, 160, 80);
-		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2]) == 0 ? 0 : 1;
+		addAttributes(a);
+		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2], mask) == 0 ? 0 : 1;
 	}
 	if (task == "same" && argc == 4) {
 		return open(a, argv[2]) && open(b, argv[3]) && same(a, b) ? 0 : 1;

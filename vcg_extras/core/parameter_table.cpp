@@ -244,8 +244,9 @@ void addDensity(Table& t)
 			.p);
 	t.push_back(
 		row(sized, "Sizing", "--sizing", "NAME", Kind::Choice, "Density from",
-			"What the density goes with: curvature, or the mesh's vertex quality, which "
-			"then takes the place of |H| r.")
+			"What the density goes with: curvature, or the mesh's vertex quality (on the command "
+			"line "
+			"the property 'quality' of a PLY file), which then takes the place of |H| r.")
 			.choices({"curvature", "quality"})
 			.store([](const Value& v, RemeshOptions& o) { o.sizing = SizingSource(countOf(v)); })
 			.p);
@@ -265,7 +266,9 @@ void addFeatures(Table& t)
 			"Which part of the surface is preserved as in the paper's 3.1.1: none; detected, by "
 			"the "
 			"second-order difference and the thresholds below; selection, the selected vertices "
-			"(on the command line those whose property 'selected' is not 0).")
+			"and the corners of selected faces (on the command line by the property 'flags' of a "
+			"PLY "
+			"file as MeshLab saves it, or 'selected').")
 			.choices({"none", "detected", "selection"})
 			.store([](const Value& v, RemeshOptions& o) {
 				o.featureRegion = FeatureRegion(countOf(v));

@@ -39,13 +39,23 @@ using IndexArray = std::vector<std::int32_t, UninitializedAllocator<std::int32_t
 template <class S>
 using CoordinateArray = std::vector<S, UninitializedAllocator<S>>;
 
+/// What of a file is wanted beside the mesh.
+struct WantedAttributes {
+	bool quality   = false; ///< of the vertices
+	bool selection = false; ///< of vertices and the corners of faces
+
+	bool any() const { return quality || selection; }
+};
+
 /// A mesh as its file holds it: nothing repaired, but every index is in range.
 struct InputMesh {
-	CoordinateArray<float>   floats;  ///< 3 a vertex; empty when doublePrecision
-	CoordinateArray<double>  doubles; ///< 3 a vertex; empty otherwise
-	IndexArray               triangles;
-	bool                     doublePrecision = false;
-	std::vector<std::string> notes; ///< sentences about oddities that were no reason to refuse
+	CoordinateArray<float>    floats;  ///< 3 a vertex; empty when doublePrecision
+	CoordinateArray<double>   doubles; ///< 3 a vertex; empty otherwise
+	IndexArray                triangles;
+	bool                      doublePrecision = false;
+	std::vector<float>        quality;  ///< one a vertex; empty where not wanted
+	std::vector<std::uint8_t> selected; ///< one a vertex, 1 = selected; empty where not wanted
+	std::vector<std::string>  notes;    ///< sentences about oddities that were no reason to refuse
 
 	std::size_t vertexNum() const { return (doublePrecision ? doubles.size() : floats.size()) / 3; }
 	std::size_t faceNum() const { return triangles.size() / 3; }
@@ -58,6 +68,8 @@ struct InputMesh {
 		v.vertexNum           = vertexNum();
 		v.triangles           = triangles.data();
 		v.faceNum             = faceNum();
+		v.quality             = quality.empty() ? nullptr : quality.data();
+		v.selected            = selected.empty() ? nullptr : selected.data();
 		return v;
 	}
 };

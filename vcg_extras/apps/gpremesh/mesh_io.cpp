@@ -5,6 +5,7 @@
 #include "exit_code.h"
 #include "output_file.h"
 #include "platform.h"
+#include "ply_attributes.h"
 #include "ply_reader.h"
 #include "ply_writer.h"
 #include "soup_io.h"
@@ -38,11 +39,21 @@ InputMesh readFormat(MeshFormat format, std::string_view content)
 	return {};
 }
 
-InputMesh readContent(MeshFormat format, const std::string& path)
+InputMesh readContent(MeshFormat format, const std::string& path, const WantedAttributes& wanted)
 {
 	const FileContent content(path);
 	if (content.view().empty()) throw AppError(ExitCode::BadInput, "the file is empty");
-	return readFormat(format, content.view());
+	InputMesh mesh = readFormat(format, content.view());
+	if (wanted.any()) readPlyAttributes(content.view(), wanted, mesh);
+	return mesh;
+}
+
+void checkCarried(MeshFormat format, const std::string& path, const WantedAttributes& wanted)
+{
+	if (format == MeshFormat::Ply || !wanted.any()) return;
+	throw AppError(ExitCode::Usage, "the " + std::string(wanted.quality ? "quality" : "selection") +
+										" of vertices is read from PLY files only, not from '" +
+										path + "'.");
 }
 
 } // namespace
@@ -58,12 +69,13 @@ MeshFormat formatOfPath(const std::string& path)
 				   "'" + path + "' has none of the extensions .ply, .obj, .off and .stl.");
 }
 
-InputMesh readMesh(const std::string& path)
+InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
 {
 	const MeshFormat format = formatOfPath(path);
-	InputMesh        mesh;
+	checkCarried(format, path, wanted);
+	InputMesh mesh;
 	try {
-		mesh = readContent(format, path);
+		mesh = readContent(format, path, wanted);
 	}
 	catch (const AppError& error) {
 		throw AppError(error.code, "cannot read '" + path + "': " + error.what() + ".");

@@ -17,8 +17,9 @@ enum class MeshFormat { Ply, Obj, Off, Stl };
 MeshFormat formatOfPath(const std::string& path);
 
 /// Reads a mesh in the format that its extension stands for. Throws AppError (BadInput) with a
-/// sentence that names the file when it cannot be read or has no faces.
-InputMesh readMesh(const std::string& path);
+/// sentence that names the file when it cannot be read, has no faces or lacks a wanted attribute,
+/// and (Usage) where its format has none.
+InputMesh readMesh(const std::string& path, const WantedAttributes& wanted = {});
 
 /// Writes a mesh in the format that the path's extension stands for; an older file is replaced
 /// only when all has gone well. Throws AppError (Failure) otherwise.

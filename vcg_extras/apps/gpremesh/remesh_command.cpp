@@ -81,6 +81,14 @@ void writeReport(const std::string& path, const RunRecord& run)
 	out.commit();
 }
 
+WantedAttributes wantedBy(const RemeshOptions& options)
+{
+	WantedAttributes wanted;
+	wanted.quality   = options.lambda > 0 && options.sizing == SizingSource::Quality;
+	wanted.selection = options.featureRegion == FeatureRegion::Selection;
+	return wanted;
+}
+
 /// Everything between the mesh in memory and the mesh on the disk. The input is handed back before
 /// the clock is read, so that no time is left out of the report.
 RunRecord process(InputMesh& input, const CommandLine& line, const Stopwatch& programClock)
@@ -115,7 +123,7 @@ void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 	checkWritable(line.output);
 	if (!line.report.empty()) checkWritable(line.report);
 	catchStopSignals();
-	InputMesh input     = readMesh(line.input);
+	InputMesh input     = readMesh(line.input, wantedBy(line.options));
 	RunRecord run       = process(input, line, programClock);
 	run.peakMemoryBytes = peakMemoryBytes();
 	if (!line.report.empty()) writeReport(line.report, run);
