@@ -162,7 +162,7 @@ TEST(PlyAttributes, OtherFormatsCarryNone)
 TEST(PlyAttributes, CutFilesAreRefusedWithoutHarm)
 {
 	for (const char* format : formats) {
-		const std::string file = attributedPly(format);
+		const std::string file  = attributedPly(format);
 		const InputMesh   whole = gpr::app::readPly(file);
 		for (std::size_t keep = 0; keep + 3 < file.size(); ++keep) {
 			const std::vector<char> exact(file.begin(), file.begin() + long(keep));

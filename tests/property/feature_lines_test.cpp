@@ -73,7 +73,11 @@ TEST_P(FeatureLines, AreTheSameWithAnyNumberOfThreads)
 INSTANTIATE_TEST_SUITE_P(
 	, FeatureLines,
 	::testing::Values(Shape{"cube", [] { return cube(20); }, 1e-5},
-					  Shape{"turnedCube", [] { return rotated(cube(17), {1, 2, 3}, 0.7); }, 1e-5},
+					  Shape{"turnedCube",
+							[] {
+								return rotated(cube(17), {1, 2, 3}, 0.7);
+							},
+							1e-5},
 					  Shape{"lPrism", [] { return lPrism(12); }, 1e-5},
 					  Shape{"thinPlate", [] { return thinPlate(40, 0.02); }, 1e-5},
 					  Shape{"crossedCreases", [] { return crossedCreases(40, 0.8); }, 1e-5},
@@ -93,7 +97,7 @@ TEST(FeatureLinesOff, AreNotFollowed)
 TEST(FeatureLinesOfNoise, AreNone)
 {
 	Random             random(7);
-	const TriangleMesh mesh = noisySphere(5, 0.02, random);
+	const TriangleMesh mesh  = noisySphere(5, 0.02, random);
 	const RemeshResult lines = remeshed(mesh, 1000);
 	const RemeshResult off   = remeshed(mesh, 1000, FeatureMode::Off);
 	ASSERT_EQ(lines.status, Status::Ok) << lines.message;

@@ -13,6 +13,7 @@
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/border_edge_sampling.h>
+#include <vcg_extras/core/hole_retriangulation.h>
 
 namespace gpr::test {
 
@@ -198,6 +199,29 @@ TEST(BorderEdgeSampling, FusesEverySampleIntoAMeshOfTheSameTopology)
 			EXPECT_TRUE(hasSameTopology(meshOf(fused.mesh), mesh));
 			for (int v = 0; v < s.surface.mesh.vertexNum; ++v)
 				ASSERT_TRUE(fused.mesh.position[v] == s.surface.mesh.position[v]);
+		}
+	}
+}
+
+/// What it was fused into while sampling is all that the paper's retriangulation needs.
+TEST(BorderEdgeSampling, FusedMeshLeadsToAMeshOfTheSamples)
+{
+	for (const TriangleMesh& mesh : {icosphere(5), torus(90, 46), squareFrame(60, 20)}) {
+		Sampled          s(mesh, 0.04f, 5);
+		const int        fusedNum = s.result.fused.mesh.vertexNum;
+		const int        n        = int(s.samples().size());
+		BlockPartition   blocks   = cutIntoBlocks(s.surface, 0.5f, s.workers);
+		const ResultMesh r        = removeOriginalVertices(
+				   std::move(s.result.fused), s.surface, s.result.sampling, s.boundary, blocks, s.workers);
+		EXPECT_GT(fusedNum, s.surface.mesh.vertexNum) << "else nothing was fused";
+		ASSERT_EQ(r.mesh.vertexNum, n);
+		EXPECT_EQ(r.leftoverNum, 0);
+		EXPECT_TRUE(hasSameTopology(meshOf(r.mesh), mesh));
+		std::vector<int> seen(n, 0);
+		for (int v = 0; v < n; ++v) {
+			const int sample = r.vertex[v].sample;
+			ASSERT_TRUE(sample >= 0 && seen[sample]++ == 0);
+			EXPECT_TRUE(r.mesh.position[v] == s.samples()[sample].anchor.position);
 		}
 	}
 }

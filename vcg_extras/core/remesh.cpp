@@ -419,7 +419,8 @@ private:
 		o.seed                    = options_.seed;
 		o.mostSamples             = 100000 + 10 * p.targetNum;
 		BorderEdgeSampling placed = sampleBorderEdges(p.surface, boundary, o, workers_);
-		fused_                    = std::move(placed.fused);
+		if (options_.retriangulation == Retriangulation::VertexRemoval)
+			fused_ = std::move(placed.fused);
 		return std::move(placed.sampling);
 	}
 
@@ -457,8 +458,17 @@ private:
 	{
 		if (options_.retriangulation == Retriangulation::LabelCollapse)
 			return removeVertices(p.surface, sampling, boundary, partition, workers_);
-		return removeOriginalVertices(fuseSamples(p.surface, sampling, boundary, workers_),
-									  p.surface, sampling, boundary, partition, workers_);
+		return removeOriginalVertices(takeFused(p, sampling, boundary), p.surface, sampling,
+									  boundary, partition, workers_);
+	}
+
+	/// The mesh that the border-edge placement fused its samples into, or one made now.
+	FusedMesh takeFused(const Prepared& p, const Sampling& sampling, const BoundaryCurves& boundary)
+	{
+		FusedMesh fused;
+		std::swap(fused, fused_);
+		if (!fused.sampleVertex.empty()) return fused;
+		return fuseSamples(p.surface, sampling, boundary, workers_);
 	}
 
 	/// The first two steps leave the edges alone: flips straight away would undo what the exact
