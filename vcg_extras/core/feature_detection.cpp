@@ -208,12 +208,12 @@ private:
 	{
 		Beyond      seen;
 		const float wanted = plateauShare * out_.edgeStrength[h];
-		const auto  look   = [&](const Vec3f&, float, float, float to, int exit) {
-            if (to >= out_.support || m_.opposite[exit] < 0) return;
-            if (to < 0.5f * out_.support) {
-                if (isSharper(exit, h)) seen.isSharper = true;
+		const auto  look   = [&](int edge, float distance) {
+            if (m_.opposite[edge] < 0) return;
+            if (distance < 0.5f * out_.support) {
+                if (isSharper(edge, h)) seen.isSharper = true;
             }
-            else if (out_.edgeStrength[exit] >= wanted) {
+            else if (out_.edgeStrength[edge] >= wanted) {
                 seen.isRound = true;
             }
 		};

@@ -45,7 +45,7 @@ float meanEdgeLength(const IndexedMesh& mesh, Workers& workers);
 /// meanEdge: working units, the length that thresholds.support counts in; that of the caller's mesh
 /// even where the surface has been refined since. The support is at most 5 % of the surface's
 /// diagonal, so that the half-disks of a box of twelve triangles do not wrap round it.
-/// Cost: linear, parallel but for the linking; about 1 s per million faces and core with the
+/// Cost: linear, parallel but for the linking; about 2 s per million faces and core with the
 /// default support, growing with it.
 FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thresholds,
 						  float meanEdge, Workers& workers);
