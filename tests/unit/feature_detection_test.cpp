@@ -82,7 +82,7 @@ INSTANTIATE_TEST_SUITE_P(Degrees, Fold, ::testing::Values(5, 15, 30, 45, 60, 90,
 /// The same shape and support on meshes of very different density, and with both in one mesh.
 TEST(FeatureStrength, DoesNotDependOnTheDensity)
 {
-	const double support = 0.06; // less than 5 % of the diagonal
+	const double support = 0.045; // below its largest
 	for (int angleDeg : {30, 90}) {
 		const TriangleMesh coarse = bentSheet(24, angleDeg * pi / 180);
 		const Found        a(coarse, support), b(subdivided(subdivided(coarse)), support);

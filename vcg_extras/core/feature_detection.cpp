@@ -15,7 +15,7 @@ namespace gpr {
 
 namespace {
 
-/// Of the diagonal.
+/// Of the square root of the area.
 constexpr float largestSupport = 0.05f;
 /// Where the surface bends as much on both sides of an edge as at it, it is round there.
 constexpr float plateauShare  = 0.7f;
@@ -29,26 +29,17 @@ constexpr float cornerShare   = 0.7f;
 /// A gap is bridged along edges that turn by 60° at most.
 constexpr float bridgeCosine = 0.5f;
 
-float diagonalOf(const HalfEdgeMesh& m, Workers& workers)
+/// Square root of the area: a size that does not change when the surface is turned, as that of its
+/// box would.
+float extentOf(const HalfEdgeMesh& m, Workers& workers)
 {
-	struct Box {
-		Vec3f low{HUGE_VALF, HUGE_VALF, HUGE_VALF}, high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
-
-		Box& operator+=(const Box& b)
-		{
-			low  = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
-			high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y),
-					std::max(high.z, b.high.z)};
-			return *this;
-		}
-	};
-	const Box box = workers.sum<Box>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		Box part;
-		for (std::size_t v = begin; v < end; ++v)
-			part += Box{m.position[v], m.position[v]};
+	const double area = workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		double part = 0;
+		for (std::size_t f = begin; f < end; ++f)
+			part += 0.5 * double(length(m.faceCross(int(f))));
 		return part;
 	});
-	return length(box.high - box.low);
+	return float(std::sqrt(area));
 }
 
 float meanSideLength(const Buffer<Vec3f>& position, const Buffer<int>& corner, int faceNum,
@@ -556,7 +547,7 @@ FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thres
 {
 	FeatureEdges out;
 	const float  wanted  = float(thresholds.support) * meanEdge;
-	const float  largest = largestSupport * diagonalOf(surface.mesh, workers);
+	const float  largest = largestSupport * extentOf(surface.mesh, workers);
 	out.support          = std::min(wanted, largest);
 	out.supportCut       = wanted > largest;
 	out.leastLength      = float(thresholds.leastLength) * out.support;

@@ -37,14 +37,17 @@ float meanEdgeLength(const IndexedMesh& mesh, Workers& workers);
 /// readable form, this one is the project's, docs/features.md).
 ///
 /// The strength of an edge is the angle between the mean normals of its two half-disks (see
-/// feature_strength.h), that of a vertex the largest of its edges'. Candidates are edges of at
-/// least weakDeg that are strongest across; they are linked, and a line is kept that has an edge of
-/// at least strongDeg and is leastLength supports long. A tip is a vertex about which the angle
-/// defects within half a support add up to strongDeg.
+/// feature_strength.h), that of a vertex the largest of its edges'. A crease is felt up to a
+/// support away, so lines are made of what is sharp: the mean of strength and dihedral angle, where
+/// the latter makes up half of the strength at least and the surface is not as round on both sides.
+/// Edges sharp by weakDeg and sharper than those across are candidates; gaps shorter than a support
+/// are bridged, spurs shorter than that dropped. A line stays that has an edge sharp by strongDeg
+/// and is leastLength supports long. A tip is a vertex on no line about which the angle defects
+/// within half a support add up to strongDeg.
 ///
 /// meanEdge: working units, the length that thresholds.support counts in; that of the caller's mesh
-/// even where the surface has been refined since. The support is at most 5 % of the surface's
-/// diagonal, so that the half-disks of a box of twelve triangles do not wrap round it.
+/// even where the surface has been refined since. The support is at most 5 % of the square root of
+/// the area, so that the half-disks of a box of twelve triangles do not wrap round it.
 /// Cost: linear, parallel but for the linking; about 2 s per million faces and core with the
 /// default support, growing with it.
 FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thresholds,

@@ -607,8 +607,9 @@ private:
 	void noteDetection(const FeatureEdges& features, FeatureResult& out)
 	{
 		if (features.supportCut) {
-			out.notes.push_back("The feature support was cut to 5 % of the diagonal, the most that "
-								"tells the sides of an edge apart.");
+			out.notes.push_back(
+				"The feature support was cut to 5 % of the square root of the area; "
+				"the mesh is too coarse for more.");
 		}
 		if (features.cappedRayNum > 0) {
 			report_.capsReached.push_back("faces crossed by the rays of the feature support");
