@@ -38,8 +38,11 @@ bool sameFile(const std::string& a, const std::string& b)
 void checkPaths(const CommandLine& line)
 {
 	formatOfPath(line.input);
-	if (line.command != Command::Remesh) return;
-	formatOfPath(line.output);
+	if (line.command != Command::Remesh && line.command != Command::Features) return;
+	const MeshFormat written = formatOfPath(line.output);
+	if (line.command == Command::Features && written != MeshFormat::Ply) {
+		failUsage("features writes .ply only, the one format here that holds quality and colour.");
+	}
 	if (line.report.empty()) return;
 	if (sameFile(line.report, line.output) || sameFile(line.report, line.input)) {
 		failUsage("--report must name another file than IN and OUT.");
@@ -53,6 +56,12 @@ std::string sentence(std::string complaint)
 	return complaint;
 }
 
+void addOutcome(CLI::App& command, CommandLine& line, const char* reportHelp)
+{
+	command.add_option("--report", line.report, reportHelp)->type_name("FILE.json");
+	command.add_flag("--quiet", line.quiet, "No progress and no summary; errors are told still");
+}
+
 CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* remesh = app.add_subcommand(
@@ -62,10 +71,8 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 	remesh->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off or .stl")->required();
 	remesh->add_option("OUT", line.output, "Mesh to write, may be IN: .ply, .obj, .off or .stl")
 		->required();
-	addTableOptions(*remesh, given);
-	remesh->add_option("--report", line.report, "Write what was done, and how well, as JSON")
-		->type_name("FILE.json");
-	remesh->add_flag("--quiet", line.quiet, "No progress and no summary; errors are told still");
+	addTableOptions(*remesh, RemeshTool, given);
+	addOutcome(*remesh, line, "Write what was done, and how well, as JSON");
 	remesh->footer(exitCodeHelp);
 	return remesh;
 }
@@ -92,7 +99,7 @@ CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"compare", "Remeshes IN by default, by the paper's preset and by MeshLab's Quadric Edge\n"
 				   "Collapse and prints a table: time, distances from IN, triangle quality.");
 	compare->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off or .stl")->required();
-	addTableOptions(*compare, given, isForCompare);
+	addTableOptions(*compare, RemeshTool, given, isForCompare);
 	compare->add_flag("--isotropic", line.isotropic, "MeshLab's Isotropic Explicit Remeshing too");
 	compare->add_option("--runs", line.runNum, "How often each method is run; the median counts")
 		->check(CLI::Range(1, 101))
@@ -102,6 +109,20 @@ CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 		->type_name("DIR");
 	compare->footer(exitCodeHelp);
 	return compare;
+}
+
+CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
+{
+	CLI::App* features = app.add_subcommand(
+		"features",
+		"Finds creases and tips of IN and writes OUT: the same mesh with the strength of\n"
+		"its vertices, in degrees, as quality and colour, features selected.");
+	features->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off or .stl")->required();
+	features->add_option("OUT", line.output, "Mesh to write, may be IN: .ply")->required();
+	addTableOptions(*features, FeatureTool, given);
+	addOutcome(*features, line, "Write thresholds and counts as JSON");
+	features->footer(exitCodeHelp);
+	return features;
 }
 
 } // namespace
@@ -115,9 +136,10 @@ CommandLine parseCommandLine(int argc, char** argv)
 	app.require_subcommand(1);
 	app.footer("'gpremesh COMMAND --help' tells the options of a command.\n\n" +
 			   std::string(exitCodeHelp));
-	CLI::App* const remesh  = addRemesh(app, line, given);
-	CLI::App* const info    = addInfo(app, line);
-	CLI::App* const compare = addCompare(app, line, given);
+	CLI::App* const remesh   = addRemesh(app, line, given);
+	CLI::App* const info     = addInfo(app, line);
+	CLI::App* const compare  = addCompare(app, line, given);
+	CLI::App* const features = addFeatures(app, line, given);
 	try {
 		app.parse(argc, argv);
 	}
@@ -131,6 +153,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 	if (remesh->parsed()) line.command = Command::Remesh;
 	if (info->parsed()) line.command = Command::Info;
 	if (compare->parsed()) line.command = Command::Compare;
+	if (features->parsed()) line.command = Command::Features;
 	line.options = optionsOf(given);
 	checkPaths(line);
 	return line;

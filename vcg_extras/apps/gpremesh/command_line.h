@@ -13,20 +13,21 @@ enum class Command {
 	Remesh,
 	Info,
 	Compare,
+	Features,
 };
 
 /// What the user asked for, checked.
 struct CommandLine {
 	Command       command = Command::None;
 	std::string   input;
-	std::string   output; ///< remesh only
-	std::string   report; ///< remesh only; empty = none
+	std::string   output; ///< remesh and features only
+	std::string   report; ///< remesh and features only; empty = none
 	bool          quiet     = false;
 	bool          json      = false; ///< info and compare only
 	bool          isotropic = false; ///< compare only
 	int           runNum    = 1;     ///< compare only
 	std::string   htmlFolder;        ///< compare only; empty = no page
-	RemeshOptions options;           ///< remesh and compare only
+	RemeshOptions options;           ///< all but info
 };
 
 /// Reads the arguments; the remeshing options are made from the engine's parameter table. Prints

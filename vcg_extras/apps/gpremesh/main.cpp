@@ -4,6 +4,7 @@
 #include "command_line.h"
 #include "compare_command.h"
 #include "exit_code.h"
+#include "features_command.h"
 #include "info_command.h"
 #include "platform.h"
 #include "remesh_command.h"
@@ -39,6 +40,9 @@ void run(int argc, char** argv, const Stopwatch& programClock)
 		break;
 	case Command::Compare:
 		runCompare(line);
+		break;
+	case Command::Features:
+		runFeatures(line);
 		break;
 	}
 }

@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remesh_outcome.h"
 
-#include "exit_code.h"
-
 namespace gpr::app {
-
-namespace {
 
 ExitCode exitCodeOf(Status status)
 {
@@ -28,8 +24,6 @@ ExitCode exitCodeOf(Status status)
 	}
 	return ExitCode::Failure;
 }
-
-} // namespace
 
 std::string sentenceOf(const RemeshResult& result)
 {

@@ -3,10 +3,15 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_REMESH_OUTCOME_H
 #define VCG_EXTRAS_APPS_GPREMESH_REMESH_OUTCOME_H
 
+#include "exit_code.h"
+
 #include <string>
 #include <vcg_extras/core/remesh.h>
 
 namespace gpr::app {
+
+/// What a run of the engine that ended so makes the program's exit code.
+ExitCode exitCodeOf(Status status);
 
 /// The sentence for a run of the engine that gave no mesh.
 std::string sentenceOf(const RemeshResult& result);

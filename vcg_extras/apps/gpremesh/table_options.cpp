@@ -140,9 +140,10 @@ bool isSizeOption(const Parameter& p)
 	return key == "TargetVertexNum" || key == "TargetPerc" || key == "TargetLen";
 }
 
-void addTableOptions(CLI::App& command, GivenOptions& given, bool (*isWanted)(const Parameter&))
+void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
+					 bool (*isWanted)(const Parameter&))
 {
-	for (const Parameter& p : remeshParameters()) {
+	for (const Parameter& p : parametersOf(tool)) {
 		if (std::string(p.option).empty() || (isWanted != nullptr && !isWanted(p))) continue;
 		const Parameter* const row = &p;
 		if (std::string(p.argument).empty()) {

@@ -16,9 +16,9 @@ using GivenOptions = std::map<const Parameter*, std::string>;
 /// Whether a row is one of the three that stand for one choice, the size of the result.
 bool isSizeOption(const Parameter& p);
 
-/// Adds an option to the command for every row of the table that has a name on the command line and
+/// Adds an option to the command for every row of the tool that has a name on the command line and
 /// is wanted; parsing fills given, which must stay where it is until then.
-void addTableOptions(CLI::App& command, GivenOptions& given,
+void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
 					 bool (*isWanted)(const Parameter&) = nullptr);
 
 /// The engine's options from what was given; all others keep their defaults. Throws AppError

@@ -169,8 +169,9 @@ private:
 			features.faceMark[faceOf[i]] = run.faceMark[i];
 		features.edges.reserve(run.edges.size());
 		for (const gpr::FeatureEdge& e : run.edges)
-			features.edges.push_back({{&m.vert[vertexOf[e.vertex[0]]], &m.vert[vertexOf[e.vertex[1]]]},
-									  ScalarType(e.strength)});
+			features.edges.push_back(
+				{{&m.vert[vertexOf[e.vertex[0]]], &m.vert[vertexOf[e.vertex[1]]]},
+				 ScalarType(e.strength)});
 		return features;
 	}
 };

@@ -18,7 +18,7 @@ int main(int argc, char** argv)
 	Detection::Features features;
 	Detection::Params   params;
 	Detection::Stat     stat;
-	params.strongAngleDeg         = 60;
+	params.strongAngleDeg          = 60;
 	const Detection::Result result = Detection::Detect(m, features, params, &stat);
 	if (!result.IsOk()) {
 		std::fprintf(stderr, "%s\n", result.message.c_str());

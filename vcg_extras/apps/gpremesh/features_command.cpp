@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "features_command.h"
+
+#include "features_report.h"
+#include "mesh_io.h"
+#include "output_file.h"
+#include "platform.h"
+#include "ply_writer.h"
+#include "progress_bar.h"
+#include "remesh_outcome.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gpr::app {
+
+namespace {
+
+struct Colour {
+	std::uint8_t red, green, blue;
+};
+
+constexpr Colour lineColour{0, 0, 0};
+constexpr Colour cornerColour{255, 255, 255};
+constexpr Colour tipColour{0, 255, 0};
+/// Degrees that are as red as it gets.
+constexpr float reddest = 90;
+
+/// Blue for flat over light grey to red for a right angle; what is marked stands out from all.
+Colour colourOf(float strengthDeg, std::uint8_t feature)
+{
+	if (feature & FeatureTip) return tipColour;
+	if (feature & FeatureCorner) return cornerColour;
+	if (feature & OnFeatureLine) return lineColour;
+	const float share   = 2 * std::min(strengthDeg / reddest, 1.0f) - 1; // -1 blue, 0 grey, 1 red
+	const auto  channel = [](float away) { return std::uint8_t(220 * (1 - std::max(0.0f, away))); };
+	return {channel(-share), channel(std::abs(share)), channel(share)};
+}
+
+FeatureResult detectWithProgress(const InputMesh& mesh, const CommandLine& line)
+{
+	ProgressBar   bar(!line.quiet && errorIsTerminal());
+	FeatureResult result =
+		detectFeatures(mesh.view(), line.options, [&](double share, const char* phrase) {
+			bar.show(share, phrase);
+			return !stopRequested();
+		});
+	bar.clear();
+	if (stopRequested()) throw AppError(ExitCode::Stopped, "cancelled; nothing was written.");
+	if (result.status != Status::Ok) throw AppError(exitCodeOf(result.status), result.message);
+	return result;
+}
+
+void writeFeatures(const InputMesh& mesh, const FeatureResult& found, const std::string& path)
+{
+	const std::size_t         vertexNum = found.vertexStrength.size();
+	std::vector<std::uint8_t> rgb(3 * vertexNum), selected(vertexNum);
+	for (std::size_t v = 0; v < vertexNum; ++v) {
+		const Colour c = colourOf(found.vertexStrength[v], found.vertexFeature[v]);
+		rgb[3 * v]     = c.red;
+		rgb[3 * v + 1] = c.green;
+		rgb[3 * v + 2] = c.blue;
+		selected[v]    = found.vertexFeature[v] != 0;
+	}
+	PlyVertexData data;
+	data.quality  = found.vertexStrength.data();
+	data.rgb      = rgb.data();
+	data.selected = selected.data();
+
+	OutputFile out(path);
+	writePly(mesh.view(), mesh.doublePrecision, data, out);
+	if (stopRequested()) throw AppError(ExitCode::Stopped, "cancelled; nothing was written.");
+	out.commit();
+}
+
+FeaturesRecord recordOf(const CommandLine& line, const InputMesh& mesh, FeatureResult& found)
+{
+	FeaturesRecord record;
+	record.inputPath       = line.input;
+	record.outputPath      = line.output;
+	record.doublePrecision = mesh.doublePrecision;
+	record.thresholds      = line.options.featureThresholds;
+	record.figures         = found.figures;
+	record.notes           = mesh.notes;
+	record.notes.insert(record.notes.end(), found.notes.begin(), found.notes.end());
+	record.report = std::move(found.report);
+	return record;
+}
+
+} // namespace
+
+void runFeatures(const CommandLine& line)
+{
+	checkWritable(line.output);
+	if (!line.report.empty()) checkWritable(line.report);
+	catchStopSignals();
+	const InputMesh mesh  = readMesh(line.input);
+	FeatureResult   found = detectWithProgress(mesh, line);
+	writeFeatures(mesh, found, line.output);
+	const FeaturesRecord record = recordOf(line, mesh, found);
+	if (!line.report.empty()) {
+		OutputFile out(line.report);
+		out.text(featuresJson(record));
+		out.commit();
+	}
+	if (!line.quiet) std::fputs(featuresText(record).c_str(), stdout);
+}
+
+} // namespace gpr::app
