@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -333,7 +335,10 @@ protected:
 	{
 		const int h = random.below(m.halfEdgeNum());
 		if (m.origin[h] < 0) return;
-		switch (random.below(7)) {
+		switch (random.below(8)) {
+		case 7:
+			count(m.hasCreases() && canCollapseAlongCrease(m, h, scratch), [&] { collapse(m, h); });
+			break;
 		case 0:
 			count(canCollapse(m, h, scratch), [&] { collapse(m, h); });
 			break;
@@ -356,6 +361,33 @@ protected:
 			if (m.opposite[h] < 0) count(true, [&] { splitBorderEdge(m, h, addVertex(h)); });
 			break;
 		}
+	}
+
+	/// How many of the three coordinates say that the point is on a face of the unit cube.
+	static int cubeFacesAt(const Vec3f& p)
+	{
+		int n = 0;
+		for (float x : {p.x, p.y, p.z})
+			n += std::min(std::abs(x), std::abs(x - 1)) < 1e-6f;
+		return n;
+	}
+
+	void expectLinesOfACube() const
+	{
+		double sum = 0;
+		int    corners = 0;
+		for (int h = 0; h < m.halfEdgeNum(); ++h) {
+			if (m.origin[h] < 0) continue;
+			ASSERT_EQ(m.crease[h], m.crease[m.opposite[h]]);
+			if (!m.isCreaseEdge(h)) continue;
+			const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
+			ASSERT_GE(cubeFacesAt((a + b) * 0.5f), 2);
+			sum += 0.5 * double(length(b - a));
+		}
+		for (int v = 0; v < m.vertexNum; ++v)
+			corners += m.outgoing[v] >= 0 && m.creaseNum(v) == 3;
+		EXPECT_EQ(corners, 8);
+		EXPECT_NEAR(sum, 12, 1e-4) << "every cube edge is covered once";
 	}
 
 private:
@@ -396,6 +428,24 @@ TEST_P(RandomEdits, KeepManifoldAndTopology)
 		}
 	}
 	EXPECT_GT(done, 1000);
+}
+
+/// Feature lines along a cube's edges: both halves of an edge stay marked alike, lines run along the
+/// cube's edges whatever is flipped, split and merged, and its corners stay.
+TEST_P(RandomEdits, KeepFeatureLines)
+{
+	SCOPED_TRACE("seed " + std::to_string(GetParam()));
+	constexpr int edits = 1500, checkEvery = 50;
+	m = halfEdgesOf(cube(6), edits, 2 * edits);
+	m.crease.reset(m.origin.size());
+	m.crease.fill(0);
+	for (int h = 0; h < m.halfEdgeNum(); ++h)
+		m.crease[h] = dot(m.faceNormal(h / 3), m.faceNormal(m.opposite[h] / 3)) < 0.5f;
+	for (int i = 1; i <= edits; ++i) {
+		editOnce();
+		if (i % checkEvery == 0) expectLinesOfACube();
+	}
+	EXPECT_GT(done, 300);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomEdits, ::testing::ValuesIn(testSeeds(12)));

@@ -354,6 +354,10 @@ void splitFace(HalfEdgeMesh& m, int f, int v)
 	m.origin[k + 1] = a;
 	m.origin[k + 2] = v;
 	m.opposite[e] = m.opposite[k] = -1;
+	moveMark(m, e, bc);
+	moveMark(m, k, ca);
+	for (int inner : {bc, ca, e + 1, e + 2, k + 1, k + 2})
+		moveMark(m, inner, -1);
 	join(m, e, m.opposite[bc]);
 	join(m, k, m.opposite[ca]);
 	join(m, bc, e + 2);
@@ -388,9 +392,10 @@ bool canRemoveVertex(const HalfEdgeMesh& m, const VertexStar& star, const HolePa
 					 EditScratch& scratch)
 {
 	const int n = star.placeNum();
+	if (m.isCreaseVertex(star.vertex)) return false;
 	if (n < 3) {
 		return !star.isClosed && patch.corner.empty() &&
-			   m.opposite[nextInFace(star.spoke[0])] >= 0 && canLoseFace(m, star.ring[0]) &&
+			   !m.isCurveEdge(nextInFace(star.spoke[0])) && canLoseFace(m, star.ring[0]) &&
 			   canLoseFace(m, star.ring[1]);
 	}
 	return isTriangulation(patch, n, scratch) && hasNewEdgesOnly(m, star, patch) &&
@@ -423,6 +428,7 @@ void removeVertex(HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patc
 		m.origin[h]   = w;
 		m.opposite[h] = -1;
 		join(m, h, y >= 0 ? placed(y) : beyond[-1 - y]);
+		moveMark(m, h, y >= 0 ? -1 : beyond[-1 - y]);
 		if (!onBorder[place] || m.opposite[h] < 0) m.outgoing[w] = h;
 	}
 	for (std::size_t i = std::size_t(patch.triangleNum()); i < star.spoke.size(); ++i)

@@ -88,7 +88,8 @@ struct HolePatch {
 
 /// Whether patch is a triangulation of the star's ring, taken as a polygon without inner points,
 /// that may take the place of the star: none of its diagonals may be an edge of the mesh, and no
-/// vertex may be left with too few faces. Cost: a turn round a vertex per diagonal.
+/// vertex may be left with too few faces. Never for vertices of feature lines. Cost: a turn round a
+/// vertex per diagonal.
 bool canRemoveVertex(const HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
 					 EditScratch& scratch);
 

@@ -69,7 +69,8 @@ enum class FeatureSampling {
 	Vertices, ///< every vertex of the region becomes a vertex of the result
 };
 
-/// Whether sharp edges of the input become edges of the result.
+/// Whether sharp edges of the input become edges of the result. They do with
+/// Placement::DiskIntersection and Retriangulation::LabelCollapse only.
 enum class FeatureMode {
 	Auto,  ///< where they are real creases, not a scan's noise; see crease_lines.h
 	Lines, ///< wherever the surface turns by featureAngleDeg

@@ -334,7 +334,7 @@ private:
 	{
 		clock_.enter("features", "Finding feature lines", 0.23);
 		CreaseRules rules;
-		rules.mode        = options_.featureMode;
+		rules.mode        = followsFeatureLines() ? options_.featureMode : FeatureMode::Off;
 		rules.strongDeg   = float(options_.featureAngleDeg);
 		rules.weakDeg     = 0.5f * rules.strongDeg;
 		rules.leastLength = leastLineLength * idealEdge(p);
@@ -349,6 +349,13 @@ private:
 		p.tips                 = found.tips;
 		report_.featureEdgeNum = found.edgeNum;
 		report_.featureTipNum  = std::int64_t(found.tips.size());
+	}
+
+	/// The paper's own placement and retriangulation know no curves but the border.
+	bool followsFeatureLines() const
+	{
+		return options_.placement == Placement::DiskIntersection &&
+			   options_.retriangulation == Retriangulation::LabelCollapse;
 	}
 
 	void forgetFeatureLines(Prepared& p)
