@@ -374,7 +374,7 @@ protected:
 
 	void expectLinesOfACube() const
 	{
-		double sum = 0;
+		double sum     = 0;
 		int    corners = 0;
 		for (int h = 0; h < m.halfEdgeNum(); ++h) {
 			if (m.origin[h] < 0) continue;
@@ -430,8 +430,8 @@ TEST_P(RandomEdits, KeepManifoldAndTopology)
 	EXPECT_GT(done, 1000);
 }
 
-/// Feature lines along a cube's edges: both halves of an edge stay marked alike, lines run along the
-/// cube's edges whatever is flipped, split and merged, and its corners stay.
+/// Feature lines along a cube's edges: both halves of an edge stay marked alike, lines run along
+/// the cube's edges whatever is flipped, split and merged, and its corners stay.
 TEST_P(RandomEdits, KeepFeatureLines)
 {
 	SCOPED_TRACE("seed " + std::to_string(GetParam()));

@@ -161,13 +161,13 @@ private:
 
 	// ---- where samples come from
 
-	/// The samples of open borders, fused and flooded before all others.
+	/// The samples of borders and feature lines, fused and flooded before all others.
 	void takeBorder()
 	{
 		const int before = m_.vertexNum;
 		fuseBoundary(boundary_, fused_);
 		for (int v = before; v < m_.vertexNum; ++v)
-			initVertex(v, m_.target(m_.outgoing[v]), m_.origin[m_.incomingBorder(v)]);
+			initFromNeighbours(v);
 		for (std::size_t i = 0; i < boundary_.samples.size(); ++i) {
 			const Anchor& a      = boundary_.samples[i].anchor;
 			const Vec3f   normal = surface_.mesh.faceNormal(a.face);
@@ -372,6 +372,24 @@ private:
 		field_.trial[v]   = {0, 0};
 		normal_[v]        = PackedNormal(normalized(normal_[a].unpack() + normal_[b].unpack()));
 		if (isStretched()) stretch_[v] = 0.5f * (stretch_[a] + stretch_[b]);
+	}
+
+	/// By the neighbours that have been made before v.
+	void initFromNeighbours(int v)
+	{
+		Vec3f normal;
+		float stretch = 0;
+		int   num     = 0;
+		forEachNeighbour(m_, v, [&](int w) {
+			if (w > v) return;
+			normal += normal_[w].unpack();
+			stretch += stretchOf(w);
+			++num;
+		});
+		field_.nearest[v] = unreached;
+		field_.trial[v]   = {0, 0};
+		normal_[v]        = PackedNormal(normalized(normal));
+		if (isStretched()) stretch_[v] = stretch / float(std::max(num, 1));
 	}
 
 	/// Gives the disk explored last to the newest sample, which is vertex v, and puts the border

@@ -12,6 +12,8 @@ namespace gpr {
 namespace {
 
 constexpr float cornerTurn = 50 * 3.14159265f / 180;
+/// A turn at one point that makes it a corner of a feature line.
+constexpr float kinkTurn = 25 * 3.14159265f / 180;
 
 /// The border half-edge that follows h: turn about its head until the border is met again.
 int nextOnBorder(const HalfEdgeMesh& m, int h)
@@ -124,8 +126,10 @@ std::vector<float> turnsOver(const Curve& c, float window)
 	return turn;
 }
 
-/// Whether no point within `window` along the curve turns more (ties: the first one wins).
-bool isLargestTurn(const Curve& c, const std::vector<float>& turn, int i, float window)
+/// Calls visit(k) for the points within `window` of point i along the curve, but i; ends when it
+/// returns false.
+template <class Visit>
+bool forEachWithin(const Curve& c, int i, float window, const Visit& visit)
 {
 	const int n = c.pointNum();
 	for (int direction : {-1, 1}) {
@@ -137,10 +141,23 @@ bool isLargestTurn(const Curve& c, const std::vector<float>& turn, int i, float 
 			walk += length(c.point[next] - c.point[k]);
 			k = next;
 			if (walk > window || k == i) break;
-			if (turn[k] > turn[i] || (turn[k] == turn[i] && k < i)) return false;
+			if (!visit(k)) return false;
 		}
 	}
 	return true;
+}
+
+/// Whether no point within `window` along the curve turns more (ties: the first one wins).
+bool isLargestTurn(const Curve& c, const std::vector<float>& turn, int i, float window)
+{
+	return forEachWithin(
+		c, i, window, [&](int k) { return !(turn[k] > turn[i] || (turn[k] == turn[i] && k < i)); });
+}
+
+/// Whether every other point within `window` turns by less than half of what point i does.
+bool standsOut(const Curve& c, const std::vector<float>& turn, int i, float window)
+{
+	return forEachWithin(c, i, window, [&](int k) { return turn[k] < 0.5f * turn[i]; });
 }
 
 /// Points of the curve where it turns by more than cornerTurn, its ends left out.
@@ -151,6 +168,35 @@ std::vector<char> findTurns(const Curve& c, const std::vector<float>& turn, floa
 	for (int i = skip; i < c.pointNum() - skip; ++i)
 		turns[i] = turn[i] > cornerTurn && isLargestTurn(c, turn, i, window);
 	return turns;
+}
+
+/// Angles between the two segments at each point; 0 at the ends of an open curve.
+std::vector<float> turnsAtPoints(const Curve& c)
+{
+	const int          n = c.pointNum(), skip = c.isClosed ? 0 : 1;
+	std::vector<float> turn(n, 0.0f);
+	for (int i = skip; i < n - skip; ++i) {
+		const Vec3f in  = c.point[i] - c.point[(i + n - 1) % n];
+		const Vec3f out = c.point[(i + 1) % n] - c.point[i];
+		turn[i]         = std::atan2(length(cross(in, out)), dot(in, out));
+	}
+	return turn;
+}
+
+/// Corners of a feature line: points whose turn stands out by far from those round it, which on a
+/// tessellated arc it never does, and turns by cornerTurn away from these.
+std::vector<char> findCreaseCorners(const Curve& c, float window)
+{
+	const std::vector<float> turn = turnsAtPoints(c);
+	std::vector<char>        kinks(c.pointNum(), 0);
+	for (int i = 0; i < c.pointNum(); ++i)
+		kinks[i] = turn[i] > kinkTurn && standsOut(c, turn, i, window);
+	std::vector<char> corners = findTurns(c, turnsOver(c, window), window);
+	for (int i = 0; i < c.pointNum(); ++i) {
+		const bool alone = forEachWithin(c, i, window, [&](int k) { return !kinks[k]; });
+		corners[i]       = kinks[i] || (corners[i] && alone);
+	}
+	return corners;
 }
 
 /// A sample of the list, and where it lies on the curve at hand.
@@ -172,7 +218,7 @@ public:
 	void sampleClosed(int index)
 	{
 		const Curve& c = begin(index);
-		if (c.pointNum() <= 3 || c.length < 1.8f * wanted_.chord)
+		if (c.pointNum() <= 3 || c.length < 1.8f * wanted_.chord * c.smallestSize())
 			keepThree(c);
 		else
 			sampleLoop(c);
@@ -184,7 +230,7 @@ public:
 	void sampleOpen(int index, int minSteps)
 	{
 		const Curve&            c      = begin(index);
-		const float             window = std::min(diskRadius_, c.length / 6);
+		const float             window = windowOf(c);
 		const std::vector<char> turns  = findTurns(c, turnsOver(c, window), window);
 		std::vector<float>      stops  = {0};
 		for (int i = 0; i < c.pointNum(); ++i) {
@@ -221,6 +267,12 @@ private:
 	std::size_t         firstSample_ = 0; ///< of the curve at hand
 	std::vector<Mark>   marks_;
 	std::map<int, int>  sampleOfNode_;
+
+	/// How far round a point its turn is looked at.
+	float windowOf(const Curve& c) const
+	{
+		return std::min(diskRadius_ * c.smallestSize(), c.length / 6);
+	}
 
 	const Curve& begin(int index)
 	{
@@ -291,10 +343,12 @@ private:
 	/// where the loop begins.
 	std::vector<float> stopsOfLoop(const Curve& c, bool& hasCorners) const
 	{
-		const float              window = std::min(diskRadius_, c.length / 6);
+		const float              window = windowOf(c);
 		const std::vector<float> turn   = turnsOver(c, window);
-		const std::vector<char>  turns  = findTurns(c, turn, window);
-		std::vector<float>       arcs;
+		const bool onCrease = m_.isCreaseVertex(c.vertex[0]) && !m_.isBorderVertex(c.vertex[0]);
+		const std::vector<char> turns =
+			onCrease ? findCreaseCorners(c, window) : findTurns(c, turn, window);
+		std::vector<float> arcs;
 		for (int i = 0; i < c.pointNum(); ++i) {
 			if (turns[i] || isNode(m_, c.vertex[i])) arcs.push_back(c.arc[i]);
 		}
@@ -364,6 +418,13 @@ private:
 	}
 };
 
+void addSizes(const Surface& surface, Curve& c)
+{
+	if (surface.size.empty()) return;
+	for (int v : c.vertex)
+		c.size.push_back(surface.size[v]);
+}
+
 using ChainEnds = std::map<std::pair<int, int>, int>;
 
 std::pair<int, int> endsOf(const Curve& c)
@@ -399,6 +460,8 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 	const ChainEnds    chainEnds = countChainEnds(creases);
 	std::move(creases.begin(), creases.end(), std::back_inserter(result.curves));
 
+	for (Curve& c : result.curves)
+		addSizes(surface, c);
 	CurveSampler sampler(m, diskRadius, spacing, result);
 	for (std::size_t i = 0; i < result.curves.size(); ++i) {
 		if (result.curves[i].isClosed)

@@ -17,21 +17,27 @@ float distanceToSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 	return length(ap - ab * t);
 }
 
+/// Distance of arcs a and b, at p and q, through space, over the size wanted between them.
+float relativeChord(const Curve& c, float a, const Vec3f& p, float b, const Vec3f& q)
+{
+	return length(q - p) / (0.5f * (c.sizeAt(a) + c.sizeAt(b)));
+}
+
 /// Goes from arc a to b by chords of length d: the first point where the distance from the last one
 /// reaches d. Returns the steps made, with the fraction left over; appends the arcs if asked.
 float march(const Curve& c, float a, float b, float d, std::vector<float>* arcs)
 {
-	const float stride = d * 0.1f;
-	float       from   = a;
-	float       steps  = 0;
+	float from  = a;
+	float steps = 0;
 	while (true) {
 		const Vec3f start  = c.at(from);
+		const float stride = d * 0.1f * c.sizeAt(from);
 		float       s      = from;
 		float       before = 0;
 		bool        found  = false;
 		while (s < b) {
 			const float next = std::min(b, s + stride);
-			const float far  = length(c.at(next) - start);
+			const float far  = relativeChord(c, from, start, next, c.at(next));
 			if (far >= d) {
 				s += (next - s) * (d - before) / std::max(far - before, 1e-30f);
 				found = true;
@@ -41,7 +47,7 @@ float march(const Curve& c, float a, float b, float d, std::vector<float>* arcs)
 			if (!(next > s)) break;
 			s = next;
 		}
-		if (!found || !(s > from)) return steps + length(c.at(b) - start) / d;
+		if (!found || !(s > from)) return steps + relativeChord(c, from, start, b, c.at(b)) / d;
 		from = s;
 		steps += 1;
 		if (arcs != nullptr) arcs->push_back(s);
@@ -64,26 +70,32 @@ std::vector<float> evenSpacing(const Curve& c, float a, float b, float d, int st
 	return arcs;
 }
 
+/// Over the size wanted there.
+float relativeDeviation(const Curve& c, float a, float b)
+{
+	return deviation(c, a, b) / (0.5f * (c.sizeAt(a) + c.sizeAt(b)));
+}
+
 float worstDeviation(const Curve& c, float a, float b, const std::vector<float>& arcs)
 {
 	float worst = 0, last = a;
 	for (float s : arcs) {
-		worst = std::max(worst, deviation(c, last, s));
+		worst = std::max(worst, relativeDeviation(c, last, s));
 		last  = s;
 	}
-	return std::max(worst, deviation(c, last, b));
+	return std::max(worst, relativeDeviation(c, last, b));
 }
 
 /// Arcs of the curve's own points and of evenly spread ones, from a to b, both included.
 std::vector<float> candidateArcs(const Curve& c, float a, float b, float d)
 {
 	std::vector<float> arcs;
-	const int          n = std::max(1, int(std::ceil((b - a) / (0.1f * d))));
+	const int          n = std::max(1, int(std::ceil((b - a) / (0.1f * d * c.smallestSize()))));
 	for (int i = 0; i <= n; ++i)
 		arcs.push_back(a + (b - a) * float(i) / float(n));
 	arcs.back() = b;
 	// Points of the curve where it bends belong to the best polygon; dense ones add nothing.
-	const float close = 0.05f * d;
+	const float close = 0.05f * d * c.smallestSize();
 	float       last  = a;
 	for (int i = c.segmentAt(a) + 1; c.arcOf(i) < b; ++i) {
 		const float s = c.arcOf(i);
@@ -117,11 +129,12 @@ std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const Curve
 		for (int k = i - 1; k >= 0; --k) {
 			// A chord is never longer than its arc; past this arc no ragged curve is worth a look.
 			if (arcs[i] - arcs[k] > 3 * longest * d && before[i] >= 0) break;
-			const float chord = length(place[i] - place[k]) / d;
+			const float chord = relativeChord(c, arcs[k], place[k], arcs[i], place[i]) / d;
 			const bool  isEnd = i == n - 1 || k == 0;
 			if (chord > longest && before[i] >= 0) continue;
 			if (chord < shortest && !isEnd) continue;
-			const float  excess = deviation(c, arcs[k], arcs[i]) / (spacing.tolerance * d) - 1;
+			const float excess =
+				relativeDeviation(c, arcs[k], arcs[i]) / (spacing.tolerance * d) - 1;
 			const double here =
 				double(chord - 1) * (chord - 1) + (excess > 0 ? double(excess) * excess : 0.0);
 			if (cost[k] + here < cost[i]) {
@@ -165,6 +178,22 @@ Vec3f Curve::at(float s) const
 	const float extent = (next > 0 ? arc[next] : length) - arc[i];
 	const float t      = extent > 0 ? std::clamp((w - arc[i]) / extent, 0.0f, 1.0f) : 0.0f;
 	return point[i] * (1 - t) + point[next] * t;
+}
+
+float Curve::sizeAt(float s) const
+{
+	if (size.empty()) return 1;
+	const float w      = wrap(s);
+	const int   i      = segmentAt(w);
+	const int   next   = (i + 1) % pointNum();
+	const float extent = (next > 0 ? arc[next] : length) - arc[i];
+	const float t      = extent > 0 ? std::clamp((w - arc[i]) / extent, 0.0f, 1.0f) : 0.0f;
+	return size[i] * (1 - t) + size[next] * t;
+}
+
+float Curve::smallestSize() const
+{
+	return size.empty() ? 1.0f : *std::min_element(size.begin(), size.end());
 }
 
 float deviation(const Curve& c, float a, float b)

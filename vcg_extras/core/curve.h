@@ -15,6 +15,7 @@ struct Curve {
 	std::vector<Vec3f> point;  ///< their positions
 	std::vector<int>   face;   ///< face at the segment from point i to the next
 	std::vector<float> arc;    ///< arc length at point i
+	std::vector<float> size;   ///< wanted size at point i over the largest; empty: 1 everywhere
 	float              length   = 0;
 	bool               isClosed = true; ///< the last point is followed by the first
 
@@ -24,13 +25,15 @@ struct Curve {
 	/// The segment that holds arc length s, after wrapping.
 	int   segmentAt(float s) const;
 	Vec3f at(float s) const;
+	float sizeAt(float s) const;
+	float smallestSize() const;
 	/// Arc length of point i, where i may run on past the end of a closed curve, once round.
 	float arcOf(int i) const { return arc[i % pointNum()] + (i >= pointNum() ? length : 0.0f); }
 };
 
 /// Where spacing by chords puts samples on a piece of a curve.
 struct CurveSpacing {
-	float chord = 0; ///< wanted distance of neighbours, straight through space
+	float chord = 0; ///< wanted distance of neighbours, straight through space, where the size is 1
 	float tolerance =
 		0.08f; ///< of the chord: how far the curve may leave the polygon of the samples
 };

@@ -56,6 +56,97 @@ SlideRoom roomOnCrease(const ResultMesh& r, const Curve& c, int v)
 			std::max(0.0f, std::max(arcA, arcB) - here.arc)};
 }
 
+/// A face of a shape below this (30°-30°-120°) must not get worse.
+constexpr float poorShape = 0.6f;
+/// A slide must not turn a face by more than 60°.
+constexpr float foldCosine = 0.5f;
+/// Of the way to the next vertex.
+constexpr float longestSlide = 0.3f;
+/// How far a line may leave its chords, in ideal edges; see CurveSpacing.
+constexpr float tolerance = 0.08f;
+
+class CreaseSlider {
+public:
+	CreaseSlider(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result) :
+			surface_(surface), curves_(curves), r_(result), m_(result.mesh)
+	{
+	}
+
+	void slide(int v)
+	{
+		const ResultVertex& here = r_.vertex[v];
+		const SlideRoom     room = slideRoom(r_, curves_, v);
+		if (!(room.backward > 0 && room.forward > 0)) return;
+		const float wanted = dot(wayToBarycentre(v), tangentAt(here, room));
+		const float step =
+			std::clamp(wanted, -longestSlide * room.backward, longestSlide * room.forward);
+		const ResultVertex to = slid(surface_, curves_, here, step);
+		if (!keepsShapes(v, to.anchor.position) || !keepsToLine(here, room, step)) return;
+		r_.vertex[v]   = to;
+		m_.position[v] = to.anchor.position;
+	}
+
+private:
+	const Surface&        surface_;
+	const BoundaryCurves& curves_;
+	ResultMesh&           r_;
+	HalfEdgeMesh&         m_;
+
+	/// Over a quarter of the way to the neighbours.
+	Vec3f tangentAt(const ResultVertex& here, const SlideRoom& room) const
+	{
+		const Curve& c = curves_.curves[here.curve];
+		return normalized(c.at(here.arc + 0.25f * room.forward) -
+						  c.at(here.arc - 0.25f * room.backward));
+	}
+
+	Vec3f wayToBarycentre(int v) const
+	{
+		const Vec3f p = m_.position[v];
+		Vec3f       sum;
+		float       weight = 0;
+		forEachOutgoing(m_, v, [&](int h) {
+			const Vec3f a = m_.position[m_.target(h)] - p, b = m_.position[m_.apex(h)] - p;
+			const float area = length(cross(a, b));
+			sum += (a + b) * (area / 3);
+			weight += area;
+		});
+		return weight > 0 ? sum * (1 / weight) : Vec3f();
+	}
+
+	bool keepsShapes(int v, const Vec3f& q) const
+	{
+		const Vec3f p     = m_.position[v];
+		bool        sound = true;
+		forEachOutgoing(m_, v, [&](int h) {
+			const Vec3f a = m_.position[m_.target(h)], b = m_.position[m_.apex(h)];
+			const Vec3f then = cross(a - p, b - p), now = cross(a - q, b - q);
+			const float shape = triangleShape(q, a, b);
+			const bool  turns = dot(then, now) < foldCosine * length(then) * length(now);
+			const bool  poor  = shape < poorShape && shape < triangleShape(p, a, b);
+			sound             = sound && !turns && !poor;
+		});
+		return sound;
+	}
+
+	/// The two chords at the vertex leave the line no further than allowed, or than they did.
+	bool keepsToLine(const ResultVertex& here, const SlideRoom& room, float step) const
+	{
+		const Curve& c    = curves_.curves[here.curve];
+		const float  from = here.arc - room.backward, to = here.arc + room.forward;
+		const float  before  = worstDeviation(c, from, here.arc, to);
+		const float  allowed = std::max(before, tolerance * r_.idealEdge * c.sizeAt(here.arc));
+		return worstDeviation(c, from, here.arc + step, to) <= allowed;
+	}
+
+	/// Of the two chords a - b - c; arcs may be negative on a closed curve.
+	static float worstDeviation(const Curve& curve, float a, float b, float c)
+	{
+		const float lap = a < 0 ? curve.length : 0.0f;
+		return std::max(deviation(curve, a + lap, b + lap), deviation(curve, b + lap, c + lap));
+	}
+};
+
 } // namespace
 
 SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int v)
@@ -77,6 +168,15 @@ ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const Re
 	moved.anchor       = {c.at(moved.arc), c.face[c.segmentAt(moved.arc)]};
 	moved.normal       = surface.mesh.faceNormal(moved.anchor.face);
 	return moved;
+}
+
+void slideAlongCreases(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result)
+{
+	if (!result.mesh.hasCreases()) return;
+	CreaseSlider slider(surface, curves, result);
+	for (int v = 0; v < result.mesh.vertexNum; ++v) {
+		if (result.vertex[v].curve >= 0 && !result.mesh.isBorderVertex(v)) slider.slide(v);
+	}
 }
 
 } // namespace gpr

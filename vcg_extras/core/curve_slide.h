@@ -23,6 +23,11 @@ SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int 
 ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const ResultVertex& vertex,
 				  float step);
 
+/// One relaxation step for the vertices of feature lines: each slides along its line towards the
+/// barycentre of its ring, one after the other, unless a face would turn or a poor one get poorer,
+/// or the line leave its chords further than they may. Cost: the rings of these vertices.
+void slideAlongCreases(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result);
+
 } // namespace gpr
 
 #endif

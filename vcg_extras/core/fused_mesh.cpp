@@ -14,10 +14,13 @@ namespace {
 /// A border sample nearer to an end of its segment than this share of it is that end.
 constexpr float sameAsEnd = 1e-5f;
 
-/// Fuses the samples of one border curve, in the order of their arcs.
+/// Fuses the samples of one curve, in the order of their arcs.
 class CurveFuser {
 public:
-	CurveFuser(const Curve& curve, FusedMesh& fused) : curve_(curve), fused_(fused) {}
+	CurveFuser(const Curve& curve, std::unordered_set<int>& taken, FusedMesh& fused) :
+			curve_(curve), taken_(taken), fused_(fused)
+	{
+	}
 
 	int fuse(const CurveSample& sample)
 	{
@@ -30,21 +33,21 @@ public:
 	}
 
 private:
-	const Curve&            curve_;
-	FusedMesh&              fused_;
-	int                     segment_ = -1;
-	int                     behind_  = -1; ///< last vertex of the segment before the next sample
-	std::unordered_set<int> taken_;
+	const Curve&             curve_;
+	std::unordered_set<int>& taken_; ///< vertices of the samples of all curves
+	FusedMesh&               fused_;
+	int                      segment_ = -1;
+	int                      behind_  = -1; ///< last vertex of the segment before the next sample
 
 	int vertexAt(const Vec3f& place)
 	{
 		const HalfEdgeMesh& m     = fused_.mesh;
-		const int           ahead = m.target(m.outgoing[behind_]);
+		const int           ahead = curve_.vertex[(segment_ + 1) % curve_.pointNum()];
 		const Vec3f         a = m.position[behind_], b = m.position[ahead];
 		const float         near = sameAsEnd * length(b - a);
 		if (length(place - a) <= near && taken_.count(behind_) == 0) return behind_;
 		if (length(place - b) <= near && taken_.count(ahead) == 0) return ahead;
-		behind_ = splitAt(fused_, m.outgoing[behind_], place);
+		behind_ = splitAt(fused_, m.findHalfEdge(behind_, ahead), place);
 		return behind_;
 	}
 };
@@ -108,12 +111,15 @@ int splitFaceAt(FusedMesh& fused, int f, const Vec3f& place)
 
 void fuseBoundary(const BoundaryCurves& boundary, FusedMesh& fused)
 {
+	std::unordered_set<int> taken;
 	std::vector<CurveFuser> fusers;
 	fusers.reserve(boundary.curves.size());
 	for (const Curve& curve : boundary.curves)
-		fusers.emplace_back(curve, fused);
-	for (const CurveSample& sample : boundary.samples)
-		fused.sampleVertex.push_back(fusers[sample.curve].fuse(sample));
+		fusers.emplace_back(curve, taken, fused);
+	for (const CurveSample& sample : boundary.samples) {
+		const bool isTip = sample.curve < 0;
+		fused.sampleVertex.push_back(isTip ? sample.vertex : fusers[sample.curve].fuse(sample));
+	}
 }
 
 } // namespace gpr

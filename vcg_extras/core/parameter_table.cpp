@@ -266,8 +266,9 @@ void addFeatureLines(Table& t)
 					"vertices: "
 					"auto, where they are real creases and not a scan's noise (none with the paper "
 					"preset); "
-					"lines, wherever the faces turn by the feature angle; off, nowhere. Needs the placement "
-			"disk-intersection and the retriangulation label-collapse.")
+					"lines, wherever the faces turn by the feature angle; off, nowhere. Needs the "
+					"placement "
+					"disk-intersection and the retriangulation label-collapse.")
 					.choices({"auto", "lines", "off"})
 					.store([](const Value& v, RemeshOptions& o) {
 						if (countOf(v) > 0) o.featureMode = FeatureMode(countOf(v));

@@ -8,6 +8,7 @@
 #include "boundary_curves.h"
 #include "connect.h"
 #include "crease_lines.h"
+#include "curve_slide.h"
 #include "delaunay_flips.h"
 #include "exact_count.h"
 #include "face_tree.h"
@@ -79,7 +80,8 @@ public:
 	void enter(const char* key, const char* phrase, double until)
 	{
 		finish();
-		key_ = key;
+		key_  = key;
+		until = std::max(until, share_); // stages that are gone through again
 		workers_.enterStage(phrase, share_, until);
 		share_ = until;
 	}
@@ -173,6 +175,9 @@ public:
 	{
 		Prepared p = prepare(0);
 		findFeatureLines(p);
+		if (options_.featureMode == FeatureMode::Lines && !followsFeatureLines())
+			out.notes.push_back(
+				"Feature lines are not followed where vertices are removed one by one.");
 		ResultMesh result = sampleAndImprove(p);
 		if (options_.exactCount && result.mesh.vertexNum != p.targetNum &&
 			report_.featureEdgeNum > 0) {
@@ -341,7 +346,7 @@ private:
 		rules.leastTwig   = idealEdge(p);
 
 		CreaseFindings found = markCreases(rules, workers_, p.surface);
-		while (found.edgeNum > 0 && sampleCurves(p).samples.size() > std::size_t(p.targetNum)) {
+		while (found.edgeNum > 0 && tooManySamples(p)) {
 			forgetFeatureLines(p);
 			rules.leastLength *= 2;
 			found = markCreases(rules, workers_, p.surface);
@@ -351,11 +356,10 @@ private:
 		report_.featureTipNum  = std::int64_t(found.tips.size());
 	}
 
-	/// The paper's own placement and retriangulation know no curves but the border.
+	/// The paper's removal of vertices knows no curves but the border.
 	bool followsFeatureLines() const
 	{
-		return options_.placement == Placement::DiskIntersection &&
-			   options_.retriangulation == Retriangulation::LabelCollapse;
+		return options_.retriangulation == Retriangulation::LabelCollapse;
 	}
 
 	void forgetFeatureLines(Prepared& p)
@@ -365,9 +369,14 @@ private:
 		report_.featureEdgeNum = report_.featureTipNum = 0;
 	}
 
-	BoundaryCurves sampleCurves(const Prepared& p) const
+	static bool tooManySamples(const Prepared& p)
 	{
-		return sampleBoundary(p.surface, p.radius, borderSpacing * p.radius, p.tips);
+		return sampleCurves(p, p.radius).samples.size() > std::size_t(p.targetNum);
+	}
+
+	static BoundaryCurves sampleCurves(const Prepared& p, float radius)
+	{
+		return sampleBoundary(p.surface, radius, borderSpacing * radius, p.tips);
 	}
 
 	void connectOrRepair(IndexedMesh& mesh, Surface& surface)
@@ -403,26 +412,46 @@ private:
 							 workers_);
 	}
 
+	/// Samples of about the wanted number. Feature lines leave gaps between them and the front, all
+	/// the more the nearer they are to each other; so the radius is lowered by what the first go
+	/// missed.
 	Sampling sampleAll(const Prepared& p, const BlockPartition& partition, BoundaryCurves& boundary)
 	{
-		clock_.enter("boundary", "Sampling the boundary", 0.24);
-		boundary = sampleCurves(p);
-		clock_.enter("sampling", "Sampling", 0.6);
-		Sampling sampling =
-			options_.placement == Placement::BorderEdge
-				? sampleOnBorderEdges(p, boundary)
-				: sampleFront(p.surface, boundary, partition, p.radius, options_.seed, workers_);
+		constexpr int   mostCorrections = 2;
+		constexpr float aim = 0.985f, near = 0.02f; // of the wanted number
+		constexpr float mostOnCurves = 0.7f;
+		float           radius       = p.radius;
+		Sampling        sampling     = sampleOnce(p, radius, partition, boundary);
+		for (int i = 0; i < mostCorrections && p.surface.mesh.hasCreases(); ++i) {
+			const float share = float(sampling.samples.size()) / (aim * float(p.targetNum));
+			if (std::abs(share - 1) <= near) break;
+			if (float(sampling.boundarySampleNum) > mostOnCurves * float(p.targetNum)) break;
+			radius *= std::sqrt(share);
+			sampling = sampleOnce(p, radius, partition, boundary);
+		}
 		report_.sampleNum         = std::int64_t(sampling.samples.size());
 		report_.boundarySampleNum = sampling.boundarySampleNum;
+		report_.diskRadius        = double(radius) / p.surface.frame.scale;
 		if (sampling.capped) report_.capsReached.push_back("samples of a block");
 		return sampling;
 	}
 
+	Sampling sampleOnce(const Prepared& p, float radius, const BlockPartition& partition,
+						BoundaryCurves& boundary)
+	{
+		clock_.enter("boundary", "Sampling the boundary", 0.24);
+		boundary = sampleCurves(p, radius);
+		clock_.enter("sampling", "Sampling", 0.6);
+		if (options_.placement == Placement::BorderEdge)
+			return sampleOnBorderEdges(p, radius, boundary);
+		return sampleFront(p.surface, boundary, partition, radius, options_.seed, workers_);
+	}
+
 	/// The paper's placement; keeps the mesh that the samples were fused into.
-	Sampling sampleOnBorderEdges(const Prepared& p, const BoundaryCurves& boundary)
+	Sampling sampleOnBorderEdges(const Prepared& p, float radius, const BoundaryCurves& boundary)
 	{
 		BorderEdgeOptions o;
-		o.radius                  = p.radius;
+		o.radius                  = radius;
 		o.seed                    = options_.seed;
 		o.mostSamples             = 100000 + 10 * p.targetNum;
 		BorderEdgeSampling placed = sampleBorderEdges(p.surface, boundary, o, workers_);
@@ -486,6 +515,7 @@ private:
 		clock_.enter("relaxation", "Relaxing", 0.95);
 		for (int step = 0; step < options_.relaxIterations; ++step) {
 			relaxOnce(p.surface, result, workers_);
+			slideAlongCreases(p.surface, boundary, result);
 			if (step >= stepsWithoutFlips) flipToDelaunay(result, workers_);
 		}
 		if (options_.relaxIterations > 0)

@@ -92,6 +92,8 @@ Json countsJson(const RemeshReport& r)
 	return {{"targetVertices", r.targetVertexNum},
 			{"samples", r.sampleNum},
 			{"boundarySamples", r.boundarySampleNum},
+			{"featureEdges", r.featureEdgeNum},
+			{"featureTips", r.featureTipNum},
 			{"leftoverVertices", r.leftoverVertexNum},
 			{"splits", r.splitNum},
 			{"collapses", r.collapseNum},

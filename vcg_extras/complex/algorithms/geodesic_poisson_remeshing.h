@@ -43,6 +43,9 @@ public:
 		bool allowNearestFlag = false; ///< take the nearest reachable count instead of refusing
 		int  relaxIterNum     = 5;     ///< relaxation steps, 0 to 1000
 
+		gpr::FeatureMode featureMode     = gpr::FeatureMode::Auto; ///< sharp edges to be kept
+		double           featureAngleDeg = 40; ///< from which edges are sharp, [5, 175]
+
 		/// The same choices as the engine takes them.
 		gpr::RemeshOptions Options() const
 		{
@@ -50,6 +53,8 @@ public:
 			o.exactCount         = exactCountFlag;
 			o.allowNearest       = allowNearestFlag;
 			o.relaxIterations    = relaxIterNum;
+			o.featureMode        = featureMode;
+			o.featureAngleDeg    = featureAngleDeg;
 			return o;
 		}
 	};
