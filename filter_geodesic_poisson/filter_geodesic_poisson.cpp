@@ -47,7 +47,8 @@ void requireOk(const Result& result)
 
 FilterGeodesicPoisson::FilterGeodesicPoisson()
 {
-	typeList << FP_GEODESIC_POISSON_REMESHING << FP_GEODESIC_POISSON_SAMPLING << FP_RETRIANGULATION;
+	typeList << FP_GEODESIC_POISSON_REMESHING << FP_GEODESIC_POISSON_SAMPLING << FP_RETRIANGULATION
+			 << FP_FEATURE_DETECTION;
 	for (FilterIDType filter : types()) {
 		actionList << new QAction(filterName(filter), this);
 	}
@@ -70,7 +71,14 @@ QString FilterGeodesicPoisson::filterInfo(FilterIDType filter) const
 
 MeshFilterInterface::FilterClass FilterGeodesicPoisson::getClass(QAction* action)
 {
-	return ID(action) == FP_GEODESIC_POISSON_SAMPLING ? Sampling : Remeshing;
+	switch (ID(action)) {
+	case FP_GEODESIC_POISSON_SAMPLING:
+		return Sampling;
+	case FP_FEATURE_DETECTION:
+		return FilterClass(Selection | Quality);
+	default:
+		return Remeshing;
+	}
 }
 
 int FilterGeodesicPoisson::getPreConditions(QAction*) const
@@ -80,9 +88,15 @@ int FilterGeodesicPoisson::getPreConditions(QAction*) const
 
 int FilterGeodesicPoisson::postCondition(QAction* action) const
 {
-	// A filter that only adds a layer leaves the current one as it is.
-	if (ID(action) == FP_GEODESIC_POISSON_SAMPLING) return MeshModel::MM_NONE;
-	return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE;
+	switch (ID(action)) {
+	case FP_GEODESIC_POISSON_SAMPLING:
+		return MeshModel::MM_NONE; // it only adds a layer
+	case FP_FEATURE_DETECTION:
+		return MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTFLAGSELECT |
+			   MeshModel::MM_FACEFLAGSELECT;
+	default:
+		return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE;
+	}
 }
 
 MeshFilterInterface::FILTER_ARITY FilterGeodesicPoisson::filterArity(QAction*) const
@@ -129,6 +143,8 @@ FilterGeodesicPoisson::Lines FilterGeodesicPoisson::run(FilterIDType filter, Mes
 		return sample(job, progress);
 	case FP_RETRIANGULATION:
 		return retriangulate(job, progress);
+	case FP_FEATURE_DETECTION:
+		return detectFeatures(job, progress);
 	default:
 		return remesh(job, progress);
 	}
@@ -171,6 +187,16 @@ FilterGeodesicPoisson::Lines FilterGeodesicPoisson::retriangulate(const gpr_filt
 	Lines lines = gpr_filter::retriangulationLines(result);
 	lines.push_back(job.put(built, "_retriangulated"));
 	return lines;
+}
+
+FilterGeodesicPoisson::Lines FilterGeodesicPoisson::detectFeatures(const gpr_filter::LayerJob& job,
+																   vcg::CallBackPos* progress)
+{
+	const gpr::FeatureResult result =
+		gpr::detectFeatures(job.copy().view(), job.options(), progressTo(progress));
+	requireOk(result);
+	job.mark(result);
+	return gpr_filter::featureLines(result);
 }
 
 void FilterGeodesicPoisson::logAll(const Lines& lines)

@@ -25,6 +25,7 @@ public:
 		FP_GEODESIC_POISSON_REMESHING = gpr::RemeshTool,
 		FP_GEODESIC_POISSON_SAMPLING  = gpr::SamplingTool,
 		FP_RETRIANGULATION            = gpr::RetriangulateTool,
+		FP_FEATURE_DETECTION          = gpr::FeatureTool,
 	};
 
 	FilterGeodesicPoisson();
@@ -57,6 +58,7 @@ private:
 	static Lines remesh(const gpr_filter::LayerJob& job, vcg::CallBackPos* progress);
 	static Lines sample(const gpr_filter::LayerJob& job, vcg::CallBackPos* progress);
 	static Lines retriangulate(const gpr_filter::LayerJob& job, vcg::CallBackPos* progress);
+	static Lines detectFeatures(const gpr_filter::LayerJob& job, vcg::CallBackPos* progress);
 
 	bool refuse(const Lines& sentences);
 	bool giveUp(const char* what, const char* why) noexcept;

@@ -54,6 +54,22 @@ const FilterText retriangulation = {
 	"<br>See:<br>" GPR_PAPER "section 3, last paragraph",
 };
 
+const FilterText features = {
+	"Feature Detection: Second-Order Difference",
+	"compute_features_by_second_order_difference",
+	"Finds creases and the tips of cones. The strength of an edge is the angle, in degrees, "
+	"between "
+	"the mean normals of the two half-disks on its sides; all have one size, whatever the mesh is "
+	"like there. A vertex's quality becomes the largest strength of its edges; vertices on feature "
+	"lines and tips are selected, and the faces that have one of them. What was selected before is "
+	"not any more; nothing else is changed.<br>"
+	"The selection can be corrected by hand and then be given to \"Remeshing: Geodesic Poisson "
+	"Disk\" as its feature region; the same thresholds there, with the region \"detected\", find "
+	"the same without this step. \"Colorize by vertex Quality\" shows the strength.<br>"
+	"<br>See:<br>" GPR_PAPER "section 3.1, for the method's name and its use; the formula is "
+	"documented with this plugin (docs/features.md)",
+};
+
 } // namespace
 
 const FilterText& textOf(gpr::Tool tool)
@@ -63,6 +79,8 @@ const FilterText& textOf(gpr::Tool tool)
 		return sampling;
 	case gpr::RetriangulateTool:
 		return retriangulation;
+	case gpr::FeatureTool:
+		return features;
 	default:
 		return remeshing;
 	}

@@ -194,6 +194,13 @@ std::string LayerJob::put(CMeshO& built, const char* suffix) const
 	return losses;
 }
 
+void LayerJob::mark(const gpr::FeatureResult& result) const
+{
+	MeshModel& target = layer();
+	target.updateDataMask(MeshModel::MM_VERTQUALITY);
+	markFeatures(result, target.cm);
+}
+
 void LayerJob::putPoints(CMeshO& built, const char* suffix) const
 {
 	const MeshModel& source = layer();

@@ -41,6 +41,10 @@ public:
 	/// the document is then as it was.
 	std::string put(CMeshO& built, const char* suffix) const;
 
+	/// Makes strengths the layer's vertex quality and selects what is marked. Throws as layer()
+	/// does.
+	void mark(const gpr::FeatureResult& result) const;
+
 	/// Puts points, with quality and the layer's colour, into a new layer that becomes the current
 	/// one. Throws as layer() does.
 	void putPoints(CMeshO& built, const char* suffix) const;

@@ -127,6 +127,19 @@ void dropElementAttributes(CMeshO& mesh)
 	}
 }
 
+/// Of a vertex or a face; counts the selected ones.
+template <class Element>
+void setSelected(Element& element, bool selected, int& count)
+{
+	if (selected) {
+		element.SetS();
+		++count;
+	}
+	else {
+		element.ClearS();
+	}
+}
+
 } // namespace
 
 gpr::MeshView LayerCopy::view() const
@@ -150,14 +163,15 @@ bool LayerCopy::anySelected() const
 LayerCopy copyLayer(const CMeshO& mesh, const CopiedParts& parts)
 {
 	LayerCopy                       copy;
-	const std::vector<std::int32_t> newIndex = copyVertices(mesh, parts, copy);
+	const std::vector<std::int32_t> newIndex     = copyVertices(mesh, parts, copy);
+	const bool                      cornersCount = parts.selection && !copy.anySelected();
 	copy.triangles.reserve(3 * std::size_t(mesh.fn));
 	for (const CFaceO& face : mesh.face) {
 		if (face.IsD()) continue;
 		for (int k = 0; k < 3; ++k) {
 			copy.triangles.push_back(newIndex[vcg::tri::Index(mesh, face.cV(k))]);
 		}
-		if (parts.selection && face.IsS()) selectCorners(face, mesh, newIndex, copy);
+		if (cornersCount && face.IsS()) selectCorners(face, mesh, newIndex, copy);
 	}
 	return copy;
 }
@@ -227,7 +241,22 @@ void buildPoints(const gpr::SamplingResult& result, const LayerCopy& source, CMe
 		vertex.P()                      = pointOf(result.points[s]);
 		vertex.N()                      = normalAt(anchor, source);
 		carryOver(anchor, source, vertex);
-		vertex.Q() = Scalarm(result.diskRadius);
+		vertex.Q() = Scalarm(result.radii[s]);
+	}
+}
+
+void markFeatures(const gpr::FeatureResult& result, CMeshO& mesh)
+{
+	mesh.svn = mesh.sfn = 0;
+	std::size_t v = 0, f = 0;
+	for (CVertexO& vertex : mesh.vert) {
+		if (vertex.IsD()) continue;
+		vertex.Q() = Scalarm(result.vertexStrength[v]);
+		setSelected(vertex, result.vertexFeature[v++] != 0, mesh.svn);
+	}
+	for (CFaceO& face : mesh.face) {
+		if (face.IsD()) continue;
+		setSelected(face, result.faceMark[f++] != 0, mesh.sfn);
 	}
 }
 

@@ -16,7 +16,7 @@ namespace gpr_filter {
 struct CopiedParts {
 	bool colour    = false; ///< of the vertices
 	bool quality   = false; ///< of the vertices
-	bool selection = false; ///< of the vertices and the corners of faces
+	bool selection = false; ///< of the vertices or, where none is, the corners of faces
 };
 
 /// A copy of what the engine and the carrying over need of a layer, without its deleted elements.
@@ -35,7 +35,8 @@ struct LayerCopy {
 	bool anySelected() const;
 };
 
-/// Copies a mesh. Selected is a vertex that is selected itself or is a corner of a selected face.
+/// Copies a mesh. Selected are the selected vertices; where there is none, the corners of selected
+/// faces.
 LayerCopy copyLayer(const CMeshO& mesh, const CopiedParts& parts);
 
 /// Whether points of a mesh with the transform `from` can be brought into the frame of a mesh with
@@ -50,10 +51,14 @@ std::vector<gpr::Vec3d> copyPoints(const CMeshO& mesh, const Matrix44m& frame);
 /// the anchors. Normals and box are not computed. Throws std::bad_alloc only.
 void buildMesh(const gpr::RemeshResult& result, const LayerCopy& source, CMeshO& built);
 
-/// Fills an empty mesh with the samples as vertices: quality is the disk radius, the normal that of
-/// the face the sample lies on; colours that the copy has are interpolated at the anchors.
-/// The box is not computed. Throws std::bad_alloc only.
+/// Fills an empty mesh with the samples as vertices: quality is the disk's radius, the normal that
+/// of the face the sample lies on; colours that the copy has are interpolated at the anchors. The
+/// box is not computed. Throws std::bad_alloc only.
 void buildPoints(const gpr::SamplingResult& result, const LayerCopy& source, CMeshO& built);
+
+/// Gives the mesh that was copied its features: strengths as vertex quality, marked vertices and
+/// faces selected and no others. Needs no memory.
+void markFeatures(const gpr::FeatureResult& result, CMeshO& mesh);
 
 /// Puts the vertices and faces of `built` in the place of those of `layer`, and removes what
 /// belonged to the old ones: edges, per-element attributes, textures, selection counts. Optional

@@ -35,9 +35,25 @@ QString countsLine(const char* done, const gpr::RemeshReport& r)
 QString pointsLine(const gpr::SamplingResult& result)
 {
 	const gpr::MeshFigures& input = result.report.input;
-	return QStringLiteral("Sampled %1 vertices, %2 faces by %3 points, at least %4 apart; seed %5")
+	return QStringLiteral("Sampled %1 vertices, %2 faces by %3 points, radius of the largest disks "
+						  "%4; seed %5")
 		.arg(count(input.vertices), count(input.faces), count(std::int64_t(result.points.size())),
 			 number(result.diskRadius, 6), QString::number(result.report.seed));
+}
+
+QString foundLine(const gpr::FeatureResult& result)
+{
+	const gpr::FeatureFigures& f = result.figures;
+	return QStringLiteral("Features of %1 vertices, %2 faces: %3 edges in %4 lines, %5 corners, "
+						  "%6 tips")
+		.arg(count(result.report.input.vertices), count(result.report.input.faces),
+			 count(f.edgeNum), count(f.lineNum), count(f.cornerNum), count(f.tipNum));
+}
+
+QString markedLine(const gpr::FeatureFigures& f)
+{
+	return QStringLiteral("Selected %1 vertices, %2 faces; support %3, least length %4")
+		.arg(count(f.vertexNum), count(f.faceNum), number(f.support, 6), number(f.leastLength, 6));
 }
 
 /// "Samples: 700, of which 3 were off the surface and were put on it, the farthest by 0.01".
@@ -158,6 +174,12 @@ std::vector<std::string> remeshingLines(const gpr::RemeshResult& result)
 	return withoutEmpty(firstLines(result)
 						<< countsLine("Remeshed", r) << topologyLine(r) << radiusLine(r)
 						<< qualityLine(r.quality) << auditLine(r.audit) << timeLine(r));
+}
+
+std::vector<std::string> featureLines(const gpr::FeatureResult& result)
+{
+	return withoutEmpty(firstLines(result) << foundLine(result) << markedLine(result.figures)
+										   << timeLine(result.report));
 }
 
 std::vector<std::string> samplingLines(const gpr::SamplingResult& result)

@@ -14,6 +14,7 @@ namespace gpr_filter {
 
 std::vector<std::string> remeshingLines(const gpr::RemeshResult& result);
 std::vector<std::string> samplingLines(const gpr::SamplingResult& result);
+std::vector<std::string> featureLines(const gpr::FeatureResult& result);
 /// Also how many samples were off the surface and how far, and what became of all of them.
 std::vector<std::string> retriangulationLines(const gpr::RemeshResult& result);
 

@@ -101,11 +101,11 @@ TEST(PlyAttributes, QualityOfEveryFormat)
 	}
 }
 
-TEST(PlyAttributes, SelectedVerticesAndCornersOfSelectedFaces)
+TEST(PlyAttributes, SelectedVerticesOrElseCornersOfSelectedFaces)
 {
 	for (const char* format : formats) {
 		std::string file = attributedPly(format);
-		EXPECT_EQ(read(file, {false, true}).selected, (std::vector<std::uint8_t>{1, 1, 1, 1}));
+		EXPECT_EQ(read(file, {false, true}).selected, (std::vector<std::uint8_t>{0, 1, 0, 0}));
 		// Without the face's selection, by another name of its property.
 		file.replace(file.rfind("int flags"), 9, "int marks");
 		EXPECT_EQ(read(file, {false, true}).selected, (std::vector<std::uint8_t>{0, 1, 0, 0}));

@@ -26,7 +26,8 @@ using gpr::ParameterValue;
 using gpr::Tool;
 using gpr_filter::textOf;
 
-constexpr Tool tools[] = {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool};
+constexpr Tool tools[] = {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool,
+						  gpr::FeatureTool};
 
 const char* const intro =
 	"<!-- Made by build/bin/gpr_parameter_reference --write . from "
@@ -136,10 +137,15 @@ std::string overviewRow(const Parameter& p, bool withOption)
 		   " |\n";
 }
 
-/// Only the whole remeshing has a command of its own.
+/// Whether the program has a command for it.
+bool isCommand(Tool tool)
+{
+	return tool == gpr::RemeshTool || tool == gpr::FeatureTool;
+}
+
 std::string overview(Tool tool)
 {
-	const bool  withOption = tool == gpr::RemeshTool;
+	const bool  withOption = isCommand(tool);
 	std::string text       = withOption ? "| command line " : "";
 	text += "| filter key | type in a script | range | default |\n";
 	text += withOption ? "|---|---|---|---|---|\n" : "|---|---|---|---|\n";
@@ -162,6 +168,9 @@ std::string chapter(Tool tool)
 			"`gpremesh remesh` takes one of `--vertices`, `--percent` and `--edge-length`, 10 % "
 			"of the\n"
 			"vertices where none is given, and writes to OUT, so that it needs no new layer.\n\n";
+	if (tool == gpr::FeatureTool)
+		text +=
+			"`gpremesh features` writes the same quality and selection, and colours, to OUT.\n\n";
 	return text + overview(tool) + "\n" + scriptLink(tool);
 }
 

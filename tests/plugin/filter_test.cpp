@@ -25,7 +25,8 @@ RichParameterList withCount(Document& document, int vertexNum)
 
 TEST(Filter, HostFindsAllAndTheirTexts)
 {
-	for (gpr::Tool tool : {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool}) {
+	for (gpr::Tool tool :
+		 {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool, gpr::FeatureTool}) {
 		QAction* const action = actionOf(tool);
 		ASSERT_NE(action, nullptr) << tool;
 		EXPECT_EQ(action->parent(), dynamic_cast<QObject*>(&plugin()));
@@ -47,6 +48,12 @@ TEST(Filter, ClassAndPostCondition)
 	QAction* const retriangulation = actionOf(gpr::RetriangulateTool);
 	EXPECT_EQ(plugin().getClass(retriangulation), MeshFilterInterface::Remeshing);
 	EXPECT_EQ(plugin().postCondition(retriangulation), MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE);
+	QAction* const features = actionOf(gpr::FeatureTool);
+	EXPECT_EQ(plugin().getClass(features),
+			  MeshFilterInterface::Selection | MeshFilterInterface::Quality);
+	EXPECT_EQ(plugin().postCondition(features), MeshModel::MM_VERTQUALITY |
+													MeshModel::MM_VERTFLAGSELECT |
+													MeshModel::MM_FACEFLAGSELECT);
 }
 
 TEST(Filter, RemeshesInPlace)
@@ -215,6 +222,21 @@ TEST(Filter, BadParametersAreRefusedAndNothingChanges)
 	EXPECT_FALSE(apply(document, wrongType));
 	EXPECT_TRUE(document.logText().contains("TargetVertexNum"));
 	EXPECT_TRUE(before == Snapshot(document));
+}
+
+/// meshlabserver does not let such a script through; other hosts do.
+TEST(Filter, MissingParametersTakeTheirDefaults)
+{
+	Document          document;
+	MeshModel&        ball   = addBall(document);
+	const int         before = ball.cm.vn;
+	RichParameterList list;
+	list.addParam(RichInt("RelaxIter", 1));
+	ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
+	EXPECT_EQ(ball.cm.vn, std::lround(0.1 * before));
+	ASSERT_TRUE(apply(document, gpr::FeatureTool, RichParameterList()));
+	ASSERT_TRUE(apply(document, gpr::SamplingTool, RichParameterList()));
+	EXPECT_EQ(document->size(), 2);
 }
 
 TEST(Filter, NoLayerNoFaces)

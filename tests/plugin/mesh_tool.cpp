@@ -5,8 +5,12 @@
 //   plugin_mesh_tool make OUT.ply        a bumpy torus, 12,800 vertices, float coordinates; vertex
 //                                        quality from 0 below to 1 above, some vertices and faces
 //                                        selected
+//   plugin_mesh_tool roof OUT.ply        two square sheets of 41 x 41 vertices at a right angle
 //   plugin_mesh_tool same A.ply B.ply    ends with 0 where coordinates and faces are the same bits
+//   plugin_mesh_tool marks A.ply B.ply   ends with 0 where quality and selection of all vertices
+//                                        are the same
 //   plugin_mesh_tool count A.ply         prints the number of vertices
+//   plugin_mesh_tool selected A.ply      prints the numbers of selected vertices and faces
 //   plugin_mesh_tool within A.ply B.ply D   ends with 0 where every vertex of A is at most D away
 //                                           from one of B
 
@@ -49,6 +53,23 @@ void makeTorus(ToolMesh& mesh, int around, int across)
 	for (int i = 0; i < around; ++i) {
 		for (int j = 0; j < across; ++j) {
 			at(i, j)->P() = torusPoint(double(i) / around, double(j) / across);
+			vcg::tri::Allocator<ToolMesh>::AddFace(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1));
+			vcg::tri::Allocator<ToolMesh>::AddFace(mesh, at(i, j), at(i + 1, j + 1), at(i, j + 1));
+		}
+	}
+}
+
+void makeRoof(ToolMesh& mesh, int cells)
+{
+	const int across = 2 * cells + 1;
+	vcg::tri::Allocator<ToolMesh>::AddVertices(mesh, std::size_t(across * (cells + 1)));
+	const auto at = [&](int i, int j) { return &mesh.vert[std::size_t(j * across + i)]; };
+	for (int j = 0; j <= cells; ++j) {
+		for (int i = 0; i < across; ++i)
+			at(i, j)->P() = vcg::Point3f(float(i), float(j), float(-std::abs(i - cells)));
+	}
+	for (int j = 0; j < cells; ++j) {
+		for (int i = 0; i + 1 < across; ++i) {
 			vcg::tri::Allocator<ToolMesh>::AddFace(mesh, at(i, j), at(i + 1, j), at(i + 1, j + 1));
 			vcg::tri::Allocator<ToolMesh>::AddFace(mesh, at(i, j), at(i + 1, j + 1), at(i, j + 1));
 		}
@@ -98,6 +119,25 @@ bool same(const ToolMesh& a, const ToolMesh& b)
 	return true;
 }
 
+bool sameMarks(const ToolMesh& a, const ToolMesh& b)
+{
+	if (a.vn != b.vn) return false;
+	for (int v = 0; v < a.vn; ++v) {
+		const ToolVertex &p = a.vert[std::size_t(v)], &q = b.vert[std::size_t(v)];
+		if (p.cQ() == q.cQ() && p.IsS() == q.IsS()) continue;
+		std::fprintf(stderr, "vertex %d: %g, %d against %g, %d\n", v, double(p.cQ()), p.IsS(),
+					 double(q.cQ()), q.IsS());
+		return false;
+	}
+	return true;
+}
+
+template <class Container>
+long selectedNum(const Container& elements)
+{
+	return std::count_if(elements.begin(), elements.end(), [](const auto& e) { return e.IsS(); });
+}
+
 bool within(const ToolMesh& a, const ToolMesh& b, float most)
 {
 	for (const ToolVertex& v : a.vert) {
@@ -121,6 +161,17 @@ int main(int argc, char** argv)
 		makeTorus(a, 160, 80);
 		addAttributes(a);
 		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2], mask) == 0 ? 0 : 1;
+	}
+	if (task == "roof" && argc == 3) {
+		makeRoof(a, 40);
+		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2]) == 0 ? 0 : 1;
+	}
+	if (task == "marks" && argc == 4) {
+		return open(a, argv[2]) && open(b, argv[3]) && sameMarks(a, b) ? 0 : 1;
+	}
+	if (task == "selected" && argc == 3 && open(a, argv[2])) {
+		std::printf("%ld %ld\n", selectedNum(a.vert), selectedNum(a.face));
+		return 0;
 	}
 	if (task == "same" && argc == 4) {
 		return open(a, argv[2]) && open(b, argv[3]) && same(a, b) ? 0 : 1;

@@ -17,7 +17,8 @@ namespace {
 using namespace plugin_test;
 using gpr::TargetMode;
 
-constexpr gpr::Tool tools[] = {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool};
+constexpr gpr::Tool tools[] = {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool,
+							   gpr::FeatureTool};
 
 gpr::MeshFacts facts()
 {

@@ -5,6 +5,8 @@
 
 #include "host.h"
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <vcg_extras/core/remesh.h>
 
@@ -43,8 +45,28 @@ TEST(SamplingFilter, PointsAreTheEngines)
 	for (std::size_t i = 0; i < wanted.points.size(); ++i) {
 		const Point3m& p = points.vert[i].cP();
 		ASSERT_TRUE(gpr::Vec3f(p[0], p[1], p[2]) == gpr::Vec3f(wanted.points[i])) << i;
-		ASSERT_EQ(points.vert[i].cQ(), float(wanted.diskRadius));
+		ASSERT_EQ(points.vert[i].cQ(), float(wanted.radii[i]));
 	}
+}
+
+/// Where density varies, so do the disks; each point has its own.
+TEST(SamplingFilter, QualityIsEachPointsOwnRadius)
+{
+	Document          document;
+	MeshModel&        ball = addBall(document); // its quality is z, of which the size counts
+	RichParameterList list = defaults(document, tool);
+	list.setValue("TargetVertexNum", IntValue(500));
+	list.setValue("Lambda", FloatValue(2));
+	list.setValue("Sizing", EnumValue(1));
+	ASSERT_TRUE(apply(document, tool, list)) << document.logText().toStdString();
+	double atPole = 0, atEquator = HUGE_VAL;
+	for (const CVertexO& v : document.layer(1).cm.vert) {
+		ASSERT_GT(v.cQ(), 0);
+		if (v.cP()[2] > 0.8) atPole = std::max(atPole, double(v.cQ()));
+		if (std::abs(v.cP()[2]) < 0.05) atEquator = std::min(atEquator, double(v.cQ()));
+	}
+	EXPECT_LT(1.6 * atPole, atEquator);
+	EXPECT_EQ(ball.cm.vert[0].cQ(), ball.cm.vert[0].cP()[2]);
 }
 
 TEST(SamplingFilter, NewLayerOfPoints)
@@ -128,21 +150,23 @@ TEST(SamplingFilter, FeatureRegionBySelectionWithoutOne)
 	EXPECT_TRUE(plugin().errorMsg().contains("selected"));
 }
 
-TEST(LayerCopy, SelectedAreVerticesAndCornersOfFaces)
+TEST(LayerCopy, SelectedAreVerticesOrElseCornersOfFaces)
 {
 	Document   document;
 	MeshModel& sheet = addSheet(document);
-	sheet.cm.vert[7].SetS();
 	sheet.cm.face[100].SetS();
 	const gpr_filter::LayerCopy copy = gpr_filter::copyLayer(sheet.cm, {false, false, true});
 	std::vector<std::uint8_t>   wanted(sheet.cm.vert.size());
-	wanted[7] = 1;
 	for (int k = 0; k < 3; ++k) {
 		wanted[vcg::tri::Index(sheet.cm, sheet.cm.face[100].cV(k))] = 1;
 	}
 	EXPECT_EQ(copy.selected, wanted);
 	EXPECT_EQ(copy.view().selected, copy.selected.data());
 	EXPECT_EQ(gpr_filter::copyLayer(sheet.cm, {}).view().selected, nullptr);
+	sheet.cm.vert[7].SetS();
+	wanted.assign(sheet.cm.vert.size(), 0);
+	wanted[7] = 1;
+	EXPECT_EQ(gpr_filter::copyLayer(sheet.cm, {false, false, true}).selected, wanted);
 }
 
 } // namespace

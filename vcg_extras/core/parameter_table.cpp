@@ -291,7 +291,8 @@ void addFeatures(Table& t)
 			"Which part of the surface is preserved as in the paper's 3.1.1: none; detected, by "
 			"the "
 			"second-order difference and the thresholds below; selection, the selected vertices "
-			"and the corners of selected faces (on the command line by the property 'flags' of a "
+			"or, where there is none, the corners of selected faces (on the command line by the "
+			"property 'flags' of a "
 			"PLY "
 			"file as MeshLab saves it, or 'selected').")
 			.choices({"none", "detected", "selection"})

@@ -7,6 +7,7 @@
 #include "ply_layout.h"
 #include "ply_source.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -161,6 +162,11 @@ void readFaces(const PlyElement& e, Source& source, InputMesh& mesh)
 	}
 }
 
+bool anySelected(const InputMesh& mesh)
+{
+	return std::find(mesh.selected.begin(), mesh.selected.end(), 1) != mesh.selected.end();
+}
+
 template <class Source>
 void readElements(const PlyHeader& header, const WantedAttributes& wanted, Source source,
 				  InputMesh& mesh)
@@ -172,7 +178,7 @@ void readElements(const PlyHeader& header, const WantedAttributes& wanted, Sourc
 		if (e.name == "vertex") {
 			readVertices(e, wanted, source, mesh);
 		}
-		else if (e.name == "face" && wanted.selection) {
+		else if (e.name == "face" && wanted.selection && !anySelected(mesh)) {
 			readFaces(e, source, mesh);
 		}
 		else {
