@@ -123,7 +123,9 @@ TEST(Precision, FarAwayNothingIsLost)
 {
 	const Vec3d        offset(455123.25, 4978321.5, 812.75);
 	const TriangleMesh sphere = shifted(icosphere(4, 50), offset);
-	const RemeshResult r      = remesh(sphere.view(), RemeshOptions());
+	RemeshOptions      options;
+	options.fit          = Fit::Off;
+	const RemeshResult r = remesh(sphere.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	for (const Vec3d& p : r.mesh.positions) {
 		const double radius = length(p - offset);

@@ -13,7 +13,9 @@
 #include <string>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/oracles.h>
+#include <tests/support/stages.h>
 #include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/core/face_tree.h>
 #include <vcg_extras/core/measure.h>
 #include <vcg_extras/core/remesh.h>
 
@@ -31,6 +33,7 @@ struct Band {
 	double       minAngleDeg     = 0;    ///< at least
 	double       below30Percent  = 100;  ///< at most
 	double       rim             = 1;    ///< largest distance of the rims in mean edges, at most
+	double       rmsPercent      = 0;    ///< of the diagonal, at most; 0: not asked for
 	bool         keepsFlipped    = true; ///< faces against the surface are allowed
 };
 
@@ -46,6 +49,27 @@ TriangleMesh copyOf(const MeshView& view)
 		mesh.positions.push_back(view.position(v));
 	mesh.triangles.assign(view.triangles, view.triangles + 3 * view.faceNum);
 	return mesh;
+}
+
+/// Root mean square distance of every tenth vertex of the input from the result, in % of the
+/// input's diagonal.
+double rmsPercent(const TriangleMesh& result, const MeshView& input)
+{
+	Workers        workers(1, nullptr);
+	const Surface  surface = surfaceOf(result, workers);
+	const FaceTree tree(surface.mesh);
+	Vec3d          low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = low * -1.0;
+	double         sum = 0;
+	std::size_t    num = 0;
+	for (std::size_t v = 0; v < input.vertexNum; v += 10, ++num) {
+		const Vec3d p = input.position(v);
+		const Vec3f q = surface.frame.toWorking(p);
+		sum += double(squaredLength(tree.nearest(q).position - q));
+		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+	}
+	const double rms = std::sqrt(sum / double(num)) / surface.frame.scale;
+	return 100 * rms / length(high - low);
 }
 
 /// Result and bands of one model.
@@ -76,6 +100,9 @@ void expectWithin(const std::string& path, const Band& band)
 	EXPECT_GE(q.aspectRatioMean, band.meanAspectRatio);
 	EXPECT_GE(q.minAngleDeg, band.minAngleDeg);
 	EXPECT_LE(q.below30Percent, band.below30Percent);
+	if (band.rmsPercent > 0) {
+		EXPECT_LE(rmsPercent(r.mesh, input.view()), band.rmsPercent);
+	}
 	if (!band.keepsFlipped) {
 		EXPECT_EQ(r.report.audit.flippedFaces, 0);
 	}
@@ -102,10 +129,11 @@ std::vector<Band> bands()
 {
 	Band igea{"igea_269k.ply", 10};
 	igea.vertexNum       = 13434;
-	igea.meanRadiusRatio = 0.978;
-	igea.meanAspectRatio = 0.925;
-	igea.minAngleDeg     = 22;
-	igea.below30Percent  = 0.02;
+	igea.meanRadiusRatio = 0.988;
+	igea.meanAspectRatio = 0.948;
+	igea.minAngleDeg     = 30;
+	igea.below30Percent  = 0;
+	igea.rmsPercent      = 0.0165;
 	igea.keepsFlipped    = false;
 
 	Band facemask{"facemask_62k_open.ply", 10};
@@ -113,6 +141,7 @@ std::vector<Band> bands()
 	facemask.minAngleDeg     = 30;
 	facemask.below30Percent  = 0;
 	facemask.rim             = 0.15;
+	facemask.rmsPercent      = 0.015;
 
 	Band laurana{"laurana_50k_colour_open.ply", 10};
 	laurana.meanRadiusRatio = 0.97;
@@ -136,6 +165,7 @@ std::vector<Band> bands()
 	doubled.meanRadiusRatio = 0.97;
 	Band gargoyle{"gargoyle_96k.ply", 10};
 	gargoyle.meanRadiusRatio = 0.96;
+	gargoyle.rmsPercent      = 0.09;
 	Band fandisk{"fandisk_13k_cad.ply", 50};
 	fandisk.meanRadiusRatio = 0.95;
 	return {igea,   facemask, laurana, terrain,  iguana, casting,

@@ -44,6 +44,13 @@ enum class Smoothing {
 	None,
 };
 
+/// Whether vertices leave the surface for where the triangles lie closest to it (see fit.h).
+enum class Fit {
+	Rounds, ///< until little changes
+	Quick,  ///< half the time, nearly as close on smooth surfaces
+	Off,    ///< every vertex stays on the surface
+};
+
 /// Which form of eq. (1), (4) and (5) sets the radius and the density.
 enum class Equations {
 	Calibrated, ///< a constant that hits the count, a density without units, its area mean
@@ -101,6 +108,7 @@ struct RemeshOptions {
 	Placement       placement       = Placement::DiskIntersection;
 	Retriangulation retriangulation = Retriangulation::LabelCollapse;
 	Smoothing       smoothing       = Smoothing::Barycentric;
+	Fit             fit             = Fit::Rounds;
 	Equations       equations       = Equations::Calibrated;
 
 	double       lambda         = 0; ///< weight of the density, >= 0; without unit if calibrated
@@ -117,8 +125,8 @@ struct RemeshOptions {
 	FeatureThresholds featureThresholds;
 };
 
-/// Sets placement, retriangulation, smoothing, equations, exactCount and featureMode to those of a
-/// preset and leaves the rest alone.
+/// Sets placement, retriangulation, smoothing, fit, equations, exactCount and featureMode to those
+/// of a preset and leaves the rest alone.
 void applyPreset(Preset preset, RemeshOptions& options);
 
 /// Complaints about values out of range, one sentence each; empty when all is well.

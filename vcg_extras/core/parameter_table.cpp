@@ -178,6 +178,17 @@ void addStages(Table& t)
 			.store([](const Value& v, RemeshOptions& o) { o.relaxIterations = int(countOf(v)); })
 			.p);
 	t.push_back(
+		row(RemeshTool, "Fit", "--fit", "on|quick|off", Kind::Choice, "Fit to the input",
+			"After the smoothing vertices leave the surface a little for where the triangles lie "
+			"closest to it, which halves the error or better, and the triangles stay regular: on "
+			"(default); quick, in half the time (fast); off, every vertex stays on the surface "
+			"(paper). Vertices of borders stay on them in any case.")
+			.choices({"preset", "on", "quick", "off"})
+			.store([](const Value& v, RemeshOptions& o) {
+				if (countOf(v) > 0) o.fit = Fit(countOf(v) - 1);
+			})
+			.p);
+	t.push_back(
 		row(RemeshTool | RetriangulateTool, "FlipIter", "--flips", "K", Kind::Count,
 			"Passes of edge flips",
 			"Edges are flipped after the retriangulation and while smoothing, in so many passes at "

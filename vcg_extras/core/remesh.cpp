@@ -15,6 +15,7 @@
 #include "failure.h"
 #include "feature_detection.h"
 #include "feature_export.h"
+#include "fit.h"
 #include "fold_repair.h"
 #include "front_sampling.h"
 #include "fuse_samples.h"
@@ -57,6 +58,9 @@ constexpr float smallBlockWidth = 12;
 constexpr int   smallMeshFaces  = 2000000;
 /// Angles below this get a pass of their own at the end.
 constexpr float poorAngleDeg = 32;
+/// Rounds of the fit, and of the quick one.
+constexpr int fitRounds      = 4;
+constexpr int quickFitRounds = 2;
 
 using Clock = std::chrono::steady_clock;
 
@@ -190,6 +194,7 @@ public:
 		if (options_.exactCount && result.mesh.vertexNum != p.targetNum) {
 			result = reachByTopology(p, out);
 		}
+		fit(p, result);
 		finish(p, result, out);
 	}
 
@@ -521,6 +526,19 @@ private:
 		if (options_.relaxIterations > 0)
 			raiseWorstAngles(p.surface, poorAngleDeg, result, workers_);
 		mendFolds(p.surface, boundary, false, result, workers_);
+	}
+
+	/// The last to move vertices: those before walk on the surface, which this leaves.
+	void fit(const Prepared& p, ResultMesh& result)
+	{
+		if (options_.fit == Fit::Off) return;
+		clock_.enter("fit", "Fitting to the input", 0.97);
+		FitSettings settings;
+		settings.rounds          = options_.fit == Fit::Quick ? quickFitRounds : fitRounds;
+		settings.leastAngleDeg   = poorAngleDeg;
+		const FitOutcome outcome = fitToInput(p.surface, settings, result, workers_);
+		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
+		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
 	}
 
 	void noteOperations(const ResultMesh& result)

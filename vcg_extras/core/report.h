@@ -110,7 +110,8 @@ struct RemeshReport {
 	std::int64_t             collapseNum         = 0;
 	std::int64_t             flipNum             = 0;
 	std::int64_t             samplesMoved = 0; ///< retriangulate: samples that were off the surface
-	double                   largestSampleMove = 0; ///< mesh units
+	double                   largestSampleMove  = 0; ///< mesh units
+	double                   largestFitDistance = 0; ///< from anchor to vertex, mesh units
 	std::vector<std::string> capsReached; ///< loops that ended by their bound, one phrase each
 };
 

@@ -12,7 +12,7 @@ namespace gpr {
 
 /// What a vertex of the result knows of the input.
 struct ResultVertex {
-	Anchor anchor;           ///< where on the input's surface it lies
+	Anchor anchor;           ///< where on the input's surface it lies, or nearly (see ResultMesh)
 	Vec3f  normal;           ///< of that face
 	int    curve    = -1;    ///< border or feature line it belongs to, or -1
 	float  arc      = 0;     ///< where on the curve
@@ -20,8 +20,9 @@ struct ResultVertex {
 	int    sample   = -1;    ///< the sample it was, in the sampling's order; -1 for later ones
 };
 
-/// The mesh under way from retriangulation to the end. vertex[v].anchor.position is
-/// mesh.position[v].
+/// The mesh under way from retriangulation to the end. Until the fit vertex[v].anchor.position is
+/// mesh.position[v]; the fit then takes vertices off the surface, and anchors stay on it below
+/// them.
 struct ResultMesh {
 	HalfEdgeMesh              mesh;
 	std::vector<ResultVertex> vertex;

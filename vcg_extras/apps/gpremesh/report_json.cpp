@@ -21,6 +21,19 @@ const char* modeName(TargetMode mode)
 	return "";
 }
 
+const char* fitName(Fit fit)
+{
+	switch (fit) {
+	case Fit::Rounds:
+		return "on";
+	case Fit::Quick:
+		return "quick";
+	case Fit::Off:
+		return "off";
+	}
+	return "";
+}
+
 /// The options in force; of the three sizes only the one that was used.
 Json optionsJson(const RemeshOptions& o)
 {
@@ -37,6 +50,7 @@ Json optionsJson(const RemeshOptions& o)
 		break;
 	}
 	json["relax"]        = o.relaxIterations;
+	json["fit"]          = fitName(o.fit);
 	json["exactCount"]   = o.exactCount;
 	json["allowNearest"] = o.allowNearest;
 	json["seed"]         = o.seed;
@@ -120,6 +134,7 @@ std::string remeshReportJson(const RunRecord& run)
 	json["quality"]         = qualityJson(r.quality);
 	json["cleaned"]         = cleanedJson(r.cleaned);
 	json["audit"]           = auditJson(r.audit);
+	json["fitDistance"]     = r.largestFitDistance;
 	json["capsReached"]     = r.capsReached;
 	json["notes"]           = run.notes;
 	json["peakMemoryBytes"] = run.peakMemoryBytes;

@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The fit to the input and what it stands on: cells, crossing faces, small symmetric matrices.
+// Results are coarse meshes laid on fine ones.
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/oracles.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/cells.h>
+#include <vcg_extras/core/crossing_faces.h>
+#include <vcg_extras/core/face_tree.h>
+#include <vcg_extras/core/fit.h>
+#include <vcg_extras/core/symmetric_matrix.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// A fine surface and a coarse result whose vertices lie on it or near it.
+struct Laid {
+	Workers        workers;
+	Surface        surface;
+	BoundaryCurves boundary;
+	ResultMesh     result;
+
+	Laid(const TriangleMesh& fine, const TriangleMesh& coarse, int threads = 2) :
+			workers(threads, nullptr), surface(surfaceOf(fine, workers))
+	{
+		TriangleMesh laid = coarse;
+		for (Vec3d& p : laid.positions)
+			p = Vec3d(surface.frame.toWorking(p));
+		result.mesh = halfEdgesOf(laid);
+		result.vertex.resize(laid.vertexNum());
+		const FaceTree tree(surface.mesh);
+		for (int v = 0; v < result.mesh.vertexNum; ++v) {
+			ResultVertex& r         = result.vertex[v];
+			r.anchor                = tree.nearest(result.mesh.position[v]);
+			r.normal                = surface.mesh.faceNormal(r.anchor.face);
+			result.mesh.position[v] = r.anchor.position;
+		}
+	}
+
+	FitOutcome fit(float leastAngleDeg = 32, int rounds = 4)
+	{
+		FitSettings settings;
+		settings.rounds        = rounds;
+		settings.leastAngleDeg = leastAngleDeg;
+		return fitToInput(surface, settings, result, workers);
+	}
+
+	/// Of the result, in the caller's units.
+	Vec3d at(int v) const { return surface.frame.toCaller(result.mesh.position[v]); }
+
+	/// Root mean square distance of the input's vertices from the result, in the caller's units.
+	double rms() const
+	{
+		const FaceTree tree(result.mesh);
+		double         sum = 0;
+		for (int p = 0; p < surface.mesh.vertexNum; ++p) {
+			const Vec3f at = surface.mesh.position[p];
+			sum += double(squaredLength(tree.nearest(at).position - at));
+		}
+		return std::sqrt(sum / surface.mesh.vertexNum) / surface.frame.scale;
+	}
+
+	std::vector<float> leastAngles() const
+	{
+		std::vector<float>  angles;
+		const HalfEdgeMesh& m = result.mesh;
+		for (int f = 0; f < m.faceNum; ++f)
+			angles.push_back(smallestAngle(m.position[m.origin[3 * f]],
+										   m.position[m.origin[3 * f + 1]],
+										   m.position[m.origin[3 * f + 2]]));
+		return angles;
+	}
+};
+
+/// z = height - curvature / 2 · x² over [-½, ½]², of n × n cells.
+TriangleMesh trough(int n, double curvature, double height)
+{
+	TriangleMesh mesh = shifted(grid(n, n), {-0.5, -0.5, height});
+	for (Vec3d& p : mesh.positions)
+		p.z -= curvature / 2 * p.x * p.x;
+	return mesh;
+}
+
+std::vector<Vec3f> positionsOf(const HalfEdgeMesh& m)
+{
+	return std::vector<Vec3f>(m.position.begin(), m.position.begin() + m.vertexNum);
+}
+
+} // namespace
+
+// ---- matrices
+
+TEST(SymmetricMatrix, SolveUndoesTheProduct)
+{
+	Random random(3);
+	for (int i = 0; i < 100; ++i) {
+		SymmetricMatrix m;
+		const auto      vector = [&] {
+            return Vec3f(
+					 Vec3d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)));
+		};
+		for (int k = 0; k < 3; ++k)
+			m.addOuter(vector(), float(random.between(0.5, 2)));
+		m.addDiagonal(0.1f);
+		const Vec3f x = vector();
+		EXPECT_LT(length(m.solve(m * x) - x), 1e-4f) << i;
+	}
+}
+
+TEST(SymmetricMatrix, SolveOfASingularOneIsZero)
+{
+	SymmetricMatrix m;
+	EXPECT_EQ(m.solve({1, 2, 3}), Vec3f());
+}
+
+// ---- crossing faces
+
+TEST(CrossingFaces, AreFoundWhereTwoSpheresMeet)
+{
+	Workers                workers(2, nullptr);
+	const TriangleMesh     both  = joined(icosphere(3), shifted(icosphere(3), {1, 0.01, 0.02}));
+	const HalfEdgeMesh     m     = halfEdgesOf(both);
+	const std::vector<int> found = findCrossingFaces(m, workers);
+	// The circle they meet in lies at x = ½ and has a radius of ½√3; an edge is about 0.14 long.
+	EXPECT_GT(found.size(), 2 * 3.14 * 0.86 / 0.14);
+	for (int f : found) {
+		for (int k = 0; k < 3; ++k)
+			EXPECT_NEAR(m.position[m.origin[3 * f + k]].x, 0.5, 0.2) << f;
+	}
+}
+
+TEST(CrossingFaces, AreNotThoseThatShareEdgesOrVertices)
+{
+	Workers workers(2, nullptr);
+	Random  random(1);
+	for (const TriangleMesh& mesh : {icosphere(4), torus(60, 30), jitteredGrid(40, 0.3, random),
+									 cube(8), thinPlate(10, 0.001), twoSheets(20, 1e-4)})
+		EXPECT_TRUE(findCrossingFaces(halfEdgesOf(mesh), workers).empty());
+}
+
+TEST(CrossingFaces, AreFoundBeyondASharedVertex)
+{
+	// Two faces joined at the origin: the second's far edge runs through the first.
+	TriangleMesh mesh;
+	mesh.positions = {{0, 0, 0}, {2, -1, 0}, {2, 1, 0}, {1, 0, -1}, {1, 0.1, 1}};
+	mesh.triangles = {0, 1, 2, 0, 3, 4};
+	Workers      workers(1, nullptr);
+	HalfEdgeMesh m = halfEdgesOf(mesh);
+	EXPECT_EQ(findCrossingFaces(m, workers), (std::vector<int>{0, 1}));
+	m.position[3] = {1, 0, 0.5f};
+	EXPECT_TRUE(findCrossingFaces(m, workers).empty());
+}
+
+// ---- cells
+
+TEST(Cells, HoldTheVerticesNearestToTheirFace)
+{
+	const Laid     laid(icosphere(5), icosphere(2));
+	Workers        workers(2, nullptr);
+	const Cells    cells(laid.surface, laid.result, workers);
+	const FaceTree tree(laid.result.mesh);
+	int            wrong = 0;
+	for (int p = 0; p < laid.surface.mesh.vertexNum; ++p) {
+		ASSERT_GE(cells.face(p), 0);
+		const Vec3f at   = laid.surface.mesh.position[p];
+		const auto& w    = cells.weights(p);
+		const int*  c    = &laid.result.mesh.origin[3 * cells.face(p)];
+		const Vec3f foot = laid.result.mesh.position[c[0]] * w.first() +
+						   laid.result.mesh.position[c[1]] * w.second() +
+						   laid.result.mesh.position[c[2]] * w.third();
+		wrong += length(foot - at) > 1.001f * length(tree.nearest(at).position - at) + 1e-4f;
+	}
+	EXPECT_LE(wrong, laid.surface.mesh.vertexNum / 200);
+}
+
+TEST(Cells, AreListedOnceEachAndSumUpToTheArea)
+{
+	const Laid       laid(torus(120, 60), torus(30, 15));
+	Workers          workers(2, nullptr);
+	const Cells      cells(laid.surface, laid.result, workers);
+	std::vector<int> seen(laid.surface.mesh.vertexNum, 0);
+	double           area = 0, whole = 0;
+	for (int f = 0; f < laid.result.mesh.faceNum; ++f) {
+		for (const int* i = cells.begin(f); i != cells.end(f); ++i) {
+			++seen[*i];
+			area += double(cells.area(*i));
+			EXPECT_EQ(cells.face(*i), f);
+		}
+	}
+	for (int f = 0; f < laid.surface.mesh.faceNum; ++f)
+		whole += 0.5 * double(length(laid.surface.mesh.faceCross(f)));
+	EXPECT_EQ(std::count(seen.begin(), seen.end(), 1), std::ptrdiff_t(seen.size()));
+	EXPECT_NEAR(area / whole, 1, 1e-4);
+}
+
+TEST(Cells, NeverReachOverToAnotherSheet)
+{
+	const Laid  laid(shifted(twoSheets(60, 0.004), {0, 0, -0.002}),
+					 shifted(twoSheets(12, 0.004), {0, 0, -0.002}));
+	Workers     workers(2, nullptr);
+	const Cells cells(laid.surface, laid.result, workers);
+	for (int p = 0; p < laid.surface.mesh.vertexNum; ++p) {
+		const int corner = laid.result.mesh.origin[3 * cells.face(p)];
+		EXPECT_EQ(laid.surface.mesh.position[p].z > 0, laid.result.mesh.position[corner].z > 0);
+	}
+}
+
+TEST(Cells, OfAComponentWithoutResultAreEmpty)
+{
+	const Laid  laid(joined(icosphere(3), shifted(icosphere(2), {9, 0, 0})), icosphere(1));
+	Workers     workers(2, nullptr);
+	const Cells cells(laid.surface, laid.result, workers);
+	int         without = 0;
+	for (int p = 0; p < laid.surface.mesh.vertexNum; ++p)
+		without += cells.face(p) < 0;
+	EXPECT_EQ(without, int(icosphere(2).vertexNum()));
+}
+
+// ---- the fit
+
+/// A triangle of edge h inscribed in a sphere of radius R has the least squared distance from it
+/// after a move outwards by h²/8R: its height below the sphere is (h²/3 - s²)/2R at a distance of s
+/// from its centre, and the mean of s² over it is h²/12.
+TEST(Fit, MovesAnInscribedMeshOutByAnEighthOfItsSquaredEdge)
+{
+	Laid   laid(icosphere(6), icosphere(3));
+	double squaredEdge = 0;
+	for (int h = 0; h < laid.result.mesh.halfEdgeNum(); ++h)
+		squaredEdge += double(squaredLength(laid.result.mesh.position[laid.result.mesh.target(h)] -
+											laid.result.mesh.position[laid.result.mesh.origin[h]]));
+	squaredEdge /=
+		laid.result.mesh.halfEdgeNum() * laid.surface.frame.scale * laid.surface.frame.scale;
+	const double rmsBefore = laid.rms();
+	laid.fit();
+	double mean = 0;
+	for (int v = 0; v < laid.result.mesh.vertexNum; ++v)
+		mean += length(laid.at(v)) / laid.result.mesh.vertexNum;
+	EXPECT_NEAR((mean - 1) / (squaredEdge / 8), 1, 0.1);
+	// Mean of the squared height over what is left of it: √5 of theory.
+	EXPECT_LT(laid.rms(), rmsBefore / 2);
+}
+
+TEST(Fit, StaysInAPlane)
+{
+	Random random(5);
+	Laid   laid(grid(60, 60), jitteredGrid(12, 0.3, random));
+	laid.fit();
+	for (int v = 0; v < laid.result.mesh.vertexNum; ++v)
+		EXPECT_NEAR(laid.at(v).z, 0, 1e-6) << v;
+	EXPECT_TRUE(isSoundSurface(meshOf(laid.result.mesh)));
+}
+
+/// A trough upside down under a flat sheet that is nearer than the fit would go.
+TEST(Fit, DoesNotCrossAnotherSheet)
+{
+	const double       gap  = 0.002;
+	const TriangleMesh fine = trough(100, 1.5, 0), coarse = trough(8, 1.5, 0);
+	const TriangleMesh lid   = shifted(grid(100, 100), {-0.5, -0.5, gap});
+	const TriangleMesh above = shifted(grid(9, 9), {-0.5, -0.5, gap});
+
+	Laid alone(fine, coarse);
+	alone.fit(0);
+	double highest = 0;
+	for (int v = 0; v < alone.result.mesh.vertexNum; ++v)
+		highest = std::max(highest, alone.at(v).z);
+	ASSERT_GT(highest, 1.2 * gap);
+
+	Laid both(joined(fine, lid), joined(coarse, above));
+	ASSERT_TRUE(findCrossingFaces(both.result.mesh, both.workers).empty());
+	both.fit(0);
+	EXPECT_TRUE(findCrossingFaces(both.result.mesh, both.workers).empty());
+	EXPECT_LT(both.rms(), Laid(joined(fine, lid), joined(coarse, above)).rms());
+}
+
+TEST(Fit, LowersNoAngleBelowTheBound)
+{
+	for (std::uint32_t seed : testSeeds(4)) {
+		Random                   random(seed);
+		const TriangleMesh       fine = noisySphere(5, 0.02, random);
+		Laid                     laid(fine, noisySphere(3, 0.08, random));
+		const std::vector<float> before = laid.leastAngles();
+		laid.fit(32);
+		const std::vector<float> after = laid.leastAngles();
+		const float              bound = 32 * 3.14159265f / 180;
+		for (std::size_t f = 0; f < before.size(); ++f)
+			EXPECT_GE(after[f], 0.999f * std::min(bound, before[f])) << "seed " << seed;
+	}
+}
+
+TEST(Fit, KeepsVerticesOfBordersCreasesAndTips)
+{
+	const Laid start(squareFrame(60, 20), squareFrame(15, 5));
+	Laid       laid(squareFrame(60, 20), squareFrame(15, 5));
+	laid.result.mesh.crease = Buffer<char>(std::size_t(laid.result.mesh.halfEdgeNum()), 0);
+	Buffer<char>& crease    = laid.result.mesh.crease;
+	for (int h = 0; h < 60; ++h) {
+		if (laid.result.mesh.opposite[h] >= 0) crease[h] = crease[laid.result.mesh.opposite[h]] = 1;
+	}
+	const int tip                    = laid.result.mesh.vertexNum / 2;
+	laid.result.vertex[tip].isCorner = true;
+	laid.fit();
+	int moved = 0;
+	for (int v = 0; v < laid.result.mesh.vertexNum; ++v) {
+		const bool same = laid.result.mesh.position[v] == start.result.mesh.position[v];
+		moved += !same;
+		if (v == tip || laid.result.mesh.isCurveVertex(v)) {
+			EXPECT_TRUE(same) << v;
+		}
+	}
+	EXPECT_GT(moved, 20);
+}
+
+TEST(Fit, LeavesAnchorsOnTheSurfaceBelowTheVertices)
+{
+	Laid             laid(torus(160, 80), torus(32, 16));
+	const FitOutcome outcome = laid.fit();
+	for (int v = 0; v < laid.result.mesh.vertexNum; ++v) {
+		const Anchor&       a = laid.result.vertex[v].anchor;
+		const HalfEdgeMesh& s = laid.surface.mesh;
+		const auto corner     = [&](int k) { return Vec3d(s.position[s.origin[3 * a.face + k]]); };
+		EXPECT_LT(distanceToTriangle(Vec3d(a.position), corner(0), corner(1), corner(2)), 1e-5);
+		EXPECT_LE(length(a.position - laid.result.mesh.position[v]), outcome.farthest);
+	}
+	// About h²/8R over the tube.
+	EXPECT_LT(double(outcome.farthest) / laid.surface.frame.scale, 0.05);
+	EXPECT_GT(outcome.farthest, 0);
+}
+
+TEST(Fit, DoesNotDependOnTheThreads)
+{
+	Random             random(2);
+	const TriangleMesh fine = noisySphere(5, 0.01, random), coarse = icosphere(3);
+	Laid               one(fine, coarse, 1);
+	one.fit();
+	for (int threads : {2, 3}) {
+		Laid other(fine, coarse, threads);
+		other.fit();
+		EXPECT_EQ(positionsOf(other.result.mesh), positionsOf(one.result.mesh)) << threads;
+	}
+}
+
+} // namespace gpr::test

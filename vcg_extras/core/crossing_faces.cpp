@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crossing_faces.h"
+
+#include "counting_sort.h"
+#include "spatial_order.h"
+
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// Boxes below one node of the tree, as bits of their number.
+constexpr int fanOutBits = 2;
+constexpr int fanOut     = 1 << fanOutBits;
+
+struct Box {
+	Vec3f low{HUGE_VALF, HUGE_VALF, HUGE_VALF};
+	Vec3f high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
+
+	Box() = default;
+	Box(const Vec3f& a, const Vec3f& b) : low(a), high(b) {}
+
+	Box& operator+=(const Box& b)
+	{
+		low  = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+		high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
+		return *this;
+	}
+	bool meets(const Box& b) const
+	{
+		return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
+			   low.z <= b.high.z && b.low.z <= high.z;
+	}
+};
+
+/// Six times the signed volume of a tetrahedron.
+double volume(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d)
+{
+	const Vec3d o(a);
+	return dot(cross(Vec3d(b) - o, Vec3d(c) - o), Vec3d(d) - o);
+}
+
+/// Whether the segment p q passes through the inside of the triangle a b c.
+bool passesThrough(const Vec3f& p, const Vec3f& q, const Vec3f* t)
+{
+	const double below = volume(t[0], t[1], t[2], p), above = volume(t[0], t[1], t[2], q);
+	if (!(below * above < 0)) return false;
+	const double u = volume(p, q, t[0], t[1]), v = volume(p, q, t[1], t[2]);
+	const double w = volume(p, q, t[2], t[0]);
+	return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+}
+
+class CrossingSearch {
+public:
+	CrossingSearch(const HalfEdgeMesh& mesh, Workers& workers) : m_(mesh), workers_(workers)
+	{
+		orderFaces();
+		buildTree();
+	}
+
+	std::vector<int> run()
+	{
+		std::vector<int> found =
+			workers_.collect<int>(m_.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				std::vector<Node> stack;
+				for (std::size_t i = begin; i < end; ++i)
+					search(int(i), stack, out);
+			});
+		std::sort(found.begin(), found.end());
+		found.erase(std::unique(found.begin(), found.end()), found.end());
+		return found;
+	}
+
+private:
+	struct Node {
+		int level, index;
+	};
+
+	const HalfEdgeMesh&      m_;
+	Workers&                 workers_;
+	Buffer<int>              face_;  ///< in an order in which neighbours lie close together
+	std::vector<Buffer<Box>> level_; ///< of the tree: level 0 has a box for each of face_
+
+	Box boxOf(int f) const
+	{
+		Box box;
+		for (int h = 3 * f; h < 3 * f + 3; ++h)
+			box += Box(m_.position[m_.origin[h]], m_.position[m_.origin[h]]);
+		return box;
+	}
+
+	void orderFaces()
+	{
+		const Box   all  = workers_.sum<Box>(m_.faceNum, [&](std::size_t begin, std::size_t end) {
+            Box part;
+            for (std::size_t f = begin; f < end; ++f)
+                part += boxOf(int(f));
+            return part;
+        });
+		const Vec3f size = all.high - all.low;
+		MortonGrid  grid;
+		grid.low      = all.low;
+		grid.cubeSize = std::max(size.x, std::max(size.y, size.z)) + 1e-30f;
+		// No more cells than about twice the faces; a surface fills the fewest of them.
+		const int level =
+			std::min(7, std::max(1, int(std::log2(double(m_.faceNum) + 1) / 3 + 0.34)));
+		Buffer<int> start;
+		const auto  cellOf = [&](std::size_t f) {
+            return int(grid.cell(m_.position[m_.origin[3 * f]], level));
+		};
+		sortIntoBuckets(m_.faceNum, std::size_t(1) << 3 * level, cellOf, workers_, start, face_);
+	}
+
+	void buildTree()
+	{
+		level_.emplace_back(face_.size());
+		workers_.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i)
+				level_[0][i] = boxOf(face_[i]);
+		});
+		while (level_.back().size() > fanOut)
+			addLevel();
+	}
+
+	void addLevel()
+	{
+		const Buffer<Box>& below = level_.back();
+		Buffer<Box>        here((below.size() + fanOut - 1) / fanOut);
+		workers_.forRange(here.size(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i) {
+				Box               box;
+				const std::size_t last = std::min(below.size(), (i + 1) * fanOut);
+				for (std::size_t k = i * fanOut; k < last; ++k)
+					box += below[k];
+				here[i] = box;
+			}
+		});
+		level_.push_back(std::move(here));
+	}
+
+	/// Compares the i-th face with those behind it.
+	void search(int i, std::vector<Node>& stack, std::vector<int>& out) const
+	{
+		const Box box = level_[0][i];
+		const int top = int(level_.size()) - 1;
+		for (int k = 0; k < int(level_[top].size()); ++k)
+			stack.push_back({top, k});
+		while (!stack.empty()) {
+			const Node n = stack.back();
+			stack.pop_back();
+			const bool behind = (std::int64_t(n.index) + 1) << (fanOutBits * n.level) > i + 1;
+			if (!behind || !level_[n.level][n.index].meets(box)) continue;
+			if (n.level == 0) {
+				compare(face_[i], face_[n.index], out);
+				continue;
+			}
+			const int last = std::min(int(level_[n.level - 1].size()), (n.index + 1) * fanOut);
+			for (int k = n.index * fanOut; k < last; ++k)
+				stack.push_back({n.level - 1, k});
+		}
+	}
+
+	void compare(int f, int g, std::vector<int>& out) const
+	{
+		int shared = 0, ofF = 0, ofG = 0;
+		for (int k = 0; k < 3; ++k) {
+			for (int l = 0; l < 3; ++l) {
+				if (m_.origin[3 * f + k] != m_.origin[3 * g + l]) continue;
+				++shared;
+				ofF = k;
+				ofG = l;
+			}
+		}
+		if (shared > 1) return;
+		if (!(shared == 1 ? crossBeyondVertex(f, ofF, g, ofG) : crossApart(f, g))) return;
+		out.push_back(f);
+		out.push_back(g);
+	}
+
+	/// The face's corners, from the k-th on.
+	void cornersOf(int f, int k, Vec3f* corner) const
+	{
+		for (int i = 0; i < 3; ++i)
+			corner[i] = m_.position[m_.origin[3 * f + (k + i) % 3]];
+	}
+
+	bool crossBeyondVertex(int f, int k, int g, int l) const
+	{
+		Vec3f a[3], b[3];
+		cornersOf(f, k, a);
+		cornersOf(g, l, b);
+		return passesThrough(a[1], a[2], b) || passesThrough(b[1], b[2], a);
+	}
+
+	bool crossApart(int f, int g) const
+	{
+		Vec3f a[3], b[3];
+		cornersOf(f, 0, a);
+		cornersOf(g, 0, b);
+		if (onOneSide(a, b) || onOneSide(b, a)) return false;
+		for (int k = 0; k < 3; ++k) {
+			if (passesThrough(a[k], a[(k + 1) % 3], b)) return true;
+			if (passesThrough(b[k], b[(k + 1) % 3], a)) return true;
+		}
+		return false;
+	}
+
+	/// Whether the plane of t has all of s on one side.
+	static bool onOneSide(const Vec3f* s, const Vec3f* t)
+	{
+		const double a = volume(t[0], t[1], t[2], s[0]), b = volume(t[0], t[1], t[2], s[1]);
+		const double c = volume(t[0], t[1], t[2], s[2]);
+		return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+	}
+};
+
+} // namespace
+
+std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, Workers& workers)
+{
+	return CrossingSearch(mesh, workers).run();
+}
+
+} // namespace gpr

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_CROSSING_FACES_H
+#define VCG_EXTRAS_CORE_CROSSING_FACES_H
+
+#include "half_edge_mesh.h"
+#include "workers.h"
+
+#include <vector>
+
+namespace gpr {
+
+/// Faces that an edge of another face, or one of whose edges another face, crosses; ascending.
+/// Faces that share an edge are not compared, of those that share a vertex the edges opposite to
+/// it. Touching and overlapping in one plane are not crossing. Needs a mesh without dead faces.
+/// Cost: O(F log F), parallel, with a tree of boxes that is thrown away.
+std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, Workers& workers);
+
+} // namespace gpr
+
+#endif

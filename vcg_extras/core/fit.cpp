@@ -1,0 +1,485 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fit.h"
+
+#include "cells.h"
+#include "crossing_faces.h"
+#include "fold_repair.h"
+#include "symmetric_matrix.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+constexpr float radians = 3.14159265f / 180;
+
+/// Jacobi steps of a round; more change nothing to speak of.
+constexpr int stepNum = 6;
+/// Length of a step over that of Newton's for the vertex alone, and share of the last one kept.
+constexpr float stepLength = 0.7f;
+constexpr float momentum   = 0.7f;
+/// μ: pull to where the round began.
+constexpr float pullBack = 0.02f;
+/// A step is at most this share of the vertex' shortest edge.
+constexpr float longestStep = 0.15f;
+/// A round moves a vertex at most this share of the mean edge round it.
+constexpr float farthestMove = 0.3f;
+/// Sum of 1/(2·area) times this: curvature of the conformal energy round a vertex.
+constexpr float conformalStiffness = 1.1547005f;
+/// E = this · (a² + b² + c²) / (2·area).
+constexpr float conformalScale = 0.28867513f;
+/// Squared edge of an equilateral triangle over its area.
+constexpr float squaredEdgePerArea = 2.3094011f;
+
+/// A face must not turn by more than 60° in a round,
+constexpr float turnCosine = 0.5f;
+/// nor agree less with the surface's normals than this if it did before.
+constexpr float leastAgreement = 0.3f;
+/// What counts as a poorer angle: rounding is not.
+constexpr float poorer = 0.9999f;
+/// Moves are halved so many times, then taken back.
+constexpr int halvings = 5;
+/// Rounds of shortening moves; then all are taken back.
+constexpr int mostShortenings = 64;
+/// Passes over the whole result at the end; each puts vertices back for good.
+constexpr int mostTakeBacks = 32;
+
+Vec3f faceCross(const Vec3f& a, const Vec3f& b, const Vec3f& c)
+{
+	return cross(b - a, c - a);
+}
+
+float cosineBetween(const Vec3f& a, const Vec3f& b)
+{
+	const float scale = length(a) * length(b);
+	return scale > 0 ? dot(a, b) / scale : -1.0f;
+}
+
+/// Moves on trial: mesh.position is always from + shift.
+class Moves {
+public:
+	Moves(const Surface& surface, float leastAngle, ResultMesh& result, Workers& workers) :
+			surface_(surface), leastAngle_(leastAngle), r_(result), m_(result.mesh),
+			workers_(workers), from_(m_.vertexNum), shift_(m_.vertexNum)
+	{
+		start();
+	}
+
+	const Vec3f& from(int v) const { return from_[v]; }
+	const Vec3f& shift(int v) const { return shift_[v]; }
+	Vec3f        at(int v) const { return from_[v] + shift_[v]; }
+	void         swapShifts(Buffer<Vec3f>& other) { shift_.swap(other); }
+
+	/// Makes the present places the start of new moves.
+	void start()
+	{
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v) {
+				from_[v]  = m_.position[v];
+				shift_[v] = Vec3f();
+			}
+		});
+	}
+
+	/// Moves from where `start` was called last to the present places, whoever moved them.
+	void takeOver()
+	{
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				shift_[v] = m_.position[v] - from_[v];
+		});
+	}
+
+	/// Puts all vertices where their moves end.
+	void apply()
+	{
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				m_.position[v] = at(int(v));
+		});
+	}
+
+	/// Shortens the moves of bad faces until there are none. False if that did not end.
+	bool shortenBad()
+	{
+		normal_ = smoothNormals(surface_, r_, workers_);
+		return shortenFrom(
+			workers_.collect<int>(m_.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				for (std::size_t f = begin; f < end; ++f) {
+					if (isBad(int(f))) out.push_back(int(f));
+				}
+			}));
+	}
+
+	/// Takes the moves of faces back that cross others or look against the surface where the
+	/// anchors are now, and shortens those that this makes bad. False if there are none.
+	bool takeBackOffenders()
+	{
+		normal_                        = smoothNormals(surface_, r_, workers_);
+		std::vector<int>       faces   = findCrossingFaces(m_, workers_);
+		const std::vector<int> flipped = findFlipped();
+		faces.insert(faces.end(), flipped.begin(), flipped.end());
+		faces.erase(std::remove_if(faces.begin(), faces.end(), [&](int f) { return !hasMoved(f); }),
+					faces.end());
+		if (faces.empty()) return false;
+		shortenFrom(badAmong(facesRound(shorten(faces, 0))));
+		return true;
+	}
+
+	void takeAllBack()
+	{
+		shift_.fill(Vec3f());
+		apply();
+	}
+
+private:
+	const Surface& surface_;
+	float          leastAngle_;
+	ResultMesh&    r_;
+	HalfEdgeMesh&  m_;
+	Workers&       workers_;
+	Buffer<Vec3f>  from_, shift_;
+	Buffer<Vec3f>  normal_; ///< of the surface at the vertices
+
+	bool hasMoved(int f) const
+	{
+		const int* c = &m_.origin[3 * f];
+		return !(shift_[c[0]] == Vec3f() && shift_[c[1]] == Vec3f() && shift_[c[2]] == Vec3f());
+	}
+
+	bool isBad(int f) const
+	{
+		if (!hasMoved(f)) return false;
+		const int*  c    = &m_.origin[3 * f];
+		const Vec3f then = faceCross(from_[c[0]], from_[c[1]], from_[c[2]]);
+		const Vec3f now  = faceCross(at(c[0]), at(c[1]), at(c[2]));
+		if (cosineBetween(now, then) < turnCosine) return true;
+		const Vec3f wanted    = normal_[c[0]] + normal_[c[1]] + normal_[c[2]];
+		const float agreement = cosineBetween(now, wanted);
+		if (agreement < leastAgreement && agreement < poorer * cosineBetween(then, wanted))
+			return true;
+		const float angle = smallestAngle(at(c[0]), at(c[1]), at(c[2]));
+		return angle < leastAngle_ &&
+			   angle < poorer * smallestAngle(from_[c[0]], from_[c[1]], from_[c[2]]);
+	}
+
+	std::vector<int> badAmong(std::vector<int> faces) const
+	{
+		faces.erase(std::remove_if(faces.begin(), faces.end(), [&](int f) { return !isBad(f); }),
+					faces.end());
+		return faces;
+	}
+
+	bool shortenFrom(std::vector<int> bad)
+	{
+		for (int i = 0; i < mostShortenings; ++i) {
+			if (bad.empty()) return true;
+			bad = badAmong(facesRound(shorten(bad, i < halvings ? 0.5f : 0.0f)));
+		}
+		if (bad.empty()) return true;
+		takeAllBack();
+		return false;
+	}
+
+	/// Shortens the moves of the faces' corners; returns those.
+	std::vector<int> shorten(const std::vector<int>& faces, float factor)
+	{
+		std::vector<int> vertices;
+		for (int f : faces)
+			vertices.insert(vertices.end(), &m_.origin[3 * f], &m_.origin[3 * f] + 3);
+		sortUnique(vertices);
+		for (int v : vertices) {
+			shift_[v]      = shift_[v] * factor;
+			m_.position[v] = at(v);
+		}
+		return vertices;
+	}
+
+	std::vector<int> facesRound(const std::vector<int>& vertices) const
+	{
+		std::vector<int> faces;
+		for (int v : vertices)
+			forEachOutgoing(m_, v, [&](int h) { faces.push_back(h / 3); });
+		sortUnique(faces);
+		return faces;
+	}
+
+	static void sortUnique(std::vector<int>& list)
+	{
+		std::sort(list.begin(), list.end());
+		list.erase(std::unique(list.begin(), list.end()), list.end());
+	}
+
+	std::vector<int> findFlipped()
+	{
+		return workers_.collect<int>(m_.faceNum,
+									 [&](std::size_t begin, std::size_t end, auto& out) {
+										 for (std::size_t f = begin; f < end; ++f) {
+											 if (faceAgreement(m_, normal_, int(f)) < 0)
+												 out.push_back(int(f));
+										 }
+									 });
+	}
+};
+
+/// The squared distance of a round's cells from the triangles, as a function of the vertices'
+/// shifts: ½ Σ_ij s_i K_ij s_j - Σ_i f_i s_i. K_ij is kept for every vertex and every edge.
+class DistanceForm {
+public:
+	explicit DistanceForm(const HalfEdgeMesh& mesh) :
+			m_(mesh), own_(mesh.vertexNum), joint_(mesh.halfEdgeNum()), force_(mesh.vertexNum)
+	{
+	}
+
+	void assemble(const Surface& surface, const Cells& cells, Workers& workers)
+	{
+		workers.forRange(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+			std::fill(joint_.data() + begin, joint_.data() + end, SymmetricMatrix());
+		});
+		workers.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				assembleVertex(surface, cells, int(v));
+		});
+	}
+
+	const SymmetricMatrix& own(int v) const { return own_[v]; }
+	const Vec3f&           force(int v) const { return force_[v]; }
+	/// Of the edge that h is a half of.
+	const SymmetricMatrix& joint(int h) const { return joint_[edgeOf(h)]; }
+
+private:
+	const HalfEdgeMesh&     m_;
+	Buffer<SymmetricMatrix> own_;
+	Buffer<SymmetricMatrix> joint_; ///< at the lower half-edge of each edge
+	Buffer<Vec3f>           force_;
+
+	int edgeOf(int h) const
+	{
+		const int g = m_.opposite[h];
+		return g >= 0 && g < h ? g : h;
+	}
+
+	/// An edge is summed up by its lower vertex, which sees both faces: nothing is written twice.
+	void assembleVertex(const Surface& surface, const Cells& cells, int v)
+	{
+		SymmetricMatrix own;
+		Vec3f           force;
+		forEachOutgoing(m_, v, [&](int h) {
+			const int       next = m_.target(h), last = m_.apex(h);
+			const Vec3f     p = m_.position[v], q = m_.position[next], r = m_.position[last];
+			SymmetricMatrix withNext, withLast;
+			for (const int* i = cells.begin(h / 3); i != cells.end(h / 3); ++i) {
+				const PackedWeights w    = cells.weights(*i);
+				const float         b[3] = {w.first(), w.second(), w.third()};
+				const float bp = b[h % 3], bq = b[nextInFace(h) % 3], br = b[prevInFace(h) % 3];
+				const Vec3f n     = surface.normal[*i].unpack();
+				const float off   = dot(n, surface.mesh.position[*i] - p * bp - q * bq - r * br);
+				const float share = cells.area(*i) * bp;
+				force += n * (share * off);
+				own.addOuter(n, share * bp);
+				withNext.addOuter(n, share * bq);
+				withLast.addOuter(n, share * br);
+			}
+			if (v < next) joint_[edgeOf(h)] += withNext;
+			if (v < last) joint_[edgeOf(prevInFace(h))] += withLast;
+		});
+		own_[v]   = own;
+		force_[v] = force;
+	}
+};
+
+class Fitter {
+public:
+	Fitter(const Surface& surface, const FitSettings& settings, ResultMesh& result,
+		   Workers& workers) :
+			surface_(surface),
+			settings_(settings), r_(result), m_(result.mesh), workers_(workers), distance_(m_),
+			moves_(surface, settings.leastAngleDeg * radians, result, workers), next_(m_.vertexNum),
+			velocity_(m_.vertexNum), mass_(m_.vertexNum), squaredEdge_(m_.vertexNum),
+			free_(m_.vertexNum)
+	{
+	}
+
+	FitOutcome run()
+	{
+		FitOutcome outcome;
+		Moves      whole(surface_, settings_.leastAngleDeg * radians, r_, workers_);
+		Cells      cells(surface_, r_, workers_);
+		for (int round = 0; round < settings_.rounds; ++round) {
+			if (round > 0) cells.update(r_, workers_);
+			distance_.assemble(surface_, cells, workers_);
+			startRound();
+			for (int step = 0; step < stepNum; ++step)
+				stepAll();
+			moves_.apply();
+			if (!moves_.shortenBad()) outcome.capped = true;
+			followByAnchors();
+		}
+		whole.takeOver();
+		if (!takeBackOffenders(whole)) outcome.capped = true;
+		outcome.farthest = farthestFromAnchor();
+		return outcome;
+	}
+
+private:
+	const Surface&     surface_;
+	const FitSettings& settings_;
+	ResultMesh&        r_;
+	HalfEdgeMesh&      m_;
+	Workers&           workers_;
+	DistanceForm       distance_;
+	Moves              moves_;
+	Buffer<Vec3f>      next_, velocity_;
+	Buffer<float>      mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
+	Buffer<float>      squaredEdge_; ///< of an equilateral triangle as large as the ones round it
+	Buffer<char>       free_;
+
+	/// False if there was no end to it and all moves were taken back.
+	bool takeBackOffenders(Moves& whole)
+	{
+		for (int i = 0; i < mostTakeBacks; ++i) {
+			if (!whole.takeBackOffenders()) return true;
+			followByAnchors();
+		}
+		whole.takeAllBack();
+		followByAnchors();
+		return false;
+	}
+
+	void startRound()
+	{
+		moves_.start();
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				startVertex(int(v));
+		});
+	}
+
+	void startVertex(int v)
+	{
+		float area    = 0;
+		int   faceNum = 0;
+		forEachOutgoing(m_, v, [&](int h) {
+			area += length(m_.faceCross(h / 3)) / 2;
+			++faceNum;
+		});
+		mass_[v]        = area / 6;
+		squaredEdge_[v] = squaredEdgePerArea * area / float(faceNum);
+		free_[v]        = isFree(r_, v) && r_.vertex[v].curve < 0;
+		velocity_[v]    = Vec3f();
+	}
+
+	/// Squared length × area, as the first term of the energy has it: the balance of the two does
+	/// not depend on size.
+	float shapeWeight(int v) const
+	{
+		const float edge = squaredEdge_[v];
+		return settings_.shapeWeight * edge * edge / squaredEdgePerArea;
+	}
+
+	void stepAll()
+	{
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				next_[v] = free_[v] ? stepFrom(int(v)) : Vec3f();
+		});
+		moves_.swapShifts(next_);
+	}
+
+	/// What a vertex' faces say about its shape.
+	struct RingShape {
+		Vec3f normal;                ///< of unit length
+		Vec3f force;                 ///< downhill, tangential
+		float stiffness = 0;         ///< curvature of the energy in the tangent plane
+		float shortest  = HUGE_VALF; ///< squared edge
+	};
+
+	RingShape ringShape(int v) const
+	{
+		const Vec3f p = moves_.at(v);
+		RingShape   ring;
+		forEachOutgoing(m_, v, [&](int h) {
+			const Vec3f a = moves_.at(m_.target(h)) - p, b = moves_.at(m_.apex(h)) - p;
+			const Vec3f n      = cross(a, b);
+			const float twice  = length(n) + 1e-30f;
+			const float edges  = squaredLength(a) + squaredLength(b) + squaredLength(b - a);
+			const float energy = conformalScale * edges / twice;
+			ring.normal += n;
+			ring.force += (a + b) * (2 * conformalScale / twice);
+			ring.force += cross(n, b - a) * (energy / (twice * twice));
+			ring.stiffness += conformalStiffness / twice;
+			ring.shortest = std::min(ring.shortest, squaredLength(a));
+		});
+		ring.normal = normalized(ring.normal);
+		ring.force  = tangential(ring.force, ring.normal);
+		return ring;
+	}
+
+	/// Where v's shift gets to by one step.
+	Vec3f stepFrom(int v)
+	{
+		const RingShape ring  = ringShape(v);
+		const Vec3f     shift = moves_.shift(v);
+		const float     pull  = pullBack * mass_[v];
+		const float     stiff = ring.stiffness * shapeWeight(v);
+
+		Vec3f force = distance_.force(v) - distance_.own(v) * shift - shift * pull;
+		forEachOutgoing(m_, v, [&](int h) {
+			force = force - distance_.joint(h) * moves_.shift(m_.target(h));
+			// Behind the last border edge there is no half-edge that leaves v.
+			const int in = prevInFace(h);
+			if (m_.opposite[in] < 0)
+				force = force - distance_.joint(in) * moves_.shift(m_.origin[in]);
+		});
+		force += ring.force * shapeWeight(v);
+
+		SymmetricMatrix matrix = distance_.own(v);
+		matrix.addDiagonal(pull + stiff);
+		matrix.addOuter(ring.normal, -stiff);
+		const Vec3f wanted = velocity_[v] * momentum + matrix.solve(force) * stepLength;
+		velocity_[v]       = shortened(wanted, longestStep * std::sqrt(ring.shortest));
+		return shortened(shift + velocity_[v], farthestMove * std::sqrt(squaredEdge_[v]));
+	}
+
+	static Vec3f shortened(const Vec3f& v, float most)
+	{
+		const float l = length(v);
+		return l > most ? v * (most / l) : v;
+	}
+
+	/// Anchors go where the vertices went, on the surface.
+	void followByAnchors()
+	{
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v) {
+				if (!free_[v]) continue;
+				ResultVertex& r = r_.vertex[v];
+				walk(surface_.mesh, r.anchor,
+					 tangential(m_.position[v] - r.anchor.position, r.normal));
+				r.normal = surface_.mesh.faceNormal(r.anchor.face);
+			}
+		});
+	}
+
+	float farthestFromAnchor() const
+	{
+		float farthest = 0;
+		for (int v = 0; v < m_.vertexNum; ++v)
+			farthest =
+				std::max(farthest, squaredLength(m_.position[v] - r_.vertex[v].anchor.position));
+		return std::sqrt(farthest);
+	}
+};
+
+} // namespace
+
+FitOutcome fitToInput(const Surface& surface, const FitSettings& settings, ResultMesh& result,
+					  Workers& workers)
+{
+	return Fitter(surface, settings, result, workers).run();
+}
+
+} // namespace gpr

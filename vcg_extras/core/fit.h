@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_FIT_H
+#define VCG_EXTRAS_CORE_FIT_H
+
+#include "connect.h"
+#include "result_mesh.h"
+#include "workers.h"
+
+namespace gpr {
+
+struct FitSettings {
+	int   rounds        = 4;     ///< cells found anew and vertices moved, so many times
+	float shapeWeight   = 0.01f; ///< of the triangles' shape against the distance
+	float leastAngleDeg = 32;    ///< no angle falls below, and none below it falls further
+};
+
+struct FitOutcome {
+	float farthest = 0;     ///< largest distance of a vertex from its anchor, working units
+	bool  capped   = false; ///< a guard gave up: the moves of that round were taken back
+};
+
+/// Stage 12: moves the vertices off the surface to where the triangles lie closest to it, and keeps
+/// the triangles regular meanwhile. Minimised over the vertices' positions x is
+///
+///     Σ_p A_p (n_p · (p - Σ_k b_k x_k))²  +  Σ_f s_f E_f  +  μ Σ_i M_i |x_i - x_i⁰|²
+///
+/// p runs over the vertices of the input, with area A_p and normal n_p, whose nearest triangle has
+/// the corners x_k and the weights b_k there (see Cells): the squared distance between triangles
+/// and tangent planes of the input. E_f = (a² + b² + c²) / (4√3·area) is the conformal energy of a
+/// triangle, 1 if equilateral, of which only the tangential part moves a vertex: across the
+/// surface the first term alone decides. A small pull to where the vertex was keeps the system
+/// sound where no vertex of the input says anything.
+///
+/// A round finds the cells, sums the first term up in a matrix per vertex and edge, whose size does
+/// not depend on the input's, descends by Jacobi steps with momentum, shortens the moves of faces
+/// that turn, look away from the surface or get poor angles, and lets the anchors follow on the
+/// surface. At the end faces that cross others are put back to where they were before the first
+/// round. Vertices of borders and curves stay.
+///
+/// Changes mesh.position and the anchors. Cost: linear in the input per round; parallel; the bits
+/// do not depend on the threads.
+FitOutcome fitToInput(const Surface& surface, const FitSettings& settings, ResultMesh& result,
+					  Workers& workers);
+
+} // namespace gpr
+
+#endif
