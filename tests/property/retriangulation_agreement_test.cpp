@@ -83,10 +83,14 @@ enum class Reason {
 	None,
 };
 
-const char* const reasonNames[] = {
-	"co-circular within 1e-3",  "both diagonals Delaunay",      "guard: two faces left",
-	"guard: edge there already", "guard: fold",                  "guard: crease sharpened",
-	"follows from another",      "no reason"};
+const char* const reasonNames[] = {"co-circular within 1e-3",
+								   "both diagonals Delaunay",
+								   "guard: two faces left",
+								   "guard: edge there already",
+								   "guard: fold",
+								   "guard: crease sharpened",
+								   "follows from another",
+								   "no reason"};
 
 /// What flipping a-b to c-d would break: the guards of flipToDelaunay.
 Reason guardOf(const Joined& joined, const Joined::Ends& ends, const std::vector<int>& apexes)
@@ -183,12 +187,9 @@ TriangleMesh ellipsoid(int level)
 
 std::vector<Shape> smoothShapes()
 {
-	return {{"sphere", icosphere(6)},
-			{"ellipsoid", ellipsoid(6)},
-			{"torus", torus(250, 120)},
-			{"thinTorus", torus(400, 60, 1, 0.15)},
-			{"bumpy", bumpySphere(6, 0.08)},
-			{"bumpier", bumpySphere(6, 0.2)}};
+	return {{"sphere", icosphere(6)},        {"ellipsoid", ellipsoid(6)},
+			{"torus", torus(250, 120)},      {"thinTorus", torus(400, 60, 1, 0.15)},
+			{"bumpy", bumpySphere(6, 0.08)}, {"bumpier", bumpySphere(6, 0.2)}};
 }
 
 class SmoothShape : public ::testing::TestWithParam<Shape> {};
@@ -214,13 +215,12 @@ struct Pair {
 void expectAgreement(const Joined& joined, const Joined& other)
 {
 	Reasons   reasons = differences(joined, other);
-	const int all     = total(reasons), edgeNum = int(joined.edges().size());
+	const int all = total(reasons), edgeNum = int(joined.edges().size());
 	EXPECT_LE(all, edgeNum / 100);
 	EXPECT_EQ(reasons[Reason::None], 0);
 	EXPECT_LE(2 * reasons[Reason::Follows], all);
 	for (const auto& [reason, n] : reasons) {
-		if (n > 0)
-			std::printf("%d of %d edges differ: %s\n", n, edgeNum, reasonNames[int(reason)]);
+		if (n > 0) std::printf("%d of %d edges differ: %s\n", n, edgeNum, reasonNames[int(reason)]);
 	}
 }
 
@@ -253,14 +253,14 @@ TEST(RetriangulationsAgree, AndTheTestWouldTell)
 	for (std::size_t x = 3; x < triangles.size(); ++x) {
 		std::int32_t* face = &triangles[x / 3 * 3];
 		if (triangles[x] != b || face[(x + 1) % 3] != a) continue;
-		const std::int32_t d = face[(x + 2) % 3];
+		const std::int32_t d         = face[(x + 2) % 3];
 		const std::int32_t turned[6] = {a, d, c, d, b, c};
 		std::copy(turned, turned + 3, triangles.begin());
 		std::copy(turned + 3, turned + 6, face);
 		break;
 	}
-	pair.removed.mesh.triangles  = triangles;
-	pair.removed.sampleOf        = pair.collapsed.sampleOf;
+	pair.removed.mesh.triangles = triangles;
+	pair.removed.sampleOf       = pair.collapsed.sampleOf;
 	const Joined before(pair.collapsed, pair.sampling.points);
 	const Joined after(pair.removed, pair.sampling.points);
 	EXPECT_EQ(total(differences(before, after)), 1);

@@ -86,6 +86,29 @@ TEST(DiskFlood, OnAPlaneIsTrueToThePackedNormals)
 		Flooded(mesh).expectDistances({0.4, 0.45, 0}, 0.3, onPlane, 3e-4);
 }
 
+/// At right and obtuse angles the triangle that the straight way comes through is settled after the
+/// vertex it leads to, which has to be visited again.
+TEST(DiskFlood, UnfoldingFindsTheStraightWayAtObtuseAngles)
+{
+	Random random(1);
+	for (const TriangleMesh& mesh : {grid(40, 40), jitteredGrid(40, 0.3, random)}) {
+		Flooded      f(mesh);
+		const Sample from = f.sampleAt(f.vertexNearest({0.4, 0.45, 0}));
+		DiskFlood    flood(FloodGround{f.surface.mesh, f.surface.normal, nullptr, false}, f.field,
+						   f.working(0.3));
+		flood.run(0, from);
+		const Vec3d start = f.surface.frame.toCaller(from.anchor.position);
+		int         seen  = 0;
+		for (int v = 0; v < f.surface.mesh.vertexNum; ++v) {
+			const double d = length(f.place(v) - start);
+			if (!(d > 0 && d < 0.27)) continue;
+			ASSERT_NEAR(f.distanceAt(v) / d, 1, 2e-3) << "at " << d;
+			++seen;
+		}
+		EXPECT_GT(seen, 200);
+	}
+}
+
 TEST(DiskFlood, OnAPlaneDistancesGoRoundNoCorner)
 {
 	// The hole lies in the way: nothing behind it is nearer than the way round, and little farther.

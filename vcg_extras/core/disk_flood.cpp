@@ -12,6 +12,9 @@ namespace {
 /// Cosine of about 37°: beyond it the chord says too little about the distance.
 constexpr float flatCosine = 0.8f;
 
+/// A settled vertex is visited again where a way shorter by this share turns up.
+constexpr float worthAnotherVisit = 1e-3f;
+
 } // namespace
 
 /// The triangle (v, b, a) is laid into the plane with v at 0 and b on the axis; the source lies
@@ -100,7 +103,7 @@ void DiskFlood::exploreUnfolding(const Sample& sample)
 	while (!heap_.empty()) {
 		const HeapEntry            e = popHeap();
 		const NearestField::Trial& t = field_.trial[e.vertex];
-		if (t.stamp != 2 * flood_ || e.distance > t.distance) continue;
+		if (e.distance > t.distance) continue;
 		settle(e.vertex, e.distance, sample);
 	}
 }
@@ -126,37 +129,51 @@ float DiskFlood::wayFrom(const Sample& sample, int corner) const
 void DiskFlood::tryDistance(int vertex, float distance)
 {
 	NearestField::Trial& t = field_.trial[vertex];
-	if (t.stamp == 2 * flood_ + 1) return;
 	if (t.stamp == 2 * flood_ && distance >= t.distance) return;
-	t = {distance, 2 * flood_};
+	if (t.stamp == 2 * flood_ + 1) {
+		if (distance >= t.distance * (1 - worthAnotherVisit)) return;
+		t.distance = distance;
+	}
+	else {
+		t = {distance, 2 * flood_};
+	}
 	pushHeap({distance, vertex});
 }
 
 void DiskFlood::settle(int v, float distance, const Sample& sample)
 {
-	const int stamp       = 2 * flood_;
-	field_.trial[v].stamp = stamp + 1;
-	queue_.push_back(v);
-	meet(v);
+	const int stamp = 2 * flood_;
+	if (field_.trial[v].stamp == stamp) {
+		field_.trial[v].stamp = stamp + 1;
+		queue_.push_back(v);
+		meet(v);
+	}
 	if (!(distance < field_.nearest[v].distance) || distance > radius_) return;
 
 	// Along the edges, and across every triangle one of whose other corners is settled too.
-	const Vec3f from = sample.anchor.position;
 	forEachNeighbour(m_, v, [&](int w) { tryDistance(w, distance + wayAlong(v, w) * scale_); });
 	forEachOutgoing(m_, v, [&](int h) {
 		const int  a = m_.target(h), b = m_.apex(h);
 		const bool aSettled = field_.trial[a].stamp == stamp + 1;
 		const bool bSettled = field_.trial[b].stamp == stamp + 1;
-		if (aSettled == bSettled) return;
-		const int   known = aSettled ? a : b, wanted = aSettled ? b : a;
-		const float d =
-			unfoldedDistance(distance, field_.trial[known].distance, wayAlong(v, known) * scale_,
-							 wayAlong(v, wanted) * scale_, wayAlong(known, wanted) * scale_);
-		// No way on the surface is shorter than the chord, and the front never runs back.
-		const float chord =
-			stretch_ == nullptr ? length(m_.position[wanted] - from) * scale_ : 0.0f;
-		if (d < HUGE_VALF) tryDistance(wanted, std::max({d, distance, chord}));
+		if (aSettled) unfoldOver(v, a, b, sample);
+		if (bSettled) unfoldOver(v, b, a, sample);
 	});
+}
+
+/// Tries the way to the third corner of a triangle over the edge between two settled ones.
+void DiskFlood::unfoldOver(int v, int known, int wanted, const Sample& sample)
+{
+	const float d1 = field_.trial[v].distance, d2 = field_.trial[known].distance;
+	const float d =
+		unfoldedDistance(d1, d2, wayAlong(v, known) * scale_, wayAlong(v, wanted) * scale_,
+						 wayAlong(known, wanted) * scale_);
+	if (!(d < HUGE_VALF)) return;
+	// No way on the surface is shorter than the chord.
+	const float least = stretch_ == nullptr
+							? length(m_.position[wanted] - sample.anchor.position) * scale_
+							: std::min(d1, d2);
+	tryDistance(wanted, std::max(d, least));
 }
 
 void DiskFlood::pushHeap(HeapEntry e)

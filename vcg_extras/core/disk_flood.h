@@ -47,11 +47,13 @@ struct FloodGround {
 /// Metric. Where all normals met are within 37° of the sample's, the distance is the chord,
 /// lengthened by (1 + (1 - n·n_s)/12), in a plain queue: no heap, and exact to third order on
 /// spheres. Otherwise the front is propagated by unfolding triangles (Kimmel & Sethian 1998;
-/// Novotni & Klein 2002). Since normals are looked at along the flood, a thin sheet's other side is
-/// never taken for near. Lengths are divided by the sample's size, so that every disk ends at r
-/// and a vertex belongs to the sample that it lies deepest in the disk of. The ring that did not
-/// improve keeps its trial distance, so that updates stay accurate where Voronoi cells meet. Under
-/// a stretch all is propagated by unfolding.
+/// Novotni & Klein 2002), and vertices are visited again where a shorter way turns up: at obtuse
+/// angles the triangle that holds it may be settled late. Accuracy: docs/accuracy_of_distances.md.
+/// Since normals are looked at along the flood, a thin sheet's other side is never taken for near.
+/// Lengths are divided by the sample's size, so that every disk ends at r and a vertex belongs to
+/// the sample that it lies deepest in the disk of. The ring that did not improve keeps its trial
+/// distance, so that updates stay accurate where Voronoi cells meet. Under a stretch all is
+/// propagated by unfolding.
 class DiskFlood {
 public:
 	DiskFlood(const FloodGround& ground, NearestField& field, float radius) :
@@ -110,6 +112,7 @@ private:
 	float     wayAlong(int v, int w) const;
 	float     wayFrom(const Sample& sample, int corner) const;
 	void      tryDistance(int vertex, float distance);
+	void      unfoldOver(int v, int known, int wanted, const Sample& sample);
 	void      meet(int vertex);
 	void      pushHeap(HeapEntry e);
 	HeapEntry popHeap();

@@ -45,7 +45,7 @@ constexpr double printedRadiusConstant = 0.844;
 /// Those that land at 98 to 99 % of the target, which the exact count makes up: placement by disk
 /// intersection packs tighter than random border edges do.
 constexpr double intersectionRadiusConstant = 0.962;
-constexpr double borderEdgeRadiusConstant   = 0.808;
+constexpr double borderEdgeRadiusConstant   = 0.802;
 /// Spacing of border samples in r: the mean edge length of the result.
 constexpr float borderSpacing = 1.04f;
 /// Connected feature lines shorter than this in all are dropped; in ideal edges.

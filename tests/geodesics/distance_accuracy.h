@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GPR_TESTS_GEODESICS_DISTANCE_ACCURACY_H
+#define GPR_TESTS_GEODESICS_DISTANCE_ACCURACY_H
+
+#include <cstdint>
+#include <vcg_extras/core/connect.h>
+#include <vcg_extras/core/mesh_view.h>
+
+namespace gpr::test {
+
+/// Which distances are held against the exact ones.
+enum class Metric {
+	Default,    ///< of the placement by disk intersection: chords where the disk is flat
+	BorderEdge, ///< of the paper's placement: unfolding everywhere
+};
+
+/// Relative errors of distances over vertices: (computed - exact) / exact.
+struct Accuracy {
+	std::int64_t vertexNum     = 0;
+	std::int64_t unreachedNum  = 0; ///< nearer than 0.95 of the reach, yet not come to
+	double       mean          = 0; ///< of the absolute values
+	double       largestOver   = 0; ///< too long by
+	double       largestUnder  = 0; ///< too short by; 0 or below
+	double       above5Percent = 0; ///< share of the vertices that are off by more than 5 %
+};
+
+/// A surface as the sampling gets it for a target of so many percent, and the disk radius for it.
+struct Ground {
+	Surface surface;
+	float   radius = 0; ///< working units
+
+	Ground(const MeshView& mesh, double percent);
+};
+
+/// Distances from random points of the surface, up to `reach` disk radii, against exact geodesics.
+Accuracy measureAccuracy(const Ground& ground, Metric metric, double reach, int sourceNum,
+						 std::uint32_t seed);
+
+} // namespace gpr::test
+
+#endif

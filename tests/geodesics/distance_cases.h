@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GPR_TESTS_GEODESICS_DISTANCE_CASES_H
+#define GPR_TESTS_GEODESICS_DISTANCE_CASES_H
+
+#include <string>
+#include <vcg_extras/core/mesh_view.h>
+#include <vector>
+
+namespace gpr::test {
+
+/// A surface to measure distances on, and what the errors must come to, as shares of the exact
+/// distances.
+struct DistanceCase {
+	std::string  name;
+	std::string  words; ///< for the page
+	TriangleMesh mesh;
+	double       percent     = 10;    ///< the disks are those of a target of so many percent
+	double       mostMean    = 0.004; ///< mean error
+	double       mostLargest = 0.06;  ///< largest error, either way
+};
+
+/// Those made in code.
+std::vector<DistanceCase> madeDistanceCases();
+/// Models of the folder GPR_MODELS_DIR: name, words and bands, without the mesh.
+std::vector<DistanceCase> modelDistanceCases();
+
+} // namespace gpr::test
+
+#endif
