@@ -24,14 +24,20 @@ cache_dir() {
 }
 
 # Runs a program under a display of its own, drawn by software, away from the user's settings.
-# $1 is a folder for home and run-time files.
+# $1 is a folder for home and run-time files. The exit code is the program's: now and then xvfb-run
+# fails at clearing away its own files, which is no matter.
 with_display() {
 	local state=$1
 	shift
 	mkdir -p "$state/home" "$state/run"
 	chmod 700 "$state/run"
+	rm -f "$state/exit_code"
 	env HOME="$state/home" XDG_RUNTIME_DIR="$state/run" LIBGL_ALWAYS_SOFTWARE=1 \
-		xvfb-run -a -s "-screen 0 1280x900x24 -nolisten tcp" "$@" </dev/null
+		xvfb-run -a -s "-screen 0 1280x900x24 -nolisten tcp" \
+		sh -c 'code=$1; shift; "$@"; echo $? >"$code"' with_display "$state/exit_code" "$@" \
+		</dev/null || true
+	[ -s "$state/exit_code" ] || return 1
+	return "$(cat "$state/exit_code")"
 }
 
 # Set-up, a build without tests in the folder $1, and in $1/meshlab a MeshLab that has our plugin.

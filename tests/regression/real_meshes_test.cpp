@@ -27,14 +27,17 @@ namespace {
 struct Band {
 	const char*  file;
 	double       percent;
-	std::int64_t vertexNum       = 0;    ///< takes the place of percent where above 0
-	double       meanRadiusRatio = 0;    ///< at least
-	double       meanAspectRatio = 0;    ///< at least
-	double       minAngleDeg     = 0;    ///< at least
-	double       below30Percent  = 100;  ///< at most
-	double       rim             = 1;    ///< largest distance of the rims in mean edges, at most
-	double       rmsPercent      = 0;    ///< of the diagonal, at most; 0: not asked for
-	bool         keepsFlipped    = true; ///< faces against the surface are allowed
+	std::int64_t vertexNum       = 0;   ///< takes the place of percent where above 0
+	double       meanRadiusRatio = 0;   ///< at least
+	double       meanAspectRatio = 0;   ///< at least
+	double       minAngleDeg     = 0;   ///< at least
+	double       below30Percent  = 100; ///< at most
+	double       rim             = 1;   ///< largest distance of the rims in mean edges, at most
+	double       rmsPercent      = 0;   ///< of the diagonal, at most; 0: not asked for
+	double       creases =
+		0; ///< largest distance of the sharp edges from those of the result in edges, at most
+	bool hasLines     = true; ///< feature lines are allowed
+	bool keepsFlipped = true; ///< faces against the surface are allowed
 };
 
 std::ostream& operator<<(std::ostream& out, const Band& band)
@@ -72,6 +75,16 @@ double rmsPercent(const TriangleMesh& result, const MeshView& input)
 	return 100 * rms / length(high - low);
 }
 
+/// Whole creases of the original are creases of the result; those shorter than three edges may go.
+void expectCreases(const TriangleMesh& original, const RemeshResult& r, double most)
+{
+	const QualityFigures q    = measureQuality(r.mesh.view(), 2);
+	const double         edge = q.meanEdgeLen;
+	const auto           kept = withoutShortPieces(sharpSegments(original, 40), 3 * edge);
+	ASSERT_FALSE(kept.empty());
+	EXPECT_LE(segmentDistance(kept, sharpSegments(r.mesh, 25)) / edge, most);
+}
+
 /// Result and bands of one model.
 void expectWithin(const std::string& path, const Band& band)
 {
@@ -106,6 +119,10 @@ void expectWithin(const std::string& path, const Band& band)
 	if (!band.keepsFlipped) {
 		EXPECT_EQ(r.report.audit.flippedFaces, 0);
 	}
+	if (!band.hasLines) {
+		EXPECT_EQ(r.report.featureEdgeNum, 0);
+	}
+	if (band.creases > 0) expectCreases(copyOf(input.view()), r, band.creases);
 	if (band.rim < 1) {
 		const TriangleMesh original = copyOf(input.view());
 		const double       most     = band.rim * q.meanEdgeLen;
@@ -145,7 +162,7 @@ std::vector<Band> bands()
 
 	Band laurana{"laurana_50k_colour_open.ply", 10};
 	laurana.meanRadiusRatio = 0.97;
-	laurana.rim             = 0.25; // its rim is ragged
+	laurana.rim             = 0.12; // its rim is ragged
 
 	Band terrain{"terrain_N44W072_2.9M_open.ply", 10};
 	terrain.meanRadiusRatio = 0.97;
@@ -156,20 +173,29 @@ std::vector<Band> bands()
 
 	Band casting{"casting_10k_genus9.ply", 50};
 	casting.meanRadiusRatio = 0.9;
+	casting.creases         = 0.3; // lines shorter than an edge that fork off others are left out
 	Band cheese{"cheese_18k_genus133.ply", 50};
-	cheese.meanRadiusRatio = 0.85;
+	cheese.meanRadiusRatio = 0.78; // half of its vertices are on creases
 
 	Band fullSize{"rockerarm_20k.ply", 100};
 	fullSize.meanRadiusRatio = 0.97;
 	Band doubled{"rockerarm_20k.ply", 200};
 	doubled.meanRadiusRatio = 0.97;
+	Band rockerarm{"rockerarm_20k.ply", 10};
+	rockerarm.hasLines = false; // a scan of a smooth part
 	Band gargoyle{"gargoyle_96k.ply", 10};
 	gargoyle.meanRadiusRatio = 0.96;
 	gargoyle.rmsPercent      = 0.09;
 	Band fandisk{"fandisk_13k_cad.ply", 50};
-	fandisk.meanRadiusRatio = 0.95;
-	return {igea,   facemask, laurana, terrain,  iguana, casting,
-			cheese, fullSize, doubled, gargoyle, fandisk};
+	fandisk.meanRadiusRatio   = 0.95;
+	fandisk.creases           = 0.1;
+	Band fandisk20            = fandisk;
+	fandisk20.percent         = 20;
+	Band fandisk10            = fandisk;
+	fandisk10.percent         = 10;
+	fandisk10.meanRadiusRatio = 0.94;
+	return {igea,     facemask, laurana,   terrain,  iguana,  casting,   cheese,
+			fullSize, doubled,  rockerarm, gargoyle, fandisk, fandisk20, fandisk10};
 }
 
 std::string bandName(const ::testing::TestParamInfo<Band>& info)

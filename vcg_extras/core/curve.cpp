@@ -113,8 +113,10 @@ std::vector<float> candidateArcs(const Curve& c, float a, float b, float d)
 /// Cheapest chain of chords from the first to the last candidate.
 std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const CurveSpacing& spacing)
 {
-	constexpr float shortest = 0.5f, longest = 1.5f; // of the wanted chord
-	const float     d = spacing.chord;
+	constexpr float  shortest = 0.35f, longest = 1.5f; // of the wanted chord
+	constexpr double excessWeight = 4; // a curve left by a third more than allowed costs as much as
+									   // a chord two thirds too short
+	const float d = spacing.chord;
 
 	const std::vector<float> arcs = candidateArcs(c, a, b, d);
 	const int                n    = int(arcs.size());
@@ -135,8 +137,8 @@ std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const Curve
 			if (chord < shortest && !isEnd) continue;
 			const float excess =
 				relativeDeviation(c, arcs[k], arcs[i]) / (spacing.tolerance * d) - 1;
-			const double here =
-				double(chord - 1) * (chord - 1) + (excess > 0 ? double(excess) * excess : 0.0);
+			const double here = double(chord - 1) * (chord - 1) +
+								(excess > 0 ? excessWeight * double(excess) * excess : 0.0);
 			if (cost[k] + here < cost[i]) {
 				cost[i]   = cost[k] + here;
 				before[i] = k;
