@@ -107,6 +107,63 @@ TEST_P(BorderEdgeShapes, ThePaperAsWrittenLandsNearTheTarget)
 	EXPECT_NEAR(double(r.mesh.vertexNum()) / double(r.report.targetVertexNum), 0.92, 0.1);
 }
 
+/// What eq. (1) alone came to is told, with the constant that would have hit: with it, it does.
+TEST(BorderEdge, TellsTheConstantThatWouldHaveHitTheTarget)
+{
+	RemeshOptions options = borderEdges(20, 1);
+	applyPreset(Preset::Paper, options);
+	const RemeshResult r = remesh(icosphere(5).view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	const double share = double(r.mesh.vertexNum()) / double(r.report.targetVertexNum);
+	EXPECT_NEAR(r.report.radiusConstantForTarget, 0.844 * std::sqrt(share), 1e-9);
+	ASSERT_EQ(r.notes.size(), 1u);
+	EXPECT_NE(r.notes[0].find("0.844 in eq. (1)"), std::string::npos) << r.notes[0];
+	options.exactCount = true;
+	EXPECT_EQ(remesh(icosphere(5).view(), options).report.radiusConstantForTarget, 0);
+}
+
+/// §4 of the paper: the input should have double the vertices of the output; edges are split until
+/// it has.
+TEST(BorderEdge, SplitsEdgesWhereTheTargetIsAboveHalfOfTheInput)
+{
+	const TriangleMesh mesh = icosphere(4);
+	for (double percent : {20.0, 60.0, 100.0, 200.0}) {
+		RemeshOptions options = borderEdges(percent, 1);
+		applyPreset(Preset::Paper, options);
+		const RemeshResult r = remesh(mesh.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		// Each split of an inner edge makes one vertex.
+		const double worked = double(mesh.vertexNum()) + double(r.report.cleaned.longEdgesSplit);
+		EXPECT_GE(worked, 1.9 * double(r.report.targetVertexNum)) << percent << " %";
+		EXPECT_EQ(r.report.cleaned.longEdgesSplit > 0, percent > 50) << percent << " %";
+		EXPECT_GT(r.report.quality.aspectRatioMean, 0.82);
+	}
+}
+
+/// Each choice does something of its own.
+TEST(BorderEdge, SmoothingAndFlipsAreThoseAskedFor)
+{
+	const TriangleMesh mesh    = torus(90, 46);
+	RemeshOptions      options = borderEdges(20, 7);
+	options.exactCount         = false;
+	options.fit                = Fit::Off;
+	const auto shapeWith       = [&](Smoothing smoothing, int steps, int flips) {
+        options.smoothing       = smoothing;
+        options.relaxIterations = steps;
+        options.flipIterations  = flips;
+        return remesh(mesh.view(), options).report.quality.aspectRatioMean;
+	};
+	const double bare    = shapeWith(Smoothing::None, 5, 0),
+				 flipped = shapeWith(Smoothing::None, 5, 1000);
+	const double one     = shapeWith(Smoothing::Umbrella2, 1, 1000);
+	const double five    = shapeWith(Smoothing::Umbrella2, 5, 1000);
+	EXPECT_LT(bare, flipped);
+	EXPECT_LT(flipped + 0.02, one);
+	EXPECT_LT(one, five);
+	EXPECT_NE(shapeWith(Smoothing::Barycentric, 5, 1000), five);
+	EXPECT_EQ(shapeWith(Smoothing::Umbrella2, 0, 1000), flipped);
+}
+
 INSTANTIATE_TEST_SUITE_P(, BorderEdgeShapes, ::testing::ValuesIn(shapes()),
 						 [](const auto& shape) { return std::string(shape.param.name); });
 

@@ -18,6 +18,7 @@
 #include <vcg_extras/core/measure.h>
 #include <vcg_extras/core/mesh_edit.h>
 #include <vcg_extras/core/relaxation.h>
+#include <vcg_extras/core/umbrella_smoothing.h>
 #include <vcg_extras/core/worst_triangles.h>
 
 namespace gpr::test {
@@ -200,6 +201,152 @@ TEST(CollapseShortEdges, MergesWhatLiesTooClose)
 	EXPECT_GE(on.leastAngleDeg(), angle);
 	on.expectSound();
 }
+
+/// Passes are the paper's number: none, some, and as many as it takes lead to the same end.
+TEST(FlipToDelaunay, StopsAfterSoManyPasses)
+{
+	const auto scrambled = [](OnSurface& on) {
+		Random random(3);
+		scramble(on.m(), random);
+	};
+	const TriangleMesh mesh = [] {
+		Random random(2);
+		return jitteredGrid(40, 0.3, random);
+	}();
+	OnSurface none(mesh), one(mesh), few(mesh), all(mesh);
+	for (OnSurface* on : {&none, &one, &few, &all})
+		scrambled(*on);
+	EXPECT_EQ(flipToDelaunay(none.result, none.workers, 0), 0);
+	const std::int64_t inOne = flipToDelaunay(one.result, one.workers, 1);
+	const std::int64_t inFew = flipToDelaunay(few.result, few.workers, 50);
+	EXPECT_GT(inOne, 50);
+	EXPECT_GT(inFew, inOne);
+	EXPECT_EQ(flipToDelaunay(few.result, few.workers), 0) << "50 passes are enough here";
+	EXPECT_GT(flipToDelaunay(one.result, one.workers), 0) << "one is not";
+	EXPECT_GT(flipToDelaunay(all.result, all.workers), inOne);
+	one.expectSound();
+	few.expectSound();
+}
+
+// ---- second-order umbrella
+
+/// A square of side 1 cut into 20 × 20, all diagonals the same way: every inner vertex has six
+/// neighbours.
+TriangleMesh latticeOfSixes()
+{
+	constexpr int n = 20;
+	TriangleMesh  mesh;
+	for (int y = 0; y <= n; ++y) {
+		for (int x = 0; x <= n; ++x)
+			mesh.positions.push_back({double(x) / n, double(y) / n, 0});
+	}
+	for (int y = 0; y < n; ++y) {
+		for (int x = 0; x < n; ++x) {
+			const int a = y * (n + 1) + x, b = a + 1, c = a + n + 1, d = c + 1;
+			mesh.triangles.insert(mesh.triangles.end(), {a, b, d, a, d, c});
+		}
+	}
+	return mesh;
+}
+
+/// Inner vertices at least so many rings from the border of a grid of side 1.
+bool isDeep(const Vec3f& p, float margin)
+{
+	return p.x > margin && p.y > margin && p.x < 1 - margin && p.y < 1 - margin;
+}
+
+/// The operator is of fourth order: it vanishes for cubic polynomials on a regular lattice.
+TEST(SecondOrderUmbrella, VanishesOnRegularLattices)
+{
+	TriangleMesh sheet = latticeOfSixes();
+	for (Vec3d& p : sheet.positions)
+		p.z = p.x * p.x * p.x + p.x * p.y - 0.5 * p.y * p.y;
+	Workers             workers(1, nullptr);
+	const HalfEdgeMesh  m    = halfEdgesOf(sheet);
+	const Buffer<Vec3f> step = secondOrderUmbrella(m, workers);
+	int                 deep = 0;
+	for (int v = 0; v < m.vertexNum; ++v) {
+		if (!isDeep(m.position[v], 0.12f)) continue;
+		++deep;
+		EXPECT_LT(length(step[v]), 1e-5f);
+	}
+	EXPECT_GT(deep, 100);
+}
+
+/// One vertex of a lattice of sixes displaced by d: U(v) = -d and U of each of its six neighbours
+/// is d/6, of which U²(v) = d/6 + d, and ν = 7/6; so that the step takes v back to its place at
+/// once.
+TEST(SecondOrderUmbrella, TakesADisplacedVertexBackAtOnce)
+{
+	TriangleMesh sheet = latticeOfSixes();
+	const Vec3d  by(0.012, -0.02, 0.007);
+	int          displaced = 0;
+	for (std::size_t v = 0; v < sheet.vertexNum(); ++v) {
+		if (length(sheet.positions[v] - Vec3d(0.5, 0.5, 0)) < 1e-9) displaced = int(v);
+	}
+	sheet.positions[displaced] += by;
+	Workers             workers(1, nullptr);
+	const Buffer<Vec3f> step = secondOrderUmbrella(halfEdgesOf(sheet), workers);
+	EXPECT_LT(length(Vec3d(step[displaced]) - by), 1e-6);
+}
+
+class Umbrella : public ::testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(Umbrella, MakesTrianglesMoreRegularOnTheSurface)
+{
+	Random random(GetParam());
+	for (const TriangleMesh& mesh : {jitteredGrid(30, 0.35, random), torus(50, 20)}) {
+		OnSurface          on(mesh);
+		const double       shape  = on.meanShape();
+		const HalfEdgeMesh before = copyOf(on.m());
+		for (int step = 0; step < 3; ++step)
+			smoothByUmbrella2(on.surface, on.result, on.workers);
+		if (!on.boundary.curves.empty()) {
+			EXPECT_GT(on.meanShape(), shape + 0.01);
+		}
+		on.expectOnSurface();
+		for (int f = 0; f < before.faceNum; ++f)
+			ASSERT_GT(dot(before.faceNormal(f), on.m().faceNormal(f)), 0.0f) << "face " << f;
+		for (int v = 0; v < before.vertexNum; ++v) {
+			if (before.isBorderVertex(v)) {
+				EXPECT_TRUE(before.position[v] == on.m().position[v]);
+			}
+		}
+	}
+}
+
+TEST_P(Umbrella, DoesNotDependOnThreads)
+{
+	Buffer<Vec3f> first;
+	for (int threads = 1; threads <= 4; ++threads) {
+		Random    random(GetParam());
+		OnSurface on(jitteredGrid(70, 0.35, random));
+		Workers   workers(threads, nullptr);
+		for (int step = 0; step < 3; ++step)
+			smoothByUmbrella2(on.surface, on.result, workers);
+		if (threads == 1)
+			first.swap(on.m().position);
+		else
+			EXPECT_TRUE(std::equal(first.begin(), first.end(), on.m().position.begin())) << threads;
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Umbrella, ::testing::ValuesIn(testSeeds(3)));
+
+TEST(UmbrellaKeeps, VerticesOnCreasesInPlace)
+{
+	OnSurface          on(cube(8));
+	const HalfEdgeMesh before = copyOf(on.m());
+	const Buffer<char> flat   = findFlatVertices(on.result, on.workers);
+	smoothByUmbrella2(on.surface, on.result, on.workers);
+	for (int v = 0; v < before.vertexNum; ++v) {
+		if (flat[v] == 0) {
+			EXPECT_TRUE(before.position[v] == on.m().position[v]);
+		}
+	}
+}
+
+// ---- relaxation
 
 class RelaxOnce : public ::testing::TestWithParam<std::uint32_t> {};
 

@@ -61,6 +61,29 @@ std::int64_t settleFrom(HalfEdgeMesh& m, int h, std::vector<int>& stack)
 	return flips;
 }
 
+/// Edges that are to be flipped, one half of each.
+std::vector<int> findFlips(const HalfEdgeMesh& m, Workers& workers)
+{
+	return workers.collect<int>(m.halfEdgeNum(),
+								[&](std::size_t begin, std::size_t end, auto& out) {
+									for (std::size_t h = begin; h < end; ++h) {
+										if (m.opposite[h] > int(h) && improvesAngles(m, int(h)))
+											out.push_back(int(h));
+									}
+								});
+}
+
+std::int64_t flipOnce(HalfEdgeMesh& m, const std::vector<int>& candidates)
+{
+	std::int64_t flips = 0;
+	for (int h : candidates) {
+		if (!improvesAngles(m, h) || !canFlip(m, h)) continue;
+		flip(m, h);
+		++flips;
+	}
+	return flips;
+}
+
 } // namespace
 
 bool flipKeepsShape(const HalfEdgeMesh& m, int h, float leastAngle, float leastCosine)
@@ -75,19 +98,22 @@ bool flipKeepsShape(const HalfEdgeMesh& m, int h, float leastAngle, float leastC
 	return std::min(smallestAngle(a, d, c), smallestAngle(b, c, d)) >= leastAngle;
 }
 
-std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers)
+std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers, int mostPasses)
 {
-	HalfEdgeMesh&          m = result.mesh;
-	const std::vector<int> candidates =
-		workers.collect<int>(m.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
-			for (std::size_t h = begin; h < end; ++h) {
-				if (m.opposite[h] > int(h) && improvesAngles(m, int(h))) out.push_back(int(h));
-			}
-		});
+	HalfEdgeMesh&    m = result.mesh;
 	std::vector<int> stack;
 	std::int64_t     flips = 0;
-	for (int h : candidates)
-		flips += settleFrom(m, h, stack);
+	if (mostPasses >= untilDelaunay) {
+		for (int h : findFlips(m, workers))
+			flips += settleFrom(m, h, stack);
+	}
+	else {
+		std::int64_t last = 1;
+		for (int pass = 0; pass < mostPasses && last > 0; ++pass) {
+			last = flipOnce(m, findFlips(m, workers));
+			flips += last;
+		}
+	}
 	result.flipNum += flips;
 	return flips;
 }

@@ -8,11 +8,16 @@
 
 namespace gpr {
 
+/// So many passes of flips stand for as many as it takes.
+constexpr int untilDelaunay = 1000;
+
 /// Flips edges whose opposite angles add up to more than 180°, until none is left. An edge stays
 /// where the flip would fold the surface, sharpen a crease, leave a vertex with two faces or double
-/// an edge; edges of the border and of feature lines always stay. Returns the number of flips.
-/// Cost: linear; edges are tested in parallel, the few that flip are turned serially.
-std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers);
+/// an edge; edges of the border and of feature lines always stay. With fewer than untilDelaunay
+/// passes (the paper's user-given number) each pass flips those edges once that ask for it at its
+/// start. Returns the number of flips.
+/// Cost: linear a pass; edges are tested in parallel, the few that flip are turned serially.
+std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers, int mostPasses = untilDelaunay);
 
 /// Whether the faces that flipping h would make are sound: not turned over, no angle below
 /// leastAngle (radians), no dihedral below leastCosine.

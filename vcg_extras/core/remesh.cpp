@@ -28,11 +28,13 @@
 #include "spatial_order.h"
 #include "split_long_edges.h"
 #include "surface_point.h"
+#include "umbrella_smoothing.h"
 #include "vertex_removal.h"
 #include "worst_triangles.h"
 
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <new>
 #include <random>
 
@@ -224,7 +226,7 @@ public:
 		clock_.enter("retriangulation", "Retriangulating", 0.9);
 		ResultMesh result = retriangulateFrom(p, sampling, boundary, partition);
 		clock_.enter("flips", "Flipping edges", 0.95);
-		flipToDelaunay(result, workers_);
+		flipEdges(result);
 		report_.targetVertexNum = result.mesh.vertexNum;
 		p.targetNum             = 0;
 		finish(p, result, out);
@@ -488,7 +490,7 @@ private:
 		result.idealEdge  = idealEdge(p);
 		sampling          = Sampling();
 		clock_.enter("flips", "Flipping edges", 0.83);
-		flipToDelaunay(result, workers_);
+		flipEdges(result);
 		mendFolds(p.surface, boundary, true, result, workers_);
 		return result;
 	}
@@ -512,16 +514,34 @@ private:
 		return fuseSamples(p.surface, sampling, boundary, workers_);
 	}
 
+	void flipEdges(ResultMesh& result)
+	{
+		flipToDelaunay(result, workers_, options_.flipIterations);
+	}
+
+	/// The paper's post-processing: umbrella and flips in turn, or flips alone.
+	void smoothAsWritten(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
+	{
+		const bool moves = options_.smoothing == Smoothing::Umbrella2;
+		for (int step = 0; moves && step < options_.relaxIterations; ++step) {
+			smoothByUmbrella2(p.surface, result, workers_);
+			flipEdges(result);
+		}
+		mendFolds(p.surface, boundary, false, result, workers_);
+	}
+
 	/// The first two steps leave the edges alone: flips straight away would undo what the exact
 	/// count did for the valences.
 	void relax(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
 	{
 		constexpr int stepsWithoutFlips = 2;
 		clock_.enter("relaxation", "Relaxing", 0.95);
+		if (options_.smoothing != Smoothing::Barycentric)
+			return smoothAsWritten(p, boundary, result);
 		for (int step = 0; step < options_.relaxIterations; ++step) {
 			relaxOnce(p.surface, result, workers_);
 			slideAlongCreases(p.surface, boundary, result);
-			if (step >= stepsWithoutFlips) flipToDelaunay(result, workers_);
+			if (step >= stepsWithoutFlips) flipEdges(result);
 		}
 		if (options_.relaxIterations > 0)
 			raiseWorstAngles(p.surface, poorAngleDeg, result, workers_);
@@ -547,6 +567,23 @@ private:
 		report_.splitNum          = result.splitNum;
 		report_.collapseNum       = result.collapseNum;
 		report_.flipNum           = result.flipNum;
+	}
+
+	/// Without the exact count eq. (1) is left to itself: tells how near it came, and the constant
+	/// that would have hit the target, as the count goes with 1/c².
+	void noteCountReached(const Prepared& p, const ResultMesh& result, RemeshResult& out)
+	{
+		if (options_.exactCount || p.targetNum == 0) return;
+		const double share              = double(result.mesh.vertexNum) / double(p.targetNum);
+		report_.radiusConstantForTarget = report_.radiusConstant * std::sqrt(share);
+		char sentence[160];
+		std::snprintf(
+			sentence, sizeof sentence,
+			"%lld vertices of %lld wanted (%+.1f %%); with %.3f instead of %.3f in eq. (1) "
+			"it would have been about as many as wanted.",
+			static_cast<long long>(result.mesh.vertexNum), static_cast<long long>(p.targetNum),
+			100 * (share - 1), report_.radiusConstantForTarget, report_.radiusConstant);
+		out.notes.push_back(sentence);
 	}
 
 	/// The count could not be reached from samples of the right spacing. Starts from the fewest
@@ -680,6 +717,7 @@ private:
 		report_.result              = figuresOf(result.mesh, unit, workers_);
 		const std::int64_t promised = options_.exactCount ? p.targetNum : 0;
 		noteOperations(result);
+		noteCountReached(p, result, out);
 		report_.audit =
 			audit(p.surface, result, report_.cleanedInput, report_.result, promised, workers_);
 		if (!report_.audit.passed) {

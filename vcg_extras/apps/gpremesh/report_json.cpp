@@ -120,15 +120,16 @@ std::string remeshReportJson(const RunRecord& run)
 {
 	const RemeshReport& r = run.report;
 	Json                json;
-	json["program"]         = programJson();
-	json["input"]           = fileJson(run.inputPath, run.inputDouble, r.input);
-	json["cleanedInput"]    = figuresJson(r.cleanedInput);
-	json["result"]          = fileJson(run.outputPath, run.outputDouble, r.result);
-	json["options"]         = optionsJson(run.options);
-	json["seed"]            = r.seed;
-	json["threads"]         = r.threads;
-	json["diskRadius"]      = r.diskRadius;
-	json["radiusConstant"]  = r.radiusConstant;
+	json["program"]        = programJson();
+	json["input"]          = fileJson(run.inputPath, run.inputDouble, r.input);
+	json["cleanedInput"]   = figuresJson(r.cleanedInput);
+	json["result"]         = fileJson(run.outputPath, run.outputDouble, r.result);
+	json["options"]        = optionsJson(run.options);
+	json["seed"]           = r.seed;
+	json["threads"]        = r.threads;
+	json["diskRadius"]     = r.diskRadius;
+	json["radiusConstant"] = r.radiusConstant;
+	if (r.radiusConstantForTarget > 0) json["radiusConstantForTarget"] = r.radiusConstantForTarget;
 	json["counts"]          = countsJson(r);
 	json["seconds"]         = secondsJson(r.stages, run.times);
 	json["quality"]         = qualityJson(r.quality);

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "move_guard.h"
+
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// A face of a shape below this (30°-30°-120°) must not get worse.
+constexpr float poorShape = 0.6f;
+/// A move must not turn a face by more than 60°.
+constexpr float foldCosine = 0.5f;
+/// Rounds of taking moves back; then all moves are.
+constexpr int mostTakeBackRounds = 8;
+
+} // namespace
+
+MoveGuard::MoveGuard(ResultMesh& result, Workers& workers) :
+		r_(result), workers_(workers), next_(result.vertex.size()), moved_(result.vertex.size(), 0)
+{
+}
+
+void MoveGuard::clear()
+{
+	moved_.fill(0);
+}
+
+void MoveGuard::move()
+{
+	exchange();
+	for (int round = 0; round < mostTakeBackRounds; ++round) {
+		const std::vector<int> bad = findBadFaces();
+		if (bad.empty()) return;
+		for (int f : bad) {
+			for (int k = 0; k < 3; ++k)
+				takeBack(r_.mesh.origin[3 * f + k]);
+		}
+	}
+	for (int v = 0; v < r_.mesh.vertexNum; ++v)
+		takeBack(v);
+}
+
+void MoveGuard::exchange()
+{
+	workers_.forRange(moved_.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			if (!moved_[v]) continue;
+			std::swap(next_[v], r_.vertex[v]);
+			r_.mesh.position[v] = r_.vertex[v].anchor.position;
+		}
+	});
+}
+
+void MoveGuard::takeBack(int v)
+{
+	if (!moved_[v]) return;
+	moved_[v]           = 0;
+	r_.vertex[v]        = next_[v];
+	r_.mesh.position[v] = r_.vertex[v].anchor.position;
+}
+
+Vec3f MoveGuard::placeBefore(int v) const
+{
+	return moved_[v] ? next_[v].anchor.position : r_.mesh.position[v];
+}
+
+std::vector<int> MoveGuard::findBadFaces()
+{
+	const HalfEdgeMesh& m = r_.mesh;
+	return workers_.collect<int>(m.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+		for (int f = int(begin); f < int(end); ++f) {
+			const int* corner = &m.origin[3 * f];
+			if (!moved_[corner[0]] && !moved_[corner[1]] && !moved_[corner[2]]) continue;
+			if (isBad(f)) out.push_back(f);
+		}
+	});
+}
+
+bool MoveGuard::isBad(int f) const
+{
+	const HalfEdgeMesh& m      = r_.mesh;
+	const int*          corner = &m.origin[3 * f];
+	const Vec3f a = placeBefore(corner[0]), b = placeBefore(corner[1]), c = placeBefore(corner[2]);
+	const Vec3f now = m.faceCross(f), then = cross(b - a, c - a);
+	const float turn = dot(now, then);
+	if (turn <= 0 ||
+		turn * turn < foldCosine * foldCosine * squaredLength(now) * squaredLength(then))
+		return true;
+	const float shape =
+		triangleShape(m.position[corner[0]], m.position[corner[1]], m.position[corner[2]]);
+	return shape < poorShape && shape < triangleShape(a, b, c);
+}
+
+} // namespace gpr
