@@ -28,6 +28,7 @@ struct Band {
 	const char*  file;
 	double       percent;
 	std::int64_t vertexNum       = 0;   ///< takes the place of percent where above 0
+	double       adapt           = 0;   ///< the option of that name
 	double       meanRadiusRatio = 0;   ///< at least
 	double       meanAspectRatio = 0;   ///< at least
 	double       minAngleDeg     = 0;   ///< at least
@@ -91,6 +92,7 @@ void expectWithin(const std::string& path, const Band& band)
 	const app::InputMesh input = app::readMesh(path);
 	RemeshOptions        options;
 	options.targetPercent = band.percent;
+	options.adapt         = band.adapt;
 	options.threads       = 2;
 	if (band.vertexNum > 0) {
 		options.targetMode      = TargetMode::VertexNum;
@@ -153,6 +155,14 @@ std::vector<Band> bands()
 	igea.rmsPercent      = 0.0165;
 	igea.keepsFlipped    = false;
 
+	Band adapted            = igea;
+	adapted.adapt           = 1;
+	adapted.meanRadiusRatio = 0.95;
+	adapted.meanAspectRatio = 0.88;
+	adapted.minAngleDeg     = 25;
+	adapted.below30Percent  = 0.1;
+	adapted.rmsPercent      = 0.012;
+
 	Band facemask{"facemask_62k_open.ply", 10};
 	facemask.meanRadiusRatio = 0.97;
 	facemask.minAngleDeg     = 30;
@@ -194,14 +204,15 @@ std::vector<Band> bands()
 	Band fandisk10            = fandisk;
 	fandisk10.percent         = 10;
 	fandisk10.meanRadiusRatio = 0.94;
-	return {igea,     facemask, laurana,   terrain,  iguana,  casting,   cheese,
-			fullSize, doubled,  rockerarm, gargoyle, fandisk, fandisk20, fandisk10};
+	return {igea,     adapted, facemask,  laurana,  terrain, iguana,    casting,  cheese,
+			fullSize, doubled, rockerarm, gargoyle, fandisk, fandisk20, fandisk10};
 }
 
 std::string bandName(const ::testing::TestParamInfo<Band>& info)
 {
 	std::string name = info.param.file;
 	name = name.substr(0, name.find('_')) + "To" + std::to_string(int(info.param.percent));
+	if (info.param.adapt > 0) name += "Adapted";
 	return name;
 }
 

@@ -60,6 +60,9 @@ constexpr float smallBlockWidth = 12;
 constexpr int   smallMeshFaces  = 2000000;
 /// Angles below this get a pass of their own at the end.
 constexpr float poorAngleDeg = 32;
+/// What is left of the weight of the triangles' shape in the fit where sizes follow the error: who
+/// asks for that wants to be close first.
+constexpr double adaptedShapeWeight = 0.25;
 /// Rounds of the fit, and of the quick one.
 constexpr int fitRounds      = 4;
 constexpr int quickFitRounds = 2;
@@ -554,8 +557,9 @@ private:
 		if (options_.fit == Fit::Off) return;
 		clock_.enter("fit", "Fitting to the input", 0.97);
 		FitSettings settings;
-		settings.rounds          = options_.fit == Fit::Quick ? quickFitRounds : fitRounds;
-		settings.leastAngleDeg   = poorAngleDeg;
+		settings.rounds        = options_.fit == Fit::Quick ? quickFitRounds : fitRounds;
+		settings.leastAngleDeg = poorAngleDeg;
+		settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options_.adapt));
 		const FitOutcome outcome = fitToInput(p.surface, settings, result, workers_);
 		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
 		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
