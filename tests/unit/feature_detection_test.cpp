@@ -276,23 +276,6 @@ TEST(FeatureThresholds, HysteresisFollowsAFadingFold)
 	EXPECT_NEAR(toStrong, std::tan(20 * pi / 180) / std::tan(30 * pi / 180), 0.06);
 }
 
-TEST(FeatureRegion, ReachesAsFarAsAsked)
-{
-	const Found                f(bentSheet(20, 1));
-	const Buffer<std::uint8_t> line = featureRegion(f.surface, f.features, 0);
-	const Buffer<std::uint8_t> broad =
-		featureRegion(f.surface, f.features, float(0.12 * f.surface.frame.scale));
-	for (int v = 0; v < f.mesh().vertexNum; ++v) {
-		EXPECT_EQ(line[v] != 0, f.features.vertexFeature[v] != 0);
-		EXPECT_LE(line[v], broad[v]);
-	}
-	const auto countOf = [](const Buffer<std::uint8_t>& b) {
-		return std::count(b.begin(), b.end(), 1);
-	};
-	EXPECT_EQ(countOf(line), 21);
-	EXPECT_EQ(countOf(broad), 5 * 21) << "two rows of vertices on either side";
-}
-
 TEST(DetectFeatures, GivesEveryCopyOfAVertexItsMark)
 {
 	Random              random(3);

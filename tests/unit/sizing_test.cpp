@@ -137,22 +137,6 @@ TEST_F(SizingTest, PrintedEquationsClampHollowsAndCountThem)
 	EXPECT_EQ(sizing(hollow, surfaceOf(hollow, workers), 0.1f).clampedNum, 0);
 }
 
-TEST_F(SizingTest, SelectionOfVerticesTakesInWhatLiesBetween)
-{
-	const TriangleMesh        mesh = grid(10, 10);
-	std::vector<std::uint8_t> selected(mesh.vertexNum(), 0);
-	MeshView                  view = mesh.view();
-	const Surface             flat = surfaceOf(mesh, workers);
-	EXPECT_THROW(selectedVertices(view, flat, workers), Failure);
-	view.selected = selected.data();
-	EXPECT_THROW(selectedVertices(view, flat, workers), Failure);
-	for (std::size_t v = 0; v < selected.size(); ++v)
-		selected[v] = mesh.positions[v].x > 0.55;
-	const Buffer<char> in = selectedVertices(view, flat, workers);
-	for (int v = 0; v < flat.mesh.vertexNum; ++v)
-		EXPECT_EQ(in[v] != 0, flat.frame.toCaller(flat.mesh.position[v]).x > 0.55);
-}
-
 TEST_F(SizingTest, LongEdgesAreSplitByTheirLocalSize)
 {
 	IndexedMesh   mesh = loaded(grid(8, 8), workers);

@@ -68,12 +68,14 @@ public:
 	void run()
 	{
 		takeBorder();
-		int start = -1;
-		do {
-			while (drawBorderEdge() && hasRoom()) {}
-			start = hasRoom() ? findStart() : -1;
-			if (start >= 0) placeAtVertex(start);
-		} while (start >= 0);
+		if (options_.region != nullptr && !options_.region->empty()) {
+			region_ = options_.region;
+			refillCache();
+			sampleOpen();
+			region_ = nullptr;
+			refillCache();
+		}
+		sampleOpen();
 	}
 
 	BorderEdgeSampling finish()
@@ -111,8 +113,9 @@ private:
 	std::vector<int>         labels_;        ///< samples of the vertices near an edge
 	int                      expected_  = 0; ///< samples, about
 	int                      scanStart_ = 0;
-	int                      scanned_   = 0; ///< vertices seen from scanStart_ on, all covered
-	std::vector<char>        seen_;          ///< by the search of a start's component
+	int                      scanned_   = 0;    ///< vertices seen from scanStart_ on, all covered
+	std::vector<char>        seen_;             ///< by the search of a start's component
+	const Buffer<char>*      region_ = nullptr; ///< where samples may go now; null: everywhere
 	bool                     capped_ = false;
 
 	float distanceOf(int v) const { return field_.nearest[v].distance; }
@@ -161,6 +164,31 @@ private:
 
 	// ---- where samples come from
 
+	/// Vertices made since are samples, or of the border.
+	bool isOpen(int v) const
+	{
+		return region_ == nullptr || v >= surface_.mesh.vertexNum || (*region_)[v] != 0;
+	}
+
+	void refillCache()
+	{
+		scanned_ = 0;
+		cache_.clear();
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			if (isCovered(v)) pushBorderEdges(v);
+		}
+	}
+
+	void sampleOpen()
+	{
+		int start = -1;
+		do {
+			while (drawBorderEdge() && hasRoom()) {}
+			start = hasRoom() ? findStart() : -1;
+			if (start >= 0) placeAtVertex(start);
+		} while (start >= 0);
+	}
+
 	/// The samples of borders and feature lines, fused and flooded before all others.
 	void takeBorder()
 	{
@@ -207,7 +235,7 @@ private:
 		const int n = surface_.mesh.vertexNum;
 		for (; scanned_ < n; ++scanned_) {
 			const int v = (scanStart_ + scanned_) % n;
-			if (isCovered(v) || m_.outgoing[v] < 0) continue;
+			if (isCovered(v) || m_.outgoing[v] < 0 || !isOpen(v)) continue;
 			return samples_.empty() ? v : randomUncoveredNear(v);
 		}
 		return -1;
@@ -221,7 +249,7 @@ private:
 		seen_[v] = 1;
 		for (std::size_t i = 0; i < reached.size(); ++i) {
 			forEachNeighbour(m_, reached[i], [&](int w) {
-				if (seen_[w] || isCovered(w)) return;
+				if (seen_[w] || isCovered(w) || !isOpen(w)) return;
 				seen_[w] = 1;
 				reached.push_back(w);
 			});
@@ -409,8 +437,9 @@ private:
 
 	void pushBorderEdges(int v)
 	{
+		if (!isOpen(v)) return;
 		forEachNeighbour(m_, v, [&](int w) {
-			if (!isCovered(w)) cache_.push_back({v, w});
+			if (!isCovered(w) && isOpen(w)) cache_.push_back({v, w});
 		});
 	}
 };

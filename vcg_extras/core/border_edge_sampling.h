@@ -13,9 +13,10 @@ namespace gpr {
 
 /// What the border-edge sampling goes by.
 struct BorderEdgeOptions {
-	float         radius      = 0;       ///< r, working units
-	std::uint32_t seed        = 1;       ///< of the start vertices and the random choices
-	std::int64_t  mostSamples = 1 << 30; ///< then it ends, and Sampling::capped is set
+	float               radius      = 0;       ///< r, working units
+	std::uint32_t       seed        = 1;       ///< of the start vertices and the random choices
+	std::int64_t        mostSamples = 1 << 30; ///< then it ends, and Sampling::capped is set
+	const Buffer<char>* region = nullptr; ///< per vertex of the surface: sampled first; null: none
 };
 
 /// The samples, and the mesh they were fused into while they were placed.
@@ -44,6 +45,9 @@ double borderCrossing(double d1, double d2, double edge, double r);
 ///   edge to where the border of the union of disks, not of the one disk, crosses it.
 /// - Within a thousandth of an edge of its end, that end becomes the sample, so that no needle
 ///   arises.
+///
+/// A region is sampled first, as §3.1.1 has it: start vertices in it, and border edges with both
+/// ends in it, until none is left; then the rest.
 ///
 /// Where the surface has sizes (see sizing.h), every way is longer by 1 over the mean size of the
 /// ends of its edges: eq. (4), with the largest disk for unit.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 
 namespace gpr {
 
@@ -209,10 +210,15 @@ struct Mark {
 /// Samples one curve after the other; remembers the nodes they share.
 class CurveSampler {
 public:
-	CurveSampler(const HalfEdgeMesh& mesh, float diskRadius, float spacing, BoundaryCurves& out) :
-			m_(mesh), out_(out), diskRadius_(diskRadius)
+	CurveSampler(const HalfEdgeMesh& mesh, float diskRadius, float spacing,
+				 const std::vector<int>& kept, BoundaryCurves& out) :
+			m_(mesh),
+			out_(out), diskRadius_(diskRadius)
 	{
 		wanted_.chord = spacing;
+		if (!kept.empty()) isKept_.assign(m_.vertexNum, 0);
+		for (int v : kept)
+			isKept_[v] = 1;
 	}
 
 	void sampleClosed(int index)
@@ -234,7 +240,8 @@ public:
 		const std::vector<char> turns  = findTurns(c, turnsOver(c, window), window);
 		std::vector<float>      stops  = {0};
 		for (int i = 0; i < c.pointNum(); ++i) {
-			if (turns[i]) stops.push_back(c.arc[i]);
+			const bool inside = i > 0 && i + 1 < c.pointNum();
+			if (turns[i] || (inside && isKept(c.vertex[i]))) stops.push_back(c.arc[i]);
 		}
 		stops.push_back(c.length);
 		marks_.push_back({0, nodeSample(c.vertex.front(), c, 0)});
@@ -249,10 +256,12 @@ public:
 		finish(c);
 	}
 
-	void addTip(int v)
+	/// A vertex on no curve.
+	void addPoint(int v)
 	{
 		CurveSample sample;
 		sample.isCorner = true;
+		sample.isPinned = isKept(v);
 		sample.anchor   = {m_.position[v], m_.outgoing[v] / 3};
 		sample.vertex   = v;
 		out_.samples.push_back(sample);
@@ -267,6 +276,10 @@ private:
 	std::size_t         firstSample_ = 0; ///< of the curve at hand
 	std::vector<Mark>   marks_;
 	std::map<int, int>  sampleOfNode_;
+	std::vector<char>   isKept_; ///< per vertex; empty: none
+
+	bool isKept(int v) const { return !isKept_.empty() && isKept_[v]; }
+	bool isStop(int v) const { return isNode(m_, v) || isKept(v); }
 
 	/// How far round a point its turn is looked at.
 	float windowOf(const Curve& c) const
@@ -309,9 +322,10 @@ private:
 		if (found != sampleOfNode_.end()) return found->second;
 		put(c, s, true);
 		marks_.pop_back();
-		const int sample            = int(out_.samples.size()) - 1;
-		out_.samples[sample].vertex = v;
-		sampleOfNode_[v]            = sample;
+		const int sample              = int(out_.samples.size()) - 1;
+		out_.samples[sample].vertex   = v;
+		out_.samples[sample].isPinned = isKept(v);
+		sampleOfNode_[v]              = sample;
 		return sample;
 	}
 
@@ -321,7 +335,7 @@ private:
 		std::vector<char> taken(c.pointNum(), 0);
 		int               kept = 0;
 		for (int i = 0; i < c.pointNum(); ++i) {
-			if (!isNode(m_, c.vertex[i])) continue;
+			if (!isStop(c.vertex[i])) continue;
 			taken[i] = 1;
 			put(c, c.arc[i], true);
 			++kept;
@@ -350,7 +364,7 @@ private:
 			onCrease ? findCreaseCorners(c, window) : findTurns(c, turn, window);
 		std::vector<float> arcs;
 		for (int i = 0; i < c.pointNum(); ++i) {
-			if (turns[i] || isNode(m_, c.vertex[i])) arcs.push_back(c.arc[i]);
+			if (turns[i] || isStop(c.vertex[i])) arcs.push_back(c.arc[i]);
 		}
 		hasCorners = !arcs.empty();
 		if (arcs.empty()) {
@@ -410,8 +424,9 @@ private:
 			owner[i]            = marks_[k].sample;
 			const float d       = arcDistance(c, marks_[k].arc, c.arc[i]);
 			if (d >= distance[k] || isOfNode(sample)) continue;
-			distance[k]   = d;
-			sample.vertex = c.vertex[i];
+			distance[k]     = d;
+			sample.vertex   = c.vertex[i];
+			sample.isPinned = sample.isCorner && d == 0 && isKept(c.vertex[i]);
 			if (isNode(m_, c.vertex[i])) sampleOfNode_[c.vertex[i]] = owner[i];
 		}
 		out_.sampleOfPoint.push_back(std::move(owner));
@@ -451,7 +466,7 @@ int leastPieces(const Curve& c, const ChainEnds& chainEnds)
 } // namespace
 
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
-							  const std::vector<int>& tips)
+							  const std::vector<int>& tips, const std::vector<int>& kept)
 {
 	const HalfEdgeMesh& m = surface.mesh;
 	BoundaryCurves      result;
@@ -462,7 +477,7 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 
 	for (Curve& c : result.curves)
 		addSizes(surface, c);
-	CurveSampler sampler(m, diskRadius, spacing, result);
+	CurveSampler sampler(m, diskRadius, spacing, kept, result);
 	for (std::size_t i = 0; i < result.curves.size(); ++i) {
 		if (result.curves[i].isClosed)
 			sampler.sampleClosed(int(i));
@@ -470,7 +485,11 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 			sampler.sampleOpen(int(i), leastPieces(result.curves[i], chainEnds));
 	}
 	for (int v : tips)
-		sampler.addTip(v);
+		sampler.addPoint(v);
+	const std::set<int> isTip(tips.begin(), tips.end());
+	for (int v : kept) {
+		if (!m.isCurveVertex(v) && isTip.count(v) == 0) sampler.addPoint(v);
+	}
 	return result;
 }
 

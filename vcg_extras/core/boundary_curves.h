@@ -12,12 +12,13 @@
 namespace gpr {
 
 /// A sample on a curve: fixed in number, free to slide along its curve unless a corner. Where
-/// curves meet they share one; a cone's tip has no curve.
+/// curves meet they share one; a cone's tip, or a vertex to be kept inside, has no curve.
 struct CurveSample {
 	Anchor anchor;
 	int    curve    = -1;
 	float  arc      = 0;
 	bool   isCorner = false;
+	bool   isPinned = false; ///< kept as it is, whatever the count or the shape of triangles
 	int    vertex = -1; ///< the input vertex that stands for it in the removal; -1 if none is left
 };
 
@@ -33,12 +34,13 @@ struct BoundaryCurves {
 /// Stage 5: samples border and feature lines (surface.mesh.crease) before anything else, so that
 /// they keep their shape and triangles are as regular there as inside. Feature lines are cut into
 /// chains between nodes, the vertices where other than two of their edges meet or the border is
-/// met; nodes and the given tips are samples that never move. Loops and chains are cut further at
+/// met; nodes and the given tips are samples that never move. Vertices to be kept are samples too:
+/// those on a curve cut it into pieces as corners do. Loops and chains are cut further at
 /// corners (a turn of 50° that persists over r), each piece is sampled by chords of `spacing` (see
 /// spaceOut). Loops too short for three samples keep three of their own vertices. Cost: linear in
 /// the curves.
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
-							  const std::vector<int>& tips = {});
+							  const std::vector<int>& tips = {}, const std::vector<int>& kept = {});
 
 } // namespace gpr
 

@@ -152,7 +152,7 @@ private:
 SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int v)
 {
 	const ResultVertex& here = result.vertex[v];
-	if (here.curve < 0) return {};
+	if (here.curve < 0 || here.isPinned) return {};
 	const Curve& c = curves.curves[here.curve];
 	if (result.mesh.isBorderVertex(v))
 		return result.mesh.isCreaseVertex(v) ? SlideRoom() : roomAtBorder(result, c, v);

@@ -381,8 +381,9 @@ private:
 		const float rank = relativeLength(h);
 		if (m_.opposite[h] < 0) {
 			// Corners of the border go last.
-			const int energy = r_.vertex[m_.origin[h]].isCorner ? 2000 : 1000;
-			if (care_ == Care::TopologyOnly) out.push_back({energy, rank, h, 0});
+			const int  energy = r_.vertex[m_.origin[h]].isCorner ? 2000 : 1000;
+			const bool may    = care_ == Care::TopologyOnly && !r_.vertex[m_.origin[h]].isPinned;
+			if (may) out.push_back({energy, rank, h, 0});
 			return;
 		}
 		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);

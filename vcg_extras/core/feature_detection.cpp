@@ -555,34 +555,4 @@ FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thres
 	return out;
 }
 
-Buffer<std::uint8_t> featureRegion(const Surface& surface, const FeatureEdges& features,
-								   float reach)
-{
-	struct Reached {
-		float distance;
-		int   vertex;
-		bool  operator>(const Reached& o) const
-		{
-			return distance != o.distance ? distance > o.distance : vertex > o.vertex;
-		}
-	};
-	const HalfEdgeMesh&  m = surface.mesh;
-	Buffer<std::uint8_t> inside(m.vertexNum, 0);
-	std::priority_queue<Reached, std::vector<Reached>, std::greater<Reached>> front;
-	for (int v = 0; v < m.vertexNum; ++v) {
-		if (features.vertexFeature[v] != 0) front.push({0, v});
-	}
-	while (!front.empty()) {
-		const Reached r = front.top();
-		front.pop();
-		if (inside[r.vertex]) continue;
-		inside[r.vertex] = 1;
-		forEachNeighbour(m, r.vertex, [&](int w) {
-			const float d = r.distance + length(m.position[w] - m.position[r.vertex]);
-			if (d <= reach && !inside[w]) front.push({d, w});
-		});
-	}
-	return inside;
-}
-
 } // namespace gpr

@@ -53,12 +53,6 @@ float meanEdgeLength(const IndexedMesh& mesh, Workers& workers);
 FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thresholds,
 						  float meanEdge, Workers& workers);
 
-/// Per vertex 1 where it lies within `reach` (working units, along edges) of a feature line or tip:
-/// the feature region of the paper's §3.1.1. reach = 0 gives the features' own vertices.
-/// Cost: linear in the region but for the array.
-Buffer<std::uint8_t> featureRegion(const Surface& surface, const FeatureEdges& features,
-								   float reach);
-
 } // namespace gpr
 
 #endif

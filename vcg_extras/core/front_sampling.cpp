@@ -73,6 +73,7 @@ struct SharedState {
 	const Surface&          surface;
 	float                   radius;
 	std::uint32_t           seed;
+	const Buffer<char>&     region; ///< sampled first, per vertex; empty: none
 	NearestField            field;
 	Buffer<Sample>          samples;
 	std::vector<BlockRange> ranges;
@@ -100,8 +101,11 @@ public:
 			flood_.run(s, shared_.samples[s]);
 	}
 
-	void run(const Block& block, int blockIndex)
+	/// inRegion: only there, as far as the block reaches into it.
+	void run(const Block& block, int blockIndex, bool inRegion)
 	{
+		region_ = inRegion ? shared_.region.data() : nullptr;
+		if (inRegion && !reachesInto(block)) return;
 		block_ = &block;
 		range_ = &shared_.ranges[blockIndex];
 		heap_.clear();
@@ -129,8 +133,9 @@ private:
 	DiskFlood              flood_;
 	float                  r_;
 	float                  nearLimit_;
-	const Block*           block_ = nullptr;
-	BlockRange*            range_ = nullptr;
+	const Block*           block_  = nullptr;
+	const char*            region_ = nullptr; ///< where samples may go now; null: everywhere
+	BlockRange*            range_  = nullptr;
 	std::vector<Candidate> heap_;
 	std::vector<int> borderEdges_; ///< half-edges out of the covered part: the paper's cache C
 	std::size_t      nextBorderEdge_ = 0;
@@ -155,6 +160,18 @@ private:
 	bool isTooNear(const Vec3f& p, float size, int sample) const
 	{
 		return isNearer(p, size, sample, nearLimit_);
+	}
+
+	bool reachesInto(const Block& block) const
+	{
+		const char* const end = region_ + block.end;
+		return std::find(region_ + block.begin, end, char(1)) != end;
+	}
+	bool isOpen(int v) const { return region_ == nullptr || region_[v] != 0; }
+	bool isOpenFace(int f) const
+	{
+		const int* v = &m_.origin[3 * f];
+		return isOpen(v[0]) && isOpen(v[1]) && isOpen(v[2]);
 	}
 
 	Place placeAt(const Anchor& anchor) const { return {anchor, sizeAt(shared_.surface, anchor)}; }
@@ -245,7 +262,7 @@ private:
 		const int n = block_->end - block_->begin;
 		for (; scanned_ < n; ++scanned_) {
 			const int v = block_->begin + (scanStart_ + scanned_) % n;
-			if (distanceOf(v) <= r_ || m_.outgoing[v] < 0) continue;
+			if (distanceOf(v) <= r_ || m_.outgoing[v] < 0 || !isOpen(v)) continue;
 			place = placeAt({m_.position[v], m_.outgoing[v] / 3});
 			++scanned_;
 			++fillNum_;
@@ -260,6 +277,7 @@ private:
 	{
 		const int a = m_.origin[h], b = m_.target(h);
 		if (!(distanceOf(a) <= r_ && distanceOf(b) > r_) || !isMine(h / 3)) return false;
+		if (!isOpen(a) || !isOpen(b)) return false;
 		const Vec3f  edge = m_.position[b] - m_.position[a];
 		const Vec3f  w    = m_.position[a] - placeOf(sampleOf(a));
 		const double qa = squaredLength(edge), qb = 2 * double(dot(edge, w));
@@ -415,7 +433,8 @@ private:
 			if (!walkToIntersection(pair, side, apex, c.place.anchor)) return;
 			c.place.size = sizeAt(shared_.surface, c.place.anchor);
 		}
-		if (!isMine(c.place.anchor.face) || !isFree(c.place, pair, near)) return;
+		const int face = c.place.anchor.face;
+		if (!isMine(face) || !isOpenFace(face) || !isFree(c.place, pair, near)) return;
 		heap_.push_back(c);
 		std::push_heap(heap_.begin(), heap_.end(), fitsWorse);
 	}
@@ -588,6 +607,26 @@ void compact(const SharedState& shared, Workers& workers, Sampling& result)
 	});
 }
 
+/// All blocks once, colour by colour. The number of floods goes from each colour to the next.
+void sampleBlocks(const BlockPartition& partition, bool inRegion, Workers& workers,
+				  std::vector<BlockSampler>& samplers)
+{
+	int        floodNumber = 0;
+	const auto collect     = [&] {
+        for (const BlockSampler& s : samplers)
+            floodNumber = std::max(floodNumber, s.floodNumber());
+	};
+	collect();
+	for (const std::vector<int>& ids : partition.byColour) {
+		for (BlockSampler& s : samplers)
+			s.setFloodNumber(floodNumber);
+		workers.forTasks(ids.size(), [&](std::size_t i, int worker) {
+			samplers[worker].run(partition.blocks[ids[i]], ids[i], inRegion);
+		});
+		collect();
+	}
+}
+
 } // namespace
 
 /// Vertices of curves belong to the nearest sample along their curve, tips to their own, at
@@ -607,14 +646,14 @@ void labelBorder(const BoundaryCurves& boundary, Sampling& result)
 
 Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 					 const BlockPartition& partition, float radius, std::uint32_t seed,
-					 Workers& workers)
+					 Workers& workers, const Buffer<char>& region)
 {
 	const HalfEdgeMesh& m = surface.mesh;
 	Sampling            result;
 	result.radius            = radius;
 	result.boundarySampleNum = int(boundary.samples.size());
 
-	SharedState shared{surface, radius, seed, {}, {}, {}};
+	SharedState shared{surface, radius, seed, region, {}, {}, {}};
 	shared.ranges = makeRanges(surface, partition, radius, result.boundarySampleNum, workers);
 	shared.samples.reset(std::size_t(shared.ranges.back().firstSample) + shared.ranges.back().room);
 	shared.field.nearest.reset(m.vertexNum);
@@ -632,16 +671,8 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 		shared.samples[s] = {a, m.faceNormal(a.face), sizeAt(surface, a)};
 	}
 	samplers[0].floodGiven(0, result.boundarySampleNum);
-	int floodNumber = samplers[0].floodNumber();
-	for (const std::vector<int>& ids : partition.byColour) {
-		for (BlockSampler& s : samplers)
-			s.setFloodNumber(floodNumber);
-		workers.forTasks(ids.size(), [&](std::size_t i, int worker) {
-			samplers[worker].run(partition.blocks[ids[i]], ids[i]);
-		});
-		for (const BlockSampler& s : samplers)
-			floodNumber = std::max(floodNumber, s.floodNumber());
-	}
+	if (!region.empty()) sampleBlocks(partition, true, workers, samplers);
+	sampleBlocks(partition, false, workers, samplers);
 	for (const BlockSampler& s : samplers) {
 		result.fillNum += s.fillNum();
 		result.capped = result.capped || s.capped();

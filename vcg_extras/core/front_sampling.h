@@ -33,11 +33,14 @@ struct Sampling {
 /// intersection is left, the paper's border edges are used (eq. (2), (3)), then any vertex beyond
 /// r, which reaches every component. The mesh is not split: a sample is a point in a face.
 ///
+/// A region, if given (per vertex of the surface), is sampled first, as §3.1.1 has it: on edges and
+/// in faces whose corners all belong to it. So a region that is a line is sampled along it.
+///
 /// Works block by block (see BlockPartition); each block's first free start is chosen by `seed`.
 /// Cost: each vertex is visited 3.4 to 4 times.
 Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 					 const BlockPartition& partition, float radius, std::uint32_t seed,
-					 Workers& workers);
+					 Workers& workers, const Buffer<char>& region = Buffer<char>());
 
 /// The last step of a sampling: border vertices belong to the nearest sample along their curve, at
 /// distance 0 whatever the interior chose: no interior sample is stood for by a border vertex.

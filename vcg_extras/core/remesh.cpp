@@ -15,6 +15,7 @@
 #include "failure.h"
 #include "feature_detection.h"
 #include "feature_export.h"
+#include "feature_region.h"
 #include "fit.h"
 #include "fold_repair.h"
 #include "front_sampling.h"
@@ -32,6 +33,7 @@
 #include "vertex_removal.h"
 #include "worst_triangles.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -126,6 +128,7 @@ struct Prepared {
 	double           radiusFactor = 1; ///< that over the radius of eq. (1): see Sizing
 	Buffer<char>     isFeatureVertex;  ///< of the region to be preserved; empty: none
 	std::vector<int> tips;             ///< vertices at tips of cones
+	std::vector<int> kept;             ///< the caller's vertices that stay
 };
 
 /// Vertices of about-equilateral triangles of this edge length that cover the area.
@@ -170,10 +173,11 @@ std::uint32_t freshSeed()
 /// One call of the engine: the stages in order, each one function of its own header.
 class Run {
 public:
-	Run(const MeshView& input, const RemeshOptions& options, Workers& workers,
-		RemeshReport& report) :
+	Run(const MeshView& input, const RemeshOptions& options, Workers& workers, RemeshReport& report,
+		std::vector<std::string>& notes) :
 			input_(input),
-			options_(options), workers_(workers), report_(report), clock_(workers, report)
+			options_(options), workers_(workers), report_(report), notes_(notes),
+			clock_(workers, report)
 	{
 		if (options_.seed == 0) options_.seed = freshSeed();
 		report_.seed    = options_.seed;
@@ -182,7 +186,9 @@ public:
 
 	void remesh(RemeshResult& out)
 	{
+		detectRegion();
 		Prepared p = prepare(0);
+		requireRoomForKept(p);
 		findFeatureLines(p);
 		if (options_.featureMode == FeatureMode::Lines && !followsFeatureLines())
 			out.notes.push_back(
@@ -197,7 +203,12 @@ public:
 			result = sampleAndImprove(p);
 		}
 		if (options_.exactCount && result.mesh.vertexNum != p.targetNum) {
-			result = reachByTopology(p, out);
+			if (p.kept.empty()) {
+				result = reachByTopology(p, out);
+			}
+			else {
+				acceptNearest(p, result.mesh.vertexNum, out);
+			}
 		}
 		fit(p, result);
 		finish(p, result, out);
@@ -205,7 +216,9 @@ public:
 
 	void sample(SamplingResult& out)
 	{
+		detectRegion();
 		Prepared p = prepare(0);
+		requireRoomForKept(p);
 		findFeatureLines(p);
 		const BlockPartition partition = cut(p);
 		BoundaryCurves       boundary;
@@ -238,30 +251,24 @@ public:
 
 	void detect(FeatureResult& out)
 	{
-		Surface surface;
-		clock_.enter("load", "Taking over the mesh", 0.1);
-		IndexedMesh mesh     = loadInput(input_, workers_, report_.cleaned);
-		surface.frame        = mesh.frame;
-		const float meanEdge = meanEdgeLength(mesh, workers_);
-		if (!(meanEdge > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
-		connectOrRepair(mesh, surface);
+		Surface            surface;
+		const FeatureEdges features = detectOn(surface, 0.95);
 		describeInput(surface);
-		clock_.enter("features", "Detecting features", 0.95);
-		const FeatureEdges features =
-			findFeatures(surface, options_.featureThresholds, meanEdge, workers_);
 		clock_.enter("export", "Handing out the features", 1);
 		exportFeatures(input_, surface, features, out);
-		noteDetection(features, out);
 	}
 
 private:
-	const MeshView&   input_;
-	RemeshOptions     options_;
-	Workers&          workers_;
-	RemeshReport&     report_;
-	StageClock        clock_;
-	FusedMesh         fused_;       ///< with the samples of the border-edge placement
-	std::vector<char> sampleMoved_; ///< retriangulate: samples that were off the surface
+	const MeshView&           input_;
+	RemeshOptions             options_;
+	Workers&                  workers_;
+	RemeshReport&             report_;
+	std::vector<std::string>& notes_;
+	StageClock                clock_;
+	const Buffer<char>        noRegion_;
+	FusedMesh                 fused_;       ///< with the samples of the border-edge placement
+	std::vector<char>         sampleMoved_; ///< retriangulate: samples that were off the surface
+	std::vector<std::uint8_t> detected_;    ///< per caller's vertex: of the detected features
 
 	// ---- the input
 
@@ -337,10 +344,80 @@ private:
 		connectOrRepair(mesh, p.surface);
 	}
 
+	/// Finds the features on the caller's own mesh, before any split, so that they are those which
+	/// detectFeatures finds.
+	void detectRegion()
+	{
+		if (options_.featureRegion != FeatureRegion::Detected) return;
+		Surface            surface;
+		const FeatureEdges features = detectOn(surface, 0.04);
+		FeatureResult      found;
+		exportFeatures(input_, surface, features, found);
+		report_.cleaned = CleanCounts();
+		if (found.figures.vertexNum == 0) {
+			notes_.push_back("No features were detected, so that there is no feature region.");
+			return;
+		}
+		detected_ = std::move(found.vertexFeature);
+	}
+
+	FeatureEdges detectOn(Surface& surface, double until)
+	{
+		clock_.enter("load", "Taking over the mesh", 0.1 * until);
+		IndexedMesh mesh     = loadInput(input_, workers_, report_.cleaned);
+		surface.frame        = mesh.frame;
+		const float meanEdge = meanEdgeLength(mesh, workers_);
+		if (!(meanEdge > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
+		connectOrRepair(mesh, surface);
+		clock_.enter("detection", "Detecting features", until);
+		FeatureEdges features =
+			findFeatures(surface, options_.featureThresholds, meanEdge, workers_);
+		noteDetection(features);
+		return features;
+	}
+
 	void findFeatureRegion(Prepared& p)
 	{
-		if (options_.featureRegion == FeatureRegion::Selection)
-			p.isFeatureVertex = selectedVertices(input_, p.surface, workers_);
+		const bool          bySelection = options_.featureRegion == FeatureRegion::Selection;
+		const std::uint8_t* marks       = bySelection         ? input_.selected
+										  : detected_.empty() ? nullptr
+															  : detected_.data();
+		p.isFeatureVertex               = regionVertices(input_, marks, p.surface, workers_);
+		if (bySelection && p.isFeatureVertex.empty()) {
+			throw Failure(Status::BadOptions,
+						  "The selection is to be preserved, but no vertex is selected.");
+		}
+		const std::vector<int> vertices =
+			callersVertices(input_, p.isFeatureVertex, p.surface, workers_);
+		report_.regionVertexNum = std::int64_t(vertices.size());
+		if (options_.featureSampling == FeatureSampling::Vertices) p.kept = vertices;
+	}
+
+	void requireRoomForKept(const Prepared& p)
+	{
+		if (std::int64_t(p.kept.size()) <= p.targetNum) return;
+		throw Failure(Status::BadOptions,
+					  "The feature region has " + std::to_string(p.kept.size()) +
+						  " vertices to be kept, more than the " + std::to_string(p.targetNum) +
+						  " of the result; ask for more vertices, or have the region sampled by "
+						  "disks.");
+	}
+
+	/// Vertices to be kept leave no way to the count: the nearest one, where that may be.
+	void acceptNearest(Prepared& p, std::int64_t nearest, RemeshResult& out)
+	{
+		if (!options_.allowNearest && options_.targetMode == TargetMode::VertexNum) {
+			out.smallestVertexNum = nearest;
+			throw Failure(Status::CountTooSmall,
+						  "The surface cannot be meshed with " + std::to_string(p.targetNum) +
+							  " vertices that include the " + std::to_string(p.kept.size()) +
+							  " of the feature region, but with " + std::to_string(nearest) + ".");
+		}
+		out.notes.push_back("The result has " + std::to_string(nearest) + " vertices instead of " +
+							std::to_string(p.targetNum) +
+							", with those of the feature region the nearest that could be "
+							"reached.");
+		setTarget(p, nearest);
 	}
 
 	/// Marks the feature lines; from here on the surface does not change any more. Where there are
@@ -386,7 +463,7 @@ private:
 
 	static BoundaryCurves sampleCurves(const Prepared& p, float radius)
 	{
-		return sampleBoundary(p.surface, radius, borderSpacing * radius, p.tips);
+		return sampleBoundary(p.surface, radius, borderSpacing * radius, p.tips, p.kept);
 	}
 
 	void connectOrRepair(IndexedMesh& mesh, Surface& surface)
@@ -415,35 +492,52 @@ private:
 
 	// ---- sampling and what follows
 
-	BlockPartition cut(const Prepared& p)
+	BlockPartition cut(const Prepared& p) { return cut(p, p.radius); }
+
+	BlockPartition cut(const Prepared& p, float radius)
 	{
 		const bool small = p.surface.mesh.faceNum < smallMeshFaces;
-		return cutIntoBlocks(p.surface, (small ? smallBlockWidth : blockWidth) * p.radius,
-							 workers_);
+		return cutIntoBlocks(p.surface, (small ? smallBlockWidth : blockWidth) * radius, workers_);
 	}
 
-	/// Samples of about the wanted number. Feature lines leave gaps between them and the front, all
-	/// the more the nearer they are to each other; so the radius is lowered by what the first go
-	/// missed.
+	/// Samples of about the wanted number.
 	Sampling sampleAll(const Prepared& p, const BlockPartition& partition, BoundaryCurves& boundary)
 	{
-		constexpr int   mostCorrections = 2;
-		constexpr float aim = 0.985f, near = 0.02f; // of the wanted number
-		constexpr float mostOnCurves = 0.7f;
-		float           radius       = p.radius;
-		Sampling        sampling     = sampleOnce(p, radius, partition, boundary);
-		for (int i = 0; i < mostCorrections && p.surface.mesh.hasCreases(); ++i) {
-			const float share = float(sampling.samples.size()) / (aim * float(p.targetNum));
-			if (std::abs(share - 1) <= near) break;
-			if (float(sampling.boundarySampleNum) > mostOnCurves * float(p.targetNum)) break;
-			radius *= std::sqrt(share);
-			sampling = sampleOnce(p, radius, partition, boundary);
+		const int mostCorrections = p.kept.empty() ? 2 : 6;
+		float     radius          = p.radius;
+		Sampling  sampling        = sampleOnce(p, radius, partition, boundary);
+		for (int i = 0; i < mostCorrections; ++i) {
+			const float corrected = correctedRadius(p, sampling, radius);
+			if (corrected == radius) break;
+			radius   = corrected;
+			sampling = sampleOnce(p, radius, p.kept.empty() ? partition : cut(p, radius), boundary);
 		}
 		report_.sampleNum         = std::int64_t(sampling.samples.size());
 		report_.boundarySampleNum = sampling.boundarySampleNum;
 		report_.diskRadius        = double(radius) / p.surface.frame.scale;
 		if (sampling.capped) report_.capsReached.push_back("samples of a block");
 		return sampling;
+	}
+
+	/// Feature lines leave gaps between them and the front, all the more the nearer they are to
+	/// each other; so the radius is lowered by what the first go missed. Vertices to be kept are a
+	/// fixed number of the samples, however near to each other: the others get what they leave.
+	static float correctedRadius(const Prepared& p, const Sampling& sampling, float radius)
+	{
+		constexpr float aim = 0.985f, near = 0.02f; // of the wanted number
+		constexpr float mostOnCurves = 0.7f;
+		if (!p.surface.mesh.hasCreases() && p.kept.empty()) return radius;
+		const float kept   = float(p.kept.size());
+		const float wanted = aim * float(p.targetNum) - kept;
+		const float share  = (float(sampling.samples.size()) - kept) / wanted;
+		if (!(wanted > 0) || std::abs(share - 1) <= near) return radius;
+		const float onCurves = float(sampling.boundarySampleNum) - kept;
+		if (onCurves > mostOnCurves * (float(p.targetNum) - kept)) return radius;
+		if (p.kept.empty()) return radius * std::sqrt(share);
+		// Edges are cut for this radius; much smaller disks would own no vertices.
+		constexpr float leastRadius = 0.8f, leastShare = 0.25f, mostShare = 4;
+		return std::max(leastRadius * p.radius,
+						radius * std::sqrt(std::clamp(share, leastShare, mostShare)));
 	}
 
 	Sampling sampleOnce(const Prepared& p, float radius, const BlockPartition& partition,
@@ -454,7 +548,14 @@ private:
 		clock_.enter("sampling", "Sampling", 0.6);
 		if (options_.placement == Placement::BorderEdge)
 			return sampleOnBorderEdges(p, radius, boundary);
-		return sampleFront(p.surface, boundary, partition, radius, options_.seed, workers_);
+		return sampleFront(p.surface, boundary, partition, radius, options_.seed, workers_,
+						   presampled(p));
+	}
+
+	/// What of the surface is sampled first.
+	const Buffer<char>& presampled(const Prepared& p) const
+	{
+		return options_.featureSampling == FeatureSampling::Disks ? p.isFeatureVertex : noRegion_;
 	}
 
 	/// The paper's placement; keeps the mesh that the samples were fused into.
@@ -464,6 +565,7 @@ private:
 		o.radius                  = radius;
 		o.seed                    = options_.seed;
 		o.mostSamples             = 100000 + 10 * p.targetNum;
+		o.region                  = &presampled(p);
 		BorderEdgeSampling placed = sampleBorderEdges(p.surface, boundary, o, workers_);
 		if (options_.retriangulation == Retriangulation::VertexRemoval)
 			fused_ = std::move(placed.fused);
@@ -590,6 +692,21 @@ private:
 		out.notes.push_back(sentence);
 	}
 
+	void noteKept(const Prepared& p, const ResultMesh& result)
+	{
+		const auto isPinned   = [](const ResultVertex& v) { return v.isPinned; };
+		report_.keptVertexNum = std::count_if(result.vertex.begin(), result.vertex.end(), isPinned);
+		const std::int64_t lost = std::int64_t(p.kept.size()) - report_.keptVertexNum;
+		if (2 * report_.keptVertexNum > result.mesh.vertexNum) {
+			notes_.push_back("More than half of the vertices are those of the feature region; the "
+							 "triangles beside it are uneven.");
+		}
+		if (lost > 0) {
+			notes_.push_back(std::to_string(lost) + " of the " + std::to_string(p.kept.size()) +
+							 " vertices of the feature region could not be kept.");
+		}
+	}
+
 	/// The count could not be reached from samples of the right spacing. Starts from the fewest
 	/// samples instead and changes the count by topology alone; what even that cannot reach is
 	/// refused, or, where the target was a wish, raised to the smallest possible count.
@@ -700,12 +817,11 @@ private:
 
 	// ---- features
 
-	void noteDetection(const FeatureEdges& features, FeatureResult& out)
+	void noteDetection(const FeatureEdges& features)
 	{
 		if (features.supportCut) {
-			out.notes.push_back(
-				"The feature support was cut to 5 % of the square root of the area; "
-				"the mesh is too coarse for more.");
+			notes_.push_back("The feature support was cut to 5 % of the square root of the area; "
+							 "the mesh is too coarse for more.");
 		}
 		if (features.cappedRayNum > 0) {
 			report_.capsReached.push_back("faces crossed by the rays of the feature support");
@@ -722,6 +838,7 @@ private:
 		const std::int64_t promised = options_.exactCount ? p.targetNum : 0;
 		noteOperations(result);
 		noteCountReached(p, result, out);
+		noteKept(p, result);
 		report_.audit =
 			audit(p.surface, result, report_.cleanedInput, report_.result, promised, workers_);
 		if (!report_.audit.passed) {
@@ -802,7 +919,7 @@ RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 	RemeshResult result =
 		guarded<RemeshResult>(options, progress, [&](Workers& workers, RemeshResult& r) {
 			try {
-				Run(input, options, workers, r.report).remesh(r);
+				Run(input, options, workers, r.report, r.notes).remesh(r);
 			}
 			catch (const Failure&) {
 				smallest = r.smallestVertexNum;
@@ -817,7 +934,7 @@ SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& op
 								  const ProgressCallback& progress)
 {
 	return guarded<SamplingResult>(options, progress, [&](Workers& workers, SamplingResult& r) {
-		Run(input, options, workers, r.report).sample(r);
+		Run(input, options, workers, r.report, r.notes).sample(r);
 	});
 }
 
@@ -825,7 +942,7 @@ RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samp
 						   const RemeshOptions& options, const ProgressCallback& progress)
 {
 	return guarded<RemeshResult>(options, progress, [&](Workers& workers, RemeshResult& r) {
-		Run(input, options, workers, r.report).retriangulate(samples, r);
+		Run(input, options, workers, r.report, r.notes).retriangulate(samples, r);
 	});
 }
 
@@ -833,7 +950,7 @@ FeatureResult detectFeatures(const MeshView& input, const RemeshOptions& options
 							 const ProgressCallback& progress)
 {
 	return guarded<FeatureResult>(options, progress, [&](Workers& workers, FeatureResult& r) {
-		Run(input, options, workers, r.report).detect(r);
+		Run(input, options, workers, r.report, r.notes).detect(r);
 	});
 }
 

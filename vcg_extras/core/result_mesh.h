@@ -17,6 +17,7 @@ struct ResultVertex {
 	int    curve    = -1;    ///< border or feature line it belongs to, or -1
 	float  arc      = 0;     ///< where on the curve
 	bool   isCorner = false; ///< of the curves, or a cone's tip: never moves
+	bool   isPinned = false; ///< one of the caller's vertices that is to be kept: never goes either
 	int    sample   = -1;    ///< the sample it was, in the sampling's order; -1 for later ones
 };
 

@@ -424,33 +424,6 @@ Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& wor
 	return h;
 }
 
-Buffer<char> selectedVertices(const MeshView& input, const Surface& surface, Workers& workers)
-{
-	constexpr float    weightThatCounts = 1e-4f; // rounding puts less on the corners beside
-	Buffer<char>       isSelected(surface.mesh.vertexNum);
-	const std::int64_t n = workers.sum<std::int64_t>(
-		input.selected == nullptr ? 0 : isSelected.size(), [&](std::size_t begin, std::size_t end) {
-			std::int64_t found = 0;
-			for (std::size_t v = begin; v < end; ++v) {
-				isSelected[v] = surface.mesh.outgoing[v] >= 0;
-				if (!isSelected[v]) continue;
-				const SurfacePoint at =
-					surfacePoint(input, surface, anchorOfVertex(surface, int(v)));
-				for (int k = 0; k < 3; ++k) {
-					if (at.weight[k] > weightThatCounts)
-						isSelected[v] &= input.selected[input.triangles[3 * at.face + k]] != 0;
-				}
-				found += isSelected[v];
-			}
-			return found;
-		});
-	if (n == 0) {
-		throw Failure(Status::BadOptions,
-					  "The selection is to be preserved, but no vertex is selected.");
-	}
-	return isSelected;
-}
-
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
 	const bool uniform = !(request.options.lambda > 0) && !(request.options.adapt > 0);

@@ -49,11 +49,6 @@ struct SizingRequest {
 /// grading.
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers);
 
-/// Per vertex of the surface whether it belongs to the caller's selection (MeshView::selected):
-/// vertices of the caller that are selected, and points between such. Throws Failure{BadOptions}
-/// where nothing is selected.
-Buffer<char> selectedVertices(const MeshView& input, const Surface& surface, Workers& workers);
-
 /// Mean curvature H at every vertex in 1/working unit, positive where the surface bulges along its
 /// normals: the divergence of the vertex normals over each face (half of it is H), summed and
 /// divided by the area over the ring, then averaged over so many further rings. Needs no division

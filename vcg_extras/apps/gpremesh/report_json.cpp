@@ -108,6 +108,8 @@ Json countsJson(const RemeshReport& r)
 			{"boundarySamples", r.boundarySampleNum},
 			{"featureEdges", r.featureEdgeNum},
 			{"featureTips", r.featureTipNum},
+			{"featureRegionVertices", r.regionVertexNum},
+			{"keptVertices", r.keptVertexNum},
 			{"leftoverVertices", r.leftoverVertexNum},
 			{"splits", r.splitNum},
 			{"collapses", r.collapseNum},

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A feature region is preserved (paper §3.1.1) as it was asked to be, by every placement and
+// retriangulation.
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/oracles.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr::test {
+
+namespace {
+
+RemeshOptions withRegion(std::int64_t vertexNum, FeatureSampling sampling)
+{
+	RemeshOptions o;
+	o.targetMode      = TargetMode::VertexNum;
+	o.targetVertexNum = vertexNum;
+	o.threads         = 2;
+	o.featureMode     = FeatureMode::Off;
+	o.featureRegion   = FeatureRegion::Detected;
+	o.featureSampling = sampling;
+	return o;
+}
+
+/// The marked vertices of a mesh.
+std::vector<Vec3d> featuresOf(const TriangleMesh& mesh)
+{
+	const FeatureResult found = detectFeatures(mesh.view(), RemeshOptions());
+	std::vector<Vec3d>  points;
+	for (std::size_t v = 0; v < mesh.vertexNum(); ++v) {
+		if (found.vertexFeature[v] != 0) points.push_back(mesh.positions[v]);
+	}
+	return points;
+}
+
+/// Largest distance from a point of the list to the nearest of the others.
+double largestGap(const std::vector<Vec3d>& points, const std::vector<Vec3d>& others)
+{
+	double largest = 0;
+	for (const Vec3d& p : points)
+		largest = std::max(largest, distanceToNearest(others, p));
+	return largest;
+}
+
+struct Way {
+	const char*     name;
+	Placement       placement;
+	Retriangulation retriangulation;
+};
+
+std::ostream& operator<<(std::ostream& out, const Way& way)
+{
+	return out << way.name;
+}
+
+class FeatureRegionWay : public ::testing::TestWithParam<Way> {
+protected:
+	static void use(RemeshOptions& o)
+	{
+		o.placement       = GetParam().placement;
+		o.retriangulation = GetParam().retriangulation;
+	}
+};
+
+TEST_P(FeatureRegionWay, EveryVertexIsKeptWhereThatIsAsked)
+{
+	Random random(5);
+	for (const TriangleMesh& mesh :
+		 {cube(12), closedCylinder(60, 30, 0.5, 1), withHoles(bentSheet(30, 1.2), 3, random),
+		  cone(40, 20, 0.5, 1), lPrism(8)}) {
+		const std::vector<Vec3d> features = featuresOf(mesh);
+		ASSERT_FALSE(features.empty());
+		for (const FeatureMode mode : {FeatureMode::Off, FeatureMode::Auto}) {
+			const std::int64_t wanted = std::int64_t(2.5 * double(features.size())) + 50;
+			RemeshOptions      o      = withRegion(wanted, FeatureSampling::Vertices);
+			use(o);
+			o.featureMode        = mode;
+			const RemeshResult r = remesh(mesh.view(), o);
+			ASSERT_EQ(r.status, Status::Ok) << r.message;
+			EXPECT_EQ(std::int64_t(r.mesh.vertexNum()), wanted);
+			EXPECT_EQ(r.report.regionVertexNum, std::int64_t(features.size()));
+			EXPECT_EQ(r.report.keptVertexNum, std::int64_t(features.size()));
+			EXPECT_LT(largestGap(features, r.mesh.positions), 1e-6);
+			EXPECT_TRUE(isSoundSurface(r.mesh));
+			EXPECT_TRUE(hasSameTopology(mesh, r.mesh));
+		}
+	}
+}
+
+/// The crease is a line that nothing else follows here: its samples lie on it.
+TEST_P(FeatureRegionWay, TheRegionIsSampledFirst)
+{
+	const TriangleMesh mesh = bentSheet(60, 1.2);
+	RemeshOptions      o    = withRegion(500, FeatureSampling::Disks);
+	use(o);
+	const SamplingResult r = samplePoissonDisks(mesh.view(), o);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	std::vector<double> along;
+	for (std::size_t s = 0; s < r.points.size(); ++s) {
+		if (std::abs(r.points[s].x - 0.5) < 1e-5) along.push_back(r.points[s].y);
+	}
+	std::sort(along.begin(), along.end());
+	const double disk = o.featureDiskScale * r.diskRadius;
+	ASSERT_GT(along.size(), 0.5 / disk);
+	for (std::size_t i = 1; i < along.size(); ++i) {
+		EXPECT_GT(along[i] - along[i - 1], 0.9 * disk);
+		EXPECT_LT(along[i] - along[i - 1], 2.1 * disk);
+	}
+	// Without a region none lies on the line but by chance and at its ends.
+	o.featureRegion             = FeatureRegion::None;
+	const SamplingResult plain  = samplePoissonDisks(mesh.view(), o);
+	const auto           onLine = [](const Vec3d& p) { return std::abs(p.x - 0.5) < 1e-5; };
+	EXPECT_LT(std::count_if(plain.points.begin(), plain.points.end(), onLine),
+			  std::ptrdiff_t(along.size() / 2));
+}
+
+TEST_P(FeatureRegionWay, SharpEdgesAreNearerWithARegion)
+{
+	for (const TriangleMesh& mesh : {cube(24), closedCylinder(120, 60, 0.5, 1)}) {
+		const std::vector<Vec3d> features = featuresOf(mesh);
+		const auto               gap      = [&](RemeshOptions o) {
+            use(o);
+            const RemeshResult r = remesh(mesh.view(), o);
+            EXPECT_EQ(r.status, Status::Ok) << r.message;
+            double sum = 0;
+            for (const Vec3d& p : features)
+                sum += std::pow(distanceToMesh(r.mesh, p), 2);
+            return std::sqrt(sum / double(features.size()));
+		};
+		RemeshOptions none    = withRegion(400, FeatureSampling::Disks);
+		none.featureRegion    = FeatureRegion::None;
+		const double  without = gap(none);
+		const double  disks   = gap(withRegion(400, FeatureSampling::Disks));
+		RemeshOptions kept    = withRegion(1000, FeatureSampling::Vertices);
+		EXPECT_LT(disks, 0.7 * without);
+		EXPECT_LT(gap(kept), 1e-6);
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(
+	Ways, FeatureRegionWay,
+	::testing::Values(Way{"default", Placement::DiskIntersection, Retriangulation::LabelCollapse},
+					  Way{"paper", Placement::BorderEdge, Retriangulation::VertexRemoval},
+					  Way{"paperPlacement", Placement::BorderEdge, Retriangulation::LabelCollapse},
+					  Way{"paperRetriangulation", Placement::DiskIntersection,
+						  Retriangulation::VertexRemoval}),
+	[](const auto& way) { return way.param.name; });
+
+/// With lambda, §3.1.2, too.
+TEST(FeatureRegionMeetsDensity, SharpEdgesAreNearerWithLambda)
+{
+	const TriangleMesh       mesh     = cube(24);
+	const std::vector<Vec3d> features = featuresOf(mesh);
+	double                   last     = HUGE_VAL;
+	for (const double lambda : {0.0, 2.0}) {
+		RemeshOptions o      = withRegion(400, FeatureSampling::Disks);
+		o.featureRegion      = FeatureRegion::None;
+		o.lambda             = lambda;
+		o.fit                = Fit::Off;
+		const RemeshResult r = remesh(mesh.view(), o);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		double sum = 0;
+		for (const Vec3d& p : features)
+			sum += distanceToMesh(r.mesh, p);
+		EXPECT_LT(sum, 0.9 * last) << lambda;
+		last = sum;
+	}
+}
+
+bool sameBytes(const RemeshResult& a, const RemeshResult& b)
+{
+	return a.mesh.positions == b.mesh.positions && a.mesh.triangles == b.mesh.triangles;
+}
+
+TEST(FeatureRegionDeterminism, AnyNumberOfThreadsGivesTheSameBytes)
+{
+	const TriangleMesh mesh = joined(cube(20), shifted(closedCylinder(60, 30, 0.5, 1), {3, 0, 0}));
+	for (const FeatureSampling sampling : {FeatureSampling::Disks, FeatureSampling::Vertices}) {
+		for (const Placement placement : {Placement::DiskIntersection, Placement::BorderEdge}) {
+			RemeshOptions o      = withRegion(1500, sampling);
+			o.placement          = placement;
+			o.threads            = 1;
+			const RemeshResult a = remesh(mesh.view(), o);
+			ASSERT_EQ(a.status, Status::Ok) << a.message;
+			for (int threads : {2, 4}) {
+				o.threads = threads;
+				EXPECT_TRUE(sameBytes(remesh(mesh.view(), o), a)) << threads;
+			}
+		}
+	}
+}
+
+TEST(DetectedRegion, IsWhatDetectFeaturesFinds)
+{
+	const TriangleMesh mesh  = closedCylinder(60, 30, 0.5, 1);
+	FeatureResult      found = detectFeatures(mesh.view(), RemeshOptions());
+	MeshView           view  = mesh.view();
+	view.selected            = found.vertexFeature.data();
+	for (const FeatureSampling sampling : {FeatureSampling::Disks, FeatureSampling::Vertices}) {
+		RemeshOptions      o        = withRegion(600, sampling);
+		const RemeshResult detected = remesh(view, o);
+		o.featureRegion             = FeatureRegion::Selection;
+		const RemeshResult selected = remesh(view, o);
+		ASSERT_EQ(detected.status, Status::Ok) << detected.message;
+		EXPECT_TRUE(sameBytes(detected, selected));
+	}
+}
+
+TEST(DetectedRegion, ThresholdsAreObeyedAndNothingFoundIsTold)
+{
+	const TriangleMesh mesh       = cube(12);
+	RemeshOptions      o          = withRegion(300, FeatureSampling::Vertices);
+	o.featureThresholds.strongDeg = 100;
+	const RemeshResult r          = remesh(mesh.view(), o);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_EQ(r.report.regionVertexNum, 0);
+	EXPECT_NE(r.notes.back().find("No features"), std::string::npos) << r.notes.back();
+	o.featureRegion = FeatureRegion::None;
+	EXPECT_TRUE(sameBytes(remesh(mesh.view(), o), r));
+}
+
+TEST(KeptVertices, MoreThanWantedIsRefused)
+{
+	const TriangleMesh mesh = cube(12);
+	const RemeshResult r    = remesh(mesh.view(), withRegion(100, FeatureSampling::Vertices));
+	EXPECT_EQ(r.status, Status::BadOptions);
+	EXPECT_NE(r.message.find("more than the 100"), std::string::npos) << r.message;
+}
+
+/// All of the input's vertices, and hardly any: the count is hit, or the nearest one named.
+TEST(KeptVertices, AnyShareOfTheCount)
+{
+	const TriangleMesh        mesh = icosphere(3); // 642 vertices
+	std::vector<std::uint8_t> selected(mesh.vertexNum(), 0);
+	MeshView                  view = mesh.view();
+	view.selected                  = selected.data();
+	for (const int part : {1, 2, 3, 7, 100}) {
+		std::vector<Vec3d> kept;
+		for (std::size_t v = 0; v < selected.size(); ++v) {
+			selected[v] = v % std::size_t(part) == 0;
+			if (selected[v]) kept.push_back(mesh.positions[v]);
+		}
+		for (const double times : {1.0, 1.1, 2.0}) {
+			RemeshOptions o      = withRegion(std::int64_t(std::ceil(times * double(kept.size()))),
+											  FeatureSampling::Vertices);
+			o.featureRegion      = FeatureRegion::Selection;
+			o.allowNearest       = true;
+			const RemeshResult r = remesh(view, o);
+			ASSERT_EQ(r.status, Status::Ok) << r.message << " " << part << " " << times;
+			EXPECT_LT(largestGap(kept, r.mesh.positions), 1e-6);
+			EXPECT_TRUE(hasSameTopology(mesh, r.mesh));
+			const auto isOff = [](const std::string& n) { return n.find("instead") != n.npos; };
+			if (std::none_of(r.notes.begin(), r.notes.end(), isOff)) {
+				EXPECT_EQ(std::int64_t(r.mesh.vertexNum()), o.targetVertexNum);
+				continue;
+			}
+			o.allowNearest            = false;
+			const RemeshResult strict = remesh(view, o);
+			EXPECT_EQ(strict.status, Status::CountTooSmall) << strict.message;
+			EXPECT_EQ(strict.smallestVertexNum, std::int64_t(r.mesh.vertexNum()));
+		}
+	}
+}
+
+} // namespace
+
+} // namespace gpr::test
