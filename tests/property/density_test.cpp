@@ -120,6 +120,23 @@ TEST(DensityAsPrinted, GoesWithTheStretchSquaredAndOvershoots)
 			   0.15);
 }
 
+/// Noise is not curvature: H is averaged over a disk, so that eq. (4) neither splits the mesh to
+/// dust nor lets single disks run over everything.
+TEST(DensityAsPrinted, LandsNearTheTargetOnANoisySurface)
+{
+	Random             random(5);
+	const TriangleMesh rough   = noisySphere(5, 0.01, random);
+	RemeshOptions      options = withCount(1000);
+	applyPreset(Preset::Paper, options);
+	const RemeshResult even = remesh(rough.view(), options);
+	ASSERT_EQ(even.status, Status::Ok) << even.message;
+	options.lambda            = even.report.diskRadius; // λH is about 0.12
+	const RemeshResult result = remesh(rough.view(), options);
+	ASSERT_EQ(result.status, Status::Ok) << result.message;
+	EXPECT_NEAR(double(result.mesh.vertexNum()) / double(even.mesh.vertexNum()), 1, 0.1);
+	EXPECT_LT(result.report.cleaned.longEdgesSplit, 5000);
+}
+
 /// Root of the sum of the squared principal curvatures of the ellipsoid x² + y² + z²/9 = 1.
 double ellipsoidCurvature(const Vec3d& p)
 {

@@ -131,7 +131,8 @@ void DiskFlood::tryDistance(int vertex, float distance)
 	NearestField::Trial& t = field_.trial[vertex];
 	if (t.stamp == 2 * flood_ && distance >= t.distance) return;
 	if (t.stamp == 2 * flood_ + 1) {
-		if (distance >= t.distance * (1 - worthAnotherVisit)) return;
+		// Triangles of stretched edges need not be triangles: there a front could creep back.
+		if (stretch_ != nullptr || distance >= t.distance * (1 - worthAnotherVisit)) return;
 		t.distance = distance;
 	}
 	else {
@@ -169,10 +170,10 @@ void DiskFlood::unfoldOver(int v, int known, int wanted, const Sample& sample)
 		unfoldedDistance(d1, d2, wayAlong(v, known) * scale_, wayAlong(v, wanted) * scale_,
 						 wayAlong(known, wanted) * scale_);
 	if (!(d < HUGE_VALF)) return;
-	// No way on the surface is shorter than the chord.
+	// No way on the surface is shorter than the chord; under a stretch the front never runs back.
 	const float least = stretch_ == nullptr
 							? length(m_.position[wanted] - sample.anchor.position) * scale_
-							: std::min(d1, d2);
+							: std::max(d1, d2);
 	tryDistance(wanted, std::max(d, least));
 }
 

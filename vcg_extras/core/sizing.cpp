@@ -269,7 +269,7 @@ Buffer<float> strengthAtVertices(const SizingRequest& request, const Surface& su
 			q = std::abs(q);
 		return quality;
 	}
-	const int     passes   = printed ? 0 : passesForRadius(surface, request.radius, workers);
+	const int     passes   = passesForRadius(surface, request.radius, workers);
 	Buffer<float> strength = meanCurvature(surface, passes, workers);
 	const float   scale    = float(surface.frame.scale);
 	for (float& h : strength)

@@ -36,15 +36,15 @@ struct SizingRequest {
 /// unit, H averaged over a disk of radius r; sizes 1/s may grow by gradingSlope of the distance
 /// only, so that angles stay good; since the number of samples goes with the area mean of s², the
 /// radius is multiplied by the root of it.
-/// As printed: s = max(1 + λ·H, 0.1) with the signed H of each vertex in 1/mesh unit, and the
-/// radius times the vertex mean of 1 + λ·H, eq. (5), which overshoots the count wherever the
-/// curvature varies.
-/// With `adapt` (calibrated only) sizes are multiplied by (κ / area median of κ)^-1/4, within a
-/// range of 4^adapt, where κ² = κ₁² + κ₂²: at the same number of vertices that lessens the error.
-/// Theory asks for isotropic triangles of size κ^-1/3 for the least mean and κ^-1/2 for the least
-/// largest error; the fourth root, limited and graded, measured best of all, with good angles.
-/// With SizingSource::Quality the absolute value of the mesh's quality stands for |H|·r, or for H.
-/// Throws Failure{BadOptions} where the quality is asked for and missing or not finite.
+/// As printed: s = max(1 + λ·H, 0.1) with the signed H of each vertex in 1/mesh unit, averaged over
+/// a disk too (the paper does not say how it is found, and noise would drown it), and the radius
+/// times the vertex mean of 1 + λ·H, eq. (5), which overshoots the count wherever the curvature
+/// varies. With `adapt` (calibrated only) sizes are multiplied by (κ / area median of κ)^-1/4,
+/// within a range of 4^adapt, where κ² = κ₁² + κ₂²: at the same number of vertices that lessens the
+/// error. Theory asks for isotropic triangles of size κ^-1/3 for the least mean and κ^-1/2 for the
+/// least largest error; the fourth root, limited and graded, measured best of all, with good
+/// angles. With SizingSource::Quality the absolute value of the mesh's quality stands for |H|·r, or
+/// for H. Throws Failure{BadOptions} where the quality is asked for and missing or not finite.
 /// Cost: linear, a pass over the mesh for every edge that r spans, squared, and for each of the
 /// grading.
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers);

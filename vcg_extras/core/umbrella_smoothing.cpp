@@ -19,8 +19,8 @@ struct Umbrella {
 
 Umbrella umbrellaAt(const HalfEdgeMesh& m, int v)
 {
-	Vec3f sum;
-	int   n     = 0;
+	Vec3f      sum;
+	int        n   = 0;
 	const auto add = [&](int w) {
 		sum += m.position[w] - m.position[v];
 		++n;
