@@ -6,6 +6,7 @@
 //                                        quality from 0 below to 1 above, some vertices and faces
 //                                        selected
 //   plugin_mesh_tool roof OUT.ply        two square sheets of 41 x 41 vertices at a right angle
+//   plugin_mesh_tool ridge OUT.ply       the vertices where they meet
 //   plugin_mesh_tool same A.ply B.ply    ends with 0 where coordinates and faces are the same bits
 //   plugin_mesh_tool marks A.ply B.ply   ends with 0 where quality and selection of all vertices
 //                                        are the same
@@ -164,6 +165,12 @@ int main(int argc, char** argv)
 	}
 	if (task == "roof" && argc == 3) {
 		makeRoof(a, 40);
+		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2]) == 0 ? 0 : 1;
+	}
+	if (task == "ridge" && argc == 3) {
+		makeRoof(b, 40);
+		for (const ToolVertex& v : b.vert)
+			if (v.cP()[2] == 0) vcg::tri::Allocator<ToolMesh>::AddVertex(a, v.cP());
 		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2]) == 0 ? 0 : 1;
 	}
 	if (task == "marks" && argc == 4) {

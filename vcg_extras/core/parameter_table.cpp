@@ -314,7 +314,7 @@ void addFeatures(Table& t)
 	t.push_back(row(sized, "FeatureSampling", "--feature-sampling", "NAME", Kind::Choice,
 					"Feature region becomes",
 					"How the feature region is preserved: disks, sampled first, with smaller "
-					"disks; vertices, each of its vertices becomes a vertex of the result.")
+					"disks; vertices, each of its vertices stays as a vertex of the result.")
 					.choices({"disks", "vertices"})
 					.store([](const Value& v, RemeshOptions& o) {
 						o.featureSampling = FeatureSampling(countOf(v));
