@@ -9,8 +9,7 @@
 #include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
-#include <tests/support/oracles.h>
-#include <tests/support/stages.h>
+#include <tests/support/on_surface.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/delaunay_flips.h>
 #include <vcg_extras/core/exact_count.h>
@@ -24,84 +23,6 @@
 namespace gpr::test {
 
 namespace {
-
-/// A surface and a result on it.
-struct OnSurface {
-	Workers        workers{2, nullptr};
-	Surface        surface;
-	BoundaryCurves boundary;
-	ResultMesh     result;
-
-	explicit OnSurface(const TriangleMesh& mesh) : surface(surfaceOf(mesh, workers))
-	{
-		result        = resultOf(surface, boundary);
-		const float r = result.idealEdge / 1.04f;
-		boundary      = sampleBoundary(surface, r, result.idealEdge);
-		result        = resultOf(surface, boundary);
-	}
-
-	HalfEdgeMesh& m() { return result.mesh; }
-	double        meanShape() { return measureQuality(meshOf(m()).view()).radiusRatioMean; }
-	double        leastAngleDeg() { return measureQuality(meshOf(m()).view()).minAngleDeg; }
-
-	void expectSound()
-	{
-		EXPECT_TRUE(isSoundTable(m()));
-		EXPECT_TRUE(isSoundSurface(meshOf(m())));
-		ASSERT_EQ(int(result.vertex.size()), m().vertexNum);
-	}
-	/// Every vertex lies in the face that its anchor names, and where its anchor says.
-	void expectOnSurface()
-	{
-		const HalfEdgeMesh& s = surface.mesh;
-		for (int v = 0; v < m().vertexNum; ++v) {
-			const Anchor& a = result.vertex[v].anchor;
-			ASSERT_EQ(a.position, m().position[v]) << "vertex " << v;
-			ASSERT_TRUE(a.face >= 0 && a.face < s.faceNum);
-			const auto corner = [&](int k) { return Vec3d(s.position[s.origin[3 * a.face + k]]); };
-			ASSERT_LT(distanceToTriangle(Vec3d(a.position), corner(0), corner(1), corner(2)), 1e-5);
-		}
-	}
-};
-
-/// Twice the signed area in the plane z = 0.
-double turn(const Vec3f& a, const Vec3f& b, const Vec3f& c)
-{
-	return (double(b.x) - double(a.x)) * (double(c.y) - double(a.y)) -
-		   (double(b.y) - double(a.y)) * (double(c.x) - double(a.x));
-}
-
-/// Flips inner edges at random where the two triangles stay positive: a triangulation far from
-/// Delaunay.
-void scramble(HalfEdgeMesh& m, Random& random)
-{
-	for (int i = 0; i < 6 * m.halfEdgeNum(); ++i) {
-		const int h = random.below(m.halfEdgeNum());
-		if (!canFlip(m, h)) continue;
-		const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
-		const Vec3f c = m.position[m.apex(h)], d = m.position[m.apex(m.opposite[h])];
-		if (turn(a, d, c) > 1e-6 && turn(d, b, c) > 1e-6) flip(m, h);
-	}
-}
-
-double angleAt(const Vec3f& p, const Vec3f& a, const Vec3f& b)
-{
-	const Vec3d u = Vec3d(a) - Vec3d(p), v = Vec3d(b) - Vec3d(p);
-	return std::atan2(length(cross(u, v)), dot(u, v));
-}
-
-int edgesNotDelaunay(const HalfEdgeMesh& m)
-{
-	int n = 0;
-	for (int h = 0; h < m.halfEdgeNum(); ++h) {
-		const int g = m.opposite[h];
-		if (g < h) continue;
-		const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
-		n += angleAt(m.position[m.apex(h)], a, b) + angleAt(m.position[m.apex(g)], a, b) >
-			 3.14159265 + 1e-3;
-	}
-	return n;
-}
 
 class FlipToDelaunay : public ::testing::TestWithParam<std::uint32_t> {};
 

@@ -62,8 +62,15 @@ constexpr float poorShape = 0.6f;
 constexpr float foldCosine = 0.5f;
 /// Of the way to the next vertex.
 constexpr float longestSlide = 0.3f;
-/// How far a line may leave its chords, in ideal edges; see CurveSpacing.
+/// How far a curve may leave its chords, in ideal edges; see CurveSpacing.
 constexpr float tolerance = 0.08f;
+
+/// Of the two chords a - b - c; arcs may be negative on a closed curve.
+float worstDeviation(const Curve& curve, float a, float b, float c)
+{
+	const float lap = a < 0 ? curve.length : 0.0f;
+	return std::max(deviation(curve, a + lap, b + lap), deviation(curve, b + lap, c + lap));
+}
 
 class CreaseSlider {
 public:
@@ -77,11 +84,12 @@ public:
 		const ResultVertex& here = r_.vertex[v];
 		const SlideRoom     room = slideRoom(r_, curves_, v);
 		if (!(room.backward > 0 && room.forward > 0)) return;
-		const float wanted = dot(wayToBarycentre(v), tangentAt(here, room));
+		const float wanted = dot(wayToBarycentre(v), slideDirection(curves_, here, room));
 		const float step =
 			std::clamp(wanted, -longestSlide * room.backward, longestSlide * room.forward);
 		const ResultVertex to = slid(surface_, curves_, here, step);
-		if (!keepsShapes(v, to.anchor.position) || !keepsToLine(here, room, step)) return;
+		if (!keepsShapes(v, to.anchor.position)) return;
+		if (!slideKeepsToCurve(r_, curves_, v, room, step)) return;
 		r_.vertex[v]   = to;
 		m_.position[v] = to.anchor.position;
 	}
@@ -91,14 +99,6 @@ private:
 	const BoundaryCurves& curves_;
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
-
-	/// Over a quarter of the way to the neighbours.
-	Vec3f tangentAt(const ResultVertex& here, const SlideRoom& room) const
-	{
-		const Curve& c = curves_.curves[here.curve];
-		return normalized(c.at(here.arc + 0.25f * room.forward) -
-						  c.at(here.arc - 0.25f * room.backward));
-	}
 
 	Vec3f wayToBarycentre(int v) const
 	{
@@ -128,23 +128,6 @@ private:
 		});
 		return sound;
 	}
-
-	/// The two chords at the vertex leave the line no further than allowed, or than they did.
-	bool keepsToLine(const ResultVertex& here, const SlideRoom& room, float step) const
-	{
-		const Curve& c    = curves_.curves[here.curve];
-		const float  from = here.arc - room.backward, to = here.arc + room.forward;
-		const float  before  = worstDeviation(c, from, here.arc, to);
-		const float  allowed = std::max(before, tolerance * r_.idealEdge * c.sizeAt(here.arc));
-		return worstDeviation(c, from, here.arc + step, to) <= allowed;
-	}
-
-	/// Of the two chords a - b - c; arcs may be negative on a closed curve.
-	static float worstDeviation(const Curve& curve, float a, float b, float c)
-	{
-		const float lap = a < 0 ? curve.length : 0.0f;
-		return std::max(deviation(curve, a + lap, b + lap), deviation(curve, b + lap, c + lap));
-	}
 };
 
 } // namespace
@@ -157,6 +140,25 @@ SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int 
 	if (result.mesh.isBorderVertex(v))
 		return result.mesh.isCreaseVertex(v) ? SlideRoom() : roomAtBorder(result, c, v);
 	return here.isCorner ? SlideRoom() : roomOnCrease(result, c, v);
+}
+
+Vec3f slideDirection(const BoundaryCurves& curves, const ResultVertex& vertex,
+					 const SlideRoom& room)
+{
+	const Curve& c = curves.curves[vertex.curve];
+	return normalized(c.at(vertex.arc + 0.25f * room.forward) -
+					  c.at(vertex.arc - 0.25f * room.backward));
+}
+
+bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, int v,
+					   const SlideRoom& room, float step)
+{
+	const ResultVertex& here = result.vertex[v];
+	const Curve&        c    = curves.curves[here.curve];
+	const float         from = here.arc - room.backward, to = here.arc + room.forward;
+	const float         before = worstDeviation(c, from, here.arc, to);
+	const float allowed = std::max(before, tolerance * result.idealEdge * c.sizeAt(here.arc));
+	return worstDeviation(c, from, here.arc + step, to) <= allowed;
 }
 
 ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const ResultVertex& vertex,

@@ -19,6 +19,16 @@ struct SlideRoom {
 /// The room of v, a vertex of a curve. None for a vertex where feature lines meet.
 SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int v);
 
+/// Unit direction in which the arc of a vertex with room to slide grows: of the chord over a
+/// quarter of the way to its neighbours.
+Vec3f slideDirection(const BoundaryCurves& curves, const ResultVertex& vertex,
+					 const SlideRoom& room);
+
+/// Whether after a slide of v by `step` the two chords at it leave the curve no further than
+/// spacing may (CurveSpacing), or than they do now.
+bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, int v,
+					   const SlideRoom& room, float step);
+
 /// The record of a vertex, moved by `step` along its curve.
 ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const ResultVertex& vertex,
 				  float step);

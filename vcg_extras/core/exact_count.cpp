@@ -5,8 +5,8 @@
 #include "delaunay_flips.h"
 #include "mesh_edit.h"
 #include "relaxation.h"
-#include "sectors.h"
 #include "sizing.h"
+#include "valence_energy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,11 +45,6 @@ struct Operation {
 	}
 };
 
-int squaredDefect(int valence)
-{
-	return (valence - 6) * (valence - 6);
-}
-
 class CountCorrector {
 public:
 	CountCorrector(const Surface& surface, const BoundaryCurves& boundary, ResultMesh& result,
@@ -86,7 +81,7 @@ private:
 	Workers&              workers_;
 	std::int64_t          liveNum_;
 	Care                  care_ = Care::FlatGroundOnly;
-	Buffer<int>           valence_; ///< faces, corrected at borders so that 6 is right everywhere
+	Buffer<int>           valence_; ///< corrected
 	Buffer<char>          flat_;
 	Buffer<float>         size_; ///< wanted at each vertex; empty: the same everywhere
 	std::vector<char>     used_; ///< vertices whose surroundings changed in this round
@@ -96,13 +91,9 @@ private:
 
 	void beginRound()
 	{
-		flat_ = findFlatVertices(r_, workers_);
-		size_ = sizesOf(surface_, r_, workers_);
-		valence_.reset(m_.vertexNum);
-		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t v = begin; v < end; ++v)
-				valence_[v] = correctedValence(m_, int(v));
-		});
+		flat_    = findFlatVertices(r_, workers_);
+		size_    = sizesOf(surface_, r_, workers_);
+		valence_ = correctedValences(m_, workers_);
 		used_.assign(m_.vertexNum, 0);
 	}
 

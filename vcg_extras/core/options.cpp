@@ -79,6 +79,7 @@ void applyPreset(Preset preset, RemeshOptions& o)
 	o.retriangulation = paper ? Retriangulation::VertexRemoval : Retriangulation::LabelCollapse;
 	o.smoothing       = paper ? Smoothing::Umbrella2 : Smoothing::Barycentric;
 	o.fit             = paper ? Fit::Off : preset == Preset::Fast ? Fit::Quick : Fit::Rounds;
+	o.regularity      = preset == Preset::Default ? Regularity::Full : Regularity::Plain;
 	o.equations       = paper ? Equations::AsPrinted : Equations::Calibrated;
 	o.exactCount      = !paper;
 	o.featureMode     = paper ? FeatureMode::Off : FeatureMode::Auto;

@@ -44,6 +44,12 @@ enum class Smoothing {
 	None,
 };
 
+/// How far the triangles are made regular. Plain where the smoothing is not barycentric.
+enum class Regularity {
+	Full,  ///< dislocations glide together, triangles become equilateral by conformal steps
+	Plain, ///< relaxation steps and flips only
+};
+
 /// Whether vertices leave the surface for where the triangles lie closest to it (see fit.h).
 enum class Fit {
 	Rounds, ///< until little changes
@@ -108,6 +114,7 @@ struct RemeshOptions {
 	Placement       placement       = Placement::DiskIntersection;
 	Retriangulation retriangulation = Retriangulation::LabelCollapse;
 	Smoothing       smoothing       = Smoothing::Barycentric;
+	Regularity      regularity      = Regularity::Full;
 	Fit             fit             = Fit::Rounds;
 	Equations       equations       = Equations::Calibrated;
 
@@ -125,8 +132,8 @@ struct RemeshOptions {
 	FeatureThresholds featureThresholds;
 };
 
-/// Sets placement, retriangulation, smoothing, fit, equations, exactCount and featureMode to those
-/// of a preset and leaves the rest alone.
+/// Sets placement, retriangulation, smoothing, regularity, fit, equations, exactCount and
+/// featureMode to those of a preset and leaves the rest alone.
 void applyPreset(Preset preset, RemeshOptions& options);
 
 /// Complaints about values out of range, one sentence each; empty when all is well.

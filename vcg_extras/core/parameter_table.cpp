@@ -170,6 +170,17 @@ void addStages(Table& t)
 					})
 					.p);
 	t.push_back(
+		row(RemeshTool, "Regularity", "--regularity", "NAME", Kind::Choice, "Regularity",
+			"full (default) rids the triangulation of most vertices that have not six neighbours "
+			"and makes the triangles equilateral by conformal steps, two for each relaxation step; "
+			"plain (fast, paper) only relaxes and flips edges. full is plain where the smoothing "
+			"is not barycentric.")
+			.choices({"preset", "full", "plain"})
+			.store([](const Value& v, RemeshOptions& o) {
+				if (countOf(v) > 0) o.regularity = Regularity(countOf(v) - 1);
+			})
+			.p);
+	t.push_back(
 		row(RemeshTool, "RelaxIter", "--relax", "K", Kind::Count, "Relaxation steps",
 			"How often the vertices are moved by the smoothing, on the surface; 0 to 1000. 3 to 5 "
 			"make the triangles regular, more change little.")

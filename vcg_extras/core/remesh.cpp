@@ -6,6 +6,7 @@
 #include "blocks.h"
 #include "border_edge_sampling.h"
 #include "boundary_curves.h"
+#include "conformal_relaxation.h"
 #include "connect.h"
 #include "crease_lines.h"
 #include "curve_slide.h"
@@ -30,6 +31,7 @@
 #include "split_long_edges.h"
 #include "surface_point.h"
 #include "umbrella_smoothing.h"
+#include "valence_glide.h"
 #include "vertex_removal.h"
 #include "worst_triangles.h"
 
@@ -60,8 +62,8 @@ constexpr float longestEdge = 0.8f;
 constexpr float blockWidth      = 20;
 constexpr float smallBlockWidth = 12;
 constexpr int   smallMeshFaces  = 2000000;
-/// Angles below this get a pass of their own at the end.
-constexpr float poorAngleDeg = 32;
+/// Angles below these get a pass of their own at the end.
+constexpr float poorAngleDeg = 32, poorAngleFullDeg = 38;
 /// What is left of the weight of the triangles' shape in the fit where sizes follow the error: who
 /// asks for that wants to be close first.
 constexpr double adaptedShapeWeight = 0.25;
@@ -635,22 +637,46 @@ private:
 		mendFolds(p.surface, boundary, false, result, workers_);
 	}
 
-	/// The first two steps leave the edges alone: flips straight away would undo what the exact
-	/// count did for the valences.
 	void relax(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
 	{
-		constexpr int stepsWithoutFlips = 2;
 		clock_.enter("relaxation", "Relaxing", 0.95);
 		if (options_.smoothing != Smoothing::Barycentric)
 			return smoothAsWritten(p, boundary, result);
+		const bool isFull = options_.regularity == Regularity::Full;
+		if (options_.relaxIterations > 0) {
+			if (isFull)
+				makeRegular(p, boundary, result);
+			else
+				relaxPlainly(p, boundary, result);
+			raiseWorstAngles(p.surface, isFull ? poorAngleFullDeg : poorAngleDeg, result, workers_);
+		}
+		mendFolds(p.surface, boundary, false, result, workers_);
+	}
+
+	/// The first two steps leave the edges alone: flips straight away would undo what the exact
+	/// count did for the valences.
+	void relaxPlainly(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
+	{
+		constexpr int stepsWithoutFlips = 2;
 		for (int step = 0; step < options_.relaxIterations; ++step) {
 			relaxOnce(p.surface, result, workers_);
 			slideAlongCreases(p.surface, boundary, result);
 			if (step >= stepsWithoutFlips) flipEdges(result);
 		}
-		if (options_.relaxIterations > 0)
-			raiseWorstAngles(p.surface, poorAngleDeg, result, workers_);
-		mendFolds(p.surface, boundary, false, result, workers_);
+	}
+
+	/// Chains of flips shear triangles; a relaxation before each round gives them room.
+	void makeRegular(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
+	{
+		constexpr int rounds = 2;
+		for (int round = 0; round < rounds; ++round) {
+			relaxOnce(p.surface, result, workers_);
+			slideAlongCreases(p.surface, boundary, result);
+			glideDislocations(result, workers_);
+		}
+		ConformalSteps steps = conformalSteps(2 * options_.relaxIterations);
+		steps.flipPasses     = options_.flipIterations;
+		relaxConformally(p.surface, boundary, steps, result, workers_);
 	}
 
 	/// The last to move vertices: those before walk on the surface, which this leaves.

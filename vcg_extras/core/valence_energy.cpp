@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "valence_energy.h"
+
+#include "sectors.h"
+
+namespace gpr {
+
+Buffer<int> correctedValences(const HalfEdgeMesh& m, Workers& workers)
+{
+	Buffer<int> valence(m.vertexNum);
+	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			valence[v] = m.outgoing[v] < 0 ? 6 : correctedValence(m, int(v));
+	});
+	return valence;
+}
+
+int flipEnergy(const HalfEdgeMesh& m, const Buffer<int>& valence, int h)
+{
+	// One face less makes (n - 1 - 6)² - (n - 6)² = 13 - 2n, one more 2n - 11.
+	const int losing  = valence[m.origin[h]] + valence[m.target(h)];
+	const int gaining = valence[m.apex(h)] + valence[m.apex(m.opposite[h])];
+	return 26 - 2 * losing + 2 * gaining - 22;
+}
+
+} // namespace gpr
