@@ -153,6 +153,49 @@ INSTANTIATE_TEST_SUITE_P(
 						  Retriangulation::VertexRemoval}),
 	[](const auto& way) { return way.param.name; });
 
+class AnyRegion : public ::testing::TestWithParam<std::uint32_t> {};
+
+/// Of any surface, sound or damaged, any part: a sound mesh, or a sentence. Only what was made of a
+/// damaged one may be withheld by the audit.
+TEST_P(AnyRegion, GivesASoundMeshOrASentence)
+{
+	Random random(GetParam());
+	for (int round = 0; round < 8; ++round) {
+		TriangleMesh mesh = randomSurface(random);
+		if (round % 2 == 1) mesh = damaged(mesh, 20, random);
+		const double              share = random.between(0, 1);
+		std::vector<std::uint8_t> selected(mesh.vertexNum());
+		for (std::uint8_t& s : selected)
+			s = random.between(0, 1) < share * share;
+		MeshView view = mesh.view();
+		view.selected = selected.data();
+
+		RemeshOptions o;
+		o.targetPercent      = random.between(10, 150);
+		o.threads            = 2;
+		o.featureRegion      = round % 3 == 0 ? FeatureRegion::Detected : FeatureRegion::Selection;
+		o.featureSampling    = FeatureSampling(round / 2 % 2);
+		o.featureDiskScale   = random.between(0.2, 1);
+		o.placement          = Placement(round % 2);
+		o.retriangulation    = Retriangulation(round / 4);
+		const RemeshResult r = remesh(view, o);
+		if (r.status != Status::Ok) {
+			const bool refused =
+				r.status == Status::BadOptions || r.status == Status::CountTooSmall;
+			const bool withheld = r.status == Status::PromiseBroken && round % 2 == 1;
+			EXPECT_TRUE(refused || withheld) << r.message;
+			EXPECT_FALSE(r.message.empty());
+			continue;
+		}
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		if (o.featureSampling == FeatureSampling::Vertices) {
+			EXPECT_EQ(r.report.keptVertexNum, r.report.regionVertexNum);
+		}
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, AnyRegion, ::testing::ValuesIn(testSeeds(6)));
+
 /// With lambda, §3.1.2, too.
 TEST(FeatureRegionMeetsDensity, SharpEdgesAreNearerWithLambda)
 {
