@@ -14,6 +14,10 @@ constexpr float flatCosine = 0.8f;
 
 /// A settled vertex is visited again where a way shorter by this share turns up.
 constexpr float worthAnotherVisit = 1e-3f;
+/// Further visits a flood may make beyond one for every two vertices met: among needles a way
+/// could else get shorter bit by bit, without end to speak of. On scans some per cent are visited
+/// again.
+constexpr std::size_t spareVisits = 64;
 
 } // namespace
 
@@ -96,6 +100,7 @@ void DiskFlood::exploreUnfolding(const Sample& sample)
 	queue_.clear();
 	met_.clear();
 	heap_.clear();
+	visitedAgainNum_ = 0;
 	for (int k = 0; k < 3; ++k) {
 		const int v = m_.origin[3 * sample.anchor.face + k];
 		tryDistance(v, wayFrom(sample, v) * scale_);
@@ -133,6 +138,8 @@ void DiskFlood::tryDistance(int vertex, float distance)
 	if (t.stamp == 2 * flood_ + 1) {
 		// Triangles of stretched edges need not be triangles: there a front could creep back.
 		if (stretch_ != nullptr || distance >= t.distance * (1 - worthAnotherVisit)) return;
+		if (visitedAgainNum_ >= queue_.size() / 2 + spareVisits) return;
+		++visitedAgainNum_;
 		t.distance = distance;
 	}
 	else {
