@@ -110,6 +110,7 @@ Json countsJson(const RemeshReport& r)
 			{"featureTips", r.featureTipNum},
 			{"featureRegionVertices", r.regionVertexNum},
 			{"keptVertices", r.keptVertexNum},
+			{"curvatureClamped", r.curvatureClampedNum},
 			{"leftoverVertices", r.leftoverVertexNum},
 			{"splits", r.splitNum},
 			{"collapses", r.collapseNum},
