@@ -176,6 +176,28 @@ TEST_P(RaggedCurve, IsNotDriftedFromAndGetsNoWildSteps)
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RaggedCurve, ::testing::ValuesIn(testSeeds(4)));
 
+/// A ragged loop of 20000 points whose sizes differ a hundredfold: candidates and the chords tried
+/// go by the size there, or this would take hours.
+TEST(SpaceOut, GoesByTheLocalSizeOnDenseCurves)
+{
+	const int n = 20000;
+	Curve c = closedCurve(n, [](double t) { return circle(t) * (1 + 2e-3 * std::sin(2e4 * t)); });
+	for (int i = 0; i < n; ++i)
+		c.size.push_back(i < n / 2 ? 1.0f : 0.01f);
+	CurveSpacing spacing;
+	spacing.chord                 = 0.3f;
+	const std::vector<float> arcs = spaceOut(c, 0, c.length, spacing, 3);
+	ASSERT_TRUE(std::is_sorted(arcs.begin(), arcs.end()));
+	// Arcs are longer than the circle's by the zigzag, chords are not.
+	EXPECT_GT(arcs.size(), 400u);
+	EXPECT_LT(arcs.size(), 4000u);
+	int coarse = 0;
+	for (float s : arcs)
+		coarse += s < 0.48f * c.length;
+	EXPECT_GE(coarse, 6);
+	EXPECT_LE(coarse, 30);
+}
+
 } // namespace
 
 } // namespace gpr::test

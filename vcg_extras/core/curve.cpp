@@ -86,20 +86,33 @@ float worstDeviation(const Curve& c, float a, float b, const std::vector<float>&
 	return std::max(worst, relativeDeviation(c, last, b));
 }
 
+/// A tenth of the wanted chord apart, from a to b, both included.
+std::vector<float> spreadArcs(const Curve& c, float a, float b, float d)
+{
+	std::vector<float> arcs;
+	if (c.size.empty()) {
+		const int n = std::max(1, int(std::ceil((b - a) / (0.1f * d))));
+		for (int i = 0; i < n; ++i)
+			arcs.push_back(a + (b - a) * float(i) / float(n));
+	}
+	else {
+		const float least = 1e-6f * (b - a); // rounding must not stop the way
+		for (float s = a; s < b; s += std::max(least, 0.1f * d * c.sizeAt(s)))
+			arcs.push_back(s);
+	}
+	arcs.push_back(b);
+	return arcs;
+}
+
 /// Arcs of the curve's own points and of evenly spread ones, from a to b, both included.
 std::vector<float> candidateArcs(const Curve& c, float a, float b, float d)
 {
-	std::vector<float> arcs;
-	const int          n = std::max(1, int(std::ceil((b - a) / (0.1f * d * c.smallestSize()))));
-	for (int i = 0; i <= n; ++i)
-		arcs.push_back(a + (b - a) * float(i) / float(n));
-	arcs.back() = b;
+	std::vector<float> arcs = spreadArcs(c, a, b, d);
 	// Points of the curve where it bends belong to the best polygon; dense ones add nothing.
-	const float close = 0.05f * d * c.smallestSize();
-	float       last  = a;
+	float last = a;
 	for (int i = c.segmentAt(a) + 1; c.arcOf(i) < b; ++i) {
 		const float s = c.arcOf(i);
-		if (s > a && s - last > close) {
+		if (s > a && s - last > 0.05f * d * c.sizeAt(s)) {
 			arcs.push_back(s);
 			last = s;
 		}
@@ -130,7 +143,8 @@ std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const Curve
 	for (int i = 1; i < n; ++i) {
 		for (int k = i - 1; k >= 0; --k) {
 			// A chord is never longer than its arc; past this arc no ragged curve is worth a look.
-			if (arcs[i] - arcs[k] > 3 * longest * d && before[i] >= 0) break;
+			const float size = std::max(c.sizeAt(arcs[i]), c.sizeAt(arcs[k]));
+			if (arcs[i] - arcs[k] > 3 * longest * d * size && before[i] >= 0) break;
 			const float chord = relativeChord(c, arcs[k], place[k], arcs[i], place[i]) / d;
 			const bool  isEnd = i == n - 1 || k == 0;
 			if (chord > longest && before[i] >= 0) continue;
