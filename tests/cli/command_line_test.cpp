@@ -26,8 +26,8 @@ TEST_F(CommandLine, HelpTellsExitCodesAndOptions)
 	const ProgramResult remeshing = run({"remesh", "--help"});
 	EXPECT_EQ(remeshing.exitCode, 0);
 	for (const char* option :
-		 {"--vertices", "--percent", "--edge-length", "--relax", "--seed", "--threads",
-		  "--exact-count", "--allow-nearest", "--report", "--quiet"}) {
+		 {"--vertices", "--percent", "--edge-length", "--max-error", "--relax", "--seed",
+		  "--threads", "--exact-count", "--allow-nearest", "--report", "--quiet"}) {
 		EXPECT_NE(remeshing.out.find(option), std::string::npos) << option;
 	}
 }
@@ -66,6 +66,9 @@ TEST_F(CommandLine, ValuesOutOfRangeAreUsageErrors)
 	expectFailure(remesh({"--percent", "ten"}), 2, "--percent");
 	expectFailure(remesh({"--edge-length", "0"}), 2, "--edge-length");
 	expectFailure(remesh({"--edge-length", "inf"}), 2, "--edge-length");
+	expectFailure(remesh({"--max-error", "0"}), 2, "--max-error");
+	expectFailure(remesh({"--max-error", "%"}), 2, "--max-error");
+	expectFailure(remesh({"--max-error", "-1%"}), 2, "--max-error");
 	expectFailure(remesh({"--relax", "1001"}), 2, "--relax");
 	expectFailure(remesh({"--seed", "-1"}), 2, "--seed");
 	expectFailure(remesh({"--threads", "5000"}), 2, "--threads");
@@ -78,6 +81,7 @@ TEST_F(CommandLine, OnlyOneSize)
 	expectFailure(remesh({"--vertices", "50", "--percent", "10"}), 2, "only one");
 	expectFailure(remesh({"--edge-length", "1", "--percent", "10"}), 2, "only one");
 	expectFailure(remesh({"--vertices", "50", "--edge-length", "1"}), 2, "only one");
+	expectFailure(remesh({"--vertices", "50", "--max-error", "1%"}), 2, "only one");
 }
 
 TEST_F(CommandLine, UnknownFormatsAreUsageErrorsBeforeTheWork)

@@ -363,6 +363,76 @@ TEST(RemeshSheet, KeepsTheCornersOfASquareAtTinyCounts)
 	}
 }
 
+TriangleMesh withBump(TriangleMesh mesh)
+{
+	for (Vec3d& p : mesh.positions)
+		p.z = 0.1 * std::exp(-30 * squaredLength(p - Vec3d(0.4, 0.6, 0)));
+	return mesh;
+}
+
+/// Largest distance of a vertex of either mesh from the other, by comparing all.
+double vertexDistance(const TriangleMesh& a, const TriangleMesh& b)
+{
+	double largest = 0;
+	for (const Vec3d& p : a.positions)
+		largest = std::max(largest, distanceToMesh(b, p));
+	for (const Vec3d& p : b.positions)
+		largest = std::max(largest, distanceToMesh(a, p));
+	return largest;
+}
+
+TEST(MaxError, IsMetByAFewVerticesAndTold)
+{
+	for (const TriangleMesh& mesh : {icosphere(4), torus(60, 30), withBump(grid(40, 40))}) {
+		RemeshOptions options;
+		options.threads           = 2;
+		options.targetMode        = TargetMode::MaxError;
+		options.targetMaxError    = 0.4;
+		options.maxErrorIsPercent = true;
+		const RemeshResult r      = remesh(mesh.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_GT(r.report.errorGoal, 0);
+		EXPECT_LE(r.report.largestError, r.report.errorGoal);
+		EXPECT_LE(vertexDistance(r.mesh, mesh), 1.0001 * r.report.largestError);
+		EXPECT_LT(r.mesh.vertexNum(), mesh.vertexNum());
+		ASSERT_FALSE(r.notes.empty());
+		EXPECT_NE(r.notes.back().find("no proof"), std::string::npos);
+		EXPECT_TRUE(hasSameTopology(r.mesh, mesh));
+	}
+}
+
+TEST(MaxError, LargerOnesNeedFewerVertices)
+{
+	RemeshOptions options;
+	options.targetMode = TargetMode::MaxError;
+	std::size_t last   = 100000;
+	for (double error : {0.005, 0.02, 0.08}) {
+		options.targetMaxError = error;
+		const RemeshResult r   = remesh(torus(90, 46).view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_LT(double(r.mesh.vertexNum()), 0.7 * double(last)) << error;
+		last = r.mesh.vertexNum();
+	}
+}
+
+TEST(MaxError, OutOfReachIsRefusedOrTheNearestIsTaken)
+{
+	RemeshOptions options;
+	options.targetMode      = TargetMode::MaxError;
+	options.targetMaxError  = 1e-9;
+	const TriangleMesh mesh = icosphere(2);
+	const RemeshResult r    = remesh(mesh.view(), options);
+	EXPECT_EQ(r.status, Status::BadOptions);
+	EXPECT_NE(r.message.find("was not reached"), std::string::npos);
+	EXPECT_EQ(r.mesh.faceNum(), 0u);
+	options.allowNearest    = true;
+	const RemeshResult near = remesh(mesh.view(), options);
+	ASSERT_EQ(near.status, Status::Ok) << near.message;
+	EXPECT_TRUE(isSoundSurface(near.mesh));
+	ASSERT_FALSE(near.notes.empty());
+	EXPECT_NE(near.notes.back().find("was not reached"), std::string::npos);
+}
+
 } // namespace
 
 } // namespace gpr::test

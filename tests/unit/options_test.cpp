@@ -201,6 +201,17 @@ TEST_F(ParameterSets, EveryRowReachesItsOption)
 	EXPECT_TRUE(set_.newLayer());
 }
 
+TEST_F(ParameterSets, ALargestErrorTakesThePlaceOfTheCountAndOfNoOtherSize)
+{
+	set("TargetVertexNum", std::int64_t(500));
+	set("MaxError", 0.25);
+	EXPECT_EQ(set_.options().targetMode, TargetMode::MaxError);
+	EXPECT_EQ(set_.options().targetMaxError, 0.25);
+	EXPECT_TRUE(set_.complaints().empty());
+	set("TargetPerc", 10.0);
+	EXPECT_EQ(set_.complaints().size(), 1u);
+}
+
 TEST_F(ParameterSets, PresetChoosesTheStagesAndASingleChoiceWins)
 {
 	set("Smoothing", std::int64_t(1));

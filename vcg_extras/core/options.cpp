@@ -26,6 +26,11 @@ void checkTarget(const RemeshOptions& o, std::vector<std::string>& complaints)
 			complaints.push_back("The edge length must be a finite number above 0.");
 		}
 		break;
+	case TargetMode::MaxError:
+		if (!(o.targetMaxError > 0 && std::isfinite(o.targetMaxError))) {
+			complaints.push_back("The largest error must be a finite number above 0.");
+		}
+		break;
 	}
 }
 

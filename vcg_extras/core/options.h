@@ -16,6 +16,7 @@ enum class TargetMode {
 				///< refused
 	Percent,    ///< targetPercent of the input's vertices; raised where the topology needs more
 	EdgeLength, ///< mean edge length targetEdgeLen; raised count where the topology needs more
+	MaxError,   ///< the least count found whose distance from the input is at most targetMaxError
 };
 
 /// A named set of the stage choices below.
@@ -100,11 +101,13 @@ struct FeatureThresholds {
 
 /// Everything a caller can choose. Plain data; nothing here is working state.
 struct RemeshOptions {
-	TargetMode    targetMode      = TargetMode::Percent;
-	std::int64_t  targetVertexNum = 0;     ///< vertices, >= 1; used with TargetMode::VertexNum
-	double        targetPercent   = 10;    ///< percent of the input's vertices, > 0, <= 10000
-	double        targetEdgeLen   = 0;     ///< mesh units, > 0; used with TargetMode::EdgeLength
-	bool          exactCount      = true;  ///< split and collapse until the count is hit exactly
+	TargetMode    targetMode        = TargetMode::Percent;
+	std::int64_t  targetVertexNum   = 0;     ///< vertices, >= 1; used with TargetMode::VertexNum
+	double        targetPercent     = 10;    ///< percent of the input's vertices, > 0, <= 10000
+	double        targetEdgeLen     = 0;     ///< mesh units, > 0; used with TargetMode::EdgeLength
+	double        targetMaxError    = 0;     ///< mesh units, > 0; used with TargetMode::MaxError
+	bool          maxErrorIsPercent = false; ///< targetMaxError is in percent of the diagonal
+	bool          exactCount        = true;  ///< split and collapse until the count is hit exactly
 	bool          allowNearest    = false; ///< take the nearest reachable count instead of refusing
 	int           relaxIterations = 5;     ///< smoothing steps, 0 to 1000
 	int           flipIterations  = 1000;  ///< passes of edge flips at most, each time; 0 to 1000

@@ -127,6 +127,15 @@ void addSize(Table& t)
 					.range(0, 1e300)
 					.store([](const Value& v, RemeshOptions& o) { o.targetEdgeLen = numberOf(v); })
 					.p);
+	t.push_back(
+		row(RemeshTool, "MaxError", "--max-error", "E", Kind::Length, "Largest error (0 = off)",
+			"Takes the place of the number of vertices where it is above 0: the smallest number is "
+			"looked for whose mesh is nowhere farther from the input, nor the input from it; in "
+			"mesh units, on the command line also in percent of the diagonal, as 0.2%. Some ten "
+			"trials are made. The distance is found by sampling, which is no proof.")
+			.range(0, 1e300)
+			.store([](const Value& v, RemeshOptions& o) { o.targetMaxError = numberOf(v); })
+			.p);
 }
 
 void addStages(Table& t)

@@ -69,6 +69,7 @@ RemeshOptions ParameterSet::raw() const
 	o.targetVertexNum = 0;
 	o.targetPercent   = 0;
 	o.targetEdgeLen   = 0;
+	o.targetMaxError  = 0;
 	const auto preset = given_.find("Preset");
 	if (preset != given_.end()) preset->second.parameter->store(preset->second.value, o);
 	for (const auto& [key, row] : given_) {
@@ -80,7 +81,10 @@ RemeshOptions ParameterSet::raw() const
 RemeshOptions ParameterSet::options() const
 {
 	RemeshOptions o = raw();
-	if (o.targetEdgeLen != 0) {
+	if (o.targetMaxError != 0) {
+		o.targetMode = TargetMode::MaxError;
+	}
+	else if (o.targetEdgeLen != 0) {
 		o.targetMode = TargetMode::EdgeLength;
 	}
 	else if (o.targetPercent != 0) {
@@ -102,6 +106,9 @@ std::vector<std::string> ParameterSet::complaints() const
 	const RemeshOptions      given     = raw();
 	if (given.targetEdgeLen != 0 && given.targetPercent != 0) {
 		sentences.push_back("Give either a percentage or an edge length, not both.");
+	}
+	if (given.targetMaxError != 0 && (given.targetEdgeLen != 0 || given.targetPercent != 0)) {
+		sentences.push_back("Give either a size or a largest error, not both.");
 	}
 	return sentences;
 }

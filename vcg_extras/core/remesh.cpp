@@ -11,6 +11,7 @@
 #include "crease_lines.h"
 #include "curve_slide.h"
 #include "delaunay_flips.h"
+#include "error_goal.h"
 #include "exact_count.h"
 #include "face_tree.h"
 #include "failure.h"
@@ -26,6 +27,7 @@
 #include "measure.h"
 #include "relaxation.h"
 #include "repair_manifold.h"
+#include "sampled_distance.h"
 #include "sizing.h"
 #include "spatial_order.h"
 #include "split_long_edges.h"
@@ -71,6 +73,10 @@ constexpr double adaptedShapeWeight = 0.25;
 constexpr int fitRounds      = 4;
 constexpr int quickFitRounds = 2;
 
+/// Edge length in largest errors that a search for the count of an error begins with: many
+/// triangles a trial cost more than a trial.
+constexpr double edgePerError = 5;
+
 using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point start)
@@ -90,18 +96,26 @@ public:
 	StageClock(const StageClock&)            = delete;
 	StageClock& operator=(const StageClock&) = delete;
 
+	/// The run is not all of the work but that from `from` to `to`, shares of 1.
+	void tellWithin(double from, double to)
+	{
+		from_ = from;
+		span_ = to - from;
+	}
+
 	void enter(const char* key, const char* phrase, double until)
 	{
 		finish();
 		key_  = key;
 		until = std::max(until, share_); // stages that are gone through again
-		workers_.enterStage(phrase, share_, until);
+		workers_.enterStage(phrase, from_ + share_ * span_, from_ + until * span_);
 		share_ = until;
 	}
 
 private:
 	Workers&          workers_;
 	RemeshReport&     report_;
+	double            from_ = 0, span_ = 1;
 	Clock::time_point stageStart_;
 	const char*       key_   = nullptr;
 	double            share_ = 0;
@@ -158,6 +172,9 @@ std::int64_t resolveTarget(const MeshView& input, const RemeshOptions& o, double
 	case TargetMode::EdgeLength:
 		n = vertexNumForEdgeLength(area, o.targetEdgeLen * scale);
 		break;
+	case TargetMode::MaxError: // a sampling alone has no error to look at
+		n = vertexNumForEdgeLength(area, edgePerError * o.targetMaxError * scale);
+		break;
 	}
 	n = std::round(n);
 	if (n > 2e8) {
@@ -186,7 +203,10 @@ public:
 		report_.threads = workers.threadNum();
 	}
 
-	void remesh(RemeshResult& out)
+	/// For one of several runs: the share of all the work that this one is.
+	void tellProgressWithin(double from, double to) { clock_.tellWithin(from, to); }
+
+	void remesh(RemeshResult& out, bool measuresError = false)
 	{
 		detectRegion();
 		Prepared p = prepare(0);
@@ -213,6 +233,7 @@ public:
 			}
 		}
 		fit(p, result);
+		if (measuresError) measureError(p, result);
 		finish(p, result, out);
 	}
 
@@ -693,6 +714,13 @@ private:
 		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
 	}
 
+	void measureError(const Prepared& p, const ResultMesh& result)
+	{
+		clock_.enter("error", "Measuring the error", 0.975);
+		const float largest  = largestSampledDistance(p.surface.mesh, result.mesh, workers_);
+		report_.largestError = double(largest) / p.surface.frame.scale;
+	}
+
 	void noteOperations(const ResultMesh& result)
 	{
 		report_.leftoverVertexNum = result.leftoverNum;
@@ -895,6 +923,103 @@ private:
 	}
 };
 
+/// Finds the count for a largest error by whole runs, and hands out the best of them.
+class ErrorGoalRun {
+public:
+	ErrorGoalRun(const MeshView& input, const RemeshOptions& options, Workers& workers) :
+			input_(input), options_(options), workers_(workers), extent_(extentOf(input))
+	{
+		const double unit = options.maxErrorIsPercent ? extent_.diagonal / 100 : 1;
+		goal_.largest     = options.targetMaxError * unit;
+		goal_.most = std::min<std::int64_t>(200000000, 1000 + 2 * std::int64_t(input.vertexNum));
+		const double edge = edgePerError * goal_.largest;
+		const double n    = edge > 0 ? vertexNumForEdgeLength(extent_.area, edge) : 1;
+		goal_.start       = std::int64_t(std::min(double(goal_.most), std::max(1.0, n)));
+
+		options_.targetMode   = TargetMode::VertexNum;
+		options_.allowNearest = true;
+		if (options_.seed == 0) options_.seed = freshSeed();
+	}
+
+	void run(bool allowNearest, RemeshResult& out)
+	{
+		const bool met = searchCount(goal_, [&](std::int64_t n) { return tryCount(n); }) > 0;
+		best_.report.errorGoal     = goal_.largest;
+		best_.report.errorTrialNum = trialNum_;
+		if (!met && !allowNearest) throw Failure(Status::BadOptions, complaint());
+		best_.report.stages.push_back(
+			{"otherTrials", stageSeconds_ - secondsOf(best_.report.stages)});
+		best_.notes.push_back(note(met));
+		out = std::move(best_);
+	}
+
+private:
+	const MeshView& input_;
+	RemeshOptions   options_;
+	Workers&        workers_;
+	MeshExtent      extent_;
+	ErrorGoal       goal_;
+	RemeshResult    best_;
+	int             trialNum_     = 0;
+	double          stageSeconds_ = 0; ///< of all trials
+
+	static double secondsOf(const std::vector<StageTime>& stages)
+	{
+		double sum = 0;
+		for (const StageTime& s : stages)
+			sum += s.seconds;
+		return sum;
+	}
+
+	ErrorTrial tryCount(std::int64_t vertexNum)
+	{
+		RemeshResult trial;
+		options_.targetVertexNum = vertexNum;
+		const double share       = 1.0 / goal_.mostTrials;
+		Run run(input_, options_, workers_, trial.report, trial.notes);
+		run.tellProgressWithin(trialNum_ * share, (trialNum_ + 1) * share);
+		run.remesh(trial, true);
+		++trialNum_;
+		stageSeconds_ += secondsOf(trial.report.stages);
+		const ErrorTrial outcome{std::int64_t(trial.mesh.vertexNum()), trial.report.largestError};
+		if (trialNum_ == 1 || isBetter(trial)) best_ = std::move(trial);
+		return outcome;
+	}
+
+	/// Fewer vertices among those that meet the goal, else the smaller error.
+	bool isBetter(const RemeshResult& trial) const
+	{
+		const double error = trial.report.largestError, least = best_.report.largestError;
+		const bool   meets = error <= goal_.largest, met = least <= goal_.largest;
+		if (meets != met) return meets;
+		return meets ? trial.mesh.vertexNum() < best_.mesh.vertexNum() : error < least;
+	}
+
+	std::string lengthText(double length) const
+	{
+		char text[80];
+		std::snprintf(text, sizeof text, "%.4g (%.3g %% of the diagonal)", length,
+					  100 * length / extent_.diagonal);
+		return text;
+	}
+
+	std::string complaint() const
+	{
+		return "An error of at most " + lengthText(goal_.largest) + " was not reached: with " +
+			   std::to_string(best_.mesh.vertexNum()) + " vertices it is " +
+			   lengthText(best_.report.largestError) + ".";
+	}
+
+	std::string note(bool met) const
+	{
+		if (!met) return complaint();
+		return "The largest distance from the input that was found with " +
+			   std::to_string(best_.mesh.vertexNum()) + " vertices is " +
+			   lengthText(best_.report.largestError) + ", in " + std::to_string(trialNum_) +
+			   " trials. It was found by sampling, which is no proof.";
+	}
+};
+
 /// Runs body and turns what it throws into status and message; on failure nothing but those, the
 /// report and the notes is handed out.
 template <class Result, class Body>
@@ -945,7 +1070,10 @@ RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 	RemeshResult result =
 		guarded<RemeshResult>(options, progress, [&](Workers& workers, RemeshResult& r) {
 			try {
-				Run(input, options, workers, r.report, r.notes).remesh(r);
+				if (options.targetMode == TargetMode::MaxError)
+					ErrorGoalRun(input, options, workers).run(options.allowNearest, r);
+				else
+					Run(input, options, workers, r.report, r.notes).remesh(r);
 			}
 			catch (const Failure&) {
 				smallest = r.smallestVertexNum;

@@ -115,6 +115,9 @@ struct RemeshReport {
 	std::int64_t             samplesMoved = 0; ///< retriangulate: samples that were off the surface
 	double                   largestSampleMove  = 0; ///< mesh units
 	double                   largestFitDistance = 0; ///< from anchor to vertex, mesh units
+	double                   errorGoal    = 0; ///< largest error asked for, mesh units; 0: none
+	double                   largestError = 0; ///< found by sampling, mesh units; 0: not looked for
+	int                      errorTrialNum = 0; ///< counts tried for the goal
 	std::vector<std::string> capsReached; ///< loops that ended by their bound, one phrase each
 };
 

@@ -17,6 +17,8 @@ const char* modeName(TargetMode mode)
 		return "percent";
 	case TargetMode::EdgeLength:
 		return "edgeLength";
+	case TargetMode::MaxError:
+		return "maxError";
 	}
 	return "";
 }
@@ -34,7 +36,7 @@ const char* fitName(Fit fit)
 	return "";
 }
 
-/// The options in force; of the three sizes only the one that was used.
+/// The options in force; of the sizes only the one that was used.
 Json optionsJson(const RemeshOptions& o)
 {
 	Json json = {{"target", modeName(o.targetMode)}};
@@ -47,6 +49,9 @@ Json optionsJson(const RemeshOptions& o)
 		break;
 	case TargetMode::EdgeLength:
 		json["edgeLength"] = o.targetEdgeLen;
+		break;
+	case TargetMode::MaxError:
+		json[o.maxErrorIsPercent ? "maxErrorPercent" : "maxError"] = o.targetMaxError;
 		break;
 	}
 	json["relax"]        = o.relaxIterations;
@@ -117,6 +122,11 @@ Json countsJson(const RemeshReport& r)
 			{"flips", r.flipNum}};
 }
 
+Json errorJson(const RemeshReport& r)
+{
+	return {{"goal", r.errorGoal}, {"largest", r.largestError}, {"trials", r.errorTrialNum}};
+}
+
 } // namespace
 
 std::string remeshReportJson(const RunRecord& run)
@@ -133,11 +143,12 @@ std::string remeshReportJson(const RunRecord& run)
 	json["diskRadius"]     = r.diskRadius;
 	json["radiusConstant"] = r.radiusConstant;
 	if (r.radiusConstantForTarget > 0) json["radiusConstantForTarget"] = r.radiusConstantForTarget;
-	json["counts"]          = countsJson(r);
-	json["seconds"]         = secondsJson(r.stages, run.times);
-	json["quality"]         = qualityJson(r.quality);
-	json["cleaned"]         = cleanedJson(r.cleaned);
-	json["audit"]           = auditJson(r.audit);
+	json["counts"]  = countsJson(r);
+	json["seconds"] = secondsJson(r.stages, run.times);
+	json["quality"] = qualityJson(r.quality);
+	json["cleaned"] = cleanedJson(r.cleaned);
+	json["audit"]   = auditJson(r.audit);
+	if (r.errorTrialNum > 0) json["error"] = errorJson(r);
 	json["fitDistance"]     = r.largestFitDistance;
 	json["capsReached"]     = r.capsReached;
 	json["notes"]           = run.notes;

@@ -137,7 +137,8 @@ std::string helpText(const Parameter& p)
 bool isSizeOption(const Parameter& p)
 {
 	const std::string key = p.key;
-	return key == "TargetVertexNum" || key == "TargetPerc" || key == "TargetLen";
+	return key == "TargetVertexNum" || key == "TargetPerc" || key == "TargetLen" ||
+		   key == "MaxError";
 }
 
 void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
@@ -157,18 +158,37 @@ void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
 	}
 }
 
+namespace {
+
+/// Takes the sign of percent off a largest error; false where there is none.
+bool takePercent(const Parameter& p, std::string& word)
+{
+	if (std::string(p.key) != "MaxError" || word.empty() || word.back() != '%') return false;
+	word.pop_back();
+	return true;
+}
+
+} // namespace
+
 RemeshOptions optionsOf(const GivenOptions& given)
 {
 	ParameterSet set;
 	int          sizeNum = 0;
-	for (const auto& [row, word] : given) {
+	bool         percent = false;
+	for (const auto& [row, givenWord] : given) {
+		std::string word = givenWord;
+		percent          = takePercent(*row, word) || percent;
 		sizeNum += isSizeOption(*row) ? 1 : 0;
 		set.set(*row, parseValue(*row, word));
 	}
-	if (sizeNum > 1) failUsage("give only one of --vertices, --percent and --edge-length.");
+	if (sizeNum > 1) {
+		failUsage("give only one of --vertices, --percent, --edge-length and --max-error.");
+	}
 	const std::vector<std::string> complaints = set.complaints();
 	if (!complaints.empty()) failUsage(complaints.front());
-	return set.options();
+	RemeshOptions options     = set.options();
+	options.maxErrorIsPercent = percent;
+	return options;
 }
 
 } // namespace gpr::app
