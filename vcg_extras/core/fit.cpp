@@ -368,7 +368,7 @@ private:
 		});
 		mass_[v]        = area / 6;
 		squaredEdge_[v] = squaredEdgePerArea * area / float(faceNum);
-		free_[v]        = isFree(r_, v) && r_.vertex[v].curve < 0;
+		free_[v]        = isFree(r_, v) && r_.vertex[v].curve < 0 && !r_.vertex[v].isPinned;
 		velocity_[v]    = Vec3f();
 	}
 
