@@ -91,7 +91,7 @@ TEST(SearchCount, EndsAtTheLeastCountWhereAllMeetTheGoal)
 	auto found  = searchCount(goalOf(0.1, 1000), [&](std::int64_t n) {
         ++trials;
         return ErrorTrial{std::max<std::int64_t>(n, 60), 0.01};
-	});
+    });
 	EXPECT_EQ(found, 60);
 	EXPECT_LE(trials, 4);
 }

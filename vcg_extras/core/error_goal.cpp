@@ -17,8 +17,8 @@ constexpr double nearEnough = 1.03;
 /// Between two counts tried, a new one keeps this share of the way (of logarithms) from both.
 constexpr double leastShare = 0.15;
 /// A count tried is at most this many times the last one, or its inverse.
-constexpr double largestJump = 8;
-constexpr std::int64_t leastCount = 4;
+constexpr double       largestJump = 8;
+constexpr std::int64_t leastCount  = 4;
 
 class CountSearch {
 public:
@@ -31,8 +31,8 @@ public:
 	{
 		std::int64_t next = clamped(goal_.start);
 		for (int i = 0; i < goal_.mostTrials && next > 0; ++i) {
-			const ErrorTrial t    = trial_(next);
-			const bool       meets = t.error <= goal_.largest;
+			const ErrorTrial t            = trial_(next);
+			const bool       meets        = t.error <= goal_.largest;
 			(meets ? meeting_ : missing_) = t;
 			// Topology needs more than what was asked for: there is nothing below.
 			const bool floor = t.vertexNum > next;
@@ -84,7 +84,7 @@ bool isFinite(const Vec3d& p)
 
 } // namespace
 
-std::int64_t searchCount(const ErrorGoal&                                goal,
+std::int64_t searchCount(const ErrorGoal&                               goal,
 						 const std::function<ErrorTrial(std::int64_t)>& trial)
 {
 	return CountSearch(goal, trial).run();

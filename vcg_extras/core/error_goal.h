@@ -12,9 +12,9 @@ namespace gpr {
 
 /// A count is looked for whose mesh has an error no larger than this.
 struct ErrorGoal {
-	double       largest = 0;
-	std::int64_t start   = 0; ///< count that is tried first
-	std::int64_t most    = 0; ///< larger counts are not tried
+	double       largest    = 0;
+	std::int64_t start      = 0; ///< count that is tried first
+	std::int64_t most       = 0; ///< larger counts are not tried
 	int          mostTrials = 16;
 };
 
@@ -29,7 +29,7 @@ struct ErrorTrial {
 /// miss it are within 3 % of each other. The error of a mesh is not quite monotonic in its count;
 /// so what is found is a count that meets the goal next to one that does not. Returns the least
 /// count that met it; 0 if none did up to goal.most or within goal.mostTrials.
-std::int64_t searchCount(const ErrorGoal&                                goal,
+std::int64_t searchCount(const ErrorGoal&                               goal,
 						 const std::function<ErrorTrial(std::int64_t)>& trial);
 
 /// Area and diagonal of a mesh as given, mesh units; faces with indices out of range or corners

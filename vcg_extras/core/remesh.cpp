@@ -976,7 +976,7 @@ private:
 		RemeshResult trial;
 		options_.targetVertexNum = vertexNum;
 		const double share       = 1.0 / goal_.mostTrials;
-		Run run(input_, options_, workers_, trial.report, trial.notes);
+		Run          run(input_, options_, workers_, trial.report, trial.notes);
 		run.tellProgressWithin(trialNum_ * share, (trialNum_ + 1) * share);
 		run.remesh(trial, true);
 		++trialNum_;

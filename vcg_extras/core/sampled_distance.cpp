@@ -17,12 +17,13 @@ constexpr float mostSteps = 1000;
 
 float meanEdge(const HalfEdgeMesh& m, Workers& workers)
 {
-	const double sum = workers.sum<double>(m.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
-		double part = 0;
-		for (std::size_t h = begin; h < end; ++h)
-			part += double(length(m.position[m.target(int(h))] - m.position[m.origin[h]]));
-		return part;
-	});
+	const double sum =
+		workers.sum<double>(m.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+			double part = 0;
+			for (std::size_t h = begin; h < end; ++h)
+				part += double(length(m.position[m.target(int(h))] - m.position[m.origin[h]]));
+			return part;
+		});
 	return float(sum / std::max(1, m.halfEdgeNum()));
 }
 
@@ -53,7 +54,7 @@ struct Largest {
 
 float largestFrom(const HalfEdgeMesh& from, const FaceTree& to, float spacing, Workers& workers)
 {
-	const auto    distance   = [&](const Vec3f& p) { return length(to.nearest(p).position - p); };
+	const auto    distance = [&](const Vec3f& p) { return length(to.nearest(p).position - p); };
 	const Largest ofVertices =
 		workers.sum<Largest>(from.vertexNum, [&](std::size_t begin, std::size_t end) {
 			Largest largest;
@@ -65,7 +66,8 @@ float largestFrom(const HalfEdgeMesh& from, const FaceTree& to, float spacing, W
 	Largest all = workers.sum<Largest>(from.faceNum, [&](std::size_t begin, std::size_t end) {
 		Largest largest;
 		for (std::size_t f = begin; f < end; ++f)
-			forEachInnerPoint(from, int(f), spacing, [&](const Vec3f& p) { largest += {distance(p)}; });
+			forEachInnerPoint(from, int(f), spacing,
+							  [&](const Vec3f& p) { largest += {distance(p)}; });
 		return largest;
 	});
 	all += ofVertices;
