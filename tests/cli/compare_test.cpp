@@ -56,7 +56,7 @@ protected:
 	}
 };
 
-TEST_F(Compare, QuadricCollapseIsNearerAndOursMoreRegular)
+TEST_F(Compare, OursIsAsNearAsQuadricCollapseAndMoreRegular)
 {
 	const Json all = compared(torus(64), {"--vertices", "600"});
 	if (!hasPeers(all)) GTEST_SKIP() << "built without vcglib";
@@ -66,9 +66,9 @@ TEST_F(Compare, QuadricCollapseIsNearerAndOursMoreRegular)
 	EXPECT_TRUE(ours["topologyKept"]);
 	EXPECT_TRUE(quadric["topologyKept"]);
 	for (const char* way : {"toInput", "fromInput"}) {
-		const double rms = ours[way]["rms"], nearer = quadric[way]["rms"];
-		EXPECT_LT(nearer, rms) << way;
-		EXPECT_GT(nearer, 0.1 * rms) << way;
+		const double rms = ours[way]["rms"], theirs = quadric[way]["rms"];
+		EXPECT_LT(rms, 1.3 * theirs) << way;
+		EXPECT_GT(rms, 0.3 * theirs) << way;
 		EXPECT_GT(ours[way]["hausdorff"].get<double>(), rms) << way;
 	}
 	EXPECT_GT(ours["quality"]["aspectRatio"]["mean"], 0.9);
@@ -76,17 +76,17 @@ TEST_F(Compare, QuadricCollapseIsNearerAndOursMoreRegular)
 	EXPECT_GT(quadric["quality"]["aspectRatio"]["mean"], 0.5);
 }
 
-// The corners of equilateral triangles of circumradius R lie on the unit sphere; a face is furthest
-// inside, by R²/2, in its middle.
+// A face of circumradius R with its corners on the unit sphere is furthest inside, by R²/2, in its
+// middle. The fit shares that out between inside and outside.
 TEST_F(Compare, DistancesOfASphereAreThoseOfItsChords)
 {
 	const Json   all  = compared(sphere(30), {"--vertices", "600"});
 	const Json   ours = method(all, "default");
 	const double edge = ours["quality"]["meanEdgeLength"], deepest = edge * edge / 6;
 	const double rms = ours["toInput"]["rms"], most = ours["toInput"]["hausdorff"];
-	EXPECT_GT(rms, 0.3 * deepest);
+	EXPECT_GT(rms, 0.15 * deepest);
 	EXPECT_LT(rms, deepest);
-	EXPECT_GT(most, 0.9 * deepest);
+	EXPECT_GT(most, 0.5 * deepest);
 	EXPECT_LT(most, 2 * deepest);
 	const double diagonal = all["input"]["diagonal"];
 	EXPECT_NEAR(ours["toInput"]["rmsPercent"], 100 * rms / diagonal, 1e-9);

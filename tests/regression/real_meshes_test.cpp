@@ -33,6 +33,7 @@ struct Band {
 	double       meanAspectRatio = 0;   ///< at least
 	double       minAngleDeg     = 0;   ///< at least
 	double       below30Percent  = 100; ///< at most
+	double       valence6Percent = 0;   ///< at least
 	double       rim             = 1;   ///< largest distance of the rims in mean edges, at most
 	double       rmsPercent      = 0;   ///< of the diagonal, at most; 0: not asked for
 	double       creases =
@@ -113,6 +114,7 @@ void expectWithin(const std::string& path, const Band& band)
 	const QualityFigures q = measureQuality(r.mesh.view(), 2);
 	EXPECT_GE(q.radiusRatioMean, band.meanRadiusRatio);
 	EXPECT_GE(q.aspectRatioMean, band.meanAspectRatio);
+	EXPECT_GE(q.valence6Percent, band.valence6Percent);
 	EXPECT_GE(q.minAngleDeg, band.minAngleDeg);
 	EXPECT_LE(q.below30Percent, band.below30Percent);
 	if (band.rmsPercent > 0) {
@@ -152,6 +154,7 @@ std::vector<Band> bands()
 	igea.meanAspectRatio = 0.948;
 	igea.minAngleDeg     = 30;
 	igea.below30Percent  = 0;
+	igea.valence6Percent = 93;
 	igea.rmsPercent      = 0.0165;
 	igea.keepsFlipped    = false;
 
@@ -161,6 +164,7 @@ std::vector<Band> bands()
 	adapted.meanAspectRatio = 0.88;
 	adapted.minAngleDeg     = 25;
 	adapted.below30Percent  = 0.1;
+	adapted.valence6Percent = 0;
 	adapted.rmsPercent      = 0.012;
 
 	Band facemask{"facemask_62k_open.ply", 10};
