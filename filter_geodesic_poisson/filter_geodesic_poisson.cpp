@@ -171,7 +171,7 @@ FilterGeodesicPoisson::Lines FilterGeodesicPoisson::sample(const gpr_filter::Lay
 	requireOk(result);
 	CMeshO built;
 	gpr_filter::buildPoints(result, job.copy(), built);
-	const Lines lines = gpr_filter::samplingLines(result);
+	Lines lines = gpr_filter::samplingLines(result);
 	job.putPoints(built, "_samples");
 	return lines;
 }

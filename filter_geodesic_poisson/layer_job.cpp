@@ -186,9 +186,9 @@ MeshModel& LayerJob::addLayer(const MeshModel& source, int mask, const char* suf
 
 std::string LayerJob::put(CMeshO& built, const char* suffix) const
 {
-	MeshModel&        source = layer();
-	const std::string losses = lossesOf(source);
-	MeshModel&        target =
+	MeshModel&  source = layer();
+	std::string losses = lossesOf(source);
+	MeshModel&  target =
         _values.newLayer() ? addLayer(source, source.dataMask() & kCarriedMask, suffix) : source;
 	fill(target, built);
 	return losses;
