@@ -68,7 +68,7 @@ constexpr int   smallMeshFaces  = 2000000;
 constexpr float poorAngleDeg = 32, poorAngleFullDeg = 38;
 /// What is left of the weight of the triangles' shape in the fit where sizes follow the error: who
 /// asks for that wants to be close first.
-constexpr double adaptedShapeWeight = 0.25;
+constexpr double adaptedShapeWeight = 0.2;
 /// Rounds of the fit, and of the quick one.
 constexpr int fitRounds      = 4;
 constexpr int quickFitRounds = 2;
