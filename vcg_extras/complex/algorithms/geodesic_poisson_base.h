@@ -36,6 +36,8 @@ struct GeodesicPoissonParams {
 	double          targetLen       = 0;  ///< mean edge length in mesh units, > 0
 	std::uint32_t   seed            = 1;  ///< 0 = a fresh seed, told in Stat::seed
 	int             threadNum       = 0;  ///< 0 = one per core; never changes the result
+	double          lambda          = 0; ///< how much denser curved places are, eq. (4); 0 = evenly
+	double          adapt           = 0; ///< sizes by the error to be expected, [0, 1]; 0 = evenly
 
 	void SetTargetVertexNum(std::int64_t num)
 	{
@@ -63,6 +65,8 @@ struct GeodesicPoissonParams {
 		o.targetEdgeLen   = targetLen;
 		o.seed            = seed;
 		o.threads         = threadNum;
+		o.lambda          = lambda;
+		o.adapt           = adapt;
 		return o;
 	}
 };

@@ -46,10 +46,15 @@ public:
 		gpr::FeatureMode featureMode     = gpr::FeatureMode::Auto; ///< sharp edges to be kept
 		double           featureAngleDeg = 40; ///< from which edges are sharp, [5, 175]
 
+		gpr::Regularity regularity = gpr::Regularity::Full; ///< passes for six neighbours
+		gpr::Fit        fit        = gpr::Fit::Rounds;      ///< vertices leave the surface for it
+
 		/// The same choices as the engine takes them.
 		gpr::RemeshOptions Options() const
 		{
 			gpr::RemeshOptions o = GeodesicPoissonParams::Options();
+			o.regularity         = regularity;
+			o.fit                = fit;
 			o.exactCount         = exactCountFlag;
 			o.allowNearest       = allowNearestFlag;
 			o.relaxIterations    = relaxIterNum;
