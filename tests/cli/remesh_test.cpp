@@ -280,6 +280,32 @@ TEST_F(Remesh, ReportHasThePromisedKeys)
 	EXPECT_TRUE(r["capsReached"].is_array());
 }
 
+/// Names and values come back as they were given; what the preset chose is told, too.
+TEST_F(Remesh, ReportTellsTheOptionsInForce)
+{
+	const std::string in = put("in.ply", binaryPly(sphere(30), true, false));
+	const std::vector<std::pair<std::string, std::string>> given = {
+		{"placement", "border-edge"},
+		{"retriangulation", "label-collapse"},
+		{"smoothing", "none"},
+		{"regularity", "plain"},
+		{"fit", "quick"},
+		{"equations", "calibrated"},
+		{"features", "lines"},
+		{"sizing", "curvature"}};
+	std::vector<std::string> line = {"remesh", in, path("out.ply"), "--preset", "paper"};
+	for (const auto& [name, value] : given)
+		line.insert(line.end(), {"--" + name, value});
+	line.insert(line.end(), {"--lambda", "2", "--report", path("report.json")});
+	const ProgramResult result = run(line);
+	ASSERT_EQ(result.exitCode, 0) << result.err;
+	const Json options = report()["options"];
+	for (const auto& [name, value] : given)
+		EXPECT_EQ(options[name], value) << name;
+	EXPECT_EQ(options["lambda"], 2);
+	EXPECT_EQ(options["exactCount"], false) << "the paper's preset";
+}
+
 TEST_F(Remesh, SecondsAddUpToTheWallTime)
 {
 	const std::string   in = put("in.ply", binaryPly(sphere(250), true, false));

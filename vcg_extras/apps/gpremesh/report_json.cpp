@@ -4,6 +4,10 @@
 
 #include "json_parts.h"
 
+#include <string>
+#include <vcg_extras/core/parameters.h>
+#include <vector>
+
 namespace gpr::app {
 
 namespace {
@@ -23,17 +27,37 @@ const char* modeName(TargetMode mode)
 	return "";
 }
 
-const char* fitName(Fit fit)
+/// The name that the command line has for a value; options.h and the table list them in one order,
+/// the table with "preset" before them where the preset decides.
+template <class Value>
+const char* choiceName(const char* key, Value value)
 {
-	switch (fit) {
-	case Fit::Rounds:
-		return "on";
-	case Fit::Quick:
-		return "quick";
-	case Fit::Off:
-		return "off";
-	}
-	return "";
+	const std::vector<const char*>& names = findParameter(key)->choices;
+	const std::size_t               first = std::string(names.front()) == "preset" ? 1 : 0;
+	return names[first + std::size_t(value)];
+}
+
+Json stagesJson(const RemeshOptions& o)
+{
+	return {{"placement", choiceName("Placement", o.placement)},
+			{"retriangulation", choiceName("Retriangulation", o.retriangulation)},
+			{"smoothing", choiceName("Smoothing", o.smoothing)},
+			{"regularity", choiceName("Regularity", o.regularity)},
+			{"fit", choiceName("Fit", o.fit)},
+			{"equations", choiceName("Equations", o.equations)}};
+}
+
+Json featuresJson(const RemeshOptions& o)
+{
+	return {{"features", choiceName("Features", o.featureMode)},
+			{"featureAngle", o.featureAngleDeg},
+			{"featureRegion", choiceName("FeatureRegion", o.featureRegion)},
+			{"featureSampling", choiceName("FeatureSampling", o.featureSampling)},
+			{"featureDiskScale", o.featureDiskScale},
+			{"featureSupport", o.featureThresholds.support},
+			{"featureStrong", o.featureThresholds.strongDeg},
+			{"featureWeak", o.featureThresholds.weakDeg},
+			{"featureLength", o.featureThresholds.leastLength}};
 }
 
 /// The options in force; of the sizes only the one that was used.
@@ -54,12 +78,18 @@ Json optionsJson(const RemeshOptions& o)
 		json[o.maxErrorIsPercent ? "maxErrorPercent" : "maxError"] = o.targetMaxError;
 		break;
 	}
+	json.update(stagesJson(o));
 	json["relax"]        = o.relaxIterations;
-	json["fit"]          = fitName(o.fit);
+	json["flips"]        = o.flipIterations;
+	json["lambda"]       = o.lambda;
+	json["maxStretch"]   = o.largestStretch;
+	json["sizing"]       = choiceName("Sizing", o.sizing);
+	json["adapt"]        = o.adapt;
 	json["exactCount"]   = o.exactCount;
 	json["allowNearest"] = o.allowNearest;
-	json["seed"]         = o.seed;
-	json["threads"]      = o.threads;
+	json.update(featuresJson(o));
+	json["seed"]    = o.seed;
+	json["threads"] = o.threads;
 	return json;
 }
 
