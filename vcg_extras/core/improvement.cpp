@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "improvement.h"
+
+#include "conformal_relaxation.h"
+#include "curve_slide.h"
+#include "delaunay_flips.h"
+#include "fit.h"
+#include "fold_repair.h"
+#include "relaxation.h"
+#include "umbrella_smoothing.h"
+#include "valence_glide.h"
+#include "worst_triangles.h"
+
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// Angles below these get a pass of their own at the end.
+constexpr float poorAngleDeg = 32, poorAngleFullDeg = 38;
+/// What is left of the weight of the triangles' shape in the fit where sizes follow the error: who
+/// asks for that wants to be close first.
+constexpr double adaptedShapeWeight = 0.2;
+/// Rounds of the fit, and of the quick one.
+constexpr int fitRounds      = 4;
+constexpr int quickFitRounds = 2;
+
+class Improvement : RunPart {
+public:
+	explicit Improvement(RunContext& run) : RunPart(run) {}
+
+	void relax(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
+	{
+		clock_.enter("relaxation", "Relaxing", 0.95);
+		if (options_.smoothing != Smoothing::Barycentric)
+			return smoothAsWritten(p, boundary, result);
+		const bool isFull = options_.regularity == Regularity::Full;
+		if (options_.relaxIterations > 0) {
+			if (isFull)
+				makeRegular(p, boundary, result);
+			else
+				relaxPlainly(p, boundary, result);
+			raiseWorstAngles(p.surface, isFull ? poorAngleFullDeg : poorAngleDeg, result, workers_);
+		}
+		mendFolds(p.surface, boundary, false, result, workers_);
+	}
+
+	void fit(const Prepared& p, ResultMesh& result)
+	{
+		if (options_.fit == Fit::Off) return;
+		clock_.enter("fit", "Fitting to the input", 0.97);
+		FitSettings settings;
+		settings.rounds        = options_.fit == Fit::Quick ? quickFitRounds : fitRounds;
+		settings.leastAngleDeg = poorAngleDeg;
+		settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options_.adapt));
+		const FitOutcome outcome = fitToInput(p.surface, settings, result, workers_);
+		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
+		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
+	}
+
+private:
+	/// The paper's post-processing: umbrella and flips in turn, or flips alone.
+	void smoothAsWritten(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
+	{
+		const bool moves = options_.smoothing == Smoothing::Umbrella2;
+		for (int step = 0; moves && step < options_.relaxIterations; ++step) {
+			smoothByUmbrella2(p.surface, result, workers_);
+			flipEdges(run_, result);
+		}
+		mendFolds(p.surface, boundary, false, result, workers_);
+	}
+
+	/// The first two steps leave the edges alone: flips straight away would undo what the exact
+	/// count did for the valences.
+	void relaxPlainly(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
+	{
+		constexpr int stepsWithoutFlips = 2;
+		for (int step = 0; step < options_.relaxIterations; ++step) {
+			relaxOnce(p.surface, result, workers_);
+			slideAlongCreases(p.surface, boundary, result);
+			if (step >= stepsWithoutFlips) flipEdges(run_, result);
+		}
+	}
+
+	/// Chains of flips shear triangles; a relaxation before each round gives them room.
+	void makeRegular(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
+	{
+		constexpr int rounds = 2;
+		for (int round = 0; round < rounds; ++round) {
+			relaxOnce(p.surface, result, workers_);
+			slideAlongCreases(p.surface, boundary, result);
+			glideDislocations(result, workers_);
+		}
+		ConformalSteps steps = conformalSteps(2 * options_.relaxIterations);
+		steps.flipPasses     = options_.flipIterations;
+		relaxConformally(p.surface, boundary, steps, result, workers_);
+	}
+};
+
+} // namespace
+
+void flipEdges(RunContext& run, ResultMesh& result)
+{
+	flipToDelaunay(result, run.workers, run.options.flipIterations);
+}
+
+void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
+{
+	Improvement(run).relax(p, boundary, result);
+}
+
+void fitResult(RunContext& run, const Prepared& p, ResultMesh& result)
+{
+	Improvement(run).fit(p, result);
+}
+
+} // namespace gpr

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_IMPROVEMENT_H
+#define VCG_EXTRAS_CORE_IMPROVEMENT_H
+
+#include "boundary_curves.h"
+#include "prepared.h"
+#include "result_mesh.h"
+
+namespace gpr {
+
+/// Edge flips, in so many passes at most as the options say.
+void flipEdges(RunContext& run, ResultMesh& result);
+
+/// Makes the triangles regular on the surface, by the smoothing and the regularity chosen; last the
+/// worst angles and folds.
+void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+			 ResultMesh& result);
+
+/// The last to move vertices: those before walk on the surface, which this leaves.
+void fitResult(RunContext& run, const Prepared& p, ResultMesh& result);
+
+} // namespace gpr
+
+#endif

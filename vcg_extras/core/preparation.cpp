@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preparation.h"
+
+#include "crease_lines.h"
+#include "failure.h"
+#include "feature_export.h"
+#include "feature_region.h"
+#include "load.h"
+#include "measure.h"
+#include "repair_manifold.h"
+#include "sample_stages.h"
+#include "spatial_order.h"
+#include "split_long_edges.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// Connected feature lines shorter than this in all are dropped; in ideal edges.
+constexpr float leastLineLength = 3;
+/// Longest edge of the mesh the sampling works on, in r.
+constexpr float longestEdge = 0.8f;
+
+} // namespace
+
+void Preparation::detectRegion()
+{
+	if (options_.featureRegion != FeatureRegion::Detected) return;
+	Surface            surface;
+	const FeatureEdges features = detectOn(surface, 0.04);
+	FeatureResult      found;
+	exportFeatures(input_, surface, features, found);
+	report_.cleaned = CleanCounts();
+	if (found.figures.vertexNum == 0) {
+		notes_.push_back("No features were detected, so that there is no feature region.");
+		return;
+	}
+	detected_ = std::move(found.vertexFeature);
+}
+
+FeatureEdges Preparation::detectOn(Surface& surface, double until)
+{
+	clock_.enter("load", "Taking over the mesh", 0.1 * until);
+	IndexedMesh mesh     = loadInput(input_, workers_, report_.cleaned);
+	surface.frame        = mesh.frame;
+	const float meanEdge = meanEdgeLength(mesh, workers_);
+	if (!(meanEdge > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
+	connectOrRepair(mesh, surface);
+	clock_.enter("detection", "Detecting features", until);
+	FeatureEdges features = findFeatures(surface, options_.featureThresholds, meanEdge, workers_);
+	noteDetection(features);
+	return features;
+}
+
+Prepared Preparation::prepare(std::int64_t fixedTarget)
+{
+	Prepared p;
+	clock_.enter("load", "Taking over the mesh", 0.05);
+	IndexedMesh mesh = loadInput(input_, workers_, report_.cleaned);
+	p.area           = surfaceArea(mesh, workers_);
+	if (!(p.area > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
+	p.surface.frame        = mesh.frame;
+	report_.radiusConstant = radiusConstant(options_);
+	setTarget(run_,
+			  fixedTarget > 0 ? fixedTarget
+							  : resolveTarget(input_, options_, p.area, mesh.frame.scale),
+			  p);
+
+	clock_.enter("splitLongEdges", "Splitting long edges", 0.06);
+	report_.cleaned.longEdgesSplit = splitLongEdges(
+		mesh, longestEdge * p.radius, mostFacesFor(p.targetNum, mesh.faceNum), workers_);
+	connectOrRepair(mesh, p.surface);
+	setSizes(p);
+	describeInput(p.surface);
+	return p;
+}
+
+Prepared Preparation::prepareAgain(std::int64_t targetNum)
+{
+	report_.cleaned = CleanCounts();
+	return prepare(targetNum);
+}
+
+void Preparation::findFeatureLines(Prepared& p)
+{
+	clock_.enter("features", "Finding feature lines", 0.23);
+	CreaseRules rules;
+	rules.mode        = followsFeatureLines(options_) ? options_.featureMode : FeatureMode::Off;
+	rules.strongDeg   = float(options_.featureAngleDeg);
+	rules.weakDeg     = 0.5f * rules.strongDeg;
+	rules.leastLength = leastLineLength * idealEdge(p);
+	rules.leastTwig   = idealEdge(p);
+
+	CreaseFindings found = markCreases(rules, workers_, p.surface);
+	while (found.edgeNum > 0 && tooManySamples(p)) {
+		forgetFeatureLines(p);
+		rules.leastLength *= 2;
+		found = markCreases(rules, workers_, p.surface);
+	}
+	p.tips                 = found.tips;
+	report_.featureEdgeNum = found.edgeNum;
+	report_.featureTipNum  = std::int64_t(found.tips.size());
+}
+
+void Preparation::forgetFeatureLines(Prepared& p)
+{
+	p.surface.mesh.crease.release();
+	p.tips.clear();
+	report_.featureEdgeNum = report_.featureTipNum = 0;
+}
+
+void Preparation::describeInput(const Surface& surface)
+{
+	clock_.enter("audit", "Counting", 0.22);
+	report_.cleanedInput   = figuresOf(surface.mesh, 1 / surface.frame.scale, workers_);
+	report_.input          = report_.cleanedInput;
+	report_.input.vertices = std::int64_t(input_.vertexNum);
+	report_.input.faces    = std::int64_t(input_.faceNum);
+}
+
+std::int64_t Preparation::mostFacesFor(std::int64_t targetNum, std::int64_t faceNum)
+{
+	const std::int64_t most = std::max<std::int64_t>(4 * faceNum, 200 * targetNum + 10000000);
+	return std::min<std::int64_t>(most, 700000000);
+}
+
+/// Gives the surface its sizes, and the largest disks the radius that goes with them. Where
+/// small sizes meet edges that are too long for them, those are split and the sizes found anew.
+void Preparation::setSizes(Prepared& p)
+{
+	constexpr int mostRefinements = 4;
+	for (int pass = 0; pass <= mostRefinements; ++pass) {
+		Sizing sizing = findSizes(p);
+		if (sizing.size.empty()) return;
+		p.surface.size              = std::move(sizing.size);
+		p.radiusFactor              = sizing.radiusFactor;
+		report_.curvatureClampedNum = sizing.clampedNum;
+		setTarget(run_, p.targetNum, p);
+		const float longest = longestEdge * p.radius;
+		if (pass == mostRefinements || edgesFitSizes(p.surface, longest, workers_)) return;
+		refine(p, longest);
+	}
+}
+
+Sizing Preparation::findSizes(Prepared& p)
+{
+	clock_.enter("sizing", "Finding the density", 0.23);
+	findFeatureRegion(p);
+	const float uniform = float(diskRadius(p.area, double(p.targetNum), radiusConstant(options_)));
+	return makeSizing({input_, options_, uniform, p.isFeatureVertex}, p.surface, workers_);
+}
+
+void Preparation::refine(Prepared& p, float longest)
+{
+	IndexedMesh mesh;
+	mesh.frame         = p.surface.frame;
+	mesh.vertexNum     = p.surface.mesh.vertexNum;
+	mesh.faceNum       = p.surface.mesh.faceNum;
+	mesh.position      = std::move(p.surface.mesh.position);
+	mesh.triangle      = std::move(p.surface.mesh.origin);
+	mesh.sourceFace    = std::move(p.surface.sourceFace);
+	Buffer<float> size = std::move(p.surface.size);
+	p.surface          = Surface();
+	p.surface.frame    = mesh.frame;
+	report_.cleaned.longEdgesSplit +=
+		splitLongEdges(mesh, longest, size, mostFacesFor(p.targetNum, mesh.faceNum), workers_);
+	connectOrRepair(mesh, p.surface);
+}
+
+void Preparation::findFeatureRegion(Prepared& p)
+{
+	const bool          bySelection = options_.featureRegion == FeatureRegion::Selection;
+	const std::uint8_t* marks       = bySelection         ? input_.selected
+									  : detected_.empty() ? nullptr
+														  : detected_.data();
+	p.isFeatureVertex               = regionVertices(input_, marks, p.surface, workers_);
+	if (bySelection && p.isFeatureVertex.empty()) {
+		throw Failure(Status::BadOptions,
+					  "The selection is to be preserved, but no vertex is selected.");
+	}
+	const std::vector<int> vertices =
+		callersVertices(input_, p.isFeatureVertex, p.surface, workers_);
+	report_.regionVertexNum = std::int64_t(vertices.size());
+	if (options_.featureSampling == FeatureSampling::Vertices) p.kept = vertices;
+}
+
+bool Preparation::tooManySamples(const Prepared& p)
+{
+	return sampleCurves(p, p.radius).samples.size() > std::size_t(p.targetNum);
+}
+
+void Preparation::connectOrRepair(IndexedMesh& mesh, Surface& surface)
+{
+	Buffer<int> faceStart;
+	clock_.enter("order", "Ordering", 0.12);
+	surface.grid = orderSpatially(mesh, workers_, faceStart);
+	clock_.enter("connect", "Connecting", 0.2);
+	if (connect(mesh, faceStart, workers_, surface)) return;
+	clock_.enter("repair", "Repairing", 0.22);
+	repairManifold(mesh, workers_, report_.cleaned);
+	surface.grid = orderSpatially(mesh, workers_, faceStart);
+	if (!connect(mesh, faceStart, workers_, surface)) {
+		throw Failure(Status::InternalError, "The surface could not be made manifold.");
+	}
+}
+
+void Preparation::noteDetection(const FeatureEdges& features)
+{
+	if (features.supportCut) {
+		notes_.push_back("The feature support was cut to 5 % of the square root of the area; "
+						 "the mesh is too coarse for more.");
+	}
+	if (features.cappedRayNum > 0) {
+		report_.capsReached.push_back("faces crossed by the rays of the feature support");
+	}
+}
+
+} // namespace gpr

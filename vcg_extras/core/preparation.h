@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_PREPARATION_H
+#define VCG_EXTRAS_CORE_PREPARATION_H
+
+#include "feature_detection.h"
+#include "indexed_mesh.h"
+#include "prepared.h"
+#include "sizing.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace gpr {
+
+/// Everything before the sampling: the input loaded, cleaned, cut, ordered and connected, with its
+/// target, sizes, feature region and feature lines.
+class Preparation : RunPart {
+public:
+	explicit Preparation(RunContext& run) : RunPart(run) {}
+
+	/// Finds the features on the caller's own mesh, before any split, so that they are those which
+	/// detectFeatures finds.
+	void         detectRegion();
+	FeatureEdges detectOn(Surface& surface, double until);
+	/// Loads, cleans, splits, orders and connects. fixedTarget replaces the options' target if
+	/// above 0.
+	Prepared prepare(std::int64_t fixedTarget);
+	Prepared prepareAgain(std::int64_t targetNum);
+	/// Marks the feature lines; from here on the surface does not change any more. Where there are
+	/// more of them than the wanted vertices can follow, the shorter ones are left out.
+	void findFeatureLines(Prepared& p);
+	void forgetFeatureLines(Prepared& p);
+	void describeInput(const Surface& surface);
+
+private:
+	std::vector<std::uint8_t> detected_; ///< per caller's vertex: of the detected features
+
+	static std::int64_t mostFacesFor(std::int64_t targetNum, std::int64_t faceNum);
+	void                setSizes(Prepared& p);
+	Sizing              findSizes(Prepared& p);
+	void                refine(Prepared& p, float longest);
+	void                findFeatureRegion(Prepared& p);
+	static bool         tooManySamples(const Prepared& p);
+	void                connectOrRepair(IndexedMesh& mesh, Surface& surface);
+	void                noteDetection(const FeatureEdges& features);
+};
+
+} // namespace gpr
+
+#endif
