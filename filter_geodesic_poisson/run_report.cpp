@@ -109,7 +109,7 @@ QString cleanedLine(const gpr::CleanCounts& c)
 		{c.unreferencedVertices, "unreferenced vertices dropped"},
 		{c.weldedVertices, "vertices welded"},
 		{c.repeatedIndexFaces, "faces with a vertex twice dropped"},
-		{c.zeroAreaFaces, "faces without area"},
+		{c.zeroAreaFaces, "faces without area dropped"},
 		{c.duplicateFaces, "duplicate faces dropped"},
 		{c.reorientedFaces, "faces turned round"},
 		{c.nonManifoldEdges, "non-manifold edges cut"},

@@ -310,6 +310,40 @@ TEST_P(RandomRemesh, DamagedSurfacesGiveASoundResultOrASentence)
 	}
 }
 
+/// Damage leaves triangles with their corners in a line, alone or hanging on a border.
+int withheldOfDamaged(const RemeshOptions& preset, int seedNum)
+{
+	int withheld = 0;
+	for (std::uint32_t seed : testSeeds(seedNum)) {
+		Random             random(seed);
+		const TriangleMesh mesh    = damaged(randomSurface(random), 20, random);
+		RemeshOptions      options = preset;
+		options.targetPercent      = random.between(10, 150);
+		options.seed               = seed;
+		options.allowNearest       = true;
+		const RemeshResult r       = remesh(mesh.view(), options);
+		if (r.status == Status::Ok) {
+			EXPECT_TRUE(isSoundSurface(r.mesh)) << "seed " << seed;
+			continue;
+		}
+		++withheld;
+		ADD_FAILURE() << "seed " << seed << ": " << r.message;
+	}
+	return withheld;
+}
+
+TEST(DamagedRemesh, NoResultIsWithheld)
+{
+	EXPECT_EQ(withheldOfDamaged(RemeshOptions(), 240), 0);
+}
+
+TEST(DamagedRemesh, NoResultIsWithheldWithThePapersMethods)
+{
+	RemeshOptions options;
+	applyPreset(Preset::Paper, options);
+	EXPECT_EQ(withheldOfDamaged(options, 240), 0);
+}
+
 /// Random triangles over a few points: no surface at all, and still an orderly end.
 TEST_P(RandomRemesh, HeapsOfTrianglesGiveASoundResultOrASentence)
 {

@@ -183,4 +183,18 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 	return true;
 }
 
+IndexedMesh disconnect(Surface& surface)
+{
+	IndexedMesh mesh;
+	mesh.frame      = surface.frame;
+	mesh.vertexNum  = surface.mesh.vertexNum;
+	mesh.faceNum    = surface.mesh.faceNum;
+	mesh.position   = std::move(surface.mesh.position);
+	mesh.triangle   = std::move(surface.mesh.origin);
+	mesh.sourceFace = std::move(surface.sourceFace);
+	surface         = Surface();
+	surface.frame   = mesh.frame;
+	return mesh;
+}
+
 } // namespace gpr

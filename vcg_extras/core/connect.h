@@ -28,6 +28,10 @@ struct Surface {
 /// repairManifold. Cost: linear, parallel.
 bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface);
 
+/// Moves the surface's arrays back into a mesh that may be changed and connected anew. Nothing is
+/// left of the surface but its frame.
+IndexedMesh disconnect(Surface& surface);
+
 } // namespace gpr
 
 #endif

@@ -6,6 +6,7 @@
 #include "failure.h"
 #include "feature_export.h"
 #include "feature_region.h"
+#include "flat_pieces.h"
 #include "load.h"
 #include "measure.h"
 #include "repair_manifold.h"
@@ -51,6 +52,7 @@ FeatureEdges Preparation::detectOn(Surface& surface, double until)
 	const float meanEdge = meanEdgeLength(mesh, workers_);
 	if (!(meanEdge > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
 	connectOrRepair(mesh, surface);
+	dropFlatPieces(surface);
 	clock_.enter("detection", "Detecting features", until);
 	FeatureEdges features = findFeatures(surface, options_.featureThresholds, meanEdge, workers_);
 	noteDetection(features);
@@ -75,6 +77,7 @@ Prepared Preparation::prepare(std::int64_t fixedTarget)
 	report_.cleaned.longEdgesSplit = splitLongEdges(
 		mesh, longestEdge * p.radius, mostFacesFor(p.targetNum, mesh.faceNum), workers_);
 	connectOrRepair(mesh, p.surface);
+	dropFlatPieces(p.surface);
 	setSizes(p);
 	describeInput(p.surface);
 	return p;
@@ -157,16 +160,8 @@ Sizing Preparation::findSizes(Prepared& p)
 
 void Preparation::refine(Prepared& p, float longest)
 {
-	IndexedMesh mesh;
-	mesh.frame         = p.surface.frame;
-	mesh.vertexNum     = p.surface.mesh.vertexNum;
-	mesh.faceNum       = p.surface.mesh.faceNum;
-	mesh.position      = std::move(p.surface.mesh.position);
-	mesh.triangle      = std::move(p.surface.mesh.origin);
-	mesh.sourceFace    = std::move(p.surface.sourceFace);
 	Buffer<float> size = std::move(p.surface.size);
-	p.surface          = Surface();
-	p.surface.frame    = mesh.frame;
+	IndexedMesh   mesh = disconnect(p.surface);
 	report_.cleaned.longEdgesSplit +=
 		splitLongEdges(mesh, longest, size, mostFacesFor(p.targetNum, mesh.faceNum), workers_);
 	connectOrRepair(mesh, p.surface);
@@ -207,6 +202,18 @@ void Preparation::connectOrRepair(IndexedMesh& mesh, Surface& surface)
 	if (!connect(mesh, faceStart, workers_, surface)) {
 		throw Failure(Status::InternalError, "The surface could not be made manifold.");
 	}
+}
+
+/// Pieces without area, left by repair or there from the start, could only be meshed by triangles
+/// without area. Pieces that hold others together stay.
+void Preparation::dropFlatPieces(Surface& surface)
+{
+	const std::vector<int> flat = findFlatPieces(surface.mesh, workers_);
+	if (flat.empty()) return;
+	if (int(flat.size()) == surface.mesh.faceNum)
+		throw Failure(Status::UnusableInput, "The surface has no area.");
+	IndexedMesh mesh = withoutFaces(surface, flat, report_.cleaned);
+	connectOrRepair(mesh, surface);
 }
 
 void Preparation::noteDetection(const FeatureEdges& features)

@@ -43,6 +43,7 @@ private:
 	void                findFeatureRegion(Prepared& p);
 	static bool         tooManySamples(const Prepared& p);
 	void                connectOrRepair(IndexedMesh& mesh, Surface& surface);
+	void                dropFlatPieces(Surface& surface);
 	void                noteDetection(const FeatureEdges& features);
 };
 

@@ -26,19 +26,20 @@ struct CleanCounts {
 	std::int64_t unreferencedVertices = 0; ///< in no face, dropped
 	std::int64_t weldedVertices       = 0; ///< of a triangle soup: equal positions made one vertex
 	std::int64_t repeatedIndexFaces   = 0; ///< a vertex twice in one face, dropped
-	std::int64_t zeroAreaFaces        = 0; ///< kept where they hold the surface together, counted
-	std::int64_t duplicateFaces       = 0; ///< the same three vertices again, dropped
-	std::int64_t reorientedFaces      = 0;
-	std::int64_t nonManifoldEdges     = 0; ///< more than two faces: cut but for the smoothest pair
-	std::int64_t nonManifoldVertices  = 0; ///< more than one fan: a copy for each further fan
-	std::int64_t nonOrientableCuts    = 0; ///< edges cut to make a one-sided surface orientable
-	std::int64_t longEdgesSplit       = 0; ///< edges longer than 0.8 r, split for the sampling only
+	std::int64_t zeroAreaFaces       = 0; ///< welded to a line, or of a piece without area: dropped
+	std::int64_t duplicateFaces      = 0; ///< the same three vertices again, dropped
+	std::int64_t reorientedFaces     = 0;
+	std::int64_t nonManifoldEdges    = 0; ///< more than two faces: cut but for the smoothest pair
+	std::int64_t nonManifoldVertices = 0; ///< more than one fan: a copy for each further fan
+	std::int64_t nonOrientableCuts   = 0; ///< edges cut to make a one-sided surface orientable
+	std::int64_t longEdgesSplit      = 0; ///< edges longer than 0.8 r, split for the sampling only
 
 	/// Anything that changes what the input was (splitting edges does not).
 	bool changedInput() const
 	{
-		return nonFiniteVertices || weldedVertices || repeatedIndexFaces || duplicateFaces ||
-			   reorientedFaces || nonManifoldEdges || nonManifoldVertices || nonOrientableCuts;
+		return nonFiniteVertices || weldedVertices || repeatedIndexFaces || zeroAreaFaces ||
+			   duplicateFaces || reorientedFaces || nonManifoldEdges || nonManifoldVertices ||
+			   nonOrientableCuts;
 	}
 };
 

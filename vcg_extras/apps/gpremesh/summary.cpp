@@ -42,7 +42,7 @@ std::string cleanedText(const CleanCounts& c)
 	append(list, c.weldedVertices, "vertex welded", "vertices welded");
 	append(list, c.repeatedIndexFaces, "face with a repeated vertex dropped",
 		   "faces with a repeated vertex dropped");
-	append(list, c.zeroAreaFaces, "face without area", "faces without area");
+	append(list, c.zeroAreaFaces, "face without area dropped", "faces without area dropped");
 	append(list, c.duplicateFaces, "duplicate face dropped", "duplicate faces dropped");
 	append(list, c.reorientedFaces, "face turned over", "faces turned over");
 	append(list, c.nonManifoldEdges, "non-manifold edge cut", "non-manifold edges cut");

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flat_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// In working units, the box being about 1: above the rounding of coordinates, as for the weld.
+constexpr float leastWidth = 1e-6f;
+/// Height over length.
+constexpr float leastSlope = 1e-3f;
+
+float edgeLength(const HalfEdgeMesh& m, int h)
+{
+	return length(m.position[m.target(h)] - m.position[m.origin[h]]);
+}
+
+float longestEdge(const HalfEdgeMesh& m, int f)
+{
+	return std::max({edgeLength(m, 3 * f), edgeLength(m, 3 * f + 1), edgeLength(m, 3 * f + 2)});
+}
+
+bool isThin(const HalfEdgeMesh& m, int f)
+{
+	const float longest = longestEdge(m, f);
+	return !(length(m.faceCross(f)) > longest * std::min(leastWidth, leastSlope * longest));
+}
+
+std::vector<int> findThin(const HalfEdgeMesh& mesh, Workers& workers)
+{
+	return workers.collect<int>(mesh.faceNum,
+								[&](std::size_t begin, std::size_t end, std::vector<int>& out) {
+									for (int f = int(begin); f < int(end); ++f) {
+										if (isThin(mesh, f)) out.push_back(f);
+									}
+								});
+}
+
+class FlatFinder {
+public:
+	FlatFinder(const HalfEdgeMesh& mesh, std::vector<int> thin) :
+			m_(mesh), thin_(std::move(thin)), seen_(thin_.size(), 0), gone_(thin_.size(), 0)
+	{
+	}
+
+	std::vector<int> run()
+	{
+		for (std::size_t i = 0; i < thin_.size(); ++i) {
+			if (!seen_[i] && collectThin(i) && isLine()) markGone();
+		}
+		peelBorders();
+		std::vector<int> flat;
+		for (std::size_t i = 0; i < thin_.size(); ++i) {
+			if (gone_[i]) flat.push_back(thin_[i]);
+		}
+		return flat;
+	}
+
+private:
+	const HalfEdgeMesh& m_;
+	std::vector<int>    thin_;  ///< ascending
+	std::vector<char>   seen_;  ///< per thin face
+	std::vector<char>   gone_;  ///< per thin face
+	std::vector<int>    faces_; ///< joined thin faces
+
+	/// Where the face is among the thin ones, or -1.
+	int thinIndex(int f) const
+	{
+		const auto found = std::lower_bound(thin_.begin(), thin_.end(), f);
+		return found != thin_.end() && *found == f ? int(found - thin_.begin()) : -1;
+	}
+
+	// ---- whole components
+
+	/// Joins the thin faces round thin_[first]; whether they are a whole component.
+	bool collectThin(std::size_t first)
+	{
+		bool isWhole = true;
+		seen_[first] = 1;
+		faces_.assign(1, thin_[first]);
+		for (std::size_t i = 0; i < faces_.size(); ++i) {
+			for (int h = 3 * faces_[i]; h < 3 * faces_[i] + 3; ++h)
+				isWhole = visitAcross(h) && isWhole;
+		}
+		return isWhole;
+	}
+
+	/// False if a face that is not thin lies beyond h.
+	bool visitAcross(int h)
+	{
+		const int g = m_.opposite[h];
+		if (g < 0) return true;
+		const int i = thinIndex(g / 3);
+		if (i < 0) return false;
+		if (!seen_[i]) faces_.push_back(g / 3);
+		seen_[i] = 1;
+		return true;
+	}
+
+	/// Whether the faces, each thin, are so together too: not a small piece of many small faces.
+	bool isLine() const
+	{
+		double area = 0;
+		Vec3f  low  = m_.position[m_.origin[3 * faces_[0]]];
+		Vec3f  high = low;
+		for (int f : faces_) {
+			area += 0.5 * double(length(m_.faceCross(f)));
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				const Vec3f p = m_.position[m_.origin[h]];
+
+				low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+				high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+			}
+		}
+		return !(area > double(leastWidth) * double(length(high - low)));
+	}
+
+	void markGone()
+	{
+		for (int f : faces_)
+			gone_[thinIndex(f)] = 1;
+	}
+
+	// ---- at borders
+
+	/// Takes faces off until none is left that may go; each may make way for its neighbours.
+	void peelBorders()
+	{
+		std::vector<int> waiting(thin_.rbegin(), thin_.rend());
+		while (!waiting.empty()) {
+			const int f = waiting.back();
+			const int i = thinIndex(f);
+			waiting.pop_back();
+			if (gone_[i] || !mayGo(f)) continue;
+			gone_[i] = 1;
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				const int g = m_.opposite[h];
+				if (g >= 0 && thinIndex(g / 3) >= 0) waiting.push_back(g / 3);
+			}
+		}
+	}
+
+	bool isGone(int f) const
+	{
+		const int i = thinIndex(f);
+		return i >= 0 && gone_[i];
+	}
+
+	bool isBorder(int h) const { return m_.opposite[h] < 0 || isGone(m_.opposite[h] / 3); }
+
+	/// Whether the topology and, but for rounding, the surface and its border stay.
+	bool mayGo(int f) const
+	{
+		int borderNum = 0, border = -1;
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			if (!isBorder(h)) continue;
+			++borderNum;
+			border = h;
+		}
+		if (borderNum == 2) return true;
+		return borderNum == 1 && edgeLength(m_, border) >= longestEdge(m_, f) &&
+			   isInner(m_.apex(border));
+	}
+
+	bool isInner(int v) const
+	{
+		bool inner = true;
+		forEachOutgoing(m_, v, [&](int h) { inner = inner && !isBorder(h); });
+		return inner && !m_.isBorderVertex(v);
+	}
+};
+
+/// Drops vertices in no face and renames the others.
+void dropUnusedVertices(IndexedMesh& mesh)
+{
+	std::vector<int> rename(mesh.vertexNum, -1);
+	for (int i = 0; i < 3 * mesh.faceNum; ++i)
+		rename[mesh.triangle[i]] = 0;
+	int kept = 0;
+	for (int v = 0; v < mesh.vertexNum; ++v) {
+		if (rename[v] < 0) continue;
+		mesh.position[kept] = mesh.position[v];
+		rename[v]           = kept++;
+	}
+	mesh.vertexNum = kept;
+	for (int i = 0; i < 3 * mesh.faceNum; ++i)
+		mesh.triangle[i] = rename[mesh.triangle[i]];
+}
+
+} // namespace
+
+std::vector<int> findFlatPieces(const HalfEdgeMesh& mesh, Workers& workers)
+{
+	return FlatFinder(mesh, findThin(mesh, workers)).run();
+}
+
+IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, CleanCounts& counts)
+{
+	IndexedMesh      mesh = disconnect(surface);
+	std::vector<int> dropped;
+	int              kept = 0;
+	auto             next = faces.begin();
+	for (int f = 0; f < mesh.faceNum; ++f) {
+		if (next != faces.end() && *next == f) {
+			dropped.push_back(mesh.sourceFace[f]);
+			++next;
+			continue;
+		}
+		std::copy_n(&mesh.triangle[3 * f], 3, &mesh.triangle[3 * kept]);
+		mesh.sourceFace[kept++] = mesh.sourceFace[f];
+	}
+	mesh.faceNum = kept;
+	dropUnusedVertices(mesh);
+	std::sort(dropped.begin(), dropped.end());
+	counts.zeroAreaFaces += std::unique(dropped.begin(), dropped.end()) - dropped.begin();
+	return mesh;
+}
+
+} // namespace gpr

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_FLAT_PIECES_H
+#define VCG_EXTRAS_CORE_FLAT_PIECES_H
+
+#include "connect.h"
+#include "report.h"
+#include "workers.h"
+
+#include <vector>
+
+namespace gpr {
+
+/// Faces, in ascending order, that a surface is no poorer without, and that no triangles with an
+/// area could take the place of. All are thinner than a millionth of the box and a thousandth of
+/// their length. They make up whole components that are lines; or hang on a border by one edge; or
+/// lie along a border with their longest edge. Without the components every other one keeps its
+/// topology. Cost: a parallel pass over the faces; O(t log t) for t thin faces.
+std::vector<int> findFlatPieces(const HalfEdgeMesh& mesh, Workers& workers);
+
+/// The surface without `faces` (ascending) and the vertices only they have, as a mesh to be ordered
+/// and connected anew; the surface is empty then. The caller's faces that are concerned are counted
+/// as zeroAreaFaces.
+IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, CleanCounts& counts);
+
+} // namespace gpr
+
+#endif
