@@ -12,6 +12,7 @@
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
+#include <vcg_extras/core/angle_mending.h>
 #include <vcg_extras/core/cells.h>
 #include <vcg_extras/core/crossing_faces.h>
 #include <vcg_extras/core/face_tree.h>
@@ -346,6 +347,79 @@ TEST(Fit, DoesNotDependOnTheThreads)
 		other.fit();
 		EXPECT_EQ(positionsOf(other.result.mesh), positionsOf(one.result.mesh)) << threads;
 	}
+}
+
+// ---- angles after the fit
+
+namespace {
+
+/// A roof with a ridge of 90° along y, and a jittered mesh on it that does not keep to the ridge.
+Laid jitteredOnRoof(int threads = 2)
+{
+	const auto roof = [](TriangleMesh mesh) {
+		for (Vec3d& p : mesh.positions)
+			p.z = -std::abs(p.x - 0.51);
+		return mesh;
+	};
+	Random random(7);
+	return Laid(roof(grid(90, 90)), roof(jitteredGrid(18, 0.33, random)), threads);
+}
+
+int numBelow(const Laid& laid, float angleDeg)
+{
+	const std::vector<float> angles = laid.leastAngles();
+	return int(std::count_if(angles.begin(), angles.end(),
+							 [&](float a) { return a < angleDeg * 3.14159265f / 180; }));
+}
+
+} // namespace
+
+TEST(MendAngles, RaisesMostOfThemAndKeepsTheDistance)
+{
+	Laid               laid   = jitteredOnRoof();
+	const TriangleMesh before = meshOf(laid.result.mesh);
+	const double       error  = laid.rms();
+	const int          poor   = numBelow(laid, 30);
+	ASSERT_GT(poor, 20);
+	ASSERT_TRUE(findCrossingFaces(laid.result.mesh, laid.workers).empty());
+	EXPECT_TRUE(mendAngles(laid.surface, 32, laid.result, laid.workers));
+	EXPECT_LT(numBelow(laid, 30), 0.3 * poor);
+	EXPECT_LT(laid.rms(), 1.05 * error);
+	EXPECT_TRUE(isSoundTable(laid.result.mesh));
+	EXPECT_TRUE(hasSameTopology(meshOf(laid.result.mesh), before));
+	EXPECT_TRUE(findCrossingFaces(laid.result.mesh, laid.workers).empty());
+}
+
+TEST(MendAngles, LeavesBordersAndPinnedVerticesAlone)
+{
+	Laid laid = jitteredOnRoof();
+	for (int v = 0; v < laid.result.mesh.vertexNum; v += 3)
+		laid.result.vertex[v].isPinned = true;
+	const std::vector<Vec3f> before = positionsOf(laid.result.mesh);
+	mendAngles(laid.surface, 32, laid.result, laid.workers);
+	EXPECT_NE(positionsOf(laid.result.mesh), before);
+	for (int v = 0; v < laid.result.mesh.vertexNum; ++v) {
+		if (v % 3 == 0 || laid.result.mesh.isBorderVertex(v)) {
+			EXPECT_EQ(laid.result.mesh.position[v], before[v]) << v;
+		}
+	}
+}
+
+TEST(MendAngles, ChangesNothingWhereNoAngleIsPoor)
+{
+	Laid                     laid   = jitteredOnRoof();
+	const std::vector<Vec3f> before = positionsOf(laid.result.mesh);
+	EXPECT_TRUE(mendAngles(laid.surface, 0.001f, laid.result, laid.workers));
+	EXPECT_EQ(positionsOf(laid.result.mesh), before);
+}
+
+TEST(MendAngles, DoesNotDependOnThreads)
+{
+	Laid one = jitteredOnRoof(1), three = jitteredOnRoof(3);
+	mendAngles(one.surface, 32, one.result, one.workers);
+	mendAngles(three.surface, 32, three.result, three.workers);
+	EXPECT_EQ(positionsOf(one.result.mesh), positionsOf(three.result.mesh));
+	EXPECT_EQ(one.result.flipNum, three.result.flipNum);
 }
 
 } // namespace gpr::test

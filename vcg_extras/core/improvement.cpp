@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "improvement.h"
 
+#include "angle_mending.h"
 #include "conformal_relaxation.h"
 #include "curve_slide.h"
 #include "delaunay_flips.h"
@@ -45,6 +46,15 @@ public:
 			raiseWorstAngles(p.surface, isFull ? poorAngleFullDeg : poorAngleDeg, result, workers_);
 		}
 		mendFolds(p.surface, boundary, false, result, workers_);
+	}
+
+	/// The paper's post-processing stays as it is written.
+	void mendLastAngles(const Prepared& p, ResultMesh& result)
+	{
+		if (options_.smoothing != Smoothing::Barycentric || options_.relaxIterations == 0) return;
+		clock_.enter("angles", "Mending angles", 0.973);
+		if (!mendAngles(p.surface, poorAngleDeg, result, workers_))
+			report_.capsReached.push_back("changes for the worst angles");
 	}
 
 	void fit(const Prepared& p, ResultMesh& result)
@@ -113,7 +123,9 @@ void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 
 void fitResult(RunContext& run, const Prepared& p, ResultMesh& result)
 {
-	Improvement(run).fit(p, result);
+	Improvement improvement(run);
+	improvement.fit(p, result);
+	improvement.mendLastAngles(p, result);
 }
 
 } // namespace gpr

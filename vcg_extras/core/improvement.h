@@ -17,7 +17,8 @@ void flipEdges(RunContext& run, ResultMesh& result);
 void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 			 ResultMesh& result);
 
-/// The last to move vertices: those before walk on the surface, which this leaves.
+/// The last to move vertices: those before walk on the surface, which this leaves. Last of all the
+/// worst angles once more, with or without a fit.
 void fitResult(RunContext& run, const Prepared& p, ResultMesh& result);
 
 } // namespace gpr

@@ -1,0 +1,378 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "angle_mending.h"
+
+#include "cells.h"
+#include "crossing_faces.h"
+#include "face_tree.h"
+#include "fold_repair.h"
+#include "mesh_edit.h"
+#include "walk.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+constexpr float radians = 3.14159265f / 180;
+/// Angles are wanted this much larger than asked for, so that none ends just below.
+constexpr float margin = 1.06f;
+/// Rounds over all poor faces.
+constexpr int mostRounds = 8;
+/// Moves of a vertex with one step length.
+constexpr int mostMoves = 4;
+/// Trials that end with crossing faces; then nothing is changed.
+constexpr int mostTrials = 4;
+/// Above so many poor faces, or this share of all, the triangles are hopelessly large for the
+/// surface, and changes one by one mend nothing.
+constexpr std::size_t mostPoor      = 500;
+constexpr float       mostPoorShare = 0.01f;
+/// Vertices of the input that are looked at in a cell.
+constexpr int mostInCell = 64;
+/// Lengths of steps, of the mean edge round the vertex.
+constexpr float stepShares[] = {0.16f, 0.08f, 0.04f, 0.02f};
+/// A vertex ends within this share of that edge from where it was,
+constexpr float farthestMove = 0.5f;
+/// and where the surface's normal there has at least this cosine with the one before.
+constexpr float leastNormalCosine = 0.5f;
+/// The diagonals of a flip lie at most this share of an edge apart: so much moves the surface.
+constexpr float largestGap = 0.5f;
+/// The surface round a change may come to lie this share of an edge away, or as far as before.
+constexpr float farthestOff = 0.05f;
+/// No face may come to agree less with the surface's normals than this, or than before.
+constexpr float leastAgreement = 0.6f;
+/// A change must lower the cost to this share.
+constexpr float leastGain = 0.995f;
+
+float angleOf(const HalfEdgeMesh& m, int f)
+{
+	const int* c = &m.origin[3 * f];
+	return smallestAngle(m.position[c[0]], m.position[c[1]], m.position[c[2]]);
+}
+
+/// Faces with a smaller angle than this, the sharpest first.
+std::vector<int> findPoorFaces(const HalfEdgeMesh& m, float angle, Workers& workers)
+{
+	std::vector<int> poor =
+		workers.collect<int>(m.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+			for (int f = int(begin); f < int(end); ++f) {
+				if (angleOf(m, f) < angle) out.push_back(f);
+			}
+		});
+	std::stable_sort(poor.begin(), poor.end(),
+					 [&](int f, int g) { return angleOf(m, f) < angleOf(m, g); });
+	return poor;
+}
+
+class AngleMender {
+public:
+	AngleMender(const Surface& surface, float angle, ResultMesh& result, Workers& workers) :
+			surface_(surface), angle_(angle), r_(result), m_(result.mesh), workers_(workers),
+			cells_(surface, result, workers)
+	{
+	}
+
+	/// False if there was no end of crossing faces and nothing is changed.
+	bool run()
+	{
+		start_.vertex = r_.vertex;
+		start_.mesh   = copyMesh(m_, workers_);
+		startNormal_  = smoothNormals(surface_, r_, workers_);
+		blocked_.assign(m_.vertexNum, 0);
+		const std::vector<int> crossing = findCrossingFaces(m_, workers_);
+		const std::int64_t     flipNum  = r_.flipNum;
+		for (int trial = 0; trial < mostTrials; ++trial) {
+			mendAll();
+			if (!blockNewlyCrossing(crossing)) return true;
+			restore(flipNum);
+		}
+		return false;
+	}
+
+private:
+	const Surface&    surface_;
+	float             angle_;
+	ResultMesh&       r_;
+	HalfEdgeMesh&     m_;
+	Workers&          workers_;
+	Cells             cells_; ///< of the start
+	ResultMesh        start_;
+	Buffer<Vec3f>     startNormal_, normal_; ///< of the surface at the vertices
+	std::vector<char> touched_;              ///< vertices that moved or whose faces were flipped
+	std::vector<char> blocked_;              ///< vertices that are left alone
+
+	void restore(std::int64_t flipNum)
+	{
+		r_.vertex  = start_.vertex;
+		r_.mesh    = copyMesh(start_.mesh, workers_);
+		r_.flipNum = flipNum;
+	}
+
+	/// Blocks what touched faces cross now. False if no face crosses another that did not before.
+	bool blockNewlyCrossing(const std::vector<int>& before)
+	{
+		bool found = false;
+		for (int f : findCrossingFaces(m_, workers_)) {
+			const bool isOld = std::binary_search(before.begin(), before.end(), f);
+			for (int k = 0; k < 3; ++k) {
+				const int v = m_.origin[3 * f + k];
+				if (isOld && !touched_[v]) continue;
+				found       = true;
+				blocked_[v] = 1;
+			}
+		}
+		return found;
+	}
+
+	void mendAll()
+	{
+		touched_.assign(m_.vertexNum, 0);
+		normal_ = Buffer<Vec3f>(startNormal_.size());
+		std::copy(startNormal_.begin(), startNormal_.end(), normal_.begin());
+		for (int round = 0; round < mostRounds; ++round) {
+			bool better = false;
+			for (int f : findPoorFaces(m_, angle_, workers_)) {
+				workers_.poll();
+				if (angleOf(m_, f) < angle_) better = mend(f) || better;
+			}
+			if (!better) return;
+		}
+	}
+
+	bool mend(int f)
+	{
+		bool better = false;
+		for (int v : patchCorners(f))
+			better = moveToBest(v) || better;
+		for (int k = 0; k < 3 && angleOf(m_, f) < angle_; ++k)
+			better = flipAndMove(3 * f + k) || better;
+		return better;
+	}
+
+	/// Corners of f and of the faces beyond its edges.
+	std::vector<int> patchCorners(int f) const
+	{
+		std::vector<int> corners(&m_.origin[3 * f], &m_.origin[3 * f] + 3);
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			if (m_.opposite[h] >= 0) corners.push_back(m_.apex(m_.opposite[h]));
+		}
+		return corners;
+	}
+
+	/// What faces lack in angle, and how well they lie on the surface.
+	struct Quality {
+		float cost      = 0;
+		float agreement = 1;
+
+		bool beats(const Quality& other) const
+		{
+			return cost < leastGain * other.cost &&
+				   agreement >= std::min(leastAgreement, other.agreement);
+		}
+	};
+
+	void addFace(int f, Quality& sum) const
+	{
+		const float lack = std::max(0.0f, 1 - angleOf(m_, f) / (margin * angle_));
+		sum.cost += lack * lack;
+		sum.agreement = std::min(sum.agreement, faceAgreement(m_, normal_, f));
+	}
+
+	Quality ringQuality(int v) const
+	{
+		Quality sum;
+		forEachOutgoing(m_, v, [&](int h) { addFace(h / 3, sum); });
+		return sum;
+	}
+
+	template <class Vertices>
+	std::vector<int> facesRound(const Vertices& vertices) const
+	{
+		std::vector<int> faces;
+		for (int v : vertices)
+			forEachOutgoing(m_, v, [&](int h) { faces.push_back(h / 3); });
+		std::sort(faces.begin(), faces.end());
+		faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+		return faces;
+	}
+
+	float squaredDistance(const Vec3f& p, int f) const
+	{
+		const int* c = &m_.origin[3 * f];
+		return squaredLength(
+			nearestOnTriangle(p, m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]) - p);
+	}
+
+	/// How far the input's vertices in the cells of these faces lie from the nearest of them.
+	float farthestFrom(const std::vector<int>& faces) const
+	{
+		float farthest = 0;
+		for (int f : faces) {
+			const std::ptrdiff_t num    = cells_.end(f) - cells_.begin(f),
+								 stride = 1 + num / mostInCell;
+			for (std::ptrdiff_t k = 0; k < num; k += stride) {
+				const Vec3f p       = surface_.mesh.position[cells_.begin(f)[k]];
+				float       nearest = HUGE_VALF;
+				for (int g : faces)
+					nearest = std::min(nearest, squaredDistance(p, g));
+				farthest = std::max(farthest, nearest);
+			}
+		}
+		return std::sqrt(farthest);
+	}
+
+	/// Of the faces' sum.
+	Quality patchQuality(const std::vector<int>& faces) const
+	{
+		Quality sum;
+		for (int f : faces)
+			addFace(f, sum);
+		return sum;
+	}
+
+	float meanEdge(int v) const
+	{
+		float sum = 0;
+		int   num = 0;
+		forEachNeighbour(m_, v, [&](int w) {
+			sum += length(m_.position[w] - m_.position[v]);
+			++num;
+		});
+		return sum / float(num);
+	}
+
+	/// A vertex with what moves along.
+	struct Place {
+		Vec3f        position, normal;
+		ResultVertex record;
+	};
+
+	Place placeOf(int v) const { return {m_.position[v], normal_[v], r_.vertex[v]}; }
+
+	void put(int v, const Place& p)
+	{
+		m_.position[v] = p.position;
+		normal_[v]     = p.normal;
+		r_.vertex[v]   = p.record;
+	}
+
+	bool mayMove(int v) const
+	{
+		return isFree(r_, v) && r_.vertex[v].curve < 0 && !r_.vertex[v].isPinned && !blocked_[v];
+	}
+
+	bool moveToBest(int v)
+	{
+		if (!mayMove(v)) return false;
+		Quality quality = ringQuality(v);
+		if (quality.cost == 0) return false;
+		const float edge   = meanEdge(v);
+		bool        better = false;
+		for (float share : stepShares) {
+			for (int move = 0; move < mostMoves; ++move) {
+				if (!step(v, share * edge, edge, quality)) break;
+				better = true;
+			}
+		}
+		if (better) touched_[v] = 1;
+		return better;
+	}
+
+	bool step(int v, float reach, float edge, Quality& quality)
+	{
+		const std::vector<int> faces = facesRound(std::array<int, 1>{v});
+		const float            far   = std::max(farthestFrom(faces), farthestOff * edge);
+		const Place            start = placeOf(v);
+		Place                  best  = start;
+		bool                   found = false;
+		for (const Vec3f& direction : compassDirections(start.record.normal)) {
+			Place next = start;
+			if (!shift(v, direction * reach, edge, next)) continue;
+			put(v, next);
+			const Quality q = ringQuality(v);
+			if (!q.beats(quality) || farthestFrom(faces) > far) continue;
+			quality = q;
+			best    = next;
+			found   = true;
+		}
+		put(v, best);
+		return found;
+	}
+
+	/// Moves the place along the surface; false if that leads too far.
+	bool shift(int v, const Vec3f& by, float edge, Place& place) const
+	{
+		const Vec3f offset = place.position - place.record.anchor.position;
+		if (walk(surface_.mesh, place.record.anchor, by) != WalkEnd::Arrived) return false;
+		place.position      = place.record.anchor.position + offset;
+		place.record.normal = surface_.mesh.faceNormal(place.record.anchor.face);
+		place.normal        = smoothNormal(surface_, place.record.anchor);
+		if (dot(place.normal, startNormal_[v]) <
+			leastNormalCosine * length(place.normal) * length(startNormal_[v]))
+			return false;
+		return length(place.position - start_.mesh.position[v]) <= farthestMove * edge;
+	}
+
+	/// How far apart the diagonals of the faces on both sides of h lie.
+	float gapOfDiagonals(int h) const
+	{
+		const int   g = m_.opposite[h];
+		const Vec3f a = m_.position[m_.origin[h]], b = m_.position[m_.target(h)];
+		const Vec3f c = m_.position[m_.apex(h)], d = m_.position[m_.apex(g)];
+		const Vec3f n = normalized(cross(b - a, d - c));
+		return std::abs(dot(n, c - a));
+	}
+
+	/// Flips h and lets the vertices round it move; keeps that only if it pays together.
+	bool flipAndMove(int h)
+	{
+		if (m_.opposite[h] < 0 || !canFlip(m_, h)) return false;
+		const std::array<int, 4> corners{m_.origin[h], m_.target(h), m_.apex(h),
+										 m_.apex(m_.opposite[h])};
+		for (int v : corners) {
+			if (blocked_[v]) return false;
+		}
+		const float edge = meanEdge(corners[0]);
+		if (gapOfDiagonals(h) > largestGap * edge) return false;
+		const std::vector<int> faces  = facesRound(corners);
+		const Quality          before = patchQuality(faces);
+		const float            far    = std::max(farthestFrom(faces), farthestOff * edge);
+		std::array<Place, 4>   places;
+		std::array<char, 4>    touched;
+		for (int k = 0; k < 4; ++k) {
+			places[k]  = placeOf(corners[k]);
+			touched[k] = touched_[corners[k]];
+		}
+		flip(m_, h);
+		for (int v : corners)
+			moveToBest(v);
+		if (patchQuality(faces).beats(before) && farthestFrom(faces) <= far) {
+			for (int v : corners)
+				touched_[v] = 1;
+			++r_.flipNum;
+			return true;
+		}
+		for (int k = 0; k < 4; ++k) {
+			put(corners[k], places[k]);
+			touched_[corners[k]] = touched[k];
+		}
+		flip(m_, nextInFace(h));
+		return false;
+	}
+};
+
+} // namespace
+
+bool mendAngles(const Surface& surface, float angleDeg, ResultMesh& result, Workers& workers)
+{
+	const float       angle = angleDeg * radians;
+	const std::size_t num   = findPoorFaces(result.mesh, angle, workers).size();
+	const float       most  = mostPoorShare * float(result.mesh.faceNum);
+	if (num == 0 || num > std::max(mostPoor, std::size_t(most))) return true;
+	return AngleMender(surface, angle, result, workers).run();
+}
+
+} // namespace gpr
