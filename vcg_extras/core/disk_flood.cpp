@@ -14,10 +14,9 @@ constexpr float flatCosine = 0.8f;
 
 /// A settled vertex is visited again where a way shorter by this share turns up.
 constexpr float worthAnotherVisit = 1e-3f;
-/// Further visits a flood may make beyond one for every two vertices met: among needles a way
-/// could else get shorter bit by bit, without end to speak of. On scans some per cent are visited
-/// again.
-constexpr std::size_t spareVisits = 64;
+/// Vertices that a flood may visit again: among needles a way could else get shorter bit by bit,
+/// without end to speak of. On scans it is some per cent of a few dozen.
+constexpr int mostVisitsAgain = 48;
 
 } // namespace
 
@@ -138,7 +137,7 @@ void DiskFlood::tryDistance(int vertex, float distance)
 	if (t.stamp == 2 * flood_ + 1) {
 		// Triangles of stretched edges need not be triangles: there a front could creep back.
 		if (stretch_ != nullptr || distance >= t.distance * (1 - worthAnotherVisit)) return;
-		if (visitedAgainNum_ >= queue_.size() / 2 + spareVisits) return;
+		if (visitedAgainNum_ >= mostVisitsAgain) return;
 		++visitedAgainNum_;
 		t.distance = distance;
 	}

@@ -101,7 +101,7 @@ private:
 	NearestField&               field_;
 	float                       radius_;
 	int                         flood_           = 0;
-	std::size_t                 visitedAgainNum_ = 0; ///< by this flood
+	int                         visitedAgainNum_ = 0; ///< by this flood
 	float                       scale_ = 1; ///< of lengths: 1 over the size of the sample explored
 	std::vector<int>            met_;
 	std::vector<int>            queue_;
