@@ -24,7 +24,7 @@ constexpr int kCarriedMask = MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY
 int likelySampleLayer(const MeshDocument& document)
 {
 	int likely = -1;
-	for (const MeshModel* layer : document.meshList) {
+	for (const MeshModel* layer : layersOf(document)) {
 		if (layer == document.mm()) continue;
 		const bool pointsKnown = likely >= 0 && document.getMesh(likely)->cm.fn == 0;
 		if (layer->cm.fn == 0 || !pointsKnown) likely = layer->id();
@@ -82,7 +82,7 @@ QString numberAndLabel(const MeshModel& layer)
 [[noreturn]] void refuseMissing(std::int64_t number, const MeshDocument& document)
 {
 	QStringList layers;
-	for (const MeshModel* layer : document.meshList) {
+	for (const MeshModel* layer : layersOf(document)) {
 		layers << numberAndLabel(*layer);
 	}
 	throw Refusal(
@@ -110,8 +110,9 @@ std::string lossesOf(const MeshModel& layer)
 void fill(MeshModel& layer, CMeshO& built)
 {
 	layer.clearDataMask(kStaleMask);
+	dropTextures(layer);
 	replaceContents(layer.cm, built);
-	layer.UpdateBoxAndNormals();
+	updateBoxAndNormals(layer);
 }
 
 } // namespace

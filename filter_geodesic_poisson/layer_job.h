@@ -3,11 +3,10 @@
 #ifndef FILTER_GEODESIC_POISSON_LAYER_JOB_H
 #define FILTER_GEODESIC_POISSON_LAYER_JOB_H
 
-// What all filters do with MeshLab's document. The interface is 2020.09's.
+// What all filters do with MeshLab's document.
 
 #include "mesh_bridge.h"
 
-#include <common/interfaces.h>
 #include <string>
 #include <vcg_extras/core/parameters.h>
 #include <vector>

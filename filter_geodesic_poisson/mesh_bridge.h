@@ -5,7 +5,8 @@
 
 // Between MeshLab's mesh and the engine's flat arrays.
 
-#include <common/ml_mesh_type.h>
+#include "meshlab_api.h"
+
 #include <cstdint>
 #include <vcg_extras/core/remesh.h>
 #include <vector>

@@ -4,14 +4,6 @@
 
 #include <QString>
 #include <QStringList>
-
-#if __has_include(<common/filter_parameter/rich_parameter_list.h>)
-#include <common/filter_parameter/rich_parameter_list.h> // MeshLab 2020.09
-#else
-#include <common/parameters/rich_parameter_list.h>
-#define RichAbsPerc RichPercentage // its name since 2022
-#endif
-
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -40,16 +32,17 @@ void addRow(const Parameter& row, const gpr::MeshFacts& facts, RichParameterList
 	const QString        label = QString::fromUtf8(row.label);
 	const QString        help  = QString::fromUtf8(row.help);
 	// The dialog divides by the range of a length: an empty layer gets one, too.
-	const float diagonal = facts.diagonal > 0 ? float(facts.diagonal) : 1.f;
+	const Scalarm diagonal = facts.diagonal > 0 ? Scalarm(facts.diagonal) : 1;
 	switch (row.kind) {
 	case ParameterKind::Count:
 		list.addParam(RichInt(key, int(std::get<std::int64_t>(value)), label, help));
 		break;
 	case ParameterKind::Number:
-		list.addParam(RichFloat(key, float(std::get<double>(value)), label, help));
+		list.addParam(RichFloat(key, Scalarm(std::get<double>(value)), label, help));
 		break;
 	case ParameterKind::Length:
-		list.addParam(RichAbsPerc(key, float(std::get<double>(value)), 0, diagonal, label, help));
+		list.addParam(
+			LengthParameter(key, Scalarm(std::get<double>(value)), 0, diagonal, label, help));
 		break;
 	case ParameterKind::Switch:
 		list.addParam(RichBool(key, std::get<bool>(value), label, help));
@@ -61,29 +54,39 @@ void addRow(const Parameter& row, const gpr::MeshFacts& facts, RichParameterList
 	}
 }
 
+/// What all versions of MeshLab call the type of a parameter of this kind.
+const char* typeOf(ParameterKind kind)
+{
+	switch (kind) {
+	case ParameterKind::Count:
+		return "RichInt";
+	case ParameterKind::Number:
+		return "RichFloat";
+	case ParameterKind::Length:
+		return "RichAbsPerc";
+	case ParameterKind::Switch:
+		return "RichBool";
+	case ParameterKind::Choice:
+		return "RichEnum";
+	}
+	return "";
+}
+
 /// The row's value in a list that has it; nothing where it is of another type.
 /// Asked for the type first, because MeshLab asserts on the wrong one.
 std::optional<ParameterValue> find(const Parameter& row, const RichParameterList& list)
 {
-	const Value& value = list.getParameterByName(QString::fromUtf8(row.key)).value();
+	const RichParameter& parameter = list.getParameterByName(QString::fromUtf8(row.key));
+	if (parameter.stringType() != typeOf(row.kind)) return std::nullopt;
 	switch (row.kind) {
-	case ParameterKind::Count:
-		if (value.isInt()) return ParameterValue(std::int64_t(value.getInt()));
-		break;
-	case ParameterKind::Number:
-		if (value.isFloat()) return ParameterValue(typedNumber(value.getFloat()));
-		break;
-	case ParameterKind::Length:
-		if (value.isAbsPerc()) return ParameterValue(typedNumber(value.getAbsPerc()));
-		break;
 	case ParameterKind::Switch:
-		if (value.isBool()) return ParameterValue(value.getBool());
-		break;
-	case ParameterKind::Choice:
-		if (value.isEnum()) return ParameterValue(std::int64_t(value.getEnum()));
-		break;
+		return ParameterValue(parameter.value().getBool());
+	case ParameterKind::Number:
+	case ParameterKind::Length:
+		return ParameterValue(typedNumber(parameter.value().getFloat()));
+	default:
+		return ParameterValue(std::int64_t(parameter.value().getInt()));
 	}
-	return std::nullopt;
 }
 
 double numberOf(const ParameterValue& value)

@@ -5,11 +5,11 @@
 
 // Between the engine's parameter table and MeshLab's parameter lists.
 
+#include "meshlab_api.h"
+
 #include <string>
 #include <vcg_extras/core/parameters.h>
 #include <vector>
-
-class RichParameterList;
 
 namespace gpr_filter {
 
@@ -34,6 +34,11 @@ ReadParameters readParameterList(const std::vector<gpr::Parameter>& table,
 /// The number a user meant whose decimal text the host has kept as float: 12.3f gives 12.3 and not
 /// 12.300000190734863, so that dialog, script and command line ask for the same.
 double typedNumber(float kept);
+/// A host of double scalars has kept the number itself.
+inline double typedNumber(double kept)
+{
+	return kept;
+}
 
 } // namespace gpr_filter
 

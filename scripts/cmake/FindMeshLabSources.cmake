@@ -5,20 +5,25 @@
 # found leaves its variable empty, and who needs it is skipped.
 #
 # The user may give (and is told when a given path is wrong):
+#   GPR_MESHLAB              the versions to build the plugin for: 2020.09, 2025.07, or both as a list
 #   VCGDIR                   folder that holds vcg/ and wrap/
-#   MESHLAB_SOURCE_DIR       MeshLab's src folder, or the folder above it
+#   MESHLAB_SOURCE_DIR       MeshLab's src folder, or the folder above it; its version is that tree's
 #   MESHLAB_COMMON_LIBRARY   libmeshlab-common.so of the MeshLab that shall load the plugin
-# Otherwise the folder in which scripts/setup leaves the sources is looked in.
+#   MESHLAB_COMMON_LIBRARY_DOUBLE   2025.07: that of a MeshLab with double scalars
+# Otherwise the folders in which scripts/setup leaves sources and libraries are looked in.
 #
-# Sets:
-#   GPR_VCGLIB_DIR, GPR_MESHLAB_SOURCE_DIR (with common/), GPR_MESHLAB_COMMON_LIBRARY
-#   GPR_MESHLAB_VCGLIB_DIR   the vcglib that came with those MeshLab sources: the plugin shares CMeshO
-#                            with the host and must be compiled with no other
-# Defines, where vcglib and Eigen were found:
-#   gpr_vcglib               interface target: system include paths of vcglib and Eigen
+# Sets for each version V of 2020 and 2025 that is wanted:
+#   GPR_MESHLAB_V_SOURCE_DIR   with common/
+#   GPR_MESHLAB_V_VCGLIB_DIR   the vcglib that came with those MeshLab sources: the plugin shares
+#                              CMeshO with the host and must be compiled with no other
+#   GPR_MESHLAB_V_LIBRARY, GPR_MESHLAB_2025_LIBRARY_DOUBLE
+#   GPR_MESHLAB_2025_VERSION   as the tree states it
+# Sets GPR_VCGLIB_DIR, and defines, where vcglib and Eigen were found:
+#   gpr_vcglib                 interface target: system include paths of vcglib and Eigen
 
 set(VCGDIR "" CACHE PATH "vcglib: the folder that holds vcg/ and wrap/")
 set(MESHLAB_SOURCE_DIR "" CACHE PATH "MeshLab's src folder, or the folder above it")
+set(GPR_MESHLAB "2020.09" CACHE STRING "MeshLab's versions to build the plugin for: 2020.09;2025.07")
 
 # The cache folder of scripts/setup.
 if(NOT "$ENV{GPR_CACHE_DIR}" STREQUAL "")
@@ -28,52 +33,102 @@ elseif(NOT "$ENV{XDG_CACHE_HOME}" STREQUAL "")
 else()
   set(_gpr_cache "$ENV{HOME}/.cache/gpremesh")
 endif()
-set(_gpr_fetched "${_gpr_cache}/meshlab-2020.09")
+set(_gpr_2020 "${_gpr_cache}/meshlab-2020.09")
+set(_gpr_2025 "${_gpr_cache}/meshlab-2025.07")
 
-# MeshLab's headers. 2020.09 has common/interfaces.h, later versions common/plugins.
-set(GPR_MESHLAB_SOURCE_DIR "")
-set(_gpr_candidates "${_gpr_fetched}/src")
-if(MESHLAB_SOURCE_DIR)
-  set(_gpr_candidates "${MESHLAB_SOURCE_DIR}" "${MESHLAB_SOURCE_DIR}/src")
-endif()
-foreach(_dir IN LISTS _gpr_candidates)
-  if(NOT GPR_MESHLAB_SOURCE_DIR AND (EXISTS "${_dir}/common/interfaces.h" OR EXISTS "${_dir}/common/plugins"))
-    set(GPR_MESHLAB_SOURCE_DIR "${_dir}")
-  endif()
-endforeach()
-if(MESHLAB_SOURCE_DIR AND NOT GPR_MESHLAB_SOURCE_DIR)
-  message(FATAL_ERROR "MESHLAB_SOURCE_DIR=${MESHLAB_SOURCE_DIR} has no common/interfaces.h")
-endif()
+# Each version is known by a file of its interface.
+set(_gpr_mark_2020 common/interfaces.h)
+set(_gpr_mark_2025 common/plugins/interfaces/filter_plugin.h)
 
-set(GPR_MESHLAB_VCGLIB_DIR "")
-if(GPR_MESHLAB_SOURCE_DIR)
-  set(_gpr_candidates "${GPR_MESHLAB_SOURCE_DIR}/../vcglib" "${GPR_MESHLAB_SOURCE_DIR}/vcglib" ${VCGDIR})
-  foreach(_dir IN LISTS _gpr_candidates)
-    if(NOT GPR_MESHLAB_VCGLIB_DIR AND EXISTS "${_dir}/vcg/complex/complex.h")
-      get_filename_component(GPR_MESHLAB_VCGLIB_DIR "${_dir}" ABSOLUTE)
+# Sets in the caller the first of some folders that has a file.
+function(gpr_first_with variable file)
+  set(${variable} "" PARENT_SCOPE)
+  foreach(_dir IN LISTS ARGN)
+    if(EXISTS "${_dir}/${file}")
+      get_filename_component(_found "${_dir}" ABSOLUTE)
+      set(${variable} "${_found}" PARENT_SCOPE)
+      return()
     endif()
   endforeach()
-endif()
+endfunction()
 
-if(VCGDIR AND NOT EXISTS "${VCGDIR}/vcg/complex/complex.h")
-  message(FATAL_ERROR "VCGDIR=${VCGDIR} has no vcg/complex/complex.h")
+# A tree that was given tells its version by itself.
+set(GPR_MESHLAB_WANTED ${GPR_MESHLAB})
+if(MESHLAB_SOURCE_DIR)
+  set(_gpr_given "${MESHLAB_SOURCE_DIR}" "${MESHLAB_SOURCE_DIR}/src")
+  gpr_first_with(_gpr_given_2020 ${_gpr_mark_2020} ${_gpr_given})
+  gpr_first_with(_gpr_given_2025 ${_gpr_mark_2025} ${_gpr_given})
+  if(_gpr_given_2025)
+    set(GPR_MESHLAB_WANTED 2025.07)
+  elseif(_gpr_given_2020)
+    set(GPR_MESHLAB_WANTED 2020.09)
+  else()
+    message(FATAL_ERROR "MESHLAB_SOURCE_DIR=${MESHLAB_SOURCE_DIR} has neither ${_gpr_mark_2020} nor ${_gpr_mark_2025}")
+  endif()
 endif()
-set(GPR_VCGLIB_DIR "")
-foreach(_dir ${VCGDIR} ${GPR_MESHLAB_VCGLIB_DIR} "${_gpr_fetched}/vcglib")
-  if(NOT GPR_VCGLIB_DIR AND EXISTS "${_dir}/vcg/complex/complex.h")
-    set(GPR_VCGLIB_DIR "${_dir}")
+foreach(_version IN LISTS GPR_MESHLAB_WANTED)
+  if(NOT _version MATCHES "^(2020\\.09|2025\\.07)$")
+    message(FATAL_ERROR "GPR_MESHLAB=${GPR_MESHLAB}: the plugin is for 2020.09 and 2025.07")
   endif()
 endforeach()
 
-find_library(MESHLAB_COMMON_LIBRARY NAMES meshlab-common PATH_SUFFIXES meshlab
-             DOC "libmeshlab-common of the MeshLab that shall load the plugin")
-set(GPR_MESHLAB_COMMON_LIBRARY "")
-if(MESHLAB_COMMON_LIBRARY)
-  if(NOT EXISTS "${MESHLAB_COMMON_LIBRARY}")
-    message(FATAL_ERROR "MESHLAB_COMMON_LIBRARY=${MESHLAB_COMMON_LIBRARY} does not exist")
+foreach(_path VCGDIR MESHLAB_COMMON_LIBRARY MESHLAB_COMMON_LIBRARY_DOUBLE)
+  set(_file "${${_path}}")
+  if(_path STREQUAL VCGDIR AND VCGDIR)
+    set(_file "${VCGDIR}/vcg/complex/complex.h")
   endif()
-  set(GPR_MESHLAB_COMMON_LIBRARY "${MESHLAB_COMMON_LIBRARY}")
+  if(_file AND NOT _file MATCHES "-NOTFOUND$" AND NOT EXISTS "${_file}")
+    message(FATAL_ERROR "${_path}=${${_path}}: there is no ${_file}")
+  endif()
+endforeach()
+
+# 2020.09, whose library the distribution has.
+if(2020.09 IN_LIST GPR_MESHLAB_WANTED)
+  gpr_first_with(GPR_MESHLAB_2020_SOURCE_DIR ${_gpr_mark_2020} ${_gpr_given_2020} "${_gpr_2020}/src")
+  find_library(MESHLAB_COMMON_LIBRARY NAMES meshlab-common PATH_SUFFIXES meshlab
+               DOC "libmeshlab-common of the MeshLab that shall load the plugin")
+  set(GPR_MESHLAB_2020_LIBRARY "")
+  if(MESHLAB_COMMON_LIBRARY)
+    set(GPR_MESHLAB_2020_LIBRARY "${MESHLAB_COMMON_LIBRARY}")
+  endif()
 endif()
+
+# 2025.07, of which scripts/setup has built the library for both scalars.
+if(2025.07 IN_LIST GPR_MESHLAB_WANTED)
+  gpr_first_with(GPR_MESHLAB_2025_SOURCE_DIR ${_gpr_mark_2025}
+                 ${_gpr_given_2025} "${_gpr_2025}/source/src")
+  set(_gpr_built src/distrib/libmeshlab-common.so)
+  set(GPR_MESHLAB_2025_LIBRARY "")
+  set(GPR_MESHLAB_2025_LIBRARY_DOUBLE "")
+  if(_gpr_given_2025)
+    set(GPR_MESHLAB_2025_LIBRARY "${MESHLAB_COMMON_LIBRARY}")
+    set(GPR_MESHLAB_2025_LIBRARY_DOUBLE "${MESHLAB_COMMON_LIBRARY_DOUBLE}")
+  else()
+    if(EXISTS "${_gpr_2025}/float/${_gpr_built}")
+      set(GPR_MESHLAB_2025_LIBRARY "${_gpr_2025}/float/${_gpr_built}")
+    endif()
+    if(EXISTS "${_gpr_2025}/double/${_gpr_built}")
+      set(GPR_MESHLAB_2025_LIBRARY_DOUBLE "${_gpr_2025}/double/${_gpr_built}")
+    endif()
+  endif()
+  set(GPR_MESHLAB_2025_VERSION 2025.07)
+  if(EXISTS "${GPR_MESHLAB_2025_SOURCE_DIR}/../ML_VERSION")
+    file(STRINGS "${GPR_MESHLAB_2025_SOURCE_DIR}/../ML_VERSION" GPR_MESHLAB_2025_VERSION LIMIT_COUNT 1)
+  endif()
+endif()
+
+foreach(_year 2020 2025)
+  set(_src "${GPR_MESHLAB_${_year}_SOURCE_DIR}")
+  set(GPR_MESHLAB_${_year}_VCGLIB_DIR "")
+  if(_src)
+    gpr_first_with(GPR_MESHLAB_${_year}_VCGLIB_DIR vcg/complex/complex.h
+                   "${_src}/../vcglib" "${_src}/vcglib" ${VCGDIR})
+  endif()
+endforeach()
+
+# One vcglib for the programs, whatever MeshLab the plugin is for.
+gpr_first_with(GPR_VCGLIB_DIR vcg/complex/complex.h
+  ${VCGDIR} ${GPR_MESHLAB_2020_VCGLIB_DIR} "${_gpr_2020}/vcglib" ${GPR_MESHLAB_2025_VCGLIB_DIR})
 
 find_path(GPR_EIGEN_DIR NAMES Eigen/Core PATH_SUFFIXES eigen3 DOC "Eigen 3, which vcglib includes")
 mark_as_advanced(GPR_EIGEN_DIR)

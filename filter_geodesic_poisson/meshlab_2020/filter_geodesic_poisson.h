@@ -3,17 +3,12 @@
 #ifndef FILTER_GEODESIC_POISSON_H
 #define FILTER_GEODESIC_POISSON_H
 
+#include "filter_run.h"
+
 #include <common/interfaces.h>
-#include <string>
-#include <vcg_extras/core/parameters.h>
-#include <vector>
 
-namespace gpr_filter {
-class LayerJob;
-}
-
-/// The adapter to MeshLab 2020.09's plugin interface: turns one applyFilter into one call of the
-/// engine. Parameters, mesh and texts go over bridges that other versions' adapters share.
+/// The adapter to MeshLab 2020.09's plugin interface: names and types of that version, nothing of
+/// what the filters do.
 class FilterGeodesicPoisson : public QObject, public MeshFilterInterface {
 	Q_OBJECT
 	MESHLAB_PLUGIN_IID_EXPORTER(MESH_FILTER_INTERFACE_IID)
@@ -47,22 +42,7 @@ public:
 					 vcg::CallBackPos* progress) override;
 
 private:
-	/// The host's progress bar handles events, so Apply can be pressed again while the filter runs.
-	bool _running = false;
-
-	using Lines = std::vector<std::string>; ///< for the log
-
-	// What a filter does; throws gpr_filter::Refusal where it cannot.
-	static Lines run(FilterIDType filter, MeshDocument& document, const RichParameterList& list,
-					 vcg::CallBackPos* progress);
-	static Lines remesh(const gpr_filter::LayerJob& job, vcg::CallBackPos* progress);
-	static Lines sample(const gpr_filter::LayerJob& job, vcg::CallBackPos* progress);
-	static Lines retriangulate(const gpr_filter::LayerJob& job, vcg::CallBackPos* progress);
-	static Lines detectFeatures(const gpr_filter::LayerJob& job, vcg::CallBackPos* progress);
-
-	bool refuse(const Lines& sentences);
-	bool giveUp(const char* what, const char* why) noexcept;
-	void logAll(const Lines& lines);
+	gpr_filter::FilterRunner _runner;
 };
 
 #endif

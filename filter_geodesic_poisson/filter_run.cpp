@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_run.h"
+
+#include "layer_job.h"
+#include "mesh_bridge.h"
+#include "refusal.h"
+#include "run_report.h"
+
+#include <exception>
+#include <new>
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr_filter {
+
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// Sets a flag for the life of the object.
+class Flagged {
+public:
+	explicit Flagged(bool& flag) : _flag(flag) { _flag = true; }
+	~Flagged() { _flag = false; }
+	Flagged(const Flagged&)            = delete;
+	Flagged& operator=(const Flagged&) = delete;
+
+private:
+	bool& _flag;
+};
+
+/// meshlabserver prints the phrases back to back, so each ends its line; the status bar of the
+/// window shows one line anyway.
+gpr::ProgressCallback progressTo(vcg::CallBackPos* host)
+{
+	if (host == nullptr) return nullptr;
+	return [host](double share, const char* phrase) {
+		return host(int(100 * share), (std::string(phrase) + '\n').c_str());
+	};
+}
+
+template <class Result>
+void requireOk(const Result& result)
+{
+	if (result.status != gpr::Status::Ok) throw Refusal(result.message);
+}
+
+Lines remesh(const LayerJob& job, vcg::CallBackPos* progress)
+{
+	const gpr::RemeshResult result =
+		gpr::remesh(job.copy().view(), job.options(), progressTo(progress));
+	requireOk(result);
+	CMeshO built;
+	buildMesh(result, job.copy(), built);
+	Lines lines = remeshingLines(result);
+	lines.push_back(job.put(built, "_remeshed"));
+	return lines;
+}
+
+Lines sample(const LayerJob& job, vcg::CallBackPos* progress)
+{
+	const gpr::SamplingResult result =
+		gpr::samplePoissonDisks(job.copy().view(), job.options(), progressTo(progress));
+	requireOk(result);
+	CMeshO built;
+	buildPoints(result, job.copy(), built);
+	Lines lines = samplingLines(result);
+	job.putPoints(built, "_samples");
+	return lines;
+}
+
+Lines retriangulate(const LayerJob& job, vcg::CallBackPos* progress)
+{
+	const gpr::RemeshResult result =
+		gpr::retriangulate(job.copy().view(), job.samples(), job.options(), progressTo(progress));
+	requireOk(result);
+	CMeshO built;
+	buildMesh(result, job.copy(), built);
+	Lines lines = retriangulationLines(result);
+	lines.push_back(job.put(built, "_retriangulated"));
+	return lines;
+}
+
+Lines detectFeatures(const LayerJob& job, vcg::CallBackPos* progress)
+{
+	const gpr::FeatureResult result =
+		gpr::detectFeatures(job.copy().view(), job.options(), progressTo(progress));
+	requireOk(result);
+	job.mark(result);
+	return featureLines(result);
+}
+
+Lines runTool(gpr::Tool tool, const LayerJob& job, vcg::CallBackPos* progress)
+{
+	switch (tool) {
+	case gpr::SamplingTool:
+		return sample(job, progress);
+	case gpr::RetriangulateTool:
+		return retriangulate(job, progress);
+	case gpr::FeatureTool:
+		return detectFeatures(job, progress);
+	default:
+		return remesh(job, progress);
+	}
+}
+
+RunOutcome giveUp(const char* what, const char* why) noexcept
+try {
+	return {false, {std::string(what) + why}};
+}
+catch (...) {
+	// Not even memory for a sentence.
+	return {};
+}
+
+} // namespace
+
+int postConditionOf(gpr::Tool tool)
+{
+	switch (tool) {
+	case gpr::SamplingTool:
+		return MeshModel::MM_NONE; // it only adds a layer
+	case gpr::FeatureTool:
+		return MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTFLAGSELECT |
+			   MeshModel::MM_FACEFLAGSELECT;
+	default:
+		return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE;
+	}
+}
+
+RunOutcome FilterRunner::run(gpr::Tool tool, MeshDocument& document, const RichParameterList& list,
+							 vcg::CallBackPos* progress) noexcept
+try {
+	if (_running) throw Refusal("A filter of this plugin is running already; wait for its end.");
+	const Flagged  running(_running);
+	const LayerJob job(document, tool, list);
+	return {true, runTool(tool, job, progress)};
+}
+catch (const Refusal& refusal) {
+	return {false, refusal.sentences()};
+}
+catch (const std::bad_alloc&) {
+	return giveUp("There is not enough memory for this.", "");
+}
+catch (const std::exception& error) {
+	return giveUp("Internal error: ", error.what());
+}
+catch (...) {
+	return giveUp("Internal error.", "");
+}
+
+QString asHtml(const std::vector<std::string>& sentences, const char* separator)
+{
+	QStringList paragraphs;
+	for (const std::string& sentence : sentences) {
+		paragraphs << QString::fromStdString(sentence).toHtmlEscaped().replace("&quot;", "\"");
+	}
+	return paragraphs.join(separator);
+}
+
+} // namespace gpr_filter

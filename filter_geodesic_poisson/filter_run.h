@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef FILTER_GEODESIC_POISSON_FILTER_RUN_H
+#define FILTER_GEODESIC_POISSON_FILTER_RUN_H
+
+// What all versions' adapters do when a filter is applied.
+
+#include "meshlab_api.h"
+
+#include <string>
+#include <vcg_extras/core/parameters.h>
+#include <vector>
+
+namespace gpr_filter {
+
+/// What of MeshModel's masks a layer must have for any of the filters.
+constexpr int kPreCondition = MeshModel::MM_FACENUMBER;
+/// What of MeshModel's masks a filter changes.
+int postConditionOf(gpr::Tool tool);
+
+/// How a run ended.
+struct RunOutcome {
+	bool done = false; ///< false: the document is as it was
+	/// One line or sentence each: for the log when it was done, else for the user and the log.
+	std::vector<std::string> lines;
+};
+
+/// Applies one filter after the other.
+class FilterRunner {
+public:
+	/// Applies a tool's filter to the document's current layer. Never throws. A call from within
+	/// the progress callback of another is refused: the host's progress bar handles events, so
+	/// Apply can be pressed again while a filter runs.
+	RunOutcome run(gpr::Tool tool, MeshDocument& document, const RichParameterList& list,
+				   vcg::CallBackPos* progress) noexcept;
+
+private:
+	bool _running = false;
+};
+
+/// Sentences as a text of HTML, of which a plain reader sees next to nothing.
+QString asHtml(const std::vector<std::string>& sentences, const char* separator);
+
+} // namespace gpr_filter
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "filter_geodesic_poisson.h"
+
+#include "filter_text.h"
+#include "layer_job.h"
+#include "parameter_bridge.h"
+
+FilterGeodesicPoisson::FilterGeodesicPoisson()
+{
+	typeList << FP_GEODESIC_POISSON_REMESHING << FP_GEODESIC_POISSON_SAMPLING << FP_RETRIANGULATION
+			 << FP_FEATURE_DETECTION;
+	for (FilterIDType filter : types()) {
+		actionList << new QAction(filterName(filter), this);
+	}
+}
+
+QString FilterGeodesicPoisson::pluginName() const
+{
+	return "FilterGeodesicPoisson";
+}
+
+QString FilterGeodesicPoisson::filterName(FilterIDType filter) const
+{
+	return QString::fromUtf8(gpr_filter::textOf(gpr::Tool(filter)).name);
+}
+
+QString FilterGeodesicPoisson::filterInfo(FilterIDType filter) const
+{
+	return QString::fromUtf8(gpr_filter::textOf(gpr::Tool(filter)).info);
+}
+
+MeshFilterInterface::FilterClass FilterGeodesicPoisson::getClass(QAction* action)
+{
+	switch (ID(action)) {
+	case FP_GEODESIC_POISSON_SAMPLING:
+		return Sampling;
+	case FP_FEATURE_DETECTION:
+		return FilterClass(Selection | Quality);
+	default:
+		return Remeshing;
+	}
+}
+
+int FilterGeodesicPoisson::getPreConditions(QAction*) const
+{
+	return gpr_filter::kPreCondition;
+}
+
+int FilterGeodesicPoisson::postCondition(QAction* action) const
+{
+	return gpr_filter::postConditionOf(gpr::Tool(ID(action)));
+}
+
+MeshFilterInterface::FILTER_ARITY FilterGeodesicPoisson::filterArity(QAction*) const
+{
+	return SINGLE_MESH;
+}
+
+void FilterGeodesicPoisson::initParameterSet(QAction* action, MeshDocument& document,
+											 RichParameterList& list)
+{
+	gpr_filter::fillParameterList(gpr::parametersOf(gpr::Tool(ID(action))),
+								  gpr_filter::factsOf(document), list);
+}
+
+bool FilterGeodesicPoisson::applyFilter(QAction* action, MeshDocument& document,
+										const RichParameterList& list, vcg::CallBackPos* progress)
+try {
+	errorMessage.clear();
+	const gpr_filter::RunOutcome outcome =
+		_runner.run(gpr::Tool(ID(action)), document, list, progress);
+	// The failure box shows errorMessage as HTML; meshlabserver shows the log only.
+	if (!outcome.done) errorMessage = gpr_filter::asHtml(outcome.lines, "<br>");
+	// As std::string and by itself, a line is never taken for a printf format.
+	for (const std::string& line : outcome.lines) {
+		if (!line.empty()) Log(line);
+	}
+	return outcome.done;
+}
+catch (...) {
+	// No memory for the words about it.
+	return false;
+}
