@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_BENCH_BUILT_IN_MESHES_H
+#define VCG_EXTRAS_BENCH_BUILT_IN_MESHES_H
+
+#include <cstdint>
+#include <string>
+#include <vcg_extras/core/mesh_view.h>
+
+namespace gpr::bench {
+
+// Meshes made in code, of about faceNum faces, with what decides how long a run takes: a scan's
+// roughness, a border, creases.
+
+/// A closed surface, rough on every scale.
+TriangleMesh roughStone(std::int64_t faceNum);
+/// An open one: rough land over a square.
+TriangleMesh roughLand(std::int64_t faceNum);
+/// A box with flat sides and sharp edges, unevenly meshed.
+TriangleMesh sharpBox(std::int64_t faceNum);
+
+/// The one of that name: stone, land or box. False where there is none.
+bool makeBuiltIn(const std::string& name, std::int64_t faceNum, TriangleMesh& mesh);
+
+} // namespace gpr::bench
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_BENCH_EDGE_TABLE_H
+#define VCG_EXTRAS_BENCH_EDGE_TABLE_H
+
+#include <cstdint>
+#include <vcg_extras/core/buffer.h>
+#include <vcg_extras/core/workers.h>
+#include <vector>
+
+namespace gpr::bench {
+
+/// The edges of a set of triangles, manifold or not. Side s of a mesh runs from triangles[s] to the
+/// next corner of face s / 3.
+struct EdgeTable {
+	int         edgeNum = 0;
+	Buffer<int> edgeOfSide; ///< per side
+	Buffer<int> firstSide;  ///< per edge: the first of its sides
+	Buffer<int> sideNum;    ///< per edge: how many faces it has
+};
+
+/// Numbers the edges by their smaller ends. Cost: linear for vertices of few faces.
+EdgeTable findEdges(const std::vector<std::int32_t>& triangles, std::size_t vertexNum,
+					Workers& workers);
+
+/// The vertex where a side ends.
+inline std::int32_t endOfSide(const std::vector<std::int32_t>& triangles, int side)
+{
+	return triangles[side % 3 == 2 ? side - 2 : side + 1];
+}
+
+} // namespace gpr::bench
+
+#endif

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the first mesh to the audit.
+#include "bench_case.h"
+#include "mesh_copies.h"
+
+#include <vcg_extras/core/angle_mending.h>
+#include <vcg_extras/core/audit.h>
+#include <vcg_extras/core/conformal_relaxation.h>
+#include <vcg_extras/core/delaunay_flips.h>
+#include <vcg_extras/core/exact_count.h>
+#include <vcg_extras/core/fit.h>
+#include <vcg_extras/core/fold_repair.h>
+#include <vcg_extras/core/measure.h>
+#include <vcg_extras/core/relaxation.h>
+#include <vcg_extras/core/valence_glide.h>
+#include <vcg_extras/core/worst_triangles.h>
+
+namespace gpr::bench {
+
+namespace {
+
+/// Times a change of the result on a copy each.
+template <class Change>
+void timeChange(benchmark::State& state, const ResultMesh& before, const Change& change)
+{
+	timeEach(
+		state, [&] { return copyOf(before); },
+		[&](ResultMesh& result) {
+			change(result);
+			return 0;
+		});
+}
+
+void flips(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	timeChange(state, run.sampled().mesh,
+			   [&](ResultMesh& result) { flipToDelaunay(result, workers); });
+}
+
+void foldRepair(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Surface&        surface  = run.prepared().surface;
+	const BoundaryCurves& boundary = run.sampled().boundary;
+	timeChange(state, run.improved().flipped,
+			   [&](ResultMesh& result) { mendFolds(surface, boundary, true, result, workers); });
+}
+
+void exactCount(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Prepared&       p        = run.prepared();
+	const BoundaryCurves& boundary = run.sampled().boundary;
+	timeChange(state, run.improved().flipped, [&](ResultMesh& result) {
+		collapseShortEdges(p.surface, result, workers);
+		reachExactCount(p.surface, boundary, p.targetNum, result, workers);
+	});
+}
+
+void relaxation(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Surface& surface = run.prepared().surface;
+	timeChange(state, run.improved().counted,
+			   [&](ResultMesh& result) { relaxOnce(surface, result, workers); });
+}
+
+void valenceGlide(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	timeChange(state, run.improved().counted,
+			   [&](ResultMesh& result) { glideDislocations(result, workers); });
+}
+
+void conformal(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Surface&        surface  = run.prepared().surface;
+	const BoundaryCurves& boundary = run.sampled().boundary;
+	const ConformalSteps  steps    = conformalSteps(2 * run.options().relaxIterations);
+	timeChange(state, run.improved().glided, [&](ResultMesh& result) {
+		relaxConformally(surface, boundary, steps, result, workers);
+	});
+}
+
+void worstTriangles(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	constexpr float angleDeg = 38;
+	const Surface&  surface  = run.prepared().surface;
+	timeChange(state, run.improved().conformal,
+			   [&](ResultMesh& result) { raiseWorstAngles(surface, angleDeg, result, workers); });
+}
+
+void fit(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Surface& surface = run.prepared().surface;
+	timeChange(state, run.improved().raised,
+			   [&](ResultMesh& result) { fitToInput(surface, FitSettings(), result, workers); });
+}
+
+void angleMending(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	constexpr float angleDeg = 32;
+	const Surface&  surface  = run.prepared().surface;
+	timeChange(state, run.improved().fitted,
+			   [&](ResultMesh& result) { mendAngles(surface, angleDeg, result, workers); });
+}
+
+void auditResult(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Surface&    surface = run.prepared().surface;
+	const ResultMesh& result  = run.improved().fitted;
+	const MeshFigures input   = figuresOf(surface.mesh, 1, workers);
+	timeEach(state, [&] {
+		const MeshFigures output = figuresOf(result.mesh, 1, workers);
+		return audit(surface, result, input, output, 0, workers);
+	});
+}
+
+} // namespace
+
+void addImprovementBenchmarks(const BenchCase& on)
+{
+	addBenchmark("flips", on, flips);
+	addBenchmark("fold_repair", on, foldRepair);
+	addBenchmark("exact_count", on, exactCount);
+	addBenchmark("relaxation", on, relaxation);
+	addBenchmark("valence_glide", on, valenceGlide);
+	addBenchmark("conformal_relaxation", on, conformal);
+	addBenchmark("worst_triangles", on, worstTriangles);
+	addBenchmark("fit", on, fit);
+	addBenchmark("angle_mending", on, angleMending);
+	addBenchmark("audit", on, auditResult);
+}
+
+} // namespace gpr::bench

@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the file to the surface.
+#include "bench_case.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/apps/gpremesh/platform.h>
+#include <vcg_extras/apps/gpremesh/ply_writer.h>
+#include <vcg_extras/core/connect.h>
+#include <vcg_extras/core/crease_lines.h>
+#include <vcg_extras/core/load.h>
+#include <vcg_extras/core/measure.h>
+#include <vcg_extras/core/spatial_order.h>
+
+namespace gpr::bench {
+
+namespace {
+
+/// A PLY file that is gone at the end.
+class ScratchFile {
+public:
+	ScratchFile() :
+			path_((std::filesystem::temp_directory_path() /
+				   ("gpremesh_bench_" + std::to_string(app::processId()) + ".ply"))
+					  .string())
+	{
+	}
+	~ScratchFile() { std::remove(path_.c_str()); }
+	ScratchFile(const ScratchFile&)            = delete;
+	ScratchFile& operator=(const ScratchFile&) = delete;
+
+	const std::string& path() const { return path_; }
+	void               write(const MeshView& mesh) const
+	{
+		app::OutputFile out(path_);
+		app::writePly(mesh, false, app::PlyVertexData(), out);
+		out.commit();
+	}
+
+private:
+	std::string path_;
+};
+
+struct OrderedMesh {
+	IndexedMesh mesh;
+	Buffer<int> faceStart;
+	MortonGrid  grid;
+};
+
+OrderedMesh loaded(StagedRun& run, Workers& workers)
+{
+	CleanCounts counts;
+	return {loadInput(run.input(), workers, counts), Buffer<int>(), MortonGrid()};
+}
+
+OrderedMesh ordered(StagedRun& run, Workers& workers)
+{
+	OrderedMesh o = loaded(run, workers);
+	o.grid        = orderSpatially(o.mesh, workers, o.faceStart);
+	return o;
+}
+
+void readPlyFile(benchmark::State& state, StagedRun& run, Workers&)
+{
+	const ScratchFile file;
+	file.write(run.input());
+	timeEach(state, [&] { return app::readMesh(file.path()); });
+}
+
+void writePlyFile(benchmark::State& state, StagedRun& run, Workers&)
+{
+	const ScratchFile file;
+	timeEach(state, [&] {
+		file.write(run.input());
+		return 0;
+	});
+}
+
+void load(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	timeEach(state, [&] { return loaded(run, workers); });
+}
+
+void order(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	timeEach(
+		state, [&] { return loaded(run, workers); },
+		[&](OrderedMesh& o) { return orderSpatially(o.mesh, workers, o.faceStart); });
+}
+
+void halfEdgeTable(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	timeEach(
+		state, [&] { return ordered(run, workers); },
+		[&](OrderedMesh& o) {
+			Surface surface;
+			connect(o.mesh, o.faceStart, workers, surface);
+			return surface;
+		});
+}
+
+void figures(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const HalfEdgeMesh& mesh = run.prepared().surface.mesh;
+	timeEach(state, [&] { return figuresOf(mesh, 1, workers); });
+}
+
+/// Load, split, order, connect, sizes and figures in one.
+void prepare(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	timeEach(state, [&] {
+		RunContext context = run.contextFor(workers);
+		return Preparation(context).prepare(0);
+	});
+}
+
+/// By the rules of a run with FeatureMode::Auto.
+void creaseLines(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	Prepared&   p = run.prepared();
+	CreaseRules rules;
+	rules.leastLength   = 3 * idealEdge(p);
+	rules.leastTwig     = idealEdge(p);
+	Buffer<char> marked = std::move(p.surface.mesh.crease);
+	timeEach(
+		state,
+		[&] {
+			p.surface.mesh.crease.release();
+			return 0;
+		},
+		[&](int) { return markCreases(rules, workers, p.surface); });
+	p.surface.mesh.crease = std::move(marked);
+}
+
+} // namespace
+
+void addInputBenchmarks(const BenchCase& on)
+{
+	if (!on.graded) {
+		addBenchmark("read_ply", on, readPlyFile);
+		addBenchmark("write_ply", on, writePlyFile);
+		addBenchmark("load", on, load);
+		addBenchmark("order", on, order);
+		addBenchmark("half_edge_table", on, halfEdgeTable);
+		addBenchmark("figures", on, figures);
+	}
+	addBenchmark("prepare", on, prepare);
+	addBenchmark("crease_lines", on, creaseLines);
+}
+
+} // namespace gpr::bench

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// gpr_bench_peer: runs another simplifier on a file, as a program, so that all of it can be
+// measured from outside. Prints its own seconds and what is left as JSON.
+#include "peer_meshoptimizer.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/apps/gpremesh/peer_remeshers.h>
+
+namespace {
+
+using namespace gpr;
+
+constexpr const char* usage = "usage: gpr_bench_peer quadric|meshoptimizer IN OUT FACES\n";
+
+app::PeerResult simplified(const std::string& method, const std::string& in, std::int64_t faceNum)
+{
+	const app::InputMesh mesh = app::readMesh(in);
+	if (method == "meshoptimizer") return bench::simplifyByMeshoptimizer(mesh, faceNum);
+	return app::collapseQuadricEdges(mesh.view(), faceNum, [] { return false; });
+}
+
+void run(const std::string& method, const std::string& in, const std::string& out,
+		 std::int64_t faceNum)
+{
+	const app::PeerResult result = simplified(method, in, faceNum);
+	if (!result.failure.empty()) throw std::runtime_error(result.failure);
+	app::writeMesh(result.mesh, false, out, [] { return false; });
+	std::printf("{\"seconds\": %.6f, \"vertices\": %zu, \"faces\": %zu}\n", result.seconds,
+				result.mesh.vertexNum(), result.mesh.faceNum());
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+	const std::string method  = argc == 5 ? argv[1] : "";
+	const long long   faceNum = argc == 5 ? std::atoll(argv[4]) : 0;
+	if ((method != "quadric" && method != "meshoptimizer") || faceNum < 1) {
+		std::fputs(usage, stderr);
+		return 2;
+	}
+	try {
+		run(method, argv[2], argv[3], faceNum);
+	}
+	catch (const std::exception& error) {
+		std::fprintf(stderr, "gpr_bench_peer: %s\n", error.what());
+		return 1;
+	}
+	return 0;
+}

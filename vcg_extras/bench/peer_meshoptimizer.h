@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_BENCH_PEER_MESHOPTIMIZER_H
+#define VCG_EXTRAS_BENCH_PEER_MESHOPTIMIZER_H
+
+#include <cstdint>
+#include <vcg_extras/apps/gpremesh/mesh_data.h>
+#include <vcg_extras/apps/gpremesh/peer_remeshers.h>
+
+namespace gpr::bench {
+
+/// meshopt_simplify (Arseny Kapoulkine's meshoptimizer) down to faceNum faces, whatever the error:
+/// from indices and positions in memory to indices in memory; seconds leave out the copy of the
+/// vertices that are left. It keeps its own idea of the topology and may stop before faceNum. One
+/// thread. Fails with a sentence where the program was built without it.
+app::PeerResult simplifyByMeshoptimizer(const app::InputMesh& mesh, std::int64_t faceNum);
+
+} // namespace gpr::bench
+
+#endif

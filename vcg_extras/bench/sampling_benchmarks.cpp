@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the surface to the first mesh.
+#include "bench_case.h"
+
+#include <vcg_extras/core/border_edge_sampling.h>
+#include <vcg_extras/core/fuse_samples.h>
+#include <vcg_extras/core/hole_retriangulation.h>
+#include <vcg_extras/core/vertex_removal.h>
+
+namespace gpr::bench {
+
+namespace {
+
+void cutBlocks(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Prepared& p       = run.prepared();
+	RunContext      context = run.contextFor(workers);
+	SampleStages    stages(context);
+	timeEach(state, [&] { return stages.cut(p); });
+}
+
+void boundaryCurves(benchmark::State& state, StagedRun& run, Workers&)
+{
+	const Prepared& p = run.prepared();
+	timeEach(state, [&] { return sampleCurves(p, p.radius); });
+}
+
+void frontSampling(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Prepared&     p = run.prepared();
+	const SampledState& s = run.sampled();
+	timeEach(state, [&] {
+		return sampleFront(p.surface, s.boundary, s.partition, s.sampling.radius,
+						   run.options().seed, workers);
+	});
+}
+
+void labelCollapse(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Prepared&     p = run.prepared();
+	const SampledState& s = run.sampled();
+	timeEach(state, [&] {
+		return removeVertices(p.surface, s.sampling, s.boundary, s.partition, workers);
+	});
+}
+
+// ---- the paper's own way
+
+void borderEdgeSampling(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Prepared&     p = run.prepared();
+	const SampledState& s = run.sampled();
+	BorderEdgeOptions   options;
+	options.radius = p.radius;
+	timeEach(state, [&] { return sampleBorderEdges(p.surface, s.boundary, options, workers); });
+}
+
+void fuse(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Prepared&     p = run.prepared();
+	const SampledState& s = run.sampled();
+	timeEach(state, [&] { return fuseSamples(p.surface, s.sampling, s.boundary, workers); });
+}
+
+void vertexRemoval(benchmark::State& state, StagedRun& run, Workers& workers)
+{
+	const Prepared&     p = run.prepared();
+	const SampledState& s = run.sampled();
+	timeEach(
+		state, [&] { return fuseSamples(p.surface, s.sampling, s.boundary, workers); },
+		[&](FusedMesh& fused) {
+			return removeOriginalVertices(std::move(fused), p.surface, s.sampling, s.boundary,
+										  s.partition, workers);
+		});
+}
+
+} // namespace
+
+void addSamplingBenchmarks(const BenchCase& on)
+{
+	addBenchmark("blocks", on, cutBlocks);
+	addBenchmark("boundary_curves", on, boundaryCurves);
+	addBenchmark("front_sampling", on, frontSampling);
+	addBenchmark("label_collapse", on, labelCollapse);
+	addBenchmark("paper_border_edge_sampling", on, borderEdgeSampling);
+	addBenchmark("paper_fuse", on, fuse);
+	addBenchmark("paper_vertex_removal", on, vertexRemoval);
+}
+
+} // namespace gpr::bench

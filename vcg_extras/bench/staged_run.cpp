@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "staged_run.h"
+
+#include "mesh_copies.h"
+
+#include <vcg_extras/core/conformal_relaxation.h>
+#include <vcg_extras/core/delaunay_flips.h>
+#include <vcg_extras/core/exact_count.h>
+#include <vcg_extras/core/fit.h>
+#include <vcg_extras/core/fold_repair.h>
+#include <vcg_extras/core/relaxation.h>
+#include <vcg_extras/core/valence_glide.h>
+#include <vcg_extras/core/worst_triangles.h>
+
+namespace gpr::bench {
+
+namespace {
+
+/// Angles below this are raised where regularity is full.
+constexpr float poorAngleDeg = 38;
+
+class ImprovementSteps {
+public:
+	ImprovementSteps(const Prepared& prepared, const SampledState& sampled, Workers& workers) :
+			prepared_(prepared), sampled_(sampled), workers_(workers)
+	{
+	}
+
+	ResultMesh flipped(ResultMesh result)
+	{
+		flipToDelaunay(result, workers_);
+		mendFolds(prepared_.surface, sampled_.boundary, true, result, workers_);
+		return result;
+	}
+
+	ResultMesh counted(ResultMesh result)
+	{
+		collapseShortEdges(prepared_.surface, result, workers_);
+		reachExactCount(prepared_.surface, sampled_.boundary, prepared_.targetNum, result,
+						workers_);
+		return result;
+	}
+
+	ResultMesh glided(ResultMesh result)
+	{
+		relaxOnce(prepared_.surface, result, workers_);
+		glideDislocations(result, workers_);
+		return result;
+	}
+
+	ResultMesh conformal(ResultMesh result, int relaxIterations)
+	{
+		relaxConformally(prepared_.surface, sampled_.boundary, conformalSteps(2 * relaxIterations),
+						 result, workers_);
+		return result;
+	}
+
+	ResultMesh raised(ResultMesh result)
+	{
+		raiseWorstAngles(prepared_.surface, poorAngleDeg, result, workers_);
+		mendFolds(prepared_.surface, sampled_.boundary, false, result, workers_);
+		return result;
+	}
+
+	ResultMesh fitted(ResultMesh result)
+	{
+		fitToInput(prepared_.surface, FitSettings(), result, workers_);
+		return result;
+	}
+
+private:
+	const Prepared&     prepared_;
+	const SampledState& sampled_;
+	Workers&            workers_;
+};
+
+} // namespace
+
+StagedRun::StagedRun(const MeshView& input, const RemeshOptions& options) :
+		input_(input), options_(options), workers_(0, nullptr)
+{
+}
+
+RunContext StagedRun::contextFor(Workers& workers)
+{
+	report_ = RemeshReport();
+	notes_.clear();
+	return {input_, options_, workers, report_, notes_, StageClock(workers, report_)};
+}
+
+Prepared& StagedRun::prepared()
+{
+	if (!prepared_) {
+		RunContext  run = contextFor(workers_);
+		Preparation preparation(run);
+		prepared_ = std::make_unique<Prepared>(preparation.prepare(0));
+		preparation.findFeatureLines(*prepared_);
+	}
+	return *prepared_;
+}
+
+const SampledState& StagedRun::sampled()
+{
+	if (!sampled_) {
+		const Prepared& p   = prepared();
+		RunContext      run = contextFor(workers_);
+		SampleStages    stages(run);
+		auto            state = std::make_unique<SampledState>();
+		state->partition      = stages.cut(p);
+		state->sampling       = stages.sampleAll(p, state->partition, state->boundary);
+		state->mesh =
+			stages.retriangulateFrom(p, state->sampling, state->boundary, state->partition);
+		state->mesh.idealEdge = idealEdge(p);
+		sampled_              = std::move(state);
+	}
+	return *sampled_;
+}
+
+const ImprovedStates& StagedRun::improved()
+{
+	if (!improved_) {
+		const SampledState& s = sampled();
+		ImprovementSteps    steps(prepared(), s, workers_);
+		auto                states = std::make_unique<ImprovedStates>();
+		states->flipped            = steps.flipped(copyOf(s.mesh));
+		states->counted            = steps.counted(copyOf(states->flipped));
+		states->glided             = steps.glided(copyOf(states->counted));
+		states->conformal = steps.conformal(copyOf(states->glided), options_.relaxIterations);
+		states->raised    = steps.raised(copyOf(states->conformal));
+		states->fitted    = steps.fitted(copyOf(states->raised));
+		improved_         = std::move(states);
+	}
+	return *improved_;
+}
+
+} // namespace gpr::bench

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_BENCH_STAGED_RUN_H
+#define VCG_EXTRAS_BENCH_STAGED_RUN_H
+
+#include <memory>
+#include <vcg_extras/core/blocks.h>
+#include <vcg_extras/core/boundary_curves.h>
+#include <vcg_extras/core/front_sampling.h>
+#include <vcg_extras/core/preparation.h>
+#include <vcg_extras/core/result_mesh.h>
+#include <vcg_extras/core/run_context.h>
+#include <vcg_extras/core/sample_stages.h>
+
+namespace gpr::bench {
+
+/// What the stages up to the retriangulation leave.
+struct SampledState {
+	BlockPartition partition;
+	BoundaryCurves boundary;
+	Sampling       sampling;
+	ResultMesh     mesh; ///< straight from the retriangulation
+};
+
+/// The result before and between the stages that improve it, in their order.
+struct ImprovedStates {
+	ResultMesh flipped;   ///< to Delaunay, folds mended
+	ResultMesh counted;   ///< with the exact count
+	ResultMesh glided;    ///< relaxed, dislocations glided
+	ResultMesh conformal; ///< triangles made equilateral
+	ResultMesh raised;    ///< worst angles raised, folds mended
+	ResultMesh fitted;    ///< to the input
+};
+
+/// One run of the engine that can be stopped before any stage: what each of them begins with. Made
+/// as far as it is asked for, by all threads, and kept.
+class StagedRun {
+public:
+	StagedRun(const MeshView& input, const RemeshOptions& options);
+
+	const MeshView&      input() const { return input_; }
+	const RemeshOptions& options() const { return options_; }
+	/// A run's context with other threads; report and notes are thrown away.
+	RunContext contextFor(Workers& workers);
+	/// The surface with its feature lines.
+	Prepared&             prepared();
+	const SampledState&   sampled();
+	const ImprovedStates& improved();
+
+private:
+	MeshView                        input_;
+	RemeshOptions                   options_;
+	Workers                         workers_;
+	RemeshReport                    report_;
+	std::vector<std::string>        notes_;
+	std::unique_ptr<Prepared>       prepared_;
+	std::unique_ptr<SampledState>   sampled_;
+	std::unique_ptr<ImprovedStates> improved_;
+};
+
+} // namespace gpr::bench
+
+#endif
