@@ -6,11 +6,9 @@
 // automatic). Skipped where GPR_MODELS_DIR is unset.
 
 #include <cmath>
-#include <cstdlib>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <string>
 #include <tests/support/mesh_audit.h>
+#include <tests/support/model_files.h>
 #include <tests/support/oracles.h>
 #include <vcg_extras/apps/gpremesh/mesh_io.h>
 #include <vcg_extras/core/remesh.h>
@@ -29,15 +27,6 @@ std::ostream& operator<<(std::ostream& out, const Model& model)
 	return out << model.file;
 }
 
-TriangleMesh copyOf(const MeshView& view)
-{
-	TriangleMesh mesh;
-	for (std::size_t v = 0; v < view.vertexNum; ++v)
-		mesh.positions.push_back(view.position(v));
-	mesh.triangles.assign(view.triangles, view.triangles + 3 * view.faceNum);
-	return mesh;
-}
-
 class FeaturePreservation : public ::testing::TestWithParam<Model> {
 protected:
 	RemeshOptions            options;
@@ -46,11 +35,9 @@ protected:
 
 	void SetUp() override
 	{
-		const char* folder = std::getenv("GPR_MODELS_DIR");
-		if (folder == nullptr) GTEST_SKIP() << "GPR_MODELS_DIR is not set";
-		const std::string path = std::string(folder) + "/" + GetParam().file;
-		if (!std::ifstream(path)) GTEST_SKIP() << GetParam().file << " is not there";
-		mesh                  = copyOf(app::readMesh(path).view());
+		const ModelFile model = findModel(GetParam().file);
+		if (!model.isThere()) GTEST_SKIP() << model.missing;
+		mesh                  = copyOf(app::readMesh(model.path).view());
 		options.targetPercent = 20;
 		features              = detectFeatures(mesh.view(), options).edges;
 		options.featureMode   = FeatureMode::Off;
@@ -94,10 +81,7 @@ TEST_P(FeaturePreservation, BringsTheResultNearerToSharpEdges)
 INSTANTIATE_TEST_SUITE_P(, FeaturePreservation,
 						 ::testing::Values(Model{"fandisk_13k_cad.ply", 0.95, 0.7, 0.001},
 										   Model{"rockerarm_20k.ply", 0.95, 0.75, 0.75}),
-						 [](const auto& model) {
-							 const std::string file = model.param.file;
-							 return file.substr(0, file.find('_'));
-						 });
+						 [](const auto& model) { return shortName(model.param.file); });
 
 } // namespace
 

@@ -6,12 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <optional>
 #include <string>
 #include <tests/support/mesh_audit.h>
+#include <tests/support/model_files.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/apps/gpremesh/mesh_io.h>
@@ -45,15 +45,6 @@ struct Band {
 std::ostream& operator<<(std::ostream& out, const Band& band)
 {
 	return out << band.file << " to " << band.percent << " %";
-}
-
-TriangleMesh copyOf(const MeshView& view)
-{
-	TriangleMesh mesh;
-	for (std::size_t v = 0; v < view.vertexNum; ++v)
-		mesh.positions.push_back(view.position(v));
-	mesh.triangles.assign(view.triangles, view.triangles + 3 * view.faceNum);
-	return mesh;
 }
 
 /// Root mean square distance of every tenth vertex of the input from the result, in % of the
@@ -139,11 +130,9 @@ class RealMesh : public ::testing::TestWithParam<Band> {};
 
 TEST_P(RealMesh, StaysWithinItsBands)
 {
-	const char* folder = std::getenv("GPR_MODELS_DIR");
-	if (folder == nullptr) GTEST_SKIP() << "GPR_MODELS_DIR is not set";
-	const std::string path = std::string(folder) + "/" + GetParam().file;
-	if (!std::ifstream(path)) GTEST_SKIP() << GetParam().file << " is not there";
-	expectWithin(path, GetParam());
+	const ModelFile model = findModel(GetParam().file);
+	if (!model.isThere()) GTEST_SKIP() << model.missing;
+	expectWithin(model.path, GetParam());
 }
 
 std::vector<Band> bands()
@@ -214,8 +203,7 @@ std::vector<Band> bands()
 
 std::string bandName(const ::testing::TestParamInfo<Band>& info)
 {
-	std::string name = info.param.file;
-	name = name.substr(0, name.find('_')) + "To" + std::to_string(int(info.param.percent));
+	std::string name = shortName(info.param.file) + "To" + std::to_string(int(info.param.percent));
 	if (info.param.adapt > 0) name += "Adapted";
 	return name;
 }
@@ -241,11 +229,9 @@ class PaperPreset : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(PaperPreset, IsInThePapersBand)
 {
-	const char* folder = std::getenv("GPR_MODELS_DIR");
-	if (folder == nullptr) GTEST_SKIP() << "GPR_MODELS_DIR is not set";
-	const std::string path = std::string(folder) + "/" + GetParam();
-	if (!std::ifstream(path)) GTEST_SKIP() << GetParam() << " is not there";
-	const app::InputMesh input = app::readMesh(path);
+	const ModelFile model = findModel(GetParam());
+	if (!model.isThere()) GTEST_SKIP() << model.missing;
+	const app::InputMesh input = app::readMesh(model.path);
 	RemeshOptions        options;
 	applyPreset(Preset::Paper, options);
 	options.threads      = 2;
@@ -263,21 +249,16 @@ TEST_P(PaperPreset, IsInThePapersBand)
 INSTANTIATE_TEST_SUITE_P(, PaperPreset,
 						 ::testing::Values("igea_269k.ply", "gargoyle_96k.ply", "human_49k.ply",
 										   "facemask_62k_open.ply", "laurana_50k_colour_open.ply"),
-						 [](const auto& file) {
-							 const std::string name = file.param;
-							 return name.substr(0, name.find('_'));
-						 });
+						 [](const auto& file) { return shortName(file.param); });
 
 /// Models that are no manifold: repaired, counted, and a sound result.
 class RealDefects : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(RealDefects, AreRepairedAndCounted)
 {
-	const char* folder = std::getenv("GPR_MODELS_DIR");
-	if (folder == nullptr) GTEST_SKIP() << "GPR_MODELS_DIR is not set";
-	const std::string path = std::string(folder) + "/" + GetParam();
-	if (!std::ifstream(path)) GTEST_SKIP() << GetParam() << " is not there";
-	const app::InputMesh input = app::readMesh(path);
+	const ModelFile model = findModel(GetParam());
+	if (!model.isThere()) GTEST_SKIP() << model.missing;
+	const app::InputMesh input = app::readMesh(model.path);
 	RemeshOptions        options;
 	options.targetPercent = 30;
 	options.threads       = 2;
@@ -293,10 +274,7 @@ INSTANTIATE_TEST_SUITE_P(, RealDefects,
 										   "motorbike_332k_nonmanifold.ply",
 										   "triple_vierbein_nonmanifold_edges.obj",
 										   "hourglass_nonmanifold_vertex.obj"),
-						 [](const auto& file) {
-							 const std::string name = file.param;
-							 return name.substr(0, name.find('_'));
-						 });
+						 [](const auto& file) { return shortName(file.param); });
 
 } // namespace
 

@@ -54,6 +54,22 @@ struct OnSurface {
 	}
 };
 
+/// Triangles and places of what run(on, workers) makes of the mesh do not depend on the threads.
+template <class Run>
+void expectSameForAnyThreads(const TriangleMesh& mesh, const Run& run)
+{
+	TriangleMesh first;
+	for (int threads = 1; threads <= 4; ++threads) {
+		OnSurface on(mesh);
+		Workers   workers(threads, nullptr);
+		run(on, workers);
+		const TriangleMesh result = meshOf(on.m());
+		if (threads == 1) first = result;
+		EXPECT_EQ(result.triangles, first.triangles) << threads << " threads";
+		EXPECT_TRUE(result.positions == first.positions) << threads << " threads";
+	}
+}
+
 /// Twice the signed area in the plane z = 0.
 inline double turn(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {

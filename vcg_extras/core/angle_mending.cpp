@@ -47,23 +47,17 @@ constexpr float leastAgreement = 0.6f;
 /// A change must lower the cost to this share.
 constexpr float leastGain = 0.995f;
 
-float angleOf(const HalfEdgeMesh& m, int f)
-{
-	const int* c = &m.origin[3 * f];
-	return smallestAngle(m.position[c[0]], m.position[c[1]], m.position[c[2]]);
-}
-
 /// Faces with a smaller angle than this, the sharpest first.
 std::vector<int> findPoorFaces(const HalfEdgeMesh& m, float angle, Workers& workers)
 {
 	std::vector<int> poor =
 		workers.collect<int>(m.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
 			for (int f = int(begin); f < int(end); ++f) {
-				if (angleOf(m, f) < angle) out.push_back(f);
+				if (smallestAngle(m, f) < angle) out.push_back(f);
 			}
 		});
 	std::stable_sort(poor.begin(), poor.end(),
-					 [&](int f, int g) { return angleOf(m, f) < angleOf(m, g); });
+					 [&](int f, int g) { return smallestAngle(m, f) < smallestAngle(m, g); });
 	return poor;
 }
 
@@ -136,7 +130,7 @@ private:
 			bool better = false;
 			for (int f : findPoorFaces(m_, angle_, workers_)) {
 				workers_.poll();
-				if (angleOf(m_, f) < angle_) better = mend(f) || better;
+				if (smallestAngle(m_, f) < angle_) better = mend(f) || better;
 			}
 			if (!better) return;
 		}
@@ -147,7 +141,7 @@ private:
 		bool better = false;
 		for (int v : patchCorners(f))
 			better = moveToBest(v) || better;
-		for (int k = 0; k < 3 && angleOf(m_, f) < angle_; ++k)
+		for (int k = 0; k < 3 && smallestAngle(m_, f) < angle_; ++k)
 			better = flipAndMove(3 * f + k) || better;
 		return better;
 	}
@@ -176,7 +170,7 @@ private:
 
 	void addFace(int f, Quality& sum) const
 	{
-		const float lack = std::max(0.0f, 1 - angleOf(m_, f) / (margin * angle_));
+		const float lack = std::max(0.0f, 1 - smallestAngle(m_, f) / (margin * angle_));
 		sum.cost += lack * lack;
 		sum.agreement = std::min(sum.agreement, faceAgreement(m_, normal_, f));
 	}

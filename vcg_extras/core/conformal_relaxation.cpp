@@ -87,8 +87,9 @@ private:
 	float hessian_ = 0;
 };
 
-/// At a vertex of flat ground. A face that looks the wrong way counts as one without area.
-Pull pullOn(const HalfEdgeMesh& m, int v, const Vec3f& normal)
+/// What the ring of v wants. add(sum, a, b, n) adds the face v, v + a, v + b; n = a × b.
+template <class Add>
+Pull sumRing(const HalfEdgeMesh& m, int v, const Add& add)
 {
 	const Vec3f p       = m.position[v];
 	const float squared = meanSquaredEdge(m, v);
@@ -96,10 +97,17 @@ Pull pullOn(const HalfEdgeMesh& m, int v, const Vec3f& normal)
 	PullSum sum(squared);
 	forEachOutgoing(m, v, [&](int h) {
 		const Vec3f a = m.position[m.target(h)] - p, b = m.position[m.apex(h)] - p;
-		const Vec3f n = cross(a, b);
-		sum.add(a, b, normal, dot(n, normal) > 0 ? length(n) : 0);
+		add(sum, a, b, cross(a, b));
 	});
-	Pull pull    = sum.result();
+	return sum.result();
+}
+
+/// At a vertex of flat ground. A face that looks the wrong way counts as one without area.
+Pull pullOn(const HalfEdgeMesh& m, int v, const Vec3f& normal)
+{
+	Pull pull    = sumRing(m, v, [&](PullSum& sum, const Vec3f& a, const Vec3f& b, const Vec3f& n) {
+        sum.add(a, b, normal, dot(n, normal) > 0 ? length(n) : 0);
+    });
 	pull.descent = tangential(pull.descent, normal);
 	return pull;
 }
@@ -107,36 +115,16 @@ Pull pullOn(const HalfEdgeMesh& m, int v, const Vec3f& normal)
 /// At a vertex of a curve, where faces may look anywhere; not tangential.
 Pull pullAcross(const HalfEdgeMesh& m, int v)
 {
-	const Vec3f p       = m.position[v];
-	const float squared = meanSquaredEdge(m, v);
-	if (!(squared > 0)) return {};
-	PullSum sum(squared);
-	forEachOutgoing(m, v, [&](int h) {
-		const Vec3f a = m.position[m.target(h)] - p, b = m.position[m.apex(h)] - p;
-		const Vec3f n = cross(a, b);
+	return sumRing(m, v, [](PullSum& sum, const Vec3f& a, const Vec3f& b, const Vec3f& n) {
 		const float l = length(n);
 		if (l > 0) sum.add(a, b, n * (1 / l), l);
 	});
-	return sum.result();
 }
 
 Vec3f shortened(const Vec3f& a, float longest)
 {
 	const float l = length(a);
 	return l > longest ? a * (longest / l) : a;
-}
-
-/// Smallest angle in v's ring with v at p; below 0 if a face turns over.
-float worstAngleAt(const HalfEdgeMesh& m, int v, const Vec3f& p)
-{
-	const Vec3f here  = m.position[v];
-	float       worst = 4;
-	forEachOutgoing(m, v, [&](int h) {
-		const Vec3f a = m.position[m.target(h)], b = m.position[m.apex(h)];
-		const bool  turns = dot(cross(a - p, b - p), cross(a - here, b - here)) <= 0;
-		worst             = std::min(worst, turns ? -1.0f : smallestAngle(p, a, b));
-	});
-	return worst;
 }
 
 class ConformalRelaxer {
@@ -221,7 +209,7 @@ private:
 
 	bool lowersWorstAngle(int v, const Vec3f& p) const
 	{
-		return worstAngleAt(m_, v, p) < worstAngleAt(m_, v, m_.position[v]);
+		return smallestAngleAround(m_, v, p, 0) < smallestAngleAround(m_, v, m_.position[v], 0);
 	}
 
 	void proposeSlide(int v, const Vec3f& descent, float edge)
@@ -236,9 +224,10 @@ private:
 		if (arc == 0 || ahead - std::abs(arc) < leastSpacing * edge) return;
 		if (!slideKeepsToCurve(r_, curves_, v, room, arc)) return;
 		const ResultVertex next  = slid(surface_, curves_, r, arc);
-		const float        worst = worstAngleAt(m_, v, next.anchor.position);
+		const float        worst = smallestAngleAround(m_, v, next.anchor.position, 0);
 		if (worst < 0) return;
-		if (worst < leastSlideAngle && worst < worstAngleAt(m_, v, r.anchor.position)) return;
+		const float before = smallestAngleAround(m_, v, r.anchor.position, 0);
+		if (worst < leastSlideAngle && worst < before) return;
 		guard_.propose(v, next);
 	}
 };

@@ -9,6 +9,21 @@ namespace gpr {
 
 namespace {
 
+/// A place between two neighbouring points of a curve.
+struct OnSegment {
+	int   from, to;
+	float share; ///< of the way
+};
+
+OnSegment onSegment(const Curve& c, float s)
+{
+	const float w      = c.wrap(s);
+	const int   i      = c.segmentAt(w);
+	const int   next   = (i + 1) % c.pointNum();
+	const float extent = (next > 0 ? c.arc[next] : c.length) - c.arc[i];
+	return {i, next, extent > 0 ? std::clamp((w - c.arc[i]) / extent, 0.0f, 1.0f) : 0.0f};
+}
+
 float distanceToSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 {
 	const Vec3f ab = b - a, ap = p - a;
@@ -188,23 +203,15 @@ int Curve::segmentAt(float s) const
 
 Vec3f Curve::at(float s) const
 {
-	const float w      = wrap(s);
-	const int   i      = segmentAt(w);
-	const int   next   = (i + 1) % pointNum();
-	const float extent = (next > 0 ? arc[next] : length) - arc[i];
-	const float t      = extent > 0 ? std::clamp((w - arc[i]) / extent, 0.0f, 1.0f) : 0.0f;
-	return point[i] * (1 - t) + point[next] * t;
+	const OnSegment p = onSegment(*this, s);
+	return point[p.from] * (1 - p.share) + point[p.to] * p.share;
 }
 
 float Curve::sizeAt(float s) const
 {
 	if (size.empty()) return 1;
-	const float w      = wrap(s);
-	const int   i      = segmentAt(w);
-	const int   next   = (i + 1) % pointNum();
-	const float extent = (next > 0 ? arc[next] : length) - arc[i];
-	const float t      = extent > 0 ? std::clamp((w - arc[i]) / extent, 0.0f, 1.0f) : 0.0f;
-	return size[i] * (1 - t) + size[next] * t;
+	const OnSegment p = onSegment(*this, s);
+	return size[p.from] * (1 - p.share) + size[p.to] * p.share;
 }
 
 float Curve::smallestSize() const

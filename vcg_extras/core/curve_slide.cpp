@@ -3,6 +3,8 @@
 #include "curve_slide.h"
 
 #include "mesh_edit.h"
+#include "move_guard.h"
+#include "relaxation.h"
 
 #include <algorithm>
 
@@ -56,10 +58,6 @@ SlideRoom roomOnCrease(const ResultMesh& r, const Curve& c, int v)
 			std::max(0.0f, std::max(arcA, arcB) - here.arc)};
 }
 
-/// A face of a shape below this (30°-30°-120°) must not get worse.
-constexpr float poorShape = 0.6f;
-/// A slide must not turn a face by more than 60°.
-constexpr float foldCosine = 0.5f;
 /// Of the way to the next vertex.
 constexpr float longestSlide = 0.3f;
 /// How far a curve may leave its chords, in ideal edges; see CurveSpacing.
@@ -84,7 +82,7 @@ public:
 		const ResultVertex& here = r_.vertex[v];
 		const SlideRoom     room = slideRoom(r_, curves_, v);
 		if (!(room.backward > 0 && room.forward > 0)) return;
-		const float wanted = dot(wayToBarycentre(v), slideDirection(curves_, here, room));
+		const float wanted = dot(wayToBarycentre(m_, v), slideDirection(curves_, here, room));
 		const float step =
 			std::clamp(wanted, -longestSlide * room.backward, longestSlide * room.forward);
 		const ResultVertex to = slid(surface_, curves_, here, step);
@@ -100,31 +98,13 @@ private:
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
 
-	Vec3f wayToBarycentre(int v) const
-	{
-		const Vec3f p = m_.position[v];
-		Vec3f       sum;
-		float       weight = 0;
-		forEachOutgoing(m_, v, [&](int h) {
-			const Vec3f a = m_.position[m_.target(h)] - p, b = m_.position[m_.apex(h)] - p;
-			const float area = length(cross(a, b));
-			sum += (a + b) * (area / 3);
-			weight += area;
-		});
-		return weight > 0 ? sum * (1 / weight) : Vec3f();
-	}
-
 	bool keepsShapes(int v, const Vec3f& q) const
 	{
 		const Vec3f p     = m_.position[v];
 		bool        sound = true;
 		forEachOutgoing(m_, v, [&](int h) {
 			const Vec3f a = m_.position[m_.target(h)], b = m_.position[m_.apex(h)];
-			const Vec3f then = cross(a - p, b - p), now = cross(a - q, b - q);
-			const float shape = triangleShape(q, a, b);
-			const bool  turns = dot(then, now) < foldCosine * length(then) * length(now);
-			const bool  poor  = shape < poorShape && shape < triangleShape(p, a, b);
-			sound             = sound && !turns && !poor;
+			sound = sound && !spoilsFace({p, a, b}, {q, a, b});
 		});
 		return sound;
 	}

@@ -15,7 +15,23 @@ constexpr float foldCosine = 0.5f;
 /// Rounds of taking moves back; then all moves are.
 constexpr int mostTakeBackRounds = 8;
 
+Vec3f crossOf(const Corners& f)
+{
+	return cross(f.b - f.a, f.c - f.a);
+}
+
 } // namespace
+
+bool spoilsFace(const Corners& before, const Corners& after)
+{
+	const Vec3f now = crossOf(after), then = crossOf(before);
+	const float turn = dot(now, then);
+	if (turn <= 0 ||
+		turn * turn < foldCosine * foldCosine * squaredLength(now) * squaredLength(then))
+		return true;
+	const float shape = triangleShape(after.a, after.b, after.c);
+	return shape < poorShape && shape < triangleShape(before.a, before.b, before.c);
+}
 
 MoveGuard::MoveGuard(ResultMesh& result, Workers& workers) :
 		r_(result), workers_(workers), next_(result.vertex.size()), moved_(result.vertex.size(), 0)
@@ -82,15 +98,8 @@ bool MoveGuard::isBad(int f) const
 {
 	const HalfEdgeMesh& m      = r_.mesh;
 	const int*          corner = &m.origin[3 * f];
-	const Vec3f a = placeBefore(corner[0]), b = placeBefore(corner[1]), c = placeBefore(corner[2]);
-	const Vec3f now = m.faceCross(f), then = cross(b - a, c - a);
-	const float turn = dot(now, then);
-	if (turn <= 0 ||
-		turn * turn < foldCosine * foldCosine * squaredLength(now) * squaredLength(then))
-		return true;
-	const float shape =
-		triangleShape(m.position[corner[0]], m.position[corner[1]], m.position[corner[2]]);
-	return shape < poorShape && shape < triangleShape(a, b, c);
+	return spoilsFace({placeBefore(corner[0]), placeBefore(corner[1]), placeBefore(corner[2])},
+					  {m.position[corner[0]], m.position[corner[1]], m.position[corner[2]]});
 }
 
 } // namespace gpr

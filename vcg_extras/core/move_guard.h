@@ -10,6 +10,15 @@
 
 namespace gpr {
 
+/// The corners of a face.
+struct Corners {
+	Vec3f a, b, c;
+};
+
+/// Whether a move of its corners turns a face by more than 60° or makes one poorer that is poor
+/// (of a worse shape than 30°-30°-120°).
+bool spoilsFace(const Corners& before, const Corners& after);
+
 /// Moves many vertices at once and takes back those that fold the mesh.
 ///
 /// Every vertex that shall move gets its new record in next(); move() puts them in place, then

@@ -28,9 +28,17 @@ Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Wo
 	return density;
 }
 
-/// From v to the barycentre of its ring, weighted by area and density, in the tangent plane.
-Vec3f stepToBarycentre(const HalfEdgeMesh& m, int v, const Vec3f& normal,
-					   const Buffer<float>& density)
+/// The vertex after a walk.
+ResultVertex walked(const Surface& surface, ResultVertex vertex, const Vec3f& step)
+{
+	walk(surface.mesh, vertex.anchor, step);
+	vertex.normal = surface.mesh.faceNormal(vertex.anchor.face);
+	return vertex;
+}
+
+} // namespace
+
+Vec3f wayToBarycentre(const HalfEdgeMesh& m, int v, const Buffer<float>& density)
 {
 	const Vec3f p = m.position[v];
 	Vec3f       sum;
@@ -42,19 +50,8 @@ Vec3f stepToBarycentre(const HalfEdgeMesh& m, int v, const Vec3f& normal,
 		sum += (a + b) * (area / 3);
 		weight += area;
 	});
-	if (!(weight > 0)) return {};
-	return tangential(sum * (1 / weight), normal);
+	return weight > 0 ? sum * (1 / weight) : Vec3f();
 }
-
-/// The vertex after a walk.
-ResultVertex walked(const Surface& surface, ResultVertex vertex, const Vec3f& step)
-{
-	walk(surface.mesh, vertex.anchor, step);
-	vertex.normal = surface.mesh.faceNormal(vertex.anchor.face);
-	return vertex;
-}
-
-} // namespace
 
 Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers)
 {
@@ -75,7 +72,7 @@ void relaxOnce(const Surface& surface, ResultMesh& result, Workers& workers)
 	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
 		for (int v = int(begin); v < int(end); ++v) {
 			if (!flat[v] || !isFree(result, v)) continue;
-			const Vec3f step = stepToBarycentre(m, v, result.vertex[v].normal, density);
+			const Vec3f step = tangential(wayToBarycentre(m, v, density), result.vertex[v].normal);
 			if (squaredLength(step) > 0) guard.propose(v, walked(surface, result.vertex[v], step));
 		}
 	});

@@ -13,6 +13,10 @@ namespace gpr {
 /// about 37° of their mean normal. Moving others would round off what is sharp there.
 Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers);
 
+/// From v to the barycentre of its ring, weighted by area, and by the density at the vertices if
+/// there is one.
+Vec3f wayToBarycentre(const HalfEdgeMesh& mesh, int v, const Buffer<float>& density = {});
+
 /// Stage 10: one relaxation step on the surface: every flat free vertex walks to the area-weighted
 /// barycentre of its ring, all at once (Jacobi). Moves that would fold a face, or make a poor one
 /// poorer, are taken back. Vertices never leave the input's surface. Cost: linear, parallel.

@@ -4,6 +4,7 @@
 
 #include "mesh_edit.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gpr {
@@ -35,6 +36,25 @@ float smallestAngle(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 	if (ab <= bc && ab <= ca) return angleBetween(a - c, b - c);
 	if (bc <= ca) return angleBetween(b - a, c - a);
 	return angleBetween(a - b, c - b);
+}
+
+float smallestAngle(const HalfEdgeMesh& m, int face)
+{
+	const int* corner = &m.origin[3 * face];
+	return smallestAngle(m.position[corner[0]], m.position[corner[1]], m.position[corner[2]]);
+}
+
+float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float turnCosine)
+{
+	const Vec3f here  = m.position[v];
+	float       worst = 4;
+	forEachOutgoing(m, v, [&](int h) {
+		const Vec3f a = m.position[m.target(h)], b = m.position[m.apex(h)];
+		const Vec3f now = cross(a - here, b - here), then = cross(a - p, b - p);
+		const bool  turns = dot(now, then) <= turnCosine * length(now) * length(then);
+		worst             = std::min(worst, turns ? -1.0f : smallestAngle(p, a, b));
+	});
+	return worst;
 }
 
 float triangleShape(const Vec3f& a, const Vec3f& b, const Vec3f& c)

@@ -47,6 +47,11 @@ void compactResult(ResultMesh& result);
 
 /// Smallest angle of a triangle in radians; 0 where it has no area.
 float smallestAngle(const Vec3f& a, const Vec3f& b, const Vec3f& c);
+float smallestAngle(const HalfEdgeMesh& m, int face);
+
+/// Smallest angle in the ring of v with v at p; below 0 if a face turns so far by the move that the
+/// cosine is turnCosine or less.
+float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float turnCosine);
 
 /// Shape of a triangle in [0, 1]: 4√3·area / (sum of squared edges); 1 = equilateral. Cheap: one
 /// root.

@@ -46,18 +46,12 @@ private:
 	Workers&       workers_;
 	Buffer<char>   flat_;
 
-	float angleOf(int f) const
-	{
-		return smallestAngle(m_.position[m_.origin[3 * f]], m_.position[m_.origin[3 * f + 1]],
-							 m_.position[m_.origin[3 * f + 2]]);
-	}
-
 	std::vector<int> findPoorFaces()
 	{
 		return workers_.collect<int>(m_.faceNum,
 									 [&](std::size_t begin, std::size_t end, auto& out) {
 										 for (int f = int(begin); f < int(end); ++f) {
-											 if (angleOf(f) < angle_) out.push_back(f);
+											 if (smallestAngle(m_, f) < angle_) out.push_back(f);
 										 }
 									 });
 	}
@@ -80,23 +74,9 @@ private:
 		return better;
 	}
 
-	/// Smallest angle of v's ring with v at p; below 0 if a face turns too far.
-	float worstAngle(int v, const Vec3f& p) const
-	{
-		const Vec3f here  = m_.position[v];
-		float       worst = 4;
-		forEachOutgoing(m_, v, [&](int h) {
-			const Vec3f a = m_.position[m_.target(h)], b = m_.position[m_.apex(h)];
-			const Vec3f now = cross(a - here, b - here), then = cross(a - p, b - p);
-			const bool  turns = dot(now, then) <= turnCosine * length(now) * length(then);
-			worst             = std::min(worst, turns ? -1.0f : smallestAngle(p, a, b));
-		});
-		return worst;
-	}
-
 	bool search(int v)
 	{
-		float worst  = worstAngle(v, m_.position[v]);
+		float worst  = smallestAngleAround(m_, v, m_.position[v], turnCosine);
 		bool  better = false;
 		if (worst >= angle_) return false;
 		for (float share : stepShares) {
@@ -115,7 +95,7 @@ private:
 		for (const Vec3f& direction : compassDirections(start.normal)) {
 			Anchor at = start.anchor;
 			if (walk(surface_.mesh, at, direction * reach) != WalkEnd::Arrived) continue;
-			const float angle = worstAngle(v, at.position);
+			const float angle = smallestAngleAround(m_, v, at.position, turnCosine);
 			if (angle <= worst) continue;
 			worst = angle;
 			best  = at;
@@ -134,7 +114,7 @@ private:
 		if (g < 0) return false;
 		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(g);
 		if (!flat_[a] || !flat_[b] || !flat_[c] || !flat_[d]) return false;
-		const float now = std::min(angleOf(h / 3), angleOf(g / 3));
+		const float now = std::min(smallestAngle(m_, h / 3), smallestAngle(m_, g / 3));
 		if (now >= angle_ || !flipKeepsShape(m_, h, now * 1.001f, turnCosine) || !canFlip(m_, h))
 			return false;
 		flip(m_, h);
