@@ -150,12 +150,13 @@ ReadParameters readParameterList(const std::vector<Parameter>& table, const gpr:
 	return read;
 }
 
-double typedNumber(float kept)
+double typedNumber(double kept)
 {
-	if (!std::isfinite(kept)) return double(kept);
+	const float asFloat = float(kept);
+	if (double(asFloat) != kept || !std::isfinite(asFloat)) return kept;
 	char       text[64];
-	const auto written = std::to_chars(text, text + sizeof(text), kept);
-	double     typed   = double(kept);
+	const auto written = std::to_chars(text, text + sizeof(text), asFloat);
+	double     typed   = kept;
 	std::from_chars(text, written.ptr, typed);
 	return typed;
 }

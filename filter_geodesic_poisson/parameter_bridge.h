@@ -32,13 +32,9 @@ ReadParameters readParameterList(const std::vector<gpr::Parameter>& table,
 								 const gpr::MeshFacts& facts, const RichParameterList& list);
 
 /// The number a user meant whose decimal text the host has kept as float: 12.3f gives 12.3 and not
-/// 12.300000190734863, so that dialog, script and command line ask for the same.
-double typedNumber(float kept);
-/// A host of double scalars has kept the number itself.
-inline double typedNumber(double kept)
-{
-	return kept;
-}
+/// 12.300000190734863, so that dialog, script and command line ask for the same. Hosts of double
+/// scalars keep floats, too; a number that is no float is as it was meant.
+double typedNumber(double kept);
 
 } // namespace gpr_filter
 

@@ -21,7 +21,7 @@ MeshModel& addRoof(Document& document)
 	MeshModel& layer = addSheet(document);
 	for (CVertexO& v : layer.cm.vert)
 		v.P()[2] = -std::abs(v.P()[0] - 0.5f);
-	layer.UpdateBoxAndNormals();
+	gpr_filter::updateBoxAndNormals(layer);
 	return layer;
 }
 
@@ -59,7 +59,7 @@ TEST(FeatureFilter, RidgeIsSelectedAndItsStrengthIsTheAngle)
 	MeshModel& roof   = addRoof(document);
 	const auto before = gpr_filter::copyLayer(roof.cm, {});
 	ASSERT_TRUE(detect(document)) << document.logText().toStdString();
-	EXPECT_EQ(document->size(), 1);
+	EXPECT_EQ(document.layerNum(), 1);
 	EXPECT_TRUE(before.sameGeometry(gpr_filter::copyLayer(roof.cm, {})));
 	ASSERT_TRUE(roof.hasDataMask(MeshModel::MM_VERTQUALITY));
 	expectRidgeSelected(roof.cm);
@@ -129,7 +129,7 @@ TEST(FeatureFilter, CancelledOrRefusedChangesNothing)
 	RichParameterList list = defaults(document, tool);
 	list.setValue("FeatureWeak", FloatValue(60));
 	EXPECT_FALSE(apply(document, tool, list));
-	EXPECT_FALSE(plugin().errorMsg().isEmpty());
+	EXPECT_FALSE(errorText().isEmpty());
 	EXPECT_TRUE(before == Snapshot(document));
 	EXPECT_TRUE(roof.cm.vert[3].IsS());
 	EXPECT_FALSE(roof.cm.vert[4].IsS());

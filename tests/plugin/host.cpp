@@ -5,8 +5,6 @@
 #include "filter_text.h"
 
 #include <QApplication>
-#include <QFileInfo>
-#include <common/pluginmanager.h>
 #include <cstdio>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -16,17 +14,7 @@ namespace plugin_test {
 
 namespace {
 
-PluginManager& manager()
-{
-	// Never destroyed: plugins do not survive the end of QApplication.
-	static PluginManager& loaded = *[] {
-		auto*             made = new PluginManager;
-		RichParameterList globals;
-		made->loadPlugins(globals, QFileInfo(GPR_PLUGIN_FILE).absoluteDir());
-		return made;
-	}();
-	return loaded;
-}
+QString lastError;
 
 std::function<bool(int)> duringRun;
 
@@ -42,14 +30,14 @@ unsigned char level(float p)
 
 } // namespace
 
-MeshFilterInterface& plugin()
+PluginInterface& plugin()
 {
-	return *manager().stringFilterMap.value("Remeshing: Geodesic Poisson Disk");
+	return loadedPlugin();
 }
 
 QAction* actionOf(gpr::Tool tool)
 {
-	return manager().actionFilterMap.value(gpr_filter::textOf(tool).name);
+	return loadedAction(gpr_filter::textOf(tool).name);
 }
 
 Document::Document()
@@ -78,7 +66,7 @@ MeshModel& addBall(Document& document)
 		v.C() = vcg::Color4b(level(v.P()[0]), level(v.P()[1]), level(v.P()[2]), 255);
 		v.Q() = v.P()[2];
 	}
-	layer.UpdateBoxAndNormals();
+	gpr_filter::updateBoxAndNormals(layer);
 	return layer;
 }
 
@@ -86,7 +74,7 @@ MeshModel& addSheet(Document& document)
 {
 	MeshModel& layer = *document->addNewMesh("", "sheet");
 	vcg::tri::Grid(layer.cm, 51, 51, 1.f, 1.f);
-	layer.UpdateBoxAndNormals();
+	gpr_filter::updateBoxAndNormals(layer);
 	return layer;
 }
 
@@ -98,21 +86,24 @@ MeshModel& addPoints(Document& document, const std::vector<gpr::Vec3d>& points)
 		const gpr::Vec3d& p  = points[i];
 		layer.cm.vert[i].P() = Point3m(Scalarm(p.x), Scalarm(p.y), Scalarm(p.z));
 	}
-	layer.UpdateBoxAndNormals();
+	gpr_filter::updateBoxAndNormals(layer);
 	return layer;
 }
 
 RichParameterList defaults(Document& document, gpr::Tool tool)
 {
-	RichParameterList list;
-	plugin().initParameterSet(actionOf(tool), *document, list);
-	return list;
+	return defaultsOf(actionOf(tool), *document);
 }
 
 bool apply(Document& document, gpr::Tool tool, const RichParameterList& list,
 		   vcg::CallBackPos* progress)
 {
-	return plugin().applyFilter(actionOf(tool), *document, list, progress);
+	return applyAction(actionOf(tool), *document, list, progress, lastError);
+}
+
+QString errorText()
+{
+	return lastError;
 }
 
 bool apply(Document& document, const RichParameterList& list, vcg::CallBackPos* progress)
@@ -128,7 +119,7 @@ void expectSoundMesh(CMeshO& mesh)
 		ASSERT_FALSE(v.IsD() || v.IsS());
 		ASSERT_GT(v.cN().Norm(), 0.1) << "a vertex normal was not computed";
 	}
-	vcg::Box3f box;
+	Box3m box;
 	for (const CFaceO& f : mesh.face) {
 		ASSERT_FALSE(f.IsD() || f.IsS() || f.IsF(0) || f.IsF(1) || f.IsF(2));
 		ASSERT_NEAR(f.cN().Norm(), 1, 1e-4);
@@ -144,7 +135,7 @@ void expectSoundMesh(CMeshO& mesh)
 
 Snapshot::Snapshot(Document& document) :
 		_copy(gpr_filter::copyLayer(document->mm()->cm, {true, true, true})),
-		_mask(document->mm()->dataMask()), _layers(document->size()),
+		_mask(document->mm()->dataMask()), _layers(document.layerNum()),
 		_currentId(document->mm()->id())
 {
 }

@@ -5,9 +5,9 @@
 
 // A host for the plugin without window or OpenGL: MeshLab's own plugin manager and documents.
 
+#include "host_api.h"
 #include "mesh_bridge.h"
 
-#include <common/interfaces.h>
 #include <functional>
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/parameters.h>
@@ -16,7 +16,7 @@
 namespace plugin_test {
 
 /// The plugin as MeshLab's plugin manager loaded it.
-MeshFilterInterface& plugin();
+PluginInterface& plugin();
 /// The plugin's filter that stands for a tool.
 QAction* actionOf(gpr::Tool tool);
 
@@ -28,7 +28,8 @@ public:
 
 	MeshDocument& operator*() { return _document; }
 	MeshDocument* operator->() { return &_document; }
-	MeshModel&    layer(int i = 0) { return *_document.meshList.at(i); }
+	MeshModel&    layer(int i = 0) { return layerAt(_document, i); }
+	int           layerNum() const { return plugin_test::layerNum(_document); }
 	QString       logText() const;
 
 private:
@@ -51,6 +52,9 @@ RichParameterList defaults(Document& document, gpr::Tool tool = gpr::RemeshTool)
 bool apply(Document& document, const RichParameterList& list, vcg::CallBackPos* progress = nullptr);
 bool apply(Document& document, gpr::Tool tool, const RichParameterList& list,
 		   vcg::CallBackPos* progress = nullptr);
+
+/// What the last call told the user; empty when it did what it should.
+QString errorText();
 
 /// Fails where a mesh has deleted elements, faces out of range, stale normals or a stale box.
 void expectSoundMesh(CMeshO& mesh);

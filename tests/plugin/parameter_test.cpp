@@ -116,11 +116,11 @@ TEST(Parameters, ValuesComeThroughTheList)
 TEST(Parameters, PercentAndLengthTakeTheCountsPlace)
 {
 	RichParameterList list = tableList();
-	list.setValue("TargetPerc", FloatValue(12.3f));
+	list.setValue("TargetPerc", FloatValue(Scalarm(12.3)));
 	EXPECT_EQ(read(list).values.options().targetMode, TargetMode::Percent);
 	EXPECT_EQ(read(list).values.options().targetPercent, 12.3); // as --percent 12.3 gives it
 	list = tableList();
-	list.setValue("TargetLen", AbsPercValue(0.05f));
+	list.setValue("TargetLen", AbsPercValue(Scalarm(0.05)));
 	EXPECT_EQ(read(list).values.options().targetMode, TargetMode::EdgeLength);
 	EXPECT_EQ(read(list).values.options().targetEdgeLen, 0.05);
 	list.setValue("TargetPerc", FloatValue(10.f));
@@ -165,6 +165,7 @@ TEST(Parameters, TypedNumberIsTheDecimalOne)
 {
 	for (double number : {0.0, 10.0, 12.3, 0.05, 1e-9, 33.3333, 1234.5}) {
 		EXPECT_EQ(gpr_filter::typedNumber(float(number)), number);
+		EXPECT_EQ(gpr_filter::typedNumber(number), number);
 	}
 	EXPECT_TRUE(std::isnan(gpr_filter::typedNumber(std::numeric_limits<float>::quiet_NaN())));
 }

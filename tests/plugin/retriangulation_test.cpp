@@ -54,7 +54,7 @@ void expectSameMesh(const gpr_filter::LayerCopy& got, const gpr::TriangleMesh& w
 	EXPECT_EQ(got.triangles, wanted.triangles);
 	ASSERT_EQ(got.positions.size(), wanted.positions.size());
 	for (std::size_t v = 0; v < got.positions.size(); ++v) {
-		ASSERT_TRUE(got.positions[v] == gpr::Vec3f(wanted.positions[v])) << v;
+		ASSERT_TRUE(got.positions[v] == gpr::Vec3<Scalarm>(wanted.positions[v])) << v;
 	}
 }
 
@@ -68,7 +68,7 @@ TEST(RetriangulationFilter, VerticesAreTheSamples)
 	makeCurrent(document, ball);
 	ASSERT_TRUE(apply(document, tool, withSamples(document, points.id())))
 		<< document.logText().toStdString();
-	EXPECT_EQ(document->size(), 2);
+	EXPECT_EQ(document.layerNum(), 2);
 	EXPECT_EQ(std::size_t(ball.cm.vn), samples.size());
 	EXPECT_EQ(ball.cm.fn, 2 * ball.cm.vn - 4);
 	EXPECT_EQ(places(ball.cm), places(points.cm));
@@ -158,7 +158,7 @@ void expectRefused(Document& document, const RichParameterList& list, const char
 {
 	const Snapshot before(document);
 	EXPECT_FALSE(apply(document, tool, list));
-	EXPECT_TRUE(plugin().errorMsg().contains(words)) << plugin().errorMsg().toStdString();
+	EXPECT_TRUE(errorText().contains(words)) << errorText().toStdString();
 	EXPECT_TRUE(document.logText().contains(words));
 	EXPECT_TRUE(before == Snapshot(document));
 }

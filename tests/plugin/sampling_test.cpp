@@ -39,13 +39,14 @@ TEST(SamplingFilter, PointsAreTheEngines)
 	MeshModel&                ball   = addBall(document);
 	const gpr::SamplingResult wanted = engineSamples(ball, 500);
 	ASSERT_TRUE(sample(document, 500)) << document.logText().toStdString();
-	ASSERT_EQ(document->size(), 2);
+	ASSERT_EQ(document.layerNum(), 2);
 	CMeshO& points = document.layer(1).cm;
 	ASSERT_EQ(std::size_t(points.vn), wanted.points.size());
 	for (std::size_t i = 0; i < wanted.points.size(); ++i) {
 		const Point3m& p = points.vert[i].cP();
-		ASSERT_TRUE(gpr::Vec3f(p[0], p[1], p[2]) == gpr::Vec3f(wanted.points[i])) << i;
-		ASSERT_EQ(points.vert[i].cQ(), float(wanted.radii[i]));
+		ASSERT_TRUE(gpr::Vec3<Scalarm>(p[0], p[1], p[2]) == gpr::Vec3<Scalarm>(wanted.points[i]))
+			<< i;
+		ASSERT_EQ(points.vert[i].cQ(), Scalarm(wanted.radii[i]));
 	}
 }
 
@@ -85,7 +86,7 @@ TEST(SamplingFilter, NewLayerOfPoints)
 	EXPECT_NEAR(added.cm.bbox.max[2], 1, 0.1);
 	EXPECT_TRUE(document.logText().contains("points"));
 	// The ball itself is as it was.
-	document->delMesh(&added);
+	removeLayer(*document, &added);
 	document->setCurrentMesh(ball.id());
 	EXPECT_TRUE(before == Snapshot(document));
 }
@@ -125,8 +126,8 @@ TEST(SamplingFilter, CancelledOrWithoutFacesChangesNothing)
 	Document noFaces;
 	addPoints(noFaces, {{0, 0, 0}, {1, 0, 0}});
 	EXPECT_FALSE(apply(noFaces, tool, list));
-	EXPECT_FALSE(plugin().errorMsg().isEmpty());
-	EXPECT_EQ(noFaces->size(), 1);
+	EXPECT_FALSE(errorText().isEmpty());
+	EXPECT_EQ(noFaces.layerNum(), 1);
 }
 
 TEST(SamplingFilter, DensityByAQualityThatIsMissing)
@@ -137,7 +138,7 @@ TEST(SamplingFilter, DensityByAQualityThatIsMissing)
 	list.setValue("Lambda", FloatValue(1));
 	list.setValue("Sizing", EnumValue(1));
 	EXPECT_FALSE(apply(document, tool, list));
-	EXPECT_TRUE(plugin().errorMsg().contains("quality"));
+	EXPECT_TRUE(errorText().contains("quality"));
 }
 
 TEST(SamplingFilter, FeatureRegionBySelectionWithoutOne)
@@ -147,7 +148,7 @@ TEST(SamplingFilter, FeatureRegionBySelectionWithoutOne)
 	RichParameterList list = defaults(document, tool);
 	list.setValue("FeatureRegion", EnumValue(2));
 	EXPECT_FALSE(apply(document, tool, list));
-	EXPECT_TRUE(plugin().errorMsg().contains("selected"));
+	EXPECT_TRUE(errorText().contains("selected"));
 }
 
 TEST(LayerCopy, SelectedAreVerticesOrElseCornersOfFaces)
