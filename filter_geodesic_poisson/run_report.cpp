@@ -115,6 +115,7 @@ QString cleanedLine(const gpr::CleanCounts& c)
 		{c.nonManifoldEdges, "non-manifold edges cut"},
 		{c.nonManifoldVertices, "non-manifold vertices split"},
 		{c.nonOrientableCuts, "edges cut to orient the surface"},
+		{c.droppedComponents, "small components dropped"},
 	};
 	QStringList parts;
 	for (const auto& [amount, what] : rows) {
@@ -130,6 +131,16 @@ QString auditLine(const gpr::AuditFigures& a)
 						  "%5 without area, %6 duplicate faces")
 		.arg(verdict, count(a.nonManifoldEdges), count(a.nonManifoldVertices),
 			 count(a.flippedFaces), count(a.zeroAreaFaces), count(a.duplicateFaces));
+}
+
+/// Empty where there was no such check.
+QString checkLine(const gpr::RemeshReport& r)
+{
+	if (!r.check.done) return QString();
+	return QStringLiteral("Checked: %1 faces cross others, vertices are at most %2 from the input, "
+						  "points of either mesh at most %3 from the other")
+		.arg(count(r.check.crossingFaces), number(r.check.vertexDistance),
+			 number(r.check.largestDistance));
 }
 
 QString timeLine(const gpr::RemeshReport& r)
@@ -171,9 +182,9 @@ std::vector<std::string> withoutEmpty(const QStringList& lines)
 std::vector<std::string> remeshingLines(const gpr::RemeshResult& result)
 {
 	const gpr::RemeshReport& r = result.report;
-	return withoutEmpty(firstLines(result)
-						<< countsLine("Remeshed", r) << topologyLine(r) << radiusLine(r)
-						<< qualityLine(r.quality) << auditLine(r.audit) << timeLine(r));
+	return withoutEmpty(firstLines(result) << countsLine("Remeshed", r) << topologyLine(r)
+										   << radiusLine(r) << qualityLine(r.quality)
+										   << auditLine(r.audit) << checkLine(r) << timeLine(r));
 }
 
 std::vector<std::string> featureLines(const gpr::FeatureResult& result)
@@ -193,7 +204,7 @@ std::vector<std::string> retriangulationLines(const gpr::RemeshResult& result)
 	return withoutEmpty(firstLines(result)
 						<< countsLine("Retriangulated", r) << samplesLine(r) << leftoverLine(result)
 						<< topologyLine(r) << qualityLine(r.quality) << auditLine(r.audit)
-						<< timeLine(r));
+						<< checkLine(r) << timeLine(r));
 }
 
 } // namespace gpr_filter

@@ -381,6 +381,50 @@ TEST_F(Remesh, SignalCancelsAndLeavesTheOldFile)
 	}
 }
 
+TEST_F(Remesh, TheTimeLimitEndsItAndLeavesTheOldFile)
+{
+	const std::string   in  = put("in.ply", binaryPly(sphere(300), true, false));
+	const std::string   old = put("out.ply", "old");
+	const ProgramResult result =
+		run({"remesh", in, old, "--report", path("r.json"), "--time-limit", "0.01"});
+	expectFailure(result, 5, "time limit");
+	EXPECT_EQ(content(old), "old");
+	EXPECT_EQ(files(), (std::vector<std::string>{"in.ply", "out.ply"}));
+	EXPECT_EQ(run({"remesh", put("small.ply", binaryPly(sphere(10), true, false)), old,
+				   "--time-limit", "60"})
+				  .exitCode,
+			  0);
+}
+
+TEST_F(Remesh, SmallComponentsAreDroppedAndCounted)
+{
+	TestMesh  mesh  = sphere(20);
+	const int first = int(mesh.points.size());
+	for (int piece = 0; piece < 500; ++piece) {
+		const double x = 2 + 0.01 * piece;
+		mesh.points.insert(mesh.points.end(), {{x, 0, 0}, {x, 0.01, 0}, {x, 0, 0.01}});
+		mesh.faces.push_back({first + 3 * piece, first + 3 * piece + 1, first + 3 * piece + 2});
+	}
+	const TestMesh result = remeshed("in.ply", binaryPly(mesh, true, false),
+									 {"--drop-components-below", "100", "--vertices", "200"});
+	EXPECT_EQ(result.points.size(), 200u);
+	EXPECT_EQ(report()["result"]["components"], 1);
+	EXPECT_EQ(report()["cleaned"]["droppedComponents"], 500);
+	EXPECT_EQ(report()["cleaned"]["droppedFaces"], 500);
+	expectFailure(
+		run({"remesh", path("in.ply"), path("none.ply"), "--drop-components-below", "100000"}), 3,
+		"fewer than 100000 faces");
+}
+
+/// A little input and a huge wish: told before anything is allocated.
+TEST_F(Remesh, MoreThanMemoryHoldsIsRefusedAtOnce)
+{
+	const std::string   in     = put("in.ply", binaryPly(sphere(4), true, false));
+	const ProgramResult result = run({"remesh", in, path("out.ply"), "--vertices", "200000000"});
+	expectFailure(result, 1, "GB of memory would be needed");
+	EXPECT_LT(result.seconds, 5);
+}
+
 TEST_F(Remesh, StlIsTakenAsFloatWithANote)
 {
 	const std::string   in     = put("in.ply", binaryPly(sphere(24), true, true));

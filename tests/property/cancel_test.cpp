@@ -105,6 +105,33 @@ TEST(Cancel, StopsTheSamplingAndTheRetriangulationToo)
 			  Status::Cancelled);
 }
 
+TEST(TimeLimit, EndsEveryToolWithoutAResult)
+{
+	const TriangleMesh mesh    = torus(400, 200);
+	RemeshOptions      options = someOptions();
+	options.timeLimitSeconds   = 1e-3;
+	const auto         start   = Clock::now();
+	const RemeshResult r       = remesh(mesh.view(), options);
+	EXPECT_EQ(r.status, Status::OutOfTime);
+	EXPECT_FALSE(r.message.empty());
+	EXPECT_EQ(r.mesh.vertexNum(), 0u);
+	EXPECT_EQ(samplePoissonDisks(mesh.view(), options).status, Status::OutOfTime);
+	EXPECT_EQ(retriangulate(mesh.view(), mesh.positions, options).status, Status::OutOfTime);
+	EXPECT_EQ(detectFeatures(mesh.view(), options).status, Status::OutOfTime);
+	EXPECT_LT(secondsSince(start), 4 * mostSecondsToCancel);
+}
+
+TEST(TimeLimit, ThatIsLongEnoughChangesNothing)
+{
+	const TriangleMesh mesh    = torus(60, 30);
+	const RemeshResult plain   = remesh(mesh.view(), someOptions());
+	RemeshOptions      limited = someOptions();
+	limited.timeLimitSeconds   = 1000;
+	const RemeshResult r       = remesh(mesh.view(), limited);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_TRUE(r.mesh.positions == plain.mesh.positions);
+}
+
 TEST(Cancel, AThrowingCallbackIsReported)
 {
 	const RemeshResult r =

@@ -88,6 +88,7 @@ TEST(Audit, CatchesADuplicateFace)
 			}
 		});
 	EXPECT_FALSE(a.passed);
+	EXPECT_EQ(a.duplicateFaces, 1);
 }
 
 TEST(Audit, CatchesAFaceTurnedOver)

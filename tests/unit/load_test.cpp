@@ -209,6 +209,20 @@ TEST_F(LoadInput, WhatIsNoSurfaceIsRefusedWithASentence)
 	EXPECT_EQ(statusOf({{{0, 0, 0}, {NAN, 0, 0}, {0, 1, 0}}, {0, 1, 2}}), Status::UnusableInput);
 }
 
+/// Refused by the counts alone: there is nothing behind these pointers.
+TEST_F(LoadInput, MoreThanTheIndicesHoldIsRefused)
+{
+	for (const std::size_t num :
+		 {std::size_t(1) << 30, std::size_t(1) << 31, std::size_t(1) << 40}) {
+		MeshView view;
+		view.vertexNum = 3;
+		view.faceNum   = num;
+		EXPECT_EQ(remesh(view, RemeshOptions()).status, Status::UnusableInput);
+		std::swap(view.vertexNum, view.faceNum);
+		EXPECT_EQ(remesh(view, RemeshOptions()).status, Status::UnusableInput);
+	}
+}
+
 TEST_F(LoadInput, StridedPositionsAreRead)
 {
 	struct Vertex {

@@ -191,6 +191,8 @@ TEST_F(ParameterSets, EveryRowReachesItsOption)
 	set("Threads", std::int64_t(2));
 	set("ExactCount", std::int64_t(2));
 	set("AllowNearest", true);
+	set("DropComponentsBelow", std::int64_t(9));
+	set("TimeLimit", 60.0);
 	set("NewLayer", true);
 	const RemeshOptions o = set_.options();
 	EXPECT_EQ(o.relaxIterations, 3);
@@ -198,6 +200,8 @@ TEST_F(ParameterSets, EveryRowReachesItsOption)
 	EXPECT_EQ(o.threads, 2);
 	EXPECT_FALSE(o.exactCount);
 	EXPECT_TRUE(o.allowNearest);
+	EXPECT_EQ(o.dropComponentsBelow, 9);
+	EXPECT_EQ(o.timeLimitSeconds, 60);
 	EXPECT_TRUE(set_.newLayer());
 }
 

@@ -234,6 +234,8 @@ TEST(Params, AreAllHandedOver)
 	params.relaxIterNum        = 3;
 	params.seed                = 4;
 	params.threadNum           = 2;
+	params.dropComponentsBelow = 9;
+	params.timeLimit           = 60;
 	const gpr::RemeshOptions o = params.Options();
 	EXPECT_EQ(o.targetMode, gpr::TargetMode::VertexNum);
 	EXPECT_EQ(o.targetVertexNum, 77);
@@ -242,6 +244,8 @@ TEST(Params, AreAllHandedOver)
 	EXPECT_EQ(o.relaxIterations, 3);
 	EXPECT_EQ(o.seed, 4u);
 	EXPECT_EQ(o.threads, 2);
+	EXPECT_EQ(o.dropComponentsBelow, 9);
+	EXPECT_EQ(o.timeLimitSeconds, 60);
 }
 
 } // namespace

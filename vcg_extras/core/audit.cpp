@@ -5,6 +5,7 @@
 #include "fold_repair.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gpr {
@@ -13,7 +14,7 @@ namespace {
 
 struct Findings {
 	std::int64_t badEdges = 0, badVertices = 0, corners = 0;
-	std::int64_t zeroArea = 0, flipped = 0, notFinite = 0;
+	std::int64_t zeroArea = 0, flipped = 0, notFinite = 0, duplicates = 0;
 
 	Findings& operator+=(const Findings& o)
 	{
@@ -23,6 +24,7 @@ struct Findings {
 		zeroArea += o.zeroArea;
 		flipped += o.flipped;
 		notFinite += o.notFinite;
+		duplicates += o.duplicates;
 		return *this;
 	}
 };
@@ -40,7 +42,7 @@ bool isSoundVertex(const HalfEdgeMesh& m, int v, std::vector<int>& ring, std::in
 {
 	ring.clear();
 	const int first = m.outgoing[v];
-	if (first < 0) return false;
+	if (first < 0 || first >= m.halfEdgeNum()) return false;
 	int h = first;
 	do {
 		if (m.origin[h] != v) return false;
@@ -55,8 +57,40 @@ bool isSoundVertex(const HalfEdgeMesh& m, int v, std::vector<int>& ring, std::in
 	return std::adjacent_find(ring.begin(), ring.end()) == ring.end();
 }
 
+/// Whether a face before f has the same three vertices, in a table without faults: there two such
+/// faces share an edge, or a vertex of theirs would have a neighbour twice.
+bool isDuplicate(const HalfEdgeMesh& m, int f)
+{
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		const int g = m.opposite[h];
+		if (g >= 0 && g / 3 < f && m.apex(g) == m.apex(h)) return true;
+	}
+	return false;
+}
+
+/// The number of such faces in any table.
+std::int64_t countDuplicateFaces(const HalfEdgeMesh& m)
+{
+	std::vector<std::array<int, 3>> faces(m.faceNum);
+	for (int f = 0; f < m.faceNum; ++f) {
+		std::copy_n(&m.origin[3 * f], 3, faces[f].begin());
+		std::sort(faces[f].begin(), faces[f].end());
+	}
+	std::sort(faces.begin(), faces.end());
+	std::int64_t num = 0;
+	for (std::size_t i = 1; i < faces.size(); ++i)
+		num += faces[i] == faces[i - 1];
+	return num;
+}
+
 void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, Findings& found)
 {
+	int badNum = 0;
+	for (int h = 3 * f; h < 3 * f + 3; ++h)
+		badNum += !isSoundHalfEdge(m, h);
+	found.badEdges += badNum;
+	if (badNum > 0) return; // its corners may be no vertices
+	found.duplicates += isDuplicate(m, f);
 	if (!(squaredLength(m.faceCross(f)) > 0))
 		++found.zeroArea;
 	else
@@ -72,11 +106,8 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	const Buffer<Vec3f> normals = smoothNormals(surface, r, workers);
 	Findings found = workers.sum<Findings>(m.faceNum, [&](std::size_t begin, std::size_t end) {
 		Findings part;
-		for (int f = int(begin); f < int(end); ++f) {
-			for (int h = 3 * f; h < 3 * f + 3; ++h)
-				part.badEdges += !isSoundHalfEdge(m, h);
+		for (int f = int(begin); f < int(end); ++f)
 			checkFace(m, normals, f, part);
-		}
 		return part;
 	});
 	// A table with wrong half-edges could lead the turning below astray.
@@ -98,6 +129,8 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	a.nonManifoldEdges    = found.badEdges;
 	a.nonManifoldVertices = found.badVertices;
 	a.zeroAreaFaces       = found.zeroArea;
+	const bool isTableBad = found.badEdges > 0 || found.badVertices > 0;
+	a.duplicateFaces      = isTableBad ? countDuplicateFaces(m) : found.duplicates;
 	a.flippedFaces        = found.flipped;
 	a.nonFinitePositions  = found.notFinite;
 	a.componentsKept      = input.components == output.components;
@@ -105,8 +138,8 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	a.eulerKept           = input.eulerCharacteristic == output.eulerCharacteristic;
 	a.countExact          = targetNum == output.vertices;
 	a.passed              = found.badEdges == 0 && found.badVertices == 0 && found.zeroArea == 0 &&
-			   found.notFinite == 0 && a.componentsKept && a.boundaryLoopsKept && a.eulerKept &&
-			   (targetNum == 0 || a.countExact);
+			   found.notFinite == 0 && a.duplicateFaces == 0 && a.componentsKept &&
+			   a.boundaryLoopsKept && a.eulerKept && (targetNum == 0 || a.countExact);
 	return a;
 }
 
@@ -119,6 +152,7 @@ std::string describeFailure(const AuditFigures& a)
 	};
 	add(a.nonManifoldEdges > 0, "edges that are not manifold");
 	add(a.nonManifoldVertices > 0, "vertices that are not manifold");
+	add(a.duplicateFaces > 0, std::to_string(a.duplicateFaces) + " duplicate faces");
 	add(a.zeroAreaFaces > 0, std::to_string(a.zeroAreaFaces) + " faces without area");
 	add(a.nonFinitePositions > 0, "coordinates that are not finite");
 	add(!a.componentsKept, "another number of components");

@@ -16,7 +16,7 @@ namespace gpr {
 /// Euler characteristic as in `input`, the count as in targetNum (0: not promised). Faces that look
 /// against the input are counted, but do not fail the audit: where a surface is thinner than the
 /// triangles are wide, no set of that many triangles looks right everywhere.
-/// Cost: linear, parallel.
+/// Cost: linear, parallel; O(F log F) more where a fault was found.
 AuditFigures audit(const Surface& surface, const ResultMesh& result, const MeshFigures& input,
 				   const MeshFigures& output, std::int64_t targetNum, Workers& workers);
 

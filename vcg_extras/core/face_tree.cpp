@@ -76,7 +76,8 @@ Vec3f nearestOnTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Ve
 	return a + ab * (vb * scale) + ac * (vc * scale);
 }
 
-FaceTree::FaceTree(const HalfEdgeMesh& mesh) : m_(mesh), face_(mesh.faceNum)
+FaceTree::FaceTree(const HalfEdgeMesh& mesh, Workers* workers) :
+		m_(mesh), workers_(workers), face_(mesh.faceNum)
 {
 	std::iota(face_.begin(), face_.end(), 0);
 	build(0, mesh.faceNum);
@@ -84,6 +85,7 @@ FaceTree::FaceTree(const HalfEdgeMesh& mesh) : m_(mesh), face_(mesh.faceNum)
 
 int FaceTree::build(int begin, int end)
 {
+	if (workers_ != nullptr) workers_->poll();
 	Node node;
 	node.begin = begin;
 	node.end   = end;

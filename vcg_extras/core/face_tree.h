@@ -5,6 +5,7 @@
 
 #include "half_edge_mesh.h"
 #include "walk.h"
+#include "workers.h"
 
 #include <vector>
 
@@ -14,8 +15,8 @@ namespace gpr {
 /// not place itself need it: everything else is found by walking.
 class FaceTree {
 public:
-	/// Cost: O(F log F).
-	explicit FaceTree(const HalfEdgeMesh& mesh);
+	/// workers: null, or asked now and then whether to go on. Cost: O(F log F), serial.
+	explicit FaceTree(const HalfEdgeMesh& mesh, Workers* workers = nullptr);
 
 	/// The point of the mesh nearest to p. Cost: O(log F) on well-behaved meshes.
 	Anchor nearest(const Vec3f& p) const;
@@ -28,6 +29,7 @@ private:
 	};
 
 	const HalfEdgeMesh& m_;
+	Workers*            workers_;
 	std::vector<int>    face_;
 	std::vector<Node>   node_;
 

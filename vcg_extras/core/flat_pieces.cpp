@@ -3,6 +3,7 @@
 #include "flat_pieces.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace gpr {
@@ -24,10 +25,22 @@ float longestEdge(const HalfEdgeMesh& m, int f)
 	return std::max({edgeLength(m, 3 * f), edgeLength(m, 3 * f + 1), edgeLength(m, 3 * f + 2)});
 }
 
+/// doubledArea: of a face with that longest edge.
+bool isThin(float doubledArea, float longest)
+{
+	return !(doubledArea > longest * std::min(leastWidth, leastSlope * longest));
+}
+
 bool isThin(const HalfEdgeMesh& m, int f)
 {
-	const float longest = longestEdge(m, f);
-	return !(length(m.faceCross(f)) > longest * std::min(leastWidth, leastSlope * longest));
+	return isThin(length(m.faceCross(f)), longestEdge(m, f));
+}
+
+bool isThin(const IndexedMesh& m, int f)
+{
+	const int*  t = &m.triangle[3 * f];
+	const Vec3f a = m.position[t[0]], b = m.position[t[1]], c = m.position[t[2]];
+	return isThin(length(m.faceCross(f)), std::max({length(b - a), length(c - b), length(a - c)}));
 }
 
 std::vector<int> findThin(const HalfEdgeMesh& mesh, Workers& workers)
@@ -198,7 +211,18 @@ std::vector<int> findFlatPieces(const HalfEdgeMesh& mesh, Workers& workers)
 	return FlatFinder(mesh, findThin(mesh, workers)).run();
 }
 
-IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, CleanCounts& counts)
+bool allFacesThin(const IndexedMesh& mesh, Workers& workers)
+{
+	std::atomic<bool> foundOther{false};
+	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end && !foundOther; ++f) {
+			if (!isThin(mesh, int(f))) foundOther = true;
+		}
+	});
+	return !foundOther;
+}
+
+IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, std::int64_t& droppedNum)
 {
 	IndexedMesh      mesh = disconnect(surface);
 	std::vector<int> dropped;
@@ -216,7 +240,7 @@ IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, CleanC
 	mesh.faceNum = kept;
 	dropUnusedVertices(mesh);
 	std::sort(dropped.begin(), dropped.end());
-	counts.zeroAreaFaces += std::unique(dropped.begin(), dropped.end()) - dropped.begin();
+	droppedNum += std::unique(dropped.begin(), dropped.end()) - dropped.begin();
 	return mesh;
 }
 

@@ -4,9 +4,10 @@
 #define VCG_EXTRAS_CORE_FLAT_PIECES_H
 
 #include "connect.h"
-#include "report.h"
+#include "indexed_mesh.h"
 #include "workers.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace gpr {
@@ -19,9 +20,13 @@ namespace gpr {
 std::vector<int> findFlatPieces(const HalfEdgeMesh& mesh, Workers& workers);
 
 /// The surface without `faces` (ascending) and the vertices only they have, as a mesh to be ordered
-/// and connected anew; the surface is empty then. The caller's faces that are concerned are counted
-/// as zeroAreaFaces.
-IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, CleanCounts& counts);
+/// and connected anew; the surface is empty then. droppedNum grows by the caller's faces that are
+/// concerned.
+IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, std::int64_t& droppedNum);
+
+/// Whether all faces are that thin, so that the surface may be nothing but lines: splitting their
+/// edges would make endless faces of them. Cost: a parallel pass that ends at the first other face.
+bool allFacesThin(const IndexedMesh& mesh, Workers& workers);
 
 } // namespace gpr
 

@@ -13,7 +13,7 @@ namespace gpr {
 Sampling GivenSamples::takeOver(const Prepared& p, const std::vector<Vec3d>& points)
 {
 	clock_.enter("sampling", "Putting the samples on the surface", 0.6);
-	const FaceTree tree(p.surface.mesh);
+	const FaceTree tree(p.surface.mesh, &workers_);
 	const float    onSurface = 1e-5f;
 	Sampling       sampling;
 	sampling.radius = p.radius;

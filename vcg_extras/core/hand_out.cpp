@@ -6,6 +6,7 @@
 #include "failure.h"
 #include "measure.h"
 #include "surface_point.h"
+#include "thorough_check.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,12 +40,25 @@ public:
 								" faces look against the input's normals, where the surface is "
 								"thinner than the triangles are wide.");
 		}
+		if (options_.check) check(p.surface, result);
 		clock_.enter("export", "Handing out the result", 1);
 		exportMesh(p.surface, result, out);
 		report_.quality = measureQuality(out.mesh.view(), workers_);
 	}
 
 private:
+	void check(const Surface& surface, const ResultMesh& result)
+	{
+		clock_.enter("check", "Looking for crossings and distances", 0.99);
+		const double      unit    = 1 / surface.frame.scale;
+		CheckFigures      figures = checkThoroughly(surface, result.mesh, workers_);
+		const std::string failure = describeFailure(figures, report_.largestFitDistance / unit);
+		figures.vertexDistance *= unit;
+		figures.largestDistance *= unit;
+		report_.check = figures;
+		if (!failure.empty()) throw Failure(Status::PromiseBroken, failure);
+	}
+
 	void noteOperations(const ResultMesh& result)
 	{
 		report_.leftoverVertexNum = result.leftoverNum;

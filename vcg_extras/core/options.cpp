@@ -102,6 +102,12 @@ std::vector<std::string> validate(const RemeshOptions& o)
 	}
 	checkDensity(o, complaints);
 	checkFeatures(o, complaints);
+	if (o.dropComponentsBelow < 0) {
+		complaints.push_back("The least number of faces of a component must not be negative.");
+	}
+	if (!isWithin(o.timeLimitSeconds, 0, 1e9)) {
+		complaints.push_back("The time limit must be between 0 and 1000000000 seconds.");
+	}
 	if (o.threads < 0 || o.threads > 1024) {
 		complaints.push_back("The number of threads must be between 0 and 1024.");
 	}

@@ -113,6 +113,10 @@ struct RemeshOptions {
 	int           flipIterations  = 1000;  ///< passes of edge flips at most, each time; 0 to 1000
 	std::uint32_t seed            = 1;     ///< 0 = a fresh seed, told in the report
 	int           threads         = 0;     ///< 0 = one per core; never changes the result
+	/// Components with fewer faces are left out; 0 = none.
+	std::int64_t dropComponentsBelow = 0;
+	double       timeLimitSeconds    = 0; ///< the run ends then without a result; 0 = none
+	bool         check = false; ///< crossing faces and distances are looked for: thorough_check.h
 
 	Placement       placement       = Placement::DiskIntersection;
 	Retriangulation retriangulation = Retriangulation::LabelCollapse;

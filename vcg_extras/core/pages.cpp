@@ -2,11 +2,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pages.h"
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <memory>
 #include <new>
 
 #if defined(__linux__)
 #include <sys/mman.h>
+#include <sys/resource.h>
+#elif defined(_WIN32)
+#include <windows.h>
+#elif defined(__APPLE__)
+#include <sys/sysctl.h>
 #endif
 
 namespace gpr {
@@ -21,7 +30,74 @@ std::size_t roundUp(std::size_t n, std::size_t step)
 	return (n + step - 1) / step * step;
 }
 
+#if defined(__linux__)
+
+using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+File openTable(const char* path)
+{
+	return File(std::fopen(path, "r"),
+				[](std::FILE* f) { return f != nullptr ? std::fclose(f) : 0; });
+}
+
+/// The number behind a word in one of the system's tables, in bytes; 0 where there is none.
+std::int64_t bytesInTable(const char* path, const char* name)
+{
+	const File table = openTable(path);
+	char       line[256];
+	while (table && std::fgets(line, sizeof line, table.get()) != nullptr) {
+		const std::size_t length = std::strlen(name);
+		if (std::strncmp(line, name, length) == 0) return 1024 * std::atoll(line + length);
+	}
+	return 0;
+}
+
+std::int64_t numberInFile(const char* path)
+{
+	const File file   = openTable(path);
+	long long  number = 0;
+	return file && std::fscanf(file.get(), "%lld", &number) == 1 ? number : 0;
+}
+
+/// What the process may still take of a limit; `most` where there is no such limit.
+std::int64_t leftOf(std::int64_t limit, std::int64_t used, std::int64_t most)
+{
+	return limit > 0 ? std::min(most, std::max<std::int64_t>(1, limit - used)) : most;
+}
+
+std::int64_t addressSpaceLimit()
+{
+	struct rlimit limit;
+	if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return 0;
+	return std::int64_t(std::min<rlim_t>(limit.rlim_cur, rlim_t(1) << 62));
+}
+
+#endif
+
 } // namespace
+
+std::int64_t availableMemoryBytes()
+{
+#if defined(__linux__)
+	std::int64_t bytes = bytesInTable("/proc/meminfo", "MemAvailable:");
+	if (bytes == 0) return 0;
+	const char* const self = "/proc/self/status";
+	// A container's limit, and that of the shell.
+	bytes = leftOf(numberInFile("/sys/fs/cgroup/memory.max"), bytesInTable(self, "VmRSS:"), bytes);
+	return leftOf(addressSpaceLimit(), bytesInTable(self, "VmSize:"), bytes);
+#elif defined(_WIN32)
+	MEMORYSTATUSEX status;
+	status.dwLength = sizeof status;
+	return GlobalMemoryStatusEx(&status) ? std::int64_t(status.ullAvailPhys) : 0;
+#elif defined(__APPLE__)
+	// How much of it is free is not told in one figure.
+	std::int64_t bytes = 0;
+	std::size_t  size  = sizeof bytes;
+	return sysctlbyname("hw.memsize", &bytes, &size, nullptr, 0) == 0 ? bytes : 0;
+#else
+	return 0;
+#endif
+}
 
 void* allocatePages(std::size_t bytes)
 {

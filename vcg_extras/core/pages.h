@@ -4,13 +4,18 @@
 #define VCG_EXTRAS_CORE_PAGES_H
 
 #include <cstddef>
+#include <cstdint>
 
 namespace gpr {
 
 /// Memory for a large array, in huge pages where the system offers them; throws std::bad_alloc.
-/// The only place of the engine that talks to the operating system.
+/// This file is the only place of the engine that talks to the operating system.
 void* allocatePages(std::size_t bytes);
 void  releasePages(void* memory, std::size_t bytes);
+
+/// Memory that this process may still take without that of others being moved to a disk; 0 where
+/// it is unknown.
+std::int64_t availableMemoryBytes();
 
 } // namespace gpr
 

@@ -241,6 +241,18 @@ void addCount(Table& t)
 					.p);
 }
 
+void addCleaning(Table& t)
+{
+	t.push_back(
+		row(sized, "DropComponentsBelow", "--drop-components-below", "N", Kind::Count,
+			"Drop components with fewer faces (0 = none)",
+			"Components with fewer faces are left out: dust of scans, which would take four "
+			"vertices a piece. 0 keeps all.")
+			.range(0, largestCount)
+			.store([](const Value& v, RemeshOptions& o) { o.dropComponentsBelow = countOf(v); })
+			.p);
+}
+
 void addDensity(Table& t)
 {
 	t.push_back(
@@ -393,6 +405,14 @@ void addFeatures(Table& t)
 void addRun(Table& t)
 {
 	t.push_back(
+		row(everywhere, "TimeLimit", "--time-limit", "SECONDS", Kind::Number,
+			"Time limit in seconds (0 = none)",
+			"Where the work is not done within so many seconds it is given up, and nothing is "
+			"changed; 0 = no limit. On the command line reading and writing are not counted.")
+			.range(0, 1e9)
+			.store([](const Value& v, RemeshOptions& o) { o.timeLimitSeconds = numberOf(v); })
+			.p);
+	t.push_back(
 		row(sized, "Seed", "--seed", "S", Kind::Count, "Random seed",
 			"The same seed gives the same mesh, byte for byte, with any number of threads. 0 takes "
 			"a fresh seed and logs it.")
@@ -406,6 +426,15 @@ void addRun(Table& t)
 					.range(0, 1024)
 					.store([](const Value& v, RemeshOptions& o) { o.threads = int(countOf(v)); })
 					.p);
+	t.push_back(
+		row(RemeshTool | RetriangulateTool, "Check", "--check", "", Kind::Switch,
+			"Check thoroughly",
+			"Beside what is checked in any case: faces that cross others, and the distances "
+			"from the input, which costs as much again. Where a face crosses another and "
+			"none did in the input, or a vertex lies off the input farther than the fit "
+			"moved it, there is no result.")
+			.store([](const Value& v, RemeshOptions& o) { o.check = switchOf(v); })
+			.p);
 	t.push_back(row(RemeshTool | RetriangulateTool, "NewLayer", "", "", Kind::Switch,
 					"Put the result into a new layer",
 					"Off: the result takes the place of the layer's mesh. MeshLab has no undo, so "
@@ -422,6 +451,7 @@ std::vector<Parameter> makeParameterTable()
 	addSize(table);
 	addStages(table);
 	addCount(table);
+	addCleaning(table);
 	addDensity(table);
 	addFeatureLines(table);
 	addFeatures(table);

@@ -9,8 +9,10 @@
 #include "flat_pieces.h"
 #include "load.h"
 #include "measure.h"
+#include "memory_need.h"
 #include "repair_manifold.h"
 #include "sample_stages.h"
+#include "small_components.h"
 #include "spatial_order.h"
 #include "split_long_edges.h"
 
@@ -47,7 +49,7 @@ void Preparation::detectRegion()
 FeatureEdges Preparation::detectOn(Surface& surface, double until)
 {
 	clock_.enter("load", "Taking over the mesh", 0.1 * until);
-	IndexedMesh mesh     = loadInput(input_, workers_, report_.cleaned);
+	IndexedMesh mesh     = loadCleaned();
 	surface.frame        = mesh.frame;
 	const float meanEdge = meanEdgeLength(mesh, workers_);
 	if (!(meanEdge > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
@@ -63,7 +65,7 @@ Prepared Preparation::prepare(std::int64_t fixedTarget)
 {
 	Prepared p;
 	clock_.enter("load", "Taking over the mesh", 0.05);
-	IndexedMesh mesh = loadInput(input_, workers_, report_.cleaned);
+	IndexedMesh mesh = loadCleaned();
 	p.area           = surfaceArea(mesh, workers_);
 	if (!(p.area > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
 	p.surface.frame        = mesh.frame;
@@ -74,6 +76,7 @@ Prepared Preparation::prepare(std::int64_t fixedTarget)
 			  p);
 
 	clock_.enter("splitLongEdges", "Splitting long edges", 0.06);
+	requireMemoryFor(mesh, p);
 	report_.cleaned.longEdgesSplit = splitLongEdges(
 		mesh, longestEdge * p.radius, mostFacesFor(p.targetNum, mesh.faceNum), workers_);
 	connectOrRepair(mesh, p.surface);
@@ -212,8 +215,47 @@ void Preparation::dropFlatPieces(Surface& surface)
 	if (flat.empty()) return;
 	if (int(flat.size()) == surface.mesh.faceNum)
 		throw Failure(Status::UnusableInput, "The surface has no area.");
-	IndexedMesh mesh = withoutFaces(surface, flat, report_.cleaned);
+	IndexedMesh mesh = withoutFaces(surface, flat, report_.cleaned.zeroAreaFaces);
 	connectOrRepair(mesh, surface);
+}
+
+IndexedMesh Preparation::loadCleaned()
+{
+	IndexedMesh mesh = loadInput(input_, workers_, report_.cleaned);
+	if (options_.dropComponentsBelow <= 1 && !allFacesThin(mesh, workers_)) return mesh;
+	return withoutUseless(std::move(mesh));
+}
+
+/// What must go before the area, and with it the radius, is found: a detour, as it takes a second
+/// ordering and connecting.
+IndexedMesh Preparation::withoutUseless(IndexedMesh mesh)
+{
+	Surface surface;
+	connectOrRepair(mesh, surface);
+	dropFlatPieces(surface);
+	dropSmallComponents(surface);
+	return disconnect(surface);
+}
+
+void Preparation::dropSmallComponents(Surface& surface)
+{
+	const std::int64_t    least = options_.dropComponentsBelow;
+	const SmallComponents small = findSmallComponents(surface.mesh, least, workers_);
+	if (small.num == 0) return;
+	if (int(small.faces.size()) == surface.mesh.faceNum) {
+		throw Failure(Status::UnusableInput, "Nothing would be left: every component has fewer "
+											 "than " +
+												 std::to_string(least) + " faces.");
+	}
+	report_.cleaned.droppedComponents = small.num;
+	IndexedMesh mesh = withoutFaces(surface, small.faces, report_.cleaned.droppedFaces);
+	connectOrRepair(mesh, surface);
+}
+
+void Preparation::requireMemoryFor(const IndexedMesh& mesh, const Prepared& p)
+{
+	const double faces = facesAfterSplitting(mesh, longestEdge * p.radius, workers_);
+	requireMemory(bytesNeeded(faces, double(p.targetNum)), availableMemoryBytes());
 }
 
 void Preparation::noteDetection(const FeatureEdges& features)

@@ -44,6 +44,10 @@ private:
 	static bool         tooManySamples(const Prepared& p);
 	void                connectOrRepair(IndexedMesh& mesh, Surface& surface);
 	void                dropFlatPieces(Surface& surface);
+	IndexedMesh         loadCleaned();
+	IndexedMesh         withoutUseless(IndexedMesh mesh);
+	void                dropSmallComponents(Surface& surface);
+	void                requireMemoryFor(const IndexedMesh& mesh, const Prepared& p);
 	void                noteDetection(const FeatureEdges& features);
 };
 

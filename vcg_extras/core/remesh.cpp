@@ -343,7 +343,7 @@ Result guarded(const RemeshOptions& options, const ProgressCallback& progress, c
 	if (!complaints.empty()) return fail(Status::BadOptions, complaints.front());
 	try {
 		{
-			Workers workers(options.threads, progress);
+			Workers workers(options.threads, progress, options.timeLimitSeconds);
 			body(workers, result);
 		}
 		result.status               = Status::Ok;
@@ -356,6 +356,9 @@ Result guarded(const RemeshOptions& options, const ProgressCallback& progress, c
 	}
 	catch (const CancelledError&) {
 		return fail(Status::Cancelled, "Cancelled.");
+	}
+	catch (const OutOfTimeError&) {
+		return fail(Status::OutOfTime, "Not done within the time limit.");
 	}
 	catch (const std::bad_alloc&) {
 		return fail(Status::OutOfMemory, "There is not enough memory.");
@@ -429,6 +432,8 @@ const char* statusName(Status status)
 		return "out of memory";
 	case Status::Cancelled:
 		return "cancelled";
+	case Status::OutOfTime:
+		return "out of time";
 	case Status::InternalError:
 		return "internal error";
 	}

@@ -19,8 +19,9 @@ enum class Status {
 	UnusableInput, ///< no usable face, indices out of range, no area, ...
 	CountTooSmall, ///< fewer vertices asked than the topology needs; smallestVertexNum is set
 	PromiseBroken, ///< the audit of the result failed; report.audit says how
-	OutOfMemory,
+	OutOfMemory,   ///< or more than there is would be needed
 	Cancelled,
+	OutOfTime, ///< RemeshOptions::timeLimitSeconds have passed
 	InternalError,
 };
 

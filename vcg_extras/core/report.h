@@ -32,6 +32,8 @@ struct CleanCounts {
 	std::int64_t nonManifoldEdges    = 0; ///< more than two faces: cut but for the smoothest pair
 	std::int64_t nonManifoldVertices = 0; ///< more than one fan: a copy for each further fan
 	std::int64_t nonOrientableCuts   = 0; ///< edges cut to make a one-sided surface orientable
+	std::int64_t droppedComponents   = 0; ///< with fewer faces than RemeshOptions asks for
+	std::int64_t droppedFaces        = 0; ///< of those components
 	std::int64_t longEdgesSplit      = 0; ///< edges longer than 0.8 r, split for the sampling only
 
 	/// Anything that changes what the input was (splitting edges does not).
@@ -39,7 +41,7 @@ struct CleanCounts {
 	{
 		return nonFiniteVertices || weldedVertices || repeatedIndexFaces || zeroAreaFaces ||
 			   duplicateFaces || reorientedFaces || nonManifoldEdges || nonManifoldVertices ||
-			   nonOrientableCuts;
+			   nonOrientableCuts || droppedComponents;
 	}
 };
 
@@ -78,6 +80,15 @@ struct AuditFigures {
 	bool         countExact          = false;
 };
 
+/// What RemeshOptions::check found.
+struct CheckFigures {
+	bool         done               = false;
+	std::int64_t crossingFaces      = 0; ///< of the result, that cross another
+	std::int64_t inputCrossingFaces = 0; ///< looked for only where the result has some
+	double       vertexDistance     = 0; ///< largest of a vertex from the input, mesh units
+	double       largestDistance    = 0; ///< either way, found by sampling, mesh units
+};
+
 /// What a vertex is to the features, as bits.
 enum VertexFeature : std::uint8_t {
 	OnFeatureLine = 1, ///< end of a feature edge
@@ -93,6 +104,7 @@ struct RemeshReport {
 	CleanCounts    cleaned;
 	QualityFigures quality;
 	AuditFigures   audit;
+	CheckFigures   check;
 	std::vector<StageTime> stages;
 	double                 remeshSeconds = 0; ///< wall time from mesh in memory to result in memory
 

@@ -52,25 +52,32 @@ struct Largest {
 	}
 };
 
+float distance(const Vec3f& p, const FaceTree& to)
+{
+	return length(to.nearest(p).position - p);
+}
+
+Largest largestOfVertices(const HalfEdgeMesh& from, const FaceTree& to, Workers& workers)
+{
+	return workers.sum<Largest>(from.vertexNum, [&](std::size_t begin, std::size_t end) {
+		Largest largest;
+		for (std::size_t v = begin; v < end; ++v) {
+			if (from.outgoing[v] >= 0) largest += {distance(from.position[v], to)};
+		}
+		return largest;
+	});
+}
+
 float largestFrom(const HalfEdgeMesh& from, const FaceTree& to, float spacing, Workers& workers)
 {
-	const auto    distance = [&](const Vec3f& p) { return length(to.nearest(p).position - p); };
-	const Largest ofVertices =
-		workers.sum<Largest>(from.vertexNum, [&](std::size_t begin, std::size_t end) {
-			Largest largest;
-			for (std::size_t v = begin; v < end; ++v) {
-				if (from.outgoing[v] >= 0) largest += {distance(from.position[v])};
-			}
-			return largest;
-		});
 	Largest all = workers.sum<Largest>(from.faceNum, [&](std::size_t begin, std::size_t end) {
 		Largest largest;
 		for (std::size_t f = begin; f < end; ++f)
 			forEachInnerPoint(from, int(f), spacing,
-							  [&](const Vec3f& p) { largest += {distance(p)}; });
+							  [&](const Vec3f& p) { largest += {distance(p, to)}; });
 		return largest;
 	});
-	all += ofVertices;
+	all += largestOfVertices(from, to, workers);
 	return all.value;
 }
 
@@ -80,9 +87,15 @@ float largestSampledDistance(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Worke
 {
 	if (a.faceNum == 0 || b.faceNum == 0) return 0;
 	const float    spacing = spacingShare * std::max(meanEdge(a, workers), meanEdge(b, workers));
-	const FaceTree treeA(a), treeB(b);
+	const FaceTree treeA(a, &workers), treeB(b, &workers);
 	return std::max(largestFrom(a, treeB, spacing, workers),
 					largestFrom(b, treeA, spacing, workers));
+}
+
+float largestVertexDistance(const HalfEdgeMesh& from, const HalfEdgeMesh& to, Workers& workers)
+{
+	if (to.faceNum == 0) return 0;
+	return largestOfVertices(from, FaceTree(to, &workers), workers).value;
 }
 
 } // namespace gpr

@@ -14,6 +14,9 @@ namespace gpr {
 /// Cost: O(F log F), parallel but for the two trees.
 float largestSampledDistance(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& workers);
 
+/// Largest distance of a vertex of one mesh from the other mesh. Cost: as above.
+float largestVertexDistance(const HalfEdgeMesh& from, const HalfEdgeMesh& to, Workers& workers);
+
 } // namespace gpr
 
 #endif

@@ -49,6 +49,8 @@ struct Workers::Pool {
 	double            stageFrom = 0;
 	double            stageTo   = 0;
 	double            told      = 0;
+	bool              isLimited = false;
+	Clock::time_point deadline;
 
 	/// Takes tasks until none is left. Worker 0 is the calling thread and polls in between.
 	void work(int worker, Workers& owner)
@@ -86,10 +88,13 @@ struct Workers::Pool {
 	}
 };
 
-Workers::Workers(int threads, ProgressCallback progress) : pool_(new Pool)
+Workers::Workers(int threads, ProgressCallback progress, double timeLimitSeconds) : pool_(new Pool)
 {
-	const int n     = threads > 0 ? threads : coreNum();
-	pool_->progress = std::move(progress);
+	const int n      = threads > 0 ? threads : coreNum();
+	pool_->progress  = std::move(progress);
+	pool_->isLimited = timeLimitSeconds > 0;
+	pool_->deadline  = pool_->lastPoll + std::chrono::duration_cast<Clock::duration>(
+                                            std::chrono::duration<double>(timeLimitSeconds));
 	pool_->lastPoll -= pollPeriod;
 	for (int t = 1; t < n; ++t)
 		pool_->threads.emplace_back([this, t] { pool_->threadMain(t, *this); });
@@ -154,10 +159,12 @@ void Workers::enterStage(const char* phrase, double from, double to)
 void Workers::poll(double share)
 {
 	Pool& p = *pool_;
-	if (!p.progress) return;
+	if (!p.progress && !p.isLimited) return;
 	const Clock::time_point now = Clock::now();
 	if (now - p.lastPoll < pollPeriod) return;
 	p.lastPoll = now;
+	if (p.isLimited && now > p.deadline) throw OutOfTimeError();
+	if (!p.progress) return;
 	// Several loops make up a stage, so a loop's own share may fall back: never tell less than
 	// before.
 	p.told = std::max(p.told, p.stageFrom + share * (p.stageTo - p.stageFrom));

@@ -14,14 +14,16 @@ namespace gpr {
 
 /// Thrown in the calling thread when the progress callback asked to stop.
 struct CancelledError {};
+/// Thrown in the calling thread when the time limit has passed.
+struct OutOfTimeError {};
 
 /// Threads that share loops, and the one place where progress is told and cancelling noticed.
 /// Every loop ends before its call returns. Which thread does what never shows in a result: loops
 /// write only to their own indices, sums are formed over pieces of fixed size.
 class Workers {
 public:
-	/// threads = 0 takes one per core.
-	Workers(int threads, ProgressCallback progress);
+	/// threads = 0 takes one per core, timeLimitSeconds = 0 as long as it takes.
+	Workers(int threads, ProgressCallback progress, double timeLimitSeconds = 0);
 	~Workers();
 	Workers(const Workers&)            = delete;
 	Workers& operator=(const Workers&) = delete;
@@ -81,8 +83,9 @@ public:
 
 	/// From here on the work done runs from `from` to `to` (shares of 1).
 	void enterStage(const char* phrase, double from, double to);
-	/// Tells progress if the last time is a while ago; throws CancelledError. Long serial loops
-	/// call it now and then, from the calling thread only. share: of the stage's own work.
+	/// Tells progress if the last time is a while ago; throws CancelledError or OutOfTimeError.
+	/// Long serial loops call it now and then, from the calling thread only. share: of the stage's
+	/// own work.
 	void poll(double share = 0);
 
 private:

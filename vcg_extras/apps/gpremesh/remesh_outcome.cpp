@@ -17,6 +17,7 @@ ExitCode exitCodeOf(Status status)
 	case Status::PromiseBroken:
 		return ExitCode::PromiseBroken;
 	case Status::Cancelled:
+	case Status::OutOfTime:
 		return ExitCode::Stopped;
 	case Status::OutOfMemory:
 	case Status::InternalError:

@@ -79,14 +79,17 @@ Json optionsJson(const RemeshOptions& o)
 		break;
 	}
 	json.update(stagesJson(o));
-	json["relax"]        = o.relaxIterations;
-	json["flips"]        = o.flipIterations;
-	json["lambda"]       = o.lambda;
-	json["maxStretch"]   = o.largestStretch;
-	json["sizing"]       = choiceName("Sizing", o.sizing);
-	json["adapt"]        = o.adapt;
-	json["exactCount"]   = o.exactCount;
-	json["allowNearest"] = o.allowNearest;
+	json["relax"]               = o.relaxIterations;
+	json["flips"]               = o.flipIterations;
+	json["lambda"]              = o.lambda;
+	json["maxStretch"]          = o.largestStretch;
+	json["sizing"]              = choiceName("Sizing", o.sizing);
+	json["adapt"]               = o.adapt;
+	json["exactCount"]          = o.exactCount;
+	json["allowNearest"]        = o.allowNearest;
+	json["dropComponentsBelow"] = o.dropComponentsBelow;
+	json["timeLimit"]           = o.timeLimitSeconds;
+	json["check"]               = o.check;
 	json.update(featuresJson(o));
 	json["seed"]    = o.seed;
 	json["threads"] = o.threads;
@@ -118,6 +121,8 @@ Json cleanedJson(const CleanCounts& c)
 			{"nonManifoldEdges", c.nonManifoldEdges},
 			{"nonManifoldVertices", c.nonManifoldVertices},
 			{"nonOrientableCuts", c.nonOrientableCuts},
+			{"droppedComponents", c.droppedComponents},
+			{"droppedFaces", c.droppedFaces},
 			{"longEdgesSplit", c.longEdgesSplit}};
 }
 
@@ -134,6 +139,14 @@ Json auditJson(const AuditFigures& a)
 			{"boundaryLoopsKept", a.boundaryLoopsKept},
 			{"eulerKept", a.eulerKept},
 			{"countExact", a.countExact}};
+}
+
+Json checkJson(const CheckFigures& c)
+{
+	return {{"crossingFaces", c.crossingFaces},
+			{"inputCrossingFaces", c.inputCrossingFaces},
+			{"vertexDistance", c.vertexDistance},
+			{"largestDistance", c.largestDistance}};
 }
 
 Json countsJson(const RemeshReport& r)
@@ -178,6 +191,7 @@ std::string remeshReportJson(const RunRecord& run)
 	json["quality"] = qualityJson(r.quality);
 	json["cleaned"] = cleanedJson(r.cleaned);
 	json["audit"]   = auditJson(r.audit);
+	if (r.check.done) json["check"] = checkJson(r.check);
 	if (r.errorTrialNum > 0) json["error"] = errorJson(r);
 	json["fitDistance"]     = r.largestFitDistance;
 	json["capsReached"]     = r.capsReached;

@@ -49,6 +49,7 @@ std::string cleanedText(const CleanCounts& c)
 	append(list, c.nonManifoldVertices, "non-manifold vertex cut", "non-manifold vertices cut");
 	append(list, c.nonOrientableCuts, "edge cut to make the surface orientable",
 		   "edges cut to make the surface orientable");
+	append(list, c.droppedComponents, "small component dropped", "small components dropped");
 	return list;
 }
 

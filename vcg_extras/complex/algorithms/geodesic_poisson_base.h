@@ -39,6 +39,9 @@ struct GeodesicPoissonParams {
 	double          lambda          = 0; ///< how much denser curved places are, eq. (4); 0 = evenly
 	double          adapt           = 0; ///< sizes by the error to be expected, [0, 1]; 0 = evenly
 
+	std::int64_t dropComponentsBelow = 0; ///< components with fewer faces are left out; 0 = none
+	double       timeLimit           = 0; ///< seconds after which a run is given up; 0 = none
+
 	void SetTargetVertexNum(std::int64_t num)
 	{
 		targetMode      = gpr::TargetMode::VertexNum;
@@ -67,6 +70,9 @@ struct GeodesicPoissonParams {
 		o.threads         = threadNum;
 		o.lambda          = lambda;
 		o.adapt           = adapt;
+
+		o.dropComponentsBelow = dropComponentsBelow;
+		o.timeLimitSeconds    = timeLimit;
 		return o;
 	}
 };

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// libFuzzer target: any bytes make a mesh and options, and the engine owes a sound result or a
+// sentence.
+
+#include "pipeline.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+	const std::string complaints = gpr::test::complaintsAbout(gpr::test::caseOf(data, size));
+	if (complaints.empty()) return 0;
+	std::fprintf(stderr, "complaint: %s\n", complaints.c_str());
+	std::abort();
+}

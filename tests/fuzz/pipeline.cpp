@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pipeline.h"
+
+#include <cmath>
+#include <limits>
+#include <tests/support/mesh_audit.h>
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// Hands out bytes from the front; zeros when there are none left.
+class Bytes {
+public:
+	Bytes(const std::uint8_t* data, std::size_t size) : at_(data), left_(size) {}
+
+	std::size_t left() const { return left_; }
+	int         next()
+	{
+		if (left_ == 0) return 0;
+		--left_;
+		return *at_++;
+	}
+	/// In [0, n).
+	int below(int n) { return next() % n; }
+
+private:
+	const std::uint8_t* at_;
+	std::size_t         left_;
+};
+
+/// Mostly 0 to 7; now and then what no file should hold.
+double coordinate(int byte)
+{
+	switch (byte) {
+	case 255:
+		return std::numeric_limits<double>::quiet_NaN();
+	case 254:
+		return std::numeric_limits<double>::infinity();
+	case 253:
+		return 1000;
+	case 252:
+		return 1e-7;
+	default:
+		return byte & 7;
+	}
+}
+
+void readSize(Bytes& bytes, RemeshOptions& o)
+{
+	const int size = bytes.next();
+	if (size < 128) {
+		o.targetMode      = TargetMode::VertexNum;
+		o.targetVertexNum = 1 + size;
+	}
+	else if (size < 192) {
+		o.targetPercent = 10 * (size - 127);
+	}
+	else {
+		o.targetMode    = TargetMode::EdgeLength;
+		o.targetEdgeLen = 0.1 * (size - 191);
+	}
+}
+
+void readOptions(Bytes& bytes, RemeshOptions& o)
+{
+	applyPreset(Preset(bytes.below(3)), o);
+	readSize(bytes, o);
+	const int bits    = bytes.next();
+	o.allowNearest    = bits & 1;
+	o.exactCount      = (bits & 2) ? true : o.exactCount;
+	o.lambda          = (bits & 4) ? 1 : 0;
+	o.adapt           = (bits & 8) ? 1 : 0;
+	o.featureMode     = (bits & 16) ? FeatureMode::Lines : o.featureMode;
+	o.sizing          = (bits & 32) ? SizingSource::Quality : SizingSource::Curvature;
+	o.featureSampling = (bits & 64) ? FeatureSampling::Vertices : FeatureSampling::Disks;
+	o.check           = bits & 128;
+	const int more    = bytes.next();
+	o.featureRegion   = FeatureRegion(more % 3);
+	o.relaxIterations = more / 3 % 7;
+	if (more & 64) o.dropComponentsBelow = 3;
+	o.seed    = 1 + std::uint32_t(bytes.next());
+	o.threads = 1;
+}
+
+std::string complaintsAboutStatus(Status status, const std::string& message)
+{
+	const bool isRefusal = status == Status::CountTooSmall || status == Status::UnusableInput ||
+						   status == Status::BadOptions || status == Status::OutOfMemory;
+	// Faces without area may hold a surface together, and then no other faces can; a check asked
+	// for may find what it looks for.
+	const bool isWithheld = status == Status::PromiseBroken &&
+							(message.find("without area") != std::string::npos ||
+							 message.find("cross others") != std::string::npos);
+	if (!isRefusal && !isWithheld) return std::string(statusName(status)) + ": " + message;
+	return message.empty() || message.back() != '.' ? "no sentence" : "";
+}
+
+std::string complaintsAboutMesh(const RemeshResult& r, const RemeshOptions& o)
+{
+	const SurfaceFacts facts = factsOf(r.mesh);
+	const MeshFigures& input = r.report.cleanedInput;
+	std::string        text  = facts.complaints();
+	if (facts.components != input.components) text += " components";
+	if (facts.boundaryLoops != input.boundaryLoops) text += " boundary loops";
+	if (facts.euler() != input.eulerCharacteristic) text += " Euler";
+	const bool promised = o.exactCount && r.sampleOf.empty();
+	if (promised && std::int64_t(r.mesh.vertexNum()) != r.report.targetVertexNum) text += " count";
+	return text;
+}
+
+std::string runRemesh(const MeshView& view, const RemeshOptions& o)
+{
+	const RemeshResult r = remesh(view, o);
+	if (r.status != Status::Ok) return complaintsAboutStatus(r.status, r.message);
+	return complaintsAboutMesh(r, o);
+}
+
+std::string runSample(const MeshView& view, const RemeshOptions& o)
+{
+	const SamplingResult r = samplePoissonDisks(view, o);
+	if (r.status != Status::Ok) return complaintsAboutStatus(r.status, r.message);
+	for (const Vec3d& p : r.points) {
+		if (!std::isfinite(p.x + p.y + p.z)) return "a point that is not finite";
+	}
+	return r.points.empty() ? "no points" : "";
+}
+
+/// Every third vertex, a little off the surface.
+std::string runRetriangulate(const FuzzCase& c, const MeshView& view)
+{
+	std::vector<Vec3d> points;
+	for (std::size_t v = 0; v < c.mesh.vertexNum(); v += 3) {
+		const Vec3d& p = c.mesh.positions[v];
+		if (std::isfinite(p.x + p.y + p.z)) points.push_back(p + Vec3d(0.1, 0.2, -0.1));
+	}
+	const RemeshResult r = retriangulate(view, points, c.options);
+	if (r.status != Status::Ok) return complaintsAboutStatus(r.status, r.message);
+	return complaintsAboutMesh(r, c.options);
+}
+
+std::string runDetect(const FuzzCase& c, const MeshView& view)
+{
+	const FeatureResult r = detectFeatures(view, c.options);
+	if (r.status != Status::Ok) return complaintsAboutStatus(r.status, r.message);
+	const bool complete = r.vertexStrength.size() == c.mesh.vertexNum() &&
+						  r.vertexFeature.size() == c.mesh.vertexNum() &&
+						  r.faceMark.size() == c.mesh.faceNum();
+	return complete ? "" : "arrays of another length";
+}
+
+} // namespace
+
+FuzzCase caseOf(const std::uint8_t* data, std::size_t size)
+{
+	Bytes    bytes(data, size);
+	FuzzCase c;
+	c.tool = FuzzCase::Tool(std::max(0, bytes.below(8) - 4)); // the remeshing most often
+	readOptions(bytes, c.options);
+	const int vertexNum = bytes.below(48);
+	for (int v = 0; v < vertexNum; ++v) {
+		const double x = coordinate(bytes.next()), y = coordinate(bytes.next());
+		c.mesh.positions.push_back({x, y, coordinate(bytes.next())});
+		c.quality.push_back(float(v % 5));
+		c.selected.push_back(v % 4 == 0);
+	}
+	while (vertexNum > 0 && bytes.left() >= 3 && c.mesh.faceNum() < 200) {
+		for (int k = 0; k < 3; ++k) {
+			const int v = bytes.next();
+			c.mesh.triangles.push_back(v == 255 ? -1 : v % vertexNum);
+		}
+	}
+	return c;
+}
+
+std::string complaintsAbout(const FuzzCase& c)
+{
+	MeshView view = c.mesh.view();
+	view.quality  = c.quality.data();
+	view.selected = c.selected.data();
+	switch (c.tool) {
+	case FuzzCase::Tool::Remesh:
+		return runRemesh(view, c.options);
+	case FuzzCase::Tool::Sample:
+		return runSample(view, c.options);
+	case FuzzCase::Tool::Retriangulate:
+		return runRetriangulate(c, view);
+	case FuzzCase::Tool::Detect:
+		return runDetect(c, view);
+	}
+	return "";
+}
+
+} // namespace gpr::test

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GPR_TESTS_FUZZ_PIPELINE_H
+#define GPR_TESTS_FUZZ_PIPELINE_H
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vcg_extras/core/mesh_view.h>
+#include <vcg_extras/core/options.h>
+
+namespace gpr::test {
+
+/// One call of the engine, made of any bytes at all.
+struct FuzzCase {
+	enum class Tool { Remesh, Sample, Retriangulate, Detect };
+
+	TriangleMesh         mesh;
+	std::vector<float>   quality;
+	std::vector<uint8_t> selected;
+	RemeshOptions        options;
+	Tool                 tool = Tool::Remesh;
+};
+
+/// Vertices on a small whole-numbered grid, so that bytes that differ give corners in a line, faces
+/// one on the other, and coordinates that are equal.
+FuzzCase caseOf(const std::uint8_t* data, std::size_t size);
+
+/// Runs it: what is wrong with the outcome, in words; empty where it is a sound result or a refusal
+/// that makes sense.
+std::string complaintsAbout(const FuzzCase& fuzzCase);
+
+} // namespace gpr::test
+
+#endif

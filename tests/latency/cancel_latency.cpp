@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// gpr_cancel_latency MESH [PERCENT [PRESET [THREADS]]]: how long the engine goes without asking
+// whether to go on, and how long it takes to end when told to, for each phrase that it shows.
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/core/remesh.h>
+#include <vector>
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+	return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What was seen while a phrase was shown; the phrase may come back later.
+struct Phase {
+	std::string phrase;
+	double      seconds = 0;
+	double      longest = 0; ///< between two questions, seconds
+	int         asked   = 0;
+};
+
+class Observer {
+public:
+	explicit Observer(const gpr::MeshView& mesh, const gpr::RemeshOptions& options) :
+			mesh_(mesh), options_(options)
+	{
+	}
+
+	/// One run to its end.
+	std::vector<Phase> observe()
+	{
+		std::vector<Phase> phases{{"(start)", 0, 0, 0}};
+		Clock::time_point  last = Clock::now();
+		const auto         note = [&] {
+            const double gap = secondsSince(last);
+            last             = Clock::now();
+            phases.back().seconds += gap;
+            phases.back().longest = std::max(phases.back().longest, gap);
+		};
+		const gpr::RemeshResult r = remesh([&](double, const char* phrase) {
+			note();
+			if (phases.back().phrase != phrase) phases.push_back({phrase, 0, 0, 0});
+			++phases.back().asked;
+			return true;
+		});
+		note();
+		if (r.status != gpr::Status::Ok) std::fprintf(stderr, "%s\n", r.message.c_str());
+		return phases;
+	}
+
+	/// Seconds from a refusal to the end; the refusal comes when the k-th phase was asked n times.
+	double cancel(std::size_t k, int n)
+	{
+		std::size_t       phase = 0;
+		int               asked = 0;
+		std::string       shown = "(start)";
+		Clock::time_point refused;
+		remesh([&](double, const char* phrase) {
+			if (shown != phrase) {
+				shown = phrase;
+				++phase;
+				asked = 0;
+			}
+			++asked;
+			if (phase < k || (phase == k && asked < n)) return true;
+			refused = Clock::now();
+			return false;
+		});
+		return secondsSince(refused);
+	}
+
+private:
+	gpr::MeshView      mesh_;
+	gpr::RemeshOptions options_;
+
+	gpr::RemeshResult remesh(const gpr::ProgressCallback& progress)
+	{
+		return gpr::remesh(mesh_, options_, progress);
+	}
+};
+
+gpr::RemeshOptions optionsFrom(int argc, char** argv)
+{
+	gpr::RemeshOptions options;
+	if (argc > 2) options.targetPercent = std::atof(argv[2]);
+	if (argc > 3 && std::string(argv[3]) == "fast") applyPreset(gpr::Preset::Fast, options);
+	if (argc > 3 && std::string(argv[3]) == "paper") applyPreset(gpr::Preset::Paper, options);
+	if (argc > 4) options.threads = std::atoi(argv[4]);
+	return options;
+}
+
+void run(int argc, char** argv)
+{
+	const gpr::app::InputMesh mesh = gpr::app::readMesh(argv[1]);
+	Observer                  observer(mesh.view(), optionsFrom(argc, argv));
+	std::printf("%zu faces\n%-36s %8s %8s %14s %14s\n", mesh.faceNum(), "phrase", "seconds", "asked",
+				"longest gap/ms", "cancelled/ms");
+	const std::vector<Phase> phases = observer.observe();
+	for (std::size_t k = 0; k < phases.size(); ++k) {
+		const Phase& p     = phases[k];
+		const double ended = p.asked > 0 ? observer.cancel(k, (p.asked + 1) / 2) : 0;
+		std::printf("%-36s %8.2f %8d %14.0f %14.0f\n", p.phrase.c_str(), p.seconds, p.asked,
+					1e3 * p.longest, 1e3 * ended);
+		std::fflush(stdout);
+	}
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+	if (argc < 2) {
+		std::fprintf(stderr, "gpr_cancel_latency MESH [PERCENT [PRESET [THREADS]]]\n");
+		return 2;
+	}
+	try {
+		run(argc, argv);
+	}
+	catch (const std::exception& error) {
+		std::fprintf(stderr, "gpr_cancel_latency: %s\n", error.what());
+		return 1;
+	}
+	return 0;
+}

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/failure.h>
+#include <vcg_extras/core/memory_need.h>
+#include <vcg_extras/core/pages.h>
+#include <vcg_extras/core/split_long_edges.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// Squat faces, needles, faces of all lengths, and some that are not split at all.
+std::vector<TriangleMesh> shapes()
+{
+	Random random(3);
+	return {grid(2, 2),
+			grid(1, 300),
+			grid(40, 1, 1, 0.001),
+			uvSphere(4, 40),
+			joined(icosphere(3), scaled(grid(1, 1), 100)),
+			noisySphere(3, 0.3, random)};
+}
+
+TEST(MemoryNeed, FacesAfterSplittingAreForeseenWithinAFactorOfTwo)
+{
+	Workers workers(2, nullptr);
+	for (const TriangleMesh& shape : shapes()) {
+		for (const float longest : {0.5f, 0.1f, 0.013f, 0.004f}) {
+			IndexedMesh  mesh     = loaded(shape, workers);
+			const double foreseen = facesAfterSplitting(mesh, longest, workers);
+			splitLongEdges(mesh, longest, 1 << 24, workers);
+			EXPECT_LE(foreseen, 2 * mesh.faceNum) << longest;
+			EXPECT_GE(foreseen, 0.5 * mesh.faceNum) << longest;
+		}
+	}
+}
+
+TEST(MemoryNeed, MoreThanThereIsIsRefusedWithBothFigures)
+{
+	requireMemory(1e9, 2000000000);
+	requireMemory(1e30, 0);
+	try {
+		requireMemory(95.4e9, 16200000000);
+		FAIL() << "not refused";
+	}
+	catch (const Failure& failure) {
+		EXPECT_EQ(failure.status, Status::OutOfMemory);
+		EXPECT_NE(failure.message.find("95.4 GB"), std::string::npos) << failure.message;
+		EXPECT_NE(failure.message.find("16.2 GB"), std::string::npos) << failure.message;
+	}
+}
+
+TEST(MemoryNeed, TheSystemTellsAnAmountThatMakesSense)
+{
+	const std::int64_t bytes = availableMemoryBytes();
+	EXPECT_GT(bytes, 10 << 20) << "or these tests would not run";
+	EXPECT_LT(bytes, std::int64_t(1) << 50);
+}
+
+} // namespace
+
+} // namespace gpr::test

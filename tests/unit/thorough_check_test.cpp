@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/thorough_check.h>
+
+namespace gpr::test {
+
+namespace {
+
+class ThoroughCheck : public ::testing::Test {
+protected:
+	Workers workers{2, nullptr};
+
+	CheckFigures checked(const TriangleMesh& input, const TriangleMesh& result)
+	{
+		return checkThoroughly(surfaceOf(input, workers), halfEdgesOf(result), workers);
+	}
+};
+
+TEST_F(ThoroughCheck, FindsNothingOnASphereAndItself)
+{
+	const CheckFigures c = checked(icosphere(3, 0.5), icosphere(3, 0.5));
+	EXPECT_TRUE(c.done);
+	EXPECT_EQ(c.crossingFaces, 0);
+	EXPECT_LT(c.vertexDistance, 1e-6);
+	EXPECT_EQ(describeFailure(c, 0), "");
+}
+
+TEST_F(ThoroughCheck, CatchesFacesThatCrossOthers)
+{
+	const TriangleMesh apart = joined(icosphere(2, 0.2), shifted(icosphere(2, 0.2), {0.5, 0, 0}));
+	const TriangleMesh crossed =
+		joined(icosphere(2, 0.2), shifted(icosphere(2, 0.2), {0.2, 0.03, 0.01}));
+	const CheckFigures c = checked(apart, crossed);
+	EXPECT_GT(c.crossingFaces, 10);
+	EXPECT_EQ(c.inputCrossingFaces, 0);
+	EXPECT_NE(describeFailure(c, 1).find("cross others"), std::string::npos);
+	const CheckFigures both = checked(crossed, crossed);
+	EXPECT_EQ(both.inputCrossingFaces, both.crossingFaces);
+	EXPECT_EQ(describeFailure(both, 0), "") << "no more than the input";
+}
+
+TEST_F(ThoroughCheck, CatchesAVertexThatLeftTheSurface)
+{
+	TriangleMesh moved   = icosphere(3, 0.5);
+	moved.positions[77]  = moved.positions[77] * 1.05;
+	const CheckFigures c = checked(icosphere(3, 0.5), moved);
+	EXPECT_NEAR(c.vertexDistance, 0.025, 1e-4);
+	EXPECT_GE(c.largestDistance, c.vertexDistance - 1e-6);
+	EXPECT_NE(describeFailure(c, 0.02), "");
+	EXPECT_EQ(describeFailure(c, 0.026), "");
+}
+
+TEST_F(ThoroughCheck, CatchesAPartOfTheInputThatIsNotCovered)
+{
+	TriangleMesh part = grid(10, 10);
+	part.triangles.resize(part.triangles.size() / 2);
+	EXPECT_NEAR(checked(grid(10, 10), withoutUnused(part)).largestDistance, 0.5, 0.01);
+}
+
+TEST(CheckOption, TellsDistancesInTheCallersUnit)
+{
+	RemeshOptions options;
+	options.check        = true;
+	options.threads      = 2;
+	const RemeshResult r = remesh(icosphere(4, 1000).view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_TRUE(r.report.check.done);
+	EXPECT_EQ(r.report.check.crossingFaces, 0);
+	EXPECT_GT(r.report.check.largestDistance, 1);
+	EXPECT_LT(r.report.check.largestDistance, 30);
+	EXPECT_NEAR(r.report.check.vertexDistance, r.report.largestFitDistance, 0.5);
+	EXPECT_FALSE(remesh(icosphere(2).view(), RemeshOptions()).report.check.done);
+}
+
+/// Two sides of a plate that is far thinner than the few triangles it is given are wide.
+TEST(CheckOption, WithholdsWhatCrossesItself)
+{
+	TriangleMesh wavy = thinPlate(40, 0.004);
+	for (Vec3d& p : wavy.positions)
+		p.z += 0.05 * std::sin(12 * p.x) * std::sin(10 * p.y);
+	RemeshOptions options;
+	options.threads          = 2;
+	options.targetMode       = TargetMode::VertexNum;
+	options.targetVertexNum  = 60;
+	const RemeshResult plain = remesh(wavy.view(), options);
+	ASSERT_EQ(plain.status, Status::Ok) << plain.message;
+	options.check        = true;
+	const RemeshResult r = remesh(wavy.view(), options);
+	EXPECT_EQ(r.status, Status::PromiseBroken);
+	EXPECT_EQ(r.mesh.vertexNum(), 0u);
+	EXPECT_GT(r.report.check.crossingFaces, 0);
+}
+
+} // namespace
+
+} // namespace gpr::test
