@@ -162,12 +162,45 @@ bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& 
 	return seen == std::int64_t(m.halfEdgeNum());
 }
 
+/// Vertices with more than one fan. An edge that is not shared by two faces in opposite directions
+/// was left without opposites, so that at its ends fans end that do not end there.
+Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposite)
+{
+	Buffer<int>  fanNum(mesh.vertexNum, 0);
+	const int    halfEdgeNum = 3 * mesh.faceNum;
+	Buffer<int>  cornerNum(mesh.vertexNum, 0), seen(mesh.vertexNum, 0);
+	Buffer<int>  outgoing(mesh.vertexNum, -1);
+	Buffer<char> bad(mesh.vertexNum, 0);
+	for (int h = 0; h < halfEdgeNum; ++h) {
+		const int v = mesh.triangle[h];
+		++cornerNum[v];
+		if (outgoing[v] < 0) outgoing[v] = h;
+		if (opposite[h] >= 0) continue;
+		++fanNum[v];
+		outgoing[v] = h;
+	}
+	for (int v = 0; v < mesh.vertexNum; ++v) {
+		int h = outgoing[v];
+		if (h < 0) continue;
+		do {
+			++seen[v];
+			h = opposite[prevInFace(h)];
+		} while (h >= 0 && h != outgoing[v]);
+		bad[v] = fanNum[v] > 1 || seen[v] != cornerNum[v];
+	}
+	return bad;
+}
+
 } // namespace
 
-bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface)
+bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface,
+			 Buffer<char>* notManifold)
 {
 	HalfEdgeMesh& m = surface.mesh;
-	if (!fillOpposites(mesh, faceStart, workers, m.opposite)) return false;
+	if (!fillOpposites(mesh, faceStart, workers, m.opposite)) {
+		if (notManifold != nullptr) *notManifold = findNotManifold(mesh, m.opposite);
+		return false;
+	}
 	m.vertexNum = mesh.vertexNum;
 	m.faceNum   = mesh.faceNum;
 	m.position.swap(mesh.position);
@@ -176,6 +209,7 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 	if (!fillNormals(m, workers, surface.normal)) {
 		m.position.swap(mesh.position);
 		m.origin.swap(mesh.triangle);
+		if (notManifold != nullptr) *notManifold = findNotManifold(mesh, m.opposite);
 		return false;
 	}
 	surface.sourceFace.swap(mesh.sourceFace);

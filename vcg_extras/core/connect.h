@@ -25,8 +25,10 @@ struct Surface {
 /// Stage 4: half-edge table of an ordered mesh (see orderSpatially) by bucketing half-edges at
 /// their smaller end. Moves the arrays out of `mesh` when all is manifold and consistently
 /// oriented, and returns true; otherwise returns false and leaves `mesh` as it was, for
-/// repairManifold. Cost: linear, parallel.
-bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface);
+/// repairManifold. notManifold, if given, then tells the vertices (1) that are to blame.
+/// Cost: linear, parallel.
+bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface,
+			 Buffer<char>* notManifold = nullptr);
 
 /// Moves the surface's arrays back into a mesh that may be changed and connected anew. Nothing is
 /// left of the surface but its frame.

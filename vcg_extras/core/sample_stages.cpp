@@ -79,7 +79,7 @@ ResultMesh SampleStages::retriangulateFrom(const Prepared& p, const Sampling& sa
 										   const BlockPartition& partition)
 {
 	if (options_.retriangulation == Retriangulation::LabelCollapse)
-		return removeVertices(p.surface, sampling, boundary, partition, workers_);
+		return removeVertices(p.surface, sampling, boundary, report_.cleanedInput, workers_);
 	return removeOriginalVertices(takeFused(p, sampling, boundary), p.surface, sampling, boundary,
 								  partition, workers_);
 }

@@ -69,13 +69,19 @@ ResultMesh resultOfSamples(Retriangulated&& removed, const Surface& surface,
 		if (removed.sampleVertex[s] < 0) continue;
 		result.vertex[newIndex[removed.sampleVertex[s]]] = recordOf(int(s), sampling, boundary);
 	}
-	const auto onCurve = findOnCurves(boundary, removed.leftover);
-	for (int old : removed.leftover) {
-		ResultVertex& r = result.vertex[newIndex[old]];
-		r.curve         = onCurve.at(old).first;
-		r.arc           = onCurve.at(old).second;
-		r.anchor        = {surface.mesh.position[old], surface.mesh.outgoing[old] / 3};
-		r.normal        = surface.mesh.faceNormal(r.anchor.face);
+	std::vector<int> stayed = removed.leftover;
+	if (!removed.surfaceVertex.empty()) {
+		for (int& v : stayed)
+			v = removed.surfaceVertex[v];
+	}
+	const auto onCurve = findOnCurves(boundary, stayed);
+	for (std::size_t i = 0; i < stayed.size(); ++i) {
+		const int     old = stayed[i];
+		ResultVertex& r   = result.vertex[newIndex[removed.leftover[i]]];
+		r.curve           = onCurve.at(old).first;
+		r.arc             = onCurve.at(old).second;
+		r.anchor          = {surface.mesh.position[old], surface.mesh.outgoing[old] / 3};
+		r.normal          = surface.mesh.faceNormal(r.anchor.face);
 	}
 	for (int v = 0; v < m.vertexNum; ++v)
 		m.position[v] = result.vertex[v].anchor.position;

@@ -13,9 +13,10 @@ namespace gpr {
 
 /// What a removal of the input's vertices ends with, in the numbering it began with.
 struct Retriangulated {
-	HalfEdgeMesh     mesh;         ///< dead faces and vertices among the living ones
-	std::vector<int> sampleVertex; ///< per sample: the vertex that is or stands for it; -1: none
-	std::vector<int> leftover;     ///< the surface's vertices that had to stay
+	HalfEdgeMesh     mesh;          ///< dead faces and vertices among the living ones
+	std::vector<int> sampleVertex;  ///< per sample: the vertex that is or stands for it; -1: none
+	std::vector<int> leftover;      ///< vertices that had to stay though no sample is there
+	std::vector<int> surfaceVertex; ///< per vertex: the surface's; empty: they are numbered alike
 };
 
 /// The vertices that are left become the result, each at its sample's place; those left over stay

@@ -136,6 +136,8 @@ int smallestCorner(const int* t)
 	return t[1] < t[2] ? 1 : 2;
 }
 
+} // namespace
+
 void orderFaces(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart)
 {
 	Buffer<int> face;
@@ -161,8 +163,6 @@ void orderFaces(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart)
 	mesh.triangle.swap(triangle);
 	mesh.sourceFace.swap(sourceFace);
 }
-
-} // namespace
 
 std::uint64_t MortonGrid::key(const Vec3f& p) const
 {

@@ -36,6 +36,9 @@ struct MortonGrid {
 /// Cost: linear (radix and counting sort), parallel.
 MortonGrid orderSpatially(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart);
 
+/// The faces' part of it, for vertices that are in a good order already.
+void orderFaces(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart);
+
 } // namespace gpr
 
 #endif

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vertex_removal.h"
 
+#include "cell_contraction.h"
 #include "mesh_edit.h"
 #include "sampled_result.h"
+#include "work_cells.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace gpr {
 
@@ -27,18 +28,23 @@ constexpr PassRules passRules[] = {
 };
 
 constexpr float noScore = -2;
+/// Width of the cubes of space that are worked on at once, in r.
+constexpr float workWidth = 20;
 
 /// Removes vertices of one connectivity; each thread has one of its own.
 class Remover {
 public:
-	Remover(HalfEdgeMesh& mesh, const Sampling& sampling, float longestEdge) :
-			m_(mesh), nearest_(sampling.nearest), longestSquared_(longestEdge * longestEdge)
+	/// label: per vertex, the cell it belongs to; only read by passes that ask for it.
+	Remover(HalfEdgeMesh& mesh, const std::vector<int>& label, float longestEdge) :
+			m_(mesh), label_(label), longestSquared_(longestEdge * longestEdge)
 	{
 	}
 
-	/// Tries to merge v into a neighbour. False: v stays for now.
-	bool remove(int v, const PassRules& rules)
+	/// Tries to merge v into a neighbour, if the cell, where there is one, reaches all of them.
+	/// False: v stays for now.
+	bool remove(int v, const PassRules& rules, const WorkCell* cell)
 	{
+		if (cell != nullptr && !reachesRing(*cell, v)) return false;
 		if (m_.isBorderVertex(v)) return removeAtBorder(v, rules);
 		return m_.isCreaseVertex(v) ? removeOnCrease(v, rules) : removeInside(v, rules);
 	}
@@ -51,13 +57,20 @@ private:
 		float score;
 	};
 
-	HalfEdgeMesh&                        m_;
-	const Buffer<NearestField::Nearest>& nearest_;
-	float                                longestSquared_;
-	std::vector<Spoke>                   ring_;
-	EditScratch                          scratch_;
+	HalfEdgeMesh&           m_;
+	const std::vector<int>& label_;
+	float                   longestSquared_;
+	std::vector<Spoke>      ring_;
+	EditScratch             scratch_;
 
-	int labelOf(int v) const { return nearest_[v].sample; }
+	int labelOf(int v) const { return label_[v]; }
+
+	bool reachesRing(const WorkCell& cell, int v) const
+	{
+		bool all = true;
+		forEachNeighbour(m_, v, [&](int w) { all = all && cell.reaches(m_.position[w]); });
+		return all;
+	}
 
 	bool removeInside(int v, const PassRules& rules)
 	{
@@ -201,66 +214,34 @@ private:
 	}
 };
 
-/// For each sample the vertex of its cell that is nearest to it; -1 where it owns none. Samples of
-/// the border have theirs from their curve.
-std::vector<int> findRepresentatives(const Surface& surface, const Sampling& sampling,
-									 const BoundaryCurves& boundary, Workers& workers)
+/// Runs one pass over the vertices still to be removed, work cell by work cell.
+void runPass(const WorkCells& cells, const PassRules& rules, std::vector<Remover>& removers,
+			 std::vector<char>& isThere, Workers& workers)
 {
-	// Distance and vertex in one word: the smallest word is the nearest vertex, ties by index.
-	constexpr std::uint64_t    none = ~std::uint64_t(0);
-	const std::size_t          n    = sampling.samples.size();
-	std::vector<std::uint64_t> best(n, none);
-	workers.forRange(surface.mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			const NearestField::Nearest& near = sampling.nearest[v];
-			if (near.sample < sampling.boundarySampleNum) continue;
-			std::uint32_t bits;
-			std::memcpy(&bits, &near.distance, sizeof bits);
-			const std::uint64_t word = std::uint64_t(bits) << 32 | std::uint32_t(v);
-			std::uint64_t       seen = __atomic_load_n(&best[near.sample], __ATOMIC_RELAXED);
-			while (word < seen &&
-				   !__atomic_compare_exchange_n(&best[near.sample], &seen, word, true,
-												__ATOMIC_RELAXED, __ATOMIC_RELAXED)) {}
-		}
-	});
-	std::vector<int> representative(n, -1);
-	for (std::size_t s = 0; s < n; ++s) {
-		if (int(s) < sampling.boundarySampleNum)
-			representative[s] = boundary.samples[s].vertex;
-		else if (best[s] != none)
-			representative[s] = int(best[s] & 0xffffffffu);
-	}
-	return representative;
-}
-
-/// Runs one pass over the vertices still to be removed, block by block, colour by colour.
-void runPass(const BlockPartition& partition, const PassRules& rules,
-			 std::vector<Remover>& removers, std::vector<std::vector<int>>& todo, Workers& workers)
-{
-	for (const std::vector<int>& ids : partition.byColour) {
-		workers.forTasks(ids.size(), [&](std::size_t i, int worker) {
-			std::vector<int>& vertices = todo[ids[i]];
-			std::size_t       left     = 0;
-			for (int v : vertices) {
-				if (!removers[worker].remove(v, rules)) vertices[left++] = v;
+	for (const std::vector<WorkCell>& sameColour : cells.byColour) {
+		workers.forTasks(sameColour.size(), [&](std::size_t i, int worker) {
+			const WorkCell& cell = sameColour[i];
+			for (int k = cell.begin; k < cell.end; ++k) {
+				const int v = cells.vertices[k];
+				if (isThere[k] && removers[worker].remove(v, rules, &cell)) isThere[k] = 0;
 			}
-			vertices.resize(left);
 		});
 	}
 }
 
 /// What the blocks left, in one go, without the bound on edges. Passes that need labels are left
 /// out where there are none.
-void removeRest(HalfEdgeMesh& m, const Sampling& sampling, std::vector<int>& rest, Workers& workers)
+void removeRest(HalfEdgeMesh& m, const std::vector<int>& label, std::vector<int>& rest,
+				Workers& workers)
 {
-	Remover remover(m, sampling, HUGE_VALF);
+	Remover remover(m, label, HUGE_VALF);
 	for (const PassRules& rules : passRules) {
 		if (rest.empty()) return;
-		if (rules.sameLabelOnly && sampling.nearest.empty()) continue;
+		if (rules.sameLabelOnly && label.empty()) continue;
 		std::size_t left = 0;
 		for (int v : rest) {
 			workers.poll();
-			if (!remover.remove(v, rules)) rest[left++] = v;
+			if (!remover.remove(v, rules, nullptr)) rest[left++] = v;
 		}
 		rest.resize(left);
 	}
@@ -269,41 +250,32 @@ void removeRest(HalfEdgeMesh& m, const Sampling& sampling, std::vector<int>& res
 } // namespace
 
 ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
-						  const BoundaryCurves& boundary, const BlockPartition& partition,
+						  const BoundaryCurves& boundary, const MeshFigures& input,
 						  Workers& workers)
 {
-	const std::vector<int> representative =
-		findRepresentatives(surface, sampling, boundary, workers);
-	Retriangulated removed;
-	removed.mesh    = copyMesh(surface.mesh, workers);
-	HalfEdgeMesh& m = removed.mesh;
-
-	std::vector<char> stays(m.vertexNum, 0);
-	for (int v : representative) {
-		if (v >= 0) stays[v] = 1;
-	}
-	std::vector<std::vector<int>> todo(partition.blocks.size());
-	workers.forTasks(todo.size(), [&](std::size_t b, int) {
-		for (int v = partition.blocks[b].begin; v < partition.blocks[b].end; ++v) {
-			if (!stays[v]) todo[b].push_back(v);
-		}
-	});
+	ContractedCells      cells = contractCells(surface, sampling, boundary, input, workers);
+	HalfEdgeMesh&        m     = cells.mesh;
+	const WorkCells      work  = cutIntoWorkCells(m, cells.todo, workWidth * sampling.radius);
+	std::vector<char>    isThere(work.vertices.size(), 1);
 	std::vector<Remover> removers(workers.threadNum(),
-								  Remover(m, sampling, 0.25f * partition.cellSize));
+								  Remover(m, cells.label, 0.25f * workWidth * sampling.radius));
 	for (const PassRules& rules : passRules)
-		runPass(partition, rules, removers, todo, workers);
-
-	std::vector<int>& rest = removed.leftover;
-	for (const std::vector<int>& vertices : todo)
-		rest.insert(rest.end(), vertices.begin(), vertices.end());
-	removeRest(m, sampling, rest, workers);
-	removed.sampleVertex = representative;
+		runPass(work, rules, removers, isThere, workers);
+	Retriangulated removed;
+	for (std::size_t k = 0; k < isThere.size(); ++k) {
+		if (isThere[k]) removed.leftover.push_back(work.vertices[k]);
+	}
+	std::sort(removed.leftover.begin(), removed.leftover.end());
+	removeRest(m, cells.label, removed.leftover, workers);
+	removed.mesh          = std::move(cells.mesh);
+	removed.sampleVertex  = std::move(cells.sampleVertex);
+	removed.surfaceVertex = std::move(cells.surfaceVertex);
 	return resultOfSamples(std::move(removed), surface, sampling, boundary);
 }
 
 void collapseRest(HalfEdgeMesh& m, std::vector<int>& rest, Workers& workers)
 {
-	const Sampling noLabels;
+	const std::vector<int> noLabels;
 	removeRest(m, noLabels, rest, workers);
 }
 

@@ -1,0 +1,506 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cell_contraction.h"
+
+#include "measure.h"
+#include "mesh_edit.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace gpr {
+
+namespace {
+
+/// Times that cells found bad are opened and the rest contracted anew.
+constexpr int mostRounds = 8;
+
+using Triple = std::array<int, 3>;
+
+template <class T>
+void storeRelaxed(T& place, T value)
+{
+	__atomic_store_n(&place, value, __ATOMIC_RELAXED);
+}
+
+void addRelaxed(int& place, int value)
+{
+	__atomic_fetch_add(&place, value, __ATOMIC_RELAXED);
+}
+
+/// The vertices from `first` on that stand for no sample.
+void listTodo(int first, ContractedCells& cells)
+{
+	std::vector<char> stays(cells.label.size(), 0);
+	for (int v : cells.sampleVertex) {
+		if (v >= 0) stays[v] = 1;
+	}
+	for (int v = first; v < int(stays.size()); ++v) {
+		if (!stays[v]) cells.todo.push_back(v);
+	}
+}
+
+class CellContraction {
+public:
+	CellContraction(const Surface& surface, const Sampling& sampling,
+					const BoundaryCurves& boundary, Workers& workers) :
+			surface_(surface),
+			m_(surface.mesh), sampling_(sampling), boundary_(boundary), workers_(workers),
+			sampleNum_(int(sampling.samples.size())), open_(sampleNum_, 0), bad_(sampleNum_, 0)
+	{
+	}
+
+	/// False: the cells are better left open, all of them.
+	bool run(const MeshFigures& input, ContractedCells& out)
+	{
+		findEmptyCells();
+		orderCells();
+		markCellsThatAreNoDisks();
+		giveAwayCutOff();
+		findDualFaces();
+		markCellsOnCreases();
+		markStrayCurveSamples();
+		for (int round = 0; round < mostRounds; ++round) {
+			if (!openBadCells()) return false;
+			if (contract(out)) {bool k= hasTopology(out.mesh, input);return k;}
+		}
+		return false;
+	}
+
+private:
+	const Surface&        surface_;
+	const HalfEdgeMesh&   m_;
+	const Sampling&       sampling_;
+	const BoundaryCurves& boundary_;
+	Workers&              workers_;
+	int                   sampleNum_;
+	int                   cellNum_ = 0;  ///< that are not empty
+	Buffer<int>           label_;        ///< per vertex of the surface: its cell's sample
+	Buffer<char>          owns_;         ///< per sample: whether it has a vertex
+	std::vector<int>      cellOrder_;    ///< samples with a cell, in the order of the surface
+	std::vector<Triple>   dualFaces_;    ///< three samples each
+	std::vector<char>     open_;         ///< per sample: its cell is not contracted
+	std::vector<char>     bad_;          ///< found to be bad, not yet open
+	std::vector<int>      openVertices_; ///< the surface's vertices in open cells, ascending
+
+	int labelOf(int v) const { return label_[v]; }
+
+	void findEmptyCells()
+	{
+		owns_ = Buffer<char>(sampleNum_, 0);
+		label_.reset(m_.vertexNum);
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			int last = -1;
+			for (std::size_t v = begin; v < end; ++v) {
+				const int s = sampling_.nearest[v].sample;
+				if (s >= 0 && s != last) storeRelaxed(owns_[s], char(1));
+				label_[v] = last = s;
+			}
+		});
+	}
+
+	/// The faces of the samples are in the order of space, and so will be the vertices.
+	void orderCells()
+	{
+		for (int s = 0; s < sampleNum_; ++s) {
+			if (owns_[s]) cellOrder_.push_back(s);
+		}
+		cellNum_ = int(cellOrder_.size());
+		std::sort(cellOrder_.begin(), cellOrder_.end(), [&](int a, int b) {
+			const int f = sampling_.samples[a].anchor.face, g = sampling_.samples[b].anchor.face;
+			return f != g ? f < g : a < b;
+		});
+	}
+
+	/// By two times vertices - edges + faces of every cell. Edges are counted by their halves: a
+	/// face with all corners in the cell brings two for itself less three halves; one with two
+	/// corners there brings half an edge; an edge of the border has its second half nowhere.
+	void markCellsThatAreNoDisks()
+	{
+		Buffer<int> euler(sampleNum_, 0);
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (int v = int(begin); v < int(end); ++v) {
+				const int s = labelOf(v);
+				if (s < 0) continue;
+				const int  h       = m_.outgoing[v];
+				const bool hasHalf = h >= 0 && m_.opposite[h] < 0 && labelOf(m_.target(h)) == s;
+				addRelaxed(euler[s], hasHalf ? 1 : 2);
+			}
+		});
+		workers_.forRange(m_.faceNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t f = begin; f < end; ++f) {
+				const int* v = &m_.origin[3 * f];
+				const int  a = labelOf(v[0]), b = labelOf(v[1]), c = labelOf(v[2]);
+				const int  shared = a == b || a == c ? a : b == c ? b : -1;
+				if (shared >= 0) addRelaxed(euler[shared], -1);
+			}
+		});
+		for (int s : cellOrder_)
+			bad_[s] = euler[s] != 2;
+	}
+
+	/// Most cells that are no disks have lost touch with a few of their vertices, which later
+	/// samples cut off. Those go to cells next to them.
+	void giveAwayCutOff()
+	{
+		const std::vector<int> inBad = verticesOf(bad_);
+		std::vector<int>       cutOff;
+		findCutOff(inBad, cutOff);
+		std::vector<char> touched = bad_;
+		for (bool changed = true; changed && !cutOff.empty();) {
+			std::size_t left = 0;
+			for (int v : cutOff) {
+				const int s = nearestAmongNeighbours(v);
+				label_[v]   = s;
+				if (s >= 0)
+					touched[s] = 1;
+				else
+					cutOff[left++] = v;
+			}
+			changed = left < cutOff.size();
+			cutOff.resize(left);
+		}
+		recount(verticesOf(touched), touched);
+	}
+
+	std::vector<int> verticesOf(const std::vector<char>& marked) const
+	{
+		return workers_.collect<int>(
+			m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				for (int v = int(begin); v < int(end); ++v) {
+					if (labelOf(v) >= 0 && marked[labelOf(v)]) out.push_back(v);
+				}
+			});
+	}
+
+	/// Takes the label from vertices whose cell does not lead to the vertex nearest to its sample.
+	/// Vertices of curves keep theirs.
+	void findCutOff(const std::vector<int>& vertices, std::vector<int>& cutOff)
+	{
+		std::unordered_map<int, int> heart;
+		for (int v : vertices) {
+			int& best = heart.emplace(labelOf(v), v).first->second;
+			if (sampling_.nearest[v].distance < sampling_.nearest[best].distance) best = v;
+		}
+		std::unordered_set<int> reached;
+		std::vector<int>        queue;
+		for (const auto& cell : heart) {
+			reached.insert(cell.second);
+			queue.push_back(cell.second);
+		}
+		while (!queue.empty()) {
+			const int v = queue.back();
+			queue.pop_back();
+			forEachNeighbour(m_, v, [&](int w) {
+				if (labelOf(w) == labelOf(v) && reached.insert(w).second) queue.push_back(w);
+			});
+		}
+		for (int v : vertices) {
+			if (reached.count(v) == 0 && !m_.isCurveVertex(v)) cutOff.push_back(v);
+		}
+		for (int v : cutOff)
+			label_[v] = -1;
+	}
+
+	/// The nearest of the samples whose cells lie round v; -1 if there is none.
+	int nearestAmongNeighbours(int v) const
+	{
+		int   best = -1;
+		float distance = HUGE_VALF;
+		forEachNeighbour(m_, v, [&](int w) {
+			const int s = labelOf(w);
+			if (s < 0) return;
+			const float d = squaredLength(sampling_.samples[s].anchor.position - m_.position[v]);
+			if (d < distance || (d == distance && s < best)) {
+				distance = d;
+				best     = s;
+			}
+		});
+		return best;
+	}
+
+	/// The same test for some cells only, from all their vertices: six times vertices - edges +
+	/// faces, of which each of two, or three, vertices brings its share.
+	void recount(const std::vector<int>& vertices, const std::vector<char>& cells)
+	{
+		std::vector<int> euler(sampleNum_, 0);
+		for (int v : vertices) {
+			const int s = labelOf(v);
+			euler[s] += 6;
+			forEachNeighbour(m_, v, [&](int w) { euler[s] -= labelOf(w) == s ? 3 : 0; });
+			forEachOutgoing(m_, v, [&](int h) {
+				const bool isInside = labelOf(m_.target(h)) == s && labelOf(m_.apex(h)) == s;
+				euler[s] += isInside ? 2 : 0;
+			});
+		}
+		for (int s = 0; s < sampleNum_; ++s) {
+			if (cells[s]) bad_[s] = euler[s] != 6;
+		}
+	}
+
+	/// The faces between three cells.
+	void findDualFaces()
+	{
+		dualFaces_ = workers_.collect<Triple>(
+			m_.faceNum, [&](std::size_t begin, std::size_t end, auto& found) {
+				for (std::size_t f = begin; f < end; ++f) {
+					const int* v = &m_.origin[3 * f];
+					const int  a = labelOf(v[0]), b = labelOf(v[1]), c = labelOf(v[2]);
+					const bool differ = a != b && b != c && c != a;
+					if (differ && a >= 0 && b >= 0 && c >= 0) found.push_back({a, b, c});
+				}
+			});
+	}
+
+	void markCellsOnCreases()
+	{
+		if (!m_.hasCreases()) return;
+		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
+			const int s = labelOf(m_.origin[h]);
+			if (m_.crease[h] && s >= 0) bad_[s] = 1;
+		}
+	}
+
+	/// A curve's sample is stood for by a vertex of its own cell, or must be looked after.
+	void markStrayCurveSamples()
+	{
+		for (int s = 0; s < sampling_.boundarySampleNum; ++s) {
+			const int v = boundary_.samples[s].vertex;
+			if (v < 0 || labelOf(v) == s) continue;
+			bad_[s] = 1;
+			if (labelOf(v) >= 0) bad_[labelOf(v)] = 1;
+		}
+	}
+
+	/// Opens bad cells. False if too many are open then.
+	bool openBadCells()
+	{
+		for (int s = 0; s < sampleNum_; ++s)
+			open_[s] = open_[s] || bad_[s];
+		std::fill(bad_.begin(), bad_.end(), char(0));
+		const auto openNum = std::count(open_.begin(), open_.end(), char(1));
+		openVertices_      = workers_.collect<int>(
+            m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
+                for (int v = int(begin); v < int(end); ++v) {
+                    if (isOpenVertex(v)) out.push_back(v);
+                }
+            });
+		return 2 * openNum <= cellNum_;
+	}
+
+	bool isOpenVertex(int v) const { return labelOf(v) < 0 || open_[labelOf(v)]; }
+
+	/// Makes the mesh. False if it is not manifold; the cells to blame are marked as bad.
+	bool contract(ContractedCells& out)
+	{
+		numberVertices(out);
+		IndexedMesh mesh;
+		mesh.frame     = surface_.frame;
+		mesh.vertexNum = int(out.label.size());
+		mesh.position.reset(mesh.vertexNum);
+		for (int v = 0; v < mesh.vertexNum; ++v) {
+			const int u      = out.surfaceVertex[v];
+			mesh.position[v] = u >= 0 ? m_.position[u]
+									  : sampling_.samples[out.label[v]].anchor.position;
+		}
+		collectFaces(out, mesh);
+		Buffer<int>  faceStart;
+		Buffer<char> notManifold;
+		orderFaces(mesh, workers_, faceStart);
+		Surface connected;
+		if (connect(mesh, faceStart, workers_, connected, &notManifold)) {
+			out.mesh = std::move(connected.mesh);
+			carryCreases(out);
+			return markWrongBorders(out);
+		}
+		markBad(out, notManifold);
+		return false;
+	}
+
+	/// Contracted cells first, then the vertices of open ones.
+	void numberVertices(ContractedCells& out)
+	{
+		out.label.clear();
+		out.surfaceVertex.clear();
+		out.todo.clear();
+		out.sampleVertex.assign(sampleNum_, -1);
+		for (int s : cellOrder_) {
+			if (open_[s]) continue;
+			out.sampleVertex[s] = int(out.label.size());
+			out.label.push_back(s);
+			out.surfaceVertex.push_back(-1);
+		}
+		for (int v : openVertices_) {
+			out.label.push_back(labelOf(v));
+			out.surfaceVertex.push_back(v);
+		}
+		out.openCellNum = std::count(open_.begin(), open_.end(), char(1));
+		chooseRepresentatives(out);
+	}
+
+	/// Of each open cell the vertex nearest to the sample stays; samples of curves have theirs.
+	void chooseRepresentatives(ContractedCells& out) const
+	{
+		const int firstOpen = int(out.label.size() - openVertices_.size());
+		for (int s = 0; s < sampling_.boundarySampleNum; ++s) {
+			const int v = boundary_.samples[s].vertex;
+			if (v >= 0 && isOpenVertex(v)) out.sampleVertex[s] = firstOpen + openIndex(v);
+		}
+		for (std::size_t i = 0; i < openVertices_.size(); ++i) {
+			const int v = openVertices_[i], s = labelOf(v);
+			if (s < sampling_.boundarySampleNum) continue;
+			int& best = out.sampleVertex[s];
+			if (best < 0 || sampling_.nearest[v].distance <
+								sampling_.nearest[out.surfaceVertex[best]].distance)
+				best = firstOpen + int(i);
+		}
+		listTodo(firstOpen, out);
+	}
+
+	int openIndex(int v) const
+	{
+		return int(std::lower_bound(openVertices_.begin(), openVertices_.end(), v) -
+				   openVertices_.begin());
+	}
+
+	/// The dual's faces between contracted cells, and those at open vertices whose corners are
+	/// different still.
+	void collectFaces(const ContractedCells& out, IndexedMesh& mesh) const
+	{
+		const auto isContracted = [&](const Triple& t) {
+			return !open_[t[0]] && !open_[t[1]] && !open_[t[2]];
+		};
+		std::vector<Triple> faces = workers_.collect<Triple>(
+			dualFaces_.size(), [&](std::size_t begin, std::size_t end, auto& found) {
+				for (std::size_t i = begin; i < end; ++i) {
+					const Triple& t = dualFaces_[i];
+					if (!isContracted(t)) continue;
+					found.push_back(
+						{out.sampleVertex[t[0]], out.sampleVertex[t[1]], out.sampleVertex[t[2]]});
+				}
+			});
+		const std::vector<Triple> more = facesAtOpenVertices(out);
+		faces.insert(faces.end(), more.begin(), more.end());
+		mesh.faceNum = int(faces.size());
+		mesh.triangle.reset(3 * faces.size());
+		mesh.sourceFace.reset(faces.size());
+		for (std::size_t f = 0; f < faces.size(); ++f) {
+			std::copy(faces[f].begin(), faces[f].end(), &mesh.triangle[3 * f]);
+			mesh.sourceFace[f] = int(f);
+		}
+	}
+
+	std::vector<Triple> facesAtOpenVertices(const ContractedCells& out) const
+	{
+		const int  firstOpen = int(out.label.size() - openVertices_.size());
+		const auto vertexOf  = [&](int v) {
+            return isOpenVertex(v) ? firstOpen + openIndex(v) : out.sampleVertex[labelOf(v)];
+		};
+		return workers_.collect<Triple>(
+			openVertices_.size(), [&](std::size_t begin, std::size_t end, auto& found) {
+				for (std::size_t i = begin; i < end; ++i) {
+					const int v = openVertices_[i];
+					forEachOutgoing(m_, v, [&](int h) {
+						const int a = m_.target(h), b = m_.apex(h);
+						// A face is found from each of its open corners; the least one counts.
+						if ((a < v && isOpenVertex(a)) || (b < v && isOpenVertex(b))) return;
+						if (labelOf(a) == labelOf(b) && !isOpenVertex(a)) return;
+						found.push_back({firstOpen + int(i), vertexOf(a), vertexOf(b)});
+					});
+				}
+			});
+	}
+
+	/// Both ends of a crease's edges are vertices of open cells.
+	void carryCreases(ContractedCells& out) const
+	{
+		if (!m_.hasCreases()) return;
+		HalfEdgeMesh& mesh = out.mesh;
+		mesh.crease        = Buffer<char>(mesh.halfEdgeNum(), 0);
+		workers_.forRange(mesh.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+			for (int h = int(begin); h < int(end); ++h) {
+				const int a = out.surfaceVertex[mesh.origin[h]];
+				const int b = out.surfaceVertex[mesh.target(h)];
+				if (a < 0 || b < 0 || !m_.isCreaseVertex(a)) continue;
+				const int there = m_.findHalfEdge(a, b), back = m_.findHalfEdge(b, a);
+				mesh.crease[h] = (there >= 0 && m_.crease[there]) || (back >= 0 && m_.crease[back]);
+			}
+		});
+	}
+
+	void markBad(const ContractedCells& out, const Buffer<char>& notManifold)
+	{
+		for (std::size_t v = 0; v < out.label.size(); ++v) {
+			if (notManifold[v] && out.label[v] >= 0) bad_[out.label[v]] = 1;
+		}
+	}
+
+	/// The border must run through the samples of the border and no others, and every inner vertex
+	/// needs three faces.
+	bool markWrongBorders(const ContractedCells& out)
+	{
+		bool allRight = true;
+		for (int v = 0; v < out.mesh.vertexNum; ++v) {
+			if (out.surfaceVertex[v] >= 0) continue;
+			const int  s          = out.label[v];
+			const int  standsFor  = s < sampling_.boundarySampleNum ? boundary_.samples[s].vertex : -1;
+			const bool shouldBe   = standsFor >= 0 && m_.isBorderVertex(standsFor);
+			const bool isOnBorder = out.mesh.isBorderVertex(v);
+			if (shouldBe == isOnBorder && (isOnBorder || out.mesh.valence(v) >= 3)) continue;
+			bad_[s]  = 1;
+			allRight = false;
+		}
+		return allRight;
+	}
+
+	bool hasTopology(const HalfEdgeMesh& mesh, const MeshFigures& input) const
+	{
+		const MeshFigures figures = figuresOf(mesh, 1, workers_);
+		return figures.components == input.components &&
+			   figures.boundaryLoops == input.boundaryLoops &&
+			   figures.eulerCharacteristic == input.eulerCharacteristic;
+	}
+};
+
+/// Nothing contracted: every vertex of the surface, the nearest of each cell to stand for it.
+ContractedCells openAll(const Surface& surface, const Sampling& sampling,
+						const BoundaryCurves& boundary, Workers& workers)
+{
+	ContractedCells out;
+	const int       vertexNum = surface.mesh.vertexNum;
+	out.mesh                  = copyMesh(surface.mesh, workers);
+	out.surfaceVertex.resize(vertexNum);
+	std::iota(out.surfaceVertex.begin(), out.surfaceVertex.end(), 0);
+	out.label.resize(vertexNum);
+	out.sampleVertex.assign(sampling.samples.size(), -1);
+	for (int s = 0; s < sampling.boundarySampleNum; ++s)
+		out.sampleVertex[s] = boundary.samples[s].vertex;
+	for (int v = 0; v < vertexNum; ++v) {
+		const NearestField::Nearest& near = sampling.nearest[v];
+		out.label[v]                      = near.sample;
+		if (near.sample < sampling.boundarySampleNum) continue;
+		int& best = out.sampleVertex[near.sample];
+		if (best < 0 || near.distance < sampling.nearest[best].distance) best = v;
+	}
+	listTodo(0, out);
+	out.openCellNum = std::int64_t(sampling.samples.size());
+	return out;
+}
+
+} // namespace
+
+ContractedCells contractCells(const Surface& surface, const Sampling& sampling,
+							  const BoundaryCurves& boundary, const MeshFigures& input,
+							  Workers& workers)
+{
+	ContractedCells out;
+	CellContraction contraction(surface, sampling, boundary, workers);
+	if (contraction.run(input, out)) return out;
+	return openAll(surface, sampling, boundary, workers);
+}
+
+} // namespace gpr
