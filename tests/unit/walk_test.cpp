@@ -48,7 +48,7 @@ TEST_P(Walk, OnAPlaneEndsExactlyWhereTheStepSays)
 		const Vec3f from = at.position;
 		const Vec3f goal(float(random.between(0.05, 0.95)), float(random.between(0.05, 0.95)), 0);
 		ASSERT_EQ(walk(m, at, goal - from), WalkEnd::Arrived);
-		ASSERT_LT(length(at.position - goal), 2e-6f);
+		ASSERT_LT(length(at.position - goal), 5e-6f) << "some bits for each of 60 faces";
 		ASSERT_LT(distanceToOwnFace(m, at), 2e-6);
 	}
 }

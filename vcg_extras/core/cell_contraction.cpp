@@ -66,7 +66,10 @@ public:
 		markStrayCurveSamples();
 		for (int round = 0; round < mostRounds; ++round) {
 			if (!openBadCells()) return false;
-			if (contract(out)) {bool k= hasTopology(out.mesh, input);return k;}
+			if (contract(out)) {
+				bool k = hasTopology(out.mesh, input);
+				return k;
+			}
 		}
 		return false;
 	}
@@ -169,12 +172,13 @@ private:
 
 	std::vector<int> verticesOf(const std::vector<char>& marked) const
 	{
-		return workers_.collect<int>(
-			m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
-				for (int v = int(begin); v < int(end); ++v) {
-					if (labelOf(v) >= 0 && marked[labelOf(v)]) out.push_back(v);
-				}
-			});
+		return workers_.collect<int>(m_.vertexNum,
+									 [&](std::size_t begin, std::size_t end, auto& out) {
+										 for (int v = int(begin); v < int(end); ++v) {
+											 if (labelOf(v) >= 0 && marked[labelOf(v)])
+												 out.push_back(v);
+										 }
+									 });
 	}
 
 	/// Takes the label from vertices whose cell does not lead to the vertex nearest to its sample.
@@ -209,7 +213,7 @@ private:
 	/// The nearest of the samples whose cells lie round v; -1 if there is none.
 	int nearestAmongNeighbours(int v) const
 	{
-		int   best = -1;
+		int   best     = -1;
 		float distance = HUGE_VALF;
 		forEachNeighbour(m_, v, [&](int w) {
 			const int s = labelOf(w);
@@ -283,12 +287,12 @@ private:
 			open_[s] = open_[s] || bad_[s];
 		std::fill(bad_.begin(), bad_.end(), char(0));
 		const auto openNum = std::count(open_.begin(), open_.end(), char(1));
-		openVertices_      = workers_.collect<int>(
-            m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
-                for (int v = int(begin); v < int(end); ++v) {
-                    if (isOpenVertex(v)) out.push_back(v);
-                }
-            });
+		openVertices_ =
+			workers_.collect<int>(m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				for (int v = int(begin); v < int(end); ++v) {
+					if (isOpenVertex(v)) out.push_back(v);
+				}
+			});
 		return 2 * openNum <= cellNum_;
 	}
 
@@ -303,9 +307,9 @@ private:
 		mesh.vertexNum = int(out.label.size());
 		mesh.position.reset(mesh.vertexNum);
 		for (int v = 0; v < mesh.vertexNum; ++v) {
-			const int u      = out.surfaceVertex[v];
-			mesh.position[v] = u >= 0 ? m_.position[u]
-									  : sampling_.samples[out.label[v]].anchor.position;
+			const int u = out.surfaceVertex[v];
+			mesh.position[v] =
+				u >= 0 ? m_.position[u] : sampling_.samples[out.label[v]].anchor.position;
 		}
 		collectFaces(out, mesh);
 		Buffer<int>  faceStart;
@@ -354,8 +358,8 @@ private:
 			const int v = openVertices_[i], s = labelOf(v);
 			if (s < sampling_.boundarySampleNum) continue;
 			int& best = out.sampleVertex[s];
-			if (best < 0 || sampling_.nearest[v].distance <
-								sampling_.nearest[out.surfaceVertex[best]].distance)
+			if (best < 0 ||
+				sampling_.nearest[v].distance < sampling_.nearest[out.surfaceVertex[best]].distance)
 				best = firstOpen + int(i);
 		}
 		listTodo(firstOpen, out);
@@ -446,8 +450,9 @@ private:
 		bool allRight = true;
 		for (int v = 0; v < out.mesh.vertexNum; ++v) {
 			if (out.surfaceVertex[v] >= 0) continue;
-			const int  s          = out.label[v];
-			const int  standsFor  = s < sampling_.boundarySampleNum ? boundary_.samples[s].vertex : -1;
+			const int s = out.label[v];
+			const int standsFor =
+				s < sampling_.boundarySampleNum ? boundary_.samples[s].vertex : -1;
 			const bool shouldBe   = standsFor >= 0 && m_.isBorderVertex(standsFor);
 			const bool isOnBorder = out.mesh.isBorderVertex(v);
 			if (shouldBe == isOnBorder && (isOnBorder || out.mesh.valence(v) >= 3)) continue;

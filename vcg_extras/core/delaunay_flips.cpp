@@ -23,9 +23,10 @@ bool improvesAngles(const HalfEdgeMesh& m, int h)
 	const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
 	const Vec3f c = m.position[m.apex(h)], d = m.position[m.apex(g)];
 	const Vec3f ca = a - c, cb = b - c, da = a - d, db = b - d;
+	const float cos1 = dot(ca, cb), cos2 = dot(da, db);
+	if (cos1 >= 0 && cos2 >= 0) return false; // nearly all edges: two acute angles
 	const Vec3f n1 = cross(ca, cb), n2 = cross(db, da);
 	const float sin1 = length(n1), sin2 = length(n2);
-	const float cos1 = dot(ca, cb), cos2 = dot(da, db);
 	// sin(γ + δ) < 0, with a margin for nearly co-circular corners.
 	const float sine = sin1 * cos2 + cos1 * sin2;
 	if (sine >= -1e-4f * (sin1 * sin2 + std::abs(cos1 * cos2))) return false;

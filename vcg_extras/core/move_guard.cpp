@@ -20,6 +20,14 @@ Vec3f crossOf(const Corners& f)
 	return cross(f.b - f.a, f.c - f.a);
 }
 
+/// Of a triangle with the given cross product; see triangleShape. No root.
+float squaredShape(const Vec3f& cross, const Corners& f)
+{
+	const float edges =
+		squaredLength(f.b - f.a) + squaredLength(f.c - f.b) + squaredLength(f.a - f.c) + 1e-30f;
+	return 12 * squaredLength(cross) / (edges * edges);
+}
+
 } // namespace
 
 bool spoilsFace(const Corners& before, const Corners& after)
@@ -29,8 +37,8 @@ bool spoilsFace(const Corners& before, const Corners& after)
 	if (turn <= 0 ||
 		turn * turn < foldCosine * foldCosine * squaredLength(now) * squaredLength(then))
 		return true;
-	const float shape = triangleShape(after.a, after.b, after.c);
-	return shape < poorShape && shape < triangleShape(before.a, before.b, before.c);
+	const float shape = squaredShape(now, after);
+	return shape < poorShape * poorShape && shape < squaredShape(then, before);
 }
 
 MoveGuard::MoveGuard(ResultMesh& result, Workers& workers) :

@@ -28,6 +28,59 @@ Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Wo
 	return density;
 }
 
+/// The faces round a vertex, read once for all that a step wants to know: the ring is what costs.
+class Ring {
+public:
+	void gather(const HalfEdgeMesh& m, int v)
+	{
+		const Vec3f p = m.position[v];
+		sum_          = {};
+		faces_.clear();
+		forEachOutgoing(m, v, [&](int h) {
+			const Vec3f a = m.position[m.target(h)] - p, b = m.position[m.apex(h)] - p;
+			faces_.push_back({h, a + b, cross(a, b)});
+			sum_ += faces_.back().cross;
+		});
+	}
+
+	/// Whether the faces lie within about 37° of their mean normal: isFlat() of a vertex that is on
+	/// no feature line.
+	bool isFlatFan() const
+	{
+		const float limit = flatCosine * flatCosine * squaredLength(sum_);
+		bool        flat  = squaredLength(sum_) > 0;
+		for (const Face& f : faces_) {
+			const float d = dot(f.cross, sum_);
+			flat          = flat && d > 0 && d * d >= limit * squaredLength(f.cross);
+		}
+		return flat;
+	}
+
+	/// From v to the barycentre of the ring, weighted by area and density.
+	Vec3f wayToBarycentre(const HalfEdgeMesh& m, int v, const Buffer<float>& density) const
+	{
+		Vec3f sum;
+		float weight = 0;
+		for (const Face& f : faces_) {
+			float area = length(f.cross);
+			if (!density.empty())
+				area *= density[v] + density[m.target(f.halfEdge)] + density[m.apex(f.halfEdge)];
+			sum += f.middle * (area / 3);
+			weight += area;
+		}
+		return weight > 0 ? sum * (1 / weight) : Vec3f();
+	}
+
+private:
+	struct Face {
+		int   halfEdge;
+		Vec3f middle; ///< sum of the other corners, seen from the vertex
+		Vec3f cross;
+	};
+	std::vector<Face> faces_;
+	Vec3f             sum_; ///< of the cross products
+};
+
 /// The vertex after a walk.
 ResultVertex walked(const Surface& surface, ResultVertex vertex, const Vec3f& step)
 {
@@ -40,17 +93,9 @@ ResultVertex walked(const Surface& surface, ResultVertex vertex, const Vec3f& st
 
 Vec3f wayToBarycentre(const HalfEdgeMesh& m, int v, const Buffer<float>& density)
 {
-	const Vec3f p = m.position[v];
-	Vec3f       sum;
-	float       weight = 0;
-	forEachOutgoing(m, v, [&](int h) {
-		const Vec3f a = m.position[m.target(h)] - p, b = m.position[m.apex(h)] - p;
-		float       area = length(cross(a, b));
-		if (!density.empty()) area *= density[v] + density[m.target(h)] + density[m.apex(h)];
-		sum += (a + b) * (area / 3);
-		weight += area;
-	});
-	return weight > 0 ? sum * (1 / weight) : Vec3f();
+	Ring ring;
+	ring.gather(m, v);
+	return ring.wayToBarycentre(m, v, density);
 }
 
 Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers)
@@ -66,14 +111,17 @@ Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers)
 void relaxOnce(const Surface& surface, ResultMesh& result, Workers& workers)
 {
 	const HalfEdgeMesh& m       = result.mesh;
-	const Buffer<char>  flat    = findFlatVertices(result, workers);
 	const Buffer<float> density = findDensities(surface, result, workers);
 	MoveGuard           guard(result, workers);
 	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		Ring ring;
 		for (int v = int(begin); v < int(end); ++v) {
-			if (!flat[v] || !isFree(result, v)) continue;
-			const Vec3f step = tangential(wayToBarycentre(m, v, density), result.vertex[v].normal);
-			if (squaredLength(step) > 0) guard.propose(v, walked(surface, result.vertex[v], step));
+			if (!isFree(result, v)) continue;
+			ring.gather(m, v);
+			if (!ring.isFlatFan()) continue;
+			const ResultVertex& here = result.vertex[v];
+			const Vec3f         step = tangential(ring.wayToBarycentre(m, v, density), here.normal);
+			if (squaredLength(step) > 0) guard.propose(v, walked(surface, here, step));
 		}
 	});
 	guard.move();

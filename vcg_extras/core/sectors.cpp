@@ -10,8 +10,6 @@ namespace gpr {
 namespace {
 
 constexpr float radians = 3.14159265f / 180;
-/// Cosine of about 37°.
-constexpr float flatCosine = 0.8f;
 
 /// Calls visit(h) for the half-edges of a sector.
 template <class Visit>

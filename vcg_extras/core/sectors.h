@@ -10,6 +10,9 @@ namespace gpr {
 /// Feature lines cut the ring of a vertex into sectors, each of which is a piece of its own as the
 /// ring of a border vertex is: flat or not, with as many faces as its angle wants.
 
+/// Faces farther than this (about 37°) from their mean normal are not flat.
+constexpr float flatCosine = 0.8f;
+
 /// Calls visit(first, faceNum) for every sector of v: the faces from that of the half-edge `first`
 /// on, counter-clockwise. One sector where no feature line meets v.
 template <class Visit>

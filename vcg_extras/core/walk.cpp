@@ -12,73 +12,133 @@ namespace {
 /// Crossings in a row without getting on, as happens among slivers that meet in one vertex.
 constexpr int mostIdleCrossings = 32;
 
-/// Where the ray p + t·d leaves the face, for t in [0, 1]: the half-edge, or -1 if it stays inside.
-int exitEdge(const HalfEdgeMesh& m, int face, const Vec3f& normal, const Vec3f& p, const Vec3f& d,
-			 int enteredBy, float& t)
+/// A point of the plane that the faces on the way are unfolded into: the walk runs along +x from 0.
+struct Flat {
+	float x, y;
+};
+
+/// The edge by which the way leaves a face, from its end on the right of the way (y <= 0) to that
+/// on the left (y > 0).
+struct Exit {
+	int  halfEdge;
+	Flat right, left;
+
+	/// Where the way crosses it.
+	float x() const { return right.x + (left.x - right.x) * (right.y / (right.y - left.y)); }
+};
+
+/// Of the face that the walk begins in. Seen from inside, counter-clockwise corners have one edge
+/// that goes from right to left; where rounding puts the start outside, the lowest corner counts as
+/// right and the highest as left.
+Exit exitOfFirstFace(const HalfEdgeMesh& m, const Anchor& at, const Vec3f& u, const Vec3f& w)
 {
-	int exit = -1;
-	t        = 1;
-	for (int h = 3 * face; h < 3 * face + 3; ++h) {
-		if (h == enteredBy) continue;
-		const Vec3f a       = m.position[m.origin[h]];
-		const Vec3f inward  = cross(normal, m.position[m.target(h)] - a);
-		const float speed   = dot(d, inward);
-		const float distant = dot(p - a, inward);
-		if (speed >= 0) continue;
-		const float at = distant > 0 ? -distant / speed : 0.0f;
-		if (at < t) {
-			t    = at;
-			exit = h;
-		}
+	Flat corner[3];
+	int  lowest = 0, highest = 0;
+	for (int k = 0; k < 3; ++k) {
+		const Vec3f p = m.position[m.origin[3 * at.face + k]] - at.position;
+		corner[k]     = {dot(p, u), dot(p, w)};
+		if (corner[k].y < corner[lowest].y) lowest = k;
+		if (corner[k].y > corner[highest].y) highest = k;
 	}
-	return exit;
+	corner[lowest].y = std::min(corner[lowest].y, 0.0f);
+	if (!(corner[highest].y > 0)) corner[highest].y = 1e-30f;
+	int k = 0;
+	while (k < 2 && !(corner[k].y <= 0 && corner[(k + 1) % 3].y > 0))
+		++k;
+	return {3 * at.face + k, corner[k], corner[(k + 1) % 3]};
 }
 
-/// Takes rounding away: back into the plane of the face.
-void settle(const HalfEdgeMesh& m, Anchor& at, const Vec3f& normal)
+/// The face beyond an exit, laid into the plane.
+///
+///            left
+///           /  |                apex = right + edge·along + across·height,
+///   apex  <    | <-- the way    where across is the edge turned by a right angle, ahead;
+///           \  |                along and height are shares of the edge's length.
+///            right
+struct Unfolded {
+	Vec3f start, edge, toApex; ///< in space: the right end, from there to the left end and the apex
+	float along = 0, height = 0;
+	Flat  apex{0, 0};
+
+	/// False if the face has no area.
+	bool set(const HalfEdgeMesh& m, const Exit& exit, int beyond)
+	{
+		start               = m.position[m.origin[exit.halfEdge]];
+		edge                = m.position[m.target(exit.halfEdge)] - start;
+		toApex              = m.position[m.apex(beyond)] - start;
+		const float inverse = 1 / squaredLength(edge);
+		along               = dot(toApex, edge) * inverse;
+		const float squared = squaredLength(toApex) * inverse - along * along;
+		if (!(squared > 0 && squared < HUGE_VALF)) return false;
+		height        = std::sqrt(squared);
+		const float x = exit.left.x - exit.right.x;
+		const float y = exit.left.y - exit.right.y;
+		apex.x        = exit.right.x + x * along + y * height;
+		apex.y        = exit.right.y + y * along - x * height;
+		return true;
+	}
+
+	/// The place in space of the point (x, 0).
+	Vec3f placeOf(const Exit& exit, float x) const
+	{
+		const float ex = exit.left.x - exit.right.x, ey = exit.left.y - exit.right.y;
+		const float inverse = 1 / (ex * ex + ey * ey);
+		const float px = x - exit.right.x, py = -exit.right.y;
+		const float s = (px * ex + py * ey) * inverse, t = (px * ey - py * ex) * inverse;
+		const float share = std::clamp(t / height, 0.0f, 1.0f);
+		return start + edge * s + (toApex - edge * along) * share;
+	}
+};
+
+/// The place in space where the way meets the exit.
+Vec3f placeOn(const HalfEdgeMesh& m, const Exit& exit)
 {
-	const Vec3f a = m.position[m.origin[3 * at.face]];
-	at.position   = at.position - normal * dot(at.position - a, normal);
+	const Vec3f a = m.position[m.origin[exit.halfEdge]], b = m.position[m.target(exit.halfEdge)];
+	return a + (b - a) * (exit.right.y / (exit.right.y - exit.left.y));
 }
 
 } // namespace
 
+/// No face's normal is needed on the way, and one root a face: see Unfolded.
 WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCrossings)
 {
 	const float wanted = length(step);
 	if (!(wanted > 0)) return WalkEnd::Arrived;
-	Vec3f       normal = m.faceNormal(at.face);
-	Vec3f       d      = tangential(step, normal);
-	const float flat   = length(d);
+	const Vec3f normal = m.faceNormal(at.face);
+	const Vec3f ahead  = tangential(step, normal);
+	const float flat   = length(ahead);
 	if (!(flat > 0)) return WalkEnd::Arrived;
-	d = d * (wanted / flat);
+	const Vec3f u    = ahead * (1 / flat);
+	Exit        exit = exitOfFirstFace(m, at, u, cross(normal, u));
+	float       x    = exit.x();
+	if (x >= wanted) {
+		at.position     = at.position + u * wanted;
+		const Vec3f off = at.position - m.position[m.origin[3 * at.face]];
+		at.position     = at.position - normal * dot(off, normal); // takes rounding away
+		return WalkEnd::Arrived;
+	}
 
-	int enteredBy = -1;
-	int idle      = 0;
-	for (int crossed = 0; crossed < mostCrossings; ++crossed) {
-		float     t    = 1;
-		const int exit = exitEdge(m, at.face, normal, at.position, d, enteredBy, t);
-		at.position    = at.position + d * t;
-		if (exit < 0) {
-			settle(m, at, normal);
+	Unfolded face;
+	int      idle = 0;
+	for (int crossed = 0; crossed < mostCrossings && idle <= mostIdleCrossings; ++crossed) {
+		const int beyond = m.opposite[exit.halfEdge];
+		if (beyond < 0 || !face.set(m, exit, beyond)) {
+			at = {placeOn(m, exit), exit.halfEdge / 3};
+			return WalkEnd::AtBorder;
+		}
+		// `beyond` runs from the left end to the right one, the next edge from there to the apex.
+		const Exit  next    = face.apex.y > 0 ? Exit{nextInFace(beyond), exit.right, face.apex}
+											  : Exit{prevInFace(beyond), face.apex, exit.left};
+		const float reached = next.x();
+		if (reached >= wanted) {
+			at = {face.placeOf(exit, wanted), beyond / 3};
 			return WalkEnd::Arrived;
 		}
-		idle = t > 1e-6f ? 0 : idle + 1;
-		if (idle > mostIdleCrossings) return WalkEnd::Capped;
-		const int beyond = m.opposite[exit];
-		if (beyond < 0) return WalkEnd::AtBorder;
-		const Vec3f nextNormal = m.faceNormal(beyond / 3);
-		if (!(squaredLength(nextNormal) > 0)) return WalkEnd::AtBorder;
-
-		// Unfold: the part along the edge stays, the part across turns into the next face's plane.
-		const Vec3f along  = normalized(m.position[m.target(exit)] - m.position[m.origin[exit]]);
-		d                  = d * (1 - t);
-		const float across = std::max(0.0f, dot(d, cross(along, normal)));
-		d                  = along * dot(d, along) + cross(along, nextNormal) * across;
-		normal             = nextNormal;
-		at.face            = beyond / 3;
-		enteredBy          = beyond;
+		idle = reached > x + 1e-6f * wanted ? 0 : idle + 1;
+		x    = reached;
+		exit = next;
 	}
+	at = {placeOn(m, exit), exit.halfEdge / 3};
 	return WalkEnd::Capped;
 }
 

@@ -4,7 +4,8 @@
 
 #include "delaunay_flips.h"
 #include "mesh_edit.h"
-#include "relaxation.h"
+#include "poor_faces.h"
+#include "sectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,11 +31,9 @@ public:
 	void run()
 	{
 		for (int round = 0; round < mostRounds; ++round) {
-			const std::vector<int> faces = findPoorFaces();
+			const std::vector<int> faces = findPoorFaces(m_, angle_, workers_);
 			if (faces.empty()) return;
-			flat_             = findFlatVertices(r_, workers_);
-			const bool better = improve(faces);
-			if (!better) return;
+			if (!improve(faces)) return;
 		}
 	}
 
@@ -44,17 +43,6 @@ private:
 	ResultMesh&    r_;
 	HalfEdgeMesh&  m_;
 	Workers&       workers_;
-	Buffer<char>   flat_;
-
-	std::vector<int> findPoorFaces()
-	{
-		return workers_.collect<int>(m_.faceNum,
-									 [&](std::size_t begin, std::size_t end, auto& out) {
-										 for (int f = int(begin); f < int(end); ++f) {
-											 if (smallestAngle(m_, f) < angle_) out.push_back(f);
-										 }
-									 });
-	}
 
 	bool improve(const std::vector<int>& faces)
 	{
@@ -65,7 +53,7 @@ private:
 		vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 		bool better = false;
 		for (int v : vertices) {
-			if (flat_[v] && isFree(r_, v)) better = search(v) || better;
+			if (isFree(r_, v) && isFlat(m_, v)) better = search(v) || better;
 		}
 		for (int f : faces) {
 			for (int h = 3 * f; h < 3 * f + 3; ++h)
@@ -112,11 +100,11 @@ private:
 	{
 		const int g = m_.opposite[h];
 		if (g < 0) return false;
-		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(g);
-		if (!flat_[a] || !flat_[b] || !flat_[c] || !flat_[d]) return false;
+		const int   a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(g);
 		const float now = std::min(smallestAngle(m_, h / 3), smallestAngle(m_, g / 3));
-		if (now >= angle_ || !flipKeepsShape(m_, h, now * 1.001f, turnCosine) || !canFlip(m_, h))
-			return false;
+		if (now >= angle_) return false;
+		if (!isFlat(m_, a) || !isFlat(m_, b) || !isFlat(m_, c) || !isFlat(m_, d)) return false;
+		if (!flipKeepsShape(m_, h, now * 1.001f, turnCosine) || !canFlip(m_, h)) return false;
 		flip(m_, h);
 		++r_.flipNum;
 		return true;
