@@ -290,28 +290,31 @@ private:
 		return true;
 	}
 
-	/// Whether a sample that owns a vertex near the place is too close by now. The ring of the face
-	/// is enough where cells have many vertices; among large faces one ring more is looked at.
+	/// Whether a sample that owns a vertex near the place is too close by now. The corners of its
+	/// face are enough where cells have many vertices: no sample was ever found farther out that
+	/// the flood would not have met. Among large faces two rings are looked at.
 	bool isTaken(const Place& place) const
 	{
 		const Vec3f p    = place.anchor.position;
 		const int   face = place.anchor.face;
-		int         own[3];
 		for (int k = 0; k < 3; ++k) {
-			own[k] = sampleOf(m_.origin[3 * face + k]);
-			if (own[k] >= 0 && isTooNear(p, place.size, own[k])) return true;
+			const int s = sampleOf(m_.origin[3 * face + k]);
+			if (s >= 0 && isTooNear(p, place.size, s)) return true;
 		}
-		const bool coarse = isCoarse(face, place.size);
-		bool       taken  = false;
-		const auto look   = [&](int w) {
+		return isCoarse(face, place.size) && isTakenFarther(place);
+	}
+
+	bool isTakenFarther(const Place& place) const
+	{
+		bool       taken = false;
+		const auto look  = [&](int w) {
             const int s = sampleOf(w);
-            if (s < 0 || s == own[0] || s == own[1] || s == own[2]) return;
-            taken = taken || isTooNear(p, place.size, s);
+            taken       = taken || (s >= 0 && isTooNear(place.anchor.position, place.size, s));
 		};
 		for (int k = 0; k < 3 && !taken; ++k) {
-			forEachNeighbour(m_, m_.origin[3 * face + k], [&](int w) {
+			forEachNeighbour(m_, m_.origin[3 * place.anchor.face + k], [&](int w) {
 				look(w);
-				if (coarse && !taken) forEachNeighbour(m_, w, look);
+				if (!taken) forEachNeighbour(m_, w, look);
 			});
 		}
 		return taken;
