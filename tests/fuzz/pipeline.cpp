@@ -91,9 +91,9 @@ std::string complaintsAboutStatus(Status status, const std::string& message)
 						   status == Status::BadOptions || status == Status::OutOfMemory;
 	// Faces without area may hold a surface together, and then no other faces can; a check asked
 	// for may find what it looks for.
-	const bool isWithheld = status == Status::PromiseBroken &&
-							(message.find("without area") != std::string::npos ||
-							 message.find("cross others") != std::string::npos);
+	const bool isWithheld =
+		status == Status::PromiseBroken && (message.find("without area") != std::string::npos ||
+											message.find("cross others") != std::string::npos);
 	if (!isRefusal && !isWithheld) return std::string(statusName(status)) + ": " + message;
 	return message.empty() || message.back() != '.' ? "no sentence" : "";
 }

@@ -105,8 +105,8 @@ void run(int argc, char** argv)
 {
 	const gpr::app::InputMesh mesh = gpr::app::readMesh(argv[1]);
 	Observer                  observer(mesh.view(), optionsFrom(argc, argv));
-	std::printf("%zu faces\n%-36s %8s %8s %14s %14s\n", mesh.faceNum(), "phrase", "seconds", "asked",
-				"longest gap/ms", "cancelled/ms");
+	std::printf("%zu faces\n%-36s %8s %8s %14s %14s\n", mesh.faceNum(), "phrase", "seconds",
+				"asked", "longest gap/ms", "cancelled/ms");
 	const std::vector<Phase> phases = observer.observe();
 	for (std::size_t k = 0; k < phases.size(); ++k) {
 		const Phase& p     = phases[k];

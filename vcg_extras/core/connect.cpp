@@ -26,7 +26,62 @@ bool spokeLess(const Spoke& a, const Spoke& b)
 	return a.halfEdge < b.halfEdge;
 }
 
-/// pairSpokes for vertices with many neighbours.
+/// The spokes of a vertex: few as plain arrays, all of them where there are more.
+struct SpokeFan {
+	static constexpr int few = 16;
+	struct End {
+		int other;
+		int halfEdge;
+	};
+	End                leaving[few], coming[few];
+	int                leavingNum = 0, comingNum = 0;
+	std::vector<Spoke> all; ///< those beyond; after gatherAll() all
+
+	void clear()
+	{
+		leavingNum = comingNum = 0;
+		all.clear();
+	}
+	void addLeaving(int other, int halfEdge)
+	{
+		if (leavingNum < few)
+			leaving[leavingNum] = {other, halfEdge};
+		else
+			all.push_back({other, true, halfEdge});
+		++leavingNum;
+	}
+	void addComing(int other, int halfEdge)
+	{
+		if (comingNum < few)
+			coming[comingNum] = {other, halfEdge};
+		else
+			all.push_back({other, false, halfEdge});
+		++comingNum;
+	}
+	void gatherAll()
+	{
+		for (int i = 0; i < std::min(leavingNum, few); ++i)
+			all.push_back({leaving[i].other, true, leaving[i].halfEdge});
+		for (int i = 0; i < std::min(comingNum, few); ++i)
+			all.push_back({coming[i].other, false, coming[i].halfEdge});
+	}
+	/// Whether an edge leaves, or comes, more than once.
+	bool hasTwins() const
+	{
+		bool twins = false;
+		for (int i = 1; i < leavingNum; ++i) {
+			for (int k = 0; k < i; ++k)
+				twins |= leaving[i].other == leaving[k].other;
+		}
+		for (int i = 1; i < comingNum; ++i) {
+			for (int k = 0; k < i; ++k)
+				twins |= coming[i].other == coming[k].other;
+		}
+		return twins;
+	}
+};
+
+/// pairSpokes for vertices with many neighbours, and for edges of more than two faces.
 bool pairSortedSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
 {
 	std::sort(spokes.begin(), spokes.end(), spokeLess);
@@ -51,27 +106,28 @@ bool pairSortedSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
 }
 
 /// Pairs the half-edges whose smaller end is one vertex. False if an edge is not shared by at most
-/// two faces in opposite directions. Six spokes are usual: comparing all with all beats sorting.
-bool pairSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
+/// two faces in opposite directions. Three edges a vertex are usual, so every half-edge that leaves
+/// is compared with every one that comes: that beats sorting.
+bool pairSpokes(SpokeFan& fan, Buffer<int>& opposite)
 {
-	constexpr std::size_t few = 24;
-	if (spokes.size() > few) return pairSortedSpokes(spokes, opposite);
-	bool isManifold = true;
-	for (const Spoke& s : spokes) {
-		int  sameEdgeNum = 0;
-		int  partner     = -1;
-		bool facesIt     = false;
-		for (const Spoke& t : spokes) {
-			if (t.other != s.other || &t == &s) continue;
-			++sameEdgeNum;
-			partner = t.halfEdge;
-			facesIt = t.leaves != s.leaves;
-		}
-		const bool isPair    = sameEdgeNum == 1 && facesIt;
-		opposite[s.halfEdge] = isPair ? partner : -1;
-		if (sameEdgeNum > 0 && !isPair) isManifold = false;
+	if (fan.leavingNum > SpokeFan::few || fan.comingNum > SpokeFan::few) {
+		fan.gatherAll();
+		return pairSortedSpokes(fan.all, opposite);
 	}
-	return isManifold;
+	bool isManifold = !fan.hasTwins();
+	for (int i = 0; isManifold && i < fan.leavingNum; ++i)
+		opposite[fan.leaving[i].halfEdge] = -1;
+	for (int k = 0; isManifold && k < fan.comingNum; ++k) {
+		const SpokeFan::End coming  = fan.coming[k];
+		int                 partner = -1;
+		for (int i = 0; i < fan.leavingNum; ++i)
+			partner = fan.leaving[i].other == coming.other ? fan.leaving[i].halfEdge : partner;
+		opposite[coming.halfEdge] = partner;
+		if (partner >= 0) opposite[partner] = coming.halfEdge;
+	}
+	if (isManifold) return true;
+	fan.gatherAll();
+	return pairSortedSpokes(fan.all, opposite);
 }
 
 /// Of each face two half-edges have the first corner as their smaller end, and are found through
@@ -88,19 +144,22 @@ bool fillOpposites(const IndexedMesh& mesh, const Buffer<int>& faceStart, Worker
 	std::atomic<bool> isManifold{true};
 	opposite.reset(std::size_t(3) * mesh.faceNum);
 	workers.forRange(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
-		std::vector<Spoke> spokes;
+		SpokeFan fan;
 		for (int v = int(begin); v < int(end); ++v) {
-			spokes.clear();
+			fan.clear();
 			for (int f = faceStart[v]; f < faceStart[v + 1]; ++f) {
-				spokes.push_back({mesh.triangle[3 * f + 1], true, 3 * f});
-				spokes.push_back({mesh.triangle[3 * f + 2], false, 3 * f + 2});
+				fan.addLeaving(mesh.triangle[3 * f + 1], 3 * f);
+				fan.addComing(mesh.triangle[3 * f + 2], 3 * f + 2);
 			}
 			for (int i = thirdStart[v]; i < thirdStart[v + 1]; ++i) {
 				const int h = 3 * third[i] + 1;
 				const int a = mesh.triangle[h], b = mesh.triangle[h + 1];
-				spokes.push_back({a == v ? b : a, a == v, h});
+				if (a == v)
+					fan.addLeaving(b, h);
+				else
+					fan.addComing(a, h);
 			}
-			if (!pairSpokes(spokes, opposite)) isManifold = false;
+			if (!pairSpokes(fan, opposite)) isManifold = false;
 		}
 	});
 	return isManifold;

@@ -74,21 +74,26 @@ private:
 
 	// ---- sharp edges
 
+	/// Face by face, so that a face's own cross product is worked out once for its three edges.
 	std::vector<int> findSharpEdges() const
 	{
 		const float cosine = std::cos(rules_.strongDeg * radians);
 		return workers_.collect<int>(
-			m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
-				for (std::size_t h = begin; h < end; ++h) {
-					if (m_.opposite[h] > int(h) && isSharper(int(h), cosine)) out.push_back(int(h));
+			m_.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				for (int f = int(begin); f < int(end); ++f) {
+					const Vec3f own = m_.faceCross(f);
+					for (int h = 3 * f; h < 3 * f + 3; ++h) {
+						const int g = m_.opposite[h];
+						if (g > h && isSharper(own, m_.faceCross(g / 3), cosine)) out.push_back(h);
+					}
 				}
 			});
 	}
 
-	/// Cheaper than the angle: no root for the many flat edges.
-	bool isSharper(int h, float cosine) const
+	/// Whether faces with these cross products meet below this cosine. Cheaper than the angle: no
+	/// root for the many flat edges.
+	static bool isSharper(const Vec3f& a, const Vec3f& b, float cosine)
 	{
-		const Vec3f a = m_.faceCross(h / 3), b = m_.faceCross(m_.opposite[h] / 3);
 		// In double, or the fourth powers of short edges would vanish.
 		const double scale = double(squaredLength(a)) * double(squaredLength(b));
 		const double d     = double(dot(a, b));

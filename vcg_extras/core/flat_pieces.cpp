@@ -25,22 +25,27 @@ float longestEdge(const HalfEdgeMesh& m, int f)
 	return std::max({edgeLength(m, 3 * f), edgeLength(m, 3 * f + 1), edgeLength(m, 3 * f + 2)});
 }
 
-/// doubledArea: of a face with that longest edge.
-bool isThin(float doubledArea, float longest)
+bool isThin(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {
-	return !(doubledArea > longest * std::min(leastWidth, leastSlope * longest));
+	const Vec3f n = cross(b - a, c - a);
+	const float squared =
+		std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+	// Nearly all faces are told without a root: far wider than leastWidth.
+	if (squaredLength(n) > 4 * leastWidth * leastWidth * squared) return false;
+	const float longest = std::sqrt(squared);
+	return !(length(n) > longest * std::min(leastWidth, leastSlope * longest));
 }
 
 bool isThin(const HalfEdgeMesh& m, int f)
 {
-	return isThin(length(m.faceCross(f)), longestEdge(m, f));
+	const int* v = &m.origin[3 * f];
+	return isThin(m.position[v[0]], m.position[v[1]], m.position[v[2]]);
 }
 
 bool isThin(const IndexedMesh& m, int f)
 {
-	const int*  t = &m.triangle[3 * f];
-	const Vec3f a = m.position[t[0]], b = m.position[t[1]], c = m.position[t[2]];
-	return isThin(length(m.faceCross(f)), std::max({length(b - a), length(c - b), length(a - c)}));
+	const int* v = &m.triangle[3 * f];
+	return isThin(m.position[v[0]], m.position[v[1]], m.position[v[2]]);
 }
 
 std::vector<int> findThin(const HalfEdgeMesh& mesh, Workers& workers)

@@ -26,7 +26,7 @@ struct IndexedMesh {
 	Frame         frame;
 	int           vertexNum = 0;
 	int           faceNum   = 0;
-	Buffer<Vec3f> position;   ///< working coordinates
+	Buffer<Vec3f> position;   ///< working coordinates; like the others at least this long
 	Buffer<int>   triangle;   ///< 3 a face
 	Buffer<int>   sourceFace; ///< per face: the caller's face it is part of
 

@@ -13,7 +13,9 @@ namespace {
 
 constexpr double degrees = 180 / 3.14159265358979323846;
 
-/// Disjoint sets with path halving.
+/// Disjoint sets with path halving that threads may join at once (Anderson and Woll 1991): a root
+/// is only ever put below a smaller one, by compare and swap, and ways are shortened by any value
+/// that lies farther up. Which sets come out does not depend on the order.
 class DisjointSets {
 public:
 	explicit DisjointSets(std::size_t n) : parent_(n)
@@ -23,20 +25,33 @@ public:
 
 	int find(int x)
 	{
-		while (parent_[x] != x)
-			x = parent_[x] = parent_[parent_[x]];
-		return x;
+		for (;;) {
+			const int up = load(x);
+			if (up == x) return x;
+			const int farther = load(up);
+			__atomic_store_n(&parent_[x], farther, __ATOMIC_RELAXED);
+			x = farther;
+		}
 	}
 	void unite(int a, int b)
 	{
-		a = find(a);
-		b = find(b);
-		if (a != b) parent_[std::max(a, b)] = std::min(a, b);
+		for (;;) {
+			a = find(a);
+			b = find(b);
+			if (a == b) return;
+			if (a < b) std::swap(a, b);
+			int root = a;
+			if (__atomic_compare_exchange_n(&parent_[a], &root, b, false, __ATOMIC_RELAXED,
+											__ATOMIC_RELAXED))
+				return;
+		}
 	}
 	bool isRoot(int x) const { return parent_[x] == x; }
 
 private:
-	std::vector<int> parent_;
+	Buffer<int> parent_;
+
+	int load(int x) const { return __atomic_load_n(&parent_[x], __ATOMIC_RELAXED); }
 };
 
 struct EdgeUse {
@@ -250,20 +265,32 @@ MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
 	MeshFigures figures;
 	figures.vertices = m.vertexNum;
 	figures.faces    = m.faceNum;
-	DisjointSets sets(m.vertexNum), rims(m.vertexNum);
-	std::int64_t borderEdges = 0;
-	for (int h = 0; h < m.halfEdgeNum(); ++h) {
-		if ((h & 0xfffff) == 0) workers.poll();
-		const int a = m.origin[h], b = m.target(h);
-		if (m.opposite[h] < 0) {
-			++borderEdges;
-			rims.unite(a, b);
-		}
-		if (m.opposite[h] < h) sets.unite(a, b);
-	}
-	for (int v = 0; v < m.vertexNum; ++v) {
-		figures.components += sets.isRoot(v);
-		figures.boundaryLoops += m.isBorderVertex(v) && rims.isRoot(v);
+	DisjointSets       sets(m.vertexNum), rims(m.vertexNum);
+	const std::int64_t borderEdges =
+		workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+			std::int64_t found = 0;
+			for (int f = int(begin); f < int(end); ++f) {
+				const int* v = &m.origin[3 * f];
+				sets.unite(v[0], v[1]);
+				sets.unite(v[0], v[2]);
+				for (int h = 3 * f; h < 3 * f + 3; ++h) {
+					if (m.opposite[h] >= 0) continue;
+					++found;
+					rims.unite(m.origin[h], m.target(h));
+				}
+			}
+			return found;
+		});
+	figures.components =
+		workers.sum<std::int64_t>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+			std::int64_t roots = 0;
+			for (std::size_t v = begin; v < end; ++v)
+				roots += sets.isRoot(int(v));
+			return roots;
+		});
+	if (borderEdges > 0) {
+		for (int v = 0; v < m.vertexNum; ++v)
+			figures.boundaryLoops += m.isBorderVertex(v) && rims.isRoot(v);
 	}
 	const std::int64_t edges    = (std::int64_t(m.halfEdgeNum()) + borderEdges) / 2;
 	figures.eulerCharacteristic = std::int64_t(m.vertexNum) - edges + m.faceNum;

@@ -176,13 +176,20 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, const Splitter& splitter
 	return faces;
 }
 
+/// Arrays come from loading with some room to spare.
+template <class T>
+void makeRoom(Buffer<T>& values, std::size_t n)
+{
+	if (values.size() < n) values.resize(n);
+}
+
 /// The first new faces take the places of the long ones, the others follow at the end.
 void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Splitter& splitter)
 {
 	const std::vector<Face>& faces = splitter.finished();
 	const int                extra = int(faces.size() - longFaces.size());
-	mesh.triangle.resize(3 * (std::size_t(mesh.faceNum) + extra));
-	mesh.sourceFace.resize(std::size_t(mesh.faceNum) + extra);
+	makeRoom(mesh.triangle, 3 * (std::size_t(mesh.faceNum) + extra));
+	makeRoom(mesh.sourceFace, std::size_t(mesh.faceNum) + extra);
 	for (std::size_t i = 0; i < faces.size(); ++i) {
 		const int f =
 			i < longFaces.size() ? longFaces[i] : mesh.faceNum + int(i - longFaces.size());
@@ -193,7 +200,7 @@ void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Split
 	mesh.faceNum += extra;
 
 	const std::vector<Vec3f>& added = splitter.newPositions();
-	mesh.position.resize(mesh.vertexNum + added.size());
+	makeRoom(mesh.position, mesh.vertexNum + added.size());
 	for (std::size_t i = 0; i < added.size(); ++i)
 		mesh.position[mesh.vertexNum + i] = added[i];
 	mesh.vertexNum += int(added.size());
