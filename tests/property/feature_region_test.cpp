@@ -127,12 +127,15 @@ TEST_P(FeatureRegionWay, SharpEdgesAreNearerWithARegion)
 		const std::vector<Vec3d> features = featuresOf(mesh);
 		const auto               gap      = [&](RemeshOptions o) {
             use(o);
-            const RemeshResult r = remesh(mesh.view(), o);
-            EXPECT_EQ(r.status, Status::Ok) << r.message;
             double sum = 0;
-            for (const Vec3d& p : features)
-                sum += std::pow(distanceToMesh(r.mesh, p), 2);
-            return std::sqrt(sum / double(features.size()));
+            // The paper's placement is a matter of luck: a mean over seeds says more.
+            for (o.seed = 1; o.seed <= 3; ++o.seed) {
+                const RemeshResult r = remesh(mesh.view(), o);
+                EXPECT_EQ(r.status, Status::Ok) << r.message;
+                for (const Vec3d& p : features)
+                    sum += std::pow(distanceToMesh(r.mesh, p), 2);
+            }
+            return std::sqrt(sum / double(3 * features.size()));
 		};
 		RemeshOptions none    = withRegion(400, FeatureSampling::Disks);
 		none.featureRegion    = FeatureRegion::None;

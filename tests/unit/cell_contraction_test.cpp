@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/core/cell_contraction.h>
+#include <vcg_extras/core/measure.h>
+#include <vcg_extras/core/vertex_removal.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// A surface without curves, and cells on it.
+class Cells : public ::testing::TestWithParam<std::uint32_t> {
+protected:
+	Random         random{GetParam()};
+	Workers        workers{2, nullptr};
+	BoundaryCurves noCurves;
+	Surface        surface;
+	Sampling       sampling;
+
+	void takeSurface(const TriangleMesh& mesh) { surface = surfaceOf(mesh, workers); }
+
+	/// A sample at each of these vertices, and the cells nearest to them.
+	void putSamples(const std::vector<int>& vertices)
+	{
+		sampling.radius = 0.1f;
+		for (int v : vertices) {
+			const int face = surface.mesh.outgoing[v] / 3;
+			sampling.samples.push_back(
+				{{surface.mesh.position[v], face}, surface.mesh.faceNormal(face), 1});
+		}
+		sampling.nearest = assignToSamples(surface, sampling.samples, workers);
+	}
+
+	void putRandomSamples(int num)
+	{
+		std::vector<int> vertices;
+		while (int(vertices.size()) < num) {
+			const int v = random.below(surface.mesh.vertexNum);
+			if (std::find(vertices.begin(), vertices.end(), v) == vertices.end())
+				vertices.push_back(v);
+		}
+		putSamples(vertices);
+	}
+
+	MeshFigures figures() { return figuresOf(surface.mesh, 1, workers); }
+	ContractedCells contract()
+	{
+		return contractCells(surface, sampling, noCurves, figures(), workers);
+	}
+	ResultMesh remove()
+	{
+		return removeVertices(surface, sampling, noCurves, figures(), workers);
+	}
+
+	void expectSameTopology(const HalfEdgeMesh& mesh)
+	{
+		EXPECT_TRUE(isSoundTable(mesh));
+		EXPECT_TRUE(factsOf(meshOf(mesh)).isManifold()) << factsOf(meshOf(mesh)).complaints();
+		EXPECT_TRUE(hasSameTopology(meshOf(surface.mesh), meshOf(mesh)));
+	}
+};
+
+TEST_P(Cells, OnASphereEveryOneBecomesAVertex)
+{
+	takeSurface(icosphere(5));
+	sampling = sampleFront(surface, noCurves, cutIntoBlocks(surface, 1, workers), 0.06f,
+						   GetParam(), workers);
+	const ContractedCells cells = contract();
+	EXPECT_EQ(cells.openCellNum, 0);
+	EXPECT_TRUE(cells.todo.empty());
+	EXPECT_EQ(cells.mesh.vertexNum, int(sampling.samples.size()));
+	for (std::size_t s = 0; s < sampling.samples.size(); ++s) {
+		const int v = cells.sampleVertex[s];
+		ASSERT_GE(v, 0);
+		EXPECT_EQ(cells.mesh.position[v], sampling.samples[s].anchor.position);
+	}
+	expectSameTopology(cells.mesh);
+}
+
+TEST_P(Cells, TopologyStaysWhateverTheCells)
+{
+	takeSurface(random.below(2) == 0 ? torus(60, 30) : noisySphere(4, 0.1, random));
+	putRandomSamples(8 + random.below(300));
+	const ResultMesh result = remove();
+	EXPECT_EQ(result.mesh.vertexNum,
+			  int(sampling.samples.size()) + int(result.leftoverNum));
+	expectSameTopology(result.mesh);
+}
+
+TEST_P(Cells, VerticesThatWereCutOffGoToTheCellsRoundThem)
+{
+	takeSurface(icosphere(5));
+	putRandomSamples(200);
+	ASSERT_EQ(contract().openCellNum, 0);
+	for (int i = 0; i < 20; ++i)
+		sampling.nearest[random.below(surface.mesh.vertexNum)] = {2, random.below(200)};
+	const ContractedCells cells = contract();
+	EXPECT_LE(cells.openCellNum, 4);
+	EXPECT_EQ(remove().mesh.vertexNum, 200);
+	expectSameTopology(cells.mesh);
+}
+
+/// Four cells round a torus are rings, of Euler characteristic 0: drawn together they would cut it.
+TEST_P(Cells, RingsAreLeftOpen)
+{
+	takeSurface(torus(80, 24));
+	putSamples({0, 1, 2, 3});
+	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
+		const Vec3f  p     = surface.mesh.position[v];
+		const double turn  = std::atan2(double(p.y), double(p.x)) / (2 * 3.14159265358979) + 0.5;
+		sampling.nearest[v] = {1, std::min(3, int(turn * 4))};
+	}
+	EXPECT_EQ(contract().openCellNum, 4);
+	expectSameTopology(remove().mesh);
+}
+
+/// A cell with the handle in it has one rim, as a disk has, and must not be taken for one.
+TEST_P(Cells, ACellWithAHandleIsLeftOpen)
+{
+	takeSurface(torus(60, 30));
+	putRandomSamples(60);
+	const Vec3f far = sampling.samples[0].anchor.position;
+	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
+		if (length(surface.mesh.position[v] - far) > 0.4f) sampling.nearest[v].sample = 1;
+	}
+	expectSameTopology(remove().mesh);
+}
+
+TEST_P(Cells, AreTheSameForAnyNumberOfThreads)
+{
+	takeSurface(torus(60, 30));
+	putRandomSamples(150);
+	Workers               one(1, nullptr), three(3, nullptr);
+	const ContractedCells a = contractCells(surface, sampling, noCurves, figures(), one);
+	const ContractedCells b = contractCells(surface, sampling, noCurves, figures(), three);
+	EXPECT_EQ(a.label, b.label);
+	EXPECT_EQ(a.todo, b.todo);
+	ASSERT_EQ(a.mesh.faceNum, b.mesh.faceNum);
+	EXPECT_TRUE(std::equal(a.mesh.origin.begin(), a.mesh.origin.begin() + 3 * a.mesh.faceNum,
+						   b.mesh.origin.begin()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Cells, ::testing::Range(1u, 7u));
+
+} // namespace
+
+} // namespace gpr::test
