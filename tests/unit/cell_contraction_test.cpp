@@ -48,15 +48,12 @@ protected:
 		putSamples(vertices);
 	}
 
-	MeshFigures figures() { return figuresOf(surface.mesh, 1, workers); }
+	MeshFigures     figures() { return figuresOf(surface.mesh, 1, workers); }
 	ContractedCells contract()
 	{
 		return contractCells(surface, sampling, noCurves, figures(), workers);
 	}
-	ResultMesh remove()
-	{
-		return removeVertices(surface, sampling, noCurves, figures(), workers);
-	}
+	ResultMesh remove() { return removeVertices(surface, sampling, noCurves, figures(), workers); }
 
 	void expectSameTopology(const HalfEdgeMesh& mesh)
 	{
@@ -69,8 +66,8 @@ protected:
 TEST_P(Cells, OnASphereEveryOneBecomesAVertex)
 {
 	takeSurface(icosphere(5));
-	sampling = sampleFront(surface, noCurves, cutIntoBlocks(surface, 1, workers), 0.06f,
-						   GetParam(), workers);
+	sampling = sampleFront(surface, noCurves, cutIntoBlocks(surface, 1, workers), 0.06f, GetParam(),
+						   workers);
 	const ContractedCells cells = contract();
 	EXPECT_EQ(cells.openCellNum, 0);
 	EXPECT_TRUE(cells.todo.empty());
@@ -88,8 +85,7 @@ TEST_P(Cells, TopologyStaysWhateverTheCells)
 	takeSurface(random.below(2) == 0 ? torus(60, 30) : noisySphere(4, 0.1, random));
 	putRandomSamples(8 + random.below(300));
 	const ResultMesh result = remove();
-	EXPECT_EQ(result.mesh.vertexNum,
-			  int(sampling.samples.size()) + int(result.leftoverNum));
+	EXPECT_EQ(result.mesh.vertexNum, int(sampling.samples.size()) + int(result.leftoverNum));
 	expectSameTopology(result.mesh);
 }
 
@@ -112,8 +108,8 @@ TEST_P(Cells, RingsAreLeftOpen)
 	takeSurface(torus(80, 24));
 	putSamples({0, 1, 2, 3});
 	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
-		const Vec3f  p     = surface.mesh.position[v];
-		const double turn  = std::atan2(double(p.y), double(p.x)) / (2 * 3.14159265358979) + 0.5;
+		const Vec3f  p      = surface.mesh.position[v];
+		const double turn   = std::atan2(double(p.y), double(p.x)) / (2 * 3.14159265358979) + 0.5;
 		sampling.nearest[v] = {1, std::min(3, int(turn * 4))};
 	}
 	EXPECT_EQ(contract().openCellNum, 4);
