@@ -139,6 +139,24 @@ TEST(CrossingFaces, AreFoundWhereTwoSpheresMeet)
 	}
 }
 
+TEST(CrossingFaces, AreLookedForWhereWanted)
+{
+	Workers            workers(2, nullptr);
+	const TriangleMesh sphere = icosphere(3);
+	const TriangleMesh both   = joined(joined(sphere, shifted(sphere, {1, 0.01, 0.02})),
+									   shifted(sphere, {-1, 0.01, 0.02}));
+	const HalfEdgeMesh m      = halfEdgesOf(both);
+	// Those of the second sphere: the third lies on the other side of the first.
+	std::vector<char> wanted(m.faceNum, 0);
+	std::fill(wanted.begin() + m.faceNum / 3, wanted.begin() + 2 * m.faceNum / 3, char(1));
+	std::vector<int> expected;
+	for (int f : findCrossingFaces(m, workers)) {
+		if (m.position[m.origin[3 * f]].x > 0) expected.push_back(f);
+	}
+	EXPECT_FALSE(expected.empty());
+	EXPECT_EQ(findCrossingFaces(m, wanted, workers), expected);
+}
+
 TEST(CrossingFaces, AreNotThoseThatShareEdgesOrVertices)
 {
 	Workers workers(2, nullptr);
@@ -150,13 +168,13 @@ TEST(CrossingFaces, AreNotThoseThatShareEdgesOrVertices)
 
 TEST(CrossingFaces, AreFoundBeyondASharedVertex)
 {
-	// Two faces joined at the origin: the second's far edge runs through the first.
+	// Four faces round the origin: the third's far edge runs through the first.
 	TriangleMesh mesh;
 	mesh.positions = {{0, 0, 0}, {2, -1, 0}, {2, 1, 0}, {1, 0, -1}, {1, 0.1, 1}};
-	mesh.triangles = {0, 1, 2, 0, 3, 4};
+	mesh.triangles = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
 	Workers      workers(1, nullptr);
 	HalfEdgeMesh m = halfEdgesOf(mesh);
-	EXPECT_EQ(findCrossingFaces(m, workers), (std::vector<int>{0, 1}));
+	EXPECT_EQ(findCrossingFaces(m, workers), (std::vector<int>{0, 2}));
 	m.position[3] = {1, 0, 0.5f};
 	EXPECT_TRUE(findCrossingFaces(m, workers).empty());
 }

@@ -3,6 +3,7 @@
 #include "crossing_faces.h"
 
 #include "counting_sort.h"
+#include "sectors.h"
 #include "spatial_order.h"
 
 #include <cmath>
@@ -11,9 +12,11 @@ namespace gpr {
 
 namespace {
 
-/// Boxes below one node of the tree, as bits of their number.
-constexpr int fanOutBits = 2;
-constexpr int fanOut     = 1 << fanOutBits;
+/// Boxes below one node of the tree.
+constexpr int fanOut = 4;
+/// Level whose nodes look for each other; 16 faces then share one way through the tree.
+constexpr int groupLevel = 2;
+constexpr int groupSize  = fanOut * fanOut;
 
 struct Box {
 	Vec3f low{HUGE_VALF, HUGE_VALF, HUGE_VALF};
@@ -52,9 +55,31 @@ bool passesThrough(const Vec3f& p, const Vec3f& q, const Vec3f* t)
 	return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
 }
 
+/// Whether all of t lies beyond an edge of s, seen along the normal of s: neighbours on a nearly
+/// flat surface, that is most of all pairs, are told apart so. In float, with a margin for
+/// rounding.
+bool liesBeyondAnEdge(const Vec3f* t, const Vec3f* s)
+{
+	constexpr float margin = 1e-5f;
+	const Vec3f     normal = cross(s[1] - s[0], s[2] - s[0]);
+	for (int k = 0; k < 3; ++k) {
+		const Vec3f edge    = s[(k + 1) % 3] - s[k];
+		const Vec3f outward = cross(edge, normal);
+		const Vec3f a = t[0] - s[k], b = t[1] - s[k], c = t[2] - s[k];
+		const float far =
+			squaredLength(edge) + squaredLength(a) + squaredLength(b) + squaredLength(c);
+		const float least = margin * std::sqrt(squaredLength(outward) * far);
+		if (dot(a, outward) > least && dot(b, outward) > least && dot(c, outward) > least)
+			return true;
+	}
+	return false;
+}
+
 class CrossingSearch {
 public:
-	CrossingSearch(const HalfEdgeMesh& mesh, Workers& workers) : m_(mesh), workers_(workers)
+	/// wanted: per face, whether its crossings are looked for; empty: all faces'.
+	CrossingSearch(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers) :
+			m_(mesh), wanted_(wanted), workers_(workers)
 	{
 		orderFaces();
 		buildTree();
@@ -62,11 +87,13 @@ public:
 
 	std::vector<int> run()
 	{
-		std::vector<int> found =
-			workers_.collect<int>(m_.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+		findFlatStars();
+		const std::size_t groupNum = (face_.size() + groupSize - 1) / groupSize;
+		std::vector<int>  found =
+			workers_.collect<int>(groupNum, [&](std::size_t begin, std::size_t end, auto& out) {
 				std::vector<Node> stack;
 				for (std::size_t i = begin; i < end; ++i)
-					search(int(i), stack, out);
+					searchGroup(int(i), stack, out);
 			});
 		std::sort(found.begin(), found.end());
 		found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -79,9 +106,11 @@ private:
 	};
 
 	const HalfEdgeMesh&      m_;
+	const std::vector<char>& wanted_;
 	Workers&                 workers_;
-	Buffer<int>              face_;  ///< in an order in which neighbours lie close together
-	std::vector<Buffer<Box>> level_; ///< of the tree: level 0 has a box for each of face_
+	Buffer<char>             isFlat_; ///< per vertex
+	Buffer<int>              face_;   ///< in an order in which neighbours lie close together
+	std::vector<Buffer<Box>> level_;  ///< of the tree: level 0 has a box for each of face_
 
 	Box boxOf(int f) const
 	{
@@ -120,7 +149,7 @@ private:
 			for (std::size_t i = begin; i < end; ++i)
 				level_[0][i] = boxOf(face_[i]);
 		});
-		while (level_.back().size() > fanOut)
+		while (level_.size() <= groupLevel || level_.back().size() > fanOut)
 			addLevel();
 	}
 
@@ -140,25 +169,81 @@ private:
 		level_.push_back(std::move(here));
 	}
 
-	/// Compares the i-th face with those behind it.
-	void search(int i, std::vector<Node>& stack, std::vector<int>& out) const
+	/// Faces round a vertex whose normals lie within 37° of their mean, and that go round it once,
+	/// are seen side by side along that normal: they cannot cross.
+	void findFlatStars()
 	{
-		const Box box = level_[0][i];
-		const int top = int(level_.size()) - 1;
+		isFlat_.reset(m_.vertexNum);
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (int v = int(begin); v < int(end); ++v)
+				isFlat_[v] = !m_.isCreaseVertex(v) && isFlat(m_, v) && turnsOnce(v);
+		});
+	}
+
+	/// The ring of a flat star crosses a plane through the normal upwards once a turn.
+	bool turnsOnce(int v) const
+	{
+		const Vec3f p     = m_.position[v];
+		const Vec3f first = m_.position[m_.target(m_.outgoing[v])] - p;
+		Vec3f       normal;
+		forEachOutgoing(m_, v, [&](int h) { normal += m_.faceCross(h / 3); });
+		const Vec3f side    = cross(normal, first);
+		int         upwards = 0;
+		forEachOutgoing(m_, v, [&](int h) {
+			const float here = h == m_.outgoing[v] ? 0 : dot(m_.position[m_.target(h)] - p, side);
+			const float then = m_.apex(h) == m_.target(m_.outgoing[v])
+								   ? 0
+								   : dot(m_.position[m_.apex(h)] - p, side);
+			upwards += here <= 0 && then > 0;
+		});
+		return upwards <= 1;
+	}
+
+	bool isWanted(int f) const { return wanted_.empty() || wanted_[f]; }
+
+	/// Compares the faces of a group with each other and with those of the groups behind it.
+	void searchGroup(int group, std::vector<Node>& stack, std::vector<int>& out) const
+	{
+		const Box& box = level_[groupLevel][group];
+		const int  top = int(level_.size()) - 1;
 		for (int k = 0; k < int(level_[top].size()); ++k)
 			stack.push_back({top, k});
 		while (!stack.empty()) {
 			const Node n = stack.back();
 			stack.pop_back();
-			const bool behind = (std::int64_t(n.index) + 1) << (fanOutBits * n.level) > i + 1;
-			if (!behind || !level_[n.level][n.index].meets(box)) continue;
-			if (n.level == 0) {
-				compare(face_[i], face_[n.index], out);
+			const int last = lastGroupBelow(n);
+			if (last < group || !level_[n.level][n.index].meets(box)) continue;
+			if (n.level == groupLevel) {
+				compareGroups(group, n.index, out);
 				continue;
 			}
-			const int last = std::min(int(level_[n.level - 1].size()), (n.index + 1) * fanOut);
-			for (int k = n.index * fanOut; k < last; ++k)
+			const int end = std::min(int(level_[n.level - 1].size()), (n.index + 1) * fanOut);
+			for (int k = n.index * fanOut; k < end; ++k)
 				stack.push_back({n.level - 1, k});
+		}
+	}
+
+	static int lastGroupBelow(const Node& n)
+	{
+		std::int64_t end = n.index + 1;
+		for (int level = groupLevel; level < n.level; ++level)
+			end *= fanOut;
+		return int(end) - 1;
+	}
+
+	void compareGroups(int group, int other, std::vector<int>& out) const
+	{
+		const int endI = std::min(int(face_.size()), (group + 1) * groupSize);
+		const int endK = std::min(int(face_.size()), (other + 1) * groupSize);
+		const Box box  = level_[groupLevel][other];
+		for (int i = group * groupSize; i < endI; ++i) {
+			const Box own = level_[0][i];
+			if (!own.meets(box)) continue;
+			const bool isWantedHere = isWanted(face_[i]);
+			for (int k = std::max(i + 1, other * groupSize); k < endK; ++k) {
+				if (!level_[0][k].meets(own)) continue;
+				if (isWantedHere || isWanted(face_[k])) compare(face_[i], face_[k], out);
+			}
 		}
 	}
 
@@ -174,6 +259,7 @@ private:
 			}
 		}
 		if (shared > 1) return;
+		if (shared == 1 && isFlat_[m_.origin[3 * f + ofF]]) return;
 		if (!(shared == 1 ? crossBeyondVertex(f, ofF, g, ofG) : crossApart(f, g))) return;
 		out.push_back(f);
 		out.push_back(g);
@@ -199,6 +285,7 @@ private:
 		Vec3f a[3], b[3];
 		cornersOf(f, 0, a);
 		cornersOf(g, 0, b);
+		if (liesBeyondAnEdge(a, b) || liesBeyondAnEdge(b, a)) return false;
 		if (onOneSide(a, b) || onOneSide(b, a)) return false;
 		for (int k = 0; k < 3; ++k) {
 			if (passesThrough(a[k], a[(k + 1) % 3], b)) return true;
@@ -220,7 +307,13 @@ private:
 
 std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, Workers& workers)
 {
-	return CrossingSearch(mesh, workers).run();
+	return CrossingSearch(mesh, {}, workers).run();
+}
+
+std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
+								   Workers& workers)
+{
+	return CrossingSearch(mesh, wanted, workers).run();
 }
 
 } // namespace gpr

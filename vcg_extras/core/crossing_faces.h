@@ -16,6 +16,10 @@ namespace gpr {
 /// Cost: O(F log F), parallel, with a tree of boxes that is thrown away.
 std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, Workers& workers);
 
+/// Only pairs of which at least one face is wanted (1 of a mark per face): both are in the answer.
+std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
+								   Workers& workers);
+
 } // namespace gpr
 
 #endif
