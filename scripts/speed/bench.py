@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 from circumstances import circumstances
+from memory_by_stage import watch_memory
 from methods import Programs, all_methods
 from page import write_page
 from picture import draw
@@ -18,6 +19,7 @@ from stage_benchmarks import measure_stages
 FULL_SIZES = "0.27M,2.4M,7.75M,31M"
 QUICK_SIZES = "30k,60k"
 MOST_FACES_FOR_STAGES = 3e6
+LEAST_FACES_FOR_MEMORY = 1e6  # the program itself is too much of a smaller run's memory
 DOCS = Path("vcg_extras/docs")
 
 
@@ -30,7 +32,7 @@ def arguments():
     parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--grow", default="stone", metavar="MESH", help="mesh to grow to the sizes")
     parser.add_argument("--sizes", metavar="N,N,...", help=f"numbers of faces ({FULL_SIZES})")
-    parser.add_argument("--rounds", type=int, help="runs of each method (5; 3 above 3M faces)")
+    parser.add_argument("--rounds", type=int, help="runs of each method (5; 3 above 3M faces, 1 above 40M)")
     parser.add_argument("--quick", action="store_true", help="whether it all works, in a minute")
     parser.add_argument("--page", action="store_true", help="only the page, from the last run's figures")
     parser.add_argument("meshes", nargs="*", type=Path, help="further meshes, as they are")
@@ -96,6 +98,9 @@ class Measuring:
         for round_number in range(rounds):
             say(f"{name}, round {round_number + 1} of {rounds}")
             self._measure_round(mesh, file, round_number)
+        if self.options.quick or mesh["faces"] >= LEAST_FACES_FOR_MEMORY:
+            mesh["memory"] = {preset: watch_memory(self.programs, file, preset)
+                              for preset in ("fast", "default")}
         return mesh
 
     def _rounds(self, face_num):
@@ -103,7 +108,7 @@ class Measuring:
             return self.options.rounds
         if self.options.quick:
             return 1
-        return 5 if face_num <= 3e6 else 3
+        return 5 if face_num <= 3e6 else 3 if face_num <= 40e6 else 1
 
     def _measure_round(self, mesh, file, round_number):
         methods = [m for m in all_methods() if mesh["faces"] <= m.most_faces]
@@ -154,7 +159,7 @@ def wrongs_of(run, mesh):
         yield "takes longer inside than outside"
     if not 0 < run["faces"] < mesh["faces"]:
         yield "left as many faces as there were, or none"
-    if run["peak"] < 12 * mesh["faces"]:
+    if not run["peak"] > 12 * mesh["faces"]:
         yield "needed less memory than its input"
 
 

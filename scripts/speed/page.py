@@ -21,6 +21,8 @@ def _page(data, methods, picture_name):
         "## Growth\n\n" + _growth(data["meshes"], methods, picture_name),
         "## Stages of the whole runs\n\n" + _stages(data["meshes"], methods),
     ]
+    if any("memory" in mesh for mesh in data["meshes"]):
+        parts.append("## Memory by stages\n\n" + _memory(data["meshes"]))
     if data.get("stages"):
         parts.append("## Stages by themselves\n\n" + _single_stages(data["stages"]))
     parts.append(_circumstances(data))
@@ -179,6 +181,21 @@ def _stage_rows(mesh):
 
 def _stage_seconds(mesh, key, name):
     return Spread(run["stages"].get(name, 0) for run in mesh["runs"][key]).median
+
+
+def _memory(meshes):
+    text = """\
+The most that was resident during each stage, in bytes a face of the input; one run each on all cores, seen every few
+milliseconds, so that short stages are missing. "read" counts the pages of the mapped file too.
+"""
+    for mesh in meshes:
+        if "memory" not in mesh:
+            continue
+        held = [mesh["memory"][preset] for preset in ("fast", "default")]
+        rows = [[name] + [f"{h[name] / mesh['faces']:.0f}" if h[name] else "–" for h in held]
+                for name in held[1]]
+        text += f"\n{_title(mesh)}:\n\n" + _table(["stage", "fast", "default"], rows)
+    return text
 
 
 def _single_stages(stages):
