@@ -143,9 +143,9 @@ TEST(CrossingFaces, AreLookedForWhereWanted)
 {
 	Workers            workers(2, nullptr);
 	const TriangleMesh sphere = icosphere(3);
-	const TriangleMesh both   = joined(joined(sphere, shifted(sphere, {1, 0.01, 0.02})),
-									   shifted(sphere, {-1, 0.01, 0.02}));
-	const HalfEdgeMesh m      = halfEdgesOf(both);
+	const TriangleMesh both =
+		joined(joined(sphere, shifted(sphere, {1, 0.01, 0.02})), shifted(sphere, {-1, 0.01, 0.02}));
+	const HalfEdgeMesh m = halfEdgesOf(both);
 	// Those of the second sphere: the third lies on the other side of the first.
 	std::vector<char> wanted(m.faceNum, 0);
 	std::fill(wanted.begin() + m.faceNum / 3, wanted.begin() + 2 * m.faceNum / 3, char(1));

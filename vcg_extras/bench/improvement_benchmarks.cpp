@@ -106,7 +106,7 @@ void auditResult(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Surface&    surface = run.prepared().surface;
 	const ResultMesh& result  = run.improved().fitted;
-	const MeshFigures input   = figuresOf(surface.mesh, 1, workers);
+	const MeshFigures input   = run.inputFigures();
 	timeEach(state, [&] {
 		const MeshFigures output = figuresOf(result.mesh, 1, workers);
 		return audit(surface, result, input, output, 0, workers);

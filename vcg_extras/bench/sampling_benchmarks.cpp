@@ -41,7 +41,7 @@ void labelCollapse(benchmark::State& state, StagedRun& run, Workers& workers)
 	const Prepared&     p = run.prepared();
 	const SampledState& s = run.sampled();
 	timeEach(state, [&] {
-		return removeVertices(p.surface, s.sampling, s.boundary, s.partition, workers);
+		return removeVertices(p.surface, s.sampling, s.boundary, run.inputFigures(), workers);
 	});
 }
 

@@ -84,9 +84,16 @@ StagedRun::StagedRun(const MeshView& input, const RemeshOptions& options) :
 
 RunContext StagedRun::contextFor(Workers& workers)
 {
-	report_ = RemeshReport();
+	report_              = RemeshReport();
+	report_.cleanedInput = inputFigures_;
 	notes_.clear();
 	return {input_, options_, workers, report_, notes_, StageClock(workers, report_)};
+}
+
+const MeshFigures& StagedRun::inputFigures()
+{
+	prepared();
+	return inputFigures_;
 }
 
 Prepared& StagedRun::prepared()
@@ -96,6 +103,7 @@ Prepared& StagedRun::prepared()
 		Preparation preparation(run);
 		prepared_ = std::make_unique<Prepared>(preparation.prepare(0));
 		preparation.findFeatureLines(*prepared_);
+		inputFigures_ = report_.cleanedInput;
 	}
 	return *prepared_;
 }

@@ -40,8 +40,10 @@ public:
 
 	const MeshView&      input() const { return input_; }
 	const RemeshOptions& options() const { return options_; }
-	/// A run's context with other threads; report and notes are thrown away.
+	/// A run's context with other threads; its report and notes are gone with the next one.
 	RunContext contextFor(Workers& workers);
+	/// Of the surface.
+	const MeshFigures& inputFigures();
 	/// The surface with its feature lines.
 	Prepared&             prepared();
 	const SampledState&   sampled();
@@ -52,6 +54,7 @@ private:
 	RemeshOptions                   options_;
 	Workers                         workers_;
 	RemeshReport                    report_;
+	MeshFigures                     inputFigures_;
 	std::vector<std::string>        notes_;
 	std::unique_ptr<Prepared>       prepared_;
 	std::unique_ptr<SampledState>   sampled_;
