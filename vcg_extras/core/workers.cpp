@@ -16,6 +16,17 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr auto pollPeriod = std::chrono::milliseconds(40);
+/// Looks at a flag before going to sleep: some tens of microseconds. Stages are chains of short
+/// loops, and waking a thread costs as much as many a loop on a small mesh.
+constexpr int looksBeforeSleep = 1000;
+
+/// Tells the processor that this is a waiting loop.
+void pause()
+{
+#if defined(__x86_64__) || defined(__i386__)
+	__builtin_ia32_pause();
+#endif
+}
 
 int coreNum()
 {
@@ -30,9 +41,9 @@ struct Workers::Pool {
 	std::mutex               mutex;
 	std::condition_variable  wake;
 	std::condition_variable  done;
-	std::size_t              generation = 0;
-	int                      busy       = 0;
-	bool                     quit       = false;
+	std::atomic<std::size_t> generation{0}; ///< of loops; changed under the mutex
+	std::atomic<int>         busy{0};       ///< threads that are not through with the loop
+	std::atomic<bool>        quit{false};
 
 	// The loop under way.
 	Task                     task    = nullptr;
@@ -75,16 +86,34 @@ struct Workers::Pool {
 	{
 		std::size_t seen = 0;
 		for (;;) {
-			{
-				std::unique_lock<std::mutex> lock(mutex);
-				wake.wait(lock, [&] { return quit || generation != seen; });
-				if (quit) return;
-				seen = generation;
-			}
+			waitForLoop(seen);
+			if (quit) return;
+			seen = generation;
 			work(worker, owner);
+			if (--busy > 0) continue;
 			std::lock_guard<std::mutex> lock(mutex);
-			if (--busy == 0) done.notify_one();
+			done.notify_one();
 		}
+	}
+
+	void waitForLoop(std::size_t seen)
+	{
+		for (int look = 0; look < looksBeforeSleep; ++look) {
+			if (quit || generation != seen) return;
+			pause();
+		}
+		std::unique_lock<std::mutex> lock(mutex);
+		wake.wait(lock, [&] { return quit || generation != seen; });
+	}
+
+	void waitForThreads()
+	{
+		for (int look = 0; look < looksBeforeSleep; ++look) {
+			if (busy == 0) return;
+			pause();
+		}
+		std::unique_lock<std::mutex> lock(mutex);
+		done.wait(lock, [&] { return busy == 0; });
 	}
 };
 
@@ -141,10 +170,7 @@ void Workers::runTasks(std::size_t taskNum, Task task, void* body)
 		p.wake.notify_all();
 	}
 	p.work(0, *this);
-	if (shared) {
-		std::unique_lock<std::mutex> lock(p.mutex);
-		p.done.wait(lock, [&] { return p.busy == 0; });
-	}
+	if (shared) p.waitForThreads();
 	if (p.failure) std::rethrow_exception(p.failure);
 }
 
