@@ -92,8 +92,9 @@ public:
 		std::vector<int>  found =
 			workers_.collect<int>(groupNum, [&](std::size_t begin, std::size_t end, auto& out) {
 				std::vector<Node> stack;
-				for (std::size_t i = begin; i < end; ++i)
-					searchGroup(int(i), stack, out);
+				for (std::size_t i = begin; i < end; ++i) {
+					if (isGroupWanted(int(i))) searchGroup(int(i), stack, out);
+				}
 			});
 		std::sort(found.begin(), found.end());
 		found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -201,7 +202,17 @@ private:
 
 	bool isWanted(int f) const { return wanted_.empty() || wanted_[f]; }
 
-	/// Compares the faces of a group with each other and with those of the groups behind it.
+	bool isGroupWanted(int group) const
+	{
+		if (wanted_.empty()) return true;
+		const int end = std::min(int(face_.size()), (group + 1) * groupSize);
+		for (int i = group * groupSize; i < end; ++i) {
+			if (wanted_[face_[i]]) return true;
+		}
+		return false;
+	}
+
+	/// Compares the wanted faces of a group with each other and with those of other groups.
 	void searchGroup(int group, std::vector<Node>& stack, std::vector<int>& out) const
 	{
 		const Box& box = level_[groupLevel][group];
@@ -211,8 +222,10 @@ private:
 		while (!stack.empty()) {
 			const Node n = stack.back();
 			stack.pop_back();
-			const int last = lastGroupBelow(n);
-			if (last < group || !level_[n.level][n.index].meets(box)) continue;
+			// A group that is not wanted does not search itself, so that it is looked for here even
+			// if it lies before.
+			const bool isBehind = !wanted_.empty() || lastGroupBelow(n) >= group;
+			if (!isBehind || !level_[n.level][n.index].meets(box)) continue;
 			if (n.level == groupLevel) {
 				compareGroups(group, n.index, out);
 				continue;
@@ -239,10 +252,12 @@ private:
 		for (int i = group * groupSize; i < endI; ++i) {
 			const Box own = level_[0][i];
 			if (!own.meets(box)) continue;
-			const bool isWantedHere = isWanted(face_[i]);
-			for (int k = std::max(i + 1, other * groupSize); k < endK; ++k) {
-				if (!level_[0][k].meets(own)) continue;
-				if (isWantedHere || isWanted(face_[k])) compare(face_[i], face_[k], out);
+			if (!isWanted(face_[i])) continue;
+			// Of two faces that are wanted the first finds the second.
+			for (int k = wanted_.empty() ? std::max(i + 1, other * groupSize) : other * groupSize;
+				 k < endK; ++k) {
+				if (!level_[0][k].meets(own) || k == i) continue;
+				if (k > i || !isWanted(face_[k])) compare(face_[i], face_[k], out);
 			}
 		}
 	}

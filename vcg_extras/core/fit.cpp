@@ -119,12 +119,14 @@ public:
 	bool takeBackOffenders()
 	{
 		normal_                        = smoothNormals(surface_, r_, workers_);
-		std::vector<int>       faces   = findCrossingFaces(m_, workers_);
+		std::vector<int>       faces   = findCrossingFaces(m_, mayCross_, workers_);
 		const std::vector<int> flipped = findFlipped();
 		faces.insert(faces.end(), flipped.begin(), flipped.end());
 		faces.erase(std::remove_if(faces.begin(), faces.end(), [&](int f) { return !hasMoved(f); }),
 					faces.end());
 		if (faces.empty()) return false;
+		// Only what is changed from here on needs to be looked at again.
+		mayCross_.assign(m_.faceNum, 0);
 		shortenFrom(badAmong(facesRound(shorten(faces, 0))));
 		return true;
 	}
@@ -132,6 +134,7 @@ public:
 	void takeAllBack()
 	{
 		shift_.fill(Vec3f());
+		mayCross_.clear();
 		apply();
 	}
 
@@ -143,6 +146,8 @@ private:
 	Workers&       workers_;
 	Buffer<Vec3f>  from_, shift_;
 	Buffer<Vec3f>  normal_; ///< of the surface at the vertices
+	/// Faces, of which one at least takes part in a crossing not known yet; empty: all.
+	std::vector<char> mayCross_;
 
 	bool hasMoved(int f) const
 	{
@@ -195,6 +200,8 @@ private:
 			shift_[v]      = shift_[v] * factor;
 			m_.position[v] = at(v);
 		}
+		for (std::size_t i = 0; !mayCross_.empty() && i < vertices.size(); ++i)
+			forEachOutgoing(m_, vertices[i], [&](int h) { mayCross_[h / 3] = 1; });
 		return vertices;
 	}
 
@@ -230,13 +237,14 @@ private:
 class DistanceForm {
 public:
 	explicit DistanceForm(const HalfEdgeMesh& mesh) :
-			m_(mesh), own_(mesh.vertexNum), joint_(mesh.halfEdgeNum()), force_(mesh.vertexNum)
+			m_(mesh), edge_(mesh.halfEdgeNum()), own_(mesh.vertexNum), force_(mesh.vertexNum)
 	{
+		numberEdges();
 	}
 
 	void assemble(const Surface& surface, const Cells& cells, Workers& workers)
 	{
-		workers.forRange(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+		workers.forRange(joint_.size(), [&](std::size_t begin, std::size_t end) {
 			std::fill(joint_.data() + begin, joint_.data() + end, SymmetricMatrix());
 		});
 		workers.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
@@ -248,18 +256,24 @@ public:
 	const SymmetricMatrix& own(int v) const { return own_[v]; }
 	const Vec3f&           force(int v) const { return force_[v]; }
 	/// Of the edge that h is a half of.
-	const SymmetricMatrix& joint(int h) const { return joint_[edgeOf(h)]; }
+	const SymmetricMatrix& joint(int h) const { return joint_[edge_[h]]; }
 
 private:
 	const HalfEdgeMesh&     m_;
+	Buffer<int>             edge_; ///< per half-edge: number of its edge
 	Buffer<SymmetricMatrix> own_;
-	Buffer<SymmetricMatrix> joint_; ///< at the lower half-edge of each edge
+	Buffer<SymmetricMatrix> joint_; ///< per edge
 	Buffer<Vec3f>           force_;
 
-	int edgeOf(int h) const
+	/// Numbers the edges in the order of their lower half-edges.
+	void numberEdges()
 	{
-		const int g = m_.opposite[h];
-		return g >= 0 && g < h ? g : h;
+		int num = 0;
+		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
+			const int g = m_.opposite[h];
+			edge_[h]    = g >= 0 && g < h ? edge_[g] : num++;
+		}
+		joint_.reset(num);
 	}
 
 	/// An edge is summed up by its lower vertex, which sees both faces: nothing is written twice.
@@ -283,8 +297,8 @@ private:
 				withNext.addOuter(n, share * bq);
 				withLast.addOuter(n, share * br);
 			}
-			if (v < next) joint_[edgeOf(h)] += withNext;
-			if (v < last) joint_[edgeOf(prevInFace(h))] += withLast;
+			if (v < next) joint_[edge_[h]] += withNext;
+			if (v < last) joint_[edge_[prevInFace(h)]] += withLast;
 		});
 		own_[v]   = own;
 		force_[v] = force;
@@ -296,7 +310,7 @@ public:
 	Fitter(const Surface& surface, const FitSettings& settings, ResultMesh& result,
 		   Workers& workers) :
 			surface_(surface),
-			settings_(settings), r_(result), m_(result.mesh), workers_(workers), distance_(m_),
+			settings_(settings), r_(result), m_(result.mesh), workers_(workers),
 			moves_(surface, settings.leastAngleDeg * radians, result, workers), next_(m_.vertexNum),
 			velocity_(m_.vertexNum), mass_(m_.vertexNum), squaredEdge_(m_.vertexNum),
 			free_(m_.vertexNum)
@@ -307,17 +321,7 @@ public:
 	{
 		FitOutcome outcome;
 		Moves      whole(surface_, settings_.leastAngleDeg * radians, r_, workers_);
-		Cells      cells(surface_, r_, workers_);
-		for (int round = 0; round < settings_.rounds; ++round) {
-			if (round > 0) cells.update(r_, workers_);
-			distance_.assemble(surface_, cells, workers_);
-			startRound();
-			for (int step = 0; step < stepNum; ++step)
-				stepAll();
-			moves_.apply();
-			if (!moves_.shortenBad()) outcome.capped = true;
-			followByAnchors();
-		}
+		outcome.capped = !fitInRounds();
 		whole.takeOver();
 		if (!takeBackOffenders(whole)) outcome.capped = true;
 		outcome.farthest = farthestFromAnchor();
@@ -330,12 +334,32 @@ private:
 	ResultMesh&        r_;
 	HalfEdgeMesh&      m_;
 	Workers&           workers_;
-	DistanceForm       distance_;
+	DistanceForm*      distance_ = nullptr; ///< of the round under way
 	Moves              moves_;
 	Buffer<Vec3f>      next_, velocity_;
 	Buffer<float>      mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
 	Buffer<float>      squaredEdge_; ///< of an equilateral triangle as large as the ones round it
 	Buffer<char>       free_;
+
+	/// False if a round had to take all its moves back.
+	bool fitInRounds()
+	{
+		bool         allKept = true;
+		DistanceForm distance(m_);
+		Cells        cells(surface_, r_, workers_);
+		distance_ = &distance;
+		for (int round = 0; round < settings_.rounds; ++round) {
+			if (round > 0) cells.update(r_, workers_);
+			distance.assemble(surface_, cells, workers_);
+			startRound();
+			for (int step = 0; step < stepNum; ++step)
+				stepAll();
+			moves_.apply();
+			allKept = moves_.shortenBad() && allKept;
+			followByAnchors();
+		}
+		return allKept;
+	}
 
 	/// False if there was no end to it and all moves were taken back.
 	bool takeBackOffenders(Moves& whole)
@@ -426,17 +450,17 @@ private:
 		const float     pull  = pullBack * mass_[v];
 		const float     stiff = ring.stiffness * shapeWeight(v);
 
-		Vec3f force = distance_.force(v) - distance_.own(v) * shift - shift * pull;
+		Vec3f force = distance_->force(v) - distance_->own(v) * shift - shift * pull;
 		forEachOutgoing(m_, v, [&](int h) {
-			force = force - distance_.joint(h) * moves_.shift(m_.target(h));
+			force = force - distance_->joint(h) * moves_.shift(m_.target(h));
 			// Behind the last border edge there is no half-edge that leaves v.
 			const int in = prevInFace(h);
 			if (m_.opposite[in] < 0)
-				force = force - distance_.joint(in) * moves_.shift(m_.origin[in]);
+				force = force - distance_->joint(in) * moves_.shift(m_.origin[in]);
 		});
 		force += ring.force * shapeWeight(v);
 
-		SymmetricMatrix matrix = distance_.own(v);
+		SymmetricMatrix matrix = distance_->own(v);
 		matrix.addDiagonal(pull + stiff);
 		matrix.addOuter(ring.normal, -stiff);
 		const Vec3f wanted = velocity_[v] * momentum + matrix.solve(force) * stepLength;

@@ -26,13 +26,12 @@ double partsOfNeedle(double edgeParts)
 }
 
 /// All three edges are halved as long as the shortest is too long, then the longer two, then one.
-double partsOfFace(const IndexedMesh& m, std::size_t f, float maxLength)
+double partsOfFace(const IndexedMesh& m, int f, float maxLength)
 {
 	const int*  t = &m.triangle[3 * f];
 	const Vec3f a = m.position[t[0]], b = m.position[t[1]], c = m.position[t[2]];
 	float       edge[3] = {length(b - a), length(c - b), length(a - c)};
 	std::sort(edge, edge + 3);
-	if (!(edge[2] > maxLength)) return 1;
 	const double least  = partsOfEdge(edge[0], maxLength);
 	const double middle = partsOfEdge(edge[1], maxLength);
 	return least * least * partsOfNeedle(middle / least) * partsOfEdge(edge[2], maxLength) / middle;
@@ -40,14 +39,13 @@ double partsOfFace(const IndexedMesh& m, std::size_t f, float maxLength)
 
 } // namespace
 
-double facesAfterSplitting(const IndexedMesh& mesh, float maxLength, Workers& workers)
+double facesAfterSplitting(const IndexedMesh& mesh, const std::vector<int>& longFaces,
+						   float maxLength)
 {
-	return workers.sum<double>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		double parts = 0;
-		for (std::size_t f = begin; f < end; ++f)
-			parts += partsOfFace(mesh, f, maxLength);
-		return parts;
-	});
+	double faces = double(mesh.faceNum) - double(longFaces.size());
+	for (int f : longFaces)
+		faces += partsOfFace(mesh, f, maxLength);
+	return faces;
 }
 
 double bytesNeeded(double faceNum, double resultVertexNum)

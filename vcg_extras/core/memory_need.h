@@ -4,14 +4,16 @@
 #define VCG_EXTRAS_CORE_MEMORY_NEED_H
 
 #include "indexed_mesh.h"
-#include "workers.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace gpr {
 
-/// About how many faces splitLongEdges leaves, within a factor of two. Cost: a parallel pass.
-double facesAfterSplitting(const IndexedMesh& mesh, float maxLength, Workers& workers);
+/// About how many faces splitLongEdges leaves, within a factor of two, of a mesh whose faces with a
+/// longer edge than maxLength are these (see findLongFaces). Cost: theirs alone.
+double facesAfterSplitting(const IndexedMesh& mesh, const std::vector<int>& longFaces,
+						   float maxLength);
 
 /// About how many bytes the engine holds at most for a mesh of so many faces, after splitting, and
 /// a result of so many vertices; without the caller's mesh.

@@ -83,7 +83,7 @@ void applyPreset(Preset preset, RemeshOptions& o)
 	o.placement       = paper ? Placement::BorderEdge : Placement::DiskIntersection;
 	o.retriangulation = paper ? Retriangulation::VertexRemoval : Retriangulation::LabelCollapse;
 	o.smoothing       = paper ? Smoothing::Umbrella2 : Smoothing::Barycentric;
-	o.fit             = paper ? Fit::Off : preset == Preset::Fast ? Fit::Quick : Fit::Rounds;
+	o.fit             = preset == Preset::Default ? Fit::Rounds : Fit::Off;
 	o.regularity      = preset == Preset::Default ? Regularity::Full : Regularity::Plain;
 	o.equations       = paper ? Equations::AsPrinted : Equations::Calibrated;
 	o.exactCount      = !paper;

@@ -9,6 +9,9 @@
 #include <memory>
 #include <new>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 #if defined(__linux__)
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -114,6 +117,13 @@ void* allocatePages(std::size_t bytes)
 	if (large) madvise(memory, rounded, MADV_HUGEPAGE);
 #endif
 	return memory;
+}
+
+void returnReleasedMemory()
+{
+#if defined(__GLIBC__)
+	malloc_trim(0);
+#endif
 }
 
 void releasePages(void* memory, std::size_t)

@@ -13,6 +13,10 @@ namespace gpr {
 void* allocatePages(std::size_t bytes);
 void  releasePages(void* memory, std::size_t bytes);
 
+/// Gives memory back to the system that was released but is kept for later, where that can be
+/// asked for: before a stage that needs much. Cost: some milliseconds.
+void returnReleasedMemory();
+
 /// Memory that this process may still take without that of others being moved to a disk; 0 where
 /// it is unknown.
 std::int64_t availableMemoryBytes();

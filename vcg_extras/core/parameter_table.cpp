@@ -142,8 +142,9 @@ void addStages(Table& t)
 {
 	t.push_back(
 		row(sized, "Preset", "--preset", "NAME", Kind::Choice, "Preset",
-			"Which way is gone: default, the most regular triangles; fast, without the passes that "
-			"cost most; paper, each stage as the paper has it, whose number of vertices is only "
+			"Which way is gone: default, the most regular triangles, close to the input; fast, "
+			"three times as fast, without the fit and the passes for regularity; paper, each stage "
+			"as the paper has it, whose number of vertices is only "
 			"about what was asked for. What is chosen for a single stage wins over the preset.")
 			.choices({"default", "fast", "paper"})
 			.store([](const Value& v, RemeshOptions& o) { applyPreset(Preset(countOf(v)), o); })
@@ -201,8 +202,8 @@ void addStages(Table& t)
 		row(RemeshTool, "Fit", "--fit", "on|quick|off", Kind::Choice, "Fit to the input",
 			"After the smoothing vertices leave the surface a little for where the triangles lie "
 			"closest to it, which halves the error or better, and the triangles stay regular: on "
-			"(default); quick, in half the time (fast); off, every vertex stays on the surface "
-			"(paper). Vertices of borders stay on them in any case.")
+			"(default); quick, with fewer rounds; off, every vertex stays on the surface (fast, "
+			"paper). Vertices of borders stay on them in any case.")
 			.choices({"preset", "on", "quick", "off"})
 			.store([](const Value& v, RemeshOptions& o) {
 				if (countOf(v) > 0) o.fit = Fit(countOf(v) - 1);

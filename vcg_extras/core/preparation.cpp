@@ -76,9 +76,7 @@ Prepared Preparation::prepare(std::int64_t fixedTarget)
 			  p);
 
 	clock_.enter("splitLongEdges", "Splitting long edges", 0.06);
-	requireMemoryFor(mesh, p);
-	report_.cleaned.longEdgesSplit = splitLongEdges(
-		mesh, longestEdge * p.radius, mostFacesFor(p.targetNum, mesh.faceNum), workers_);
+	report_.cleaned.longEdgesSplit = splitAsFarAsMemoryGoes(mesh, p);
 	connectOrRepair(mesh, p.surface);
 	dropFlatPieces(p.surface);
 	setSizes(p);
@@ -252,10 +250,14 @@ void Preparation::dropSmallComponents(Surface& surface)
 	connectOrRepair(mesh, surface);
 }
 
-void Preparation::requireMemoryFor(const IndexedMesh& mesh, const Prepared& p)
+std::int64_t Preparation::splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepared& p)
 {
-	const double faces = facesAfterSplitting(mesh, longestEdge * p.radius, workers_);
+	const float            longest   = longestEdge * p.radius;
+	const std::vector<int> longFaces = findLongFaces(mesh, longest, workers_);
+	const double           faces     = facesAfterSplitting(mesh, longFaces, longest);
 	requireMemory(bytesNeeded(faces, double(p.targetNum)), availableMemoryBytes());
+	const std::int64_t mostFaces = mostFacesFor(p.targetNum, mesh.faceNum);
+	return splitLongEdges(mesh, longFaces, longest, mostFaces, workers_);
 }
 
 void Preparation::noteDetection(const FeatureEdges& features)

@@ -47,7 +47,7 @@ private:
 	IndexedMesh         loadCleaned();
 	IndexedMesh         withoutUseless(IndexedMesh mesh);
 	void                dropSmallComponents(Surface& surface);
-	void                requireMemoryFor(const IndexedMesh& mesh, const Prepared& p);
+	std::int64_t        splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepared& p);
 	void                noteDetection(const FeatureEdges& features);
 };
 

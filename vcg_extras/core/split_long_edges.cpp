@@ -17,6 +17,20 @@ struct Face {
 	int source;
 };
 
+/// Which edges of a mesh are too long.
+struct EdgeRule {
+	float                maxSquared;
+	const Buffer<float>& size; ///< of each vertex, or empty
+
+	bool isLong(const IndexedMesh& mesh, int a, int b) const
+	{
+		const float squared = squaredLength(mesh.position[a] - mesh.position[b]);
+		if (size.empty()) return squared > maxSquared;
+		const float least = std::min(size[a], size[b]);
+		return squared > maxSquared * least * least;
+	}
+};
+
 /// Splits the long faces round by round; both faces of a long edge are among them, so no others are
 /// needed.
 class Splitter {
@@ -153,7 +167,7 @@ private:
 	}
 };
 
-std::vector<int> findLongFaces(const IndexedMesh& mesh, const Splitter& splitter, Workers& workers)
+std::vector<int> facesToSplit(const IndexedMesh& mesh, const EdgeRule& rule, Workers& workers)
 {
 	Buffer<char>       isLong(mesh.faceNum);
 	const std::int64_t n =
@@ -161,8 +175,8 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, const Splitter& splitter
 			std::int64_t found = 0;
 			for (std::size_t f = begin; f < end; ++f) {
 				const int* t = &mesh.triangle[3 * f];
-				isLong[f]    = splitter.isLong(t[0], t[1]) || splitter.isLong(t[1], t[2]) ||
-							splitter.isLong(t[2], t[0]);
+				isLong[f]    = rule.isLong(mesh, t[0], t[1]) || rule.isLong(mesh, t[1], t[2]) ||
+							rule.isLong(mesh, t[2], t[0]);
 				found += isLong[f];
 			}
 			return found;
@@ -206,25 +220,46 @@ void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Split
 	mesh.vertexNum += int(added.size());
 }
 
-} // namespace
-
-std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
-							Workers& workers)
+std::int64_t runSplitter(Splitter& splitter, const std::vector<int>& longFaces, IndexedMesh& mesh,
+						 Workers& workers)
 {
-	return splitLongEdges(mesh, maxLength, Buffer<float>(), maxFaces, workers);
-}
-
-std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, const Buffer<float>& size,
-							std::int64_t maxFaces, Workers& workers)
-{
-	Splitter               splitter(mesh, maxLength, size, maxFaces);
-	const std::vector<int> longFaces = findLongFaces(mesh, splitter, workers);
 	if (longFaces.empty()) return 0;
 	for (int f : longFaces)
 		splitter.addFace(f);
 	splitter.run(workers);
 	writeBack(mesh, longFaces, splitter);
 	return splitter.splitNum();
+}
+
+} // namespace
+
+std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength, Workers& workers)
+{
+	const Buffer<float> sameSize;
+	return facesToSplit(mesh, {maxLength * maxLength, sameSize}, workers);
+}
+
+std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
+							Workers& workers)
+{
+	return splitLongEdges(mesh, findLongFaces(mesh, maxLength, workers), maxLength, maxFaces,
+						  workers);
+}
+
+std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
+							std::int64_t maxFaces, Workers& workers)
+{
+	const Buffer<float> sameSize;
+	Splitter            splitter(mesh, maxLength, sameSize, maxFaces);
+	return runSplitter(splitter, longFaces, mesh, workers);
+}
+
+std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, const Buffer<float>& size,
+							std::int64_t maxFaces, Workers& workers)
+{
+	Splitter               splitter(mesh, maxLength, size, maxFaces);
+	const std::vector<int> longFaces = facesToSplit(mesh, {maxLength * maxLength, size}, workers);
+	return runSplitter(splitter, longFaces, mesh, workers);
 }
 
 } // namespace gpr

@@ -7,6 +7,7 @@
 #include "workers.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace gpr {
 
@@ -18,6 +19,12 @@ namespace gpr {
 /// than maxFaces faces.
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
 							Workers& workers);
+
+/// Faces with an edge longer than maxLength, ascending. Cost: a parallel pass.
+std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength, Workers& workers);
+/// The same for long faces that are known already. Cost: theirs alone.
+std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
+							std::int64_t maxFaces, Workers& workers);
 
 /// The same where edges may be the shorter the smaller the triangles are to be: at most maxLength
 /// times the lesser size of their ends; size[v] in (0, 1] for each of the mesh's vertices, new ones
