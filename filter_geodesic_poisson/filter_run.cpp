@@ -45,7 +45,7 @@ void requireOk(const Result& result)
 	if (result.status != gpr::Status::Ok) throw Refusal(result.message);
 }
 
-Lines remesh(const LayerJob& job, vcg::CallBackPos* progress)
+RunOutcome remesh(const LayerJob& job, vcg::CallBackPos* progress)
 {
 	const gpr::RemeshResult result =
 		gpr::remesh(job.copy().view(), job.options(), progressTo(progress));
@@ -54,10 +54,10 @@ Lines remesh(const LayerJob& job, vcg::CallBackPos* progress)
 	buildMesh(result, job.copy(), built);
 	Lines lines = remeshingLines(result);
 	lines.push_back(job.put(built, "_remeshed"));
-	return lines;
+	return {true, lines, remeshingFigures(result)};
 }
 
-Lines sample(const LayerJob& job, vcg::CallBackPos* progress)
+RunOutcome sample(const LayerJob& job, vcg::CallBackPos* progress)
 {
 	const gpr::SamplingResult result =
 		gpr::samplePoissonDisks(job.copy().view(), job.options(), progressTo(progress));
@@ -66,10 +66,10 @@ Lines sample(const LayerJob& job, vcg::CallBackPos* progress)
 	buildPoints(result, job.copy(), built);
 	Lines lines = samplingLines(result);
 	job.putPoints(built, "_samples");
-	return lines;
+	return {true, lines, samplingFigures(result)};
 }
 
-Lines retriangulate(const LayerJob& job, vcg::CallBackPos* progress)
+RunOutcome retriangulate(const LayerJob& job, vcg::CallBackPos* progress)
 {
 	const gpr::RemeshResult result =
 		gpr::retriangulate(job.copy().view(), job.samples(), job.options(), progressTo(progress));
@@ -78,19 +78,19 @@ Lines retriangulate(const LayerJob& job, vcg::CallBackPos* progress)
 	buildMesh(result, job.copy(), built);
 	Lines lines = retriangulationLines(result);
 	lines.push_back(job.put(built, "_retriangulated"));
-	return lines;
+	return {true, lines, remeshingFigures(result)};
 }
 
-Lines detectFeatures(const LayerJob& job, vcg::CallBackPos* progress)
+RunOutcome detectFeatures(const LayerJob& job, vcg::CallBackPos* progress)
 {
 	const gpr::FeatureResult result =
 		gpr::detectFeatures(job.copy().view(), job.options(), progressTo(progress));
 	requireOk(result);
 	job.mark(result);
-	return featureLines(result);
+	return {true, featureLines(result), featureFigures(result)};
 }
 
-Lines runTool(gpr::Tool tool, const LayerJob& job, vcg::CallBackPos* progress)
+RunOutcome runTool(gpr::Tool tool, const LayerJob& job, vcg::CallBackPos* progress)
 {
 	switch (tool) {
 	case gpr::SamplingTool:
@@ -106,7 +106,7 @@ Lines runTool(gpr::Tool tool, const LayerJob& job, vcg::CallBackPos* progress)
 
 RunOutcome giveUp(const char* what, const char* why) noexcept
 try {
-	return {false, {std::string(what) + why}};
+	return {false, {std::string(what) + why}, {}};
 }
 catch (...) {
 	// Not even memory for a sentence.
@@ -134,10 +134,10 @@ try {
 	if (_running) throw Refusal("A filter of this plugin is running already; wait for its end.");
 	const Flagged  running(_running);
 	const LayerJob job(document, tool, list);
-	return {true, runTool(tool, job, progress)};
+	return runTool(tool, job, progress);
 }
 catch (const Refusal& refusal) {
-	return {false, refusal.sentences()};
+	return {false, refusal.sentences(), {}};
 }
 catch (const std::bad_alloc&) {
 	return giveUp("There is not enough memory for this.", "");

@@ -6,6 +6,7 @@
 // What all versions' adapters do when a filter is applied.
 
 #include "meshlab_api.h"
+#include "run_figures.h"
 
 #include <string>
 #include <vcg_extras/core/parameters.h>
@@ -23,6 +24,7 @@ struct RunOutcome {
 	bool done = false; ///< false: the document is as it was
 	/// One line or sentence each: for the log when it was done, else for the user and the log.
 	std::vector<std::string> lines;
+	Figures                  figures; ///< for programs; empty where it was not done
 };
 
 /// Applies one filter after the other.

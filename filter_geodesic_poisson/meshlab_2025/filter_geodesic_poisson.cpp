@@ -92,5 +92,9 @@ std::map<std::string, QVariant> FilterGeodesicPoisson::applyFilter(const QAction
 	}
 	// The failure box shows the text as HTML, Python as it is.
 	if (!outcome.done) throw MLException(gpr_filter::asHtml(outcome.lines, "\n"));
-	return {};
+	std::map<std::string, QVariant> figures;
+	for (const auto& [name, figure] : outcome.figures) {
+		figures[name] = figure;
+	}
+	return figures;
 }

@@ -10,6 +10,7 @@
 #   MESHLAB_SOURCE_DIR       MeshLab's src folder, or the folder above it; its version is that tree's
 #   MESHLAB_COMMON_LIBRARY   libmeshlab-common.so of the MeshLab that shall load the plugin
 #   MESHLAB_COMMON_LIBRARY_DOUBLE   2025.07: that of a MeshLab with double scalars
+#   GPR_PYMESHLAB_PYTHON     Python that has PyMeshLab 2025.7
 # Otherwise the folders in which scripts/setup leaves sources and libraries are looked in.
 #
 # Sets for each version V of 2020 and 2025 that is wanted:
@@ -18,7 +19,7 @@
 #                              CMeshO with the host and must be compiled with no other
 #   GPR_MESHLAB_V_LIBRARY, GPR_MESHLAB_2025_LIBRARY_DOUBLE
 #   GPR_MESHLAB_2025_VERSION   as the tree states it
-# Sets GPR_VCGLIB_DIR, and defines, where vcglib and Eigen were found:
+# Sets GPR_PYTHON_OF_TESTS (with PyMeshLab, or empty) and GPR_VCGLIB_DIR, and defines, where vcglib and Eigen were found:
 #   gpr_vcglib                 interface target: system include paths of vcglib and Eigen
 
 set(VCGDIR "" CACHE PATH "vcglib: the folder that holds vcg/ and wrap/")
@@ -115,6 +116,13 @@ if(2025.07 IN_LIST GPR_MESHLAB_WANTED)
   if(EXISTS "${GPR_MESHLAB_2025_SOURCE_DIR}/../ML_VERSION")
     file(STRINGS "${GPR_MESHLAB_2025_SOURCE_DIR}/../ML_VERSION" GPR_MESHLAB_2025_VERSION LIMIT_COUNT 1)
   endif()
+endif()
+
+# PyMeshLab of that version, for tests.
+set(GPR_PYMESHLAB_PYTHON "" CACHE FILEPATH "Python that has PyMeshLab 2025.7; scripts/setup makes one")
+set(GPR_PYTHON_OF_TESTS "${GPR_PYMESHLAB_PYTHON}")
+if(NOT GPR_PYTHON_OF_TESTS AND EXISTS "${_gpr_cache}/pymeshlab-2025.7/.complete")
+  set(GPR_PYTHON_OF_TESTS "${_gpr_cache}/pymeshlab-2025.7/bin/python")
 endif()
 
 foreach(_year 2020 2025)

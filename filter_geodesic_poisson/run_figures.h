@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef FILTER_GEODESIC_POISSON_RUN_FIGURES_H
+#define FILTER_GEODESIC_POISSON_RUN_FIGURES_H
+
+#include <map>
+#include <string>
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr_filter {
+
+/// Names are public, as PyMeshLab hands them out: they change with a changelog line only. Lengths
+/// are in mesh units, angles in degrees.
+using Figures = std::map<std::string, double>;
+
+// What a finished run tells to programs; run_report.h has the same for people.
+
+Figures remeshingFigures(const gpr::RemeshResult& result);
+Figures samplingFigures(const gpr::SamplingResult& result);
+Figures featureFigures(const gpr::FeatureResult& result);
+
+} // namespace gpr_filter
+
+#endif
