@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 from circumstances import circumstances
+from measured_run import RunFailed
 from memory_by_stage import watch_memory
 from methods import Programs, all_methods
 from page import write_page
@@ -18,6 +19,7 @@ from stage_benchmarks import measure_stages
 
 FULL_SIZES = "0.27M,2.4M,7.75M,31M"
 QUICK_SIZES = "30k,60k"
+BUILT_IN = ("stone", "land", "box")
 MOST_FACES_FOR_STAGES = 3e6
 LEAST_FACES_FOR_MEMORY = 1e6  # the program itself is too much of a smaller run's memory
 DOCS = Path("vcg_extras/docs")
@@ -36,7 +38,11 @@ def arguments():
     parser.add_argument("--quick", action="store_true", help="whether it all works, in a minute")
     parser.add_argument("--page", action="store_true", help="only the page, from the last run's figures")
     parser.add_argument("meshes", nargs="*", type=Path, help="further meshes, as they are")
-    return parser.parse_args()
+    options = parser.parse_args()
+    for mesh in options.meshes + [Path(options.grow)] * (options.grow not in BUILT_IN):
+        if not mesh.exists():
+            parser.error(f"there is no {mesh}")
+    return options
 
 
 def face_number(text):
@@ -117,8 +123,18 @@ class Measuring:
             methods.reverse()
         for method in methods:
             goal = mesh["runs"]["default-2"][0]["faces"] if "default-2" in mesh["runs"] else 0
+            self._run_once(method, mesh, file, goal)
+
+    def _run_once(self, method, mesh, file, goal):
+        """Other simplifiers may be missing, or fail; that is no reason to measure nothing."""
+        try:
             record = method.run(self.programs, file, goal)
-            mesh["runs"].setdefault(method.key, []).append(record)
+        except RunFailed as failure:
+            if method.preset:
+                raise
+            say(f"left out: {method.label} ({failure})")
+            return
+        mesh["runs"].setdefault(method.key, []).append(record)
 
     def _stages(self, meshes, files):
         """On the largest mesh that is not too large for them."""
@@ -180,6 +196,8 @@ def main():
     record = work / ("quick.json" if options.quick else "speed.json")
     if not options.page:
         Measuring(options, record).all()
+    if not record.exists():
+        sys.exit(f"bench: there is no earlier run: {record}")
     figures = json.loads(record.read_text())
     tell(figures, work if options.quick else DOCS)
     if options.quick:
@@ -190,4 +208,7 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (OSError, RuntimeError, subprocess.CalledProcessError) as error:
+        sys.exit(f"bench: {error}")

@@ -25,7 +25,7 @@ class OutsideFigures:
     peak: int  # bytes, largest resident set: pages of mapped files count
 
 
-class RunFailed(Exception):
+class RunFailed(RuntimeError):
     pass
 
 

@@ -22,7 +22,7 @@ def watch_memory(programs, mesh, preset):
                preset, "--quiet", "--report", report_file]
     samples = _samples(command)
     result.unlink()
-    return _by_stage(samples, json.loads(report_file.read_text())["seconds"])
+    return by_stage(samples, json.loads(report_file.read_text())["seconds"])
 
 
 def _samples(command):
@@ -41,7 +41,7 @@ def _samples(command):
     return samples
 
 
-def _by_stage(samples, seconds):
+def by_stage(samples, seconds):
     stages = [("read", seconds["read"])]
     stages += [(name, length) for name, length in seconds.items() if name not in NO_STAGES]
     most = {}

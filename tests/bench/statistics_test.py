@@ -11,6 +11,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts" / "speed"
 
 from bench import complaints, face_number
 from measured_run import RunFailed, measured
+from memory_by_stage import by_stage
 from methods import all_methods
 from statistics_of_runs import (Spread, growth, line_through, overhead_of, parallel_share, ratio_of,
                                 spread_of)
@@ -73,6 +74,13 @@ class Measured(unittest.TestCase):
     def test_a_failure_is_told(self):
         with self.assertRaises(RunFailed):
             measured(["/bin/false"])
+
+
+class MemoryByStage(unittest.TestCase):
+    def test_a_stage_has_the_most_that_was_seen_in_its_time(self):
+        seconds = {"load": 2, "order": 1, "short": 0.1, "read": 1, "remesh": 3.1, "total": 4.1}
+        samples = [(0.5, 7), (1.5, 20), (2.5, 10), (3.5, 15), (9, 99)]
+        self.assertEqual(by_stage(samples, seconds), {"read": 7, "load": 20, "order": 15, "short": None})
 
 
 class Complaints(unittest.TestCase):
