@@ -192,10 +192,15 @@ milliseconds, so that short stages are missing. "read" counts the pages of the m
         if "memory" not in mesh:
             continue
         held = [mesh["memory"][preset] for preset in ("fast", "default")]
-        rows = [[name] + [f"{h[name] / mesh['faces']:.0f}" if h[name] else "–" for h in held]
+        rows = [[name] + [_bytes(h.get(name), mesh) for h in held]
                 for name in held[1]]
         text += f"\n{_title(mesh)}:\n\n" + _table(["stage", "fast", "default"], rows)
     return text
+
+
+def _bytes(held, mesh):
+    """A preset need not have all stages, nor need all of them have been seen."""
+    return f"{held / mesh['faces']:.0f}" if held else "–"
 
 
 def _single_stages(stages):
