@@ -9,7 +9,6 @@
 #include <vcg_extras/core/conformal_relaxation.h>
 #include <vcg_extras/core/delaunay_flips.h>
 #include <vcg_extras/core/exact_count.h>
-#include <vcg_extras/core/fit.h>
 #include <vcg_extras/core/fold_repair.h>
 #include <vcg_extras/core/measure.h>
 #include <vcg_extras/core/relaxation.h>
@@ -90,8 +89,9 @@ void worstTriangles(benchmark::State& state, StagedRun& run, Workers& workers)
 void fit(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Surface& surface = run.prepared().surface;
-	timeChange(state, run.improved().raised,
-			   [&](ResultMesh& result) { fitToInput(surface, FitSettings(), result, workers); });
+	timeChange(state, run.improved().raised, [&](ResultMesh& result) {
+		fitToInput(surface, usualFitSettings(), result, workers);
+	});
 }
 
 void angleMending(benchmark::State& state, StagedRun& run, Workers& workers)

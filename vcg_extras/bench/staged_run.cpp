@@ -7,7 +7,6 @@
 #include <vcg_extras/core/conformal_relaxation.h>
 #include <vcg_extras/core/delaunay_flips.h>
 #include <vcg_extras/core/exact_count.h>
-#include <vcg_extras/core/fit.h>
 #include <vcg_extras/core/fold_repair.h>
 #include <vcg_extras/core/relaxation.h>
 #include <vcg_extras/core/valence_glide.h>
@@ -65,7 +64,7 @@ public:
 
 	ResultMesh fitted(ResultMesh result)
 	{
-		fitToInput(prepared_.surface, FitSettings(), result, workers_);
+		fitToInput(prepared_.surface, usualFitSettings(), result, workers_);
 		return result;
 	}
 
@@ -76,6 +75,13 @@ private:
 };
 
 } // namespace
+
+FitSettings usualFitSettings()
+{
+	FitSettings settings;
+	settings.rounds = 3;
+	return settings;
+}
 
 StagedRun::StagedRun(const MeshView& input, const RemeshOptions& options) :
 		input_(input), options_(options), workers_(0, nullptr)

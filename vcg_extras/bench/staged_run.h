@@ -6,6 +6,7 @@
 #include <memory>
 #include <vcg_extras/core/blocks.h>
 #include <vcg_extras/core/boundary_curves.h>
+#include <vcg_extras/core/fit.h>
 #include <vcg_extras/core/front_sampling.h>
 #include <vcg_extras/core/preparation.h>
 #include <vcg_extras/core/result_mesh.h>
@@ -31,6 +32,9 @@ struct ImprovedStates {
 	ResultMesh raised;    ///< worst angles raised, folds mended
 	ResultMesh fitted;    ///< to the input
 };
+
+/// Those of a run with even triangles.
+FitSettings usualFitSettings();
 
 /// One run of the engine that can be stopped before any stage: what each of them begins with. Made
 /// as far as it is asked for, by all threads, and kept.
