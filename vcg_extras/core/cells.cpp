@@ -298,7 +298,9 @@ void Cells::measureAreas(Workers& workers)
 	workers.forRange(area_.size(), [&](std::size_t begin, std::size_t end) {
 		for (std::size_t p = begin; p < end; ++p) {
 			float sum = 0;
-			forEachOutgoing(m, int(p), [&](int h) { sum += length(m.faceCross(h / 3)); });
+			forEachFaceRound(m, int(p), [&](int, const Vec3f& a, const Vec3f& b) {
+				sum += length(cross(a, b));
+			});
 			area_[p] = sum / 6;
 		}
 	});

@@ -91,14 +91,11 @@ private:
 template <class Add>
 Pull sumRing(const HalfEdgeMesh& m, int v, const Add& add)
 {
-	const Vec3f p       = m.position[v];
 	const float squared = meanSquaredEdge(m, v);
 	if (!(squared > 0)) return {};
 	PullSum sum(squared);
-	forEachOutgoing(m, v, [&](int h) {
-		const Vec3f a = m.position[m.target(h)] - p, b = m.position[m.apex(h)] - p;
-		add(sum, a, b, cross(a, b));
-	});
+	forEachFaceRound(m, v,
+					 [&](int, const Vec3f& a, const Vec3f& b) { add(sum, a, b, cross(a, b)); });
 	return sum.result();
 }
 

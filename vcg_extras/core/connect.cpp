@@ -208,10 +208,9 @@ bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& 
 		workers.sum<std::int64_t>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
 			std::int64_t corners = 0;
 			for (int v = int(begin); v < int(end); ++v) {
-				const Vec3f p = m.position[v];
-				Vec3f       sum;
-				forEachOutgoing(m, v, [&](int h) {
-					sum += cross(m.position[m.target(h)] - p, m.position[m.apex(h)] - p);
+				Vec3f sum;
+				forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
+					sum += cross(a, b);
 					++corners;
 				});
 				normal[v] = PackedNormal(normalized(sum));

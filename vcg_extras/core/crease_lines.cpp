@@ -74,17 +74,23 @@ private:
 
 	// ---- sharp edges
 
-	/// Face by face, so that a face's own cross product is worked out once for its three edges.
+	/// Face by face, so that a face's own cross product is worked out once for its three edges; of
+	/// the face beyond only the apex is read.
 	std::vector<int> findSharpEdges() const
 	{
 		const float cosine = std::cos(rules_.strongDeg * radians);
 		return workers_.collect<int>(
 			m_.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
 				for (int f = int(begin); f < int(end); ++f) {
-					const Vec3f own = m_.faceCross(f);
-					for (int h = 3 * f; h < 3 * f + 3; ++h) {
-						const int g = m_.opposite[h];
-						if (g > h && isSharper(own, m_.faceCross(g / 3), cosine)) out.push_back(h);
+					const int*  v    = &m_.origin[3 * f];
+					const Vec3f p[3] = {m_.position[v[0]], m_.position[v[1]], m_.position[v[2]]};
+					const Vec3f own  = cross(p[1] - p[0], p[2] - p[0]);
+					for (int k = 0; k < 3; ++k) {
+						const int h = 3 * f + k, g = m_.opposite[h];
+						if (g < h) continue;
+						const Vec3f apex = m_.position[m_.apex(g)];
+						const Vec3f a = p[k], b = p[(k + 1) % 3];
+						if (isSharper(own, cross(a - b, apex - b), cosine)) out.push_back(h);
 					}
 				}
 			});
@@ -144,16 +150,18 @@ private:
 		return flat > 0;
 	}
 
+	/// Of about a million half-edges, or all where there are fewer.
 	float meanEdge() const
 	{
-		const double sum =
-			workers_.sum<double>(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
-				double s = 0;
-				for (std::size_t h = begin; h < end; ++h)
-					s += double(edgeLength(m_, int(h)));
-				return s;
-			});
-		return float(sum / m_.halfEdgeNum());
+		const int         stride = 1 + m_.halfEdgeNum() / 1000000;
+		const std::size_t num    = std::size_t((m_.halfEdgeNum() + stride - 1) / stride);
+		const double      sum = workers_.sum<double>(num, [&](std::size_t begin, std::size_t end) {
+            double s = 0;
+            for (std::size_t i = begin; i < end; ++i)
+                s += double(edgeLength(m_, int(i) * stride));
+            return s;
+        });
+		return float(sum / double(num));
 	}
 
 	/// For every vertex of the edges, all marked: the length of what is linked to it.

@@ -88,6 +88,25 @@ inline void forEachOutgoing(const HalfEdgeMesh& m, int v, const Visit& visit)
 	} while (h >= 0 && h != first);
 }
 
+/// Calls visit(h, a, b) for every half-edge h that leaves v, as above; a and b lead from v to the
+/// other corners of h's face, target(h) and apex(h). Each place of the ring is read once only.
+template <class Visit>
+inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const Visit& visit)
+{
+	const int first = m.outgoing[v];
+	if (first < 0) return;
+	const Vec3f p = m.position[v];
+	Vec3f       a = m.position[m.target(first)] - p;
+	int         h = first;
+	do {
+		const int   in = prevInFace(h);
+		const Vec3f b  = m.position[m.origin[in]] - p;
+		visit(h, a, b);
+		a = b;
+		h = m.opposite[in];
+	} while (h >= 0 && h != first);
+}
+
 /// Calls visit(w) for every neighbour w of v, the one behind the last border edge included.
 template <class Visit>
 inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)

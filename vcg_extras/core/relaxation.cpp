@@ -33,11 +33,9 @@ class Ring {
 public:
 	void gather(const HalfEdgeMesh& m, int v)
 	{
-		const Vec3f p = m.position[v];
-		sum_          = {};
+		sum_ = {};
 		faces_.clear();
-		forEachOutgoing(m, v, [&](int h) {
-			const Vec3f a = m.position[m.target(h)] - p, b = m.position[m.apex(h)] - p;
+		forEachFaceRound(m, v, [&](int h, const Vec3f& a, const Vec3f& b) {
 			faces_.push_back({h, a + b, cross(a, b)});
 			sum_ += faces_.back().cross;
 		});

@@ -42,6 +42,29 @@ bool isFlatSector(const HalfEdgeMesh& m, int first, int faceNum)
 	return flat;
 }
 
+/// isFlatSector of the whole ring, which is read once where it is not uncommonly large.
+bool isFlatRing(const HalfEdgeMesh& m, int v)
+{
+	constexpr int mostKept = 12;
+	Vec3f         kept[mostKept];
+	Vec3f         sum;
+	int           num = 0;
+	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
+		const Vec3f n = cross(a, b);
+		if (num < mostKept) kept[num] = n;
+		++num;
+		sum += n;
+	});
+	if (num > mostKept) return isFlatSector(m, m.outgoing[v], num);
+	const float limit = flatCosine * flatCosine * squaredLength(sum);
+	bool        flat  = squaredLength(sum) > 0;
+	for (int i = 0; i < num; ++i) {
+		const float d = dot(kept[i], sum);
+		flat          = flat && d > 0 && d * d >= limit * squaredLength(kept[i]);
+	}
+	return flat;
+}
+
 int wantedFaces(const HalfEdgeMesh& m, int first, int faceNum)
 {
 	float angle = 0;
@@ -66,6 +89,7 @@ int correctedValence(const HalfEdgeMesh& m, int v)
 
 bool isFlat(const HalfEdgeMesh& m, int v)
 {
+	if (!m.hasCreases()) return isFlatRing(m, v);
 	bool flat = true;
 	forEachSector(m, v,
 				  [&](int first, int faceNum) { flat = flat && isFlatSector(m, first, faceNum); });
