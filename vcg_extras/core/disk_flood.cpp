@@ -60,7 +60,9 @@ void DiskFlood::meet(int vertex)
 {
 	const NearestField::Nearest& n = field_.nearest[vertex];
 	if (n.sample < 0 || n.distance > radius_) return;
-	// A dozen at most: a linear search beats every set.
+	// Neighbours mostly have the same one; of others there are a dozen at most, and a linear search
+	// beats every set.
+	if (!met_.empty() && met_.back() == n.sample) return;
 	if (std::find(met_.begin(), met_.end(), n.sample) == met_.end()) met_.push_back(n.sample);
 }
 
@@ -158,29 +160,40 @@ void DiskFlood::settle(int v, float distance, const Sample& sample)
 	if (!(distance < field_.nearest[v].distance) || distance > radius_) return;
 
 	// Along the edges, and across every triangle one of whose other corners is settled too.
-	forEachNeighbour(m_, v, [&](int w) { tryDistance(w, distance + wayAlong(v, w) * scale_); });
-	forEachOutgoing(m_, v, [&](int h) {
-		const int  a = m_.target(h), b = m_.apex(h);
-		const bool aSettled = field_.trial[a].stamp == stamp + 1;
-		const bool bSettled = field_.trial[b].stamp == stamp + 1;
-		if (aSettled) unfoldOver(v, a, b, sample);
-		if (bSettled) unfoldOver(v, b, a, sample);
-	});
+	ring_.clear();
+	forEachNeighbour(m_, v, [&](int w) { ring_.push_back({w, wayAlong(v, w) * scale_}); });
+	for (const Spoke& s : ring_)
+		tryDistance(s.vertex, distance + s.way);
+	const bool isClosed = !m_.isBorderVertex(v);
+	for (std::size_t i = 0; i + !isClosed < ring_.size(); ++i)
+		unfoldBetween(v, ring_[i], ring_[i + 1 < ring_.size() ? i + 1 : 0], sample);
 }
 
-/// Tries the way to the third corner of a triangle over the edge between two settled ones.
-void DiskFlood::unfoldOver(int v, int known, int wanted, const Sample& sample)
+/// Tries the ways over the triangle of v and two neighbours that follow each other.
+void DiskFlood::unfoldBetween(int v, const Spoke& a, const Spoke& b, const Sample& sample)
 {
-	const float d1 = field_.trial[v].distance, d2 = field_.trial[known].distance;
-	const float d =
-		unfoldedDistance(d1, d2, wayAlong(v, known) * scale_, wayAlong(v, wanted) * scale_,
-						 wayAlong(known, wanted) * scale_);
+	const int  settled  = 2 * flood_ + 1;
+	const bool aSettled = field_.trial[a.vertex].stamp == settled;
+	const bool bSettled = field_.trial[b.vertex].stamp == settled;
+	if (!aSettled && !bSettled) return;
+	const float between = wayAlong(a.vertex, b.vertex) * scale_;
+	if (aSettled) unfoldOver(v, a, b, between, sample);
+	if (bSettled) unfoldOver(v, b, a, between, sample);
+}
+
+/// Tries the way to the third corner of a triangle over the edge between two settled ones, v and
+/// `known`.
+void DiskFlood::unfoldOver(int v, const Spoke& known, const Spoke& wanted, float between,
+						   const Sample& sample)
+{
+	const float d1 = field_.trial[v].distance, d2 = field_.trial[known.vertex].distance;
+	const float d = unfoldedDistance(d1, d2, known.way, wanted.way, between);
 	if (!(d < HUGE_VALF)) return;
 	// No way on the surface is shorter than the chord; under a stretch the front never runs back.
 	const float least = stretch_ == nullptr
-							? length(m_.position[wanted] - sample.anchor.position) * scale_
+							? length(m_.position[wanted.vertex] - sample.anchor.position) * scale_
 							: std::max(d1, d2);
-	tryDistance(wanted, std::max(d, least));
+	tryDistance(wanted.vertex, std::max(d, least));
 }
 
 void DiskFlood::pushHeap(HeapEntry e)

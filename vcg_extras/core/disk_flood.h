@@ -93,6 +93,11 @@ private:
 		float distance;
 		int   vertex;
 	};
+	/// A neighbour of the vertex being settled, and the way to it.
+	struct Spoke {
+		int   vertex;
+		float way;
+	};
 
 	const HalfEdgeMesh&         m_;
 	const Buffer<PackedNormal>& normal_;
@@ -106,6 +111,7 @@ private:
 	std::vector<int>            met_;
 	std::vector<int>            queue_;
 	std::vector<HeapEntry>      heap_;
+	std::vector<Spoke>          ring_; ///< counter-clockwise
 
 	bool      exploreFlat(const Sample& sample);
 	void      exploreUnfolding(const Sample& sample);
@@ -113,7 +119,9 @@ private:
 	float     wayAlong(int v, int w) const;
 	float     wayFrom(const Sample& sample, int corner) const;
 	void      tryDistance(int vertex, float distance);
-	void      unfoldOver(int v, int known, int wanted, const Sample& sample);
+	void      unfoldBetween(int v, const Spoke& a, const Spoke& b, const Sample& sample);
+	void      unfoldOver(int v, const Spoke& known, const Spoke& wanted, float between,
+						 const Sample& sample);
 	void      meet(int vertex);
 	void      pushHeap(HeapEntry e);
 	HeapEntry popHeap();

@@ -322,7 +322,7 @@ private:
 
 	bool isCoarse(int face, float size) const
 	{
-		constexpr float coarseEdge = 0.4f; // of the disk's radius
+		constexpr float coarseEdge = 0.5f; // of the disk's radius
 		const float     limit      = coarseEdge * coarseEdge * r_ * r_ * (size * size);
 		for (int h = 3 * face; h < 3 * face + 3; ++h) {
 			const float squared =

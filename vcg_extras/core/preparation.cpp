@@ -26,8 +26,12 @@ namespace {
 
 /// Connected feature lines shorter than this in all are dropped; in ideal edges.
 constexpr float leastLineLength = 3;
-/// Longest edge of the mesh the sampling works on, in r.
+/// Longest edge of the mesh the sampling works on, in r,
 constexpr float longestEdge = 0.8f;
+/// and where at most this share of the faces has a longer one. Single long edges in a dense scan do
+/// no harm, and splitting them all would make a tenth more of everything.
+constexpr float  longestSingleEdge = 1.1f;
+constexpr double mostSingleFaces   = 0.15;
 
 } // namespace
 
@@ -252,9 +256,13 @@ void Preparation::dropSmallComponents(Surface& surface)
 
 std::int64_t Preparation::splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepared& p)
 {
-	const float            longest   = longestEdge * p.radius;
-	const std::vector<int> longFaces = findLongFaces(mesh, longest, workers_);
-	const double           faces     = facesAfterSplitting(mesh, longFaces, longest);
+	float            longest   = longestEdge * p.radius;
+	std::vector<int> longFaces = findLongFaces(mesh, longest, workers_);
+	if (double(longFaces.size()) < mostSingleFaces * mesh.faceNum) {
+		longest   = longestSingleEdge * p.radius;
+		longFaces = findLongFaces(mesh, longest, longFaces);
+	}
+	const double faces = facesAfterSplitting(mesh, longFaces, longest);
 	requireMemory(bytesNeeded(faces, double(p.targetNum)), availableMemoryBytes());
 	const std::int64_t mostFaces = mostFacesFor(p.targetNum, mesh.faceNum);
 	return splitLongEdges(mesh, longFaces, longest, mostFaces, workers_);

@@ -29,6 +29,11 @@ struct EdgeRule {
 		const float least = std::min(size[a], size[b]);
 		return squared > maxSquared * least * least;
 	}
+	bool isLongFace(const IndexedMesh& mesh, int f) const
+	{
+		const int* t = &mesh.triangle[3 * f];
+		return isLong(mesh, t[0], t[1]) || isLong(mesh, t[1], t[2]) || isLong(mesh, t[2], t[0]);
+	}
 };
 
 /// Splits the long faces round by round; both faces of a long edge are among them, so no others are
@@ -174,9 +179,7 @@ std::vector<int> facesToSplit(const IndexedMesh& mesh, const EdgeRule& rule, Wor
 		workers.sum<std::int64_t>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
 			std::int64_t found = 0;
 			for (std::size_t f = begin; f < end; ++f) {
-				const int* t = &mesh.triangle[3 * f];
-				isLong[f]    = rule.isLong(mesh, t[0], t[1]) || rule.isLong(mesh, t[1], t[2]) ||
-							rule.isLong(mesh, t[2], t[0]);
+				isLong[f] = rule.isLongFace(mesh, int(f));
 				found += isLong[f];
 			}
 			return found;
@@ -237,6 +240,18 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength, Workers
 {
 	const Buffer<float> sameSize;
 	return facesToSplit(mesh, {maxLength * maxLength, sameSize}, workers);
+}
+
+std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
+							   const std::vector<int>& among)
+{
+	const Buffer<float> sameSize;
+	const EdgeRule      rule{maxLength * maxLength, sameSize};
+	std::vector<int>    faces;
+	for (int f : among) {
+		if (rule.isLongFace(mesh, f)) faces.push_back(f);
+	}
+	return faces;
 }
 
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,

@@ -22,6 +22,9 @@ std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t max
 
 /// Faces with an edge longer than maxLength, ascending. Cost: a parallel pass.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength, Workers& workers);
+/// Those among some faces. Cost: theirs alone.
+std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
+							   const std::vector<int>& among);
 /// The same for long faces that are known already. Cost: theirs alone.
 std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
 							std::int64_t maxFaces, Workers& workers);
