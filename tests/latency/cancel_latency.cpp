@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <exception>
 #include <string>
 #include <vcg_extras/apps/gpremesh/mesh_io.h>
@@ -16,19 +17,27 @@
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+/// Wall time, and the processor time of the calling thread, which other programs do not lengthen.
+struct Moment {
+	double wall = 0, processor = 0;
 
-double secondsSince(Clock::time_point start)
-{
-	return std::chrono::duration<double>(Clock::now() - start).count();
-}
+	static Moment now()
+	{
+		const auto      wall = std::chrono::steady_clock::now().time_since_epoch();
+		struct timespec used;
+		clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used);
+		return {std::chrono::duration<double>(wall).count(),
+				double(used.tv_sec) + 1e-9 * double(used.tv_nsec)};
+	}
+	Moment operator-(const Moment& o) const { return {wall - o.wall, processor - o.processor}; }
+};
 
 /// What was seen while a phrase was shown; the phrase may come back later.
 struct Phase {
 	std::string phrase;
 	double      seconds = 0;
-	double      longest = 0; ///< between two questions, seconds
-	int         asked   = 0;
+	Moment      longest; ///< between two questions, seconds
+	int         asked = 0;
 };
 
 class Observer {
@@ -41,17 +50,19 @@ public:
 	/// One run to its end.
 	std::vector<Phase> observe()
 	{
-		std::vector<Phase> phases{{"(start)", 0, 0, 0}};
-		Clock::time_point  last = Clock::now();
+		std::vector<Phase> phases{{"(start)", 0, {}, 0}};
+		Moment             last = Moment::now();
 		const auto         note = [&] {
-            const double gap = secondsSince(last);
-            last             = Clock::now();
-            phases.back().seconds += gap;
-            phases.back().longest = std::max(phases.back().longest, gap);
+            const Moment here = Moment::now(), gap = here - last;
+            Phase&       phase = phases.back();
+            last               = here;
+            phase.seconds += gap.wall;
+            phase.longest = {std::max(phase.longest.wall, gap.wall),
+                             std::max(phase.longest.processor, gap.processor)};
 		};
 		const gpr::RemeshResult r = remesh([&](double, const char* phrase) {
 			note();
-			if (phases.back().phrase != phrase) phases.push_back({phrase, 0, 0, 0});
+			if (phases.back().phrase != phrase) phases.push_back({phrase, 0, {}, 0});
 			++phases.back().asked;
 			return true;
 		});
@@ -61,12 +72,12 @@ public:
 	}
 
 	/// Seconds from a refusal to the end; the refusal comes when the k-th phase was asked n times.
-	double cancel(std::size_t k, int n)
+	Moment cancel(std::size_t k, int n)
 	{
-		std::size_t       phase = 0;
-		int               asked = 0;
-		std::string       shown = "(start)";
-		Clock::time_point refused;
+		std::size_t phase = 0;
+		int         asked = 0;
+		std::string shown = "(start)";
+		Moment      refused;
 		remesh([&](double, const char* phrase) {
 			if (shown != phrase) {
 				shown = phrase;
@@ -75,10 +86,10 @@ public:
 			}
 			++asked;
 			if (phase < k || (phase == k && asked < n)) return true;
-			refused = Clock::now();
+			refused = Moment::now();
 			return false;
 		});
-		return secondsSince(refused);
+		return Moment::now() - refused;
 	}
 
 private:
@@ -105,14 +116,16 @@ void run(int argc, char** argv)
 {
 	const gpr::app::InputMesh mesh = gpr::app::readMesh(argv[1]);
 	Observer                  observer(mesh.view(), optionsFrom(argc, argv));
-	std::printf("%zu faces\n%-36s %8s %8s %14s %14s\n", mesh.faceNum(), "phrase", "seconds",
-				"asked", "longest gap/ms", "cancelled/ms");
+	std::printf("%zu faces; ms of the wall clock, in brackets of the processor\n"
+				"%-36s %8s %6s %16s %16s\n",
+				mesh.faceNum(), "phrase", "seconds", "asked", "longest gap", "cancelled in");
 	const std::vector<Phase> phases = observer.observe();
 	for (std::size_t k = 0; k < phases.size(); ++k) {
 		const Phase& p     = phases[k];
-		const double ended = p.asked > 0 ? observer.cancel(k, (p.asked + 1) / 2) : 0;
-		std::printf("%-36s %8.2f %8d %14.0f %14.0f\n", p.phrase.c_str(), p.seconds, p.asked,
-					1e3 * p.longest, 1e3 * ended);
+		const Moment ended = p.asked > 0 ? observer.cancel(k, (p.asked + 1) / 2) : Moment();
+		std::printf("%-36s %8.2f %6d %7.0f (%6.0f) %7.0f (%6.0f)\n", p.phrase.c_str(), p.seconds,
+					p.asked, 1e3 * p.longest.wall, 1e3 * p.longest.processor, 1e3 * ended.wall,
+					1e3 * ended.processor);
 		std::fflush(stdout);
 	}
 }

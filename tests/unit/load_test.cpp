@@ -198,6 +198,18 @@ TEST_F(LoadInput, FacesOfASoupThatShrinkToNothingAreDropped)
 	EXPECT_EQ(counts.zeroAreaFaces, 1);
 }
 
+/// Found by fuzzing: the third corner of a dropped face stayed, in no face.
+TEST_F(LoadInput, CornersOfDroppedFacesGoToo)
+{
+	TriangleMesh soup;
+	soup.positions         = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {3, 3, 3}, {3, 3, 3}, {9, 0, 0}};
+	soup.triangles         = {0, 1, 2, 3, 4, 5};
+	const IndexedMesh mesh = load(soup);
+	EXPECT_EQ(mesh.faceNum, 1);
+	EXPECT_EQ(mesh.vertexNum, 3);
+	EXPECT_EQ(counts.weldedVertices, 1);
+}
+
 TEST_F(LoadInput, WhatIsNoSurfaceIsRefusedWithASentence)
 {
 	EXPECT_EQ(statusOf({}), Status::UnusableInput) << "empty";

@@ -109,9 +109,12 @@ int FaceTree::build(int begin, int end)
         if (size.x >= size.y && size.x >= size.z) return sum.x;
         return size.y >= size.z ? sum.y : sum.z;
 	};
-	const int middle = begin + (end - begin) / 2;
+	const int   middle        = begin + (end - begin) / 2;
+	std::size_t comparisonNum = 0;
 	std::nth_element(face_.begin() + begin, face_.begin() + middle, face_.begin() + end,
 					 [&](int f, int g) {
+						 if ((++comparisonNum & 0xffff) == 0 && workers_ != nullptr)
+							 workers_->poll();
 						 const float x = centre(f), y = centre(g);
 						 return x != y ? x < y : f < g;
 					 });

@@ -192,23 +192,6 @@ private:
 	}
 };
 
-/// Drops vertices in no face and renames the others.
-void dropUnusedVertices(IndexedMesh& mesh)
-{
-	std::vector<int> rename(mesh.vertexNum, -1);
-	for (int i = 0; i < 3 * mesh.faceNum; ++i)
-		rename[mesh.triangle[i]] = 0;
-	int kept = 0;
-	for (int v = 0; v < mesh.vertexNum; ++v) {
-		if (rename[v] < 0) continue;
-		mesh.position[kept] = mesh.position[v];
-		rename[v]           = kept++;
-	}
-	mesh.vertexNum = kept;
-	for (int i = 0; i < 3 * mesh.faceNum; ++i)
-		mesh.triangle[i] = rename[mesh.triangle[i]];
-}
-
 } // namespace
 
 std::vector<int> findFlatPieces(const HalfEdgeMesh& mesh, Workers& workers)

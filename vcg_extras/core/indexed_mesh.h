@@ -37,6 +37,9 @@ struct IndexedMesh {
 	}
 };
 
+/// Drops vertices in no face and renames the others, which keep their order.
+void dropUnusedVertices(IndexedMesh& mesh);
+
 } // namespace gpr
 
 #endif

@@ -3,6 +3,7 @@
 #include "load.h"
 
 #include "failure.h"
+#include "poller.h"
 
 #include <atomic>
 #include <cmath>
@@ -227,8 +228,9 @@ bool isSoup(const IndexedMesh& mesh)
 
 /// Of every vertex the first one within the tolerance, by way of a hash grid whose cells are as
 /// wide as the tolerance.
-std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance)
+std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance, Workers& workers)
 {
+	Poller     poller(workers);
 	const auto cellOf = [tolerance](float c) { return std::int64_t(std::floor(c / tolerance)); };
 	const auto keyOf  = [](std::int64_t x, std::int64_t y, std::int64_t z) {
         return std::uint64_t(x) * 0x9e3779b97f4a7c15ull ^ std::uint64_t(y) * 0xc2b2ae3d27d4eb4full ^
@@ -237,6 +239,7 @@ std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance)
 	std::unordered_multimap<std::uint64_t, int> firsts;
 	std::vector<int>                            first(mesh.vertexNum);
 	for (int v = 0; v < mesh.vertexNum; ++v) {
+		poller.count();
 		const Vec3f        p = mesh.position[v];
 		const std::int64_t x = cellOf(p.x), y = cellOf(p.y), z = cellOf(p.z);
 		first[v] = v;
@@ -254,28 +257,14 @@ std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance)
 	return first;
 }
 
-/// Makes vertices at (nearly) equal positions one; faces that lose a corner by it are dropped.
-void weld(IndexedMesh& mesh, CleanCounts& counts)
+/// Renames the corners; faces that have a corner twice then are dropped.
+void renameCorners(IndexedMesh& mesh, const std::vector<int>& newName, CleanCounts& counts)
 {
-	// Of the box, whose largest side is about 1 in working units: far below any edge worth keeping,
-	// and above the noise of coordinates that went through text or float.
-	constexpr float        tolerance = 1e-6f;
-	const std::vector<int> first     = findFirstNear(mesh, tolerance);
-	std::vector<int>       rename(mesh.vertexNum);
-	int                    kept = 0;
-	for (int v = 0; v < mesh.vertexNum; ++v) {
-		if (first[v] != v) continue;
-		rename[v]             = kept;
-		mesh.position[kept++] = mesh.position[v];
-	}
-	counts.weldedVertices = mesh.vertexNum - kept;
-	mesh.vertexNum        = kept;
-
 	int faces = 0;
 	for (int f = 0; f < mesh.faceNum; ++f) {
 		int corner[3];
 		for (int k = 0; k < 3; ++k)
-			corner[k] = rename[first[mesh.triangle[3 * f + k]]];
+			corner[k] = newName[mesh.triangle[3 * f + k]];
 		if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) {
 			++counts.zeroAreaFaces;
 			continue;
@@ -285,6 +274,19 @@ void weld(IndexedMesh& mesh, CleanCounts& counts)
 		mesh.sourceFace[faces++] = mesh.sourceFace[f];
 	}
 	mesh.faceNum = faces;
+}
+
+/// Makes vertices at (nearly) equal positions one; faces that lose a corner by it are dropped.
+void weld(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
+{
+	// Of the box, whose largest side is about 1 in working units: far below any edge worth keeping,
+	// and above the noise of coordinates that went through text or float.
+	constexpr float        tolerance = 1e-6f;
+	const std::vector<int> first     = findFirstNear(mesh, tolerance, workers);
+	for (int v = 0; v < mesh.vertexNum; ++v)
+		counts.weldedVertices += first[v] != v;
+	renameCorners(mesh, first, counts);
+	dropUnusedVertices(mesh);
 }
 
 } // namespace
@@ -305,7 +307,7 @@ IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& coun
 	mesh.frame = frameOf(boxOfUsed(input, used, workers));
 	copyVertices(input, used, workers, mesh, counts);
 	counts.unreferencedVertices -= counts.nonFiniteVertices;
-	if (isSoup(mesh)) weld(mesh, counts);
+	if (isSoup(mesh)) weld(mesh, workers, counts);
 	if (mesh.faceNum == 0) {
 		throw Failure(Status::UnusableInput, "No face has an area.");
 	}

@@ -3,6 +3,7 @@
 #include "repair_manifold.h"
 
 #include "half_edge_mesh.h"
+#include "poller.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,7 @@ void keepFaces(IndexedMesh& mesh, const std::vector<char>& keep)
 	mesh.faceNum = kept;
 }
 
-void dropDuplicateFaces(IndexedMesh& mesh, CleanCounts& counts)
+void dropDuplicateFaces(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 {
 	std::vector<std::array<int, 4>> faces(mesh.faceNum); // sorted corners, face
 	for (int f = 0; f < mesh.faceNum; ++f) {
@@ -35,7 +36,7 @@ void dropDuplicateFaces(IndexedMesh& mesh, CleanCounts& counts)
 		faces[f]     = {t[0], t[1], t[2], f};
 		std::sort(faces[f].begin(), faces[f].begin() + 3);
 	}
-	std::sort(faces.begin(), faces.end());
+	sortPolled(faces.begin(), faces.end(), workers);
 	std::vector<char> keep(mesh.faceNum, 1);
 	for (std::size_t i = 1; i < faces.size(); ++i) {
 		if (std::equal(faces[i].begin(), faces[i].begin() + 3, faces[i - 1].begin())) {
@@ -59,25 +60,27 @@ struct EdgeSide {
 	}
 };
 
-std::vector<EdgeSide> sortedSides(const IndexedMesh& mesh)
+std::vector<EdgeSide> sortedSides(const IndexedMesh& mesh, Workers& workers)
 {
 	std::vector<EdgeSide> sides(std::size_t(3) * mesh.faceNum);
 	for (int h = 0; h < 3 * mesh.faceNum; ++h) {
 		const int a = mesh.triangle[h], b = mesh.triangle[nextInFace(h)];
 		sides[h] = {std::min(a, b), std::max(a, b), h};
 	}
-	std::sort(sides.begin(), sides.end());
+	sortPolled(sides.begin(), sides.end(), workers);
 	return sides;
 }
 
 /// Calls visit(begin, end) for each run of sides of one edge.
 template <class Visit>
-void forEachEdge(const std::vector<EdgeSide>& sides, const Visit& visit)
+void forEachEdge(const std::vector<EdgeSide>& sides, Workers& workers, const Visit& visit)
 {
+	Poller poller(workers);
 	for (std::size_t i = 0; i < sides.size();) {
 		std::size_t end = i + 1;
 		while (end < sides.size() && sides[end].sameEdge(sides[i]))
 			++end;
+		poller.count();
 		visit(i, end);
 		i = end;
 	}
@@ -86,15 +89,16 @@ void forEachEdge(const std::vector<EdgeSide>& sides, const Visit& visit)
 /// Joins faces over edges: link[h] is the half-edge on the other side, or -1.
 class Linker {
 public:
-	Linker(const IndexedMesh& mesh, CleanCounts& counts) :
-			mesh_(mesh), counts_(counts), link_(std::size_t(3) * mesh.faceNum, -1)
+	Linker(const IndexedMesh& mesh, Workers& workers, CleanCounts& counts) :
+			mesh_(mesh), workers_(workers), counts_(counts),
+			link_(std::size_t(3) * mesh.faceNum, -1)
 	{
 	}
 
 	std::vector<int> run()
 	{
-		const std::vector<EdgeSide> sides = sortedSides(mesh_);
-		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		const std::vector<EdgeSide> sides = sortedSides(mesh_, workers_);
+		forEachEdge(sides, workers_, [&](std::size_t begin, std::size_t end) {
 			if (end - begin == 2) {
 				join(sides[begin].halfEdge, sides[begin + 1].halfEdge);
 			}
@@ -108,6 +112,7 @@ public:
 
 private:
 	const IndexedMesh& mesh_;
+	Workers&           workers_;
 	CleanCounts&       counts_;
 	std::vector<int>   link_;
 
@@ -162,8 +167,9 @@ private:
 /// orientation.
 class Orienter {
 public:
-	Orienter(IndexedMesh& mesh, std::vector<int>& link, CleanCounts& counts) :
-			mesh_(mesh), link_(link), counts_(counts), turned_(mesh.faceNum, unseen)
+	Orienter(IndexedMesh& mesh, std::vector<int>& link, Workers& workers, CleanCounts& counts) :
+			mesh_(mesh), link_(link), poller_(workers), counts_(counts),
+			turned_(mesh.faceNum, unseen)
 	{
 	}
 
@@ -173,6 +179,7 @@ public:
 			if (turned_[f] == unseen) orientComponent(f);
 		}
 		for (int f = 0; f < mesh_.faceNum; ++f) {
+			poller_.count();
 			if (turned_[f]) turn(f);
 		}
 	}
@@ -182,6 +189,7 @@ private:
 
 	IndexedMesh&      mesh_;
 	std::vector<int>& link_;
+	Poller            poller_;
 	CleanCounts&      counts_;
 	std::vector<char> turned_;
 
@@ -190,6 +198,7 @@ private:
 		std::vector<int> faces{seed};
 		turned_[seed] = 0;
 		for (std::size_t i = 0; i < faces.size(); ++i) {
+			poller_.count();
 			for (int h = 3 * faces[i]; h < 3 * faces[i] + 3; ++h) {
 				visitAcross(h, faces);
 			}
@@ -233,8 +242,10 @@ private:
 };
 
 /// Gives every fan round a vertex a vertex of its own.
-void separateFans(IndexedMesh& mesh, const std::vector<int>& link, CleanCounts& counts)
+void separateFans(IndexedMesh& mesh, const std::vector<int>& link, Workers& workers,
+				  CleanCounts& counts)
 {
+	Poller             poller(workers);
 	std::vector<char>  seen(std::size_t(3) * mesh.faceNum, 0);
 	std::vector<char>  taken(mesh.vertexNum, 0);
 	std::vector<Vec3f> added;
@@ -242,6 +253,7 @@ void separateFans(IndexedMesh& mesh, const std::vector<int>& link, CleanCounts& 
 	const auto         before = [&](int h) { return link[h] < 0 ? -1 : nextInFace(link[h]); };
 
 	for (int corner = 0; corner < 3 * mesh.faceNum; ++corner) {
+		poller.count();
 		if (seen[corner]) continue;
 		int first = corner;
 		while (before(first) >= 0 && before(first) != corner)
@@ -271,8 +283,8 @@ void separateFans(IndexedMesh& mesh, const std::vector<int>& link, CleanCounts& 
 /// from here on, so all but one of them get a vertex in the middle.
 class SlitOpener {
 public:
-	SlitOpener(IndexedMesh& mesh, const std::vector<int>& link) :
-			mesh_(mesh), link_(link), middle_(link.size(), -1)
+	SlitOpener(IndexedMesh& mesh, const std::vector<int>& link, Workers& workers) :
+			mesh_(mesh), link_(link), workers_(workers), middle_(link.size(), -1)
 	{
 	}
 
@@ -280,7 +292,7 @@ public:
 	{
 		findSlits();
 		if (slits_.empty()) return;
-		std::sort(slits_.begin(), slits_.end());
+		sortPolled(slits_.begin(), slits_.end(), workers_);
 		const int oldFaces = mesh_.faceNum;
 		mesh_.triangle.resize(3 * (std::size_t(oldFaces) + slits_.size()));
 		mesh_.sourceFace.resize(std::size_t(oldFaces) + slits_.size());
@@ -297,13 +309,14 @@ public:
 private:
 	IndexedMesh&            mesh_;
 	const std::vector<int>& link_;
+	Workers&                workers_;
 	std::vector<int>        slits_;  ///< half-edges to get a vertex
 	std::vector<int>        middle_; ///< per half-edge: that vertex, the same on both joined sides
 
 	void findSlits()
 	{
-		const std::vector<EdgeSide> sides = sortedSides(mesh_);
-		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		const std::vector<EdgeSide> sides = sortedSides(mesh_, workers_);
+		forEachEdge(sides, workers_, [&](std::size_t begin, std::size_t end) {
 			// The first joined pair keeps the plain edge, or else the first border.
 			int keeper = sides[begin].halfEdge;
 			for (std::size_t i = end; i-- > begin;) {
@@ -355,14 +368,11 @@ private:
 
 void repairManifold(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 {
-	dropDuplicateFaces(mesh, counts);
-	workers.poll();
-	std::vector<int> link = Linker(mesh, counts).run();
-	workers.poll();
-	Orienter(mesh, link, counts).run();
-	workers.poll();
-	separateFans(mesh, link, counts);
-	SlitOpener(mesh, link).run();
+	dropDuplicateFaces(mesh, workers, counts);
+	std::vector<int> link = Linker(mesh, workers, counts).run();
+	Orienter(mesh, link, workers, counts).run();
+	separateFans(mesh, link, workers, counts);
+	SlitOpener(mesh, link, workers).run();
 }
 
 } // namespace gpr

@@ -193,20 +193,23 @@ std::vector<int> facesToSplit(const IndexedMesh& mesh, const EdgeRule& rule, Wor
 	return faces;
 }
 
-/// Arrays come from loading with some room to spare.
+/// Arrays come from loading with some room to spare; copying a large one takes a while.
 template <class T>
-void makeRoom(Buffer<T>& values, std::size_t n)
+void makeRoom(Buffer<T>& values, std::size_t n, Workers& workers)
 {
+	workers.poll();
 	if (values.size() < n) values.resize(n);
 }
 
 /// The first new faces take the places of the long ones, the others follow at the end.
-void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Splitter& splitter)
+void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Splitter& splitter,
+			   Workers& workers)
 {
 	const std::vector<Face>& faces = splitter.finished();
 	const int                extra = int(faces.size() - longFaces.size());
-	makeRoom(mesh.triangle, 3 * (std::size_t(mesh.faceNum) + extra));
-	makeRoom(mesh.sourceFace, std::size_t(mesh.faceNum) + extra);
+	makeRoom(mesh.triangle, 3 * (std::size_t(mesh.faceNum) + extra), workers);
+	makeRoom(mesh.sourceFace, std::size_t(mesh.faceNum) + extra, workers);
+	workers.poll();
 	for (std::size_t i = 0; i < faces.size(); ++i) {
 		const int f =
 			i < longFaces.size() ? longFaces[i] : mesh.faceNum + int(i - longFaces.size());
@@ -217,7 +220,7 @@ void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Split
 	mesh.faceNum += extra;
 
 	const std::vector<Vec3f>& added = splitter.newPositions();
-	makeRoom(mesh.position, mesh.vertexNum + added.size());
+	makeRoom(mesh.position, mesh.vertexNum + added.size(), workers);
 	for (std::size_t i = 0; i < added.size(); ++i)
 		mesh.position[mesh.vertexNum + i] = added[i];
 	mesh.vertexNum += int(added.size());
@@ -230,7 +233,7 @@ std::int64_t runSplitter(Splitter& splitter, const std::vector<int>& longFaces, 
 	for (int f : longFaces)
 		splitter.addFace(f);
 	splitter.run(workers);
-	writeBack(mesh, longFaces, splitter);
+	writeBack(mesh, longFaces, splitter, workers);
 	return splitter.splitNum();
 }
 
