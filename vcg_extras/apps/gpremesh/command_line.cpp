@@ -134,6 +134,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 	CLI::App     app("Remeshes triangle meshes by geodesic Poisson-disk sampling.", "gpremesh");
 	app.set_version_flag("--version", std::string("gpremesh ") + GPR_VERSION);
 	app.require_subcommand(1);
+	app.allow_windows_style_options(false); // a path may begin with '/' everywhere
 	app.footer("'gpremesh COMMAND --help' tells the options of a command.\n\n" +
 			   std::string(exitCodeHelp));
 	CLI::App* const remesh   = addRemesh(app, line, given);
