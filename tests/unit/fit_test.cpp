@@ -9,12 +9,14 @@
 #include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
+#include <tests/support/on_surface.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/angle_mending.h>
 #include <vcg_extras/core/cells.h>
 #include <vcg_extras/core/crossing_faces.h>
+#include <vcg_extras/core/curve_slide.h>
 #include <vcg_extras/core/face_tree.h>
 #include <vcg_extras/core/fit.h>
 #include <vcg_extras/core/symmetric_matrix.h>
@@ -400,7 +402,7 @@ TEST(MendAngles, RaisesMostOfThemAndKeepsTheDistance)
 	const int          poor   = numBelow(laid, 30);
 	ASSERT_GT(poor, 20);
 	ASSERT_TRUE(findCrossingFaces(laid.result.mesh, laid.workers).empty());
-	EXPECT_TRUE(mendAngles(laid.surface, 32, laid.result, laid.workers));
+	EXPECT_TRUE(mendAngles(laid.surface, laid.boundary, 32, laid.result, laid.workers));
 	EXPECT_LT(numBelow(laid, 30), 0.3 * poor);
 	EXPECT_LT(laid.rms(), 1.05 * error);
 	EXPECT_TRUE(isSoundTable(laid.result.mesh));
@@ -414,7 +416,7 @@ TEST(MendAngles, LeavesBordersAndPinnedVerticesAlone)
 	for (int v = 0; v < laid.result.mesh.vertexNum; v += 3)
 		laid.result.vertex[v].isPinned = true;
 	const std::vector<Vec3f> before = positionsOf(laid.result.mesh);
-	mendAngles(laid.surface, 32, laid.result, laid.workers);
+	mendAngles(laid.surface, laid.boundary, 32, laid.result, laid.workers);
 	EXPECT_NE(positionsOf(laid.result.mesh), before);
 	for (int v = 0; v < laid.result.mesh.vertexNum; ++v) {
 		if (v % 3 == 0 || laid.result.mesh.isBorderVertex(v)) {
@@ -427,17 +429,75 @@ TEST(MendAngles, ChangesNothingWhereNoAngleIsPoor)
 {
 	Laid                     laid   = jitteredOnRoof();
 	const std::vector<Vec3f> before = positionsOf(laid.result.mesh);
-	EXPECT_TRUE(mendAngles(laid.surface, 0.001f, laid.result, laid.workers));
+	EXPECT_TRUE(mendAngles(laid.surface, laid.boundary, 0.001f, laid.result, laid.workers));
 	EXPECT_EQ(positionsOf(laid.result.mesh), before);
 }
 
 TEST(MendAngles, DoesNotDependOnThreads)
 {
 	Laid one = jitteredOnRoof(1), three = jitteredOnRoof(3);
-	mendAngles(one.surface, 32, one.result, one.workers);
-	mendAngles(three.surface, 32, three.result, three.workers);
+	mendAngles(one.surface, one.boundary, 32, one.result, one.workers);
+	mendAngles(three.surface, three.boundary, 32, three.result, three.workers);
 	EXPECT_EQ(positionsOf(one.result.mesh), positionsOf(three.result.mesh));
 	EXPECT_EQ(one.result.flipNum, three.result.flipNum);
+}
+
+/// Every fourth vertex of the side y = 0 of a square lies close to the next one.
+OnSurface crowdedBorder()
+{
+	constexpr int n    = 16;
+	TriangleMesh  mesh = grid(n, n);
+	for (int i = 4; i < n; i += 4)
+		mesh.positions[i].x += 0.75 / n;
+	return OnSurface(mesh);
+}
+
+TEST(MendAngles, SlidesVerticesAlongTheBorder)
+{
+	OnSurface    on   = crowdedBorder();
+	const double area = factsOf(meshOf(on.m())).area;
+	ASSERT_LT(on.leastAngleDeg(), 20);
+	EXPECT_TRUE(mendAngles(on.surface, on.boundary, 32, on.result, on.workers));
+	EXPECT_GT(on.leastAngleDeg(), 32);
+	EXPECT_NEAR(factsOf(meshOf(on.m())).area / area, 1, 1e-5);
+	on.expectOnSurface();
+	on.expectSound();
+}
+
+TEST(MendAngles, LeavesPinnedVerticesOfTheBorder)
+{
+	OnSurface on = crowdedBorder();
+	for (ResultVertex& v : on.result.vertex)
+		v.isPinned = v.curve >= 0;
+	const HalfEdgeMesh before = copyOf(on.m());
+	mendAngles(on.surface, on.boundary, 32, on.result, on.workers);
+	for (int v = 0; v < before.vertexNum; ++v) {
+		if (!before.isBorderVertex(v)) continue;
+		EXPECT_EQ(on.m().position[v], before.position[v]) << v;
+	}
+	EXPECT_LT(on.leastAngleDeg(), 32) << "the vertices inside cannot mend that alone";
+}
+
+TEST(SlideKeepsSpacing, UnlessVerticesWereCrowdedBefore)
+{
+	OnSurface on = crowdedBorder();
+	int       v  = 0; // between two others a step away
+	for (; v < on.m().vertexNum; ++v) {
+		const Vec3d p = on.surface.frame.toCaller(on.m().position[v]);
+		if (p.y == 0 && std::abs(p.x - 2.0 / 16) < 1e-6) break;
+	}
+	ASSERT_LT(v, on.m().vertexNum);
+	const float     edge = on.result.idealEdge;
+	const SlideRoom even{edge, edge}, crowded{0.4f * edge, 1.6f * edge};
+	const auto      keeps = [&](const SlideRoom& room, float share) {
+        return slideKeepsSpacing(on.result, on.boundary, v, room, share * edge);
+	};
+	EXPECT_TRUE(keeps(even, 0.29f));
+	EXPECT_FALSE(keeps(even, 0.31f));
+	EXPECT_FALSE(keeps(even, -0.31f));
+	EXPECT_TRUE(keeps(crowded, 0.5f));
+	EXPECT_FALSE(keeps(crowded, -0.1f)) << "more crowded still";
+	EXPECT_FALSE(keeps(crowded, 1.3f)) << "as crowded on the other side";
 }
 
 } // namespace gpr::test

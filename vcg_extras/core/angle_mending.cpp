@@ -4,6 +4,7 @@
 
 #include "cells.h"
 #include "crossing_faces.h"
+#include "curve_slide.h"
 #include "face_tree.h"
 #include "fold_repair.h"
 #include "mesh_edit.h"
@@ -34,6 +35,8 @@ constexpr float       mostPoorShare = 0.01f;
 constexpr int mostInCell = 64;
 /// Lengths of steps, of the mean edge round the vertex.
 constexpr float stepShares[] = {0.16f, 0.08f, 0.04f, 0.02f};
+/// A vertex of a curve slides at most this share of the way to the next one at once.
+constexpr float longestSlide = 0.5f;
 /// A vertex ends within this share of that edge from where it was,
 constexpr float farthestMove = 0.5f;
 /// and where the surface's normal there has at least this cosine with the one before.
@@ -63,8 +66,10 @@ std::vector<int> findPoorFaces(const HalfEdgeMesh& m, float angle, Workers& work
 
 class AngleMender {
 public:
-	AngleMender(const Surface& surface, float angle, ResultMesh& result, Workers& workers) :
-			surface_(surface), angle_(angle), r_(result), m_(result.mesh), workers_(workers),
+	AngleMender(const Surface& surface, const BoundaryCurves& curves, float angle,
+				ResultMesh& result, Workers& workers) :
+			surface_(surface),
+			curves_(curves), angle_(angle), r_(result), m_(result.mesh), workers_(workers),
 			cells_(surface, result, workers)
 	{
 	}
@@ -87,16 +92,20 @@ public:
 	}
 
 private:
-	const Surface&    surface_;
-	float             angle_;
-	ResultMesh&       r_;
-	HalfEdgeMesh&     m_;
-	Workers&          workers_;
-	Cells             cells_; ///< of the start
-	ResultMesh        start_;
-	Buffer<Vec3f>     startNormal_, normal_; ///< of the surface at the vertices
-	std::vector<char> touched_;              ///< vertices that moved or whose faces were flipped
-	std::vector<char> blocked_;              ///< vertices that are left alone
+	const Surface&        surface_;
+	const BoundaryCurves& curves_;
+	float                 angle_;
+	ResultMesh&           r_;
+	HalfEdgeMesh&         m_;
+	Workers&              workers_;
+	Cells                 cells_; ///< of the start
+	ResultMesh            start_;
+	Buffer<Vec3f>         startNormal_, normal_; ///< of the surface at the vertices
+	/// Whether the fourth power of what angles lack is their cost, which presses the worst one, in
+	/// place of the second: what is stuck by the one may move on by the other.
+	bool              worstFirst_ = false;
+	std::vector<char> touched_; ///< vertices that moved or whose faces were flipped
+	std::vector<char> blocked_; ///< vertices that are left alone
 
 	void restore(std::int64_t flipNum)
 	{
@@ -126,6 +135,14 @@ private:
 		touched_.assign(m_.vertexNum, 0);
 		normal_ = Buffer<Vec3f>(startNormal_.size());
 		std::copy(startNormal_.begin(), startNormal_.end(), normal_.begin());
+		for (bool worstFirst : {false, true, false}) {
+			worstFirst_ = worstFirst;
+			mendByRounds();
+		}
+	}
+
+	void mendByRounds()
+	{
 		for (int round = 0; round < mostRounds; ++round) {
 			bool better = false;
 			for (int f : findPoorFaces(m_, angle_, workers_)) {
@@ -171,7 +188,7 @@ private:
 	void addFace(int f, Quality& sum) const
 	{
 		const float lack = std::max(0.0f, 1 - smallestAngle(m_, f) / (margin * angle_));
-		sum.cost += lack * lack;
+		sum.cost += worstFirst_ ? lack * lack * lack * lack : lack * lack;
 		sum.agreement = std::min(sum.agreement, faceAgreement(m_, normal_, f));
 	}
 
@@ -255,7 +272,9 @@ private:
 
 	bool mayMove(int v) const
 	{
-		return isFree(r_, v) && r_.vertex[v].curve < 0 && !r_.vertex[v].isPinned && !blocked_[v];
+		const ResultVertex& r = r_.vertex[v];
+		if (r.isCorner || r.isPinned || blocked_[v]) return false;
+		return m_.isCurveVertex(v) == (r.curve >= 0);
 	}
 
 	bool moveToBest(int v)
@@ -282,9 +301,7 @@ private:
 		const Place            start = placeOf(v);
 		Place                  best  = start;
 		bool                   found = false;
-		for (const Vec3f& direction : compassDirections(start.record.normal)) {
-			Place next = start;
-			if (!shift(v, direction * reach, edge, next)) continue;
+		for (const Place& next : placesRound(v, reach, edge)) {
 			put(v, next);
 			const Quality q = ringQuality(v);
 			if (!q.beats(quality) || farthestFrom(faces) > far) continue;
@@ -296,16 +313,50 @@ private:
 		return found;
 	}
 
-	/// Moves the place along the surface; false if that leads too far.
-	bool shift(int v, const Vec3f& by, float edge, Place& place) const
+	/// Where v gets by a step of this length: along its curve, or over the surface.
+	std::vector<Place> placesRound(int v, float reach, float edge) const
 	{
-		const Vec3f offset = place.position - place.record.anchor.position;
-		if (walk(surface_.mesh, place.record.anchor, by) != WalkEnd::Arrived) return false;
-		place.position      = place.record.anchor.position + offset;
-		place.record.normal = surface_.mesh.faceNormal(place.record.anchor.face);
-		place.normal        = smoothNormal(surface_, place.record.anchor);
-		if (dot(place.normal, startNormal_[v]) <
-			leastNormalCosine * length(place.normal) * length(startNormal_[v]))
+		std::vector<Place> places;
+		const auto         offer = [&](const ResultVertex& record) {
+            const Place place = movedTo(v, record);
+            if (isNearStart(v, place, edge)) places.push_back(place);
+		};
+		if (r_.vertex[v].curve >= 0) {
+			offerSlides(v, reach, offer);
+			return places;
+		}
+		for (const Vec3f& direction : compassDirections(r_.vertex[v].normal)) {
+			ResultVertex record = r_.vertex[v];
+			if (walk(surface_.mesh, record.anchor, direction * reach) != WalkEnd::Arrived) continue;
+			record.normal = surface_.mesh.faceNormal(record.anchor.face);
+			offer(record);
+		}
+		return places;
+	}
+
+	template <class Offer>
+	void offerSlides(int v, float reach, const Offer& offer) const
+	{
+		const SlideRoom room = slideRoom(r_, curves_, v);
+		for (float by : {-reach, reach}) {
+			if (reach > longestSlide * (by < 0 ? room.backward : room.forward)) continue;
+			if (slideKeepsToCurve(r_, curves_, v, room, by) &&
+				slideKeepsSpacing(r_, curves_, v, room, by))
+				offer(slid(surface_, curves_, r_.vertex[v], by));
+		}
+	}
+
+	/// v as high above its anchor as it is now.
+	Place movedTo(int v, const ResultVertex& record) const
+	{
+		const Vec3f offset = m_.position[v] - r_.vertex[v].anchor.position;
+		return {record.anchor.position + offset, smoothNormal(surface_, record.anchor), record};
+	}
+
+	bool isNearStart(int v, const Place& place, float edge) const
+	{
+		const Vec3f& normal = startNormal_[v];
+		if (dot(place.normal, normal) < leastNormalCosine * length(place.normal) * length(normal))
 			return false;
 		return length(place.position - start_.mesh.position[v]) <= farthestMove * edge;
 	}
@@ -360,13 +411,14 @@ private:
 
 } // namespace
 
-bool mendAngles(const Surface& surface, float angleDeg, ResultMesh& result, Workers& workers)
+bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+				ResultMesh& result, Workers& workers)
 {
 	const float       angle = angleDeg * radians;
 	const std::size_t num   = findPoorFaces(result.mesh, angle, workers).size();
 	const float       most  = mostPoorShare * float(result.mesh.faceNum);
 	if (num == 0 || num > std::max(mostPoor, std::size_t(most))) return true;
-	return AngleMender(surface, angle, result, workers).run();
+	return AngleMender(surface, curves, angle, result, workers).run();
 }
 
 } // namespace gpr

@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_ANGLE_MENDING_H
 #define VCG_EXTRAS_CORE_ANGLE_MENDING_H
 
+#include "boundary_curves.h"
 #include "connect.h"
 #include "result_mesh.h"
 #include "workers.h"
@@ -11,18 +12,20 @@ namespace gpr {
 
 /// After stage 12: raises angles below `angleDeg` that the passes before left, most of them where
 /// the surface is not flat. Round each such triangle, the sharpest first, vertices move along the
-/// surface and edges are flipped, alone or together with moves of the vertices round them, as long
-/// as that lowers the sum of the squares of what the angles round there lack. Vertices keep their
-/// height above the surface; those of curves, tips and pinned ones stay altogether. A change is
-/// refused if it takes the vertices of the input that belong to the faces round it further from
-/// them than 5 % of an edge and than before, or makes a face agree less with the surface's normals.
+/// surface, those of curves along these, and edges are flipped, alone or together with moves of the
+/// vertices round them, as long as that lowers the sum of the squares of what the angles round
+/// there lack, then of their fourth powers, then of the squares again. Vertices keep their height
+/// above the surface; corners of curves, tips and pinned ones stay altogether. A change is refused
+/// if it takes the vertices of the input that belong to the faces round it further from them than
+/// 5 % of an edge and than before, or makes a face agree less with the surface's normals.
 /// What makes faces cross is withdrawn: all is done again without the vertices concerned, a few
 /// times, then not at all.
 ///
 /// Nothing is done where more than 500 triangles and 1 % of all are poor. Returns false if all was
 /// withdrawn. Needs a mesh without dead faces. Cost: nothing to speak of where no angle is poor,
 /// else one finding of cells, two searches for crossing faces and the few faces concerned.
-bool mendAngles(const Surface& surface, float angleDeg, ResultMesh& result, Workers& workers);
+bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+				ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

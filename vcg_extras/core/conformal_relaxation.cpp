@@ -220,6 +220,7 @@ private:
 		const float ahead   = arc > 0 ? room.forward : room.backward;
 		if (arc == 0 || ahead - std::abs(arc) < leastSpacing * edge) return;
 		if (!slideKeepsToCurve(r_, curves_, v, room, arc)) return;
+		if (!slideKeepsSpacing(r_, curves_, v, room, arc)) return;
 		const ResultVertex next  = slid(surface_, curves_, r, arc);
 		const float        worst = smallestAngleAround(m_, v, next.anchor.position, 0);
 		if (worst < 0) return;

@@ -60,6 +60,8 @@ SlideRoom roomOnCrease(const ResultMesh& r, const Curve& c, int v)
 
 /// Of the way to the next vertex.
 constexpr float longestSlide = 0.3f;
+/// Arcs between neighbours on a curve, in wanted edges.
+constexpr float leastSpacing = 0.7f, mostSpacing = 1.3f;
 /// How far a curve may leave its chords, in ideal edges; see CurveSpacing.
 constexpr float tolerance = 0.08f;
 
@@ -139,6 +141,17 @@ bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, i
 	const float         before = worstDeviation(c, from, here.arc, to);
 	const float allowed = std::max(before, tolerance * result.idealEdge * c.sizeAt(here.arc));
 	return worstDeviation(c, from, here.arc + step, to) <= allowed;
+}
+
+bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, int v,
+					   const SlideRoom& room, float step)
+{
+	const ResultVertex& here  = result.vertex[v];
+	const float         edge  = result.idealEdge * curves.curves[here.curve].sizeAt(here.arc);
+	const float         least = std::min({leastSpacing * edge, room.backward, room.forward});
+	const float         most  = std::max({mostSpacing * edge, room.backward, room.forward});
+	const float         back = room.backward + step, ahead = room.forward - step;
+	return std::min(back, ahead) >= least && std::max(back, ahead) <= most;
 }
 
 ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const ResultVertex& vertex,

@@ -29,6 +29,12 @@ Vec3f slideDirection(const BoundaryCurves& curves, const ResultVertex& vertex,
 bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, int v,
 					   const SlideRoom& room, float step);
 
+/// Whether after a slide of v by `step` its neighbours on the curve lie between 0.7 and 1.3 wanted
+/// edges away along it, or at least within what they do now: slide after slide must not crowd
+/// vertices here and leave long edges there.
+bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, int v,
+					   const SlideRoom& room, float step);
+
 /// The record of a vertex, moved by `step` along its curve.
 ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const ResultVertex& vertex,
 				  float step);

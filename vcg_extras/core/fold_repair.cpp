@@ -204,8 +204,9 @@ private:
 		const SlideRoom room = slideRoom(r_, boundary_, v);
 		for (bool forward : {false, true}) {
 			for (float share : {0.1f, 0.25f, 0.5f, 0.75f}) {
-				const float        step = (forward ? room.forward : -room.backward) * share;
-				const ResultVertex to   = slid(surface_, boundary_, here, step);
+				const float step = (forward ? room.forward : -room.backward) * share;
+				if (!slideKeepsSpacing(r_, boundary_, v, room, step)) continue;
+				const ResultVertex to = slid(surface_, boundary_, here, step);
 				offerMove(v, now, to.anchor, to.arc, best);
 			}
 		}

@@ -52,12 +52,12 @@ public:
 	}
 
 	/// What regularity asks for to the last; the paper's post-processing stays as it is written.
-	void mendLastAngles(const Prepared& p, ResultMesh& result)
+	void mendLastAngles(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
 	{
 		if (options_.smoothing != Smoothing::Barycentric || options_.relaxIterations == 0) return;
 		if (options_.regularity != Regularity::Full) return;
 		clock_.enter("angles", "Mending angles", 0.973);
-		if (!mendAngles(p.surface, poorAngleDeg, result, workers_))
+		if (!mendAngles(p.surface, boundary, poorAngleDeg, result, workers_))
 			report_.capsReached.push_back("changes for the worst angles");
 	}
 
@@ -132,11 +132,12 @@ void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 	Improvement(run).relax(p, boundary, result);
 }
 
-void fitResult(RunContext& run, const Prepared& p, ResultMesh& result)
+void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+			   ResultMesh& result)
 {
 	Improvement improvement(run);
 	improvement.fit(p, result);
-	improvement.mendLastAngles(p, result);
+	improvement.mendLastAngles(p, boundary, result);
 }
 
 } // namespace gpr

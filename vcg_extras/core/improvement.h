@@ -19,7 +19,8 @@ void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 
 /// The last to move vertices: those before walk on the surface, which this leaves. Last of all the
 /// worst angles once more, with or without a fit.
-void fitResult(RunContext& run, const Prepared& p, ResultMesh& result);
+void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+			   ResultMesh& result);
 
 } // namespace gpr
 

@@ -63,26 +63,26 @@ public:
 		if (run_.options.featureMode == FeatureMode::Lines && !followsFeatureLines(run_.options))
 			out.notes.push_back(
 				"Feature lines are not followed where vertices are removed one by one.");
-		ResultMesh result = sampleAndImprove(p);
-		if (run_.options.exactCount && result.mesh.vertexNum != p.targetNum &&
+		Meshed meshed = sampleAndImprove(p);
+		if (run_.options.exactCount && meshed.result.mesh.vertexNum != p.targetNum &&
 			run_.report.featureEdgeNum > 0) {
 			out.notes.push_back(
 				"The number of vertices could not be reached with feature lines, so "
 				"that there are none.");
 			preparation_.forgetFeatureLines(p);
-			result = sampleAndImprove(p);
+			meshed = sampleAndImprove(p);
 		}
-		if (run_.options.exactCount && result.mesh.vertexNum != p.targetNum) {
+		if (run_.options.exactCount && meshed.result.mesh.vertexNum != p.targetNum) {
 			if (p.kept.empty()) {
-				result = reachByTopology(p, out);
+				meshed = reachByTopology(p, out);
 			}
 			else {
-				acceptNearest(p, result.mesh.vertexNum, out);
+				acceptNearest(p, meshed.result.mesh.vertexNum, out);
 			}
 		}
-		fitResult(run_, p, result);
-		if (measuresError) measureError(p, result);
-		handOut(run_, p, result, out);
+		fitResult(run_, p, meshed.boundary, meshed.result);
+		if (measuresError) measureError(p, meshed.result);
+		handOut(run_, p, meshed.result, out);
 	}
 
 	void sample(SamplingResult& out)
@@ -131,6 +131,12 @@ public:
 	}
 
 private:
+	/// A mesh under way and the curves that its vertices lie on.
+	struct Meshed {
+		ResultMesh     result;
+		BoundaryCurves boundary;
+	};
+
 	RunContext   run_;
 	Preparation  preparation_;
 	SampleStages stages_;
@@ -163,17 +169,17 @@ private:
 	}
 
 	/// From the samples to a mesh of about, or exactly, the wanted count.
-	ResultMesh sampleAndImprove(const Prepared& p)
+	Meshed sampleAndImprove(const Prepared& p)
 	{
-		BoundaryCurves boundary;
-		ResultMesh     result = stages_.sampleAndRetriangulate(p, boundary);
+		Meshed out;
+		out.result = stages_.sampleAndRetriangulate(p, out.boundary);
 		if (run_.options.exactCount) {
 			run_.clock.enter("count", "Reaching the count", 0.87);
-			collapseShortEdges(p.surface, result, run_.workers);
-			reachExactCount(p.surface, boundary, p.targetNum, result, run_.workers);
+			collapseShortEdges(p.surface, out.result, run_.workers);
+			reachExactCount(p.surface, out.boundary, p.targetNum, out.result, run_.workers);
 		}
-		improve(run_, p, boundary, result);
-		return result;
+		improve(run_, p, out.boundary, out.result);
+		return out;
 	}
 
 	void measureError(const Prepared& p, const ResultMesh& result)
@@ -186,12 +192,12 @@ private:
 	/// The count could not be reached from samples of the right spacing. Starts from the fewest
 	/// samples instead and changes the count by topology alone; what even that cannot reach is
 	/// refused, or, where the target was a wish, raised to the smallest possible count.
-	ResultMesh reachByTopology(Prepared& p, RemeshResult& out)
+	Meshed reachByTopology(Prepared& p, RemeshResult& out)
 	{
 		const std::int64_t asked   = p.targetNum;
-		ResultMesh         result  = meshByTopology(p, asked);
-		const std::int64_t nearest = result.mesh.vertexNum;
-		if (nearest == asked) return result;
+		Meshed             first   = meshByTopology(p, asked);
+		const std::int64_t nearest = first.result.mesh.vertexNum;
+		if (nearest == asked) return first;
 
 		const bool mayRaise =
 			run_.options.allowNearest || run_.options.targetMode != TargetMode::VertexNum;
@@ -205,25 +211,25 @@ private:
 		out.notes.push_back("The result has " + std::to_string(nearest) + " vertices instead of " +
 							std::to_string(asked) + ", the smallest number that could be reached.");
 		// Samples of the right spacing, if they lead there, make better triangles.
-		p                = preparation_.prepareAgain(nearest);
-		ResultMesh again = sampleAndImprove(p);
-		if (again.mesh.vertexNum == nearest) return again;
+		p            = preparation_.prepareAgain(nearest);
+		Meshed again = sampleAndImprove(p);
+		if (again.result.mesh.vertexNum == nearest) return again;
 		return meshByTopology(p, nearest);
 	}
 
 	/// Everything before the count is the same for every target, so that the smallest count is.
-	ResultMesh meshByTopology(Prepared& p, std::int64_t targetNum)
+	Meshed meshByTopology(Prepared& p, std::int64_t targetNum)
 	{
 		p = preparation_.prepareAgain(1);
-		BoundaryCurves boundary;
-		ResultMesh     result = stages_.sampleAndRetriangulate(p, boundary);
+		Meshed out;
+		out.result = stages_.sampleAndRetriangulate(p, out.boundary);
 		setTarget(run_, targetNum, p);
-		result.idealEdge = idealEdge(p);
+		out.result.idealEdge = idealEdge(p);
 		run_.clock.enter("count", "Reaching the count", 0.87);
-		reachCountByTopology(p.surface, boundary, targetNum, result, run_.workers);
-		setTarget(run_, result.mesh.vertexNum, p);
-		improve(run_, p, boundary, result);
-		return result;
+		reachCountByTopology(p.surface, out.boundary, targetNum, out.result, run_.workers);
+		setTarget(run_, out.result.mesh.vertexNum, p);
+		improve(run_, p, out.boundary, out.result);
+		return out;
 	}
 };
 
