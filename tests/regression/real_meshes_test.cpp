@@ -152,9 +152,9 @@ std::vector<Band> bands()
 	adapted.meanRadiusRatio = 0.95;
 	adapted.meanAspectRatio = 0.88;
 	adapted.minAngleDeg     = 25;
-	adapted.below30Percent  = 0.1;
+	adapted.below30Percent  = 0.4;
 	adapted.valence6Percent = 0;
-	adapted.rmsPercent      = 0.012;
+	adapted.rmsPercent      = 0.0115;
 
 	Band facemask{"facemask_62k_open.ply", 10};
 	facemask.meanRadiusRatio = 0.97;
@@ -165,7 +165,7 @@ std::vector<Band> bands()
 
 	Band laurana{"laurana_50k_colour_open.ply", 10};
 	laurana.meanRadiusRatio = 0.97;
-	laurana.rim             = 0.12; // its rim is ragged
+	laurana.rim             = 0.105; // its rim is ragged
 
 	Band terrain{"terrain_N44W072_2.9M_open.ply", 10};
 	terrain.meanRadiusRatio = 0.97;

@@ -371,10 +371,14 @@ private:
 		return std::abs(dot(n, c - a));
 	}
 
+	/// Three faces round an inner vertex have an angle of 30° at the most where one is small.
+	bool maySpareFace(int v) const { return m_.isBorderVertex(v) || m_.valence(v) > 4; }
+
 	/// Flips h and lets the vertices round it move; keeps that only if it pays together.
 	bool flipAndMove(int h)
 	{
 		if (m_.opposite[h] < 0 || !canFlip(m_, h)) return false;
+		if (!maySpareFace(m_.origin[h]) || !maySpareFace(m_.target(h))) return false;
 		const std::array<int, 4> corners{m_.origin[h], m_.target(h), m_.apex(h),
 										 m_.apex(m_.opposite[h])};
 		for (int v : corners) {

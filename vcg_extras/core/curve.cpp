@@ -141,10 +141,10 @@ std::vector<float> candidateArcs(const Curve& c, float a, float b, float d)
 /// Cheapest chain of chords from the first to the last candidate.
 std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const CurveSpacing& spacing)
 {
-	constexpr float  shortest = 0.35f, longest = 1.5f; // of the wanted chord
-	constexpr double excessWeight = 4; // a curve left by a third more than allowed costs as much as
-									   // a chord two thirds too short
-	const float d = spacing.chord;
+	constexpr float shortest = 0.3f, longest = 1.5f; // of the wanted chord
+	// A curve left by a sixth more than allowed costs as much as a chord two thirds too short.
+	constexpr double excessWeight = 16;
+	const float      d            = spacing.chord;
 
 	const std::vector<float> arcs = candidateArcs(c, a, b, d);
 	const int                n    = int(arcs.size());

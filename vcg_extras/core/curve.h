@@ -41,7 +41,7 @@ struct CurveSpacing {
 /// Arc lengths strictly between `from` and `to` (to may run past the curve's end) where samples
 /// lie: evenly by chords if the curve then stays within the tolerance of the polygon; otherwise at
 /// the places that cost least, by dynamic programming over candidates a tenth of the chord apart:
-/// the squared deviation of each chord from its wanted length, plus four times the squared
+/// the squared deviation of each chord from its wanted length, plus sixteen times the squared
 /// excess over the tolerance. At least minSteps steps are made. Cost: linear in length, ×
 /// candidates per chord².
 std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
