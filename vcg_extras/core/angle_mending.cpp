@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "angle_mending.h"
 
-#include "cells.h"
 #include "crossing_faces.h"
 #include "curve_slide.h"
 #include "face_tree.h"
 #include "fold_repair.h"
 #include "mesh_edit.h"
+#include "poor_faces.h"
 #include "walk.h"
 
 #include <algorithm>
@@ -50,27 +50,20 @@ constexpr float leastAgreement = 0.6f;
 /// A change must lower the cost to this share.
 constexpr float leastGain = 0.995f;
 
-/// Faces with a smaller angle than this, the sharpest first.
-std::vector<int> findPoorFaces(const HalfEdgeMesh& m, float angle, Workers& workers)
+std::vector<int> sharpestFirst(const HalfEdgeMesh& m, std::vector<int> faces)
 {
-	std::vector<int> poor =
-		workers.collect<int>(m.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-			for (int f = int(begin); f < int(end); ++f) {
-				if (smallestAngle(m, f) < angle) out.push_back(f);
-			}
-		});
-	std::stable_sort(poor.begin(), poor.end(),
+	std::stable_sort(faces.begin(), faces.end(),
 					 [&](int f, int g) { return smallestAngle(m, f) < smallestAngle(m, g); });
-	return poor;
+	return faces;
 }
 
 class AngleMender {
 public:
 	AngleMender(const Surface& surface, const BoundaryCurves& curves, float angle,
-				ResultMesh& result, Workers& workers) :
+				ResultMesh& result, Workers& workers, const Cells& cells) :
 			surface_(surface),
 			curves_(curves), angle_(angle), r_(result), m_(result.mesh), workers_(workers),
-			cells_(surface, result, workers)
+			cells_(cells)
 	{
 	}
 
@@ -81,11 +74,10 @@ public:
 		start_.mesh   = copyMesh(m_, workers_);
 		startNormal_  = smoothNormals(surface_, r_, workers_);
 		blocked_.assign(m_.vertexNum, 0);
-		const std::vector<int> crossing = findCrossingFaces(m_, workers_);
-		const std::int64_t     flipNum  = r_.flipNum;
+		const std::int64_t flipNum = r_.flipNum;
 		for (int trial = 0; trial < mostTrials; ++trial) {
 			mendAll();
-			if (!blockNewlyCrossing(crossing)) return true;
+			if (!blockNewlyCrossing()) return true;
 			restore(flipNum);
 		}
 		return false;
@@ -98,7 +90,7 @@ private:
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
 	Workers&              workers_;
-	Cells                 cells_; ///< of the start
+	const Cells&          cells_; ///< of the start
 	ResultMesh            start_;
 	Buffer<Vec3f>         startNormal_, normal_; ///< of the surface at the vertices
 	/// Whether the fourth power of what angles lack is their cost, which presses the worst one, in
@@ -106,6 +98,8 @@ private:
 	bool              worstFirst_ = false;
 	std::vector<char> touched_; ///< vertices that moved or whose faces were flipped
 	std::vector<char> blocked_; ///< vertices that are left alone
+	std::vector<int>  poor_;    ///< faces, ascending
+	std::vector<int>  changed_; ///< vertices touched since these were looked for
 
 	void restore(std::int64_t flipNum)
 	{
@@ -115,10 +109,15 @@ private:
 	}
 
 	/// Blocks what touched faces cross now. False if no face crosses another that did not before.
-	bool blockNewlyCrossing(const std::vector<int>& before)
+	bool blockNewlyCrossing()
 	{
-		bool found = false;
-		for (int f : findCrossingFaces(m_, workers_)) {
+		const std::vector<char> changed = touchedFaces();
+		if (std::find(changed.begin(), changed.end(), char(1)) == changed.end()) return false;
+		const std::vector<int> now = findCrossingFaces(m_, changed, workers_);
+		if (now.empty()) return false;
+		const std::vector<int> before = findCrossingFaces(start_.mesh, changed, workers_);
+		bool                   found  = false;
+		for (int f : now) {
 			const bool isOld = std::binary_search(before.begin(), before.end(), f);
 			for (int k = 0; k < 3; ++k) {
 				const int v = m_.origin[3 * f + k];
@@ -130,9 +129,21 @@ private:
 		return found;
 	}
 
+	/// A mark per face: whether a corner of it is touched. Flips do not change which faces these
+	/// are.
+	std::vector<char> touchedFaces() const
+	{
+		std::vector<char> faces(m_.faceNum, 0);
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			if (touched_[v]) forEachOutgoing(m_, v, [&](int h) { faces[h / 3] = 1; });
+		}
+		return faces;
+	}
+
 	void mendAll()
 	{
 		touched_.assign(m_.vertexNum, 0);
+		poor_   = findPoorFaces(m_, angle_, workers_);
 		normal_ = Buffer<Vec3f>(startNormal_.size());
 		std::copy(startNormal_.begin(), startNormal_.end(), normal_.begin());
 		for (bool worstFirst : {false, true, false}) {
@@ -144,13 +155,35 @@ private:
 	void mendByRounds()
 	{
 		for (int round = 0; round < mostRounds; ++round) {
+			lookAgain();
 			bool better = false;
-			for (int f : findPoorFaces(m_, angle_, workers_)) {
+			for (int f : sharpestFirst(m_, poor_)) {
 				workers_.poll();
 				if (smallestAngle(m_, f) < angle_) better = mend(f) || better;
 			}
 			if (!better) return;
 		}
+	}
+
+	/// Only faces that were poor, or that changed, can be poor now.
+	void lookAgain()
+	{
+		std::vector<int> faces = poor_;
+		for (int v : changed_)
+			forEachOutgoing(m_, v, [&](int h) { faces.push_back(h / 3); });
+		changed_.clear();
+		std::sort(faces.begin(), faces.end());
+		faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+		poor_.clear();
+		for (int f : faces) {
+			if (smallestAngle(m_, f) < angle_) poor_.push_back(f);
+		}
+	}
+
+	void touch(int v)
+	{
+		touched_[v] = 1;
+		changed_.push_back(v);
 	}
 
 	bool mend(int f)
@@ -290,7 +323,7 @@ private:
 				better = true;
 			}
 		}
-		if (better) touched_[v] = 1;
+		if (better) touch(v);
 		return better;
 	}
 
@@ -400,13 +433,14 @@ private:
 			moveToBest(v);
 		if (patchQuality(faces).beats(before) && farthestFrom(faces) <= far) {
 			for (int v : corners)
-				touched_[v] = 1;
+				touch(v);
 			++r_.flipNum;
 			return true;
 		}
 		for (int k = 0; k < 4; ++k) {
 			put(corners[k], places[k]);
 			touched_[corners[k]] = touched[k];
+			changed_.push_back(corners[k]); // flipping back may exchange the faces' numbers
 		}
 		flip(m_, nextInFace(h));
 		return false;
@@ -416,13 +450,14 @@ private:
 } // namespace
 
 bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
-				ResultMesh& result, Workers& workers)
+				ResultMesh& result, Workers& workers, std::unique_ptr<Cells> cells)
 {
 	const float       angle = angleDeg * radians;
 	const std::size_t num   = findPoorFaces(result.mesh, angle, workers).size();
 	const float       most  = mostPoorShare * float(result.mesh.faceNum);
 	if (num == 0 || num > std::max(mostPoor, std::size_t(most))) return true;
-	return AngleMender(surface, curves, angle, result, workers).run();
+	if (cells == nullptr) cells.reset(new Cells(surface, result, workers));
+	return AngleMender(surface, curves, angle, result, workers, *cells).run();
 }
 
 } // namespace gpr

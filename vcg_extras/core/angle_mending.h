@@ -4,9 +4,12 @@
 #define VCG_EXTRAS_CORE_ANGLE_MENDING_H
 
 #include "boundary_curves.h"
+#include "cells.h"
 #include "connect.h"
 #include "result_mesh.h"
 #include "workers.h"
+
+#include <memory>
 
 namespace gpr {
 
@@ -22,10 +25,11 @@ namespace gpr {
 /// times, then not at all.
 ///
 /// Nothing is done where more than 500 triangles and 1 % of all are poor. Returns false if all was
-/// withdrawn. Needs a mesh without dead faces. Cost: nothing to speak of where no angle is poor,
-/// else one finding of cells, two searches for crossing faces and the few faces concerned.
+/// withdrawn. Needs a mesh without dead faces; cells, if given, of its faces. Cost: a pass over the
+/// angles; where some are poor the few faces concerned, the boxes of a search for crossing faces,
+/// and one finding of cells unless they are given.
 bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
-				ResultMesh& result, Workers& workers);
+				ResultMesh& result, Workers& workers, std::unique_ptr<Cells> cells = nullptr);
 
 } // namespace gpr
 

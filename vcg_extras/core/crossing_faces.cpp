@@ -131,16 +131,56 @@ private:
         });
 		const Vec3f size = all.high - all.low;
 		MortonGrid  grid;
-		grid.low      = all.low;
-		grid.cubeSize = std::max(size.x, std::max(size.y, size.z)) + 1e-30f;
+		grid.low                   = all.low;
+		grid.cubeSize              = std::max(size.x, std::max(size.y, size.z)) + 1e-30f;
+		const Buffer<char> isNear  = wanted_.empty() ? Buffer<char>() : findNearWanted(grid);
+		const auto         nearNum = isNear.empty() ? std::ptrdiff_t(m_.faceNum)
+													: std::count(isNear.begin(), isNear.end(), 1);
 		// No more cells than about twice the faces; a surface fills the fewest of them.
-		const int level =
-			std::min(7, std::max(1, int(std::log2(double(m_.faceNum) + 1) / 3 + 0.34)));
+		const int level = std::min(7, std::max(1, int(std::log2(double(nearNum) + 1) / 3 + 0.34)));
 		Buffer<int> start;
 		const auto  cellOf = [&](std::size_t f) {
-            return int(grid.cell(m_.position[m_.origin[3 * f]], level));
+            const bool counts = isNear.empty() || isNear[f];
+            return counts ? int(grid.cell(m_.position[m_.origin[3 * f]], level)) : -1;
 		};
 		sortIntoBuckets(m_.faceNum, std::size_t(1) << 3 * level, cellOf, workers_, start, face_);
+	}
+
+	/// Where few faces are wanted, only those count that share a cell of a coarse grid with one of
+	/// them.
+	Buffer<char> findNearWanted(const MortonGrid& grid) const
+	{
+		constexpr int     cells = 64; // along each axis: small enough to stay in the cache
+		std::vector<char> isMarked(cells * cells * cells, 0);
+		const float       scale  = cells / grid.cubeSize;
+		const auto        number = [&](float c) {
+            return std::min(cells - 1, std::max(0, int(c * scale)));
+		};
+		/// visit(cell) for the cells of a box, until it returns true.
+		const auto anyCell = [&](const Box& box, const auto& visit) {
+			const Vec3f low = box.low - grid.low, high = box.high - grid.low;
+			for (int x = number(low.x); x <= number(high.x); ++x) {
+				for (int y = number(low.y); y <= number(high.y); ++y) {
+					for (int z = number(low.z); z <= number(high.z); ++z) {
+						if (visit((x * cells + y) * cells + z)) return true;
+					}
+				}
+			}
+			return false;
+		};
+		for (int f = 0; f < m_.faceNum; ++f) {
+			if (!wanted_[f]) continue;
+			anyCell(boxOf(f), [&](int cell) {
+				isMarked[cell] = 1;
+				return false;
+			});
+		}
+		Buffer<char> isNear(m_.faceNum);
+		workers_.forRange(m_.faceNum, [&](std::size_t begin, std::size_t end) {
+			for (int f = int(begin); f < int(end); ++f)
+				isNear[f] = anyCell(boxOf(f), [&](int cell) { return isMarked[cell] != 0; });
+		});
+		return isNear;
 	}
 
 	void buildTree()
@@ -172,12 +212,16 @@ private:
 
 	/// Faces round a vertex whose normals lie within 37° of their mean, and that go round it once,
 	/// are seen side by side along that normal: they cannot cross.
+	bool isFlatStar(int v) const { return !m_.isCreaseVertex(v) && isFlat(m_, v) && turnsOnce(v); }
+
+	/// Of all vertices at once where all faces are compared.
 	void findFlatStars()
 	{
+		if (!wanted_.empty()) return;
 		isFlat_.reset(m_.vertexNum);
 		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
 			for (int v = int(begin); v < int(end); ++v)
-				isFlat_[v] = !m_.isCreaseVertex(v) && isFlat(m_, v) && turnsOnce(v);
+				isFlat_[v] = isFlatStar(v);
 		});
 	}
 
@@ -274,7 +318,8 @@ private:
 			}
 		}
 		if (shared > 1) return;
-		if (shared == 1 && isFlat_[m_.origin[3 * f + ofF]]) return;
+		const int joint = m_.origin[3 * f + ofF];
+		if (shared == 1 && (isFlat_.empty() ? isFlatStar(joint) : isFlat_[joint] != 0)) return;
 		if (!(shared == 1 ? crossBeyondVertex(f, ofF, g, ofG) : crossApart(f, g))) return;
 		out.push_back(f);
 		out.push_back(g);

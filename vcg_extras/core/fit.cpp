@@ -321,7 +321,7 @@ public:
 	{
 		FitOutcome outcome;
 		Moves      whole(surface_, settings_.leastAngleDeg * radians, r_, workers_);
-		outcome.capped = !fitInRounds();
+		outcome.capped = !fitInRounds(outcome.cells);
 		whole.takeOver();
 		if (!takeBackOffenders(whole)) outcome.capped = true;
 		outcome.farthest = farthestFromAnchor();
@@ -342,15 +342,15 @@ private:
 	Buffer<char>       free_;
 
 	/// False if a round had to take all its moves back.
-	bool fitInRounds()
+	bool fitInRounds(std::unique_ptr<Cells>& cells)
 	{
 		bool         allKept = true;
 		DistanceForm distance(m_);
-		Cells        cells(surface_, r_, workers_);
 		distance_ = &distance;
+		if (settings_.rounds > 0) cells.reset(new Cells(surface_, r_, workers_));
 		for (int round = 0; round < settings_.rounds; ++round) {
-			if (round > 0) cells.update(r_, workers_);
-			distance.assemble(surface_, cells, workers_);
+			if (round > 0) cells->update(r_, workers_);
+			distance.assemble(surface_, *cells, workers_);
 			startRound();
 			for (int step = 0; step < stepNum; ++step)
 				stepAll();
@@ -415,57 +415,64 @@ private:
 
 	/// What a vertex' faces say about its shape.
 	struct RingShape {
-		Vec3f normal;                ///< of unit length
-		Vec3f force;                 ///< downhill, tangential
+		Vec3f normal;                ///< area-weighted
+		Vec3f force;                 ///< downhill
 		float stiffness = 0;         ///< curvature of the energy in the tangent plane
 		float shortest  = HUGE_VALF; ///< squared edge
+
+		/// The face whose other corners lie at a and b from the vertex.
+		void add(const Vec3f& a, const Vec3f& b)
+		{
+			const Vec3f n       = cross(a, b);
+			const float inverse = 1 / (length(n) + 1e-30f);
+			const float edges   = squaredLength(a) + squaredLength(b) + squaredLength(b - a);
+			const float energy  = conformalScale * edges * inverse;
+			normal += n;
+			force += (a + b) * (2 * conformalScale * inverse);
+			force += cross(n, b - a) * (energy * inverse * inverse);
+			stiffness += conformalStiffness * inverse;
+			shortest = std::min(shortest, squaredLength(a));
+		}
 	};
 
-	RingShape ringShape(int v) const
-	{
-		const Vec3f p = moves_.at(v);
-		RingShape   ring;
-		forEachOutgoing(m_, v, [&](int h) {
-			const Vec3f a = moves_.at(m_.target(h)) - p, b = moves_.at(m_.apex(h)) - p;
-			const Vec3f n      = cross(a, b);
-			const float twice  = length(n) + 1e-30f;
-			const float edges  = squaredLength(a) + squaredLength(b) + squaredLength(b - a);
-			const float energy = conformalScale * edges / twice;
-			ring.normal += n;
-			ring.force += (a + b) * (2 * conformalScale / twice);
-			ring.force += cross(n, b - a) * (energy / (twice * twice));
-			ring.stiffness += conformalStiffness / twice;
-			ring.shortest = std::min(ring.shortest, squaredLength(a));
-		});
-		ring.normal = normalized(ring.normal);
-		ring.force  = tangential(ring.force, ring.normal);
-		return ring;
-	}
-
-	/// Where v's shift gets to by one step.
+	/// Where v's shift gets to by one step. Both terms of the energy are summed up in one turn
+	/// round v: reading the ring is what a step costs.
 	Vec3f stepFrom(int v)
 	{
-		const RingShape ring  = ringShape(v);
-		const Vec3f     shift = moves_.shift(v);
-		const float     pull  = pullBack * mass_[v];
-		const float     stiff = ring.stiffness * shapeWeight(v);
-
-		Vec3f force = distance_->force(v) - distance_->own(v) * shift - shift * pull;
-		forEachOutgoing(m_, v, [&](int h) {
+		const Vec3f shift = moves_.shift(v), p = moves_.at(v);
+		const float pull  = pullBack * mass_[v];
+		const int   first = m_.outgoing[v];
+		RingShape   ring;
+		Vec3f       force = distance_->force(v) - distance_->own(v) * shift - shift * pull;
+		Vec3f       a     = moves_.at(m_.target(first)) - p;
+		int         h     = first;
+		do {
+			const int   in = prevInFace(h), last = m_.origin[in];
+			const Vec3f b = moves_.at(last) - p;
+			ring.add(a, b);
 			force = force - distance_->joint(h) * moves_.shift(m_.target(h));
 			// Behind the last border edge there is no half-edge that leaves v.
-			const int in = prevInFace(h);
-			if (m_.opposite[in] < 0)
-				force = force - distance_->joint(in) * moves_.shift(m_.origin[in]);
-		});
-		force += ring.force * shapeWeight(v);
+			if (m_.opposite[in] < 0) force = force - distance_->joint(in) * moves_.shift(last);
+			a = b;
+			h = m_.opposite[in];
+		} while (h >= 0 && h != first);
+		return stepAgainst(v, ring, force, pull);
+	}
+
+	/// The step for the forces found; only the tangential part of the shape's counts.
+	Vec3f stepAgainst(int v, const RingShape& ring, Vec3f force, float pull)
+	{
+		const Vec3f normal = normalized(ring.normal);
+		const float weight = shapeWeight(v);
+		const float stiff  = ring.stiffness * weight;
+		force += tangential(ring.force, normal) * weight;
 
 		SymmetricMatrix matrix = distance_->own(v);
 		matrix.addDiagonal(pull + stiff);
-		matrix.addOuter(ring.normal, -stiff);
+		matrix.addOuter(normal, -stiff);
 		const Vec3f wanted = velocity_[v] * momentum + matrix.solve(force) * stepLength;
 		velocity_[v]       = shortened(wanted, longestStep * std::sqrt(ring.shortest));
-		return shortened(shift + velocity_[v], farthestMove * std::sqrt(squaredEdge_[v]));
+		return shortened(moves_.shift(v) + velocity_[v], farthestMove * std::sqrt(squaredEdge_[v]));
 	}
 
 	static Vec3f shortened(const Vec3f& v, float most)

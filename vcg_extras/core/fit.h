@@ -3,9 +3,12 @@
 #ifndef VCG_EXTRAS_CORE_FIT_H
 #define VCG_EXTRAS_CORE_FIT_H
 
+#include "cells.h"
 #include "connect.h"
 #include "result_mesh.h"
 #include "workers.h"
+
+#include <memory>
 
 namespace gpr {
 
@@ -16,8 +19,9 @@ struct FitSettings {
 };
 
 struct FitOutcome {
-	float farthest = 0;     ///< largest distance of a vertex from its anchor, working units
-	bool  capped   = false; ///< a guard gave up: the moves of that round were taken back
+	std::unique_ptr<Cells> cells; ///< of the last round; null where there was none
+	float farthest = 0;           ///< largest distance of a vertex from its anchor, working units
+	bool  capped   = false;       ///< a guard gave up: the moves of that round were taken back
 };
 
 /// Stage 12: moves the vertices off the surface to where the triangles lie closest to it, and keeps

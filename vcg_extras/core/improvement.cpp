@@ -54,27 +54,30 @@ public:
 	}
 
 	/// What regularity asks for to the last; the paper's post-processing stays as it is written.
-	void mendLastAngles(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
+	void mendLastAngles(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result,
+						std::unique_ptr<Cells> cells)
 	{
 		if (options_.smoothing != Smoothing::Barycentric || options_.relaxIterations == 0) return;
 		if (options_.regularity != Regularity::Full) return;
 		clock_.enter("angles", "Mending angles", 0.973);
-		if (!mendAngles(p.surface, boundary, leastAngleDeg(), result, workers_))
+		if (!mendAngles(p.surface, boundary, leastAngleDeg(), result, workers_, std::move(cells)))
 			report_.capsReached.push_back("changes for the worst angles");
 	}
 
-	void fit(const Prepared& p, ResultMesh& result)
+	/// Returns the cells of the last round, if there was one.
+	std::unique_ptr<Cells> fit(const Prepared& p, ResultMesh& result)
 	{
-		if (options_.fit == Fit::Off) return;
+		if (options_.fit == Fit::Off) return nullptr;
 		clock_.enter("fit", "Fitting to the input", 0.97);
 		returnReleasedMemory(); // this stage sets the peak
 		FitSettings settings;
 		settings.rounds        = roundsOfFit();
 		settings.leastAngleDeg = leastAngleDeg();
 		settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options_.adapt));
-		const FitOutcome outcome = fitToInput(p.surface, settings, result, workers_);
+		FitOutcome outcome = fitToInput(p.surface, settings, result, workers_);
 		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
 		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
+		return std::move(outcome.cells);
 	}
 
 private:
@@ -142,9 +145,9 @@ void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 			   ResultMesh& result)
 {
-	Improvement improvement(run);
-	improvement.fit(p, result);
-	improvement.mendLastAngles(p, boundary, result);
+	Improvement            improvement(run);
+	std::unique_ptr<Cells> cells = improvement.fit(p, result);
+	improvement.mendLastAngles(p, boundary, result, std::move(cells));
 }
 
 } // namespace gpr
