@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "host_api.h"
 
+#include <QtGlobal>
 #include <common/mlexception.h>
 #include <common/plugins/plugin_manager.h>
 
@@ -14,7 +15,7 @@ PluginManager& manager()
 	// Never destroyed: plugins do not survive the end of QApplication.
 	static PluginManager& loaded = *[] {
 		auto* made = new PluginManager;
-		made->loadPlugin(GPR_PLUGIN_FILE);
+		made->loadPlugin(qEnvironmentVariable("GPR_PLUGIN_FILE", GPR_PLUGIN_FILE));
 		return made;
 	}();
 	return loaded;
