@@ -25,7 +25,7 @@ protected:
 	{
 		MeshView view = mesh.view();
 		view.quality  = quality;
-		return makeSizing({view, options, radius, isFeature}, surface, workers);
+		return makeSizing({view, options, radius, isFeature, {}}, surface, workers);
 	}
 };
 

@@ -211,9 +211,9 @@ struct Mark {
 class CurveSampler {
 public:
 	CurveSampler(const HalfEdgeMesh& mesh, float diskRadius, float spacing,
-				 const std::vector<int>& kept, BoundaryCurves& out) :
+				 const std::vector<int>& kept, BoundaryMode border, BoundaryCurves& out) :
 			m_(mesh),
-			out_(out), diskRadius_(diskRadius)
+			out_(out), border_(border), diskRadius_(diskRadius)
 	{
 		wanted_.chord = spacing;
 		if (!kept.empty()) isKept_.assign(m_.vertexNum, 0);
@@ -224,7 +224,9 @@ public:
 	void sampleClosed(int index)
 	{
 		const Curve& c = begin(index);
-		if (c.pointNum() <= 3 || c.length < 1.8f * wanted_.chord * c.smallestSize())
+		if (border_ == BoundaryMode::Keep && isOfBorder(c) && keptOn(c) >= 3)
+			keepAll(c);
+		else if (c.pointNum() <= 3 || c.length < 1.8f * wanted_.chord * c.smallestSize())
 			keepThree(c);
 		else
 			sampleLoop(c);
@@ -270,6 +272,7 @@ public:
 private:
 	const HalfEdgeMesh& m_;
 	BoundaryCurves&     out_;
+	BoundaryMode        border_;
 	float               diskRadius_;
 	CurveSpacing        wanted_;
 	int                 index_       = 0;
@@ -280,6 +283,13 @@ private:
 
 	bool isKept(int v) const { return !isKept_.empty() && isKept_[v]; }
 	bool isStop(int v) const { return isNode(m_, v) || isKept(v); }
+	bool isOfBorder(const Curve& c) const { return c.isClosed && m_.isBorderEdge(outgoingOf(c)); }
+	/// The half-edge from the first to the second point of a loop of the border.
+	int            outgoingOf(const Curve& c) const { return m_.outgoing[c.vertex[0]]; }
+	std::ptrdiff_t keptOn(const Curve& c) const
+	{
+		return std::count_if(c.vertex.begin(), c.vertex.end(), [&](int v) { return isKept(v); });
+	}
 
 	/// How far round a point its turn is looked at.
 	float windowOf(const Curve& c) const
@@ -329,6 +339,14 @@ private:
 		return sample;
 	}
 
+	/// The vertices to be kept and no others.
+	void keepAll(const Curve& c)
+	{
+		for (int i = 0; i < c.pointNum(); ++i) {
+			if (isKept(c.vertex[i])) put(c, c.arc[i], true);
+		}
+	}
+
 	/// Three of the loop's own vertices, as even as possible; nodes before others.
 	void keepThree(const Curve& c)
 	{
@@ -362,9 +380,10 @@ private:
 		const bool onCrease = m_.isCreaseVertex(c.vertex[0]) && !m_.isBorderVertex(c.vertex[0]);
 		const std::vector<char> turns =
 			onCrease ? findCreaseCorners(c, window) : findTurns(c, turn, window);
+		const bool         hasTurns = onCrease || border_ != BoundaryMode::Free;
 		std::vector<float> arcs;
 		for (int i = 0; i < c.pointNum(); ++i) {
-			if (turns[i] || isStop(c.vertex[i])) arcs.push_back(c.arc[i]);
+			if ((turns[i] && hasTurns) || isStop(c.vertex[i])) arcs.push_back(c.arc[i]);
 		}
 		hasCorners = !arcs.empty();
 		if (arcs.empty()) {
@@ -466,7 +485,8 @@ int leastPieces(const Curve& c, const ChainEnds& chainEnds)
 } // namespace
 
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
-							  const std::vector<int>& tips, const std::vector<int>& kept)
+							  const std::vector<int>& tips, const std::vector<int>& kept,
+							  BoundaryMode border)
 {
 	const HalfEdgeMesh& m = surface.mesh;
 	BoundaryCurves      result;
@@ -477,7 +497,7 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 
 	for (Curve& c : result.curves)
 		addSizes(surface, c);
-	CurveSampler sampler(m, diskRadius, spacing, kept, result);
+	CurveSampler sampler(m, diskRadius, spacing, kept, border, result);
 	for (std::size_t i = 0; i < result.curves.size(); ++i) {
 		if (result.curves[i].isClosed)
 			sampler.sampleClosed(int(i));

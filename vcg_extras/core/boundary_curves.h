@@ -5,6 +5,7 @@
 
 #include "connect.h"
 #include "curve.h"
+#include "options.h"
 #include "walk.h"
 
 #include <vector>
@@ -37,10 +38,12 @@ struct BoundaryCurves {
 /// met; nodes and the given tips are samples that never move. Vertices to be kept are samples too:
 /// those on a curve cut it into pieces as corners do. Loops and chains are cut further at
 /// corners (a turn of 50° that persists over r), each piece is sampled by chords of `spacing` (see
-/// spaceOut). Loops too short for three samples keep three of their own vertices. Cost: linear in
-/// the curves.
+/// spaceOut). Loops too short for three samples keep three of their own vertices. What is said here
+/// of loops holds for BoundaryMode::Resample; with Keep their samples are those of the vertices to
+/// be kept that lie on them, with Free they have no corners. Cost: linear in the curves.
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
-							  const std::vector<int>& tips = {}, const std::vector<int>& kept = {});
+							  const std::vector<int>& tips = {}, const std::vector<int>& kept = {},
+							  BoundaryMode border = BoundaryMode::Resample);
 
 } // namespace gpr
 

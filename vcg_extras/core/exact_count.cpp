@@ -198,7 +198,7 @@ private:
 
 	bool isSplittableBorder(int h) const
 	{
-		return care_ == Care::TopologyOnly && m_.opposite[h] < 0 &&
+		return care_ == Care::TopologyOnly && m_.opposite[h] < 0 && !r_.keepsBorder &&
 			   r_.vertex[m_.origin[h]].curve >= 0 && r_.vertex[m_.target(h)].curve >= 0;
 	}
 

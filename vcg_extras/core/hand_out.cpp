@@ -3,6 +3,8 @@
 #include "hand_out.h"
 
 #include "audit.h"
+#include "carry_over.h"
+#include "face_anchor.h"
 #include "failure.h"
 #include "measure.h"
 #include "surface_point.h"
@@ -43,6 +45,7 @@ public:
 		if (options_.check) check(p.surface, result);
 		clock_.enter("export", "Handing out the result", 1);
 		exportMesh(p.surface, result, out);
+		if (options_.anchorsOfFaces) exportFaceAnchors(p.surface, result, out);
 		report_.quality = measureQuality(out.mesh.view(), workers_);
 	}
 
@@ -90,12 +93,12 @@ private:
 		report_.keptVertexNum = std::count_if(result.vertex.begin(), result.vertex.end(), isPinned);
 		const std::int64_t lost = std::int64_t(p.kept.size()) - report_.keptVertexNum;
 		if (2 * report_.keptVertexNum > result.mesh.vertexNum) {
-			notes_.push_back("More than half of the vertices are those of the feature region; the "
-							 "triangles beside it are uneven.");
+			notes_.push_back("More than half of the vertices had to stay where they were; the "
+							 "triangles beside them are uneven.");
 		}
 		if (lost > 0) {
 			notes_.push_back(std::to_string(lost) + " of the " + std::to_string(p.kept.size()) +
-							 " vertices of the feature region could not be kept.");
+							 " vertices that were to stay could not be kept.");
 		}
 	}
 
@@ -109,6 +112,35 @@ private:
 			for (std::size_t v = begin; v < end; ++v) {
 				out.mesh.positions[v] = surface.frame.toCaller(m.position[v]);
 				out.anchors[v]        = surfacePoint(input_, surface, result.vertex[v].anchor);
+			}
+		});
+		if (report_.keptVertexNum > 0) exportKept(result, out);
+	}
+
+	/// Vertices that stayed get the caller's own bits back.
+	void exportKept(const ResultMesh& result, RemeshResult& out)
+	{
+		out.callersVertex.assign(result.vertex.size(), -1);
+		for (std::size_t v = 0; v < result.vertex.size(); ++v) {
+			if (!result.vertex[v].isPinned) continue;
+			SurfacePoint& at     = out.anchors[v];
+			const int     corner = nearestCorner(at);
+			for (int k = 0; k < 3; ++k)
+				at.weight[k] = k == corner;
+			const std::size_t  i  = 3 * std::size_t(at.face) + std::size_t(corner);
+			const std::int32_t c  = input_.triangles[i];
+			out.callersVertex[v]  = c;
+			out.mesh.positions[v] = input_.position(std::size_t(c));
+		}
+	}
+
+	void exportFaceAnchors(const Surface& surface, const ResultMesh& result, RemeshResult& out)
+	{
+		out.faceAnchors.resize(result.mesh.faceNum);
+		workers_.forRange(result.mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t f = begin; f < end; ++f) {
+				const Anchor middle = anchorOfFace(surface, result, int(f));
+				out.faceAnchors[f]  = surfacePoint(input_, surface, middle);
 			}
 		});
 	}

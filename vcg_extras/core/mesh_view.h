@@ -23,6 +23,11 @@ struct MeshView {
 	std::size_t         faceNum             = 0;
 	const float*        quality  = nullptr; ///< per vertex, or null; for SizingSource::Quality
 	const std::uint8_t* selected = nullptr; ///< per vertex, or null; for FeatureRegion::Selection
+	/// Three a face, or null: not 0 where the edge from that corner to the next is a line, like a
+	/// seam of the texture, that edges of the result shall follow.
+	const std::uint8_t* line = nullptr;
+	/// Per face, or null: not 0 where it is selected; for RemeshOptions::selectedOnly.
+	const std::uint8_t* selectedFace = nullptr;
 
 	MeshView() = default;
 	template <class S>

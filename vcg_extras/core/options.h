@@ -83,6 +83,13 @@ enum class FeatureSampling {
 	Vertices, ///< every vertex of the region becomes a vertex of the result
 };
 
+/// What becomes of the surface's border.
+enum class BoundaryMode {
+	Resample, ///< its curve and its corners stay, other vertices are placed on it anew
+	Keep,     ///< its vertices stay where they are, and no others are put between them
+	Free,     ///< evenly spaced vertices on it, past its corners
+};
+
 /// Whether sharp edges of the input become edges of the result. They do with
 /// Placement::DiskIntersection and Retriangulation::LabelCollapse only.
 enum class FeatureMode {
@@ -117,6 +124,8 @@ struct RemeshOptions {
 	std::int64_t dropComponentsBelow = 0;
 	double       timeLimitSeconds    = 0; ///< the run ends then without a result; 0 = none
 	bool         check = false; ///< crossing faces and distances are looked for: thorough_check.h
+	bool         selectedOnly   = false; ///< remesh the selected faces, leave the rest as it is
+	bool         anchorsOfFaces = false; ///< hand out RemeshResult::faceAnchors
 
 	Placement       placement       = Placement::DiskIntersection;
 	Retriangulation retriangulation = Retriangulation::LabelCollapse;
@@ -129,6 +138,8 @@ struct RemeshOptions {
 	double       largestStretch = 4; ///< s_max of the density, [1, 100]; calibrated only
 	SizingSource sizing         = SizingSource::Curvature;
 	double       adapt          = 0; ///< sizes by the error, [0, 1]; 0 = evenly; calibrated only
+
+	BoundaryMode boundary = BoundaryMode::Resample;
 
 	FeatureMode featureMode     = FeatureMode::Auto;
 	double      featureAngleDeg = 40; ///< feature lines: between the normals of two faces, [5, 175]

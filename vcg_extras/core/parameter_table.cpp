@@ -31,7 +31,10 @@ bool switchOf(const ParameterValue& v)
 ParameterValue tenPercent(const MeshFacts& facts)
 {
 	// A tetrahedron is the smallest closed surface; the dialog never proposes less.
-	const double share = std::round(0.1 * double(facts.vertexNum));
+	const std::int64_t whole = facts.hasSelection ? facts.selectedVertexNum : facts.vertexNum;
+	// The vertices of the seam stay; as many others beside them make good triangles.
+	const double seam  = facts.hasSelection ? 2 * double(facts.seamVertexNum) : 0;
+	const double share = std::max(seam, std::round(0.1 * double(whole)));
 	return std::int64_t(std::max(4.0, share));
 }
 
@@ -102,15 +105,17 @@ void addSamples(Table& t)
 
 void addSize(Table& t)
 {
-	t.push_back(row(sized, "TargetVertexNum", "--vertices", "N", Kind::Count, "Number of vertices",
-					"How many vertices the result has, exactly; a sampling lands within about a "
-					"tenth of it. Used where percentage and edge length are 0. A number below what "
-					"the topology needs is refused, and the "
-					"smallest possible one named. The default is 10 % of the layer's vertices.")
-					.range(1, largestCount)
-					.byDefault(tenPercent)
-					.store([](const Value& v, RemeshOptions& o) { o.targetVertexNum = countOf(v); })
-					.p);
+	t.push_back(
+		row(sized, "TargetVertexNum", "--vertices", "N", Kind::Count, "Number of vertices",
+			"How many vertices the result has, exactly; a sampling lands within about a "
+			"tenth of it. Used where percentage and edge length are 0. A number below what "
+			"the topology needs is refused, and the "
+			"smallest possible one named. Counts those of the selected part where only that is "
+			"remeshed. The default is 10 % of the vertices there are.")
+			.range(1, largestCount)
+			.byDefault(tenPercent)
+			.store([](const Value& v, RemeshOptions& o) { o.targetVertexNum = countOf(v); })
+			.p);
 	t.push_back(row(sized, "TargetPerc", "--percent", "P", Kind::Number,
 					"Percentage of vertices (0 = off)",
 					"Size of the result in percent of the layer's vertices, in (0, 10000]; takes "
@@ -138,7 +143,7 @@ void addSize(Table& t)
 			.p);
 }
 
-void addStages(Table& t)
+void addMainChoices(Table& t)
 {
 	t.push_back(
 		row(sized, "Preset", "--preset", "NAME", Kind::Choice, "Preset",
@@ -149,6 +154,75 @@ void addStages(Table& t)
 			.choices({"default", "fast", "paper"})
 			.store([](const Value& v, RemeshOptions& o) { applyPreset(Preset(countOf(v)), o); })
 			.p);
+	t.push_back(
+		row(RemeshTool, "Selected", "--selected", "", Kind::Switch, "Only the selected faces",
+			"Remeshes the selected faces and leaves the others bit for bit as they are; the "
+			"vertices between the two stay, and the new triangles grow from their spacing to the "
+			"wanted size. On by default where faces are selected. On the command line the faces "
+			"are those that a PLY file marks by the property 'selected' or MeshLab's 'flags'.")
+			.byDefault([](const MeshFacts& facts) { return Value(facts.hasSelection); })
+			.store([](const Value& v, RemeshOptions& o) { o.selectedOnly = switchOf(v); })
+			.p);
+	t.push_back(
+		row(sized, "Boundary", "--boundary", "NAME", Kind::Choice, "Boundary",
+			"What becomes of the surface's open borders: resample, their curve and their corners "
+			"stay, vertices are placed on them anew; keep, every vertex on them stays where it is "
+			"and none is added, the triangles growing from their spacing to the wanted size; free, "
+			"evenly spaced vertices that cut corners off.")
+			.choices({"resample", "keep", "free"})
+			.store([](const Value& v, RemeshOptions& o) { o.boundary = BoundaryMode(countOf(v)); })
+			.p);
+}
+
+void addFeatureLines(Table& t)
+{
+	t.push_back(row(sized, "Features", "--features", "NAME", Kind::Choice, "Feature lines",
+					"Sharp edges of the mesh become edges of the result, corners and cone tips its "
+					"vertices: "
+					"auto, where they are real creases and not a scan's noise (none with the paper "
+					"preset); "
+					"lines, wherever the faces turn by the feature angle; off, nowhere. Needs the "
+					"placement "
+					"disk-intersection and the retriangulation label-collapse.")
+					.choices({"auto", "lines", "off"})
+					.store([](const Value& v, RemeshOptions& o) {
+						if (countOf(v) > 0) o.featureMode = FeatureMode(countOf(v));
+					})
+					.p);
+	t.push_back(
+		row(sized, "FeatureAngle", "--feature-angle", "DEG", Kind::Number, "Feature angle",
+			"A feature line begins where the normals of two faces differ by so many degrees, "
+			"and goes on from its ends down to half of that; 5 to 175.")
+			.range(5, 175)
+			.byDefault([](const MeshFacts&) { return Value(40.0); })
+			.store([](const Value& v, RemeshOptions& o) { o.featureAngleDeg = numberOf(v); })
+			.p);
+}
+
+void addAdaptivity(Table& t)
+{
+	t.push_back(row(sized, "Adapt", "--adapt", "A", Kind::Number, "Adaptivity to the error",
+					"Spends the vertices where the surface bends, for a smaller error at the same "
+					"number: 0, all triangles of one size, to 1, sizes within a range of four. Not "
+					"used with the paper's equations.")
+					.range(0, 1)
+					.store([](const Value& v, RemeshOptions& o) { o.adapt = numberOf(v); })
+					.p);
+}
+
+void addLayer(Table& t)
+{
+	t.push_back(
+		row(RemeshTool | RetriangulateTool, "NewLayer", "", "", Kind::Switch,
+			"Put the result into a new layer",
+			"Off (default): the result takes the place of the layer's mesh, and MeshLab has no "
+			"undo. On: it becomes a layer of its own, with the transform of the old one, "
+			"which stays as it is.")
+			.p);
+}
+
+void addStages(Table& t)
+{
 	t.push_back(row(sized, "Placement", "--placement", "NAME", Kind::Choice, "Placement of samples",
 					"Where the next sample is put: disk-intersection, where the borders of two "
 					"disks meet (default and fast); border-edge, on a random edge that the border "
@@ -294,38 +368,6 @@ void addDensity(Table& t)
 			.choices({"curvature", "quality"})
 			.store([](const Value& v, RemeshOptions& o) { o.sizing = SizingSource(countOf(v)); })
 			.p);
-	t.push_back(row(sized, "Adapt", "--adapt", "A", Kind::Number, "Adaptivity to the error",
-					"Spends the vertices where the surface bends, for a smaller error at the same "
-					"number: 0, all triangles of one size, to 1, sizes within a range of four. Not "
-					"used with the paper's equations.")
-					.range(0, 1)
-					.store([](const Value& v, RemeshOptions& o) { o.adapt = numberOf(v); })
-					.p);
-}
-
-void addFeatureLines(Table& t)
-{
-	t.push_back(row(sized, "Features", "--features", "NAME", Kind::Choice, "Feature lines",
-					"Sharp edges of the mesh become edges of the result, corners and cone tips its "
-					"vertices: "
-					"auto, where they are real creases and not a scan's noise (none with the paper "
-					"preset); "
-					"lines, wherever the faces turn by the feature angle; off, nowhere. Needs the "
-					"placement "
-					"disk-intersection and the retriangulation label-collapse.")
-					.choices({"auto", "lines", "off"})
-					.store([](const Value& v, RemeshOptions& o) {
-						if (countOf(v) > 0) o.featureMode = FeatureMode(countOf(v));
-					})
-					.p);
-	t.push_back(
-		row(sized, "FeatureAngle", "--feature-angle", "DEG", Kind::Number, "Feature angle",
-			"A feature line begins where the normals of two faces differ by so many degrees, "
-			"and goes on from its ends down to half of that; 5 to 175.")
-			.range(5, 175)
-			.byDefault([](const MeshFacts&) { return Value(40.0); })
-			.store([](const Value& v, RemeshOptions& o) { o.featureAngleDeg = numberOf(v); })
-			.p);
 }
 
 void addFeatures(Table& t)
@@ -436,11 +478,6 @@ void addRun(Table& t)
 			"moved it, there is no result.")
 			.store([](const Value& v, RemeshOptions& o) { o.check = switchOf(v); })
 			.p);
-	t.push_back(row(RemeshTool | RetriangulateTool, "NewLayer", "", "", Kind::Switch,
-					"Put the result into a new layer",
-					"Off: the result takes the place of the layer's mesh. MeshLab has no undo, so "
-					"switch this on to keep the original.")
-					.p);
 }
 
 } // namespace
@@ -448,15 +485,19 @@ void addRun(Table& t)
 std::vector<Parameter> makeParameterTable()
 {
 	Table table;
+	// What most need comes first, what only experts turn last.
 	addSamples(table);
 	addSize(table);
-	addStages(table);
+	addMainChoices(table);
+	addFeatureLines(table);
+	addAdaptivity(table);
+	addLayer(table);
 	addCount(table);
 	addCleaning(table);
-	addDensity(table);
-	addFeatureLines(table);
-	addFeatures(table);
 	addRun(table);
+	addStages(table);
+	addDensity(table);
+	addFeatures(table);
 	return table;
 }
 

@@ -26,9 +26,12 @@ using ParameterValue = std::variant<std::int64_t, double, bool>; ///< Choice use
 
 /// What defaults may depend on.
 struct MeshFacts {
-	std::int64_t vertexNum   = 0;
-	double       diagonal    = 0; ///< mesh units
-	std::int64_t sampleLayer = 1; ///< number of the layer in which samples most likely are
+	std::int64_t vertexNum         = 0;
+	double       diagonal          = 0;     ///< mesh units
+	bool         hasSelection      = false; ///< some faces are selected
+	std::int64_t selectedVertexNum = 0;     ///< vertices of the selected faces
+	std::int64_t seamVertexNum     = 0;     ///< those of them that other faces have, too
+	std::int64_t sampleLayer       = 1; ///< number of the layer in which samples most likely are
 };
 
 /// What parameters are for: each is a filter in MeshLab, most are a command of gpremesh.

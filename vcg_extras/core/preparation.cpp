@@ -7,6 +7,7 @@
 #include "feature_export.h"
 #include "feature_region.h"
 #include "flat_pieces.h"
+#include "given_lines.h"
 #include "load.h"
 #include "measure.h"
 #include "memory_need.h"
@@ -17,6 +18,7 @@
 #include "split_long_edges.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -26,6 +28,8 @@ namespace {
 
 /// Connected feature lines shorter than this in all are dropped; in ideal edges.
 constexpr float leastLineLength = 3;
+/// Share of the vertices that lines given by the caller may take, with borders and feature lines.
+constexpr double mostOnGivenLines = 0.5;
 /// Longest edge of the mesh the sampling works on, in r,
 constexpr float longestEdge = 0.8f;
 /// and where at most this share of the faces has a longer one. Single long edges in a dense scan do
@@ -113,6 +117,25 @@ void Preparation::findFeatureLines(Prepared& p)
 	p.tips                 = found.tips;
 	report_.featureEdgeNum = found.edgeNum;
 	report_.featureTipNum  = std::int64_t(found.tips.size());
+	followGivenLines(p);
+}
+
+void Preparation::followGivenLines(Prepared& p)
+{
+	if (input_.line == nullptr || !followsFeatureLines(options_)) return;
+	const HalfEdgeMesh& m = p.surface.mesh;
+	Buffer<char>        before(m.crease.size());
+	std::copy(m.crease.begin(), m.crease.end(), before.begin());
+	const std::int64_t added = markGivenLines(input_, workers_, p.surface);
+	if (added == 0) return;
+	const double onCurves = double(sampleCurves(p, p.radius, options_.boundary).samples.size());
+	if (onCurves <= mostOnGivenLines * double(p.targetNum)) {
+		report_.featureEdgeNum += added;
+		return;
+	}
+	p.surface.mesh.crease.swap(before);
+	notes_.push_back("There are more given lines, like the seams of a texture, than so few "
+					 "vertices can follow; triangles lie across them.");
 }
 
 void Preparation::forgetFeatureLines(Prepared& p)
@@ -160,7 +183,7 @@ Sizing Preparation::findSizes(Prepared& p)
 	clock_.enter("sizing", "Finding the density", 0.23);
 	findFeatureRegion(p);
 	const float uniform = float(diskRadius(p.area, double(p.targetNum), radiusConstant(options_)));
-	return makeSizing({input_, options_, uniform, p.isFeatureVertex}, p.surface, workers_);
+	return makeSizing({input_, options_, uniform, p.isFeatureVertex, p.kept}, p.surface, workers_);
 }
 
 void Preparation::refine(Prepared& p, float longest)
@@ -186,12 +209,28 @@ void Preparation::findFeatureRegion(Prepared& p)
 	const std::vector<int> vertices =
 		callersVertices(input_, p.isFeatureVertex, p.surface, workers_);
 	report_.regionVertexNum = std::int64_t(vertices.size());
+	p.kept.clear();
 	if (options_.featureSampling == FeatureSampling::Vertices) p.kept = vertices;
+	if (options_.boundary == BoundaryMode::Keep) keepBorder(p);
+}
+
+/// Adds the caller's own vertices on the border to those to be kept.
+void Preparation::keepBorder(Prepared& p)
+{
+	const HalfEdgeMesh& m = p.surface.mesh;
+	Buffer<char>        onBorder(m.vertexNum);
+	for (int v = 0; v < m.vertexNum; ++v)
+		onBorder[v] = m.outgoing[v] >= 0 && m.isBorderVertex(v);
+	const std::vector<int> border = callersVertices(input_, onBorder, p.surface, workers_);
+	std::vector<int>       all;
+	std::set_union(p.kept.begin(), p.kept.end(), border.begin(), border.end(),
+				   std::back_inserter(all));
+	p.kept = std::move(all);
 }
 
 bool Preparation::tooManySamples(const Prepared& p)
 {
-	return sampleCurves(p, p.radius).samples.size() > std::size_t(p.targetNum);
+	return sampleCurves(p, p.radius, options_.boundary).samples.size() > std::size_t(p.targetNum);
 }
 
 void Preparation::connectOrRepair(IndexedMesh& mesh, Surface& surface)

@@ -28,7 +28,8 @@ public:
 	Prepared prepare(std::int64_t fixedTarget);
 	Prepared prepareAgain(std::int64_t targetNum);
 	/// Marks the feature lines; from here on the surface does not change any more. Where there are
-	/// more of them than the wanted vertices can follow, the shorter ones are left out.
+	/// more of them than the wanted vertices can follow, the shorter ones are left out. The
+	/// caller's own lines are added where they leave enough vertices to the surface between them.
 	void findFeatureLines(Prepared& p);
 	void forgetFeatureLines(Prepared& p);
 	void describeInput(const Surface& surface);
@@ -41,12 +42,14 @@ private:
 	Sizing              findSizes(Prepared& p);
 	void                refine(Prepared& p, float longest);
 	void                findFeatureRegion(Prepared& p);
-	static bool         tooManySamples(const Prepared& p);
+	void                keepBorder(Prepared& p);
+	bool                tooManySamples(const Prepared& p);
 	void                connectOrRepair(IndexedMesh& mesh, Surface& surface);
 	void                dropFlatPieces(Surface& surface);
 	IndexedMesh         loadCleaned();
 	IndexedMesh         withoutUseless(IndexedMesh mesh);
 	void                dropSmallComponents(Surface& surface);
+	void                followGivenLines(Prepared& p);
 	std::int64_t        splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepared& p);
 	void                noteDetection(const FeatureEdges& features);
 };

@@ -13,6 +13,7 @@
 #include "preparation.h"
 #include "sample_stages.h"
 #include "sampled_distance.h"
+#include "selected_part.h"
 #include "surface_point.h"
 
 #include <algorithm>
@@ -58,7 +59,7 @@ public:
 	{
 		preparation_.detectRegion();
 		Prepared p = preparation_.prepare(0);
-		requireRoomForKept(p);
+		makeRoomForKept(p, out);
 		preparation_.findFeatureLines(p);
 		if (run_.options.featureMode == FeatureMode::Lines && !followsFeatureLines(run_.options))
 			out.notes.push_back(
@@ -141,30 +142,56 @@ private:
 	Preparation  preparation_;
 	SampleStages stages_;
 
+	bool mayRaise() const
+	{
+		return run_.options.allowNearest || run_.options.targetMode != TargetMode::VertexNum;
+	}
+
+	/// Where the target is a wish it is raised to what vertices to be kept need with some others
+	/// between them.
+	void makeRoomForKept(Prepared& p, RemeshResult& out)
+	{
+		const std::int64_t keptNum = std::int64_t(p.kept.size());
+		if (keepsBorder() && keptNum > p.targetNum && mayRaise()) {
+			const std::int64_t raised = keptNum + keptNum / 2 + p.targetNum;
+			out.notes.push_back("The border has " + std::to_string(keptNum) +
+								" vertices to be kept, so that " + std::to_string(raised) +
+								" vertices were aimed at instead of " +
+								std::to_string(p.targetNum) + ".");
+			p = preparation_.prepareAgain(raised);
+		}
+		requireRoomForKept(p);
+	}
+
 	void requireRoomForKept(const Prepared& p)
 	{
 		if (std::int64_t(p.kept.size()) <= p.targetNum) return;
 		throw Failure(Status::BadOptions,
-					  "The feature region has " + std::to_string(p.kept.size()) +
+					  "The " + whatIsKept() + " " + std::to_string(p.kept.size()) +
 						  " vertices to be kept, more than the " + std::to_string(p.targetNum) +
-						  " of the result; ask for more vertices, or have the region sampled by "
-						  "disks.");
+						  " of the result; ask for more vertices" + otherWay() + ".");
+	}
+
+	bool        keepsBorder() const { return run_.options.boundary == BoundaryMode::Keep; }
+	std::string whatIsKept() const { return keepsBorder() ? "border has" : "feature region has"; }
+	std::string otherWay() const
+	{
+		return keepsBorder() ? "" : ", or have the region sampled by disks";
 	}
 
 	/// Vertices to be kept leave no way to the count: the nearest one, where that may be.
 	void acceptNearest(Prepared& p, std::int64_t nearest, RemeshResult& out)
 	{
-		if (!run_.options.allowNearest && run_.options.targetMode == TargetMode::VertexNum) {
+		if (!mayRaise()) {
 			out.smallestVertexNum = nearest;
 			throw Failure(Status::CountTooSmall,
 						  "The surface cannot be meshed with " + std::to_string(p.targetNum) +
 							  " vertices that include the " + std::to_string(p.kept.size()) +
-							  " of the feature region, but with " + std::to_string(nearest) + ".");
+							  " to be kept, but with " + std::to_string(nearest) + ".");
 		}
 		out.notes.push_back("The result has " + std::to_string(nearest) + " vertices instead of " +
 							std::to_string(p.targetNum) +
-							", with those of the feature region the nearest that could be "
-							"reached.");
+							", with those to be kept the nearest that could be reached.");
 		setTarget(run_, nearest, p);
 	}
 
@@ -199,9 +226,7 @@ private:
 		const std::int64_t nearest = first.result.mesh.vertexNum;
 		if (nearest == asked) return first;
 
-		const bool mayRaise =
-			run_.options.allowNearest || run_.options.targetMode != TargetMode::VertexNum;
-		if (!mayRaise) {
+		if (!mayRaise()) {
 			out.smallestVertexNum = nearest;
 			throw Failure(Status::CountTooSmall, "The surface cannot be meshed with " +
 													 std::to_string(asked) +
@@ -376,8 +401,10 @@ Result guarded(const RemeshOptions& options, const ProgressCallback& progress, c
 
 } // namespace
 
-RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
-					const ProgressCallback& progress)
+namespace {
+
+RemeshResult remeshWhole(const MeshView& input, const RemeshOptions& options,
+						 const ProgressCallback& progress)
 {
 	std::int64_t smallest = 0;
 	RemeshResult result =
@@ -395,6 +422,29 @@ RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 		});
 	result.smallestVertexNum = smallest;
 	return result;
+}
+
+} // namespace
+
+RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
+					const ProgressCallback& progress)
+{
+	if (!options.selectedOnly) return remeshWhole(input, options, progress);
+	RemeshResult failed;
+	try {
+		return remeshSelected(input, options, [&](const MeshView& part, const RemeshOptions& o) {
+			return remeshWhole(part, o, progress);
+		});
+	}
+	catch (const Failure& f) {
+		failed.status  = f.status;
+		failed.message = f.message;
+	}
+	catch (const std::bad_alloc&) {
+		failed.status  = Status::OutOfMemory;
+		failed.message = "There is not enough memory.";
+	}
+	return failed;
 }
 
 SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& options,

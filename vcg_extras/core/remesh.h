@@ -28,10 +28,16 @@ enum class Status {
 /// A remeshed surface, or the reason why there is none.
 struct RemeshResult {
 	Status                    status = Status::InternalError;
-	std::string               message;  ///< empty when Ok; a sentence for the user otherwise
-	std::vector<std::string>  notes;    ///< sentences worth showing even when all went well
-	TriangleMesh              mesh;     ///< in the caller's frame
-	std::vector<SurfacePoint> anchors;  ///< per result vertex: where on the caller's mesh it lies
+	std::string               message; ///< empty when Ok; a sentence for the user otherwise
+	std::vector<std::string>  notes;   ///< sentences worth showing even when all went well
+	TriangleMesh              mesh;    ///< in the caller's frame
+	std::vector<SurfacePoint> anchors; ///< per result vertex: where on the caller's mesh it lies
+	/// Where options ask for it, per result face: where on the caller's mesh its middle lies.
+	std::vector<SurfacePoint> faceAnchors;
+	/// Per result vertex, where some had to stay: which of the caller's it is, bit for bit, or -1.
+	std::vector<std::int32_t> callersVertex;
+	/// Per result face, with selectedOnly: which of the caller's it is, or -1 for the new ones.
+	std::vector<std::int32_t> callersFace;
 	std::vector<std::int32_t> sampleOf; ///< retriangulate: which sample each vertex is, or -1
 	std::int64_t smallestVertexNum = 0; ///< set with CountTooSmall: what to ask for instead
 	RemeshReport report;
@@ -84,6 +90,9 @@ struct FeatureResult {
 /// Remeshes a surface with about-equilateral triangles of equal size: the whole way of
 /// "Fast Edge-based geodesic Poisson Disk Remeshing" with the placement by disk intersection.
 /// Needs any triangle mesh; what is not 2-manifold is repaired or cut, counted in report.cleaned.
+/// With selectedOnly the result is the faces that are not selected, in their order, then the new
+/// ones; both share the vertices of the seam between them. Counts, figures and checks are of the
+/// selected part. Refused where the seam has an edge of more than two faces.
 /// The input is never modified. The result depends on input, options and seed only, not on threads.
 /// Cost: linear in the input; docs/measurements.md has seconds.
 /// Never throws but for programming errors.

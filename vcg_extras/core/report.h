@@ -120,7 +120,8 @@ struct RemeshReport {
 	std::int64_t             featureEdgeNum      = 0; ///< edges of the input on feature lines
 	std::int64_t             featureTipNum       = 0; ///< tips of cones
 	std::int64_t             regionVertexNum     = 0; ///< of the caller's, in the feature region
-	std::int64_t             keptVertexNum       = 0; ///< of those, vertices of the result
+	std::int64_t             keptVertexNum       = 0; ///< vertices that had to stay, and did
+	std::int64_t             untouchedFaceNum    = 0; ///< selectedOnly: faces that were left alone
 	std::int64_t             leftoverVertexNum   = 0; ///< input vertices that removal had to keep
 	std::int64_t             splitNum            = 0; ///< of the exact count
 	std::int64_t             collapseNum         = 0;

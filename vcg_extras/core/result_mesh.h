@@ -27,7 +27,8 @@ struct ResultVertex {
 struct ResultMesh {
 	HalfEdgeMesh              mesh;
 	std::vector<ResultVertex> vertex;
-	float                     idealEdge = 0; ///< edge of the lattice of equilateral triangles, L0
+	bool                      keepsBorder = false; ///< no border edge may be split
+	float                     idealEdge   = 0; ///< edge of the lattice of equilateral triangles, L0
 
 	std::int64_t flipNum       = 0;
 	std::int64_t splitNum      = 0;

@@ -18,7 +18,7 @@ namespace gpr {
 namespace {
 
 /// Spacing of border samples in r: the mean edge length of the result.
-constexpr float borderSpacing = 1.04f;
+constexpr float borderSpacing = 1.04f; // see also sizing.cpp
 /// Least width of a block in r; fewer, larger blocks mean fewer seams in the packing.
 constexpr float blockWidth      = 20;
 constexpr float smallBlockWidth = 12;
@@ -31,9 +31,9 @@ bool followsFeatureLines(const RemeshOptions& options)
 	return options.retriangulation == Retriangulation::LabelCollapse;
 }
 
-BoundaryCurves sampleCurves(const Prepared& p, float radius)
+BoundaryCurves sampleCurves(const Prepared& p, float radius, BoundaryMode border)
 {
-	return sampleBoundary(p.surface, radius, borderSpacing * radius, p.tips, p.kept);
+	return sampleBoundary(p.surface, radius, borderSpacing * radius, p.tips, p.kept, border);
 }
 
 BlockPartition SampleStages::cut(const Prepared& p)
@@ -65,9 +65,10 @@ ResultMesh SampleStages::sampleAndRetriangulate(const Prepared& p, BoundaryCurve
 	const BlockPartition partition = cut(p);
 	Sampling             sampling  = sampleAll(p, partition, boundary);
 	clock_.enter("retriangulation", "Retriangulating", 0.8);
-	ResultMesh result = retriangulateFrom(p, sampling, boundary, partition);
-	result.idealEdge  = idealEdge(p);
-	sampling          = Sampling();
+	ResultMesh result  = retriangulateFrom(p, sampling, boundary, partition);
+	result.idealEdge   = idealEdge(p);
+	result.keepsBorder = options_.boundary == BoundaryMode::Keep;
+	sampling           = Sampling();
 	clock_.enter("flips", "Flipping edges", 0.83);
 	flipEdges(run_, result);
 	mendFolds(p.surface, boundary, true, result, workers_);
@@ -115,7 +116,7 @@ Sampling SampleStages::sampleOnce(const Prepared& p, float radius, const BlockPa
 								  BoundaryCurves& boundary)
 {
 	clock_.enter("boundary", "Sampling the boundary", 0.24);
-	boundary = sampleCurves(p, radius);
+	boundary = sampleCurves(p, radius, options_.boundary);
 	clock_.enter("sampling", "Sampling", 0.6);
 	if (options_.placement == Placement::BorderEdge)
 		return sampleOnBorderEdges(p, radius, boundary);

@@ -16,7 +16,7 @@ namespace gpr {
 bool followsFeatureLines(const RemeshOptions& options);
 
 /// Samples of border and feature lines for disks of that radius.
-BoundaryCurves sampleCurves(const Prepared& p, float radius);
+BoundaryCurves sampleCurves(const Prepared& p, float radius, BoundaryMode border);
 
 /// From the surface to samples, and from samples to a mesh, by the stages that the options choose.
 class SampleStages : RunPart {

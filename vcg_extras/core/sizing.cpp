@@ -360,6 +360,59 @@ bool wantsSmallerDisks(const SizingRequest& request)
 		   request.options.featureDiskScale < 1;
 }
 
+bool matchesBorder(const SizingRequest& request)
+{
+	return request.options.boundary == BoundaryMode::Keep &&
+		   request.options.equations == Equations::Calibrated;
+}
+
+/// Mean length of the two border edges at every border vertex; 0 inside. Edges that were split are
+/// long ones: they count as the longest that are not.
+Buffer<float> spacingAtBorder(const SizingRequest& request, const HalfEdgeMesh& m)
+{
+	constexpr float   longestUnsplit = 0.8f; // of the radius, see preparation.cpp
+	std::vector<char> isKept(m.vertexNum, 0);
+	for (int v : request.kept)
+		isKept[v] = 1;
+	Buffer<float> spacing(m.vertexNum, 0.0f);
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		if (!m.isBorderEdge(h)) continue;
+		const int   a = m.origin[h], b = m.target(h);
+		const bool  isWhole    = isKept[a] && isKept[b];
+		const float edgeLength = length(m.position[a] - m.position[b]);
+		const float share      = 0.5f * (isWhole ? edgeLength : longestUnsplit * request.radius);
+		spacing[a] += share;
+		spacing[b] += share;
+	}
+	return spacing;
+}
+
+/// Lowers the sizes at a border whose vertices stay to what goes with their spacing, then grades.
+/// Which size that is depends on the radius, and that on all sizes: found in a few passes.
+void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers& workers,
+				   Buffer<float>& size)
+{
+	constexpr int       passes       = 3;
+	constexpr float     smallestSize = 1 / 32.0f;
+	constexpr float     spacing      = 1.04f; // of the border's samples, in radii
+	const HalfEdgeMesh& m            = surface.mesh;
+	const Buffer<float> atBorder     = spacingAtBorder(request, m);
+	Buffer<float>       matched(size.size());
+	std::copy(size.begin(), size.end(), matched.begin());
+	for (int pass = 0; pass < passes; ++pass) {
+		const double factor = std::sqrt(meanSquaredStretch(m, matched, workers));
+		const float  radius = request.radius * float(factor);
+		for (std::size_t v = 0; v < size.size(); ++v) {
+			matched[v] = size[v];
+			if (!(atBorder[v] > 0)) continue;
+			const float wanted = atBorder[v] / (spacing * radius);
+			matched[v]         = std::min(size[v], std::max(smallestSize, wanted));
+		}
+		grade(surface, radius, workers, matched);
+	}
+	size.swap(matched);
+}
+
 Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
 	Sizing      sizing;
@@ -377,7 +430,10 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 	// How steep a ramp is depends on the radius, and that on the sizes: the sizes before grading
 	// give it well enough.
 	const double before = meanSquaredStretch(surface.mesh, sizing.size, workers);
-	grade(surface, request.radius * float(std::sqrt(before)), workers, sizing.size);
+	if (matchesBorder(request))
+		gradeToBorder(request, surface, workers, sizing.size);
+	else
+		grade(surface, request.radius * float(std::sqrt(before)), workers, sizing.size);
 	const float largest = normalise(sizing.size);
 	if (!(largest > 0)) throw Failure(Status::InternalError, "The density has no largest size.");
 	sizing.radiusFactor = std::sqrt(meanSquaredStretch(surface.mesh, sizing.size, workers));
@@ -426,8 +482,9 @@ Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& wor
 
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
-	const bool uniform = !(request.options.lambda > 0) && !(request.options.adapt > 0);
-	if (uniform && !wantsSmallerDisks(request)) return Sizing();
+	const bool uniform  = !(request.options.lambda > 0) && !(request.options.adapt > 0);
+	const bool atBorder = matchesBorder(request) && !request.kept.empty();
+	if (uniform && !wantsSmallerDisks(request) && !atBorder) return Sizing();
 	return request.options.equations == Equations::AsPrinted
 			   ? makePrinted(request, surface, workers)
 			   : makeCalibrated(request, surface, workers);

@@ -10,6 +10,7 @@
 #include "walk.h"
 
 #include <cstdint>
+#include <vector>
 
 namespace gpr {
 
@@ -23,10 +24,11 @@ struct Sizing {
 
 /// What the sizing of a run is made from.
 struct SizingRequest {
-	const MeshView&      input;
-	const RemeshOptions& options;
-	float                radius;          ///< of eq. (1), working units
-	const Buffer<char>&  isFeatureVertex; ///< per vertex of the surface; empty: none
+	const MeshView&         input;
+	const RemeshOptions&    options;
+	float                   radius;          ///< of eq. (1), working units
+	const Buffer<char>&     isFeatureVertex; ///< per vertex of the surface; empty: none
+	const std::vector<int>& kept;            ///< the caller's vertices that stay, ascending
 };
 
 /// Stage 5: the density of the samples (paper §3.1.2), and the smaller disks of a feature region
@@ -41,7 +43,8 @@ struct SizingRequest {
 /// times the vertex mean of 1 + λ·H, eq. (5), which overshoots the count wherever the curvature
 /// varies. With `adapt` (calibrated only) sizes are multiplied by (κ / area median of κ)^-1/4,
 /// within a range of 4^adapt, where κ² = κ₁² + κ₂²: at the same number of vertices that lessens the
-/// error. Theory asks for isotropic triangles of size κ^-1/3 for the least mean and κ^-1/2 for the
+/// error. With BoundaryMode::Keep sizes at the border go with the spacing of its own vertices.
+/// Theory asks for isotropic triangles of size κ^-1/3 for the least mean and κ^-1/2 for the
 /// least largest error; the fourth root, limited and graded, measured best of all, with good
 /// angles. With SizingSource::Quality the absolute value of the mesh's quality stands for |H|·r, or
 /// for H. Throws Failure{BadOptions} where the quality is asked for and missing or not finite.

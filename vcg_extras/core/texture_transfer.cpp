@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "texture_transfer.h"
+
+#include "carry_over.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+namespace gpr {
+
+namespace {
+
+/// Coordinates that differ by less than this are the same: files round them.
+constexpr float sameCoordinate = 2e-6f;
+/// How far beyond the corners of a face of the result its side of a seam is looked at, in the
+/// distance from its middle to its corners.
+constexpr double reach = 1.5;
+/// Faces looked at for one face of the result at most.
+constexpr std::size_t mostFacesLookedAt = 100000;
+
+/// Numbers the positions: vertices at the same place get the same number.
+std::vector<std::int32_t> placeNumbers(const MeshView& mesh)
+{
+	std::vector<std::int32_t> order(mesh.vertexNum), place(mesh.vertexNum);
+	std::iota(order.begin(), order.end(), 0);
+	const auto key = [&](std::int32_t v) {
+		const Vec3d p = mesh.position(std::size_t(v));
+		return std::array<double, 3>{p.x, p.y, p.z};
+	};
+	// A NaN has no order; such vertices are in no face that the engine keeps.
+	const auto comparable = [](double x) { return x == x ? x : HUGE_VAL; };
+	const auto before     = [&](std::int32_t a, std::int32_t b) {
+        const auto p = key(a), q = key(b);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double x = comparable(p[k]), y = comparable(q[k]);
+            if (x != y) return x < y;
+        }
+        return a < b;
+	};
+	std::sort(order.begin(), order.end(), before);
+	for (std::size_t i = 0; i < order.size(); ++i) {
+		const bool same              = i > 0 && key(order[i]) == key(order[i - 1]);
+		place[std::size_t(order[i])] = same ? place[std::size_t(order[i - 1])] : order[i];
+	}
+	return place;
+}
+
+/// The weights of the point of a triangle that lies nearest to p.
+SurfacePoint nearestPoint(const Vec3d& p, const std::array<Vec3d, 3>& corner, double& squaredMiss)
+{
+	const auto along = [&](int i, int j, std::array<double, 3>& w) {
+		const Vec3d  d = corner[std::size_t(j)] - corner[std::size_t(i)];
+		const double l = squaredLength(d);
+		const double t = l > 0 ? std::clamp(dot(p - corner[std::size_t(i)], d) / l, 0.0, 1.0) : 0.0;
+		w              = {0, 0, 0};
+		w[std::size_t(i)] = 1 - t;
+		w[std::size_t(j)] = t;
+	};
+	const auto miss = [&](const std::array<double, 3>& w) {
+		return squaredLength(corner[0] * w[0] + corner[1] * w[1] + corner[2] * w[2] - p);
+	};
+	const Vec3d           n    = cross(corner[1] - corner[0], corner[2] - corner[0]);
+	const double          area = squaredLength(n);
+	std::array<double, 3> best{1, 0, 0};
+	squaredMiss = HUGE_VAL;
+	if (area > 0) {
+		const double w1 = dot(cross(p - corner[0], corner[2] - corner[0]), n) / area;
+		const double w2 = dot(cross(corner[1] - corner[0], p - corner[0]), n) / area;
+		best            = {1 - w1 - w2, w1, w2};
+		if (best[0] >= 0 && w1 >= 0 && w2 >= 0) squaredMiss = miss(best);
+	}
+	for (int k = 0; squaredMiss == HUGE_VAL && k < 3; ++k) {
+		std::array<double, 3> w;
+		along(k, (k + 1) % 3, w);
+		if (k == 0 || miss(w) < miss(best)) best = w;
+		if (k == 2) squaredMiss = miss(best);
+	}
+	SurfacePoint at;
+	for (std::size_t k = 0; k < 3; ++k)
+		at.weight[k] = float(best[k]);
+	return at;
+}
+
+} // namespace
+
+TextureSource::TextureSource(const MeshView& mesh, CornerTexture texture) :
+		mesh_(mesh), texture_(std::move(texture))
+{
+	seam_.assign(3 * mesh.faceNum, 0);
+	beyond_.assign(3 * mesh.faceNum, -1);
+	connect();
+}
+
+/// Finds the two sides of every edge by sorting.
+void TextureSource::connect()
+{
+	struct Side {
+		std::int32_t low, high;
+		std::int64_t corner;
+		bool         operator<(const Side& o) const
+		{
+			if (low != o.low) return low < o.low;
+			return high != o.high ? high < o.high : corner < o.corner;
+		}
+		bool isOfSameEdge(const Side& o) const { return low == o.low && high == o.high; }
+	};
+	const std::vector<std::int32_t> place = placeNumbers(mesh_);
+	std::vector<Side>               sides;
+	sides.reserve(3 * mesh_.faceNum);
+	for (std::size_t c = 0; c < 3 * mesh_.faceNum; ++c) {
+		const std::size_t  next = c % 3 == 2 ? c - 2 : c + 1;
+		const std::int32_t a    = place[std::size_t(mesh_.triangles[c])];
+		const std::int32_t b    = place[std::size_t(mesh_.triangles[next])];
+		if (a != b) sides.push_back({std::min(a, b), std::max(a, b), std::int64_t(c)});
+	}
+	std::sort(sides.begin(), sides.end());
+	for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+		for (end = i + 1; end < sides.size() && sides[end].isOfSameEdge(sides[i]);)
+			++end;
+		// Where more than two faces meet the engine cuts: a border, and no way across.
+		if (end - i == 2) link(sides[i].corner, sides[i + 1].corner);
+	}
+}
+
+/// Two corners whose edges to the next corner are the two sides of one.
+void TextureSource::link(std::int64_t a, std::int64_t b)
+{
+	if (agree(a, b)) {
+		beyond_[std::size_t(a)] = std::int32_t(b / 3);
+		beyond_[std::size_t(b)] = std::int32_t(a / 3);
+		return;
+	}
+	seam_[std::size_t(a)] = seam_[std::size_t(b)] = 1;
+	++seamNum_;
+}
+
+/// Whether the texture goes on from one side to the other.
+bool TextureSource::agree(std::int64_t a, std::int64_t b) const
+{
+	const auto next = [](std::int64_t c) { return c % 3 == 2 ? c - 2 : c + 1; };
+	if (!texture_.image.empty() &&
+		texture_.image[std::size_t(a / 3)] != texture_.image[std::size_t(b / 3)])
+		return false;
+	const auto place = [&](std::int64_t c) {
+		return mesh_.position(std::size_t(mesh_.triangles[c]));
+	};
+	// Consistently oriented faces have the edge in opposite directions.
+	const bool opposite    = squaredLength(place(a) - place(next(b))) == 0;
+	const auto isSameThere = [&](std::int64_t x, std::int64_t y) {
+		for (std::int64_t k = 0; k < 2; ++k) {
+			const float d =
+				texture_.uv[std::size_t(2 * x + k)] - texture_.uv[std::size_t(2 * y + k)];
+			if (!(std::abs(d) <= sameCoordinate)) return false;
+		}
+		return true;
+	};
+	return isSameThere(a, opposite ? next(b) : b) && isSameThere(next(a), opposite ? b : next(b));
+}
+
+/// Carries the texture to one face of a result after the other.
+class CornerCarrier {
+public:
+	CornerCarrier(const TextureSource& source, const RemeshResult& result) :
+			source_(source), result_(result), lookedAtFor_(source.mesh_.faceNum, -1)
+	{
+	}
+
+	/// Writes u and v of the three corners of face f.
+	void carry(std::size_t f, float* uv)
+	{
+		const std::int32_t* corner = &result_.mesh.triangles[3 * f];
+		lookRound(std::int32_t(f), corner);
+		for (int k = 0; k < 3; ++k) {
+			SurfacePoint at = result_.anchors[std::size_t(corner[k])];
+			if (!isLookedAt(at.face, f))
+				at = nearestOnThisSide(result_.mesh.positions[std::size_t(corner[k])]);
+			for (std::size_t i = 0; i < 2; ++i)
+				uv[2 * std::size_t(k) + i] = coordinateAt(at, i);
+		}
+	}
+
+private:
+	const TextureSource&      source_;
+	const RemeshResult&       result_;
+	std::vector<std::int32_t> lookedAtFor_; ///< per face of the source: the last face of the result
+	std::vector<std::int32_t> found_;       ///< the source's faces on this side, nearest first
+
+	bool isLookedAt(std::int32_t face, std::size_t f) const
+	{
+		return lookedAtFor_[std::size_t(face)] == std::int32_t(f);
+	}
+
+	std::array<Vec3d, 3> cornersOf(std::int32_t face) const
+	{
+		const std::int32_t* t = source_.mesh_.triangles + 3 * std::size_t(face);
+		return {source_.mesh_.position(std::size_t(t[0])),
+				source_.mesh_.position(std::size_t(t[1])),
+				source_.mesh_.position(std::size_t(t[2]))};
+	}
+
+	float coordinateAt(const SurfacePoint& at, std::size_t i) const
+	{
+		const float* uv = &source_.texture_.uv[6 * std::size_t(at.face)];
+		return float(meanOfCorners(at, [&](int k) { return uv[2 * std::size_t(k) + i]; }));
+	}
+
+	/// Finds the source's faces that can be reached from the middle of a face of the result within
+	/// its reach and without crossing a seam; ends early where those of all corners are among them.
+	void lookRound(std::int32_t f, const std::int32_t* corner)
+	{
+		const Vec3d a       = result_.mesh.positions[std::size_t(corner[0])],
+					b       = result_.mesh.positions[std::size_t(corner[1])],
+					c       = result_.mesh.positions[std::size_t(corner[2])];
+		const Vec3d  middle = (a + b + c) * (1 / 3.0);
+		const double far    = std::max(
+			   {squaredLength(a - middle), squaredLength(b - middle), squaredLength(c - middle)});
+		const double farthest = reach * reach * far;
+		found_.clear();
+		add(result_.faceAnchors[std::size_t(f)].face, f);
+		for (std::size_t i = 0; i < found_.size() && found_.size() < mostFacesLookedAt; ++i) {
+			if (reachesAll(f, corner)) return;
+			for (std::size_t k = 0; k < 3; ++k) {
+				const std::int32_t next = source_.beyond_[3 * std::size_t(found_[i]) + k];
+				if (next < 0 || isLookedAt(next, std::size_t(f))) continue;
+				double miss = 0;
+				nearestPoint(middle, cornersOf(next), miss);
+				if (miss <= farthest) add(next, f);
+			}
+		}
+	}
+
+	void add(std::int32_t face, std::int32_t f)
+	{
+		lookedAtFor_[std::size_t(face)] = f;
+		found_.push_back(face);
+	}
+
+	bool reachesAll(std::int32_t f, const std::int32_t* corner) const
+	{
+		return std::all_of(corner, corner + 3, [&](std::int32_t v) {
+			return isLookedAt(result_.anchors[std::size_t(v)].face, std::size_t(f));
+		});
+	}
+
+	SurfacePoint nearestOnThisSide(const Vec3d& p) const
+	{
+		SurfacePoint best;
+		double       least = HUGE_VAL;
+		for (std::int32_t face : found_) {
+			double       miss = 0;
+			SurfacePoint at   = nearestPoint(p, cornersOf(face), miss);
+			if (best.face >= 0 && !(miss < least)) continue;
+			best      = at;
+			best.face = face;
+			least     = miss;
+		}
+		return best;
+	}
+};
+
+CornerTexture TextureSource::carriedTo(const RemeshResult& result) const
+{
+	CornerTexture     carried;
+	const std::size_t faceNum = result.mesh.faceNum();
+	carried.uv.resize(6 * faceNum);
+	CornerCarrier carrier(*this, result);
+	for (std::size_t f = 0; f < faceNum; ++f) {
+		const std::int32_t own = result.callersFace.empty() ? -1 : result.callersFace[f];
+		if (own >= 0)
+			std::copy_n(&texture_.uv[6 * std::size_t(own)], 6, &carried.uv[6 * f]);
+		else
+			carrier.carry(f, &carried.uv[6 * f]);
+		if (!texture_.image.empty())
+			carried.image.push_back(texture_.image[std::size_t(result.faceAnchors[f].face)]);
+	}
+	return carried;
+}
+
+} // namespace gpr
