@@ -120,7 +120,8 @@ TYPED_TEST(MeshConversion, CarriesAttributesByTheirWeights)
 	const std::vector<gpr::SurfacePoint> anchors = {{0, {0.2f, 0.3f, 0.5f}},
 													{1, {0.1f, 0.1f, 0.8f}}};
 	const FlatMesh<MeshType>             flat(m);
-	const AnchoredAttributes<MeshType>   attributes(flat, anchors, m, to);
+	AnchoredAttributes<MeshType>         attributes;
+	attributes.ReadVertices(m, to, anchors, [&](std::int32_t f) { return flat.Face(f); });
 	Allocator<MeshType>::AddVertices(to, 2);
 	attributes.Write(to);
 	EXPECT_NEAR(to.vert[0].Q(), 3 * 0.8 - 0.5, 1e-6);
@@ -141,7 +142,8 @@ TYPED_TEST(MeshConversion, CarriesOptionalComponentsOnlyWhereBothHaveThemEnabled
 		v.Q() = 7;
 	const std::vector<gpr::SurfacePoint> anchors(3, gpr::SurfacePoint{0, {1, 0, 0}});
 	const FlatMesh<MeshType>             flat(m);
-	const AnchoredAttributes<MeshType>   attributes(flat, anchors, m, to);
+	AnchoredAttributes<MeshType>         attributes;
+	attributes.ReadVertices(m, to, anchors, [&](std::int32_t f) { return flat.Face(f); });
 	Allocator<MeshType>::AddVertices(to, 3);
 	attributes.Write(to);
 	EXPECT_FALSE(HasPerVertexColor(to));

@@ -3,85 +3,182 @@
 #ifndef VCG_EXTRAS_ATTRIBUTE_TRANSFER_H
 #define VCG_EXTRAS_ATTRIBUTE_TRANSFER_H
 
-// Internal: carries vertex colour and quality from a mesh to points anchored on its faces, and
-// writes a remeshed surface with them.
+// Internal: carries the attributes of vertices, faces and wedges from a mesh to points anchored on
+// its faces, and writes a remeshed surface with them.
 
-#include <type_traits>
+#include <memory>
+#include <string>
 #include <vcg_extras/complex/algorithms/mesh_conversion.h>
+#include <vcg_extras/complex/algorithms/user_attributes.h>
+#include <vcg_extras/core/texture_transfer.h>
 #include <vector>
 
 namespace vcg {
 namespace tri {
 namespace gpr_detail {
 
-/** \brief Vertex attributes read at anchors: Σ w·(value at the corner).
+/// The wedge texture of a mesh, for a flat view of it. The view must outlive the result.
+template <class MeshType, class FaceOfType>
+gpr::TextureSource WedgeTextureOf(const gpr::MeshView& view, const FaceOfType& faceOf)
+{
+	gpr::CornerTexture texture;
+	texture.uv.reserve(6 * view.faceNum);
+	texture.image.reserve(view.faceNum);
+	for (std::size_t f = 0; f < view.faceNum; ++f) {
+		const typename MeshType::ConstFacePointer face = faceOf(std::int32_t(f));
+		for (int k = 0; k < 3; ++k) {
+			const auto t = face->cWT(k);
+			texture.uv.push_back(float(t.U()));
+			texture.uv.push_back(float(t.V()));
+		}
+		texture.image.push_back(face->cWT(0).N());
+	}
+	return gpr::TextureSource(view, std::move(texture));
+}
 
-Read first and written later, so that the mesh read and the mesh written may be the same.
-An attribute is carried where both meshes have it, optional (ocf) components only where enabled.
-Cost: linear in the anchors; 4 B (colour) and one quality value per anchor.
+/** \brief Attributes of a mesh read at anchors on its faces.
+
+Of vertices: colour, quality, radius and texture coordinates, means over the corners of the face.
+Of faces, where the anchors of a result's faces are there: colour and quality of the face that the
+middle of the new face lies on; wedge texture coordinates from one side of the seams (see
+TextureSource). Read first and written later, so that the mesh read and the mesh written may be the
+same. An attribute is carried where both meshes have it, optional (ocf) components only where
+enabled. Cost: linear in the anchors.
 */
 template <class MeshType>
 class AnchoredAttributes {
 public:
 	typedef typename MeshType::VertexType       VertexType;
+	typedef typename MeshType::FaceType         FaceType;
+	typedef typename MeshType::ConstFacePointer ConstFacePointer;
 	typedef typename VertexType::ColorType      ColorType;
 	typedef typename VertexType::QualityType    QualityType;
-	typedef typename MeshType::ConstFacePointer ConstFacePointer;
+	typedef typename VertexType::RadiusType     RadiusType;
+	typedef typename VertexType::TexCoordType   TexCoordType;
+	typedef std::vector<gpr::SurfacePoint>      Anchors;
 
-	/// Reads from `flat`, a view of `from`, what `to` has room for.
-	AnchoredAttributes(const FlatMesh<MeshType>&             flat,
-					   const std::vector<gpr::SurfacePoint>& anchors, const MeshType& from,
-					   const MeshType& to)
+	/// Reads of vertices what `to` has room for; faceOf(i) is the face of `from` that anchors mean
+	/// by the number i.
+	template <class FaceOfType>
+	void ReadVertices(const MeshType& from, const MeshType& to, const Anchors& anchors,
+					  const FaceOfType& faceOf)
 	{
-		if (HasPerVertexColor(from) && HasPerVertexColor(to)) Read(flat, anchors, _color, ColorAt);
+		if (HasPerVertexColor(from) && HasPerVertexColor(to))
+			Read(anchors, faceOf, _color, [](ConstFacePointer f, const gpr::SurfacePoint& at) {
+				const ColorType c[3] = {f->cV(0)->cC(), f->cV(1)->cC(), f->cV(2)->cC()};
+				return ValueAt<ColorType>(at, [&](int k) -> const ColorType& { return c[k]; });
+			});
 		if (HasPerVertexQuality(from) && HasPerVertexQuality(to))
-			Read(flat, anchors, _quality, QualityAt);
+			Read(anchors, faceOf, _quality, [](ConstFacePointer f, const gpr::SurfacePoint& at) {
+				return gpr::meanAs<QualityType>(
+					gpr::meanOfCorners(at, [&](int k) { return f->cV(k)->cQ(); }));
+			});
+		if (HasPerVertexRadius(from) && HasPerVertexRadius(to))
+			Read(anchors, faceOf, _radius, [](ConstFacePointer f, const gpr::SurfacePoint& at) {
+				return gpr::meanAs<RadiusType>(
+					gpr::meanOfCorners(at, [&](int k) { return f->cV(k)->cR(); }));
+			});
+		if (HasPerVertexTexCoord(from) && HasPerVertexTexCoord(to))
+			Read(anchors, faceOf, _texCoord, TexCoordAt);
 	}
 
-	/// Writes to the first vertices of m, in the order of the anchors.
+	/// Reads of faces what `to` has room for. texture: that of `from`, or null.
+	template <class FaceOfType>
+	void ReadFaces(const MeshType& from, const MeshType& to, const gpr::RemeshResult& run,
+				   const gpr::TextureSource* texture, const FaceOfType& faceOf)
+	{
+		const auto own = [](auto valueOf) {
+			return [valueOf](ConstFacePointer f, const gpr::SurfacePoint&) { return valueOf(f); };
+		};
+		if (HasPerFaceColor(from) && HasPerFaceColor(to))
+			Read(run.faceAnchors, faceOf, _faceColor,
+				 own([](ConstFacePointer f) { return f->cC(); }));
+		if (HasPerFaceQuality(from) && HasPerFaceQuality(to))
+			Read(run.faceAnchors, faceOf, _faceQuality,
+				 own([](ConstFacePointer f) { return f->cQ(); }));
+		if (texture != nullptr && HasPerWedgeTexCoord(to)) _wedge = texture->carriedTo(run);
+	}
+
+	/// Writes to the first vertices and faces of m, in the order of the anchors.
 	void Write(MeshType& m) const
 	{
 		for (std::size_t v = 0; v < _color.size(); ++v)
 			m.vert[v].C() = _color[v];
 		for (std::size_t v = 0; v < _quality.size(); ++v)
 			m.vert[v].Q() = _quality[v];
+		for (std::size_t v = 0; v < _radius.size(); ++v)
+			m.vert[v].R() = _radius[v];
+		for (std::size_t v = 0; v < _texCoord.size(); ++v)
+			m.vert[v].T() = _texCoord[v];
+		for (std::size_t f = 0; f < _faceColor.size(); ++f)
+			m.face[f].C() = _faceColor[f];
+		for (std::size_t f = 0; f < _faceQuality.size(); ++f)
+			m.face[f].Q() = _faceQuality[f];
+		for (std::size_t f = 0; f < _wedge.uv.size() / 6; ++f)
+			WriteWedges(f, m.face[f]);
 	}
 
 private:
-	template <class ValueType>
-	static void Read(const FlatMesh<MeshType>& flat, const std::vector<gpr::SurfacePoint>& anchors,
-					 std::vector<ValueType>& values,
-					 ValueType (*valueAt)(ConstFacePointer, const float (&)[3]))
+	typedef typename FaceType::ColorType   FaceColorType;
+	typedef typename FaceType::QualityType FaceQualityType;
+
+	template <class FaceOfType, class ValueType, class ValueAtType>
+	static void Read(const Anchors& anchors, const FaceOfType& faceOf,
+					 std::vector<ValueType>& values, const ValueAtType& valueAt)
 	{
 		values.reserve(anchors.size());
-		for (const gpr::SurfacePoint& a : anchors)
-			values.push_back(valueAt(flat.Face(a.face), a.weight));
+		for (const gpr::SurfacePoint& at : anchors)
+			values.push_back(valueAt(faceOf(at.face), at));
 	}
 
-	static ColorType ColorAt(ConstFacePointer f, const float (&weight)[3])
+	static TexCoordType TexCoordAt(ConstFacePointer f, const gpr::SurfacePoint& at)
 	{
-		typedef typename ColorType::ScalarType ChannelType;
-		const ColorType c[3] = {f->cV(0)->cC(), f->cV(1)->cC(), f->cV(2)->cC()};
-		// Whole-number channels are rounded: cut off, a constant colour would come out one darker.
-		const double half = std::is_integral<ChannelType>::value ? 0.5 : 0.0;
-		ColorType    mixed;
-		for (int k = 0; k < 4; ++k)
-			mixed[k] = ChannelType(weight[0] * double(c[0][k]) + weight[1] * double(c[1][k]) +
-								   weight[2] * double(c[2][k]) + half);
-		return mixed;
+		const auto mean = [&](const auto& valueOf) {
+			return float(gpr::meanOfCorners(at, [&](int k) { return valueOf(f->cV(k)->cT()); }));
+		};
+		TexCoordType t;
+		t.U() = mean([](const TexCoordType& c) { return c.U(); });
+		t.V() = mean([](const TexCoordType& c) { return c.V(); });
+		t.N() = f->cV(gpr::nearestCorner(at))->cT().N();
+		return t;
 	}
 
-	static QualityType QualityAt(ConstFacePointer f, const float (&weight)[3])
+	void WriteWedges(std::size_t f, FaceType& face) const
 	{
-		double sum = 0;
-		for (int k = 0; k < 3; ++k)
-			sum += weight[k] * double(f->cV(k)->cQ());
-		return QualityType(sum);
+		for (int k = 0; k < 3; ++k) {
+			face.WT(k).U() = _wedge.uv[6 * f + 2 * std::size_t(k)];
+			face.WT(k).V() = _wedge.uv[6 * f + 2 * std::size_t(k) + 1];
+			face.WT(k).N() = short(_wedge.image[f]);
+		}
 	}
 
-	std::vector<ColorType>   _color;
-	std::vector<QualityType> _quality;
+	std::vector<ColorType>       _color;
+	std::vector<QualityType>     _quality;
+	std::vector<RadiusType>      _radius;
+	std::vector<TexCoordType>    _texCoord;
+	std::vector<FaceColorType>   _faceColor;
+	std::vector<FaceQualityType> _faceQuality;
+	gpr::CornerTexture           _wedge; ///< empty: not carried
 };
+
+/// A sentence that names what could not be carried over; empty where nothing was lost.
+inline std::string SentenceOfLost(const std::vector<std::string>& names)
+{
+	std::string list;
+	for (const std::string& name : names)
+		list += (list.empty() ? "" : ", ") + (name.empty() ? "a nameless attribute" : name);
+	return list.empty() ? list : "Not carried over to the result: " + list + ".";
+}
+
+/// The texture of `in` where `out` has room for it, or null.
+template <class MeshType>
+std::unique_ptr<gpr::TextureSource> TextureFor(const MeshType& in, const MeshType& out,
+											   const FlatMesh<MeshType>& flat)
+{
+	if (!HasPerWedgeTexCoord(in) || !HasPerWedgeTexCoord(out)) return nullptr;
+	const auto faceOf = [&](std::int32_t f) { return flat.Face(f); };
+	return std::make_unique<gpr::TextureSource>(WedgeTextureOf<MeshType>(flat.View(), faceOf));
+}
 
 /** \brief Runs an engine function on `in` and writes its mesh with carried attributes to `out`.
 
@@ -91,22 +188,43 @@ GeodesicPoissonResult WriteResultOf(const MeshType& in, MeshType& out, gpr::Reme
 									EngineFunctionType engine)
 {
 	try {
-		const FlatMesh<MeshType> flat(in);
-		const gpr::RemeshResult  run = engine(flat.View());
+		const FlatMesh<MeshType>                  flat(in);
+		const std::unique_ptr<gpr::TextureSource> texture = TextureFor(in, out, flat);
+		gpr::MeshView                             view    = flat.View();
+		if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
+		const gpr::RemeshResult run = engine(view);
 		if (stat != nullptr) *stat = run.report;
-		if (run.status == gpr::Status::Ok) {
-			const AnchoredAttributes<MeshType> attributes(flat, run.anchors, in, out);
-			WriteMesh(run.mesh, out);
-			attributes.Write(out);
-			RefreshDerived(out);
-		}
 		GeodesicPoissonResult result = ResultOf(run);
 		result.smallestVertexNum     = run.smallestVertexNum;
+		if (run.status != gpr::Status::Ok) return result;
+
+		const auto                      faceOf = [&](std::int32_t f) { return flat.Face(f); };
+		AnchoredAttributes<MeshType>    attributes;
+		CarriedUserAttributes<MeshType> user;
+		attributes.ReadVertices(in, out, run.anchors, faceOf);
+		attributes.ReadFaces(in, out, run, texture.get(), faceOf);
+		user.ReadVertices(in, run.anchors, faceOf);
+		user.ReadFaces(in, run.faceAnchors, faceOf);
+		const std::string lost = SentenceOfLost(user.Lost());
+		if (!lost.empty()) result.notes.push_back(lost);
+		WriteMesh(run.mesh, out);
+		attributes.Write(out);
+		user.Write(out);
+		RefreshDerived(out);
 		return result;
 	}
 	catch (const std::bad_alloc&) {
 		return OutOfMemoryResult();
 	}
+}
+
+/// Whether the attributes that `in` and `out` share need the anchors of the result's faces.
+template <class MeshType>
+bool NeedsFaceAnchors(const MeshType& in, const MeshType& out)
+{
+	return (HasPerWedgeTexCoord(in) && HasPerWedgeTexCoord(out)) ||
+		   (HasPerFaceColor(in) && HasPerFaceColor(out)) ||
+		   (HasPerFaceQuality(in) && HasPerFaceQuality(out)) || !in.face_attr.empty();
 }
 
 } // namespace gpr_detail

@@ -46,6 +46,10 @@ public:
 		gpr::FeatureMode featureMode     = gpr::FeatureMode::Auto; ///< sharp edges to be kept
 		double           featureAngleDeg = 40; ///< from which edges are sharp, [5, 175]
 
+		gpr::BoundaryMode boundary = gpr::BoundaryMode::Resample; ///< keep, resample or free it
+
+		bool selectedOnlyFlag = false; ///< remesh the selected faces, leave the rest bit for bit
+
 		gpr::Regularity regularity = gpr::Regularity::Full; ///< passes for six neighbours
 		gpr::Fit        fit        = gpr::Fit::Rounds;      ///< vertices leave the surface for it
 
@@ -60,6 +64,8 @@ public:
 			o.relaxIterations    = relaxIterNum;
 			o.featureMode        = featureMode;
 			o.featureAngleDeg    = featureAngleDeg;
+			o.boundary           = boundary;
+			o.selectedOnly       = selectedOnlyFlag;
 			return o;
 		}
 	};
@@ -74,10 +80,13 @@ public:
 
 	\param in      the surface, any number of components, open or closed; not modified
 	\param out     receives the mesh in place of its former content; may be in.
-	Vertex colour and quality are carried over where both meshes have them; normals, bounding box,
-	face-face and vertex-face adjacency are true where out has them; what else out has comes out
-	with fresh values, edges are dropped. Optional (ocf) components count where they are enabled.
-	(User attributes of type bool keep old values: vcglib does not shrink them.)
+	Carried over where both meshes have them: colour, quality, radius and texture coordinates of
+	vertices, colour and quality of faces, texture coordinates of wedges, whose seams edges of the
+	result follow where they can. Named attributes of numbers, points, colours and strings are
+	carried over too, and made where out lacks them; a note names those of other types. Normals,
+	bounding box, face-face and vertex-face adjacency are true where out has them; what else out
+	has comes out with fresh values, edges are dropped. Optional (ocf) components count where they
+	are enabled.
 	\param params  the wanted size and how to reach it, see Params
 	\param stat    null, or receives what the run tells about itself, on failure too
 	\param cb      null, or progress in percent; returning false cancels
@@ -91,8 +100,14 @@ public:
 					 Stat* stat = nullptr, vcg::CallBackPos* cb = nullptr)
 	{
 		gpr_detail::RequireReadableTriangles(in);
-		return gpr_detail::WriteResultOf(in, out, stat, [&](const gpr::MeshView& view) {
-			return gpr::remesh(view, params.Options(), gpr_detail::ProgressOf(cb));
+		gpr::RemeshOptions options = params.Options();
+		options.anchorsOfFaces     = gpr_detail::NeedsFaceAnchors(in, out);
+		std::vector<std::uint8_t> selected;
+		for (const auto& f : in.face)
+			if (params.selectedOnlyFlag && !f.IsD()) selected.push_back(f.IsS());
+		return gpr_detail::WriteResultOf(in, out, stat, [&](gpr::MeshView view) {
+			view.selectedFace = selected.empty() ? nullptr : selected.data();
+			return gpr::remesh(view, options, gpr_detail::ProgressOf(cb));
 		});
 	}
 

@@ -87,7 +87,7 @@ public:
 	/** \brief Samples a surface, as the vertices of a mesh without faces.
 
 	As above. Of what points has room for, quality becomes the disk radius, the normal that of the
-	face the point lies on, and the colour is carried over from m.
+	face the point lies on, and colour, radius and texture coordinates are carried over from m.
 
 	\param points  receives one vertex per sample in place of its former content; not m itself
 
@@ -138,7 +138,9 @@ private:
 	static void WritePoints(const MeshType& m, const gpr_detail::FlatMesh<MeshType>& flat,
 							const gpr::SamplingResult& run, MeshType& points)
 	{
-		const gpr_detail::AnchoredAttributes<MeshType> attributes(flat, run.anchors, m, points);
+		gpr_detail::AnchoredAttributes<MeshType> attributes;
+		attributes.ReadVertices(m, points, run.anchors,
+								[&](std::int32_t f) { return flat.Face(f); });
 		gpr_detail::ReplaceElements(points, run.points.size(), 0);
 		for (std::size_t i = 0; i < run.points.size(); ++i)
 			points.vert[i].P() = gpr_detail::ToCoord<CoordType>(run.points[i]);

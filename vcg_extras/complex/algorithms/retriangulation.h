@@ -92,8 +92,9 @@ private:
 	{
 		gpr_detail::RequireReadableTriangles(in);
 		gpr::RemeshOptions options;
-		options.seed    = params.seed;
-		options.threads = params.threadNum;
+		options.seed           = params.seed;
+		options.threads        = params.threadNum;
+		options.anchorsOfFaces = gpr_detail::NeedsFaceAnchors(in, out);
 		return gpr_detail::WriteResultOf(in, out, stat, [&](const gpr::MeshView& view) {
 			return gpr::retriangulate(view, points, options, gpr_detail::ProgressOf(cb));
 		});
