@@ -239,12 +239,29 @@ TestMesh parseWrittenPly(const std::string& file, std::string& precision)
 	const std::string ending    = "end_header\n";
 	std::size_t       at        = file.find(ending);
 	std::size_t       vertexNum = 0, faceNum = 0;
+	std::size_t       extra[2] = {0, 0}; // bytes of other scalars of vertices and faces
+	int               element  = 0;
 	if (at == file.npos) throw std::runtime_error("the written PLY has no end of header");
 	std::istringstream header(file.substr(0, at));
-	for (std::string word; header >> word;) {
+	for (std::string word, name; header >> word;) {
+		if (word == "comment") std::getline(header, word);
 		if (word == "vertex") header >> vertexNum;
-		if (word == "face") header >> faceNum;
-		if (word == "float" || word == "double") precision = word;
+		if (word == "face") {
+			header >> faceNum;
+			element = 1;
+		}
+		if (word != "property") continue;
+		header >> word >> name;
+		if (word == "list") {
+			header >> word >> name;
+			if (name != "vertex_indices") throw std::runtime_error("a list in the written PLY");
+		}
+		else if (name == "x" || name == "y" || name == "z") {
+			precision = word;
+		}
+		else {
+			extra[element] += word == "double" ? 8 : word == "uchar" ? 1 : 4;
+		}
 	}
 	at += ending.size();
 	TestMesh mesh;
@@ -254,11 +271,13 @@ TestMesh parseWrittenPly(const std::string& file, std::string& precision)
 		for (double& c : p) {
 			c = precision == "double" ? take<double>(file, at) : double(take<float>(file, at));
 		}
+		at += extra[0];
 	}
 	for (auto& f : mesh.faces) {
 		if (take<std::uint8_t>(file, at) != 3) throw std::runtime_error("a face of no triangle");
 		for (int& i : f)
 			i = take<std::int32_t>(file, at);
+		at += extra[1];
 	}
 	if (at != file.size()) throw std::runtime_error("the written PLY is too long");
 	return mesh;

@@ -48,7 +48,8 @@ std::string off(const TestMesh& mesh);
 std::string asciiStl(const TestMesh& mesh);
 std::string binaryStl(const TestMesh& mesh);
 
-/// Reads what gpremesh writes as PLY: binary little endian, three coordinates, triangles.
+/// Reads what gpremesh writes as PLY: binary little endian, three coordinates, triangles; other
+/// scalars are passed over.
 /// precision receives "float" or "double". Throws std::runtime_error on anything else.
 TestMesh parseWrittenPly(const std::string& file, std::string& precision);
 

@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_MESH_DATA_H
 #define VCG_EXTRAS_APPS_GPREMESH_MESH_DATA_H
 
+#include "mesh_attributes.h"
+
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -41,10 +43,13 @@ using CoordinateArray = std::vector<S, UninitializedAllocator<S>>;
 
 /// What of a file is wanted beside the mesh.
 struct WantedAttributes {
-	bool quality   = false; ///< of the vertices
-	bool selection = false; ///< of vertices and the corners of faces
+	bool quality       = false; ///< of the vertices
+	bool selection     = false; ///< of vertices and the corners of faces
+	bool faceSelection = false; ///< of the faces
+	bool carried       = false; ///< whatever there is, to be carried over to a result
 
-	bool any() const { return quality || selection; }
+	/// Any that must be there.
+	bool anyRequired() const { return quality || selection || faceSelection; }
 };
 
 /// A mesh as its file holds it: nothing repaired, but every index is in range.
@@ -53,9 +58,11 @@ struct InputMesh {
 	CoordinateArray<double>   doubles; ///< 3 a vertex; empty otherwise
 	IndexArray                triangles;
 	bool                      doublePrecision = false;
-	std::vector<float>        quality;  ///< one a vertex; empty where not wanted
-	std::vector<std::uint8_t> selected; ///< one a vertex, 1 = selected; empty where not wanted
-	std::vector<std::string>  notes;    ///< sentences about oddities that were no reason to refuse
+	std::vector<float>        quality;       ///< one a vertex; empty where not wanted
+	std::vector<std::uint8_t> selected;      ///< one a vertex, 1 = selected; empty where not wanted
+	std::vector<std::uint8_t> selectedFaces; ///< one a triangle, likewise
+	MeshAttributes            attributes;    ///< empty where not wanted
+	std::vector<std::string>  notes; ///< sentences about oddities that were no reason to refuse
 
 	std::size_t vertexNum() const { return (doublePrecision ? doubles.size() : floats.size()) / 3; }
 	std::size_t faceNum() const { return triangles.size() / 3; }
@@ -70,6 +77,7 @@ struct InputMesh {
 		v.faceNum             = faceNum();
 		v.quality             = quality.empty() ? nullptr : quality.data();
 		v.selected            = selected.empty() ? nullptr : selected.data();
+		v.selectedFace        = selectedFaces.empty() ? nullptr : selectedFaces.data();
 		return v;
 	}
 };

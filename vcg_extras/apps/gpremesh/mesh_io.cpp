@@ -3,8 +3,10 @@
 #include "mesh_io.h"
 
 #include "exit_code.h"
+#include "obj_attributes.h"
 #include "output_file.h"
 #include "platform.h"
+#include "ply_attribute_writer.h"
 #include "ply_attributes.h"
 #include "ply_reader.h"
 #include "ply_writer.h"
@@ -44,16 +46,16 @@ InputMesh readContent(MeshFormat format, const std::string& path, const WantedAt
 	const FileContent content(path);
 	if (content.view().empty()) throw AppError(ExitCode::BadInput, "the file is empty");
 	InputMesh mesh = readFormat(format, content.view());
-	if (wanted.any()) readPlyAttributes(content.view(), wanted, mesh);
+	if (format == MeshFormat::Ply) readPlyAttributes(content.view(), wanted, mesh);
+	if (format == MeshFormat::Obj && wanted.carried) readObjAttributes(content.view(), mesh);
 	return mesh;
 }
 
 void checkCarried(MeshFormat format, const std::string& path, const WantedAttributes& wanted)
 {
-	if (format == MeshFormat::Ply || !wanted.any()) return;
+	if (format == MeshFormat::Ply || !wanted.anyRequired()) return;
 	throw AppError(ExitCode::Usage, "the " + std::string(wanted.quality ? "quality" : "selection") +
-										" of vertices is read from PLY files only, not from '" +
-										path + "'.");
+										" is read from PLY files only, not from '" + path + "'.");
 }
 
 } // namespace
@@ -87,17 +89,41 @@ InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
 	return mesh;
 }
 
-void writeMesh(const TriangleMesh& mesh, bool doublePrecision, const std::string& path,
-			   const std::function<bool()>& shallStop)
+namespace {
+
+void writePlyFile(const TriangleMesh& mesh, bool doublePrecision, const MeshAttributes& attributes,
+				  OutputFile& out)
+{
+	if (attributes.any())
+		writePlyWithAttributes(mesh, doublePrecision, attributes, out);
+	else
+		writePly(mesh, doublePrecision, out);
+}
+
+void writeObjFile(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
+				  OutputFile& out)
+{
+	if (attributes.any())
+		writeObjWithAttributes(mesh, doublePrecision, attributes, out, attributes.lost);
+	else
+		writeObj(mesh, doublePrecision, out);
+}
+
+} // namespace
+
+void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
+			   const std::string& path, const std::function<bool()>& shallStop)
 {
 	const MeshFormat format = formatOfPath(path);
 	OutputFile       out(path);
+	if (attributes.any() && (format == MeshFormat::Off || format == MeshFormat::Stl))
+		attributes.lost.push_back("any attribute, which this format does not hold");
 	switch (format) {
 	case MeshFormat::Ply:
-		writePly(mesh, doublePrecision, out);
+		writePlyFile(mesh, doublePrecision, attributes, out);
 		break;
 	case MeshFormat::Obj:
-		writeObj(mesh, doublePrecision, out);
+		writeObjFile(mesh, doublePrecision, attributes, out);
 		break;
 	case MeshFormat::Off:
 		writeOff(mesh, doublePrecision, out);

@@ -24,8 +24,9 @@ InputMesh readMesh(const std::string& path, const WantedAttributes& wanted = {})
 /// Writes a mesh in the format that the path's extension stands for; an older file is replaced
 /// only when all has gone well. Throws AppError (Failure) otherwise.
 /// shallStop is asked once more before the old file is replaced; true there throws (Stopped).
-void writeMesh(const TriangleMesh& mesh, bool doublePrecision, const std::string& path,
-			   const std::function<bool()>& shallStop);
+/// attributes.lost receives words for what the format does not hold.
+void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
+			   const std::string& path, const std::function<bool()>& shallStop);
 
 } // namespace gpr::app
 

@@ -133,7 +133,8 @@ MeshPictures MeshPhotographer::take(const MeshView& mesh)
 		const Vec3d p = mesh.position(v);
 		moved.positions.push_back(isFinite(p) ? local(p) : Vec3d());
 	}
-	writeMesh(moved, false, path, stopRequested);
+	MeshAttributes none;
+	writeMesh(moved, false, none, path, stopRequested);
 	MeshPictures pictures;
 	const double edgePixels = measureQuality(mesh).meanEdgeLen * scale_ * pixels / width_;
 	pictures.edgesOfWhole   = edgePixels >= leastEdgePixels;

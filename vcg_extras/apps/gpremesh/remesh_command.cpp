@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remesh_command.h"
 
+#include "attribute_carry.h"
 #include "exit_code.h"
 #include "mesh_io.h"
 #include "output_file.h"
@@ -12,15 +13,21 @@
 #include "summary.h"
 
 #include <cstdio>
+#include <memory>
 
 namespace gpr::app {
 
 namespace {
 
-RemeshResult remeshWithProgress(const InputMesh& mesh, const CommandLine& line)
+RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* texture,
+								const CommandLine& line)
 {
-	ProgressBar  bar(!line.quiet && errorIsTerminal());
-	RemeshResult result = remesh(mesh.view(), line.options, [&](double share, const char* phrase) {
+	ProgressBar   bar(!line.quiet && errorIsTerminal());
+	MeshView      view     = mesh.view();
+	RemeshOptions options  = line.options;
+	options.anchorsOfFaces = texture != nullptr || mesh.attributes.ofFacesToo();
+	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
+	RemeshResult result = remesh(view, options, [&](double share, const char* phrase) {
 		bar.show(share, phrase);
 		return !stopRequested();
 	});
@@ -54,9 +61,26 @@ void writeReport(const std::string& path, const RunRecord& run)
 WantedAttributes wantedBy(const RemeshOptions& options)
 {
 	WantedAttributes wanted;
-	wanted.quality   = options.lambda > 0 && options.sizing == SizingSource::Quality;
-	wanted.selection = options.featureRegion == FeatureRegion::Selection;
+	wanted.quality       = options.lambda > 0 && options.sizing == SizingSource::Quality;
+	wanted.selection     = options.featureRegion == FeatureRegion::Selection;
+	wanted.faceSelection = options.selectedOnly;
+	wanted.carried       = true;
 	return wanted;
+}
+
+/// The texture of a mesh, or null.
+std::unique_ptr<TextureSource> textureOf(InputMesh& mesh)
+{
+	if (!mesh.attributes.hasTexture()) return nullptr;
+	return std::make_unique<TextureSource>(mesh.view(), std::move(mesh.attributes.texture));
+}
+
+std::string listOf(const std::vector<std::string>& words)
+{
+	std::string list;
+	for (const std::string& word : words)
+		list += (list.empty() ? "" : ", ") + word;
+	return list;
 }
 
 /// Everything between the mesh in memory and the mesh on the disk. The input is handed back before
@@ -64,10 +88,11 @@ WantedAttributes wantedBy(const RemeshOptions& options)
 RunRecord process(InputMesh& input, const CommandLine& line, const Stopwatch& programClock)
 {
 	RunRecord run;
-	run.times.read      = programClock.seconds();
-	RemeshResult result = remeshWithProgress(input, line);
-	const double done   = programClock.seconds();
-	run.times.remesh    = done - run.times.read;
+	run.times.read                               = programClock.seconds();
+	const std::unique_ptr<TextureSource> texture = textureOf(input);
+	RemeshResult                         result  = remeshWithProgress(input, texture.get(), line);
+	const double                         done    = programClock.seconds();
+	run.times.remesh                             = done - run.times.read;
 
 	run.inputPath    = line.input;
 	run.outputPath   = line.output;
@@ -78,7 +103,11 @@ RunRecord process(InputMesh& input, const CommandLine& line, const Stopwatch& pr
 	run.notes.insert(run.notes.end(), result.notes.begin(), result.notes.end());
 	addPrecisionNote(run);
 	run.report = std::move(result.report);
-	writeMesh(result.mesh, run.outputDouble, line.output, stopRequested);
+	MeshAttributes attributes =
+		carryAttributes(input.attributes, input.view(), texture.get(), result);
+	writeMesh(result.mesh, run.outputDouble, attributes, line.output, stopRequested);
+	if (!attributes.lost.empty())
+		run.notes.push_back("Not carried over: " + listOf(attributes.lost) + ".");
 
 	input           = InputMesh();
 	result          = RemeshResult();

@@ -85,6 +85,8 @@ Json optionsJson(const RemeshOptions& o)
 	json["maxStretch"]          = o.largestStretch;
 	json["sizing"]              = choiceName("Sizing", o.sizing);
 	json["adapt"]               = o.adapt;
+	json["boundary"]            = choiceName("Boundary", o.boundary);
+	json["selectedOnly"]        = o.selectedOnly;
 	json["exactCount"]          = o.exactCount;
 	json["allowNearest"]        = o.allowNearest;
 	json["dropComponentsBelow"] = o.dropComponentsBelow;
@@ -160,6 +162,7 @@ Json countsJson(const RemeshReport& r)
 			{"keptVertices", r.keptVertexNum},
 			{"curvatureClamped", r.curvatureClampedNum},
 			{"leftoverVertices", r.leftoverVertexNum},
+			{"untouchedFaces", r.untouchedFaceNum},
 			{"splits", r.splitNum},
 			{"collapses", r.collapseNum},
 			{"flips", r.flipNum}};

@@ -69,6 +69,9 @@ std::string remeshSummary(const RunRecord& run)
 	std::string text = "read     " + run.inputPath + ": " + countsText(run.report.input) + "\n";
 	if (!cleaned.empty()) text += "cleaned  " + cleaned + "\n";
 	text += "wrote    " + run.outputPath + ": " + countsText(run.report.result) + "\n";
+	if (run.report.untouchedFaceNum > 0)
+		text += "         all of the selected part; " +
+				counted(run.report.untouchedFaceNum, "face was", "faces were") + " left alone\n";
 	text += "quality  " + qualityText(run.report.quality) + "\n";
 	text += formatted("seconds  %.3f: %.3f read, %.3f remesh, %.3f write\n", run.times.total(),
 					  run.times.read, run.times.remesh, run.times.write);

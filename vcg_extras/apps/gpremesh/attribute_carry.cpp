@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "attribute_carry.h"
+
+#include <array>
+#include <cmath>
+#include <vcg_extras/core/carry_over.h>
+
+namespace gpr::app {
+
+namespace {
+
+bool isColour(const ValueColumn& column)
+{
+	for (const char* name : {"red", "green", "blue", "alpha", "diffuse_red", "diffuse_green",
+							 "diffuse_blue", "ambient_red", "ambient_green", "ambient_blue"}) {
+		if (column.name == name) return true;
+	}
+	return false;
+}
+
+bool isReal(PlyType type)
+{
+	return type == PlyType::Float32 || type == PlyType::Float64;
+}
+
+double valueAt(const ValueColumn& column, const MeshView& mesh, const SurfacePoint& at)
+{
+	const auto ofCorner = [&](int k) {
+		const std::int32_t v = mesh.triangles[3 * std::size_t(at.face) + std::size_t(k)];
+		return column.values[std::size_t(v)];
+	};
+	if (!isReal(column.type) && !isColour(column)) return ofCorner(nearestCorner(at));
+	const double mean = meanOfCorners(at, ofCorner);
+	return isReal(column.type) ? mean : std::floor(mean + 0.5);
+}
+
+ValueColumn* find(std::vector<ValueColumn>& columns, const char* name)
+{
+	for (ValueColumn& column : columns) {
+		if (column.name == name) return &column;
+	}
+	return nullptr;
+}
+
+/// Means of unit vectors are shorter.
+void normalizeNormals(std::vector<ValueColumn>& columns)
+{
+	const std::array<ValueColumn*, 3> n = {find(columns, "nx"), find(columns, "ny"),
+										   find(columns, "nz")};
+	if (!n[0] || !n[1] || !n[2]) return;
+	for (std::size_t v = 0; v < n[0]->values.size(); ++v) {
+		double squared = 0;
+		for (const ValueColumn* c : n)
+			squared += c->values[v] * c->values[v];
+		if (!(squared > 0)) continue;
+		for (ValueColumn* c : n)
+			c->values[v] /= std::sqrt(squared);
+	}
+}
+
+bool isNormal(const ValueColumn& column)
+{
+	return column.name == "nx" || column.name == "ny" || column.name == "nz";
+}
+
+} // namespace
+
+MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
+							   const TextureSource* texture, const RemeshResult& result)
+{
+	MeshAttributes carried;
+	carried.lost = source.lost;
+	for (ValueColumn& column : source.ofVertices) {
+		ValueColumn to{column.name, column.type, {}};
+		to.values.reserve(result.anchors.size());
+		for (const SurfacePoint& at : result.anchors)
+			to.values.push_back(valueAt(column, mesh, at));
+		carried.ofVertices.push_back(std::move(to));
+		column.values = {};
+	}
+	normalizeNormals(carried.ofVertices);
+	for (ValueColumn& column : source.ofFaces) {
+		if (isNormal(column)) {
+			if (column.name == "nx") carried.lost.push_back("normals of faces");
+			continue;
+		}
+		ValueColumn to{column.name, column.type, {}};
+		for (const SurfacePoint& at : result.faceAnchors)
+			to.values.push_back(column.values[std::size_t(at.face)]);
+		carried.ofFaces.push_back(std::move(to));
+		column.values = {};
+	}
+	if (texture != nullptr) carried.texture = texture->carriedTo(result);
+	carried.images          = source.images;
+	carried.materials       = source.materials;
+	carried.materialLibrary = source.materialLibrary;
+	return carried;
+}
+
+} // namespace gpr::app

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_ATTRIBUTE_CARRY_H
+#define VCG_EXTRAS_APPS_GPREMESH_ATTRIBUTE_CARRY_H
+
+#include "mesh_attributes.h"
+
+#include <vcg_extras/core/remesh.h>
+
+namespace gpr::app {
+
+/// Carries attributes over to a result: of vertices the mean over the corners of the face that each
+/// lies on, the nearest corner's for whole numbers that are no colours; of faces those of the face
+/// that the middle of each lies on; texture coordinates by `texture`, or none where it is null.
+/// Normals are made unit vectors again; faces' normals are lost. Needs the anchors of the result's
+/// faces where faces have any. The source is emptied on the way. Cost: linear in the result.
+MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
+							   const TextureSource* texture, const RemeshResult& result);
+
+} // namespace gpr::app
+
+#endif

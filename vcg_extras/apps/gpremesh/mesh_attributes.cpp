@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_attributes.h"
+
+#include "polygon.h"
+
+namespace gpr::app {
+
+const ValueColumn* MeshAttributes::ofVertex(const std::string& name) const
+{
+	for (const ValueColumn& column : ofVertices) {
+		if (column.name == name) return &column;
+	}
+	return nullptr;
+}
+
+void TriangleOrder::add(const std::int64_t* corners, std::size_t cornerNum)
+{
+	const std::int64_t face = faceNum_++, first = cornerNum_;
+	cornerNum_ += std::int64_t(cornerNum);
+	if (cornerNum < 3) return;
+	if (cornerNum > 3) {
+		polygons_.push_back({face, first, {corners, corners + cornerNum}});
+		return;
+	}
+	face_.push_back(face);
+	for (int k = 0; k < 3; ++k)
+		corner_.push_back(first + k);
+}
+
+void TriangleOrder::finish(const MeshView& positions)
+{
+	std::vector<Vec3d>       corners;
+	std::vector<std::size_t> cut;
+	for (const Polygon& polygon : polygons_) {
+		corners.clear();
+		for (const std::int64_t v : polygon.vertices)
+			corners.push_back(positions.position(std::size_t(v)));
+		cutPolygon(corners, cut);
+		for (std::size_t i = 0; i < cut.size(); ++i) {
+			if (i % 3 == 0) face_.push_back(polygon.face);
+			corner_.push_back(polygon.firstCorner + std::int64_t(cut[i]));
+		}
+	}
+	polygons_.clear();
+}
+
+std::vector<double> perTriangle(const std::vector<double>& perFace, const TriangleOrder& order)
+{
+	std::vector<double> values;
+	values.reserve(order.face().size());
+	for (const std::int64_t f : order.face())
+		values.push_back(perFace[std::size_t(f)]);
+	return values;
+}
+
+std::vector<float> cornersOfTriangles(const std::vector<float>& uvPerCorner,
+									  const TriangleOrder&      order)
+{
+	std::vector<float> uv;
+	uv.reserve(2 * order.corner().size());
+	for (const std::int64_t c : order.corner()) {
+		uv.push_back(uvPerCorner[2 * std::size_t(c)]);
+		uv.push_back(uvPerCorner[2 * std::size_t(c) + 1]);
+	}
+	return uv;
+}
+
+} // namespace gpr::app
