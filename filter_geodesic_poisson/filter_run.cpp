@@ -9,6 +9,7 @@
 
 #include <exception>
 #include <new>
+#include <vcg_extras/core/measure.h>
 #include <vcg_extras/core/remesh.h>
 
 namespace gpr_filter {
@@ -45,15 +46,20 @@ void requireOk(const Result& result)
 	if (result.status != gpr::Status::Ok) throw Refusal(result.message);
 }
 
+void append(const Lines& more, Lines& lines)
+{
+	lines.insert(lines.end(), more.begin(), more.end());
+}
+
 RunOutcome remesh(const LayerJob& job, vcg::CallBackPos* progress)
 {
 	const gpr::RemeshResult result =
 		gpr::remesh(job.copy().view(), job.options(), progressTo(progress));
 	requireOk(result);
-	CMeshO built;
-	buildMesh(result, job.copy(), built);
-	Lines lines = remeshingLines(result);
-	lines.push_back(job.put(built, "_remeshed"));
+	const gpr::QualityFigures before =
+		gpr::measureQuality(job.copy().view(), job.options().threads);
+	Lines lines = remeshingLines(result, before);
+	append(job.put(result, "_remeshed"), lines);
 	return {true, lines, remeshingFigures(result)};
 }
 
@@ -62,10 +68,8 @@ RunOutcome sample(const LayerJob& job, vcg::CallBackPos* progress)
 	const gpr::SamplingResult result =
 		gpr::samplePoissonDisks(job.copy().view(), job.options(), progressTo(progress));
 	requireOk(result);
-	CMeshO built;
-	buildPoints(result, job.copy(), built);
 	Lines lines = samplingLines(result);
-	job.putPoints(built, "_samples");
+	job.putPoints(result, "_samples");
 	return {true, lines, samplingFigures(result)};
 }
 
@@ -74,10 +78,8 @@ RunOutcome retriangulate(const LayerJob& job, vcg::CallBackPos* progress)
 	const gpr::RemeshResult result =
 		gpr::retriangulate(job.copy().view(), job.samples(), job.options(), progressTo(progress));
 	requireOk(result);
-	CMeshO built;
-	buildMesh(result, job.copy(), built);
 	Lines lines = retriangulationLines(result);
-	lines.push_back(job.put(built, "_retriangulated"));
+	append(job.put(result, "_retriangulated"), lines);
 	return {true, lines, remeshingFigures(result)};
 }
 

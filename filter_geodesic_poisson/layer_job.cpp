@@ -5,20 +5,26 @@
 #include "parameter_bridge.h"
 #include "refusal.h"
 
+#include <algorithm>
+
 namespace gpr_filter {
 
 namespace {
 
-/// Whatever belongs to the old vertices and faces and is not carried over.
+/// Attributes that are carried over.
+constexpr int kCarriedVertexMask = MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY |
+								   MeshModel::MM_VERTRADIUS | MeshModel::MM_VERTTEXCOORD;
+constexpr int kCarriedFaceMask =
+	MeshModel::MM_FACECOLOR | MeshModel::MM_FACEQUALITY | MeshModel::MM_WEDGTEXCOORD;
+
+/// Whatever belongs to the old vertices and faces and is not.
 constexpr int kStaleMask =
 	MeshModel::MM_VERTMARK | MeshModel::MM_VERTFACETOPO | MeshModel::MM_VERTCURV |
-	MeshModel::MM_VERTCURVDIR | MeshModel::MM_VERTRADIUS | MeshModel::MM_VERTTEXCOORD |
-	MeshModel::MM_FACECOLOR | MeshModel::MM_FACEQUALITY | MeshModel::MM_FACEMARK |
-	MeshModel::MM_FACEFACETOPO | MeshModel::MM_FACECURVDIR | MeshModel::MM_WEDGTEXCOORD |
-	MeshModel::MM_WEDGNORMAL | MeshModel::MM_WEDGCOLOR | MeshModel::MM_VERTFLAGSELECT |
-	MeshModel::MM_FACEFLAGSELECT | MeshModel::MM_POLYGONAL;
+	MeshModel::MM_VERTCURVDIR | MeshModel::MM_FACEMARK | MeshModel::MM_FACEFACETOPO |
+	MeshModel::MM_FACECURVDIR | MeshModel::MM_WEDGNORMAL | MeshModel::MM_WEDGCOLOR |
+	MeshModel::MM_VERTFLAGSELECT | MeshModel::MM_FACEFLAGSELECT | MeshModel::MM_POLYGONAL;
 
-constexpr int kCarriedMask = MeshModel::MM_VERTCOLOR | MeshModel::MM_VERTQUALITY;
+constexpr int kTextureMask = MeshModel::MM_VERTTEXCOORD | MeshModel::MM_WEDGTEXCOORD;
 
 /// Where samples most likely are: the newest other layer of points, or else the newest other one.
 int likelySampleLayer(const MeshDocument& document)
@@ -53,15 +59,19 @@ gpr::ParameterSet readValues(gpr::Tool tool, const RichParameterList& list,
 LayerCopy copyOf(const MeshModel& layer, const gpr::RemeshOptions& options)
 {
 	CopiedParts parts;
-	parts.colour    = layer.hasDataMask(MeshModel::MM_VERTCOLOR);
-	parts.quality   = layer.hasDataMask(MeshModel::MM_VERTQUALITY);
-	parts.selection = asksForSelection(options);
+	parts.quality       = layer.hasDataMask(MeshModel::MM_VERTQUALITY);
+	parts.selection     = asksForSelection(options);
+	parts.faceSelection = options.selectedOnly;
+	parts.texture       = options.anchorsOfFaces && layer.hasDataMask(MeshModel::MM_WEDGTEXCOORD);
 	if (asksForQuality(options) && !parts.quality) {
 		throw Refusal("The density shall go with the vertex quality, but the layer has none.");
 	}
 	LayerCopy copy = copyLayer(layer.cm, parts);
 	if (parts.selection && !copy.anySelected()) {
 		throw Refusal("The feature region shall be the selection, but nothing is selected.");
+	}
+	if (parts.faceSelection && !copy.anyFaceSelected()) {
+		throw Refusal("Cannot apply only on selection: no face is selected.");
 	}
 	return copy;
 }
@@ -93,26 +103,49 @@ QString numberAndLabel(const MeshModel& layer)
 }
 
 /// A sentence about what a layer has and the result has not; empty where nothing was lost.
-std::string lossesOf(const MeshModel& layer)
+std::string lossesOf(const MeshModel& layer, std::vector<std::string> lost)
 {
-	QStringList lost;
-	if (layer.dataMask() & (MeshModel::MM_VERTTEXCOORD | MeshModel::MM_WEDGTEXCOORD)) {
-		lost << "texture coordinates";
+	if (layer.dataMask() & (MeshModel::MM_VERTCURV | MeshModel::MM_VERTCURVDIR)) {
+		lost.push_back("curvature");
 	}
-	if (layer.hasDataMask(MeshModel::MM_FACECOLOR)) lost << "face colour";
-	if (layer.hasDataMask(MeshModel::MM_FACEQUALITY)) lost << "face quality";
-	if (layer.hasDataMask(MeshModel::MM_VERTRADIUS)) lost << "vertex radius";
-	if (layer.hasDataMask(MeshModel::MM_POLYGONAL)) lost << "polygons";
-	if (lost.isEmpty()) return std::string();
-	return ("Not carried over to the result: " + lost.join(", ") + ".").toStdString();
+	if (layer.hasDataMask(MeshModel::MM_POLYGONAL)) lost.push_back("polygons");
+	return vcg::tri::gpr_detail::SentenceOfLost(lost);
 }
 
-void fill(MeshModel& layer, CMeshO& built)
+std::string warningAbout(const Matrix44m& transform)
 {
-	layer.clearDataMask(kStaleMask);
-	dropTextures(layer);
+	if (!scalesUnevenly(transform)) return std::string();
+	return "The layer's transform scales unevenly: the triangles are regular in the layer's own "
+		   "coordinates, not as they are shown. \"Matrix: Freeze Current Matrix\" before this "
+		   "filter "
+		   "makes them regular as shown.";
+}
+
+/// carried: the attributes that `built` has.
+void fill(MeshModel& layer, CMeshO& built, int carried)
+{
+	layer.clearDataMask(kStaleMask | ((kCarriedVertexMask | kCarriedFaceMask) & ~carried));
+	if ((carried & kTextureMask) == 0) dropTextures(layer);
 	replaceContents(layer.cm, built);
 	updateBoxAndNormals(layer);
+}
+
+/// How many vertices the selected faces have, and how many of them others have, too.
+void countSelected(const CMeshO& mesh, gpr::MeshFacts& facts)
+{
+	constexpr char    ofSelected = 1, ofOther = 2;
+	std::vector<char> kind(mesh.vert.size(), 0);
+	for (const CFaceO& face : mesh.face) {
+		if (face.IsD()) continue;
+		for (int k = 0; k < 3; ++k) {
+			char& its = kind[vcg::tri::Index(mesh, face.cV(k))];
+			its       = char(its | (face.IsS() ? ofSelected : ofOther));
+		}
+	}
+	facts.seamVertexNum = std::count(kind.begin(), kind.end(), ofSelected | ofOther);
+	facts.selectedVertexNum =
+		std::count(kind.begin(), kind.end(), ofSelected) + facts.seamVertexNum;
+	facts.hasSelection = facts.selectedVertexNum > 0;
 }
 
 } // namespace
@@ -125,6 +158,7 @@ gpr::MeshFacts factsOf(const MeshDocument& document)
 		const CMeshO& mesh = layer->cm;
 		facts.vertexNum    = mesh.vn;
 		facts.diagonal     = mesh.bbox.IsNull() ? 0.0 : double(mesh.bbox.Diag());
+		countSelected(mesh, facts);
 	}
 	const int samples = likelySampleLayer(document);
 	if (samples >= 0) facts.sampleLayer = samples;
@@ -139,7 +173,10 @@ LayerJob::LayerJob(MeshDocument& document, gpr::Tool tool, const RichParameterLi
 	_layerId = current->id();
 	_values  = readValues(tool, list, document);
 	_options = _values.options();
-	_copy    = copyOf(*current, _options);
+	_options.anchorsOfFaces =
+		(tool == gpr::RemeshTool || tool == gpr::RetriangulateTool) &&
+		((current->dataMask() & kCarriedFaceMask) != 0 || !current->cm.face_attr.empty());
+	_copy = copyOf(*current, _options);
 }
 
 const MeshModel& LayerJob::sampleModel() const
@@ -185,14 +222,24 @@ MeshModel& LayerJob::addLayer(const MeshModel& source, int mask, const char* suf
 	return added;
 }
 
-std::string LayerJob::put(CMeshO& built, const char* suffix) const
+std::vector<std::string> LayerJob::put(const gpr::RemeshResult& result, const char* suffix) const
 {
-	MeshModel&  source = layer();
-	std::string losses = lossesOf(source);
-	MeshModel&  target =
-        _values.newLayer() ? addLayer(source, source.dataMask() & kCarriedMask, suffix) : source;
-	fill(target, built);
-	return losses;
+	MeshModel&     source = layer();
+	CMeshO         built;
+	UserAttributes user;
+	buildMesh(result, _copy, source.cm, built, user);
+	std::vector<std::string> sentences = {lossesOf(source, user.Lost()),
+										  warningAbout(source.cm.Tr)};
+	int                      carried   = source.dataMask() & kCarriedVertexMask;
+	if (built.face.IsColorEnabled()) carried |= MeshModel::MM_FACECOLOR;
+	if (built.face.IsQualityEnabled()) carried |= MeshModel::MM_FACEQUALITY;
+	if (built.face.IsWedgeTexCoordEnabled()) carried |= MeshModel::MM_WEDGTEXCOORD;
+
+	MeshModel& target = _values.newLayer() ? addLayer(source, carried, suffix) : source;
+	if (&target != &source && (carried & kTextureMask) != 0) copyTextures(source, target);
+	fill(target, built, carried);
+	user.Write(target.cm);
+	return sentences;
 }
 
 void LayerJob::mark(const gpr::FeatureResult& result) const
@@ -202,11 +249,13 @@ void LayerJob::mark(const gpr::FeatureResult& result) const
 	markFeatures(result, target.cm);
 }
 
-void LayerJob::putPoints(CMeshO& built, const char* suffix) const
+void LayerJob::putPoints(const gpr::SamplingResult& result, const char* suffix) const
 {
 	const MeshModel& source = layer();
-	const int        colour = source.dataMask() & MeshModel::MM_VERTCOLOR;
-	fill(addLayer(source, MeshModel::MM_VERTQUALITY | colour, suffix), built);
+	CMeshO           built;
+	buildPoints(result, _copy, source.cm, built);
+	const int carried = MeshModel::MM_VERTQUALITY | (source.dataMask() & MeshModel::MM_VERTCOLOR);
+	fill(addLayer(source, carried, suffix), built, carried);
 }
 
 } // namespace gpr_filter

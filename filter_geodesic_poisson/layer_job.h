@@ -35,18 +35,19 @@ public:
 	/// they removed the layer or changed its mesh.
 	MeshModel& layer() const;
 
-	/// Puts a mesh into the layer, or into a new one where the parameters say so, whose label ends
-	/// with the suffix. Returns a sentence about what was lost, or nothing. Throws as layer() does;
-	/// the document is then as it was.
-	std::string put(CMeshO& built, const char* suffix) const;
+	/// Puts a result with the layer's attributes into the layer, or into a new one where the
+	/// parameters say so, whose label ends with the suffix. Returns sentences, some empty, about
+	/// what was lost and what the layer's transform does. Throws as layer() does; the document is
+	/// then as it was.
+	std::vector<std::string> put(const gpr::RemeshResult& result, const char* suffix) const;
 
 	/// Makes strengths the layer's vertex quality and selects what is marked. Throws as layer()
 	/// does.
 	void mark(const gpr::FeatureResult& result) const;
 
-	/// Puts points, with quality and the layer's colour, into a new layer that becomes the current
+	/// Puts samples, with quality and the layer's colour, into a new layer that becomes the current
 	/// one. Throws as layer() does.
-	void putPoints(CMeshO& built, const char* suffix) const;
+	void putPoints(const gpr::SamplingResult& result, const char* suffix) const;
 
 private:
 	MeshDocument&      _document;

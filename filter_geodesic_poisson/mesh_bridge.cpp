@@ -31,7 +31,6 @@ std::vector<std::int32_t> copyVertices(const CMeshO& mesh, const CopiedParts& pa
 		newIndex[v]          = std::int32_t(copy.positions.size());
 		const Point3m& point = vertex.cP();
 		copy.positions.push_back({point[0], point[1], point[2]});
-		if (parts.colour) copy.colours.push_back(vertex.cC());
 		if (parts.quality) copy.qualities.push_back(float(vertex.cQ()));
 		if (parts.selection) copy.selected.push_back(vertex.IsS());
 	}
@@ -44,43 +43,6 @@ void selectCorners(const CFaceO& face, const CMeshO& mesh,
 	for (int k = 0; k < 3; ++k) {
 		copy.selected[std::size_t(newIndex[vcg::tri::Index(mesh, face.cV(k))])] = 1;
 	}
-}
-
-/// Sum of weight · value over the corners of the anchor's face; corners of no weight are left out,
-/// so that a NaN there does no harm.
-template <class Value, class ValueOf>
-Value interpolate(const gpr::SurfacePoint& anchor, const LayerCopy& source, const ValueOf& valueOf)
-{
-	Value sum = 0;
-	for (int k = 0; k < 3; ++k) {
-		if (anchor.weight[k] == 0) continue;
-		const std::int32_t v = source.triangles[3 * std::size_t(anchor.face) + std::size_t(k)];
-		sum += Value(anchor.weight[k]) * Value(valueOf(std::size_t(v)));
-	}
-	return sum;
-}
-
-vcg::Color4b colourAt(const gpr::SurfacePoint& anchor, const LayerCopy& source)
-{
-	vcg::Color4b colour;
-	for (int channel = 0; channel < 4; ++channel) {
-		const float level = interpolate<float>(
-			anchor, source, [&](std::size_t v) { return source.colours[v][channel]; });
-		colour[channel] = static_cast<unsigned char>(std::lround(std::clamp(level, 0.f, 255.f)));
-	}
-	return colour;
-}
-
-float qualityAt(const gpr::SurfacePoint& anchor, const LayerCopy& source)
-{
-	return interpolate<float>(anchor, source, [&](std::size_t v) { return source.qualities[v]; });
-}
-
-void carryOver(const gpr::SurfacePoint& anchor, const LayerCopy& source, CVertexO& vertex)
-{
-	if (anchor.face < 0) return;
-	if (!source.colours.empty()) vertex.C() = colourAt(anchor, source);
-	if (!source.qualities.empty()) vertex.Q() = qualityAt(anchor, source);
 }
 
 /// The unit normal of the face on which a point lies, or zero where the face has no area.
@@ -103,15 +65,57 @@ Point3m pointOf(const gpr::Vec3d& p)
 	return Point3m(Scalarm(p.x), Scalarm(p.y), Scalarm(p.z));
 }
 
-/// The vectors of a vcg mesh know their elements and the elements their vector: both change sides.
+/// Elements and optional components. The elements know their vector: they are told the new one.
 template <class Container>
-void takeElements(Container& to, Container& from)
+void swapElements(Container& a, Container& b)
 {
-	std::vector<typename Container::value_type>& elements = to;
-	elements.swap(from);
-	to._updateOVP(to.begin(), to.end());
-	// A component that was enabled behind the layer's data mask gets the right size, at least.
-	to.resize(to.size());
+	std::swap(a, b);
+	a._updateOVP(a.begin(), a.end());
+	b._updateOVP(b.begin(), b.end());
+}
+
+/// The faces of a mesh as the engine numbers them.
+std::vector<const CFaceO*> liveFaces(const CMeshO& mesh)
+{
+	std::vector<const CFaceO*> faces;
+	faces.reserve(std::size_t(mesh.fn));
+	for (const CFaceO& face : mesh.face) {
+		if (!face.IsD()) faces.push_back(&face);
+	}
+	return faces;
+}
+
+/// Gives an empty mesh the optional components that can be carried over.
+void enableCarried(const CMeshO& source, bool facesToo, bool textureToo, CMeshO& built)
+{
+	if (source.vert.IsRadiusEnabled()) built.vert.EnableRadius();
+	if (source.vert.IsTexCoordEnabled()) built.vert.EnableTexCoord();
+	if (facesToo && source.face.IsColorEnabled()) built.face.EnableColor();
+	if (facesToo && source.face.IsQualityEnabled()) built.face.EnableQuality();
+	if (facesToo && textureToo) built.face.EnableWedgeTexCoord();
+}
+
+void addElements(const gpr::TriangleMesh& mesh, CMeshO& built)
+{
+	Allocator::AddVertices(built, mesh.vertexNum());
+	Allocator::AddFaces(built, mesh.faceNum());
+	for (std::size_t v = 0; v < mesh.vertexNum(); ++v) {
+		built.vert[v].P() = pointOf(mesh.positions[v]);
+	}
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		for (int k = 0; k < 3; ++k) {
+			const std::int32_t v = mesh.triangles[3 * f + std::size_t(k)];
+			built.face[f].V(k)   = &built.vert[std::size_t(v)];
+		}
+	}
+}
+
+void selectNewFaces(const gpr::RemeshResult& result, CMeshO& built)
+{
+	for (std::size_t f = 0; f < result.callersFace.size(); ++f) {
+		if (result.callersFace[f] >= 0) continue;
+		built.face[f].SetS();
+	}
 }
 
 void dropElementAttributes(CMeshO& mesh)
@@ -145,8 +149,10 @@ void setSelected(Element& element, bool selected, int& count)
 gpr::MeshView LayerCopy::view() const
 {
 	gpr::MeshView view(positions, triangles);
-	view.quality  = qualities.empty() ? nullptr : qualities.data();
-	view.selected = selected.empty() ? nullptr : selected.data();
+	view.quality      = qualities.empty() ? nullptr : qualities.data();
+	view.selected     = selected.empty() ? nullptr : selected.data();
+	view.selectedFace = selectedFaces.empty() ? nullptr : selectedFaces.data();
+	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
 	return view;
 }
 
@@ -158,6 +164,11 @@ bool LayerCopy::sameGeometry(const LayerCopy& other) const
 bool LayerCopy::anySelected() const
 {
 	return std::find(selected.begin(), selected.end(), 1) != selected.end();
+}
+
+bool LayerCopy::anyFaceSelected() const
+{
+	return std::find(selectedFaces.begin(), selectedFaces.end(), 1) != selectedFaces.end();
 }
 
 LayerCopy copyLayer(const CMeshO& mesh, const CopiedParts& parts)
@@ -172,6 +183,13 @@ LayerCopy copyLayer(const CMeshO& mesh, const CopiedParts& parts)
 			copy.triangles.push_back(newIndex[vcg::tri::Index(mesh, face.cV(k))]);
 		}
 		if (cornersCount && face.IsS()) selectCorners(face, mesh, newIndex, copy);
+		if (parts.faceSelection) copy.selectedFaces.push_back(face.IsS());
+	}
+	if (parts.texture) {
+		const std::vector<const CFaceO*> faces = liveFaces(mesh);
+		const auto faceOf = [&](std::int32_t f) { return faces[std::size_t(f)]; };
+		copy.texture      = std::make_shared<const gpr::TextureSource>(
+            vcg::tri::gpr_detail::WedgeTextureOf<CMeshO>(copy.view(), faceOf));
 	}
 	return copy;
 }
@@ -215,33 +233,40 @@ std::vector<gpr::Vec3d> copyPoints(const CMeshO& mesh, const Matrix44m& frame)
 	return points;
 }
 
-void buildMesh(const gpr::RemeshResult& result, const LayerCopy& source, CMeshO& built)
+void buildMesh(const gpr::RemeshResult& result, const LayerCopy& copy, const CMeshO& source,
+			   CMeshO& built, UserAttributes& user)
 {
-	const gpr::TriangleMesh& mesh = result.mesh;
-	Allocator::AddVertices(built, mesh.vertexNum());
-	Allocator::AddFaces(built, mesh.faceNum());
-	for (std::size_t v = 0; v < mesh.vertexNum(); ++v) {
-		built.vert[v].P() = pointOf(mesh.positions[v]);
-		carryOver(result.anchors[v], source, built.vert[v]);
+	const std::vector<const CFaceO*> faces  = liveFaces(source);
+	const auto                       faceOf = [&](std::int32_t f) { return faces[std::size_t(f)]; };
+	const bool                       facesToo = !result.faceAnchors.empty();
+	enableCarried(source, facesToo, copy.texture != nullptr, built);
+	addElements(result.mesh, built);
+	selectNewFaces(result, built);
+
+	vcg::tri::gpr_detail::AnchoredAttributes<CMeshO> attributes;
+	attributes.ReadVertices(source, built, result.anchors, faceOf);
+	user.ReadVertices(source, result.anchors, faceOf);
+	if (facesToo) {
+		attributes.ReadFaces(source, built, result, copy.texture.get(), faceOf);
+		user.ReadFaces(source, result.faceAnchors, faceOf);
 	}
-	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
-		for (int k = 0; k < 3; ++k) {
-			const std::int32_t v = mesh.triangles[3 * f + std::size_t(k)];
-			built.face[f].V(k)   = &built.vert[std::size_t(v)];
-		}
-	}
+	attributes.Write(built);
 }
 
-void buildPoints(const gpr::SamplingResult& result, const LayerCopy& source, CMeshO& built)
+void buildPoints(const gpr::SamplingResult& result, const LayerCopy& copy, const CMeshO& source,
+				 CMeshO& built)
 {
+	const std::vector<const CFaceO*> faces = liveFaces(source);
 	Allocator::AddVertices(built, result.points.size());
+	vcg::tri::gpr_detail::AnchoredAttributes<CMeshO> attributes;
+	attributes.ReadVertices(source, built, result.anchors,
+							[&](std::int32_t f) { return faces[std::size_t(f)]; });
+	attributes.Write(built);
 	for (std::size_t s = 0; s < result.points.size(); ++s) {
-		const gpr::SurfacePoint& anchor = result.anchors[s];
-		CVertexO&                vertex = built.vert[s];
-		vertex.P()                      = pointOf(result.points[s]);
-		vertex.N()                      = normalAt(anchor, source);
-		carryOver(anchor, source, vertex);
-		vertex.Q() = Scalarm(result.radii[s]);
+		CVertexO& vertex = built.vert[s];
+		vertex.P()       = pointOf(result.points[s]);
+		vertex.N()       = normalAt(result.anchors[s], copy);
+		vertex.Q()       = Scalarm(result.radii[s]);
 	}
 }
 
@@ -265,17 +290,37 @@ void replaceContents(CMeshO& layer, CMeshO& built)
 	dropElementAttributes(layer);
 	layer.edge.clear();
 	layer.en = 0;
-	takeElements(layer.vert, built.vert);
-	takeElements(layer.face, built.face);
+	swapElements(layer.vert, built.vert);
+	swapElements(layer.face, built.face);
 	layer.vn    = int(layer.vert.size());
 	layer.fn    = int(layer.face.size());
 	layer.svn   = 0;
-	layer.sfn   = 0;
+	layer.sfn   = int(std::count_if(layer.face.begin(), layer.face.end(),
+									[](const CFaceO& f) { return f.IsS(); }));
 	layer.imark = 0;
-	layer.textures.clear();
-	layer.normalmaps.clear();
-	built.vn = int(built.vert.size());
-	built.fn = int(built.face.size());
+	built.vn    = int(built.vert.size());
+	built.fn    = int(built.face.size());
+}
+
+bool scalesUnevenly(const Matrix44m& transform)
+{
+	constexpr double tolerance = 0.02;
+	double           gram[3][3]; // of the columns; a multiple of one where all scale alike
+	for (int i = 0; i < 3; ++i) {
+		for (int j = 0; j < 3; ++j) {
+			gram[i][j] = 0;
+			for (int k = 0; k < 3; ++k)
+				gram[i][j] += double(transform[k][i]) * double(transform[k][j]);
+		}
+	}
+	const double mean = (gram[0][0] + gram[1][1] + gram[2][2]) / 3;
+	for (int i = 0; i < 3; ++i) {
+		for (int j = 0; j < 3; ++j) {
+			const double wanted = i == j ? mean : 0;
+			if (!(std::abs(gram[i][j] - wanted) <= 2 * tolerance * mean)) return true;
+		}
+	}
+	return false;
 }
 
 } // namespace gpr_filter

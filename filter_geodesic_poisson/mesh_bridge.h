@@ -8,6 +8,8 @@
 #include "meshlab_api.h"
 
 #include <cstdint>
+#include <memory>
+#include <vcg_extras/complex/algorithms/attribute_transfer.h>
 #include <vcg_extras/core/remesh.h>
 #include <vector>
 
@@ -15,25 +17,29 @@ namespace gpr_filter {
 
 /// What of a mesh is copied beside its vertices and faces.
 struct CopiedParts {
-	bool colour    = false; ///< of the vertices
-	bool quality   = false; ///< of the vertices
-	bool selection = false; ///< of the vertices or, where none is, the corners of faces
+	bool quality       = false; ///< of the vertices
+	bool selection     = false; ///< of the vertices or, where none is, the corners of faces
+	bool faceSelection = false;
+	bool texture       = false; ///< texture coordinates of the wedges
 };
 
-/// A copy of what the engine and the carrying over need of a layer, without its deleted elements.
+/// A copy of what the engine needs of a layer, without its deleted elements.
 /// A copy and no view: while the filter runs, the host's progress bar lets the user start other
 /// filters on the same layer, and they may move its vectors under the engine's threads.
 struct LayerCopy {
 	std::vector<gpr::Vec3<Scalarm>> positions;
-	std::vector<std::int32_t>       triangles; ///< 3 indices a face
-	std::vector<vcg::Color4b>       colours;   ///< one a vertex, or none
-	std::vector<float>              qualities; ///< one a vertex, or none
-	std::vector<std::uint8_t>       selected;  ///< one a vertex, or none; 1 = selected
+	std::vector<std::int32_t>       triangles;     ///< 3 indices a face
+	std::vector<float>              qualities;     ///< one a vertex, or none
+	std::vector<std::uint8_t>       selected;      ///< one a vertex, or none; 1 = selected
+	std::vector<std::uint8_t>       selectedFaces; ///< one a face, or none; 1 = selected
+
+	std::shared_ptr<const gpr::TextureSource> texture; ///< of the wedges, or null
 
 	gpr::MeshView view() const;
 	/// Bit by bit, so that a NaN equals itself.
 	bool sameGeometry(const LayerCopy& other) const;
 	bool anySelected() const;
+	bool anyFaceSelected() const;
 };
 
 /// Copies a mesh. Selected are the selected vertices; where there is none, the corners of selected
@@ -48,23 +54,33 @@ bool canReach(const Matrix44m& to, const Matrix44m& from);
 /// transforms they are the same numbers.
 std::vector<gpr::Vec3d> copyPoints(const CMeshO& mesh, const Matrix44m& frame);
 
-/// Fills an empty mesh with the result; colours and qualities that the copy has are interpolated at
-/// the anchors. Normals and box are not computed. Throws std::bad_alloc only.
-void buildMesh(const gpr::RemeshResult& result, const LayerCopy& source, CMeshO& built);
+/// The named attributes of a mesh, read at anchors.
+using UserAttributes = vcg::tri::gpr_detail::CarriedUserAttributes<CMeshO>;
+
+/// Fills an empty mesh with the result. Of `source`, the mesh that `copy` was made of and that has
+/// the same vertices and faces still, vertex and face attributes are carried over and its optional
+/// components for them enabled; named attributes go to `user`. New faces are selected where others
+/// were left alone. Normals and box are not computed. Throws std::bad_alloc only.
+void buildMesh(const gpr::RemeshResult& result, const LayerCopy& copy, const CMeshO& source,
+			   CMeshO& built, UserAttributes& user);
 
 /// Fills an empty mesh with the samples as vertices: quality is the disk's radius, the normal that
-/// of the face the sample lies on; colours that the copy has are interpolated at the anchors. The
-/// box is not computed. Throws std::bad_alloc only.
-void buildPoints(const gpr::SamplingResult& result, const LayerCopy& source, CMeshO& built);
+/// of the face the sample lies on; the colour of `source`, of which `copy` was made, is
+/// interpolated. The box is not computed. Throws std::bad_alloc only.
+void buildPoints(const gpr::SamplingResult& result, const LayerCopy& copy, const CMeshO& source,
+				 CMeshO& built);
 
 /// Gives the mesh that was copied its features: strengths as vertex quality, marked vertices and
 /// faces selected and no others. Needs no memory.
 void markFeatures(const gpr::FeatureResult& result, CMeshO& mesh);
 
-/// Puts the vertices and faces of `built` in the place of those of `layer`, and removes what
-/// belonged to the old ones: edges, per-element attributes, textures, selection counts. Optional
-/// components must have been disabled before. Needs no memory, so it does not fail half-way.
+/// Puts the vertices and faces of `built`, with their optional components, in the place of those of
+/// `layer`, and removes what belonged to the old ones: edges and per-element attributes. Needs no
+/// memory, so it does not fail half-way.
 void replaceContents(CMeshO& layer, CMeshO& built);
+
+/// Whether a transform scales by more than 2 % differently in different directions, or shears.
+bool scalesUnevenly(const Matrix44m& transform);
 
 } // namespace gpr_filter
 

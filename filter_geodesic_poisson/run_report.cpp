@@ -80,6 +80,14 @@ QString leftoverLine(const gpr::RemeshResult& result)
 	return parts.join("; ");
 }
 
+/// Empty where the whole mesh was remeshed.
+QString untouchedLine(const gpr::RemeshReport& r)
+{
+	if (r.untouchedFaceNum == 0) return QString();
+	return QStringLiteral("Only the selected part; %1 faces were left as they were")
+		.arg(count(r.untouchedFaceNum));
+}
+
 QString topologyLine(const gpr::RemeshReport& r)
 {
 	return QStringLiteral("Components %1, boundary loops %2, Euler characteristic %3")
@@ -87,18 +95,28 @@ QString topologyLine(const gpr::RemeshReport& r)
 			 count(r.result.eulerCharacteristic));
 }
 
+/// "0.0123 (0.45 % of the diagonal)".
+QString lengthText(double length, const gpr::RemeshReport& r)
+{
+	if (!(r.input.diagonal > 0)) return number(length, 6);
+	return QStringLiteral("%1 (%2 % of the diagonal)")
+		.arg(number(length, 6), number(100 * length / r.input.diagonal, 3));
+}
+
 QString radiusLine(const gpr::RemeshReport& r)
 {
 	return QStringLiteral("Disk radius %1, mean edge length %2, seed %3")
-		.arg(number(r.diskRadius, 6), number(r.quality.meanEdgeLen, 6), QString::number(r.seed));
+		.arg(lengthText(r.diskRadius, r), lengthText(r.quality.meanEdgeLen, r),
+			 QString::number(r.seed));
 }
 
-QString qualityLine(const gpr::QualityFigures& q)
+QString qualityLine(const gpr::QualityFigures& q, const char* when = "Quality")
 {
-	return QStringLiteral("Quality: mean 2r/R %1, mean aspect ratio %2, angles %3 to %4 degrees, "
+	return QString::fromUtf8(when) +
+		   QStringLiteral(": mean 2r/R %1, mean aspect ratio %2, angles %3 to %4 degrees, "
 						  "%5 % of the faces below 30 degrees")
-		.arg(fixed(q.radiusRatioMean, 4), fixed(q.aspectRatioMean, 4), fixed(q.minAngleDeg, 1),
-			 fixed(q.maxAngleDeg, 1), number(q.below30Percent, 3));
+			   .arg(fixed(q.radiusRatioMean, 4), fixed(q.aspectRatioMean, 4),
+					fixed(q.minAngleDeg, 1), fixed(q.maxAngleDeg, 1), number(q.below30Percent, 3));
 }
 
 /// "Cleaned: 3 duplicate faces, ..."; empty where there was nothing to clean.
@@ -179,12 +197,15 @@ std::vector<std::string> withoutEmpty(const QStringList& lines)
 
 } // namespace
 
-std::vector<std::string> remeshingLines(const gpr::RemeshResult& result)
+std::vector<std::string> remeshingLines(const gpr::RemeshResult&   result,
+										const gpr::QualityFigures& before)
 {
 	const gpr::RemeshReport& r = result.report;
-	return withoutEmpty(firstLines(result) << countsLine("Remeshed", r) << topologyLine(r)
-										   << radiusLine(r) << qualityLine(r.quality)
-										   << auditLine(r.audit) << checkLine(r) << timeLine(r));
+	return withoutEmpty(firstLines(result)
+						<< countsLine("Remeshed", r) << untouchedLine(r) << topologyLine(r)
+						<< radiusLine(r) << qualityLine(before, "Quality before")
+						<< qualityLine(r.quality, "Quality after") << auditLine(r.audit)
+						<< checkLine(r) << timeLine(r));
 }
 
 std::vector<std::string> featureLines(const gpr::FeatureResult& result)

@@ -12,7 +12,9 @@ namespace gpr_filter {
 // What a finished run tells in MeshLab's log, one entry a line: notes, what was cleaned, bounds
 // reached, what came out of what, seconds by stage.
 
-std::vector<std::string> remeshingLines(const gpr::RemeshResult& result);
+/// before: of the mesh as it was.
+std::vector<std::string> remeshingLines(const gpr::RemeshResult&   result,
+										const gpr::QualityFigures& before);
 std::vector<std::string> samplingLines(const gpr::SamplingResult& result);
 std::vector<std::string> featureLines(const gpr::FeatureResult& result);
 /// Also how many samples were off the surface and how far, and what became of all of them.

@@ -25,8 +25,19 @@ inline void updateBoxAndNormals(MeshModel& layer)
 	layer.UpdateBoxAndNormals();
 }
 
-/// Forgets pictures that are kept beside the mesh: none are here.
-inline void dropTextures(MeshModel&) {}
+/// Forgets the names of pictures; the pictures themselves are not kept beside the mesh.
+inline void dropTextures(MeshModel& layer)
+{
+	layer.cm.textures.clear();
+	layer.cm.normalmaps.clear();
+}
+
+/// Gives a layer the textures of another one.
+inline void copyTextures(const MeshModel& from, MeshModel& to)
+{
+	to.cm.textures   = from.cm.textures;
+	to.cm.normalmaps = from.cm.normalmaps;
+}
 
 } // namespace gpr_filter
 

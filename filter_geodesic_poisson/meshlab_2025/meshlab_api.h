@@ -29,10 +29,20 @@ inline void updateBoxAndNormals(MeshModel& layer)
 	layer.updateBoxAndNormals();
 }
 
-/// Forgets pictures that are kept beside the mesh.
+/// Forgets pictures, which are kept beside the mesh, and their names.
 inline void dropTextures(MeshModel& layer)
 {
 	layer.clearTextures();
+	layer.cm.normalmaps.clear();
+}
+
+/// Gives a layer the textures of another one.
+inline void copyTextures(const MeshModel& from, MeshModel& to)
+{
+	for (const std::string& name : from.cm.textures) {
+		to.addTexture(name, from.getTexture(name));
+	}
+	to.cm.normalmaps = from.cm.normalmaps;
 }
 
 } // namespace gpr_filter

@@ -113,7 +113,7 @@ TEST(FeatureFilter, SelectionIsARegionForTheRemeshing)
 	Document   document;
 	MeshModel& roof = addRoof(document);
 	ASSERT_TRUE(detect(document));
-	const auto copy = gpr_filter::copyLayer(roof.cm, {false, false, true});
+	const auto copy = gpr_filter::copyLayer(roof.cm, {false, true});
 	for (std::size_t v = 0; v < roof.cm.vert.size(); ++v)
 		ASSERT_EQ(copy.selected[v] != 0, onRidge(roof.cm.vert[v])) << v;
 }

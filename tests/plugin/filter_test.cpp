@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 #include <vcg/complex/algorithms/clean.h>
+#include <vcg/complex/algorithms/update/selection.h>
 #include <vcg_extras/core/remesh.h>
 
 namespace {
@@ -124,36 +125,147 @@ TEST(Filter, StaleDataIsGone)
 	Document   document;
 	MeshModel& ball = addBall(document);
 	using Allocator = vcg::tri::Allocator<CMeshO>;
-	Allocator::AddPerVertexAttribute<int>(ball.cm, "number");
-	Allocator::AddPerFaceAttribute<float>(ball.cm, "weight");
+	struct Unknown {
+		int a, b;
+	};
+	Allocator::AddPerVertexAttribute<Unknown>(ball.cm, "number");
+	Allocator::AddPerFaceAttribute<Unknown>(ball.cm, "weight");
 	Allocator::AddEdges(ball.cm, 1);
 	ball.cm.edge[0].V(0) = &ball.cm.vert[0];
 	ball.cm.edge[0].V(1) = &ball.cm.vert[1];
 	ball.cm.textures.push_back("wood.png");
 	ball.cm.face.EnableMark(); // as some filters do, behind the mask's back
 	ball.updateDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_VERTFACETOPO |
-						MeshModel::MM_WEDGTEXCOORD | MeshModel::MM_VERTTEXCOORD |
-						MeshModel::MM_FACECOLOR | MeshModel::MM_FACEQUALITY |
-						MeshModel::MM_VERTCURV | MeshModel::MM_VERTRADIUS);
+						MeshModel::MM_VERTCURV);
 	for (CFaceO& f : ball.cm.face) {
 		f.SetS();
 		f.SetF(1);
 	}
-	ball.cm.sfn = ball.cm.fn;
-	ASSERT_TRUE(apply(document, withCount(document, 600)));
+	ball.cm.sfn            = ball.cm.fn;
+	RichParameterList list = withCount(document, 600);
+	list.setValue("Selected", BoolValue(false));
+	ASSERT_TRUE(apply(document, list));
 
 	expectSoundMesh(ball.cm);
 	EXPECT_FALSE(ball.cm.face.IsFFAdjacencyEnabled() || ball.cm.face.IsVFAdjacencyEnabled());
-	EXPECT_FALSE(ball.cm.face.IsWedgeTexCoordEnabled() || ball.cm.vert.IsTexCoordEnabled());
-	EXPECT_FALSE(ball.cm.face.IsColorEnabled() || ball.cm.face.IsQualityEnabled());
-	EXPECT_FALSE(hasCurvature(ball.cm) || ball.cm.vert.IsRadiusEnabled());
-	EXPECT_FALSE(ball.hasDataMask(MeshModel::MM_WEDGTEXCOORD));
+	EXPECT_FALSE(hasCurvature(ball.cm) || ball.hasDataMask(MeshModel::MM_VERTCURV));
 	EXPECT_TRUE(ball.cm.vert_attr.empty() && ball.cm.face_attr.empty());
 	EXPECT_TRUE(ball.cm.edge.empty() && ball.cm.textures.empty());
-	EXPECT_TRUE(document.logText().contains("texture coordinates"));
+	EXPECT_TRUE(document.logText().contains("number, weight, curvature"));
 	// The host recomputes topology for the next filter.
 	ball.updateDataMask(MeshModel::MM_FACEFACETOPO | MeshModel::MM_FACEMARK);
 	EXPECT_EQ(vcg::tri::Clean<CMeshO>::CountNonManifoldEdgeFF(ball.cm), 0);
+}
+
+TEST(Filter, WhatFacesWedgesAndUsersHaveIsCarriedOver)
+{
+	for (const bool newLayer : {false, true}) {
+		Document   document;
+		MeshModel& sheet = addSheet(document);
+		CMeshO&    mesh  = sheet.cm;
+		sheet.updateDataMask(MeshModel::MM_WEDGTEXCOORD | MeshModel::MM_VERTTEXCOORD |
+							 MeshModel::MM_FACECOLOR | MeshModel::MM_FACEQUALITY |
+							 MeshModel::MM_VERTRADIUS);
+		using Allocator = vcg::tri::Allocator<CMeshO>;
+		auto height     = Allocator::AddPerVertexAttribute<float>(mesh, "height");
+		auto number     = Allocator::AddPerFaceAttribute<int>(mesh, "number");
+		for (CVertexO& v : mesh.vert) {
+			v.R() = height[v] = v.P()[0];
+			v.T().U()         = v.P()[1];
+		}
+		const auto isRight = [](const CFaceO& f) { return vcg::Barycenter(f)[0] > 0.5; };
+		const auto chart   = [](const Point3m& p, bool right) {
+            return right ? vcg::Point2f(1 - p[1] / 2, p[0] / 2) : vcg::Point2f(p[0] / 2, p[1] / 2);
+		};
+		for (CFaceO& f : mesh.face) {
+			number[f] = isRight(f) ? 7 : 3;
+			f.Q()     = Scalarm(number[f]);
+			f.C()     = isRight(f) ? vcg::Color4b::Red : vcg::Color4b::Blue;
+			for (int k = 0; k < 3; ++k)
+				f.WT(k).P() = chart(f.P(k), isRight(f));
+		}
+		mesh.textures.push_back("wood.png");
+		RichParameterList list = withCount(document, 400);
+		list.setValue("NewLayer", BoolValue(newLayer));
+		ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
+
+		MeshModel& result = *document->mm();
+		EXPECT_EQ(&result != &sheet, newLayer);
+		EXPECT_EQ(result.cm.vn, 400);
+		expectSoundMesh(result.cm);
+		ASSERT_TRUE(result.hasDataMask(MeshModel::MM_WEDGTEXCOORD));
+		ASSERT_TRUE(result.hasDataMask(MeshModel::MM_FACECOLOR));
+		EXPECT_EQ(result.cm.textures.size(), 1u);
+		height = Allocator::FindPerVertexAttribute<float>(result.cm, "height");
+		number = Allocator::FindPerFaceAttribute<int>(result.cm, "number");
+		ASSERT_TRUE(Allocator::IsValidHandle(result.cm, height));
+		ASSERT_TRUE(Allocator::IsValidHandle(result.cm, number));
+		for (CVertexO& v : result.cm.vert) {
+			ASSERT_NEAR(v.R(), v.P()[0], 1e-3);
+			ASSERT_NEAR(height[v], v.P()[0], 1e-3);
+			ASSERT_NEAR(v.T().U(), v.P()[1], 1e-3);
+		}
+		for (CFaceO& f : result.cm.face) {
+			ASSERT_EQ(number[f], isRight(f) ? 7 : 3);
+			ASSERT_EQ(f.Q(), Scalarm(number[f]));
+			ASSERT_EQ(f.C(), vcg::Color4b(isRight(f) ? vcg::Color4b::Red : vcg::Color4b::Blue));
+			for (int k = 0; k < 3; ++k)
+				ASSERT_LT(vcg::Distance(f.WT(k).P(), chart(f.P(k), isRight(f))), 1e-3);
+		}
+	}
+}
+
+TEST(Filter, TheSelectionIsRemeshedAndTheRestIsLeftAlone)
+{
+	Document             document;
+	MeshModel&           ball   = addBall(document);
+	const auto           isRest = [](const CFaceO& f) { return vcg::Barycenter(f)[0] < 0.05; };
+	std::vector<Point3m> rest;
+	for (CFaceO& f : ball.cm.face) {
+		if (!isRest(f)) f.SetS();
+		for (int k = 0; k < 3 && isRest(f); ++k)
+			rest.push_back(f.P(k));
+	}
+	ball.cm.sfn = ball.cm.fn - int(rest.size() / 3);
+	EXPECT_TRUE(defaults(document).getBool("Selected"));
+	EXPECT_LT(defaults(document).getInt("TargetVertexNum"), 700) << "a tenth of the selected ones";
+	ASSERT_TRUE(apply(document, withCount(document, 900))) << document.logText().toStdString();
+
+	ASSERT_EQ(std::size_t(ball.cm.fn), std::size_t(ball.cm.sfn) + rest.size() / 3);
+	for (std::size_t c = 0; c < rest.size(); ++c)
+		ASSERT_EQ(ball.cm.face[c / 3].P(int(c % 3)), rest[c]);
+	vcg::tri::UpdateSelection<CMeshO>::FaceClear(ball.cm);
+	ball.cm.sfn = 0;
+	expectSoundMesh(ball.cm);
+	ball.updateDataMask(MeshModel::MM_FACEFACETOPO);
+	EXPECT_EQ(vcg::tri::Clean<CMeshO>::CountNonManifoldEdgeFF(ball.cm), 0);
+	EXPECT_EQ(vcg::tri::Clean<CMeshO>::CountHoles(ball.cm), 0);
+}
+
+TEST(Filter, SelectedWithoutASelectionIsRefused)
+{
+	Document document;
+	addBall(document);
+	const Snapshot    before(document);
+	RichParameterList list = withCount(document, 500);
+	list.setValue("Selected", BoolValue(true));
+	EXPECT_FALSE(apply(document, list));
+	EXPECT_TRUE(document.logText().contains("no face is selected"));
+	EXPECT_TRUE(before == Snapshot(document));
+}
+
+TEST(Filter, WarnsOfATransformThatScalesUnevenly)
+{
+	Document   document;
+	MeshModel& sheet = addSheet(document);
+	ASSERT_TRUE(apply(document, withCount(document, 400)));
+	sheet.cm.Tr.SetScale(2, 2, 2);
+	ASSERT_TRUE(apply(document, withCount(document, 300)));
+	EXPECT_FALSE(document.logText().contains("scales unevenly"));
+	sheet.cm.Tr.SetScale(2, 2, 3);
+	ASSERT_TRUE(apply(document, withCount(document, 200)));
+	EXPECT_TRUE(document.logText().contains("scales unevenly"));
+	EXPECT_EQ(sheet.cm.Tr[2][2], 3);
 }
 
 TEST(Filter, DeletedElementsAreSkipped)

@@ -134,15 +134,18 @@ void expectSoundMesh(CMeshO& mesh)
 }
 
 Snapshot::Snapshot(Document& document) :
-		_copy(gpr_filter::copyLayer(document->mm()->cm, {true, true, true})),
+		_copy(gpr_filter::copyLayer(document->mm()->cm, {true, true})),
 		_mask(document->mm()->dataMask()), _layers(document.layerNum()),
 		_currentId(document->mm()->id())
 {
+	for (const CVertexO& v : document->mm()->cm.vert) {
+		_colours.push_back(v.cC());
+	}
 }
 
 bool Snapshot::operator==(const Snapshot& o) const
 {
-	return _copy.sameGeometry(o._copy) && _copy.colours == o._copy.colours &&
+	return _copy.sameGeometry(o._copy) && _colours == o._colours &&
 		   _copy.qualities == o._copy.qualities && _copy.selected == o._copy.selected &&
 		   _mask == o._mask && _layers == o._layers && _currentId == o._currentId;
 }

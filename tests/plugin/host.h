@@ -66,8 +66,9 @@ public:
 	bool operator==(const Snapshot& o) const;
 
 private:
-	gpr_filter::LayerCopy _copy;
-	int                   _mask, _layers, _currentId;
+	gpr_filter::LayerCopy     _copy;
+	std::vector<vcg::Color4b> _colours;
+	int                       _mask, _layers, _currentId;
 };
 
 /// Lets a test do something while the filter runs: called with the percentage.

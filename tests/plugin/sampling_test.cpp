@@ -156,7 +156,7 @@ TEST(LayerCopy, SelectedAreVerticesOrElseCornersOfFaces)
 	Document   document;
 	MeshModel& sheet = addSheet(document);
 	sheet.cm.face[100].SetS();
-	const gpr_filter::LayerCopy copy = gpr_filter::copyLayer(sheet.cm, {false, false, true});
+	const gpr_filter::LayerCopy copy = gpr_filter::copyLayer(sheet.cm, {false, true});
 	std::vector<std::uint8_t>   wanted(sheet.cm.vert.size());
 	for (int k = 0; k < 3; ++k) {
 		wanted[vcg::tri::Index(sheet.cm, sheet.cm.face[100].cV(k))] = 1;
@@ -167,7 +167,7 @@ TEST(LayerCopy, SelectedAreVerticesOrElseCornersOfFaces)
 	sheet.cm.vert[7].SetS();
 	wanted.assign(sheet.cm.vert.size(), 0);
 	wanted[7] = 1;
-	EXPECT_EQ(gpr_filter::copyLayer(sheet.cm, {false, false, true}).selected, wanted);
+	EXPECT_EQ(gpr_filter::copyLayer(sheet.cm, {false, true}).selected, wanted);
 }
 
 } // namespace
