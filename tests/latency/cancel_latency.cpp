@@ -71,13 +71,15 @@ public:
 		return phases;
 	}
 
-	/// Seconds from a refusal to the end; the refusal comes when the k-th phase was asked n times.
+	/// Seconds from a refusal to the end; the refusal comes when the k-th phase was asked n times,
+	/// or in any later one; -1 where the run was faster and asked less often.
 	Moment cancel(std::size_t k, int n)
 	{
 		std::size_t phase = 0;
 		int         asked = 0;
 		std::string shown = "(start)";
 		Moment      refused;
+		bool        isRefused = false;
 		remesh([&](double, const char* phrase) {
 			if (shown != phrase) {
 				shown = phrase;
@@ -86,10 +88,11 @@ public:
 			}
 			++asked;
 			if (phase < k || (phase == k && asked < n)) return true;
-			refused = Moment::now();
+			refused   = Moment::now();
+			isRefused = true;
 			return false;
 		});
-		return Moment::now() - refused;
+		return isRefused ? Moment::now() - refused : Moment{-1, -1};
 	}
 
 private:
@@ -122,10 +125,11 @@ void run(int argc, char** argv)
 	const std::vector<Phase> phases = observer.observe();
 	for (std::size_t k = 0; k < phases.size(); ++k) {
 		const Phase& p     = phases[k];
-		const Moment ended = p.asked > 0 ? observer.cancel(k, (p.asked + 1) / 2) : Moment();
-		std::printf("%-36s %8.2f %6d %7.0f (%6.0f) %7.0f (%6.0f)\n", p.phrase.c_str(), p.seconds,
-					p.asked, 1e3 * p.longest.wall, 1e3 * p.longest.processor, 1e3 * ended.wall,
-					1e3 * ended.processor);
+		const Moment ended = p.asked > 0 ? observer.cancel(k, (p.asked + 2) / 3) : Moment();
+		std::printf("%-36s %8.2f %6d %7.0f (%6.0f)", p.phrase.c_str(), p.seconds, p.asked,
+					1e3 * p.longest.wall, 1e3 * p.longest.processor);
+		if (ended.wall >= 0) std::printf(" %7.0f (%6.0f)", 1e3 * ended.wall, 1e3 * ended.processor);
+		std::printf("\n");
 		std::fflush(stdout);
 	}
 }

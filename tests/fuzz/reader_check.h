@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef GPR_TESTS_FUZZ_READER_CHECK_H
+#define GPR_TESTS_FUZZ_READER_CHECK_H
+
+#include <string>
+#include <string_view>
+#include <vcg_extras/apps/gpremesh/exit_code.h>
+#include <vcg_extras/apps/gpremesh/mesh_data.h>
+
+namespace gpr::test {
+
+using Reader = app::InputMesh (*)(std::string_view);
+
+/// What is wrong with how a file was read, in words; empty where it is a mesh with all indices in
+/// range, or was refused as bad input with a sentence.
+inline std::string complaintsAbout(Reader read, std::string_view file)
+{
+	if (file.empty()) return ""; // told before any reader is called
+	try {
+		const app::InputMesh mesh = read(file);
+		if (mesh.triangles.size() % 3 != 0) return "a part of a triangle";
+		if ((mesh.floats.size() + mesh.doubles.size()) % 3 != 0) return "a part of a vertex";
+		for (const std::int32_t v : mesh.triangles) {
+			if (v < 0 || std::size_t(v) >= mesh.vertexNum()) return "an index out of range";
+		}
+		return "";
+	}
+	catch (const app::AppError& error) {
+		if (error.code != app::ExitCode::BadInput) return error.what();
+		return error.what()[0] == '\0' ? "no sentence" : "";
+	}
+}
+
+} // namespace gpr::test
+
+#endif
