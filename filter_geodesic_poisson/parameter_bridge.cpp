@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameter_bridge.h"
 
+#include "parameter_api.h"
+
 #include <QString>
 #include <QStringList>
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
+#include <string>
 
 namespace gpr_filter {
 
@@ -25,7 +29,21 @@ QStringList textsOf(const std::vector<const char*>& choices)
 	return texts;
 }
 
-void addRow(const Parameter& row, const gpr::MeshFacts& facts, RichParameterList& list)
+/// A dialog of more rows than this does not fit on a screen and hides those of seldom use where it
+/// can; it does not scroll, and its buttons would be out of reach.
+constexpr std::size_t kMostRows = 14;
+
+bool ofEverydayUse(const Parameter& row)
+{
+	static const std::set<std::string> keys = {
+		"TargetVertexNum", "TargetPerc", "TargetLen", "MaxError", "Preset",      "Adapt",
+		"Features",        "Selected",   "Seed",      "NewLayer", "SampleLayer", "FeatureAngle",
+	};
+	return keys.count(row.key) != 0;
+}
+
+void addRow(const Parameter& row, const gpr::MeshFacts& facts, bool advanced,
+			RichParameterList& list)
 {
 	const ParameterValue value = row.defaultValue(facts);
 	const QString        key   = QString::fromUtf8(row.key);
@@ -35,21 +53,21 @@ void addRow(const Parameter& row, const gpr::MeshFacts& facts, RichParameterList
 	const Scalarm diagonal = facts.diagonal > 0 ? Scalarm(facts.diagonal) : 1;
 	switch (row.kind) {
 	case ParameterKind::Count:
-		list.addParam(RichInt(key, int(std::get<std::int64_t>(value)), label, help));
+		addParameter<RichInt>(list, advanced, key, int(std::get<std::int64_t>(value)), label, help);
 		break;
 	case ParameterKind::Number:
-		list.addParam(RichFloat(key, Scalarm(std::get<double>(value)), label, help));
+		addParameter<RichFloat>(list, advanced, key, Scalarm(std::get<double>(value)), label, help);
 		break;
 	case ParameterKind::Length:
-		list.addParam(
-			LengthParameter(key, Scalarm(std::get<double>(value)), 0, diagonal, label, help));
+		addParameter<LengthParameter>(list, advanced, key, Scalarm(std::get<double>(value)),
+									  Scalarm(0), diagonal, label, help);
 		break;
 	case ParameterKind::Switch:
-		list.addParam(RichBool(key, std::get<bool>(value), label, help));
+		addParameter<RichBool>(list, advanced, key, std::get<bool>(value), label, help);
 		break;
 	case ParameterKind::Choice:
-		list.addParam(
-			RichEnum(key, int(std::get<std::int64_t>(value)), textsOf(row.choices), label, help));
+		addParameter<RichEnum>(list, advanced, key, int(std::get<std::int64_t>(value)),
+							   textsOf(row.choices), label, help);
 		break;
 	}
 }
@@ -120,7 +138,7 @@ void fillParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts
 					   RichParameterList& list)
 {
 	for (const Parameter& row : table) {
-		addRow(row, facts, list);
+		addRow(row, facts, table.size() > kMostRows && !ofEverydayUse(row), list);
 	}
 }
 

@@ -14,7 +14,8 @@
 namespace gpr_filter {
 
 /// Adds one MeshLab parameter for each row of the table, in the table's order, with its default for
-/// a mesh of these facts. Lengths range from 0 to the diagonal.
+/// a mesh of these facts. Lengths range from 0 to the diagonal. Of a long table, rows of seldom use
+/// are marked as advanced where MeshLab knows that.
 void fillParameterList(const std::vector<gpr::Parameter>& table, const gpr::MeshFacts& facts,
 					   RichParameterList& list);
 
