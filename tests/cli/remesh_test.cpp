@@ -80,6 +80,50 @@ TEST_F(Remesh, EveryInputFormatGivesASphere)
 	}
 }
 
+/// An ASCII file whose faces are selected where x is above 0.
+std::string halfSelectedPly(const TestMesh& mesh)
+{
+	std::string text = "ply\nformat ascii 1.0\nelement vertex " +
+					   std::to_string(mesh.points.size()) +
+					   "\nproperty double x\nproperty double y\nproperty double z\nelement face " +
+					   std::to_string(mesh.faces.size()) +
+					   "\nproperty list uchar int vertex_indices\nproperty uchar selected\n"
+					   "end_header\n";
+	for (const auto& p : mesh.points)
+		text += digits(p[0]) + " " + digits(p[1]) + " " + digits(p[2]) + "\n";
+	for (const auto& f : mesh.faces) {
+		double x = 0;
+		for (const int v : f)
+			x += mesh.points[std::size_t(v)][0];
+		text += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " +
+				std::to_string(f[2]) + (x > 0 ? " 1\n" : " 0\n");
+	}
+	return text;
+}
+
+TEST_F(Remesh, OnlyTheSelectedFaces)
+{
+	const TestMesh in = sphere(24);
+	const TestMesh out =
+		remeshed("half.ply", halfSelectedPly(in), {"--selected", "--vertices", "500"});
+	expectManifold(out);
+	EXPECT_EQ(eulerCharacteristic(out), 2);
+	std::size_t next = 0;
+	for (const auto& f : in.faces) {
+		double x = 0;
+		for (const int v : f)
+			x += in.points[std::size_t(v)][0];
+		if (x > 0) continue;
+		for (std::size_t k = 0; k < 3; ++k)
+			ASSERT_EQ(out.points[std::size_t(out.faces[next][k])], in.points[std::size_t(f[k])]);
+		++next;
+	}
+	EXPECT_GT(next, 1000u);
+	EXPECT_LT(out.faces.size(), in.faces.size());
+	expectFailure(run({"remesh", put("none.ply", asciiPly(in)), path("out.ply"), "--selected"}), 3,
+				  "selected");
+}
+
 TEST_F(Remesh, SameMeshFromEveryExactFormat)
 {
 	// Coordinates with all digits: how they were stored must not matter.
