@@ -24,10 +24,12 @@ BlockPartition cutIntoBlocks(const Surface& surface, float minCellSize, Workers&
 
 	const std::vector<int> begins =
 		workers.collect<int>(m.vertexNum, [&](std::size_t from, std::size_t to, auto& out) {
+			constexpr std::uint64_t none = ~std::uint64_t(0); // no cell has this number
+			std::uint64_t before = from == 0 ? none : grid.cell(m.position[from - 1], level);
 			for (std::size_t v = from; v < to; ++v) {
-				const bool isFirst = v == 0 || grid.cell(m.position[v], level) !=
-												   grid.cell(m.position[v - 1], level);
-				if (isFirst) out.push_back(int(v));
+				const std::uint64_t here = grid.cell(m.position[v], level);
+				if (here != before) out.push_back(int(v));
+				before = here;
 			}
 		});
 
