@@ -31,6 +31,10 @@ constexpr int mostTrials = 4;
 /// surface, and changes one by one mend nothing.
 constexpr std::size_t mostPoor      = 500;
 constexpr float       mostPoorShare = 0.01f;
+/// Faces that are tried in all, and one more for so many faces of the mesh: what takes long on a
+/// rough surface is hopeless mostly, and the sharpest come first.
+constexpr std::int64_t mostTries       = 2000;
+constexpr std::int64_t facesForOneMore = 200;
 /// Vertices of the input that are looked at in a cell.
 constexpr int mostInCell = 64;
 /// Lengths of steps, of the mean edge round the vertex.
@@ -67,7 +71,8 @@ public:
 	{
 	}
 
-	/// False if there was no end of crossing faces and nothing is changed.
+	/// False if not all could be tried, or if there was no end of crossing faces and nothing is
+	/// changed.
 	bool run()
 	{
 		start_.vertex = r_.vertex;
@@ -77,7 +82,7 @@ public:
 		const std::int64_t flipNum = r_.flipNum;
 		for (int trial = 0; trial < mostTrials; ++trial) {
 			mendAll();
-			if (!blockNewlyCrossing()) return true;
+			if (!blockNewlyCrossing()) return triesLeft_ > 0;
 			restore(flipNum);
 		}
 		return false;
@@ -99,6 +104,7 @@ private:
 	std::vector<char> touched_; ///< vertices that moved or whose faces were flipped
 	std::vector<char> blocked_; ///< vertices that are left alone
 	std::vector<int>  poor_;    ///< faces, ascending
+	std::int64_t      triesLeft_ = 0;
 	std::vector<int>  changed_; ///< vertices touched since these were looked for
 
 	void restore(std::int64_t flipNum)
@@ -142,6 +148,7 @@ private:
 
 	void mendAll()
 	{
+		triesLeft_ = mostTries + m_.faceNum / facesForOneMore;
 		touched_.assign(m_.vertexNum, 0);
 		poor_   = findPoorFaces(m_, angle_, workers_);
 		normal_ = Buffer<Vec3f>(startNormal_.size());
@@ -159,7 +166,10 @@ private:
 			bool better = false;
 			for (int f : sharpestFirst(m_, poor_)) {
 				workers_.poll();
-				if (smallestAngle(m_, f) < angle_) better = mend(f) || better;
+				if (smallestAngle(m_, f) >= angle_) continue;
+				if (triesLeft_ == 0) return;
+				--triesLeft_;
+				better = mend(f) || better;
 			}
 			if (!better) return;
 		}

@@ -25,9 +25,10 @@ namespace gpr {
 /// times, then not at all.
 ///
 /// Nothing is done where more than 500 triangles and 1 % of all are poor. Returns false if all was
-/// withdrawn. Needs a mesh without dead faces; cells, if given, of its faces. Cost: a pass over the
-/// angles; where some are poor the few faces concerned, the boxes of a search for crossing faces,
-/// and one finding of cells unless they are given.
+/// withdrawn, or if there were too many tries: 2000, and one for each 200 triangles. Needs a mesh
+/// without dead faces; cells, if given, of its faces. Cost: a pass over the angles; where some are
+/// poor the few faces concerned, the boxes of a search for crossing faces, and one finding of cells
+/// unless they are given.
 bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
 				ResultMesh& result, Workers& workers, std::unique_ptr<Cells> cells = nullptr);
 
