@@ -34,7 +34,7 @@ constexpr float       mostPoorShare = 0.01f;
 /// Faces that are tried in all, and one more for so many faces of the mesh: what takes long on a
 /// rough surface is hopeless mostly, and the sharpest come first.
 constexpr std::int64_t mostTries       = 2000;
-constexpr std::int64_t facesForOneMore = 200;
+constexpr std::int64_t facesForOneMore = 2000;
 /// Vertices of the input that are looked at in a cell.
 constexpr int mostInCell = 64;
 /// Lengths of steps, of the mean edge round the vertex.

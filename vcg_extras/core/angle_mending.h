@@ -25,7 +25,7 @@ namespace gpr {
 /// times, then not at all.
 ///
 /// Nothing is done where more than 500 triangles and 1 % of all are poor. Returns false if all was
-/// withdrawn, or if there were too many tries: 2000, and one for each 200 triangles. Needs a mesh
+/// withdrawn, or if there were too many tries: 2000, and one for each 2000 triangles. Needs a mesh
 /// without dead faces; cells, if given, of its faces. Cost: a pass over the angles; where some are
 /// poor the few faces concerned, the boxes of a search for crossing faces, and one finding of cells
 /// unless they are given.
