@@ -76,7 +76,8 @@ void makeMesh(const Wishes& wishes)
 	TriangleMesh mesh;
 	if (!bench::makeBuiltIn(wishes.base, wishes.faceNum, mesh))
 		mesh = growMesh(readBase(wishes.base), wishes.faceNum, wishes.growth);
-	app::writeMesh(mesh, false, wishes.out, [] { return false; });
+	app::MeshAttributes none;
+	app::writeMesh(mesh, false, none, wishes.out, [] { return false; });
 	std::printf("%zu vertices, %zu faces\n", mesh.vertexNum(), mesh.faceNum());
 }
 

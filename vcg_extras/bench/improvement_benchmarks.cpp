@@ -96,10 +96,11 @@ void fit(benchmark::State& state, StagedRun& run, Workers& workers)
 
 void angleMending(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	constexpr float angleDeg = 32;
-	const Surface&  surface  = run.prepared().surface;
+	constexpr float       angleDeg = 32;
+	const Surface&        surface  = run.prepared().surface;
+	const BoundaryCurves& curves   = run.sampled().boundary;
 	timeChange(state, run.improved().fitted,
-			   [&](ResultMesh& result) { mendAngles(surface, angleDeg, result, workers); });
+			   [&](ResultMesh& result) { mendAngles(surface, curves, angleDeg, result, workers); });
 }
 
 void auditResult(benchmark::State& state, StagedRun& run, Workers& workers)

@@ -30,7 +30,8 @@ void run(const std::string& method, const std::string& in, const std::string& ou
 {
 	const app::PeerResult result = simplified(method, in, faceNum);
 	if (!result.failure.empty()) throw std::runtime_error(result.failure);
-	app::writeMesh(result.mesh, false, out, [] { return false; });
+	app::MeshAttributes none;
+	app::writeMesh(result.mesh, false, none, out, [] { return false; });
 	std::printf("{\"seconds\": %.6f, \"vertices\": %zu, \"faces\": %zu}\n", result.seconds,
 				result.mesh.vertexNum(), result.mesh.faceNum());
 }

@@ -23,7 +23,7 @@ void cutBlocks(benchmark::State& state, StagedRun& run, Workers& workers)
 void boundaryCurves(benchmark::State& state, StagedRun& run, Workers&)
 {
 	const Prepared& p = run.prepared();
-	timeEach(state, [&] { return sampleCurves(p, p.radius); });
+	timeEach(state, [&] { return sampleCurves(p, p.radius, BoundaryMode::Resample); });
 }
 
 void frontSampling(benchmark::State& state, StagedRun& run, Workers& workers)
