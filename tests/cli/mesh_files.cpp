@@ -254,7 +254,11 @@ TestMesh parseWrittenPly(const std::string& file, std::string& precision)
 		header >> word >> name;
 		if (word == "list") {
 			header >> word >> name;
-			if (name != "vertex_indices") throw std::runtime_error("a list in the written PLY");
+			// A face's texture coordinates are always a pair for each corner.
+			if (name == "texcoord")
+				extra[element] += 1 + 6 * 4;
+			else if (name != "vertex_indices")
+				throw std::runtime_error("a list in the written PLY");
 		}
 		else if (name == "x" || name == "y" || name == "z") {
 			precision = word;
