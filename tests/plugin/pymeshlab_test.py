@@ -28,12 +28,20 @@ GPREMESH = os.environ.get("GPR_GPREMESH", "")
 REMESHING, SAMPLING, RETRIANGULATION, FEATURES = gpremesh_pymeshlab.FILTERS
 
 
+def setUpModule():
+    shutil.rmtree(WORK, ignore_errors=True)
+    WORK.mkdir(parents=True)
+
+
 def made(task):
-    """A mesh of the tests' own tool, as a file."""
+    """A mesh of the tests' own tool, as a file, with nothing selected."""
     path = WORK / (task + ".ply")
     if not path.exists():
-        WORK.mkdir(parents=True, exist_ok=True)
-        subprocess.run([os.environ["GPR_MESH_TOOL"], task, str(path)], check=True)
+        raw = WORK / "raw.ply"
+        subprocess.run([os.environ["GPR_MESH_TOOL"], task, str(raw)], check=True)
+        meshes = opened(raw)
+        meshes.set_selection_none()  # a filter's default is to do no more than what is selected
+        meshes.save_current_mesh(str(path))
     return str(path)
 
 
@@ -95,6 +103,15 @@ class FilterTest(PluginTest):
         again.meshing_geodesic_poisson_disk_remeshing(
             targetlen=pymeshlab.PureValue(length), preset=1, lambda_=1.5, sizing=1)
         self.assert_same(meshes, again)
+
+    def test_selected_faces_only(self):
+        meshes = opened(made("roof"))
+        meshes.compute_selection_by_condition_per_face(condselect="(x0 < 20)")
+        chosen = meshes.current_mesh().selected_face_number()
+        self.assertGreater(chosen, 0)
+        before = meshes.current_mesh().face_number()
+        meshes.meshing_geodesic_poisson_disk_remeshing(targetvertexnum=200)
+        self.assertGreaterEqual(meshes.current_mesh().face_number(), before - chosen)
 
     def test_refusal_tells_why_and_changes_nothing(self):
         meshes = opened(made("make"))
