@@ -89,4 +89,21 @@ const FilterText& textOf(gpr::Tool tool)
 	}
 }
 
+const char* scriptType(gpr::ParameterKind kind)
+{
+	switch (kind) {
+	case gpr::ParameterKind::Count:
+		return "RichInt";
+	case gpr::ParameterKind::Number:
+		return "RichFloat";
+	case gpr::ParameterKind::Length:
+		return "RichAbsPerc";
+	case gpr::ParameterKind::Switch:
+		return "RichBool";
+	case gpr::ParameterKind::Choice:
+		return "RichEnum";
+	}
+	return "";
+}
+
 } // namespace gpr_filter

@@ -20,6 +20,9 @@ struct FilterText {
 /// The text of the filter that stands for a tool.
 const FilterText& textOf(gpr::Tool tool);
 
+/// What all versions of MeshLab, and their .mlx scripts, call the type of a parameter.
+const char* scriptType(gpr::ParameterKind kind);
+
 } // namespace gpr_filter
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameter_bridge.h"
 
+#include "filter_text.h"
 #include "parameter_api.h"
 
 #include <QString>
@@ -72,30 +73,12 @@ void addRow(const Parameter& row, const gpr::MeshFacts& facts, bool advanced,
 	}
 }
 
-/// What all versions of MeshLab call the type of a parameter of this kind.
-const char* typeOf(ParameterKind kind)
-{
-	switch (kind) {
-	case ParameterKind::Count:
-		return "RichInt";
-	case ParameterKind::Number:
-		return "RichFloat";
-	case ParameterKind::Length:
-		return "RichAbsPerc";
-	case ParameterKind::Switch:
-		return "RichBool";
-	case ParameterKind::Choice:
-		return "RichEnum";
-	}
-	return "";
-}
-
 /// The row's value in a list that has it; nothing where it is of another type.
 /// Asked for the type first, because MeshLab asserts on the wrong one.
 std::optional<ParameterValue> find(const Parameter& row, const RichParameterList& list)
 {
 	const RichParameter& parameter = list.getParameterByName(QString::fromUtf8(row.key));
-	if (parameter.stringType() != typeOf(row.kind)) return std::nullopt;
+	if (parameter.stringType() != scriptType(row.kind)) return std::nullopt;
 	switch (row.kind) {
 	case ParameterKind::Switch:
 		return ParameterValue(parameter.value().getBool());

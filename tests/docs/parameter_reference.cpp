@@ -24,6 +24,7 @@ using gpr::ParameterKind;
 using gpr::ParameterValue;
 
 using gpr::Tool;
+using gpr_filter::scriptType;
 using gpr_filter::textOf;
 
 constexpr Tool tools[] = {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool,
@@ -74,23 +75,6 @@ std::string optionText(const Parameter& p)
 	if (std::string(p.option).empty()) return "–";
 	const std::string argument = p.argument;
 	return code(p.option + (argument.empty() ? "" : " " + argument));
-}
-
-const char* scriptType(ParameterKind kind)
-{
-	switch (kind) {
-	case ParameterKind::Count:
-		return "RichInt";
-	case ParameterKind::Number:
-		return "RichFloat";
-	case ParameterKind::Length:
-		return "RichAbsPerc";
-	case ParameterKind::Switch:
-		return "RichBool";
-	case ParameterKind::Choice:
-		return "RichEnum";
-	}
-	return "";
 }
 
 std::string rangeText(const Parameter& p)

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "staged_run.h"
 
-#include "mesh_copies.h"
-
 #include <vcg_extras/core/conformal_relaxation.h>
 #include <vcg_extras/core/delaunay_flips.h>
 #include <vcg_extras/core/exact_count.h>
@@ -136,13 +134,14 @@ const ImprovedStates& StagedRun::improved()
 	if (!improved_) {
 		const SampledState& s = sampled();
 		ImprovementSteps    steps(prepared(), s, workers_);
+		const auto          copy   = [&](const ResultMesh& r) { return copyResult(r, workers_); };
 		auto                states = std::make_unique<ImprovedStates>();
-		states->flipped            = steps.flipped(copyOf(s.mesh));
-		states->counted            = steps.counted(copyOf(states->flipped));
-		states->glided             = steps.glided(copyOf(states->counted));
-		states->conformal = steps.conformal(copyOf(states->glided), options_.relaxIterations);
-		states->raised    = steps.raised(copyOf(states->conformal));
-		states->fitted    = steps.fitted(copyOf(states->raised));
+		states->flipped            = steps.flipped(copy(s.mesh));
+		states->counted            = steps.counted(copy(states->flipped));
+		states->glided             = steps.glided(copy(states->counted));
+		states->conformal = steps.conformal(copy(states->glided), options_.relaxIterations);
+		states->raised    = steps.raised(copy(states->conformal));
+		states->fitted    = steps.fitted(copy(states->raised));
 		improved_         = std::move(states);
 	}
 	return *improved_;

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace gpr {
 
@@ -75,15 +76,13 @@ public:
 	/// changed.
 	bool run()
 	{
-		start_.vertex = r_.vertex;
-		start_.mesh   = copyMesh(m_, workers_);
-		startNormal_  = smoothNormals(surface_, r_, workers_);
+		start_       = copyResult(r_, workers_);
+		startNormal_ = smoothNormals(surface_, r_, workers_);
 		blocked_.assign(m_.vertexNum, 0);
-		const std::int64_t flipNum = r_.flipNum;
 		for (int trial = 0; trial < mostTrials; ++trial) {
 			mendAll();
 			if (!blockNewlyCrossing()) return triesLeft_ > 0;
-			restore(flipNum);
+			r_ = copyResult(start_, workers_);
 		}
 		return false;
 	}
@@ -106,13 +105,6 @@ private:
 	std::vector<int>  poor_;    ///< faces, ascending
 	std::int64_t      triesLeft_ = 0;
 	std::vector<int>  changed_; ///< vertices touched since these were looked for
-
-	void restore(std::int64_t flipNum)
-	{
-		r_.vertex  = start_.vertex;
-		r_.mesh    = copyMesh(start_.mesh, workers_);
-		r_.flipNum = flipNum;
-	}
 
 	/// Blocks what touched faces cross now. False if no face crosses another that did not before.
 	bool blockNewlyCrossing()
@@ -178,12 +170,11 @@ private:
 	/// Only faces that were poor, or that changed, can be poor now.
 	void lookAgain()
 	{
-		std::vector<int> faces = poor_;
-		for (int v : changed_)
-			forEachOutgoing(m_, v, [&](int h) { faces.push_back(h / 3); });
+		const std::vector<int> round = facesRound(m_, changed_);
+		std::vector<int>       faces;
+		std::set_union(poor_.begin(), poor_.end(), round.begin(), round.end(),
+					   std::back_inserter(faces));
 		changed_.clear();
-		std::sort(faces.begin(), faces.end());
-		faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
 		poor_.clear();
 		for (int f : faces) {
 			if (smallestAngle(m_, f) < angle_) poor_.push_back(f);
@@ -240,17 +231,6 @@ private:
 		Quality sum;
 		forEachOutgoing(m_, v, [&](int h) { addFace(h / 3, sum); });
 		return sum;
-	}
-
-	template <class Vertices>
-	std::vector<int> facesRound(const Vertices& vertices) const
-	{
-		std::vector<int> faces;
-		for (int v : vertices)
-			forEachOutgoing(m_, v, [&](int h) { faces.push_back(h / 3); });
-		std::sort(faces.begin(), faces.end());
-		faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-		return faces;
 	}
 
 	float squaredDistance(const Vec3f& p, int f) const
@@ -339,7 +319,7 @@ private:
 
 	bool step(int v, float reach, float edge, Quality& quality)
 	{
-		const std::vector<int> faces = facesRound(std::array<int, 1>{v});
+		const std::vector<int> faces = facesRound(m_, {v});
 		const float            far   = std::max(farthestFrom(faces), farthestOff * edge);
 		const Place            start = placeOf(v);
 		Place                  best  = start;
@@ -429,7 +409,7 @@ private:
 		}
 		const float edge = meanEdge(corners[0]);
 		if (gapOfDiagonals(h) > largestGap * edge) return false;
-		const std::vector<int> faces  = facesRound(corners);
+		const std::vector<int> faces  = facesRound(m_, {corners.begin(), corners.end()});
 		const Quality          before = patchQuality(faces);
 		const float            far    = std::max(farthestFrom(faces), farthestOff * edge);
 		std::array<Place, 4>   places;

@@ -57,7 +57,7 @@ public:
 	/// False: the cells are better left open, all of them.
 	bool run(const MeshFigures& input, ContractedCells& out)
 	{
-		findEmptyCells();
+		takeOverLabels();
 		orderCells();
 		markCellsThatAreNoDisks();
 		giveAwayCutOff();
@@ -66,10 +66,7 @@ public:
 		markStrayCurveSamples();
 		for (int round = 0; round < mostRounds; ++round) {
 			if (!openBadCells()) return false;
-			if (contract(out)) {
-				bool k = hasTopology(out.mesh, input);
-				return k;
-			}
+			if (contract(out)) return hasTopology(out.mesh, input);
 		}
 		return false;
 	}
@@ -81,7 +78,6 @@ private:
 	const BoundaryCurves& boundary_;
 	Workers&              workers_;
 	int                   sampleNum_;
-	int                   cellNum_ = 0;  ///< that are not empty
 	Buffer<int>           label_;        ///< per vertex of the surface: its cell's sample
 	Buffer<char>          owns_;         ///< per sample: whether it has a vertex
 	std::vector<int>      cellOrder_;    ///< samples with a cell, in the order of the surface
@@ -92,7 +88,7 @@ private:
 
 	int labelOf(int v) const { return label_[v]; }
 
-	void findEmptyCells()
+	void takeOverLabels()
 	{
 		owns_ = Buffer<char>(sampleNum_, 0);
 		label_.reset(m_.vertexNum);
@@ -112,7 +108,6 @@ private:
 		for (int s = 0; s < sampleNum_; ++s) {
 			if (owns_[s]) cellOrder_.push_back(s);
 		}
-		cellNum_ = int(cellOrder_.size());
 		std::sort(cellOrder_.begin(), cellOrder_.end(), [&](int a, int b) {
 			const int f = sampling_.samples[a].anchor.face, g = sampling_.samples[b].anchor.face;
 			return f != g ? f < g : a < b;
@@ -286,17 +281,17 @@ private:
 		for (int s = 0; s < sampleNum_; ++s)
 			open_[s] = open_[s] || bad_[s];
 		std::fill(bad_.begin(), bad_.end(), char(0));
-		const auto openNum = std::count(open_.begin(), open_.end(), char(1));
 		openVertices_ =
 			workers_.collect<int>(m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
 				for (int v = int(begin); v < int(end); ++v) {
 					if (isOpenVertex(v)) out.push_back(v);
 				}
 			});
-		return 2 * openNum <= cellNum_;
+		return 2 * openCellNum() <= std::int64_t(cellOrder_.size());
 	}
 
-	bool isOpenVertex(int v) const { return labelOf(v) < 0 || open_[labelOf(v)]; }
+	std::int64_t openCellNum() const { return std::count(open_.begin(), open_.end(), char(1)); }
+	bool         isOpenVertex(int v) const { return labelOf(v) < 0 || open_[labelOf(v)]; }
 
 	/// Makes the mesh. False if it is not manifold; the cells to blame are marked as bad.
 	bool contract(ContractedCells& out)
@@ -342,7 +337,7 @@ private:
 			out.label.push_back(labelOf(v));
 			out.surfaceVertex.push_back(v);
 		}
-		out.openCellNum = std::count(open_.begin(), open_.end(), char(1));
+		out.openCellNum = openCellNum();
 		chooseRepresentatives(out);
 	}
 

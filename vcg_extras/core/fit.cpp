@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace gpr {
 
@@ -127,7 +128,7 @@ public:
 		if (faces.empty()) return false;
 		// Only what is changed from here on needs to be looked at again.
 		mayCross_.assign(m_.faceNum, 0);
-		shortenFrom(badAmong(facesRound(shorten(faces, 0))));
+		shortenFrom(badAmong(facesRound(m_, shorten(faces, 0))));
 		return true;
 	}
 
@@ -182,7 +183,7 @@ private:
 	{
 		for (int i = 0; i < mostShortenings; ++i) {
 			if (bad.empty()) return true;
-			bad = badAmong(facesRound(shorten(bad, i < halvings ? 0.5f : 0.0f)));
+			bad = badAmong(facesRound(m_, shorten(bad, i < halvings ? 0.5f : 0.0f)));
 		}
 		if (bad.empty()) return true;
 		takeAllBack();
@@ -195,7 +196,8 @@ private:
 		std::vector<int> vertices;
 		for (int f : faces)
 			vertices.insert(vertices.end(), &m_.origin[3 * f], &m_.origin[3 * f] + 3);
-		sortUnique(vertices);
+		std::sort(vertices.begin(), vertices.end());
+		vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 		for (int v : vertices) {
 			shift_[v]      = shift_[v] * factor;
 			m_.position[v] = at(v);
@@ -203,21 +205,6 @@ private:
 		for (std::size_t i = 0; !mayCross_.empty() && i < vertices.size(); ++i)
 			forEachOutgoing(m_, vertices[i], [&](int h) { mayCross_[h / 3] = 1; });
 		return vertices;
-	}
-
-	std::vector<int> facesRound(const std::vector<int>& vertices) const
-	{
-		std::vector<int> faces;
-		for (int v : vertices)
-			forEachOutgoing(m_, v, [&](int h) { faces.push_back(h / 3); });
-		sortUnique(faces);
-		return faces;
-	}
-
-	static void sortUnique(std::vector<int>& list)
-	{
-		std::sort(list.begin(), list.end());
-		list.erase(std::unique(list.begin(), list.end()), list.end());
 	}
 
 	std::vector<int> findFlipped()
@@ -329,28 +316,27 @@ public:
 	}
 
 private:
-	const Surface&     surface_;
-	const FitSettings& settings_;
-	ResultMesh&        r_;
-	HalfEdgeMesh&      m_;
-	Workers&           workers_;
-	DistanceForm*      distance_ = nullptr; ///< of the round under way
-	Moves              moves_;
-	Buffer<Vec3f>      next_, velocity_;
-	Buffer<float>      mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
-	Buffer<float>      squaredEdge_; ///< of an equilateral triangle as large as the ones round it
-	Buffer<char>       free_;
+	const Surface&                surface_;
+	const FitSettings&            settings_;
+	ResultMesh&                   r_;
+	HalfEdgeMesh&                 m_;
+	Workers&                      workers_;
+	std::unique_ptr<DistanceForm> distance_; ///< while there are rounds
+	Moves                         moves_;
+	Buffer<Vec3f>                 next_, velocity_;
+	Buffer<float> mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
+	Buffer<float> squaredEdge_; ///< of an equilateral triangle as large as the ones round it
+	Buffer<char>  free_;
 
 	/// False if a round had to take all its moves back.
 	bool fitInRounds(std::unique_ptr<Cells>& cells)
 	{
-		bool         allKept = true;
-		DistanceForm distance(m_);
-		distance_ = &distance;
+		bool allKept = true;
+		distance_.reset(new DistanceForm(m_));
 		if (settings_.rounds > 0) cells.reset(new Cells(surface_, r_, workers_));
 		for (int round = 0; round < settings_.rounds; ++round) {
 			if (round > 0) cells->update(r_, workers_);
-			distance.assemble(surface_, *cells, workers_);
+			distance_->assemble(surface_, *cells, workers_);
 			startRound();
 			for (int step = 0; step < stepNum; ++step)
 				stepAll();
@@ -358,6 +344,7 @@ private:
 			allKept = moves_.shortenBad() && allKept;
 			followByAnchors();
 		}
+		distance_.reset(); // before the search for crossing faces needs memory
 		return allKept;
 	}
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "half_edge_mesh.h"
 
+#include <algorithm>
+
 namespace gpr {
 
 int HalfEdgeMesh::findHalfEdge(int a, int b) const
@@ -39,6 +41,16 @@ int HalfEdgeMesh::incomingBorder(int v) const
 	int last = -1;
 	forEachOutgoing(*this, v, [&](int h) { last = prevInFace(h); });
 	return last;
+}
+
+std::vector<int> facesRound(const HalfEdgeMesh& m, const std::vector<int>& vertices)
+{
+	std::vector<int> faces;
+	for (int v : vertices)
+		forEachOutgoing(m, v, [&](int h) { faces.push_back(h / 3); });
+	std::sort(faces.begin(), faces.end());
+	faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+	return faces;
 }
 
 } // namespace gpr

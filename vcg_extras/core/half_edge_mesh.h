@@ -7,6 +7,7 @@
 #include "vec.h"
 
 #include <cstddef>
+#include <vector>
 
 namespace gpr {
 
@@ -126,6 +127,9 @@ inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)
 		h = next;
 	}
 }
+
+/// The faces at any of the vertices, ascending.
+std::vector<int> facesRound(const HalfEdgeMesh& mesh, const std::vector<int>& vertices);
 
 } // namespace gpr
 

@@ -19,6 +19,20 @@ float angleBetween(const Vec3f& u, const Vec3f& v)
 
 } // namespace
 
+ResultMesh copyResult(const ResultMesh& result, Workers& workers)
+{
+	ResultMesh copy;
+	copy.mesh          = copyMesh(result.mesh, workers);
+	copy.vertex        = result.vertex;
+	copy.idealEdge     = result.idealEdge;
+	copy.flipNum       = result.flipNum;
+	copy.splitNum      = result.splitNum;
+	copy.collapseNum   = result.collapseNum;
+	copy.byCollapseNum = result.byCollapseNum;
+	copy.leftoverNum   = result.leftoverNum;
+	return copy;
+}
+
 void compactResult(ResultMesh& result)
 {
 	std::vector<int> newIndex;

@@ -5,6 +5,7 @@
 
 #include "disk_flood.h"
 #include "half_edge_mesh.h"
+#include "workers.h"
 
 #include <vector>
 
@@ -42,6 +43,9 @@ inline bool isFree(const ResultMesh& result, int v)
 {
 	return !result.vertex[v].isCorner && !result.mesh.isCurveVertex(v);
 }
+
+/// Results cannot be copied by accident. No room beyond the vertices and faces is copied.
+ResultMesh copyResult(const ResultMesh& result, Workers& workers);
 
 /// Drops dead faces and vertices (see mesh_edit.h) from mesh and vertex records.
 void compactResult(ResultMesh& result);

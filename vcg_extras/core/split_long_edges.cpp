@@ -22,12 +22,15 @@ struct EdgeRule {
 	float                maxSquared;
 	const Buffer<float>& size; ///< of each vertex, or empty
 
+	/// leastSize: the lesser one of the edge's ends; 1 where there are no sizes.
+	bool isLong(float squared, float leastSize) const
+	{
+		return squared > maxSquared * leastSize * leastSize;
+	}
 	bool isLong(const IndexedMesh& mesh, int a, int b) const
 	{
-		const float squared = squaredLength(mesh.position[a] - mesh.position[b]);
-		if (size.empty()) return squared > maxSquared;
-		const float least = std::min(size[a], size[b]);
-		return squared > maxSquared * least * least;
+		return isLong(squaredLength(mesh.position[a] - mesh.position[b]),
+					  size.empty() ? 1.0f : std::min(size[a], size[b]));
 	}
 	bool isLongFace(const IndexedMesh& mesh, int f) const
 	{
@@ -42,7 +45,7 @@ class Splitter {
 public:
 	/// size: empty, or one of each vertex.
 	Splitter(IndexedMesh& mesh, float maxLength, const Buffer<float>& size, std::int64_t maxFaces) :
-			mesh_(mesh), maxSquared_(maxLength * maxLength), size_(size), maxFaces_(maxFaces),
+			mesh_(mesh), rule_{maxLength * maxLength, size}, maxFaces_(maxFaces),
 			faceNum_(mesh.faceNum)
 	{
 	}
@@ -56,10 +59,8 @@ public:
 
 	bool isLong(int a, int b) const
 	{
-		const float squared = squaredLength(position(a) - position(b));
-		if (size_.empty()) return squared > maxSquared_;
-		const float size = std::min(sizeOf(a), sizeOf(b));
-		return squared > maxSquared_ * size * size;
+		return rule_.isLong(squaredLength(position(a) - position(b)),
+							std::min(sizeOf(a), sizeOf(b)));
 	}
 
 	void run(Workers& workers)
@@ -82,8 +83,7 @@ public:
 
 private:
 	IndexedMesh&                           mesh_;
-	float                                  maxSquared_;
-	const Buffer<float>&                   size_;
+	EdgeRule                               rule_;
 	std::int64_t                           maxFaces_;
 	std::int64_t                           faceNum_;
 	std::vector<Face>                      todo_;
@@ -99,7 +99,8 @@ private:
 
 	float sizeOf(int v) const
 	{
-		return v < mesh_.vertexNum ? size_[v] : addedSize_[v - mesh_.vertexNum];
+		if (rule_.size.empty()) return 1;
+		return v < mesh_.vertexNum ? rule_.size[v] : addedSize_[v - mesh_.vertexNum];
 	}
 
 	int midpointOf(int a, int b)
@@ -109,7 +110,7 @@ private:
 		if (found.second) {
 			found.first->second = mesh_.vertexNum + int(added_.size());
 			added_.push_back((position(a) + position(b)) * 0.5f);
-			if (!size_.empty()) addedSize_.push_back(0.5f * (sizeOf(a) + sizeOf(b)));
+			if (!rule_.size.empty()) addedSize_.push_back(0.5f * (sizeOf(a) + sizeOf(b)));
 		}
 		return found.first->second;
 	}
