@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_geodesic_poisson.h"
 
+#include "dialog_height.h"
 #include "filter_text.h"
 #include "layer_job.h"
 #include "parameter_bridge.h"
@@ -62,6 +63,8 @@ void FilterGeodesicPoisson::initParameterSet(QAction* action, MeshDocument& docu
 {
 	gpr_filter::fillParameterList(gpr::parametersOf(gpr::Tool(ID(action))),
 								  gpr_filter::factsOf(document), list);
+	// The host asks just before it shows the dialog; meshlabserver asks, too, and shows none.
+	gpr_filter::shortenDialogLater(filterName(ID(action)), this);
 }
 
 bool FilterGeodesicPoisson::applyFilter(QAction* action, MeshDocument& document,

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef FILTER_GEODESIC_POISSON_DIALOG_HEIGHT_H
+#define FILTER_GEODESIC_POISSON_DIALOG_HEIGHT_H
+
+// The dialogs of MeshLab 2020.09 show every parameter of a filter and do not scroll: where there
+// are many, Apply is below the end of the screen. To leave parameters out is no way: the scripts of
+// meshlabserver must have those of the dialog, no more and no less. So the dialog is changed.
+
+#include <QString>
+
+class QObject;
+
+namespace gpr_filter {
+
+/// Dialogs are made no higher than this, in pixels at 96 dpi, or than the screen allows.
+constexpr int kMostDialogHeight = 760;
+
+/// Makes the parameters of the dialog with this title scroll, where the dialog is too high; its
+/// buttons and the host's ways with its values stay. Does nothing where there is no such dialog, or
+/// one of another form. Not before the host has shown it.
+void shortenDialog(const QString& title);
+
+/// Calls shortenDialog() as soon as the host is done with what it does now, unless `alive` is gone.
+void shortenDialogLater(const QString& title, QObject* alive);
+
+} // namespace gpr_filter
+
+#endif
