@@ -3,10 +3,12 @@
 #include "command_line.h"
 
 #include "exit_code.h"
+#include "manual_page.h"
 #include "mesh_io.h"
 #include "table_options.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 
 namespace gpr::app {
@@ -125,6 +127,16 @@ CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 	return features;
 }
 
+/// For the build, which installs the page; --help does not show it.
+void addManualPage(CLI::App& app)
+{
+	const auto print = [&app] {
+		std::fputs(manualPage(app).c_str(), stdout);
+		throw CLI::Success();
+	};
+	app.add_flag_callback("--manual-page", print)->group("");
+}
+
 } // namespace
 
 CommandLine parseCommandLine(int argc, char** argv)
@@ -141,10 +153,11 @@ CommandLine parseCommandLine(int argc, char** argv)
 	CLI::App* const info     = addInfo(app, line);
 	CLI::App* const compare  = addCompare(app, line, given);
 	CLI::App* const features = addFeatures(app, line, given);
+	addManualPage(app);
 	try {
 		app.parse(argc, argv);
 	}
-	catch (const CLI::Success& wish) { // --help and --version
+	catch (const CLI::Success& wish) { // --help, --version and --manual-page
 		app.exit(wish);
 		return line;
 	}

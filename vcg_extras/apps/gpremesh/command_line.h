@@ -9,7 +9,7 @@
 namespace gpr::app {
 
 enum class Command {
-	None, ///< --help or --version: printed already
+	None, ///< --help, --version or --manual-page: printed already
 	Remesh,
 	Info,
 	Compare,

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "manual_page.h"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+#include <vector>
+
+namespace gpr::app {
+
+namespace {
+
+const char* const nameAndWhat =
+	".SH NAME\n"
+	"gpremesh \\- remesh triangle meshes with about\\-equilateral triangles\n";
+
+const char* const description =
+	".SH DESCRIPTION\n"
+	"Turns a dense triangle mesh, such as a scan, into one with about\\-equilateral triangles and\n"
+	"exactly as many vertices as asked for, fitted to the scan, sharp edges and borders kept.\n"
+	"Every result is checked before it is written; one that fails is withheld.\n"
+	".PP\n"
+	"The extension of a file decides about its format: PLY, OBJ, OFF or STL.\n"
+	"OUT is written beside its place and renamed when it is whole: after a failure a file that "
+	"was\n"
+	"there before is there still. The same input, options and seed give the same bytes, with any\n"
+	"number of threads.\n";
+
+const char* const examples =
+	".SH EXAMPLES\n"
+	".EX\n"
+	"gpremesh remesh scan.ply regular.ply \\-\\-vertices 20000\n"
+	"gpremesh remesh scan.ply regular.ply \\-\\-percent 5 \\-\\-report report.json\n"
+	"gpremesh remesh scan.ply close.ply \\-\\-adapt 1\n"
+	"gpremesh features part.ply strengths.ply\n"
+	"gpremesh compare scan.ply \\-\\-percent 10 \\-\\-html page\n"
+	"gpremesh info regular.ply\n"
+	".EE\n"
+	".SH SEE ALSO\n"
+	".BR meshlab (1),\n"
+	".BR meshlabserver (1)\n";
+
+/// Text as the formatter takes it: signs of its language are escaped, hyphens can be copied.
+std::string escaped(const std::string& text)
+{
+	std::string safe;
+	for (const char c : text) {
+		const bool lineBegins = safe.empty() || safe.back() == '\n';
+		if (lineBegins && (c == '.' || c == '\'')) safe += "\\&";
+		if (c == '-') safe += '\\';
+		safe += c == '\\' ? "\\e" : std::string(1, c);
+	}
+	return safe;
+}
+
+/// --help breaks its lines; here the formatter does.
+std::string flowing(std::string text)
+{
+	std::replace(text.begin(), text.end(), '\n', ' ');
+	return escaped(text) + "\n";
+}
+
+std::string upperCase(std::string text)
+{
+	for (char& c : text)
+		c = char(std::toupper((unsigned char) c));
+	return text;
+}
+
+/// Not those for the project's own use.
+bool isShown(const CLI::Option& option)
+{
+	return !option.get_group().empty();
+}
+
+std::vector<const CLI::Option*> optionsOf(const CLI::App& command, bool positional)
+{
+	return command.get_options([positional](const CLI::Option* option) {
+		return isShown(*option) && option->get_positional() == positional;
+	});
+}
+
+/// Positionals by their names, options by all of theirs and their argument's.
+std::string entry(const CLI::Option& option)
+{
+	std::string names;
+	for (const std::string& name : option.get_snames())
+		names += (names.empty() ? "\\-" : ", \\-") + name;
+	for (const std::string& name : option.get_lnames())
+		names += (names.empty() ? "\\-\\-" : ", \\-\\-") + escaped(name);
+	const bool  positional = option.get_positional();
+	std::string line       = "\\fB" + (positional ? option.get_name(true) : names) + "\\fR";
+	if (!positional && !option.get_type_name().empty())
+		line += " \\fI" + escaped(option.get_type_name()) + "\\fR";
+	return ".TP\n" + line + "\n" + flowing(option.get_description());
+}
+
+std::string entries(const CLI::App& command, bool positional)
+{
+	std::string text;
+	for (const CLI::Option* option : optionsOf(command, positional))
+		text += entry(*option);
+	return text;
+}
+
+std::string usage(const CLI::App& command)
+{
+	std::string line = "\\fBgpremesh " + command.get_name() + "\\fR [\\fIoptions\\fR]";
+	for (const CLI::Option* option : optionsOf(command, true))
+		line += " \\fI" + option->get_name(true) + "\\fR";
+	return line + "\n.br\n";
+}
+
+std::string chapter(const CLI::App& command)
+{
+	return ".SH \"" + upperCase(command.get_name()) + "\"\n" + flowing(command.get_description()) +
+		   entries(command, true) + entries(command, false);
+}
+
+/// The exit codes, as the last lines of --help have them: a number and words, maybe on two lines.
+std::string exitStatus(const std::string& footer)
+{
+	std::istringstream lines(footer);
+	std::string        text = ".SH EXIT STATUS\n", line;
+	std::getline(lines, line); // the heading
+	while (std::getline(lines, line)) {
+		std::istringstream words(line);
+		std::string        first, rest;
+		words >> first;
+		std::getline(words >> std::ws, rest);
+		const bool code = first.size() == 1 && std::isdigit((unsigned char) first[0]) != 0;
+		text += code ? ".TP\n\\fB" + first + "\\fR\n" + flowing(rest) : flowing(first + " " + rest);
+	}
+	return text;
+}
+
+} // namespace
+
+std::string manualPage(const CLI::App& program)
+{
+	const auto  commands = program.get_subcommands([](const CLI::App*) { return true; });
+	std::string synopsis = ".SH SYNOPSIS\n", chapters;
+	for (const CLI::App* command : commands) {
+		synopsis += usage(*command);
+		chapters += chapter(*command);
+	}
+	synopsis += "\\fBgpremesh \\-\\-help\\fR | \\fB\\-\\-version\\fR\n";
+	return std::string(".\\\" -*- coding: utf-8 -*-\n.TH GPREMESH 1 \"\" \"gpremesh ") +
+		   GPR_VERSION + "\" \"User Commands\"\n" + nameAndWhat + synopsis + description +
+		   chapters + exitStatus(commands.front()->get_footer()) + examples;
+}
+
+} // namespace gpr::app
