@@ -219,24 +219,53 @@ class ScriptTest(PluginTest):
 class LoadTest(unittest.TestCase):
     """What a user sees who takes the wrong plugin; the troubleshooting page has the same words."""
 
-    def expect_words(self, variable, words):
+    def expect_words(self, plugin, words):
+        with self.assertRaises(pymeshlab.PyMeshLabException) as caught:
+            pymeshlab.load_plugin(str(plugin))
+        self.assertIn(words, str(caught.exception))
+        page = (ROOT / "vcg_extras/docs/troubleshooting.md").read_text(encoding="utf-8")
+        self.assertIn(words.replace("`", "\\`"), page)
+
+    def plugin_in(self, variable):
         plugin = os.environ.get(variable)
         if not plugin or not os.path.exists(plugin):
             self.skipTest("no plugin in " + variable)
-        with self.assertRaises(pymeshlab.PyMeshLabException) as caught:
-            pymeshlab.load_plugin(plugin)
-        self.assertIn(words, str(caught.exception))
-        page = (ROOT / "vcg_extras/docs/troubleshooting.md").read_text(encoding="utf-8")
-        self.assertIn(words, page)
+        return plugin
+
+    def changed(self, *pair):
+        """Our plugin with other bytes in the place of some."""
+        content = pathlib.Path(self.plugin_in("GPREMESH_PLUGIN")).read_bytes()
+        self.assertIn(pair[0], content)
+        path = WORK / (self.id() + ".so")
+        path.write_bytes(content.replace(*pair))
+        return path
 
     def test_plugin_for_2020(self):
-        self.expect_words("GPR_PLUGIN_2020", "is not a MeshLab plugin")
+        self.expect_words(self.plugin_in("GPR_PLUGIN_2020"), "is not a MeshLab plugin")
 
     def test_plugin_with_floats(self):
-        self.expect_words("GPR_PLUGIN_FLOAT", "has different floating point precision from the running MeshLab version")
+        self.expect_words(self.plugin_in("GPR_PLUGIN_FLOAT"),
+                          "has different floating point precision from the running MeshLab version")
+
+    def test_plugin_for_2024(self):
+        self.expect_words(self.changed(b"2025.07d", b"2024.07d"),
+                          "has different version from the running MeshLab version")
+
+    def test_plugin_of_a_newer_system(self):
+        newer = self.changed(b"GLIBCXX_3.4.", b"GLIBCXX_9.4.")
+        self.expect_words(newer, "does not seem to be a Qt Plugin")
+        self.expect_words(newer, "version `GLIBC")
+
+    def test_cut_off(self):
+        path = WORK / "cut_off.so"
+        path.write_bytes(pathlib.Path(self.plugin_in("GPREMESH_PLUGIN")).read_bytes()[:5000])
+        self.expect_words(path, "is an invalid ELF object")
+
+    def test_no_such_file(self):
+        self.expect_words("nowhere.so", "does not exists")
 
     def test_loaded_twice(self):
-        self.expect_words("GPREMESH_PLUGIN", "has been already loaded")
+        self.expect_words(self.plugin_in("GPREMESH_PLUGIN"), "has been already loaded")
 
 
 class PackageTest(unittest.TestCase):
