@@ -182,21 +182,17 @@ void fillOutgoing(HalfEdgeMesh& m, const Buffer<int>& faceStart, Workers& worker
 		for (std::size_t v = begin; v < end; ++v)
 			m.outgoing[v] = faceStart[v] < faceStart[v + 1] ? 3 * faceStart[v] : -1;
 	});
-	workers.forRange(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		for (int f = int(begin); f < int(end); ++f) {
-			for (int h = 3 * f + 1; h < 3 * f + 3; ++h) {
+	const auto             beginsAnOwnFace = [&](int v) { return faceStart[v] < faceStart[v + 1]; };
+	const std::vector<int> border =
+		workers.collect<int>(m.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
+			for (int h = int(begin); h < int(end); ++h) {
 				const int v = m.origin[h];
-				if (faceStart[v] == faceStart[v + 1]) lowerTo(m.outgoing[v], h);
+				if (!beginsAnOwnFace(v)) lowerTo(m.outgoing[v], h);
+				if (m.opposite[h] < 0) out.push_back(h);
 			}
-		}
-	});
-	workers.forRange(m.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t h = begin; h < end; ++h) {
-			if (m.opposite[h] < 0) {
-				__atomic_store_n(&m.outgoing[m.origin[h]], int(h), __ATOMIC_RELAXED);
-			}
-		}
-	});
+		});
+	for (int h : border)
+		m.outgoing[m.origin[h]] = h;
 }
 
 /// Vertex normals by turning round every vertex, which also counts the corners seen: they are all

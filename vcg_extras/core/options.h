@@ -116,7 +116,7 @@ struct RemeshOptions {
 	bool          maxErrorIsPercent = false; ///< targetMaxError is in percent of the diagonal
 	bool          exactCount        = true;  ///< split and collapse until the count is hit exactly
 	bool          allowNearest    = false; ///< take the nearest reachable count instead of refusing
-	int           relaxIterations = 5;     ///< smoothing steps, 0 to 1000
+	int           relaxIterations = 3;     ///< smoothing steps, 0 to 1000
 	int           flipIterations  = 1000;  ///< passes of edge flips at most, each time; 0 to 1000
 	std::uint32_t seed            = 1;     ///< 0 = a fresh seed, told in the report
 	int           threads         = 0;     ///< 0 = one per core; never changes the result

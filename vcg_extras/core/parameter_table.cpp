@@ -266,10 +266,10 @@ void addStages(Table& t)
 			.p);
 	t.push_back(
 		row(RemeshTool, "RelaxIter", "--relax", "K", Kind::Count, "Relaxation steps",
-			"How often the vertices are moved by the smoothing, on the surface; 0 to 1000. 3 to 5 "
+			"How often the vertices are moved by the smoothing, on the surface; 0 to 1000. 3 "
 			"make the triangles regular, more change little.")
 			.range(0, 1000)
-			.byDefault(count<5>)
+			.byDefault(count<3>)
 			.store([](const Value& v, RemeshOptions& o) { o.relaxIterations = int(countOf(v)); })
 			.p);
 	t.push_back(

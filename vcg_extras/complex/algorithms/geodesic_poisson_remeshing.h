@@ -41,7 +41,7 @@ public:
 
 		bool exactCountFlag   = true;  ///< split and collapse until the count is met exactly
 		bool allowNearestFlag = false; ///< take the nearest reachable count instead of refusing
-		int  relaxIterNum     = 5;     ///< relaxation steps, 0 to 1000
+		int  relaxIterNum     = 3;     ///< relaxation steps, 0 to 1000
 
 		gpr::FeatureMode featureMode     = gpr::FeatureMode::Auto; ///< sharp edges to be kept
 		double           featureAngleDeg = 40; ///< from which edges are sharp, [5, 175]
