@@ -24,7 +24,7 @@ cache_dir() {
 }
 
 # Runs a program under a display of its own, drawn by software, away from the user's settings.
-# $1 is a folder for home and run-time files. The exit code is the program's: now and then xvfb-run
+# $1 is a folder for home and run-time files, $screen the display's size if not 1280x900. The exit code is the program's: now and then xvfb-run
 # fails at clearing away its own files, which is no matter.
 with_display() {
 	local state=$1
@@ -33,7 +33,7 @@ with_display() {
 	chmod 700 "$state/run"
 	rm -f "$state/exit_code"
 	env HOME="$state/home" XDG_RUNTIME_DIR="$state/run" LIBGL_ALWAYS_SOFTWARE=1 \
-		xvfb-run -a -s "-screen 0 1280x900x24 -nolisten tcp" \
+		xvfb-run -a -s "-screen 0 ${screen:-1280x900}x24 -nolisten tcp" \
 		sh -c 'code=$1; shift; "$@"; echo $? >"$code"' with_display "$state/exit_code" "$@" \
 		</dev/null || true
 	[ -s "$state/exit_code" ] || return 1

@@ -78,6 +78,7 @@ public:
 		window()->setMinimumSize(
 			width, std::min(_dialogHeight, _othersHeight + minimumSizeHint().height()));
 		window()->resize(width, _dialogHeight);
+		window()->installEventFilter(this);
 	}
 
 protected:
@@ -89,6 +90,7 @@ protected:
 			return true;
 		}
 		const bool seen = QScrollArea::eventFilter(object, event);
+		if (event->type() == QEvent::Resize && object == window()) fitDialogAgain();
 		// The help texts come and go beside the values.
 		const bool moved = event->type() == QEvent::LayoutRequest && object == widget();
 		if (moved && minimumWidth() != wantedWidth()) fitDialog();
@@ -97,6 +99,15 @@ protected:
 
 private:
 	int _dialogHeight, _othersHeight;
+
+	/// On a slow machine the window manager takes up the host's first, full height only after the
+	/// change, and with it overrides the change.
+	void fitDialogAgain()
+	{
+		const QScreen* const screen = window()->screen();
+		if (screen == nullptr || window()->height() <= screen->availableGeometry().height()) return;
+		QTimer::singleShot(0, this, [this] { fitDialog(); });
+	}
 
 	int wantedWidth() const
 	{

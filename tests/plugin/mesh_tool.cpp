@@ -5,6 +5,7 @@
 //   plugin_mesh_tool make OUT.ply        a bumpy torus, 12,800 vertices, float coordinates; vertex
 //                                        quality from 0 below to 1 above, some vertices and faces
 //                                        selected
+//   plugin_mesh_tool scan OUT.ply N      the same torus with 2 N x N vertices and nothing else
 //   plugin_mesh_tool roof OUT.ply        two square sheets of 41 x 41 vertices at a right angle
 //   plugin_mesh_tool ridge OUT.ply       the vertices where they meet
 //   plugin_mesh_tool same A.ply B.ply    ends with 0 where coordinates and faces are the same bits
@@ -162,6 +163,10 @@ int main(int argc, char** argv)
 		makeTorus(a, 160, 80);
 		addAttributes(a);
 		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2], mask) == 0 ? 0 : 1;
+	}
+	if (task == "scan" && argc == 4) {
+		makeTorus(a, 2 * std::stoi(argv[3]), std::stoi(argv[3]));
+		return vcg::tri::io::ExporterPLY<ToolMesh>::Save(a, argv[2]) == 0 ? 0 : 1;
 	}
 	if (task == "roof" && argc == 3) {
 		makeRoof(a, 40);

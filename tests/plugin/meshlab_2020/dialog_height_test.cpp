@@ -155,6 +155,18 @@ TEST(DialogHeight, TwiceIsOnce)
 	EXPECT_EQ(host.window().findChildren<QScrollArea*>().size(), 1);
 }
 
+// A slow window manager sets the full height that it was asked for at first.
+TEST(DialogHeight, ResizedBeyondTheScreenComesBack)
+{
+	HostDialog host(40);
+	gpr_filter::shortenDialog("Many rows");
+	QApplication::processEvents();
+	host.window().resize(host.window().width(), 3 * mostHeight());
+	QApplication::processEvents();
+	EXPECT_LE(host.window().height(), mostHeight());
+	EXPECT_TRUE(isInside(*host.apply, host.window()));
+}
+
 TEST(DialogHeight, HelpWidensAndIsShownInFull)
 {
 	HostDialog host(40);
