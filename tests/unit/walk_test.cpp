@@ -165,6 +165,35 @@ TEST(WalkAtAll, GoesNowhereByAZeroStep)
 	EXPECT_EQ(at.position, Vec3f(0.4f, 0.1f, 0));
 }
 
+/// Two corners of a face lie at one place, so that its normal says nothing.
+TEST(WalkAtAll, StaysInAFaceWithoutArea)
+{
+	TriangleMesh mesh;
+	mesh.positions       = {{0, 0, 0}, {1, 1, 0}, {1, 1, 0}, {0, 1, 0}};
+	mesh.triangles       = {0, 1, 2, 0, 2, 3};
+	const HalfEdgeMesh m = halfEdgesOf(mesh);
+	for (const Vec3f& step : {Vec3f(0.1f, 0.2f, 0.1f), Vec3f(0.2f, -0.1f, 0), Vec3f(3, 2, 1)}) {
+		Anchor at = {{0.5f, 0.5f, 0}, 0};
+		EXPECT_EQ(walk(m, at, step), WalkEnd::AtBorder);
+		EXPECT_EQ(at.position, Vec3f(0.5f, 0.5f, 0));
+	}
+}
+
+/// What rounding leaves of a needle's height turns its normal by some degrees.
+TEST_P(Walk, DoesNotLeaveANeedle)
+{
+	TriangleMesh mesh;
+	mesh.positions       = {{0.3, 0.1, 0.2}, {0.9, 0.8, 0.7}, {0.600001, 0.45, 0.45}};
+	mesh.triangles       = {0, 1, 2};
+	const HalfEdgeMesh m = halfEdgesOf(mesh);
+	for (int i = 0; i < 100; ++i) {
+		Anchor      at    = randomAnchor(m, random);
+		const Vec3f along = (m.position[1] - m.position[0]) * float(random.between(-0.5, 0.5));
+		walk(m, at, along);
+		ASSERT_LT(distanceToOwnFace(m, at), 1e-6);
+	}
+}
+
 TEST(WalkAtAll, EndsByItsBound)
 {
 	const HalfEdgeMesh m  = halfEdgesOf(icosphere(4));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "walk.h"
 
+#include "face_tree.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -97,6 +99,32 @@ Vec3f placeOn(const HalfEdgeMesh& m, const Exit& exit)
 	return a + (b - a) * (exit.right.y / (exit.right.y - exit.left.y));
 }
 
+/// How much the normal of the face that a walk begins in is to be trusted, by the sine of the angle
+/// at its first corner: rounding turns the normal by some 1e-7 over the sine.
+struct StartFace {
+	Vec3f a, b, c;
+	Vec3f cross;       ///< two areas times the unit normal
+	float squaredSine; ///< 0 where two corners coincide
+
+	StartFace(const HalfEdgeMesh& m, int f) :
+			a(m.position[m.origin[3 * f]]), b(m.position[m.origin[3 * f + 1]]),
+			c(m.position[m.origin[3 * f + 2]])
+	{
+		const float edges = squaredLength(b - a) * squaredLength(c - a);
+		cross             = gpr::cross(b - a, c - a);
+		squaredSine       = edges > 0 ? squaredLength(cross) / edges : 0;
+	}
+	bool hasArea() const { return squaredSine > 1e-10f; }
+
+	/// Takes rounding away, which in the plane of a needle is much.
+	Vec3f putBack(const Vec3f& p, const Vec3f& normal) const
+	{
+		constexpr float needle = 1e-6f;
+		if (squaredSine < needle) return nearestOnTriangle(p, a, b, c);
+		return p - normal * dot(p - a, normal);
+	}
+};
+
 } // namespace
 
 /// No face's normal is needed on the way, and one root a face: see Unfolded.
@@ -104,7 +132,9 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCross
 {
 	const float wanted = length(step);
 	if (!(wanted > 0)) return WalkEnd::Arrived;
-	const Vec3f normal = m.faceNormal(at.face);
+	const StartFace start(m, at.face);
+	if (!start.hasArea()) return WalkEnd::AtBorder;
+	const Vec3f normal = normalized(start.cross);
 	const Vec3f ahead  = tangential(step, normal);
 	const float flat   = length(ahead);
 	if (!(flat > 0)) return WalkEnd::Arrived;
@@ -112,9 +142,7 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCross
 	Exit        exit = exitOfFirstFace(m, at, u, cross(normal, u));
 	float       x    = exit.x();
 	if (x >= wanted) {
-		at.position     = at.position + u * wanted;
-		const Vec3f off = at.position - m.position[m.origin[3 * at.face]];
-		at.position     = at.position - normal * dot(off, normal); // takes rounding away
+		at.position = start.putBack(at.position + u * wanted, normal);
 		return WalkEnd::Arrived;
 	}
 

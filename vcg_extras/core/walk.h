@@ -19,7 +19,7 @@ struct Anchor {
 /// How a walk ended.
 enum class WalkEnd {
 	Arrived,
-	AtBorder, ///< stopped at the border or before a face without area
+	AtBorder, ///< stopped at the border, before a face without area or in one
 	Capped,   ///< more faces crossed than any sensible walk does
 };
 
