@@ -88,4 +88,20 @@ INSTANTIATE_TEST_SUITE_P(
 					  Shape{"noisySphere", roughSphere, 800, false}),
 	[](const auto& shape) { return shape.param.name; });
 
+/// Its creases lie one on the other and in a line, and hold faces without area.
+TEST(FoldedFlat, TrianglesHaveAnArea)
+{
+	for (const std::uint32_t seed : {1u, 2u}) {
+		Random       random(seed);
+		TriangleMesh flat = noisySphere(4, 0.1, random);
+		for (Vec3d& p : flat.positions)
+			p.z = 0;
+		RemeshOptions options;
+		options.targetPercent = 50;
+		const RemeshResult r  = remesh(flat.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_EQ(factsOf(r.mesh).complaints(), "");
+	}
+}
+
 } // namespace gpr::test

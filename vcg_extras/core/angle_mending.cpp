@@ -249,9 +249,9 @@ private:
 								 stride = 1 + num / mostInCell;
 			for (std::ptrdiff_t k = 0; k < num; k += stride) {
 				const Vec3f p       = surface_.mesh.position[cells_.begin(f)[k]];
-				float       nearest = HUGE_VALF;
-				for (int g : faces)
-					nearest = std::min(nearest, squaredDistance(p, g));
+				float       nearest = squaredDistance(p, f);
+				for (std::size_t i = 0; i < faces.size() && nearest > farthest; ++i)
+					nearest = std::min(nearest, squaredDistance(p, faces[i]));
 				farthest = std::max(farthest, nearest);
 			}
 		}

@@ -83,6 +83,11 @@ std::int64_t countDuplicateFaces(const HalfEdgeMesh& m)
 	return num;
 }
 
+bool hasNoArea(const HalfEdgeMesh& m, int f)
+{
+	return !(squaredLength(m.faceCross(f)) > 0);
+}
+
 void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, Findings& found)
 {
 	int badNum = 0;
@@ -91,7 +96,7 @@ void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, 
 	found.badEdges += badNum;
 	if (badNum > 0) return; // its corners may be no vertices
 	found.duplicates += isDuplicate(m, f);
-	if (!(squaredLength(m.faceCross(f)) > 0))
+	if (hasNoArea(m, f))
 		++found.zeroArea;
 	else
 		found.flipped += faceAgreement(m, smoothNormal, f) < 0;
@@ -141,6 +146,16 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 			   found.notFinite == 0 && a.duplicateFaces == 0 && a.componentsKept &&
 			   a.boundaryLoopsKept && a.eulerKept && (targetNum == 0 || a.countExact);
 	return a;
+}
+
+std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& m, Workers& workers)
+{
+	return workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		std::int64_t num = 0;
+		for (std::size_t f = begin; f < end; ++f)
+			num += hasNoArea(m, int(f));
+		return num;
+	});
 }
 
 std::string describeFailure(const AuditFigures& a)

@@ -20,6 +20,9 @@ namespace gpr {
 AuditFigures audit(const Surface& surface, const ResultMesh& result, const MeshFigures& input,
 				   const MeshFigures& output, std::int64_t targetNum, Workers& workers);
 
+/// Faces without area, which fail the audit. Cost: a parallel pass.
+std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& mesh, Workers& workers);
+
 /// What failed, as one sentence; empty if the audit passed.
 std::string describeFailure(const AuditFigures& figures);
 

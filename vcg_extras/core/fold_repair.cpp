@@ -19,6 +19,8 @@ constexpr float wantedAgreement = 0.3f;
 constexpr float badAgreement = 0.05f;
 /// Poor shapes cost a little, so that one fold is not bought with a needle.
 constexpr float wantedShape = 0.35f;
+/// Cost of a face without area: more than that of any two others, as no result may have one.
+constexpr float noArea = 8;
 /// A change must lower the cost by this.
 constexpr float leastGain = 0.01f;
 
@@ -79,9 +81,10 @@ private:
 	EditScratch           scratch_;
 	/// Trial moves cost most. Where more than single faces look wrong the triangles are hopelessly
 	/// large for the surface, and moving vertices one by one mends nothing.
-	bool              mayMove_ = true;
-	Buffer<Vec3f>     normal_;  ///< smooth normals of the vertices
-	std::vector<char> touched_; ///< vertices whose ring a change of this round altered
+	bool              mayMove_  = true;
+	bool              mayCrowd_ = false; ///< on curves, to part what lies at one place
+	Buffer<Vec3f>     normal_;           ///< smooth normals of the vertices
+	std::vector<char> touched_;          ///< vertices whose ring a change of this round altered
 
 	bool hasCorner(int f, const std::vector<char>& marked) const
 	{
@@ -117,7 +120,8 @@ private:
 
 	float costOf(const Corner& a, const Corner& b, const Corner& c) const
 	{
-		const Vec3f n         = cross(b.place - a.place, c.place - a.place);
+		const Vec3f n = cross(b.place - a.place, c.place - a.place);
+		if (!(squaredLength(n) > 0)) return noArea;
 		const Vec3f wanted    = a.normal + b.normal + c.normal;
 		const float scale     = length(n) * length(wanted);
 		const float agreement = scale > 0 ? dot(n, wanted) / scale : -1.0f;
@@ -139,6 +143,19 @@ private:
 
 	bool mend(int f)
 	{
+		Change best = bestChange(f);
+		if (best.kind == Change::None && !mayCollapse_ && !(squaredLength(m_.faceCross(f)) > 0)) {
+			forgetLinesAt(f);
+			mayCrowd_ = true;
+			best      = bestChange(f);
+			mayCrowd_ = false;
+		}
+		apply(best);
+		return best.kind != Change::None;
+	}
+
+	Change bestChange(int f)
+	{
 		Change best;
 		for (int h = 3 * f; h < 3 * f + 3; ++h) {
 			tryFlip(h, best);
@@ -147,8 +164,16 @@ private:
 			tryCollapse(h, best);
 			if (m_.opposite[h] >= 0) tryCollapse(m_.opposite[h], best);
 		}
-		apply(best);
-		return best.kind != Change::None;
+		return best;
+	}
+
+	/// Feature lines side by side on one straight line, as where a surface is folded flat, can hold
+	/// all edges of a face without area. A gap in a line is better than such a face.
+	void forgetLinesAt(int f)
+	{
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			if (m_.isCreaseEdge(h)) m_.crease[h] = m_.crease[m_.opposite[h]] = 0;
+		}
 	}
 
 	void tryFlip(int h, Change& best) const
@@ -205,7 +230,7 @@ private:
 		for (bool forward : {false, true}) {
 			for (float share : {0.1f, 0.25f, 0.5f, 0.75f}) {
 				const float step = (forward ? room.forward : -room.backward) * share;
-				if (!slideKeepsSpacing(r_, boundary_, v, room, step)) continue;
+				if (!mayCrowd_ && !slideKeepsSpacing(r_, boundary_, v, room, step)) continue;
 				const ResultVertex to = slid(surface_, boundary_, here, step);
 				offerMove(v, now, to.anchor, to.arc, best);
 			}

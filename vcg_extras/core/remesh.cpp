@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remesh.h"
 
+#include "audit.h"
 #include "error_goal.h"
 #include "exact_count.h"
 #include "failure.h"
@@ -64,12 +65,10 @@ public:
 		if (run_.options.featureMode == FeatureMode::Lines && !followsFeatureLines(run_.options))
 			out.notes.push_back(
 				"Feature lines are not followed where vertices are removed one by one.");
-		Meshed meshed = sampleAndImprove(p);
-		if (run_.options.exactCount && meshed.result.mesh.vertexNum != p.targetNum &&
-			run_.report.featureEdgeNum > 0) {
-			out.notes.push_back(
-				"The number of vertices could not be reached with feature lines, so "
-				"that there are none.");
+		Meshed            meshed = sampleAndImprove(p);
+		const std::string fault  = faultOfFeatureLines(p, meshed.result);
+		if (!fault.empty()) {
+			out.notes.push_back(fault + ", so that there are none.");
 			preparation_.forgetFeatureLines(p);
 			meshed = sampleAndImprove(p);
 		}
@@ -177,6 +176,18 @@ private:
 	std::string otherWay() const
 	{
 		return keepsBorder() ? "" : ", or have the region sampled by disks";
+	}
+
+	/// Why there had better be no feature lines, as the first half of a sentence; empty where all
+	/// is well.
+	std::string faultOfFeatureLines(const Prepared& p, const ResultMesh& result)
+	{
+		if (run_.report.featureEdgeNum == 0) return "";
+		if (run_.options.exactCount && result.mesh.vertexNum != p.targetNum)
+			return "The number of vertices could not be reached with feature lines";
+		if (zeroAreaFaceNum(result.mesh, run_.workers) > 0)
+			return "With feature lines some triangles would have no area";
+		return "";
 	}
 
 	/// Vertices to be kept leave no way to the count: the nearest one, where that may be.
