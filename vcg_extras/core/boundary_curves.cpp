@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <iterator>
 #include <map>
 #include <set>
@@ -75,13 +76,48 @@ int nextOnCrease(const HalfEdgeMesh& m, int h)
 	return next;
 }
 
+/// Both halves of every edge of a feature line, ascending, and which of them were passed. There are
+/// few of them: a pass over the marks, which memchr makes at the speed of memory, finds them, and
+/// no ring of the many other vertices is read.
+class CreaseEdges {
+public:
+	explicit CreaseEdges(const HalfEdgeMesh& m)
+	{
+		const char* const begin = m.crease.data();
+		const char* const end   = begin + m.crease.size();
+		const char*       at    = begin;
+		while (at < end && (at = static_cast<const char*>(std::memchr(at, 1, end - at))) != nullptr)
+			halfEdge_.push_back(int(at++ - begin));
+		seen_.assign(halfEdge_.size(), 0);
+		for (int h : halfEdge_)
+			vertex_.push_back(m.origin[h]);
+		std::sort(vertex_.begin(), vertex_.end());
+		vertex_.erase(std::unique(vertex_.begin(), vertex_.end()), vertex_.end());
+	}
+
+	const std::vector<int>& vertices() const { return vertex_; } ///< of feature lines, ascending
+	bool                    isSeen(int h) const { return seen_[indexOf(h)] != 0; }
+	void                    markSeen(int h) { seen_[indexOf(h)] = 1; }
+
+private:
+	std::vector<int>  halfEdge_, vertex_;
+	std::vector<char> seen_;
+
+	std::size_t indexOf(int h) const
+	{
+		return std::size_t(std::lower_bound(halfEdge_.begin(), halfEdge_.end(), h) -
+						   halfEdge_.begin());
+	}
+};
+
 /// From half-edge `first` to the next node, or once round.
-Curve traceChain(const HalfEdgeMesh& m, int first, std::vector<char>& seen)
+Curve traceChain(const HalfEdgeMesh& m, int first, CreaseEdges& edges)
 {
 	Curve c;
 	int   h = first;
 	while (true) {
-		seen[h] = seen[m.opposite[h]] = 1;
+		edges.markSeen(h);
+		edges.markSeen(m.opposite[h]);
 		addPoint(m, h, c);
 		const int end = m.target(h);
 		if (isNode(m, end)) {
@@ -102,12 +138,12 @@ std::vector<Curve> traceCreases(const HalfEdgeMesh& m)
 {
 	std::vector<Curve> curves;
 	if (!m.hasCreases()) return curves;
-	std::vector<char> seen(m.halfEdgeNum(), 0);
+	CreaseEdges edges(m);
 	for (bool fromNodes : {true, false}) {
-		for (int v = 0; v < m.vertexNum; ++v) {
+		for (int v : edges.vertices()) {
+			if (isNode(m, v) != fromNodes) continue;
 			forEachOutgoing(m, v, [&](int h) {
-				if (!m.isCreaseEdge(h) || seen[h] || isNode(m, v) != fromNodes) return;
-				curves.push_back(traceChain(m, h, seen));
+				if (m.isCreaseEdge(h) && !edges.isSeen(h)) curves.push_back(traceChain(m, h, edges));
 			});
 		}
 	}

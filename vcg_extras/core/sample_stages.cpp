@@ -96,13 +96,15 @@ BlockPartition SampleStages::cut(const Prepared& p, float radius)
 /// fixed number of the samples, however near to each other: the others get what they leave.
 float SampleStages::correctedRadius(const Prepared& p, const Sampling& sampling, float radius)
 {
-	constexpr float aim = 0.985f, near = 0.02f; // of the wanted number
+	constexpr float aim = 0.985f; // of the wanted number
+	// A few samples too many are soon merged and not worth another sampling.
+	constexpr float fewest = 0.98f, most = 1.035f;
 	constexpr float mostOnCurves = 0.7f;
 	if (!p.surface.mesh.hasCreases() && p.kept.empty()) return radius;
 	const float kept   = float(p.kept.size());
 	const float wanted = aim * float(p.targetNum) - kept;
 	const float share  = (float(sampling.samples.size()) - kept) / wanted;
-	if (!(wanted > 0) || std::abs(share - 1) <= near) return radius;
+	if (!(wanted > 0) || (share >= fewest && share <= most)) return radius;
 	const float onCurves = float(sampling.boundarySampleNum) - kept;
 	if (onCurves > mostOnCurves * (float(p.targetNum) - kept)) return radius;
 	if (p.kept.empty()) return radius * std::sqrt(share);
