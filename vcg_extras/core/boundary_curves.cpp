@@ -143,7 +143,8 @@ std::vector<Curve> traceCreases(const HalfEdgeMesh& m)
 		for (int v : edges.vertices()) {
 			if (isNode(m, v) != fromNodes) continue;
 			forEachOutgoing(m, v, [&](int h) {
-				if (m.isCreaseEdge(h) && !edges.isSeen(h)) curves.push_back(traceChain(m, h, edges));
+				if (m.isCreaseEdge(h) && !edges.isSeen(h))
+					curves.push_back(traceChain(m, h, edges));
 			});
 		}
 	}

@@ -258,10 +258,13 @@ private:
 	void markCellsOnCreases()
 	{
 		if (!m_.hasCreases()) return;
-		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
-			const int s = labelOf(m_.origin[h]);
-			if (m_.crease[h] && s >= 0) bad_[s] = 1;
-		}
+		workers_.forRange(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t h = begin; h < end; ++h) {
+				if (m_.crease[h] == 0) continue;
+				const int s = labelOf(m_.origin[h]);
+				if (s >= 0) storeRelaxed(bad_[s], char(1));
+			}
+		});
 	}
 
 	/// A curve's sample is stood for by a vertex of its own cell, or must be looked after.
@@ -301,11 +304,13 @@ private:
 		mesh.frame     = surface_.frame;
 		mesh.vertexNum = int(out.label.size());
 		mesh.position.reset(mesh.vertexNum);
-		for (int v = 0; v < mesh.vertexNum; ++v) {
-			const int u = out.surfaceVertex[v];
-			mesh.position[v] =
-				u >= 0 ? m_.position[u] : sampling_.samples[out.label[v]].anchor.position;
-		}
+		workers_.forRange(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v) {
+				const int u = out.surfaceVertex[v];
+				mesh.position[v] =
+					u >= 0 ? m_.position[u] : sampling_.samples[out.label[v]].anchor.position;
+			}
+		});
 		collectFaces(out, mesh);
 		Buffer<int>  faceStart;
 		Buffer<char> notManifold;
@@ -387,10 +392,12 @@ private:
 		mesh.faceNum = int(faces.size());
 		mesh.triangle.reset(3 * faces.size());
 		mesh.sourceFace.reset(faces.size());
-		for (std::size_t f = 0; f < faces.size(); ++f) {
-			std::copy(faces[f].begin(), faces[f].end(), &mesh.triangle[3 * f]);
-			mesh.sourceFace[f] = int(f);
-		}
+		workers_.forRange(faces.size(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t f = begin; f < end; ++f) {
+				std::copy(faces[f].begin(), faces[f].end(), &mesh.triangle[3 * f]);
+				mesh.sourceFace[f] = int(f);
+			}
+		});
 	}
 
 	std::vector<Triple> facesAtOpenVertices(const ContractedCells& out) const
@@ -442,19 +449,24 @@ private:
 	/// needs three faces.
 	bool markWrongBorders(const ContractedCells& out)
 	{
-		bool allRight = true;
-		for (int v = 0; v < out.mesh.vertexNum; ++v) {
-			if (out.surfaceVertex[v] >= 0) continue;
-			const int s = out.label[v];
-			const int standsFor =
-				s < sampling_.boundarySampleNum ? boundary_.samples[s].vertex : -1;
-			const bool shouldBe   = standsFor >= 0 && m_.isBorderVertex(standsFor);
-			const bool isOnBorder = out.mesh.isBorderVertex(v);
-			if (shouldBe == isOnBorder && (isOnBorder || out.mesh.valence(v) >= 3)) continue;
-			bad_[s]  = 1;
-			allRight = false;
-		}
-		return allRight;
+		const std::vector<int> wrong = workers_.collect<int>(
+			out.mesh.vertexNum, [&](std::size_t begin, std::size_t end, auto& found) {
+				for (int v = int(begin); v < int(end); ++v) {
+					if (out.surfaceVertex[v] < 0 && !isBorderRight(out, v)) found.push_back(v);
+				}
+			});
+		for (int v : wrong)
+			bad_[out.label[v]] = 1;
+		return wrong.empty();
+	}
+
+	bool isBorderRight(const ContractedCells& out, int v) const
+	{
+		const int  s          = out.label[v];
+		const int  standsFor  = s < sampling_.boundarySampleNum ? boundary_.samples[s].vertex : -1;
+		const bool shouldBe   = standsFor >= 0 && m_.isBorderVertex(standsFor);
+		const bool isOnBorder = out.mesh.isBorderVertex(v);
+		return shouldBe == isOnBorder && (isOnBorder || out.mesh.valence(v) >= 3);
 	}
 
 	bool hasTopology(const HalfEdgeMesh& mesh, const MeshFigures& input) const

@@ -218,30 +218,40 @@ bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& 
 
 /// Vertices with more than one fan. An edge that is not shared by two faces in opposite directions
 /// was left without opposites, so that at its ends fans end that do not end there.
-Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposite)
+Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposite, Workers& workers)
 {
-	Buffer<int>  fanNum(mesh.vertexNum, 0);
-	const int    halfEdgeNum = 3 * mesh.faceNum;
-	Buffer<int>  cornerNum(mesh.vertexNum, 0), seen(mesh.vertexNum, 0);
-	Buffer<int>  outgoing(mesh.vertexNum, -1);
+	// Where to begin turning: at the border's half-edge if there is one, else anywhere; where there
+	// are several fans it does not matter either.
+	const std::size_t halfEdgeNum = std::size_t(3) * mesh.faceNum;
+	Buffer<int>       outgoing(mesh.vertexNum, -1), fanNum(mesh.vertexNum, 0);
+	Buffer<int>       cornerNum(mesh.vertexNum, 0);
+	workers.forRange(halfEdgeNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t h = begin; h < end; ++h) {
+			const int v = mesh.triangle[h];
+			__atomic_fetch_add(&cornerNum[v], 1, __ATOMIC_RELAXED);
+			__atomic_store_n(&outgoing[v], int(h), __ATOMIC_RELAXED);
+		}
+	});
+	workers.forRange(halfEdgeNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t h = begin; h < end; ++h) {
+			if (opposite[h] >= 0) continue;
+			const int v = mesh.triangle[h];
+			__atomic_fetch_add(&fanNum[v], 1, __ATOMIC_RELAXED);
+			__atomic_store_n(&outgoing[v], int(h), __ATOMIC_RELAXED);
+		}
+	});
 	Buffer<char> bad(mesh.vertexNum, 0);
-	for (int h = 0; h < halfEdgeNum; ++h) {
-		const int v = mesh.triangle[h];
-		++cornerNum[v];
-		if (outgoing[v] < 0) outgoing[v] = h;
-		if (opposite[h] >= 0) continue;
-		++fanNum[v];
-		outgoing[v] = h;
-	}
-	for (int v = 0; v < mesh.vertexNum; ++v) {
-		int h = outgoing[v];
-		if (h < 0) continue;
-		do {
-			++seen[v];
-			h = opposite[prevInFace(h)];
-		} while (h >= 0 && h != outgoing[v]);
-		bad[v] = fanNum[v] > 1 || seen[v] != cornerNum[v];
-	}
+	workers.forRange(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			if (outgoing[v] < 0) continue;
+			int seen = 0, h = outgoing[v];
+			do {
+				++seen;
+				h = opposite[prevInFace(h)];
+			} while (h >= 0 && h != outgoing[v]);
+			bad[v] = fanNum[v] > 1 || seen != cornerNum[v];
+		}
+	});
 	return bad;
 }
 
@@ -252,7 +262,7 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 {
 	HalfEdgeMesh& m = surface.mesh;
 	if (!fillOpposites(mesh, faceStart, workers, m.opposite)) {
-		if (notManifold != nullptr) *notManifold = findNotManifold(mesh, m.opposite);
+		if (notManifold != nullptr) *notManifold = findNotManifold(mesh, m.opposite, workers);
 		return false;
 	}
 	m.vertexNum = mesh.vertexNum;
@@ -263,7 +273,7 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 	if (!fillNormals(m, workers, surface.normal)) {
 		m.position.swap(mesh.position);
 		m.origin.swap(mesh.triangle);
-		if (notManifold != nullptr) *notManifold = findNotManifold(mesh, m.opposite);
+		if (notManifold != nullptr) *notManifold = findNotManifold(mesh, m.opposite, workers);
 		return false;
 	}
 	surface.sourceFace.swap(mesh.sourceFace);

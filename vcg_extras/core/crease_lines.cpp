@@ -355,8 +355,8 @@ private:
 	{
 		Vec3f sum;
 		float area = 0;
-		forEachOutgoing(m_, v, [&](int h) {
-			const Vec3f n = m_.faceCross(h / 3);
+		forEachFaceRound(m_, v, [&](int, const Vec3f& a, const Vec3f& b) {
+			const Vec3f n = cross(a, b);
 			sum += n;
 			area += length(n);
 		});

@@ -89,7 +89,7 @@ int correctedValence(const HalfEdgeMesh& m, int v)
 
 bool isFlat(const HalfEdgeMesh& m, int v)
 {
-	if (!m.hasCreases()) return isFlatRing(m, v);
+	if (!m.isCreaseVertex(v)) return isFlatRing(m, v);
 	bool flat = true;
 	forEachSector(m, v,
 				  [&](int first, int faceNum) { flat = flat && isFlatSector(m, first, faceNum); });
