@@ -19,7 +19,9 @@
 #include <vcg_extras/core/curve_slide.h>
 #include <vcg_extras/core/face_tree.h>
 #include <vcg_extras/core/fit.h>
+#include <vcg_extras/core/sampled_distance.h>
 #include <vcg_extras/core/symmetric_matrix.h>
+#include <vcg_extras/core/worst_distances.h>
 
 namespace gpr::test {
 
@@ -49,9 +51,27 @@ struct Laid {
 		}
 	}
 
-	FitOutcome fit(float leastAngleDeg = 32, int rounds = 4)
+	/// Mean edge length, in working units; what a run would have for its ideal edge.
+	float meanEdge() const
+	{
+		const HalfEdgeMesh& m   = result.mesh;
+		float               sum = 0;
+		for (int h = 0; h < m.halfEdgeNum(); ++h)
+			sum += length(m.position[m.target(h)] - m.position[m.origin[h]]);
+		return sum / float(m.halfEdgeNum());
+	}
+
+	/// Largest distance, both ways, in mean edges.
+	float farthest()
+	{
+		return largestSampledDistance(surface.mesh, result.mesh, workers) / meanEdge();
+	}
+
+	FitOutcome fit(float leastAngleDeg = 32, int rounds = 4, bool lowersWorst = false)
 	{
 		FitSettings settings;
+		settings.lowersWorst   = lowersWorst;
+		result.idealEdge       = meanEdge();
 		settings.rounds        = rounds;
 		settings.leastAngleDeg = leastAngleDeg;
 		return fitToInput(surface, settings, result, workers);
@@ -354,6 +374,74 @@ TEST(Fit, LeavesAnchorsOnTheSurfaceBelowTheVertices)
 	// About h²/8R over the tube.
 	EXPECT_LT(double(outcome.farthest) / laid.surface.frame.scale, 0.05);
 	EXPECT_GT(outcome.farthest, 0);
+}
+
+// ---- the largest distances
+
+/// A sphere pressed flat, so that its equator is a sharp rim, tilted against the mesh.
+TriangleMesh lens(int level)
+{
+	TriangleMesh mesh = rotated(icosphere(level), {1, 0.4, 0.2}, 0.5);
+	for (Vec3d& p : mesh.positions)
+		p.z = std::copysign(1.1 * (1 - std::hypot(p.x, p.y)), p.z);
+	return mesh;
+}
+
+/// The coarse mesh has no edges along the rim: the least mean of squares cuts it off here and
+/// stands out from it there.
+TEST(WorstDistances, ShrinkAtARimAtLittleCost)
+{
+	const TriangleMesh fine = lens(6), coarse = lens(3);
+	Laid               mean(fine, coarse), worst(fine, coarse);
+	mean.fit(15);
+	worst.fit(15, 4, true);
+	EXPECT_LT(worst.farthest(), 0.85f * mean.farthest());
+	EXPECT_LT(worst.rms(), 1.2 * mean.rms());
+	const std::vector<float> before = mean.leastAngles(), after = worst.leastAngles();
+	const float              bound = 15 * 3.14159265f / 180;
+	for (std::size_t f = 0; f < before.size(); ++f)
+		EXPECT_GE(after[f], 0.999f * std::min(bound, before[f])) << f;
+	EXPECT_TRUE(isSoundSurface(meshOf(worst.result.mesh)));
+}
+
+/// A vertex pushed out of a sphere comes back; no other goes farther than it helps that.
+TEST(WorstDistances, BringASpikeBack)
+{
+	Laid laid(icosphere(6), icosphere(3));
+	laid.fit();
+	const Cells cells(laid.surface, laid.result, laid.workers);
+	const int   spike  = 100;
+	Vec3f&      at     = laid.result.mesh.position[spike];
+	const float height = 0.3f * laid.meanEdge();
+	at += laid.result.vertex[spike].normal * height;
+	const float before = laid.farthest();
+	lowerWorstDistances(laid.surface, cells, 0.5f, laid.result, laid.workers);
+	EXPECT_GT(before, 0.28f);
+	EXPECT_LT(laid.farthest(), 0.4f * before);
+}
+
+TEST(WorstDistances, LeaveAloneWhatIsNear)
+{
+	Laid laid(icosphere(6), icosphere(3));
+	laid.fit();
+	ASSERT_LT(laid.farthest(), 0.05f);
+	const std::vector<Vec3f> before = positionsOf(laid.result.mesh);
+	const Cells              cells(laid.surface, laid.result, laid.workers);
+	lowerWorstDistances(laid.surface, cells, 0.5f, laid.result, laid.workers);
+	EXPECT_EQ(positionsOf(laid.result.mesh), before);
+}
+
+TEST(WorstDistances, KeepVerticesOfCreasesAndTips)
+{
+	Laid laid(icosphere(6), icosphere(3));
+	laid.fit();
+	const Cells cells(laid.surface, laid.result, laid.workers);
+	for (ResultVertex& v : laid.result.vertex)
+		v.isCorner = true;
+	laid.result.mesh.position[100] += laid.result.vertex[100].normal * (0.3f * laid.meanEdge());
+	const std::vector<Vec3f> before = positionsOf(laid.result.mesh);
+	lowerWorstDistances(laid.surface, cells, 0.5f, laid.result, laid.workers);
+	EXPECT_EQ(positionsOf(laid.result.mesh), before);
 }
 
 TEST(Fit, DoesNotDependOnTheThreads)

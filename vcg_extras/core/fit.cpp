@@ -6,6 +6,7 @@
 #include "crossing_faces.h"
 #include "fold_repair.h"
 #include "symmetric_matrix.h"
+#include "worst_distances.h"
 
 #include <algorithm>
 #include <cmath>
@@ -113,6 +114,15 @@ public:
 					if (isBad(int(f))) out.push_back(int(f));
 				}
 			}));
+	}
+
+	/// Crossings are only new where vertices have moved since `start`. False where none has.
+	bool expectCrossingsWhereMoved()
+	{
+		mayCross_.assign(m_.faceNum, 0);
+		for (int f = 0; f < m_.faceNum; ++f)
+			mayCross_[f] = hasMoved(f);
+		return std::find(mayCross_.begin(), mayCross_.end(), char(1)) != mayCross_.end();
 	}
 
 	/// Takes the moves of faces back that cross others or look against the surface where the
@@ -311,6 +321,8 @@ public:
 		outcome.capped = !fitInRounds(outcome.cells);
 		whole.takeOver();
 		if (!takeBackOffenders(whole)) outcome.capped = true;
+		if (settings_.lowersWorst && outcome.cells != nullptr && !lowerWorst(*outcome.cells))
+			outcome.capped = true;
 		outcome.farthest = farthestFromAnchor();
 		return outcome;
 	}
@@ -358,6 +370,18 @@ private:
 		whole.takeAllBack();
 		followByAnchors();
 		return false;
+	}
+
+	/// False if what crosses others then could not be told from what does not.
+	bool lowerWorst(const Cells& cells)
+	{
+		const float angle = settings_.leastAngleDeg * radians;
+		Moves       last(surface_, angle, r_, workers_);
+		lowerWorstDistances(surface_, cells, angle, r_, workers_);
+		last.takeOver();
+		if (!last.expectCrossingsWhereMoved()) return true;
+		followByAnchors();
+		return takeBackOffenders(last);
 	}
 
 	void startRound()

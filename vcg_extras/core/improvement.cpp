@@ -65,7 +65,7 @@ public:
 	}
 
 	/// Returns the cells of the last round, if there was one.
-	std::unique_ptr<Cells> fit(const Prepared& p, ResultMesh& result)
+	std::unique_ptr<Cells> fit(const Prepared& p, bool largestCounts, ResultMesh& result)
 	{
 		if (options_.fit == Fit::Off) return nullptr;
 		clock_.enter("fit", "Fitting to the input", 0.97);
@@ -73,6 +73,7 @@ public:
 		FitSettings settings;
 		settings.rounds        = roundsOfFit();
 		settings.leastAngleDeg = leastAngleDeg();
+		settings.lowersWorst   = largestCounts || options_.adapt > 0;
 		settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options_.adapt));
 		FitOutcome outcome = fitToInput(p.surface, settings, result, workers_);
 		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
@@ -143,10 +144,10 @@ void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 }
 
 void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
-			   ResultMesh& result)
+			   bool largestCounts, ResultMesh& result)
 {
 	Improvement            improvement(run);
-	std::unique_ptr<Cells> cells = improvement.fit(p, result);
+	std::unique_ptr<Cells> cells = improvement.fit(p, largestCounts, result);
 	improvement.mendLastAngles(p, boundary, result, std::move(cells));
 }
 

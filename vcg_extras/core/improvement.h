@@ -18,9 +18,10 @@ void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 			 ResultMesh& result);
 
 /// The last to move vertices: those before walk on the surface, which this leaves. Last of all the
-/// worst angles once more, with or without a fit.
+/// worst angles once more, with or without a fit. Where the largest distance counts, or sizes
+/// follow the error, the fit sees to that too.
 void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
-			   ResultMesh& result);
+			   bool largestCounts, ResultMesh& result);
 
 } // namespace gpr
 

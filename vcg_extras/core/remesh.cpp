@@ -80,7 +80,7 @@ public:
 				acceptNearest(p, meshed.result.mesh.vertexNum, out);
 			}
 		}
-		fitResult(run_, p, meshed.boundary, meshed.result);
+		fitResult(run_, p, meshed.boundary, measuresError, meshed.result);
 		if (measuresError) measureError(p, meshed.result);
 		handOut(run_, p, meshed.result, out);
 	}
