@@ -122,6 +122,13 @@ std::vector<Vec3f> positionsOf(const HalfEdgeMesh& m)
 
 // ---- matrices
 
+TEST(PackedMeasure, IsTrueToAFifthOfAPercentFromTinyToHuge)
+{
+	for (float x = 1e-30f; x < 1e30f; x *= 1.7f)
+		EXPECT_NEAR(PackedMeasure(x).value() / x, 1, 2e-3) << x;
+	EXPECT_EQ(PackedMeasure(0.0f).value(), 0);
+}
+
 TEST(SymmetricMatrix, SolveUndoesTheProduct)
 {
 	Random random(3);

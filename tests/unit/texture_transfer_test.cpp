@@ -154,6 +154,29 @@ TEST(TextureTransfer, AChartThatMeetsItselfHasASeamToo)
 	}
 }
 
+TEST(Anchors, AreLeftOutWhereNobodyAsksAndChangeNothing)
+{
+	const TriangleMesh mesh = grid(30, 30);
+	RemeshOptions      options;
+	options.targetMode         = TargetMode::VertexNum;
+	options.targetVertexNum    = 100;
+	const RemeshResult with    = remesh(mesh.view(), options);
+	options.anchorsOfVertices  = false;
+	const RemeshResult without = remesh(mesh.view(), options);
+	ASSERT_EQ(with.status, Status::Ok);
+	ASSERT_EQ(without.status, Status::Ok);
+	EXPECT_EQ(with.anchors.size(), 100u);
+	EXPECT_TRUE(without.anchors.empty());
+	EXPECT_EQ(with.mesh.triangles, without.mesh.triangles);
+	EXPECT_EQ(with.mesh.positions, without.mesh.positions);
+	// Vertices that are kept are named whatever was asked for.
+	options.boundary        = BoundaryMode::Keep;
+	options.targetVertexNum = 300;
+	const RemeshResult kept = remesh(mesh.view(), options);
+	ASSERT_EQ(kept.status, Status::Ok) << kept.message;
+	EXPECT_EQ(kept.callersVertex.size(), kept.mesh.positions.size());
+}
+
 TEST(CarryOver, MeansAreRoundedAndNaNsWithoutWeightLeftOut)
 {
 	const double       nan   = std::numeric_limits<double>::quiet_NaN();

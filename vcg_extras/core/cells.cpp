@@ -292,6 +292,13 @@ void Cells::update(const ResultMesh& result, Workers& workers)
 	sortIntoBuckets(face_.size(), result.mesh.faceNum, faceOf, workers, start_, item_);
 }
 
+void Cells::keepListsOnly()
+{
+	face_.release();
+	weights_.release();
+	area_.release();
+}
+
 void Cells::measureAreas(Workers& workers)
 {
 	const HalfEdgeMesh& m = surface_.mesh;
@@ -301,7 +308,7 @@ void Cells::measureAreas(Workers& workers)
 			forEachFaceRound(m, int(p), [&](int, const Vec3f& a, const Vec3f& b) {
 				sum += length(cross(a, b));
 			});
-			area_[p] = sum / 6;
+			area_[p] = PackedMeasure(sum / 6);
 		}
 	});
 }

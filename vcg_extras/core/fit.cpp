@@ -65,9 +65,9 @@ class Moves {
 public:
 	Moves(const Surface& surface, float leastAngle, ResultMesh& result, Workers& workers) :
 			surface_(surface), leastAngle_(leastAngle), r_(result), m_(result.mesh),
-			workers_(workers), from_(m_.vertexNum), shift_(m_.vertexNum)
+			workers_(workers), from_(m_.vertexNum)
 	{
-		start();
+		std::copy(m_.position.data(), m_.position.data() + m_.vertexNum, from_.data());
 	}
 
 	const Vec3f& from(int v) const { return from_[v]; }
@@ -78,6 +78,7 @@ public:
 	/// Makes the present places the start of new moves.
 	void start()
 	{
+		makeRoom();
 		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
 			for (std::size_t v = begin; v < end; ++v) {
 				from_[v]  = m_.position[v];
@@ -86,9 +87,11 @@ public:
 		});
 	}
 
-	/// Moves from where `start` was called last to the present places, whoever moved them.
+	/// Moves from where all began, or `start` was called last, to the present places, whoever moved
+	/// the vertices.
 	void takeOver()
 	{
+		makeRoom();
 		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
 			for (std::size_t v = begin; v < end; ++v)
 				shift_[v] = m_.position[v] - from_[v];
@@ -155,10 +158,16 @@ private:
 	ResultMesh&    r_;
 	HalfEdgeMesh&  m_;
 	Workers&       workers_;
-	Buffer<Vec3f>  from_, shift_;
+	Buffer<Vec3f>  from_;
+	Buffer<Vec3f>  shift_;  ///< empty until there are moves
 	Buffer<Vec3f>  normal_; ///< of the surface at the vertices
 	/// Faces, of which one at least takes part in a crossing not known yet; empty: all.
 	std::vector<char> mayCross_;
+
+	void makeRoom()
+	{
+		if (shift_.empty()) shift_.reset(m_.vertexNum);
+	}
 
 	bool hasMoved(int f) const
 	{
@@ -356,7 +365,9 @@ private:
 			allKept = moves_.shortenBad() && allKept;
 			followByAnchors();
 		}
-		distance_.reset(); // before the search for crossing faces needs memory
+		// Before the search for crossing faces needs memory.
+		distance_.reset();
+		if (cells != nullptr) cells->keepListsOnly();
 		return allKept;
 	}
 

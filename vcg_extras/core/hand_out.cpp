@@ -45,6 +45,9 @@ public:
 		if (options_.check) check(p.surface, result);
 		clock_.enter("export", "Handing out the result", 1);
 		exportMesh(p.surface, result, out);
+		if (options_.anchorsOfVertices || report_.keptVertexNum > 0)
+			exportAnchors(p.surface, result, out);
+		if (report_.keptVertexNum > 0) exportKept(result, out);
 		if (options_.anchorsOfFaces) exportFaceAnchors(p.surface, result, out);
 		report_.quality = measureQuality(out.mesh.view(), workers_);
 	}
@@ -106,15 +109,20 @@ private:
 	{
 		const HalfEdgeMesh& m = result.mesh;
 		out.mesh.positions.resize(m.vertexNum);
-		out.anchors.resize(m.vertexNum);
 		out.mesh.triangles.assign(m.origin.data(), m.origin.data() + m.halfEdgeNum());
 		workers_.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t v = begin; v < end; ++v) {
+			for (std::size_t v = begin; v < end; ++v)
 				out.mesh.positions[v] = surface.frame.toCaller(m.position[v]);
-				out.anchors[v]        = surfacePoint(input_, surface, result.vertex[v].anchor);
-			}
 		});
-		if (report_.keptVertexNum > 0) exportKept(result, out);
+	}
+
+	void exportAnchors(const Surface& surface, const ResultMesh& result, RemeshResult& out)
+	{
+		out.anchors.resize(result.vertex.size());
+		workers_.forRange(result.vertex.size(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				out.anchors[v] = surfacePoint(input_, surface, result.vertex[v].anchor);
+		});
 	}
 
 	/// Vertices that stayed get the caller's own bits back.

@@ -60,6 +60,7 @@ public:
 		if (options_.smoothing != Smoothing::Barycentric || options_.relaxIterations == 0) return;
 		if (options_.regularity != Regularity::Full) return;
 		clock_.enter("angles", "Mending angles", 0.973);
+		returnReleasedMemory();
 		if (!mendAngles(p.surface, boundary, leastAngleDeg(), result, workers_, std::move(cells)))
 			report_.capsReached.push_back("changes for the worst angles");
 	}

@@ -124,8 +124,10 @@ struct RemeshOptions {
 	std::int64_t dropComponentsBelow = 0;
 	double       timeLimitSeconds    = 0; ///< the run ends then without a result; 0 = none
 	bool         check = false; ///< crossing faces and distances are looked for: thorough_check.h
-	bool         selectedOnly   = false; ///< remesh the selected faces, leave the rest as it is
-	bool         anchorsOfFaces = false; ///< hand out RemeshResult::faceAnchors
+	bool         selectedOnly = false; ///< remesh the selected faces, leave the rest as it is
+	/// Hand out RemeshResult::anchors; without them a big surface takes 4 B a face less.
+	bool anchorsOfVertices = true;
+	bool anchorsOfFaces    = false; ///< hand out RemeshResult::faceAnchors
 
 	Placement       placement       = Placement::DiskIntersection;
 	Retriangulation retriangulation = Retriangulation::LabelCollapse;

@@ -118,6 +118,13 @@ void Preparation::findFeatureLines(Prepared& p)
 	report_.featureEdgeNum = found.edgeNum;
 	report_.featureTipNum  = std::int64_t(found.tips.size());
 	followGivenLines(p);
+	if (!namesSources(p)) p.surface.sourceFace.release();
+}
+
+/// Whether anything of the result will be named by the caller's faces.
+bool Preparation::namesSources(const Prepared& p) const
+{
+	return options_.anchorsOfVertices || options_.anchorsOfFaces || !p.kept.empty();
 }
 
 void Preparation::followGivenLines(Prepared& p)

@@ -50,6 +50,7 @@ private:
 	IndexedMesh         withoutUseless(IndexedMesh mesh);
 	void                dropSmallComponents(Surface& surface);
 	void                followGivenLines(Prepared& p);
+	bool                namesSources(const Prepared& p) const;
 	std::int64_t        splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepared& p);
 	void                noteDetection(const FeatureEdges& features);
 };

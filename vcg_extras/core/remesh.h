@@ -27,11 +27,12 @@ enum class Status {
 
 /// A remeshed surface, or the reason why there is none.
 struct RemeshResult {
-	Status                    status = Status::InternalError;
-	std::string               message; ///< empty when Ok; a sentence for the user otherwise
-	std::vector<std::string>  notes;   ///< sentences worth showing even when all went well
-	TriangleMesh              mesh;    ///< in the caller's frame
-	std::vector<SurfacePoint> anchors; ///< per result vertex: where on the caller's mesh it lies
+	Status                   status = Status::InternalError;
+	std::string              message; ///< empty when Ok; a sentence for the user otherwise
+	std::vector<std::string> notes;   ///< sentences worth showing even when all went well
+	TriangleMesh             mesh;    ///< in the caller's frame
+	/// Unless options do without, per result vertex: where on the caller's mesh it lies.
+	std::vector<SurfacePoint> anchors;
 	/// Where options ask for it, per result face: where on the caller's mesh its middle lies.
 	std::vector<SurfacePoint> faceAnchors;
 	/// Per result vertex, where some had to stay: which of the caller's it is, bit for bit, or -1.

@@ -225,11 +225,12 @@ private:
 RemeshResult remeshSelected(const MeshView& input, const RemeshOptions& options, const PartRun& run)
 {
 	requireIndices(input);
-	const Part    part   = cutOut(input);
-	RemeshOptions inside = options;
-	inside.selectedOnly  = false;
-	inside.boundary      = BoundaryMode::Keep;
-	RemeshResult made    = run(part.view(), inside);
+	const Part    part       = cutOut(input);
+	RemeshOptions inside     = options;
+	inside.selectedOnly      = false;
+	inside.anchorsOfVertices = true; // they say where the parts are joined
+	inside.boundary          = BoundaryMode::Keep;
+	RemeshResult made        = run(part.view(), inside);
 	if (made.status != Status::Ok) return made;
 
 	RemeshResult out;

@@ -23,9 +23,10 @@ RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* text
 								const CommandLine& line)
 {
 	ProgressBar   bar(!line.quiet && errorIsTerminal());
-	MeshView      view     = mesh.view();
-	RemeshOptions options  = line.options;
-	options.anchorsOfFaces = texture != nullptr || mesh.attributes.ofFacesToo();
+	MeshView      view        = mesh.view();
+	RemeshOptions options     = line.options;
+	options.anchorsOfVertices = mesh.attributes.any() || texture != nullptr;
+	options.anchorsOfFaces    = texture != nullptr || mesh.attributes.ofFacesToo();
 	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
 	RemeshResult result = remesh(view, options, [&](double share, const char* phrase) {
 		bar.show(share, phrase);
