@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# What `cmake --install` lays where, in three parts (its option --component):
+# What `cmake --install` lays where, in four parts (its option --component):
 #   program      gpremesh, its manual page
-#   meshlab      the plugins and the scripts for them
+#   meshlab      the plugin for MeshLab 2020.09 and the scripts
+#   meshlab2025  those for MeshLab 2025.07 and PyMeshLab, of which no Debian package is made
 #   development  the engine, the templates for vcglib, and what find_package(gpremesh) reads
 #
 #   GPR_PLUGIN_DIR   folder for the plugin for MeshLab 2020.09, below the prefix or absolute; where
@@ -38,7 +39,7 @@ foreach(_scalar float double)
   if(TARGET filter_geodesic_poisson_2025_${_scalar})
     install(TARGETS filter_geodesic_poisson_2025_${_scalar}
             LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/gpremesh/meshlab-2025.07/${_scalar}
-            COMPONENT meshlab)
+            COMPONENT meshlab2025)
   endif()
 endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/filter_geodesic_poisson/mlx

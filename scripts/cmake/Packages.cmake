@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Debian packages of the three parts that Install.cmake knows, by CPack; scripts/make_deb makes them.
+# Debian packages of three of the parts that Install.cmake knows, by CPack; scripts/make_deb makes them.
 
 if(NOT GPR_GZIP)
   return()
