@@ -100,11 +100,27 @@ timed() {
 	seconds=$(awk -v a="$start" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.3f", b - a }')
 }
 
-# A picture of a mesh with its edges, 640 pixels wide and high. $1 is as for with_display; then the
-# mesh, the picture, and the camera's position and focal point as x,y,z.
+# A picture of a mesh, 640 pixels wide and high. $1 is as for with_display; then the mesh, the picture and
+# the camera, "position looked-at [up [angle]]" with points as x,y,z; options of f3d follow that take the
+# place of edges on light blue.
 render() {
-	with_display "$1" f3d --dry-run --quiet --output "$3" --resolution 640,640 --edges \
-		--color 0.8,0.88,1 --roughness 0.8 --bg-color 1,1,1 --camera-view-up 0,1,0 --camera-view-angle 30 \
-		--camera-position "$4" --camera-focal-point "$5" "$2"
+	local at=($4) look=("${@:5}")
+	[ $# -gt 4 ] || look=(--edges --color 0.8,0.88,1)
+	with_display "$1" f3d --dry-run --quiet --output "$3" --resolution 640,640 --bg-color 1,1,1 \
+		--roughness 0.8 --camera-position "${at[0]}" --camera-focal-point "${at[1]}" \
+		--camera-view-up "${at[2]:-0,1,0}" --camera-view-angle "${at[3]:-30}" "${look[@]}" "$2"
 	convert "$3" -level 0,66% "$3" # f3d's one light leaves a white surface grey
+}
+
+# One picture of many, 1400 pixels wide: its name, the number of columns, then label and picture of each.
+tiles() {
+	local file=$1 columns=$2 list=()
+	shift 2
+	while [ $# -gt 0 ]; do
+		list+=(-label "$1" "$2")
+		shift 2
+	done
+	montage -font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf -pointsize 22 -background white \
+		-geometry 640x640+4+4 -tile "${columns}x" "${list[@]}" miff:- |
+		convert - -resize 1400x -colors 96 "PNG8:$file"
 }

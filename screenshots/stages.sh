@@ -1,53 +1,13 @@
-#!/bin/bash
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-#
-# Makes the pictures of single stages, rendered by f3d: split.png, density.png, retriangulation.png,
-# regularity.png, angles.png, fit.png, repair.png, attributes.png. Run scripts/demo first.
-#
-#   screenshots/make_stage_details [PICTURE...]     all if none is named
-set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/../scripts/common.sh"
-cd "$(dirname "${BASH_SOURCE[0]}")/.."
-export LC_ALL=C
-build=${GPR_BUILD_DIR:-build}
-work=$build/stage_details
-bunny=$build/demo/bunny.ply
-[ -r "$bunny" ] || fail "run scripts/demo first"
-mkdir -p "$work"
-font=/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf
+# Pictures of single stages; read by scripts/screenshots.
 
-# Seen from, looked at: the bunny as a whole, its flank as in stages.png, other meshes.
-whole=(0,0,4.5 0,0,0)
-flank=(0.25,-0.2,2.1 0.25,-0.2,0)
-sheets=(0.8,2.4,3.4 0,-0.15,0.1)
-cube=(2.1,1.7,2.4 0,-0.02,0)
-
-remesh() { # input, output, options
-	"$build/bin/gpremesh" remesh "$1" "$work/$2" --quiet "${@:3}"
-}
-
-shot() { # mesh in the folder of work, camera's name, further options of f3d
-	local -n at=$2
-	with_display "$work/display" f3d --dry-run --quiet --output "$work/${1%.*}.png" --resolution 640,640 \
-		--bg-color 1,1,1 --camera-position "${at[0]}" --camera-focal-point "${at[1]}" --roughness 0.8 \
-		--camera-view-up 0,1,0 --camera-view-angle 30 "${@:3}" "$work/$1"
-	convert "$work/${1%.*}.png" -level 0,66% "$work/${1%.*}.png" # f3d's one light leaves white grey
-}
-
-plain=(--edges --color 0.8,0.88,1)
-coloured=(--scalars=RGBA --comp=-2)
-
-tiles() { # picture; then label and mesh of each
-	local file=$1 list=()
-	shift
-	while [ $# -gt 0 ]; do
-		list+=(-label "$1" "$work/${2%.*}.png")
-		shift 2
-	done
-	montage -font "$font" -pointsize 22 -background white -geometry 640x640+4+4 -tile "x1" "${list[@]}" \
-		miff:- | convert - -resize 1400x -colors 96 "PNG8:screenshots/$file"
-}
+# Seen from, looked at: the bunny as a whole, its flank, other meshes.
+whole="0,0,4.5 0,0,0"
+flank="0.25,-0.2,2.1 0.25,-0.2,0"
+patch="0.2,-0.16,2.4 0.2,-0.16,0.1"
+sheets="0.8,2.4,3.4 0,-0.15,0.1"
+cube="2.1,1.7,2.4 0,-0.02,0"
 
 # From an OFF file and a file with the colour of each vertex to a PLY file.
 with_colours() { # off, colours, ply
@@ -62,7 +22,53 @@ with_colours() { # off, colours, ply
 		FNR > 2 && NF > 0 { print row < nv ? $0 " " colour[row + 0] " 255" : $0; ++row }' "$2" "$1" >"$3"
 }
 
-make_split() {
+# A round piece of the bunny's flank: faces cut off without care, so with a ragged border.
+cut_patch() {
+	awk 'BEGIN { kept = 0; nf = 0 }
+		function index_of(v) {
+			if (!(v in place)) { place[v] = kept; line[kept++] = vertex[v] }
+			return place[v]
+		}
+		$1 == "element" && $2 == "vertex" { nv = $3 }
+		body && row < nv {
+			inside[row] = ($1 - 0.2) ^ 2 + ($2 + 0.1) ^ 2 < 0.16 && $3 > 0.1
+			vertex[row++] = $0
+			next
+		}
+		body && inside[$2] && inside[$3] && inside[$4] {
+			face[nf++] = "3 " index_of($2) " " index_of($3) " " index_of($4)
+		}
+		$1 == "end_header" { body = 1 }
+		END {
+			print "ply\nformat ascii 1.0\nelement vertex " kept
+			print "property float x\nproperty float y\nproperty float z\nelement face " nf
+			print "property list uchar int vertex_indices\nend_header"
+			for (i = 0; i < kept; ++i) print line[i]
+			for (i = 0; i < nf; ++i) print face[i]
+		}' "$bunny" >"$work/patch.ply"
+}
+
+picture_stages() {
+	remesh "$bunny" sampled.ply --relax 0 --exact-count off
+	remesh "$bunny" counted.ply --relax 0
+	remesh "$bunny" relaxed.ply
+	local mesh
+	for mesh in bunny sampled counted relaxed; do
+		shot "$flank" $mesh.ply
+	done
+	show stages 2 "input" bunny "sampled, retriangulated, flipped" sampled "exact count" counted \
+		"relaxed, fitted" relaxed
+}
+
+picture_boundary() {
+	cut_patch
+	remesh "$work/patch.ply" patch_remeshed.ply --vertices 300
+	shot "$patch" patch.ply
+	shot "$patch" patch_remeshed.ply
+	show boundary 2 "input" patch "300 vertices" patch_remeshed
+}
+
+picture_split() {
 	awk 'BEGIN {
 		print "OFF\n8 12 0"
 		for (i = 0; i < 8; ++i) print i % 2 - 0.5, int(i / 2) % 2 - 0.5, int(i / 4) - 0.5
@@ -70,24 +76,24 @@ make_split() {
 		for (i = 1; i <= n; i += 3) print 3, c[i], c[i + 1], c[i + 2]
 	}' >"$work/cube.off"
 	remesh "$work/cube.off" cube_remeshed.off --vertices 600
-	shot cube.off cube "${plain[@]}"
-	shot cube_remeshed.off cube "${plain[@]}"
-	tiles split.png "input, 12 faces" cube "600 vertices" cube_remeshed
+	shot "$cube" cube.off
+	shot "$cube" cube_remeshed.off
+	show split 2 "input, 12 faces" cube "600 vertices" cube_remeshed
 }
 
-make_density() {
+picture_density() {
 	remesh "$bunny" even.ply --percent 5
 	remesh "$bunny" lambda.ply --percent 5 --lambda 3
 	remesh "$bunny" adapt.ply --percent 5 --adapt 1
 	local mesh
 	for mesh in even lambda adapt; do
-		shot $mesh.ply whole "${plain[@]}"
+		shot "$whole" $mesh.ply
 	done
-	tiles density.png "evenly" even "lambda 3" lambda "adapt 1" adapt
+	show density 3 "evenly" even "lambda 3" lambda "adapt 1" adapt
 }
 
 # The input's vertices coloured by the sample next to them; samples are dark.
-make_retriangulation() {
+picture_retriangulation() {
 	local stages=(--percent 4 --relax 0 --exact-count off --fit off)
 	remesh "$bunny" contracted.off "${stages[@]}" --flips 0
 	remesh "$bunny" flipped.off "${stages[@]}"
@@ -108,10 +114,10 @@ make_retriangulation() {
 			else print 150 + at * 37 % 105, 150 + at * 71 % 105, 150 + at * 113 % 105
 		}' "$work/contracted.off" "$work/fine.off" >"$work/cells.txt"
 	with_colours "$work/fine.off" "$work/cells.txt" "$work/cells.ply"
-	shot cells.ply flank "${coloured[@]}"
-	shot contracted.off flank "${plain[@]}"
-	shot flipped.off flank "${plain[@]}"
-	tiles retriangulation.png "samples and what is nearest to each" cells "contracted" contracted \
+	shot "$flank" cells.ply "${coloured[@]}"
+	shot "$flank" contracted.off
+	shot "$flank" flipped.off
+	show retriangulation 3 "samples and what is nearest to each" cells "contracted" contracted \
 		"edges flipped" flipped
 }
 
@@ -125,7 +131,7 @@ valences() { # off, colours
 		}' "$1" >"$2"
 }
 
-make_regularity() {
+picture_regularity() {
 	remesh "$bunny" counted.off --relax 0 --fit off
 	remesh "$bunny" relaxed.off --regularity plain --fit off
 	remesh "$bunny" regular.off --fit off
@@ -133,9 +139,9 @@ make_regularity() {
 	for mesh in counted relaxed regular; do
 		valences "$work/$mesh.off" "$work/$mesh.txt"
 		with_colours "$work/$mesh.off" "$work/$mesh.txt" "$work/$mesh.ply"
-		shot $mesh.ply flank --edges "${coloured[@]}"
+		shot "$flank" $mesh.ply --edges "${coloured[@]}"
 	done
-	tiles regularity.png "exact count" counted "relaxed, --regularity plain" relaxed \
+	show regularity 3 "exact count" counted "relaxed, --regularity plain" relaxed \
 		"--regularity full" regular
 }
 
@@ -167,20 +173,20 @@ angles_as_colours() { # off, ply
 		END { for (i = 0; i < nf; ++i) print 3, 3 * i, 3 * i + 1, 3 * i + 2 }' "$1" >"$2"
 }
 
-make_angles() {
+picture_angles() {
 	remesh "$bunny" counted.off --relax 0 --fit off
 	remesh "$bunny" fast.off --preset fast
 	remesh "$bunny" whole_way.off
 	local mesh
 	for mesh in counted fast whole_way; do
 		angles_as_colours "$work/$mesh.off" "$work/${mesh}_angles.ply"
-		shot ${mesh}_angles.ply whole --edges "${coloured[@]}"
+		shot "$whole" ${mesh}_angles.ply --edges "${coloured[@]}"
 	done
-	tiles angles.png "exact count" counted_angles "--preset fast" fast_angles "default" whole_way_angles
+	show angles 3 "exact count" counted_angles "--preset fast" fast_angles "default" whole_way_angles
 }
 
 # Three sheets at one edge; of the result each component has its own colour.
-make_repair() {
+picture_repair() {
 	awk 'function place(sheet, i, j) { return j == 0 ? i : n + sheet * n * (n - 1) + i * (n - 1) + j - 1 }
 		BEGIN {
 			n = 13
@@ -207,9 +213,9 @@ make_repair() {
 		END { for (v = 0; v < nv; ++v) print root(v) == 0 ? "230 150 60" : "70 120 200" }' \
 		"$work/sheets_cut.off" >"$work/sheets_cut.txt"
 	with_colours "$work/sheets_cut.off" "$work/sheets_cut.txt" "$work/sheets_cut.ply"
-	shot sheets.off sheets "${plain[@]}"
-	shot sheets_cut.ply sheets --edges "${coloured[@]}"
-	tiles repair.png "input: three sheets at one edge" sheets "result: two components" sheets_cut
+	shot "$sheets" sheets.off
+	shot "$sheets" sheets_cut.ply --edges "${coloured[@]}"
+	show repair 2 "input: three sheets at one edge" sheets "result: two components" sheets_cut
 }
 
 # The input coloured by its distance from a result, by MeshLab: red for none, blue from 0.015 on.
@@ -239,19 +245,19 @@ END
 	}
 }
 
-make_fit() {
+picture_fit() {
 	remesh "$bunny" unfitted.ply --percent 3 --fit off
 	remesh "$bunny" fitted.ply --percent 3
 	local mesh
 	for mesh in unfitted fitted; do
 		distances $mesh.ply "$work/far_$mesh.ply"
-		shot far_$mesh.ply whole "${coloured[@]}"
+		shot "$whole" far_$mesh.ply "${coloured[@]}"
 	done
-	tiles fit.png "--fit off" far_unfitted "--fit on" far_fitted
+	show fit 2 "--fit off" far_unfitted "--fit on" far_fitted
 }
 
 # Stripes round the bunny, and what is left of them.
-make_attributes() {
+picture_attributes() {
 	remesh "$bunny" same.off --percent 100
 	awk 'FNR == 2 { nv = $1 }
 		FNR > 2 && NF > 0 && row++ < nv {
@@ -259,14 +265,7 @@ make_attributes() {
 		}' "$work/same.off" >"$work/stripes.txt"
 	with_colours "$work/same.off" "$work/stripes.txt" "$work/striped.ply"
 	remesh "$work/striped.ply" striped_small.ply
-	shot striped.ply whole "${coloured[@]}"
-	shot striped_small.ply whole --edges "${coloured[@]}"
-	tiles attributes.png "input" striped "10 %% of the vertices" striped_small
+	shot "$whole" striped.ply "${coloured[@]}"
+	shot "$whole" striped_small.ply --edges "${coloured[@]}"
+	show attributes 2 "input" striped "10 %% of the vertices" striped_small
 }
-
-pictures=("$@")
-[ $# -gt 0 ] || pictures=(split repair density retriangulation regularity angles fit attributes)
-for picture in "${pictures[@]}"; do
-	"make_$picture"
-	say "screenshots/$picture.png"
-done

@@ -1,16 +1,11 @@
-#!/bin/bash
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-#
-# Makes placement.png: where the paper puts the next sample, and where this program does.
-#
-#   screenshots/make_placement
-set -euo pipefail
-cd "$(dirname "${BASH_SOURCE[0]}")"
+# Where the paper puts the next sample, and where this program does; read by scripts/screenshots.
 
 # Three samples with disks of radius r. Left: a border edge v1 v2 crosses the front, the new sample
 # is where. Right: the new sample is where the circles of two samples intersect.
-drawing=$(awk 'function disk(x, y) {
+placement_drawing() {
+	awk 'function disk(x, y) {
 		printf "fill \"#dbe7f6b0\" stroke \"#3a6ea5\" circle %.1f,%.1f %.1f,%.1f\n", x, y, x + r, y
 	}
 	function dot(x, y, colour) {
@@ -47,6 +42,10 @@ drawing=$(awk 'function disk(x, y) {
 		dot(right, y0 - h, red)
 		words(right - d / 4 - 36, y0 - h / 2, "r"); words(right + d / 4 + 22, y0 - h / 2, "r")
 		words(right - 240, 840, "here: where two circles intersect")
-	}')
-convert -size 1400x880 xc:white -font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf -draw "$drawing" \
-	-resize 50% -colors 64 PNG8:placement.png
+	}'
+}
+
+picture_placement() {
+	convert -size 1400x880 xc:white -font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf \
+		-draw "$(placement_drawing)" -resize 50% -colors 64 PNG8:screenshots/placement.png
+}
