@@ -31,11 +31,30 @@ struct Place {
 	float  size = 1;
 };
 
-/// A place for a sample, and how well it fits: the closer a third disk touches it, and the nearer
-/// the distance of the first two to r, the smaller.
+/// An intersection of the disks of two samples, in the plane of the first, and how well it fits:
+/// the closer a third disk touches it, and the nearer the distance of the first two to r, the
+/// smaller. Its place on the surface is looked for when its turn comes: more than half of all
+/// intersections are taken by then, and most of those are seen to be from the plane.
 struct Candidate {
-	Place place;
+	int   a, b;
+	int   fan;  ///< of a: what was near when it was found
+	float side; ///< 1 or -1
+	Vec3f guess;
+	float size; ///< assumed there
 	float fit;
+};
+
+/// A sample round which intersections were looked for.
+struct Fan {
+	int firstNear, endNear; ///< the samples near it then
+	int mostCrossings;      ///< of a walk to an intersection
+	int newest = -1;        ///< the latest of the samples placed near it since
+};
+
+/// A sample placed near another one, in a list that begins with the newest.
+struct Newcomer {
+	int sample;
+	int older; ///< index of the next of the list; -1: none
 };
 
 /// Two samples next to each other, and the plane of the first.
@@ -106,12 +125,15 @@ public:
 	{
 		region_ = inRegion ? shared_.region.data() : nullptr;
 		if (inRegion && !reachesInto(block)) return;
-		block_ = &block;
-		range_ = &shared_.ranges[blockIndex];
+		block_    = &block;
+		range_    = &shared_.ranges[blockIndex];
+		firstOwn_ = range_->firstSample + range_->used;
 		heap_.clear();
 		borderEdges_.clear();
 		nextBorderEdge_ = 0;
-		mostCrossings_  = mostFacesCrossed;
+		fans_.clear();
+		near_.clear();
+		newcomers_.clear();
 		beginScan(blockIndex);
 		random_ = mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex));
 		takeUpNeighbours();
@@ -133,18 +155,22 @@ private:
 	DiskFlood              flood_;
 	float                  r_;
 	float                  nearLimit_;
-	const Block*           block_  = nullptr;
-	const char*            region_ = nullptr; ///< where samples may go now; null: everywhere
-	BlockRange*            range_  = nullptr;
+	const Block*           block_    = nullptr;
+	const char*            region_   = nullptr; ///< where samples may go now; null: everywhere
+	BlockRange*            range_    = nullptr;
+	int                    firstOwn_ = 0; ///< samples of the block from here on are of this run
 	std::vector<Candidate> heap_;
 	std::vector<int> borderEdges_; ///< half-edges out of the covered part: the paper's cache C
 	std::size_t      nextBorderEdge_ = 0;
-	int              mostCrossings_  = mostFacesCrossed; ///< of a walk to an intersection
-	int              scanned_        = 0;                ///< vertices of the block seen by the scan
-	int              scanStart_      = 0;
-	std::uint32_t    random_         = 1; ///< of the block, from the seed
-	std::int64_t     fillNum_        = 0;
-	bool             capped_         = false;
+	std::vector<int> foreign_; ///< samples of others, and of earlier runs, in the block, ascending
+	std::vector<Fan> fans_;    ///< first those of foreign_, then those of this run's samples
+	std::vector<int> near_;    ///< of all fans
+	std::vector<Newcomer> newcomers_;     ///< to all fans
+	int                   scanned_   = 0; ///< vertices of the block seen by the scan
+	int                   scanStart_ = 0;
+	std::uint32_t         random_    = 1; ///< of the block, from the seed
+	std::int64_t          fillNum_   = 0;
+	bool                  capped_    = false;
 
 	float distanceOf(int v) const { return shared_.field.nearest[v].distance; }
 	int   sampleOf(int v) const { return shared_.field.nearest[v].sample; }
@@ -194,14 +220,14 @@ private:
 	/// and border edges are where this block's front begins.
 	void takeUpNeighbours()
 	{
-		std::vector<int> foreign;
+		foreign_.clear();
 		for (int v = block_->begin; v < block_->end; ++v) {
 			const int s = sampleOf(v);
-			if (s >= 0) foreign.push_back(s);
+			if (s >= 0) foreign_.push_back(s);
 		}
-		std::sort(foreign.begin(), foreign.end());
-		foreign.erase(std::unique(foreign.begin(), foreign.end()), foreign.end());
-		addIntersectionsAmong(foreign);
+		std::sort(foreign_.begin(), foreign_.end());
+		foreign_.erase(std::unique(foreign_.begin(), foreign_.end()), foreign_.end());
+		addForeignIntersections();
 		for (int v = block_->begin; v < block_->end; ++v) {
 			if (sampleOf(v) >= 0) addBorderEdges(v);
 		}
@@ -210,21 +236,39 @@ private:
 	/// Intersections of samples in no particular order. About twenty disks reach into one on a
 	/// surface; where there are far more, as among a dust of tiny components whose borders are all
 	/// sampled, the border edges serve as well and do not cost the cube of their number.
-	void addIntersectionsAmong(const std::vector<int>& samples)
+	void addForeignIntersections()
 	{
 		constexpr std::size_t mostSamples = 4096, mostNear = 64;
-		if (samples.size() > mostSamples) return;
-		std::vector<int> near;
-		for (int s : samples) {
+		const bool            areTooMany = foreign_.size() > mostSamples;
+		std::vector<int>      near;
+		for (int s : foreign_) {
 			near.clear();
-			for (int t : samples) {
+			for (int t : foreign_) {
+				if (areTooMany) break;
 				if (t != s && isNearer(placeOf(s), sizeOf(s), t, 2 * r_)) near.push_back(t);
 			}
+			beginFan(near, mostFacesCrossed);
 			if (near.size() > mostNear) continue;
 			for (int t : near) {
-				if (t > s) addIntersections(s, t, near);
+				if (t > s) addIntersections(s, t);
 			}
 		}
+	}
+
+	void beginFan(const std::vector<int>& near, int mostCrossings)
+	{
+		const int first = int(near_.size());
+		near_.insert(near_.end(), near.begin(), near.end());
+		fans_.push_back({first, int(near_.size()), mostCrossings});
+	}
+
+	/// The fan of a sample of this run or one that reached into the block from the start; else -1.
+	int fanOf(int sample) const
+	{
+		const int end = range_->firstSample + range_->used;
+		if (sample >= firstOwn_ && sample < end) return int(foreign_.size()) + sample - firstOwn_;
+		const auto found = std::lower_bound(foreign_.begin(), foreign_.end(), sample);
+		return found != foreign_.end() && *found == sample ? int(found - foreign_.begin()) : -1;
 	}
 
 	void addBorderEdges(int v)
@@ -241,9 +285,9 @@ private:
 		isUncovered = false;
 		while (!heap_.empty()) {
 			std::pop_heap(heap_.begin(), heap_.end(), fitsWorse);
-			place = heap_.back().place;
+			const Candidate c = heap_.back();
 			heap_.pop_back();
-			if (!isTaken(place)) return true;
+			if (!isTakenByNewcomer(c) && findIntersection(c, place) && !isTaken(place)) return true;
 		}
 		while (nextBorderEdge_ < borderEdges_.size()) {
 			if (!placeOnBorderEdge(borderEdges_[nextBorderEdge_++], place)) continue;
@@ -390,9 +434,12 @@ private:
 	{
 		// A straight way through a disk of n vertices crosses about √n faces. Among needles it can
 		// cross thousands; such a place is better left to the border edges.
-		mostCrossings_ = 32 + 8 * int(std::sqrt(double(flood_.visited().size())));
-		for (int t : flood_.metSamples()) {
-			if (t != s) addIntersections(s, t, flood_.metSamples());
+		const std::vector<int>& met = flood_.metSamples();
+		beginFan(met, 32 + 8 * int(std::sqrt(double(flood_.visited().size()))));
+		for (int t : met) {
+			if (t == s) continue;
+			addIntersections(s, t);
+			tellNewcomer(s, fanOf(t));
 		}
 		// Border edges are only looked for where the front has no intersections.
 		if (heap_.empty()) {
@@ -402,44 +449,83 @@ private:
 		}
 	}
 
-	/// The two points at the wanted distance from both samples, if the disks met leave them free.
-	void addIntersections(int s, int t, const std::vector<int>& near)
+	void tellNewcomer(int sample, int fan)
+	{
+		if (fan < 0) return;
+		newcomers_.push_back({sample, fans_[fan].newest});
+		fans_[fan].newest = int(newcomers_.size()) - 1;
+	}
+
+	/// The two points at the wanted distance from both samples, if the disks near s, whose fan is
+	/// the last one, leave them free.
+	void addIntersections(int s, int t)
+	{
+		Pair pair;
+		if (!makePair(s, t, pair)) return;
+		const float misfit = std::abs(pair.distance - wantedDistance(s, t));
+		for (float side : {-1.0f, 1.0f})
+			addIntersection(pair, side, misfit);
+	}
+
+	float wantedDistance(int s, int t) const { return r_ * (0.5f * (sizeOf(s) + sizeOf(t))); }
+
+	/// False if no intersection of the two is worth looking at.
+	bool makePair(int s, int t, Pair& pair) const
 	{
 		const Sample& a       = shared_.samples[s];
 		const Vec3f   between = placeOf(t) - a.anchor.position;
-		Pair          pair{s, t, {}, {}, length(between)};
-		const float   wanted = r_ * (0.5f * (a.size + sizeOf(t)));
-		if (pair.distance > widestPair * wanted || pair.distance < closestPair * wanted) return;
+		const float   wanted  = wantedDistance(s, t);
+		pair                  = {s, t, {}, {}, length(between)};
+		if (pair.distance > widestPair * wanted || pair.distance < closestPair * wanted)
+			return false;
 		pair.u = normalized(tangential(between, a.normal));
 		pair.w = cross(a.normal, pair.u);
-		for (float side : {-1.0f, 1.0f})
-			addIntersection(pair, side, std::abs(pair.distance - wanted), near);
+		return true;
 	}
 
-	void addIntersection(const Pair& pair, float side, float misfit, const std::vector<int>& near)
+	void addIntersection(const Pair& pair, float side, float misfit)
 	{
 		const Sample& a = shared_.samples[pair.a];
 		// As large as the mean of the two, until the place is known.
-		Apex        apex = apexOf(pair, 0.5f * (a.size + sizeOf(pair.b)));
+		const Apex  apex = apexOf(pair, 0.5f * (a.size + sizeOf(pair.b)));
 		const Vec3f guess =
 			a.anchor.position + (pair.u * apex.cosine + pair.w * (side * apex.sine)) * apex.length;
 		float third = 0;
-		if (!isRoughlyFree(guess, apex.size, pair, near, third)) return;
+		if (!isRoughlyFree(guess, apex.size, pair, third)) return;
 		// Pairs nearer than the ideal leave room for a whole triangle; far ones would start a
 		// square lattice, which is just as saturated but not what is wanted. Both are compared over
 		// the local size, or dense places would always come first.
-		Candidate c{{}, (third + pairWeight * misfit) / apex.size + smallChance()};
-		if (!walkToIntersection(pair, side, apex, c.place.anchor)) return;
-		c.place.size = sizeAt(shared_.surface, c.place.anchor);
-		if (std::abs(c.place.size - apex.size) > 0.01f * apex.size) {
-			apex = apexOf(pair, c.place.size);
-			if (!walkToIntersection(pair, side, apex, c.place.anchor)) return;
-			c.place.size = sizeAt(shared_.surface, c.place.anchor);
-		}
-		const int face = c.place.anchor.face;
-		if (!isMine(face) || !isOpenFace(face) || !isFree(c.place, pair, near)) return;
-		heap_.push_back(c);
+		const float fit = (third + pairWeight * misfit) / apex.size + smallChance();
+		heap_.push_back({pair.a, pair.b, int(fans_.size()) - 1, side, guess, apex.size, fit});
 		std::push_heap(heap_.begin(), heap_.end(), fitsWorse);
+	}
+
+	/// Whether a sample placed since the intersection was found is near, seen in the plane.
+	bool isTakenByNewcomer(const Candidate& c) const
+	{
+		for (int i = fans_[c.fan].newest; i >= 0; i = newcomers_[i].older) {
+			if (isNearer(c.guess, c.size, newcomers_[i].sample, roughLimit())) return true;
+		}
+		return false;
+	}
+
+	/// The intersection's place on the surface; false if it is none of this block's or not free.
+	bool findIntersection(const Candidate& c, Place& place) const
+	{
+		Pair pair;
+		makePair(c.a, c.b, pair);
+		const int  mostCrossings = fans_[c.fan].mostCrossings;
+		const Apex apex          = apexOf(pair, c.size);
+		if (!walkToIntersection(pair, c.side, apex, mostCrossings, place.anchor)) return false;
+		place.size = sizeAt(shared_.surface, place.anchor);
+		if (std::abs(place.size - apex.size) > 0.01f * apex.size) {
+			const Apex better = apexOf(pair, place.size);
+			if (!walkToIntersection(pair, c.side, better, mostCrossings, place.anchor))
+				return false;
+			place.size = sizeAt(shared_.surface, place.anchor);
+		}
+		const int face = place.anchor.face;
+		return isMine(face) && isOpenFace(face) && isFree(place, pair, fans_[c.fan]);
 	}
 
 	/// The triangle of a pair and a place of a given size next to it, by the law of cosines.
@@ -465,14 +551,17 @@ private:
 		return 0.01f * r_ * float(random_ >> 8) * (1 / 16777216.0f);
 	}
 
-	/// Cheap test in the tangent plane, before walking; also finds the nearest third sample, over
-	/// its wanted distance.
-	bool isRoughlyFree(const Vec3f& p, float size, const Pair& pair, const std::vector<int>& near,
-					   float& third) const
+	/// Nearer in the plane means too near on the surface as well.
+	float roughLimit() const { return nearLimit_ - 0.05f * r_; }
+
+	/// Cheap test in the tangent plane among the samples of the last fan; also finds the nearest
+	/// third sample, over its wanted distance.
+	bool isRoughlyFree(const Vec3f& p, float size, const Pair& pair, float& third) const
 	{
-		const float limit   = (nearLimit_ - 0.05f * r_) * (nearLimit_ - 0.05f * r_);
+		const float limit   = roughLimit() * roughLimit();
 		float       nearest = HUGE_VALF;
-		for (int other : near) {
+		for (int i = fans_.back().firstNear; i < fans_.back().endNear; ++i) {
+			const int other = near_[i];
 			if (other == pair.a || other == pair.b) continue;
 			const float relative = 2 * size / (size + sizeOf(other));
 			nearest = std::min(nearest, squaredLength(p - placeOf(other)) * (relative * relative));
@@ -482,23 +571,30 @@ private:
 		return true;
 	}
 
-	bool isFree(const Place& place, const Pair& pair, const std::vector<int>& near) const
+	bool isFree(const Place& place, const Pair& pair, const Fan& fan) const
 	{
-		if (isTooNear(place.anchor.position, place.size, pair.b)) return false;
-		for (int other : near) {
+		const Vec3f p = place.anchor.position;
+		if (isTooNear(p, place.size, pair.b)) return false;
+		for (int i = fan.firstNear; i < fan.endNear; ++i) {
+			const int other = near_[i];
 			if (other == pair.a || other == pair.b) continue;
-			if (isTooNear(place.anchor.position, place.size, other)) return false;
+			if (isTooNear(p, place.size, other)) return false;
+		}
+		for (int i = fan.newest; i >= 0; i = newcomers_[i].older) {
+			if (isTooNear(p, place.size, newcomers_[i].sample)) return false;
 		}
 		return true;
 	}
 
 	/// Walks from a at the angle the plane suggests; if the surface's bend leaves the other sample
 	/// off by more than 1 %, once more at the angle of a secant step.
-	bool walkToIntersection(const Pair& pair, float side, const Apex& apex, Anchor& place) const
+	bool walkToIntersection(const Pair& pair, float side, const Apex& apex, int mostCrossings,
+							Anchor& place) const
 	{
 		const Sample& a      = shared_.samples[pair.a];
 		const float   cosine = apex.cosine, sine = apex.sine;
-		if (!walkFrom(a, (pair.u * cosine + pair.w * (side * sine)) * apex.length, place))
+		if (!walkFrom(a, (pair.u * cosine + pair.w * (side * sine)) * apex.length, mostCrossings,
+					  place))
 			return false;
 		const float error = length(place.position - placeOf(pair.b)) - apex.otherLength;
 		if (std::abs(error) <= 0.01f * apex.otherLength) return true;
@@ -509,13 +605,14 @@ private:
 		const float ct = 1 - 0.5f * turn * turn + turn * turn * turn * turn * (1 / 24.0f);
 		const float st = turn - turn * turn * turn * (1 / 6.0f);
 		const float c2 = cosine * ct - sine * st, s2 = sine * ct + cosine * st;
-		return walkFrom(a, (pair.u * c2 + pair.w * (side * s2)) * apex.length, place);
+		return walkFrom(a, (pair.u * c2 + pair.w * (side * s2)) * apex.length, mostCrossings,
+						place);
 	}
 
-	bool walkFrom(const Sample& a, const Vec3f& step, Anchor& place) const
+	bool walkFrom(const Sample& a, const Vec3f& step, int mostCrossings, Anchor& place) const
 	{
 		place = a.anchor;
-		return walk(m_, place, step, mostCrossings_) == WalkEnd::Arrived;
+		return walk(m_, place, step, mostCrossings) == WalkEnd::Arrived;
 	}
 };
 

@@ -53,8 +53,8 @@ void weightsAt(const Vec3f& q, const Vec3f& a, const Vec3f& b, const Vec3f& c, f
 /// Where a triangle and the surface lie farthest apart.
 struct Gap {
 	float squared; ///< length; at first what is near enough
-	Vec3f way;          ///< from the triangle to the surface
-	Vec3f at;           ///< where on the triangle
+	Vec3f way;     ///< from the triangle to the surface
+	Vec3f at;      ///< where on the triangle
 };
 
 class WorstDistances {
@@ -62,9 +62,9 @@ public:
 	WorstDistances(const Surface& surface, const Cells& cells, float leastAngle, ResultMesh& result,
 				   Workers& workers) :
 			surface_(surface),
-			s_(surface.mesh), cells_(cells), leastAngle_(leastAngle), near_(nearShare * result.idealEdge), r_(result),
-			m_(result.mesh), workers_(workers), normal_(smoothNormals(surface, result, workers)),
-			gap_(m_.faceNum)
+			s_(surface.mesh), cells_(cells), leastAngle_(leastAngle),
+			near_(nearShare * result.idealEdge), r_(result), m_(result.mesh), workers_(workers),
+			normal_(smoothNormals(surface, result, workers)), gap_(m_.faceNum)
 	{
 	}
 
@@ -75,8 +75,8 @@ public:
 				gap_[f] = isSuspect(int(f)) ? gapAt(int(f)).squared : gapFromSurface(int(f));
 		});
 		for (int round = 0; round < rounds; ++round) {
-			bool better = false;
-			const float goal = squaredGoal();
+			bool        better = false;
+			const float goal   = squaredGoal();
 			for (int f : facesBeyond(goal)) {
 				workers_.poll();
 				better = drawCloser(f, goal) || better;
