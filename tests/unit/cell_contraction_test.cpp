@@ -8,6 +8,7 @@
 #include <tests/support/stages.h>
 #include <vcg_extras/core/cell_contraction.h>
 #include <vcg_extras/core/measure.h>
+#include <vcg_extras/core/nearest_samples.h>
 #include <vcg_extras/core/vertex_removal.h>
 
 namespace gpr::test {

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "front_sampling.h"
 
+#include "front_fans.h"
+#include "sample_ranges.h"
 #include "sizing.h"
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
 
 namespace gpr {
 
@@ -18,12 +19,6 @@ constexpr float closestPair = 0.3f;
 
 /// How much the distance of a pair from r counts against how closely a third disk fits.
 constexpr float pairWeight = 1;
-
-struct BlockRange {
-	int firstSample = 0; ///< ids [firstSample, firstSample + room) belong to the block
-	int room        = 0;
-	int used        = 0;
-};
 
 /// A place for a sample, and the size of its disk over the largest one.
 struct Place {
@@ -42,19 +37,6 @@ struct Candidate {
 	Vec3f guess;
 	float size; ///< assumed there
 	float fit;
-};
-
-/// A sample round which intersections were looked for.
-struct Fan {
-	int firstNear, endNear; ///< the samples near it then
-	int mostCrossings;      ///< of a walk to an intersection
-	int newest = -1;        ///< the latest of the samples placed near it since
-};
-
-/// A sample placed near another one, in a list that begins with the newest.
-struct Newcomer {
-	int sample;
-	int older; ///< index of the next of the list; -1: none
 };
 
 /// Two samples next to each other, and the plane of the first.
@@ -125,15 +107,11 @@ public:
 	{
 		region_ = inRegion ? shared_.region.data() : nullptr;
 		if (inRegion && !reachesInto(block)) return;
-		block_    = &block;
-		range_    = &shared_.ranges[blockIndex];
-		firstOwn_ = range_->firstSample + range_->used;
+		block_ = &block;
+		range_ = &shared_.ranges[blockIndex];
 		heap_.clear();
 		borderEdges_.clear();
 		nextBorderEdge_ = 0;
-		fans_.clear();
-		near_.clear();
-		newcomers_.clear();
 		beginScan(blockIndex);
 		random_ = mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex));
 		takeUpNeighbours();
@@ -155,22 +133,18 @@ private:
 	DiskFlood              flood_;
 	float                  r_;
 	float                  nearLimit_;
-	const Block*           block_    = nullptr;
-	const char*            region_   = nullptr; ///< where samples may go now; null: everywhere
-	BlockRange*            range_    = nullptr;
-	int                    firstOwn_ = 0; ///< samples of the block from here on are of this run
+	const Block*           block_  = nullptr;
+	const char*            region_ = nullptr; ///< where samples may go now; null: everywhere
+	BlockRange*            range_  = nullptr;
 	std::vector<Candidate> heap_;
 	std::vector<int> borderEdges_; ///< half-edges out of the covered part: the paper's cache C
 	std::size_t      nextBorderEdge_ = 0;
-	std::vector<int> foreign_; ///< samples of others, and of earlier runs, in the block, ascending
-	std::vector<Fan> fans_;    ///< first those of foreign_, then those of this run's samples
-	std::vector<int> near_;    ///< of all fans
-	std::vector<Newcomer> newcomers_;     ///< to all fans
-	int                   scanned_   = 0; ///< vertices of the block seen by the scan
-	int                   scanStart_ = 0;
-	std::uint32_t         random_    = 1; ///< of the block, from the seed
-	std::int64_t          fillNum_   = 0;
-	bool                  capped_    = false;
+	FrontFans        fans_;
+	int              scanned_   = 0; ///< vertices of the block seen by the scan
+	int              scanStart_ = 0;
+	std::uint32_t    random_    = 1; ///< of the block, from the seed
+	std::int64_t     fillNum_   = 0;
+	bool             capped_    = false;
 
 	float distanceOf(int v) const { return shared_.field.nearest[v].distance; }
 	int   sampleOf(int v) const { return shared_.field.nearest[v].sample; }
@@ -220,13 +194,14 @@ private:
 	/// and border edges are where this block's front begins.
 	void takeUpNeighbours()
 	{
-		foreign_.clear();
+		std::vector<int> foreign;
 		for (int v = block_->begin; v < block_->end; ++v) {
 			const int s = sampleOf(v);
-			if (s >= 0) foreign_.push_back(s);
+			if (s >= 0) foreign.push_back(s);
 		}
-		std::sort(foreign_.begin(), foreign_.end());
-		foreign_.erase(std::unique(foreign_.begin(), foreign_.end()), foreign_.end());
+		std::sort(foreign.begin(), foreign.end());
+		foreign.erase(std::unique(foreign.begin(), foreign.end()), foreign.end());
+		fans_.clear(std::move(foreign), range_->firstSample + range_->used);
 		addForeignIntersections();
 		for (int v = block_->begin; v < block_->end; ++v) {
 			if (sampleOf(v) >= 0) addBorderEdges(v);
@@ -238,37 +213,22 @@ private:
 	/// sampled, the border edges serve as well and do not cost the cube of their number.
 	void addForeignIntersections()
 	{
-		constexpr std::size_t mostSamples = 4096, mostNear = 64;
-		const bool            areTooMany = foreign_.size() > mostSamples;
-		std::vector<int>      near;
-		for (int s : foreign_) {
+		constexpr std::size_t   mostSamples = 4096, mostNear = 64;
+		const std::vector<int>& foreign    = fans_.earlier();
+		const bool              areTooMany = foreign.size() > mostSamples;
+		std::vector<int>        near;
+		for (int s : foreign) {
 			near.clear();
-			for (int t : foreign_) {
+			for (int t : foreign) {
 				if (areTooMany) break;
 				if (t != s && isNearer(placeOf(s), sizeOf(s), t, 2 * r_)) near.push_back(t);
 			}
-			beginFan(near, mostFacesCrossed);
+			fans_.add(near, mostFacesCrossed);
 			if (near.size() > mostNear) continue;
 			for (int t : near) {
 				if (t > s) addIntersections(s, t);
 			}
 		}
-	}
-
-	void beginFan(const std::vector<int>& near, int mostCrossings)
-	{
-		const int first = int(near_.size());
-		near_.insert(near_.end(), near.begin(), near.end());
-		fans_.push_back({first, int(near_.size()), mostCrossings});
-	}
-
-	/// The fan of a sample of this run or one that reached into the block from the start; else -1.
-	int fanOf(int sample) const
-	{
-		const int end = range_->firstSample + range_->used;
-		if (sample >= firstOwn_ && sample < end) return int(foreign_.size()) + sample - firstOwn_;
-		const auto found = std::lower_bound(foreign_.begin(), foreign_.end(), sample);
-		return found != foreign_.end() && *found == sample ? int(found - foreign_.begin()) : -1;
 	}
 
 	void addBorderEdges(int v)
@@ -435,11 +395,11 @@ private:
 		// A straight way through a disk of n vertices crosses about √n faces. Among needles it can
 		// cross thousands; such a place is better left to the border edges.
 		const std::vector<int>& met = flood_.metSamples();
-		beginFan(met, 32 + 8 * int(std::sqrt(double(flood_.visited().size()))));
+		fans_.add(met, 32 + 8 * int(std::sqrt(double(flood_.visited().size()))));
 		for (int t : met) {
 			if (t == s) continue;
 			addIntersections(s, t);
-			tellNewcomer(s, fanOf(t));
+			fans_.tellNewcomer(t, s);
 		}
 		// Border edges are only looked for where the front has no intersections.
 		if (heap_.empty()) {
@@ -447,13 +407,6 @@ private:
 				if (sampleOf(v) == s) addBorderEdges(v);
 			}
 		}
-	}
-
-	void tellNewcomer(int sample, int fan)
-	{
-		if (fan < 0) return;
-		newcomers_.push_back({sample, fans_[fan].newest});
-		fans_[fan].newest = int(newcomers_.size()) - 1;
 	}
 
 	/// The two points at the wanted distance from both samples, if the disks near s, whose fan is
@@ -496,17 +449,15 @@ private:
 		// square lattice, which is just as saturated but not what is wanted. Both are compared over
 		// the local size, or dense places would always come first.
 		const float fit = (third + pairWeight * misfit) / apex.size + smallChance();
-		heap_.push_back({pair.a, pair.b, int(fans_.size()) - 1, side, guess, apex.size, fit});
+		heap_.push_back({pair.a, pair.b, fans_.last(), side, guess, apex.size, fit});
 		std::push_heap(heap_.begin(), heap_.end(), fitsWorse);
 	}
 
 	/// Whether a sample placed since the intersection was found is near, seen in the plane.
 	bool isTakenByNewcomer(const Candidate& c) const
 	{
-		for (int i = fans_[c.fan].newest; i >= 0; i = newcomers_[i].older) {
-			if (isNearer(c.guess, c.size, newcomers_[i].sample, roughLimit())) return true;
-		}
-		return false;
+		return fans_.anyNewcomer(c.fan,
+								 [&](int s) { return isNearer(c.guess, c.size, s, roughLimit()); });
 	}
 
 	/// The intersection's place on the surface; false if it is none of this block's or not free.
@@ -514,7 +465,7 @@ private:
 	{
 		Pair pair;
 		makePair(c.a, c.b, pair);
-		const int  mostCrossings = fans_[c.fan].mostCrossings;
+		const int  mostCrossings = fans_.mostCrossings(c.fan);
 		const Apex apex          = apexOf(pair, c.size);
 		if (!walkToIntersection(pair, c.side, apex, mostCrossings, place.anchor)) return false;
 		place.size = sizeAt(shared_.surface, place.anchor);
@@ -525,7 +476,7 @@ private:
 			place.size = sizeAt(shared_.surface, place.anchor);
 		}
 		const int face = place.anchor.face;
-		return isMine(face) && isOpenFace(face) && isFree(place, pair, fans_[c.fan]);
+		return isMine(face) && isOpenFace(face) && isFree(place, pair, c.fan);
 	}
 
 	/// The triangle of a pair and a place of a given size next to it, by the law of cosines.
@@ -560,30 +511,24 @@ private:
 	{
 		const float limit   = roughLimit() * roughLimit();
 		float       nearest = HUGE_VALF;
-		for (int i = fans_.back().firstNear; i < fans_.back().endNear; ++i) {
-			const int other = near_[i];
-			if (other == pair.a || other == pair.b) continue;
-			const float relative = 2 * size / (size + sizeOf(other));
-			nearest = std::min(nearest, squaredLength(p - placeOf(other)) * (relative * relative));
-			if (nearest < limit * (size * size)) return false;
-		}
+		const bool  isTaken = fans_.anyNear(fans_.last(), [&](int other) {
+            if (other == pair.a || other == pair.b) return false;
+            const float relative = 2 * size / (size + sizeOf(other));
+            nearest = std::min(nearest, squaredLength(p - placeOf(other)) * (relative * relative));
+            return nearest < limit * (size * size);
+        });
+		if (isTaken) return false;
 		third = std::sqrt(nearest);
 		return true;
 	}
 
-	bool isFree(const Place& place, const Pair& pair, const Fan& fan) const
+	bool isFree(const Place& place, const Pair& pair, int fan) const
 	{
-		const Vec3f p = place.anchor.position;
-		if (isTooNear(p, place.size, pair.b)) return false;
-		for (int i = fan.firstNear; i < fan.endNear; ++i) {
-			const int other = near_[i];
-			if (other == pair.a || other == pair.b) continue;
-			if (isTooNear(p, place.size, other)) return false;
-		}
-		for (int i = fan.newest; i >= 0; i = newcomers_[i].older) {
-			if (isTooNear(p, place.size, newcomers_[i].sample)) return false;
-		}
-		return true;
+		const auto isInTheWay = [&](int other) {
+			return other != pair.a && isTooNear(place.anchor.position, place.size, other);
+		};
+		return !isInTheWay(pair.b) && !fans_.anyNear(fan, isInTheWay) &&
+			   !fans_.anyNewcomer(fan, isInTheWay);
 	}
 
 	/// Walks from a at the angle the plane suggests; if the surface's bend leaves the other sample
@@ -615,58 +560,6 @@ private:
 		return walk(m_, place, step, mostCrossings) == WalkEnd::Arrived;
 	}
 };
-
-/// How many samples a face can hold at most: disks of radius (1-ε) r/2 do not overlap, so a sample
-/// takes at least 0.78 r² of a flat surface; a needle has no area, but no more samples than length.
-double roomOf(const Surface& surface, int f, float radius)
-{
-	const HalfEdgeMesh& m      = surface.mesh;
-	const int*          v      = &m.origin[3 * f];
-	const bool          graded = !surface.size.empty();
-	const float         size =
-        graded ? std::min({surface.size[v[0]], surface.size[v[1]], surface.size[v[2]]}) : 1.0f;
-	const float  r       = radius * size;
-	const double area    = 0.5 * double(length(m.faceCross(f)));
-	double       longest = 0;
-	for (int h = 3 * f; h < 3 * f + 3; ++h)
-		longest = std::max(
-			longest, double(squaredLength(m.position[m.target(h)] - m.position[m.origin[h]])));
-	const double bySpace = area / (0.5 * double(r) * r);
-	return area < 0.05 * longest ? bySpace + std::sqrt(longest) / (0.5 * r) : bySpace;
-}
-
-std::vector<BlockRange> makeRanges(const Surface& surface, const BlockPartition& partition,
-								   float radius, int firstSample, Workers& workers)
-{
-	constexpr int           spareRoom = 64;
-	const HalfEdgeMesh&     m         = surface.mesh;
-	std::vector<BlockRange> ranges(partition.blocks.size());
-	// Faces lie in the order of their first corner, so a block's faces are one range as well.
-	workers.forTasks(ranges.size(), [&](std::size_t b, int) {
-		const auto firstFaceFrom = [&](int vertex) {
-			int low = 0, high = m.faceNum;
-			while (low < high) {
-				const int middle = low + (high - low) / 2;
-				if (m.origin[3 * middle] < vertex)
-					low = middle + 1;
-				else
-					high = middle;
-			}
-			return low;
-		};
-		double    room = spareRoom;
-		const int end  = firstFaceFrom(partition.blocks[b].end);
-		for (int f = firstFaceFrom(partition.blocks[b].begin); f < end; ++f)
-			room += roomOf(surface, f, radius);
-		ranges[b].room = int(std::min(room, 1e9));
-	});
-	std::int64_t next = firstSample;
-	for (BlockRange& range : ranges) {
-		range.firstSample = int(next);
-		next += range.room;
-	}
-	return ranges;
-}
 
 /// Which samples own a vertex; one whose vertices were all taken by later ones says nothing any
 /// more.
@@ -781,45 +674,6 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 	compact(shared, workers, result);
 	labelBorder(boundary, result);
 	return result;
-}
-
-Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface,
-											  const std::vector<Sample>& samples, Workers& workers)
-{
-	// Dijkstra from all samples at once, by edges: cells only need to be sensible, not exact.
-	const HalfEdgeMesh&           m = surface.mesh;
-	Buffer<NearestField::Nearest> nearest(m.vertexNum, {HUGE_VALF, -1});
-	struct Entry {
-		float distance;
-		int   vertex;
-		int   sample;
-		bool  operator<(const Entry& o) const
-		{
-			if (distance != o.distance) return distance > o.distance;
-			return vertex != o.vertex ? vertex > o.vertex : sample > o.sample;
-		}
-	};
-	std::priority_queue<Entry> front;
-	for (std::size_t s = 0; s < samples.size(); ++s) {
-		const Anchor& a = samples[s].anchor;
-		for (int k = 0; k < 3; ++k) {
-			const int v = m.origin[3 * a.face + k];
-			front.push({length(m.position[v] - a.position), v, int(s)});
-		}
-	}
-	for (std::int64_t popped = 0; !front.empty(); ++popped) {
-		const Entry e = front.top();
-		front.pop();
-		if (popped % 65536 == 0) workers.poll();
-		if (nearest[e.vertex].sample >= 0) continue;
-		nearest[e.vertex] = {e.distance, e.sample};
-		forEachNeighbour(m, e.vertex, [&](int w) {
-			if (nearest[w].sample >= 0) return;
-			const float d = e.distance + length(m.position[w] - m.position[e.vertex]);
-			front.push({d, w, e.sample});
-		});
-	}
-	return nearest;
 }
 
 } // namespace gpr

@@ -46,11 +46,6 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 /// distance 0 whatever the interior chose: no interior sample is stood for by a border vertex.
 void labelBorder(const BoundaryCurves& boundary, Sampling& sampling);
 
-/// Voronoi cells of given samples: floods from all of them, then from what is still uncovered.
-/// Used to retriangulate from samples of any origin, whatever their spacing.
-Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface,
-											  const std::vector<Sample>& samples, Workers& workers);
-
 } // namespace gpr
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "face_tree.h"
 #include "failure.h"
+#include "nearest_samples.h"
 #include "vertex_removal.h"
 
 #include <algorithm>

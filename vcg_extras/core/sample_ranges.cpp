@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sample_ranges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace gpr {
+
+namespace {
+
+/// How many samples a face can hold at most: disks of radius (1-ε) r/2 do not overlap, so a sample
+/// takes at least 0.78 r² of a flat surface; a needle has no area, but no more samples than length.
+double roomOf(const Surface& surface, int f, float radius)
+{
+	const HalfEdgeMesh& m      = surface.mesh;
+	const int*          v      = &m.origin[3 * f];
+	const bool          graded = !surface.size.empty();
+	const float         size =
+        graded ? std::min({surface.size[v[0]], surface.size[v[1]], surface.size[v[2]]}) : 1.0f;
+	const float  r       = radius * size;
+	const double area    = 0.5 * double(length(m.faceCross(f)));
+	double       longest = 0;
+	for (int h = 3 * f; h < 3 * f + 3; ++h)
+		longest = std::max(
+			longest, double(squaredLength(m.position[m.target(h)] - m.position[m.origin[h]])));
+	const double bySpace = area / (0.5 * double(r) * r);
+	return area < 0.05 * longest ? bySpace + std::sqrt(longest) / (0.5 * r) : bySpace;
+}
+
+} // namespace
+
+std::vector<BlockRange> makeRanges(const Surface& surface, const BlockPartition& partition,
+								   float radius, int firstSample, Workers& workers)
+{
+	constexpr int           spareRoom = 64;
+	const HalfEdgeMesh&     m         = surface.mesh;
+	std::vector<BlockRange> ranges(partition.blocks.size());
+	// Faces lie in the order of their first corner, so a block's faces are one range as well.
+	workers.forTasks(ranges.size(), [&](std::size_t b, int) {
+		const auto firstFaceFrom = [&](int vertex) {
+			int low = 0, high = m.faceNum;
+			while (low < high) {
+				const int middle = low + (high - low) / 2;
+				if (m.origin[3 * middle] < vertex)
+					low = middle + 1;
+				else
+					high = middle;
+			}
+			return low;
+		};
+		double    room = spareRoom;
+		const int end  = firstFaceFrom(partition.blocks[b].end);
+		for (int f = firstFaceFrom(partition.blocks[b].begin); f < end; ++f)
+			room += roomOf(surface, f, radius);
+		ranges[b].room = int(std::min(room, 1e9));
+	});
+	std::int64_t next = firstSample;
+	for (BlockRange& range : ranges) {
+		range.firstSample = int(next);
+		next += range.room;
+	}
+	return ranges;
+}
+
+} // namespace gpr
