@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "filter_run.h"
 
+#include "comparison_report.h"
 #include "layer_job.h"
 #include "mesh_bridge.h"
 #include "refusal.h"
@@ -92,6 +93,15 @@ RunOutcome detectFeatures(const LayerJob& job, vcg::CallBackPos* progress)
 	return {true, featureLines(result), featureFigures(result)};
 }
 
+RunOutcome compare(const LayerJob& job, vcg::CallBackPos* progress)
+{
+	const Comparison comparison =
+		compareWithQuadricCollapse(job.copy().view(), job.options(), progressTo(progress));
+	const Lines lines = comparisonLines(comparison);
+	job.putCompared(comparison);
+	return {true, lines, comparisonFigures(comparison)};
+}
+
 RunOutcome runTool(gpr::Tool tool, const LayerJob& job, vcg::CallBackPos* progress)
 {
 	switch (tool) {
@@ -101,6 +111,8 @@ RunOutcome runTool(gpr::Tool tool, const LayerJob& job, vcg::CallBackPos* progre
 		return retriangulate(job, progress);
 	case gpr::FeatureTool:
 		return detectFeatures(job, progress);
+	case gpr::CompareTool:
+		return compare(job, progress);
 	default:
 		return remesh(job, progress);
 	}
@@ -121,7 +133,8 @@ int postConditionOf(gpr::Tool tool)
 {
 	switch (tool) {
 	case gpr::SamplingTool:
-		return MeshModel::MM_NONE; // it only adds a layer
+	case gpr::CompareTool:
+		return MeshModel::MM_NONE; // they only add layers
 	case gpr::FeatureTool:
 		return MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTFLAGSELECT |
 			   MeshModel::MM_FACEFLAGSELECT;

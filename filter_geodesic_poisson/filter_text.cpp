@@ -69,6 +69,21 @@ const FilterText features = {
 	"documented with this plugin (docs/features.md)",
 };
 
+const FilterText comparison = {
+	"Compare: Geodesic Poisson Disk vs Quadric Edge Collapse",
+	"generate_geodesic_poisson_disk_vs_quadric_edge_collapse",
+	"Makes two new layers of the current one, with the same number of faces: by \"Remeshing: "
+	"Geodesic Poisson Disk\", and by MeshLab's \"Simplification: Quadric Edge Collapse "
+	"Decimation\" "
+	"with what its dialog proposes. They are coloured by the quality of their triangles or by the "
+	"distance from the input, and the log has a table of both. The current layer stays as it "
+	"is.<br>"
+	"<br>See:<br>" GPR_PAPER "and<br>"
+	"<i>M. Garland, P. S. Heckbert</i>,<br>"
+	"<b>\"Surface simplification using quadric error metrics\"</b><br>"
+	"SIGGRAPH, 1997",
+};
+
 } // namespace
 
 const FilterText& textOf(gpr::Tool tool)
@@ -80,6 +95,8 @@ const FilterText& textOf(gpr::Tool tool)
 		return retriangulation;
 	case gpr::FeatureTool:
 		return features;
+	case gpr::CompareTool:
+		return comparison;
 	default:
 		return remeshing;
 	}

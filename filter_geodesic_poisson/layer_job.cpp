@@ -213,11 +213,12 @@ MeshModel& LayerJob::layer() const
 	return *layer;
 }
 
-MeshModel& LayerJob::addLayer(const MeshModel& source, int mask, const char* suffix) const
+MeshModel& LayerJob::addLayer(const MeshModel& source, int mask, const char* suffix,
+							  bool makeCurrent) const
 {
 	const Matrix44m transform = source.cm.Tr;
-	MeshModel&      added     = *_document.addNewMesh(QString(), baseLabel(source) + suffix, true);
-	added.cm.Tr               = transform;
+	MeshModel& added = *_document.addNewMesh(QString(), baseLabel(source) + suffix, makeCurrent);
+	added.cm.Tr      = transform;
 	added.updateDataMask(mask);
 	return added;
 }
@@ -256,6 +257,41 @@ void LayerJob::putPoints(const gpr::SamplingResult& result, const char* suffix) 
 	buildPoints(result, _copy, source.cm, built);
 	const int carried = MeshModel::MM_VERTQUALITY | (source.dataMask() & MeshModel::MM_VERTCOLOR);
 	fill(addLayer(source, carried, suffix), built, carried);
+}
+
+/// place: how many widths of the input beside it, where results are moved apart.
+void LayerJob::addCompared(const MeshModel& source, const ComparedResult& result,
+						   const char* suffix, int place, double largestDeviation) const
+{
+	CMeshO built;
+	buildPlain(result.mesh, built);
+	int mask = 0;
+	if (_values.comparedBy() != gpr::ComparedBy::Nothing) {
+		mask = MeshModel::MM_FACEQUALITY | MeshModel::MM_FACECOLOR;
+		built.face.EnableQuality();
+		built.face.EnableColor();
+	}
+	if (_values.comparedBy() == gpr::ComparedBy::Quality) colourFaces(result.shape, 0, 1, built);
+	if (_values.comparedBy() == gpr::ComparedBy::Distance) {
+		colourFaces(result.deviation, largestDeviation, 0, built);
+	}
+	const Matrix44m beside =
+		_values.sideBySide() ? movedAside(source.cm, place) : Matrix44m(source.cm.Tr);
+	MeshModel& added = addLayer(source, mask, suffix, place == 1);
+	fill(added, built, mask);
+	added.cm.Tr = beside;
+}
+
+void LayerJob::putCompared(const Comparison& comparison) const
+{
+	const MeshModel& source  = layer();
+	double           largest = 0;
+	for (const ComparedResult* result : {&comparison.remeshed, &comparison.collapsed}) {
+		for (const float deviation : result->deviation)
+			largest = std::max(largest, double(deviation));
+	}
+	addCompared(source, comparison.remeshed, "_geodesic_poisson", 1, largest);
+	addCompared(source, comparison.collapsed, "_quadric_collapse", 2, largest);
 }
 
 } // namespace gpr_filter

@@ -5,6 +5,7 @@
 
 // What all filters do with MeshLab's document.
 
+#include "comparison.h"
 #include "mesh_bridge.h"
 
 #include <string>
@@ -49,6 +50,10 @@ public:
 	/// one. Throws as layer() does.
 	void putPoints(const gpr::SamplingResult& result, const char* suffix) const;
 
+	/// Puts both results of a comparison into new layers, coloured and placed as the parameters
+	/// say; that of the remeshing becomes the current one. Throws as layer() does.
+	void putCompared(const Comparison& comparison) const;
+
 private:
 	MeshDocument&      _document;
 	int                _layerId;
@@ -57,7 +62,10 @@ private:
 	LayerCopy          _copy;
 
 	const MeshModel& sampleModel() const;
-	MeshModel&       addLayer(const MeshModel& source, int mask, const char* suffix) const;
+	MeshModel&       addLayer(const MeshModel& source, int mask, const char* suffix,
+							  bool makeCurrent = true) const;
+	void addCompared(const MeshModel& source, const ComparedResult& result, const char* suffix,
+					 int place, double largestDeviation) const;
 };
 
 } // namespace gpr_filter

@@ -270,6 +270,30 @@ void buildPoints(const gpr::SamplingResult& result, const LayerCopy& copy, const
 	}
 }
 
+void buildPlain(const gpr::TriangleMesh& mesh, CMeshO& built)
+{
+	addElements(mesh, built);
+}
+
+void colourFaces(const std::vector<float>& figures, double red, double blue, CMeshO& mesh)
+{
+	for (std::size_t f = 0; f < figures.size(); ++f) {
+		mesh.face[f].Q() = Scalarm(figures[f]);
+		mesh.face[f].C().SetColorRamp(float(red), float(blue), figures[f]);
+	}
+}
+
+Matrix44m movedAside(const CMeshO& mesh, int place)
+{
+	Box3m box; // as it is shown
+	for (int corner = 0; corner < 8; ++corner) {
+		box.Add(mesh.Tr * mesh.bbox.P(corner));
+	}
+	Matrix44m shift;
+	shift.SetTranslate(Scalarm(1.1) * Scalarm(place) * box.DimX(), 0, 0);
+	return shift * mesh.Tr;
+}
+
 void markFeatures(const gpr::FeatureResult& result, CMeshO& mesh)
 {
 	mesh.svn = mesh.sfn = 0;

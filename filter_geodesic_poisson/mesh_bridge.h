@@ -70,6 +70,16 @@ void buildMesh(const gpr::RemeshResult& result, const LayerCopy& copy, const CMe
 void buildPoints(const gpr::SamplingResult& result, const LayerCopy& copy, const CMeshO& source,
 				 CMeshO& built);
 
+/// Fills an empty mesh with a mesh as it is. Throws std::bad_alloc only.
+void buildPlain(const gpr::TriangleMesh& mesh, CMeshO& built);
+
+/// Makes figures, one a face, the faces' quality, and their colour: red at `red` over green to blue
+/// at `blue`. Both optional components must be enabled.
+void colourFaces(const std::vector<float>& figures, double red, double blue, CMeshO& mesh);
+
+/// The transform that puts a copy of a mesh `place` widths and a little beside it, along x.
+Matrix44m movedAside(const CMeshO& mesh, int place);
+
 /// Gives the mesh that was copied its features: strengths as vertex quality, marked vertices and
 /// faces selected and no others. Needs no memory.
 void markFeatures(const gpr::FeatureResult& result, CMeshO& mesh);

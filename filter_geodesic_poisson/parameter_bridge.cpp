@@ -7,6 +7,7 @@
 
 #include <QString>
 #include <QStringList>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -37,8 +38,9 @@ constexpr std::size_t kMostRows = 14;
 bool ofEverydayUse(const Parameter& row)
 {
 	static const std::set<std::string> keys = {
-		"TargetVertexNum", "TargetPerc", "TargetLen", "MaxError", "Preset",      "Adapt",
-		"Features",        "Selected",   "Seed",      "NewLayer", "SampleLayer", "FeatureAngle",
+		"TargetVertexNum", "TargetPerc",   "TargetLen", "MaxError",   "Preset",
+		"Adapt",           "Features",     "Selected",  "Seed",       "NewLayer",
+		"SampleLayer",     "FeatureAngle", "ColorBy",   "SideBySide",
 	};
 	return keys.count(row.key) != 0;
 }
@@ -115,23 +117,39 @@ std::string outOfRange(const Parameter& row)
 		.toStdString();
 }
 
+bool hasRow(const std::vector<Parameter>& table, const std::string& key)
+{
+	return std::any_of(table.begin(), table.end(),
+					   [&](const Parameter& p) { return p.key == key; });
+}
+
+/// The selection counts where only selected faces can be worked on.
+gpr::MeshFacts factsFor(const std::vector<Parameter>& table, const gpr::MeshFacts& facts)
+{
+	gpr::MeshFacts known = facts;
+	known.hasSelection   = facts.hasSelection && hasRow(table, "Selected");
+	return known;
+}
+
 } // namespace
 
 void fillParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts& facts,
 					   RichParameterList& list)
 {
+	const gpr::MeshFacts known = factsFor(table, facts);
 	for (const Parameter& row : table) {
-		addRow(row, facts, table.size() > kMostRows && !ofEverydayUse(row), list);
+		addRow(row, known, table.size() > kMostRows && !ofEverydayUse(row), list);
 	}
 }
 
 ReadParameters readParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts& facts,
 								 const RichParameterList& list)
 {
-	ReadParameters read;
+	const gpr::MeshFacts known = factsFor(table, facts);
+	ReadParameters       read;
 	for (const Parameter& row : table) {
 		if (!list.hasParameter(QString::fromUtf8(row.key))) {
-			read.values.set(row, row.defaultValue(facts));
+			read.values.set(row, row.defaultValue(known));
 			continue;
 		}
 		const std::optional<ParameterValue> value = find(row, list);

@@ -51,7 +51,7 @@ public:
 	{
 		setFrameShape(QFrame::NoFrame);
 		setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-		setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+		setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
 		setWidgetResizable(true);
 		setWidget(parameters);
 		for (QWidget* part : parameters->findChildren<QWidget*>()) {
@@ -142,14 +142,16 @@ int mostHeightOn(const QScreen& screen)
 void scrollParameters(QDockWidget& dialog, QGridLayout& grid, QWidget& parameters,
 					  const QWidget& below)
 {
-	QWidget&  inside  = *dialog.widget();
-	const int most    = mostHeightOn(*dialog.screen());
-	const int title   = dialog.height() - inside.height();
-	const int others  = title + parameters.y() + inside.height() - below.y() + grid.spacing();
-	const int rowsNow = parameters.sizeHint().height();
-	if (others + rowsNow <= most) return;
+	QWidget&  inside = *dialog.widget();
+	const int most   = mostHeightOn(*dialog.screen());
+	const int title  = dialog.height() - inside.height();
+	const int others = title + parameters.y() + inside.height() - below.y() + grid.spacing();
+	const int rows   = std::max(parameters.sizeHint().height(), parameters.height());
+	// The host forgets the height of its own text, so that the last rows can be behind the buttons.
+	const bool cutOff = parameters.geometry().bottom() > below.y();
+	if (others + rows <= most && !cutOff) return;
 	grid.removeWidget(&parameters);
-	auto* const area = new ParameterArea(&parameters, most, others);
+	auto* const area = new ParameterArea(&parameters, std::min(most, others + rows), others);
 	grid.addWidget(area, kParameterRow, 0, 1, 2);
 	grid.setRowStretch(kParameterRow, 1);
 	area->fitDialog();

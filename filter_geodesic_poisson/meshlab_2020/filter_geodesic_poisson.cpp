@@ -10,7 +10,7 @@
 FilterGeodesicPoisson::FilterGeodesicPoisson()
 {
 	typeList << FP_GEODESIC_POISSON_REMESHING << FP_GEODESIC_POISSON_SAMPLING << FP_RETRIANGULATION
-			 << FP_FEATURE_DETECTION;
+			 << FP_FEATURE_DETECTION << FP_COMPARISON;
 	for (FilterIDType filter : types()) {
 		actionList << new QAction(filterName(filter), this);
 	}
@@ -38,6 +38,8 @@ MeshFilterInterface::FilterClass FilterGeodesicPoisson::getClass(QAction* action
 		return Sampling;
 	case FP_FEATURE_DETECTION:
 		return FilterClass(Selection | Quality);
+	case FP_COMPARISON:
+		return FilterClass(Remeshing | MeshCreation); // the latter shows all layers anew
 	default:
 		return Remeshing;
 	}

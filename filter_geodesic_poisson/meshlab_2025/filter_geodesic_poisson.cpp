@@ -11,7 +11,7 @@
 FilterGeodesicPoisson::FilterGeodesicPoisson()
 {
 	typeList = {FP_GEODESIC_POISSON_REMESHING, FP_GEODESIC_POISSON_SAMPLING, FP_RETRIANGULATION,
-				FP_FEATURE_DETECTION};
+				FP_FEATURE_DETECTION, FP_COMPARISON};
 	for (ActionIDType filter : types()) {
 		actionList.push_back(new QAction(filterName(filter), this));
 	}
@@ -49,6 +49,8 @@ FilterPlugin::FilterClass FilterGeodesicPoisson::getClass(const QAction* action)
 		return Sampling;
 	case FP_FEATURE_DETECTION:
 		return FilterClass(Selection | Quality);
+	case FP_COMPARISON:
+		return FilterClass(Remeshing | MeshCreation); // the latter shows all layers anew
 	default:
 		return Remeshing;
 	}

@@ -21,6 +21,7 @@ public:
 		FP_GEODESIC_POISSON_SAMPLING  = gpr::SamplingTool,
 		FP_RETRIANGULATION            = gpr::RetriangulateTool,
 		FP_FEATURE_DETECTION          = gpr::FeatureTool,
+		FP_COMPARISON                 = gpr::CompareTool,
 	};
 
 	/// Runs before the host has checked version and scalar, so it does next to nothing.

@@ -28,7 +28,7 @@ using gpr_filter::scriptType;
 using gpr_filter::textOf;
 
 constexpr Tool tools[] = {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool,
-						  gpr::FeatureTool};
+						  gpr::FeatureTool, gpr::CompareTool};
 
 const char* const intro =
 	"<!-- Made by build/bin/gpr_parameter_reference --write . from "

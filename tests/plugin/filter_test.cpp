@@ -26,8 +26,8 @@ RichParameterList withCount(Document& document, int vertexNum)
 
 TEST(Filter, HostFindsAllAndTheirTexts)
 {
-	for (gpr::Tool tool :
-		 {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool, gpr::FeatureTool}) {
+	for (gpr::Tool tool : {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool,
+						   gpr::FeatureTool, gpr::CompareTool}) {
 		QAction* const action = actionOf(tool);
 		ASSERT_NE(action, nullptr) << tool;
 		EXPECT_EQ(action->parent(), dynamic_cast<QObject*>(&plugin()));
@@ -49,6 +49,10 @@ TEST(Filter, ClassAndPostCondition)
 	QAction* const retriangulation = actionOf(gpr::RetriangulateTool);
 	EXPECT_EQ(plugin().getClass(retriangulation), PluginInterface::Remeshing);
 	EXPECT_EQ(plugin().postCondition(retriangulation), MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE);
+	QAction* const comparison = actionOf(gpr::CompareTool);
+	EXPECT_EQ(plugin().getClass(comparison),
+			  PluginInterface::Remeshing | PluginInterface::MeshCreation);
+	EXPECT_EQ(plugin().postCondition(comparison), MeshModel::MM_NONE);
 	QAction* const features = actionOf(gpr::FeatureTool);
 	EXPECT_EQ(plugin().getClass(features), PluginInterface::Selection | PluginInterface::Quality);
 	EXPECT_EQ(plugin().postCondition(features), MeshModel::MM_VERTQUALITY |

@@ -18,7 +18,7 @@ using namespace plugin_test;
 using gpr::TargetMode;
 
 constexpr gpr::Tool tools[] = {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool,
-							   gpr::FeatureTool};
+							   gpr::FeatureTool, gpr::CompareTool};
 
 gpr::MeshFacts facts()
 {

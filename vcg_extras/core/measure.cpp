@@ -130,6 +130,13 @@ struct Extent {
 	double diagonal() const { return high.x >= low.x ? length(high - low) : 0; }
 };
 
+/// 2 inradius / circumradius of a triangle with these edges and this area, two times:
+/// inradius = doubled / (a + b + c), circumradius = a b c / (2 doubled).
+double ratioOfRadii(double a, double b, double c, double doubled)
+{
+	return 4 * doubled * doubled / ((a + b + c) * a * b * c);
+}
+
 /// Sums and extremes of the shapes of some faces.
 struct ShapeSums {
 	double       radiusRatio = 0, radiusRatioMin = 1;
@@ -163,8 +170,7 @@ struct ShapeSums {
 			++below30;
 			return;
 		}
-		// inradius = doubled / (a + b + c), circumradius = a b c / (2 doubled).
-		const double radius = 4 * doubled * doubled / ((a + b + c) * a * b * c);
+		const double radius = ratioOfRadii(a, b, c, doubled);
 		const double aspect = 2 * std::sqrt(3.0) * doubled / ((a + b + c) * longest);
 		radiusRatio += radius;
 		radiusRatioMin = std::min(radiusRatioMin, radius);
@@ -225,6 +231,21 @@ MeshFigures measureMesh(const MeshView& mesh)
 		if (std::isfinite(area)) figures.area += area;
 	}
 	return figures;
+}
+
+std::vector<float> radiusRatios(const MeshView& mesh, Workers& workers)
+{
+	std::vector<float> ratios(mesh.faceNum, 0);
+	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const std::int32_t* t = mesh.triangles + 3 * f;
+			const Vec3d  p = mesh.position(t[0]), q = mesh.position(t[1]), s = mesh.position(t[2]);
+			const double doubled = length(cross(q - p, s - p));
+			const double ratio = ratioOfRadii(length(s - q), length(s - p), length(q - p), doubled);
+			if (doubled > 0 && std::isfinite(ratio)) ratios[f] = float(ratio);
+		}
+	});
+	return ratios;
 }
 
 QualityFigures measureQuality(const MeshView& mesh, int threads)

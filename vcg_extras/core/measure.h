@@ -21,6 +21,9 @@ MeshFigures measureMesh(const MeshView& mesh);
 QualityFigures measureQuality(const MeshView& mesh, Workers& workers);
 QualityFigures measureQuality(const MeshView& mesh, int threads = 1);
 
+/// 2·inradius/circumradius of every face, 1 = equilateral; 0 for faces without area. Cost: linear.
+std::vector<float> radiusRatios(const MeshView& mesh, Workers& workers);
+
 /// The same figures of a half-edge mesh, whose topology is known; lengths in the mesh's units times
 /// unit. Cost: linear.
 MeshFigures figuresOf(const HalfEdgeMesh& mesh, double unit, Workers& workers);

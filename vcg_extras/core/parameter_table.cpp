@@ -11,7 +11,9 @@ namespace {
 
 constexpr double   largestCount = 2147483647.0;
 constexpr unsigned sized        = RemeshTool | SamplingTool;
-constexpr unsigned everywhere   = RemeshTool | SamplingTool | RetriangulateTool | FeatureTool;
+constexpr unsigned shared       = sized | CompareTool;
+constexpr unsigned everywhere =
+	RemeshTool | SamplingTool | RetriangulateTool | FeatureTool | CompareTool;
 
 std::int64_t countOf(const ParameterValue& v)
 {
@@ -106,7 +108,7 @@ void addSamples(Table& t)
 void addSize(Table& t)
 {
 	t.push_back(
-		row(sized, "TargetVertexNum", "--vertices", "N", Kind::Count, "Number of vertices",
+		row(shared, "TargetVertexNum", "--vertices", "N", Kind::Count, "Number of vertices",
 			"How many vertices the result has, exactly; a sampling lands within about a "
 			"tenth of it. Used where percentage and edge length are 0. A number below what "
 			"the topology needs is refused, and the "
@@ -116,7 +118,7 @@ void addSize(Table& t)
 			.byDefault(tenPercent)
 			.store([](const Value& v, RemeshOptions& o) { o.targetVertexNum = countOf(v); })
 			.p);
-	t.push_back(row(sized, "TargetPerc", "--percent", "P", Kind::Number,
+	t.push_back(row(shared, "TargetPerc", "--percent", "P", Kind::Number,
 					"Percentage of vertices (0 = off)",
 					"Size of the result in percent of the layer's vertices, in (0, 10000]; takes "
 					"the place of the number of vertices where it is above 0. Raised where the "
@@ -124,7 +126,7 @@ void addSize(Table& t)
 					.range(0, 10000)
 					.store([](const Value& v, RemeshOptions& o) { o.targetPercent = numberOf(v); })
 					.p);
-	t.push_back(row(sized, "TargetLen", "--edge-length", "L", Kind::Length,
+	t.push_back(row(shared, "TargetLen", "--edge-length", "L", Kind::Length,
 					"Mean edge length (0 = off)",
 					"Wanted mean edge length of the result in mesh units; takes the place of the "
 					"number of vertices where it is above 0. Raised count where the topology needs "
@@ -146,7 +148,7 @@ void addSize(Table& t)
 void addMainChoices(Table& t)
 {
 	t.push_back(
-		row(sized, "Preset", "--preset", "NAME", Kind::Choice, "Preset",
+		row(shared, "Preset", "--preset", "NAME", Kind::Choice, "Preset",
 			"Which way is gone: default, the most regular triangles, close to the input; fast, "
 			"three times as fast, without the fit and the passes for regularity; paper, each stage "
 			"as the paper has it, whose number of vertices is only "
@@ -164,7 +166,7 @@ void addMainChoices(Table& t)
 			.store([](const Value& v, RemeshOptions& o) { o.selectedOnly = switchOf(v); })
 			.p);
 	t.push_back(
-		row(sized, "Boundary", "--boundary", "NAME", Kind::Choice, "Boundary",
+		row(shared, "Boundary", "--boundary", "NAME", Kind::Choice, "Boundary",
 			"What becomes of the surface's open borders: resample, their curve and their corners "
 			"stay, vertices are placed on them anew; keep, every vertex on them stays where it is "
 			"and none is added, the triangles growing from their spacing to the wanted size; free, "
@@ -176,7 +178,7 @@ void addMainChoices(Table& t)
 
 void addFeatureLines(Table& t)
 {
-	t.push_back(row(sized, "Features", "--features", "NAME", Kind::Choice, "Feature lines",
+	t.push_back(row(shared, "Features", "--features", "NAME", Kind::Choice, "Feature lines",
 					"Sharp edges of the mesh become edges of the result, corners and cone tips its "
 					"vertices: "
 					"auto, where they are real creases and not a scan's noise (none with the paper "
@@ -190,7 +192,7 @@ void addFeatureLines(Table& t)
 					})
 					.p);
 	t.push_back(
-		row(sized, "FeatureAngle", "--feature-angle", "DEG", Kind::Number, "Feature angle",
+		row(shared, "FeatureAngle", "--feature-angle", "DEG", Kind::Number, "Feature angle",
 			"A feature line begins where the normals of two faces differ by so many degrees, "
 			"and goes on from its ends down to half of that; 5 to 175.")
 			.range(5, 175)
@@ -201,7 +203,7 @@ void addFeatureLines(Table& t)
 
 void addAdaptivity(Table& t)
 {
-	t.push_back(row(sized, "Adapt", "--adapt", "A", Kind::Number, "Adaptivity to the error",
+	t.push_back(row(shared, "Adapt", "--adapt", "A", Kind::Number, "Adaptivity to the error",
 					"Spends the vertices where the surface bends, for a smaller error at the same "
 					"number: 0, all triangles of one size, to 1, sizes within a range of four. Not "
 					"used with the paper's equations.")
@@ -219,6 +221,22 @@ void addLayer(Table& t)
 			"undo. On: it becomes a layer of its own, with the transform of the old one, "
 			"which stays as it is.")
 			.p);
+}
+
+void addComparison(Table& t)
+{
+	t.push_back(row(CompareTool, "ColorBy", "", "", Kind::Choice, "Colour by",
+					"What the two results are coloured by, on one scale: quality, 2 inradius / "
+					"circumradius of each face from red (0) over green to blue (1, equilateral); "
+					"distance, of each vertex from the input, from blue (0) to red (the largest of "
+					"both); nothing. The figure is the quality of the faces or vertices, too.")
+					.choices({"quality", "distance", "nothing"})
+					.p);
+	t.push_back(row(CompareTool, "SideBySide", "", "", Kind::Switch, "Move the results apart",
+					"On (default): the transforms of the two layers put them beside the input, "
+					"along x. Off: they lie where it is.")
+					.byDefault([](const MeshFacts&) { return Value(true); })
+					.p);
 }
 
 void addStages(Table& t)
@@ -308,7 +326,7 @@ void addCount(Table& t)
 				if (countOf(v) > 0) o.exactCount = countOf(v) == 1;
 			})
 			.p);
-	t.push_back(row(RemeshTool, "AllowNearest", "--allow-nearest", "", Kind::Switch,
+	t.push_back(row(RemeshTool | CompareTool, "AllowNearest", "--allow-nearest", "", Kind::Switch,
 					"Take the nearest possible number",
 					"Where the topology needs more vertices than asked for: take the nearest "
 					"possible number instead of refusing.")
@@ -319,7 +337,7 @@ void addCount(Table& t)
 void addCleaning(Table& t)
 {
 	t.push_back(
-		row(sized, "DropComponentsBelow", "--drop-components-below", "N", Kind::Count,
+		row(shared, "DropComponentsBelow", "--drop-components-below", "N", Kind::Count,
 			"Drop components with fewer faces (0 = none)",
 			"Components with fewer faces are left out: dust of scans, which would take four "
 			"vertices a piece. 0 keeps all.")
@@ -456,7 +474,7 @@ void addRun(Table& t)
 			.store([](const Value& v, RemeshOptions& o) { o.timeLimitSeconds = numberOf(v); })
 			.p);
 	t.push_back(
-		row(sized, "Seed", "--seed", "S", Kind::Count, "Random seed",
+		row(shared, "Seed", "--seed", "S", Kind::Count, "Random seed",
 			"The same seed gives the same mesh, byte for byte, with any number of threads. 0 takes "
 			"a fresh seed and logs it.")
 			.range(0, largestCount)
@@ -492,6 +510,7 @@ std::vector<Parameter> makeParameterTable()
 	addFeatureLines(table);
 	addAdaptivity(table);
 	addLayer(table);
+	addComparison(table);
 	addCount(table);
 	addCleaning(table);
 	addRun(table);

@@ -25,6 +25,7 @@ const std::vector<Parameter>& parametersOf(Tool tool)
 	static const std::vector<Parameter> sampling      = rowsOf(SamplingTool);
 	static const std::vector<Parameter> retriangulate = rowsOf(RetriangulateTool);
 	static const std::vector<Parameter> features      = rowsOf(FeatureTool);
+	static const std::vector<Parameter> compare       = rowsOf(CompareTool);
 	switch (tool) {
 	case SamplingTool:
 		return sampling;
@@ -32,6 +33,8 @@ const std::vector<Parameter>& parametersOf(Tool tool)
 		return retriangulate;
 	case FeatureTool:
 		return features;
+	case CompareTool:
+		return compare;
 	default:
 		return remesh;
 	}
@@ -50,16 +53,36 @@ void ParameterSet::set(const Parameter& parameter, const ParameterValue& value)
 	given_.insert_or_assign(parameter.key, Given{&parameter, value});
 }
 
+std::int64_t ParameterSet::numberOf(const char* key) const
+{
+	const auto row = given_.find(key);
+	return row != given_.end() ? std::get<std::int64_t>(row->second.value) : 0;
+}
+
+bool ParameterSet::switchOf(const char* key) const
+{
+	const auto row = given_.find(key);
+	return row != given_.end() && std::get<bool>(row->second.value);
+}
+
 bool ParameterSet::newLayer() const
 {
-	const auto row = given_.find("NewLayer");
-	return row != given_.end() && std::get<bool>(row->second.value);
+	return switchOf("NewLayer");
 }
 
 std::int64_t ParameterSet::sampleLayer() const
 {
-	const auto row = given_.find("SampleLayer");
-	return row != given_.end() ? std::get<std::int64_t>(row->second.value) : 0;
+	return numberOf("SampleLayer");
+}
+
+ComparedBy ParameterSet::comparedBy() const
+{
+	return ComparedBy(numberOf("ColorBy"));
+}
+
+bool ParameterSet::sideBySide() const
+{
+	return switchOf("SideBySide");
 }
 
 /// The values as given; sizes that were not are 0.

@@ -36,11 +36,15 @@ struct MeshFacts {
 
 /// What parameters are for: each is a filter in MeshLab, most are a command of gpremesh.
 enum Tool : unsigned {
-	RemeshTool        = 1, ///< the whole way
-	SamplingTool      = 2, ///< the samples only
-	RetriangulateTool = 4, ///< a mesh from given samples
-	FeatureTool       = 8, ///< feature detection
+	RemeshTool        = 1,  ///< the whole way
+	SamplingTool      = 2,  ///< the samples only
+	RetriangulateTool = 4,  ///< a mesh from given samples
+	FeatureTool       = 8,  ///< feature detection
+	CompareTool       = 16, ///< the whole way and Quadric Edge Collapse, beside each other
 };
+
+/// What the results of a comparison are coloured by.
+enum class ComparedBy { Quality, Distance, Nothing };
 
 /// One row of the table from which the dialogs, .mlx scripts, the command line and the reference
 /// are made. Keys and option names are public: they change with a changelog line only.
@@ -86,6 +90,8 @@ public:
 	/// Rows that the host handles itself.
 	bool         newLayer() const;
 	std::int64_t sampleLayer() const;
+	ComparedBy   comparedBy() const;
+	bool         sideBySide() const;
 	/// Sentences about values out of range or in conflict; empty when all is well.
 	std::vector<std::string> complaints() const;
 
@@ -97,6 +103,9 @@ private:
 	std::map<std::string, Given> given_; ///< by key
 
 	RemeshOptions raw() const;
+	/// Of a row that the host handles itself; 0 and off where it was not given.
+	std::int64_t numberOf(const char* key) const;
+	bool         switchOf(const char* key) const;
 };
 
 } // namespace gpr

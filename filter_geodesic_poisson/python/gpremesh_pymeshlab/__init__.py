@@ -25,6 +25,7 @@ FILTERS = (
     "generate_sampling_geodesic_poisson_disk",
     "meshing_retriangulate_from_samples",
     "compute_features_by_second_order_difference",
+    "generate_geodesic_poisson_disk_vs_quadric_edge_collapse",
 )
 
 

@@ -1,136 +1,29 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quadric Edge Collapse as MeshLab runs it. Source of the parameters and of the order of the steps:
-// MeshLab 2020.09, filter_meshing (FP_QUADRIC_SIMPLIFICATION and QuadricSimplification).
-#include "peer_mesh.h"
+// Quadric Edge Collapse as MeshLab runs it, timed.
 #include "peer_remeshers.h"
 #include "platform.h"
 #include "stopwatch.h"
 
-#include <new>
-
-// vcglib's headers need complex.h before them.
-// clang-format off
-#include <vcg/container/simple_temporary_data.h>
-#include <vcg/complex/algorithms/clean.h>
-#include <vcg/complex/algorithms/update/flag.h>
-#include <vcg/complex/algorithms/local_optimization.h>
-#include <vcg/complex/algorithms/local_optimization/tri_edge_collapse_quadric.h>
-// clang-format on
+#include <vcg_extras/complex/peers/quadric_collapse.h>
 
 namespace gpr::app {
-
-namespace {
-
-class CollapseVertex;
-class CollapseFace;
-struct CollapseTypes : public vcg::UsedTypes<vcg::Use<CollapseVertex>::AsVertexType,
-											 vcg::Use<CollapseFace>::AsFaceType> {};
-class CollapseVertex
-		: public vcg::Vertex<CollapseTypes, vcg::vertex::Coord3f, vcg::vertex::Normal3f,
-							 vcg::vertex::VFAdj, vcg::vertex::Mark, vcg::vertex::BitFlags> {};
-class CollapseFace : public vcg::Face<CollapseTypes, vcg::face::VertexRef, vcg::face::Normal3f,
-									  vcg::face::VFAdj, vcg::face::BitFlags> {};
-class CollapseMesh
-		: public vcg::tri::TriMesh<std::vector<CollapseVertex>, std::vector<CollapseFace>> {};
-
-using Quadrics = vcg::SimpleTempData<CollapseMesh::VertContainer, vcg::math::Quadric<double>>;
-
-/// Where vcglib finds the quadric of a vertex: it wants a class of static functions.
-class QuadricHelper {
-public:
-	static void                        Init() {}
-	static vcg::math::Quadric<double>& Qd(CollapseVertex& v) { return (*quadrics())[v]; }
-	static vcg::math::Quadric<double>& Qd(CollapseVertex* v) { return (*quadrics())[*v]; }
-	static float                       W(CollapseVertex*) { return 1; }
-	static float                       W(CollapseVertex&) { return 1; }
-	static void                        Merge(CollapseVertex&, const CollapseVertex&) {}
-	static Quadrics*&                  quadrics()
-	{
-		static Quadrics* current = nullptr;
-		return current;
-	}
-};
-
-using VertexPair = vcg::tri::BasicVertexPair<CollapseVertex>;
-
-class Collapse : public vcg::tri::TriEdgeCollapseQuadric<CollapseMesh, VertexPair, Collapse,
-														 QuadricHelper> {
-public:
-	using Base =
-		vcg::tri::TriEdgeCollapseQuadric<CollapseMesh, VertexPair, Collapse, QuadricHelper>;
-	Collapse(const VertexPair& pair, int mark, vcg::BaseParameterClass* parameters) :
-			Base(pair, mark, parameters)
-	{
-	}
-};
-
-vcg::tri::TriEdgeCollapseQuadricParameter dialogDefaults()
-{
-	vcg::tri::TriEdgeCollapseQuadricParameter p;
-	p.QualityThr       = 0.3;
-	p.PreserveBoundary = false;
-	p.PreserveTopology = false;
-	p.NormalCheck      = false;
-	p.OptimalPlacement = true;
-	p.QualityQuadric   = false;
-	p.QualityWeight    = false;
-	return p;
-}
-
-/// False: was stopped.
-bool collapse(CollapseMesh& mesh, std::int64_t faceNum, const StopQuestion& shallStop)
-{
-	vcg::math::Quadric<double> zero;
-	zero.SetZero();
-	Quadrics quadrics(mesh.vert, zero);
-	QuadricHelper::quadrics() = &quadrics;
-
-	vcg::tri::TriEdgeCollapseQuadricParameter parameters = dialogDefaults();
-	vcg::LocalOptimization<CollapseMesh>      session(mesh, &parameters);
-	session.Init<Collapse>();
-	session.SetTargetSimplices(int(faceNum));
-	session.SetTimeBudget(0.1f);
-	bool stopped = shallStop();
-	while (!stopped && session.DoOptimization() && mesh.fn > faceNum)
-		stopped = shallStop();
-	session.Finalize<Collapse>();
-	QuadricHelper::quadrics() = nullptr;
-	return !stopped;
-}
-
-void cleanUp(CollapseMesh& mesh)
-{
-	using Clean     = vcg::tri::Clean<CollapseMesh>;
-	using Allocator = vcg::tri::Allocator<CollapseMesh>;
-	Clean::RemoveFaceOutOfRangeArea(mesh, 0);
-	Clean::RemoveDuplicateVertex(mesh);
-	Clean::RemoveUnreferencedVertex(mesh);
-	Allocator::CompactVertexVector(mesh);
-	Allocator::CompactFaceVector(mesh);
-}
-
-} // namespace
 
 PeerResult collapseQuadricEdges(const MeshView& mesh, std::int64_t faceNum,
 								const StopQuestion& shallStop)
 {
-	PeerResult   result;
-	CollapseMesh work;
-	fillPeerMesh(mesh, work);
-	const Stopwatch clock;
-	const double    processorBefore = processorSeconds();
-	vcg::tri::UpdateTopology<CollapseMesh>::VertexFace(work);
-	vcg::tri::UpdateFlags<CollapseMesh>::FaceBorderFromVF(work);
-	if (!collapse(work, faceNum, shallStop)) {
+	PeerResult             result;
+	peers::QuadricCollapse collapse(mesh);
+	const Stopwatch        clock;
+	const double           processorBefore = processorSeconds();
+	if (!collapse.run(faceNum, shallStop)) {
 		result.failure = "Quadric Edge Collapse was stopped.";
 		return result;
 	}
-	cleanUp(work);
 	result.seconds          = clock.seconds();
 	result.processorSeconds = processorSeconds() - processorBefore;
-	result.mesh             = arraysOfPeerMesh(work);
-	if (work.face.empty()) result.failure = "Quadric Edge Collapse left no face.";
+	result.mesh             = collapse.mesh();
+	if (result.mesh.faceNum() == 0) result.failure = "Quadric Edge Collapse left no face.";
 	return result;
 }
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Isotropic explicit remeshing as MeshLab runs it. Source of the parameters and of the order of the
 // steps: MeshLab 2020.09, filter_meshing (FP_EXPLICIT_ISOTROPIC_REMESHING).
-#include "peer_mesh.h"
 #include "peer_remeshers.h"
 #include "platform.h"
 #include "stopwatch.h"
+
+#include <vcg_extras/complex/peers/peer_mesh.h>
 
 // vcglib's headers need complex.h before them.
 // clang-format off
@@ -71,7 +72,7 @@ PeerResult remeshIsotropically(const MeshView& mesh, double edgeLen)
 {
 	PeerResult    result;
 	IsotropicMesh work;
-	fillPeerMesh(mesh, work);
+	peers::fillPeerMesh(mesh, work);
 	const Stopwatch clock;
 	const double    processorBefore = processorSeconds();
 	try {
@@ -83,7 +84,7 @@ PeerResult remeshIsotropically(const MeshView& mesh, double edgeLen)
 	}
 	result.seconds          = clock.seconds();
 	result.processorSeconds = processorSeconds() - processorBefore;
-	result.mesh             = arraysOfPeerMesh(work);
+	result.mesh             = peers::arraysOfPeerMesh(work);
 	if (work.face.empty()) result.failure = "Isotropic remeshing left no face.";
 	return result;
 }

@@ -25,11 +25,8 @@ struct PeerResult {
 /// Asked now and then; true ends the work.
 using StopQuestion = std::function<bool()>;
 
-/// MeshLab's "Simplification: Quadric Edge Collapse Decimation" (Garland, Heckbert 1997) down to
-/// faceNum faces: quality threshold 0.3, optimal placement, clean-up at the end; boundary, normals
-/// and topology are not preserved. Coordinates are floats, as in MeshLab. Corners that are not
-/// finite, and faces without area in the index sense, are dropped first, as MeshLab does on opening
-/// a file. Not re-entrant: vcglib keeps state in static variables. Cost: O(F log F), one thread.
+/// MeshLab's "Simplification: Quadric Edge Collapse Decimation" down to faceNum faces; see
+/// vcg_extras/complex/peers/quadric_collapse.h.
 PeerResult collapseQuadricEdges(const MeshView& mesh, std::int64_t faceNum,
 								const StopQuestion& shallStop);
 

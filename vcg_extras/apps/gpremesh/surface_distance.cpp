@@ -7,6 +7,7 @@
 #include <CGAL/Simple_cartesian.h>
 #include <algorithm>
 #include <cmath>
+#include <vcg_extras/core/even_points.h>
 #include <vector>
 
 namespace gpr::app {
@@ -58,19 +59,6 @@ private:
 
 using FaceTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, FacePrimitive>>;
 
-bool isFinite(const Vec3d& p)
-{
-	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
-bool isUsable(const MeshView& mesh, std::size_t face)
-{
-	const std::int32_t* t = mesh.triangles + 3 * face;
-	if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
-	return isFinite(mesh.position(t[0])) && isFinite(mesh.position(t[1])) &&
-		   isFinite(mesh.position(t[2]));
-}
-
 /// Sums over some of the points.
 struct DistanceSums {
 	double sum = 0, squares = 0, max = 0;
@@ -91,44 +79,11 @@ struct DistanceSums {
 	}
 };
 
-/// Where the running area stands behind each face of a mesh.
-std::vector<double> runningArea(const MeshView& mesh)
-{
-	std::vector<double> behind(mesh.faceNum);
-	double              area = 0;
-	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		if (isUsable(mesh, f)) {
-			const std::int32_t* t = mesh.triangles + 3 * f;
-			const Vec3d         a = mesh.position(t[0]);
-			area += 0.5 * length(cross(mesh.position(t[1]) - a, mesh.position(t[2]) - a));
-		}
-		behind[f] = area;
-	}
-	return behind;
-}
-
-/// Point number j of the R2 sequence (Roberts 2018: the additive recurrence by the plastic number)
-/// in the triangle; the upper half of the unit square is folded onto the lower.
-Vec3d pointInFace(const MeshView& mesh, std::size_t face, std::size_t j)
-{
-	constexpr double    stepU = 0.7548776662466927, stepV = 0.5698402909980532;
-	const std::int32_t* t = mesh.triangles + 3 * face;
-	double              u = stepU * double(j), v = stepV * double(j);
-	u -= std::floor(u);
-	v -= std::floor(v);
-	if (u + v > 1) {
-		u = 1 - u;
-		v = 1 - v;
-	}
-	const Vec3d a = mesh.position(t[0]);
-	return a + (mesh.position(t[1]) - a) * u + (mesh.position(t[2]) - a) * v;
-}
-
 std::vector<char> usedVertices(const MeshView& mesh)
 {
 	std::vector<char> used(mesh.vertexNum, 0);
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		if (!isUsable(mesh, f)) continue;
+		if (!isUsableFace(mesh, f)) continue;
 		for (int k = 0; k < 3; ++k)
 			used[mesh.triangles[3 * f + k]] = 1;
 	}
@@ -191,23 +146,15 @@ struct DistanceTarget::Tree {
 	std::vector<Suspect> cut(const std::vector<Suspect>& whole, Workers& workers) const;
 };
 
-/// Systematic sampling: sample j lies where the running area passes (j + 1/2) / num of the whole.
 DistanceSums DistanceTarget::Tree::sumOfSamples(const MeshView& from, std::int64_t num,
 												Workers& workers) const
 {
-	const std::vector<double> area = runningArea(from);
-	if (area.empty() || !(area.back() > 0)) return {};
-	const double spacing = area.back() / double(num);
-	return workers.sum<DistanceSums>(std::size_t(num), [&](std::size_t begin, std::size_t end) {
+	const EvenPoints points(from, num);
+	return workers.sum<DistanceSums>(points.num(), [&](std::size_t begin, std::size_t end) {
 		NearestSearch nearest = search();
 		DistanceSums  part;
-		auto face = std::upper_bound(area.begin(), area.end() - 1, (double(begin) + 0.5) * spacing);
-		for (std::size_t j = begin; j < end; ++j) {
-			while (*face <= (double(j) + 0.5) * spacing && face != area.end() - 1)
-				++face;
-			const Vec3d point = pointInFace(from, std::size_t(face - area.begin()), j);
-			part.add(nearest.squaredDistance(point));
-		}
+		points.forEach(begin, end,
+					   [&](const Vec3d& point) { part.add(nearest.squaredDistance(point)); });
 		return part;
 	});
 }
@@ -265,7 +212,7 @@ double DistanceTarget::Tree::refinedMax(const MeshView& from, const std::vector<
 
 	std::vector<Suspect> suspects;
 	for (std::size_t f = 0; f < from.faceNum; ++f) {
-		if (!isUsable(from, f)) continue;
+		if (!isUsableFace(from, f)) continue;
 		const std::int32_t* t = from.triangles + 3 * f;
 		const Suspect       s = {{from.position(t[0]), from.position(t[1]), from.position(t[2])},
 								 {ofVertex[t[0]], ofVertex[t[1]], ofVertex[t[2]]}};
@@ -286,7 +233,7 @@ DistanceTarget::DistanceTarget(const MeshView& mesh) : tree_(std::make_unique<Tr
 {
 	tree_->mesh.view = mesh;
 	for (std::size_t f = 0; f < mesh.faceNum; ++f)
-		if (isUsable(mesh, f)) tree_->faces.push_back(std::int32_t(f));
+		if (isUsableFace(mesh, f)) tree_->faces.push_back(std::int32_t(f));
 	if (tree_->faces.empty()) return;
 	tree_->mesh.origin = mesh.position(std::size_t(mesh.triangles[3 * tree_->faces.front()]));
 	const TargetMesh* const shared = &tree_->mesh;

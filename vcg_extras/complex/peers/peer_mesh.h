@@ -1,28 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_APPS_GPREMESH_PEER_MESH_H
-#define VCG_EXTRAS_APPS_GPREMESH_PEER_MESH_H
+#ifndef VCG_EXTRAS_COMPLEX_PEERS_PEER_MESH_H
+#define VCG_EXTRAS_COMPLEX_PEERS_PEER_MESH_H
 
 // Between flat arrays and a mesh of vcglib in float, as MeshLab keeps it.
 
-#include <cmath>
 #include <cstdint>
 #include <vcg/complex/complex.h>
-#include <vcg_extras/core/mesh_view.h>
+#include <vcg_extras/core/even_points.h>
 #include <vector>
 
-namespace gpr::app {
-
-/// Whether a face has three different corners that are all finite.
-inline bool isPeerFace(const MeshView& mesh, const std::int32_t* t)
-{
-	if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
-	for (int k = 0; k < 3; ++k) {
-		const Vec3d p = mesh.position(t[k]);
-		if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
-	}
-	return true;
-}
+namespace gpr::peers {
 
 /// Fills an empty mesh with the usable faces of a view and the vertices that these name.
 template <class Mesh>
@@ -33,7 +21,7 @@ void fillPeerMesh(const MeshView& from, Mesh& to)
 	std::int32_t              used = 0;
 	for (std::size_t f = 0; f < from.faceNum; ++f) {
 		const std::int32_t* t = from.triangles + 3 * f;
-		if (!isPeerFace(from, t)) continue;
+		if (!isUsableFace(from, f)) continue;
 		corners.insert(corners.end(), t, t + 3);
 		for (int k = 0; k < 3; ++k)
 			number[t[k]] = 0;
@@ -66,6 +54,6 @@ TriangleMesh arraysOfPeerMesh(const Mesh& from)
 	return to;
 }
 
-} // namespace gpr::app
+} // namespace gpr::peers
 
 #endif

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef FILTER_GEODESIC_POISSON_COMPARISON_H
+#define FILTER_GEODESIC_POISSON_COMPARISON_H
+
+// The whole way and MeshLab's Quadric Edge Collapse on one mesh; knows nothing of MeshLab's document.
+
+#include <string>
+#include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/surface_distance.h>
+#include <vector>
+
+namespace gpr_filter {
+
+/// The figures of a mesh, whoever made it.
+struct MeasuredMesh {
+	gpr::MeshFigures    figures;
+	gpr::QualityFigures quality;
+};
+
+/// One of the two results.
+struct ComparedResult {
+	gpr::TriangleMesh    mesh;
+	double               seconds = 0; ///< from mesh in memory to mesh in memory
+	MeasuredMesh         measured;
+	gpr::SurfaceDistance toInput;   ///< of the points of the result from the input
+	gpr::SurfaceDistance fromInput; ///< of the points of the input from the result
+	std::vector<float>   shape;     ///< of each face: 2·inradius/circumradius
+	std::vector<float>   deviation; ///< of each face: root mean square distance from the input
+};
+
+struct Comparison {
+	MeasuredMesh             input;
+	ComparedResult           remeshed;
+	ComparedResult           collapsed;
+	gpr::RemeshReport        report; ///< of the remeshing
+	std::vector<std::string> notes;  ///< of the remeshing
+};
+
+/// Remeshes the mesh, has Quadric Edge Collapse make as many faces of it, and measures both. The
+/// time limit of the options is for all of it. Throws Refusal: where remeshing fails, where Quadric
+/// Edge Collapse cannot reach that number of faces, out of time, cancelled. Cost: that of both, and
+/// some seconds a million faces.
+Comparison compareWithQuadricCollapse(const gpr::MeshView& input, const gpr::RemeshOptions& options,
+									  const gpr::ProgressCallback& progress);
+
+} // namespace gpr_filter
+
+#endif
