@@ -3,7 +3,8 @@
 #ifndef FILTER_GEODESIC_POISSON_COMPARISON_H
 #define FILTER_GEODESIC_POISSON_COMPARISON_H
 
-// The whole way and MeshLab's Quadric Edge Collapse on one mesh; knows nothing of MeshLab's document.
+// The whole way and MeshLab's Quadric Edge Collapse on one mesh; knows nothing of MeshLab's
+// document.
 
 #include <string>
 #include <vcg_extras/core/remesh.h>

@@ -103,8 +103,7 @@ void addDistances(Table& table)
 
 void addTopology(Table& table)
 {
-	table.ofMeshes("components",
-				   [](const MeasuredMesh& m) { return count(m.figures.components); });
+	table.ofMeshes("components", [](const MeasuredMesh& m) { return count(m.figures.components); });
 	table.ofMeshes("boundary loops",
 				   [](const MeasuredMesh& m) { return count(m.figures.boundaryLoops); });
 	table.ofMeshes("Euler characteristic",

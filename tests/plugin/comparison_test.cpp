@@ -30,10 +30,10 @@ gpr_filter::LayerCopy copyOf(Document& document, int layer)
 /// What meshes have that the filter must not touch.
 void expectLikeBall(MeshModel& layer)
 {
-	Document         other;
-	MeshModel&       ball   = addBall(other);
-	const auto       wanted = gpr_filter::copyLayer(ball.cm, {true, true});
-	const auto       got    = gpr_filter::copyLayer(layer.cm, {true, true});
+	Document   other;
+	MeshModel& ball   = addBall(other);
+	const auto wanted = gpr_filter::copyLayer(ball.cm, {true, true});
+	const auto got    = gpr_filter::copyLayer(layer.cm, {true, true});
 	EXPECT_TRUE(got.sameGeometry(wanted));
 	EXPECT_EQ(got.qualities, wanted.qualities);
 	EXPECT_EQ(layer.dataMask(), ball.dataMask());

@@ -77,7 +77,7 @@ TEST(NearSurface, AnOffsetCostsNoDigits)
 
 TEST(NearSurface, TakesAnySetOfFaces)
 {
-	const double nan = std::numeric_limits<double>::quiet_NaN();
+	const double nan  = std::numeric_limits<double>::quiet_NaN();
 	TriangleMesh wild = squareAt({0, 0, 0});
 	wild.positions.push_back({0.5, 0.5, 9});
 	wild.positions.push_back({nan, 0, 0});

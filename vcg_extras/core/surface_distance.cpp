@@ -85,7 +85,7 @@ double NearSurface::meanSquareOver(const MeshView& mesh, std::size_t face) const
         const double d = distance(q);
         return d * d;
 	};
-	double              mean   = 9.0 / 20 * square((p[0] + p[1] + p[2]) * (1.0 / 3));
+	double mean = 9.0 / 20 * square((p[0] + p[1] + p[2]) * (1.0 / 3));
 	for (int k = 0; k < 3; ++k)
 		mean += square(p[k]) / 20 + 2 * square((p[k] + p[(k + 1) % 3]) * 0.5) / 15;
 	return mean;
