@@ -4,15 +4,16 @@
 # picture_NAME starts a display, and window_NAME is what happens in it.
 
 remeshing="Remeshing: Geodesic Poisson Disk"
+comparison="Compare: Geodesic Poisson Disk vs Quadric Edge Collapse"
 
-in_display() { # picture
+in_display() { # picture, size of the screen
 	local program
 	for program in "${window_programs[@]}"; do
 		command -v "$program" >/dev/null && continue
 		say "SKIPPED: $1.png, $program is not installed"
 		return 77
 	done
-	screen=1600x900 with_display "$work/window_$1" "$0" inside "$1"
+	screen=${2:-1600x900} with_display "$work/window_$1" "$0" inside "$1"
 }
 
 # What the screen shows but for the lowest part, where MeshLab counts the pictures it draws a second.
@@ -62,6 +63,19 @@ remesh_in_window() { # MeshLab, the edges' button, picture
 
 window_meshlab_dialog() { remesh_in_window "$(window_of_2020)" 380 meshlab_dialog; }
 window_meshlab_2025_dialog() { remesh_in_window "$(window_of_2025)" 425 meshlab_2025_dialog; }
+# The filter that compares; the window shows the two new layers, coloured, and the log with the table.
+window_meshlab_compare() {
+	open_window "$(window_of_2020)" "$work/window.log" "$bunny"
+	open_filter "$comparison" "quadric edge collapse geodesic"
+	press_apply
+	wait_until log_has "Applied filter $comparison"
+	xdotool windowclose "$window"
+	xdotool mousemove 590 400 click 5                        # nearer
+	xdotool mousemove 1390 960 click --repeat 4 --delay 200 4 # to the table's begin
+	photograph meshlab_compare
+}
+
+picture_meshlab_compare() { in_display meshlab_compare 1600x1100; }
 picture_meshlab_search() { in_display meshlab_search; }
 picture_meshlab_dialog() { in_display meshlab_dialog; }
 
