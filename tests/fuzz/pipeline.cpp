@@ -151,12 +151,28 @@ std::string runDetect(const FuzzCase& c, const MeshView& view)
 	return complete ? "" : "arrays of another length";
 }
 
+/// Few vertices, and none so far off that splitting long edges makes thousands of faces.
+void makeSmall(FuzzCase& c)
+{
+	RemeshOptions& o  = c.options;
+	o.targetVertexNum = 1 + o.targetVertexNum % 16;
+	o.targetPercent   = 5 * (1 + std::int64_t(o.targetPercent) / 10 % 16);
+	o.targetEdgeLen   = 2 + o.targetEdgeLen;
+	for (Vec3d& p : c.mesh.positions) {
+		for (double* x : {&p.x, &p.y, &p.z}) {
+			if (std::isfinite(*x)) *x = std::min(*x, 20.0);
+		}
+	}
+}
+
 } // namespace
 
-FuzzCase caseOf(const std::uint8_t* data, std::size_t size)
+FuzzCase caseOf(const std::uint8_t* data, std::size_t size, CaseSize caseSize)
 {
-	Bytes    bytes(data, size);
-	FuzzCase c;
+	const bool isSmall = caseSize == CaseSize::Small;
+	const int  most    = isSmall ? 40 : 200;
+	Bytes      bytes(data, size);
+	FuzzCase   c;
 	c.tool = FuzzCase::Tool(std::max(0, bytes.below(8) - 4)); // the remeshing most often
 	readOptions(bytes, c.options);
 	const int vertexNum = bytes.below(48);
@@ -166,12 +182,13 @@ FuzzCase caseOf(const std::uint8_t* data, std::size_t size)
 		c.quality.push_back(float(v % 5));
 		c.selected.push_back(v % 4 == 0);
 	}
-	while (vertexNum > 0 && bytes.left() >= 3 && c.mesh.faceNum() < 200) {
+	while (vertexNum > 0 && bytes.left() >= 3 && int(c.mesh.faceNum()) < most) {
 		for (int k = 0; k < 3; ++k) {
 			const int v = bytes.next();
 			c.mesh.triangles.push_back(v == 255 ? -1 : v % vertexNum);
 		}
 	}
+	if (isSmall) makeSmall(c);
 	return c;
 }
 

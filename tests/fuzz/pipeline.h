@@ -22,9 +22,13 @@ struct FuzzCase {
 	Tool                 tool = Tool::Remesh;
 };
 
+/// How large what is made of bytes may be. Small cases take a tenth of the time in the mean, so
+/// that a fuzzer gets ten times as far; all that they leave out is size.
+enum class CaseSize { Any, Small };
+
 /// Vertices on a small whole-numbered grid, so that bytes that differ give corners in a line, faces
 /// one on the other, and coordinates that are equal.
-FuzzCase caseOf(const std::uint8_t* data, std::size_t size);
+FuzzCase caseOf(const std::uint8_t* data, std::size_t size, CaseSize caseSize = CaseSize::Any);
 
 /// Runs it: what is wrong with the outcome, in words; empty where it is a sound result or a refusal
 /// that makes sense.

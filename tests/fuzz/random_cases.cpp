@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// gpr_random_cases NUM [SEED [SECONDS]]: cases of the corpus with random bytes changed, at the
-// speed of an ordinary build and with any compiler; ends at the first fault or after so many
-// seconds. Less cunning than the fuzzer, but a hundred times faster.
+// gpr_random_cases TARGET NUM [SEED [SECONDS]]: cases of the corpus with random bytes changed, at
+// the speed of an ordinary build and with any compiler; ends at the first fault or after so many
+// seconds. TARGET is pipeline, small (the same with small meshes), ply, obj, off or stl. Less
+// cunning than the fuzzer, but a hundred times faster.
 
 #include "corpus.h"
 #include "pipeline.h"
@@ -59,7 +60,8 @@ std::string complaintsAbout(const std::string& target, const std::string& bytes)
 	if (target == "off") return test::complaintsAbout(app::readOff, bytes);
 	if (target == "stl") return test::complaintsAbout(app::readStl, bytes);
 	const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
-	return test::complaintsAbout(test::caseOf(data, bytes.size()));
+	const auto        size = target == "small" ? test::CaseSize::Small : test::CaseSize::Any;
+	return test::complaintsAbout(test::caseOf(data, bytes.size(), size));
 }
 
 } // namespace
@@ -73,7 +75,7 @@ int main(int argc, char** argv)
 	const double        limit  = argc > 4 ? std::atof(argv[4]) : 1e9;
 
 	std::vector<std::string> cases;
-	for (const auto& file : gpr::test::corpusFiles(target))
+	for (const auto& file : gpr::test::corpusFiles(target == "small" ? "pipeline" : target))
 		cases.push_back(gpr::test::bytesOf(file));
 	Random     random(seed);
 	const auto start   = Clock::now();

@@ -21,6 +21,8 @@ constexpr float badAgreement = 0.05f;
 constexpr float wantedShape = 0.35f;
 /// Cost of a face without area: more than that of any two others, as no result may have one.
 constexpr float noArea = 8;
+/// Height over the longest edge, in working units, that rounding may make of none.
+constexpr float roundingHeight = 2e-7f;
 /// A change must lower the cost by this.
 constexpr float leastGain = 0.01f;
 
@@ -28,6 +30,14 @@ constexpr float leastGain = 0.01f;
 constexpr int mostCrossings = 256;
 
 constexpr float reaches[] = {0.6f, 0.3f, 0.1f}; ///< of the ideal edge
+
+/// Whether the area of a triangle is nothing but rounding; n is the cross product of its edges.
+bool isLine(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& n)
+{
+	const float longest =
+		std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+	return !(squaredLength(n) > roundingHeight * roundingHeight * longest);
+}
 
 class FoldMender {
 public:
@@ -98,7 +108,14 @@ private:
 		forEachNeighbour(m_, v, [&](int w) { touched_[w] = 1; });
 	}
 
-	bool isBad(int f) const { return faceAgreement(m_, normal_, f) < badAgreement; }
+	bool isBad(int f) const { return faceAgreement(m_, normal_, f) < badAgreement || hasNoArea(f); }
+
+	bool hasNoArea(int f) const
+	{
+		const int* corner = &m_.origin[3 * f];
+		return isLine(m_.position[corner[0]], m_.position[corner[1]], m_.position[corner[2]],
+					  m_.faceCross(f));
+	}
 
 	std::vector<int> findBad()
 	{
@@ -121,7 +138,7 @@ private:
 	float costOf(const Corner& a, const Corner& b, const Corner& c) const
 	{
 		const Vec3f n = cross(b.place - a.place, c.place - a.place);
-		if (!(squaredLength(n) > 0)) return noArea;
+		if (isLine(a.place, b.place, c.place, n)) return noArea;
 		const Vec3f wanted    = a.normal + b.normal + c.normal;
 		const float scale     = length(n) * length(wanted);
 		const float agreement = scale > 0 ? dot(n, wanted) / scale : -1.0f;
@@ -144,7 +161,7 @@ private:
 	bool mend(int f)
 	{
 		Change best = bestChange(f);
-		if (best.kind == Change::None && !mayCollapse_ && !(squaredLength(m_.faceCross(f)) > 0)) {
+		if (best.kind == Change::None && !mayCollapse_ && hasNoArea(f)) {
 			forgetLinesAt(f);
 			mayCrowd_ = true;
 			best      = bestChange(f);
