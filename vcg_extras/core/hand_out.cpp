@@ -19,6 +19,10 @@ namespace gpr {
 
 namespace {
 
+/// How far rounding may have taken a kept vertex of the caller's, in working units. Others lie
+/// farther from any: they come from splitting long edges between kept vertices.
+constexpr double farthestFromItself = 1e-5;
+
 class HandOut : RunPart {
 public:
 	explicit HandOut(RunContext& run) : RunPart(run) {}
@@ -47,7 +51,7 @@ public:
 		exportMesh(p.surface, result, out);
 		if (options_.anchorsOfVertices || report_.keptVertexNum > 0)
 			exportAnchors(p.surface, result, out);
-		if (report_.keptVertexNum > 0) exportKept(result, out);
+		if (report_.keptVertexNum > 0) exportKept(result, 1 / p.surface.frame.scale, out);
 		if (options_.anchorsOfFaces) exportFaceAnchors(p.surface, result, out);
 		report_.quality = measureQuality(out.mesh.view(), workers_);
 	}
@@ -125,20 +129,23 @@ private:
 		});
 	}
 
-	/// Vertices that stayed get the caller's own bits back.
-	void exportKept(const ResultMesh& result, RemeshResult& out)
+	/// Vertices that stayed get the caller's own bits back. unit: the caller's length of a working
+	/// one.
+	void exportKept(const ResultMesh& result, double unit, RemeshResult& out)
 	{
 		out.callersVertex.assign(result.vertex.size(), -1);
 		for (std::size_t v = 0; v < result.vertex.size(); ++v) {
 			if (!result.vertex[v].isPinned) continue;
-			SurfacePoint& at     = out.anchors[v];
-			const int     corner = nearestCorner(at);
+			SurfacePoint&      at     = out.anchors[v];
+			const int          corner = nearestCorner(at);
+			const std::size_t  i      = 3 * std::size_t(at.face) + std::size_t(corner);
+			const std::int32_t c      = input_.triangles[i];
+			const Vec3d        place  = input_.position(std::size_t(c));
+			if (length(place - out.mesh.positions[v]) > unit * farthestFromItself) continue;
 			for (int k = 0; k < 3; ++k)
 				at.weight[k] = k == corner;
-			const std::size_t  i  = 3 * std::size_t(at.face) + std::size_t(corner);
-			const std::int32_t c  = input_.triangles[i];
 			out.callersVertex[v]  = c;
-			out.mesh.positions[v] = input_.position(std::size_t(c));
+			out.mesh.positions[v] = place;
 		}
 	}
 
