@@ -14,6 +14,9 @@ namespace {
 constexpr float wrongSide = 4;
 /// Triangles crossed at most on the way to the one over a vertex; then stars are searched.
 constexpr int mostSteps = 8;
+/// A vertex that lies over a triangle belongs to it unless it is this share of twice its area away,
+/// squared: beyond a crease there may be a nearer one.
+constexpr float overShare = 0.04f;
 /// Stars searched at most.
 constexpr int mostHops = 4;
 /// Vertices that are flooded together: pieces of fixed size, whatever the number of threads.
@@ -204,18 +207,25 @@ public:
 	};
 
 	/// Walks from a face towards the one that p lies over, as in point location in the plane. Where
-	/// that ends nowhere, as at creases and tips, the stars on the way are searched.
+	/// that ends nowhere, as at creases and tips, the stars on the way are searched; where it ends
+	/// far off, beyond a crease perhaps, those round the face that it began with, too.
 	Found locate(int p, int face) const
 	{
 		const Vec3f at     = surface_.mesh.position[p];
 		const Vec3f normal = surface_.normal[p].unpack();
+		const int   start  = face;
 		Foot        foot{{1, 0, 0}};
 		for (int step = 0; step < mostSteps; ++step) {
 			const Corners t = cornersOf(face);
 			const Vec3f   n = t.cross();
 			if (!(dot(n, normal) > 0)) break;
 			foot = footInPlane(at, t, n);
-			if (foot.isInside()) return {face, foot, 0};
+			if (foot.isInside()) {
+				const float off = squaredLength(t.at(foot) - at);
+				if (off <= overShare * length(n)) return {face, foot, off};
+				return nearer(searchStars(at, normal, m_.origin[3 * face + foot.heaviest()]),
+							  searchStars(at, normal, m_.origin[3 * start]));
+			}
 			const int beyond = m_.opposite[3 * face + (foot.lightest() + 1) % 3];
 			if (beyond < 0) break;
 			face = beyond / 3;
@@ -232,6 +242,8 @@ private:
 		const int* c = &m_.origin[3 * face];
 		return {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]};
 	}
+
+	static Found nearer(const Found& a, const Found& b) { return b.distance < a.distance ? b : a; }
 
 	/// The nearest triangle round a vertex, and then round the corner nearest to the point found.
 	Found searchStars(const Vec3f& at, const Vec3f& normal, int vertex) const

@@ -326,11 +326,8 @@ public:
 	FitOutcome run()
 	{
 		FitOutcome outcome;
-		Moves      whole(surface_, settings_.leastAngleDeg * radians, r_, workers_);
-		outcome.capped = !fitInRounds(outcome.cells);
-		whole.takeOver();
-		if (!takeBackOffenders(whole)) outcome.capped = true;
-		if (settings_.lowersWorst && outcome.cells != nullptr && !lowerWorst(*outcome.cells))
+		outcome.capped = !fitSoundly(outcome.cells);
+		if (settings_.worstRounds > 0 && outcome.cells != nullptr && !lowerWorst(*outcome.cells))
 			outcome.capped = true;
 		outcome.farthest = farthestFromAnchor();
 		return outcome;
@@ -348,6 +345,15 @@ private:
 	Buffer<float> mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
 	Buffer<float> squaredEdge_; ///< of an equilateral triangle as large as the ones round it
 	Buffer<char>  free_;
+
+	/// False if a round, or all together, had to be taken back.
+	bool fitSoundly(std::unique_ptr<Cells>& cells)
+	{
+		Moves      whole(surface_, settings_.leastAngleDeg * radians, r_, workers_);
+		const bool allKept = fitInRounds(cells);
+		whole.takeOver();
+		return takeBackOffenders(whole) && allKept;
+	}
 
 	/// False if a round had to take all its moves back.
 	bool fitInRounds(std::unique_ptr<Cells>& cells)
@@ -388,7 +394,7 @@ private:
 	{
 		const float angle = settings_.leastAngleDeg * radians;
 		Moves       last(surface_, angle, r_, workers_);
-		lowerWorstDistances(surface_, cells, angle, r_, workers_);
+		lowerWorstDistances(surface_, cells, angle, settings_.worstRounds, r_, workers_);
 		last.takeOver();
 		if (!last.expectCrossingsWhereMoved()) return true;
 		followByAnchors();

@@ -16,7 +16,7 @@ struct FitSettings {
 	int   rounds        = 4;     ///< cells found anew and vertices moved, so many times
 	float shapeWeight   = 0.01f; ///< of the triangles' shape against the distance
 	float leastAngleDeg = 32;    ///< no angle falls below, and none below it falls further
-	bool  lowersWorst   = false; ///< the largest distances at the end too: see worst_distances.h
+	int   worstRounds   = 0;     ///< of lowering the largest distances: see worst_distances.h
 };
 
 struct FitOutcome {

@@ -32,6 +32,8 @@ constexpr float adaptedAngleDeg = 26;
 constexpr int fitRounds        = 3;
 constexpr int adaptedFitRounds = 4;
 constexpr int quickFitRounds   = 2;
+/// Rounds of lowering the largest distances there; one of them takes a fifth off.
+constexpr int adaptedWorstRounds = 4;
 
 class Improvement : RunPart {
 public:
@@ -74,7 +76,7 @@ public:
 		FitSettings settings;
 		settings.rounds        = roundsOfFit();
 		settings.leastAngleDeg = leastAngleDeg();
-		settings.lowersWorst   = largestCounts || options_.adapt > 0;
+		settings.worstRounds   = worstRounds(largestCounts);
 		settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options_.adapt));
 		FitOutcome outcome = fitToInput(p.surface, settings, result, workers_);
 		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
@@ -86,6 +88,12 @@ private:
 	float leastAngleDeg() const
 	{
 		return poorAngleDeg + float(options_.adapt) * (adaptedAngleDeg - poorAngleDeg);
+	}
+
+	int worstRounds(bool largestCounts) const
+	{
+		if (largestCounts || options_.adapt > 0) return adaptedWorstRounds;
+		return options_.fit == Fit::Quick ? 0 : 1;
 	}
 
 	int roundsOfFit() const

@@ -12,26 +12,22 @@ namespace gpr {
 
 namespace {
 
-/// Rounds over the worst faces.
-constexpr int rounds = 4;
 /// Faces that are drawn closer in a round: those beyond this share of the largest distance, and so
 /// many at most.
 constexpr float       worstShare = 0.75f;
 constexpr std::size_t mostFaces  = 300;
-/// Distances below this share of the ideal edge are near enough.
-constexpr float nearShare = 0.05f;
+/// Distances below this share of the mean edge are near enough.
+constexpr float nearShare = 0.1f;
 /// Moves at a face in a round.
 constexpr int mostMoves = 6;
+/// So much farther than what is near may a vertex get that was nearer.
+constexpr float farthestOff = 2;
 /// A move must lessen the distance to this share.
 constexpr float leastGain = 0.96f;
 /// Of the way that would close the gap if nothing else changed: as little as will do.
 constexpr float wayShares[] = {0.25f, 0.5f, 1};
 /// A vertex moves at most this share of an edge at once.
 constexpr float longestMove = 0.3f;
-/// A triangle is looked at from itself only if it has a corner that is not near, or one where the
-/// surface's normal has less than this cosine with its own. Otherwise it lies as the surface does,
-/// and the vertices of the input tell how far off.
-constexpr float suspectCosine = 0.8f;
 /// Points of the lattice along an edge, less one.
 constexpr int latticeSteps = 4;
 /// Faces of the input from which the next one is looked for, on the way to the nearest.
@@ -57,22 +53,32 @@ struct Gap {
 	Vec3f at;      ///< where on the triangle
 };
 
+/// By the area of the faces, as if they were equilateral.
+float meanEdge(const HalfEdgeMesh& m)
+{
+	double area = 0;
+	for (int f = 0; f < m.faceNum; ++f)
+		area += 0.5 * double(length(m.faceCross(f)));
+	return float(std::sqrt(area / std::max(1, m.faceNum) * (4 / std::sqrt(3.0))));
+}
+
 class WorstDistances {
 public:
 	WorstDistances(const Surface& surface, const Cells& cells, float leastAngle, ResultMesh& result,
 				   Workers& workers) :
 			surface_(surface),
 			s_(surface.mesh), cells_(cells), leastAngle_(leastAngle),
-			near_(nearShare * result.idealEdge), r_(result), m_(result.mesh), workers_(workers),
-			normal_(smoothNormals(surface, result, workers)), gap_(m_.faceNum)
+			near_(nearShare * meanEdge(result.mesh)), r_(result), m_(result.mesh),
+			workers_(workers), normal_(smoothNormals(surface, result, workers)), gap_(m_.faceNum)
 	{
 	}
 
-	void run()
+	void run(int rounds)
 	{
+		const Buffer<char> isFar = findFarVertices();
 		workers_.forRange(m_.faceNum, [&](std::size_t begin, std::size_t end) {
 			for (std::size_t f = begin; f < end; ++f)
-				gap_[f] = isSuspect(int(f)) ? gapAt(int(f)).squared : gapFromSurface(int(f));
+				gap_[f] = isSuspect(isFar, int(f)) ? gapAt(int(f)).squared : gapFromSurface(int(f));
 		});
 		for (int round = 0; round < rounds; ++round) {
 			bool        better = false;
@@ -106,17 +112,17 @@ private:
 		return nearestOnTriangle(p, m.position[c[0]], m.position[c[1]], m.position[c[2]]);
 	}
 
-	/// The point of the surface nearest to p, as far as it gets ever nearer on the way from `face`,
+	/// The point of a mesh nearest to p, as far as it gets ever nearer on the way from `face`,
 	/// which is then the one that it lies in; or one within the root of `enough`.
-	Vec3f nearestOnSurface(const Vec3f& p, float enough, int& face) const
+	static Vec3f nearestOn(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& face)
 	{
-		Vec3f nearest = nearestIn(s_, face, p);
+		Vec3f nearest = nearestIn(m, face, p);
 		for (int hop = 0; hop < mostHops; ++hop) {
 			if (squaredLength(nearest - p) <= enough) break;
 			const int from = face;
 			for (int k = 0; k < 3; ++k) {
-				forEachOutgoing(s_, s_.origin[3 * from + k], [&](int h) {
-					const Vec3f q = nearestIn(s_, h / 3, p);
+				forEachOutgoing(m, m.origin[3 * from + k], [&](int h) {
+					const Vec3f q = nearestIn(m, h / 3, p);
 					if (squaredLength(q - p) >= squaredLength(nearest - p)) return;
 					nearest = q;
 					face    = h / 3;
@@ -134,18 +140,13 @@ private:
 		if (squared > gap.squared) gap = {squared, way, onTriangle};
 	}
 
-	/// The vertices of the input in f's cell, from f and, where that is far, from the faces round.
-	void lookFromSurface(int f, const std::vector<int>& patch, Gap& gap) const
+	/// The vertices of the input in f's cell, from where the result comes nearest to them.
+	void lookFromSurface(int f, Gap& gap) const
 	{
 		for (const int* i = cells_.begin(f); i != cells_.end(f); ++i) {
-			const Vec3f p       = s_.position[*i];
-			Vec3f       nearest = nearestIn(m_, f, p);
-			if (squaredLength(nearest - p) <= gap.squared) continue;
-			for (int g : patch) {
-				const Vec3f q = nearestIn(m_, g, p);
-				if (squaredLength(q - p) < squaredLength(nearest - p)) nearest = q;
-			}
-			widen(nearest, p, gap);
+			int         face = f;
+			const Vec3f p    = s_.position[*i];
+			widen(nearestOn(m_, p, gap.squared, face), p, gap);
 		}
 	}
 
@@ -168,20 +169,15 @@ private:
 	/// On the way from a face to the nearest one a rim may lie; then another way may not cross it.
 	Vec3f nearestFromCorners(int f, const Vec3f& p, float enough, int& face) const
 	{
-		Vec3f nearest = nearestOnSurface(p, enough, face);
+		Vec3f nearest = nearestOn(s_, p, enough, face);
 		for (int k = 0; k < 3 && squaredLength(nearest - p) > enough; ++k) {
 			int         other = anchorFace(f, k);
-			const Vec3f q     = nearestOnSurface(p, enough, other);
+			const Vec3f q     = nearestOn(s_, p, enough, other);
 			if (squaredLength(q - p) >= squaredLength(nearest - p)) continue;
 			nearest = q;
 			face    = other;
 		}
 		return nearest;
-	}
-
-	std::vector<int> facesRoundFace(int f) const
-	{
-		return facesRound(m_, {m_.origin[3 * f], m_.origin[3 * f + 1], m_.origin[3 * f + 2]});
 	}
 
 	Gap nearEnough() const { return {near_ * near_, Vec3f(), Vec3f()}; }
@@ -190,7 +186,7 @@ private:
 	{
 		Gap gap = nearEnough();
 		lookFromTriangle(f, gap);
-		lookFromSurface(f, facesRoundFace(f), gap);
+		lookFromSurface(f, gap);
 		return gap;
 	}
 
@@ -198,10 +194,7 @@ private:
 	float gapFromSurface(int f) const
 	{
 		Gap gap = nearEnough();
-		lookFromSurface(f, {}, gap);
-		if (gap.squared <= near_ * near_) return gap.squared;
-		gap = nearEnough();
-		lookFromSurface(f, facesRoundFace(f), gap);
+		lookFromSurface(f, gap);
 		return gap.squared;
 	}
 
@@ -216,7 +209,7 @@ private:
 		return largest;
 	}
 
-	float meanEdge(int f) const
+	float edgeOf(int f) const
 	{
 		const Vec3f a = corner(f, 0), b = corner(f, 1), c = corner(f, 2);
 		return (length(b - a) + length(c - b) + length(a - c)) / 3;
@@ -224,15 +217,30 @@ private:
 
 	// ---- the worst faces
 
-	bool isSuspect(int f) const
+	/// Vertices that are not near the surface.
+	Buffer<char> findFarVertices() const
 	{
-		const Vec3f n = m_.faceNormal(f);
-		for (int k = 0; k < 3; ++k) {
-			const ResultVertex& v = r_.vertex[m_.origin[3 * f + k]];
-			if (dot(n, v.normal) < suspectCosine) return true;
-			if (squaredLength(corner(f, k) - v.anchor.position) > near_ * near_) return true;
-		}
-		return false;
+		Buffer<char> isFar(m_.vertexNum);
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				isFar[v] = isFarVertex(int(v));
+		});
+		return isFar;
+	}
+
+	bool isSuspect(const Buffer<char>& isFar, int f) const
+	{
+		const int* c = &m_.origin[3 * f];
+		return isFar[c[0]] || isFar[c[1]] || isFar[c[2]];
+	}
+
+	bool isFarVertex(int v) const
+	{
+		const Vec3f  p      = m_.position[v];
+		const Anchor anchor = r_.vertex[v].anchor;
+		if (squaredLength(p - anchor.position) <= near_ * near_) return false;
+		int face = anchor.face;
+		return squaredLength(nearestOn(s_, p, near_ * near_, face) - p) > near_ * near_;
 	}
 
 	/// What distances a round lowers, squared.
@@ -305,7 +313,7 @@ private:
 			moves.push_back({v, gap.way * weight[k]});
 			sum += weight[k] * weight[k];
 		}
-		const float most = longestMove * meanEdge(f);
+		const float most = longestMove * edgeOf(f);
 		for (Move& m : moves) {
 			m.shift       = m.shift * (1 / sum);
 			const float l = length(m.shift);
@@ -336,11 +344,15 @@ private:
 		for (int g : faces)
 			shapes.push_back(shapeOf(g));
 		std::vector<Place> places;
+		bool               keepsNear = true;
 		for (const Move& m : moves) {
 			places.push_back(placeOf(m.vertex));
-			put(m.vertex, placeAfter(m.vertex, m.shift * share));
+			const Place next = placeAfter(m.vertex, m.shift * share);
+			keepsNear        = keepsNear && squaredOff(next) <= allowedOff(m.vertex);
+			put(m.vertex, next);
 		}
-		if (areSound(faces, shapes) && gapAt(f).squared <= leastGain * leastGain * gap.squared &&
+		if (keepsNear && areSound(faces, shapes) &&
+			gapAt(f).squared <= leastGain * leastGain * gap.squared &&
 			largestGap(faces, before) <= before) {
 			for (int g : faces)
 				gap_[g] = gapAt(g).squared;
@@ -363,9 +375,21 @@ private:
 	{
 		Place place           = placeOf(v);
 		place.position        = place.position + shift;
-		place.anchor.position = nearestOnSurface(place.position, 0, place.anchor.face);
+		place.anchor.position = nearestOn(s_, place.position, 0, place.anchor.face);
 		place.normal          = smoothNormal(surface_, place.anchor);
 		return place;
+	}
+
+	static float squaredOff(const Place& p)
+	{
+		return squaredLength(p.position - p.anchor.position);
+	}
+
+	/// A vertex must not be drawn off the surface to one that only seems to have no triangle near.
+	float allowedOff(int v) const
+	{
+		const float allowed = farthestOff * farthestOff * near_ * near_;
+		return std::max(allowed, squaredOff(placeAfter(v, Vec3f())));
 	}
 
 	void put(int v, const Place& place)
@@ -401,10 +425,10 @@ private:
 
 } // namespace
 
-void lowerWorstDistances(const Surface& surface, const Cells& cells, float leastAngle,
+void lowerWorstDistances(const Surface& surface, const Cells& cells, float leastAngle, int rounds,
 						 ResultMesh& result, Workers& workers)
 {
-	WorstDistances(surface, cells, leastAngle, result, workers).run();
+	WorstDistances(surface, cells, leastAngle, result, workers).run(rounds);
 }
 
 } // namespace gpr

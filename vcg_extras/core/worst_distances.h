@@ -16,15 +16,18 @@ namespace gpr {
 /// may be cut off.
 ///
 /// Distances are looked at from both sides: from the vertices of the input in a triangle's cell,
-/// and from a lattice of points on the triangle. At the faces that are more than half as far off as
-/// the farthest one, farthest first, the corners move along the way between the two surfaces
-/// there; a move stands if that distance shrinks and none round it becomes larger than the largest
-/// there was, and if no face turns, looks away from the surface or gets a smaller angle than
-/// leastAngle (radians, or than it had). Vertices of curves, tips and pinned vertices stay.
+/// and, where it has a corner that is not near, from a lattice of points on the triangle. At the
+/// faces that are more than three quarters as far off as the farthest one, farthest first, the
+/// corners move along the way between the two surfaces there, a little at a time; a move stands if
+/// that distance shrinks and none round it becomes larger than the largest there was, and if no
+/// face turns, looks away from the surface or gets a smaller angle than leastAngle (radians, or
+/// than it had). So it goes on for so many rounds, or until all lie within a tenth of an edge.
+/// Vertices of curves, tips and pinned vertices stay.
 ///
-/// Changes mesh.position alone; the anchors are the caller's matter. Cells: of the mesh, or of one
-/// whose vertices lay near. Cost: a pass over the input's vertices, in parallel, and the few faces.
-void lowerWorstDistances(const Surface& surface, const Cells& cells, float leastAngle,
+/// Changes positions, and anchors, which come to lie at the nearest point. Cells: of the mesh, or
+/// of one whose vertices lay near. Cost: a pass over the input's vertices, in parallel, and some
+/// hundred microseconds for each of the few faces.
+void lowerWorstDistances(const Surface& surface, const Cells& cells, float leastAngle, int rounds,
 						 ResultMesh& result, Workers& workers);
 
 } // namespace gpr
