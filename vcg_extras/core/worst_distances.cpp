@@ -327,6 +327,7 @@ private:
 		const std::vector<Move> moves = movesAlong(f, gap, vertices);
 		if (moves.empty()) return false;
 		std::vector<int> moving;
+		moving.reserve(moves.size());
 		for (const Move& m : moves)
 			moving.push_back(m.vertex);
 		const std::vector<int> faces  = facesRound(m_, moving);
@@ -341,6 +342,7 @@ private:
 				 const std::vector<int>& faces, float before)
 	{
 		std::vector<Shape> shapes;
+		shapes.reserve(faces.size());
 		for (int g : faces)
 			shapes.push_back(shapeOf(g));
 		std::vector<Place> places;
