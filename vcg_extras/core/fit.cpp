@@ -397,6 +397,9 @@ private:
 		lowerWorstDistances(surface_, cells, angle, settings_.worstRounds, r_, workers_);
 		last.takeOver();
 		if (!last.expectCrossingsWhereMoved()) return true;
+		// Anchors of vertices that stayed must stay: at a sharp edge they might walk round it.
+		for (int v = 0; v < m_.vertexNum; ++v)
+			free_[v] = free_[v] && !(last.shift(v) == Vec3f());
 		followByAnchors();
 		return takeBackOffenders(last);
 	}

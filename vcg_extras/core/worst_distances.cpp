@@ -34,7 +34,7 @@ constexpr int latticeSteps = 4;
 constexpr int mostHops = 64;
 /// A face does not turn by more than this in a move, nor agree less with the surface's normals.
 constexpr float turnCosine     = 0.5f;
-constexpr float leastAgreement = 0.1f;
+constexpr float leastAgreement = 0.3f;
 
 /// Weights of the corners of a triangle at the point q of it.
 void weightsAt(const Vec3f& q, const Vec3f& a, const Vec3f& b, const Vec3f& c, float* weight)
@@ -69,8 +69,11 @@ public:
 			surface_(surface),
 			s_(surface.mesh), cells_(cells), leastAngle_(leastAngle),
 			near_(nearShare * meanEdge(result.mesh)), r_(result), m_(result.mesh),
-			workers_(workers), normal_(smoothNormals(surface, result, workers)), gap_(m_.faceNum)
+			workers_(workers), normal_(smoothNormals(surface, result, workers)),
+			anchor_(m_.vertexNum), gap_(m_.faceNum)
 	{
+		for (int v = 0; v < m_.vertexNum; ++v)
+			anchor_[v] = r_.vertex[v].anchor;
 	}
 
 	void run(int rounds)
@@ -100,6 +103,7 @@ private:
 	HalfEdgeMesh&       m_;
 	Workers&            workers_;
 	Buffer<Vec3f>       normal_; ///< of the surface at the result's vertices
+	Buffer<Anchor>      anchor_; ///< the nearest points of the surface, of vertices that moved
 	Buffer<float>       gap_;    ///< per face: the squared length, or what is near enough
 
 	// ---- distances
@@ -164,7 +168,7 @@ private:
 		}
 	}
 
-	int anchorFace(int f, int k) const { return r_.vertex[m_.origin[3 * f + k]].anchor.face; }
+	int anchorFace(int f, int k) const { return anchor_[m_.origin[3 * f + k]].face; }
 
 	/// On the way from a face to the nearest one a rim may lie; then another way may not cross it.
 	Vec3f nearestFromCorners(int f, const Vec3f& p, float enough, int& face) const
@@ -237,7 +241,7 @@ private:
 	bool isFarVertex(int v) const
 	{
 		const Vec3f  p      = m_.position[v];
-		const Anchor anchor = r_.vertex[v].anchor;
+		const Anchor anchor = anchor_[v];
 		if (squaredLength(p - anchor.position) <= near_ * near_) return false;
 		int face = anchor.face;
 		return squaredLength(nearestOn(s_, p, near_ * near_, face) - p) > near_ * near_;
@@ -371,7 +375,7 @@ private:
 		Anchor anchor;
 	};
 
-	Place placeOf(int v) const { return {m_.position[v], normal_[v], r_.vertex[v].anchor}; }
+	Place placeOf(int v) const { return {m_.position[v], normal_[v], anchor_[v]}; }
 
 	Place placeAfter(int v, const Vec3f& shift) const
 	{
@@ -396,10 +400,9 @@ private:
 
 	void put(int v, const Place& place)
 	{
-		m_.position[v]      = place.position;
-		normal_[v]          = place.normal;
-		r_.vertex[v].anchor = place.anchor;
-		r_.vertex[v].normal = s_.faceNormal(place.anchor.face);
+		m_.position[v] = place.position;
+		normal_[v]     = place.normal;
+		anchor_[v]     = place.anchor;
 	}
 
 	/// What must not get worse by a move.
