@@ -11,6 +11,7 @@ set(GPR_CONTACT "the gpremesh authors <authors@gpremesh.invalid>"
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME gpremesh)
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # or it would come before the line of each package
 set(CPACK_PACKAGE_VENDOR "the gpremesh authors")
 set(CPACK_PACKAGE_CONTACT "${GPR_CONTACT}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
