@@ -5,6 +5,8 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/core/crease_lines.h>
+#include <vcg_extras/core/given_lines.h>
+#include <vcg_extras/core/remesh.h>
 
 namespace gpr::test {
 
@@ -164,6 +166,60 @@ TEST_F(MarkCreases, LeavesOutWhatIsTooShort)
 	rules.leastLength = 30;
 	mark(cube(8));
 	EXPECT_EQ(found.edgeNum, 0);
+}
+
+/// The edges of a flat grid along x = 0.5, given by the caller: one mark an edge, on either face.
+std::vector<std::uint8_t> middleLine(const TriangleMesh& mesh)
+{
+	std::vector<std::uint8_t> line(mesh.triangles.size(), 0);
+	const auto                isOn = [&](std::size_t corner) {
+        return std::abs(mesh.positions[mesh.triangles[corner]].x - 0.5) < 1e-9;
+	};
+	for (std::size_t c = 0; c < line.size(); ++c)
+		line[c] = isOn(c) && isOn(c % 3 == 2 ? c - 2 : c + 1);
+	return line;
+}
+
+TEST(GivenLines, AreMarkedWhereNothingIsSharp)
+{
+	Workers                         workers(2, nullptr);
+	const TriangleMesh              mesh    = grid(20, 20);
+	const std::vector<std::uint8_t> line    = middleLine(mesh);
+	Surface                         surface = surfaceOf(mesh, workers);
+	MeshView                        view    = mesh.view();
+	EXPECT_EQ(markGivenLines(view, workers, surface), 0);
+	view.line = line.data();
+	EXPECT_EQ(markGivenLines(view, workers, surface), 20);
+	for (int h = 0; h < surface.mesh.halfEdgeNum(); ++h) {
+		if (!surface.mesh.isCreaseEdge(h)) continue;
+		for (int v : {surface.mesh.origin[h], surface.mesh.target(h)})
+			EXPECT_NEAR(surface.frame.toCaller(surface.mesh.position[v]).x, 0.5, 1e-6);
+	}
+}
+
+/// The whole way: edges of the result cover the line from border to border.
+TEST(GivenLines, AreEdgesOfTheResult)
+{
+	const TriangleMesh              mesh = grid(60, 60);
+	const std::vector<std::uint8_t> line = middleLine(mesh);
+	RemeshOptions                   options;
+	options.targetMode      = TargetMode::VertexNum;
+	options.targetVertexNum = 300;
+	double covered[2]       = {0, 0};
+	for (int given : {0, 1}) {
+		MeshView view = mesh.view();
+		if (given) view.line = line.data();
+		const RemeshResult r = remesh(view, options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		const HalfEdgeMesh m = halfEdgesOf(r.mesh);
+		for (int h = 0; h < m.halfEdgeNum(); ++h) {
+			const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
+			const bool  isOn = std::abs(a.x - 0.5f) < 1e-5f && std::abs(b.x - 0.5f) < 1e-5f;
+			if (isOn) covered[given] += 0.5 * double(length(b - a));
+		}
+	}
+	EXPECT_LT(covered[0], 0.5) << "or the test tells nothing";
+	EXPECT_NEAR(covered[1], 1, 1e-4);
 }
 
 } // namespace
