@@ -151,14 +151,27 @@ QString auditLine(const gpr::AuditFigures& a)
 			 count(a.flippedFaces), count(a.zeroAreaFaces), count(a.duplicateFaces));
 }
 
-/// Empty where there was no such check.
-QString checkLine(const gpr::RemeshReport& r)
+/// How near the result is, as far as it was looked for: by the goal of a largest error, by the
+/// thorough check, or by the way that the fit moved vertices. Empty where no vertex left the
+/// surface.
+QString errorLine(const gpr::RemeshReport& r)
 {
-	if (!r.check.done) return QString();
-	return QStringLiteral("Checked: %1 faces cross others, vertices are at most %2 from the input, "
-						  "points of either mesh at most %3 from the other")
-		.arg(count(r.check.crossingFaces), number(r.check.vertexDistance),
-			 number(r.check.largestDistance));
+	if (r.check.done) {
+		return QStringLiteral("Checked: %1 faces cross others, vertices are at most %2 from the "
+							  "input, points of either mesh at most %3 from the other")
+			.arg(count(r.check.crossingFaces), lengthText(r.check.vertexDistance, r),
+				 lengthText(r.check.largestDistance, r));
+	}
+	if (r.errorGoal > 0) {
+		return QStringLiteral(
+				   "Error: points of either mesh are at most %1 from the other; asked for %2")
+			.arg(lengthText(r.largestError, r), lengthText(r.errorGoal, r));
+	}
+	if (!(r.largestFitDistance > 0)) return QString();
+	return QStringLiteral(
+			   "Error: vertices are at most %1 off the surface; the check and the filter "
+			   "Compare measure the distance of the surfaces")
+		.arg(lengthText(r.largestFitDistance, r));
 }
 
 QString timeLine(const gpr::RemeshReport& r)
@@ -205,7 +218,7 @@ std::vector<std::string> remeshingLines(const gpr::RemeshResult&   result,
 						<< countsLine("Remeshed", r) << untouchedLine(r) << topologyLine(r)
 						<< radiusLine(r) << qualityLine(before, "Quality before")
 						<< qualityLine(r.quality, "Quality after") << auditLine(r.audit)
-						<< checkLine(r) << timeLine(r));
+						<< errorLine(r) << timeLine(r));
 }
 
 std::vector<std::string> featureLines(const gpr::FeatureResult& result)
@@ -225,7 +238,7 @@ std::vector<std::string> retriangulationLines(const gpr::RemeshResult& result)
 	return withoutEmpty(firstLines(result)
 						<< countsLine("Retriangulated", r) << samplesLine(r) << leftoverLine(result)
 						<< topologyLine(r) << qualityLine(r.quality) << auditLine(r.audit)
-						<< checkLine(r) << timeLine(r));
+						<< errorLine(r) << timeLine(r));
 }
 
 } // namespace gpr_filter

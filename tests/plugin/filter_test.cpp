@@ -73,6 +73,7 @@ TEST(Filter, RemeshesInPlace)
 		ASSERT_GT(v.cN() * v.cP() / v.cN().Norm(), 0.9) << "a vertex normal is stale";
 	}
 	EXPECT_TRUE(document.logText().contains("to 700 vertices"));
+	EXPECT_TRUE(document.logText().contains("% of the diagonal) off the surface"));
 }
 
 TEST(Filter, MoreVerticesThanBefore)
