@@ -6,6 +6,7 @@
 #include "boundary_curves.h"
 #include "cells.h"
 #include "connect.h"
+#include "patch_mover.h"
 #include "result_mesh.h"
 #include "workers.h"
 
@@ -26,11 +27,17 @@ namespace gpr {
 ///
 /// Nothing is done where more than 500 triangles and 1 % of all are poor. Returns false if all was
 /// withdrawn, or if there were too many tries: 2000, and one for each 2000 triangles. Needs a mesh
-/// without dead faces; cells, if given, of its faces. Cost: a pass over the angles; where some are
-/// poor the few faces concerned, the boxes of a search for crossing faces, and one finding of cells
-/// unless they are given.
+/// without dead faces; `cells` are those of its faces, and are found here where they are needed and
+/// null. Cost: a pass over the angles; where some are poor the few faces concerned, the boxes of a
+/// search for crossing faces, and one finding of cells unless they are given.
 bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
-				ResultMesh& result, Workers& workers, std::unique_ptr<Cells> cells = nullptr);
+				ResultMesh& result, Workers& workers, std::unique_ptr<Cells>& cells);
+bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+				ResultMesh& result, Workers& workers);
+
+/// The same with cells that were found for an earlier state of the mesh.
+bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+				ResultMesh& result, Workers& workers, const CellsOfFaces& cells);
 
 } // namespace gpr
 

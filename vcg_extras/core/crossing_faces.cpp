@@ -3,9 +3,11 @@
 #include "crossing_faces.h"
 
 #include "counting_sort.h"
+#include "mesh_edit.h"
 #include "sectors.h"
 #include "spatial_order.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gpr {
@@ -75,6 +77,74 @@ bool liesBeyondAnEdge(const Vec3f* t, const Vec3f* s)
 	return false;
 }
 
+/// The face's corners, from the k-th on.
+void cornersOf(const HalfEdgeMesh& m, int f, int k, Vec3f* corner)
+{
+	for (int i = 0; i < 3; ++i)
+		corner[i] = m.position[m.origin[3 * f + (k + i) % 3]];
+}
+
+bool crossBeyondVertex(const HalfEdgeMesh& m, int f, int k, int g, int l)
+{
+	Vec3f a[3], b[3];
+	cornersOf(m, f, k, a);
+	cornersOf(m, g, l, b);
+	return passesThrough(a[1], a[2], b) || passesThrough(b[1], b[2], a);
+}
+
+/// Whether the plane of t has all of s on one side.
+bool onOneSide(const Vec3f* s, const Vec3f* t)
+{
+	const double a = volume(t[0], t[1], t[2], s[0]), b = volume(t[0], t[1], t[2], s[1]);
+	const double c = volume(t[0], t[1], t[2], s[2]);
+	return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+bool crossApart(const HalfEdgeMesh& m, int f, int g)
+{
+	Vec3f a[3], b[3];
+	cornersOf(m, f, 0, a);
+	cornersOf(m, g, 0, b);
+	if (liesBeyondAnEdge(a, b) || liesBeyondAnEdge(b, a)) return false;
+	if (onOneSide(a, b) || onOneSide(b, a)) return false;
+	for (int k = 0; k < 3; ++k) {
+		if (passesThrough(a[k], a[(k + 1) % 3], b)) return true;
+		if (passesThrough(b[k], b[(k + 1) % 3], a)) return true;
+	}
+	return false;
+}
+
+/// What two faces share: how many corners, and the last of them by its place in either.
+struct SharedCorners {
+	int num = 0, ofF = 0, ofG = 0;
+};
+
+SharedCorners sharedCorners(const HalfEdgeMesh& m, int f, int g)
+{
+	SharedCorners shared;
+	for (int k = 0; k < 3; ++k) {
+		for (int l = 0; l < 3; ++l) {
+			if (m.origin[3 * f + k] == m.origin[3 * g + l]) shared = {shared.num + 1, k, l};
+		}
+	}
+	return shared;
+}
+
+/// Of faces that share less than an edge.
+bool facesCross(const HalfEdgeMesh& m, int f, int g, const SharedCorners& shared)
+{
+	return shared.num == 1 ? crossBeyondVertex(m, f, shared.ofF, g, shared.ofG)
+						   : crossApart(m, f, g);
+}
+
+Box boxOf(const HalfEdgeMesh& m, int f)
+{
+	Box box;
+	for (int h = 3 * f; h < 3 * f + 3; ++h)
+		box += Box(m.position[m.origin[h]], m.position[m.origin[h]]);
+	return box;
+}
+
 class CrossingSearch {
 public:
 	/// wanted: per face, whether its crossings are looked for; empty: all faces'.
@@ -113,13 +183,7 @@ private:
 	Buffer<int>              face_;   ///< in an order in which neighbours lie close together
 	std::vector<Buffer<Box>> level_;  ///< of the tree: level 0 has a box for each of face_
 
-	Box boxOf(int f) const
-	{
-		Box box;
-		for (int h = 3 * f; h < 3 * f + 3; ++h)
-			box += Box(m_.position[m_.origin[h]], m_.position[m_.origin[h]]);
-		return box;
-	}
+	Box boxOf(int f) const { return gpr::boxOf(m_, f); }
 
 	void orderFaces()
 	{
@@ -308,58 +372,13 @@ private:
 
 	void compare(int f, int g, std::vector<int>& out) const
 	{
-		int shared = 0, ofF = 0, ofG = 0;
-		for (int k = 0; k < 3; ++k) {
-			for (int l = 0; l < 3; ++l) {
-				if (m_.origin[3 * f + k] != m_.origin[3 * g + l]) continue;
-				++shared;
-				ofF = k;
-				ofG = l;
-			}
-		}
-		if (shared > 1) return;
-		const int joint = m_.origin[3 * f + ofF];
-		if (shared == 1 && (isFlat_.empty() ? isFlatStar(joint) : isFlat_[joint] != 0)) return;
-		if (!(shared == 1 ? crossBeyondVertex(f, ofF, g, ofG) : crossApart(f, g))) return;
+		const SharedCorners shared = sharedCorners(m_, f, g);
+		if (shared.num > 1) return;
+		const int joint = m_.origin[3 * f + shared.ofF];
+		if (shared.num == 1 && (isFlat_.empty() ? isFlatStar(joint) : isFlat_[joint] != 0)) return;
+		if (!facesCross(m_, f, g, shared)) return;
 		out.push_back(f);
 		out.push_back(g);
-	}
-
-	/// The face's corners, from the k-th on.
-	void cornersOf(int f, int k, Vec3f* corner) const
-	{
-		for (int i = 0; i < 3; ++i)
-			corner[i] = m_.position[m_.origin[3 * f + (k + i) % 3]];
-	}
-
-	bool crossBeyondVertex(int f, int k, int g, int l) const
-	{
-		Vec3f a[3], b[3];
-		cornersOf(f, k, a);
-		cornersOf(g, l, b);
-		return passesThrough(a[1], a[2], b) || passesThrough(b[1], b[2], a);
-	}
-
-	bool crossApart(int f, int g) const
-	{
-		Vec3f a[3], b[3];
-		cornersOf(f, 0, a);
-		cornersOf(g, 0, b);
-		if (liesBeyondAnEdge(a, b) || liesBeyondAnEdge(b, a)) return false;
-		if (onOneSide(a, b) || onOneSide(b, a)) return false;
-		for (int k = 0; k < 3; ++k) {
-			if (passesThrough(a[k], a[(k + 1) % 3], b)) return true;
-			if (passesThrough(b[k], b[(k + 1) % 3], a)) return true;
-		}
-		return false;
-	}
-
-	/// Whether the plane of t has all of s on one side.
-	static bool onOneSide(const Vec3f* s, const Vec3f* t)
-	{
-		const double a = volume(t[0], t[1], t[2], s[0]), b = volume(t[0], t[1], t[2], s[1]);
-		const double c = volume(t[0], t[1], t[2], s[2]);
-		return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 	}
 };
 
@@ -374,6 +393,25 @@ std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<c
 								   Workers& workers)
 {
 	return CrossingSearch(mesh, wanted, workers).run();
+}
+
+int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces)
+{
+	Box all;
+	for (int f : faces) {
+		if (!isDeadFace(m, f)) all += boxOf(m, f);
+	}
+	int num = 0;
+	for (int g = 0; g < m.faceNum; ++g) {
+		if (isDeadFace(m, g) || !boxOf(m, g).meets(all)) continue;
+		const bool isOneOfThem = std::binary_search(faces.begin(), faces.end(), g);
+		for (int f : faces) {
+			if (isDeadFace(m, f) || (isOneOfThem && f >= g)) continue;
+			const SharedCorners shared = sharedCorners(m, f, g);
+			num += shared.num < 2 && facesCross(m, f, g, shared);
+		}
+	}
+	return num;
 }
 
 } // namespace gpr

@@ -20,6 +20,10 @@ std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, Workers& workers);
 std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
 								   Workers& workers);
 
+/// Number of crossing pairs of which at least one is among `faces`, ascending; dead faces are
+/// passed over. For few faces: cost O(F), and O(F) once more for what lies near them.
+int countCrossingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
+
 } // namespace gpr
 
 #endif

@@ -3,6 +3,7 @@
 #include "exact_count.h"
 
 #include "delaunay_flips.h"
+#include "edge_middle.h"
 #include "mesh_edit.h"
 #include "relaxation.h"
 #include "sizing.h"
@@ -45,13 +46,19 @@ struct Operation {
 	}
 };
 
+std::int64_t livingVertexNum(const HalfEdgeMesh& m)
+{
+	return std::count_if(m.outgoing.data(), m.outgoing.data() + m.vertexNum,
+						 [](int h) { return h >= 0; });
+}
+
 class CountCorrector {
 public:
 	CountCorrector(const Surface& surface, const BoundaryCurves& boundary, ResultMesh& result,
 				   Workers& workers) :
 			surface_(surface),
 			boundary_(boundary), r_(result), m_(result.mesh), workers_(workers),
-			liveNum_(result.mesh.vertexNum)
+			liveNum_(livingVertexNum(result.mesh))
 	{
 	}
 
@@ -69,7 +76,6 @@ public:
 				if (liveNum_ == before) break;
 			}
 		}
-		compactResult(r_);
 		return liveNum_ == targetNum;
 	}
 
@@ -130,49 +136,6 @@ private:
 		const int   a = m_.origin[h], b = m_.target(h);
 		const float straight = length(m_.position[b] - m_.position[a]);
 		return size_.empty() ? straight : straight / (0.5f * (size_[a] + size_[b]));
-	}
-
-	/// A point of the surface halfway from a to b, by walking from a, in the face at hand.
-	bool walkHalfway(int a, int b, const Anchor& from, ResultVertex& middle) const
-	{
-		middle.anchor       = from;
-		const Vec3f half    = (m_.position[b] - m_.position[a]) * 0.5f;
-		const Vec3f flat    = tangential(half, surface_.mesh.faceNormal(from.face));
-		const float reach   = length(half);
-		const float flatLen = length(flat);
-		if (!(flatLen > 0)) return false;
-		const WalkEnd end = walk(surface_.mesh, middle.anchor, flat * (reach / flatLen));
-		if (end != WalkEnd::Arrived) return false;
-		middle.normal = surface_.mesh.faceNormal(middle.anchor.face);
-		return length(middle.anchor.position - m_.position[a]) > 0.5f * reach &&
-			   length(middle.anchor.position - m_.position[b]) > 0.5f * reach;
-	}
-
-	bool findMiddle(int a, int b, ResultVertex& middle) const
-	{
-		const bool fromCrease = m_.isCreaseVertex(a), toCrease = m_.isCreaseVertex(b);
-		if (fromCrease && toCrease) return findMiddleFromCrease(a, b, middle);
-		if (fromCrease) return walkHalfway(b, a, r_.vertex[b].anchor, middle);
-		if (walkHalfway(a, b, r_.vertex[a].anchor, middle)) return true;
-		return !toCrease && walkHalfway(b, a, r_.vertex[b].anchor, middle);
-	}
-
-	/// The right face to begin in is the one whose walk stays nearest to the straight line.
-	bool findMiddleFromCrease(int a, int b, ResultVertex& middle) const
-	{
-		const Vec3f straight = (m_.position[a] + m_.position[b]) * 0.5f;
-		float       nearest  = 0.25f * length(m_.position[b] - m_.position[a]);
-		bool        found    = false;
-		for (int face : facesAt(surface_.mesh, r_.vertex[a].anchor)) {
-			ResultVertex trial;
-			if (!walkHalfway(a, b, {m_.position[a], face}, trial)) continue;
-			const float off = length(trial.anchor.position - straight);
-			if (off >= nearest) continue;
-			nearest = off;
-			middle  = trial;
-			found   = true;
-		}
-		return found;
 	}
 
 	// ---- splitting
@@ -296,7 +259,7 @@ private:
 			touched[touchedNum++] = y;
 		}
 		ResultVertex middle;
-		if (!findMiddle(w, x, middle)) return false;
+		if (!findMiddle(surface_, r_, w, x, middle)) return false;
 
 		const int oldFaces = m_.faceNum;
 		const int v        = append(middle);
@@ -410,7 +373,7 @@ private:
 		ResultVertex survivor = r_.vertex[b];
 		if (isFree(r_, b)) {
 			ResultVertex middle;
-			if (findMiddle(a, b, middle))
+			if (findMiddle(surface_, r_, a, b, middle))
 				survivor = middle;
 			else if (care_ == Care::FlatGroundOnly)
 				return false;
@@ -490,6 +453,14 @@ float worstAngleAt(const HalfEdgeMesh& m, int v, const Vec3f& p, int other)
 bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
 					 ResultMesh& result, Workers& workers)
 {
+	const bool isReached = changeCount(surface, boundary, targetNum, result, workers);
+	compactResult(result);
+	return isReached;
+}
+
+bool changeCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
+				 ResultMesh& result, Workers& workers)
+{
 	return CountCorrector(surface, boundary, result, workers)
 		.run(targetNum, {Care::FlatGroundOnly, Care::SoundShapes, Care::TopologyOnly});
 }
@@ -497,7 +468,10 @@ bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std
 bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
 						  std::int64_t targetNum, ResultMesh& result, Workers& workers)
 {
-	return CountCorrector(surface, boundary, result, workers).run(targetNum, {Care::TopologyOnly});
+	CountCorrector corrector(surface, boundary, result, workers);
+	const bool     isReached = corrector.run(targetNum, {Care::TopologyOnly});
+	compactResult(result);
+	return isReached;
 }
 
 void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& workers)

@@ -22,6 +22,10 @@ namespace gpr {
 bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
 					 ResultMesh& result, Workers& workers);
 
+/// The same, leaving dead faces and vertices in the mesh: those that it had, and new ones.
+bool changeCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
+				 ResultMesh& result, Workers& workers);
+
 /// The same by topology alone, whatever the shapes: the last resort for tiny counts. Which edges
 /// are taken, and in which order, does not depend on targetNum, so that every count between the one
 /// it starts from and the one it ends at for targetNum = 1 can be reached.

@@ -9,6 +9,7 @@
 #include "fit.h"
 #include "fold_repair.h"
 #include "pages.h"
+#include "patch_remeshing.h"
 #include "relaxation.h"
 #include "umbrella_smoothing.h"
 #include "valence_glide.h"
@@ -63,8 +64,10 @@ public:
 		if (options_.regularity != Regularity::Full) return;
 		clock_.enter("angles", "Mending angles", 0.973);
 		returnReleasedMemory();
-		if (!mendAngles(p.surface, boundary, leastAngleDeg(), result, workers_, std::move(cells)))
+		if (!mendAngles(p.surface, boundary, leastAngleDeg(), result, workers_, cells))
 			report_.capsReached.push_back("changes for the worst angles");
+		const std::int64_t targetNum = options_.exactCount ? p.targetNum : 0;
+		remeshPoorPatches(p.surface, boundary, leastAngleDeg(), targetNum, result, workers_, cells);
 	}
 
 	/// Returns the cells of the last round, if there was one.

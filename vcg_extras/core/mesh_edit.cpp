@@ -436,6 +436,36 @@ void removeVertex(HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patc
 	m.outgoing[star.vertex] = -1;
 }
 
+PatchBackup::PatchBackup(const HalfEdgeMesh& m, const std::vector<int>& vertices) :
+		vertexNum_(m.vertexNum), faceNum_(m.faceNum), vertex_(vertices),
+		face_(facesRound(m, vertices))
+{
+	for (int v : vertex_) {
+		outgoing_.push_back(m.outgoing[v]);
+		position_.push_back(m.position[v]);
+	}
+	for (int f : face_) {
+		for (int h = 3 * f; h < 3 * f + 3; ++h)
+			corner_.push_back({m.origin[h], m.opposite[h], char(m.isCreaseEdge(h))});
+	}
+}
+
+void PatchBackup::restore(HalfEdgeMesh& m) const
+{
+	m.vertexNum = vertexNum_;
+	m.faceNum   = faceNum_;
+	for (std::size_t i = 0; i < vertex_.size(); ++i) {
+		m.outgoing[vertex_[i]] = outgoing_[i];
+		m.position[vertex_[i]] = position_[i];
+	}
+	for (std::size_t i = 0; i < corner_.size(); ++i) {
+		const int h   = 3 * face_[i / 3] + int(i % 3);
+		m.origin[h]   = corner_[i].origin;
+		m.opposite[h] = corner_[i].opposite;
+		if (m.hasCreases()) m.crease[h] = corner_[i].crease;
+	}
+}
+
 void reserve(HalfEdgeMesh& m, int vertexRoom, int faceRoom)
 {
 	if (m.position.size() < std::size_t(vertexRoom)) {

@@ -98,6 +98,30 @@ bool canRemoveVertex(const HalfEdgeMesh& m, const VertexStar& star, const HolePa
 void removeVertex(HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
 				  EditScratch& scratch);
 
+/// The faces round some vertices as they are: takes any changes among them back. No change may have
+/// written to faces elsewhere: all corners of what is flipped, split or collapsed must be among the
+/// vertices, the faces' beyond the two of a collapse too.
+class PatchBackup {
+public:
+	PatchBackup(const HalfEdgeMesh& mesh, const std::vector<int>& vertices);
+
+	const std::vector<int>& vertices() const { return vertex_; }
+	const std::vector<int>& faces() const { return face_; }
+
+	/// Puts all back; vertices and faces appended since are dropped.
+	void restore(HalfEdgeMesh& mesh) const;
+
+private:
+	struct Corner {
+		int  origin, opposite;
+		char crease;
+	};
+	int                 vertexNum_, faceNum_;
+	std::vector<int>    vertex_, face_, outgoing_;
+	std::vector<Vec3f>  position_;
+	std::vector<Corner> corner_; ///< three a face
+};
+
 /// Makes room for so many vertices and faces, keeping what is there.
 void reserve(HalfEdgeMesh& m, int vertexRoom, int faceRoom);
 

@@ -24,6 +24,7 @@ ResultMesh copyResult(const ResultMesh& result, Workers& workers)
 	ResultMesh copy;
 	copy.mesh          = copyMesh(result.mesh, workers);
 	copy.vertex        = result.vertex;
+	copy.keepsBorder   = result.keepsBorder;
 	copy.idealEdge     = result.idealEdge;
 	copy.flipNum       = result.flipNum;
 	copy.splitNum      = result.splitNum;

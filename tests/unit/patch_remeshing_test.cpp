@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Splits and collapses for the last poor angles, and what they stand on: patches that can be taken
+// back, and the count of crossing pairs round a patch.
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/on_surface.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/angle_mending.h>
+#include <vcg_extras/core/crossing_faces.h>
+#include <vcg_extras/core/patch_remeshing.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// A square, and beside it a ribbon much narrower than its vertices lie apart.
+OnSurface squareAndRibbon()
+{
+	TriangleMesh ribbon = grid(4, 1, 1, 0.06);
+	for (Vec3d& p : ribbon.positions)
+		p.y += 2;
+	return OnSurface(joined(grid(16, 16), ribbon));
+}
+
+bool remeshPatches(OnSurface& on, Workers& workers, std::int64_t targetNum)
+{
+	std::unique_ptr<Cells> cells;
+	return remeshPoorPatches(on.surface, on.boundary, 32, targetNum, on.result, workers, cells);
+}
+
+std::vector<int> tableOf(const HalfEdgeMesh& m)
+{
+	std::vector<int> table(m.origin.data(), m.origin.data() + m.halfEdgeNum());
+	table.insert(table.end(), m.opposite.data(), m.opposite.data() + m.halfEdgeNum());
+	table.insert(table.end(), m.outgoing.data(), m.outgoing.data() + m.vertexNum);
+	return table;
+}
+
+} // namespace
+
+TEST(RemeshPoorPatches, SplitsWhatMovesAndFlipsCannotMend)
+{
+	OnSurface on = squareAndRibbon();
+	mendAngles(on.surface, on.boundary, 32, on.result, on.workers);
+	ASSERT_LT(on.leastAngleDeg(), 20);
+	const TriangleMesh before = meshOf(on.m());
+	EXPECT_TRUE(remeshPatches(on, on.workers, 0));
+	EXPECT_GT(on.leastAngleDeg(), 30);
+	EXPECT_GT(on.m().vertexNum, int(before.vertexNum()));
+	EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));
+	EXPECT_NEAR(factsOf(meshOf(on.m())).area / factsOf(before).area, 1, 1e-3);
+	on.expectOnSurface();
+	on.expectSound();
+}
+
+TEST(RemeshPoorPatches, MakesTheCountGoodElsewhere)
+{
+	OnSurface on  = squareAndRibbon();
+	const int num = on.m().vertexNum;
+	EXPECT_TRUE(remeshPatches(on, on.workers, num));
+	EXPECT_EQ(on.m().vertexNum, num);
+	EXPECT_GT(on.leastAngleDeg(), 30);
+	on.expectSound();
+}
+
+TEST(RemeshPoorPatches, LeavesAllAsItWasWhereTheCountCannotBeReached)
+{
+	OnSurface                on     = squareAndRibbon();
+	const std::vector<int>   before = tableOf(on.m());
+	const std::vector<Vec3f> places(on.m().position.data(),
+									on.m().position.data() + on.m().vertexNum);
+	EXPECT_FALSE(remeshPatches(on, on.workers, 1));
+	EXPECT_EQ(tableOf(on.m()), before);
+	EXPECT_TRUE(std::equal(places.begin(), places.end(), on.m().position.data()));
+}
+
+TEST(RemeshPoorPatches, LeavesPinnedVerticesAndAKeptBorder)
+{
+	OnSurface on             = squareAndRibbon();
+	on.result.keepsBorder    = true;
+	const HalfEdgeMesh start = copyMesh(on.m(), on.workers);
+	for (int v = 0; v < start.vertexNum; ++v)
+		on.result.vertex[v].isPinned = start.isBorderVertex(v);
+	remeshPatches(on, on.workers, start.vertexNum);
+	int stayed = 0, border = 0;
+	for (int v = 0; v < start.vertexNum; ++v)
+		border += start.isBorderVertex(v);
+	for (int v = 0; v < on.m().vertexNum; ++v)
+		stayed += on.m().isBorderVertex(v) && on.result.vertex[v].isPinned;
+	EXPECT_EQ(stayed, border);
+	on.expectSound();
+}
+
+TEST(RemeshPoorPatches, DoesNotDependOnThreads)
+{
+	TriangleMesh ribbon = grid(4, 1, 1, 0.06);
+	expectSameForAnyThreads(ribbon, [](OnSurface& on, Workers& workers) {
+		EXPECT_TRUE(remeshPatches(on, workers, 0));
+	});
+}
+
+TEST(PatchBackup, TakesFlipsSplitsAndCollapsesBack)
+{
+	Random      random(3);
+	OnSurface   on(jitteredGrid(12, 0.2, random));
+	EditScratch scratch;
+	reserve(on.m(), on.m().vertexNum + 1, on.m().faceNum + 2);
+	const std::vector<int> before  = tableOf(on.m());
+	int                    changes = 0;
+	for (int h = 0; h < on.m().halfEdgeNum(); ++h) {
+		HalfEdgeMesh&    m = on.m();
+		std::vector<int> ring{m.origin[h]};
+		forEachNeighbour(m, m.origin[h], [&](int w) { ring.push_back(w); });
+		const PatchBackup backup(m, ring);
+		if (canCollapse(m, h, scratch)) {
+			collapse(m, h);
+			++changes;
+		}
+		else if (m.opposite[h] < 0)
+			splitBorderEdge(m, h, m.vertexNum++);
+		else if (canFlip(m, h) && h % 2 == 0)
+			flip(m, h);
+		else
+			splitEdge(m, h, m.vertexNum++);
+		ASSERT_NE(tableOf(m), before);
+		backup.restore(m);
+		ASSERT_EQ(tableOf(m), before) << "half-edge " << h;
+	}
+	EXPECT_GT(changes, 100);
+}
+
+TEST(CountCrossingPairs, AgreesWithTheSearchOverAllFaces)
+{
+	TriangleMesh sheets = joined(grid(12, 12), shifted(grid(12, 12), {0.013, 0.021, 0.05}));
+	Workers      workers(2, nullptr);
+	for (std::size_t v = 0; v < sheets.positions.size(); v += 7)
+		sheets.positions[v].z += v < sheets.positions.size() / 2 ? 0.08 : -0.08;
+	const HalfEdgeMesh     m     = halfEdgesOf(sheets);
+	const std::vector<int> found = findCrossingFaces(m, workers);
+	ASSERT_FALSE(found.empty());
+	for (int f = 0; f < m.faceNum; ++f) {
+		const bool crosses = std::binary_search(found.begin(), found.end(), f);
+		EXPECT_EQ(countCrossingPairs(m, {f}) > 0, crosses) << f;
+	}
+	std::vector<int> all(std::size_t(m.faceNum));
+	std::iota(all.begin(), all.end(), 0);
+	int sum = 0;
+	for (int f : found)
+		sum += countCrossingPairs(m, {f});
+	EXPECT_EQ(2 * countCrossingPairs(m, all), sum) << "each pair is counted once";
+}
+
+} // namespace gpr::test

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_remeshing.h"
+
+#include "angle_mending.h"
+#include "crossing_faces.h"
+#include "edge_middle.h"
+#include "exact_count.h"
+#include "fold_repair.h"
+#include "mesh_edit.h"
+#include "patch_mover.h"
+#include "poor_faces.h"
+
+#include <algorithm>
+
+namespace gpr {
+
+namespace {
+
+constexpr float radians = 3.14159265f / 180;
+/// Rounds over all poor faces.
+constexpr int mostRounds = 6;
+/// Above so many poor faces, or this share of all, the triangles are too large for the surface.
+constexpr std::size_t mostPoor      = 100;
+constexpr float       mostPoorShare = 0.001f;
+/// Faces that are tried, in all rounds; also the most vertices that come in.
+constexpr int mostTries = 200;
+/// Passes of flips and moves after a split or collapse.
+constexpr int settlePasses = 2;
+/// A change must leave at most this share of the cost.
+constexpr float mostLeft = 0.8f;
+
+/// A change of the number of vertices.
+struct Operation {
+	enum Kind { None, Split, Collapse, CollapseBack } kind = None;
+	int halfEdge = -1; ///< collapsed from its origin to its target, or back
+
+	bool isCollapse() const { return kind == Collapse || kind == CollapseBack; }
+};
+
+/// Σ(1 - angle / limit)² over the faces below the limit.
+double totalLack(const HalfEdgeMesh& m, float angle, Workers& workers)
+{
+	double sum = 0;
+	for (int f : findPoorFaces(m, angle, workers)) {
+		const double lack = 1 - double(smallestAngle(m, f)) / angle;
+		sum += lack * lack;
+	}
+	return sum;
+}
+
+class PatchRemesher : PatchMover {
+public:
+	PatchRemesher(const Surface& surface, const BoundaryCurves& curves, float angle,
+				  ResultMesh& result, Workers& workers, const CellsOfFaces& cells) :
+			PatchMover(surface, curves, angle, result, workers, cells, mostTries)
+	{
+	}
+
+	/// Leaves dead faces in the mesh. Returns the number of changes.
+	int run()
+	{
+		std::vector<int> poor = findPoorFaces(m_, angle_, workers_);
+		for (int round = 0; round < mostRounds && !poor.empty(); ++round) {
+			const int before = changeNum_;
+			for (int f : sharpestFirst(m_, poor))
+				treat(f);
+			if (changeNum_ == before) break;
+			poor = findPoorFaces(m_, angle_, workers_);
+		}
+		return changeNum_;
+	}
+
+private:
+	int         triesLeft_ = mostTries;
+	int         changeNum_ = 0;
+	EditScratch scratch_;
+
+	void treat(int f)
+	{
+		if (triesLeft_ == 0 || isDeadFace(m_, f) || smallestAngle(m_, f) >= angle_) return;
+		workers_.poll();
+		--triesLeft_;
+		Operation best;
+		float     bestGain = 0;
+		for (const Operation& op : operationsAt(f)) {
+			const float gain = attempt(op, false);
+			if (gain <= bestGain) continue;
+			bestGain = gain;
+			best     = op;
+		}
+		if (best.kind == Operation::None) return;
+		attempt(best, true);
+		++changeNum_;
+	}
+
+	std::vector<Operation> operationsAt(int f) const
+	{
+		std::vector<Operation> all;
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			for (Operation::Kind kind :
+				 {Operation::Split, Operation::Collapse, Operation::CollapseBack})
+				all.push_back({kind, h});
+		}
+		return all;
+	}
+
+	/// The vertices whose faces an operation, and what follows it, may change.
+	std::vector<int> patchOf(const Operation& op) const
+	{
+		const int        h = op.halfEdge;
+		std::vector<int> patch;
+		if (op.isCollapse()) {
+			const int v = op.kind == Operation::Collapse ? m_.origin[h] : m_.target(h);
+			patch.push_back(v);
+			forEachNeighbour(m_, v, [&](int w) { patch.push_back(w); });
+		}
+		else {
+			addQuadHalf(h, patch);
+			if (m_.opposite[h] >= 0) addQuadHalf(m_.opposite[h], patch);
+		}
+		std::sort(patch.begin(), patch.end());
+		patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
+		return patch;
+	}
+
+	/// The corners of h's face, and those beyond its other edges.
+	void addQuadHalf(int h, std::vector<int>& patch) const
+	{
+		for (int corner = 3 * (h / 3); corner < 3 * (h / 3) + 3; ++corner)
+			patch.push_back(m_.origin[corner]);
+		for (int side : {nextInFace(h), prevInFace(h)}) {
+			if (m_.opposite[side] >= 0) patch.push_back(m_.apex(m_.opposite[side]));
+		}
+	}
+
+	/// Makes the change and lets what lies round it settle. Returns by how much that lowers the
+	/// cost, 0 where it is refused; leaves it only if it is to be kept.
+	float attempt(const Operation& op, bool keep)
+	{
+		const PatchBackup        backup(m_, patchOf(op));
+		const std::vector<Place> places = placesOf(backup.vertices());
+		const Quality            before = patchQuality(backup.faces());
+		const float              off    = farthestOff * longestMeanEdge(backup.vertices());
+		const float              far = std::max(farthestFrom(backup.faces(), backup.faces()), off);
+
+		if (!apply(op)) return 0;
+		std::vector<int> patch = livingOf(backup.vertices());
+		if (op.kind == Operation::Split) patch.push_back(m_.vertexNum - 1);
+		settle(patch);
+		const std::vector<int> faces = facesRound(m_, patch);
+		const Quality          after = patchQuality(faces);
+		const bool isBetter          = after.cost < mostLeft * before.cost && after.beats(before) &&
+							  farthestFrom(faces, backup.faces()) <= far;
+		if (keep) {
+			countChange(op);
+			return before.cost - after.cost;
+		}
+		const int crossingNum = isBetter ? countCrossingPairs(m_, faces) : 0;
+		takeBack(backup, places);
+		if (!isBetter) return 0;
+		if (crossingNum > 0 && crossingNum > countCrossingPairs(m_, backup.faces())) return 0;
+		return before.cost - after.cost;
+	}
+
+	std::vector<Place> placesOf(const std::vector<int>& vertices) const
+	{
+		std::vector<Place> places;
+		for (int v : vertices)
+			places.push_back(placeOf(v));
+		return places;
+	}
+
+	void takeBack(const PatchBackup& backup, const std::vector<Place>& places)
+	{
+		backup.restore(m_);
+		r_.vertex.resize(m_.vertexNum);
+		for (std::size_t i = 0; i < places.size(); ++i)
+			put(backup.vertices()[i], places[i]);
+	}
+
+	float longestMeanEdge(const std::vector<int>& vertices) const
+	{
+		float longest = 0;
+		for (int v : vertices)
+			longest = std::max(longest, meanEdge(v));
+		return longest;
+	}
+
+	std::vector<int> livingOf(const std::vector<int>& vertices) const
+	{
+		std::vector<int> living;
+		for (int v : vertices) {
+			if (m_.outgoing[v] >= 0) living.push_back(v);
+		}
+		return living;
+	}
+
+	void countChange(const Operation& op)
+	{
+		if (op.kind == Operation::Split)
+			++r_.splitNum;
+		else
+			++r_.collapseNum;
+	}
+
+	// ---- what is tried
+
+	bool apply(const Operation& op)
+	{
+		const int h = op.halfEdge;
+		if (op.kind == Operation::Split) return split(h);
+		if (m_.opposite[h] < 0) return collapseBorder(h, op.kind == Operation::Collapse);
+		return collapseInside(op.kind == Operation::Collapse ? h : m_.opposite[h]);
+	}
+
+	bool split(int h)
+	{
+		const int    a = m_.origin[h], b = m_.target(h);
+		ResultVertex middle;
+		if (m_.opposite[h] < 0 && r_.keepsBorder) return false;
+		const bool found = m_.isCurveEdge(h)
+							   ? findMiddleOnCurve(surface_, curves_, r_, a, b, middle)
+							   : findMiddle(surface_, r_, a, b, middle);
+		if (!found) return false;
+		const Vec3f height = (heightOf(a) + heightOf(b)) * 0.5f;
+		const int   v      = m_.vertexNum++;
+		r_.vertex.push_back(middle);
+		m_.position[v] = startPosition_[v] = middle.anchor.position + height;
+		normal_[v] = startNormal_[v] = smoothNormal(surface_, middle.anchor);
+		if (m_.opposite[h] < 0)
+			splitBorderEdge(m_, h, v);
+		else
+			splitEdge(m_, h, v);
+		return true;
+	}
+
+	/// How a vertex lies above its anchor.
+	Vec3f heightOf(int v) const { return m_.position[v] - r_.vertex[v].anchor.position; }
+
+	bool mayGo(int v) const { return !r_.vertex[v].isCorner && !r_.vertex[v].isPinned; }
+
+	bool collapseBorder(int h, bool forward)
+	{
+		const int v = forward ? m_.origin[h] : m_.target(h);
+		if (r_.keepsBorder || !mayGo(v)) return false;
+		if (!canCollapseAlongBorder(m_, v, forward, scratch_)) return false;
+		collapseAlongBorder(m_, v, forward);
+		return true;
+	}
+
+	bool collapseInside(int h)
+	{
+		if (!mayGo(m_.origin[h])) return false;
+		if (!canCollapse(m_, h, scratch_) && !canCollapseAlongCrease(m_, h, scratch_)) return false;
+		collapse(m_, h);
+		return true;
+	}
+
+	void settle(const std::vector<int>& patch)
+	{
+		std::vector<int> sorted = patch;
+		std::sort(sorted.begin(), sorted.end());
+		for (int pass = 0; pass < settlePasses; ++pass) {
+			for (int f : facesRound(m_, patch)) {
+				for (int h = 3 * f; h < 3 * f + 3; ++h)
+					flipIfBetter(h, sorted);
+			}
+			for (int v : patch)
+				moveToBest(v);
+		}
+	}
+
+	void flipIfBetter(int h, const std::vector<int>& patch)
+	{
+		const int g = m_.opposite[h];
+		if (g < 0) return;
+		for (int v : cornersAt(h)) {
+			if (!std::binary_search(patch.begin(), patch.end(), v)) return;
+		}
+		const std::vector<int> pair   = {h / 3, g / 3};
+		const Quality          before = patchQuality(pair);
+		if (before.cost == 0 || !mayFlip(h)) return;
+		flip(m_, h);
+		if (!patchQuality(pair).beats(before)) flip(m_, nextInFace(h));
+	}
+};
+
+/// For the faces that compaction leaves, the cells they had before; none if they came in since.
+std::vector<int> cellsAfterCompaction(const HalfEdgeMesh& m, int cellNum)
+{
+	std::vector<int> cell;
+	for (int f = 0; f < m.faceNum; ++f) {
+		if (!isDeadFace(m, f)) cell.push_back(f < cellNum ? f : -1);
+	}
+	return cell;
+}
+
+} // namespace
+
+bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+					   std::int64_t targetNum, ResultMesh& result, Workers& workers,
+					   std::unique_ptr<Cells>& cells)
+{
+	const float       angle = angleDeg * radians;
+	const std::size_t num   = findPoorFaces(result.mesh, angle, workers).size();
+	const float       most  = mostPoorShare * float(result.mesh.faceNum);
+	if (num == 0 || num > std::max(mostPoor, std::size_t(most))) return false;
+	if (cells == nullptr) cells.reset(new Cells(surface, result, workers));
+	ResultMesh   before = copyResult(result, workers);
+	CellsOfFaces own{*cells, {}};
+	if (PatchRemesher(surface, curves, angle, result, workers, own).run() == 0) return false;
+
+	const bool isExact = targetNum == 0 || changeCount(surface, curves, targetNum, result, workers);
+	own.cell           = cellsAfterCompaction(result.mesh, before.mesh.faceNum);
+	compactResult(result);
+	if (isExact) {
+		mendAngles(surface, curves, angleDeg, result, workers, own);
+		if (totalLack(result.mesh, angle, workers) < totalLack(before.mesh, angle, workers))
+			return true;
+	}
+	result = std::move(before);
+	return false;
+}
+
+} // namespace gpr

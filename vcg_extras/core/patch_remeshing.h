@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_PATCH_REMESHING_H
+#define VCG_EXTRAS_CORE_PATCH_REMESHING_H
+
+#include "boundary_curves.h"
+#include "cells.h"
+#include "connect.h"
+#include "result_mesh.h"
+#include "workers.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace gpr {
+
+/// After stage 12, for angles below `angleDeg` that moves and flips (angle_mending.h) cannot raise:
+/// narrow strips between two curves, samples of a curve closer together than the triangles beside
+/// it are wide, vertices with three faces. Of each such triangle, the sharpest first, every edge is
+/// split and collapsed on trial, those of curves along these, then edges round it are flipped and
+/// vertices moved; the trial that lowers most the sum of the squares of what the angles there lack
+/// is kept. Refused is what takes the vertices of the input that belong there further away than 5 %
+/// of an edge and than before, what makes a face agree less with the surface's normals, and what
+/// makes faces cross.
+///
+/// The count is made good elsewhere, as in stage 9, if targetNum is above 0, and the angles there
+/// are mended. Should angles then lack more than at first, or the count not be reached, all is as
+/// it was, and the answer is false. Nothing is done where no angle is poor, or more than 100 and
+/// 0.1 % of all. Needs a mesh without dead faces; `cells` are those of its faces before the call,
+/// and are found here where they are needed and null. Cost: where angles are poor, some
+/// milliseconds a triangle, for 200 triangles at most.
+bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+					   std::int64_t targetNum, ResultMesh& result, Workers& workers,
+					   std::unique_ptr<Cells>& cells);
+
+} // namespace gpr
+
+#endif
