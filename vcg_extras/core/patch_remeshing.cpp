@@ -49,6 +49,18 @@ double totalLack(const HalfEdgeMesh& m, float angle, Workers& workers)
 	return sum;
 }
 
+/// Faces that look against the surface.
+int flippedNum(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	const Buffer<Vec3f> normal = smoothNormals(surface, result, workers);
+	return workers.sum<int>(result.mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		int num = 0;
+		for (std::size_t f = begin; f < end; ++f)
+			num += faceAgreement(result.mesh, normal, int(f)) < 0;
+		return num;
+	});
+}
+
 class PatchRemesher : PatchMover {
 public:
 	PatchRemesher(const Surface& surface, const BoundaryCurves& curves, float angle,
@@ -316,7 +328,8 @@ bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, flo
 	compactResult(result);
 	if (isExact) {
 		mendAngles(surface, curves, angleDeg, result, workers, own);
-		if (totalLack(result.mesh, angle, workers) < totalLack(before.mesh, angle, workers))
+		if (totalLack(result.mesh, angle, workers) < totalLack(before.mesh, angle, workers) &&
+			flippedNum(surface, result, workers) <= flippedNum(surface, before, workers))
 			return true;
 	}
 	result = std::move(before);

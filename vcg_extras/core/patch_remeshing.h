@@ -24,11 +24,11 @@ namespace gpr {
 /// makes faces cross.
 ///
 /// The count is made good elsewhere, as in stage 9, if targetNum is above 0, and the angles there
-/// are mended. Should angles then lack more than at first, or the count not be reached, all is as
-/// it was, and the answer is false. Nothing is done where no angle is poor, or more than 100 and
-/// 0.1 % of all. Needs a mesh without dead faces; `cells` are those of its faces before the call,
-/// and are found here where they are needed and null. Cost: where angles are poor, some
-/// milliseconds a triangle, for 200 triangles at most.
+/// are mended. Should angles then lack more than at first, more faces look against the surface, or
+/// the count not be reached, all is as it was, and the answer is false. Nothing is done where no
+/// angle is poor, or more than 100 and 0.1 % of all. Needs a mesh without dead faces; `cells` are
+/// those of its faces before the call, and are found here where they are needed and null. Cost:
+/// where angles are poor, some milliseconds a triangle, for 200 triangles at most.
 bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
 					   std::int64_t targetNum, ResultMesh& result, Workers& workers,
 					   std::unique_ptr<Cells>& cells);
