@@ -103,21 +103,38 @@ float PatchMover::squaredDistance(const Vec3f& p, const std::vector<int>& faces,
 	return nearest;
 }
 
-float PatchMover::farthestFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const
+template <class Visit>
+void PatchMover::forCellVertices(const std::vector<int>& ofCells, const Visit& visit) const
 {
-	float farthest = 0;
 	for (int f : ofCells) {
 		// Faces that came in since have no cells of their own.
 		const int cell = f < faceNum_ ? cells_.of(f) : -1;
 		if (cell < 0) continue;
 		const int*           first = cells_.cells.begin(cell);
 		const std::ptrdiff_t num   = cells_.cells.end(cell) - first;
-		for (std::ptrdiff_t k = 0; k < num; k += 1 + num / mostInCell) {
-			const Vec3f& p = surface_.mesh.position[first[k]];
-			farthest       = std::max(farthest, squaredDistance(p, faces, farthest));
-		}
+		for (std::ptrdiff_t k = 0; k < num; k += 1 + num / mostInCell)
+			visit(surface_.mesh.position[first[k]]);
 	}
+}
+
+float PatchMover::farthestFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const
+{
+	float farthest = 0;
+	forCellVertices(ofCells, [&](const Vec3f& p) {
+		farthest = std::max(farthest, squaredDistance(p, faces, farthest));
+	});
 	return std::sqrt(farthest);
+}
+
+float PatchMover::rmsFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const
+{
+	float sum = 0;
+	int   num = 0;
+	forCellVertices(ofCells, [&](const Vec3f& p) {
+		sum += squaredDistance(p, faces, 0);
+		++num;
+	});
+	return num > 0 ? std::sqrt(sum / float(num)) : 0.0f;
 }
 
 float PatchMover::meanEdge(int v) const

@@ -74,6 +74,8 @@ protected:
 	Quality patchQuality(const std::vector<int>& faces) const;
 	/// How far the input's vertices in the cells of some faces lie from the nearest of `faces`.
 	float farthestFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const;
+	/// The root of the mean square of the same distances.
+	float rmsFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const;
 	float meanEdge(int v) const;
 	Place placeOf(int v) const;
 	void  put(int v, const Place& p);
@@ -86,6 +88,8 @@ protected:
 	bool mayFlip(int h) const;
 
 private:
+	template <class Visit>
+	void forCellVertices(const std::vector<int>& ofCells, const Visit& visit) const;
 	void addFace(int f, Quality& sum) const;
 	/// From the nearest of the faces, or from one that is near enough.
 	float squaredDistance(const Vec3f& p, const std::vector<int>& faces, float enough) const;

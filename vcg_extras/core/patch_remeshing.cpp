@@ -27,6 +27,8 @@ constexpr float       mostPoorShare = 0.001f;
 constexpr int mostTries = 200;
 /// Passes of flips and moves after a split or collapse.
 constexpr int settlePasses = 2;
+/// On the mean the surface may come to lie this share of the farthest away, or of before.
+constexpr float mostRms = 0.5f, mostRmsGrowth = 1.3f;
 /// A change must leave at most this share of the cost.
 constexpr float mostLeft = 0.8f;
 
@@ -155,6 +157,8 @@ private:
 		const Quality            before = patchQuality(backup.faces());
 		const float              off    = farthestOff * longestMeanEdge(backup.vertices());
 		const float              far = std::max(farthestFrom(backup.faces(), backup.faces()), off);
+		const float              rms =
+			std::max(mostRmsGrowth * rmsFrom(backup.faces(), backup.faces()), mostRms * off);
 
 		if (!apply(op)) return 0;
 		std::vector<int> patch = livingOf(backup.vertices());
@@ -163,7 +167,8 @@ private:
 		const std::vector<int> faces = facesRound(m_, patch);
 		const Quality          after = patchQuality(faces);
 		const bool isBetter          = after.cost < mostLeft * before.cost && after.beats(before) &&
-							  farthestFrom(faces, backup.faces()) <= far;
+							  farthestFrom(faces, backup.faces()) <= far &&
+							  rmsFrom(faces, backup.faces()) <= rms;
 		if (keep) {
 			countChange(op);
 			return before.cost - after.cost;

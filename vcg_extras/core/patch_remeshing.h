@@ -20,8 +20,8 @@ namespace gpr {
 /// split and collapsed on trial, those of curves along these, then edges round it are flipped and
 /// vertices moved; the trial that lowers most the sum of the squares of what the angles there lack
 /// is kept. Refused is what takes the vertices of the input that belong there further away than 5 %
-/// of an edge and than before, what makes a face agree less with the surface's normals, and what
-/// makes faces cross.
+/// of an edge and than before, or on the mean than 2.5 % and than 1.3 times as far as before, what
+/// makes a face agree less with the surface's normals, and what makes faces cross.
 ///
 /// The count is made good elsewhere, as in stage 9, if targetNum is above 0, and the angles there
 /// are mended. Should angles then lack more than at first, more faces look against the surface, or
