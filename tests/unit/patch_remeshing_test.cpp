@@ -62,6 +62,7 @@ TEST(RemeshPoorPatches, MakesTheCountGoodElsewhere)
 {
 	OnSurface on  = squareAndRibbon();
 	const int num = on.m().vertexNum;
+	mendAngles(on.surface, on.boundary, 32, on.result, on.workers);
 	EXPECT_TRUE(remeshPatches(on, on.workers, num));
 	EXPECT_EQ(on.m().vertexNum, num);
 	EXPECT_GT(on.leastAngleDeg(), 30);
