@@ -143,6 +143,19 @@ bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, i
 	return worstDeviation(c, from, here.arc + step, to) <= allowed;
 }
 
+bool mayLeaveCurve(const ResultMesh& result, const BoundaryCurves& curves, int v)
+{
+	const SlideRoom room = slideRoom(result, curves, v);
+	if (!(room.backward > 0 && room.forward > 0)) return false;
+	const ResultVertex& here = result.vertex[v];
+	const Curve&        c    = curves.curves[here.curve];
+	const float         from = here.arc - room.backward, to = here.arc + room.forward;
+	const float         lap     = from < 0 ? c.length : 0.0f;
+	const float         before  = worstDeviation(c, from, here.arc, to);
+	const float         allowed = tolerance * result.idealEdge * c.sizeAt(here.arc);
+	return deviation(c, from + lap, to + lap) <= std::max(before, allowed);
+}
+
 bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, int v,
 					   const SlideRoom& room, float step)
 {

@@ -29,6 +29,10 @@ Vec3f slideDirection(const BoundaryCurves& curves, const ResultVertex& vertex,
 bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, int v,
 					   const SlideRoom& room, float step);
 
+/// Whether the one edge between its neighbours on the curve would stay as close to the curve as the
+/// two edges of v do, or as is aimed at; false for vertices that must stay.
+bool mayLeaveCurve(const ResultMesh& result, const BoundaryCurves& curves, int v);
+
 /// Whether after a slide of v by `step` its neighbours on the curve lie between 0.7 and 1.3 wanted
 /// edges away along it, or at least within what they do now: slide after slide must not crowd
 /// vertices here and leave long edges there.

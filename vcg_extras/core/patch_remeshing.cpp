@@ -4,6 +4,7 @@
 
 #include "angle_mending.h"
 #include "crossing_faces.h"
+#include "curve_slide.h"
 #include "edge_middle.h"
 #include "exact_count.h"
 #include "fold_repair.h"
@@ -255,7 +256,11 @@ private:
 	/// How a vertex lies above its anchor.
 	Vec3f heightOf(int v) const { return m_.position[v] - r_.vertex[v].anchor.position; }
 
-	bool mayGo(int v) const { return !r_.vertex[v].isCorner && !r_.vertex[v].isPinned; }
+	bool mayGo(int v) const
+	{
+		if (r_.vertex[v].isCorner || r_.vertex[v].isPinned) return false;
+		return !m_.isCurveVertex(v) || mayLeaveCurve(r_, curves_, v);
+	}
 
 	bool collapseBorder(int h, bool forward)
 	{
