@@ -90,13 +90,15 @@ press_in() {
 }
 
 # Opens the dialog of the filter $1 by typing part of its name, $2, into MeshLab's search. The list of
-# what was found shows itself by no title, so a try that came too early is made again, more slowly.
+# what was found shows itself by no title, so a try that came too early is made again, more slowly. The
+# filter may also be another one's second: MeshLab 2025.07 looks into the descriptions as well.
 open_filter() {
-	local delay
-	for delay in 0.5 1 2 4 8; do
+	local try delay place
+	for try in 0.5,1 0.5,2 1,1 1,2 4,1 4,2 8,1; do
+		delay=${try%,*} place=${try#*,}
 		press_in '^MeshLab 20' ctrl+f
 		xdotool sleep "$delay" type "$2"
-		xdotool sleep "$delay" key Down sleep 0.2 key Return
+		xdotool sleep "$delay" key --repeat "$place" --delay 50 Down sleep 0.2 key Return
 		if comes_within $((5 + ${delay%.*} * 5)) window_shows "^$1\$"; then
 			activate
 			return 0

@@ -25,7 +25,7 @@ import gpremesh_pymeshlab  # noqa: E402  loads the plugin
 WORK = pathlib.Path(os.environ["GPR_WORK_DIR"]) / "pymeshlab"
 SCRIPTS = pathlib.Path(os.environ["GPR_SCRIPTS"])
 GPREMESH = os.environ.get("GPR_GPREMESH", "")
-REMESHING, SAMPLING, RETRIANGULATION, FEATURES = gpremesh_pymeshlab.FILTERS
+REMESHING, SAMPLING, RETRIANGULATION, FEATURES, COMPARISON = gpremesh_pymeshlab.FILTERS
 
 
 def setUpModule():
@@ -112,6 +112,14 @@ class FilterTest(PluginTest):
         before = meshes.current_mesh().face_number()
         meshes.meshing_geodesic_poisson_disk_remeshing(targetvertexnum=200)
         self.assertGreaterEqual(meshes.current_mesh().face_number(), before - chosen)
+
+    def test_comparison_makes_two_layers_with_as_many_faces(self):
+        meshes = opened(made("make"))
+        getattr(meshes, COMPARISON)(targetvertexnum=700)
+        self.assertEqual(meshes.mesh_number(), 3)
+        self.assertEqual([meshes.mesh(i).face_number() for i in (1, 2)], [1400, 1400])
+        meshes.set_current_mesh(0)
+        self.assert_same(meshes, opened(made("make")))
 
     def test_refusal_tells_why_and_changes_nothing(self):
         meshes = opened(made("make"))
