@@ -202,9 +202,11 @@ bool isMendable(const HalfEdgeMesh& m, float angle, Workers& workers)
 bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
 				ResultMesh& result, Workers& workers, std::unique_ptr<Cells>& cells)
 {
-	if (!isMendable(result.mesh, angleDeg * radians, workers)) return true;
+	const float angle = angleDeg * radians;
+	if (!isMendable(result.mesh, angle, workers)) return true;
 	if (cells == nullptr) cells.reset(new Cells(surface, result, workers));
-	return mendAngles(surface, curves, angleDeg, result, workers, CellsOfFaces{*cells, {}});
+	const CellsOfFaces own{*cells, {}};
+	return AngleMender(surface, curves, angle, result, workers, own).run();
 }
 
 bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,

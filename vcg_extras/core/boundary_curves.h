@@ -12,6 +12,9 @@
 
 namespace gpr {
 
+/// Spacing of border samples in r: the mean edge length of the result.
+constexpr float borderSpacing = 1.04f;
+
 /// A sample on a curve: fixed in number, free to slide along its curve unless a corner. Where
 /// curves meet they share one; a cone's tip, or a vertex to be kept inside, has no curve.
 struct CurveSample {

@@ -10,14 +10,6 @@
 
 namespace gpr {
 
-/// Adds to a counter that other threads may add to as well and returns the sum. A thread that is
-/// alone saves the locked instruction, which costs as much as all else a counting sort does.
-inline int addTo(int& counter, int change, bool isShared)
-{
-	if (isShared) return __atomic_add_fetch(&counter, change, __ATOMIC_RELAXED);
-	return counter += change;
-}
-
 /// Sorts items 0 .. itemNum-1 into buckets: start gets bucketNum + 1 entries, item the items bucket
 /// by bucket, ascending within each. bucketOf(i) may be negative: such items are left out.
 /// Cost: linear, parallel; the threads fill a bucket in any order, sorting it afterwards makes the
@@ -26,7 +18,6 @@ template <class BucketOf>
 void sortIntoBuckets(std::size_t itemNum, std::size_t bucketNum, const BucketOf& bucketOf,
 					 Workers& workers, Buffer<int>& start, Buffer<int>& item)
 {
-	const bool isShared = workers.threadNum() > 1;
 	start.reset(bucketNum + 1);
 	workers.forRange(bucketNum + 1, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t b = begin; b < end; ++b)
@@ -35,7 +26,7 @@ void sortIntoBuckets(std::size_t itemNum, std::size_t bucketNum, const BucketOf&
 	workers.forRange(itemNum, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i) {
 			const int b = bucketOf(i);
-			if (b >= 0) addTo(start[b], 1, isShared);
+			if (b >= 0) __atomic_fetch_add(&start[b], 1, __ATOMIC_RELAXED);
 		}
 	});
 	// Now start[b] is a count; make it the end of bucket b, and let the filling below lower it to
@@ -51,7 +42,8 @@ void sortIntoBuckets(std::size_t itemNum, std::size_t bucketNum, const BucketOf&
 		for (std::size_t i = begin; i < end; ++i) {
 			const int b = bucketOf(i);
 			if (b < 0) continue;
-			item[addTo(start[b], -1, isShared)] = int(i);
+			const int place = __atomic_sub_fetch(&start[b], 1, __ATOMIC_RELAXED);
+			item[place]     = int(i);
 		}
 	});
 	workers.forRange(bucketNum, [&](std::size_t begin, std::size_t end) {

@@ -11,6 +11,8 @@ namespace gpr {
 namespace {
 
 constexpr float radians = 3.14159265f / 180;
+/// Faces whose edges are picked before any of them is looked at.
+constexpr int facesAtOnce = 256;
 
 /// A sharp edge is clear of noise if the other edges of its two faces are so many times flatter.
 constexpr float clearRatio = 3;
@@ -74,28 +76,31 @@ private:
 
 	// ---- sharp edges
 
-	/// Each edge once. Whose turn it is, this face's or that beyond, is a coin's toss that no
-	/// processor foresees: so the edges are picked first, without a branch, and looked at then.
 	std::vector<int> findSharpEdges() const
 	{
-		constexpr int block  = 256; // faces
-		const float   cosine = std::cos(rules_.strongDeg * radians);
-		return workers_.collect<int>(m_.faceNum,
-									 [&](std::size_t begin, std::size_t end, auto& out) {
-										 int picked[3 * block];
-										 for (int f = int(begin); f < int(end); f += block) {
-											 int       n    = 0;
-											 const int last = 3 * std::min(f + block, int(end));
-											 for (int h = 3 * f; h < last; ++h) {
-												 picked[n] = h;
-												 n += m_.opposite[h] > h;
-											 }
-											 for (int i = 0; i < n; ++i) {
-												 if (isSharp(picked[i], cosine))
-													 out.push_back(picked[i]);
-											 }
-										 }
-									 });
+		const float cosine = std::cos(rules_.strongDeg * radians);
+		return workers_.collect<int>(
+			m_.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				constexpr std::size_t block = facesAtOnce;
+				for (std::size_t f = begin; f < end; f += block)
+					addSharpEdges(3 * int(f), 3 * int(std::min(f + block, end)), cosine, out);
+			});
+	}
+
+	/// Those of half-edges [begin, end), each edge once. Whose turn it is, this face's or that
+	/// beyond, is a coin's toss that no processor foresees: so the edges are picked first, without
+	/// a branch, and looked at then.
+	void addSharpEdges(int begin, int end, float cosine, std::vector<int>& out) const
+	{
+		int picked[3 * facesAtOnce];
+		int num = 0;
+		for (int h = begin; h < end; ++h) {
+			picked[num] = h;
+			num += m_.opposite[h] > h;
+		}
+		for (int i = 0; i < num; ++i) {
+			if (isSharp(picked[i], cosine)) out.push_back(picked[i]);
+		}
 	}
 
 	bool isSharp(int h, float cosine) const

@@ -72,6 +72,15 @@ float worstDeviation(const Curve& curve, float a, float b, float c)
 	return std::max(deviation(curve, a + lap, b + lap), deviation(curve, b + lap, c + lap));
 }
 
+/// How far the curve may leave the chords that take the place of those at a vertex between arcs
+/// `from` and `to`: as far as spacing may, or as it leaves them now.
+float allowedDeviation(const ResultMesh& r, const Curve& c, const ResultVertex& here, float from,
+					   float to)
+{
+	return std::max(worstDeviation(c, from, here.arc, to),
+					tolerance * r.idealEdge * c.sizeAt(here.arc));
+}
+
 class CreaseSlider {
 public:
 	CreaseSlider(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result) :
@@ -138,9 +147,8 @@ bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, i
 	const ResultVertex& here = result.vertex[v];
 	const Curve&        c    = curves.curves[here.curve];
 	const float         from = here.arc - room.backward, to = here.arc + room.forward;
-	const float         before = worstDeviation(c, from, here.arc, to);
-	const float allowed = std::max(before, tolerance * result.idealEdge * c.sizeAt(here.arc));
-	return worstDeviation(c, from, here.arc + step, to) <= allowed;
+	return worstDeviation(c, from, here.arc + step, to) <=
+		   allowedDeviation(result, c, here, from, to);
 }
 
 bool mayLeaveCurve(const ResultMesh& result, const BoundaryCurves& curves, int v)
@@ -150,10 +158,8 @@ bool mayLeaveCurve(const ResultMesh& result, const BoundaryCurves& curves, int v
 	const ResultVertex& here = result.vertex[v];
 	const Curve&        c    = curves.curves[here.curve];
 	const float         from = here.arc - room.backward, to = here.arc + room.forward;
-	const float         lap     = from < 0 ? c.length : 0.0f;
-	const float         before  = worstDeviation(c, from, here.arc, to);
-	const float         allowed = tolerance * result.idealEdge * c.sizeAt(here.arc);
-	return deviation(c, from + lap, to + lap) <= std::max(before, allowed);
+	const float         lap = from < 0 ? c.length : 0.0f;
+	return deviation(c, from + lap, to + lap) <= allowedDeviation(result, c, here, from, to);
 }
 
 bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, int v,

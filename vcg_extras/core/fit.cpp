@@ -212,11 +212,7 @@ private:
 	/// Shortens the moves of the faces' corners; returns those.
 	std::vector<int> shorten(const std::vector<int>& faces, float factor)
 	{
-		std::vector<int> vertices;
-		for (int f : faces)
-			vertices.insert(vertices.end(), &m_.origin[3 * f], &m_.origin[3 * f] + 3);
-		std::sort(vertices.begin(), vertices.end());
-		vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+		const std::vector<int> vertices = verticesOf(m_, faces);
 		for (int v : vertices) {
 			shift_[v]      = shift_[v] * factor;
 			m_.position[v] = at(v);

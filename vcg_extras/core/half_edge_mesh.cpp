@@ -53,4 +53,14 @@ std::vector<int> facesRound(const HalfEdgeMesh& m, const std::vector<int>& verti
 	return faces;
 }
 
+std::vector<int> verticesOf(const HalfEdgeMesh& m, const std::vector<int>& faces)
+{
+	std::vector<int> vertices;
+	for (int f : faces)
+		vertices.insert(vertices.end(), &m.origin[3 * f], &m.origin[3 * f] + 3);
+	std::sort(vertices.begin(), vertices.end());
+	vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+	return vertices;
+}
+
 } // namespace gpr

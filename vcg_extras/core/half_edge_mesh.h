@@ -130,6 +130,8 @@ inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)
 
 /// The faces at any of the vertices, ascending.
 std::vector<int> facesRound(const HalfEdgeMesh& mesh, const std::vector<int>& vertices);
+/// The corners of all the faces, ascending.
+std::vector<int> verticesOf(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
 
 } // namespace gpr
 

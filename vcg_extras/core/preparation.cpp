@@ -30,10 +30,9 @@ namespace {
 constexpr float leastLineLength = 3;
 /// Share of the vertices that lines given by the caller may take, with borders and feature lines.
 constexpr double mostOnGivenLines = 0.5;
-/// Longest edge of the mesh the sampling works on, in r,
-constexpr float longestEdge = 0.8f;
-/// and where at most this share of the faces has a longer one. Single long edges in a dense scan do
-/// no harm, and splitting them all would make a tenth more of everything.
+/// Longest edge where at most this share of the faces has one beyond longestEdgeInRadii. Single
+/// long edges in a dense scan do no harm, and splitting them all would make a tenth more of
+/// everything.
 constexpr float  longestSingleEdge = 1.1f;
 constexpr double mostSingleFaces   = 0.15;
 
@@ -179,7 +178,7 @@ void Preparation::setSizes(Prepared& p)
 		p.radiusFactor              = sizing.radiusFactor;
 		report_.curvatureClampedNum = sizing.clampedNum;
 		setTarget(run_, p.targetNum, p);
-		const float longest = longestEdge * p.radius;
+		const float longest = longestEdgeInRadii * p.radius;
 		if (pass == mostRefinements || edgesFitSizes(p.surface, longest, workers_)) return;
 		refine(p, longest);
 	}
@@ -302,7 +301,7 @@ void Preparation::dropSmallComponents(Surface& surface)
 
 std::int64_t Preparation::splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepared& p)
 {
-	float            longest   = longestEdge * p.radius;
+	float            longest   = longestEdgeInRadii * p.radius;
 	std::vector<int> longFaces = findLongFaces(mesh, longest, workers_);
 	if (double(longFaces.size()) < mostSingleFaces * mesh.faceNum) {
 		longest   = longestSingleEdge * p.radius;

@@ -366,6 +366,35 @@ private:
 	}
 };
 
+/// What went wrong, in words.
+struct Fault {
+	Status      status;
+	std::string message;
+};
+
+/// Of the exception being handled, if it is a std::exception or one of ours.
+Fault faultAtHand()
+{
+	try {
+		throw;
+	}
+	catch (const Failure& f) {
+		return {f.status, f.message};
+	}
+	catch (const CancelledError&) {
+		return {Status::Cancelled, "Cancelled."};
+	}
+	catch (const OutOfTimeError&) {
+		return {Status::OutOfTime, "Not done within the time limit."};
+	}
+	catch (const std::bad_alloc&) {
+		return {Status::OutOfMemory, "There is not enough memory."};
+	}
+	catch (const std::exception& e) {
+		return {Status::InternalError, std::string("Internal error: ") + e.what()};
+	}
+}
+
 /// Runs body and turns what it throws into status and message; on failure nothing but those, the
 /// report and the notes is handed out.
 template <class Result, class Body>
@@ -373,16 +402,16 @@ Result guarded(const RemeshOptions& options, const ProgressCallback& progress, c
 {
 	const Clock::time_point start = Clock::now();
 	Result                  result;
-	const auto              fail = [&](Status status, const std::string& message) {
+	const auto              fail = [&](const Fault& fault) {
         Result failed;
-        failed.status  = status;
-        failed.message = message;
+        failed.status  = fault.status;
+        failed.message = fault.message;
         failed.report  = std::move(result.report);
         failed.notes   = std::move(result.notes);
         return failed;
 	};
 	const std::vector<std::string> complaints = validate(options);
-	if (!complaints.empty()) return fail(Status::BadOptions, complaints.front());
+	if (!complaints.empty()) return fail({Status::BadOptions, complaints.front()});
 	try {
 		{
 			Workers workers(options.threads, progress, options.timeLimitSeconds);
@@ -392,27 +421,10 @@ Result guarded(const RemeshOptions& options, const ProgressCallback& progress, c
 		result.report.remeshSeconds = secondsSince(start);
 		return result;
 	}
-	catch (const Failure& f) {
-		Result failed = fail(f.status, f.message);
-		return failed;
-	}
-	catch (const CancelledError&) {
-		return fail(Status::Cancelled, "Cancelled.");
-	}
-	catch (const OutOfTimeError&) {
-		return fail(Status::OutOfTime, "Not done within the time limit.");
-	}
-	catch (const std::bad_alloc&) {
-		return fail(Status::OutOfMemory, "There is not enough memory.");
-	}
-	catch (const std::exception& e) {
-		return fail(Status::InternalError, std::string("Internal error: ") + e.what());
+	catch (...) {
+		return fail(faultAtHand());
 	}
 }
-
-} // namespace
-
-namespace {
 
 RemeshResult remeshWhole(const MeshView& input, const RemeshOptions& options,
 						 const ProgressCallback& progress)
@@ -441,21 +453,18 @@ RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 					const ProgressCallback& progress)
 {
 	if (!options.selectedOnly) return remeshWhole(input, options, progress);
-	RemeshResult failed;
 	try {
 		return remeshSelected(input, options, [&](const MeshView& part, const RemeshOptions& o) {
 			return remeshWhole(part, o, progress);
 		});
 	}
-	catch (const Failure& f) {
-		failed.status  = f.status;
-		failed.message = f.message;
+	catch (...) {
+		const Fault  fault = faultAtHand();
+		RemeshResult failed;
+		failed.status  = fault.status;
+		failed.message = fault.message;
+		return failed;
 	}
-	catch (const std::bad_alloc&) {
-		failed.status  = Status::OutOfMemory;
-		failed.message = "There is not enough memory.";
-	}
-	return failed;
 }
 
 SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& options,

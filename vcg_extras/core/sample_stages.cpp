@@ -17,8 +17,6 @@ namespace gpr {
 
 namespace {
 
-/// Spacing of border samples in r: the mean edge length of the result.
-constexpr float borderSpacing = 1.04f; // see also sizing.cpp
 /// Least width of a block in r; fewer, larger blocks mean fewer seams in the packing.
 constexpr float blockWidth      = 20;
 constexpr float smallBlockWidth = 12;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sizing.h"
 
+#include "boundary_curves.h"
 #include "failure.h"
+#include "split_long_edges.h"
 #include "surface_point.h"
 
 #include <algorithm>
@@ -370,7 +372,6 @@ bool matchesBorder(const SizingRequest& request)
 /// long ones: they count as the longest that are not.
 Buffer<float> spacingAtBorder(const SizingRequest& request, const HalfEdgeMesh& m)
 {
-	constexpr float   longestUnsplit = 0.8f; // of the radius, see preparation.cpp
 	std::vector<char> isKept(m.vertexNum, 0);
 	for (int v : request.kept)
 		isKept[v] = 1;
@@ -380,7 +381,7 @@ Buffer<float> spacingAtBorder(const SizingRequest& request, const HalfEdgeMesh& 
 		const int   a = m.origin[h], b = m.target(h);
 		const bool  isWhole    = isKept[a] && isKept[b];
 		const float edgeLength = length(m.position[a] - m.position[b]);
-		const float share      = 0.5f * (isWhole ? edgeLength : longestUnsplit * request.radius);
+		const float share = 0.5f * (isWhole ? edgeLength : longestEdgeInRadii * request.radius);
 		spacing[a] += share;
 		spacing[b] += share;
 	}
@@ -394,7 +395,6 @@ void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers
 {
 	constexpr int       passes       = 3;
 	constexpr float     smallestSize = 1 / 32.0f;
-	constexpr float     spacing      = 1.04f; // of the border's samples, in radii
 	const HalfEdgeMesh& m            = surface.mesh;
 	const Buffer<float> atBorder     = spacingAtBorder(request, m);
 	Buffer<float>       matched(size.size());
@@ -405,7 +405,7 @@ void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers
 		for (std::size_t v = 0; v < size.size(); ++v) {
 			matched[v] = size[v];
 			if (!(atBorder[v] > 0)) continue;
-			const float wanted = atBorder[v] / (spacing * radius);
+			const float wanted = atBorder[v] / (borderSpacing * radius);
 			matched[v]         = std::min(size[v], std::max(smallestSize, wanted));
 		}
 		grade(surface, radius, workers, matched);

@@ -11,6 +11,9 @@
 
 namespace gpr {
 
+/// Longest edge of the mesh that the sampling works on, in r.
+constexpr float longestEdgeInRadii = 0.8f;
+
 /// Stage 2: splits edges longer than maxLength at their midpoints, as often as needed, so that a
 /// disk always covers a few vertices. This removes both weaknesses that the paper admits (§4):
 /// stray huge triangles, and targets near the input's own vertex number. The surface stays where it

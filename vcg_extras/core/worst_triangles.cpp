@@ -46,13 +46,8 @@ private:
 
 	bool improve(const std::vector<int>& faces)
 	{
-		std::vector<int> vertices;
-		for (int f : faces)
-			vertices.insert(vertices.end(), &m_.origin[3 * f], &m_.origin[3 * f] + 3);
-		std::sort(vertices.begin(), vertices.end());
-		vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
 		bool better = false;
-		for (int v : vertices) {
+		for (int v : verticesOf(m_, faces)) {
 			if (isFree(r_, v) && isFlat(m_, v)) better = search(v) || better;
 		}
 		for (int f : faces) {
