@@ -69,7 +69,7 @@ protected:
 		EXPECT_EQ(result.status, Status::Ok) << result.message;
 		MeshAttributes carried =
 			carryAttributes(input.attributes, input.view(), texture.get(), result);
-		writeMesh(result.mesh, false, carried, to, [] { return false; });
+		writeMesh(result.mesh, false, carried, to, RunLimit());
 		lost = carried.lost;
 		return read(to);
 	}

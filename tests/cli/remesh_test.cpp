@@ -8,9 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sys/stat.h>
 #include <tuple>
+#include <unistd.h>
 
 namespace gpr_test {
 
@@ -438,6 +441,46 @@ TEST_F(Remesh, TheTimeLimitEndsItAndLeavesTheOldFile)
 				   "--time-limit", "60"})
 				  .exitCode,
 			  0);
+}
+
+/// A pipe that nobody writes to: reading it never ends.
+class EndlessFile {
+public:
+	explicit EndlessFile(const std::string& path)
+	{
+		if (::mkfifo(path.c_str(), 0600) != 0) throw std::runtime_error("no pipe");
+		end_ = ::open(path.c_str(), O_RDWR | O_CLOEXEC);
+	}
+	~EndlessFile() { ::close(end_); }
+	EndlessFile(const EndlessFile&)            = delete;
+	EndlessFile& operator=(const EndlessFile&) = delete;
+
+private:
+	int end_;
+};
+
+TEST_F(Remesh, ASignalEndsReadingToo)
+{
+	const EndlessFile pipe(path("in.ply"));
+	const std::string old = put("out.ply", "old");
+	for (const char* command : {"remesh", "features"}) {
+		for (const int signal : {SIGINT, SIGTERM}) {
+			const ProgramResult stopped = runAndSignal({command, path("in.ply"), old}, signal);
+			expectFailure(stopped, 5, "cancelled");
+			EXPECT_EQ(content(old), "old");
+			EXPECT_EQ(files(), std::vector<std::string>{"out.ply"});
+		}
+	}
+}
+
+TEST_F(Remesh, TheTimeLimitEndsReadingToo)
+{
+	const EndlessFile pipe(path("in.ply"));
+	const std::string old = put("out.ply", "old");
+	for (const char* command : {"remesh", "features"}) {
+		expectFailure(run({command, path("in.ply"), old, "--time-limit", "0.2"}), 5, "time limit");
+		EXPECT_EQ(content(old), "old");
+	}
 }
 
 TEST_F(Remesh, SmallComponentsAreDroppedAndCounted)

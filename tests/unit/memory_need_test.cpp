@@ -13,6 +13,13 @@ namespace gpr::test {
 
 namespace {
 
+TriangleMesh drawnOut(TriangleMesh mesh, double factor)
+{
+	for (Vec3d& p : mesh.positions)
+		p.x *= factor;
+	return mesh;
+}
+
 /// Squat faces, needles, faces of all lengths, and some that are not split at all.
 std::vector<TriangleMesh> shapes()
 {
@@ -20,6 +27,8 @@ std::vector<TriangleMesh> shapes()
 	return {grid(2, 2),
 			grid(1, 300),
 			grid(40, 1, 1, 0.001),
+			drawnOut(icosphere(2), 100),
+			drawnOut(icosphere(2), 1000),
 			uvSphere(4, 40),
 			joined(icosphere(3), scaled(grid(1, 1), 100)),
 			noisySphere(3, 0.3, random)};

@@ -88,6 +88,65 @@ TEST(SplitLongEdgesOf, AStrayTriangleIsDividedAndTheRestLeftAlone)
 	EXPECT_EQ(fromStray, 4096) << "six halvings of all edges: 5.66 to 0.088";
 }
 
+/// A tetrahedron with three faces 200 times longer than wide, of which halving all edges would make
+/// 3⁸, and a sphere drawn out, so that all edges of most of its faces are long.
+TriangleMesh needles()
+{
+	TriangleMesh needle;
+	needle.positions       = {{0, 0, 0}, {0, 1, 0}, {200, 0.5, 0}, {0, 0.5, 1}};
+	needle.triangles       = {0, 1, 2, 1, 0, 3, 1, 3, 2, 3, 0, 2};
+	TriangleMesh stretched = shifted(icosphere(2), {0, 0, 5});
+	for (Vec3d& p : stretched.positions)
+		p.x *= 100;
+	return joined(needle, stretched);
+}
+
+TEST(SplitLongEdgesOf, NeedlesBecomeStrips)
+{
+	Workers            workers(1, nullptr);
+	IndexedMesh        m      = loaded(needles(), workers);
+	const TriangleMesh before = meshOf(m);
+	const float        limit  = float(longestEdge(before) / 200);
+	splitLongEdges(m, limit, 1 << 28, workers);
+	const TriangleMesh after = meshOf(m);
+	EXPECT_LE(longestEdge(after), limit * 1.000001);
+	EXPECT_TRUE(isSoundSurface(after));
+	EXPECT_TRUE(hasSameTopology(before, after));
+	EXPECT_NEAR(factsOf(after).area, factsOf(before).area, 1e-5 * factsOf(before).area);
+	EXPECT_LT(m.faceNum, 40000) << "halving made 167,830";
+}
+
+/// Vertices have their own sizes, and an edge may be split deeper on the way to a small one.
+TEST(SplitLongEdgesOf, NeedlesBecomeStripsWhereSizesDiffer)
+{
+	Workers            workers(1, nullptr);
+	IndexedMesh        m      = loaded(needles(), workers);
+	const TriangleMesh before = meshOf(m);
+	Buffer<float>      size(m.vertexNum);
+	for (int v = 0; v < m.vertexNum; ++v)
+		size[v] = 1.0f / float(1 + v % 3);
+	splitLongEdges(m, float(longestEdge(before) / 100), size, 1 << 28, workers);
+	EXPECT_TRUE(isSoundSurface(meshOf(m)));
+	EXPECT_TRUE(hasSameTopology(before, meshOf(m)));
+	EXPECT_LT(m.faceNum, 100000);
+}
+
+TEST(SplitLongEdgesOf, ANeedleOfTooManyPartsIsRefusedBeforeTheyAreMade)
+{
+	Workers      workers(1, nullptr);
+	TriangleMesh mesh;
+	mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1e-6, 0}};
+	mesh.triangles = {0, 1, 2};
+	IndexedMesh m  = loaded(mesh, workers);
+	try {
+		splitLongEdges(m, 1e-7f, 100000, workers);
+		FAIL() << "accepted";
+	}
+	catch (const Failure& f) {
+		EXPECT_EQ(f.status, Status::OutOfMemory);
+	}
+}
+
 TEST(SplitLongEdgesOf, TooManyFacesAreRefusedWithoutHanging)
 {
 	Workers     workers(1, nullptr);

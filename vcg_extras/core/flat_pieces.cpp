@@ -58,6 +58,37 @@ std::vector<int> findThin(const HalfEdgeMesh& mesh, Workers& workers)
 								});
 }
 
+/// Area and box of some faces.
+struct Extent {
+	double area = 0;
+	Vec3f  low, high;
+
+	Extent(const HalfEdgeMesh& m, int f) :
+			area(0.5 * double(length(m.faceCross(f)))), low(m.position[m.origin[3 * f]]), high(low)
+	{
+		for (int h = 3 * f; h < 3 * f + 3; ++h)
+			add(m.position[m.origin[h]]);
+	}
+
+	void add(const Extent& other)
+	{
+		area += other.area;
+		add(other.low);
+		add(other.high);
+	}
+
+	/// Whether the faces, each thin, are so together too: not a small piece of many small faces,
+	/// and not many needles side by side.
+	bool isLine() const { return !(area > double(leastWidth) * double(length(high - low))); }
+
+private:
+	void add(const Vec3f& p)
+	{
+		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+	}
+};
+
 class FlatFinder {
 public:
 	FlatFinder(const HalfEdgeMesh& mesh, std::vector<int> thin) :
@@ -84,6 +115,8 @@ private:
 	std::vector<char>   seen_;  ///< per thin face
 	std::vector<char>   gone_;  ///< per thin face
 	std::vector<int>    faces_; ///< joined thin faces
+	std::vector<int> pieceOf_; ///< per thin face: another of the same piece taken off; its own head
+	std::vector<Extent> extent_; ///< per thin face: of the piece that it is the head of
 
 	/// Where the face is among the thin ones, or -1.
 	int thinIndex(int f) const
@@ -119,22 +152,12 @@ private:
 		return true;
 	}
 
-	/// Whether the faces, each thin, are so together too: not a small piece of many small faces.
 	bool isLine() const
 	{
-		double area = 0;
-		Vec3f  low  = m_.position[m_.origin[3 * faces_[0]]];
-		Vec3f  high = low;
-		for (int f : faces_) {
-			area += 0.5 * double(length(m_.faceCross(f)));
-			for (int h = 3 * f; h < 3 * f + 3; ++h) {
-				const Vec3f p = m_.position[m_.origin[h]];
-
-				low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-				high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-			}
-		}
-		return !(area > double(leastWidth) * double(length(high - low)));
+		Extent all(m_, faces_[0]);
+		for (std::size_t i = 1; i < faces_.size(); ++i)
+			all.add(Extent(m_, faces_[i]));
+		return all.isLine();
 	}
 
 	void markGone()
@@ -145,21 +168,55 @@ private:
 
 	// ---- at borders
 
-	/// Takes faces off until none is left that may go; each may make way for its neighbours.
+	/// Takes faces off until none is left that may go; each may make way for its neighbours. What
+	/// is taken off in one place has to be a line as a whole, or a surface of needles would go row
+	/// by row.
 	void peelBorders()
 	{
+		for (std::size_t i = 0; i < thin_.size(); ++i) {
+			pieceOf_.push_back(int(i));
+			extent_.emplace_back(m_, thin_[i]);
+		}
 		std::vector<int> waiting(thin_.rbegin(), thin_.rend());
 		while (!waiting.empty()) {
 			const int f = waiting.back();
 			const int i = thinIndex(f);
 			waiting.pop_back();
-			if (gone_[i] || !mayGo(f)) continue;
+			if (gone_[i] || !mayGo(f) || !joinsALine(i)) continue;
 			gone_[i] = 1;
 			for (int h = 3 * f; h < 3 * f + 3; ++h) {
 				const int g = m_.opposite[h];
 				if (g >= 0 && thinIndex(g / 3) >= 0) waiting.push_back(g / 3);
 			}
 		}
+	}
+
+	/// Joins a thin face with what is gone beside it, if all that is a line.
+	bool joinsALine(int i)
+	{
+		const int f   = thin_[i];
+		Extent    all = extent_[i];
+		int       piece[3], pieceNum = 0;
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			const int g = m_.opposite[h] < 0 ? -1 : thinIndex(m_.opposite[h] / 3);
+			if (g < 0 || !gone_[g]) continue;
+			const int p = pieceWith(g);
+			if (std::find(piece, piece + pieceNum, p) != piece + pieceNum) continue;
+			all.add(extent_[p]);
+			piece[pieceNum++] = p;
+		}
+		if (!all.isLine()) return false;
+		for (int k = 0; k < pieceNum; ++k)
+			pieceOf_[piece[k]] = i;
+		extent_[i] = all;
+		return true;
+	}
+
+	int pieceWith(int i)
+	{
+		while (pieceOf_[i] != i)
+			i = pieceOf_[i] = pieceOf_[pieceOf_[i]];
+		return i;
 	}
 
 	bool isGone(int f) const

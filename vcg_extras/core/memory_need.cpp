@@ -3,6 +3,7 @@
 #include "memory_need.h"
 
 #include "failure.h"
+#include "split_long_edges.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,22 +20,47 @@ double partsOfEdge(float length, float maxLength)
 	return std::exp2(std::ceil(std::log2(double(length) / double(maxLength))));
 }
 
-/// Three faces come of one, time and again, where only the shortest edge is short enough.
-double partsOfNeedle(double edgeParts)
-{
-	return std::exp2(std::log2(edgeParts) * std::log2(3.0));
-}
+/// Its edges by length, and how far the third corner is from the longest.
+struct FaceShape {
+	float edge[3];
+	float height;
 
-/// All three edges are halved as long as the shortest is too long, then the longer two, then one.
-double partsOfFace(const IndexedMesh& m, int f, float maxLength)
+	FaceShape(const IndexedMesh& m, int f)
+	{
+		const int*  t = &m.triangle[3 * f];
+		const Vec3f a = m.position[t[0]], b = m.position[t[1]], c = m.position[t[2]];
+		edge[0] = length(b - a);
+		edge[1] = length(c - b);
+		edge[2] = length(a - c);
+		std::sort(edge, edge + 3);
+		height = edge[2] > 0 ? length(cross(b - a, c - a)) / edge[2] : 0;
+	}
+
+	void halve()
+	{
+		for (float& e : edge)
+			e *= 0.5f;
+		height *= 0.5f;
+	}
+
+	bool isNeedle(float maxLength) const
+	{
+		return edge[2] > leastNeedleLength * maxLength && 2 * height <= maxLength;
+	}
+};
+
+/// As the splitting goes: all three edges are halved as long as the shortest is too long, a needle
+/// becomes a strip, of any other face with a short edge three come, time and again.
+double partsOfFace(FaceShape shape, float maxLength)
 {
-	const int*  t = &m.triangle[3 * f];
-	const Vec3f a = m.position[t[0]], b = m.position[t[1]], c = m.position[t[2]];
-	float       edge[3] = {length(b - a), length(c - b), length(a - c)};
-	std::sort(edge, edge + 3);
-	const double least  = partsOfEdge(edge[0], maxLength);
-	const double middle = partsOfEdge(edge[1], maxLength);
-	return least * least * partsOfNeedle(middle / least) * partsOfEdge(edge[2], maxLength) / middle;
+	double parts = 1;
+	for (; shape.edge[0] > maxLength && !shape.isNeedle(maxLength); parts *= 4)
+		shape.halve();
+	const double middle  = partsOfEdge(shape.edge[1], maxLength);
+	const double longest = partsOfEdge(shape.edge[2], maxLength);
+	if (shape.isNeedle(maxLength)) return 2.5 * parts * longest;
+	if (longest > leastNeedleLength) return 2 * parts * (middle + longest);
+	return parts * std::exp2(std::log2(middle) * std::log2(3.0)) * longest / middle;
 }
 
 } // namespace
@@ -44,7 +70,7 @@ double facesAfterSplitting(const IndexedMesh& mesh, const std::vector<int>& long
 {
 	double faces = double(mesh.faceNum) - double(longFaces.size());
 	for (int f : longFaces)
-		faces += partsOfFace(mesh, f, maxLength);
+		faces += partsOfFace(FaceShape(mesh, f), maxLength);
 	return faces;
 }
 

@@ -469,7 +469,8 @@ void addRun(Table& t)
 		row(everywhere, "TimeLimit", "--time-limit", "SECONDS", Kind::Number,
 			"Time limit in seconds (0 = none)",
 			"Where the work is not done within so many seconds it is given up, and nothing is "
-			"changed; 0 = no limit. On the command line reading and writing are not counted.")
+			"changed; 0 = no limit. The commands remesh and features count reading and writing, "
+			"too.")
 			.range(0, 1e9)
 			.store([](const Value& v, RemeshOptions& o) { o.timeLimitSeconds = numberOf(v); })
 			.p);

@@ -39,6 +39,13 @@ struct EdgeRule {
 	}
 };
 
+[[noreturn]] void failWithTooManyFaces()
+{
+	throw Failure(Status::OutOfMemory,
+				  "Splitting the long edges would make too many faces; ask for fewer vertices or "
+				  "remove the stray triangles.");
+}
+
 /// Splits the long faces round by round; both faces of a long edge are among them, so no others are
 /// needed.
 class Splitter {
@@ -68,8 +75,8 @@ public:
 		while (!todo_.empty()) {
 			std::vector<Face> round;
 			round.swap(todo_);
-			midpoint_.clear();
-			midpoint_.reserve(2 * round.size());
+			if (!hasStrips_) midpoint_.clear();
+			midpoint_.reserve(midpoint_.size() + 2 * round.size());
 			for (const Face& face : round) {
 				workers.poll();
 				split(face);
@@ -82,15 +89,17 @@ public:
 	std::int64_t              splitNum() const { return std::int64_t(added_.size()); }
 
 private:
-	IndexedMesh&                           mesh_;
-	EdgeRule                               rule_;
-	std::int64_t                           maxFaces_;
-	std::int64_t                           faceNum_;
-	std::vector<Face>                      todo_;
-	std::vector<Face>                      finished_;
-	std::vector<Vec3f>                     added_;
-	std::vector<float>                     addedSize_;
-	std::unordered_map<std::uint64_t, int> midpoint_; ///< of the edges split in this round
+	IndexedMesh&       mesh_;
+	EdgeRule           rule_;
+	std::int64_t       maxFaces_;
+	std::int64_t       faceNum_;
+	std::vector<Face>  todo_;
+	std::vector<Face>  finished_;
+	std::vector<Vec3f> added_;
+	std::vector<float> addedSize_;
+	/// Of the edges split in this round; of all edges once strips split theirs ahead of the others.
+	std::unordered_map<std::uint64_t, int> midpoint_;
+	bool                                   hasStrips_ = false;
 
 	Vec3f position(int v) const
 	{
@@ -119,15 +128,14 @@ private:
 	{
 		const bool isDone = !isLong(a, b) && !isLong(b, c) && !isLong(c, a);
 		(isDone ? finished_ : todo_).push_back({{a, b, c}, source});
-		if (faceNum_ + std::int64_t(finished_.size() + todo_.size()) > maxFaces_) {
-			throw Failure(Status::OutOfMemory,
-						  "Splitting the long edges would make too many faces; ask for fewer "
-						  "vertices or remove the stray triangles.");
-		}
+		if (faceNum_ + std::int64_t(finished_.size() + todo_.size()) > maxFaces_)
+			failWithTooManyFaces();
 	}
 
 	void split(const Face& face)
 	{
+		const int longest = longestEdge(face);
+		if (isNeedle(face, longest)) return splitNeedle(face, longest);
 		int middle[3];
 		int longNum = 0;
 		for (int k = 0; k < 3; ++k) {
@@ -170,6 +178,77 @@ private:
 			put(a, b, ca, face.source);
 			put(b, bc, ca, face.source);
 		}
+	}
+
+	int longestEdge(const Face& face) const
+	{
+		float squared[3];
+		for (int k = 0; k < 3; ++k)
+			squared[k] =
+				squaredLength(position(face.corner[k]) - position(face.corner[(k + 1) % 3]));
+		return int(std::max_element(squared, squared + 3) - squared);
+	}
+
+	/// Whether edge k, the longest, is far too long, and the third corner so near to it that there
+	/// is room for one row of faces between.
+	bool isNeedle(const Face& face, int k) const
+	{
+		const int   a = face.corner[k], b = face.corner[(k + 1) % 3], c = face.corner[(k + 2) % 3];
+		const Vec3f edge    = position(b) - position(a);
+		const float squared = squaredLength(edge);
+		const float least   = std::min({sizeOf(a), sizeOf(b), sizeOf(c)});
+		if (!rule_.isLong(squared / (leastNeedleLength * leastNeedleLength), least)) return false;
+		const float height = squaredLength(cross(edge, position(c) - position(a))) / squared;
+		return !rule_.isLong(4 * height, least);
+	}
+
+	/// A needle becomes a strip of faces between its longest edge a -> b and the other two, as many
+	/// as these have parts. Halving all edges round by round would halve the diagonals, too, and
+	/// make 3 faces of each where the strip makes 2.
+	void splitNeedle(const Face& face, int longest)
+	{
+		const int a = face.corner[longest], b = face.corner[(longest + 1) % 3],
+				  c = face.corner[(longest + 2) % 3];
+		hasStrips_  = true;
+		std::vector<int> low{a}, high{a};
+		addParts(a, b, low);
+		low.push_back(b);
+		addParts(a, c, high);
+		high.push_back(c);
+		addParts(c, b, high);
+
+		put(a, low[1], high[1], face.source);
+		std::size_t i = 1, k = 1;
+		while (i + 2 < low.size() || k + 1 < high.size()) {
+			if (k + 1 == high.size() || (i + 2 < low.size() && isLowNearer(low, i, high, k))) {
+				put(low[i], low[i + 1], high[k], face.source);
+				++i;
+			}
+			else {
+				put(low[i], high[k + 1], high[k], face.source);
+				++k;
+			}
+		}
+		put(low[i], b, high[k], face.source);
+	}
+
+	/// Whether the diagonal to the next point of the low side is the shorter one.
+	bool isLowNearer(const std::vector<int>& low, std::size_t i, const std::vector<int>& high,
+					 std::size_t k) const
+	{
+		return squaredLength(position(low[i + 1]) - position(high[k])) <
+			   squaredLength(position(low[i]) - position(high[k + 1]));
+	}
+
+	/// Appends all midpoints that halving a -> b as often as needed makes, in order.
+	void addParts(int a, int b, std::vector<int>& points)
+	{
+		if (!isLong(a, b)) return;
+		if (std::int64_t(points.size()) > maxFaces_) failWithTooManyFaces();
+		const int middle = midpointOf(a, b);
+		addParts(a, middle, points);
+		points.push_back(middle);
+		addParts(middle, b, points);
 	}
 };
 

@@ -73,13 +73,19 @@ void writePage(const std::string& folder, const InputMesh& input, CompareRecord&
 	page.commit();
 }
 
+InputMesh readUnlessStopped(const std::string& path)
+{
+	const EndAtOnce guard{RunLimit()};
+	return readMesh(path);
+}
+
 } // namespace
 
 void runCompare(const CommandLine& line)
 {
 	if (!line.htmlFolder.empty()) checkFolder(line.htmlFolder);
 	catchStopSignals();
-	const InputMesh input = readMesh(line.input);
+	const InputMesh input = readUnlessStopped(line.input);
 	ProgressBar     bar(errorIsTerminal());
 	CompareRecord   record =
 		compareMethods(input, {line.options, line.runNum, line.isotropic}, progressOn(bar));

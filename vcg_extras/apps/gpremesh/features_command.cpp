@@ -39,21 +39,31 @@ Colour colourOf(float strengthDeg, std::uint8_t feature)
 	return {channel(-share), channel(std::abs(share)), channel(share)};
 }
 
-FeatureResult detectWithProgress(const InputMesh& mesh, const CommandLine& line)
+InputMesh readAll(const std::string& path, const RunLimit& limit)
+{
+	const EndAtOnce guard(limit);
+	return readMesh(path);
+}
+
+FeatureResult detectWithProgress(const InputMesh& mesh, const CommandLine& line,
+								 const RunLimit& limit)
 {
 	ProgressBar   bar(!line.quiet && errorIsTerminal());
+	RemeshOptions options    = line.options;
+	options.timeLimitSeconds = limit.secondsLeft();
 	FeatureResult result =
-		detectFeatures(mesh.view(), line.options, [&](double share, const char* phrase) {
+		detectFeatures(mesh.view(), options, [&](double share, const char* phrase) {
 			bar.show(share, phrase);
 			return !stopRequested();
 		});
 	bar.clear();
-	if (stopRequested()) throw AppError(ExitCode::Stopped, "cancelled; nothing was written.");
+	if (stopRequested()) limit.check();
 	if (result.status != Status::Ok) throw AppError(exitCodeOf(result.status), result.message);
 	return result;
 }
 
-void writeFeatures(const InputMesh& mesh, const FeatureResult& found, const std::string& path)
+void writeFeatures(const InputMesh& mesh, const FeatureResult& found, const std::string& path,
+				   const RunLimit& limit)
 {
 	const std::size_t         vertexNum = found.vertexStrength.size();
 	std::vector<std::uint8_t> rgb(3 * vertexNum), selected(vertexNum);
@@ -69,9 +79,8 @@ void writeFeatures(const InputMesh& mesh, const FeatureResult& found, const std:
 	data.rgb      = rgb.data();
 	data.selected = selected.data();
 
-	OutputFile out(path);
+	OutputFile out(path, limit);
 	writePly(mesh.view(), mesh.doublePrecision, data, out);
-	if (stopRequested()) throw AppError(ExitCode::Stopped, "cancelled; nothing was written.");
 	out.commit();
 }
 
@@ -91,14 +100,15 @@ FeaturesRecord recordOf(const CommandLine& line, const InputMesh& mesh, FeatureR
 
 } // namespace
 
-void runFeatures(const CommandLine& line)
+void runFeatures(const CommandLine& line, const Stopwatch& programClock)
 {
 	checkWritable(line.output);
 	if (!line.report.empty()) checkWritable(line.report);
 	catchStopSignals();
-	const InputMesh mesh  = readMesh(line.input);
-	FeatureResult   found = detectWithProgress(mesh, line);
-	writeFeatures(mesh, found, line.output);
+	const RunLimit  limit(programClock, line.options.timeLimitSeconds);
+	const InputMesh mesh  = readAll(line.input, limit);
+	FeatureResult   found = detectWithProgress(mesh, line, limit);
+	writeFeatures(mesh, found, line.output, limit);
 	const FeaturesRecord record = recordOf(line, mesh, found);
 	if (!line.report.empty()) {
 		OutputFile out(line.report);

@@ -4,13 +4,14 @@
 #define VCG_EXTRAS_APPS_GPREMESH_FEATURES_COMMAND_H
 
 #include "command_line.h"
+#include "stopwatch.h"
 
 namespace gpr::app {
 
 /// gpremesh features: reads IN, finds its features and writes OUT, IN's mesh with the strengths as
 /// quality and colour and the features selected. Throws AppError; OUT and the report appear only
-/// when all has gone well.
-void runFeatures(const CommandLine& line);
+/// when all has gone well. programClock: what the time limit is taken from.
+void runFeatures(const CommandLine& line, const Stopwatch& programClock);
 
 } // namespace gpr::app
 

@@ -42,7 +42,7 @@ void run(int argc, char** argv, const Stopwatch& programClock)
 		runCompare(line);
 		break;
 	case Command::Features:
-		runFeatures(line);
+		runFeatures(line, programClock);
 		break;
 	}
 }

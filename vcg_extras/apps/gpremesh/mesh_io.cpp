@@ -112,10 +112,10 @@ void writeObjFile(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes
 } // namespace
 
 void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
-			   const std::string& path, const std::function<bool()>& shallStop)
+			   const std::string& path, const RunLimit& limit)
 {
 	const MeshFormat format = formatOfPath(path);
-	OutputFile       out(path);
+	OutputFile       out(path, limit);
 	if (attributes.any() && (format == MeshFormat::Off || format == MeshFormat::Stl))
 		attributes.lost.push_back("any attribute, which this format does not hold");
 	switch (format) {
@@ -132,7 +132,6 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 		writeStl(mesh, out);
 		break;
 	}
-	if (shallStop()) throw AppError(ExitCode::Stopped, "cancelled; nothing was written.");
 	out.commit();
 }
 

@@ -4,8 +4,8 @@
 #define VCG_EXTRAS_APPS_GPREMESH_MESH_IO_H
 
 #include "mesh_data.h"
+#include "run_limit.h"
 
-#include <functional>
 #include <string>
 
 namespace gpr::app {
@@ -23,10 +23,10 @@ InputMesh readMesh(const std::string& path, const WantedAttributes& wanted = {})
 
 /// Writes a mesh in the format that the path's extension stands for; an older file is replaced
 /// only when all has gone well. Throws AppError (Failure) otherwise.
-/// shallStop is asked once more before the old file is replaced; true there throws (Stopped).
+/// Throws (Stopped), the older file left alone, when the run has to end.
 /// attributes.lost receives words for what the format does not hold.
 void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
-			   const std::string& path, const std::function<bool()>& shallStop);
+			   const std::string& path, const RunLimit& limit);
 
 } // namespace gpr::app
 

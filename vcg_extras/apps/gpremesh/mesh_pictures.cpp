@@ -134,7 +134,7 @@ MeshPictures MeshPhotographer::take(const MeshView& mesh)
 		moved.positions.push_back(isFinite(p) ? local(p) : Vec3d());
 	}
 	MeshAttributes none;
-	writeMesh(moved, false, none, path, stopRequested);
+	writeMesh(moved, false, none, path, RunLimit());
 	MeshPictures pictures;
 	const double edgePixels = measureQuality(mesh).meanEdgeLen * scale_ * pixels / width_;
 	pictures.edgesOfWhole   = edgePixels >= leastEdgePixels;

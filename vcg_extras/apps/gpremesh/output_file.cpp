@@ -38,7 +38,8 @@ bool isSpecial(const std::string& path)
 
 } // namespace
 
-OutputFile::OutputFile(const std::string& path) : wanted_(path), target_(withoutLinks(path))
+OutputFile::OutputFile(const std::string& path, const RunLimit& limit) :
+		wanted_(path), target_(withoutLinks(path)), limit_(limit)
 {
 	if (isSpecial(target_)) {
 		file_ = std::fopen(target_.c_str(), "wb");
@@ -70,6 +71,7 @@ void OutputFile::writeThrough(const char* data, std::size_t num)
 
 void OutputFile::flush()
 {
+	limit_.check();
 	writeThrough(buffer_.data(), used_);
 	used_ = 0;
 }

@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_OUTPUT_FILE_H
 #define VCG_EXTRAS_APPS_GPREMESH_OUTPUT_FILE_H
 
+#include "run_limit.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -16,10 +18,11 @@ namespace gpr::app {
 /// A file that appears whole or not at all: it is written under a temporary name beside the wanted
 /// one and renamed by commit(); without that the temporary is removed and an older file stays.
 /// A link is followed, the permissions of an older file are kept; a device or pipe is written to
-/// directly. Throws AppError (Failure) with a sentence when writing fails.
+/// directly. Throws AppError (Failure) with a sentence when writing fails, AppError (Stopped) when
+/// the run has to end, which is asked at every megabyte.
 class OutputFile {
 public:
-	explicit OutputFile(const std::string& path);
+	explicit OutputFile(const std::string& path, const RunLimit& limit = RunLimit());
 	~OutputFile();
 	OutputFile(const OutputFile&)            = delete;
 	OutputFile& operator=(const OutputFile&) = delete;
@@ -40,6 +43,8 @@ public:
 	/// " x y z" with the fewest digits that give back the same double or float, in the C locale.
 	void position(const Vec3d& p, bool doublePrecision);
 
+	/// For who works long before there is a megabyte: throws when the run has to end.
+	void poll() const { limit_.check(); }
 	/// Puts the file in its place.
 	void commit();
 
@@ -49,6 +54,7 @@ private:
 	std::string       wanted_;    ///< for sentences: as the user gave it
 	std::string       target_;    ///< where the file shall be, links followed
 	std::string       temporary_; ///< empty when writing directly
+	RunLimit          limit_;
 	std::FILE*        file_ = nullptr;
 	std::vector<char> buffer_;
 	std::size_t       used_ = 0;

@@ -20,11 +20,12 @@ namespace gpr::app {
 namespace {
 
 RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* texture,
-								const CommandLine& line)
+								const CommandLine& line, const RunLimit& limit)
 {
 	ProgressBar   bar(!line.quiet && errorIsTerminal());
 	MeshView      view        = mesh.view();
 	RemeshOptions options     = line.options;
+	options.timeLimitSeconds  = limit.secondsLeft();
 	options.anchorsOfVertices = mesh.attributes.any() || texture != nullptr;
 	options.anchorsOfFaces    = texture != nullptr || mesh.attributes.ofFacesToo();
 	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
@@ -33,7 +34,7 @@ RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* text
 		return !stopRequested();
 	});
 	bar.clear();
-	if (stopRequested()) throw AppError(ExitCode::Stopped, "cancelled; nothing was written.");
+	if (stopRequested()) limit.check();
 	requireMesh(result);
 	return result;
 }
@@ -84,16 +85,39 @@ std::string listOf(const std::vector<std::string>& words)
 	return list;
 }
 
+/// The input, and what goes with it.
+struct Source {
+	InputMesh                      mesh;
+	std::unique_ptr<TextureSource> texture;
+};
+
+Source readSource(const CommandLine& line, const RunLimit& limit)
+{
+	const EndAtOnce guard(limit);
+	Source          source;
+	source.mesh    = readMesh(line.input, wantedBy(line.options));
+	source.texture = textureOf(source.mesh);
+	return source;
+}
+
+MeshAttributes carriedAttributes(Source& source, const RemeshResult& result, const RunLimit& limit)
+{
+	const EndAtOnce guard(limit);
+	return carryAttributes(source.mesh.attributes, source.mesh.view(), source.texture.get(),
+						   result);
+}
+
 /// Everything between the mesh in memory and the mesh on the disk. The input is handed back before
 /// the clock is read, so that no time is left out of the report.
-RunRecord process(InputMesh& input, const CommandLine& line, const Stopwatch& programClock)
+RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit,
+				  const Stopwatch& programClock)
 {
 	RunRecord run;
-	run.times.read                               = programClock.seconds();
-	const std::unique_ptr<TextureSource> texture = textureOf(input);
-	RemeshResult                         result  = remeshWithProgress(input, texture.get(), line);
-	const double                         done    = programClock.seconds();
-	run.times.remesh                             = done - run.times.read;
+	run.times.read      = programClock.seconds();
+	InputMesh&   input  = source.mesh;
+	RemeshResult result = remeshWithProgress(input, source.texture.get(), line, limit);
+	const double done   = programClock.seconds();
+	run.times.remesh    = done - run.times.read;
 
 	run.inputPath    = line.input;
 	run.outputPath   = line.output;
@@ -103,14 +127,13 @@ RunRecord process(InputMesh& input, const CommandLine& line, const Stopwatch& pr
 	run.notes        = input.notes;
 	run.notes.insert(run.notes.end(), result.notes.begin(), result.notes.end());
 	addPrecisionNote(run);
-	run.report = std::move(result.report);
-	MeshAttributes attributes =
-		carryAttributes(input.attributes, input.view(), texture.get(), result);
-	writeMesh(result.mesh, run.outputDouble, attributes, line.output, stopRequested);
+	run.report                = std::move(result.report);
+	MeshAttributes attributes = carriedAttributes(source, result, limit);
+	writeMesh(result.mesh, run.outputDouble, attributes, line.output, limit);
 	if (!attributes.lost.empty())
 		run.notes.push_back("Not carried over: " + listOf(attributes.lost) + ".");
 
-	input           = InputMesh();
+	source          = Source();
 	result          = RemeshResult();
 	run.times.write = programClock.seconds() - done;
 	return run;
@@ -123,9 +146,10 @@ void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 	checkWritable(line.output);
 	if (!line.report.empty()) checkWritable(line.report);
 	catchStopSignals();
-	InputMesh input     = readMesh(line.input, wantedBy(line.options));
-	RunRecord run       = process(input, line, programClock);
-	run.peakMemoryBytes = peakMemoryBytes();
+	const RunLimit limit(programClock, line.options.timeLimitSeconds);
+	Source         source = readSource(line, limit);
+	RunRecord      run    = process(source, line, limit, programClock);
+	run.peakMemoryBytes   = peakMemoryBytes();
 	if (!line.report.empty()) writeReport(line.report, run);
 	if (!line.quiet) std::fputs(remeshSummary(run).c_str(), stdout);
 }

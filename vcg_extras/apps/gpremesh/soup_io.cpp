@@ -290,15 +290,19 @@ using Triangles = std::vector<std::array<std::int32_t, 3>>;
 template <class Writer>
 void writeSoup(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out, Writer write)
 {
-	std::vector<Point> points;
+	constexpr std::size_t pollMask = 0xfffff;
+	std::vector<Point>    points;
 	points.reserve(mesh.vertexNum());
 	for (const Vec3d& p : mesh.positions) {
+		if ((points.size() & pollMask) == 0) out.poll();
 		points.push_back(doublePrecision ? Point(p.x, p.y, p.z)
 										 : Point(float(p.x), float(p.y), float(p.z)));
 	}
 	Triangles triangles(mesh.faceNum());
-	for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+	for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+		if ((i & pollMask) == 0) out.poll();
 		triangles[i / 3][i % 3] = mesh.triangles[i];
+	}
 
 	boost::iostreams::stream<Sink> stream(out);
 	stream.exceptions(std::ios::badbit); // hands on what the output file throws
