@@ -308,8 +308,9 @@ TEST(MeshEdit, CompactDropsTheDeadAndKeepsTheOrder)
 	}
 	const TriangleMesh before = meshOf(m);
 	const int          room   = m.vertexNum;
-	std::vector<int>   newIndex;
-	compact(m, newIndex);
+	Workers            workers(2, nullptr);
+	Buffer<int>        newIndex;
+	compact(m, workers, newIndex);
 	ASSERT_EQ(int(newIndex.size()), room);
 	EXPECT_TRUE(isManifold(m));
 	EXPECT_EQ(m.vertexNum, int(before.vertexNum()));

@@ -77,6 +77,35 @@ TEST_P(WorkersOf, CollectKeepsTheOrder)
 		ASSERT_EQ(even[i], int(2 * i));
 }
 
+TEST_P(WorkersOf, CollectManyJoinsAsCollectDoes)
+{
+	const auto thirds = [](std::size_t b, std::size_t e, auto& out) {
+		for (std::size_t i = b; i < e; ++i) {
+			if (i % 3 == 0) out.push_back(int(i));
+		}
+	};
+	for (std::size_t n : {0u, 1u, 4096u, 50000u}) {
+		const std::vector<int> few  = workers.collect<int>(n, thirds);
+		const Buffer<int>      many = workers.collectMany<int>(n, thirds);
+		EXPECT_EQ(few, std::vector<int>(many.begin(), many.end()));
+	}
+}
+
+TEST_P(WorkersOf, SumUpAddsAllThatCameBefore)
+{
+	for (std::size_t n : {0u, 1u, 16384u, 16385u, 100003u}) {
+		std::vector<int> value(n);
+		for (std::size_t i = 0; i < n; ++i)
+			value[i] = int(i % 7) - 2;
+		std::vector<int> sums = value;
+		const int        last = workers.sumUp(sums.data(), n);
+		int              sum  = 0;
+		for (std::size_t i = 0; i < n; ++i)
+			ASSERT_EQ(sums[i], sum += value[i]) << i << " of " << n;
+		EXPECT_EQ(last, sum);
+	}
+}
+
 TEST_P(WorkersOf, ExceptionsComeOutAndTheNextLoopRuns)
 {
 	for (std::size_t thrower : {0u, 499u, 999u}) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cell_contraction.h"
 
+#include "counting_sort.h"
 #include "measure.h"
 #include "mesh_edit.h"
 
@@ -9,8 +10,8 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
-#include <unordered_set>
+#include <utility>
+#include <vector>
 
 namespace gpr {
 
@@ -80,8 +81,8 @@ private:
 	int                   sampleNum_;
 	Buffer<int>           label_;        ///< per vertex of the surface: its cell's sample
 	Buffer<char>          owns_;         ///< per sample: whether it has a vertex
-	std::vector<int>      cellOrder_;    ///< samples with a cell, in the order of the surface
-	std::vector<Triple>   dualFaces_;    ///< three samples each
+	Buffer<int>           cellOrder_;    ///< samples with a cell, in the order of the surface
+	Buffer<Triple>        dualFaces_;    ///< three samples each
 	std::vector<char>     open_;         ///< per sample: its cell is not contracted
 	std::vector<char>     bad_;          ///< found to be bad, not yet open
 	std::vector<int>      openVertices_; ///< the surface's vertices in open cells, ascending
@@ -105,12 +106,20 @@ private:
 	/// The faces of the samples are in the order of space, and so will be the vertices.
 	void orderCells()
 	{
-		for (int s = 0; s < sampleNum_; ++s) {
-			if (owns_[s]) cellOrder_.push_back(s);
-		}
-		std::sort(cellOrder_.begin(), cellOrder_.end(), [&](int a, int b) {
-			const int f = sampling_.samples[a].anchor.face, g = sampling_.samples[b].anchor.face;
-			return f != g ? f < g : a < b;
+		constexpr int facesTogether = 8; // less than one sample's in most
+		const auto    faceOf        = [&](int s) { return sampling_.samples[s].anchor.face; };
+		const auto    bucketOf      = [&](std::size_t s) {
+            return owns_[s] ? faceOf(int(s)) / facesTogether : -1;
+		};
+		const std::size_t bucketNum = std::size_t(m_.faceNum / facesTogether) + 1;
+		Buffer<int>       start;
+		sortIntoBuckets(std::size_t(sampleNum_), bucketNum, bucketOf, workers_, start, cellOrder_);
+		workers_.forRange(bucketNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t b = begin; b < end; ++b) {
+				std::sort(&cellOrder_[start[b]], &cellOrder_[start[b + 1]], [&](int s, int t) {
+					return faceOf(s) != faceOf(t) ? faceOf(s) < faceOf(t) : s < t;
+				});
+			}
 		});
 	}
 
@@ -180,29 +189,60 @@ private:
 	/// Vertices of curves keep theirs.
 	void findCutOff(const std::vector<int>& vertices, std::vector<int>& cutOff)
 	{
-		std::unordered_map<int, int> heart;
-		for (int v : vertices) {
-			int& best = heart.emplace(labelOf(v), v).first->second;
-			if (sampling_.nearest[v].distance < sampling_.nearest[best].distance) best = v;
+		std::vector<std::pair<int, int>> inCell; // cell, vertex
+		inCell.reserve(vertices.size());
+		for (int v : vertices)
+			inCell.push_back({labelOf(v), v});
+		std::sort(inCell.begin(), inCell.end());
+		std::vector<std::size_t> first; // of each cell
+		for (std::size_t i = 0; i < inCell.size(); ++i) {
+			if (i == 0 || inCell[i].first != inCell[i - 1].first) first.push_back(i);
 		}
-		std::unordered_set<int> reached;
-		std::vector<int>        queue;
-		for (const auto& cell : heart) {
-			reached.insert(cell.second);
-			queue.push_back(cell.second);
+		first.push_back(inCell.size());
+		cutOff = workers_.collect<int>(
+			first.size() - 1, [&](std::size_t begin, std::size_t end, auto& found) {
+				std::vector<int> cell;
+				for (std::size_t c = begin; c < end; ++c) {
+					cell.clear();
+					for (std::size_t i = first[c]; i < first[c + 1]; ++i)
+						cell.push_back(inCell[i].second);
+					addCutOff(cell, found);
+				}
+			});
+		std::sort(cutOff.begin(), cutOff.end());
+		for (int v : cutOff)
+			label_[v] = -1;
+	}
+
+	/// Those of one cell, whose vertices are given in ascending order.
+	void addCutOff(const std::vector<int>& cell, std::vector<int>& cutOff) const
+	{
+		const auto isFarther = [&](int v, int w) {
+			return sampling_.nearest[v].distance > sampling_.nearest[w].distance;
+		};
+		int heart = cell.front();
+		for (int v : cell) {
+			if (isFarther(heart, v)) heart = v;
 		}
+		std::vector<char> isReached(cell.size(), 0);
+		std::vector<int>  queue;
+		const auto        reach = [&](int v) {
+            const auto at = std::lower_bound(cell.begin(), cell.end(), v) - cell.begin();
+            if (isReached[at]) return;
+            isReached[at] = 1;
+            queue.push_back(v);
+		};
+		reach(heart);
 		while (!queue.empty()) {
 			const int v = queue.back();
 			queue.pop_back();
 			forEachNeighbour(m_, v, [&](int w) {
-				if (labelOf(w) == labelOf(v) && reached.insert(w).second) queue.push_back(w);
+				if (labelOf(w) == labelOf(heart)) reach(w);
 			});
 		}
-		for (int v : vertices) {
-			if (reached.count(v) == 0 && !m_.isCurveVertex(v)) cutOff.push_back(v);
+		for (std::size_t i = 0; i < cell.size(); ++i) {
+			if (!isReached[i] && !m_.isCurveVertex(cell[i])) cutOff.push_back(cell[i]);
 		}
-		for (int v : cutOff)
-			label_[v] = -1;
 	}
 
 	/// The nearest of the samples whose cells lie round v; -1 if there is none.
@@ -244,7 +284,7 @@ private:
 	/// The faces between three cells.
 	void findDualFaces()
 	{
-		dualFaces_ = workers_.collect<Triple>(
+		dualFaces_ = workers_.collectMany<Triple>(
 			m_.faceNum, [&](std::size_t begin, std::size_t end, auto& found) {
 				for (std::size_t f = begin; f < end; ++f) {
 					const int* v = &m_.origin[3 * f];
@@ -378,7 +418,7 @@ private:
 		const auto isContracted = [&](const Triple& t) {
 			return !open_[t[0]] && !open_[t[1]] && !open_[t[2]];
 		};
-		std::vector<Triple> faces = workers_.collect<Triple>(
+		const Buffer<Triple> faces = workers_.collectMany<Triple>(
 			dualFaces_.size(), [&](std::size_t begin, std::size_t end, auto& found) {
 				for (std::size_t i = begin; i < end; ++i) {
 					const Triple& t = dualFaces_[i];
@@ -387,26 +427,26 @@ private:
 						{out.sampleVertex[t[0]], out.sampleVertex[t[1]], out.sampleVertex[t[2]]});
 				}
 			});
-		const std::vector<Triple> more = facesAtOpenVertices(out);
-		faces.insert(faces.end(), more.begin(), more.end());
-		mesh.faceNum = int(faces.size());
-		mesh.triangle.reset(3 * faces.size());
-		mesh.sourceFace.reset(faces.size());
-		workers_.forRange(faces.size(), [&](std::size_t begin, std::size_t end) {
+		const Buffer<Triple> more = facesAtOpenVertices(out);
+		mesh.faceNum              = int(faces.size() + more.size());
+		mesh.triangle.reset(3 * std::size_t(mesh.faceNum));
+		mesh.sourceFace.reset(mesh.faceNum);
+		workers_.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
 			for (std::size_t f = begin; f < end; ++f) {
-				std::copy(faces[f].begin(), faces[f].end(), &mesh.triangle[3 * f]);
+				const Triple& t = f < faces.size() ? faces[f] : more[f - faces.size()];
+				std::copy(t.begin(), t.end(), &mesh.triangle[3 * f]);
 				mesh.sourceFace[f] = int(f);
 			}
 		});
 	}
 
-	std::vector<Triple> facesAtOpenVertices(const ContractedCells& out) const
+	Buffer<Triple> facesAtOpenVertices(const ContractedCells& out) const
 	{
 		const int  firstOpen = int(out.label.size() - openVertices_.size());
 		const auto vertexOf  = [&](int v) {
             return isOpenVertex(v) ? firstOpen + openIndex(v) : out.sampleVertex[labelOf(v)];
 		};
-		return workers_.collect<Triple>(
+		return workers_.collectMany<Triple>(
 			openVertices_.size(), [&](std::size_t begin, std::size_t end, auto& found) {
 				for (std::size_t i = begin; i < end; ++i) {
 					const int v = openVertices_[i];

@@ -31,11 +31,7 @@ void sortIntoBuckets(std::size_t itemNum, std::size_t bucketNum, const BucketOf&
 	});
 	// Now start[b] is a count; make it the end of bucket b, and let the filling below lower it to
 	// the beginning.
-	int total = 0;
-	for (std::size_t b = 0; b < bucketNum; ++b) {
-		total += start[b];
-		start[b] = total;
-	}
+	const int total  = workers.sumUp(start.data(), bucketNum);
 	start[bucketNum] = total;
 	item.reset(total);
 	workers.forRange(itemNum, [&](std::size_t begin, std::size_t end) {

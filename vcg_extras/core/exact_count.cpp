@@ -454,7 +454,7 @@ bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std
 					 ResultMesh& result, Workers& workers)
 {
 	const bool isReached = changeCount(surface, boundary, targetNum, result, workers);
-	compactResult(result);
+	compactResult(result, workers);
 	return isReached;
 }
 
@@ -470,7 +470,7 @@ bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary
 {
 	CountCorrector corrector(surface, boundary, result, workers);
 	const bool     isReached = corrector.run(targetNum, {Care::TopologyOnly});
-	compactResult(result);
+	compactResult(result, workers);
 	return isReached;
 }
 
@@ -504,7 +504,7 @@ void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& wor
 		collapse(m, h);
 		++result.collapseNum;
 	}
-	compactResult(result);
+	compactResult(result, workers);
 }
 
 } // namespace gpr

@@ -67,7 +67,7 @@ public:
 			before = touched_;
 		}
 		const int left = int(findBad().size());
-		if (mayCollapse_) compactResult(r_);
+		if (mayCollapse_) compactResult(r_, workers_);
 		return left;
 	}
 

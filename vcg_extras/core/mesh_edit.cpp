@@ -479,34 +479,76 @@ void reserve(HalfEdgeMesh& m, int vertexRoom, int faceRoom)
 	}
 }
 
-void compact(HalfEdgeMesh& m, std::vector<int>& newIndex)
+namespace {
+
+/// Numbers those of 0 .. n-1 that live from 0 on, in their order; the others get -1. Returns how
+/// many live.
+template <class IsAlive>
+int numberLiving(int n, const IsAlive& isAlive, Workers& workers, Buffer<int>& number)
 {
-	newIndex.assign(m.vertexNum, -1);
-	int vertices = 0;
-	for (int v = 0; v < m.vertexNum; ++v) {
-		if (m.outgoing[v] < 0) continue;
-		newIndex[v]            = vertices;
-		m.position[vertices]   = m.position[v];
-		m.outgoing[vertices++] = m.outgoing[v];
-	}
-	std::vector<int> newFace(m.faceNum, -1);
-	int              faces = 0;
-	for (int f = 0; f < m.faceNum; ++f) {
-		if (!isDeadFace(m, f)) newFace[f] = faces++;
-	}
+	number.reset(n);
+	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i)
+			number[i] = isAlive(int(i));
+	});
+	const int livingNum = workers.sumUp(number.data(), n);
+	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i)
+			number[i] = isAlive(int(i)) ? number[i] - 1 : -1;
+	});
+	return livingNum;
+}
+
+bool hasRoom(const HalfEdgeMesh& m)
+{
+	return m.position.size() > std::size_t(m.vertexNum) ||
+		   m.origin.size() > std::size_t(m.halfEdgeNum());
+}
+
+/// For just the vertices and faces it has.
+void reserveExactly(HalfEdgeMesh& m, bool withCreases)
+{
+	m.position.reset(m.vertexNum);
+	m.outgoing.reset(m.vertexNum);
+	m.origin.reset(m.halfEdgeNum());
+	m.opposite.reset(m.halfEdgeNum());
+	if (withCreases) m.crease.reset(m.halfEdgeNum());
+}
+
+} // namespace
+
+void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
+{
+	Buffer<int>  newFace;
+	HalfEdgeMesh to;
+	to.vertexNum =
+		numberLiving(m.vertexNum, [&](int v) { return m.outgoing[v] >= 0; }, workers, newIndex);
+	to.faceNum =
+		numberLiving(m.faceNum, [&](int f) { return !isDeadFace(m, f); }, workers, newFace);
+	if (to.vertexNum == m.vertexNum && to.faceNum == m.faceNum && !hasRoom(m)) return;
+	reserveExactly(to, m.hasCreases());
 	const auto renamed = [&](int h) { return h < 0 ? -1 : 3 * newFace[h / 3] + h % 3; };
-	for (int f = 0; f < m.faceNum; ++f) {
-		if (newFace[f] < 0) continue;
-		for (int k = 0; k < 3; ++k) {
-			m.origin[3 * newFace[f] + k]   = newIndex[m.origin[3 * f + k]];
-			m.opposite[3 * newFace[f] + k] = renamed(m.opposite[3 * f + k]);
-			if (m.hasCreases()) m.crease[3 * newFace[f] + k] = m.crease[3 * f + k];
+	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			const int n = newIndex[v];
+			if (n < 0) continue;
+			to.position[n] = m.position[v];
+			to.outgoing[n] = renamed(m.outgoing[v]);
 		}
-	}
-	m.vertexNum = vertices;
-	m.faceNum   = faces;
-	for (int v = 0; v < vertices; ++v)
-		m.outgoing[v] = renamed(m.outgoing[v]);
+	});
+	workers.forRange(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			if (newFace[f] < 0) continue;
+			for (int k = 0; k < 3; ++k) {
+				const std::size_t from = 3 * f + k;
+				const int         at   = 3 * newFace[f] + k;
+				to.origin[at]          = newIndex[m.origin[from]];
+				to.opposite[at]        = renamed(m.opposite[from]);
+				if (m.hasCreases()) to.crease[at] = m.crease[from];
+			}
+		}
+	});
+	m = std::move(to);
 }
 
 HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers)
@@ -514,11 +556,7 @@ HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers)
 	HalfEdgeMesh to;
 	to.vertexNum = from.vertexNum;
 	to.faceNum   = from.faceNum;
-	to.position.reset(from.vertexNum);
-	to.outgoing.reset(from.vertexNum);
-	to.origin.reset(from.halfEdgeNum());
-	to.opposite.reset(from.halfEdgeNum());
-	if (from.hasCreases()) to.crease.reset(from.halfEdgeNum());
+	reserveExactly(to, from.hasCreases());
 	workers.forRange(from.vertexNum, [&](std::size_t begin, std::size_t end) {
 		std::copy(from.position.data() + begin, from.position.data() + end,
 				  to.position.data() + begin);

@@ -125,8 +125,9 @@ private:
 /// Makes room for so many vertices and faces, keeping what is there.
 void reserve(HalfEdgeMesh& m, int vertexRoom, int faceRoom);
 
-/// Drops dead faces and vertices, keeping order; newIndex[v] is the vertex' new place or -1.
-void compact(HalfEdgeMesh& m, std::vector<int>& newIndex);
+/// Drops dead faces and vertices, keeping order, and all room beyond the others; newIndex[v] is the
+/// vertex' new place or -1. Cost: linear, parallel; little where nothing is dead.
+void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex);
 
 /// A mesh of its own with the same vertices and faces, and no room beyond them.
 HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers);

@@ -335,7 +335,7 @@ bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, flo
 
 	const bool isExact = targetNum == 0 || changeCount(surface, curves, targetNum, result, workers);
 	own.cell           = cellsAfterCompaction(result.mesh, before.mesh.faceNum);
-	compactResult(result);
+	compactResult(result, workers);
 	if (isExact) {
 		mendAngles(surface, curves, angleDeg, result, workers, own);
 		if (totalLack(result.mesh, angle, workers) < totalLack(before.mesh, angle, workers) &&

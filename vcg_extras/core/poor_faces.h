@@ -13,6 +13,8 @@ namespace gpr {
 /// Living faces with a smaller angle than this (radians, at most 60°), ascending. Cost: a few
 /// products a face; the angle itself is only worked out where the edges leave it open.
 std::vector<int> findPoorFaces(const HalfEdgeMesh& mesh, float angle, Workers& workers);
+/// Those of the given faces.
+std::vector<int> poorOnes(const HalfEdgeMesh& mesh, float angle, const std::vector<int>& faces);
 
 } // namespace gpr
 

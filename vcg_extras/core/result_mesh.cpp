@@ -34,10 +34,11 @@ ResultMesh copyResult(const ResultMesh& result, Workers& workers)
 	return copy;
 }
 
-void compactResult(ResultMesh& result)
+void compactResult(ResultMesh& result, Workers& workers)
 {
-	std::vector<int> newIndex;
-	compact(result.mesh, newIndex);
+	Buffer<int> newIndex;
+	compact(result.mesh, workers, newIndex);
+	if (result.vertex.size() == std::size_t(result.mesh.vertexNum)) return;
 	for (std::size_t v = 0; v < newIndex.size(); ++v) {
 		if (newIndex[v] >= 0) result.vertex[newIndex[v]] = result.vertex[v];
 	}

@@ -48,7 +48,7 @@ inline bool isFree(const ResultMesh& result, int v)
 ResultMesh copyResult(const ResultMesh& result, Workers& workers);
 
 /// Drops dead faces and vertices (see mesh_edit.h) from mesh and vertex records.
-void compactResult(ResultMesh& result);
+void compactResult(ResultMesh& result, Workers& workers);
 
 /// Smallest angle of a triangle in radians; 0 where it has no area.
 float smallestAngle(const Vec3f& a, const Vec3f& b, const Vec3f& c);

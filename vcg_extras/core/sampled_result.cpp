@@ -44,25 +44,16 @@ ResultVertex recordOf(int s, const Sampling& sampling, const BoundaryCurves& bou
 	return r;
 }
 
-/// Gives the memory of the input's size back.
-void shrink(HalfEdgeMesh& m)
-{
-	m.position.resize(m.vertexNum);
-	m.outgoing.resize(m.vertexNum);
-	m.origin.resize(m.halfEdgeNum());
-	m.opposite.resize(m.halfEdgeNum());
-	if (m.hasCreases()) m.crease.resize(m.halfEdgeNum());
-}
-
 } // namespace
 
 ResultMesh resultOfSamples(Retriangulated&& removed, const Surface& surface,
-						   const Sampling& sampling, const BoundaryCurves& boundary)
+						   const Sampling& sampling, const BoundaryCurves& boundary,
+						   Workers& workers)
 {
-	ResultMesh       result;
-	HalfEdgeMesh&    m = removed.mesh;
-	std::vector<int> newIndex;
-	compact(m, newIndex);
+	ResultMesh    result;
+	HalfEdgeMesh& m = removed.mesh;
+	Buffer<int>   newIndex;
+	compact(m, workers, newIndex);
 	result.vertex.resize(m.vertexNum);
 	result.leftoverNum = std::int64_t(removed.leftover.size());
 	for (std::size_t s = 0; s < removed.sampleVertex.size(); ++s) {
@@ -83,9 +74,10 @@ ResultMesh resultOfSamples(Retriangulated&& removed, const Surface& surface,
 		r.anchor          = {surface.mesh.position[old], surface.mesh.outgoing[old] / 3};
 		r.normal          = surface.mesh.faceNormal(r.anchor.face);
 	}
-	for (int v = 0; v < m.vertexNum; ++v)
-		m.position[v] = result.vertex[v].anchor.position;
-	shrink(m);
+	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			m.position[v] = result.vertex[v].anchor.position;
+	});
 	result.mesh = std::move(m);
 	return result;
 }

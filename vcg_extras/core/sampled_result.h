@@ -21,9 +21,10 @@ struct Retriangulated {
 
 /// The vertices that are left become the result, each at its sample's place; those left over stay
 /// where they were. Samples of the border keep their curve, leftovers on the border find theirs.
-/// Cost: linear.
+/// Cost: linear, parallel.
 ResultMesh resultOfSamples(Retriangulated&& removed, const Surface& surface,
-						   const Sampling& sampling, const BoundaryCurves& boundary);
+						   const Sampling& sampling, const BoundaryCurves& boundary,
+						   Workers& workers);
 
 } // namespace gpr
 

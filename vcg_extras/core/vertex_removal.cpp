@@ -270,7 +270,7 @@ ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
 	removed.mesh          = std::move(cells.mesh);
 	removed.sampleVertex  = std::move(cells.sampleVertex);
 	removed.surfaceVertex = std::move(cells.surfaceVertex);
-	return resultOfSamples(std::move(removed), surface, sampling, boundary);
+	return resultOfSamples(std::move(removed), surface, sampling, boundary, workers);
 }
 
 void collapseRest(HalfEdgeMesh& m, std::vector<int>& rest, Workers& workers)

@@ -7,6 +7,7 @@
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <numeric>
 #include <thread>
 
 namespace gpr {
@@ -149,6 +150,28 @@ std::size_t Workers::grainFor(std::size_t n)
 {
 	// Small enough to share the work evenly, large enough that taking a piece costs nothing.
 	return std::min<std::size_t>(16384, std::max<std::size_t>(1, n / 64));
+}
+
+int Workers::sumUp(int* value, std::size_t n)
+{
+	constexpr std::size_t grain    = 16384;
+	const std::size_t     pieceNum = (n + grain - 1) / grain;
+	std::vector<int>      before(pieceNum + 1, 0);
+	forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			before[i + 1] =
+				std::accumulate(value + i * grain, value + std::min(n, (i + 1) * grain), 0);
+		}
+	});
+	std::partial_sum(before.begin(), before.end(), before.begin());
+	forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			int sum = before[i];
+			for (std::size_t k = i * grain; k < std::min(n, (i + 1) * grain); ++k)
+				value[k] = sum += value[k];
+		}
+	});
+	return before.back();
 }
 
 void Workers::runTasks(std::size_t taskNum, Task task, void* body)

@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_WORKERS_H
 #define VCG_EXTRAS_CORE_WORKERS_H
 
+#include "buffer.h"
 #include "options.h"
 
 #include <algorithm>
@@ -68,18 +69,30 @@ public:
 	template <class Value, class Body>
 	std::vector<Value> collect(std::size_t n, const Body& body)
 	{
-		const std::size_t               grain    = 4096;
-		const std::size_t               pieceNum = (n + grain - 1) / grain;
-		std::vector<std::vector<Value>> part(pieceNum);
-		forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i)
-				body(i * grain, std::min(n, (i + 1) * grain), part[i]);
-		});
 		std::vector<Value> all;
-		for (const std::vector<Value>& p : part)
+		for (const std::vector<Value>& p : collectParts<Value>(n, body))
 			all.insert(all.end(), p.begin(), p.end());
 		return all;
 	}
+
+	/// The same for much: joined by all threads, in memory that is written to once.
+	template <class Value, class Body>
+	Buffer<Value> collectMany(std::size_t n, const Body& body)
+	{
+		const std::vector<std::vector<Value>> part = collectParts<Value>(n, body);
+		std::vector<std::size_t>              start(part.size() + 1, 0);
+		for (std::size_t i = 0; i < part.size(); ++i)
+			start[i + 1] = start[i] + part[i].size();
+		Buffer<Value> all(start.back());
+		forRange(part.size(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i)
+				std::copy(part[i].begin(), part[i].end(), all.data() + start[i]);
+		});
+		return all;
+	}
+
+	/// Replaces every value by the sum of it and all before it; returns the last, 0 if n is 0.
+	int sumUp(int* value, std::size_t n);
 
 	/// From here on the work done runs from `from` to `to` (shares of 1).
 	void enterStage(const char* phrase, double from, double to);
@@ -91,6 +104,19 @@ public:
 private:
 	struct Pool;
 	using Task = void (*)(void* body, std::size_t task, int worker);
+
+	template <class Value, class Body>
+	std::vector<std::vector<Value>> collectParts(std::size_t n, const Body& body)
+	{
+		const std::size_t               grain    = 4096;
+		const std::size_t               pieceNum = (n + grain - 1) / grain;
+		std::vector<std::vector<Value>> part(pieceNum);
+		forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i)
+				body(i * grain, std::min(n, (i + 1) * grain), part[i]);
+		});
+		return part;
+	}
 
 	static std::size_t grainFor(std::size_t n);
 	void               runTasks(std::size_t taskNum, Task task, void* body);

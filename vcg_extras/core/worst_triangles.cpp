@@ -30,10 +30,12 @@ public:
 
 	void run()
 	{
-		for (int round = 0; round < mostRounds; ++round) {
-			const std::vector<int> faces = findPoorFaces(m_, angle_, workers_);
-			if (faces.empty()) return;
-			if (!improve(faces)) return;
+		std::vector<int> faces = findPoorFaces(m_, angle_, workers_);
+		for (int round = 0; round < mostRounds && !faces.empty(); ++round) {
+			changed_.clear();
+			improve(faces);
+			// What found nothing better is only tried again where something changed.
+			faces = poorOnes(m_, angle_, facesRound(m_, verticesOf(m_, facesRound(m_, changed_))));
 		}
 	}
 
@@ -43,18 +45,18 @@ private:
 	ResultMesh&    r_;
 	HalfEdgeMesh&  m_;
 	Workers&       workers_;
+	/// Vertices that moved in this round or stand at an edge that was flipped.
+	std::vector<int> changed_;
 
-	bool improve(const std::vector<int>& faces)
+	void improve(const std::vector<int>& faces)
 	{
-		bool better = false;
 		for (int v : verticesOf(m_, faces)) {
-			if (isFree(r_, v) && isFlat(m_, v)) better = search(v) || better;
+			if (isFree(r_, v) && isFlat(m_, v) && search(v)) changed_.push_back(v);
 		}
 		for (int f : faces) {
 			for (int h = 3 * f; h < 3 * f + 3; ++h)
-				better = flipIfBetter(h) || better;
+				flipIfBetter(h);
 		}
-		return better;
 	}
 
 	bool search(int v)
@@ -91,18 +93,18 @@ private:
 	}
 
 	/// Only on flat ground and away from creases.
-	bool flipIfBetter(int h)
+	void flipIfBetter(int h)
 	{
 		const int g = m_.opposite[h];
-		if (g < 0) return false;
+		if (g < 0) return;
 		const int   a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(g);
 		const float now = std::min(smallestAngle(m_, h / 3), smallestAngle(m_, g / 3));
-		if (now >= angle_) return false;
-		if (!isFlat(m_, a) || !isFlat(m_, b) || !isFlat(m_, c) || !isFlat(m_, d)) return false;
-		if (!flipKeepsShape(m_, h, now * 1.001f, turnCosine) || !canFlip(m_, h)) return false;
+		if (now >= angle_) return;
+		if (!isFlat(m_, a) || !isFlat(m_, b) || !isFlat(m_, c) || !isFlat(m_, d)) return;
+		if (!flipKeepsShape(m_, h, now * 1.001f, turnCosine) || !canFlip(m_, h)) return;
 		flip(m_, h);
 		++r_.flipNum;
-		return true;
+		changed_.insert(changed_.end(), {a, b, c, d});
 	}
 };
 
