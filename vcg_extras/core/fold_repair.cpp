@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace gpr {
 
@@ -51,24 +52,24 @@ public:
 
 	int run()
 	{
-		std::vector<char> before(m_.vertexNum, 1);
-		for (int round = 0; round < mostRounds; ++round) {
-			const std::vector<int> bad = findBad();
-			touched_.assign(m_.vertexNum, 0);
-			mayMove_    = bad.size() <= std::max<std::size_t>(500, std::size_t(m_.faceNum) / 50);
-			bool better = false;
-			for (int f : bad) {
+		std::vector<int> bad = findBad(); // of all faces
+		std::vector<int> due = bad;       // of those where something changed
+		for (int round = 0; round < mostRounds && !due.empty(); ++round) {
+			mayMove_ = bad.size() <= std::max<std::size_t>(500, std::size_t(m_.faceNum) / 50);
+			touched_.clear();
+			for (int f : due) {
 				workers_.poll();
-				// What could not be mended is only tried again where something changed.
-				if (isDeadFace(m_, f) || !isBad(f) || !hasCorner(f, before)) continue;
-				better = mend(f) || better;
+				if (isBad(f)) mend(f);
 			}
-			if (!better) break;
-			before = touched_;
+			// What could not be mended is only tried again where something changed.
+			due = badOnes(facesRound(m_, touched_));
+			bad = badOnes(bad);
+			bad.insert(bad.end(), due.begin(), due.end());
+			std::sort(bad.begin(), bad.end());
+			bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
 		}
-		const int left = int(findBad().size());
 		if (mayCollapse_) compactResult(r_, workers_);
-		return left;
+		return int(bad.size());
 	}
 
 private:
@@ -94,21 +95,19 @@ private:
 	bool              mayMove_  = true;
 	bool              mayCrowd_ = false; ///< on curves, to part what lies at one place
 	Buffer<Vec3f>     normal_;           ///< smooth normals of the vertices
-	std::vector<char> touched_;          ///< vertices whose ring a change of this round altered
-
-	bool hasCorner(int f, const std::vector<char>& marked) const
-	{
-		return marked[m_.origin[3 * f]] || marked[m_.origin[3 * f + 1]] ||
-			   marked[m_.origin[3 * f + 2]];
-	}
+	std::vector<int> touched_;           ///< vertices whose ring a change of this round altered
 
 	void touch(int v)
 	{
-		touched_[v] = 1;
-		forEachNeighbour(m_, v, [&](int w) { touched_[w] = 1; });
+		touched_.push_back(v);
+		forEachNeighbour(m_, v, [&](int w) { touched_.push_back(w); });
 	}
 
-	bool isBad(int f) const { return faceAgreement(m_, normal_, f) < badAgreement || hasNoArea(f); }
+	bool isBad(int f) const
+	{
+		return !isDeadFace(m_, f) &&
+			   (faceAgreement(m_, normal_, f) < badAgreement || hasNoArea(f));
+	}
 
 	bool hasNoArea(int f) const
 	{
@@ -122,9 +121,17 @@ private:
 		return workers_.collect<int>(m_.faceNum,
 									 [&](std::size_t begin, std::size_t end, auto& out) {
 										 for (int f = int(begin); f < int(end); ++f) {
-											 if (!isDeadFace(m_, f) && isBad(f)) out.push_back(f);
+											 if (isBad(f)) out.push_back(f);
 										 }
 									 });
+	}
+
+	std::vector<int> badOnes(const std::vector<int>& faces) const
+	{
+		std::vector<int> bad;
+		std::copy_if(faces.begin(), faces.end(), std::back_inserter(bad),
+					 [&](int f) { return isBad(f); });
+		return bad;
 	}
 
 	/// A corner of a face under consideration: where it is and what the surface looks like there.
@@ -158,7 +165,7 @@ private:
 		return sum;
 	}
 
-	bool mend(int f)
+	void mend(int f)
 	{
 		Change best = bestChange(f);
 		if (best.kind == Change::None && !mayCollapse_ && hasNoArea(f)) {
@@ -168,7 +175,6 @@ private:
 			mayCrowd_ = false;
 		}
 		apply(best);
-		return best.kind != Change::None;
 	}
 
 	Change bestChange(int f)
