@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "front_sampling.h"
 
+#include "counting_sort.h"
 #include "front_fans.h"
 #include "sample_ranges.h"
 #include "sizing.h"
@@ -95,12 +96,8 @@ public:
 	std::int64_t fillNum() const { return fillNum_; }
 	bool         capped() const { return capped_; }
 
-	/// Floods from samples that are already placed (those of the border).
-	void floodGiven(int first, int end)
-	{
-		for (int s = first; s < end; ++s)
-			flood_.run(s, shared_.samples[s]);
-	}
+	/// Floods from a sample that is already placed (one of the border).
+	void floodGiven(int s) { flood_.run(s, shared_.samples[s]); }
 
 	/// inRegion: only there, as far as the block reaches into it.
 	void run(const Block& block, int blockIndex, bool inRegion)
@@ -600,9 +597,11 @@ void compact(const SharedState& shared, Workers& workers, Sampling& result)
 	});
 }
 
-/// All blocks once, colour by colour. The number of floods goes from each colour to the next.
-void sampleBlocks(const BlockPartition& partition, bool inRegion, Workers& workers,
-				  std::vector<BlockSampler>& samplers)
+/// Calls body(sampler, block) for all blocks once, colour by colour. The number of floods goes from
+/// each colour to the next.
+template <class Body>
+void forBlocks(const BlockPartition& partition, Workers& workers,
+			   std::vector<BlockSampler>& samplers, const Body& body)
 {
 	int        floodNumber = 0;
 	const auto collect     = [&] {
@@ -613,11 +612,38 @@ void sampleBlocks(const BlockPartition& partition, bool inRegion, Workers& worke
 	for (const std::vector<int>& ids : partition.byColour) {
 		for (BlockSampler& s : samplers)
 			s.setFloodNumber(floodNumber);
-		workers.forTasks(ids.size(), [&](std::size_t i, int worker) {
-			samplers[worker].run(partition.blocks[ids[i]], ids[i], inRegion);
-		});
+		workers.forTasks(ids.size(),
+						 [&](std::size_t i, int worker) { body(samplers[worker], ids[i]); });
 		collect();
 	}
+}
+
+void sampleBlocks(const BlockPartition& partition, bool inRegion, Workers& workers,
+				  std::vector<BlockSampler>& samplers)
+{
+	forBlocks(partition, workers, samplers, [&](BlockSampler& sampler, int block) {
+		sampler.run(partition.blocks[block], block, inRegion);
+	});
+}
+
+/// Floods from the samples of curves, each with those of its block.
+void floodGiven(const HalfEdgeMesh& m, const BoundaryCurves& boundary,
+				const BlockPartition& partition, Workers& workers,
+				std::vector<BlockSampler>& samplers)
+{
+	const std::vector<Block>& blocks  = partition.blocks;
+	const auto                blockOf = [&](std::size_t s) {
+        const int  v    = m.origin[3 * boundary.samples[s].anchor.face];
+        const auto next = std::upper_bound(blocks.begin(), blocks.end(), v,
+                                           [](int vertex, const Block& b) { return vertex < b.end; });
+        return int(next - blocks.begin());
+	};
+	Buffer<int> start, given;
+	sortIntoBuckets(boundary.samples.size(), blocks.size(), blockOf, workers, start, given);
+	forBlocks(partition, workers, samplers, [&](BlockSampler& sampler, int block) {
+		for (int i = start[block]; i < start[block + 1]; ++i)
+			sampler.floodGiven(given[i]);
+	});
 }
 
 } // namespace
@@ -663,7 +689,7 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 		const Anchor& a   = boundary.samples[s].anchor;
 		shared.samples[s] = {a, m.faceNormal(a.face), sizeAt(surface, a)};
 	}
-	samplers[0].floodGiven(0, result.boundarySampleNum);
+	floodGiven(m, boundary, partition, workers, samplers);
 	if (!region.empty()) sampleBlocks(partition, true, workers, samplers);
 	sampleBlocks(partition, false, workers, samplers);
 	for (const BlockSampler& s : samplers) {
