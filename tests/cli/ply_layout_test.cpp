@@ -14,6 +14,7 @@ namespace gpr_test {
 namespace {
 
 using gpr::app::InputMesh;
+using gpr::app::lookAtPly;
 using gpr::app::readPly;
 
 enum class Format { Ascii, Little, Big };
@@ -236,10 +237,8 @@ TestMesh asTestMesh(const InputMesh& mesh)
 		const gpr::Vec3d p = mesh.view().position(v);
 		out.points.push_back({p.x, p.y, p.z});
 	}
-	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
-		out.faces.push_back(
-			{mesh.triangles[3 * f], mesh.triangles[3 * f + 1], mesh.triangles[3 * f + 2]});
-	}
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f)
+		out.faces.push_back(mesh.view().triangle(f));
 	return out;
 }
 
@@ -262,6 +261,47 @@ TEST(PlyLayout, RandomLayoutsAreReadExactly)
 	}
 }
 
+TEST(PlyLayout, LookedAtInTheFileItIsTheSame)
+{
+	int inFileNum = 0;
+	for (std::uint32_t seed = 1; seed <= 2000; ++seed) {
+		RandomFile        random(seed);
+		const std::string file = random.text();
+		SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + headerOf(file));
+		const InputMesh mesh = lookAtPly(file), copy = readPly(file);
+		const TestMesh  got = asTestMesh(mesh);
+		ASSERT_EQ(got.points, random.mesh().points);
+		ASSERT_EQ(got.faces, random.mesh().faces);
+		ASSERT_EQ(mesh.doublePrecision, copy.doublePrecision);
+		inFileNum += mesh.isInFile();
+	}
+	EXPECT_GT(inFileNum, 5);
+}
+
+TEST(PlyLayout, WhatCannotBeUsedAsItLiesIsCopiedOrRefusedAsEver)
+{
+	const auto fileOf = [](const std::string& indexType, int corners, std::int32_t last) {
+		std::string file = "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float "
+						   "x\nproperty float y\nproperty float z\nelement face 1\nproperty list "
+						   "uchar " +
+						   indexType + " vertex_indices\nend_header\n";
+		for (float c : {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0})
+			putBinary(file, c, true);
+		file += char(corners);
+		for (std::int32_t i = 0; i < corners; ++i)
+			putBinary(file, i < corners - 1 ? i : last, true);
+		return file;
+	};
+	EXPECT_TRUE(lookAtPly(fileOf("int", 3, 2)).isInFile());
+	const InputMesh quad = lookAtPly(fileOf("int", 4, 3));
+	EXPECT_FALSE(quad.isInFile());
+	EXPECT_EQ(quad.faceNum(), 2u);
+	for (const std::int32_t outside : {4, -1})
+		EXPECT_THROW(lookAtPly(fileOf("int", 3, outside)), gpr::app::AppError);
+	const std::string whole = fileOf("int", 3, 2);
+	EXPECT_THROW(lookAtPly(whole.substr(0, whole.size() - 1)), gpr::app::AppError);
+}
+
 TEST(PlyLayout, EveryPrefixIsReadOrRefusedWithoutHarm)
 {
 	// Under the sanitizers this also shows that nothing is read beyond the end.
@@ -271,6 +311,7 @@ TEST(PlyLayout, EveryPrefixIsReadOrRefusedWithoutHarm)
 			const std::vector<char> exact(file.begin(), file.begin() + long(keep));
 			try {
 				readPly({exact.data(), exact.size()});
+				lookAtPly({exact.data(), exact.size()});
 			}
 			catch (const gpr::app::AppError& error) {
 				EXPECT_EQ(error.code, gpr::app::ExitCode::BadInput);
@@ -287,10 +328,11 @@ TEST(PlyLayout, DamagedBytesAreReadOrRefusedWithoutHarm)
 		for (int i = 0; i < 5; ++i)
 			file[random() % file.size()] = char(random());
 		try {
-			const InputMesh mesh = readPly(file);
-			for (const std::int32_t i : mesh.triangles) {
-				ASSERT_GE(i, 0) << seed;
-				ASSERT_LT(std::size_t(i), mesh.vertexNum()) << seed;
+			for (const InputMesh& mesh : {readPly(file), lookAtPly(file)}) {
+				for (const std::int32_t i : gpr::trianglesOf(mesh.view())) {
+					ASSERT_GE(i, 0) << seed;
+					ASSERT_LT(std::size_t(i), mesh.vertexNum()) << seed;
+				}
 			}
 		}
 		catch (const gpr::app::AppError& error) {

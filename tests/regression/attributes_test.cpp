@@ -233,7 +233,7 @@ TEST(RealAttributes, HalfOfIgeaStaysBitForBit)
 	std::vector<std::uint8_t> selected;
 	MeshView                  view = input.view();
 	for (std::size_t f = 0; f < view.faceNum; ++f)
-		selected.push_back(view.position(std::size_t(view.triangles[3 * f])).x > 0);
+		selected.push_back(view.position(std::size_t(view.vertexOf(3 * f))).x > 0);
 	view.selectedFace = selected.data();
 	RemeshOptions options;
 	options.selectedOnly = true;
@@ -244,7 +244,7 @@ TEST(RealAttributes, HalfOfIgeaStaysBitForBit)
 	for (std::size_t f = 0; f < view.faceNum; ++f) {
 		if (selected[f]) continue;
 		for (std::size_t k = 0; k < 3; ++k) {
-			const Vec3d a = view.position(std::size_t(view.triangles[3 * f + k]));
+			const Vec3d a = view.position(std::size_t(view.vertexOf(3 * f + k)));
 			const Vec3d b = r.mesh.positions[std::size_t(r.mesh.triangles[3 * next + k])];
 			ASSERT_TRUE(a.x == b.x && a.y == b.y && a.z == b.z);
 		}

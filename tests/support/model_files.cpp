@@ -25,7 +25,7 @@ TriangleMesh copyOf(const MeshView& view)
 	TriangleMesh mesh;
 	for (std::size_t v = 0; v < view.vertexNum; ++v)
 		mesh.positions.push_back(view.position(v));
-	mesh.triangles.assign(view.triangles, view.triangles + 3 * view.faceNum);
+	mesh.triangles = trianglesOf(view);
 	return mesh;
 }
 

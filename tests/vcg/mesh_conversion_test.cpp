@@ -45,8 +45,7 @@ TYPED_TEST(MeshConversion, ViewsACompactMeshInPlace)
 		EXPECT_EQ(view.position(v).x, double(m.vert[v].P()[0]));
 		EXPECT_EQ(view.position(v).y, double(m.vert[v].P()[1]));
 	}
-	const std::vector<std::int32_t> corners(view.triangles, view.triangles + 6);
-	EXPECT_EQ(corners, (std::vector<std::int32_t>{0, 1, 2, 0, 2, 3}));
+	EXPECT_EQ(gpr::trianglesOf(view), (std::vector<std::int32_t>{0, 1, 2, 0, 2, 3}));
 	EXPECT_EQ(flat.Face(1), &m.face[1]);
 }
 
@@ -64,7 +63,7 @@ TYPED_TEST(MeshConversion, LeavesOutDeletedElements)
 		ASSERT_FALSE(flat.Face(std::int32_t(f))->IsD());
 		for (int k = 0; k < 3; ++k) {
 			const auto&      p = flat.Face(std::int32_t(f))->cP(k);
-			const gpr::Vec3d q = view.position(std::size_t(view.triangles[3 * f + k]));
+			const gpr::Vec3d q = view.position(std::size_t(view.vertexOf(3 * f + k)));
 			EXPECT_TRUE(double(p[0]) == q.x && double(p[1]) == q.y && double(p[2]) == q.z);
 		}
 	}
@@ -95,8 +94,8 @@ TYPED_TEST(MeshConversion, MarksCornersThatAreNoVertices)
 	Allocator<MeshType>::DeleteVertex(m, m.vert[4]);
 	const FlatMesh<MeshType> flat(m);
 	for (int k = 0; k < 3; ++k)
-		EXPECT_EQ(flat.View().triangles[k], -1);
-	EXPECT_EQ(flat.View().triangles[3], 0);
+		EXPECT_EQ(flat.View().vertexOf(k), -1);
+	EXPECT_EQ(flat.View().vertexOf(3), 0);
 }
 
 TYPED_TEST(MeshConversion, TakesAnEmptyMesh)

@@ -199,16 +199,16 @@ private:
 			if (i == 0 || inCell[i].first != inCell[i - 1].first) first.push_back(i);
 		}
 		first.push_back(inCell.size());
-		cutOff = workers_.collect<int>(
-			first.size() - 1, [&](std::size_t begin, std::size_t end, auto& found) {
-				std::vector<int> cell;
-				for (std::size_t c = begin; c < end; ++c) {
-					cell.clear();
-					for (std::size_t i = first[c]; i < first[c + 1]; ++i)
-						cell.push_back(inCell[i].second);
-					addCutOff(cell, found);
-				}
-			});
+		cutOff = workers_.collect<int>(first.size() - 1,
+									   [&](std::size_t begin, std::size_t end, auto& found) {
+										   std::vector<int> cell;
+										   for (std::size_t c = begin; c < end; ++c) {
+											   cell.clear();
+											   for (std::size_t i = first[c]; i < first[c + 1]; ++i)
+												   cell.push_back(inCell[i].second);
+											   addCutOff(cell, found);
+										   }
+									   });
 		std::sort(cutOff.begin(), cutOff.end());
 		for (int v : cutOff)
 			label_[v] = -1;

@@ -98,7 +98,7 @@ MeshExtent extentOf(const MeshView& mesh)
 		Vec3d corner[3];
 		bool  usable = true;
 		for (int k = 0; k < 3 && usable; ++k) {
-			const std::int32_t v = mesh.triangles[3 * f + std::size_t(k)];
+			const std::int32_t v = mesh.vertexOf(3 * f + std::size_t(k));
 			usable               = v >= 0 && std::size_t(v) < mesh.vertexNum;
 			if (usable) corner[k] = mesh.position(std::size_t(v));
 			usable = usable && isFinite(corner[k]);

@@ -20,8 +20,8 @@ std::vector<double> runningArea(const MeshView& mesh)
 	double              area = 0;
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
 		if (isUsableFace(mesh, f)) {
-			const std::int32_t* t = mesh.triangles + 3 * f;
-			const Vec3d         a = mesh.position(t[0]);
+			const auto  t = mesh.triangle(f);
+			const Vec3d a = mesh.position(t[0]);
 			area += 0.5 * length(cross(mesh.position(t[1]) - a, mesh.position(t[2]) - a));
 		}
 		behind[f] = area;
@@ -33,7 +33,7 @@ std::vector<double> runningArea(const MeshView& mesh)
 
 bool isUsableFace(const MeshView& mesh, std::size_t face)
 {
-	const std::int32_t* t = mesh.triangles + 3 * face;
+	const auto t = mesh.triangle(face);
 	if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
 	return isFinite(mesh.position(t[0])) && isFinite(mesh.position(t[1])) &&
 		   isFinite(mesh.position(t[2]));
@@ -51,9 +51,9 @@ EvenPoints::EvenPoints(const MeshView& mesh, std::int64_t wantedNum) :
 /// in the triangle; the upper half of the unit square is folded onto the lower.
 Vec3d EvenPoints::pointInFace(std::size_t face, std::size_t j) const
 {
-	constexpr double    stepU = 0.7548776662466927, stepV = 0.5698402909980532;
-	const std::int32_t* t = mesh_.triangles + 3 * face;
-	double              u = stepU * double(j), v = stepV * double(j);
+	constexpr double stepU = 0.7548776662466927, stepV = 0.5698402909980532;
+	const auto       t = mesh_.triangle(face);
+	double           u = stepU * double(j), v = stepV * double(j);
 	u -= std::floor(u);
 	v -= std::floor(v);
 	if (u + v > 1) {

@@ -18,7 +18,7 @@ Corners callersCorners(const MeshView& input, const Surface& s, int f)
 {
 	static constexpr int ways[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
 									   {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-	const std::int32_t*  source     = input.triangles + 3 * std::size_t(s.sourceFace[f]);
+	const auto           source     = input.triangle(std::size_t(s.sourceFace[f]));
 	std::array<Vec3f, 3> wanted;
 	for (int k = 0; k < 3; ++k)
 		wanted[k] = s.frame.toWorking(input.position(source[k]));
@@ -65,7 +65,7 @@ void exportFeatures(const MeshView& input, const Surface& surface, const Feature
 	for (int f = 0; f < surface.mesh.faceNum; ++f) {
 		const std::int32_t source = surface.sourceFace[f];
 		for (int k = 0; k < 3; ++k) {
-			if (out.vertexFeature[input.triangles[3 * std::size_t(source) + k]] != 0)
+			if (out.vertexFeature[input.vertexOf(3 * std::size_t(source) + k)] != 0)
 				out.faceMark[source] = 1;
 		}
 	}

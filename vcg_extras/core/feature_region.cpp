@@ -16,7 +16,7 @@ constexpr float weightThatCounts = 1e-4f;
 bool isBetweenMarks(const MeshView& input, const std::uint8_t* marks, const SurfacePoint& at)
 {
 	for (int k = 0; k < 3; ++k) {
-		const std::int32_t corner = input.triangles[3 * std::size_t(at.face) + std::size_t(k)];
+		const std::int32_t corner = input.vertexOf(3 * std::size_t(at.face) + std::size_t(k));
 		if (at.weight[k] > weightThatCounts && marks[corner] == 0) return false;
 	}
 	return true;

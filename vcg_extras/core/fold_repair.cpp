@@ -92,10 +92,10 @@ private:
 	EditScratch           scratch_;
 	/// Trial moves cost most. Where more than single faces look wrong the triangles are hopelessly
 	/// large for the surface, and moving vertices one by one mends nothing.
-	bool              mayMove_  = true;
-	bool              mayCrowd_ = false; ///< on curves, to part what lies at one place
-	Buffer<Vec3f>     normal_;           ///< smooth normals of the vertices
-	std::vector<int> touched_;           ///< vertices whose ring a change of this round altered
+	bool             mayMove_  = true;
+	bool             mayCrowd_ = false; ///< on curves, to part what lies at one place
+	Buffer<Vec3f>    normal_;           ///< smooth normals of the vertices
+	std::vector<int> touched_;          ///< vertices whose ring a change of this round altered
 
 	void touch(int v)
 	{
@@ -105,8 +105,7 @@ private:
 
 	bool isBad(int f) const
 	{
-		return !isDeadFace(m_, f) &&
-			   (faceAgreement(m_, normal_, f) < badAgreement || hasNoArea(f));
+		return !isDeadFace(m_, f) && (faceAgreement(m_, normal_, f) < badAgreement || hasNoArea(f));
 	}
 
 	bool hasNoArea(int f) const

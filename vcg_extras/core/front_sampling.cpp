@@ -633,9 +633,10 @@ void floodGiven(const HalfEdgeMesh& m, const BoundaryCurves& boundary,
 {
 	const std::vector<Block>& blocks  = partition.blocks;
 	const auto                blockOf = [&](std::size_t s) {
-        const int  v    = m.origin[3 * boundary.samples[s].anchor.face];
-        const auto next = std::upper_bound(blocks.begin(), blocks.end(), v,
-                                           [](int vertex, const Block& b) { return vertex < b.end; });
+        const int  v = m.origin[3 * boundary.samples[s].anchor.face];
+        const auto next =
+            std::upper_bound(blocks.begin(), blocks.end(), v,
+											[](int vertex, const Block& b) { return vertex < b.end; });
         return int(next - blocks.begin());
 	};
 	Buffer<int> start, given;

@@ -12,7 +12,7 @@ bool hasCornerAt(const MeshView& input, int g, int v)
 {
 	const Vec3d p = input.position(std::size_t(v));
 	for (int k = 0; k < 3; ++k) {
-		const int w = input.triangles[3 * std::size_t(g) + std::size_t(k)];
+		const int w = input.vertexOf(3 * std::size_t(g) + std::size_t(k));
 		if (w == v || squaredLength(input.position(std::size_t(w)) - p) == 0) return true;
 	}
 	return false;
@@ -24,8 +24,8 @@ bool isLineBetween(const MeshView& input, int f, int g)
 	for (int k = 0; k < 3; ++k) {
 		const std::size_t at = 3 * std::size_t(f);
 		if (!input.line[at + std::size_t(k)]) continue;
-		const int a = input.triangles[at + std::size_t(k)];
-		const int b = input.triangles[at + std::size_t((k + 1) % 3)];
+		const int a = input.vertexOf(at + std::size_t(k));
+		const int b = input.vertexOf(at + std::size_t((k + 1) % 3));
 		if (hasCornerAt(input, g, a) && hasCornerAt(input, g, b)) return true;
 	}
 	return false;

@@ -139,7 +139,7 @@ private:
 			SurfacePoint&      at     = out.anchors[v];
 			const int          corner = nearestCorner(at);
 			const std::size_t  i      = 3 * std::size_t(at.face) + std::size_t(corner);
-			const std::int32_t c      = input_.triangles[i];
+			const std::int32_t c      = input_.vertexOf(i);
 			const Vec3d        place  = input_.position(std::size_t(c));
 			if (length(place - out.mesh.positions[v]) > unit * farthestFromItself) continue;
 			for (int k = 0; k < 3; ++k)

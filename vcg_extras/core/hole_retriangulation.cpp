@@ -201,8 +201,8 @@ ResultMesh removeOriginalVertices(FusedMesh&& fused, const Surface& surface,
 	const std::size_t collapsed = stuck - removed.leftover.size();
 	removed.mesh                = std::move(fused.mesh);
 	removed.sampleVertex        = std::move(fused.sampleVertex);
-	ResultMesh result           = resultOfSamples(std::move(removed), surface, sampling, boundary, workers);
-	result.byCollapseNum        = std::int64_t(collapsed);
+	ResultMesh result = resultOfSamples(std::move(removed), surface, sampling, boundary, workers);
+	result.byCollapseNum = std::int64_t(collapsed);
 	return result;
 }
 

@@ -5,6 +5,8 @@
 #include "failure.h"
 #include "poller.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -58,10 +60,12 @@ void checkIndices(const MeshView& input, Workers& workers)
 {
 	std::atomic<bool> bad{false};
 	const auto        vertexNum = std::uint32_t(input.vertexNum);
-	workers.forRange(3 * input.faceNum, [&](std::size_t begin, std::size_t end) {
+	workers.forRange(input.faceNum, [&](std::size_t begin, std::size_t end) {
 		bool outside = false;
-		for (std::size_t i = begin; i < end; ++i)
-			outside |= std::uint32_t(input.triangles[i]) >= vertexNum;
+		for (std::size_t f = begin; f < end; ++f) {
+			for (std::int32_t v : input.triangle(f))
+				outside |= std::uint32_t(v) >= vertexNum;
+		}
 		if (outside) bad = true;
 	});
 	if (bad) {
@@ -70,7 +74,7 @@ void checkIndices(const MeshView& input, Workers& workers)
 }
 
 /// A face that stays: three different vertices, all finite.
-bool isUsable(const int* corner, const Buffer<char>& finite)
+bool isUsable(const std::array<std::int32_t, 3>& corner, const Buffer<char>& finite)
 {
 	if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) return false;
 	return finite[corner[0]] && finite[corner[1]] && finite[corner[2]];
@@ -107,10 +111,10 @@ void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& worke
 		workers.sum<std::int64_t>(input.faceNum, [&](std::size_t begin, std::size_t end) {
 			std::int64_t n = 0;
 			for (std::size_t f = begin; f < end; ++f) {
-				for (int k = 0; k < 3; ++k)
-					mesh.triangle[3 * f + k] = input.triangles[3 * f + k];
+				const auto corner = input.triangle(f);
+				std::copy(corner.begin(), corner.end(), &mesh.triangle[3 * f]);
 				mesh.sourceFace[f] = int(f);
-				n += !isUsable(input.triangles + 3 * f, finite);
+				n += !isUsable(corner, finite);
 			}
 			return n;
 		});
@@ -119,7 +123,7 @@ void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& worke
 
 	int kept = 0;
 	for (std::size_t f = 0; f < input.faceNum; ++f) {
-		const int* corner = input.triangles + 3 * f;
+		const auto corner = input.triangle(f);
 		if (!isUsable(corner, finite)) {
 			const bool repeated =
 				corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];

@@ -69,7 +69,7 @@ std::vector<EdgeUse> sortedEdges(const MeshView& mesh)
 	std::vector<EdgeUse> edges;
 	edges.reserve(3 * mesh.faceNum);
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		const std::int32_t* t = mesh.triangles + 3 * f;
+		const auto t = mesh.triangle(f);
 		for (int k = 0; k < 3; ++k) {
 			const int a = t[k], b = t[(k + 1) % 3];
 			edges.push_back({std::min(a, b), std::max(a, b), int(f)});
@@ -197,7 +197,7 @@ double valence6Percent(const MeshView& mesh)
 	std::vector<std::uint64_t> balance(mesh.vertexNum, 0);
 	const auto hash = [](std::int32_t v) { return (std::uint64_t(v) + 1) * 0x9e3779b97f4a7c15ull; };
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		const std::int32_t* t = mesh.triangles + 3 * f;
+		const auto t = mesh.triangle(f);
 		for (int k = 0; k < 3; ++k) {
 			++faces[t[k]];
 			balance[t[k]] += hash(t[(k + 1) % 3]) - hash(t[(k + 2) % 3]);
@@ -222,11 +222,11 @@ MeshFigures measureMesh(const MeshView& mesh)
 	measureTopology(mesh, figures);
 	Extent extent;
 	for (std::size_t i = 0; i < 3 * mesh.faceNum; ++i)
-		extent.add(mesh.position(mesh.triangles[i]));
+		extent.add(mesh.position(mesh.vertexOf(i)));
 	figures.diagonal = extent.diagonal();
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		const std::int32_t* t = mesh.triangles + 3 * f;
-		const Vec3d         a = mesh.position(t[0]);
+		const auto   t    = mesh.triangle(f);
+		const Vec3d  a    = mesh.position(t[0]);
 		const double area = 0.5 * length(cross(mesh.position(t[1]) - a, mesh.position(t[2]) - a));
 		if (std::isfinite(area)) figures.area += area;
 	}
@@ -238,7 +238,7 @@ std::vector<float> radiusRatios(const MeshView& mesh, Workers& workers)
 	std::vector<float> ratios(mesh.faceNum, 0);
 	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = begin; f < end; ++f) {
-			const std::int32_t* t = mesh.triangles + 3 * f;
+			const auto   t = mesh.triangle(f);
 			const Vec3d  p = mesh.position(t[0]), q = mesh.position(t[1]), s = mesh.position(t[2]);
 			const double doubled = length(cross(q - p, s - p));
 			const double ratio = ratioOfRadii(length(s - q), length(s - p), length(q - p), doubled);
@@ -262,7 +262,7 @@ QualityFigures measureQuality(const MeshView& mesh, Workers& workers)
 		workers.sum<ShapeSums>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
 			ShapeSums part;
 			for (std::size_t f = begin; f < end; ++f) {
-				const std::int32_t* t = mesh.triangles + 3 * f;
+				const auto t = mesh.triangle(f);
 				part.add(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
 			}
 			return part;

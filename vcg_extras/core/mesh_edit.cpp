@@ -521,10 +521,10 @@ void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
 {
 	Buffer<int>  newFace;
 	HalfEdgeMesh to;
-	to.vertexNum =
-		numberLiving(m.vertexNum, [&](int v) { return m.outgoing[v] >= 0; }, workers, newIndex);
-	to.faceNum =
-		numberLiving(m.faceNum, [&](int f) { return !isDeadFace(m, f); }, workers, newFace);
+	to.vertexNum = numberLiving(
+		m.vertexNum, [&](int v) { return m.outgoing[v] >= 0; }, workers, newIndex);
+	to.faceNum = numberLiving(
+		m.faceNum, [&](int f) { return !isDeadFace(m, f); }, workers, newFace);
 	if (to.vertexNum == m.vertexNum && to.faceNum == m.faceNum && !hasRoom(m)) return;
 	reserveExactly(to, m.hasCreases());
 	const auto renamed = [&](int h) { return h < 0 ? -1 : 3 * newFace[h / 3] + h % 3; };

@@ -5,21 +5,25 @@
 
 #include "vec.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace gpr {
 
 /// Non-owning view of the caller's triangle mesh; the engine never writes to it.
-/// Positions are triples of float or double with any stride, so that a view can lie directly on
-/// the vertex array of a vcg mesh; triangles are 3·faceNum vertex indices.
+/// Positions are triples of float or double, triangles triples of vertex indices, both with any
+/// stride and alignment, so that a view can lie directly on the vertex array of a vcg mesh or on a
+/// file in memory.
 struct MeshView {
 	const void*         positions           = nullptr;
 	bool                doublePrecision     = false;
 	std::size_t         positionStrideBytes = 0; ///< distance of two consecutive positions
 	std::size_t         vertexNum           = 0;
-	const std::int32_t* triangles           = nullptr;
+	const void*         triangles           = nullptr; ///< std::int32_t
+	std::size_t         triangleStrideBytes = 3 * sizeof(std::int32_t);
 	std::size_t         faceNum             = 0;
 	const float*        quality  = nullptr; ///< per vertex, or null; for SizingSource::Quality
 	const std::uint8_t* selected = nullptr; ///< per vertex, or null; for FeatureRegion::Selection
@@ -42,13 +46,35 @@ struct MeshView {
 	{
 		const char* at = static_cast<const char*>(positions) + v * positionStrideBytes;
 		if (doublePrecision) {
-			const double* d = reinterpret_cast<const double*>(at);
+			double d[3];
+			std::memcpy(d, at, sizeof d);
 			return {d[0], d[1], d[2]};
 		}
-		const float* f = reinterpret_cast<const float*>(at);
+		float f[3];
+		std::memcpy(f, at, sizeof f);
 		return {double(f[0]), double(f[1]), double(f[2])};
 	}
+
+	/// The vertices of a face.
+	std::array<std::int32_t, 3> triangle(std::size_t face) const
+	{
+		std::array<std::int32_t, 3> corner;
+		std::memcpy(corner.data(), static_cast<const char*>(triangles) + face * triangleStrideBytes,
+					sizeof corner);
+		return corner;
+	}
+	/// That of corner c, of face c / 3.
+	std::int32_t vertexOf(std::size_t c) const { return triangle(c / 3)[c % 3]; }
 };
+
+/// All indices of a view, three a triangle.
+inline std::vector<std::int32_t> trianglesOf(const MeshView& mesh)
+{
+	std::vector<std::int32_t> all(3 * mesh.faceNum);
+	for (std::size_t c = 0; c < all.size(); ++c)
+		all[c] = mesh.vertexOf(c);
+	return all;
+}
 
 /// A point of the caller's surface: face index and barycentric weights of its three corners.
 struct SurfacePoint {

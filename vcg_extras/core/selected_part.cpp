@@ -47,7 +47,7 @@ bool isSelected(const MeshView& input, std::size_t f)
 void requireIndices(const MeshView& input)
 {
 	for (std::size_t i = 0; i < 3 * input.faceNum; ++i) {
-		if (std::uint32_t(input.triangles[i]) < input.vertexNum) continue;
+		if (std::uint32_t(input.vertexOf(i)) < input.vertexNum) continue;
 		throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
 	}
 }
@@ -68,10 +68,10 @@ Part cutOut(const MeshView& input)
 		if (!isSelected(input, f)) continue;
 		part.faceOf.push_back(std::int32_t(f));
 		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
-			std::int32_t& index = newIndex[std::size_t(input.triangles[c])];
+			std::int32_t& index = newIndex[std::size_t(input.vertexOf(c))];
 			if (index < 0) {
 				index = std::int32_t(part.vertexOf.size());
-				addVertex(input, input.triangles[c], part);
+				addVertex(input, input.vertexOf(c), part);
 			}
 			part.triangles.push_back(index);
 			if (input.line != nullptr) part.line.push_back(input.line[c]);
@@ -86,13 +86,13 @@ std::vector<Edge> findSeam(const MeshView& input)
 {
 	std::vector<char> ofRest(input.vertexNum, 0), ofPart(input.vertexNum, 0);
 	for (std::size_t c = 0; c < 3 * input.faceNum; ++c)
-		(isSelected(input, c / 3) ? ofPart : ofRest)[std::size_t(input.triangles[c])] = 1;
+		(isSelected(input, c / 3) ? ofPart : ofRest)[std::size_t(input.vertexOf(c))] = 1;
 	const auto isOfBoth = [&](std::int32_t v) {
 		return ofRest[std::size_t(v)] && ofPart[std::size_t(v)];
 	};
 	std::vector<Edge> edges[2]; // of the rest, of the part; between vertices of both
 	for (std::size_t c = 0; c < 3 * input.faceNum; ++c) {
-		const std::int32_t a = input.triangles[c], b = input.triangles[c % 3 == 2 ? c - 2 : c + 1];
+		const std::int32_t a = input.vertexOf(c), b = input.vertexOf(c % 3 == 2 ? c - 2 : c + 1);
 		if (a != b && isOfBoth(a) && isOfBoth(b))
 			edges[isSelected(input, c / 3)].push_back(edgeOf(a, b));
 	}
@@ -146,7 +146,7 @@ private:
 		for (std::size_t f = 0; f < input_.faceNum; ++f) {
 			if (isSelected(input_, f)) continue;
 			for (int k = 0; k < 3; ++k) {
-				SurfacePoint& p = at[std::size_t(input_.triangles[3 * f + std::size_t(k)])];
+				SurfacePoint& p = at[std::size_t(input_.vertexOf(3 * f + std::size_t(k)))];
 				if (p.face >= 0) continue;
 				p.face = std::int32_t(f);
 				for (int i = 0; i < 3; ++i)
@@ -165,7 +165,7 @@ private:
 	void addRestFace(std::size_t f)
 	{
 		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
-			out_.mesh.triangles.push_back(newIndex_[std::size_t(input_.triangles[c])]);
+			out_.mesh.triangles.push_back(newIndex_[std::size_t(input_.vertexOf(c))]);
 		constexpr float third = 1 / 3.0f;
 		out_.faceAnchors.push_back({std::int32_t(f), {third, third, third}});
 		out_.callersFace.push_back(std::int32_t(f));

@@ -247,7 +247,7 @@ Buffer<float> qualityAtVertices(const SizingRequest& request, const Surface& sur
 			const SurfacePoint at =
 				surfacePoint(request.input, surface, anchorOfVertex(surface, int(v)));
 			for (int k = 0; k < 3; ++k)
-				value[v] += at.weight[k] * quality[request.input.triangles[3 * at.face + k]];
+				value[v] += at.weight[k] * quality[request.input.vertexOf(3 * at.face + k)];
 		}
 	});
 	for (float q : value) {

@@ -30,7 +30,7 @@ struct DistanceSums {
 Vec3d firstCorner(const MeshView& mesh)
 {
 	for (std::size_t f = 0; f < mesh.faceNum; ++f)
-		if (isUsableFace(mesh, f)) return mesh.position(std::size_t(mesh.triangles[3 * f]));
+		if (isUsableFace(mesh, f)) return mesh.position(std::size_t(mesh.vertexOf(3 * f)));
 	return {};
 }
 
@@ -46,7 +46,7 @@ HalfEdgeMesh cornersOf(const MeshView& mesh, const Vec3d& origin)
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
 		if (!isUsableFace(mesh, f)) continue;
 		for (std::size_t k = 0; k < 3; ++k)
-			to.origin[3 * std::size_t(to.faceNum) + k] = mesh.triangles[3 * f + k];
+			to.origin[3 * std::size_t(to.faceNum) + k] = mesh.vertexOf(3 * f + k);
 		++to.faceNum;
 	}
 	return to;
@@ -58,7 +58,7 @@ std::vector<char> usedVertices(const MeshView& mesh)
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
 		if (!isUsableFace(mesh, f)) continue;
 		for (std::size_t k = 0; k < 3; ++k)
-			used[std::size_t(mesh.triangles[3 * f + k])] = 1;
+			used[std::size_t(mesh.vertexOf(3 * f + k))] = 1;
 	}
 	return used;
 }
@@ -78,10 +78,10 @@ double NearSurface::distance(const Vec3d& p) const
 
 double NearSurface::meanSquareOver(const MeshView& mesh, std::size_t face) const
 {
-	const std::int32_t* t    = mesh.triangles + 3 * face;
-	const Vec3d         p[3] = {mesh.position(std::size_t(t[0])), mesh.position(std::size_t(t[1])),
-								mesh.position(std::size_t(t[2]))};
-	const auto          square = [&](const Vec3d& q) {
+	const auto  t      = mesh.triangle(face);
+	const Vec3d p[3]   = {mesh.position(std::size_t(t[0])), mesh.position(std::size_t(t[1])),
+						  mesh.position(std::size_t(t[2]))};
+	const auto  square = [&](const Vec3d& q) {
         const double d = distance(q);
         return d * d;
 	};

@@ -8,12 +8,11 @@ namespace gpr {
 
 SurfacePoint surfacePoint(const MeshView& input, const Surface& surface, const Anchor& anchor)
 {
-	SurfacePoint        s;
-	const Vec3d         p = surface.frame.toCaller(anchor.position);
-	const std::int32_t* t = input.triangles;
-	s.face                = surface.sourceFace[anchor.face];
-	const Vec3d  a = input.position(t[3 * s.face]), b = input.position(t[3 * s.face + 1]);
-	const Vec3d  c       = input.position(t[3 * s.face + 2]);
+	SurfacePoint s;
+	const Vec3d  p = surface.frame.toCaller(anchor.position);
+	s.face         = surface.sourceFace[anchor.face];
+	const auto   t = input.triangle(std::size_t(s.face));
+	const Vec3d  a = input.position(t[0]), b = input.position(t[1]), c = input.position(t[2]);
 	const Vec3d  n       = cross(b - a, c - a);
 	const double squared = squaredLength(n);
 	double       wb = 0, wc = 0;

@@ -113,8 +113,8 @@ void TextureSource::connect()
 	sides.reserve(3 * mesh_.faceNum);
 	for (std::size_t c = 0; c < 3 * mesh_.faceNum; ++c) {
 		const std::size_t  next = c % 3 == 2 ? c - 2 : c + 1;
-		const std::int32_t a    = place[std::size_t(mesh_.triangles[c])];
-		const std::int32_t b    = place[std::size_t(mesh_.triangles[next])];
+		const std::int32_t a    = place[std::size_t(mesh_.vertexOf(c))];
+		const std::int32_t b    = place[std::size_t(mesh_.vertexOf(next))];
 		if (a != b) sides.push_back({std::min(a, b), std::max(a, b), std::int64_t(c)});
 	}
 	std::sort(sides.begin(), sides.end());
@@ -146,7 +146,7 @@ bool TextureSource::agree(std::int64_t a, std::int64_t b) const
 		texture_.image[std::size_t(a / 3)] != texture_.image[std::size_t(b / 3)])
 		return false;
 	const auto place = [&](std::int64_t c) {
-		return mesh_.position(std::size_t(mesh_.triangles[c]));
+		return mesh_.position(std::size_t(mesh_.vertexOf(c)));
 	};
 	// Consistently oriented faces have the edge in opposite directions.
 	const bool opposite    = squaredLength(place(a) - place(next(b))) == 0;
@@ -196,7 +196,7 @@ private:
 
 	std::array<Vec3d, 3> cornersOf(std::int32_t face) const
 	{
-		const std::int32_t* t = source_.mesh_.triangles + 3 * std::size_t(face);
+		const auto t = source_.mesh_.triangle(std::size_t(face));
 		return {source_.mesh_.position(std::size_t(t[0])),
 				source_.mesh_.position(std::size_t(t[1])),
 				source_.mesh_.position(std::size_t(t[2]))};

@@ -27,7 +27,7 @@ bool isReal(PlyType type)
 double valueAt(const ValueColumn& column, const MeshView& mesh, const SurfacePoint& at)
 {
 	const auto ofCorner = [&](int k) {
-		const std::int32_t v = mesh.triangles[3 * std::size_t(at.face) + std::size_t(k)];
+		const std::int32_t v = mesh.vertexOf(3 * std::size_t(at.face) + std::size_t(k));
 		return column.values[std::size_t(v)];
 	};
 	if (!isReal(column.type) && !isColour(column)) return ofCorner(nearestCorner(at));

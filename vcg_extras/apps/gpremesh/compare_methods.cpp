@@ -101,7 +101,7 @@ std::int64_t nonManifoldEdgeNum(const MeshView& mesh)
 	std::vector<std::uint64_t> edges;
 	edges.reserve(3 * mesh.faceNum);
 	for (std::size_t i = 0; i < 3 * mesh.faceNum; ++i) {
-		const std::int32_t* t = mesh.triangles + i / 3 * 3;
+		const auto t = mesh.triangle(i / 3);
 		if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
 		const auto a = std::uint32_t(t[i % 3]), b = std::uint32_t(t[(i + 1) % 3]);
 		edges.push_back(std::uint64_t(std::min(a, b)) << 32 | std::max(a, b));

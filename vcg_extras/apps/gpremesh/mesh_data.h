@@ -47,37 +47,52 @@ struct WantedAttributes {
 	bool selection     = false; ///< of vertices and the corners of faces
 	bool faceSelection = false; ///< of the faces
 	bool carried       = false; ///< whatever there is, to be carried over to a result
+	bool mayStayInFile = false; ///< see InputMesh::inFile
 
 	/// Any that must be there.
 	bool anyRequired() const { return quality || selection || faceSelection; }
 };
 
+class FileContent;
+
 /// A mesh as its file holds it: nothing repaired, but every index is in range.
 struct InputMesh {
-	CoordinateArray<float>    floats;  ///< 3 a vertex; empty when doublePrecision
-	CoordinateArray<double>   doubles; ///< 3 a vertex; empty otherwise
-	IndexArray                triangles;
-	bool                      doublePrecision = false;
-	std::vector<float>        quality;       ///< one a vertex; empty where not wanted
+	/// Positions and triangles where they lie in the file, if they can be used as they are there;
+	/// the three arrays are empty then.
+	MeshView                           inFile;
+	std::shared_ptr<const FileContent> file;    ///< what inFile looks at
+	CoordinateArray<float>             floats;  ///< 3 a vertex; empty when doublePrecision
+	CoordinateArray<double>            doubles; ///< 3 a vertex; empty otherwise
+	IndexArray                         triangles;
+	bool                               doublePrecision = false;
+	std::vector<float>                 quality; ///< one a vertex; empty where not wanted
 	std::vector<std::uint8_t> selected;      ///< one a vertex, 1 = selected; empty where not wanted
 	std::vector<std::uint8_t> selectedFaces; ///< one a triangle, likewise
 	MeshAttributes            attributes;    ///< empty where not wanted
 	std::vector<std::string>  notes; ///< sentences about oddities that were no reason to refuse
 
-	std::size_t vertexNum() const { return (doublePrecision ? doubles.size() : floats.size()) / 3; }
-	std::size_t faceNum() const { return triangles.size() / 3; }
+	bool        isInFile() const { return inFile.triangles != nullptr; }
+	std::size_t vertexNum() const { return view().vertexNum; }
+	std::size_t faceNum() const { return view().faceNum; }
 	MeshView    view() const
+	{
+		MeshView v     = isInFile() ? inFile : viewOfArrays();
+		v.quality      = quality.empty() ? nullptr : quality.data();
+		v.selected     = selected.empty() ? nullptr : selected.data();
+		v.selectedFace = selectedFaces.empty() ? nullptr : selectedFaces.data();
+		return v;
+	}
+
+private:
+	MeshView viewOfArrays() const
 	{
 		MeshView v;
 		v.positions = doublePrecision ? static_cast<const void*>(doubles.data()) : floats.data();
 		v.doublePrecision     = doublePrecision;
 		v.positionStrideBytes = 3 * (doublePrecision ? sizeof(double) : sizeof(float));
-		v.vertexNum           = vertexNum();
+		v.vertexNum           = (doublePrecision ? doubles.size() : floats.size()) / 3;
 		v.triangles           = triangles.data();
-		v.faceNum             = faceNum();
-		v.quality             = quality.empty() ? nullptr : quality.data();
-		v.selected            = selected.empty() ? nullptr : selected.data();
-		v.selectedFace        = selectedFaces.empty() ? nullptr : selectedFaces.data();
+		v.faceNum             = triangles.size() / 3;
 		return v;
 	}
 };

@@ -13,6 +13,7 @@
 #include "soup_io.h"
 
 #include <filesystem>
+#include <memory>
 
 namespace gpr::app {
 
@@ -26,11 +27,11 @@ std::string lowerCase(std::string text)
 	return text;
 }
 
-InputMesh readFormat(MeshFormat format, std::string_view content)
+InputMesh readFormat(MeshFormat format, std::string_view content, bool mayStayInFile)
 {
 	switch (format) {
 	case MeshFormat::Ply:
-		return readPly(content);
+		return mayStayInFile ? lookAtPly(content) : readPly(content);
 	case MeshFormat::Obj:
 		return readObj(content);
 	case MeshFormat::Off:
@@ -43,11 +44,12 @@ InputMesh readFormat(MeshFormat format, std::string_view content)
 
 InputMesh readContent(MeshFormat format, const std::string& path, const WantedAttributes& wanted)
 {
-	const FileContent content(path);
-	if (content.view().empty()) throw AppError(ExitCode::BadInput, "the file is empty");
-	InputMesh mesh = readFormat(format, content.view());
-	if (format == MeshFormat::Ply) readPlyAttributes(content.view(), wanted, mesh);
-	if (format == MeshFormat::Obj && wanted.carried) readObjAttributes(content.view(), mesh);
+	const auto content = std::make_shared<const FileContent>(path);
+	if (content->view().empty()) throw AppError(ExitCode::BadInput, "the file is empty");
+	InputMesh mesh = readFormat(format, content->view(), wanted.mayStayInFile);
+	if (format == MeshFormat::Ply) readPlyAttributes(content->view(), wanted, mesh);
+	if (format == MeshFormat::Obj && wanted.carried) readObjAttributes(content->view(), mesh);
+	if (mesh.isInFile()) mesh.file = content;
 	return mesh;
 }
 

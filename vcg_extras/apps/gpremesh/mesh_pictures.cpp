@@ -55,7 +55,7 @@ template <class Visit>
 void forEachCorner(const MeshView& mesh, const Visit& visit)
 {
 	for (std::size_t i = 0; i < 3 * mesh.faceNum; ++i) {
-		const Vec3d p = mesh.position(std::size_t(mesh.triangles[i]));
+		const Vec3d p = mesh.position(std::size_t(mesh.vertexOf(i)));
 		if (isFinite(p)) visit(p);
 	}
 }
@@ -128,7 +128,7 @@ MeshPictures MeshPhotographer::take(const MeshView& mesh)
 	if (folder_.empty()) return {};
 	const std::string path = folder_ + "/mesh.ply";
 	TriangleMesh      moved;
-	moved.triangles.assign(mesh.triangles, mesh.triangles + 3 * mesh.faceNum);
+	moved.triangles = trianglesOf(mesh);
 	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
 		const Vec3d p = mesh.position(v);
 		moved.positions.push_back(isFinite(p) ? local(p) : Vec3d());

@@ -120,6 +120,11 @@ FileContent::~FileContent()
 	if (mapping_ != nullptr) ::munmap(mapping_, size_);
 }
 
+void FileContent::giveBackPages() const
+{
+	if (mapping_ != nullptr) ::madvise(mapping_, size_, MADV_DONTNEED);
+}
+
 bool errorIsTerminal()
 {
 	return ::isatty(STDERR_FILENO) == 1;

@@ -23,6 +23,8 @@ public:
 	FileContent& operator=(const FileContent&) = delete;
 
 	std::string_view view() const { return {data_, size_}; }
+	/// Takes a mapped file out of memory; what is looked at again comes back from the disk.
+	void giveBackPages() const;
 
 private:
 	const char*       data_    = nullptr;

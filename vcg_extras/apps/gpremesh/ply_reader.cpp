@@ -95,15 +95,19 @@ constexpr PlyType typeOfScalar()
 	return sizeof(S) == sizeof(double) ? PlyType::Float64 : PlyType::Float32;
 }
 
-/// Copies the coordinates when they lie beside each other in the machine's own form.
+/// Whether the coordinates lie beside each other in the machine's own form, all of one type.
+bool areBeside(const PlyElement& e, const CoordinateProperties& c, const BinarySource& source)
+{
+	if (source.swapped() || e.hasList() || c.y != c.x + 1 || c.z != c.x + 2) return false;
+	const PlyType type = e.properties[c.x].type;
+	if (type != PlyType::Float32 && type != PlyType::Float64) return false;
+	return e.properties[c.y].type == type && e.properties[c.z].type == type;
+}
+
 template <class S>
 bool copyVertices(const PlyElement& e, const CoordinateProperties& c, BinarySource& source, S* out)
 {
-	const bool beside = c.y == c.x + 1 && c.z == c.x + 2;
-	if (source.swapped() || e.hasList() || !beside) return false;
-	for (const int i : {c.x, c.y, c.z}) {
-		if (e.properties[i].type != typeOfScalar<S>()) return false;
-	}
+	if (!areBeside(e, c, source) || e.properties[c.x].type != typeOfScalar<S>()) return false;
 	const std::size_t stride = e.smallestRecordBytes();
 	const char*       from   = source.take(std::size_t(e.count) * stride) + offsetOf(e, c.x);
 	if (stride == 3 * sizeof(S)) {
@@ -116,11 +120,16 @@ bool copyVertices(const PlyElement& e, const CoordinateProperties& c, BinarySour
 	return true;
 }
 
-void readVertices(const PlyElement& e, BinarySource& source, InputMesh& mesh)
+void requireVertexNum(const PlyElement& e)
 {
 	if (e.count > std::uint64_t(std::numeric_limits<std::int32_t>::max())) {
 		fail("more than 2147483647 vertices");
 	}
+}
+
+void readVertices(const PlyElement& e, BinarySource& source, InputMesh& mesh)
+{
+	requireVertexNum(e);
 	const CoordinateProperties c = findCoordinates(e);
 	mesh.doublePrecision         = needsDouble(e, c);
 	const auto readInto          = [&](auto& coordinates) {
@@ -229,6 +238,69 @@ void readStrips(const PlyElement& e, BinarySource& source, FaceList& faces)
 	}
 }
 
+// ---- where they lie
+
+/// Looks at the vertices in the file; false where they cannot be used as they are.
+bool lookAtVertices(const PlyElement& e, BinarySource& source, MeshView& mesh)
+{
+	requireVertexNum(e);
+	const CoordinateProperties c = findCoordinates(e);
+	if (!areBeside(e, c, source)) return false;
+	mesh.vertexNum           = std::size_t(e.count);
+	mesh.doublePrecision     = e.properties[c.x].type == PlyType::Float64;
+	mesh.positionStrideBytes = e.smallestRecordBytes();
+	mesh.positions = source.take(mesh.vertexNum * mesh.positionStrideBytes) + offsetOf(e, c.x);
+	return true;
+}
+
+/// The same for faces, all of which must be triangles.
+bool lookAtFaces(const PlyElement& e, BinarySource& source, MeshView& mesh)
+{
+	TriangleRecord record;
+	if (source.swapped() || !findTriangleRecord(e, findIndexList(e), record)) return false;
+	if (e.count > source.bytesLeft() / record.bytes) return false;
+	mesh.faceNum             = std::size_t(e.count);
+	mesh.triangleStrideBytes = record.bytes;
+	const char* const first  = source.take(mesh.faceNum * record.bytes) + record.countAt;
+	mesh.triangles           = first + 1;
+	// Without a branch in the loop: nearly always all are.
+	bool allThree = true;
+	for (std::size_t f = 0; f < mesh.faceNum; ++f)
+		allThree &= first[f * record.bytes] == 3;
+	return allThree;
+}
+
+bool indicesAreInRange(const MeshView& mesh)
+{
+	std::uint32_t largest = 0;
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		for (const std::int32_t v : mesh.triangle(f))
+			largest = std::max(largest, std::uint32_t(v));
+	}
+	return largest < mesh.vertexNum;
+}
+
+/// False where something has to be converted, or is wrong: then the file is read as usual.
+bool lookAtBody(const PlyHeader& header, BinarySource source, MeshView& mesh)
+{
+	const std::size_t num = usefulElementNum(header);
+	for (std::size_t i = 0; i < num; ++i) {
+		const PlyElement& e = header.elements[i];
+		if (e.properties.empty() || e.count == 0) continue;
+		if (e.count > source.recordsLeft(e) || e.name == "tristrips") return false;
+		if (e.name == "vertex") {
+			if (mesh.positions != nullptr || !lookAtVertices(e, source, mesh)) return false;
+		}
+		else if (e.name == "face") {
+			if (mesh.triangles != nullptr || !lookAtFaces(e, source, mesh)) return false;
+		}
+		else {
+			skipElement(e, source);
+		}
+	}
+	return mesh.positions != nullptr && mesh.triangles != nullptr && indicesAreInRange(mesh);
+}
+
 // ---- the whole
 
 void readElement(const PlyElement& e, BinarySource& source, InputMesh& mesh, FaceList& faces)
@@ -269,6 +341,21 @@ InputMesh readPly(std::string_view file)
 	const std::string_view body = file.substr(header.byteNum);
 	if (header.format == PlyFormat::Ascii) return readAsciiPly(header, body);
 	return readBody(header, BinarySource(body, header.format == PlyFormat::LittleEndian));
+}
+
+InputMesh lookAtPly(std::string_view file)
+{
+	const PlyHeader header = readPlyHeader(file);
+	if (header.format == PlyFormat::Ascii) return readPly(file);
+	checkElements(header);
+	const BinarySource source(file.substr(header.byteNum),
+							  header.format == PlyFormat::LittleEndian);
+	InputMesh          mesh;
+	MeshView           inFile;
+	if (!lookAtBody(header, source, inFile)) return readBody(header, source);
+	mesh.inFile          = inFile;
+	mesh.doublePrecision = inFile.doublePrecision;
+	return mesh;
 }
 
 } // namespace gpr::app

@@ -18,6 +18,11 @@ namespace gpr::app {
 /// sizes are checked against the file's length before memory is asked for.
 InputMesh readPly(std::string_view file);
 
+/// The same, but positions and triangles stay where they are if they can be used as they lie in the
+/// file, as those of most scans can: InputMesh::inFile. The file's bytes must outlive the mesh
+/// then.
+InputMesh lookAtPly(std::string_view file);
+
 } // namespace gpr::app
 
 #endif

@@ -79,7 +79,7 @@ void writePly(const MeshView& mesh, bool doublePrecision, const PlyVertexData& d
 		char  record[13] = {3};
 		char* at         = record + 1;
 		for (std::size_t k = 0; k < 3; ++k)
-			put<std::uint32_t>(mesh.triangles[3 * f + k], at);
+			put<std::uint32_t>(mesh.vertexOf(3 * f + k), at);
 		out.bytes(record, sizeof record);
 	}
 }

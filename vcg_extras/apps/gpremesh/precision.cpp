@@ -15,7 +15,7 @@ double meanEdgeLength(const MeshView& mesh)
 	std::size_t num = 0;
 	for (std::size_t i = 0; i < 3 * mesh.faceNum; ++i) {
 		const std::size_t  next = i % 3 == 2 ? i - 2 : i + 1;
-		const std::int32_t a = mesh.triangles[i], b = mesh.triangles[next];
+		const std::int32_t a = mesh.vertexOf(i), b = mesh.vertexOf(next);
 		const double len = length(mesh.position(std::size_t(b)) - mesh.position(std::size_t(a)));
 		if (!std::isfinite(len)) continue;
 		sum += len;

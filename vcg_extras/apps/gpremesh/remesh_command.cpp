@@ -29,10 +29,15 @@ RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* text
 	options.anchorsOfVertices = mesh.attributes.any() || texture != nullptr;
 	options.anchorsOfFaces    = texture != nullptr || mesh.attributes.ofFacesToo();
 	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
-	RemeshResult result = remesh(view, options, [&](double share, const char* phrase) {
-		bar.show(share, phrase);
-		return !stopRequested();
-	});
+	const char*  phraseBefore = nullptr;
+	RemeshResult result       = remesh(view, options, [&](double share, const char* phrase) {
+        // What the engine has copied is no longer looked at, mostly.
+        const bool isNext = phraseBefore != nullptr && phrase != phraseBefore;
+        if (isNext && mesh.isInFile()) mesh.file->giveBackPages();
+        phraseBefore = phrase;
+        bar.show(share, phrase);
+        return !stopRequested();
+    });
 	bar.clear();
 	if (stopRequested()) limit.check();
 	requireMesh(result);
@@ -67,6 +72,7 @@ WantedAttributes wantedBy(const RemeshOptions& options)
 	wanted.selection     = options.featureRegion == FeatureRegion::Selection;
 	wanted.faceSelection = options.selectedOnly;
 	wanted.carried       = true;
+	wanted.mayStayInFile = true;
 	return wanted;
 }
 

@@ -53,7 +53,7 @@ private:
 
 	Point corner(Shared_data mesh, int k) const
 	{
-		return mesh->point(std::size_t(mesh->view.triangles[3 * std::size_t(face_) + k]));
+		return mesh->point(std::size_t(mesh->view.vertexOf(3 * std::size_t(face_) + k)));
 	}
 };
 
@@ -85,7 +85,7 @@ std::vector<char> usedVertices(const MeshView& mesh)
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
 		if (!isUsableFace(mesh, f)) continue;
 		for (int k = 0; k < 3; ++k)
-			used[mesh.triangles[3 * f + k]] = 1;
+			used[mesh.vertexOf(3 * f + k)] = 1;
 	}
 	return used;
 }
@@ -213,9 +213,9 @@ double DistanceTarget::Tree::refinedMax(const MeshView& from, const std::vector<
 	std::vector<Suspect> suspects;
 	for (std::size_t f = 0; f < from.faceNum; ++f) {
 		if (!isUsableFace(from, f)) continue;
-		const std::int32_t* t = from.triangles + 3 * f;
-		const Suspect       s = {{from.position(t[0]), from.position(t[1]), from.position(t[2])},
-								 {ofVertex[t[0]], ofVertex[t[1]], ofVertex[t[2]]}};
+		const auto    t = from.triangle(f);
+		const Suspect s = {{from.position(t[0]), from.position(t[1]), from.position(t[2])},
+						   {ofVertex[t[0]], ofVertex[t[1]], ofVertex[t[2]]}};
 		if (!innocent(s)) suspects.push_back(s);
 	}
 	for (int level = 0; level < levelNum && !suspects.empty(); ++level) {
@@ -235,7 +235,7 @@ DistanceTarget::DistanceTarget(const MeshView& mesh) : tree_(std::make_unique<Tr
 	for (std::size_t f = 0; f < mesh.faceNum; ++f)
 		if (isUsableFace(mesh, f)) tree_->faces.push_back(std::int32_t(f));
 	if (tree_->faces.empty()) return;
-	tree_->mesh.origin = mesh.position(std::size_t(mesh.triangles[3 * tree_->faces.front()]));
+	tree_->mesh.origin = mesh.position(std::size_t(mesh.vertexOf(3 * tree_->faces.front())));
 	const TargetMesh* const shared = &tree_->mesh;
 	tree_->tree.insert(tree_->faces.cbegin(), tree_->faces.cend(), shared);
 	tree_->tree.do_not_accelerate_distance_queries(); // the last answer is the better hint

@@ -20,9 +20,9 @@ void fillPeerMesh(const MeshView& from, Mesh& to)
 	std::vector<std::int32_t> number(from.vertexNum, -1), corners;
 	std::int32_t              used = 0;
 	for (std::size_t f = 0; f < from.faceNum; ++f) {
-		const std::int32_t* t = from.triangles + 3 * f;
+		const auto t = from.triangle(f);
 		if (!isUsableFace(from, f)) continue;
-		corners.insert(corners.end(), t, t + 3);
+		corners.insert(corners.end(), t.begin(), t.end());
 		for (int k = 0; k < 3; ++k)
 			number[t[k]] = 0;
 	}
