@@ -3,6 +3,7 @@
 
 // Counts below what a topology needs: refused, and the smallest possible one named.
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -35,11 +36,34 @@ std::ostream& operator<<(std::ostream& out, const Shape& shape)
 	return out << shape.name;
 }
 
+/// A cube cut open along two edges of one of its own: a border of four vertices in one line.
+TriangleMesh slitCube()
+{
+	TriangleMesh mesh = cube(8);
+	double       most = mesh.positions[0].x;
+	for (const Vec3d& p : mesh.positions)
+		most = std::max(most, p.x);
+	const auto isInside = [&](const Vec3d& p) { return p.x == most && p.y == most && p.z < most; };
+	int        middle   = 0;
+	for (int v = 0; v < int(mesh.vertexNum()); ++v) {
+		const Vec3d &p = mesh.positions[v], &q = mesh.positions[middle];
+		if (isInside(p) && (!isInside(q) || p.z > q.z)) middle = v;
+	}
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		std::int32_t* t        = &mesh.triangles[3 * f];
+		const auto    isAtSide = [&](int v) { return mesh.positions[v].x == most; };
+		if (std::all_of(t, t + 3, isAtSide)) std::replace(t, t + 3, middle, int(mesh.vertexNum()));
+	}
+	mesh.positions.push_back(mesh.positions[middle]);
+	return mesh;
+}
+
 std::vector<Shape> shapes()
 {
 	Random random(1);
 	return {{"sphere", icosphere(3), 4, 6},
 			{"cube", cube(8), 4, 8},
+			{"slitCube", slitCube(), 3, 6},
 			{"torus", torus(40, 20), 7, 14},
 			{"twoSpheres", joined(icosphere(3), shifted(icosphere(2), {3, 0, 0})), 8, 12},
 			{"grid", grid(20, 20), 3, 4},

@@ -3,6 +3,7 @@
 #include "audit.h"
 
 #include "fold_repair.h"
+#include "line_triangle.h"
 
 #include <algorithm>
 #include <array>
@@ -148,12 +149,28 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	return a;
 }
 
-std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& m, Workers& workers)
+std::int64_t lineFaceNum(const HalfEdgeMesh& m, Workers& workers)
 {
 	return workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
 		std::int64_t num = 0;
-		for (std::size_t f = begin; f < end; ++f)
-			num += hasNoArea(m, int(f));
+		for (int f = int(begin); f < int(end); ++f) {
+			const int* v = &m.origin[3 * f];
+			num += isLine(m.position[v[0]], m.position[v[1]], m.position[v[2]], m.faceCross(f));
+		}
+		return num;
+	});
+}
+
+std::int64_t zeroAreaFaceNum(const TriangleMesh& mesh, Workers& workers)
+{
+	return workers.sum<std::int64_t>(mesh.faceNum(), [&](std::size_t begin, std::size_t end) {
+		std::int64_t num = 0;
+		for (std::size_t f = begin; f < end; ++f) {
+			const std::int32_t* t = &mesh.triangles[3 * f];
+			const Vec3d         a = mesh.positions[t[0]];
+			const Vec3d         n = cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
+			num += n.x == 0 && n.y == 0 && n.z == 0; // squares could underflow
+		}
 		return num;
 	});
 }

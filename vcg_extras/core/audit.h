@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_CORE_AUDIT_H
 
 #include "connect.h"
+#include "mesh_view.h"
 #include "report.h"
 #include "result_mesh.h"
 #include "workers.h"
@@ -20,8 +21,10 @@ namespace gpr {
 AuditFigures audit(const Surface& surface, const ResultMesh& result, const MeshFigures& input,
 				   const MeshFigures& output, std::int64_t targetNum, Workers& workers);
 
-/// Faces without area, which fail the audit. Cost: a parallel pass.
-std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& mesh, Workers& workers);
+/// Faces that have no area in the caller's frame, where rounding is another. Cost: a parallel pass.
+std::int64_t zeroAreaFaceNum(const TriangleMesh& mesh, Workers& workers);
+/// Faces whose area, in working units, is nothing but rounding. Cost: a parallel pass.
+std::int64_t lineFaceNum(const HalfEdgeMesh& mesh, Workers& workers);
 
 /// What failed, as one sentence; empty if the audit passed.
 std::string describeFailure(const AuditFigures& figures);

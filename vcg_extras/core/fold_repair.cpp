@@ -3,6 +3,7 @@
 #include "fold_repair.h"
 
 #include "curve_slide.h"
+#include "line_triangle.h"
 #include "mesh_edit.h"
 
 #include <algorithm>
@@ -22,8 +23,6 @@ constexpr float badAgreement = 0.05f;
 constexpr float wantedShape = 0.35f;
 /// Cost of a face without area: more than that of any two others, as no result may have one.
 constexpr float noArea = 8;
-/// Height over the longest edge, in working units, that rounding may make of none.
-constexpr float roundingHeight = 2e-7f;
 /// A change must lower the cost by this.
 constexpr float leastGain = 0.01f;
 
@@ -31,14 +30,6 @@ constexpr float leastGain = 0.01f;
 constexpr int mostCrossings = 256;
 
 constexpr float reaches[] = {0.6f, 0.3f, 0.1f}; ///< of the ideal edge
-
-/// Whether the area of a triangle is nothing but rounding; n is the cross product of its edges.
-bool isLine(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& n)
-{
-	const float longest =
-		std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
-	return !(squaredLength(n) > roundingHeight * roundingHeight * longest);
-}
 
 class FoldMender {
 public:

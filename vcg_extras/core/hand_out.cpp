@@ -53,6 +53,7 @@ public:
 			exportAnchors(p.surface, result, out);
 		if (report_.keptVertexNum > 0) exportKept(result, 1 / p.surface.frame.scale, out);
 		if (options_.anchorsOfFaces) exportFaceAnchors(p.surface, result, out);
+		requireAreas(out.mesh);
 		report_.quality = measureQuality(out.mesh.view(), workers_);
 	}
 
@@ -67,6 +68,14 @@ private:
 		figures.largestDistance *= unit;
 		report_.check = figures;
 		if (!failure.empty()) throw Failure(Status::PromiseBroken, failure);
+	}
+
+	void requireAreas(const TriangleMesh& mesh)
+	{
+		report_.audit.zeroAreaFaces = zeroAreaFaceNum(mesh, workers_);
+		report_.audit.passed        = report_.audit.zeroAreaFaces == 0;
+		if (!report_.audit.passed)
+			throw Failure(Status::PromiseBroken, describeFailure(report_.audit));
 	}
 
 	void noteOperations(const ResultMesh& result)

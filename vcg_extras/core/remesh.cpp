@@ -80,6 +80,8 @@ public:
 				acceptNearest(p, meshed.result.mesh.vertexNum, out);
 			}
 		}
+		if (run_.options.exactCount && p.kept.empty())
+			leaveRoomForAreas(p, meshed, p.targetNum, out);
 		fitResult(run_, p, meshed.boundary, measuresError, meshed.result);
 		if (measuresError) measureError(p, meshed.result);
 		handOut(run_, p, meshed.result, out);
@@ -185,7 +187,7 @@ private:
 		if (run_.report.featureEdgeNum == 0) return "";
 		if (run_.options.exactCount && result.mesh.vertexNum != p.targetNum)
 			return "The number of vertices could not be reached with feature lines";
-		if (zeroAreaFaceNum(result.mesh, run_.workers) > 0)
+		if (lineFaceNum(result.mesh, run_.workers) > 0)
 			return "With feature lines some triangles would have no area";
 		return "";
 	}
@@ -238,6 +240,7 @@ private:
 		if (nearest == asked) return first;
 
 		if (!mayRaise()) {
+			leaveRoomForAreas(p, first, asked, out);
 			out.smallestVertexNum = nearest;
 			throw Failure(Status::CountTooSmall, "The surface cannot be meshed with " +
 													 std::to_string(asked) +
@@ -247,10 +250,53 @@ private:
 		out.notes.push_back("The result has " + std::to_string(nearest) + " vertices instead of " +
 							std::to_string(asked) + ", the smallest number that could be reached.");
 		// Samples of the right spacing, if they lead there, make better triangles.
-		p            = preparation_.prepareAgain(nearest);
-		Meshed again = sampleAndImprove(p);
-		if (again.result.mesh.vertexNum == nearest) return again;
-		return meshByTopology(p, nearest);
+		return meshAnew(nearest, p);
+	}
+
+	/// With very few vertices some triangles may have no way but along a slit or a fold, where they
+	/// have no area. Looks for the next count that does better: takes it where the target was a
+	/// wish, else refuses what was asked and names it. Where there is none the audit withholds the
+	/// result.
+	void leaveRoomForAreas(Prepared& p, Meshed& meshed, std::int64_t asked, RemeshResult& out)
+	{
+		constexpr std::int64_t mostVertices = 64; // beyond, a few more change nothing
+		constexpr int          mostTrials   = 8;
+		const std::int64_t     reached      = p.targetNum;
+		if (reached > mostVertices || lineFaceNum(meshed.result.mesh, run_.workers) == 0) return;
+		std::int64_t n = reached;
+		for (int trial = 0; trial < mostTrials; ++trial) {
+			meshed = meshAnew(n, p); // without feature lines: even the same count may do better
+			if (lineFaceNum(meshed.result.mesh, run_.workers) == 0) {
+				tellRaised(asked, p, out);
+				return;
+			}
+			n += std::max<std::int64_t>(1, n / 4);
+		}
+		meshed = meshAnew(reached, p);
+	}
+
+	Meshed meshAnew(std::int64_t targetNum, Prepared& p)
+	{
+		p          = preparation_.prepareAgain(targetNum);
+		Meshed out = sampleAndImprove(p);
+		if (out.result.mesh.vertexNum == targetNum) return out;
+		return meshByTopology(p, targetNum);
+	}
+
+	void tellRaised(std::int64_t asked, const Prepared& p, RemeshResult& out)
+	{
+		if (p.targetNum == asked) return;
+		const std::string taken = std::to_string(p.targetNum), wanted = std::to_string(asked);
+		if (!mayRaise()) {
+			out.smallestVertexNum = p.targetNum;
+			throw Failure(Status::CountTooSmall,
+						  "With " + wanted +
+							  " vertices some triangles would have no area; the smallest possible "
+							  "number is " +
+							  taken + ".");
+		}
+		out.notes.push_back("The result has " + taken + " vertices instead of " + wanted +
+							", with which some triangles would have no area.");
 	}
 
 	/// Everything before the count is the same for every target, so that the smallest count is.

@@ -31,9 +31,7 @@ double RunLimit::secondsLeft() const
 	return seconds_ > 0 ? std::max(least, seconds_ - clock_.seconds()) : 0;
 }
 
-EndAtOnce::EndAtOnce(const RunLimit& limit) : limit_(limit), thread_([this] { watch(); })
-{
-}
+EndAtOnce::EndAtOnce(const RunLimit& limit) : limit_(limit), thread_([this] { watch(); }) {}
 
 EndAtOnce::~EndAtOnce()
 {
@@ -47,8 +45,8 @@ EndAtOnce::~EndAtOnce()
 
 void EndAtOnce::watch()
 {
-	constexpr std::chrono::milliseconds  period(50);
-	std::unique_lock<std::mutex> lock(mutex_);
+	constexpr std::chrono::milliseconds period(50);
+	std::unique_lock<std::mutex>        lock(mutex_);
 	while (!wake_.wait_for(lock, period, [this] { return isOver_; })) {
 		const char* const sentence = limit_.reason();
 		if (sentence == nullptr) continue;
