@@ -19,6 +19,8 @@ namespace {
 
 /// Times that cells found bad are opened and the rest contracted anew.
 constexpr int mostRounds = 8;
+/// Times that opening cells may spoil others in one round.
+constexpr int mostSpreads = 32;
 
 using Triple = std::array<int, 3>;
 
@@ -185,9 +187,10 @@ private:
 									 });
 	}
 
-	/// Takes the label from vertices whose cell does not lead to the vertex nearest to its sample.
-	/// Vertices of curves keep theirs.
-	void findCutOff(const std::vector<int>& vertices, std::vector<int>& cutOff)
+	/// What visit(cell, found) appends for each of the cells of these vertices, whose vertices it
+	/// is given in ascending order.
+	template <class Visit>
+	std::vector<int> collectByCell(const std::vector<int>& vertices, const Visit& visit) const
 	{
 		std::vector<std::pair<int, int>> inCell; // cell, vertex
 		inCell.reserve(vertices.size());
@@ -199,16 +202,24 @@ private:
 			if (i == 0 || inCell[i].first != inCell[i - 1].first) first.push_back(i);
 		}
 		first.push_back(inCell.size());
-		cutOff = workers_.collect<int>(first.size() - 1,
-									   [&](std::size_t begin, std::size_t end, auto& found) {
-										   std::vector<int> cell;
-										   for (std::size_t c = begin; c < end; ++c) {
-											   cell.clear();
-											   for (std::size_t i = first[c]; i < first[c + 1]; ++i)
-												   cell.push_back(inCell[i].second);
-											   addCutOff(cell, found);
-										   }
-									   });
+		return workers_.collect<int>(first.size() - 1,
+									 [&](std::size_t begin, std::size_t end, auto& found) {
+										 std::vector<int> cell;
+										 for (std::size_t c = begin; c < end; ++c) {
+											 cell.clear();
+											 for (std::size_t i = first[c]; i < first[c + 1]; ++i)
+												 cell.push_back(inCell[i].second);
+											 visit(cell, found);
+										 }
+									 });
+	}
+
+	/// Takes the label from vertices whose cell does not lead to the vertex nearest to its sample.
+	/// Vertices of curves keep theirs.
+	void findCutOff(const std::vector<int>& vertices, std::vector<int>& cutOff)
+	{
+		cutOff = collectByCell(vertices, [&](const std::vector<int>& cell,
+											 std::vector<int>& found) { addCutOff(cell, found); });
 		std::sort(cutOff.begin(), cutOff.end());
 		for (int v : cutOff)
 			label_[v] = -1;
@@ -318,12 +329,14 @@ private:
 		}
 	}
 
-	/// Opens bad cells. False if too many are open then.
+	/// Opens bad cells and those next to them that are spoilt by it. False if too many are open
+	/// then.
 	bool openBadCells()
 	{
-		for (int s = 0; s < sampleNum_; ++s)
-			open_[s] = open_[s] || bad_[s];
-		std::fill(bad_.begin(), bad_.end(), char(0));
+		std::vector<char> fresh;
+		for (int i = 0; i < mostSpreads && openMarked(fresh); ++i)
+			markSpoiltBy(fresh);
+		openMarked(fresh);
 		openVertices_ =
 			workers_.collect<int>(m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
 				for (int v = int(begin); v < int(end); ++v) {
@@ -331,6 +344,81 @@ private:
 				}
 			});
 		return 2 * openCellNum() <= std::int64_t(cellOrder_.size());
+	}
+
+	/// Opens bad cells; fresh receives which. False if there is none that was not open.
+	bool openMarked(std::vector<char>& fresh)
+	{
+		bool any = false;
+		fresh.assign(sampleNum_, 0);
+		for (int s = 0; s < sampleNum_; ++s) {
+			if (!bad_[s]) continue;
+			fresh[s] = !open_[s];
+			any      = any || fresh[s];
+			open_[s] = 1;
+			bad_[s]  = 0;
+		}
+		return any;
+	}
+
+	/// A contracted cell that touches an open vertex in two places is no disk round one vertex any
+	/// more. Found here, at those next to cells just opened, it costs no vain contraction.
+	void markSpoiltBy(const std::vector<char>& fresh)
+	{
+		std::vector<char> isNear(sampleNum_, 0);
+		for (int v : verticesOf(fresh)) {
+			forEachNeighbour(m_, v, [&](int w) {
+				if (!isOpenVertex(w)) isNear[labelOf(w)] = 1;
+			});
+		}
+		const auto spoilt = collectByCell(
+			verticesOf(isNear), [&](const std::vector<int>& cell, std::vector<int>& found) {
+				if (!isFanWhenContracted(cell)) found.push_back(labelOf(cell.front()));
+			});
+		for (int s : spoilt)
+			bad_[s] = 1;
+	}
+
+	/// Whether the faces round a cell make one fan round the vertex it is contracted to.
+	bool isFanWhenContracted(const std::vector<int>& cell) const
+	{
+		const int  own    = labelOf(cell.front());
+		const auto nodeOf = [&](int v) { return isOpenVertex(v) ? sampleNum_ + v : labelOf(v); };
+		std::vector<std::pair<int, int>> link; // edges opposite the vertex
+		for (int v : cell) {
+			forEachOutgoing(m_, v, [&](int h) {
+				const int a = nodeOf(m_.target(h)), b = nodeOf(m_.apex(h));
+				if (a != b && a != own && b != own) link.push_back({a, b});
+			});
+		}
+		return isOneChain(link);
+	}
+
+	/// Whether directed edges make one path, or one cycle of at least three, with no node twice.
+	static bool isOneChain(std::vector<std::pair<int, int>>& edges)
+	{
+		if (edges.empty()) return false;
+		std::sort(edges.begin(), edges.end());
+		std::vector<int> ends;
+		for (std::size_t i = 0; i < edges.size(); ++i) {
+			if (i > 0 && edges[i].first == edges[i - 1].first) return false;
+			ends.push_back(edges[i].second);
+		}
+		std::sort(ends.begin(), ends.end());
+		if (std::adjacent_find(ends.begin(), ends.end()) != ends.end()) return false;
+
+		const auto begin  = std::find_if(edges.begin(), edges.end(), [&](const auto& e) {
+            return !std::binary_search(ends.begin(), ends.end(), e.first);
+        });
+		const bool isPath = begin != edges.end();
+		const int  first  = isPath ? begin->first : edges.front().first;
+		int        node   = first;
+		for (std::size_t steps = 0;; ++steps) {
+			const auto next = std::lower_bound(edges.begin(), edges.end(), std::pair(node, 0));
+			if (next == edges.end() || next->first != node) return isPath && steps == edges.size();
+			node = next->second;
+			if (node == first) return steps + 1 == edges.size() && edges.size() >= 3;
+		}
 	}
 
 	std::int64_t openCellNum() const { return std::count(open_.begin(), open_.end(), char(1)); }

@@ -13,6 +13,9 @@
 #include <ctime>
 #include <fcntl.h>
 #include <fstream>
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 #include <spawn.h>
 #include <sstream>
 #include <sys/mman.h>
@@ -128,6 +131,15 @@ void FileContent::giveBackPages() const
 bool errorIsTerminal()
 {
 	return ::isatty(STDERR_FILENO) == 1;
+}
+
+void keepFreedMemory()
+{
+#if defined(__GLIBC__)
+	// As far as glibc itself goes once such a block has been freed.
+	::mallopt(M_MMAP_THRESHOLD, 32 << 20);
+	::mallopt(M_TRIM_THRESHOLD, 64 << 20);
+#endif
 }
 
 std::int64_t peakMemoryBytes()
