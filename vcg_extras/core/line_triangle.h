@@ -9,8 +9,8 @@
 
 namespace gpr {
 
-/// Whether the area of a triangle, in working units, is nothing but rounding; n is the cross product
-/// of its edges.
+/// Whether the area of a triangle, in working units, is nothing but rounding; n is the cross
+/// product of its edges.
 inline bool isLine(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& n)
 {
 	constexpr float roundingHeight = 2e-7f; // over the longest edge

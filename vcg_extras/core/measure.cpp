@@ -22,6 +22,12 @@ public:
 	{
 		std::iota(parent_.begin(), parent_.end(), 0);
 	}
+	DisjointSets(std::size_t n, Workers& workers) : parent_(n)
+	{
+		workers.forRange(n, [&](std::size_t begin, std::size_t end) {
+			std::iota(parent_.begin() + begin, parent_.begin() + end, int(begin));
+		});
+	}
 
 	int find(int x)
 	{
@@ -281,54 +287,101 @@ QualityFigures measureQuality(const MeshView& mesh, Workers& workers)
 	return q;
 }
 
+namespace {
+
+/// What one pass over the faces finds.
+struct FaceFindings {
+	std::vector<int> border; ///< half-edges
+	double           area = 0;
+
+	FaceFindings& operator+=(const FaceFindings& o)
+	{
+		border.insert(border.end(), o.border.begin(), o.border.end());
+		area += o.area;
+		return *this;
+	}
+};
+
+/// Joins the corners of each face.
+FaceFindings readFaces(const HalfEdgeMesh& m, DisjointSets& sets, Workers& workers)
+{
+	return workers.sum<FaceFindings>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		FaceFindings found;
+		for (int f = int(begin); f < int(end); ++f) {
+			const int* v = &m.origin[3 * f];
+			sets.unite(v[0], v[1]);
+			sets.unite(v[0], v[2]);
+			found.area += 0.5 * double(length(m.faceCross(f)));
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				if (m.opposite[h] < 0) found.border.push_back(h);
+			}
+		}
+		return found;
+	});
+}
+
+/// What one pass over the vertices finds.
+struct VertexFindings {
+	std::int64_t roots = 0;
+	Extent       extent;
+
+	VertexFindings& operator+=(const VertexFindings& o)
+	{
+		roots += o.roots;
+		extent += o.extent;
+		return *this;
+	}
+};
+
+VertexFindings readVertices(const HalfEdgeMesh& m, const DisjointSets& sets, Workers& workers)
+{
+	return workers.sum<VertexFindings>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		VertexFindings found;
+		for (std::size_t v = begin; v < end; ++v) {
+			found.roots += sets.isRoot(int(v));
+			found.extent.add(Vec3d(m.position[v]));
+		}
+		return found;
+	});
+}
+
+/// Each vertex of a border is the origin of one border half-edge.
+std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border)
+{
+	std::vector<int> vertex;
+	for (int h : border)
+		vertex.push_back(m.origin[h]);
+	std::sort(vertex.begin(), vertex.end());
+	const auto indexOf = [&](int v) {
+		return int(std::lower_bound(vertex.begin(), vertex.end(), v) - vertex.begin());
+	};
+	DisjointSets rims(vertex.size());
+	for (int h : border)
+		rims.unite(indexOf(m.origin[h]), indexOf(m.target(h)));
+	std::int64_t loops = 0;
+	for (std::size_t i = 0; i < vertex.size(); ++i)
+		loops += rims.isRoot(int(i));
+	return loops;
+}
+
+} // namespace
+
 MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
 {
+	DisjointSets         sets(m.vertexNum, workers);
+	const FaceFindings   faces    = readFaces(m, sets, workers);
+	const VertexFindings vertices = readVertices(m, sets, workers);
+
 	MeshFigures figures;
-	figures.vertices = m.vertexNum;
-	figures.faces    = m.faceNum;
-	DisjointSets       sets(m.vertexNum), rims(m.vertexNum);
-	const std::int64_t borderEdges =
-		workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-			std::int64_t found = 0;
-			for (int f = int(begin); f < int(end); ++f) {
-				const int* v = &m.origin[3 * f];
-				sets.unite(v[0], v[1]);
-				sets.unite(v[0], v[2]);
-				for (int h = 3 * f; h < 3 * f + 3; ++h) {
-					if (m.opposite[h] >= 0) continue;
-					++found;
-					rims.unite(m.origin[h], m.target(h));
-				}
-			}
-			return found;
-		});
-	figures.components =
-		workers.sum<std::int64_t>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-			std::int64_t roots = 0;
-			for (std::size_t v = begin; v < end; ++v)
-				roots += sets.isRoot(int(v));
-			return roots;
-		});
-	if (borderEdges > 0) {
-		for (int v = 0; v < m.vertexNum; ++v)
-			figures.boundaryLoops += m.isBorderVertex(v) && rims.isRoot(v);
-	}
-	const std::int64_t edges    = (std::int64_t(m.halfEdgeNum()) + borderEdges) / 2;
+	figures.vertices      = m.vertexNum;
+	figures.faces         = m.faceNum;
+	figures.components    = vertices.roots;
+	figures.boundaryLoops = loopNum(m, faces.border);
+	const std::int64_t edges =
+		(std::int64_t(m.halfEdgeNum()) + std::int64_t(faces.border.size())) / 2;
 	figures.eulerCharacteristic = std::int64_t(m.vertexNum) - edges + m.faceNum;
-	figures.area =
-		unit * unit * workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-			double area = 0;
-			for (std::size_t f = begin; f < end; ++f)
-				area += 0.5 * double(length(m.faceCross(int(f))));
-			return area;
-		});
-	const Extent extent = workers.sum<Extent>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		Extent part;
-		for (std::size_t v = begin; v < end; ++v)
-			part.add(Vec3d(m.position[v]));
-		return part;
-	});
-	figures.diagonal    = unit * extent.diagonal();
+	figures.area                = unit * unit * faces.area;
+	figures.diagonal            = unit * vertices.extent.diagonal();
 	return figures;
 }
 
