@@ -77,6 +77,31 @@ TEST_F(MarkCreases, TheConcaveEdgeOfAnLToo)
 	EXPECT_NEAR(markedLength(), 2 * 8 + 6, 1e-6);
 }
 
+/// Rims of a length of 1.9 each, and of smooth surroundings.
+TEST_F(MarkCreases, ShortLoopsMayStayWhereShortLinesMayNot)
+{
+	const TriangleMesh rims = closedCylinder(24, 12, 0.3, 1);
+	surface                 = surfaceOf(rims, workers);
+	const float scale       = float(surface.frame.scale);
+	rules.leastLength       = 3 * scale;
+	rules.leastLoop         = 1.5f * scale;
+	mark(rims);
+	EXPECT_EQ(found.edgeNum, 2 * 24);
+	rules.leastLoop = 2 * scale;
+	mark(rims);
+	EXPECT_EQ(found.edgeNum, 0);
+}
+
+TEST_F(MarkCreases, ShortLinesWithEndsGoWhateverLoopsMay)
+{
+	const TriangleMesh fading = fadingCrease(16, 1.5);
+	mark(fading);
+	ASSERT_GT(found.edgeNum, 0);
+	rules.leastLength = 100 * float(surface.frame.scale);
+	mark(fading);
+	EXPECT_EQ(found.edgeNum, 0);
+}
+
 TEST_F(MarkCreases, TwoThatCross)
 {
 	mark(crossedCreases(20, 0.6));

@@ -151,13 +151,13 @@ private:
 
 	bool looksLikeNoise(const std::vector<int>& sharp) const
 	{
-		const std::unordered_map<int, float> lengthAt = lengthOfComponents(sharp);
-		const float                          least    = clearLength * meanEdge();
-		double                               all = 0, clear = 0;
+		const std::unordered_map<int, Extent> extentAt = extentOfComponents(sharp, false);
+		const float                           least    = clearLength * meanEdge();
+		double                                all = 0, clear = 0;
 		for (int h : sharp) {
 			const float l = edgeLength(m_, h);
 			all += l;
-			if (lengthAt.at(m_.origin[h]) >= least && isClear(h)) clear += l;
+			if (extentAt.at(m_.origin[h]).length >= least && isClear(h)) clear += l;
 		}
 		return clear < clearShare * all;
 	}
@@ -190,36 +190,58 @@ private:
 		return float(sum / double(num));
 	}
 
-	/// For every vertex of the edges, all marked: the length of what is linked to it.
-	std::unordered_map<int, float> lengthOfComponents(const std::vector<int>& edges) const
+	/// What is linked to a vertex of a line.
+	struct Extent {
+		float length = -1;
+		float clear  = 0; ///< of it
+		int   endNum = 0; ///< free ends
+	};
+
+	/// For every vertex of the edges, all marked. What is clear is only measured where asked for.
+	std::unordered_map<int, Extent> extentOfComponents(const std::vector<int>& edges,
+													   bool                    measuresClear) const
 	{
-		std::unordered_map<int, float> lengthAt;
-		std::vector<int>               stack, component;
+		std::unordered_map<int, Extent> extentAt;
+		std::vector<int>                component;
 		for (int h : edges)
-			lengthAt[m_.origin[h]] = lengthAt[m_.target(h)] = -1;
+			extentAt[m_.origin[h]] = extentAt[m_.target(h)] = Extent();
 		for (int start : edges) {
-			if (lengthAt[m_.origin[start]] >= 0) continue;
-			double sum = 0;
+			if (extentAt[m_.origin[start]].length >= 0) continue;
 			component.clear();
-			stack.assign(1, m_.origin[start]);
-			lengthAt[m_.origin[start]] = 0;
-			while (!stack.empty()) {
-				const int v = stack.back();
-				stack.pop_back();
-				component.push_back(v);
-				forEachOutgoing(m_, v, [&](int h) {
-					if (!m_.isCreaseEdge(h)) return;
-					sum += 0.5 * double(edgeLength(m_, h)); // seen from both ends
-					float& seen = lengthAt[m_.target(h)];
-					if (seen >= 0) return;
-					seen = 0;
-					stack.push_back(m_.target(h));
-				});
-			}
+			const Extent all = extentFrom(m_.origin[start], measuresClear, extentAt, component);
 			for (int v : component)
-				lengthAt[v] = float(sum);
+				extentAt[v] = all;
 		}
-		return lengthAt;
+		return extentAt;
+	}
+
+	/// Collects what is linked to v, and marks it as seen by a length.
+	Extent extentFrom(int v, bool measuresClear, std::unordered_map<int, Extent>& seen,
+					  std::vector<int>& component) const
+	{
+		double           length = 0, clear = 0;
+		Extent           all;
+		std::vector<int> stack = {v};
+		seen[v].length         = 0;
+		while (!stack.empty()) {
+			v = stack.back();
+			stack.pop_back();
+			component.push_back(v);
+			all.endNum += isFreeEnd(v);
+			forEachOutgoing(m_, v, [&](int h) {
+				if (!m_.isCreaseEdge(h)) return;
+				const double half = 0.5 * double(edgeLength(m_, h)); // seen from both ends
+				length += half;
+				if (measuresClear && isClear(h)) clear += half;
+				Extent& next = seen[m_.target(h)];
+				if (next.length >= 0) return;
+				next.length = 0;
+				stack.push_back(m_.target(h));
+			});
+		}
+		all.length = float(length);
+		all.clear  = float(clear);
+		return all;
 	}
 
 	// ---- growing
@@ -274,8 +296,8 @@ private:
 
 	void dropShortOnes()
 	{
-		const std::unordered_map<int, float> lengthAt = lengthOfComponents(edges_);
-		keepOnly([&](int h) { return lengthAt.at(m_.origin[h]) >= rules_.leastLength; });
+		const std::unordered_map<int, Extent> extentAt = extentOfComponents(edges_, true);
+		keepOnly([&](int h) { return isLongEnough(extentAt.at(m_.origin[h])); });
 		std::vector<int> twigs;
 		for (int h : edges_) {
 			for (int e : {h, m_.opposite[h]}) {
@@ -284,6 +306,13 @@ private:
 		}
 		std::sort(twigs.begin(), twigs.end());
 		keepOnly([&](int h) { return !std::binary_search(twigs.begin(), twigs.end(), h); });
+	}
+
+	bool isLongEnough(const Extent& line) const
+	{
+		if (line.length >= rules_.leastLength) return true;
+		return line.length >= rules_.leastLoop && line.endNum == 0 &&
+			   line.clear >= clearShare * line.length;
 	}
 
 	template <class Keep>

@@ -6,6 +6,7 @@
 #include "connect.h"
 #include "options.h"
 
+#include <limits>
 #include <vector>
 
 namespace gpr {
@@ -17,6 +18,9 @@ struct CreaseRules {
 	float       weakDeg     = 20; ///< and goes on, from its ends, down to this
 	float       leastLength = 0;  ///< connected lines shorter than this in all are dropped
 	float       leastTwig   = 0;  ///< so are pieces with a free end
+	/// Lines without an end that are clear of noise, like the rims of holes, stay from this length
+	/// on, be it below leastLength.
+	float leastLoop = std::numeric_limits<float>::infinity();
 };
 
 /// What was found.

@@ -4,6 +4,7 @@
 
 #include "angle_mending.h"
 #include "conformal_relaxation.h"
+#include "crease_sides.h"
 #include "curve_slide.h"
 #include "delaunay_flips.h"
 #include "fit.h"
@@ -54,6 +55,7 @@ public:
 			raiseWorstAngles(p.surface, isFull ? poorAngleFullDeg : poorAngleDeg, result, workers_);
 		}
 		mendFolds(p.surface, boundary, false, result, workers_);
+		alignFacesAtCreases(p.surface, boundary, result, workers_);
 	}
 
 	/// What regularity asks for to the last; the paper's post-processing stays as it is written.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_mover.h"
 
+#include "crease_sides.h"
 #include "curve_slide.h"
 #include "face_tree.h"
 #include "fold_repair.h"
@@ -73,6 +74,9 @@ void PatchMover::addFace(int f, Quality& sum) const
 	const float lack = std::max(0.0f, 1 - smallestAngle(m_, f) / (margin * angle_));
 	sum.cost += worstFirst_ ? lack * lack * lack * lack : lack * lack;
 	sum.agreement = std::min(sum.agreement, faceAgreement(m_, normal_, f));
+	if (!m_.hasCreases()) return;
+	for (int h = 3 * f; h < 3 * f + 3; ++h)
+		sum.agreement = std::min(sum.agreement, creaseAgreement(surface_, curves_, r_, h));
 }
 
 PatchMover::Quality PatchMover::ringQuality(int v) const

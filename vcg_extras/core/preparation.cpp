@@ -28,6 +28,8 @@ namespace {
 
 /// Connected feature lines shorter than this in all are dropped; in ideal edges.
 constexpr float leastLineLength = 3;
+/// But for the rims of holes, and other clear loops, down to this.
+constexpr float leastLoopLength = 1.5f;
 /// Share of the vertices that lines given by the caller may take, with borders and feature lines.
 constexpr double mostOnGivenLines = 0.5;
 /// Longest edge where at most this share of the faces has one beyond longestEdgeInRadii. Single
@@ -105,12 +107,14 @@ void Preparation::findFeatureLines(Prepared& p)
 	rules.strongDeg   = float(options_.featureAngleDeg);
 	rules.weakDeg     = 0.5f * rules.strongDeg;
 	rules.leastLength = leastLineLength * idealEdge(p);
+	rules.leastLoop   = leastLoopLength * idealEdge(p);
 	rules.leastTwig   = idealEdge(p);
 
 	CreaseFindings found = markCreases(rules, workers_, p.surface);
 	while (found.edgeNum > 0 && tooManySamples(p)) {
 		forgetFeatureLines(p);
 		rules.leastLength *= 2;
+		rules.leastLoop *= 2;
 		found = markCreases(rules, workers_, p.surface);
 	}
 	p.tips                 = found.tips;

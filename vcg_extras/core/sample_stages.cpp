@@ -3,6 +3,7 @@
 #include "sample_stages.h"
 
 #include "border_edge_sampling.h"
+#include "crease_sides.h"
 #include "fold_repair.h"
 #include "fuse_samples.h"
 #include "hole_retriangulation.h"
@@ -70,6 +71,7 @@ ResultMesh SampleStages::sampleAndRetriangulate(const Prepared& p, BoundaryCurve
 	clock_.enter("flips", "Flipping edges", 0.83);
 	flipEdges(run_, result);
 	mendFolds(p.surface, boundary, true, result, workers_);
+	alignFacesAtCreases(p.surface, boundary, result, workers_);
 	return result;
 }
 
