@@ -345,13 +345,17 @@ VertexFindings readVertices(const HalfEdgeMesh& m, const DisjointSets& sets, Wor
 	});
 }
 
-/// Each vertex of a border is the origin of one border half-edge.
+/// Each vertex of a border is the origin of one border half-edge; of a broken mesh, which the audit
+/// has yet to find out, even that is not taken for granted.
 std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border)
 {
 	std::vector<int> vertex;
-	for (int h : border)
+	for (int h : border) {
 		vertex.push_back(m.origin[h]);
+		vertex.push_back(m.target(h));
+	}
 	std::sort(vertex.begin(), vertex.end());
+	vertex.erase(std::unique(vertex.begin(), vertex.end()), vertex.end());
 	const auto indexOf = [&](int v) {
 		return int(std::lower_bound(vertex.begin(), vertex.end(), v) - vertex.begin());
 	};
