@@ -503,10 +503,10 @@ std::pair<int, int> endsOf(const Curve& c)
 	return std::minmax({c.vertex.front(), c.vertex.back()});
 }
 
-ChainEnds countChainEnds(const std::vector<Curve>& creases)
+ChainEnds countChainEnds(const std::vector<Curve>& curves)
 {
 	ChainEnds number;
-	for (const Curve& c : creases) {
+	for (const Curve& c : curves) {
 		if (!c.isClosed) ++number[endsOf(c)];
 	}
 	return number;
@@ -521,16 +521,22 @@ int leastPieces(const Curve& c, const ChainEnds& chainEnds)
 
 } // namespace
 
+std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh)
+{
+	std::vector<Curve> curves  = traceBorder(mesh);
+	std::vector<Curve> creases = traceCreases(mesh);
+	std::move(creases.begin(), creases.end(), std::back_inserter(curves));
+	return curves;
+}
+
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
 							  const std::vector<int>& tips, const std::vector<int>& kept,
 							  BoundaryMode border)
 {
 	const HalfEdgeMesh& m = surface.mesh;
 	BoundaryCurves      result;
-	result.curves                = traceBorder(m);
-	std::vector<Curve> creases   = traceCreases(m);
-	const ChainEnds    chainEnds = countChainEnds(creases);
-	std::move(creases.begin(), creases.end(), std::back_inserter(result.curves));
+	result.curves             = traceCurves(m);
+	const ChainEnds chainEnds = countChainEnds(result.curves);
 
 	for (Curve& c : result.curves)
 		addSizes(surface, c);

@@ -35,6 +35,9 @@ struct BoundaryCurves {
 	std::vector<std::vector<int>> sampleOfPoint;
 };
 
+/// The loops of the border, then the feature lines (mesh.crease), cut into chains between nodes.
+std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh);
+
 /// Stage 5: samples border and feature lines (surface.mesh.crease) before anything else, so that
 /// they keep their shape and triangles are as regular there as inside. Feature lines are cut into
 /// chains between nodes, the vertices where other than two of their edges meet or the border is

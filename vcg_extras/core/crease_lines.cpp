@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crease_lines.h"
 
+#include "close_lines.h"
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -44,7 +46,7 @@ float edgeLength(const HalfEdgeMesh& m, int h)
 class CreaseGraph {
 public:
 	CreaseGraph(Surface& surface, const CreaseRules& rules, Workers& workers) :
-			m_(surface.mesh), rules_(rules), workers_(workers)
+			surface_(surface), m_(surface.mesh), rules_(rules), workers_(workers)
 	{
 	}
 
@@ -61,6 +63,7 @@ public:
 			}
 			growFromEnds(sharp);
 			dropShortOnes();
+			if (rules_.mode == FeatureMode::Auto && rules_.leastGap > 0) dropCloseOnes();
 		}
 		found.edgeNum = std::int64_t(edges_.size());
 		if (edges_.empty()) m_.crease.release();
@@ -69,6 +72,7 @@ public:
 	}
 
 private:
+	const Surface&     surface_;
 	HalfEdgeMesh&      m_;
 	const CreaseRules& rules_;
 	Workers&           workers_;
@@ -305,7 +309,21 @@ private:
 			}
 		}
 		std::sort(twigs.begin(), twigs.end());
-		keepOnly([&](int h) { return !std::binary_search(twigs.begin(), twigs.end(), h); });
+		drop(twigs);
+	}
+
+	void dropCloseOnes()
+	{
+		const std::vector<int> close = findCloseLines(surface_, rules_.leastGap, workers_);
+		if (close.empty()) return;
+		drop(close);
+		dropShortOnes();
+	}
+
+	/// The edges named, ascending.
+	void drop(const std::vector<int>& edges)
+	{
+		keepOnly([&](int h) { return !std::binary_search(edges.begin(), edges.end(), h); });
 	}
 
 	bool isLongEnough(const Extent& line) const

@@ -30,6 +30,10 @@ namespace {
 constexpr float leastLineLength = 3;
 /// But for the rims of holes, and other clear loops, down to this.
 constexpr float leastLoopLength = 1.5f;
+/// Of two feature lines nearer to each other than this the weaker is dropped; in ideal edges. The
+/// second where lines and borders take more than this share of the vertices.
+constexpr float  leastLineGap = 0.15f, leastCrowdedGap = 0.3f;
+constexpr double mostOnCurves = 0.5;
 /// Share of the vertices that lines given by the caller may take, with borders and feature lines.
 constexpr double mostOnGivenLines = 0.5;
 /// Longest edge where at most this share of the faces has one beyond longestEdgeInRadii. Single
@@ -109,9 +113,15 @@ void Preparation::findFeatureLines(Prepared& p)
 	rules.leastLength = leastLineLength * idealEdge(p);
 	rules.leastLoop   = leastLoopLength * idealEdge(p);
 	rules.leastTwig   = idealEdge(p);
+	rules.leastGap    = leastLineGap * idealEdge(p);
 
 	CreaseFindings found = markCreases(rules, workers_, p.surface);
-	while (found.edgeNum > 0 && tooManySamples(p)) {
+	if (found.edgeNum > 0 && shareOnCurves(p) > mostOnCurves) {
+		forgetFeatureLines(p);
+		rules.leastGap = leastCrowdedGap * idealEdge(p);
+		found          = markCreases(rules, workers_, p.surface);
+	}
+	while (found.edgeNum > 0 && shareOnCurves(p) > 1) {
 		forgetFeatureLines(p);
 		rules.leastLength *= 2;
 		rules.leastLoop *= 2;
@@ -138,8 +148,7 @@ void Preparation::followGivenLines(Prepared& p)
 	std::copy(m.crease.begin(), m.crease.end(), before.begin());
 	const std::int64_t added = markGivenLines(input_, workers_, p.surface);
 	if (added == 0) return;
-	const double onCurves = double(sampleCurves(p, p.radius, options_.boundary).samples.size());
-	if (onCurves <= mostOnGivenLines * double(p.targetNum)) {
+	if (shareOnCurves(p) <= mostOnGivenLines) {
 		report_.featureEdgeNum += added;
 		return;
 	}
@@ -238,9 +247,10 @@ void Preparation::keepBorder(Prepared& p)
 	p.kept = std::move(all);
 }
 
-bool Preparation::tooManySamples(const Prepared& p)
+double Preparation::shareOnCurves(const Prepared& p)
 {
-	return sampleCurves(p, p.radius, options_.boundary).samples.size() > std::size_t(p.targetNum);
+	const BoundaryCurves curves = sampleCurves(p, p.radius, options_.boundary);
+	return double(curves.samples.size()) / double(p.targetNum);
 }
 
 void Preparation::connectOrRepair(IndexedMesh& mesh, Surface& surface)

@@ -28,7 +28,8 @@ public:
 	Prepared prepare(std::int64_t fixedTarget);
 	Prepared prepareAgain(std::int64_t targetNum);
 	/// Marks the feature lines; from here on the surface does not change any more. Where there are
-	/// more of them than the wanted vertices can follow, the shorter ones are left out. The
+	/// more of them than the wanted vertices can follow, the shorter ones are left out, and where
+	/// one runs close beside another the weaker one. The
 	/// caller's own lines are added where they leave enough vertices to the surface between them.
 	void findFeatureLines(Prepared& p);
 	void forgetFeatureLines(Prepared& p);
@@ -43,7 +44,8 @@ private:
 	void                refine(Prepared& p, float longest);
 	void                findFeatureRegion(Prepared& p);
 	void                keepBorder(Prepared& p);
-	bool                tooManySamples(const Prepared& p);
+	/// Of the wanted vertices, that borders and feature lines take.
+	double              shareOnCurves(const Prepared& p);
 	void                connectOrRepair(IndexedMesh& mesh, Surface& surface);
 	void                dropFlatPieces(Surface& surface);
 	IndexedMesh         loadCleaned();

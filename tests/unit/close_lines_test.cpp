@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <gtest/gtest.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/core/close_lines.h>
+#include <vcg_extras/core/crease_lines.h>
+
+namespace gpr::test {
+
+namespace {
+
+class CloseLines : public ::testing::Test {
+protected:
+	Workers workers{2, nullptr};
+	Surface surface;
+
+	Vec3d place(int v) const { return surface.frame.toCaller(surface.mesh.position[v]); }
+
+	/// Marks the edges both of whose ends are on a line.
+	template <class IsOn>
+	void markWhere(const IsOn& isOn)
+	{
+		HalfEdgeMesh& m = surface.mesh;
+		if (m.crease.empty()) {
+			m.crease.reset(m.halfEdgeNum());
+			m.crease.fill(0);
+		}
+		for (int h = 0; h < m.halfEdgeNum(); ++h) {
+			const bool isInside = m.opposite[h] >= 0;
+			if (isInside && isOn(place(m.origin[h])) && isOn(place(m.target(h)))) m.crease[h] = 1;
+		}
+	}
+
+	std::vector<int> find(double gap)
+	{
+		return findCloseLines(surface, float(gap * surface.frame.scale), workers);
+	}
+
+	double lengthOf(const std::vector<int>& edges) const
+	{
+		double sum = 0;
+		for (int h : edges)
+			sum += length(place(surface.mesh.target(h)) - place(surface.mesh.origin[h]));
+		return sum;
+	}
+};
+
+bool isNear(double a, double b)
+{
+	return std::abs(a - b) < 1e-6;
+}
+
+/// Between the lower and the upper border of a square of side 1.
+bool isInside(const Vec3d& p)
+{
+	return p.y > 0.09 && p.y < 0.91;
+}
+
+/// Of the two outlines one goes; and the four short edges with it, as nothing follows them.
+TEST_F(CloseLines, OneOutlineOfAThinPlateStays)
+{
+	CreaseRules rules;
+	surface         = surfaceOf(thinPlate(20, 0.005), workers);
+	rules.leastGap  = float(0.02 * surface.frame.scale);
+	rules.leastTwig = float(0.1 * surface.frame.scale);
+	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 4 * 20);
+	double lowest = HUGE_VAL, highest = -HUGE_VAL;
+	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
+		if (!surface.mesh.isCreaseVertex(v)) continue;
+		lowest  = std::min(lowest, place(v).z);
+		highest = std::max(highest, place(v).z);
+	}
+	EXPECT_TRUE(isNear(lowest, highest)) << "on one side all round";
+}
+
+TEST_F(CloseLines, BothStayWhereTheyAreFarEnoughApart)
+{
+	CreaseRules rules;
+	surface = surfaceOf(thinPlate(20, 0.05), workers);
+	ASSERT_EQ(markCreases(rules, workers, surface).edgeNum, 8 * 20 + 4);
+	EXPECT_TRUE(find(0.04).empty());
+	EXPECT_FALSE(find(0.06).empty());
+}
+
+/// Who takes sharp edges as they are gets them all.
+TEST_F(CloseLines, AllStayWhereTheyAreAskedFor)
+{
+	CreaseRules rules;
+	surface        = surfaceOf(thinPlate(20, 0.005), workers);
+	rules.mode     = FeatureMode::Lines;
+	rules.leastGap = float(0.02 * surface.frame.scale);
+	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 8 * 20 + 4);
+}
+
+TEST_F(CloseLines, BesideABorderTwiceAsFar)
+{
+	surface = surfaceOf(grid(20, 20), workers);
+	markWhere([](const Vec3d& p) { return isNear(p.x, 0.05) && isInside(p); });
+	EXPECT_TRUE(find(0.02).empty());
+	EXPECT_NEAR(lengthOf(find(0.03)), 0.8, 1e-6);
+}
+
+TEST_F(CloseLines, WhereTheyMeetTheyAreNotClose)
+{
+	surface = surfaceOf(grid(20, 20), workers);
+	markWhere([](const Vec3d& p) { return isNear(p.y, 0.5); });
+	markWhere([](const Vec3d& p) { return isNear(p.x, p.y) || isNear(p.x, 1 - p.y); });
+	EXPECT_TRUE(find(0.04).empty()) << "half a cell from the middle they are 0.025 apart";
+}
+
+/// Two parallel lines half as long as each other: the longer one stays, and so does what of the
+/// other is not beside it.
+TEST_F(CloseLines, OnlyTheStretchBesideGoes)
+{
+	surface = surfaceOf(grid(20, 20), workers);
+	markWhere([](const Vec3d& p) { return isNear(p.x, 0.5) && isInside(p); });
+	markWhere([](const Vec3d& p) { return isNear(p.x, 0.55) && isInside(p) && p.y < 0.51; });
+	const std::vector<int> close = find(0.06);
+	EXPECT_NEAR(lengthOf(close), 0.4, 1e-6);
+	for (int h : close)
+		EXPECT_NEAR(place(surface.mesh.origin[h]).x, 0.55, 1e-6);
+}
+
+} // namespace
+
+} // namespace gpr::test
