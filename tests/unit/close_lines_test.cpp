@@ -58,38 +58,44 @@ bool isInside(const Vec3d& p)
 	return p.y > 0.09 && p.y < 0.91;
 }
 
-/// Of the two outlines one goes; and the four short edges with it, as nothing follows them.
-TEST_F(CloseLines, OneOutlineOfAThinPlateStays)
+/// Two floors of a square of side 1, joined by a step at x = 0.5.
+TriangleMesh stepped(double height)
 {
-	CreaseRules rules;
-	surface         = surfaceOf(thinPlate(20, 0.005), workers);
-	rules.leastGap  = float(0.02 * surface.frame.scale);
-	rules.leastTwig = float(0.1 * surface.frame.scale);
-	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 4 * 20);
-	double lowest = HUGE_VAL, highest = -HUGE_VAL;
-	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
-		if (!surface.mesh.isCreaseVertex(v)) continue;
-		lowest  = std::min(lowest, place(v).z);
-		highest = std::max(highest, place(v).z);
+	TriangleMesh mesh = grid(21, 20, 1.05, 1);
+	for (Vec3d& p : mesh.positions) {
+		if (p.x < 0.51) continue;
+		p.x -= 0.05;
+		p.z = height;
 	}
-	EXPECT_TRUE(isNear(lowest, highest)) << "on one side all round";
+	return mesh;
 }
 
-TEST_F(CloseLines, BothStayWhereTheyAreFarEnoughApart)
+TEST_F(CloseLines, OneLineOfALowStepStays)
 {
 	CreaseRules rules;
-	surface = surfaceOf(thinPlate(20, 0.05), workers);
-	ASSERT_EQ(markCreases(rules, workers, surface).edgeNum, 8 * 20 + 4);
-	EXPECT_TRUE(find(0.04).empty());
-	EXPECT_FALSE(find(0.06).empty());
+	surface        = surfaceOf(stepped(0.005), workers);
+	rules.leastGap = float(0.01 * surface.frame.scale);
+	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 20);
+	rules.leastGap = float(0.004 * surface.frame.scale);
+	surface        = surfaceOf(stepped(0.005), workers);
+	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 2 * 20) << "far enough apart";
 }
 
 /// Who takes sharp edges as they are gets them all.
 TEST_F(CloseLines, AllStayWhereTheyAreAskedFor)
 {
 	CreaseRules rules;
-	surface        = surfaceOf(thinPlate(20, 0.005), workers);
+	surface        = surfaceOf(stepped(0.005), workers);
 	rules.mode     = FeatureMode::Lines;
+	rules.leastGap = float(0.01 * surface.frame.scale);
+	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 2 * 20);
+}
+
+/// Nothing else would hold its two sides apart.
+TEST_F(CloseLines, BothOutlinesOfAThinPlateStay)
+{
+	CreaseRules rules;
+	surface        = surfaceOf(thinPlate(20, 0.005), workers);
 	rules.leastGap = float(0.02 * surface.frame.scale);
 	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 8 * 20 + 4);
 }

@@ -12,7 +12,9 @@
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/angle_mending.h>
 #include <vcg_extras/core/crossing_faces.h>
+#include <vcg_extras/core/crossing_mending.h>
 #include <vcg_extras/core/patch_remeshing.h>
+#include <vcg_extras/core/poor_faces.h>
 
 namespace gpr::test {
 
@@ -97,12 +99,49 @@ TEST(RemeshPoorPatches, LeavesPinnedVerticesAndAKeptBorder)
 	on.expectSound();
 }
 
+/// The last row of a square turned under: nothing of its width can be a triangle's.
+TEST(RemeshPoorPatches, GiveUpALipOfTheBorder)
+{
+	TriangleMesh mesh = grid(16, 17, 1, 17.0 / 16);
+	for (Vec3d& p : mesh.positions) {
+		if (p.y > 1.01) p = {p.x, 1 - 0.01, -0.004};
+	}
+	OnSurface  on(mesh);
+	const auto poorNum = [&] { return findPoorFaces(on.m(), 0.5f, on.workers).size(); };
+	ASSERT_GE(poorNum(), 32u);
+	EXPECT_TRUE(remeshPatches(on, on.workers, 0));
+	EXPECT_LE(poorNum(), 6u) << "at the two corners, which stay";
+	on.expectSound();
+}
+
 TEST(RemeshPoorPatches, DoesNotDependOnThreads)
 {
 	TriangleMesh ribbon = grid(4, 1, 1, 0.06);
 	expectSameForAnyThreads(ribbon, [](OnSurface& on, Workers& workers) {
 		EXPECT_TRUE(remeshPatches(on, workers, 0));
 	});
+}
+
+/// Two sheets, and vertices of the lower one pulled through the upper one.
+TEST(MendCrossings, TakesFacesApart)
+{
+	OnSurface     on(joined(grid(12, 12), shifted(grid(12, 12), {0.013, 0.021, 0.03})));
+	HalfEdgeMesh& m    = on.m();
+	const float   up   = float(0.04 * on.surface.frame.scale);
+	int           seen = 0;
+	for (int v = 0; v < m.vertexNum && seen < 4; v += 31) {
+		if (m.isBorderVertex(v) || on.surface.frame.toCaller(m.position[v]).z > 0.01) continue;
+		m.position[v].z += up;
+		++seen;
+	}
+	ASSERT_EQ(seen, 4);
+	std::vector<int> all(std::size_t(m.faceNum));
+	std::iota(all.begin(), all.end(), 0);
+	ASSERT_FALSE(findCrossingFaces(m, on.workers).empty());
+	const Cells cells(on.surface, on.result, on.workers);
+	mendCrossings(on.surface, on.boundary, 32, all, cells, on.result, on.workers);
+	EXPECT_TRUE(findCrossingFaces(m, on.workers).empty());
+	on.expectSound();
 }
 
 TEST(PatchBackup, TakesFlipsSplitsAndCollapsesBack)
@@ -144,16 +183,17 @@ TEST(CountCrossingPairs, AgreesWithTheSearchOverAllFaces)
 	const HalfEdgeMesh     m     = halfEdgesOf(sheets);
 	const std::vector<int> found = findCrossingFaces(m, workers);
 	ASSERT_FALSE(found.empty());
-	for (int f = 0; f < m.faceNum; ++f) {
-		const bool crosses = std::binary_search(found.begin(), found.end(), f);
-		EXPECT_EQ(countCrossingPairs(m, {f}) > 0, crosses) << f;
-	}
 	std::vector<int> all(std::size_t(m.faceNum));
 	std::iota(all.begin(), all.end(), 0);
+	for (int f = 0; f < m.faceNum; ++f) {
+		const bool crosses = std::binary_search(found.begin(), found.end(), f);
+		EXPECT_EQ(countCrossingPairs(m, {f}, all) > 0, crosses) << f;
+		EXPECT_EQ(countCrossingPairs(m, {f}, facesNear(m, {f}, 0)) > 0, crosses) << f;
+	}
 	int sum = 0;
 	for (int f : found)
-		sum += countCrossingPairs(m, {f});
-	EXPECT_EQ(2 * countCrossingPairs(m, all), sum) << "each pair is counted once";
+		sum += countCrossingPairs(m, {f}, all);
+	EXPECT_EQ(2 * countCrossingPairs(m, all, {}), sum) << "each pair is counted once";
 }
 
 } // namespace gpr::test

@@ -22,6 +22,8 @@ constexpr float leaveRatio = 1.6f;
 constexpr float leastSlope = 0.1f;
 /// Beside a border so many times the gap is too near: it shows where the dropped line was.
 constexpr float borderRatio = 2;
+/// Of the normals on both sides of a thin sheet.
+constexpr float mostSheetCosine = -0.5f;
 /// Faces that a way crosses at most.
 constexpr int mostCrossings = 500;
 
@@ -158,11 +160,22 @@ private:
 		bool        met   = false;
 		traceRay(m_, h, {0, 1}, reach, mostCrossings, [&](int exit, float at) {
 			if (met || !m_.isCurveEdge(exit)) return;
-			met           = true;
-			const int  to = segmentAt(exit);
+			met = true;
+			if (isSheetBetween(h, exit)) return;
+			const int  to       = segmentAt(exit);
 			const bool atBorder = isBorder(curve_[segment]) || isBorder(curve_[to]);
 			out.push_back({segment, to, atBorder ? at / borderRatio : at});
 		});
+	}
+
+	/// Whether the faces beyond two lines look away from each other: only the lines hold the two
+	/// sides of so thin a sheet apart.
+	bool isSheetBetween(int h, int exit) const
+	{
+		const int f = m_.opposite[h], g = m_.opposite[exit];
+		if (f < 0 || g < 0) return false;
+		const Vec3f a = m_.faceCross(f / 3), b = m_.faceCross(g / 3);
+		return dot(a, b) < mostSheetCosine * length(a) * length(b);
 	}
 
 	// ---- strength
@@ -212,8 +225,8 @@ private:
 		const std::vector<int>  ends = {v.front(), v.back()};
 		for (int k : {0, 1}) {
 			if (!isKept_[k == 0 ? first_[c] : first_[c + 1] - 1]) continue;
-			for (auto n = nodes_.lower_bound({ends[k], 0}); n != nodes_.end() && n->first == ends[k];
-				 ++n) {
+			for (auto n = nodes_.lower_bound({ends[k], 0});
+				 n != nodes_.end() && n->first == ends[k]; ++n) {
 				if (!isBorder(n->second)) joining_.push({strength(n->second), -n->second});
 			}
 		}
@@ -266,8 +279,8 @@ private:
 
 	float arcBetween(const Crossing& x) const
 	{
-		const Curve& c   = curves_[curve_[x.from]];
-		const int    i   = x.from - first_[curve_[x.from]], k = x.to - first_[curve_[x.from]];
+		const Curve& c = curves_[curve_[x.from]];
+		const int    i = x.from - first_[curve_[x.from]], k = x.to - first_[curve_[x.from]];
 		const float  arc = std::abs(c.arc[i] - c.arc[k]);
 		return c.isClosed ? std::min(arc, c.length - arc) : arc;
 	}

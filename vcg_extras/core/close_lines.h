@@ -17,7 +17,8 @@ namespace gpr {
 ///
 /// Straight ways across the surface, square to the lines, tell how near they are. Borders stay; of
 /// two chains the stronger one does, by length times the angle of the faces, or the one that goes
-/// on from a chain that stays. Beside a border twice the gap is too near. Lines that meet at more
+/// on from a chain that stays. Beside a border twice the gap is too near. Both
+/// outlines of a thin sheet stay, which only they hold apart. Lines that meet at more
 /// than a small angle are not near each other where they meet. A stretch that is too near reaches
 /// on as long as the other line does not leave. Needs: connected. Cost: the faces crossed, some for
 /// each edge of a line.

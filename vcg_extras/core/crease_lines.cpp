@@ -63,11 +63,11 @@ public:
 			}
 			growFromEnds(sharp);
 			dropShortOnes();
-			if (rules_.mode == FeatureMode::Auto && rules_.leastGap > 0) dropCloseOnes();
 		}
+		found.tips = findTips(); // corners of lines that are dropped for others are none
+		if (rules_.mode == FeatureMode::Auto && rules_.leastGap > 0) dropCloseOnes();
 		found.edgeNum = std::int64_t(edges_.size());
 		if (edges_.empty()) m_.crease.release();
-		found.tips = findTips();
 		return found;
 	}
 

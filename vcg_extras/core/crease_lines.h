@@ -22,6 +22,7 @@ struct CreaseRules {
 	/// on, be it below leastLength.
 	float leastLoop = std::numeric_limits<float>::infinity();
 	float       leastGap = 0; ///< Auto: so is the weaker of two lines nearer than this to each other
+	float leastGap = 0; ///< Auto: so is the weaker of two lines nearer than this to each other
 };
 
 /// What was found.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace gpr {
 
@@ -395,14 +396,34 @@ std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<c
 	return CrossingSearch(mesh, wanted, workers).run();
 }
 
-int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces)
+std::vector<int> facesNear(const HalfEdgeMesh& m, const std::vector<int>& faces, float margin)
 {
 	Box all;
 	for (int f : faces) {
 		if (!isDeadFace(m, f)) all += boxOf(m, f);
 	}
-	int num = 0;
+	const Vec3f reach{margin, margin, margin};
+	all.low = all.low - reach;
+	all.high += reach;
+	std::vector<int> near;
 	for (int g = 0; g < m.faceNum; ++g) {
+		if (!isDeadFace(m, g) && boxOf(m, g).meets(all)) near.push_back(g);
+	}
+	return near;
+}
+
+int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
+					   const std::vector<int>& near)
+{
+	std::vector<int> others;
+	std::set_union(faces.begin(), faces.end(), near.begin(), near.end(),
+				   std::back_inserter(others));
+	Box all;
+	for (int f : faces) {
+		if (!isDeadFace(m, f)) all += boxOf(m, f);
+	}
+	int num = 0;
+	for (int g : others) {
 		if (isDeadFace(m, g) || !boxOf(m, g).meets(all)) continue;
 		const bool isOneOfThem = std::binary_search(faces.begin(), faces.end(), g);
 		for (int f : faces) {

@@ -20,9 +20,14 @@ std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, Workers& workers);
 std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
 								   Workers& workers);
 
-/// Number of crossing pairs of which at least one is among `faces`, ascending; dead faces are
-/// passed over. For few faces: cost O(F), and O(F) once more for what lies near them.
-int countCrossingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
+/// Living faces whose boxes lie within `margin` of the box round some others; ascending. Cost:
+/// O(F).
+std::vector<int> facesNear(const HalfEdgeMesh& mesh, const std::vector<int>& faces, float margin);
+
+/// Number of crossing pairs of which one is among `faces` and the other there or in `near`, both
+/// ascending; dead faces are passed over. Cost: the product of the two.
+int countCrossingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces,
+					   const std::vector<int>& near);
 
 } // namespace gpr
 

@@ -132,8 +132,9 @@ public:
 	/// anchors are now, and shortens those that this makes bad. False if there are none.
 	bool takeBackOffenders()
 	{
-		normal_                        = smoothNormals(surface_, r_, workers_);
-		std::vector<int>       faces   = findCrossingFaces(m_, mayCross_, workers_);
+		normal_                = smoothNormals(surface_, r_, workers_);
+		std::vector<int> faces = findCrossingFaces(m_, mayCross_, workers_);
+		crossing_.insert(crossing_.end(), faces.begin(), faces.end());
 		const std::vector<int> flipped = findFlipped();
 		faces.insert(faces.end(), flipped.begin(), flipped.end());
 		faces.erase(std::remove_if(faces.begin(), faces.end(), [&](int f) { return !hasMoved(f); }),
@@ -144,6 +145,9 @@ public:
 		shortenFrom(badAmong(facesRound(m_, shorten(faces, 0))));
 		return true;
 	}
+
+	/// Faces that crossed others at some time.
+	const std::vector<int>& everCrossing() const { return crossing_; }
 
 	void takeAllBack()
 	{
@@ -163,6 +167,7 @@ private:
 	Buffer<Vec3f>  normal_; ///< of the surface at the vertices
 	/// Faces, of which one at least takes part in a crossing not known yet; empty: all.
 	std::vector<char> mayCross_;
+	std::vector<int>  crossing_;
 
 	void makeRoom()
 	{
@@ -325,6 +330,9 @@ public:
 		outcome.capped = !fitSoundly(outcome.cells);
 		if (settings_.worstRounds > 0 && outcome.cells != nullptr && !lowerWorst(*outcome.cells))
 			outcome.capped = true;
+		std::sort(crossing_.begin(), crossing_.end());
+		crossing_.erase(std::unique(crossing_.begin(), crossing_.end()), crossing_.end());
+		outcome.crossing = std::move(crossing_);
 		outcome.farthest = farthestFromAnchor();
 		return outcome;
 	}
@@ -338,9 +346,10 @@ private:
 	std::unique_ptr<DistanceForm> distance_; ///< while there are rounds
 	Moves                         moves_;
 	Buffer<Vec3f>                 next_, velocity_;
-	Buffer<float> mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
-	Buffer<float> squaredEdge_; ///< of an equilateral triangle as large as the ones round it
-	Buffer<char>  free_;
+	Buffer<float>    mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
+	Buffer<float>    squaredEdge_; ///< of an equilateral triangle as large as the ones round it
+	Buffer<char>     free_;
+	std::vector<int> crossing_; ///< faces that crossed others at some time
 
 	/// False if a round, or all together, had to be taken back.
 	bool fitSoundly(std::unique_ptr<Cells>& cells)
@@ -348,7 +357,9 @@ private:
 		Moves      whole(surface_, settings_.leastAngleDeg * radians, r_, workers_);
 		const bool allKept = fitInRounds(cells);
 		whole.takeOver();
-		return takeBackOffenders(whole) && allKept;
+		const bool isSound = takeBackOffenders(whole);
+		crossing_          = whole.everCrossing();
+		return isSound && allKept;
 	}
 
 	/// False if a round had to take all its moves back.
@@ -397,7 +408,9 @@ private:
 		for (int v = 0; v < m_.vertexNum; ++v)
 			free_[v] = free_[v] && !(last.shift(v) == Vec3f());
 		followByAnchors();
-		return takeBackOffenders(last);
+		const bool isSound = takeBackOffenders(last);
+		crossing_.insert(crossing_.end(), last.everCrossing().begin(), last.everCrossing().end());
+		return isSound;
 	}
 
 	void startRound()

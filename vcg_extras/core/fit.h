@@ -9,6 +9,7 @@
 #include "workers.h"
 
 #include <memory>
+#include <vector>
 
 namespace gpr {
 
@@ -20,9 +21,10 @@ struct FitSettings {
 };
 
 struct FitOutcome {
-	std::unique_ptr<Cells> cells; ///< of the last round; null where there was none
-	float farthest = 0;           ///< largest distance of a vertex from its anchor, working units
-	bool  capped   = false;       ///< a guard gave up: the moves of that round were taken back
+	std::unique_ptr<Cells> cells;  ///< of the last round; null where there was none
+	std::vector<int> crossing;     ///< ascending; all faces that still cross others are among them
+	float            farthest = 0; ///< largest distance of a vertex from its anchor, working units
+	bool             capped   = false; ///< a guard gave up: the moves of that round were taken back
 };
 
 /// Stage 12: moves the vertices off the surface to where the triangles lie closest to it, and keeps

@@ -5,6 +5,7 @@
 #include "angle_mending.h"
 #include "conformal_relaxation.h"
 #include "crease_sides.h"
+#include "crossing_mending.h"
 #include "curve_slide.h"
 #include "delaunay_flips.h"
 #include "fit.h"
@@ -73,7 +74,8 @@ public:
 	}
 
 	/// Returns the cells of the last round, if there was one.
-	std::unique_ptr<Cells> fit(const Prepared& p, bool largestCounts, ResultMesh& result)
+	std::unique_ptr<Cells> fit(const Prepared& p, const BoundaryCurves& boundary,
+							   bool largestCounts, ResultMesh& result)
 	{
 		if (options_.fit == Fit::Off) return nullptr;
 		clock_.enter("fit", "Fitting to the input", 0.97);
@@ -85,6 +87,10 @@ public:
 		settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options_.adapt));
 		FitOutcome outcome = fitToInput(p.surface, settings, result, workers_);
 		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
+		if (outcome.cells != nullptr) {
+			mendCrossings(p.surface, boundary, leastAngleDeg(), outcome.crossing, *outcome.cells,
+						  result, workers_);
+		}
 		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
 		return std::move(outcome.cells);
 	}
@@ -161,7 +167,7 @@ void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundar
 			   bool largestCounts, ResultMesh& result)
 {
 	Improvement            improvement(run);
-	std::unique_ptr<Cells> cells = improvement.fit(p, largestCounts, result);
+	std::unique_ptr<Cells> cells = improvement.fit(p, boundary, largestCounts, result);
 	improvement.mendLastAngles(p, boundary, result, std::move(cells));
 }
 

@@ -36,7 +36,31 @@ constexpr float leastAgreement = 0.6f;
 /// A change must lower the cost to this share.
 constexpr float leastGain = 0.995f;
 
+/// The mean normal of the vertices inside beside a vertex of the border if its own looks away from
+/// it, else its own.
+Vec3f withoutLip(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int v, const Vec3f& own)
+{
+	Vec3f inside;
+	forEachNeighbour(m, v, [&](int w) {
+		if (!m.isBorderVertex(w)) inside += normal[w];
+	});
+	return dot(inside, own) < 0 ? normalized(inside) : own;
+}
+
 } // namespace
+
+Buffer<Vec3f> normalsWithoutLips(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	const HalfEdgeMesh& m      = result.mesh;
+	Buffer<Vec3f>       normal = smoothNormals(surface, result, workers);
+	workers.forRange(normal.size(), [&](std::size_t begin, std::size_t end) {
+		for (int v = int(begin); v < int(end); ++v) {
+			if (m.outgoing[v] >= 0 && m.isBorderVertex(v))
+				normal[v] = withoutLip(m, normal, v, normal[v]);
+		}
+	});
+	return normal;
+}
 
 std::vector<int> sharpestFirst(const HalfEdgeMesh& m, std::vector<int> faces)
 {
@@ -50,7 +74,7 @@ PatchMover::PatchMover(const Surface& surface, const BoundaryCurves& curves, flo
 		surface_(surface),
 		curves_(curves), angle_(angle), r_(result), m_(result.mesh), workers_(workers),
 		cells_(cells), faceNum_(m_.faceNum), startPosition_(std::size_t(m_.vertexNum + spare)),
-		startNormal_(smoothNormals(surface, result, workers)),
+		startNormal_(normalsWithoutLips(surface, result, workers)),
 		normal_(std::size_t(m_.vertexNum + spare)), blocked_(m_.vertexNum + spare, 0)
 {
 	reserve(m_, m_.vertexNum + spare, m_.faceNum + 2 * spare);
@@ -157,6 +181,12 @@ PatchMover::Place PatchMover::placeOf(int v) const
 	return {m_.position[v], normal_[v], r_.vertex[v]};
 }
 
+Vec3f PatchMover::normalAt(int v, const Anchor& anchor) const
+{
+	const Vec3f own = smoothNormal(surface_, anchor);
+	return m_.isBorderVertex(v) ? withoutLip(m_, normal_, v, own) : own;
+}
+
 void PatchMover::put(int v, const Place& p)
 {
 	m_.position[v] = p.position;
@@ -241,7 +271,7 @@ std::vector<PatchMover::Place> PatchMover::placesRound(int v, float reach, float
 PatchMover::Place PatchMover::movedTo(int v, const ResultVertex& record) const
 {
 	const Vec3f offset = m_.position[v] - r_.vertex[v].anchor.position;
-	return {record.anchor.position + offset, smoothNormal(surface_, record.anchor), record};
+	return {record.anchor.position + offset, normalAt(v, record.anchor), record};
 }
 
 bool PatchMover::isNearStart(int v, const Place& place, float edge) const

@@ -25,6 +25,11 @@ struct CellsOfFaces {
 /// The faces (living), by their smallest angle.
 std::vector<int> sharpestFirst(const HalfEdgeMesh& mesh, std::vector<int> faces);
 
+/// The surface's normals at the vertices (smoothNormals), but at vertices of the border that lie on
+/// a lip narrower than a triangle, which looks away from the surface beside it: the normal of that.
+Buffer<Vec3f> normalsWithoutLips(const Surface& surface, const ResultMesh& result,
+								 Workers& workers);
+
 /// What changes of single patches for the sake of their angles share: what a patch' angles lack,
 /// how far it leaves the surface, and the moves of its vertices. Vertices move along the surface,
 /// those of curves along these, and keep their height above it; corners of curves, tips and pinned
@@ -78,11 +83,16 @@ protected:
 	float rmsFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const;
 	float meanEdge(int v) const;
 	Place placeOf(int v) const;
+	/// Of the surface at v, standing there, or of that beside the lip it lies on.
+	Vec3f normalAt(int v, const Anchor& anchor) const;
 	void  put(int v, const Place& p);
 	/// Moves v to better places as long as there are any; true if it moved.
 	bool moveToBest(int v);
 	/// The ends of h and the corners beyond; h must be an inner edge.
 	std::array<int, 4> cornersAt(int h) const;
+	bool               mayMove(int v) const;
+	/// Where v gets by a step of this length: along its curve, or over the surface.
+	std::vector<Place> placesRound(int v, float reach, float edge) const;
 	/// Whether the flip of h is allowed, leaves every vertex enough faces for good angles, and
 	/// moves the surface little.
 	bool mayFlip(int h) const;
@@ -93,10 +103,7 @@ private:
 	void addFace(int f, Quality& sum) const;
 	/// From the nearest of the faces, or from one that is near enough.
 	float squaredDistance(const Vec3f& p, const std::vector<int>& faces, float enough) const;
-	bool  mayMove(int v) const;
 	bool  step(int v, float reach, float edge, Quality& quality);
-	/// Where v gets by a step of this length: along its curve, or over the surface.
-	std::vector<Place> placesRound(int v, float reach, float edge) const;
 	template <class Offer>
 	void offerSlides(int v, float reach, const Offer& offer) const;
 	/// v as high above its anchor as it is now.

@@ -35,10 +35,12 @@ constexpr float mostLeft = 0.8f;
 
 /// A change of the number of vertices.
 struct Operation {
-	enum Kind { None, Split, Collapse, CollapseBack } kind = None;
+	/// Attach: split, and the apex collapsed into the new vertex.
+	enum Kind { None, Split, Attach, Collapse, CollapseBack } kind = None;
 	int halfEdge = -1; ///< collapsed from its origin to its target, or back
 
 	bool isCollapse() const { return kind == Collapse || kind == CollapseBack; }
+	bool isSplit() const { return kind == Split || kind == Attach; }
 };
 
 /// Σ(1 - angle / limit)² over the faces below the limit.
@@ -55,7 +57,7 @@ double totalLack(const HalfEdgeMesh& m, float angle, Workers& workers)
 /// Faces that look against the surface.
 int flippedNum(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
-	const Buffer<Vec3f> normal = smoothNormals(surface, result, workers);
+	const Buffer<Vec3f> normal = normalsWithoutLips(surface, result, workers);
 	return workers.sum<int>(result.mesh.faceNum, [&](std::size_t begin, std::size_t end) {
 		int num = 0;
 		for (std::size_t f = begin; f < end; ++f)
@@ -87,15 +89,17 @@ public:
 	}
 
 private:
-	int         triesLeft_ = mostTries;
-	int         changeNum_ = 0;
-	EditScratch scratch_;
+	int              triesLeft_ = mostTries;
+	int              changeNum_ = 0;
+	EditScratch      scratch_;
+	std::vector<int> near_; ///< what the faces round the one that is treated may cross
 
 	void treat(int f)
 	{
 		if (triesLeft_ == 0 || isDeadFace(m_, f) || smallestAngle(m_, f) >= angle_) return;
 		workers_.poll();
 		--triesLeft_;
+		near_ = facesNear(m_, facesRound(m_, patchRound(f)), meanEdge(m_.origin[3 * f]));
 		Operation best;
 		float     bestGain = 0;
 		for (const Operation& op : operationsAt(f)) {
@@ -113,11 +117,22 @@ private:
 	{
 		std::vector<Operation> all;
 		for (int h = 3 * f; h < 3 * f + 3; ++h) {
-			for (Operation::Kind kind :
-				 {Operation::Split, Operation::Collapse, Operation::CollapseBack})
+			for (Operation::Kind kind : {Operation::Split, Operation::Attach, Operation::Collapse,
+										 Operation::CollapseBack})
 				all.push_back({kind, h});
 		}
 		return all;
+	}
+
+	/// All vertices whose faces an operation on f may change.
+	std::vector<int> patchRound(int f) const
+	{
+		std::vector<int> patch;
+		for (const Operation& op : operationsAt(f)) {
+			const std::vector<int> one = patchOf(op);
+			patch.insert(patch.end(), one.begin(), one.end());
+		}
+		return patch;
 	}
 
 	/// The vertices whose faces an operation, and what follows it, may change.
@@ -126,17 +141,22 @@ private:
 		const int        h = op.halfEdge;
 		std::vector<int> patch;
 		if (op.isCollapse()) {
-			const int v = op.kind == Operation::Collapse ? m_.origin[h] : m_.target(h);
-			patch.push_back(v);
-			forEachNeighbour(m_, v, [&](int w) { patch.push_back(w); });
+			addStar(op.kind == Operation::Collapse ? m_.origin[h] : m_.target(h), patch);
 		}
 		else {
 			addQuadHalf(h, patch);
 			if (m_.opposite[h] >= 0) addQuadHalf(m_.opposite[h], patch);
+			if (op.kind == Operation::Attach) addStar(m_.apex(h), patch);
 		}
 		std::sort(patch.begin(), patch.end());
 		patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
 		return patch;
+	}
+
+	void addStar(int v, std::vector<int>& patch) const
+	{
+		patch.push_back(v);
+		forEachNeighbour(m_, v, [&](int w) { patch.push_back(w); });
 	}
 
 	/// The corners of h's face, and those beyond its other edges.
@@ -153,6 +173,7 @@ private:
 	/// cost, 0 where it is refused; leaves it only if it is to be kept.
 	float attempt(const Operation& op, bool keep)
 	{
+		const int                vertexNum = m_.vertexNum;
 		const PatchBackup        backup(m_, patchOf(op));
 		const std::vector<Place> places = placesOf(backup.vertices());
 		const Quality            before = patchQuality(backup.faces());
@@ -161,9 +182,12 @@ private:
 		const float              rms =
 			std::max(mostRmsGrowth * rmsFrom(backup.faces(), backup.faces()), mostRms * off);
 
-		if (!apply(op)) return 0;
+		if (!apply(op)) {
+			if (m_.vertexNum > vertexNum) takeBack(backup, places);
+			return 0;
+		}
 		std::vector<int> patch = livingOf(backup.vertices());
-		if (op.kind == Operation::Split) patch.push_back(m_.vertexNum - 1);
+		if (op.isSplit()) patch.push_back(m_.vertexNum - 1);
 		settle(patch);
 		const std::vector<int> faces = facesRound(m_, patch);
 		const Quality          after = patchQuality(faces);
@@ -174,10 +198,11 @@ private:
 			countChange(op);
 			return before.cost - after.cost;
 		}
-		const int crossingNum = isBetter ? countCrossingPairs(m_, faces) : 0;
+		const int crossingNum = isBetter ? countCrossingPairs(m_, faces, near_) : 0;
 		takeBack(backup, places);
 		if (!isBetter) return 0;
-		if (crossingNum > 0 && crossingNum > countCrossingPairs(m_, backup.faces())) return 0;
+		if (crossingNum > 0 && crossingNum > countCrossingPairs(m_, backup.faces(), near_))
+			return 0;
 		return before.cost - after.cost;
 	}
 
@@ -216,10 +241,8 @@ private:
 
 	void countChange(const Operation& op)
 	{
-		if (op.kind == Operation::Split)
-			++r_.splitNum;
-		else
-			++r_.collapseNum;
+		r_.splitNum += op.isSplit();
+		r_.collapseNum += op.kind != Operation::Split;
 	}
 
 	// ---- what is tried
@@ -228,6 +251,7 @@ private:
 	{
 		const int h = op.halfEdge;
 		if (op.kind == Operation::Split) return split(h);
+		if (op.kind == Operation::Attach) return attach(h);
 		if (m_.opposite[h] < 0) return collapseBorder(h, op.kind == Operation::Collapse);
 		return collapseInside(op.kind == Operation::Collapse ? h : m_.opposite[h]);
 	}
@@ -245,12 +269,24 @@ private:
 		const int   v      = m_.vertexNum++;
 		r_.vertex.push_back(middle);
 		m_.position[v] = startPosition_[v] = middle.anchor.position + height;
-		normal_[v] = startNormal_[v] = smoothNormal(surface_, middle.anchor);
 		if (m_.opposite[h] < 0)
 			splitBorderEdge(m_, h, v);
 		else
 			splitEdge(m_, h, v);
+		normal_[v] = startNormal_[v] = normalAt(v, middle.anchor);
 		return true;
+	}
+
+	/// The apex into the middle of h: what lies between the two is too narrow for a triangle.
+	bool attach(int h)
+	{
+		const int v = m_.apex(h);
+		if (!mayGo(v) || !split(h)) return false;
+		int toMiddle = -1;
+		forEachOutgoing(m_, v, [&](int x) {
+			if (m_.target(x) == m_.vertexNum - 1) toMiddle = x;
+		});
+		return m_.opposite[toMiddle] >= 0 && collapseInside(toMiddle);
 	}
 
 	/// How a vertex lies above its anchor.

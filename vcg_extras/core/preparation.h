@@ -45,16 +45,16 @@ private:
 	void                findFeatureRegion(Prepared& p);
 	void                keepBorder(Prepared& p);
 	/// Of the wanted vertices, that borders and feature lines take.
-	double              shareOnCurves(const Prepared& p);
-	void                connectOrRepair(IndexedMesh& mesh, Surface& surface);
-	void                dropFlatPieces(Surface& surface);
-	IndexedMesh         loadCleaned();
-	IndexedMesh         withoutUseless(IndexedMesh mesh);
-	void                dropSmallComponents(Surface& surface);
-	void                followGivenLines(Prepared& p);
-	bool                namesSources(const Prepared& p) const;
-	std::int64_t        splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepared& p);
-	void                noteDetection(const FeatureEdges& features);
+	double       shareOnCurves(const Prepared& p);
+	void         connectOrRepair(IndexedMesh& mesh, Surface& surface);
+	void         dropFlatPieces(Surface& surface);
+	IndexedMesh  loadCleaned();
+	IndexedMesh  withoutUseless(IndexedMesh mesh);
+	void         dropSmallComponents(Surface& surface);
+	void         followGivenLines(Prepared& p);
+	bool         namesSources(const Prepared& p) const;
+	std::int64_t splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepared& p);
+	void         noteDetection(const FeatureEdges& features);
 };
 
 } // namespace gpr

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crossing_mending.h"
+
+#include "crossing_faces.h"
+#include "fold_repair.h"
+#include "mesh_edit.h"
+#include "patch_mover.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+constexpr float radians = 3.14159265f / 180;
+/// Rounds over all faces that cross.
+constexpr int mostRounds = 4;
+/// Faces that are tried in all.
+constexpr int mostTries = 200;
+/// Lengths of moves, of the mean edge round the vertex.
+constexpr float moveShares[] = {0.05f, 0.1f, 0.2f, 0.35f, 0.5f};
+/// The surface may come to lie this share of an edge away.
+constexpr float farthestShare = 0.1f;
+/// No face may come to agree less with the surface's normals than this, or than before.
+constexpr float leastAgreement = 0.3f;
+
+class CrossingMender : PatchMover {
+public:
+	CrossingMender(const Surface& surface, const BoundaryCurves& curves, float angle,
+				   ResultMesh& result, Workers& workers, const CellsOfFaces& cells) :
+			PatchMover(surface, curves, angle, result, workers, cells)
+	{
+	}
+
+	void run(std::vector<int> crossing)
+	{
+		for (int round = 0; round < mostRounds && !crossing.empty(); ++round) {
+			bool better = false;
+			for (int f : crossing) {
+				if (triesLeft_-- <= 0) return;
+				better = mend(f) || better;
+			}
+			if (!better) return;
+			crossing = stillCrossing(crossing);
+		}
+	}
+
+private:
+	int              triesLeft_ = mostTries;
+	std::vector<int> near_; ///< what faces of the patch at hand may cross
+
+	/// What faces of a patch are like; the fewer crossings the better.
+	struct State {
+		int   crossingNum;
+		float leastAngle, agreement, far;
+	};
+
+	std::vector<int> stillCrossing(const std::vector<int>& faces) const
+	{
+		std::vector<char> wanted(m_.faceNum, 0);
+		for (int f : facesRound(m_, verticesOf(m_, faces)))
+			wanted[f] = 1;
+		return findCrossingFaces(m_, wanted, workers_);
+	}
+
+	bool mend(int f)
+	{
+		workers_.poll();
+		const std::vector<int> ring = facesRound(m_, verticesOf(m_, {f}));
+		near_ = facesNear(m_, facesRound(m_, verticesOf(m_, ring)), meanEdge(m_.origin[3 * f]));
+		bool better = false;
+		for (int k = 0; k < 3 && isCrossing(f); ++k)
+			better = move(m_.origin[3 * f + k]) || better;
+		for (int k = 0; k < 3 && isCrossing(f); ++k)
+			better = flipAway(3 * f + k) || better;
+		return better;
+	}
+
+	bool isCrossing(int f) const { return countCrossingPairs(m_, {f}, near_) > 0; }
+
+	State stateOf(const std::vector<int>& faces) const
+	{
+		State s = {countCrossingPairs(m_, faces, near_), HUGE_VALF, patchQuality(faces).agreement,
+				   farthestFrom(faces, faces)};
+		for (int f : faces)
+			s.leastAngle = std::min(s.leastAngle, smallestAngle(m_, f));
+		return s;
+	}
+
+	/// Whether `now` may take the place of `before`, from which all began.
+	bool mayReplace(const State& now, const State& before, float edge) const
+	{
+		return now.leastAngle >= std::min(angle_, before.leastAngle) &&
+			   now.agreement >= std::min(leastAgreement, before.agreement) &&
+			   now.far <= std::max(farthestShare * edge, before.far);
+	}
+
+	bool move(int v)
+	{
+		if (!mayMove(v)) return false;
+		const std::vector<int> faces  = facesRound(m_, {v});
+		const State            before = stateOf(faces);
+		if (before.crossingNum == 0) return false;
+		const float edge = meanEdge(v);
+		Place       best = placeOf(v);
+		int         num  = before.crossingNum;
+		for (float share : moveShares) {
+			for (const Place& place : placesAt(v, share * edge, edge)) {
+				put(v, place);
+				if (countCrossingPairs(m_, faces, near_) >= num) continue;
+				if (!mayReplace(stateOf(faces), before, edge)) continue;
+				num  = countCrossingPairs(m_, faces, near_);
+				best = place;
+			}
+			put(v, best);
+			if (num < before.crossingNum) return true;
+		}
+		return false;
+	}
+
+	/// Along the surface, and for vertices off curves up and down.
+	std::vector<Place> placesAt(int v, float reach, float edge) const
+	{
+		std::vector<Place> places = placesRound(v, reach, edge);
+		if (r_.vertex[v].curve >= 0) return places;
+		for (float by : {-reach, reach}) {
+			Place place = placeOf(v);
+			place.position += normalized(place.normal) * by;
+			places.push_back(place);
+		}
+		return places;
+	}
+
+	bool flipAway(int h)
+	{
+		if (!mayFlip(h)) return false;
+		const std::array<int, 4> corners = cornersAt(h);
+		const std::vector<int>   faces   = facesRound(m_, {corners.begin(), corners.end()});
+		const State              before  = stateOf(faces);
+		flip(m_, h);
+		const State now = stateOf(faces);
+		if (now.crossingNum < before.crossingNum && mayReplace(now, before, meanEdge(corners[0]))) {
+			++r_.flipNum;
+			return true;
+		}
+		flip(m_, nextInFace(h));
+		return false;
+	}
+};
+
+} // namespace
+
+void mendCrossings(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+				   const std::vector<int>& suspects, const Cells& cells, ResultMesh& result,
+				   Workers& workers)
+{
+	if (suspects.empty()) return;
+	std::vector<char> wanted(result.mesh.faceNum, 0);
+	for (int f : suspects)
+		wanted[f] = 1;
+	std::vector<int> crossing = findCrossingFaces(result.mesh, wanted, workers);
+	if (crossing.empty()) return;
+	const CellsOfFaces own{cells, {}};
+	CrossingMender(surface, curves, angleDeg * radians, result, workers, own)
+		.run(std::move(crossing));
+}
+
+} // namespace gpr
