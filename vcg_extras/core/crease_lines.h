@@ -21,8 +21,7 @@ struct CreaseRules {
 	/// Lines without an end that are clear of noise, like the rims of holes, stay from this length
 	/// on, be it below leastLength.
 	float leastLoop = std::numeric_limits<float>::infinity();
-	float       leastGap = 0; ///< Auto: so is the weaker of two lines nearer than this to each other
-	float leastGap = 0; ///< Auto: so is the weaker of two lines nearer than this to each other
+	float leastGap  = 0; ///< Auto: so is the weaker of two lines nearer than this to each other
 };
 
 /// What was found.

@@ -435,4 +435,9 @@ int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
 	return num;
 }
 
+int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces)
+{
+	return countCrossingPairs(m, faces, facesNear(m, faces, 0));
+}
+
 } // namespace gpr

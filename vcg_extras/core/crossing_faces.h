@@ -29,6 +29,9 @@ std::vector<int> facesNear(const HalfEdgeMesh& mesh, const std::vector<int>& fac
 int countCrossingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces,
 					   const std::vector<int>& near);
 
+/// The same with all faces near. Cost: O(F).
+int countCrossingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
+
 } // namespace gpr
 
 #endif

@@ -17,6 +17,7 @@
 #include "valence_glide.h"
 #include "worst_triangles.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gpr {
@@ -90,6 +91,10 @@ public:
 		if (outcome.cells != nullptr) {
 			mendCrossings(p.surface, boundary, leastAngleDeg(), outcome.crossing, *outcome.cells,
 						  result, workers_);
+			for (int v = 0; !outcome.crossing.empty() && v < result.mesh.vertexNum; ++v) {
+				const Vec3f off  = result.mesh.position[v] - result.vertex[v].anchor.position;
+				outcome.farthest = std::max(outcome.farthest, length(off));
+			}
 		}
 		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
 		return std::move(outcome.cells);
