@@ -9,6 +9,7 @@
 #include <exception>
 #include <string>
 #include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/apps/gpremesh/run_limit.h>
 
 namespace {
 
@@ -77,7 +78,7 @@ void makeMesh(const Wishes& wishes)
 	if (!bench::makeBuiltIn(wishes.base, wishes.faceNum, mesh))
 		mesh = growMesh(readBase(wishes.base), wishes.faceNum, wishes.growth);
 	app::MeshAttributes none;
-	app::writeMesh(mesh, false, none, wishes.out, [] { return false; });
+	app::writeMesh(mesh, false, none, wishes.out, app::RunLimit());
 	std::printf("%zu vertices, %zu faces\n", mesh.vertexNum(), mesh.faceNum());
 }
 

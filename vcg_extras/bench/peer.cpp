@@ -11,6 +11,7 @@
 #include <string>
 #include <vcg_extras/apps/gpremesh/mesh_io.h>
 #include <vcg_extras/apps/gpremesh/peer_remeshers.h>
+#include <vcg_extras/apps/gpremesh/run_limit.h>
 
 namespace {
 
@@ -31,7 +32,7 @@ void run(const std::string& method, const std::string& in, const std::string& ou
 	const app::PeerResult result = simplified(method, in, faceNum);
 	if (!result.failure.empty()) throw std::runtime_error(result.failure);
 	app::MeshAttributes none;
-	app::writeMesh(result.mesh, false, none, out, [] { return false; });
+	app::writeMesh(result.mesh, false, none, out, app::RunLimit());
 	std::printf("{\"seconds\": %.6f, \"vertices\": %zu, \"faces\": %zu}\n", result.seconds,
 				result.mesh.vertexNum(), result.mesh.faceNum());
 }
