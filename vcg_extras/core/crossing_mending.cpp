@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 namespace gpr {
@@ -21,6 +22,11 @@ constexpr float radians = 3.14159265f / 180;
 constexpr int mostRounds = 4;
 /// Faces that are tried in all.
 constexpr int mostTries = 200;
+/// Pairs of faces looked at in all. Where triangles are far larger than the surface's parts each
+/// try looks at so many that it would take seconds, and mends nothing.
+constexpr std::int64_t mostPairs = 4000000;
+/// What measuring a face's distance costs, in pairs.
+constexpr std::int64_t pairsPerDistance = 2000;
 /// Lengths of moves, of the mean edge round the vertex.
 constexpr float moveShares[] = {0.05f, 0.1f, 0.2f, 0.35f, 0.5f};
 /// The surface may come to lie this share of an edge away.
@@ -41,7 +47,7 @@ public:
 		for (int round = 0; round < mostRounds && !crossing.empty(); ++round) {
 			bool better = false;
 			for (int f : crossing) {
-				if (triesLeft_-- <= 0) return;
+				if (triesLeft_-- <= 0 || pairsLeft_ <= 0) return;
 				better = mend(f) || better;
 			}
 			if (!better) return;
@@ -51,6 +57,7 @@ public:
 
 private:
 	int              triesLeft_ = mostTries;
+	std::int64_t     pairsLeft_ = mostPairs;
 	std::vector<int> near_; ///< what faces of the patch at hand may cross
 
 	/// What faces of a patch are like; the fewer crossings the better.
@@ -80,11 +87,18 @@ private:
 		return better;
 	}
 
-	bool isCrossing(int f) const { return countCrossingPairs(m_, {f}, near_) > 0; }
-
-	State stateOf(const std::vector<int>& faces) const
+	int crossingNum(const std::vector<int>& faces)
 	{
-		State s = {countCrossingPairs(m_, faces, near_), HUGE_VALF, patchQuality(faces).agreement,
+		pairsLeft_ -= std::int64_t(faces.size() * near_.size());
+		return countCrossingPairs(m_, faces, near_);
+	}
+
+	bool isCrossing(int f) { return crossingNum({f}) > 0; }
+
+	State stateOf(const std::vector<int>& faces)
+	{
+		pairsLeft_ -= pairsPerDistance * std::int64_t(faces.size());
+		State s = {crossingNum(faces), HUGE_VALF, patchQuality(faces).agreement,
 				   farthestFrom(faces, faces)};
 		for (int f : faces)
 			s.leastAngle = std::min(s.leastAngle, smallestAngle(m_, f));
@@ -109,11 +123,12 @@ private:
 		Place       best = placeOf(v);
 		int         num  = before.crossingNum;
 		for (float share : moveShares) {
+			if (pairsLeft_ <= 0) break;
 			for (const Place& place : placesAt(v, share * edge, edge)) {
 				put(v, place);
-				if (countCrossingPairs(m_, faces, near_) >= num) continue;
+				if (crossingNum(faces) >= num) continue;
 				if (!mayReplace(stateOf(faces), before, edge)) continue;
-				num  = countCrossingPairs(m_, faces, near_);
+				num  = crossingNum(faces);
 				best = place;
 			}
 			put(v, best);
