@@ -14,7 +14,6 @@ namespace gpr {
 
 namespace {
 
-constexpr float radians = 3.14159265f / 180;
 /// Rounds over all poor faces.
 constexpr int mostRounds = 8;
 /// Trials that end with crossing faces; then nothing is changed.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "boundary_curves.h"
 
+#include "sort_unique.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -13,9 +15,9 @@ namespace gpr {
 
 namespace {
 
-constexpr float cornerTurn = 50 * 3.14159265f / 180;
+constexpr float cornerTurn = 50 * radians;
 /// A turn at one point that makes it a corner of a feature line.
-constexpr float kinkTurn = 25 * 3.14159265f / 180;
+constexpr float kinkTurn = 25 * radians;
 
 /// The border half-edge that follows h: turn about its head until the border is met again.
 int nextOnBorder(const HalfEdgeMesh& m, int h)
@@ -91,8 +93,7 @@ public:
 		seen_.assign(halfEdge_.size(), 0);
 		for (int h : halfEdge_)
 			vertex_.push_back(m.origin[h]);
-		std::sort(vertex_.begin(), vertex_.end());
-		vertex_.erase(std::unique(vertex_.begin(), vertex_.end()), vertex_.end());
+		sortUnique(vertex_);
 	}
 
 	const std::vector<int>& vertices() const { return vertex_; } ///< of feature lines, ascending

@@ -31,7 +31,7 @@ constexpr float longestDescent = 0.15f, longestMove = 0.3f, longestSlide = 0.1f;
 /// Vertices that slide keep this distance from their neighbours on the curve, in local edges.
 constexpr float leastSpacing = 0.6f;
 /// A slide may lower the worst angle of the ring down to this.
-constexpr float leastSlideAngle = 34 * 3.14159265f / 180;
+constexpr float leastSlideAngle = 34 * radians;
 
 /// What the faces round a vertex want.
 struct Pull {
@@ -213,7 +213,7 @@ private:
 	{
 		const ResultVertex& r    = r_.vertex[v];
 		const SlideRoom     room = slideRoom(r_, curves_, v);
-		if (!(room.backward > 0 && room.forward > 0)) return;
+		if (!room.isOpen()) return;
 		const float longest = longestSlide * edge;
 		const float wanted  = dot(descent, slideDirection(curves_, r, room));
 		const float arc     = std::clamp(wanted, -longest, longest);

@@ -12,7 +12,6 @@ namespace gpr {
 
 namespace {
 
-constexpr float radians = 3.14159265f / 180;
 /// Faces whose edges are picked before any of them is looked at.
 constexpr int facesAtOnce = 256;
 
@@ -382,7 +381,7 @@ private:
 	/// 2π less the angles at v: 0 on flat ground.
 	float defect(int v) const
 	{
-		float sum = 2 * 3.14159265f;
+		float sum = float(2 * pi);
 		forEachOutgoing(m_, v, [&](int h) {
 			const Vec3f a = m_.position[m_.target(h)] - m_.position[v];
 			const Vec3f b = m_.position[m_.apex(h)] - m_.position[v];

@@ -50,7 +50,7 @@ Vec3f normalBesideEdge(const Surface& surface, const BoundaryCurves& curves, con
 	const ResultVertex& here = r.vertex[v];
 	if (here.curve < 0 || r.mesh.isBorderVertex(v)) return {};
 	const SlideRoom room = slideRoom(r, curves, v);
-	if (!(room.backward > 0 && room.forward > 0)) return {};
+	if (!room.isOpen()) return {};
 	const Curve& c         = curves.curves[here.curve];
 	const int    w         = r.mesh.origin[h] == v ? r.mesh.target(h) : r.mesh.origin[h];
 	const Vec3f  place     = r.vertex[w].anchor.position;

@@ -5,6 +5,7 @@
 #include "counting_sort.h"
 #include "mesh_edit.h"
 #include "sectors.h"
+#include "sort_unique.h"
 #include "spatial_order.h"
 
 #include <algorithm>
@@ -167,8 +168,7 @@ public:
 					if (isGroupWanted(int(i))) searchGroup(int(i), stack, out);
 				}
 			});
-		std::sort(found.begin(), found.end());
-		found.erase(std::unique(found.begin(), found.end()), found.end());
+		sortUnique(found);
 		return found;
 	}
 
@@ -394,6 +394,15 @@ std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<c
 								   Workers& workers)
 {
 	return CrossingSearch(mesh, wanted, workers).run();
+}
+
+std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<int>& wanted,
+								   Workers& workers)
+{
+	std::vector<char> mark(mesh.faceNum, 0);
+	for (int f : wanted)
+		mark[f] = 1;
+	return findCrossingFaces(mesh, mark, workers);
 }
 
 std::vector<int> facesNear(const HalfEdgeMesh& m, const std::vector<int>& faces, float margin)

@@ -20,6 +20,10 @@ std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, Workers& workers);
 std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
 								   Workers& workers);
 
+/// The same with those that are wanted in a list.
+std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<int>& wanted,
+								   Workers& workers);
+
 /// Living faces whose boxes lie within `margin` of the box round some others; ascending. Cost:
 /// O(F).
 std::vector<int> facesNear(const HalfEdgeMesh& mesh, const std::vector<int>& faces, float margin);

@@ -17,7 +17,6 @@ namespace gpr {
 
 namespace {
 
-constexpr float radians = 3.14159265f / 180;
 /// Rounds over all faces that cross.
 constexpr int mostRounds = 4;
 /// Faces that are tried in all.
@@ -68,10 +67,7 @@ private:
 
 	std::vector<int> stillCrossing(const std::vector<int>& faces) const
 	{
-		std::vector<char> wanted(m_.faceNum, 0);
-		for (int f : facesRound(m_, verticesOf(m_, faces)))
-			wanted[f] = 1;
-		return findCrossingFaces(m_, wanted, workers_);
+		return findCrossingFaces(m_, facesRound(m_, verticesOf(m_, faces)), workers_);
 	}
 
 	bool mend(int f)
@@ -126,9 +122,10 @@ private:
 			if (pairsLeft_ <= 0) break;
 			for (const Place& place : placesAt(v, share * edge, edge)) {
 				put(v, place);
-				if (crossingNum(faces) >= num) continue;
-				if (!mayReplace(stateOf(faces), before, edge)) continue;
-				num  = crossingNum(faces);
+				if (crossingNum(faces) >= num) continue; // before the dearer rest of a state
+				const State now = stateOf(faces);
+				if (!mayReplace(now, before, edge)) continue;
+				num  = now.crossingNum;
 				best = place;
 			}
 			put(v, best);
@@ -174,10 +171,7 @@ void mendCrossings(const Surface& surface, const BoundaryCurves& curves, float a
 				   Workers& workers)
 {
 	if (suspects.empty()) return;
-	std::vector<char> wanted(result.mesh.faceNum, 0);
-	for (int f : suspects)
-		wanted[f] = 1;
-	std::vector<int> crossing = findCrossingFaces(result.mesh, wanted, workers);
+	std::vector<int> crossing = findCrossingFaces(result.mesh, suspects, workers);
 	if (crossing.empty()) return;
 	const CellsOfFaces own{cells, {}};
 	CrossingMender(surface, curves, angleDeg * radians, result, workers, own)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curve.h"
 
+#include "sort_unique.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -133,8 +135,7 @@ std::vector<float> candidateArcs(const Curve& c, float a, float b, float d)
 		}
 		if (i >= 2 * c.pointNum() - 1) break;
 	}
-	std::sort(arcs.begin(), arcs.end());
-	arcs.erase(std::unique(arcs.begin(), arcs.end()), arcs.end());
+	sortUnique(arcs);
 	return arcs;
 }
 

@@ -65,21 +65,42 @@ constexpr float leastSpacing = 0.7f, mostSpacing = 1.3f;
 /// How far a curve may leave its chords, in ideal edges; see CurveSpacing.
 constexpr float tolerance = 0.08f;
 
-/// Of the two chords a - b - c; arcs may be negative on a closed curve.
-float worstDeviation(const Curve& curve, float a, float b, float c)
-{
-	const float lap = a < 0 ? curve.length : 0.0f;
-	return std::max(deviation(curve, a + lap, b + lap), deviation(curve, b + lap, c + lap));
-}
+/// The stretch of a curve from a vertex' last neighbour on it to the next one.
+class Stretch {
+public:
+	Stretch(const Curve& curve, const ResultVertex& here, const SlideRoom& room) :
+			curve_(curve), here_(here.arc), from_(here.arc - room.backward),
+			to_(here.arc + room.forward)
+	{
+	}
 
-/// How far the curve may leave the chords that take the place of those at a vertex between arcs
-/// `from` and `to`: as far as spacing may, or as it leaves them now.
-float allowedDeviation(const ResultMesh& r, const Curve& c, const ResultVertex& here, float from,
-					   float to)
-{
-	return std::max(worstDeviation(c, from, here.arc, to),
-					tolerance * r.idealEdge * c.sizeAt(here.arc));
-}
+	/// How far the curve leaves the two chords by way of a vertex at `arc`.
+	float deviationBy(float arc) const
+	{
+		return std::max(deviationOf(from_, arc), deviationOf(arc, to_));
+	}
+
+	/// How far it leaves the one chord without a vertex.
+	float deviationWithout() const { return deviationOf(from_, to_); }
+
+	/// How far it may leave the chords that take the place of those now: as far as spacing may, or
+	/// as it leaves them now.
+	float allowedDeviation(float idealEdge) const
+	{
+		return std::max(deviationBy(here_), tolerance * idealEdge * curve_.sizeAt(here_));
+	}
+
+private:
+	const Curve& curve_;
+	float        here_, from_, to_;
+
+	/// On a closed curve the stretch may begin before its first point.
+	float deviationOf(float a, float b) const
+	{
+		const float lap = from_ < 0 ? curve_.length : 0.0f;
+		return deviation(curve_, a + lap, b + lap);
+	}
+};
 
 class CreaseSlider {
 public:
@@ -92,7 +113,7 @@ public:
 	{
 		const ResultVertex& here = r_.vertex[v];
 		const SlideRoom     room = slideRoom(r_, curves_, v);
-		if (!(room.backward > 0 && room.forward > 0)) return;
+		if (!room.isOpen()) return;
 		const float wanted = dot(wayToBarycentre(m_, v), slideDirection(curves_, here, room));
 		const float step =
 			std::clamp(wanted, -longestSlide * room.backward, longestSlide * room.forward);
@@ -145,21 +166,17 @@ bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, i
 					   const SlideRoom& room, float step)
 {
 	const ResultVertex& here = result.vertex[v];
-	const Curve&        c    = curves.curves[here.curve];
-	const float         from = here.arc - room.backward, to = here.arc + room.forward;
-	return worstDeviation(c, from, here.arc + step, to) <=
-		   allowedDeviation(result, c, here, from, to);
+	const Stretch       stretch(curves.curves[here.curve], here, room);
+	return stretch.deviationBy(here.arc + step) <= stretch.allowedDeviation(result.idealEdge);
 }
 
 bool mayLeaveCurve(const ResultMesh& result, const BoundaryCurves& curves, int v)
 {
 	const SlideRoom room = slideRoom(result, curves, v);
-	if (!(room.backward > 0 && room.forward > 0)) return false;
+	if (!room.isOpen()) return false;
 	const ResultVertex& here = result.vertex[v];
-	const Curve&        c    = curves.curves[here.curve];
-	const float         from = here.arc - room.backward, to = here.arc + room.forward;
-	const float         lap = from < 0 ? c.length : 0.0f;
-	return deviation(c, from + lap, to + lap) <= allowedDeviation(result, c, here, from, to);
+	const Stretch       stretch(curves.curves[here.curve], here, room);
+	return stretch.deviationWithout() <= stretch.allowedDeviation(result.idealEdge);
 }
 
 bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, int v,

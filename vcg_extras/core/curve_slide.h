@@ -14,6 +14,9 @@ namespace gpr {
 struct SlideRoom {
 	float backward = 0;
 	float forward  = 0;
+
+	/// Whether there is room both ways.
+	bool isOpen() const { return backward > 0 && forward > 0; }
 };
 
 /// The room of v, a vertex of a curve. None for a vertex where feature lines meet.

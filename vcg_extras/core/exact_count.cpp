@@ -17,8 +17,6 @@ namespace gpr {
 
 namespace {
 
-constexpr float radians = 3.14159265f / 180;
-
 /// What a split or collapse may do, from careful to whatever the topology allows.
 enum class Care { FlatGroundOnly, SoundShapes, TopologyOnly };
 

@@ -5,6 +5,7 @@
 #include "cells.h"
 #include "crossing_faces.h"
 #include "fold_repair.h"
+#include "sort_unique.h"
 #include "symmetric_matrix.h"
 #include "worst_distances.h"
 
@@ -15,8 +16,6 @@
 namespace gpr {
 
 namespace {
-
-constexpr float radians = 3.14159265f / 180;
 
 /// Jacobi steps of a round; more change nothing to speak of.
 constexpr int stepNum = 6;
@@ -330,10 +329,9 @@ public:
 		outcome.capped = !fitSoundly(outcome.cells);
 		if (settings_.worstRounds > 0 && outcome.cells != nullptr && !lowerWorst(*outcome.cells))
 			outcome.capped = true;
-		std::sort(crossing_.begin(), crossing_.end());
-		crossing_.erase(std::unique(crossing_.begin(), crossing_.end()), crossing_.end());
+		sortUnique(crossing_);
 		outcome.crossing = std::move(crossing_);
-		outcome.farthest = farthestFromAnchor();
+		outcome.farthest = farthestFromAnchor(r_);
 		return outcome;
 	}
 
@@ -533,15 +531,6 @@ private:
 				r.normal = surface_.mesh.faceNormal(r.anchor.face);
 			}
 		});
-	}
-
-	float farthestFromAnchor() const
-	{
-		float farthest = 0;
-		for (int v = 0; v < m_.vertexNum; ++v)
-			farthest =
-				std::max(farthest, squaredLength(m_.position[v] - r_.vertex[v].anchor.position));
-		return std::sqrt(farthest);
 	}
 };
 

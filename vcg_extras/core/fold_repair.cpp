@@ -5,6 +5,7 @@
 #include "curve_slide.h"
 #include "line_triangle.h"
 #include "mesh_edit.h"
+#include "sort_unique.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +57,7 @@ public:
 			due = badOnes(facesRound(m_, touched_));
 			bad = badOnes(bad);
 			bad.insert(bad.end(), due.begin(), due.end());
-			std::sort(bad.begin(), bad.end());
-			bad.erase(std::unique(bad.begin(), bad.end()), bad.end());
+			sortUnique(bad);
 		}
 		if (mayCollapse_) compactResult(r_, workers_);
 		return int(bad.size());

@@ -6,6 +6,7 @@
 #include "front_fans.h"
 #include "sample_ranges.h"
 #include "sizing.h"
+#include "sort_unique.h"
 
 #include <algorithm>
 #include <cmath>
@@ -196,8 +197,7 @@ private:
 			const int s = sampleOf(v);
 			if (s >= 0) foreign.push_back(s);
 		}
-		std::sort(foreign.begin(), foreign.end());
-		foreign.erase(std::unique(foreign.begin(), foreign.end()), foreign.end());
+		sortUnique(foreign);
 		fans_.clear(std::move(foreign), range_->firstSample + range_->used);
 		addForeignIntersections();
 		for (int v = block_->begin; v < block_->end; ++v) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "half_edge_mesh.h"
 
+#include "sort_unique.h"
+
 #include <algorithm>
 
 namespace gpr {
@@ -48,8 +50,7 @@ std::vector<int> facesRound(const HalfEdgeMesh& m, const std::vector<int>& verti
 	std::vector<int> faces;
 	for (int v : vertices)
 		forEachOutgoing(m, v, [&](int h) { faces.push_back(h / 3); });
-	std::sort(faces.begin(), faces.end());
-	faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+	sortUnique(faces);
 	return faces;
 }
 
@@ -58,8 +59,7 @@ std::vector<int> verticesOf(const HalfEdgeMesh& m, const std::vector<int>& faces
 	std::vector<int> vertices;
 	for (int f : faces)
 		vertices.insert(vertices.end(), &m.origin[3 * f], &m.origin[3 * f] + 3);
-	std::sort(vertices.begin(), vertices.end());
-	vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+	sortUnique(vertices);
 	return vertices;
 }
 

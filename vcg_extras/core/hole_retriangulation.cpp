@@ -10,8 +10,6 @@ namespace gpr {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 /// Rounds of a kind, and what they accept.
 struct RoundRules {
 	float leastCosine;

@@ -91,10 +91,7 @@ public:
 		if (outcome.cells != nullptr) {
 			mendCrossings(p.surface, boundary, leastAngleDeg(), outcome.crossing, *outcome.cells,
 						  result, workers_);
-			for (int v = 0; !outcome.crossing.empty() && v < result.mesh.vertexNum; ++v) {
-				const Vec3f off  = result.mesh.position[v] - result.vertex[v].anchor.position;
-				outcome.farthest = std::max(outcome.farthest, length(off));
-			}
+			if (!outcome.crossing.empty()) outcome.farthest = farthestFromAnchor(result);
 		}
 		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
 		return std::move(outcome.cells);

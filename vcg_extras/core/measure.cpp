@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure.h"
 
+#include "sort_unique.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +13,7 @@ namespace gpr {
 
 namespace {
 
-constexpr double degrees = 180 / 3.14159265358979323846;
+constexpr double degrees = 180 / pi;
 
 /// Disjoint sets with path halving that threads may join at once (Anderson and Woll 1991): a root
 /// is only ever put below a smaller one, by compare and swap, and ways are shortened by any value
@@ -354,8 +356,7 @@ std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border)
 		vertex.push_back(m.origin[h]);
 		vertex.push_back(m.target(h));
 	}
-	std::sort(vertex.begin(), vertex.end());
-	vertex.erase(std::unique(vertex.begin(), vertex.end()), vertex.end());
+	sortUnique(vertex);
 	const auto indexOf = [&](int v) {
 		return int(std::lower_bound(vertex.begin(), vertex.end(), v) - vertex.begin());
 	};

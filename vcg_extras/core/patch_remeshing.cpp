@@ -11,6 +11,7 @@
 #include "mesh_edit.h"
 #include "patch_mover.h"
 #include "poor_faces.h"
+#include "sort_unique.h"
 
 #include <algorithm>
 
@@ -18,7 +19,6 @@ namespace gpr {
 
 namespace {
 
-constexpr float radians = 3.14159265f / 180;
 /// Rounds over all poor faces.
 constexpr int mostRounds = 6;
 /// Above so many poor faces, or this share of all, the triangles are too large for the surface.
@@ -148,8 +148,7 @@ private:
 			if (m_.opposite[h] >= 0) addQuadHalf(m_.opposite[h], patch);
 			if (op.kind == Operation::Attach) addStar(m_.apex(h), patch);
 		}
-		std::sort(patch.begin(), patch.end());
-		patch.erase(std::unique(patch.begin(), patch.end()), patch.end());
+		sortUnique(patch);
 		return patch;
 	}
 

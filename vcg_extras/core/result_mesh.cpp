@@ -79,4 +79,14 @@ float triangleShape(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 	return 3.4641016f * length(cross(b - a, c - a)) / (edges + 1e-30f);
 }
 
+float farthestFromAnchor(const ResultMesh& r)
+{
+	float farthest = 0;
+	for (int v = 0; v < r.mesh.vertexNum; ++v) {
+		const Vec3f off = r.mesh.position[v] - r.vertex[v].anchor.position;
+		farthest        = std::max(farthest, squaredLength(off));
+	}
+	return std::sqrt(farthest);
+}
+
 } // namespace gpr

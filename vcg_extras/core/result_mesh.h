@@ -62,6 +62,9 @@ float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float tu
 /// root.
 float triangleShape(const Vec3f& a, const Vec3f& b, const Vec3f& c);
 
+/// The largest distance of a vertex from its anchor on the input. Cost: O(V).
+float farthestFromAnchor(const ResultMesh& result);
+
 } // namespace gpr
 
 #endif

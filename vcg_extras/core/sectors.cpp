@@ -9,8 +9,6 @@ namespace gpr {
 
 namespace {
 
-constexpr float radians = 3.14159265f / 180;
-
 /// Calls visit(h) for the half-edges of a sector.
 template <class Visit>
 void forEachInSector(const HalfEdgeMesh& m, int first, int faceNum, const Visit& visit)

@@ -3,6 +3,7 @@
 #include "selected_part.h"
 
 #include "failure.h"
+#include "sort_unique.h"
 
 #include <algorithm>
 #include <iterator>
@@ -98,8 +99,7 @@ std::vector<Edge> findSeam(const MeshView& input)
 	}
 	std::vector<Edge> seam;
 	for (std::vector<Edge>& e : edges) {
-		std::sort(e.begin(), e.end());
-		e.erase(std::unique(e.begin(), e.end()), e.end());
+		sortUnique(e);
 	}
 	std::set_intersection(edges[0].begin(), edges[0].end(), edges[1].begin(), edges[1].end(),
 						  std::back_inserter(seam));

@@ -12,7 +12,7 @@ namespace gpr {
 
 namespace {
 
-constexpr float leastAngle  = 17 * 3.14159265f / 180;
+constexpr float leastAngle  = 17 * radians;
 constexpr float leastCosine = 0.8f;
 /// Valences that a flip must not leave.
 constexpr int leastValence = 4, mostValence = 8;

@@ -7,6 +7,9 @@
 
 namespace gpr {
 
+inline constexpr double pi      = 3.14159265358979323846;
+inline constexpr float  radians = float(pi) / 180; ///< in a degree
+
 /// Plain 3-vector; S is float for stored coordinates, double where a decision needs it.
 template <class S>
 struct Vec3 {

@@ -14,9 +14,8 @@ namespace gpr {
 
 namespace {
 
-constexpr float radians    = 3.14159265f / 180;
-constexpr int   mostRounds = 8;
-constexpr int   mostMoves  = 3; ///< of a vertex with one step length
+constexpr int mostRounds = 8;
+constexpr int mostMoves  = 3; ///< of a vertex with one step length
 /// A move or flip must not turn a face by more than about 26°.
 constexpr float turnCosine   = 0.9f;
 constexpr float stepShares[] = {0.2f, 0.1f, 0.05f, 0.025f}; ///< of the ideal edge
