@@ -12,6 +12,7 @@
 #include <new>
 #include <vcg_extras/core/measure.h>
 #include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/run_estimate.h>
 
 namespace gpr_filter {
 
@@ -102,6 +103,18 @@ RunOutcome compare(const LayerJob& job, vcg::CallBackPos* progress)
 	return {true, lines, comparisonFigures(comparison)};
 }
 
+/// No MeshLab host can cancel a filter, so the log tells beforehand what it will take.
+std::string estimateLine(gpr::Tool tool, const LayerJob& job)
+{
+	gpr::RemeshOptions options = job.options();
+	if (tool == gpr::RetriangulateTool) {
+		options.targetMode      = gpr::TargetMode::VertexNum;
+		options.targetVertexNum = std::int64_t(job.samples().size());
+	}
+	const gpr::RunEstimate estimate = gpr::estimateRun(job.copy().view(), options, tool);
+	return "Expected: " + gpr::estimateText(estimate);
+}
+
 RunOutcome runTool(gpr::Tool tool, const LayerJob& job, vcg::CallBackPos* progress)
 {
 	switch (tool) {
@@ -144,11 +157,12 @@ int postConditionOf(gpr::Tool tool)
 }
 
 RunOutcome FilterRunner::run(gpr::Tool tool, MeshDocument& document, const RichParameterList& list,
-							 vcg::CallBackPos* progress) noexcept
+							 vcg::CallBackPos* progress, const LogLine& log) noexcept
 try {
 	if (_running) throw Refusal("A filter of this plugin is running already; wait for its end.");
 	const Flagged  running(_running);
 	const LayerJob job(document, tool, list);
+	log(estimateLine(tool, job));
 	return runTool(tool, job, progress);
 }
 catch (const Refusal& refusal) {

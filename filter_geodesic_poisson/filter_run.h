@@ -8,6 +8,7 @@
 #include "meshlab_api.h"
 #include "run_figures.h"
 
+#include <functional>
 #include <string>
 #include <vcg_extras/core/parameters.h>
 #include <vector>
@@ -27,14 +28,18 @@ struct RunOutcome {
 	Figures                  figures; ///< for programs; empty where it was not done
 };
 
+/// Takes a line for the host's log.
+using LogLine = std::function<void(const std::string&)>;
+
 /// Applies one filter after the other.
 class FilterRunner {
 public:
-	/// Applies a tool's filter to the document's current layer. Never throws. A call from within
-	/// the progress callback of another is refused: the host's progress bar handles events, so
-	/// Apply can be pressed again while a filter runs.
+	/// Applies a tool's filter to the document's current layer; before the work begins `log` is
+	/// told what it will take. Never throws. A call from within the progress callback of another is
+	/// refused: the host's progress bar handles events, so Apply can be pressed again while a
+	/// filter runs.
 	RunOutcome run(gpr::Tool tool, MeshDocument& document, const RichParameterList& list,
-				   vcg::CallBackPos* progress) noexcept;
+				   vcg::CallBackPos* progress, const LogLine& log) noexcept;
 
 private:
 	bool _running = false;

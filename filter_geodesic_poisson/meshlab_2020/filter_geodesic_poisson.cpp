@@ -73,13 +73,14 @@ bool FilterGeodesicPoisson::applyFilter(QAction* action, MeshDocument& document,
 										const RichParameterList& list, vcg::CallBackPos* progress)
 try {
 	errorMessage.clear();
+	// As std::string and by itself, a line is never taken for a printf format.
+	const gpr_filter::LogLine    tell = [this](const std::string& line) { Log(line); };
 	const gpr_filter::RunOutcome outcome =
-		_runner.run(gpr::Tool(ID(action)), document, list, progress);
+		_runner.run(gpr::Tool(ID(action)), document, list, progress, tell);
 	// The failure box shows errorMessage as HTML; meshlabserver shows the log only.
 	if (!outcome.done) errorMessage = gpr_filter::asHtml(outcome.lines, "<br>");
-	// As std::string and by itself, a line is never taken for a printf format.
 	for (const std::string& line : outcome.lines) {
-		if (!line.empty()) Log(line);
+		if (!line.empty()) tell(line);
 	}
 	return outcome.done;
 }

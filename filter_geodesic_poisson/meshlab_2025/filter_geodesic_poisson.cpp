@@ -86,11 +86,12 @@ std::map<std::string, QVariant> FilterGeodesicPoisson::applyFilter(const QAction
 																   unsigned int&,
 																   vcg::CallBackPos* progress)
 {
-	const gpr_filter::RunOutcome outcome =
-		_runner.run(gpr::Tool(ID(action)), document, list, progress);
 	// As std::string and by itself, a line is never taken for a printf format.
+	const gpr_filter::LogLine    tell = [this](const std::string& line) { log(line); };
+	const gpr_filter::RunOutcome outcome =
+		_runner.run(gpr::Tool(ID(action)), document, list, progress, tell);
 	for (const std::string& line : outcome.lines) {
-		if (!line.empty()) log(line);
+		if (!line.empty()) tell(line);
 	}
 	// The failure box shows the text as HTML, Python as it is.
 	if (!outcome.done) throw MLException(gpr_filter::asHtml(outcome.lines, "\n"));

@@ -373,6 +373,7 @@ TEST_F(Remesh, QuietSilencesAllButErrors)
 {
 	const std::string   in   = put("in.ply", binaryPly(sphere(24), true, false));
 	const ProgramResult loud = run({"remesh", in, path("out.ply")});
+	EXPECT_EQ(loud.out.find("expected about "), 0u) << "told before the work";
 	EXPECT_NE(loud.out.find("wrote"), std::string::npos);
 	EXPECT_EQ(loud.err, "") << "progress without a terminal";
 	const ProgramResult quiet = run({"remesh", in, path("out.ply"), "--quiet"});

@@ -7,6 +7,7 @@
 #include <vcg_extras/core/failure.h>
 #include <vcg_extras/core/memory_need.h>
 #include <vcg_extras/core/pages.h>
+#include <vcg_extras/core/remesh.h>
 #include <vcg_extras/core/split_long_edges.h>
 
 namespace gpr::test {
@@ -62,6 +63,23 @@ TEST(MemoryNeed, MoreThanThereIsIsRefusedWithBothFigures)
 		EXPECT_NE(failure.message.find("95.4 GB"), std::string::npos) << failure.message;
 		EXPECT_NE(failure.message.find("16.2 GB"), std::string::npos) << failure.message;
 	}
+}
+
+/// On any machine, and before anything of that size is allocated.
+TEST(MemoryNeed, MoreVerticesThanAMeshMayHaveAreRefused)
+{
+	const TriangleMesh mesh = grid(2, 2);
+	RemeshOptions      options;
+	options.targetMode       = TargetMode::EdgeLength;
+	options.targetEdgeLen    = 1e-9;
+	const auto expectRefused = [](Status status, const std::string& message) {
+		EXPECT_EQ(status, Status::OutOfMemory);
+		EXPECT_NE(message.find("200,000,000 vertices"), std::string::npos) << message;
+	};
+	const RemeshResult remeshed = remesh(mesh.view(), options);
+	expectRefused(remeshed.status, remeshed.message);
+	const SamplingResult sampled = samplePoissonDisks(mesh.view(), options);
+	expectRefused(sampled.status, sampled.message);
 }
 
 TEST(MemoryNeed, TheSystemTellsAnAmountThatMakesSense)

@@ -16,8 +16,10 @@
 #include "small_components.h"
 #include "spatial_order.h"
 #include "split_long_edges.h"
+#include "stray_faces.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -321,10 +323,25 @@ std::int64_t Preparation::splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepar
 		longest   = longestSingleEdge * p.radius;
 		longFaces = findLongFaces(mesh, longest, longFaces);
 	}
+	noteStrayFaces(mesh, longFaces);
 	const double faces = facesAfterSplitting(mesh, longFaces, longest);
 	requireMemory(bytesNeeded(faces, double(p.targetNum)), availableMemoryBytes());
 	const std::int64_t mostFaces = mostFacesFor(p.targetNum, mesh.faceNum);
 	return splitLongEdges(mesh, longFaces, longest, mostFaces, workers_);
+}
+
+void Preparation::noteStrayFaces(const IndexedMesh& mesh, const std::vector<int>& longFaces)
+{
+	const StrayFaces stray = findStrayFaces(mesh, longFaces, workers_);
+	if (stray.num == 0) return;
+	char sentence[240];
+	std::snprintf(sentence, sizeof sentence,
+				  "%lld of the faces reach so far out that without them the mesh would be %.0f "
+				  "times as small; they have %.2g %% of the area and take as much of the result. "
+				  "If they are stray, remove them first.",
+				  static_cast<long long>(stray.num), stray.sizeRatio, 100 * stray.areaShare);
+	if (std::find(notes_.begin(), notes_.end(), sentence) == notes_.end())
+		notes_.push_back(sentence);
 }
 
 void Preparation::noteDetection(const FeatureEdges& features)

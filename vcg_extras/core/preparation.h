@@ -54,6 +54,7 @@ private:
 	void         followGivenLines(Prepared& p);
 	bool         namesSources(const Prepared& p) const;
 	std::int64_t splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepared& p);
+	void         noteStrayFaces(const IndexedMesh& mesh, const std::vector<int>& longFaces);
 	void         noteDetection(const FeatureEdges& features);
 };
 

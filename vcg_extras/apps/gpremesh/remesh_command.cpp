@@ -14,6 +14,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <vcg_extras/core/run_estimate.h>
 
 namespace gpr::app {
 
@@ -113,6 +114,14 @@ MeshAttributes carriedAttributes(Source& source, const RemeshResult& result, con
 						   result);
 }
 
+/// Before the work begins, so that who will not wait so long need not.
+void tellEstimate(const InputMesh& mesh, const RemeshOptions& options)
+{
+	const std::string text = estimateText(estimateRun(mesh.view(), options));
+	std::printf("expected %s\n", text.c_str());
+	std::fflush(stdout);
+}
+
 /// Everything between the mesh in memory and the mesh on the disk. The input is handed back before
 /// the clock is read, so that no time is left out of the report.
 RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit,
@@ -154,8 +163,9 @@ void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 	catchStopSignals();
 	const RunLimit limit(programClock, line.options.timeLimitSeconds);
 	Source         source = readSource(line, limit);
-	RunRecord      run    = process(source, line, limit, programClock);
-	run.peakMemoryBytes   = peakMemoryBytes();
+	if (!line.quiet) tellEstimate(source.mesh, line.options);
+	RunRecord run       = process(source, line, limit, programClock);
+	run.peakMemoryBytes = peakMemoryBytes();
 	if (!line.report.empty()) writeReport(line.report, run);
 	if (!line.quiet) std::fputs(remeshSummary(run).c_str(), stdout);
 }

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_estimate.h"
+
+#include "error_goal.h"
+#include "memory_need.h"
+#include "prepared.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <thread>
+
+namespace gpr {
+
+namespace {
+
+/// Microseconds on one thread, a face of the input and a vertex of the result; fitted to runs with
+/// 10⁵ to 8·10⁶ faces at 1 to 200 %.
+struct Rate {
+	double perFace;
+	double perVertex;
+};
+constexpr Rate samplingRate  = {0.6, 6};
+constexpr Rate plainRate     = {0.6, 10};  // nothing is fitted
+constexpr Rate fittedRate    = {0.9, 25};
+constexpr Rate removalRate   = {1.2, 20};  // vertices are removed one by one
+constexpr Rate detectionRate = {2, 0};
+/// Quadric Edge Collapse as MeshLab has it, on one thread whatever our own number.
+constexpr double collapseMicrosecondsPerFace = 10;
+/// Runs that a search for the count of an error takes, in the mean.
+constexpr double trialsForError = 6;
+/// Faces after splitting long edges, at least, for a vertex of the result.
+constexpr double facesPerResultVertex = 6;
+/// What a second thread and each further one leave of the time, as a power.
+constexpr double threadPower = 0.9;
+
+Rate rateOf(Tool tool, const RemeshOptions& o)
+{
+	if (tool == SamplingTool) return samplingRate;
+	if (tool == FeatureTool) return detectionRate;
+	if (o.retriangulation == Retriangulation::VertexRemoval) return removalRate;
+	return tool == RetriangulateTool || o.fit == Fit::Off ? plainRate : fittedRate;
+}
+
+double shareOfSelected(const MeshView& input, const RemeshOptions& o)
+{
+	if (!o.selectedOnly || input.selectedFace == nullptr || input.faceNum == 0) return 1;
+	const auto* const end = input.selectedFace + input.faceNum;
+	const auto        num = input.faceNum - std::size_t(std::count(input.selectedFace, end, 0));
+	return double(num) / double(input.faceNum);
+}
+
+/// More are refused.
+constexpr double mostVertices = 2e8;
+
+double vertexNumForEdges(double area, double edgeLength)
+{
+	return area > 0 && edgeLength > 0 ? vertexNumForEdgeLength(area, edgeLength) : 0;
+}
+
+double vertexNumOf(const MeshView& input, const RemeshOptions& o)
+{
+	switch (o.targetMode) {
+	case TargetMode::VertexNum:
+		return double(o.targetVertexNum);
+	case TargetMode::Percent:
+		return o.targetPercent / 100 * double(input.vertexNum);
+	case TargetMode::EdgeLength:
+		return vertexNumForEdges(extentOf(input).area, o.targetEdgeLen);
+	case TargetMode::MaxError: {
+		const MeshExtent extent = extentOf(input);
+		const double     unit   = o.maxErrorIsPercent ? extent.diagonal / 100 : 1;
+		return vertexNumForEdges(extent.area, edgePerError * o.targetMaxError * unit);
+	}
+	}
+	return 0;
+}
+
+int threadNumOf(const RemeshOptions& o)
+{
+	return std::max(1, o.threads > 0 ? o.threads : int(std::thread::hardware_concurrency()));
+}
+
+} // namespace
+
+RunEstimate estimateRun(const MeshView& input, const RemeshOptions& options, Tool tool) noexcept
+{
+	const double share = shareOfSelected(input, options);
+	const double faces = share * double(input.faceNum);
+	const bool   isByCount = options.targetMode == TargetMode::VertexNum;
+	const Rate   rate      = rateOf(tool, options);
+	RunEstimate  estimate;
+	if (tool != FeatureTool)
+		estimate.vertexNum =
+			std::min(mostVertices, (isByCount ? 1 : share) * vertexNumOf(input, options));
+	const double microseconds = rate.perFace * faces + rate.perVertex * estimate.vertexNum;
+	estimate.seconds = 1e-6 * microseconds / std::pow(threadNumOf(options), threadPower);
+	if (options.targetMode == TargetMode::MaxError && tool == RemeshTool)
+		estimate.seconds *= trialsForError;
+	if (tool == CompareTool) estimate.seconds += 1e-6 * collapseMicrosecondsPerFace * faces;
+	const double split = std::max(faces, facesPerResultVertex * estimate.vertexNum);
+	estimate.bytes     = bytesNeeded(split, estimate.vertexNum);
+	return estimate;
+}
+
+std::string estimateText(const RunEstimate& estimate)
+{
+	// Two digits, without an exponent.
+	const double seconds = std::max(0.1, estimate.seconds);
+	const double unit    = std::pow(10, std::floor(std::log10(seconds)) - 1);
+	char         text[80];
+	std::snprintf(text, sizeof text, "about %.15g s and %.2g GB of memory",
+				  unit * std::round(seconds / unit), std::max(0.01, 1e-9 * estimate.bytes));
+	return text;
+}
+
+} // namespace gpr
