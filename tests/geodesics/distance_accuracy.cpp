@@ -55,8 +55,9 @@ Ground::Ground(const MeshView& mesh, double percent)
 	CleanCounts  counts;
 	IndexedMesh  indexed = loadInput(mesh, workers, counts);
 	const double n       = percent / 100 * double(mesh.vertexNum);
-	const double densest = std::sqrt(2 * surfaceArea(indexed, workers) / (std::sqrt(3.0) * n));
-	radius               = float(0.962 * densest); // eq. (1)
+	const double densest =
+		std::sqrt(2 * measureFaces(indexed, workers).area / (std::sqrt(3.0) * n));
+	radius = float(0.962 * densest); // eq. (1)
 	splitLongEdges(indexed, 0.8f * radius, 1 << 30, workers);
 	Buffer<int> faceStart;
 	surface.grid = orderSpatially(indexed, workers, faceStart);

@@ -89,6 +89,22 @@ TEST(ConnectNormals, AreTheSpheres)
 	}
 }
 
+TEST(ConnectNormals, OfPointedVerticesAreMarked)
+{
+	// At 45° the tip lacks 105°, nearly flat nothing to speak of.
+	for (double height : {std::sqrt(3.0), 0.01}) {
+		Connected c(cone(24, 12, std::sqrt(3.0), height));
+		ASSERT_TRUE(c.ok);
+		int marked = 0;
+		for (int v = 0; v < c.surface.mesh.vertexNum; ++v) {
+			if (!c.surface.normal[v].isMarked()) continue;
+			++marked;
+			EXPECT_FALSE(c.surface.mesh.isBorderVertex(v));
+		}
+		EXPECT_EQ(marked, height > 0.5 ? 1 : 0);
+	}
+}
+
 TEST(HalfEdgeMesh, TurnsRoundAVertexSeeEveryNeighbourOnce)
 {
 	const HalfEdgeMesh m = halfEdgesOf(grid(4, 4));
@@ -116,6 +132,17 @@ TEST(HalfEdgeMesh, TurnsRoundAVertexSeeEveryNeighbourOnce)
 			EXPECT_TRUE(m.isBorderEdge(m.outgoing[v]));
 		}
 	}
+}
+
+TEST(PackedNormal, AMarkLeavesItAsItIs)
+{
+	const Vec3f  n = normalized(Vec3f(1, -2, 3));
+	PackedNormal packed(n);
+	EXPECT_FALSE(packed.isMarked());
+	const Vec3f before = packed.unpack();
+	packed.mark();
+	EXPECT_TRUE(packed.isMarked());
+	EXPECT_EQ(packed.unpack(), before);
 }
 
 TEST(PackedNormal, IsTrueToATenthOfADegree)

@@ -262,10 +262,10 @@ TEST_F(LoadInput, SurfaceAreaHasTheSameBitsForAnyNumberOfThreads)
 	Random            random(9);
 	const IndexedMesh m = load(noisySphere(5, 0.1, random));
 	Workers           one(1, nullptr);
-	const double      alone = surfaceArea(m, one);
+	const double      alone = measureFaces(m, one).area;
 	for (int threads = 2; threads <= 4; ++threads) {
 		Workers several(threads, nullptr);
-		EXPECT_EQ(surfaceArea(m, several), alone);
+		EXPECT_EQ(measureFaces(m, several).area, alone);
 	}
 	EXPECT_NEAR(alone, factsOf(meshOf(m)).area, 1e-6);
 }

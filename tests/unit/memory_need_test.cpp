@@ -40,9 +40,9 @@ TEST(MemoryNeed, FacesAfterSplittingAreForeseenWithinAFactorOfTwo)
 	Workers workers(2, nullptr);
 	for (const TriangleMesh& shape : shapes()) {
 		for (const float longest : {0.5f, 0.1f, 0.013f, 0.004f}) {
-			IndexedMesh  mesh = loaded(shape, workers);
-			const double foreseen =
-				facesAfterSplitting(mesh, findLongFaces(mesh, longest, workers), longest);
+			IndexedMesh  mesh     = loaded(shape, workers);
+			const double foreseen = facesAfterSplitting(
+				mesh, findLongFaces(mesh, measureFaces(mesh, workers), longest, workers), longest);
 			splitLongEdges(mesh, longest, 1 << 24, workers);
 			EXPECT_LE(foreseen, 2 * mesh.faceNum) << longest;
 			EXPECT_GE(foreseen, 0.5 * mesh.faceNum) << longest;

@@ -188,7 +188,7 @@ TEST(CountCrossingPairs, AgreesWithTheSearchOverAllFaces)
 	for (int f = 0; f < m.faceNum; ++f) {
 		const bool crosses = std::binary_search(found.begin(), found.end(), f);
 		EXPECT_EQ(countCrossingPairs(m, {f}, all) > 0, crosses) << f;
-		EXPECT_EQ(countCrossingPairs(m, {f}, facesNear(m, {f}, 0)) > 0, crosses) << f;
+		EXPECT_EQ(countCrossingPairs(m, {f}, facesNear(m, {f}, 0, workers)) > 0, crosses) << f;
 	}
 	int sum = 0;
 	for (int f : found)

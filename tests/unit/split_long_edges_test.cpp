@@ -72,6 +72,27 @@ TEST(SplitLongEdgesOf, ShortEdgesNothingChanges)
 	EXPECT_EQ(meshOf(m).triangles, before.triangles);
 }
 
+/// The search leaves out pieces of the mesh without a long edge, whatever piece has one.
+TEST(SplitLongEdgesOf, LongFacesAreFoundInEveryPiece)
+{
+	Workers           workers(2, nullptr);
+	const IndexedMesh m = loaded(joined(icosphere(5), scaled(icosphere(2), 0.9)), workers);
+	ASSERT_GT(m.faceNum, int(3 * Workers::pieceSize));
+	for (float most : {0.01f, 0.03f, 0.1f, 1.0f}) {
+		std::vector<int> expected;
+		for (int f = 0; f < m.faceNum; ++f) {
+			float longest = 0;
+			for (int k = 0; k < 3; ++k) {
+				const Vec3f a = m.position[m.triangle[3 * f + k]];
+				longest =
+					std::max(longest, length(m.position[m.triangle[3 * f + (k + 1) % 3]] - a));
+			}
+			if (longest > most) expected.push_back(f);
+		}
+		EXPECT_EQ(findLongFaces(m, measureFaces(m, workers), most, workers), expected) << most;
+	}
+}
+
 /// One huge face beside small ones, as stray triangles of scans are: only it and what it touches
 /// grow.
 TEST(SplitLongEdgesOf, AStrayTriangleIsDividedAndTheRestLeftAlone)

@@ -196,7 +196,8 @@ void fillOutgoing(HalfEdgeMesh& m, const Buffer<int>& faceStart, Workers& worker
 }
 
 /// Vertex normals by turning round every vertex, which also counts the corners seen: they are all
-/// corners exactly if every vertex has a single fan.
+/// corners exactly if every vertex has a single fan. Pointed vertices are marked on the way: to
+/// turn round all of them once more would cost as much as this.
 bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& normal)
 {
 	normal.reset(m.vertexNum);
@@ -205,11 +206,15 @@ bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& 
 			std::int64_t corners = 0;
 			for (int v = int(begin); v < int(end); ++v) {
 				Vec3f sum;
+				float area = 0;
 				forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
-					sum += cross(a, b);
+					const Vec3f n = cross(a, b);
+					sum += n;
+					area += length(n);
 					++corners;
 				});
 				normal[v] = PackedNormal(normalized(sum));
+				if (length(sum) < pointedSpread * area) normal[v].mark();
 			}
 			return corners;
 		});

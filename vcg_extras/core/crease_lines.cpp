@@ -404,6 +404,8 @@ private:
 	/// to n·axis = 1 - defect / 2π.
 	bool isPointed(int v) const
 	{
+		const float spread = 1.05f - rules_.strongDeg / 360;
+		if (spread <= pointedSpread && !surface_.normal[v].isMarked()) return false;
 		Vec3f sum;
 		float area = 0;
 		forEachFaceRound(m_, v, [&](int, const Vec3f& a, const Vec3f& b) {
@@ -411,7 +413,7 @@ private:
 			sum += n;
 			area += length(n);
 		});
-		return length(sum) < (1.05f - rules_.strongDeg / 360) * area;
+		return length(sum) < spread * area;
 	}
 
 	bool isTip(int v) const

@@ -66,8 +66,7 @@ public:
 	CreaseFaceAligner(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result,
 					  Workers& workers) :
 			surface_(surface),
-			curves_(curves), r_(result), m_(result.mesh), looksLeft_(mostLooks),
-			normal_(smoothNormals(surface, result, workers))
+			curves_(curves), r_(result), m_(result.mesh), workers_(workers), looksLeft_(mostLooks)
 	{
 	}
 
@@ -90,8 +89,8 @@ private:
 	const BoundaryCurves& curves_;
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
+	Workers&              workers_;
 	std::int64_t          looksLeft_;
-	Buffer<Vec3f>         normal_; ///< smooth normals of the vertices
 
 	/// How good a pair of faces is.
 	struct Quality {
@@ -108,7 +107,7 @@ private:
 	Quality qualityOf(int f, int g) const
 	{
 		return {std::min(agreementOf(f), agreementOf(g)),
-				std::min(faceAgreement(m_, normal_, f), faceAgreement(m_, normal_, g)),
+				std::min(faceAgreement(surface_, r_, f), faceAgreement(surface_, r_, g)),
 				std::min(smallestAngle(m_, f), smallestAngle(m_, g))};
 	}
 
@@ -142,7 +141,7 @@ private:
 	bool crossesNothing(const std::vector<int>& faces)
 	{
 		looksLeft_ -= m_.faceNum;
-		return looksLeft_ >= 0 && countCrossingPairs(m_, faces) == 0;
+		return looksLeft_ >= 0 && countCrossingPairs(m_, faces, workers_) == 0;
 	}
 };
 

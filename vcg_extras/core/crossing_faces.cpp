@@ -405,7 +405,8 @@ std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<i
 	return findCrossingFaces(mesh, mark, workers);
 }
 
-std::vector<int> facesNear(const HalfEdgeMesh& m, const std::vector<int>& faces, float margin)
+std::vector<int> facesNear(const HalfEdgeMesh& m, const std::vector<int>& faces, float margin,
+						   Workers& workers)
 {
 	Box all;
 	for (int f : faces) {
@@ -414,11 +415,13 @@ std::vector<int> facesNear(const HalfEdgeMesh& m, const std::vector<int>& faces,
 	const Vec3f reach{margin, margin, margin};
 	all.low = all.low - reach;
 	all.high += reach;
-	std::vector<int> near;
-	for (int g = 0; g < m.faceNum; ++g) {
-		if (!isDeadFace(m, g) && boxOf(m, g).meets(all)) near.push_back(g);
-	}
-	return near;
+	return workers.collect<int>(m.faceNum,
+								[&](std::size_t begin, std::size_t end, std::vector<int>& near) {
+									for (int g = int(begin); g < int(end); ++g) {
+										if (!isDeadFace(m, g) && boxOf(m, g).meets(all))
+											near.push_back(g);
+									}
+								});
 }
 
 int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
@@ -444,9 +447,9 @@ int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
 	return num;
 }
 
-int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces)
+int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces, Workers& workers)
 {
-	return countCrossingPairs(m, faces, facesNear(m, faces, 0));
+	return countCrossingPairs(m, faces, facesNear(m, faces, 0, workers));
 }
 
 } // namespace gpr

@@ -25,16 +25,17 @@ std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<i
 								   Workers& workers);
 
 /// Living faces whose boxes lie within `margin` of the box round some others; ascending. Cost:
-/// O(F).
-std::vector<int> facesNear(const HalfEdgeMesh& mesh, const std::vector<int>& faces, float margin);
+/// O(F), parallel.
+std::vector<int> facesNear(const HalfEdgeMesh& mesh, const std::vector<int>& faces, float margin,
+						   Workers& workers);
 
 /// Number of crossing pairs of which one is among `faces` and the other there or in `near`, both
 /// ascending; dead faces are passed over. Cost: the product of the two.
 int countCrossingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces,
 					   const std::vector<int>& near);
 
-/// The same with all faces near. Cost: O(F).
-int countCrossingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
+/// The same with all faces near. Cost: O(F), parallel.
+int countCrossingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces, Workers& workers);
 
 } // namespace gpr
 

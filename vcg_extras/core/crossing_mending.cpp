@@ -74,7 +74,8 @@ private:
 	{
 		workers_.poll();
 		const std::vector<int> ring = facesRound(m_, verticesOf(m_, {f}));
-		near_ = facesNear(m_, facesRound(m_, verticesOf(m_, ring)), meanEdge(m_.origin[3 * f]));
+		near_ = facesNear(m_, facesRound(m_, verticesOf(m_, ring)), meanEdge(m_.origin[3 * f]),
+						  workers_);
 		bool better = false;
 		for (int k = 0; k < 3 && isCrossing(f); ++k)
 			better = move(m_.origin[3 * f + k]) || better;

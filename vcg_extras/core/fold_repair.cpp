@@ -32,6 +32,13 @@ constexpr int mostCrossings = 256;
 
 constexpr float reaches[] = {0.6f, 0.3f, 0.1f}; ///< of the ideal edge
 
+/// Cosine of the angle between two vectors; -1 where one is zero.
+float agreement(const Vec3f& a, const Vec3f& b)
+{
+	const float scale = length(a) * length(b);
+	return scale > 0 ? dot(a, b) / scale : -1.0f;
+}
+
 class FoldMender {
 public:
 	FoldMender(const Surface& surface, const BoundaryCurves& boundary, bool mayCollapse,
@@ -136,11 +143,9 @@ private:
 	{
 		const Vec3f n = cross(b.place - a.place, c.place - a.place);
 		if (isLine(a.place, b.place, c.place, n)) return noArea;
-		const Vec3f wanted    = a.normal + b.normal + c.normal;
-		const float scale     = length(n) * length(wanted);
-		const float agreement = scale > 0 ? dot(n, wanted) / scale : -1.0f;
-		const float shape     = triangleShape(a.place, b.place, c.place);
-		const float off       = std::max(0.0f, wantedAgreement - agreement);
+		const Vec3f wanted = a.normal + b.normal + c.normal;
+		const float shape  = triangleShape(a.place, b.place, c.place);
+		const float off    = std::max(0.0f, wantedAgreement - agreement(n, wanted));
 		return off * off + 0.2f * std::max(0.0f, wantedShape - shape);
 	}
 
@@ -312,12 +317,17 @@ Buffer<Vec3f> smoothNormals(const Surface& surface, const ResultMesh& result, Wo
 
 float faceAgreement(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int face)
 {
-	const int*  corner = &m.origin[3 * face];
-	const Vec3f n      = m.faceCross(face);
-	const Vec3f wanted =
-		smoothNormal[corner[0]] + smoothNormal[corner[1]] + smoothNormal[corner[2]];
-	const float scale = length(n) * length(wanted);
-	return scale > 0 ? dot(n, wanted) / scale : -1.0f;
+	const int* corner = &m.origin[3 * face];
+	return agreement(m.faceCross(face),
+					 smoothNormal[corner[0]] + smoothNormal[corner[1]] + smoothNormal[corner[2]]);
+}
+
+float faceAgreement(const Surface& surface, const ResultMesh& result, int face)
+{
+	Vec3f wanted;
+	for (int h = 3 * face; h < 3 * face + 3; ++h)
+		wanted += smoothNormal(surface, result.vertex[result.mesh.origin[h]].anchor);
+	return agreement(result.mesh.faceCross(face), wanted);
 }
 
 int mendFolds(const Surface& surface, const BoundaryCurves& boundary, bool mayCollapse,

@@ -20,6 +20,8 @@ Buffer<Vec3f> smoothNormals(const Surface& surface, const ResultMesh& result, Wo
 /// Cosine of the angle between a face of the result and the mean of its corners' smooth normals; -1
 /// for a face without area. Below 0 the face looks the wrong way.
 float faceAgreement(const HalfEdgeMesh& mesh, const Buffer<Vec3f>& smoothNormal, int face);
+/// The same for a few faces, without the normals of all vertices.
+float faceAgreement(const Surface& surface, const ResultMesh& result, int face);
 
 /// Where the surface is thinner than the triangles (fingers, lips, thin plates) removal can leave
 /// faces that look against the surface. Each such face, and its neighbours, is mended by the flip,

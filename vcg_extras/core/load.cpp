@@ -318,14 +318,25 @@ IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& coun
 	return mesh;
 }
 
-double surfaceArea(const IndexedMesh& mesh, Workers& workers)
+FaceExtents measureFaces(const IndexedMesh& mesh, Workers& workers)
 {
-	return workers.sum<double>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		double area = 0;
-		for (std::size_t f = begin; f < end; ++f)
-			area += 0.5 * double(length(mesh.faceCross(int(f))));
+	FaceExtents extents;
+	extents.longestSquared.reset((mesh.faceNum + Workers::pieceSize - 1) / Workers::pieceSize);
+	extents.area = workers.sum<double>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		double area    = 0;
+		float  longest = 0;
+		for (std::size_t f = begin; f < end; ++f) {
+			const int*  corner = &mesh.triangle[3 * f];
+			const Vec3f a = mesh.position[corner[0]], b = mesh.position[corner[1]],
+						c = mesh.position[corner[2]];
+			area += 0.5 * double(length(cross(b - a, c - a)));
+			longest = std::max(
+				{longest, squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+		}
+		extents.longestSquared[begin / Workers::pieceSize] = longest;
 		return area;
 	});
+	return extents;
 }
 
 } // namespace gpr

@@ -17,9 +17,14 @@ namespace gpr {
 /// linear, parallel.
 IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& counts);
 
-/// Surface area in working units squared, summed in double; the same bits for any number of
-/// threads.
-double surfaceArea(const IndexedMesh& mesh, Workers& workers);
+/// What is asked of all faces, from one pass over them.
+struct FaceExtents {
+	double        area = 0;       ///< sum, working units squared, in double
+	Buffer<float> longestSquared; ///< edge of each Workers::pieceSize faces, working units squared
+};
+
+/// The same bits for any number of threads. Cost: linear, parallel.
+FaceExtents measureFaces(const IndexedMesh& mesh, Workers& workers);
 
 } // namespace gpr
 

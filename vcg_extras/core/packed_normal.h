@@ -9,15 +9,21 @@
 
 namespace gpr {
 
-/// A unit vector in 32 bits, 10 a coordinate: true to about 0.1°, enough to tell flat from bent.
+/// A unit vector in 32 bits, 10 a coordinate: true to about 0.1°, enough to tell flat from bent;
+/// and a mark.
 class PackedNormal {
 public:
 	PackedNormal() = default;
 	explicit PackedNormal(const Vec3f& n) : bits_(pack(n.x) | pack(n.y) << 10 | pack(n.z) << 20) {}
 
+	void mark() { bits_ |= markBit; }
+	bool isMarked() const { return (bits_ & markBit) != 0; }
+
 	Vec3f unpack() const { return {part(0), part(10), part(20)}; }
 
 private:
+	static constexpr std::uint32_t markBit = std::uint32_t(1) << 30;
+
 	std::uint32_t bits_;
 
 	static std::uint32_t pack(float c) { return std::uint32_t(int(c * 511.0f) + 512) & 1023; }

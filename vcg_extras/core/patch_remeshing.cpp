@@ -99,7 +99,7 @@ private:
 		if (triesLeft_ == 0 || isDeadFace(m_, f) || smallestAngle(m_, f) >= angle_) return;
 		workers_.poll();
 		--triesLeft_;
-		near_ = facesNear(m_, facesRound(m_, patchRound(f)), meanEdge(m_.origin[3 * f]));
+		near_ = facesNear(m_, facesRound(m_, patchRound(f)), meanEdge(m_.origin[3 * f]), workers_);
 		Operation best;
 		float     bestGain = 0;
 		for (const Operation& op : operationsAt(f)) {

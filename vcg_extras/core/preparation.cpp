@@ -80,8 +80,9 @@ Prepared Preparation::prepare(std::int64_t fixedTarget)
 {
 	Prepared p;
 	clock_.enter("load", "Taking over the mesh", 0.05);
-	IndexedMesh mesh = loadCleaned();
-	p.area           = surfaceArea(mesh, workers_);
+	IndexedMesh       mesh    = loadCleaned();
+	const FaceExtents extents = measureFaces(mesh, workers_);
+	p.area                    = extents.area;
 	if (!(p.area > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
 	p.surface.frame        = mesh.frame;
 	report_.radiusConstant = radiusConstant(options_);
@@ -91,7 +92,7 @@ Prepared Preparation::prepare(std::int64_t fixedTarget)
 			  p);
 
 	clock_.enter("splitLongEdges", "Splitting long edges", 0.06);
-	report_.cleaned.longEdgesSplit = splitAsFarAsMemoryGoes(mesh, p);
+	report_.cleaned.longEdgesSplit = splitAsFarAsMemoryGoes(mesh, extents, p);
 	connectOrRepair(mesh, p.surface);
 	dropFlatPieces(p.surface);
 	setSizes(p);
@@ -117,23 +118,34 @@ void Preparation::findFeatureLines(Prepared& p)
 	rules.leastTwig   = idealEdge(p);
 	rules.leastGap    = leastLineGap * idealEdge(p);
 
-	CreaseFindings found = markCreases(rules, workers_, p.surface);
-	if (found.edgeNum > 0 && shareOnCurves(p) > mostOnCurves) {
+	double share = followCreases(rules, p);
+	if (share > mostOnCurves) {
 		forgetFeatureLines(p);
 		rules.leastGap = leastCrowdedGap * idealEdge(p);
-		found          = markCreases(rules, workers_, p.surface);
+		share          = followCreases(rules, p);
 	}
-	while (found.edgeNum > 0 && shareOnCurves(p) > 1) {
+	while (share > 1) {
 		forgetFeatureLines(p);
 		rules.leastLength *= 2;
 		rules.leastLoop *= 2;
-		found = markCreases(rules, workers_, p.surface);
+		share = followCreases(rules, p);
 	}
-	p.tips                 = found.tips;
-	report_.featureEdgeNum = found.edgeNum;
-	report_.featureTipNum  = std::int64_t(found.tips.size());
 	followGivenLines(p);
 	if (!namesSources(p)) p.surface.sourceFace.release();
+}
+
+/// Marks lines and tips and samples them. Returns the share that their samples are of the vertices
+/// wanted; 0 without lines.
+double Preparation::followCreases(const CreaseRules& rules, Prepared& p)
+{
+	CreaseFindings found   = markCreases(rules, workers_, p.surface);
+	report_.featureEdgeNum = found.edgeNum;
+	report_.featureTipNum  = std::int64_t(found.tips.size());
+	p.tips                 = std::move(found.tips);
+	if (found.edgeNum == 0) return 0;
+	p.curves       = sampleCurves(p, p.radius, options_.boundary);
+	p.curvesRadius = p.radius;
+	return shareOf(p.curves, p);
 }
 
 /// Whether anything of the result will be named by the caller's faces.
@@ -150,8 +162,10 @@ void Preparation::followGivenLines(Prepared& p)
 	std::copy(m.crease.begin(), m.crease.end(), before.begin());
 	const std::int64_t added = markGivenLines(input_, workers_, p.surface);
 	if (added == 0) return;
-	if (shareOnCurves(p) <= mostOnGivenLines) {
+	const BoundaryCurves curves = sampleCurves(p, p.radius, options_.boundary);
+	if (shareOf(curves, p) <= mostOnGivenLines) {
 		report_.featureEdgeNum += added;
+		p.curvesRadius = 0;
 		return;
 	}
 	p.surface.mesh.crease.swap(before);
@@ -163,6 +177,7 @@ void Preparation::forgetFeatureLines(Prepared& p)
 {
 	p.surface.mesh.crease.release();
 	p.tips.clear();
+	p.curvesRadius         = 0;
 	report_.featureEdgeNum = report_.featureTipNum = 0;
 }
 
@@ -249,9 +264,8 @@ void Preparation::keepBorder(Prepared& p)
 	p.kept = std::move(all);
 }
 
-double Preparation::shareOnCurves(const Prepared& p)
+double Preparation::shareOf(const BoundaryCurves& curves, const Prepared& p)
 {
-	const BoundaryCurves curves = sampleCurves(p, p.radius, options_.boundary);
 	return double(curves.samples.size()) / double(p.targetNum);
 }
 
@@ -315,10 +329,11 @@ void Preparation::dropSmallComponents(Surface& surface)
 	connectOrRepair(mesh, surface);
 }
 
-std::int64_t Preparation::splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepared& p)
+std::int64_t Preparation::splitAsFarAsMemoryGoes(IndexedMesh& mesh, const FaceExtents& extents,
+												 const Prepared& p)
 {
 	float            longest   = longestEdgeInRadii * p.radius;
-	std::vector<int> longFaces = findLongFaces(mesh, longest, workers_);
+	std::vector<int> longFaces = findLongFaces(mesh, extents, longest, workers_);
 	if (double(longFaces.size()) < mostSingleFaces * mesh.faceNum) {
 		longest   = longestSingleEdge * p.radius;
 		longFaces = findLongFaces(mesh, longest, longFaces);

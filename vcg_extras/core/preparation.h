@@ -3,8 +3,10 @@
 #ifndef VCG_EXTRAS_CORE_PREPARATION_H
 #define VCG_EXTRAS_CORE_PREPARATION_H
 
+#include "crease_lines.h"
 #include "feature_detection.h"
 #include "indexed_mesh.h"
+#include "load.h"
 #include "prepared.h"
 #include "sizing.h"
 
@@ -45,17 +47,19 @@ private:
 	void                findFeatureRegion(Prepared& p);
 	void                keepBorder(Prepared& p);
 	/// Of the wanted vertices, that borders and feature lines take.
-	double       shareOnCurves(const Prepared& p);
-	void         connectOrRepair(IndexedMesh& mesh, Surface& surface);
-	void         dropFlatPieces(Surface& surface);
-	IndexedMesh  loadCleaned();
-	IndexedMesh  withoutUseless(IndexedMesh mesh);
-	void         dropSmallComponents(Surface& surface);
-	void         followGivenLines(Prepared& p);
-	bool         namesSources(const Prepared& p) const;
-	std::int64_t splitAsFarAsMemoryGoes(IndexedMesh& mesh, const Prepared& p);
-	void         noteStrayFaces(const IndexedMesh& mesh, const std::vector<int>& longFaces);
-	void         noteDetection(const FeatureEdges& features);
+	static double shareOf(const BoundaryCurves& curves, const Prepared& p);
+	double        followCreases(const CreaseRules& rules, Prepared& p);
+	void          connectOrRepair(IndexedMesh& mesh, Surface& surface);
+	void          dropFlatPieces(Surface& surface);
+	IndexedMesh   loadCleaned();
+	IndexedMesh   withoutUseless(IndexedMesh mesh);
+	void          dropSmallComponents(Surface& surface);
+	void          followGivenLines(Prepared& p);
+	bool          namesSources(const Prepared& p) const;
+	std::int64_t  splitAsFarAsMemoryGoes(IndexedMesh& mesh, const FaceExtents& extents,
+										 const Prepared& p);
+	void          noteStrayFaces(const IndexedMesh& mesh, const std::vector<int>& longFaces);
+	void          noteDetection(const FeatureEdges& features);
 };
 
 } // namespace gpr

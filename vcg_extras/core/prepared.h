@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_PREPARED_H
 #define VCG_EXTRAS_CORE_PREPARED_H
 
+#include "boundary_curves.h"
 #include "connect.h"
 #include "run_context.h"
 
@@ -24,6 +25,8 @@ struct Prepared {
 	double           radiusFactor = 1; ///< that over the radius of eq. (1): see Sizing
 	Buffer<char>     isFeatureVertex;  ///< of the region to be preserved; empty: none
 	std::vector<int> tips;             ///< vertices at tips of cones
+	BoundaryCurves   curves;           ///< with samples, where they are known already
+	float            curvesRadius = 0; ///< for which they were sampled; 0: not yet
 	std::vector<int> kept;             ///< the caller's vertices that stay
 };
 

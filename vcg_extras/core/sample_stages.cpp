@@ -118,7 +118,7 @@ Sampling SampleStages::sampleOnce(const Prepared& p, float radius, const BlockPa
 								  BoundaryCurves& boundary)
 {
 	clock_.enter("boundary", "Sampling the boundary", 0.24);
-	boundary = sampleCurves(p, radius, options_.boundary);
+	boundary = radius == p.curvesRadius ? p.curves : sampleCurves(p, radius, options_.boundary);
 	clock_.enter("sampling", "Sampling", 0.6);
 	if (options_.placement == Placement::BorderEdge)
 		return sampleOnBorderEdges(p, radius, boundary);

@@ -252,25 +252,17 @@ private:
 	}
 };
 
-std::vector<int> facesToSplit(const IndexedMesh& mesh, const EdgeRule& rule, Workers& workers)
+template <class MayBeLong>
+std::vector<int> facesToSplit(const IndexedMesh& mesh, const EdgeRule& rule,
+							  const MayBeLong& pieceMayBeLong, Workers& workers)
 {
-	Buffer<char>       isLong(mesh.faceNum);
-	const std::int64_t n =
-		workers.sum<std::int64_t>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-			std::int64_t found = 0;
-			for (std::size_t f = begin; f < end; ++f) {
-				isLong[f] = rule.isLongFace(mesh, int(f));
-				found += isLong[f];
-			}
-			return found;
-		});
-	std::vector<int> faces;
-	if (n == 0) return faces;
-	faces.reserve(n);
-	for (int f = 0; f < mesh.faceNum; ++f) {
-		if (isLong[f]) faces.push_back(f);
-	}
-	return faces;
+	return workers.collect<int>(mesh.faceNum,
+								[&](std::size_t begin, std::size_t end, std::vector<int>& out) {
+									if (!pieceMayBeLong(begin / Workers::pieceSize)) return;
+									for (int f = int(begin); f < int(end); ++f) {
+										if (rule.isLongFace(mesh, f)) out.push_back(f);
+									}
+								});
 }
 
 /// Arrays come from loading with some room to spare; copying a large one takes a while.
@@ -319,10 +311,14 @@ std::int64_t runSplitter(Splitter& splitter, const std::vector<int>& longFaces, 
 
 } // namespace
 
-std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength, Workers& workers)
+std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
+							   Workers& workers)
 {
 	const Buffer<float> sameSize;
-	return facesToSplit(mesh, {maxLength * maxLength, sameSize}, workers);
+	const EdgeRule      rule{maxLength * maxLength, sameSize};
+	return facesToSplit(
+		mesh, rule,
+		[&](std::size_t piece) { return rule.isLong(extents.longestSquared[piece], 1); }, workers);
 }
 
 std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
@@ -340,8 +336,9 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
 							Workers& workers)
 {
-	return splitLongEdges(mesh, findLongFaces(mesh, maxLength, workers), maxLength, maxFaces,
-						  workers);
+	return splitLongEdges(mesh,
+						  findLongFaces(mesh, measureFaces(mesh, workers), maxLength, workers),
+						  maxLength, maxFaces, workers);
 }
 
 std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
@@ -356,7 +353,8 @@ std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, const Buffer<flo
 							std::int64_t maxFaces, Workers& workers)
 {
 	Splitter               splitter(mesh, maxLength, size, maxFaces);
-	const std::vector<int> longFaces = facesToSplit(mesh, {maxLength * maxLength, size}, workers);
+	const std::vector<int> longFaces = facesToSplit(
+		mesh, {maxLength * maxLength, size}, [](std::size_t) { return true; }, workers);
 	return runSplitter(splitter, longFaces, mesh, workers);
 }
 

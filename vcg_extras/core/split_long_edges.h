@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_CORE_SPLIT_LONG_EDGES_H
 
 #include "indexed_mesh.h"
+#include "load.h"
 #include "workers.h"
 
 #include <cstdint>
@@ -27,8 +28,10 @@ constexpr float leastNeedleLength = 16;
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
 							Workers& workers);
 
-/// Faces with an edge longer than maxLength, ascending. Cost: a parallel pass.
-std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength, Workers& workers);
+/// Faces with an edge longer than maxLength, ascending. Cost: a parallel pass over the pieces of
+/// the mesh that have such an edge.
+std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
+							   Workers& workers);
 /// Those among some faces. Cost: theirs alone.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 							   const std::vector<int>& among);

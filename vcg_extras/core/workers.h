@@ -31,6 +31,9 @@ public:
 
 	int threadNum() const;
 
+	/// Sums and collections are formed over pieces of so many items, whatever the threads.
+	static constexpr std::size_t pieceSize = 4096;
+
 	/// Calls body(begin, end) for pieces of [0, n), in any order, in parallel.
 	template <class Body>
 	void forRange(std::size_t n, const Body& body)
@@ -52,7 +55,7 @@ public:
 	template <class Value, class Body>
 	Value sum(std::size_t n, const Body& body)
 	{
-		const std::size_t  grain    = 4096;
+		const std::size_t  grain    = pieceSize;
 		const std::size_t  pieceNum = (n + grain - 1) / grain;
 		std::vector<Value> part(pieceNum);
 		forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
@@ -108,7 +111,7 @@ private:
 	template <class Value, class Body>
 	std::vector<std::vector<Value>> collectParts(std::size_t n, const Body& body)
 	{
-		const std::size_t               grain    = 4096;
+		const std::size_t               grain    = pieceSize;
 		const std::size_t               pieceNum = (n + grain - 1) / grain;
 		std::vector<std::vector<Value>> part(pieceNum);
 		forRange(pieceNum, [&](std::size_t begin, std::size_t end) {
