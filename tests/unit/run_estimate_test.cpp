@@ -71,11 +71,11 @@ TEST(RunEstimate, OfASelectedPartOnlyThatCounts)
 	const TriangleMesh        sphere = icosphere(4);
 	std::vector<std::uint8_t> selected(sphere.faceNum());
 	std::fill(selected.begin(), selected.begin() + long(selected.size() / 4), 1);
-	MeshView view                 = sphere.view();
-	view.selectedFace             = selected.data();
-	RemeshOptions     options     = withPercent(10);
-	const RunEstimate whole       = estimateRun(view, options);
-	options.selectedOnly          = true;
+	MeshView view             = sphere.view();
+	view.selectedFace         = selected.data();
+	RemeshOptions     options = withPercent(10);
+	const RunEstimate whole   = estimateRun(view, options);
+	options.selectedOnly      = true;
 	EXPECT_NEAR(estimateRun(view, options).seconds, whole.seconds / 4, 1e-3 * whole.seconds);
 }
 

@@ -25,7 +25,8 @@ StrayFaces strayOf(const TriangleMesh& shape)
 {
 	Workers           workers(2, nullptr);
 	const IndexedMesh mesh = loaded(shape, workers);
-	return findStrayFaces(mesh, findLongFaces(mesh, 0.05f, workers), workers);
+	return findStrayFaces(mesh, findLongFaces(mesh, measureFaces(mesh, workers), 0.05f, workers),
+						  workers);
 }
 
 TEST(StrayFaces, AFaceThatReachesFarBeyondTheOthersIsFound)
@@ -57,7 +58,7 @@ TEST(StrayFaces, ANoteTellsOfThem)
             all += note + '\n';
         return all;
 	};
-	options.targetPercent     = 50;
+	options.targetPercent   = 50;
 	const std::string notes = notesOf(joined(icosphere(3), triangle(100)));
 	EXPECT_NE(notes.find("1 of the faces reach"), std::string::npos) << notes;
 	EXPECT_EQ(notesOf(icosphere(3)).find("stray"), std::string::npos);

@@ -22,9 +22,9 @@ struct Rate {
 	double perVertex;
 };
 constexpr Rate samplingRate  = {0.6, 6};
-constexpr Rate plainRate     = {0.6, 10};  // nothing is fitted
+constexpr Rate plainRate     = {0.6, 10}; // nothing is fitted
 constexpr Rate fittedRate    = {0.9, 25};
-constexpr Rate removalRate   = {1.2, 20};  // vertices are removed one by one
+constexpr Rate removalRate   = {1.2, 20}; // vertices are removed one by one
 constexpr Rate detectionRate = {2, 0};
 /// Quadric Edge Collapse as MeshLab has it, on one thread whatever our own number.
 constexpr double collapseMicrosecondsPerFace = 10;
@@ -86,8 +86,8 @@ int threadNumOf(const RemeshOptions& o)
 
 RunEstimate estimateRun(const MeshView& input, const RemeshOptions& options, Tool tool) noexcept
 {
-	const double share = shareOfSelected(input, options);
-	const double faces = share * double(input.faceNum);
+	const double share     = shareOfSelected(input, options);
+	const double faces     = share * double(input.faceNum);
 	const bool   isByCount = options.targetMode == TargetMode::VertexNum;
 	const Rate   rate      = rateOf(tool, options);
 	RunEstimate  estimate;
@@ -95,7 +95,7 @@ RunEstimate estimateRun(const MeshView& input, const RemeshOptions& options, Too
 		estimate.vertexNum =
 			std::min(mostVertices, (isByCount ? 1 : share) * vertexNumOf(input, options));
 	const double microseconds = rate.perFace * faces + rate.perVertex * estimate.vertexNum;
-	estimate.seconds = 1e-6 * microseconds / std::pow(threadNumOf(options), threadPower);
+	estimate.seconds          = 1e-6 * microseconds / std::pow(threadNumOf(options), threadPower);
 	if (options.targetMode == TargetMode::MaxError && tool == RemeshTool)
 		estimate.seconds *= trialsForError;
 	if (tool == CompareTool) estimate.seconds += 1e-6 * collapseMicrosecondsPerFace * faces;

@@ -77,7 +77,8 @@ std::vector<int> longerThan(const IndexedMesh& mesh, const std::vector<int>& fac
 StrayFaces findStrayFaces(const IndexedMesh& mesh, const std::vector<int>& longFaces,
 						  Workers& workers)
 {
-	// Working coordinates are of magnitude one, which tells most meshes without stray faces at once.
+	// Working coordinates are of magnitude one, which tells most meshes without stray faces at
+	// once.
 	StrayFaces       none;
 	std::vector<int> faces = longerThan(mesh, longFaces, leastLength);
 	if (faces.empty() || double(faces.size()) > mostStray * mesh.faceNum) return none;
