@@ -73,7 +73,7 @@ struct Laid {
 		settings.worstRounds   = worstRounds;
 		settings.rounds        = rounds;
 		settings.leastAngleDeg = leastAngleDeg;
-		return fitToInput(surface, settings, result, workers);
+		return fitToInput(surface, boundary, settings, result, workers);
 	}
 
 	/// Of the result, in the caller's units.

@@ -88,9 +88,10 @@ void worstTriangles(benchmark::State& state, StagedRun& run, Workers& workers)
 
 void fit(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Surface& surface = run.prepared().surface;
+	const Surface&        surface  = run.prepared().surface;
+	const BoundaryCurves& boundary = run.sampled().boundary;
 	timeChange(state, run.improved().raised, [&](ResultMesh& result) {
-		fitToInput(surface, usualFitSettings(), result, workers);
+		fitToInput(surface, boundary, usualFitSettings(), result, workers);
 	});
 }
 

@@ -62,7 +62,7 @@ public:
 
 	ResultMesh fitted(ResultMesh result)
 	{
-		fitToInput(prepared_.surface, usualFitSettings(), result, workers_);
+		fitToInput(prepared_.surface, sampled_.boundary, usualFitSettings(), result, workers_);
 		return result;
 	}
 

@@ -224,13 +224,9 @@ float deviation(const Curve& c, float a, float b)
 {
 	const Vec3f p = c.at(a), q = c.at(b);
 	float       worst = 0;
-	const int   lap   = a >= c.length ? c.pointNum() : 0;
-	for (int i = c.segmentAt(a) + 1 + lap; i < 3 * c.pointNum(); ++i) {
-		const int   round = i / c.pointNum();
-		const float s     = c.arc[i % c.pointNum()] + float(round) * c.length;
-		if (s >= b) break;
-		worst = std::max(worst, distanceToSegment(c.point[i % c.pointNum()], p, q));
-	}
+	forEachPointBetween(c, a, b, [&](const Vec3f& point, float) {
+		worst = std::max(worst, distanceToSegment(point, p, q));
+	});
 	return worst;
 }
 

@@ -47,6 +47,20 @@ struct CurveSpacing {
 std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
 							int minSteps);
 
+/// Calls visit(point, arc) for the curve's points strictly between arcs a and b; these may run past
+/// the end of a closed curve, and so do the arcs then.
+template <class Visit>
+inline void forEachPointBetween(const Curve& c, float a, float b, const Visit& visit)
+{
+	const int lap = a >= c.length ? c.pointNum() : 0;
+	for (int i = c.segmentAt(a) + 1 + lap; i < 3 * c.pointNum(); ++i) {
+		const int   round = i / c.pointNum();
+		const float s     = c.arc[i % c.pointNum()] + float(round) * c.length;
+		if (s >= b) break;
+		visit(c.point[i % c.pointNum()], s);
+	}
+}
+
 /// Largest distance of the curve's points between arcs a and b from the chord between them.
 float deviation(const Curve& curve, float a, float b);
 

@@ -4,6 +4,7 @@
 
 #include "cells.h"
 #include "crossing_faces.h"
+#include "curve_fit.h"
 #include "fold_repair.h"
 #include "sort_unique.h"
 #include "symmetric_matrix.h"
@@ -313,10 +314,10 @@ private:
 
 class Fitter {
 public:
-	Fitter(const Surface& surface, const FitSettings& settings, ResultMesh& result,
-		   Workers& workers) :
+	Fitter(const Surface& surface, const BoundaryCurves& curves, const FitSettings& settings,
+		   ResultMesh& result, Workers& workers) :
 			surface_(surface),
-			settings_(settings), r_(result), m_(result.mesh), workers_(workers),
+			curves_(curves), settings_(settings), r_(result), m_(result.mesh), workers_(workers),
 			moves_(surface, settings.leastAngleDeg * radians, result, workers), next_(m_.vertexNum),
 			velocity_(m_.vertexNum), mass_(m_.vertexNum), squaredEdge_(m_.vertexNum),
 			free_(m_.vertexNum)
@@ -337,6 +338,7 @@ public:
 
 private:
 	const Surface&                surface_;
+	const BoundaryCurves&         curves_;
 	const FitSettings&            settings_;
 	ResultMesh&                   r_;
 	HalfEdgeMesh&                 m_;
@@ -352,7 +354,8 @@ private:
 	/// False if a round, or all together, had to be taken back.
 	bool fitSoundly(std::unique_ptr<Cells>& cells)
 	{
-		Moves      whole(surface_, settings_.leastAngleDeg * radians, r_, workers_);
+		Moves whole(surface_, settings_.leastAngleDeg * radians, r_, workers_);
+		fitCurves(surface_, curves_, settings_.leastAngleDeg * radians, r_);
 		const bool allKept = fitInRounds(cells);
 		whole.takeOver();
 		const bool isSound = takeBackOffenders(whole);
@@ -536,10 +539,10 @@ private:
 
 } // namespace
 
-FitOutcome fitToInput(const Surface& surface, const FitSettings& settings, ResultMesh& result,
-					  Workers& workers)
+FitOutcome fitToInput(const Surface& surface, const BoundaryCurves& curves,
+					  const FitSettings& settings, ResultMesh& result, Workers& workers)
 {
-	return Fitter(surface, settings, result, workers).run();
+	return Fitter(surface, curves, settings, result, workers).run();
 }
 
 } // namespace gpr

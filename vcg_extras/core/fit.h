@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_FIT_H
 #define VCG_EXTRAS_CORE_FIT_H
 
+#include "boundary_curves.h"
 #include "cells.h"
 #include "connect.h"
 #include "result_mesh.h"
@@ -43,12 +44,12 @@ struct FitOutcome {
 /// not depend on the input's, descends by Jacobi steps with momentum, shortens the moves of faces
 /// that turn, look away from the surface or get poor angles, and lets the anchors follow on the
 /// surface. At the end faces that cross others are put back to where they were before the first
-/// round. Vertices of borders and curves stay.
+/// round. Vertices of borders and curves are fitted to these first (curve_fit.h) and stay there.
 ///
 /// Changes mesh.position and the anchors. Cost: linear in the input per round; parallel; the bits
 /// do not depend on the threads.
-FitOutcome fitToInput(const Surface& surface, const FitSettings& settings, ResultMesh& result,
-					  Workers& workers);
+FitOutcome fitToInput(const Surface& surface, const BoundaryCurves& curves,
+					  const FitSettings& settings, ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

@@ -86,7 +86,7 @@ public:
 		settings.leastAngleDeg = leastAngleDeg();
 		settings.worstRounds   = worstRounds(largestCounts);
 		settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options_.adapt));
-		FitOutcome outcome = fitToInput(p.surface, settings, result, workers_);
+		FitOutcome outcome = fitToInput(p.surface, boundary, settings, result, workers_);
 		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
 		if (outcome.cells != nullptr) {
 			mendCrossings(p.surface, boundary, leastAngleDeg(), outcome.crossing, *outcome.cells,
