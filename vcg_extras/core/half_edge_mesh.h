@@ -14,11 +14,11 @@ namespace gpr {
 /// Half-edge h belongs to face h / 3; the three of a face follow each other.
 inline int nextInFace(int h)
 {
-	return h % 3 == 2 ? h - 2 : h + 1;
+	return unsigned(h) % 3 == 2 ? h - 2 : h + 1;
 }
 inline int prevInFace(int h)
 {
-	return h % 3 == 0 ? h + 2 : h - 1;
+	return unsigned(h) % 3 == 0 ? h + 2 : h - 1;
 }
 
 /// Triangle mesh as flat arrays: 32 B a face in all.
@@ -114,16 +114,15 @@ inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)
 {
 	const int first = m.outgoing[v];
 	if (first < 0) return;
+	visit(m.target(first));
 	int h = first;
 	for (;;) {
-		visit(m.target(h));
+		// The neighbour before is the next one's target, but here it need not wait for `next`.
 		const int in   = prevInFace(h);
 		const int next = m.opposite[in];
-		if (next < 0) {
-			visit(m.origin[in]);
-			return;
-		}
 		if (next == first) return;
+		visit(m.origin[in]);
+		if (next < 0) return;
 		h = next;
 	}
 }

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spatial_order.h"
 
-#include "counting_sort.h"
-
+#include <algorithm>
 #include <cmath>
 
 namespace gpr {
@@ -22,29 +21,37 @@ std::uint64_t spreadBits(std::uint64_t x)
 	return x;
 }
 
-/// A vertex and its cell in one word: half the memory to move about. Vertices take 29 bits at most
-/// (see load.cpp), cells of the deepest level used 33.
-constexpr int vertexBits = 30;
-using KeyedVertex        = std::uint64_t;
+/// What is sorted and its key in one word: half the memory to move about. Vertices and faces take
+/// 30 bits at most (see load.cpp), as keys of faces too; cells of the deepest level used 33.
+constexpr int indexBits = 30;
+using Keyed             = std::uint64_t;
 
-int vertexOf(KeyedVertex item)
+Keyed keyed(std::uint64_t key, std::size_t index)
 {
-	return int(item & ((KeyedVertex(1) << vertexBits) - 1));
+	return key << indexBits | index;
+}
+int indexOf(Keyed item)
+{
+	return int(item & ((Keyed(1) << indexBits) - 1));
+}
+std::uint64_t keyOf(Keyed item)
+{
+	return item >> indexBits;
 }
 
-/// Stable radix sort by `bits` bits starting at bit `lowest`, 11 bits a pass. Stable sorting has
-/// one outcome, so pieces can be sorted by any thread.
-void radixSort(Buffer<KeyedVertex>& items, int lowest, int bits, Workers& workers)
+/// Stable radix sort by the lowest `bits` bits of the keys, 11 bits a pass. Stable sorting has one
+/// outcome, so pieces can be sorted by any thread.
+void radixSort(Buffer<Keyed>& items, int bits, Workers& workers)
 {
 	constexpr int         digitBits = 11;
 	constexpr std::size_t digitNum  = std::size_t(1) << digitBits;
 	const std::size_t     n         = items.size();
 	const std::size_t     pieceNum  = std::min<std::size_t>(64, n / 4096 + 1);
 	const std::size_t     pieceSize = (n + pieceNum - 1) / pieceNum;
-	Buffer<KeyedVertex>   other(n);
+	Buffer<Keyed>         other(n);
 	Buffer<std::size_t>   place(pieceNum * digitNum);
 
-	for (int shift = lowest; shift < lowest + bits; shift += digitBits) {
+	for (int shift = indexBits; shift < indexBits + bits; shift += digitBits) {
 		const auto digitOf = [&](std::size_t i) { return items[i] >> shift & (digitNum - 1); };
 		workers.forTasks(pieceNum, [&](std::size_t piece, int) {
 			std::size_t* count = &place[piece * digitNum];
@@ -111,19 +118,19 @@ int levelFor(int vertexNum)
 /// Puts the vertices in order; returns their new names.
 Buffer<int> orderVertices(IndexedMesh& mesh, const MortonGrid& grid, Workers& workers)
 {
-	const std::size_t   n = mesh.vertexNum;
-	Buffer<KeyedVertex> items(n);
+	const std::size_t n = mesh.vertexNum;
+	Buffer<Keyed>     items(n);
 	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t v = begin; v < end; ++v)
-			items[v] = grid.cell(mesh.position[v], grid.level) << vertexBits | v;
+			items[v] = keyed(grid.cell(mesh.position[v], grid.level), v);
 	});
-	radixSort(items, vertexBits, 3 * grid.level, workers);
+	radixSort(items, 3 * grid.level, workers);
 
 	Buffer<Vec3f> position(n);
 	Buffer<int>   rename(n);
 	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t v = begin; v < end; ++v) {
-			const int old = vertexOf(items[v]);
+			const int old = indexOf(items[v]);
 			position[v]   = mesh.position[old];
 			rename[old]   = int(v);
 		}
@@ -139,28 +146,56 @@ int smallestCorner(const int* t)
 	return t[1] < t[2] ? 1 : 2;
 }
 
+/// The faces by their smallest vertex, those of one as they were. Sorting moves whole streams of
+/// them; counters of each vertex, in which all threads meet, take longer.
+Buffer<Keyed> facesBySmallestVertex(const IndexedMesh& mesh, Workers& workers)
+{
+	Buffer<Keyed> items(mesh.faceNum);
+	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const int* t = &mesh.triangle[3 * f];
+			items[f]     = keyed(std::uint64_t(std::min({t[0], t[1], t[2]})), f);
+		}
+	});
+	int bits = 1;
+	while (mesh.vertexNum >> bits > 0)
+		++bits;
+	radixSort(items, bits, workers);
+	return items;
+}
+
+/// Where each key of sorted items begins, and at the end their number.
+void findStarts(const Buffer<Keyed>& items, std::size_t keyNum, Workers& workers,
+				Buffer<int>& start)
+{
+	start.reset(keyNum + 1);
+	workers.forRange(items.size() + 1, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			const std::size_t first = i == 0 ? 0 : keyOf(items[i - 1]) + 1;
+			const std::size_t last  = i == items.size() ? keyNum : keyOf(items[i]);
+			for (std::size_t key = first; key <= last; ++key)
+				start[key] = int(i);
+		}
+	});
+}
+
 } // namespace
 
 void orderFaces(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart)
 {
-	Buffer<int> face;
-	sortIntoBuckets(
-		mesh.faceNum, mesh.vertexNum,
-		[&](std::size_t f) {
-			const int* t = &mesh.triangle[3 * f];
-			return t[smallestCorner(t)];
-		},
-		workers, faceStart, face);
+	const Buffer<Keyed> face = facesBySmallestVertex(mesh, workers);
+	findStarts(face, mesh.vertexNum, workers, faceStart);
 
 	Buffer<int> triangle(std::size_t(3) * mesh.faceNum);
 	Buffer<int> sourceFace(mesh.faceNum);
 	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = begin; f < end; ++f) {
-			const int* from  = &mesh.triangle[std::size_t(3) * face[f]];
+			const int  old   = indexOf(face[f]);
+			const int* from  = &mesh.triangle[std::size_t(3) * old];
 			const int  first = smallestCorner(from);
 			for (int k = 0; k < 3; ++k)
 				triangle[3 * f + k] = from[(first + k) % 3];
-			sourceFace[f] = mesh.sourceFace[face[f]];
+			sourceFace[f] = mesh.sourceFace[old];
 		}
 	});
 	mesh.triangle.swap(triangle);
