@@ -72,22 +72,28 @@ bool DiskFlood::exploreFlat(const Sample& sample)
 	const int stamp = 2 * ++flood_;
 	queue_.clear();
 	met_.clear();
+	// Where the arrays begin is read once: the compiler cannot know that what is written to them
+	// leaves that alone.
+	NearestField::Trial* const         trial    = field_.trial.data();
+	const NearestField::Nearest* const nearest  = field_.nearest.data();
+	const Vec3f* const                 position = m_.position.data();
+	const Vec3f                        centre = sample.anchor.position, normal = sample.normal;
+
 	const auto reach = [&](int v) {
-		NearestField::Trial& t = field_.trial[v];
-		if (t.stamp >= stamp) return;
-		t.stamp = stamp;
+		if (trial[v].stamp >= stamp) return;
+		trial[v].stamp = stamp;
 		queue_.push_back(v);
 	};
 	for (int k = 0; k < 3; ++k)
 		reach(m_.origin[3 * sample.anchor.face + k]);
 	for (std::size_t i = 0; i < queue_.size(); ++i) {
 		const int   v      = queue_[i];
-		const float cosine = dot(normal_[v].unpack(), sample.normal);
+		const float cosine = dot(normal_[v].unpack(), normal);
 		if (!(cosine >= flatCosine)) return false;
-		const float chord        = length(m_.position[v] - sample.anchor.position) * scale_;
-		const float distance     = chord * (1 + (1 - std::min(cosine, 1.0f)) * (1 / 12.0f));
-		field_.trial[v].distance = distance;
-		if (distance > radius_ || distance >= field_.nearest[v].distance) continue;
+		const float chord    = length(position[v] - centre) * scale_;
+		const float distance = chord * (1 + (1 - std::min(cosine, 1.0f)) * (1 / 12.0f));
+		trial[v].distance    = distance;
+		if (distance > radius_ || distance >= nearest[v].distance) continue;
 		forEachNeighbour(m_, v, reach);
 	}
 	for (int v : queue_)

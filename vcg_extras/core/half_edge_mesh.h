@@ -76,16 +76,18 @@ struct HalfEdgeMesh {
 };
 
 /// Calls visit(h) for every half-edge that leaves v, counter-clockwise; at a border beginning
-/// there.
+/// there. The mesh must not grow meanwhile, here and below: its arrays are looked up once, as what
+/// `visit` writes could change them for all that the compiler knows.
 template <class Visit>
 inline void forEachOutgoing(const HalfEdgeMesh& m, int v, const Visit& visit)
 {
 	const int first = m.outgoing[v];
 	if (first < 0) return;
-	int h = first;
+	const int* const opposite = m.opposite.data();
+	int              h        = first;
 	do {
 		visit(h);
-		h = m.opposite[prevInFace(h)];
+		h = opposite[prevInFace(h)];
 	} while (h >= 0 && h != first);
 }
 
@@ -96,15 +98,18 @@ inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const Visit& visit)
 {
 	const int first = m.outgoing[v];
 	if (first < 0) return;
-	const Vec3f p = m.position[v];
-	Vec3f       a = m.position[m.target(first)] - p;
-	int         h = first;
+	const int* const   opposite = m.opposite.data();
+	const int* const   origin   = m.origin.data();
+	const Vec3f* const position = m.position.data();
+	const Vec3f        p        = position[v];
+	Vec3f              a        = position[m.target(first)] - p;
+	int                h        = first;
 	do {
 		const int   in = prevInFace(h);
-		const Vec3f b  = m.position[m.origin[in]] - p;
+		const Vec3f b  = position[origin[in]] - p;
 		visit(h, a, b);
 		a = b;
-		h = m.opposite[in];
+		h = opposite[in];
 	} while (h >= 0 && h != first);
 }
 
@@ -114,14 +119,16 @@ inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)
 {
 	const int first = m.outgoing[v];
 	if (first < 0) return;
+	const int* const opposite = m.opposite.data();
+	const int* const origin   = m.origin.data();
 	visit(m.target(first));
 	int h = first;
 	for (;;) {
 		// The neighbour before is the next one's target, but here it need not wait for `next`.
 		const int in   = prevInFace(h);
-		const int next = m.opposite[in];
+		const int next = opposite[in];
 		if (next == first) return;
-		visit(m.origin[in]);
+		visit(origin[in]);
 		if (next < 0) return;
 		h = next;
 	}
