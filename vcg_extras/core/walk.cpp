@@ -19,14 +19,31 @@ struct Flat {
 	float x, y;
 };
 
+/// A corner in that plane and in space, where it is read once only.
+struct Corner {
+	Flat  flat;
+	Vec3f place;
+};
+
 /// The edge by which the way leaves a face, from its end on the right of the way (y <= 0) to that
 /// on the left (y > 0).
 struct Exit {
-	int  halfEdge;
-	Flat right, left;
+	int    halfEdge;
+	Corner right, left;
 
 	/// Where the way crosses it.
-	float x() const { return right.x + (left.x - right.x) * (right.y / (right.y - left.y)); }
+	float x() const
+	{
+		const Flat a = right.flat, b = left.flat;
+		return a.x + (b.x - a.x) * (a.y / (a.y - b.y));
+	}
+
+	/// The same place in space.
+	Vec3f place() const
+	{
+		const float share = right.flat.y / (right.flat.y - left.flat.y);
+		return right.place + (left.place - right.place) * share;
+	}
 };
 
 /// Of the face that the walk begins in. Seen from inside, counter-clockwise corners have one edge
@@ -34,18 +51,19 @@ struct Exit {
 /// right and the highest as left.
 Exit exitOfFirstFace(const HalfEdgeMesh& m, const Anchor& at, const Vec3f& u, const Vec3f& w)
 {
-	Flat corner[3];
-	int  lowest = 0, highest = 0;
+	Corner corner[3];
+	int    lowest = 0, highest = 0;
 	for (int k = 0; k < 3; ++k) {
-		const Vec3f p = m.position[m.origin[3 * at.face + k]] - at.position;
-		corner[k]     = {dot(p, u), dot(p, w)};
-		if (corner[k].y < corner[lowest].y) lowest = k;
-		if (corner[k].y > corner[highest].y) highest = k;
+		const Vec3f place = m.position[m.origin[3 * at.face + k]];
+		const Vec3f p     = place - at.position;
+		corner[k]         = {{dot(p, u), dot(p, w)}, place};
+		if (corner[k].flat.y < corner[lowest].flat.y) lowest = k;
+		if (corner[k].flat.y > corner[highest].flat.y) highest = k;
 	}
-	corner[lowest].y = std::min(corner[lowest].y, 0.0f);
-	if (!(corner[highest].y > 0)) corner[highest].y = 1e-30f;
+	corner[lowest].flat.y = std::min(corner[lowest].flat.y, 0.0f);
+	if (!(corner[highest].flat.y > 0)) corner[highest].flat.y = 1e-30f;
 	int k = 0;
-	while (k < 2 && !(corner[k].y <= 0 && corner[(k + 1) % 3].y > 0))
+	while (k < 2 && !(corner[k].flat.y <= 0 && corner[(k + 1) % 3].flat.y > 0))
 		++k;
 	return {3 * at.face + k, corner[k], corner[(k + 1) % 3]};
 }
@@ -58,46 +76,40 @@ Exit exitOfFirstFace(const HalfEdgeMesh& m, const Anchor& at, const Vec3f& u, co
 ///           \  |                along and height are shares of the edge's length.
 ///            right
 struct Unfolded {
-	Vec3f start, edge, toApex; ///< in space: the right end, from there to the left end and the apex
-	float along = 0, height = 0;
-	Flat  apex{0, 0};
+	Vec3f  edge, toApex; ///< in space, from the right end to the left one and the apex
+	float  along = 0, height = 0;
+	Corner apex{{0, 0}, {}};
 
 	/// False if the face has no area.
 	bool set(const HalfEdgeMesh& m, const Exit& exit, int beyond)
 	{
-		start               = m.position[m.origin[exit.halfEdge]];
-		edge                = m.position[m.target(exit.halfEdge)] - start;
-		toApex              = m.position[m.apex(beyond)] - start;
+		apex.place          = m.position[m.apex(beyond)];
+		edge                = exit.left.place - exit.right.place;
+		toApex              = apex.place - exit.right.place;
 		const float inverse = 1 / squaredLength(edge);
 		along               = dot(toApex, edge) * inverse;
 		const float squared = squaredLength(toApex) * inverse - along * along;
 		if (!(squared > 0 && squared < HUGE_VALF)) return false;
-		height        = std::sqrt(squared);
-		const float x = exit.left.x - exit.right.x;
-		const float y = exit.left.y - exit.right.y;
-		apex.x        = exit.right.x + x * along + y * height;
-		apex.y        = exit.right.y + y * along - x * height;
+		height            = std::sqrt(squared);
+		const Flat  right = exit.right.flat;
+		const float x     = exit.left.flat.x - right.x;
+		const float y     = exit.left.flat.y - right.y;
+		apex.flat         = {right.x + x * along + y * height, right.y + y * along - x * height};
 		return true;
 	}
 
 	/// The place in space of the point (x, 0).
 	Vec3f placeOf(const Exit& exit, float x) const
 	{
-		const float ex = exit.left.x - exit.right.x, ey = exit.left.y - exit.right.y;
+		const Flat  right = exit.right.flat, left = exit.left.flat;
+		const float ex = left.x - right.x, ey = left.y - right.y;
 		const float inverse = 1 / (ex * ex + ey * ey);
-		const float px = x - exit.right.x, py = -exit.right.y;
+		const float px = x - right.x, py = -right.y;
 		const float s = (px * ex + py * ey) * inverse, t = (px * ey - py * ex) * inverse;
 		const float share = std::clamp(t / height, 0.0f, 1.0f);
-		return start + edge * s + (toApex - edge * along) * share;
+		return exit.right.place + edge * s + (toApex - edge * along) * share;
 	}
 };
-
-/// The place in space where the way meets the exit.
-Vec3f placeOn(const HalfEdgeMesh& m, const Exit& exit)
-{
-	const Vec3f a = m.position[m.origin[exit.halfEdge]], b = m.position[m.target(exit.halfEdge)];
-	return a + (b - a) * (exit.right.y / (exit.right.y - exit.left.y));
-}
 
 /// How much the normal of the face that a walk begins in is to be trusted, by the sine of the angle
 /// at its first corner: rounding turns the normal by some 1e-7 over the sine.
@@ -151,12 +163,12 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCross
 	for (int crossed = 0; crossed < mostCrossings && idle <= mostIdleCrossings; ++crossed) {
 		const int beyond = m.opposite[exit.halfEdge];
 		if (beyond < 0 || !face.set(m, exit, beyond)) {
-			at = {placeOn(m, exit), exit.halfEdge / 3};
+			at = {exit.place(), exit.halfEdge / 3};
 			return WalkEnd::AtBorder;
 		}
 		// `beyond` runs from the left end to the right one, the next edge from there to the apex.
-		const Exit  next    = face.apex.y > 0 ? Exit{nextInFace(beyond), exit.right, face.apex}
-											  : Exit{prevInFace(beyond), face.apex, exit.left};
+		const Exit  next    = face.apex.flat.y > 0 ? Exit{nextInFace(beyond), exit.right, face.apex}
+												   : Exit{prevInFace(beyond), face.apex, exit.left};
 		const float reached = next.x();
 		if (reached >= wanted) {
 			at = {face.placeOf(exit, wanted), beyond / 3};
@@ -166,7 +178,7 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCross
 		x    = reached;
 		exit = next;
 	}
-	at = {placeOn(m, exit), exit.halfEdge / 3};
+	at = {exit.place(), exit.halfEdge / 3};
 	return WalkEnd::Capped;
 }
 
