@@ -13,12 +13,42 @@
 #include <vcg_extras/core/angle_mending.h>
 #include <vcg_extras/core/crossing_faces.h>
 #include <vcg_extras/core/crossing_mending.h>
+#include <vcg_extras/core/patch_mover.h>
 #include <vcg_extras/core/patch_remeshing.h>
 #include <vcg_extras/core/poor_faces.h>
 
 namespace gpr::test {
 
 namespace {
+
+/// What a patch' distances are judged by.
+class Distances : PatchMover {
+public:
+	Distances(OnSurface& on, const CellsOfFaces& cells) :
+			PatchMover(on.surface, on.boundary, 0.5f, on.result, on.workers, cells),
+			all_(std::size_t(m_.faceNum))
+	{
+		std::iota(all_.begin(), all_.end(), 0);
+	}
+
+	/// Whether the second of two vertices may go from one height to another, the first being `top`
+	/// above the surface.
+	bool mayRise(float top, float from, float to)
+	{
+		const int first = 40, second = 200;
+		m_.position[first].z += top;
+		m_.position[second].z += from;
+		const Distance before = distanceFrom(all_, all_, 1e-3f);
+		m_.position[second].z += to - from;
+		const bool keeps = distanceFrom(all_, all_, 1e-3f).keeps(before);
+		m_.position[first].z -= top;
+		m_.position[second].z -= to;
+		return keeps;
+	}
+
+private:
+	std::vector<int> all_;
+};
 
 /// A square, and beside it a ribbon much narrower than its vertices lie apart.
 OnSurface squareAndRibbon()
@@ -120,6 +150,18 @@ TEST(RemeshPoorPatches, DoesNotDependOnThreads)
 	expectSameForAnyThreads(ribbon, [](OnSurface& on, Workers& workers) {
 		EXPECT_TRUE(remeshPatches(on, workers, 0));
 	});
+}
+
+TEST(PatchMover, LetsNoTipSinkBecauseAnotherOneHasSunkFarther)
+{
+	OnSurface          on(grid(16, 16));
+	const Cells        cells(on.surface, on.result, on.workers);
+	const CellsOfFaces known{cells, {}, 0.01f}, unknown{cells, {}, 0};
+	EXPECT_FALSE(Distances(on, known).mayRise(0.01f, 0.006f, 0.009f));
+	EXPECT_FALSE(Distances(on, known).mayRise(0.01f, 0.001f, 0.02f));
+	EXPECT_TRUE(Distances(on, known).mayRise(0.01f, 0.001f, 0.004f)) << "not far yet";
+	EXPECT_TRUE(Distances(on, unknown).mayRise(0.01f, 0.006f, 0.009f));
+	EXPECT_FALSE(Distances(on, unknown).mayRise(0.01f, 0.001f, 0.02f));
 }
 
 /// Two sheets, and vertices of the lower one pulled through the upper one.

@@ -162,18 +162,19 @@ private:
 	bool flipAndMove(int h)
 	{
 		if (!mayFlip(h)) return false;
-		const std::array<int, 4> corners = cornersAt(h);
-		const std::vector<int>   faces   = facesRound(m_, {corners.begin(), corners.end()});
-		const Quality            before  = patchQuality(faces);
-		const float              off     = farthestOff * meanEdge(corners[0]);
-		const float              far     = std::max(farthestFrom(faces, faces), off);
+		const std::array<int, 4> corners  = cornersAt(h);
+		const std::vector<int>   faces    = facesRound(m_, {corners.begin(), corners.end()});
+		const Quality            before   = patchQuality(faces);
+		const float              enough   = farthestOff * meanEdge(corners[0]);
+		const Distance           distance = distanceFrom(faces, faces, enough);
 		std::array<Place, 4>     places;
 		for (int k = 0; k < 4; ++k)
 			places[k] = placeOf(corners[k]);
 		flip(m_, h);
 		for (int v : corners)
 			moveToBest(v);
-		if (patchQuality(faces).beats(before) && farthestFrom(faces, faces) <= far) {
+		if (patchQuality(faces).beats(before) &&
+			distanceFrom(faces, faces, enough).keeps(distance)) {
 			for (int v : corners)
 				touch(v);
 			++r_.flipNum;
@@ -199,12 +200,13 @@ bool isMendable(const HalfEdgeMesh& m, float angle, Workers& workers)
 } // namespace
 
 bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
-				ResultMesh& result, Workers& workers, std::unique_ptr<Cells>& cells)
+				ResultMesh& result, Workers& workers, std::unique_ptr<Cells>& cells,
+				float largestGap)
 {
 	const float angle = angleDeg * radians;
 	if (!isMendable(result.mesh, angle, workers)) return true;
 	if (cells == nullptr) cells.reset(new Cells(surface, result, workers));
-	const CellsOfFaces own{*cells, {}};
+	const CellsOfFaces own{*cells, {}, largestGap};
 	return AngleMender(surface, curves, angle, result, workers, own).run();
 }
 

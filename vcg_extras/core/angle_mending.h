@@ -21,7 +21,10 @@ namespace gpr {
 /// there lack, then of their fourth powers, then of the squares again. Vertices keep their height
 /// above the surface; corners of curves, tips and pinned ones stay altogether. A change is refused
 /// if it takes the vertices of the input that belong to the faces round it further from them than
-/// 5 % of an edge and than before, or makes a face agree less with the surface's normals.
+/// 5 % of an edge and than before, or makes a face agree less with the surface's normals. Where
+/// largestGap, the largest distance between input and result (working units), is known, vertices of
+/// the input that are more than half as far off must not get farther, by the sum of the fourth
+/// powers: without that one tip could be cut off because its neighbour is.
 /// What makes faces cross is withdrawn: all is done again without the vertices concerned, a few
 /// times, then not at all.
 ///
@@ -31,7 +34,8 @@ namespace gpr {
 /// null. Cost: a pass over the angles; where some are poor the few faces concerned, the boxes of a
 /// search for crossing faces, and one finding of cells unless they are given.
 bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
-				ResultMesh& result, Workers& workers, std::unique_ptr<Cells>& cells);
+				ResultMesh& result, Workers& workers, std::unique_ptr<Cells>& cells,
+				float largestGap = 0);
 bool mendAngles(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
 				ResultMesh& result, Workers& workers);
 

@@ -174,7 +174,7 @@ void mendCrossings(const Surface& surface, const BoundaryCurves& curves, float a
 	if (suspects.empty()) return;
 	std::vector<int> crossing = findCrossingFaces(result.mesh, suspects, workers);
 	if (crossing.empty()) return;
-	const CellsOfFaces own{cells, {}};
+	const CellsOfFaces own{cells, {}, 0};
 	CrossingMender(surface, curves, angleDeg * radians, result, workers, own)
 		.run(std::move(crossing));
 }

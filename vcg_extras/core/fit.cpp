@@ -331,8 +331,9 @@ public:
 		if (settings_.worstRounds > 0 && outcome.cells != nullptr && !lowerWorst(*outcome.cells))
 			outcome.capped = true;
 		sortUnique(crossing_);
-		outcome.crossing = std::move(crossing_);
-		outcome.farthest = farthestFromAnchor(r_);
+		outcome.crossing   = std::move(crossing_);
+		outcome.farthest   = farthestFromAnchor(r_);
+		outcome.largestGap = largestGap_;
 		return outcome;
 	}
 
@@ -350,6 +351,7 @@ private:
 	Buffer<float>    squaredEdge_; ///< of an equilateral triangle as large as the ones round it
 	Buffer<char>     free_;
 	std::vector<int> crossing_; ///< faces that crossed others at some time
+	float            largestGap_ = 0;
 
 	/// False if a round, or all together, had to be taken back.
 	bool fitSoundly(std::unique_ptr<Cells>& cells)
@@ -402,7 +404,8 @@ private:
 	{
 		const float angle = settings_.leastAngleDeg * radians;
 		Moves       last(surface_, angle, r_, workers_);
-		lowerWorstDistances(surface_, cells, angle, settings_.worstRounds, r_, workers_);
+		largestGap_ =
+			lowerWorstDistances(surface_, cells, angle, settings_.worstRounds, r_, workers_);
 		last.takeOver();
 		if (!last.expectCrossingsWhereMoved()) return true;
 		// Anchors of vertices that stayed must stay: at a sharp edge they might walk round it.

@@ -25,7 +25,8 @@ struct FitOutcome {
 	std::unique_ptr<Cells> cells;  ///< of the last round; null where there was none
 	std::vector<int> crossing;     ///< ascending; all faces that still cross others are among them
 	float            farthest = 0; ///< largest distance of a vertex from its anchor, working units
-	bool             capped   = false; ///< a guard gave up: the moves of that round were taken back
+	float            largestGap = 0; ///< between result and input after worstRounds, working units
+	bool             capped = false; ///< a guard gave up: the moves of that round were taken back
 };
 
 /// Stage 12: moves the vertices off the surface to where the triangles lie closest to it, and keeps

@@ -68,10 +68,11 @@ public:
 		if (options_.regularity != Regularity::Full) return;
 		clock_.enter("angles", "Mending angles", 0.973);
 		returnReleasedMemory();
-		if (!mendAngles(p.surface, boundary, leastAngleDeg(), result, workers_, cells))
+		if (!mendAngles(p.surface, boundary, leastAngleDeg(), result, workers_, cells, largestGap_))
 			report_.capsReached.push_back("changes for the worst angles");
 		const std::int64_t targetNum = options_.exactCount ? p.targetNum : 0;
-		remeshPoorPatches(p.surface, boundary, leastAngleDeg(), targetNum, result, workers_, cells);
+		remeshPoorPatches(p.surface, boundary, leastAngleDeg(), targetNum, result, workers_, cells,
+						  largestGap_);
 	}
 
 	/// Returns the cells of the last round, if there was one.
@@ -94,10 +95,13 @@ public:
 			if (!outcome.crossing.empty()) outcome.farthest = farthestFromAnchor(result);
 		}
 		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
+		largestGap_                = outcome.largestGap;
 		return std::move(outcome.cells);
 	}
 
 private:
+	float largestGap_ = 0; ///< between result and input after the fit, working units; 0: not known
+
 	float leastAngleDeg() const
 	{
 		return poorAngleDeg + float(options_.adapt) * (adaptedAngleDeg - poorAngleDeg);

@@ -20,7 +20,7 @@ constexpr float margin = 1.06f;
 /// Moves of a vertex with one step length.
 constexpr int mostMoves = 4;
 /// Vertices of the input that are looked at in a cell.
-constexpr int mostInCell = 64;
+constexpr int mostInCell = 256;
 /// Lengths of steps, of the mean edge round the vertex.
 constexpr float stepShares[] = {0.16f, 0.08f, 0.04f, 0.02f};
 /// A vertex of a curve slides at most this share of the way to the next one at once.
@@ -31,6 +31,9 @@ constexpr float farthestMove = 0.5f;
 constexpr float leastNormalCosine = 0.5f;
 /// The diagonals of a flip lie at most this share of an edge apart: so much moves the surface.
 constexpr float largestGap = 0.5f;
+/// Distances above this share of the largest one count singly: a finger's tip must not be cut off
+/// because another one beside it is. Smaller ones only count by the largest of them.
+constexpr float guardedShare = 0.5f;
 /// No face may come to agree less with the surface's normals than this, or than before.
 constexpr float leastAgreement = 0.6f;
 /// A change must lower the cost to this share.
@@ -154,6 +157,28 @@ float PatchMover::farthestFrom(const std::vector<int>& faces, const std::vector<
 	return std::sqrt(farthest);
 }
 
+bool PatchMover::Distance::keeps(const Distance& before) const
+{
+	constexpr double rounding = 1e-5;
+	return farthest <= before.farthest && fourthPowers <= (1 + rounding) * before.fourthPowers;
+}
+
+PatchMover::Distance PatchMover::distanceFrom(const std::vector<int>& faces,
+											  const std::vector<int>& ofCells, float enough) const
+{
+	const float squaredEnough = enough * enough;
+	const float large         = guardedShare * cells_.largestGap;
+	Distance    distance;
+	forCellVertices(ofCells, [&](const Vec3f& p) {
+		const float squared = std::max(squaredEnough, squaredDistance(p, faces, squaredEnough));
+		const float counted = std::max(squared, large * large);
+		distance.farthest   = std::max(distance.farthest, squared);
+		if (large > 0) distance.fourthPowers += double(counted) * counted;
+	});
+	distance.farthest = std::sqrt(distance.farthest);
+	return distance;
+}
+
 float PatchMover::rmsFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const
 {
 	float sum = 0;
@@ -219,15 +244,16 @@ bool PatchMover::moveToBest(int v)
 
 bool PatchMover::step(int v, float reach, float edge, Quality& quality)
 {
-	const std::vector<int> faces = facesRound(m_, {v});
-	const float            far   = std::max(farthestFrom(faces, faces), farthestOff * edge);
-	const Place            start = placeOf(v);
-	Place                  best  = start;
-	bool                   found = false;
+	const std::vector<int> faces  = facesRound(m_, {v});
+	const float            enough = farthestOff * edge;
+	const Distance         before = distanceFrom(faces, faces, enough);
+	const Place            start  = placeOf(v);
+	Place                  best   = start;
+	bool                   found  = false;
 	for (const Place& next : placesRound(v, reach, edge)) {
 		put(v, next);
 		const Quality q = ringQuality(v);
-		if (!q.beats(quality) || farthestFrom(faces, faces) > far) continue;
+		if (!q.beats(quality) || !distanceFrom(faces, faces, enough).keeps(before)) continue;
 		quality = q;
 		best    = next;
 		found   = true;

@@ -18,6 +18,7 @@ namespace gpr {
 struct CellsOfFaces {
 	const Cells&     cells;
 	std::vector<int> cell; ///< per face: the face whose cells it has now, -1: none; empty: its own
+	float            largestGap = 0; ///< largest distance between result and input, if known
 
 	int of(int f) const { return cell.empty() ? f : cell[f]; }
 };
@@ -46,6 +47,16 @@ protected:
 		float agreement = 1;
 
 		bool beats(const Quality& other) const;
+	};
+
+	/// How far vertices of the input lie from some faces.
+	struct Distance {
+		float  farthest = 0;
+		double fourthPowers =
+			0; ///< their sum, small distances counting alike; 0 if largestGap is not known
+
+		/// Whether nothing has got farther off than `before`, neither the farthest nor those far.
+		bool keeps(const Distance& before) const;
 	};
 
 	/// A vertex with what moves along.
@@ -79,6 +90,10 @@ protected:
 	Quality patchQuality(const std::vector<int>& faces) const;
 	/// How far the input's vertices in the cells of some faces lie from the nearest of `faces`.
 	float farthestFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const;
+	/// The distances of the input's vertices in the cells of some faces from the nearest of
+	/// `faces`; those nearer than `enough` count as if they lay there.
+	Distance distanceFrom(const std::vector<int>& faces, const std::vector<int>& ofCells,
+						  float enough) const;
 	/// The root of the mean square of the same distances.
 	float rmsFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const;
 	float meanEdge(int v) const;

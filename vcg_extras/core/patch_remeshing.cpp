@@ -174,10 +174,10 @@ private:
 	{
 		const int                vertexNum = m_.vertexNum;
 		const PatchBackup        backup(m_, patchOf(op));
-		const std::vector<Place> places = placesOf(backup.vertices());
-		const Quality            before = patchQuality(backup.faces());
-		const float              off    = farthestOff * longestMeanEdge(backup.vertices());
-		const float              far = std::max(farthestFrom(backup.faces(), backup.faces()), off);
+		const std::vector<Place> places   = placesOf(backup.vertices());
+		const Quality            before   = patchQuality(backup.faces());
+		const float              off      = farthestOff * longestMeanEdge(backup.vertices());
+		const Distance           distance = distanceFrom(backup.faces(), backup.faces(), off);
 		const float              rms =
 			std::max(mostRmsGrowth * rmsFrom(backup.faces(), backup.faces()), mostRms * off);
 
@@ -191,7 +191,7 @@ private:
 		const std::vector<int> faces = facesRound(m_, patch);
 		const Quality          after = patchQuality(faces);
 		const bool isBetter          = after.cost < mostLeft * before.cost && after.beats(before) &&
-							  farthestFrom(faces, backup.faces()) <= far &&
+							  distanceFrom(faces, backup.faces(), off).keeps(distance) &&
 							  rmsFrom(faces, backup.faces()) <= rms;
 		if (keep) {
 			countChange(op);
@@ -357,7 +357,7 @@ std::vector<int> cellsAfterCompaction(const HalfEdgeMesh& m, int cellNum)
 
 bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
 					   std::int64_t targetNum, ResultMesh& result, Workers& workers,
-					   std::unique_ptr<Cells>& cells)
+					   std::unique_ptr<Cells>& cells, float largestGap)
 {
 	const float       angle = angleDeg * radians;
 	const std::size_t num   = findPoorFaces(result.mesh, angle, workers).size();
@@ -365,7 +365,7 @@ bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, flo
 	if (num == 0 || num > std::max(mostPoor, std::size_t(most))) return false;
 	if (cells == nullptr) cells.reset(new Cells(surface, result, workers));
 	ResultMesh   before = copyResult(result, workers);
-	CellsOfFaces own{*cells, {}};
+	CellsOfFaces own{*cells, {}, largestGap};
 	if (PatchRemesher(surface, curves, angle, result, workers, own).run() == 0) return false;
 
 	const bool isExact = targetNum == 0 || changeCount(surface, curves, targetNum, result, workers);

@@ -21,7 +21,8 @@ namespace gpr {
 /// vertices moved; the trial that lowers most the sum of the squares of what the angles there lack
 /// is kept. Refused is what takes the vertices of the input that belong there further away than 5 %
 /// of an edge and than before, or on the mean than 2.5 % and than 1.3 times as far as before, what
-/// makes a face agree less with the surface's normals, and what makes faces cross.
+/// makes a face agree less with the surface's normals, and what makes faces cross. largestGap: see
+/// angle_mending.h.
 ///
 /// The count is made good elsewhere, as in stage 9, if targetNum is above 0, and the angles there
 /// are mended. Should angles then lack more than at first, more faces look against the surface, or
@@ -31,7 +32,7 @@ namespace gpr {
 /// where angles are poor, some milliseconds a triangle, for 200 triangles at most.
 bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
 					   std::int64_t targetNum, ResultMesh& result, Workers& workers,
-					   std::unique_ptr<Cells>& cells);
+					   std::unique_ptr<Cells>& cells, float largestGap = 0);
 
 } // namespace gpr
 

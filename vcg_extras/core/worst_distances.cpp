@@ -76,7 +76,8 @@ public:
 			anchor_[v] = r_.vertex[v].anchor;
 	}
 
-	void run(int rounds)
+	/// Returns the largest distance left.
+	float run(int rounds)
 	{
 		const Buffer<char> isFar = findFarVertices();
 		workers_.forRange(m_.faceNum, [&](std::size_t begin, std::size_t end) {
@@ -90,8 +91,9 @@ public:
 				workers_.poll();
 				better = drawCloser(f, goal) || better;
 			}
-			if (!better) return;
+			if (!better) break;
 		}
+		return std::sqrt(largestKnown());
 	}
 
 private:
@@ -250,9 +252,10 @@ private:
 	/// What distances a round lowers, squared.
 	float squaredGoal() const
 	{
-		const float largest = *std::max_element(gap_.begin(), gap_.end());
-		return std::max(worstShare * worstShare * largest, near_ * near_);
+		return std::max(worstShare * worstShare * largestKnown(), near_ * near_);
 	}
+
+	float largestKnown() const { return *std::max_element(gap_.begin(), gap_.end()); }
 
 	/// Farthest first.
 	std::vector<int> facesBeyond(float goal) const
@@ -430,10 +433,10 @@ private:
 
 } // namespace
 
-void lowerWorstDistances(const Surface& surface, const Cells& cells, float leastAngle, int rounds,
-						 ResultMesh& result, Workers& workers)
+float lowerWorstDistances(const Surface& surface, const Cells& cells, float leastAngle, int rounds,
+						  ResultMesh& result, Workers& workers)
 {
-	WorstDistances(surface, cells, leastAngle, result, workers).run(rounds);
+	return WorstDistances(surface, cells, leastAngle, result, workers).run(rounds);
 }
 
 } // namespace gpr

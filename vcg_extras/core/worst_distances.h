@@ -24,11 +24,12 @@ namespace gpr {
 /// than it had). So it goes on for so many rounds, or until all lie within a tenth of an edge.
 /// Vertices of curves, tips and pinned vertices stay.
 ///
-/// Changes positions, and anchors, which come to lie at the nearest point. Cells: of the mesh, or
-/// of one whose vertices lay near. Cost: a pass over the input's vertices, in parallel, and some
+/// Changes positions, and anchors, which come to lie at the nearest point. Returns the largest
+/// distance that is left, or what counts as near. Cells: of the mesh, or of one whose vertices lay
+/// near. Cost: a pass over the input's vertices, in parallel, and some
 /// hundred microseconds for each of the few faces.
-void lowerWorstDistances(const Surface& surface, const Cells& cells, float leastAngle, int rounds,
-						 ResultMesh& result, Workers& workers);
+float lowerWorstDistances(const Surface& surface, const Cells& cells, float leastAngle, int rounds,
+						  ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 
