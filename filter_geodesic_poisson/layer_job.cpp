@@ -62,6 +62,7 @@ LayerCopy copyOf(const MeshModel& layer, const gpr::RemeshOptions& options)
 	parts.quality       = layer.hasDataMask(MeshModel::MM_VERTQUALITY);
 	parts.selection     = asksForSelection(options);
 	parts.faceSelection = options.selectedOnly;
+	parts.edgeSelection = options.featureMode == gpr::FeatureMode::Given;
 	parts.texture       = options.anchorsOfFaces && layer.hasDataMask(MeshModel::MM_WEDGTEXCOORD);
 	if (asksForQuality(options) && !parts.quality) {
 		throw Refusal("The density shall go with the vertex quality, but the layer has none.");
@@ -69,6 +70,9 @@ LayerCopy copyOf(const MeshModel& layer, const gpr::RemeshOptions& options)
 	LayerCopy copy = copyLayer(layer.cm, parts);
 	if (parts.selection && !copy.anySelected()) {
 		throw Refusal("The feature region shall be the selection, but nothing is selected.");
+	}
+	if (parts.edgeSelection && copy.selectedEdges.empty()) {
+		throw Refusal("The feature lines shall be the selected edges, but no edge is selected.");
 	}
 	if (parts.faceSelection && !copy.anyFaceSelected()) {
 		throw Refusal("Cannot apply only on selection: no face is selected.");

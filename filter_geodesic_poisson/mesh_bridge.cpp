@@ -153,6 +153,7 @@ gpr::MeshView LayerCopy::view() const
 	view.selected     = selected.empty() ? nullptr : selected.data();
 	view.selectedFace = selectedFaces.empty() ? nullptr : selectedFaces.data();
 	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
+	if (!selectedEdges.empty()) view.line = selectedEdges.data();
 	return view;
 }
 
@@ -191,6 +192,8 @@ LayerCopy copyLayer(const CMeshO& mesh, const CopiedParts& parts)
 		copy.texture      = std::make_shared<const gpr::TextureSource>(
             vcg::tri::gpr_detail::WedgeTextureOf<CMeshO>(copy.view(), faceOf));
 	}
+	if (parts.edgeSelection)
+		copy.selectedEdges = vcg::tri::gpr_detail::SelectedEdges(mesh, copy.view().line);
 	return copy;
 }
 

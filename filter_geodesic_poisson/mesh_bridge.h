@@ -21,6 +21,7 @@ struct CopiedParts {
 	bool selection     = false; ///< of the vertices or, where none is, the corners of faces
 	bool faceSelection = false;
 	bool texture       = false; ///< texture coordinates of the wedges
+	bool edgeSelection = false; ///< of the faces' edges
 };
 
 /// A copy of what the engine needs of a layer, without its deleted elements.
@@ -32,6 +33,7 @@ struct LayerCopy {
 	std::vector<float>              qualities;     ///< one a vertex, or none
 	std::vector<std::uint8_t>       selected;      ///< one a vertex, or none; 1 = selected
 	std::vector<std::uint8_t>       selectedFaces; ///< one a face, or none; 1 = selected
+	std::vector<std::uint8_t> selectedEdges; ///< one a corner, or none; with the texture's seams
 
 	std::shared_ptr<const gpr::TextureSource> texture; ///< of the wedges, or null
 

@@ -470,4 +470,46 @@ TEST(Filter, ProgressGrowsAndStaysInRange)
 	EXPECT_GE(last, 0);
 }
 
+bool liesInTheMiddle(const CVertexO& v)
+{
+	return std::abs(v.cP()[0] - 0.5f) < 1e-5f;
+}
+
+/// Length of the edges along x = 0.5, each once.
+double lengthInTheMiddle(const CMeshO& mesh)
+{
+	double halves = 0;
+	for (const CFaceO& f : mesh.face) {
+		for (int k = 0; k < 3; ++k) {
+			if (liesInTheMiddle(*f.cV(k)) && liesInTheMiddle(*f.cV((k + 1) % 3)))
+				halves += double(vcg::Distance(f.cP(k), f.cP((k + 1) % 3)));
+		}
+	}
+	return 0.5 * halves;
+}
+
+TEST(Filter, SelectedEdgesBecomeEdgesOfTheResult)
+{
+	constexpr int     selected = 3; // of auto, lines, off, selected
+	Document          document;
+	MeshModel&        layer = addSheet(document);
+	RichParameterList list  = defaults(document);
+	list.setValue("TargetVertexNum", IntValue(300));
+	list.setValue("NewLayer", BoolValue(true));
+	ASSERT_TRUE(apply(document, list)) << errorText().toStdString();
+	EXPECT_LT(lengthInTheMiddle(document.layer(1).cm), 0.5) << "or the test tells nothing";
+
+	document->setCurrentMesh(layer.id());
+	list.setValue("Features", EnumValue(selected));
+	EXPECT_FALSE(apply(document, list));
+	EXPECT_TRUE(errorText().contains("no edge is selected"));
+	for (CFaceO& f : layer.cm.face) {
+		for (int k = 0; k < 3; ++k) {
+			if (liesInTheMiddle(*f.cV(k)) && liesInTheMiddle(*f.cV((k + 1) % 3))) f.SetFaceEdgeS(k);
+		}
+	}
+	ASSERT_TRUE(apply(document, list)) << errorText().toStdString();
+	EXPECT_NEAR(lengthInTheMiddle(document.layer(2).cm), 1, 1e-4);
+}
+
 } // namespace

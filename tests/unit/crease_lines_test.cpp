@@ -222,6 +222,25 @@ TEST(GivenLines, AreMarkedWhereNothingIsSharp)
 	}
 }
 
+/// FeatureMode::Given: of a cube whose edges are all sharp only the line that is given.
+TEST(GivenLines, MayBeTheOnlyOnes)
+{
+	const TriangleMesh        mesh = cube(8);
+	std::vector<std::uint8_t> line(mesh.triangles.size(), 0);
+	RemeshOptions             options;
+	options.targetMode      = TargetMode::VertexNum;
+	options.targetVertexNum = 150;
+	options.featureMode     = FeatureMode::Given;
+	EXPECT_EQ(remesh(mesh.view(), options).status, Status::BadOptions) << "none is given";
+	MeshView view = mesh.view();
+	view.line     = line.data();
+	EXPECT_EQ(remesh(view, options).report.featureEdgeNum, 0);
+	line[0]              = 1;
+	const RemeshResult r = remesh(view, options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_EQ(r.report.featureEdgeNum, 1);
+}
+
 /// The whole way: edges of the result cover the line from border to border.
 TEST(GivenLines, AreEdgesOfTheResult)
 {

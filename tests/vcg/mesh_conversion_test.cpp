@@ -69,6 +69,25 @@ TYPED_TEST(MeshConversion, LeavesOutDeletedElements)
 	}
 }
 
+TYPED_TEST(MeshConversion, FindsSelectedEdges)
+{
+	using MeshType = FullMesh<TypeParam>;
+	MeshType m;
+	MakeSquare(m);
+	AddGaps(m);
+	const std::vector<std::uint8_t> others = {0, 0, 1, 0, 0, 0};
+	EXPECT_TRUE(vcg::tri::gpr_detail::SelectedEdges(m, others.data()).empty())
+		<< "none is selected";
+	int live = 0;
+	for (auto& f : m.face) {
+		if (!f.IsD() && live++ == 1) f.SetFaceEdgeS(1);
+	}
+	EXPECT_EQ(vcg::tri::gpr_detail::SelectedEdges(m, nullptr),
+			  std::vector<std::uint8_t>({0, 0, 0, 0, 1, 0}));
+	EXPECT_EQ(vcg::tri::gpr_detail::SelectedEdges(m, others.data()),
+			  std::vector<std::uint8_t>({0, 0, 1, 0, 1, 0}));
+}
+
 TYPED_TEST(MeshConversion, DeletedFacesAloneKeepThePositionsInPlace)
 {
 	using MeshType = FullMesh<TypeParam>;

@@ -434,7 +434,7 @@ private:
 
 CreaseFindings markCreases(const CreaseRules& rules, Workers& workers, Surface& surface)
 {
-	if (rules.mode == FeatureMode::Off) return {};
+	if (rules.mode == FeatureMode::Off || rules.mode == FeatureMode::Given) return {};
 	return CreaseGraph(surface, rules, workers).run();
 }
 

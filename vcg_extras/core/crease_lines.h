@@ -39,8 +39,9 @@ struct CreaseFindings {
 /// nearly as sharp beside them and break off after a few edges; where less than 70 % of the sharp
 /// length is clear of that, there are no lines. Cone tips are vertices whose angle defect
 /// exceeds strongDeg while the vertices round them are smooth.
-/// Needs: connected, crease empty. Cost: linear, parallel, a few milliseconds a million faces; what
-/// follows the test for sharpness is serial, over the sharp edges.
+/// With Off and Given nothing is marked. Needs: connected, crease empty. Cost: linear, parallel, a
+/// few milliseconds a million faces; what follows the test for sharpness is serial, over the sharp
+/// edges.
 CreaseFindings markCreases(const CreaseRules& rules, Workers& workers, Surface& surface);
 
 } // namespace gpr

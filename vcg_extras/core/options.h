@@ -96,6 +96,7 @@ enum class FeatureMode {
 	Auto,  ///< where they are real creases, not a scan's noise; see crease_lines.h
 	Lines, ///< wherever the surface turns by featureAngleDeg
 	Off,
+	Given, ///< where the caller says so (MeshView::line), and nowhere else
 };
 
 /// Thresholds of the second-order difference.

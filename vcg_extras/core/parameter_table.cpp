@@ -178,19 +178,21 @@ void addMainChoices(Table& t)
 
 void addFeatureLines(Table& t)
 {
-	t.push_back(row(shared, "Features", "--features", "NAME", Kind::Choice, "Feature lines",
-					"Sharp edges of the mesh become edges of the result, corners and cone tips its "
-					"vertices: "
-					"auto, where they are real creases and not a scan's noise (none with the paper "
-					"preset); "
-					"lines, wherever the faces turn by the feature angle; off, nowhere. Needs the "
-					"placement "
-					"disk-intersection and the retriangulation label-collapse.")
-					.choices({"auto", "lines", "off"})
-					.store([](const Value& v, RemeshOptions& o) {
-						if (countOf(v) > 0) o.featureMode = FeatureMode(countOf(v));
-					})
-					.p);
+	t.push_back(
+		row(shared, "Features", "--features", "NAME", Kind::Choice, "Feature lines",
+			"Sharp edges of the mesh become edges of the result, corners and cone tips its "
+			"vertices: "
+			"auto, where they are real creases and not a scan's noise (none with the paper "
+			"preset); "
+			"lines, wherever the faces turn by the feature angle; off, nowhere; selected, "
+			"at the edges selected in MeshLab (no file holds such) and nowhere else. Needs the "
+			"placement "
+			"disk-intersection and the retriangulation label-collapse.")
+			.choices({"auto", "lines", "off", "selected"})
+			.store([](const Value& v, RemeshOptions& o) {
+				if (countOf(v) > 0) o.featureMode = FeatureMode(countOf(v));
+			})
+			.p);
 	t.push_back(
 		row(shared, "FeatureAngle", "--feature-angle", "DEG", Kind::Number, "Feature angle",
 			"A feature line begins where the normals of two faces differ by so many degrees, "

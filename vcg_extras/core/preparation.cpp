@@ -156,6 +156,11 @@ bool Preparation::namesSources(const Prepared& p) const
 
 void Preparation::followGivenLines(Prepared& p)
 {
+	const bool areAllGiven = options_.featureMode == FeatureMode::Given;
+	if (areAllGiven && input_.line == nullptr) {
+		throw Failure(Status::BadOptions,
+					  "The feature lines shall be the selected edges, but no edge is selected.");
+	}
 	if (input_.line == nullptr || !followsFeatureLines(options_)) return;
 	const HalfEdgeMesh& m = p.surface.mesh;
 	Buffer<char>        before(m.crease.size());

@@ -43,8 +43,9 @@ public:
 		bool allowNearestFlag = false; ///< take the nearest reachable count instead of refusing
 		int  relaxIterNum     = 3;     ///< relaxation steps, 0 to 1000
 
-		gpr::FeatureMode featureMode     = gpr::FeatureMode::Auto; ///< sharp edges to be kept
-		double           featureAngleDeg = 40; ///< from which edges are sharp, [5, 175]
+		gpr::FeatureMode featureMode =
+			gpr::FeatureMode::Auto;  ///< edges to be kept; Given: selected
+		double featureAngleDeg = 40; ///< from which edges are sharp, [5, 175]
 
 		gpr::BoundaryMode boundary = gpr::BoundaryMode::Resample; ///< keep, resample or free it
 
@@ -107,6 +108,11 @@ public:
 			if (params.selectedOnlyFlag && !f.IsD()) selected.push_back(f.IsS());
 		return gpr_detail::WriteResultOf(in, out, stat, [&](gpr::MeshView view) {
 			view.selectedFace = selected.empty() ? nullptr : selected.data();
+			std::vector<std::uint8_t> lines;
+			if (params.featureMode == gpr::FeatureMode::Given) {
+				lines     = gpr_detail::SelectedEdges(in, view.line);
+				view.line = lines.empty() ? nullptr : lines.data();
+			}
 			return gpr::remesh(view, options, gpr_detail::ProgressOf(cb));
 		});
 	}

@@ -224,6 +224,24 @@ void WriteMesh(const gpr::TriangleMesh& from, MeshType& m)
 			m.face[f].V(k) = &m.vert[from.triangles[3 * f + k]];
 }
 
+/// The selected edges as the engine takes lines, one byte a corner of the faces that are not
+/// deleted; empty where none is selected. Other lines, as many or null, are added to them.
+template <class MeshType>
+std::vector<std::uint8_t> SelectedEdges(const MeshType& m, const std::uint8_t* others)
+{
+	std::vector<std::uint8_t> line;
+	bool                      anyFlag = false;
+	for (const auto& f : m.face) {
+		if (f.IsD()) continue;
+		for (int k = 0; k < 3; ++k) {
+			anyFlag = anyFlag || f.IsFaceEdgeS(k);
+			line.push_back(f.IsFaceEdgeS(k) || (others != nullptr && others[line.size()] != 0));
+		}
+	}
+	if (!anyFlag) line.clear();
+	return line;
+}
+
 } // namespace gpr_detail
 } // namespace tri
 } // namespace vcg
