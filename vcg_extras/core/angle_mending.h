@@ -23,7 +23,7 @@ namespace gpr {
 /// if it takes the vertices of the input that belong to the faces round it further from them than
 /// 5 % of an edge and than before, or makes a face agree less with the surface's normals. Where
 /// largestGap, the largest distance between input and result (working units), is known, vertices of
-/// the input that are more than half as far off must not get farther, by the sum of the fourth
+/// the input that are more than .7 times as far off must not get farther, by the sum of the fourth
 /// powers: without that one tip could be cut off because its neighbour is.
 /// What makes faces cross is withdrawn: all is done again without the vertices concerned, a few
 /// times, then not at all.

@@ -33,7 +33,7 @@ constexpr float leastNormalCosine = 0.5f;
 constexpr float largestGap = 0.5f;
 /// Distances above this share of the largest one count singly: a finger's tip must not be cut off
 /// because another one beside it is. Smaller ones only count by the largest of them.
-constexpr float guardedShare = 0.5f;
+constexpr float guardedShare = 0.7f;
 /// No face may come to agree less with the surface's normals than this, or than before.
 constexpr float leastAgreement = 0.6f;
 /// A change must lower the cost to this share.
@@ -166,14 +166,20 @@ bool PatchMover::Distance::keeps(const Distance& before) const
 PatchMover::Distance PatchMover::distanceFrom(const std::vector<int>& faces,
 											  const std::vector<int>& ofCells, float enough) const
 {
-	const float squaredEnough = enough * enough;
+	const bool  countsSingly  = cells_.largestGap > 0;
 	const float large         = guardedShare * cells_.largestGap;
+	const float squaredEnough = enough * enough;
 	Distance    distance;
+	distance.farthest = squaredEnough;
 	forCellVertices(ofCells, [&](const Vec3f& p) {
-		const float squared = std::max(squaredEnough, squaredDistance(p, faces, squaredEnough));
-		const float counted = std::max(squared, large * large);
+		// Which face a vertex is near to does not matter where it neither is the farthest nor
+		// counts singly, and that is nearly all of them.
+		const float irrelevant =
+			countsSingly ? std::min(distance.farthest, large * large) : distance.farthest;
+		const float squared = squaredDistance(p, faces, std::max(squaredEnough, irrelevant));
+		const float counted = std::max({squared, squaredEnough, large * large});
 		distance.farthest   = std::max(distance.farthest, squared);
-		if (large > 0) distance.fourthPowers += double(counted) * counted;
+		if (countsSingly) distance.fourthPowers += double(counted) * counted;
 	});
 	distance.farthest = std::sqrt(distance.farthest);
 	return distance;
