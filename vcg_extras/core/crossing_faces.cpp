@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crossing_faces.h"
 
+#include "box.h"
 #include "counting_sort.h"
 #include "mesh_edit.h"
 #include "sectors.h"
@@ -21,26 +22,6 @@ constexpr int fanOut = 4;
 /// Level whose nodes look for each other; 16 faces then share one way through the tree.
 constexpr int groupLevel = 2;
 constexpr int groupSize  = fanOut * fanOut;
-
-struct Box {
-	Vec3f low{HUGE_VALF, HUGE_VALF, HUGE_VALF};
-	Vec3f high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
-
-	Box() = default;
-	Box(const Vec3f& a, const Vec3f& b) : low(a), high(b) {}
-
-	Box& operator+=(const Box& b)
-	{
-		low  = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
-		high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
-		return *this;
-	}
-	bool meets(const Box& b) const
-	{
-		return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
-			   low.z <= b.high.z && b.low.z <= high.z;
-	}
-};
 
 /// Six times the signed volume of a tetrahedron.
 double volume(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d)
@@ -139,11 +120,11 @@ bool facesCross(const HalfEdgeMesh& m, int f, int g, const SharedCorners& shared
 						   : crossApart(m, f, g);
 }
 
-Box boxOf(const HalfEdgeMesh& m, int f)
+Box<float> boxOf(const HalfEdgeMesh& m, int f)
 {
-	Box box;
+	Box<float> box;
 	for (int h = 3 * f; h < 3 * f + 3; ++h)
-		box += Box(m.position[m.origin[h]], m.position[m.origin[h]]);
+		box.add(m.position[m.origin[h]]);
 	return box;
 }
 
@@ -177,23 +158,24 @@ private:
 		int level, index;
 	};
 
-	const HalfEdgeMesh&      m_;
-	const std::vector<char>& wanted_;
-	Workers&                 workers_;
-	Buffer<char>             isFlat_; ///< per vertex
-	Buffer<int>              face_;   ///< in an order in which neighbours lie close together
-	std::vector<Buffer<Box>> level_;  ///< of the tree: level 0 has a box for each of face_
+	const HalfEdgeMesh&             m_;
+	const std::vector<char>&        wanted_;
+	Workers&                        workers_;
+	Buffer<char>                    isFlat_; ///< per vertex
+	Buffer<int>                     face_;   ///< in an order in which neighbours lie close together
+	std::vector<Buffer<Box<float>>> level_;  ///< of the tree: level 0 has a box for each of face_
 
-	Box boxOf(int f) const { return gpr::boxOf(m_, f); }
+	Box<float> boxOf(int f) const { return gpr::boxOf(m_, f); }
 
 	void orderFaces()
 	{
-		const Box   all  = workers_.sum<Box>(m_.faceNum, [&](std::size_t begin, std::size_t end) {
-            Box part;
-            for (std::size_t f = begin; f < end; ++f)
-                part += boxOf(int(f));
-            return part;
-        });
+		const Box<float> all =
+			workers_.sum<Box<float>>(m_.faceNum, [&](std::size_t begin, std::size_t end) {
+				Box<float> part;
+				for (std::size_t f = begin; f < end; ++f)
+					part += boxOf(int(f));
+				return part;
+			});
 		const Vec3f size = all.high - all.low;
 		MortonGrid  grid;
 		grid.low                   = all.low;
@@ -222,7 +204,7 @@ private:
             return std::min(cells - 1, std::max(0, int(c * scale)));
 		};
 		/// visit(cell) for the cells of a box, until it returns true.
-		const auto anyCell = [&](const Box& box, const auto& visit) {
+		const auto anyCell = [&](const Box<float>& box, const auto& visit) {
 			const Vec3f low = box.low - grid.low, high = box.high - grid.low;
 			for (int x = number(low.x); x <= number(high.x); ++x) {
 				for (int y = number(low.y); y <= number(high.y); ++y) {
@@ -261,11 +243,11 @@ private:
 
 	void addLevel()
 	{
-		const Buffer<Box>& below = level_.back();
-		Buffer<Box>        here((below.size() + fanOut - 1) / fanOut);
+		const Buffer<Box<float>>& below = level_.back();
+		Buffer<Box<float>>        here((below.size() + fanOut - 1) / fanOut);
 		workers_.forRange(here.size(), [&](std::size_t begin, std::size_t end) {
 			for (std::size_t i = begin; i < end; ++i) {
-				Box               box;
+				Box<float>        box;
 				const std::size_t last = std::min(below.size(), (i + 1) * fanOut);
 				for (std::size_t k = i * fanOut; k < last; ++k)
 					box += below[k];
@@ -324,8 +306,8 @@ private:
 	/// Compares the wanted faces of a group with each other and with those of other groups.
 	void searchGroup(int group, std::vector<Node>& stack, std::vector<int>& out) const
 	{
-		const Box& box = level_[groupLevel][group];
-		const int  top = int(level_.size()) - 1;
+		const Box<float>& box = level_[groupLevel][group];
+		const int         top = int(level_.size()) - 1;
 		for (int k = 0; k < int(level_[top].size()); ++k)
 			stack.push_back({top, k});
 		while (!stack.empty()) {
@@ -355,11 +337,11 @@ private:
 
 	void compareGroups(int group, int other, std::vector<int>& out) const
 	{
-		const int endI = std::min(int(face_.size()), (group + 1) * groupSize);
-		const int endK = std::min(int(face_.size()), (other + 1) * groupSize);
-		const Box box  = level_[groupLevel][other];
+		const int        endI = std::min(int(face_.size()), (group + 1) * groupSize);
+		const int        endK = std::min(int(face_.size()), (other + 1) * groupSize);
+		const Box<float> box  = level_[groupLevel][other];
 		for (int i = group * groupSize; i < endI; ++i) {
-			const Box own = level_[0][i];
+			const Box<float> own = level_[0][i];
 			if (!own.meets(box)) continue;
 			if (!isWanted(face_[i])) continue;
 			// Of two faces that are wanted the first finds the second.
@@ -408,7 +390,7 @@ std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<i
 std::vector<int> facesNear(const HalfEdgeMesh& m, const std::vector<int>& faces, float margin,
 						   Workers& workers)
 {
-	Box all;
+	Box<float> all;
 	for (int f : faces) {
 		if (!isDeadFace(m, f)) all += boxOf(m, f);
 	}
@@ -430,7 +412,7 @@ int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
 	std::vector<int> others;
 	std::set_union(faces.begin(), faces.end(), near.begin(), near.end(),
 				   std::back_inserter(others));
-	Box all;
+	Box<float> all;
 	for (int f : faces) {
 		if (!isDeadFace(m, f)) all += boxOf(m, f);
 	}

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "error_goal.h"
 
+#include "box.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -92,8 +94,8 @@ std::int64_t searchCount(const ErrorGoal&                               goal,
 
 MeshExtent extentOf(const MeshView& mesh)
 {
-	MeshExtent extent;
-	Vec3d      low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL);
+	MeshExtent  extent;
+	Box<double> box;
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
 		Vec3d corner[3];
 		bool  usable = true;
@@ -105,12 +107,10 @@ MeshExtent extentOf(const MeshView& mesh)
 		}
 		if (!usable) continue;
 		extent.area += 0.5 * length(cross(corner[1] - corner[0], corner[2] - corner[0]));
-		for (const Vec3d& p : corner) {
-			low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-			high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-		}
+		for (const Vec3d& p : corner)
+			box.add(p);
 	}
-	if (high.x >= low.x) extent.diagonal = length(high - low);
+	extent.diagonal = box.diagonal();
 	return extent;
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flat_pieces.h"
 
+#include "box.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -60,33 +62,24 @@ std::vector<int> findThin(const HalfEdgeMesh& mesh, Workers& workers)
 
 /// Area and box of some faces.
 struct Extent {
-	double area = 0;
-	Vec3f  low, high;
+	double     area = 0;
+	Box<float> box;
 
-	Extent(const HalfEdgeMesh& m, int f) :
-			area(0.5 * double(length(m.faceCross(f)))), low(m.position[m.origin[3 * f]]), high(low)
+	Extent(const HalfEdgeMesh& m, int f) : area(0.5 * double(length(m.faceCross(f))))
 	{
 		for (int h = 3 * f; h < 3 * f + 3; ++h)
-			add(m.position[m.origin[h]]);
+			box.add(m.position[m.origin[h]]);
 	}
 
 	void add(const Extent& other)
 	{
 		area += other.area;
-		add(other.low);
-		add(other.high);
+		box += other.box;
 	}
 
 	/// Whether the faces, each thin, are so together too: not a small piece of many small faces,
 	/// and not many needles side by side.
-	bool isLine() const { return !(area > double(leastWidth) * double(length(high - low))); }
-
-private:
-	void add(const Vec3f& p)
-	{
-		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-	}
+	bool isLine() const { return !(area > double(leastWidth) * double(box.diagonal())); }
 };
 
 class FlatFinder {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "load.h"
 
+#include "box.h"
 #include "failure.h"
 #include "poller.h"
 
@@ -16,30 +17,15 @@ namespace gpr {
 
 namespace {
 
-struct Box {
-	Vec3d low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-	Vec3d high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-
-	void add(const Vec3d& p) { *this += Box{p, p}; }
-	// An empty box changes nothing. Named so that Workers::sum can join boxes of pieces.
-	Box& operator+=(const Box& b)
-	{
-		low  = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
-		high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
-		return *this;
-	}
-	double extent() const
-	{
-		return std::max(high.x - low.x, std::max(high.y - low.y, high.z - low.z));
-	}
-	double largestCoordinate() const
-	{
-		double most = 0;
-		for (double c : {low.x, low.y, low.z, high.x, high.y, high.z})
+double largestCoordinate(const Box<double>& box)
+{
+	double most = 0;
+	for (const Vec3d& p : {box.low, box.high}) {
+		for (double c : {p.x, p.y, p.z})
 			most = std::max(most, std::abs(c));
-		return most;
 	}
-};
+	return most;
+}
 
 bool isFinite(const Vec3d& p)
 {
@@ -160,10 +146,10 @@ private:
 	}
 };
 
-Box boxOfUsed(const MeshView& input, const UsedVertices& used, Workers& workers)
+Box<double> boxOfUsed(const MeshView& input, const UsedVertices& used, Workers& workers)
 {
-	return workers.sum<Box>(input.vertexNum, [&](std::size_t begin, std::size_t end) {
-		Box box;
+	return workers.sum<Box<double>>(input.vertexNum, [&](std::size_t begin, std::size_t end) {
+		Box<double> box;
 		for (std::size_t v = begin; v < end; ++v) {
 			if (used[v]) box.add(input.position(v));
 		}
@@ -171,16 +157,16 @@ Box boxOfUsed(const MeshView& input, const UsedVertices& used, Workers& workers)
 	});
 }
 
-Frame frameOf(const Box& box)
+Frame frameOf(const Box<double>& box)
 {
 	Frame        frame;
-	const double extent = box.extent();
+	const double extent = box.largestSide();
 	if (!(extent > 0) || !std::isfinite(extent)) {
 		throw Failure(Status::UnusableInput, "The surface has no area.");
 	}
 	// Coordinates that lie near the surface's own size stay as they are, so that float input is
 	// taken over exactly; only far offsets (georeferenced scans) are removed.
-	if (box.largestCoordinate() > 4 * extent) frame.origin = (box.low + box.high) * 0.5;
+	if (largestCoordinate(box) > 4 * extent) frame.origin = (box.low + box.high) * 0.5;
 	int exponent = 0;
 	std::frexp(extent, &exponent);
 	frame.scale = std::ldexp(1.0, -exponent);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "measure.h"
 
+#include "box.h"
 #include "sort_unique.h"
 
 #include <algorithm>
@@ -119,24 +120,10 @@ void measureTopology(const MeshView& mesh, MeshFigures& figures)
 	figures.eulerCharacteristic = usedNum - edgeNum + std::int64_t(mesh.faceNum);
 }
 
-struct Extent {
-	Vec3d low{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-	Vec3d high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
-
-	void add(const Vec3d& p)
-	{
-		if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z))) return;
-		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-	}
-	Extent& operator+=(const Extent& o)
-	{
-		add(o.low);
-		add(o.high);
-		return *this;
-	}
-	double diagonal() const { return high.x >= low.x ? length(high - low) : 0; }
-};
+void addIfFinite(const Vec3d& p, Box<double>& box)
+{
+	if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) box.add(p);
+}
 
 /// 2 inradius / circumradius of a triangle with these edges and this area, two times:
 /// inradius = doubled / (a + b + c), circumradius = a b c / (2 doubled).
@@ -228,10 +215,10 @@ MeshFigures measureMesh(const MeshView& mesh)
 	figures.vertices = std::int64_t(mesh.vertexNum);
 	figures.faces    = std::int64_t(mesh.faceNum);
 	measureTopology(mesh, figures);
-	Extent extent;
+	Box<double> box;
 	for (std::size_t i = 0; i < 3 * mesh.faceNum; ++i)
-		extent.add(mesh.position(mesh.vertexOf(i)));
-	figures.diagonal = extent.diagonal();
+		addIfFinite(mesh.position(mesh.vertexOf(i)), box);
+	figures.diagonal = box.diagonal();
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
 		const auto   t    = mesh.triangle(f);
 		const Vec3d  a    = mesh.position(t[0]);
@@ -325,12 +312,12 @@ FaceFindings readFaces(const HalfEdgeMesh& m, DisjointSets& sets, Workers& worke
 /// What one pass over the vertices finds.
 struct VertexFindings {
 	std::int64_t roots = 0;
-	Extent       extent;
+	Box<double>  box;
 
 	VertexFindings& operator+=(const VertexFindings& o)
 	{
 		roots += o.roots;
-		extent += o.extent;
+		box += o.box;
 		return *this;
 	}
 };
@@ -341,7 +328,7 @@ VertexFindings readVertices(const HalfEdgeMesh& m, const DisjointSets& sets, Wor
 		VertexFindings found;
 		for (std::size_t v = begin; v < end; ++v) {
 			found.roots += sets.isRoot(int(v));
-			found.extent.add(Vec3d(m.position[v]));
+			addIfFinite(Vec3d(m.position[v]), found.box);
 		}
 		return found;
 	});
@@ -386,7 +373,7 @@ MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
 		(std::int64_t(m.halfEdgeNum()) + std::int64_t(faces.border.size())) / 2;
 	figures.eulerCharacteristic = std::int64_t(m.vertexNum) - edges + m.faceNum;
 	figures.area                = unit * unit * faces.area;
-	figures.diagonal            = unit * vertices.extent.diagonal();
+	figures.diagonal            = unit * vertices.box.diagonal();
 	return figures;
 }
 

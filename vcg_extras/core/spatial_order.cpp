@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spatial_order.h"
 
+#include "box.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -79,29 +81,18 @@ void radixSort(Buffer<Keyed>& items, int bits, Workers& workers)
 	}
 }
 
-struct Bounds {
-	Vec3f low{HUGE_VALF, HUGE_VALF, HUGE_VALF};
-	Vec3f high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
-
-	Bounds& operator+=(const Bounds& b)
-	{
-		low  = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
-		high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
-		return *this;
-	}
-};
-
 MortonGrid gridAround(const IndexedMesh& mesh, Workers& workers)
 {
-	const Bounds b = workers.sum<Bounds>(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
-		Bounds part;
-		for (std::size_t v = begin; v < end; ++v)
-			part += Bounds{mesh.position[v], mesh.position[v]};
-		return part;
-	});
-	MortonGrid   grid;
+	const Box<float> b =
+		workers.sum<Box<float>>(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
+			Box<float> part;
+			for (std::size_t v = begin; v < end; ++v)
+				part.add(mesh.position[v]);
+			return part;
+		});
+	MortonGrid grid;
 	grid.low      = b.low;
-	grid.cubeSize = std::max(b.high.x - b.low.x, std::max(b.high.y - b.low.y, b.high.z - b.low.z));
+	grid.cubeSize = b.largestSide();
 	// A little wider, so that the highest coordinate still falls into the last cell.
 	grid.cubeSize *= 1.000001f;
 	if (!(grid.cubeSize > 0)) grid.cubeSize = 1;

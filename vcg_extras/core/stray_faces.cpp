@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "stray_faces.h"
 
+#include "box.h"
 #include "buffer.h"
 
 #include <algorithm>
@@ -21,28 +22,22 @@ constexpr double mostStray = 0.01;
 
 /// Box and area of some faces.
 struct Extent {
-	Vec3f  low{HUGE_VALF, HUGE_VALF, HUGE_VALF};
-	Vec3f  high{-HUGE_VALF, -HUGE_VALF, -HUGE_VALF};
-	double area = 0;
+	Box<float> box;
+	double     area = 0;
 
 	void add(const IndexedMesh& m, int f)
 	{
-		for (int c = 3 * f; c < 3 * f + 3; ++c) {
-			const Vec3f p = m.position[m.triangle[c]];
-			low           = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-			high          = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-		}
+		for (int c = 3 * f; c < 3 * f + 3; ++c)
+			box.add(m.position[m.triangle[c]]);
 		area += 0.5 * double(length(m.faceCross(f)));
 	}
 	// Named so that Workers::sum can join the extents of pieces.
 	Extent& operator+=(const Extent& o)
 	{
-		low  = {std::min(low.x, o.low.x), std::min(low.y, o.low.y), std::min(low.z, o.low.z)};
-		high = {std::max(high.x, o.high.x), std::max(high.y, o.high.y), std::max(high.z, o.high.z)};
+		box += o.box;
 		area += o.area;
 		return *this;
 	}
-	float diagonal() const { return high.x >= low.x ? length(high - low) : 0; }
 };
 
 /// Of the faces that are not among those left out, which ascend.
@@ -67,7 +62,7 @@ std::vector<int> longerThan(const IndexedMesh& mesh, const std::vector<int>& fac
 	for (int f : faces) {
 		Extent extent;
 		extent.add(mesh, f);
-		if (extent.diagonal() >= least) longer.push_back(f);
+		if (extent.box.diagonal() >= least) longer.push_back(f);
 	}
 	return longer;
 }
@@ -87,9 +82,10 @@ StrayFaces findStrayFaces(const IndexedMesh& mesh, const std::vector<int>& longF
 	for (int f : faces)
 		stray.add(mesh, f);
 	whole += stray;
-	if (!(others.diagonal() > 0) || whole.diagonal() < leastSizeRatio * others.diagonal())
+	if (!(others.box.diagonal() > 0) ||
+		whole.box.diagonal() < leastSizeRatio * others.box.diagonal())
 		return none;
-	return {std::int64_t(faces.size()), double(whole.diagonal() / others.diagonal()),
+	return {std::int64_t(faces.size()), double(whole.box.diagonal() / others.box.diagonal()),
 			stray.area / whole.area};
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <vcg_extras/core/box.h>
 #include <vcg_extras/core/measure.h>
 
 namespace gpr::app {
@@ -93,15 +94,12 @@ MeshPhotographer::~MeshPhotographer()
 
 void MeshPhotographer::placeCameras(const MeshView& subject, double edgeLen)
 {
-	const Axes axes;
-	Vec3d      low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high(-HUGE_VAL, -HUGE_VAL, -HUGE_VAL);
-	forEachCorner(subject, [&](const Vec3d& p) {
-		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-	});
-	const double diagonal = length(high - low);
+	const Axes  axes;
+	Box<double> box;
+	forEachCorner(subject, [&](const Vec3d& p) { box.add(p); });
+	const double diagonal = box.diagonal();
 	if (!(diagonal > 0)) return;
-	centre_ = (low + high) * 0.5;
+	centre_ = (box.low + box.high) * 0.5;
 	scale_  = 1 / diagonal;
 
 	// All of it: far enough back for every corner. Close up: what is near and in the middle.
