@@ -17,7 +17,18 @@ void ProgressBar::show(double share, const char* phrase)
 	const std::size_t full  = std::size_t(part * width);
 	const std::string bar   = std::string(full, '#') + std::string(width - full, '.');
 	const std::string line  = "[" + bar + "] " + std::to_string(int(100 * part)) + " % " + phrase;
-	if (line == drawn_) return;
+	if (line != drawn_) draw(line);
+}
+
+void ProgressBar::tell(const std::string& words)
+{
+	if (!shown_) return;
+	nextDraw_ = clock_.seconds() + 1.5;
+	draw(words);
+}
+
+void ProgressBar::draw(const std::string& line)
+{
 	// "\033[K" wipes what a longer line has left behind.
 	std::fprintf(stderr, "\r%s\033[K", line.c_str());
 	std::fflush(stderr);

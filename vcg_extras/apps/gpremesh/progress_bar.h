@@ -20,10 +20,14 @@ public:
 
 	/// Shows a share in [0, 1] and what is being done; draws at most ten times a second.
 	void show(double share, const char* phrase);
+	/// Shows a line of words, and nothing else for a second and a half.
+	void tell(const std::string& words);
 	/// Leaves a clean line.
 	void clear();
 
 private:
+	void draw(const std::string& line);
+
 	bool        shown_;
 	std::string drawn_;
 	Stopwatch   clock_;

@@ -20,6 +20,14 @@ namespace gpr::app {
 
 namespace {
 
+/// Where one has to wait, so that who will not need not.
+void tellEstimate(const MeshView& mesh, const RemeshOptions& options, ProgressBar& bar)
+{
+	constexpr double  shortTime = 2; // s
+	const RunEstimate estimate  = estimateRun(mesh, options);
+	if (estimate.seconds >= shortTime) bar.tell("expected " + estimateText(estimate));
+}
+
 RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* texture,
 								const CommandLine& line, const RunLimit& limit)
 {
@@ -30,6 +38,7 @@ RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* text
 	options.anchorsOfVertices = mesh.attributes.any() || texture != nullptr;
 	options.anchorsOfFaces    = texture != nullptr || mesh.attributes.ofFacesToo();
 	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
+	tellEstimate(view, options, bar);
 	const char*  phraseBefore = nullptr;
 	RemeshResult result       = remesh(view, options, [&](double share, const char* phrase) {
         // What the engine has copied is no longer looked at, mostly.
@@ -114,14 +123,6 @@ MeshAttributes carriedAttributes(Source& source, const RemeshResult& result, con
 						   result);
 }
 
-/// Before the work begins, so that who will not wait so long need not.
-void tellEstimate(const InputMesh& mesh, const RemeshOptions& options)
-{
-	const std::string text = estimateText(estimateRun(mesh.view(), options));
-	std::printf("expected %s\n", text.c_str());
-	std::fflush(stdout);
-}
-
 /// Everything between the mesh in memory and the mesh on the disk. The input is handed back before
 /// the clock is read, so that no time is left out of the report.
 RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit,
@@ -163,9 +164,8 @@ void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 	catchStopSignals();
 	const RunLimit limit(programClock, line.options.timeLimitSeconds);
 	Source         source = readSource(line, limit);
-	if (!line.quiet) tellEstimate(source.mesh, line.options);
-	RunRecord run       = process(source, line, limit, programClock);
-	run.peakMemoryBytes = peakMemoryBytes();
+	RunRecord      run    = process(source, line, limit, programClock);
+	run.peakMemoryBytes   = peakMemoryBytes();
 	if (!line.report.empty()) writeReport(line.report, run);
 	if (!line.quiet) std::fputs(remeshSummary(run).c_str(), stdout);
 }
