@@ -109,7 +109,7 @@ std::string estimateLine(gpr::Tool tool, const LayerJob& job)
 	gpr::RemeshOptions options = job.options();
 	if (tool == gpr::RetriangulateTool) {
 		options.targetMode      = gpr::TargetMode::VertexNum;
-		options.targetVertexNum = std::int64_t(job.samples().size());
+		options.targetVertexNum = job.sampleNum();
 	}
 	const gpr::RunEstimate estimate = gpr::estimateRun(job.copy().view(), options, tool);
 	return "Expected: " + gpr::estimateText(estimate);

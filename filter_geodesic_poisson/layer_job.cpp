@@ -197,15 +197,24 @@ const MeshModel& LayerJob::sampleModel() const
 	return *model;
 }
 
-std::vector<gpr::Vec3d> LayerJob::samples() const
+const MeshModel& LayerJob::reachableSampleModel() const
 {
 	const MeshModel& model = sampleModel();
-	const Matrix44m& frame = _document.getMesh(_layerId)->cm.Tr;
-	if (!canReach(frame, model.cm.Tr)) {
+	if (!canReach(_document.getMesh(_layerId)->cm.Tr, model.cm.Tr)) {
 		throw Refusal("The transform of a layer has no inverse, so the samples cannot be brought "
 					  "into the frame of the surface.");
 	}
-	return copyPoints(model.cm, frame);
+	return model;
+}
+
+std::vector<gpr::Vec3d> LayerJob::samples() const
+{
+	return copyPoints(reachableSampleModel().cm, _document.getMesh(_layerId)->cm.Tr);
+}
+
+std::int64_t LayerJob::sampleNum() const
+{
+	return reachableSampleModel().cm.vn;
 }
 
 MeshModel& LayerJob::layer() const

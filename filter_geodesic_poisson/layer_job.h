@@ -31,6 +31,8 @@ public:
 	/// The vertices of the layer that the parameter SampleLayer names, in the frame of ours.
 	/// Throws Refusal: no such layer, an empty one, our own, a transform that has no inverse.
 	std::vector<gpr::Vec3d> samples() const;
+	/// How many these are, under the same conditions.
+	std::int64_t sampleNum() const;
 
 	/// The layer, to be written to. Other filters can run while ours does; throws Refusal where
 	/// they removed the layer or changed its mesh.
@@ -62,6 +64,7 @@ private:
 	LayerCopy          _copy;
 
 	const MeshModel& sampleModel() const;
+	const MeshModel& reachableSampleModel() const;
 	MeshModel&       addLayer(const MeshModel& source, int mask, const char* suffix,
 							  bool makeCurrent = true) const;
 	void addCompared(const MeshModel& source, const ComparedResult& result, const char* suffix,

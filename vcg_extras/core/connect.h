@@ -17,16 +17,22 @@ struct Surface {
 	HalfEdgeMesh         mesh;
 	Buffer<int>          sourceFace; ///< per face: the caller's face it is part of
 	Buffer<PackedNormal> normal;     ///< per vertex, area-weighted (zero where undefined); marked:
-									 ///< see isPointed
+									 ///< see pointedSpread
 	Buffer<float> size;              ///< per vertex: see sizing.h; empty: the same everywhere
 	Frame         frame;
 	MortonGrid    grid;
 };
 
 /// How far the normals of the faces round a vertex spread: the length of the sum of their cross
-/// products over the sum of the lengths is 1 on flat ground, and below this at all vertices that
-/// are marked as pointed. Of a cone that lacks 30° and more the tip is among them.
-constexpr float pointedSpread = 1.05f - 30.0f / 360;
+/// products over the sum of the lengths is 1 on flat ground, and below this at the tip of any cone
+/// that lacks so many degrees.
+constexpr float spreadAtTip(float defectDeg)
+{
+	return 1.05f - defectDeg / 360;
+}
+
+/// Vertices with a spread below this are marked as pointed.
+constexpr float pointedSpread = spreadAtTip(30);
 
 /// Stage 4: half-edge table of an ordered mesh (see orderSpatially) by bucketing half-edges at
 /// their smaller end. Moves the arrays out of `mesh` when all is manifold and consistently

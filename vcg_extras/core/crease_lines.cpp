@@ -404,7 +404,7 @@ private:
 	/// to n·axis = 1 - defect / 2π.
 	bool isPointed(int v) const
 	{
-		const float spread = 1.05f - rules_.strongDeg / 360;
+		const float spread = spreadAtTip(rules_.strongDeg);
 		if (spread <= pointedSpread && !surface_.normal[v].isMarked()) return false;
 		Vec3f sum;
 		float area = 0;

@@ -28,10 +28,7 @@ OnSegment onSegment(const Curve& c, float s)
 
 float distanceToSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 {
-	const Vec3f ab = b - a, ap = p - a;
-	const float squared = squaredLength(ab);
-	const float t       = squared > 0 ? std::clamp(dot(ap, ab) / squared, 0.0f, 1.0f) : 0.0f;
-	return length(ap - ab * t);
+	return length(p - a - (b - a) * shareOnSegment(p, a, b));
 }
 
 /// Distance of arcs a and b, at p and q, through space, over the size wanted between them.

@@ -37,10 +37,8 @@ struct Foot {
 
 Foot footOn(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 {
-	const Vec3f ab      = b - a;
-	const float squared = squaredLength(ab);
-	const float share   = squared > 0 ? std::clamp(dot(p - a, ab) / squared, 0.0f, 1.0f) : 0.0f;
-	return {share, p - a - ab * share};
+	const float share = shareOnSegment(p, a, b);
+	return {share, p - a - (b - a) * share};
 }
 
 /// The piece of a curve between a vertex' two neighbours on it, which the two edges between them
@@ -102,19 +100,14 @@ private:
 		const Vec3f from = m_.position[v];
 		const Vec3f way  = wayToMinimum(from, start);
 		const float far  = farthest(from);
+		const float off  = std::max(farthestOff * span_.edge, std::sqrt(squaredOff(from)));
 		for (float share : moveShares) {
-			const Vec3f to = from + way * share;
-			if (!mayStand(v, from, to, far)) continue;
+			const Vec3f to     = from + way * share;
+			const bool  isNear = std::sqrt(squaredOff(to)) <= off && farthest(to) <= far;
+			if (!isNear || !keepsShapes(v, from, to)) continue;
 			m_.position[v] = to;
 			return;
 		}
-	}
-
-	bool mayStand(int v, const Vec3f& from, const Vec3f& to, float far) const
-	{
-		const float off = std::sqrt(squaredOff(to));
-		return off <= std::max(farthestOff * span_.edge, std::sqrt(squaredOff(from))) &&
-			   farthest(to) <= far && keepsShapes(v, from, to);
 	}
 
 	bool findSpan(int v)

@@ -24,10 +24,7 @@ Vec3f upper(const Vec3f& a, const Vec3f& b)
 
 Vec3f nearestOnSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 {
-	const Vec3f ab      = b - a;
-	const float squared = squaredLength(ab);
-	if (!(squared > 0)) return a;
-	return a + ab * std::min(1.0f, std::max(0.0f, dot(p - a, ab) / squared));
+	return a + (b - a) * shareOnSegment(p, a, b);
 }
 
 /// For triangles without area, whose inside says nothing.

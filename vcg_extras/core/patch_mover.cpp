@@ -30,7 +30,7 @@ constexpr float farthestMove = 0.5f;
 /// and where the surface's normal there has at least this cosine with the one before.
 constexpr float leastNormalCosine = 0.5f;
 /// The diagonals of a flip lie at most this share of an edge apart: so much moves the surface.
-constexpr float largestGap = 0.5f;
+constexpr float largestDiagonalGap = 0.5f;
 /// Distances above this share of the largest one count singly: a finger's tip must not be cut off
 /// because another one beside it is. Smaller ones only count by the largest of them.
 constexpr float guardedShare = 0.7f;
@@ -335,7 +335,7 @@ bool PatchMover::mayFlip(int h) const
 	for (int v : cornersAt(h)) {
 		if (blocked_[v]) return false;
 	}
-	return gapOfDiagonals(h) <= largestGap * meanEdge(m_.origin[h]);
+	return gapOfDiagonals(h) <= largestDiagonalGap * meanEdge(m_.origin[h]);
 }
 
 std::array<int, 4> PatchMover::cornersAt(int h) const

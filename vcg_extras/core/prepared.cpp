@@ -37,25 +37,25 @@ double radiusConstant(const RemeshOptions& options)
 													  : intersectionRadiusConstant;
 }
 
-std::int64_t resolveTarget(const MeshView& input, const RemeshOptions& o, double area, double scale)
+double wantedVertexNum(const MeshView& input, const RemeshOptions& o, double area, double scale)
 {
-	double n = 0;
 	switch (o.targetMode) {
 	case TargetMode::VertexNum:
-		n = double(o.targetVertexNum);
-		break;
+		return double(o.targetVertexNum);
 	case TargetMode::Percent:
-		n = o.targetPercent / 100 * double(input.vertexNum);
-		break;
+		return o.targetPercent / 100 * double(input.vertexNum);
 	case TargetMode::EdgeLength:
-		n = vertexNumForEdgeLength(area, o.targetEdgeLen * scale);
-		break;
+		return vertexNumForEdgeLength(area, o.targetEdgeLen * scale);
 	case TargetMode::MaxError: // a sampling alone has no error to look at
-		n = vertexNumForEdgeLength(area, edgePerError * o.targetMaxError * scale);
-		break;
+		return vertexNumForEdgeLength(area, edgePerError * o.targetMaxError * scale);
 	}
-	n = std::round(n);
-	if (n > 2e8) {
+	return 0;
+}
+
+std::int64_t resolveTarget(const MeshView& input, const RemeshOptions& o, double area, double scale)
+{
+	const double n = std::round(wantedVertexNum(input, o, area, scale));
+	if (n > mostResultVertices) {
 		throw Failure(Status::OutOfMemory, "The result would have more than 200,000,000 vertices.");
 	}
 	return std::max<std::int64_t>(1, std::int64_t(n));

@@ -39,6 +39,14 @@ double diskRadius(double area, double vertexNum, double constant);
 /// c of eq. (1) for the equations and the placement chosen.
 double radiusConstant(const RemeshOptions& options);
 
+/// More vertices are refused.
+constexpr double mostResultVertices = 2e8;
+
+/// The number of vertices that the options ask for, not rounded, whatever it is; area and scale as
+/// below.
+double wantedVertexNum(const MeshView& input, const RemeshOptions& options, double area,
+					   double scale);
+
 /// The number of vertices that the options ask for; area in working units squared, scale from mesh
 /// to working units. Throws Failure where it is more than a mesh may have.
 std::int64_t resolveTarget(const MeshView& input, const RemeshOptions& options, double area,

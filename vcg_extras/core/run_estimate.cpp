@@ -51,30 +51,15 @@ double shareOfSelected(const MeshView& input, const RemeshOptions& o)
 	return double(num) / double(input.faceNum);
 }
 
-/// More are refused.
-constexpr double mostVertices = 2e8;
-
-double vertexNumForEdges(double area, double edgeLength)
-{
-	return area > 0 && edgeLength > 0 ? vertexNumForEdgeLength(area, edgeLength) : 0;
-}
-
 double vertexNumOf(const MeshView& input, const RemeshOptions& o)
 {
-	switch (o.targetMode) {
-	case TargetMode::VertexNum:
-		return double(o.targetVertexNum);
-	case TargetMode::Percent:
-		return o.targetPercent / 100 * double(input.vertexNum);
-	case TargetMode::EdgeLength:
-		return vertexNumForEdges(extentOf(input).area, o.targetEdgeLen);
-	case TargetMode::MaxError: {
-		const MeshExtent extent = extentOf(input);
-		const double     unit   = o.maxErrorIsPercent ? extent.diagonal / 100 : 1;
-		return vertexNumForEdges(extent.area, edgePerError * o.targetMaxError * unit);
-	}
-	}
-	return 0;
+	const bool isByError = o.targetMode == TargetMode::MaxError;
+	if (!isByError && o.targetMode != TargetMode::EdgeLength)
+		return wantedVertexNum(input, o, 0, 1);
+	const MeshExtent extent = extentOf(input);
+	const double     unit   = isByError && o.maxErrorIsPercent ? extent.diagonal / 100 : 1;
+	const double     n      = wantedVertexNum(input, o, extent.area, unit);
+	return std::isfinite(n) ? n : 0; // of a mesh or a length that is nothing
 }
 
 int threadNumOf(const RemeshOptions& o)
@@ -93,7 +78,7 @@ RunEstimate estimateRun(const MeshView& input, const RemeshOptions& options, Too
 	RunEstimate  estimate;
 	if (tool != FeatureTool)
 		estimate.vertexNum =
-			std::min(mostVertices, (isByCount ? 1 : share) * vertexNumOf(input, options));
+			std::min(mostResultVertices, (isByCount ? 1 : share) * vertexNumOf(input, options));
 	const double microseconds = rate.perFace * faces + rate.perVertex * estimate.vertexNum;
 	estimate.seconds          = 1e-6 * microseconds / std::pow(threadNumOf(options), threadPower);
 	if (options.targetMode == TargetMode::MaxError && tool == RemeshTool)

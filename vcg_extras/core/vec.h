@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_VEC_H
 #define VCG_EXTRAS_CORE_VEC_H
 
+#include <algorithm>
 #include <cmath>
 
 namespace gpr {
@@ -86,6 +87,14 @@ template <class S>
 inline Vec3<S> tangential(const Vec3<S>& a, const Vec3<S>& n)
 {
 	return a - n * dot(n, a);
+}
+
+/// Share of the way from a to b at which the segment is nearest to p; 0 where a and b coincide.
+inline float shareOnSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
+{
+	const Vec3f ab      = b - a;
+	const float squared = squaredLength(ab);
+	return squared > 0 ? std::min(1.0f, std::max(0.0f, dot(p - a, ab) / squared)) : 0.0f;
 }
 
 } // namespace gpr
