@@ -21,7 +21,11 @@ IndexedMesh loaded(const TriangleMesh& mesh, Workers& workers)
 
 Surface surfaceOf(const TriangleMesh& mesh, Workers& workers)
 {
-	IndexedMesh indexed = loaded(mesh, workers);
+	return surfaceOf(loaded(mesh, workers), workers);
+}
+
+Surface surfaceOf(IndexedMesh&& indexed, Workers& workers)
+{
 	Buffer<int> faceStart;
 	Surface     surface;
 	surface.grid = orderSpatially(indexed, workers, faceStart);

@@ -19,6 +19,7 @@ namespace gpr::test {
 IndexedMesh loaded(const TriangleMesh& mesh, Workers& workers);
 /// Loaded, ordered and connected; throws std::logic_error if the mesh is not manifold.
 Surface surfaceOf(const TriangleMesh& mesh, Workers& workers);
+Surface surfaceOf(IndexedMesh&& mesh, Workers& workers);
 /// A half-edge mesh in the numbering of the mesh, opposites found by comparing all edges. The mesh
 /// must be manifold. There is room for as many more vertices and faces as asked.
 HalfEdgeMesh halfEdgesOf(const TriangleMesh& mesh, int spareVertices = 0, int spareFaces = 0);

@@ -5,8 +5,10 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/core/crease_lines.h>
+#include <vcg_extras/core/feature_detection.h>
 #include <vcg_extras/core/given_lines.h>
 #include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/split_long_edges.h>
 
 namespace gpr::test {
 
@@ -22,7 +24,22 @@ protected:
 	void mark(const TriangleMesh& mesh)
 	{
 		surface = surfaceOf(mesh, workers);
-		found   = markCreases(rules, workers, surface);
+		markOnSurface();
+	}
+
+	/// The same after edges were split that are longer than a share of the mean.
+	void markSplit(const TriangleMesh& mesh, float share)
+	{
+		IndexedMesh indexed   = loaded(mesh, workers);
+		rules.callersMeanEdge = meanEdgeLength(indexed, workers);
+		ASSERT_GT(splitLongEdges(indexed, share * rules.callersMeanEdge, 1000000, workers), 0);
+		surface = surfaceOf(std::move(indexed), workers);
+		markOnSurface();
+	}
+
+	void markOnSurface()
+	{
+		found = markCreases(rules, workers, surface);
 		EXPECT_EQ(surface.mesh.hasCreases(), found.edgeNum > 0);
 		std::int64_t marked = 0;
 		for (int h = 0; h < surface.mesh.halfEdgeNum(); ++h) {
@@ -131,6 +148,28 @@ TEST_F(MarkCreases, NoneOnANoisySphere)
 	EXPECT_EQ(found.edgeNum, 0);
 	EXPECT_TRUE(found.tips.empty());
 	EXPECT_TRUE(found.wasNoise) << "the test wants noise with sharp edges";
+}
+
+/// New edges inside of faces are flat, and the noise must not stand out from them.
+TEST_F(MarkCreases, NoneOnANoisySphereWhateverWasSplit)
+{
+	for (float share : {1.2f, 0.7f, 0.3f}) {
+		Random random(5);
+		markSplit(noisySphere(4, 0.04, random), share);
+		EXPECT_EQ(found.edgeNum, 0) << share;
+		EXPECT_TRUE(found.tips.empty()) << share;
+		EXPECT_TRUE(found.wasNoise) << share;
+	}
+}
+
+TEST_F(MarkCreases, ThoseOfCubesWhateverWasSplit)
+{
+	for (int n : {1, 4}) {
+		markSplit(cube(n), 0.3f);
+		EXPECT_EQ(vertexNumWith(3), 8) << n;
+		EXPECT_NEAR(markedLength(), 12, 1e-5) << n;
+		EXPECT_FALSE(found.wasNoise) << n;
+	}
 }
 
 TEST_F(MarkCreases, NoneOnASmoothSphere)
@@ -267,5 +306,21 @@ TEST(GivenLines, AreEdgesOfTheResult)
 }
 
 } // namespace
+
+/// The whole way: asked for more vertices than it has, a noisy mesh is split before the noise is
+/// seen.
+TEST(FeatureLines, FollowNoNoiseHoweverManyVerticesAreWanted)
+{
+	Random             random(5);
+	const TriangleMesh mesh = noisySphere(4, 0.04, random);
+	for (double percent : {10.0, 50.0, 150.0}) {
+		RemeshOptions options;
+		options.targetMode    = TargetMode::Percent;
+		options.targetPercent = percent;
+		const RemeshResult r  = remesh(mesh.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_EQ(r.report.featureEdgeNum, 0) << percent;
+	}
+}
 
 } // namespace gpr::test

@@ -3,6 +3,7 @@
 #include "crease_lines.h"
 
 #include "close_lines.h"
+#include "crease_clearance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +16,6 @@ namespace {
 /// Faces whose edges are picked before any of them is looked at.
 constexpr int facesAtOnce = 256;
 
-/// A sharp edge is clear of noise if the other edges of its two faces are so many times flatter.
-constexpr float clearRatio = 3;
 /// Fewer mean edges than this in a row are noise whatever they look like.
 constexpr float clearLength = 4;
 /// Share of the sharp length that must be clear: CAD models have 0.77 and more, scans up to 0.47.
@@ -25,16 +24,6 @@ constexpr float clearShare = 0.7f;
 constexpr float goOnCosine = 0.5f;
 /// The angle defects round a tip are at most this share of its own.
 constexpr float tipContrast = 0.2f;
-
-/// Angle between the normals of the two faces of h; 0 at a border and beside faces without area.
-float dihedral(const HalfEdgeMesh& m, int h)
-{
-	const int g = m.opposite[h];
-	if (g < 0) return 0;
-	const Vec3f a = m.faceCross(h / 3), b = m.faceCross(g / 3);
-	if (!(squaredLength(a) > 0 && squaredLength(b) > 0)) return 0;
-	return std::atan2(length(cross(a, b)), dot(a, b));
-}
 
 float edgeLength(const HalfEdgeMesh& m, int h)
 {
@@ -154,34 +143,24 @@ private:
 
 	bool looksLikeNoise(const std::vector<int>& sharp) const
 	{
-		const std::unordered_map<int, Extent> extentAt = extentOfComponents(sharp, false);
-		const float                           least    = clearLength * meanEdge();
+		const std::unordered_map<int, Extent> extentAt = extentOfComponents(sharp, nullptr);
+		const CreaseClearance                 clearance(surface_, isSplit(), sharp, workers_);
+		const float                           least = clearLength * meanEdge();
 		double                                all = 0, clear = 0;
 		for (int h : sharp) {
 			const float l = edgeLength(m_, h);
 			all += l;
-			if (extentAt.at(m_.origin[h]).length >= least && isClear(h)) clear += l;
+			if (extentAt.at(m_.origin[h]).length >= least && clearance.isClear(h)) clear += l;
 		}
 		return clear < clearShare * all;
 	}
 
-	/// A crease beside it, as at the corner of a cube, says nothing.
-	bool isClear(int h) const
-	{
-		const float angle = dihedral(m_, h);
-		const int   g     = m_.opposite[h];
-		int         flat  = 0;
-		for (int e : {nextInFace(h), prevInFace(h), nextInFace(g), prevInFace(g)}) {
-			if (m_.isCreaseEdge(e)) continue;
-			if (dihedral(m_, e) * clearRatio > angle) return false;
-			++flat;
-		}
-		return flat > 0;
-	}
+	bool isSplit() const { return rules_.callersMeanEdge > 0; }
 
-	/// Of about a million half-edges, or all where there are fewer.
+	/// Of the caller's mesh: of about a million half-edges, or all where there are fewer.
 	float meanEdge() const
 	{
+		if (isSplit()) return rules_.callersMeanEdge;
 		const int         stride = 1 + m_.halfEdgeNum() / 1000000;
 		const std::size_t num    = std::size_t((m_.halfEdgeNum() + stride - 1) / stride);
 		const double      sum = workers_.sum<double>(num, [&](std::size_t begin, std::size_t end) {
@@ -200,9 +179,10 @@ private:
 		int   endNum = 0; ///< free ends
 	};
 
-	/// For every vertex of the edges, all marked. What is clear is only measured where asked for.
+	/// For every vertex of the edges, all marked. What is clear is only measured if clearance is
+	/// given.
 	std::unordered_map<int, Extent> extentOfComponents(const std::vector<int>& edges,
-													   bool                    measuresClear) const
+													   const CreaseClearance*  clearance) const
 	{
 		std::unordered_map<int, Extent> extentAt;
 		std::vector<int>                component;
@@ -211,7 +191,7 @@ private:
 		for (int start : edges) {
 			if (extentAt[m_.origin[start]].length >= 0) continue;
 			component.clear();
-			const Extent all = extentFrom(m_.origin[start], measuresClear, extentAt, component);
+			const Extent all = extentFrom(m_.origin[start], clearance, extentAt, component);
 			for (int v : component)
 				extentAt[v] = all;
 		}
@@ -219,8 +199,8 @@ private:
 	}
 
 	/// Collects what is linked to v, and marks it as seen by a length.
-	Extent extentFrom(int v, bool measuresClear, std::unordered_map<int, Extent>& seen,
-					  std::vector<int>& component) const
+	Extent extentFrom(int v, const CreaseClearance* clearance,
+					  std::unordered_map<int, Extent>& seen, std::vector<int>& component) const
 	{
 		double           length = 0, clear = 0;
 		Extent           all;
@@ -235,7 +215,7 @@ private:
 				if (!m_.isCreaseEdge(h)) return;
 				const double half = 0.5 * double(edgeLength(m_, h)); // seen from both ends
 				length += half;
-				if (measuresClear && isClear(h)) clear += half;
+				if (clearance != nullptr && clearance->isClear(h)) clear += half;
 				Extent& next = seen[m_.target(h)];
 				if (next.length >= 0) return;
 				next.length = 0;
@@ -287,7 +267,7 @@ private:
 		forEachOutgoing(m_, v, [&](int h) {
 			if (m_.isCurveEdge(h)) return;
 			const Vec3f along = normalized(m_.position[m_.target(h)] - m_.position[v]);
-			const float angle = dihedral(m_, h);
+			const float angle = dihedralAngle(m_, h);
 			if (dot(along, ahead) < goOnCosine || angle < sharpest) return;
 			sharpest = angle;
 			best     = h;
@@ -299,7 +279,8 @@ private:
 
 	void dropShortOnes()
 	{
-		const std::unordered_map<int, Extent> extentAt = extentOfComponents(edges_, true);
+		const CreaseClearance                 clearance(surface_, isSplit(), edges_, workers_);
+		const std::unordered_map<int, Extent> extentAt = extentOfComponents(edges_, &clearance);
 		keepOnly([&](int h) { return isLongEnough(extentAt.at(m_.origin[h])); });
 		std::vector<int> twigs;
 		for (int h : edges_) {

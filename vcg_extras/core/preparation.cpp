@@ -118,7 +118,8 @@ void Preparation::findFeatureLines(Prepared& p)
 	rules.leastTwig   = idealEdge(p);
 	rules.leastGap    = leastLineGap * idealEdge(p);
 
-	double share = followCreases(rules, p);
+	rules.callersMeanEdge = p.callersMeanEdge;
+	double share          = followCreases(rules, p);
 	if (share > mostOnCurves) {
 		forgetFeatureLines(p);
 		rules.leastGap = leastCrowdedGap * idealEdge(p);
@@ -231,6 +232,7 @@ void Preparation::refine(Prepared& p, float longest)
 {
 	Buffer<float> size = std::move(p.surface.size);
 	IndexedMesh   mesh = disconnect(p.surface);
+	if (!(p.callersMeanEdge > 0)) p.callersMeanEdge = meanEdgeLength(mesh, workers_);
 	report_.cleaned.longEdgesSplit +=
 		splitLongEdges(mesh, longest, size, mostFacesFor(p.targetNum, mesh.faceNum), workers_);
 	connectOrRepair(mesh, p.surface);
@@ -335,7 +337,7 @@ void Preparation::dropSmallComponents(Surface& surface)
 }
 
 std::int64_t Preparation::splitAsFarAsMemoryGoes(IndexedMesh& mesh, const FaceExtents& extents,
-												 const Prepared& p)
+												 Prepared& p)
 {
 	float            longest   = longestEdgeInRadii * p.radius;
 	std::vector<int> longFaces = findLongFaces(mesh, extents, longest, workers_);
@@ -347,6 +349,7 @@ std::int64_t Preparation::splitAsFarAsMemoryGoes(IndexedMesh& mesh, const FaceEx
 	const double faces = facesAfterSplitting(mesh, longFaces, longest);
 	requireMemory(bytesNeeded(faces, double(p.targetNum)), availableMemoryBytes());
 	const std::int64_t mostFaces = mostFacesFor(p.targetNum, mesh.faceNum);
+	if (!longFaces.empty()) p.callersMeanEdge = meanEdgeLength(mesh, workers_);
 	return splitLongEdges(mesh, longFaces, longest, mostFaces, workers_);
 }
 

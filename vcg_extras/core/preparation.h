@@ -56,10 +56,9 @@ private:
 	void          dropSmallComponents(Surface& surface);
 	void          followGivenLines(Prepared& p);
 	bool          namesSources(const Prepared& p) const;
-	std::int64_t  splitAsFarAsMemoryGoes(IndexedMesh& mesh, const FaceExtents& extents,
-										 const Prepared& p);
-	void          noteStrayFaces(const IndexedMesh& mesh, const std::vector<int>& longFaces);
-	void          noteDetection(const FeatureEdges& features);
+	std::int64_t splitAsFarAsMemoryGoes(IndexedMesh& mesh, const FaceExtents& extents, Prepared& p);
+	void         noteStrayFaces(const IndexedMesh& mesh, const std::vector<int>& longFaces);
+	void         noteDetection(const FeatureEdges& features);
 };
 
 } // namespace gpr
