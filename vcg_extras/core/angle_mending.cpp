@@ -6,6 +6,7 @@
 #include "mesh_edit.h"
 #include "patch_mover.h"
 #include "poor_faces.h"
+#include "vain_tries.h"
 
 #include <algorithm>
 #include <iterator>
@@ -53,6 +54,7 @@ private:
 	std::vector<char> touched_; ///< vertices that moved or whose faces were flipped
 	std::vector<int>  poor_;    ///< faces, ascending
 	std::int64_t      triesLeft_ = 0;
+	VainTries         tries_{0};
 	std::vector<int>  changed_; ///< vertices touched since these were looked for
 
 	/// Blocks what touched faces cross now. False if no face crosses another that did not before.
@@ -93,6 +95,7 @@ private:
 		touched_.assign(m_.vertexNum, 0);
 		poor_ = findPoorFaces(m_, angle_, workers_);
 		resetNormals();
+		tries_ = VainTries(m_.vertexNum);
 		for (bool worstFirst : {false, true, false}) {
 			worstFirst_ = worstFirst;
 			mendByRounds();
@@ -106,10 +109,13 @@ private:
 			bool better = false;
 			for (int f : sharpestFirst(m_, poor_)) {
 				workers_.poll();
-				if (smallestAngle(m_, f) >= angle_) continue;
+				if (smallestAngle(m_, f) >= angle_ || tries_.isVain(m_, f, worstFirst_)) continue;
 				if (triesLeft_ == 0) return;
 				--triesLeft_;
-				better = mend(f) || better;
+				if (mend(f))
+					better = true;
+				else
+					tries_.noteVain(m_, f, worstFirst_);
 			}
 			if (!better) return;
 		}
@@ -133,6 +139,7 @@ private:
 	{
 		touched_[v] = 1;
 		changed_.push_back(v);
+		tries_.noteChange(v);
 	}
 
 	bool mend(int f)
@@ -173,8 +180,7 @@ private:
 		flip(m_, h);
 		for (int v : corners)
 			moveToBest(v);
-		if (patchQuality(faces).beats(before) &&
-			distanceFrom(faces, faces, enough).keeps(distance)) {
+		if (patchQuality(faces).beats(before) && keepsDistance(faces, faces, enough, distance)) {
 			for (int v : corners)
 				touch(v);
 			++r_.flipNum;

@@ -34,8 +34,8 @@ public:
 private:
 	const Surface&      surface_;
 	const HalfEdgeMesh& m_;
-	/// Per face of the caller: the largest angle at its edges that are no creases, none or notAsked.
-	/// Empty if nothing was split.
+	/// Per face of the caller: the largest angle at its edges that are no creases, none or
+	/// notAsked. Empty if nothing was split.
 	std::vector<float> steepest_;
 
 	void  findSteepest(const std::vector<int>& edges, Workers& workers);

@@ -50,6 +50,38 @@ Vec3f withoutLip(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int v, cons
 	return dot(inside, own) < 0 ? normalized(inside) : own;
 }
 
+/// Finds how far points lie from some faces, those near each other in a row fast: the face that was
+/// the nearest last time is tried first, and mostly is near enough.
+class NearestFace {
+public:
+	NearestFace(const HalfEdgeMesh& m, const std::vector<int>& faces) : m_(m), face_(faces) {}
+
+	/// From the nearest of the faces, or from one that is near enough.
+	float squaredDistance(const Vec3f& p, float enough)
+	{
+		float nearest = face_.empty() ? HUGE_VALF : squaredFrom(face_[last_], p);
+		for (std::size_t i = 0; i < face_.size() && nearest > enough; ++i) {
+			const float squared = squaredFrom(face_[i], p);
+			if (squared >= nearest) continue;
+			nearest = squared;
+			last_   = i;
+		}
+		return nearest;
+	}
+
+private:
+	const HalfEdgeMesh&     m_;
+	const std::vector<int>& face_;
+	std::size_t             last_ = 0;
+
+	float squaredFrom(int f, const Vec3f& p) const
+	{
+		const int* c = &m_.origin[3 * f];
+		return squaredLength(
+			nearestOnTriangle(p, m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]) - p);
+	}
+};
+
 } // namespace
 
 Buffer<Vec3f> normalsWithoutLips(const Surface& surface, const ResultMesh& result, Workers& workers)
@@ -121,19 +153,6 @@ PatchMover::Quality PatchMover::patchQuality(const std::vector<int>& faces) cons
 	return sum;
 }
 
-float PatchMover::squaredDistance(const Vec3f& p, const std::vector<int>& faces, float enough) const
-{
-	float nearest = HUGE_VALF;
-	for (int f : faces) {
-		if (nearest <= enough) break;
-		const int*  c = &m_.origin[3 * f];
-		const Vec3f foot =
-			nearestOnTriangle(p, m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]);
-		nearest = std::min(nearest, squaredLength(foot - p));
-	}
-	return nearest;
-}
-
 template <class Visit>
 void PatchMover::forCellVertices(const std::vector<int>& ofCells, const Visit& visit) const
 {
@@ -143,16 +162,19 @@ void PatchMover::forCellVertices(const std::vector<int>& ofCells, const Visit& v
 		if (cell < 0) continue;
 		const int*           first = cells_.cells.begin(cell);
 		const std::ptrdiff_t num   = cells_.cells.end(cell) - first;
-		for (std::ptrdiff_t k = 0; k < num; k += 1 + num / mostInCell)
-			visit(surface_.mesh.position[first[k]]);
+		for (std::ptrdiff_t k = 0; k < num; k += 1 + num / mostInCell) {
+			if (!visit(surface_.mesh.position[first[k]])) return;
+		}
 	}
 }
 
 float PatchMover::farthestFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const
 {
-	float farthest = 0;
+	NearestFace near(m_, faces);
+	float       farthest = 0;
 	forCellVertices(ofCells, [&](const Vec3f& p) {
-		farthest = std::max(farthest, squaredDistance(p, faces, farthest));
+		farthest = std::max(farthest, near.squaredDistance(p, farthest));
+		return true;
 	});
 	return std::sqrt(farthest);
 }
@@ -166,32 +188,50 @@ bool PatchMover::Distance::keeps(const Distance& before) const
 PatchMover::Distance PatchMover::distanceFrom(const std::vector<int>& faces,
 											  const std::vector<int>& ofCells, float enough) const
 {
+	return distanceFrom(faces, ofCells, enough, {HUGE_VALF, HUGE_VAL});
+}
+
+bool PatchMover::keepsDistance(const std::vector<int>& faces, const std::vector<int>& ofCells,
+							   float enough, const Distance& before) const
+{
+	return distanceFrom(faces, ofCells, enough, before).keeps(before);
+}
+
+PatchMover::Distance PatchMover::distanceFrom(const std::vector<int>& faces,
+											  const std::vector<int>& ofCells, float enough,
+											  const Distance& most) const
+{
 	const bool  countsSingly  = cells_.largestGap > 0;
 	const float large         = guardedShare * cells_.largestGap;
 	const float squaredEnough = enough * enough;
-	Distance    distance;
-	distance.farthest = squaredEnough;
+	NearestFace near(m_, faces);
+	Distance    distance = {std::sqrt(squaredEnough), 0};
+	float       farthest = squaredEnough;
 	forCellVertices(ofCells, [&](const Vec3f& p) {
 		// Which face a vertex is near to does not matter where it neither is the farthest nor
 		// counts singly, and that is nearly all of them.
-		const float irrelevant =
-			countsSingly ? std::min(distance.farthest, large * large) : distance.farthest;
-		const float squared = squaredDistance(p, faces, std::max(squaredEnough, irrelevant));
-		const float counted = std::max({squared, squaredEnough, large * large});
-		distance.farthest   = std::max(distance.farthest, squared);
+		const float irrelevant = countsSingly ? std::min(farthest, large * large) : farthest;
+		const float squared    = near.squaredDistance(p, std::max(squaredEnough, irrelevant));
+		const float counted    = std::max({squared, squaredEnough, large * large});
 		if (countsSingly) distance.fourthPowers += double(counted) * counted;
+		if (squared > farthest) {
+			farthest          = squared;
+			distance.farthest = std::sqrt(squared);
+		}
+		return distance.keeps(most);
 	});
-	distance.farthest = std::sqrt(distance.farthest);
 	return distance;
 }
 
 float PatchMover::rmsFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const
 {
-	float sum = 0;
-	int   num = 0;
+	NearestFace near(m_, faces);
+	float       sum = 0;
+	int         num = 0;
 	forCellVertices(ofCells, [&](const Vec3f& p) {
-		sum += squaredDistance(p, faces, 0);
+		sum += near.squaredDistance(p, 0);
 		++num;
+		return true;
 	});
 	return num > 0 ? std::sqrt(sum / float(num)) : 0.0f;
 }
@@ -252,14 +292,21 @@ bool PatchMover::step(int v, float reach, float edge, Quality& quality)
 {
 	const std::vector<int> faces  = facesRound(m_, {v});
 	const float            enough = farthestOff * edge;
-	const Distance         before = distanceFrom(faces, faces, enough);
 	const Place            start  = placeOf(v);
-	Place                  best   = start;
-	bool                   found  = false;
+	Distance               before; // measured only where a place is better: most steps find none
+	Place                  best     = start;
+	bool                   measured = false, found = false;
 	for (const Place& next : placesRound(v, reach, edge)) {
 		put(v, next);
 		const Quality q = ringQuality(v);
-		if (!q.beats(quality) || !distanceFrom(faces, faces, enough).keeps(before)) continue;
+		if (!q.beats(quality)) continue;
+		if (!measured) {
+			put(v, start);
+			before   = distanceFrom(faces, faces, enough);
+			measured = true;
+			put(v, next);
+		}
+		if (!keepsDistance(faces, faces, enough, before)) continue;
 		quality = q;
 		best    = next;
 		found   = true;

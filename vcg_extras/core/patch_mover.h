@@ -94,6 +94,9 @@ protected:
 	/// `faces`; those nearer than `enough` count as if they lay there.
 	Distance distanceFrom(const std::vector<int>& faces, const std::vector<int>& ofCells,
 						  float enough) const;
+	/// Whether these keep what they were `before`. Cost: up to the first vertex that tells.
+	bool keepsDistance(const std::vector<int>& faces, const std::vector<int>& ofCells, float enough,
+					   const Distance& before) const;
 	/// The root of the mean square of the same distances.
 	float rmsFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const;
 	float meanEdge(int v) const;
@@ -113,12 +116,14 @@ protected:
 	bool mayFlip(int h) const;
 
 private:
+	/// Until a visit returns false.
 	template <class Visit>
 	void forCellVertices(const std::vector<int>& ofCells, const Visit& visit) const;
 	void addFace(int f, Quality& sum) const;
-	/// From the nearest of the faces, or from one that is near enough.
-	float squaredDistance(const Vec3f& p, const std::vector<int>& faces, float enough) const;
-	bool  step(int v, float reach, float edge, Quality& quality);
+	/// As above, or until they do not keep `most` any more.
+	Distance distanceFrom(const std::vector<int>& faces, const std::vector<int>& ofCells,
+						  float enough, const Distance& most) const;
+	bool     step(int v, float reach, float edge, Quality& quality);
 	template <class Offer>
 	void offerSlides(int v, float reach, const Offer& offer) const;
 	/// v as high above its anchor as it is now.

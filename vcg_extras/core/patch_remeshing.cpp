@@ -12,6 +12,7 @@
 #include "patch_mover.h"
 #include "poor_faces.h"
 #include "sort_unique.h"
+#include "vain_tries.h"
 
 #include <algorithm>
 
@@ -70,7 +71,8 @@ class PatchRemesher : PatchMover {
 public:
 	PatchRemesher(const Surface& surface, const BoundaryCurves& curves, float angle,
 				  ResultMesh& result, Workers& workers, const CellsOfFaces& cells) :
-			PatchMover(surface, curves, angle, result, workers, cells, mostTries)
+			PatchMover(surface, curves, angle, result, workers, cells, mostTries),
+			tries_(m_.vertexNum + mostTries)
 	{
 	}
 
@@ -92,11 +94,13 @@ private:
 	int              triesLeft_ = mostTries;
 	int              changeNum_ = 0;
 	EditScratch      scratch_;
+	VainTries        tries_;
 	std::vector<int> near_; ///< what the faces round the one that is treated may cross
 
 	void treat(int f)
 	{
 		if (triesLeft_ == 0 || isDeadFace(m_, f) || smallestAngle(m_, f) >= angle_) return;
+		if (tries_.isVain(m_, f)) return;
 		workers_.poll();
 		--triesLeft_;
 		near_ = facesNear(m_, facesRound(m_, patchRound(f)), meanEdge(m_.origin[3 * f]), workers_);
@@ -108,7 +112,10 @@ private:
 			bestGain = gain;
 			best     = op;
 		}
-		if (best.kind == Operation::None) return;
+		if (best.kind == Operation::None) {
+			tries_.noteVain(m_, f);
+			return;
+		}
 		attempt(best, true);
 		++changeNum_;
 	}
@@ -169,17 +176,14 @@ private:
 	}
 
 	/// Makes the change and lets what lies round it settle. Returns by how much that lowers the
-	/// cost, 0 where it is refused; leaves it only if it is to be kept.
+	/// cost, 0 where it is refused, and takes it back unless it is to be kept.
 	float attempt(const Operation& op, bool keep)
 	{
 		const int                vertexNum = m_.vertexNum;
 		const PatchBackup        backup(m_, patchOf(op));
-		const std::vector<Place> places   = placesOf(backup.vertices());
-		const Quality            before   = patchQuality(backup.faces());
-		const float              off      = farthestOff * longestMeanEdge(backup.vertices());
-		const Distance           distance = distanceFrom(backup.faces(), backup.faces(), off);
-		const float              rms =
-			std::max(mostRmsGrowth * rmsFrom(backup.faces(), backup.faces()), mostRms * off);
+		const std::vector<Place> places = placesOf(backup.vertices());
+		const Quality            before = patchQuality(backup.faces());
+		const float              off    = farthestOff * longestMeanEdge(backup.vertices());
 
 		if (!apply(op)) {
 			if (m_.vertexNum > vertexNum) takeBack(backup, places);
@@ -188,21 +192,42 @@ private:
 		std::vector<int> patch = livingOf(backup.vertices());
 		if (op.isSplit()) patch.push_back(m_.vertexNum - 1);
 		settle(patch);
-		const std::vector<int> faces = facesRound(m_, patch);
-		const Quality          after = patchQuality(faces);
-		const bool isBetter          = after.cost < mostLeft * before.cost && after.beats(before) &&
-							  distanceFrom(faces, backup.faces(), off).keeps(distance) &&
-							  rmsFrom(faces, backup.faces()) <= rms;
 		if (keep) {
-			countChange(op);
-			return before.cost - after.cost;
-		}
-		const int crossingNum = isBetter ? countCrossingPairs(m_, faces, near_) : 0;
-		takeBack(backup, places);
-		if (!isBetter) return 0;
-		if (crossingNum > 0 && crossingNum > countCrossingPairs(m_, backup.faces(), near_))
+			countChange(op, patch);
 			return 0;
-		return before.cost - after.cost;
+		}
+		const std::vector<int> faces   = facesRound(m_, patch);
+		const Quality          quality = patchQuality(faces);
+		if (!(quality.cost < mostLeft * before.cost && quality.beats(before))) {
+			takeBack(backup, places);
+			return 0;
+		}
+		const State after = stateOf(faces, backup.faces(), off);
+		takeBack(backup, places);
+		return mayReplace(after, stateOf(backup.faces(), backup.faces(), off), off)
+				   ? before.cost - quality.cost
+				   : 0;
+	}
+
+	/// How a patch lies on the surface, and among its neighbours.
+	struct State {
+		Distance distance;
+		float    rms;
+		int      crossingNum;
+	};
+
+	/// Of some faces, by the cells of others.
+	State stateOf(const std::vector<int>& faces, const std::vector<int>& ofCells, float off) const
+	{
+		return {distanceFrom(faces, ofCells, off), rmsFrom(faces, ofCells),
+				countCrossingPairs(m_, faces, near_)};
+	}
+
+	static bool mayReplace(const State& after, const State& before, float off)
+	{
+		return after.distance.keeps(before.distance) &&
+			   after.rms <= std::max(mostRmsGrowth * before.rms, mostRms * off) &&
+			   after.crossingNum <= before.crossingNum;
 	}
 
 	std::vector<Place> placesOf(const std::vector<int>& vertices) const
@@ -238,8 +263,10 @@ private:
 		return living;
 	}
 
-	void countChange(const Operation& op)
+	void countChange(const Operation& op, const std::vector<int>& patch)
 	{
+		for (int v : patch)
+			tries_.noteChange(v);
 		r_.splitNum += op.isSplit();
 		r_.collapseNum += op.kind != Operation::Split;
 	}
