@@ -11,8 +11,8 @@ namespace {
 
 /// A sharp edge is clear of noise if the edges beside it are so many times flatter.
 constexpr float clearRatio = 3;
-/// In place of an angle, of faces that have no edges but creases, and of those far from any.
-constexpr float none = -1, notAsked = -2;
+/// In place of an angle, of faces that have no edges but creases.
+constexpr float none = -1;
 
 /// An edge beside a crease, of one of the caller's faces.
 struct Beside {
@@ -47,34 +47,32 @@ bool CreaseClearance::isClear(int h) const
 
 void CreaseClearance::findSteepest(const std::vector<int>& edges, Workers& workers)
 {
+	std::vector<bool> isAsked; // bits stay in the cache
 	for (int h : edges) {
-		ask(h);
-		ask(m_.opposite[h]);
+		for (int side : {h, m_.opposite[h]}) {
+			const std::size_t face = std::size_t(surface_.sourceFace[side / 3]);
+			if (face >= isAsked.size()) isAsked.resize(face + 1, false);
+			isAsked[face] = true;
+		}
 	}
 	const auto find = [&](std::size_t begin, std::size_t end, std::vector<Beside>& out) {
 		for (int h = int(begin); h < int(end); ++h) {
-			if (isBesideCrease(h))
+			if (isBeside(h, isAsked))
 				out.push_back({surface_.sourceFace[h / 3], dihedralAngle(m_, h)});
 		}
 	};
+	steepest_.assign(isAsked.size(), none);
 	for (const Beside& b : workers.collect<Beside>(m_.halfEdgeNum(), find))
 		steepest_[b.face] = std::max(steepest_[b.face], b.angle);
 }
 
-void CreaseClearance::ask(int h)
+/// Whether h is part of an edge, and no crease, of one of the caller's faces that are asked for.
+bool CreaseClearance::isBeside(int h, const std::vector<bool>& isAsked) const
 {
 	const std::size_t face = std::size_t(surface_.sourceFace[h / 3]);
-	if (face >= steepest_.size()) steepest_.resize(face + 1, notAsked);
-	steepest_[face] = none;
-}
-
-/// Whether h is part of an edge of one of the caller's faces that is asked for, and no crease.
-bool CreaseClearance::isBesideCrease(int h) const
-{
-	const int face = surface_.sourceFace[h / 3];
-	if (face >= int(steepest_.size()) || steepest_[face] == notAsked) return false;
+	if (face >= isAsked.size() || !isAsked[face] || m_.isCreaseEdge(h)) return false;
 	const int g = m_.opposite[h];
-	return !m_.isCreaseEdge(h) && (g < 0 || surface_.sourceFace[g / 3] != face);
+	return g < 0 || surface_.sourceFace[g / 3] != int(face);
 }
 
 /// Of the edges beside h on its own side.

@@ -34,13 +34,12 @@ public:
 private:
 	const Surface&      surface_;
 	const HalfEdgeMesh& m_;
-	/// Per face of the caller: the largest angle at its edges that are no creases, none or
-	/// notAsked. Empty if nothing was split.
+	/// Per face of the caller that is asked for: the largest angle at its edges that are no
+	/// creases. Empty if nothing was split.
 	std::vector<float> steepest_;
 
 	void  findSteepest(const std::vector<int>& edges, Workers& workers);
-	void  ask(int h);
-	bool  isBesideCrease(int h) const;
+	bool  isBeside(int h, const std::vector<bool>& isAsked) const;
 	float steepestBeside(int h) const;
 };
 

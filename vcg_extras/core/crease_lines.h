@@ -22,8 +22,8 @@ struct CreaseRules {
 	/// on, be it below leastLength.
 	float leastLoop = std::numeric_limits<float>::infinity();
 	float leastGap  = 0; ///< Auto: so is the weaker of two lines nearer than this to each other
-	float callersMeanEdge =
-		0; ///< of the caller's mesh if its edges have been split; 0: they were not
+	/// Of the caller's mesh if its edges have been split; 0: they were not.
+	float callersMeanEdge = 0;
 };
 
 /// What was found.

@@ -43,6 +43,9 @@ constexpr double mostOnGivenLines = 0.5;
 /// everything.
 constexpr float  longestSingleEdge = 1.1f;
 constexpr double mostSingleFaces   = 0.15;
+/// Where no more than this share of the faces is split, noise is still seen on those that are
+/// there.
+constexpr double mostUnseen = 0.02;
 
 } // namespace
 
@@ -349,7 +352,8 @@ std::int64_t Preparation::splitAsFarAsMemoryGoes(IndexedMesh& mesh, const FaceEx
 	const double faces = facesAfterSplitting(mesh, longFaces, longest);
 	requireMemory(bytesNeeded(faces, double(p.targetNum)), availableMemoryBytes());
 	const std::int64_t mostFaces = mostFacesFor(p.targetNum, mesh.faceNum);
-	if (!longFaces.empty()) p.callersMeanEdge = meanEdgeLength(mesh, workers_);
+	if (double(longFaces.size()) > mostUnseen * mesh.faceNum)
+		p.callersMeanEdge = meanEdgeLength(mesh, workers_);
 	return splitLongEdges(mesh, longFaces, longest, mostFaces, workers_);
 }
 

@@ -18,17 +18,17 @@ constexpr double edgePerError = 5;
 
 /// The input made ready, and what was learnt on the way.
 struct Prepared {
-	Surface          surface;
-	double           area            = 0; ///< working units squared
-	std::int64_t     targetNum       = 0;
-	float            radius          = 0; ///< of the largest disks, working units
-	float            callersMeanEdge = 0; ///< before edges were split, working units; 0: none were
-	double           radiusFactor    = 1; ///< that over the radius of eq. (1): see Sizing
-	Buffer<char>     isFeatureVertex;     ///< of the region to be preserved; empty: none
-	std::vector<int> tips;                ///< vertices at tips of cones
-	BoundaryCurves   curves;              ///< with samples, where they are known already
-	float            curvesRadius = 0;    ///< for which they were sampled; 0: not yet
-	std::vector<int> kept;                ///< the caller's vertices that stay
+	Surface      surface;
+	double       area      = 0; ///< working units squared
+	std::int64_t targetNum = 0;
+	float        radius    = 0; ///< of the largest disks, working units
+	float  callersMeanEdge = 0; ///< before edges were split, working units; 0: hardly any were
+	double radiusFactor    = 1; ///< that over the radius of eq. (1): see Sizing
+	Buffer<char>     isFeatureVertex;  ///< of the region to be preserved; empty: none
+	std::vector<int> tips;             ///< vertices at tips of cones
+	BoundaryCurves   curves;           ///< with samples, where they are known already
+	float            curvesRadius = 0; ///< for which they were sampled; 0: not yet
+	std::vector<int> kept;             ///< the caller's vertices that stay
 };
 
 /// Vertices of about-equilateral triangles of this edge length that cover the area.
