@@ -5,7 +5,6 @@
 #include "failure.h"
 
 #include <algorithm>
-#include <unordered_map>
 #include <vector>
 
 namespace gpr {
@@ -46,6 +45,70 @@ struct EdgeRule {
 				  "remove the stray triangles.");
 }
 
+/// A number per edge, found by its two ends. A table without chains: most of the time of splitting
+/// went into the memory of a std::unordered_map's nodes.
+class EdgeTable {
+public:
+	void clear()
+	{
+		entry_.assign(entry_.size(), Entry());
+		num_ = 0;
+	}
+
+	void reserve(std::size_t edgeNum)
+	{
+		if (2 * edgeNum <= entry_.size()) return;
+		std::size_t size = 1024;
+		while (size < 2 * edgeNum)
+			size *= 2;
+		std::vector<Entry> old(size);
+		old.swap(entry_);
+		for (const Entry& e : old) {
+			if (e.number >= 0) placeOf(e.edge) = e;
+		}
+	}
+
+	/// The number of the edge a-b, which is `next` if it had none yet.
+	int findOrPut(int a, int b, int next)
+	{
+		const std::uint64_t low = std::min(a, b), high = std::max(a, b);
+		Entry&              e = placeOf(low << 32 | high);
+		if (e.number >= 0) return e.number;
+		e = {low << 32 | high, next};
+		if (2 * ++num_ > entry_.size()) reserve(2 * num_);
+		return next;
+	}
+
+	std::size_t size() const { return num_; }
+
+private:
+	struct Entry {
+		std::uint64_t edge   = 0;
+		int           number = -1; ///< below 0: free
+
+		bool isFreeOr(std::uint64_t other) const { return number < 0 || edge == other; }
+	};
+	std::vector<Entry> entry_ = std::vector<Entry>(1024); ///< a power of two, at most half full
+	std::size_t        num_   = 0;
+
+	/// Where the edge is, or is to be put: beside those of the same and the next smaller ends,
+	/// which are asked for soon before and after; where there are too many, anywhere.
+	Entry& placeOf(std::uint64_t edge)
+	{
+		constexpr std::size_t   perVertex = 4, nearby = 8;
+		constexpr std::uint64_t golden = 0x9E3779B97F4A7C15; // Knuth: spreads whatever lies close
+		const std::size_t       mask   = entry_.size() - 1;
+		std::size_t             at     = std::size_t(edge >> 32) * perVertex & mask;
+		for (std::size_t i = 0; i < nearby; ++i, at = (at + 1) & mask) {
+			if (entry_[at].isFreeOr(edge)) return entry_[at];
+		}
+		at = std::size_t((edge * golden) >> 32) & mask;
+		while (!entry_[at].isFreeOr(edge))
+			at = (at + 1) & mask;
+		return entry_[at];
+	}
+};
+
 /// Splits the long faces round by round; both faces of a long edge are among them, so no others are
 /// needed.
 class Splitter {
@@ -76,7 +139,7 @@ public:
 			std::vector<Face> round;
 			round.swap(todo_);
 			if (!hasStrips_) midpoint_.clear();
-			midpoint_.reserve(midpoint_.size() + 2 * round.size());
+			midpoint_.reserve(midpoint_.size() + round.size());
 			for (const Face& face : round) {
 				workers.poll();
 				split(face);
@@ -98,8 +161,8 @@ private:
 	std::vector<Vec3f> added_;
 	std::vector<float> addedSize_;
 	/// Of the edges split in this round; of all edges once strips split theirs ahead of the others.
-	std::unordered_map<std::uint64_t, int> midpoint_;
-	bool                                   hasStrips_ = false;
+	EdgeTable midpoint_;
+	bool      hasStrips_ = false;
 
 	Vec3f position(int v) const
 	{
@@ -114,14 +177,13 @@ private:
 
 	int midpointOf(int a, int b)
 	{
-		const std::uint64_t low = std::min(a, b), high = std::max(a, b);
-		const auto          found = midpoint_.emplace(low << 32 | high, 0);
-		if (found.second) {
-			found.first->second = mesh_.vertexNum + int(added_.size());
+		const int next   = mesh_.vertexNum + int(added_.size());
+		const int middle = midpoint_.findOrPut(a, b, next);
+		if (middle == next) {
 			added_.push_back((position(a) + position(b)) * 0.5f);
 			if (!rule_.size.empty()) addedSize_.push_back(0.5f * (sizeOf(a) + sizeOf(b)));
 		}
-		return found.first->second;
+		return middle;
 	}
 
 	void put(int a, int b, int c, int source)
