@@ -16,6 +16,7 @@
 #include <vcg_extras/core/patch_mover.h>
 #include <vcg_extras/core/patch_remeshing.h>
 #include <vcg_extras/core/poor_faces.h>
+#include <vcg_extras/core/remesh.h>
 
 namespace gpr::test {
 
@@ -150,6 +151,21 @@ TEST(RemeshPoorPatches, DoesNotDependOnThreads)
 	expectSameForAnyThreads(ribbon, [](OnSurface& on, Workers& workers) {
 		EXPECT_TRUE(remeshPatches(on, workers, 0));
 	});
+}
+
+/// On these few triangles per bump are left at 14° to 27° that no single change mends.
+TEST(RemeshPoorPatches, TwoChangesInARowMendWhatOneCannot)
+{
+	for (unsigned seed : {12u, 14u, 48u, 95u}) {
+		Random             random(seed);
+		const TriangleMesh mesh = noisySphere(5, 0.05, random);
+		RemeshOptions      options;
+		options.targetMode    = TargetMode::Percent;
+		options.targetPercent = 8;
+		const RemeshResult r  = remesh(mesh.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_GT(r.report.quality.minAngleDeg, 31.5) << seed;
+	}
 }
 
 TEST(PatchMover, LetsNoTipSinkBecauseAnotherOneHasSunkFarther)

@@ -27,6 +27,10 @@ constexpr std::size_t mostPoor      = 100;
 constexpr float       mostPoorShare = 0.001f;
 /// Faces that are tried, in all rounds; also the most vertices that come in.
 constexpr int mostTries = 200;
+/// Two changes in a row are tried where at most so many faces are left poor, for each of them once:
+/// it takes some hundred trials.
+constexpr std::size_t mostPoorForPairs = 8;
+constexpr int         pairTries        = 16;
 /// Passes of flips and moves after a split or collapse.
 constexpr int settlePasses = 2;
 /// On the mean the surface may come to lie this share of the farthest away, or of before.
@@ -44,17 +48,6 @@ struct Operation {
 	bool isSplit() const { return kind == Split || kind == Attach; }
 };
 
-/// Σ(1 - angle / limit)² over the faces below the limit.
-double totalLack(const HalfEdgeMesh& m, float angle, Workers& workers)
-{
-	double sum = 0;
-	for (int f : findPoorFaces(m, angle, workers)) {
-		const double lack = 1 - double(smallestAngle(m, f)) / angle;
-		sum += lack * lack;
-	}
-	return sum;
-}
-
 /// Faces that look against the surface.
 int flippedNum(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
@@ -67,57 +60,155 @@ int flippedNum(const Surface& surface, const ResultMesh& result, Workers& worker
 	});
 }
 
+/// What a mesh is like that has poor angles.
+struct Shape {
+	double lack;  ///< Σ(1 - angle / limit)² over the faces below the limit
+	float  least; ///< angle
+	int    flippedNum;
+
+	bool beats(const Shape& other) const
+	{
+		return lack < other.lack && least >= other.least && flippedNum <= other.flippedNum;
+	}
+};
+
+Shape shapeOf(const Surface& surface, const ResultMesh& result, float angle, Workers& workers)
+{
+	Shape shape = {0, angle, flippedNum(surface, result, workers)};
+	for (int f : findPoorFaces(result.mesh, angle, workers)) {
+		const float  own  = smallestAngle(result.mesh, f);
+		const double lack = 1 - double(own) / angle;
+		shape.lack += lack * lack;
+		shape.least = std::min(shape.least, own);
+	}
+	return shape;
+}
+
 class PatchRemesher : PatchMover {
 public:
 	PatchRemesher(const Surface& surface, const BoundaryCurves& curves, float angle,
 				  ResultMesh& result, Workers& workers, const CellsOfFaces& cells) :
-			PatchMover(surface, curves, angle, result, workers, cells, mostTries),
-			tries_(m_.vertexNum + mostTries)
+			PatchMover(surface, curves, angle, result, workers, cells, mostNew),
+			tries_(m_.vertexNum + mostNew)
 	{
 	}
 
 	/// Leaves dead faces in the mesh. Returns the number of changes.
-	int run()
+	int run(bool inPairs)
 	{
 		std::vector<int> poor = findPoorFaces(m_, angle_, workers_);
 		for (int round = 0; round < mostRounds && !poor.empty(); ++round) {
 			const int before = changeNum_;
 			for (int f : sharpestFirst(m_, poor))
 				treat(f);
+			if (inPairs && changeNum_ == before && poor.size() <= mostPoorForPairs) {
+				for (int f : sharpestFirst(m_, poor))
+					treatTwice(f);
+			}
 			if (changeNum_ == before) break;
 			poor = findPoorFaces(m_, angle_, workers_);
 		}
 		return changeNum_;
 	}
 
+	/// Of these, pairs.
+	int pairNum() const { return pairNum_; }
+
 private:
-	int              triesLeft_ = mostTries;
-	int              changeNum_ = 0;
+	/// A change and two in a row bring in a vertex each.
+	static constexpr int mostNew = mostTries + 2 * pairTries;
+
+	/// A patch as it was before a trial.
+	struct Before {
+		PatchBackup        backup;
+		std::vector<Place> places;
+		int                vertexNum; ///< of the mesh
+		Quality            quality;
+		float              off; ///< so far the surface may come to lie from it
+	};
+
+	/// How a patch lies on the surface, and among its neighbours.
+	struct State {
+		Distance distance;
+		float    rms;
+		int      crossingNum;
+	};
+
+	int              triesLeft_ = mostTries, pairsLeft_ = pairTries;
+	int              changeNum_ = 0, pairNum_ = 0;
 	EditScratch      scratch_;
 	VainTries        tries_;
 	std::vector<int> near_; ///< what the faces round the one that is treated may cross
 
+	bool isToBeTreated(int f) const { return !isDeadFace(m_, f) && smallestAngle(m_, f) < angle_; }
+
 	void treat(int f)
 	{
-		if (triesLeft_ == 0 || isDeadFace(m_, f) || smallestAngle(m_, f) >= angle_) return;
-		if (tries_.isVain(m_, f)) return;
+		if (triesLeft_ == 0 || !isToBeTreated(f) || tries_.isVain(m_, f)) return;
 		workers_.poll();
 		--triesLeft_;
-		near_ = facesNear(m_, facesRound(m_, patchRound(f)), meanEdge(m_.origin[3 * f]), workers_);
+		findNear(patchRound(f), f);
 		Operation best;
 		float     bestGain = 0;
 		for (const Operation& op : operationsAt(f)) {
-			const float gain = attempt(op, false);
+			const float gain = attempt(op, bestGain);
 			if (gain <= bestGain) continue;
 			bestGain = gain;
 			best     = op;
 		}
-		if (best.kind == Operation::None) {
+		if (best.kind == Operation::None)
 			tries_.noteVain(m_, f);
-			return;
+		else
+			keep({best}, patchOf(best));
+	}
+
+	/// What no change alone mends two can: the second one at the face that the first one leaves
+	/// sharpest.
+	void treatTwice(int f)
+	{
+		if (pairsLeft_ == 0 || !isToBeTreated(f) || tries_.isVain(m_, f, pairKind)) return;
+		--pairsLeft_;
+		const std::vector<int> round = withRings(patchRound(f), 2);
+		findNear(round, f);
+		const Before           before = remember(round);
+		const State            state  = stateOf(before.backup.faces(), before);
+		std::vector<Operation> best;
+		float                  bestGain = 0;
+		for (const Operation& first : operationsAt(f)) {
+			workers_.poll();
+			if (make(first)) {
+				for (const Operation& second : operationsAt(sharpestNow(before))) {
+					const float gain = attemptAfter(second, before, state, bestGain);
+					if (gain <= bestGain) continue;
+					bestGain = gain;
+					best     = {first, second};
+				}
+			}
+			takeBack(before);
 		}
-		attempt(best, true);
-		++changeNum_;
+		if (best.empty())
+			tries_.noteVain(m_, f, pairKind);
+		else
+			keep(best, round);
+	}
+
+	static constexpr int pairKind = 1;
+
+	void findNear(const std::vector<int>& patch, int f)
+	{
+		near_ = facesNear(m_, facesRound(m_, patch), meanEdge(m_.origin[3 * f]), workers_);
+	}
+
+	std::vector<int> withRings(std::vector<int> patch, int ringNum) const
+	{
+		for (int ring = 0; ring < ringNum; ++ring)
+			patch = verticesOf(m_, facesRound(m_, patch));
+		return patch;
+	}
+
+	int sharpestNow(const Before& before) const
+	{
+		return sharpestFirst(m_, facesRound(m_, patchNow(before))).front();
 	}
 
 	std::vector<Operation> operationsAt(int f) const
@@ -175,58 +266,114 @@ private:
 		}
 	}
 
-	/// Makes the change and lets what lies round it settle. Returns by how much that lowers the
-	/// cost, 0 where it is refused, and takes it back unless it is to be kept.
-	float attempt(const Operation& op, bool keep)
+	Before remember(const std::vector<int>& patch) const
 	{
-		const int                vertexNum = m_.vertexNum;
-		const PatchBackup        backup(m_, patchOf(op));
-		const std::vector<Place> places = placesOf(backup.vertices());
-		const Quality            before = patchQuality(backup.faces());
-		const float              off    = farthestOff * longestMeanEdge(backup.vertices());
-
-		if (!apply(op)) {
-			if (m_.vertexNum > vertexNum) takeBack(backup, places);
-			return 0;
-		}
-		std::vector<int> patch = livingOf(backup.vertices());
-		if (op.isSplit()) patch.push_back(m_.vertexNum - 1);
-		settle(patch);
-		if (keep) {
-			countChange(op, patch);
-			return 0;
-		}
-		const std::vector<int> faces   = facesRound(m_, patch);
-		const Quality          quality = patchQuality(faces);
-		if (!(quality.cost < mostLeft * before.cost && quality.beats(before))) {
-			takeBack(backup, places);
-			return 0;
-		}
-		const State after = stateOf(faces, backup.faces(), off);
-		takeBack(backup, places);
-		return mayReplace(after, stateOf(backup.faces(), backup.faces(), off), off)
-				   ? before.cost - quality.cost
-				   : 0;
+		PatchBackup   backup(m_, patch);
+		const Quality quality = patchQuality(backup.faces());
+		return {std::move(backup), placesOf(patch), m_.vertexNum, quality,
+				farthestOff * longestMeanEdge(patch)};
 	}
 
-	/// How a patch lies on the surface, and among its neighbours.
-	struct State {
-		Distance distance;
-		float    rms;
-		int      crossingNum;
-	};
-
-	/// Of some faces, by the cells of others.
-	State stateOf(const std::vector<int>& faces, const std::vector<int>& ofCells, float off) const
+	/// The patch' vertices that are left, and those that came in.
+	std::vector<int> patchNow(const Before& before) const
 	{
-		return {distanceFrom(faces, ofCells, off), rmsFrom(faces, ofCells),
+		return livingSince(before.vertexNum, before.backup.vertices());
+	}
+
+	std::vector<int> livingSince(int vertexNum, const std::vector<int>& vertices) const
+	{
+		std::vector<int> patch = livingOf(vertices);
+		for (int v = vertexNum; v < m_.vertexNum; ++v) {
+			if (m_.outgoing[v] >= 0) patch.push_back(v);
+		}
+		return patch;
+	}
+
+	/// Makes a change and lets what lies round it settle. Where that cannot be, returns false; the
+	/// mesh is to be taken back then.
+	bool make(const Operation& op)
+	{
+		const std::vector<int> patch     = patchOf(op);
+		const int              vertexNum = m_.vertexNum;
+		if (!apply(op)) return false;
+		settle(livingSince(vertexNum, patch));
+		return true;
+	}
+
+	void keep(const std::vector<Operation>& ops, const std::vector<int>& patch)
+	{
+		const int vertexNum = m_.vertexNum;
+		for (const Operation& op : ops) {
+			make(op);
+			r_.splitNum += op.isSplit();
+			r_.collapseNum += op.kind != Operation::Split;
+		}
+		pairNum_ += ops.size() == 2;
+		for (int v : livingSince(vertexNum, patch))
+			tries_.noteChange(v);
+		++changeNum_;
+	}
+
+	/// By how much a change lowers the cost; 0 where it is refused, or is no more than a gain
+	/// known.
+	float attempt(const Operation& op, float known)
+	{
+		const Before before = remember(patchOf(op));
+		const float  gain   = make(op) ? gainOver(before) : 0;
+		if (gain <= known) {
+			takeBack(before);
+			return 0;
+		}
+		const State after = stateOf(facesRound(m_, patchNow(before)), before);
+		takeBack(before);
+		return mayReplace(after, stateOf(before.backup.faces(), before), before.off) ? gain : 0;
+	}
+
+	/// The same of a change that follows on another one, both together.
+	float attemptAfter(const Operation& op, const Before& before, const State& state, float known)
+	{
+		const Before between = remember(patchOf(op));
+		float        gain    = make(op) ? gainOver(before) : 0;
+		if (gain > known && !mayReplace(before, state)) gain = 0;
+		takeBack(between);
+		return gain;
+	}
+
+	/// 0 where the patch has not got better by far.
+	float gainOver(const Before& before) const
+	{
+		const Quality now = patchQuality(facesRound(m_, patchNow(before)));
+		if (!(now.cost < mostLeft * before.quality.cost && now.beats(before.quality))) return 0;
+		return before.quality.cost - now.cost;
+	}
+
+	/// Whether the patch as it is now may replace what was in a state before: the same as below,
+	/// but no more is measured than tells.
+	bool mayReplace(const Before& before, const State& state) const
+	{
+		const std::vector<int>  faces   = facesRound(m_, patchNow(before));
+		const std::vector<int>& ofCells = before.backup.faces();
+		return keepsDistance(faces, ofCells, before.off, state.distance) &&
+			   rmsFrom(faces, ofCells) <= mostRmsAfter(state, before.off) &&
+			   countCrossingPairs(m_, faces, near_) <= state.crossingNum;
+	}
+
+	static float mostRmsAfter(const State& before, float off)
+	{
+		return std::max(mostRmsGrowth * before.rms, mostRms * off);
+	}
+
+	/// Of some faces, by the cells of those that were there before.
+	State stateOf(const std::vector<int>& faces, const Before& before) const
+	{
+		const std::vector<int>& ofCells = before.backup.faces();
+		return {distanceFrom(faces, ofCells, before.off), rmsFrom(faces, ofCells),
 				countCrossingPairs(m_, faces, near_)};
 	}
 
 	static bool mayReplace(const State& after, const State& before, float off)
 	{
-		return after.distance.keeps(before.distance) &&
-			   after.rms <= std::max(mostRmsGrowth * before.rms, mostRms * off) &&
+		return after.distance.keeps(before.distance) && after.rms <= mostRmsAfter(before, off) &&
 			   after.crossingNum <= before.crossingNum;
 	}
 
@@ -238,12 +385,12 @@ private:
 		return places;
 	}
 
-	void takeBack(const PatchBackup& backup, const std::vector<Place>& places)
+	void takeBack(const Before& before)
 	{
-		backup.restore(m_);
+		before.backup.restore(m_);
 		r_.vertex.resize(m_.vertexNum);
-		for (std::size_t i = 0; i < places.size(); ++i)
-			put(backup.vertices()[i], places[i]);
+		for (std::size_t i = 0; i < before.places.size(); ++i)
+			put(before.backup.vertices()[i], before.places[i]);
 	}
 
 	float longestMeanEdge(const std::vector<int>& vertices) const
@@ -261,14 +408,6 @@ private:
 			if (m_.outgoing[v] >= 0) living.push_back(v);
 		}
 		return living;
-	}
-
-	void countChange(const Operation& op, const std::vector<int>& patch)
-	{
-		for (int v : patch)
-			tries_.noteChange(v);
-		r_.splitNum += op.isSplit();
-		r_.collapseNum += op.kind != Operation::Split;
 	}
 
 	// ---- what is tried
@@ -380,6 +519,36 @@ std::vector<int> cellsAfterCompaction(const HalfEdgeMesh& m, int cellNum)
 	return cell;
 }
 
+/// What a run needs and what came of it.
+struct PatchRun {
+	const Surface&        surface;
+	const BoundaryCurves& curves;
+	float                 angleDeg;
+	std::int64_t          targetNum;
+	const Cells&          cells;
+	float                 largestGap;
+	bool                  isBetter = false;
+	int                   pairNum  = 0;
+
+	void run(bool inPairs, const Shape& before, ResultMesh& result, Workers& workers)
+	{
+		const float   angle = angleDeg * radians;
+		const int     old   = result.mesh.faceNum;
+		CellsOfFaces  own{cells, {}, largestGap};
+		PatchRemesher remesher(surface, curves, angle, result, workers, own);
+		isBetter = false;
+		if (remesher.run(inPairs) == 0) return;
+		pairNum = remesher.pairNum();
+		const bool isExact =
+			targetNum == 0 || changeCount(surface, curves, targetNum, result, workers);
+		own.cell = cellsAfterCompaction(result.mesh, old);
+		compactResult(result, workers);
+		if (!isExact) return;
+		mendAngles(surface, curves, angleDeg, result, workers, own);
+		isBetter = shapeOf(surface, result, angle, workers).beats(before);
+	}
+};
+
 } // namespace
 
 bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
@@ -391,20 +560,15 @@ bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, flo
 	const float       most  = mostPoorShare * float(result.mesh.faceNum);
 	if (num == 0 || num > std::max(mostPoor, std::size_t(most))) return false;
 	if (cells == nullptr) cells.reset(new Cells(surface, result, workers));
-	ResultMesh   before = copyResult(result, workers);
-	CellsOfFaces own{*cells, {}, largestGap};
-	if (PatchRemesher(surface, curves, angle, result, workers, own).run() == 0) return false;
-
-	const bool isExact = targetNum == 0 || changeCount(surface, curves, targetNum, result, workers);
-	own.cell           = cellsAfterCompaction(result.mesh, before.mesh.faceNum);
-	compactResult(result, workers);
-	if (isExact) {
-		mendAngles(surface, curves, angleDeg, result, workers, own);
-		if (totalLack(result.mesh, angle, workers) < totalLack(before.mesh, angle, workers) &&
-			flippedNum(surface, result, workers) <= flippedNum(surface, before, workers))
-			return true;
+	const ResultMesh start = copyResult(result, workers);
+	const Shape      shape = shapeOf(surface, result, angle, workers);
+	PatchRun         trial = {surface, curves, angleDeg, targetNum, *cells, largestGap};
+	for (bool inPairs : {true, false}) {
+		trial.run(inPairs, shape, result, workers);
+		if (trial.isBetter) return true;
+		result = copyResult(start, workers);
+		if (trial.pairNum == 0) break;
 	}
-	result = std::move(before);
 	return false;
 }
 

@@ -19,17 +19,20 @@ namespace gpr {
 /// it are wide, vertices with three faces. Of each such triangle, the sharpest first, every edge is
 /// split and collapsed on trial, those of curves along these, then edges round it are flipped and
 /// vertices moved; the trial that lowers most the sum of the squares of what the angles there lack
-/// is kept. Refused is what takes the vertices of the input that belong there further away than 5 %
-/// of an edge and than before, or on the mean than 2.5 % and than 1.3 times as far as before, what
-/// makes a face agree less with the surface's normals, and what makes faces cross. largestGap: see
-/// angle_mending.h.
+/// is kept. Where that helps no more and few such triangles are left, two changes in a row are
+/// tried, the second one at the triangle that the first one leaves sharpest. Refused is what takes
+/// the vertices of the input that belong there further away than 5 % of an edge and than before, or
+/// on the mean than 2.5 % and than 1.3 times as far as before, what makes a face agree less with
+/// the surface's normals, and what makes faces cross. largestGap: see angle_mending.h.
 ///
 /// The count is made good elsewhere, as in stage 9, if targetNum is above 0, and the angles there
-/// are mended. Should angles then lack more than at first, more faces look against the surface, or
-/// the count not be reached, all is as it was, and the answer is false. Nothing is done where no
-/// angle is poor, or more than 100 and 0.1 % of all. Needs a mesh without dead faces; `cells` are
-/// those of its faces before the call, and are found here where they are needed and null. Cost:
-/// where angles are poor, some milliseconds a triangle, for 200 triangles at most.
+/// are mended. Should angles then lack more than at first, the worst be worse, more faces look
+/// against the surface, or the count not be reached, all is done again without pairs of changes,
+/// and if that does not help either all is as it was, and the answer is false. Nothing is done
+/// where no angle is poor, or more than 100 and 0.1 % of all. Needs a mesh without dead faces;
+/// `cells` are those of its faces before the call, and are found here where they are needed and
+/// null. Cost: where angles are poor, some milliseconds a triangle, for 200 triangles at most, and
+/// for pairs some fifty, for 16 at most.
 bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
 					   std::int64_t targetNum, ResultMesh& result, Workers& workers,
 					   std::unique_ptr<Cells>& cells, float largestGap = 0);
