@@ -41,17 +41,15 @@ public:
 	{
 	}
 
-	void run(std::vector<int> crossing)
+	/// Returns those that still cross others.
+	std::vector<int> run(std::vector<int> crossing)
 	{
 		for (int round = 0; round < mostRounds && !crossing.empty(); ++round) {
-			bool better = false;
-			for (int f : crossing) {
-				if (triesLeft_-- <= 0 || pairsLeft_ <= 0) return;
-				better = mend(f) || better;
-			}
-			if (!better) return;
-			crossing = stillCrossing(crossing);
+			const bool better = mendEach(crossing);
+			crossing          = stillCrossing(crossing);
+			if (!better) break;
 		}
+		return crossing;
 	}
 
 private:
@@ -64,6 +62,16 @@ private:
 		int   crossingNum;
 		float leastAngle, agreement, far;
 	};
+
+	bool mendEach(const std::vector<int>& crossing)
+	{
+		bool better = false;
+		for (int f : crossing) {
+			if (triesLeft_-- <= 0 || pairsLeft_ <= 0) return false;
+			better = mend(f) || better;
+		}
+		return better;
+	}
 
 	std::vector<int> stillCrossing(const std::vector<int>& faces) const
 	{
@@ -167,15 +175,15 @@ private:
 
 } // namespace
 
-void mendCrossings(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
-				   const std::vector<int>& suspects, const Cells& cells, ResultMesh& result,
-				   Workers& workers)
+std::vector<int> mendCrossings(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+							   const std::vector<int>& suspects, const Cells& cells,
+							   ResultMesh& result, Workers& workers)
 {
-	if (suspects.empty()) return;
+	if (suspects.empty()) return {};
 	std::vector<int> crossing = findCrossingFaces(result.mesh, suspects, workers);
-	if (crossing.empty()) return;
+	if (crossing.empty()) return {};
 	const CellsOfFaces own{cells, {}, 0};
-	CrossingMender(surface, curves, angleDeg * radians, result, workers, own)
+	return CrossingMender(surface, curves, angleDeg * radians, result, workers, own)
 		.run(std::move(crossing));
 }
 

@@ -22,11 +22,12 @@ namespace gpr {
 /// normals.
 ///
 /// `suspects`: all faces that may cross others are among them, ascending. Needs a mesh without
-/// dead faces; `cells` are those of its faces. Cost: nothing where there are no suspects; else a
-/// search among them and milliseconds for each that crosses, 200 at most.
-void mendCrossings(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
-				   const std::vector<int>& suspects, const Cells& cells, ResultMesh& result,
-				   Workers& workers);
+/// dead faces; `cells` are those of its faces. Returns the faces that still cross others. Cost:
+/// nothing where there are no suspects; else a search among them and milliseconds for each that
+/// crosses, 200 at most.
+std::vector<int> mendCrossings(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+							   const std::vector<int>& suspects, const Cells& cells,
+							   ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

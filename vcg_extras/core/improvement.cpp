@@ -68,11 +68,12 @@ public:
 		if (options_.regularity != Regularity::Full) return;
 		clock_.enter("angles", "Mending angles", 0.973);
 		returnReleasedMemory();
-		if (!mendAngles(p.surface, boundary, leastAngleDeg(), result, workers_, cells, largestGap_))
+		if (!mendAngles(p.surface, boundary, leastAngleDeg(), result, workers_, cells,
+						left_.largestGap))
 			report_.capsReached.push_back("changes for the worst angles");
 		const std::int64_t targetNum = options_.exactCount ? p.targetNum : 0;
 		remeshPoorPatches(p.surface, boundary, leastAngleDeg(), targetNum, result, workers_, cells,
-						  largestGap_);
+						  left_);
 	}
 
 	/// Returns the cells of the last round, if there was one.
@@ -90,17 +91,17 @@ public:
 		FitOutcome outcome = fitToInput(p.surface, boundary, settings, result, workers_);
 		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
 		if (outcome.cells != nullptr) {
-			mendCrossings(p.surface, boundary, leastAngleDeg(), outcome.crossing, *outcome.cells,
-						  result, workers_);
+			left_.crossing = mendCrossings(p.surface, boundary, leastAngleDeg(), outcome.crossing,
+										   *outcome.cells, result, workers_);
 			if (!outcome.crossing.empty()) outcome.farthest = farthestFromAnchor(result);
 		}
 		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
-		largestGap_                = outcome.largestGap;
+		left_.largestGap           = outcome.largestGap;
 		return std::move(outcome.cells);
 	}
 
 private:
-	float largestGap_ = 0; ///< between result and input after the fit, working units; 0: not known
+	LeftOver left_; ///< by the fit
 
 	float leastAngleDeg() const
 	{

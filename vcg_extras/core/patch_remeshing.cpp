@@ -35,6 +35,9 @@ constexpr int         pairTries        = 16;
 constexpr int settlePasses = 2;
 /// On the mean the surface may come to lie this share of the farthest away, or of before.
 constexpr float mostRms = 0.5f, mostRmsGrowth = 1.3f;
+/// Where faces are taken apart the surface may come to lie this share of an edge away, or as far as
+/// before; no face may come to agree less with its normals than this, or than before.
+constexpr float farthestApart = 0.1f, leastAgreementApart = 0.3f;
 /// A change must leave at most this share of the cost.
 constexpr float mostLeft = 0.8f;
 
@@ -66,9 +69,11 @@ struct Shape {
 	float  least; ///< angle
 	int    flippedNum;
 
-	bool beats(const Shape& other) const
+	/// Or is as good, if that is enough.
+	bool beats(const Shape& other, bool asGoodWillDo) const
 	{
-		return lack < other.lack && least >= other.least && flippedNum <= other.flippedNum;
+		const bool hasLess = asGoodWillDo ? lack <= other.lack : lack < other.lack;
+		return hasLess && least >= other.least && flippedNum <= other.flippedNum;
 	}
 };
 
@@ -93,8 +98,21 @@ public:
 	{
 	}
 
-	/// Leaves dead faces in the mesh. Returns the number of changes.
-	int run(bool inPairs)
+	/// Treats poor faces, then those that cross others, all of them near some vertices. Leaves dead
+	/// faces in the mesh. Returns the number of changes.
+	int run(const std::vector<int>& crossing, bool inPairs)
+	{
+		mendPoor(inPairs);
+		mendCrossing(crossing, inPairs);
+		return changeNum_;
+	}
+
+	/// Of the changes, pairs, and those that took faces apart.
+	int pairNum() const { return pairNum_; }
+	int apartNum() const { return apartNum_; }
+
+private:
+	void mendPoor(bool inPairs)
 	{
 		std::vector<int> poor = findPoorFaces(m_, angle_, workers_);
 		for (int round = 0; round < mostRounds && !poor.empty(); ++round) {
@@ -108,15 +126,27 @@ public:
 			if (changeNum_ == before) break;
 			poor = findPoorFaces(m_, angle_, workers_);
 		}
-		return changeNum_;
 	}
 
-	/// Of these, pairs.
-	int pairNum() const { return pairNum_; }
+	void mendCrossing(const std::vector<int>& vertices, bool inPairs)
+	{
+		isCrossing_ = true;
+		pairsLeft_  = pairTries;
+		for (int round = 0; round < mostRounds; ++round) {
+			const int              before = changeNum_;
+			const std::vector<int> faces  = facesRound(m_, livingOf(vertices));
+			for (int f : faces)
+				treat(f);
+			if (inPairs && changeNum_ == before) {
+				for (int f : faces)
+					treatTwice(f);
+			}
+			if (changeNum_ == before) break;
+		}
+	}
 
-private:
 	/// A change and two in a row bring in a vertex each.
-	static constexpr int mostNew = mostTries + 2 * pairTries;
+	static constexpr int mostNew = mostTries + 4 * pairTries;
 
 	/// A patch as it was before a trial.
 	struct Before {
@@ -125,6 +155,8 @@ private:
 		int                vertexNum; ///< of the mesh
 		Quality            quality;
 		float              off; ///< so far the surface may come to lie from it
+		float              leastAngle;
+		int                crossingNum; ///< pairs; only counted where faces are taken apart
 	};
 
 	/// How a patch lies on the surface, and among its neighbours.
@@ -134,20 +166,34 @@ private:
 		int      crossingNum;
 	};
 
-	int              triesLeft_ = mostTries, pairsLeft_ = pairTries;
-	int              changeNum_ = 0, pairNum_ = 0;
-	EditScratch      scratch_;
-	VainTries        tries_;
+	int         triesLeft_ = mostTries, pairsLeft_ = pairTries;
+	int         changeNum_ = 0, pairNum_ = 0, apartNum_ = 0;
+	bool        isCrossing_ = false; ///< what is treated: faces that cross others, or poor ones
+	EditScratch scratch_;
+	VainTries   tries_;
 	std::vector<int> near_; ///< what the faces round the one that is treated may cross
 
-	bool isToBeTreated(int f) const { return !isDeadFace(m_, f) && smallestAngle(m_, f) < angle_; }
+	/// Of crossing faces only near_ tells.
+	bool mayNeedTreatment(int f) const
+	{
+		return !isDeadFace(m_, f) && (isCrossing_ || smallestAngle(m_, f) < angle_);
+	}
+
+	bool needsTreatment(int f) const
+	{
+		return !isCrossing_ || countCrossingPairs(m_, {f}, near_) > 0;
+	}
+
+	int kindOfTry(bool isPair) const { return 2 * int(isCrossing_) + int(isPair); }
 
 	void treat(int f)
 	{
-		if (triesLeft_ == 0 || !isToBeTreated(f) || tries_.isVain(m_, f)) return;
+		if (triesLeft_ == 0 || !mayNeedTreatment(f)) return;
+		if (tries_.isVain(m_, f, kindOfTry(false))) return;
 		workers_.poll();
-		--triesLeft_;
 		findNear(patchRound(f), f);
+		if (!needsTreatment(f)) return;
+		--triesLeft_;
 		Operation best;
 		float     bestGain = 0;
 		for (const Operation& op : operationsAt(f)) {
@@ -157,7 +203,7 @@ private:
 			best     = op;
 		}
 		if (best.kind == Operation::None)
-			tries_.noteVain(m_, f);
+			tries_.noteVain(m_, f, kindOfTry(false));
 		else
 			keep({best}, patchOf(best));
 	}
@@ -166,10 +212,12 @@ private:
 	/// sharpest.
 	void treatTwice(int f)
 	{
-		if (pairsLeft_ == 0 || !isToBeTreated(f) || tries_.isVain(m_, f, pairKind)) return;
-		--pairsLeft_;
+		if (pairsLeft_ == 0 || !mayNeedTreatment(f)) return;
+		if (tries_.isVain(m_, f, kindOfTry(true))) return;
 		const std::vector<int> round = withRings(patchRound(f), 2);
 		findNear(round, f);
+		if (!needsTreatment(f)) return;
+		--pairsLeft_;
 		const Before           before = remember(round);
 		const State            state  = stateOf(before.backup.faces(), before);
 		std::vector<Operation> best;
@@ -177,7 +225,7 @@ private:
 		for (const Operation& first : operationsAt(f)) {
 			workers_.poll();
 			if (make(first)) {
-				for (const Operation& second : operationsAt(sharpestNow(before))) {
+				for (const Operation& second : operationsAt(nextFace(f, before))) {
 					const float gain = attemptAfter(second, before, state, bestGain);
 					if (gain <= bestGain) continue;
 					bestGain = gain;
@@ -187,12 +235,10 @@ private:
 			takeBack(before);
 		}
 		if (best.empty())
-			tries_.noteVain(m_, f, pairKind);
+			tries_.noteVain(m_, f, kindOfTry(true));
 		else
 			keep(best, round);
 	}
-
-	static constexpr int pairKind = 1;
 
 	void findNear(const std::vector<int>& patch, int f)
 	{
@@ -206,9 +252,18 @@ private:
 		return patch;
 	}
 
-	int sharpestNow(const Before& before) const
+	/// Where the second change is made: at the sharpest face, or at f once more if it still crosses
+	/// others, else at the next one that does.
+	int nextFace(int f, const Before& before) const
 	{
-		return sharpestFirst(m_, facesRound(m_, patchNow(before))).front();
+		const std::vector<int> faces = facesRound(m_, patchNow(before));
+		if (isCrossing_) {
+			if (!isDeadFace(m_, f) && countCrossingPairs(m_, {f}, near_) > 0) return f;
+			for (int g : faces) {
+				if (countCrossingPairs(m_, {g}, near_) > 0) return g;
+			}
+		}
+		return sharpestFirst(m_, faces).front();
 	}
 
 	std::vector<Operation> operationsAt(int f) const
@@ -270,8 +325,18 @@ private:
 	{
 		PatchBackup   backup(m_, patch);
 		const Quality quality = patchQuality(backup.faces());
-		return {std::move(backup), placesOf(patch), m_.vertexNum, quality,
-				farthestOff * longestMeanEdge(patch)};
+		const float   off   = (isCrossing_ ? farthestApart : farthestOff) * longestMeanEdge(patch);
+		const float   least = leastAngleOf(backup.faces());
+		const int     crossingNum = isCrossing_ ? countCrossingPairs(m_, backup.faces(), near_) : 0;
+		return {std::move(backup), placesOf(patch), m_.vertexNum, quality, off, least, crossingNum};
+	}
+
+	float leastAngleOf(const std::vector<int>& faces) const
+	{
+		float least = HUGE_VALF;
+		for (int f : faces)
+			least = std::min(least, smallestAngle(m_, f));
+		return least;
 	}
 
 	/// The patch' vertices that are left, and those that came in.
@@ -309,6 +374,7 @@ private:
 			r_.collapseNum += op.kind != Operation::Split;
 		}
 		pairNum_ += ops.size() == 2;
+		apartNum_ += isCrossing_;
 		for (int v : livingSince(vertexNum, patch))
 			tries_.noteChange(v);
 		++changeNum_;
@@ -342,9 +408,20 @@ private:
 	/// 0 where the patch has not got better by far.
 	float gainOver(const Before& before) const
 	{
-		const Quality now = patchQuality(facesRound(m_, patchNow(before)));
+		const std::vector<int> faces = facesRound(m_, patchNow(before));
+		const Quality          now   = patchQuality(faces);
+		if (isCrossing_) return gainApart(faces, now, before);
 		if (!(now.cost < mostLeft * before.quality.cost && now.beats(before.quality))) return 0;
 		return before.quality.cost - now.cost;
+	}
+
+	/// The pairs that cross no more, and where these are as many, the better the shapes the more.
+	float gainApart(const std::vector<int>& faces, const Quality& now, const Before& before) const
+	{
+		if (leastAngleOf(faces) < std::min(angle_, before.leastAngle)) return 0;
+		if (now.agreement < std::min(leastAgreementApart, before.quality.agreement)) return 0;
+		const int fewer = before.crossingNum - countCrossingPairs(m_, faces, near_);
+		return fewer > 0 ? float(fewer) + 0.5f / (1 + now.cost) : 0;
 	}
 
 	/// Whether the patch as it is now may replace what was in a state before: the same as below,
@@ -526,7 +603,7 @@ struct PatchRun {
 	float                 angleDeg;
 	std::int64_t          targetNum;
 	const Cells&          cells;
-	float                 largestGap;
+	const LeftOver&       left;
 	bool                  isBetter = false;
 	int                   pairNum  = 0;
 
@@ -534,10 +611,10 @@ struct PatchRun {
 	{
 		const float   angle = angleDeg * radians;
 		const int     old   = result.mesh.faceNum;
-		CellsOfFaces  own{cells, {}, largestGap};
+		CellsOfFaces  own{cells, {}, left.largestGap};
 		PatchRemesher remesher(surface, curves, angle, result, workers, own);
 		isBetter = false;
-		if (remesher.run(inPairs) == 0) return;
+		if (remesher.run(verticesOf(result.mesh, left.crossing), inPairs) == 0) return;
 		pairNum = remesher.pairNum();
 		const bool isExact =
 			targetNum == 0 || changeCount(surface, curves, targetNum, result, workers);
@@ -545,7 +622,7 @@ struct PatchRun {
 		compactResult(result, workers);
 		if (!isExact) return;
 		mendAngles(surface, curves, angleDeg, result, workers, own);
-		isBetter = shapeOf(surface, result, angle, workers).beats(before);
+		isBetter = shapeOf(surface, result, angle, workers).beats(before, remesher.apartNum() > 0);
 	}
 };
 
@@ -553,16 +630,17 @@ struct PatchRun {
 
 bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
 					   std::int64_t targetNum, ResultMesh& result, Workers& workers,
-					   std::unique_ptr<Cells>& cells, float largestGap)
+					   std::unique_ptr<Cells>& cells, const LeftOver& left)
 {
 	const float       angle = angleDeg * radians;
 	const std::size_t num   = findPoorFaces(result.mesh, angle, workers).size();
 	const float       most  = mostPoorShare * float(result.mesh.faceNum);
-	if (num == 0 || num > std::max(mostPoor, std::size_t(most))) return false;
+	if (num == 0 && left.crossing.empty()) return false;
+	if (num > std::max(mostPoor, std::size_t(most))) return false;
 	if (cells == nullptr) cells.reset(new Cells(surface, result, workers));
 	const ResultMesh start = copyResult(result, workers);
 	const Shape      shape = shapeOf(surface, result, angle, workers);
-	PatchRun         trial = {surface, curves, angleDeg, targetNum, *cells, largestGap};
+	PatchRun         trial = {surface, curves, angleDeg, targetNum, *cells, left};
 	for (bool inPairs : {true, false}) {
 		trial.run(inPairs, shape, result, workers);
 		if (trial.isBetter) return true;
