@@ -180,10 +180,14 @@ TEST(PatchMover, LetsNoTipSinkBecauseAnotherOneHasSunkFarther)
 	EXPECT_FALSE(Distances(on, unknown).mayRise(0.01f, 0.001f, 0.02f));
 }
 
-/// Two sheets, and vertices of the lower one pulled through the upper one.
-TEST(MendCrossings, TakesFacesApart)
+TriangleMesh sheetsOneAboveTheOther()
 {
-	OnSurface     on(joined(grid(12, 12), shifted(grid(12, 12), {0.013, 0.021, 0.03})));
+	return joined(grid(12, 12), shifted(grid(12, 12), {0.013, 0.021, 0.03}));
+}
+
+/// Four vertices of the lower sheet through the upper one.
+void pullThrough(OnSurface& on)
+{
 	HalfEdgeMesh& m    = on.m();
 	const float   up   = float(0.04 * on.surface.frame.scale);
 	int           seen = 0;
@@ -192,13 +196,36 @@ TEST(MendCrossings, TakesFacesApart)
 		m.position[v].z += up;
 		++seen;
 	}
-	ASSERT_EQ(seen, 4);
-	std::vector<int> all(std::size_t(m.faceNum));
+	EXPECT_EQ(seen, 4);
+	EXPECT_FALSE(findCrossingFaces(m, on.workers).empty());
+}
+
+TEST(MendCrossings, TakesFacesApart)
+{
+	OnSurface on(sheetsOneAboveTheOther());
+	pullThrough(on);
+	std::vector<int> all(std::size_t(on.m().faceNum));
 	std::iota(all.begin(), all.end(), 0);
-	ASSERT_FALSE(findCrossingFaces(m, on.workers).empty());
 	const Cells cells(on.surface, on.result, on.workers);
-	mendCrossings(on.surface, on.boundary, 32, all, cells, on.result, on.workers);
-	EXPECT_TRUE(findCrossingFaces(m, on.workers).empty());
+	EXPECT_TRUE(
+		mendCrossings(on.surface, on.boundary, 32, all, cells, on.result, on.workers).empty());
+	EXPECT_TRUE(findCrossingFaces(on.m(), on.workers).empty());
+	on.expectSound();
+}
+
+/// Without moving a vertex up or down, only by splits, collapses and flips.
+TEST(RemeshPoorPatches, TakesFacesApartToo)
+{
+	OnSurface on(sheetsOneAboveTheOther());
+	pullThrough(on);
+	const TriangleMesh     before = meshOf(on.m());
+	std::unique_ptr<Cells> cells;
+	const LeftOver         left = {0, findCrossingFaces(on.m(), on.workers)};
+	EXPECT_TRUE(remeshPoorPatches(on.surface, on.boundary, 32, on.m().vertexNum, on.result,
+								  on.workers, cells, left));
+	EXPECT_TRUE(findCrossingFaces(on.m(), on.workers).empty());
+	EXPECT_EQ(on.m().vertexNum, int(before.vertexNum()));
+	EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));
 	on.expectSound();
 }
 

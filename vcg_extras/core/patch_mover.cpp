@@ -159,13 +159,34 @@ void PatchMover::forCellVertices(const std::vector<int>& ofCells, const Visit& v
 	for (int f : ofCells) {
 		// Faces that came in since have no cells of their own.
 		const int cell = f < faceNum_ ? cells_.of(f) : -1;
-		if (cell < 0) continue;
-		const int*           first = cells_.cells.begin(cell);
-		const std::ptrdiff_t num   = cells_.cells.end(cell) - first;
-		for (std::ptrdiff_t k = 0; k < num; k += 1 + num / mostInCell) {
-			if (!visit(surface_.mesh.position[first[k]])) return;
+		if (cell >= 0 && !visitCell(cell, visit)) return;
+		if (handedOn_.empty()) continue;
+		const auto found = handedOn_.find(f);
+		if (found == handedOn_.end()) continue;
+		for (int other : found->second) {
+			if (!visitCell(other, visit)) return;
 		}
 	}
+}
+
+template <class Visit>
+bool PatchMover::visitCell(int cell, const Visit& visit) const
+{
+	const int*           first = cells_.cells.begin(cell);
+	const std::ptrdiff_t num   = cells_.cells.end(cell) - first;
+	for (std::ptrdiff_t k = 0; k < num; k += 1 + num / mostInCell) {
+		if (!visit(surface_.mesh.position[first[k]])) return false;
+	}
+	return true;
+}
+
+void PatchMover::handCellsOn(int dead, int heir)
+{
+	std::vector<int> cells = std::move(handedOn_[dead]);
+	handedOn_.erase(dead);
+	if (dead < faceNum_ && cells_.of(dead) >= 0) cells.push_back(cells_.of(dead));
+	std::vector<int>& all = handedOn_[heir];
+	all.insert(all.end(), cells.begin(), cells.end());
 }
 
 float PatchMover::farthestFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const

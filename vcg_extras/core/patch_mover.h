@@ -10,6 +10,7 @@
 #include "workers.h"
 
 #include <array>
+#include <map>
 #include <vector>
 
 namespace gpr {
@@ -83,6 +84,8 @@ protected:
 	/// place of the second: what is stuck by the one may move on by the other.
 	bool worstFirst_ = false;
 
+	/// What belongs to a face that is no more counts for another one from here on.
+	void handCellsOn(int dead, int heir);
 	/// Back to those of the start.
 	void    resetNormals();
 	Quality ringQuality(int v) const;
@@ -116,9 +119,14 @@ protected:
 	bool mayFlip(int h) const;
 
 private:
+	std::map<int, std::vector<int>> handedOn_; ///< per face: cells besides its own
+
 	/// Until a visit returns false.
 	template <class Visit>
 	void forCellVertices(const std::vector<int>& ofCells, const Visit& visit) const;
+	/// False if a visit returned it.
+	template <class Visit>
+	bool visitCell(int cell, const Visit& visit) const;
 	void addFace(int f, Quality& sum) const;
 	/// As above, or until they do not keep `most` any more.
 	Distance distanceFrom(const std::vector<int>& faces, const std::vector<int>& ofCells,

@@ -30,7 +30,7 @@ constexpr int mostTries = 200;
 /// Two changes in a row are tried where at most so many faces are left poor, for each of them once:
 /// it takes some hundred trials.
 constexpr std::size_t mostPoorForPairs = 8;
-constexpr int         pairTries        = 16;
+constexpr int         pairTries        = 12;
 /// Passes of flips and moves after a split or collapse.
 constexpr int settlePasses = 2;
 /// On the mean the surface may come to lie this share of the farthest away, or of before.
@@ -367,7 +367,9 @@ private:
 
 	void keep(const std::vector<Operation>& ops, const std::vector<int>& patch)
 	{
-		const int vertexNum = m_.vertexNum;
+		const int                vertexNum = m_.vertexNum;
+		const std::vector<int>   faces     = facesRound(m_, patch);
+		const std::vector<Vec3f> centres   = centresOf(faces);
 		for (const Operation& op : ops) {
 			make(op);
 			r_.splitNum += op.isSplit();
@@ -375,9 +377,35 @@ private:
 		}
 		pairNum_ += ops.size() == 2;
 		apartNum_ += isCrossing_;
-		for (int v : livingSince(vertexNum, patch))
+		const std::vector<int> now = livingSince(vertexNum, patch);
+		for (int v : now)
 			tries_.noteChange(v);
+		for (std::size_t i = 0; i < faces.size(); ++i) {
+			if (isDeadFace(m_, faces[i]))
+				handCellsOn(faces[i], nearestOf(facesRound(m_, now), centres[i]));
+		}
 		++changeNum_;
+	}
+
+	std::vector<Vec3f> centresOf(const std::vector<int>& faces) const
+	{
+		std::vector<Vec3f> centres;
+		for (int f : faces) {
+			const int* c = &m_.origin[3 * f];
+			centres.push_back((m_.position[c[0]] + m_.position[c[1]] + m_.position[c[2]]) *
+							  (1.0f / 3));
+		}
+		return centres;
+	}
+
+	int nearestOf(const std::vector<int>& faces, const Vec3f& p) const
+	{
+		const std::vector<Vec3f> centres = centresOf(faces);
+		const auto               nearer  = [&](const Vec3f& a, const Vec3f& b) {
+            return squaredLength(a - p) < squaredLength(b - p);
+		};
+		return faces[std::size_t(std::min_element(centres.begin(), centres.end(), nearer) -
+								 centres.begin())];
 	}
 
 	/// By how much a change lowers the cost; 0 where it is refused, or is no more than a gain

@@ -42,7 +42,7 @@ struct LeftOver {
 /// where no angle is poor and no face crosses another, or where more angles are poor than 100 and
 /// 0.1 % of all. Needs a mesh without dead faces; `cells` are those of its faces before the call,
 /// and are found here where they are needed and null. Cost: where angles are poor, some
-/// milliseconds a triangle, for 200 triangles at most, and for pairs some fifty, for 16 at most.
+/// milliseconds a triangle, for 200 triangles at most, and for pairs some fifty, for 12 at most.
 bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
 					   std::int64_t targetNum, ResultMesh& result, Workers& workers,
 					   std::unique_ptr<Cells>& cells, const LeftOver& left = {});
