@@ -141,18 +141,45 @@ private:
 
 	// ---- noise
 
+	/// Length of edges, and what of it is clear of noise.
+	struct Lengths {
+		double all = 0, clear = 0;
+
+		Lengths& operator+=(const Lengths& other)
+		{
+			all += other.all;
+			clear += other.clear;
+			return *this;
+		}
+		bool areNoise() const { return clear < clearShare * all; }
+	};
+
+	/// What hangs together with what is only asked where the edges by themselves do not tell: of a
+	/// scan they do, and it has many.
 	bool looksLikeNoise(const std::vector<int>& sharp) const
 	{
+		const CreaseClearance clearance(surface_, isSplit(), sharp, workers_);
+		const auto            isClear = [&](int h) { return clearance.isClear(h); };
+		if (lengthsOf(sharp, isClear).areNoise()) return true;
 		const std::unordered_map<int, Extent> extentAt = extentOfComponents(sharp, nullptr);
-		const CreaseClearance                 clearance(surface_, isSplit(), sharp, workers_);
-		const float                           least = clearLength * meanEdge();
-		double                                all = 0, clear = 0;
-		for (int h : sharp) {
-			const float l = edgeLength(m_, h);
-			all += l;
-			if (extentAt.at(m_.origin[h]).length >= least && clearance.isClear(h)) clear += l;
-		}
-		return clear < clearShare * all;
+		const float                           least    = clearLength * meanEdge();
+		const auto                            stands   = [&](int h) {
+            return extentAt.at(m_.origin[h]).length >= least && isClear(h);
+		};
+		return lengthsOf(sharp, stands).areNoise();
+	}
+
+	template <class IsClear>
+	Lengths lengthsOf(const std::vector<int>& edges, const IsClear& isClear) const
+	{
+		return workers_.sum<Lengths>(edges.size(), [&](std::size_t begin, std::size_t end) {
+			Lengths sum;
+			for (std::size_t i = begin; i < end; ++i) {
+				const double l = double(edgeLength(m_, edges[i]));
+				sum += {l, isClear(edges[i]) ? l : 0};
+			}
+			return sum;
+		});
 	}
 
 	bool isSplit() const { return rules_.callersMeanEdge > 0; }

@@ -28,8 +28,8 @@ std::vector<PatchChanger::Operation> PatchChanger::operationsAt(int f) const
 {
 	std::vector<Operation> all;
 	for (int h = 3 * f; h < 3 * f + 3; ++h) {
-		for (Operation::Kind kind : {Operation::Split, Operation::Attach, Operation::Collapse,
-									 Operation::CollapseBack})
+		for (Operation::Kind kind :
+			 {Operation::Split, Operation::Attach, Operation::Collapse, Operation::CollapseBack})
 			all.push_back({kind, h});
 	}
 	return all;
@@ -88,7 +88,8 @@ bool PatchChanger::make(const Operation& op)
 	return true;
 }
 
-std::vector<int> PatchChanger::makeForGood(const std::vector<Operation>& ops, const std::vector<int>& patch)
+std::vector<int> PatchChanger::makeForGood(const std::vector<Operation>& ops,
+										   const std::vector<int>&       patch)
 {
 	const int                vertexNum = m_.vertexNum;
 	const std::vector<int>   faces     = facesRound(m_, patch);
@@ -152,8 +153,7 @@ std::vector<Vec3f> PatchChanger::centresOf(const std::vector<int>& faces) const
 	std::vector<Vec3f> centres;
 	for (int f : faces) {
 		const int* c = &m_.origin[3 * f];
-		centres.push_back((m_.position[c[0]] + m_.position[c[1]] + m_.position[c[2]]) *
-						  (1.0f / 3));
+		centres.push_back((m_.position[c[0]] + m_.position[c[1]] + m_.position[c[2]]) * (1.0f / 3));
 	}
 	return centres;
 }
@@ -162,7 +162,7 @@ int PatchChanger::nearestOf(const std::vector<int>& faces, const Vec3f& p) const
 {
 	const std::vector<Vec3f> centres = centresOf(faces);
 	const auto               nearer  = [&](const Vec3f& a, const Vec3f& b) {
-            return squaredLength(a - p) < squaredLength(b - p);
+        return squaredLength(a - p) < squaredLength(b - p);
 	};
 	return faces[std::size_t(std::min_element(centres.begin(), centres.end(), nearer) -
 							 centres.begin())];
@@ -182,9 +182,8 @@ bool PatchChanger::split(int h)
 	const int    a = m_.origin[h], b = m_.target(h);
 	ResultVertex middle;
 	if (m_.opposite[h] < 0 && r_.keepsBorder) return false;
-	const bool found = m_.isCurveEdge(h)
-						   ? findMiddleOnCurve(surface_, curves_, r_, a, b, middle)
-						   : findMiddle(surface_, r_, a, b, middle);
+	const bool found = m_.isCurveEdge(h) ? findMiddleOnCurve(surface_, curves_, r_, a, b, middle)
+										 : findMiddle(surface_, r_, a, b, middle);
 	if (!found) return false;
 	const Vec3f height = (heightOf(a) + heightOf(b)) * 0.5f;
 	const int   v      = m_.vertexNum++;
@@ -209,7 +208,10 @@ bool PatchChanger::attach(int h)
 	return m_.opposite[toMiddle] >= 0 && collapseInside(toMiddle);
 }
 
-Vec3f PatchChanger::heightOf(int v) const { return m_.position[v] - r_.vertex[v].anchor.position; }
+Vec3f PatchChanger::heightOf(int v) const
+{
+	return m_.position[v] - r_.vertex[v].anchor.position;
+}
 
 bool PatchChanger::mayGo(int v) const
 {

@@ -52,8 +52,8 @@ protected:
 	/// mesh is to be taken back then.
 	bool make(const Operation& op);
 	/// Makes some in a row, which all are known to be possible, counts them, and hands on the cells
-	/// of the faces that are gone by them. Returns the patch' vertices that are left then, and those
-	/// that came in.
+	/// of the faces that are gone by them. Returns the patch' vertices that are left then, and
+	/// those that came in.
 	std::vector<int> makeForGood(const std::vector<Operation>& ops, const std::vector<int>& patch);
 
 private:
