@@ -160,7 +160,7 @@ std::vector<float> turnsOver(const Curve& c, float window)
 	for (int i = 0; i < c.pointNum(); ++i) {
 		const Vec3f in  = c.point[i] - c.at(c.arc[i] - window);
 		const Vec3f out = c.at(c.arc[i] + window) - c.point[i];
-		turn[i]         = std::atan2(length(cross(in, out)), dot(in, out));
+		turn[i]         = angleBetween(in, out);
 	}
 	return turn;
 }
@@ -217,7 +217,7 @@ std::vector<float> turnsAtPoints(const Curve& c)
 	for (int i = skip; i < n - skip; ++i) {
 		const Vec3f in  = c.point[i] - c.point[(i + n - 1) % n];
 		const Vec3f out = c.point[(i + 1) % n] - c.point[i];
-		turn[i]         = std::atan2(length(cross(in, out)), dot(in, out));
+		turn[i]         = angleBetween(in, out);
 	}
 	return turn;
 }

@@ -28,7 +28,7 @@ float dihedralAngle(const HalfEdgeMesh& m, int h)
 	if (g < 0) return 0;
 	const Vec3f a = m.faceCross(h / 3), b = m.faceCross(g / 3);
 	if (!(squaredLength(a) > 0 && squaredLength(b) > 0)) return 0;
-	return std::atan2(length(cross(a, b)), dot(a, b));
+	return angleBetween(a, b);
 }
 
 CreaseClearance::CreaseClearance(const Surface& surface, bool isSplit,

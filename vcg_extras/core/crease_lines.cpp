@@ -393,7 +393,7 @@ private:
 		forEachOutgoing(m_, v, [&](int h) {
 			const Vec3f a = m_.position[m_.target(h)] - m_.position[v];
 			const Vec3f b = m_.position[m_.apex(h)] - m_.position[v];
-			sum -= std::atan2(length(cross(a, b)), dot(a, b));
+			sum -= angleBetween(a, b);
 		});
 		return sum;
 	}

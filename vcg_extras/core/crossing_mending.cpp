@@ -103,11 +103,8 @@ private:
 	State stateOf(const std::vector<int>& faces)
 	{
 		pairsLeft_ -= pairsPerDistance * std::int64_t(faces.size());
-		State s = {crossingNum(faces), HUGE_VALF, patchQuality(faces).agreement,
-				   farthestFrom(faces, faces)};
-		for (int f : faces)
-			s.leastAngle = std::min(s.leastAngle, smallestAngle(m_, f));
-		return s;
+		return {crossingNum(faces), leastAngleOf(faces), patchQuality(faces).agreement,
+				farthestFrom(faces, faces)};
 	}
 
 	/// Whether `now` may take the place of `before`, from which all began.

@@ -38,10 +38,8 @@ std::vector<int> facesToBeginIn(const HalfEdgeMesh& m, const ResultMesh& result,
 
 Anchor anchorOfFace(const Surface& surface, const ResultMesh& result, int f)
 {
-	const HalfEdgeMesh& r = result.mesh;
-	Vec3f               middle;
-	for (int h = 3 * f; h < 3 * f + 3; ++h)
-		middle += r.position[r.origin[h]] * (1 / 3.0f);
+	const HalfEdgeMesh& r      = result.mesh;
+	const Vec3f         middle = r.faceCentre(f);
 
 	BestEnd best;
 	for (int h = 3 * f; h < 3 * f + 3; ++h) {

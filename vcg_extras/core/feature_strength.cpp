@@ -115,7 +115,7 @@ private:
 float angleDegBetween(const Vec3f& a, const Vec3f& b)
 {
 	constexpr float degrees = 57.29577951f;
-	return degrees * std::atan2(length(cross(a, b)), dot(a, b));
+	return degrees * angleBetween(a, b);
 }
 
 EdgeDifferences edgeDifferences(const HalfEdgeMesh& m, float support, Workers& workers)

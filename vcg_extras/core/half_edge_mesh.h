@@ -65,6 +65,14 @@ struct HalfEdgeMesh {
 	}
 	Vec3f faceNormal(int f) const { return normalized(faceCross(f)); }
 
+	Vec3f faceCentre(int f) const
+	{
+		Vec3f centre;
+		for (int h = 3 * f; h < 3 * f + 3; ++h)
+			centre += position[origin[h]] * (1 / 3.0f);
+		return centre;
+	}
+
 	/// Half-edge a -> b, or -1.
 	int findHalfEdge(int a, int b) const;
 	/// Whether a and b are joined by an edge, seen from a; also over a border edge b -> a.

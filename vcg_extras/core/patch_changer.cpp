@@ -99,10 +99,10 @@ std::vector<int> PatchChanger::makeForGood(const std::vector<Operation>& ops,
 		r_.splitNum += op.isSplit();
 		r_.collapseNum += op.kind != Operation::Split;
 	}
-	const std::vector<int> now = livingSince(vertexNum, patch);
+	const std::vector<int> now   = livingSince(vertexNum, patch);
+	const std::vector<int> heirs = facesRound(m_, now);
 	for (std::size_t i = 0; i < faces.size(); ++i) {
-		if (isDeadFace(m_, faces[i]))
-			handCellsOn(faces[i], nearestOf(facesRound(m_, now), centres[i]));
+		if (isDeadFace(m_, faces[i])) handCellsOn(faces[i], nearestOf(heirs, centres[i]));
 	}
 	return now;
 }
@@ -151,21 +151,16 @@ void PatchChanger::addQuadHalf(int h, std::vector<int>& patch) const
 std::vector<Vec3f> PatchChanger::centresOf(const std::vector<int>& faces) const
 {
 	std::vector<Vec3f> centres;
-	for (int f : faces) {
-		const int* c = &m_.origin[3 * f];
-		centres.push_back((m_.position[c[0]] + m_.position[c[1]] + m_.position[c[2]]) * (1.0f / 3));
-	}
+	for (int f : faces)
+		centres.push_back(m_.faceCentre(f));
 	return centres;
 }
 
 int PatchChanger::nearestOf(const std::vector<int>& faces, const Vec3f& p) const
 {
-	const std::vector<Vec3f> centres = centresOf(faces);
-	const auto               nearer  = [&](const Vec3f& a, const Vec3f& b) {
-        return squaredLength(a - p) < squaredLength(b - p);
-	};
-	return faces[std::size_t(std::min_element(centres.begin(), centres.end(), nearer) -
-							 centres.begin())];
+	return *std::min_element(faces.begin(), faces.end(), [&](int f, int g) {
+		return squaredLength(m_.faceCentre(f) - p) < squaredLength(m_.faceCentre(g) - p);
+	});
 }
 
 bool PatchChanger::apply(const Operation& op)

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace gpr {
 
@@ -257,6 +258,14 @@ float PatchMover::rmsFrom(const std::vector<int>& faces, const std::vector<int>&
 	return num > 0 ? std::sqrt(sum / float(num)) : 0.0f;
 }
 
+float PatchMover::leastAngleOf(const std::vector<int>& faces) const
+{
+	float least = HUGE_VALF;
+	for (int f : faces)
+		least = std::min(least, smallestAngle(m_, f));
+	return least;
+}
+
 float PatchMover::meanEdge(int v) const
 {
 	float sum = 0;
@@ -311,23 +320,22 @@ bool PatchMover::moveToBest(int v)
 
 bool PatchMover::step(int v, float reach, float edge, Quality& quality)
 {
-	const std::vector<int> faces  = facesRound(m_, {v});
-	const float            enough = farthestOff * edge;
-	const Place            start  = placeOf(v);
-	Distance               before; // measured only where a place is better: most steps find none
-	Place                  best     = start;
-	bool                   measured = false, found = false;
+	const std::vector<int>  faces  = facesRound(m_, {v});
+	const float             enough = farthestOff * edge;
+	const Place             start  = placeOf(v);
+	std::optional<Distance> before; // measured only where a place is better: most steps find none
+	Place                   best  = start;
+	bool                    found = false;
 	for (const Place& next : placesRound(v, reach, edge)) {
 		put(v, next);
 		const Quality q = ringQuality(v);
 		if (!q.beats(quality)) continue;
-		if (!measured) {
+		if (!before) {
 			put(v, start);
-			before   = distanceFrom(faces, faces, enough);
-			measured = true;
+			before = distanceFrom(faces, faces, enough);
 			put(v, next);
 		}
-		if (!keepsDistance(faces, faces, enough, before)) continue;
+		if (!keepsDistance(faces, faces, enough, *before)) continue;
 		quality = q;
 		best    = next;
 		found   = true;

@@ -102,6 +102,7 @@ protected:
 					   const Distance& before) const;
 	/// The root of the mean square of the same distances.
 	float rmsFrom(const std::vector<int>& faces, const std::vector<int>& ofCells) const;
+	float leastAngleOf(const std::vector<int>& faces) const;
 	float meanEdge(int v) const;
 	Place placeOf(int v) const;
 	/// Of the surface at v, standing there, or of that beside the lip it lies on.

@@ -162,26 +162,34 @@ private:
 		}
 	}
 
-	/// Of crossing faces only near_ tells.
-	bool mayNeedTreatment(int f) const
-	{
-		return !isDeadFace(m_, f) && (isCrossing_ || smallestAngle(m_, f) < angle_);
-	}
-
-	bool needsTreatment(int f) const
-	{
-		return !isCrossing_ || countCrossingPairs(m_, {f}, near_) > 0;
-	}
-
 	int kindOfTry(bool isPair) const { return 2 * int(isCrossing_) + int(isPair); }
+
+	/// Whether f is to be treated; finds what the patch that this may change may cross.
+	bool takeUp(int f, bool isPair)
+	{
+		if (isDeadFace(m_, f) || (!isCrossing_ && smallestAngle(m_, f) >= angle_)) return false;
+		const int kind = kindOfTry(isPair);
+		if (tries_.isVain(m_, f, kind)) return false;
+		workers_.poll();
+		near_ = facesNear(m_, facesRound(m_, patchFor(f, isPair)), meanEdge(m_.origin[3 * f]),
+						  workers_);
+		if (!isCrossing_ || countCrossingPairs(m_, {f}, near_) > 0) return true;
+		tries_.noteVain(m_, f, kind);
+		return false;
+	}
+
+	/// All vertices that a change at f may concern, or two in a row.
+	std::vector<int> patchFor(int f, bool isPair) const
+	{
+		const std::vector<int> patch = patchRound(f);
+		if (!isPair) return patch;
+		const std::vector<int> ring = verticesOf(m_, facesRound(m_, patch));
+		return verticesOf(m_, facesRound(m_, ring));
+	}
 
 	void treat(int f)
 	{
-		if (triesLeft_ == 0 || !mayNeedTreatment(f)) return;
-		if (tries_.isVain(m_, f, kindOfTry(false))) return;
-		workers_.poll();
-		findNear(patchRound(f), f);
-		if (!needsTreatment(f)) return tries_.noteVain(m_, f, kindOfTry(false));
+		if (triesLeft_ == 0 || !takeUp(f, false)) return;
 		--triesLeft_;
 		Operation best;
 		float     bestGain = 0;
@@ -201,14 +209,11 @@ private:
 	/// sharpest.
 	void treatTwice(int f)
 	{
-		if (pairsLeft_ == 0 || !mayNeedTreatment(f)) return;
-		if (tries_.isVain(m_, f, kindOfTry(true))) return;
-		const std::vector<int> round = withTwoRings(patchRound(f));
-		findNear(round, f);
-		if (!needsTreatment(f)) return tries_.noteVain(m_, f, kindOfTry(true));
+		if (pairsLeft_ == 0 || !takeUp(f, true)) return;
 		--pairsLeft_;
+		const std::vector<int> round  = patchFor(f, true);
 		const Before           before = lookAt(round);
-		const State            state  = stateOf(before.faces(), before);
+		const State            state  = stateOf(before);
 		std::vector<Operation> best;
 		float                  bestGain = 0;
 		for (const Operation& first : operationsAt(f)) {
@@ -227,17 +232,6 @@ private:
 			tries_.noteVain(m_, f, kindOfTry(true));
 		else
 			keep(best, round);
-	}
-
-	void findNear(const std::vector<int>& patch, int f)
-	{
-		near_ = facesNear(m_, facesRound(m_, patch), meanEdge(m_.origin[3 * f]), workers_);
-	}
-
-	std::vector<int> withTwoRings(const std::vector<int>& patch) const
-	{
-		const std::vector<int> ring = verticesOf(m_, facesRound(m_, patch));
-		return verticesOf(m_, facesRound(m_, ring));
 	}
 
 	/// Where the second change is made: at the sharpest face, or at f once more if it still crosses
@@ -263,14 +257,6 @@ private:
 				leastAngleOf(faces), number};
 	}
 
-	float leastAngleOf(const std::vector<int>& faces) const
-	{
-		float least = HUGE_VALF;
-		for (int f : faces)
-			least = std::min(least, smallestAngle(m_, f));
-		return least;
-	}
-
 	void keep(const std::vector<Operation>& ops, const std::vector<int>& patch)
 	{
 		for (int v : makeForGood(ops, patch))
@@ -286,18 +272,18 @@ private:
 	}
 
 	/// By how much a change lowers the cost; 0 where it is refused, or is no more than a gain
-	/// known.
+	/// known. What lay there before is only measured where a change pays; it is made anew then.
 	float attempt(const Operation& op, float known)
 	{
 		const Before before = lookAt(patchOf(op));
-		const float  gain   = make(op) ? gainOver(before) : 0;
-		if (gain <= known) {
-			takeBack(before.snapshot);
-			return 0;
-		}
-		const State after = stateOf(facesNow(before), before);
+		float        gain   = make(op) ? gainOver(before) : 0;
 		takeBack(before.snapshot);
-		return mayReplace(after, stateOf(before.faces(), before), before.off) ? gain : 0;
+		if (gain <= known) return 0;
+		const State state = stateOf(before);
+		make(op);
+		if (!mayReplace(before, state)) gain = 0;
+		takeBack(before.snapshot);
+		return gain;
 	}
 
 	/// The same of a change that follows on another one, both together.
@@ -329,34 +315,24 @@ private:
 		return fewer > 0 ? float(fewer) + 0.5f / (1 + now.cost) : 0;
 	}
 
-	/// Whether the patch as it is now may replace what was in a state before: the same as below,
-	/// but no more is measured than tells.
+	/// Needs the patch as it was.
+	State stateOf(const Before& before) const
+	{
+		const std::vector<int>& faces = before.faces();
+		return {distanceFrom(faces, faces, before.off), rmsFrom(faces, faces),
+				countCrossingPairs(m_, faces, near_)};
+	}
+
+	/// Whether the patch as it is now may replace what was in that state before. No more is
+	/// measured than tells.
 	bool mayReplace(const Before& before, const State& state) const
 	{
 		const std::vector<int>  faces   = facesNow(before);
 		const std::vector<int>& ofCells = before.faces();
 		return keepsDistance(faces, ofCells, before.off, state.distance) &&
-			   rmsFrom(faces, ofCells) <= mostRmsAfter(state, before.off) &&
+			   rmsFrom(faces, ofCells) <=
+				   std::max(mostRmsGrowth * state.rms, mostRms * before.off) &&
 			   countCrossingPairs(m_, faces, near_) <= state.crossingNum;
-	}
-
-	static float mostRmsAfter(const State& before, float off)
-	{
-		return std::max(mostRmsGrowth * before.rms, mostRms * off);
-	}
-
-	/// Of some faces, by the cells of those that were there before.
-	State stateOf(const std::vector<int>& faces, const Before& before) const
-	{
-		const std::vector<int>& ofCells = before.faces();
-		return {distanceFrom(faces, ofCells, before.off), rmsFrom(faces, ofCells),
-				countCrossingPairs(m_, faces, near_)};
-	}
-
-	static bool mayReplace(const State& after, const State& before, float off)
-	{
-		return after.distance.keeps(before.distance) && after.rms <= mostRmsAfter(before, off) &&
-			   after.crossingNum <= before.crossingNum;
 	}
 
 	float longestMeanEdge(const std::vector<int>& vertices) const
@@ -378,7 +354,7 @@ std::vector<int> cellsAfterCompaction(const HalfEdgeMesh& m, int cellNum)
 	return cell;
 }
 
-/// What a run needs and what came of it.
+/// One go at a mesh, from how it is to how it is with the count made good.
 struct PatchRun {
 	const Surface&        surface;
 	const BoundaryCurves& curves;
@@ -386,25 +362,25 @@ struct PatchRun {
 	std::int64_t          targetNum;
 	const Cells&          cells;
 	const LeftOver&       left;
-	bool                  isBetter = false;
-	int                   pairNum  = 0;
+	const ResultMesh&     start;
+	bool                  isChanged = false, isBetter = false, hasPairs = false;
 
-	void run(bool inPairs, const Shape& before, ResultMesh& result, Workers& workers)
+	void run(bool inPairs, ResultMesh& result, Workers& workers)
 	{
 		const float   angle = angleDeg * radians;
-		const int     old   = result.mesh.faceNum;
 		CellsOfFaces  own{cells, {}, left.largestGap};
 		PatchRemesher remesher(surface, curves, angle, result, workers, own);
-		isBetter = false;
-		if (remesher.run(left.crossing, inPairs) == 0) return;
-		pairNum = remesher.pairNum();
+		isChanged = remesher.run(left.crossing, inPairs) > 0;
+		hasPairs  = remesher.pairNum() > 0;
+		if (!isChanged) return;
 		const bool isExact =
 			targetNum == 0 || changeCount(surface, curves, targetNum, result, workers);
-		own.cell = cellsAfterCompaction(result.mesh, old);
+		own.cell = cellsAfterCompaction(result.mesh, start.mesh.faceNum);
 		compactResult(result, workers);
 		if (!isExact) return;
 		mendAngles(surface, curves, angleDeg, result, workers, own);
-		isBetter = shapeOf(surface, result, angle, workers).beats(before, remesher.apartNum() > 0);
+		isBetter = shapeOf(surface, result, angle, workers)
+					   .beats(shapeOf(surface, start, angle, workers), remesher.apartNum() > 0);
 	}
 };
 
@@ -414,20 +390,18 @@ bool remeshPoorPatches(const Surface& surface, const BoundaryCurves& curves, flo
 					   std::int64_t targetNum, ResultMesh& result, Workers& workers,
 					   std::unique_ptr<Cells>& cells, const LeftOver& left)
 {
-	const float       angle = angleDeg * radians;
-	const std::size_t num   = findPoorFaces(result.mesh, angle, workers).size();
-	const float       most  = mostPoorShare * float(result.mesh.faceNum);
+	const std::size_t num  = findPoorFaces(result.mesh, angleDeg * radians, workers).size();
+	const float       most = mostPoorShare * float(result.mesh.faceNum);
 	if (num == 0 && left.crossing.empty()) return false;
 	if (num > std::max(mostPoor, std::size_t(most))) return false;
 	if (cells == nullptr) cells.reset(new Cells(surface, result, workers));
 	const ResultMesh start = copyResult(result, workers);
-	const Shape      shape = shapeOf(surface, result, angle, workers);
-	PatchRun         trial = {surface, curves, angleDeg, targetNum, *cells, left};
 	for (bool inPairs : {true, false}) {
-		trial.run(inPairs, shape, result, workers);
+		PatchRun trial = {surface, curves, angleDeg, targetNum, *cells, left, start};
+		trial.run(inPairs, result, workers);
 		if (trial.isBetter) return true;
-		result = copyResult(start, workers);
-		if (trial.pairNum == 0) break;
+		if (trial.isChanged) result = copyResult(start, workers);
+		if (!trial.hasPairs) break;
 	}
 	return false;
 }

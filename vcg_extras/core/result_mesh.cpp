@@ -9,16 +9,6 @@
 
 namespace gpr {
 
-namespace {
-
-/// Angle between two vectors.
-float angleBetween(const Vec3f& u, const Vec3f& v)
-{
-	return std::atan2(length(cross(u, v)), dot(u, v));
-}
-
-} // namespace
-
 ResultMesh copyResult(const ResultMesh& result, Workers& workers)
 {
 	ResultMesh copy;

@@ -69,7 +69,7 @@ int wantedFaces(const HalfEdgeMesh& m, int first, int faceNum)
 	forEachInSector(m, first, faceNum, [&](int h) {
 		const Vec3f a = m.position[m.target(h)] - m.position[m.origin[h]];
 		const Vec3f b = m.position[m.apex(h)] - m.position[m.origin[h]];
-		angle += std::atan2(length(cross(a, b)), dot(a, b));
+		angle += angleBetween(a, b);
 	});
 	return std::max(1, int(std::lround(angle / (60 * radians))));
 }

@@ -72,9 +72,10 @@ public:
 	int findOrPut(int a, int b, int next)
 	{
 		const std::uint64_t low = std::min(a, b), high = std::max(a, b);
-		Entry&              e = placeOf(low << 32 | high);
-		if (e.number >= 0) return e.number;
-		e = {low << 32 | high, next};
+		const std::uint64_t edge  = low << 32 | high;
+		Entry&              place = placeOf(edge);
+		if (place.number >= 0) return place.number;
+		place = {edge, next};
 		if (2 * ++num_ > entry_.size()) reserve(2 * num_);
 		return next;
 	}
