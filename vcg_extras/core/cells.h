@@ -25,7 +25,11 @@ public:
 private:
 	std::uint16_t second_, third_;
 
-	static std::uint16_t pack(float w) { return std::uint16_t(w * 65535.0f + 0.5f); }
+	/// w is at least 0, so that adding a half rounds rightly; lround would be a call.
+	static std::uint16_t pack(float w)
+	{
+		return std::uint16_t(w * 65535.0f + 0.5f); // NOLINT(bugprone-incorrect-roundings)
+	}
 };
 
 /// A number of at least 0 in 16 bits: a float without its sign and its last 15 bits, true to 0.2 %.

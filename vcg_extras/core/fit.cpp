@@ -217,7 +217,7 @@ private:
 	/// Shortens the moves of the faces' corners; returns those.
 	std::vector<int> shorten(const std::vector<int>& faces, float factor)
 	{
-		const std::vector<int> vertices = verticesOf(m_, faces);
+		std::vector<int> vertices = verticesOf(m_, faces);
 		for (int v : vertices) {
 			shift_[v]      = shift_[v] * factor;
 			m_.position[v] = at(v);

@@ -99,7 +99,7 @@ std::vector<int> PatchChanger::makeForGood(const std::vector<Operation>& ops,
 		r_.splitNum += op.isSplit();
 		r_.collapseNum += op.kind != Operation::Split;
 	}
-	const std::vector<int> now   = livingSince(vertexNum, patch);
+	std::vector<int>       now   = livingSince(vertexNum, patch);
 	const std::vector<int> heirs = facesRound(m_, now);
 	for (std::size_t i = 0; i < faces.size(); ++i) {
 		if (isDeadFace(m_, faces[i])) handCellsOn(faces[i], nearestOf(heirs, centres[i]));
@@ -128,6 +128,7 @@ std::vector<int> PatchChanger::livingOf(const std::vector<int>& vertices) const
 std::vector<PatchMover::Place> PatchChanger::placesOf(const std::vector<int>& vertices) const
 {
 	std::vector<Place> places;
+	places.reserve(vertices.size());
 	for (int v : vertices)
 		places.push_back(placeOf(v));
 	return places;
@@ -151,6 +152,7 @@ void PatchChanger::addQuadHalf(int h, std::vector<int>& patch) const
 std::vector<Vec3f> PatchChanger::centresOf(const std::vector<int>& faces) const
 {
 	std::vector<Vec3f> centres;
+	centres.reserve(faces.size());
 	for (int f : faces)
 		centres.push_back(m_.faceCentre(f));
 	return centres;

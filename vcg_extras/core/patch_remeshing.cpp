@@ -181,7 +181,7 @@ private:
 	/// All vertices that a change at f may concern, or two in a row.
 	std::vector<int> patchFor(int f, bool isPair) const
 	{
-		const std::vector<int> patch = patchRound(f);
+		std::vector<int> patch = patchRound(f);
 		if (!isPair) return patch;
 		const std::vector<int> ring = verticesOf(m_, facesRound(m_, patch));
 		return verticesOf(m_, facesRound(m_, ring));

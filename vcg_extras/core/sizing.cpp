@@ -194,7 +194,7 @@ float areaMedian(const HalfEdgeMesh& m, const Buffer<float>& value)
 			const float fraction = std::frexp(x, &exponent); // in [0.5, 1)
 			const int   inOctave = int((fraction - 0.5f) * 2 * binsPerOctave);
 			const int   at = (std::clamp(exponent + octaves / 2, 0, octaves - 1)) * binsPerOctave;
-			bin[std::size_t(at + inOctave)] += area / 3;
+			bin[at + inOctave] += area / 3;
 		}
 	}
 	double below = flat;

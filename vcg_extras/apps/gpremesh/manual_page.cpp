@@ -130,7 +130,8 @@ std::string exitStatus(const std::string& footer)
 		words >> first;
 		std::getline(words >> std::ws, rest);
 		const bool code = first.size() == 1 && std::isdigit((unsigned char) first[0]) != 0;
-		text += code ? ".TP\n\\fB" + first + "\\fR\n" + flowing(rest) : flowing(first + " " + rest);
+		text += code ? ".TP\n\\fB" + first + "\\fR\n" + flowing(rest)
+					 : flowing(first.append(" ").append(rest));
 	}
 	return text;
 }

@@ -76,6 +76,7 @@ std::vector<char> readAll(int descriptor)
 bool startProgram(const std::vector<std::string>& words, pid_t& process)
 {
 	std::vector<char*> arguments;
+	arguments.reserve(words.size() + 1);
 	for (const std::string& w : words)
 		arguments.push_back(const_cast<char*>(w.c_str()));
 	arguments.push_back(nullptr);
@@ -184,7 +185,7 @@ bool hasProgram(const std::string& name)
 	std::istringstream folders(path != nullptr ? path : "");
 	for (std::string folder; std::getline(folders, folder, ':');) {
 		if (folder.empty()) folder = ".";
-		if (::access((folder + "/" + name).c_str(), X_OK) == 0) return true;
+		if (::access(folder.append("/").append(name).c_str(), X_OK) == 0) return true;
 	}
 	return false;
 }

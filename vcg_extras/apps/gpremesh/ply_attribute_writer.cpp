@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 namespace gpr::app {
 
@@ -51,7 +52,7 @@ public:
 			bits = half;
 		}
 		else {
-			bits = std::uint64_t(value);
+			bits = std::uint64_t(std::make_unsigned_t<T>(value));
 		}
 		for (std::size_t i = 0; i < sizeof(T); ++i)
 			bytes_ += char(bits >> (8 * i) & 0xff);
