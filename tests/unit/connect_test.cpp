@@ -97,7 +97,7 @@ TEST(ConnectNormals, OfPointedVerticesAreMarked)
 		ASSERT_TRUE(c.ok);
 		int marked = 0;
 		for (int v = 0; v < c.surface.mesh.vertexNum; ++v) {
-			if (!c.surface.normal[v].isMarked()) continue;
+			if (!c.surface.normal[v].isPointed()) continue;
 			++marked;
 			EXPECT_FALSE(c.surface.mesh.isBorderVertex(v));
 		}
@@ -134,14 +134,46 @@ TEST(HalfEdgeMesh, TurnsRoundAVertexSeeEveryNeighbourOnce)
 	}
 }
 
-TEST(PackedNormal, AMarkLeavesItAsItIs)
+/// Which vertices of a mesh are rough, by its caller's numbers of their positions.
+std::vector<Vec3f> roughPlaces(const TriangleMesh& mesh)
+{
+	const Connected    c(mesh);
+	std::vector<Vec3f> places;
+	for (int v = 0; v < c.surface.mesh.vertexNum; ++v) {
+		if (c.surface.normal[v].isRough()) places.push_back(c.surface.mesh.position[v]);
+	}
+	return places;
+}
+
+TEST(ConnectNormals, AtSharpEdgesAreMarked)
+{
+	// Of a cube the edges, eight corners and three vertices on each of twelve; nothing inside.
+	const std::vector<Vec3f> places = roughPlaces(cube(4));
+	EXPECT_EQ(int(places.size()), 8 + 12 * 3);
+	EXPECT_TRUE(roughPlaces(icosphere(4)).empty());
+}
+
+TEST(ConnectNormals, OfThinFacesAreMarkedAtAllCorners)
+{
+	TriangleMesh mesh = grid(2, 2);
+	EXPECT_TRUE(roughPlaces(mesh).empty());
+	// A face on the first one's border edge, with its third corner on the edge's line.
+	const int a = 0, b = 1; // two corners in a row along the lower border
+	mesh.positions.push_back((mesh.positions[a] + mesh.positions[b]) * 0.5);
+	mesh.triangles.insert(mesh.triangles.end(), {b, a, int(mesh.vertexNum()) - 1});
+	EXPECT_EQ(int(roughPlaces(mesh).size()), 3);
+}
+
+TEST(PackedNormal, MarksLeaveItAsItIs)
 {
 	const Vec3f  n = normalized(Vec3f(1, -2, 3));
 	PackedNormal packed(n);
-	EXPECT_FALSE(packed.isMarked());
+	EXPECT_FALSE(packed.isPointed() || packed.isRough());
 	const Vec3f before = packed.unpack();
-	packed.mark();
-	EXPECT_TRUE(packed.isMarked());
+	packed.markPointed();
+	EXPECT_TRUE(packed.isPointed() && !packed.isRough());
+	packed.markRough();
+	EXPECT_TRUE(packed.isPointed() && packed.isRough());
 	EXPECT_EQ(packed.unpack(), before);
 }
 

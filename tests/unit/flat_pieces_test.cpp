@@ -22,7 +22,7 @@ protected:
 	std::vector<int> flatFaces(const TriangleMesh& mesh)
 	{
 		const Surface    surface = surfaceOf(mesh, workers);
-		std::vector<int> faces   = findFlatPieces(surface.mesh, workers);
+		std::vector<int> faces   = findFlatPieces(surface, workers);
 		for (int& f : faces)
 			f = surface.sourceFace[f];
 		std::sort(faces.begin(), faces.end());
@@ -111,7 +111,7 @@ TEST_F(FlatPieces, GoWithTheVerticesOnlyTheyHave)
         return surfaceOf(mesh, workers);
 	}();
 	std::int64_t      dropped = 0;
-	const auto        flat    = findFlatPieces(surface.mesh, workers);
+	const auto        flat    = findFlatPieces(surface, workers);
 	const IndexedMesh left    = withoutFaces(surface, flat, dropped);
 	EXPECT_EQ(left.vertexNum, 4);
 	EXPECT_EQ(left.faceNum, 2);

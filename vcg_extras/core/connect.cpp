@@ -195,29 +195,72 @@ void fillOutgoing(HalfEdgeMesh& m, const Buffer<int>& faceStart, Workers& worker
 		m.outgoing[m.origin[h]] = h;
 }
 
+/// What the faces seen on one turn round a vertex tell of the surface there.
+class Turn {
+public:
+	/// The face with these edges from the vertex, next to the one before.
+	void add(const Vec3f& a, const Vec3f& b)
+	{
+		const Face      face   = {cross(a, b), length(cross(a, b))};
+		const float     longer = std::max(squaredLength(a), squaredLength(b));
+		constexpr float narrow = 2 * roughWidth; // the third edge may be twice as long
+		isRough_ |= face.area * face.area <= narrow * narrow * longer;
+		isRough_ |= meetSharply(last_, face);
+		sum_ += face.cross;
+		area_ += face.area;
+		if (cornerNum_++ == 0) first_ = face;
+		last_ = face;
+	}
+
+	int  cornerNum() const { return cornerNum_; }
+	bool isPointed() const { return length(sum_) < pointedSpread * area_; }
+	/// At a border too the last face is compared with the first: a mark too many does no harm.
+	bool isRough() const { return isRough_ || meetSharply(last_, first_); }
+
+	PackedNormal normal() const
+	{
+		PackedNormal packed(normalized(sum_));
+		if (isPointed()) packed.markPointed();
+		if (isRough()) packed.markRough();
+		return packed;
+	}
+
+private:
+	struct Face {
+		Vec3f cross;
+		float area = 0; ///< twice
+	};
+	Face  first_, last_;
+	Vec3f sum_;
+	float area_      = 0;
+	int   cornerNum_ = 0;
+	bool  isRough_   = false;
+
+	static bool meetSharply(const Face& a, const Face& b)
+	{
+		constexpr float cosine = 0.8660254f; // of roughDeg
+		static_assert(roughDeg == 30);
+		return dot(a.cross, b.cross) < cosine * a.area * b.area;
+	}
+};
+
 /// Vertex normals by turning round every vertex, which also counts the corners seen: they are all
-/// corners exactly if every vertex has a single fan. Pointed vertices are marked on the way: to
-/// turn round all of them once more would cost as much as this.
+/// corners exactly if every vertex has a single fan. Vertices are marked on the way: to turn round
+/// all of them once more, or to visit all faces, would cost as much as this.
 bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& normal)
 {
 	normal.reset(m.vertexNum);
-	const std::int64_t seen =
-		workers.sum<std::int64_t>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-			std::int64_t corners = 0;
-			for (int v = int(begin); v < int(end); ++v) {
-				Vec3f sum;
-				float area = 0;
-				forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
-					const Vec3f n = cross(a, b);
-					sum += n;
-					area += length(n);
-					++corners;
-				});
-				normal[v] = PackedNormal(normalized(sum));
-				if (length(sum) < pointedSpread * area) normal[v].mark();
-			}
-			return corners;
-		});
+	const std::int64_t seen = workers.sum<std::int64_t>(m.vertexNum, [&](std::size_t begin,
+																		 std::size_t end) {
+		std::int64_t corners = 0;
+		for (int v = int(begin); v < int(end); ++v) {
+			Turn turn;
+			forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) { turn.add(a, b); });
+			corners += turn.cornerNum();
+			normal[v] = turn.normal();
+		}
+		return corners;
+	});
 	return seen == std::int64_t(m.halfEdgeNum());
 }
 

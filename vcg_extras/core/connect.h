@@ -16,8 +16,8 @@ namespace gpr {
 struct Surface {
 	HalfEdgeMesh         mesh;
 	Buffer<int>          sourceFace; ///< per face: the caller's face it is part of
-	Buffer<PackedNormal> normal;     ///< per vertex, area-weighted (zero where undefined); marked:
-									 ///< see pointedSpread
+	Buffer<PackedNormal> normal;     ///< per vertex, area-weighted (zero where undefined); its
+									 ///< marks: see pointedSpread, roughDeg and roughWidth
 	Buffer<float> size;              ///< per vertex: see sizing.h; empty: the same everywhere
 	Frame         frame;
 	MortonGrid    grid;
@@ -33,6 +33,12 @@ constexpr float spreadAtTip(float defectDeg)
 
 /// Vertices with a spread below this are marked as pointed.
 constexpr float pointedSpread = spreadAtTip(30);
+
+/// Vertices at which two faces meet at more than this, or one is narrower than that in working
+/// units, are marked as rough: few on most surfaces, and all that searches for sharp edges and thin
+/// faces need to look at.
+constexpr float roughDeg   = 30;
+constexpr float roughWidth = 2e-6f;
 
 /// Stage 4: half-edge table of an ordered mesh (see orderSpatially) by bucketing half-edges at
 /// their smaller end. Moves the arrays out of `mesh` when all is manifold and consistently

@@ -13,9 +13,6 @@ namespace gpr {
 
 namespace {
 
-/// Faces whose edges are picked before any of them is looked at.
-constexpr int facesAtOnce = 256;
-
 /// Fewer mean edges than this in a row are noise whatever they look like.
 constexpr float clearLength = 4;
 /// Share of the sharp length that must be clear: CAD models have 0.77 and more, scans up to 0.47.
@@ -68,31 +65,28 @@ private:
 
 	// ---- sharp edges
 
+	/// Ascending. Where no edge sought is flatter than those that make vertices rough, only these
+	/// are looked at; a degree is left for rounding.
 	std::vector<int> findSharpEdges() const
 	{
-		const float cosine = std::cos(rules_.strongDeg * radians);
-		return workers_.collect<int>(
-			m_.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-				constexpr std::size_t block = facesAtOnce;
-				for (std::size_t f = begin; f < end; f += block)
-					addSharpEdges(3 * int(f), 3 * int(std::min(f + block, end)), cosine, out);
+		const float      cosine = std::cos(rules_.strongDeg * radians);
+		const bool       atAll  = rules_.strongDeg < roughDeg + 1;
+		std::vector<int> sharp =
+			workers_.collect<int>(m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				for (int v = int(begin); v < int(end); ++v) {
+					if (atAll || surface_.normal[v].isRough()) addSharpEdges(v, cosine, out);
+				}
 			});
+		std::sort(sharp.begin(), sharp.end());
+		return sharp;
 	}
 
-	/// Those of half-edges [begin, end), each edge once. Whose turn it is, this face's or that
-	/// beyond, is a coin's toss that no processor foresees: so the edges are picked first, without
-	/// a branch, and looked at then.
-	void addSharpEdges(int begin, int end, float cosine, std::vector<int>& out) const
+	/// Each edge once, by its smaller half-edge.
+	void addSharpEdges(int v, float cosine, std::vector<int>& out) const
 	{
-		int picked[3 * facesAtOnce];
-		int num = 0;
-		for (int h = begin; h < end; ++h) {
-			picked[num] = h;
-			num += m_.opposite[h] > h;
-		}
-		for (int i = 0; i < num; ++i) {
-			if (isSharp(picked[i], cosine)) out.push_back(picked[i]);
-		}
+		forEachOutgoing(m_, v, [&](int h) {
+			if (m_.opposite[h] > h && isSharp(h, cosine)) out.push_back(h);
+		});
 	}
 
 	bool isSharp(int h, float cosine) const
@@ -100,22 +94,10 @@ private:
 		const Vec3f a = m_.position[m_.origin[h]], ab = m_.position[m_.target(h)] - a;
 		const Vec3f own   = cross(ab, m_.position[m_.apex(h)] - a);
 		const Vec3f other = cross(m_.position[m_.apex(m_.opposite[h])] - a, ab);
-		return !isSurelyFlatter(own, other, cosine) && isSharper(own, other, cosine);
+		return isSharper(own, other, cosine);
 	}
 
-	/// Whether faces with these cross products certainly meet above this cosine, in single
-	/// precision: true of nearly all edges of most surfaces, and never where rounding decides or
-	/// fourth powers of short edges vanish.
-	static bool isSurelyFlatter(const Vec3f& a, const Vec3f& b, float cosine)
-	{
-		constexpr float smallest = 1e-30f, rounding = 1e-5f;
-		const float     d     = dot(a, b);
-		const float     scale = squaredLength(a) * squaredLength(b);
-		return d > 0 && scale > smallest && d * d > (cosine * cosine + rounding) * scale;
-	}
-
-	/// Whether faces with these cross products meet below this cosine. Cheaper than the angle: no
-	/// root for the many flat edges.
+	/// Whether faces with these cross products meet below this cosine.
 	static bool isSharper(const Vec3f& a, const Vec3f& b, float cosine)
 	{
 		// In double, or the fourth powers of short edges would vanish.
@@ -413,7 +395,7 @@ private:
 	bool isPointed(int v) const
 	{
 		const float spread = spreadAtTip(rules_.strongDeg);
-		if (spread <= pointedSpread && !surface_.normal[v].isMarked()) return false;
+		if (spread <= pointedSpread && !surface_.normal[v].isPointed()) return false;
 		Vec3f sum;
 		float area = 0;
 		forEachFaceRound(m_, v, [&](int, const Vec3f& a, const Vec3f& b) {

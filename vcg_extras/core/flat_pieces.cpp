@@ -3,6 +3,7 @@
 #include "flat_pieces.h"
 
 #include "box.h"
+#include "sort_unique.h"
 
 #include <algorithm>
 #include <atomic>
@@ -50,14 +51,22 @@ bool isThin(const IndexedMesh& m, int f)
 	return isThin(m.position[v[0]], m.position[v[1]], m.position[v[2]]);
 }
 
-std::vector<int> findThin(const HalfEdgeMesh& mesh, Workers& workers)
+/// Ascending. All corners of a thin face are rough.
+std::vector<int> findThin(const Surface& surface, Workers& workers)
 {
-	return workers.collect<int>(mesh.faceNum,
-								[&](std::size_t begin, std::size_t end, std::vector<int>& out) {
-									for (int f = int(begin); f < int(end); ++f) {
-										if (isThin(mesh, f)) out.push_back(f);
-									}
-								});
+	static_assert(roughWidth >= leastWidth);
+	const HalfEdgeMesh& m    = surface.mesh;
+	std::vector<int>    thin = workers.collect<int>(
+        m.vertexNum, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
+            for (int v = int(begin); v < int(end); ++v) {
+                if (!surface.normal[v].isRough()) continue;
+                forEachOutgoing(m, v, [&](int h) {
+                    if (isThin(m, h / 3)) out.push_back(h / 3);
+                });
+            }
+        });
+	sortUnique(thin);
+	return thin;
 }
 
 /// Area and box of some faces.
@@ -244,9 +253,9 @@ private:
 
 } // namespace
 
-std::vector<int> findFlatPieces(const HalfEdgeMesh& mesh, Workers& workers)
+std::vector<int> findFlatPieces(const Surface& surface, Workers& workers)
 {
-	return FlatFinder(mesh, findThin(mesh, workers)).run();
+	return FlatFinder(surface.mesh, findThin(surface, workers)).run();
 }
 
 bool allFacesThin(const IndexedMesh& mesh, Workers& workers)

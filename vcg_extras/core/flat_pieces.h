@@ -16,9 +16,9 @@ namespace gpr {
 /// area could take the place of. All are thinner than a millionth of the box and a thousandth of
 /// their length, and so is what is joined of them. They make up whole components that are lines; or
 /// hang on a border by one edge; or lie along a border with their longest edge. Without the
-/// components every other one keeps its topology. Cost: a parallel pass over the faces; O(t log t)
-/// for t thin faces.
-std::vector<int> findFlatPieces(const HalfEdgeMesh& mesh, Workers& workers);
+/// components every other one keeps its topology. Cost: a parallel pass over the vertices; O(t log
+/// t) for t thin faces.
+std::vector<int> findFlatPieces(const Surface& surface, Workers& workers);
 
 /// The surface without `faces` (ascending) and the vertices only they have, as a mesh to be ordered
 /// and connected anew; the surface is empty then. droppedNum grows by the caller's faces that are

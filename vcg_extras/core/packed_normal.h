@@ -10,19 +10,22 @@
 namespace gpr {
 
 /// A unit vector in 32 bits, 10 a coordinate: true to about 0.1°, enough to tell flat from bent;
-/// and a mark.
+/// and two marks.
 class PackedNormal {
 public:
 	PackedNormal() = default;
 	explicit PackedNormal(const Vec3f& n) : bits_(pack(n.x) | pack(n.y) << 10 | pack(n.z) << 20) {}
 
-	void mark() { bits_ |= markBit; }
-	bool isMarked() const { return (bits_ & markBit) != 0; }
+	void markPointed() { bits_ |= pointedBit; }
+	void markRough() { bits_ |= roughBit; }
+	bool isPointed() const { return (bits_ & pointedBit) != 0; }
+	bool isRough() const { return (bits_ & roughBit) != 0; }
 
 	Vec3f unpack() const { return {part(0), part(10), part(20)}; }
 
 private:
-	static constexpr std::uint32_t markBit = std::uint32_t(1) << 30;
+	static constexpr std::uint32_t pointedBit = std::uint32_t(1) << 30;
+	static constexpr std::uint32_t roughBit   = std::uint32_t(1) << 31;
 
 	std::uint32_t bits_;
 

@@ -298,7 +298,7 @@ void Preparation::connectOrRepair(IndexedMesh& mesh, Surface& surface)
 /// without area. Pieces that hold others together stay.
 void Preparation::dropFlatPieces(Surface& surface)
 {
-	const std::vector<int> flat = findFlatPieces(surface.mesh, workers_);
+	const std::vector<int> flat = findFlatPieces(surface, workers_);
 	if (flat.empty()) return;
 	if (int(flat.size()) == surface.mesh.faceNum)
 		throw Failure(Status::UnusableInput, "The surface has no area.");
