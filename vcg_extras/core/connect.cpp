@@ -35,11 +35,12 @@ struct SpokeFan {
 	};
 	End                leaving[few], coming[few];
 	int                leavingNum = 0, comingNum = 0;
-	std::vector<Spoke> all; ///< those beyond; after gatherAll() all
+	int                pairNum = 0; ///< of few ones
+	std::vector<Spoke> all;         ///< those beyond; after gatherAll() all
 
 	void clear()
 	{
-		leavingNum = comingNum = 0;
+		leavingNum = comingNum = pairNum = 0;
 		all.clear();
 	}
 	void addLeaving(int other, int halfEdge)
@@ -64,6 +65,20 @@ struct SpokeFan {
 			all.push_back({leaving[i].other, true, leaving[i].halfEdge});
 		for (int i = 0; i < std::min(comingNum, few); ++i)
 			all.push_back({coming[i].other, false, coming[i].halfEdge});
+	}
+	/// Appends the half-edges that have no opposite: for few ones, only counted where all have one.
+	void addUnpaired(const Buffer<int>& opposite, std::vector<int>& out) const
+	{
+		for (const Spoke& s : all) {
+			if (opposite[s.halfEdge] < 0) out.push_back(s.halfEdge);
+		}
+		if (!all.empty() || (pairNum == leavingNum && pairNum == comingNum)) return;
+		for (int i = 0; i < leavingNum; ++i) {
+			if (opposite[leaving[i].halfEdge] < 0) out.push_back(leaving[i].halfEdge);
+		}
+		for (int i = 0; i < comingNum; ++i) {
+			if (opposite[coming[i].halfEdge] < 0) out.push_back(coming[i].halfEdge);
+		}
 	}
 	/// Whether an edge leaves, or comes, more than once.
 	bool hasTwins() const
@@ -123,46 +138,13 @@ bool pairSpokes(SpokeFan& fan, Buffer<int>& opposite)
 		for (int i = 0; i < fan.leavingNum; ++i)
 			partner = fan.leaving[i].other == coming.other ? fan.leaving[i].halfEdge : partner;
 		opposite[coming.halfEdge] = partner;
-		if (partner >= 0) opposite[partner] = coming.halfEdge;
+		if (partner < 0) continue;
+		opposite[partner] = coming.halfEdge;
+		++fan.pairNum;
 	}
 	if (isManifold) return true;
 	fan.gatherAll();
 	return pairSortedSpokes(fan.all, opposite);
-}
-
-/// Of each face two half-edges have the first corner as their smaller end, and are found through
-/// faceStart; only the third one is bucketed.
-bool fillOpposites(const IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers,
-				   Buffer<int>& opposite)
-{
-	Buffer<int> thirdStart, third;
-	sortIntoBuckets(
-		mesh.faceNum, mesh.vertexNum,
-		[&](std::size_t f) { return std::min(mesh.triangle[3 * f + 1], mesh.triangle[3 * f + 2]); },
-		workers, thirdStart, third);
-
-	std::atomic<bool> isManifold{true};
-	opposite.reset(std::size_t(3) * mesh.faceNum);
-	workers.forRange(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
-		SpokeFan fan;
-		for (int v = int(begin); v < int(end); ++v) {
-			fan.clear();
-			for (int f = faceStart[v]; f < faceStart[v + 1]; ++f) {
-				fan.addLeaving(mesh.triangle[3 * f + 1], 3 * f);
-				fan.addComing(mesh.triangle[3 * f + 2], 3 * f + 2);
-			}
-			for (int i = thirdStart[v]; i < thirdStart[v + 1]; ++i) {
-				const int h = 3 * third[i] + 1;
-				const int a = mesh.triangle[h], b = mesh.triangle[h + 1];
-				if (a == v)
-					fan.addLeaving(b, h);
-				else
-					fan.addComing(a, h);
-			}
-			if (!pairSpokes(fan, opposite)) isManifold = false;
-		}
-	});
-	return isManifold;
 }
 
 void lowerTo(int& place, int value)
@@ -173,27 +155,85 @@ void lowerTo(int& place, int value)
 										__ATOMIC_RELAXED)) {}
 }
 
-/// A border half-edge where there is one; else one of the first face of the vertex' own range, or,
-/// for vertices that are no face's smallest, the smallest of all.
-void fillOutgoing(HalfEdgeMesh& m, const Buffer<int>& faceStart, Workers& workers)
-{
-	m.outgoing.reset(m.vertexNum);
-	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			m.outgoing[v] = faceStart[v] < faceStart[v + 1] ? 3 * faceStart[v] : -1;
-	});
-	const auto             beginsAnOwnFace = [&](int v) { return faceStart[v] < faceStart[v + 1]; };
-	const std::vector<int> border =
-		workers.collect<int>(m.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
-			for (int h = int(begin); h < int(end); ++h) {
-				const int v = m.origin[h];
-				if (!beginsAnOwnFace(v)) lowerTo(m.outgoing[v], h);
-				if (m.opposite[h] < 0) out.push_back(h);
-			}
+/// Pairs the half-edges at their smaller ends, and finds one that leaves each vertex, in one pass.
+class HalfEdgePairing {
+public:
+	HalfEdgePairing(const IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers,
+					HalfEdgeMesh& m) :
+			mesh_(mesh),
+			faceStart_(faceStart), workers_(workers), m_(m)
+	{
+	}
+
+	/// Fills m.opposite; and m.outgoing, if all is manifold, which is returned.
+	bool run()
+	{
+		sortIntoBuckets(
+			mesh_.faceNum, mesh_.vertexNum,
+			[&](std::size_t f) {
+				return std::min(mesh_.triangle[3 * f + 1], mesh_.triangle[3 * f + 2]);
+			},
+			workers_, thirdStart_, third_);
+		m_.opposite.reset(std::size_t(3) * mesh_.faceNum);
+		leaveByOwnFaces();
+
+		std::atomic<bool>      isManifold{true};
+		const std::vector<int> border = workers_.collect<int>(
+			mesh_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				SpokeFan fan;
+				for (int v = int(begin); v < int(end); ++v) {
+					gather(v, fan);
+					if (!pairSpokes(fan, m_.opposite)) isManifold = false;
+					fan.addUnpaired(m_.opposite, out);
+				}
+			});
+		for (int h : border)
+			m_.outgoing[mesh_.triangle[h]] = h;
+		return isManifold;
+	}
+
+private:
+	const IndexedMesh& mesh_;
+	const Buffer<int>& faceStart_; ///< of the faces that a vertex is the first corner of: its own
+	Workers&           workers_;
+	HalfEdgeMesh&      m_;
+	Buffer<int>        thirdStart_, third_; ///< faces by the smaller end of their second half-edge
+
+	bool hasOwnFaces(int v) const { return faceStart_[v] < faceStart_[v + 1]; }
+
+	/// A border half-edge where there is one; else one of the first face of the vertex' own range,
+	/// or, for vertices that are no face's smallest, the smallest of all.
+	void leaveByOwnFaces()
+	{
+		m_.outgoing.reset(mesh_.vertexNum);
+		workers_.forRange(mesh_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (int v = int(begin); v < int(end); ++v)
+				m_.outgoing[v] = hasOwnFaces(v) ? 3 * faceStart_[v] : -1;
 		});
-	for (int h : border)
-		m.outgoing[m.origin[h]] = h;
-}
+	}
+
+	/// Of each face two half-edges have the first corner as their smaller end, and are found
+	/// through faceStart; only the third one is bucketed.
+	void gather(int v, SpokeFan& fan)
+	{
+		fan.clear();
+		for (int f = faceStart_[v]; f < faceStart_[v + 1]; ++f) {
+			const int a = mesh_.triangle[3 * f + 1], b = mesh_.triangle[3 * f + 2];
+			fan.addLeaving(a, 3 * f);
+			fan.addComing(b, 3 * f + 2);
+			if (!hasOwnFaces(a)) lowerTo(m_.outgoing[a], 3 * f + 1);
+			if (!hasOwnFaces(b)) lowerTo(m_.outgoing[b], 3 * f + 2);
+		}
+		for (int i = thirdStart_[v]; i < thirdStart_[v + 1]; ++i) {
+			const int h = 3 * third_[i] + 1;
+			const int a = mesh_.triangle[h], b = mesh_.triangle[h + 1];
+			if (a == v)
+				fan.addLeaving(b, h);
+			else
+				fan.addComing(a, h);
+		}
+	}
+};
 
 /// What the faces seen on one turn round a vertex tell of the surface there.
 class Turn {
@@ -309,7 +349,7 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 			 Buffer<char>* notManifold)
 {
 	HalfEdgeMesh& m = surface.mesh;
-	if (!fillOpposites(mesh, faceStart, workers, m.opposite)) {
+	if (!HalfEdgePairing(mesh, faceStart, workers, m).run()) {
 		if (notManifold != nullptr) *notManifold = findNotManifold(mesh, m.opposite, workers);
 		return false;
 	}
@@ -317,7 +357,6 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 	m.faceNum   = mesh.faceNum;
 	m.position.swap(mesh.position);
 	m.origin.swap(mesh.triangle);
-	fillOutgoing(m, faceStart, workers);
 	if (!fillNormals(m, workers, surface.normal)) {
 		m.position.swap(mesh.position);
 		m.origin.swap(mesh.triangle);

@@ -485,9 +485,9 @@ void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& wor
 	std::vector<Operation> all = workers.collect<Operation>(
 		m.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
 			for (int h = int(begin); h < int(end); ++h) {
-				if (m.opposite[h] < 0 || !isFree(result, m.origin[h])) continue;
 				const int a = m.origin[h], b = m.target(h);
-				if (isShort(a, b)) out.push_back({0, length(m.position[b] - m.position[a]), h, 0});
+				if (!isShort(a, b) || m.opposite[h] < 0 || !isFree(result, a)) continue;
+				out.push_back({0, length(m.position[b] - m.position[a]), h, 0});
 			}
 		});
 	std::sort(all.begin(), all.end());

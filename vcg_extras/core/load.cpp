@@ -306,20 +306,24 @@ IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& coun
 
 FaceExtents measureFaces(const IndexedMesh& mesh, Workers& workers)
 {
+	constexpr std::size_t together = FaceExtents::facesTogether;
+	static_assert(Workers::pieceSize % together == 0);
 	FaceExtents extents;
-	extents.longestSquared.reset((mesh.faceNum + Workers::pieceSize - 1) / Workers::pieceSize);
+	extents.longestSquared.reset((std::size_t(mesh.faceNum) + together - 1) / together);
 	extents.area = workers.sum<double>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		double area    = 0;
-		float  longest = 0;
-		for (std::size_t f = begin; f < end; ++f) {
-			const int*  corner = &mesh.triangle[3 * f];
-			const Vec3f a = mesh.position[corner[0]], b = mesh.position[corner[1]],
-						c = mesh.position[corner[2]];
-			area += 0.5 * double(length(cross(b - a, c - a)));
-			longest = std::max(
-				{longest, squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+		double area = 0;
+		for (std::size_t group = begin; group < end; group += together) {
+			float longest = 0;
+			for (std::size_t f = group; f < std::min(group + together, end); ++f) {
+				const int*  corner = &mesh.triangle[3 * f];
+				const Vec3f a = mesh.position[corner[0]], b = mesh.position[corner[1]],
+							c = mesh.position[corner[2]];
+				area += 0.5 * double(length(cross(b - a, c - a)));
+				longest = std::max(
+					{longest, squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+			}
+			extents.longestSquared[group / together] = longest;
 		}
-		extents.longestSquared[begin / Workers::pieceSize] = longest;
 		return area;
 	});
 	return extents;

@@ -20,7 +20,10 @@ IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& coun
 /// What is asked of all faces, from one pass over them.
 struct FaceExtents {
 	double        area = 0;       ///< sum, working units squared, in double
-	Buffer<float> longestSquared; ///< edge of each Workers::pieceSize faces, working units squared
+	Buffer<float> longestSquared; ///< edge of each facesTogether faces, working units squared
+
+	/// So few that most are without a long edge where long edges are rare.
+	static constexpr std::size_t facesTogether = 64;
 };
 
 /// The same bits for any number of threads. Cost: linear, parallel.

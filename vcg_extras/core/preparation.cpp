@@ -346,7 +346,7 @@ std::int64_t Preparation::splitAsFarAsMemoryGoes(IndexedMesh& mesh, const FaceEx
 	std::vector<int> longFaces = findLongFaces(mesh, extents, longest, workers_);
 	if (double(longFaces.size()) < mostSingleFaces * mesh.faceNum) {
 		longest   = longestSingleEdge * p.radius;
-		longFaces = findLongFaces(mesh, longest, longFaces);
+		longFaces = findLongFaces(mesh, longest, longFaces, workers_);
 	}
 	noteStrayFaces(mesh, longFaces);
 	const double faces = facesAfterSplitting(mesh, longFaces, longest);

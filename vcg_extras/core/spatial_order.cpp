@@ -41,17 +41,20 @@ std::uint64_t keyOf(Keyed item)
 	return item >> indexBits;
 }
 
-/// Stable radix sort by the lowest `bits` bits of the keys, 11 bits a pass. Stable sorting has one
-/// outcome, so pieces can be sorted by any thread.
+/// Stable radix sort by the lowest `bits` bits of the keys, in as few passes as digits of 12 bits
+/// allow: with more of them there are more places to write to than caches hold. Stable sorting has
+/// one outcome, so pieces can be sorted by any thread.
 void radixSort(Buffer<Keyed>& items, int bits, Workers& workers)
 {
-	constexpr int         digitBits = 11;
-	constexpr std::size_t digitNum  = std::size_t(1) << digitBits;
-	const std::size_t     n         = items.size();
-	const std::size_t     pieceNum  = std::min<std::size_t>(64, n / 4096 + 1);
-	const std::size_t     pieceSize = (n + pieceNum - 1) / pieceNum;
-	Buffer<Keyed>         other(n);
-	Buffer<std::size_t>   place(pieceNum * digitNum);
+	constexpr int       mostDigitBits = 12;
+	const int           passNum       = (bits + mostDigitBits - 1) / mostDigitBits;
+	const int           digitBits     = (bits + passNum - 1) / passNum;
+	const std::size_t   digitNum      = std::size_t(1) << digitBits;
+	const std::size_t   n             = items.size();
+	const std::size_t   pieceNum      = std::min<std::size_t>(64, n / 4096 + 1);
+	const std::size_t   pieceSize     = (n + pieceNum - 1) / pieceNum;
+	Buffer<Keyed>       other(n);
+	Buffer<std::size_t> place(pieceNum * digitNum);
 
 	for (int shift = indexBits; shift < indexBits + bits; shift += digitBits) {
 		const auto digitOf = [&](std::size_t i) { return items[i] >> shift & (digitNum - 1); };

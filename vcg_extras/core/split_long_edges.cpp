@@ -315,17 +315,13 @@ private:
 	}
 };
 
-template <class MayBeLong>
-std::vector<int> facesToSplit(const IndexedMesh& mesh, const EdgeRule& rule,
-							  const MayBeLong& pieceMayBeLong, Workers& workers)
+/// Those of faces [begin, end).
+void addLongFaces(const IndexedMesh& mesh, const EdgeRule& rule, std::size_t begin, std::size_t end,
+				  std::vector<int>& out)
 {
-	return workers.collect<int>(mesh.faceNum,
-								[&](std::size_t begin, std::size_t end, std::vector<int>& out) {
-									if (!pieceMayBeLong(begin / Workers::pieceSize)) return;
-									for (int f = int(begin); f < int(end); ++f) {
-										if (rule.isLongFace(mesh, f)) out.push_back(f);
-									}
-								});
+	for (int f = int(begin); f < int(end); ++f) {
+		if (rule.isLongFace(mesh, f)) out.push_back(f);
+	}
 }
 
 /// Arrays come from loading with some room to spare; copying a large one takes a while.
@@ -377,23 +373,27 @@ std::int64_t runSplitter(Splitter& splitter, const std::vector<int>& longFaces, 
 std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
 							   Workers& workers)
 {
-	const Buffer<float> sameSize;
-	const EdgeRule      rule{maxLength * maxLength, sameSize};
-	return facesToSplit(
-		mesh, rule,
-		[&](std::size_t piece) { return rule.isLong(extents.longestSquared[piece], 1); }, workers);
+	constexpr std::size_t together = FaceExtents::facesTogether;
+	const Buffer<float>   sameSize;
+	const EdgeRule        rule{maxLength * maxLength, sameSize};
+	return workers.collect<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+		for (std::size_t f = begin; f < end; f += together) {
+			if (!rule.isLong(extents.longestSquared[f / together], 1)) continue;
+			addLongFaces(mesh, rule, f, std::min(f + together, end), out);
+		}
+	});
 }
 
 std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
-							   const std::vector<int>& among)
+							   const std::vector<int>& among, Workers& workers)
 {
 	const Buffer<float> sameSize;
 	const EdgeRule      rule{maxLength * maxLength, sameSize};
-	std::vector<int>    faces;
-	for (int f : among) {
-		if (rule.isLongFace(mesh, f)) faces.push_back(f);
-	}
-	return faces;
+	return workers.collect<int>(among.size(), [&](std::size_t begin, std::size_t end, auto& out) {
+		for (std::size_t i = begin; i < end; ++i) {
+			if (rule.isLongFace(mesh, among[i])) out.push_back(among[i]);
+		}
+	});
 }
 
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
@@ -416,8 +416,11 @@ std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, const Buffer<flo
 							std::int64_t maxFaces, Workers& workers)
 {
 	Splitter               splitter(mesh, maxLength, size, maxFaces);
-	const std::vector<int> longFaces = facesToSplit(
-		mesh, {maxLength * maxLength, size}, [](std::size_t) { return true; }, workers);
+	const EdgeRule         rule{maxLength * maxLength, size};
+	const std::vector<int> longFaces =
+		workers.collect<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+			addLongFaces(mesh, rule, begin, end, out);
+		});
 	return runSplitter(splitter, longFaces, mesh, workers);
 }
 

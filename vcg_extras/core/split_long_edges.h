@@ -28,13 +28,13 @@ constexpr float leastNeedleLength = 16;
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
 							Workers& workers);
 
-/// Faces with an edge longer than maxLength, ascending. Cost: a parallel pass over the pieces of
-/// the mesh that have such an edge.
+/// Faces with an edge longer than maxLength, ascending. Cost: a parallel pass over the groups of
+/// faces that have such an edge.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
 							   Workers& workers);
 /// Those among some faces. Cost: theirs alone.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
-							   const std::vector<int>& among);
+							   const std::vector<int>& among, Workers& workers);
 /// The same for long faces that are known already. Cost: theirs alone.
 std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
 							std::int64_t maxFaces, Workers& workers);
