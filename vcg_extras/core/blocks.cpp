@@ -14,6 +14,23 @@ int levelFor(const MortonGrid& grid, float minCellSize)
 	return level;
 }
 
+/// Where after v, at `end` at the latest, the vertices of its cell end. They are in the order of
+/// the cells, so that few are looked at: steps get longer, and the last one is halved.
+template <class CellOf>
+int endOfCell(const CellOf& cellOf, int v, int end)
+{
+	const std::uint64_t cell = cellOf(v);
+	int                 step = 1;
+	while (step < end - v && cellOf(v + step) == cell)
+		step *= 2;
+	int inside = v + step / 2, outside = std::min(v + step, end);
+	while (outside - inside > 1) {
+		const int middle                            = inside + (outside - inside) / 2;
+		(cellOf(middle) == cell ? inside : outside) = middle;
+	}
+	return outside;
+}
+
 } // namespace
 
 BlockPartition cutIntoBlocks(const Surface& surface, float minCellSize, Workers& workers)
@@ -22,14 +39,12 @@ BlockPartition cutIntoBlocks(const Surface& surface, float minCellSize, Workers&
 	const MortonGrid&   grid  = surface.grid;
 	const int           level = levelFor(grid, minCellSize);
 
+	const auto             cellOf = [&](int v) { return grid.cell(m.position[v], level); };
 	const std::vector<int> begins =
 		workers.collect<int>(m.vertexNum, [&](std::size_t from, std::size_t to, auto& out) {
-			constexpr std::uint64_t none = ~std::uint64_t(0); // no cell has this number
-			std::uint64_t before = from == 0 ? none : grid.cell(m.position[from - 1], level);
-			for (std::size_t v = from; v < to; ++v) {
-				const std::uint64_t here = grid.cell(m.position[v], level);
-				if (here != before) out.push_back(int(v));
-				before = here;
+			const int end = int(to);
+			for (int v = int(from); v < end; v = endOfCell(cellOf, v, end)) {
+				if (v == 0 || cellOf(v) != cellOf(v - 1)) out.push_back(v);
 			}
 		});
 
