@@ -128,7 +128,7 @@ class Measuring:
     def _run_once(self, method, mesh, file, goal):
         """Other simplifiers may be missing, or fail; that is no reason to measure nothing."""
         try:
-            record = method.run(self.programs, file, goal)
+            record = method.run(self.programs, file, mesh["faces"], goal)
         except RunFailed as failure:
             if method.preset:
                 raise

@@ -5,6 +5,7 @@
 import os
 import signal
 import subprocess
+import sys
 import tempfile
 import threading
 import time
@@ -35,6 +36,12 @@ def measured(command, standard_output=subprocess.DEVNULL):
         watched = [MEMORY_WATCH, "-f", "%M", "-o", peak.name, *map(str, command)]
         wall, processor = _run(watched, standard_output)
         return OutsideFigures(wall, processor, int(peak.read()) * 1024)
+
+
+def touch_memory(byte_num):
+    """Takes so much memory, writes to it and gives it back. Hosts of virtual machines take away what
+    lies unused for some seconds; getting it back would be counted to the next run."""
+    subprocess.run([sys.executable, "-c", f"b'1' * {byte_num}"], check=True)
 
 
 def _run(command, standard_output):

@@ -7,7 +7,7 @@ import json
 from dataclasses import dataclass
 from pathlib import Path
 
-from measured_run import measured
+from measured_run import measured, touch_memory
 
 PERCENT = 10  # of the vertices, of all runs
 # Keys of the report's "seconds" that are no stages of the engine.
@@ -30,14 +30,16 @@ class Method:
     key: str
     label: str
     threads: int
+    bytes_per_face: int  # of the input, about what a run needs
     preset: str = ""  # of gpremesh; empty: another simplifier
     most_faces: float = float("inf")  # of the input; larger ones take too long
 
-    def run(self, programs, mesh, face_num):
-        """One run; face_num is the number of faces that other simplifiers are to reach."""
+    def run(self, programs, mesh, face_num, goal):
+        """One run; goal is the number of faces that other simplifiers are to reach."""
+        touch_memory(self.bytes_per_face * face_num)
         if self.preset:
             return self._run_gpremesh(programs, mesh)
-        return self._run_peer(programs, mesh, face_num)
+        return self._run_peer(programs, mesh, goal)
 
     def _run_gpremesh(self, programs, mesh):
         result = programs.work / "result.ply"
@@ -51,12 +53,12 @@ class Method:
         stages = {key: value for key, value in seconds.items() if key not in NO_STAGES}
         return _record(seconds["remesh"], outside, report["result"], result, stages)
 
-    def _run_peer(self, programs, mesh, face_num):
+    def _run_peer(self, programs, mesh, goal):
         result = programs.work / "result.ply"
         output = programs.work / "peer.json"
         with output.open("w") as told:
             outside = measured([
-                programs.path("gpr_bench_peer"), self.key, mesh, result, str(face_num)], told)
+                programs.path("gpr_bench_peer"), self.key, mesh, result, str(goal)], told)
         figures = json.loads(output.read_text())
         return _record(figures["seconds"], outside, figures, result, {})
 
@@ -79,10 +81,10 @@ def _record(seconds, outside, counts, result, stages):
 def all_methods():
     """The default first: its number of faces is the goal of the other simplifiers."""
     return [
-        Method("default-2", "gpremesh, default", 2, "default"),
-        Method("default-1", "gpremesh, default", 1, "default"),
-        Method("fast-2", "gpremesh, fast", 2, "fast"),
-        Method("fast-1", "gpremesh, fast", 1, "fast"),
-        Method("meshoptimizer", "meshoptimizer", 1),
-        Method("quadric", "Quadric Edge Collapse", 1, most_faces=10e6),
+        Method("default-2", "gpremesh, default", 2, 80, "default"),
+        Method("default-1", "gpremesh, default", 1, 80, "default"),
+        Method("fast-2", "gpremesh, fast", 2, 80, "fast"),
+        Method("fast-1", "gpremesh, fast", 1, 80, "fast"),
+        Method("meshoptimizer", "meshoptimizer", 1, 150, most_faces=40e6),
+        Method("quadric", "Quadric Edge Collapse", 1, 400, most_faces=10e6),
     ]
