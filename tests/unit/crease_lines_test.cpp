@@ -210,6 +210,29 @@ TEST_F(MarkCreases, FromTheAngleGivenOn)
 	}
 }
 
+/// Few vertices are looked at, and not by this angle: none may be missing.
+TEST_F(MarkCreases, AllAreFoundOnNoiseOfAnyKind)
+{
+	rules.mode        = FeatureMode::Lines;
+	rules.leastLength = rules.leastLoop = rules.leastTwig = 0;
+	int seed                                              = 0;
+	for (double noise : {0.005, 0.02, 0.05}) {
+		for (float angle : {25.0f, 30.5f, 31.0f, 40.0f, 75.0f}) {
+			rules.strongDeg = rules.weakDeg = angle; // nothing grows
+			Random random(++seed);
+			mark(noisySphere(4, noise, random));
+			const HalfEdgeMesh& m = surface.mesh;
+			for (int h = 0; h < m.halfEdgeNum(); ++h) {
+				const float between =
+					angleBetween(m.faceCross(h / 3), m.faceCross(m.opposite[h] / 3));
+				if (between < (angle + 0.01f) * float(radians)) continue;
+				ASSERT_TRUE(m.isCreaseEdge(h)) << noise << ", " << angle;
+			}
+		}
+	}
+	EXPECT_GT(found.edgeNum, 0) << "the test wants noise with sharp edges";
+}
+
 /// 80° at the border, nothing at the other: the line goes on from 40° down to 20°.
 TEST_F(MarkCreases, FadeOut)
 {
