@@ -134,7 +134,7 @@ TEST(HalfEdgeMesh, TurnsRoundAVertexSeeEveryNeighbourOnce)
 	}
 }
 
-/// Which vertices of a mesh are rough, by its caller's numbers of their positions.
+/// Where the rough vertices of a mesh lie, in working units.
 std::vector<Vec3f> roughPlaces(const TriangleMesh& mesh)
 {
 	const Connected    c(mesh);

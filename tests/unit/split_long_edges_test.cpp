@@ -72,8 +72,8 @@ TEST(SplitLongEdgesOf, ShortEdgesNothingChanges)
 	EXPECT_EQ(meshOf(m).triangles, before.triangles);
 }
 
-/// The search leaves out pieces of the mesh without a long edge, whatever piece has one.
-TEST(SplitLongEdgesOf, LongFacesAreFoundInEveryPiece)
+/// The search leaves out groups of faces without a long edge, whatever group has one.
+TEST(SplitLongEdgesOf, LongFacesAreFoundInEveryGroup)
 {
 	Workers           workers(2, nullptr);
 	const IndexedMesh m = loaded(joined(icosphere(5), scaled(icosphere(2), 0.9)), workers);
@@ -91,6 +91,19 @@ TEST(SplitLongEdgesOf, LongFacesAreFoundInEveryPiece)
 		}
 		EXPECT_EQ(findLongFaces(m, measureFaces(m, workers), most, workers), expected) << most;
 	}
+}
+
+TEST(SplitLongEdgesOf, ALongFaceIsFoundAtTheVeryEnd)
+{
+	Workers      workers(2, nullptr);
+	TriangleMesh mesh = icosphere(3);
+	ASSERT_NE((mesh.faceNum() + 1) % FaceExtents::facesTogether, 0u);
+	const int n = int(mesh.vertexNum());
+	mesh.positions.insert(mesh.positions.end(), {{0, 0, 3}, {2, 0, 3}, {0, 2, 3}});
+	mesh.triangles.insert(mesh.triangles.end(), {n, n + 1, n + 2});
+	const IndexedMesh m = loaded(mesh, workers);
+	EXPECT_EQ(findLongFaces(m, measureFaces(m, workers), 0.2f, workers),
+			  std::vector<int>{m.faceNum - 1});
 }
 
 /// One huge face beside small ones, as stray triangles of scans are: only it and what it touches

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "blocks.h"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace gpr {
 
 namespace {

@@ -4,6 +4,7 @@
 
 #include "counting_sort.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <vector>
@@ -155,7 +156,9 @@ void lowerTo(int& place, int value)
 										__ATOMIC_RELAXED)) {}
 }
 
-/// Pairs the half-edges at their smaller ends, and finds one that leaves each vertex, in one pass.
+/// Pairs the half-edges at their smaller ends, and finds one that leaves each vertex, in one pass:
+/// a border half-edge where there is one; else one of the first of the vertex' own faces, or, for
+/// vertices that are no face's smallest, the smallest of all.
 class HalfEdgePairing {
 public:
 	HalfEdgePairing(const IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers,
@@ -201,8 +204,6 @@ private:
 
 	bool hasOwnFaces(int v) const { return faceStart_[v] < faceStart_[v + 1]; }
 
-	/// A border half-edge where there is one; else one of the first face of the vertex' own range,
-	/// or, for vertices that are no face's smallest, the smallest of all.
 	void leaveByOwnFaces()
 	{
 		m_.outgoing.reset(mesh_.vertexNum);
@@ -210,6 +211,12 @@ private:
 			for (int v = int(begin); v < int(end); ++v)
 				m_.outgoing[v] = hasOwnFaces(v) ? 3 * faceStart_[v] : -1;
 		});
+	}
+
+	/// For a vertex without faces of its own, which several threads may come across.
+	void leaveByOther(int v, int h)
+	{
+		if (!hasOwnFaces(v)) lowerTo(m_.outgoing[v], h);
 	}
 
 	/// Of each face two half-edges have the first corner as their smaller end, and are found
@@ -221,8 +228,8 @@ private:
 			const int a = mesh_.triangle[3 * f + 1], b = mesh_.triangle[3 * f + 2];
 			fan.addLeaving(a, 3 * f);
 			fan.addComing(b, 3 * f + 2);
-			if (!hasOwnFaces(a)) lowerTo(m_.outgoing[a], 3 * f + 1);
-			if (!hasOwnFaces(b)) lowerTo(m_.outgoing[b], 3 * f + 2);
+			leaveByOther(a, 3 * f + 1);
+			leaveByOther(b, 3 * f + 2);
 		}
 		for (int i = thirdStart_[v]; i < thirdStart_[v + 1]; ++i) {
 			const int h = 3 * third_[i] + 1;

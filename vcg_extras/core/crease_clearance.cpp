@@ -3,7 +3,6 @@
 #include "crease_clearance.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gpr {
 

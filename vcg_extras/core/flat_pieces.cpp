@@ -3,7 +3,6 @@
 #include "flat_pieces.h"
 
 #include "box.h"
-#include "sort_unique.h"
 
 #include <algorithm>
 #include <atomic>
@@ -51,21 +50,22 @@ bool isThin(const IndexedMesh& m, int f)
 	return isThin(m.position[v[0]], m.position[v[1]], m.position[v[2]]);
 }
 
-/// Ascending. All corners of a thin face are rough.
+/// Ascending. All corners of a thin face are rough, with a margin for rounding; it is looked at
+/// from its first.
 std::vector<int> findThin(const Surface& surface, Workers& workers)
 {
-	static_assert(roughWidth >= leastWidth);
+	static_assert(roughWidth >= 1.5f * leastWidth);
 	const HalfEdgeMesh& m    = surface.mesh;
 	std::vector<int>    thin = workers.collect<int>(
         m.vertexNum, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
             for (int v = int(begin); v < int(end); ++v) {
                 if (!surface.normal[v].isRough()) continue;
                 forEachOutgoing(m, v, [&](int h) {
-                    if (isThin(m, h / 3)) out.push_back(h / 3);
+                    if (h % 3 == 0 && isThin(m, h / 3)) out.push_back(h / 3);
                 });
             }
         });
-	sortUnique(thin);
+	std::sort(thin.begin(), thin.end());
 	return thin;
 }
 

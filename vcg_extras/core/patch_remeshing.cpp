@@ -12,7 +12,6 @@
 #include "vain_tries.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gpr {
 
