@@ -32,7 +32,7 @@ class Method:
     threads: int
     bytes_per_face: int  # of the input, about what a run needs
     preset: str = ""  # of gpremesh; empty: another simplifier
-    most_faces: float = float("inf")  # of the input; larger ones take too long, or too much memory
+    most_faces: float = float("inf")  # of the input; larger ones take too long
 
     def run(self, programs, mesh, face_num, goal):
         """One run; goal is the number of faces that other simplifiers are to reach."""

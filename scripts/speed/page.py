@@ -15,7 +15,7 @@ def write_page(data, methods, picture_name, path):
 def _page(data, methods, picture_name):
     parts = [
         "<!-- Made by scripts/bench; do not edit. -->\n# Speed\n",
-        _how_to_read(),
+        _how_to_read() + _left_out(methods),
         "## Ratios\n\n" + _ratios(data["meshes"], methods),
         "## Whole runs\n\n" + _whole_runs(data["meshes"], methods),
         "## Growth\n\n" + _growth(data["meshes"], methods, picture_name),
@@ -46,13 +46,17 @@ ratios are taken within a round: they say more than seconds, which belong to thi
 - **peak**: the largest resident memory of the program as the system tells it (`ru_maxrss`), pages of the mapped input file
   included, which the system may take back at any time; **B/face** is that over the faces of the input. Of the other simplifiers
   it includes the arrays that their own meshes were made from.
-- Quadric Edge Collapse is not run above 10 million faces, meshoptimizer not above 40 million: they would take an hour, and twice
-  the memory.
 - Before each run as much memory as it will need is taken, written to and given back: the hosts of virtual machines take away
   what lies unused for some seconds, and to get it back takes longer than many a stage.
 - A ratio of 3 means: the other simplifier takes three times as long. Triangles are not alike: what each method makes of a mesh
   is in [measurements.md](measurements.md) and [measurements_paper.md](measurements_paper.md).
 """
+
+
+def _left_out(methods):
+    limits = [f"{m.label} above {m.most_faces / 1e6:.0f} million faces" for m in methods.values()
+              if m.most_faces != float("inf")]
+    return f"- Left out, for the time it takes: {', '.join(limits)}.\n"
 
 
 # ---- tables

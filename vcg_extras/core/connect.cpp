@@ -248,7 +248,8 @@ public:
 	/// The face with these edges from the vertex, next to the one before.
 	void add(const Vec3f& a, const Vec3f& b)
 	{
-		const Face      face   = {cross(a, b), length(cross(a, b))};
+		const Vec3f     normal = cross(a, b);
+		const Face      face   = {normal, length(normal)};
 		const float     longer = std::max(squaredLength(a), squaredLength(b));
 		constexpr float narrow = 2 * roughWidth; // the third edge may be twice as long
 		isRough_ |= face.area * face.area <= narrow * narrow * longer;

@@ -163,18 +163,19 @@ private:
 
 	int kindOfTry(bool isPair) const { return 2 * int(isCrossing_) + int(isPair); }
 
-	/// Whether f is to be treated; finds what the patch that this may change may cross.
-	bool takeUp(int f, bool isPair)
+	/// The patch to be changed for f, once it is known what that may cross; empty where f is not to
+	/// be treated.
+	std::vector<int> takeUp(int f, bool isPair)
 	{
-		if (isDeadFace(m_, f) || (!isCrossing_ && smallestAngle(m_, f) >= angle_)) return false;
+		if (isDeadFace(m_, f) || (!isCrossing_ && smallestAngle(m_, f) >= angle_)) return {};
 		const int kind = kindOfTry(isPair);
-		if (tries_.isVain(m_, f, kind)) return false;
+		if (tries_.isVain(m_, f, kind)) return {};
 		workers_.poll();
-		near_ = facesNear(m_, facesRound(m_, patchFor(f, isPair)), meanEdge(m_.origin[3 * f]),
-						  workers_);
-		if (!isCrossing_ || countCrossingPairs(m_, {f}, near_) > 0) return true;
+		std::vector<int> patch = patchFor(f, isPair);
+		near_ = facesNear(m_, facesRound(m_, patch), meanEdge(m_.origin[3 * f]), workers_);
+		if (!isCrossing_ || countCrossingPairs(m_, {f}, near_) > 0) return patch;
 		tries_.noteVain(m_, f, kind);
-		return false;
+		return {};
 	}
 
 	/// All vertices that a change at f may concern, or two in a row.
@@ -188,7 +189,7 @@ private:
 
 	void treat(int f)
 	{
-		if (triesLeft_ == 0 || !takeUp(f, false)) return;
+		if (triesLeft_ == 0 || takeUp(f, false).empty()) return;
 		--triesLeft_;
 		Operation best;
 		float     bestGain = 0;
@@ -208,9 +209,10 @@ private:
 	/// sharpest.
 	void treatTwice(int f)
 	{
-		if (pairsLeft_ == 0 || !takeUp(f, true)) return;
+		if (pairsLeft_ == 0) return;
+		const std::vector<int> round = takeUp(f, true);
+		if (round.empty()) return;
 		--pairsLeft_;
-		const std::vector<int> round  = patchFor(f, true);
 		const Before           before = lookAt(round);
 		const State            state  = stateOf(before);
 		std::vector<Operation> best;
