@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "face_quality.h"
-#include "mesh_edit.h"
 
+#include "mesh_edit.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,9 +4,9 @@
 #define VCG_EXTRAS_CORE_MESH_FACE_QUALITY_H
 
 #include "half_edge_mesh.h"
+
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/base/workers.h>
-
 
 #include <vector>
 

@@ -4,8 +4,8 @@
 #define VCG_EXTRAS_CORE_SURFACE_BARYCENTRIC_POINT_H
 
 #include "surface_point.h"
-#include <vcg_extras/core/mesh_view.h>
 
+#include <vcg_extras/core/mesh_view.h>
 
 namespace gpr {
 

@@ -5,9 +5,9 @@
 
 #include "result_mesh.h"
 #include "surface_point.h"
+
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
-
 
 namespace gpr {
 
