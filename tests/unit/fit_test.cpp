@@ -13,7 +13,7 @@
 #include <vcg_extras/core/base/symmetric_matrix.h>
 #include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/optimization/angle_mending.h>
+#include <vcg_extras/core/optimization/face_goals.h>
 #include <vcg_extras/core/optimization/curve_slide.h>
 #include <vcg_extras/core/optimization/fit.h>
 #include <vcg_extras/core/optimization/worst_distances.h>
@@ -499,9 +499,20 @@ int numBelow(const Laid& laid, float angleDeg)
 							 [&](float a) { return a < angleDeg * 3.14159265f / 180; }));
 }
 
+/// By moves and flips. False if the budget ended the search.
+template <class OnMesh>
+bool raiseAngles(OnMesh& on, float angleDeg)
+{
+	const Cells  map(on.surface, on.result, on.workers);
+	Assignment   assignment(on.surface, map, on.result.mesh.faceNum);
+	std::int64_t work = 100000000;
+	LocalSearch  search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
+	return search.run(smallAngles(search, on.workers, angleDeg * radians, 2, keepingCount));
+}
+
 } // namespace
 
-TEST(MendAngles, RaisesMostOfThemAndKeepsTheDistance)
+TEST(SmallAngles, RaisesMostOfThemAndKeepsTheDistance)
 {
 	Laid               laid   = jitteredOnRoof();
 	const TriangleMesh before = meshOf(laid.result.mesh);
@@ -509,7 +520,7 @@ TEST(MendAngles, RaisesMostOfThemAndKeepsTheDistance)
 	const int          poor   = numBelow(laid, 30);
 	ASSERT_GT(poor, 20);
 	ASSERT_TRUE(findCrossingFaces(laid.result.mesh, laid.workers).empty());
-	EXPECT_TRUE(mendAngles(laid.surface, laid.boundary, 32, laid.result, laid.workers));
+	EXPECT_TRUE(raiseAngles(laid, 32));
 	EXPECT_LT(numBelow(laid, 30), 0.3 * poor);
 	EXPECT_LT(laid.rms(), 1.05 * error);
 	EXPECT_TRUE(isSoundTable(laid.result.mesh));
@@ -517,13 +528,13 @@ TEST(MendAngles, RaisesMostOfThemAndKeepsTheDistance)
 	EXPECT_TRUE(findCrossingFaces(laid.result.mesh, laid.workers).empty());
 }
 
-TEST(MendAngles, LeavesBordersAndPinnedVerticesAlone)
+TEST(SmallAngles, LeavesBordersAndPinnedVerticesAlone)
 {
 	Laid laid = jitteredOnRoof();
 	for (int v = 0; v < laid.result.mesh.vertexNum; v += 3)
 		laid.result.vertex[v].isPinned = true;
 	const std::vector<Vec3f> before = positionsOf(laid.result.mesh);
-	mendAngles(laid.surface, laid.boundary, 32, laid.result, laid.workers);
+	raiseAngles(laid, 32);
 	EXPECT_NE(positionsOf(laid.result.mesh), before);
 	for (int v = 0; v < laid.result.mesh.vertexNum; ++v) {
 		if (v % 3 == 0 || laid.result.mesh.isBorderVertex(v)) {
@@ -532,19 +543,19 @@ TEST(MendAngles, LeavesBordersAndPinnedVerticesAlone)
 	}
 }
 
-TEST(MendAngles, ChangesNothingWhereNoAngleIsPoor)
+TEST(SmallAngles, ChangesNothingWhereNoAngleIsPoor)
 {
 	Laid                     laid   = jitteredOnRoof();
 	const std::vector<Vec3f> before = positionsOf(laid.result.mesh);
-	EXPECT_TRUE(mendAngles(laid.surface, laid.boundary, 0.001f, laid.result, laid.workers));
+	EXPECT_TRUE(raiseAngles(laid, 0.001f));
 	EXPECT_EQ(positionsOf(laid.result.mesh), before);
 }
 
-TEST(MendAngles, DoesNotDependOnThreads)
+TEST(SmallAngles, DoesNotDependOnThreads)
 {
 	Laid one = jitteredOnRoof(1), three = jitteredOnRoof(3);
-	mendAngles(one.surface, one.boundary, 32, one.result, one.workers);
-	mendAngles(three.surface, three.boundary, 32, three.result, three.workers);
+	raiseAngles(one, 32);
+	raiseAngles(three, 32);
 	EXPECT_EQ(positionsOf(one.result.mesh), positionsOf(three.result.mesh));
 	EXPECT_EQ(one.result.flipNum, three.result.flipNum);
 }
@@ -559,30 +570,30 @@ OnSurface crowdedBorder()
 	return OnSurface(mesh);
 }
 
-TEST(MendAngles, SlidesVerticesAlongTheBorder)
+TEST(SmallAngles, SlidesVerticesAlongTheBorder)
 {
 	OnSurface    on   = crowdedBorder();
 	const double area = factsOf(meshOf(on.m())).area;
 	ASSERT_LT(on.leastAngleDeg(), 20);
-	EXPECT_TRUE(mendAngles(on.surface, on.boundary, 32, on.result, on.workers));
+	EXPECT_TRUE(raiseAngles(on, 32));
 	EXPECT_GT(on.leastAngleDeg(), 32);
 	EXPECT_NEAR(factsOf(meshOf(on.m())).area / area, 1, 1e-5);
 	on.expectOnSurface();
 	on.expectSound();
 }
 
-TEST(MendAngles, LeavesPinnedVerticesOfTheBorder)
+TEST(SmallAngles, LeavesPinnedVerticesOfTheBorder)
 {
 	OnSurface on = crowdedBorder();
 	for (ResultVertex& v : on.result.vertex)
 		v.isPinned = v.curve >= 0;
 	const HalfEdgeMesh before = copyOf(on.m());
-	mendAngles(on.surface, on.boundary, 32, on.result, on.workers);
+	raiseAngles(on, 32);
 	for (int v = 0; v < before.vertexNum; ++v) {
 		if (!before.isBorderVertex(v)) continue;
 		EXPECT_EQ(on.m().position[v], before.position[v]) << v;
 	}
-	EXPECT_LT(on.leastAngleDeg(), 32) << "the vertices inside cannot mend that alone";
+	EXPECT_LT(on.leastAngleDeg(), 32) << "the vertices inside cannot repair that alone";
 }
 
 TEST(SlideKeepsSpacing, UnlessVerticesWereCrowdedBefore)

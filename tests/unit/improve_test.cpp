@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The stages that improve a result: flips, count, relaxation, worst angles, folds. Each starts from
+// The stages that improve a result: flips, count, relaxation, inverted faces. Each starts from
 // a result whose vertices are those of the surface itself.
 
 #include <tests/support/mesh_audit.h>
@@ -14,10 +14,9 @@
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/exact_count.h>
-#include <vcg_extras/core/optimization/fold_repair.h>
+#include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/umbrella_smoothing.h>
-#include <vcg_extras/core/optimization/worst_triangles.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
@@ -331,24 +330,6 @@ TEST(RelaxOnceKeeps, VerticesOnCreasesInPlace)
 	}
 }
 
-TEST(RaiseWorstAngles, RaisesThemAndStaysOnTheSurface)
-{
-	Random random(5);
-	for (const TriangleMesh& mesh :
-		 {jitteredGrid(30, 0.45, random), noisySphere(3, 0.02, random)}) {
-		OnSurface    on(mesh);
-		const double before  = on.leastAngleDeg();
-		const double below30 = measureQuality(meshOf(on.m()).view()).below30Percent;
-		raiseWorstAngles(on.surface, 32, on.result, on.workers);
-		EXPECT_GE(on.leastAngleDeg(), before);
-		if (below30 > 0) {
-			EXPECT_LT(measureQuality(meshOf(on.m()).view()).below30Percent, 0.5 * below30);
-		}
-		on.expectSound();
-		on.expectOnSurface();
-	}
-}
-
 int wrongFaces(OnSurface& on)
 {
 	const Buffer<Vec3f> normals = smoothNormals(on.surface, on.result, on.workers);
@@ -370,16 +351,15 @@ int fold(OnSurface& on, int every)
 	return wrongFaces(on);
 }
 
-TEST(MendFolds, MendsNearlyAllAndCountsTheRest)
+TEST(RepairInvertedFaces, TurnsMostOfThem)
 {
 	for (bool mayCollapse : {false, true}) {
 		OnSurface          on(grid(30, 30));
 		const TriangleMesh before = meshOf(on.m());
 		const int          wrong  = fold(on, 97);
 		ASSERT_GT(wrong, 5);
-		const int left = mendFolds(on.surface, on.boundary, mayCollapse, on.result, on.workers);
-		EXPECT_LE(left, mayCollapse ? wrong / 4 : wrong / 2) << "of " << wrong;
-		EXPECT_GE(left, wrongFaces(on)) << "those that nearly do are counted too";
+		repairInvertedFaces(on.surface, on.boundary, mayCollapse, on.result, on.workers);
+		EXPECT_LE(wrongFaces(on), mayCollapse ? wrong / 4 : wrong / 2) << "of " << wrong;
 		EXPECT_TRUE(isSoundTable(on.m()));
 		on.expectOnSurface();
 		EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));
@@ -389,13 +369,21 @@ TEST(MendFolds, MendsNearlyAllAndCountsTheRest)
 	}
 }
 
-TEST(MendFolds, LeavesAGoodMeshAlone)
+TEST(RepairInvertedFaces, LeavesAGoodMeshAlone)
 {
 	OnSurface          on(icosphere(3));
 	const TriangleMesh before = meshOf(on.m());
-	EXPECT_EQ(mendFolds(on.surface, on.boundary, true, on.result, on.workers), 0);
+	repairInvertedFaces(on.surface, on.boundary, true, on.result, on.workers);
 	EXPECT_EQ(meshOf(on.m()).triangles, before.triangles);
 	EXPECT_TRUE(meshOf(on.m()).positions == before.positions);
+}
+
+TEST(RepairInvertedFaces, DoesNotDependOnThreads)
+{
+	expectSameForAnyThreads(grid(30, 30), [](OnSurface& on, Workers& workers) {
+		fold(on, 97);
+		repairInvertedFaces(on.surface, on.boundary, true, on.result, workers);
+	});
 }
 
 TEST(TriangleMeasures, AreThoseOfKnownTriangles)

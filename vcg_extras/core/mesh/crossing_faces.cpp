@@ -2,24 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crossing_faces.h"
 
+#include "face_boxes.h"
 #include "mesh_edit.h"
 #include "sectors.h"
-#include "spatial_order.h"
 
 #include <vcg_extras/core/base/box.h>
-#include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/sort_unique.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <iterator>
 
 namespace gpr {
 
 namespace {
 
-/// Boxes below one node of the tree.
-constexpr int fanOut = 4;
+constexpr int fanOut = FaceBoxes::fanOut;
 /// Level whose nodes look for each other; 16 faces then share one way through the tree.
 constexpr int groupLevel = 2;
 constexpr int groupSize  = fanOut * fanOut;
@@ -121,28 +120,18 @@ bool facesCross(const HalfEdgeMesh& m, int f, int g, const SharedCorners& shared
 						   : crossApart(m, f, g);
 }
 
-Box<float> boxOf(const HalfEdgeMesh& m, int f)
-{
-	Box<float> box;
-	for (int h = 3 * f; h < 3 * f + 3; ++h)
-		box.add(m.position[m.origin[h]]);
-	return box;
-}
-
 class CrossingSearch {
 public:
 	/// wanted: per face, whether its crossings are looked for; empty: all faces'.
 	CrossingSearch(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers) :
-			m_(mesh), wanted_(wanted), workers_(workers)
+			m_(mesh), wanted_(wanted), workers_(workers), boxes_(mesh, wanted, workers)
 	{
-		orderFaces();
-		buildTree();
 	}
 
 	std::vector<int> run()
 	{
 		findFlatStars();
-		const std::size_t groupNum = (face_.size() + groupSize - 1) / groupSize;
+		const std::size_t groupNum = (std::size_t(boxes_.faceNum()) + groupSize - 1) / groupSize;
 		std::vector<int>  found =
 			workers_.collect<int>(groupNum, [&](std::size_t begin, std::size_t end, auto& out) {
 				std::vector<Node> stack;
@@ -159,104 +148,11 @@ private:
 		int level, index;
 	};
 
-	const HalfEdgeMesh&             m_;
-	const std::vector<char>&        wanted_;
-	Workers&                        workers_;
-	Buffer<char>                    isFlat_; ///< per vertex
-	Buffer<int>                     face_;   ///< in an order in which neighbours lie close together
-	std::vector<Buffer<Box<float>>> level_;  ///< of the tree: level 0 has a box for each of face_
-
-	Box<float> boxOf(int f) const { return gpr::boxOf(m_, f); }
-
-	void orderFaces()
-	{
-		const Box<float> all =
-			workers_.sum<Box<float>>(m_.faceNum, [&](std::size_t begin, std::size_t end) {
-				Box<float> part;
-				for (std::size_t f = begin; f < end; ++f)
-					part += boxOf(int(f));
-				return part;
-			});
-		const Vec3f size = all.high - all.low;
-		MortonGrid  grid;
-		grid.low                   = all.low;
-		grid.cubeSize              = std::max(size.x, std::max(size.y, size.z)) + 1e-30f;
-		const Buffer<char> isNear  = wanted_.empty() ? Buffer<char>() : findNearWanted(grid);
-		const auto         nearNum = isNear.empty() ? std::ptrdiff_t(m_.faceNum)
-													: std::count(isNear.begin(), isNear.end(), 1);
-		// No more cells than about twice the faces; a surface fills the fewest of them.
-		const int level = std::min(7, std::max(1, int(std::log2(double(nearNum) + 1) / 3 + 0.34)));
-		Buffer<int> start;
-		const auto  cellOf = [&](std::size_t f) {
-            const bool counts = isNear.empty() || isNear[f];
-            return counts ? int(grid.cell(m_.position[m_.origin[3 * f]], level)) : -1;
-		};
-		sortIntoBuckets(m_.faceNum, std::size_t(1) << 3 * level, cellOf, workers_, start, face_);
-	}
-
-	/// Where few faces are wanted, only those count that share a cell of a coarse grid with one of
-	/// them.
-	Buffer<char> findNearWanted(const MortonGrid& grid) const
-	{
-		constexpr int     cells = 64; // along each axis: small enough to stay in the cache
-		std::vector<char> isMarked(cells * cells * cells, 0);
-		const float       scale  = cells / grid.cubeSize;
-		const auto        number = [&](float c) {
-            return std::min(cells - 1, std::max(0, int(c * scale)));
-		};
-		/// visit(cell) for the cells of a box, until it returns true.
-		const auto anyCell = [&](const Box<float>& box, const auto& visit) {
-			const Vec3f low = box.low - grid.low, high = box.high - grid.low;
-			for (int x = number(low.x); x <= number(high.x); ++x) {
-				for (int y = number(low.y); y <= number(high.y); ++y) {
-					for (int z = number(low.z); z <= number(high.z); ++z) {
-						if (visit((x * cells + y) * cells + z)) return true;
-					}
-				}
-			}
-			return false;
-		};
-		for (int f = 0; f < m_.faceNum; ++f) {
-			if (!wanted_[f]) continue;
-			anyCell(boxOf(f), [&](int cell) {
-				isMarked[cell] = 1;
-				return false;
-			});
-		}
-		Buffer<char> isNear(m_.faceNum);
-		workers_.forRange(m_.faceNum, [&](std::size_t begin, std::size_t end) {
-			for (int f = int(begin); f < int(end); ++f)
-				isNear[f] = anyCell(boxOf(f), [&](int cell) { return isMarked[cell] != 0; });
-		});
-		return isNear;
-	}
-
-	void buildTree()
-	{
-		level_.emplace_back(face_.size());
-		workers_.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i)
-				level_[0][i] = boxOf(face_[i]);
-		});
-		while (level_.size() <= groupLevel || level_.back().size() > fanOut)
-			addLevel();
-	}
-
-	void addLevel()
-	{
-		const Buffer<Box<float>>& below = level_.back();
-		Buffer<Box<float>>        here((below.size() + fanOut - 1) / fanOut);
-		workers_.forRange(here.size(), [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i) {
-				Box<float>        box;
-				const std::size_t last = std::min(below.size(), (i + 1) * fanOut);
-				for (std::size_t k = i * fanOut; k < last; ++k)
-					box += below[k];
-				here[i] = box;
-			}
-		});
-		level_.push_back(std::move(here));
-	}
+	const HalfEdgeMesh&      m_;
+	const std::vector<char>& wanted_;
+	Workers&                 workers_;
+	FaceBoxes                boxes_;
+	Buffer<char>             isFlat_; ///< per vertex
 
 	/// Faces round a vertex whose normals lie within 37° of their mean, and that go round it once,
 	/// are seen side by side along that normal: they cannot cross.
@@ -297,9 +193,9 @@ private:
 	bool isGroupWanted(int group) const
 	{
 		if (wanted_.empty()) return true;
-		const int end = std::min(int(face_.size()), (group + 1) * groupSize);
+		const int end = std::min(boxes_.faceNum(), (group + 1) * groupSize);
 		for (int i = group * groupSize; i < end; ++i) {
-			if (wanted_[face_[i]]) return true;
+			if (wanted_[boxes_.face(i)]) return true;
 		}
 		return false;
 	}
@@ -307,9 +203,9 @@ private:
 	/// Compares the wanted faces of a group with each other and with those of other groups.
 	void searchGroup(int group, std::vector<Node>& stack, std::vector<int>& out) const
 	{
-		const Box<float>& box = level_[groupLevel][group];
-		const int         top = int(level_.size()) - 1;
-		for (int k = 0; k < int(level_[top].size()); ++k)
+		const Box<float>& box = boxes_.level(groupLevel)[group];
+		const int         top = boxes_.levelNum() - 1;
+		for (int k = 0; k < int(boxes_.level(top).size()); ++k)
 			stack.push_back({top, k});
 		while (!stack.empty()) {
 			const Node n = stack.back();
@@ -317,12 +213,12 @@ private:
 			// A group that is not wanted does not search itself, so that it is looked for here even
 			// if it lies before.
 			const bool isBehind = !wanted_.empty() || lastGroupBelow(n) >= group;
-			if (!isBehind || !level_[n.level][n.index].meets(box)) continue;
+			if (!isBehind || !boxes_.level(n.level)[n.index].meets(box)) continue;
 			if (n.level == groupLevel) {
 				compareGroups(group, n.index, out);
 				continue;
 			}
-			const int end = std::min(int(level_[n.level - 1].size()), (n.index + 1) * fanOut);
+			const int end = std::min(int(boxes_.level(n.level - 1).size()), (n.index + 1) * fanOut);
 			for (int k = n.index * fanOut; k < end; ++k)
 				stack.push_back({n.level - 1, k});
 		}
@@ -338,18 +234,19 @@ private:
 
 	void compareGroups(int group, int other, std::vector<int>& out) const
 	{
-		const int        endI = std::min(int(face_.size()), (group + 1) * groupSize);
-		const int        endK = std::min(int(face_.size()), (other + 1) * groupSize);
-		const Box<float> box  = level_[groupLevel][other];
+		const int        endI = std::min(boxes_.faceNum(), (group + 1) * groupSize);
+		const int        endK = std::min(boxes_.faceNum(), (other + 1) * groupSize);
+		const Box<float> box  = boxes_.level(groupLevel)[other];
 		for (int i = group * groupSize; i < endI; ++i) {
-			const Box<float> own = level_[0][i];
+			const Box<float> own = boxes_.level(0)[i];
 			if (!own.meets(box)) continue;
-			if (!isWanted(face_[i])) continue;
+			if (!isWanted(boxes_.face(i))) continue;
 			// Of two faces that are wanted the first finds the second.
 			for (int k = wanted_.empty() ? std::max(i + 1, other * groupSize) : other * groupSize;
 				 k < endK; ++k) {
-				if (!level_[0][k].meets(own) || k == i) continue;
-				if (k > i || !isWanted(face_[k])) compare(face_[i], face_[k], out);
+				if (!boxes_.level(0)[k].meets(own) || k == i) continue;
+				if (k > i || !isWanted(boxes_.face(k)))
+					compare(boxes_.face(i), boxes_.face(k), out);
 			}
 		}
 	}
@@ -388,51 +285,33 @@ std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<i
 	return findCrossingFaces(mesh, mark, workers);
 }
 
-std::vector<int> facesNear(const HalfEdgeMesh& m, const std::vector<int>& faces, float margin,
-						   Workers& workers)
-{
-	Box<float> all;
-	for (int f : faces) {
-		if (!isDeadFace(m, f)) all += boxOf(m, f);
-	}
-	const Vec3f reach{margin, margin, margin};
-	all.low = all.low - reach;
-	all.high += reach;
-	return workers.collect<int>(m.faceNum,
-								[&](std::size_t begin, std::size_t end, std::vector<int>& near) {
-									for (int g = int(begin); g < int(end); ++g) {
-										if (!isDeadFace(m, g) && boxOf(m, g).meets(all))
-											near.push_back(g);
-									}
-								});
-}
-
 int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
-					   const std::vector<int>& near)
+					   const std::vector<int>& near, std::int64_t* work)
 {
 	std::vector<int> others;
 	std::set_union(faces.begin(), faces.end(), near.begin(), near.end(),
 				   std::back_inserter(others));
-	Box<float> all;
-	for (int f : faces) {
-		if (!isDeadFace(m, f)) all += boxOf(m, f);
+	std::vector<Box<float>> boxes(faces.size());
+	Box<float>              all;
+	for (std::size_t i = 0; i < faces.size(); ++i) {
+		if (!isDeadFace(m, faces[i])) boxes[i] = boxOfFace(m, faces[i]);
+		all += boxes[i];
 	}
 	int num = 0;
 	for (int g : others) {
-		if (isDeadFace(m, g) || !boxOf(m, g).meets(all)) continue;
+		if (isDeadFace(m, g)) continue;
+		const Box<float> box = boxOfFace(m, g);
+		if (!box.meets(all)) continue;
 		const bool isOneOfThem = std::binary_search(faces.begin(), faces.end(), g);
-		for (int f : faces) {
-			if (isDeadFace(m, f) || (isOneOfThem && f >= g)) continue;
-			const SharedCorners shared = sharedCorners(m, f, g);
-			num += shared.num < 2 && facesCross(m, f, g, shared);
+		for (std::size_t i = 0; i < faces.size(); ++i) {
+			// The empty box of a dead face meets none.
+			if (!boxes[i].meets(box) || (isOneOfThem && faces[i] >= g)) continue;
+			const SharedCorners shared = sharedCorners(m, faces[i], g);
+			num += shared.num < 2 && facesCross(m, faces[i], g, shared);
+			if (work != nullptr) ++*work;
 		}
 	}
 	return num;
-}
-
-int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces, Workers& workers)
-{
-	return countCrossingPairs(m, faces, facesNear(m, faces, 0, workers));
 }
 
 } // namespace gpr

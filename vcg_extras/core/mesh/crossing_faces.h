@@ -7,6 +7,7 @@
 
 #include <vcg_extras/core/base/workers.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace gpr {
@@ -25,18 +26,11 @@ std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<c
 std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<int>& wanted,
 								   Workers& workers);
 
-/// Living faces whose boxes lie within `margin` of the box round some others; ascending. Cost:
-/// O(F), parallel.
-std::vector<int> facesNear(const HalfEdgeMesh& mesh, const std::vector<int>& faces, float margin,
-						   Workers& workers);
-
 /// Number of crossing pairs of which one is among `faces` and the other there or in `near`, both
-/// ascending; dead faces are passed over. Cost: the product of the two.
+/// ascending; dead faces are passed over. Adds the number of pairs that were compared to `work`, if
+/// it is given. Cost: the product of the two for the boxes of the faces.
 int countCrossingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces,
-					   const std::vector<int>& near);
-
-/// The same with all faces near. Cost: O(F), parallel.
-int countCrossingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces, Workers& workers);
+					   const std::vector<int>& near, std::int64_t* work = nullptr);
 
 } // namespace gpr
 

@@ -102,4 +102,10 @@ bool flipKeepsShape(const HalfEdgeMesh& m, int h, float leastAngle, float leastC
 	return std::min(smallestAngle(a, d, c), smallestAngle(b, c, d)) >= leastAngle;
 }
 
+bool hasNoArea(const HalfEdgeMesh& m, int f)
+{
+	const int* c = &m.origin[3 * f];
+	return isLine(m.position[c[0]], m.position[c[1]], m.position[c[2]], m.faceCross(f));
+}
+
 } // namespace gpr

@@ -32,6 +32,9 @@ std::vector<int> sharpestFirst(const HalfEdgeMesh& mesh, std::vector<int> faces)
 /// leastAngle (radians), no dihedral below leastCosine.
 bool flipKeepsShape(const HalfEdgeMesh& m, int h, float leastAngle, float leastCosine);
 
+/// Whether the area of a living face is nothing but rounding.
+bool hasNoArea(const HalfEdgeMesh& mesh, int face);
+
 } // namespace gpr
 
 #endif

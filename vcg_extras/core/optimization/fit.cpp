@@ -3,7 +3,6 @@
 #include "fit.h"
 
 #include "curve_fit.h"
-#include "fold_repair.h"
 #include "worst_distances.h"
 
 #include <vcg_extras/core/base/sort_unique.h>

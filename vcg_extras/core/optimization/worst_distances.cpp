@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "worst_distances.h"
 
-#include "fold_repair.h"
-
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/face_tree.h>

@@ -3,7 +3,6 @@
 #include "audit.h"
 
 #include <vcg_extras/core/base/triangle.h>
-#include <vcg_extras/core/optimization/fold_repair.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>

@@ -3,19 +3,14 @@
 #include "improvement.h"
 
 #include <vcg_extras/core/base/pages.h>
-#include <vcg_extras/core/optimization/angle_mending.h>
 #include <vcg_extras/core/optimization/conformal_relaxation.h>
-#include <vcg_extras/core/optimization/crease_sides.h>
-#include <vcg_extras/core/optimization/crossing_mending.h>
 #include <vcg_extras/core/optimization/curve_slide.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
+#include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/optimization/fit.h>
-#include <vcg_extras/core/optimization/fold_repair.h>
-#include <vcg_extras/core/optimization/patch_remeshing.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/umbrella_smoothing.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
-#include <vcg_extras/core/optimization/worst_triangles.h>
 
 #include <algorithm>
 #include <cmath>
@@ -54,10 +49,8 @@ public:
 				makeRegular(p, boundary, result);
 			else
 				relaxPlainly(p, boundary, result);
-			raiseWorstAngles(p.surface, isFull ? poorAngleFullDeg : poorAngleDeg, result, workers_);
 		}
-		mendFolds(p.surface, boundary, false, result, workers_);
-		alignFacesAtCreases(p.surface, boundary, result, workers_);
+		repairInvertedFaces(p.surface, boundary, false, result, workers_);
 	}
 
 	/// What regularity asks for to the last; the paper's post-processing stays as it is written.
@@ -68,12 +61,13 @@ public:
 		if (options_.regularity != Regularity::Full) return;
 		clock_.enter("angles", "Mending angles", 0.973);
 		returnReleasedMemory();
-		if (!mendAngles(p.surface, boundary, leastAngleDeg(), result, workers_, cells,
-						left_.largestGap))
+		PoorFaces wanted;
+		wanted.angleDeg   = leastAngleDeg();
+		wanted.targetNum  = options_.exactCount ? p.targetNum : 0;
+		wanted.suspects   = std::move(suspects_);
+		wanted.largestGap = largestGap_;
+		if (!repairPoorFaces(p.surface, boundary, wanted, cells, result, workers_))
 			report_.capsReached.push_back("changes for the worst angles");
-		const std::int64_t targetNum = options_.exactCount ? p.targetNum : 0;
-		remeshPoorPatches(p.surface, boundary, leastAngleDeg(), targetNum, result, workers_, cells,
-						  left_);
 	}
 
 	/// Returns the cells of the last round, if there was one.
@@ -91,17 +85,17 @@ public:
 		FitOutcome outcome = fitToInput(p.surface, boundary, settings, result, workers_);
 		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
 		if (outcome.cells != nullptr) {
-			left_.crossing = mendCrossings(p.surface, boundary, leastAngleDeg(), outcome.crossing,
-										   *outcome.cells, result, workers_);
-			if (!outcome.crossing.empty()) outcome.farthest = farthestFromAnchor(result);
+			suspects_   = std::move(outcome.crossing);
+			largestGap_ = outcome.largestGap;
 		}
 		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
-		left_.largestGap           = outcome.largestGap;
 		return std::move(outcome.cells);
 	}
 
 private:
-	LeftOver left_; ///< by the fit
+	std::vector<int>
+		  suspects_; ///< faces that intersect others, or did before the fit took moves back
+	float largestGap_ = 0;
 
 	float leastAngleDeg() const
 	{
@@ -128,7 +122,7 @@ private:
 			smoothByUmbrella2(p.surface, result, workers_);
 			flipEdges(run_, result);
 		}
-		mendFolds(p.surface, boundary, false, result, workers_);
+		repairInvertedFaces(p.surface, boundary, false, result, workers_);
 	}
 
 	/// The first two steps leave the edges alone: flips straight away would undo what the exact

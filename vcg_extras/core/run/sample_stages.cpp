@@ -4,8 +4,7 @@
 
 #include "improvement.h"
 
-#include <vcg_extras/core/optimization/crease_sides.h>
-#include <vcg_extras/core/optimization/fold_repair.h>
+#include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/retriangulation/hole_retriangulation.h>
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
 #include <vcg_extras/core/sampling/border_edge_sampling.h>
@@ -71,8 +70,7 @@ ResultMesh SampleStages::sampleAndRetriangulate(const Prepared& p, BoundaryCurve
 	sampling           = Sampling();
 	clock_.enter("flips", "Flipping edges", 0.83);
 	flipEdges(run_, result);
-	mendFolds(p.surface, boundary, true, result, workers_);
-	alignFacesAtCreases(p.surface, boundary, result, workers_);
+	repairInvertedFaces(p.surface, boundary, true, result, workers_);
 	return result;
 }
 

@@ -9,10 +9,8 @@
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/optimization/angle_mending.h>
-#include <vcg_extras/core/optimization/crossing_mending.h>
-#include <vcg_extras/core/optimization/patch_mover.h>
-#include <vcg_extras/core/optimization/patch_remeshing.h>
+#include <vcg_extras/core/optimization/face_goals.h>
+#include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/remesh.h>
 
 #include <algorithm>
@@ -23,35 +21,6 @@ namespace gpr::test {
 
 namespace {
 
-/// What a patch' distances are judged by.
-class Distances : PatchMover {
-public:
-	Distances(OnSurface& on, const CellsOfFaces& cells) :
-			PatchMover(on.surface, on.boundary, 0.5f, on.result, on.workers, cells),
-			all_(std::size_t(m_.faceNum))
-	{
-		std::iota(all_.begin(), all_.end(), 0);
-	}
-
-	/// Whether the second of two vertices may go from one height to another, the first being `top`
-	/// above the surface.
-	bool mayRise(float top, float from, float to)
-	{
-		const int first = 40, second = 200;
-		m_.position[first].z += top;
-		m_.position[second].z += from;
-		const Distance before = distanceFrom(all_, all_, 1e-3f);
-		m_.position[second].z += to - from;
-		const bool keeps = distanceFrom(all_, all_, 1e-3f).keeps(before);
-		m_.position[first].z -= top;
-		m_.position[second].z -= to;
-		return keeps;
-	}
-
-private:
-	std::vector<int> all_;
-};
-
 /// A square, and beside it a ribbon much narrower than its vertices lie apart.
 OnSurface squareAndRibbon()
 {
@@ -61,10 +30,25 @@ OnSurface squareAndRibbon()
 	return OnSurface(joined(grid(16, 16), ribbon));
 }
 
-bool remeshPatches(OnSurface& on, Workers& workers, std::int64_t targetNum)
+/// Returns whether the number of vertices or of splits and collapses changed.
+bool repair(OnSurface& on, Workers& workers, std::int64_t targetNum)
 {
-	std::unique_ptr<Cells> cells;
-	return remeshPoorPatches(on.surface, on.boundary, 32, targetNum, on.result, workers, cells);
+	const std::int64_t before = on.result.splitNum + on.result.collapseNum;
+	PoorFaces          wanted;
+	wanted.targetNum = targetNum;
+	std::unique_ptr<Cells> map;
+	repairPoorFaces(on.surface, on.boundary, wanted, map, on.result, workers);
+	return on.result.splitNum + on.result.collapseNum > before;
+}
+
+/// Moves and flips only.
+void raiseAngles(OnSurface& on)
+{
+	const Cells  map(on.surface, on.result, on.workers);
+	Assignment   assignment(on.surface, map, on.m().faceNum);
+	std::int64_t work = 100000000;
+	LocalSearch  search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
+	search.run(smallAngles(search, on.workers, 32 * radians, 2, keepingCount));
 }
 
 std::vector<int> tableOf(const HalfEdgeMesh& m)
@@ -77,13 +61,13 @@ std::vector<int> tableOf(const HalfEdgeMesh& m)
 
 } // namespace
 
-TEST(RemeshPoorPatches, SplitsWhatMovesAndFlipsCannotMend)
+TEST(RepairPoorFaces, SplitsWhatMovesAndFlipsCannotRepair)
 {
 	OnSurface on = squareAndRibbon();
-	mendAngles(on.surface, on.boundary, 32, on.result, on.workers);
+	raiseAngles(on);
 	ASSERT_LT(on.leastAngleDeg(), 20);
 	const TriangleMesh before = meshOf(on.m());
-	EXPECT_TRUE(remeshPatches(on, on.workers, 0));
+	EXPECT_TRUE(repair(on, on.workers, 0));
 	EXPECT_GT(on.leastAngleDeg(), 30);
 	EXPECT_GT(on.m().vertexNum, int(before.vertexNum()));
 	EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));
@@ -92,36 +76,36 @@ TEST(RemeshPoorPatches, SplitsWhatMovesAndFlipsCannotMend)
 	on.expectSound();
 }
 
-TEST(RemeshPoorPatches, MakesTheCountGoodElsewhere)
+TEST(RepairPoorFaces, MakesTheCountGoodElsewhere)
 {
 	OnSurface on  = squareAndRibbon();
 	const int num = on.m().vertexNum;
-	mendAngles(on.surface, on.boundary, 32, on.result, on.workers);
-	EXPECT_TRUE(remeshPatches(on, on.workers, num));
+	raiseAngles(on);
+	EXPECT_TRUE(repair(on, on.workers, num));
 	EXPECT_EQ(on.m().vertexNum, num);
 	EXPECT_GT(on.leastAngleDeg(), 30);
 	on.expectSound();
 }
 
-TEST(RemeshPoorPatches, LeavesAllAsItWasWhereTheCountCannotBeReached)
+TEST(RepairPoorFaces, LeavesAllAsItWasWhereTheCountCannotBeReached)
 {
 	OnSurface                on     = squareAndRibbon();
 	const std::vector<int>   before = tableOf(on.m());
 	const std::vector<Vec3f> places(on.m().position.data(),
 									on.m().position.data() + on.m().vertexNum);
-	EXPECT_FALSE(remeshPatches(on, on.workers, 1));
+	EXPECT_FALSE(repair(on, on.workers, 1));
 	EXPECT_EQ(tableOf(on.m()), before);
 	EXPECT_TRUE(std::equal(places.begin(), places.end(), on.m().position.data()));
 }
 
-TEST(RemeshPoorPatches, LeavesPinnedVerticesAndAKeptBorder)
+TEST(RepairPoorFaces, LeavesPinnedVerticesAndAKeptBorder)
 {
 	OnSurface on             = squareAndRibbon();
 	on.result.keepsBorder    = true;
 	const HalfEdgeMesh start = copyMesh(on.m(), on.workers);
 	for (int v = 0; v < start.vertexNum; ++v)
 		on.result.vertex[v].isPinned = start.isBorderVertex(v);
-	remeshPatches(on, on.workers, start.vertexNum);
+	repair(on, on.workers, start.vertexNum);
 	int stayed = 0, border = 0;
 	for (int v = 0; v < start.vertexNum; ++v)
 		border += start.isBorderVertex(v);
@@ -132,7 +116,7 @@ TEST(RemeshPoorPatches, LeavesPinnedVerticesAndAKeptBorder)
 }
 
 /// The last row of a square turned under: nothing of its width can be a triangle's.
-TEST(RemeshPoorPatches, GiveUpALipOfTheBorder)
+TEST(RepairPoorFaces, GivesUpABorderTurnedUnder)
 {
 	TriangleMesh mesh = grid(16, 17, 1, 17.0 / 16);
 	for (Vec3d& p : mesh.positions) {
@@ -141,21 +125,21 @@ TEST(RemeshPoorPatches, GiveUpALipOfTheBorder)
 	OnSurface  on(mesh);
 	const auto poorNum = [&] { return findPoorFaces(on.m(), 0.5f, on.workers).size(); };
 	ASSERT_GE(poorNum(), 32u);
-	EXPECT_TRUE(remeshPatches(on, on.workers, 0));
+	EXPECT_TRUE(repair(on, on.workers, 0));
 	EXPECT_LE(poorNum(), 6u) << "at the two corners, which stay";
 	on.expectSound();
 }
 
-TEST(RemeshPoorPatches, DoesNotDependOnThreads)
+TEST(RepairPoorFaces, DoesNotDependOnThreads)
 {
 	TriangleMesh ribbon = grid(4, 1, 1, 0.06);
 	expectSameForAnyThreads(ribbon, [](OnSurface& on, Workers& workers) {
-		EXPECT_TRUE(remeshPatches(on, workers, 0));
+		EXPECT_TRUE(repair(on, workers, 0));
 	});
 }
 
 /// On these few triangles per bump are left at 14° to 27° that no single change mends.
-TEST(RemeshPoorPatches, TwoChangesInARowMendWhatOneCannot)
+TEST(RepairPoorFaces, TwoChangesInARowRepairWhatOneCannot)
 {
 	for (unsigned seed : {12u, 14u, 48u, 95u}) {
 		Random             random(seed);
@@ -169,16 +153,32 @@ TEST(RemeshPoorPatches, TwoChangesInARowMendWhatOneCannot)
 	}
 }
 
-TEST(PatchMover, LetsNoTipSinkBecauseAnotherOneHasSunkFarther)
+/// Whether the second of two vertices may go from one height to another, the first being `top` above
+/// the surface.
+bool mayRise(OnSurface& on, float enough, float top, float from, float to)
 {
-	OnSurface          on(grid(16, 16));
-	const Cells        cells(on.surface, on.result, on.workers);
-	const CellsOfFaces known{cells, {}, 0.01f}, unknown{cells, {}, 0};
-	EXPECT_FALSE(Distances(on, known).mayRise(0.01f, 0.006f, 0.009f));
-	EXPECT_FALSE(Distances(on, known).mayRise(0.01f, 0.001f, 0.02f));
-	EXPECT_TRUE(Distances(on, known).mayRise(0.01f, 0.001f, 0.004f)) << "not far yet";
-	EXPECT_TRUE(Distances(on, unknown).mayRise(0.01f, 0.006f, 0.009f));
-	EXPECT_FALSE(Distances(on, unknown).mayRise(0.01f, 0.001f, 0.02f));
+	const int        first = 40, second = 200;
+	const Cells      map(on.surface, on.result, on.workers);
+	Assignment       assignment(on.surface, map, on.m().faceNum);
+	std::vector<int> all(std::size_t(on.m().faceNum));
+	std::iota(all.begin(), all.end(), 0);
+	on.m().position[first].z += top;
+	on.m().position[second].z += from;
+	const PatchDistance before(assignment, all, trianglesOf(on.m(), all), enough);
+	on.m().position[second].z += to - from;
+	const bool keeps = before.isKeptBy(trianglesOf(on.m(), all), HUGE_VALF);
+	on.m().position[first].z -= top;
+	on.m().position[second].z -= to;
+	return keeps;
+}
+
+TEST(PatchDistance, LetsNoTipSinkBecauseAnotherOneHasSunkFarther)
+{
+	OnSurface on(grid(16, 16));
+	EXPECT_FALSE(mayRise(on, 1e-3f, 0.01f, 0.006f, 0.009f));
+	EXPECT_FALSE(mayRise(on, 1e-3f, 0.01f, 0.001f, 0.02f));
+	EXPECT_TRUE(mayRise(on, 1e-3f, 0.01f, 0.001f, 0.004f)) << "not far yet";
+	EXPECT_TRUE(mayRise(on, 0.02f, 0.01f, 0.006f, 0.009f)) << "near enough";
 }
 
 TriangleMesh sheetsOneAboveTheOther()
@@ -201,29 +201,30 @@ void pullThrough(OnSurface& on)
 	EXPECT_FALSE(findCrossingFaces(m, on.workers).empty());
 }
 
-TEST(MendCrossings, TakesFacesApart)
+TEST(SelfIntersections, AreTakenApartByMovesAndFlips)
 {
 	OnSurface on(sheetsOneAboveTheOther());
 	pullThrough(on);
-	std::vector<int> all(std::size_t(on.m().faceNum));
-	std::iota(all.begin(), all.end(), 0);
-	const Cells cells(on.surface, on.result, on.workers);
-	EXPECT_TRUE(
-		mendCrossings(on.surface, on.boundary, 32, all, cells, on.result, on.workers).empty());
+	const Cells  map(on.surface, on.result, on.workers);
+	Assignment   assignment(on.surface, map, on.m().faceNum);
+	std::int64_t work = 100000000;
+	LocalSearch  search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
+	EXPECT_TRUE(search.run(selfIntersections(
+		search, findCrossingFaces(on.m(), on.workers), 32 * radians, keepingCount)));
 	EXPECT_TRUE(findCrossingFaces(on.m(), on.workers).empty());
 	on.expectSound();
 }
 
-/// Without moving a vertex up or down, only by splits, collapses and flips.
-TEST(RemeshPoorPatches, TakesFacesApartToo)
+TEST(RepairPoorFaces, TakesFacesApartAndKeepsTheCount)
 {
 	OnSurface on(sheetsOneAboveTheOther());
 	pullThrough(on);
-	const TriangleMesh     before = meshOf(on.m());
-	std::unique_ptr<Cells> cells;
-	const LeftOver         left = {0, findCrossingFaces(on.m(), on.workers)};
-	EXPECT_TRUE(remeshPoorPatches(on.surface, on.boundary, 32, on.m().vertexNum, on.result,
-								  on.workers, cells, left));
+	const TriangleMesh before = meshOf(on.m());
+	PoorFaces          wanted;
+	wanted.targetNum = on.m().vertexNum;
+	wanted.suspects  = findCrossingFaces(on.m(), on.workers);
+	std::unique_ptr<Cells> map;
+	repairPoorFaces(on.surface, on.boundary, wanted, map, on.result, on.workers);
 	EXPECT_TRUE(findCrossingFaces(on.m(), on.workers).empty());
 	EXPECT_EQ(on.m().vertexNum, int(before.vertexNum()));
 	EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));

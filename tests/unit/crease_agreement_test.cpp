@@ -4,7 +4,8 @@
 #include <tests/support/stages.h>
 #include <vcg_extras/core/features/crease_lines.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
-#include <vcg_extras/core/optimization/crease_sides.h>
+#include <vcg_extras/core/optimization/crease_agreement.h>
+#include <vcg_extras/core/optimization/face_repair.h>
 
 #include <algorithm>
 #include <cmath>
@@ -80,14 +81,16 @@ protected:
 TEST_F(FacesAtCreases, AgreeWhereTheyAreTheInputsOwn)
 {
 	EXPECT_GT(leastAgreement(), 0.99f);
-	EXPECT_EQ(alignFacesAtCreases(surface, curves, result, workers), 0);
+	repairInvertedFaces(surface, curves, false, result, workers);
+	EXPECT_EQ(result.flipNum, 0);
 }
 
 TEST_F(FacesAtCreases, OnesAcrossALineAreTurned)
 {
 	cutOff(creaseVertex());
 	EXPECT_LT(leastAgreement(), 0.2f);
-	EXPECT_GE(alignFacesAtCreases(surface, curves, result, workers), 1);
+	repairInvertedFaces(surface, curves, false, result, workers);
+	EXPECT_GE(result.flipNum, 1);
 	EXPECT_GT(leastAgreement(), 0.8f);
 }
 

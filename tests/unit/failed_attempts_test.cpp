@@ -3,7 +3,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
-#include <vcg_extras/core/mesh/vain_tries.h>
+#include <vcg_extras/core/optimization/failed_attempts.h>
 
 #include <gtest/gtest.h>
 
@@ -12,47 +12,46 @@ namespace gpr::test {
 namespace {
 
 /// A flat grid; faces 2i and 2i + 1 are those of square i, row by row.
-class VainTriesOnAGrid : public ::testing::Test {
+class FailedAttemptsOnAGrid : public ::testing::Test {
 protected:
 	static constexpr int n = 20;
 	HalfEdgeMesh         m = halfEdgesOf(grid(n, n));
-	VainTries            tries{m.vertexNum};
+	FailedAttempts       attempts{m.vertexNum};
 	int                  face = 2 * (n * (n / 2) + n / 2);
 };
 
-TEST_F(VainTriesOnAGrid, KnowsOnlyWhatItWasTold)
+TEST_F(FailedAttemptsOnAGrid, KnowsOnlyWhatItWasTold)
 {
-	EXPECT_FALSE(tries.isVain(m, face));
-	tries.noteVain(m, face);
-	EXPECT_TRUE(tries.isVain(m, face));
-	EXPECT_FALSE(tries.isVain(m, face + 1));
-	EXPECT_FALSE(tries.isVain(m, face, 1)) << "another kind of treatment";
+	EXPECT_FALSE(attempts.isKnown(m, face));
+	attempts.noteFailure(m, face);
+	EXPECT_TRUE(attempts.isKnown(m, face));
+	EXPECT_FALSE(attempts.isKnown(m, face + 1));
 }
 
-TEST_F(VainTriesOnAGrid, ForgetsWhereSomethingNearChanges)
+TEST_F(FailedAttemptsOnAGrid, ForgetsWhereSomethingNearChanges)
 {
 	for (int v = 0; v < m.vertexNum; ++v) {
-		tries.noteVain(m, face);
-		tries.noteChange(v);
+		attempts.noteFailure(m, face);
+		attempts.noteChange(v);
 		const Vec3f corner = m.position[m.origin[3 * face]];
 		const float away   = length(m.position[v] - corner) * n;
 		if (away >= 2.9f && away <= 7) continue;
-		EXPECT_EQ(tries.isVain(m, face), away > 7) << away;
+		EXPECT_EQ(attempts.isKnown(m, face), away > 7) << away;
 	}
 }
 
 /// Flipped and back, the two faces of an edge have each other's numbers.
-TEST_F(VainTriesOnAGrid, KnowsFacesWhateverTheirNumber)
+TEST_F(FailedAttemptsOnAGrid, KnowsFacesWhateverTheirNumber)
 {
 	int h = 3 * face;
 	while (!canFlip(m, h))
 		++h;
 	const int other = m.opposite[h] / 3;
-	tries.noteVain(m, face);
+	attempts.noteFailure(m, face);
 	flip(m, h);
-	EXPECT_FALSE(tries.isVain(m, face));
+	EXPECT_FALSE(attempts.isKnown(m, face));
 	flip(m, nextInFace(h));
-	EXPECT_NE(tries.isVain(m, face), tries.isVain(m, other));
+	EXPECT_NE(attempts.isKnown(m, face), attempts.isKnown(m, other));
 }
 
 } // namespace

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "face_boxes.h"
+
+#include "mesh_edit.h"
+#include "spatial_order.h"
+
+#include <vcg_extras/core/base/counting_sort.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// A coarse grid of marks; small enough to stay in the cache.
+class MarkedCells {
+public:
+	explicit MarkedCells(const MortonGrid& grid) :
+			low_(grid.low), scale_(cellNum / grid.cubeSize), isMarked_(cellNum * cellNum * cellNum)
+	{
+	}
+
+	void mark(const Box<float>& box)
+	{
+		anyCell(box, [&](int cell) {
+			isMarked_[cell] = 1;
+			return false;
+		});
+	}
+
+	bool meets(const Box<float>& box) const
+	{
+		return anyCell(box, [&](int cell) { return isMarked_[cell] != 0; });
+	}
+
+private:
+	static constexpr int cellNum = 64; // along each axis
+	Vec3f                low_;
+	float                scale_;
+	std::vector<char>    isMarked_;
+
+	int cellAt(float c) const { return std::min(cellNum - 1, std::max(0, int(c * scale_))); }
+
+	/// Calls visit(cell) for the cells of a box, until it returns true.
+	template <class Visit>
+	bool anyCell(const Box<float>& box, const Visit& visit) const
+	{
+		const Vec3f low = box.low - low_, high = box.high - low_;
+		for (int x = cellAt(low.x); x <= cellAt(high.x); ++x) {
+			for (int y = cellAt(low.y); y <= cellAt(high.y); ++y) {
+				for (int z = cellAt(low.z); z <= cellAt(high.z); ++z) {
+					if (visit((x * cellNum + y) * cellNum + z)) return true;
+				}
+			}
+		}
+		return false;
+	}
+};
+
+Box<float> boxOfAll(const HalfEdgeMesh& m, Workers& workers)
+{
+	return workers.sum<Box<float>>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		Box<float> part;
+		for (int f = int(begin); f < int(end); ++f) {
+			if (!isDeadFace(m, f)) part += boxOfFace(m, f);
+		}
+		return part;
+	});
+}
+
+MortonGrid gridOver(const Box<float>& all)
+{
+	MortonGrid grid;
+	grid.low      = all.low;
+	grid.cubeSize = std::max(0.0f, all.largestSide()) + 1e-30f;
+	return grid;
+}
+
+/// A mark per face: whether it lives, and shares a cell of a coarse grid with a wanted one.
+Buffer<char> findCounting(const HalfEdgeMesh& m, const MortonGrid& grid,
+						  const std::vector<char>& wanted, Workers& workers)
+{
+	MarkedCells cells(grid);
+	for (int f = 0; f < int(wanted.size()); ++f) {
+		if (wanted[f]) cells.mark(boxOfFace(m, f));
+	}
+	Buffer<char> counts(m.faceNum);
+	workers.forRange(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (int f = int(begin); f < int(end); ++f)
+			counts[f] = !isDeadFace(m, f) && (wanted.empty() || cells.meets(boxOfFace(m, f)));
+	});
+	return counts;
+}
+
+} // namespace
+
+Box<float> boxOfFace(const HalfEdgeMesh& m, int f)
+{
+	Box<float> box;
+	for (int h = 3 * f; h < 3 * f + 3; ++h)
+		box.add(m.position[m.origin[h]]);
+	return box;
+}
+
+Box<float> boxOfFaces(const HalfEdgeMesh& m, const std::vector<int>& faces)
+{
+	Box<float> all;
+	for (int f : faces) {
+		if (!isDeadFace(m, f)) all += boxOfFace(m, f);
+	}
+	return all;
+}
+
+FaceBoxes::FaceBoxes(const HalfEdgeMesh& mesh, Workers& workers)
+{
+	build(mesh, {}, workers);
+}
+
+FaceBoxes::FaceBoxes(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers)
+{
+	build(mesh, wanted, workers);
+}
+
+void FaceBoxes::build(const HalfEdgeMesh& m, const std::vector<char>& wanted, Workers& workers)
+{
+	const MortonGrid   grid   = gridOver(boxOfAll(m, workers));
+	const Buffer<char> counts = findCounting(m, grid, wanted, workers);
+	const auto         num    = std::count(counts.begin(), counts.end(), 1);
+	// No more blocks than about twice the faces; a surface fills the fewest of them.
+	const int   depth = std::min(7, std::max(1, int(std::log2(double(num) + 1) / 3 + 0.34)));
+	Buffer<int> start;
+	const auto  blockOf = [&](std::size_t f) {
+        return counts[f] ? int(grid.cell(m.position[m.origin[3 * f]], depth)) : -1;
+	};
+	sortIntoBuckets(m.faceNum, std::size_t(1) << 3 * depth, blockOf, workers, start, face_);
+	level_.emplace_back(face_.size());
+	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i)
+			level_[0][i] = boxOfFace(m, face_[i]);
+	});
+	constexpr std::size_t leastLevels = 3; // searches by groups of faces count on them
+	while (level_.size() < leastLevels || level_.back().size() > fanOut)
+		addLevel(workers);
+}
+
+void FaceBoxes::addLevel(Workers& workers)
+{
+	const Buffer<Box<float>>& below = level_.back();
+	Buffer<Box<float>>        here((below.size() + fanOut - 1) / fanOut);
+	workers.forRange(here.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			Box<float>        box;
+			const std::size_t last = std::min(below.size(), (i + 1) * fanOut);
+			for (std::size_t k = i * fanOut; k < last; ++k)
+				box += below[k];
+			here[i] = box;
+		}
+	});
+	level_.push_back(std::move(here));
+}
+
+std::vector<int> FaceBoxes::meeting(const Box<float>& box) const
+{
+	struct Node {
+		int level, index;
+	};
+	std::vector<Node> stack;
+	std::vector<int>  found;
+	const int         top = levelNum() - 1;
+	for (int k = 0; k < int(level_[top].size()); ++k)
+		stack.push_back({top, k});
+	while (!stack.empty()) {
+		const Node n = stack.back();
+		stack.pop_back();
+		if (!level_[n.level][n.index].meets(box)) continue;
+		if (n.level == 0) {
+			found.push_back(face_[n.index]);
+			continue;
+		}
+		const int end = std::min(int(level_[n.level - 1].size()), (n.index + 1) * fanOut);
+		for (int k = n.index * fanOut; k < end; ++k)
+			stack.push_back({n.level - 1, k});
+	}
+	std::sort(found.begin(), found.end());
+	return found;
+}
+
+} // namespace gpr

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_MESH_FACE_BOXES_H
+#define VCG_EXTRAS_CORE_MESH_FACE_BOXES_H
+
+#include "half_edge_mesh.h"
+
+#include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/base/workers.h>
+
+#include <vector>
+
+namespace gpr {
+
+/// The box of a living face.
+Box<float> boxOfFace(const HalfEdgeMesh& mesh, int face);
+
+/// The box of some faces; dead ones are passed over.
+Box<float> boxOfFaces(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
+
+/// A tree of the boxes of a mesh's faces as they were when it was built. Faces lie in it in the
+/// order of an octree's blocks, so that neighbours share a way through the tree. 30 B a face.
+class FaceBoxes {
+public:
+	/// Boxes below one node of the tree.
+	static constexpr int fanOut = 4;
+
+	/// Of all living faces. Cost: linear, parallel.
+	FaceBoxes(const HalfEdgeMesh& mesh, Workers& workers);
+	/// Only of faces that may meet one of the wanted ones (1 of a mark per face).
+	FaceBoxes(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers);
+
+	/// Faces whose boxes met `box` when the tree was built; ascending. Cost: O(log F) a face.
+	std::vector<int> meeting(const Box<float>& box) const;
+
+	int                       faceNum() const { return int(face_.size()); }
+	int                       face(int i) const { return face_[i]; }
+	int                       levelNum() const { return int(level_.size()); }
+	const Buffer<Box<float>>& level(int l) const { return level_[l]; }
+
+private:
+	Buffer<int>                     face_;
+	std::vector<Buffer<Box<float>>> level_; ///< level 0 has a box for each of face_
+
+	void build(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers);
+	void addLevel(Workers& workers);
+};
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_FACE_GOALS_H
+#define VCG_EXTRAS_CORE_OPTIMIZATION_FACE_GOALS_H
+
+#include "local_search.h"
+
+#include <vector>
+
+namespace gpr {
+
+// What local searches are for. The limits of all goals stand side by side in face_goals.cpp.
+
+/// Operations that leave the number of vertices as it is, and those that change it.
+extern const std::vector<Operation::Kind> keepingCount, changingCount;
+
+/// Faces that look against the surface, lie across a feature line or have no area. They are left by
+/// the retriangulation where the surface is thinner than the triangles are long: fingers, rims,
+/// thin plates.
+Goal invertedFaces(LocalSearch& search, Workers& workers, bool mayCollapse);
+
+/// Faces with an angle below `angle` (radians). Minimised is the sum over the faces of what the
+/// smallest angle lacks, to a power: the second for all of them, the fourth presses the worst one.
+/// guardedDistance: see Limits.
+Goal smallAngles(LocalSearch& search, Workers& workers, float angle, int power,
+				 const std::vector<Operation::Kind>& operations, float guardedDistance = HUGE_VALF);
+
+/// Faces among the suspects that intersect others. Minimised is the number of pairs, then what
+/// angles below `angle` lack.
+Goal selfIntersections(LocalSearch& search, const std::vector<int>& suspects, float angle,
+					   const std::vector<Operation::Kind>& operations);
+
+} // namespace gpr
+
+#endif

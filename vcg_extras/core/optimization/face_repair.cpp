@@ -1,0 +1,257 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "face_repair.h"
+
+#include "exact_count.h"
+#include "face_goals.h"
+
+#include <vcg_extras/core/mesh/crossing_faces.h>
+#include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/surface/normal_agreement.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// Operations that change the count are tried where at most so many faces, or this share of all,
+/// are poor, since each must be made good in another place; two in a row, which take some hundred
+/// trials, where at most so many are left.
+constexpr std::size_t mostForCount      = 100;
+constexpr float       mostShareForCount = 0.001f;
+constexpr std::size_t mostForPairs      = 8;
+/// Such rounds: after each the angles are raised again, which gives the next one new chances.
+constexpr int mostCountRounds = 3;
+/// Faces that are tried in a round, and so the most vertices that come in.
+constexpr int attemptsByCount = 200, attemptsByPairs = 12;
+/// What all searches together may measure (see LocalSearch), at some 30 ns each: about a third of a
+/// second, and a tenth of the run on large meshes. On parts full of needles nothing helps, and the
+/// search would last much longer than all the rest.
+constexpr std::int64_t leastWork = 12000000, workPerFace = 20;
+
+std::int64_t workFor(int faceNum)
+{
+	return leastWork + workPerFace * faceNum;
+}
+
+/// How poor a mesh is.
+struct Poorness {
+	double lack = 0; ///< Σ(1 - angle / limit)² over the faces below the limit
+	float  minAngle;
+	int    invertedNum;
+	int    intersectingNum; ///< among faces round the suspects
+
+	bool beats(const Poorness& before) const
+	{
+		if (minAngle < before.minAngle || invertedNum > before.invertedNum) return false;
+		if (intersectingNum != before.intersectingNum)
+			return intersectingNum < before.intersectingNum && lack <= before.lack;
+		return lack < before.lack;
+	}
+};
+
+int invertedFaceNum(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	const Buffer<Vec3f> normal = normalsWithoutLips(surface, result, workers);
+	return workers.sum<int>(result.mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		int num = 0;
+		for (std::size_t f = begin; f < end; ++f)
+			num += faceAgreement(result.mesh, normal, int(f)) < 0;
+		return num;
+	});
+}
+
+class PoorFaceRepair {
+public:
+	PoorFaceRepair(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,
+				   const Cells& map, ResultMesh& result, Workers& workers) :
+			surface_(surface),
+			curves_(curves), wanted_(wanted), angle_(wanted.angleDeg * radians), map_(map),
+			mapFaceNum_(result.mesh.faceNum), work_(workFor(result.mesh.faceNum)), r_(result),
+			workers_(workers)
+	{
+	}
+
+	bool run(std::vector<int> intersecting)
+	{
+		// The other half is for what changes the count, which helps where this does not.
+		std::int64_t half = work_ / 2;
+		work_ -= half;
+		Assignment  assignment(surface_, map_, mapFaceNum_);
+		LocalSearch search(surface_, curves_, &assignment, half, r_, workers_);
+		bool        isDone = true;
+		if (!intersecting.empty()) {
+			isDone = search.run(selfIntersections(search, intersecting, angle_, keepingCount));
+			intersecting = findCrossingFaces(
+				r_.mesh, facesRound(r_.mesh, verticesOf(r_.mesh, intersecting)), workers_);
+		}
+		isDone = raiseAngles(search) && isDone;
+		for (bool inPairs : {false, true}) {
+			for (int round = 0; round < mostCountRounds; ++round) {
+				if (!changeCountWhereItHelps(intersecting, inPairs)) break;
+			}
+		}
+		return isDone;
+	}
+
+private:
+	const Surface&        surface_;
+	const BoundaryCurves& curves_;
+	const PoorFaces&      wanted_;
+	float                 angle_;
+	const Cells&          map_;
+	int                   mapFaceNum_;
+	std::vector<int>      mapFace_; ///< see Assignment
+	std::int64_t          work_;    ///< left to all searches
+	ResultMesh&           r_;
+	Workers&              workers_;
+
+	/// A vertex of the input that is nearly as far off as the farthest one, all over the mesh.
+	float guarded() const
+	{
+		constexpr float share = 0.7f;
+		return wanted_.largestGap > 0 ? share * wanted_.largestGap : HUGE_VALF;
+	}
+
+	/// The second power for all poor faces, the fourth for the worst: what is stuck by the one may
+	/// move on by the other.
+	bool raiseAngles(LocalSearch& search)
+	{
+		bool isDone = true;
+		for (int power : {2, 4, 2}) {
+			const Goal goal = smallAngles(search, workers_, angle_, power, keepingCount, guarded());
+			isDone          = search.run(goal) && isDone;
+		}
+		return isDone;
+	}
+
+	/// Whether operations that change the count have a chance against small angles.
+	bool hasFewPoor(bool inPairs) const
+	{
+		const std::size_t num = findPoorFaces(r_.mesh, angle_, workers_).size();
+		const std::size_t most =
+			std::max(mostForCount, std::size_t(mostShareForCount * float(r_.mesh.faceNum)));
+		return num > 0 && num <= (inPairs ? mostForPairs : most);
+	}
+
+	/// All is as it was, and the answer is false, where it does not.
+	bool changeCountWhereItHelps(const std::vector<int>& intersecting, bool inPairs)
+	{
+		const bool raisesAngles = hasFewPoor(inPairs);
+		const bool takesApart   = !intersecting.empty() && intersecting.size() <= mostForCount;
+		if (work_ <= 0 || !(raisesAngles || takesApart)) return false;
+		const ResultMesh       start   = copyResult(r_, workers_);
+		const std::vector<int> mapFace = mapFace_;
+		const Poorness         before  = poornessOf(intersecting);
+		if (changeCount(intersecting, raisesAngles, inPairs) &&
+			poornessOf(intersecting).beats(before))
+			return true;
+		r_       = copyResult(start, workers_);
+		mapFace_ = mapFace;
+		return false;
+	}
+
+	/// False where nothing changed or the wanted count cannot be reached any more.
+	bool changeCount(const std::vector<int>& intersecting, bool raisesAngles, bool inPairs)
+	{
+		const int attempts = inPairs ? attemptsByPairs : attemptsByCount;
+		{
+			Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
+			LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_, 4 * attempts);
+			const auto  run = [&](Goal goal) {
+                goal.inPairs         = inPairs;
+                goal.budget.attempts = attempts;
+                search.run(goal);
+			};
+			if (raisesAngles)
+				run(smallAngles(search, workers_, angle_, 2, changingCount, guarded()));
+			if (!intersecting.empty())
+				run(selfIntersections(search, intersecting, angle_, changingCount));
+			if (search.changeNum() == 0) return false;
+		}
+		const bool isReached = wanted_.targetNum == 0 ||
+							   gpr::changeCount(surface_, curves_, wanted_.targetNum, r_, workers_);
+		followCompaction();
+		compactResult(r_, workers_);
+		if (!isReached) return false;
+		Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
+		LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_);
+		raiseAngles(search);
+		return true;
+	}
+
+	/// Names the faces of the map for the faces that compaction will leave.
+	void followCompaction()
+	{
+		const HalfEdgeMesh& m = r_.mesh;
+		std::vector<int>    mapFace;
+		for (int f = 0; f < m.faceNum; ++f) {
+			if (isDeadFace(m, f)) continue;
+			const int then = mapFace_.empty() ? mapFaceNum_ : int(mapFace_.size());
+			if (f >= then)
+				mapFace.push_back(-1); // it came in since
+			else
+				mapFace.push_back(mapFace_.empty() ? f : mapFace_[f]);
+		}
+		mapFace_ = std::move(mapFace);
+	}
+
+	Poorness poornessOf(const std::vector<int>& intersecting) const
+	{
+		Poorness poorness = {0, angle_, invertedFaceNum(surface_, r_, workers_), 0};
+		for (int f : findPoorFaces(r_.mesh, angle_, workers_)) {
+			const float  own  = smallestAngle(r_.mesh, f);
+			const double lack = 1 - double(own) / angle_;
+			poorness.lack += lack * lack;
+			poorness.minAngle = std::min(poorness.minAngle, own);
+		}
+		if (!intersecting.empty())
+			poorness.intersectingNum = int(findCrossingFaces(r_.mesh, workers_).size());
+		return poorness;
+	}
+};
+
+/// Feature lines side by side on one straight line, as where a surface is folded flat, can hold all
+/// edges of a face without area. A gap in a line is better than such a face. True if there are any.
+bool endLinesAtFacesWithoutArea(LocalSearch& search)
+{
+	const HalfEdgeMesh& m     = search.mesh();
+	bool                found = false;
+	if (!m.hasCreases()) return false;
+	for (int f = 0; f < m.faceNum; ++f) {
+		if (isDeadFace(m, f) || !hasNoArea(m, f)) continue;
+		search.editor().forgetLinesAt(f);
+		found = true;
+	}
+	return found;
+}
+
+} // namespace
+
+void repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, bool mayCollapse,
+						 ResultMesh& result, Workers& workers)
+{
+	std::int64_t work = workFor(result.mesh.faceNum);
+	LocalSearch  search(surface, curves, nullptr, work, result, workers);
+	search.run(invertedFaces(search, workers, mayCollapse));
+	if (!mayCollapse && endLinesAtFacesWithoutArea(search))
+		search.run(invertedFaces(search, workers, mayCollapse));
+	if (mayCollapse) compactResult(result, workers);
+}
+
+bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,
+					 std::unique_ptr<Cells>& map, ResultMesh& result, Workers& workers)
+{
+	std::vector<int> intersecting;
+	if (!wanted.suspects.empty())
+		intersecting = findCrossingFaces(result.mesh, wanted.suspects, workers);
+	const float angle = wanted.angleDeg * radians;
+	if (intersecting.empty() && findPoorFaces(result.mesh, angle, workers).empty()) return true;
+	if (map == nullptr) map.reset(new Cells(surface, result, workers));
+	return PoorFaceRepair(surface, curves, wanted, *map, result, workers).run(intersecting);
+}
+
+} // namespace gpr

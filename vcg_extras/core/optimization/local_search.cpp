@@ -1,0 +1,463 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "local_search.h"
+
+#include "crease_agreement.h"
+
+#include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/mesh/crossing_faces.h>
+#include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/surface/normal_agreement.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace gpr {
+
+namespace {
+
+/// Changes at one face before the next one has its turn.
+constexpr int mostChanges = 6;
+/// Passes of flips and moves after a change; a third one finds next to nothing.
+constexpr int settlePasses = 2;
+/// Rings round a face that two operations in a row may change: as many as one with what settles
+/// round it, twice.
+constexpr int pairRings = 4;
+/// What settles must lower the cost to this share: less is not worth a step.
+constexpr float settleShare = 0.995f;
+/// Moves of a vertex with one step length.
+constexpr int mostMoves = 4;
+
+Vec3f centreOf(const std::array<Vec3f, 3>& t)
+{
+	return (t[0] + t[1] + t[2]) * (1 / 3.0f);
+}
+
+int nearestFace(const HalfEdgeMesh& m, const std::vector<int>& faces, const Vec3f& p)
+{
+	return *std::min_element(faces.begin(), faces.end(), [&](int f, int g) {
+		return squaredLength(m.faceCentre(f) - p) < squaredLength(m.faceCentre(g) - p);
+	});
+}
+
+} // namespace
+
+LocalSearch::LocalSearch(const Surface& surface, const BoundaryCurves& curves,
+						 Assignment* assignment, std::int64_t& work, ResultMesh& result,
+						 Workers& workers, int spareVertexNum) :
+		editor_(surface, curves, result, workers, spareVertexNum),
+		m_(result.mesh), assignment_(assignment), workers_(workers), work_(work),
+		isChanged_(std::size_t(m_.faceNum) + 2 * std::size_t(spareVertexNum), 0),
+		spare_(spareVertexNum)
+{
+}
+
+// ---- the rounds
+
+bool LocalSearch::run(const Goal& goal)
+{
+	goal_                = &goal;
+	attempts_            = goal.budget.attempts;
+	failed_              = FailedAttempts(m_.vertexNum + spare_);
+	std::vector<int> bad = goal.findBad();
+	for (int round = 0; round < goal.budget.rounds && !bad.empty(); ++round) {
+		touched_.clear();
+		for (int f : worstFirst(bad)) {
+			workers_.poll();
+			improveAt(f);
+			if (isExhausted()) return false;
+		}
+		if (touched_.empty()) break;
+		// Only faces that were bad, or that changed, can be bad now.
+		std::vector<int>       candidates;
+		const std::vector<int> changed = facesRound(m_, touched_);
+		std::sort(bad.begin(), bad.end());
+		std::set_union(bad.begin(), bad.end(), changed.begin(), changed.end(),
+					   std::back_inserter(candidates));
+		bad = stillBad(candidates);
+	}
+	return true;
+}
+
+std::vector<int> LocalSearch::worstFirst(std::vector<int> faces) const
+{
+	std::vector<std::pair<float, int>> order;
+	for (int f : faces)
+		order.push_back({isDeadFace(m_, f) ? 0.0f : -goal_->faceCost(f), f});
+	std::sort(order.begin(), order.end());
+	for (std::size_t i = 0; i < faces.size(); ++i)
+		faces[i] = order[i].second;
+	return faces;
+}
+
+std::vector<int> LocalSearch::stillBad(const std::vector<int>& faces) const
+{
+	std::vector<int> bad;
+	std::copy_if(faces.begin(), faces.end(), std::back_inserter(bad),
+				 [&](int f) { return !isDeadFace(m_, f) && goal_->isBad(f); });
+	return bad;
+}
+
+void LocalSearch::improveAt(int f)
+{
+	for (int change = 0; change < mostChanges; ++change) {
+		if (isDeadFace(m_, f) || failed_.isKnown(m_, f)) return;
+		if (goal_->limits.intersections || goal_->countsIntersections) findNear(f);
+		intersectsHere_ =
+			goal_->limits.intersections && intersectionNum(facesRound(m_, ringsRound(f, 1))) > 0;
+		if (!goal_->isBad(f)) return;
+		--attempts_;
+		const bool isBetter = goal_->takesFirst ? takeEach(f) : takeBest(f);
+		if (!isBetter) {
+			failed_.noteFailure(m_, f);
+			return;
+		}
+		if (isExhausted()) return;
+	}
+}
+
+/// Keeps each operation that helps, one after the other.
+bool LocalSearch::takeEach(int f)
+{
+	bool isBetter = false;
+	for (const Operation& op : operationsAt(m_, f, goal_->operations)) {
+		const std::vector<int> patch = editor_.patchOf(op);
+		if (patch.empty() || attempt(op, lookAt(patch), 0) == 0) continue;
+		keep({op});
+		isBetter = true;
+		if (!goal_->isBad(f)) break;
+	}
+	return isBetter;
+}
+
+bool LocalSearch::takeBest(int f)
+{
+	const std::vector<Operation> best = goal_->inPairs ? bestPair(f) : bestSingle(f);
+	if (!best.empty()) keep(best);
+	return !best.empty();
+}
+
+// ---- trials
+
+std::vector<Operation> LocalSearch::bestSingle(int f)
+{
+	std::vector<Operation> best;
+	float                  bestGain = 0;
+	for (const Operation& op : operationsAt(m_, f, goal_->operations)) {
+		const std::vector<int> patch = editor_.patchOf(op);
+		if (patch.empty()) continue;
+		float gain = attempt(op, lookAt(patch), bestGain);
+		if (op.isCollapse()) gain -= goal_->collapseCost;
+		if (gain <= bestGain) continue;
+		bestGain = gain;
+		best     = {op};
+	}
+	return best;
+}
+
+/// What no change alone improves two can: the second one at the face that is the worst after the
+/// first.
+std::vector<Operation> LocalSearch::bestPair(int f)
+{
+	std::vector<Operation> best;
+	float                  bestGain = 0;
+	Before                 before   = lookAt(ringsRound(f, pairRings));
+	for (const Operation& first : operationsAt(m_, f, goal_->operations)) {
+		workers_.poll();
+		if (make(first)) {
+			const std::vector<int> faces = facesRound(m_, editor_.patchNow(before.snapshot));
+			const int              next  = worstFirst(faces).front();
+			for (const Operation& second : operationsAt(m_, next, goal_->operations)) {
+				const PatchEditor::Snapshot between = editor_.remember(editor_.patchOf(second));
+				float                       gain    = make(second) ? gainOver(before) : 0;
+				if (gain > bestGain && !keepsLimits(before)) gain = 0;
+				editor_.undo(between);
+				if (gain <= bestGain) continue;
+				bestGain = gain;
+				best     = {first, second};
+			}
+		}
+		editor_.undo(before.snapshot);
+	}
+	return best;
+}
+
+LocalSearch::Before LocalSearch::lookAt(const std::vector<int>& patch)
+{
+	Before before(editor_.remember(patch));
+	before.triangles = trianglesOf(m_, before.faces());
+	before.cost      = costOf(before.faces());
+	before.worst     = worstOf(before.faces());
+	for (int v : patch)
+		before.meanEdge = std::max(before.meanEdge, editor_.meanEdge(v));
+	if (intersectsHere_) before.intersections = intersectionNum(before.faces());
+	return before;
+}
+
+/// By how much an operation lowers the cost; 0 where it is refused or gains no more than is known.
+/// All is as before afterwards.
+float LocalSearch::attempt(const Operation& op, Before before, float known)
+{
+	float gain = make(op) ? gainOver(before) : 0;
+	if (gain > known && !keepsLimits(before)) gain = 0;
+	editor_.undo(before.snapshot);
+	return gain;
+}
+
+float LocalSearch::gainOver(const Before& before)
+{
+	const std::vector<int> faces = facesRound(m_, editor_.patchNow(before.snapshot));
+	const float            now   = costOf(faces);
+	const bool             pays  = now < goal_->mostLeft * before.cost - goal_->leastGain;
+	return pays && keepsWorst(faces, before.worst) ? before.cost - now : 0;
+}
+
+bool LocalSearch::keepsLimits(Before& before)
+{
+	const std::vector<int> faces = facesRound(m_, editor_.patchNow(before.snapshot));
+	if (!keepsDistance(before, faces)) return false;
+	// A goal that counts intersections has looked at them already.
+	if (!goal_->limits.intersections || goal_->countsIntersections) return true;
+	return intersectionNum(faces) <= before.intersections;
+}
+
+bool LocalSearch::keepsDistance(Before& before, const std::vector<int>& faces)
+{
+	const Limits& limits = goal_->limits;
+	if (!(limits.maxDistance < HUGE_VALF) || assignment_ == nullptr) return true;
+	if (before.distance == nullptr)
+		before.distance.reset(new PatchDistance(*assignment_, before.faces(), before.triangles,
+												limits.maxDistance * before.meanEdge,
+												limits.guardedDistance));
+	work_ -= before.distance->work();
+	return before.distance->isKeptBy(trianglesOf(m_, faces), limits.rmsGrowth);
+}
+
+// ---- what is measured
+
+float LocalSearch::agreement(int f) const
+{
+	float least = faceAgreement(m_, editor_.normals(), f);
+	if (!m_.hasCreases()) return least;
+	for (int h = 3 * f; h < 3 * f + 3; ++h)
+		least = std::min(least,
+						 creaseAgreement(editor_.surface(), editor_.curves(), editor_.result(), h));
+	return least;
+}
+
+float LocalSearch::costOf(const std::vector<int>& faces)
+{
+	work_ -= std::int64_t(faces.size());
+	float cost = 0;
+	for (int f : faces)
+		cost += goal_->faceCost(f);
+	if (!goal_->countsIntersections) return cost;
+	// Pairs come first; of as many, what the faces cost tells.
+	return float(intersectionNum(faces)) + 0.5f * cost / (1 + cost);
+}
+
+LocalSearch::Worst LocalSearch::worstOf(const std::vector<int>& faces)
+{
+	const Limits& limits = goal_->limits;
+	Worst         worst;
+	for (int f : faces) {
+		if (limits.minNormalAgreement > -1) {
+			const float own = agreement(f);
+			worst.agreement = std::min(worst.agreement, own);
+			worst.invertedNum += own < 0;
+		}
+		if (limits.minAngle > 0) worst.angle = std::min(worst.angle, smallestAngle(m_, f));
+	}
+	work_ -= 4 * std::int64_t(faces.size());
+	return worst;
+}
+
+bool LocalSearch::keepsWorst(const std::vector<int>& faces, const Worst& before)
+{
+	const Limits& limits = goal_->limits;
+	const Worst   now    = worstOf(faces);
+	return now.invertedNum <= before.invertedNum &&
+		   now.agreement >= std::min(limits.minNormalAgreement, before.agreement) &&
+		   now.angle >= std::min(limits.minAngle, before.angle);
+}
+
+int LocalSearch::intersectionNum(const std::vector<int>& faces)
+{
+	std::int64_t pairs = 0;
+	const int    num   = countCrossingPairs(m_, faces, near_, &pairs);
+	work_ -= pairs + std::int64_t(near_.size()) / 4;
+	return num;
+}
+
+/// Finds the faces that a patch round f may intersect.
+void LocalSearch::findNear(int f)
+{
+	if (boxes_ == nullptr) boxes_.reset(new FaceBoxes(m_, workers_));
+	const float margin = editor_.meanEdge(m_.origin[3 * f]);
+	const Vec3f reach{margin, margin, margin};
+	Box<float>  box = boxOfFaces(m_, facesRound(m_, ringsRound(f, 1)));
+	box.low         = box.low - reach;
+	box.high        = box.high + reach;
+	near_           = boxes_->meeting(box);
+	for (int g : changedFaces_) {
+		if (!isDeadFace(m_, g) && boxOfFace(m_, g).meets(box)) near_.push_back(g);
+	}
+	sortUnique(near_);
+}
+
+/// The corners of f and the vertices within so many rings of them.
+std::vector<int> LocalSearch::ringsRound(int f, int ringNum) const
+{
+	std::vector<int> vertices = verticesOf(m_, {f});
+	for (int ring = 0; ring < ringNum; ++ring)
+		vertices = verticesOf(m_, facesRound(m_, vertices));
+	return vertices;
+}
+
+// ---- what is changed
+
+bool LocalSearch::make(const Operation& op)
+{
+	if (op.kind == Operation::Move) return moveToBest(m_.origin[op.halfEdge]);
+	if (op.kind == Operation::Flip && goal_->limits.gentleFlips &&
+		!(editor_.mayFlip(op.halfEdge) && editor_.isGentleFlip(op.halfEdge)))
+		return false;
+	const std::vector<int> patch     = editor_.patchOf(op);
+	const int              vertexNum = m_.vertexNum;
+	if (!editor_.make(op)) return false;
+	if (!goal_->settles) return true;
+	std::vector<int> left;
+	for (int v : patch) {
+		if (m_.outgoing[v] >= 0) left.push_back(v);
+	}
+	for (int v = vertexNum; v < m_.vertexNum; ++v) {
+		if (m_.outgoing[v] >= 0) left.push_back(v);
+	}
+	settle(left);
+	return true;
+}
+
+void LocalSearch::settle(const std::vector<int>& patch)
+{
+	for (int pass = 0; pass < settlePasses; ++pass) {
+		if (patch.size() > 4) {
+			for (int f : facesRound(m_, patch)) {
+				for (int h = 3 * f; h < 3 * f + 3; ++h)
+					flipIfBetter(h, patch);
+			}
+		}
+		for (int v : patch)
+			moveToBest(v);
+	}
+}
+
+/// patch: ascending.
+void LocalSearch::flipIfBetter(int h, const std::vector<int>& patch)
+{
+	if (m_.opposite[h] < 0) return;
+	for (int v : editor_.cornersAt(h)) {
+		if (!std::binary_search(patch.begin(), patch.end(), v)) return;
+	}
+	const std::vector<int> pair = {std::min(h, m_.opposite[h]) / 3,
+								   std::max(h, m_.opposite[h]) / 3};
+	const float            cost = costOf(pair);
+	if (cost == 0 || !editor_.mayFlip(h)) return;
+	if (goal_->limits.gentleFlips && !editor_.isGentleFlip(h)) return;
+	const Worst before = worstOf(pair);
+	editor_.flip(h);
+	if (!(costOf(pair) < settleShare * cost && keepsWorst(pair, before))) editor_.flipBack(h);
+}
+
+bool LocalSearch::moveToBest(int v)
+{
+	if (!editor_.mayMove(v)) return false;
+	float cost = costOf(facesRound(m_, {v}));
+	if (cost == 0) return false;
+	const float edge   = editor_.meanEdge(v);
+	bool        better = false;
+	for (float length : goal_->stepLengths) {
+		for (int move = 0; move < mostMoves; ++move) {
+			if (!stepFrom(v, length * edge, cost)) break;
+			better = true;
+		}
+	}
+	return better;
+}
+
+std::vector<PatchEditor::VertexState> LocalSearch::statesFor(int v, float reach) const
+{
+	std::vector<PatchEditor::VertexState> states = editor_.statesAround(v, reach);
+	if (goal_->raises && editor_.result().vertex[v].curve < 0) {
+		states.push_back(editor_.raised(v, -reach));
+		states.push_back(editor_.raised(v, reach));
+	}
+	return states;
+}
+
+/// Moves v by one step to where its faces cost least; false if no place is better.
+bool LocalSearch::stepFrom(int v, float reach, float& cost)
+{
+	const std::vector<int>         faces = facesRound(m_, {v});
+	const PatchEditor::VertexState start = editor_.stateOf(v);
+	PatchEditor::VertexState       best  = start;
+	bool                           found = false;
+	std::unique_ptr<Before> before; // looked at where a place is better: most steps find none
+	for (const PatchEditor::VertexState& next : statesFor(v, reach)) {
+		if (!editor_.isNearStart(v, next, goal_->limits.maxMove, goal_->limits.maxTurn)) continue;
+		editor_.put(v, next);
+		const float now = costOf(faces);
+		if (!(now < settleShare * cost)) continue;
+		if (before == nullptr) {
+			editor_.put(v, start);
+			before.reset(new Before(lookAt({v})));
+			editor_.put(v, next);
+		}
+		if (!keepsWorst(faces, before->worst)) continue;
+		cost  = now;
+		best  = next;
+		found = true;
+	}
+	editor_.put(v, best);
+	return found;
+}
+
+// ---- what stays
+
+std::vector<int> LocalSearch::patchOf(const std::vector<Operation>& ops) const
+{
+	if (ops.size() == 1) return editor_.patchOf(ops.front());
+	return ringsRound(ops.front().halfEdge / 3, pairRings);
+}
+
+void LocalSearch::keep(const std::vector<Operation>& ops)
+{
+	const PatchEditor::Snapshot before    = editor_.remember(patchOf(ops));
+	const std::vector<int>&     faces     = before.backup.faces();
+	const Triangles             triangles = trianglesOf(m_, faces);
+	for (const Operation& op : ops) {
+		make(op);
+		editor_.countDone(op);
+	}
+	const std::vector<int> patch = editor_.patchNow(before);
+	const std::vector<int> now   = facesRound(m_, patch);
+	for (std::size_t i = 0; assignment_ != nullptr && i < faces.size(); ++i) {
+		if (isDeadFace(m_, faces[i]))
+			assignment_->transfer(faces[i], nearestFace(m_, now, centreOf(triangles[i])));
+	}
+	note(patch, now);
+	++changeNum_;
+}
+
+void LocalSearch::note(const std::vector<int>& patch, const std::vector<int>& faces)
+{
+	for (int v : patch) {
+		failed_.noteChange(v);
+		touched_.push_back(v);
+	}
+	for (int f : faces) {
+		if (!isChanged_[f]) changedFaces_.push_back(f);
+		isChanged_[f] = 1;
+	}
+}
+
+} // namespace gpr

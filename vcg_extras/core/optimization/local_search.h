@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_LOCAL_SEARCH_H
+#define VCG_EXTRAS_CORE_OPTIMIZATION_LOCAL_SEARCH_H
+
+#include "failed_attempts.h"
+#include "patch_distance.h"
+#include "patch_editor.h"
+
+#include <vcg_extras/core/mesh/face_boxes.h>
+
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace gpr {
+
+/// What no change may make worse. Each holds for all faces of a patch; what was beyond a limit
+/// before may stay as it was.
+struct Limits {
+	float minAngle           = 0;         ///< radians
+	float minNormalAgreement = -1;        ///< cosine
+	float maxDistance        = HUGE_VALF; ///< of the input's vertices from the faces, in mean edges
+	float rmsGrowth          = HUGE_VALF; ///< of those distances' root mean square, a factor
+	float guardedDistance    = HUGE_VALF; ///< working units; vertices so far off get no farther
+	float maxMove            = 0.5f; ///< of a vertex from where the search found it, in mean edges
+	float maxTurn            = 0.5f; ///< cosine of the normals before and after a move
+	bool  gentleFlips        = true; ///< see PatchEditor::isGentleFlip
+	bool  intersections      = true; ///< no more pairs of faces that intersect
+};
+
+/// Where a search ends though faces are left.
+struct Budget {
+	int          rounds   = 8;    ///< over all bad faces
+	std::int64_t attempts = 2000; ///< faces that are tried
+};
+
+/// What a search is for.
+struct Goal {
+	std::function<std::vector<int>()> findBad; ///< among all faces
+	std::function<bool(int face)>     isBad;
+	std::function<float(int face)>    faceCost;
+	bool  countsIntersections = false;      ///< their number comes before the faces' cost
+	float mostLeft = 0.995f, leastGain = 0; ///< a change leaves at most this share, less this
+	float collapseCost = 0;                 ///< a vertex less has to be worth so much
+	std::vector<Operation::Kind> operations;
+	std::vector<float>           stepLengths;    ///< of moves, in mean edges
+	bool                         raises = false; ///< moves also go up and down from the surface
+	bool   settles    = true;  ///< what lies round a change settles by moves and flips
+	bool   takesFirst = false; ///< each operation that helps is kept, not only the best of all
+	bool   inPairs    = false; ///< two operations in a row
+	Limits limits;
+	Budget budget;
+};
+
+/// Improves the result where it is worst, face by face: every operation at a bad face is tried,
+/// what lies round it settles by moves and flips, and the trial that lowers the cost most within
+/// the limits is kept; all others are undone. Faces at which nothing helps are left alone until
+/// something near them changes. Serial, so that the outcome does not depend on threads.
+class LocalSearch {
+public:
+	/// assignment: may be null where no goal limits distances. work: what all runs, also of further
+	/// searches, may measure together, in faces, points and pairs of triangles; it is counted down.
+	/// Room for so many more vertices is made.
+	LocalSearch(const Surface& surface, const BoundaryCurves& curves, Assignment* assignment,
+				std::int64_t& work, ResultMesh& result, Workers& workers, int spareVertexNum = 0);
+
+	/// False if the budget ended before the search did.
+	bool run(const Goal& goal);
+
+	/// How well a face agrees with the surface: the cosine of the angle between its normal and the
+	/// surface's at its corners or, where that is less, the surface's beside its feature lines.
+	float agreement(int f) const;
+	/// Pairs of intersecting faces of which one is among these (ascending).
+	int intersectionNum(const std::vector<int>& faces);
+
+	PatchEditor&        editor() { return editor_; }
+	const HalfEdgeMesh& mesh() const { return m_; }
+	int                 changeNum() const { return changeNum_; }
+
+private:
+	/// The worst of a patch' faces; measured only where it is limited.
+	struct Worst {
+		float agreement   = 1;
+		int   invertedNum = 0;
+		float angle       = HUGE_VALF;
+	};
+
+	/// A patch before a trial.
+	struct Before {
+		PatchEditor::Snapshot snapshot;
+		Triangles             triangles;
+		Worst                 worst;
+		float                 cost          = 0;
+		float                 meanEdge      = 0;
+		int                   intersections = 0; ///< pairs, where there are any near
+		/// Measured when it is first asked for.
+		std::unique_ptr<PatchDistance> distance;
+
+		explicit Before(PatchEditor::Snapshot s) : snapshot(std::move(s)) {}
+		const std::vector<int>& faces() const { return snapshot.backup.faces(); }
+	};
+
+	PatchEditor                editor_;
+	const HalfEdgeMesh&        m_;
+	Assignment*                assignment_;
+	Workers&                   workers_;
+	std::int64_t&              work_; ///< left
+	const Goal*                goal_ = nullptr;
+	FailedAttempts             failed_{0};
+	std::vector<int>           touched_;      ///< vertices that changed in this round
+	std::unique_ptr<FaceBoxes> boxes_;        ///< made when intersections are first asked for
+	std::vector<int>           changedFaces_; ///< since then
+	std::vector<char>          isChanged_;    ///< per face
+	std::vector<int>           near_;         ///< faces that those at hand may intersect
+	bool                       intersectsHere_ = false; ///< some of the faces round the one at hand
+	int                        changeNum_      = 0;
+	std::int64_t               attempts_       = 0; ///< left
+	int                        spare_;
+
+	std::vector<int>       worstFirst(std::vector<int> faces) const;
+	std::vector<int>       stillBad(const std::vector<int>& faces) const;
+	bool                   isExhausted() const { return attempts_ <= 0 || work_ <= 0; }
+	void                   improveAt(int f);
+	bool                   takeEach(int f);
+	bool                   takeBest(int f);
+	std::vector<Operation> bestSingle(int f);
+	std::vector<Operation> bestPair(int f);
+	void                   keep(const std::vector<Operation>& ops);
+	std::vector<int>       patchOf(const std::vector<Operation>& ops) const;
+	void                   note(const std::vector<int>& patch, const std::vector<int>& facesBefore);
+
+	Before lookAt(const std::vector<int>& patch);
+	float  attempt(const Operation& op, Before before, float known);
+	float  gainOver(const Before& before);
+	bool   keepsLimits(Before& before);
+	bool   keepsDistance(Before& before, const std::vector<int>& faces);
+	float  costOf(const std::vector<int>& faces);
+	Worst  worstOf(const std::vector<int>& faces);
+	bool   keepsWorst(const std::vector<int>& faces, const Worst& before);
+
+	bool                                  make(const Operation& op);
+	void                                  settle(const std::vector<int>& patch);
+	void                                  flipIfBetter(int h, const std::vector<int>& patch);
+	bool                                  moveToBest(int v);
+	bool                                  stepFrom(int v, float reach, float& cost);
+	std::vector<PatchEditor::VertexState> statesFor(int v, float reach) const;
+
+	void             findNear(int f);
+	std::vector<int> ringsRound(int f, int ringNum) const;
+};
+
+} // namespace gpr
+
+#endif

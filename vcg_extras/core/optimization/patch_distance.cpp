@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_distance.h"
+
+#include <vcg_extras/core/base/triangle.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// A vertex at half of what is near enough, squared here, need not be looked at more closely.
+constexpr float nearShare = 0.25f;
+
+/// Finds how far points lie from some triangles, those near each other in a row fast: the triangle
+/// that was nearest last time is tried first, and mostly is near enough.
+class NearestTriangle {
+public:
+	explicit NearestTriangle(const Triangles& triangles) : triangle_(triangles) {}
+
+	/// From the nearest one, or from one that is near enough.
+	float squaredDistance(const Vec3f& p, float enough)
+	{
+		float nearest = triangle_.empty() ? HUGE_VALF : squaredFrom(last_, p);
+		for (std::size_t i = 0; i < triangle_.size() && nearest > enough; ++i) {
+			const float squared = squaredFrom(i, p);
+			if (squared >= nearest) continue;
+			nearest = squared;
+			last_   = i;
+		}
+		return nearest;
+	}
+
+	/// Distances from single triangles.
+	std::int64_t work() const { return work_; }
+
+private:
+	const Triangles& triangle_;
+	std::size_t      last_ = 0;
+	std::int64_t     work_ = 0;
+
+	float squaredFrom(std::size_t i, const Vec3f& p)
+	{
+		++work_;
+		const std::array<Vec3f, 3>& t = triangle_[i];
+		return squaredLength(nearestOnTriangle(p, t[0], t[1], t[2]) - p);
+	}
+};
+
+} // namespace
+
+Assignment::Assignment(const Surface& surface, const Cells& map, int mapFaceNum,
+					   std::vector<int> mapFace) :
+		surface_(surface),
+		map_(map), mapFaceNum_(mapFaceNum), mapFace_(std::move(mapFace))
+{
+}
+
+void Assignment::transfer(int from, int to)
+{
+	std::vector<int> all;
+	const auto       found = further_.find(from);
+	if (found != further_.end()) {
+		all = std::move(found->second);
+		further_.erase(found);
+	}
+	if (mapFaceOf(from) >= 0) all.push_back(mapFaceOf(from));
+	std::vector<int>& taken = further_[to];
+	taken.insert(taken.end(), all.begin(), all.end());
+}
+
+Triangles trianglesOf(const HalfEdgeMesh& m, const std::vector<int>& faces)
+{
+	Triangles triangles;
+	triangles.reserve(faces.size());
+	for (int f : faces) {
+		const int* c = &m.origin[3 * f];
+		triangles.push_back({m.position[c[0]], m.position[c[1]], m.position[c[2]]});
+	}
+	return triangles;
+}
+
+PatchDistance::PatchDistance(const Assignment& assignment, std::vector<int> faces,
+							 const Triangles& triangles, float enough, float guarded) :
+		assignment_(assignment),
+		faces_(std::move(faces)), squaredEnough_(enough * enough),
+		squaredGuarded_(std::max(enough * enough, guarded * guarded))
+{
+	NearestTriangle near(triangles);
+	farthest_ = squaredEnough_;
+	for (int f : faces_) {
+		assignment_.forEach(f, [&](const Vec3f& p) {
+			const float squared = near.squaredDistance(p, nearShare * squaredEnough_);
+			farthest_           = std::max(farthest_, squared);
+			squares_ += squared;
+			fourthPowers_ += guardedPower(squared);
+			++num_;
+			return true;
+		});
+	}
+	work_ = near.work();
+}
+
+double PatchDistance::guardedPower(float squared) const
+{
+	if (!(squaredGuarded_ < HUGE_VALF)) return 0;
+	const double counted = std::max(squared, squaredGuarded_);
+	return counted * counted;
+}
+
+bool PatchDistance::isKeptBy(const Triangles& triangles, float rmsGrowth) const
+{
+	NearestTriangle near(triangles);
+	// Sums of the same numbers in another order differ by rounding.
+	constexpr double rounding      = 1e-5;
+	const double     allowedPowers = (1 + rounding) * fourthPowers_;
+	const double     allowedSquares =
+		std::max(double(rmsGrowth) * rmsGrowth * squares_, 0.25 * squaredEnough_ * double(num_));
+	double     squares = 0, powers = 0;
+	const auto isKept = [&](const Vec3f& p) {
+		const float squared = near.squaredDistance(p, nearShare * squaredEnough_);
+		squares += squared;
+		powers += guardedPower(squared);
+		return squared <= farthest_ && powers <= allowedPowers && squares <= allowedSquares;
+	};
+	return std::all_of(faces_.begin(), faces_.end(),
+					   [&](int f) { return assignment_.forEach(f, isKept); });
+}
+
+} // namespace gpr

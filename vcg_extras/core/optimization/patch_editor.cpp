@@ -1,0 +1,324 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_editor.h"
+
+#include "curve_slide.h"
+#include "edge_middle.h"
+
+#include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/surface/normal_agreement.h>
+#include <vcg_extras/core/surface/walk.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// A vertex of a curve slides at most this share of the way to the next one at once, so that it
+/// cannot get there by a few slides.
+constexpr float longestSlide = 0.5f;
+/// The diagonals of a gentle flip lie at most this share of an edge apart: so far moves the
+/// surface.
+constexpr float largestDiagonalGap = 0.5f;
+/// Faces that a step may cross; longer ways, among needles, are not worth their time.
+constexpr int mostFacesOfStep = 256;
+
+/// Whether an inner vertex is left with four faces at least. Three faces round one have an angle of
+/// 30° at the most.
+bool maySpareFace(const HalfEdgeMesh& m, int v)
+{
+	return m.isBorderVertex(v) || m.valence(v) > 4;
+}
+
+} // namespace
+
+std::vector<Operation> operationsAt(const HalfEdgeMesh& m, int face,
+									const std::vector<Operation::Kind>& kinds)
+{
+	std::vector<Operation> all;
+	for (int h = 3 * face; h < 3 * face + 3; ++h) {
+		for (Operation::Kind kind : kinds) {
+			all.push_back({kind, h});
+			const bool hasBeyond = kind == Operation::Move && m.opposite[h] >= 0;
+			if (hasBeyond) all.push_back({kind, prevInFace(m.opposite[h])});
+		}
+	}
+	return all;
+}
+
+PatchEditor::PatchEditor(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result,
+						 Workers& workers, int spareVertexNum) :
+		surface_(surface),
+		curves_(curves), r_(result), m_(result.mesh),
+		startNormal_(normalsWithoutLips(surface, result, workers)),
+		startPosition_(std::size_t(m_.vertexNum + spareVertexNum))
+{
+	reserve(m_, m_.vertexNum + spareVertexNum, m_.faceNum + 2 * spareVertexNum);
+	startNormal_.resize(startPosition_.size());
+	std::copy(m_.position.data(), m_.position.data() + m_.vertexNum, startPosition_.data());
+	normal_ = Buffer<Vec3f>(startNormal_.size());
+	std::copy(startNormal_.begin(), startNormal_.end(), normal_.begin());
+}
+
+// ---- vertices
+
+void PatchEditor::put(int v, const VertexState& state)
+{
+	m_.position[v] = state.position;
+	normal_[v]     = state.normal;
+	r_.vertex[v]   = state.record;
+}
+
+float PatchEditor::meanEdge(int v) const
+{
+	float sum = 0;
+	int   num = 0;
+	forEachNeighbour(m_, v, [&](int w) {
+		sum += length(m_.position[w] - m_.position[v]);
+		++num;
+	});
+	return sum / float(num);
+}
+
+bool PatchEditor::mayMove(int v) const
+{
+	const ResultVertex& r = r_.vertex[v];
+	return !r.isCorner && !r.isPinned && m_.isCurveVertex(v) == (r.curve >= 0);
+}
+
+std::vector<PatchEditor::VertexState> PatchEditor::statesAround(int v, float reach) const
+{
+	std::vector<VertexState> states;
+	const ResultVertex&      here = r_.vertex[v];
+	if (here.curve >= 0) {
+		const SlideRoom room = slideRoom(r_, curves_, v);
+		for (float by : {-reach, reach}) {
+			if (reach > longestSlide * (by < 0 ? room.backward : room.forward)) continue;
+			if (slideKeepsToCurve(r_, curves_, v, room, by) &&
+				slideKeepsSpacing(r_, curves_, v, room, by))
+				states.push_back(movedTo(v, slid(surface_, curves_, here, by)));
+		}
+		return states;
+	}
+	for (const Vec3f& direction : compassDirections(here.normal)) {
+		ResultVertex  there = here;
+		const WalkEnd end   = walk(surface_.mesh, there.anchor, direction * reach, mostFacesOfStep);
+		if (end != WalkEnd::Arrived) continue;
+		there.normal = surface_.mesh.faceNormal(there.anchor.face);
+		states.push_back(movedTo(v, there));
+	}
+	return states;
+}
+
+PatchEditor::VertexState PatchEditor::movedTo(int v, const ResultVertex& record) const
+{
+	return {record.anchor.position + heightOf(v), normalAt(v, record.anchor), record};
+}
+
+PatchEditor::VertexState PatchEditor::raised(int v, float by) const
+{
+	VertexState state = stateOf(v);
+	state.position += normalized(state.normal) * by;
+	return state;
+}
+
+bool PatchEditor::isNearStart(int v, const VertexState& state, float share, float leastCosine) const
+{
+	const Vec3f& normal = startNormal_[v];
+	const float  scale  = length(state.normal) * length(normal);
+	if (dot(state.normal, normal) < leastCosine * scale) return false;
+	return length(state.position - startPosition_[v]) <= share * meanEdge(v);
+}
+
+Vec3f PatchEditor::normalAt(int v, const Anchor& at) const
+{
+	const Vec3f own = smoothNormal(surface_, at);
+	return m_.isBorderVertex(v) ? withoutLip(m_, normal_, v, own) : own;
+}
+
+// ---- edges
+
+std::array<int, 4> PatchEditor::cornersAt(int h) const
+{
+	return {m_.origin[h], m_.target(h), m_.apex(h), m_.apex(m_.opposite[h])};
+}
+
+bool PatchEditor::isGentleFlip(int h) const
+{
+	const std::array<int, 4> corner = cornersAt(h);
+	if (!maySpareFace(m_, corner[0]) || !maySpareFace(m_, corner[1])) return false;
+	const Vec3f a = m_.position[corner[0]], b = m_.position[corner[1]];
+	const Vec3f c = m_.position[corner[2]], d = m_.position[corner[3]];
+	const float gap = std::abs(dot(normalized(cross(b - a, d - c)), c - a));
+	return gap <= largestDiagonalGap * meanEdge(corner[0]);
+}
+
+void PatchEditor::flip(int h)
+{
+	gpr::flip(m_, h);
+}
+
+void PatchEditor::flipBack(int h)
+{
+	gpr::flip(m_, nextInFace(h));
+}
+
+void PatchEditor::addStar(int v, std::vector<int>& patch) const
+{
+	patch.push_back(v);
+	forEachNeighbour(m_, v, [&](int w) { patch.push_back(w); });
+}
+
+/// The corners of h's face, and those beyond its other edges.
+void PatchEditor::addHalfOfEdge(int h, std::vector<int>& patch) const
+{
+	for (int corner = 3 * (h / 3); corner < 3 * (h / 3) + 3; ++corner)
+		patch.push_back(m_.origin[corner]);
+	for (int side : {nextInFace(h), prevInFace(h)}) {
+		if (m_.opposite[side] >= 0) patch.push_back(m_.apex(m_.opposite[side]));
+	}
+}
+
+std::vector<int> PatchEditor::patchOf(const Operation& op) const
+{
+	const int        h = op.halfEdge;
+	std::vector<int> patch;
+	if (op.kind == Operation::Move) return {m_.origin[h]};
+	if (op.isCollapse()) {
+		addStar(op.kind == Operation::Collapse ? m_.origin[h] : m_.target(h), patch);
+	}
+	else if (op.kind == Operation::Flip) {
+		if (m_.opposite[h] < 0) return {};
+		const std::array<int, 4> corners = cornersAt(h);
+		patch.assign(corners.begin(), corners.end());
+	}
+	else {
+		addHalfOfEdge(h, patch);
+		if (m_.opposite[h] >= 0) addHalfOfEdge(m_.opposite[h], patch);
+		if (op.kind == Operation::Attach) addStar(m_.apex(h), patch);
+	}
+	sortUnique(patch);
+	return patch;
+}
+
+bool PatchEditor::make(const Operation& op)
+{
+	const int h = op.halfEdge;
+	switch (op.kind) {
+	case Operation::Flip:
+		if (!mayFlip(h)) return false;
+		flip(h);
+		return true;
+	case Operation::Split:
+		return split(h);
+	case Operation::Attach:
+		return attach(h);
+	case Operation::Collapse:
+		return m_.opposite[h] < 0 ? collapseOnBorder(h, true) : collapseInside(h);
+	case Operation::CollapseBack:
+		return m_.opposite[h] < 0 ? collapseOnBorder(h, false) : collapseInside(m_.opposite[h]);
+	default:
+		return false;
+	}
+}
+
+bool PatchEditor::split(int h)
+{
+	const int a = m_.origin[h], b = m_.target(h);
+	if (m_.opposite[h] < 0 && r_.keepsBorder) return false;
+	if (std::size_t(m_.vertexNum) >= normal_.size()) return false; // no room is left
+	ResultVertex middle;
+	const bool   found = m_.isCurveEdge(h) ? findMiddleOnCurve(surface_, curves_, r_, a, b, middle)
+										   : findMiddle(surface_, r_, a, b, middle);
+	if (!found) return false;
+	const Vec3f height = (heightOf(a) + heightOf(b)) * 0.5f;
+	const int   v      = m_.vertexNum++;
+	r_.vertex.push_back(middle);
+	m_.position[v] = startPosition_[v] = middle.anchor.position + height;
+	if (m_.opposite[h] < 0)
+		splitBorderEdge(m_, h, v);
+	else
+		splitEdge(m_, h, v);
+	normal_[v] = startNormal_[v] = normalAt(v, middle.anchor);
+	return true;
+}
+
+bool PatchEditor::attach(int h)
+{
+	const int v = m_.apex(h);
+	if (!mayGo(v) || !split(h)) return false;
+	const int toMiddle = m_.findHalfEdge(v, m_.vertexNum - 1);
+	return toMiddle >= 0 && m_.opposite[toMiddle] >= 0 && collapseInside(toMiddle);
+}
+
+bool PatchEditor::mayGo(int v) const
+{
+	if (r_.vertex[v].isCorner || r_.vertex[v].isPinned) return false;
+	return !m_.isCurveVertex(v) || mayLeaveCurve(r_, curves_, v);
+}
+
+bool PatchEditor::collapseOnBorder(int h, bool forward)
+{
+	const int v = forward ? m_.origin[h] : m_.target(h);
+	if (r_.keepsBorder || !mayGo(v)) return false;
+	if (!canCollapseAlongBorder(m_, v, forward, scratch_)) return false;
+	collapseAlongBorder(m_, v, forward);
+	return true;
+}
+
+bool PatchEditor::collapseInside(int h)
+{
+	if (!mayGo(m_.origin[h])) return false;
+	if (!canCollapse(m_, h, scratch_) && !canCollapseAlongCrease(m_, h, scratch_)) return false;
+	collapse(m_, h);
+	return true;
+}
+
+// ---- undoing
+
+PatchEditor::Snapshot PatchEditor::remember(const std::vector<int>& patch) const
+{
+	Snapshot snapshot = {PatchBackup(m_, patch), {}, m_.vertexNum};
+	snapshot.states.reserve(patch.size());
+	for (int v : patch)
+		snapshot.states.push_back(stateOf(v));
+	return snapshot;
+}
+
+void PatchEditor::undo(const Snapshot& before)
+{
+	before.backup.restore(m_);
+	r_.vertex.resize(m_.vertexNum);
+	for (std::size_t i = 0; i < before.states.size(); ++i)
+		put(before.backup.vertices()[i], before.states[i]);
+}
+
+std::vector<int> PatchEditor::patchNow(const Snapshot& before) const
+{
+	std::vector<int> patch;
+	for (int v : before.backup.vertices()) {
+		if (m_.outgoing[v] >= 0) patch.push_back(v);
+	}
+	for (int v = before.vertexNum; v < m_.vertexNum; ++v) {
+		if (m_.outgoing[v] >= 0) patch.push_back(v);
+	}
+	return patch;
+}
+
+void PatchEditor::countDone(const Operation& op)
+{
+	r_.flipNum += op.kind == Operation::Flip;
+	r_.splitNum += op.isSplit();
+	r_.collapseNum += op.isCollapse() || op.kind == Operation::Attach;
+}
+
+void PatchEditor::forgetLinesAt(int f)
+{
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		if (m_.isCreaseEdge(h)) m_.crease[h] = m_.crease[m_.opposite[h]] = 0;
+	}
+}
+
+} // namespace gpr
