@@ -15,7 +15,7 @@ INTERVAL_SECONDS = 0.004
 
 def watch_memory(programs, mesh, preset):
     """Bytes by stage, in the order of the run, reading first; None for a stage too short to be
-    seen. The report has one figure for both audits, so stages between them are seen a little late."""
+    seen."""
     result = programs.work / "result.ply"
     report_file = programs.work / "report.json"
     command = [programs.path("gpremesh"), "remesh", mesh, result, "--percent", str(PERCENT), "--preset",

@@ -7,6 +7,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/transforms.h>
+#include <vcg_extras/core/base/stages.h>
 #include <vcg_extras/core/remesh.h>
 
 #include <algorithm>
@@ -235,6 +236,33 @@ TEST(RemeshReportTells, WhatHappened)
 		sum += stage.seconds;
 	EXPECT_LE(sum, r.report.remeshSeconds * 1.0001);
 	EXPECT_GE(sum, r.report.remeshSeconds * 0.8 - 0.005);
+}
+
+/// Those that the pipeline has, in the order of its table.
+void expectStagesOf(Pipeline pipeline, const RemeshReport& report)
+{
+	std::vector<std::string> keys;
+	for (Stage stage : stagesOf(pipeline))
+		keys.push_back(rowOf(stage).key);
+	auto next = keys.begin();
+	for (const StageTime& stage : report.stages) {
+		next = std::find(next, keys.end(), stage.stage);
+		ASSERT_NE(next, keys.end()) << stage.stage << " is missing, or comes too late";
+	}
+	EXPECT_GE(report.stages.size(), 4u);
+}
+
+TEST(RemeshReportTells, TheStagesOfThePipelineInTheirOrder)
+{
+	const TriangleMesh mesh    = grid(40, 40);
+	RemeshOptions      options = percentOptions(20, 1);
+	options.check              = true;
+	expectStagesOf(Pipeline::Remeshing, remesh(mesh.view(), options).report);
+	const SamplingResult samples = samplePoissonDisks(mesh.view(), options);
+	expectStagesOf(Pipeline::Sampling, samples.report);
+	expectStagesOf(Pipeline::Retriangulation,
+				   retriangulate(mesh.view(), samples.points, options).report);
+	expectStagesOf(Pipeline::Detection, detectFeatures(mesh.view(), options).report);
 }
 
 TEST(RemeshReportTells, AFreshSeedForSeedZero)

@@ -108,15 +108,12 @@ Result runPipeline(const Call& call, Pipeline pipeline, const Body& body)
 		requireValid(call.options);
 		{
 			const RemeshOptions options = withSeed(call.options);
-			Workers workers(options.threads, call.progress, options.timeLimitSeconds);
+			Workers             workers(options.threads, call.progress, options.timeLimitSeconds);
 			result.report.seed    = options.seed;
 			result.report.threads = workers.threadNum();
-			RunContext run{call.input,
-						   options,
-						   workers,
-						   result.report,
-						   result.notes,
-						   StageClock(workers, result.report, pipeline)};
+			RunContext run{call.input,   options,
+						   workers,      result.report,
+						   result.notes, StageClock(workers, result.report, pipeline)};
 			body(run, result);
 		}
 		result.status               = Status::Ok;
@@ -126,13 +123,13 @@ Result runPipeline(const Call& call, Pipeline pipeline, const Body& body)
 
 RemeshResult remeshWhole(const Call& call)
 {
-	return runPipeline<RemeshResult>(
-		call, Pipeline::Remeshing, [&](RunContext& run, RemeshResult& result) {
-			if (call.options.targetMode == TargetMode::MaxError)
-				result = remeshForError(run);
-			else
-				remeshInput(run, LargestDistance::IsOneOfMany, result);
-		});
+	return runPipeline<RemeshResult>(call, Pipeline::Remeshing,
+									 [&](RunContext& run, RemeshResult& result) {
+										 if (call.options.targetMode == TargetMode::MaxError)
+											 result = remeshForError(run);
+										 else
+											 remeshInput(run, LargestDistance::IsOneOfMany, result);
+									 });
 }
 
 } // namespace
@@ -158,10 +155,9 @@ SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& op
 RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samples,
 						   const RemeshOptions& options, const ProgressCallback& progress)
 {
-	return runPipeline<RemeshResult>({input, options, progress}, Pipeline::Retriangulation,
-									 [&](RunContext& run, RemeshResult& result) {
-										 meshGivenSamples(run, samples, result);
-									 });
+	return runPipeline<RemeshResult>(
+		{input, options, progress}, Pipeline::Retriangulation,
+		[&](RunContext& run, RemeshResult& result) { meshGivenSamples(run, samples, result); });
 }
 
 FeatureResult detectFeatures(const MeshView& input, const RemeshOptions& options,

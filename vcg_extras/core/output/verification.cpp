@@ -30,7 +30,7 @@ void tellOperations(const ResultMesh& result, RemeshReport& report)
 void tellCountReached(RunContext& run, const Expected& expected, const ResultMesh& result)
 {
 	if (run.options.exactCount || expected.vertexNum == 0) return;
-	const double share = double(result.mesh.vertexNum) / double(expected.vertexNum);
+	const double share                 = double(result.mesh.vertexNum) / double(expected.vertexNum);
 	run.report.radiusConstantForTarget = run.report.radiusConstant * std::sqrt(share);
 	char sentence[160];
 	std::snprintf(sentence, sizeof sentence,
@@ -45,8 +45,7 @@ void tellCountReached(RunContext& run, const Expected& expected, const ResultMes
 void tellKept(RunContext& run, const Expected& expected, const ResultMesh& result)
 {
 	const auto         isPinned = [](const ResultVertex& v) { return v.isPinned; };
-	const std::int64_t kept =
-		std::count_if(result.vertex.begin(), result.vertex.end(), isPinned);
+	const std::int64_t kept  = std::count_if(result.vertex.begin(), result.vertex.end(), isPinned);
 	const std::int64_t lost  = expected.keptNum - kept;
 	run.report.keptVertexNum = kept;
 	if (2 * kept > result.mesh.vertexNum) {
@@ -65,8 +64,7 @@ void requirePromises(RunContext& run, const Surface& surface, const ResultMesh& 
 	RemeshReport& report = run.report;
 	report.audit =
 		audit(surface, result, report.cleanedInput, report.result, promisedNum, run.workers);
-	if (!report.audit.passed)
-		throw Failure(Status::PromiseBroken, describeFailure(report.audit));
+	if (!report.audit.passed) throw Failure(Status::PromiseBroken, describeFailure(report.audit));
 	if (report.audit.flippedFaces == 0) return;
 	run.notes.push_back(std::to_string(report.audit.flippedFaces) +
 						" faces look against the input's normals, where the surface is thinner "

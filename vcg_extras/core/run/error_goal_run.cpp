@@ -58,12 +58,10 @@ RemeshResult remeshWith(RunContext& run, std::int64_t vertexNum, WorkShare share
 	const RemeshOptions options = trialOptions(run.options, vertexNum);
 	trial.report.seed           = run.report.seed;
 	trial.report.threads        = run.report.threads;
-	RunContext context{run.input,
-					   options,
-					   run.workers,
-					   trial.report,
-					   trial.notes,
-					   StageClock(run.workers, trial.report, Pipeline::Remeshing, share)};
+	RunContext context{
+		run.input,   options,
+		run.workers, trial.report,
+		trial.notes, StageClock(run.workers, trial.report, Pipeline::Remeshing, share)};
 	remeshInput(context, LargestDistance::Counts, trial);
 	return trial;
 }
@@ -99,9 +97,9 @@ std::string lengthText(double length, double diagonal)
 
 std::string missedText(const RemeshResult& best, const ErrorGoal& goal, double diagonal)
 {
-	return "An error of at most " + lengthText(goal.largest, diagonal) +
-		   " was not reached: with " + std::to_string(best.mesh.vertexNum()) +
-		   " vertices it is " + lengthText(best.report.largestError, diagonal) + ".";
+	return "An error of at most " + lengthText(goal.largest, diagonal) + " was not reached: with " +
+		   std::to_string(best.mesh.vertexNum()) + " vertices it is " +
+		   lengthText(best.report.largestError, diagonal) + ".";
 }
 
 std::string metText(const RemeshResult& best, int trialNum, double diagonal)

@@ -23,8 +23,8 @@ struct GivenSamples {
 /// Puts the points on the surface, each to the nearest place.
 GivenSamples takeOverSamples(RunContext& run, const Prepared& p, const std::vector<Vec3d>& points);
 
-/// Tells which vertex of the result is which sample. A sample that lay on the surface, up to rounding,
-/// keeps its very coordinates.
+/// Tells which vertex of the result is which sample. A sample that lay on the surface, up to
+/// rounding, keeps its very coordinates.
 void nameSamples(const std::vector<Vec3d>& points, const std::vector<char>& isMoved,
 				 const ResultMesh& result, RemeshResult& out);
 

@@ -100,8 +100,7 @@ const std::uint8_t* regionMarks(const RunContext& run, const FeatureMarks& marks
 
 void findFeatureRegion(RunContext& run, const FeatureMarks& marks, Prepared& p)
 {
-	p.isFeatureVertex =
-		regionVertices(run.input, regionMarks(run, marks), p.surface, run.workers);
+	p.isFeatureVertex = regionVertices(run.input, regionMarks(run, marks), p.surface, run.workers);
 	if (run.options.featureRegion == FeatureRegion::Selection && p.isFeatureVertex.empty()) {
 		throw Failure(Status::BadOptions,
 					  "The selection is to be preserved, but no vertex is selected.");

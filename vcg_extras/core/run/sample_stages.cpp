@@ -82,8 +82,8 @@ void sampleWithRadius(RunContext& run, const Prepared& p, float radius,
 	const Buffer<char>& first          = beginsInRegion ? p.isFeatureVertex : noRegion;
 	if (options.placement == Placement::BorderEdge)
 		return sampleOnBorderEdges(run, p, radius, first, sampled);
-	sampled.sampling = sampleFront(p.surface, sampled.curves, partition, radius, options.seed,
-								   run.workers, first);
+	sampled.sampling =
+		sampleFront(p.surface, sampled.curves, partition, radius, options.seed, run.workers, first);
 }
 
 void tellSampling(RunContext& run, const Prepared& p, const Sampling& sampling, float radius)
@@ -137,9 +137,9 @@ Meshed retriangulateSamples(RunContext& run, const Prepared& p, Sampled sampled)
 									 run.report.cleanedInput, run.workers);
 	}
 	else {
-		made.result = removeOriginalVertices(fusedMesh(run, p, sampled), p.surface,
-											 sampled.sampling, sampled.curves, sampled.partition,
-											 run.workers);
+		made.result =
+			removeOriginalVertices(fusedMesh(run, p, sampled), p.surface, sampled.sampling,
+								   sampled.curves, sampled.partition, run.workers);
 	}
 	made.curves = std::move(sampled.curves);
 	return made;

@@ -102,17 +102,18 @@ Verdict endSearchAt(const Request& request, const Attempt& attempt, std::int64_t
 				  found);
 }
 
-/// After the last count the first one is taken after all.
-Verdict goOnSearching(const Attempt& attempt)
+/// After the last count the first one is taken after all, unless even that is not what was asked
+/// for.
+Verdict goOnSearching(const Request& request, const Attempt& attempt)
 {
-	if (attempt.searchedNum == mostSearchedCounts && attempt.asked != attempt.searchedFrom)
-		return refuseBelow(attempt.searchedFrom, attempt);
+	const bool isOver   = attempt.searchedNum == mostSearchedCounts;
+	const bool isAnswer = request.isTargetWish || attempt.searchedFrom == attempt.asked;
+	if (isOver && !isAnswer) return refuseBelow(attempt.searchedFrom, attempt);
 	Attempt next = attempt;
 	next.way     = Way::WithoutFeatureLines;
 	++next.searchedNum;
-	next.vertexNum = next.searchedNum > mostSearchedCounts
-						 ? attempt.searchedFrom
-						 : attempt.vertexNum + std::max<std::int64_t>(1, attempt.vertexNum / 4);
+	next.vertexNum += std::max<std::int64_t>(1, attempt.vertexNum / 4);
+	if (isOver) next.vertexNum = attempt.searchedFrom;
 	return tryNext(next);
 }
 
@@ -123,7 +124,7 @@ Verdict judgeAreas(const Request& request, const Attempt& attempt, const Outcome
 	}
 	if (attempt.searchedNum > mostSearchedCounts) return accept();
 	if (!outcome.hasZeroAreas) return endSearchAt(request, attempt, outcome.vertexNum);
-	return goOnSearching(attempt);
+	return goOnSearching(request, attempt);
 }
 
 /// Topology has the last word on the count: the one that it comes to is the smallest.

@@ -17,7 +17,7 @@ struct Request {
 
 /// How a mesh gets its count.
 enum class Way {
-	WithFeatureLines,    ///< samples of the right spacing, on feature lines too; then the exact count
+	WithFeatureLines, ///< samples of the right spacing, on feature lines too; then the exact count
 	WithoutFeatureLines, ///< the same, but no feature line is followed
 	ByTopology           ///< from the fewest samples, splits and collapses whatever the shapes
 };
