@@ -13,8 +13,8 @@ namespace gpr {
 
 namespace {
 
-/// Share of a remeshing's time that the detection takes, about, for a tenth of the vertices.
-constexpr double detectionShare = 0.3;
+/// Of the time of a run with a tenth of the vertices, about.
+constexpr double detectionShare = 0.5;
 
 void tellLimits(RunContext& run, const FeatureEdges& features)
 {
