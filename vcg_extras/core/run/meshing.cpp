@@ -61,9 +61,9 @@ void countByTopology(RunContext& run, std::int64_t vertexNum, Prepared& p, Meshe
 	reachCountByTopology(p.surface, made.curves, vertexNum, made.result, run.workers);
 }
 
-Accepted makeMesh(RunContext& run, const Attempt& attempt, Prepared prepared)
+MeshedSurface makeMesh(RunContext& run, const Attempt& attempt, Prepared prepared)
 {
-	Accepted made;
+	MeshedSurface made;
 	made.prepared = std::move(prepared);
 	made.meshed   = sampleAndRetriangulate(run, made.prepared);
 	if (attempt.way == Way::ByTopology)
@@ -95,11 +95,11 @@ void aimAtReached(RunContext& run, const Meshed& meshed, Prepared& p)
 
 } // namespace
 
-Accepted meshForTarget(RunContext& run, const FeatureMarks& marks, Prepared prepared)
+MeshedSurface meshForTarget(RunContext& run, const FeatureMarks& marks, Prepared prepared)
 {
 	const Request request = requestOf(run.options, prepared);
 	Attempt       attempt = firstAttempt(prepared.targetNum);
-	Accepted      made    = makeMesh(run, attempt, std::move(prepared));
+	MeshedSurface made    = makeMesh(run, attempt, std::move(prepared));
 	while (true) {
 		const Verdict verdict = judge(request, attempt, outcomeOf(run, made.meshed.result));
 		tell(run, verdict);

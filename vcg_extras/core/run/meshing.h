@@ -11,8 +11,8 @@
 
 namespace gpr {
 
-/// A mesh that was accepted, and the surface that it was made from.
-struct Accepted {
+/// A mesh, and the surface that it was made from.
+struct MeshedSurface {
 	Prepared prepared;
 	Meshed   meshed;
 };
@@ -20,7 +20,7 @@ struct Accepted {
 /// Meshes the surface for its target, as often as it takes until a verdict accepts the mesh
 /// (verdict.h); the target is then the count that was reached. The triangles are regular, but not
 /// fitted to the input yet. Throws Failure where no mesh may be accepted.
-Accepted meshForTarget(RunContext& run, const FeatureMarks& marks, Prepared prepared);
+MeshedSurface meshForTarget(RunContext& run, const FeatureMarks& marks, Prepared prepared);
 
 } // namespace gpr
 

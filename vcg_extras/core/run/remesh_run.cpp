@@ -51,7 +51,7 @@ void remeshInput(RunContext& run, LargestDistance largest, RemeshResult& out)
 	findFeatureLines(run, prepared);
 	tellLinesNotFollowed(run);
 
-	Accepted       made    = meshForTarget(run, marks, std::move(prepared));
+	MeshedSurface  made    = meshForTarget(run, marks, std::move(prepared));
 	const Surface& surface = made.prepared.surface;
 	ResultMesh&    result  = made.meshed.result;
 	const Expected expected{made.prepared.targetNum, std::int64_t(made.prepared.kept.size())};
