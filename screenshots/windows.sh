@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures of MeshLab's windows, worked with keys and the mouse; read by scripts/screenshots. Of each,
+# Pictures of MeshLab's windows, worked with keys and the mouse; read by scripts/release/screenshots. Of each,
 # picture_NAME starts a display, and window_NAME is what happens in it.
 
 remeshing="Remeshing: Geodesic Poisson Disk"

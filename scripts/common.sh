@@ -18,7 +18,7 @@ caller_home() {
 	fi
 }
 
-# The one folder with fetched sources; scripts/cmake/FindMeshLabSources.cmake looks in the same.
+# The one folder with fetched sources; cmake/FindMeshLabSources.cmake looks in the same.
 cache_dir() {
 	printf '%s\n' "${GPR_CACHE_DIR:-${XDG_CACHE_HOME:-$(caller_home)/.cache}/gpremesh}"
 }
@@ -50,7 +50,7 @@ build_for_meshlab() {
 		tail -40 "$2" >&2
 		fail "the build failed"
 	}
-	scripts/private_meshlab "$1/meshlab" "$1/lib/libfilter_geodesic_poisson.so"
+	scripts/release/private_meshlab "$1/meshlab" "$1/lib/libfilter_geodesic_poisson.so"
 }
 
 # bunny.obj of Debian's glmark2-data as the PLY file $1: the OBJ reader of MeshLab 2020.09 ends with a

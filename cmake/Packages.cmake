@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
-# Debian packages of three of the parts that Install.cmake knows, by CPack; scripts/make_deb makes them.
+# Debian packages of three of the parts that Install.cmake knows, by CPack;
+# scripts/release/make_deb makes them.
 
 if(NOT GPR_GZIP)
   return()
@@ -44,7 +45,7 @@ function(gpr_package component name section line paragraph)
   set(${_of}_PACKAGE_SECTION ${section} PARENT_SCOPE)
   set(${_of}_DESCRIPTION "${line}\n${paragraph}" PARENT_SCOPE)
   set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} ${component} PARENT_SCOPE)
-  install(FILES ${PROJECT_SOURCE_DIR}/scripts/cmake/copyright ${_changes}.gz ${_changes}.Debian.gz
+  install(FILES ${PROJECT_SOURCE_DIR}/cmake/copyright ${_changes}.gz ${_changes}.Debian.gz
           DESTINATION share/doc/${name} COMPONENT ${component} EXCLUDE_FROM_ALL)
 endfunction()
 
