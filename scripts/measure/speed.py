@@ -1,44 +1,39 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The measurements of scripts/bench, which has built the programs and explains the arguments."""
+"""Time and memory of whole runs, which scripts/bench explains."""
 
 import argparse
-import json
 import shlex
 import subprocess
 import sys
 from pathlib import Path
 
-from circumstances import circumstances
-from measured_run import RunFailed
-from memory_by_stage import watch_memory
-from methods import Programs, all_methods
-from page import write_page
-from picture import draw
-from stage_benchmarks import measure_stages
+from .circumstances import circumstances
+from .commands import Programs, RunFailed, say
+from .memory_by_stage import watch_memory
+from .methods import all_methods
+from .pages import DOCS, add_out_option, keep_record, kept_record, write_page
+from .speed_page import speed_page
+from .speed_picture import draw
+from .stage_benchmarks import measure_stages
 
 FULL_SIZES = "0.27M,2.4M,7.75M,31M"
 QUICK_SIZES = "30k,60k"
 BUILT_IN = ("stone", "land", "box")
 MOST_FACES_FOR_STAGES = 3e6
 LEAST_FACES_FOR_MEMORY = 1e6  # the program itself is too much of a smaller run's memory
-DOCS = Path("vcg_extras/docs")
 
 
-def say(words):
-    print(f"bench: {words}", flush=True)
-
-
-def arguments():
+def options_of(arguments):
     parser = argparse.ArgumentParser(prog="scripts/bench")
-    parser.add_argument("--build", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--grow", default="stone", metavar="MESH", help="mesh to grow to the sizes")
     parser.add_argument("--sizes", metavar="N,N,...", help=f"numbers of faces ({FULL_SIZES})")
     parser.add_argument("--rounds", type=int, help="runs of each method (5; 3 above 3M faces, 1 above 40M)")
     parser.add_argument("--quick", action="store_true", help="whether it all works, in a minute")
     parser.add_argument("--page", action="store_true", help="only the page, from the last run's figures")
     parser.add_argument("meshes", nargs="*", type=Path, help="further meshes, as they are")
-    options = parser.parse_args()
+    add_out_option(parser)
+    options = parser.parse_args(arguments)
     for mesh in options.meshes + [Path(options.grow)] * (options.grow not in BUILT_IN):
         if not mesh.exists():
             parser.error(f"there is no {mesh}")
@@ -54,29 +49,20 @@ def face_number(text):
 
 
 class Measuring:
-    def __init__(self, options, record):
+    def __init__(self, options, programs):
         self.options = options
-        self.record = record
-        self.work = options.build / "bench"
-        self.programs = Programs(options.build, self.work)
+        self.programs = programs
+        self.work = programs.work
 
-    def all(self):
+    def all(self, figures, record):
         """Writes the record after each mesh, so that a run broken off is not lost."""
-        figures = {"circumstances": circumstances(self.options.build, self._command()), "meshes": []}
+        figures["meshes"] = []
         files = self._files()
         for name, file, grown in files:
             figures["meshes"].append(self._measure_mesh(name, file, grown))
-            self._keep(figures)
+            keep_record(record, figures)
         figures["stages"] = self._stages(figures["meshes"], files)
-        self._keep(figures)
-
-    def _keep(self, figures):
-        self.record.write_text(json.dumps(figures, indent=1))
-
-    @staticmethod
-    def _command():
-        """As it was called, but for the build folder that scripts/bench has put before."""
-        return shlex.join(["scripts/bench"] + [Path(a).name if "/" in a else a for a in sys.argv[3:]])
+        keep_record(record, figures)
 
     def _files(self):
         """Name, file, and whether it is of the family that grows."""
@@ -96,10 +82,7 @@ class Measuring:
         return file
 
     def _measure_mesh(self, name, file, grown):
-        info = json.loads(subprocess.run(
-            [self.programs.path("gpremesh"), "info", file, "--json"], check=True,
-            stdout=subprocess.PIPE).stdout)
-        mesh = {"name": name, "faces": info["input"]["faces"], "grown": grown, "runs": {}}
+        mesh = {"name": name, "faces": self.programs.info(file)["input"]["faces"], "grown": grown, "runs": {}}
         rounds = self._rounds(mesh["faces"])
         for round_number in range(rounds):
             say(f"{name}, round {round_number + 1} of {rounds}")
@@ -180,35 +163,32 @@ def wrongs_of(run, mesh):
 
 
 def tell(figures, folder):
+    folder.mkdir(parents=True, exist_ok=True)
     picture = folder / "measurements_speed.png"
     grown = [mesh for mesh in figures["meshes"] if mesh["grown"]]
     drawn = draw(grown, all_methods(), picture)
     if not drawn:
         say("no picture: matplotlib is missing (python3-matplotlib)")
-    page = folder / "measurements_speed.md"
-    write_page(figures, all_methods(), picture.name if drawn else "", page)
-    say(f"written to {page}")
+    page = speed_page(figures, all_methods(), picture.name if drawn else "")
+    write_page(folder, "measurements_speed.md", page)
 
 
-def main():
-    options = arguments()
-    work = options.build / "bench"
-    record = work / ("quick.json" if options.quick else "speed.json")
+def command_of(arguments):
+    """As it was called, without the folders, which are of this machine."""
+    return shlex.join(["scripts/bench"] + [Path(a).name if "/" in a else a for a in arguments])
+
+
+def main(build, commit, arguments):
+    options = options_of(arguments)
+    programs = Programs(build, build / "bench")
+    record = programs.work / ("quick.json" if options.quick else "speed.json")
     if not options.page:
-        Measuring(options, record).all()
-    if not record.exists():
-        sys.exit(f"bench: there is no earlier run: {record}")
-    figures = json.loads(record.read_text())
-    tell(figures, work if options.quick else DOCS)
+        figures = {"circumstances": circumstances(build, commit), "command": command_of(arguments)}
+        Measuring(options, programs).all(figures, record)
+    figures = kept_record(record)
+    tell(figures, options.out or (programs.work if options.quick else DOCS))
     if options.quick:
         wrong = complaints(figures)
         for sentence in wrong:
             say(sentence)
         sys.exit(1 if wrong else 0)
-
-
-if __name__ == "__main__":
-    try:
-        main()
-    except (OSError, RuntimeError, subprocess.CalledProcessError) as error:
-        sys.exit(f"bench: {error}")

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The picture of the growth with size."""
 
-from statistics_of_runs import growth_of, spread_of
+from .statistics_of_runs import growth_of, spread_of
 
 COLOURS = {"default": "#1f77b4", "fast": "#2ca02c", "meshoptimizer": "#ff7f0e", "quadric": "#d62728"}
 

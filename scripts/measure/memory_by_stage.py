@@ -8,7 +8,8 @@ import subprocess
 import time
 from pathlib import Path
 
-from methods import NO_STAGES, PERCENT
+from .commands import PERCENT, RunFailed
+from .methods import NO_STAGES
 
 INTERVAL_SECONDS = 0.004
 
@@ -37,7 +38,7 @@ def _samples(command):
         samples.append((time.perf_counter() - start, resident))
         time.sleep(INTERVAL_SECONDS)
     if process.returncode != 0:
-        raise RuntimeError(f"exit code {process.returncode}: {' '.join(map(str, command))}")
+        raise RunFailed(f"exit code {process.returncode}: {' '.join(map(str, command))}")
     return samples
 
 

@@ -1,28 +1,15 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is measured beside each other: each method is one program run on a file."""
+"""What the measurement of speed compares: each method is one program run on a file."""
 
 import hashlib
 import json
 from dataclasses import dataclass
-from pathlib import Path
 
-from measured_run import measured, touch_memory
+from .commands import PERCENT, measured, touch_memory
 
-PERCENT = 10  # of the vertices, of all runs
 # Keys of the report's "seconds" that are no stages of the engine.
 NO_STAGES = ("read", "remesh", "write", "total")
-
-
-@dataclass
-class Programs:
-    """Where the programs are, and a folder for what they write."""
-
-    build: Path
-    work: Path
-
-    def path(self, name):
-        return self.build / "bin" / name
 
 
 @dataclass

@@ -1,20 +1,18 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The page with all figures, and how to read them."""
+"""The page of scripts/bench: all figures, and how to read them."""
 
-from statistics_of_runs import (Spread, growth_of, memory_of, overhead_of, parallel_share, ratio_of,
+from . import circumstances
+from .pages import page, table
+from .statistics_of_runs import (Spread, growth_of, memory_of, overhead_of, parallel_share, ratio_of,
                                 spread_of)
 
 OURS = ("fast-2", "fast-1", "default-2", "default-1")
 
 
-def write_page(data, methods, picture_name, path):
-    path.write_text(_page(data, {method.key: method for method in methods}, picture_name))
-
-
-def _page(data, methods, picture_name):
+def speed_page(data, methods, picture_name):
+    methods = {method.key: method for method in methods}
     parts = [
-        "<!-- Made by scripts/bench; do not edit. -->\n# Speed\n",
         _how_to_read() + _left_out(methods),
         "## Ratios\n\n" + _ratios(data["meshes"], methods),
         "## Whole runs\n\n" + _whole_runs(data["meshes"], methods),
@@ -25,8 +23,7 @@ def _page(data, methods, picture_name):
         parts.append("## Memory by stages\n\n" + _memory(data["meshes"]))
     if data.get("stages"):
         parts.append("## Stages by themselves\n\n" + _single_stages(data["stages"]))
-    parts.append(_circumstances(data))
-    return "\n".join(part.rstrip("\n") + "\n" for part in parts)
+    return page("scripts/bench", "Speed", *parts, _circumstances(data))
 
 
 def _how_to_read():
@@ -62,12 +59,6 @@ def _left_out(methods):
 # ---- tables
 
 
-def _table(titles, rows, left_columns=1):
-    sides = ["---"] * left_columns + ["---:"] * (len(titles) - left_columns)
-    lines = [titles, sides, *rows]
-    return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n"
-
-
 def _text(spread, number_format="{:.3f}"):
     return spread.text(number_format) if spread else "–"
 
@@ -91,7 +82,7 @@ def _ratios(meshes, methods):
                 _text(ratio_of(mesh, "quadric", key), "{:.1f}"),
                 _text(overhead_of(mesh, key), "{:.2f}")])
     titles = ["model", "method", "× meshoptimizer", "× Quadric Edge Collapse", "whole program over seconds"]
-    return _table(titles, rows, 2)
+    return table(titles, rows, 2)
 
 
 def _whole_runs(meshes, methods):
@@ -100,7 +91,7 @@ def _whole_runs(meshes, methods):
         rows += [_whole_row(mesh, method) for method in methods.values() if mesh["runs"].get(method.key)]
     titles = ["model", "method", "vertices", "faces", "seconds", "M faces/s", "whole program", "processor",
               "peak, MB", "B/face"]
-    return _table(titles, rows, 2)
+    return table(titles, rows, 2)
 
 
 def _whole_row(mesh, method):
@@ -126,7 +117,7 @@ size before, and faces over faces. **peak = offset + B/face · faces**, by least
 
 """
     rows = [row for row in (_growth_row(grown, method) for method in methods.values()) if row]
-    text += _table(["method", "b", "from size to size", "B/face", "offset, MB"], rows)
+    text += table(["method", "b", "from size to size", "B/face", "offset, MB"], rows)
     return text + "\nWith a second thread; the share of the work that it halves is Amdahl's:\n\n" + _threads(meshes)
 
 
@@ -157,7 +148,7 @@ def _threads(meshes):
             rows.append([_title(mesh), preset, f"{one:.3f}", f"{two:.3f}", f"{one / two:.2f}",
                          f"{100 * parallel_share(one, two):.0f} %", _same_bytes(mesh, preset)])
     titles = ["model", "preset", "1 thread, s", "2 threads, s", "times faster", "parallel", "same bytes"]
-    return _table(titles, rows, 2)
+    return table(titles, rows, 2)
 
 
 def _same_bytes(mesh, preset):
@@ -172,7 +163,7 @@ def _stages(meshes, methods):
     text = "Seconds by the reports' stages; stages below a hundredth of the run are left out.\n"
     titles = ["stage"] + [_name(methods[key]).removeprefix("gpremesh, ") for key in OURS]
     for mesh in meshes:
-        text += f"\n{_title(mesh)}:\n\n" + _table(titles, _stage_rows(mesh))
+        text += f"\n{_title(mesh)}:\n\n" + table(titles, _stage_rows(mesh))
     return text
 
 
@@ -202,7 +193,7 @@ milliseconds, so that short stages are missing. "read" counts the pages of the m
         held = [mesh["memory"][preset] for preset in ("fast", "default")]
         rows = [[name] + [_bytes(h.get(name), mesh) for h in held]
                 for name in held[1]]
-        text += f"\n{_title(mesh)}:\n\n" + _table(["stage", "fast", "default"], rows)
+        text += f"\n{_title(mesh)}:\n\n" + table(["stage", "fast", "default"], rows)
     return text
 
 
@@ -220,17 +211,12 @@ By [gpremesh_bench](../bench/README.md) on {stages['mesh']}; milliseconds, on 1 
     columns = ["uniform-1", "uniform-2", "graded-1", "graded-2"]
     rows = [[name] + [f"{times[c]:.2f}" if c in times else "–" for c in columns]
             for name, times in stages["rows"].items()]
-    return text + _table(["stage", "even, 1", "even, 2", "graded, 1", "graded, 2"], rows)
+    return text + table(["stage", "even, 1", "even, 2", "graded, 1", "graded, 2"], rows)
 
 
 def _circumstances(data):
-    c = data["circumstances"]
-    text = f"""\
-{c['processor']}, {c['cores']} cores, {c['memory']}; {c['compiler']}, {c['build_type']}; vcglib of MeshLab 2020.09;
-meshoptimizer {c['meshoptimizer']}; commit {c['commit']}; {c['date']}. Made by `{c['command']}`.
-"""
-    if c["load"] > 0.5:
-        text += f"""\
-The machine was busy (load {c['load']:.2f} before the first run): read the seconds as upper bounds.
-"""
-    return text
+    facts = data["circumstances"]
+    return f"""\
+{circumstances.sentence_on_machine(facts)}, {facts['memory']}; {circumstances.sentence_on_build(facts)}; vcglib of MeshLab 2020.09;
+meshoptimizer {facts['meshoptimizer']}; commit {facts['commit']}; {facts['date']}. Made by `{data['command']}`.
+""" + circumstances.sentence_on_load(facts)
