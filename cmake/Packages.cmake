@@ -7,14 +7,21 @@
 if(NOT GPR_GZIP)
   return()
 endif()
-set(GPR_CONTACT "the gpremesh authors <authors@gpremesh.invalid>"
-    CACHE STRING "Who is asked about the packages")
+set(GPR_MAINTAINER "" CACHE STRING
+    "Who is asked about the packages, as \"Name <address>\"; empty: the project's name without an address")
+# Neither CPack nor dpkg takes a package without this field. An address that nobody reads is worse than none.
+set(_maintainer "${GPR_MAINTAINER}")
+set(_signature "${GPR_MAINTAINER}")
+if(NOT GPR_MAINTAINER)
+  set(_maintainer "the gpremesh authors")
+  set(_signature "the gpremesh authors <>") # the form of a Debian changelog wants the brackets
+endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME gpremesh)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "") # or it would come before the line of each package
 set(CPACK_PACKAGE_VENDOR "the gpremesh authors")
-set(CPACK_PACKAGE_CONTACT "${GPR_CONTACT}")
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "${_maintainer}")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
@@ -32,7 +39,7 @@ file(WRITE ${_changes}.Debian
 
   * Made from gpremesh ${PROJECT_VERSION}.
 
- -- ${GPR_CONTACT}  ${_date}
+ -- ${_signature}  ${_date}
 ")
 configure_file(${PROJECT_SOURCE_DIR}/vcg_extras/docs/CHANGELOG.md ${_changes} COPYONLY)
 execute_process(COMMAND ${GPR_GZIP} -9nf ${_changes} ${_changes}.Debian)
