@@ -50,9 +50,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/filter_geodesic_poisson/mlx
 set(_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gpremesh)
 install(TARGETS gpr_core vcg_extras EXPORT gpremesh
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/vcg_extras/core
-        DESTINATION include/vcg_extras COMPONENT development
-        FILES_MATCHING PATTERN "*.h")
+# The public headers of the engine lie in its folder, those of its rooms below are its own.
+get_target_property(_public_headers gpr_core GPR_PUBLIC_HEADERS)
+install(FILES ${_public_headers} DESTINATION include/vcg_extras/core COMPONENT development)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/vcg_extras/complex/algorithms
         DESTINATION include/vcg_extras/complex COMPONENT development
         FILES_MATCHING PATTERN "*.h")

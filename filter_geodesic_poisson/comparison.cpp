@@ -4,10 +4,11 @@
 
 #include "refusal.h"
 
+#include <vcg_extras/complex/peers/quadric_collapse.h>
+#include <vcg_extras/core/mesh/measure.h>
+
 #include <algorithm>
 #include <chrono>
-#include <vcg_extras/complex/peers/quadric_collapse.h>
-#include <vcg_extras/core/measure.h>
 
 namespace gpr_filter {
 

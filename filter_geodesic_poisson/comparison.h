@@ -6,9 +6,10 @@
 // The whole way and MeshLab's Quadric Edge Collapse on one mesh; knows nothing of MeshLab's
 // document.
 
-#include <string>
 #include <vcg_extras/core/remesh.h>
-#include <vcg_extras/core/surface_distance.h>
+#include <vcg_extras/core/surface/surface_distance.h>
+
+#include <string>
 #include <vector>
 
 namespace gpr_filter {

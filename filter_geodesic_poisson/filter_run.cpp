@@ -8,11 +8,12 @@
 #include "refusal.h"
 #include "run_report.h"
 
-#include <exception>
-#include <new>
-#include <vcg_extras/core/measure.h>
+#include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/core/run_estimate.h>
+
+#include <exception>
+#include <new>
 
 namespace gpr_filter {
 

@@ -8,9 +8,10 @@
 #include "meshlab_api.h"
 #include "run_figures.h"
 
+#include <vcg_extras/core/parameters.h>
+
 #include <functional>
 #include <string>
-#include <vcg_extras/core/parameters.h>
 #include <vector>
 
 namespace gpr_filter {

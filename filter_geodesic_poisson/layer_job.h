@@ -8,8 +8,9 @@
 #include "comparison.h"
 #include "mesh_bridge.h"
 
-#include <string>
 #include <vcg_extras/core/parameters.h>
+
+#include <string>
 #include <vector>
 
 namespace gpr_filter {

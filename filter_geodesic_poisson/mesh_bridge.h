@@ -7,10 +7,11 @@
 
 #include "meshlab_api.h"
 
-#include <cstdint>
-#include <memory>
 #include <vcg_extras/complex/algorithms/attribute_transfer.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace gpr_filter {

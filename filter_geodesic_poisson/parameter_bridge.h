@@ -7,8 +7,9 @@
 
 #include "meshlab_api.h"
 
-#include <string>
 #include <vcg_extras/core/parameters.h>
+
+#include <string>
 #include <vector>
 
 namespace gpr_filter {

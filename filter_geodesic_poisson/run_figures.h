@@ -3,9 +3,10 @@
 #ifndef FILTER_GEODESIC_POISSON_RUN_FIGURES_H
 #define FILTER_GEODESIC_POISSON_RUN_FIGURES_H
 
+#include <vcg_extras/core/remesh.h>
+
 #include <map>
 #include <string>
-#include <vcg_extras/core/remesh.h>
 
 namespace gpr_filter {
 

@@ -3,8 +3,9 @@
 #ifndef FILTER_GEODESIC_POISSON_RUN_REPORT_H
 #define FILTER_GEODESIC_POISSON_RUN_REPORT_H
 
-#include <string>
 #include <vcg_extras/core/remesh.h>
+
+#include <string>
 #include <vector>
 
 namespace gpr_filter {

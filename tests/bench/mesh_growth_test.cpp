@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <vcg_extras/bench/built_in_meshes.h>
 #include <vcg_extras/bench/mesh_growth.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

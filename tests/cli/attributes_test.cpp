@@ -3,6 +3,10 @@
 // Attributes from a file over a remeshing into another file.
 #include "mesh_files.h"
 
+#include <vcg_extras/apps/gpremesh/attribute_carry.h>
+#include <vcg_extras/apps/gpremesh/exit_code.h>
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -10,9 +14,6 @@
 #include <memory>
 #include <sstream>
 #include <unistd.h>
-#include <vcg_extras/apps/gpremesh/attribute_carry.h>
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
 
 namespace gpr_test {
 

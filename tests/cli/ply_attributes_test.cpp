@@ -3,16 +3,17 @@
 // Vertex quality and selection out of PLY files, as MeshLab saves them.
 #include "mesh_files.h"
 
+#include <vcg_extras/apps/gpremesh/exit_code.h>
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/apps/gpremesh/ply_attributes.h>
+#include <vcg_extras/apps/gpremesh/ply_reader.h>
+
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <unistd.h>
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/apps/gpremesh/ply_attributes.h>
-#include <vcg_extras/apps/gpremesh/ply_reader.h>
 
 namespace gpr_test {
 

@@ -3,11 +3,12 @@
 // The PLY reader on files of every layout: properties of any type in any order.
 #include "mesh_files.h"
 
+#include <vcg_extras/apps/gpremesh/exit_code.h>
+#include <vcg_extras/apps/gpremesh/ply_reader.h>
+
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <random>
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/ply_reader.h>
 
 namespace gpr_test {
 

@@ -3,15 +3,16 @@
 // The readers of OBJ, OFF and STL, on what real programs write.
 #include "mesh_files.h"
 
+#include <vcg_extras/apps/gpremesh/exit_code.h>
+#include <vcg_extras/apps/gpremesh/number_text.h>
+#include <vcg_extras/apps/gpremesh/ply_reader.h>
+#include <vcg_extras/apps/gpremesh/soup_io.h>
+
 #include <cctype>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <random>
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/number_text.h>
-#include <vcg_extras/apps/gpremesh/ply_reader.h>
-#include <vcg_extras/apps/gpremesh/soup_io.h>
 
 namespace gpr_test {
 

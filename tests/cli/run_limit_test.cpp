@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writing that has to end early.
+#include <vcg_extras/apps/gpremesh/exit_code.h>
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/apps/gpremesh/output_file.h>
+
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <sstream>
 #include <unistd.h>
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/apps/gpremesh/output_file.h>
 
 namespace gpr_test {
 

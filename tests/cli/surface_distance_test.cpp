@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distances between surfaces against closed forms.
+#include <vcg_extras/apps/gpremesh/surface_distance.h>
+
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <vcg_extras/apps/gpremesh/surface_distance.h>
 
 namespace gpr_test {
 

@@ -8,12 +8,13 @@
 //   gpr_parameter_reference --check ROOT    ends with 0 where they are up to date, else with 1
 #include "filter_text.h"
 
+#include <vcg_extras/core/parameter_table.h>
+
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <sstream>
 #include <string>
-#include <vcg_extras/core/parameter_table.h>
 #include <vector>
 
 namespace {

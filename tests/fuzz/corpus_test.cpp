@@ -8,9 +8,10 @@
 #include "pipeline.h"
 #include "reader_check.h"
 
-#include <gtest/gtest.h>
 #include <vcg_extras/apps/gpremesh/ply_reader.h>
 #include <vcg_extras/apps/gpremesh/soup_io.h>
+
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -5,10 +5,11 @@
 
 #include "reader_check.h"
 
-#include <cstdio>
-#include <cstdlib>
 #include <vcg_extras/apps/gpremesh/ply_reader.h>
 #include <vcg_extras/apps/gpremesh/soup_io.h>
+
+#include <cstdio>
+#include <cstdlib>
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

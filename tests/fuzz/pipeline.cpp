@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pipeline.h"
 
-#include <cmath>
-#include <limits>
 #include <tests/support/mesh_audit.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <cmath>
+#include <limits>
 
 namespace gpr::test {
 

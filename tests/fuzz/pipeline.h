@@ -3,11 +3,12 @@
 #ifndef GPR_TESTS_FUZZ_PIPELINE_H
 #define GPR_TESTS_FUZZ_PIPELINE_H
 
+#include <vcg_extras/core/mesh_view.h>
+#include <vcg_extras/core/options.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vcg_extras/core/mesh_view.h>
-#include <vcg_extras/core/options.h>
 
 namespace gpr::test {
 

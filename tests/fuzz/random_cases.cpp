@@ -10,14 +10,15 @@
 #include "pipeline.h"
 #include "reader_check.h"
 
+#include <tests/support/random_source.h>
+#include <vcg_extras/apps/gpremesh/ply_reader.h>
+#include <vcg_extras/apps/gpremesh/soup_io.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <tests/support/random_source.h>
-#include <vcg_extras/apps/gpremesh/ply_reader.h>
-#include <vcg_extras/apps/gpremesh/soup_io.h>
 
 namespace {
 

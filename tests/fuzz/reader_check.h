@@ -3,10 +3,11 @@
 #ifndef GPR_TESTS_FUZZ_READER_CHECK_H
 #define GPR_TESTS_FUZZ_READER_CHECK_H
 
-#include <string>
-#include <string_view>
 #include <vcg_extras/apps/gpremesh/exit_code.h>
 #include <vcg_extras/apps/gpremesh/mesh_data.h>
+
+#include <string>
+#include <string_view>
 
 namespace gpr::test {
 

@@ -4,13 +4,14 @@
 
 #include "exact_distances.h"
 
+#include <tests/support/random_source.h>
+#include <vcg_extras/core/input/load.h>
+#include <vcg_extras/core/input/split_long_edges.h>
+#include <vcg_extras/core/surface/disk_flood.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <tests/support/random_source.h>
-#include <vcg_extras/core/disk_flood.h>
-#include <vcg_extras/core/load.h>
-#include <vcg_extras/core/split_long_edges.h>
 
 namespace gpr::test {
 

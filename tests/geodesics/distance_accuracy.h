@@ -3,9 +3,10 @@
 #ifndef GPR_TESTS_GEODESICS_DISTANCE_ACCURACY_H
 #define GPR_TESTS_GEODESICS_DISTANCE_ACCURACY_H
 
-#include <cstdint>
-#include <vcg_extras/core/connect.h>
+#include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh_view.h>
+
+#include <cstdint>
 
 namespace gpr::test {
 

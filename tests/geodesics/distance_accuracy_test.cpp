@@ -7,13 +7,14 @@
 #include "distance_cases.h"
 #include "exact_distances.h"
 
-#include <cstdlib>
-#include <fstream>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/apps/gpremesh/mesh_io.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

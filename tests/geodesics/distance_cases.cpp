@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distance_cases.h"
 
-#include <cmath>
 #include <tests/support/mesh_builders.h>
+
+#include <cmath>
 
 namespace gpr::test {
 

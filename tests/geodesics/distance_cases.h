@@ -3,8 +3,9 @@
 #ifndef GPR_TESTS_GEODESICS_DISTANCE_CASES_H
 #define GPR_TESTS_GEODESICS_DISTANCE_CASES_H
 
-#include <string>
 #include <vcg_extras/core/mesh_view.h>
+
+#include <string>
 #include <vector>
 
 namespace gpr::test {

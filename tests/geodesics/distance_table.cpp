@@ -7,10 +7,11 @@
 #include "distance_accuracy.h"
 #include "distance_cases.h"
 
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
 
 namespace {
 

@@ -3,9 +3,10 @@
 #ifndef GPR_TESTS_GEODESICS_EXACT_DISTANCES_H
 #define GPR_TESTS_GEODESICS_EXACT_DISTANCES_H
 
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
+#include <vcg_extras/core/surface/walk.h>
+
 #include <map>
-#include <vcg_extras/core/half_edge_mesh.h>
-#include <vcg_extras/core/walk.h>
 
 namespace gpr::test {
 

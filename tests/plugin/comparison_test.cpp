@@ -6,8 +6,9 @@
 #include "host.h"
 #include "mesh_bridge.h"
 
+#include <vcg_extras/core/mesh/measure.h>
+
 #include <gtest/gtest.h>
-#include <vcg_extras/core/measure.h>
 
 namespace {
 

@@ -5,9 +5,10 @@
 
 #include "host.h"
 
+#include <vcg_extras/core/remesh.h>
+
 #include <cmath>
 #include <gtest/gtest.h>
-#include <vcg_extras/core/remesh.h>
 
 namespace {
 

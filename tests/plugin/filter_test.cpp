@@ -6,12 +6,13 @@
 #include "host.h"
 #include "mesh_bridge.h"
 
+#include <vcg_extras/core/remesh.h>
+
 #include <cmath>
 #include <gtest/gtest.h>
 #include <stdexcept>
 #include <vcg/complex/algorithms/clean.h>
 #include <vcg/complex/algorithms/update/selection.h>
-#include <vcg_extras/core/remesh.h>
 
 namespace {
 

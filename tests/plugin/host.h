@@ -8,9 +8,10 @@
 #include "host_api.h"
 #include "mesh_bridge.h"
 
-#include <functional>
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/parameters.h>
+
+#include <functional>
 #include <vector>
 
 namespace plugin_test {

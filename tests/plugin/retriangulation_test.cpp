@@ -5,11 +5,12 @@
 
 #include "host.h"
 
+#include <vcg_extras/core/remesh.h>
+
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>
 #include <tuple>
-#include <vcg_extras/core/remesh.h>
 
 namespace {
 

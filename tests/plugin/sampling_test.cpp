@@ -5,10 +5,11 @@
 
 #include "host.h"
 
+#include <vcg_extras/core/remesh.h>
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <vcg_extras/core/remesh.h>
 
 namespace {
 

@@ -4,14 +4,15 @@
 // The paper's placement through the engine's front door: it is a Poisson-disk sampling, and whole
 // runs with it keep every promise.
 
-#include <cstring>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/front_sampling.h>
 #include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/sampling/front_sampling.h>
+
+#include <cstring>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -3,12 +3,13 @@
 
 // Progress is told truly, and a callback that returns false ends the run soon and in order.
 
+#include <tests/support/mesh_builders.h>
+#include <vcg_extras/core/remesh.h>
+
 #include <chrono>
 #include <gtest/gtest.h>
 #include <string>
-#include <tests/support/mesh_builders.h>
 #include <thread>
-#include <vcg_extras/core/remesh.h>
 #include <vector>
 
 namespace gpr::test {

@@ -4,14 +4,15 @@
 // Whole runs where surfaces come close to each other or to a point: no face crosses another, and
 // noise makes no lines.
 
-#include <functional>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/crossing_faces.h>
+#include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <functional>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -3,12 +3,13 @@
 
 // Whether the density of the result goes with curvature, quality or region as it was asked to.
 
-#include <array>
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -3,11 +3,12 @@
 
 // The same input, options and seed give the same bytes, whatever the number of threads.
 
-#include <cstring>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <cstring>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

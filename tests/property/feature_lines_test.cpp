@@ -3,14 +3,15 @@
 
 // Sharp edges of the input are edges of the result, whole, and there are no others.
 
-#include <cmath>
-#include <functional>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -4,14 +4,15 @@
 // A feature region is preserved (paper §3.1.1) as it was asked to be, by every placement and
 // retriangulation.
 
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -3,13 +3,14 @@
 
 // What feature detection promises of any mesh.
 
+#include <tests/support/mesh_builders.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/remesh.h>
+
 #include <algorithm>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <set>
-#include <tests/support/mesh_builders.h>
-#include <tests/support/transforms.h>
-#include <vcg_extras/core/remesh.h>
 
 namespace gpr::test {
 

@@ -4,11 +4,12 @@
 // Where a mesh lies, how large it is and how it is numbered must not matter: the result differs,
 // its statistics do not.
 
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -3,15 +3,16 @@
 
 // What a remeshing promises, held against an audit that shares nothing with the engine.
 
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

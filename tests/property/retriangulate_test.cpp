@@ -3,12 +3,13 @@
 
 // Retriangulation from given samples: they become the vertices, the topology stays.
 
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -5,15 +5,16 @@
 // closed surface the same samples must be joined by the same edges, but for places where the
 // Delaunay criterion leaves a choice.
 
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <vcg_extras/core/remesh.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <gtest/gtest.h>
 #include <map>
-#include <tests/support/mesh_audit.h>
-#include <tests/support/mesh_builders.h>
-#include <vcg_extras/core/remesh.h>
 
 namespace gpr::test {
 

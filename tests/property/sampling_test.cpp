@@ -4,16 +4,17 @@
 // What makes a sampling a Poisson-disk sampling: no two samples too near, no place too far from
 // all.
 
-#include <algorithm>
-#include <cmath>
-#include <functional>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/front_sampling.h>
 #include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/sampling/front_sampling.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -3,6 +3,10 @@
 
 // Remeshing of the selected faces alone, and borders whose vertices stay.
 
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <vcg_extras/core/remesh.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,9 +14,6 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <set>
-#include <tests/support/mesh_audit.h>
-#include <tests/support/mesh_builders.h>
-#include <vcg_extras/core/remesh.h>
 
 namespace gpr::test {
 

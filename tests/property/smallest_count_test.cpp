@@ -3,12 +3,13 @@
 
 // Counts below what a topology needs: refused, and the smallest possible one named.
 
-#include <algorithm>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <algorithm>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -3,11 +3,6 @@
 
 // Colours, texture coordinates and selections of real models; see real_meshes_test.cpp.
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <gtest/gtest.h>
-#include <memory>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/model_files.h>
 #include <tests/support/random_source.h>
@@ -15,9 +10,16 @@
 #include <vcg_extras/apps/gpremesh/attribute_carry.h>
 #include <vcg_extras/apps/gpremesh/mesh_io.h>
 #include <vcg_extras/core/carry_over.h>
-#include <vcg_extras/core/face_tree.h>
 #include <vcg_extras/core/remesh.h>
-#include <vcg_extras/core/surface_point.h>
+#include <vcg_extras/core/surface/barycentric_point.h>
+#include <vcg_extras/core/surface/face_tree.h>
+#include <vcg_extras/core/surface/surface_point.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
 
 namespace gpr::test {
 

@@ -5,13 +5,14 @@
 // default: the sharp edges of the input come nearer to the result (§3.1.1 manual, §3.1.2
 // automatic). Skipped where GPR_MODELS_DIR is unset.
 
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/model_files.h>
 #include <tests/support/oracles.h>
 #include <vcg_extras/apps/gpremesh/mesh_io.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -4,20 +4,21 @@
 // Real scans and parts, with bands that fail. The models are no part of the project: the folder is
 // named by the environment variable GPR_MODELS_DIR, and where it is unset the tests are skipped.
 
+#include <tests/support/mesh_audit.h>
+#include <tests/support/model_files.h>
+#include <tests/support/oracles.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/surface/face_tree.h>
+
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <optional>
 #include <string>
-#include <tests/support/mesh_audit.h>
-#include <tests/support/model_files.h>
-#include <tests/support/oracles.h>
-#include <tests/support/stages.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/core/face_tree.h>
-#include <vcg_extras/core/measure.h>
-#include <vcg_extras/core/remesh.h>
 
 namespace gpr::test {
 

@@ -3,11 +3,12 @@
 #ifndef GPR_TESTS_SUPPORT_MESH_AUDIT_H
 #define GPR_TESTS_SUPPORT_MESH_AUDIT_H
 
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
+#include <vcg_extras/core/mesh_view.h>
+
 #include <cstdint>
 #include <gtest/gtest.h>
 #include <string>
-#include <vcg_extras/core/half_edge_mesh.h>
-#include <vcg_extras/core/mesh_view.h>
 
 namespace gpr::test {
 

@@ -3,9 +3,10 @@
 #ifndef GPR_TESTS_SUPPORT_MESH_ZOO_H
 #define GPR_TESTS_SUPPORT_MESH_ZOO_H
 
+#include <vcg_extras/core/mesh_view.h>
+
 #include <ostream>
 #include <string>
-#include <vcg_extras/core/mesh_view.h>
 #include <vector>
 
 namespace gpr::test {

@@ -3,8 +3,9 @@
 #ifndef GPR_TESTS_SUPPORT_MODEL_FILES_H
 #define GPR_TESTS_SUPPORT_MODEL_FILES_H
 
-#include <string>
 #include <vcg_extras/core/mesh_view.h>
+
+#include <string>
 
 namespace gpr::test {
 

@@ -8,10 +8,11 @@
 #include "random_source.h"
 #include "stages.h"
 
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
 #include <cmath>
 #include <gtest/gtest.h>
-#include <vcg_extras/core/measure.h>
-#include <vcg_extras/core/mesh_edit.h>
 
 namespace gpr::test {
 

@@ -3,8 +3,9 @@
 #ifndef GPR_TESTS_SUPPORT_ORACLES_H
 #define GPR_TESTS_SUPPORT_ORACLES_H
 
-#include <cmath>
 #include <vcg_extras/core/mesh_view.h>
+
+#include <cmath>
 #include <vector>
 
 namespace gpr::test {

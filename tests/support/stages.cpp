@@ -4,12 +4,13 @@
 
 #include "transforms.h"
 
+#include <vcg_extras/core/input/load.h>
+#include <vcg_extras/core/mesh/spatial_order.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
-#include <vcg_extras/core/load.h>
-#include <vcg_extras/core/spatial_order.h>
 
 namespace gpr::test {
 

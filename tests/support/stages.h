@@ -3,13 +3,13 @@
 #ifndef GPR_TESTS_SUPPORT_STAGES_H
 #define GPR_TESTS_SUPPORT_STAGES_H
 
-#include <vcg_extras/core/boundary_curves.h>
-#include <vcg_extras/core/connect.h>
-#include <vcg_extras/core/half_edge_mesh.h>
-#include <vcg_extras/core/indexed_mesh.h>
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/features/boundary_curves.h>
+#include <vcg_extras/core/mesh/connect.h>
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
+#include <vcg_extras/core/mesh/indexed_mesh.h>
 #include <vcg_extras/core/mesh_view.h>
-#include <vcg_extras/core/result_mesh.h>
-#include <vcg_extras/core/workers.h>
+#include <vcg_extras/core/surface/result_mesh.h>
 
 namespace gpr::test {
 

@@ -3,13 +3,14 @@
 
 // A good result with one random fault of each kind: the audit catches every one.
 
+#include <tests/support/mesh_builders.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/output/audit.h>
+
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <tests/support/mesh_builders.h>
-#include <tests/support/stages.h>
-#include <vcg_extras/core/audit.h>
-#include <vcg_extras/core/measure.h>
 
 namespace gpr::test {
 

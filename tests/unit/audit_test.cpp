@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <functional>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/audit.h>
-#include <vcg_extras/core/measure.h>
-#include <vcg_extras/core/mesh_edit.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/output/audit.h>
+
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -3,17 +3,18 @@
 
 // The paper's placement: eq. (3), the start vertex, the cache, the fusing.
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <set>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/random_source.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/border_edge_sampling.h>
-#include <vcg_extras/core/hole_retriangulation.h>
+#include <vcg_extras/core/retriangulation/hole_retriangulation.h>
+#include <vcg_extras/core/sampling/border_edge_sampling.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
 
 namespace gpr::test {
 

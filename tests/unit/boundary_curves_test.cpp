@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
-#include <set>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/boundary_curves.h>
+#include <vcg_extras/core/features/boundary_curves.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
 
 namespace gpr::test {
 

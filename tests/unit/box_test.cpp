@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <vcg_extras/core/base/box.h>
+
 #include <gtest/gtest.h>
-#include <vcg_extras/core/box.h>
 
 namespace gpr::test {
 

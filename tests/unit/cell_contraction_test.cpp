@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/cell_contraction.h>
-#include <vcg_extras/core/measure.h>
-#include <vcg_extras/core/nearest_samples.h>
-#include <vcg_extras/core/vertex_removal.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/retriangulation/cell_contraction.h>
+#include <vcg_extras/core/retriangulation/vertex_removal.h>
+#include <vcg_extras/core/surface/nearest_samples.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/close_lines.h>
-#include <vcg_extras/core/crease_lines.h>
+#include <vcg_extras/core/features/close_lines.h>
+#include <vcg_extras/core/features/crease_lines.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/crease_lines.h>
-#include <vcg_extras/core/feature_detection.h>
-#include <vcg_extras/core/given_lines.h>
+#include <vcg_extras/core/features/crease_lines.h>
+#include <vcg_extras/core/features/feature_detection.h>
+#include <vcg_extras/core/features/given_lines.h>
+#include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/remesh.h>
-#include <vcg_extras/core/split_long_edges.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

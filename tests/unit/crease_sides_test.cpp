@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <tests/support/mesh_builders.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/core/features/crease_lines.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/optimization/crease_sides.h>
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <tests/support/mesh_builders.h>
-#include <tests/support/stages.h>
-#include <vcg_extras/core/crease_lines.h>
-#include <vcg_extras/core/crease_sides.h>
-#include <vcg_extras/core/mesh_edit.h>
 
 namespace gpr::test {
 

@@ -3,15 +3,17 @@
 
 // Curve vertices off their curves, where the polygon of the result's edges lies closest to them.
 
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/crease_lines.h>
-#include <vcg_extras/core/curve_fit.h>
+#include <vcg_extras/core/features/crease_lines.h>
+#include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/optimization/curve_fit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

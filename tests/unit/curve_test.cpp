@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <tests/support/random_source.h>
+#include <vcg_extras/core/surface/curve.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
-#include <tests/support/random_source.h>
-#include <vcg_extras/core/curve.h>
 
 namespace gpr::test {
 

@@ -3,13 +3,14 @@
 
 // The search for the count of an error, and the distance it looks at.
 
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/error_goal.h>
-#include <vcg_extras/core/sampled_distance.h>
+#include <vcg_extras/core/run/error_goal.h>
+#include <vcg_extras/core/surface/sampled_distance.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/face_tree.h>
+#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/surface/face_tree.h>
+
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/feature_detection.h>
-#include <vcg_extras/core/feature_strength.h>
+#include <vcg_extras/core/features/feature_detection.h>
+#include <vcg_extras/core/features/feature_strength.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

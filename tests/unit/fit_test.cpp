@@ -4,24 +4,26 @@
 // The fit to the input and what it stands on: cells, crossing faces, small symmetric matrices.
 // Results are coarse meshes laid on fine ones.
 
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/angle_mending.h>
-#include <vcg_extras/core/cells.h>
-#include <vcg_extras/core/crossing_faces.h>
-#include <vcg_extras/core/curve_slide.h>
-#include <vcg_extras/core/face_tree.h>
-#include <vcg_extras/core/fit.h>
-#include <vcg_extras/core/sampled_distance.h>
-#include <vcg_extras/core/symmetric_matrix.h>
-#include <vcg_extras/core/worst_distances.h>
+#include <vcg_extras/core/base/symmetric_matrix.h>
+#include <vcg_extras/core/mesh/crossing_faces.h>
+#include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/optimization/angle_mending.h>
+#include <vcg_extras/core/optimization/curve_slide.h>
+#include <vcg_extras/core/optimization/fit.h>
+#include <vcg_extras/core/optimization/worst_distances.h>
+#include <vcg_extras/core/surface/cells.h>
+#include <vcg_extras/core/surface/face_tree.h>
+#include <vcg_extras/core/surface/sampled_distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

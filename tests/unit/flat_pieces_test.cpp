@@ -1,14 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/flat_pieces.h>
+#include <vcg_extras/core/input/flat_pieces.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <algorithm>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
-#include <set>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/fuse_samples.h>
+#include <vcg_extras/core/sampling/fuse_samples.h>
+
+#include <gtest/gtest.h>
+#include <set>
 
 namespace gpr::test {
 

@@ -3,13 +3,14 @@
 
 // The mutual tessellation: samples become vertices by splits, and nothing else changes.
 
-#include <cmath>
-#include <gtest/gtest.h>
-#include <set>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/fused_mesh.h>
+#include <vcg_extras/core/sampling/fused_mesh.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
 
 namespace gpr::test {
 

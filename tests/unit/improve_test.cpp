@@ -4,21 +4,25 @@
 // The stages that improve a result: flips, count, relaxation, worst angles, folds. Each starts from
 // a result whose vertices are those of the surface itself.
 
-#include <algorithm>
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/delaunay_flips.h>
-#include <vcg_extras/core/exact_count.h>
-#include <vcg_extras/core/fold_repair.h>
-#include <vcg_extras/core/measure.h>
-#include <vcg_extras/core/mesh_edit.h>
-#include <vcg_extras/core/relaxation.h>
-#include <vcg_extras/core/umbrella_smoothing.h>
-#include <vcg_extras/core/worst_triangles.h>
+#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/optimization/delaunay_flips.h>
+#include <vcg_extras/core/optimization/exact_count.h>
+#include <vcg_extras/core/optimization/fold_repair.h>
+#include <vcg_extras/core/optimization/relaxation.h>
+#include <vcg_extras/core/optimization/umbrella_smoothing.h>
+#include <vcg_extras/core/optimization/worst_triangles.h>
+#include <vcg_extras/core/surface/normal_agreement.h>
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

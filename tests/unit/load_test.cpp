@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <functional>
-#include <gtest/gtest.h>
-#include <limits>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/failure.h>
-#include <vcg_extras/core/load.h>
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/input/load.h>
+#include <vcg_extras/core/remesh.h>
+
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <limits>
 
 namespace gpr::test {
 

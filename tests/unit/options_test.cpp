@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <vcg_extras/core/options.h>
+#include <vcg_extras/core/parameters.h>
+#include <vcg_extras/core/remesh.h>
+
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>
 #include <string>
-#include <vcg_extras/core/options.h>
-#include <vcg_extras/core/parameters.h>
-#include <vcg_extras/core/remesh.h>
 
 namespace gpr::test {
 

@@ -4,19 +4,20 @@
 // Splits and collapses for the last poor angles, and what they stand on: patches that can be taken
 // back, and the count of crossing pairs round a patch.
 
-#include <algorithm>
-#include <gtest/gtest.h>
-#include <numeric>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/angle_mending.h>
-#include <vcg_extras/core/crossing_faces.h>
-#include <vcg_extras/core/crossing_mending.h>
-#include <vcg_extras/core/patch_mover.h>
-#include <vcg_extras/core/patch_remeshing.h>
-#include <vcg_extras/core/poor_faces.h>
+#include <vcg_extras/core/mesh/crossing_faces.h>
+#include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/optimization/angle_mending.h>
+#include <vcg_extras/core/optimization/crossing_mending.h>
+#include <vcg_extras/core/optimization/patch_mover.h>
+#include <vcg_extras/core/optimization/patch_remeshing.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <numeric>
 
 namespace gpr::test {
 

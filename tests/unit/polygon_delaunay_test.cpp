@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <tests/support/random_source.h>
+#include <vcg_extras/core/retriangulation/polygon_delaunay.h>
+
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <set>
-#include <tests/support/random_source.h>
-#include <vcg_extras/core/polygon_delaunay.h>
 
 namespace gpr::test {
 

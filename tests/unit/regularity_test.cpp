@@ -3,18 +3,20 @@
 
 // The stages that make a result regular: valences, glide of dislocations, conformal steps.
 
+#include <tests/support/mesh_builders.h>
+#include <tests/support/on_surface.h>
+#include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/mesh/valence_energy.h>
+#include <vcg_extras/core/mesh/work_cells.h>
+#include <vcg_extras/core/optimization/conformal_relaxation.h>
+#include <vcg_extras/core/optimization/delaunay_flips.h>
+#include <vcg_extras/core/optimization/relaxation.h>
+#include <vcg_extras/core/optimization/valence_glide.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <gtest/gtest.h>
-#include <tests/support/mesh_builders.h>
-#include <tests/support/on_surface.h>
-#include <vcg_extras/core/conformal_relaxation.h>
-#include <vcg_extras/core/delaunay_flips.h>
-#include <vcg_extras/core/relaxation.h>
-#include <vcg_extras/core/valence_energy.h>
-#include <vcg_extras/core/valence_glide.h>
-#include <vcg_extras/core/work_cells.h>
 
 namespace gpr::test {
 

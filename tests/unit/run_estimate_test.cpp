@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <vcg_extras/core/run_estimate.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
+#include <vcg_extras/core/input/small_components.h>
 #include <vcg_extras/core/remesh.h>
-#include <vcg_extras/core/small_components.h>
+
+#include <algorithm>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <array>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/spatial_order.h>
+#include <vcg_extras/core/mesh/spatial_order.h>
+
+#include <algorithm>
+#include <array>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

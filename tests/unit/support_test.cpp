@@ -3,14 +3,15 @@
 
 // The means of testing are tested first: an audit that finds nothing wrong proves nothing.
 
-#include <cmath>
-#include <gtest/gtest.h>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/mesh_zoo.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

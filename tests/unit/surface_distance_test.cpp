@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Even points and the distances measured by them, against closed forms.
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/surface/even_points.h>
+#include <vcg_extras/core/surface/surface_distance.h>
+
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <vcg_extras/core/even_points.h>
-#include <vcg_extras/core/measure.h>
-#include <vcg_extras/core/surface_distance.h>
 
 namespace gpr_test {
 

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <vcg_extras/core/surface/barycentric_point.h>
+#include <vcg_extras/core/surface/surface_point.h>
+
 #include <gtest/gtest.h>
-#include <vcg_extras/core/surface_point.h>
 
 namespace gpr::test {
 

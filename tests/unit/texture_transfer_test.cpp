@@ -1,15 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <gtest/gtest.h>
-#include <limits>
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <vcg_extras/core/carry_over.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/core/texture_transfer.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
 
 namespace gpr::test {
 

@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <gtest/gtest.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/mesh_edit.h>
-#include <vcg_extras/core/vain_tries.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/vain_tries.h>
+
+#include <gtest/gtest.h>
 
 namespace gpr::test {
 

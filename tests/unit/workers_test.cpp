@@ -1,5 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <vcg_extras/core/base/buffer.h>
+#include <vcg_extras/core/base/counting_sort.h>
+#include <vcg_extras/core/base/workers.h>
+
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -8,9 +12,6 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
-#include <vcg_extras/core/buffer.h>
-#include <vcg_extras/core/counting_sort.h>
-#include <vcg_extras/core/workers.h>
 
 namespace gpr::test {
 

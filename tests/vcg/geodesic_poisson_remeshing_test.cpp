@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.h"
 
+#include <vcg_extras/complex/algorithms/geodesic_poisson_remeshing.h>
+
 #include <algorithm>
 #include <chrono>
 #include <functional>
 #include <thread>
 #include <vcg/complex/algorithms/point_sampling.h>
-#include <vcg_extras/complex/algorithms/geodesic_poisson_remeshing.h>
 
 using namespace gpr_test;
 using namespace vcg::tri;

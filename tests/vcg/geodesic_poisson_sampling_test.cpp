@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.h"
 
-#include <algorithm>
 #include <vcg_extras/complex/algorithms/geodesic_poisson_sampling.h>
+
+#include <algorithm>
 
 using namespace gpr_test;
 using namespace vcg::tri;

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "support.h"
 
-#include <algorithm>
-#include <random>
 #include <vcg_extras/complex/algorithms/geodesic_poisson_sampling.h>
 #include <vcg_extras/complex/algorithms/retriangulation.h>
+
+#include <algorithm>
+#include <random>
 
 using namespace gpr_test;
 using namespace vcg::tri;

@@ -4,12 +4,13 @@
 
 #include "built_in_meshes.h"
 
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <memory>
 #include <sstream>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
 
 namespace gpr::bench {
 

@@ -5,11 +5,12 @@
 
 #include "staged_run.h"
 
+#include <vcg_extras/apps/gpremesh/mesh_data.h>
+#include <vcg_extras/apps/gpremesh/stopwatch.h>
+
 #include <benchmark/benchmark.h>
 #include <functional>
 #include <string>
-#include <vcg_extras/apps/gpremesh/mesh_data.h>
-#include <vcg_extras/apps/gpremesh/stopwatch.h>
 #include <vector>
 
 namespace gpr::bench {

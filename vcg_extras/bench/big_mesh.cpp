@@ -4,12 +4,13 @@
 #include "built_in_meshes.h"
 #include "mesh_growth.h"
 
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/apps/gpremesh/run_limit.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/apps/gpremesh/run_limit.h>
 
 namespace {
 

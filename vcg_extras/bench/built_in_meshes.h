@@ -3,9 +3,10 @@
 #ifndef VCG_EXTRAS_BENCH_BUILT_IN_MESHES_H
 #define VCG_EXTRAS_BENCH_BUILT_IN_MESHES_H
 
+#include <vcg_extras/core/mesh_view.h>
+
 #include <cstdint>
 #include <string>
-#include <vcg_extras/core/mesh_view.h>
 
 namespace gpr::bench {
 

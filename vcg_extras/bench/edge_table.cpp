@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edge_table.h"
 
+#include <vcg_extras/core/base/counting_sort.h>
+
 #include <algorithm>
-#include <vcg_extras/core/counting_sort.h>
 
 namespace gpr::bench {
 

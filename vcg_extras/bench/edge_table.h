@@ -3,9 +3,10 @@
 #ifndef VCG_EXTRAS_BENCH_EDGE_TABLE_H
 #define VCG_EXTRAS_BENCH_EDGE_TABLE_H
 
+#include <vcg_extras/core/base/buffer.h>
+#include <vcg_extras/core/base/workers.h>
+
 #include <cstdint>
-#include <vcg_extras/core/buffer.h>
-#include <vcg_extras/core/workers.h>
 #include <vector>
 
 namespace gpr::bench {

@@ -3,16 +3,16 @@
 // From the first mesh to the audit.
 #include "bench_case.h"
 
-#include <vcg_extras/core/angle_mending.h>
-#include <vcg_extras/core/audit.h>
-#include <vcg_extras/core/conformal_relaxation.h>
-#include <vcg_extras/core/delaunay_flips.h>
-#include <vcg_extras/core/exact_count.h>
-#include <vcg_extras/core/fold_repair.h>
-#include <vcg_extras/core/measure.h>
-#include <vcg_extras/core/relaxation.h>
-#include <vcg_extras/core/valence_glide.h>
-#include <vcg_extras/core/worst_triangles.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/optimization/angle_mending.h>
+#include <vcg_extras/core/optimization/conformal_relaxation.h>
+#include <vcg_extras/core/optimization/delaunay_flips.h>
+#include <vcg_extras/core/optimization/exact_count.h>
+#include <vcg_extras/core/optimization/fold_repair.h>
+#include <vcg_extras/core/optimization/relaxation.h>
+#include <vcg_extras/core/optimization/valence_glide.h>
+#include <vcg_extras/core/optimization/worst_triangles.h>
+#include <vcg_extras/core/output/audit.h>
 
 namespace gpr::bench {
 

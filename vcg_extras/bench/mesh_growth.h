@@ -3,8 +3,9 @@
 #ifndef VCG_EXTRAS_BENCH_MESH_GROWTH_H
 #define VCG_EXTRAS_BENCH_MESH_GROWTH_H
 
-#include <cstdint>
 #include <vcg_extras/core/mesh_view.h>
+
+#include <cstdint>
 
 namespace gpr::bench {
 

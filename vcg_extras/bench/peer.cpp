@@ -4,14 +4,15 @@
 // measured from outside. Prints its own seconds and what is left as JSON.
 #include "peer_meshoptimizer.h"
 
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/apps/gpremesh/peer_remeshers.h>
+#include <vcg_extras/apps/gpremesh/run_limit.h>
+
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <stdexcept>
 #include <string>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/apps/gpremesh/peer_remeshers.h>
-#include <vcg_extras/apps/gpremesh/run_limit.h>
 
 namespace {
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "peer_meshoptimizer.h"
 
-#include <limits>
-#include <meshoptimizer.h>
 #include <vcg_extras/apps/gpremesh/platform.h>
 #include <vcg_extras/apps/gpremesh/stopwatch.h>
+
+#include <limits>
+#include <meshoptimizer.h>
 
 namespace gpr::bench {
 

@@ -3,9 +3,10 @@
 #ifndef VCG_EXTRAS_BENCH_PEER_MESHOPTIMIZER_H
 #define VCG_EXTRAS_BENCH_PEER_MESHOPTIMIZER_H
 
-#include <cstdint>
 #include <vcg_extras/apps/gpremesh/mesh_data.h>
 #include <vcg_extras/apps/gpremesh/peer_remeshers.h>
+
+#include <cstdint>
 
 namespace gpr::bench {
 

@@ -3,10 +3,10 @@
 // From the surface to the first mesh.
 #include "bench_case.h"
 
-#include <vcg_extras/core/border_edge_sampling.h>
-#include <vcg_extras/core/fuse_samples.h>
-#include <vcg_extras/core/hole_retriangulation.h>
-#include <vcg_extras/core/vertex_removal.h>
+#include <vcg_extras/core/retriangulation/hole_retriangulation.h>
+#include <vcg_extras/core/retriangulation/vertex_removal.h>
+#include <vcg_extras/core/sampling/border_edge_sampling.h>
+#include <vcg_extras/core/sampling/fuse_samples.h>
 
 namespace gpr::bench {
 

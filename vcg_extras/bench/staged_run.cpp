@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "staged_run.h"
 
-#include <vcg_extras/core/conformal_relaxation.h>
-#include <vcg_extras/core/delaunay_flips.h>
-#include <vcg_extras/core/exact_count.h>
-#include <vcg_extras/core/fold_repair.h>
-#include <vcg_extras/core/relaxation.h>
-#include <vcg_extras/core/valence_glide.h>
-#include <vcg_extras/core/worst_triangles.h>
+#include <vcg_extras/core/optimization/conformal_relaxation.h>
+#include <vcg_extras/core/optimization/delaunay_flips.h>
+#include <vcg_extras/core/optimization/exact_count.h>
+#include <vcg_extras/core/optimization/fold_repair.h>
+#include <vcg_extras/core/optimization/relaxation.h>
+#include <vcg_extras/core/optimization/valence_glide.h>
+#include <vcg_extras/core/optimization/worst_triangles.h>
 
 namespace gpr::bench {
 

@@ -3,15 +3,16 @@
 #ifndef VCG_EXTRAS_BENCH_STAGED_RUN_H
 #define VCG_EXTRAS_BENCH_STAGED_RUN_H
 
+#include <vcg_extras/core/base/run_context.h>
+#include <vcg_extras/core/features/boundary_curves.h>
+#include <vcg_extras/core/mesh/blocks.h>
+#include <vcg_extras/core/optimization/fit.h>
+#include <vcg_extras/core/run/preparation.h>
+#include <vcg_extras/core/run/sample_stages.h>
+#include <vcg_extras/core/sampling/front_sampling.h>
+#include <vcg_extras/core/surface/result_mesh.h>
+
 #include <memory>
-#include <vcg_extras/core/blocks.h>
-#include <vcg_extras/core/boundary_curves.h>
-#include <vcg_extras/core/fit.h>
-#include <vcg_extras/core/front_sampling.h>
-#include <vcg_extras/core/preparation.h>
-#include <vcg_extras/core/result_mesh.h>
-#include <vcg_extras/core/run_context.h>
-#include <vcg_extras/core/sample_stages.h>
 
 namespace gpr::bench {
 

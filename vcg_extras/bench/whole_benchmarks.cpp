@@ -3,8 +3,9 @@
 // From mesh in memory to mesh in memory.
 #include "bench_case.h"
 
-#include <stdexcept>
 #include <vcg_extras/core/remesh.h>
+
+#include <stdexcept>
 
 namespace gpr::bench {
 

@@ -4,7 +4,6 @@
 #define VCG_EXTRAS_CORE_OPTIONS_H
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -159,11 +158,6 @@ void applyPreset(Preset preset, RemeshOptions& options);
 
 /// Complaints about values out of range, one sentence each; empty when all is well.
 std::vector<std::string> validate(const RemeshOptions& options);
-
-/// Called from the thread that called the engine, at most about every 50 ms, with the share of the
-/// work done in [0, 1] and a short verb phrase. Returning false cancels: the engine ends with
-/// Status::Cancelled and hands out nothing.
-using ProgressCallback = std::function<bool(double share, const char* phrase)>;
 
 } // namespace gpr
 

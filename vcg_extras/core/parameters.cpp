@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameters.h"
 
-#include "parameter_table.h"
-
 namespace gpr {
 
 namespace {

@@ -2,20 +2,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remesh.h"
 
-#include "audit.h"
-#include "error_goal.h"
-#include "exact_count.h"
-#include "failure.h"
-#include "feature_export.h"
-#include "given_samples.h"
-#include "hand_out.h"
-#include "improvement.h"
-#include "measure.h"
-#include "preparation.h"
-#include "sample_stages.h"
-#include "sampled_distance.h"
-#include "selected_part.h"
-#include "surface_point.h"
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/base/run_context.h>
+#include <vcg_extras/core/features/feature_export.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/optimization/exact_count.h>
+#include <vcg_extras/core/output/audit.h>
+#include <vcg_extras/core/output/hand_out.h>
+#include <vcg_extras/core/run/error_goal.h>
+#include <vcg_extras/core/run/given_samples.h>
+#include <vcg_extras/core/run/improvement.h>
+#include <vcg_extras/core/run/preparation.h>
+#include <vcg_extras/core/run/sample_stages.h>
+#include <vcg_extras/core/run/selected_part.h>
+#include <vcg_extras/core/surface/barycentric_point.h>
+#include <vcg_extras/core/surface/result_mesh.h>
+#include <vcg_extras/core/surface/sampled_distance.h>
+#include <vcg_extras/core/surface/surface_point.h>
 
 #include <algorithm>
 #include <chrono>
@@ -84,7 +87,7 @@ public:
 			leaveRoomForAreas(p, meshed, p.targetNum, out);
 		fitResult(run_, p, meshed.boundary, measuresError, meshed.result);
 		if (measuresError) measureError(p, meshed.result);
-		handOut(run_, p, meshed.result, out);
+		handOut(run_, p.surface, meshed.result, {p.targetNum, std::int64_t(p.kept.size())}, out);
 	}
 
 	void sample(SamplingResult& out)
@@ -118,8 +121,7 @@ public:
 		run_.clock.enter("flips", "Flipping edges", 0.95);
 		flipEdges(run_, result);
 		run_.report.targetVertexNum = result.mesh.vertexNum;
-		p.targetNum                 = 0;
-		handOut(run_, p, result, out);
+		handOut(run_, p.surface, result, {0, std::int64_t(p.kept.size())}, out);
 		given.nameSamples(points, result, out);
 	}
 
@@ -535,31 +537,6 @@ FeatureResult detectFeatures(const MeshView& input, const RemeshOptions& options
 	return guarded<FeatureResult>(options, progress, [&](Workers& workers, FeatureResult& r) {
 		Run(input, options, workers, r.report, r.notes).detect(r);
 	});
-}
-
-const char* statusName(Status status)
-{
-	switch (status) {
-	case Status::Ok:
-		return "ok";
-	case Status::BadOptions:
-		return "bad options";
-	case Status::UnusableInput:
-		return "unusable input";
-	case Status::CountTooSmall:
-		return "count too small";
-	case Status::PromiseBroken:
-		return "promise broken";
-	case Status::OutOfMemory:
-		return "out of memory";
-	case Status::Cancelled:
-		return "cancelled";
-	case Status::OutOfTime:
-		return "out of time";
-	case Status::InternalError:
-		return "internal error";
-	}
-	return "unknown";
 }
 
 } // namespace gpr

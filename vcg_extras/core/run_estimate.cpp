@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_estimate.h"
 
-#include "error_goal.h"
-#include "memory_need.h"
-#include "prepared.h"
+#include <vcg_extras/core/input/memory_need.h>
+#include <vcg_extras/core/run/error_goal.h>
+#include <vcg_extras/core/run/prepared.h>
 
 #include <algorithm>
 #include <cmath>

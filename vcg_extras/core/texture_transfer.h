@@ -4,7 +4,7 @@
 #define VCG_EXTRAS_CORE_TEXTURE_TRANSFER_H
 
 #include "mesh_view.h"
-#include "remesh.h"
+#include "results.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writes a torus as the OFF file OUT and ends with 0 where 300 vertices were asked for and came.
+#include <vcg_extras/core/remesh.h>
+
 #include <cmath>
 #include <cstdio>
-#include <vcg_extras/core/remesh.h>
 
 namespace {
 

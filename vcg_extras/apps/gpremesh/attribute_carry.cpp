@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "attribute_carry.h"
 
+#include <vcg_extras/core/carry_over.h>
+
 #include <array>
 #include <cmath>
-#include <vcg_extras/core/carry_over.h>
 
 namespace gpr::app {
 

@@ -3,8 +3,9 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_COMMAND_LINE_H
 #define VCG_EXTRAS_APPS_GPREMESH_COMMAND_LINE_H
 
-#include <string>
 #include <vcg_extras/core/options.h>
+
+#include <string>
 
 namespace gpr::app {
 

@@ -6,9 +6,10 @@
 #include "platform.h"
 #include "remesh_outcome.h"
 
-#include <algorithm>
-#include <vcg_extras/core/measure.h>
+#include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/remesh.h>
+
+#include <algorithm>
 
 namespace gpr::app {
 

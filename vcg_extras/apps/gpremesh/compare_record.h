@@ -5,9 +5,10 @@
 
 #include "surface_distance.h"
 
-#include <string>
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/report.h>
+
+#include <string>
 #include <vector>
 
 namespace gpr::app {

@@ -3,8 +3,9 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_FEATURES_REPORT_H
 #define VCG_EXTRAS_APPS_GPREMESH_FEATURES_REPORT_H
 
-#include <string>
 #include <vcg_extras/core/remesh.h>
+
+#include <string>
 #include <vector>
 
 namespace gpr::app {

@@ -5,8 +5,9 @@
 #include "mesh_io.h"
 #include "summary.h"
 
+#include <vcg_extras/core/mesh/measure.h>
+
 #include <cstdio>
-#include <vcg_extras/core/measure.h>
 
 namespace gpr::app {
 

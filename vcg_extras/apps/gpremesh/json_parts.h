@@ -3,9 +3,10 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_JSON_PARTS_H
 #define VCG_EXTRAS_APPS_GPREMESH_JSON_PARTS_H
 
+#include <vcg_extras/core/report.h>
+
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vcg_extras/core/report.h>
 
 // What several of the program's JSON texts have in common.
 

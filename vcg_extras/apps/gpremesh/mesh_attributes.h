@@ -5,10 +5,11 @@
 
 #include "ply_header.h"
 
+#include <vcg_extras/core/texture_transfer.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <vcg_extras/core/texture_transfer.h>
 #include <vector>
 
 namespace gpr::app {

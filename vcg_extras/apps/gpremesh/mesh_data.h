@@ -5,11 +5,12 @@
 
 #include "mesh_attributes.h"
 
+#include <vcg_extras/core/mesh_view.h>
+
 #include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
-#include <vcg_extras/core/mesh_view.h>
 #include <vector>
 
 namespace gpr::app {

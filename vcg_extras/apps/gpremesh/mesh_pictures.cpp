@@ -7,11 +7,12 @@
 #include "mesh_io.h"
 #include "platform.h"
 
+#include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/mesh/measure.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <vcg_extras/core/box.h>
-#include <vcg_extras/core/measure.h>
 
 namespace gpr::app {
 

@@ -3,8 +3,9 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_MESH_PICTURES_H
 #define VCG_EXTRAS_APPS_GPREMESH_MESH_PICTURES_H
 
-#include <string>
 #include <vcg_extras/core/mesh_view.h>
+
+#include <string>
 
 namespace gpr::app {
 

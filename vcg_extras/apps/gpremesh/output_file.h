@@ -5,12 +5,13 @@
 
 #include "run_limit.h"
 
+#include <vcg_extras/core/vec.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <string>
 #include <string_view>
-#include <vcg_extras/core/vec.h>
 #include <vector>
 
 namespace gpr::app {

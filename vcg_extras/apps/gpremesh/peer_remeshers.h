@@ -3,10 +3,11 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_PEER_REMESHERS_H
 #define VCG_EXTRAS_APPS_GPREMESH_PEER_REMESHERS_H
 
+#include <vcg_extras/core/mesh_view.h>
+
 #include <cstdint>
 #include <functional>
 #include <string>
-#include <vcg_extras/core/mesh_view.h>
 
 // What MeshLab offers for the same purpose, for the comparison only: vcglib's own code with the
 // parameters that MeshLab's dialogs propose. In a program built without vcglib every one fails with

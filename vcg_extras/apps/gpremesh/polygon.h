@@ -3,8 +3,9 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_POLYGON_H
 #define VCG_EXTRAS_APPS_GPREMESH_POLYGON_H
 
-#include <cstddef>
 #include <vcg_extras/core/vec.h>
+
+#include <cstddef>
 #include <vector>
 
 namespace gpr::app {

@@ -12,9 +12,10 @@
 #include "remesh_outcome.h"
 #include "summary.h"
 
+#include <vcg_extras/core/run_estimate.h>
+
 #include <cstdio>
 #include <memory>
-#include <vcg_extras/core/run_estimate.h>
 
 namespace gpr::app {
 

@@ -5,8 +5,9 @@
 
 #include "exit_code.h"
 
-#include <string>
 #include <vcg_extras/core/remesh.h>
+
+#include <string>
 
 namespace gpr::app {
 

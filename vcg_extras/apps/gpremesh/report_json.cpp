@@ -4,8 +4,9 @@
 
 #include "json_parts.h"
 
-#include <string>
 #include <vcg_extras/core/parameters.h>
+
+#include <string>
 #include <vector>
 
 namespace gpr::app {

@@ -5,8 +5,9 @@
 
 #include "stopwatch.h"
 
-#include <string>
 #include <vcg_extras/core/remesh.h>
+
+#include <string>
 #include <vector>
 
 namespace gpr::app {

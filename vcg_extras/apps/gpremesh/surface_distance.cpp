@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface_distance.h"
 
+#include <vcg_extras/core/surface/even_points.h>
+
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Simple_cartesian.h>
 #include <algorithm>
 #include <cmath>
-#include <vcg_extras/core/even_points.h>
 #include <vector>
 
 namespace gpr::app {

@@ -3,10 +3,11 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_SURFACE_DISTANCE_H
 #define VCG_EXTRAS_APPS_GPREMESH_SURFACE_DISTANCE_H
 
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh_view.h>
+
 #include <cstdint>
 #include <memory>
-#include <vcg_extras/core/mesh_view.h>
-#include <vcg_extras/core/workers.h>
 
 namespace gpr::app {
 

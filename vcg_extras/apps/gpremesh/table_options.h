@@ -3,10 +3,11 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TABLE_OPTIONS_H
 #define VCG_EXTRAS_APPS_GPREMESH_TABLE_OPTIONS_H
 
+#include <vcg_extras/core/parameters.h>
+
 #include <CLI/App.hpp>
 #include <map>
 #include <string>
-#include <vcg_extras/core/parameters.h>
 
 namespace gpr::app {
 

@@ -6,11 +6,12 @@
 // Internal: carries the attributes of vertices, faces and wedges from a mesh to points anchored on
 // its faces, and writes a remeshed surface with them.
 
-#include <memory>
-#include <string>
 #include <vcg_extras/complex/algorithms/mesh_conversion.h>
 #include <vcg_extras/complex/algorithms/user_attributes.h>
 #include <vcg_extras/core/texture_transfer.h>
+
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace vcg {

@@ -3,10 +3,11 @@
 #ifndef VCG_EXTRAS_FEATURE_DETECTION_H
 #define VCG_EXTRAS_FEATURE_DETECTION_H
 
-#include <cassert>
-#include <cstdint>
 #include <vcg_extras/complex/algorithms/geodesic_poisson_base.h>
 #include <vcg_extras/complex/algorithms/mesh_conversion.h>
+
+#include <cassert>
+#include <cstdint>
 #include <vector>
 
 namespace vcg {

@@ -3,9 +3,10 @@
 #ifndef VCG_EXTRAS_GEODESIC_POISSON_BASE_H
 #define VCG_EXTRAS_GEODESIC_POISSON_BASE_H
 
+#include <vcg_extras/core/remesh.h>
+
 #include <cstdint>
 #include <string>
-#include <vcg_extras/core/remesh.h>
 #include <vector>
 
 namespace vcg {

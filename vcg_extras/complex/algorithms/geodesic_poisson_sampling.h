@@ -3,10 +3,11 @@
 #ifndef VCG_EXTRAS_GEODESIC_POISSON_SAMPLING_H
 #define VCG_EXTRAS_GEODESIC_POISSON_SAMPLING_H
 
-#include <cassert>
 #include <vcg_extras/complex/algorithms/attribute_transfer.h>
 #include <vcg_extras/complex/algorithms/geodesic_poisson_base.h>
 #include <vcg_extras/complex/algorithms/mesh_conversion.h>
+
+#include <cassert>
 #include <vector>
 
 namespace vcg {

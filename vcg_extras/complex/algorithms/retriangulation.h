@@ -3,10 +3,11 @@
 #ifndef VCG_EXTRAS_RETRIANGULATION_H
 #define VCG_EXTRAS_RETRIANGULATION_H
 
-#include <cstdint>
 #include <vcg_extras/complex/algorithms/attribute_transfer.h>
 #include <vcg_extras/complex/algorithms/geodesic_poisson_base.h>
 #include <vcg_extras/complex/algorithms/mesh_conversion.h>
+
+#include <cstdint>
 #include <vector>
 
 namespace vcg {

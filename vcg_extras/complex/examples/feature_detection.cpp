@@ -3,9 +3,10 @@
 // Finds the creases of a dodecahedron, keeps the faces that touch one and saves them.
 #include "example_mesh.h"
 
+#include <vcg_extras/complex/algorithms/feature_detection.h>
+
 #include <cstdio>
 #include <vcg/complex/algorithms/create/platonic.h>
-#include <vcg_extras/complex/algorithms/feature_detection.h>
 #include <wrap/io_trimesh/export_off.h>
 
 int main(int argc, char** argv)

@@ -3,9 +3,10 @@
 // Remeshes a torus to exactly 500 vertices and saves it.
 #include "example_mesh.h"
 
+#include <vcg_extras/complex/algorithms/geodesic_poisson_remeshing.h>
+
 #include <cstdio>
 #include <vcg/complex/algorithms/create/platonic.h>
-#include <vcg_extras/complex/algorithms/geodesic_poisson_remeshing.h>
 #include <wrap/io_trimesh/export_off.h>
 
 int main(int argc, char** argv)

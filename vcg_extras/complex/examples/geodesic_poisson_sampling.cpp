@@ -3,9 +3,10 @@
 // Spreads about 500 points evenly over a torus and saves them as a point cloud.
 #include "example_mesh.h"
 
+#include <vcg_extras/complex/algorithms/geodesic_poisson_sampling.h>
+
 #include <cstdio>
 #include <vcg/complex/algorithms/create/platonic.h>
-#include <vcg_extras/complex/algorithms/geodesic_poisson_sampling.h>
 #include <wrap/io_trimesh/export_off.h>
 
 int main(int argc, char** argv)

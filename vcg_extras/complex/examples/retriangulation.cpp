@@ -3,9 +3,10 @@
 // Takes every tenth vertex of a torus as a sample and saves the mesh that has them as vertices.
 #include "example_mesh.h"
 
+#include <vcg_extras/complex/algorithms/retriangulation.h>
+
 #include <cstdio>
 #include <vcg/complex/algorithms/create/platonic.h>
-#include <vcg_extras/complex/algorithms/retriangulation.h>
 #include <wrap/io_trimesh/export_off.h>
 
 int main(int argc, char** argv)

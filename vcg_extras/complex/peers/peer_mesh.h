@@ -5,9 +5,10 @@
 
 // Between flat arrays and a mesh of vcglib in float, as MeshLab keeps it.
 
+#include <vcg_extras/core/surface/even_points.h>
+
 #include <cstdint>
 #include <vcg/complex/complex.h>
-#include <vcg_extras/core/even_points.h>
 #include <vector>
 
 namespace gpr::peers {

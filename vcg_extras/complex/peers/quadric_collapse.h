@@ -3,10 +3,11 @@
 #ifndef VCG_EXTRAS_COMPLEX_PEERS_QUADRIC_COLLAPSE_H
 #define VCG_EXTRAS_COMPLEX_PEERS_QUADRIC_COLLAPSE_H
 
+#include <vcg_extras/core/mesh_view.h>
+
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <vcg_extras/core/mesh_view.h>
 
 namespace gpr::peers {
 

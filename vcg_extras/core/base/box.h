@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_BASE_BOX_H
+#define VCG_EXTRAS_CORE_BASE_BOX_H
+
+#include <vcg_extras/core/vec.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace gpr {
+
+/// Box along the axes; empty at first.
+template <class S>
+struct Box {
+	static constexpr S infinite = std::numeric_limits<S>::infinity();
+
+	Vec3<S> low{infinite, infinite, infinite};
+	Vec3<S> high{-infinite, -infinite, -infinite};
+
+	Box() = default;
+	Box(const Vec3<S>& a, const Vec3<S>& b) : low(a), high(b) {}
+
+	void add(const Vec3<S>& p) { *this += Box(p, p); }
+	/// An empty box changes nothing. Named so that Workers::sum can join the boxes of pieces.
+	Box& operator+=(const Box& b)
+	{
+		low  = {std::min(low.x, b.low.x), std::min(low.y, b.low.y), std::min(low.z, b.low.z)};
+		high = {std::max(high.x, b.high.x), std::max(high.y, b.high.y), std::max(high.z, b.high.z)};
+		return *this;
+	}
+
+	bool isEmpty() const { return !(high.x >= low.x); }
+	/// 0 of an empty box.
+	S diagonal() const { return isEmpty() ? S(0) : length(high - low); }
+	/// Negative of an empty box.
+	S largestSide() const
+	{
+		return std::max(high.x - low.x, std::max(high.y - low.y, high.z - low.z));
+	}
+	bool meets(const Box& b) const
+	{
+		return low.x <= b.high.x && b.low.x <= high.x && low.y <= b.high.y && b.low.y <= high.y &&
+			   low.z <= b.high.z && b.low.z <= high.z;
+	}
+};
+
+} // namespace gpr
+
+#endif

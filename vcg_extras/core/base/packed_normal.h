@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_BASE_PACKED_NORMAL_H
+#define VCG_EXTRAS_CORE_BASE_PACKED_NORMAL_H
+
+#include <vcg_extras/core/vec.h>
+
+#include <cstdint>
+
+namespace gpr {
+
+/// A unit vector in 32 bits, 10 a coordinate: true to about 0.1°, enough to tell flat from bent;
+/// and two marks.
+class PackedNormal {
+public:
+	PackedNormal() = default;
+	explicit PackedNormal(const Vec3f& n) : bits_(pack(n.x) | pack(n.y) << 10 | pack(n.z) << 20) {}
+
+	void markPointed() { bits_ |= pointedBit; }
+	void markRough() { bits_ |= roughBit; }
+	bool isPointed() const { return (bits_ & pointedBit) != 0; }
+	bool isRough() const { return (bits_ & roughBit) != 0; }
+
+	Vec3f unpack() const { return {part(0), part(10), part(20)}; }
+
+private:
+	static constexpr std::uint32_t pointedBit = std::uint32_t(1) << 30;
+	static constexpr std::uint32_t roughBit   = std::uint32_t(1) << 31;
+
+	std::uint32_t bits_;
+
+	static std::uint32_t pack(float c) { return std::uint32_t(int(c * 511.0f) + 512) & 1023; }
+	float part(int shift) const { return float(int(bits_ >> shift & 1023) - 512) * (1 / 511.0f); }
+};
+
+} // namespace gpr
+
+#endif

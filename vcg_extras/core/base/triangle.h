@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_BASE_TRIANGLE_H
+#define VCG_EXTRAS_CORE_BASE_TRIANGLE_H
+
+#include <vcg_extras/core/vec.h>
+
+#include <algorithm>
+
+namespace gpr {
+
+/// Smallest angle of a triangle in radians; 0 where it has no area.
+float smallestAngle(const Vec3f& a, const Vec3f& b, const Vec3f& c);
+
+/// Shape of a triangle in [0, 1]: 4√3·area / (sum of squared edges); 1 = equilateral. Cheap: one
+/// root.
+float triangleShape(const Vec3f& a, const Vec3f& b, const Vec3f& c);
+
+/// Whether the area of a triangle, in working units, is nothing but rounding; n is the cross
+/// product of its edges.
+inline bool isLine(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& n)
+{
+	constexpr float roundingHeight = 2e-7f; // over the longest edge
+	const float     longest =
+		std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+	return !(squaredLength(n) > roundingHeight * roundingHeight * longest);
+}
+
+/// The point of the triangle a b c nearest to p.
+Vec3f nearestOnTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c);
+
+} // namespace gpr
+
+#endif

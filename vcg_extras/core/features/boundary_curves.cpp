@@ -1,0 +1,560 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "boundary_curves.h"
+
+#include <vcg_extras/core/base/sort_unique.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <iterator>
+#include <map>
+#include <set>
+
+namespace gpr {
+
+namespace {
+
+constexpr float cornerTurn = 50 * radians;
+/// A turn at one point that makes it a corner of a feature line.
+constexpr float kinkTurn = 25 * radians;
+
+/// The border half-edge that follows h: turn about its head until the border is met again.
+int nextOnBorder(const HalfEdgeMesh& m, int h)
+{
+	int x = nextInFace(h);
+	while (m.opposite[x] >= 0)
+		x = nextInFace(m.opposite[x]);
+	return x;
+}
+
+void addPoint(const HalfEdgeMesh& m, int h, Curve& c)
+{
+	c.vertex.push_back(m.origin[h]);
+	c.point.push_back(m.position[m.origin[h]]);
+	c.face.push_back(h / 3);
+	c.arc.push_back(c.length);
+	c.length += length(m.position[m.target(h)] - m.position[m.origin[h]]);
+}
+
+Curve traceLoop(const HalfEdgeMesh& m, int first, std::vector<char>& seen)
+{
+	Curve c;
+	int   h = first;
+	do {
+		seen[m.origin[h]] = 1;
+		addPoint(m, h, c);
+		h = nextOnBorder(m, h);
+	} while (h != first);
+	return c;
+}
+
+std::vector<Curve> traceBorder(const HalfEdgeMesh& m)
+{
+	std::vector<Curve> curves;
+	std::vector<char>  seen(m.vertexNum, 0);
+	for (int v = 0; v < m.vertexNum; ++v) {
+		const int h = m.outgoing[v];
+		if (h < 0 || m.opposite[h] >= 0 || seen[v]) continue;
+		curves.push_back(traceLoop(m, h, seen));
+	}
+	return curves;
+}
+
+/// Where feature lines end, fork, cross or meet the border.
+bool isNode(const HalfEdgeMesh& m, int v)
+{
+	const int n = m.creaseNum(v);
+	return n > 0 && (n != 2 || m.isBorderVertex(v));
+}
+
+/// The feature line's half-edge after h, whose target is no node.
+int nextOnCrease(const HalfEdgeMesh& m, int h)
+{
+	int next = -1;
+	forEachOutgoing(m, m.target(h), [&](int x) {
+		if (m.isCreaseEdge(x) && x != m.opposite[h]) next = x;
+	});
+	return next;
+}
+
+/// Both halves of every edge of a feature line, ascending, and which of them were passed. There are
+/// few of them: a pass over the marks, which memchr makes at the speed of memory, finds them, and
+/// no ring of the many other vertices is read.
+class CreaseEdges {
+public:
+	explicit CreaseEdges(const HalfEdgeMesh& m)
+	{
+		const char* const begin = m.crease.data();
+		const char* const end   = begin + m.crease.size();
+		const char*       at    = begin;
+		while (at < end && (at = static_cast<const char*>(std::memchr(at, 1, end - at))) != nullptr)
+			halfEdge_.push_back(int(at++ - begin));
+		seen_.assign(halfEdge_.size(), 0);
+		for (int h : halfEdge_)
+			vertex_.push_back(m.origin[h]);
+		sortUnique(vertex_);
+	}
+
+	const std::vector<int>& vertices() const { return vertex_; } ///< of feature lines, ascending
+	bool                    isSeen(int h) const { return seen_[indexOf(h)] != 0; }
+	void                    markSeen(int h) { seen_[indexOf(h)] = 1; }
+
+private:
+	std::vector<int>  halfEdge_, vertex_;
+	std::vector<char> seen_;
+
+	std::size_t indexOf(int h) const
+	{
+		return std::size_t(std::lower_bound(halfEdge_.begin(), halfEdge_.end(), h) -
+						   halfEdge_.begin());
+	}
+};
+
+/// From half-edge `first` to the next node, or once round.
+Curve traceChain(const HalfEdgeMesh& m, int first, CreaseEdges& edges)
+{
+	Curve c;
+	int   h = first;
+	while (true) {
+		edges.markSeen(h);
+		edges.markSeen(m.opposite[h]);
+		addPoint(m, h, c);
+		const int end = m.target(h);
+		if (isNode(m, end)) {
+			c.isClosed = false;
+			c.vertex.push_back(end);
+			c.point.push_back(m.position[end]);
+			c.face.push_back(h / 3);
+			c.arc.push_back(c.length);
+			return c;
+		}
+		if (end == m.origin[first]) return c;
+		h = nextOnCrease(m, h);
+	}
+}
+
+/// Chains from node to node, then closed lines; in the order of their first vertex.
+std::vector<Curve> traceCreases(const HalfEdgeMesh& m)
+{
+	std::vector<Curve> curves;
+	if (!m.hasCreases()) return curves;
+	CreaseEdges edges(m);
+	for (bool fromNodes : {true, false}) {
+		for (int v : edges.vertices()) {
+			if (isNode(m, v) != fromNodes) continue;
+			forEachOutgoing(m, v, [&](int h) {
+				if (m.isCreaseEdge(h) && !edges.isSeen(h))
+					curves.push_back(traceChain(m, h, edges));
+			});
+		}
+	}
+	return curves;
+}
+
+/// Angle between the chords to the points `window` before and behind. Vertex angles themselves say
+/// nothing on the zigzag rims of range maps.
+std::vector<float> turnsOver(const Curve& c, float window)
+{
+	std::vector<float> turn(c.pointNum());
+	for (int i = 0; i < c.pointNum(); ++i) {
+		const Vec3f in  = c.point[i] - c.at(c.arc[i] - window);
+		const Vec3f out = c.at(c.arc[i] + window) - c.point[i];
+		turn[i]         = angleBetween(in, out);
+	}
+	return turn;
+}
+
+/// Calls visit(k) for the points within `window` of point i along the curve, but i; ends when it
+/// returns false.
+template <class Visit>
+bool forEachWithin(const Curve& c, int i, float window, const Visit& visit)
+{
+	const int n = c.pointNum();
+	for (int direction : {-1, 1}) {
+		int   k    = i;
+		float walk = 0;
+		while (true) {
+			if (!c.isClosed && (k + direction < 0 || k + direction >= n)) break;
+			const int next = (k + direction + n) % n;
+			walk += length(c.point[next] - c.point[k]);
+			k = next;
+			if (walk > window || k == i) break;
+			if (!visit(k)) return false;
+		}
+	}
+	return true;
+}
+
+/// Whether no point within `window` along the curve turns more (ties: the first one wins).
+bool isLargestTurn(const Curve& c, const std::vector<float>& turn, int i, float window)
+{
+	return forEachWithin(
+		c, i, window, [&](int k) { return !(turn[k] > turn[i] || (turn[k] == turn[i] && k < i)); });
+}
+
+/// Whether every other point within `window` turns by less than half of what point i does.
+bool standsOut(const Curve& c, const std::vector<float>& turn, int i, float window)
+{
+	return forEachWithin(c, i, window, [&](int k) { return turn[k] < 0.5f * turn[i]; });
+}
+
+/// Points of the curve where it turns by more than cornerTurn, its ends left out.
+std::vector<char> findTurns(const Curve& c, const std::vector<float>& turn, float window)
+{
+	std::vector<char> turns(c.pointNum(), 0);
+	const int         skip = c.isClosed ? 0 : 1;
+	for (int i = skip; i < c.pointNum() - skip; ++i)
+		turns[i] = turn[i] > cornerTurn && isLargestTurn(c, turn, i, window);
+	return turns;
+}
+
+/// Angles between the two segments at each point; 0 at the ends of an open curve.
+std::vector<float> turnsAtPoints(const Curve& c)
+{
+	const int          n = c.pointNum(), skip = c.isClosed ? 0 : 1;
+	std::vector<float> turn(n, 0.0f);
+	for (int i = skip; i < n - skip; ++i) {
+		const Vec3f in  = c.point[i] - c.point[(i + n - 1) % n];
+		const Vec3f out = c.point[(i + 1) % n] - c.point[i];
+		turn[i]         = angleBetween(in, out);
+	}
+	return turn;
+}
+
+/// Corners of a feature line: points whose turn stands out by far from those round it, which on a
+/// tessellated arc it never does, and turns by cornerTurn away from these.
+std::vector<char> findCreaseCorners(const Curve& c, float window)
+{
+	const std::vector<float> turn = turnsAtPoints(c);
+	std::vector<char>        kinks(c.pointNum(), 0);
+	for (int i = 0; i < c.pointNum(); ++i)
+		kinks[i] = turn[i] > kinkTurn && standsOut(c, turn, i, window);
+	std::vector<char> corners = findTurns(c, turnsOver(c, window), window);
+	for (int i = 0; i < c.pointNum(); ++i) {
+		const bool alone = forEachWithin(c, i, window, [&](int k) { return !kinks[k]; });
+		corners[i]       = kinks[i] || (corners[i] && alone);
+	}
+	return corners;
+}
+
+/// A sample of the list, and where it lies on the curve at hand.
+struct Mark {
+	float arc;
+	int   sample;
+	bool  operator<(const Mark& o) const { return arc < o.arc; }
+};
+
+/// Samples one curve after the other; remembers the nodes they share.
+class CurveSampler {
+public:
+	CurveSampler(const HalfEdgeMesh& mesh, float diskRadius, float spacing,
+				 const std::vector<int>& kept, BoundaryMode border, BoundaryCurves& out) :
+			m_(mesh),
+			out_(out), border_(border), diskRadius_(diskRadius)
+	{
+		wanted_.chord = spacing;
+		if (!kept.empty()) isKept_.assign(m_.vertexNum, 0);
+		for (int v : kept)
+			isKept_[v] = 1;
+	}
+
+	void sampleClosed(int index)
+	{
+		const Curve& c = begin(index);
+		if (border_ == BoundaryMode::Keep && isOfBorder(c) && keptOn(c) >= 3)
+			keepAll(c);
+		else if (c.pointNum() <= 3 || c.length < 1.8f * wanted_.chord * c.smallestSize())
+			keepThree(c);
+		else
+			sampleLoop(c);
+		sortSamples();
+		finish(c);
+	}
+
+	/// minSteps: pieces the chain must have, so that it does not fall together with another.
+	void sampleOpen(int index, int minSteps)
+	{
+		const Curve&            c      = begin(index);
+		const float             window = windowOf(c);
+		const std::vector<char> turns  = findTurns(c, turnsOver(c, window), window);
+		std::vector<float>      stops  = {0};
+		for (int i = 0; i < c.pointNum(); ++i) {
+			const bool inside = i > 0 && i + 1 < c.pointNum();
+			if (turns[i] || (inside && isKept(c.vertex[i]))) stops.push_back(c.arc[i]);
+		}
+		stops.push_back(c.length);
+		marks_.push_back({0, nodeSample(c.vertex.front(), c, 0)});
+		const int pieceNum = int(stops.size()) - 1;
+		for (int i = 0; i < pieceNum; ++i) {
+			if (i > 0) put(c, stops[i], true);
+			const int steps = std::max(1, minSteps - pieceNum + 1);
+			for (float s : spaceOut(c, stops[i], stops[i + 1], wanted_, steps))
+				put(c, s, false);
+		}
+		marks_.push_back({c.length, nodeSample(c.vertex.back(), c, c.length)});
+		finish(c);
+	}
+
+	/// A vertex on no curve.
+	void addPoint(int v)
+	{
+		CurveSample sample;
+		sample.isCorner = true;
+		sample.isPinned = isKept(v);
+		sample.anchor   = {m_.position[v], m_.outgoing[v] / 3};
+		sample.vertex   = v;
+		out_.samples.push_back(sample);
+	}
+
+private:
+	const HalfEdgeMesh& m_;
+	BoundaryCurves&     out_;
+	BoundaryMode        border_;
+	float               diskRadius_;
+	CurveSpacing        wanted_;
+	int                 index_       = 0;
+	std::size_t         firstSample_ = 0; ///< of the curve at hand
+	std::vector<Mark>   marks_;
+	std::map<int, int>  sampleOfNode_;
+	std::vector<char>   isKept_; ///< per vertex; empty: none
+
+	bool isKept(int v) const { return !isKept_.empty() && isKept_[v]; }
+	bool isStop(int v) const { return isNode(m_, v) || isKept(v); }
+	bool isOfBorder(const Curve& c) const { return c.isClosed && m_.isBorderEdge(outgoingOf(c)); }
+	/// The half-edge from the first to the second point of a loop of the border.
+	int            outgoingOf(const Curve& c) const { return m_.outgoing[c.vertex[0]]; }
+	std::ptrdiff_t keptOn(const Curve& c) const
+	{
+		return std::count_if(c.vertex.begin(), c.vertex.end(), [&](int v) { return isKept(v); });
+	}
+
+	/// How far round a point its turn is looked at.
+	float windowOf(const Curve& c) const
+	{
+		return std::min(diskRadius_ * c.smallestSize(), c.length / 6);
+	}
+
+	const Curve& begin(int index)
+	{
+		index_       = index;
+		firstSample_ = out_.samples.size();
+		marks_.clear();
+		return out_.curves[index];
+	}
+
+	void put(const Curve& c, float s, bool isCorner)
+	{
+		CurveSample sample;
+		sample.arc      = c.wrap(s);
+		sample.curve    = index_;
+		sample.isCorner = isCorner;
+		sample.anchor   = {c.at(sample.arc), c.face[c.segmentAt(sample.arc)]};
+		marks_.push_back({sample.arc, int(out_.samples.size())});
+		out_.samples.push_back(sample);
+	}
+
+	/// Those of a loop, which are all its own, by arc.
+	void sortSamples()
+	{
+		std::sort(out_.samples.begin() + std::ptrdiff_t(firstSample_), out_.samples.end(),
+				  [](const CurveSample& a, const CurveSample& b) { return a.arc < b.arc; });
+		marks_.clear();
+		for (std::size_t s = firstSample_; s < out_.samples.size(); ++s)
+			marks_.push_back({out_.samples[s].arc, int(s)});
+	}
+
+	int nodeSample(int v, const Curve& c, float s)
+	{
+		const auto found = sampleOfNode_.find(v);
+		if (found != sampleOfNode_.end()) return found->second;
+		put(c, s, true);
+		marks_.pop_back();
+		const int sample              = int(out_.samples.size()) - 1;
+		out_.samples[sample].vertex   = v;
+		out_.samples[sample].isPinned = isKept(v);
+		sampleOfNode_[v]              = sample;
+		return sample;
+	}
+
+	/// The vertices to be kept and no others.
+	void keepAll(const Curve& c)
+	{
+		for (int i = 0; i < c.pointNum(); ++i) {
+			if (isKept(c.vertex[i])) put(c, c.arc[i], true);
+		}
+	}
+
+	/// Three of the loop's own vertices, as even as possible; nodes before others.
+	void keepThree(const Curve& c)
+	{
+		std::vector<char> taken(c.pointNum(), 0);
+		int               kept = 0;
+		for (int i = 0; i < c.pointNum(); ++i) {
+			if (!isStop(c.vertex[i])) continue;
+			taken[i] = 1;
+			put(c, c.arc[i], true);
+			++kept;
+		}
+		for (int k = kept; k < 3; ++k) {
+			const float wanted = c.length * float(k) / 3;
+			int         best   = -1;
+			for (int i = 0; i < c.pointNum(); ++i) {
+				if (taken[i]) continue;
+				if (best < 0 || std::abs(c.arc[i] - wanted) < std::abs(c.arc[best] - wanted))
+					best = i;
+			}
+			taken[best] = 1;
+			put(c, c.arc[best], true);
+		}
+	}
+
+	/// Corners and the nodes of feature lines that end here; without any, the sharpest turn is
+	/// where the loop begins.
+	std::vector<float> stopsOfLoop(const Curve& c, bool& hasCorners) const
+	{
+		const float              window = windowOf(c);
+		const std::vector<float> turn   = turnsOver(c, window);
+		const bool onCrease = m_.isCreaseVertex(c.vertex[0]) && !m_.isBorderVertex(c.vertex[0]);
+		const std::vector<char> turns =
+			onCrease ? findCreaseCorners(c, window) : findTurns(c, turn, window);
+		const bool         hasTurns = onCrease || border_ != BoundaryMode::Free;
+		std::vector<float> arcs;
+		for (int i = 0; i < c.pointNum(); ++i) {
+			if ((turns[i] && hasTurns) || isStop(c.vertex[i])) arcs.push_back(c.arc[i]);
+		}
+		hasCorners = !arcs.empty();
+		if (arcs.empty()) {
+			const auto sharpest = std::max_element(turn.begin(), turn.end());
+			arcs.push_back(c.arc[sharpest - turn.begin()]);
+		}
+		return arcs;
+	}
+
+	void sampleLoop(const Curve& c)
+	{
+		bool                     hasCorners = false;
+		const std::vector<float> corners    = stopsOfLoop(c, hasCorners);
+		const int                n          = int(corners.size());
+		// However few the corners, three samples must come out.
+		const int minSteps = n == 1 ? 3 : n == 2 ? 2 : 1;
+		for (int i = 0; i < n; ++i) {
+			const float from = corners[i];
+			const float to   = i + 1 < n ? corners[i + 1] : corners[0] + c.length;
+			put(c, from, hasCorners);
+			for (float s : spaceOut(c, from, to, wanted_, minSteps))
+				put(c, s, false);
+		}
+	}
+
+	static float arcDistance(const Curve& c, float a, float b)
+	{
+		const float d = std::abs(a - b);
+		return c.isClosed ? std::min(d, c.length - d) : d;
+	}
+
+	/// Nearest of the marks, sorted by arc, to arc s.
+	int nearestMark(const Curve& c, float s) const
+	{
+		const auto above = std::lower_bound(marks_.begin(), marks_.end(), Mark{s, 0});
+		const int  n     = int(marks_.size());
+		const int  high  = int(above - marks_.begin());
+		const int  next = high % n, last = (high + n - 1) % n;
+		return arcDistance(c, marks_[next].arc, s) < arcDistance(c, marks_[last].arc, s) ? next
+																						 : last;
+	}
+
+	bool isOfNode(const CurveSample& sample) const
+	{
+		return sampleOfNode_.count(sample.vertex) != 0;
+	}
+
+	/// Gives every point of the curve its sample, and every sample the nearest of its points.
+	void finish(const Curve& c)
+	{
+		std::sort(marks_.begin(), marks_.end());
+		std::vector<int>   owner(c.pointNum());
+		std::vector<float> distance(marks_.size(), HUGE_VALF);
+		for (int i = 0; i < c.pointNum(); ++i) {
+			const int    k      = nearestMark(c, c.arc[i]);
+			CurveSample& sample = out_.samples[marks_[k].sample];
+			owner[i]            = marks_[k].sample;
+			const float d       = arcDistance(c, marks_[k].arc, c.arc[i]);
+			if (d >= distance[k] || isOfNode(sample)) continue;
+			distance[k]     = d;
+			sample.vertex   = c.vertex[i];
+			sample.isPinned = sample.isCorner && d == 0 && isKept(c.vertex[i]);
+			if (isNode(m_, c.vertex[i])) sampleOfNode_[c.vertex[i]] = owner[i];
+		}
+		out_.sampleOfPoint.push_back(std::move(owner));
+	}
+};
+
+void addSizes(const Surface& surface, Curve& c)
+{
+	if (surface.size.empty()) return;
+	for (int v : c.vertex)
+		c.size.push_back(surface.size[v]);
+}
+
+using ChainEnds = std::map<std::pair<int, int>, int>;
+
+std::pair<int, int> endsOf(const Curve& c)
+{
+	return std::minmax({c.vertex.front(), c.vertex.back()});
+}
+
+ChainEnds countChainEnds(const std::vector<Curve>& curves)
+{
+	ChainEnds number;
+	for (const Curve& c : curves) {
+		if (!c.isClosed) ++number[endsOf(c)];
+	}
+	return number;
+}
+
+/// A chain back to its own node needs three edges, chains that share both nodes two each.
+int leastPieces(const Curve& c, const ChainEnds& chainEnds)
+{
+	if (c.vertex.front() == c.vertex.back()) return 3;
+	return chainEnds.at(endsOf(c)) > 1 ? 2 : 1;
+}
+
+} // namespace
+
+std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh)
+{
+	std::vector<Curve> curves  = traceBorder(mesh);
+	std::vector<Curve> creases = traceCreases(mesh);
+	std::move(creases.begin(), creases.end(), std::back_inserter(curves));
+	return curves;
+}
+
+BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
+							  const std::vector<int>& tips, const std::vector<int>& kept,
+							  BoundaryMode border)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	BoundaryCurves      result;
+	result.curves             = traceCurves(m);
+	const ChainEnds chainEnds = countChainEnds(result.curves);
+
+	for (Curve& c : result.curves)
+		addSizes(surface, c);
+	CurveSampler sampler(m, diskRadius, spacing, kept, border, result);
+	for (std::size_t i = 0; i < result.curves.size(); ++i) {
+		if (result.curves[i].isClosed)
+			sampler.sampleClosed(int(i));
+		else
+			sampler.sampleOpen(int(i), leastPieces(result.curves[i], chainEnds));
+	}
+	for (int v : tips)
+		sampler.addPoint(v);
+	const std::set<int> isTip(tips.begin(), tips.end());
+	for (int v : kept) {
+		if (!m.isCurveVertex(v) && isTip.count(v) == 0) sampler.addPoint(v);
+	}
+	return result;
+}
+
+} // namespace gpr

@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "close_lines.h"
+
+#include "boundary_curves.h"
+
+#include <vcg_extras/core/surface/surface_ray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <queue>
+#include <set>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// A stretch that is too near reaches on up to so many times the gap.
+constexpr float leaveRatio = 1.6f;
+/// Lines diverge from where they meet if they are this share of the way from there apart.
+constexpr float leastSlope = 0.1f;
+/// Beside a border so many times the gap is too near: it shows where the dropped line was.
+constexpr float borderRatio = 2;
+/// Of the normals on both sides of a thin sheet.
+constexpr float mostSheetCosine = -0.5f;
+/// Faces that a way crosses at most.
+constexpr int mostCrossings = 500;
+
+/// From the middle of a segment straight across the surface to another.
+struct Crossing {
+	int   from, to; ///< segments
+	float distance; ///< over borderRatio if one is of a border
+
+	bool operator<(const Crossing& other) const
+	{
+		return std::make_pair(from, to) < std::make_pair(other.from, other.to);
+	}
+};
+
+class CloseLines {
+public:
+	CloseLines(const Surface& surface, float gap, Workers& workers) :
+			surface_(surface), m_(surface.mesh), gap_(gap), workers_(workers),
+			curves_(traceCurves(m_))
+	{
+		numberSegments();
+		findNodes();
+		findCrossings();
+	}
+
+	std::vector<int> run()
+	{
+		isKept_.assign(halfEdge_.size(), 0);
+		decideAll();
+		std::vector<int> close;
+		for (std::size_t s = 0; s < halfEdge_.size(); ++s) {
+			if (!isKept_[s]) close.push_back(std::min(halfEdge_[s], m_.opposite[halfEdge_[s]]));
+		}
+		std::sort(close.begin(), close.end());
+		return close;
+	}
+
+private:
+	const Surface&      surface_;
+	const HalfEdgeMesh& m_;
+	float               gap_;
+	Workers&            workers_;
+	std::vector<Curve>  curves_;
+	std::vector<int>    first_;    ///< per curve: its first segment; one more at the end
+	std::vector<int>    halfEdge_; ///< per segment
+	std::vector<int>    curve_;    ///< per segment
+	/// Half-edges of segments, both halves, with these, ascending.
+	std::vector<std::pair<int, int>> segmentOf_;
+	std::set<std::pair<int, int>>    nodes_;    ///< vertices where feature lines end, with curves
+	std::vector<Crossing>            crossing_; ///< both ways, ascending
+	std::vector<char>                isKept_;   ///< per segment
+
+	using Candidate = std::pair<float, int>; ///< strength and minus the curve
+	std::priority_queue<Candidate> joining_;
+	std::vector<char>              isDecided_; ///< per curve
+
+	// ---- segments
+
+	void numberSegments()
+	{
+		for (int c = 0; c < int(curves_.size()); ++c) {
+			first_.push_back(int(halfEdge_.size()));
+			const int n = curves_[c].pointNum() - (curves_[c].isClosed ? 0 : 1);
+			for (int i = 0; i < n; ++i)
+				addSegment(c, i);
+		}
+		first_.push_back(int(halfEdge_.size()));
+		std::sort(segmentOf_.begin(), segmentOf_.end());
+	}
+
+	void addSegment(int c, int i)
+	{
+		int h = 3 * curves_[c].face[i];
+		while (m_.origin[h] != curves_[c].vertex[i])
+			++h;
+		const int segment = int(halfEdge_.size());
+		halfEdge_.push_back(h);
+		curve_.push_back(c);
+		segmentOf_.emplace_back(h, segment);
+		if (m_.opposite[h] >= 0) segmentOf_.emplace_back(m_.opposite[h], segment);
+	}
+
+	int segmentAt(int h) const
+	{
+		return std::lower_bound(segmentOf_.begin(), segmentOf_.end(), std::make_pair(h, 0))->second;
+	}
+
+	bool isBorder(int c) const { return m_.opposite[halfEdge_[first_[c]]] < 0; }
+
+	Vec3f middle(int s) const
+	{
+		const int h = halfEdge_[s];
+		return (m_.position[m_.origin[h]] + m_.position[m_.target(h)]) * 0.5f;
+	}
+
+	float gapAt(int s) const
+	{
+		return surface_.size.empty() ? gap_ : gap_ * surface_.size[m_.origin[halfEdge_[s]]];
+	}
+
+	void findNodes()
+	{
+		for (int c = 0; c < int(curves_.size()); ++c) {
+			const std::vector<int>& v = curves_[c].vertex;
+			if (!curves_[c].isClosed) nodes_.insert({{v.front(), c}, {v.back(), c}});
+			if (!isBorder(c)) continue;
+			for (int w : v) {
+				if (m_.isCreaseVertex(w)) nodes_.insert({w, c});
+			}
+		}
+	}
+
+	// ---- ways across
+
+	void findCrossings()
+	{
+		crossing_ = workers_.collect<Crossing>(
+			segmentOf_.size(), [&](std::size_t begin, std::size_t end, auto& out) {
+				for (std::size_t i = begin; i < end; ++i)
+					cross(segmentOf_[i].first, segmentOf_[i].second, out);
+			});
+		const std::size_t num = crossing_.size();
+		for (std::size_t i = 0; i < num; ++i) {
+			const Crossing c = crossing_[i];
+			crossing_.push_back({c.to, c.from, c.distance});
+		}
+		std::stable_sort(crossing_.begin(), crossing_.end());
+	}
+
+	/// To the first line that the way meets within reach.
+	void cross(int h, int segment, std::vector<Crossing>& out) const
+	{
+		const float reach = leaveRatio * borderRatio * gapAt(segment);
+		bool        met   = false;
+		traceRay(m_, h, {0, 1}, reach, mostCrossings, [&](int exit, float at) {
+			if (met || !m_.isCurveEdge(exit)) return;
+			met = true;
+			if (isSheetBetween(h, exit)) return;
+			const int  to       = segmentAt(exit);
+			const bool atBorder = isBorder(curve_[segment]) || isBorder(curve_[to]);
+			out.push_back({segment, to, atBorder ? at / borderRatio : at});
+		});
+	}
+
+	/// Whether the faces beyond two lines look away from each other: only the lines hold the two
+	/// sides of so thin a sheet apart.
+	bool isSheetBetween(int h, int exit) const
+	{
+		const int f = m_.opposite[h], g = m_.opposite[exit];
+		if (f < 0 || g < 0) return false;
+		const Vec3f a = m_.faceCross(f / 3), b = m_.faceCross(g / 3);
+		return dot(a, b) < mostSheetCosine * length(a) * length(b);
+	}
+
+	// ---- strength
+
+	float strength(int c) const
+	{
+		float sum = 0;
+		for (int s = first_[c]; s < first_[c + 1]; ++s) {
+			const int   h = halfEdge_[s];
+			const Vec3f a = m_.faceCross(h / 3), b = m_.faceCross(m_.opposite[h] / 3);
+			sum +=
+				length(m_.position[m_.target(h)] - m_.position[m_.origin[h]]) * angleBetween(a, b);
+		}
+		return sum;
+	}
+
+	/// Borders first, then always the strongest line that goes on from a kept one, or of all where
+	/// none does: so round a thin plate the same side is kept.
+	void decideAll()
+	{
+		std::vector<Candidate> all;
+		for (int c = 0; c < int(curves_.size()); ++c) {
+			if (isBorder(c))
+				decide(c);
+			else
+				all.push_back({strength(c), -c});
+		}
+		std::sort(all.begin(), all.end(), std::greater<Candidate>());
+		isDecided_.assign(curves_.size(), 0);
+		for (const Candidate& first : all) {
+			joining_.push(first);
+			while (!joining_.empty()) {
+				const int c = -joining_.top().second;
+				joining_.pop();
+				if (isDecided_[c]) continue;
+				decide(c);
+				isDecided_[c] = 1;
+				addThoseThatGoOn(c);
+			}
+		}
+	}
+
+	void addThoseThatGoOn(int c)
+	{
+		if (curves_[c].isClosed) return;
+		const std::vector<int>& v    = curves_[c].vertex;
+		const std::vector<int>  ends = {v.front(), v.back()};
+		for (int k : {0, 1}) {
+			if (!isKept_[k == 0 ? first_[c] : first_[c + 1] - 1]) continue;
+			for (auto n = nodes_.lower_bound({ends[k], 0});
+				 n != nodes_.end() && n->first == ends[k]; ++n) {
+				if (!isBorder(n->second)) joining_.push({strength(n->second), -n->second});
+			}
+		}
+	}
+
+	// ---- what is too near
+
+	void decide(int c)
+	{
+		const int begin = first_[c], end = first_[c + 1];
+		for (int s = begin; s < end; ++s)
+			isKept_[s] = isBorder(c) || distanceFromKept(s) > gapAt(s);
+		if (isBorder(c)) return;
+		for (int s = begin + 1; s < end; ++s)
+			leaveOut(s, s - 1);
+		for (int s = end - 2; s >= begin; --s)
+			leaveOut(s, s + 1);
+	}
+
+	/// Takes s along with its neighbour if the line beside has not left yet.
+	void leaveOut(int s, int neighbour)
+	{
+		if (isKept_[s] && !isKept_[neighbour] && distanceFromKept(s) <= leaveRatio * gapAt(s))
+			isKept_[s] = 0;
+	}
+
+	float distanceFromKept(int s) const
+	{
+		float nearest = HUGE_VALF;
+		for (auto c = std::lower_bound(crossing_.begin(), crossing_.end(), Crossing{s, 0, 0});
+			 c != crossing_.end() && c->from == s; ++c) {
+			if (c->distance < nearest && isKept_[c->to] && !diverge(*c)) nearest = c->distance;
+		}
+		return nearest;
+	}
+
+	/// Whether the lines of both ends leave a point that they share.
+	bool diverge(const Crossing& x) const
+	{
+		const int c = curve_[x.from], d = curve_[x.to];
+		if (c == d) return x.distance > leastSlope * arcBetween(x);
+		if (curves_[c].isClosed) return false;
+		const std::vector<int>& v = curves_[c].vertex;
+		for (int node : {v.front(), v.back()}) {
+			if (nodes_.count({node, d}) == 0) continue;
+			if (x.distance > leastSlope * length(middle(x.from) - m_.position[node])) return true;
+		}
+		return false;
+	}
+
+	float arcBetween(const Crossing& x) const
+	{
+		const Curve& c = curves_[curve_[x.from]];
+		const int    i = x.from - first_[curve_[x.from]], k = x.to - first_[curve_[x.from]];
+		const float  arc = std::abs(c.arc[i] - c.arc[k]);
+		return c.isClosed ? std::min(arc, c.length - arc) : arc;
+	}
+};
+
+} // namespace
+
+std::vector<int> findCloseLines(const Surface& surface, float gap, Workers& workers)
+{
+	if (!surface.mesh.hasCreases()) return {};
+	return CloseLines(surface, gap, workers).run();
+}
+
+} // namespace gpr

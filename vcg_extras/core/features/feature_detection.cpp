@@ -1,0 +1,559 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "feature_detection.h"
+
+#include "feature_strength.h"
+
+#include <vcg_extras/core/surface/surface_ray.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <queue>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+/// Of the square root of the area.
+constexpr float largestSupport = 0.05f;
+/// Where the surface bends as much on both sides of an edge as at it, it is round there.
+constexpr float plateauShare  = 0.7f;
+constexpr int   mostCrossings = 256;
+/// Share of an edge's strength that its own two faces must make up for it to be a crease of the
+/// mesh, not of the shape the mesh goes round.
+constexpr float creaseShare = 0.5f;
+/// A line turns at a corner by this at least, seen from a support away on either side.
+constexpr float cornerTurnDeg = 50;
+constexpr float cornerShare   = 0.7f;
+/// A gap is bridged along edges that turn by 60° at most.
+constexpr float bridgeCosine = 0.5f;
+
+/// Square root of the area: a size that does not change when the surface is turned, as that of its
+/// box would.
+float extentOf(const HalfEdgeMesh& m, Workers& workers)
+{
+	const double area = workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		double part = 0;
+		for (std::size_t f = begin; f < end; ++f)
+			part += 0.5 * double(length(m.faceCross(int(f))));
+		return part;
+	});
+	return float(std::sqrt(area));
+}
+
+float meanSideLength(const Buffer<Vec3f>& position, const Buffer<int>& corner, int faceNum,
+					 Workers& workers)
+{
+	const double sum = workers.sum<double>(faceNum, [&](std::size_t begin, std::size_t end) {
+		double part = 0;
+		for (std::size_t f = begin; f < end; ++f) {
+			const Vec3f a = position[corner[3 * f]], b = position[corner[3 * f + 1]];
+			const Vec3f c = position[corner[3 * f + 2]];
+			part += double(length(b - a)) + double(length(c - b)) + double(length(a - c));
+		}
+		return part;
+	});
+	return faceNum > 0 ? float(sum / (3.0 * faceNum)) : 0;
+}
+
+/// One detection; its parts in the order in which they run.
+class Detection {
+public:
+	Detection(const Surface& surface, const FeatureThresholds& thresholds, Workers& workers,
+			  FeatureEdges& out) :
+			m_(surface.mesh),
+			thresholds_(thresholds), workers_(workers), out_(out)
+	{
+	}
+
+	void run()
+	{
+		measure();
+		findCandidates();
+		bridgeGaps();
+		pruneSpurs();
+		keepStrongLines();
+		markCorners();
+		markTips();
+	}
+
+private:
+	const HalfEdgeMesh&      m_;
+	const FeatureThresholds& thresholds_;
+	Workers&                 workers_;
+	FeatureEdges&            out_;
+	Buffer<float>            sharpness_; ///< per half-edge, degrees
+	Buffer<float>            dihedral_;  ///< per half-edge, degrees
+	Buffer<std::uint8_t>     degree_;    ///< per vertex: marked edges, 255 at most
+	std::vector<int>         marked_;    ///< one half of each marked edge, ascending at first
+
+	bool  isFirstHalf(int h) const { return m_.opposite[h] > h; }
+	bool  isMarked(int h) const { return out_.isFeatureEdge[h] != 0; }
+	Vec3f along(int h) const { return m_.position[m_.target(h)] - m_.position[m_.origin[h]]; }
+
+	// ---- strength
+
+	void measure()
+	{
+		EdgeDifferences d = edgeDifferences(m_, out_.support, workers_);
+		out_.edgeStrength.swap(d.supported);
+		out_.cappedRayNum = d.cappedRayNum;
+		dihedral_.swap(d.dihedral);
+		measureSharpness();
+		out_.vertexStrength.reset(m_.vertexNum);
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (int v = int(begin); v < int(end); ++v) {
+				float strongest = 0;
+				forEachOutgoing(
+					m_, v, [&](int h) { strongest = std::max(strongest, out_.edgeStrength[h]); });
+				out_.vertexStrength[v] = strongest;
+			}
+		});
+	}
+
+	/// What candidates compete by. The strength of a crease is also felt beside it, up to a support
+	/// away; that it lies in this very edge is what the dihedral angle tells.
+	void measureSharpness()
+	{
+		sharpness_.reset(m_.halfEdgeNum());
+		workers_.forRange(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t h = begin; h < end; ++h) {
+				const float s = out_.edgeStrength[h];
+				sharpness_[h] = 0.5f * (s + std::min(s, dihedral_[h]));
+			}
+		});
+	}
+
+	bool isCrease(int h) const { return dihedral_[h] >= creaseShare * out_.edgeStrength[h]; }
+
+	// ---- candidates
+
+	void findCandidates()
+	{
+		out_.isFeatureEdge.reset(m_.halfEdgeNum());
+		workers_.forRange(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+			for (int h = int(begin); h < int(end); ++h) {
+				out_.isFeatureEdge[h] =
+					m_.opposite[h] >= 0 && isCandidate(std::min(h, m_.opposite[h]));
+			}
+		});
+		marked_ = workers_.collect<int>(
+			m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end, std::vector<int>& part) {
+				for (int h = int(begin); h < int(end); ++h) {
+					if (isMarked(h) && isFirstHalf(h)) part.push_back(h);
+				}
+			});
+		degree_.reset(m_.vertexNum);
+		degree_.fill(0);
+		for (int h : marked_)
+			countEnds(h, 1);
+	}
+
+	void countEnds(int h, int by)
+	{
+		for (int v : {m_.origin[h], m_.target(h)})
+			degree_[v] = std::uint8_t(std::clamp(degree_[v] + by, 0, 255));
+	}
+
+	/// A crease of the mesh that is no smaller than the weak angle and the sharpest across. Where
+	/// it is strong by its own two faces, only their edges compete, so that two creases may lie
+	/// closer than a support; otherwise all within half a support, so that a crease that the mesh
+	/// rounds off over several edges becomes one line, and there must be a flatter side.
+	bool isCandidate(int h) const
+	{
+		if (sharpness_[h] < float(thresholds_.weakDeg) || !isCrease(h)) return false;
+		const int other = m_.opposite[h];
+		if (!isSharpestBeside(h) || !isSharpestBeside(other)) return false;
+		if (dihedral_[h] >= float(thresholds_.strongDeg)) return true;
+		const Beyond here = lookBeyond(h, h), there = lookBeyond(other, h);
+		return !here.isSharper && !there.isSharper && !(here.isRound && there.isRound);
+	}
+
+	bool isSharper(int h, int than) const
+	{
+		if (sharpness_[h] != sharpness_[than]) return sharpness_[h] > sharpness_[than];
+		return std::min(h, m_.opposite[h]) < std::min(than, m_.opposite[than]);
+	}
+
+	/// Against the two other edges of its face, as far as they run beside it rather than away.
+	bool isSharpestBeside(int h) const
+	{
+		for (int other : {nextInFace(h), prevInFace(h)}) {
+			if (m_.opposite[other] < 0 || !isSharper(other, h)) continue;
+			const float cosine = dot(normalized(along(h)), normalized(along(other)));
+			if (std::abs(cosine) > besideCosine) return false;
+		}
+		return true;
+	}
+
+	static constexpr float besideCosine = 0.5f;
+
+	/// What a look across an edge sees on one side.
+	struct Beyond {
+		bool isSharper = false; ///< an edge within half a support is sharper
+		bool isRound   = false; ///< beyond that there is one about as strong: the surface is round
+	};
+
+	Beyond lookBeyond(int start, int h) const
+	{
+		Beyond      seen;
+		const float wanted = plateauShare * out_.edgeStrength[h];
+		const auto  look   = [&](int edge, float distance) {
+            if (m_.opposite[edge] < 0) return;
+            if (distance < 0.5f * out_.support) {
+                if (isSharper(edge, h)) seen.isSharper = true;
+            }
+            else if (out_.edgeStrength[edge] >= wanted) {
+                seen.isRound = true;
+            }
+		};
+		traceRay(m_, start, {0, 1}, out_.support, mostCrossings, look);
+		return seen;
+	}
+
+	// ---- linking
+
+	/// Calls visit(h) for every marked edge at v, as a half-edge that leaves v or enters it.
+	template <class Visit>
+	void forEachMarkedAt(int v, const Visit& visit) const
+	{
+		forEachOutgoing(m_, v, [&](int h) {
+			if (isMarked(h)) visit(h);
+		});
+	}
+
+	void mark(int h)
+	{
+		out_.isFeatureEdge[h] = out_.isFeatureEdge[m_.opposite[h]] = 1;
+		marked_.push_back(std::min(h, m_.opposite[h]));
+		countEnds(h, 1);
+	}
+
+	void unmark(int h)
+	{
+		out_.isFeatureEdge[h] = out_.isFeatureEdge[m_.opposite[h]] = 0;
+		countEnds(h, -1);
+	}
+
+	void dropUnmarked()
+	{
+		const auto isGone = [&](int h) { return !isMarked(h); };
+		marked_.erase(std::remove_if(marked_.begin(), marked_.end(), isGone), marked_.end());
+	}
+
+	/// Where a line ends, goes on along the strongest edges ahead; what reaches another line within
+	/// a support is marked.
+	void bridgeGaps()
+	{
+		const std::size_t num = marked_.size();
+		std::vector<int>  path;
+		for (std::size_t i = 0; i < num; ++i) {
+			const int h = marked_[i];
+			for (int last : {h, m_.opposite[h]}) {
+				if (degree_[m_.target(last)] != 1 || !findBridge(last, path)) continue;
+				for (int step : path)
+					mark(step);
+			}
+		}
+	}
+
+	/// The way from the end of half-edge `last` to another marked edge.
+	bool findBridge(int last, std::vector<int>& path) const
+	{
+		path.clear();
+		float lengthLeft = out_.support;
+		for (;;) {
+			const int next = bestStep(last);
+			if (next < 0) return false;
+			lengthLeft -= length(along(next));
+			if (lengthLeft < 0) return false;
+			path.push_back(next);
+			if (degree_[m_.target(next)] > 0) return true;
+			last = next;
+		}
+	}
+
+	/// The strongest edge ahead, -1 if none is weak at least.
+	int bestStep(int last) const
+	{
+		const Vec3f direction = normalized(along(last));
+		float       best      = float(thresholds_.weakDeg) * bridgeCosine;
+		int         step      = -1;
+		forEachOutgoing(m_, m_.target(last), [&](int h) {
+			if (m_.opposite[h] < 0 || out_.edgeStrength[h] < float(thresholds_.weakDeg)) return;
+			const float cosine = dot(direction, normalized(along(h)));
+			if (cosine < bridgeCosine || sharpness_[h] * cosine <= best) return;
+			best = sharpness_[h] * cosine;
+			step = h;
+		});
+		return step;
+	}
+
+	/// Drops branches shorter than a support that end blindly.
+	void pruneSpurs()
+	{
+		std::vector<int> path;
+		for (std::size_t i = 0; i < marked_.size(); ++i) {
+			const int h = marked_[i];
+			if (!isMarked(h)) continue;
+			for (int first : {h, m_.opposite[h]}) {
+				if (degree_[m_.origin[first]] != 1 || !isSpur(first, path)) continue;
+				for (int step : path)
+					unmark(step);
+				break;
+			}
+		}
+		dropUnmarked();
+	}
+
+	/// Whether the line that begins with half-edge `first` at a blind end meets a branching within
+	/// a support.
+	bool isSpur(int first, std::vector<int>& path) const
+	{
+		path.clear();
+		float lengthLeft = out_.support;
+		for (int h = first; h >= 0; h = nextOnLine(h)) {
+			path.push_back(h);
+			lengthLeft -= length(along(h));
+			if (lengthLeft < 0) return false;
+			if (degree_[m_.target(h)] > 2) return true;
+		}
+		return false;
+	}
+
+	/// The line's next half-edge, -1 where it ends or branches.
+	int nextOnLine(int h) const
+	{
+		if (degree_[m_.target(h)] != 2) return -1;
+		int next = -1;
+		forEachMarkedAt(m_.target(h), [&](int k) {
+			if (k != m_.opposite[h]) next = k;
+		});
+		return next;
+	}
+
+	// ---- lines
+
+	/// Hysteresis: connected candidates stay where one of them is strong and all together are long.
+	void keepStrongLines()
+	{
+		std::vector<int>     line, front;
+		Buffer<std::uint8_t> seen(m_.vertexNum, 0);
+		for (int start : marked_) {
+			if (seen[m_.origin[start]]) continue;
+			collectLine(m_.origin[start], seen, front, line);
+			if (isKept(line)) {
+				++out_.lineNum;
+				continue;
+			}
+			for (int h : line)
+				unmark(h);
+		}
+		dropUnmarked();
+		out_.edgeNum = std::int64_t(marked_.size());
+	}
+
+	/// One half of each marked edge that is connected to v.
+	void collectLine(int v, Buffer<std::uint8_t>& seen, std::vector<int>& front,
+					 std::vector<int>& line) const
+	{
+		line.clear();
+		front.assign(1, v);
+		seen[v] = 1;
+		for (std::size_t i = 0; i < front.size(); ++i) {
+			forEachMarkedAt(front[i], [&](int h) {
+				if (isFirstHalf(h)) line.push_back(h);
+				const int w = m_.target(h);
+				if (seen[w]) return;
+				seen[w] = 1;
+				front.push_back(w);
+			});
+		}
+	}
+
+	bool isKept(const std::vector<int>& line) const
+	{
+		float strongest = 0, lineLength = 0;
+		for (int h : line) {
+			strongest = std::max(strongest, sharpness_[h]);
+			lineLength += length(along(h));
+		}
+		return strongest >= float(thresholds_.strongDeg) && lineLength >= out_.leastLength;
+	}
+
+	// ---- vertices
+
+	void markCorners()
+	{
+		out_.vertexFeature.reset(m_.vertexNum);
+		out_.vertexFeature.fill(0);
+		Buffer<float> turn(m_.vertexNum, 0);
+		for (int h : marked_) {
+			for (int v : {m_.origin[h], m_.target(h)}) {
+				out_.vertexFeature[v] = OnFeatureLine;
+				turn[v]               = degree_[v] == 2 ? turnAt(v) : 180;
+			}
+		}
+		for (int h : marked_) {
+			for (int v : {m_.origin[h], m_.target(h)}) {
+				if (out_.vertexFeature[v] & FeatureCorner || !isCorner(v, turn)) continue;
+				out_.vertexFeature[v] |= FeatureCorner;
+				++out_.cornerNum;
+			}
+		}
+	}
+
+	std::array<int, 2> markedPairAt(int v) const
+	{
+		std::array<int, 2> pair{-1, -1};
+		int                n = 0;
+		forEachMarkedAt(v, [&](int h) {
+			if (n < 2) pair[n++] = h;
+		});
+		return pair;
+	}
+
+	/// By how much a line turns at v, degrees; 0 where it only goes round, so that the turn seen
+	/// from half a support away is much less than that seen from a support.
+	float turnAt(int v) const
+	{
+		const std::array<int, 2> pair   = markedPairAt(v);
+		const auto               turnOf = [&](float reach) {
+            return 180 - angleDegBetween(chordFrom(pair[0], reach), chordFrom(pair[1], reach));
+		};
+		const float near = turnOf(0.5f * out_.support), far = turnOf(out_.support);
+		return near < cornerShare * far ? 0 : std::min(near, far);
+	}
+
+	Vec3f chordFrom(int first, float reach) const
+	{
+		Vec3f end;
+		followLine(first, reach, [&](int w) {
+			end = m_.position[w];
+			return true;
+		});
+		return end - m_.position[m_.origin[first]];
+	}
+
+	/// Calls visit(vertex) along a line up to the first vertex `reach` away, or while it is true.
+	template <class Visit>
+	void followLine(int first, float reach, const Visit& visit) const
+	{
+		float distance = 0;
+		for (int h = first; h >= 0; h = nextOnLine(h)) {
+			distance += length(along(h));
+			if (!visit(m_.target(h))) return;
+			if (distance >= reach || m_.target(h) == m_.origin[first]) return;
+		}
+	}
+
+	bool isCorner(int v, const Buffer<float>& turn) const
+	{
+		if (degree_[v] != 2) return true;
+		if (turn[v] < cornerTurnDeg) return false;
+		bool       sharpest = true;
+		const auto compare  = [&](int w) {
+            if (turn[w] > turn[v] || (turn[w] == turn[v] && w < v)) sharpest = false;
+            return sharpest;
+		};
+		for (int first : markedPairAt(v))
+			followLine(first, out_.support, compare);
+		return sharpest;
+	}
+
+	// ---- tips
+
+	/// A cone's tip has no crease: what tells it is that its faces do not close a full turn.
+	void markTips()
+	{
+		Buffer<float> defect(m_.vertexNum, 0);
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (int v = int(begin); v < int(end); ++v) {
+				if (out_.vertexStrength[v] >= float(thresholds_.strongDeg) &&
+					!m_.isBorderVertex(v)) {
+					defect[v] = defectAbout(v);
+				}
+			}
+		});
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			if (defect[v] < float(thresholds_.strongDeg) || !isTip(v, defect)) continue;
+			out_.vertexFeature[v] |= FeatureTip;
+			out_.vertexStrength[v] = std::min(180.0f, std::max(out_.vertexStrength[v], defect[v]));
+			++out_.tipNum;
+		}
+	}
+
+	/// Vertices nearer than that to v, v included, along edges; bounded.
+	template <class Visit>
+	void forEachNear(int v, float reach, const Visit& visit) const
+	{
+		constexpr std::size_t most = 256;
+		std::vector<int>      near{v};
+		for (std::size_t i = 0; i < near.size(); ++i) {
+			visit(near[i]);
+			forEachNeighbour(m_, near[i], [&](int w) {
+				const bool isNear = length(m_.position[w] - m_.position[v]) < reach;
+				if (!isNear || near.size() >= most) return;
+				if (std::find(near.begin(), near.end(), w) == near.end()) near.push_back(w);
+			});
+		}
+	}
+
+	/// Sum of the angle defects within half a support, degrees: bumps of noise cancel out in it.
+	float defectAbout(int v) const
+	{
+		float sum = 0;
+		forEachNear(v, 0.5f * out_.support, [&](int w) { sum += defectOf(w); });
+		return sum;
+	}
+
+	float defectOf(int v) const
+	{
+		if (m_.isBorderVertex(v)) return 0;
+		float angles = 0;
+		forEachOutgoing(m_, v, [&](int h) {
+			const Vec3f p = m_.position[v];
+			angles += angleDegBetween(m_.position[m_.target(h)] - p, m_.position[m_.apex(h)] - p);
+		});
+		return 360 - angles;
+	}
+
+	bool isTip(int v, const Buffer<float>& defect) const
+	{
+		bool isLargest = true, isFree = true;
+		forEachNear(v, out_.support, [&](int w) {
+			if (out_.vertexFeature[w] & OnFeatureLine) isFree = false;
+			if (defect[w] > defect[v] || (defect[w] == defect[v] && w < v)) isLargest = false;
+		});
+		return isLargest && isFree;
+	}
+};
+
+} // namespace
+
+float meanEdgeLength(const HalfEdgeMesh& mesh, Workers& workers)
+{
+	return meanSideLength(mesh.position, mesh.origin, mesh.faceNum, workers);
+}
+
+float meanEdgeLength(const IndexedMesh& mesh, Workers& workers)
+{
+	return meanSideLength(mesh.position, mesh.triangle, mesh.faceNum, workers);
+}
+
+FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thresholds,
+						  float meanEdge, Workers& workers)
+{
+	FeatureEdges out;
+	const float  wanted  = float(thresholds.support) * meanEdge;
+	const float  largest = largestSupport * extentOf(surface.mesh, workers);
+	out.support          = std::min(wanted, largest);
+	out.supportCut       = wanted > largest;
+	out.leastLength      = float(thresholds.leastLength) * out.support;
+	Detection(surface, thresholds, workers, out).run();
+	return out;
+}
+
+} // namespace gpr

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "feature_strength.h"
+
+#include <vcg_extras/core/surface/surface_ray.h>
+
+#include <algorithm>
+
+namespace gpr {
+
+namespace {
+
+constexpr int mostCrossings = 256;
+
+/// Six rays in the middle of sectors of 30°. An even number: a ray at right angles would run
+/// straight into the apex of every symmetric triangle, where rounding decides which way it goes.
+constexpr RayDirection rays[] = {{0.96592583f, 0.25881905f},  {0.70710678f, 0.70710678f},
+								 {0.25881905f, 0.96592583f},  {-0.25881905f, 0.96592583f},
+								 {-0.70710678f, 0.70710678f}, {-0.96592583f, 0.25881905f}};
+
+constexpr int rayNum = int(sizeof(rays) / sizeof(rays[0]));
+
+/// The rays of a half-disk, followed together as long as they cross the same faces: that halves
+/// the work.
+class RayFan {
+public:
+	RayFan(const HalfEdgeMesh& mesh, float support) : m_(mesh), support_(support) {}
+
+	/// Of the half-disk on the side of half-edge h; not normalised, zero where it has no area.
+	Vec3f meanNormal(int h)
+	{
+		sum_ = Vec3f();
+		for (float& d : distance_)
+			d = 0;
+		pending_[0] = {UnfoldedFace(m_, h), 0, rayNum, 0};
+		pendingNum_ = 1;
+		while (pendingNum_ > 0)
+			follow(pending_[--pendingNum_]);
+		return sum_;
+	}
+	std::int64_t cappedNum() const { return cappedNum_; }
+
+private:
+	/// Neighbouring rays that enter the same face.
+	struct Bundle {
+		UnfoldedFace face;
+		int          first, end;
+		int          crossings;
+	};
+
+	const HalfEdgeMesh& m_;
+	float               support_;
+	Vec3f               sum_;
+	float               distance_[rayNum]; ///< how far each ray has come
+	Bundle              pending_[rayNum];  ///< bundles only part, so there are never more than rays
+	int                 pendingNum_ = 0;
+	std::int64_t        cappedNum_  = 0;
+
+	void follow(Bundle b)
+	{
+		UnfoldedFace& f = b.face;
+		while (f.unfoldApex(m_)) {
+			int parting = b.first;
+			while (parting < b.end && f.apexIsLeftOf(rays[parting]))
+				++parting;
+			const float weight =
+				advance(f.b2, f.c2, b.first, parting) + advance(f.c2, f.a2, parting, b.end);
+			if (f.doubleArea > 0) sum_ += f.cross * (weight / f.doubleArea);
+			if (++b.crossings == mostCrossings) {
+				cappedNum_ += b.end - b.first;
+				return;
+			}
+			if (parting < b.end) branch(b, parting);
+			b.end = parting;
+			if (!dropArrived(b) || !f.crossBC(m_)) return;
+		}
+	}
+
+	/// Takes rays to the edge p -> q or the end of the support. Returns what the pieces weigh.
+	float advance(PlanePoint p, PlanePoint q, int first, int end)
+	{
+		float weight = 0;
+		for (int i = first; i < end; ++i) {
+			const float from = distance_[i];
+			const float to   = std::min(crossingOf(rays[i], p, q, from), support_);
+			weight += to * to - from * from;
+			distance_[i] = to;
+		}
+		return weight;
+	}
+
+	/// Keeps for later the rays from `first` on, which leave the face over c -> a.
+	void branch(const Bundle& b, int first)
+	{
+		Bundle& other = pending_[pendingNum_];
+		other         = b;
+		other.first   = first;
+		if (dropArrived(other) && other.face.crossCA(m_)) ++pendingNum_;
+	}
+
+	/// Only rays at the two ends of a bundle can have arrived when others have not: the way to a
+	/// straight edge is longest there. False if none is left.
+	bool dropArrived(Bundle& b) const
+	{
+		while (b.first < b.end && distance_[b.first] >= support_)
+			++b.first;
+		while (b.first < b.end && distance_[b.end - 1] >= support_)
+			--b.end;
+		return b.first < b.end;
+	}
+};
+
+} // namespace
+
+float angleDegBetween(const Vec3f& a, const Vec3f& b)
+{
+	constexpr float degrees = 57.29577951f;
+	return degrees * angleBetween(a, b);
+}
+
+EdgeDifferences edgeDifferences(const HalfEdgeMesh& m, float support, Workers& workers)
+{
+	const std::size_t halfEdgeNum = m.halfEdgeNum();
+	EdgeDifferences   d;
+	Buffer<Vec3f>     sideNormal(halfEdgeNum);
+	d.cappedRayNum =
+		workers.sum<std::int64_t>(halfEdgeNum, [&](std::size_t begin, std::size_t end) {
+			RayFan fan(m, support);
+			for (std::size_t h = begin; h < end; ++h) {
+				if (m.opposite[h] >= 0) sideNormal[h] = fan.meanNormal(int(h));
+			}
+			return fan.cappedNum();
+		});
+	d.supported.reset(halfEdgeNum);
+	d.dihedral.reset(halfEdgeNum);
+	workers.forRange(halfEdgeNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t h = begin; h < end; ++h) {
+			const int other = m.opposite[h];
+			d.supported[h] = d.dihedral[h] = 0;
+			if (other < 0) continue;
+			// The same order of the two sides gives both halves the same bits.
+			const int first = std::min(int(h), other), second = std::max(int(h), other);
+			d.supported[h] = angleDegBetween(sideNormal[first], sideNormal[second]);
+			d.dihedral[h]  = angleDegBetween(m.faceCross(first / 3), m.faceCross(second / 3));
+		}
+	});
+	return d;
+}
+
+} // namespace gpr

@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "flat_pieces.h"
+
+#include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/base/triangle.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// In working units, the box being about 1: above the rounding of coordinates, as for the weld.
+constexpr float leastWidth = 1e-6f;
+/// Height over length.
+constexpr float leastSlope = 1e-3f;
+
+float edgeLength(const HalfEdgeMesh& m, int h)
+{
+	return length(m.position[m.target(h)] - m.position[m.origin[h]]);
+}
+
+float longestEdge(const HalfEdgeMesh& m, int f)
+{
+	return std::max({edgeLength(m, 3 * f), edgeLength(m, 3 * f + 1), edgeLength(m, 3 * f + 2)});
+}
+
+bool isThin(const Vec3f& a, const Vec3f& b, const Vec3f& c)
+{
+	const Vec3f n = cross(b - a, c - a);
+	const float squared =
+		std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+	// Nearly all faces are told without a root: far wider than leastWidth.
+	if (squaredLength(n) > 4 * leastWidth * leastWidth * squared) return false;
+	const float longest = std::sqrt(squared);
+	return !(length(n) > longest * std::min(leastWidth, leastSlope * longest));
+}
+
+bool isThin(const HalfEdgeMesh& m, int f)
+{
+	const int* v = &m.origin[3 * f];
+	return isThin(m.position[v[0]], m.position[v[1]], m.position[v[2]]);
+}
+
+bool isThin(const IndexedMesh& m, int f)
+{
+	const int* v = &m.triangle[3 * f];
+	return isThin(m.position[v[0]], m.position[v[1]], m.position[v[2]]);
+}
+
+/// Ascending. All corners of a thin face are rough, with a margin for rounding; it is looked at
+/// from its first.
+std::vector<int> findThin(const Surface& surface, Workers& workers)
+{
+	static_assert(roughWidth >= 1.5f * leastWidth);
+	const HalfEdgeMesh& m    = surface.mesh;
+	std::vector<int>    thin = workers.collect<int>(
+        m.vertexNum, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
+            for (int v = int(begin); v < int(end); ++v) {
+                if (!surface.normal[v].isRough()) continue;
+                forEachOutgoing(m, v, [&](int h) {
+                    if (h % 3 == 0 && isThin(m, h / 3)) out.push_back(h / 3);
+                });
+            }
+        });
+	std::sort(thin.begin(), thin.end());
+	return thin;
+}
+
+/// Area and box of some faces.
+struct Extent {
+	double     area = 0;
+	Box<float> box;
+
+	Extent(const HalfEdgeMesh& m, int f) : area(0.5 * double(length(m.faceCross(f))))
+	{
+		for (int h = 3 * f; h < 3 * f + 3; ++h)
+			box.add(m.position[m.origin[h]]);
+	}
+
+	void add(const Extent& other)
+	{
+		area += other.area;
+		box += other.box;
+	}
+
+	/// Whether the faces, each thin, are so together too: not a small piece of many small faces,
+	/// and not many needles side by side.
+	bool isLine() const { return !(area > double(leastWidth) * double(box.diagonal())); }
+};
+
+class FlatFinder {
+public:
+	FlatFinder(const HalfEdgeMesh& mesh, std::vector<int> thin) :
+			m_(mesh), thin_(std::move(thin)), seen_(thin_.size(), 0), gone_(thin_.size(), 0)
+	{
+	}
+
+	std::vector<int> run()
+	{
+		for (std::size_t i = 0; i < thin_.size(); ++i) {
+			if (!seen_[i] && collectThin(i) && isLine()) markGone();
+		}
+		peelBorders();
+		std::vector<int> flat;
+		for (std::size_t i = 0; i < thin_.size(); ++i) {
+			if (gone_[i]) flat.push_back(thin_[i]);
+		}
+		return flat;
+	}
+
+private:
+	const HalfEdgeMesh& m_;
+	std::vector<int>    thin_;  ///< ascending
+	std::vector<char>   seen_;  ///< per thin face
+	std::vector<char>   gone_;  ///< per thin face
+	std::vector<int>    faces_; ///< joined thin faces
+	std::vector<int> pieceOf_; ///< per thin face: another of the same piece taken off; its own head
+	std::vector<Extent> extent_; ///< per thin face: of the piece that it is the head of
+
+	/// Where the face is among the thin ones, or -1.
+	int thinIndex(int f) const
+	{
+		const auto found = std::lower_bound(thin_.begin(), thin_.end(), f);
+		return found != thin_.end() && *found == f ? int(found - thin_.begin()) : -1;
+	}
+
+	// ---- whole components
+
+	/// Joins the thin faces round thin_[first]; whether they are a whole component.
+	bool collectThin(std::size_t first)
+	{
+		bool isWhole = true;
+		seen_[first] = 1;
+		faces_.assign(1, thin_[first]);
+		for (std::size_t i = 0; i < faces_.size(); ++i) {
+			for (int h = 3 * faces_[i]; h < 3 * faces_[i] + 3; ++h)
+				isWhole = visitAcross(h) && isWhole;
+		}
+		return isWhole;
+	}
+
+	/// False if a face that is not thin lies beyond h.
+	bool visitAcross(int h)
+	{
+		const int g = m_.opposite[h];
+		if (g < 0) return true;
+		const int i = thinIndex(g / 3);
+		if (i < 0) return false;
+		if (!seen_[i]) faces_.push_back(g / 3);
+		seen_[i] = 1;
+		return true;
+	}
+
+	bool isLine() const
+	{
+		Extent all(m_, faces_[0]);
+		for (std::size_t i = 1; i < faces_.size(); ++i)
+			all.add(Extent(m_, faces_[i]));
+		return all.isLine();
+	}
+
+	void markGone()
+	{
+		for (int f : faces_)
+			gone_[thinIndex(f)] = 1;
+	}
+
+	// ---- at borders
+
+	/// Takes faces off until none is left that may go; each may make way for its neighbours. What
+	/// is taken off in one place has to be a line as a whole, or a surface of needles would go row
+	/// by row.
+	void peelBorders()
+	{
+		for (std::size_t i = 0; i < thin_.size(); ++i) {
+			pieceOf_.push_back(int(i));
+			extent_.emplace_back(m_, thin_[i]);
+		}
+		std::vector<int> waiting(thin_.rbegin(), thin_.rend());
+		while (!waiting.empty()) {
+			const int f = waiting.back();
+			const int i = thinIndex(f);
+			waiting.pop_back();
+			if (gone_[i] || !mayGo(f) || !joinsALine(i)) continue;
+			gone_[i] = 1;
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				const int g = m_.opposite[h];
+				if (g >= 0 && thinIndex(g / 3) >= 0) waiting.push_back(g / 3);
+			}
+		}
+	}
+
+	/// Joins a thin face with what is gone beside it, if all that is a line.
+	bool joinsALine(int i)
+	{
+		const int f   = thin_[i];
+		Extent    all = extent_[i];
+		int       piece[3], pieceNum = 0;
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			const int g = m_.opposite[h] < 0 ? -1 : thinIndex(m_.opposite[h] / 3);
+			if (g < 0 || !gone_[g]) continue;
+			const int p = pieceWith(g);
+			if (std::find(piece, piece + pieceNum, p) != piece + pieceNum) continue;
+			all.add(extent_[p]);
+			piece[pieceNum++] = p;
+		}
+		if (!all.isLine()) return false;
+		for (int k = 0; k < pieceNum; ++k)
+			pieceOf_[piece[k]] = i;
+		extent_[i] = all;
+		return true;
+	}
+
+	int pieceWith(int i)
+	{
+		while (pieceOf_[i] != i)
+			i = pieceOf_[i] = pieceOf_[pieceOf_[i]];
+		return i;
+	}
+
+	bool isGone(int f) const
+	{
+		const int i = thinIndex(f);
+		return i >= 0 && gone_[i];
+	}
+
+	bool isBorder(int h) const { return m_.opposite[h] < 0 || isGone(m_.opposite[h] / 3); }
+
+	/// Whether the topology and, but for rounding, the surface and its border stay.
+	bool mayGo(int f) const
+	{
+		int borderNum = 0, border = -1;
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			if (!isBorder(h)) continue;
+			++borderNum;
+			border = h;
+		}
+		if (borderNum == 2) return true;
+		return borderNum == 1 && edgeLength(m_, border) >= longestEdge(m_, f) &&
+			   isInner(m_.apex(border));
+	}
+
+	bool isInner(int v) const
+	{
+		bool inner = true;
+		forEachOutgoing(m_, v, [&](int h) { inner = inner && !isBorder(h); });
+		return inner && !m_.isBorderVertex(v);
+	}
+};
+
+} // namespace
+
+std::vector<int> findFlatPieces(const Surface& surface, Workers& workers)
+{
+	return FlatFinder(surface.mesh, findThin(surface, workers)).run();
+}
+
+bool allFacesThin(const IndexedMesh& mesh, Workers& workers)
+{
+	std::atomic<bool> foundOther{false};
+	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end && !foundOther; ++f) {
+			if (!isThin(mesh, int(f))) foundOther = true;
+		}
+	});
+	return !foundOther;
+}
+
+IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, std::int64_t& droppedNum)
+{
+	IndexedMesh      mesh = disconnect(surface);
+	std::vector<int> dropped;
+	int              kept = 0;
+	auto             next = faces.begin();
+	for (int f = 0; f < mesh.faceNum; ++f) {
+		if (next != faces.end() && *next == f) {
+			dropped.push_back(mesh.sourceFace[f]);
+			++next;
+			continue;
+		}
+		std::copy_n(&mesh.triangle[3 * f], 3, &mesh.triangle[3 * kept]);
+		mesh.sourceFace[kept++] = mesh.sourceFace[f];
+	}
+	mesh.faceNum = kept;
+	dropUnusedVertices(mesh);
+	std::sort(dropped.begin(), dropped.end());
+	droppedNum += std::unique(dropped.begin(), dropped.end()) - dropped.begin();
+	return mesh;
+}
+
+} // namespace gpr

@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "load.h"
+
+#include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/base/poller.h>
+#include <vcg_extras/core/results.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <unordered_map>
+
+namespace gpr {
+
+namespace {
+
+double largestCoordinate(const Box<double>& box)
+{
+	double most = 0;
+	for (const Vec3d& p : {box.low, box.high}) {
+		for (double c : {p.x, p.y, p.z})
+			most = std::max(most, std::abs(c));
+	}
+	return most;
+}
+
+bool isFinite(const Vec3d& p)
+{
+	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+void refuseHugeInput(const MeshView& input)
+{
+	// Half-edges are numbered with 32 bits; a factor of two is left for splitting.
+	constexpr std::size_t mostFaces = std::size_t(1) << 29;
+	if (input.faceNum > mostFaces || input.vertexNum > mostFaces) {
+		throw Failure(Status::UnusableInput,
+					  "The mesh has more than 536,870,912 faces or vertices.");
+	}
+}
+
+void checkIndices(const MeshView& input, Workers& workers)
+{
+	std::atomic<bool> bad{false};
+	const auto        vertexNum = std::uint32_t(input.vertexNum);
+	workers.forRange(input.faceNum, [&](std::size_t begin, std::size_t end) {
+		bool outside = false;
+		for (std::size_t f = begin; f < end; ++f) {
+			for (std::int32_t v : input.triangle(f))
+				outside |= std::uint32_t(v) >= vertexNum;
+		}
+		if (outside) bad = true;
+	});
+	if (bad) {
+		throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
+	}
+}
+
+/// A face that stays: three different vertices, all finite.
+bool isUsable(const std::array<std::int32_t, 3>& corner, const Buffer<char>& finite)
+{
+	if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) return false;
+	return finite[corner[0]] && finite[corner[1]] && finite[corner[2]];
+}
+
+Buffer<char> findFinite(const MeshView& input, Workers& workers, std::int64_t& badNum)
+{
+	Buffer<char> finite(input.vertexNum);
+	badNum = workers.sum<std::int64_t>(input.vertexNum, [&](std::size_t begin, std::size_t end) {
+		std::int64_t bad = 0;
+		for (std::size_t v = begin; v < end; ++v) {
+			finite[v] = isFinite(input.position(v));
+			bad += !finite[v];
+		}
+		return bad;
+	});
+	return finite;
+}
+
+/// With room for the few faces and vertices that splitting long edges adds to most scans; memory
+/// that is not touched costs nothing.
+std::size_t withRoom(std::size_t n)
+{
+	return n + n / 32;
+}
+
+/// Copies the usable faces in their order; sourceFace tells where each came from.
+void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& workers,
+			   IndexedMesh& mesh, CleanCounts& counts)
+{
+	mesh.triangle.reset(withRoom(3 * input.faceNum));
+	mesh.sourceFace.reset(withRoom(input.faceNum));
+	const std::int64_t dropped =
+		workers.sum<std::int64_t>(input.faceNum, [&](std::size_t begin, std::size_t end) {
+			std::int64_t n = 0;
+			for (std::size_t f = begin; f < end; ++f) {
+				const auto corner = input.triangle(f);
+				std::copy(corner.begin(), corner.end(), &mesh.triangle[3 * f]);
+				mesh.sourceFace[f] = int(f);
+				n += !isUsable(corner, finite);
+			}
+			return n;
+		});
+	mesh.faceNum = int(input.faceNum);
+	if (dropped == 0) return;
+
+	int kept = 0;
+	for (std::size_t f = 0; f < input.faceNum; ++f) {
+		const auto corner = input.triangle(f);
+		if (!isUsable(corner, finite)) {
+			const bool repeated =
+				corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
+			counts.repeatedIndexFaces += repeated;
+			continue;
+		}
+		for (int k = 0; k < 3; ++k)
+			mesh.triangle[3 * kept + k] = corner[k];
+		mesh.sourceFace[kept++] = int(f);
+	}
+	mesh.faceNum = kept;
+}
+
+/// Which vertices a face uses.
+class UsedVertices {
+public:
+	UsedVertices(const IndexedMesh& mesh, std::size_t vertexNum, Workers& workers) :
+			used_(vertexNum, 0)
+	{
+		workers.forRange(std::size_t(3) * mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i)
+				mark(mesh.triangle[i]);
+		});
+	}
+	bool operator[](std::size_t v) const { return used_[v] != 0; }
+
+private:
+	Buffer<char> used_;
+
+	void mark(int v)
+	{
+		// Relaxed atomic store: every thread writes the same 1.
+		__atomic_store_n(&used_[v], char(1), __ATOMIC_RELAXED);
+	}
+};
+
+Box<double> boxOfUsed(const MeshView& input, const UsedVertices& used, Workers& workers)
+{
+	return workers.sum<Box<double>>(input.vertexNum, [&](std::size_t begin, std::size_t end) {
+		Box<double> box;
+		for (std::size_t v = begin; v < end; ++v) {
+			if (used[v]) box.add(input.position(v));
+		}
+		return box;
+	});
+}
+
+Frame frameOf(const Box<double>& box)
+{
+	Frame        frame;
+	const double extent = box.largestSide();
+	if (!(extent > 0) || !std::isfinite(extent)) {
+		throw Failure(Status::UnusableInput, "The surface has no area.");
+	}
+	// Coordinates that lie near the surface's own size stay as they are, so that float input is
+	// taken over exactly; only far offsets (georeferenced scans) are removed.
+	if (largestCoordinate(box) > 4 * extent) frame.origin = (box.low + box.high) * 0.5;
+	int exponent = 0;
+	std::frexp(extent, &exponent);
+	frame.scale = std::ldexp(1.0, -exponent);
+	if (!std::isfinite(frame.scale)) {
+		throw Failure(Status::UnusableInput, "The surface is too small to be computed with.");
+	}
+	return frame;
+}
+
+/// Puts the used vertices in a row and renames them in the faces.
+void copyVertices(const MeshView& input, const UsedVertices& used, Workers& workers,
+				  IndexedMesh& mesh, CleanCounts& counts)
+{
+	const std::int64_t unused =
+		workers.sum<std::int64_t>(input.vertexNum, [&](std::size_t begin, std::size_t end) {
+			std::int64_t n = 0;
+			for (std::size_t v = begin; v < end; ++v)
+				n += !used[v];
+			return n;
+		});
+	mesh.vertexNum = int(input.vertexNum - unused);
+	mesh.position.reset(withRoom(mesh.vertexNum));
+	if (unused == 0) {
+		workers.forRange(input.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				mesh.position[v] = mesh.frame.toWorking(input.position(v));
+		});
+		return;
+	}
+	counts.unreferencedVertices = unused;
+	Buffer<int> rename(input.vertexNum);
+	int         kept = 0;
+	for (std::size_t v = 0; v < input.vertexNum; ++v) {
+		if (!used[v]) continue;
+		rename[v]             = kept;
+		mesh.position[kept++] = mesh.frame.toWorking(input.position(v));
+	}
+	workers.forRange(std::size_t(3) * mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i)
+			mesh.triangle[i] = rename[mesh.triangle[i]];
+	});
+}
+
+bool isSoup(const IndexedMesh& mesh)
+{
+	// Every vertex is used, so 3 F vertices means that no face shares one.
+	return mesh.faceNum > 1 && mesh.vertexNum == 3 * mesh.faceNum;
+}
+
+/// Of every vertex the first one within the tolerance, by way of a hash grid whose cells are as
+/// wide as the tolerance.
+std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance, Workers& workers)
+{
+	Poller     poller(workers);
+	const auto cellOf = [tolerance](float c) { return std::int64_t(std::floor(c / tolerance)); };
+	const auto keyOf  = [](std::int64_t x, std::int64_t y, std::int64_t z) {
+        return std::uint64_t(x) * 0x9e3779b97f4a7c15ull ^ std::uint64_t(y) * 0xc2b2ae3d27d4eb4full ^
+               std::uint64_t(z) * 0x165667b19e3779f9ull;
+	};
+	std::unordered_multimap<std::uint64_t, int> firsts;
+	std::vector<int>                            first(mesh.vertexNum);
+	for (int v = 0; v < mesh.vertexNum; ++v) {
+		poller.count();
+		const Vec3f        p = mesh.position[v];
+		const std::int64_t x = cellOf(p.x), y = cellOf(p.y), z = cellOf(p.z);
+		first[v] = v;
+		for (int i = 0; i < 27; ++i) {
+			const auto cell =
+				firsts.equal_range(keyOf(x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1));
+			for (auto it = cell.first; it != cell.second; ++it) {
+				const bool near =
+					squaredLength(mesh.position[it->second] - p) <= tolerance * tolerance;
+				if (near) first[v] = std::min(first[v], it->second);
+			}
+		}
+		if (first[v] == v) firsts.emplace(keyOf(x, y, z), v);
+	}
+	return first;
+}
+
+/// Renames the corners; faces that have a corner twice then are dropped.
+void renameCorners(IndexedMesh& mesh, const std::vector<int>& newName, CleanCounts& counts)
+{
+	int faces = 0;
+	for (int f = 0; f < mesh.faceNum; ++f) {
+		int corner[3];
+		for (int k = 0; k < 3; ++k)
+			corner[k] = newName[mesh.triangle[3 * f + k]];
+		if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) {
+			++counts.zeroAreaFaces;
+			continue;
+		}
+		for (int k = 0; k < 3; ++k)
+			mesh.triangle[3 * faces + k] = corner[k];
+		mesh.sourceFace[faces++] = mesh.sourceFace[f];
+	}
+	mesh.faceNum = faces;
+}
+
+/// Makes vertices at (nearly) equal positions one; faces that lose a corner by it are dropped.
+void weld(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
+{
+	// Of the box, whose largest side is about 1 in working units: far below any edge worth keeping,
+	// and above the noise of coordinates that went through text or float.
+	constexpr float        tolerance = 1e-6f;
+	const std::vector<int> first     = findFirstNear(mesh, tolerance, workers);
+	for (int v = 0; v < mesh.vertexNum; ++v)
+		counts.weldedVertices += first[v] != v;
+	renameCorners(mesh, first, counts);
+	dropUnusedVertices(mesh);
+}
+
+} // namespace
+
+IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& counts)
+{
+	refuseHugeInput(input);
+	if (input.faceNum == 0) throw Failure(Status::UnusableInput, "The mesh has no faces.");
+	checkIndices(input, workers);
+
+	IndexedMesh        mesh;
+	const Buffer<char> finite = findFinite(input, workers, counts.nonFiniteVertices);
+	copyFaces(input, finite, workers, mesh, counts);
+	if (mesh.faceNum == 0) {
+		throw Failure(Status::UnusableInput, "No face has three different, finite vertices.");
+	}
+	const UsedVertices used(mesh, input.vertexNum, workers);
+	mesh.frame = frameOf(boxOfUsed(input, used, workers));
+	copyVertices(input, used, workers, mesh, counts);
+	counts.unreferencedVertices -= counts.nonFiniteVertices;
+	if (isSoup(mesh)) weld(mesh, workers, counts);
+	if (mesh.faceNum == 0) {
+		throw Failure(Status::UnusableInput, "No face has an area.");
+	}
+	return mesh;
+}
+
+FaceExtents measureFaces(const IndexedMesh& mesh, Workers& workers)
+{
+	constexpr std::size_t together = FaceExtents::facesTogether;
+	static_assert(Workers::pieceSize % together == 0);
+	FaceExtents extents;
+	extents.longestSquared.reset((std::size_t(mesh.faceNum) + together - 1) / together);
+	extents.area = workers.sum<double>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		double area = 0;
+		for (std::size_t group = begin; group < end; group += together) {
+			float longest = 0;
+			for (std::size_t f = group; f < std::min(group + together, end); ++f) {
+				const int*  corner = &mesh.triangle[3 * f];
+				const Vec3f a = mesh.position[corner[0]], b = mesh.position[corner[1]],
+							c = mesh.position[corner[2]];
+				area += 0.5 * double(length(cross(b - a, c - a)));
+				longest = std::max(
+					{longest, squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+			}
+			extents.longestSquared[group / together] = longest;
+		}
+		return area;
+	});
+	return extents;
+}
+
+} // namespace gpr

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "memory_need.h"
+
+#include "split_long_edges.h"
+
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/results.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gpr {
+
+namespace {
+
+/// Into how many parts an edge is halved until none is longer than maxLength.
+double partsOfEdge(float length, float maxLength)
+{
+	if (!(length > maxLength)) return 1;
+	return std::exp2(std::ceil(std::log2(double(length) / double(maxLength))));
+}
+
+/// Its edges by length, and how far the third corner is from the longest.
+struct FaceShape {
+	float edge[3];
+	float height;
+
+	FaceShape(const IndexedMesh& m, int f)
+	{
+		const int*  t = &m.triangle[3 * f];
+		const Vec3f a = m.position[t[0]], b = m.position[t[1]], c = m.position[t[2]];
+		edge[0] = length(b - a);
+		edge[1] = length(c - b);
+		edge[2] = length(a - c);
+		std::sort(edge, edge + 3);
+		height = edge[2] > 0 ? length(cross(b - a, c - a)) / edge[2] : 0;
+	}
+
+	void halve()
+	{
+		for (float& e : edge)
+			e *= 0.5f;
+		height *= 0.5f;
+	}
+
+	bool isNeedle(float maxLength) const
+	{
+		return edge[2] > leastNeedleLength * maxLength && 2 * height <= maxLength;
+	}
+};
+
+/// As the splitting goes: all three edges are halved as long as the shortest is too long, a needle
+/// becomes a strip, of any other face with a short edge three come, time and again.
+double partsOfFace(FaceShape shape, float maxLength)
+{
+	double parts = 1;
+	for (; shape.edge[0] > maxLength && !shape.isNeedle(maxLength); parts *= 4)
+		shape.halve();
+	const double middle  = partsOfEdge(shape.edge[1], maxLength);
+	const double longest = partsOfEdge(shape.edge[2], maxLength);
+	if (shape.isNeedle(maxLength)) return 2.5 * parts * longest;
+	if (longest > leastNeedleLength) return 2 * parts * (middle + longest);
+	return parts * std::exp2(std::log2(middle) * std::log2(3.0)) * longest / middle;
+}
+
+} // namespace
+
+double facesAfterSplitting(const IndexedMesh& mesh, const std::vector<int>& longFaces,
+						   float maxLength)
+{
+	double faces = double(mesh.faceNum) - double(longFaces.size());
+	for (int f : longFaces)
+		faces += partsOfFace(FaceShape(mesh, f), maxLength);
+	return faces;
+}
+
+double bytesNeeded(double faceNum, double resultVertexNum)
+{
+	// Fitted to the peak memory of runs with 3·10⁵ to 1.3·10⁷ faces after the splitting and 10⁴ to
+	// 1.3·10⁶ vertices in the result, which they meet within a sixth.
+	constexpr double bytesPerFace         = 90;
+	constexpr double bytesPerResultVertex = 250;
+	return bytesPerFace * faceNum + bytesPerResultVertex * resultVertexNum;
+}
+
+void requireMemory(double needed, std::int64_t available)
+{
+	if (available <= 0 || needed <= double(available)) return;
+	char sentence[160];
+	std::snprintf(sentence, sizeof sentence,
+				  "About %.1f GB of memory would be needed, %.1f GB are free; ask for fewer "
+				  "vertices, or remove huge stray triangles.",
+				  needed * 1e-9, double(available) * 1e-9);
+	throw Failure(Status::OutOfMemory, sentence);
+}
+
+} // namespace gpr

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_INPUT_SMALL_COMPONENTS_H
+#define VCG_EXTRAS_CORE_INPUT_SMALL_COMPONENTS_H
+
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace gpr {
+
+/// Components that are too small to be kept.
+struct SmallComponents {
+	std::int64_t     num = 0;
+	std::vector<int> faces; ///< of all of them, ascending
+};
+
+/// Components (faces linked over edges) with fewer than leastFaceNum faces. Cost: linear, serial.
+SmallComponents findSmallComponents(const HalfEdgeMesh& mesh, std::int64_t leastFaceNum,
+									Workers& workers);
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,428 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "split_long_edges.h"
+
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/results.h>
+
+#include <algorithm>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+struct Face {
+	int corner[3];
+	int source;
+};
+
+/// Which edges of a mesh are too long.
+struct EdgeRule {
+	float                maxSquared;
+	const Buffer<float>& size; ///< of each vertex, or empty
+
+	/// leastSize: the lesser one of the edge's ends; 1 where there are no sizes.
+	bool isLong(float squared, float leastSize) const
+	{
+		return squared > maxSquared * leastSize * leastSize;
+	}
+	bool isLong(const IndexedMesh& mesh, int a, int b) const
+	{
+		return isLong(squaredLength(mesh.position[a] - mesh.position[b]),
+					  size.empty() ? 1.0f : std::min(size[a], size[b]));
+	}
+	bool isLongFace(const IndexedMesh& mesh, int f) const
+	{
+		const int* t = &mesh.triangle[3 * f];
+		return isLong(mesh, t[0], t[1]) || isLong(mesh, t[1], t[2]) || isLong(mesh, t[2], t[0]);
+	}
+};
+
+[[noreturn]] void failWithTooManyFaces()
+{
+	throw Failure(Status::OutOfMemory,
+				  "Splitting the long edges would make too many faces; ask for fewer vertices or "
+				  "remove the stray triangles.");
+}
+
+/// A number per edge, found by its two ends. A table without chains: most of the time of splitting
+/// went into the memory of a std::unordered_map's nodes.
+class EdgeTable {
+public:
+	void clear()
+	{
+		entry_.assign(entry_.size(), Entry());
+		num_ = 0;
+	}
+
+	void reserve(std::size_t edgeNum)
+	{
+		if (2 * edgeNum <= entry_.size()) return;
+		std::size_t size = 1024;
+		while (size < 2 * edgeNum)
+			size *= 2;
+		std::vector<Entry> old(size);
+		old.swap(entry_);
+		for (const Entry& e : old) {
+			if (e.number >= 0) placeOf(e.edge) = e;
+		}
+	}
+
+	/// The number of the edge a-b, which is `next` if it had none yet.
+	int findOrPut(int a, int b, int next)
+	{
+		const std::uint64_t low = std::min(a, b), high = std::max(a, b);
+		const std::uint64_t edge  = low << 32 | high;
+		Entry&              place = placeOf(edge);
+		if (place.number >= 0) return place.number;
+		place = {edge, next};
+		if (2 * ++num_ > entry_.size()) reserve(2 * num_);
+		return next;
+	}
+
+	std::size_t size() const { return num_; }
+
+private:
+	struct Entry {
+		std::uint64_t edge   = 0;
+		int           number = -1; ///< below 0: free
+
+		bool isFreeOr(std::uint64_t other) const { return number < 0 || edge == other; }
+	};
+	std::vector<Entry> entry_ = std::vector<Entry>(1024); ///< a power of two, at most half full
+	std::size_t        num_   = 0;
+
+	/// Where the edge is, or is to be put: beside those of the same and the next smaller ends,
+	/// which are asked for soon before and after; where there are too many, anywhere.
+	Entry& placeOf(std::uint64_t edge)
+	{
+		constexpr std::size_t   perVertex = 4, nearby = 8;
+		constexpr std::uint64_t golden = 0x9E3779B97F4A7C15; // Knuth: spreads whatever lies close
+		const std::size_t       mask   = entry_.size() - 1;
+		std::size_t             at     = std::size_t(edge >> 32) * perVertex & mask;
+		for (std::size_t i = 0; i < nearby; ++i, at = (at + 1) & mask) {
+			if (entry_[at].isFreeOr(edge)) return entry_[at];
+		}
+		at = std::size_t((edge * golden) >> 32) & mask;
+		while (!entry_[at].isFreeOr(edge))
+			at = (at + 1) & mask;
+		return entry_[at];
+	}
+};
+
+/// Splits the long faces round by round; both faces of a long edge are among them, so no others are
+/// needed.
+class Splitter {
+public:
+	/// size: empty, or one of each vertex.
+	Splitter(IndexedMesh& mesh, float maxLength, const Buffer<float>& size, std::int64_t maxFaces) :
+			mesh_(mesh), rule_{maxLength * maxLength, size}, maxFaces_(maxFaces),
+			faceNum_(mesh.faceNum)
+	{
+	}
+
+	void addFace(int f)
+	{
+		const int* t = &mesh_.triangle[3 * f];
+		todo_.push_back({{t[0], t[1], t[2]}, mesh_.sourceFace[f]});
+		--faceNum_;
+	}
+
+	bool isLong(int a, int b) const
+	{
+		return rule_.isLong(squaredLength(position(a) - position(b)),
+							std::min(sizeOf(a), sizeOf(b)));
+	}
+
+	void run(Workers& workers)
+	{
+		while (!todo_.empty()) {
+			std::vector<Face> round;
+			round.swap(todo_);
+			if (!hasStrips_) midpoint_.clear();
+			midpoint_.reserve(midpoint_.size() + round.size());
+			for (const Face& face : round) {
+				workers.poll();
+				split(face);
+			}
+		}
+	}
+
+	const std::vector<Face>&  finished() const { return finished_; }
+	const std::vector<Vec3f>& newPositions() const { return added_; }
+	std::int64_t              splitNum() const { return std::int64_t(added_.size()); }
+
+private:
+	IndexedMesh&       mesh_;
+	EdgeRule           rule_;
+	std::int64_t       maxFaces_;
+	std::int64_t       faceNum_;
+	std::vector<Face>  todo_;
+	std::vector<Face>  finished_;
+	std::vector<Vec3f> added_;
+	std::vector<float> addedSize_;
+	/// Of the edges split in this round; of all edges once strips split theirs ahead of the others.
+	EdgeTable midpoint_;
+	bool      hasStrips_ = false;
+
+	Vec3f position(int v) const
+	{
+		return v < mesh_.vertexNum ? mesh_.position[v] : added_[v - mesh_.vertexNum];
+	}
+
+	float sizeOf(int v) const
+	{
+		if (rule_.size.empty()) return 1;
+		return v < mesh_.vertexNum ? rule_.size[v] : addedSize_[v - mesh_.vertexNum];
+	}
+
+	int midpointOf(int a, int b)
+	{
+		const int next   = mesh_.vertexNum + int(added_.size());
+		const int middle = midpoint_.findOrPut(a, b, next);
+		if (middle == next) {
+			added_.push_back((position(a) + position(b)) * 0.5f);
+			if (!rule_.size.empty()) addedSize_.push_back(0.5f * (sizeOf(a) + sizeOf(b)));
+		}
+		return middle;
+	}
+
+	void put(int a, int b, int c, int source)
+	{
+		const bool isDone = !isLong(a, b) && !isLong(b, c) && !isLong(c, a);
+		(isDone ? finished_ : todo_).push_back({{a, b, c}, source});
+		if (faceNum_ + std::int64_t(finished_.size() + todo_.size()) > maxFaces_)
+			failWithTooManyFaces();
+	}
+
+	void split(const Face& face)
+	{
+		const int longest = longestEdge(face);
+		if (isNeedle(face, longest)) return splitNeedle(face, longest);
+		int middle[3];
+		int longNum = 0;
+		for (int k = 0; k < 3; ++k) {
+			const int a = face.corner[k], b = face.corner[(k + 1) % 3];
+			middle[k] = isLong(a, b) ? midpointOf(a, b) : -1;
+			longNum += middle[k] >= 0;
+		}
+		const int* v = face.corner;
+		if (longNum == 3) {
+			put(v[0], middle[0], middle[2], face.source);
+			put(v[1], middle[1], middle[0], face.source);
+			put(v[2], middle[2], middle[1], face.source);
+			put(middle[0], middle[1], middle[2], face.source);
+		}
+		else if (longNum == 2) {
+			splitTwo(face, middle);
+		}
+		else if (longNum == 1) {
+			const int k = middle[0] >= 0 ? 0 : middle[1] >= 0 ? 1 : 2;
+			put(v[k], middle[k], v[(k + 2) % 3], face.source);
+			put(middle[k], v[(k + 1) % 3], v[(k + 2) % 3], face.source);
+		}
+		else {
+			put(v[0], v[1], v[2], face.source);
+		}
+	}
+
+	/// a-b is the short edge; the corner c is cut off, the rest divided along its shorter diagonal.
+	void splitTwo(const Face& face, const int middle[3])
+	{
+		const int k = middle[0] < 0 ? 0 : middle[1] < 0 ? 1 : 2;
+		const int a = face.corner[k], b = face.corner[(k + 1) % 3], c = face.corner[(k + 2) % 3];
+		const int bc = middle[(k + 1) % 3], ca = middle[(k + 2) % 3];
+		put(c, ca, bc, face.source);
+		if (squaredLength(position(a) - position(bc)) < squaredLength(position(b) - position(ca))) {
+			put(a, b, bc, face.source);
+			put(a, bc, ca, face.source);
+		}
+		else {
+			put(a, b, ca, face.source);
+			put(b, bc, ca, face.source);
+		}
+	}
+
+	int longestEdge(const Face& face) const
+	{
+		float squared[3];
+		for (int k = 0; k < 3; ++k)
+			squared[k] =
+				squaredLength(position(face.corner[k]) - position(face.corner[(k + 1) % 3]));
+		return int(std::max_element(squared, squared + 3) - squared);
+	}
+
+	/// Whether edge k, the longest, is far too long, and the third corner so near to it that there
+	/// is room for one row of faces between.
+	bool isNeedle(const Face& face, int k) const
+	{
+		const int   a = face.corner[k], b = face.corner[(k + 1) % 3], c = face.corner[(k + 2) % 3];
+		const Vec3f edge    = position(b) - position(a);
+		const float squared = squaredLength(edge);
+		const float least   = std::min({sizeOf(a), sizeOf(b), sizeOf(c)});
+		if (!rule_.isLong(squared / (leastNeedleLength * leastNeedleLength), least)) return false;
+		const float height = squaredLength(cross(edge, position(c) - position(a))) / squared;
+		return !rule_.isLong(4 * height, least);
+	}
+
+	/// A needle becomes a strip of faces between its longest edge a -> b and the other two, as many
+	/// as these have parts. Halving all edges round by round would halve the diagonals, too, and
+	/// make 3 faces of each where the strip makes 2.
+	void splitNeedle(const Face& face, int longest)
+	{
+		const int a = face.corner[longest], b = face.corner[(longest + 1) % 3],
+				  c = face.corner[(longest + 2) % 3];
+		hasStrips_  = true;
+		std::vector<int> low{a}, high{a};
+		addParts(a, b, low);
+		low.push_back(b);
+		addParts(a, c, high);
+		high.push_back(c);
+		addParts(c, b, high);
+
+		put(a, low[1], high[1], face.source);
+		std::size_t i = 1, k = 1;
+		while (i + 2 < low.size() || k + 1 < high.size()) {
+			if (k + 1 == high.size() || (i + 2 < low.size() && isLowNearer(low, i, high, k))) {
+				put(low[i], low[i + 1], high[k], face.source);
+				++i;
+			}
+			else {
+				put(low[i], high[k + 1], high[k], face.source);
+				++k;
+			}
+		}
+		put(low[i], b, high[k], face.source);
+	}
+
+	/// Whether the diagonal to the next point of the low side is the shorter one.
+	bool isLowNearer(const std::vector<int>& low, std::size_t i, const std::vector<int>& high,
+					 std::size_t k) const
+	{
+		return squaredLength(position(low[i + 1]) - position(high[k])) <
+			   squaredLength(position(low[i]) - position(high[k + 1]));
+	}
+
+	/// Appends all midpoints that halving a -> b as often as needed makes, in order.
+	void addParts(int a, int b, std::vector<int>& points)
+	{
+		if (!isLong(a, b)) return;
+		if (std::int64_t(points.size()) > maxFaces_) failWithTooManyFaces();
+		const int middle = midpointOf(a, b);
+		addParts(a, middle, points);
+		points.push_back(middle);
+		addParts(middle, b, points);
+	}
+};
+
+/// Those of faces [begin, end).
+void addLongFaces(const IndexedMesh& mesh, const EdgeRule& rule, std::size_t begin, std::size_t end,
+				  std::vector<int>& out)
+{
+	for (int f = int(begin); f < int(end); ++f) {
+		if (rule.isLongFace(mesh, f)) out.push_back(f);
+	}
+}
+
+/// Arrays come from loading with some room to spare; copying a large one takes a while.
+template <class T>
+void makeRoom(Buffer<T>& values, std::size_t n, Workers& workers)
+{
+	workers.poll();
+	if (values.size() < n) values.resize(n);
+}
+
+/// The first new faces take the places of the long ones, the others follow at the end.
+void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Splitter& splitter,
+			   Workers& workers)
+{
+	const std::vector<Face>& faces = splitter.finished();
+	const int                extra = int(faces.size() - longFaces.size());
+	makeRoom(mesh.triangle, 3 * (std::size_t(mesh.faceNum) + extra), workers);
+	makeRoom(mesh.sourceFace, std::size_t(mesh.faceNum) + extra, workers);
+	workers.poll();
+	for (std::size_t i = 0; i < faces.size(); ++i) {
+		const int f =
+			i < longFaces.size() ? longFaces[i] : mesh.faceNum + int(i - longFaces.size());
+		for (int k = 0; k < 3; ++k)
+			mesh.triangle[3 * f + k] = faces[i].corner[k];
+		mesh.sourceFace[f] = faces[i].source;
+	}
+	mesh.faceNum += extra;
+
+	const std::vector<Vec3f>& added = splitter.newPositions();
+	makeRoom(mesh.position, mesh.vertexNum + added.size(), workers);
+	for (std::size_t i = 0; i < added.size(); ++i)
+		mesh.position[mesh.vertexNum + i] = added[i];
+	mesh.vertexNum += int(added.size());
+}
+
+std::int64_t runSplitter(Splitter& splitter, const std::vector<int>& longFaces, IndexedMesh& mesh,
+						 Workers& workers)
+{
+	if (longFaces.empty()) return 0;
+	for (int f : longFaces)
+		splitter.addFace(f);
+	splitter.run(workers);
+	writeBack(mesh, longFaces, splitter, workers);
+	return splitter.splitNum();
+}
+
+} // namespace
+
+std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
+							   Workers& workers)
+{
+	constexpr std::size_t together = FaceExtents::facesTogether;
+	const Buffer<float>   sameSize;
+	const EdgeRule        rule{maxLength * maxLength, sameSize};
+	return workers.collect<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+		for (std::size_t f = begin; f < end; f += together) {
+			if (!rule.isLong(extents.longestSquared[f / together], 1)) continue;
+			addLongFaces(mesh, rule, f, std::min(f + together, end), out);
+		}
+	});
+}
+
+std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
+							   const std::vector<int>& among, Workers& workers)
+{
+	const Buffer<float> sameSize;
+	const EdgeRule      rule{maxLength * maxLength, sameSize};
+	return workers.collect<int>(among.size(), [&](std::size_t begin, std::size_t end, auto& out) {
+		for (std::size_t i = begin; i < end; ++i) {
+			if (rule.isLongFace(mesh, among[i])) out.push_back(among[i]);
+		}
+	});
+}
+
+std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
+							Workers& workers)
+{
+	return splitLongEdges(mesh,
+						  findLongFaces(mesh, measureFaces(mesh, workers), maxLength, workers),
+						  maxLength, maxFaces, workers);
+}
+
+std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
+							std::int64_t maxFaces, Workers& workers)
+{
+	const Buffer<float> sameSize;
+	Splitter            splitter(mesh, maxLength, sameSize, maxFaces);
+	return runSplitter(splitter, longFaces, mesh, workers);
+}
+
+std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, const Buffer<float>& size,
+							std::int64_t maxFaces, Workers& workers)
+{
+	Splitter               splitter(mesh, maxLength, size, maxFaces);
+	const EdgeRule         rule{maxLength * maxLength, size};
+	const std::vector<int> longFaces =
+		workers.collect<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+			addLongFaces(mesh, rule, begin, end, out);
+		});
+	return runSplitter(splitter, longFaces, mesh, workers);
+}
+
+} // namespace gpr

@@ -1,0 +1,393 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "connect.h"
+
+#include <vcg_extras/core/base/counting_sort.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+/// A half-edge at its smaller end: the other end, and whether it leads there or comes from there.
+struct Spoke {
+	int  other;
+	bool leaves;
+	int  halfEdge;
+};
+
+bool spokeLess(const Spoke& a, const Spoke& b)
+{
+	if (a.other != b.other) return a.other < b.other;
+	if (a.leaves != b.leaves) return a.leaves < b.leaves;
+	return a.halfEdge < b.halfEdge;
+}
+
+/// The spokes of a vertex: few as plain arrays, all of them where there are more.
+struct SpokeFan {
+	static constexpr int few = 16;
+	struct End {
+		int other;
+		int halfEdge;
+	};
+	End                leaving[few], coming[few];
+	int                leavingNum = 0, comingNum = 0;
+	int                pairNum = 0; ///< of few ones
+	std::vector<Spoke> all;         ///< those beyond; after gatherAll() all
+
+	void clear()
+	{
+		leavingNum = comingNum = pairNum = 0;
+		all.clear();
+	}
+	void addLeaving(int other, int halfEdge)
+	{
+		if (leavingNum < few)
+			leaving[leavingNum] = {other, halfEdge};
+		else
+			all.push_back({other, true, halfEdge});
+		++leavingNum;
+	}
+	void addComing(int other, int halfEdge)
+	{
+		if (comingNum < few)
+			coming[comingNum] = {other, halfEdge};
+		else
+			all.push_back({other, false, halfEdge});
+		++comingNum;
+	}
+	void gatherAll()
+	{
+		for (int i = 0; i < std::min(leavingNum, few); ++i)
+			all.push_back({leaving[i].other, true, leaving[i].halfEdge});
+		for (int i = 0; i < std::min(comingNum, few); ++i)
+			all.push_back({coming[i].other, false, coming[i].halfEdge});
+	}
+	/// Appends the half-edges that have no opposite: for few ones, only counted where all have one.
+	void addUnpaired(const Buffer<int>& opposite, std::vector<int>& out) const
+	{
+		for (const Spoke& s : all) {
+			if (opposite[s.halfEdge] < 0) out.push_back(s.halfEdge);
+		}
+		if (!all.empty() || (pairNum == leavingNum && pairNum == comingNum)) return;
+		for (int i = 0; i < leavingNum; ++i) {
+			if (opposite[leaving[i].halfEdge] < 0) out.push_back(leaving[i].halfEdge);
+		}
+		for (int i = 0; i < comingNum; ++i) {
+			if (opposite[coming[i].halfEdge] < 0) out.push_back(coming[i].halfEdge);
+		}
+	}
+	/// Whether an edge leaves, or comes, more than once.
+	bool hasTwins() const
+	{
+		bool twins = false;
+		for (int i = 1; i < leavingNum; ++i) {
+			for (int k = 0; k < i; ++k)
+				twins |= leaving[i].other == leaving[k].other;
+		}
+		for (int i = 1; i < comingNum; ++i) {
+			for (int k = 0; k < i; ++k)
+				twins |= coming[i].other == coming[k].other;
+		}
+		return twins;
+	}
+};
+
+/// pairSpokes for vertices with many neighbours, and for edges of more than two faces.
+bool pairSortedSpokes(std::vector<Spoke>& spokes, Buffer<int>& opposite)
+{
+	std::sort(spokes.begin(), spokes.end(), spokeLess);
+	bool isManifold = true;
+	for (std::size_t i = 0; i < spokes.size();) {
+		std::size_t end = i + 1;
+		while (end < spokes.size() && spokes[end].other == spokes[i].other)
+			++end;
+		const bool isPair = end - i == 2 && spokes[i].leaves != spokes[i + 1].leaves;
+		for (std::size_t k = i; k < end; ++k)
+			opposite[spokes[k].halfEdge] = -1;
+		if (isPair) {
+			opposite[spokes[i].halfEdge]     = spokes[i + 1].halfEdge;
+			opposite[spokes[i + 1].halfEdge] = spokes[i].halfEdge;
+		}
+		else if (end - i > 1) {
+			isManifold = false;
+		}
+		i = end;
+	}
+	return isManifold;
+}
+
+/// Pairs the half-edges whose smaller end is one vertex. False if an edge is not shared by at most
+/// two faces in opposite directions. Three edges a vertex are usual, so every half-edge that leaves
+/// is compared with every one that comes: that beats sorting.
+bool pairSpokes(SpokeFan& fan, Buffer<int>& opposite)
+{
+	if (fan.leavingNum > SpokeFan::few || fan.comingNum > SpokeFan::few) {
+		fan.gatherAll();
+		return pairSortedSpokes(fan.all, opposite);
+	}
+	bool isManifold = !fan.hasTwins();
+	for (int i = 0; isManifold && i < fan.leavingNum; ++i)
+		opposite[fan.leaving[i].halfEdge] = -1;
+	for (int k = 0; isManifold && k < fan.comingNum; ++k) {
+		const SpokeFan::End coming  = fan.coming[k];
+		int                 partner = -1;
+		for (int i = 0; i < fan.leavingNum; ++i)
+			partner = fan.leaving[i].other == coming.other ? fan.leaving[i].halfEdge : partner;
+		opposite[coming.halfEdge] = partner;
+		if (partner < 0) continue;
+		opposite[partner] = coming.halfEdge;
+		++fan.pairNum;
+	}
+	if (isManifold) return true;
+	fan.gatherAll();
+	return pairSortedSpokes(fan.all, opposite);
+}
+
+void lowerTo(int& place, int value)
+{
+	int seen = __atomic_load_n(&place, __ATOMIC_RELAXED);
+	while ((seen < 0 || value < seen) &&
+		   !__atomic_compare_exchange_n(&place, &seen, value, true, __ATOMIC_RELAXED,
+										__ATOMIC_RELAXED)) {}
+}
+
+/// Pairs the half-edges at their smaller ends, and finds one that leaves each vertex, in one pass:
+/// a border half-edge where there is one; else one of the first of the vertex' own faces, or, for
+/// vertices that are no face's smallest, the smallest of all.
+class HalfEdgePairing {
+public:
+	HalfEdgePairing(const IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers,
+					HalfEdgeMesh& m) :
+			mesh_(mesh),
+			faceStart_(faceStart), workers_(workers), m_(m)
+	{
+	}
+
+	/// Fills m.opposite; and m.outgoing, if all is manifold, which is returned.
+	bool run()
+	{
+		sortIntoBuckets(
+			mesh_.faceNum, mesh_.vertexNum,
+			[&](std::size_t f) {
+				return std::min(mesh_.triangle[3 * f + 1], mesh_.triangle[3 * f + 2]);
+			},
+			workers_, thirdStart_, third_);
+		m_.opposite.reset(std::size_t(3) * mesh_.faceNum);
+		leaveByOwnFaces();
+
+		std::atomic<bool>      isManifold{true};
+		const std::vector<int> border = workers_.collect<int>(
+			mesh_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				SpokeFan fan;
+				for (int v = int(begin); v < int(end); ++v) {
+					gather(v, fan);
+					if (!pairSpokes(fan, m_.opposite)) isManifold = false;
+					fan.addUnpaired(m_.opposite, out);
+				}
+			});
+		for (int h : border)
+			m_.outgoing[mesh_.triangle[h]] = h;
+		return isManifold;
+	}
+
+private:
+	const IndexedMesh& mesh_;
+	const Buffer<int>& faceStart_; ///< of the faces that a vertex is the first corner of: its own
+	Workers&           workers_;
+	HalfEdgeMesh&      m_;
+	Buffer<int>        thirdStart_, third_; ///< faces by the smaller end of their second half-edge
+
+	bool hasOwnFaces(int v) const { return faceStart_[v] < faceStart_[v + 1]; }
+
+	void leaveByOwnFaces()
+	{
+		m_.outgoing.reset(mesh_.vertexNum);
+		workers_.forRange(mesh_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (int v = int(begin); v < int(end); ++v)
+				m_.outgoing[v] = hasOwnFaces(v) ? 3 * faceStart_[v] : -1;
+		});
+	}
+
+	/// For a vertex without faces of its own, which several threads may come across.
+	void leaveByOther(int v, int h)
+	{
+		if (!hasOwnFaces(v)) lowerTo(m_.outgoing[v], h);
+	}
+
+	/// Of each face two half-edges have the first corner as their smaller end, and are found
+	/// through faceStart; only the third one is bucketed.
+	void gather(int v, SpokeFan& fan)
+	{
+		fan.clear();
+		for (int f = faceStart_[v]; f < faceStart_[v + 1]; ++f) {
+			const int a = mesh_.triangle[3 * f + 1], b = mesh_.triangle[3 * f + 2];
+			fan.addLeaving(a, 3 * f);
+			fan.addComing(b, 3 * f + 2);
+			leaveByOther(a, 3 * f + 1);
+			leaveByOther(b, 3 * f + 2);
+		}
+		for (int i = thirdStart_[v]; i < thirdStart_[v + 1]; ++i) {
+			const int h = 3 * third_[i] + 1;
+			const int a = mesh_.triangle[h], b = mesh_.triangle[h + 1];
+			if (a == v)
+				fan.addLeaving(b, h);
+			else
+				fan.addComing(a, h);
+		}
+	}
+};
+
+/// What the faces seen on one turn round a vertex tell of the surface there.
+class Turn {
+public:
+	/// The face with these edges from the vertex, next to the one before.
+	void add(const Vec3f& a, const Vec3f& b)
+	{
+		const Vec3f     normal = cross(a, b);
+		const Face      face   = {normal, length(normal)};
+		const float     longer = std::max(squaredLength(a), squaredLength(b));
+		constexpr float narrow = 2 * roughWidth; // the third edge may be twice as long
+		isRough_ |= face.area * face.area <= narrow * narrow * longer;
+		isRough_ |= meetSharply(last_, face);
+		sum_ += face.cross;
+		area_ += face.area;
+		if (cornerNum_++ == 0) first_ = face;
+		last_ = face;
+	}
+
+	int  cornerNum() const { return cornerNum_; }
+	bool isPointed() const { return length(sum_) < pointedSpread * area_; }
+	/// At a border too the last face is compared with the first: a mark too many does no harm.
+	bool isRough() const { return isRough_ || meetSharply(last_, first_); }
+
+	PackedNormal normal() const
+	{
+		PackedNormal packed(normalized(sum_));
+		if (isPointed()) packed.markPointed();
+		if (isRough()) packed.markRough();
+		return packed;
+	}
+
+private:
+	struct Face {
+		Vec3f cross;
+		float area = 0; ///< twice
+	};
+	Face  first_, last_;
+	Vec3f sum_;
+	float area_      = 0;
+	int   cornerNum_ = 0;
+	bool  isRough_   = false;
+
+	static bool meetSharply(const Face& a, const Face& b)
+	{
+		constexpr float cosine = 0.8660254f; // of roughDeg
+		static_assert(roughDeg == 30);
+		return dot(a.cross, b.cross) < cosine * a.area * b.area;
+	}
+};
+
+/// Vertex normals by turning round every vertex, which also counts the corners seen: they are all
+/// corners exactly if every vertex has a single fan. Vertices are marked on the way: to turn round
+/// all of them once more, or to visit all faces, would cost as much as this.
+bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& normal)
+{
+	normal.reset(m.vertexNum);
+	const std::int64_t seen = workers.sum<std::int64_t>(m.vertexNum, [&](std::size_t begin,
+																		 std::size_t end) {
+		std::int64_t corners = 0;
+		for (int v = int(begin); v < int(end); ++v) {
+			Turn turn;
+			forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) { turn.add(a, b); });
+			corners += turn.cornerNum();
+			normal[v] = turn.normal();
+		}
+		return corners;
+	});
+	return seen == std::int64_t(m.halfEdgeNum());
+}
+
+/// Vertices with more than one fan. An edge that is not shared by two faces in opposite directions
+/// was left without opposites, so that at its ends fans end that do not end there.
+Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposite, Workers& workers)
+{
+	// Where to begin turning: at the border's half-edge if there is one, else anywhere; where there
+	// are several fans it does not matter either.
+	const std::size_t halfEdgeNum = std::size_t(3) * mesh.faceNum;
+	Buffer<int>       outgoing(mesh.vertexNum, -1), fanNum(mesh.vertexNum, 0);
+	Buffer<int>       cornerNum(mesh.vertexNum, 0);
+	workers.forRange(halfEdgeNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t h = begin; h < end; ++h) {
+			const int v = mesh.triangle[h];
+			__atomic_fetch_add(&cornerNum[v], 1, __ATOMIC_RELAXED);
+			__atomic_store_n(&outgoing[v], int(h), __ATOMIC_RELAXED);
+		}
+	});
+	workers.forRange(halfEdgeNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t h = begin; h < end; ++h) {
+			if (opposite[h] >= 0) continue;
+			const int v = mesh.triangle[h];
+			__atomic_fetch_add(&fanNum[v], 1, __ATOMIC_RELAXED);
+			__atomic_store_n(&outgoing[v], int(h), __ATOMIC_RELAXED);
+		}
+	});
+	Buffer<char> bad(mesh.vertexNum, 0);
+	workers.forRange(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			if (outgoing[v] < 0) continue;
+			int seen = 0, h = outgoing[v];
+			do {
+				++seen;
+				h = opposite[prevInFace(h)];
+			} while (h >= 0 && h != outgoing[v]);
+			bad[v] = fanNum[v] > 1 || seen != cornerNum[v];
+		}
+	});
+	return bad;
+}
+
+} // namespace
+
+bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface,
+			 Buffer<char>* notManifold)
+{
+	HalfEdgeMesh& m = surface.mesh;
+	if (!HalfEdgePairing(mesh, faceStart, workers, m).run()) {
+		if (notManifold != nullptr) *notManifold = findNotManifold(mesh, m.opposite, workers);
+		return false;
+	}
+	m.vertexNum = mesh.vertexNum;
+	m.faceNum   = mesh.faceNum;
+	m.position.swap(mesh.position);
+	m.origin.swap(mesh.triangle);
+	if (!fillNormals(m, workers, surface.normal)) {
+		m.position.swap(mesh.position);
+		m.origin.swap(mesh.triangle);
+		if (notManifold != nullptr) *notManifold = findNotManifold(mesh, m.opposite, workers);
+		return false;
+	}
+	surface.sourceFace.swap(mesh.sourceFace);
+	surface.frame = mesh.frame;
+	return true;
+}
+
+IndexedMesh disconnect(Surface& surface)
+{
+	IndexedMesh mesh;
+	mesh.frame      = surface.frame;
+	mesh.vertexNum  = surface.mesh.vertexNum;
+	mesh.faceNum    = surface.mesh.faceNum;
+	mesh.position   = std::move(surface.mesh.position);
+	mesh.triangle   = std::move(surface.mesh.origin);
+	mesh.sourceFace = std::move(surface.sourceFace);
+	surface         = Surface();
+	surface.frame   = mesh.frame;
+	return mesh;
+}
+
+} // namespace gpr

@@ -1,0 +1,438 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "crossing_faces.h"
+
+#include "mesh_edit.h"
+#include "sectors.h"
+#include "spatial_order.h"
+
+#include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/base/counting_sort.h>
+#include <vcg_extras/core/base/sort_unique.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace gpr {
+
+namespace {
+
+/// Boxes below one node of the tree.
+constexpr int fanOut = 4;
+/// Level whose nodes look for each other; 16 faces then share one way through the tree.
+constexpr int groupLevel = 2;
+constexpr int groupSize  = fanOut * fanOut;
+
+/// Six times the signed volume of a tetrahedron.
+double volume(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d)
+{
+	const Vec3d o(a);
+	return dot(cross(Vec3d(b) - o, Vec3d(c) - o), Vec3d(d) - o);
+}
+
+/// Whether the segment p q passes through the inside of the triangle a b c.
+bool passesThrough(const Vec3f& p, const Vec3f& q, const Vec3f* t)
+{
+	const double below = volume(t[0], t[1], t[2], p), above = volume(t[0], t[1], t[2], q);
+	if (!(below * above < 0)) return false;
+	const double u = volume(p, q, t[0], t[1]), v = volume(p, q, t[1], t[2]);
+	const double w = volume(p, q, t[2], t[0]);
+	return (u > 0 && v > 0 && w > 0) || (u < 0 && v < 0 && w < 0);
+}
+
+/// Whether all of t lies beyond an edge of s, seen along the normal of s: neighbours on a nearly
+/// flat surface, that is most of all pairs, are told apart so. In float, with a margin for
+/// rounding.
+bool liesBeyondAnEdge(const Vec3f* t, const Vec3f* s)
+{
+	constexpr float margin = 1e-5f;
+	const Vec3f     normal = cross(s[1] - s[0], s[2] - s[0]);
+	for (int k = 0; k < 3; ++k) {
+		const Vec3f edge    = s[(k + 1) % 3] - s[k];
+		const Vec3f outward = cross(edge, normal);
+		const Vec3f a = t[0] - s[k], b = t[1] - s[k], c = t[2] - s[k];
+		const float far =
+			squaredLength(edge) + squaredLength(a) + squaredLength(b) + squaredLength(c);
+		const float least = margin * std::sqrt(squaredLength(outward) * far);
+		if (dot(a, outward) > least && dot(b, outward) > least && dot(c, outward) > least)
+			return true;
+	}
+	return false;
+}
+
+/// The face's corners, from the k-th on.
+void cornersOf(const HalfEdgeMesh& m, int f, int k, Vec3f* corner)
+{
+	for (int i = 0; i < 3; ++i)
+		corner[i] = m.position[m.origin[3 * f + (k + i) % 3]];
+}
+
+bool crossBeyondVertex(const HalfEdgeMesh& m, int f, int k, int g, int l)
+{
+	Vec3f a[3], b[3];
+	cornersOf(m, f, k, a);
+	cornersOf(m, g, l, b);
+	return passesThrough(a[1], a[2], b) || passesThrough(b[1], b[2], a);
+}
+
+/// Whether the plane of t has all of s on one side.
+bool onOneSide(const Vec3f* s, const Vec3f* t)
+{
+	const double a = volume(t[0], t[1], t[2], s[0]), b = volume(t[0], t[1], t[2], s[1]);
+	const double c = volume(t[0], t[1], t[2], s[2]);
+	return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+bool crossApart(const HalfEdgeMesh& m, int f, int g)
+{
+	Vec3f a[3], b[3];
+	cornersOf(m, f, 0, a);
+	cornersOf(m, g, 0, b);
+	if (liesBeyondAnEdge(a, b) || liesBeyondAnEdge(b, a)) return false;
+	if (onOneSide(a, b) || onOneSide(b, a)) return false;
+	for (int k = 0; k < 3; ++k) {
+		if (passesThrough(a[k], a[(k + 1) % 3], b)) return true;
+		if (passesThrough(b[k], b[(k + 1) % 3], a)) return true;
+	}
+	return false;
+}
+
+/// What two faces share: how many corners, and the last of them by its place in either.
+struct SharedCorners {
+	int num = 0, ofF = 0, ofG = 0;
+};
+
+SharedCorners sharedCorners(const HalfEdgeMesh& m, int f, int g)
+{
+	SharedCorners shared;
+	for (int k = 0; k < 3; ++k) {
+		for (int l = 0; l < 3; ++l) {
+			if (m.origin[3 * f + k] == m.origin[3 * g + l]) shared = {shared.num + 1, k, l};
+		}
+	}
+	return shared;
+}
+
+/// Of faces that share less than an edge.
+bool facesCross(const HalfEdgeMesh& m, int f, int g, const SharedCorners& shared)
+{
+	return shared.num == 1 ? crossBeyondVertex(m, f, shared.ofF, g, shared.ofG)
+						   : crossApart(m, f, g);
+}
+
+Box<float> boxOf(const HalfEdgeMesh& m, int f)
+{
+	Box<float> box;
+	for (int h = 3 * f; h < 3 * f + 3; ++h)
+		box.add(m.position[m.origin[h]]);
+	return box;
+}
+
+class CrossingSearch {
+public:
+	/// wanted: per face, whether its crossings are looked for; empty: all faces'.
+	CrossingSearch(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers) :
+			m_(mesh), wanted_(wanted), workers_(workers)
+	{
+		orderFaces();
+		buildTree();
+	}
+
+	std::vector<int> run()
+	{
+		findFlatStars();
+		const std::size_t groupNum = (face_.size() + groupSize - 1) / groupSize;
+		std::vector<int>  found =
+			workers_.collect<int>(groupNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				std::vector<Node> stack;
+				for (std::size_t i = begin; i < end; ++i) {
+					if (isGroupWanted(int(i))) searchGroup(int(i), stack, out);
+				}
+			});
+		sortUnique(found);
+		return found;
+	}
+
+private:
+	struct Node {
+		int level, index;
+	};
+
+	const HalfEdgeMesh&             m_;
+	const std::vector<char>&        wanted_;
+	Workers&                        workers_;
+	Buffer<char>                    isFlat_; ///< per vertex
+	Buffer<int>                     face_;   ///< in an order in which neighbours lie close together
+	std::vector<Buffer<Box<float>>> level_;  ///< of the tree: level 0 has a box for each of face_
+
+	Box<float> boxOf(int f) const { return gpr::boxOf(m_, f); }
+
+	void orderFaces()
+	{
+		const Box<float> all =
+			workers_.sum<Box<float>>(m_.faceNum, [&](std::size_t begin, std::size_t end) {
+				Box<float> part;
+				for (std::size_t f = begin; f < end; ++f)
+					part += boxOf(int(f));
+				return part;
+			});
+		const Vec3f size = all.high - all.low;
+		MortonGrid  grid;
+		grid.low                   = all.low;
+		grid.cubeSize              = std::max(size.x, std::max(size.y, size.z)) + 1e-30f;
+		const Buffer<char> isNear  = wanted_.empty() ? Buffer<char>() : findNearWanted(grid);
+		const auto         nearNum = isNear.empty() ? std::ptrdiff_t(m_.faceNum)
+													: std::count(isNear.begin(), isNear.end(), 1);
+		// No more cells than about twice the faces; a surface fills the fewest of them.
+		const int level = std::min(7, std::max(1, int(std::log2(double(nearNum) + 1) / 3 + 0.34)));
+		Buffer<int> start;
+		const auto  cellOf = [&](std::size_t f) {
+            const bool counts = isNear.empty() || isNear[f];
+            return counts ? int(grid.cell(m_.position[m_.origin[3 * f]], level)) : -1;
+		};
+		sortIntoBuckets(m_.faceNum, std::size_t(1) << 3 * level, cellOf, workers_, start, face_);
+	}
+
+	/// Where few faces are wanted, only those count that share a cell of a coarse grid with one of
+	/// them.
+	Buffer<char> findNearWanted(const MortonGrid& grid) const
+	{
+		constexpr int     cells = 64; // along each axis: small enough to stay in the cache
+		std::vector<char> isMarked(cells * cells * cells, 0);
+		const float       scale  = cells / grid.cubeSize;
+		const auto        number = [&](float c) {
+            return std::min(cells - 1, std::max(0, int(c * scale)));
+		};
+		/// visit(cell) for the cells of a box, until it returns true.
+		const auto anyCell = [&](const Box<float>& box, const auto& visit) {
+			const Vec3f low = box.low - grid.low, high = box.high - grid.low;
+			for (int x = number(low.x); x <= number(high.x); ++x) {
+				for (int y = number(low.y); y <= number(high.y); ++y) {
+					for (int z = number(low.z); z <= number(high.z); ++z) {
+						if (visit((x * cells + y) * cells + z)) return true;
+					}
+				}
+			}
+			return false;
+		};
+		for (int f = 0; f < m_.faceNum; ++f) {
+			if (!wanted_[f]) continue;
+			anyCell(boxOf(f), [&](int cell) {
+				isMarked[cell] = 1;
+				return false;
+			});
+		}
+		Buffer<char> isNear(m_.faceNum);
+		workers_.forRange(m_.faceNum, [&](std::size_t begin, std::size_t end) {
+			for (int f = int(begin); f < int(end); ++f)
+				isNear[f] = anyCell(boxOf(f), [&](int cell) { return isMarked[cell] != 0; });
+		});
+		return isNear;
+	}
+
+	void buildTree()
+	{
+		level_.emplace_back(face_.size());
+		workers_.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i)
+				level_[0][i] = boxOf(face_[i]);
+		});
+		while (level_.size() <= groupLevel || level_.back().size() > fanOut)
+			addLevel();
+	}
+
+	void addLevel()
+	{
+		const Buffer<Box<float>>& below = level_.back();
+		Buffer<Box<float>>        here((below.size() + fanOut - 1) / fanOut);
+		workers_.forRange(here.size(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i) {
+				Box<float>        box;
+				const std::size_t last = std::min(below.size(), (i + 1) * fanOut);
+				for (std::size_t k = i * fanOut; k < last; ++k)
+					box += below[k];
+				here[i] = box;
+			}
+		});
+		level_.push_back(std::move(here));
+	}
+
+	/// Faces round a vertex whose normals lie within 37° of their mean, and that go round it once,
+	/// are seen side by side along that normal: they cannot cross.
+	bool isFlatStar(int v) const { return !m_.isCreaseVertex(v) && isFlat(m_, v) && turnsOnce(v); }
+
+	/// Of all vertices at once where all faces are compared.
+	void findFlatStars()
+	{
+		if (!wanted_.empty()) return;
+		isFlat_.reset(m_.vertexNum);
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (int v = int(begin); v < int(end); ++v)
+				isFlat_[v] = isFlatStar(v);
+		});
+	}
+
+	/// The ring of a flat star crosses a plane through the normal upwards once a turn.
+	bool turnsOnce(int v) const
+	{
+		const Vec3f p     = m_.position[v];
+		const Vec3f first = m_.position[m_.target(m_.outgoing[v])] - p;
+		Vec3f       normal;
+		forEachOutgoing(m_, v, [&](int h) { normal += m_.faceCross(h / 3); });
+		const Vec3f side    = cross(normal, first);
+		int         upwards = 0;
+		forEachOutgoing(m_, v, [&](int h) {
+			const float here = h == m_.outgoing[v] ? 0 : dot(m_.position[m_.target(h)] - p, side);
+			const float then = m_.apex(h) == m_.target(m_.outgoing[v])
+								   ? 0
+								   : dot(m_.position[m_.apex(h)] - p, side);
+			upwards += here <= 0 && then > 0;
+		});
+		return upwards <= 1;
+	}
+
+	bool isWanted(int f) const { return wanted_.empty() || wanted_[f]; }
+
+	bool isGroupWanted(int group) const
+	{
+		if (wanted_.empty()) return true;
+		const int end = std::min(int(face_.size()), (group + 1) * groupSize);
+		for (int i = group * groupSize; i < end; ++i) {
+			if (wanted_[face_[i]]) return true;
+		}
+		return false;
+	}
+
+	/// Compares the wanted faces of a group with each other and with those of other groups.
+	void searchGroup(int group, std::vector<Node>& stack, std::vector<int>& out) const
+	{
+		const Box<float>& box = level_[groupLevel][group];
+		const int         top = int(level_.size()) - 1;
+		for (int k = 0; k < int(level_[top].size()); ++k)
+			stack.push_back({top, k});
+		while (!stack.empty()) {
+			const Node n = stack.back();
+			stack.pop_back();
+			// A group that is not wanted does not search itself, so that it is looked for here even
+			// if it lies before.
+			const bool isBehind = !wanted_.empty() || lastGroupBelow(n) >= group;
+			if (!isBehind || !level_[n.level][n.index].meets(box)) continue;
+			if (n.level == groupLevel) {
+				compareGroups(group, n.index, out);
+				continue;
+			}
+			const int end = std::min(int(level_[n.level - 1].size()), (n.index + 1) * fanOut);
+			for (int k = n.index * fanOut; k < end; ++k)
+				stack.push_back({n.level - 1, k});
+		}
+	}
+
+	static int lastGroupBelow(const Node& n)
+	{
+		std::int64_t end = n.index + 1;
+		for (int level = groupLevel; level < n.level; ++level)
+			end *= fanOut;
+		return int(end) - 1;
+	}
+
+	void compareGroups(int group, int other, std::vector<int>& out) const
+	{
+		const int        endI = std::min(int(face_.size()), (group + 1) * groupSize);
+		const int        endK = std::min(int(face_.size()), (other + 1) * groupSize);
+		const Box<float> box  = level_[groupLevel][other];
+		for (int i = group * groupSize; i < endI; ++i) {
+			const Box<float> own = level_[0][i];
+			if (!own.meets(box)) continue;
+			if (!isWanted(face_[i])) continue;
+			// Of two faces that are wanted the first finds the second.
+			for (int k = wanted_.empty() ? std::max(i + 1, other * groupSize) : other * groupSize;
+				 k < endK; ++k) {
+				if (!level_[0][k].meets(own) || k == i) continue;
+				if (k > i || !isWanted(face_[k])) compare(face_[i], face_[k], out);
+			}
+		}
+	}
+
+	void compare(int f, int g, std::vector<int>& out) const
+	{
+		const SharedCorners shared = sharedCorners(m_, f, g);
+		if (shared.num > 1) return;
+		const int joint = m_.origin[3 * f + shared.ofF];
+		if (shared.num == 1 && (isFlat_.empty() ? isFlatStar(joint) : isFlat_[joint] != 0)) return;
+		if (!facesCross(m_, f, g, shared)) return;
+		out.push_back(f);
+		out.push_back(g);
+	}
+};
+
+} // namespace
+
+std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, Workers& workers)
+{
+	return CrossingSearch(mesh, {}, workers).run();
+}
+
+std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
+								   Workers& workers)
+{
+	return CrossingSearch(mesh, wanted, workers).run();
+}
+
+std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<int>& wanted,
+								   Workers& workers)
+{
+	std::vector<char> mark(mesh.faceNum, 0);
+	for (int f : wanted)
+		mark[f] = 1;
+	return findCrossingFaces(mesh, mark, workers);
+}
+
+std::vector<int> facesNear(const HalfEdgeMesh& m, const std::vector<int>& faces, float margin,
+						   Workers& workers)
+{
+	Box<float> all;
+	for (int f : faces) {
+		if (!isDeadFace(m, f)) all += boxOf(m, f);
+	}
+	const Vec3f reach{margin, margin, margin};
+	all.low = all.low - reach;
+	all.high += reach;
+	return workers.collect<int>(m.faceNum,
+								[&](std::size_t begin, std::size_t end, std::vector<int>& near) {
+									for (int g = int(begin); g < int(end); ++g) {
+										if (!isDeadFace(m, g) && boxOf(m, g).meets(all))
+											near.push_back(g);
+									}
+								});
+}
+
+int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
+					   const std::vector<int>& near)
+{
+	std::vector<int> others;
+	std::set_union(faces.begin(), faces.end(), near.begin(), near.end(),
+				   std::back_inserter(others));
+	Box<float> all;
+	for (int f : faces) {
+		if (!isDeadFace(m, f)) all += boxOf(m, f);
+	}
+	int num = 0;
+	for (int g : others) {
+		if (isDeadFace(m, g) || !boxOf(m, g).meets(all)) continue;
+		const bool isOneOfThem = std::binary_search(faces.begin(), faces.end(), g);
+		for (int f : faces) {
+			if (isDeadFace(m, f) || (isOneOfThem && f >= g)) continue;
+			const SharedCorners shared = sharedCorners(m, f, g);
+			num += shared.num < 2 && facesCross(m, f, g, shared);
+		}
+	}
+	return num;
+}
+
+int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces, Workers& workers)
+{
+	return countCrossingPairs(m, faces, facesNear(m, faces, 0, workers));
+}
+
+} // namespace gpr

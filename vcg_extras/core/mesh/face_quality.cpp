@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "face_quality.h"
+
+#include "mesh_edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace gpr {
+
+namespace {
+
+/// Shortest over longest edge of a triangle with the smallest angle α are sin α / sin γ, γ being
+/// the largest angle, between 90° - α/2 and 180° - 2α: at most the larger of these. A little more,
+/// for rounding.
+float largestEdgeRatio(float angle)
+{
+	return 1.001f * std::max(0.5f / std::cos(angle), 2 * std::sin(0.5f * angle));
+}
+
+class PoorFaceTest {
+public:
+	PoorFaceTest(const HalfEdgeMesh& mesh, float angle) : m_(mesh), angle_(angle)
+	{
+		const float ratio = largestEdgeRatio(angle);
+		squaredRatio_     = ratio * ratio;
+	}
+
+	bool operator()(int f) const
+	{
+		if (isDeadFace(m_, f)) return false;
+		const Vec3f a = m_.position[m_.origin[3 * f]], b = m_.position[m_.origin[3 * f + 1]];
+		const Vec3f c  = m_.position[m_.origin[3 * f + 2]];
+		const float ab = squaredLength(b - a), bc = squaredLength(c - b), ca = squaredLength(a - c);
+		const float shortest = std::min({ab, bc, ca}), longest = std::max({ab, bc, ca});
+		return !(shortest > squaredRatio_ * longest) && smallestAngle(a, b, c) < angle_;
+	}
+
+private:
+	const HalfEdgeMesh& m_;
+	float               angle_;
+	float               squaredRatio_;
+};
+
+} // namespace
+
+float smallestAngle(const HalfEdgeMesh& m, int face)
+{
+	const int* corner = &m.origin[3 * face];
+	return smallestAngle(m.position[corner[0]], m.position[corner[1]], m.position[corner[2]]);
+}
+
+float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float turnCosine)
+{
+	const Vec3f here  = m.position[v];
+	float       worst = 4;
+	forEachOutgoing(m, v, [&](int h) {
+		const Vec3f a = m.position[m.target(h)], b = m.position[m.apex(h)];
+		const Vec3f now = cross(a - here, b - here), then = cross(a - p, b - p);
+		const bool  turns = dot(now, then) <= turnCosine * length(now) * length(then);
+		worst             = std::min(worst, turns ? -1.0f : smallestAngle(p, a, b));
+	});
+	return worst;
+}
+
+std::vector<int> findPoorFaces(const HalfEdgeMesh& m, float angle, Workers& workers)
+{
+	const PoorFaceTest isPoor(m, angle);
+	return workers.collect<int>(m.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+		for (int f = int(begin); f < int(end); ++f) {
+			if (isPoor(f)) out.push_back(f);
+		}
+	});
+}
+
+std::vector<int> poorOnes(const HalfEdgeMesh& m, float angle, const std::vector<int>& faces)
+{
+	const PoorFaceTest isPoor(m, angle);
+	std::vector<int>   poor;
+	std::copy_if(faces.begin(), faces.end(), std::back_inserter(poor), isPoor);
+	return poor;
+}
+
+std::vector<int> sharpestFirst(const HalfEdgeMesh& m, std::vector<int> faces)
+{
+	std::stable_sort(faces.begin(), faces.end(),
+					 [&](int f, int g) { return smallestAngle(m, f) < smallestAngle(m, g); });
+	return faces;
+}
+
+bool flipKeepsShape(const HalfEdgeMesh& m, int h, float leastAngle, float leastCosine)
+{
+	const int   g = m.opposite[h];
+	const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
+	const Vec3f c = m.position[m.apex(h)], d = m.position[m.apex(g)];
+	const Vec3f normal = cross(b - a, c - a) + cross(a - b, d - b);
+	const Vec3f n1 = cross(d - a, c - a), n2 = cross(c - b, d - b);
+	if (dot(n1, normal) <= 0 || dot(n2, normal) <= 0) return false;
+	if (dot(n1, n2) < leastCosine * length(n1) * length(n2)) return false;
+	return std::min(smallestAngle(a, d, c), smallestAngle(b, c, d)) >= leastAngle;
+}
+
+} // namespace gpr

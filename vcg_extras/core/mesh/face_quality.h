@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_MESH_FACE_QUALITY_H
+#define VCG_EXTRAS_CORE_MESH_FACE_QUALITY_H
+
+#include "half_edge_mesh.h"
+
+#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/base/workers.h>
+
+#include <vector>
+
+namespace gpr {
+
+/// Smallest angle of a face in radians; 0 where it has no area.
+float smallestAngle(const HalfEdgeMesh& m, int face);
+
+/// Smallest angle in the ring of v with v at p; below 0 if a face turns so far by the move that the
+/// cosine is turnCosine or less.
+float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float turnCosine);
+
+/// Living faces with a smaller angle than this (radians, at most 60°), ascending. Cost: a few
+/// products a face; the angle itself is only worked out where the edges leave it open.
+std::vector<int> findPoorFaces(const HalfEdgeMesh& mesh, float angle, Workers& workers);
+/// Those of the given faces.
+std::vector<int> poorOnes(const HalfEdgeMesh& mesh, float angle, const std::vector<int>& faces);
+
+/// The faces (living), by their smallest angle.
+std::vector<int> sharpestFirst(const HalfEdgeMesh& mesh, std::vector<int> faces);
+
+/// Whether the faces that flipping h would make are sound: not turned over, no angle below
+/// leastAngle (radians), no dihedral below leastCosine.
+bool flipKeepsShape(const HalfEdgeMesh& m, int h, float leastAngle, float leastCosine);
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "half_edge_mesh.h"
+
+#include <vcg_extras/core/base/sort_unique.h>
+
+#include <algorithm>
+
+namespace gpr {
+
+int HalfEdgeMesh::findHalfEdge(int a, int b) const
+{
+	int found = -1;
+	forEachOutgoing(*this, a, [&](int h) {
+		if (target(h) == b) found = h;
+	});
+	return found;
+}
+
+bool HalfEdgeMesh::areNeighbours(int a, int b) const
+{
+	bool found = false;
+	forEachNeighbour(*this, a, [&](int w) { found = found || w == b; });
+	return found;
+}
+
+int HalfEdgeMesh::valence(int v) const
+{
+	int n = 0;
+	forEachOutgoing(*this, v, [&](int) { ++n; });
+	return n;
+}
+
+int HalfEdgeMesh::creaseNum(int v) const
+{
+	int n = 0;
+	forEachOutgoing(*this, v, [&](int h) { n += isCreaseEdge(h); });
+	return n;
+}
+
+int HalfEdgeMesh::incomingBorder(int v) const
+{
+	int last = -1;
+	forEachOutgoing(*this, v, [&](int h) { last = prevInFace(h); });
+	return last;
+}
+
+std::vector<int> facesRound(const HalfEdgeMesh& m, const std::vector<int>& vertices)
+{
+	std::vector<int> faces;
+	for (int v : vertices)
+		forEachOutgoing(m, v, [&](int h) { faces.push_back(h / 3); });
+	sortUnique(faces);
+	return faces;
+}
+
+std::vector<int> verticesOf(const HalfEdgeMesh& m, const std::vector<int>& faces)
+{
+	std::vector<int> vertices;
+	for (int f : faces)
+		vertices.insert(vertices.end(), &m.origin[3 * f], &m.origin[3 * f] + 3);
+	sortUnique(vertices);
+	return vertices;
+}
+
+} // namespace gpr

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_MESH_INDEXED_MESH_H
+#define VCG_EXTRAS_CORE_MESH_INDEXED_MESH_H
+
+#include <vcg_extras/core/base/buffer.h>
+#include <vcg_extras/core/vec.h>
+
+#include <cstddef>
+
+namespace gpr {
+
+/// Where the engine's float coordinates lie in the caller's frame:
+/// caller = origin + working / scale. The scale is a power of two, so that scaling loses no bit and
+/// the engine sees coordinates of magnitude one whatever the caller's unit.
+struct Frame {
+	Vec3d  origin;
+	double scale = 1;
+
+	Vec3f toWorking(const Vec3d& p) const { return Vec3f((p - origin) * scale); }
+	Vec3d toCaller(const Vec3f& p) const { return origin + Vec3d(p) * (1 / scale); }
+};
+
+/// Vertices and triangles without adjacency: the form of the mesh until it is ordered.
+struct IndexedMesh {
+	Frame         frame;
+	int           vertexNum = 0;
+	int           faceNum   = 0;
+	Buffer<Vec3f> position;   ///< working coordinates; like the others at least this long
+	Buffer<int>   triangle;   ///< 3 a face
+	Buffer<int>   sourceFace; ///< per face: the caller's face it is part of
+
+	Vec3f faceCross(int f) const
+	{
+		const Vec3f a = position[triangle[3 * f]];
+		return cross(position[triangle[3 * f + 1]] - a, position[triangle[3 * f + 2]] - a);
+	}
+};
+
+/// Drops vertices in no face and renames the others, which keep their order.
+void dropUnusedVertices(IndexedMesh& mesh);
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,380 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "measure.h"
+
+#include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/base/sort_unique.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace gpr {
+
+namespace {
+
+constexpr double degrees = 180 / pi;
+
+/// Disjoint sets with path halving that threads may join at once (Anderson and Woll 1991): a root
+/// is only ever put below a smaller one, by compare and swap, and ways are shortened by any value
+/// that lies farther up. Which sets come out does not depend on the order.
+class DisjointSets {
+public:
+	explicit DisjointSets(std::size_t n) : parent_(n)
+	{
+		std::iota(parent_.begin(), parent_.end(), 0);
+	}
+	DisjointSets(std::size_t n, Workers& workers) : parent_(n)
+	{
+		workers.forRange(n, [&](std::size_t begin, std::size_t end) {
+			std::iota(parent_.begin() + begin, parent_.begin() + end, int(begin));
+		});
+	}
+
+	int find(int x)
+	{
+		for (;;) {
+			const int up = load(x);
+			if (up == x) return x;
+			const int farther = load(up);
+			__atomic_store_n(&parent_[x], farther, __ATOMIC_RELAXED);
+			x = farther;
+		}
+	}
+	void unite(int a, int b)
+	{
+		for (;;) {
+			a = find(a);
+			b = find(b);
+			if (a == b) return;
+			if (a < b) std::swap(a, b);
+			int root = a;
+			if (__atomic_compare_exchange_n(&parent_[a], &root, b, false, __ATOMIC_RELAXED,
+											__ATOMIC_RELAXED))
+				return;
+		}
+	}
+	bool isRoot(int x) const { return parent_[x] == x; }
+
+private:
+	Buffer<int> parent_;
+
+	int load(int x) const { return __atomic_load_n(&parent_[x], __ATOMIC_RELAXED); }
+};
+
+struct EdgeUse {
+	int low, high, face;
+
+	bool operator<(const EdgeUse& o) const
+	{
+		if (low != o.low) return low < o.low;
+		return high != o.high ? high < o.high : face < o.face;
+	}
+};
+
+std::vector<EdgeUse> sortedEdges(const MeshView& mesh)
+{
+	std::vector<EdgeUse> edges;
+	edges.reserve(3 * mesh.faceNum);
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		const auto t = mesh.triangle(f);
+		for (int k = 0; k < 3; ++k) {
+			const int a = t[k], b = t[(k + 1) % 3];
+			edges.push_back({std::min(a, b), std::max(a, b), int(f)});
+		}
+	}
+	std::sort(edges.begin(), edges.end());
+	return edges;
+}
+
+/// Fills components, boundaryLoops and eulerCharacteristic.
+void measureTopology(const MeshView& mesh, MeshFigures& figures)
+{
+	const std::vector<EdgeUse> edges = sortedEdges(mesh);
+	DisjointSets               faces(mesh.faceNum), rim(mesh.vertexNum);
+	std::vector<char>          used(mesh.vertexNum, 0), onRim(mesh.vertexNum, 0);
+	std::int64_t               edgeNum = 0;
+	for (std::size_t i = 0; i < edges.size();) {
+		std::size_t end = i + 1;
+		while (end < edges.size() && edges[end].low == edges[i].low &&
+			   edges[end].high == edges[i].high) {
+			faces.unite(edges[i].face, edges[end].face);
+			++end;
+		}
+		++edgeNum;
+		used[edges[i].low] = used[edges[i].high] = 1;
+		if (end - i == 1) {
+			rim.unite(edges[i].low, edges[i].high);
+			onRim[edges[i].low] = onRim[edges[i].high] = 1;
+		}
+		i = end;
+	}
+	for (std::size_t f = 0; f < mesh.faceNum; ++f)
+		figures.components += faces.isRoot(int(f));
+	std::int64_t usedNum = 0;
+	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
+		usedNum += used[v];
+		figures.boundaryLoops += onRim[v] && rim.isRoot(int(v));
+	}
+	figures.eulerCharacteristic = usedNum - edgeNum + std::int64_t(mesh.faceNum);
+}
+
+void addIfFinite(const Vec3d& p, Box<double>& box)
+{
+	if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) box.add(p);
+}
+
+/// 2 inradius / circumradius of a triangle with these edges and this area, two times:
+/// inradius = doubled / (a + b + c), circumradius = a b c / (2 doubled).
+double ratioOfRadii(double a, double b, double c, double doubled)
+{
+	return 4 * doubled * doubled / ((a + b + c) * a * b * c);
+}
+
+/// Sums and extremes of the shapes of some faces.
+struct ShapeSums {
+	double       radiusRatio = 0, radiusRatioMin = 1;
+	double       aspectRatio = 0, aspectRatioMin = 1;
+	double       minAngle = 0, minAngleMin = 4, maxAngle = 0;
+	double       edgeLen = 0;
+	std::int64_t below30 = 0;
+
+	ShapeSums& operator+=(const ShapeSums& o)
+	{
+		radiusRatio += o.radiusRatio;
+		radiusRatioMin = std::min(radiusRatioMin, o.radiusRatioMin);
+		aspectRatio += o.aspectRatio;
+		aspectRatioMin = std::min(aspectRatioMin, o.aspectRatioMin);
+		minAngle += o.minAngle;
+		minAngleMin = std::min(minAngleMin, o.minAngleMin);
+		maxAngle    = std::max(maxAngle, o.maxAngle);
+		edgeLen += o.edgeLen;
+		below30 += o.below30;
+		return *this;
+	}
+
+	void add(const Vec3d& p, const Vec3d& q, const Vec3d& s)
+	{
+		const double a = length(s - q), b = length(s - p), c = length(q - p);
+		const double doubled = length(cross(q - p, s - p)); // two times the area
+		const double longest = std::max({a, b, c});
+		if (std::isfinite(longest)) edgeLen += (a + b + c) / 3;
+		if (!(doubled > 0) || !std::isfinite(doubled)) {
+			radiusRatioMin = aspectRatioMin = minAngleMin = 0;
+			++below30;
+			return;
+		}
+		const double radius = ratioOfRadii(a, b, c, doubled);
+		const double aspect = 2 * std::sqrt(3.0) * doubled / ((a + b + c) * longest);
+		radiusRatio += radius;
+		radiusRatioMin = std::min(radiusRatioMin, radius);
+		aspectRatio += aspect;
+		aspectRatioMin         = std::min(aspectRatioMin, aspect);
+		const double angles[3] = {std::atan2(doubled, dot(q - p, s - p)),
+								  std::atan2(doubled, dot(p - q, s - q)),
+								  std::atan2(doubled, dot(p - s, q - s))};
+		const double smallest  = std::min({angles[0], angles[1], angles[2]});
+		minAngle += smallest;
+		minAngleMin = std::min(minAngleMin, smallest);
+		maxAngle    = std::max({maxAngle, angles[0], angles[1], angles[2]});
+		below30 += smallest * degrees < 30;
+	}
+};
+
+/// Share of vertices with six faces among those not at a border, in percent.
+double valence6Percent(const MeshView& mesh)
+{
+	// At an inner vertex every neighbour is named twice by the ring's outer edges, once as start
+	// and once as end: signed sums over the ring cancel exactly there, and at a border almost
+	// surely not.
+	std::vector<int>           faces(mesh.vertexNum, 0);
+	std::vector<std::uint64_t> balance(mesh.vertexNum, 0);
+	const auto hash = [](std::int32_t v) { return (std::uint64_t(v) + 1) * 0x9e3779b97f4a7c15ull; };
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		const auto t = mesh.triangle(f);
+		for (int k = 0; k < 3; ++k) {
+			++faces[t[k]];
+			balance[t[k]] += hash(t[(k + 1) % 3]) - hash(t[(k + 2) % 3]);
+		}
+	}
+	std::int64_t inner = 0, six = 0;
+	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
+		if (faces[v] == 0 || balance[v] != 0) continue;
+		++inner;
+		six += faces[v] == 6;
+	}
+	return inner > 0 ? 100.0 * double(six) / double(inner) : 0;
+}
+
+} // namespace
+
+MeshFigures measureMesh(const MeshView& mesh)
+{
+	MeshFigures figures;
+	figures.vertices = std::int64_t(mesh.vertexNum);
+	figures.faces    = std::int64_t(mesh.faceNum);
+	measureTopology(mesh, figures);
+	Box<double> box;
+	for (std::size_t i = 0; i < 3 * mesh.faceNum; ++i)
+		addIfFinite(mesh.position(mesh.vertexOf(i)), box);
+	figures.diagonal = box.diagonal();
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		const auto   t    = mesh.triangle(f);
+		const Vec3d  a    = mesh.position(t[0]);
+		const double area = 0.5 * length(cross(mesh.position(t[1]) - a, mesh.position(t[2]) - a));
+		if (std::isfinite(area)) figures.area += area;
+	}
+	return figures;
+}
+
+std::vector<float> radiusRatios(const MeshView& mesh, Workers& workers)
+{
+	std::vector<float> ratios(mesh.faceNum, 0);
+	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const auto   t = mesh.triangle(f);
+			const Vec3d  p = mesh.position(t[0]), q = mesh.position(t[1]), s = mesh.position(t[2]);
+			const double doubled = length(cross(q - p, s - p));
+			const double ratio = ratioOfRadii(length(s - q), length(s - p), length(q - p), doubled);
+			if (doubled > 0 && std::isfinite(ratio)) ratios[f] = float(ratio);
+		}
+	});
+	return ratios;
+}
+
+QualityFigures measureQuality(const MeshView& mesh, int threads)
+{
+	Workers workers(threads, nullptr);
+	return measureQuality(mesh, workers);
+}
+
+QualityFigures measureQuality(const MeshView& mesh, Workers& workers)
+{
+	QualityFigures q;
+	if (mesh.faceNum == 0) return q;
+	const ShapeSums sums =
+		workers.sum<ShapeSums>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+			ShapeSums part;
+			for (std::size_t f = begin; f < end; ++f) {
+				const auto t = mesh.triangle(f);
+				part.add(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+			}
+			return part;
+		});
+	const double n    = double(mesh.faceNum);
+	q.radiusRatioMean = sums.radiusRatio / n;
+	q.radiusRatioMin  = sums.radiusRatioMin;
+	q.aspectRatioMean = sums.aspectRatio / n;
+	q.aspectRatioMin  = sums.aspectRatioMin;
+	q.minAngleDeg     = sums.minAngleMin * degrees;
+	q.meanMinAngleDeg = sums.minAngle / n * degrees;
+	q.maxAngleDeg     = sums.maxAngle * degrees;
+	q.below30Percent  = 100 * double(sums.below30) / n;
+	q.meanEdgeLen     = sums.edgeLen / n;
+	q.valence6Percent = valence6Percent(mesh);
+	return q;
+}
+
+namespace {
+
+/// What one pass over the faces finds.
+struct FaceFindings {
+	std::vector<int> border; ///< half-edges
+	double           area = 0;
+
+	FaceFindings& operator+=(const FaceFindings& o)
+	{
+		border.insert(border.end(), o.border.begin(), o.border.end());
+		area += o.area;
+		return *this;
+	}
+};
+
+/// Joins the corners of each face.
+FaceFindings readFaces(const HalfEdgeMesh& m, DisjointSets& sets, Workers& workers)
+{
+	return workers.sum<FaceFindings>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		FaceFindings found;
+		for (int f = int(begin); f < int(end); ++f) {
+			const int* v = &m.origin[3 * f];
+			sets.unite(v[0], v[1]);
+			sets.unite(v[0], v[2]);
+			found.area += 0.5 * double(length(m.faceCross(f)));
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				if (m.opposite[h] < 0) found.border.push_back(h);
+			}
+		}
+		return found;
+	});
+}
+
+/// What one pass over the vertices finds.
+struct VertexFindings {
+	std::int64_t roots = 0;
+	Box<double>  box;
+
+	VertexFindings& operator+=(const VertexFindings& o)
+	{
+		roots += o.roots;
+		box += o.box;
+		return *this;
+	}
+};
+
+VertexFindings readVertices(const HalfEdgeMesh& m, const DisjointSets& sets, Workers& workers)
+{
+	return workers.sum<VertexFindings>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		VertexFindings found;
+		for (std::size_t v = begin; v < end; ++v) {
+			found.roots += sets.isRoot(int(v));
+			addIfFinite(Vec3d(m.position[v]), found.box);
+		}
+		return found;
+	});
+}
+
+/// Each vertex of a border is the origin of one border half-edge; of a broken mesh, which the audit
+/// has yet to find out, even that is not taken for granted.
+std::int64_t loopNum(const HalfEdgeMesh& m, const std::vector<int>& border)
+{
+	std::vector<int> vertex;
+	for (int h : border) {
+		vertex.push_back(m.origin[h]);
+		vertex.push_back(m.target(h));
+	}
+	sortUnique(vertex);
+	const auto indexOf = [&](int v) {
+		return int(std::lower_bound(vertex.begin(), vertex.end(), v) - vertex.begin());
+	};
+	DisjointSets rims(vertex.size());
+	for (int h : border)
+		rims.unite(indexOf(m.origin[h]), indexOf(m.target(h)));
+	std::int64_t loops = 0;
+	for (std::size_t i = 0; i < vertex.size(); ++i)
+		loops += rims.isRoot(int(i));
+	return loops;
+}
+
+} // namespace
+
+MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
+{
+	DisjointSets         sets(m.vertexNum, workers);
+	const FaceFindings   faces    = readFaces(m, sets, workers);
+	const VertexFindings vertices = readVertices(m, sets, workers);
+
+	MeshFigures figures;
+	figures.vertices      = m.vertexNum;
+	figures.faces         = m.faceNum;
+	figures.components    = vertices.roots;
+	figures.boundaryLoops = loopNum(m, faces.border);
+	const std::int64_t edges =
+		(std::int64_t(m.halfEdgeNum()) + std::int64_t(faces.border.size())) / 2;
+	figures.eulerCharacteristic = std::int64_t(m.vertexNum) - edges + m.faceNum;
+	figures.area                = unit * unit * faces.area;
+	figures.diagonal            = unit * vertices.box.diagonal();
+	return figures;
+}
+
+} // namespace gpr

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spatial_order.h"
+
+#include <vcg_extras/core/base/box.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// Spreads the lowest 21 bits of x so that two zero bits lie between each two.
+std::uint64_t spreadBits(std::uint64_t x)
+{
+	x &= 0x1fffff;
+	x = (x | x << 32) & 0x1f00000000ffffull;
+	x = (x | x << 16) & 0x1f0000ff0000ffull;
+	x = (x | x << 8) & 0x100f00f00f00f00full;
+	x = (x | x << 4) & 0x10c30c30c30c30c3ull;
+	x = (x | x << 2) & 0x1249249249249249ull;
+	return x;
+}
+
+/// What is sorted and its key in one word: half the memory to move about. Vertices and faces take
+/// 30 bits at most (see load.cpp), as keys of faces too; cells of the deepest level used 33.
+constexpr int indexBits = 30;
+using Keyed             = std::uint64_t;
+
+Keyed keyed(std::uint64_t key, std::size_t index)
+{
+	return key << indexBits | index;
+}
+int indexOf(Keyed item)
+{
+	return int(item & ((Keyed(1) << indexBits) - 1));
+}
+std::uint64_t keyOf(Keyed item)
+{
+	return item >> indexBits;
+}
+
+/// Stable radix sort by the lowest `bits` bits of the keys, in as few passes as digits of 12 bits
+/// allow: with more of them there are more places to write to than caches hold. Stable sorting has
+/// one outcome, so pieces can be sorted by any thread.
+void radixSort(Buffer<Keyed>& items, int bits, Workers& workers)
+{
+	constexpr int       mostDigitBits = 12;
+	const int           passNum       = (bits + mostDigitBits - 1) / mostDigitBits;
+	const int           digitBits     = (bits + passNum - 1) / passNum;
+	const std::size_t   digitNum      = std::size_t(1) << digitBits;
+	const std::size_t   n             = items.size();
+	const std::size_t   pieceNum      = std::min<std::size_t>(64, n / 4096 + 1);
+	const std::size_t   pieceSize     = (n + pieceNum - 1) / pieceNum;
+	Buffer<Keyed>       other(n);
+	Buffer<std::size_t> place(pieceNum * digitNum);
+
+	for (int shift = indexBits; shift < indexBits + bits; shift += digitBits) {
+		const auto digitOf = [&](std::size_t i) { return items[i] >> shift & (digitNum - 1); };
+		workers.forTasks(pieceNum, [&](std::size_t piece, int) {
+			std::size_t* count = &place[piece * digitNum];
+			std::fill(count, count + digitNum, 0);
+			const std::size_t end = std::min(n, (piece + 1) * pieceSize);
+			for (std::size_t i = piece * pieceSize; i < end; ++i)
+				++count[digitOf(i)];
+		});
+		std::size_t total = 0;
+		for (std::size_t digit = 0; digit < digitNum; ++digit) {
+			for (std::size_t piece = 0; piece < pieceNum; ++piece) {
+				std::size_t&      count = place[piece * digitNum + digit];
+				const std::size_t here  = count;
+				count                   = total;
+				total += here;
+			}
+		}
+		workers.forTasks(pieceNum, [&](std::size_t piece, int) {
+			std::size_t*      next = &place[piece * digitNum];
+			const std::size_t end  = std::min(n, (piece + 1) * pieceSize);
+			for (std::size_t i = piece * pieceSize; i < end; ++i)
+				other[next[digitOf(i)]++] = items[i];
+		});
+		items.swap(other);
+	}
+}
+
+MortonGrid gridAround(const IndexedMesh& mesh, Workers& workers)
+{
+	const Box<float> b =
+		workers.sum<Box<float>>(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
+			Box<float> part;
+			for (std::size_t v = begin; v < end; ++v)
+				part.add(mesh.position[v]);
+			return part;
+		});
+	MortonGrid grid;
+	grid.low      = b.low;
+	grid.cubeSize = b.largestSide();
+	// A little wider, so that the highest coordinate still falls into the last cell.
+	grid.cubeSize *= 1.000001f;
+	if (!(grid.cubeSize > 0)) grid.cubeSize = 1;
+	return grid;
+}
+
+/// A surface fills about 4^level cells of a level: this one has about a vertex in each.
+int levelFor(int vertexNum)
+{
+	const int level = int(std::ceil(std::log2(double(vertexNum) + 1) / 2)) + 1;
+	return std::min(level, 11);
+}
+
+/// Puts the vertices in order; returns their new names.
+Buffer<int> orderVertices(IndexedMesh& mesh, const MortonGrid& grid, Workers& workers)
+{
+	const std::size_t n = mesh.vertexNum;
+	Buffer<Keyed>     items(n);
+	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			items[v] = keyed(grid.cell(mesh.position[v], grid.level), v);
+	});
+	radixSort(items, 3 * grid.level, workers);
+
+	Buffer<Vec3f> position(n);
+	Buffer<int>   rename(n);
+	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			const int old = indexOf(items[v]);
+			position[v]   = mesh.position[old];
+			rename[old]   = int(v);
+		}
+	});
+	mesh.position.swap(position);
+	return rename;
+}
+
+/// Which corner of a face is its smallest vertex.
+int smallestCorner(const int* t)
+{
+	if (t[0] < t[1]) return t[0] < t[2] ? 0 : 2;
+	return t[1] < t[2] ? 1 : 2;
+}
+
+/// The faces by their smallest vertex, those of one as they were. Sorting moves whole streams of
+/// them; counters of each vertex, in which all threads meet, take longer.
+Buffer<Keyed> facesBySmallestVertex(const IndexedMesh& mesh, Workers& workers)
+{
+	Buffer<Keyed> items(mesh.faceNum);
+	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const int* t = &mesh.triangle[3 * f];
+			items[f]     = keyed(std::uint64_t(std::min({t[0], t[1], t[2]})), f);
+		}
+	});
+	int bits = 1;
+	while (mesh.vertexNum >> bits > 0)
+		++bits;
+	radixSort(items, bits, workers);
+	return items;
+}
+
+/// Where each key of sorted items begins, and at the end their number.
+void findStarts(const Buffer<Keyed>& items, std::size_t keyNum, Workers& workers,
+				Buffer<int>& start)
+{
+	start.reset(keyNum + 1);
+	workers.forRange(items.size() + 1, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i) {
+			const std::size_t first = i == 0 ? 0 : keyOf(items[i - 1]) + 1;
+			const std::size_t last  = i == items.size() ? keyNum : keyOf(items[i]);
+			for (std::size_t key = first; key <= last; ++key)
+				start[key] = int(i);
+		}
+	});
+}
+
+} // namespace
+
+void orderFaces(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart)
+{
+	const Buffer<Keyed> face = facesBySmallestVertex(mesh, workers);
+	findStarts(face, mesh.vertexNum, workers, faceStart);
+
+	Buffer<int> triangle(std::size_t(3) * mesh.faceNum);
+	Buffer<int> sourceFace(mesh.faceNum);
+	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const int  old   = indexOf(face[f]);
+			const int* from  = &mesh.triangle[std::size_t(3) * old];
+			const int  first = smallestCorner(from);
+			for (int k = 0; k < 3; ++k)
+				triangle[3 * f + k] = from[(first + k) % 3];
+			sourceFace[f] = mesh.sourceFace[old];
+		}
+	});
+	mesh.triangle.swap(triangle);
+	mesh.sourceFace.swap(sourceFace);
+}
+
+std::uint64_t MortonGrid::key(const Vec3f& p) const
+{
+	const float scale = float(1 << deepestLevel) / cubeSize;
+	const auto  cell  = [scale](float offset) {
+        const float c = offset * scale;
+        return std::uint64_t(std::min(std::max(c, 0.0f), float((1 << deepestLevel) - 1)));
+	};
+	return spreadBits(cell(p.x - low.x)) | spreadBits(cell(p.y - low.y)) << 1 |
+		   spreadBits(cell(p.z - low.z)) << 2;
+}
+
+MortonGrid orderSpatially(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart)
+{
+	MortonGrid grid = gridAround(mesh, workers);
+	grid.level      = levelFor(mesh.vertexNum);
+	{
+		const Buffer<int> rename = orderVertices(mesh, grid, workers);
+		workers.forRange(std::size_t(3) * mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i)
+				mesh.triangle[i] = rename[mesh.triangle[i]];
+		});
+	}
+	orderFaces(mesh, workers, faceStart);
+	return grid;
+}
+
+} // namespace gpr

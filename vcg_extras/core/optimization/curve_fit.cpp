@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve_fit.h"
+
+#include "curve_slide.h"
+
+#include <vcg_extras/core/mesh/face_quality.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+constexpr int rounds = 4;
+/// Of the way to the minimum for a vertex whose neighbours stay. The whole way would leave every
+/// second one far out: it would move for its neighbours, and they then need not.
+constexpr float stepLength = 0.6f;
+/// Pull to where the vertex began, of the weight of its edges.
+constexpr float pullBack = 0.05f;
+/// A piece of the curve so far off, in wanted edges, weighs twice: the largest distance falls too.
+constexpr float noticeable = 0.1f;
+/// Off the curve, in wanted edges.
+constexpr float farthestOff = 0.08f;
+/// The curve is looked at in pieces of this length at the most, in wanted edges.
+constexpr float longestPiece = 0.1f;
+/// Shares of a move that are tried.
+constexpr float moveShares[] = {1, 0.5f, 0.25f};
+/// A face must not turn by more than 60°.
+constexpr float turnCosine = 0.5f;
+
+/// The point of a segment nearest to p, and its share of the way to b.
+struct Foot {
+	float share;
+	Vec3f way; ///< to p
+};
+
+Foot footOn(const Vec3f& p, const Vec3f& a, const Vec3f& b)
+{
+	const float share = shareOnSegment(p, a, b);
+	return {share, p - a - (b - a) * share};
+}
+
+/// The piece of a curve between a vertex' two neighbours on it, which the two edges between them
+/// stand for.
+struct Span {
+	Vec3f              first, last; ///< the neighbours
+	float              from = 0;    ///< arc at `first`
+	float              edge = 0;    ///< wanted there
+	std::vector<Vec3f> point;       ///< of the curve, ends included
+	std::vector<float> arc;         ///< at each, from `from` on
+};
+
+class CurveFitter {
+public:
+	CurveFitter(const Surface& surface, const BoundaryCurves& curves, float leastAngle,
+				ResultMesh& result) :
+			surface_(surface),
+			curves_(curves), leastAngle_(leastAngle), r_(result), m_(result.mesh)
+	{
+	}
+
+	void run()
+	{
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			if (mayMove(v)) vertices_.push_back(v);
+		}
+		std::vector<Vec3f> start;
+		for (int v : vertices_)
+			start.push_back(m_.position[v]);
+		for (int round = 0; round < rounds; ++round) {
+			for (std::size_t i = 0; i < vertices_.size(); ++i)
+				fit(vertices_[i], start[i]);
+		}
+		for (int v : vertices_)
+			follow(v);
+	}
+
+private:
+	const Surface&        surface_;
+	const BoundaryCurves& curves_;
+	float                 leastAngle_;
+	ResultMesh&           r_;
+	HalfEdgeMesh&         m_;
+	std::vector<int>      vertices_;
+	Span                  span_; ///< of the vertex at hand
+
+	bool mayMove(int v) const
+	{
+		const ResultVertex& r = r_.vertex[v];
+		if (m_.outgoing[v] < 0 || r.curve < 0 || r.isCorner || r.isPinned) return false;
+		return slideRoom(r_, curves_, v).isOpen();
+	}
+
+	const Curve& curveOf(int v) const { return curves_.curves[r_.vertex[v].curve]; }
+
+	void fit(int v, const Vec3f& start)
+	{
+		if (!findSpan(v)) return;
+		const Vec3f from = m_.position[v];
+		const Vec3f way  = wayToMinimum(from, start);
+		const float far  = farthest(from);
+		const float off  = std::max(farthestOff * span_.edge, std::sqrt(squaredOff(from)));
+		for (float share : moveShares) {
+			const Vec3f to     = from + way * share;
+			const bool  isNear = std::sqrt(squaredOff(to)) <= off && farthest(to) <= far;
+			if (!isNear || !keepsShapes(v, from, to)) continue;
+			m_.position[v] = to;
+			return;
+		}
+	}
+
+	bool findSpan(int v)
+	{
+		const Curve&    c    = curveOf(v);
+		const SlideRoom room = slideRoom(r_, curves_, v);
+		const float     arc  = r_.vertex[v].arc;
+		takeCurve(c, arc - room.backward, arc + room.forward);
+		span_.edge = r_.idealEdge * c.sizeAt(arc);
+		return span_.point.size() > 2 && findNeighbours(v);
+	}
+
+	/// The curve from arc a to b; a may be negative on a closed one.
+	void takeCurve(const Curve& c, float a, float b)
+	{
+		const float lap = a < 0 ? c.length : 0.0f;
+		span_.from      = a;
+		span_.point.assign(1, c.at(a + lap));
+		span_.arc.assign(1, 0.0f);
+		forEachPointBetween(c, a + lap, b + lap, [&](const Vec3f& p, float s) {
+			span_.point.push_back(p);
+			span_.arc.push_back(s - a - lap);
+		});
+		span_.point.push_back(c.at(b + lap));
+		span_.arc.push_back(b - a);
+	}
+
+	/// Which of the two neighbours on the curve lies where the span begins.
+	bool findNeighbours(int v)
+	{
+		int neighbour[2] = {-1, -1}, num = 0;
+		forEachCurveNeighbour(v, [&](int w) {
+			if (num < 2) neighbour[num] = w;
+			++num;
+		});
+		if (num != 2) return false;
+		const Vec3f  a     = r_.vertex[neighbour[0]].anchor.position;
+		const Vec3f  b     = r_.vertex[neighbour[1]].anchor.position;
+		const Vec3f &front = span_.point.front(), &back = span_.point.back();
+		const bool   isTurned = squaredLength(b - front) + squaredLength(a - back) <
+							  squaredLength(a - front) + squaredLength(b - back);
+		span_.first = m_.position[neighbour[isTurned ? 1 : 0]];
+		span_.last  = m_.position[neighbour[isTurned ? 0 : 1]];
+		return true;
+	}
+
+	template <class Visit>
+	void forEachCurveNeighbour(int v, const Visit& visit) const
+	{
+		const bool isBorder = m_.isBorderVertex(v);
+		forEachOutgoing(m_, v, [&](int h) {
+			if (isBorder ? m_.isBorderEdge(h) : m_.isCreaseEdge(h)) visit(m_.target(h));
+		});
+		if (isBorder) visit(m_.origin[m_.incomingBorder(v)]);
+	}
+
+	/// Calls visit(p, extent) for pieces of the span, p in the middle of each.
+	template <class Visit>
+	void forEachPiece(const Visit& visit) const
+	{
+		for (std::size_t i = 1; i < span_.point.size(); ++i) {
+			const Vec3f a = span_.point[i - 1], b = span_.point[i];
+			const float extent = length(b - a);
+			const int   num    = 1 + int(extent / (longestPiece * span_.edge));
+			for (int k = 0; k < num; ++k)
+				visit(a + (b - a) * ((float(k) + 0.5f) / float(num)), extent / float(num));
+		}
+	}
+
+	/// Of the pieces' squared distances from the two edges by x, with what the edges' feet are now.
+	Vec3f wayToMinimum(const Vec3f& x, const Vec3f& start) const
+	{
+		const float scale = 1 / (noticeable * span_.edge);
+		Vec3f       force;
+		float       stiff = 0;
+		forEachPiece([&](const Vec3f& p, float extent) {
+			const Foot  a = footOn(p, span_.first, x), b = footOn(p, span_.last, x);
+			const Foot& foot   = squaredLength(a.way) < squaredLength(b.way) ? a : b;
+			const float weight = extent * (1 + squaredLength(foot.way * scale));
+			force += foot.way * (weight * foot.share);
+			stiff += weight * foot.share * foot.share;
+		});
+		if (!(stiff > 0)) return Vec3f();
+		return (force * (1 / stiff) + (start - x) * pullBack) * (stepLength / (1 + pullBack));
+	}
+
+	/// Squared distance of p from the curve.
+	float squaredOff(const Vec3f& p) const
+	{
+		float nearest = HUGE_VALF;
+		for (std::size_t i = 1; i < span_.point.size(); ++i)
+			nearest =
+				std::min(nearest, squaredLength(footOn(p, span_.point[i - 1], span_.point[i]).way));
+		return nearest;
+	}
+
+	/// Largest squared distance between the curve and the edges by x: it is at a point of one.
+	float farthest(const Vec3f& x) const
+	{
+		float far = squaredOff(x);
+		for (const Vec3f& p : span_.point)
+			far = std::max(far, std::min(squaredLength(footOn(p, span_.first, x).way),
+										 squaredLength(footOn(p, span_.last, x).way)));
+		return far;
+	}
+
+	bool keepsShapes(int v, const Vec3f& from, const Vec3f& to) const
+	{
+		bool keeps = true;
+		forEachOutgoing(m_, v, [&](int h) {
+			const Vec3f a = m_.position[m_.target(h)], b = m_.position[m_.apex(h)];
+			const Vec3f then = normalized(cross(a - from, b - from));
+			const Vec3f now  = normalized(cross(a - to, b - to));
+			keeps            = keeps && dot(then, now) >= turnCosine &&
+					smallestAngle(to, a, b) >= std::min(leastAngle_, smallestAngle(from, a, b));
+		});
+		return keeps;
+	}
+
+	/// Slides the record to the point of the curve nearest to the vertex.
+	void follow(int v)
+	{
+		if (!findSpan(v)) return;
+		float nearest = HUGE_VALF, arc = 0;
+		for (std::size_t i = 1; i < span_.point.size(); ++i) {
+			const Foot foot = footOn(m_.position[v], span_.point[i - 1], span_.point[i]);
+			if (squaredLength(foot.way) >= nearest) continue;
+			nearest = squaredLength(foot.way);
+			arc     = span_.arc[i - 1] + foot.share * (span_.arc[i] - span_.arc[i - 1]);
+		}
+		const ResultVertex& here = r_.vertex[v];
+		r_.vertex[v]             = slid(surface_, curves_, here, span_.from + arc - here.arc);
+	}
+};
+
+} // namespace
+
+void fitCurves(const Surface& surface, const BoundaryCurves& curves, float leastAngle,
+			   ResultMesh& result)
+{
+	CurveFitter(surface, curves, leastAngle, result).run();
+}
+
+} // namespace gpr

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve_slide.h"
+
+#include "move_guard.h"
+#include "relaxation.h"
+
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
+#include <algorithm>
+
+namespace gpr {
+
+namespace {
+
+/// Arc length of the curve from a vertex to a neighbour, or 0 if that is not on the curve.
+float arcBetween(const Curve& c, const ResultVertex& from, const ResultVertex& to)
+{
+	return from.curve == to.curve ? c.wrap(to.arc - from.arc) : 0.0f;
+}
+
+SlideRoom roomAtBorder(const ResultMesh& r, const Curve& c, int v)
+{
+	const ResultVertex& here = r.vertex[v];
+	const ResultVertex& last = r.vertex[borderNeighbour(r.mesh, v, false)];
+	const ResultVertex& next = r.vertex[borderNeighbour(r.mesh, v, true)];
+	return {arcBetween(c, last, here), arcBetween(c, here, next)};
+}
+
+/// Arc at which neighbour w of v lies on v's open curve: its own, or the end it stands at. Where
+/// both ends are the same node, the nearer one is meant.
+float arcOfNeighbour(const Curve& c, const ResultVertex& v, const ResultVertex& w)
+{
+	if (!w.isCorner && w.curve == v.curve) return w.arc;
+	if (w.isCorner && w.curve == v.curve && w.arc > 0 && w.arc < c.length) return w.arc;
+	const bool atFront = w.anchor.position == c.point.front();
+	const bool atBack  = w.anchor.position == c.point.back();
+	if (atFront && atBack) return v.arc < 0.5f * c.length ? 0.0f : c.length;
+	if (atFront) return 0;
+	return atBack ? c.length : v.arc;
+}
+
+SlideRoom roomOnCrease(const ResultMesh& r, const Curve& c, int v)
+{
+	int neighbour[2] = {-1, -1}, n = 0;
+	forEachOutgoing(r.mesh, v, [&](int h) {
+		if (r.mesh.isCreaseEdge(h) && n < 2) neighbour[n++] = r.mesh.target(h);
+	});
+	if (n < 2 || r.mesh.creaseNum(v) != 2) return {};
+	const ResultVertex &here = r.vertex[v], &a = r.vertex[neighbour[0]],
+					   &b = r.vertex[neighbour[1]];
+	if (c.isClosed) {
+		const float toA = arcBetween(c, here, a), toB = arcBetween(c, here, b);
+		return toA <= toB ? SlideRoom{arcBetween(c, b, here), toA}
+						  : SlideRoom{arcBetween(c, a, here), toB};
+	}
+	const float arcA = arcOfNeighbour(c, here, a), arcB = arcOfNeighbour(c, here, b);
+	return {std::max(0.0f, here.arc - std::min(arcA, arcB)),
+			std::max(0.0f, std::max(arcA, arcB) - here.arc)};
+}
+
+/// Of the way to the next vertex.
+constexpr float longestSlide = 0.3f;
+/// Arcs between neighbours on a curve, in wanted edges.
+constexpr float leastSpacing = 0.7f, mostSpacing = 1.3f;
+/// How far a curve may leave its chords, in ideal edges; see CurveSpacing.
+constexpr float tolerance = 0.08f;
+
+/// The stretch of a curve from a vertex' last neighbour on it to the next one.
+class Stretch {
+public:
+	Stretch(const Curve& curve, const ResultVertex& here, const SlideRoom& room) :
+			curve_(curve), here_(here.arc), from_(here.arc - room.backward),
+			to_(here.arc + room.forward)
+	{
+	}
+
+	/// How far the curve leaves the two chords by way of a vertex at `arc`.
+	float deviationBy(float arc) const
+	{
+		return std::max(deviationOf(from_, arc), deviationOf(arc, to_));
+	}
+
+	/// How far it leaves the one chord without a vertex.
+	float deviationWithout() const { return deviationOf(from_, to_); }
+
+	/// How far it may leave the chords that take the place of those now: as far as spacing may, or
+	/// as it leaves them now.
+	float allowedDeviation(float idealEdge) const
+	{
+		return std::max(deviationBy(here_), tolerance * idealEdge * curve_.sizeAt(here_));
+	}
+
+private:
+	const Curve& curve_;
+	float        here_, from_, to_;
+
+	/// On a closed curve the stretch may begin before its first point.
+	float deviationOf(float a, float b) const
+	{
+		const float lap = from_ < 0 ? curve_.length : 0.0f;
+		return deviation(curve_, a + lap, b + lap);
+	}
+};
+
+class CreaseSlider {
+public:
+	CreaseSlider(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result) :
+			surface_(surface), curves_(curves), r_(result), m_(result.mesh)
+	{
+	}
+
+	void slide(int v)
+	{
+		const ResultVertex& here = r_.vertex[v];
+		const SlideRoom     room = slideRoom(r_, curves_, v);
+		if (!room.isOpen()) return;
+		const float wanted = dot(wayToBarycentre(m_, v), slideDirection(curves_, here, room));
+		const float step =
+			std::clamp(wanted, -longestSlide * room.backward, longestSlide * room.forward);
+		const ResultVertex to = slid(surface_, curves_, here, step);
+		if (!keepsShapes(v, to.anchor.position)) return;
+		if (!slideKeepsToCurve(r_, curves_, v, room, step)) return;
+		r_.vertex[v]   = to;
+		m_.position[v] = to.anchor.position;
+	}
+
+private:
+	const Surface&        surface_;
+	const BoundaryCurves& curves_;
+	ResultMesh&           r_;
+	HalfEdgeMesh&         m_;
+
+	bool keepsShapes(int v, const Vec3f& q) const
+	{
+		const Vec3f p     = m_.position[v];
+		bool        sound = true;
+		forEachOutgoing(m_, v, [&](int h) {
+			const Vec3f a = m_.position[m_.target(h)], b = m_.position[m_.apex(h)];
+			sound = sound && !spoilsFace({p, a, b}, {q, a, b});
+		});
+		return sound;
+	}
+};
+
+} // namespace
+
+SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int v)
+{
+	const ResultVertex& here = result.vertex[v];
+	if (here.curve < 0 || here.isPinned) return {};
+	const Curve& c = curves.curves[here.curve];
+	if (result.mesh.isBorderVertex(v))
+		return result.mesh.isCreaseVertex(v) ? SlideRoom() : roomAtBorder(result, c, v);
+	return here.isCorner ? SlideRoom() : roomOnCrease(result, c, v);
+}
+
+Vec3f slideDirection(const BoundaryCurves& curves, const ResultVertex& vertex,
+					 const SlideRoom& room)
+{
+	const Curve& c = curves.curves[vertex.curve];
+	return normalized(c.at(vertex.arc + 0.25f * room.forward) -
+					  c.at(vertex.arc - 0.25f * room.backward));
+}
+
+bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, int v,
+					   const SlideRoom& room, float step)
+{
+	const ResultVertex& here = result.vertex[v];
+	const Stretch       stretch(curves.curves[here.curve], here, room);
+	return stretch.deviationBy(here.arc + step) <= stretch.allowedDeviation(result.idealEdge);
+}
+
+bool mayLeaveCurve(const ResultMesh& result, const BoundaryCurves& curves, int v)
+{
+	const SlideRoom room = slideRoom(result, curves, v);
+	if (!room.isOpen()) return false;
+	const ResultVertex& here = result.vertex[v];
+	const Stretch       stretch(curves.curves[here.curve], here, room);
+	return stretch.deviationWithout() <= stretch.allowedDeviation(result.idealEdge);
+}
+
+bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, int v,
+					   const SlideRoom& room, float step)
+{
+	const ResultVertex& here  = result.vertex[v];
+	const float         edge  = result.idealEdge * curves.curves[here.curve].sizeAt(here.arc);
+	const float         least = std::min({leastSpacing * edge, room.backward, room.forward});
+	const float         most  = std::max({mostSpacing * edge, room.backward, room.forward});
+	const float         back = room.backward + step, ahead = room.forward - step;
+	return std::min(back, ahead) >= least && std::max(back, ahead) <= most;
+}
+
+ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const ResultVertex& vertex,
+				  float step)
+{
+	const Curve& c     = curves.curves[vertex.curve];
+	ResultVertex moved = vertex;
+	moved.arc          = c.wrap(vertex.arc + step);
+	moved.anchor       = {c.at(moved.arc), c.face[c.segmentAt(moved.arc)]};
+	moved.normal       = surface.mesh.faceNormal(moved.anchor.face);
+	return moved;
+}
+
+void slideAlongCreases(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result)
+{
+	if (!result.mesh.hasCreases()) return;
+	CreaseSlider slider(surface, curves, result);
+	for (int v = 0; v < result.mesh.vertexNum; ++v) {
+		if (result.vertex[v].curve >= 0 && !result.mesh.isBorderVertex(v)) slider.slide(v);
+	}
+}
+
+} // namespace gpr

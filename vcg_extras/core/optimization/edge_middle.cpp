@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edge_middle.h"
+
+#include "curve_slide.h"
+#include "relaxation.h"
+
+#include <vcg_extras/core/surface/surface_point.h>
+#include <vcg_extras/core/surface/walk.h>
+
+namespace gpr {
+
+namespace {
+
+/// How far from the edge's own middle a point may lie, of the edge.
+constexpr float farthestOff = 0.25f;
+
+/// A point of the surface halfway from a to b, by walking from a, in the face at hand.
+bool walkHalfway(const Surface& surface, const HalfEdgeMesh& m, int a, int b, const Anchor& from,
+				 ResultVertex& middle)
+{
+	middle.anchor       = from;
+	const Vec3f half    = (m.position[b] - m.position[a]) * 0.5f;
+	const Vec3f flat    = tangential(half, surface.mesh.faceNormal(from.face));
+	const float reach   = length(half);
+	const float flatLen = length(flat);
+	if (!(flatLen > 0)) return false;
+	const WalkEnd end = walk(surface.mesh, middle.anchor, flat * (reach / flatLen));
+	if (end != WalkEnd::Arrived) return false;
+	middle.normal = surface.mesh.faceNormal(middle.anchor.face);
+	return length(middle.anchor.position - m.position[a]) > 0.5f * reach &&
+		   length(middle.anchor.position - m.position[b]) > 0.5f * reach;
+}
+
+/// The right face to begin in is the one whose walk stays nearest to the straight line.
+bool findMiddleFromCrease(const Surface& surface, const ResultMesh& result, int a, int b,
+						  ResultVertex& middle)
+{
+	const HalfEdgeMesh& m        = result.mesh;
+	const Vec3f         straight = (m.position[a] + m.position[b]) * 0.5f;
+	float               nearest  = farthestOff * length(m.position[b] - m.position[a]);
+	bool                found    = false;
+	for (int face : facesAt(surface.mesh, result.vertex[a].anchor)) {
+		ResultVertex trial;
+		if (!walkHalfway(surface, m, a, b, {m.position[a], face}, trial)) continue;
+		const float off = length(trial.anchor.position - straight);
+		if (off >= nearest) continue;
+		nearest = off;
+		middle  = trial;
+		found   = true;
+	}
+	return found;
+}
+
+} // namespace
+
+bool findMiddle(const Surface& surface, const ResultMesh& result, int a, int b,
+				ResultVertex& middle)
+{
+	const HalfEdgeMesh& m          = result.mesh;
+	const bool          fromCrease = m.isCreaseVertex(a), toCrease = m.isCreaseVertex(b);
+	if (fromCrease && toCrease) return findMiddleFromCrease(surface, result, a, b, middle);
+	if (fromCrease) return walkHalfway(surface, m, b, a, result.vertex[b].anchor, middle);
+	if (walkHalfway(surface, m, a, b, result.vertex[a].anchor, middle)) return true;
+	return !toCrease && walkHalfway(surface, m, b, a, result.vertex[b].anchor, middle);
+}
+
+bool findMiddleOnCurve(const Surface& surface, const BoundaryCurves& curves,
+					   const ResultMesh& result, int a, int b, ResultVertex& middle)
+{
+	const HalfEdgeMesh& m        = result.mesh;
+	const Vec3f         straight = (m.position[a] + m.position[b]) * 0.5f;
+	float               nearest  = farthestOff * length(m.position[b] - m.position[a]);
+	bool                found    = false;
+	for (int v : {a, b}) {
+		const SlideRoom room = slideRoom(result, curves, v);
+		for (float by : {0.5f * room.forward, -0.5f * room.backward}) {
+			if (by == 0) continue;
+			const ResultVertex trial = slid(surface, curves, result.vertex[v], by);
+			const float        off   = length(trial.anchor.position - straight);
+			if (off >= nearest) continue;
+			nearest         = off;
+			middle          = trial;
+			middle.isCorner = middle.isPinned = false;
+			middle.sample                     = -1;
+			found                             = true;
+		}
+	}
+	return found;
+}
+
+} // namespace gpr

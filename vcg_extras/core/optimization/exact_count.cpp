@@ -1,0 +1,511 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "exact_count.h"
+
+#include "delaunay_flips.h"
+#include "edge_middle.h"
+#include "relaxation.h"
+
+#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/valence_energy.h>
+#include <vcg_extras/core/sampling/sizing.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace gpr {
+
+namespace {
+
+/// What a split or collapse may do, from careful to whatever the topology allows.
+enum class Care { FlatGroundOnly, SoundShapes, TopologyOnly };
+
+/// Flips that go with a split: edges of the quadrilateral w-c-x-d round the new vertex, one bit
+/// each.
+enum QuadEdge { WC = 1, XC = 2, WD = 4, XD = 8 };
+/// Never two flips at c or at d: they would lose two faces at once.
+constexpr int splitPatterns[] = {0, WC, XC, WD, XD, WC | WD, XC | XD, WC | XD, XC | WD};
+
+/// Angles of flips after a split, and of collapses, must reach this.
+constexpr float leastAngle      = 17 * radians;
+constexpr float leastFlipCosine = 0.8f;
+
+struct Operation {
+	int   energy; ///< change of Σ(valence - 6)²
+	float rank;   ///< smaller first among equal energies
+	int   halfEdge;
+	int   pattern; ///< of the split
+
+	bool operator<(const Operation& o) const
+	{
+		if (energy != o.energy) return energy < o.energy;
+		if (rank != o.rank) return rank < o.rank;
+		return halfEdge < o.halfEdge;
+	}
+};
+
+std::int64_t livingVertexNum(const HalfEdgeMesh& m)
+{
+	return std::count_if(m.outgoing.data(), m.outgoing.data() + m.vertexNum,
+						 [](int h) { return h >= 0; });
+}
+
+class CountCorrector {
+public:
+	CountCorrector(const Surface& surface, const BoundaryCurves& boundary, ResultMesh& result,
+				   Workers& workers) :
+			surface_(surface),
+			boundary_(boundary), r_(result), m_(result.mesh), workers_(workers),
+			liveNum_(livingVertexNum(result.mesh))
+	{
+	}
+
+	bool run(std::int64_t targetNum, std::initializer_list<Care> cares)
+	{
+		for (Care care : cares) {
+			care_ = care;
+			while (liveNum_ != targetNum) {
+				workers_.poll();
+				const std::int64_t before = liveNum_;
+				if (liveNum_ < targetNum)
+					splitRound(targetNum - liveNum_);
+				else
+					collapseRound(liveNum_ - targetNum);
+				if (liveNum_ == before) break;
+			}
+		}
+		return liveNum_ == targetNum;
+	}
+
+private:
+	const Surface&        surface_;
+	const BoundaryCurves& boundary_;
+	ResultMesh&           r_;
+	HalfEdgeMesh&         m_;
+	Workers&              workers_;
+	std::int64_t          liveNum_;
+	Care                  care_ = Care::FlatGroundOnly;
+	Buffer<int>           valence_; ///< corrected
+	Buffer<char>          flat_;
+	Buffer<float>         size_; ///< wanted at each vertex; empty: the same everywhere
+	std::vector<char>     used_; ///< vertices whose surroundings changed in this round
+	EditScratch           scratch_;
+
+	// ---- common to both
+
+	void beginRound()
+	{
+		flat_    = findFlatVertices(r_, workers_);
+		size_    = sizesOf(surface_, r_, workers_);
+		valence_ = correctedValences(m_, workers_);
+		used_.assign(m_.vertexNum, 0);
+	}
+
+	/// Operations in the order in which to take them, the last ones not worth taking in this round
+	/// cut off: once the cheap ones are gone, fresh valences find cheaper ones.
+	std::vector<Operation> chosen(std::vector<Operation>&& all, std::int64_t wanted) const
+	{
+		// By topology alone the order must not depend on how many are wanted.
+		const std::size_t most =
+			care_ == Care::TopologyOnly
+				? all.size()
+				: std::min<std::size_t>(all.size(), std::size_t(4 * wanted + 64));
+		std::partial_sort(all.begin(), all.begin() + most, all.end());
+		all.resize(most);
+		if (care_ == Care::FlatGroundOnly && !all.empty()) {
+			const std::size_t few  = std::min<std::size_t>(all.size() - 1, std::size_t(wanted / 8));
+			const int         last = std::max(0, all[few].energy);
+			while (all.back().energy > last)
+				all.pop_back();
+		}
+		return std::move(all);
+	}
+
+	bool isUsed(int v) const { return v >= int(used_.size()) || used_[v]; }
+
+	bool allFlat(int a, int b, int c, int d) const
+	{
+		return flat_[a] && flat_[b] && flat_[c] && flat_[d];
+	}
+
+	/// Over the size that triangles are to have there.
+	float relativeLength(int h) const
+	{
+		const int   a = m_.origin[h], b = m_.target(h);
+		const float straight = length(m_.position[b] - m_.position[a]);
+		return size_.empty() ? straight : straight / (0.5f * (size_[a] + size_[b]));
+	}
+
+	// ---- splitting
+
+	void splitRound(std::int64_t wanted)
+	{
+		beginRound();
+		std::vector<Operation> all = workers_.collect<Operation>(
+			m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
+				for (int h = int(begin); h < int(end); ++h) {
+					if (isDeadFace(m_, h / 3) || m_.isCreaseEdge(h)) continue;
+					if (m_.opposite[h] > h || isSplittableBorder(h)) addSplit(h, out);
+				}
+			});
+		reserve(m_, m_.vertexNum + int(wanted), m_.faceNum + 2 * int(wanted));
+		for (const Operation& op : chosen(std::move(all), wanted)) {
+			if (wanted == 0) return;
+			const bool done =
+				m_.opposite[op.halfEdge] < 0 ? splitAtBorder(op.halfEdge) : splitInside(op);
+			wanted -= done;
+		}
+	}
+
+	bool isSplittableBorder(int h) const
+	{
+		return care_ == Care::TopologyOnly && m_.opposite[h] < 0 && !r_.keepsBorder &&
+			   r_.vertex[m_.origin[h]].curve >= 0 && r_.vertex[m_.target(h)].curve >= 0;
+	}
+
+	void addSplit(int h, std::vector<Operation>& out) const
+	{
+		const float rank = -relativeLength(h);
+		if (m_.opposite[h] < 0) {
+			out.push_back({1000, rank, h, 0});
+			return;
+		}
+		const int w = m_.origin[h], x = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
+		if (care_ != Care::FlatGroundOnly) {
+			out.push_back({splitEnergy(h, 0), rank, h, 0});
+			return;
+		}
+		if (!allFlat(w, x, c, d)) return;
+		Operation best{splitEnergy(h, 0), rank, h, 0};
+		for (int pattern : splitPatterns) {
+			if (!patternAllowed(h, pattern)) continue;
+			const int energy = splitEnergy(h, pattern);
+			if (energy < best.energy) {
+				best.energy  = energy;
+				best.pattern = pattern;
+			}
+		}
+		out.push_back(best);
+	}
+
+	/// The half-edge of the quadrilateral's edge, before the split.
+	int quadHalfEdge(int h, int quadEdge) const
+	{
+		const int g = m_.opposite[h];
+		switch (quadEdge) {
+		case WC:
+			return prevInFace(h);
+		case XC:
+			return nextInFace(h);
+		case WD:
+			return nextInFace(g);
+		default:
+			return prevInFace(g);
+		}
+	}
+
+	/// The vertex beyond that edge, or -1.
+	int beyond(int h, int quadEdge) const
+	{
+		const int out = m_.opposite[quadHalfEdge(h, quadEdge)];
+		return out < 0 ? -1 : m_.apex(out);
+	}
+
+	bool patternAllowed(int h, int pattern) const
+	{
+		for (int edge : {WC, XC, WD, XD}) {
+			if (!(pattern & edge)) continue;
+			const int y = beyond(h, edge);
+			if (y < 0 || !flat_[y]) return false;
+		}
+		const int lostW = !!(pattern & WC) + !!(pattern & WD);
+		const int lostX = !!(pattern & XC) + !!(pattern & XD);
+		return (lostW == 0 || valence_[m_.origin[h]] - lostW >= 5) &&
+			   (lostX == 0 || valence_[m_.target(h)] - lostX >= 5);
+	}
+
+	int splitEnergy(int h, int pattern) const
+	{
+		const int w = valence_[m_.origin[h]], x = valence_[m_.target(h)];
+		const int c = valence_[m_.apex(h)], d = valence_[m_.apex(m_.opposite[h])];
+		const int wc = !!(pattern & WC), xc = !!(pattern & XC);
+		const int wd = !!(pattern & WD), xd = !!(pattern & XD);
+		int       e = squaredDefect(4 + wc + xc + wd + xd);
+		e += squaredDefect(w - wc - wd) - squaredDefect(w);
+		e += squaredDefect(x - xc - xd) - squaredDefect(x);
+		e += squaredDefect(c + 1 - wc - xc) - squaredDefect(c);
+		e += squaredDefect(d + 1 - wd - xd) - squaredDefect(d);
+		for (int edge : {WC, XC, WD, XD}) {
+			if (!(pattern & edge)) continue;
+			const int y = valence_[beyond(h, edge)];
+			e += squaredDefect(y + 1) - squaredDefect(y);
+		}
+		return e;
+	}
+
+	bool splitInside(const Operation& op)
+	{
+		const int h = op.halfEdge;
+		const int w = m_.origin[h], x = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
+		if (isUsed(w) || isUsed(x) || isUsed(c) || isUsed(d)) return false;
+		int touched[4];
+		int touchedNum = 0;
+		for (int edge : {WC, XC, WD, XD}) {
+			if (!(op.pattern & edge)) continue;
+			const int y = beyond(h, edge);
+			if (isUsed(y)) return false;
+			touched[touchedNum++] = y;
+		}
+		ResultVertex middle;
+		if (!findMiddle(surface_, r_, w, x, middle)) return false;
+
+		const int oldFaces = m_.faceNum;
+		const int v        = append(middle);
+		const int g        = m_.opposite[h];
+		splitEdge(m_, h, v);
+		if (op.pattern & WC) flipAfterSplit(prevInFace(h));
+		if (op.pattern & XC) flipAfterSplit(3 * oldFaces + 1);
+		if (op.pattern & WD) flipAfterSplit(nextInFace(g));
+		if (op.pattern & XD) flipAfterSplit(3 * oldFaces + 5);
+		for (int u : {w, x, c, d})
+			used_[u] = 1;
+		for (int i = 0; i < touchedNum; ++i)
+			used_[touched[i]] = 1;
+		return true;
+	}
+
+	void flipAfterSplit(int h)
+	{
+		if (m_.opposite[h] < 0 || !canFlip(m_, h)) return;
+		if (flipKeepsShape(m_, h, leastAngle, leastFlipCosine)) flip(m_, h);
+	}
+
+	bool splitAtBorder(int h)
+	{
+		const int a = m_.origin[h], b = m_.target(h);
+		if (isUsed(a) || isUsed(b) || isUsed(m_.apex(h))) return false;
+		const ResultVertex& ra = r_.vertex[a];
+		const Curve&        c  = boundary_.curves[ra.curve];
+		ResultVertex        middle;
+		middle.curve  = ra.curve;
+		middle.arc    = c.wrap(ra.arc + 0.5f * c.wrap(r_.vertex[b].arc - ra.arc));
+		middle.anchor = {c.at(middle.arc), c.face[c.segmentAt(middle.arc)]};
+		middle.normal = surface_.mesh.faceNormal(middle.anchor.face);
+		if (middle.anchor.position == m_.position[a] || middle.anchor.position == m_.position[b])
+			return false;
+		splitBorderEdge(m_, h, append(middle));
+		used_[a] = used_[b] = 1;
+		return true;
+	}
+
+	int append(const ResultVertex& vertex)
+	{
+		const int v    = m_.vertexNum++;
+		m_.position[v] = vertex.anchor.position;
+		r_.vertex.push_back(vertex);
+		++r_.splitNum;
+		++liveNum_;
+		return v;
+	}
+
+	// ---- collapsing
+
+	void collapseRound(std::int64_t wanted)
+	{
+		beginRound();
+		std::vector<Operation> all = workers_.collect<Operation>(
+			m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
+				for (int h = int(begin); h < int(end); ++h) {
+					if (!isDeadFace(m_, h / 3)) addCollapse(h, out);
+				}
+			});
+		for (const Operation& op : chosen(std::move(all), wanted)) {
+			if (wanted == 0) return;
+			if (isDeadFace(m_, op.halfEdge / 3)) continue;
+			const bool done = m_.opposite[op.halfEdge] < 0 ? collapseAtBorder(op.halfEdge)
+														   : collapseInside(op.halfEdge);
+			wanted -= done;
+		}
+	}
+
+	void addCollapse(int h, std::vector<Operation>& out) const
+	{
+		const float rank = relativeLength(h);
+		if (m_.opposite[h] < 0) {
+			// Corners of the border go last.
+			const int  energy = r_.vertex[m_.origin[h]].isCorner ? 2000 : 1000;
+			const bool may    = care_ == Care::TopologyOnly && !r_.vertex[m_.origin[h]].isPinned;
+			if (may) out.push_back({energy, rank, h, 0});
+			return;
+		}
+		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
+		if (!isFree(r_, a)) return;
+		const bool seenFromOtherSide = isFree(r_, b) && m_.opposite[h] < h;
+		if (seenFromOtherSide && care_ != Care::TopologyOnly) return;
+		if (care_ == Care::FlatGroundOnly && !allFlat(a, b, c, d)) return;
+		if (care_ != Care::TopologyOnly && (valence_[c] <= 4 || valence_[d] <= 4)) return;
+		const int energy = squaredDefect(valence_[a] + valence_[b] - 4) +
+						   squaredDefect(valence_[c] - 1) + squaredDefect(valence_[d] - 1) -
+						   squaredDefect(valence_[a]) - squaredDefect(valence_[b]) -
+						   squaredDefect(valence_[c]) - squaredDefect(valence_[d]);
+		out.push_back({energy, rank, h, 0});
+	}
+
+	bool ringIsUnused(int v) const
+	{
+		bool unused = !isUsed(v);
+		forEachNeighbour(m_, v, [&](int w) { unused = unused && !isUsed(w); });
+		return unused;
+	}
+
+	void markRing(int v)
+	{
+		used_[v] = 1;
+		forEachNeighbour(m_, v, [&](int w) { used_[w] = 1; });
+	}
+
+	bool collapseInside(int h)
+	{
+		const int a = m_.origin[h], b = m_.target(h);
+		if (!ringIsUnused(a) || !ringIsUnused(b) || !canCollapse(m_, h, scratch_)) return false;
+		ResultVertex survivor = r_.vertex[b];
+		if (isFree(r_, b)) {
+			ResultVertex middle;
+			if (findMiddle(surface_, r_, a, b, middle))
+				survivor = middle;
+			else if (care_ == Care::FlatGroundOnly)
+				return false;
+		}
+		if (!shapesAllowCollapse(a, b, survivor.anchor.position)) return false;
+		markRing(a);
+		markRing(b);
+		collapse(m_, h);
+		r_.vertex[b]   = survivor;
+		m_.position[b] = survivor.anchor.position;
+		countCollapse();
+		return true;
+	}
+
+	/// Whether the faces left of both rings are sound with a and b at p.
+	bool shapesAllowCollapse(int a, int b, const Vec3f& p) const
+	{
+		if (care_ == Care::TopologyOnly) return true;
+		const float leastCosine = care_ == Care::FlatGroundOnly ? 0.5f : 0.1f;
+		const float least       = care_ == Care::FlatGroundOnly ? leastAngle : 0.3f * leastAngle;
+		return ringAllows(a, b, p, leastCosine, least) && ringAllows(b, a, p, leastCosine, least);
+	}
+
+	bool ringAllows(int v, int other, const Vec3f& p, float leastCosine, float least) const
+	{
+		bool sound = true;
+		forEachOutgoing(m_, v, [&](int h) {
+			const int i = m_.target(h), k = m_.apex(h);
+			if (!sound || i == other || k == other) return;
+			const Vec3f x = m_.position[i], y = m_.position[k];
+			const Vec3f before = cross(x - m_.position[v], y - m_.position[v]);
+			const Vec3f after  = cross(x - p, y - p);
+			sound = dot(before, after) > leastCosine * length(before) * length(after) &&
+					smallestAngle(p, x, y) >= least;
+		});
+		return sound;
+	}
+
+	bool collapseAtBorder(int h)
+	{
+		const int v = m_.origin[h];
+		if (!ringIsUnused(v) || !ringIsUnused(m_.target(h))) return false;
+		if (!canCollapseAlongBorder(m_, v, true, scratch_)) return false;
+		markRing(v);
+		markRing(m_.target(h));
+		collapseAlongBorder(m_, v, true);
+		countCollapse();
+		return true;
+	}
+
+	void countCollapse()
+	{
+		++r_.collapseNum;
+		--liveNum_;
+	}
+};
+
+/// Smallest angle in v's ring with v at p, leaving out faces with `other`; negative if a face
+/// turns.
+float worstAngleAt(const HalfEdgeMesh& m, int v, const Vec3f& p, int other)
+{
+	float worst = 4;
+	forEachOutgoing(m, v, [&](int h) {
+		const int i = m.target(h), k = m.apex(h);
+		if (i == other || k == other) return;
+		const Vec3f x = m.position[i], y = m.position[k];
+		const Vec3f before = cross(x - m.position[v], y - m.position[v]);
+		const Vec3f after  = cross(x - p, y - p);
+		const bool  turns  = dot(before, after) < 0.3f * length(before) * length(after);
+		worst              = std::min(worst, turns ? -1.0f : smallestAngle(p, x, y));
+	});
+	return worst;
+}
+
+} // namespace
+
+bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
+					 ResultMesh& result, Workers& workers)
+{
+	const bool isReached = changeCount(surface, boundary, targetNum, result, workers);
+	compactResult(result, workers);
+	return isReached;
+}
+
+bool changeCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
+				 ResultMesh& result, Workers& workers)
+{
+	return CountCorrector(surface, boundary, result, workers)
+		.run(targetNum, {Care::FlatGroundOnly, Care::SoundShapes, Care::TopologyOnly});
+}
+
+bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
+						  std::int64_t targetNum, ResultMesh& result, Workers& workers)
+{
+	CountCorrector corrector(surface, boundary, result, workers);
+	const bool     isReached = corrector.run(targetNum, {Care::TopologyOnly});
+	compactResult(result, workers);
+	return isReached;
+}
+
+void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& workers)
+{
+	constexpr float     tooShort = 0.6f; // of the ideal edge
+	HalfEdgeMesh&       m        = result.mesh;
+	const Buffer<float> size     = sizesOf(surface, result, workers);
+	const auto          isShort  = [&](int a, int b) {
+        const float local = size.empty() ? 1.0f : std::min(size[a], size[b]);
+        const float limit = tooShort * result.idealEdge * local;
+        return squaredLength(m.position[b] - m.position[a]) < limit * limit;
+	};
+	std::vector<Operation> all = workers.collect<Operation>(
+		m.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
+			for (int h = int(begin); h < int(end); ++h) {
+				const int a = m.origin[h], b = m.target(h);
+				if (!isShort(a, b) || m.opposite[h] < 0 || !isFree(result, a)) continue;
+				out.push_back({0, length(m.position[b] - m.position[a]), h, 0});
+			}
+		});
+	std::sort(all.begin(), all.end());
+	EditScratch scratch;
+	for (const Operation& op : all) {
+		const int h = op.halfEdge;
+		if (isDeadFace(m, h / 3)) continue;
+		const int a = m.origin[h], b = m.target(h);
+		// Earlier collapses may have given this edge another end.
+		if (!isShort(a, b) || !isFree(result, a) || !canCollapse(m, h, scratch)) continue;
+		if (worstAngleAt(m, a, m.position[b], b) <= worstAngleAt(m, a, m.position[a], -1)) continue;
+		collapse(m, h);
+		++result.collapseNum;
+	}
+	compactResult(result, workers);
+}
+
+} // namespace gpr

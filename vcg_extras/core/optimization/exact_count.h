@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_EXACT_COUNT_H
+#define VCG_EXTRAS_CORE_OPTIMIZATION_EXACT_COUNT_H
+
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/features/boundary_curves.h>
+#include <vcg_extras/core/mesh/connect.h>
+#include <vcg_extras/core/surface/result_mesh.h>
+
+namespace gpr {
+
+/// Stage 9: splits or collapses edges of the result until it has exactly targetNum vertices.
+///
+/// Which ones is chosen by valence: of every edge the change of Σ(valence - 6)² is worked out, for
+/// splits together with up to two flips round the new vertex; lowest first, then the longest edge
+/// to split and the shortest to collapse. A change of 0 moves a dislocation instead of making one,
+/// so the triangles stay as regular as they were. Only edges on flat ground are taken at first,
+/// then any, then whatever the topology allows. Returns false where the topology allows no more
+/// collapses; the mesh is then as near as it gets. Cost: a pass over the edges per round, some
+/// rounds.
+bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
+					 ResultMesh& result, Workers& workers);
+
+/// The same, leaving dead faces and vertices in the mesh: those that it had, and new ones.
+bool changeCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
+				 ResultMesh& result, Workers& workers);
+
+/// The same by topology alone, whatever the shapes: the last resort for tiny counts. Which edges
+/// are taken, and in which order, does not depend on targetNum, so that every count between the one
+/// it starts from and the one it ends at for targetNum = 1 can be reached.
+bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
+						  std::int64_t targetNum, ResultMesh& result, Workers& workers);
+
+/// Merges inner vertices nearer than 0.6 ideal edges to a neighbour into it where the worst angle
+/// of the ring grows by it. Clears narrow ribbons along borders before the count is corrected.
+void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& workers);
+
+} // namespace gpr
+
+#endif

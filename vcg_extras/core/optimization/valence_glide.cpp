@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "valence_glide.h"
+
+#include "delaunay_flips.h"
+#include "relaxation.h"
+
+#include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/valence_energy.h>
+#include <vcg_extras/core/mesh/work_cells.h>
+
+namespace gpr {
+
+namespace {
+
+constexpr float leastAngle  = 17 * radians;
+constexpr float leastCosine = 0.8f;
+/// Valences that a flip must not leave.
+constexpr int leastValence = 4, mostValence = 8;
+/// Width of the cells that threads share, in ideal edges: a chain of six flips seldom gets out of
+/// what a cell reaches.
+constexpr float cellWidth = 14;
+/// Vertices of more faces than this are no dislocations.
+constexpr int mostNeighbours = 16;
+
+/// Searches chains of flips within one cell.
+class GlideSearch {
+public:
+	GlideSearch(ResultMesh& result, Buffer<int>& valence, const Buffer<char>& flat,
+				const WorkCell& cell) :
+			m_(result.mesh),
+			valence_(valence), flat_(flat), cell_(cell)
+	{
+	}
+
+	/// Looks for a chain that begins at v.
+	bool glide(int v, int depth)
+	{
+		for (int flips = 1; flips <= depth; ++flips) {
+			if (goOnFrom(v, {0, flips, -1, -1})) return true;
+		}
+		return false;
+	}
+
+	std::int64_t flipNum() const { return flipNum_; }
+
+private:
+	/// Where a chain stands: the change of the energy so far, flips left, and the edge made last,
+	/// which must not be flipped back.
+	struct State {
+		int energy;
+		int flipsLeft;
+		int lastA, lastB;
+
+		bool isLast(int a, int b) const
+		{
+			return (a == lastA && b == lastB) || (a == lastB && b == lastA);
+		}
+	};
+
+	HalfEdgeMesh&       m_;
+	Buffer<int>&        valence_;
+	const Buffer<char>& flat_;
+	const WorkCell&     cell_;
+	std::int64_t        flipNum_ = 0;
+
+	bool isOurs(int v) const { return flat_[v] && cell_.reaches(m_.position[v]); }
+
+	/// Tries the edges at v, a vertex with a face too many.
+	bool goOnFrom(int v, const State& state)
+	{
+		int neighbour[mostNeighbours];
+		int n = 0;
+		forEachNeighbour(m_, v, [&](int w) {
+			if (n < mostNeighbours) neighbour[n++] = w;
+		});
+		// Flips tried and undone may have renamed half-edges, so edges go by their ends.
+		for (int i = 0; i < n; ++i) {
+			if (state.isLast(v, neighbour[i])) continue;
+			if (flipAndGoOn(m_.findHalfEdge(v, neighbour[i]), state)) return true;
+		}
+		return false;
+	}
+
+	bool flipAndGoOn(int h, const State& state)
+	{
+		if (h < 0 || m_.opposite[h] < 0) return false;
+		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
+		if (!isOurs(a) || !isOurs(b) || !isOurs(c) || !isOurs(d)) return false;
+		const int energy = state.energy + flipEnergy(m_, valence_, h);
+		if (energy > 0 || !mayFlip(h, a, b, c, d)) return false;
+		turn(h);
+		if (energy < 0) return true;
+		if (state.flipsLeft > 1) {
+			const State next{energy, state.flipsLeft - 1, c, d};
+			for (int v : {a, b, c, d}) {
+				if (valence_[v] >= 7 && goOnFrom(v, next)) return true;
+			}
+		}
+		turn(m_.findHalfEdge(c, d));
+		flipNum_ -= 2;
+		return false;
+	}
+
+	bool mayFlip(int h, int a, int b, int c, int d) const
+	{
+		if (valence_[c] > 5 && valence_[d] > 5) return false;
+		if (valence_[a] <= leastValence || valence_[b] <= leastValence) return false;
+		if (valence_[c] >= mostValence || valence_[d] >= mostValence) return false;
+		return flipKeepsShape(m_, h, leastAngle, leastCosine) && canFlip(m_, h);
+	}
+
+	void turn(int h)
+	{
+		--valence_[m_.origin[h]];
+		--valence_[m_.target(h)];
+		++valence_[m_.apex(h)];
+		++valence_[m_.apex(m_.opposite[h])];
+		flip(m_, h);
+		++flipNum_;
+	}
+};
+
+std::vector<int> crowdedVertices(const Buffer<int>& valence, const Buffer<char>& flat,
+								 Workers& workers)
+{
+	return workers.collect<int>(valence.size(), [&](std::size_t begin, std::size_t end, auto& out) {
+		for (std::size_t v = begin; v < end; ++v) {
+			if (valence[v] >= 7 && flat[v]) out.push_back(int(v));
+		}
+	});
+}
+
+} // namespace
+
+std::int64_t glideDislocations(ResultMesh& result, Workers& workers, int depth)
+{
+	const Buffer<char>     flat    = findFlatVertices(result, workers);
+	Buffer<int>            valence = correctedValences(result.mesh, workers);
+	const std::vector<int> crowded = crowdedVertices(valence, flat, workers);
+	const WorkCells cells = cutIntoWorkCells(result.mesh, crowded, cellWidth * result.idealEdge);
+
+	Buffer<std::int64_t> chains(crowded.size(), 0), flips(crowded.size(), 0);
+	cells.forCells(workers, [&](const WorkCell& cell) {
+		GlideSearch search(result, valence, flat, cell);
+		for (int i = cell.begin; i < cell.end; ++i) {
+			const int v = cells.vertices[i];
+			if (valence[v] >= 7) chains[cell.begin] += search.glide(v, depth);
+		}
+		flips[cell.begin] = search.flipNum();
+	});
+	std::int64_t kept = 0;
+	for (std::size_t i = 0; i < crowded.size(); ++i) {
+		kept += chains[i];
+		result.flipNum += flips[i];
+	}
+	return kept;
+}
+
+} // namespace gpr

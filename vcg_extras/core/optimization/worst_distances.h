@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_WORST_DISTANCES_H
+#define VCG_EXTRAS_CORE_OPTIMIZATION_WORST_DISTANCES_H
+
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/connect.h>
+#include <vcg_extras/core/surface/cells.h>
+#include <vcg_extras/core/surface/result_mesh.h>
+
+namespace gpr {
+
+/// End of stage 12: where result and surface lie farthest apart, vertices are moved so that they
+/// come closer. The fit minimises a mean of squares over the vertices of the input: a vertex on a
+/// sharp ridge may stand far out from it, where hardly any vertex of the input sees it, and a tip
+/// may be cut off.
+///
+/// Distances are looked at from both sides: from the vertices of the input in a triangle's cell,
+/// and, where it has a corner that is not near, from a lattice of points on the triangle. At the
+/// faces that are more than three quarters as far off as the farthest one, farthest first, the
+/// corners move along the way between the two surfaces there, a little at a time; a move stands if
+/// that distance shrinks and none round it becomes larger than the largest there was, and if no
+/// face turns, looks away from the surface or gets a smaller angle than leastAngle (radians, or
+/// than it had). So it goes on for so many rounds, or until all lie within a tenth of an edge.
+/// Vertices of curves, tips and pinned vertices stay.
+///
+/// Changes positions, and anchors, which come to lie at the nearest point. Returns the largest
+/// distance that is left, or what counts as near. Cells: of the mesh, or of one whose vertices lay
+/// near. Cost: a pass over the input's vertices, in parallel, and some
+/// hundred microseconds for each of the few faces.
+float lowerWorstDistances(const Surface& surface, const Cells& cells, float leastAngle, int rounds,
+						  ResultMesh& result, Workers& workers);
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,198 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "audit.h"
+
+#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/optimization/fold_repair.h>
+#include <vcg_extras/core/surface/normal_agreement.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+struct Findings {
+	std::int64_t badEdges = 0, badVertices = 0, corners = 0;
+	std::int64_t zeroArea = 0, flipped = 0, notFinite = 0, duplicates = 0;
+
+	Findings& operator+=(const Findings& o)
+	{
+		badEdges += o.badEdges;
+		badVertices += o.badVertices;
+		corners += o.corners;
+		zeroArea += o.zeroArea;
+		flipped += o.flipped;
+		notFinite += o.notFinite;
+		duplicates += o.duplicates;
+		return *this;
+	}
+};
+
+bool isSoundHalfEdge(const HalfEdgeMesh& m, int h)
+{
+	const int a = m.origin[h], b = m.target(h), g = m.opposite[h];
+	if (a == b || a < 0 || a >= m.vertexNum) return false;
+	if (g < 0) return true;
+	return g < m.halfEdgeNum() && m.opposite[g] == h && m.origin[g] == b && m.target(g) == a;
+}
+
+/// Turns round v: its own half-edges only, every neighbour once, no fan beyond bounds.
+bool isSoundVertex(const HalfEdgeMesh& m, int v, std::vector<int>& ring, std::int64_t& corners)
+{
+	ring.clear();
+	const int first = m.outgoing[v];
+	if (first < 0 || first >= m.halfEdgeNum()) return false;
+	int h = first;
+	do {
+		if (m.origin[h] != v) return false;
+		ring.push_back(m.target(h));
+		++corners;
+		const int in = prevInFace(h);
+		h            = m.opposite[in];
+		if (h < 0) ring.push_back(m.origin[in]);
+		if (ring.size() > std::size_t(m.halfEdgeNum())) return false;
+	} while (h >= 0 && h != first);
+	std::sort(ring.begin(), ring.end());
+	return std::adjacent_find(ring.begin(), ring.end()) == ring.end();
+}
+
+/// Whether a face before f has the same three vertices, in a table without faults: there two such
+/// faces share an edge, or a vertex of theirs would have a neighbour twice.
+bool isDuplicate(const HalfEdgeMesh& m, int f)
+{
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		const int g = m.opposite[h];
+		if (g >= 0 && g / 3 < f && m.apex(g) == m.apex(h)) return true;
+	}
+	return false;
+}
+
+/// The number of such faces in any table.
+std::int64_t countDuplicateFaces(const HalfEdgeMesh& m)
+{
+	std::vector<std::array<int, 3>> faces(m.faceNum);
+	for (int f = 0; f < m.faceNum; ++f) {
+		std::copy_n(&m.origin[3 * f], 3, faces[f].begin());
+		std::sort(faces[f].begin(), faces[f].end());
+	}
+	std::sort(faces.begin(), faces.end());
+	std::int64_t num = 0;
+	for (std::size_t i = 1; i < faces.size(); ++i)
+		num += faces[i] == faces[i - 1];
+	return num;
+}
+
+bool hasNoArea(const HalfEdgeMesh& m, int f)
+{
+	return !(squaredLength(m.faceCross(f)) > 0);
+}
+
+void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, Findings& found)
+{
+	int badNum = 0;
+	for (int h = 3 * f; h < 3 * f + 3; ++h)
+		badNum += !isSoundHalfEdge(m, h);
+	found.badEdges += badNum;
+	if (badNum > 0) return; // its corners may be no vertices
+	found.duplicates += isDuplicate(m, f);
+	if (hasNoArea(m, f))
+		++found.zeroArea;
+	else
+		found.flipped += faceAgreement(m, smoothNormal, f) < 0;
+}
+
+} // namespace
+
+AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigures& input,
+				   const MeshFigures& output, std::int64_t targetNum, Workers& workers)
+{
+	const HalfEdgeMesh& m       = r.mesh;
+	const Buffer<Vec3f> normals = smoothNormals(surface, r, workers);
+	Findings found = workers.sum<Findings>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		Findings part;
+		for (int f = int(begin); f < int(end); ++f)
+			checkFace(m, normals, f, part);
+		return part;
+	});
+	// A table with wrong half-edges could lead the turning below astray.
+	if (found.badEdges == 0) {
+		found += workers.sum<Findings>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+			Findings         part;
+			std::vector<int> ring;
+			for (int v = int(begin); v < int(end); ++v) {
+				part.badVertices += !isSoundVertex(m, v, ring, part.corners);
+				const Vec3f p = m.position[v];
+				part.notFinite += !(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+			}
+			return part;
+		});
+		// A corner that no turn came to belongs to a second fan.
+		if (found.corners != m.halfEdgeNum()) ++found.badVertices;
+	}
+	AuditFigures a;
+	a.nonManifoldEdges    = found.badEdges;
+	a.nonManifoldVertices = found.badVertices;
+	a.zeroAreaFaces       = found.zeroArea;
+	const bool isTableBad = found.badEdges > 0 || found.badVertices > 0;
+	a.duplicateFaces      = isTableBad ? countDuplicateFaces(m) : found.duplicates;
+	a.flippedFaces        = found.flipped;
+	a.nonFinitePositions  = found.notFinite;
+	a.componentsKept      = input.components == output.components;
+	a.boundaryLoopsKept   = input.boundaryLoops == output.boundaryLoops;
+	a.eulerKept           = input.eulerCharacteristic == output.eulerCharacteristic;
+	a.countExact          = targetNum == output.vertices;
+	a.passed              = found.badEdges == 0 && found.badVertices == 0 && found.zeroArea == 0 &&
+			   found.notFinite == 0 && a.duplicateFaces == 0 && a.componentsKept &&
+			   a.boundaryLoopsKept && a.eulerKept && (targetNum == 0 || a.countExact);
+	return a;
+}
+
+std::int64_t lineFaceNum(const HalfEdgeMesh& m, Workers& workers)
+{
+	return workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		std::int64_t num = 0;
+		for (int f = int(begin); f < int(end); ++f) {
+			const int* v = &m.origin[3 * f];
+			num += isLine(m.position[v[0]], m.position[v[1]], m.position[v[2]], m.faceCross(f));
+		}
+		return num;
+	});
+}
+
+std::int64_t zeroAreaFaceNum(const TriangleMesh& mesh, Workers& workers)
+{
+	return workers.sum<std::int64_t>(mesh.faceNum(), [&](std::size_t begin, std::size_t end) {
+		std::int64_t num = 0;
+		for (std::size_t f = begin; f < end; ++f) {
+			const std::int32_t* t = &mesh.triangles[3 * f];
+			const Vec3d         a = mesh.positions[t[0]];
+			const Vec3d         n = cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
+			num += n.x == 0 && n.y == 0 && n.z == 0; // squares could underflow
+		}
+		return num;
+	});
+}
+
+std::string describeFailure(const AuditFigures& a)
+{
+	if (a.passed) return "";
+	std::string what;
+	const auto  add = [&](bool failed, const std::string& phrase) {
+        if (failed) what += (what.empty() ? "" : ", ") + phrase;
+	};
+	add(a.nonManifoldEdges > 0, "edges that are not manifold");
+	add(a.nonManifoldVertices > 0, "vertices that are not manifold");
+	add(a.duplicateFaces > 0, std::to_string(a.duplicateFaces) + " duplicate faces");
+	add(a.zeroAreaFaces > 0, std::to_string(a.zeroAreaFaces) + " faces without area");
+	add(a.nonFinitePositions > 0, "coordinates that are not finite");
+	add(!a.componentsKept, "another number of components");
+	add(!a.boundaryLoopsKept, "another number of boundary loops");
+	add(!a.eulerKept, "another Euler characteristic");
+	if (what.empty()) what = "another number of vertices than promised";
+	return "The result was withheld because it has " + what + ".";
+}
+
+} // namespace gpr

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thorough_check.h"
+
+#include <vcg_extras/core/mesh/crossing_faces.h>
+#include <vcg_extras/core/surface/sampled_distance.h>
+
+namespace gpr {
+
+CheckFigures checkThoroughly(const Surface& surface, const HalfEdgeMesh& result, Workers& workers)
+{
+	const HalfEdgeMesh& input = surface.mesh;
+	CheckFigures        figures;
+	figures.done          = true;
+	figures.crossingFaces = std::int64_t(findCrossingFaces(result, workers).size());
+	if (figures.crossingFaces > 0)
+		figures.inputCrossingFaces = std::int64_t(findCrossingFaces(input, workers).size());
+	figures.vertexDistance  = double(largestVertexDistance(result, input, workers));
+	figures.largestDistance = double(largestSampledDistance(input, result, workers));
+	return figures;
+}
+
+std::string describeFailure(const CheckFigures& figures, double fitDistance)
+{
+	// Rounding of positions whose box is about 1, and of the points that are found nearest.
+	constexpr double rounding = 1e-5;
+	std::string      what;
+	const auto       add = [&](bool failed, const std::string& phrase) {
+        if (failed) what += (what.empty() ? "" : ", ") + phrase;
+	};
+	add(figures.crossingFaces > 0 && figures.inputCrossingFaces == 0,
+		std::to_string(figures.crossingFaces) + " faces that cross others");
+	add(!(figures.vertexDistance <= fitDistance + rounding),
+		"vertices farther from the input than the fit moves them");
+	if (what.empty()) return "";
+	return "The result was withheld because it has " + what + ".";
+}
+
+} // namespace gpr

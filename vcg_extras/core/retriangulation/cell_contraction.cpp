@@ -1,0 +1,646 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cell_contraction.h"
+
+#include <vcg_extras/core/base/counting_sort.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+/// Times that cells found bad are opened and the rest contracted anew.
+constexpr int mostRounds = 8;
+/// Times that opening cells may spoil others in one round.
+constexpr int mostSpreads = 32;
+
+using Triple = std::array<int, 3>;
+
+template <class T>
+void storeRelaxed(T& place, T value)
+{
+	__atomic_store_n(&place, value, __ATOMIC_RELAXED);
+}
+
+void addRelaxed(int& place, int value)
+{
+	__atomic_fetch_add(&place, value, __ATOMIC_RELAXED);
+}
+
+/// The vertices from `first` on that stand for no sample.
+void listTodo(int first, ContractedCells& cells)
+{
+	std::vector<char> stays(cells.label.size(), 0);
+	for (int v : cells.sampleVertex) {
+		if (v >= 0) stays[v] = 1;
+	}
+	for (int v = first; v < int(stays.size()); ++v) {
+		if (!stays[v]) cells.todo.push_back(v);
+	}
+}
+
+class CellContraction {
+public:
+	CellContraction(const Surface& surface, const Sampling& sampling,
+					const BoundaryCurves& boundary, Workers& workers) :
+			surface_(surface),
+			m_(surface.mesh), sampling_(sampling), boundary_(boundary), workers_(workers),
+			sampleNum_(int(sampling.samples.size())), open_(sampleNum_, 0), bad_(sampleNum_, 0)
+	{
+	}
+
+	/// False: the cells are better left open, all of them.
+	bool run(const MeshFigures& input, ContractedCells& out)
+	{
+		takeOverLabels();
+		orderCells();
+		markCellsThatAreNoDisks();
+		giveAwayCutOff();
+		findDualFaces();
+		markCellsOnCreases();
+		markStrayCurveSamples();
+		for (int round = 0; round < mostRounds; ++round) {
+			if (!openBadCells()) return false;
+			if (contract(out)) return hasTopology(out.mesh, input);
+		}
+		return false;
+	}
+
+private:
+	const Surface&        surface_;
+	const HalfEdgeMesh&   m_;
+	const Sampling&       sampling_;
+	const BoundaryCurves& boundary_;
+	Workers&              workers_;
+	int                   sampleNum_;
+	Buffer<int>           label_;        ///< per vertex of the surface: its cell's sample
+	Buffer<char>          owns_;         ///< per sample: whether it has a vertex
+	Buffer<int>           cellOrder_;    ///< samples with a cell, in the order of the surface
+	Buffer<Triple>        dualFaces_;    ///< three samples each
+	std::vector<char>     open_;         ///< per sample: its cell is not contracted
+	std::vector<char>     bad_;          ///< found to be bad, not yet open
+	std::vector<int>      openVertices_; ///< the surface's vertices in open cells, ascending
+
+	int labelOf(int v) const { return label_[v]; }
+
+	void takeOverLabels()
+	{
+		owns_ = Buffer<char>(sampleNum_, 0);
+		label_.reset(m_.vertexNum);
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			int last = -1;
+			for (std::size_t v = begin; v < end; ++v) {
+				const int s = sampling_.nearest[v].sample;
+				if (s >= 0 && s != last) storeRelaxed(owns_[s], char(1));
+				label_[v] = last = s;
+			}
+		});
+	}
+
+	/// The faces of the samples are in the order of space, and so will be the vertices.
+	void orderCells()
+	{
+		constexpr int facesTogether = 8; // less than one sample's in most
+		const auto    faceOf        = [&](int s) { return sampling_.samples[s].anchor.face; };
+		const auto    bucketOf      = [&](std::size_t s) {
+            return owns_[s] ? faceOf(int(s)) / facesTogether : -1;
+		};
+		const std::size_t bucketNum = std::size_t(m_.faceNum / facesTogether) + 1;
+		Buffer<int>       start;
+		sortIntoBuckets(std::size_t(sampleNum_), bucketNum, bucketOf, workers_, start, cellOrder_);
+		workers_.forRange(bucketNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t b = begin; b < end; ++b) {
+				std::sort(&cellOrder_[start[b]], &cellOrder_[start[b + 1]], [&](int s, int t) {
+					return faceOf(s) != faceOf(t) ? faceOf(s) < faceOf(t) : s < t;
+				});
+			}
+		});
+	}
+
+	/// By two times vertices - edges + faces of every cell. Edges are counted by their halves: a
+	/// face with all corners in the cell brings two for itself less three halves; one with two
+	/// corners there brings half an edge; an edge of the border has its second half nowhere.
+	void markCellsThatAreNoDisks()
+	{
+		Buffer<int> euler(sampleNum_, 0);
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (int v = int(begin); v < int(end); ++v) {
+				const int s = labelOf(v);
+				if (s < 0) continue;
+				const int  h       = m_.outgoing[v];
+				const bool hasHalf = h >= 0 && m_.opposite[h] < 0 && labelOf(m_.target(h)) == s;
+				addRelaxed(euler[s], hasHalf ? 1 : 2);
+			}
+		});
+		workers_.forRange(m_.faceNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t f = begin; f < end; ++f) {
+				const int* v = &m_.origin[3 * f];
+				const int  a = labelOf(v[0]), b = labelOf(v[1]), c = labelOf(v[2]);
+				const int  shared = a == b || a == c ? a : b == c ? b : -1;
+				if (shared >= 0) addRelaxed(euler[shared], -1);
+			}
+		});
+		for (int s : cellOrder_)
+			bad_[s] = euler[s] != 2;
+	}
+
+	/// Most cells that are no disks have lost touch with a few of their vertices, which later
+	/// samples cut off. Those go to cells next to them.
+	void giveAwayCutOff()
+	{
+		const std::vector<int> inBad = verticesOf(bad_);
+		std::vector<int>       cutOff;
+		findCutOff(inBad, cutOff);
+		std::vector<char> touched = bad_;
+		for (bool changed = true; changed && !cutOff.empty();) {
+			std::size_t left = 0;
+			for (int v : cutOff) {
+				const int s = nearestAmongNeighbours(v);
+				label_[v]   = s;
+				if (s >= 0)
+					touched[s] = 1;
+				else
+					cutOff[left++] = v;
+			}
+			changed = left < cutOff.size();
+			cutOff.resize(left);
+		}
+		recount(verticesOf(touched), touched);
+	}
+
+	std::vector<int> verticesOf(const std::vector<char>& marked) const
+	{
+		return workers_.collect<int>(m_.vertexNum,
+									 [&](std::size_t begin, std::size_t end, auto& out) {
+										 for (int v = int(begin); v < int(end); ++v) {
+											 if (labelOf(v) >= 0 && marked[labelOf(v)])
+												 out.push_back(v);
+										 }
+									 });
+	}
+
+	/// What visit(cell, found) appends for each of the cells of these vertices, whose vertices it
+	/// is given in ascending order.
+	template <class Visit>
+	std::vector<int> collectByCell(const std::vector<int>& vertices, const Visit& visit) const
+	{
+		std::vector<std::pair<int, int>> inCell; // cell, vertex
+		inCell.reserve(vertices.size());
+		for (int v : vertices)
+			inCell.push_back({labelOf(v), v});
+		std::sort(inCell.begin(), inCell.end());
+		std::vector<std::size_t> first; // of each cell
+		for (std::size_t i = 0; i < inCell.size(); ++i) {
+			if (i == 0 || inCell[i].first != inCell[i - 1].first) first.push_back(i);
+		}
+		first.push_back(inCell.size());
+		return workers_.collect<int>(first.size() - 1,
+									 [&](std::size_t begin, std::size_t end, auto& found) {
+										 std::vector<int> cell;
+										 for (std::size_t c = begin; c < end; ++c) {
+											 cell.clear();
+											 for (std::size_t i = first[c]; i < first[c + 1]; ++i)
+												 cell.push_back(inCell[i].second);
+											 visit(cell, found);
+										 }
+									 });
+	}
+
+	/// Takes the label from vertices whose cell does not lead to the vertex nearest to its sample.
+	/// Vertices of curves keep theirs.
+	void findCutOff(const std::vector<int>& vertices, std::vector<int>& cutOff)
+	{
+		cutOff = collectByCell(vertices, [&](const std::vector<int>& cell,
+											 std::vector<int>& found) { addCutOff(cell, found); });
+		std::sort(cutOff.begin(), cutOff.end());
+		for (int v : cutOff)
+			label_[v] = -1;
+	}
+
+	/// Those of one cell, whose vertices are given in ascending order.
+	void addCutOff(const std::vector<int>& cell, std::vector<int>& cutOff) const
+	{
+		const auto isFarther = [&](int v, int w) {
+			return sampling_.nearest[v].distance > sampling_.nearest[w].distance;
+		};
+		int heart = cell.front();
+		for (int v : cell) {
+			if (isFarther(heart, v)) heart = v;
+		}
+		std::vector<char> isReached(cell.size(), 0);
+		std::vector<int>  queue;
+		const auto        reach = [&](int v) {
+            const auto at = std::lower_bound(cell.begin(), cell.end(), v) - cell.begin();
+            if (isReached[at]) return;
+            isReached[at] = 1;
+            queue.push_back(v);
+		};
+		reach(heart);
+		while (!queue.empty()) {
+			const int v = queue.back();
+			queue.pop_back();
+			forEachNeighbour(m_, v, [&](int w) {
+				if (labelOf(w) == labelOf(heart)) reach(w);
+			});
+		}
+		for (std::size_t i = 0; i < cell.size(); ++i) {
+			if (!isReached[i] && !m_.isCurveVertex(cell[i])) cutOff.push_back(cell[i]);
+		}
+	}
+
+	/// The nearest of the samples whose cells lie round v; -1 if there is none.
+	int nearestAmongNeighbours(int v) const
+	{
+		int   best     = -1;
+		float distance = HUGE_VALF;
+		forEachNeighbour(m_, v, [&](int w) {
+			const int s = labelOf(w);
+			if (s < 0) return;
+			const float d = squaredLength(sampling_.samples[s].anchor.position - m_.position[v]);
+			if (d < distance || (d == distance && s < best)) {
+				distance = d;
+				best     = s;
+			}
+		});
+		return best;
+	}
+
+	/// The same test for some cells only, from all their vertices: six times vertices - edges +
+	/// faces, of which each of two, or three, vertices brings its share.
+	void recount(const std::vector<int>& vertices, const std::vector<char>& cells)
+	{
+		std::vector<int> euler(sampleNum_, 0);
+		for (int v : vertices) {
+			const int s = labelOf(v);
+			euler[s] += 6;
+			forEachNeighbour(m_, v, [&](int w) { euler[s] -= labelOf(w) == s ? 3 : 0; });
+			forEachOutgoing(m_, v, [&](int h) {
+				const bool isInside = labelOf(m_.target(h)) == s && labelOf(m_.apex(h)) == s;
+				euler[s] += isInside ? 2 : 0;
+			});
+		}
+		for (int s = 0; s < sampleNum_; ++s) {
+			if (cells[s]) bad_[s] = euler[s] != 6;
+		}
+	}
+
+	/// The faces between three cells.
+	void findDualFaces()
+	{
+		dualFaces_ = workers_.collectMany<Triple>(
+			m_.faceNum, [&](std::size_t begin, std::size_t end, auto& found) {
+				for (std::size_t f = begin; f < end; ++f) {
+					const int* v = &m_.origin[3 * f];
+					const int  a = labelOf(v[0]), b = labelOf(v[1]), c = labelOf(v[2]);
+					const bool differ = a != b && b != c && c != a;
+					if (differ && a >= 0 && b >= 0 && c >= 0) found.push_back({a, b, c});
+				}
+			});
+	}
+
+	void markCellsOnCreases()
+	{
+		if (!m_.hasCreases()) return;
+		workers_.forRange(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t h = begin; h < end; ++h) {
+				if (m_.crease[h] == 0) continue;
+				const int s = labelOf(m_.origin[h]);
+				if (s >= 0) storeRelaxed(bad_[s], char(1));
+			}
+		});
+	}
+
+	/// A curve's sample is stood for by a vertex of its own cell, or must be looked after.
+	void markStrayCurveSamples()
+	{
+		for (int s = 0; s < sampling_.boundarySampleNum; ++s) {
+			const int v = boundary_.samples[s].vertex;
+			if (v < 0 || labelOf(v) == s) continue;
+			bad_[s] = 1;
+			if (labelOf(v) >= 0) bad_[labelOf(v)] = 1;
+		}
+	}
+
+	/// Opens bad cells and those next to them that are spoilt by it. False if too many are open
+	/// then.
+	bool openBadCells()
+	{
+		std::vector<char> fresh;
+		for (int i = 0; i < mostSpreads && openMarked(fresh); ++i)
+			markSpoiltBy(fresh);
+		openMarked(fresh);
+		openVertices_ =
+			workers_.collect<int>(m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				for (int v = int(begin); v < int(end); ++v) {
+					if (isOpenVertex(v)) out.push_back(v);
+				}
+			});
+		return 2 * openCellNum() <= std::int64_t(cellOrder_.size());
+	}
+
+	/// Opens bad cells; fresh receives which. False if there is none that was not open.
+	bool openMarked(std::vector<char>& fresh)
+	{
+		bool any = false;
+		fresh.assign(sampleNum_, 0);
+		for (int s = 0; s < sampleNum_; ++s) {
+			if (!bad_[s]) continue;
+			fresh[s] = !open_[s];
+			any      = any || fresh[s];
+			open_[s] = 1;
+			bad_[s]  = 0;
+		}
+		return any;
+	}
+
+	/// A contracted cell that touches an open vertex in two places is no disk round one vertex any
+	/// more. Found here, at those next to cells just opened, it costs no vain contraction.
+	void markSpoiltBy(const std::vector<char>& fresh)
+	{
+		std::vector<char> isNear(sampleNum_, 0);
+		for (int v : verticesOf(fresh)) {
+			forEachNeighbour(m_, v, [&](int w) {
+				if (!isOpenVertex(w)) isNear[labelOf(w)] = 1;
+			});
+		}
+		const auto spoilt = collectByCell(
+			verticesOf(isNear), [&](const std::vector<int>& cell, std::vector<int>& found) {
+				if (!isFanWhenContracted(cell)) found.push_back(labelOf(cell.front()));
+			});
+		for (int s : spoilt)
+			bad_[s] = 1;
+	}
+
+	/// Whether the faces round a cell make one fan round the vertex it is contracted to.
+	bool isFanWhenContracted(const std::vector<int>& cell) const
+	{
+		const int  own    = labelOf(cell.front());
+		const auto nodeOf = [&](int v) { return isOpenVertex(v) ? sampleNum_ + v : labelOf(v); };
+		std::vector<std::pair<int, int>> link; // edges opposite the vertex
+		for (int v : cell) {
+			forEachOutgoing(m_, v, [&](int h) {
+				const int a = nodeOf(m_.target(h)), b = nodeOf(m_.apex(h));
+				if (a != b && a != own && b != own) link.push_back({a, b});
+			});
+		}
+		return isOneChain(link);
+	}
+
+	/// Whether directed edges make one path, or one cycle of at least three, with no node twice.
+	static bool isOneChain(std::vector<std::pair<int, int>>& edges)
+	{
+		if (edges.empty()) return false;
+		std::sort(edges.begin(), edges.end());
+		std::vector<int> ends;
+		for (std::size_t i = 0; i < edges.size(); ++i) {
+			if (i > 0 && edges[i].first == edges[i - 1].first) return false;
+			ends.push_back(edges[i].second);
+		}
+		std::sort(ends.begin(), ends.end());
+		if (std::adjacent_find(ends.begin(), ends.end()) != ends.end()) return false;
+
+		const auto begin  = std::find_if(edges.begin(), edges.end(), [&](const auto& e) {
+            return !std::binary_search(ends.begin(), ends.end(), e.first);
+        });
+		const bool isPath = begin != edges.end();
+		const int  first  = isPath ? begin->first : edges.front().first;
+		int        node   = first;
+		for (std::size_t steps = 0;; ++steps) {
+			const auto next = std::lower_bound(edges.begin(), edges.end(), std::pair(node, 0));
+			if (next == edges.end() || next->first != node) return isPath && steps == edges.size();
+			node = next->second;
+			if (node == first) return steps + 1 == edges.size() && edges.size() >= 3;
+		}
+	}
+
+	std::int64_t openCellNum() const { return std::count(open_.begin(), open_.end(), char(1)); }
+	bool         isOpenVertex(int v) const { return labelOf(v) < 0 || open_[labelOf(v)]; }
+
+	/// Makes the mesh. False if it is not manifold; the cells to blame are marked as bad.
+	bool contract(ContractedCells& out)
+	{
+		numberVertices(out);
+		IndexedMesh mesh;
+		mesh.frame     = surface_.frame;
+		mesh.vertexNum = int(out.label.size());
+		mesh.position.reset(mesh.vertexNum);
+		workers_.forRange(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v) {
+				const int u = out.surfaceVertex[v];
+				mesh.position[v] =
+					u >= 0 ? m_.position[u] : sampling_.samples[out.label[v]].anchor.position;
+			}
+		});
+		collectFaces(out, mesh);
+		Buffer<int>  faceStart;
+		Buffer<char> notManifold;
+		orderFaces(mesh, workers_, faceStart);
+		Surface connected;
+		if (connect(mesh, faceStart, workers_, connected, &notManifold)) {
+			out.mesh = std::move(connected.mesh);
+			carryCreases(out);
+			return markWrongBorders(out);
+		}
+		markBad(out, notManifold);
+		return false;
+	}
+
+	/// Contracted cells first, then the vertices of open ones.
+	void numberVertices(ContractedCells& out)
+	{
+		out.label.clear();
+		out.surfaceVertex.clear();
+		out.todo.clear();
+		out.sampleVertex.assign(sampleNum_, -1);
+		for (int s : cellOrder_) {
+			if (open_[s]) continue;
+			out.sampleVertex[s] = int(out.label.size());
+			out.label.push_back(s);
+			out.surfaceVertex.push_back(-1);
+		}
+		for (int v : openVertices_) {
+			out.label.push_back(labelOf(v));
+			out.surfaceVertex.push_back(v);
+		}
+		out.openCellNum = openCellNum();
+		chooseRepresentatives(out);
+	}
+
+	/// Of each open cell the vertex nearest to the sample stays; samples of curves have theirs.
+	void chooseRepresentatives(ContractedCells& out) const
+	{
+		const int firstOpen = int(out.label.size() - openVertices_.size());
+		for (int s = 0; s < sampling_.boundarySampleNum; ++s) {
+			const int v = boundary_.samples[s].vertex;
+			if (v >= 0 && isOpenVertex(v)) out.sampleVertex[s] = firstOpen + openIndex(v);
+		}
+		for (std::size_t i = 0; i < openVertices_.size(); ++i) {
+			const int v = openVertices_[i], s = labelOf(v);
+			if (s < sampling_.boundarySampleNum) continue;
+			int& best = out.sampleVertex[s];
+			if (best < 0 ||
+				sampling_.nearest[v].distance < sampling_.nearest[out.surfaceVertex[best]].distance)
+				best = firstOpen + int(i);
+		}
+		listTodo(firstOpen, out);
+	}
+
+	int openIndex(int v) const
+	{
+		return int(std::lower_bound(openVertices_.begin(), openVertices_.end(), v) -
+				   openVertices_.begin());
+	}
+
+	/// The dual's faces between contracted cells, and those at open vertices whose corners are
+	/// different still.
+	void collectFaces(const ContractedCells& out, IndexedMesh& mesh) const
+	{
+		const auto isContracted = [&](const Triple& t) {
+			return !open_[t[0]] && !open_[t[1]] && !open_[t[2]];
+		};
+		const Buffer<Triple> faces = workers_.collectMany<Triple>(
+			dualFaces_.size(), [&](std::size_t begin, std::size_t end, auto& found) {
+				for (std::size_t i = begin; i < end; ++i) {
+					const Triple& t = dualFaces_[i];
+					if (!isContracted(t)) continue;
+					found.push_back(
+						{out.sampleVertex[t[0]], out.sampleVertex[t[1]], out.sampleVertex[t[2]]});
+				}
+			});
+		const Buffer<Triple> more = facesAtOpenVertices(out);
+		mesh.faceNum              = int(faces.size() + more.size());
+		mesh.triangle.reset(3 * std::size_t(mesh.faceNum));
+		mesh.sourceFace.reset(mesh.faceNum);
+		workers_.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t f = begin; f < end; ++f) {
+				const Triple& t = f < faces.size() ? faces[f] : more[f - faces.size()];
+				std::copy(t.begin(), t.end(), &mesh.triangle[3 * f]);
+				mesh.sourceFace[f] = int(f);
+			}
+		});
+	}
+
+	Buffer<Triple> facesAtOpenVertices(const ContractedCells& out) const
+	{
+		const int  firstOpen = int(out.label.size() - openVertices_.size());
+		const auto vertexOf  = [&](int v) {
+            return isOpenVertex(v) ? firstOpen + openIndex(v) : out.sampleVertex[labelOf(v)];
+		};
+		return workers_.collectMany<Triple>(
+			openVertices_.size(), [&](std::size_t begin, std::size_t end, auto& found) {
+				for (std::size_t i = begin; i < end; ++i) {
+					const int v = openVertices_[i];
+					forEachOutgoing(m_, v, [&](int h) {
+						const int a = m_.target(h), b = m_.apex(h);
+						// A face is found from each of its open corners; the least one counts.
+						if ((a < v && isOpenVertex(a)) || (b < v && isOpenVertex(b))) return;
+						if (labelOf(a) == labelOf(b) && !isOpenVertex(a)) return;
+						found.push_back({firstOpen + int(i), vertexOf(a), vertexOf(b)});
+					});
+				}
+			});
+	}
+
+	/// Both ends of a crease's edges are vertices of open cells.
+	void carryCreases(ContractedCells& out) const
+	{
+		if (!m_.hasCreases()) return;
+		HalfEdgeMesh& mesh = out.mesh;
+		mesh.crease        = Buffer<char>(mesh.halfEdgeNum(), 0);
+		workers_.forRange(mesh.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+			for (int h = int(begin); h < int(end); ++h) {
+				const int a = out.surfaceVertex[mesh.origin[h]];
+				const int b = out.surfaceVertex[mesh.target(h)];
+				if (a < 0 || b < 0 || !m_.isCreaseVertex(a)) continue;
+				const int there = m_.findHalfEdge(a, b), back = m_.findHalfEdge(b, a);
+				mesh.crease[h] = (there >= 0 && m_.crease[there]) || (back >= 0 && m_.crease[back]);
+			}
+		});
+	}
+
+	void markBad(const ContractedCells& out, const Buffer<char>& notManifold)
+	{
+		for (std::size_t v = 0; v < out.label.size(); ++v) {
+			if (notManifold[v] && out.label[v] >= 0) bad_[out.label[v]] = 1;
+		}
+	}
+
+	/// The border must run through the samples of the border and no others, and every inner vertex
+	/// needs three faces.
+	bool markWrongBorders(const ContractedCells& out)
+	{
+		const std::vector<int> wrong = workers_.collect<int>(
+			out.mesh.vertexNum, [&](std::size_t begin, std::size_t end, auto& found) {
+				for (int v = int(begin); v < int(end); ++v) {
+					if (out.surfaceVertex[v] < 0 && !isBorderRight(out, v)) found.push_back(v);
+				}
+			});
+		for (int v : wrong)
+			bad_[out.label[v]] = 1;
+		return wrong.empty();
+	}
+
+	bool isBorderRight(const ContractedCells& out, int v) const
+	{
+		const int  s          = out.label[v];
+		const int  standsFor  = s < sampling_.boundarySampleNum ? boundary_.samples[s].vertex : -1;
+		const bool shouldBe   = standsFor >= 0 && m_.isBorderVertex(standsFor);
+		const bool isOnBorder = out.mesh.isBorderVertex(v);
+		return shouldBe == isOnBorder && (isOnBorder || out.mesh.valence(v) >= 3);
+	}
+
+	bool hasTopology(const HalfEdgeMesh& mesh, const MeshFigures& input) const
+	{
+		const MeshFigures figures = figuresOf(mesh, 1, workers_);
+		return figures.components == input.components &&
+			   figures.boundaryLoops == input.boundaryLoops &&
+			   figures.eulerCharacteristic == input.eulerCharacteristic;
+	}
+};
+
+/// Nothing contracted: every vertex of the surface, the nearest of each cell to stand for it.
+ContractedCells openAll(const Surface& surface, const Sampling& sampling,
+						const BoundaryCurves& boundary, Workers& workers)
+{
+	ContractedCells out;
+	const int       vertexNum = surface.mesh.vertexNum;
+	out.mesh                  = copyMesh(surface.mesh, workers);
+	out.surfaceVertex.resize(vertexNum);
+	std::iota(out.surfaceVertex.begin(), out.surfaceVertex.end(), 0);
+	out.label.resize(vertexNum);
+	out.sampleVertex.assign(sampling.samples.size(), -1);
+	for (int s = 0; s < sampling.boundarySampleNum; ++s)
+		out.sampleVertex[s] = boundary.samples[s].vertex;
+	for (int v = 0; v < vertexNum; ++v) {
+		const NearestField::Nearest& near = sampling.nearest[v];
+		out.label[v]                      = near.sample;
+		if (near.sample < sampling.boundarySampleNum) continue;
+		int& best = out.sampleVertex[near.sample];
+		if (best < 0 || near.distance < sampling.nearest[best].distance) best = v;
+	}
+	listTodo(0, out);
+	out.openCellNum = std::int64_t(sampling.samples.size());
+	return out;
+}
+
+} // namespace
+
+ContractedCells contractCells(const Surface& surface, const Sampling& sampling,
+							  const BoundaryCurves& boundary, const MeshFigures& input,
+							  Workers& workers)
+{
+	ContractedCells out;
+	CellContraction contraction(surface, sampling, boundary, workers);
+	if (contraction.run(input, out)) return out;
+	return openAll(surface, sampling, boundary, workers);
+}
+
+} // namespace gpr

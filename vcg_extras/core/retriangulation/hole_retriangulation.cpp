@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hole_retriangulation.h"
+
+#include "vertex_removal.h"
+
+#include <vcg_extras/core/surface/result_mesh.h>
+
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// Rounds of a kind, and what they accept.
+struct RoundRules {
+	float leastCosine;
+	bool  sparesNeighbours; ///< a vertex waits for the next round once a neighbour has gone
+	int   mostRounds;
+};
+
+constexpr RoundRules roundRules[] = {
+	{0.1f, true, 40}, {0.1f, false, 20}, {-0.5f, false, 10}, {-2.0f, false, 10}};
+
+/// The vertices still to be removed, block by block.
+class Removal {
+public:
+	Removal(FusedMesh& fused, const BlockPartition& partition, Workers& workers) :
+			m_(fused.mesh), partition_(partition), workers_(workers),
+			lastTouch_(fused.mesh.vertexNum, 0)
+	{
+		std::vector<char> isSample(m_.vertexNum, 0);
+		for (int v : fused.sampleVertex) {
+			if (v >= 0) isSample[v] = 1;
+		}
+		todo_.resize(partition.blocks.size());
+		workers.forTasks(todo_.size(), [&](std::size_t b, int) {
+			for (int v = partition.blocks[b].begin; v < partition.blocks[b].end; ++v) {
+				if (!isSample[v]) todo_[b].push_back(v);
+			}
+		});
+	}
+
+	/// All rounds of a block follow each other, so that it stays in the cache.
+	void runInBlocks()
+	{
+		HoleRules rules;
+		// Nothing done in a block may reach half-way to the next of its colour.
+		rules.longestSquared = 0.0625f * partition_.cellSize * partition_.cellSize;
+		std::vector<HoleRetriangulator> removers(workers_.threadNum(), HoleRetriangulator(m_));
+		for (const RoundRules& kind : roundRules) {
+			rules.leastCosine = kind.leastCosine;
+			for (const std::vector<int>& ids : partition_.byColour) {
+				workers_.forTasks(ids.size(), [&](std::size_t i, int worker) {
+					runRounds(todo_[ids[i]], removers[worker], rules, kind, firstRound_);
+				});
+				firstRound_ += kind.mostRounds;
+			}
+		}
+	}
+
+	/// What the blocks left, in one go, without the bound on edges.
+	std::vector<int> runRest()
+	{
+		std::vector<int> rest;
+		for (const std::vector<int>& vertices : todo_)
+			rest.insert(rest.end(), vertices.begin(), vertices.end());
+		HoleRetriangulator remover(m_);
+		HoleRules          rules;
+		for (const RoundRules& kind : roundRules) {
+			workers_.poll();
+			rules.leastCosine = kind.leastCosine;
+			runRounds(rest, remover, rules, kind, firstRound_);
+			firstRound_ += kind.mostRounds;
+		}
+		return rest;
+	}
+
+private:
+	HalfEdgeMesh&                 m_;
+	const BlockPartition&         partition_;
+	Workers&                      workers_;
+	std::vector<int>              lastTouch_; ///< per vertex: the round its star changed last in
+	std::vector<std::vector<int>> todo_;
+	int                           firstRound_ = 1; ///< rounds are numbered, see lastTouch_
+
+	void runRounds(std::vector<int>& vertices, HoleRetriangulator& remover, const HoleRules& rules,
+				   const RoundRules& kind, int firstRound)
+	{
+		for (int i = 0; i < kind.mostRounds && !vertices.empty(); ++i) {
+			const std::size_t before = vertices.size();
+			runRound(vertices, remover, rules, kind.sparesNeighbours ? firstRound + i : 0);
+			if (vertices.size() == before) return;
+		}
+	}
+
+	/// Tries each vertex once; those that stay remain in the list. round = 0: none has to wait.
+	void runRound(std::vector<int>& vertices, HoleRetriangulator& remover, const HoleRules& rules,
+				  int round)
+	{
+		std::size_t left = 0;
+		for (int v : vertices) {
+			const bool waits = round > 0 && lastTouch_[v] == round;
+			if (waits || !remover.remove(v, rules)) {
+				vertices[left++] = v;
+				continue;
+			}
+			for (int w : remover.star().ring)
+				lastTouch_[w] = round;
+		}
+		vertices.resize(left);
+	}
+};
+
+} // namespace
+
+Vec3d flattenStar(const HalfEdgeMesh& m, const VertexStar& star, std::vector<Vec2d>& flat)
+{
+	const int   n = star.placeNum();
+	const Vec3d p(m.position[star.vertex]);
+	flat.resize(n);
+	// First x is the angle from the first place, y the distance.
+	const Vec3d first  = Vec3d(m.position[star.ring[0]]) - p;
+	Vec3d       last   = first, normal;
+	double      sum    = 0;
+	const auto  turnTo = [&](const Vec3d& spoke) {
+        const Vec3d doubled = cross(last, spoke);
+        sum += std::atan2(length(doubled), dot(last, spoke));
+        normal += doubled;
+        last = spoke;
+	};
+	flat[0] = {0, length(first)};
+	for (int i = 1; i < n; ++i) {
+		turnTo(Vec3d(m.position[star.ring[i]]) - p);
+		flat[i] = {sum, length(last)};
+	}
+	if (star.isClosed) turnTo(first);
+	const double scale = sum > 0 ? (star.isClosed ? 2 : 1) * pi / sum : 0;
+	for (Vec2d& q : flat) {
+		const double angle = q.x * scale, distance = q.y;
+		q = {distance * std::cos(angle), distance * std::sin(angle)};
+	}
+	return normalized(normal);
+}
+
+bool HoleRetriangulator::remove(int v, const HoleRules& rules)
+{
+	collectStar(m_, v, star_);
+	if (star_.placeNum() > mostPlaces) return false;
+	const Vec3f normal(flattenStar(m_, star_, flat_));
+	delaunay_.forbidden.clear();
+	if (!delaunay_.triangulate(flat_, patch_)) return false;
+	if (!keeps(rules, normal)) return false;
+	if (!canRemoveVertex(m_, star_, patch_, scratch_)) {
+		forbidPresentEdges();
+		if (delaunay_.forbidden.empty() || !delaunay_.triangulate(flat_, patch_)) return false;
+		if (!keeps(rules, normal) || !canRemoveVertex(m_, star_, patch_, scratch_)) return false;
+	}
+	removeVertex(m_, star_, patch_, scratch_);
+	return true;
+}
+
+/// Edges between places of the ring that run outside the star.
+void HoleRetriangulator::forbidPresentEdges()
+{
+	const int n = star_.placeNum();
+	for (int i = 0; i < n; ++i) {
+		for (int j = i + 2; j < n; ++j) {
+			const bool isRingEdge = i == 0 && j == n - 1;
+			if (!isRingEdge && m_.areNeighbours(star_.ring[i], star_.ring[j]))
+				delaunay_.forbidden.push_back({i, j});
+		}
+	}
+}
+
+bool HoleRetriangulator::keeps(const HoleRules& rules, const Vec3f& normal) const
+{
+	for (int x = 0; x < int(patch_.corner.size()); x += 3) {
+		const Vec3f a = m_.position[star_.ring[patch_.corner[x]]];
+		const Vec3f b = m_.position[star_.ring[patch_.corner[x + 1]]];
+		const Vec3f c = m_.position[star_.ring[patch_.corner[x + 2]]];
+		const Vec3f n = cross(b - a, c - a);
+		if (dot(n, normal) < rules.leastCosine * length(n)) return false;
+		if (squaredLength(b - a) > rules.longestSquared) return false;
+		if (squaredLength(c - b) > rules.longestSquared) return false;
+		if (squaredLength(a - c) > rules.longestSquared) return false;
+	}
+	return true;
+}
+
+ResultMesh removeOriginalVertices(FusedMesh&& fused, const Surface& surface,
+								  const Sampling& sampling, const BoundaryCurves& boundary,
+								  const BlockPartition& partition, Workers& workers)
+{
+	Removal removal(fused, partition, workers);
+	removal.runInBlocks();
+	Retriangulated removed;
+	removed.leftover        = removal.runRest();
+	const std::size_t stuck = removed.leftover.size();
+	collapseRest(fused.mesh, removed.leftover, workers);
+	const std::size_t collapsed = stuck - removed.leftover.size();
+	removed.mesh                = std::move(fused.mesh);
+	removed.sampleVertex        = std::move(fused.sampleVertex);
+	ResultMesh result = resultOfSamples(std::move(removed), surface, sampling, boundary, workers);
+	result.byCollapseNum = std::int64_t(collapsed);
+	return result;
+}
+
+} // namespace gpr

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vertex_removal.h"
+
+#include "cell_contraction.h"
+#include "sampled_result.h"
+
+#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/work_cells.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// What a pass of the removal accepts.
+struct PassRules {
+	bool sameLabelOnly;
+	float
+		leastCosine; ///< of each new face's normal with the mean normal of the ring; -2 = anything
+	int tries;       ///< targets tried per vertex, best first
+};
+
+constexpr PassRules passRules[] = {
+	{true, 0.1f, 3},   {true, 0.1f, 3},    {false, 0.1f, 3},
+	{false, -0.5f, 3}, {false, -2.0f, 64}, {false, -2.0f, 64},
+};
+
+constexpr float noScore = -2;
+/// Width of the cubes of space that are worked on at once, in r.
+constexpr float workWidth = 20;
+
+/// Removes vertices of one connectivity; each thread has one of its own.
+class Remover {
+public:
+	/// label: per vertex, the cell it belongs to; only read by passes that ask for it.
+	Remover(HalfEdgeMesh& mesh, const std::vector<int>& label, float longestEdge) :
+			m_(mesh), label_(label), longestSquared_(longestEdge * longestEdge)
+	{
+	}
+
+	/// Tries to merge v into a neighbour, if the cell, where there is one, reaches all of them.
+	/// False: v stays for now.
+	bool remove(int v, const PassRules& rules, const WorkCell* cell)
+	{
+		if (cell != nullptr && !reachesRing(*cell, v)) return false;
+		if (m_.isBorderVertex(v)) return removeAtBorder(v, rules);
+		return m_.isCreaseVertex(v) ? removeOnCrease(v, rules) : removeInside(v, rules);
+	}
+
+private:
+	struct Spoke {
+		int   halfEdge;
+		int   target;
+		Vec3f place;
+		float score;
+	};
+
+	HalfEdgeMesh&           m_;
+	const std::vector<int>& label_;
+	float                   longestSquared_;
+	std::vector<Spoke>      ring_;
+	EditScratch             scratch_;
+
+	int labelOf(int v) const { return label_[v]; }
+
+	bool reachesRing(const WorkCell& cell, int v) const
+	{
+		bool all = true;
+		forEachNeighbour(m_, v, [&](int w) { all = all && cell.reaches(m_.position[w]); });
+		return all;
+	}
+
+	bool removeInside(int v, const PassRules& rules)
+	{
+		const Vec3f normal = collectRing(v);
+		scoreTargets(rules.sameLabelOnly ? labelOf(v) : -1, normal, rules);
+		for (int attempt = 0; attempt < rules.tries; ++attempt) {
+			Spoke* best = nullptr;
+			for (Spoke& s : ring_) {
+				if (s.score > noScore && (best == nullptr || s.score > best->score)) best = &s;
+			}
+			if (best == nullptr) return false;
+			if (canCollapse(m_, best->halfEdge, scratch_)) {
+				collapse(m_, best->halfEdge);
+				return true;
+			}
+			best->score = noScore;
+		}
+		return false;
+	}
+
+	/// Fills ring_; returns the mean normal.
+	Vec3f collectRing(int v)
+	{
+		ring_.clear();
+		forEachOutgoing(m_, v, [&](int h) {
+			const int w = m_.target(h);
+			ring_.push_back({h, w, m_.position[w], noScore});
+		});
+		const Vec3f p = m_.position[v];
+		Vec3f       sum;
+		for (std::size_t i = 0, last = ring_.size() - 1; i < ring_.size(); last = i++)
+			sum += cross(ring_[last].place - p, ring_[i].place - p);
+		return normalized(sum);
+	}
+
+	void scoreTargets(int label, const Vec3f& normal, const PassRules& rules)
+	{
+		for (Spoke& t : ring_) {
+			const bool allowed = !rules.sameLabelOnly || labelOf(t.target) == label;
+			t.score            = allowed ? scoreOf(t, normal, rules.leastCosine) : noScore;
+		}
+	}
+
+	/// The worst shape among the triangles that moving v to t would leave.
+	float scoreOf(const Spoke& t, const Vec3f& normal, float leastCosine) const
+	{
+		float worst = 1;
+		for (std::size_t i = 0, last = ring_.size() - 1; i < ring_.size(); last = i++) {
+			if (&ring_[i] == &t || &ring_[last] == &t) continue;
+			const Vec3f e = ring_[last].place - t.place, g = ring_[i].place - t.place;
+			const Vec3f n        = cross(e, g);
+			const float doubled  = length(n);
+			const float eSquared = squaredLength(e), gSquared = squaredLength(g);
+			if (dot(n, normal) < leastCosine * doubled) return noScore;
+			if (eSquared > longestSquared_ || gSquared > longestSquared_) return noScore;
+			const float edges =
+				eSquared + gSquared + squaredLength(ring_[i].place - ring_[last].place);
+			worst = std::min(worst, 3.4641016f * doubled / (edges + 1e-30f));
+		}
+		return worst;
+	}
+
+	/// Into one of the two neighbours on the feature line, the better one first.
+	bool removeOnCrease(int v, const PassRules& rules)
+	{
+		struct Way {
+			int   halfEdge;
+			float score;
+		};
+		std::vector<Way> ways;
+		forEachOutgoing(m_, v, [&](int h) {
+			if (m_.isCreaseEdge(h)) ways.push_back({h, scoreOnCrease(h, rules)});
+		});
+		std::stable_sort(ways.begin(), ways.end(),
+						 [](const Way& a, const Way& b) { return a.score > b.score; });
+		for (const Way& way : ways) {
+			if (way.score <= noScore || !canCollapseAlongCrease(m_, way.halfEdge, scratch_))
+				continue;
+			collapse(m_, way.halfEdge);
+			return true;
+		}
+		return false;
+	}
+
+	/// The worst shape that merging origin(h) into target(h) would leave. Each face is held against
+	/// itself: the two sides of a crease have no normal in common.
+	float scoreOnCrease(int h, const PassRules& rules) const
+	{
+		const int v = m_.origin[h], b = m_.target(h);
+		if (rules.sameLabelOnly && labelOf(b) != labelOf(v)) return noScore;
+		const Vec3f p = m_.position[v], q = m_.position[b];
+		float       worst = 1;
+		forEachOutgoing(m_, v, [&](int x) {
+			if (m_.target(x) == b || m_.apex(x) == b) return;
+			const Vec3f s = m_.position[m_.target(x)], t = m_.position[m_.apex(x)];
+			const Vec3f then = cross(s - p, t - p), now = cross(s - q, t - q);
+			const bool  tooLong =
+				squaredLength(s - q) > longestSquared_ || squaredLength(t - q) > longestSquared_;
+			const float scale = length(then) * length(now);
+			if (tooLong || dot(then, now) < rules.leastCosine * scale) worst = noScore;
+			worst = std::min(worst, triangleShape(q, s, t));
+		});
+		return worst;
+	}
+
+	bool removeAtBorder(int v, const PassRules& rules)
+	{
+		float score[2];
+		for (int forward = 0; forward < 2; ++forward)
+			score[forward] = scoreAlongBorder(v, forward != 0, rules);
+		for (int forward : {score[1] >= score[0] ? 1 : 0, score[1] >= score[0] ? 0 : 1}) {
+			if (score[forward] <= noScore) continue;
+			if (!canCollapseAlongBorder(m_, v, forward != 0, scratch_)) continue;
+			collapseAlongBorder(m_, v, forward != 0);
+			return true;
+		}
+		return false;
+	}
+
+	float scoreAlongBorder(int v, bool forward, const PassRules& rules) const
+	{
+		const int b = borderNeighbour(m_, v, forward);
+		if (rules.sameLabelOnly && labelOf(b) != labelOf(v)) return noScore;
+		const Vec3f p = m_.position[v], q = m_.position[b];
+		Vec3f       normal;
+		forEachOutgoing(m_, v, [&](int h) {
+			normal += cross(m_.position[m_.target(h)] - p, m_.position[m_.apex(h)] - p);
+		});
+		normal      = normalized(normal);
+		float worst = 1;
+		forEachOutgoing(m_, v, [&](int h) {
+			if (m_.target(h) == b || m_.apex(h) == b) return;
+			const Vec3f x = m_.position[m_.target(h)], y = m_.position[m_.apex(h)];
+			const Vec3f n = cross(x - q, y - q);
+			const bool  tooLong =
+				squaredLength(x - q) > longestSquared_ || squaredLength(y - q) > longestSquared_;
+			if (tooLong || dot(n, normal) < rules.leastCosine * length(n)) worst = noScore;
+			worst = std::min(worst, triangleShape(q, x, y));
+		});
+		return worst;
+	}
+};
+
+/// Runs one pass over the vertices still to be removed, work cell by work cell.
+void runPass(const WorkCells& cells, const PassRules& rules, std::vector<Remover>& removers,
+			 std::vector<char>& isThere, Workers& workers)
+{
+	for (const std::vector<WorkCell>& sameColour : cells.byColour) {
+		workers.forTasks(sameColour.size(), [&](std::size_t i, int worker) {
+			const WorkCell& cell = sameColour[i];
+			for (int k = cell.begin; k < cell.end; ++k) {
+				const int v = cells.vertices[k];
+				if (isThere[k] && removers[worker].remove(v, rules, &cell)) isThere[k] = 0;
+			}
+		});
+	}
+}
+
+/// What the blocks left, in one go, without the bound on edges. Passes that need labels are left
+/// out where there are none.
+void removeRest(HalfEdgeMesh& m, const std::vector<int>& label, std::vector<int>& rest,
+				Workers& workers)
+{
+	Remover remover(m, label, HUGE_VALF);
+	for (const PassRules& rules : passRules) {
+		if (rest.empty()) return;
+		if (rules.sameLabelOnly && label.empty()) continue;
+		std::size_t left = 0;
+		for (int v : rest) {
+			workers.poll();
+			if (!remover.remove(v, rules, nullptr)) rest[left++] = v;
+		}
+		rest.resize(left);
+	}
+}
+
+} // namespace
+
+ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
+						  const BoundaryCurves& boundary, const MeshFigures& input,
+						  Workers& workers)
+{
+	ContractedCells      cells = contractCells(surface, sampling, boundary, input, workers);
+	HalfEdgeMesh&        m     = cells.mesh;
+	const WorkCells      work  = cutIntoWorkCells(m, cells.todo, workWidth * sampling.radius);
+	std::vector<char>    isThere(work.vertices.size(), 1);
+	std::vector<Remover> removers(workers.threadNum(),
+								  Remover(m, cells.label, 0.25f * workWidth * sampling.radius));
+	for (const PassRules& rules : passRules)
+		runPass(work, rules, removers, isThere, workers);
+	Retriangulated removed;
+	for (std::size_t k = 0; k < isThere.size(); ++k) {
+		if (isThere[k]) removed.leftover.push_back(work.vertices[k]);
+	}
+	std::sort(removed.leftover.begin(), removed.leftover.end());
+	removeRest(m, cells.label, removed.leftover, workers);
+	removed.mesh          = std::move(cells.mesh);
+	removed.sampleVertex  = std::move(cells.sampleVertex);
+	removed.surfaceVertex = std::move(cells.surfaceVertex);
+	return resultOfSamples(std::move(removed), surface, sampling, boundary, workers);
+}
+
+void collapseRest(HalfEdgeMesh& m, std::vector<int>& rest, Workers& workers)
+{
+	const std::vector<int> noLabels;
+	removeRest(m, noLabels, rest, workers);
+}
+
+} // namespace gpr

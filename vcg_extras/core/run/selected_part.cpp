@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "selected_part.h"
+
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/base/sort_unique.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// The selected faces as a mesh of its own, with the way back.
+struct Part {
+	std::vector<Vec3d>        positions;
+	std::vector<std::int32_t> triangles;
+	std::vector<std::int32_t> vertexOf; ///< per vertex: the caller's
+	std::vector<std::int32_t> faceOf;   ///< per face: the caller's
+	std::vector<float>        quality;
+	std::vector<std::uint8_t> selected;
+	std::vector<std::uint8_t> line;
+
+	MeshView view() const
+	{
+		MeshView v(positions, triangles);
+		v.quality  = quality.empty() ? nullptr : quality.data();
+		v.selected = selected.empty() ? nullptr : selected.data();
+		v.line     = line.empty() ? nullptr : line.data();
+		return v;
+	}
+};
+
+using Edge = std::pair<std::int32_t, std::int32_t>; ///< the smaller vertex first
+
+Edge edgeOf(std::int32_t a, std::int32_t b)
+{
+	return {std::min(a, b), std::max(a, b)};
+}
+
+bool isSelected(const MeshView& input, std::size_t f)
+{
+	return input.selectedFace != nullptr && input.selectedFace[f] != 0;
+}
+
+void requireIndices(const MeshView& input)
+{
+	for (std::size_t i = 0; i < 3 * input.faceNum; ++i) {
+		if (std::uint32_t(input.vertexOf(i)) < input.vertexNum) continue;
+		throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
+	}
+}
+
+void addVertex(const MeshView& input, std::int32_t v, Part& part)
+{
+	part.vertexOf.push_back(v);
+	part.positions.push_back(input.position(std::size_t(v)));
+	if (input.quality != nullptr) part.quality.push_back(input.quality[v]);
+	if (input.selected != nullptr) part.selected.push_back(input.selected[v]);
+}
+
+Part cutOut(const MeshView& input)
+{
+	Part                      part;
+	std::vector<std::int32_t> newIndex(input.vertexNum, -1);
+	for (std::size_t f = 0; f < input.faceNum; ++f) {
+		if (!isSelected(input, f)) continue;
+		part.faceOf.push_back(std::int32_t(f));
+		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
+			std::int32_t& index = newIndex[std::size_t(input.vertexOf(c))];
+			if (index < 0) {
+				index = std::int32_t(part.vertexOf.size());
+				addVertex(input, input.vertexOf(c), part);
+			}
+			part.triangles.push_back(index);
+			if (input.line != nullptr) part.line.push_back(input.line[c]);
+		}
+	}
+	if (part.faceOf.empty()) throw Failure(Status::BadOptions, "No face is selected.");
+	return part;
+}
+
+/// The edges that faces of both kinds share, sorted.
+std::vector<Edge> findSeam(const MeshView& input)
+{
+	std::vector<char> ofRest(input.vertexNum, 0), ofPart(input.vertexNum, 0);
+	for (std::size_t c = 0; c < 3 * input.faceNum; ++c)
+		(isSelected(input, c / 3) ? ofPart : ofRest)[std::size_t(input.vertexOf(c))] = 1;
+	const auto isOfBoth = [&](std::int32_t v) {
+		return ofRest[std::size_t(v)] && ofPart[std::size_t(v)];
+	};
+	std::vector<Edge> edges[2]; // of the rest, of the part; between vertices of both
+	for (std::size_t c = 0; c < 3 * input.faceNum; ++c) {
+		const std::int32_t a = input.vertexOf(c), b = input.vertexOf(c % 3 == 2 ? c - 2 : c + 1);
+		if (a != b && isOfBoth(a) && isOfBoth(b))
+			edges[isSelected(input, c / 3)].push_back(edgeOf(a, b));
+	}
+	std::vector<Edge> seam;
+	for (std::vector<Edge>& e : edges) {
+		sortUnique(e);
+	}
+	std::set_intersection(edges[0].begin(), edges[0].end(), edges[1].begin(), edges[1].end(),
+						  std::back_inserter(seam));
+	return seam;
+}
+
+/// Puts the part's result in the place of the selected faces.
+class Joining {
+public:
+	Joining(const MeshView& input, const Part& part, const RemeshResult& made, RemeshResult& out) :
+			input_(input), part_(part), made_(made), out_(out)
+	{
+	}
+
+	void join()
+	{
+		takeRest();
+		takeMade();
+		requireSeam();
+	}
+
+private:
+	const MeshView&           input_;
+	const Part&               part_;
+	const RemeshResult&       made_;
+	RemeshResult&             out_;
+	std::vector<std::int32_t> newIndex_; ///< per vertex of the caller's: that of the result, or -1
+
+	std::int32_t addCallers(std::int32_t v, const SurfacePoint& at)
+	{
+		std::int32_t& index = newIndex_[std::size_t(v)];
+		if (index >= 0) return index;
+		index = std::int32_t(out_.mesh.positions.size());
+		out_.mesh.positions.push_back(input_.position(std::size_t(v)));
+		out_.anchors.push_back(at);
+		out_.callersVertex.push_back(v);
+		return index;
+	}
+
+	/// The faces that are not selected, and their vertices in the caller's order.
+	void takeRest()
+	{
+		std::vector<SurfacePoint> at(input_.vertexNum);
+		for (std::size_t f = 0; f < input_.faceNum; ++f) {
+			if (isSelected(input_, f)) continue;
+			for (int k = 0; k < 3; ++k) {
+				SurfacePoint& p = at[std::size_t(input_.vertexOf(3 * f + std::size_t(k)))];
+				if (p.face >= 0) continue;
+				p.face = std::int32_t(f);
+				for (int i = 0; i < 3; ++i)
+					p.weight[i] = i == k;
+			}
+		}
+		newIndex_.assign(input_.vertexNum, -1);
+		for (std::size_t v = 0; v < input_.vertexNum; ++v) {
+			if (at[v].face >= 0) addCallers(std::int32_t(v), at[v]);
+		}
+		for (std::size_t f = 0; f < input_.faceNum; ++f) {
+			if (!isSelected(input_, f)) addRestFace(f);
+		}
+	}
+
+	void addRestFace(std::size_t f)
+	{
+		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
+			out_.mesh.triangles.push_back(newIndex_[std::size_t(input_.vertexOf(c))]);
+		constexpr float third = 1 / 3.0f;
+		out_.faceAnchors.push_back({std::int32_t(f), {third, third, third}});
+		out_.callersFace.push_back(std::int32_t(f));
+	}
+
+	SurfacePoint ofCaller(SurfacePoint at) const
+	{
+		at.face = part_.faceOf[std::size_t(at.face)];
+		return at;
+	}
+
+	void takeMade()
+	{
+		std::vector<std::int32_t> index(made_.mesh.vertexNum());
+		for (std::size_t v = 0; v < index.size(); ++v)
+			index[v] = addMade(v);
+		for (std::int32_t v : made_.mesh.triangles)
+			out_.mesh.triangles.push_back(index[std::size_t(v)]);
+		out_.callersFace.resize(out_.mesh.faceNum(), -1);
+		for (const SurfacePoint& at : made_.faceAnchors)
+			out_.faceAnchors.push_back(ofCaller(at));
+	}
+
+	std::int32_t addMade(std::size_t v)
+	{
+		const SurfacePoint at = ofCaller(made_.anchors[v]);
+		if (!made_.callersVertex.empty() && made_.callersVertex[v] >= 0)
+			return addCallers(part_.vertexOf[std::size_t(made_.callersVertex[v])], at);
+		out_.mesh.positions.push_back(made_.mesh.positions[v]);
+		out_.anchors.push_back(at);
+		out_.callersVertex.push_back(-1);
+		return std::int32_t(out_.mesh.positions.size()) - 1;
+	}
+
+	/// Every edge of the seam must be one of the new faces, too.
+	void requireSeam() const
+	{
+		std::vector<Edge>  made;
+		const std::int64_t first = 3 * std::int64_t(input_.faceNum - part_.faceOf.size());
+		const auto&        t     = out_.mesh.triangles;
+		for (std::size_t c = std::size_t(first); c < t.size(); ++c) {
+			const std::int32_t a = out_.callersVertex[std::size_t(t[c])];
+			const std::int32_t b = out_.callersVertex[std::size_t(t[c % 3 == 2 ? c - 2 : c + 1])];
+			if (a >= 0 && b >= 0) made.push_back(edgeOf(a, b));
+		}
+		std::sort(made.begin(), made.end());
+		const std::vector<Edge> seam = findSeam(input_);
+		if (std::includes(made.begin(), made.end(), seam.begin(), seam.end())) return;
+		throw Failure(Status::PromiseBroken,
+					  "The new faces could not be joined to the rest: along its edge the selection "
+					  "has faces without area, or edges at which more than two faces meet.");
+	}
+};
+
+} // namespace
+
+RemeshResult remeshSelected(const MeshView& input, const RemeshOptions& options, const PartRun& run)
+{
+	requireIndices(input);
+	const Part    part       = cutOut(input);
+	RemeshOptions inside     = options;
+	inside.selectedOnly      = false;
+	inside.anchorsOfVertices = true; // they say where the parts are joined
+	inside.boundary          = BoundaryMode::Keep;
+	RemeshResult made        = run(part.view(), inside);
+	if (made.status != Status::Ok) return made;
+
+	RemeshResult out;
+	Joining(input, part, made, out).join();
+	if (!options.anchorsOfFaces) out.faceAnchors.clear();
+	out.status                  = Status::Ok;
+	out.notes                   = std::move(made.notes);
+	out.report                  = std::move(made.report);
+	out.report.untouchedFaceNum = std::int64_t(input.faceNum - part.faceOf.size());
+	return out;
+}
+
+} // namespace gpr

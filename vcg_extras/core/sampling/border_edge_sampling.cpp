@@ -1,0 +1,469 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "border_edge_sampling.h"
+
+#include <vcg_extras/core/surface/surface_point.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// A sample nearer to an end of its edge than this share of the edge is that end.
+constexpr double sameAsEnd = 1e-3;
+/// How often a place that proves too near to a sample moves on before its edge's end is taken.
+constexpr int mostMoves = 3;
+
+constexpr NearestField::Nearest unreached = {HUGE_VALF, -1};
+
+/// SplitMix64 (Steele et al. 2014): the same numbers on every system.
+class RandomIndex {
+public:
+	explicit RandomIndex(std::uint64_t seed) : state_(seed * 0x9e3779b97f4a7c15ull) {}
+
+	/// In [0, n), n < 2³².
+	std::size_t below(std::size_t n)
+	{
+		state_ += 0x9e3779b97f4a7c15ull;
+		std::uint64_t x = state_;
+		x               = (x ^ x >> 30) * 0xbf58476d1ce4e5b9ull;
+		x               = (x ^ x >> 27) * 0x94d049bb133111ebull;
+		return std::size_t((x >> 32) * n >> 32);
+	}
+
+private:
+	std::uint64_t state_;
+};
+
+/// An edge that fulfilled eq. (2) when it was put into the cache: by its ends, which splits of
+/// other edges do not change.
+struct BorderEdge {
+	int inner; ///< d_g <= r
+	int outer; ///< d_g > r
+};
+
+/// A place for a sample: on a half-edge, or a vertex.
+struct Place {
+	Sample sample;      ///< its face is the fused mesh's
+	int    halfEdge;    ///< that it lies on
+	int    vertex = -1; ///< the end that it is, if it is one
+};
+
+class BorderEdgeSampler {
+public:
+	BorderEdgeSampler(const Surface& surface, const BoundaryCurves& boundary,
+					  const BorderEdgeOptions& options, Workers& workers) :
+			surface_(surface),
+			boundary_(boundary), options_(options), workers_(workers), r_(options.radius),
+			nearLimit_((1 - spacingSlack) * options.radius), random_(options.seed),
+			fused_(beginFusion(surface, workers)), m_(fused_.mesh),
+			flood_(FloodGround{m_, normal_, isStretched() ? &stretch_ : nullptr, false}, field_, r_)
+	{
+		expected_ = expectedSampleNum();
+		growTo(m_.vertexNum + int(boundary.samples.size()) + expected_);
+		fillPerVertex();
+		scanStart_ = int(random_.below(m_.vertexNum));
+	}
+
+	void run()
+	{
+		takeBorder();
+		if (options_.region != nullptr && !options_.region->empty()) {
+			region_ = options_.region;
+			refillCache();
+			sampleOpen();
+			region_ = nullptr;
+			refillCache();
+		}
+		sampleOpen();
+	}
+
+	BorderEdgeSampling finish()
+	{
+		BorderEdgeSampling result;
+		Sampling&          s = result.sampling;
+		s.radius             = r_;
+		s.samples            = std::move(samples_);
+		s.boundarySampleNum  = int(boundary_.samples.size());
+		s.capped             = capped_;
+		field_.nearest.resize(surface_.mesh.vertexNum);
+		s.nearest.swap(field_.nearest);
+		labelBorder(boundary_, s);
+		result.fused = std::move(fused_);
+		return result;
+	}
+
+private:
+	const Surface&           surface_;
+	const BoundaryCurves&    boundary_;
+	const BorderEdgeOptions& options_;
+	Workers&                 workers_;
+	float                    r_;
+	float                    nearLimit_;
+	RandomIndex              random_;
+	FusedMesh                fused_;
+	HalfEdgeMesh&            m_;
+	Buffer<PackedNormal>     normal_;
+	Buffer<float>            stretch_;
+	NearestField             field_;
+	DiskFlood                flood_;
+	std::vector<Sample>      samples_;
+	std::vector<BorderEdge>  cache_;         ///< the paper's C
+	std::vector<int>         crossed_;       ///< vertices that the last disk was the first to cover
+	std::vector<int>         labels_;        ///< samples of the vertices near an edge
+	int                      expected_  = 0; ///< samples, about
+	int                      scanStart_ = 0;
+	int                      scanned_   = 0;    ///< vertices seen from scanStart_ on, all covered
+	std::vector<char>        seen_;             ///< by the search of a start's component
+	const Buffer<char>*      region_ = nullptr; ///< where samples may go now; null: everywhere
+	bool                     capped_ = false;
+
+	float distanceOf(int v) const { return field_.nearest[v].distance; }
+	int   sampleOf(int v) const { return field_.nearest[v].sample; }
+	bool  isCovered(int v) const { return distanceOf(v) <= r_; }
+	Vec3f placeOf(int sample) const { return samples_[sample].anchor.position; }
+	bool  isStretched() const { return !surface_.size.empty(); }
+	float stretchOf(int v) const { return isStretched() ? stretch_[v] : 1.0f; }
+
+	// ---- memory
+
+	void fillPerVertex()
+	{
+		const int n = m_.vertexNum;
+		std::copy(surface_.normal.begin(), surface_.normal.begin() + n, normal_.begin());
+		std::fill(field_.nearest.begin(), field_.nearest.begin() + n, unreached);
+		std::fill(field_.trial.begin(), field_.trial.begin() + n, NearestField::Trial{0, 0});
+		if (!isStretched()) return;
+		for (int v = 0; v < n; ++v)
+			stretch_[v] = 1 / surface_.size[v];
+	}
+
+	/// About 0.75 A / r² without stretch: random border edges reach 0.72 of the densest packing.
+	int expectedSampleNum() const
+	{
+		double doubled = 0;
+		for (int f = 0; f < surface_.mesh.faceNum; ++f)
+			doubled += double(length(surface_.mesh.faceCross(f)));
+		return int(std::min(0.45 * doubled / (double(r_) * r_) + 1024, 1e8));
+	}
+
+	void growTo(int vertexRoom)
+	{
+		makeRoom(fused_, vertexRoom - m_.vertexNum);
+		normal_.resize(vertexRoom);
+		field_.nearest.resize(vertexRoom);
+		field_.trial.resize(vertexRoom);
+		if (isStretched()) stretch_.resize(vertexRoom);
+	}
+
+	bool hasRoom()
+	{
+		capped_ = capped_ || std::int64_t(samples_.size()) >= options_.mostSamples;
+		return !capped_;
+	}
+
+	// ---- where samples come from
+
+	/// Vertices made since are samples, or of the border.
+	bool isOpen(int v) const
+	{
+		return region_ == nullptr || v >= surface_.mesh.vertexNum || (*region_)[v] != 0;
+	}
+
+	void refillCache()
+	{
+		scanned_ = 0;
+		cache_.clear();
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			if (isCovered(v)) pushBorderEdges(v);
+		}
+	}
+
+	void sampleOpen()
+	{
+		int start = -1;
+		do {
+			while (drawBorderEdge() && hasRoom()) {}
+			start = hasRoom() ? findStart() : -1;
+			if (start >= 0) placeAtVertex(start);
+		} while (start >= 0);
+	}
+
+	/// The samples of borders and feature lines, fused and flooded before all others.
+	void takeBorder()
+	{
+		const int before = m_.vertexNum;
+		fuseBoundary(boundary_, fused_);
+		for (int v = before; v < m_.vertexNum; ++v)
+			initFromNeighbours(v);
+		for (std::size_t i = 0; i < boundary_.samples.size(); ++i) {
+			const Anchor& a      = boundary_.samples[i].anchor;
+			const Vec3f   normal = surface_.mesh.faceNormal(a.face);
+			const int     v      = fused_.sampleVertex[i];
+			flood_.explore({{a.position, m_.outgoing[v] / 3}, normal});
+			samples_.push_back({a, normal, 1 / stretchOf(v)});
+			takeDisk(v);
+		}
+	}
+
+	/// Steps 4 to 8 for one random edge of the cache. False: the cache is empty.
+	bool drawBorderEdge()
+	{
+		if (cache_.empty()) return false;
+		const std::size_t i = random_.below(cache_.size());
+		const BorderEdge  e = cache_[i];
+		cache_[i]           = cache_.back();
+		cache_.pop_back();
+		// Covered by a later disk, or split since.
+		if (isCovered(e.outer)) return true;
+		const int h = halfEdgeOf(e);
+		if (h >= 0) placeOnEdge(e, h);
+		return true;
+	}
+
+	/// Either half-edge of the edge, or -1.
+	int halfEdgeOf(const BorderEdge& e) const
+	{
+		const int h = m_.findHalfEdge(e.inner, e.outer);
+		return h >= 0 ? h : m_.findHalfEdge(e.outer, e.inner);
+	}
+
+	/// Step 2: a random start vertex, one for every component that the border's samples and earlier
+	/// starts do not reach; -1 when all is covered.
+	int findStart()
+	{
+		const int n = surface_.mesh.vertexNum;
+		for (; scanned_ < n; ++scanned_) {
+			const int v = (scanStart_ + scanned_) % n;
+			if (isCovered(v) || m_.outgoing[v] < 0 || !isOpen(v)) continue;
+			return samples_.empty() ? v : randomUncoveredNear(v);
+		}
+		return -1;
+	}
+
+	/// A random one of the uncovered vertices linked to v by others.
+	int randomUncoveredNear(int v)
+	{
+		seen_.resize(m_.vertexNum, 0);
+		std::vector<int> reached(1, v);
+		seen_[v] = 1;
+		for (std::size_t i = 0; i < reached.size(); ++i) {
+			forEachNeighbour(m_, reached[i], [&](int w) {
+				if (seen_[w] || isCovered(w) || !isOpen(w)) return;
+				seen_[w] = 1;
+				reached.push_back(w);
+			});
+		}
+		for (int w : reached)
+			seen_[w] = 0;
+		return reached[random_.below(reached.size())];
+	}
+
+	// ---- placing
+
+	/// Steps 5 to 7. A place that its own disk finds too near to a sample moves on along the edge.
+	void placeOnEdge(const BorderEdge& e, int h)
+	{
+		double t = unionCrossing(e);
+		for (int move = 0; move < mostMoves && t < 1 - sameAsEnd; ++move) {
+			const Place place = placeAt(e, h, t);
+			flood_.explore(place.sample);
+			const int tooNear = findTooNear(place.sample);
+			if (tooNear < 0) return accept(place);
+			t = std::max(t + 0.1, exitOf(tooNear, e));
+		}
+		placeAtVertex(e.outer);
+	}
+
+	/// The end of a border edge, or a start. Where its disk finds a sample too near after all, the
+	/// front overrated the way to it, across folds or among needles: it then belongs to that
+	/// sample.
+	void placeAtVertex(int v)
+	{
+		const int   face = m_.outgoing[v] / 3;
+		const Place place{
+			{{m_.position[v], face}, normalOf(face), 1 / stretchOf(v)}, m_.outgoing[v], v};
+		flood_.explore(place.sample);
+		const int tooNear = findTooNear(place.sample);
+		if (tooNear < 0) return accept(place);
+		field_.nearest[v] = {std::min(r_, length(placeOf(tooNear) - m_.position[v])), tooNear};
+		pushBorderEdges(v);
+	}
+
+	Vec3f normalOf(int face) const { return surface_.mesh.faceNormal(fused_.parentFace[face]); }
+
+	Place placeAt(const BorderEdge& e, int h, double t) const
+	{
+		const Vec3f a = m_.position[e.inner], b = m_.position[e.outer];
+		const bool  isStart = t < sameAsEnd && distanceOf(e.inner) > nearLimit_;
+		const Vec3f p       = isStart ? a : a + (b - a) * float(t);
+		const float s1 = stretchOf(e.inner), s2 = stretchOf(e.outer);
+		const float size = 1 / (s1 + (s2 - s1) * float(t));
+		return {{{p, h / 3}, normalOf(h / 3), size}, h, isStart ? e.inner : -1};
+	}
+
+	/// Where the border of the union of disks crosses the edge: the farthest end of a disk on it.
+	double unionCrossing(const BorderEdge& e)
+	{
+		double t = exitSeenFrom(e.inner, e);
+		labels_.assign(1, sampleOf(e.inner));
+		for (int end : {e.inner, e.outer}) {
+			forEachNeighbour(m_, end, [&](int w) {
+				if (!isCovered(w) || isKnown(sampleOf(w))) return;
+				labels_.push_back(sampleOf(w));
+				t = std::max(t, exitSeenFrom(w, e));
+			});
+		}
+		return t;
+	}
+
+	bool isKnown(int sample) const
+	{
+		return std::find(labels_.begin(), labels_.end(), sample) != labels_.end();
+	}
+
+	/// Where the disk of v's sample ends on the edge, its distances to the ends taken from those
+	/// known: an end of its own has one; to another the straight distance is lengthened as that to
+	/// v is. Negative if it does not reach the edge.
+	double exitSeenFrom(int v, const BorderEdge& e) const
+	{
+		const int    s        = sampleOf(v);
+		const float  straight = length(m_.position[v] - placeOf(s));
+		const float  ratio    = straight > 0 ? distanceOf(v) / straight : stretchOf(v);
+		const double d1 = distanceTo(e.inner, s, ratio), d2 = distanceTo(e.outer, s, ratio);
+		return borderCrossing(d1, std::max(d2, double(r_)), lengthOf(e), r_);
+	}
+
+	/// Never less than the end's distance to its own sample.
+	double distanceTo(int end, int sample, float ratio) const
+	{
+		if (sampleOf(end) == sample) return distanceOf(end);
+		const float near = sampleOf(end) < 0 ? 0.0f : distanceOf(end);
+		return std::max(near, ratio * length(m_.position[end] - placeOf(sample)));
+	}
+
+	/// The same for a sample met by a flood only: straight distances.
+	double exitOf(int sample, const BorderEdge& e) const
+	{
+		const float  ratio = 0.5f * (stretchOf(e.inner) + stretchOf(e.outer));
+		const double d1    = double(ratio * length(m_.position[e.inner] - placeOf(sample)));
+		const double d2    = double(ratio * length(m_.position[e.outer] - placeOf(sample)));
+		return borderCrossing(d1, std::max(d2, double(r_)), lengthOf(e), r_);
+	}
+
+	double lengthOf(const BorderEdge& e) const
+	{
+		const float straight = length(m_.position[e.outer] - m_.position[e.inner]);
+		return double(straight * 0.5f * (stretchOf(e.inner) + stretchOf(e.outer)));
+	}
+
+	/// A sample met by the flood, nearer than the spacing and looking the same way, or -1. Through
+	/// space the other side of a thin sheet is near too.
+	int findTooNear(const Sample& sample) const
+	{
+		constexpr float sameSideCosine = 0.8f;
+		for (int t : flood_.metSamples()) {
+			const float limit = nearLimit_ * 0.5f * (sample.size + samples_[t].size);
+			if (squaredLength(sample.anchor.position - placeOf(t)) >= limit * limit) continue;
+			if (dot(sample.normal, samples_[t].normal) >= sameSideCosine) return t;
+		}
+		return -1;
+	}
+
+	// ---- the new sample
+
+	/// Steps 6 and 7, and step 3 for its disk, which is explored already.
+	void accept(const Place& place)
+	{
+		Sample    sample   = place.sample;
+		const int face     = sample.anchor.face;
+		const int v        = place.vertex >= 0 ? place.vertex : split(place);
+		sample.anchor.face = fused_.parentFace[face];
+		samples_.push_back(sample);
+		fused_.sampleVertex.push_back(v);
+		takeDisk(v);
+		if (samples_.size() % 256 == 0) workers_.poll(double(samples_.size()) / expected_);
+	}
+
+	int split(const Place& place)
+	{
+		const int a = m_.origin[place.halfEdge], b = m_.target(place.halfEdge);
+		if (field_.nearest.size() <= std::size_t(m_.vertexNum)) growTo(m_.vertexNum / 4 * 5 + 64);
+		const int v = splitAt(fused_, place.halfEdge, place.sample.anchor.position);
+		initVertex(v, a, b);
+		return v;
+	}
+
+	void initVertex(int v, int a, int b)
+	{
+		field_.nearest[v] = unreached;
+		field_.trial[v]   = {0, 0};
+		normal_[v]        = PackedNormal(normalized(normal_[a].unpack() + normal_[b].unpack()));
+		if (isStretched()) stretch_[v] = 0.5f * (stretch_[a] + stretch_[b]);
+	}
+
+	/// By the neighbours that have been made before v.
+	void initFromNeighbours(int v)
+	{
+		Vec3f normal;
+		float stretch = 0;
+		int   num     = 0;
+		forEachNeighbour(m_, v, [&](int w) {
+			if (w > v) return;
+			normal += normal_[w].unpack();
+			stretch += stretchOf(w);
+			++num;
+		});
+		field_.nearest[v] = unreached;
+		field_.trial[v]   = {0, 0};
+		normal_[v]        = PackedNormal(normalized(normal));
+		if (isStretched()) stretch_[v] = stretch / float(std::max(num, 1));
+	}
+
+	/// Gives the disk explored last to the newest sample, which is vertex v, and puts the border
+	/// edges that arise into the cache (eq. (2)).
+	void takeDisk(int v)
+	{
+		crossed_.assign(1, v);
+		for (int w : flood_.visited()) {
+			if (w != v && !isCovered(w) && field_.trial[w].distance <= r_) crossed_.push_back(w);
+		}
+		const int id = int(samples_.size()) - 1;
+		flood_.commit(id);
+		field_.nearest[v] = {0, id};
+		for (int w : crossed_)
+			pushBorderEdges(w);
+	}
+
+	void pushBorderEdges(int v)
+	{
+		if (!isOpen(v)) return;
+		forEachNeighbour(m_, v, [&](int w) {
+			if (!isCovered(w) && isOpen(w)) cache_.push_back({v, w});
+		});
+	}
+};
+
+} // namespace
+
+double borderCrossing(double d1, double d2, double edge, double r)
+{
+	// |p1 + t (p2 - p1)| = r with p0 = 0; p1 · (p2 - p1) follows from the three sides.
+	const double a = edge * edge, halfB = 0.5 * (d2 * d2 - d1 * d1 - a), c = d1 * d1 - r * r;
+	const double root = halfB * halfB - a * c;
+	if (!(a > 0 && root >= 0)) return d1 <= r ? 0 : -1;
+	const double t = (-halfB + std::sqrt(root)) / a;
+	return t <= 1 ? t : d1 <= r && d2 >= r ? 1 : -1;
+}
+
+BorderEdgeSampling sampleBorderEdges(const Surface& surface, const BoundaryCurves& boundary,
+									 const BorderEdgeOptions& options, Workers& workers)
+{
+	BorderEdgeSampler sampler(surface, boundary, options, workers);
+	sampler.run();
+	return sampler.finish();
+}
+
+} // namespace gpr

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SAMPLING_FRONT_FANS_H
+#define VCG_EXTRAS_CORE_SAMPLING_FRONT_FANS_H
+
+#include <algorithm>
+#include <vector>
+
+namespace gpr {
+
+/// What the sampling of a block remembers of each sample: which others were near when intersections
+/// were looked for round it, and which have been placed near it since. So an intersection whose
+/// turn comes can be told taken without looking at the surface.
+///
+/// Fans are numbered: first those of the samples that reached into the block before its sampling
+/// began, ascending, then those of the block's new samples in their order.
+class FrontFans {
+public:
+	/// Begins anew. earlier: samples that reach into the block, ascending; firstNew: the number
+	/// that the first of its new samples will have.
+	void clear(std::vector<int> earlier, int firstNew)
+	{
+		earlier_  = std::move(earlier);
+		firstNew_ = firstNew;
+		fans_.clear();
+		near_.clear();
+		newcomers_.clear();
+	}
+
+	const std::vector<int>& earlier() const { return earlier_; }
+
+	/// mostCrossings: faces that a walk to one of its intersections may cross.
+	void add(const std::vector<int>& near, int mostCrossings)
+	{
+		const int first = int(near_.size());
+		near_.insert(near_.end(), near.begin(), near.end());
+		fans_.push_back({first, int(near_.size()), mostCrossings, -1});
+	}
+	int last() const { return int(fans_.size()) - 1; }
+	int mostCrossings(int fan) const { return fans_[fan].mostCrossings; }
+
+	/// Tells the fan of `sample`, if it has one, that another one was placed near it.
+	void tellNewcomer(int sample, int newcomer)
+	{
+		const int fan = fanOf(sample);
+		if (fan < 0) return;
+		newcomers_.push_back({newcomer, fans_[fan].newest});
+		fans_[fan].newest = int(newcomers_.size()) - 1;
+	}
+
+	/// Whether isIt(sample) holds for one that was near when the fan was made.
+	template <class IsIt>
+	bool anyNear(int fan, const IsIt& isIt) const
+	{
+		return std::any_of(near_.begin() + fans_[fan].firstNear, near_.begin() + fans_[fan].endNear,
+						   isIt);
+	}
+	/// Whether isIt(sample) holds for one placed near since; the newest is asked first.
+	template <class IsIt>
+	bool anyNewcomer(int fan, const IsIt& isIt) const
+	{
+		for (int i = fans_[fan].newest; i >= 0; i = newcomers_[i].older) {
+			if (isIt(newcomers_[i].sample)) return true;
+		}
+		return false;
+	}
+
+private:
+	struct Fan {
+		int firstNear, endNear; ///< in near_
+		int mostCrossings;
+		int newest; ///< index of the latest newcomer; -1: none
+	};
+	struct Newcomer {
+		int sample;
+		int older; ///< index of the fan's newcomer before; -1: none
+	};
+
+	std::vector<int>      earlier_;
+	int                   firstNew_ = 0;
+	std::vector<Fan>      fans_;
+	std::vector<int>      near_;
+	std::vector<Newcomer> newcomers_; ///< a list for each fan
+
+	int fanOf(int sample) const
+	{
+		const int earlierNum = int(earlier_.size());
+		const int own        = earlierNum + sample - firstNew_;
+		if (sample >= firstNew_ && own <= last()) return own;
+		const auto found = std::lower_bound(earlier_.begin(), earlier_.end(), sample);
+		return found != earlier_.end() && *found == sample ? int(found - earlier_.begin()) : -1;
+	}
+};
+
+} // namespace gpr
+
+#endif

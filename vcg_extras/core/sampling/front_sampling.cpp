@@ -1,0 +1,708 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "front_sampling.h"
+
+#include "front_fans.h"
+#include "sample_ranges.h"
+#include "sizing.h"
+
+#include <vcg_extras/core/base/counting_sort.h>
+#include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/surface/surface_point.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// Pairs farther apart than this, or nearer, make no useful intersection (of r).
+constexpr float widestPair  = 1.98f;
+constexpr float closestPair = 0.3f;
+
+/// How much the distance of a pair from r counts against how closely a third disk fits.
+constexpr float pairWeight = 1;
+
+/// A place for a sample, and the size of its disk over the largest one.
+struct Place {
+	Anchor anchor;
+	float  size = 1;
+};
+
+/// An intersection of the disks of two samples, in the plane of the first, and how well it fits:
+/// the closer a third disk touches it, and the nearer the distance of the first two to r, the
+/// smaller. Its place on the surface is looked for when its turn comes: more than half of all
+/// intersections are taken by then, and most of those are seen to be from the plane.
+struct Candidate {
+	int   a, b;
+	int   fan;  ///< of a: what was near when it was found
+	float side; ///< 1 or -1
+	Vec3f guess;
+	float size; ///< assumed there
+	float fit;
+};
+
+/// Two samples next to each other, and the plane of the first.
+struct Pair {
+	int   a, b;
+	Vec3f u;        ///< unit vector from a towards b
+	Vec3f w;        ///< perpendicular to it
+	float distance; ///< straight from a to b
+};
+
+/// Where the third corner of a triangle over a pair lies, seen from its first sample.
+struct Apex {
+	float size        = 1; ///< assumed there
+	float length      = 0; ///< distance from a
+	float otherLength = 0; ///< distance from b
+	float cosine      = 0; ///< of the angle between the ways to it and to b
+	float sine        = 0;
+};
+
+bool fitsWorse(const Candidate& a, const Candidate& b)
+{
+	return a.fit > b.fit;
+}
+
+std::uint32_t mix(std::uint32_t x)
+{
+	x ^= x >> 16;
+	x *= 0x7feb352du;
+	x ^= x >> 15;
+	x *= 0x846ca68bu;
+	return x ^ x >> 16;
+}
+
+struct SharedState {
+	const Surface&          surface;
+	float                   radius;
+	std::uint32_t           seed;
+	const Buffer<char>&     region; ///< sampled first, per vertex; empty: none
+	NearestField            field;
+	Buffer<Sample>          samples;
+	std::vector<BlockRange> ranges;
+};
+
+/// Samples blocks, one after the other; each thread has one of its own.
+class BlockSampler {
+public:
+	explicit BlockSampler(SharedState& shared) :
+			shared_(shared), m_(shared.surface.mesh),
+			flood_(shared.surface, shared.field, shared.radius), r_(shared.radius),
+			nearLimit_((1 - spacingSlack) * shared.radius)
+	{
+	}
+
+	void         setFloodNumber(int n) { flood_.setFloodNumber(n); }
+	int          floodNumber() const { return flood_.floodNumber(); }
+	std::int64_t fillNum() const { return fillNum_; }
+	bool         capped() const { return capped_; }
+
+	/// Floods from a sample that is already placed (one of the border).
+	void floodGiven(int s) { flood_.run(s, shared_.samples[s]); }
+
+	/// inRegion: only there, as far as the block reaches into it.
+	void run(const Block& block, int blockIndex, bool inRegion)
+	{
+		region_ = inRegion ? shared_.region.data() : nullptr;
+		if (inRegion && !reachesInto(block)) return;
+		block_ = &block;
+		range_ = &shared_.ranges[blockIndex];
+		heap_.clear();
+		borderEdges_.clear();
+		nextBorderEdge_ = 0;
+		beginScan(blockIndex);
+		random_ = mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex));
+		takeUpNeighbours();
+		Place place;
+		bool  isUncovered = false;
+		while (findPlace(place, isUncovered)) {
+			if (!improvesAVertex(place)) continue;
+			if (range_->used == range_->room) {
+				capped_ = true;
+				return;
+			}
+			tryToPlace(place, isUncovered);
+		}
+	}
+
+private:
+	SharedState&           shared_;
+	const HalfEdgeMesh&    m_;
+	DiskFlood              flood_;
+	float                  r_;
+	float                  nearLimit_;
+	const Block*           block_  = nullptr;
+	const char*            region_ = nullptr; ///< where samples may go now; null: everywhere
+	BlockRange*            range_  = nullptr;
+	std::vector<Candidate> heap_;
+	std::vector<int> borderEdges_; ///< half-edges out of the covered part: the paper's cache C
+	std::size_t      nextBorderEdge_ = 0;
+	FrontFans        fans_;
+	int              scanned_   = 0; ///< vertices of the block seen by the scan
+	int              scanStart_ = 0;
+	std::uint32_t    random_    = 1; ///< of the block, from the seed
+	std::int64_t     fillNum_   = 0;
+	bool             capped_    = false;
+
+	float distanceOf(int v) const { return shared_.field.nearest[v].distance; }
+	int   sampleOf(int v) const { return shared_.field.nearest[v].sample; }
+	Vec3f placeOf(int sample) const { return shared_.samples[sample].anchor.position; }
+	float sizeOf(int sample) const { return shared_.samples[sample].size; }
+
+	/// Whether the sample is nearer to p than `limit` times the mean of both sizes.
+	bool isNearer(const Vec3f& p, float size, int sample, float limit) const
+	{
+		const float wanted = limit * (0.5f * (size + sizeOf(sample)));
+		return squaredLength(p - placeOf(sample)) < wanted * wanted;
+	}
+	bool isTooNear(const Vec3f& p, float size, int sample) const
+	{
+		return isNearer(p, size, sample, nearLimit_);
+	}
+
+	bool reachesInto(const Block& block) const
+	{
+		const char* const end = region_ + block.end;
+		return std::find(region_ + block.begin, end, char(1)) != end;
+	}
+	bool isOpen(int v) const { return region_ == nullptr || region_[v] != 0; }
+	bool isOpenFace(int f) const
+	{
+		const int* v = &m_.origin[3 * f];
+		return isOpen(v[0]) && isOpen(v[1]) && isOpen(v[2]);
+	}
+
+	Place placeAt(const Anchor& anchor) const { return {anchor, sizeAt(shared_.surface, anchor)}; }
+
+	/// A face belongs to the block that holds its smallest vertex, its first corner.
+	bool isMine(int face) const
+	{
+		const int v = m_.origin[3 * face];
+		return v >= block_->begin && v < block_->end;
+	}
+
+	void beginScan(int blockIndex)
+	{
+		const int n = block_->end - block_->begin;
+		scanned_    = 0;
+		scanStart_  = int(mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex)) % n);
+	}
+
+	/// Samples of other blocks (and of the border) that reach into this one: their intersections
+	/// and border edges are where this block's front begins.
+	void takeUpNeighbours()
+	{
+		std::vector<int> foreign;
+		for (int v = block_->begin; v < block_->end; ++v) {
+			const int s = sampleOf(v);
+			if (s >= 0) foreign.push_back(s);
+		}
+		sortUnique(foreign);
+		fans_.clear(std::move(foreign), range_->firstSample + range_->used);
+		addForeignIntersections();
+		for (int v = block_->begin; v < block_->end; ++v) {
+			if (sampleOf(v) >= 0) addBorderEdges(v);
+		}
+	}
+
+	/// Intersections of samples in no particular order. About twenty disks reach into one on a
+	/// surface; where there are far more, as among a dust of tiny components whose borders are all
+	/// sampled, the border edges serve as well and do not cost the cube of their number.
+	void addForeignIntersections()
+	{
+		constexpr std::size_t   mostSamples = 4096, mostNear = 64;
+		const std::vector<int>& foreign    = fans_.earlier();
+		const bool              areTooMany = foreign.size() > mostSamples;
+		std::vector<int>        near;
+		for (int s : foreign) {
+			near.clear();
+			for (int t : foreign) {
+				if (areTooMany) break;
+				if (t != s && isNearer(placeOf(s), sizeOf(s), t, 2 * r_)) near.push_back(t);
+			}
+			fans_.add(near, mostFacesCrossed);
+			if (near.size() > mostNear) continue;
+			for (int t : near) {
+				if (t > s) addIntersections(s, t);
+			}
+		}
+	}
+
+	void addBorderEdges(int v)
+	{
+		if (distanceOf(v) > r_) return;
+		forEachOutgoing(m_, v, [&](int h) {
+			if (distanceOf(m_.target(h)) > r_) borderEdges_.push_back(h);
+		});
+	}
+
+	/// The next place for a sample: best intersection, else border edge, else an uncovered vertex.
+	bool findPlace(Place& place, bool& isUncovered)
+	{
+		isUncovered = false;
+		while (!heap_.empty()) {
+			std::pop_heap(heap_.begin(), heap_.end(), fitsWorse);
+			const Candidate c = heap_.back();
+			heap_.pop_back();
+			if (!isTakenByNewcomer(c) && findIntersection(c, place) && !isTaken(place)) return true;
+		}
+		while (nextBorderEdge_ < borderEdges_.size()) {
+			if (!placeOnBorderEdge(borderEdges_[nextBorderEdge_++], place)) continue;
+			if (isTaken(place)) continue;
+			++fillNum_;
+			return true;
+		}
+		borderEdges_.clear();
+		nextBorderEdge_ = 0;
+		isUncovered     = true;
+		return findUncoveredVertex(place);
+	}
+
+	bool findUncoveredVertex(Place& place)
+	{
+		const int n = block_->end - block_->begin;
+		for (; scanned_ < n; ++scanned_) {
+			const int v = block_->begin + (scanStart_ + scanned_) % n;
+			if (distanceOf(v) <= r_ || m_.outgoing[v] < 0 || !isOpen(v)) continue;
+			place = placeAt({m_.position[v], m_.outgoing[v] / 3});
+			++scanned_;
+			++fillNum_;
+			return true;
+		}
+		return false;
+	}
+
+	/// Eq. (3): the point of a border edge (eq. (2)) where the disk of the sample of its inner end
+	/// ends.
+	bool placeOnBorderEdge(int h, Place& place) const
+	{
+		const int a = m_.origin[h], b = m_.target(h);
+		if (!(distanceOf(a) <= r_ && distanceOf(b) > r_) || !isMine(h / 3)) return false;
+		if (!isOpen(a) || !isOpen(b)) return false;
+		const Vec3f  edge = m_.position[b] - m_.position[a];
+		const Vec3f  w    = m_.position[a] - placeOf(sampleOf(a));
+		const double qa = squaredLength(edge), qb = 2 * double(dot(edge, w));
+		const double radius = double(r_) * sizeOf(sampleOf(a));
+		const double qc     = double(squaredLength(w)) - radius * radius;
+		const double root   = qb * qb - 4 * qa * qc;
+		double       t      = root > 0 && qa > 0 ? (-qb + std::sqrt(root)) / (2 * qa) : 0.5;
+		t                   = std::min(1.0, std::max(0.0, t));
+		place               = placeAt({m_.position[a] + edge * float(t), h / 3});
+		return true;
+	}
+
+	/// Whether a sample that owns a vertex near the place is too close by now. The corners of its
+	/// face are enough where cells have many vertices: no sample was ever found farther out that
+	/// the flood would not have met. Among large faces two rings are looked at.
+	bool isTaken(const Place& place) const
+	{
+		const Vec3f p    = place.anchor.position;
+		const int   face = place.anchor.face;
+		for (int k = 0; k < 3; ++k) {
+			const int s = sampleOf(m_.origin[3 * face + k]);
+			if (s >= 0 && isTooNear(p, place.size, s)) return true;
+		}
+		return isCoarse(face, place.size) && isTakenFarther(place);
+	}
+
+	bool isTakenFarther(const Place& place) const
+	{
+		bool       taken = false;
+		const auto look  = [&](int w) {
+            const int s = sampleOf(w);
+            taken       = taken || (s >= 0 && isTooNear(place.anchor.position, place.size, s));
+		};
+		for (int k = 0; k < 3 && !taken; ++k) {
+			forEachNeighbour(m_, m_.origin[3 * place.anchor.face + k], [&](int w) {
+				look(w);
+				if (!taken) forEachNeighbour(m_, w, look);
+			});
+		}
+		return taken;
+	}
+
+	bool isCoarse(int face, float size) const
+	{
+		constexpr float coarseEdge = 0.5f; // of the disk's radius
+		const float     limit      = coarseEdge * coarseEdge * r_ * r_ * (size * size);
+		for (int h = 3 * face; h < 3 * face + 3; ++h) {
+			const float squared =
+				squaredLength(m_.position[m_.target(h)] - m_.position[m_.origin[h]]);
+			if (squared > limit) return true;
+		}
+		return false;
+	}
+
+	/// A sample that would own no vertex could be inserted again and again.
+	bool improvesAVertex(const Place& place) const
+	{
+		for (int k = 0; k < 3; ++k) {
+			const int   v        = m_.origin[3 * place.anchor.face + k];
+			const float distance = length(m_.position[v] - place.anchor.position);
+			if (distance * 1.02f < distanceOf(v) * place.size) return true;
+		}
+		return false;
+	}
+
+	/// A place is given up if its own disk comes to a sample that is too near after all. For a
+	/// vertex that no disk covered this says that the front overrated the way to it, across folds
+	/// or among needles: it then belongs to that sample.
+	void tryToPlace(const Place& place, bool isUncovered)
+	{
+		const Sample sample{place.anchor, m_.faceNormal(place.anchor.face), place.size};
+		flood_.explore(sample);
+		const int tooNear = findTooNear(sample, isUncovered);
+		if (tooNear >= 0) {
+			if (isUncovered) cover(place.anchor, tooNear);
+			return;
+		}
+		const int s        = range_->firstSample + range_->used++;
+		shared_.samples[s] = sample;
+		flood_.commit(s);
+		extendFront(s);
+	}
+
+	/// A sample met by the flood and nearer than the spacing, or -1. For a vertex that must get a
+	/// sample only those that look the same way count: through space the other side of a thin sheet
+	/// is near too.
+	int findTooNear(const Sample& sample, bool sameSideOnly) const
+	{
+		constexpr float sameSideCosine = 0.8f;
+		for (int t : flood_.metSamples()) {
+			if (!isTooNear(sample.anchor.position, sample.size, t)) continue;
+			const float cosine = dot(sample.normal, shared_.samples[t].normal);
+			if (!sameSideOnly || cosine >= sameSideCosine) return t;
+		}
+		return -1;
+	}
+
+	void cover(const Anchor& place, int sample)
+	{
+		for (int k = 0; k < 3; ++k) {
+			const int v = m_.origin[3 * place.face + k];
+			if (!(m_.position[v] == place.position)) continue;
+			shared_.field.nearest[v] = {length(place.position - placeOf(sample)) / sizeOf(sample),
+										sample};
+		}
+	}
+
+	/// New intersections and border edges of a sample just placed.
+	void extendFront(int s)
+	{
+		// A straight way through a disk of n vertices crosses about √n faces. Among needles it can
+		// cross thousands; such a place is better left to the border edges.
+		const std::vector<int>& met = flood_.metSamples();
+		fans_.add(met, 32 + 8 * int(std::sqrt(double(flood_.visited().size()))));
+		for (int t : met) {
+			if (t == s) continue;
+			addIntersections(s, t);
+			fans_.tellNewcomer(t, s);
+		}
+		// Border edges are only looked for where the front has no intersections.
+		if (heap_.empty()) {
+			for (int v : flood_.visited()) {
+				if (sampleOf(v) == s) addBorderEdges(v);
+			}
+		}
+	}
+
+	/// The two points at the wanted distance from both samples, if the disks near s, whose fan is
+	/// the last one, leave them free.
+	void addIntersections(int s, int t)
+	{
+		Pair pair;
+		if (!makePair(s, t, pair)) return;
+		const float misfit = std::abs(pair.distance - wantedDistance(s, t));
+		for (float side : {-1.0f, 1.0f})
+			addIntersection(pair, side, misfit);
+	}
+
+	float wantedDistance(int s, int t) const { return r_ * (0.5f * (sizeOf(s) + sizeOf(t))); }
+
+	/// False if no intersection of the two is worth looking at.
+	bool makePair(int s, int t, Pair& pair) const
+	{
+		const Sample& a       = shared_.samples[s];
+		const Vec3f   between = placeOf(t) - a.anchor.position;
+		const float   wanted  = wantedDistance(s, t);
+		pair                  = {s, t, {}, {}, length(between)};
+		if (pair.distance > widestPair * wanted || pair.distance < closestPair * wanted)
+			return false;
+		pair.u = normalized(tangential(between, a.normal));
+		pair.w = cross(a.normal, pair.u);
+		return true;
+	}
+
+	void addIntersection(const Pair& pair, float side, float misfit)
+	{
+		const Sample& a = shared_.samples[pair.a];
+		// As large as the mean of the two, until the place is known.
+		const Apex  apex = apexOf(pair, 0.5f * (a.size + sizeOf(pair.b)));
+		const Vec3f guess =
+			a.anchor.position + (pair.u * apex.cosine + pair.w * (side * apex.sine)) * apex.length;
+		float third = 0;
+		if (!isRoughlyFree(guess, apex.size, pair, third)) return;
+		// Pairs nearer than the ideal leave room for a whole triangle; far ones would start a
+		// square lattice, which is just as saturated but not what is wanted. Both are compared over
+		// the local size, or dense places would always come first.
+		const float fit = (third + pairWeight * misfit) / apex.size + smallChance();
+		heap_.push_back({pair.a, pair.b, fans_.last(), side, guess, apex.size, fit});
+		std::push_heap(heap_.begin(), heap_.end(), fitsWorse);
+	}
+
+	/// Whether a sample placed since the intersection was found is near, seen in the plane.
+	bool isTakenByNewcomer(const Candidate& c) const
+	{
+		return fans_.anyNewcomer(c.fan,
+								 [&](int s) { return isNearer(c.guess, c.size, s, roughLimit()); });
+	}
+
+	/// The intersection's place on the surface; false if it is none of this block's or not free.
+	bool findIntersection(const Candidate& c, Place& place) const
+	{
+		Pair pair;
+		makePair(c.a, c.b, pair);
+		const int  mostCrossings = fans_.mostCrossings(c.fan);
+		const Apex apex          = apexOf(pair, c.size);
+		if (!walkToIntersection(pair, c.side, apex, mostCrossings, place.anchor)) return false;
+		place.size = sizeAt(shared_.surface, place.anchor);
+		if (std::abs(place.size - apex.size) > 0.01f * apex.size) {
+			const Apex better = apexOf(pair, place.size);
+			if (!walkToIntersection(pair, c.side, better, mostCrossings, place.anchor))
+				return false;
+			place.size = sizeAt(shared_.surface, place.anchor);
+		}
+		const int face = place.anchor.face;
+		return isMine(face) && isOpenFace(face) && isFree(place, pair, c.fan);
+	}
+
+	/// The triangle of a pair and a place of a given size next to it, by the law of cosines.
+	Apex apexOf(const Pair& pair, float size) const
+	{
+		Apex apex;
+		apex.size           = size;
+		apex.length         = r_ * (0.5f * (sizeOf(pair.a) + size));
+		apex.otherLength    = r_ * (0.5f * (sizeOf(pair.b) + size));
+		const float unequal = (apex.length - apex.otherLength) * (apex.length + apex.otherLength);
+		const float cosine =
+			pair.distance / (2 * apex.length) + unequal / (2 * pair.distance * apex.length);
+		apex.cosine = std::clamp(cosine, -1.0f, 1.0f);
+		apex.sine   = std::sqrt(1 - apex.cosine * apex.cosine);
+		return apex;
+	}
+
+	/// A hundredth of r at most: lets the seed decide between places that fit alike, of which there
+	/// are many where the front begins at a straight border.
+	float smallChance()
+	{
+		random_ = random_ * 1664525u + 1013904223u;
+		return 0.01f * r_ * float(random_ >> 8) * (1 / 16777216.0f);
+	}
+
+	/// Nearer in the plane means too near on the surface as well.
+	float roughLimit() const { return nearLimit_ - 0.05f * r_; }
+
+	/// Cheap test in the tangent plane among the samples of the last fan; also finds the nearest
+	/// third sample, over its wanted distance.
+	bool isRoughlyFree(const Vec3f& p, float size, const Pair& pair, float& third) const
+	{
+		const float limit   = roughLimit() * roughLimit();
+		float       nearest = HUGE_VALF;
+		const bool  isTaken = fans_.anyNear(fans_.last(), [&](int other) {
+            if (other == pair.a || other == pair.b) return false;
+            const float relative = 2 * size / (size + sizeOf(other));
+            nearest = std::min(nearest, squaredLength(p - placeOf(other)) * (relative * relative));
+            return nearest < limit * (size * size);
+        });
+		if (isTaken) return false;
+		third = std::sqrt(nearest);
+		return true;
+	}
+
+	bool isFree(const Place& place, const Pair& pair, int fan) const
+	{
+		const auto isInTheWay = [&](int other) {
+			return other != pair.a && isTooNear(place.anchor.position, place.size, other);
+		};
+		return !isInTheWay(pair.b) && !fans_.anyNear(fan, isInTheWay) &&
+			   !fans_.anyNewcomer(fan, isInTheWay);
+	}
+
+	/// Walks from a at the angle the plane suggests; if the surface's bend leaves the other sample
+	/// off by more than 1 %, once more at the angle of a secant step.
+	bool walkToIntersection(const Pair& pair, float side, const Apex& apex, int mostCrossings,
+							Anchor& place) const
+	{
+		const Sample& a      = shared_.samples[pair.a];
+		const float   cosine = apex.cosine, sine = apex.sine;
+		if (!walkFrom(a, (pair.u * cosine + pair.w * (side * sine)) * apex.length, mostCrossings,
+					  place))
+			return false;
+		const float error = length(place.position - placeOf(pair.b)) - apex.otherLength;
+		if (std::abs(error) <= 0.01f * apex.otherLength) return true;
+		const float lever = pair.distance * sine * (apex.length / apex.otherLength);
+		const float turn  = std::clamp(-error / (lever + 1e-20f), -0.3f, 0.3f);
+		// The angle turned by a small one, without trigonometric functions of libm, whose last bits
+		// differ between systems.
+		const float ct = 1 - 0.5f * turn * turn + turn * turn * turn * turn * (1 / 24.0f);
+		const float st = turn - turn * turn * turn * (1 / 6.0f);
+		const float c2 = cosine * ct - sine * st, s2 = sine * ct + cosine * st;
+		return walkFrom(a, (pair.u * c2 + pair.w * (side * s2)) * apex.length, mostCrossings,
+						place);
+	}
+
+	bool walkFrom(const Sample& a, const Vec3f& step, int mostCrossings, Anchor& place) const
+	{
+		place = a.anchor;
+		return walk(m_, place, step, mostCrossings) == WalkEnd::Arrived;
+	}
+};
+
+/// Which samples own a vertex; one whose vertices were all taken by later ones says nothing any
+/// more.
+Buffer<char> findOwners(const SharedState& shared, const Sampling& result, Workers& workers)
+{
+	Buffer<char> owns(shared.samples.size(), 0);
+	workers.forRange(result.nearest.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			const int s = result.nearest[v].sample;
+			if (s >= 0) __atomic_store_n(&owns[s], char(1), __ATOMIC_RELAXED);
+		}
+	});
+	return owns;
+}
+
+/// Puts the samples of all blocks in a row and renames them in the vertices' entries.
+void compact(const SharedState& shared, Workers& workers, Sampling& result)
+{
+	const int          given = result.boundarySampleNum;
+	const Buffer<char> owns  = findOwners(shared, result, workers);
+	Buffer<int>        rename(shared.samples.size());
+	for (int s = 0; s < given; ++s) {
+		rename[s] = s;
+		result.samples.push_back(shared.samples[s]);
+	}
+	for (const BlockRange& range : shared.ranges) {
+		for (int s = range.firstSample; s < range.firstSample + range.used; ++s) {
+			if (!owns[s]) continue;
+			rename[s] = int(result.samples.size());
+			result.samples.push_back(shared.samples[s]);
+		}
+	}
+	workers.forRange(result.nearest.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			int& s = result.nearest[v].sample;
+			if (s >= 0) s = rename[s];
+		}
+	});
+}
+
+/// Calls body(sampler, block) for all blocks once, colour by colour. The number of floods goes from
+/// each colour to the next.
+template <class Body>
+void forBlocks(const BlockPartition& partition, Workers& workers,
+			   std::vector<BlockSampler>& samplers, const Body& body)
+{
+	int        floodNumber = 0;
+	const auto collect     = [&] {
+        for (const BlockSampler& s : samplers)
+            floodNumber = std::max(floodNumber, s.floodNumber());
+	};
+	collect();
+	for (const std::vector<int>& ids : partition.byColour) {
+		for (BlockSampler& s : samplers)
+			s.setFloodNumber(floodNumber);
+		workers.forTasks(ids.size(),
+						 [&](std::size_t i, int worker) { body(samplers[worker], ids[i]); });
+		collect();
+	}
+}
+
+void sampleBlocks(const BlockPartition& partition, bool inRegion, Workers& workers,
+				  std::vector<BlockSampler>& samplers)
+{
+	forBlocks(partition, workers, samplers, [&](BlockSampler& sampler, int block) {
+		sampler.run(partition.blocks[block], block, inRegion);
+	});
+}
+
+/// Floods from the samples of curves, each with those of its block.
+void floodGiven(const HalfEdgeMesh& m, const BoundaryCurves& boundary,
+				const BlockPartition& partition, Workers& workers,
+				std::vector<BlockSampler>& samplers)
+{
+	const std::vector<Block>& blocks  = partition.blocks;
+	const auto                blockOf = [&](std::size_t s) {
+        const int  v = m.origin[3 * boundary.samples[s].anchor.face];
+        const auto next =
+            std::upper_bound(blocks.begin(), blocks.end(), v,
+											[](int vertex, const Block& b) { return vertex < b.end; });
+        return int(next - blocks.begin());
+	};
+	Buffer<int> start, given;
+	sortIntoBuckets(boundary.samples.size(), blocks.size(), blockOf, workers, start, given);
+	forBlocks(partition, workers, samplers, [&](BlockSampler& sampler, int block) {
+		for (int i = start[block]; i < start[block + 1]; ++i)
+			sampler.floodGiven(given[i]);
+	});
+}
+
+} // namespace
+
+/// Vertices of curves belong to the nearest sample along their curve, tips to their own, at
+/// distance 0 of the interior's choice: no interior sample is stood for by such a vertex.
+void labelBorder(const BoundaryCurves& boundary, Sampling& result)
+{
+	for (std::size_t c = 0; c < boundary.curves.size(); ++c) {
+		const Curve& curve = boundary.curves[c];
+		for (int i = 0; i < curve.pointNum(); ++i)
+			result.nearest[curve.vertex[i]] = {0.0f, boundary.sampleOfPoint[c][i]};
+	}
+	for (std::size_t s = 0; s < boundary.samples.size(); ++s) {
+		const CurveSample& sample = boundary.samples[s];
+		if (sample.curve < 0) result.nearest[sample.vertex] = {0.0f, int(s)};
+	}
+}
+
+Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
+					 const BlockPartition& partition, float radius, std::uint32_t seed,
+					 Workers& workers, const Buffer<char>& region)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	Sampling            result;
+	result.radius            = radius;
+	result.boundarySampleNum = int(boundary.samples.size());
+
+	SharedState shared{surface, radius, seed, region, {}, {}, {}};
+	shared.ranges = makeRanges(surface, partition, radius, result.boundarySampleNum, workers);
+	shared.samples.reset(std::size_t(shared.ranges.back().firstSample) + shared.ranges.back().room);
+	shared.field.nearest.reset(m.vertexNum);
+	shared.field.trial.reset(m.vertexNum);
+	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			shared.field.nearest[v] = {HUGE_VALF, -1};
+			shared.field.trial[v]   = {0, 0};
+		}
+	});
+
+	std::vector<BlockSampler> samplers(workers.threadNum(), BlockSampler(shared));
+	for (int s = 0; s < result.boundarySampleNum; ++s) {
+		const Anchor& a   = boundary.samples[s].anchor;
+		shared.samples[s] = {a, m.faceNormal(a.face), sizeAt(surface, a)};
+	}
+	floodGiven(m, boundary, partition, workers, samplers);
+	if (!region.empty()) sampleBlocks(partition, true, workers, samplers);
+	sampleBlocks(partition, false, workers, samplers);
+	for (const BlockSampler& s : samplers) {
+		result.fillNum += s.fillNum();
+		result.capped = result.capped || s.capped();
+	}
+	result.nearest.swap(shared.field.nearest);
+	compact(shared, workers, result);
+	labelBorder(boundary, result);
+	return result;
+}
+
+} // namespace gpr

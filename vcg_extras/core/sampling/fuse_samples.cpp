@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fuse_samples.h"
+
+#include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/surface/surface_point.h>
+
+#include <algorithm>
+
+namespace gpr {
+
+namespace {
+
+/// Weights of a face's corners below this count as none, shares of an edge near 0 and 1 likewise.
+constexpr double onEdge = 1e-3;
+/// Points nearer than this are one: a few steps of a float of magnitude one.
+constexpr float samePlace = 4e-6f;
+/// Faces of one face of the surface that the search for a sample crosses at most.
+constexpr int mostFacesCrossedInFace = 1000;
+
+/// Fuses samples anywhere on the surface, one after the other.
+class Fuser {
+public:
+	explicit Fuser(FusedMesh& fused) :
+			fused_(fused), m_(fused.mesh), taken_(fused.mesh.position.size(), 0)
+	{
+		for (int v : fused.sampleVertex) {
+			if (v >= 0) taken_[v] = 1;
+		}
+	}
+
+	/// A sample anywhere. mayBeBorder: whether it may become a vertex of the border; one that lies
+	/// there though it may not gets no vertex.
+	void fuse(int sample, const Anchor& at, bool mayBeBorder)
+	{
+		const Place place = locate(at);
+		const auto  least = std::min_element(place.weight, place.weight + 3) - place.weight;
+		const int   edge  = nextInFace(3 * place.face + int(least)); // opposite that corner
+		for (int k = 0; k < 3; ++k) {
+			const int v = m_.origin[3 * place.face + k];
+			if (place.weight[(k + 1) % 3] >= onEdge || place.weight[(k + 2) % 3] >= onEdge)
+				continue;
+			if (!mayBeBorder && m_.isBorderVertex(v)) return;
+			if (settleOn(sample, v, at.position)) return;
+		}
+		if (place.weight[least] >= onEdge)
+			take(sample, splitFaceAt(fused_, place.face, at.position));
+		else if (mayBeBorder || !m_.isBorderEdge(edge))
+			take(sample, splitAt(fused_, edge, at.position));
+	}
+
+private:
+	/// A face and the weights of its corners at a point.
+	struct Place {
+		int    face;
+		double weight[3];
+	};
+
+	FusedMesh&        fused_;
+	HalfEdgeMesh&     m_;
+	std::vector<char> taken_; ///< per vertex: is a sample
+
+	/// Makes v the sample's vertex. True too where v is another sample's at the same place, which
+	/// leaves this one without. False: v is taken.
+	bool settleOn(int sample, int v, const Vec3f& p)
+	{
+		if (taken_[v]) return length(m_.position[v] - p) < samePlace;
+		take(sample, v);
+		m_.position[v] = p;
+		return true;
+	}
+
+	void take(int sample, int v)
+	{
+		taken_[v]                   = 1;
+		fused_.sampleVertex[sample] = v;
+	}
+
+	/// Walks within the anchor's face of the surface, cut up as it may be by now, to the part that
+	/// holds the point.
+	Place locate(const Anchor& at) const
+	{
+		Place place = weigh(at.face, at.position);
+		for (int crossed = 0; crossed < mostFacesCrossedInFace; ++crossed) {
+			const auto least = std::min_element(place.weight, place.weight + 3);
+			if (*least >= 0) return place;
+			const int beyond = m_.opposite[nextInFace(3 * place.face + int(least - place.weight))];
+			if (beyond < 0 || fused_.parentFace[beyond / 3] != at.face) return place;
+			place = weigh(beyond / 3, at.position);
+		}
+		return place;
+	}
+
+	/// Weights that add up to one; a face without area gives its nearest corner all of it.
+	Place weigh(int face, const Vec3f& at) const
+	{
+		Place       place = {face, {0, 0, 0}};
+		const Vec3d p(at);
+		Vec3d       corner[3];
+		for (int k = 0; k < 3; ++k)
+			corner[k] = Vec3d(m_.position[m_.origin[3 * face + k]]);
+		const Vec3d  normal  = cross(corner[1] - corner[0], corner[2] - corner[0]);
+		const double squared = squaredLength(normal);
+		if (!(squared > 0)) {
+			place.weight[nearestOf(corner, p)] = 1;
+			return place;
+		}
+		for (int k = 0; k < 3; ++k) {
+			const Vec3d& a  = corner[(k + 1) % 3];
+			const Vec3d& b  = corner[(k + 2) % 3];
+			place.weight[k] = dot(cross(b - a, p - a), normal) / squared;
+		}
+		return place;
+	}
+
+	static int nearestOf(const Vec3d (&corner)[3], const Vec3d& p)
+	{
+		int best = 0;
+		for (int k = 1; k < 3; ++k) {
+			if (squaredLength(corner[k] - p) < squaredLength(corner[best] - p)) best = k;
+		}
+		return best;
+	}
+};
+
+} // namespace
+
+FusedMesh fuseSamples(const Surface& surface, const Sampling& sampling,
+					  const BoundaryCurves& boundary, Workers& workers)
+{
+	FusedMesh fused     = beginFusion(surface, workers);
+	const int sampleNum = int(sampling.samples.size());
+	makeRoom(fused, sampleNum);
+	fuseBoundary(boundary, fused);
+	const int first = int(fused.sampleVertex.size());
+	fused.sampleVertex.resize(sampleNum, -1);
+	Fuser fuser(fused);
+	for (int s = first; s < sampleNum; ++s) {
+		if (s % 65536 == 0) workers.poll(double(s) / sampleNum);
+		fuser.fuse(s, sampling.samples[s].anchor, boundary.samples.empty());
+	}
+	return fused;
+}
+
+} // namespace gpr

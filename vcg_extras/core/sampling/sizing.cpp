@@ -1,0 +1,537 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sizing.h"
+
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/features/boundary_curves.h>
+#include <vcg_extras/core/input/split_long_edges.h>
+#include <vcg_extras/core/results.h>
+#include <vcg_extras/core/surface/barycentric_point.h>
+#include <vcg_extras/core/surface/surface_point.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+/// How much sizes may grow by distance, both in units of the largest radius: sizes that change
+/// faster cost angles.
+constexpr float gradingSlope = 0.15f;
+/// The grading passes end by themselves long before; its ramps are a few radii long.
+constexpr int mostGradingPasses = 10000;
+/// Least 1 + λH of the equations as printed.
+constexpr float leastPrintedStretch = 0.1f;
+/// More ring passes than this would take longer than the remeshing.
+constexpr int mostCurvaturePasses = 200;
+
+/// A curvature, or its square, integrated over faces, and their area: both are averaged alike, so
+/// that the quotient is an area mean.
+struct CurvatureSum {
+	float curvature = 0;
+	float area      = 0;
+};
+
+Buffer<Vec3f> vertexNormals(const HalfEdgeMesh& m, Workers& workers)
+{
+	Buffer<Vec3f> normal(m.vertexNum);
+	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			Vec3f sum;
+			forEachOutgoing(m, int(v), [&](int h) { sum += m.faceCross(h / 3); });
+			normal[v] = normalized(sum);
+		}
+	});
+	return normal;
+}
+
+/// Mean curvature integrated over a face: half the sum over its corners of the normal there times
+/// the integral of its hat function's gradient, half the opposite edge turned inwards.
+float integratedCurvature(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int f)
+{
+	const Vec3f faceNormal = m.faceNormal(f);
+	float       sum        = 0;
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		const Vec3f opposite = m.position[m.apex(h)] - m.position[m.target(h)];
+		sum += dot(normal[m.origin[h]], cross(faceNormal, opposite));
+	}
+	return 0.25f * sum;
+}
+
+/// Every vertex takes the mean of itself and its neighbours.
+void averageOverRings(const HalfEdgeMesh& m, Workers& workers, Buffer<CurvatureSum>& value)
+{
+	Buffer<CurvatureSum> mean(value.size());
+	workers.forRange(value.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			CurvatureSum sum = value[v];
+			int          n   = 1;
+			forEachNeighbour(m, int(v), [&](int w) {
+				sum.curvature += value[w].curvature;
+				sum.area += value[w].area;
+				++n;
+			});
+			mean[v] = {sum.curvature / float(n), sum.area / float(n)};
+		}
+	});
+	value.swap(mean);
+}
+
+double surfaceAreaOf(const HalfEdgeMesh& m, Workers& workers)
+{
+	return workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		double area = 0;
+		for (std::size_t f = begin; f < end; ++f)
+			area += 0.5 * double(length(m.faceCross(int(f))));
+		return area;
+	});
+}
+
+/// Passes of ring averages that reach over a disk: the spread of n passes is that of a random walk
+/// of n steps an edge long, of which half the radius covers most of a disk.
+int passesForRadius(const Surface& surface, float radius, Workers& workers)
+{
+	const double area  = surfaceAreaOf(surface.mesh, workers);
+	const double edge2 = area / std::max(1, surface.mesh.faceNum) * (4 / std::sqrt(3.0));
+	const double steps = 0.25 * double(radius) * radius / std::max(edge2, 1e-30);
+	return std::clamp(int(std::lround(steps)), 0, mostCurvaturePasses);
+}
+
+/// Normals averaged over so many rings: what noise there is in them goes, creases stay within a
+/// fraction of the radius.
+Buffer<Vec3f> smoothedNormals(const HalfEdgeMesh& m, int passes, Workers& workers)
+{
+	Buffer<Vec3f> normal = vertexNormals(m, workers);
+	Buffer<Vec3f> mean(normal.size());
+	for (int pass = 0; pass < passes; ++pass) {
+		workers.forRange(normal.size(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v) {
+				Vec3f sum = normal[v];
+				forEachNeighbour(m, int(v), [&](int w) { sum += normal[w]; });
+				mean[v] = normalized(sum);
+			}
+		});
+		normal.swap(mean);
+	}
+	return normal;
+}
+
+/// κ₁² + κ₂² integrated over a face: the Dirichlet energy of its normals, half the sum over the
+/// edges of the cotangent of the angle opposite times the squared change of the normal.
+float integratedSquaredCurvature(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int f)
+{
+	constexpr float leastCotangent = -5; // of needles
+	float           sum            = 0;
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		const Vec3f p = m.position[m.origin[h]];
+		const Vec3f a = m.position[m.target(h)] - p, b = m.position[m.apex(h)] - p;
+		const float doubled = length(cross(a, b));
+		if (!(doubled > 0)) continue;
+		const float cotangent = std::max(leastCotangent, dot(a, b) / doubled);
+		sum += cotangent * squaredLength(normal[m.target(h)] - normal[m.apex(h)]);
+	}
+	return std::max(0.0f, 0.5f * sum);
+}
+
+/// What ofFace(f) gives, and the area, summed over the ring of every vertex.
+template <class OfFace>
+Buffer<CurvatureSum> sumOverRings(const HalfEdgeMesh& m, Workers& workers, const OfFace& ofFace)
+{
+	Buffer<float> amount(m.faceNum);
+	workers.forRange(amount.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f)
+			amount[f] = ofFace(int(f));
+	});
+	Buffer<CurvatureSum> ring(m.vertexNum);
+	workers.forRange(ring.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			CurvatureSum sum;
+			forEachOutgoing(m, int(v), [&](int h) {
+				sum.curvature += amount[h / 3];
+				sum.area += 0.5f * length(m.faceCross(h / 3));
+			});
+			ring[v] = sum;
+		}
+	});
+	return ring;
+}
+
+/// Root of κ₁² + κ₂² at every vertex, averaged over half a disk's radius.
+Buffer<float> totalCurvature(const Surface& surface, float radius, Workers& workers)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	const int           normalPasses =
+		std::max(1, passesForRadius(surface, 0.5f * radius, workers)); // of .25 r
+	const Buffer<Vec3f>  normal = smoothedNormals(m, normalPasses, workers);
+	Buffer<CurvatureSum> ring =
+		sumOverRings(m, workers, [&](int f) { return integratedSquaredCurvature(m, normal, f); });
+	const int passes = passesForRadius(surface, radius, workers); // of .5 r
+	for (int pass = 0; pass < passes; ++pass)
+		averageOverRings(m, workers, ring);
+	Buffer<float> kappa(ring.size());
+	for (std::size_t v = 0; v < ring.size(); ++v)
+		kappa[v] = ring[v].area > 0 ? std::sqrt(ring[v].curvature / ring[v].area) : 0.0f;
+	return kappa;
+}
+
+/// The value that half of the area lies below, by a histogram of eighths of a percent; 0 where half
+/// of the surface is flat.
+float areaMedian(const HalfEdgeMesh& m, const Buffer<float>& value)
+{
+	constexpr int       binsPerOctave = 512, octaves = 64;
+	std::vector<double> bin(std::size_t(binsPerOctave) * octaves, 0.0);
+	double              flat = 0, whole = 0;
+	for (int f = 0; f < m.faceNum; ++f) {
+		const double area = double(length(m.faceCross(f)));
+		whole += area;
+		for (int k = 0; k < 3; ++k) {
+			const float x = value[m.origin[3 * f + k]];
+			if (!(x > 0)) {
+				flat += area / 3;
+				continue;
+			}
+			int         exponent = 0;
+			const float fraction = std::frexp(x, &exponent); // in [0.5, 1)
+			const int   inOctave = int((fraction - 0.5f) * 2 * binsPerOctave);
+			const int   at = (std::clamp(exponent + octaves / 2, 0, octaves - 1)) * binsPerOctave;
+			bin[at + inOctave] += area / 3;
+		}
+	}
+	double below = flat;
+	if (below * 2 >= whole) return 0;
+	for (std::size_t i = 0; i < bin.size(); ++i) {
+		below += bin[i];
+		if (below * 2 < whole) continue;
+		const int octave = int(i) / binsPerOctave - octaves / 2;
+		return std::ldexp(0.5f + 0.5f * float(int(i) % binsPerOctave) / binsPerOctave, octave);
+	}
+	return 0;
+}
+
+/// Sizes that lessen the error at the same number of vertices: the fourth root of the curvature's
+/// inverse, within a range of 4 to the power of `adapt`. Where half of the surface is flat the mean
+/// takes the median's place.
+void adaptSizes(const SizingRequest& request, const Surface& surface, Workers& workers,
+				Buffer<float>& size)
+{
+	const Buffer<float> kappa  = totalCurvature(surface, request.radius, workers);
+	float               middle = areaMedian(surface.mesh, kappa);
+	if (!(middle > 0)) {
+		double sum = 0;
+		for (float k : kappa)
+			sum += k;
+		middle = float(sum / double(std::max<std::size_t>(1, kappa.size())));
+	}
+	if (!(middle > 0)) return;                                   // all flat
+	const float range = std::exp2(float(request.options.adapt)); // root of 4^adapt
+	for (std::size_t v = 0; v < size.size(); ++v) {
+		const float wanted = kappa[v] > 0 ? std::sqrt(std::sqrt(middle / kappa[v])) : range;
+		size[v] *= std::clamp(wanted, 1 / range, range);
+	}
+}
+
+/// The caller's quality at every vertex of the surface.
+Buffer<float> qualityAtVertices(const SizingRequest& request, const Surface& surface,
+								Workers& workers)
+{
+	const float* quality = request.input.quality;
+	if (quality == nullptr) {
+		throw Failure(Status::BadOptions,
+					  "The density is to come from the vertex quality, but the mesh has none.");
+	}
+	Buffer<float> value(surface.mesh.vertexNum);
+	workers.forRange(value.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v) {
+			value[v] = 0;
+			if (surface.mesh.outgoing[v] < 0) continue;
+			const SurfacePoint at =
+				surfacePoint(request.input, surface, anchorOfVertex(surface, int(v)));
+			for (int k = 0; k < 3; ++k)
+				value[v] += at.weight[k] * quality[request.input.vertexOf(3 * at.face + k)];
+		}
+	});
+	for (float q : value) {
+		if (!std::isfinite(q)) {
+			throw Failure(Status::BadOptions,
+						  "The vertex quality holds values that are not finite.");
+		}
+	}
+	return value;
+}
+
+/// What λ is multiplied with: |H|·r or the quality where calibrated; signed H in 1/mesh unit, or
+/// the quality, as printed.
+Buffer<float> strengthAtVertices(const SizingRequest& request, const Surface& surface,
+								 Workers& workers)
+{
+	const bool printed = request.options.equations == Equations::AsPrinted;
+	if (request.options.sizing == SizingSource::Quality) {
+		Buffer<float> quality = qualityAtVertices(request, surface, workers);
+		for (float& q : quality)
+			q = std::abs(q);
+		return quality;
+	}
+	const int     passes   = passesForRadius(surface, request.radius, workers);
+	Buffer<float> strength = meanCurvature(surface, passes, workers);
+	const float   scale    = float(surface.frame.scale);
+	for (float& h : strength)
+		h = printed ? h * scale : std::abs(h) * request.radius;
+	return strength;
+}
+
+/// Lowers sizes until none grows faster than the slope along any edge. Each pass reads the last
+/// one's values, so that it does not matter which thread does what.
+void grade(const Surface& surface, float radius, Workers& workers, Buffer<float>& size)
+{
+	const HalfEdgeMesh& m       = surface.mesh;
+	const float         perUnit = gradingSlope / radius;
+	Buffer<float>       lowered(size.size());
+	for (int pass = 0; pass < mostGradingPasses; ++pass) {
+		const int changed = workers.sum<int>(size.size(), [&](std::size_t begin, std::size_t end) {
+			int n = 0;
+			for (std::size_t v = begin; v < end; ++v) {
+				float least = size[v];
+				forEachNeighbour(m, int(v), [&](int w) {
+					const float distance = length(m.position[w] - m.position[v]);
+					least                = std::min(least, size[w] + perUnit * distance);
+				});
+				// Ever smaller changes far from their cause are not worth a pass.
+				const bool lower = least < size[v] * 0.999f;
+				lowered[v]       = lower ? least : size[v];
+				n += lower;
+			}
+			return n;
+		});
+		size.swap(lowered);
+		if (changed == 0) return;
+	}
+}
+
+/// Area mean of 1/size².
+double meanSquaredStretch(const HalfEdgeMesh& m, const Buffer<float>& size, Workers& workers)
+{
+	struct Sums {
+		double weighted = 0, area = 0;
+		Sums&  operator+=(const Sums& o)
+		{
+			weighted += o.weighted;
+			area += o.area;
+			return *this;
+		}
+	};
+	const Sums sums = workers.sum<Sums>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		Sums s;
+		for (std::size_t f = begin; f < end; ++f) {
+			const double area    = 0.5 * double(length(m.faceCross(int(f))));
+			double       inverse = 0;
+			for (int k = 0; k < 3; ++k) {
+				const double here = size[m.origin[3 * f + k]];
+				inverse += 1 / (3 * here * here);
+			}
+			s.weighted += area * inverse;
+			s.area += area;
+		}
+		return s;
+	});
+	return sums.area > 0 ? sums.weighted / sums.area : 1;
+}
+
+/// Sizes over the largest one, which may be above or below 1; returns it.
+float normalise(Buffer<float>& size)
+{
+	float largest = 0;
+	for (float s : size)
+		largest = std::max(largest, s);
+	for (float& s : size)
+		s /= largest;
+	return largest;
+}
+
+void shrinkFeatures(const SizingRequest& request, Buffer<float>& size)
+{
+	if (request.isFeatureVertex.empty()) return;
+	for (std::size_t v = 0; v < size.size(); ++v) {
+		if (request.isFeatureVertex[v]) size[v] *= float(request.options.featureDiskScale);
+	}
+}
+
+bool wantsSmallerDisks(const SizingRequest& request)
+{
+	return !request.isFeatureVertex.empty() &&
+		   request.options.featureSampling == FeatureSampling::Disks &&
+		   request.options.featureDiskScale < 1;
+}
+
+bool matchesBorder(const SizingRequest& request)
+{
+	return request.options.boundary == BoundaryMode::Keep &&
+		   request.options.equations == Equations::Calibrated;
+}
+
+/// Mean length of the two border edges at every border vertex; 0 inside. Edges that were split are
+/// long ones: they count as the longest that are not.
+Buffer<float> spacingAtBorder(const SizingRequest& request, const HalfEdgeMesh& m)
+{
+	std::vector<char> isKept(m.vertexNum, 0);
+	for (int v : request.kept)
+		isKept[v] = 1;
+	Buffer<float> spacing(m.vertexNum, 0.0f);
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		if (!m.isBorderEdge(h)) continue;
+		const int   a = m.origin[h], b = m.target(h);
+		const bool  isWhole    = isKept[a] && isKept[b];
+		const float edgeLength = length(m.position[a] - m.position[b]);
+		const float share = 0.5f * (isWhole ? edgeLength : longestEdgeInRadii * request.radius);
+		spacing[a] += share;
+		spacing[b] += share;
+	}
+	return spacing;
+}
+
+/// Lowers the sizes at a border whose vertices stay to what goes with their spacing, then grades.
+/// Which size that is depends on the radius, and that on all sizes: found in a few passes.
+void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers& workers,
+				   Buffer<float>& size)
+{
+	constexpr int       passes       = 3;
+	constexpr float     smallestSize = 1 / 32.0f;
+	const HalfEdgeMesh& m            = surface.mesh;
+	const Buffer<float> atBorder     = spacingAtBorder(request, m);
+	Buffer<float>       matched(size.size());
+	std::copy(size.begin(), size.end(), matched.begin());
+	for (int pass = 0; pass < passes; ++pass) {
+		const double factor = std::sqrt(meanSquaredStretch(m, matched, workers));
+		const float  radius = request.radius * float(factor);
+		for (std::size_t v = 0; v < size.size(); ++v) {
+			matched[v] = size[v];
+			if (!(atBorder[v] > 0)) continue;
+			const float wanted = atBorder[v] / (borderSpacing * radius);
+			matched[v]         = std::min(size[v], std::max(smallestSize, wanted));
+		}
+		grade(surface, radius, workers, matched);
+	}
+	size.swap(matched);
+}
+
+Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Workers& workers)
+{
+	Sizing      sizing;
+	const float lambda   = float(request.options.lambda);
+	const float smallest = float(1 / request.options.largestStretch);
+	sizing.size.reset(surface.mesh.vertexNum);
+	sizing.size.fill(1);
+	if (lambda > 0) {
+		const Buffer<float> strength = strengthAtVertices(request, surface, workers);
+		for (std::size_t v = 0; v < strength.size(); ++v)
+			sizing.size[v] = std::max(smallest, 1 / (1 + lambda * strength[v]));
+	}
+	if (request.options.adapt > 0) adaptSizes(request, surface, workers, sizing.size);
+	if (wantsSmallerDisks(request)) shrinkFeatures(request, sizing.size);
+	// How steep a ramp is depends on the radius, and that on the sizes: the sizes before grading
+	// give it well enough.
+	const double before = meanSquaredStretch(surface.mesh, sizing.size, workers);
+	if (matchesBorder(request))
+		gradeToBorder(request, surface, workers, sizing.size);
+	else
+		grade(surface, request.radius * float(std::sqrt(before)), workers, sizing.size);
+	const float largest = normalise(sizing.size);
+	if (!(largest > 0)) throw Failure(Status::InternalError, "The density has no largest size.");
+	sizing.radiusFactor = std::sqrt(meanSquaredStretch(surface.mesh, sizing.size, workers));
+	return sizing;
+}
+
+Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers& workers)
+{
+	Sizing      sizing;
+	const float lambda = float(request.options.lambda);
+	sizing.size.reset(surface.mesh.vertexNum);
+	sizing.size.fill(1);
+	double meanStretch = 1;
+	if (lambda > 0) {
+		const Buffer<float> strength = strengthAtVertices(request, surface, workers);
+		double              sum      = 0;
+		for (std::size_t v = 0; v < strength.size(); ++v) {
+			const float stretch = 1 + lambda * strength[v];
+			sum += double(lambda) * strength[v];
+			sizing.clampedNum += stretch < leastPrintedStretch;
+			sizing.size[v] = 1 / std::max(stretch, leastPrintedStretch);
+		}
+		// A surface that is hollow on the whole must not get a radius of nothing.
+		meanStretch = std::max(double(leastPrintedStretch), 1 + sum / double(strength.size()));
+	}
+	if (wantsSmallerDisks(request)) shrinkFeatures(request, sizing.size);
+	sizing.radiusFactor = meanStretch * double(normalise(sizing.size));
+	return sizing;
+}
+
+} // namespace
+
+Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& workers)
+{
+	const HalfEdgeMesh&  m      = surface.mesh;
+	const Buffer<Vec3f>  normal = vertexNormals(m, workers);
+	Buffer<CurvatureSum> ring =
+		sumOverRings(m, workers, [&](int f) { return integratedCurvature(m, normal, f); });
+	for (int pass = 0; pass < ringPasses; ++pass)
+		averageOverRings(m, workers, ring);
+	Buffer<float> h(ring.size());
+	for (std::size_t v = 0; v < ring.size(); ++v)
+		h[v] = ring[v].area > 0 ? ring[v].curvature / ring[v].area : 0.0f;
+	return h;
+}
+
+Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers)
+{
+	const bool uniform  = !(request.options.lambda > 0) && !(request.options.adapt > 0);
+	const bool atBorder = matchesBorder(request) && !request.kept.empty();
+	if (uniform && !wantsSmallerDisks(request) && !atBorder) return Sizing();
+	return request.options.equations == Equations::AsPrinted
+			   ? makePrinted(request, surface, workers)
+			   : makeCalibrated(request, surface, workers);
+}
+
+float interpolatedSize(const Surface& surface, const Anchor& at)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	const int           i = m.origin[3 * at.face], j = m.origin[3 * at.face + 1];
+	const int           k       = m.origin[3 * at.face + 2];
+	const Vec3f         a       = m.position[i];
+	const Vec3f         n       = m.faceCross(at.face);
+	const float         squared = squaredLength(n);
+	if (!(squared > 0)) return std::min({surface.size[i], surface.size[j], surface.size[k]});
+	const float wj = dot(cross(at.position - a, m.position[k] - a), n) / squared;
+	const float wk = dot(cross(m.position[j] - a, at.position - a), n) / squared;
+	const float b  = std::clamp(wj, 0.0f, 1.0f);
+	const float c  = std::clamp(wk, 0.0f, 1.0f - b);
+	return surface.size[i] * (1 - b - c) + surface.size[j] * b + surface.size[k] * c;
+}
+
+Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	if (surface.size.empty()) return Buffer<float>();
+	Buffer<float> size(result.vertex.size());
+	workers.forRange(size.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			size[v] = interpolatedSize(surface, result.vertex[v].anchor);
+	});
+	return size;
+}
+
+bool edgesFitSizes(const Surface& surface, float longest, Workers& workers)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	const int tooLong = workers.sum<int>(m.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
+		int n = 0;
+		for (std::size_t h = begin; h < end; ++h) {
+			const int   a = m.origin[h], b = m.target(int(h));
+			const float limit = longest * std::min(surface.size[a], surface.size[b]);
+			n += squaredLength(m.position[a] - m.position[b]) > limit * limit;
+		}
+		return n;
+	});
+	return tooLong == 0;
+}
+
+} // namespace gpr

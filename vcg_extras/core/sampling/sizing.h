@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SAMPLING_SIZING_H
+#define VCG_EXTRAS_CORE_SAMPLING_SIZING_H
+
+#include <vcg_extras/core/mesh/connect.h>
+#include <vcg_extras/core/mesh_view.h>
+#include <vcg_extras/core/options.h>
+#include <vcg_extras/core/surface/result_mesh.h>
+#include <vcg_extras/core/surface/surface_point.h>
+#include <vcg_extras/core/surface/walk.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace gpr {
+
+/// How large the triangles are to be where: for every vertex of the surface the disk radius there
+/// over the largest one, in (0, 1].
+struct Sizing {
+	Buffer<float> size;             ///< empty: the same everywhere
+	double        radiusFactor = 1; ///< largest disk radius over that of eq. (1)
+	std::int64_t  clampedNum   = 0; ///< equations as printed: vertices where 1 + λH fell below 0.1
+};
+
+/// What the sizing of a run is made from.
+struct SizingRequest {
+	const MeshView&         input;
+	const RemeshOptions&    options;
+	float                   radius;          ///< of eq. (1), working units
+	const Buffer<char>&     isFeatureVertex; ///< per vertex of the surface; empty: none
+	const std::vector<int>& kept;            ///< the caller's vertices that stay, ascending
+};
+
+/// Stage 5: the density of the samples (paper §3.1.2), and the smaller disks of a feature region
+/// (§3.1.1).
+///
+/// Calibrated: the stretch of distances, eq. (4), is s = min(1 + λ·|H|·r, largestStretch), without
+/// unit, H averaged over a disk of radius r; sizes 1/s may grow by gradingSlope of the distance
+/// only, so that angles stay good; since the number of samples goes with the area mean of s², the
+/// radius is multiplied by the root of it.
+/// As printed: s = max(1 + λ·H, 0.1) with the signed H of each vertex in 1/mesh unit, averaged over
+/// a disk too (the paper does not say how it is found, and noise would drown it), and the radius
+/// times the vertex mean of 1 + λ·H, eq. (5), which overshoots the count wherever the curvature
+/// varies. With `adapt` (calibrated only) sizes are multiplied by (κ / area median of κ)^-1/4,
+/// within a range of 4^adapt, where κ² = κ₁² + κ₂²: at the same number of vertices that lessens the
+/// error. With BoundaryMode::Keep sizes at the border go with the spacing of its own vertices.
+/// Theory asks for isotropic triangles of size κ^-1/3 for the least mean and κ^-1/2 for the
+/// least largest error; the fourth root, limited and graded, measured best of all, with good
+/// angles. With SizingSource::Quality the absolute value of the mesh's quality stands for |H|·r, or
+/// for H. Throws Failure{BadOptions} where the quality is asked for and missing or not finite.
+/// Cost: linear, a pass over the mesh for every edge that r spans, squared, and for each of the
+/// grading.
+Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers);
+
+/// Mean curvature H at every vertex in 1/working unit, positive where the surface bulges along its
+/// normals: the divergence of the vertex normals over each face (half of it is H), summed and
+/// divided by the area over the ring, then averaged over so many further rings. Needs no division
+/// by the area of a single face, so slivers do no harm.
+Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& workers);
+
+/// Size at a point of a surface whose sizes differ: interpolated over its face.
+float interpolatedSize(const Surface& surface, const Anchor& at);
+
+/// The wanted size at a point of the surface over the largest one.
+inline float sizeAt(const Surface& surface, const Anchor& at)
+{
+	return surface.size.empty() ? 1.0f : interpolatedSize(surface, at);
+}
+
+/// The sizes wanted at the vertices of a result; empty where all are the same.
+Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers& workers);
+
+/// Whether every edge is short enough for the disks round it: at most `longest` times the local
+/// size.
+bool edgesFitSizes(const Surface& surface, float longest, Workers& workers);
+
+} // namespace gpr
+
+#endif

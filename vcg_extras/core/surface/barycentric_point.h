@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SURFACE_BARYCENTRIC_POINT_H
+#define VCG_EXTRAS_CORE_SURFACE_BARYCENTRIC_POINT_H
+
+#include "surface_point.h"
+
+#include <vcg_extras/core/mesh_view.h>
+
+namespace gpr {
+
+/// Where a point of the engine's surface lies on the caller's mesh: the caller's face and the
+/// weights of its corners.
+SurfacePoint surfacePoint(const MeshView& input, const Surface& surface, const Anchor& anchor);
+
+} // namespace gpr
+
+#endif

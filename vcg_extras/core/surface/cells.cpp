@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cells.h"
+
+#include <vcg_extras/core/base/counting_sort.h>
+
+#include <limits>
+
+namespace gpr {
+
+namespace {
+
+/// What looks the other way counts as farther by this factor on squared distances.
+constexpr float wrongSide = 4;
+/// Triangles crossed at most on the way to the one over a vertex; then stars are searched.
+constexpr int mostSteps = 8;
+/// A vertex that lies over a triangle belongs to it unless it is this share of twice its area away,
+/// squared: beyond a crease there may be a nearer one.
+constexpr float overShare = 0.04f;
+/// Stars searched at most.
+constexpr int mostHops = 4;
+/// Vertices that are flooded together: pieces of fixed size, whatever the number of threads.
+constexpr int pieceSize = 16384;
+
+/// Breadth-first within pieces of consecutive vertices; from piece to piece by offers that are all
+/// made before any is taken. The outcome is the same for any number of threads.
+class AnchorFlood {
+public:
+	AnchorFlood(const Surface& surface, const ResultMesh& result, Workers& workers) :
+			m_(surface.mesh), r_(result), workers_(workers),
+			pieceNum_((m_.vertexNum + pieceSize - 1) / pieceSize), label_(m_.vertexNum),
+			left_(pieceNum_), offers_(pieceNum_)
+	{
+	}
+
+	Buffer<int> run()
+	{
+		floodFromSeeds();
+		// Each round but the last labels a vertex, so that the rounds end.
+		while (makeOffers())
+			takeOffers();
+		return std::move(label_);
+	}
+
+private:
+	struct Offer {
+		int vertex, label;
+	};
+
+	const HalfEdgeMesh&             m_;
+	const ResultMesh&               r_;
+	Workers&                        workers_;
+	std::size_t                     pieceNum_;
+	Buffer<int>                     label_;
+	std::vector<std::vector<int>>   left_;   ///< per piece: vertices without a label
+	std::vector<std::vector<Offer>> offers_; ///< per piece
+
+	/// Seeds are the corners of the anchors' faces, numbered by vertex of the result and corner.
+	int seedVertex(std::size_t seed) const
+	{
+		return m_.origin[3 * r_.vertex[seed / 3].anchor.face + seed % 3];
+	}
+
+	int beginOf(std::size_t piece) const { return int(piece) * pieceSize; }
+	int endOf(std::size_t piece) const
+	{
+		return std::min(m_.vertexNum, int(piece) * pieceSize + pieceSize);
+	}
+
+	void floodFromSeeds()
+	{
+		Buffer<int> start, seed;
+		const auto  pieceOf = [&](std::size_t i) { return seedVertex(i) / pieceSize; };
+		sortIntoBuckets(3 * r_.vertex.size(), pieceNum_, pieceOf, workers_, start, seed);
+		workers_.forTasks(pieceNum_, [&](std::size_t piece, int) {
+			std::fill(label_.data() + beginOf(piece), label_.data() + endOf(piece), -1);
+			std::vector<int> queue;
+			for (int i = start[piece]; i < start[piece + 1]; ++i)
+				take(seedVertex(seed[i]), seed[i] / 3, queue);
+			flood(piece, queue);
+			for (int v = beginOf(piece); v < endOf(piece); ++v) {
+				if (label_[v] < 0) left_[piece].push_back(v);
+			}
+		});
+	}
+
+	void take(int v, int label, std::vector<int>& queue)
+	{
+		if (label_[v] >= 0) return;
+		label_[v] = label;
+		queue.push_back(v);
+	}
+
+	void flood(std::size_t piece, std::vector<int>& queue)
+	{
+		const int begin = beginOf(piece), end = endOf(piece);
+		for (std::size_t i = 0; i < queue.size(); ++i) {
+			const int label = label_[queue[i]];
+			forEachNeighbour(m_, queue[i], [&](int w) {
+				if (w >= begin && w < end) take(w, label, queue);
+			});
+		}
+	}
+
+	bool makeOffers()
+	{
+		workers_.forTasks(pieceNum_, [&](std::size_t piece, int) {
+			offers_[piece].clear();
+			for (int v : left_[piece]) {
+				int best = -1;
+				forEachNeighbour(m_, v, [&](int w) { best = std::max(best, label_[w]); });
+				if (best >= 0) offers_[piece].push_back({v, best});
+			}
+		});
+		for (const std::vector<Offer>& o : offers_) {
+			if (!o.empty()) return true;
+		}
+		return false;
+	}
+
+	void takeOffers()
+	{
+		workers_.forTasks(pieceNum_, [&](std::size_t piece, int) {
+			if (offers_[piece].empty()) return;
+			std::vector<int> queue;
+			for (const Offer& o : offers_[piece])
+				take(o.vertex, o.label, queue);
+			flood(piece, queue);
+			std::vector<int>& left = left_[piece];
+			left.erase(
+				std::remove_if(left.begin(), left.end(), [&](int v) { return label_[v] >= 0; }),
+				left.end());
+		});
+	}
+};
+
+/// A point in the plane of a triangle as weights of its corners.
+struct Foot {
+	float weight[3];
+
+	bool isInside() const { return weight[0] > 0 && weight[1] > 0 && weight[2] > 0; }
+	int  lightest() const
+	{
+		if (weight[0] <= weight[1]) return weight[0] <= weight[2] ? 0 : 2;
+		return weight[1] <= weight[2] ? 1 : 2;
+	}
+	int heaviest() const
+	{
+		if (weight[0] >= weight[1]) return weight[0] >= weight[2] ? 0 : 2;
+		return weight[1] >= weight[2] ? 1 : 2;
+	}
+};
+
+struct Corners {
+	Vec3f a, b, c;
+
+	Vec3f cross() const { return gpr::cross(b - a, c - a); }
+	Vec3f at(const Foot& f) const { return a * f.weight[0] + b * f.weight[1] + c * f.weight[2]; }
+};
+
+/// The point of the triangle's plane nearest to p; n is the triangle's cross product.
+Foot footInPlane(const Vec3f& p, const Corners& t, const Vec3f& n)
+{
+	const float squared = squaredLength(n);
+	const float second  = dot(cross(p - t.a, t.c - t.a), n) / squared;
+	const float third   = dot(cross(t.b - t.a, p - t.a), n) / squared;
+	return {{1 - second - third, second, third}};
+}
+
+/// Share of the way from a to b at the point of the edge nearest to p.
+float shareOnEdge(const Vec3f& p, const Vec3f& a, const Vec3f& b)
+{
+	const float squared = squaredLength(b - a);
+	return squared > 0 ? std::min(1.0f, std::max(0.0f, dot(p - a, b - a) / squared)) : 0.0f;
+}
+
+/// The point of the triangle nearest to p.
+Foot nearestFoot(const Vec3f& p, const Corners& t, const Vec3f& n)
+{
+	if (squaredLength(n) > 0) {
+		const Foot inPlane = footInPlane(p, t, n);
+		if (inPlane.isInside()) return inPlane;
+	}
+	// Outside: all three edges, since the triangle may be obtuse.
+	const float ab = shareOnEdge(p, t.a, t.b), bc = shareOnEdge(p, t.b, t.c);
+	const float ca        = shareOnEdge(p, t.c, t.a);
+	const Foot  onEdge[3] = {{{1 - ab, ab, 0}}, {{0, 1 - bc, bc}}, {{ca, 0, 1 - ca}}};
+	Foot        best      = onEdge[0];
+	for (const Foot& f : onEdge) {
+		if (squaredLength(t.at(f) - p) < squaredLength(t.at(best) - p)) best = f;
+	}
+	return best;
+}
+
+/// Finds the triangle of the result that a vertex of the input belongs to.
+class TriangleSearch {
+public:
+	TriangleSearch(const Surface& surface, const HalfEdgeMesh& result) :
+			surface_(surface), m_(result)
+	{
+	}
+
+	struct Found {
+		int   face;
+		Foot  foot;
+		float distance; ///< squared; × wrongSide where the face looks the other way
+	};
+
+	/// Walks from a face towards the one that p lies over, as in point location in the plane. Where
+	/// that ends nowhere, as at creases and tips, the stars on the way are searched; where it ends
+	/// far off, beyond a crease perhaps, those round the face that it began with, too.
+	Found locate(int p, int face) const
+	{
+		const Vec3f at     = surface_.mesh.position[p];
+		const Vec3f normal = surface_.normal[p].unpack();
+		const int   start  = face;
+		Foot        foot{{1, 0, 0}};
+		for (int step = 0; step < mostSteps; ++step) {
+			const Corners t = cornersOf(face);
+			const Vec3f   n = t.cross();
+			if (!(dot(n, normal) > 0)) break;
+			foot = footInPlane(at, t, n);
+			if (foot.isInside()) {
+				const float off = squaredLength(t.at(foot) - at);
+				if (off <= overShare * length(n)) return {face, foot, off};
+				return nearer(searchStars(at, normal, m_.origin[3 * face + foot.heaviest()]),
+							  searchStars(at, normal, m_.origin[3 * start]));
+			}
+			const int beyond = m_.opposite[3 * face + (foot.lightest() + 1) % 3];
+			if (beyond < 0) break;
+			face = beyond / 3;
+		}
+		return searchStars(at, normal, m_.origin[3 * face + foot.heaviest()]);
+	}
+
+private:
+	const Surface&      surface_;
+	const HalfEdgeMesh& m_;
+
+	Corners cornersOf(int face) const
+	{
+		const int* c = &m_.origin[3 * face];
+		return {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]};
+	}
+
+	static Found nearer(const Found& a, const Found& b) { return b.distance < a.distance ? b : a; }
+
+	/// The nearest triangle round a vertex, and then round the corner nearest to the point found.
+	Found searchStars(const Vec3f& at, const Vec3f& normal, int vertex) const
+	{
+		Found best{m_.outgoing[vertex] / 3, {{1, 0, 0}}, std::numeric_limits<float>::infinity()};
+		for (int hop = 0; hop < mostHops; ++hop) {
+			forEachOutgoing(m_, vertex, [&](int h) { tryFace(at, normal, h / 3, best); });
+			const int next = m_.origin[3 * best.face + best.foot.heaviest()];
+			if (next == vertex) break;
+			vertex = next;
+		}
+		return best;
+	}
+
+	void tryFace(const Vec3f& at, const Vec3f& normal, int face, Found& best) const
+	{
+		const Corners t        = cornersOf(face);
+		const Vec3f   n        = t.cross();
+		const Foot    foot     = nearestFoot(at, t, n);
+		float         distance = squaredLength(t.at(foot) - at);
+		if (dot(n, normal) < 0) distance = wrongSide * distance + std::numeric_limits<float>::min();
+		if (distance < best.distance) best = {face, foot, distance};
+	}
+};
+
+} // namespace
+
+Buffer<int> floodFromAnchors(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	return AnchorFlood(surface, result, workers).run();
+}
+
+Cells::Cells(const Surface& surface, const ResultMesh& result, Workers& workers) :
+		surface_(surface), face_(floodFromAnchors(surface, result, workers)),
+		weights_(surface.mesh.vertexNum), area_(surface.mesh.vertexNum)
+{
+	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t p = begin; p < end; ++p) {
+			if (face_[p] >= 0) face_[p] = result.mesh.outgoing[face_[p]] / 3;
+		}
+	});
+	measureAreas(workers);
+	update(result, workers);
+}
+
+void Cells::update(const ResultMesh& result, Workers& workers)
+{
+	const TriangleSearch search(surface_, result.mesh);
+	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t p = begin; p < end; ++p) {
+			if (face_[p] < 0) continue;
+			const TriangleSearch::Found found = search.locate(int(p), face_[p]);
+			face_[p]                          = found.face;
+			weights_[p] = PackedWeights(found.foot.weight[1], found.foot.weight[2]);
+		}
+	});
+	const auto faceOf = [&](std::size_t p) { return face_[p]; };
+	sortIntoBuckets(face_.size(), result.mesh.faceNum, faceOf, workers, start_, item_);
+}
+
+void Cells::keepListsOnly()
+{
+	face_.release();
+	weights_.release();
+	area_.release();
+}
+
+void Cells::measureAreas(Workers& workers)
+{
+	const HalfEdgeMesh& m = surface_.mesh;
+	workers.forRange(area_.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t p = begin; p < end; ++p) {
+			float sum = 0;
+			forEachFaceRound(m, int(p), [&](int, const Vec3f& a, const Vec3f& b) {
+				sum += length(cross(a, b));
+			});
+			area_[p] = PackedMeasure(sum / 6);
+		}
+	});
+}
+
+} // namespace gpr

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SURFACE_CELLS_H
+#define VCG_EXTRAS_CORE_SURFACE_CELLS_H
+
+#include "result_mesh.h"
+
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/connect.h>
+
+#include <cstdint>
+#include <cstring>
+
+namespace gpr {
+
+/// Weights of a triangle's corners at a point in it, in 32 bits: true to 1/65535.
+class PackedWeights {
+public:
+	PackedWeights() = default;
+	PackedWeights(float second, float third) : second_(pack(second)), third_(pack(third)) {}
+
+	float second() const { return float(second_) * (1 / 65535.0f); }
+	float third() const { return float(third_) * (1 / 65535.0f); }
+	float first() const { return 1 - second() - third(); }
+
+private:
+	std::uint16_t second_, third_;
+
+	/// w is at least 0, so that adding a half rounds rightly; lround would be a call.
+	static std::uint16_t pack(float w)
+	{
+		return std::uint16_t(w * 65535.0f + 0.5f); // NOLINT(bugprone-incorrect-roundings)
+	}
+};
+
+/// A number of at least 0 in 16 bits: a float without its sign and its last 15 bits, true to 0.2 %.
+class PackedMeasure {
+public:
+	PackedMeasure() = default;
+	explicit PackedMeasure(float x)
+	{
+		std::uint32_t bits;
+		std::memcpy(&bits, &x, sizeof bits);
+		upper_ = std::uint16_t((bits + 0x4000) >> 15);
+	}
+
+	float value() const
+	{
+		const std::uint32_t bits = std::uint32_t(upper_) << 15;
+		float               x;
+		std::memcpy(&x, &bits, sizeof x);
+		return x;
+	}
+
+private:
+	std::uint16_t upper_;
+};
+
+/// What each triangle of the result stands for: every vertex of the input belongs to the triangle
+/// nearest to it, found by walking over the triangles from its former one, so that a sheet that
+/// only looks near is never taken. 14 B per vertex of the input.
+class Cells {
+public:
+	/// Finds the first cells, starting from a flood over the input from the result's anchors.
+	/// Cost: linear in the input, parallel.
+	Cells(const Surface& surface, const ResultMesh& result, Workers& workers);
+
+	/// Brings the cells up to date after vertices of the result moved or edges were flipped.
+	/// Cost: linear in the input, parallel.
+	void update(const ResultMesh& result, Workers& workers);
+
+	/// The vertices of the input that belong to face f of the result, ascending.
+	const int* begin(int f) const { return item_.data() + start_[f]; }
+	const int* end(int f) const { return item_.data() + start_[f + 1]; }
+
+	/// Face of the result that vertex p of the input belongs to; -1 where no anchor reaches p.
+	int face(int p) const { return face_[p]; }
+	/// Where on that face the point nearest to p lies.
+	const PackedWeights& weights(int p) const { return weights_[p]; }
+	/// The input's area round p: a third of its faces', working units squared.
+	float area(int p) const { return area_[p].value(); }
+
+	/// Gives back all but the lists of begin() and end(): 10 B per vertex of the input.
+	void keepListsOnly();
+
+private:
+	const Surface&        surface_;
+	Buffer<int>           face_;
+	Buffer<PackedWeights> weights_;
+	Buffer<PackedMeasure> area_;
+	Buffer<int>           start_; ///< per face of the result: where its vertices begin in item_
+	Buffer<int>           item_;
+
+	void measureAreas(Workers& workers);
+};
+
+/// A vertex of the result near each vertex of the input, by a breadth-first flood over the input
+/// from all anchors at once; -1 where none comes to. Cost: linear, parallel.
+Buffer<int> floodFromAnchors(const Surface& surface, const ResultMesh& result, Workers& workers);
+
+} // namespace gpr
+
+#endif

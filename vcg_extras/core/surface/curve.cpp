@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve.h"
+
+#include <vcg_extras/core/base/sort_unique.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// A place between two neighbouring points of a curve.
+struct OnSegment {
+	int   from, to;
+	float share; ///< of the way
+};
+
+OnSegment onSegment(const Curve& c, float s)
+{
+	const float w      = c.wrap(s);
+	const int   i      = c.segmentAt(w);
+	const int   next   = (i + 1) % c.pointNum();
+	const float extent = (next > 0 ? c.arc[next] : c.length) - c.arc[i];
+	return {i, next, extent > 0 ? std::clamp((w - c.arc[i]) / extent, 0.0f, 1.0f) : 0.0f};
+}
+
+float distanceToSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
+{
+	return length(p - a - (b - a) * shareOnSegment(p, a, b));
+}
+
+/// Distance of arcs a and b, at p and q, through space, over the size wanted between them.
+float relativeChord(const Curve& c, float a, const Vec3f& p, float b, const Vec3f& q)
+{
+	return length(q - p) / (0.5f * (c.sizeAt(a) + c.sizeAt(b)));
+}
+
+/// Goes from arc a to b by chords of length d: the first point where the distance from the last one
+/// reaches d. Returns the steps made, with the fraction left over; appends the arcs if asked.
+float march(const Curve& c, float a, float b, float d, std::vector<float>* arcs)
+{
+	float from  = a;
+	float steps = 0;
+	while (true) {
+		const Vec3f start  = c.at(from);
+		const float stride = d * 0.1f * c.sizeAt(from);
+		float       s      = from;
+		float       before = 0;
+		bool        found  = false;
+		while (s < b) {
+			const float next = std::min(b, s + stride);
+			const float far  = relativeChord(c, from, start, next, c.at(next));
+			if (far >= d) {
+				s += (next - s) * (d - before) / std::max(far - before, 1e-30f);
+				found = true;
+				break;
+			}
+			before = far;
+			if (!(next > s)) break;
+			s = next;
+		}
+		if (!found || !(s > from)) return steps + relativeChord(c, from, start, b, c.at(b)) / d;
+		from = s;
+		steps += 1;
+		if (arcs != nullptr) arcs->push_back(s);
+	}
+}
+
+/// Exactly `steps` chords of one length: bisection on that length.
+std::vector<float> evenSpacing(const Curve& c, float a, float b, float d, int steps)
+{
+	std::vector<float> arcs;
+	if (steps < 2) return arcs;
+	if (steps == 2) return {0.5f * (a + b)};
+	float low = 0.3f * d, high = 3 * d;
+	for (int round = 0; round < 18; ++round) {
+		const float middle                                            = 0.5f * (low + high);
+		(march(c, a, b, middle, nullptr) > float(steps) ? low : high) = middle;
+	}
+	march(c, a, b, high, &arcs);
+	arcs.resize(std::min<std::size_t>(arcs.size(), steps - 1));
+	return arcs;
+}
+
+/// Over the size wanted there.
+float relativeDeviation(const Curve& c, float a, float b)
+{
+	return deviation(c, a, b) / (0.5f * (c.sizeAt(a) + c.sizeAt(b)));
+}
+
+float worstDeviation(const Curve& c, float a, float b, const std::vector<float>& arcs)
+{
+	float worst = 0, last = a;
+	for (float s : arcs) {
+		worst = std::max(worst, relativeDeviation(c, last, s));
+		last  = s;
+	}
+	return std::max(worst, relativeDeviation(c, last, b));
+}
+
+/// A tenth of the wanted chord apart, from a to b, both included.
+std::vector<float> spreadArcs(const Curve& c, float a, float b, float d)
+{
+	std::vector<float> arcs;
+	if (c.size.empty()) {
+		const int n = std::max(1, int(std::ceil((b - a) / (0.1f * d))));
+		for (int i = 0; i < n; ++i)
+			arcs.push_back(a + (b - a) * float(i) / float(n));
+	}
+	else {
+		const float least = 1e-6f * (b - a); // rounding must not stop the way
+		for (float s = a; s < b; s += std::max(least, 0.1f * d * c.sizeAt(s)))
+			arcs.push_back(s);
+	}
+	arcs.push_back(b);
+	return arcs;
+}
+
+/// Arcs of the curve's own points and of evenly spread ones, from a to b, both included.
+std::vector<float> candidateArcs(const Curve& c, float a, float b, float d)
+{
+	std::vector<float> arcs = spreadArcs(c, a, b, d);
+	// Points of the curve where it bends belong to the best polygon; dense ones add nothing.
+	float last = a;
+	for (int i = c.segmentAt(a) + 1; c.arcOf(i) < b; ++i) {
+		const float s = c.arcOf(i);
+		if (s > a && s - last > 0.05f * d * c.sizeAt(s)) {
+			arcs.push_back(s);
+			last = s;
+		}
+		if (i >= 2 * c.pointNum() - 1) break;
+	}
+	sortUnique(arcs);
+	return arcs;
+}
+
+/// Cheapest chain of chords from the first to the last candidate.
+std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const CurveSpacing& spacing)
+{
+	constexpr float shortest = 0.3f, longest = 1.5f; // of the wanted chord
+	// A curve left by a sixth more than allowed costs as much as a chord two thirds too short.
+	constexpr double excessWeight = 16;
+	const float      d            = spacing.chord;
+
+	const std::vector<float> arcs = candidateArcs(c, a, b, d);
+	const int                n    = int(arcs.size());
+	std::vector<Vec3f>       place(n);
+	for (int i = 0; i < n; ++i)
+		place[i] = c.at(arcs[i]);
+
+	std::vector<double> cost(n, HUGE_VAL);
+	std::vector<int>    before(n, -1);
+	cost[0] = 0;
+	for (int i = 1; i < n; ++i) {
+		for (int k = i - 1; k >= 0; --k) {
+			// A chord is never longer than its arc; past this arc no ragged curve is worth a look.
+			const float size = std::max(c.sizeAt(arcs[i]), c.sizeAt(arcs[k]));
+			if (arcs[i] - arcs[k] > 3 * longest * d * size && before[i] >= 0) break;
+			const float chord = relativeChord(c, arcs[k], place[k], arcs[i], place[i]) / d;
+			const bool  isEnd = i == n - 1 || k == 0;
+			if (chord > longest && before[i] >= 0) continue;
+			if (chord < shortest && !isEnd) continue;
+			const float excess =
+				relativeDeviation(c, arcs[k], arcs[i]) / (spacing.tolerance * d) - 1;
+			const double here = double(chord - 1) * (chord - 1) +
+								(excess > 0 ? excessWeight * double(excess) * excess : 0.0);
+			if (cost[k] + here < cost[i]) {
+				cost[i]   = cost[k] + here;
+				before[i] = k;
+			}
+		}
+	}
+	std::vector<float> chosen;
+	for (int i = before[n - 1]; i > 0; i = before[i])
+		chosen.push_back(arcs[i]);
+	std::reverse(chosen.begin(), chosen.end());
+	return chosen;
+}
+
+} // namespace
+
+float Curve::wrap(float s) const
+{
+	if (!(length > 0)) return 0;
+	if (!isClosed) return std::clamp(s, 0.0f, length);
+	while (s < 0)
+		s += length;
+	while (s >= length)
+		s -= length;
+	return s;
+}
+
+int Curve::segmentAt(float s) const
+{
+	const auto above = std::upper_bound(arc.begin(), arc.end(), wrap(s));
+	const int  last  = isClosed ? pointNum() - 1 : pointNum() - 2;
+	return std::clamp(int(above - arc.begin()) - 1, 0, last);
+}
+
+Vec3f Curve::at(float s) const
+{
+	const OnSegment p = onSegment(*this, s);
+	return point[p.from] * (1 - p.share) + point[p.to] * p.share;
+}
+
+float Curve::sizeAt(float s) const
+{
+	if (size.empty()) return 1;
+	const OnSegment p = onSegment(*this, s);
+	return size[p.from] * (1 - p.share) + size[p.to] * p.share;
+}
+
+float Curve::smallestSize() const
+{
+	return size.empty() ? 1.0f : *std::min_element(size.begin(), size.end());
+}
+
+float deviation(const Curve& c, float a, float b)
+{
+	const Vec3f p = c.at(a), q = c.at(b);
+	float       worst = 0;
+	forEachPointBetween(c, a, b, [&](const Vec3f& point, float) {
+		worst = std::max(worst, distanceToSegment(point, p, q));
+	});
+	return worst;
+}
+
+std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
+							int minSteps)
+{
+	const float d     = spacing.chord;
+	const int   steps = std::max(minSteps, int(std::lround(march(curve, from, to, d, nullptr))));
+	std::vector<float> even = evenSpacing(curve, from, to, d, steps);
+	if (worstDeviation(curve, from, to, even) <= spacing.tolerance * d) return even;
+	std::vector<float> fitted = cheapestSpacing(curve, from, to, spacing);
+	return int(fitted.size()) + 1 >= minSteps ? fitted : even;
+}
+
+} // namespace gpr

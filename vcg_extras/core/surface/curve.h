@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SURFACE_CURVE_H
+#define VCG_EXTRAS_CORE_SURFACE_CURVE_H
+
+#include <vcg_extras/core/vec.h>
+
+#include <vector>
+
+namespace gpr {
+
+/// A polyline on the surface, by arc length: a loop of the border or a feature line.
+struct Curve {
+	std::vector<int>   vertex; ///< of the surface, in order
+	std::vector<Vec3f> point;  ///< their positions
+	std::vector<int>   face;   ///< face at the segment from point i to the next
+	std::vector<float> arc;    ///< arc length at point i
+	std::vector<float> size;   ///< wanted size at point i over the largest; empty: 1 everywhere
+	float              length   = 0;
+	bool               isClosed = true; ///< the last point is followed by the first
+
+	int pointNum() const { return int(point.size()); }
+	/// Arc length within the curve: once round if closed, else the nearer end.
+	float wrap(float s) const;
+	/// The segment that holds arc length s, after wrapping.
+	int   segmentAt(float s) const;
+	Vec3f at(float s) const;
+	float sizeAt(float s) const;
+	float smallestSize() const;
+	/// Arc length of point i, where i may run on past the end of a closed curve, once round.
+	float arcOf(int i) const { return arc[i % pointNum()] + (i >= pointNum() ? length : 0.0f); }
+};
+
+/// Where spacing by chords puts samples on a piece of a curve.
+struct CurveSpacing {
+	float chord = 0; ///< wanted distance of neighbours, straight through space, where the size is 1
+	float tolerance =
+		0.08f; ///< of the chord: how far the curve may leave the polygon of the samples
+};
+
+/// Arc lengths strictly between `from` and `to` (to may run past the curve's end) where samples
+/// lie: evenly by chords if the curve then stays within the tolerance of the polygon; otherwise at
+/// the places that cost least, by dynamic programming over candidates a tenth of the chord apart:
+/// the squared deviation of each chord from its wanted length, plus sixteen times the squared
+/// excess over the tolerance. At least minSteps steps are made. Cost: linear in length, ×
+/// candidates per chord².
+std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
+							int minSteps);
+
+/// Calls visit(point, arc) for the curve's points strictly between arcs a and b; these may run past
+/// the end of a closed curve, and so do the arcs then.
+template <class Visit>
+inline void forEachPointBetween(const Curve& c, float a, float b, const Visit& visit)
+{
+	const int lap = a >= c.length ? c.pointNum() : 0;
+	for (int i = c.segmentAt(a) + 1 + lap; i < 3 * c.pointNum(); ++i) {
+		const int   round = i / c.pointNum();
+		const float s     = c.arc[i % c.pointNum()] + float(round) * c.length;
+		if (s >= b) break;
+		visit(c.point[i % c.pointNum()], s);
+	}
+}
+
+/// Largest distance of the curve's points between arcs a and b from the chord between them.
+float deviation(const Curve& curve, float a, float b);
+
+} // namespace gpr
+
+#endif

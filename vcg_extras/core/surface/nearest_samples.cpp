@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "nearest_samples.h"
+
+#include "surface_point.h"
+
+#include <cmath>
+#include <queue>
+
+namespace gpr {
+
+Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface,
+											  const std::vector<Sample>& samples, Workers& workers)
+{
+	// Dijkstra from all samples at once, by edges: cells only need to be sensible, not exact.
+	const HalfEdgeMesh&           m = surface.mesh;
+	Buffer<NearestField::Nearest> nearest(m.vertexNum, {HUGE_VALF, -1});
+	struct Entry {
+		float distance;
+		int   vertex;
+		int   sample;
+		bool  operator<(const Entry& o) const
+		{
+			if (distance != o.distance) return distance > o.distance;
+			return vertex != o.vertex ? vertex > o.vertex : sample > o.sample;
+		}
+	};
+	std::priority_queue<Entry> front;
+	for (std::size_t s = 0; s < samples.size(); ++s) {
+		const Anchor& a = samples[s].anchor;
+		for (int k = 0; k < 3; ++k) {
+			const int v = m.origin[3 * a.face + k];
+			front.push({length(m.position[v] - a.position), v, int(s)});
+		}
+	}
+	for (std::int64_t popped = 0; !front.empty(); ++popped) {
+		const Entry e = front.top();
+		front.pop();
+		if (popped % 65536 == 0) workers.poll();
+		if (nearest[e.vertex].sample >= 0) continue;
+		nearest[e.vertex] = {e.distance, e.sample};
+		forEachNeighbour(m, e.vertex, [&](int w) {
+			if (nearest[w].sample >= 0) return;
+			const float d = e.distance + length(m.position[w] - m.position[e.vertex]);
+			front.push({d, w, e.sample});
+		});
+	}
+	return nearest;
+}
+
+} // namespace gpr

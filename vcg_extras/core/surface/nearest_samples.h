@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SURFACE_NEAREST_SAMPLES_H
+#define VCG_EXTRAS_CORE_SURFACE_NEAREST_SAMPLES_H
+
+#include "disk_flood.h"
+
+#include <vcg_extras/core/base/workers.h>
+
+#include <vector>
+
+namespace gpr {
+
+/// Voronoi cells of given samples: floods from all of them, then from what is still uncovered.
+/// Used to retriangulate from samples of any origin, whatever their spacing.
+Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface,
+											  const std::vector<Sample>& samples, Workers& workers);
+
+} // namespace gpr
+
+#endif

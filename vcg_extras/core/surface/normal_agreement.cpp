@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "normal_agreement.h"
+
+#include <cmath>
+
+namespace gpr {
+
+float agreement(const Vec3f& a, const Vec3f& b)
+{
+	const float scale = length(a) * length(b);
+	return scale > 0 ? dot(a, b) / scale : -1.0f;
+}
+
+Vec3f smoothNormal(const Surface& surface, const Anchor& anchor)
+{
+	const int h = 3 * anchor.face;
+	return normalized(surface.normal[surface.mesh.origin[h]].unpack() +
+					  surface.normal[surface.mesh.origin[h + 1]].unpack() +
+					  surface.normal[surface.mesh.origin[h + 2]].unpack());
+}
+
+Buffer<Vec3f> smoothNormals(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	Buffer<Vec3f> normal(result.vertex.size());
+	workers.forRange(normal.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			normal[v] = smoothNormal(surface, result.vertex[v].anchor);
+	});
+	return normal;
+}
+
+float faceAgreement(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int face)
+{
+	const int* corner = &m.origin[3 * face];
+	return agreement(m.faceCross(face),
+					 smoothNormal[corner[0]] + smoothNormal[corner[1]] + smoothNormal[corner[2]]);
+}
+
+float faceAgreement(const Surface& surface, const ResultMesh& result, int face)
+{
+	Vec3f wanted;
+	for (int h = 3 * face; h < 3 * face + 3; ++h)
+		wanted += smoothNormal(surface, result.vertex[result.mesh.origin[h]].anchor);
+	return agreement(result.mesh.faceCross(face), wanted);
+}
+
+Vec3f withoutLip(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int v, const Vec3f& own)
+{
+	Vec3f inside;
+	forEachNeighbour(m, v, [&](int w) {
+		if (!m.isBorderVertex(w)) inside += normal[w];
+	});
+	return dot(inside, own) < 0 ? normalized(inside) : own;
+}
+
+Buffer<Vec3f> normalsWithoutLips(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	const HalfEdgeMesh& m      = result.mesh;
+	Buffer<Vec3f>       normal = smoothNormals(surface, result, workers);
+	workers.forRange(normal.size(), [&](std::size_t begin, std::size_t end) {
+		for (int v = int(begin); v < int(end); ++v) {
+			if (m.outgoing[v] >= 0 && m.isBorderVertex(v))
+				normal[v] = withoutLip(m, normal, v, normal[v]);
+		}
+	});
+	return normal;
+}
+
+} // namespace gpr

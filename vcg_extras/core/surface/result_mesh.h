@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SURFACE_RESULT_MESH_H
+#define VCG_EXTRAS_CORE_SURFACE_RESULT_MESH_H
+
+#include "surface_point.h"
+
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
+
+#include <vector>
+
+namespace gpr {
+
+/// What a vertex of the result knows of the input.
+struct ResultVertex {
+	Anchor anchor;           ///< where on the input's surface it lies, or nearly (see ResultMesh)
+	Vec3f  normal;           ///< of that face
+	int    curve    = -1;    ///< border or feature line it belongs to, or -1
+	float  arc      = 0;     ///< where on the curve
+	bool   isCorner = false; ///< of the curves, or a cone's tip: never moves
+	bool   isPinned = false; ///< one of the caller's vertices that is to be kept: never goes either
+	int    sample   = -1;    ///< the sample it was, in the sampling's order; -1 for later ones
+};
+
+/// The mesh under way from retriangulation to the end. Until the fit vertex[v].anchor.position is
+/// mesh.position[v]; the fit then takes vertices off the surface, and anchors stay on it below
+/// them.
+struct ResultMesh {
+	HalfEdgeMesh              mesh;
+	std::vector<ResultVertex> vertex;
+	bool                      keepsBorder = false; ///< no border edge may be split
+	float                     idealEdge   = 0; ///< edge of the lattice of equilateral triangles, L0
+
+	std::int64_t flipNum       = 0;
+	std::int64_t splitNum      = 0;
+	std::int64_t collapseNum   = 0;
+	std::int64_t byCollapseNum = 0; ///< input vertices that went though their hole was not closed
+	std::int64_t leftoverNum   = 0; ///< input vertices that removal had to keep
+};
+
+/// Whether v may move over the surface and be merged: neither on a curve nor a cone's tip.
+inline bool isFree(const ResultMesh& result, int v)
+{
+	return !result.vertex[v].isCorner && !result.mesh.isCurveVertex(v);
+}
+
+/// Results cannot be copied by accident. No room beyond the vertices and faces is copied.
+ResultMesh copyResult(const ResultMesh& result, Workers& workers);
+
+/// Drops dead faces and vertices (see mesh_edit.h) from mesh and vertex records.
+void compactResult(ResultMesh& result, Workers& workers);
+
+/// The largest distance of a vertex from its anchor on the input. Cost: O(V).
+float farthestFromAnchor(const ResultMesh& result);
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SURFACE_SURFACE_POINT_H
+#define VCG_EXTRAS_CORE_SURFACE_SURFACE_POINT_H
+
+#include <vcg_extras/core/mesh/connect.h>
+
+namespace gpr {
+
+/// A point of the engine's surface.
+struct Anchor {
+	Vec3f position;
+	int   face = -1;
+};
+
+/// Vertex v of the engine's surface, as a point of it; v must be in a face.
+inline Anchor anchorOfVertex(const Surface& surface, int v)
+{
+	return {surface.mesh.position[v], surface.mesh.outgoing[v] / 3};
+}
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "walk.h"
+
+#include <vcg_extras/core/base/triangle.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// Crossings in a row without getting on, as happens among slivers that meet in one vertex.
+constexpr int mostIdleCrossings = 32;
+
+/// A point of the plane that the faces on the way are unfolded into: the walk runs along +x from 0.
+struct Flat {
+	float x, y;
+};
+
+/// A corner in that plane and in space, where it is read once only.
+struct Corner {
+	Flat  flat;
+	Vec3f place;
+};
+
+/// The edge by which the way leaves a face, from its end on the right of the way (y <= 0) to that
+/// on the left (y > 0).
+struct Exit {
+	int    halfEdge;
+	Corner right, left;
+
+	/// Where the way crosses it.
+	float x() const
+	{
+		const Flat a = right.flat, b = left.flat;
+		return a.x + (b.x - a.x) * (a.y / (a.y - b.y));
+	}
+
+	/// The same place in space.
+	Vec3f place() const
+	{
+		const float share = right.flat.y / (right.flat.y - left.flat.y);
+		return right.place + (left.place - right.place) * share;
+	}
+};
+
+/// Of the face that the walk begins in. Seen from inside, counter-clockwise corners have one edge
+/// that goes from right to left; where rounding puts the start outside, the lowest corner counts as
+/// right and the highest as left.
+Exit exitOfFirstFace(const HalfEdgeMesh& m, const Anchor& at, const Vec3f& u, const Vec3f& w)
+{
+	Corner corner[3];
+	int    lowest = 0, highest = 0;
+	for (int k = 0; k < 3; ++k) {
+		const Vec3f place = m.position[m.origin[3 * at.face + k]];
+		const Vec3f p     = place - at.position;
+		corner[k]         = {{dot(p, u), dot(p, w)}, place};
+		if (corner[k].flat.y < corner[lowest].flat.y) lowest = k;
+		if (corner[k].flat.y > corner[highest].flat.y) highest = k;
+	}
+	corner[lowest].flat.y = std::min(corner[lowest].flat.y, 0.0f);
+	if (!(corner[highest].flat.y > 0)) corner[highest].flat.y = 1e-30f;
+	int k = 0;
+	while (k < 2 && !(corner[k].flat.y <= 0 && corner[(k + 1) % 3].flat.y > 0))
+		++k;
+	return {3 * at.face + k, corner[k], corner[(k + 1) % 3]};
+}
+
+/// The face beyond an exit, laid into the plane.
+///
+///            left
+///           /  |                apex = right + edge·along + across·height,
+///   apex  <    | <-- the way    where across is the edge turned by a right angle, ahead;
+///           \  |                along and height are shares of the edge's length.
+///            right
+struct Unfolded {
+	Vec3f  edge, toApex; ///< in space, from the right end to the left one and the apex
+	float  along = 0, height = 0;
+	Corner apex{{0, 0}, {}};
+
+	/// False if the face has no area.
+	bool set(const HalfEdgeMesh& m, const Exit& exit, int beyond)
+	{
+		apex.place          = m.position[m.apex(beyond)];
+		edge                = exit.left.place - exit.right.place;
+		toApex              = apex.place - exit.right.place;
+		const float inverse = 1 / squaredLength(edge);
+		along               = dot(toApex, edge) * inverse;
+		const float squared = squaredLength(toApex) * inverse - along * along;
+		if (!(squared > 0 && squared < HUGE_VALF)) return false;
+		height            = std::sqrt(squared);
+		const Flat  right = exit.right.flat;
+		const float x     = exit.left.flat.x - right.x;
+		const float y     = exit.left.flat.y - right.y;
+		apex.flat         = {right.x + x * along + y * height, right.y + y * along - x * height};
+		return true;
+	}
+
+	/// The place in space of the point (x, 0).
+	Vec3f placeOf(const Exit& exit, float x) const
+	{
+		const Flat  right = exit.right.flat, left = exit.left.flat;
+		const float ex = left.x - right.x, ey = left.y - right.y;
+		const float inverse = 1 / (ex * ex + ey * ey);
+		const float px = x - right.x, py = -right.y;
+		const float s = (px * ex + py * ey) * inverse, t = (px * ey - py * ex) * inverse;
+		const float share = std::clamp(t / height, 0.0f, 1.0f);
+		return exit.right.place + edge * s + (toApex - edge * along) * share;
+	}
+};
+
+/// How much the normal of the face that a walk begins in is to be trusted, by the sine of the angle
+/// at its first corner: rounding turns the normal by some 1e-7 over the sine.
+struct StartFace {
+	Vec3f a, b, c;
+	Vec3f cross;       ///< two areas times the unit normal
+	float squaredSine; ///< 0 where two corners coincide
+
+	StartFace(const HalfEdgeMesh& m, int f) :
+			a(m.position[m.origin[3 * f]]), b(m.position[m.origin[3 * f + 1]]),
+			c(m.position[m.origin[3 * f + 2]])
+	{
+		const float edges = squaredLength(b - a) * squaredLength(c - a);
+		cross             = gpr::cross(b - a, c - a);
+		squaredSine       = edges > 0 ? squaredLength(cross) / edges : 0;
+	}
+	bool hasArea() const { return squaredSine > 1e-10f; }
+
+	/// Takes rounding away, which in the plane of a needle is much.
+	Vec3f putBack(const Vec3f& p, const Vec3f& normal) const
+	{
+		constexpr float needle = 1e-6f;
+		if (squaredSine < needle) return nearestOnTriangle(p, a, b, c);
+		return p - normal * dot(p - a, normal);
+	}
+};
+
+} // namespace
+
+/// No face's normal is needed on the way, and one root a face: see Unfolded.
+WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCrossings)
+{
+	const float wanted = length(step);
+	if (!(wanted > 0)) return WalkEnd::Arrived;
+	const StartFace start(m, at.face);
+	if (!start.hasArea()) return WalkEnd::AtBorder;
+	const Vec3f normal = normalized(start.cross);
+	const Vec3f ahead  = tangential(step, normal);
+	const float flat   = length(ahead);
+	if (!(flat > 0)) return WalkEnd::Arrived;
+	const Vec3f u    = ahead * (1 / flat);
+	Exit        exit = exitOfFirstFace(m, at, u, cross(normal, u));
+	float       x    = exit.x();
+	if (x >= wanted) {
+		at.position = start.putBack(at.position + u * wanted, normal);
+		return WalkEnd::Arrived;
+	}
+
+	Unfolded face;
+	int      idle = 0;
+	for (int crossed = 0; crossed < mostCrossings && idle <= mostIdleCrossings; ++crossed) {
+		const int beyond = m.opposite[exit.halfEdge];
+		if (beyond < 0 || !face.set(m, exit, beyond)) {
+			at = {exit.place(), exit.halfEdge / 3};
+			return WalkEnd::AtBorder;
+		}
+		// `beyond` runs from the left end to the right one, the next edge from there to the apex.
+		const Exit  next    = face.apex.flat.y > 0 ? Exit{nextInFace(beyond), exit.right, face.apex}
+												   : Exit{prevInFace(beyond), face.apex, exit.left};
+		const float reached = next.x();
+		if (reached >= wanted) {
+			at = {face.placeOf(exit, wanted), beyond / 3};
+			return WalkEnd::Arrived;
+		}
+		idle = reached > x + 1e-6f * wanted ? 0 : idle + 1;
+		x    = reached;
+		exit = next;
+	}
+	at = {exit.place(), exit.halfEdge / 3};
+	return WalkEnd::Capped;
+}
+
+std::vector<int> facesAt(const HalfEdgeMesh& m, const Anchor& at)
+{
+	constexpr float  rounding = 1e-4f; // of the edge
+	std::vector<int> faces    = {at.face};
+	for (int h = 3 * at.face; h < 3 * at.face + 3; ++h) {
+		const Vec3f a = m.position[m.origin[h]], ab = m.position[m.target(h)] - a;
+		const float close = rounding * length(ab);
+		if (length(at.position - a) <= close) {
+			faces.clear();
+			forEachOutgoing(m, m.origin[h], [&](int x) { faces.push_back(x / 3); });
+			return faces;
+		}
+		const bool onEdge = length(cross(at.position - a, ab)) <= close * length(ab);
+		if (onEdge && m.opposite[h] >= 0) faces.push_back(m.opposite[h] / 3);
+	}
+	return faces;
+}
+
+std::array<Vec3f, 8> compassDirections(const Vec3f& normal)
+{
+	constexpr float diagonal = 0.70710678f;
+	const Vec3f     away     = std::abs(normal.x) < 0.8f ? Vec3f(1, 0, 0) : Vec3f(0, 1, 0);
+	const Vec3f     u        = normalized(cross(normal, away));
+	const Vec3f     w        = cross(normal, u);
+	const Vec3f     v        = (u + w) * diagonal;
+	const Vec3f     x        = (w - u) * diagonal;
+	return {u, v, w, x, u * -1.0f, v * -1.0f, w * -1.0f, x * -1.0f};
+}
+
+} // namespace gpr
