@@ -40,17 +40,30 @@ with_display() {
 	return "$(cat "$state/exit_code")"
 }
 
-# Set-up, a build without tests in the folder $1, and in $1/meshlab a MeshLab that has our plugin.
-# The build's words go to the file $2.
+# Set-up, a build of the program and the plugin in the folder $1, and in $1/meshlab a MeshLab that has our
+# plugin. The tests are not built, since they are no targets of this build; no option switches them off,
+# since scripts/test goes on in the same folder. The build's words go to the file $2.
 build_for_meshlab() {
 	scripts/setup
 	say "building"
-	cmake -S . -B "$1" -DGPR_BUILD_TESTS=OFF >"$2"
-	cmake --build "$1" -j"$(nproc)" >>"$2" 2>&1 || {
+	cmake -S . -B "$1" >"$2"
+	cmake --build "$1" -j"$(nproc)" --target gpremesh gpremesh_manual_page filter_geodesic_poisson \
+		>>"$2" 2>&1 || {
 		tail -40 "$2" >&2
 		fail "the build failed"
 	}
 	scripts/release/private_meshlab "$1/meshlab" "$1/lib/libfilter_geodesic_poisson.so"
+}
+
+# Runs the tests in the build folder $1, with further options for ctest. No tests at all are a failure.
+# scripts/check/count_tests reads the results, which are written to $1/test_results.xml.
+run_tests() {
+	local build
+	build=$(readlink -f "$1")
+	shift
+	rm -f "$build/test_results.xml"
+	ctest --test-dir "$build" --no-tests=error --output-on-failure \
+		--output-junit "$build/test_results.xml" "$@" </dev/null
 }
 
 # bunny.obj of Debian's glmark2-data as the PLY file $1: the OBJ reader of MeshLab 2020.09 ends with a
