@@ -13,8 +13,8 @@
 #include <vcg_extras/core/base/symmetric_matrix.h>
 #include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/optimization/face_goals.h>
 #include <vcg_extras/core/optimization/curve_slide.h>
+#include <vcg_extras/core/optimization/face_goals.h>
 #include <vcg_extras/core/optimization/fit.h>
 #include <vcg_extras/core/optimization/worst_distances.h>
 #include <vcg_extras/core/surface/cells.h>

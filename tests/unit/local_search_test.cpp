@@ -8,12 +8,14 @@
 #include <tests/support/on_surface.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/mesh/crossing_faces.h>
+#include <vcg_extras/core/mesh/face_boxes.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/optimization/face_goals.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/remesh.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
 
@@ -133,9 +135,8 @@ TEST(RepairPoorFaces, GivesUpABorderTurnedUnder)
 TEST(RepairPoorFaces, DoesNotDependOnThreads)
 {
 	TriangleMesh ribbon = grid(4, 1, 1, 0.06);
-	expectSameForAnyThreads(ribbon, [](OnSurface& on, Workers& workers) {
-		EXPECT_TRUE(repair(on, workers, 0));
-	});
+	expectSameForAnyThreads(
+		ribbon, [](OnSurface& on, Workers& workers) { EXPECT_TRUE(repair(on, workers, 0)); });
 }
 
 /// On these few triangles per bump are left at 14° to 27° that no single change mends.
@@ -153,10 +154,11 @@ TEST(RepairPoorFaces, TwoChangesInARowRepairWhatOneCannot)
 	}
 }
 
-/// Whether the second of two vertices may go from one height to another, the first being `top` above
-/// the surface.
-bool mayRise(OnSurface& on, float enough, float top, float from, float to)
+/// Whether the second of two vertices may go from one height to another, the first being `top`
+/// above the surface.
+bool mayRise(OnSurface& on, float guarded, float top, float from, float to)
 {
+	constexpr float  enough = 1e-3f;
 	const int        first = 40, second = 200;
 	const Cells      map(on.surface, on.result, on.workers);
 	Assignment       assignment(on.surface, map, on.m().faceNum);
@@ -164,7 +166,7 @@ bool mayRise(OnSurface& on, float enough, float top, float from, float to)
 	std::iota(all.begin(), all.end(), 0);
 	on.m().position[first].z += top;
 	on.m().position[second].z += from;
-	const PatchDistance before(assignment, all, trianglesOf(on.m(), all), enough);
+	const PatchDistance before(assignment, all, trianglesOf(on.m(), all), enough, guarded);
 	on.m().position[second].z += to - from;
 	const bool keeps = before.isKeptBy(trianglesOf(on.m(), all), HUGE_VALF);
 	on.m().position[first].z -= top;
@@ -174,11 +176,13 @@ bool mayRise(OnSurface& on, float enough, float top, float from, float to)
 
 TEST(PatchDistance, LetsNoTipSinkBecauseAnotherOneHasSunkFarther)
 {
-	OnSurface on(grid(16, 16));
-	EXPECT_FALSE(mayRise(on, 1e-3f, 0.01f, 0.006f, 0.009f));
-	EXPECT_FALSE(mayRise(on, 1e-3f, 0.01f, 0.001f, 0.02f));
-	EXPECT_TRUE(mayRise(on, 1e-3f, 0.01f, 0.001f, 0.004f)) << "not far yet";
-	EXPECT_TRUE(mayRise(on, 0.02f, 0.01f, 0.006f, 0.009f)) << "near enough";
+	OnSurface       on(grid(16, 16));
+	constexpr float guarded = 0.007f;
+	EXPECT_FALSE(mayRise(on, guarded, 0.01f, 0.006f, 0.009f));
+	EXPECT_FALSE(mayRise(on, guarded, 0.01f, 0.001f, 0.02f));
+	EXPECT_TRUE(mayRise(on, guarded, 0.01f, 0.001f, 0.004f)) << "not far yet";
+	EXPECT_TRUE(mayRise(on, HUGE_VALF, 0.01f, 0.006f, 0.009f));
+	EXPECT_FALSE(mayRise(on, HUGE_VALF, 0.01f, 0.001f, 0.02f));
 }
 
 TriangleMesh sheetsOneAboveTheOther()
@@ -209,8 +213,8 @@ TEST(SelfIntersections, AreTakenApartByMovesAndFlips)
 	Assignment   assignment(on.surface, map, on.m().faceNum);
 	std::int64_t work = 100000000;
 	LocalSearch  search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
-	EXPECT_TRUE(search.run(selfIntersections(
-		search, findCrossingFaces(on.m(), on.workers), 32 * radians, keepingCount)));
+	EXPECT_TRUE(search.run(selfIntersections(search, findCrossingFaces(on.m(), on.workers),
+											 32 * radians, keepingCount)));
 	EXPECT_TRUE(findCrossingFaces(on.m(), on.workers).empty());
 	on.expectSound();
 }
@@ -272,10 +276,11 @@ TEST(CountCrossingPairs, AgreesWithTheSearchOverAllFaces)
 	ASSERT_FALSE(found.empty());
 	std::vector<int> all(std::size_t(m.faceNum));
 	std::iota(all.begin(), all.end(), 0);
+	const FaceBoxes boxes(m, workers);
 	for (int f = 0; f < m.faceNum; ++f) {
 		const bool crosses = std::binary_search(found.begin(), found.end(), f);
 		EXPECT_EQ(countCrossingPairs(m, {f}, all) > 0, crosses) << f;
-		EXPECT_EQ(countCrossingPairs(m, {f}, facesNear(m, {f}, 0, workers)) > 0, crosses) << f;
+		EXPECT_EQ(countCrossingPairs(m, {f}, boxes.meeting(boxOfFace(m, f))) > 0, crosses) << f;
 	}
 	int sum = 0;
 	for (int f : found)

@@ -4,14 +4,11 @@
 #include "bench_case.h"
 
 #include <vcg_extras/core/mesh/measure.h>
-#include <vcg_extras/core/optimization/angle_mending.h>
 #include <vcg_extras/core/optimization/conformal_relaxation.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/exact_count.h>
-#include <vcg_extras/core/optimization/fold_repair.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
-#include <vcg_extras/core/optimization/worst_triangles.h>
 #include <vcg_extras/core/output/audit.h>
 
 namespace gpr::bench {
@@ -37,18 +34,19 @@ void flips(benchmark::State& state, StagedRun& run, Workers& workers)
 			   [&](ResultMesh& result) { flipToDelaunay(result, workers); });
 }
 
-void foldRepair(benchmark::State& state, StagedRun& run, Workers& workers)
+void invertedFacesRepair(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Surface&        surface  = run.prepared().surface;
-	const BoundaryCurves& boundary = run.sampled().boundary;
-	timeChange(state, run.improved().flipped,
-			   [&](ResultMesh& result) { mendFolds(surface, boundary, true, result, workers); });
+	const BoundaryCurves& boundary = run.sampled().curves;
+	timeChange(state, run.improved().flipped, [&](ResultMesh& result) {
+		repairInvertedFaces(surface, boundary, true, result, workers);
+	});
 }
 
 void exactCount(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Prepared&       p        = run.prepared();
-	const BoundaryCurves& boundary = run.sampled().boundary;
+	const BoundaryCurves& boundary = run.sampled().curves;
 	timeChange(state, run.improved().flipped, [&](ResultMesh& result) {
 		collapseShortEdges(p.surface, result, workers);
 		reachExactCount(p.surface, boundary, p.targetNum, result, workers);
@@ -71,37 +69,30 @@ void valenceGlide(benchmark::State& state, StagedRun& run, Workers& workers)
 void conformal(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Surface&        surface  = run.prepared().surface;
-	const BoundaryCurves& boundary = run.sampled().boundary;
+	const BoundaryCurves& boundary = run.sampled().curves;
 	const ConformalSteps  steps    = conformalSteps(2 * run.options().relaxIterations);
 	timeChange(state, run.improved().glided, [&](ResultMesh& result) {
 		relaxConformally(surface, boundary, steps, result, workers);
 	});
 }
 
-void worstTriangles(benchmark::State& state, StagedRun& run, Workers& workers)
-{
-	constexpr float angleDeg = 38;
-	const Surface&  surface  = run.prepared().surface;
-	timeChange(state, run.improved().conformal,
-			   [&](ResultMesh& result) { raiseWorstAngles(surface, angleDeg, result, workers); });
-}
-
 void fit(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Surface&        surface  = run.prepared().surface;
-	const BoundaryCurves& boundary = run.sampled().boundary;
-	timeChange(state, run.improved().raised, [&](ResultMesh& result) {
+	const BoundaryCurves& boundary = run.sampled().curves;
+	timeChange(state, run.improved().repaired, [&](ResultMesh& result) {
 		fitToInput(surface, boundary, usualFitSettings(), result, workers);
 	});
 }
 
-void angleMending(benchmark::State& state, StagedRun& run, Workers& workers)
+void poorFacesRepair(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	constexpr float       angleDeg = 32;
-	const Surface&        surface  = run.prepared().surface;
-	const BoundaryCurves& curves   = run.sampled().boundary;
-	timeChange(state, run.improved().fitted,
-			   [&](ResultMesh& result) { mendAngles(surface, curves, angleDeg, result, workers); });
+	const Surface&        surface = run.prepared().surface;
+	const BoundaryCurves& curves  = run.sampled().boundary;
+	timeChange(state, run.improved().fitted, [&](ResultMesh& result) {
+		std::unique_ptr<Cells> map;
+		repairPoorFaces(surface, curves, PoorFaces(), map, result, workers);
+	});
 }
 
 void auditResult(benchmark::State& state, StagedRun& run, Workers& workers)
@@ -120,14 +111,13 @@ void auditResult(benchmark::State& state, StagedRun& run, Workers& workers)
 void addImprovementBenchmarks(const BenchCase& on)
 {
 	addBenchmark("flips", on, flips);
-	addBenchmark("fold_repair", on, foldRepair);
+	addBenchmark("inverted_faces", on, invertedFacesRepair);
 	addBenchmark("exact_count", on, exactCount);
 	addBenchmark("relaxation", on, relaxation);
 	addBenchmark("valence_glide", on, valenceGlide);
 	addBenchmark("conformal_relaxation", on, conformal);
-	addBenchmark("worst_triangles", on, worstTriangles);
 	addBenchmark("fit", on, fit);
-	addBenchmark("angle_mending", on, angleMending);
+	addBenchmark("poor_faces", on, poorFacesRepair);
 	addBenchmark("audit", on, auditResult);
 }
 

@@ -5,17 +5,14 @@
 #include <vcg_extras/core/optimization/conformal_relaxation.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/exact_count.h>
-#include <vcg_extras/core/optimization/fold_repair.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
-#include <vcg_extras/core/optimization/worst_triangles.h>
+#include <vcg_extras/core/retriangulation/vertex_removal.h>
+#include <vcg_extras/core/run/feature_lines.h>
 
 namespace gpr::bench {
 
 namespace {
-
-/// Angles below this are raised where regularity is full.
-constexpr float poorAngleDeg = 38;
 
 class ImprovementSteps {
 public:
@@ -27,15 +24,14 @@ public:
 	ResultMesh flipped(ResultMesh result)
 	{
 		flipToDelaunay(result, workers_);
-		mendFolds(prepared_.surface, sampled_.boundary, true, result, workers_);
+		repairInvertedFaces(prepared_.surface, sampled_.curves, true, result, workers_);
 		return result;
 	}
 
 	ResultMesh counted(ResultMesh result)
 	{
 		collapseShortEdges(prepared_.surface, result, workers_);
-		reachExactCount(prepared_.surface, sampled_.boundary, prepared_.targetNum, result,
-						workers_);
+		reachExactCount(prepared_.surface, sampled_.curves, prepared_.targetNum, result, workers_);
 		return result;
 	}
 
@@ -48,21 +44,20 @@ public:
 
 	ResultMesh conformal(ResultMesh result, int relaxIterations)
 	{
-		relaxConformally(prepared_.surface, sampled_.boundary, conformalSteps(2 * relaxIterations),
+		relaxConformally(prepared_.surface, sampled_.curves, conformalSteps(2 * relaxIterations),
 						 result, workers_);
 		return result;
 	}
 
-	ResultMesh raised(ResultMesh result)
+	ResultMesh repaired(ResultMesh result)
 	{
-		raiseWorstAngles(prepared_.surface, poorAngleDeg, result, workers_);
-		mendFolds(prepared_.surface, sampled_.boundary, false, result, workers_);
+		repairInvertedFaces(prepared_.surface, sampled_.curves, false, result, workers_);
 		return result;
 	}
 
 	ResultMesh fitted(ResultMesh result)
 	{
-		fitToInput(prepared_.surface, sampled_.boundary, usualFitSettings(), result, workers_);
+		fitToInput(prepared_.surface, sampled_.curves, usualFitSettings(), result, workers_);
 		return result;
 	}
 
@@ -91,7 +86,8 @@ RunContext StagedRun::contextFor(Workers& workers)
 	report_              = RemeshReport();
 	report_.cleanedInput = inputFigures_;
 	notes_.clear();
-	return {input_, options_, workers, report_, notes_, StageClock(workers, report_)};
+	return {input_,  options_, workers,
+			report_, notes_,   StageClock(workers, report_, Pipeline::Remeshing)};
 }
 
 const MeshFigures& StagedRun::inputFigures()
@@ -103,10 +99,9 @@ const MeshFigures& StagedRun::inputFigures()
 Prepared& StagedRun::prepared()
 {
 	if (!prepared_) {
-		RunContext  run = contextFor(workers_);
-		Preparation preparation(run);
-		prepared_ = std::make_unique<Prepared>(preparation.prepare(0));
-		preparation.findFeatureLines(*prepared_);
+		RunContext run = contextFor(workers_);
+		prepared_      = std::make_unique<Prepared>(prepare(run, {}));
+		findFeatureLines(run, *prepared_);
 		inputFigures_ = report_.cleanedInput;
 	}
 	return *prepared_;
@@ -115,14 +110,12 @@ Prepared& StagedRun::prepared()
 const SampledState& StagedRun::sampled()
 {
 	if (!sampled_) {
-		const Prepared& p   = prepared();
-		RunContext      run = contextFor(workers_);
-		SampleStages    stages(run);
+		const Prepared& p     = prepared();
+		RunContext      run   = contextFor(workers_);
 		auto            state = std::make_unique<SampledState>();
-		state->partition      = stages.cut(p);
-		state->sampling       = stages.sampleAll(p, state->partition, state->boundary);
-		state->mesh =
-			stages.retriangulateFrom(p, state->sampling, state->boundary, state->partition);
+		Sampled&        s     = *state;
+		s                     = sampleSurface(run, p);
+		state->mesh = removeVertices(p.surface, s.sampling, s.curves, inputFigures_, workers_);
 		state->mesh.idealEdge = idealEdge(p);
 		sampled_              = std::move(state);
 	}
@@ -140,8 +133,8 @@ const ImprovedStates& StagedRun::improved()
 		states->counted            = steps.counted(copy(states->flipped));
 		states->glided             = steps.glided(copy(states->counted));
 		states->conformal = steps.conformal(copy(states->glided), options_.relaxIterations);
-		states->raised    = steps.raised(copy(states->conformal));
-		states->fitted    = steps.fitted(copy(states->raised));
+		states->repaired  = steps.repaired(copy(states->conformal));
+		states->fitted    = steps.fitted(copy(states->repaired));
 		improved_         = std::move(states);
 	}
 	return *improved_;

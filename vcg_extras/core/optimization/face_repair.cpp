@@ -27,6 +27,8 @@ constexpr std::size_t mostForPairs      = 8;
 constexpr int mostCountRounds = 3;
 /// Faces that are tried in a round, and so the most vertices that come in.
 constexpr int attemptsByCount = 200, attemptsByPairs = 12;
+/// How well faces agree with the surface that angles are raised on without a map: 37°.
+constexpr float leastAgreementOnSurface = 0.8f;
 /// What all searches together may measure (see LocalSearch), at some 30 ns each: about a third of a
 /// second, and a tenth of the run on large meshes. On parts full of needles nothing helps, and the
 /// search would last much longer than all the rest.
@@ -240,6 +242,20 @@ void repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, b
 	if (!mayCollapse && endLinesAtFacesWithoutArea(search))
 		search.run(invertedFaces(search, workers, mayCollapse));
 	if (mayCollapse) compactResult(result, workers);
+}
+
+void raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+						  ResultMesh& result, Workers& workers)
+{
+	const float angle = angleDeg * radians;
+	if (findPoorFaces(result.mesh, angle, workers).empty()) return;
+	std::int64_t work = workFor(result.mesh.faceNum);
+	LocalSearch  search(surface, curves, nullptr, work, result, workers);
+	Goal         goal = smallAngles(search, workers, angle, 2, keepingCount);
+	// Where faces lie as the surface does they are near it, and intersect no others.
+	goal.limits.minNormalAgreement = leastAgreementOnSurface;
+	goal.limits.intersections      = false;
+	search.run(goal);
 }
 
 bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,

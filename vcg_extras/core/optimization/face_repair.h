@@ -22,6 +22,11 @@ namespace gpr {
 void repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, bool mayCollapse,
 						 ResultMesh& result, Workers& workers);
 
+/// Raises angles below angleDeg by moves on the surface and flips, where no fit follows that knows
+/// what each face stands for. Cost: a pass over the angles, and the few poor faces.
+void raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+						  ResultMesh& result, Workers& workers);
+
 /// What is to be repaired after the fit.
 struct PoorFaces {
 	float            angleDeg   = 32; ///< no face shall have a smaller angle

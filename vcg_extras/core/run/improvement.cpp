@@ -12,15 +12,16 @@
 #include <vcg_extras/core/optimization/umbrella_smoothing.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 
-#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace gpr {
 
 namespace {
 
-/// Angles below these get a pass of their own at the end.
-constexpr float poorAngleDeg = 32, poorAngleFullDeg = 38;
+/// Angles below this are raised at the end.
+constexpr float poorAngleDeg = 32;
 /// What is left of the weight of the triangles' shape in the fit where sizes follow the error: who
 /// asks for that wants to be close first.
 constexpr double adaptedShapeWeight = 0.07;
@@ -34,123 +35,123 @@ constexpr int quickFitRounds   = 2;
 /// Rounds of lowering the largest distances there; one of them takes a fifth off.
 constexpr int adaptedWorstRounds = 4;
 
-class Improvement : RunPart {
-public:
-	explicit Improvement(RunContext& run) : RunPart(run) {}
-
-	void relax(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
-	{
-		clock_.enter("relaxation", "Relaxing", 0.95);
-		if (options_.smoothing != Smoothing::Barycentric)
-			return smoothAsWritten(p, boundary, result);
-		const bool isFull = options_.regularity == Regularity::Full;
-		if (options_.relaxIterations > 0) {
-			if (isFull)
-				makeRegular(p, boundary, result);
-			else
-				relaxPlainly(p, boundary, result);
-		}
-		repairInvertedFaces(p.surface, boundary, false, result, workers_);
-	}
-
-	/// What regularity asks for to the last; the paper's post-processing stays as it is written.
-	void mendLastAngles(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result,
-						std::unique_ptr<Cells> cells)
-	{
-		if (options_.smoothing != Smoothing::Barycentric || options_.relaxIterations == 0) return;
-		if (options_.regularity != Regularity::Full) return;
-		clock_.enter("angles", "Mending angles", 0.973);
-		returnReleasedMemory();
-		PoorFaces wanted;
-		wanted.angleDeg   = leastAngleDeg();
-		wanted.targetNum  = options_.exactCount ? p.targetNum : 0;
-		wanted.suspects   = std::move(suspects_);
-		wanted.largestGap = largestGap_;
-		if (!repairPoorFaces(p.surface, boundary, wanted, cells, result, workers_))
-			report_.capsReached.push_back("changes for the worst angles");
-	}
-
-	/// Returns the cells of the last round, if there was one.
-	std::unique_ptr<Cells> fit(const Prepared& p, const BoundaryCurves& boundary,
-							   bool largestCounts, ResultMesh& result)
-	{
-		if (options_.fit == Fit::Off) return nullptr;
-		clock_.enter("fit", "Fitting to the input", 0.97);
-		returnReleasedMemory(); // this stage sets the peak
-		FitSettings settings;
-		settings.rounds        = roundsOfFit();
-		settings.leastAngleDeg = leastAngleDeg();
-		settings.worstRounds   = worstRounds(largestCounts);
-		settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options_.adapt));
-		FitOutcome outcome = fitToInput(p.surface, boundary, settings, result, workers_);
-		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
-		if (outcome.cells != nullptr) {
-			suspects_   = std::move(outcome.crossing);
-			largestGap_ = outcome.largestGap;
-		}
-		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
-		return std::move(outcome.cells);
-	}
-
-private:
-	std::vector<int>
-		  suspects_; ///< faces that intersect others, or did before the fit took moves back
-	float largestGap_ = 0;
-
-	float leastAngleDeg() const
-	{
-		return poorAngleDeg + float(options_.adapt) * (adaptedAngleDeg - poorAngleDeg);
-	}
-
-	int worstRounds(bool largestCounts) const
-	{
-		if (largestCounts || options_.adapt > 0) return adaptedWorstRounds;
-		return options_.fit == Fit::Quick ? 0 : 1;
-	}
-
-	int roundsOfFit() const
-	{
-		if (options_.fit == Fit::Quick) return quickFitRounds;
-		return options_.adapt > 0 ? adaptedFitRounds : fitRounds;
-	}
-
-	/// The paper's post-processing: umbrella and flips in turn, or flips alone.
-	void smoothAsWritten(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
-	{
-		const bool moves = options_.smoothing == Smoothing::Umbrella2;
-		for (int step = 0; moves && step < options_.relaxIterations; ++step) {
-			smoothByUmbrella2(p.surface, result, workers_);
-			flipEdges(run_, result);
-		}
-		repairInvertedFaces(p.surface, boundary, false, result, workers_);
-	}
-
-	/// The first two steps leave the edges alone: flips straight away would undo what the exact
-	/// count did for the valences.
-	void relaxPlainly(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
-	{
-		constexpr int stepsWithoutFlips = 2;
-		for (int step = 0; step < options_.relaxIterations; ++step) {
-			relaxOnce(p.surface, result, workers_);
-			slideAlongCreases(p.surface, boundary, result);
-			if (step >= stepsWithoutFlips) flipEdges(run_, result);
-		}
-	}
-
-	/// Chains of flips shear triangles; a relaxation before each round gives them room.
-	void makeRegular(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
-	{
-		constexpr int rounds = 2;
-		for (int round = 0; round < rounds; ++round) {
-			relaxOnce(p.surface, result, workers_);
-			slideAlongCreases(p.surface, boundary, result);
-			glideDislocations(result, workers_);
-		}
-		ConformalSteps steps = conformalSteps(2 * options_.relaxIterations);
-		steps.flipPasses     = options_.flipIterations;
-		relaxConformally(p.surface, boundary, steps, result, workers_);
-	}
+/// What the fit leaves for the repair of poor faces.
+struct Fitted {
+	std::unique_ptr<Cells> cells; ///< of the last round, if there was one
+	PoorFaces              poor;
 };
+
+float leastAngleDeg(const RemeshOptions& options)
+{
+	return poorAngleDeg + float(options.adapt) * (adaptedAngleDeg - poorAngleDeg);
+}
+
+int worstRounds(const RemeshOptions& options, LargestDistance largest)
+{
+	if (largest == LargestDistance::Counts || options.adapt > 0) return adaptedWorstRounds;
+	return options.fit == Fit::Quick ? 0 : 1;
+}
+
+int roundsOfFit(const RemeshOptions& options)
+{
+	if (options.fit == Fit::Quick) return quickFitRounds;
+	return options.adapt > 0 ? adaptedFitRounds : fitRounds;
+}
+
+FitSettings fitSettings(const RemeshOptions& options, LargestDistance largest)
+{
+	FitSettings settings;
+	settings.rounds        = roundsOfFit(options);
+	settings.leastAngleDeg = leastAngleDeg(options);
+	settings.worstRounds   = worstRounds(options, largest);
+	settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options.adapt));
+	return settings;
+}
+
+/// The paper's post-processing: umbrella and flips in turn, or flips alone.
+void smoothAsWritten(RunContext& run, const Prepared& p, ResultMesh& result)
+{
+	if (run.options.smoothing != Smoothing::Umbrella2) return;
+	for (int step = 0; step < run.options.relaxIterations; ++step) {
+		smoothByUmbrella2(p.surface, result, run.workers);
+		flipEdges(run, result);
+	}
+}
+
+/// The first two steps leave the edges alone: flips straight away would undo what the exact
+/// count did for the valences.
+void relaxPlainly(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+				  ResultMesh& result)
+{
+	constexpr int stepsWithoutFlips = 2;
+	for (int step = 0; step < run.options.relaxIterations; ++step) {
+		relaxOnce(p.surface, result, run.workers);
+		slideAlongCreases(p.surface, boundary, result);
+		if (step >= stepsWithoutFlips) flipEdges(run, result);
+	}
+}
+
+/// Chains of flips shear triangles; a relaxation before each round gives them room.
+void makeRegular(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+				 ResultMesh& result)
+{
+	constexpr int rounds = 2;
+	for (int round = 0; round < rounds; ++round) {
+		relaxOnce(p.surface, result, run.workers);
+		slideAlongCreases(p.surface, boundary, result);
+		glideDislocations(result, run.workers);
+	}
+	ConformalSteps steps = conformalSteps(2 * run.options.relaxIterations);
+	steps.flipPasses     = run.options.flipIterations;
+	relaxConformally(p.surface, boundary, steps, result, run.workers);
+}
+
+void relax(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
+{
+	if (run.options.relaxIterations == 0) return;
+	if (run.options.regularity == Regularity::Full) return makeRegular(run, p, boundary, result);
+	relaxPlainly(run, p, boundary, result);
+	raiseAnglesOnSurface(p.surface, boundary, poorAngleDeg, result, run.workers);
+}
+
+Fitted fit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+		   LargestDistance largest, ResultMesh& result)
+{
+	if (run.options.fit == Fit::Off) return {};
+	run.clock.enter(Stage::Fit);
+	returnReleasedMemory(); // this stage sets the peak
+	const FitSettings settings = fitSettings(run.options, largest);
+	FitOutcome        outcome  = fitToInput(p.surface, boundary, settings, result, run.workers);
+	if (outcome.capped) run.report.capsReached.push_back("moves of the fit");
+	Fitted fitted;
+	run.report.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
+	fitted.poor.suspects          = std::move(outcome.crossing);
+	fitted.poor.largestGap        = outcome.largestGap;
+	fitted.cells                  = std::move(outcome.cells);
+	return fitted;
+}
+
+/// What regularity asks for to the last; the paper's post-processing stays as it is written.
+bool repairsPoorFaces(const RemeshOptions& options)
+{
+	return options.smoothing == Smoothing::Barycentric && options.relaxIterations > 0 &&
+		   options.regularity == Regularity::Full;
+}
+
+void repairFaces(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, Fitted fitted,
+				 ResultMesh& result)
+{
+	if (!repairsPoorFaces(run.options)) return;
+	run.clock.enter(Stage::Angles);
+	returnReleasedMemory();
+	fitted.poor.angleDeg  = leastAngleDeg(run.options);
+	fitted.poor.targetNum = run.options.exactCount ? p.targetNum : 0;
+	if (!repairPoorFaces(p.surface, boundary, fitted.poor, fitted.cells, result, run.workers))
+		run.report.capsReached.push_back("changes for the worst angles");
+	// Faces that intersect are taken apart also by raising vertices from the surface.
+	if (run.options.fit != Fit::Off)
+		run.report.largestFitDistance = double(farthestFromAnchor(result)) / p.surface.frame.scale;
+}
 
 } // namespace
 
@@ -161,15 +162,19 @@ void flipEdges(RunContext& run, ResultMesh& result)
 
 void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
 {
-	Improvement(run).relax(p, boundary, result);
+	run.clock.enter(Stage::Relaxation);
+	if (run.options.smoothing != Smoothing::Barycentric)
+		smoothAsWritten(run, p, result);
+	else
+		relax(run, p, boundary, result);
+	repairInvertedFaces(p.surface, boundary, false, result, run.workers);
 }
 
 void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
-			   bool largestCounts, ResultMesh& result)
+			   LargestDistance largest, ResultMesh& result)
 {
-	Improvement            improvement(run);
-	std::unique_ptr<Cells> cells = improvement.fit(p, boundary, largestCounts, result);
-	improvement.mendLastAngles(p, boundary, result, std::move(cells));
+	Fitted fitted = fit(run, p, boundary, largest, result);
+	repairFaces(run, p, boundary, std::move(fitted), result);
 }
 
 } // namespace gpr
