@@ -14,7 +14,7 @@
 #include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/optimization/angle_mending.h>
-#include <vcg_extras/core/optimization/curve_slide.h>
+#include <vcg_extras/core/optimization/constraint.h>
 #include <vcg_extras/core/optimization/fit.h>
 #include <vcg_extras/core/optimization/worst_distances.h>
 #include <vcg_extras/core/surface/cells.h>

@@ -12,11 +12,12 @@
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/optimization/constraint.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/exact_count.h>
 #include <vcg_extras/core/optimization/fold_repair.h>
 #include <vcg_extras/core/optimization/relaxation.h>
-#include <vcg_extras/core/optimization/umbrella_smoothing.h>
+#include <vcg_extras/core/optimization/terms.h>
 #include <vcg_extras/core/optimization/worst_triangles.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 

@@ -8,7 +8,6 @@
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/valence_energy.h>
 #include <vcg_extras/core/mesh/work_cells.h>
-#include <vcg_extras/core/optimization/conformal_relaxation.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>

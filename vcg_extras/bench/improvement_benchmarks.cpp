@@ -5,7 +5,6 @@
 
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/optimization/angle_mending.h>
-#include <vcg_extras/core/optimization/conformal_relaxation.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/exact_count.h>
 #include <vcg_extras/core/optimization/fold_repair.h>

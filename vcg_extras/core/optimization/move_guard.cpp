@@ -2,18 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "move_guard.h"
 
-#include <utility>
+#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/surface/normal_agreement.h>
+
+#include <algorithm>
 
 namespace gpr {
 
 namespace {
-
-/// A face of a shape below this (30°-30°-120°) must not get worse.
-constexpr float poorShape = 0.6f;
-/// A move must not turn a face by more than 60°.
-constexpr float foldCosine = 0.5f;
-/// Rounds of taking moves back; then all moves are.
-constexpr int mostTakeBackRounds = 8;
 
 Vec3f crossOf(const Corners& f)
 {
@@ -28,86 +24,161 @@ float squaredShape(const Vec3f& cross, const Corners& f)
 	return 12 * squaredLength(cross) / (edges * edges);
 }
 
+bool losesShape(float minShape, const Corners& before, const Vec3f& then, const Corners& after,
+				const Vec3f& now)
+{
+	if (minShape == 0) return false;
+	const float shape = squaredShape(now, after);
+	return shape < minShape * minShape && shape < squaredShape(then, before);
+}
+
+bool losesAngle(const MoveLimits& limits, const Corners& before, const Corners& after)
+{
+	if (limits.minAngle == 0) return false;
+	const float angle = smallestAngle(after.a, after.b, after.c);
+	return angle < limits.minAngle &&
+		   angle < limits.falls * smallestAngle(before.a, before.b, before.c);
+}
+
 } // namespace
 
-bool spoilsFace(const Corners& before, const Corners& after)
+bool spoilsFace(const MoveLimits& limits, const Corners& before, const Corners& after)
 {
 	const Vec3f now = crossOf(after), then = crossOf(before);
 	const float turn = dot(now, then);
-	if (turn <= 0 ||
-		turn * turn < foldCosine * foldCosine * squaredLength(now) * squaredLength(then))
+	if (turn <= 0 || turn * turn < limits.turnCosine * limits.turnCosine * squaredLength(now) *
+									   squaredLength(then))
 		return true;
-	const float shape = squaredShape(now, after);
-	return shape < poorShape * poorShape && shape < squaredShape(then, before);
+	return losesShape(limits.minShape, before, then, after, now) ||
+		   losesAngle(limits, before, after);
 }
 
-MoveGuard::MoveGuard(ResultMesh& result, Workers& workers) :
-		r_(result), workers_(workers), next_(result.vertex.size()), moved_(result.vertex.size(), 0)
+bool spoilsRing(const MoveLimits& limits, const HalfEdgeMesh& m, int v, const Vec3f& to)
 {
+	const Vec3f from   = m.position[v];
+	bool        spoils = false;
+	forEachOutgoing(m, v, [&](int h) {
+		const Vec3f a = m.position[m.target(h)], b = m.position[m.apex(h)];
+		spoils = spoils || spoilsFace(limits, {from, a, b}, {to, a, b});
+	});
+	return spoils;
 }
 
-void MoveGuard::clear()
+MoveGuard::MoveGuard(const MoveLimits& limits, HalfEdgeMesh& mesh, Workers& workers) :
+		limits_(limits), m_(mesh), workers_(workers), from_(mesh.vertexNum)
 {
-	moved_.fill(0);
+	std::copy(m_.position.data(), m_.position.data() + m_.vertexNum, from_.data());
 }
 
-void MoveGuard::move()
+void MoveGuard::start()
 {
-	exchange();
-	for (int round = 0; round < mostTakeBackRounds; ++round) {
-		const std::vector<int> bad = findBadFaces();
-		if (bad.empty()) return;
-		for (int f : bad) {
-			for (int k = 0; k < 3; ++k)
-				takeBack(r_.mesh.origin[3 * f + k]);
-		}
-	}
-	for (int v = 0; v < r_.mesh.vertexNum; ++v)
-		takeBack(v);
-}
-
-void MoveGuard::exchange()
-{
-	workers_.forRange(moved_.size(), [&](std::size_t begin, std::size_t end) {
+	if (shift_.empty()) shift_.reset(m_.vertexNum);
+	workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t v = begin; v < end; ++v) {
-			if (!moved_[v]) continue;
-			std::swap(next_[v], r_.vertex[v]);
-			r_.mesh.position[v] = r_.vertex[v].anchor.position;
+			from_[v]  = m_.position[v];
+			shift_[v] = Vec3f();
 		}
 	});
 }
 
-void MoveGuard::takeBack(int v)
+void MoveGuard::takeOver()
 {
-	if (!moved_[v]) return;
-	moved_[v]           = 0;
-	r_.vertex[v]        = next_[v];
-	r_.mesh.position[v] = r_.vertex[v].anchor.position;
-}
-
-Vec3f MoveGuard::placeBefore(int v) const
-{
-	return moved_[v] ? next_[v].anchor.position : r_.mesh.position[v];
-}
-
-std::vector<int> MoveGuard::findBadFaces()
-{
-	const HalfEdgeMesh& m = r_.mesh;
-	return workers_.collect<int>(m.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-		for (int f = int(begin); f < int(end); ++f) {
-			const int* corner = &m.origin[3 * f];
-			if (!moved_[corner[0]] && !moved_[corner[1]] && !moved_[corner[2]]) continue;
-			if (isBad(f)) out.push_back(f);
-		}
+	if (shift_.empty()) shift_.reset(m_.vertexNum);
+	workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			shift_[v] = m_.position[v] - from_[v];
 	});
 }
 
-bool MoveGuard::isBad(int f) const
+void MoveGuard::apply()
 {
-	const HalfEdgeMesh& m      = r_.mesh;
-	const int*          corner = &m.origin[3 * f];
-	return spoilsFace({placeBefore(corner[0]), placeBefore(corner[1]), placeBefore(corner[2])},
-					  {m.position[corner[0]], m.position[corner[1]], m.position[corner[2]]});
+	workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			m_.position[v] = at(int(v));
+	});
+}
+
+bool MoveGuard::hasMoved(int f) const
+{
+	const int* c = &m_.origin[3 * f];
+	return !(shift_[c[0]] == Vec3f() && shift_[c[1]] == Vec3f() && shift_[c[2]] == Vec3f());
+}
+
+bool MoveGuard::settle(const Buffer<Vec3f>& normal)
+{
+	const auto collectSpoilt = [&](std::size_t begin, std::size_t end, auto& out) {
+		for (std::size_t f = begin; f < end; ++f) {
+			if (isSpoilt(int(f), normal)) out.push_back(int(f));
+		}
+	};
+	shortened_.clear();
+	return settleFrom(workers_.collect<int>(m_.faceNum, collectSpoilt), normal);
+}
+
+std::vector<char> MoveGuard::takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& normal)
+{
+	shortened_.clear();
+	const std::vector<int> spoilt = spoiltAmong(facesRound(m_, shorten(faces, 0)), normal);
+	// Where all moves were taken back, all faces have changed.
+	std::vector<char> changed(m_.faceNum, char(!settleFrom(spoilt, normal)));
+	for (int f : facesRound(m_, shortened_))
+		changed[f] = 1;
+	return changed;
+}
+
+void MoveGuard::takeAllBack()
+{
+	shift_.fill(Vec3f());
+	apply();
+}
+
+bool MoveGuard::isSpoilt(int f, const Buffer<Vec3f>& normal) const
+{
+	if (!hasMoved(f)) return false;
+	const int* c = &m_.origin[3 * f];
+	return spoilsFace(limits_, {from_[c[0]], from_[c[1]], from_[c[2]]},
+					  {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]}) ||
+		   (!normal.empty() && losesAgreement(f, normal));
+}
+
+bool MoveGuard::losesAgreement(int f, const Buffer<Vec3f>& normal) const
+{
+	const int*  c   = &m_.origin[3 * f];
+	const float now = faceAgreement(m_, normal, f);
+	if (!(now < limits_.minAgreement)) return false;
+	const Vec3f wanted = normal[c[0]] + normal[c[1]] + normal[c[2]];
+	const Vec3f then   = crossOf({from_[c[0]], from_[c[1]], from_[c[2]]});
+	return now < limits_.falls * agreement(then, wanted);
+}
+
+std::vector<int> MoveGuard::spoiltAmong(std::vector<int> faces, const Buffer<Vec3f>& normal) const
+{
+	const auto isSound = [&](int f) { return !isSpoilt(f, normal); };
+	faces.erase(std::remove_if(faces.begin(), faces.end(), isSound), faces.end());
+	return faces;
+}
+
+bool MoveGuard::settleFrom(std::vector<int> spoilt, const Buffer<Vec3f>& normal)
+{
+	for (int round = 0; round < limits_.maxRounds && !spoilt.empty(); ++round) {
+		const float share = round < limits_.halvings ? 0.5f : 0.0f;
+		spoilt            = spoiltAmong(facesRound(m_, shorten(spoilt, share)), normal);
+	}
+	if (spoilt.empty()) return true;
+	takeAllBack();
+	return false;
+}
+
+/// Shortens the moves of the faces' corners; returns these.
+std::vector<int> MoveGuard::shorten(const std::vector<int>& faces, float share)
+{
+	std::vector<int> vertices = verticesOf(m_, faces);
+	for (int v : vertices) {
+		shift_[v]      = shift_[v] * share;
+		m_.position[v] = at(v);
+	}
+	shortened_.insert(shortened_.end(), vertices.begin(), vertices.end());
+	return vertices;
 }
 
 } // namespace gpr

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_changer.h"
 
-#include "curve_slide.h"
+#include "constraint.h"
 #include "edge_middle.h"
 
 #include <vcg_extras/core/base/sort_unique.h>

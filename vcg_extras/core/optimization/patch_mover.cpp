@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_mover.h"
 
+#include "constraint.h"
 #include "crease_sides.h"
-#include "curve_slide.h"
 #include "fold_repair.h"
 
 #include <vcg_extras/core/base/triangle.h>

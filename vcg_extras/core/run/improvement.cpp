@@ -4,16 +4,13 @@
 
 #include <vcg_extras/core/base/pages.h>
 #include <vcg_extras/core/optimization/angle_mending.h>
-#include <vcg_extras/core/optimization/conformal_relaxation.h>
 #include <vcg_extras/core/optimization/crease_sides.h>
 #include <vcg_extras/core/optimization/crossing_mending.h>
-#include <vcg_extras/core/optimization/curve_slide.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/fit.h>
 #include <vcg_extras/core/optimization/fold_repair.h>
 #include <vcg_extras/core/optimization/patch_remeshing.h>
 #include <vcg_extras/core/optimization/relaxation.h>
-#include <vcg_extras/core/optimization/umbrella_smoothing.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/optimization/worst_triangles.h>
 

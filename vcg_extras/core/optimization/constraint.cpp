@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "curve_slide.h"
-
-#include "move_guard.h"
-#include "relaxation.h"
+#include "constraint.h"
 
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/sectors.h>
 
 #include <algorithm>
 
@@ -21,10 +19,9 @@ float arcBetween(const Curve& c, const ResultVertex& from, const ResultVertex& t
 
 SlideRoom roomAtBorder(const ResultMesh& r, const Curve& c, int v)
 {
-	const ResultVertex& here = r.vertex[v];
-	const ResultVertex& last = r.vertex[borderNeighbour(r.mesh, v, false)];
-	const ResultVertex& next = r.vertex[borderNeighbour(r.mesh, v, true)];
-	return {arcBetween(c, last, here), arcBetween(c, here, next)};
+	const int last = borderNeighbour(r.mesh, v, false), next = borderNeighbour(r.mesh, v, true);
+	return {arcBetween(c, r.vertex[last], r.vertex[v]), arcBetween(c, r.vertex[v], r.vertex[next]),
+			last, next};
 }
 
 /// Arc at which neighbour w of v lies on v's open curve: its own, or the end it stands at. Where
@@ -42,25 +39,25 @@ float arcOfNeighbour(const Curve& c, const ResultVertex& v, const ResultVertex& 
 
 SlideRoom roomOnCrease(const ResultMesh& r, const Curve& c, int v)
 {
-	int neighbour[2] = {-1, -1}, n = 0;
+	int last = -1, next = -1;
 	forEachOutgoing(r.mesh, v, [&](int h) {
-		if (r.mesh.isCreaseEdge(h) && n < 2) neighbour[n++] = r.mesh.target(h);
+		if (!r.mesh.isCreaseEdge(h)) return;
+		last = next;
+		next = r.mesh.target(h);
 	});
-	if (n < 2 || r.mesh.creaseNum(v) != 2) return {};
-	const ResultVertex &here = r.vertex[v], &a = r.vertex[neighbour[0]],
-					   &b = r.vertex[neighbour[1]];
+	if (r.mesh.creaseNum(v) != 2) return {};
+	const ResultVertex& here = r.vertex[v];
 	if (c.isClosed) {
-		const float toA = arcBetween(c, here, a), toB = arcBetween(c, here, b);
-		return toA <= toB ? SlideRoom{arcBetween(c, b, here), toA}
-						  : SlideRoom{arcBetween(c, a, here), toB};
+		const auto arcTo = [&](int w) { return arcBetween(c, here, r.vertex[w]); };
+		if (arcTo(last) <= arcTo(next)) std::swap(last, next);
+		return {arcBetween(c, r.vertex[last], here), arcTo(next), last, next};
 	}
-	const float arcA = arcOfNeighbour(c, here, a), arcB = arcOfNeighbour(c, here, b);
-	return {std::max(0.0f, here.arc - std::min(arcA, arcB)),
-			std::max(0.0f, std::max(arcA, arcB) - here.arc)};
+	const auto arcOf = [&](int w) { return arcOfNeighbour(c, here, r.vertex[w]); };
+	if (arcOf(next) < arcOf(last)) std::swap(last, next);
+	return {std::max(0.0f, here.arc - arcOf(last)), std::max(0.0f, arcOf(next) - here.arc), last,
+			next};
 }
 
-/// Of the way to the next vertex.
-constexpr float longestSlide = 0.3f;
 /// Arcs between neighbours on a curve, in wanted edges.
 constexpr float leastSpacing = 0.7f, mostSpacing = 1.3f;
 /// How far a curve may leave its chords, in ideal edges; see CurveSpacing.
@@ -103,47 +100,34 @@ private:
 	}
 };
 
-class CreaseSlider {
-public:
-	CreaseSlider(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result) :
-			surface_(surface), curves_(curves), r_(result), m_(result.mesh)
-	{
-	}
-
-	void slide(int v)
-	{
-		const ResultVertex& here = r_.vertex[v];
-		const SlideRoom     room = slideRoom(r_, curves_, v);
-		if (!room.isOpen()) return;
-		const float wanted = dot(wayToBarycentre(m_, v), slideDirection(curves_, here, room));
-		const float step =
-			std::clamp(wanted, -longestSlide * room.backward, longestSlide * room.forward);
-		const ResultVertex to = slid(surface_, curves_, here, step);
-		if (!keepsShapes(v, to.anchor.position)) return;
-		if (!slideKeepsToCurve(r_, curves_, v, room, step)) return;
-		r_.vertex[v]   = to;
-		m_.position[v] = to.anchor.position;
-	}
-
-private:
-	const Surface&        surface_;
-	const BoundaryCurves& curves_;
-	ResultMesh&           r_;
-	HalfEdgeMesh&         m_;
-
-	bool keepsShapes(int v, const Vec3f& q) const
-	{
-		const Vec3f p     = m_.position[v];
-		bool        sound = true;
-		forEachOutgoing(m_, v, [&](int h) {
-			const Vec3f a = m_.position[m_.target(h)], b = m_.position[m_.apex(h)];
-			sound = sound && !spoilsFace({p, a, b}, {q, a, b});
-		});
-		return sound;
-	}
-};
-
 } // namespace
+
+Constraint constraintOf(const ResultMesh& result, int v)
+{
+	const ResultVertex& record = result.vertex[v];
+	if (record.isCorner || record.isPinned) return Constraint::Fixed;
+	const bool isOnCurve = result.mesh.isCurveVertex(v);
+	// A vertex of a curve that the record does not know cannot slide, and must not leave it.
+	if (isOnCurve != (record.curve >= 0)) return Constraint::Fixed;
+	return isOnCurve ? Constraint::Curve : Constraint::Surface;
+}
+
+Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers)
+{
+	Buffer<char> flat(result.mesh.vertexNum);
+	workers.forRange(flat.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			flat[v] = isFlat(result.mesh, int(v));
+	});
+	return flat;
+}
+
+WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex)
+{
+	const WalkEnd end = walk(surface.mesh, vertex.anchor, step);
+	vertex.normal     = surface.mesh.faceNormal(vertex.anchor.face);
+	return end;
+}
 
 SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int v)
 {
@@ -200,15 +184,6 @@ ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const Re
 	moved.anchor       = {c.at(moved.arc), c.face[c.segmentAt(moved.arc)]};
 	moved.normal       = surface.mesh.faceNormal(moved.anchor.face);
 	return moved;
-}
-
-void slideAlongCreases(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result)
-{
-	if (!result.mesh.hasCreases()) return;
-	CreaseSlider slider(surface, curves, result);
-	for (int v = 0; v < result.mesh.vertexNum; ++v) {
-		if (result.vertex[v].curve >= 0 && !result.mesh.isBorderVertex(v)) slider.slide(v);
-	}
 }
 
 } // namespace gpr

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_DESCENT_H
+#define VCG_EXTRAS_CORE_OPTIMIZATION_DESCENT_H
+
+#include "move_guard.h"
+
+#include <vcg_extras/core/surface/result_mesh.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace gpr {
+
+/// Steps that move all vertices at once (Jacobi) to where terms (terms.h) want them under their
+/// constraints (constraint.h), within limits (move_guard.h). Templates: the terms are inlined into
+/// the loop over the vertices, which most of the time of relaxation and fit goes into.
+
+inline Vec3f shortened(const Vec3f& a, float longest)
+{
+	const float l = length(a);
+	return l > longest ? a * (longest / l) : a;
+}
+
+/// The move by descent with momentum (heavy ball, Polyak 1964): this share of the last one again,
+/// and the step that the terms want.
+inline Vec3f moveWithMomentum(const Vec3f& last, float share, const Vec3f& step, float longest)
+{
+	return shortened(last * share + step, longest);
+}
+
+/// Steps on the surface and its curves: a vertex lies where its record does.
+class SurfaceDescent {
+public:
+	SurfaceDescent(const MoveLimits& limits, ResultMesh& result, Workers& workers) :
+			guard_(limits, result.mesh, workers), r_(result), m_(result.mesh), workers_(workers),
+			next_(result.vertex.size()), moves_(result.vertex.size(), 0)
+	{
+	}
+
+	/// next(v) is the record that v shall have, or none where v stays; all see the places before
+	/// the step.
+	template <class Next>
+	void step(const Next& next)
+	{
+		guard_.start();
+		forEachVertex([&](int v) {
+			const std::optional<ResultVertex> to = next(v);
+			moves_[v]                            = to.has_value();
+			if (to) next_[v] = *to;
+		});
+		forEachVertex([&](int v) {
+			if (moves_[v]) m_.position[v] = next_[v].anchor.position;
+		});
+		guard_.takeOver();
+		guard_.settle();
+		forEachVertex([&](int v) {
+			moves_[v] = moves_[v] && m_.position[v] == next_[v].anchor.position;
+			if (moves_[v]) r_.vertex[v] = next_[v];
+		});
+	}
+
+	/// Whether v's move in the last step stood.
+	bool moved(int v) const { return moves_[v] != 0; }
+
+private:
+	MoveGuard            guard_;
+	ResultMesh&          r_;
+	HalfEdgeMesh&        m_;
+	Workers&             workers_;
+	Buffer<ResultVertex> next_;
+	Buffer<char>         moves_;
+
+	template <class Visit>
+	void forEachVertex(const Visit& visit)
+	{
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				visit(int(v));
+		});
+	}
+};
+
+/// Steps through space, off the surface: records stay. Limits are looked at behind the last step
+/// only, so that vertices may pass each other on the way.
+class SpaceDescent {
+public:
+	SpaceDescent(const MoveLimits& limits, HalfEdgeMesh& mesh, Workers& workers) :
+			guard_(limits, mesh, workers), workers_(workers), next_(mesh.vertexNum),
+			last_(mesh.vertexNum)
+	{
+	}
+
+	/// Steps from the present places on.
+	void start()
+	{
+		guard_.start();
+		workers_.forRange(last_.size(), [&](std::size_t begin, std::size_t end) {
+			std::fill(last_.data() + begin, last_.data() + end, Vec3f());
+		});
+	}
+
+	const Vec3f& shift(int v) const { return guard_.shift(v); }
+	Vec3f        at(int v) const { return guard_.at(v); }
+	/// v's move in the last step; the step sets it anew.
+	Vec3f& move(int v) { return last_[v]; }
+
+	/// next(v) is v's shift from where the steps started.
+	template <class Next>
+	void step(const Next& next)
+	{
+		workers_.forRange(next_.size(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				next_[v] = next(int(v));
+		});
+		guard_.swapShifts(next_);
+	}
+
+	/// Moves the vertices, as far as the limits allow; false if all had to be taken back.
+	bool finish(const Buffer<Vec3f>& surfaceNormal)
+	{
+		guard_.apply();
+		return guard_.settle(surfaceNormal);
+	}
+
+private:
+	MoveGuard     guard_;
+	Workers&      workers_;
+	Buffer<Vec3f> next_, last_;
+};
+
+} // namespace gpr
+
+#endif
