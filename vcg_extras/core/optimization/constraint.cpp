@@ -6,6 +6,8 @@
 #include <vcg_extras/core/mesh/sectors.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
 namespace gpr {
 
@@ -63,42 +65,30 @@ constexpr float leastSpacing = 0.7f, mostSpacing = 1.3f;
 /// How far a curve may leave its chords, in ideal edges; see CurveSpacing.
 constexpr float tolerance = 0.08f;
 
-/// The stretch of a curve from a vertex' last neighbour on it to the next one.
-class Stretch {
-public:
-	Stretch(const Curve& curve, const ResultVertex& here, const SlideRoom& room) :
-			curve_(curve), here_(here.arc), from_(here.arc - room.backward),
-			to_(here.arc + room.forward)
-	{
+/// How far v's curve leaves the chords from its last neighbour by way of a vertex at each arc to
+/// the next one.
+float deviationBy(const BoundaryCurves& curves, const ResultVertex& v, const SlideRoom& room,
+				  std::initializer_list<float> arcs)
+{
+	const Curve& c    = curves.curves[v.curve];
+	float        from = v.arc - room.backward, worst = 0;
+	// On a closed curve the stretch may begin before its first point.
+	const float lap = from < 0 ? c.length : 0.0f;
+	for (float to : arcs) {
+		worst = std::max(worst, deviation(c, from + lap, to + lap));
+		from  = to;
 	}
+	return std::max(worst, deviation(c, from + lap, v.arc + room.forward + lap));
+}
 
-	/// How far the curve leaves the two chords by way of a vertex at `arc`.
-	float deviationBy(float arc) const
-	{
-		return std::max(deviationOf(from_, arc), deviationOf(arc, to_));
-	}
-
-	/// How far it leaves the one chord without a vertex.
-	float deviationWithout() const { return deviationOf(from_, to_); }
-
-	/// How far it may leave the chords that take the place of those now: as far as spacing may, or
-	/// as it leaves them now.
-	float allowedDeviation(float idealEdge) const
-	{
-		return std::max(deviationBy(here_), tolerance * idealEdge * curve_.sizeAt(here_));
-	}
-
-private:
-	const Curve& curve_;
-	float        here_, from_, to_;
-
-	/// On a closed curve the stretch may begin before its first point.
-	float deviationOf(float a, float b) const
-	{
-		const float lap = from_ < 0 ? curve_.length : 0.0f;
-		return deviation(curve_, a + lap, b + lap);
-	}
-};
+/// How far it may leave the chords that take the place of those now: as far as spacing may, or as
+/// it leaves them now.
+float allowedDeviation(const ResultMesh& result, const BoundaryCurves& curves,
+					   const ResultVertex& v, const SlideRoom& room)
+{
+	const float size = curves.curves[v.curve].sizeAt(v.arc);
+	return std::max(deviationBy(curves, v, room, {v.arc}), tolerance * result.idealEdge * size);
+}
 
 } // namespace
 
@@ -115,10 +105,7 @@ Constraint constraintOf(const ResultMesh& result, int v)
 Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers)
 {
 	Buffer<char> flat(result.mesh.vertexNum);
-	workers.forRange(flat.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			flat[v] = isFlat(result.mesh, int(v));
-	});
+	workers.forEach(flat.size(), [&](int v) { flat[v] = isFlat(result.mesh, v); });
 	return flat;
 }
 
@@ -151,8 +138,8 @@ bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, i
 					   const SlideRoom& room, float step)
 {
 	const ResultVertex& here = result.vertex[v];
-	const Stretch       stretch(curves.curves[here.curve], here, room);
-	return stretch.deviationBy(here.arc + step) <= stretch.allowedDeviation(result.idealEdge);
+	return deviationBy(curves, here, room, {here.arc + step}) <=
+		   allowedDeviation(result, curves, here, room);
 }
 
 bool mayLeaveCurve(const ResultMesh& result, const BoundaryCurves& curves, int v)
@@ -160,8 +147,7 @@ bool mayLeaveCurve(const ResultMesh& result, const BoundaryCurves& curves, int v
 	const SlideRoom room = slideRoom(result, curves, v);
 	if (!room.isOpen()) return false;
 	const ResultVertex& here = result.vertex[v];
-	const Stretch       stretch(curves.curves[here.curve], here, room);
-	return stretch.deviationWithout() <= stretch.allowedDeviation(result.idealEdge);
+	return deviationBy(curves, here, room, {}) <= allowedDeviation(result, curves, here, room);
 }
 
 bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, int v,

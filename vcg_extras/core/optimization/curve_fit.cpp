@@ -92,10 +92,10 @@ private:
 		const Vec3f from = m_.position[v];
 		const Vec3f way  = wayToMinimum(from, start);
 		const float far  = farthest(from);
-		const float off  = std::max(farthestOff * span_.edge, std::sqrt(squaredOff(from)));
+		const float off  = std::max(farthestOff * span_.edge, offCurve(from));
 		for (float share : moveShares) {
 			const Vec3f to     = from + way * share;
-			const bool  isNear = std::sqrt(squaredOff(to)) <= off && farthest(to) <= far;
+			const bool  isNear = offCurve(to) <= off && farthest(to) <= far;
 			if (!isNear || spoilsRing(limits_, m_, v, to)) continue;
 			m_.position[v] = to;
 			return;
@@ -155,20 +155,30 @@ private:
 		return (force * (1 / stiff) + (start - x) * pullBack) * (stepLength / (1 + pullBack));
 	}
 
-	/// Squared distance of p from the curve.
-	float squaredOff(const Vec3f& p) const
+	/// The point of the span nearest to p.
+	struct Nearest {
+		float squaredOff = HUGE_VALF;
+		float arc        = 0; ///< from where the span begins
+	};
+
+	Nearest nearestTo(const Vec3f& p) const
 	{
-		float nearest = HUGE_VALF;
-		for (std::size_t i = 1; i < span_.point.size(); ++i)
-			nearest =
-				std::min(nearest, squaredLength(footOn(p, span_.point[i - 1], span_.point[i]).way));
+		Nearest nearest;
+		for (std::size_t i = 1; i < span_.point.size(); ++i) {
+			const Foot  foot    = footOn(p, span_.point[i - 1], span_.point[i]);
+			const float squared = squaredLength(foot.way);
+			if (squared >= nearest.squaredOff) continue;
+			nearest = {squared, span_.arc[i - 1] + foot.share * (span_.arc[i] - span_.arc[i - 1])};
+		}
 		return nearest;
 	}
+
+	float offCurve(const Vec3f& p) const { return std::sqrt(nearestTo(p).squaredOff); }
 
 	/// Largest squared distance between the curve and the edges by x: it is at a point of one.
 	float farthest(const Vec3f& x) const
 	{
-		float far = squaredOff(x);
+		float far = nearestTo(x).squaredOff;
 		for (const Vec3f& p : span_.point)
 			far = std::max(far, std::min(squaredLength(footOn(p, span_.first, x).way),
 										 squaredLength(footOn(p, span_.last, x).way)));
@@ -179,13 +189,7 @@ private:
 	void follow(int v)
 	{
 		if (!findSpan(v)) return;
-		float nearest = HUGE_VALF, arc = 0;
-		for (std::size_t i = 1; i < span_.point.size(); ++i) {
-			const Foot foot = footOn(m_.position[v], span_.point[i - 1], span_.point[i]);
-			if (squaredLength(foot.way) >= nearest) continue;
-			nearest = squaredLength(foot.way);
-			arc     = span_.arc[i - 1] + foot.share * (span_.arc[i] - span_.arc[i - 1]);
-		}
+		const float         arc  = nearestTo(m_.position[v]).arc;
 		const ResultVertex& here = r_.vertex[v];
 		r_.vertex[v]             = slid(surface_, curves_, here, span_.from + arc - here.arc);
 	}

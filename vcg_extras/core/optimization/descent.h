@@ -7,7 +7,6 @@
 
 #include <vcg_extras/core/surface/result_mesh.h>
 
-#include <algorithm>
 #include <optional>
 
 namespace gpr {
@@ -44,17 +43,17 @@ public:
 	void step(const Next& next)
 	{
 		guard_.start();
-		forEachVertex([&](int v) {
+		workers_.forEach(m_.vertexNum, [&](int v) {
 			const std::optional<ResultVertex> to = next(v);
 			moves_[v]                            = to.has_value();
 			if (to) next_[v] = *to;
 		});
-		forEachVertex([&](int v) {
+		workers_.forEach(m_.vertexNum, [&](int v) {
 			if (moves_[v]) m_.position[v] = next_[v].anchor.position;
 		});
 		guard_.takeOver();
 		guard_.settle();
-		forEachVertex([&](int v) {
+		workers_.forEach(m_.vertexNum, [&](int v) {
 			moves_[v] = moves_[v] && m_.position[v] == next_[v].anchor.position;
 			if (moves_[v]) r_.vertex[v] = next_[v];
 		});
@@ -70,63 +69,6 @@ private:
 	Workers&             workers_;
 	Buffer<ResultVertex> next_;
 	Buffer<char>         moves_;
-
-	template <class Visit>
-	void forEachVertex(const Visit& visit)
-	{
-		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t v = begin; v < end; ++v)
-				visit(int(v));
-		});
-	}
-};
-
-/// Steps through space, off the surface: records stay. Limits are looked at behind the last step
-/// only, so that vertices may pass each other on the way.
-class SpaceDescent {
-public:
-	SpaceDescent(const MoveLimits& limits, HalfEdgeMesh& mesh, Workers& workers) :
-			guard_(limits, mesh, workers), workers_(workers), next_(mesh.vertexNum),
-			last_(mesh.vertexNum)
-	{
-	}
-
-	/// Steps from the present places on.
-	void start()
-	{
-		guard_.start();
-		workers_.forRange(last_.size(), [&](std::size_t begin, std::size_t end) {
-			std::fill(last_.data() + begin, last_.data() + end, Vec3f());
-		});
-	}
-
-	const Vec3f& shift(int v) const { return guard_.shift(v); }
-	Vec3f        at(int v) const { return guard_.at(v); }
-	/// v's move in the last step; the step sets it anew.
-	Vec3f& move(int v) { return last_[v]; }
-
-	/// next(v) is v's shift from where the steps started.
-	template <class Next>
-	void step(const Next& next)
-	{
-		workers_.forRange(next_.size(), [&](std::size_t begin, std::size_t end) {
-			for (std::size_t v = begin; v < end; ++v)
-				next_[v] = next(int(v));
-		});
-		guard_.swapShifts(next_);
-	}
-
-	/// Moves the vertices, as far as the limits allow; false if all had to be taken back.
-	bool finish(const Buffer<Vec3f>& surfaceNormal)
-	{
-		guard_.apply();
-		return guard_.settle(surfaceNormal);
-	}
-
-private:
-	MoveGuard     guard_;
-	Workers&      workers_;
-	Buffer<Vec3f> next_, last_;
 };
 
 } // namespace gpr

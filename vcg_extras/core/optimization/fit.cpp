@@ -56,8 +56,8 @@ public:
 			  ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			settings_(settings), isFree_(isFree), r_(result), m_(result.mesh), workers_(workers),
-			distance_(m_), descent_(limitsOfFit(settings), result.mesh, workers),
-			mass_(m_.vertexNum), squaredEdge_(m_.vertexNum)
+			distance_(m_), guard_(limitsOfFit(settings), result.mesh, workers), next_(m_.vertexNum),
+			last_(m_.vertexNum), mass_(m_.vertexNum), squaredEdge_(m_.vertexNum)
 	{
 	}
 
@@ -65,14 +65,15 @@ public:
 	bool run(const Cells& cells)
 	{
 		distance_.assemble(surface_, cells, workers_);
-		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t v = begin; v < end; ++v)
-				measure(int(v));
-		});
-		descent_.start();
-		for (int step = 0; step < stepNum; ++step)
-			descent_.step([&](int v) { return isFree_[v] ? stepFrom(v) : Vec3f(); });
-		return descent_.finish(smoothNormals(surface_, r_, workers_));
+		guard_.start();
+		workers_.forEach(m_.vertexNum, [&](int v) { measure(v); });
+		for (int step = 0; step < stepNum; ++step) {
+			workers_.forEach(m_.vertexNum,
+							 [&](int v) { next_[v] = isFree_[v] ? stepFrom(v) : Vec3f(); });
+			guard_.swapShifts(next_);
+		}
+		guard_.apply();
+		return guard_.settle(smoothNormals(surface_, r_, workers_));
 	}
 
 private:
@@ -83,7 +84,9 @@ private:
 	const HalfEdgeMesh& m_;
 	Workers&            workers_;
 	DistanceTerm        distance_;
-	SpaceDescent        descent_;
+	MoveGuard           guard_;
+	Buffer<Vec3f>       next_;        ///< shifts behind the step
+	Buffer<Vec3f>       last_;        ///< moves of the step before
 	Buffer<float>       mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
 	Buffer<float>       squaredEdge_; ///< of an equilateral triangle as large as the ones round it
 
@@ -95,6 +98,7 @@ private:
 			area += length(m_.faceCross(h / 3)) / 2;
 			++faceNum;
 		});
+		last_[v]        = Vec3f();
 		mass_[v]        = area / 6;
 		squaredEdge_[v] = squaredEdgePerArea * area / float(faceNum);
 	}
@@ -128,23 +132,15 @@ private:
 	/// round v: reading the ring is what a step costs.
 	Vec3f stepFrom(int v)
 	{
-		const Vec3f shift = descent_.shift(v), p = descent_.at(v);
+		const Vec3f shift = guard_.shift(v);
 		const float pull  = pullBack * mass_[v];
-		const int   first = m_.outgoing[v];
-		RingShape   ring;
 		Vec3f       force = distance_.force(v) - distance_.own(v) * shift - shift * pull;
-		Vec3f       a     = descent_.at(m_.target(first)) - p;
-		int         h     = first;
-		do {
-			const int   in = prevInFace(h), last = m_.origin[in];
-			const Vec3f b = descent_.at(last) - p;
+		RingShape   ring;
+		const auto  at = [&](int w) { return guard_.at(w); };
+		forEachFaceRound(m_, v, at, [&](int h, const Vec3f& a, const Vec3f& b) {
 			ring.add(a, b);
-			force = force - distance_.joint(h) * descent_.shift(m_.target(h));
-			// Behind the last border edge there is no half-edge that leaves v.
-			if (m_.opposite[in] < 0) force = force - distance_.joint(in) * descent_.shift(last);
-			a = b;
-			h = m_.opposite[in];
-		} while (h >= 0 && h != first);
+			force = force - distance_.joint(h) * guard_.shift(m_.target(h));
+		});
 		return stepAgainst(v, ring, force, pull);
 	}
 
@@ -159,10 +155,9 @@ private:
 		SymmetricMatrix matrix = distance_.own(v);
 		matrix.addDiagonal(pull + stiff);
 		matrix.addOuter(normal, -stiff);
-		Vec3f& move = descent_.move(v);
-		move        = moveWithMomentum(move, momentum, matrix.solve(force) * stepLength,
-									   longestStep * std::sqrt(ring.shortest));
-		return shortened(descent_.shift(v) + move, farthestMove * std::sqrt(squaredEdge_[v]));
+		last_[v] = moveWithMomentum(last_[v], momentum, matrix.solve(force) * stepLength,
+									longestStep * std::sqrt(ring.shortest));
+		return shortened(guard_.shift(v) + last_[v], farthestMove * std::sqrt(squaredEdge_[v]));
 	}
 };
 
@@ -174,10 +169,8 @@ public:
 			curves_(curves), settings_(settings), r_(result), m_(result.mesh), workers_(workers),
 			limits_(limitsOfFit(settings)), isFree_(m_.vertexNum)
 	{
-		workers.forRange(isFree_.size(), [&](std::size_t begin, std::size_t end) {
-			for (std::size_t v = begin; v < end; ++v)
-				isFree_[v] = constraintOf(r_, int(v)) == Constraint::Surface;
-		});
+		workers.forEach(m_.vertexNum,
+						[&](int v) { isFree_[v] = constraintOf(r_, v) == Constraint::Surface; });
 	}
 
 	FitOutcome run()
@@ -258,7 +251,8 @@ private:
 			const Buffer<Vec3f>    normal   = smoothNormals(surface_, r_, workers_);
 			const std::vector<int> crossing = findCrossingFaces(m_, mayCross, workers_);
 			crossing_.insert(crossing_.end(), crossing.begin(), crossing.end());
-			std::vector<int> faces = findInverted(normal);
+			const auto       looksAgainst = [&](int f) { return faceAgreement(m_, normal, f) < 0; };
+			std::vector<int> faces        = workers_.collectIf(m_.faceNum, looksAgainst);
 			faces.insert(faces.end(), crossing.begin(), crossing.end());
 			const auto stands = [&](int f) { return !moves.hasMoved(f); };
 			faces.erase(std::remove_if(faces.begin(), faces.end(), stands), faces.end());
@@ -271,27 +265,14 @@ private:
 		return false;
 	}
 
-	/// Faces that look against the surface.
-	std::vector<int> findInverted(const Buffer<Vec3f>& normal)
-	{
-		const auto collect = [&](std::size_t begin, std::size_t end, auto& out) {
-			for (std::size_t f = begin; f < end; ++f) {
-				if (faceAgreement(m_, normal, int(f)) < 0) out.push_back(int(f));
-			}
-		};
-		return workers_.collect<int>(m_.faceNum, collect);
-	}
-
 	/// Records go where the vertices went, on the surface.
 	void followOnSurface()
 	{
-		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t v = begin; v < end; ++v) {
-				if (!isFree_[v]) continue;
-				ResultVertex& record = r_.vertex[v];
-				walkBy(surface_, tangential(m_.position[v] - record.anchor.position, record.normal),
-					   record);
-			}
+		workers_.forEach(m_.vertexNum, [&](int v) {
+			if (!isFree_[v]) return;
+			ResultVertex& record = r_.vertex[v];
+			const Vec3f   step   = m_.position[v] - record.anchor.position;
+			walkBy(surface_, tangential(step, record.normal), record);
 		});
 	}
 };

@@ -24,33 +24,23 @@ float squaredShape(const Vec3f& cross, const Corners& f)
 	return 12 * squaredLength(cross) / (edges * edges);
 }
 
-bool losesShape(float minShape, const Corners& before, const Vec3f& then, const Corners& after,
-				const Vec3f& now)
-{
-	if (minShape == 0) return false;
-	const float shape = squaredShape(now, after);
-	return shape < minShape * minShape && shape < squaredShape(then, before);
-}
-
-bool losesAngle(const MoveLimits& limits, const Corners& before, const Corners& after)
-{
-	if (limits.minAngle == 0) return false;
-	const float angle = smallestAngle(after.a, after.b, after.c);
-	return angle < limits.minAngle &&
-		   angle < limits.falls * smallestAngle(before.a, before.b, before.c);
-}
-
 } // namespace
 
 bool spoilsFace(const MoveLimits& limits, const Corners& before, const Corners& after)
 {
 	const Vec3f now = crossOf(after), then = crossOf(before);
-	const float turn = dot(now, then);
-	if (turn <= 0 || turn * turn < limits.turnCosine * limits.turnCosine * squaredLength(now) *
-									   squaredLength(then))
+	const float turn = dot(now, then), cosine = limits.turnCosine;
+	if (turn <= 0 || turn * turn < cosine * cosine * squaredLength(now) * squaredLength(then))
 		return true;
-	return losesShape(limits.minShape, before, then, after, now) ||
-		   losesAngle(limits, before, after);
+	if (limits.minShape > 0) {
+		const float shape = squaredShape(now, after);
+		if (shape < limits.minShape * limits.minShape && shape < squaredShape(then, before))
+			return true;
+	}
+	if (limits.minAngle == 0) return false;
+	const float angle = smallestAngle(after.a, after.b, after.c);
+	return angle < limits.minAngle &&
+		   angle < limits.falls * smallestAngle(before.a, before.b, before.c);
 }
 
 bool spoilsRing(const MoveLimits& limits, const HalfEdgeMesh& m, int v, const Vec3f& to)
@@ -65,37 +55,27 @@ bool spoilsRing(const MoveLimits& limits, const HalfEdgeMesh& m, int v, const Ve
 }
 
 MoveGuard::MoveGuard(const MoveLimits& limits, HalfEdgeMesh& mesh, Workers& workers) :
-		limits_(limits), m_(mesh), workers_(workers), from_(mesh.vertexNum)
+		limits_(limits), m_(mesh), workers_(workers), from_(mesh.vertexNum), shift_(mesh.vertexNum)
 {
-	std::copy(m_.position.data(), m_.position.data() + m_.vertexNum, from_.data());
+	start();
 }
 
 void MoveGuard::start()
 {
-	if (shift_.empty()) shift_.reset(m_.vertexNum);
-	workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			from_[v]  = m_.position[v];
-			shift_[v] = Vec3f();
-		}
+	workers_.forEach(m_.vertexNum, [&](int v) {
+		from_[v]  = m_.position[v];
+		shift_[v] = Vec3f();
 	});
 }
 
 void MoveGuard::takeOver()
 {
-	if (shift_.empty()) shift_.reset(m_.vertexNum);
-	workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			shift_[v] = m_.position[v] - from_[v];
-	});
+	workers_.forEach(m_.vertexNum, [&](int v) { shift_[v] = m_.position[v] - from_[v]; });
 }
 
 void MoveGuard::apply()
 {
-	workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			m_.position[v] = at(int(v));
-	});
+	workers_.forEach(m_.vertexNum, [&](int v) { m_.position[v] = at(v); });
 }
 
 bool MoveGuard::hasMoved(int f) const
@@ -106,21 +86,17 @@ bool MoveGuard::hasMoved(int f) const
 
 bool MoveGuard::settle(const Buffer<Vec3f>& normal)
 {
-	const auto collectSpoilt = [&](std::size_t begin, std::size_t end, auto& out) {
-		for (std::size_t f = begin; f < end; ++f) {
-			if (isSpoilt(int(f), normal)) out.push_back(int(f));
-		}
-	};
 	shortened_.clear();
-	return settleFrom(workers_.collect<int>(m_.faceNum, collectSpoilt), normal);
+	const auto isSpoiltFace = [&](int f) { return isSpoilt(f, normal); };
+	return settleAmong(workers_.collectIf(m_.faceNum, isSpoiltFace), normal);
 }
 
 std::vector<char> MoveGuard::takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& normal)
 {
 	shortened_.clear();
-	const std::vector<int> spoilt = spoiltAmong(facesRound(m_, shorten(faces, 0)), normal);
+	const bool isSettled = settleAmong(facesRound(m_, shorten(faces, 0)), normal);
 	// Where all moves were taken back, all faces have changed.
-	std::vector<char> changed(m_.faceNum, char(!settleFrom(spoilt, normal)));
+	std::vector<char> changed(m_.faceNum, char(!isSettled));
 	for (int f : facesRound(m_, shortened_))
 		changed[f] = 1;
 	return changed;
@@ -135,36 +111,26 @@ void MoveGuard::takeAllBack()
 bool MoveGuard::isSpoilt(int f, const Buffer<Vec3f>& normal) const
 {
 	if (!hasMoved(f)) return false;
-	const int* c = &m_.origin[3 * f];
-	return spoilsFace(limits_, {from_[c[0]], from_[c[1]], from_[c[2]]},
-					  {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]}) ||
-		   (!normal.empty() && losesAgreement(f, normal));
-}
-
-bool MoveGuard::losesAgreement(int f, const Buffer<Vec3f>& normal) const
-{
-	const int*  c   = &m_.origin[3 * f];
+	const int*    c      = &m_.origin[3 * f];
+	const Corners before = {from_[c[0]], from_[c[1]], from_[c[2]]};
+	if (spoilsFace(limits_, before, {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]}))
+		return true;
+	if (normal.empty()) return false;
 	const float now = faceAgreement(m_, normal, f);
-	if (!(now < limits_.minAgreement)) return false;
+	if (now >= limits_.minAgreement) return false;
 	const Vec3f wanted = normal[c[0]] + normal[c[1]] + normal[c[2]];
-	const Vec3f then   = crossOf({from_[c[0]], from_[c[1]], from_[c[2]]});
-	return now < limits_.falls * agreement(then, wanted);
+	return now < limits_.falls * agreement(crossOf(before), wanted);
 }
 
-std::vector<int> MoveGuard::spoiltAmong(std::vector<int> faces, const Buffer<Vec3f>& normal) const
+/// Shortens the moves of those of the faces that are spoilt, then of those round these, and so on.
+bool MoveGuard::settleAmong(std::vector<int> faces, const Buffer<Vec3f>& normal)
 {
-	const auto isSound = [&](int f) { return !isSpoilt(f, normal); };
-	faces.erase(std::remove_if(faces.begin(), faces.end(), isSound), faces.end());
-	return faces;
-}
-
-bool MoveGuard::settleFrom(std::vector<int> spoilt, const Buffer<Vec3f>& normal)
-{
-	for (int round = 0; round < limits_.maxRounds && !spoilt.empty(); ++round) {
-		const float share = round < limits_.halvings ? 0.5f : 0.0f;
-		spoilt            = spoiltAmong(facesRound(m_, shorten(spoilt, share)), normal);
+	for (int round = 0; round <= limits_.maxRounds; ++round) {
+		const auto isSound = [&](int f) { return !isSpoilt(f, normal); };
+		faces.erase(std::remove_if(faces.begin(), faces.end(), isSound), faces.end());
+		if (faces.empty()) return true;
+		faces = facesRound(m_, shorten(faces, round < limits_.halvings ? 0.5f : 0.0f));
 	}
-	if (spoilt.empty()) return true;
 	takeAllBack();
 	return false;
 }

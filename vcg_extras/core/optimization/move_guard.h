@@ -68,14 +68,12 @@ private:
 	HalfEdgeMesh&    m_;
 	Workers&         workers_;
 	Buffer<Vec3f>    from_;
-	Buffer<Vec3f>    shift_;     ///< empty until there are moves
+	Buffer<Vec3f>    shift_;
 	std::vector<int> shortened_; ///< vertices whose moves were, in the last call
 
 	bool             isSpoilt(int f, const Buffer<Vec3f>& normal) const;
-	bool             losesAgreement(int f, const Buffer<Vec3f>& normal) const;
-	std::vector<int> spoiltAmong(std::vector<int> faces, const Buffer<Vec3f>& normal) const;
-	bool             settleFrom(std::vector<int> spoilt, const Buffer<Vec3f>& normal);
-	std::vector<int> shorten(const std::vector<int>& faces, float factor);
+	bool             settleAmong(std::vector<int> faces, const Buffer<Vec3f>& normal);
+	std::vector<int> shorten(const std::vector<int>& faces, float share);
 };
 
 } // namespace gpr

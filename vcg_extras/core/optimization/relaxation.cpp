@@ -27,20 +27,15 @@ MoveLimits limitsOfRelaxation()
 	return limits;
 }
 
-/// Weight of area where the triangles are to be of this size. Lloyd's theory asks for the fourth
-/// power of 1/size for the density of the area; for barycentres of rings, whose faces are small
-/// already where they are to be small, the third power keeps the grading (docs/algorithm.md).
-float densityOfSize(float size)
-{
-	return 1 / (size * size * size);
-}
-
-/// Per vertex of the result; empty where the triangles are to be of one size.
+/// Weight of area per vertex; empty where the triangles are to be of one size. Lloyd's theory asks
+/// for the fourth power of 1/size for the density of the area; for barycentres of rings, whose
+/// faces are small already where they are to be small, the third power keeps the grading
+/// (docs/algorithm.md).
 Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
 	Buffer<float> density = sizesOf(surface, result, workers);
 	for (float& d : density)
-		d = densityOfSize(d);
+		d = 1 / (d * d * d);
 	return density;
 }
 

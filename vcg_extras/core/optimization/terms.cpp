@@ -67,15 +67,9 @@ Vec3f wayToBarycentre(const HalfEdgeMesh& m, int v, const Buffer<float>& density
 Buffer<Vec3f> secondOrderUmbrella(const HalfEdgeMesh& m, Workers& workers)
 {
 	Buffer<Umbrella> umbrella(m.vertexNum);
-	workers.forRange(umbrella.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			umbrella[v] = umbrellaAt(m, int(v));
-	});
+	workers.forEach(m.vertexNum, [&](int v) { umbrella[v] = umbrellaAt(m, v); });
 	Buffer<Vec3f> step(m.vertexNum);
-	workers.forRange(step.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			step[v] = umbrellaStep(m, umbrella, int(v));
-	});
+	workers.forEach(m.vertexNum, [&](int v) { step[v] = umbrellaStep(m, umbrella, v); });
 	return step;
 }
 
@@ -93,13 +87,8 @@ DistanceTerm::DistanceTerm(const HalfEdgeMesh& mesh) :
 
 void DistanceTerm::assemble(const Surface& surface, const Cells& cells, Workers& workers)
 {
-	workers.forRange(joint_.size(), [&](std::size_t begin, std::size_t end) {
-		std::fill(joint_.data() + begin, joint_.data() + end, SymmetricMatrix());
-	});
-	workers.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			assembleVertex(surface, cells, int(v));
-	});
+	workers.forEach(joint_.size(), [&](int edge) { joint_[edge] = SymmetricMatrix(); });
+	workers.forEach(m_.vertexNum, [&](int v) { assembleVertex(surface, cells, v); });
 }
 
 /// An edge is summed up by its lower vertex, which sees both faces: nothing is written twice.
