@@ -167,13 +167,6 @@ Foot footInPlane(const Vec3f& p, const Corners& t, const Vec3f& n)
 	return {{1 - second - third, second, third}};
 }
 
-/// Share of the way from a to b at the point of the edge nearest to p.
-float shareOnEdge(const Vec3f& p, const Vec3f& a, const Vec3f& b)
-{
-	const float squared = squaredLength(b - a);
-	return squared > 0 ? std::min(1.0f, std::max(0.0f, dot(p - a, b - a) / squared)) : 0.0f;
-}
-
 /// The point of the triangle nearest to p.
 Foot nearestFoot(const Vec3f& p, const Corners& t, const Vec3f& n)
 {
@@ -182,8 +175,8 @@ Foot nearestFoot(const Vec3f& p, const Corners& t, const Vec3f& n)
 		if (inPlane.isInside()) return inPlane;
 	}
 	// Outside: all three edges, since the triangle may be obtuse.
-	const float ab = shareOnEdge(p, t.a, t.b), bc = shareOnEdge(p, t.b, t.c);
-	const float ca        = shareOnEdge(p, t.c, t.a);
+	const float ab = shareOnSegment(p, t.a, t.b), bc = shareOnSegment(p, t.b, t.c);
+	const float ca        = shareOnSegment(p, t.c, t.a);
 	const Foot  onEdge[3] = {{{1 - ab, ab, 0}}, {{0, 1 - bc, bc}}, {{ca, 0, 1 - ca}}};
 	Foot        best      = onEdge[0];
 	for (const Foot& f : onEdge) {
