@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "move_guard.h"
 
-#include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
@@ -10,11 +9,6 @@
 namespace gpr {
 
 namespace {
-
-Vec3f crossOf(const Corners& f)
-{
-	return cross(f.b - f.a, f.c - f.a);
-}
 
 /// Of a triangle with the given cross product; see triangleShape. No root.
 float squaredShape(const Vec3f& cross, const Corners& f)
@@ -28,7 +22,7 @@ float squaredShape(const Vec3f& cross, const Corners& f)
 
 bool spoilsFace(const MoveLimits& limits, const Corners& before, const Corners& after)
 {
-	const Vec3f now = crossOf(after), then = crossOf(before);
+	const Vec3f now = after.cross(), then = before.cross();
 	const float turn = dot(now, then), cosine = limits.turnCosine;
 	if (turn <= 0 || turn * turn < cosine * cosine * squaredLength(now) * squaredLength(then))
 		return true;
@@ -119,7 +113,7 @@ bool MoveGuard::isSpoilt(int f, const Buffer<Vec3f>& normal) const
 	const float now = faceAgreement(m_, normal, f);
 	if (now >= limits_.minAgreement) return false;
 	const Vec3f wanted = normal[c[0]] + normal[c[1]] + normal[c[2]];
-	return now < limits_.falls * agreement(crossOf(before), wanted);
+	return now < limits_.falls * agreement(before.cross(), wanted);
 }
 
 /// Shortens the moves of those of the faces that are spoilt, then of those round these, and so on.

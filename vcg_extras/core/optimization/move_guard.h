@@ -3,17 +3,13 @@
 #ifndef VCG_EXTRAS_CORE_OPTIMIZATION_MOVE_GUARD_H
 #define VCG_EXTRAS_CORE_OPTIMIZATION_MOVE_GUARD_H
 
+#include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <vector>
 
 namespace gpr {
-
-/// The corners of a face.
-struct Corners {
-	Vec3f a, b, c;
-};
 
 /// What a move of its corners must not do to a face. What is below a bound before may stay there,
 /// but must not fall further.
