@@ -24,25 +24,32 @@ int vertexAt(const OnSurface& on, const Vec3d& p)
 	return 0;
 }
 
-TEST(ConstraintOf, IsThatOfTheMeshWhereTheRecordKnowsOfIt)
+TEST(ConstraintOf, FollowsFromTheMeshAndTheRecord)
 {
-	OnSurface on(grid(8, 8));
-	const int inside = vertexAt(on, {0.5, 0.5, 0}), side = vertexAt(on, {0.5, 0, 0});
-	EXPECT_EQ(constraintOf(on.result, inside), Constraint::Surface);
-	EXPECT_EQ(constraintOf(on.result, side), Constraint::Curve);
+	OnSurface  on(grid(8, 8));
+	const int  inside = vertexAt(on, {0.5, 0.5, 0}), side = vertexAt(on, {0.5, 0, 0});
+	const auto with = [&](int v, const auto& change) {
+		const ResultVertex before = on.result.vertex[v];
+		change(on.result.vertex[v]);
+		const Constraint constraint = constraintOf(on.result, v);
+		on.result.vertex[v]         = before;
+		return constraint;
+	};
+	const auto asItIs       = [](ResultVertex&) {};
+	const auto corner       = [](ResultVertex& r) { r.isCorner = true; };
+	const auto pinned       = [](ResultVertex& r) { r.isPinned = true; };
+	const auto onNoCurve    = [](ResultVertex& r) { r.curve = -1; };
+	const auto ofALostCurve = [](ResultVertex& r) { r.curve = 0; };
 
-	for (int v : {inside, side}) {
-		ResultVertex&      record = on.result.vertex[v];
-		const ResultVertex before = record;
-		record.isCorner           = true;
-		EXPECT_EQ(constraintOf(on.result, v), Constraint::Fixed) << "a corner or a tip";
-		record          = before;
-		record.isPinned = true;
-		EXPECT_EQ(constraintOf(on.result, v), Constraint::Fixed) << "one to be kept";
-		record       = before;
-		record.curve = before.curve >= 0 ? -1 : 0;
-		EXPECT_EQ(constraintOf(on.result, v), Constraint::Fixed) << "record and mesh disagree";
-	}
+	EXPECT_EQ(with(side, asItIs), Constraint::Curve);
+	EXPECT_EQ(with(side, corner), Constraint::Fixed);
+	EXPECT_EQ(with(side, pinned), Constraint::Fixed);
+	EXPECT_EQ(with(side, onNoCurve), Constraint::Fixed) << "it could not slide along anything";
+
+	EXPECT_EQ(with(inside, asItIs), Constraint::Free);
+	EXPECT_EQ(with(inside, corner), Constraint::Fixed) << "a cone's tip";
+	EXPECT_EQ(with(inside, ofALostCurve), Constraint::Surface);
+	EXPECT_EQ(with(inside, pinned), Constraint::Surface);
 }
 
 TEST(ConstraintOf, IsTheCurveOnAFeatureLineToo)

@@ -95,11 +95,10 @@ float allowedDeviation(const ResultMesh& result, const BoundaryCurves& curves,
 Constraint constraintOf(const ResultMesh& result, int v)
 {
 	const ResultVertex& record = result.vertex[v];
-	if (record.isCorner || record.isPinned) return Constraint::Fixed;
-	const bool isOnCurve = result.mesh.isCurveVertex(v);
-	// A vertex of a curve that the record does not know cannot slide, and must not leave it.
-	if (isOnCurve != (record.curve >= 0)) return Constraint::Fixed;
-	return isOnCurve ? Constraint::Curve : Constraint::Surface;
+	if (record.isCorner) return Constraint::Fixed;
+	const bool isFree = record.curve < 0 && !record.isPinned;
+	if (!result.mesh.isCurveVertex(v)) return isFree ? Constraint::Free : Constraint::Surface;
+	return record.curve >= 0 && !record.isPinned ? Constraint::Curve : Constraint::Fixed;
 }
 
 Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers)

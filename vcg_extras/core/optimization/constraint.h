@@ -11,13 +11,19 @@
 
 namespace gpr {
 
-/// What a vertex of the result may do. Only the fit lets vertices leave their curve or the surface;
-/// their records stay on it, below them.
+/// What a vertex of the result may do.
 enum class Constraint {
-	Fixed,   ///< corners of curves, tips of cones, pinned vertices
+	Fixed,   ///< stays: corners of curves, tips of cones, pinned vertices of curves
 	Curve,   ///< slides along its border or feature line, as far as slideRoom allows
-	Surface, ///< walks over the surface
+	Surface, ///< walks over the surface, and stays on it: samples of a line that the mesh has lost
+	Free,    ///< walks over the surface; the fit may take it off
 };
+
+/// Whether it walks over the surface.
+inline bool mayWalk(Constraint c)
+{
+	return c == Constraint::Surface || c == Constraint::Free;
+}
 
 Constraint constraintOf(const ResultMesh& result, int v);
 

@@ -170,7 +170,7 @@ public:
 			limits_(limitsOfFit(settings)), isFree_(m_.vertexNum)
 	{
 		workers.forEach(m_.vertexNum,
-						[&](int v) { isFree_[v] = constraintOf(r_, v) == Constraint::Surface; });
+						[&](int v) { isFree_[v] = constraintOf(r_, v) == Constraint::Free; });
 	}
 
 	FitOutcome run()

@@ -45,7 +45,7 @@ void walkOnce(const Surface& surface, const Way& way, ResultMesh& result, Worker
 {
 	SurfaceDescent descent(limitsOfRelaxation(), result, workers);
 	descent.step([&](int v) -> std::optional<ResultVertex> {
-		if (constraintOf(result, v) != Constraint::Surface || !isFlat(result.mesh, v)) return {};
+		if (!mayWalk(constraintOf(result, v)) || !isFlat(result.mesh, v)) return {};
 		ResultVertex next = result.vertex[v];
 		const Vec3f  step = tangential(way(v), next.normal);
 		if (!(squaredLength(step) > 0)) return {};
@@ -173,7 +173,7 @@ private:
 	{
 		const Constraint constraint = constraintOf(r_, v);
 		const bool       onCurve    = constraint == Constraint::Curve;
-		if (constraint == Constraint::Fixed || !(onCurve || flat_[v])) return {};
+		if (!onCurve && !(mayWalk(constraint) && flat_[v])) return {};
 		const RingPull pull = pullOf(m_, v, onCurve, r_.vertex[v].normal);
 		const Vec3f    step = shortened(pull.newton * steps_.rate, longestDescent * pull.edge);
 		return onCurve ? slide(v, step, pull.edge) : walkOn(v, step, pull);
