@@ -19,6 +19,7 @@
 #include <vcg_extras/core/optimization/worst_distances.h>
 #include <vcg_extras/core/surface/cells.h>
 #include <vcg_extras/core/surface/face_tree.h>
+#include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/sampled_distance.h>
 
 #include <algorithm>
@@ -343,6 +344,27 @@ TEST(Fit, LowersNoAngleBelowTheBound)
 		for (std::size_t f = 0; f < before.size(); ++f)
 			EXPECT_GE(after[f], 0.999f * std::min(bound, before[f])) << "seed " << seed;
 	}
+}
+
+/// Where the surface is rougher than the triangles, they would come to look away from it.
+TEST(Fit, LetsNoFaceLookAwayFromTheSurface)
+{
+	int away = 0;
+	for (std::uint32_t seed : testSeeds(4)) {
+		Random              random(seed);
+		const TriangleMesh  fine = noisySphere(6, 0.03, random);
+		Laid                laid(fine, noisySphere(4, 0.03, random));
+		const Buffer<Vec3f> before = smoothNormals(laid.surface, laid.result, laid.workers);
+		std::vector<float>  then;
+		for (int f = 0; f < laid.result.mesh.faceNum; ++f)
+			then.push_back(faceAgreement(laid.result.mesh, before, f));
+		laid.fit(0, 1);
+		for (int f = 0; f < laid.result.mesh.faceNum; ++f) {
+			const float now = faceAgreement(laid.result.mesh, before, f);
+			away += now < 0.3f && now < then[f] - 1e-3f;
+		}
+	}
+	EXPECT_EQ(away, 0);
 }
 
 TEST(Fit, KeepsVerticesOfBordersCreasesAndTips)
