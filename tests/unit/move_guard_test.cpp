@@ -42,6 +42,7 @@ struct Trial {
 	explicit Trial(const MoveLimits& limits, const Vec3f& start = {}) :
 			mesh(startingAt(start)), guard(limits, mesh, workers)
 	{
+		guard.start();
 	}
 
 	static HalfEdgeMesh startingAt(const Vec3f& start)

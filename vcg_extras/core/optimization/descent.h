@@ -12,8 +12,8 @@
 namespace gpr {
 
 /// Steps that move all vertices at once (Jacobi) to where terms (terms.h) want them under their
-/// constraints (constraint.h), within limits (move_guard.h). Templates: the terms are inlined into
-/// the loop over the vertices, which most of the time of relaxation and fit goes into.
+/// constraints (constraint.h), within limits (move_guard.h). Here are the steps on the surface; the
+/// fit steps through space (fit.cpp).
 
 inline Vec3f shortened(const Vec3f& a, float longest)
 {
@@ -38,7 +38,8 @@ public:
 	}
 
 	/// next(v) is the record that v shall have, or none where v stays; all see the places before
-	/// the step.
+	/// the step. A template, as the terms that `next` is made of take most of the time: they are
+	/// inlined into the loop.
 	template <class Next>
 	void step(const Next& next)
 	{

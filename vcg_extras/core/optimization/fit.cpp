@@ -200,6 +200,7 @@ private:
 	bool fitSoundly(std::unique_ptr<Cells>& cells)
 	{
 		MoveGuard whole(limits_, m_, workers_);
+		whole.start();
 		fitCurves(surface_, curves_, limits_.minAngle, r_);
 		const bool allKept = fitInRounds(cells);
 		whole.takeOver();
@@ -227,6 +228,7 @@ private:
 	bool lowerWorst(FitOutcome& outcome)
 	{
 		MoveGuard moves(limits_, m_, workers_);
+		moves.start();
 		outcome.largestGap = lowerWorstDistances(surface_, *outcome.cells, limits_.minAngle,
 												 settings_.worstRounds, r_, workers_);
 		moves.takeOver();

@@ -51,7 +51,6 @@ bool spoilsRing(const MoveLimits& limits, const HalfEdgeMesh& m, int v, const Ve
 MoveGuard::MoveGuard(const MoveLimits& limits, HalfEdgeMesh& mesh, Workers& workers) :
 		limits_(limits), m_(mesh), workers_(workers), from_(mesh.vertexNum), shift_(mesh.vertexNum)
 {
-	start();
 }
 
 void MoveGuard::start()

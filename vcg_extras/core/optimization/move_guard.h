@@ -31,11 +31,10 @@ bool spoilsRing(const MoveLimits& limits, const HalfEdgeMesh& mesh, int v, const
 /// Moves of many vertices at once, on trial. Those of faces that they spoil are shortened or taken
 /// back until no face is spoilt. Cost: a pass over the faces, and the few faces concerned.
 ///
-/// Who makes the moves either sets the shifts, and calls apply(), or sets mesh.position, and calls
-/// takeOver().
+/// start() comes first. Who makes the moves then either sets the shifts, and calls apply(), or sets
+/// mesh.position, and calls takeOver(). settle() or takeBack() come last.
 class MoveGuard {
 public:
-	/// The moves start from the present places.
 	MoveGuard(const MoveLimits& limits, HalfEdgeMesh& mesh, Workers& workers);
 
 	/// Makes the present places the start of new moves; all shifts are zero then.
