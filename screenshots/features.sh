@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures of features; read by scripts/screenshots.
+# Pictures of features; read by scripts/release/screenshots.
 
 # Where each model is seen from: position, looked at, what is up, angle of view.
 declare -A camera=(

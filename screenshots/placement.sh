@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Where the paper puts the next sample, and where this program does; read by scripts/screenshots.
+# Where the paper puts the next sample, and where this program does; read by scripts/release/screenshots.
 
 # Three samples with disks of radius r. Left: a border edge v1 v2 crosses the front, the new sample
 # is where. Right: the new sample is where the circles of two samples intersect.

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures of single stages; read by scripts/screenshots.
+# Pictures of single stages; read by scripts/release/screenshots.
 
 # Seen from, looked at: the bunny as a whole, its flank, other meshes.
 whole="0,0,4.5 0,0,0"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures of MeshLab's windows, worked with keys and the mouse; read by scripts/screenshots. Of each,
+# Pictures of MeshLab's windows, worked with keys and the mouse; read by scripts/release/screenshots. Of each,
 # picture_NAME starts a display, and window_NAME is what happens in it.
 
 remeshing="Remeshing: Geodesic Poisson Disk"
@@ -13,7 +13,7 @@ in_display() { # picture, size of the screen
 		say "SKIPPED: $1.png, $program is not installed"
 		return 77
 	done
-	screen=${2:-1600x900} with_display "$work/window_$1" "$0" inside "$1"
+	screen=${2:-1600x900} with_display "$work/window_$1" scripts/release/screenshots inside "$1"
 }
 
 # What the screen shows but for the lowest part, where MeshLab counts the pictures it draws a second.
@@ -24,19 +24,20 @@ screen_sum() {
 # Takes the picture when nothing moves any more.
 photograph() { # picture
 	local before="" now i
+	sleep 5 # so long does MeshLab show its last word in the status bar
 	for ((i = 0; i < 20; ++i)); do
 		sleep 1
 		now=$(screen_sum)
 		[ "$now" != "$before" ] || break
 		before=$now
 	done
-	import -window root miff:- | convert - -colors 128 "PNG8:screenshots/$1.png"
+	import -window root miff:- | convert - -colors 128 "PNG8:$pictures_dir/$1.png"
 	close_window
 }
 
 # The scan in the window of the MeshLab $1, with its edges, for which there is a button at x = $2.
 open_bunny() {
-	open_window "$1" "$work/window.log" "$bunny"
+	open_window "$1" "$work/window.log" bunny.ply
 	xdotool mousemove "$2" 65 click 1
 }
 
@@ -65,7 +66,7 @@ window_meshlab_dialog() { remesh_in_window "$(window_of_2020)" 380 meshlab_dialo
 window_meshlab_2025_dialog() { remesh_in_window "$(window_of_2025)" 425 meshlab_2025_dialog; }
 # The filter that compares; the window shows the two new layers, coloured, and the log with the table.
 window_meshlab_compare() {
-	open_window "$(window_of_2020)" "$work/window.log" "$bunny"
+	open_window "$(window_of_2020)" "$work/window.log" bunny.ply
 	open_filter "$comparison" "quadric edge collapse geodesic"
 	press_apply
 	wait_until log_has "Applied filter $comparison"

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What setup, test, demo and measure share; read by `source`, never run.
+# What the scripts share; read by `source`, never run.
 
 say() { printf '%s: %s\n' "${0##*/}" "$*"; }
 
@@ -18,7 +18,7 @@ caller_home() {
 	fi
 }
 
-# The one folder with fetched sources; scripts/cmake/FindMeshLabSources.cmake looks in the same.
+# The one folder with fetched sources; cmake/FindMeshLabSources.cmake looks in the same.
 cache_dir() {
 	printf '%s\n' "${GPR_CACHE_DIR:-${XDG_CACHE_HOME:-$(caller_home)/.cache}/gpremesh}"
 }
@@ -40,17 +40,30 @@ with_display() {
 	return "$(cat "$state/exit_code")"
 }
 
-# Set-up, a build without tests in the folder $1, and in $1/meshlab a MeshLab that has our plugin.
-# The build's words go to the file $2.
+# Set-up, a build of the program and the plugin in the folder $1, and in $1/meshlab a MeshLab that has our
+# plugin. The tests are not built, since they are no targets of this build; no option switches them off,
+# since scripts/test goes on in the same folder. The build's words go to the file $2.
 build_for_meshlab() {
 	scripts/setup
 	say "building"
-	cmake -S . -B "$1" -DGPR_BUILD_TESTS=OFF >"$2"
-	cmake --build "$1" -j"$(nproc)" >>"$2" 2>&1 || {
+	cmake -S . -B "$1" >"$2"
+	cmake --build "$1" -j"$(nproc)" --target gpremesh gpremesh_manual_page filter_geodesic_poisson \
+		>>"$2" 2>&1 || {
 		tail -40 "$2" >&2
 		fail "the build failed"
 	}
-	scripts/private_meshlab "$1/meshlab" "$1/lib/libfilter_geodesic_poisson.so"
+	scripts/release/private_meshlab "$1/meshlab" "$1/lib/libfilter_geodesic_poisson.so"
+}
+
+# Runs the tests in the build folder $1, with further options for ctest. No tests at all are a failure.
+# scripts/check/count_tests reads the results, which are written to $1/test_results.xml.
+run_tests() {
+	local build
+	build=$(readlink -f "$1")
+	shift
+	rm -f "$build/test_results.xml"
+	ctest --test-dir "$build" --no-tests=error --output-on-failure \
+		--output-junit "$build/test_results.xml" "$@" </dev/null
 }
 
 # bunny.obj of Debian's glmark2-data as the PLY file $1: the OBJ reader of MeshLab 2020.09 ends with a
@@ -67,30 +80,6 @@ bunny_as_ply() {
 			for (i = 0; i < nv; ++i) print vertex[i]
 			for (i = 0; i < nf; ++i) print face[i]
 		}' "$obj" >"$1"
-}
-
-# Quadric Edge Collapse as MeshLab's dialog proposes it, but for the number of faces, $1.
-quadric_script() {
-	cat <<END
-<!DOCTYPE FilterScript>
-<FilterScript>
- <filter name="Simplification: Quadric Edge Collapse Decimation">
-  <Param name="TargetFaceNum" type="RichInt" value="$1"/>
-  <Param name="TargetPerc" type="RichFloat" value="0"/>
-  <Param name="QualityThr" type="RichFloat" value="0.3"/>
-  <Param name="PreserveBoundary" type="RichBool" value="false"/>
-  <Param name="BoundaryWeight" type="RichFloat" value="1"/>
-  <Param name="PreserveNormal" type="RichBool" value="false"/>
-  <Param name="PreserveTopology" type="RichBool" value="false"/>
-  <Param name="OptimalPlacement" type="RichBool" value="true"/>
-  <Param name="PlanarQuadric" type="RichBool" value="false"/>
-  <Param name="PlanarWeight" type="RichFloat" value="0.001"/>
-  <Param name="QualityWeight" type="RichBool" value="false"/>
-  <Param name="AutoClean" type="RichBool" value="true"/>
-  <Param name="Selected" type="RichBool" value="false"/>
- </filter>
-</FilterScript>
-END
 }
 
 # Runs a command and leaves its wall time in $seconds.

@@ -1,20 +1,23 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What scripts/bench makes of its figures."""
+"""What scripts/measure makes of its figures."""
 
 import sys
 import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts" / "speed"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 
-from bench import complaints, face_number
-from measured_run import RunFailed, measured
-from memory_by_stage import by_stage
-from methods import all_methods
-from statistics_of_runs import (Spread, growth, line_through, overhead_of, parallel_share, ratio_of,
-                                spread_of)
+from measure import paper, quality
+from measure.circumstances import sentence_on_load
+from measure.commands import RunFailed, measured, timed
+from measure.memory_by_stage import by_stage
+from measure.methods import all_methods
+from measure.pages import between_marks, table
+from measure.speed import command_of, complaints, face_number
+from measure.statistics_of_runs import (Spread, growth, line_through, overhead_of, parallel_share,
+                                        ratio_of, spread_of)
 
 
 def run(seconds, wall=None, faces=10, digest="same"):
@@ -75,6 +78,10 @@ class Measured(unittest.TestCase):
         with self.assertRaises(RunFailed):
             measured(["/bin/false"])
 
+    def test_a_run_without_end_is_ended(self):
+        with self.assertRaises(RunFailed):
+            timed(["/bin/sleep", 60], longest=0.1)
+
 
 class MemoryByStage(unittest.TestCase):
     def test_a_stage_has_the_most_that_was_seen_in_its_time(self):
@@ -101,6 +108,70 @@ class Complaints(unittest.TestCase):
     def test_sizes_are_read(self):
         self.assertEqual([face_number(t) for t in ("900", "30k", "0.27M", "7.75M")],
                          [900, 30000, 270000, 7750000])
+
+
+class Pages(unittest.TestCase):
+    def test_a_table_has_names_to_the_left_and_figures_to_the_right(self):
+        self.assertEqual(table(("a", "b"), [["x", "1"]]), "| a | b |\n| --- | ---: |\n| x | 1 |\n")
+
+    def test_only_what_stands_between_the_marks_is_replaced(self):
+        text = "before\n<begin>\nold\n<end>\nafter\n"
+        self.assertEqual(between_marks(text, "new\n", "<begin>\n", "<end>\n"),
+                         "before\n<begin>\nnew\n<end>\nafter\n")
+        with self.assertRaises(RuntimeError):
+            between_marks("no marks", "new", "<begin>\n", "<end>\n")
+
+    def test_a_busy_machine_is_told(self):
+        self.assertEqual(sentence_on_load({"load": 0.1}), "")
+        self.assertIn("load 2.50", sentence_on_load({"load": 2.5}))
+
+    def test_the_command_names_no_folder_of_this_machine(self):
+        self.assertEqual(command_of(["--grow", "/some/where/scan.ply", "--rounds", "3"]),
+                         "scripts/bench --grow scan.ply --rounds 3")
+
+
+class QualityRows(unittest.TestCase):
+    figures = {"vertices": 12, "faces": 20, "radiusRatio": 0.98765, "aspectRatio": 0.9, "smallestAngle": 31.26,
+               "below30Percent": 0.0618}
+    mesh = {"name": "bust", "threads": 4, "seconds": {"quadric": [3, 1, 2], "1": [0.5], "0": [0.25]},
+            "figures": {"input": figures, "ours": figures, "quadric": figures}}
+
+    def test_every_row_has_medians_and_spreads(self):
+        rows = quality.rows_of(self.mesh)
+        self.assertEqual([row[1] for row in rows], ["input", "Quadric Edge Collapse", "gpremesh, 1 thread",
+                                                    "gpremesh, 4 threads"])
+        self.assertEqual([row[4] for row in rows], ["–", "2.000 (1.000–3.000)", "0.500", "0.250"])
+        self.assertEqual(rows[0][5:], ["0.9877", "0.9000", "31.3°", "0.0618 %"])
+
+    def test_readme_has_the_two_that_are_compared(self):
+        rows = quality.rows_of(self.mesh, for_readme=True)
+        self.assertEqual([row[1] for row in rows], ["Quadric Edge Collapse", "gpremesh, 4 threads"])
+
+
+class PaperRows(unittest.TestCase):
+    quality = {"aspectRatio": {"mean": 0.9641}, "angles": {"min": 32.15, "below30Percent": 0}}
+
+    def report(self, loops):
+        counts = {"eulerCharacteristic": 2, "boundaryLoops": 0, "components": 1, "vertices": 9, "faces": 14}
+        return {"input": {"faces": 100}, "result": {**counts, "boundaryLoops": loops},
+                "cleanedInput": counts, "counts": {"targetVertices": 10}, "seconds": {"remesh": 1.5},
+                "quality": self.quality}
+
+    def test_the_paper_preset(self):
+        row = paper.preset_row("bust", self.report(loops=0))
+        self.assertEqual(row[2:5], ["100 / 14", "-10.0 %", "1.50"])
+        self.assertEqual(row[-1], "kept")
+
+    def test_another_topology_is_told(self):
+        self.assertEqual(paper.preset_row("bust", self.report(loops=1))[-1], "changed")
+
+    def test_a_method_of_the_comparison(self):
+        method = {"name": "ours", "faces": 14, "vertices": 11, "seconds": {"median": 0.126},
+                  "toInput": {"rms": 2.3171e-05}, "fromInput": {"rmsPercent": 0.01457},
+                  "quality": self.quality, "topologyKept": True}
+        self.assertEqual(paper.compared_row("bust", 100, 10, method),
+                         ["bust", "ours", "100 / 14", "+10.0 %", "0.13", "2.317e-05", "0.0146 %", "0.964",
+                          "32.1°", "0 %", "kept"])
 
 
 if __name__ == "__main__":

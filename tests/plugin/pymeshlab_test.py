@@ -294,7 +294,7 @@ class PackageTest(unittest.TestCase):
         target, wheels = WORK / "installed", WORK / "wheel"
         for folder in (target, wheels):
             shutil.rmtree(folder, ignore_errors=True)
-        subprocess.run([sys.executable, str(ROOT / "scripts/make_wheel"), os.environ["GPREMESH_PLUGIN"], str(wheels)],
+        subprocess.run([sys.executable, str(ROOT / "scripts/release/make_wheel"), os.environ["GPREMESH_PLUGIN"], str(wheels)],
                        check=True, capture_output=True)
         (wheel,) = wheels.glob("gpremesh_pymeshlab-*.whl")
         subprocess.run([sys.executable, "-m", "pip", "install", "--quiet", "--no-index", "--no-deps",

@@ -239,19 +239,20 @@ TEST(BorderEdge, KeepsTheTopologyOfRandomSurfaces)
 	}
 }
 
-TEST(BorderEdge, CopesWithDamage)
+class DamagedBorderEdge : public ::testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(DamagedBorderEdge, CopesWithDamage)
 {
-	for (std::uint32_t seed : testSeeds(60)) {
-		Random random(seed);
-		SCOPED_TRACE(seed);
-		const TriangleMesh mesh    = damaged(randomSurface(random), 10, random);
-		RemeshOptions      options = borderEdges(random.between(1, 150), seed);
-		options.allowNearest       = true;
-		const RemeshResult r       = remesh(mesh.view(), options);
-		EXPECT_EQ(r.status, Status::Ok) << r.message;
-		EXPECT_TRUE(isSoundSurface(r.mesh));
-	}
+	Random             random(GetParam());
+	const TriangleMesh mesh    = damaged(randomSurface(random), 10, random);
+	RemeshOptions      options = borderEdges(random.between(1, 150), GetParam());
+	options.allowNearest       = true;
+	const RemeshResult r       = remesh(mesh.view(), options);
+	EXPECT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_TRUE(isSoundSurface(r.mesh));
 }
+
+INSTANTIATE_TEST_SUITE_P(Seeds, DamagedBorderEdge, ::testing::ValuesIn(testSeeds(20)));
 
 } // namespace
 

@@ -34,19 +34,23 @@ double secondsSince(Clock::time_point start)
 	return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-TEST(Progress, RisesFromNothingToOneWithAPhrase)
+/// With a pipeline of its own for the detection, and without.
+class ProgressOf : public ::testing::TestWithParam<FeatureRegion> {};
+
+TEST_P(ProgressOf, ARunRisesFromNothingToOneWithAPhrase)
 {
-	const TriangleMesh       mesh = torus(400, 200);
+	const TriangleMesh mesh    = torus(400, 200);
+	RemeshOptions      options = someOptions();
+	options.featureRegion      = GetParam();
 	std::vector<double>      shares;
 	std::vector<std::string> phrases;
 	const auto               caller = std::this_thread::get_id();
-	const RemeshResult       r =
-		remesh(mesh.view(), someOptions(), [&](double share, const char* phrase) {
-			EXPECT_EQ(std::this_thread::get_id(), caller) << "from the thread that called";
-			shares.push_back(share);
-			phrases.push_back(phrase);
-			return true;
-		});
+	const RemeshResult r = remesh(mesh.view(), options, [&](double share, const char* phrase) {
+		EXPECT_EQ(std::this_thread::get_id(), caller) << "from the thread that called";
+		shares.push_back(share);
+		phrases.push_back(phrase);
+		return true;
+	});
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	ASSERT_GE(shares.size(), 3u);
 	for (std::size_t i = 0; i < shares.size(); ++i) {
@@ -55,6 +59,9 @@ TEST(Progress, RisesFromNothingToOneWithAPhrase)
 		EXPECT_FALSE(phrases[i].empty());
 	}
 }
+
+INSTANTIATE_TEST_SUITE_P(, ProgressOf,
+						 ::testing::Values(FeatureRegion::None, FeatureRegion::Detected));
 
 TEST(Progress, TheCallbackDoesNotChangeTheResult)
 {

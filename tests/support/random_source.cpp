@@ -6,13 +6,23 @@
 
 namespace gpr::test {
 
+namespace {
+
+std::uint32_t numberInEnvironment(const char* name, std::uint32_t otherwise)
+{
+	const char* given = std::getenv(name);
+	return given == nullptr ? otherwise : std::uint32_t(std::atoll(given));
+}
+
+} // namespace
+
 std::vector<std::uint32_t> testSeeds(int n)
 {
-	const char*                given = std::getenv("GPR_TEST_SEED");
-	const std::uint32_t        first = given == nullptr ? 1 : std::uint32_t(std::atoll(given));
+	const std::uint32_t first = numberInEnvironment("GPR_TEST_SEED", 1);
+	const std::uint32_t num   = std::uint32_t(n) * numberInEnvironment("GPR_TEST_SEED_FACTOR", 1);
 	std::vector<std::uint32_t> seeds;
-	for (int i = 0; i < n; ++i)
-		seeds.push_back(first + std::uint32_t(i));
+	for (std::uint32_t i = 0; i < num; ++i)
+		seeds.push_back(first + i);
 	return seeds;
 }
 

@@ -36,7 +36,7 @@ private:
 };
 
 /// The seeds of a random test: n in a row from 1, or from the environment variable GPR_TEST_SEED.
-/// Test names end in the seed, so that a failure names it.
+/// GPR_TEST_SEED_FACTOR multiplies their number; scripts/soak/random_tests sets it.
 std::vector<std::uint32_t> testSeeds(int n);
 
 } // namespace gpr::test

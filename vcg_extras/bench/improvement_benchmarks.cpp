@@ -39,7 +39,7 @@ void flips(benchmark::State& state, StagedRun& run, Workers& workers)
 void foldRepair(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Surface&        surface  = run.prepared().surface;
-	const BoundaryCurves& boundary = run.sampled().boundary;
+	const BoundaryCurves& boundary = run.sampled().curves;
 	timeChange(state, run.improved().flipped,
 			   [&](ResultMesh& result) { mendFolds(surface, boundary, true, result, workers); });
 }
@@ -47,7 +47,7 @@ void foldRepair(benchmark::State& state, StagedRun& run, Workers& workers)
 void exactCount(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Prepared&       p        = run.prepared();
-	const BoundaryCurves& boundary = run.sampled().boundary;
+	const BoundaryCurves& boundary = run.sampled().curves;
 	timeChange(state, run.improved().flipped, [&](ResultMesh& result) {
 		collapseShortEdges(p.surface, result, workers);
 		reachExactCount(p.surface, boundary, p.targetNum, result, workers);
@@ -70,7 +70,7 @@ void valenceGlide(benchmark::State& state, StagedRun& run, Workers& workers)
 void conformal(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Surface&        surface  = run.prepared().surface;
-	const BoundaryCurves& boundary = run.sampled().boundary;
+	const BoundaryCurves& boundary = run.sampled().curves;
 	const ConformalSteps  steps    = conformalSteps(2 * run.options().relaxIterations);
 	timeChange(state, run.improved().glided, [&](ResultMesh& result) {
 		relaxConformally(surface, boundary, steps, result, workers);
@@ -88,7 +88,7 @@ void worstTriangles(benchmark::State& state, StagedRun& run, Workers& workers)
 void fit(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Surface&        surface  = run.prepared().surface;
-	const BoundaryCurves& boundary = run.sampled().boundary;
+	const BoundaryCurves& boundary = run.sampled().curves;
 	timeChange(state, run.improved().raised, [&](ResultMesh& result) {
 		fitToInput(surface, boundary, usualFitSettings(), result, workers);
 	});
@@ -98,7 +98,7 @@ void angleMending(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	constexpr float       angleDeg = 32;
 	const Surface&        surface  = run.prepared().surface;
-	const BoundaryCurves& curves   = run.sampled().boundary;
+	const BoundaryCurves& curves   = run.sampled().curves;
 	timeChange(state, run.improved().fitted,
 			   [&](ResultMesh& result) { mendAngles(surface, curves, angleDeg, result, workers); });
 }

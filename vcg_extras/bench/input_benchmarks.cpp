@@ -109,11 +109,11 @@ void figures(benchmark::State& state, StagedRun& run, Workers& workers)
 }
 
 /// Load, split, order, connect, sizes and figures in one.
-void prepare(benchmark::State& state, StagedRun& run, Workers& workers)
+void prepareAll(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	timeEach(state, [&] {
 		RunContext context = run.contextFor(workers);
-		return Preparation(context).prepare(0);
+		return prepare(context, {});
 	});
 }
 
@@ -147,7 +147,7 @@ void addInputBenchmarks(const BenchCase& on)
 		addBenchmark("half_edge_table", on, halfEdgeTable);
 		addBenchmark("figures", on, figures);
 	}
-	addBenchmark("prepare", on, prepare);
+	addBenchmark("prepare", on, prepareAll);
 	addBenchmark("crease_lines", on, creaseLines);
 }
 

@@ -5,6 +5,7 @@
 
 #include <vcg_extras/core/retriangulation/hole_retriangulation.h>
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
+#include <vcg_extras/core/run/feature_lines.h>
 #include <vcg_extras/core/sampling/border_edge_sampling.h>
 #include <vcg_extras/core/sampling/fuse_samples.h>
 
@@ -16,8 +17,7 @@ void cutBlocks(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Prepared& p       = run.prepared();
 	RunContext      context = run.contextFor(workers);
-	SampleStages    stages(context);
-	timeEach(state, [&] { return stages.cut(p); });
+	timeEach(state, [&] { return cutForSampling(context, p); });
 }
 
 void boundaryCurves(benchmark::State& state, StagedRun& run, Workers&)
@@ -31,8 +31,8 @@ void frontSampling(benchmark::State& state, StagedRun& run, Workers& workers)
 	const Prepared&     p = run.prepared();
 	const SampledState& s = run.sampled();
 	timeEach(state, [&] {
-		return sampleFront(p.surface, s.boundary, s.partition, s.sampling.radius,
-						   run.options().seed, workers);
+		return sampleFront(p.surface, s.curves, s.partition, s.sampling.radius, run.options().seed,
+						   workers);
 	});
 }
 
@@ -41,7 +41,7 @@ void labelCollapse(benchmark::State& state, StagedRun& run, Workers& workers)
 	const Prepared&     p = run.prepared();
 	const SampledState& s = run.sampled();
 	timeEach(state, [&] {
-		return removeVertices(p.surface, s.sampling, s.boundary, run.inputFigures(), workers);
+		return removeVertices(p.surface, s.sampling, s.curves, run.inputFigures(), workers);
 	});
 }
 
@@ -53,14 +53,14 @@ void borderEdgeSampling(benchmark::State& state, StagedRun& run, Workers& worker
 	const SampledState& s = run.sampled();
 	BorderEdgeOptions   options;
 	options.radius = p.radius;
-	timeEach(state, [&] { return sampleBorderEdges(p.surface, s.boundary, options, workers); });
+	timeEach(state, [&] { return sampleBorderEdges(p.surface, s.curves, options, workers); });
 }
 
 void fuse(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Prepared&     p = run.prepared();
 	const SampledState& s = run.sampled();
-	timeEach(state, [&] { return fuseSamples(p.surface, s.sampling, s.boundary, workers); });
+	timeEach(state, [&] { return fuseSamples(p.surface, s.sampling, s.curves, workers); });
 }
 
 void vertexRemoval(benchmark::State& state, StagedRun& run, Workers& workers)
@@ -68,9 +68,9 @@ void vertexRemoval(benchmark::State& state, StagedRun& run, Workers& workers)
 	const Prepared&     p = run.prepared();
 	const SampledState& s = run.sampled();
 	timeEach(
-		state, [&] { return fuseSamples(p.surface, s.sampling, s.boundary, workers); },
+		state, [&] { return fuseSamples(p.surface, s.sampling, s.curves, workers); },
 		[&](FusedMesh& fused) {
-			return removeOriginalVertices(std::move(fused), p.surface, s.sampling, s.boundary,
+			return removeOriginalVertices(std::move(fused), p.surface, s.sampling, s.curves,
 										  s.partition, workers);
 		});
 }

@@ -8,6 +8,8 @@
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/optimization/worst_triangles.h>
+#include <vcg_extras/core/retriangulation/vertex_removal.h>
+#include <vcg_extras/core/run/feature_lines.h>
 
 namespace gpr::bench {
 
@@ -26,15 +28,14 @@ public:
 	ResultMesh flipped(ResultMesh result)
 	{
 		flipToDelaunay(result, workers_);
-		mendFolds(prepared_.surface, sampled_.boundary, true, result, workers_);
+		mendFolds(prepared_.surface, sampled_.curves, true, result, workers_);
 		return result;
 	}
 
 	ResultMesh counted(ResultMesh result)
 	{
 		collapseShortEdges(prepared_.surface, result, workers_);
-		reachExactCount(prepared_.surface, sampled_.boundary, prepared_.targetNum, result,
-						workers_);
+		reachExactCount(prepared_.surface, sampled_.curves, prepared_.targetNum, result, workers_);
 		return result;
 	}
 
@@ -47,7 +48,7 @@ public:
 
 	ResultMesh conformal(ResultMesh result, int relaxIterations)
 	{
-		relaxConformally(prepared_.surface, sampled_.boundary, conformalSteps(2 * relaxIterations),
+		relaxConformally(prepared_.surface, sampled_.curves, conformalSteps(2 * relaxIterations),
 						 result, workers_);
 		return result;
 	}
@@ -55,13 +56,13 @@ public:
 	ResultMesh raised(ResultMesh result)
 	{
 		raiseWorstAngles(prepared_.surface, poorAngleDeg, result, workers_);
-		mendFolds(prepared_.surface, sampled_.boundary, false, result, workers_);
+		mendFolds(prepared_.surface, sampled_.curves, false, result, workers_);
 		return result;
 	}
 
 	ResultMesh fitted(ResultMesh result)
 	{
-		fitToInput(prepared_.surface, sampled_.boundary, usualFitSettings(), result, workers_);
+		fitToInput(prepared_.surface, sampled_.curves, usualFitSettings(), result, workers_);
 		return result;
 	}
 
@@ -90,7 +91,8 @@ RunContext StagedRun::contextFor(Workers& workers)
 	report_              = RemeshReport();
 	report_.cleanedInput = inputFigures_;
 	notes_.clear();
-	return {input_, options_, workers, report_, notes_, StageClock(workers, report_)};
+	return {input_,  options_, workers,
+			report_, notes_,   StageClock(workers, report_, Pipeline::Remeshing)};
 }
 
 const MeshFigures& StagedRun::inputFigures()
@@ -102,10 +104,9 @@ const MeshFigures& StagedRun::inputFigures()
 Prepared& StagedRun::prepared()
 {
 	if (!prepared_) {
-		RunContext  run = contextFor(workers_);
-		Preparation preparation(run);
-		prepared_ = std::make_unique<Prepared>(preparation.prepare(0));
-		preparation.findFeatureLines(*prepared_);
+		RunContext run = contextFor(workers_);
+		prepared_      = std::make_unique<Prepared>(prepare(run, {}));
+		findFeatureLines(run, *prepared_);
 		inputFigures_ = report_.cleanedInput;
 	}
 	return *prepared_;
@@ -114,14 +115,12 @@ Prepared& StagedRun::prepared()
 const SampledState& StagedRun::sampled()
 {
 	if (!sampled_) {
-		const Prepared& p   = prepared();
-		RunContext      run = contextFor(workers_);
-		SampleStages    stages(run);
+		const Prepared& p     = prepared();
+		RunContext      run   = contextFor(workers_);
 		auto            state = std::make_unique<SampledState>();
-		state->partition      = stages.cut(p);
-		state->sampling       = stages.sampleAll(p, state->partition, state->boundary);
-		state->mesh =
-			stages.retriangulateFrom(p, state->sampling, state->boundary, state->partition);
+		Sampled&        s     = *state;
+		s                     = sampleSurface(run, p);
+		state->mesh = removeVertices(p.surface, s.sampling, s.curves, inputFigures_, workers_);
 		state->mesh.idealEdge = idealEdge(p);
 		sampled_              = std::move(state);
 	}

@@ -4,12 +4,9 @@
 #define VCG_EXTRAS_BENCH_STAGED_RUN_H
 
 #include <vcg_extras/core/base/run_context.h>
-#include <vcg_extras/core/features/boundary_curves.h>
-#include <vcg_extras/core/mesh/blocks.h>
 #include <vcg_extras/core/optimization/fit.h>
 #include <vcg_extras/core/run/preparation.h>
 #include <vcg_extras/core/run/sample_stages.h>
-#include <vcg_extras/core/sampling/front_sampling.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
 #include <memory>
@@ -17,11 +14,8 @@
 namespace gpr::bench {
 
 /// What the stages up to the retriangulation leave.
-struct SampledState {
-	BlockPartition partition;
-	BoundaryCurves boundary;
-	Sampling       sampling;
-	ResultMesh     mesh; ///< straight from the retriangulation
+struct SampledState : Sampled {
+	ResultMesh mesh; ///< straight from the retriangulation by label collapse
 };
 
 /// The result before and between the stages that improve it, in their order.

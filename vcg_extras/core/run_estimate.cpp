@@ -4,7 +4,7 @@
 
 #include <vcg_extras/core/input/memory_need.h>
 #include <vcg_extras/core/run/error_goal.h>
-#include <vcg_extras/core/run/prepared.h>
+#include <vcg_extras/core/run/target.h>
 
 #include <algorithm>
 #include <cmath>

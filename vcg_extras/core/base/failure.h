@@ -5,17 +5,23 @@
 
 #include <vcg_extras/core/results.h>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
 namespace gpr {
 
-/// Thrown inside the engine where a run cannot go on; the facade makes a RemeshResult of it.
+/// Thrown inside the engine where a run cannot go on; the facade makes a result without a mesh of
+/// it.
 struct Failure {
-	Status      status;
-	std::string message; ///< a sentence for the user
+	Status       status;
+	std::string  message;               ///< a sentence for the user
+	std::int64_t smallestVertexNum = 0; ///< with CountTooSmall: what to ask for instead
 
-	Failure(Status s, std::string m) : status(s), message(std::move(m)) {}
+	Failure(Status s, std::string m, std::int64_t smallest = 0) :
+			status(s), message(std::move(m)), smallestVertexNum(smallest)
+	{
+	}
 };
 
 } // namespace gpr

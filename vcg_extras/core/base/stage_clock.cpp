@@ -6,12 +6,30 @@
 
 namespace gpr {
 
-void StageClock::enter(const char* key, const char* phrase, double until)
+void StageClock::beginFirstPart(Pipeline other, double until)
+{
+	beginPart(other, {whole_.from, whole_.at(until)});
+}
+
+void StageClock::endFirstPart()
+{
+	beginPart(pipeline_, {part_.to, whole_.to});
+}
+
+void StageClock::beginPart(Pipeline pipeline, WorkShare part)
+{
+	current_ = pipeline;
+	part_    = part;
+	share_   = 0;
+}
+
+void StageClock::enter(Stage stage)
 {
 	finish();
-	key_  = key;
-	until = std::max(until, share_); // stages that are gone through again
-	workers_.enterStage(phrase, from_ + share_ * span_, from_ + until * span_);
+	key_ = rowOf(stage).key;
+	// Where stages are gone through again, progress waits.
+	const double until = std::max(shareAtEnd(stage, current_), share_);
+	workers_.enterStage(rowOf(stage).phrase, part_.at(share_), part_.at(until));
 	share_ = until;
 }
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_RUN_STAGE_CLOCK_H
-#define VCG_EXTRAS_CORE_RUN_STAGE_CLOCK_H
+#ifndef VCG_EXTRAS_CORE_BASE_STAGE_CLOCK_H
+#define VCG_EXTRAS_CORE_BASE_STAGE_CLOCK_H
 
+#include "stages.h"
 #include "workers.h"
 
 #include <vcg_extras/core/report.h>
@@ -11,39 +12,49 @@
 
 namespace gpr {
 
+/// A part of all the work, in shares of 1.
+struct WorkShare {
+	double from = 0, to = 1;
+
+	double at(double share) const { return from + share * (to - from); }
+};
+
 /// Times stages and tells progress. Stages follow each other without a gap, so that their seconds
 /// add up to the whole.
 class StageClock {
 public:
-	StageClock(Workers& workers, RemeshReport& report) :
-			workers_(workers), report_(report), stageStart_(Clock::now())
+	/// whole: of the call, where it runs the pipeline several times.
+	StageClock(Workers& workers, RemeshReport& report, Pipeline pipeline, WorkShare whole = {}) :
+			workers_(workers), report_(report), pipeline_(pipeline), whole_(whole), part_(whole),
+			current_(pipeline), stageStart_(Clock::now())
 	{
 	}
 	~StageClock() { finish(); }
 	StageClock(const StageClock&)            = delete;
 	StageClock& operator=(const StageClock&) = delete;
 
-	/// The run is not all of the work but that from `from` to `to`, shares of 1.
-	void tellWithin(double from, double to)
-	{
-		from_ = from;
-		span_ = to - from;
-	}
+	/// The stages that follow are those of another pipeline, which does the work up to this share
+	/// for the one of the clock.
+	void beginFirstPart(Pipeline other, double until);
+	/// From here on the pipeline of the clock does the rest.
+	void endFirstPart();
 
-	/// Ends the stage before and begins one: its key in the report, the phrase that users read, and
-	/// the share of the run at its end.
-	void enter(const char* key, const char* phrase, double until);
+	/// Ends the stage before and begins this one.
+	void enter(Stage stage);
 
 private:
 	using Clock = std::chrono::steady_clock;
 
 	Workers&          workers_;
 	RemeshReport&     report_;
-	double            from_ = 0, span_ = 1;
+	Pipeline          pipeline_;
+	WorkShare         whole_, part_; ///< part_: of the pipeline under way
+	Pipeline          current_;
 	Clock::time_point stageStart_;
 	const char*       key_   = nullptr;
-	double            share_ = 0;
+	double            share_ = 0; ///< of the pipeline under way
 
+	void beginPart(Pipeline pipeline, WorkShare part);
 	void finish();
 };
 

@@ -12,39 +12,40 @@
 
 namespace gpr {
 
-Sampling GivenSamples::takeOver(const Prepared& p, const std::vector<Vec3d>& points)
+GivenSamples takeOverSamples(RunContext& run, const Prepared& p, const std::vector<Vec3d>& points)
 {
-	clock_.enter("sampling", "Putting the samples on the surface", 0.6);
-	const FaceTree tree(p.surface.mesh, &workers_);
+	run.clock.enter(Stage::GivenSamples);
+	const FaceTree tree(p.surface.mesh, &run.workers);
 	const float    onSurface = 1e-5f;
-	Sampling       sampling;
-	sampling.radius = p.radius;
-	float farthest  = 0;
+	GivenSamples   given;
+	Sampling&      sampling = given.sampling;
+	sampling.radius         = p.radius;
+	float farthest          = 0;
 	for (const Vec3d& point : points) {
-		workers_.poll();
+		run.workers.poll();
 		const Vec3f  q = p.surface.frame.toWorking(point);
 		const Anchor a = tree.nearest(q);
 		if (a.face < 0) throw Failure(Status::BadOptions, "A sample is not finite.");
 		const float moved = length(a.position - q);
-		sampleMoved_.push_back(moved > onSurface);
-		report_.samplesMoved += moved > onSurface;
+		given.isMoved.push_back(moved > onSurface);
+		run.report.samplesMoved += moved > onSurface;
 		farthest = std::max(farthest, moved);
 		sampling.samples.push_back({a, p.surface.mesh.faceNormal(a.face)});
 	}
-	report_.largestSampleMove = double(farthest) / p.surface.frame.scale;
-	report_.sampleNum         = std::int64_t(points.size());
-	sampling.nearest          = assignToSamples(p.surface, sampling.samples, workers_);
-	return sampling;
+	run.report.largestSampleMove = double(farthest) / p.surface.frame.scale;
+	run.report.sampleNum         = std::int64_t(points.size());
+	sampling.nearest             = assignToSamples(p.surface, sampling.samples, run.workers);
+	return given;
 }
 
-void GivenSamples::nameSamples(const std::vector<Vec3d>& points, const ResultMesh& result,
-							   RemeshResult& out)
+void nameSamples(const std::vector<Vec3d>& points, const std::vector<char>& isMoved,
+				 const ResultMesh& result, RemeshResult& out)
 {
 	out.sampleOf.resize(result.vertex.size());
 	for (std::size_t v = 0; v < result.vertex.size(); ++v) {
 		const int s     = result.vertex[v].sample;
 		out.sampleOf[v] = s;
-		if (s >= 0 && !sampleMoved_[s]) out.mesh.positions[v] = points[s];
+		if (s >= 0 && !isMoved[s]) out.mesh.positions[v] = points[s];
 	}
 }
 

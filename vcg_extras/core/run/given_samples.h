@@ -15,17 +15,18 @@
 namespace gpr {
 
 /// Samples of any origin in the place of our own.
-class GivenSamples : RunPart {
-public:
-	explicit GivenSamples(RunContext& run) : RunPart(run) {}
-
-	Sampling takeOver(const Prepared& p, const std::vector<Vec3d>& points);
-	/// A sample that lay on the surface, up to rounding, keeps its very coordinates.
-	void nameSamples(const std::vector<Vec3d>& points, const ResultMesh& result, RemeshResult& out);
-
-private:
-	std::vector<char> sampleMoved_; ///< those that were off the surface
+struct GivenSamples {
+	Sampling          sampling;
+	std::vector<char> isMoved; ///< per sample: it was off the surface
 };
+
+/// Puts the points on the surface, each to the nearest place.
+GivenSamples takeOverSamples(RunContext& run, const Prepared& p, const std::vector<Vec3d>& points);
+
+/// Tells which vertex of the result is which sample. A sample that lay on the surface, up to
+/// rounding, keeps its very coordinates.
+void nameSamples(const std::vector<Vec3d>& points, const std::vector<char>& isMoved,
+				 const ResultMesh& result, RemeshResult& out);
 
 } // namespace gpr
 

@@ -14,8 +14,9 @@
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/optimization/worst_triangles.h>
 
-#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace gpr {
 
@@ -36,124 +37,130 @@ constexpr int quickFitRounds   = 2;
 /// Rounds of lowering the largest distances there; one of them takes a fifth off.
 constexpr int adaptedWorstRounds = 4;
 
-class Improvement : RunPart {
-public:
-	explicit Improvement(RunContext& run) : RunPart(run) {}
-
-	void relax(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
-	{
-		clock_.enter("relaxation", "Relaxing", 0.95);
-		if (options_.smoothing != Smoothing::Barycentric)
-			return smoothAsWritten(p, boundary, result);
-		const bool isFull = options_.regularity == Regularity::Full;
-		if (options_.relaxIterations > 0) {
-			if (isFull)
-				makeRegular(p, boundary, result);
-			else
-				relaxPlainly(p, boundary, result);
-			raiseWorstAngles(p.surface, isFull ? poorAngleFullDeg : poorAngleDeg, result, workers_);
-		}
-		mendFolds(p.surface, boundary, false, result, workers_);
-		alignFacesAtCreases(p.surface, boundary, result, workers_);
-	}
-
-	/// What regularity asks for to the last; the paper's post-processing stays as it is written.
-	void mendLastAngles(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result,
-						std::unique_ptr<Cells> cells)
-	{
-		if (options_.smoothing != Smoothing::Barycentric || options_.relaxIterations == 0) return;
-		if (options_.regularity != Regularity::Full) return;
-		clock_.enter("angles", "Mending angles", 0.973);
-		returnReleasedMemory();
-		if (!mendAngles(p.surface, boundary, leastAngleDeg(), result, workers_, cells,
-						left_.largestGap))
-			report_.capsReached.push_back("changes for the worst angles");
-		const std::int64_t targetNum = options_.exactCount ? p.targetNum : 0;
-		remeshPoorPatches(p.surface, boundary, leastAngleDeg(), targetNum, result, workers_, cells,
-						  left_);
-	}
-
-	/// Returns the cells of the last round, if there was one.
-	std::unique_ptr<Cells> fit(const Prepared& p, const BoundaryCurves& boundary,
-							   bool largestCounts, ResultMesh& result)
-	{
-		if (options_.fit == Fit::Off) return nullptr;
-		clock_.enter("fit", "Fitting to the input", 0.97);
-		returnReleasedMemory(); // this stage sets the peak
-		FitSettings settings;
-		settings.rounds        = roundsOfFit();
-		settings.leastAngleDeg = leastAngleDeg();
-		settings.worstRounds   = worstRounds(largestCounts);
-		settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options_.adapt));
-		FitOutcome outcome = fitToInput(p.surface, boundary, settings, result, workers_);
-		if (outcome.capped) report_.capsReached.push_back("moves of the fit");
-		if (outcome.cells != nullptr) {
-			left_.crossing = mendCrossings(p.surface, boundary, leastAngleDeg(), outcome.crossing,
-										   *outcome.cells, result, workers_);
-			if (!outcome.crossing.empty()) outcome.farthest = farthestFromAnchor(result);
-		}
-		report_.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
-		left_.largestGap           = outcome.largestGap;
-		return std::move(outcome.cells);
-	}
-
-private:
-	LeftOver left_; ///< by the fit
-
-	float leastAngleDeg() const
-	{
-		return poorAngleDeg + float(options_.adapt) * (adaptedAngleDeg - poorAngleDeg);
-	}
-
-	int worstRounds(bool largestCounts) const
-	{
-		if (largestCounts || options_.adapt > 0) return adaptedWorstRounds;
-		return options_.fit == Fit::Quick ? 0 : 1;
-	}
-
-	int roundsOfFit() const
-	{
-		if (options_.fit == Fit::Quick) return quickFitRounds;
-		return options_.adapt > 0 ? adaptedFitRounds : fitRounds;
-	}
-
-	/// The paper's post-processing: umbrella and flips in turn, or flips alone.
-	void smoothAsWritten(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
-	{
-		const bool moves = options_.smoothing == Smoothing::Umbrella2;
-		for (int step = 0; moves && step < options_.relaxIterations; ++step) {
-			smoothByUmbrella2(p.surface, result, workers_);
-			flipEdges(run_, result);
-		}
-		mendFolds(p.surface, boundary, false, result, workers_);
-	}
-
-	/// The first two steps leave the edges alone: flips straight away would undo what the exact
-	/// count did for the valences.
-	void relaxPlainly(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
-	{
-		constexpr int stepsWithoutFlips = 2;
-		for (int step = 0; step < options_.relaxIterations; ++step) {
-			relaxOnce(p.surface, result, workers_);
-			slideAlongCreases(p.surface, boundary, result);
-			if (step >= stepsWithoutFlips) flipEdges(run_, result);
-		}
-	}
-
-	/// Chains of flips shear triangles; a relaxation before each round gives them room.
-	void makeRegular(const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
-	{
-		constexpr int rounds = 2;
-		for (int round = 0; round < rounds; ++round) {
-			relaxOnce(p.surface, result, workers_);
-			slideAlongCreases(p.surface, boundary, result);
-			glideDislocations(result, workers_);
-		}
-		ConformalSteps steps = conformalSteps(2 * options_.relaxIterations);
-		steps.flipPasses     = options_.flipIterations;
-		relaxConformally(p.surface, boundary, steps, result, workers_);
-	}
+/// What the fit leaves for the pass over the worst angles.
+struct Fitted {
+	std::unique_ptr<Cells> cells; ///< of the last round, if there was one
+	LeftOver               left;
 };
+
+float leastAngleDeg(const RemeshOptions& options)
+{
+	return poorAngleDeg + float(options.adapt) * (adaptedAngleDeg - poorAngleDeg);
+}
+
+int worstRounds(const RemeshOptions& options, LargestDistance largest)
+{
+	if (largest == LargestDistance::Counts || options.adapt > 0) return adaptedWorstRounds;
+	return options.fit == Fit::Quick ? 0 : 1;
+}
+
+int roundsOfFit(const RemeshOptions& options)
+{
+	if (options.fit == Fit::Quick) return quickFitRounds;
+	return options.adapt > 0 ? adaptedFitRounds : fitRounds;
+}
+
+FitSettings fitSettings(const RemeshOptions& options, LargestDistance largest)
+{
+	FitSettings settings;
+	settings.rounds        = roundsOfFit(options);
+	settings.leastAngleDeg = leastAngleDeg(options);
+	settings.worstRounds   = worstRounds(options, largest);
+	settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options.adapt));
+	return settings;
+}
+
+/// The paper's post-processing: umbrella and flips in turn, or flips alone.
+void smoothAsWritten(RunContext& run, const Prepared& p, ResultMesh& result)
+{
+	if (run.options.smoothing != Smoothing::Umbrella2) return;
+	for (int step = 0; step < run.options.relaxIterations; ++step) {
+		smoothByUmbrella2(p.surface, result, run.workers);
+		flipEdges(run, result);
+	}
+}
+
+/// The first two steps leave the edges alone: flips straight away would undo what the exact
+/// count did for the valences.
+void relaxPlainly(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+				  ResultMesh& result)
+{
+	constexpr int stepsWithoutFlips = 2;
+	for (int step = 0; step < run.options.relaxIterations; ++step) {
+		relaxOnce(p.surface, result, run.workers);
+		slideAlongCreases(p.surface, boundary, result);
+		if (step >= stepsWithoutFlips) flipEdges(run, result);
+	}
+}
+
+/// Chains of flips shear triangles; a relaxation before each round gives them room.
+void makeRegular(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+				 ResultMesh& result)
+{
+	constexpr int rounds = 2;
+	for (int round = 0; round < rounds; ++round) {
+		relaxOnce(p.surface, result, run.workers);
+		slideAlongCreases(p.surface, boundary, result);
+		glideDislocations(result, run.workers);
+	}
+	ConformalSteps steps = conformalSteps(2 * run.options.relaxIterations);
+	steps.flipPasses     = run.options.flipIterations;
+	relaxConformally(p.surface, boundary, steps, result, run.workers);
+}
+
+void relax(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
+{
+	if (run.options.relaxIterations == 0) return;
+	const bool isFull = run.options.regularity == Regularity::Full;
+	if (isFull)
+		makeRegular(run, p, boundary, result);
+	else
+		relaxPlainly(run, p, boundary, result);
+	raiseWorstAngles(p.surface, isFull ? poorAngleFullDeg : poorAngleDeg, result, run.workers);
+}
+
+Fitted fit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+		   LargestDistance largest, ResultMesh& result)
+{
+	if (run.options.fit == Fit::Off) return {};
+	run.clock.enter(Stage::Fit);
+	returnReleasedMemory(); // this stage sets the peak
+	const FitSettings settings = fitSettings(run.options, largest);
+	FitOutcome        outcome  = fitToInput(p.surface, boundary, settings, result, run.workers);
+	if (outcome.capped) run.report.capsReached.push_back("moves of the fit");
+	Fitted fitted;
+	if (outcome.cells != nullptr) {
+		fitted.left.crossing = mendCrossings(p.surface, boundary, settings.leastAngleDeg,
+											 outcome.crossing, *outcome.cells, result, run.workers);
+		if (!outcome.crossing.empty()) outcome.farthest = farthestFromAnchor(result);
+	}
+	run.report.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
+	fitted.left.largestGap        = outcome.largestGap;
+	fitted.cells                  = std::move(outcome.cells);
+	return fitted;
+}
+
+/// What regularity asks for to the last; the paper's post-processing stays as it is written.
+bool mendsLastAngles(const RemeshOptions& options)
+{
+	return options.smoothing == Smoothing::Barycentric && options.relaxIterations > 0 &&
+		   options.regularity == Regularity::Full;
+}
+
+void mendLastAngles(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+					Fitted fitted, ResultMesh& result)
+{
+	if (!mendsLastAngles(run.options)) return;
+	run.clock.enter(Stage::Angles);
+	returnReleasedMemory();
+	const float angleDeg = leastAngleDeg(run.options);
+	if (!mendAngles(p.surface, boundary, angleDeg, result, run.workers, fitted.cells,
+					fitted.left.largestGap))
+		run.report.capsReached.push_back("changes for the worst angles");
+	const std::int64_t targetNum = run.options.exactCount ? p.targetNum : 0;
+	remeshPoorPatches(p.surface, boundary, angleDeg, targetNum, result, run.workers, fitted.cells,
+					  fitted.left);
+}
 
 } // namespace
 
@@ -164,15 +171,21 @@ void flipEdges(RunContext& run, ResultMesh& result)
 
 void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
 {
-	Improvement(run).relax(p, boundary, result);
+	run.clock.enter(Stage::Relaxation);
+	const bool isAsWritten = run.options.smoothing != Smoothing::Barycentric;
+	if (isAsWritten)
+		smoothAsWritten(run, p, result);
+	else
+		relax(run, p, boundary, result);
+	mendFolds(p.surface, boundary, false, result, run.workers);
+	if (!isAsWritten) alignFacesAtCreases(p.surface, boundary, result, run.workers);
 }
 
 void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
-			   bool largestCounts, ResultMesh& result)
+			   LargestDistance largest, ResultMesh& result)
 {
-	Improvement            improvement(run);
-	std::unique_ptr<Cells> cells = improvement.fit(p, boundary, largestCounts, result);
-	improvement.mendLastAngles(p, boundary, result, std::move(cells));
+	Fitted fitted = fit(run, p, boundary, largest, result);
+	mendLastAngles(run, p, boundary, std::move(fitted), result);
 }
 
 } // namespace gpr

@@ -19,11 +19,14 @@ void flipEdges(RunContext& run, ResultMesh& result);
 void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 			 ResultMesh& result);
 
+/// Whether the largest distance from the input is what the user asked for.
+enum class LargestDistance { Counts, IsOneOfMany };
+
 /// The last to move vertices: those before walk on the surface, which this leaves. Last of all the
 /// worst angles once more, with or without a fit. Where the largest distance counts, or sizes
 /// follow the error, the fit sees to that too.
 void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
-			   bool largestCounts, ResultMesh& result);
+			   LargestDistance largest, ResultMesh& result);
 
 } // namespace gpr
 

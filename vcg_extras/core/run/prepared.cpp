@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "prepared.h"
 
-#include <vcg_extras/core/base/failure.h>
-#include <vcg_extras/core/results.h>
-
-#include <algorithm>
 #include <cmath>
 
 namespace gpr {
@@ -21,11 +17,6 @@ constexpr double borderEdgeRadiusConstant   = 0.802;
 
 } // namespace
 
-double vertexNumForEdgeLength(double area, double edgeLength)
-{
-	return 2 * area / (std::sqrt(3.0) * edgeLength * edgeLength);
-}
-
 double diskRadius(double area, double vertexNum, double constant)
 {
 	return 2 * std::sqrt(area) * std::sqrt(1 / (2 * std::sqrt(3.0) * vertexNum)) * constant;
@@ -36,30 +27,6 @@ double radiusConstant(const RemeshOptions& options)
 	if (options.equations == Equations::AsPrinted) return printedRadiusConstant;
 	return options.placement == Placement::BorderEdge ? borderEdgeRadiusConstant
 													  : intersectionRadiusConstant;
-}
-
-double wantedVertexNum(const MeshView& input, const RemeshOptions& o, double area, double scale)
-{
-	switch (o.targetMode) {
-	case TargetMode::VertexNum:
-		return double(o.targetVertexNum);
-	case TargetMode::Percent:
-		return o.targetPercent / 100 * double(input.vertexNum);
-	case TargetMode::EdgeLength:
-		return vertexNumForEdgeLength(area, o.targetEdgeLen * scale);
-	case TargetMode::MaxError: // a sampling alone has no error to look at
-		return vertexNumForEdgeLength(area, edgePerError * o.targetMaxError * scale);
-	}
-	return 0;
-}
-
-std::int64_t resolveTarget(const MeshView& input, const RemeshOptions& o, double area, double scale)
-{
-	const double n = std::round(wantedVertexNum(input, o, area, scale));
-	if (n > mostResultVertices) {
-		throw Failure(Status::OutOfMemory, "The result would have more than 200,000,000 vertices.");
-	}
-	return std::max<std::int64_t>(1, std::int64_t(n));
 }
 
 float idealEdge(const Prepared& p)

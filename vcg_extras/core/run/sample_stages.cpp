@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample_stages.h"
 
+#include "feature_lines.h"
 #include "improvement.h"
 
 #include <vcg_extras/core/optimization/crease_sides.h>
@@ -24,78 +25,16 @@ constexpr float blockWidth      = 20;
 constexpr float smallBlockWidth = 12;
 constexpr int   smallMeshFaces  = 2000000;
 
-} // namespace
-
-bool followsFeatureLines(const RemeshOptions& options)
-{
-	return options.retriangulation == Retriangulation::LabelCollapse;
-}
-
-BoundaryCurves sampleCurves(const Prepared& p, float radius, BoundaryMode border)
-{
-	return sampleBoundary(p.surface, radius, borderSpacing * radius, p.tips, p.kept, border);
-}
-
-BlockPartition SampleStages::cut(const Prepared& p)
-{
-	return cut(p, p.radius);
-}
-
-Sampling SampleStages::sampleAll(const Prepared& p, const BlockPartition& partition,
-								 BoundaryCurves& boundary)
-{
-	const int mostCorrections = p.kept.empty() ? 2 : 6;
-	float     radius          = p.radius;
-	Sampling  sampling        = sampleOnce(p, radius, partition, boundary);
-	for (int i = 0; i < mostCorrections; ++i) {
-		const float corrected = correctedRadius(p, sampling, radius);
-		if (corrected == radius) break;
-		radius   = corrected;
-		sampling = sampleOnce(p, radius, p.kept.empty() ? partition : cut(p, radius), boundary);
-	}
-	report_.sampleNum         = std::int64_t(sampling.samples.size());
-	report_.boundarySampleNum = sampling.boundarySampleNum;
-	report_.diskRadius        = double(radius) / p.surface.frame.scale;
-	if (sampling.capped) report_.capsReached.push_back("samples of a block");
-	return sampling;
-}
-
-ResultMesh SampleStages::sampleAndRetriangulate(const Prepared& p, BoundaryCurves& boundary)
-{
-	const BlockPartition partition = cut(p);
-	Sampling             sampling  = sampleAll(p, partition, boundary);
-	clock_.enter("retriangulation", "Retriangulating", 0.8);
-	ResultMesh result  = retriangulateFrom(p, sampling, boundary, partition);
-	result.idealEdge   = idealEdge(p);
-	result.keepsBorder = options_.boundary == BoundaryMode::Keep;
-	sampling           = Sampling();
-	clock_.enter("flips", "Flipping edges", 0.83);
-	flipEdges(run_, result);
-	mendFolds(p.surface, boundary, true, result, workers_);
-	alignFacesAtCreases(p.surface, boundary, result, workers_);
-	return result;
-}
-
-ResultMesh SampleStages::retriangulateFrom(const Prepared& p, const Sampling& sampling,
-										   const BoundaryCurves& boundary,
-										   const BlockPartition& partition)
-{
-	if (options_.retriangulation == Retriangulation::LabelCollapse)
-		return removeVertices(p.surface, sampling, boundary, report_.cleanedInput, workers_);
-	return removeOriginalVertices(takeFused(p, sampling, boundary), p.surface, sampling, boundary,
-								  partition, workers_);
-}
-
-BlockPartition SampleStages::cut(const Prepared& p, float radius)
+BlockPartition cutForRadius(RunContext& run, const Prepared& p, float radius)
 {
 	const bool small = p.surface.mesh.faceNum < smallMeshFaces;
-	return cutIntoBlocks(p.surface, (small ? smallBlockWidth : blockWidth) * radius, workers_);
+	return cutIntoBlocks(p.surface, (small ? smallBlockWidth : blockWidth) * radius, run.workers);
 }
 
 /// Feature lines leave gaps between them and the front, all the more the nearer they are to
 /// each other; so the radius is lowered by what the first go missed. Vertices to be kept are a
 /// fixed number of the samples, however near to each other: the others get what they leave.
-float SampleStages::correctedRadius(const Prepared& p, const Sampling& sampling, float radius)
+float correctedRadius(const Prepared& p, const Sampling& sampling, float radius)
 {
 	constexpr float aim = 0.985f; // of the wanted number
 	// A few samples too many are soon merged and not worth another sampling.
@@ -115,47 +54,107 @@ float SampleStages::correctedRadius(const Prepared& p, const Sampling& sampling,
 					radius * std::sqrt(std::clamp(share, leastShare, mostShare)));
 }
 
-Sampling SampleStages::sampleOnce(const Prepared& p, float radius, const BlockPartition& partition,
-								  BoundaryCurves& boundary)
-{
-	clock_.enter("boundary", "Sampling the boundary", 0.24);
-	boundary = radius == p.curvesRadius ? p.curves : sampleCurves(p, radius, options_.boundary);
-	clock_.enter("sampling", "Sampling", 0.6);
-	if (options_.placement == Placement::BorderEdge)
-		return sampleOnBorderEdges(p, radius, boundary);
-	return sampleFront(p.surface, boundary, partition, radius, options_.seed, workers_,
-					   presampled(p));
-}
-
-/// What of the surface is sampled first.
-const Buffer<char>& SampleStages::presampled(const Prepared& p) const
-{
-	return options_.featureSampling == FeatureSampling::Disks ? p.isFeatureVertex : noRegion_;
-}
-
-/// The paper's placement; keeps the mesh that the samples were fused into.
-Sampling SampleStages::sampleOnBorderEdges(const Prepared& p, float radius,
-										   const BoundaryCurves& boundary)
+/// The paper's placement fuses its samples into a mesh, which the removal of vertices goes on with.
+void sampleOnBorderEdges(RunContext& run, const Prepared& p, float radius,
+						 const Buffer<char>& first, Sampled& sampled)
 {
 	BorderEdgeOptions o;
 	o.radius                  = radius;
-	o.seed                    = options_.seed;
+	o.seed                    = run.options.seed;
 	o.mostSamples             = 100000 + 10 * p.targetNum;
-	o.region                  = &presampled(p);
-	BorderEdgeSampling placed = sampleBorderEdges(p.surface, boundary, o, workers_);
-	if (options_.retriangulation == Retriangulation::VertexRemoval)
-		fused_ = std::move(placed.fused);
-	return std::move(placed.sampling);
+	o.region                  = &first;
+	BorderEdgeSampling placed = sampleBorderEdges(p.surface, sampled.curves, o, run.workers);
+	sampled.sampling          = std::move(placed.sampling);
+	if (run.options.retriangulation == Retriangulation::VertexRemoval)
+		sampled.fused = std::move(placed.fused);
+}
+
+void sampleWithRadius(RunContext& run, const Prepared& p, float radius,
+					  const BlockPartition& partition, Sampled& sampled)
+{
+	const RemeshOptions& options = run.options;
+	run.clock.enter(Stage::Boundary);
+	sampled.curves =
+		radius == p.curvesRadius ? p.curves : sampleCurves(p, radius, options.boundary);
+	run.clock.enter(Stage::Sampling);
+	const Buffer<char>  noRegion;
+	const bool          beginsInRegion = options.featureSampling == FeatureSampling::Disks;
+	const Buffer<char>& first          = beginsInRegion ? p.isFeatureVertex : noRegion;
+	if (options.placement == Placement::BorderEdge)
+		return sampleOnBorderEdges(run, p, radius, first, sampled);
+	sampled.sampling =
+		sampleFront(p.surface, sampled.curves, partition, radius, options.seed, run.workers, first);
+}
+
+void tellSampling(RunContext& run, const Prepared& p, const Sampling& sampling, float radius)
+{
+	run.report.sampleNum         = std::int64_t(sampling.samples.size());
+	run.report.boundarySampleNum = sampling.boundarySampleNum;
+	run.report.diskRadius        = double(radius) / p.surface.frame.scale;
+	if (sampling.capped) run.report.capsReached.push_back("samples of a block");
 }
 
 /// The mesh that the border-edge placement fused its samples into, or one made now.
-FusedMesh SampleStages::takeFused(const Prepared& p, const Sampling& sampling,
-								  const BoundaryCurves& boundary)
+FusedMesh fusedMesh(RunContext& run, const Prepared& p, Sampled& sampled)
 {
-	FusedMesh fused;
-	std::swap(fused, fused_);
-	if (!fused.sampleVertex.empty()) return fused;
-	return fuseSamples(p.surface, sampling, boundary, workers_);
+	if (!sampled.fused.sampleVertex.empty()) return std::move(sampled.fused);
+	return fuseSamples(p.surface, sampled.sampling, sampled.curves, run.workers);
+}
+
+} // namespace
+
+BlockPartition cutForSampling(RunContext& run, const Prepared& p)
+{
+	return cutForRadius(run, p, p.radius);
+}
+
+Sampled sampleSurface(RunContext& run, const Prepared& p)
+{
+	const int mostCorrections = p.kept.empty() ? 2 : 6;
+	float     radius          = p.radius;
+	Sampled   sampled;
+	sampled.partition = cutForSampling(run, p);
+	sampleWithRadius(run, p, radius, sampled.partition, sampled);
+	for (int i = 0; i < mostCorrections; ++i) {
+		const float corrected = correctedRadius(p, sampled.sampling, radius);
+		if (corrected == radius) break;
+		radius = corrected;
+		if (p.kept.empty())
+			sampleWithRadius(run, p, radius, sampled.partition, sampled);
+		else
+			sampleWithRadius(run, p, radius, cutForRadius(run, p, radius), sampled);
+	}
+	tellSampling(run, p, sampled.sampling, radius);
+	return sampled;
+}
+
+Meshed retriangulateSamples(RunContext& run, const Prepared& p, Sampled sampled)
+{
+	run.clock.enter(Stage::Retriangulation);
+	Meshed made;
+	if (run.options.retriangulation == Retriangulation::LabelCollapse) {
+		made.result = removeVertices(p.surface, sampled.sampling, sampled.curves,
+									 run.report.cleanedInput, run.workers);
+	}
+	else {
+		made.result =
+			removeOriginalVertices(fusedMesh(run, p, sampled), p.surface, sampled.sampling,
+								   sampled.curves, sampled.partition, run.workers);
+	}
+	made.curves = std::move(sampled.curves);
+	return made;
+}
+
+Meshed sampleAndRetriangulate(RunContext& run, const Prepared& p)
+{
+	Meshed made             = retriangulateSamples(run, p, sampleSurface(run, p));
+	made.result.idealEdge   = idealEdge(p);
+	made.result.keepsBorder = run.options.boundary == BoundaryMode::Keep;
+	run.clock.enter(Stage::Flips);
+	flipEdges(run, made.result);
+	mendFolds(p.surface, made.curves, true, made.result, run.workers);
+	alignFacesAtCreases(p.surface, made.curves, made.result, run.workers);
+	return made;
 }
 
 } // namespace gpr

@@ -14,39 +14,30 @@
 
 namespace gpr {
 
-/// The paper's removal of vertices knows no curves but the border.
-bool followsFeatureLines(const RemeshOptions& options);
-
-/// Samples of border and feature lines for disks of that radius.
-BoundaryCurves sampleCurves(const Prepared& p, float radius, BoundaryMode border);
-
-/// From the surface to samples, and from samples to a mesh, by the stages that the options choose.
-class SampleStages : RunPart {
-public:
-	explicit SampleStages(RunContext& run) : RunPart(run) {}
-
-	BlockPartition cut(const Prepared& p);
-	/// Samples of about the wanted number.
-	Sampling   sampleAll(const Prepared& p, const BlockPartition& partition,
-						 BoundaryCurves& boundary);
-	ResultMesh sampleAndRetriangulate(const Prepared& p, BoundaryCurves& boundary);
-	/// From samples to a mesh of them, in the way the options ask for.
-	ResultMesh retriangulateFrom(const Prepared& p, const Sampling& sampling,
-								 const BoundaryCurves& boundary, const BlockPartition& partition);
-
-private:
-	const Buffer<char> noRegion_;
-	FusedMesh          fused_; ///< with the samples of the border-edge placement
-
-	BlockPartition      cut(const Prepared& p, float radius);
-	static float        correctedRadius(const Prepared& p, const Sampling& sampling, float radius);
-	Sampling            sampleOnce(const Prepared& p, float radius, const BlockPartition& partition,
-								   BoundaryCurves& boundary);
-	const Buffer<char>& presampled(const Prepared& p) const;
-	Sampling  sampleOnBorderEdges(const Prepared& p, float radius, const BoundaryCurves& boundary);
-	FusedMesh takeFused(const Prepared& p, const Sampling& sampling,
-						const BoundaryCurves& boundary);
+/// Samples of the surface, and what the retriangulation takes over from the sampling.
+struct Sampled {
+	BlockPartition partition;
+	BoundaryCurves curves;
+	Sampling       sampling;
+	FusedMesh      fused; ///< with the samples of the border-edge placement, else empty
 };
+
+/// A mesh under way and the curves that its vertices lie on.
+struct Meshed {
+	ResultMesh     result;
+	BoundaryCurves curves;
+};
+
+BlockPartition cutForSampling(RunContext& run, const Prepared& p);
+
+/// Samples of about the wanted number, placed in the way that the options choose.
+Sampled sampleSurface(RunContext& run, const Prepared& p);
+
+/// From samples to a mesh of them, in the way that the options choose.
+Meshed retriangulateSamples(RunContext& run, const Prepared& p, Sampled sampled);
+
+/// Both, and the first flips.
+Meshed sampleAndRetriangulate(RunContext& run, const Prepared& p);
 
 } // namespace gpr
 

@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the measurement of speed compares: each method is one program run on a file."""
+
+import hashlib
+import json
+from dataclasses import dataclass
+
+from .commands import PERCENT, measured, touch_memory
+
+# Keys of the report's "seconds" that are no stages of the engine.
+NO_STAGES = ("read", "remesh", "write", "total")
+
+
+@dataclass
+class Method:
+    key: str
+    label: str
+    threads: int
+    bytes_per_face: int  # of the input, about what a run needs
+    preset: str = ""  # of gpremesh; empty: another simplifier
+    most_faces: float = float("inf")  # of the input; larger ones take too long
+
+    def run(self, programs, mesh, face_num, goal):
+        """One run; goal is the number of faces that other simplifiers are to reach."""
+        touch_memory(self.bytes_per_face * face_num)
+        if self.preset:
+            return self._run_gpremesh(programs, mesh)
+        return self._run_peer(programs, mesh, goal)
+
+    def _run_gpremesh(self, programs, mesh):
+        result = programs.work / "result.ply"
+        report_file = programs.work / "report.json"
+        outside = measured([
+            programs.path("gpremesh"), "remesh", mesh, result, "--percent", str(PERCENT),
+            "--preset", self.preset, "--threads", str(self.threads), "--quiet",
+            "--report", report_file])
+        report = json.loads(report_file.read_text())
+        seconds = report["seconds"]
+        stages = {key: value for key, value in seconds.items() if key not in NO_STAGES}
+        return _record(seconds["remesh"], outside, report["result"], result, stages)
+
+    def _run_peer(self, programs, mesh, goal):
+        result = programs.work / "result.ply"
+        output = programs.work / "peer.json"
+        with output.open("w") as told:
+            outside = measured([
+                programs.path("gpr_bench_peer"), self.key, mesh, result, str(goal)], told)
+        figures = json.loads(output.read_text())
+        return _record(figures["seconds"], outside, figures, result, {})
+
+
+def _record(seconds, outside, counts, result, stages):
+    digest = hashlib.sha256(result.read_bytes()).hexdigest()
+    result.unlink()
+    return {
+        "seconds": seconds,
+        "wall": outside.wall,
+        "processor": outside.processor,
+        "peak": outside.peak,
+        "vertices": counts["vertices"],
+        "faces": counts["faces"],
+        "stages": stages,
+        "digest": digest,
+    }
+
+
+def all_methods():
+    """The default first: its number of faces is the goal of the other simplifiers."""
+    return [
+        Method("default-2", "gpremesh, default", 2, 80, "default"),
+        Method("default-1", "gpremesh, default", 1, 80, "default"),
+        Method("fast-2", "gpremesh, fast", 2, 80, "fast"),
+        Method("fast-1", "gpremesh, fast", 1, 80, "fast"),
+        Method("meshoptimizer", "meshoptimizer", 1, 150, most_faces=40e6),
+        Method("quadric", "Quadric Edge Collapse", 1, 400, most_faces=10e6),
+    ]

@@ -1,0 +1,63 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables, pages and the records that they are made from."""
+
+import json
+from pathlib import Path
+
+from .commands import say
+
+DOCS = Path("vcg_extras/docs")
+README = Path("README.md")
+BEGIN_IN_README = "<!-- measured: begin (made by scripts/measure/run quality) -->\n"
+END_IN_README = "<!-- measured: end -->\n"
+
+
+def add_out_option(parser):
+    parser.add_argument("--out", type=Path, metavar="FOLDER",
+                        help=f"where the page is written ({DOCS}); README.md is then left alone")
+
+
+def table(titles, rows, left_columns=1):
+    sides = ["---"] * left_columns + ["---:"] * (len(titles) - left_columns)
+    lines = [titles, sides, *rows]
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines) + "\n"
+
+
+def page(maker, title, *parts):
+    """A page whose parts are divided by empty lines."""
+    head = f"<!-- Made by {maker}; do not edit. -->\n# {title}\n"
+    return "\n".join(part.rstrip("\n") + "\n" for part in (head, *parts))
+
+
+def write_page(folder, name, text):
+    """Into the folder of the documents where none is given."""
+    file = (folder or DOCS) / name
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text)
+    say(f"written to {file}")
+
+
+def between_marks(text, inner, begin=BEGIN_IN_README, end=END_IN_README):
+    """The text with what stands between its marks replaced."""
+    if begin not in text or end not in text:
+        raise RuntimeError(f"there are no marks {begin.strip()} and {end.strip()}")
+    before, rest = text.split(begin, 1)
+    return before + begin + inner + end + rest.split(end, 1)[1]
+
+
+def write_into_readme(folder, inner):
+    """Into a copy where the pages go to a folder of their own."""
+    target = folder / README.name if folder else README
+    target.write_text(between_marks(README.read_text(), inner))
+    say(f"written to {target}")
+
+
+def keep_record(path, figures):
+    path.write_text(json.dumps(figures, indent=1))
+
+
+def kept_record(path):
+    if not path.exists():
+        raise RuntimeError(f"there is no earlier run: {path}")
+    return json.loads(path.read_text())

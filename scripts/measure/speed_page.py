@@ -1,0 +1,222 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page of scripts/bench: all figures, and how to read them."""
+
+from . import circumstances
+from .pages import page, table
+from .statistics_of_runs import (Spread, growth_of, memory_of, overhead_of, parallel_share, ratio_of,
+                                spread_of)
+
+OURS = ("fast-2", "fast-1", "default-2", "default-1")
+
+
+def speed_page(data, methods, picture_name):
+    methods = {method.key: method for method in methods}
+    parts = [
+        _how_to_read() + _left_out(methods),
+        "## Ratios\n\n" + _ratios(data["meshes"], methods),
+        "## Whole runs\n\n" + _whole_runs(data["meshes"], methods),
+        "## Growth\n\n" + _growth(data["meshes"], methods, picture_name),
+        "## Stages of the whole runs\n\n" + _stages(data["meshes"], methods),
+    ]
+    if any("memory" in mesh for mesh in data["meshes"]):
+        parts.append("## Memory by stages\n\n" + _memory(data["meshes"]))
+    if data.get("stages"):
+        parts.append("## Stages by themselves\n\n" + _single_stages(data["stages"]))
+    return page("scripts/bench", "Speed", *parts, _circumstances(data))
+
+
+def _how_to_read():
+    return """\
+10 % of the vertices, seed 1. All methods are run on a mesh one after the other, then again in the opposite order, and so on
+(rounds); figures are medians, smallest and largest in brackets. What is on the machine beside them disturbs all alike, so
+ratios are taken within a round: they say more than seconds, which belong to this machine.
+
+- **seconds**: the algorithm, from the mesh in memory to the result in memory. gpremesh: `seconds.remesh` of its report, with
+  cleaning, ordering and audit. Quadric Edge Collapse: vcglib's, with the parameters that MeshLab's dialog proposes, without
+  assertions, from vcglib's mesh to vcglib's mesh. meshoptimizer: `meshopt_simplify` alone, at any error. Both work on one
+  thread, and get as many faces for their goal as gpremesh's default has; where they stop before it, the column "faces" says so.
+- **whole program**: wall time from outside, from the start of the process to its end: reading a binary PLY, the algorithm,
+  writing one. The other simplifiers are given gpremesh's reader and writer. **over seconds** is its ratio to the seconds.
+- **processor**: time of all threads, user and system, of the whole program. Near twice the wall time where two threads are
+  always busy.
+- **peak**: the largest resident memory of the program as the system tells it (`ru_maxrss`), pages of the mapped input file
+  included, which the system may take back at any time; **B/face** is that over the faces of the input. Of the other simplifiers
+  it includes the arrays that their own meshes were made from.
+- Before each run as much memory as it will need is taken, written to and given back: the hosts of virtual machines take away
+  what lies unused for some seconds, and to get it back takes longer than many a stage.
+- A ratio of 3 means: the other simplifier takes three times as long. Triangles are not alike: what each method makes of a mesh
+  is in [measurements.md](measurements.md) and [measurements_paper.md](measurements_paper.md).
+"""
+
+
+def _left_out(methods):
+    limits = [f"{m.label} above {m.most_faces / 1e6:.0f} million faces" for m in methods.values()
+              if m.most_faces != float("inf")]
+    return f"- Left out, for the time it takes: {', '.join(limits)}.\n"
+
+
+# ---- tables
+
+
+def _text(spread, number_format="{:.3f}"):
+    return spread.text(number_format) if spread else "–"
+
+
+def _title(mesh):
+    return f"{mesh['name']}, {mesh['faces']:,} faces"
+
+
+def _name(method):
+    if not method.preset:
+        return method.label
+    return f"{method.label}, {method.threads} thread{'s' if method.threads > 1 else ''}"
+
+
+def _ratios(meshes, methods):
+    rows = []
+    for mesh in meshes:
+        for key in OURS:
+            rows.append([
+                _title(mesh), _name(methods[key]), _text(ratio_of(mesh, "meshoptimizer", key), "{:.2f}"),
+                _text(ratio_of(mesh, "quadric", key), "{:.1f}"),
+                _text(overhead_of(mesh, key), "{:.2f}")])
+    titles = ["model", "method", "× meshoptimizer", "× Quadric Edge Collapse", "whole program over seconds"]
+    return table(titles, rows, 2)
+
+
+def _whole_runs(meshes, methods):
+    rows = []
+    for mesh in meshes:
+        rows += [_whole_row(mesh, method) for method in methods.values() if mesh["runs"].get(method.key)]
+    titles = ["model", "method", "vertices", "faces", "seconds", "M faces/s", "whole program", "processor",
+              "peak, MB", "B/face"]
+    return table(titles, rows, 2)
+
+
+def _whole_row(mesh, method):
+    last = mesh["runs"][method.key][-1]
+    seconds = spread_of(mesh, method.key, "seconds")
+    peak = spread_of(mesh, method.key, "peak").median
+    return [
+        _title(mesh), _name(method), str(last["vertices"]), str(last["faces"]), _text(seconds),
+        f"{mesh['faces'] / seconds.median / 1e6:.2f}", _text(spread_of(mesh, method.key, "wall")),
+        f"{spread_of(mesh, method.key, 'processor').median:.2f}", f"{peak / 1e6:.0f}",
+        f"{peak / mesh['faces']:.0f}"]
+
+
+# ---- growth
+
+
+def _growth(meshes, methods, picture_name):
+    grown = [mesh for mesh in meshes if mesh["grown"]]
+    text = f"![Seconds and memory over the number of faces]({picture_name})\n\n" if picture_name else ""
+    text += """\
+Fitted over the sizes of the first model. **seconds ~ faces^b**: 1 is linear. **from size to size**: seconds over those of the
+size before, and faces over faces. **peak = offset + B/face · faces**, by least squares with equal weight for each size.
+
+"""
+    rows = [row for row in (_growth_row(grown, method) for method in methods.values()) if row]
+    text += table(["method", "b", "from size to size", "B/face", "offset, MB"], rows)
+    return text + "\nWith a second thread; the share of the work that it halves is Amdahl's:\n\n" + _threads(meshes)
+
+
+def _growth_row(grown, method):
+    fitted = growth_of(grown, method.key, "seconds")
+    memory = memory_of(grown, method.key)
+    if fitted is None or memory is None:
+        return None
+    return [_name(method), f"{fitted[1]:.3f}", _steps(grown, method.key), f"{memory[1]:.1f}",
+            f"{memory[0] / 1e6:.0f}"]
+
+
+def _steps(grown, key):
+    measured = [mesh for mesh in grown if mesh["runs"].get(key)]
+    steps = []
+    for before, after in zip(measured, measured[1:]):
+        times = spread_of(after, key, "seconds").median / spread_of(before, key, "seconds").median
+        steps.append(f"{times:.2f} for {after['faces'] / before['faces']:.2f}")
+    return "; ".join(steps)
+
+
+def _threads(meshes):
+    rows = []
+    for mesh in meshes:
+        for preset in ("fast", "default"):
+            one = spread_of(mesh, f"{preset}-1", "seconds").median
+            two = spread_of(mesh, f"{preset}-2", "seconds").median
+            rows.append([_title(mesh), preset, f"{one:.3f}", f"{two:.3f}", f"{one / two:.2f}",
+                         f"{100 * parallel_share(one, two):.0f} %", _same_bytes(mesh, preset)])
+    titles = ["model", "preset", "1 thread, s", "2 threads, s", "times faster", "parallel", "same bytes"]
+    return table(titles, rows, 2)
+
+
+def _same_bytes(mesh, preset):
+    runs = mesh["runs"][f"{preset}-1"] + mesh["runs"][f"{preset}-2"]
+    return "yes" if len({run["digest"] for run in runs}) == 1 else "NO"
+
+
+# ---- stages
+
+
+def _stages(meshes, methods):
+    text = "Seconds by the reports' stages; stages below a hundredth of the run are left out.\n"
+    titles = ["stage"] + [_name(methods[key]).removeprefix("gpremesh, ") for key in OURS]
+    for mesh in meshes:
+        text += f"\n{_title(mesh)}:\n\n" + table(titles, _stage_rows(mesh))
+    return text
+
+
+def _stage_rows(mesh):
+    names = list(mesh["runs"]["default-1"][0]["stages"])
+    wholes = {key: spread_of(mesh, key, "seconds").median for key in OURS}
+    rows = []
+    for name in names:
+        times = {key: _stage_seconds(mesh, key, name) for key in OURS}
+        if any(times[key] > 0.01 * wholes[key] for key in OURS):
+            rows.append([name] + [f"{times[key]:.3f}" for key in OURS])
+    return rows + [["all"] + [f"{wholes[key]:.3f}" for key in OURS]]
+
+
+def _stage_seconds(mesh, key, name):
+    return Spread(run["stages"].get(name, 0) for run in mesh["runs"][key]).median
+
+
+def _memory(meshes):
+    text = """\
+The most that was resident during each stage, in bytes a face of the input; one run each on all cores, seen every few
+milliseconds, so that short stages are missing. "read" counts the pages of the mapped file too.
+"""
+    for mesh in meshes:
+        if "memory" not in mesh:
+            continue
+        held = [mesh["memory"][preset] for preset in ("fast", "default")]
+        rows = [[name] + [_bytes(h.get(name), mesh) for h in held]
+                for name in held[1]]
+        text += f"\n{_title(mesh)}:\n\n" + table(["stage", "fast", "default"], rows)
+    return text
+
+
+def _bytes(held, mesh):
+    """A preset need not have all stages, nor need all of them have been seen."""
+    return f"{held / mesh['faces']:.0f}" if held else "–"
+
+
+def _single_stages(stages):
+    text = f"""\
+By [gpremesh_bench](../bench/README.md) on {stages['mesh']}; milliseconds, on 1 and 2 threads. Even triangles, and those of
+`--adapt 1`. Stages whose name begins with "paper" are those of the preset paper, "whole" runs from memory to memory.
+
+"""
+    columns = ["uniform-1", "uniform-2", "graded-1", "graded-2"]
+    rows = [[name] + [f"{times[c]:.2f}" if c in times else "–" for c in columns]
+            for name, times in stages["rows"].items()]
+    return text + table(["stage", "even, 1", "even, 2", "graded, 1", "graded, 2"], rows)
+
+
+def _circumstances(data):
+    facts = data["circumstances"]
+    return f"""\
+{circumstances.sentence_on_machine(facts)}, {facts['memory']}; {circumstances.sentence_on_build(facts)}; vcglib of MeshLab 2020.09;
+meshoptimizer {facts['meshoptimizer']}; commit {facts['commit']}; {facts['date']}. Made by `{data['command']}`.
+""" + circumstances.sentence_on_load(facts)

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Times of stages, and the progress that is told meanwhile.
+
+#include <vcg_extras/core/base/stage_clock.h>
+
+#include <chrono>
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace gpr::test {
+
+namespace {
+
+/// A clock whose last progress can be asked for.
+class StageClocks : public ::testing::Test {
+protected:
+	double       told_ = -1;
+	RemeshReport report_;
+	Workers      workers_{1, [this](double share, const char*) {
+                         told_ = share;
+                         return true;
+                     }};
+
+	/// Progress is told some times a second only.
+	double shareNow()
+	{
+		std::this_thread::sleep_for(std::chrono::milliseconds(60));
+		workers_.poll();
+		return told_;
+	}
+};
+
+TEST_F(StageClocks, AddUpTheTimesOfAStage)
+{
+	{
+		StageClock clock(workers_, report_, Pipeline::Remeshing);
+		for (Stage stage : {Stage::Order, Stage::Connect, Stage::Order, Stage::Connect}) {
+			clock.enter(stage);
+			std::this_thread::sleep_for(std::chrono::milliseconds(5));
+		}
+	}
+	ASSERT_EQ(report_.stages.size(), 2u);
+	EXPECT_EQ(report_.stages[0].stage, "order");
+	EXPECT_EQ(report_.stages[1].stage, "connect");
+	for (const StageTime& time : report_.stages)
+		EXPECT_GE(time.seconds, 0.01);
+}
+
+TEST_F(StageClocks, TellTheShareOfTheStageBefore)
+{
+	StageClock clock(workers_, report_, Pipeline::Remeshing);
+	clock.enter(Stage::Sampling);
+	EXPECT_EQ(shareNow(), 0);
+	clock.enter(Stage::Retriangulation);
+	EXPECT_DOUBLE_EQ(shareNow(), shareAtEnd(Stage::Sampling, Pipeline::Remeshing));
+}
+
+TEST_F(StageClocks, WaitWhereStagesAreGoneThroughAgain)
+{
+	StageClock clock(workers_, report_, Pipeline::Remeshing);
+	clock.enter(Stage::Relaxation);
+	const double done = shareAtEnd(Stage::Relaxation, Pipeline::Remeshing);
+	clock.enter(Stage::Load);
+	EXPECT_DOUBLE_EQ(shareNow(), done);
+	clock.enter(Stage::Sampling);
+	EXPECT_DOUBLE_EQ(shareNow(), done);
+}
+
+TEST_F(StageClocks, GiveAnotherPipelineTheFirstPart)
+{
+	StageClock clock(workers_, report_, Pipeline::Remeshing, {0.2, 0.6});
+	clock.beginFirstPart(Pipeline::Detection, 0.5);
+	clock.enter(Stage::Detection);
+	EXPECT_DOUBLE_EQ(shareNow(), 0.2);
+	clock.enter(Stage::Export);
+	EXPECT_DOUBLE_EQ(shareNow(), 0.2 + 0.2 * shareAtEnd(Stage::Detection, Pipeline::Detection));
+	clock.endFirstPart();
+	clock.enter(Stage::Load);
+	EXPECT_DOUBLE_EQ(shareNow(), 0.4) << "the rest begins";
+	clock.enter(Stage::Export);
+	EXPECT_DOUBLE_EQ(shareNow(), 0.4 + 0.2 * shareAtEnd(Stage::Load, Pipeline::Remeshing));
+}
+
+} // namespace
+
+} // namespace gpr::test

@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export.h"
+
+#include "audit.h"
+#include "face_anchor.h"
+
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/carry_over.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/surface/barycentric_point.h>
+
+namespace gpr {
+
+namespace {
+
+/// How far rounding may have taken a kept vertex of the caller's, in working units. Others lie
+/// farther from any: they come from splitting long edges between kept vertices.
+constexpr double farthestFromItself = 1e-5;
+
+void exportMesh(RunContext& run, const Surface& surface, const HalfEdgeMesh& m, TriangleMesh& out)
+{
+	out.positions.resize(m.vertexNum);
+	out.triangles.assign(m.origin.data(), m.origin.data() + m.halfEdgeNum());
+	run.workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			out.positions[v] = surface.frame.toCaller(m.position[v]);
+	});
+}
+
+void exportAnchors(RunContext& run, const Surface& surface, const ResultMesh& result,
+				   std::vector<SurfacePoint>& anchors)
+{
+	anchors.resize(result.vertex.size());
+	run.workers.forRange(result.vertex.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			anchors[v] = surfacePoint(run.input, surface, result.vertex[v].anchor);
+	});
+}
+
+/// Vertices that stayed get the caller's own bits back. unit: the caller's length of a working
+/// one.
+void exportKept(const MeshView& input, const ResultMesh& result, double unit, RemeshResult& out)
+{
+	out.callersVertex.assign(result.vertex.size(), -1);
+	for (std::size_t v = 0; v < result.vertex.size(); ++v) {
+		if (!result.vertex[v].isPinned) continue;
+		SurfacePoint&      at     = out.anchors[v];
+		const int          corner = nearestCorner(at);
+		const std::size_t  i      = 3 * std::size_t(at.face) + std::size_t(corner);
+		const std::int32_t c      = input.vertexOf(i);
+		const Vec3d        place  = input.position(std::size_t(c));
+		if (length(place - out.mesh.positions[v]) > unit * farthestFromItself) continue;
+		for (int k = 0; k < 3; ++k)
+			at.weight[k] = k == corner;
+		out.callersVertex[v]  = c;
+		out.mesh.positions[v] = place;
+	}
+}
+
+void exportFaceAnchors(RunContext& run, const Surface& surface, const ResultMesh& result,
+					   std::vector<SurfacePoint>& anchors)
+{
+	anchors.resize(result.mesh.faceNum);
+	run.workers.forRange(result.mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const Anchor middle = anchorOfFace(surface, result, int(f));
+			anchors[f]          = surfacePoint(run.input, surface, middle);
+		}
+	});
+}
+
+void requireAreas(RunContext& run, const TriangleMesh& mesh)
+{
+	AuditFigures& audit = run.report.audit;
+	audit.zeroAreaFaces = zeroAreaFaceNum(mesh, run.workers);
+	audit.passed        = audit.zeroAreaFaces == 0;
+	if (!audit.passed) throw Failure(Status::PromiseBroken, describeFailure(audit));
+}
+
+} // namespace
+
+void exportResult(RunContext& run, const Surface& surface, const ResultMesh& result,
+				  RemeshResult& out)
+{
+	run.clock.enter(Stage::Export);
+	const bool hasKept = run.report.keptVertexNum > 0;
+	exportMesh(run, surface, result.mesh, out.mesh);
+	if (run.options.anchorsOfVertices || hasKept) exportAnchors(run, surface, result, out.anchors);
+	if (hasKept) exportKept(run.input, result, 1 / surface.frame.scale, out);
+	if (run.options.anchorsOfFaces) exportFaceAnchors(run, surface, result, out.faceAnchors);
+	requireAreas(run, out.mesh);
+	run.report.quality = measureQuality(out.mesh.view(), run.workers);
+}
+
+} // namespace gpr

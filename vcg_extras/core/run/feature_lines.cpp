@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "feature_lines.h"
+
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/features/crease_lines.h>
+#include <vcg_extras/core/features/given_lines.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// Connected feature lines shorter than this in all are dropped; in ideal edges.
+constexpr float leastLineLength = 3;
+/// But for the rims of holes, and other clear loops, down to this.
+constexpr float leastLoopLength = 1.5f;
+/// Of two feature lines nearer to each other than this the weaker is dropped; in ideal edges. The
+/// second where lines and borders take more than this share of the vertices.
+constexpr float  leastLineGap = 0.15f, leastCrowdedGap = 0.3f;
+constexpr double mostOnCurves = 0.5;
+/// Share of the vertices that lines given by the caller may take, with borders and feature lines.
+constexpr double mostOnGivenLines = 0.5;
+
+CreaseRules creaseRules(const RemeshOptions& options, const Prepared& p)
+{
+	CreaseRules rules;
+	rules.mode            = followsFeatureLines(options) ? options.featureMode : FeatureMode::Off;
+	rules.strongDeg       = float(options.featureAngleDeg);
+	rules.weakDeg         = 0.5f * rules.strongDeg;
+	rules.leastLength     = leastLineLength * idealEdge(p);
+	rules.leastLoop       = leastLoopLength * idealEdge(p);
+	rules.leastTwig       = idealEdge(p);
+	rules.leastGap        = leastLineGap * idealEdge(p);
+	rules.callersMeanEdge = p.callersMeanEdge;
+	return rules;
+}
+
+/// Of the wanted vertices, that borders and feature lines take.
+double shareOf(const BoundaryCurves& curves, const Prepared& p)
+{
+	return double(curves.samples.size()) / double(p.targetNum);
+}
+
+/// Marks lines and tips and samples them. Returns the share that their samples are of the vertices
+/// wanted; 0 without lines.
+double followCreases(RunContext& run, const CreaseRules& rules, Prepared& p)
+{
+	CreaseFindings found      = markCreases(rules, run.workers, p.surface);
+	run.report.featureEdgeNum = found.edgeNum;
+	run.report.featureTipNum  = std::int64_t(found.tips.size());
+	p.tips                    = std::move(found.tips);
+	if (found.edgeNum == 0) return 0;
+	p.curves       = sampleCurves(p, p.radius, run.options.boundary);
+	p.curvesRadius = p.radius;
+	return shareOf(p.curves, p);
+}
+
+double followCreasesAgain(RunContext& run, const CreaseRules& rules, Prepared& p)
+{
+	forgetFeatureLines(run, p);
+	return followCreases(run, rules, p);
+}
+
+void followAsManyCreasesAsFit(RunContext& run, Prepared& p)
+{
+	CreaseRules rules = creaseRules(run.options, p);
+	double      share = followCreases(run, rules, p);
+	if (share > mostOnCurves) {
+		rules.leastGap = leastCrowdedGap * idealEdge(p);
+		share          = followCreasesAgain(run, rules, p);
+	}
+	while (share > 1) {
+		rules.leastLength *= 2;
+		rules.leastLoop *= 2;
+		share = followCreasesAgain(run, rules, p);
+	}
+}
+
+void followGivenLines(RunContext& run, Prepared& p)
+{
+	const bool areAllGiven = run.options.featureMode == FeatureMode::Given;
+	if (areAllGiven && run.input.line == nullptr) {
+		throw Failure(Status::BadOptions,
+					  "The feature lines shall be the selected edges, but no edge is selected.");
+	}
+	if (run.input.line == nullptr || !followsFeatureLines(run.options)) return;
+	const HalfEdgeMesh& m = p.surface.mesh;
+	Buffer<char>        before(m.crease.size());
+	std::copy(m.crease.begin(), m.crease.end(), before.begin());
+	const std::int64_t added = markGivenLines(run.input, run.workers, p.surface);
+	if (added == 0) return;
+	if (shareOf(sampleCurves(p, p.radius, run.options.boundary), p) <= mostOnGivenLines) {
+		run.report.featureEdgeNum += added;
+		p.curvesRadius = 0;
+		return;
+	}
+	p.surface.mesh.crease.swap(before);
+	run.notes.push_back("There are more given lines, like the seams of a texture, than so few "
+						"vertices can follow; triangles lie across them.");
+}
+
+/// Whether anything of the result will be named by the caller's faces.
+bool namesSources(const RemeshOptions& options, const Prepared& p)
+{
+	return options.anchorsOfVertices || options.anchorsOfFaces || !p.kept.empty();
+}
+
+} // namespace
+
+bool followsFeatureLines(const RemeshOptions& options)
+{
+	return options.retriangulation == Retriangulation::LabelCollapse;
+}
+
+void findFeatureLines(RunContext& run, Prepared& p)
+{
+	run.clock.enter(Stage::FeatureLines);
+	followAsManyCreasesAsFit(run, p);
+	followGivenLines(run, p);
+	if (!namesSources(run.options, p)) p.surface.sourceFace.release();
+}
+
+void forgetFeatureLines(RunContext& run, Prepared& p)
+{
+	p.surface.mesh.crease.release();
+	p.tips.clear();
+	p.curvesRadius            = 0;
+	run.report.featureEdgeNum = run.report.featureTipNum = 0;
+}
+
+BoundaryCurves sampleCurves(const Prepared& p, float radius, BoundaryMode border)
+{
+	return sampleBoundary(p.surface, radius, borderSpacing * radius, p.tips, p.kept, border);
+}
+
+} // namespace gpr
