@@ -99,6 +99,24 @@ TriangleMesh grid(int nx, int ny, double width, double height)
 	return mesh;
 }
 
+TriangleMesh lattice(int nx, int ny)
+{
+	TriangleMesh mesh;
+	const auto   index = [&](int i, int j) { return j * (nx + 1) + i; };
+	for (int j = 0; j <= ny; ++j) {
+		for (int i = 0; i <= nx; ++i)
+			mesh.positions.push_back({i + 0.5 * j, std::sqrt(0.75) * j, 0});
+	}
+	for (int j = 0; j < ny; ++j) {
+		for (int i = 0; i < nx; ++i) {
+			const int a = index(i, j), b = index(i + 1, j);
+			const int c = index(i, j + 1), d = index(i + 1, j + 1);
+			mesh.triangles.insert(mesh.triangles.end(), {a, b, c, b, d, c});
+		}
+	}
+	return mesh;
+}
+
 TriangleMesh jitteredGrid(int n, double jitter, Random& random)
 {
 	TriangleMesh mesh = grid(n, n);

@@ -15,6 +15,8 @@ namespace gpr::test {
 
 /// nx × ny squares, each of two triangles, over [0, width] × [0, height] in the plane z = 0.
 TriangleMesh grid(int nx, int ny, double width = 1, double height = 1);
+/// Equilateral triangles of side 1, nx by ny pairs of them, in a parallelogram.
+TriangleMesh lattice(int nx, int ny);
 /// A square grid of side 1 whose inner points are moved by up to `jitter` of a cell.
 TriangleMesh jitteredGrid(int n, double jitter, Random& random);
 /// A square grid of side 1, folded along x = 0.5 by an angle (0 = flat).

@@ -13,12 +13,13 @@
 #include <vcg_extras/core/base/symmetric_matrix.h>
 #include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/optimization/curve_slide.h>
+#include <vcg_extras/core/optimization/constraint.h>
 #include <vcg_extras/core/optimization/face_goals.h>
 #include <vcg_extras/core/optimization/fit.h>
 #include <vcg_extras/core/optimization/worst_distances.h>
 #include <vcg_extras/core/surface/cells.h>
 #include <vcg_extras/core/surface/face_tree.h>
+#include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/sampled_distance.h>
 
 #include <algorithm>
@@ -345,6 +346,27 @@ TEST(Fit, LowersNoAngleBelowTheBound)
 	}
 }
 
+/// Where the surface is rougher than the triangles, they would come to look away from it.
+TEST(Fit, LetsNoFaceLookAwayFromTheSurface)
+{
+	int away = 0;
+	for (std::uint32_t seed : testSeeds(4)) {
+		Random              random(seed);
+		const TriangleMesh  fine = noisySphere(6, 0.03, random);
+		Laid                laid(fine, noisySphere(4, 0.03, random));
+		const Buffer<Vec3f> before = smoothNormals(laid.surface, laid.result, laid.workers);
+		std::vector<float>  then;
+		for (int f = 0; f < laid.result.mesh.faceNum; ++f)
+			then.push_back(faceAgreement(laid.result.mesh, before, f));
+		laid.fit(0, 1);
+		for (int f = 0; f < laid.result.mesh.faceNum; ++f) {
+			const float now = faceAgreement(laid.result.mesh, before, f);
+			away += now < 0.3f && now < then[f] - 1e-3f;
+		}
+	}
+	EXPECT_EQ(away, 0);
+}
+
 TEST(Fit, KeepsVerticesOfBordersCreasesAndTips)
 {
 	const Laid start(squareFrame(60, 20), squareFrame(15, 5));
@@ -507,7 +529,12 @@ bool raiseAngles(OnMesh& on, float angleDeg)
 	Assignment   assignment(on.surface, map, on.result.mesh.faceNum);
 	std::int64_t work = 100000000;
 	LocalSearch  search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
-	return search.run(smallAngles(search, on.workers, angleDeg * radians, 2, keepingCount));
+	bool         isDone = true;
+	for (int power : {2, 4, 2})
+		isDone =
+			search.run(smallAngles(search, on.workers, angleDeg * radians, power, keepingCount)) &&
+			isDone;
+	return isDone;
 }
 
 } // namespace

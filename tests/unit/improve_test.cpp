@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The stages that improve a result: flips, count, relaxation, inverted faces. Each starts from
-// a result whose vertices are those of the surface itself.
+// The stages that change edges of a result: flips, count, inverted faces, small angles. Each starts
+// from a result whose vertices are those of the surface itself.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -15,8 +15,6 @@
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/exact_count.h>
 #include <vcg_extras/core/optimization/face_repair.h>
-#include <vcg_extras/core/optimization/relaxation.h>
-#include <vcg_extras/core/optimization/umbrella_smoothing.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
@@ -147,186 +145,21 @@ TEST(FlipToDelaunay, StopsAfterSoManyPasses)
 	few.expectSound();
 }
 
-// ---- second-order umbrella
-
-/// A square of side 1 cut into 20 × 20, all diagonals the same way: every inner vertex has six
-/// neighbours.
-TriangleMesh latticeOfSixes()
+TEST(RaiseAnglesOnSurface, RaisesThemAndStaysThere)
 {
-	constexpr int n = 20;
-	TriangleMesh  mesh;
-	for (int y = 0; y <= n; ++y) {
-		for (int x = 0; x <= n; ++x)
-			mesh.positions.push_back({double(x) / n, double(y) / n, 0});
-	}
-	for (int y = 0; y < n; ++y) {
-		for (int x = 0; x < n; ++x) {
-			const int a = y * (n + 1) + x, b = a + 1, c = a + n + 1, d = c + 1;
-			mesh.triangles.insert(mesh.triangles.end(), {a, b, d, a, d, c});
-		}
-	}
-	return mesh;
-}
-
-/// Inner vertices at least so many rings from the border of a grid of side 1.
-bool isDeep(const Vec3f& p, float margin)
-{
-	return p.x > margin && p.y > margin && p.x < 1 - margin && p.y < 1 - margin;
-}
-
-/// The operator is of fourth order: it vanishes for cubic polynomials on a regular lattice.
-TEST(SecondOrderUmbrella, VanishesOnRegularLattices)
-{
-	TriangleMesh sheet = latticeOfSixes();
-	for (Vec3d& p : sheet.positions)
-		p.z = p.x * p.x * p.x + p.x * p.y - 0.5 * p.y * p.y;
-	Workers             workers(1, nullptr);
-	const HalfEdgeMesh  m    = halfEdgesOf(sheet);
-	const Buffer<Vec3f> step = secondOrderUmbrella(m, workers);
-	int                 deep = 0;
-	for (int v = 0; v < m.vertexNum; ++v) {
-		if (!isDeep(m.position[v], 0.12f)) continue;
-		++deep;
-		EXPECT_LT(length(step[v]), 1e-5f);
-	}
-	EXPECT_GT(deep, 100);
-}
-
-/// One vertex of a lattice of sixes displaced by d: U(v) = -d and U of each of its six neighbours
-/// is d/6, of which U²(v) = d/6 + d, and ν = 7/6; so that the step takes v back to its place at
-/// once.
-TEST(SecondOrderUmbrella, TakesADisplacedVertexBackAtOnce)
-{
-	TriangleMesh sheet = latticeOfSixes();
-	const Vec3d  by(0.012, -0.02, 0.007);
-	int          displaced = 0;
-	for (std::size_t v = 0; v < sheet.vertexNum(); ++v) {
-		if (length(sheet.positions[v] - Vec3d(0.5, 0.5, 0)) < 1e-9) displaced = int(v);
-	}
-	sheet.positions[displaced] += by;
-	Workers             workers(1, nullptr);
-	const Buffer<Vec3f> step = secondOrderUmbrella(halfEdgesOf(sheet), workers);
-	EXPECT_LT(length(Vec3d(step[displaced]) - by), 1e-6);
-}
-
-class Umbrella : public ::testing::TestWithParam<std::uint32_t> {};
-
-TEST_P(Umbrella, MakesTrianglesMoreRegularOnTheSurface)
-{
-	Random random(GetParam());
-	for (const TriangleMesh& mesh : {jitteredGrid(30, 0.35, random), torus(50, 20)}) {
-		OnSurface          on(mesh);
-		const double       shape  = on.meanShape();
-		const HalfEdgeMesh before = copyOf(on.m());
-		for (int step = 0; step < 3; ++step)
-			smoothByUmbrella2(on.surface, on.result, on.workers);
-		if (!on.boundary.curves.empty()) {
-			EXPECT_GT(on.meanShape(), shape + 0.01);
-		}
-		on.expectOnSurface();
-		for (int f = 0; f < before.faceNum; ++f)
-			ASSERT_GT(dot(before.faceNormal(f), on.m().faceNormal(f)), 0.0f) << "face " << f;
-		for (int v = 0; v < before.vertexNum; ++v) {
-			if (before.isBorderVertex(v)) {
-				EXPECT_TRUE(before.position[v] == on.m().position[v]);
-			}
-		}
-	}
-}
-
-TEST_P(Umbrella, DoesNotDependOnThreads)
-{
-	Random random(GetParam());
-	expectSameForAnyThreads(jitteredGrid(70, 0.35, random), [](OnSurface& on, Workers& workers) {
-		for (int step = 0; step < 3; ++step)
-			smoothByUmbrella2(on.surface, on.result, workers);
-	});
-}
-
-INSTANTIATE_TEST_SUITE_P(Seeds, Umbrella, ::testing::ValuesIn(testSeeds(3)));
-
-TEST(UmbrellaKeeps, VerticesOnCreasesInPlace)
-{
-	OnSurface          on(cube(8));
-	const HalfEdgeMesh before = copyOf(on.m());
-	const Buffer<char> flat   = findFlatVertices(on.result, on.workers);
-	smoothByUmbrella2(on.surface, on.result, on.workers);
-	for (int v = 0; v < before.vertexNum; ++v) {
-		if (flat[v] == 0) {
-			EXPECT_TRUE(before.position[v] == on.m().position[v]);
-		}
-	}
-}
-
-// ---- relaxation
-
-class RelaxOnce : public ::testing::TestWithParam<std::uint32_t> {};
-
-TEST_P(RelaxOnce, MakesTrianglesMoreRegularAndTurnsNone)
-{
-	Random random(GetParam());
+	Random random(5);
 	for (const TriangleMesh& mesh :
-		 {jitteredGrid(30, 0.35, random), uvSphere(20, 40), torus(50, 20)}) {
-		OnSurface          on(mesh);
-		const double       shape  = on.meanShape();
-		const HalfEdgeMesh before = copyOf(on.m());
-		relaxOnce(on.surface, on.result, on.workers);
-		if (!on.boundary.curves.empty()) {
-			EXPECT_GT(on.meanShape(), shape + 0.01);
+		 {jitteredGrid(30, 0.45, random), noisySphere(3, 0.02, random)}) {
+		OnSurface    on(mesh);
+		const double before  = on.leastAngleDeg();
+		const double below30 = measureQuality(meshOf(on.m()).view()).below30Percent;
+		raiseAnglesOnSurface(on.surface, on.boundary, 32, on.result, on.workers);
+		EXPECT_GE(on.leastAngleDeg(), before);
+		if (below30 > 0) {
+			EXPECT_LT(measureQuality(meshOf(on.m()).view()).below30Percent, 0.5 * below30);
 		}
+		on.expectSound();
 		on.expectOnSurface();
-		int moved = 0;
-		for (int f = 0; f < before.faceNum; ++f)
-			ASSERT_GT(dot(before.faceNormal(f), on.m().faceNormal(f)), 0.0f) << "face " << f;
-		for (int v = 0; v < before.vertexNum; ++v) {
-			const bool stays = before.position[v] == on.m().position[v];
-			moved += !stays;
-			if (before.isBorderVertex(v)) {
-				EXPECT_TRUE(stays);
-			}
-		}
-		EXPECT_GT(moved, before.vertexNum / 2);
-	}
-}
-
-/// Among long, crossing-prone triangles the barycentre of a ring may lie outside of what its vertex
-/// can see: such moves have to be taken back.
-TEST_P(RelaxOnce, TurnsNoFaceAmongPoorTrianglesEither)
-{
-	Random    random(GetParam());
-	OnSurface on(jitteredGrid(30, 0.45, random));
-	scramble(on.m(), random);
-	const HalfEdgeMesh before = copyOf(on.m());
-	relaxOnce(on.surface, on.result, on.workers);
-	for (int f = 0; f < before.faceNum; ++f)
-		ASSERT_GT(dot(before.faceNormal(f), on.m().faceNormal(f)), 0.0f) << "face " << f;
-	on.expectOnSurface();
-}
-
-TEST_P(RelaxOnce, DoesNotDependOnThreads)
-{
-	Random random(GetParam());
-	expectSameForAnyThreads(jitteredGrid(70, 0.35, random), [](OnSurface& on, Workers& workers) {
-		for (int step = 0; step < 3; ++step)
-			relaxOnce(on.surface, on.result, workers);
-	});
-}
-
-INSTANTIATE_TEST_SUITE_P(Seeds, RelaxOnce, ::testing::ValuesIn(testSeeds(3)));
-
-TEST(RelaxOnceKeeps, VerticesOnCreasesInPlace)
-{
-	OnSurface          on(cube(8));
-	const Buffer<char> flat = findFlatVertices(on.result, on.workers);
-	relaxOnce(on.surface, on.result, on.workers);
-	for (int v = 0; v < on.m().vertexNum; ++v) {
-		const Vec3d p = on.surface.frame.toCaller(on.surface.mesh.position[v]);
-		const int   extreme =
-			int(p.x == 0 || p.x == 1) + int(p.y == 0 || p.y == 1) + int(p.z == 0 || p.z == 1);
-		EXPECT_EQ(flat[v] != 0, extreme == 1);
-		if (extreme > 1) {
-			EXPECT_EQ(on.m().position[v], on.surface.mesh.position[v]);
-		}
 	}
 }
 

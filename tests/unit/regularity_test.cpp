@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The stages that make a result regular: valences, glide of dislocations, conformal steps.
+// The stages that make a result regular: valences, glide of dislocations.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/valence_energy.h>
 #include <vcg_extras/core/mesh/work_cells.h>
-#include <vcg_extras/core/optimization/conformal_relaxation.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
-#include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 
 #include <algorithm>
@@ -21,25 +19,6 @@
 namespace gpr::test {
 
 namespace {
-
-/// Equilateral triangles of side 1, nx by ny pairs of them, in a parallelogram.
-TriangleMesh lattice(int nx, int ny)
-{
-	TriangleMesh mesh;
-	const auto   index = [&](int i, int j) { return j * (nx + 1) + i; };
-	for (int j = 0; j <= ny; ++j) {
-		for (int i = 0; i <= nx; ++i)
-			mesh.positions.push_back({i + 0.5 * j, std::sqrt(0.75) * j, 0});
-	}
-	for (int j = 0; j < ny; ++j) {
-		for (int i = 0; i < nx; ++i) {
-			const int a = index(i, j), b = index(i + 1, j);
-			const int c = index(i, j + 1), d = index(i + 1, j + 1);
-			mesh.triangles.insert(mesh.triangles.end(), {a, b, c, b, d, c});
-		}
-	}
-	return mesh;
-}
 
 int energyOf(const HalfEdgeMesh& m, Workers& workers)
 {
@@ -222,127 +201,6 @@ TEST(WorkCells, ShareOutEveryVertexAndNeverReachTheSame)
 	EXPECT_GT(cellNum, 20);
 	std::sort(seen.begin(), seen.end());
 	EXPECT_EQ(seen, all);
-}
-
-class Conformal : public ::testing::TestWithParam<std::uint32_t> {};
-
-void fixCornersOfUnitSquare(OnSurface& on)
-{
-	for (ResultVertex& v : on.result.vertex) {
-		const Vec3d p = on.surface.frame.toCaller(v.anchor.position);
-		v.isCorner    = (p.x == 0 || p.x == 1) && (p.y == 0 || p.y == 1);
-	}
-}
-
-/// A lattice whose points are moved by two long waves, of random phase, that fade at its border.
-TriangleMesh wavyLattice(int n, Random& random)
-{
-	TriangleMesh mesh  = lattice(n, n);
-	const double pi    = 3.14159265358979;
-	const double phase = random.between(0, 2 * pi);
-	for (int j = 0; j <= n; ++j) {
-		for (int i = 0; i <= n; ++i) {
-			Vec3d&       p    = mesh.positions[j * (n + 1) + i];
-			const double fade = std::sin(pi * i / n) * std::sin(pi * j / n);
-			p.x += 1.5 * fade * std::sin(4 * pi * i / n + phase);
-			p.y += 1.5 * fade * std::sin(4 * pi * j / n - phase);
-		}
-	}
-	return mesh;
-}
-
-/// Short waves any relaxation damps; the momentum is there for the long ones.
-TEST_P(Conformal, TenStepsDampLongWavesMoreThanTenRelaxations)
-{
-	Random       random(GetParam()), again(GetParam());
-	OnSurface    plain(wavyLattice(40, random)), on(wavyLattice(40, again));
-	const double area = factsOf(meshOf(on.m())).area, before = 1 - on.meanShape();
-	for (int step = 0; step < 10; ++step)
-		relaxOnce(plain.surface, plain.result, plain.workers);
-	relaxConformally(on.surface, on.boundary, conformalSteps(10), on.result, on.workers);
-	EXPECT_LT(1 - plain.meanShape(), 0.9 * before);
-	EXPECT_LT(1 - on.meanShape(), 0.7 * (1 - plain.meanShape()));
-	EXPECT_NEAR(factsOf(meshOf(on.m())).area / area, 1, 1e-3) << "nothing overlaps";
-	on.expectSound();
-	on.expectOnSurface();
-}
-
-TEST_P(Conformal, BorderVerticesSlideAlongTheBorderAndCornersStay)
-{
-	Random    random(GetParam());
-	OnSurface on(jitteredGrid(30, 0.3, random));
-	fixCornersOfUnitSquare(on);
-	const HalfEdgeMesh before = copyOf(on.m());
-	relaxConformally(on.surface, on.boundary, conformalSteps(6), on.result, on.workers);
-	int moved = 0;
-	for (int v = 0; v < before.vertexNum; ++v) {
-		if (!before.isBorderVertex(v)) continue;
-		const bool stays = before.position[v] == on.m().position[v];
-		moved += !stays;
-		if (on.result.vertex[v].isCorner) {
-			EXPECT_TRUE(stays);
-		}
-		const Vec3d p = on.surface.frame.toCaller(on.m().position[v]);
-		EXPECT_LT(std::min({std::abs(p.x), std::abs(p.x - 1), std::abs(p.y), std::abs(p.y - 1)}),
-				  1e-5)
-			<< "vertex " << v << " has left the border";
-	}
-	EXPECT_GT(moved, 30);
-}
-
-TEST_P(Conformal, DoesNotDependOnThreads)
-{
-	Random random(GetParam());
-	expectSameForAnyThreads(jitteredGrid(70, 0.35, random), [](OnSurface& on, Workers& workers) {
-		relaxConformally(on.surface, on.boundary, conformalSteps(7), on.result, workers);
-	});
-}
-
-TEST_P(Conformal, NoFaceTurnsAmongPoorTriangles)
-{
-	Random    random(GetParam());
-	OnSurface on(jitteredGrid(30, 0.45, random));
-	scramble(on.m(), random);
-	const HalfEdgeMesh before = copyOf(on.m());
-	relaxConformally(on.surface, on.boundary, {1, 0, 1, untilDelaunay}, on.result, on.workers);
-	for (int f = 0; f < on.m().faceNum; ++f)
-		ASSERT_GT(on.m().faceNormal(f).z * before.faceNormal(f).z, 0.0f) << "face " << f;
-	on.expectOnSurface();
-}
-
-INSTANTIATE_TEST_SUITE_P(Seeds, Conformal, ::testing::ValuesIn(testSeeds(3)));
-
-/// Length of the longest edge over that of the shortest, borders left out.
-float grading(const HalfEdgeMesh& m)
-{
-	float least = 1e30f, most = 0;
-	for (int h = 0; h < m.halfEdgeNum(); ++h) {
-		if (m.isBorderVertex(m.origin[h]) || m.isBorderVertex(m.target(h))) continue;
-		const float l = length(m.position[m.target(h)] - m.position[m.origin[h]]);
-		least         = std::min(least, l);
-		most          = std::max(most, l);
-	}
-	return most / least;
-}
-
-/// The lattice under the exponential function: triangles that grow by a fifth from row to row and
-/// are nearly equilateral. Size is none of the energy's business, so they keep theirs; barycentres
-/// would pull the vertices towards the larger triangles.
-TEST(ConformalKeeps, TheGradingOfAMesh)
-{
-	TriangleMesh mesh = lattice(20, 12);
-	for (Vec3d& p : mesh.positions) {
-		const std::complex<double> z =
-			std::exp(0.2 * std::complex<double>(p.y, p.x - 0.5 * p.y / std::sqrt(0.75)));
-		p = {z.real(), z.imag(), 0};
-	}
-	OnSurface   on(mesh);
-	const float before = grading(on.m());
-	for (ResultVertex& v : on.result.vertex)
-		v.isCorner = v.curve >= 0;
-	relaxConformally(on.surface, on.boundary, conformalSteps(10), on.result, on.workers);
-	EXPECT_GT(before, 4);
-	EXPECT_NEAR(grading(on.m()) / before, 1, 0.05f);
 }
 
 } // namespace

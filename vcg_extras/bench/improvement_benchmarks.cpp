@@ -4,7 +4,6 @@
 #include "bench_case.h"
 
 #include <vcg_extras/core/mesh/measure.h>
-#include <vcg_extras/core/optimization/conformal_relaxation.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/exact_count.h>
 #include <vcg_extras/core/optimization/relaxation.h>

@@ -9,6 +9,14 @@
 
 namespace gpr {
 
+/// The corners of a triangle.
+struct Corners {
+	Vec3f a, b, c;
+
+	/// Area times two times the unit normal.
+	Vec3f cross() const { return gpr::cross(b - a, c - a); }
+};
+
 /// Smallest angle of a triangle in radians; 0 where it has no area.
 float smallestAngle(const Vec3f& a, const Vec3f& b, const Vec3f& c);
 

@@ -44,6 +44,16 @@ public:
 			[&](std::size_t piece, int) { body(piece * grain, std::min(n, (piece + 1) * grain)); });
 	}
 
+	/// Calls visit(i) for every i in [0, n), in any order, in parallel.
+	template <class Visit>
+	void forEach(std::size_t n, const Visit& visit)
+	{
+		forRange(n, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i)
+				visit(int(i));
+		});
+	}
+
 	/// Calls body(task, worker) for every task in [0, taskNum); worker in [0, threadNum()).
 	template <class Body>
 	void forTasks(std::size_t taskNum, const Body& body)
@@ -79,7 +89,18 @@ public:
 		return all;
 	}
 
-	/// The same for much: joined by all threads, in memory that is written to once.
+	/// All i in [0, n) that pass the test, ascending.
+	template <class Test>
+	std::vector<int> collectIf(std::size_t n, const Test& test)
+	{
+		return collect<int>(n, [&](std::size_t begin, std::size_t end, auto& out) {
+			for (std::size_t i = begin; i < end; ++i) {
+				if (test(int(i))) out.push_back(int(i));
+			}
+		});
+	}
+
+	/// The same as collect for much: joined by all threads, in memory that is written to once.
 	template <class Value, class Body>
 	Buffer<Value> collectMany(std::size_t n, const Body& body)
 	{

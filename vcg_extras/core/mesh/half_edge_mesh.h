@@ -100,25 +100,34 @@ inline void forEachOutgoing(const HalfEdgeMesh& m, int v, const Visit& visit)
 }
 
 /// Calls visit(h, a, b) for every half-edge h that leaves v, as above; a and b lead from v to the
-/// other corners of h's face, target(h) and apex(h). Each place of the ring is read once only.
-template <class Visit>
-inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const Visit& visit)
+/// other corners of h's face, target(h) and apex(h), where vertex w lies at at(w). Each place of
+/// the ring is asked for once only.
+template <class At, class Visit>
+inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const At& at, const Visit& visit)
 {
 	const int first = m.outgoing[v];
 	if (first < 0) return;
-	const int* const   opposite = m.opposite.data();
-	const int* const   origin   = m.origin.data();
-	const Vec3f* const position = m.position.data();
-	const Vec3f        p        = position[v];
-	Vec3f              a        = position[m.target(first)] - p;
-	int                h        = first;
+	const int* const opposite = m.opposite.data();
+	const int* const origin   = m.origin.data();
+	const Vec3f      p        = at(v);
+	Vec3f            a        = at(m.target(first)) - p;
+	int              h        = first;
 	do {
 		const int   in = prevInFace(h);
-		const Vec3f b  = position[origin[in]] - p;
+		const Vec3f b  = at(origin[in]) - p;
 		visit(h, a, b);
 		a = b;
 		h = opposite[in];
 	} while (h >= 0 && h != first);
+}
+
+/// The same with the mesh's own places.
+template <class Visit>
+inline void forEachFaceRound(const HalfEdgeMesh& m, int v, const Visit& visit)
+{
+	const Vec3f* const position = m.position.data();
+	forEachFaceRound(
+		m, v, [position](int w) { return position[w]; }, visit);
 }
 
 /// Calls visit(w) for every neighbour w of v, the one behind the last border edge included.

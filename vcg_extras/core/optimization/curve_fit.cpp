@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curve_fit.h"
 
-#include "curve_slide.h"
-
-#include <vcg_extras/core/mesh/face_quality.h>
+#include "constraint.h"
+#include "move_guard.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,8 +27,6 @@ constexpr float farthestOff = 0.08f;
 constexpr float longestPiece = 0.1f;
 /// Shares of a move that are tried.
 constexpr float moveShares[] = {1, 0.5f, 0.25f};
-/// A face must not turn by more than 60°.
-constexpr float turnCosine = 0.5f;
 
 /// The point of a segment nearest to p, and its share of the way to b.
 struct Foot {
@@ -58,14 +55,16 @@ public:
 	CurveFitter(const Surface& surface, const BoundaryCurves& curves, float leastAngle,
 				ResultMesh& result) :
 			surface_(surface),
-			curves_(curves), leastAngle_(leastAngle), r_(result), m_(result.mesh)
+			curves_(curves), r_(result), m_(result.mesh)
 	{
+		limits_.minAngle = leastAngle;
 	}
 
 	void run()
 	{
 		for (int v = 0; v < m_.vertexNum; ++v) {
-			if (mayMove(v)) vertices_.push_back(v);
+			const bool isOnCurve = constraintOf(r_, v) == Constraint::Curve;
+			if (isOnCurve && slideRoom(r_, curves_, v).isOpen()) vertices_.push_back(v);
 		}
 		std::vector<Vec3f> start;
 		for (int v : vertices_)
@@ -81,20 +80,11 @@ public:
 private:
 	const Surface&        surface_;
 	const BoundaryCurves& curves_;
-	float                 leastAngle_;
+	MoveLimits            limits_;
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
 	std::vector<int>      vertices_;
 	Span                  span_; ///< of the vertex at hand
-
-	bool mayMove(int v) const
-	{
-		const ResultVertex& r = r_.vertex[v];
-		if (m_.outgoing[v] < 0 || r.curve < 0 || r.isCorner || r.isPinned) return false;
-		return slideRoom(r_, curves_, v).isOpen();
-	}
-
-	const Curve& curveOf(int v) const { return curves_.curves[r_.vertex[v].curve]; }
 
 	void fit(int v, const Vec3f& start)
 	{
@@ -102,31 +92,28 @@ private:
 		const Vec3f from = m_.position[v];
 		const Vec3f way  = wayToMinimum(from, start);
 		const float far  = farthest(from);
-		const float off  = std::max(farthestOff * span_.edge, std::sqrt(squaredOff(from)));
+		const float off  = std::max(farthestOff * span_.edge, offCurve(from));
 		for (float share : moveShares) {
 			const Vec3f to     = from + way * share;
-			const bool  isNear = std::sqrt(squaredOff(to)) <= off && farthest(to) <= far;
-			if (!isNear || !keepsShapes(v, from, to)) continue;
+			const bool  isNear = offCurve(to) <= off && farthest(to) <= far;
+			if (!isNear || spoilsRing(limits_, m_, v, to)) continue;
 			m_.position[v] = to;
 			return;
 		}
 	}
 
+	/// False where the curve does not bend: there is nothing to fit to.
 	bool findSpan(int v)
 	{
-		const Curve&    c    = curveOf(v);
 		const SlideRoom room = slideRoom(r_, curves_, v);
-		const float     arc  = r_.vertex[v].arc;
-		takeCurve(c, arc - room.backward, arc + room.forward);
-		span_.edge = r_.idealEdge * c.sizeAt(arc);
-		return span_.point.size() > 2 && findNeighbours(v);
-	}
-
-	/// The curve from arc a to b; a may be negative on a closed one.
-	void takeCurve(const Curve& c, float a, float b)
-	{
+		const Curve&    c    = curves_.curves[r_.vertex[v].curve];
+		const float     arc = r_.vertex[v].arc, a = arc - room.backward, b = arc + room.forward;
+		// On a closed curve the span may begin before its first point.
 		const float lap = a < 0 ? c.length : 0.0f;
+		span_.first     = m_.position[room.last];
+		span_.last      = m_.position[room.next];
 		span_.from      = a;
+		span_.edge      = r_.idealEdge * c.sizeAt(arc);
 		span_.point.assign(1, c.at(a + lap));
 		span_.arc.assign(1, 0.0f);
 		forEachPointBetween(c, a + lap, b + lap, [&](const Vec3f& p, float s) {
@@ -135,35 +122,7 @@ private:
 		});
 		span_.point.push_back(c.at(b + lap));
 		span_.arc.push_back(b - a);
-	}
-
-	/// Which of the two neighbours on the curve lies where the span begins.
-	bool findNeighbours(int v)
-	{
-		int neighbour[2] = {-1, -1}, num = 0;
-		forEachCurveNeighbour(v, [&](int w) {
-			if (num < 2) neighbour[num] = w;
-			++num;
-		});
-		if (num != 2) return false;
-		const Vec3f  a     = r_.vertex[neighbour[0]].anchor.position;
-		const Vec3f  b     = r_.vertex[neighbour[1]].anchor.position;
-		const Vec3f &front = span_.point.front(), &back = span_.point.back();
-		const bool   isTurned = squaredLength(b - front) + squaredLength(a - back) <
-							  squaredLength(a - front) + squaredLength(b - back);
-		span_.first = m_.position[neighbour[isTurned ? 1 : 0]];
-		span_.last  = m_.position[neighbour[isTurned ? 0 : 1]];
-		return true;
-	}
-
-	template <class Visit>
-	void forEachCurveNeighbour(int v, const Visit& visit) const
-	{
-		const bool isBorder = m_.isBorderVertex(v);
-		forEachOutgoing(m_, v, [&](int h) {
-			if (isBorder ? m_.isBorderEdge(h) : m_.isCreaseEdge(h)) visit(m_.target(h));
-		});
-		if (isBorder) visit(m_.origin[m_.incomingBorder(v)]);
+		return span_.point.size() > 2;
 	}
 
 	/// Calls visit(p, extent) for pieces of the span, p in the middle of each.
@@ -196,50 +155,41 @@ private:
 		return (force * (1 / stiff) + (start - x) * pullBack) * (stepLength / (1 + pullBack));
 	}
 
-	/// Squared distance of p from the curve.
-	float squaredOff(const Vec3f& p) const
+	/// The point of the span nearest to p.
+	struct Nearest {
+		float squaredOff = HUGE_VALF;
+		float arc        = 0; ///< from where the span begins
+	};
+
+	Nearest nearestTo(const Vec3f& p) const
 	{
-		float nearest = HUGE_VALF;
-		for (std::size_t i = 1; i < span_.point.size(); ++i)
-			nearest =
-				std::min(nearest, squaredLength(footOn(p, span_.point[i - 1], span_.point[i]).way));
+		Nearest nearest;
+		for (std::size_t i = 1; i < span_.point.size(); ++i) {
+			const Foot  foot    = footOn(p, span_.point[i - 1], span_.point[i]);
+			const float squared = squaredLength(foot.way);
+			if (squared >= nearest.squaredOff) continue;
+			nearest = {squared, span_.arc[i - 1] + foot.share * (span_.arc[i] - span_.arc[i - 1])};
+		}
 		return nearest;
 	}
+
+	float offCurve(const Vec3f& p) const { return std::sqrt(nearestTo(p).squaredOff); }
 
 	/// Largest squared distance between the curve and the edges by x: it is at a point of one.
 	float farthest(const Vec3f& x) const
 	{
-		float far = squaredOff(x);
+		float far = nearestTo(x).squaredOff;
 		for (const Vec3f& p : span_.point)
 			far = std::max(far, std::min(squaredLength(footOn(p, span_.first, x).way),
 										 squaredLength(footOn(p, span_.last, x).way)));
 		return far;
 	}
 
-	bool keepsShapes(int v, const Vec3f& from, const Vec3f& to) const
-	{
-		bool keeps = true;
-		forEachOutgoing(m_, v, [&](int h) {
-			const Vec3f a = m_.position[m_.target(h)], b = m_.position[m_.apex(h)];
-			const Vec3f then = normalized(cross(a - from, b - from));
-			const Vec3f now  = normalized(cross(a - to, b - to));
-			keeps            = keeps && dot(then, now) >= turnCosine &&
-					smallestAngle(to, a, b) >= std::min(leastAngle_, smallestAngle(from, a, b));
-		});
-		return keeps;
-	}
-
 	/// Slides the record to the point of the curve nearest to the vertex.
 	void follow(int v)
 	{
 		if (!findSpan(v)) return;
-		float nearest = HUGE_VALF, arc = 0;
-		for (std::size_t i = 1; i < span_.point.size(); ++i) {
-			const Foot foot = footOn(m_.position[v], span_.point[i - 1], span_.point[i]);
-			if (squaredLength(foot.way) >= nearest) continue;
-			nearest = squaredLength(foot.way);
-			arc     = span_.arc[i - 1] + foot.share * (span_.arc[i] - span_.arc[i - 1]);
-		}
+		const float         arc  = nearestTo(m_.position[v]).arc;
 		const ResultVertex& here = r_.vertex[v];
 		r_.vertex[v]             = slid(surface_, curves_, here, span_.from + arc - here.arc);
 	}

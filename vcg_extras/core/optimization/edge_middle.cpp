@@ -2,11 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edge_middle.h"
 
-#include "curve_slide.h"
-#include "relaxation.h"
-
-#include <vcg_extras/core/surface/surface_point.h>
-#include <vcg_extras/core/surface/walk.h>
+#include "constraint.h"
 
 namespace gpr {
 
@@ -14,6 +10,32 @@ namespace {
 
 /// How far from the edge's own middle a point may lie, of the edge.
 constexpr float farthestOff = 0.25f;
+
+/// The nearest to an edge's own middle of the points that are offered.
+class NearestToMiddle {
+public:
+	NearestToMiddle(const HalfEdgeMesh& m, int a, int b, ResultVertex& middle) :
+			straight_((m.position[a] + m.position[b]) * 0.5f),
+			nearest_(farthestOff * length(m.position[b] - m.position[a])), middle_(middle)
+	{
+	}
+
+	void offer(const ResultVertex& trial)
+	{
+		const float off = length(trial.anchor.position - straight_);
+		if (off >= nearest_) return;
+		nearest_ = off;
+		middle_  = trial;
+		found_   = true;
+	}
+	bool found() const { return found_; }
+
+private:
+	Vec3f         straight_;
+	float         nearest_;
+	ResultVertex& middle_;
+	bool          found_ = false;
+};
 
 /// A point of the surface halfway from a to b, by walking from a, in the face at hand.
 bool walkHalfway(const Surface& surface, const HalfEdgeMesh& m, int a, int b, const Anchor& from,
@@ -25,9 +47,7 @@ bool walkHalfway(const Surface& surface, const HalfEdgeMesh& m, int a, int b, co
 	const float reach   = length(half);
 	const float flatLen = length(flat);
 	if (!(flatLen > 0)) return false;
-	const WalkEnd end = walk(surface.mesh, middle.anchor, flat * (reach / flatLen));
-	if (end != WalkEnd::Arrived) return false;
-	middle.normal = surface.mesh.faceNormal(middle.anchor.face);
+	if (walkBy(surface, flat * (reach / flatLen), middle) != WalkEnd::Arrived) return false;
 	return length(middle.anchor.position - m.position[a]) > 0.5f * reach &&
 		   length(middle.anchor.position - m.position[b]) > 0.5f * reach;
 }
@@ -36,20 +56,13 @@ bool walkHalfway(const Surface& surface, const HalfEdgeMesh& m, int a, int b, co
 bool findMiddleFromCrease(const Surface& surface, const ResultMesh& result, int a, int b,
 						  ResultVertex& middle)
 {
-	const HalfEdgeMesh& m        = result.mesh;
-	const Vec3f         straight = (m.position[a] + m.position[b]) * 0.5f;
-	float               nearest  = farthestOff * length(m.position[b] - m.position[a]);
-	bool                found    = false;
+	const HalfEdgeMesh& m = result.mesh;
+	NearestToMiddle     nearest(m, a, b, middle);
 	for (int face : facesAt(surface.mesh, result.vertex[a].anchor)) {
 		ResultVertex trial;
-		if (!walkHalfway(surface, m, a, b, {m.position[a], face}, trial)) continue;
-		const float off = length(trial.anchor.position - straight);
-		if (off >= nearest) continue;
-		nearest = off;
-		middle  = trial;
-		found   = true;
+		if (walkHalfway(surface, m, a, b, {m.position[a], face}, trial)) nearest.offer(trial);
 	}
-	return found;
+	return nearest.found();
 }
 
 } // namespace
@@ -68,25 +81,18 @@ bool findMiddle(const Surface& surface, const ResultMesh& result, int a, int b,
 bool findMiddleOnCurve(const Surface& surface, const BoundaryCurves& curves,
 					   const ResultMesh& result, int a, int b, ResultVertex& middle)
 {
-	const HalfEdgeMesh& m        = result.mesh;
-	const Vec3f         straight = (m.position[a] + m.position[b]) * 0.5f;
-	float               nearest  = farthestOff * length(m.position[b] - m.position[a]);
-	bool                found    = false;
+	NearestToMiddle nearest(result.mesh, a, b, middle);
 	for (int v : {a, b}) {
 		const SlideRoom room = slideRoom(result, curves, v);
 		for (float by : {0.5f * room.forward, -0.5f * room.backward}) {
 			if (by == 0) continue;
-			const ResultVertex trial = slid(surface, curves, result.vertex[v], by);
-			const float        off   = length(trial.anchor.position - straight);
-			if (off >= nearest) continue;
-			nearest         = off;
-			middle          = trial;
-			middle.isCorner = middle.isPinned = false;
-			middle.sample                     = -1;
-			found                             = true;
+			ResultVertex trial = slid(surface, curves, result.vertex[v], by);
+			trial.isCorner = trial.isPinned = false;
+			trial.sample                    = -1;
+			nearest.offer(trial);
 		}
 	}
-	return found;
+	return nearest.found();
 }
 
 } // namespace gpr

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact_count.h"
 
+#include "constraint.h"
 #include "delaunay_flips.h"
 #include "edge_middle.h"
-#include "relaxation.h"
 
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/face_quality.h>

@@ -161,7 +161,7 @@ Goal selfIntersections(LocalSearch& search, const std::vector<int>& suspects, fl
 	const HalfEdgeMesh& m = search.mesh();
 	Goal                goal;
 	goal.findBad             = [suspects] { return suspects; };
-	goal.isBad               = [&search](int f) { return search.intersectionNum({f}) > 0; };
+	goal.isBad               = [&search](int f) { return search.intersects(f); };
 	goal.faceCost            = [&m, angle](int f) { return lackOfAngle(m, f, angle, 2); };
 	goal.countsIntersections = true;
 	goal.mostLeft            = 1;

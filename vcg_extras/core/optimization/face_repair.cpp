@@ -29,10 +29,13 @@ constexpr int mostCountRounds = 3;
 constexpr int attemptsByCount = 200, attemptsByPairs = 12;
 /// How well faces agree with the surface that angles are raised on without a map: 37°.
 constexpr float leastAgreementOnSurface = 0.8f;
-/// What all searches together may measure (see LocalSearch), at some 30 ns each: about a third of a
-/// second, and a tenth of the run on large meshes. On parts full of needles nothing helps, and the
-/// search would last much longer than all the rest.
-constexpr std::int64_t leastWork = 12000000, workPerFace = 20;
+/// What all searches together may measure (see LocalSearch), at some 20 ns each: half a second, and
+/// a tenth of the run on large meshes. On parts full of needles nothing helps, and the search would
+/// last much longer than all the rest. 10 times as much raises the worst angle of 40 noisy spheres
+/// by .05° on the mean.
+constexpr std::int64_t leastWork = 20000000, workPerFace = 20;
+/// Two operations in a row take some hundred trials a face.
+constexpr std::int64_t workOfPairs = 30000000;
 
 std::int64_t workFor(int faceNum)
 {
@@ -41,16 +44,16 @@ std::int64_t workFor(int faceNum)
 
 /// How poor a mesh is.
 struct Poorness {
-	double lack = 0; ///< Σ(1 - angle / limit)² over the faces below the limit
-	float  minAngle;
-	int    invertedNum;
-	int    intersectingNum; ///< among faces round the suspects
+	double           lack = 0; ///< Σ(1 - angle / limit)² over the faces below the limit
+	float            minAngle;
+	int              invertedNum;
+	std::vector<int> intersecting; ///< faces; only looked for where there were some
 
 	bool beats(const Poorness& before) const
 	{
 		if (minAngle < before.minAngle || invertedNum > before.invertedNum) return false;
-		if (intersectingNum != before.intersectingNum)
-			return intersectingNum < before.intersectingNum && lack <= before.lack;
+		if (intersecting.size() != before.intersecting.size())
+			return intersecting.size() < before.intersecting.size() && lack <= before.lack;
 		return lack < before.lack;
 	}
 };
@@ -77,7 +80,8 @@ public:
 	{
 	}
 
-	bool run(std::vector<int> intersecting)
+	/// intersecting: faces that intersect others.
+	bool run(const std::vector<int>& intersecting)
 	{
 		// The other half is for what changes the count, which helps where this does not.
 		std::int64_t half = work_ / 2;
@@ -85,17 +89,12 @@ public:
 		Assignment  assignment(surface_, map_, mapFaceNum_);
 		LocalSearch search(surface_, curves_, &assignment, half, r_, workers_);
 		bool        isDone = true;
-		if (!intersecting.empty()) {
+		if (!intersecting.empty())
 			isDone = search.run(selfIntersections(search, intersecting, angle_, keepingCount));
-			intersecting = findCrossingFaces(
-				r_.mesh, facesRound(r_.mesh, verticesOf(r_.mesh, intersecting)), workers_);
-		}
 		isDone = raiseAngles(search) && isDone;
-		for (bool inPairs : {false, true}) {
-			for (int round = 0; round < mostCountRounds; ++round) {
-				if (!changeCountWhereItHelps(intersecting, inPairs)) break;
-			}
-		}
+		repeatWhileItHelps(!intersecting.empty(), false);
+		work_ = std::max(work_, workOfPairs); // only a few faces are left to spend it on
+		repeatWhileItHelps(!intersecting.empty(), true);
 		return isDone;
 	}
 
@@ -130,6 +129,13 @@ private:
 		return isDone;
 	}
 
+	void repeatWhileItHelps(bool mayIntersect, bool inPairs)
+	{
+		for (int round = 0; round < mostCountRounds; ++round) {
+			if (!changeCountWhereItHelps(mayIntersect, inPairs)) return;
+		}
+	}
+
 	/// Whether operations that change the count have a chance against small angles.
 	bool hasFewPoor(bool inPairs) const
 	{
@@ -140,16 +146,18 @@ private:
 	}
 
 	/// All is as it was, and the answer is false, where it does not.
-	bool changeCountWhereItHelps(const std::vector<int>& intersecting, bool inPairs)
+	bool changeCountWhereItHelps(bool mayIntersect, bool inPairs)
 	{
 		const bool raisesAngles = hasFewPoor(inPairs);
-		const bool takesApart   = !intersecting.empty() && intersecting.size() <= mostForCount;
-		if (work_ <= 0 || !(raisesAngles || takesApart)) return false;
+		if (work_ <= 0 || !(raisesAngles || mayIntersect)) return false;
+		const Poorness before = poornessOf(mayIntersect);
+		const bool     takesApart =
+			!before.intersecting.empty() && before.intersecting.size() <= mostForCount;
+		if (!raisesAngles && !takesApart) return false;
 		const ResultMesh       start   = copyResult(r_, workers_);
 		const std::vector<int> mapFace = mapFace_;
-		const Poorness         before  = poornessOf(intersecting);
-		if (changeCount(intersecting, raisesAngles, inPairs) &&
-			poornessOf(intersecting).beats(before))
+		const std::vector<int> apart   = takesApart ? before.intersecting : std::vector<int>();
+		if (changeCount(raisesAngles, apart, inPairs) && poornessOf(mayIntersect).beats(before))
 			return true;
 		r_       = copyResult(start, workers_);
 		mapFace_ = mapFace;
@@ -157,23 +165,9 @@ private:
 	}
 
 	/// False where nothing changed or the wanted count cannot be reached any more.
-	bool changeCount(const std::vector<int>& intersecting, bool raisesAngles, bool inPairs)
+	bool changeCount(bool raisesAngles, const std::vector<int>& intersecting, bool inPairs)
 	{
-		const int attempts = inPairs ? attemptsByPairs : attemptsByCount;
-		{
-			Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
-			LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_, 4 * attempts);
-			const auto  run = [&](Goal goal) {
-                goal.inPairs         = inPairs;
-                goal.budget.attempts = attempts;
-                search.run(goal);
-			};
-			if (raisesAngles)
-				run(smallAngles(search, workers_, angle_, 2, changingCount, guarded()));
-			if (!intersecting.empty())
-				run(selfIntersections(search, intersecting, angle_, changingCount));
-			if (search.changeNum() == 0) return false;
-		}
+		if (!changeByTrials(raisesAngles, intersecting, inPairs)) return false;
 		const bool isReached = wanted_.targetNum == 0 ||
 							   gpr::changeCount(surface_, curves_, wanted_.targetNum, r_, workers_);
 		followCompaction();
@@ -183,6 +177,23 @@ private:
 		LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_);
 		raiseAngles(search);
 		return true;
+	}
+
+	/// Leaves dead faces in the mesh. False where nothing changed.
+	bool changeByTrials(bool raisesAngles, const std::vector<int>& intersecting, bool inPairs)
+	{
+		const int   attempts = inPairs ? attemptsByPairs : attemptsByCount;
+		Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
+		LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_, 4 * attempts);
+		const auto  run = [&](Goal goal) {
+            goal.inPairs         = inPairs;
+            goal.budget.attempts = attempts;
+            search.run(goal);
+		};
+		if (raisesAngles) run(smallAngles(search, workers_, angle_, 2, changingCount, guarded()));
+		if (!intersecting.empty())
+			run(selfIntersections(search, intersecting, angle_, changingCount));
+		return search.changeNum() > 0;
 	}
 
 	/// Names the faces of the map for the faces that compaction will leave.
@@ -201,34 +212,36 @@ private:
 		mapFace_ = std::move(mapFace);
 	}
 
-	Poorness poornessOf(const std::vector<int>& intersecting) const
+	Poorness poornessOf(bool mayIntersect) const
 	{
-		Poorness poorness = {0, angle_, invertedFaceNum(surface_, r_, workers_), 0};
+		Poorness poorness = {0, angle_, invertedFaceNum(surface_, r_, workers_), {}};
 		for (int f : findPoorFaces(r_.mesh, angle_, workers_)) {
 			const float  own  = smallestAngle(r_.mesh, f);
 			const double lack = 1 - double(own) / angle_;
 			poorness.lack += lack * lack;
 			poorness.minAngle = std::min(poorness.minAngle, own);
 		}
-		if (!intersecting.empty())
-			poorness.intersectingNum = int(findCrossingFaces(r_.mesh, workers_).size());
+		if (mayIntersect) poorness.intersecting = findCrossingFaces(r_.mesh, workers_);
 		return poorness;
 	}
 };
 
 /// Feature lines side by side on one straight line, as where a surface is folded flat, can hold all
-/// edges of a face without area. A gap in a line is better than such a face. True if there are any.
-bool endLinesAtFacesWithoutArea(LocalSearch& search)
+/// edges of a face without area, and vertices of curves keep their spacing there. A gap in a line
+/// and crowded vertices are better than such a face.
+void repairFacesWithoutArea(LocalSearch& search, Workers& workers)
 {
 	const HalfEdgeMesh& m     = search.mesh();
 	bool                found = false;
-	if (!m.hasCreases()) return false;
 	for (int f = 0; f < m.faceNum; ++f) {
 		if (isDeadFace(m, f) || !hasNoArea(m, f)) continue;
 		search.editor().forgetLinesAt(f);
 		found = true;
 	}
-	return found;
+	if (!found) return;
+	Goal goal     = invertedFaces(search, workers, false);
+	goal.mayCrowd = true;
+	search.run(goal);
 }
 
 } // namespace
@@ -239,8 +252,7 @@ void repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, b
 	std::int64_t work = workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	search.run(invertedFaces(search, workers, mayCollapse));
-	if (!mayCollapse && endLinesAtFacesWithoutArea(search))
-		search.run(invertedFaces(search, workers, mayCollapse));
+	if (!mayCollapse) repairFacesWithoutArea(search, workers);
 	if (mayCollapse) compactResult(result, workers);
 }
 

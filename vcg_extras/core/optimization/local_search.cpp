@@ -22,7 +22,7 @@ constexpr int mostChanges = 6;
 constexpr int settlePasses = 2;
 /// Rings round a face that two operations in a row may change: as many as one with what settles
 /// round it, twice.
-constexpr int pairRings = 4;
+constexpr int pairRings = 3;
 /// What settles must lower the cost to this share: less is not worth a step.
 constexpr float settleShare = 0.995f;
 /// Moves of a vertex with one step length.
@@ -102,10 +102,8 @@ void LocalSearch::improveAt(int f)
 {
 	for (int change = 0; change < mostChanges; ++change) {
 		if (isDeadFace(m_, f) || failed_.isKnown(m_, f)) return;
-		if (goal_->limits.intersections || goal_->countsIntersections) findNear(f);
-		intersectsHere_ =
-			goal_->limits.intersections && intersectionNum(facesRound(m_, ringsRound(f, 1))) > 0;
 		if (!goal_->isBad(f)) return;
+		if (goal_->limits.intersections) lookForIntersections(f);
 		--attempts_;
 		const bool isBetter = goal_->takesFirst ? takeEach(f) : takeBest(f);
 		if (!isBetter) {
@@ -215,22 +213,35 @@ float LocalSearch::gainOver(const Before& before)
 bool LocalSearch::keepsLimits(Before& before)
 {
 	const std::vector<int> faces = facesRound(m_, editor_.patchNow(before.snapshot));
-	if (!keepsDistance(before, faces)) return false;
+	if (before.distance == nullptr)
+		before.distance =
+			distanceOf(before.faces(), before.triangles, before.meanEdge, goal_->limits.rmsGrowth);
+	if (!keepsDistance(before.distance.get(), faces)) return false;
 	// A goal that counts intersections has looked at them already.
 	if (!goal_->limits.intersections || goal_->countsIntersections) return true;
 	return intersectionNum(faces) <= before.intersections;
 }
 
-bool LocalSearch::keepsDistance(Before& before, const std::vector<int>& faces)
+/// Null where distances are not limited. The mean is for whole operations, not for single steps.
+std::unique_ptr<PatchDistance> LocalSearch::distanceOf(const std::vector<int>& faces,
+													   const Triangles& triangles, float edge,
+													   float rmsGrowth)
 {
 	const Limits& limits = goal_->limits;
-	if (!(limits.maxDistance < HUGE_VALF) || assignment_ == nullptr) return true;
-	if (before.distance == nullptr)
-		before.distance.reset(new PatchDistance(*assignment_, before.faces(), before.triangles,
-												limits.maxDistance * before.meanEdge,
-												limits.guardedDistance));
-	work_ -= before.distance->work();
-	return before.distance->isKeptBy(trianglesOf(m_, faces), limits.rmsGrowth);
+	if (!(limits.maxDistance < HUGE_VALF) || assignment_ == nullptr) return nullptr;
+	const PatchDistance::Settings  settings = {limits.maxDistance * edge, limits.guardedDistance,
+											   rmsGrowth};
+	std::unique_ptr<PatchDistance> distance(
+		new PatchDistance(*assignment_, faces, triangles, settings));
+	work_ -= distance->work();
+	return distance;
+}
+
+bool LocalSearch::keepsDistance(const PatchDistance* distance, const std::vector<int>& faces)
+{
+	if (distance == nullptr) return true;
+	work_ -= distance->work();
+	return distance->isKeptBy(trianglesOf(m_, faces));
 }
 
 // ---- what is measured
@@ -287,6 +298,18 @@ int LocalSearch::intersectionNum(const std::vector<int>& faces)
 	const int    num   = countCrossingPairs(m_, faces, near_, &pairs);
 	work_ -= pairs + std::int64_t(near_.size()) / 4;
 	return num;
+}
+
+bool LocalSearch::intersects(int f)
+{
+	findNear(f);
+	return intersectionNum({f}) > 0;
+}
+
+void LocalSearch::lookForIntersections(int f)
+{
+	findNear(f);
+	intersectsHere_ = intersectionNum(facesRound(m_, ringsRound(f, 1))) > 0;
 }
 
 /// Finds the faces that a patch round f may intersect.
@@ -370,7 +393,7 @@ void LocalSearch::flipIfBetter(int h, const std::vector<int>& patch)
 
 bool LocalSearch::moveToBest(int v)
 {
-	if (!editor_.mayMove(v)) return false;
+	if (!editor_.mayMove(v, goal_->mayCrowd)) return false;
 	float cost = costOf(facesRound(m_, {v}));
 	if (cost == 0) return false;
 	const float edge   = editor_.meanEdge(v);
@@ -386,7 +409,7 @@ bool LocalSearch::moveToBest(int v)
 
 std::vector<PatchEditor::VertexState> LocalSearch::statesFor(int v, float reach) const
 {
-	std::vector<PatchEditor::VertexState> states = editor_.statesAround(v, reach);
+	std::vector<PatchEditor::VertexState> states = editor_.statesAround(v, reach, goal_->mayCrowd);
 	if (goal_->raises && editor_.result().vertex[v].curve < 0) {
 		states.push_back(editor_.raised(v, -reach));
 		states.push_back(editor_.raised(v, reach));
@@ -401,18 +424,22 @@ bool LocalSearch::stepFrom(int v, float reach, float& cost)
 	const PatchEditor::VertexState start = editor_.stateOf(v);
 	PatchEditor::VertexState       best  = start;
 	bool                           found = false;
-	std::unique_ptr<Before> before; // looked at where a place is better: most steps find none
+	StepLimits before; // looked at where a place is better: most steps find none
 	for (const PatchEditor::VertexState& next : statesFor(v, reach)) {
 		if (!editor_.isNearStart(v, next, goal_->limits.maxMove, goal_->limits.maxTurn)) continue;
 		editor_.put(v, next);
 		const float now = costOf(faces);
 		if (!(now < settleShare * cost)) continue;
-		if (before == nullptr) {
+		if (!before.isKnown) {
 			editor_.put(v, start);
-			before.reset(new Before(lookAt({v})));
+			before.isKnown = true;
+			before.worst   = worstOf(faces);
+			before.distance =
+				distanceOf(faces, trianglesOf(m_, faces), editor_.meanEdge(v), HUGE_VALF);
 			editor_.put(v, next);
 		}
-		if (!keepsWorst(faces, before->worst)) continue;
+		if (!keepsWorst(faces, before.worst) || !keepsDistance(before.distance.get(), faces))
+			continue;
 		cost  = now;
 		best  = next;
 		found = true;

@@ -51,6 +51,7 @@ struct Goal {
 	bool   settles    = true;  ///< what lies round a change settles by moves and flips
 	bool   takesFirst = false; ///< each operation that helps is kept, not only the best of all
 	bool   inPairs    = false; ///< two operations in a row
+	bool   mayCrowd   = false; ///< vertices of curves come as near to each other as they will
 	Limits limits;
 	Budget budget;
 };
@@ -73,8 +74,8 @@ public:
 	/// How well a face agrees with the surface: the cosine of the angle between its normal and the
 	/// surface's at its corners or, where that is less, the surface's beside its feature lines.
 	float agreement(int f) const;
-	/// Pairs of intersecting faces of which one is among these (ascending).
-	int intersectionNum(const std::vector<int>& faces);
+	/// Whether a face intersects any other.
+	bool intersects(int f);
 
 	PatchEditor&        editor() { return editor_; }
 	const HalfEdgeMesh& mesh() const { return m_; }
@@ -86,6 +87,13 @@ private:
 		float agreement   = 1;
 		int   invertedNum = 0;
 		float angle       = HUGE_VALF;
+	};
+
+	/// What a step of a vertex must not make worse.
+	struct StepLimits {
+		bool                           isKnown = false;
+		Worst                          worst;
+		std::unique_ptr<PatchDistance> distance;
 	};
 
 	/// A patch before a trial.
@@ -132,14 +140,17 @@ private:
 	std::vector<int>       patchOf(const std::vector<Operation>& ops) const;
 	void                   note(const std::vector<int>& patch, const std::vector<int>& facesBefore);
 
-	Before lookAt(const std::vector<int>& patch);
-	float  attempt(const Operation& op, Before before, float known);
-	float  gainOver(const Before& before);
-	bool   keepsLimits(Before& before);
-	bool   keepsDistance(Before& before, const std::vector<int>& faces);
-	float  costOf(const std::vector<int>& faces);
-	Worst  worstOf(const std::vector<int>& faces);
-	bool   keepsWorst(const std::vector<int>& faces, const Worst& before);
+	Before                         lookAt(const std::vector<int>& patch);
+	float                          attempt(const Operation& op, Before before, float known);
+	float                          gainOver(const Before& before);
+	bool                           keepsLimits(Before& before);
+	std::unique_ptr<PatchDistance> distanceOf(const std::vector<int>& faces,
+											  const Triangles& triangles, float edge,
+											  float rmsGrowth);
+	bool  keepsDistance(const PatchDistance* distance, const std::vector<int>& faces);
+	float costOf(const std::vector<int>& faces);
+	Worst worstOf(const std::vector<int>& faces);
+	bool  keepsWorst(const std::vector<int>& faces, const Worst& before);
 
 	bool                                  make(const Operation& op);
 	void                                  settle(const std::vector<int>& patch);
@@ -148,7 +159,10 @@ private:
 	bool                                  stepFrom(int v, float reach, float& cost);
 	std::vector<PatchEditor::VertexState> statesFor(int v, float reach) const;
 
+	/// Pairs of intersecting faces of which one is among these (ascending), and the other near.
+	int              intersectionNum(const std::vector<int>& faces);
 	void             findNear(int f);
+	void             lookForIntersections(int f);
 	std::vector<int> ringsRound(int f, int ringNum) const;
 };
 

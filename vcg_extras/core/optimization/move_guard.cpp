@@ -2,23 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "move_guard.h"
 
-#include <utility>
+#include <vcg_extras/core/surface/normal_agreement.h>
+
+#include <algorithm>
 
 namespace gpr {
 
 namespace {
-
-/// A face of a shape below this (30°-30°-120°) must not get worse.
-constexpr float poorShape = 0.6f;
-/// A move must not turn a face by more than 60°.
-constexpr float foldCosine = 0.5f;
-/// Rounds of taking moves back; then all moves are.
-constexpr int mostTakeBackRounds = 8;
-
-Vec3f crossOf(const Corners& f)
-{
-	return cross(f.b - f.a, f.c - f.a);
-}
 
 /// Of a triangle with the given cross product; see triangleShape. No root.
 float squaredShape(const Vec3f& cross, const Corners& f)
@@ -30,84 +20,124 @@ float squaredShape(const Vec3f& cross, const Corners& f)
 
 } // namespace
 
-bool spoilsFace(const Corners& before, const Corners& after)
+bool spoilsFace(const MoveLimits& limits, const Corners& before, const Corners& after)
 {
-	const Vec3f now = crossOf(after), then = crossOf(before);
-	const float turn = dot(now, then);
-	if (turn <= 0 ||
-		turn * turn < foldCosine * foldCosine * squaredLength(now) * squaredLength(then))
+	const Vec3f now = after.cross(), then = before.cross();
+	const float turn = dot(now, then), cosine = limits.turnCosine;
+	if (turn <= 0 || turn * turn < cosine * cosine * squaredLength(now) * squaredLength(then))
 		return true;
-	const float shape = squaredShape(now, after);
-	return shape < poorShape * poorShape && shape < squaredShape(then, before);
-}
-
-MoveGuard::MoveGuard(ResultMesh& result, Workers& workers) :
-		r_(result), workers_(workers), next_(result.vertex.size()), moved_(result.vertex.size(), 0)
-{
-}
-
-void MoveGuard::clear()
-{
-	moved_.fill(0);
-}
-
-void MoveGuard::move()
-{
-	exchange();
-	for (int round = 0; round < mostTakeBackRounds; ++round) {
-		const std::vector<int> bad = findBadFaces();
-		if (bad.empty()) return;
-		for (int f : bad) {
-			for (int k = 0; k < 3; ++k)
-				takeBack(r_.mesh.origin[3 * f + k]);
-		}
+	if (limits.minShape > 0) {
+		const float shape = squaredShape(now, after);
+		if (shape < limits.minShape * limits.minShape && shape < squaredShape(then, before))
+			return true;
 	}
-	for (int v = 0; v < r_.mesh.vertexNum; ++v)
-		takeBack(v);
+	if (limits.minAngle == 0) return false;
+	const float angle = smallestAngle(after.a, after.b, after.c);
+	return angle < limits.minAngle &&
+		   angle < limits.falls * smallestAngle(before.a, before.b, before.c);
 }
 
-void MoveGuard::exchange()
+bool spoilsRing(const MoveLimits& limits, const HalfEdgeMesh& m, int v, const Vec3f& to)
 {
-	workers_.forRange(moved_.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			if (!moved_[v]) continue;
-			std::swap(next_[v], r_.vertex[v]);
-			r_.mesh.position[v] = r_.vertex[v].anchor.position;
-		}
+	const Vec3f from   = m.position[v];
+	bool        spoils = false;
+	forEachOutgoing(m, v, [&](int h) {
+		const Vec3f a = m.position[m.target(h)], b = m.position[m.apex(h)];
+		spoils = spoils || spoilsFace(limits, {from, a, b}, {to, a, b});
+	});
+	return spoils;
+}
+
+MoveGuard::MoveGuard(const MoveLimits& limits, HalfEdgeMesh& mesh, Workers& workers) :
+		limits_(limits), m_(mesh), workers_(workers), from_(mesh.vertexNum), shift_(mesh.vertexNum)
+{
+}
+
+void MoveGuard::start()
+{
+	workers_.forEach(m_.vertexNum, [&](int v) {
+		from_[v]  = m_.position[v];
+		shift_[v] = Vec3f();
 	});
 }
 
-void MoveGuard::takeBack(int v)
+void MoveGuard::takeOver()
 {
-	if (!moved_[v]) return;
-	moved_[v]           = 0;
-	r_.vertex[v]        = next_[v];
-	r_.mesh.position[v] = r_.vertex[v].anchor.position;
+	workers_.forEach(m_.vertexNum, [&](int v) { shift_[v] = m_.position[v] - from_[v]; });
 }
 
-Vec3f MoveGuard::placeBefore(int v) const
+void MoveGuard::apply()
 {
-	return moved_[v] ? next_[v].anchor.position : r_.mesh.position[v];
+	workers_.forEach(m_.vertexNum, [&](int v) { m_.position[v] = at(v); });
 }
 
-std::vector<int> MoveGuard::findBadFaces()
+bool MoveGuard::hasMoved(int f) const
 {
-	const HalfEdgeMesh& m = r_.mesh;
-	return workers_.collect<int>(m.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-		for (int f = int(begin); f < int(end); ++f) {
-			const int* corner = &m.origin[3 * f];
-			if (!moved_[corner[0]] && !moved_[corner[1]] && !moved_[corner[2]]) continue;
-			if (isBad(f)) out.push_back(f);
-		}
-	});
+	const int* c = &m_.origin[3 * f];
+	return !(shift_[c[0]] == Vec3f() && shift_[c[1]] == Vec3f() && shift_[c[2]] == Vec3f());
 }
 
-bool MoveGuard::isBad(int f) const
+bool MoveGuard::settle(const Buffer<Vec3f>& normal)
 {
-	const HalfEdgeMesh& m      = r_.mesh;
-	const int*          corner = &m.origin[3 * f];
-	return spoilsFace({placeBefore(corner[0]), placeBefore(corner[1]), placeBefore(corner[2])},
-					  {m.position[corner[0]], m.position[corner[1]], m.position[corner[2]]});
+	shortened_.clear();
+	const auto isSpoiltFace = [&](int f) { return isSpoilt(f, normal); };
+	return settleAmong(workers_.collectIf(m_.faceNum, isSpoiltFace), normal);
+}
+
+std::vector<char> MoveGuard::takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& normal)
+{
+	shortened_.clear();
+	const bool isSettled = settleAmong(facesRound(m_, shorten(faces, 0)), normal);
+	// Where all moves were taken back, all faces have changed.
+	std::vector<char> changed(m_.faceNum, char(!isSettled));
+	for (int f : facesRound(m_, shortened_))
+		changed[f] = 1;
+	return changed;
+}
+
+void MoveGuard::takeAllBack()
+{
+	shift_.fill(Vec3f());
+	apply();
+}
+
+bool MoveGuard::isSpoilt(int f, const Buffer<Vec3f>& normal) const
+{
+	if (!hasMoved(f)) return false;
+	const int*    c      = &m_.origin[3 * f];
+	const Corners before = {from_[c[0]], from_[c[1]], from_[c[2]]};
+	if (spoilsFace(limits_, before, {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]}))
+		return true;
+	if (normal.empty()) return false;
+	const float now = faceAgreement(m_, normal, f);
+	if (now >= limits_.minAgreement) return false;
+	const Vec3f wanted = normal[c[0]] + normal[c[1]] + normal[c[2]];
+	return now < limits_.falls * agreement(before.cross(), wanted);
+}
+
+/// Shortens the moves of those of the faces that are spoilt, then of those round these, and so on.
+bool MoveGuard::settleAmong(std::vector<int> faces, const Buffer<Vec3f>& normal)
+{
+	for (int round = 0; round <= limits_.maxRounds; ++round) {
+		const auto isSound = [&](int f) { return !isSpoilt(f, normal); };
+		faces.erase(std::remove_if(faces.begin(), faces.end(), isSound), faces.end());
+		if (faces.empty()) return true;
+		faces = facesRound(m_, shorten(faces, round < limits_.halvings ? 0.5f : 0.0f));
+	}
+	takeAllBack();
+	return false;
+}
+
+/// Shortens the moves of the faces' corners; returns these.
+std::vector<int> MoveGuard::shorten(const std::vector<int>& faces, float share)
+{
+	std::vector<int> vertices = verticesOf(m_, faces);
+	for (int v : vertices) {
+		shift_[v]      = shift_[v] * share;
+		m_.position[v] = at(v);
+	}
+	shortened_.insert(shortened_.end(), vertices.begin(), vertices.end());
+	return vertices;
 }
 
 } // namespace gpr

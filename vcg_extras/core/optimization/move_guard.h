@@ -3,56 +3,72 @@
 #ifndef VCG_EXTRAS_CORE_OPTIMIZATION_MOVE_GUARD_H
 #define VCG_EXTRAS_CORE_OPTIMIZATION_MOVE_GUARD_H
 
+#include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/base/workers.h>
-#include <vcg_extras/core/surface/result_mesh.h>
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <vector>
 
 namespace gpr {
 
-/// The corners of a face.
-struct Corners {
-	Vec3f a, b, c;
+/// What a move of its corners must not do to a face. What is below a bound before may stay there,
+/// but must not fall further.
+struct MoveLimits {
+	float turnCosine   = 0.5f; ///< no turn by more than 60°: the face would soon lie folded over
+	float minShape     = 0;    ///< see triangleShape
+	float minAngle     = 0;    ///< radians
+	float minAgreement = -1;   ///< with the surface's normals; looked at where these are given
+	float falls        = 1; ///< below this share of its value before, an angle or agreement falls
+	int   halvings     = 0; ///< of a move, before it is taken back whole
+	int   maxRounds    = 7; ///< of shortening moves: mostly one or two; then all are taken back
 };
 
-/// Whether a move of its corners turns a face by more than 60° or makes one poorer that is poor
-/// (of a worse shape than 30°-30°-120°).
-bool spoilsFace(const Corners& before, const Corners& after);
+/// Whether the limits forbid the move, whatever the surface's normals.
+bool spoilsFace(const MoveLimits& limits, const Corners& before, const Corners& after);
+/// Whether they forbid v to move from its place to `to` while all others stay.
+bool spoilsRing(const MoveLimits& limits, const HalfEdgeMesh& mesh, int v, const Vec3f& to);
 
-/// Moves many vertices at once and takes back those that fold the mesh.
+/// Moves of many vertices at once, on trial. Those of faces that they spoil are shortened or taken
+/// back until no face is spoilt. Cost: a pass over the faces, and the few faces concerned.
 ///
-/// Every vertex that shall move gets its new record in next(); move() puts them in place, then
-/// takes moves back, a face's three at a time, until no face has turned by more than 60° or got
-/// poorer while poor. Cost: a pass over the faces a round, mostly one or two.
+/// start() comes first. Who makes the moves then either sets the shifts, and calls apply(), or sets
+/// mesh.position, and calls takeOver(). settle() or takeBack() come last.
 class MoveGuard {
 public:
-	MoveGuard(ResultMesh& result, Workers& workers);
+	MoveGuard(const MoveLimits& limits, HalfEdgeMesh& mesh, Workers& workers);
 
-	/// Where to write a vertex' new record; each by one thread only.
-	void propose(int v, const ResultVertex& next)
-	{
-		next_[v]  = next;
-		moved_[v] = 1;
-	}
+	/// Makes the present places the start of new moves; all shifts are zero then.
+	void start();
+	/// Moves from the start to the present places.
+	void takeOver();
+	/// Puts all vertices where their shifts end.
+	void apply();
 
-	/// Makes the proposed moves and takes bad ones back. Afterwards moved(v) tells which stand.
-	void move();
-	bool moved(int v) const { return moved_[v] != 0; }
+	const Vec3f& shift(int v) const { return shift_[v]; }
+	Vec3f        at(int v) const { return from_[v] + shift_[v]; }
+	void         swapShifts(Buffer<Vec3f>& other) { shift_.swap(other); }
+	/// Whether a corner of the face moves.
+	bool hasMoved(int f) const;
 
-	/// Forgets all proposals: ready for the next step.
-	void clear();
+	/// Shortens the moves of spoilt faces until there are none. normal: of the surface at the
+	/// vertices, or empty. False if there was no end to it, and all moves were taken back.
+	bool settle(const Buffer<Vec3f>& normal = {});
+	/// Takes the moves of these faces back, and settles what this spoils. Returns per face whether
+	/// it has changed.
+	std::vector<char> takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& normal);
+	void              takeAllBack();
 
 private:
-	ResultMesh&          r_;
-	Workers&             workers_;
-	Buffer<ResultVertex> next_; ///< after move(): the records before it
-	Buffer<char>         moved_;
+	MoveLimits       limits_;
+	HalfEdgeMesh&    m_;
+	Workers&         workers_;
+	Buffer<Vec3f>    from_;
+	Buffer<Vec3f>    shift_;
+	std::vector<int> shortened_; ///< vertices whose moves were, in the last call
 
-	void             exchange();
-	void             takeBack(int v);
-	Vec3f            placeBefore(int v) const;
-	std::vector<int> findBadFaces();
-	bool             isBad(int f) const;
+	bool             isSpoilt(int f, const Buffer<Vec3f>& normal) const;
+	bool             settleAmong(std::vector<int> faces, const Buffer<Vec3f>& normal);
+	std::vector<int> shorten(const std::vector<int>& faces, float share);
 };
 
 } // namespace gpr

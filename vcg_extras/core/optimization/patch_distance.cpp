@@ -84,16 +84,17 @@ Triangles trianglesOf(const HalfEdgeMesh& m, const std::vector<int>& faces)
 }
 
 PatchDistance::PatchDistance(const Assignment& assignment, std::vector<int> faces,
-							 const Triangles& triangles, float enough, float guarded) :
+							 const Triangles& triangles, const Settings& settings) :
 		assignment_(assignment),
-		faces_(std::move(faces)), squaredEnough_(enough * enough),
-		squaredGuarded_(std::max(enough * enough, guarded * guarded))
+		faces_(std::move(faces)), rmsGrowth_(settings.rmsGrowth),
+		squaredEnough_(settings.enough * settings.enough),
+		squaredGuarded_(std::max(squaredEnough_, settings.guarded * settings.guarded)),
+		farthest_(squaredEnough_)
 {
 	NearestTriangle near(triangles);
-	farthest_ = squaredEnough_;
 	for (int f : faces_) {
 		assignment_.forEach(f, [&](const Vec3f& p) {
-			const float squared = near.squaredDistance(p, nearShare * squaredEnough_);
+			const float squared = near.squaredDistance(p, surelyNear());
 			farthest_           = std::max(farthest_, squared);
 			squares_ += squared;
 			fourthPowers_ += guardedPower(squared);
@@ -104,6 +105,14 @@ PatchDistance::PatchDistance(const Assignment& assignment, std::vector<int> face
 	work_ = near.work();
 }
 
+/// Which triangle a vertex is near to does not matter where it is not the farthest one, nor
+/// guarded, nor counts for the mean. That is nearly all of them, and what makes this fast.
+float PatchDistance::surelyNear() const
+{
+	if (limitsMean()) return nearShare * squaredEnough_;
+	return std::max(squaredEnough_, std::min(farthest_, squaredGuarded_));
+}
+
 double PatchDistance::guardedPower(float squared) const
 {
 	if (!(squaredGuarded_ < HUGE_VALF)) return 0;
@@ -111,20 +120,23 @@ double PatchDistance::guardedPower(float squared) const
 	return counted * counted;
 }
 
-bool PatchDistance::isKeptBy(const Triangles& triangles, float rmsGrowth) const
+bool PatchDistance::isKeptBy(const Triangles& triangles) const
 {
-	NearestTriangle near(triangles);
 	// Sums of the same numbers in another order differ by rounding.
 	constexpr double rounding      = 1e-5;
 	const double     allowedPowers = (1 + rounding) * fourthPowers_;
-	const double     allowedSquares =
-		std::max(double(rmsGrowth) * rmsGrowth * squares_, 0.25 * squaredEnough_ * double(num_));
-	double     squares = 0, powers = 0;
-	const auto isKept = [&](const Vec3f& p) {
-		const float squared = near.squaredDistance(p, nearShare * squaredEnough_);
-		squares += squared;
-		powers += guardedPower(squared);
-		return squared <= farthest_ && powers <= allowedPowers && squares <= allowedSquares;
+	// Where all is flat the sum is 0, and stays so times any factor.
+	const double enoughSquares = 0.25 * squaredEnough_ * double(num_);
+	const double growth        = double(rmsGrowth_) * rmsGrowth_;
+	const double allowedSquares =
+		limitsMean() ? std::max(growth * squares_, enoughSquares) : HUGE_VAL;
+	double          squares = 0, powers = 0;
+	NearestTriangle near(triangles);
+	const auto      isKept = [&](const Vec3f& p) {
+        const float squared = near.squaredDistance(p, surelyNear());
+        squares += squared;
+        powers += guardedPower(squared);
+        return squared <= farthest_ && powers <= allowedPowers && squares <= allowedSquares;
 	};
 	return std::all_of(faces_.begin(), faces_.end(),
 					   [&](int f) { return assignment_.forEach(f, isKept); });

@@ -7,6 +7,7 @@
 #include <vcg_extras/core/surface/cells.h>
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -74,18 +75,24 @@ Triangles trianglesOf(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
 /// How far the vertices of the input that belong to a patch lie from its triangles.
 class PatchDistance {
 public:
+	struct Settings {
+		float enough;                ///< smaller distances are as good as none
+		float guarded   = HUGE_VALF; ///< see isKeptBy
+		float rmsGrowth = HUGE_VALF; ///< factor; HUGE_VALF: the mean is not limited
+	};
+
 	/// Of the vertices that belong to `faces` from the nearest of the triangles, which may be
-	/// others than these. Distances below `enough` need not be true. Cost: the product of both,
-	/// mostly far less, since the triangle that was nearest last time is tried first.
+	/// others than these. Cost: the product of both, mostly far less, since the triangle that was
+	/// nearest last time is tried first.
 	PatchDistance(const Assignment& assignment, std::vector<int> faces, const Triangles& triangles,
-				  float enough, float guarded);
+				  const Settings& settings);
 
 	/// Whether other triangles may take the place of these. No vertex may come to lie farther away
 	/// than `enough`, or than the farthest before. Of the vertices beyond `guarded` the sum of the
 	/// fourth powers may not grow: a tip must not be cut off because one beside it is. Nor may the
 	/// root mean square grow by more than a factor, unless it stays below half of `enough`. Cost:
 	/// as above, up to the first vertex that tells.
-	bool isKeptBy(const Triangles& triangles, float rmsGrowth) const;
+	bool isKeptBy(const Triangles& triangles) const;
 
 	/// Distances from single triangles that measuring took; a comparison takes about as many.
 	std::int64_t work() const { return work_; }
@@ -93,11 +100,13 @@ public:
 private:
 	const Assignment& assignment_;
 	std::vector<int>  faces_;
-	float             squaredEnough_, squaredGuarded_;
-	float             farthest_ = 0; ///< squared
+	float             rmsGrowth_, squaredEnough_, squaredGuarded_;
+	float             farthest_; ///< squared, or what is near enough
 	double            squares_ = 0, fourthPowers_ = 0;
 	std::int64_t      num_ = 0, work_ = 0;
 
+	bool  limitsMean() const { return rmsGrowth_ < HUGE_VALF; }
+	float surelyNear() const;
 	/// What a vertex adds to the sum of fourth powers; all that are not guarded count alike.
 	double guardedPower(float squared) const;
 };

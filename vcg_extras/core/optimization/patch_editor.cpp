@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_editor.h"
 
-#include "curve_slide.h"
+#include "constraint.h"
 #include "edge_middle.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
@@ -82,13 +82,16 @@ float PatchEditor::meanEdge(int v) const
 	return sum / float(num);
 }
 
-bool PatchEditor::mayMove(int v) const
+bool PatchEditor::mayMove(int v, bool mayCrowd) const
 {
 	const ResultVertex& r = r_.vertex[v];
-	return !r.isCorner && !r.isPinned && m_.isCurveVertex(v) == (r.curve >= 0);
+	if (mayCrowd && r.curve >= 0 && m_.isBorderVertex(v)) return !r.isPinned;
+	const Constraint constraint = constraintOf(r_, v);
+	return constraint == Constraint::Curve || constraint == Constraint::Free;
 }
 
-std::vector<PatchEditor::VertexState> PatchEditor::statesAround(int v, float reach) const
+std::vector<PatchEditor::VertexState> PatchEditor::statesAround(int v, float reach,
+																bool mayCrowd) const
 {
 	std::vector<VertexState> states;
 	const ResultVertex&      here = r_.vertex[v];
@@ -96,8 +99,8 @@ std::vector<PatchEditor::VertexState> PatchEditor::statesAround(int v, float rea
 		const SlideRoom room = slideRoom(r_, curves_, v);
 		for (float by : {-reach, reach}) {
 			if (reach > longestSlide * (by < 0 ? room.backward : room.forward)) continue;
-			if (slideKeepsToCurve(r_, curves_, v, room, by) &&
-				slideKeepsSpacing(r_, curves_, v, room, by))
+			if (mayCrowd || (slideKeepsToCurve(r_, curves_, v, room, by) &&
+							 slideKeepsSpacing(r_, curves_, v, room, by)))
 				states.push_back(movedTo(v, slid(surface_, curves_, here, by)));
 		}
 		return states;

@@ -70,10 +70,12 @@ public:
 	VertexState stateOf(int v) const { return {m_.position[v], normal_[v], r_.vertex[v]}; }
 	void        put(int v, const VertexState& state);
 	float       meanEdge(int v) const;
-	bool        mayMove(int v) const;
+	/// mayCrowd: corners of the border may slide, too.
+	bool        mayMove(int v, bool mayCrowd = false) const;
 	/// Where v gets by a step of this length: along its curve, or in eight directions over the
-	/// surface.
-	std::vector<VertexState> statesAround(int v, float reach) const;
+	/// surface. mayCrowd: along the curve it may come as near to a neighbour, and leave the curve
+	/// as far, as there is room.
+	std::vector<VertexState> statesAround(int v, float reach, bool mayCrowd = false) const;
 	/// The same height of v above its surface point, raised or lowered by `by`.
 	VertexState raised(int v, float by) const;
 	/// Whether v at a state is within `share` mean edges of where it was at first, and the

@@ -2,128 +2,260 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "relaxation.h"
 
-#include "move_guard.h"
+#include "constraint.h"
+#include "descent.h"
+#include "terms.h"
 
+#include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/sectors.h>
 #include <vcg_extras/core/sampling/sizing.h>
-#include <vcg_extras/core/surface/walk.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace gpr {
 
 namespace {
 
-/// Weight of area where the triangles are to be of this size. Lloyd's theory asks for the fourth
-/// power of 1/size for the density of the area; for barycentres of rings, whose faces are small
-/// already where they are to be small, the third power keeps the grading (docs/algorithm.md).
-float densityOfSize(float size)
+/// A face of a shape below this, that of 30°-30°-120°, must not get poorer.
+constexpr float poorShape = 0.6f;
+
+MoveLimits limitsOfRelaxation()
 {
-	return 1 / (size * size * size);
+	MoveLimits limits;
+	limits.minShape = poorShape;
+	return limits;
 }
 
-/// Per vertex of the result; empty where the triangles are to be of one size.
+/// Weight of area per vertex; empty where the triangles are to be of one size. Lloyd's theory asks
+/// for the fourth power of 1/size for the density of the area; for barycentres of rings, whose
+/// faces are small already where they are to be small, the third power keeps the grading
+/// (docs/algorithm.md).
 Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
 	Buffer<float> density = sizesOf(surface, result, workers);
 	for (float& d : density)
-		d = densityOfSize(d);
+		d = 1 / (d * d * d);
 	return density;
 }
 
-/// The faces round a vertex, read once for all that a step wants to know: the ring is what costs.
-class Ring {
+/// One step over the surface: every flat vertex goes the tangential part of way(v).
+template <class Way>
+void walkOnce(const Surface& surface, const Way& way, ResultMesh& result, Workers& workers)
+{
+	SurfaceDescent descent(limitsOfRelaxation(), result, workers);
+	descent.step([&](int v) -> std::optional<ResultVertex> {
+		if (!mayWalk(constraintOf(result, v)) || !isFlat(result.mesh, v)) return {};
+		ResultVertex next = result.vertex[v];
+		const Vec3f  step = tangential(way(v), next.normal);
+		if (!(squaredLength(step) > 0)) return {};
+		walkBy(surface, step, next);
+		return next;
+	});
+}
+
+// ---- creases
+
+/// Of the way to the next vertex on the line: neighbours that slide as far towards each other keep
+/// a distance.
+constexpr float longestCreaseSlide = 0.3f;
+
+void slideOnCrease(const Surface& surface, const BoundaryCurves& curves, int v, ResultMesh& r)
+{
+	const SlideRoom room = slideRoom(r, curves, v);
+	if (!room.isOpen()) return;
+	const float wanted = dot(wayToBarycentre(r.mesh, v), slideDirection(curves, r.vertex[v], room));
+	const float step =
+		std::clamp(wanted, -longestCreaseSlide * room.backward, longestCreaseSlide * room.forward);
+	const ResultVertex to = slid(surface, curves, r.vertex[v], step);
+	if (spoilsRing(limitsOfRelaxation(), r.mesh, v, to.anchor.position)) return;
+	if (!slideKeepsToCurve(r, curves, v, room, step)) return;
+	r.vertex[v]        = to;
+	r.mesh.position[v] = to.anchor.position;
+}
+
+// ---- conformal
+
+constexpr int stepsBetweenFlips = 3;
+/// The momentum fades over the last steps, which then damp what it left of short waves.
+constexpr int calmSteps = 2;
+
+/// Rings with a face above this energy move by guarded steps.
+constexpr float poorEnergy = 1.35f;
+/// Twice a face's area counts as at least this, in squared local edges.
+constexpr float leastCross = 0.02f;
+
+// Longest moves, in local edges.
+constexpr float longestDescent = 0.15f, longestMove = 0.3f, longestSlide = 0.1f;
+
+/// Vertices that slide keep this distance from their neighbours on the curve, in local edges.
+constexpr float leastSpacing = 0.6f;
+/// A slide may lower the worst angle of the ring down to this.
+constexpr float leastSlideAngle = 34 * radians;
+
+float meanSquaredEdge(const HalfEdgeMesh& m, int v)
+{
+	float sum = 0;
+	int   n   = 0;
+	forEachNeighbour(m, v, [&](int w) {
+		sum += squaredLength(m.position[w] - m.position[v]);
+		++n;
+	});
+	return n > 0 ? sum / float(n) : 0.0f;
+}
+
+/// What the ring of a vertex wants.
+struct RingPull {
+	Vec3f newton; ///< the step to where the force vanishes; at a vertex of a curve not tangential
+	float worstEnergy = 0;
+	float edge        = 0; ///< local edge length: root mean square of the ring's
+};
+
+/// normal: the surface's at v. A face that looks against it counts as one without area; but the
+/// faces at a curve may look anywhere.
+RingPull pullOf(const HalfEdgeMesh& m, int v, bool onCurve, const Vec3f& normal)
+{
+	const float squared = meanSquaredEdge(m, v);
+	if (!(squared > 0)) return {};
+	RingPull      ring;
+	ConformalPull sum;
+	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
+		const Vec3f n         = cross(a, b);
+		const float twiceArea = onCurve || dot(n, normal) > 0 ? length(n) : 0.0f;
+		if (onCurve && !(twiceArea > 0)) return;
+		const float inverse = 1 / std::max(twiceArea, leastCross * squared);
+		const float energy  = onCurve ? sum.add(a, b, n * (1 / twiceArea), 1, inverse)
+									  : sum.add(a, b, normal, 1, inverse);
+		ring.worstEnergy    = std::max(ring.worstEnergy, energy);
+	});
+	if (sum.stiffness > 0) ring.newton = sum.force * (1 / sum.stiffness);
+	if (!onCurve) ring.newton = tangential(ring.newton, normal);
+	ring.edge = std::sqrt(squared);
+	return ring;
+}
+
+class ConformalRelaxer {
 public:
-	void gather(const HalfEdgeMesh& m, int v)
+	ConformalRelaxer(const Surface& surface, const BoundaryCurves& curves,
+					 const ConformalSteps& steps, ResultMesh& result, Workers& workers) :
+			surface_(surface),
+			curves_(curves), steps_(steps), r_(result), m_(result.mesh), workers_(workers),
+			descent_(limitsOfRelaxation(), result, workers), last_(result.vertex.size())
 	{
-		sum_ = {};
-		faces_.clear();
-		forEachFaceRound(m, v, [&](int h, const Vec3f& a, const Vec3f& b) {
-			faces_.push_back({h, a + b, cross(a, b)});
-			sum_ += faces_.back().cross;
-		});
 	}
 
-	/// Whether the faces lie within about 37° of their mean normal: isFlat() of a vertex that is on
-	/// no feature line.
-	bool isFlatFan() const
+	void run()
 	{
-		const float limit = flatCosine * flatCosine * squaredLength(sum_);
-		bool        flat  = squaredLength(sum_) > 0;
-		for (const Face& f : faces_) {
-			const float d = dot(f.cross, sum_);
-			flat          = flat && d > 0 && d * d >= limit * squaredLength(f.cross);
+		for (int step = 0; step < steps_.stepNum; ++step) {
+			if (step % stepsBetweenFlips == 0) flat_ = findFlatVertices(r_, workers_);
+			const int left = steps_.stepNum - 1 - step;
+			share_ =
+				left >= calmSteps ? steps_.momentum : steps_.momentum * float(left) / calmSteps;
+			descent_.step([&](int v) { return next(v); });
+			if (left == 0 || step % stepsBetweenFlips == stepsBetweenFlips - 1)
+				flipToDelaunay(r_, workers_, steps_.flipPasses);
 		}
-		return flat;
-	}
-
-	/// From v to the barycentre of the ring, weighted by area and density.
-	Vec3f wayToBarycentre(const HalfEdgeMesh& m, int v, const Buffer<float>& density) const
-	{
-		Vec3f sum;
-		float weight = 0;
-		for (const Face& f : faces_) {
-			float area = length(f.cross);
-			if (!density.empty())
-				area *= density[v] + density[m.target(f.halfEdge)] + density[m.apex(f.halfEdge)];
-			sum += f.middle * (area / 3);
-			weight += area;
-		}
-		return weight > 0 ? sum * (1 / weight) : Vec3f();
 	}
 
 private:
-	struct Face {
-		int   halfEdge;
-		Vec3f middle; ///< sum of the other corners, seen from the vertex
-		Vec3f cross;
-	};
-	std::vector<Face> faces_;
-	Vec3f             sum_; ///< of the cross products
-};
+	const Surface&        surface_;
+	const BoundaryCurves& curves_;
+	const ConformalSteps& steps_;
+	ResultMesh&           r_;
+	const HalfEdgeMesh&   m_;
+	Workers&              workers_;
+	SurfaceDescent        descent_;
+	Buffer<Vec3f>         last_; ///< the last move of each vertex that walks
+	Buffer<char>          flat_;
+	float                 share_ = 0; ///< of the last move that is made again in this step
 
-/// The vertex after a walk.
-ResultVertex walked(const Surface& surface, ResultVertex vertex, const Vec3f& step)
-{
-	walk(surface.mesh, vertex.anchor, step);
-	vertex.normal = surface.mesh.faceNormal(vertex.anchor.face);
-	return vertex;
-}
+	std::optional<ResultVertex> next(int v)
+	{
+		const Constraint constraint = constraintOf(r_, v);
+		const bool       onCurve    = constraint == Constraint::Curve;
+		if (!onCurve && !(mayWalk(constraint) && flat_[v])) return {};
+		const RingPull pull = pullOf(m_, v, onCurve, r_.vertex[v].normal);
+		const Vec3f    step = shortened(pull.newton * steps_.rate, longestDescent * pull.edge);
+		return onCurve ? slide(v, step, pull.edge) : walkOn(v, step, pull);
+	}
+
+	std::optional<ResultVertex> walkOn(int v, const Vec3f& step, const RingPull& pull)
+	{
+		const bool   isPoor = pull.worstEnergy > poorEnergy;
+		const float  share  = isPoor ? 0 : share_;
+		ResultVertex next   = r_.vertex[v];
+		const Vec3f  last   = descent_.moved(v) ? tangential(last_[v], next.normal) : Vec3f();
+		const Vec3f  move   = moveWithMomentum(last, share, step, longestMove * pull.edge);
+		last_[v]            = move;
+		if (!(squaredLength(move) > 0)) return {};
+		const bool arrives = walkBy(surface_, move, next) == WalkEnd::Arrived;
+		if (isPoor && (!arrives || lowersWorstAngle(v, next.anchor.position))) return {};
+		return next;
+	}
+
+	bool lowersWorstAngle(int v, const Vec3f& p) const
+	{
+		return smallestAngleAround(m_, v, p, 0) < smallestAngleAround(m_, v, m_.position[v], 0);
+	}
+
+	std::optional<ResultVertex> slide(int v, const Vec3f& step, float edge) const
+	{
+		const ResultVertex& here = r_.vertex[v];
+		const SlideRoom     room = slideRoom(r_, curves_, v);
+		if (!room.isOpen()) return {};
+		const float longest = longestSlide * edge;
+		const float wanted  = dot(step, slideDirection(curves_, here, room));
+		const float arc     = std::clamp(wanted, -longest, longest);
+		const float ahead   = arc > 0 ? room.forward : room.backward;
+		if (arc == 0 || ahead - std::abs(arc) < leastSpacing * edge) return {};
+		if (!slideKeepsToCurve(r_, curves_, v, room, arc)) return {};
+		if (!slideKeepsSpacing(r_, curves_, v, room, arc)) return {};
+		const ResultVertex next  = slid(surface_, curves_, here, arc);
+		const float        worst = smallestAngleAround(m_, v, next.anchor.position, 0);
+		const float        least =
+			std::min(leastSlideAngle, smallestAngleAround(m_, v, here.anchor.position, 0));
+		if (worst < 0 || worst < least) return {};
+		return next;
+	}
+};
 
 } // namespace
 
-Vec3f wayToBarycentre(const HalfEdgeMesh& m, int v, const Buffer<float>& density)
-{
-	Ring ring;
-	ring.gather(m, v);
-	return ring.wayToBarycentre(m, v, density);
-}
-
-Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers)
-{
-	Buffer<char> flat(result.mesh.vertexNum);
-	workers.forRange(flat.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			flat[v] = isFlat(result.mesh, int(v));
-	});
-	return flat;
-}
-
 void relaxOnce(const Surface& surface, ResultMesh& result, Workers& workers)
 {
-	const HalfEdgeMesh& m       = result.mesh;
 	const Buffer<float> density = findDensities(surface, result, workers);
-	MoveGuard           guard(result, workers);
-	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		Ring ring;
-		for (int v = int(begin); v < int(end); ++v) {
-			if (!isFree(result, v)) continue;
-			ring.gather(m, v);
-			if (!ring.isFlatFan()) continue;
-			const ResultVertex& here = result.vertex[v];
-			const Vec3f         step = tangential(ring.wayToBarycentre(m, v, density), here.normal);
-			if (squaredLength(step) > 0) guard.propose(v, walked(surface, here, step));
-		}
-	});
-	guard.move();
+	const auto          way     = [&](int v) { return wayToBarycentre(result.mesh, v, density); };
+	walkOnce(surface, way, result, workers);
+}
+
+void smoothByUmbrella2(const Surface& surface, ResultMesh& result, Workers& workers)
+{
+	const Buffer<Vec3f> umbrella = secondOrderUmbrella(result.mesh, workers);
+	const auto          way      = [&](int v) { return umbrella[v] * -1.0f; };
+	walkOnce(surface, way, result, workers);
+}
+
+void slideAlongCreases(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result)
+{
+	if (!result.mesh.hasCreases()) return;
+	for (int v = 0; v < result.mesh.vertexNum; ++v) {
+		if (result.vertex[v].curve >= 0 && !result.mesh.isBorderVertex(v))
+			slideOnCrease(surface, curves, v, result);
+	}
+}
+
+ConformalSteps conformalSteps(int stepNum)
+{
+	if (stepNum <= 7) return {stepNum, 0.7f, 1, untilDelaunay};
+	if (stepNum <= 15) return {stepNum, 0.8f, 0.7f, untilDelaunay};
+	if (stepNum <= 25) return {stepNum, 0.85f, 0.7f, untilDelaunay};
+	return {stepNum, 0.9f, 0.7f, untilDelaunay};
+}
+
+void relaxConformally(const Surface& surface, const BoundaryCurves& curves,
+					  const ConformalSteps& steps, ResultMesh& result, Workers& workers)
+{
+	ConformalRelaxer(surface, curves, steps, result, workers).run();
 }
 
 } // namespace gpr

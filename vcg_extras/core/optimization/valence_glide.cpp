@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "valence_glide.h"
 
+#include "constraint.h"
 #include "delaunay_flips.h"
-#include "relaxation.h"
 
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>

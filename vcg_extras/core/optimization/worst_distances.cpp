@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "worst_distances.h"
 
+#include "constraint.h"
+
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/face_tree.h>
@@ -275,11 +277,7 @@ private:
 
 	// ---- moves
 
-	bool mayMove(int v) const
-	{
-		const ResultVertex& r = r_.vertex[v];
-		return isFree(r_, v) && r.curve < 0 && !r.isPinned;
-	}
+	bool mayMove(int v) const { return constraintOf(r_, v) == Constraint::Free; }
 
 	bool drawCloser(int f, float goal)
 	{

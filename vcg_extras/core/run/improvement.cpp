@@ -3,13 +3,10 @@
 #include "improvement.h"
 
 #include <vcg_extras/core/base/pages.h>
-#include <vcg_extras/core/optimization/conformal_relaxation.h>
-#include <vcg_extras/core/optimization/curve_slide.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/optimization/fit.h>
 #include <vcg_extras/core/optimization/relaxation.h>
-#include <vcg_extras/core/optimization/umbrella_smoothing.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 
 #include <cmath>

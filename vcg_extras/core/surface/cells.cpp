@@ -3,6 +3,7 @@
 #include "cells.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
+#include <vcg_extras/core/base/triangle.h>
 
 #include <limits>
 
@@ -151,12 +152,10 @@ struct Foot {
 	}
 };
 
-struct Corners {
-	Vec3f a, b, c;
-
-	Vec3f cross() const { return gpr::cross(b - a, c - a); }
-	Vec3f at(const Foot& f) const { return a * f.weight[0] + b * f.weight[1] + c * f.weight[2]; }
-};
+Vec3f pointAt(const Foot& f, const Corners& t)
+{
+	return t.a * f.weight[0] + t.b * f.weight[1] + t.c * f.weight[2];
+}
 
 /// The point of the triangle's plane nearest to p; n is the triangle's cross product.
 Foot footInPlane(const Vec3f& p, const Corners& t, const Vec3f& n)
@@ -167,13 +166,6 @@ Foot footInPlane(const Vec3f& p, const Corners& t, const Vec3f& n)
 	return {{1 - second - third, second, third}};
 }
 
-/// Share of the way from a to b at the point of the edge nearest to p.
-float shareOnEdge(const Vec3f& p, const Vec3f& a, const Vec3f& b)
-{
-	const float squared = squaredLength(b - a);
-	return squared > 0 ? std::min(1.0f, std::max(0.0f, dot(p - a, b - a) / squared)) : 0.0f;
-}
-
 /// The point of the triangle nearest to p.
 Foot nearestFoot(const Vec3f& p, const Corners& t, const Vec3f& n)
 {
@@ -182,12 +174,12 @@ Foot nearestFoot(const Vec3f& p, const Corners& t, const Vec3f& n)
 		if (inPlane.isInside()) return inPlane;
 	}
 	// Outside: all three edges, since the triangle may be obtuse.
-	const float ab = shareOnEdge(p, t.a, t.b), bc = shareOnEdge(p, t.b, t.c);
-	const float ca        = shareOnEdge(p, t.c, t.a);
+	const float ab = shareOnSegment(p, t.a, t.b), bc = shareOnSegment(p, t.b, t.c);
+	const float ca        = shareOnSegment(p, t.c, t.a);
 	const Foot  onEdge[3] = {{{1 - ab, ab, 0}}, {{0, 1 - bc, bc}}, {{ca, 0, 1 - ca}}};
 	Foot        best      = onEdge[0];
 	for (const Foot& f : onEdge) {
-		if (squaredLength(t.at(f) - p) < squaredLength(t.at(best) - p)) best = f;
+		if (squaredLength(pointAt(f, t) - p) < squaredLength(pointAt(best, t) - p)) best = f;
 	}
 	return best;
 }
@@ -221,7 +213,7 @@ public:
 			if (!(dot(n, normal) > 0)) break;
 			foot = footInPlane(at, t, n);
 			if (foot.isInside()) {
-				const float off = squaredLength(t.at(foot) - at);
+				const float off = squaredLength(pointAt(foot, t) - at);
 				if (off <= overShare * length(n)) return {face, foot, off};
 				return nearer(searchStars(at, normal, m_.origin[3 * face + foot.heaviest()]),
 							  searchStars(at, normal, m_.origin[3 * start]));
@@ -263,7 +255,7 @@ private:
 		const Corners t        = cornersOf(face);
 		const Vec3f   n        = t.cross();
 		const Foot    foot     = nearestFoot(at, t, n);
-		float         distance = squaredLength(t.at(foot) - at);
+		float         distance = squaredLength(pointAt(foot, t) - at);
 		if (dot(n, normal) < 0) distance = wrongSide * distance + std::numeric_limits<float>::min();
 		if (distance < best.distance) best = {face, foot, distance};
 	}

@@ -1,19 +1,50 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_CURVE_SLIDE_H
-#define VCG_EXTRAS_CORE_OPTIMIZATION_CURVE_SLIDE_H
+#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_CONSTRAINT_H
+#define VCG_EXTRAS_CORE_OPTIMIZATION_CONSTRAINT_H
 
+#include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/surface/result_mesh.h>
+#include <vcg_extras/core/surface/walk.h>
 
 namespace gpr {
+
+/// What a vertex of the result may do.
+enum class Constraint {
+	Fixed,   ///< stays: corners of curves, tips of cones, pinned vertices of curves
+	Curve,   ///< slides along its border or feature line, as far as slideRoom allows
+	Surface, ///< walks over the surface, and stays on it: samples of a line that the mesh has lost
+	Free,    ///< walks over the surface; the fit may take it off
+};
+
+/// Whether it walks over the surface.
+inline bool mayWalk(Constraint c)
+{
+	return c == Constraint::Surface || c == Constraint::Free;
+}
+
+Constraint constraintOf(const ResultMesh& result, int v);
+
+/// Per vertex: whether all faces of its ring, or of each of its sectors (sectors.h), lie within
+/// about 37° of their mean normal. Moving others would round off what is sharp there.
+Buffer<char> findFlatVertices(const ResultMesh& result, Workers& workers);
+
+// ---- on the surface
+
+/// Moves a record by a walk over the surface.
+WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex);
+
+// ---- on a curve
 
 /// How far a vertex of a curve may slide along it: arc lengths to its two neighbours on the curve.
 /// Zero where it must stay or where a neighbour is on no curve of the same.
 struct SlideRoom {
 	float backward = 0;
 	float forward  = 0;
+	int   last     = -1; ///< the neighbour behind
+	int   next     = -1; ///< the neighbour ahead
 
 	/// Whether there is room both ways.
 	bool isOpen() const { return backward > 0 && forward > 0; }
@@ -45,11 +76,6 @@ bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, i
 /// The record of a vertex, moved by `step` along its curve.
 ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const ResultVertex& vertex,
 				  float step);
-
-/// One relaxation step for the vertices of feature lines: each slides along its line towards the
-/// barycentre of its ring, one after the other, unless a face would turn or a poor one get poorer,
-/// or the line leave its chords further than they may. Cost: the rings of these vertices.
-void slideAlongCreases(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result);
 
 } // namespace gpr
 

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// What vertices are moved by, each term by itself.
+
+#include <tests/support/mesh_builders.h>
+#include <tests/support/random_source.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/core/optimization/terms.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gpr::test {
+
+namespace {
+
+// ---- barycentric
+
+TEST(WayToBarycentre, LeadsTowardsTheDenserSide)
+{
+	const HalfEdgeMesh m      = halfEdgesOf(lattice(4, 4));
+	const int          middle = 12; // of five rows of five
+	EXPECT_LT(length(wayToBarycentre(m, middle)), 1e-6f);
+	Buffer<float> density(std::size_t(m.vertexNum), 1.0f);
+	density[middle + 1] = 4;
+	const Vec3f way     = wayToBarycentre(m, middle, density);
+	EXPECT_GT(way.x, 0.05f);
+	EXPECT_LT(std::abs(way.y), 1e-6f);
+}
+
+// ---- second-order umbrella
+
+/// A square of side 1 cut into 20 × 20, all diagonals the same way: every inner vertex has six
+/// neighbours.
+TriangleMesh latticeOfSixes()
+{
+	constexpr int n = 20;
+	TriangleMesh  mesh;
+	for (int y = 0; y <= n; ++y) {
+		for (int x = 0; x <= n; ++x)
+			mesh.positions.push_back({double(x) / n, double(y) / n, 0});
+	}
+	for (int y = 0; y < n; ++y) {
+		for (int x = 0; x < n; ++x) {
+			const int a = y * (n + 1) + x, b = a + 1, c = a + n + 1, d = c + 1;
+			mesh.triangles.insert(mesh.triangles.end(), {a, b, d, a, d, c});
+		}
+	}
+	return mesh;
+}
+
+/// Inner vertices at least so many rings from the border of a grid of side 1.
+bool isDeep(const Vec3f& p, float margin)
+{
+	return p.x > margin && p.y > margin && p.x < 1 - margin && p.y < 1 - margin;
+}
+
+/// The operator is of fourth order: it vanishes for cubic polynomials on a regular lattice.
+TEST(SecondOrderUmbrella, VanishesOnRegularLattices)
+{
+	TriangleMesh sheet = latticeOfSixes();
+	for (Vec3d& p : sheet.positions)
+		p.z = p.x * p.x * p.x + p.x * p.y - 0.5 * p.y * p.y;
+	Workers             workers(1, nullptr);
+	const HalfEdgeMesh  m    = halfEdgesOf(sheet);
+	const Buffer<Vec3f> step = secondOrderUmbrella(m, workers);
+	int                 deep = 0;
+	for (int v = 0; v < m.vertexNum; ++v) {
+		if (!isDeep(m.position[v], 0.12f)) continue;
+		++deep;
+		EXPECT_LT(length(step[v]), 1e-5f);
+	}
+	EXPECT_GT(deep, 100);
+}
+
+/// One vertex of a lattice of sixes displaced by d: U(v) = -d and U of each of its six neighbours
+/// is d/6, of which U²(v) = d/6 + d, and ν = 7/6; so that the step takes v back to its place at
+/// once.
+TEST(SecondOrderUmbrella, TakesADisplacedVertexBackAtOnce)
+{
+	TriangleMesh sheet = latticeOfSixes();
+	const Vec3d  by(0.012, -0.02, 0.007);
+	int          displaced = 0;
+	for (std::size_t v = 0; v < sheet.vertexNum(); ++v) {
+		if (length(sheet.positions[v] - Vec3d(0.5, 0.5, 0)) < 1e-9) displaced = int(v);
+	}
+	sheet.positions[displaced] += by;
+	Workers             workers(1, nullptr);
+	const Buffer<Vec3f> step = secondOrderUmbrella(halfEdgesOf(sheet), workers);
+	EXPECT_LT(length(Vec3d(step[displaced]) - by), 1e-6);
+}
+
+// ---- conformal
+
+/// Of the face (p, a, b).
+double conformalEnergy(const Vec3d& p, const Vec3d& a, const Vec3d& b)
+{
+	const double edges = squaredLength(a - p) + squaredLength(b - p) + squaredLength(b - a);
+	return edges / (2 * std::sqrt(3.0) * length(cross(a - p, b - p)));
+}
+
+TEST(ConformalPull, IsTheDownhillGradientOfTheEnergy)
+{
+	Random     random(7);
+	const auto point = [&] {
+		return Vec3d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+	};
+	for (int i = 0; i < 50; ++i) {
+		const Vec3d p = point(), a = point(), b = point();
+		const Vec3f n       = Vec3f(cross(a - p, b - p));
+		const float inverse = 1 / length(n);
+		if (inverse > 10) continue; // nearly a line: differences say little
+		ConformalPull pull;
+		const float   energy = pull.add(Vec3f(a - p), Vec3f(b - p), n, inverse, inverse);
+		EXPECT_NEAR(double(energy) / conformalEnergy(p, a, b), 1, 1e-4);
+		const double step   = 1e-5;
+		const auto   change = [&](const Vec3d& by) {
+            return (conformalEnergy(p + by, a, b) - conformalEnergy(p - by, a, b)) / (2 * step);
+		};
+		const Vec3d gradient(change({step, 0, 0}), change({0, step, 0}), change({0, 0, step}));
+		EXPECT_LT(length(Vec3d(pull.force) + gradient), 1e-3 * (1 + length(gradient))) << i;
+	}
+}
+
+TEST(ConformalPull, OfAnEquilateralTriangleHasTheEnergyOneAndIsTheSameByEitherNormal)
+{
+	const Vec3f   a(1, 0, 0), b(0.5f, std::sqrt(0.75f), 0);
+	const Vec3f   n       = cross(a, b);
+	const float   inverse = 1 / length(n);
+	ConformalPull byCross, byUnit;
+	EXPECT_NEAR(byCross.add(a, b, n, inverse, inverse), 1, 1e-6);
+	byUnit.add(a, b, n * inverse, 1, inverse);
+	EXPECT_LT(length(byCross.force - byUnit.force), 1e-6f);
+	EXPECT_LT(length(byCross.force), 1e-6f);
+}
+
+} // namespace
+
+} // namespace gpr::test

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_TERMS_H
+#define VCG_EXTRAS_CORE_OPTIMIZATION_TERMS_H
+
+#include <vcg_extras/core/base/symmetric_matrix.h>
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/connect.h>
+#include <vcg_extras/core/surface/cells.h>
+
+namespace gpr {
+
+/// What vertices are moved by: four terms, each of which says where a vertex is to go while all
+/// others stay. None of them knows of constraints or limits.
+
+/// Barycentric: from v to the barycentre of its ring, weighted by area, and by the density at the
+/// vertices if there is one.
+Vec3f wayToBarycentre(const HalfEdgeMesh& mesh, int v, const Buffer<float>& density = {});
+
+/// Umbrella: U² / ν at every vertex, by the second-order umbrella operator of Kobbelt, Campagna,
+/// Vorsatz and Seidel (1998); the vertex is to go the other way,
+///
+///   U(p) = mean of the neighbours - p,  U²(p) = mean of the neighbours' U - U(p),
+///   p <- p - U²(p) / ν,                 ν = 1 + (mean of 1 over the neighbours' valences).
+///
+/// At a border U is that of the border polygon, so that the border does not draw the inside to it.
+Buffer<Vec3f> secondOrderUmbrella(const HalfEdgeMesh& mesh, Workers& workers);
+
+/// Conformal: what the faces at a vertex p want, by the energy of Hormann and Greiner, MIPS (2000),
+/// E = (|a|² + |b|² + |b - a|²) / (4√3·area) for the face (p, p + a, p + b), 1 if it is
+/// equilateral.
+struct ConformalPull {
+	Vec3f force;         ///< minus the gradient over p
+	float stiffness = 0; ///< the Hessian's diagonal
+
+	/// Adds a face and returns its energy. inverse: 1 over twice its area. The normal may be the
+	/// surface's; where it is no unit vector, unit is 1 over its length. Inline: each step of a
+	/// descent calls it for every corner of every face.
+	///
+	///     gradient = -2k (a + b) / 2A - E / 2A · n × (b - a),  Hessian ≈ 4k / 2A,  k = 1 / (2√3)
+	float add(const Vec3f& a, const Vec3f& b, const Vec3f& normal, float unit, float inverse)
+	{
+		constexpr float k      = 0.28867513f;
+		const Vec3f     across = b - a;
+		const float     edges  = squaredLength(a) + squaredLength(b) + squaredLength(across);
+		const float     energy = k * edges * inverse;
+		force += (a + b) * (2 * k * inverse);
+		force += cross(normal, across) * (energy * inverse * unit);
+		stiffness += 4 * k * inverse;
+		return energy;
+	}
+};
+
+/// Distance: the squared distance of the cells' vertices from the triangles, as a function of the
+/// vertices' shifts: ½ Σ_ij s_i K_ij s_j - Σ_i f_i s_i. K_ij is kept for every vertex and edge.
+class DistanceTerm {
+public:
+	explicit DistanceTerm(const HalfEdgeMesh& mesh);
+
+	/// For the present cells and places. Cost: linear in the input, parallel.
+	void assemble(const Surface& surface, const Cells& cells, Workers& workers);
+
+	const SymmetricMatrix& own(int v) const { return own_[v]; }
+	const Vec3f&           force(int v) const { return force_[v]; }
+	/// Of the edge that h is a half of.
+	const SymmetricMatrix& joint(int h) const { return joint_[edge_[h]]; }
+
+private:
+	const HalfEdgeMesh&     m_;
+	Buffer<int>             edge_; ///< per half-edge: number of its edge
+	Buffer<SymmetricMatrix> own_;
+	Buffer<SymmetricMatrix> joint_; ///< per edge
+	Buffer<Vec3f>           force_;
+
+	void assembleVertex(const Surface& surface, const Cells& cells, int v);
+};
+
+} // namespace gpr
+
+#endif
