@@ -129,8 +129,9 @@ Goal invertedFaces(LocalSearch& search, Workers& workers, bool mayCollapse)
 	if (mayCollapse)
 		goal.operations.insert(goal.operations.end(),
 							   {Operation::Collapse, Operation::CollapseBack});
-	goal.collapseCost = 2 * goal.leastGain;
-	goal.settles      = false; // shapes come later
+	goal.collapseCost    = 2 * goal.leastGain;
+	goal.budget.attempts = 2000 + search.mesh().faceNum; // no result may have a face without area
+	goal.settles         = false;                        // shapes come later
 	// Where more than single faces look wrong the triangles are too large for the surface, and
 	// moving vertices one by one, which costs most, repairs nothing.
 	const std::size_t most = std::max<std::size_t>(500, std::size_t(search.mesh().faceNum) / 50);

@@ -152,6 +152,8 @@ bool PatchEditor::isGentleFlip(int h) const
 {
 	const std::array<int, 4> corner = cornersAt(h);
 	if (!maySpareFace(m_, corner[0]) || !maySpareFace(m_, corner[1])) return false;
+	// Edges between kept vertices are most likely why these are kept.
+	if (r_.vertex[corner[0]].isPinned && r_.vertex[corner[1]].isPinned) return false;
 	const Vec3f a = m_.position[corner[0]], b = m_.position[corner[1]];
 	const Vec3f c = m_.position[corner[2]], d = m_.position[corner[3]];
 	const float gap = std::abs(dot(normalized(cross(b - a, d - c)), c - a));
