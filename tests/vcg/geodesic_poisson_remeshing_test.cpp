@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "remeshing_params.h"
 #include "support.h"
-
-#include <vcg_extras/complex/algorithms/geodesic_poisson_remeshing.h>
 
 #include <algorithm>
 #include <chrono>
@@ -19,14 +18,6 @@ template <class S>
 class GeodesicPoissonRemeshingTest : public ::testing::Test {
 };
 TYPED_TEST_SUITE(GeodesicPoissonRemeshingTest, Scalars);
-
-template <class MeshType>
-typename GeodesicPoissonRemeshing<MeshType>::Params ParamsOf(std::int64_t vertexNum)
-{
-	typename GeodesicPoissonRemeshing<MeshType>::Params params;
-	params.SetTargetVertexNum(vertexNum);
-	return params;
-}
 
 template <class MeshType>
 void ExpectSameMesh(const MeshType& a, const MeshType& b)
@@ -150,62 +141,6 @@ TYPED_TEST(GeodesicPoissonRemeshingTest, CarriesColourAndQualityOver)
 		EXPECT_EQ(v.cC()[2], 3);
 		EXPECT_EQ(v.cC()[3], 255);
 	}
-}
-
-TYPED_TEST(GeodesicPoissonRemeshingTest, RespectsOptionalComponents)
-{
-	typedef OcfMesh<TypeParam> MeshType;
-	for (const bool enabledFlag : {false, true}) {
-		MeshType m;
-		m.face.EnableFFAdjacency(); // the builder needs it
-		MakeTorus(m);
-		m.face.DisableFFAdjacency();
-		if (enabledFlag) {
-			m.vert.EnableQuality();
-			m.vert.EnableColor();
-			m.vert.EnableNormal();
-			m.face.EnableFFAdjacency();
-			for (auto& v : m.vert) {
-				v.Q() = 3;
-				v.C() = vcg::Color4b::Blue;
-			}
-		}
-		const auto result = GeodesicPoissonRemeshing<MeshType>::Do(m, ParamsOf<MeshType>(500));
-		ASSERT_TRUE(result.IsOk()) << result.message;
-		EXPECT_EQ(m.VN(), 500);
-		EXPECT_EQ(HasPerVertexQuality(m), enabledFlag);
-		EXPECT_EQ(HasPerVertexColor(m), enabledFlag);
-		EXPECT_EQ(HasFFAdjacency(m), enabledFlag);
-		if (!enabledFlag) continue;
-		EXPECT_TRUE(Clean<MeshType>::IsFFAdjacencyConsistent(m));
-		for (const auto& v : m.vert) {
-			EXPECT_NEAR(v.cQ(), 3, 1e-5);
-			EXPECT_TRUE(v.cC() == vcg::Color4b(vcg::Color4b::Blue));
-			EXPECT_NEAR(v.cN().Norm(), 1, 1e-5);
-		}
-	}
-}
-
-TYPED_TEST(GeodesicPoissonRemeshingTest, TheLeastMeshTypeWillDo)
-{
-	using Full = FullMesh<TypeParam>;
-	using Bare = BareMesh<TypeParam>;
-	Full full;
-	Bare bare;
-	MakeTorus(full);
-	Append<Bare, Full>::Mesh(bare, full);
-	ASSERT_TRUE(GeodesicPoissonRemeshing<Full>::Do(full, ParamsOf<Full>(500)).IsOk());
-	ASSERT_TRUE(GeodesicPoissonRemeshing<Bare>::Do(bare, ParamsOf<Bare>(500)).IsOk());
-	ASSERT_EQ(bare.vert.size(), full.vert.size());
-	for (std::size_t v = 0; v < bare.vert.size(); ++v)
-		EXPECT_TRUE(bare.vert[v].cP() == full.vert[v].cP());
-}
-
-TYPED_TEST(GeodesicPoissonRemeshingTest, AMissingComponentIsThrown)
-{
-	using MeshType = FlaglessMesh<TypeParam>;
-	MeshType m;
-	EXPECT_THROW(GeodesicPoissonRemeshing<MeshType>::Do(m), vcg::MissingComponentException);
 }
 
 TYPED_TEST(GeodesicPoissonRemeshingTest, GapsInTheVectorsAreNoVertices)

@@ -18,9 +18,11 @@
 // clang-format on
 
 #include <memory>
+#include <set>
 #include <string>
 #include <type_traits>
 #include <typeindex>
+#include <utility>
 #include <vector>
 
 namespace vcg {
@@ -89,66 +91,111 @@ T ValueAt(const gpr::SurfacePoint& at, const ValueOfType& valueOf)
 	}
 }
 
-/// The values of one named attribute at the elements of a mesh still to be written.
-template <class MeshType>
-class UserColumn {
-public:
-	explicit UserColumn(const std::string& name) : _name(name) {}
-	virtual ~UserColumn() {}
-	const std::string& Name() const { return _name; }
-	/// Gives the first elements of m their values; an attribute that m lacks is made.
-	virtual void Write(MeshType& m) const = 0;
-
-private:
-	std::string _name;
-};
-
-/// Whether there is an attribute of that name and of another type than T.
-template <class T, class AttributesType>
-bool HasOtherType(const AttributesType& attributes, const std::string& name)
-{
-	for (const PointerToAttribute& a : attributes)
-		if (a._name == name) return a._type != std::type_index(typeid(T));
-	return false;
-}
-
 /// As a struct, so that a vector of bool is a vector of bools.
 template <class T>
 struct Kept {
 	T value;
 };
 
-template <class MeshType, class T>
-class VertexColumn : public UserColumn<MeshType> {
-public:
-	using UserColumn<MeshType>::UserColumn;
-	std::vector<Kept<T>> values;
+// The compiler needs memory for each function that depends on both the type of the mesh and the
+// type of the values, and there are over twenty types of values. So what reads, keeps and copies
+// values depends on their type alone, and what finds or adds an attribute depends on the mesh
+// alone.
 
-	void Write(MeshType& m) const override
-	{
-		if (HasOtherType<T>(m.vert_attr, this->Name()))
-			Allocator<MeshType>::DeletePerVertexAttribute(m, this->Name());
-		auto handle = Allocator<MeshType>::template GetPerVertexAttribute<T>(m, this->Name());
-		for (std::size_t v = 0; v < values.size(); ++v)
-			handle[v] = values[v].value;
-	}
+/// The values of one named attribute at the elements of a mesh still to be written.
+class UserValues {
+public:
+	UserValues(const std::string& name, std::type_index type) : _name(name), _type(type) {}
+	virtual ~UserValues() {}
+	const std::string& Name() const { return _name; }
+	std::type_index    Type() const { return _type; }
+	virtual int        SizeOfValue() const = 0;
+	/// To the first elements of data, which is of the same type.
+	virtual void CopyTo(SimpleTempDataBase& data) const = 0;
+
+private:
+	std::string     _name;
+	std::type_index _type;
 };
 
-template <class MeshType, class T>
-class FaceColumn : public UserColumn<MeshType> {
+template <class T>
+class UserValuesOf : public UserValues {
 public:
-	using UserColumn<MeshType>::UserColumn;
-	std::vector<Kept<T>> values;
+	explicit UserValuesOf(const std::string& name) : UserValues(name, typeid(T)) {}
 
-	void Write(MeshType& m) const override
+	/// Of vertices, at anchors; corners: those of each anchor's face.
+	void ReadCorners(const SimpleTempDataBase& data, const std::vector<gpr::SurfacePoint>& anchors,
+					 const std::vector<std::size_t>& corners)
 	{
-		if (HasOtherType<T>(m.face_attr, this->Name()))
-			Allocator<MeshType>::DeletePerFaceAttribute(m, this->Name());
-		auto handle = Allocator<MeshType>::template GetPerFaceAttribute<T>(m, this->Name());
-		for (std::size_t f = 0; f < values.size(); ++f)
-			handle[f] = values[f].value;
+		_values.reserve(anchors.size());
+		for (std::size_t i = 0; i < anchors.size(); ++i) {
+			const auto valueOf = [&](int k) -> const T& {
+				return *static_cast<const T*>(data.At(corners[3 * i + std::size_t(k)]));
+			};
+			_values.push_back({ValueAt<T>(anchors[i], valueOf)});
+		}
 	}
+	void ReadElements(const SimpleTempDataBase& data, const std::vector<std::size_t>& elements)
+	{
+		_values.reserve(elements.size());
+		for (std::size_t e : elements)
+			_values.push_back({*static_cast<const T*>(data.At(e))});
+	}
+
+	int  SizeOfValue() const override { return int(sizeof(T)); }
+	void CopyTo(SimpleTempDataBase& data) const override
+	{
+		for (std::size_t i = 0; i < _values.size(); ++i)
+			*static_cast<T*>(data.At(i)) = _values[i].value;
+	}
+
+private:
+	std::vector<Kept<T>> _values;
 };
+
+/// The values for the elements of a container, and how it keeps such values.
+template <class ContainerType>
+struct UserColumn {
+	std::unique_ptr<UserValues> values;
+	SimpleTempDataBase* (*newData)(ContainerType&);
+};
+
+template <class ContainerType, class T>
+SimpleTempDataBase* NewUserData(ContainerType& elements)
+{
+	return new SimpleTempData<ContainerType, T>(elements);
+}
+
+/** \brief Gives the first elements of a mesh the values of a column.
+
+An attribute that the mesh lacks, or has with another type or layout, is made as vcglib's allocator
+makes it. attributes: those of the elements; attributeNum: the mesh's number of the last one made.
+*/
+template <class ContainerType>
+void WriteColumn(const UserColumn<ContainerType>& column, ContainerType& elements,
+				 std::set<PointerToAttribute>& attributes, int& attributeNum)
+{
+	PointerToAttribute a;
+	a._name    = column.values->Name();
+	auto found = attributes.find(a);
+	if (found != attributes.end() &&
+		(found->_type != column.values->Type() || found->_padding != 0)) {
+		delete found->_handle;
+		attributes.erase(found);
+		found = attributes.end();
+	}
+	if (found == attributes.end()) {
+		std::unique_ptr<SimpleTempDataBase> data(column.newData(elements));
+		a._sizeof  = column.values->SizeOfValue();
+		a._padding = 0;
+		a._handle  = data.get();
+		a._type    = column.values->Type();
+		a.n_attr   = ++attributeNum;
+		found      = attributes.insert(a).first;
+		data.release();
+	}
+	column.values->CopyTo(*found->_handle);
+}
 
 template <class... Ts>
 struct TypeList {
@@ -167,31 +214,38 @@ Read first and written later, so that the mesh read and the mesh written may be 
 template <class MeshType>
 class CarriedUserAttributes {
 public:
-	typedef typename MeshType::ConstFacePointer            ConstFacePointer;
-	typedef std::unique_ptr<UserColumn<MeshType>>          ColumnPointer;
-	typedef typename std::vector<ColumnPointer>::size_type SizeType;
+	typedef std::vector<gpr::SurfacePoint> Anchors;
 
 	/// faceOf(i) is the face of `from` that anchors mean by the number i.
 	template <class FaceOfType>
-	void ReadVertices(const MeshType& from, const std::vector<gpr::SurfacePoint>& anchors,
-					  const FaceOfType& faceOf)
+	void ReadVertices(const MeshType& from, const Anchors& anchors, const FaceOfType& faceOf)
 	{
+		if (from.vert_attr.empty()) return;
+		std::vector<std::size_t> corners;
+		corners.reserve(3 * anchors.size());
+		for (const gpr::SurfacePoint& at : anchors)
+			for (int k = 0; k < 3; ++k)
+				corners.push_back(Index(from, faceOf(at.face)->cV(k)));
 		for (const PointerToAttribute& a : from.vert_attr)
-			if (!TryVertex(from, a, anchors, faceOf, UserTypes())) _lost.push_back(a._name);
+			if (!ReadVertexAttribute(a, anchors, corners, UserTypes())) _lost.push_back(a._name);
 	}
 	template <class FaceOfType>
-	void ReadFaces(const MeshType& from, const std::vector<gpr::SurfacePoint>& faceAnchors,
-				   const FaceOfType& faceOf)
+	void ReadFaces(const MeshType& from, const Anchors& faceAnchors, const FaceOfType& faceOf)
 	{
+		if (from.face_attr.empty()) return;
+		std::vector<std::size_t> faces;
+		faces.reserve(faceAnchors.size());
+		for (const gpr::SurfacePoint& at : faceAnchors)
+			faces.push_back(Index(from, faceOf(at.face)));
 		for (const PointerToAttribute& a : from.face_attr)
-			if (!TryFace(from, a, faceAnchors, faceOf, UserTypes())) _lost.push_back(a._name);
+			if (!ReadFaceAttribute(a, faces, UserTypes())) _lost.push_back(a._name);
 	}
 	void Write(MeshType& m) const
 	{
-		for (const ColumnPointer& column : _vertex)
-			column->Write(m);
-		for (const ColumnPointer& column : _face)
-			column->Write(m);
+		for (const VertexColumn& column : _vertex)
+			WriteColumn(column, m.vert, m.vert_attr, m.attrn);
+		for (const FaceColumn& column : _face)
+			WriteColumn(column, m.face, m.face_attr, m.attrn);
 	}
 
 	bool HasVertex(const std::string& name) const { return Has(_vertex, name); }
@@ -199,58 +253,54 @@ public:
 	const std::vector<std::string>& Lost() const { return _lost; }
 
 private:
-	std::vector<ColumnPointer> _vertex, _face;
-	std::vector<std::string>   _lost;
+	typedef typename MeshType::VertContainer VertContainer;
+	typedef typename MeshType::FaceContainer FaceContainer;
+	typedef UserColumn<VertContainer>        VertexColumn;
+	typedef UserColumn<FaceContainer>        FaceColumn;
 
-	static bool Has(const std::vector<ColumnPointer>& columns, const std::string& name)
+	std::vector<VertexColumn> _vertex;
+	std::vector<FaceColumn>   _face;
+	std::vector<std::string>  _lost;
+
+	template <class ColumnType>
+	static bool Has(const std::vector<ColumnType>& columns, const std::string& name)
 	{
-		for (const ColumnPointer& column : columns)
-			if (column->Name() == name) return true;
+		for (const ColumnType& column : columns)
+			if (column.values->Name() == name) return true;
 		return false;
 	}
 
-	template <class FaceOfType>
-	static bool TryVertex(const MeshType&, const PointerToAttribute&,
-						  const std::vector<gpr::SurfacePoint>&, const FaceOfType&, TypeList<>)
+	/// False where the attribute is of none of the types.
+	template <class... Ts>
+	bool ReadVertexAttribute(const PointerToAttribute& a, const Anchors& anchors,
+							 const std::vector<std::size_t>& corners, TypeList<Ts...>)
 	{
-		return false;
+		return (ReadVertexValues<Ts>(a, anchors, corners) || ...);
 	}
-	template <class FaceOfType, class T, class... Rest>
-	bool TryVertex(const MeshType& from, const PointerToAttribute& a,
-				   const std::vector<gpr::SurfacePoint>& anchors, const FaceOfType& faceOf,
-				   TypeList<T, Rest...>)
+	template <class T>
+	bool ReadVertexValues(const PointerToAttribute& a, const Anchors& anchors,
+						  const std::vector<std::size_t>& corners)
 	{
-		if (!IsOf<T>(a)) return TryVertex(from, a, anchors, faceOf, TypeList<Rest...>());
-		auto column = std::make_unique<VertexColumn<MeshType, T>>(a._name);
-		column->values.reserve(anchors.size());
-		for (const gpr::SurfacePoint& at : anchors) {
-			const ConstFacePointer f       = faceOf(at.face);
-			const auto             valueOf = [&](int k) -> const T& {
-                return ValueOf<T>(a, Index(from, f->cV(k)));
-			};
-			column->values.push_back({ValueAt<T>(at, valueOf)});
-		}
-		_vertex.push_back(std::move(column));
+		if (!IsOf<T>(a)) return false;
+		auto values = std::make_unique<UserValuesOf<T>>(a._name);
+		values->ReadCorners(*a._handle, anchors, corners);
+		_vertex.push_back({std::move(values), NewUserData<VertContainer, T>});
 		return true;
 	}
 
-	template <class FaceOfType>
-	static bool TryFace(const MeshType&, const PointerToAttribute&,
-						const std::vector<gpr::SurfacePoint>&, const FaceOfType&, TypeList<>)
+	template <class... Ts>
+	bool ReadFaceAttribute(const PointerToAttribute& a, const std::vector<std::size_t>& faces,
+						   TypeList<Ts...>)
 	{
-		return false;
+		return (ReadFaceValues<Ts>(a, faces) || ...);
 	}
-	template <class FaceOfType, class T, class... Rest>
-	bool TryFace(const MeshType& from, const PointerToAttribute& a,
-				 const std::vector<gpr::SurfacePoint>& faceAnchors, const FaceOfType& faceOf,
-				 TypeList<T, Rest...>)
+	template <class T>
+	bool ReadFaceValues(const PointerToAttribute& a, const std::vector<std::size_t>& faces)
 	{
-		if (!IsOf<T>(a)) return TryFace(from, a, faceAnchors, faceOf, TypeList<Rest...>());
-		auto column = std::make_unique<FaceColumn<MeshType, T>>(a._name);
-		column->values.reserve(faceAnchors.size());
-		for (const gpr::SurfacePoint& at : faceAnchors)
-			column->values.push_back({ValueOf<T>(a, Index(from, faceOf(at.face)))});
-		_face.push_back(std::move(column));
+		if (!IsOf<T>(a)) return false;
+		auto values = std::make_unique<UserValuesOf<T>>(a._name);
+		values->ReadElements(*a._handle, faces);
+		_face.push_back({std::move(values), NewUserData<FaceContainer, T>});
 		return true;
 	}
 
@@ -259,12 +309,6 @@ private:
 	static bool IsOf(const PointerToAttribute& a)
 	{
 		return !a._name.empty() && a._padding == 0 && a._type == std::type_index(typeid(T));
-	}
-	template <class T>
-	static const T& ValueOf(const PointerToAttribute& a, std::size_t element)
-	{
-		const SimpleTempDataBase* data = a._handle;
-		return *static_cast<const T*>(data->At(element));
 	}
 };
 
