@@ -32,7 +32,7 @@ TEST_F(FailedAttemptsOnAGrid, ForgetsWhereSomethingNearChanges)
 {
 	for (int v = 0; v < m.vertexNum; ++v) {
 		attempts.noteFailure(m, face);
-		attempts.noteChange(v);
+		attempts.noteChange(m, {v});
 		const Vec3f corner = m.position[m.origin[3 * face]];
 		const float away   = length(m.position[v] - corner) * n;
 		if (away >= 2.9f && away <= 7) continue;

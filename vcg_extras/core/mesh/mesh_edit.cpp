@@ -437,8 +437,13 @@ void removeVertex(HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patc
 }
 
 PatchBackup::PatchBackup(const HalfEdgeMesh& m, const std::vector<int>& vertices) :
-		vertexNum_(m.vertexNum), faceNum_(m.faceNum), vertex_(vertices),
-		face_(facesRound(m, vertices))
+		PatchBackup(m, vertices, facesRound(m, vertices))
+{
+}
+
+PatchBackup::PatchBackup(const HalfEdgeMesh& m, std::vector<int> vertices, std::vector<int> faces) :
+		vertexNum_(m.vertexNum), faceNum_(m.faceNum), vertex_(std::move(vertices)),
+		face_(std::move(faces))
 {
 	for (int v : vertex_) {
 		outgoing_.push_back(m.outgoing[v]);

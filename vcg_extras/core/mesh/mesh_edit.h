@@ -105,6 +105,8 @@ void removeVertex(HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patc
 class PatchBackup {
 public:
 	PatchBackup(const HalfEdgeMesh& mesh, const std::vector<int>& vertices);
+	/// Of these faces alone.
+	PatchBackup(const HalfEdgeMesh& mesh, std::vector<int> vertices, std::vector<int> faces);
 
 	const std::vector<int>& vertices() const { return vertex_; }
 	const std::vector<int>& faces() const { return face_; }

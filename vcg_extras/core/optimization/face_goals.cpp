@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gpr {
 
@@ -135,7 +136,26 @@ Goal invertedFaces(LocalSearch& search, Workers& workers, bool mayCollapse)
 	// Where more than single faces look wrong the triangles are too large for the surface, and
 	// moving vertices one by one, which costs most, repairs nothing.
 	const std::size_t most = std::max<std::size_t>(500, std::size_t(search.mesh().faceNum) / 50);
-	if (goal.findBad().size() > most) goal.stepLengths.clear();
+	if (goal.findBad().size() > most) goal.operations.erase(goal.operations.begin()); // the moves
+	return goal;
+}
+
+Goal facesWithoutArea(LocalSearch& search, Workers& workers)
+{
+	const HalfEdgeMesh& m      = search.mesh();
+	const auto          isLine = [&m](int f) { return !isDeadFace(m, f) && hasNoArea(m, f); };
+	Goal                goal   = invertedFaces(search, workers, false);
+	goal.operations            = keepingCount;
+	goal.isBad                 = isLine;
+	goal.findBad               = [&m, &workers, isLine] {
+        return workers.collect<int>(m.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+            for (int f = int(begin); f < int(end); ++f) {
+                if (isLine(f)) out.push_back(f);
+            }
+        });
+	};
+	goal.budget.attempts   = std::numeric_limits<std::int64_t>::max();
+	goal.budget.limitsWork = false;
 	return goal;
 }
 

@@ -19,6 +19,9 @@ extern const std::vector<Operation::Kind> keepingCount, changingCount;
 /// thin plates.
 Goal invertedFaces(LocalSearch& search, Workers& workers, bool mayCollapse);
 
+/// Faces without area alone. No result may have one, so nothing bounds this search.
+Goal facesWithoutArea(LocalSearch& search, Workers& workers);
+
 /// Faces with an angle below `angle` (radians). Minimised is the sum over the faces of what the
 /// smallest angle lacks, to a power: the second for all of them, the fourth presses the worst one.
 /// guardedDistance: see Limits.

@@ -33,9 +33,14 @@ constexpr float leastAgreementOnSurface = 0.8f;
 /// a tenth of the run on large meshes. On parts full of needles nothing helps, and the search would
 /// last much longer than all the rest. 10 times as much raises the worst angle of 40 noisy spheres
 /// by .05° on the mean.
-constexpr std::int64_t leastWork = 20000000, workPerFace = 20;
+constexpr std::int64_t leastWork = 40000000, workPerFace = 20;
+/// Of what is left, before what changes the count has the rest.
+constexpr double shareOfIntersections = 0.25, shareOfAngles = 0.67;
 /// Two operations in a row take some hundred trials a face.
-constexpr std::int64_t workOfPairs = 30000000;
+constexpr std::int64_t workOfPairs = 60000000;
+
+/// Inverted faces have more: no other search mends what this one leaves.
+constexpr std::int64_t shareOfOrientation = 2;
 
 std::int64_t workFor(int faceNum)
 {
@@ -83,15 +88,8 @@ public:
 	/// intersecting: faces that intersect others.
 	bool run(const std::vector<int>& intersecting)
 	{
-		// The other half is for what changes the count, which helps where this does not.
-		std::int64_t half = work_ / 2;
-		work_ -= half;
-		Assignment  assignment(surface_, map_, mapFaceNum_);
-		LocalSearch search(surface_, curves_, &assignment, half, r_, workers_);
-		bool        isDone = true;
-		if (!intersecting.empty())
-			isDone = search.run(selfIntersections(search, intersecting, angle_, keepingCount));
-		isDone = raiseAngles(search) && isDone;
+		bool isDone = takeApart(intersecting);
+		isDone      = raiseAngles() && isDone;
 		repeatWhileItHelps(!intersecting.empty(), false);
 		work_ = std::max(work_, workOfPairs); // only a few faces are left to spend it on
 		repeatWhileItHelps(!intersecting.empty(), true);
@@ -115,6 +113,31 @@ private:
 	{
 		constexpr float share = 0.7f;
 		return wanted_.largestGap > 0 ? share * wanted_.largestGap : HUGE_VALF;
+	}
+
+	/// Takes a share of the work for one search, so that some is left for those that follow.
+	std::int64_t takeWork(double share)
+	{
+		const std::int64_t taken = std::int64_t(share * double(work_));
+		work_ -= taken;
+		return taken;
+	}
+
+	bool takeApart(const std::vector<int>& intersecting)
+	{
+		if (intersecting.empty()) return true;
+		std::int64_t work = takeWork(shareOfIntersections);
+		Assignment   assignment(surface_, map_, mapFaceNum_);
+		LocalSearch  search(surface_, curves_, &assignment, work, r_, workers_);
+		return search.run(selfIntersections(search, intersecting, angle_, keepingCount));
+	}
+
+	bool raiseAngles()
+	{
+		std::int64_t work = takeWork(shareOfAngles);
+		Assignment   assignment(surface_, map_, mapFaceNum_);
+		LocalSearch  search(surface_, curves_, &assignment, work, r_, workers_);
+		return raiseAngles(search);
 	}
 
 	/// The second power for all poor faces, the fourth for the worst: what is stuck by the one may
@@ -231,15 +254,12 @@ private:
 /// and crowded vertices are better than such a face.
 void repairFacesWithoutArea(LocalSearch& search, Workers& workers)
 {
-	const HalfEdgeMesh& m     = search.mesh();
-	bool                found = false;
-	for (int f = 0; f < m.faceNum; ++f) {
-		if (isDeadFace(m, f) || !hasNoArea(m, f)) continue;
+	Goal goal = facesWithoutArea(search, workers);
+	search.run(goal);
+	const std::vector<int> left = goal.findBad();
+	if (left.empty()) return;
+	for (int f : left)
 		search.editor().forgetLinesAt(f);
-		found = true;
-	}
-	if (!found) return;
-	Goal goal     = invertedFaces(search, workers, false);
 	goal.mayCrowd = true;
 	search.run(goal);
 }
@@ -249,7 +269,7 @@ void repairFacesWithoutArea(LocalSearch& search, Workers& workers)
 void repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, bool mayCollapse,
 						 ResultMesh& result, Workers& workers)
 {
-	std::int64_t work = workFor(result.mesh.faceNum);
+	std::int64_t work = shareOfOrientation * workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	search.run(invertedFaces(search, workers, mayCollapse));
 	if (!mayCollapse) repairFacesWithoutArea(search, workers);

@@ -14,14 +14,29 @@ constexpr int ringNum = 3;
 
 } // namespace
 
+void FailedAttempts::noteChange(const HalfEdgeMesh& m, std::vector<int> ring)
+{
+	++now_;
+	for (int v : ring)
+		changedAt_[v] = now_;
+	for (int num = 0; num < ringNum; ++num) {
+		std::vector<int> next;
+		for (int v : ring) {
+			forEachNeighbour(m, v, [&](int w) {
+				if (changedAt_[w] != now_) next.push_back(w);
+				changedAt_[w] = now_;
+			});
+		}
+		ring.swap(next);
+	}
+}
+
 bool FailedAttempts::isKnown(const HalfEdgeMesh& m, int f) const
 {
-	const auto found = failedAt_.find(keyOf(m, f));
+	const Key  key   = keyOf(m, f);
+	const auto found = failedAt_.find(key);
 	if (found == failedAt_.end()) return false;
-	std::vector<int> near = verticesOf(m, {f});
-	for (int ring = 0; ring < ringNum; ++ring)
-		near = verticesOf(m, facesRound(m, near));
-	return std::all_of(near.begin(), near.end(),
+	return std::all_of(key.begin(), key.end(),
 					   [&](int v) { return changedAt_[v] <= found->second; });
 }
 

@@ -19,19 +19,19 @@ public:
 	/// Of a mesh that will never have more vertices.
 	explicit FailedAttempts(int mostVertices) : changedAt_(mostVertices, 0) {}
 
-	/// v moved, came in, or its faces changed.
-	void noteChange(int v) { changedAt_[v] = ++now_; }
+	/// These vertices moved, came in, or have other faces now. Cost: three rings of faces round them.
+	void noteChange(const HalfEdgeMesh& mesh, std::vector<int> vertices);
 	/// Nothing helped at f.
 	void noteFailure(const HalfEdgeMesh& mesh, int f) { failedAt_[keyOf(mesh, f)] = now_; }
-	/// Whether nothing helped at f, and nothing within three rings of it has changed since. Cost:
-	/// some fifty vertices are looked at.
+	/// Whether nothing helped at f, and nothing within three rings of it has changed since. Asked
+	/// far more often than something changes, so it looks at the three corners only.
 	bool isKnown(const HalfEdgeMesh& mesh, int f) const;
 
 private:
 	using Key = std::array<int, 3>; ///< vertices, ascending
 
 	int                now_ = 0;
-	std::vector<int>   changedAt_; ///< per vertex
+	std::vector<int>   changedAt_; ///< per vertex: the last change near it
 	std::map<Key, int> failedAt_;
 
 	static Key keyOf(const HalfEdgeMesh& mesh, int f);

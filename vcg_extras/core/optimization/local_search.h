@@ -33,8 +33,9 @@ struct Limits {
 
 /// Where a search ends though faces are left.
 struct Budget {
-	int          rounds   = 8;    ///< over all bad faces
-	std::int64_t attempts = 2000; ///< faces that are tried
+	int          rounds     = 8;    ///< over all bad faces
+	std::int64_t attempts   = 2000; ///< faces that are tried
+	bool         limitsWork = true; ///< whether it ends where the work of all searches is done
 };
 
 /// What a search is for.
@@ -103,7 +104,8 @@ private:
 		Worst                 worst;
 		float                 cost          = 0;
 		float                 meanEdge      = 0;
-		int                   intersections = 0; ///< pairs, where there are any near
+		int                   intersections = 0;     ///< pairs, where there are any near
+		bool                  keepsFaces    = false; ///< the trial leaves the faces their numbers
 		/// Measured when it is first asked for.
 		std::unique_ptr<PatchDistance> distance;
 
@@ -130,17 +132,19 @@ private:
 
 	std::vector<int>       worstFirst(std::vector<int> faces) const;
 	std::vector<int>       stillBad(const std::vector<int>& faces) const;
-	bool                   isExhausted() const { return attempts_ <= 0 || work_ <= 0; }
+	bool                   isExhausted() const;
 	void                   improveAt(int f);
 	bool                   takeEach(int f);
 	bool                   takeBest(int f);
 	std::vector<Operation> bestSingle(int f);
 	std::vector<Operation> bestPair(int f);
 	void                   keep(const std::vector<Operation>& ops);
-	std::vector<int>       patchOf(const std::vector<Operation>& ops) const;
+	std::vector<int>       patchOf(const std::vector<Operation>& ops);
 	void                   note(const std::vector<int>& patch, const std::vector<int>& facesBefore);
 
-	Before                         lookAt(const std::vector<int>& patch);
+	Before                         lookAt(const Operation& op, const std::vector<int>& patch);
+	Before                         lookAt(PatchEditor::Snapshot snapshot);
+	std::vector<int>               facesNow(const Before& before) const;
 	float                          attempt(const Operation& op, Before before, float known);
 	float                          gainOver(const Before& before);
 	bool                           keepsLimits(Before& before);
@@ -163,7 +167,7 @@ private:
 	int              intersectionNum(const std::vector<int>& faces);
 	void             findNear(int f);
 	void             lookForIntersections(int f);
-	std::vector<int> ringsRound(int f, int ringNum) const;
+	std::vector<int> ringsRound(int f, int ringNum);
 };
 
 } // namespace gpr

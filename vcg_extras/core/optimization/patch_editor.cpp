@@ -285,9 +285,27 @@ bool PatchEditor::collapseInside(int h)
 
 PatchEditor::Snapshot PatchEditor::remember(const std::vector<int>& patch) const
 {
-	Snapshot snapshot = {PatchBackup(m_, patch), {}, m_.vertexNum};
-	snapshot.states.reserve(patch.size());
-	for (int v : patch)
+	return snapshotOf(PatchBackup(m_, patch));
+}
+
+PatchEditor::Snapshot PatchEditor::rememberFlip(int h) const
+{
+	std::vector<int> faces;
+	for (int face : {h / 3, m_.opposite[h] / 3}) {
+		faces.push_back(face);
+		for (int side = 3 * face; side < 3 * face + 3; ++side) {
+			if (m_.opposite[side] >= 0) faces.push_back(m_.opposite[side] / 3);
+		}
+	}
+	sortUnique(faces);
+	const std::array<int, 4> corners = cornersAt(h);
+	return snapshotOf(PatchBackup(m_, {corners.begin(), corners.end()}, std::move(faces)));
+}
+
+PatchEditor::Snapshot PatchEditor::snapshotOf(PatchBackup backup) const
+{
+	Snapshot snapshot = {std::move(backup), {}, m_.vertexNum};
+	for (int v : snapshot.backup.vertices())
 		snapshot.states.push_back(stateOf(v));
 	return snapshot;
 }

@@ -71,7 +71,7 @@ public:
 	void        put(int v, const VertexState& state);
 	float       meanEdge(int v) const;
 	/// mayCrowd: corners of the border may slide, too.
-	bool        mayMove(int v, bool mayCrowd = false) const;
+	bool mayMove(int v, bool mayCrowd = false) const;
 	/// Where v gets by a step of this length: along its curve, or in eight directions over the
 	/// surface. mayCrowd: along the curve it may come as near to a neighbour, and leave the curve
 	/// as far, as there is room.
@@ -98,6 +98,8 @@ public:
 	void flipBack(int h);
 
 	Snapshot remember(const std::vector<int>& patch) const;
+	/// Before the flip of h and nothing else: far fewer faces where one of its corners has many.
+	Snapshot rememberFlip(int h) const;
 	void     undo(const Snapshot& before);
 	/// The vertices of a patch that are left, and those that came in since.
 	std::vector<int> patchNow(const Snapshot& before) const;
@@ -115,6 +117,7 @@ private:
 	Buffer<Vec3f>         normal_, startNormal_, startPosition_;
 	EditScratch           scratch_;
 
+	Snapshot    snapshotOf(PatchBackup backup) const;
 	VertexState movedTo(int v, const ResultVertex& record) const;
 	Vec3f       normalAt(int v, const Anchor& at) const;
 	Vec3f       heightOf(int v) const { return m_.position[v] - r_.vertex[v].anchor.position; }
