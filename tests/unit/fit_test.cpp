@@ -11,9 +11,9 @@
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/base/symmetric_matrix.h>
+#include <vcg_extras/core/features/curve_slide.h>
 #include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/optimization/constraint.h>
 #include <vcg_extras/core/optimization/face_goals.h>
 #include <vcg_extras/core/optimization/fit.h>
 #include <vcg_extras/core/optimization/worst_distances.h>

@@ -6,6 +6,7 @@
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
+#include <vcg_extras/core/mesh/sectors.h>
 #include <vcg_extras/core/optimization/constraint.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 
@@ -60,7 +61,7 @@ TEST(UmbrellaKeeps, VerticesOnCreasesInPlace)
 {
 	OnSurface          on(cube(8));
 	const HalfEdgeMesh before = copyOf(on.m());
-	const Buffer<char> flat   = findFlatVertices(on.result, on.workers);
+	const Buffer<char> flat   = findFlatVertices(on.result.mesh, on.workers);
 	smoothByUmbrella2(on.surface, on.result, on.workers);
 	for (int v = 0; v < before.vertexNum; ++v) {
 		if (flat[v] == 0) {
@@ -128,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, RelaxOnce, ::testing::ValuesIn(testSeeds(3)));
 TEST(RelaxOnceKeeps, VerticesOnCreasesInPlace)
 {
 	OnSurface          on(cube(8));
-	const Buffer<char> flat = findFlatVertices(on.result, on.workers);
+	const Buffer<char> flat = findFlatVertices(on.result.mesh, on.workers);
 	relaxOnce(on.surface, on.result, on.workers);
 	for (int v = 0; v < on.m().vertexNum; ++v) {
 		const Vec3d p = on.surface.frame.toCaller(on.surface.mesh.position[v]);

@@ -75,4 +75,13 @@ Vec3f nearestOnTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Ve
 	return a + ab * (vb * scale) + ac * (vc * scale);
 }
 
+std::array<float, 3> weightsAt(const Vec3f& q, const Vec3f& a, const Vec3f& b, const Vec3f& c)
+{
+	const Vec3f n       = cross(b - a, c - a);
+	const float squared = squaredLength(n) + 1e-30f; // not zero where there is no area
+	const float atB     = dot(cross(q - a, c - a), n) / squared;
+	const float atC     = dot(cross(b - a, q - a), n) / squared;
+	return {1 - atB - atC, atB, atC};
+}
+
 } // namespace gpr

@@ -6,6 +6,7 @@
 #include <vcg_extras/core/vec.h>
 
 #include <algorithm>
+#include <array>
 
 namespace gpr {
 
@@ -36,6 +37,9 @@ inline bool isLine(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& 
 
 /// The point of the triangle a b c nearest to p.
 Vec3f nearestOnTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c);
+
+/// Weights of the corners a, b, c at the point q of their plane; they add up to 1.
+std::array<float, 3> weightsAt(const Vec3f& q, const Vec3f& a, const Vec3f& b, const Vec3f& c);
 
 } // namespace gpr
 

@@ -108,4 +108,12 @@ bool hasNoArea(const HalfEdgeMesh& m, int f)
 	return isLine(m.position[c[0]], m.position[c[1]], m.position[c[2]], m.faceCross(f));
 }
 
+float meanEdgeByArea(const HalfEdgeMesh& m)
+{
+	double area = 0;
+	for (int f = 0; f < m.faceNum; ++f)
+		area += 0.5 * double(length(m.faceCross(f)));
+	return float(std::sqrt(area / std::max(1, m.faceNum) * (4 / std::sqrt(3.0))));
+}
+
 } // namespace gpr

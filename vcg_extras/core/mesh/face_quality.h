@@ -35,6 +35,9 @@ bool flipKeepsShape(const HalfEdgeMesh& m, int h, float leastAngle, float leastC
 /// Whether the area of a living face is nothing but rounding.
 bool hasNoArea(const HalfEdgeMesh& mesh, int face);
 
+/// Edge of equilateral triangles of the faces' mean area.
+float meanEdgeByArea(const HalfEdgeMesh& mesh);
+
 } // namespace gpr
 
 #endif

@@ -94,4 +94,11 @@ bool isFlat(const HalfEdgeMesh& m, int v)
 	return flat;
 }
 
+Buffer<char> findFlatVertices(const HalfEdgeMesh& m, Workers& workers)
+{
+	Buffer<char> flat(m.vertexNum);
+	workers.forEach(flat.size(), [&](int v) { flat[v] = isFlat(m, v); });
+	return flat;
+}
+
 } // namespace gpr

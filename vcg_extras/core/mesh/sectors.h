@@ -5,6 +5,8 @@
 
 #include "half_edge_mesh.h"
 
+#include <vcg_extras/core/base/workers.h>
+
 namespace gpr {
 
 /// Feature lines cut the ring of a vertex into sectors, each of which is a piece of its own as the
@@ -48,6 +50,9 @@ int correctedValence(const HalfEdgeMesh& mesh, int v);
 
 /// Whether the faces of each sector of v lie within about 37° of their mean normal.
 bool isFlat(const HalfEdgeMesh& mesh, int v);
+
+/// The same for all vertices. Moving one that is not flat would round off what is sharp there.
+Buffer<char> findFlatVertices(const HalfEdgeMesh& mesh, Workers& workers);
 
 } // namespace gpr
 

@@ -5,6 +5,8 @@
 #include "constraint.h"
 #include "move_guard.h"
 
+#include <vcg_extras/core/features/curve_slide.h>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -4,11 +4,12 @@
 
 #include "constraint.h"
 #include "delaunay_flips.h"
-#include "edge_middle.h"
 
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/features/edge_middle.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/sectors.h>
 #include <vcg_extras/core/mesh/valence_energy.h>
 #include <vcg_extras/core/sampling/sizing.h>
 
@@ -98,7 +99,7 @@ private:
 
 	void beginRound()
 	{
-		flat_    = findFlatVertices(r_, workers_);
+		flat_    = findFlatVertices(m_, workers_);
 		size_    = sizesOf(surface_, r_, workers_);
 		valence_ = correctedValences(m_, workers_);
 		used_.assign(m_.vertexNum, 0);

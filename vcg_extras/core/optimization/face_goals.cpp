@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "face_goals.h"
 
-#include "crease_agreement.h"
-
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,33 +30,21 @@ float shortfall(float value, float wanted)
 	return std::max(0.0f, wanted - value);
 }
 
-/// 1 where the face lies at no feature line.
-float agreementAtCreases(LocalSearch& search, int f)
+float costOfOrientation(const PatchEditor& editor, int f)
 {
-	float least = 1;
-	if (!search.mesh().hasCreases()) return least;
-	PatchEditor& editor = search.editor();
-	for (int h = 3 * f; h < 3 * f + 3; ++h)
-		least =
-			std::min(least, creaseAgreement(editor.surface(), editor.curves(), editor.result(), h));
-	return least;
-}
-
-float costOfOrientation(LocalSearch& search, int f)
-{
-	const HalfEdgeMesh& m = search.mesh();
+	const HalfEdgeMesh& m = editor.mesh();
 	if (hasNoArea(m, f)) return costWithoutArea;
-	const float off    = shortfall(faceAgreement(m, search.editor().normals(), f), wantedAgreement);
-	const float across = shortfall(agreementAtCreases(search, f), wantedCreaseAgreement);
+	const float off    = shortfall(editor.agreement(f), wantedAgreement);
+	const float across = shortfall(editor.agreementAtCreases(f), wantedCreaseAgreement);
 	const int*  c      = &m.origin[3 * f];
 	const float shape  = triangleShape(m.position[c[0]], m.position[c[1]], m.position[c[2]]);
 	return off * off + across * across + shapeWeight * shortfall(shape, wantedShape);
 }
 
-bool isInverted(LocalSearch& search, int f)
+bool isInverted(const PatchEditor& editor, int f)
 {
-	return faceAgreement(search.mesh(), search.editor().normals(), f) < badAgreement ||
-		   hasNoArea(search.mesh(), f) || agreementAtCreases(search, f) < badCreaseAgreement;
+	return editor.agreement(f) < badAgreement || hasNoArea(editor.mesh(), f) ||
+		   editor.agreementAtCreases(f) < badCreaseAgreement;
 }
 
 // ---- angles
@@ -115,12 +100,13 @@ Goal invertedFaces(LocalSearch& search, Workers& workers, bool mayCollapse)
 		return workers.collect<int>(
 			search.mesh().faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
 				for (int f = int(begin); f < int(end); ++f) {
-					if (!isDeadFace(search.mesh(), f) && isInverted(search, f)) out.push_back(f);
+					if (!isDeadFace(search.mesh(), f) && isInverted(search.editor(), f))
+						out.push_back(f);
 				}
 			});
 	};
-	goal.isBad              = [&search](int f) { return isInverted(search, f); };
-	goal.faceCost           = [&search](int f) { return costOfOrientation(search, f); };
+	goal.isBad              = [&search](int f) { return isInverted(search.editor(), f); };
+	goal.faceCost           = [&search](int f) { return costOfOrientation(search.editor(), f); };
 	goal.operations         = keepingCount;
 	goal.mostLeft           = 1;
 	goal.leastGain          = 0.01f; // less is rounding

@@ -63,17 +63,6 @@ struct Poorness {
 	}
 };
 
-int invertedFaceNum(const Surface& surface, const ResultMesh& result, Workers& workers)
-{
-	const Buffer<Vec3f> normal = normalsWithoutLips(surface, result, workers);
-	return workers.sum<int>(result.mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		int num = 0;
-		for (std::size_t f = begin; f < end; ++f)
-			num += faceAgreement(result.mesh, normal, int(f)) < 0;
-		return num;
-	});
-}
-
 class PoorFaceRepair {
 public:
 	PoorFaceRepair(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,

@@ -12,6 +12,7 @@
 #include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/surface/cells.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
+#include <vcg_extras/core/surface/walk.h>
 
 #include <algorithm>
 #include <cmath>

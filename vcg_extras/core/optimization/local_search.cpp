@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "local_search.h"
 
-#include "crease_agreement.h"
-
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
 #include <iterator>
@@ -31,18 +28,6 @@ constexpr float settleShare = 0.995f;
 constexpr std::int64_t workOfPatchFace = 10, workOfStep = 50, workOfPair = 3;
 /// Moves of a vertex with one step length.
 constexpr int mostMoves = 4;
-
-Vec3f centreOf(const std::array<Vec3f, 3>& t)
-{
-	return (t[0] + t[1] + t[2]) * (1 / 3.0f);
-}
-
-int nearestFace(const HalfEdgeMesh& m, const std::vector<int>& faces, const Vec3f& p)
-{
-	return *std::min_element(faces.begin(), faces.end(), [&](int f, int g) {
-		return squaredLength(m.faceCentre(f) - p) < squaredLength(m.faceCentre(g) - p);
-	});
-}
 
 } // namespace
 
@@ -272,16 +257,6 @@ bool LocalSearch::keepsDistance(const PatchDistance* distance, const std::vector
 
 // ---- what is measured
 
-float LocalSearch::agreement(int f) const
-{
-	float least = faceAgreement(m_, editor_.normals(), f);
-	if (!m_.hasCreases()) return least;
-	for (int h = 3 * f; h < 3 * f + 3; ++h)
-		least = std::min(least,
-						 creaseAgreement(editor_.surface(), editor_.curves(), editor_.result(), h));
-	return least;
-}
-
 float LocalSearch::costOf(const std::vector<int>& faces)
 {
 	work_ -= std::int64_t(faces.size());
@@ -299,7 +274,7 @@ LocalSearch::Worst LocalSearch::worstOf(const std::vector<int>& faces)
 	Worst         worst;
 	for (int f : faces) {
 		if (limits.minNormalAgreement > -1) {
-			const float own = agreement(f);
+			const float own = std::min(editor_.agreement(f), editor_.agreementAtCreases(f));
 			worst.agreement = std::min(worst.agreement, own);
 			worst.invertedNum += own < 0;
 		}
@@ -497,8 +472,7 @@ void LocalSearch::keep(const std::vector<Operation>& ops)
 	const std::vector<int> patch = editor_.patchNow(before);
 	const std::vector<int> now   = facesRound(m_, patch);
 	for (std::size_t i = 0; assignment_ != nullptr && i < faces.size(); ++i) {
-		if (isDeadFace(m_, faces[i]))
-			assignment_->transfer(faces[i], nearestFace(m_, now, centreOf(triangles[i])));
+		if (isDeadFace(m_, faces[i])) assignment_->transfer(faces[i], triangles[i], m_, now);
 	}
 	note(patch, now);
 	++changeNum_;

@@ -3,11 +3,11 @@
 #ifndef VCG_EXTRAS_CORE_OPTIMIZATION_LOCAL_SEARCH_H
 #define VCG_EXTRAS_CORE_OPTIMIZATION_LOCAL_SEARCH_H
 
-#include "failed_attempts.h"
-#include "patch_distance.h"
 #include "patch_editor.h"
 
 #include <vcg_extras/core/mesh/face_boxes.h>
+#include <vcg_extras/core/mesh/failed_attempts.h>
+#include <vcg_extras/core/surface/patch_distance.h>
 
 #include <cmath>
 #include <cstdint>
@@ -72,9 +72,6 @@ public:
 	/// False if the budget ended before the search did.
 	bool run(const Goal& goal);
 
-	/// How well a face agrees with the surface: the cosine of the angle between its normal and the
-	/// surface's at its corners or, where that is less, the surface's beside its feature lines.
-	float agreement(int f) const;
 	/// Whether a face intersects any other.
 	bool intersects(int f);
 

@@ -3,9 +3,11 @@
 #include "patch_editor.h"
 
 #include "constraint.h"
-#include "edge_middle.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/features/crease_agreement.h>
+#include <vcg_extras/core/features/curve_slide.h>
+#include <vcg_extras/core/features/edge_middle.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/walk.h>
 
@@ -60,6 +62,19 @@ PatchEditor::PatchEditor(const Surface& surface, const BoundaryCurves& curves, R
 	std::copy(m_.position.data(), m_.position.data() + m_.vertexNum, startPosition_.data());
 	normal_ = Buffer<Vec3f>(startNormal_.size());
 	std::copy(startNormal_.begin(), startNormal_.end(), normal_.begin());
+}
+
+float PatchEditor::agreement(int f) const
+{
+	return faceAgreement(m_, normal_, f);
+}
+
+float PatchEditor::agreementAtCreases(int f) const
+{
+	float least = 1;
+	for (int h = 3 * f; m_.hasCreases() && h < 3 * f + 3; ++h)
+		least = std::min(least, creaseAgreement(surface_, curves_, r_, h));
+	return least;
 }
 
 // ---- vertices

@@ -64,8 +64,10 @@ public:
 	const BoundaryCurves& curves() const { return curves_; }
 	const ResultMesh&     result() const { return r_; }
 	const HalfEdgeMesh&   mesh() const { return m_; }
-	/// The surface's normals at the vertices of the result (normalsWithoutLips).
-	const Buffer<Vec3f>& normals() const { return normal_; }
+	/// Cosine of the angle between a face's normal and the surface's at its corners, and between it
+	/// and the surface's beside its feature lines: 1 where it has none.
+	float agreement(int f) const;
+	float agreementAtCreases(int f) const;
 
 	VertexState stateOf(int v) const { return {m_.position[v], normal_[v], r_.vertex[v]}; }
 	void        put(int v, const VertexState& state);

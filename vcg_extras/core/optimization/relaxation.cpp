@@ -6,9 +6,11 @@
 #include "descent.h"
 #include "terms.h"
 
+#include <vcg_extras/core/features/curve_slide.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/sectors.h>
 #include <vcg_extras/core/sampling/sizing.h>
+#include <vcg_extras/core/surface/walk.h>
 
 #include <algorithm>
 #include <cmath>
@@ -147,7 +149,7 @@ public:
 	void run()
 	{
 		for (int step = 0; step < steps_.stepNum; ++step) {
-			if (step % stepsBetweenFlips == 0) flat_ = findFlatVertices(r_, workers_);
+			if (step % stepsBetweenFlips == 0) flat_ = findFlatVertices(m_, workers_);
 			const int left = steps_.stepNum - 1 - step;
 			share_ =
 				left >= calmSteps ? steps_.momentum : steps_.momentum * float(left) / calmSteps;

@@ -7,6 +7,7 @@
 
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/sectors.h>
 #include <vcg_extras/core/mesh/valence_energy.h>
 #include <vcg_extras/core/mesh/work_cells.h>
 
@@ -136,7 +137,7 @@ std::vector<int> crowdedVertices(const Buffer<int>& valence, const Buffer<char>&
 
 std::int64_t glideDislocations(ResultMesh& result, Workers& workers, int depth)
 {
-	const Buffer<char>     flat    = findFlatVertices(result, workers);
+	const Buffer<char>     flat    = findFlatVertices(result.mesh, workers);
 	Buffer<int>            valence = correctedValences(result.mesh, workers);
 	const std::vector<int> crowded = crowdedVertices(valence, flat, workers);
 	const WorkCells cells = cutIntoWorkCells(result.mesh, crowded, cellWidth * result.idealEdge);

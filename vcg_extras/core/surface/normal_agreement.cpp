@@ -67,4 +67,15 @@ Buffer<Vec3f> normalsWithoutLips(const Surface& surface, const ResultMesh& resul
 	return normal;
 }
 
+int invertedFaceNum(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	const Buffer<Vec3f> normal = normalsWithoutLips(surface, result, workers);
+	return workers.sum<int>(result.mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		int num = 0;
+		for (std::size_t f = begin; f < end; ++f)
+			num += faceAgreement(result.mesh, normal, int(f)) < 0;
+		return num;
+	});
+}
+
 } // namespace gpr

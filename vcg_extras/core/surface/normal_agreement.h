@@ -33,6 +33,9 @@ Buffer<Vec3f> normalsWithoutLips(const Surface& surface, const ResultMesh& resul
 /// it, else its own.
 Vec3f withoutLip(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int v, const Vec3f& own);
 
+/// Faces that look against these normals.
+int invertedFaceNum(const Surface& surface, const ResultMesh& result, Workers& workers);
+
 /// Cosine of the angle between two vectors; -1 where one is zero.
 float agreement(const Vec3f& a, const Vec3f& b);
 

@@ -182,6 +182,13 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCross
 	return WalkEnd::Capped;
 }
 
+WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex)
+{
+	const WalkEnd end = walk(surface.mesh, vertex.anchor, step);
+	vertex.normal     = surface.mesh.faceNormal(vertex.anchor.face);
+	return end;
+}
+
 std::vector<int> facesAt(const HalfEdgeMesh& m, const Anchor& at)
 {
 	constexpr float  rounding = 1e-4f; // of the edge

@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_SURFACE_WALK_H
 #define VCG_EXTRAS_CORE_SURFACE_WALK_H
 
+#include "result_mesh.h"
 #include "surface_point.h"
 
 #include <array>
@@ -25,6 +26,9 @@ constexpr int mostFacesCrossed = 20000;
 /// so nothing has to be projected and no other sheet can be met. Cost: the faces crossed.
 WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step,
 			 int mostCrossings = mostFacesCrossed);
+
+/// Moves the record of a vertex by a walk.
+WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex);
 
 /// The faces that a point lies in: its own, and where it lies on an edge or in a corner of that, up
 /// to rounding, all those that meet there. On a crease a walk goes wrong from all but one of them.

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edge_middle.h"
 
-#include "constraint.h"
+#include "curve_slide.h"
+
+#include <vcg_extras/core/surface/walk.h>
 
 namespace gpr {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_FAILED_ATTEMPTS_H
-#define VCG_EXTRAS_CORE_OPTIMIZATION_FAILED_ATTEMPTS_H
+#ifndef VCG_EXTRAS_CORE_MESH_FAILED_ATTEMPTS_H
+#define VCG_EXTRAS_CORE_MESH_FAILED_ATTEMPTS_H
 
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
@@ -19,7 +19,8 @@ public:
 	/// Of a mesh that will never have more vertices.
 	explicit FailedAttempts(int mostVertices) : changedAt_(mostVertices, 0) {}
 
-	/// These vertices moved, came in, or have other faces now. Cost: three rings of faces round them.
+	/// These vertices moved, came in, or have other faces now. Cost: three rings of faces round
+	/// them.
 	void noteChange(const HalfEdgeMesh& mesh, std::vector<int> vertices);
 	/// Nothing helped at f.
 	void noteFailure(const HalfEdgeMesh& mesh, int f) { failedAt_[keyOf(mesh, f)] = now_; }

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_CREASE_AGREEMENT_H
-#define VCG_EXTRAS_CORE_OPTIMIZATION_CREASE_AGREEMENT_H
+#ifndef VCG_EXTRAS_CORE_FEATURES_CREASE_AGREEMENT_H
+#define VCG_EXTRAS_CORE_FEATURES_CREASE_AGREEMENT_H
 
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>

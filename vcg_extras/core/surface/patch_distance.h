@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_PATCH_DISTANCE_H
-#define VCG_EXTRAS_CORE_OPTIMIZATION_PATCH_DISTANCE_H
+#ifndef VCG_EXTRAS_CORE_SURFACE_PATCH_DISTANCE_H
+#define VCG_EXTRAS_CORE_SURFACE_PATCH_DISTANCE_H
 
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/surface/cells.h>
@@ -23,8 +23,9 @@ public:
 	Assignment(const Surface& surface, const Cells& map, int mapFaceNum,
 			   std::vector<int> mapFace = {});
 
-	/// What belongs to a face that is no more belongs to another one from here on.
-	void transfer(int from, int to);
+	/// What belongs to a face that is no more belongs to the nearest one of these from here on.
+	void transfer(int from, const std::array<Vec3f, 3>& triangle, const HalfEdgeMesh& mesh,
+				  const std::vector<int>& faces);
 
 	/// Calls visit(place) for the vertices that belong to a face, until it returns false. Of many
 	/// vertices some hundred, evenly taken, stand for all.

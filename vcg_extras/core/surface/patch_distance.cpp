@@ -59,8 +59,13 @@ Assignment::Assignment(const Surface& surface, const Cells& map, int mapFaceNum,
 {
 }
 
-void Assignment::transfer(int from, int to)
+void Assignment::transfer(int from, const std::array<Vec3f, 3>& triangle, const HalfEdgeMesh& m,
+						  const std::vector<int>& faces)
 {
+	const Vec3f      centre = (triangle[0] + triangle[1] + triangle[2]) * (1 / 3.0f);
+	const int        to     = *std::min_element(faces.begin(), faces.end(), [&](int f, int g) {
+        return squaredLength(m.faceCentre(f) - centre) < squaredLength(m.faceCentre(g) - centre);
+    });
 	std::vector<int> all;
 	const auto       found = further_.find(from);
 	if (found != further_.end()) {

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "curve_slide.h"
+
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// Arc length of the curve from a vertex to a neighbour, or 0 if that is not on the curve.
+float arcBetween(const Curve& c, const ResultVertex& from, const ResultVertex& to)
+{
+	return from.curve == to.curve ? c.wrap(to.arc - from.arc) : 0.0f;
+}
+
+SlideRoom roomAtBorder(const ResultMesh& r, const Curve& c, int v)
+{
+	const int last = borderNeighbour(r.mesh, v, false), next = borderNeighbour(r.mesh, v, true);
+	return {arcBetween(c, r.vertex[last], r.vertex[v]), arcBetween(c, r.vertex[v], r.vertex[next]),
+			last, next};
+}
+
+/// Arc at which neighbour w of v lies on v's open curve: its own, or the end it stands at. Where
+/// both ends are the same node, the nearer one is meant.
+float arcOfNeighbour(const Curve& c, const ResultVertex& v, const ResultVertex& w)
+{
+	if (!w.isCorner && w.curve == v.curve) return w.arc;
+	if (w.isCorner && w.curve == v.curve && w.arc > 0 && w.arc < c.length) return w.arc;
+	const bool atFront = w.anchor.position == c.point.front();
+	const bool atBack  = w.anchor.position == c.point.back();
+	if (atFront && atBack) return v.arc < 0.5f * c.length ? 0.0f : c.length;
+	if (atFront) return 0;
+	return atBack ? c.length : v.arc;
+}
+
+SlideRoom roomOnCrease(const ResultMesh& r, const Curve& c, int v)
+{
+	int last = -1, next = -1;
+	forEachOutgoing(r.mesh, v, [&](int h) {
+		if (!r.mesh.isCreaseEdge(h)) return;
+		last = next;
+		next = r.mesh.target(h);
+	});
+	if (r.mesh.creaseNum(v) != 2) return {};
+	const ResultVertex& here = r.vertex[v];
+	if (c.isClosed) {
+		const auto arcTo = [&](int w) { return arcBetween(c, here, r.vertex[w]); };
+		if (arcTo(last) <= arcTo(next)) std::swap(last, next);
+		return {arcBetween(c, r.vertex[last], here), arcTo(next), last, next};
+	}
+	const auto arcOf = [&](int w) { return arcOfNeighbour(c, here, r.vertex[w]); };
+	if (arcOf(next) < arcOf(last)) std::swap(last, next);
+	return {std::max(0.0f, here.arc - arcOf(last)), std::max(0.0f, arcOf(next) - here.arc), last,
+			next};
+}
+
+/// Arcs between neighbours on a curve, in wanted edges.
+constexpr float leastSpacing = 0.7f, mostSpacing = 1.3f;
+/// How far a curve may leave its chords, in ideal edges; see CurveSpacing.
+constexpr float tolerance = 0.08f;
+
+/// How far v's curve leaves the chords from its last neighbour by way of a vertex at each arc to
+/// the next one.
+float deviationBy(const BoundaryCurves& curves, const ResultVertex& v, const SlideRoom& room,
+				  std::initializer_list<float> arcs)
+{
+	const Curve& c    = curves.curves[v.curve];
+	float        from = v.arc - room.backward, worst = 0;
+	// On a closed curve the stretch may begin before its first point.
+	const float lap = from < 0 ? c.length : 0.0f;
+	for (float to : arcs) {
+		worst = std::max(worst, deviation(c, from + lap, to + lap));
+		from  = to;
+	}
+	return std::max(worst, deviation(c, from + lap, v.arc + room.forward + lap));
+}
+
+/// How far it may leave the chords that take the place of those now: as far as spacing may, or as
+/// it leaves them now.
+float allowedDeviation(const ResultMesh& result, const BoundaryCurves& curves,
+					   const ResultVertex& v, const SlideRoom& room)
+{
+	const float size = curves.curves[v.curve].sizeAt(v.arc);
+	return std::max(deviationBy(curves, v, room, {v.arc}), tolerance * result.idealEdge * size);
+}
+
+} // namespace
+
+SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int v)
+{
+	const ResultVertex& here = result.vertex[v];
+	if (here.curve < 0 || here.isPinned) return {};
+	const Curve& c = curves.curves[here.curve];
+	if (result.mesh.isBorderVertex(v))
+		return result.mesh.isCreaseVertex(v) ? SlideRoom() : roomAtBorder(result, c, v);
+	return here.isCorner ? SlideRoom() : roomOnCrease(result, c, v);
+}
+
+Vec3f slideDirection(const BoundaryCurves& curves, const ResultVertex& vertex,
+					 const SlideRoom& room)
+{
+	const Curve& c = curves.curves[vertex.curve];
+	return normalized(c.at(vertex.arc + 0.25f * room.forward) -
+					  c.at(vertex.arc - 0.25f * room.backward));
+}
+
+bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, int v,
+					   const SlideRoom& room, float step)
+{
+	const ResultVertex& here = result.vertex[v];
+	return deviationBy(curves, here, room, {here.arc + step}) <=
+		   allowedDeviation(result, curves, here, room);
+}
+
+bool mayLeaveCurve(const ResultMesh& result, const BoundaryCurves& curves, int v)
+{
+	const SlideRoom room = slideRoom(result, curves, v);
+	if (!room.isOpen()) return false;
+	const ResultVertex& here = result.vertex[v];
+	return deviationBy(curves, here, room, {}) <= allowedDeviation(result, curves, here, room);
+}
+
+bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, int v,
+					   const SlideRoom& room, float step)
+{
+	const ResultVertex& here  = result.vertex[v];
+	const float         edge  = result.idealEdge * curves.curves[here.curve].sizeAt(here.arc);
+	const float         least = std::min({leastSpacing * edge, room.backward, room.forward});
+	const float         most  = std::max({mostSpacing * edge, room.backward, room.forward});
+	const float         back = room.backward + step, ahead = room.forward - step;
+	return std::min(back, ahead) >= least && std::max(back, ahead) <= most;
+}
+
+ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const ResultVertex& vertex,
+				  float step)
+{
+	const Curve& c     = curves.curves[vertex.curve];
+	ResultVertex moved = vertex;
+	moved.arc          = c.wrap(vertex.arc + step);
+	moved.anchor       = {c.at(moved.arc), c.face[c.segmentAt(moved.arc)]};
+	moved.normal       = surface.mesh.faceNormal(moved.anchor.face);
+	return moved;
+}
+
+} // namespace gpr

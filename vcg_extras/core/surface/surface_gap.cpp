@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_gap.h"
+
+#include <vcg_extras/core/base/triangle.h>
+
+#include <algorithm>
+
+namespace gpr {
+
+namespace {
+
+/// Points of the lattice along an edge, less one.
+constexpr int latticeSteps = 4;
+/// Faces of the input from which the next one is looked for, on the way to the nearest.
+constexpr int mostHops = 64;
+
+Vec3f nearestIn(const HalfEdgeMesh& m, int f, const Vec3f& p)
+{
+	const int* c = &m.origin[3 * f];
+	return nearestOnTriangle(p, m.position[c[0]], m.position[c[1]], m.position[c[2]]);
+}
+
+void widen(const Vec3f& onTriangle, const Vec3f& onSurface, Gap& gap)
+{
+	const Vec3f way     = onSurface - onTriangle;
+	const float squared = squaredLength(way);
+	if (squared > gap.squared) gap = {squared, way, onTriangle};
+}
+
+} // namespace
+
+Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& face)
+{
+	Vec3f nearest = nearestIn(m, face, p);
+	for (int hop = 0; hop < mostHops; ++hop) {
+		if (squaredLength(nearest - p) <= enough) break;
+		const int from = face;
+		for (int k = 0; k < 3; ++k) {
+			forEachOutgoing(m, m.origin[3 * from + k], [&](int h) {
+				const Vec3f q = nearestIn(m, h / 3, p);
+				if (squaredLength(q - p) >= squaredLength(nearest - p)) return;
+				nearest = q;
+				face    = h / 3;
+			});
+		}
+		if (face == from) break;
+	}
+	return nearest;
+}
+
+SurfaceGaps::SurfaceGaps(const Surface& surface, const Cells& cells, const HalfEdgeMesh& result,
+						 const Buffer<Anchor>& anchor, float near) :
+		s_(surface.mesh),
+		cells_(cells), m_(result), anchor_(anchor), squaredNear_(near * near)
+{
+}
+
+/// The vertices of the input in f's cell, from where the result comes nearest to them.
+void SurfaceGaps::lookFromSurface(int f, Gap& gap) const
+{
+	for (const int* i = cells_.begin(f); i != cells_.end(f); ++i) {
+		int         face = f;
+		const Vec3f p    = s_.position[*i];
+		widen(nearestOnTheWay(m_, p, gap.squared, face), p, gap);
+	}
+}
+
+/// A lattice of points on f.
+void SurfaceGaps::lookFromTriangle(int f, Gap& gap) const
+{
+	const int*  corner = &m_.origin[3 * f];
+	const Vec3f a = m_.position[corner[0]], b = m_.position[corner[1]], c = m_.position[corner[2]];
+	int         face = anchorFace(f, 0);
+	for (int i = 0; i <= latticeSteps; ++i) {
+		for (int k = 0; i + k <= latticeSteps; ++k) {
+			const float x = float(i) / latticeSteps, y = float(k) / latticeSteps;
+			const Vec3f p = a * (1 - x - y) + b * x + c * y;
+			widen(p, nearestFromCorners(f, p, gap.squared, face), gap);
+		}
+	}
+}
+
+/// On the way from a face to the nearest one a rim may lie; then another way may not cross it.
+Vec3f SurfaceGaps::nearestFromCorners(int f, const Vec3f& p, float enough, int& face) const
+{
+	Vec3f nearest = nearestOnTheWay(s_, p, enough, face);
+	for (int k = 0; k < 3 && squaredLength(nearest - p) > enough; ++k) {
+		int         other = anchorFace(f, k);
+		const Vec3f q     = nearestOnTheWay(s_, p, enough, other);
+		if (squaredLength(q - p) >= squaredLength(nearest - p)) continue;
+		nearest = q;
+		face    = other;
+	}
+	return nearest;
+}
+
+Gap SurfaceGaps::gapAt(int f) const
+{
+	Gap gap = nearEnough();
+	lookFromTriangle(f, gap);
+	lookFromSurface(f, gap);
+	return gap;
+}
+
+Buffer<float> SurfaceGaps::measureAll(Workers& workers) const
+{
+	Buffer<char> isFar(m_.vertexNum);
+	workers.forEach(m_.vertexNum, [&](int v) { isFar[v] = isFarVertex(v); });
+	Buffer<float> squared(m_.faceNum);
+	workers.forEach(m_.faceNum, [&](int f) {
+		const int* c   = &m_.origin[3 * f];
+		Gap        gap = nearEnough();
+		if (isFar[c[0]] || isFar[c[1]] || isFar[c[2]]) lookFromTriangle(f, gap);
+		lookFromSurface(f, gap);
+		squared[f] = gap.squared;
+	});
+	return squared;
+}
+
+float SurfaceGaps::largestGap(const std::vector<int>& faces, float bound) const
+{
+	float largest = 0;
+	for (int f : faces) {
+		largest = std::max(largest, gapAt(f).squared);
+		if (largest > bound) break;
+	}
+	return largest;
+}
+
+/// Whether a vertex of the result is farther off than what is near.
+bool SurfaceGaps::isFarVertex(int v) const
+{
+	const Vec3f  p      = m_.position[v];
+	const Anchor anchor = anchor_[v];
+	if (squaredLength(p - anchor.position) <= squaredNear_) return false;
+	int face = anchor.face;
+	return squaredLength(nearestOnTheWay(s_, p, squaredNear_, face) - p) > squaredNear_;
+}
+
+} // namespace gpr

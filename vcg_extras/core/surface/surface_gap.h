@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SURFACE_SURFACE_GAP_H
+#define VCG_EXTRAS_CORE_SURFACE_SURFACE_GAP_H
+
+#include "cells.h"
+#include "surface_point.h"
+
+#include <vcg_extras/core/base/buffer.h>
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/connect.h>
+
+#include <vector>
+
+namespace gpr {
+
+/// Where a triangle and the surface lie farthest apart.
+struct Gap {
+	float squared; ///< length; at first what is near enough
+	Vec3f way;     ///< from the triangle to the surface
+	Vec3f at;      ///< where on the triangle
+};
+
+/// The point of a mesh nearest to p, as far as it gets ever nearer on the way from `face`, which is
+/// then the one that it lies in; or one within the root of `enough`. Cost: the faces on the way.
+Vec3f nearestOnTheWay(const HalfEdgeMesh& mesh, const Vec3f& p, float enough, int& face);
+
+/// Measures gaps between the faces of a result and the surface, from both sides: from the vertices
+/// of the input in a face's cell, and from a lattice of points on the face. Gaps shorter than
+/// `near` are not measured.
+class SurfaceGaps {
+public:
+	/// anchor: per vertex of the result, a point of the surface near it; it may change later on.
+	SurfaceGaps(const Surface& surface, const Cells& cells, const HalfEdgeMesh& result,
+				const Buffer<Anchor>& anchor, float near);
+
+	Gap gapAt(int f) const;
+	/// Per face the squared length of its gap. From the face itself it is looked at only where a
+	/// corner is farther off than what is near. Cost: a pass over the input's vertices, in
+	/// parallel.
+	Buffer<float> measureAll(Workers& workers) const;
+	/// The largest of the faces' gaps, squared; any that is larger than `bound` will do.
+	float largestGap(const std::vector<int>& faces, float bound) const;
+
+private:
+	const HalfEdgeMesh&   s_; ///< of the surface
+	const Cells&          cells_;
+	const HalfEdgeMesh&   m_; ///< of the result
+	const Buffer<Anchor>& anchor_;
+	float                 squaredNear_;
+
+	Gap   nearEnough() const { return {squaredNear_, Vec3f(), Vec3f()}; }
+	Vec3f nearestFromCorners(int f, const Vec3f& p, float enough, int& face) const;
+	int   anchorFace(int f, int k) const { return anchor_[m_.origin[3 * f + k]].face; }
+	void  lookFromSurface(int f, Gap& gap) const;
+	void  lookFromTriangle(int f, Gap& gap) const;
+	bool  isFarVertex(int v) const;
+};
+
+} // namespace gpr
+
+#endif
