@@ -529,12 +529,7 @@ bool raiseAngles(OnMesh& on, float angleDeg)
 	Assignment   assignment(on.surface, map, on.result.mesh.faceNum);
 	std::int64_t work = 100000000;
 	LocalSearch  search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
-	bool         isDone = true;
-	for (int power : {2, 4, 2})
-		isDone =
-			search.run(smallAngles(search, on.workers, angleDeg * radians, power, keepingCount)) &&
-			isDone;
-	return isDone;
+	return search.run(smallAngles(search, angleDeg * radians, keepingCount));
 }
 
 } // namespace

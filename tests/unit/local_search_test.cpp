@@ -50,7 +50,7 @@ void raiseAngles(OnSurface& on)
 	Assignment   assignment(on.surface, map, on.m().faceNum);
 	std::int64_t work = 100000000;
 	LocalSearch  search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
-	search.run(smallAngles(search, on.workers, 32 * radians, 2, keepingCount));
+	search.run(smallAngles(search, 32 * radians, keepingCount));
 }
 
 std::vector<int> tableOf(const HalfEdgeMesh& m)

@@ -52,34 +52,35 @@ bool isInverted(const PatchEditor& editor, int f)
 /// Angles are wanted this much larger than asked for, so that none ends just below.
 constexpr float angleMargin = 1.06f;
 
-float lackOfAngle(const HalfEdgeMesh& m, int f, float angle, int power)
+/// Squared, so that the worst ones count most.
+float lackOfAngle(const HalfEdgeMesh& m, int f, float angle)
 {
 	const float lack = shortfall(smallestAngle(m, f) / (angleMargin * angle), 1);
-	return power == 2 ? lack * lack : lack * lack * lack * lack;
+	return lack * lack;
 }
 
-// ---- the rows of limits
+// ---- limits
 
-/// The limits of the goals side by side.
-Limits limitsFor(float minNormalAgreement, float maxDistance, float rmsGrowth, float maxMove,
-				 float maxTurn)
+/// Of the goals that come after the fit, side by side with those that come before it.
+Limits limitsAfterFit(float guardedDistance)
 {
 	Limits limits;
-	limits.minNormalAgreement = minNormalAgreement;
-	limits.maxDistance        = maxDistance;
-	limits.rmsGrowth          = rmsGrowth;
-	limits.maxMove            = maxMove;
-	limits.maxTurn            = maxTurn;
+	limits.minNormalAgreement = 0.6f;
+	limits.maxDistance        = 0.05f;
+	limits.guardedDistance    = guardedDistance;
 	return limits;
 }
 
-//                                      agreement, distance, rms,       move, turn
-const Limits limitsOfAngles        = limitsFor(0.6f, 0.05f, HUGE_VALF, 0.5f, 0.5f);
-const Limits limitsOfCounts        = limitsFor(0.6f, 0.05f, 1.3f, 0.5f, 0.5f);
-const Limits limitsOfIntersections = limitsFor(0.3f, 0.1f, 1.3f, 0.5f, 0.5f);
-const Limits limitsOfOrientation   = limitsFor(-1, HUGE_VALF, HUGE_VALF, 0.6f, -1);
+Limits limitsBeforeFit()
+{
+	Limits limits;
+	limits.maxMove     = 0.6f;
+	limits.maxTurn     = -1;
+	limits.gentleFlips = limits.intersections = false;
+	return limits;
+}
 
-const std::vector<float> shortSteps = {0.16f, 0.08f, 0.04f, 0.02f};
+const std::vector<float> shortSteps = {0.12f, 0.03f};
 const std::vector<float> longSteps  = {0.5f, 0.25f, 0.1f};
 
 bool changesCount(const std::vector<Operation::Kind>& operations)
@@ -93,72 +94,48 @@ const std::vector<Operation::Kind> keepingCount  = {Operation::Move, Operation::
 const std::vector<Operation::Kind> changingCount = {Operation::Split, Operation::Attach,
 													Operation::Collapse, Operation::CollapseBack};
 
-Goal invertedFaces(LocalSearch& search, Workers& workers, bool mayCollapse)
+Goal invertedFaces(LocalSearch& search, bool mayCollapse)
 {
-	Goal goal;
-	goal.findBad = [&search, &workers] {
-		return workers.collect<int>(
-			search.mesh().faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-				for (int f = int(begin); f < int(end); ++f) {
-					if (!isDeadFace(search.mesh(), f) && isInverted(search.editor(), f))
-						out.push_back(f);
-				}
-			});
-	};
-	goal.isBad              = [&search](int f) { return isInverted(search.editor(), f); };
-	goal.faceCost           = [&search](int f) { return costOfOrientation(search.editor(), f); };
-	goal.operations         = keepingCount;
-	goal.mostLeft           = 1;
-	goal.leastGain          = 0.01f; // less is rounding
-	goal.stepLengths        = longSteps;
-	goal.limits             = limitsOfOrientation;
-	goal.limits.gentleFlips = goal.limits.intersections = false;
+	const PatchEditor& editor = search.editor();
+	Goal               goal;
+	goal.isBad       = [&editor](int f) { return isInverted(editor, f); };
+	goal.faceCost    = [&editor](int f) { return costOfOrientation(editor, f); };
+	goal.operations  = keepingCount;
+	goal.mostLeft    = 1;
+	goal.leastGain   = 0.01f; // less is rounding
+	goal.stepLengths = longSteps;
+	goal.limits      = limitsBeforeFit();
 	if (mayCollapse)
 		goal.operations.insert(goal.operations.end(),
 							   {Operation::Collapse, Operation::CollapseBack});
 	goal.collapseCost    = 2 * goal.leastGain;
-	goal.budget.attempts = 2000 + search.mesh().faceNum; // no result may have a face without area
-	goal.settles         = false;                        // shapes come later
-	// Where more than single faces look wrong the triangles are too large for the surface, and
-	// moving vertices one by one, which costs most, repairs nothing.
-	const std::size_t most = std::max<std::size_t>(500, std::size_t(search.mesh().faceNum) / 50);
-	if (goal.findBad().size() > most) goal.operations.erase(goal.operations.begin()); // the moves
+	goal.budget.attempts = std::numeric_limits<std::int64_t>::max(); // only work is limited
+	goal.settles         = false;                                    // shapes come later
 	return goal;
 }
 
-Goal facesWithoutArea(LocalSearch& search, Workers& workers)
+Goal facesWithoutArea(LocalSearch& search)
 {
-	const HalfEdgeMesh& m      = search.mesh();
-	const auto          isLine = [&m](int f) { return !isDeadFace(m, f) && hasNoArea(m, f); };
-	Goal                goal   = invertedFaces(search, workers, false);
-	goal.operations            = keepingCount;
-	goal.isBad                 = isLine;
-	goal.findBad               = [&m, &workers, isLine] {
-        return workers.collect<int>(m.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-            for (int f = int(begin); f < int(end); ++f) {
-                if (isLine(f)) out.push_back(f);
-            }
-        });
-	};
-	goal.budget.attempts   = std::numeric_limits<std::int64_t>::max();
-	goal.budget.limitsWork = false;
+	const HalfEdgeMesh& m    = search.mesh();
+	Goal                goal = invertedFaces(search, false);
+	goal.isBad               = [&m](int f) { return hasNoArea(m, f); };
+	goal.budget.limitsWork   = false;
 	return goal;
 }
 
-Goal smallAngles(LocalSearch& search, Workers& workers, float angle, int power,
-				 const std::vector<Operation::Kind>& operations, float guardedDistance)
+Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::Kind>& operations,
+				 float guardedDistance)
 {
 	const HalfEdgeMesh& m = search.mesh();
 	Goal                goal;
-	goal.findBad     = [&m, &workers, angle] { return findPoorFaces(m, angle, workers); };
-	goal.isBad       = [&m, angle](int f) { return smallestAngle(m, f) < angle; };
-	goal.faceCost    = [&m, angle, power](int f) { return lackOfAngle(m, f, angle, power); };
-	goal.operations  = operations;
-	goal.takesFirst  = !changesCount(operations);
-	goal.mostLeft    = changesCount(operations) ? 0.8f : 0.995f;
-	goal.stepLengths = shortSteps;
-	goal.limits      = changesCount(operations) ? limitsOfCounts : limitsOfAngles;
-	goal.limits.guardedDistance = guardedDistance;
+	goal.isBad           = [&m, angle](int f) { return smallestAngle(m, f) < angle; };
+	goal.faceCost        = [&m, angle](int f) { return lackOfAngle(m, f, angle); };
+	goal.operations      = operations;
+	goal.takesFirst      = !changesCount(operations);
+	goal.mostLeft        = changesCount(operations) ? 0.8f : 0.995f;
+	goal.stepLengths     = shortSteps;
+	goal.limits          = limitsAfterFit(guardedDistance);
+	goal.budget.mostLeft = 0.95f; // the rest of the rounds would cost more than they bring
 	return goal;
 }
 
@@ -167,9 +144,9 @@ Goal selfIntersections(LocalSearch& search, const std::vector<int>& suspects, fl
 {
 	const HalfEdgeMesh& m = search.mesh();
 	Goal                goal;
-	goal.findBad             = [suspects] { return suspects; };
+	goal.suspects            = &suspects;
 	goal.isBad               = [&search](int f) { return search.intersects(f); };
-	goal.faceCost            = [&m, angle](int f) { return lackOfAngle(m, f, angle, 2); };
+	goal.faceCost            = [&m, angle](int f) { return lackOfAngle(m, f, angle); };
 	goal.countsIntersections = true;
 	goal.mostLeft            = 1;
 	goal.leastGain           = 0.49f; // a pair less, whatever the angles
@@ -177,7 +154,7 @@ Goal selfIntersections(LocalSearch& search, const std::vector<int>& suspects, fl
 	goal.takesFirst          = !changesCount(operations);
 	goal.stepLengths         = longSteps;
 	goal.raises              = !changesCount(operations);
-	goal.limits              = limitsOfIntersections;
+	goal.limits              = limitsAfterFit(HUGE_VALF);
 	goal.limits.minAngle     = angle;
 	goal.budget.rounds       = 4;
 	goal.budget.attempts     = 200;

@@ -17,19 +17,18 @@ extern const std::vector<Operation::Kind> keepingCount, changingCount;
 /// Faces that look against the surface, lie across a feature line or have no area. They are left by
 /// the retriangulation where the surface is thinner than the triangles are long: fingers, rims,
 /// thin plates.
-Goal invertedFaces(LocalSearch& search, Workers& workers, bool mayCollapse);
+Goal invertedFaces(LocalSearch& search, bool mayCollapse);
 
 /// Faces without area alone. No result may have one, so nothing bounds this search.
-Goal facesWithoutArea(LocalSearch& search, Workers& workers);
+Goal facesWithoutArea(LocalSearch& search);
 
-/// Faces with an angle below `angle` (radians). Minimised is the sum over the faces of what the
-/// smallest angle lacks, to a power: the second for all of them, the fourth presses the worst one.
-/// guardedDistance: see Limits.
-Goal smallAngles(LocalSearch& search, Workers& workers, float angle, int power,
-				 const std::vector<Operation::Kind>& operations, float guardedDistance = HUGE_VALF);
+/// Faces with an angle below `angle` (radians). Minimised is the sum over the faces of the squares
+/// of what the smallest angle lacks. guardedDistance: see Limits.
+Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::Kind>& operations,
+				 float guardedDistance = HUGE_VALF);
 
-/// Faces among the suspects that intersect others. Minimised is the number of pairs, then what
-/// angles below `angle` lack.
+/// Faces among the suspects that intersect others; the list is kept by the caller. Minimised is the
+/// number of pairs, then what angles below `angle` lack.
 Goal selfIntersections(LocalSearch& search, const std::vector<int>& suspects, float angle,
 					   const std::vector<Operation::Kind>& operations);
 

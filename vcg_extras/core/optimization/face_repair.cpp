@@ -29,6 +29,11 @@ constexpr int mostCountRounds = 3;
 constexpr int attemptsByCount = 200, attemptsByPairs = 12;
 /// How well faces agree with the surface that angles are raised on without a map: 37°.
 constexpr float leastAgreementOnSurface = 0.8f;
+/// Where more than this share of the faces, and so many at least, are poor, the triangles are too
+/// large for the surface. Single changes then cost much and help little: 9 and 100 % more time on
+/// two parts with many holes, at the same worst angle.
+constexpr float       hopelessShare = 0.2f;
+constexpr std::size_t leastHopeless = 100;
 /// What all searches together may measure (see LocalSearch), at some 20 ns each: half a second, and
 /// a tenth of the run on large meshes. On parts full of needles nothing helps, and the search would
 /// last much longer than all the rest. 10 times as much raises the worst angle of 40 noisy spheres
@@ -37,9 +42,9 @@ constexpr std::int64_t leastWork = 40000000, workPerFace = 20;
 /// Of what is left, before what changes the count has the rest.
 constexpr double shareOfIntersections = 0.25, shareOfAngles = 0.67;
 /// Two operations in a row take some hundred trials a face.
-constexpr std::int64_t workOfPairs = 60000000;
+constexpr std::int64_t workOfPairs = 25000000;
 
-/// Inverted faces have more: no other search mends what this one leaves.
+/// Inverted faces have more: no other search repairs what this one leaves.
 constexpr std::int64_t shareOfOrientation = 2;
 
 std::int64_t workFor(int faceNum)
@@ -77,6 +82,8 @@ public:
 	/// intersecting: faces that intersect others.
 	bool run(const std::vector<int>& intersecting)
 	{
+		const std::size_t poorNum = findPoorFaces(r_.mesh, angle_, workers_).size();
+		if (isHopeless(poorNum + intersecting.size())) return false;
 		bool isDone = takeApart(intersecting);
 		isDone      = raiseAngles() && isDone;
 		repeatWhileItHelps(!intersecting.empty(), false);
@@ -112,6 +119,12 @@ private:
 		return taken;
 	}
 
+	bool isHopeless(std::size_t poorNum) const
+	{
+		const auto most = std::size_t(hopelessShare * float(r_.mesh.faceNum));
+		return poorNum > std::max(leastHopeless, most);
+	}
+
 	bool takeApart(const std::vector<int>& intersecting)
 	{
 		if (intersecting.empty()) return true;
@@ -129,16 +142,9 @@ private:
 		return raiseAngles(search);
 	}
 
-	/// The second power for all poor faces, the fourth for the worst: what is stuck by the one may
-	/// move on by the other.
 	bool raiseAngles(LocalSearch& search)
 	{
-		bool isDone = true;
-		for (int power : {2, 4, 2}) {
-			const Goal goal = smallAngles(search, workers_, angle_, power, keepingCount, guarded());
-			isDone          = search.run(goal) && isDone;
-		}
-		return isDone;
+		return search.run(smallAngles(search, angle_, keepingCount, guarded()));
 	}
 
 	void repeatWhileItHelps(bool mayIntersect, bool inPairs)
@@ -164,7 +170,8 @@ private:
 		if (work_ <= 0 || !(raisesAngles || mayIntersect)) return false;
 		const Poorness before = poornessOf(mayIntersect);
 		const bool     takesApart =
-			!before.intersecting.empty() && before.intersecting.size() <= mostForCount;
+			!before.intersecting.empty() &&
+			before.intersecting.size() <= (inPairs ? mostForPairs : mostForCount);
 		if (!raisesAngles && !takesApart) return false;
 		const ResultMesh       start   = copyResult(r_, workers_);
 		const std::vector<int> mapFace = mapFace_;
@@ -202,7 +209,7 @@ private:
             goal.budget.attempts = attempts;
             search.run(goal);
 		};
-		if (raisesAngles) run(smallAngles(search, workers_, angle_, 2, changingCount, guarded()));
+		if (raisesAngles) run(smallAngles(search, angle_, changingCount, guarded()));
 		if (!intersecting.empty())
 			run(selfIntersections(search, intersecting, angle_, changingCount));
 		return search.changeNum() > 0;
@@ -238,14 +245,29 @@ private:
 	}
 };
 
+/// Where more faces than this, and than this share of all, are inverted, the triangles are too
+/// large for the surface, and moves, which cost most, repair nothing.
+constexpr std::size_t mostForMoves      = 500;
+constexpr float       mostShareForMoves = 0.02f;
+
+void repairOrientation(LocalSearch& search, bool mayCollapse)
+{
+	Goal       goal = invertedFaces(search, mayCollapse);
+	const auto most =
+		std::max(mostForMoves, std::size_t(mostShareForMoves * float(search.mesh().faceNum)));
+	if (search.findBad(goal).size() > most)
+		goal.operations.erase(goal.operations.begin()); // the moves
+	search.run(goal);
+}
+
 /// Feature lines side by side on one straight line, as where a surface is folded flat, can hold all
 /// edges of a face without area, and vertices of curves keep their spacing there. A gap in a line
 /// and crowded vertices are better than such a face.
-void repairFacesWithoutArea(LocalSearch& search, Workers& workers)
+void repairFacesWithoutArea(LocalSearch& search)
 {
-	Goal goal = facesWithoutArea(search, workers);
+	Goal goal = facesWithoutArea(search);
 	search.run(goal);
-	const std::vector<int> left = goal.findBad();
+	const std::vector<int> left = search.findBad(goal);
 	if (left.empty()) return;
 	for (int f : left)
 		search.editor().forgetLinesAt(f);
@@ -260,9 +282,9 @@ void repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, b
 {
 	std::int64_t work = shareOfOrientation * workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
-	search.run(invertedFaces(search, workers, mayCollapse));
-	if (!mayCollapse) repairFacesWithoutArea(search, workers);
-	if (mayCollapse) compactResult(result, workers);
+	repairOrientation(search, mayCollapse);
+	if (mayCollapse) return compactResult(result, workers);
+	repairFacesWithoutArea(search);
 }
 
 void raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
@@ -272,7 +294,7 @@ void raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, 
 	if (findPoorFaces(result.mesh, angle, workers).empty()) return;
 	std::int64_t work = workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
-	Goal         goal = smallAngles(search, workers, angle, 2, keepingCount);
+	Goal         goal = smallAngles(search, angle, keepingCount);
 	// Where faces lie as the surface does they are near it, and intersect no others.
 	goal.limits.minNormalAgreement = leastAgreementOnSurface;
 	goal.limits.intersections      = false;

@@ -49,7 +49,7 @@ bool LocalSearch::run(const Goal& goal)
 	attempts_ = goal.budget.attempts;
 	if (isExhausted()) return false;
 	failed_              = FailedAttempts(m_.vertexNum + spare_);
-	std::vector<int> bad = goal.findBad();
+	std::vector<int> bad = findBad(goal);
 
 	for (int round = 0; round < goal.budget.rounds && !bad.empty(); ++round) {
 		touched_.clear();
@@ -65,7 +65,9 @@ bool LocalSearch::run(const Goal& goal)
 		std::sort(bad.begin(), bad.end());
 		std::set_union(bad.begin(), bad.end(), changed.begin(), changed.end(),
 					   std::back_inserter(candidates));
-		bad = stillBad(candidates);
+		const std::size_t before = bad.size();
+		bad                      = stillBad(candidates);
+		if (float(bad.size()) > goal.budget.mostLeft * float(before)) break;
 	}
 	return true;
 }
@@ -73,6 +75,13 @@ bool LocalSearch::run(const Goal& goal)
 bool LocalSearch::isExhausted() const
 {
 	return attempts_ <= 0 || (goal_->budget.limitsWork && work_ <= 0);
+}
+
+std::vector<int> LocalSearch::findBad(const Goal& goal) const
+{
+	if (goal.suspects != nullptr) return *goal.suspects;
+	return workers_.collectIf(m_.faceNum,
+							  [&](int f) { return !isDeadFace(m_, f) && goal.isBad(f); });
 }
 
 std::vector<int> LocalSearch::worstFirst(std::vector<int> faces) const
@@ -225,23 +234,20 @@ bool LocalSearch::keepsLimits(Before& before)
 {
 	const std::vector<int> faces = facesNow(before);
 	if (before.distance == nullptr)
-		before.distance =
-			distanceOf(before.faces(), before.triangles, before.meanEdge, goal_->limits.rmsGrowth);
+		before.distance = distanceOf(before.faces(), before.triangles, before.meanEdge);
 	if (!keepsDistance(before.distance.get(), faces)) return false;
 	// A goal that counts intersections has looked at them already.
 	if (!goal_->limits.intersections || goal_->countsIntersections) return true;
 	return intersectionNum(faces) <= before.intersections;
 }
 
-/// Null where distances are not limited. The mean is for whole operations, not for single steps.
+/// Null where distances are not limited.
 std::unique_ptr<PatchDistance> LocalSearch::distanceOf(const std::vector<int>& faces,
-													   const Triangles& triangles, float edge,
-													   float rmsGrowth)
+													   const Triangles& triangles, float edge)
 {
 	const Limits& limits = goal_->limits;
 	if (!(limits.maxDistance < HUGE_VALF) || assignment_ == nullptr) return nullptr;
-	const PatchDistance::Settings  settings = {limits.maxDistance * edge, limits.guardedDistance,
-											   rmsGrowth};
+	const PatchDistance::Settings  settings = {limits.maxDistance * edge, limits.guardedDistance};
 	std::unique_ptr<PatchDistance> distance(
 		new PatchDistance(*assignment_, faces, triangles, settings));
 	work_ -= distance->work();
@@ -436,10 +442,9 @@ bool LocalSearch::stepFrom(int v, float reach, float& cost)
 		if (!(now < settleShare * cost)) continue;
 		if (!before.isKnown) {
 			editor_.put(v, start);
-			before.isKnown = true;
-			before.worst   = worstOf(faces);
-			before.distance =
-				distanceOf(faces, trianglesOf(m_, faces), editor_.meanEdge(v), HUGE_VALF);
+			before.isKnown  = true;
+			before.worst    = worstOf(faces);
+			before.distance = distanceOf(faces, trianglesOf(m_, faces), editor_.meanEdge(v));
 			editor_.put(v, next);
 		}
 		if (!keepsWorst(faces, before.worst) || !keepsDistance(before.distance.get(), faces))

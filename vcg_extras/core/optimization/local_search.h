@@ -23,7 +23,6 @@ struct Limits {
 	float minAngle           = 0;         ///< radians
 	float minNormalAgreement = -1;        ///< cosine
 	float maxDistance        = HUGE_VALF; ///< of the input's vertices from the faces, in mean edges
-	float rmsGrowth          = HUGE_VALF; ///< of those distances' root mean square, a factor
 	float guardedDistance    = HUGE_VALF; ///< working units; vertices so far off get no farther
 	float maxMove            = 0.5f; ///< of a vertex from where the search found it, in mean edges
 	float maxTurn            = 0.5f; ///< cosine of the normals before and after a move
@@ -33,16 +32,17 @@ struct Limits {
 
 /// Where a search ends though faces are left.
 struct Budget {
-	int          rounds     = 8;    ///< over all bad faces
+	int          rounds     = 8; ///< over all bad faces
+	float        mostLeft   = 1; ///< another one follows where at most this share of them is left
 	std::int64_t attempts   = 2000; ///< faces that are tried
 	bool         limitsWork = true; ///< whether it ends where the work of all searches is done
 };
 
 /// What a search is for.
 struct Goal {
-	std::function<std::vector<int>()> findBad; ///< among all faces
-	std::function<bool(int face)>     isBad;
-	std::function<float(int face)>    faceCost;
+	const std::vector<int>*        suspects = nullptr; ///< where bad faces are; null: anywhere
+	std::function<bool(int face)>  isBad; ///< called in parallel where there are no suspects
+	std::function<float(int face)> faceCost;
 	bool  countsIntersections = false;      ///< their number comes before the faces' cost
 	float mostLeft = 0.995f, leastGain = 0; ///< a change leaves at most this share, less this
 	float collapseCost = 0;                 ///< a vertex less has to be worth so much
@@ -71,6 +71,8 @@ public:
 
 	/// False if the budget ended before the search did.
 	bool run(const Goal& goal);
+	/// The suspects, or the bad ones of all faces.
+	std::vector<int> findBad(const Goal& goal) const;
 
 	/// Whether a face intersects any other.
 	bool intersects(int f);
@@ -146,8 +148,7 @@ private:
 	float                          gainOver(const Before& before);
 	bool                           keepsLimits(Before& before);
 	std::unique_ptr<PatchDistance> distanceOf(const std::vector<int>& faces,
-											  const Triangles& triangles, float edge,
-											  float rmsGrowth);
+											  const Triangles& triangles, float edge);
 	bool  keepsDistance(const PatchDistance* distance, const std::vector<int>& faces);
 	float costOf(const std::vector<int>& faces);
 	Worst worstOf(const std::vector<int>& faces);

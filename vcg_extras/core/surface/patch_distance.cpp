@@ -12,9 +12,6 @@ namespace gpr {
 
 namespace {
 
-/// A vertex at half of what is near enough, squared here, need not be looked at more closely.
-constexpr float nearShare = 0.25f;
-
 /// Finds how far points lie from some triangles, those near each other in a row fast: the triangle
 /// that was nearest last time is tried first, and mostly is near enough.
 class NearestTriangle {
@@ -91,8 +88,7 @@ Triangles trianglesOf(const HalfEdgeMesh& m, const std::vector<int>& faces)
 PatchDistance::PatchDistance(const Assignment& assignment, std::vector<int> faces,
 							 const Triangles& triangles, const Settings& settings) :
 		assignment_(assignment),
-		faces_(std::move(faces)), rmsGrowth_(settings.rmsGrowth),
-		squaredEnough_(settings.enough * settings.enough),
+		faces_(std::move(faces)), squaredEnough_(settings.enough * settings.enough),
 		squaredGuarded_(std::max(squaredEnough_, settings.guarded * settings.guarded)),
 		farthest_(squaredEnough_)
 {
@@ -101,9 +97,7 @@ PatchDistance::PatchDistance(const Assignment& assignment, std::vector<int> face
 		assignment_.forEach(f, [&](const Vec3f& p) {
 			const float squared = near.squaredDistance(p, surelyNear());
 			farthest_           = std::max(farthest_, squared);
-			squares_ += squared;
 			fourthPowers_ += guardedPower(squared);
-			++num_;
 			return true;
 		});
 	}
@@ -111,10 +105,9 @@ PatchDistance::PatchDistance(const Assignment& assignment, std::vector<int> face
 }
 
 /// Which triangle a vertex is near to does not matter where it is not the farthest one, nor
-/// guarded, nor counts for the mean. That is nearly all of them, and what makes this fast.
+/// guarded. That is nearly all of them, and what makes this fast.
 float PatchDistance::surelyNear() const
 {
-	if (limitsMean()) return nearShare * squaredEnough_;
 	return std::max(squaredEnough_, std::min(farthest_, squaredGuarded_));
 }
 
@@ -130,18 +123,12 @@ bool PatchDistance::isKeptBy(const Triangles& triangles) const
 	// Sums of the same numbers in another order differ by rounding.
 	constexpr double rounding      = 1e-5;
 	const double     allowedPowers = (1 + rounding) * fourthPowers_;
-	// Where all is flat the sum is 0, and stays so times any factor.
-	const double enoughSquares = 0.25 * squaredEnough_ * double(num_);
-	const double growth        = double(rmsGrowth_) * rmsGrowth_;
-	const double allowedSquares =
-		limitsMean() ? std::max(growth * squares_, enoughSquares) : HUGE_VAL;
-	double          squares = 0, powers = 0;
-	NearestTriangle near(triangles);
-	const auto      isKept = [&](const Vec3f& p) {
+	double           powers        = 0;
+	NearestTriangle  near(triangles);
+	const auto       isKept = [&](const Vec3f& p) {
         const float squared = near.squaredDistance(p, surelyNear());
-        squares += squared;
         powers += guardedPower(squared);
-        return squared <= farthest_ && powers <= allowedPowers && squares <= allowedSquares;
+        return squared <= farthest_ && powers <= allowedPowers;
 	};
 	return std::all_of(faces_.begin(), faces_.end(),
 					   [&](int f) { return assignment_.forEach(f, isKept); });

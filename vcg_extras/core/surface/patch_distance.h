@@ -77,9 +77,8 @@ Triangles trianglesOf(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
 class PatchDistance {
 public:
 	struct Settings {
-		float enough;                ///< smaller distances are as good as none
-		float guarded   = HUGE_VALF; ///< see isKeptBy
-		float rmsGrowth = HUGE_VALF; ///< factor; HUGE_VALF: the mean is not limited
+		float enough;              ///< smaller distances are as good as none
+		float guarded = HUGE_VALF; ///< see isKeptBy
 	};
 
 	/// Of the vertices that belong to `faces` from the nearest of the triangles, which may be
@@ -90,8 +89,7 @@ public:
 
 	/// Whether other triangles may take the place of these. No vertex may come to lie farther away
 	/// than `enough`, or than the farthest before. Of the vertices beyond `guarded` the sum of the
-	/// fourth powers may not grow: a tip must not be cut off because one beside it is. Nor may the
-	/// root mean square grow by more than a factor, unless it stays below half of `enough`. Cost:
+	/// fourth powers may not grow: a tip must not be cut off because one beside it is. Cost:
 	/// as above, up to the first vertex that tells.
 	bool isKeptBy(const Triangles& triangles) const;
 
@@ -101,12 +99,11 @@ public:
 private:
 	const Assignment& assignment_;
 	std::vector<int>  faces_;
-	float             rmsGrowth_, squaredEnough_, squaredGuarded_;
+	float             squaredEnough_, squaredGuarded_;
 	float             farthest_; ///< squared, or what is near enough
-	double            squares_ = 0, fourthPowers_ = 0;
-	std::int64_t      num_ = 0, work_ = 0;
+	double            fourthPowers_ = 0;
+	std::int64_t      work_         = 0;
 
-	bool  limitsMean() const { return rmsGrowth_ < HUGE_VALF; }
 	float surelyNear() const;
 	/// What a vertex adds to the sum of fourth powers; all that are not guarded count alike.
 	double guardedPower(float squared) const;
