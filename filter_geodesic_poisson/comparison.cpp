@@ -4,7 +4,7 @@
 
 #include "refusal.h"
 
-#include <vcg_extras/complex/peers/quadric_collapse.h>
+#include <vcg_extras/complex/baselines/quadric_collapse.h>
 #include <vcg_extras/core/mesh/measure.h>
 
 #include <algorithm>
@@ -104,11 +104,11 @@ bool reaches(std::size_t reached, std::size_t wanted)
 
 void collapse(const gpr::MeshView& input, const Watch& watch, Comparison& comparison)
 {
-	const std::size_t           wanted = comparison.remeshed.mesh.faceNum();
-	gpr::peers::QuadricCollapse work(input);
-	const Clock                 clock;
-	const bool                  done = work.run(std::int64_t(wanted),
-												[&] { return watch.shallStop(kRemeshed, "Quadric Edge Collapse"); });
+	const std::size_t               wanted = comparison.remeshed.mesh.faceNum();
+	gpr::baselines::QuadricCollapse work(input);
+	const Clock                     clock;
+	const bool                      done = work.run(std::int64_t(wanted),
+													[&] { return watch.shallStop(kRemeshed, "Quadric Edge Collapse"); });
 	if (!done) watch.refuse();
 	comparison.collapsed.seconds = clock.seconds();
 	comparison.collapsed.mesh    = work.mesh();

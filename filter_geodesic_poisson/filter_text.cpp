@@ -56,11 +56,12 @@ const FilterText retriangulation = {
 const FilterText features = {
 	"Feature Detection: Second-Order Difference",
 	"compute_features_by_second_order_difference",
-	"Finds creases and the tips of cones. The strength of an edge is the angle, in degrees, "
+	"Finds creases and cone apexes. The strength of an edge is the angle, in degrees, "
 	"between "
 	"the mean normals of the two half-disks on its sides; all have one size, whatever the mesh is "
 	"like there. A vertex's quality becomes the largest strength of its edges; vertices on feature "
-	"lines and tips are selected, and the faces that have one of them. What was selected before is "
+	"lines and cone apexes are selected, and the faces that have one of them. What was selected "
+	"before is "
 	"not any more; nothing else is changed.<br>"
 	"The selection can be corrected by hand and then be given to \"Remeshing: Geodesic Poisson "
 	"Disk\" as its feature region; the same thresholds there, with the region \"detected\", find "

@@ -25,8 +25,8 @@ endforeach()
 add_subdirectory(${_extras}/core ${CMAKE_CURRENT_BINARY_DIR}/vcg_extras_core)
 set_target_properties(gpr_core PROPERTIES AUTOMOC OFF AUTOUIC OFF AUTORCC OFF)
 
-include(${_extras}/complex/peers/peers.cmake)
-gpr_set_up_peers(${GPR_QUADRIC_COLLAPSE})
+include(${_extras}/complex/baselines/baselines.cmake)
+gpr_set_up_baselines(${GPR_QUADRIC_COLLAPSE})
 add_meshlab_plugin(filter_geodesic_poisson ${_shared} ${GPR_QUADRIC_COLLAPSE}
   meshlab_2025/filter_geodesic_poisson.cpp meshlab_2025/filter_geodesic_poisson.h)
 target_include_directories(filter_geodesic_poisson PRIVATE meshlab_2025)

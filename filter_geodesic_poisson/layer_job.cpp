@@ -63,7 +63,7 @@ LayerCopy copyOf(const MeshModel& layer, const gpr::RemeshOptions& options)
 	parts.selection     = asksForSelection(options);
 	parts.faceSelection = options.selectedOnly;
 	parts.edgeSelection = options.featureMode == gpr::FeatureMode::Given;
-	parts.texture       = options.anchorsOfFaces && layer.hasDataMask(MeshModel::MM_WEDGTEXCOORD);
+	parts.texture = options.surfacePointsOfFaces && layer.hasDataMask(MeshModel::MM_WEDGTEXCOORD);
 	if (asksForQuality(options) && !parts.quality) {
 		throw Refusal("The density shall go with the vertex quality, but the layer has none.");
 	}
@@ -177,7 +177,7 @@ LayerJob::LayerJob(MeshDocument& document, gpr::Tool tool, const RichParameterLi
 	_layerId = current->id();
 	_values  = readValues(tool, list, document);
 	_options = _values.options();
-	_options.anchorsOfFaces =
+	_options.surfacePointsOfFaces =
 		(tool == gpr::RemeshTool || tool == gpr::RetriangulateTool) &&
 		((current->dataMask() & kCarriedFaceMask) != 0 || !current->cm.face_attr.empty());
 	_copy = copyOf(*current, _options);

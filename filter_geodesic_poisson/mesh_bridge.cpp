@@ -46,9 +46,9 @@ void selectCorners(const CFaceO& face, const CMeshO& mesh,
 }
 
 /// The unit normal of the face on which a point lies, or zero where the face has no area.
-Point3m normalAt(const gpr::SurfacePoint& anchor, const LayerCopy& source)
+Point3m normalAt(const gpr::BarycentricPoint& point, const LayerCopy& source)
 {
-	const std::int32_t* corner = &source.triangles[3 * std::size_t(anchor.face)];
+	const std::int32_t* corner = &source.triangles[3 * std::size_t(point.face)];
 	gpr::Vec3d          p[3];
 	for (int k = 0; k < 3; ++k) {
 		p[k] = gpr::Vec3d(source.positions[std::size_t(corner[k])]);
@@ -241,17 +241,17 @@ void buildMesh(const gpr::RemeshResult& result, const LayerCopy& copy, const CMe
 {
 	const std::vector<const CFaceO*> faces  = liveFaces(source);
 	const auto                       faceOf = [&](std::int32_t f) { return faces[std::size_t(f)]; };
-	const bool                       facesToo = !result.faceAnchors.empty();
+	const bool                       facesToo = !result.facePoints.empty();
 	enableCarried(source, facesToo, copy.texture != nullptr, built);
 	addElements(result.mesh, built);
 	selectNewFaces(result, built);
 
-	vcg::tri::gpr_detail::AnchoredAttributes<CMeshO> attributes;
-	attributes.ReadVertices(source, built, result.anchors, faceOf);
-	user.ReadVertices(source, result.anchors, faceOf);
+	vcg::tri::gpr_detail::AttributesAtPoints<CMeshO> attributes;
+	attributes.ReadVertices(source, built, result.surfacePoints, faceOf);
+	user.ReadVertices(source, result.surfacePoints, faceOf);
 	if (facesToo) {
 		attributes.ReadFaces(source, built, result, copy.texture.get(), faceOf);
-		user.ReadFaces(source, result.faceAnchors, faceOf);
+		user.ReadFaces(source, result.facePoints, faceOf);
 	}
 	attributes.Write(built);
 }
@@ -261,14 +261,14 @@ void buildPoints(const gpr::SamplingResult& result, const LayerCopy& copy, const
 {
 	const std::vector<const CFaceO*> faces = liveFaces(source);
 	Allocator::AddVertices(built, result.points.size());
-	vcg::tri::gpr_detail::AnchoredAttributes<CMeshO> attributes;
-	attributes.ReadVertices(source, built, result.anchors,
+	vcg::tri::gpr_detail::AttributesAtPoints<CMeshO> attributes;
+	attributes.ReadVertices(source, built, result.surfacePoints,
 							[&](std::int32_t f) { return faces[std::size_t(f)]; });
 	attributes.Write(built);
 	for (std::size_t s = 0; s < result.points.size(); ++s) {
 		CVertexO& vertex = built.vert[s];
 		vertex.P()       = pointOf(result.points[s]);
-		vertex.N()       = normalAt(result.anchors[s], copy);
+		vertex.N()       = normalAt(result.surfacePoints[s], copy);
 		vertex.Q()       = Scalarm(result.radii[s]);
 	}
 }

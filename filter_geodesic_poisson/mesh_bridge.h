@@ -57,7 +57,7 @@ bool canReach(const Matrix44m& to, const Matrix44m& from);
 /// transforms they are the same numbers.
 std::vector<gpr::Vec3d> copyPoints(const CMeshO& mesh, const Matrix44m& frame);
 
-/// The named attributes of a mesh, read at anchors.
+/// The named attributes of a mesh, read at surface points.
 using UserAttributes = vcg::tri::gpr_detail::CarriedUserAttributes<CMeshO>;
 
 /// Fills an empty mesh with the result. Of `source`, the mesh that `copy` was made of and that has

@@ -33,7 +33,7 @@ QStringList textsOf(const std::vector<const char*>& choices)
 
 /// A dialog of more rows than this does not fit on a screen and hides those of seldom use where it
 /// can; it does not scroll, and its buttons would be out of reach.
-constexpr std::size_t kMostRows = 14;
+constexpr std::size_t kMaxRows = 14;
 
 bool ofEverydayUse(const Parameter& row)
 {
@@ -138,7 +138,7 @@ void fillParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts
 {
 	const gpr::MeshFacts known = factsFor(table, facts);
 	for (const Parameter& row : table) {
-		addRow(row, known, table.size() > kMostRows && !ofEverydayUse(row), list);
+		addRow(row, known, table.size() > kMaxRows && !ofEverydayUse(row), list);
 	}
 }
 

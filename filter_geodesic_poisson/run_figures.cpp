@@ -36,7 +36,7 @@ Figures featureFigures(const gpr::FeatureResult& result)
 	const gpr::FeatureFigures& f = result.figures;
 	return {
 		{"edge_number", double(f.edgeNum)},       {"line_number", double(f.lineNum)},
-		{"corner_number", double(f.cornerNum)},   {"tip_number", double(f.tipNum)},
+		{"corner_number", double(f.cornerNum)},   {"tip_number", double(f.coneApexNum)},
 		{"vertex_number", double(f.vertexNum)},   {"face_number", double(f.faceNum)},
 		{"seconds", result.report.remeshSeconds},
 	};

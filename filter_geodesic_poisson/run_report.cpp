@@ -45,15 +45,15 @@ QString foundLine(const gpr::FeatureResult& result)
 {
 	const gpr::FeatureFigures& f = result.figures;
 	return QStringLiteral("Features of %1 vertices, %2 faces: %3 edges in %4 lines, %5 corners, "
-						  "%6 tips")
+						  "%6 cone apexes")
 		.arg(count(result.report.input.vertices), count(result.report.input.faces),
-			 count(f.edgeNum), count(f.lineNum), count(f.cornerNum), count(f.tipNum));
+			 count(f.edgeNum), count(f.lineNum), count(f.cornerNum), count(f.coneApexNum));
 }
 
 QString markedLine(const gpr::FeatureFigures& f)
 {
 	return QStringLiteral("Selected %1 vertices, %2 faces; support %3, least length %4")
-		.arg(count(f.vertexNum), count(f.faceNum), number(f.support, 6), number(f.leastLength, 6));
+		.arg(count(f.vertexNum), count(f.faceNum), number(f.support, 6), number(f.minLength, 6));
 }
 
 /// "Samples: 700, of which 3 were off the surface and were put on it, the farthest by 0.01".
@@ -145,10 +145,11 @@ QString cleanedLine(const gpr::CleanCounts& c)
 QString auditLine(const gpr::AuditFigures& a)
 {
 	const QString verdict = a.passed ? QStringLiteral("passed") : QStringLiteral("FAILED");
-	return QStringLiteral("Audit %1: %2 non-manifold edges, %3 non-manifold vertices, %4 flipped, "
-						  "%5 without area, %6 duplicate faces")
+	return QStringLiteral(
+			   "Audit %1: %2 non-manifold edges, %3 non-manifold vertices, %4 inverted faces, "
+			   "%5 without area, %6 duplicate faces")
 		.arg(verdict, count(a.nonManifoldEdges), count(a.nonManifoldVertices),
-			 count(a.flippedFaces), count(a.zeroAreaFaces), count(a.duplicateFaces));
+			 count(a.invertedFaces), count(a.zeroAreaFaces), count(a.duplicateFaces));
 }
 
 /// How near the result is, as far as it was looked for: by the goal of a largest error, by the
@@ -157,9 +158,10 @@ QString auditLine(const gpr::AuditFigures& a)
 QString errorLine(const gpr::RemeshReport& r)
 {
 	if (r.check.done) {
-		return QStringLiteral("Checked: %1 faces cross others, vertices are at most %2 from the "
-							  "input, points of either mesh at most %3 from the other")
-			.arg(count(r.check.crossingFaces), lengthText(r.check.vertexDistance, r),
+		return QStringLiteral(
+				   "Checked: %1 self-intersecting faces, vertices are at most %2 from the "
+				   "input, points of either mesh at most %3 from the other")
+			.arg(count(r.check.intersectingFaces), lengthText(r.check.vertexDistance, r),
 				 lengthText(r.check.largestDistance, r));
 	}
 	if (r.errorGoal > 0) {

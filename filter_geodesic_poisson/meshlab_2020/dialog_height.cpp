@@ -132,10 +132,10 @@ QWidget* widgetAt(const QGridLayout& grid, int row)
 }
 
 /// Of a window's inside, for the frame and title that the window manager adds.
-int mostHeightOn(const QScreen& screen)
+int maxHeightOn(const QScreen& screen)
 {
 	constexpr int decoration = 40;
-	const int     most       = int(kMostDialogHeight * screen.logicalDotsPerInch() / 96);
+	const int     most       = int(kMaxDialogHeight * screen.logicalDotsPerInch() / 96);
 	return std::min(most, screen.availableGeometry().height() - decoration);
 }
 
@@ -143,7 +143,7 @@ void scrollParameters(QDockWidget& dialog, QGridLayout& grid, QWidget& parameter
 					  const QWidget& below)
 {
 	QWidget&  inside = *dialog.widget();
-	const int most   = mostHeightOn(*dialog.screen());
+	const int most   = maxHeightOn(*dialog.screen());
 	const int title  = dialog.height() - inside.height();
 	const int others = title + parameters.y() + inside.height() - below.y() + grid.spacing();
 	const int rows   = std::max(parameters.sizeHint().height(), parameters.height());

@@ -14,7 +14,7 @@ class QObject;
 namespace gpr_filter {
 
 /// Dialogs are made no higher than this, in pixels at 96 dpi, or than the screen allows.
-constexpr int kMostDialogHeight = 760;
+constexpr int kMaxDialogHeight = 760;
 
 /// Makes the parameters of the dialog with this title scroll, where the dialog is too high; its
 /// buttons and the host's ways with its values stay. Does nothing where there is no such dialog, or

@@ -43,7 +43,7 @@ public:
 	RichParameterList initParameterList(const QAction*      action,
 										const MeshDocument& document) override;
 
-	/// Returns figures of the run, which PyMeshLab hands out as a dictionary. Throws MLException,
+	/// Returns figures of the run, which PyMeshLab exports as a dictionary. Throws MLException,
 	/// after a log line, where nothing was done: then the document is as it was.
 	std::map<std::string, QVariant>
 	applyFilter(const QAction* action, const RichParameterList& list, MeshDocument& document,

@@ -26,7 +26,7 @@ class Method:
         touch_memory(self.bytes_per_face * face_num)
         if self.preset:
             return self._run_gpremesh(programs, mesh)
-        return self._run_peer(programs, mesh, goal)
+        return self._run_baseline(programs, mesh, goal)
 
     def _run_gpremesh(self, programs, mesh):
         result = programs.work / "result.ply"
@@ -40,12 +40,12 @@ class Method:
         stages = {key: value for key, value in seconds.items() if key not in NO_STAGES}
         return _record(seconds["remesh"], outside, report["result"], result, stages)
 
-    def _run_peer(self, programs, mesh, goal):
+    def _run_baseline(self, programs, mesh, goal):
         result = programs.work / "result.ply"
-        output = programs.work / "peer.json"
+        output = programs.work / "baseline.json"
         with output.open("w") as told:
             outside = measured([
-                programs.path("gpr_bench_peer"), self.key, mesh, result, str(goal)], told)
+                programs.path("gpr_bench_baseline"), self.key, mesh, result, str(goal)], told)
         figures = json.loads(output.read_text())
         return _record(figures["seconds"], outside, figures, result, {})
 

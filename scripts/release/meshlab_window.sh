@@ -13,7 +13,7 @@ window_process=""
 
 # Waits until a command succeeds; ends the script where it does not, or where MeshLab has gone.
 wait_until() {
-	comes_within $window_patience "$@" || give_up "in vain waited for: $*"
+	comes_within $window_patience "$@" || give_up "this did not happen in time: $*"
 }
 
 # Tries a command for as many seconds as $1 says.

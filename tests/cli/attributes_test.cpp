@@ -61,10 +61,10 @@ protected:
 				? std::make_unique<TextureSource>(input.view(), input.attributes.texture)
 				: nullptr;
 		RemeshOptions options;
-		options.targetMode      = TargetMode::VertexNum;
-		options.targetVertexNum = 300;
-		options.anchorsOfFaces  = true;
-		MeshView view           = input.view();
+		options.targetMode           = TargetMode::VertexNum;
+		options.targetVertexNum      = 300;
+		options.surfacePointsOfFaces = true;
+		MeshView view                = input.view();
 		if (texture != nullptr) view.line = texture->seams().data();
 		const RemeshResult result = remesh(view, options);
 		EXPECT_EQ(result.status, Status::Ok) << result.message;

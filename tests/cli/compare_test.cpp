@@ -39,7 +39,7 @@ protected:
 	}
 
 	/// Whether the program was built with vcglib, and says so plainly if not.
-	static bool hasPeers(const Json& all)
+	static bool hasBaselines(const Json& all)
 	{
 		const Json quadric = method(all, "quadricEdgeCollapse");
 		if (!quadric.contains("failure")) return true;
@@ -59,7 +59,7 @@ protected:
 TEST_F(Compare, OursIsAsNearAsQuadricCollapseAndMoreRegular)
 {
 	const Json all = compared(torus(64), {"--vertices", "600"});
-	if (!hasPeers(all)) GTEST_SKIP() << "built without vcglib";
+	if (!hasBaselines(all)) GTEST_SKIP() << "built without vcglib";
 	const Json ours = method(all, "default"), quadric = method(all, "quadricEdgeCollapse");
 	EXPECT_EQ(ours["vertices"], 600);
 	EXPECT_EQ(ours["faces"], quadric["faces"]);
@@ -100,7 +100,7 @@ TEST_F(Compare, JsonTellsEveryFigureOfEveryMethod)
 	EXPECT_EQ(all["input"]["faces"], sphere(16).faces.size());
 	EXPECT_GT(all["input"]["quality"]["aspectRatio"]["mean"], 0.5);
 	ASSERT_EQ(all["methods"].size(), 4u);
-	if (!hasPeers(all)) GTEST_SKIP() << "built without vcglib";
+	if (!hasBaselines(all)) GTEST_SKIP() << "built without vcglib";
 	for (const Json& m : all["methods"]) {
 		SCOPED_TRACE(m["key"]);
 		ASSERT_FALSE(m.contains("failure")) << m["failure"];

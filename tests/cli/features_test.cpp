@@ -188,8 +188,18 @@ TEST_F(Features, ReportHasThresholdsAndCounts)
 	EXPECT_EQ(all["features"]["vertices"], 12 * (n - 1) + 8);
 	EXPECT_EQ(all["features"]["lines"], 1);
 	EXPECT_EQ(all["features"]["corners"], 8);
-	EXPECT_EQ(all["features"]["tips"], 0);
+	EXPECT_EQ(all["features"]["coneApexes"], 0);
+	EXPECT_GT(all["minLength"], 0);
 	EXPECT_NE(result.out.find("288 edges in 1 lines, 8 corners"), std::string::npos) << result.out;
+}
+
+TEST_F(Features, ReportKeepsTheKeysOfEarlierVersions)
+{
+	ASSERT_EQ(features(cube(12)).exitCode, 0);
+	const Json all = report();
+	EXPECT_EQ(all["features"]["tips"], all["features"]["coneApexes"]);
+	EXPECT_EQ(all["leastLength"], all["minLength"]);
+	EXPECT_EQ(all["thresholds"]["leastLength"], all["thresholds"]["minLength"]);
 }
 
 TEST_F(Features, ThresholdsAreObeyed)

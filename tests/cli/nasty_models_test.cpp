@@ -12,7 +12,7 @@
 namespace gpr_test {
 
 /// Ten for the program alone; other tests run beside it.
-constexpr int mostSeconds = 20;
+constexpr int maxSeconds = 20;
 
 namespace {
 
@@ -91,8 +91,8 @@ TEST_P(Models, ResultIsValidOrRefusedWithASentence)
 	if (modelsFolder().empty()) GTEST_SKIP() << skipLine;
 	const std::string in = modelsFolder() + "/" + GetParam().file;
 	if (!exists(in)) GTEST_SKIP() << in << " is missing";
-	const ProgramResult result = run({"remesh", in, path("out.ply")}, mostSeconds);
-	EXPECT_LT(result.seconds, mostSeconds);
+	const ProgramResult result = run({"remesh", in, path("out.ply")}, maxSeconds);
+	EXPECT_LT(result.seconds, maxSeconds);
 	if (result.exitCode == 0) {
 		std::string precision;
 		expectManifold(parseWrittenPly(content(path("out.ply")), precision));

@@ -327,6 +327,18 @@ TEST_F(Remesh, ReportHasThePromisedKeys)
 	EXPECT_TRUE(r["capsReached"].is_array());
 }
 
+TEST_F(Remesh, ReportKeepsTheKeysOfEarlierVersions)
+{
+	remeshed("in.ply", binaryPly(sphere(40), true, false), {"--vertices", "300", "--check"});
+	const Json r = report();
+	EXPECT_EQ(r["audit"]["invertedFaces"], 0);
+	EXPECT_EQ(r["audit"]["flippedFaces"], 0);
+	EXPECT_EQ(r["check"]["selfIntersectingFaces"], 0);
+	EXPECT_EQ(r["check"]["crossingFaces"], 0);
+	EXPECT_EQ(r["check"]["inputSelfIntersectingFaces"], r["check"]["inputCrossingFaces"]);
+	EXPECT_EQ(r["counts"]["featureTips"], r["counts"]["featureConeApexes"]);
+}
+
 /// Names and values come back as they were given; what the preset chose is told, too.
 TEST_F(Remesh, ReportTellsTheOptionsInForce)
 {

@@ -12,7 +12,7 @@ namespace gpr::test {
 
 namespace {
 
-/// Hands out bytes from the front; zeros when there are none left.
+/// Returns bytes from the front; zeros when there are none left.
 class Bytes {
 public:
 	Bytes(const std::uint8_t* data, std::size_t size) : at_(data), left_(size) {}
@@ -94,7 +94,7 @@ std::string complaintsAboutStatus(Status status, const std::string& message)
 	// for may find what it looks for.
 	const bool isWithheld =
 		status == Status::PromiseBroken && (message.find("without area") != std::string::npos ||
-											message.find("cross others") != std::string::npos);
+											message.find("self-intersecting") != std::string::npos);
 	if (!isRefusal && !isWithheld) return std::string(statusName(status)) + ": " + message;
 	return message.empty() || message.back() != '.' ? "no sentence" : "";
 }

@@ -81,7 +81,7 @@ Accuracy measureAccuracy(const Ground& ground, Metric metric, double reach, int 
 		const Sample sample = randomSample(m, random);
 		field.nearest.fill({HUGE_VALF, -1});
 		flood.run(0, sample);
-		addDisk(ExactDistances(m, sample.anchor, double(radius)), field, double(radius), sum);
+		addDisk(ExactDistances(m, sample.point, double(radius)), field, double(radius), sum);
 	}
 	sum.mean /= double(std::max<std::int64_t>(1, sum.vertexNum));
 	sum.above5Percent /= double(std::max<std::int64_t>(1, sum.vertexNum));

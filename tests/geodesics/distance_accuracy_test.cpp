@@ -37,9 +37,9 @@ void expectWithin(const DistanceCase& c, const MeshView& mesh)
 			const Accuracy a = measureAccuracy(ground, metric, reach, sourceNum, 2);
 			EXPECT_GT(a.vertexNum, 15 * sourceNum) << "else little was tested";
 			EXPECT_EQ(a.unreachedNum, 0);
-			EXPECT_LE(a.mean, c.mostMean);
-			EXPECT_LE(a.largestOver, c.mostLargest);
-			EXPECT_GE(a.largestUnder, -c.mostLargest);
+			EXPECT_LE(a.mean, c.maxMean);
+			EXPECT_LE(a.largestOver, c.maxLargest);
+			EXPECT_GE(a.largestUnder, -c.maxLargest);
 		}
 	}
 }
@@ -79,7 +79,7 @@ TEST(ExactDistances, AreThoseOfTheUnfoldedCube)
 	for (int v = 0; v < m.vertexNum; ++v) {
 		if (length(place(v) - Vec3d(0.5, 0.5, 1)) < 1e-6) from = v;
 	}
-	const Anchor         at = {m.position[from], m.outgoing[from] / 3};
+	const SurfacePoint   at = {m.position[from], m.outgoing[from] / 3};
 	const ExactDistances exact(m, at, 0.9 * surface.frame.scale);
 	int                  above = 0, beside = 0;
 	for (const auto& [v, d] : exact.all()) {

@@ -16,9 +16,9 @@ struct DistanceCase {
 	std::string  name;
 	std::string  words; ///< for the page
 	TriangleMesh mesh;
-	double       percent     = 10;    ///< the disks are those of a target of so many percent
-	double       mostMean    = 0.004; ///< mean error
-	double       mostLargest = 0.06;  ///< largest error, either way
+	double       percent    = 10;    ///< the disks are those of a target of so many percent
+	double       maxMean    = 0.004; ///< mean error
+	double       maxLargest = 0.06;  ///< largest error, either way
 };
 
 /// Those made in code.

@@ -20,7 +20,7 @@ using Traits    = CGAL::Surface_mesh_shortest_path_traits<Kernel, Mesh>;
 using Distances = CGAL::Surface_mesh_shortest_path<Traits>;
 
 /// The faces round a point, linked over edges, up to those that lie beyond a distance altogether.
-std::vector<int> facesNear(const HalfEdgeMesh& m, const Anchor& source, double within)
+std::vector<int> facesNear(const HalfEdgeMesh& m, const SurfacePoint& source, double within)
 {
 	const auto isNear = [&](int f) {
 		double longest = 0, nearest = HUGE_VAL;
@@ -83,7 +83,7 @@ private:
 
 } // namespace
 
-ExactDistances::ExactDistances(const HalfEdgeMesh& m, const Anchor& source, double within)
+ExactDistances::ExactDistances(const HalfEdgeMesh& m, const SurfacePoint& source, double within)
 {
 	const Piece                           piece(m, facesNear(m, source, within));
 	Distances                             distances(piece.mesh);

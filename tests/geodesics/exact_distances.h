@@ -16,7 +16,7 @@ namespace gpr::test {
 /// second for 3000 faces.
 class ExactDistances {
 public:
-	ExactDistances(const HalfEdgeMesh& mesh, const Anchor& source, double within);
+	ExactDistances(const HalfEdgeMesh& mesh, const SurfacePoint& source, double within);
 
 	/// Those of at most `within`, by vertex.
 	const std::map<int, double>& all() const { return distance_; }

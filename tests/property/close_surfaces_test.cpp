@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whole runs where surfaces come close to each other or to a point: no face crosses another, and
+// Whole runs where surfaces come close to each other or to a point: no faces intersect, and
 // noise makes no lines.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/mesh/crossing_faces.h>
+#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/remesh.h>
 
 #include <functional>
@@ -48,12 +48,12 @@ std::ostream& operator<<(std::ostream& out, const Shape& shape)
 std::size_t crossingNum(const TriangleMesh& mesh)
 {
 	Workers workers(2, nullptr);
-	return findCrossingFaces(halfEdgesOf(mesh), workers).size();
+	return findIntersectingFaces(halfEdgesOf(mesh), workers).size();
 }
 
 } // namespace
 
-TEST(CrossingFaces, AreFoundInTheseResultsOnceTheyCross)
+TEST(IntersectingFaces, AreFoundInTheseResultsOnceTheyCross)
 {
 	EXPECT_EQ(crossingNum(ridgeUnderSheet(0.002)), 0u);
 	EXPECT_GT(crossingNum(ridgeUnderSheet(-0.002)), 0u);

@@ -28,10 +28,10 @@ bool sameBytes(const RemeshResult& a, const RemeshResult& b)
 	const auto& p = a.mesh.positions;
 	const auto& q = b.mesh.positions;
 	if (p.size() != q.size() || a.mesh.triangles != b.mesh.triangles) return false;
-	if (a.anchors.size() != b.anchors.size()) return false;
+	if (a.surfacePoints.size() != b.surfacePoints.size()) return false;
 	return std::memcmp(p.data(), q.data(), p.size() * sizeof(Vec3d)) == 0 &&
-		   std::memcmp(a.anchors.data(), b.anchors.data(),
-					   a.anchors.size() * sizeof(SurfacePoint)) == 0;
+		   std::memcmp(a.surfacePoints.data(), b.surfacePoints.data(),
+					   a.surfacePoints.size() * sizeof(BarycentricPoint)) == 0;
 }
 
 struct Shape {

@@ -51,7 +51,7 @@ TEST_P(FeatureLines, AreInTheResultAndNoOthers)
 		EXPECT_EQ(r.mesh.vertexNum(), std::size_t(vertexNum));
 		EXPECT_TRUE(isSoundSurface(r.mesh));
 		EXPECT_TRUE(hasSameTopology(mesh, r.mesh));
-		EXPECT_EQ(r.report.audit.flippedFaces, 0);
+		EXPECT_EQ(r.report.audit.invertedFaces, 0);
 		EXPECT_TRUE(r.notes.empty()) << r.notes.front();
 		const std::vector<Vec3d> lines = sharpSegments(mesh, 40);
 		ASSERT_FALSE(lines.empty());
@@ -151,23 +151,23 @@ TEST(FeatureLinesOfNoise, AreThereWhereTheUserWantsThem)
 	EXPECT_EQ(factsOf(r.mesh).euler(), 2);
 }
 
-TEST(ConeTip, IsAVertexOfTheResultOfThePapersPlacementToo)
+TEST(ConeApex, IsAVertexOfTheResultOfThePapersPlacementToo)
 {
 	RemeshOptions options;
 	options.placement    = Placement::BorderEdge;
 	const RemeshResult r = remesh(cone(90, 40, 0.5, 0.7).view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
-	EXPECT_EQ(r.report.featureTipNum, 1);
+	EXPECT_EQ(r.report.featureConeApexNum, 1);
 	EXPECT_LT(distanceToNearest(r.mesh.positions, {0, 0, 0}), 1e-6);
 }
 
-TEST(ConeTip, IsAVertexOfTheResult)
+TEST(ConeApex, IsAVertexOfTheResult)
 {
 	const TriangleMesh mesh = cone(90, 40, 0.5, 0.7);
 	for (int vertexNum : {100, 500, 2000}) {
 		const RemeshResult r = remeshed(mesh, vertexNum);
 		ASSERT_EQ(r.status, Status::Ok) << r.message;
-		EXPECT_EQ(r.report.featureTipNum, 1);
+		EXPECT_EQ(r.report.featureConeApexNum, 1);
 		EXPECT_LT(distanceToNearest(r.mesh.positions, {0, 0, 0}), 1e-6) << vertexNum;
 		const RemeshResult off = remeshed(mesh, vertexNum, FeatureMode::Off);
 		EXPECT_GT(distanceToNearest(off.mesh.positions, {0, 0, 0}), 1e-4) << vertexNum;

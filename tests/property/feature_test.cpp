@@ -44,7 +44,7 @@ EdgeSet edgesOf(const FeatureResult& r)
 	return edges;
 }
 
-/// Shapes with creases, tips, borders, noise and defects.
+/// Shapes with creases, coneApexes, borders, noise and defects.
 std::vector<TriangleMesh> shapes()
 {
 	Random             random(7);

@@ -61,7 +61,7 @@ class Invariance : public ::testing::TestWithParam<Change> {
 protected:
 	/// band: of mean shape and edge length, relative.
 	void expectSameStatistics(const TriangleMesh& mesh, double percent, double band,
-							  double leastAngleDeg)
+							  double minAngleDeg)
 	{
 		RemeshOptions options;
 		options.targetPercent    = percent;
@@ -78,7 +78,7 @@ protected:
 		EXPECT_NEAR(b.radiusRatioMean, a.radiusRatioMean, band * a.radiusRatioMean);
 		EXPECT_NEAR(b.aspectRatioMean, a.aspectRatioMean, 2 * band * a.aspectRatioMean);
 		EXPECT_NEAR(b.meanEdgeLen / GetParam().lengthFactor, a.meanEdgeLen, band * a.meanEdgeLen);
-		EXPECT_GT(b.minAngleDeg, leastAngleDeg);
+		EXPECT_GT(b.minAngleDeg, minAngleDeg);
 	}
 };
 

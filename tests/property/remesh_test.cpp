@@ -31,8 +31,8 @@ RemeshOptions percentOptions(double percent, std::uint32_t seed = 1)
 struct Shape {
 	std::string  name;
 	TriangleMesh mesh;
-	double       leastMeanShape; ///< mean 2r/R that every target from 5 % on reaches
-	double       tinyLoop = 0;   ///< radius of loops of which only three vertices can be kept
+	double       minMeanShape; ///< mean 2r/R that every target from 5 % on reaches
+	double       tinyLoop = 0; ///< radius of loops of which only three vertices can be kept
 };
 
 std::ostream& operator<<(std::ostream& out, const Shape& shape)
@@ -74,18 +74,18 @@ TEST_P(Remesh, HitsTheCountAndKeepsTheTopologyForAnyTarget)
 		EXPECT_TRUE(hasSameTopology(r.mesh, mesh));
 		EXPECT_TRUE(r.report.audit.passed);
 		if (percent >= 5) {
-			EXPECT_GE(r.report.quality.radiusRatioMean, GetParam().leastMeanShape);
+			EXPECT_GE(r.report.quality.radiusRatioMean, GetParam().minMeanShape);
 		}
 	}
 }
 
-/// Largest distance of a vertex of the result from where its anchor says it belongs.
-double farthestFromAnchor(const RemeshResult& r, const TriangleMesh& mesh)
+/// Largest distance of a vertex of the result from where its surface point says it belongs.
+double farthestFromSurface(const RemeshResult& r, const TriangleMesh& mesh)
 {
 	double farthest = 0;
 	for (std::size_t v = 0; v < r.mesh.vertexNum(); ++v) {
-		const SurfacePoint& a = r.anchors[v];
-		Vec3d               p;
+		const BarycentricPoint& a = r.surfacePoints[v];
+		Vec3d                   p;
 		for (int k = 0; k < 3; ++k) {
 			EXPECT_TRUE(a.weight[k] >= 0 && a.weight[k] <= 1);
 			p += mesh.positions[mesh.triangles[3 * a.face + k]] * double(a.weight[k]);
@@ -95,15 +95,15 @@ double farthestFromAnchor(const RemeshResult& r, const TriangleMesh& mesh)
 	return farthest;
 }
 
-TEST_P(Remesh, KeepsEveryVertexOnTheSurfaceWhereItsAnchorSays)
+TEST_P(Remesh, KeepsEveryVertexOnTheSurfaceWhereItsSurfacePointSays)
 {
 	const TriangleMesh& mesh    = GetParam().mesh;
 	RemeshOptions       options = percentOptions(10);
 	options.fit                 = Fit::Off;
 	const RemeshResult r        = remesh(mesh.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
-	ASSERT_EQ(r.anchors.size(), r.mesh.vertexNum());
-	EXPECT_LT(farthestFromAnchor(r, mesh), 2e-5);
+	ASSERT_EQ(r.surfacePoints.size(), r.mesh.vertexNum());
+	EXPECT_LT(farthestFromSurface(r, mesh), 2e-5);
 	EXPECT_EQ(r.report.largestFitDistance, 0);
 }
 
@@ -127,7 +127,7 @@ TEST_P(Remesh, FitsToTheInputAndSaysHowFarItWent)
 	options.fit                 = Fit::Rounds;
 	const RemeshResult r        = remesh(mesh.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
-	EXPECT_LE(farthestFromAnchor(r, mesh), r.report.largestFitDistance + 2e-5);
+	EXPECT_LE(farthestFromSurface(r, mesh), r.report.largestFitDistance + 2e-5);
 	EXPECT_LT(r.report.largestFitDistance, r.report.quality.meanEdgeLen);
 	EXPECT_LE(squaredError(r.mesh, mesh), 1.001 * squaredError(unfitted.mesh, mesh) + 1e-10);
 	EXPECT_GE(r.report.quality.minAngleDeg,
@@ -160,7 +160,7 @@ TEST_P(Remesh, LeavesTheInputUntouched)
 			  0);
 }
 
-/// No face of the result looks against the surface: the area it spans agrees with the input's, up
+/// No face of the result is inverted: the area it spans agrees with the input's, up
 /// to what is cut off along creases and borders.
 TEST_P(Remesh, KeepsTheAreaWhereTrianglesAreSmall)
 {
@@ -168,7 +168,7 @@ TEST_P(Remesh, KeepsTheAreaWhereTrianglesAreSmall)
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	const double area = factsOf(GetParam().mesh).area;
 	EXPECT_NEAR(factsOf(r.mesh).area, area, 0.05 * area);
-	EXPECT_EQ(r.report.audit.flippedFaces, 0);
+	EXPECT_EQ(r.report.audit.invertedFaces, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(, Remesh, ::testing::ValuesIn(shapes()),

@@ -97,13 +97,13 @@ TEST_P(GentleShapes, EveryVertexOfTheInputIsCovered)
 	});
 }
 
-TEST_P(GentleShapes, SamplesLieOnTheSurfaceWhereTheirAnchorsSay)
+TEST_P(GentleShapes, SamplesLieOnTheSurfaceWhereTheirSurfacePointsSay)
 {
 	const TriangleMesh& mesh = GetParam().mesh;
 	forEachSampling([&](const SamplingResult& s) {
-		ASSERT_EQ(s.anchors.size(), s.points.size());
+		ASSERT_EQ(s.surfacePoints.size(), s.points.size());
 		for (std::size_t i = 0; i < s.points.size(); ++i) {
-			const SurfacePoint& a = s.anchors[i];
+			const BarycentricPoint& a = s.surfacePoints[i];
 			ASSERT_TRUE(a.face >= 0 && a.face < int(mesh.faceNum()));
 			Vec3d p;
 			for (int k = 0; k < 3; ++k)
@@ -236,7 +236,7 @@ TEST(SampleFront, KnowsTheNearestSampleOfEveryVertex)
 	Workers              workers(2, nullptr);
 	const Surface        surface   = surfaceOf(icosphere(5), workers);
 	const float          r         = 0.05f;
-	const BlockPartition partition = cutIntoBlocks(surface, 12 * r, workers);
+	const OctreeBlocks   partition = cutIntoBlocks(surface, 12 * r, workers);
 	const BoundaryCurves boundary  = sampleBoundary(surface, r, r);
 	const Sampling       s         = sampleFront(surface, boundary, partition, r, 1, workers);
 	EXPECT_FALSE(s.capped);
@@ -244,7 +244,7 @@ TEST(SampleFront, KnowsTheNearestSampleOfEveryVertex)
 	EXPECT_LT(double(s.fillNum), 0.05 * double(s.samples.size())) << "nearly all are intersections";
 	std::vector<Vec3d> places;
 	for (const Sample& sample : s.samples)
-		places.push_back(Vec3d(sample.anchor.position));
+		places.push_back(Vec3d(sample.point.position));
 	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
 		const NearestField::Nearest n = s.nearest[v];
 		const Vec3d                 p = Vec3d(surface.mesh.position[v]);

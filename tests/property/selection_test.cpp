@@ -87,7 +87,7 @@ TEST(Selection, LeavesTheRestAloneAndJoinsIt)
 		EXPECT_TRUE(hasSameTopology(*mesh, r.mesh));
 		expectRestUntouched(*mesh, selected, r);
 		EXPECT_LT(r.mesh.faceNum(), mesh->faceNum());
-		EXPECT_EQ(r.anchors.size(), r.mesh.vertexNum());
+		EXPECT_EQ(r.surfacePoints.size(), r.mesh.vertexNum());
 	}
 }
 

@@ -28,8 +28,8 @@ RemeshOptions countOptions(std::int64_t vertexNum, std::uint32_t seed)
 struct Shape {
 	const char*  name;
 	TriangleMesh mesh;
-	int          leastPossible; ///< no triangulation of this topology has fewer vertices
-	int          mostNamed;     ///< a smallest count above this would be a poor answer
+	int          minPossible; ///< no triangulation of this topology has fewer vertices
+	int          maxNamed;    ///< a smallest count above this would be a poor answer
 };
 
 std::ostream& operator<<(std::ostream& out, const Shape& shape)
@@ -82,10 +82,10 @@ TEST_P(SmallestCount, IsNamedAndCanBeHad)
 		SCOPED_TRACE("seed " + std::to_string(seed));
 		const RemeshResult refused = remesh(mesh.view(), countOptions(1, seed));
 		ASSERT_EQ(refused.status, Status::CountTooSmall) << refused.message;
-		EXPECT_EQ(refused.mesh.vertexNum(), 0u) << "nothing is handed out";
+		EXPECT_EQ(refused.mesh.vertexNum(), 0u) << "nothing is exported";
 		const std::int64_t smallest = refused.smallestVertexNum;
-		EXPECT_GE(smallest, GetParam().leastPossible);
-		EXPECT_LE(smallest, GetParam().mostNamed);
+		EXPECT_GE(smallest, GetParam().minPossible);
+		EXPECT_LE(smallest, GetParam().maxNamed);
 		EXPECT_NE(refused.message.find(std::to_string(smallest)), std::string::npos)
 			<< "the sentence names it: " << refused.message;
 
@@ -109,8 +109,8 @@ TEST_P(SmallestCount, IsTakenWithAllowNearestAndForPercentages)
 		const RemeshResult r = remesh(mesh.view(), options);
 		ASSERT_EQ(r.status, Status::Ok) << r.message;
 		EXPECT_FALSE(r.notes.empty()) << "said so";
-		EXPECT_GE(std::int64_t(r.mesh.vertexNum()), GetParam().leastPossible);
-		EXPECT_LE(std::int64_t(r.mesh.vertexNum()), GetParam().mostNamed);
+		EXPECT_GE(std::int64_t(r.mesh.vertexNum()), GetParam().minPossible);
+		EXPECT_LE(std::int64_t(r.mesh.vertexNum()), GetParam().maxNamed);
 		EXPECT_EQ(r.report.targetVertexNum, std::int64_t(r.mesh.vertexNum()));
 		EXPECT_TRUE(isSoundSurface(r.mesh));
 		EXPECT_TRUE(hasSameTopology(r.mesh, mesh));

@@ -40,9 +40,9 @@ public:
 			tree_(surface_.mesh)
 	{
 	}
-	SurfacePoint of(const Vec3d& p) const
+	BarycentricPoint of(const Vec3d& p) const
 	{
-		return surfacePoint(view_, surface_, tree_.nearest(surface_.frame.toWorking(p)));
+		return barycentricPoint(view_, surface_, tree_.nearest(surface_.frame.toWorking(p)));
 	}
 
 private:
@@ -54,7 +54,8 @@ private:
 
 using Colour = std::array<double, 3>;
 
-Colour colourAt(const app::MeshAttributes& a, const std::int32_t* triangles, const SurfacePoint& at)
+Colour colourAt(const app::MeshAttributes& a, const std::int32_t* triangles,
+				const BarycentricPoint& at)
 {
 	Colour            colour;
 	const char* const names[] = {"red", "green", "blue"};
@@ -74,9 +75,9 @@ double difference(const Colour& a, const Colour& b)
 	return sum;
 }
 
-SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random)
+BarycentricPoint randomPoint(const TriangleMesh& mesh, Random& random)
 {
-	SurfacePoint at;
+	BarycentricPoint at;
 	at.face        = std::int32_t(random.below(int(mesh.faceNum())));
 	const double s = std::sqrt(random.unit()), t = random.unit();
 	at.weight[0] = float(1 - s);
@@ -85,7 +86,7 @@ SurfacePoint randomPoint(const TriangleMesh& mesh, Random& random)
 	return at;
 }
 
-Vec3d positionOf(const TriangleMesh& mesh, const SurfacePoint& at)
+Vec3d positionOf(const TriangleMesh& mesh, const BarycentricPoint& at)
 {
 	Vec3d p;
 	for (int k = 0; k < 3; ++k)
@@ -128,8 +129,8 @@ TEST(RealAttributes, LauranaKeepsHerColours)
 	Random    random(1);
 	const int pointNum = 20000;
 	for (int i = 0; i < pointNum; ++i) {
-		const SurfacePoint at = randomPoint(r.mesh, random);
-		const Colour       wanted =
+		const BarycentricPoint at = randomPoint(r.mesh, random);
+		const Colour           wanted =
 			colourAt(truth, input.triangles.data(), nearest.of(positionOf(r.mesh, at)));
 		ours += difference(wanted, colourAt(carried, r.mesh.triangles.data(), at)) / pointNum;
 		theirs += difference(wanted, colourAt(vcglibs, r.mesh.triangles.data(), at)) / pointNum;
@@ -142,7 +143,7 @@ TEST(RealAttributes, LauranaKeepsHerColours)
 
 using TexturePoint = std::array<double, 2>;
 
-TexturePoint textureAt(const CornerTexture& texture, const SurfacePoint& at)
+TexturePoint textureAt(const CornerTexture& texture, const BarycentricPoint& at)
 {
 	TexturePoint p;
 	for (std::size_t i = 0; i < 2; ++i) {
@@ -163,8 +164,8 @@ bool isAwayFromSeams(const RemeshResult& r, const CornerTexture& carried,
 					 const CornerTexture& truth, std::size_t f)
 {
 	for (std::size_t k = 0; k < 3; ++k) {
-		const SurfacePoint& at = r.anchors[std::size_t(r.mesh.triangles[3 * f + k])];
-		const TexturePoint  here{double(carried.uv[6 * f + 2 * k]),
+		const BarycentricPoint& at = r.surfacePoints[std::size_t(r.mesh.triangles[3 * f + k])];
+		const TexturePoint      here{double(carried.uv[6 * f + 2 * k]),
                                 double(carried.uv[6 * f + 2 * k + 1])};
 		if (distance(here, textureAt(truth, at)) > 1e-5) return false;
 	}
@@ -187,9 +188,9 @@ TEST(RealAttributes, BunnyKeepsItsTexture)
 		MeshView view = input.view();
 		view.line     = source.seams().data();
 		RemeshOptions options;
-		options.targetPercent  = percent;
-		options.anchorsOfFaces = true;
-		const RemeshResult r   = remesh(view, options);
+		options.targetPercent        = percent;
+		options.surfacePointsOfFaces = true;
+		const RemeshResult r         = remesh(view, options);
 		ASSERT_EQ(r.status, Status::Ok) << r.message;
 		const CornerTexture carried = source.carriedTo(r);
 
@@ -205,10 +206,10 @@ TEST(RealAttributes, BunnyKeepsItsTexture)
 		double sum = 0;
 		int    num = 0, beyond = 0;
 		for (int i = 0; i < 20000; ++i) {
-			const SurfacePoint at = randomPoint(r.mesh, random);
+			const BarycentricPoint at = randomPoint(r.mesh, random);
 			if (!isAwayFromSeams(r, carried, truth, std::size_t(at.face))) continue;
-			const SurfacePoint there = nearest.of(positionOf(r.mesh, at));
-			const double       miss  = distance(textureAt(carried, at), textureAt(truth, there));
+			const BarycentricPoint there = nearest.of(positionOf(r.mesh, at));
+			const double           miss = distance(textureAt(carried, at), textureAt(truth, there));
 			// Nearest points of a place beside a seam may lie beyond it.
 			beyond += miss > 0.1;
 			if (miss > 0.1) continue;

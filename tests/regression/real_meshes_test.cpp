@@ -39,8 +39,8 @@ struct Band {
 	double       rmsPercent      = 0;   ///< of the diagonal, at most; 0: not asked for
 	double       creases =
 		0; ///< largest distance of the sharp edges from those of the result in edges, at most
-	bool hasLines     = true; ///< feature lines are allowed
-	bool keepsFlipped = true; ///< faces against the surface are allowed
+	bool hasLines      = true; ///< feature lines are allowed
+	bool keepsInverted = true; ///< faces against the surface are allowed
 };
 
 std::ostream& operator<<(std::ostream& out, const Band& band)
@@ -112,8 +112,8 @@ void expectWithin(const std::string& path, const Band& band)
 	if (band.rmsPercent > 0) {
 		EXPECT_LE(rmsPercent(r.mesh, input.view()), band.rmsPercent);
 	}
-	if (!band.keepsFlipped) {
-		EXPECT_EQ(r.report.audit.flippedFaces, 0);
+	if (!band.keepsInverted) {
+		EXPECT_EQ(r.report.audit.invertedFaces, 0);
 	}
 	if (!band.hasLines) {
 		EXPECT_EQ(r.report.featureEdgeNum, 0);
@@ -146,7 +146,7 @@ std::vector<Band> bands()
 	igea.below30Percent  = 0;
 	igea.valence6Percent = 93;
 	igea.rmsPercent      = 0.0165;
-	igea.keepsFlipped    = false;
+	igea.keepsInverted   = false;
 
 	Band adapted            = igea;
 	adapted.adapt           = 1;

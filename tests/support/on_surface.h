@@ -33,7 +33,7 @@ struct OnSurface {
 
 	HalfEdgeMesh& m() { return result.mesh; }
 	double        meanShape() { return measureQuality(meshOf(m()).view()).radiusRatioMean; }
-	double        leastAngleDeg() { return measureQuality(meshOf(m()).view()).minAngleDeg; }
+	double        minAngleDeg() { return measureQuality(meshOf(m()).view()).minAngleDeg; }
 
 	void expectSound()
 	{
@@ -41,12 +41,13 @@ struct OnSurface {
 		EXPECT_TRUE(isSoundSurface(meshOf(m())));
 		ASSERT_EQ(int(result.vertex.size()), m().vertexNum);
 	}
-	/// Every vertex lies in the face that its anchor names, and where its anchor says.
+	/// Every vertex lies in the face that its surface point names, and where its surface point
+	/// says.
 	void expectOnSurface()
 	{
 		const HalfEdgeMesh& s = surface.mesh;
 		for (int v = 0; v < m().vertexNum; ++v) {
-			const Anchor& a = result.vertex[v].anchor;
+			const SurfacePoint& a = result.vertex[v].point;
 			ASSERT_EQ(a.position, m().position[v]) << "vertex " << v;
 			ASSERT_TRUE(a.face >= 0 && a.face < s.faceNum);
 			const auto corner = [&](int k) { return Vec3d(s.position[s.origin[3 * a.face + k]]); };

@@ -134,7 +134,7 @@ std::vector<Vec3d> sharpSegments(const TriangleMesh& mesh, double angleDeg)
 	return ends;
 }
 
-std::vector<Vec3d> withoutShortPieces(const std::vector<Vec3d>& segments, double leastLength)
+std::vector<Vec3d> withoutShortPieces(const std::vector<Vec3d>& segments, double minLength)
 {
 	// Pieces are named by their smallest segment and renamed until nothing changes.
 	const std::size_t                            n = segments.size() / 2;
@@ -158,7 +158,7 @@ std::vector<Vec3d> withoutShortPieces(const std::vector<Vec3d>& segments, double
 		lengthOf[piece[i]] += length(segments[2 * i + 1] - segments[2 * i]);
 	std::vector<Vec3d> kept;
 	for (std::size_t i = 0; i < n; ++i) {
-		if (lengthOf[piece[i]] < leastLength) continue;
+		if (lengthOf[piece[i]] < minLength) continue;
 		kept.push_back(segments[2 * i]);
 		kept.push_back(segments[2 * i + 1]);
 	}

@@ -38,7 +38,7 @@ double rimDistance(const TriangleMesh& from, const TriangleMesh& to);
 /// Ends of the edges whose two faces' normals differ by more than that, two points an edge.
 std::vector<Vec3d> sharpSegments(const TriangleMesh& mesh, double angleDeg);
 /// The segments that hang together in pieces at least that long.
-std::vector<Vec3d> withoutShortPieces(const std::vector<Vec3d>& segments, double leastLength);
+std::vector<Vec3d> withoutShortPieces(const std::vector<Vec3d>& segments, double minLength);
 /// Largest distance from a point of the one segments (ends, and points between them) to the others.
 double segmentDistance(const std::vector<Vec3d>& from, const std::vector<Vec3d>& to);
 

@@ -98,7 +98,7 @@ ResultMesh resultOf(const Surface& surface, const BoundaryCurves& boundary)
 	result.idealEdge = float(std::sqrt(2 * area / (std::sqrt(3.0) * m.vertexNum)));
 	for (int v = 0; v < m.vertexNum; ++v) {
 		const int face          = m.outgoing[v] / 3;
-		result.vertex[v].anchor = {m.position[v], face};
+		result.vertex[v].point  = {m.position[v], face};
 		result.vertex[v].normal = m.faceNormal(face);
 	}
 	for (std::size_t c = 0; c < boundary.curves.size(); ++c) {
@@ -107,7 +107,7 @@ ResultMesh resultOf(const Surface& surface, const BoundaryCurves& boundary)
 			ResultVertex& v = result.vertex[curve.vertex[i]];
 			v.curve         = int(c);
 			v.arc           = curve.arc[i];
-			v.anchor.face   = curve.face[i];
+			v.point.face    = curve.face[i];
 		}
 	}
 	return result;

@@ -168,7 +168,7 @@ TEST(Audit, CountsFacesThatLookAgainstTheSurface)
 			return;
 		}
 	});
-	EXPECT_GT(a.flippedFaces, 0);
+	EXPECT_GT(a.invertedFaces, 0);
 	EXPECT_TRUE(a.passed);
 }
 

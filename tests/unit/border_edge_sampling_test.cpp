@@ -83,7 +83,7 @@ struct Sampled {
 			surface.size[v] = m.position[v].z > 0 ? above : below;
 	}
 	const std::vector<Sample>& samples() const { return result.sampling.samples; }
-	Vec3d                      place(int s) const { return Vec3d(samples()[s].anchor.position); }
+	Vec3d                      place(int s) const { return Vec3d(samples()[s].point.position); }
 };
 
 /// Step 5: every sample but the border's lies at distance r from an earlier one, up to what
@@ -121,7 +121,7 @@ TEST(BorderEdgeSampling, StartsAtARandomVertexAndDrawsAtRandom)
 		const Sampled s(mesh, 0.2f, seed);
 		const int     v = s.result.fused.sampleVertex[0];
 		ASSERT_LT(v, s.surface.mesh.vertexNum) << "a vertex of the input";
-		ASSERT_TRUE(s.surface.mesh.position[v] == s.samples()[0].anchor.position);
+		ASSERT_TRUE(s.surface.mesh.position[v] == s.samples()[0].point.position);
 		starts.insert(v);
 		const Sampled again(mesh, 0.2f, seed);
 		ASSERT_TRUE(again.samples().size() == s.samples().size());
@@ -211,7 +211,7 @@ TEST(BorderEdgeSampling, FusedMeshLeadsToAMeshOfTheSamples)
 		Sampled          s(mesh, 0.04f, 5);
 		const int        fusedNum = s.result.fused.mesh.vertexNum;
 		const int        n        = int(s.samples().size());
-		BlockPartition   blocks   = cutIntoBlocks(s.surface, 0.5f, s.workers);
+		OctreeBlocks     blocks   = cutIntoBlocks(s.surface, 0.5f, s.workers);
 		const ResultMesh r        = removeOriginalVertices(
 				   std::move(s.result.fused), s.surface, s.result.sampling, s.boundary, blocks, s.workers);
 		EXPECT_GT(fusedNum, s.surface.mesh.vertexNum) << "else nothing was fused";
@@ -222,22 +222,21 @@ TEST(BorderEdgeSampling, FusedMeshLeadsToAMeshOfTheSamples)
 		for (int v = 0; v < n; ++v) {
 			const int sample = r.vertex[v].sample;
 			ASSERT_TRUE(sample >= 0 && seen[sample]++ == 0);
-			EXPECT_TRUE(r.mesh.position[v] == s.samples()[sample].anchor.position);
+			EXPECT_TRUE(r.mesh.position[v] == s.samples()[sample].point.position);
 		}
 	}
 }
 
-TEST(BorderEdgeSampling, LaysSamplesInTheFaceOfTheirAnchor)
+TEST(BorderEdgeSampling, LaysSamplesInTheFaceOfTheirSurfacePoint)
 {
 	const Sampled       s(torus(60, 30), 0.03f, 5);
 	const HalfEdgeMesh& m = s.surface.mesh;
 	for (const Sample& sample : s.samples()) {
-		const int f = sample.anchor.face;
+		const int f = sample.point.face;
 		ASSERT_TRUE(f >= 0 && f < m.faceNum);
 		const auto corner = [&](int k) { return Vec3d(m.position[m.origin[3 * f + k]]); };
-		ASSERT_LE(
-			distanceToTriangle(Vec3d(sample.anchor.position), corner(0), corner(1), corner(2)),
-			1e-6);
+		ASSERT_LE(distanceToTriangle(Vec3d(sample.point.position), corner(0), corner(1), corner(2)),
+				  1e-6);
 	}
 }
 
@@ -266,7 +265,7 @@ TEST(BorderEdgeSampling, EndsAtTheMostSamples)
 	const Surface     surface = surfaceOf(icosphere(4), workers);
 	BorderEdgeOptions options;
 	options.radius             = 0.05f;
-	options.mostSamples        = 17;
+	options.maxSamples         = 17;
 	const BorderEdgeSampling s = sampleBorderEdges(surface, BoundaryCurves(), options, workers);
 	EXPECT_TRUE(s.sampling.capped);
 	EXPECT_EQ(s.sampling.samples.size(), 17u);

@@ -50,7 +50,7 @@ TEST_F(SampleBoundary, KeepsTheCornersOfASquare)
 		ASSERT_EQ(b.curves.size(), 1u);
 		std::set<std::pair<float, float>> corners;
 		for (const CurveSample& s : b.samples) {
-			const Vec3d p = surface.frame.toCaller(s.anchor.position);
+			const Vec3d p = surface.frame.toCaller(s.point.position);
 			if (s.isCorner) corners.insert({float(std::round(p.x)), float(std::round(p.y))});
 			EXPECT_NEAR(std::min({p.x, p.y, 1 - p.x, 1 - p.y}), 0, 1e-6) << "on the rim";
 		}
@@ -73,8 +73,8 @@ TEST_F(SampleBoundary, SpacesEvenlyRoundACylinder)
 		double least = HUGE_VAL, most = 0;
 		for (std::size_t i = 0; i < own.size(); ++i) {
 			EXPECT_FALSE(own[i].isCorner);
-			const Vec3f  next = own[(i + 1) % own.size()].anchor.position;
-			const double d    = double(length(next - own[i].anchor.position));
+			const Vec3f  next = own[(i + 1) % own.size()].point.position;
+			const double d    = double(length(next - own[i].point.position));
 			least             = std::min(least, d);
 			most              = std::max(most, d);
 		}
@@ -95,7 +95,7 @@ TEST_F(SampleBoundary, LoopsTooShortKeepThreeVerticesOfTheirOwn)
 		std::set<int> vertices;
 		for (const CurveSample& s : own) {
 			ASSERT_GE(s.vertex, 0);
-			EXPECT_EQ(surface.mesh.position[s.vertex], s.anchor.position);
+			EXPECT_EQ(surface.mesh.position[s.vertex], s.point.position);
 			vertices.insert(s.vertex);
 		}
 		EXPECT_EQ(vertices.size(), 3u);
@@ -127,7 +127,7 @@ TEST_F(SampleBoundary, CurvesAndSamplesAgreeWithTheSurface)
 	EXPECT_EQ(onCurves, borderVertices) << "every border vertex is on one curve";
 	for (std::size_t i = 0; i < b.samples.size(); ++i) {
 		const CurveSample& s = b.samples[i];
-		EXPECT_LT(double(length(b.curves[s.curve].at(s.arc) - s.anchor.position)), 1e-6);
+		EXPECT_LT(double(length(b.curves[s.curve].at(s.arc) - s.point.position)), 1e-6);
 		if (i > 0 && b.samples[i - 1].curve == s.curve) {
 			EXPECT_LT(b.samples[i - 1].arc, s.arc);
 		}

@@ -74,11 +74,11 @@ TriangleMesh stepped(double height)
 TEST_F(CloseLines, OneLineOfALowStepStays)
 {
 	CreaseRules rules;
-	surface        = surfaceOf(stepped(0.005), workers);
-	rules.leastGap = float(0.01 * surface.frame.scale);
+	surface      = surfaceOf(stepped(0.005), workers);
+	rules.minGap = float(0.01 * surface.frame.scale);
 	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 20);
-	rules.leastGap = float(0.004 * surface.frame.scale);
-	surface        = surfaceOf(stepped(0.005), workers);
+	rules.minGap = float(0.004 * surface.frame.scale);
+	surface      = surfaceOf(stepped(0.005), workers);
 	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 2 * 20) << "far enough apart";
 }
 
@@ -86,9 +86,9 @@ TEST_F(CloseLines, OneLineOfALowStepStays)
 TEST_F(CloseLines, AllStayWhereTheyAreAskedFor)
 {
 	CreaseRules rules;
-	surface        = surfaceOf(stepped(0.005), workers);
-	rules.mode     = FeatureMode::Lines;
-	rules.leastGap = float(0.01 * surface.frame.scale);
+	surface      = surfaceOf(stepped(0.005), workers);
+	rules.mode   = FeatureMode::Lines;
+	rules.minGap = float(0.01 * surface.frame.scale);
 	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 2 * 20);
 }
 
@@ -96,8 +96,8 @@ TEST_F(CloseLines, AllStayWhereTheyAreAskedFor)
 TEST_F(CloseLines, BothOutlinesOfAThinPlateStay)
 {
 	CreaseRules rules;
-	surface        = surfaceOf(thinPlate(20, 0.005), workers);
-	rules.leastGap = float(0.02 * surface.frame.scale);
+	surface      = surfaceOf(thinPlate(20, 0.005), workers);
+	rules.minGap = float(0.02 * surface.frame.scale);
 	EXPECT_EQ(markCreases(rules, workers, surface).edgeNum, 8 * 20 + 4);
 }
 

@@ -49,7 +49,7 @@ TEST(ConstraintOf, FollowsFromTheMeshAndTheRecord)
 	EXPECT_EQ(with(side, onNoCurve), Constraint::Fixed) << "it could not slide along anything";
 
 	EXPECT_EQ(with(inside, asItIs), Constraint::Free);
-	EXPECT_EQ(with(inside, corner), Constraint::Fixed) << "a cone's tip";
+	EXPECT_EQ(with(inside, corner), Constraint::Fixed) << "a cone apex";
 	EXPECT_EQ(with(inside, ofALostCurve), Constraint::Surface);
 	EXPECT_EQ(with(inside, pinned), Constraint::Surface);
 }
@@ -78,9 +78,9 @@ TEST(WalkBy, StaysOnTheSurfaceAndTakesTheNormalAlong)
 		const Vec3f   before = record.normal;
 		const Vec3f step = tangential(Vec3f(0.3f, 0.2f, 0.1f), record.normal) * on.result.idealEdge;
 		EXPECT_EQ(walkBy(on.surface, step, record), WalkEnd::Arrived);
-		EXPECT_EQ(record.normal, on.surface.mesh.faceNormal(record.anchor.face));
+		EXPECT_EQ(record.normal, on.surface.mesh.faceNormal(record.point.face));
 		turned += !(record.normal == before);
-		on.m().position[v] = record.anchor.position;
+		on.m().position[v] = record.point.position;
 	}
 	EXPECT_GT(turned, on.m().vertexNum / 2);
 	on.expectOnSurface();
@@ -95,7 +95,7 @@ TEST(SlideRoom, ReachesToTheNeighboursOnTheCurve)
 		ASSERT_TRUE(room.isOpen());
 		const ResultVertex& here = on.result.vertex[v];
 		const auto          end  = [&](float by) {
-            return slid(on.surface, on.boundary, here, by).anchor.position;
+            return slid(on.surface, on.boundary, here, by).point.position;
 		};
 		const Vec3f last = on.m().position[room.last], next = on.m().position[room.next];
 		EXPECT_LT(length(end(-room.backward) - last), 1e-5f);

@@ -37,7 +37,7 @@ protected:
 		ASSERT_TRUE(result.mesh.hasCreases());
 	}
 
-	float leastAgreement() const
+	float minAgreement() const
 	{
 		float least = 1;
 		for (int h = 0; h < result.mesh.halfEdgeNum(); ++h)
@@ -80,7 +80,7 @@ protected:
 
 TEST_F(FacesAtCreases, AgreeWhereTheyAreTheInputsOwn)
 {
-	EXPECT_GT(leastAgreement(), 0.99f);
+	EXPECT_GT(minAgreement(), 0.99f);
 	repairInvertedFaces(surface, curves, false, result, workers);
 	EXPECT_EQ(result.flipNum, 0);
 }
@@ -88,10 +88,10 @@ TEST_F(FacesAtCreases, AgreeWhereTheyAreTheInputsOwn)
 TEST_F(FacesAtCreases, OnesAcrossALineAreTurned)
 {
 	cutOff(creaseVertex());
-	EXPECT_LT(leastAgreement(), 0.2f);
+	EXPECT_LT(minAgreement(), 0.2f);
 	repairInvertedFaces(surface, curves, false, result, workers);
 	EXPECT_GE(result.flipNum, 1);
-	EXPECT_GT(leastAgreement(), 0.8f);
+	EXPECT_GT(minAgreement(), 0.8f);
 }
 
 TEST_F(FacesAtCreases, EdgesOffTheLinesAgree)

@@ -77,7 +77,7 @@ TEST_F(MarkCreases, TheTwelveEdgesOfACube)
 	EXPECT_EQ(found.edgeNum, 12 * 8);
 	EXPECT_EQ(vertexNumWith(3), 8);
 	EXPECT_EQ(vertexNumWith(2), 12 * 7);
-	EXPECT_TRUE(found.tips.empty());
+	EXPECT_TRUE(found.coneApexes.empty());
 	EXPECT_NEAR(markedLength(), 12, 1e-6);
 }
 
@@ -101,11 +101,11 @@ TEST_F(MarkCreases, ShortLoopsMayStayWhereShortLinesMayNot)
 	const TriangleMesh rims = closedCylinder(24, 12, 0.3, 1);
 	surface                 = surfaceOf(rims, workers);
 	const float scale       = float(surface.frame.scale);
-	rules.leastLength       = 3 * scale;
-	rules.leastLoop         = 1.5f * scale;
+	rules.minLength         = 3 * scale;
+	rules.minLoop           = 1.5f * scale;
 	mark(rims);
 	EXPECT_EQ(found.edgeNum, 2 * 24);
-	rules.leastLoop = 2 * scale;
+	rules.minLoop = 2 * scale;
 	mark(rims);
 	EXPECT_EQ(found.edgeNum, 0);
 }
@@ -115,7 +115,7 @@ TEST_F(MarkCreases, ShortLinesWithEndsGoWhateverLoopsMay)
 	const TriangleMesh fading = fadingCrease(16, 1.5);
 	mark(fading);
 	ASSERT_GT(found.edgeNum, 0);
-	rules.leastLength = 100 * float(surface.frame.scale);
+	rules.minLength = 100 * float(surface.frame.scale);
 	mark(fading);
 	EXPECT_EQ(found.edgeNum, 0);
 }
@@ -147,7 +147,7 @@ TEST_F(MarkCreases, NoneOnANoisySphere)
 	Random random(5);
 	mark(noisySphere(5, 0.02, random));
 	EXPECT_EQ(found.edgeNum, 0);
-	EXPECT_TRUE(found.tips.empty());
+	EXPECT_TRUE(found.coneApexes.empty());
 	EXPECT_TRUE(found.wasNoise) << "the test wants noise with sharp edges";
 }
 
@@ -158,7 +158,7 @@ TEST_F(MarkCreases, NoneOnANoisySphereWhateverWasSplit)
 		Random random(5);
 		markSplit(noisySphere(4, 0.04, random), share);
 		EXPECT_EQ(found.edgeNum, 0) << share;
-		EXPECT_TRUE(found.tips.empty()) << share;
+		EXPECT_TRUE(found.coneApexes.empty()) << share;
 		EXPECT_TRUE(found.wasNoise) << share;
 	}
 }
@@ -177,7 +177,7 @@ TEST_F(MarkCreases, NoneOnASmoothSphere)
 {
 	mark(icosphere(4));
 	EXPECT_EQ(found.edgeNum, 0);
-	EXPECT_TRUE(found.tips.empty());
+	EXPECT_TRUE(found.coneApexes.empty());
 	EXPECT_FALSE(found.wasNoise);
 }
 
@@ -191,8 +191,8 @@ TEST_F(MarkCreases, NothingWhereItIsOff)
 TEST_F(MarkCreases, TheTipOfACone)
 {
 	mark(cone(60, 20, 0.5, 0.7));
-	ASSERT_EQ(found.tips.size(), 1u);
-	EXPECT_NEAR(length(place(found.tips[0])), 0, 1e-6);
+	ASSERT_EQ(found.coneApexes.size(), 1u);
+	EXPECT_NEAR(length(place(found.coneApexes[0])), 0, 1e-6);
 	EXPECT_EQ(found.edgeNum, 0);
 }
 
@@ -214,9 +214,9 @@ TEST_F(MarkCreases, FromTheAngleGivenOn)
 /// Few vertices are looked at, and not by this angle: none may be missing.
 TEST_F(MarkCreases, AllAreFoundOnNoiseOfAnyKind)
 {
-	rules.mode        = FeatureMode::Lines;
-	rules.leastLength = rules.leastLoop = rules.leastTwig = 0;
-	int seed                                              = 0;
+	rules.mode      = FeatureMode::Lines;
+	rules.minLength = rules.minLoop = rules.minSpur = 0;
+	int seed                                        = 0;
 	for (double noise : {0.005, 0.02, 0.05}) {
 		for (float angle : {25.0f, 30.5f, 31.0f, 40.0f, 75.0f}) {
 			rules.strongDeg = rules.weakDeg = angle; // nothing grows
@@ -251,7 +251,7 @@ TEST_F(MarkCreases, FadeOut)
 
 TEST_F(MarkCreases, LeavesOutWhatIsTooShort)
 {
-	rules.leastLength = 30;
+	rules.minLength = 30;
 	mark(cube(8));
 	EXPECT_EQ(found.edgeNum, 0);
 }

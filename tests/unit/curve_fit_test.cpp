@@ -66,12 +66,12 @@ struct Laid {
 				ResultVertex& r         = result.vertex[v];
 				r.curve                 = int(c);
 				r.arc                   = curve.arc[i];
-				r.anchor                = {curve.point[i], curve.face[i]};
+				r.point                 = {curve.point[i], curve.face[i]};
 				result.mesh.position[v] = curve.point[i];
 			}
 		}
 		for (const CurveSample& s : curves.samples) {
-			const int v = s.isCorner ? vertexAt(s.anchor.position) : -1;
+			const int v = s.isCorner ? vertexAt(s.point.position) : -1;
 			if (v >= 0) result.vertex[v].isCorner = true;
 		}
 	}
@@ -93,7 +93,7 @@ struct Laid {
 		return -1;
 	}
 
-	void fit(float leastAngle = 0.2f) { fitCurves(surface, curves, leastAngle, result); }
+	void fit(float minAngle = 0.2f) { fitCurves(surface, curves, minAngle, result); }
 
 	std::vector<Vec3f> positions() const
 	{
@@ -252,9 +252,9 @@ TEST(FitCurves, RecordsStayOnTheCurves)
 		const ResultVertex& r = laid.result.vertex[v];
 		if (r.curve < 0) continue;
 		const Vec3f p = laid.result.mesh.position[v];
-		EXPECT_LT(length(laid.curves.curves[r.curve].at(r.arc) - r.anchor.position), 1e-5f);
-		EXPECT_NEAR(Laid::distanceToSegments(Vec3d(p), curve),
-					double(length(p - r.anchor.position)), 1e-5);
+		EXPECT_LT(length(laid.curves.curves[r.curve].at(r.arc) - r.point.position), 1e-5f);
+		EXPECT_NEAR(Laid::distanceToSegments(Vec3d(p), curve), double(length(p - r.point.position)),
+					1e-5);
 	}
 }
 
@@ -262,15 +262,15 @@ TEST(FitCurves, RecordsStayOnTheCurves)
 /// none had.
 TEST(FitCurves, NoAngleBelowTheLeastFallsFurther)
 {
-	constexpr float     leastAngle = 0.56f;
+	constexpr float     minAngle = 0.56f;
 	Laid                laid(closedCylinder(160, 40, 1, 2), closedCylinder(16, 4, 1, 2));
 	const HalfEdgeMesh& m = laid.result.mesh;
 	std::vector<float>  before;
 	for (int f = 0; f < m.faceNum; ++f)
 		before.push_back(smallestAngle(m, f));
-	laid.fit(leastAngle);
+	laid.fit(minAngle);
 	for (int f = 0; f < m.faceNum; ++f)
-		EXPECT_GE(smallestAngle(m, f), 0.9999f * std::min(leastAngle, before[f])) << f;
+		EXPECT_GE(smallestAngle(m, f), 0.9999f * std::min(minAngle, before[f])) << f;
 }
 
 /// The twelve edges of a cube are straight: nothing to gain.

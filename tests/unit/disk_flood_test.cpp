@@ -98,7 +98,7 @@ TEST(DiskFlood, UnfoldingFindsTheStraightWayAtObtuseAngles)
 		DiskFlood    flood(FloodGround{f.surface.mesh, f.surface.normal, nullptr, false}, f.field,
 						   f.working(0.3));
 		flood.run(0, from);
-		const Vec3d start = f.surface.frame.toCaller(from.anchor.position);
+		const Vec3d start = f.surface.frame.toCaller(from.point.position);
 		int         seen  = 0;
 		for (int v = 0; v < f.surface.mesh.vertexNum; ++v) {
 			const double d = length(f.place(v) - start);

@@ -20,8 +20,8 @@ TEST(FaceTree, FindsWhatComparingAllFacesFinds)
 		const HalfEdgeMesh m = halfEdgesOf(mesh);
 		const FaceTree     tree(m);
 		for (int i = 0; i < 200; ++i) {
-			const Vec3d  p(random.between(-2, 2), random.between(-2, 2), random.between(-2, 2));
-			const Anchor a = tree.nearest(Vec3f(p));
+			const Vec3d p(random.between(-2, 2), random.between(-2, 2), random.between(-2, 2));
+			const SurfacePoint a = tree.nearest(Vec3f(p));
 			ASSERT_GE(a.face, 0);
 			EXPECT_NEAR(length(Vec3d(a.position) - p), distanceToMesh(mesh, p), 1e-5);
 			const std::int32_t* t = &mesh.triangles[3 * a.face];

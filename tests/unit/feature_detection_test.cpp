@@ -150,7 +150,7 @@ TEST_P(Cube, ItsTwelveEdgesAndEightCornersAreFound)
 		EXPECT_GT(e.strength, 70) << "90, less beside a corner, where half-disks go round it";
 }
 
-INSTANTIATE_TEST_SUITE_P(Cells, Cube, ::testing::Values(1, 2, 5, 12, 30));
+INSTANTIATE_TEST_SUITE_P(ClosestFaceMap, Cube, ::testing::Values(1, 2, 5, 12, 30));
 
 TEST(FeatureMarks, FacesAreMarkedWhereAVertexIs)
 {
@@ -184,7 +184,7 @@ TEST(FeatureMarks, AConesTipIsFound)
 {
 	const TriangleMesh  mesh = cone(24, 12, 0.5, 1);
 	const FeatureResult r    = detected(mesh);
-	ASSERT_EQ(r.figures.tipNum, 1);
+	ASSERT_EQ(r.figures.coneApexNum, 1);
 	EXPECT_EQ(r.figures.edgeNum, 0) << "its side is round";
 	for (std::size_t v = 0; v < mesh.vertexNum(); ++v)
 		EXPECT_EQ(r.vertexFeature[v] != 0, length(mesh.positions[v]) < 1e-9) << v;
@@ -216,7 +216,7 @@ TEST_P(Noise, OfAScanIsNoFeature)
 		<< "noise worth the name";
 	EXPECT_LT(largest, 40);
 	EXPECT_EQ(f.features.edgeNum, 0);
-	EXPECT_EQ(f.features.tipNum, 0);
+	EXPECT_EQ(f.features.coneApexNum, 0);
 }
 
 TEST_P(Noise, LeavesACubesEdgesInPlace)
@@ -245,10 +245,10 @@ TEST(FeatureThresholds, ShortLinesAreDropped)
 {
 	const TriangleMesh mesh = joined(cube(30), scaled(cube(1), 0.02));
 	FeatureThresholds  all;
-	all.leastLength = 0;
+	all.minLength = 0;
 	EXPECT_EQ(detected(mesh, all).figures.lineNum, 2);
 	FeatureThresholds longOnes;
-	longOnes.leastLength = 10;
+	longOnes.minLength = 10;
 	EXPECT_EQ(detected(mesh, longOnes).figures.lineNum, 1);
 }
 

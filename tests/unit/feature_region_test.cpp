@@ -93,7 +93,7 @@ protected:
 			if (!s.isPinned) continue;
 			EXPECT_TRUE(s.isCorner);
 			EXPECT_TRUE(found.insert(s.vertex).second) << "twice";
-			EXPECT_EQ(length(s.anchor.position - surface.mesh.position[s.vertex]), 0);
+			EXPECT_EQ(length(s.point.position - surface.mesh.position[s.vertex]), 0);
 		}
 		EXPECT_EQ(found, std::set<int>(kept.begin(), kept.end()));
 	}
@@ -123,8 +123,8 @@ TEST_F(KeptOnCurves, OnFeatureLinesTheirNodesAndTips)
 	}
 	for (int v = 0; v < s.mesh.vertexNum; v += 2)
 		all.push_back(v);
-	const std::vector<int> tips = {all[3]};
-	expectKept(s, all, sampleBoundary(s, 0.2f, 0.2f, tips, all));
+	const std::vector<int> coneApexes = {all[3]};
+	expectKept(s, all, sampleBoundary(s, 0.2f, 0.2f, coneApexes, all));
 }
 
 TEST_F(KeptOnCurves, NoneChangesNothing)

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// The fit to the input and what it stands on: cells, crossing faces, small symmetric matrices.
+// The fit to the input and what it stands on: the closest-face map, self-intersections, small
+// symmetric matrices.
 // Results are coarse meshes laid on fine ones.
 
 #include <tests/support/mesh_audit.h>
@@ -12,12 +13,12 @@
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/base/symmetric_matrix.h>
 #include <vcg_extras/core/features/curve_slide.h>
-#include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/optimization/face_goals.h>
 #include <vcg_extras/core/optimization/fit.h>
 #include <vcg_extras/core/optimization/worst_distances.h>
-#include <vcg_extras/core/surface/cells.h>
+#include <vcg_extras/core/surface/closest_face_map.h>
 #include <vcg_extras/core/surface/face_tree.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/sampled_distance.h>
@@ -48,9 +49,9 @@ struct Laid {
 		const FaceTree tree(surface.mesh);
 		for (int v = 0; v < result.mesh.vertexNum; ++v) {
 			ResultVertex& r         = result.vertex[v];
-			r.anchor                = tree.nearest(result.mesh.position[v]);
-			r.normal                = surface.mesh.faceNormal(r.anchor.face);
-			result.mesh.position[v] = r.anchor.position;
+			r.point                 = tree.nearest(result.mesh.position[v]);
+			r.normal                = surface.mesh.faceNormal(r.point.face);
+			result.mesh.position[v] = r.point.position;
 		}
 	}
 
@@ -70,12 +71,12 @@ struct Laid {
 		return largestSampledDistance(surface.mesh, result.mesh, workers) / meanEdge();
 	}
 
-	FitOutcome fit(float leastAngleDeg = 32, int rounds = 4, int worstRounds = 0)
+	FitOutcome fit(float minAngleDeg = 32, int rounds = 4, int worstRounds = 0)
 	{
 		FitSettings settings;
-		settings.worstRounds   = worstRounds;
-		settings.rounds        = rounds;
-		settings.leastAngleDeg = leastAngleDeg;
+		settings.worstRounds = worstRounds;
+		settings.rounds      = rounds;
+		settings.minAngleDeg = minAngleDeg;
 		return fitToInput(surface, boundary, settings, result, workers);
 	}
 
@@ -94,7 +95,7 @@ struct Laid {
 		return std::sqrt(sum / surface.mesh.vertexNum) / surface.frame.scale;
 	}
 
-	std::vector<float> leastAngles() const
+	std::vector<float> minAngles() const
 	{
 		std::vector<float>  angles;
 		const HalfEdgeMesh& m = result.mesh;
@@ -154,14 +155,14 @@ TEST(SymmetricMatrix, SolveOfASingularOneIsZero)
 	EXPECT_EQ(m.solve({1, 2, 3}), Vec3f());
 }
 
-// ---- crossing faces
+// ---- self-intersections
 
-TEST(CrossingFaces, AreFoundWhereTwoSpheresMeet)
+TEST(IntersectingFaces, AreFoundWhereTwoSpheresMeet)
 {
 	Workers                workers(2, nullptr);
 	const TriangleMesh     both  = joined(icosphere(3), shifted(icosphere(3), {1, 0.01, 0.02}));
 	const HalfEdgeMesh     m     = halfEdgesOf(both);
-	const std::vector<int> found = findCrossingFaces(m, workers);
+	const std::vector<int> found = findIntersectingFaces(m, workers);
 	// The circle they meet in lies at x = ½ and has a radius of ½√3; an edge is about 0.14 long.
 	EXPECT_GT(found.size(), 2 * 3.14 * 0.86 / 0.14);
 	for (int f : found) {
@@ -170,7 +171,7 @@ TEST(CrossingFaces, AreFoundWhereTwoSpheresMeet)
 	}
 }
 
-TEST(CrossingFaces, AreLookedForWhereWanted)
+TEST(IntersectingFaces, AreLookedForWhereWanted)
 {
 	Workers            workers(2, nullptr);
 	const TriangleMesh sphere = icosphere(3);
@@ -181,23 +182,23 @@ TEST(CrossingFaces, AreLookedForWhereWanted)
 	std::vector<char> wanted(m.faceNum, 0);
 	std::fill(wanted.begin() + m.faceNum / 3, wanted.begin() + 2 * m.faceNum / 3, char(1));
 	std::vector<int> expected;
-	for (int f : findCrossingFaces(m, workers)) {
+	for (int f : findIntersectingFaces(m, workers)) {
 		if (m.position[m.origin[3 * f]].x > 0) expected.push_back(f);
 	}
 	EXPECT_FALSE(expected.empty());
-	EXPECT_EQ(findCrossingFaces(m, wanted, workers), expected);
+	EXPECT_EQ(findIntersectingFaces(m, wanted, workers), expected);
 }
 
-TEST(CrossingFaces, AreNotThoseThatShareEdgesOrVertices)
+TEST(IntersectingFaces, AreNotThoseThatShareEdgesOrVertices)
 {
 	Workers workers(2, nullptr);
 	Random  random(1);
 	for (const TriangleMesh& mesh : {icosphere(4), torus(60, 30), jitteredGrid(40, 0.3, random),
 									 cube(8), thinPlate(10, 0.001), twoSheets(20, 1e-4)})
-		EXPECT_TRUE(findCrossingFaces(halfEdgesOf(mesh), workers).empty());
+		EXPECT_TRUE(findIntersectingFaces(halfEdgesOf(mesh), workers).empty());
 }
 
-TEST(CrossingFaces, AreFoundBeyondASharedVertex)
+TEST(IntersectingFaces, AreFoundBeyondASharedVertex)
 {
 	// Four faces round the origin: the third's far edge runs through the first.
 	TriangleMesh mesh;
@@ -205,25 +206,25 @@ TEST(CrossingFaces, AreFoundBeyondASharedVertex)
 	mesh.triangles = {0, 1, 2, 0, 2, 3, 0, 3, 4, 0, 4, 1};
 	Workers      workers(1, nullptr);
 	HalfEdgeMesh m = halfEdgesOf(mesh);
-	EXPECT_EQ(findCrossingFaces(m, workers), (std::vector<int>{0, 2}));
+	EXPECT_EQ(findIntersectingFaces(m, workers), (std::vector<int>{0, 2}));
 	m.position[3] = {1, 0, 0.5f};
-	EXPECT_TRUE(findCrossingFaces(m, workers).empty());
+	EXPECT_TRUE(findIntersectingFaces(m, workers).empty());
 }
 
-// ---- cells
+// ---- the closest-face map
 
-TEST(Cells, HoldTheVerticesNearestToTheirFace)
+TEST(ClosestFaceMap, HoldTheVerticesNearestToTheirFace)
 {
-	const Laid     laid(icosphere(5), icosphere(2));
-	Workers        workers(2, nullptr);
-	const Cells    cells(laid.surface, laid.result, workers);
-	const FaceTree tree(laid.result.mesh);
-	int            wrong = 0;
+	const Laid           laid(icosphere(5), icosphere(2));
+	Workers              workers(2, nullptr);
+	const ClosestFaceMap map(laid.surface, laid.result, workers);
+	const FaceTree       tree(laid.result.mesh);
+	int                  wrong = 0;
 	for (int p = 0; p < laid.surface.mesh.vertexNum; ++p) {
-		ASSERT_GE(cells.face(p), 0);
+		ASSERT_GE(map.face(p), 0);
 		const Vec3f at   = laid.surface.mesh.position[p];
-		const auto& w    = cells.weights(p);
-		const int*  c    = &laid.result.mesh.origin[3 * cells.face(p)];
+		const auto& w    = map.weights(p);
+		const int*  c    = &laid.result.mesh.origin[3 * map.face(p)];
 		const Vec3f foot = laid.result.mesh.position[c[0]] * w.first() +
 						   laid.result.mesh.position[c[1]] * w.second() +
 						   laid.result.mesh.position[c[2]] * w.third();
@@ -232,18 +233,18 @@ TEST(Cells, HoldTheVerticesNearestToTheirFace)
 	EXPECT_LE(wrong, laid.surface.mesh.vertexNum / 200);
 }
 
-TEST(Cells, AreListedOnceEachAndSumUpToTheArea)
+TEST(ClosestFaceMap, AreListedOnceEachAndSumUpToTheArea)
 {
-	const Laid       laid(torus(120, 60), torus(30, 15));
-	Workers          workers(2, nullptr);
-	const Cells      cells(laid.surface, laid.result, workers);
-	std::vector<int> seen(laid.surface.mesh.vertexNum, 0);
-	double           area = 0, whole = 0;
+	const Laid           laid(torus(120, 60), torus(30, 15));
+	Workers              workers(2, nullptr);
+	const ClosestFaceMap map(laid.surface, laid.result, workers);
+	std::vector<int>     seen(laid.surface.mesh.vertexNum, 0);
+	double               area = 0, whole = 0;
 	for (int f = 0; f < laid.result.mesh.faceNum; ++f) {
-		for (const int* i = cells.begin(f); i != cells.end(f); ++i) {
+		for (const int* i = map.begin(f); i != map.end(f); ++i) {
 			++seen[*i];
-			area += double(cells.area(*i));
-			EXPECT_EQ(cells.face(*i), f);
+			area += double(map.area(*i));
+			EXPECT_EQ(map.face(*i), f);
 		}
 	}
 	for (int f = 0; f < laid.surface.mesh.faceNum; ++f)
@@ -252,26 +253,26 @@ TEST(Cells, AreListedOnceEachAndSumUpToTheArea)
 	EXPECT_NEAR(area / whole, 1, 1e-4);
 }
 
-TEST(Cells, NeverReachOverToAnotherSheet)
+TEST(ClosestFaceMap, NeverReachOverToAnotherSheet)
 {
-	const Laid  laid(shifted(twoSheets(60, 0.004), {0, 0, -0.002}),
-					 shifted(twoSheets(12, 0.004), {0, 0, -0.002}));
-	Workers     workers(2, nullptr);
-	const Cells cells(laid.surface, laid.result, workers);
+	const Laid           laid(shifted(twoSheets(60, 0.004), {0, 0, -0.002}),
+							  shifted(twoSheets(12, 0.004), {0, 0, -0.002}));
+	Workers              workers(2, nullptr);
+	const ClosestFaceMap map(laid.surface, laid.result, workers);
 	for (int p = 0; p < laid.surface.mesh.vertexNum; ++p) {
-		const int corner = laid.result.mesh.origin[3 * cells.face(p)];
+		const int corner = laid.result.mesh.origin[3 * map.face(p)];
 		EXPECT_EQ(laid.surface.mesh.position[p].z > 0, laid.result.mesh.position[corner].z > 0);
 	}
 }
 
-TEST(Cells, OfAComponentWithoutResultAreEmpty)
+TEST(ClosestFaceMap, OfAComponentWithoutResultAreEmpty)
 {
-	const Laid  laid(joined(icosphere(3), shifted(icosphere(2), {9, 0, 0})), icosphere(1));
-	Workers     workers(2, nullptr);
-	const Cells cells(laid.surface, laid.result, workers);
-	int         without = 0;
+	const Laid           laid(joined(icosphere(3), shifted(icosphere(2), {9, 0, 0})), icosphere(1));
+	Workers              workers(2, nullptr);
+	const ClosestFaceMap map(laid.surface, laid.result, workers);
+	int                  without = 0;
 	for (int p = 0; p < laid.surface.mesh.vertexNum; ++p)
-		without += cells.face(p) < 0;
+		without += map.face(p) < 0;
 	EXPECT_EQ(without, int(icosphere(2).vertexNum()));
 }
 
@@ -325,9 +326,9 @@ TEST(Fit, DoesNotCrossAnotherSheet)
 	ASSERT_GT(highest, 1.2 * gap);
 
 	Laid both(joined(fine, lid), joined(coarse, above));
-	ASSERT_TRUE(findCrossingFaces(both.result.mesh, both.workers).empty());
+	ASSERT_TRUE(findIntersectingFaces(both.result.mesh, both.workers).empty());
 	both.fit(0);
-	EXPECT_TRUE(findCrossingFaces(both.result.mesh, both.workers).empty());
+	EXPECT_TRUE(findIntersectingFaces(both.result.mesh, both.workers).empty());
 	EXPECT_LT(both.rms(), Laid(joined(fine, lid), joined(coarse, above)).rms());
 }
 
@@ -337,9 +338,9 @@ TEST(Fit, LowersNoAngleBelowTheBound)
 		Random                   random(seed);
 		const TriangleMesh       fine = noisySphere(5, 0.02, random);
 		Laid                     laid(fine, noisySphere(3, 0.08, random));
-		const std::vector<float> before = laid.leastAngles();
+		const std::vector<float> before = laid.minAngles();
 		laid.fit(32);
-		const std::vector<float> after = laid.leastAngles();
+		const std::vector<float> after = laid.minAngles();
 		const float              bound = 32 * 3.14159265f / 180;
 		for (std::size_t f = 0; f < before.size(); ++f)
 			EXPECT_GE(after[f], 0.999f * std::min(bound, before[f])) << "seed " << seed;
@@ -357,10 +358,10 @@ TEST(Fit, LetsNoFaceLookAwayFromTheSurface)
 		const Buffer<Vec3f> before = smoothNormals(laid.surface, laid.result, laid.workers);
 		std::vector<float>  then;
 		for (int f = 0; f < laid.result.mesh.faceNum; ++f)
-			then.push_back(faceAgreement(laid.result.mesh, before, f));
+			then.push_back(normalAgreement(laid.result.mesh, before, f));
 		laid.fit(0, 1);
 		for (int f = 0; f < laid.result.mesh.faceNum; ++f) {
-			const float now = faceAgreement(laid.result.mesh, before, f);
+			const float now = normalAgreement(laid.result.mesh, before, f);
 			away += now < 0.3f && now < then[f] - 1e-3f;
 		}
 	}
@@ -390,12 +391,12 @@ TEST(Fit, KeepsVerticesOfBordersCreasesAndTips)
 	EXPECT_GT(moved, 20);
 }
 
-TEST(Fit, LeavesAnchorsOnTheSurfaceBelowTheVertices)
+TEST(Fit, LeavesSurfacePointsOnTheSurfaceBelowTheVertices)
 {
 	Laid             laid(torus(160, 80), torus(32, 16));
 	const FitOutcome outcome = laid.fit();
 	for (int v = 0; v < laid.result.mesh.vertexNum; ++v) {
-		const Anchor&       a = laid.result.vertex[v].anchor;
+		const SurfacePoint& a = laid.result.vertex[v].point;
 		const HalfEdgeMesh& s = laid.surface.mesh;
 		const auto corner     = [&](int k) { return Vec3d(s.position[s.origin[3 * a.face + k]]); };
 		EXPECT_LT(distanceToTriangle(Vec3d(a.position), corner(0), corner(1), corner(2)), 1e-5);
@@ -427,7 +428,7 @@ TEST(WorstDistances, ShrinkAtARimAtLittleCost)
 	worst.fit(15, 4, 4);
 	EXPECT_LT(worst.farthest(), 0.85f * mean.farthest());
 	EXPECT_LT(worst.rms(), 1.2 * mean.rms());
-	const std::vector<float> before = mean.leastAngles(), after = worst.leastAngles();
+	const std::vector<float> before = mean.minAngles(), after = worst.minAngles();
 	const float              bound = 15 * 3.14159265f / 180;
 	for (std::size_t f = 0; f < before.size(); ++f)
 		EXPECT_GE(after[f], 0.999f * std::min(bound, before[f])) << f;
@@ -439,13 +440,13 @@ TEST(WorstDistances, BringASpikeBack)
 {
 	Laid laid(icosphere(6), icosphere(3));
 	laid.fit();
-	const Cells cells(laid.surface, laid.result, laid.workers);
-	const int   spike  = 100;
-	Vec3f&      at     = laid.result.mesh.position[spike];
-	const float height = 0.3f * laid.meanEdge();
+	const ClosestFaceMap map(laid.surface, laid.result, laid.workers);
+	const int            spike  = 100;
+	Vec3f&               at     = laid.result.mesh.position[spike];
+	const float          height = 0.3f * laid.meanEdge();
 	at += laid.result.vertex[spike].normal * height;
 	const float before = laid.farthest();
-	lowerWorstDistances(laid.surface, cells, 0.5f, 4, laid.result, laid.workers);
+	lowerWorstDistances(laid.surface, map, 0.5f, 4, laid.result, laid.workers);
 	EXPECT_GT(before, 0.28f);
 	EXPECT_LT(laid.farthest(), 0.4f * before);
 }
@@ -456,8 +457,8 @@ TEST(WorstDistances, LeaveAloneWhatIsNear)
 	laid.fit();
 	ASSERT_LT(laid.farthest(), 0.1f);
 	const std::vector<Vec3f> before = positionsOf(laid.result.mesh);
-	const Cells              cells(laid.surface, laid.result, laid.workers);
-	lowerWorstDistances(laid.surface, cells, 0.5f, 4, laid.result, laid.workers);
+	const ClosestFaceMap     map(laid.surface, laid.result, laid.workers);
+	lowerWorstDistances(laid.surface, map, 0.5f, 4, laid.result, laid.workers);
 	EXPECT_EQ(positionsOf(laid.result.mesh), before);
 }
 
@@ -467,8 +468,8 @@ TEST(WorstDistances, LeaveAPrismAlone)
 	Laid laid(lPrism(24), lPrism(4));
 	ASSERT_LT(laid.farthest(), 1e-4f);
 	const std::vector<Vec3f> before = positionsOf(laid.result.mesh);
-	const Cells              cells(laid.surface, laid.result, laid.workers);
-	lowerWorstDistances(laid.surface, cells, 0.5f, 4, laid.result, laid.workers);
+	const ClosestFaceMap     map(laid.surface, laid.result, laid.workers);
+	lowerWorstDistances(laid.surface, map, 0.5f, 4, laid.result, laid.workers);
 	EXPECT_EQ(positionsOf(laid.result.mesh), before);
 }
 
@@ -476,12 +477,12 @@ TEST(WorstDistances, KeepVerticesOfCreasesAndTips)
 {
 	Laid laid(icosphere(6), icosphere(3));
 	laid.fit();
-	const Cells cells(laid.surface, laid.result, laid.workers);
+	const ClosestFaceMap map(laid.surface, laid.result, laid.workers);
 	for (ResultVertex& v : laid.result.vertex)
 		v.isCorner = true;
 	laid.result.mesh.position[100] += laid.result.vertex[100].normal * (0.3f * laid.meanEdge());
 	const std::vector<Vec3f> before = positionsOf(laid.result.mesh);
-	lowerWorstDistances(laid.surface, cells, 0.5f, 4, laid.result, laid.workers);
+	lowerWorstDistances(laid.surface, map, 0.5f, 4, laid.result, laid.workers);
 	EXPECT_EQ(positionsOf(laid.result.mesh), before);
 }
 
@@ -516,7 +517,7 @@ Laid jitteredOnRoof(int threads = 2)
 
 int numBelow(const Laid& laid, float angleDeg)
 {
-	const std::vector<float> angles = laid.leastAngles();
+	const std::vector<float> angles = laid.minAngles();
 	return int(std::count_if(angles.begin(), angles.end(),
 							 [&](float a) { return a < angleDeg * 3.14159265f / 180; }));
 }
@@ -525,10 +526,10 @@ int numBelow(const Laid& laid, float angleDeg)
 template <class OnMesh>
 bool raiseAngles(OnMesh& on, float angleDeg)
 {
-	const Cells  map(on.surface, on.result, on.workers);
-	Assignment   assignment(on.surface, map, on.result.mesh.faceNum);
-	std::int64_t work = 100000000;
-	LocalSearch  search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
+	const ClosestFaceMap map(on.surface, on.result, on.workers);
+	Assignment           assignment(on.surface, map, on.result.mesh.faceNum);
+	std::int64_t         work = 100000000;
+	LocalSearch          search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
 	return search.run(smallAngles(search, angleDeg * radians, keepingCount));
 }
 
@@ -541,13 +542,13 @@ TEST(SmallAngles, RaisesMostOfThemAndKeepsTheDistance)
 	const double       error  = laid.rms();
 	const int          poor   = numBelow(laid, 30);
 	ASSERT_GT(poor, 20);
-	ASSERT_TRUE(findCrossingFaces(laid.result.mesh, laid.workers).empty());
+	ASSERT_TRUE(findIntersectingFaces(laid.result.mesh, laid.workers).empty());
 	EXPECT_TRUE(raiseAngles(laid, 32));
 	EXPECT_LT(numBelow(laid, 30), 0.3 * poor);
 	EXPECT_LT(laid.rms(), 1.05 * error);
 	EXPECT_TRUE(isSoundTable(laid.result.mesh));
 	EXPECT_TRUE(hasSameTopology(meshOf(laid.result.mesh), before));
-	EXPECT_TRUE(findCrossingFaces(laid.result.mesh, laid.workers).empty());
+	EXPECT_TRUE(findIntersectingFaces(laid.result.mesh, laid.workers).empty());
 }
 
 TEST(SmallAngles, LeavesBordersAndPinnedVerticesAlone)
@@ -596,9 +597,9 @@ TEST(SmallAngles, SlidesVerticesAlongTheBorder)
 {
 	OnSurface    on   = crowdedBorder();
 	const double area = factsOf(meshOf(on.m())).area;
-	ASSERT_LT(on.leastAngleDeg(), 20);
+	ASSERT_LT(on.minAngleDeg(), 20);
 	EXPECT_TRUE(raiseAngles(on, 32));
-	EXPECT_GT(on.leastAngleDeg(), 32);
+	EXPECT_GT(on.minAngleDeg(), 32);
 	EXPECT_NEAR(factsOf(meshOf(on.m())).area / area, 1, 1e-5);
 	on.expectOnSurface();
 	on.expectSound();
@@ -615,7 +616,7 @@ TEST(SmallAngles, LeavesPinnedVerticesOfTheBorder)
 		if (!before.isBorderVertex(v)) continue;
 		EXPECT_EQ(on.m().position[v], before.position[v]) << v;
 	}
-	EXPECT_LT(on.leastAngleDeg(), 32) << "the vertices inside cannot repair that alone";
+	EXPECT_LT(on.minAngleDeg(), 32) << "the vertices inside cannot repair that alone";
 }
 
 TEST(SlideKeepsSpacing, UnlessVerticesWereCrowdedBefore)

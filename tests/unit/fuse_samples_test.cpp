@@ -46,7 +46,7 @@ protected:
 			const int v = fused.sampleVertex[s];
 			if (v < 0) continue;
 			EXPECT_TRUE(seen.insert(v).second) << "vertex " << v << " is two samples'";
-			EXPECT_LT(length(fused.mesh.position[v] - sampling.samples[s].anchor.position), 1e-5);
+			EXPECT_LT(length(fused.mesh.position[v] - sampling.samples[s].point.position), 1e-5);
 		}
 	}
 
@@ -167,7 +167,7 @@ TEST_F(FuseSamples, OfTheBorderBecomeItsVerticesAlone)
 	const int boundarySampleNum = sampling.boundarySampleNum;
 	ASSERT_GT(boundarySampleNum, 10);
 	for (const CurveSample& s : boundary.samples)
-		sampling.samples.push_back({s.anchor, surface.mesh.faceNormal(s.anchor.face)});
+		sampling.samples.push_back({s.point, surface.mesh.faceNormal(s.point.face)});
 	for (int h = 0; h < surface.mesh.halfEdgeNum(); ++h) {
 		if (!surface.mesh.isBorderEdge(h)) continue;
 		const Vec3f middle = (surface.mesh.position[surface.mesh.origin[h]] +

@@ -77,7 +77,7 @@ TEST(FuseBoundary, MakesEverySampleABorderVertexAtItsPlace)
 			for (std::size_t s = 0; s < boundary.samples.size(); ++s) {
 				const int v = fused.sampleVertex[s];
 				ASSERT_TRUE(fused.mesh.isBorderVertex(v));
-				ASSERT_LE(length(fused.mesh.position[v] - boundary.samples[s].anchor.position),
+				ASSERT_LE(length(fused.mesh.position[v] - boundary.samples[s].point.position),
 						  1e-5f);
 			}
 			EXPECT_TRUE(isSoundTable(fused.mesh));

@@ -171,7 +171,7 @@ TEST(HoleRetriangulation, TakesAnotherDiagonalWhereTheBestIsThereAlready)
 
 TEST(HoleRetriangulation, RefusesRingsWithTooManyPlaces)
 {
-	const int          most = HoleRetriangulator::mostPlaces;
+	const int          most = HoleRetriangulator::maxPlaces;
 	HalfEdgeMesh       m    = halfEdgesOf(fan(most + 1, 2 * pi, 0));
 	HoleRetriangulator remover(m);
 	EXPECT_FALSE(remover.remove(0, {-2.0f, HUGE_VALF}));

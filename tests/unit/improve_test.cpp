@@ -98,7 +98,7 @@ TEST(ReachExactCountKeeps, TheCornersOfASquare)
 {
 	OnSurface on(grid(20, 20));
 	for (ResultVertex& v : on.result.vertex) {
-		const Vec3d p = on.surface.frame.toCaller(v.anchor.position);
+		const Vec3d p = on.surface.frame.toCaller(v.point.position);
 		v.isCorner    = (p.x == 0 || p.x == 1) && (p.y == 0 || p.y == 1);
 	}
 	ASSERT_TRUE(reachExactCount(on.surface, on.boundary, 150, on.result, on.workers));
@@ -112,10 +112,10 @@ TEST(CollapseShortEdges, MergesWhatLiesTooClose)
 	// Latitude and longitude: around the poles vertices crowd.
 	OnSurface    on(uvSphere(16, 64));
 	const int    before = on.m().vertexNum;
-	const double angle  = on.leastAngleDeg();
+	const double angle  = on.minAngleDeg();
 	collapseShortEdges(on.surface, on.result, on.workers);
 	EXPECT_LT(on.m().vertexNum, before);
-	EXPECT_GE(on.leastAngleDeg(), angle);
+	EXPECT_GE(on.minAngleDeg(), angle);
 	on.expectSound();
 }
 
@@ -151,10 +151,10 @@ TEST(RaiseAnglesOnSurface, RaisesThemAndStaysThere)
 	for (const TriangleMesh& mesh :
 		 {jitteredGrid(30, 0.45, random), noisySphere(3, 0.02, random)}) {
 		OnSurface    on(mesh);
-		const double before  = on.leastAngleDeg();
+		const double before  = on.minAngleDeg();
 		const double below30 = measureQuality(meshOf(on.m()).view()).below30Percent;
 		raiseAnglesOnSurface(on.surface, on.boundary, 32, on.result, on.workers);
-		EXPECT_GE(on.leastAngleDeg(), before);
+		EXPECT_GE(on.minAngleDeg(), before);
 		if (below30 > 0) {
 			EXPECT_LT(measureQuality(meshOf(on.m()).view()).below30Percent, 0.5 * below30);
 		}
@@ -168,7 +168,7 @@ int wrongFaces(OnSurface& on)
 	const Buffer<Vec3f> normals = smoothNormals(on.surface, on.result, on.workers);
 	int                 wrong   = 0;
 	for (int f = 0; f < on.result.mesh.faceNum; ++f)
-		wrong += faceAgreement(on.result.mesh, normals, f) < 0;
+		wrong += normalAgreement(on.result.mesh, normals, f) < 0;
 	return wrong;
 }
 
@@ -178,8 +178,8 @@ int fold(OnSurface& on, int every)
 	const float far = 1.4f * on.result.idealEdge, aside = 0.3f * on.result.idealEdge;
 	for (int v = 0; v < on.m().vertexNum; v += every) {
 		if (on.m().isBorderVertex(v)) continue;
-		walk(on.surface.mesh, on.result.vertex[v].anchor, {far, aside, 0});
-		on.m().position[v] = on.result.vertex[v].anchor.position;
+		walk(on.surface.mesh, on.result.vertex[v].point, {far, aside, 0});
+		on.m().position[v] = on.result.vertex[v].point.position;
 	}
 	return wrongFaces(on);
 }

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Splits and collapses for the last poor angles, and what they stand on: patches that can be taken
-// back, and the count of crossing pairs round a patch.
+// back, and the count of intersecting pairs round a patch.
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_boxes.h>
 #include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/optimization/face_goals.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/remesh.h>
@@ -38,7 +38,7 @@ bool repair(OnSurface& on, Workers& workers, std::int64_t targetNum)
 	const std::int64_t before = on.result.splitNum + on.result.collapseNum;
 	PoorFaces          wanted;
 	wanted.targetNum = targetNum;
-	std::unique_ptr<Cells> map;
+	std::unique_ptr<ClosestFaceMap> map;
 	repairPoorFaces(on.surface, on.boundary, wanted, map, on.result, workers);
 	return on.result.splitNum + on.result.collapseNum > before;
 }
@@ -46,10 +46,10 @@ bool repair(OnSurface& on, Workers& workers, std::int64_t targetNum)
 /// Moves and flips only.
 void raiseAngles(OnSurface& on)
 {
-	const Cells  map(on.surface, on.result, on.workers);
-	Assignment   assignment(on.surface, map, on.m().faceNum);
-	std::int64_t work = 100000000;
-	LocalSearch  search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
+	const ClosestFaceMap map(on.surface, on.result, on.workers);
+	Assignment           assignment(on.surface, map, on.m().faceNum);
+	std::int64_t         work = 100000000;
+	LocalSearch          search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
 	search.run(smallAngles(search, 32 * radians, keepingCount));
 }
 
@@ -67,10 +67,10 @@ TEST(RepairPoorFaces, SplitsWhatMovesAndFlipsCannotRepair)
 {
 	OnSurface on = squareAndRibbon();
 	raiseAngles(on);
-	ASSERT_LT(on.leastAngleDeg(), 20);
+	ASSERT_LT(on.minAngleDeg(), 20);
 	const TriangleMesh before = meshOf(on.m());
 	EXPECT_TRUE(repair(on, on.workers, 0));
-	EXPECT_GT(on.leastAngleDeg(), 30);
+	EXPECT_GT(on.minAngleDeg(), 30);
 	EXPECT_GT(on.m().vertexNum, int(before.vertexNum()));
 	EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));
 	EXPECT_NEAR(factsOf(meshOf(on.m())).area / factsOf(before).area, 1, 1e-3);
@@ -85,7 +85,7 @@ TEST(RepairPoorFaces, MakesTheCountGoodElsewhere)
 	raiseAngles(on);
 	EXPECT_TRUE(repair(on, on.workers, num));
 	EXPECT_EQ(on.m().vertexNum, num);
-	EXPECT_GT(on.leastAngleDeg(), 30);
+	EXPECT_GT(on.minAngleDeg(), 30);
 	on.expectSound();
 }
 
@@ -137,7 +137,7 @@ TEST(RepairPoorFaces, DoesNotDependOnThreads)
 		ribbon, [](OnSurface& on, Workers& workers) { EXPECT_TRUE(repair(on, workers, 0)); });
 }
 
-/// On these few triangles per bump are left at 14° to 27° that no single change mends.
+/// On these few triangles per bump are left at 14° to 27° that no single change repairs.
 TEST(RepairPoorFaces, TwoChangesInARowRepairWhatOneCannot)
 {
 	for (unsigned seed : {12u, 22u, 28u, 33u}) {
@@ -156,11 +156,11 @@ TEST(RepairPoorFaces, TwoChangesInARowRepairWhatOneCannot)
 /// above the surface.
 bool mayRise(OnSurface& on, float guarded, float top, float from, float to)
 {
-	constexpr float  enough = 1e-3f;
-	const int        first = 40, second = 200;
-	const Cells      map(on.surface, on.result, on.workers);
-	Assignment       assignment(on.surface, map, on.m().faceNum);
-	std::vector<int> all(std::size_t(on.m().faceNum));
+	constexpr float      enough = 1e-3f;
+	const int            first = 40, second = 200;
+	const ClosestFaceMap map(on.surface, on.result, on.workers);
+	Assignment           assignment(on.surface, map, on.m().faceNum);
+	std::vector<int>     all(std::size_t(on.m().faceNum));
 	std::iota(all.begin(), all.end(), 0);
 	on.m().position[first].z += top;
 	on.m().position[second].z += from;
@@ -200,20 +200,20 @@ void pullThrough(OnSurface& on)
 		++seen;
 	}
 	EXPECT_EQ(seen, 4);
-	EXPECT_FALSE(findCrossingFaces(m, on.workers).empty());
+	EXPECT_FALSE(findIntersectingFaces(m, on.workers).empty());
 }
 
 TEST(SelfIntersections, AreTakenApartByMovesAndFlips)
 {
 	OnSurface on(sheetsOneAboveTheOther());
 	pullThrough(on);
-	const Cells  map(on.surface, on.result, on.workers);
-	Assignment   assignment(on.surface, map, on.m().faceNum);
-	std::int64_t work = 100000000;
-	LocalSearch  search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
-	EXPECT_TRUE(search.run(selfIntersections(search, findCrossingFaces(on.m(), on.workers),
+	const ClosestFaceMap map(on.surface, on.result, on.workers);
+	Assignment           assignment(on.surface, map, on.m().faceNum);
+	std::int64_t         work = 100000000;
+	LocalSearch          search(on.surface, on.boundary, &assignment, work, on.result, on.workers);
+	EXPECT_TRUE(search.run(selfIntersections(search, findIntersectingFaces(on.m(), on.workers),
 											 32 * radians, keepingCount)));
-	EXPECT_TRUE(findCrossingFaces(on.m(), on.workers).empty());
+	EXPECT_TRUE(findIntersectingFaces(on.m(), on.workers).empty());
 	on.expectSound();
 }
 
@@ -224,10 +224,10 @@ TEST(RepairPoorFaces, TakesFacesApartAndKeepsTheCount)
 	const TriangleMesh before = meshOf(on.m());
 	PoorFaces          wanted;
 	wanted.targetNum = on.m().vertexNum;
-	wanted.suspects  = findCrossingFaces(on.m(), on.workers);
-	std::unique_ptr<Cells> map;
+	wanted.suspects  = findIntersectingFaces(on.m(), on.workers);
+	std::unique_ptr<ClosestFaceMap> map;
 	repairPoorFaces(on.surface, on.boundary, wanted, map, on.result, on.workers);
-	EXPECT_TRUE(findCrossingFaces(on.m(), on.workers).empty());
+	EXPECT_TRUE(findIntersectingFaces(on.m(), on.workers).empty());
 	EXPECT_EQ(on.m().vertexNum, int(before.vertexNum()));
 	EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));
 	on.expectSound();
@@ -263,27 +263,28 @@ TEST(PatchBackup, TakesFlipsSplitsAndCollapsesBack)
 	EXPECT_GT(changes, 100);
 }
 
-TEST(CountCrossingPairs, AgreesWithTheSearchOverAllFaces)
+TEST(CountIntersectingPairs, AgreesWithTheSearchOverAllFaces)
 {
 	TriangleMesh sheets = joined(grid(12, 12), shifted(grid(12, 12), {0.013, 0.021, 0.05}));
 	Workers      workers(2, nullptr);
 	for (std::size_t v = 0; v < sheets.positions.size(); v += 7)
 		sheets.positions[v].z += v < sheets.positions.size() / 2 ? 0.08 : -0.08;
 	const HalfEdgeMesh     m     = halfEdgesOf(sheets);
-	const std::vector<int> found = findCrossingFaces(m, workers);
+	const std::vector<int> found = findIntersectingFaces(m, workers);
 	ASSERT_FALSE(found.empty());
 	std::vector<int> all(std::size_t(m.faceNum));
 	std::iota(all.begin(), all.end(), 0);
 	const FaceBoxes boxes(m, workers);
 	for (int f = 0; f < m.faceNum; ++f) {
-		const bool crosses = std::binary_search(found.begin(), found.end(), f);
-		EXPECT_EQ(countCrossingPairs(m, {f}, all) > 0, crosses) << f;
-		EXPECT_EQ(countCrossingPairs(m, {f}, boxes.meeting(boxOfFace(m, f))) > 0, crosses) << f;
+		const bool intersects = std::binary_search(found.begin(), found.end(), f);
+		EXPECT_EQ(countIntersectingPairs(m, {f}, all) > 0, intersects) << f;
+		EXPECT_EQ(countIntersectingPairs(m, {f}, boxes.meeting(boxOfFace(m, f))) > 0, intersects)
+			<< f;
 	}
 	int sum = 0;
 	for (int f : found)
-		sum += countCrossingPairs(m, {f}, all);
-	EXPECT_EQ(2 * countCrossingPairs(m, all, {}), sum) << "each pair is counted once";
+		sum += countIntersectingPairs(m, {f}, all);
+	EXPECT_EQ(2 * countIntersectingPairs(m, all, {}), sum) << "each pair is counted once";
 }
 
 } // namespace gpr::test

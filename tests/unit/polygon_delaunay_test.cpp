@@ -86,12 +86,12 @@ std::vector<Vec2d> regular(int n)
 }
 
 /// A polygon that is seen whole from the origin.
-std::vector<Vec2d> randomStar(int n, double leastRadius, Random& random)
+std::vector<Vec2d> randomStar(int n, double minRadius, Random& random)
 {
 	std::vector<Vec2d> polygon;
 	for (int i = 0; i < n; ++i) {
 		const double angle = 2 * pi * (i + random.between(0, 0.8)) / n;
-		const double r     = random.between(leastRadius, 1);
+		const double r     = random.between(minRadius, 1);
 		polygon.push_back({r * std::cos(angle), r * std::sin(angle)});
 	}
 	return polygon;

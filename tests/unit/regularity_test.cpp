@@ -5,9 +5,9 @@
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
+#include <vcg_extras/core/mesh/coloured_grid.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/valence_energy.h>
-#include <vcg_extras/core/mesh/work_cells.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 
@@ -142,10 +142,10 @@ TEST_P(Glide, LowersTheEnergyWithoutFoldingOrMovingAnything)
 	const int          energy = energyOf(on.m(), on.workers);
 	const TriangleMesh before = meshOf(on.m());
 	const HalfEdgeMesh places = copyOf(on.m());
-	const double       angle  = on.leastAngleDeg();
+	const double       angle  = on.minAngleDeg();
 	EXPECT_GT(glideDislocations(on.result, on.workers), 20);
 	EXPECT_LT(energyOf(on.m(), on.workers), energy * 9 / 10);
-	EXPECT_GE(on.leastAngleDeg(), std::min(angle, 16.9));
+	EXPECT_GE(on.minAngleDeg(), std::min(angle, 16.9));
 	EXPECT_TRUE(hasSameTopology(meshOf(on.m()), before));
 	EXPECT_TRUE(
 		std::equal(places.position.begin(), places.position.end(), on.m().position.begin()));
@@ -174,18 +174,18 @@ TEST(GlideKeeps, ASharpFold)
 	on.expectSound();
 }
 
-TEST(WorkCells, ShareOutEveryVertexAndNeverReachTheSame)
+TEST(ColouredGrid, ShareOutEveryVertexAndNeverReachTheSame)
 {
 	OnSurface        on(icosphere(4));
 	std::vector<int> all;
 	for (int v = 0; v < on.m().vertexNum; v += 2)
 		all.push_back(v);
-	const WorkCells  cells = cutIntoWorkCells(on.m(), all, 8 * on.result.idealEdge);
-	std::vector<int> seen;
-	int              cellNum = 0;
-	for (const std::vector<WorkCell>& colour : cells.byColour) {
+	const ColouredGrid cells = cutIntoGridCells(on.m(), all, 8 * on.result.idealEdge);
+	std::vector<int>   seen;
+	int                cellNum = 0;
+	for (const std::vector<GridCell>& colour : cells.byColour) {
 		std::vector<int> owner(on.m().vertexNum, -1);
-		for (const WorkCell& cell : colour) {
+		for (const GridCell& cell : colour) {
 			++cellNum;
 			for (int i = cell.begin; i < cell.end; ++i) {
 				seen.push_back(cells.vertices[i]);

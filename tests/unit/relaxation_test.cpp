@@ -149,7 +149,7 @@ class Conformal : public ::testing::TestWithParam<std::uint32_t> {};
 void fixCornersOfUnitSquare(OnSurface& on)
 {
 	for (ResultVertex& v : on.result.vertex) {
-		const Vec3d p = on.surface.frame.toCaller(v.anchor.position);
+		const Vec3d p = on.surface.frame.toCaller(v.point.position);
 		v.isCorner    = (p.x == 0 || p.x == 1) && (p.y == 0 || p.y == 1);
 	}
 }

@@ -10,15 +10,15 @@ namespace gpr::test {
 namespace {
 
 /// A point's place on a triangle of the caller's.
-SurfacePoint placeOn(const TriangleMesh& triangle, const Vec3f& p)
+BarycentricPoint placeOn(const TriangleMesh& triangle, const Vec3f& p)
 {
 	Surface surface;
 	surface.sourceFace.resize(1);
 	surface.sourceFace[0] = 0;
-	return surfacePoint(triangle.view(), surface, {p, 0});
+	return barycentricPoint(triangle.view(), surface, {p, 0});
 }
 
-Vec3d pointOf(const TriangleMesh& m, const SurfacePoint& at)
+Vec3d pointOf(const TriangleMesh& m, const BarycentricPoint& at)
 {
 	Vec3d p;
 	for (int k = 0; k < 3; ++k)
@@ -26,7 +26,7 @@ Vec3d pointOf(const TriangleMesh& m, const SurfacePoint& at)
 	return p;
 }
 
-TEST(SurfacePoint, WeightsGiveThePointBack)
+TEST(BarycentricPoint, WeightsGiveThePointBack)
 {
 	const TriangleMesh m{{{0, 0, 0}, {2, 0, 1}, {0, 3, 1}}, {0, 1, 2}};
 	const Vec3d        p = m.positions[0] * 0.2 + m.positions[1] * 0.5 + m.positions[2] * 0.3;
@@ -34,7 +34,7 @@ TEST(SurfacePoint, WeightsGiveThePointBack)
 }
 
 /// All corners in a line, in each order; they were given to the first corner.
-TEST(SurfacePoint, OnAFaceWithoutAreaItIsTheNearestOne)
+TEST(BarycentricPoint, OnAFaceWithoutAreaItIsTheNearestOne)
 {
 	const Vec3d a(0, 0, 0), b(1, 2, 3), c(3, 6, 9.0000000000001);
 	for (const auto& corners : {std::vector<Vec3d>{a, b, c}, {b, c, a}, {c, a, b}, {b, a, c}}) {
@@ -45,10 +45,10 @@ TEST(SurfacePoint, OnAFaceWithoutAreaItIsTheNearestOne)
 	}
 }
 
-TEST(SurfacePoint, OnAFaceThatIsAPointItIsThatPoint)
+TEST(BarycentricPoint, OnAFaceThatIsAPointItIsThatPoint)
 {
-	const TriangleMesh m{{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {0, 1, 2}};
-	const SurfacePoint at = placeOn(m, {5, 5, 5});
+	const TriangleMesh     m{{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {0, 1, 2}};
+	const BarycentricPoint at = placeOn(m, {5, 5, 5});
 	EXPECT_EQ(at.weight[0] + at.weight[1] + at.weight[2], 1);
 }
 

@@ -47,10 +47,10 @@ CornerTexture twoCharts(const TriangleMesh& mesh)
 RemeshResult remeshed(const MeshView& view, std::int64_t vertexNum)
 {
 	RemeshOptions options;
-	options.targetMode      = TargetMode::VertexNum;
-	options.targetVertexNum = vertexNum;
-	options.anchorsOfFaces  = true;
-	options.threads         = 2;
+	options.targetMode           = TargetMode::VertexNum;
+	options.targetVertexNum      = vertexNum;
+	options.surfacePointsOfFaces = true;
+	options.threads              = 2;
 	return remesh(view, options);
 }
 
@@ -155,19 +155,19 @@ TEST(TextureTransfer, AChartThatMeetsItselfHasASeamToo)
 	}
 }
 
-TEST(Anchors, AreLeftOutWhereNobodyAsksAndChangeNothing)
+TEST(PointVector, AreLeftOutWhereNobodyAsksAndChangeNothing)
 {
 	const TriangleMesh mesh = grid(30, 30);
 	RemeshOptions      options;
-	options.targetMode         = TargetMode::VertexNum;
-	options.targetVertexNum    = 100;
-	const RemeshResult with    = remesh(mesh.view(), options);
-	options.anchorsOfVertices  = false;
-	const RemeshResult without = remesh(mesh.view(), options);
+	options.targetMode              = TargetMode::VertexNum;
+	options.targetVertexNum         = 100;
+	const RemeshResult with         = remesh(mesh.view(), options);
+	options.surfacePointsOfVertices = false;
+	const RemeshResult without      = remesh(mesh.view(), options);
 	ASSERT_EQ(with.status, Status::Ok);
 	ASSERT_EQ(without.status, Status::Ok);
-	EXPECT_EQ(with.anchors.size(), 100u);
-	EXPECT_TRUE(without.anchors.empty());
+	EXPECT_EQ(with.surfacePoints.size(), 100u);
+	EXPECT_TRUE(without.surfacePoints.empty());
 	EXPECT_EQ(with.mesh.triangles, without.mesh.triangles);
 	EXPECT_EQ(with.mesh.positions, without.mesh.positions);
 	// Vertices that are kept are named whatever was asked for.
@@ -180,9 +180,9 @@ TEST(Anchors, AreLeftOutWhereNobodyAsksAndChangeNothing)
 
 TEST(CarryOver, MeansAreRoundedAndNaNsWithoutWeightLeftOut)
 {
-	const double       nan   = std::numeric_limits<double>::quiet_NaN();
-	const double       at[3] = {3, 5, nan};
-	const SurfacePoint point{0, {0.25f, 0.75f, 0}};
+	const double           nan   = std::numeric_limits<double>::quiet_NaN();
+	const double           at[3] = {3, 5, nan};
+	const BarycentricPoint point{0, {0.25f, 0.75f, 0}};
 	EXPECT_EQ(meanOfCorners(point, [&](int k) { return at[k]; }), 4.5);
 	EXPECT_EQ(nearestCorner(point), 1);
 	EXPECT_EQ(meanAs<unsigned char>(254.6), 255);

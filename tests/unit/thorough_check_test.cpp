@@ -27,7 +27,7 @@ TEST_F(ThoroughCheck, FindsNothingOnASphereAndItself)
 {
 	const CheckFigures c = checked(icosphere(3, 0.5), icosphere(3, 0.5));
 	EXPECT_TRUE(c.done);
-	EXPECT_EQ(c.crossingFaces, 0);
+	EXPECT_EQ(c.intersectingFaces, 0);
 	EXPECT_LT(c.vertexDistance, 1e-6);
 	EXPECT_EQ(describeFailure(c, 0), "");
 }
@@ -38,11 +38,11 @@ TEST_F(ThoroughCheck, CatchesFacesThatCrossOthers)
 	const TriangleMesh crossed =
 		joined(icosphere(2, 0.2), shifted(icosphere(2, 0.2), {0.2, 0.03, 0.01}));
 	const CheckFigures c = checked(apart, crossed);
-	EXPECT_GT(c.crossingFaces, 10);
-	EXPECT_EQ(c.inputCrossingFaces, 0);
-	EXPECT_NE(describeFailure(c, 1).find("cross others"), std::string::npos);
+	EXPECT_GT(c.intersectingFaces, 10);
+	EXPECT_EQ(c.inputIntersectingFaces, 0);
+	EXPECT_NE(describeFailure(c, 1).find("self-intersecting"), std::string::npos);
 	const CheckFigures both = checked(crossed, crossed);
-	EXPECT_EQ(both.inputCrossingFaces, both.crossingFaces);
+	EXPECT_EQ(both.inputIntersectingFaces, both.intersectingFaces);
 	EXPECT_EQ(describeFailure(both, 0), "") << "no more than the input";
 }
 
@@ -72,7 +72,7 @@ TEST(CheckOption, TellsDistancesInTheCallersUnit)
 	const RemeshResult r = remesh(icosphere(4, 1000).view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	EXPECT_TRUE(r.report.check.done);
-	EXPECT_EQ(r.report.check.crossingFaces, 0);
+	EXPECT_EQ(r.report.check.intersectingFaces, 0);
 	EXPECT_GT(r.report.check.largestDistance, 1);
 	EXPECT_LT(r.report.check.largestDistance, 30);
 	EXPECT_NEAR(r.report.check.vertexDistance, r.report.largestFitDistance, 0.5);
@@ -96,7 +96,7 @@ TEST(CheckOption, WithholdsWhatCrossesItself)
 	const RemeshResult r = remesh(wavy.view(), options);
 	EXPECT_EQ(r.status, Status::PromiseBroken);
 	EXPECT_EQ(r.mesh.vertexNum(), 0u);
-	EXPECT_GT(r.report.check.crossingFaces, 0);
+	EXPECT_GT(r.report.check.intersectingFaces, 0);
 }
 
 } // namespace

@@ -19,7 +19,7 @@ constexpr double pi = 3.14159265358979323846;
 constexpr double maxJitter = 0.24;
 
 /// A random point of a random face.
-Anchor randomAnchor(const HalfEdgeMesh& m, Random& random)
+SurfacePoint randomPoint(const HalfEdgeMesh& m, Random& random)
 {
 	const int f = random.below(m.faceNum);
 	float     u = float(random.unit()), v = float(random.unit());
@@ -33,7 +33,7 @@ Anchor randomAnchor(const HalfEdgeMesh& m, Random& random)
 			f};
 }
 
-double distanceToOwnFace(const HalfEdgeMesh& m, const Anchor& a)
+double distanceToOwnFace(const HalfEdgeMesh& m, const SurfacePoint& a)
 {
 	const auto corner = [&](int k) { return Vec3d(m.position[m.origin[3 * a.face + k]]); };
 	return distanceToTriangle(Vec3d(a.position), corner(0), corner(1), corner(2));
@@ -48,9 +48,9 @@ TEST_P(Walk, OnAPlaneEndsExactlyWhereTheStepSays)
 {
 	const HalfEdgeMesh m = halfEdgesOf(jitteredGrid(30, maxJitter, random));
 	for (int i = 0; i < 200; ++i) {
-		Anchor      at   = randomAnchor(m, random);
-		const Vec3f from = at.position;
-		const Vec3f goal(float(random.between(0.05, 0.95)), float(random.between(0.05, 0.95)), 0);
+		SurfacePoint at   = randomPoint(m, random);
+		const Vec3f  from = at.position;
+		const Vec3f  goal(float(random.between(0.05, 0.95)), float(random.between(0.05, 0.95)), 0);
 		ASSERT_EQ(walk(m, at, goal - from), WalkEnd::Arrived);
 		ASSERT_LT(length(at.position - goal), 7e-6f) << "some bits for each of 60 faces";
 		ASSERT_LT(distanceToOwnFace(m, at), 2e-6);
@@ -60,9 +60,9 @@ TEST_P(Walk, OnAPlaneEndsExactlyWhereTheStepSays)
 TEST_P(Walk, TheStepIsTurnedIntoTheFaceAndKeepsItsLength)
 {
 	const HalfEdgeMesh m  = halfEdgesOf(grid(20, 20));
-	Anchor             at = {{0.51f, 0.52f, 0}, -1};
+	SurfacePoint       at = {{0.51f, 0.52f, 0}, -1};
 	for (int f = 0; f < m.faceNum && at.face < 0; ++f) {
-		Anchor candidate = {at.position, f};
+		SurfacePoint candidate = {at.position, f};
 		if (distanceToOwnFace(m, candidate) == 0) at.face = f;
 	}
 	ASSERT_GE(at.face, 0);
@@ -87,7 +87,7 @@ TEST_P(Walk, OnAPrismIsStraightOnTheUnrolledSide)
         return (segment + dot(d, u) / squaredLength(u)) * side;
 	};
 	for (int i = 0; i < 100; ++i) {
-		Anchor at = randomAnchor(m, random);
+		SurfacePoint at = randomPoint(m, random);
 		if (std::abs(at.position.z - 4) > 1) continue;
 		const Vec3f  from  = at.position;
 		const Vec3f  n     = m.faceNormal(at.face);
@@ -104,7 +104,7 @@ TEST_P(Walk, OnASphereFollowsTheGreatCircle)
 {
 	const HalfEdgeMesh m = halfEdgesOf(icosphere(6));
 	for (int i = 0; i < 50; ++i) {
-		Anchor       at   = randomAnchor(m, random);
+		SurfacePoint at   = randomPoint(m, random);
 		const Vec3d  from = Vec3d(at.position);
 		const Vec3d  any  = {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
 		const Vec3d  tangent  = normalized(tangential(any, Vec3d(m.faceNormal(at.face))));
@@ -121,9 +121,9 @@ TEST_P(Walk, ThereAndBackEndsWhereItBegan)
 {
 	const HalfEdgeMesh m = halfEdgesOf(jitteredGrid(40, maxJitter, random));
 	for (int i = 0; i < 100; ++i) {
-		Anchor      at   = randomAnchor(m, random);
-		const Vec3f from = at.position;
-		const Vec3f step(float(random.between(-0.3, 0.3)), float(random.between(-0.3, 0.3)), 0);
+		SurfacePoint at   = randomPoint(m, random);
+		const Vec3f  from = at.position;
+		const Vec3f  step(float(random.between(-0.3, 0.3)), float(random.between(-0.3, 0.3)), 0);
 		if (walk(m, at, step) != WalkEnd::Arrived) continue;
 		ASSERT_EQ(walk(m, at, step * -1.0f), WalkEnd::Arrived);
 		EXPECT_LT(length(at.position - from), 2e-6f);
@@ -134,7 +134,7 @@ TEST_P(Walk, StopsAtTheBorder)
 {
 	const HalfEdgeMesh m = halfEdgesOf(jitteredGrid(20, maxJitter, random));
 	for (int i = 0; i < 100; ++i) {
-		Anchor       at   = randomAnchor(m, random);
+		SurfacePoint at   = randomPoint(m, random);
 		const Vec3d  from = Vec3d(at.position);
 		const double turn = random.between(0, 2 * pi);
 		const Vec3d  d(std::cos(turn), std::sin(turn), 0);
@@ -149,7 +149,7 @@ TEST_P(Walk, NeverLeavesTheSurface)
 {
 	const HalfEdgeMesh m = halfEdgesOf(noisySphere(3, 0.1, random));
 	for (int i = 0; i < 200; ++i) {
-		Anchor        at = randomAnchor(m, random);
+		SurfacePoint  at = randomPoint(m, random);
 		const Vec3f   step(float(random.between(-1, 1)), float(random.between(-1, 1)),
 						   float(random.between(-1, 1)));
 		const WalkEnd end = walk(m, at, step * 3.0f);
@@ -163,7 +163,7 @@ INSTANTIATE_TEST_SUITE_P(Seeds, Walk, ::testing::ValuesIn(testSeeds(4)));
 TEST(WalkAtAll, GoesNowhereByAZeroStep)
 {
 	const HalfEdgeMesh m  = halfEdgesOf(grid(2, 2));
-	Anchor             at = {{0.4f, 0.1f, 0}, 0};
+	SurfacePoint       at = {{0.4f, 0.1f, 0}, 0};
 	EXPECT_EQ(walk(m, at, {0, 0, 0}), WalkEnd::Arrived);
 	EXPECT_EQ(walk(m, at, {0, 0, 5}), WalkEnd::Arrived) << "nothing of it lies in the face";
 	EXPECT_EQ(at.position, Vec3f(0.4f, 0.1f, 0));
@@ -177,7 +177,7 @@ TEST(WalkAtAll, StaysInAFaceWithoutArea)
 	mesh.triangles       = {0, 1, 2, 0, 2, 3};
 	const HalfEdgeMesh m = halfEdgesOf(mesh);
 	for (const Vec3f& step : {Vec3f(0.1f, 0.2f, 0.1f), Vec3f(0.2f, -0.1f, 0), Vec3f(3, 2, 1)}) {
-		Anchor at = {{0.5f, 0.5f, 0}, 0};
+		SurfacePoint at = {{0.5f, 0.5f, 0}, 0};
 		EXPECT_EQ(walk(m, at, step), WalkEnd::AtBorder);
 		EXPECT_EQ(at.position, Vec3f(0.5f, 0.5f, 0));
 	}
@@ -191,8 +191,8 @@ TEST_P(Walk, DoesNotLeaveANeedle)
 	mesh.triangles       = {0, 1, 2};
 	const HalfEdgeMesh m = halfEdgesOf(mesh);
 	for (int i = 0; i < 100; ++i) {
-		Anchor      at    = randomAnchor(m, random);
-		const Vec3f along = (m.position[1] - m.position[0]) * float(random.between(-0.5, 0.5));
+		SurfacePoint at    = randomPoint(m, random);
+		const Vec3f  along = (m.position[1] - m.position[0]) * float(random.between(-0.5, 0.5));
 		walk(m, at, along);
 		ASSERT_LT(distanceToOwnFace(m, at), 1e-6);
 	}
@@ -201,7 +201,7 @@ TEST_P(Walk, DoesNotLeaveANeedle)
 TEST(WalkAtAll, EndsByItsBound)
 {
 	const HalfEdgeMesh m  = halfEdgesOf(icosphere(4));
-	Anchor             at = {m.position[m.origin[0]], 0};
+	SurfacePoint       at = {m.position[m.origin[0]], 0};
 	EXPECT_EQ(walk(m, at, Vec3f(1, 0.3f, 0.2f) * 1000.0f, 50), WalkEnd::Capped);
 	EXPECT_LT(distanceToOwnFace(m, at), 1e-4);
 }

@@ -110,8 +110,8 @@ TYPED_TEST(FeatureDetectionTest, ThresholdsCount)
 	params.strongAngleDeg = 100;
 	ASSERT_TRUE(Detection::Detect(m, features, params, &stat).IsOk());
 	EXPECT_EQ(stat.edgeNum, 0);
-	params               = {};
-	params.leastLenRatio = 100;
+	params             = {};
+	params.minLenRatio = 100;
 	ASSERT_TRUE(Detection::Detect(m, features, params, &stat).IsOk());
 	EXPECT_EQ(stat.edgeNum, 0);
 	params              = {};

@@ -79,12 +79,11 @@ TYPED_TEST(GeodesicPoissonSamplingTest, KeepsTheSpacingAndCoversTheSphere)
 	ASSERT_GT(stat.diskRadius, 0);
 	EXPECT_EQ(stat.sampleNum, std::int64_t(samples.size()));
 
-	double leastSpacing = 10;
+	double minSpacing = 10;
 	for (std::size_t i = 0; i < samples.size(); ++i)
 		for (std::size_t j = 0; j < i; ++j)
-			leastSpacing =
-				std::min(leastSpacing, ArcLength(samples[i].position, samples[j].position));
-	EXPECT_GE(leastSpacing, spacingShare * stat.diskRadius);
+			minSpacing = std::min(minSpacing, ArcLength(samples[i].position, samples[j].position));
+	EXPECT_GE(minSpacing, spacingShare * stat.diskRadius);
 
 	double farthest = 0;
 	for (const auto& v : m.vert) {

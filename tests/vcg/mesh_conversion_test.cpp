@@ -8,7 +8,7 @@
 
 using namespace gpr_test;
 using namespace vcg::tri;
-using gpr_detail::AnchoredAttributes;
+using gpr_detail::AttributesAtPoints;
 using gpr_detail::FlatMesh;
 
 namespace {
@@ -135,11 +135,11 @@ TYPED_TEST(MeshConversion, CarriesAttributesByTheirWeights)
 		v.Q() = 3 * v.P()[0] - v.P()[1];
 		v.C() = vcg::Color4b(255, 77, 1, 254);
 	}
-	const std::vector<gpr::SurfacePoint> anchors = {{0, {0.2f, 0.3f, 0.5f}},
-													{1, {0.1f, 0.1f, 0.8f}}};
-	const FlatMesh<MeshType>             flat(m);
-	AnchoredAttributes<MeshType>         attributes;
-	attributes.ReadVertices(m, to, anchors, [&](std::int32_t f) { return flat.Face(f); });
+	const std::vector<gpr::BarycentricPoint> surfacePoints = {{0, {0.2f, 0.3f, 0.5f}},
+															  {1, {0.1f, 0.1f, 0.8f}}};
+	const FlatMesh<MeshType>                 flat(m);
+	AttributesAtPoints<MeshType>             attributes;
+	attributes.ReadVertices(m, to, surfacePoints, [&](std::int32_t f) { return flat.Face(f); });
 	Allocator<MeshType>::AddVertices(to, 2);
 	attributes.Write(to);
 	EXPECT_NEAR(to.vert[0].Q(), 3 * 0.8 - 0.5, 1e-6);
@@ -158,10 +158,10 @@ TYPED_TEST(MeshConversion, CarriesOptionalComponentsOnlyWhereBothHaveThemEnabled
 	to.vert.EnableQuality();
 	for (auto& v : m.vert)
 		v.Q() = 7;
-	const std::vector<gpr::SurfacePoint> anchors(3, gpr::SurfacePoint{0, {1, 0, 0}});
-	const FlatMesh<MeshType>             flat(m);
-	AnchoredAttributes<MeshType>         attributes;
-	attributes.ReadVertices(m, to, anchors, [&](std::int32_t f) { return flat.Face(f); });
+	const std::vector<gpr::BarycentricPoint> surfacePoints(3, gpr::BarycentricPoint{0, {1, 0, 0}});
+	const FlatMesh<MeshType>                 flat(m);
+	AttributesAtPoints<MeshType>             attributes;
+	attributes.ReadVertices(m, to, surfacePoints, [&](std::int32_t f) { return flat.Face(f); });
 	Allocator<MeshType>::AddVertices(to, 3);
 	attributes.Write(to);
 	EXPECT_FALSE(HasPerVertexColor(to));

@@ -89,7 +89,7 @@ void poorFacesRepair(benchmark::State& state, StagedRun& run, Workers& workers)
 	const Surface&        surface = run.prepared().surface;
 	const BoundaryCurves& curves  = run.sampled().boundary;
 	timeChange(state, run.improved().fitted, [&](ResultMesh& result) {
-		std::unique_ptr<Cells> map;
+		std::unique_ptr<ClosestFaceMap> map;
 		repairPoorFaces(surface, curves, PoorFaces(), map, result, workers);
 	});
 }

@@ -122,8 +122,8 @@ void creaseLines(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	Prepared&   p = run.prepared();
 	CreaseRules rules;
-	rules.leastLength   = 3 * idealEdge(p);
-	rules.leastTwig     = idealEdge(p);
+	rules.minLength     = 3 * idealEdge(p);
+	rules.minSpur       = idealEdge(p);
 	Buffer<char> marked = std::move(p.surface.mesh.crease);
 	timeEach(
 		state,

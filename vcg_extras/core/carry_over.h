@@ -17,7 +17,7 @@ namespace gpr {
 /// Σ weight·value over the corners of the point's face; valueOf(k) is the value at corner k.
 /// Corners without weight are left out, so that a NaN there does no harm.
 template <class ValueOf>
-double meanOfCorners(const SurfacePoint& at, const ValueOf& valueOf)
+double meanOfCorners(const BarycentricPoint& at, const ValueOf& valueOf)
 {
 	double sum = 0;
 	for (int k = 0; k < 3; ++k) {
@@ -27,7 +27,7 @@ double meanOfCorners(const SurfacePoint& at, const ValueOf& valueOf)
 }
 
 /// The corner with the largest weight, for values that have no mean: labels, numbers of images.
-inline int nearestCorner(const SurfacePoint& at)
+inline int nearestCorner(const BarycentricPoint& at)
 {
 	return int(std::max_element(at.weight, at.weight + 3) - at.weight);
 }

@@ -77,7 +77,7 @@ inline std::vector<std::int32_t> trianglesOf(const MeshView& mesh)
 }
 
 /// A point of the caller's surface: face index and barycentric weights of its three corners.
-struct SurfacePoint {
+struct BarycentricPoint {
 	std::int32_t face      = -1;
 	float        weight[3] = {1, 0, 0};
 };

@@ -70,7 +70,7 @@ void checkFeatures(const RemeshOptions& o, std::vector<std::string>& complaints)
 	if (!(t.weakDeg > 0 && t.weakDeg <= t.strongDeg)) {
 		complaints.push_back("The weak feature angle must be above 0 and at most the strong one.");
 	}
-	if (!isWithin(t.leastLength, 0, 1e6)) {
+	if (!isWithin(t.minLength, 0, 1e6)) {
 		complaints.push_back("The least feature length must be between 0 and 1000000 supports.");
 	}
 }

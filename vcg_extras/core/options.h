@@ -100,10 +100,10 @@ enum class FeatureMode {
 
 /// Thresholds of the second-order difference.
 struct FeatureThresholds {
-	double support     = 2;  ///< radius of the support in mean edges of the input, > 0, <= 100
-	double strongDeg   = 40; ///< a feature begins where the normals differ by this, (0, 180]
-	double weakDeg     = 20; ///< and goes on down to this, (0, strongDeg]
-	double leastLength = 3;  ///< shorter chains are dropped; in supports, >= 0
+	double support   = 2;  ///< radius of the support in mean edges of the input, > 0, <= 100
+	double strongDeg = 40; ///< a feature begins where the normals differ by this, (0, 180]
+	double weakDeg   = 20; ///< and goes on down to this, (0, strongDeg]
+	double minLength = 3;  ///< shorter chains are dropped; in supports, >= 0
 };
 
 /// Everything a caller can choose. Plain data; nothing here is working state.
@@ -123,11 +123,11 @@ struct RemeshOptions {
 	/// Components with fewer faces are left out; 0 = none.
 	std::int64_t dropComponentsBelow = 0;
 	double       timeLimitSeconds    = 0; ///< the run ends then without a result; 0 = none
-	bool         check = false; ///< crossing faces and distances are looked for: thorough_check.h
-	bool         selectedOnly = false; ///< remesh the selected faces, leave the rest as it is
-	/// Hand out RemeshResult::anchors; without them a big surface takes 4 B a face less.
-	bool anchorsOfVertices = true;
-	bool anchorsOfFaces    = false; ///< hand out RemeshResult::faceAnchors
+	bool check = false; ///< self-intersections and distances are looked for: thorough_check.h
+	bool selectedOnly = false; ///< remesh the selected faces, leave the rest as it is
+	/// Export RemeshResult::surfacePoints; without them a big surface takes 4 B a face less.
+	bool surfacePointsOfVertices = true;
+	bool surfacePointsOfFaces    = false; ///< export RemeshResult::facePoints
 
 	Placement       placement       = Placement::DiskIntersection;
 	Retriangulation retriangulation = Retriangulation::LabelCollapse;

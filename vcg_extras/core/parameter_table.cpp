@@ -180,7 +180,7 @@ void addFeatureLines(Table& t)
 {
 	t.push_back(
 		row(shared, "Features", "--features", "NAME", Kind::Choice, "Feature lines",
-			"Sharp edges of the mesh become edges of the result, corners and cone tips its "
+			"Sharp edges of the mesh become edges of the result, corners and cone apexes its "
 			"vertices: "
 			"auto, where they are real creases and not a scan's noise (none with the paper "
 			"preset); "
@@ -460,7 +460,7 @@ void addFeatures(Table& t)
 					.range(0, 1e6)
 					.byDefault([](const MeshFacts&) { return Value(3.0); })
 					.store([](const Value& v, RemeshOptions& o) {
-						o.featureThresholds.leastLength = numberOf(v);
+						o.featureThresholds.minLength = numberOf(v);
 					})
 					.p);
 }
@@ -490,15 +490,14 @@ void addRun(Table& t)
 					.range(0, 1024)
 					.store([](const Value& v, RemeshOptions& o) { o.threads = int(countOf(v)); })
 					.p);
-	t.push_back(
-		row(RemeshTool | RetriangulateTool, "Check", "--check", "", Kind::Switch,
-			"Check thoroughly",
-			"Beside what is checked in any case: faces that cross others, and the distances "
-			"from the input, which costs as much again. Where a face crosses another and "
-			"none did in the input, or a vertex lies off the input farther than the fit "
-			"moved it, there is no result.")
-			.store([](const Value& v, RemeshOptions& o) { o.check = switchOf(v); })
-			.p);
+	t.push_back(row(RemeshTool | RetriangulateTool, "Check", "--check", "", Kind::Switch,
+					"Check thoroughly",
+					"Beside what is checked in any case: self-intersections, and the distances "
+					"from the input, which costs as much again. Where faces intersect and "
+					"none did in the input, or a vertex lies off the input farther than the fit "
+					"moved it, there is no result.")
+					.store([](const Value& v, RemeshOptions& o) { o.check = switchOf(v); })
+					.p);
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace gpr {
 
 /// Called from the thread that called the engine, at most about every 50 ms, with the share of the
 /// work done in [0, 1] and a short verb phrase. Returning false cancels: the engine ends with
-/// Status::Cancelled and hands out nothing.
+/// Status::Cancelled and exports nothing.
 using ProgressCallback = std::function<bool(double share, const char* phrase)>;
 
 } // namespace gpr

@@ -39,7 +39,7 @@ RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samp
 						   const RemeshOptions&    options,
 						   const ProgressCallback& progress = nullptr);
 
-/// Finds creases and tips by a uniformly supported second-order difference (paper §3.1; see
+/// Finds creases and cone apexes by a uniformly supported second-order difference (paper §3.1; see
 /// feature_detection.h and docs/features.md). Of the options, featureThresholds and threads count.
 /// A mesh that is not 2-manifold is repaired or cut for this; edges cut are no features.
 /// The input is never modified. Cost: linear; about 2 s per million faces and core.

@@ -65,14 +65,14 @@ struct QualityFigures {
 	double meanEdgeLen     = 0; ///< mesh units
 };
 
-/// What was checked before the result was handed out.
+/// What was checked before the result was exported.
 struct AuditFigures {
 	bool         passed              = false;
 	std::int64_t nonManifoldEdges    = 0;
 	std::int64_t nonManifoldVertices = 0;
 	std::int64_t duplicateFaces      = 0;
 	std::int64_t zeroAreaFaces       = 0;
-	std::int64_t flippedFaces        = 0; ///< look against the input; counted, not failed
+	std::int64_t invertedFaces       = 0; ///< look against the input's normals; counted, not failed
 	std::int64_t nonFinitePositions  = 0;
 	bool         componentsKept      = false;
 	bool         boundaryLoopsKept   = false;
@@ -82,18 +82,18 @@ struct AuditFigures {
 
 /// What RemeshOptions::check found.
 struct CheckFigures {
-	bool         done               = false;
-	std::int64_t crossingFaces      = 0; ///< of the result, that cross another
-	std::int64_t inputCrossingFaces = 0; ///< looked for only where the result has some
-	double       vertexDistance     = 0; ///< largest of a vertex from the input, mesh units
-	double       largestDistance    = 0; ///< either way, found by sampling, mesh units
+	bool         done                   = false;
+	std::int64_t intersectingFaces      = 0; ///< of the result, that intersect another
+	std::int64_t inputIntersectingFaces = 0; ///< looked for only where the result has some
+	double       vertexDistance         = 0; ///< largest of a vertex from the input, mesh units
+	double       largestDistance        = 0; ///< either way, found by sampling, mesh units
 };
 
 /// What a vertex is to the features, as bits.
 enum VertexFeature : std::uint8_t {
-	OnFeatureLine = 1, ///< end of a feature edge
-	FeatureCorner = 2, ///< on a line, which ends, branches or turns here
-	FeatureTip    = 4, ///< tip of a cone: a feature by itself
+	OnFeatureLine   = 1, ///< end of a feature edge
+	FeatureCorner   = 2, ///< on a line, which ends, branches or turns here
+	FeatureConeApex = 4, ///< apex of a cone: a feature by itself
 };
 
 /// Everything a run tells about itself.
@@ -118,7 +118,7 @@ struct RemeshReport {
 	std::int64_t             sampleNum           = 0; ///< what the front sampling placed
 	std::int64_t             boundarySampleNum   = 0;
 	std::int64_t             featureEdgeNum      = 0; ///< edges of the input on feature lines
-	std::int64_t             featureTipNum       = 0; ///< tips of cones
+	std::int64_t             featureConeApexNum  = 0; ///< cone apexes
 	std::int64_t             regionVertexNum     = 0; ///< of the caller's, in the feature region
 	std::int64_t             keptVertexNum       = 0; ///< vertices that had to stay, and did
 	std::int64_t             untouchedFaceNum    = 0; ///< selectedOnly: faces that were left alone
@@ -128,7 +128,7 @@ struct RemeshReport {
 	std::int64_t             flipNum             = 0;
 	std::int64_t             samplesMoved = 0; ///< retriangulate: samples that were off the surface
 	double                   largestSampleMove  = 0; ///< mesh units
-	double                   largestFitDistance = 0; ///< from anchor to vertex, mesh units
+	double                   largestFitDistance = 0; ///< from surface point to vertex, mesh units
 	double                   errorGoal    = 0; ///< largest error asked for, mesh units; 0: none
 	double                   largestError = 0; ///< found by sampling, mesh units; 0: not looked for
 	int                      errorTrialNum = 0; ///< counts tried for the goal

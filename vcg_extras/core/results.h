@@ -12,7 +12,7 @@
 
 namespace gpr {
 
-/// How a run ended. Everything but Ok hands out no mesh; message says why in one sentence.
+/// How a run ended. Everything but Ok exports no mesh; message says why in one sentence.
 enum class Status {
 	Ok,
 	BadOptions,    ///< an option out of range
@@ -32,9 +32,9 @@ struct RemeshResult {
 	std::vector<std::string> notes;   ///< sentences worth showing even when all went well
 	TriangleMesh             mesh;    ///< in the caller's frame
 	/// Unless options do without, per result vertex: where on the caller's mesh it lies.
-	std::vector<SurfacePoint> anchors;
+	std::vector<BarycentricPoint> surfacePoints;
 	/// Where options ask for it, per result face: where on the caller's mesh its middle lies.
-	std::vector<SurfacePoint> faceAnchors;
+	std::vector<BarycentricPoint> facePoints;
 	/// Per result vertex, where some had to stay: which of the caller's it is, bit for bit, or -1.
 	std::vector<std::int32_t> callersVertex;
 	/// Per result face, with selectedOnly: which of the caller's it is, or -1 for the new ones.
@@ -46,12 +46,12 @@ struct RemeshResult {
 
 /// Points of a geodesic Poisson-disk sampling.
 struct SamplingResult {
-	Status                    status = Status::InternalError;
-	std::string               message;
-	std::vector<std::string>  notes;
-	std::vector<Vec3d>        points;  ///< in the caller's frame
-	std::vector<SurfacePoint> anchors; ///< per point: where on the caller's mesh it lies
-	std::vector<double>       radii;   ///< per point: of its disk, mesh units
+	Status                        status = Status::InternalError;
+	std::string                   message;
+	std::vector<std::string>      notes;
+	std::vector<Vec3d>            points;        ///< in the caller's frame
+	std::vector<BarycentricPoint> surfacePoints; ///< per point: where on the caller's mesh it lies
+	std::vector<double>           radii;         ///< per point: of its disk, mesh units
 	double diskRadius = 0; ///< of the largest disks, mesh units: r of eq. (1) where all are
 						   ///< the same; the smallest spacing is (1-ε) times the mean of two
 	RemeshReport report;
@@ -70,9 +70,9 @@ struct FeatureFigures {
 	std::int64_t edgeNum     = 0;
 	std::int64_t lineNum     = 0; ///< connected sets of feature edges
 	std::int64_t cornerNum   = 0; ///< vertices where a line ends, branches or turns
-	std::int64_t tipNum      = 0; ///< tips of cones, on no line
+	std::int64_t coneApexNum = 0; ///< cone apexes, on no line
 	double       support     = 0; ///< radius of the half-disks, mesh units
-	double       leastLength = 0; ///< shorter lines were dropped, mesh units
+	double       minLength   = 0; ///< shorter lines were dropped, mesh units
 };
 
 /// Features of the caller's mesh.

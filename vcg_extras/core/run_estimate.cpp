@@ -78,7 +78,7 @@ RunEstimate estimateRun(const MeshView& input, const RemeshOptions& options, Too
 	RunEstimate  estimate;
 	if (tool != FeatureTool)
 		estimate.vertexNum =
-			std::min(mostResultVertices, (isByCount ? 1 : share) * vertexNumOf(input, options));
+			std::min(maxResultVertices, (isByCount ? 1 : share) * vertexNumOf(input, options));
 	const double microseconds = rate.perFace * faces + rate.perVertex * estimate.vertexNum;
 	estimate.seconds          = 1e-6 * microseconds / std::pow(threadNumOf(options), threadPower);
 	if (options.targetMode == TargetMode::MaxError && tool == RemeshTool)

@@ -20,7 +20,7 @@ constexpr float sameCoordinate = 2e-6f;
 /// distance from its middle to its corners.
 constexpr double reach = 1.5;
 /// Faces looked at for one face of the result at most.
-constexpr std::size_t mostFacesLookedAt = 100000;
+constexpr std::size_t maxFacesLookedAt = 100000;
 
 /// Numbers the positions: vertices at the same place get the same number.
 std::vector<std::int32_t> placeNumbers(const MeshView& mesh)
@@ -50,7 +50,8 @@ std::vector<std::int32_t> placeNumbers(const MeshView& mesh)
 }
 
 /// The weights of the point of a triangle that lies nearest to p.
-SurfacePoint nearestPoint(const Vec3d& p, const std::array<Vec3d, 3>& corner, double& squaredMiss)
+BarycentricPoint nearestPoint(const Vec3d& p, const std::array<Vec3d, 3>& corner,
+							  double& squaredMiss)
 {
 	const auto along = [&](int i, int j, std::array<double, 3>& w) {
 		const Vec3d  d = corner[std::size_t(j)] - corner[std::size_t(i)];
@@ -79,7 +80,7 @@ SurfacePoint nearestPoint(const Vec3d& p, const std::array<Vec3d, 3>& corner, do
 		if (k == 0 || miss(w) < miss(best)) best = w;
 		if (k == 2) squaredMiss = miss(best);
 	}
-	SurfacePoint at;
+	BarycentricPoint at;
 	for (std::size_t k = 0; k < 3; ++k)
 		at.weight[k] = float(best[k]);
 	return at;
@@ -175,7 +176,7 @@ public:
 		const std::int32_t* corner = &result_.mesh.triangles[3 * f];
 		lookRound(std::int32_t(f), corner);
 		for (int k = 0; k < 3; ++k) {
-			SurfacePoint at = result_.anchors[std::size_t(corner[k])];
+			BarycentricPoint at = result_.surfacePoints[std::size_t(corner[k])];
 			if (!isLookedAt(at.face, f))
 				at = nearestOnThisSide(result_.mesh.positions[std::size_t(corner[k])]);
 			for (std::size_t i = 0; i < 2; ++i)
@@ -202,7 +203,7 @@ private:
 				source_.mesh_.position(std::size_t(t[2]))};
 	}
 
-	float coordinateAt(const SurfacePoint& at, std::size_t i) const
+	float coordinateAt(const BarycentricPoint& at, std::size_t i) const
 	{
 		const float* uv = &source_.texture_.uv[6 * std::size_t(at.face)];
 		return float(meanOfCorners(at, [&](int k) { return uv[2 * std::size_t(k) + i]; }));
@@ -220,8 +221,8 @@ private:
 			   {squaredLength(a - middle), squaredLength(b - middle), squaredLength(c - middle)});
 		const double farthest = reach * reach * far;
 		found_.clear();
-		add(result_.faceAnchors[std::size_t(f)].face, f);
-		for (std::size_t i = 0; i < found_.size() && found_.size() < mostFacesLookedAt; ++i) {
+		add(result_.facePoints[std::size_t(f)].face, f);
+		for (std::size_t i = 0; i < found_.size() && found_.size() < maxFacesLookedAt; ++i) {
 			if (reachesAll(f, corner)) return;
 			for (std::size_t k = 0; k < 3; ++k) {
 				const std::int32_t next = source_.beyond_[3 * std::size_t(found_[i]) + k];
@@ -242,17 +243,17 @@ private:
 	bool reachesAll(std::int32_t f, const std::int32_t* corner) const
 	{
 		return std::all_of(corner, corner + 3, [&](std::int32_t v) {
-			return isLookedAt(result_.anchors[std::size_t(v)].face, std::size_t(f));
+			return isLookedAt(result_.surfacePoints[std::size_t(v)].face, std::size_t(f));
 		});
 	}
 
-	SurfacePoint nearestOnThisSide(const Vec3d& p) const
+	BarycentricPoint nearestOnThisSide(const Vec3d& p) const
 	{
-		SurfacePoint best;
-		double       least = HUGE_VAL;
+		BarycentricPoint best;
+		double           least = HUGE_VAL;
 		for (std::int32_t face : found_) {
-			double       miss = 0;
-			SurfacePoint at   = nearestPoint(p, cornersOf(face), miss);
+			double           miss = 0;
+			BarycentricPoint at   = nearestPoint(p, cornersOf(face), miss);
 			if (best.face >= 0 && !(miss < least)) continue;
 			best      = at;
 			best.face = face;
@@ -275,7 +276,7 @@ CornerTexture TextureSource::carriedTo(const RemeshResult& result) const
 		else
 			carrier.carry(f, &carried.uv[6 * f]);
 		if (!texture_.image.empty())
-			carried.image.push_back(texture_.image[std::size_t(result.faceAnchors[f].face)]);
+			carried.image.push_back(texture_.image[std::size_t(result.facePoints[f].face)]);
 	}
 	return carried;
 }

@@ -31,7 +31,7 @@ public:
 
 	/// The texture at the corners of a result's faces. Every face gets the coordinates of the side
 	/// of the seams that its middle lies on, so that no face of the result spans one; a corner
-	/// beyond a seam gets those of the nearest point on this side. Needs result.faceAnchors. Cost:
+	/// beyond a seam gets those of the nearest point on this side. Needs result.facePoints. Cost:
 	/// about five times the faces of the caller's mesh looked at.
 	CornerTexture carriedTo(const RemeshResult& result) const;
 

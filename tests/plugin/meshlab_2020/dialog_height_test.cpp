@@ -98,9 +98,9 @@ private:
 	}
 };
 
-int mostHeight()
+int maxHeight()
 {
-	return std::min(gpr_filter::kMostDialogHeight,
+	return std::min(gpr_filter::kMaxDialogHeight,
 					QApplication::primaryScreen()->availableGeometry().height());
 }
 
@@ -114,10 +114,10 @@ bool isInside(const QWidget& part, const QWidget& window)
 TEST(DialogHeight, ManyRowsScrollAndApplyIsSeen)
 {
 	HostDialog host(40);
-	ASSERT_GT(host.window().height(), mostHeight()) << "the model is no test";
+	ASSERT_GT(host.window().height(), maxHeight()) << "the model is no test";
 	gpr_filter::shortenDialog("Many rows");
 	QApplication::processEvents();
-	EXPECT_LE(host.window().height(), mostHeight());
+	EXPECT_LE(host.window().height(), maxHeight());
 	EXPECT_TRUE(isInside(*host.apply, host.window()));
 	EXPECT_TRUE(isInside(*host.values.front(), host.window()));
 	EXPECT_TRUE(host.values.back()->visibleRegion().isEmpty());
@@ -161,9 +161,9 @@ TEST(DialogHeight, ResizedBeyondTheScreenComesBack)
 	HostDialog host(40);
 	gpr_filter::shortenDialog("Many rows");
 	QApplication::processEvents();
-	host.window().resize(host.window().width(), 3 * mostHeight());
+	host.window().resize(host.window().width(), 3 * maxHeight());
 	QApplication::processEvents();
-	EXPECT_LE(host.window().height(), mostHeight());
+	EXPECT_LE(host.window().height(), maxHeight());
 	EXPECT_TRUE(isInside(*host.apply, host.window()));
 }
 

@@ -25,7 +25,7 @@ bool isReal(PlyType type)
 	return type == PlyType::Float32 || type == PlyType::Float64;
 }
 
-double valueAt(const ValueColumn& column, const MeshView& mesh, const SurfacePoint& at)
+double valueAt(const ValueColumn& column, const MeshView& mesh, const BarycentricPoint& at)
 {
 	const auto ofCorner = [&](int k) {
 		const std::int32_t v = mesh.vertexOf(3 * std::size_t(at.face) + std::size_t(k));
@@ -74,8 +74,8 @@ MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
 	carried.lost = source.lost;
 	for (ValueColumn& column : source.ofVertices) {
 		ValueColumn to{column.name, column.type, {}};
-		to.values.reserve(result.anchors.size());
-		for (const SurfacePoint& at : result.anchors)
+		to.values.reserve(result.surfacePoints.size());
+		for (const BarycentricPoint& at : result.surfacePoints)
 			to.values.push_back(valueAt(column, mesh, at));
 		carried.ofVertices.push_back(std::move(to));
 		column.values = {};
@@ -87,7 +87,7 @@ MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
 			continue;
 		}
 		ValueColumn to{column.name, column.type, {}};
-		for (const SurfacePoint& at : result.faceAnchors)
+		for (const BarycentricPoint& at : result.facePoints)
 			to.values.push_back(column.values[std::size_t(at.face)]);
 		carried.ofFaces.push_back(std::move(to));
 		column.values = {};

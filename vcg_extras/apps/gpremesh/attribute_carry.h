@@ -12,8 +12,9 @@ namespace gpr::app {
 /// Carries attributes over to a result: of vertices the mean over the corners of the face that each
 /// lies on, the nearest corner's for whole numbers that are no colours; of faces those of the face
 /// that the middle of each lies on; texture coordinates by `texture`, or none where it is null.
-/// Normals are made unit vectors again; faces' normals are lost. Needs the anchors of the result's
-/// faces where faces have any. The source is emptied on the way. Cost: linear in the result.
+/// Normals are made unit vectors again; faces' normals are lost. Needs the surface points of the
+/// result's faces where faces have any. The source is emptied on the way. Cost: linear in the
+/// result.
 MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
 							   const TextureSource* texture, const RemeshResult& result);
 

@@ -117,7 +117,7 @@ CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* features = app.add_subcommand(
 		"features",
-		"Finds creases and tips of IN and writes OUT: the same mesh with the strength of\n"
+		"Finds creases and cone apexes of IN and writes OUT: the same mesh with the strength of\n"
 		"its vertices, in degrees, as quality and colour, features selected.");
 	features->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off or .stl")->required();
 	features->add_option("OUT", line.output, "Mesh to write, may be IN: .ply")->required();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare_methods.h"
 
-#include "peer_remeshers.h"
+#include "baseline_remeshers.h"
 #include "platform.h"
 #include "remesh_outcome.h"
 
@@ -28,14 +28,14 @@ struct Method {
 	const char* key;
 	const char* name;
 	const char* column;
-	PeerResult (*run)(Comparison&);
+	BaselineResult (*run)(Comparison&);
 };
 
-PeerResult runEngine(const Comparison& c, const RemeshOptions& options, RemeshResult& result)
+BaselineResult runEngine(const Comparison& c, const RemeshOptions& options, RemeshResult& result)
 {
 	const double processorBefore = processorSeconds();
 	result = remesh(c.input.view(), options, [](double, const char*) { return !stopRequested(); });
-	PeerResult out;
+	BaselineResult out;
 	out.seconds          = result.report.remeshSeconds;
 	out.processorSeconds = processorSeconds() - processorBefore;
 	if (result.status != Status::Ok) out.failure = sentenceOf(result);
@@ -43,10 +43,10 @@ PeerResult runEngine(const Comparison& c, const RemeshOptions& options, RemeshRe
 	return out;
 }
 
-PeerResult runDefault(Comparison& c)
+BaselineResult runDefault(Comparison& c)
 {
-	RemeshResult result;
-	PeerResult   out = runEngine(c, c.wishes.options, result);
+	RemeshResult   result;
+	BaselineResult out = runEngine(c, c.wishes.options, result);
 	requireMesh(result);
 	c.faceNum             = std::int64_t(out.mesh.faceNum());
 	c.edgeLen             = result.report.quality.meanEdgeLen;
@@ -55,7 +55,7 @@ PeerResult runDefault(Comparison& c)
 	return out;
 }
 
-PeerResult runPaper(Comparison& c)
+BaselineResult runPaper(Comparison& c)
 {
 	RemeshOptions options = c.wishes.options;
 	applyPreset(Preset::Paper, options);
@@ -63,12 +63,12 @@ PeerResult runPaper(Comparison& c)
 	return runEngine(c, options, result);
 }
 
-PeerResult runQuadric(Comparison& c)
+BaselineResult runQuadric(Comparison& c)
 {
 	return collapseQuadricEdges(c.input.view(), c.faceNum, stopRequested);
 }
 
-PeerResult runIsotropic(Comparison& c)
+BaselineResult runIsotropic(Comparison& c)
 {
 	return remeshIsotropically(c.input.view(), c.edgeLen);
 }
@@ -90,8 +90,8 @@ std::vector<Method> chosenMethods(bool isotropic)
 void runOnce(const Method& method, Comparison& comparison, MethodRecord& record)
 {
 	if (!record.failure.empty()) return;
-	PeerResult out = method.run(comparison);
-	record.failure = out.failure;
+	BaselineResult out = method.run(comparison);
+	record.failure     = out.failure;
 	record.seconds.push_back(out.seconds);
 	record.processorSeconds.push_back(out.processorSeconds);
 	if (record.mesh.faceNum() == 0) record.mesh = std::move(out.mesh);

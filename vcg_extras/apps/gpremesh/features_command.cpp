@@ -24,14 +24,14 @@ struct Colour {
 
 constexpr Colour lineColour{0, 0, 0};
 constexpr Colour cornerColour{255, 255, 255};
-constexpr Colour tipColour{0, 255, 0};
+constexpr Colour apexColour{0, 255, 0};
 /// Degrees that are as red as it gets.
 constexpr float reddest = 90;
 
 /// Blue for flat over light grey to red for a right angle; what is marked stands out from all.
 Colour colourOf(float strengthDeg, std::uint8_t feature)
 {
-	if (feature & FeatureTip) return tipColour;
+	if (feature & FeatureConeApex) return apexColour;
 	if (feature & FeatureCorner) return cornerColour;
 	if (feature & OnFeatureLine) return lineColour;
 	const float share   = 2 * std::min(strengthDeg / reddest, 1.0f) - 1; // -1 blue, 0 grey, 1 red

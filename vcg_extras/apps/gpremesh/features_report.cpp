@@ -18,13 +18,17 @@ std::string featuresJson(const FeaturesRecord& record)
 	json["thresholds"]  = {{"support", t.support},
 						   {"strongDegrees", t.strongDeg},
 						   {"weakDegrees", t.weakDeg},
-						   {"leastLength", t.leastLength}};
+						   {"minLength", t.minLength},
+						   {"leastLength", t.minLength}}; // the key of earlier versions
 	json["support"]     = f.support;
-	json["leastLength"] = f.leastLength;
-	json["features"] = {{"vertices", f.vertexNum}, {"faces", f.faceNum},     {"edges", f.edgeNum},
-						{"lines", f.lineNum},      {"corners", f.cornerNum}, {"tips", f.tipNum}};
-	json["threads"]  = record.report.threads;
-	json["seconds"]  = record.report.remeshSeconds;
+	json["minLength"]   = f.minLength;
+	json["leastLength"] = f.minLength;
+	json["features"]    = {{"vertices", f.vertexNum}, {"faces", f.faceNum},
+						   {"edges", f.edgeNum},      {"lines", f.lineNum},
+						   {"corners", f.cornerNum},  {"coneApexes", f.coneApexNum},
+						   {"tips", f.coneApexNum}};
+	json["threads"]     = record.report.threads;
+	json["seconds"]     = record.report.remeshSeconds;
 	json["capsReached"] = record.report.capsReached;
 	json["notes"]       = record.notes;
 	return textOf(json);
@@ -37,9 +41,9 @@ std::string featuresText(const FeaturesRecord& record)
 					   grouped(record.report.input.vertices) + " vertices, " +
 					   grouped(record.report.input.faces) + " faces\n";
 	text += "features  " + grouped(f.edgeNum) + " edges in " + grouped(f.lineNum) + " lines, " +
-			grouped(f.cornerNum) + " corners, " + grouped(f.tipNum) + " tips\n";
+			grouped(f.cornerNum) + " corners, " + grouped(f.coneApexNum) + " cone apexes\n";
 	text += "marked    " + grouped(f.vertexNum) + " vertices, " + grouped(f.faceNum) + " faces\n";
-	text += formatted("support   %.6g, least length %.6g\n", f.support, f.leastLength);
+	text += formatted("support   %.6g, shortest line %.6g\n", f.support, f.minLength);
 	text += "wrote     " + record.outputPath + "\n";
 	for (const std::string& note : record.notes)
 		text += "note      " + note + "\n";

@@ -20,7 +20,7 @@ Json figuresJson(const MeshFigures& m);
 Json fileJson(const std::string& path, bool doublePrecision, const MeshFigures& figures);
 Json qualityJson(const QualityFigures& q);
 
-/// The text of a whole file. What a file name may have made invalid UTF-8 is mended rather than
+/// The text of a whole file. What a file name may have made invalid UTF-8 is repaired rather than
 /// refused.
 std::string textOf(const Json& json);
 

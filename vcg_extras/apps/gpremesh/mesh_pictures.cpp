@@ -18,11 +18,11 @@ namespace gpr::app {
 
 namespace {
 
-constexpr double pixels          = 640; ///< width and height of a picture
-constexpr double viewAngleDeg    = 30;
-constexpr double closeUpEdges    = 22;
-constexpr double leastEdgePixels = 3.5; ///< shorter edges would cover the surface
-constexpr double secondsAllowed  = 600;
+constexpr double pixels         = 640; ///< width and height of a picture
+constexpr double viewAngleDeg   = 30;
+constexpr double closeUpEdges   = 22;
+constexpr double minEdgePixels  = 3.5; ///< shorter edges would cover the surface
+constexpr double secondsAllowed = 600;
 
 /// Tangent of half the view angle.
 double viewSlope()
@@ -136,7 +136,7 @@ MeshPictures MeshPhotographer::take(const MeshView& mesh)
 	writeMesh(moved, false, none, path, RunLimit());
 	MeshPictures pictures;
 	const double edgePixels = measureQuality(mesh).meanEdgeLen * scale_ * pixels / width_;
-	pictures.edgesOfWhole   = edgePixels >= leastEdgePixels;
+	pictures.edgesOfWhole   = edgePixels >= minEdgePixels;
 	pictures.whole          = picture(path, whole_, pictures.edgesOfWhole);
 	pictures.closeUp        = picture(path, closeUp_, true);
 	return pictures;

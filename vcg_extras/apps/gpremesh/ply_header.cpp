@@ -26,7 +26,7 @@ std::vector<std::string> splitWords(std::string_view line)
 	return {std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
 }
 
-/// Hands out the lines of the header. How a line ends is decided by the first one: a binary file
+/// Returns the lines of the header. How a line ends is decided by the first one: a binary file
 /// may go on with a byte that looks like half a line break.
 class HeaderLines {
 public:

@@ -9,7 +9,7 @@ namespace gpr::app {
 namespace {
 
 /// Looking for ears takes up to n³ steps.
-constexpr std::size_t mostClippedCorners = 500;
+constexpr std::size_t maxClippedCorners = 500;
 
 /// Twice the area vector of a polygon (Newell); also for corners that are not in one plane.
 Vec3d areaVector(const std::vector<Vec3d>& corners)
@@ -73,7 +73,7 @@ void cutPolygon(const std::vector<Vec3d>& corners, std::vector<std::size_t>& tri
 	std::iota(rest.corners.begin(), rest.corners.end(), std::size_t(0));
 	triangles.clear();
 	while (rest.corners.size() >= 3) {
-		const bool        search = rest.corners.size() > 3 && corners.size() <= mostClippedCorners;
+		const bool        search = rest.corners.size() > 3 && corners.size() <= maxClippedCorners;
 		const std::size_t ear    = search ? rest.findEar() : 1;
 		for (const std::size_t i : {rest.before(ear), ear, rest.after(ear)}) {
 			triangles.push_back(rest.corners[i]);

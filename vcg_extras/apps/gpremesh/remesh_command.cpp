@@ -33,11 +33,11 @@ RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* text
 								const CommandLine& line, const RunLimit& limit)
 {
 	ProgressBar   bar(!line.quiet && errorIsTerminal());
-	MeshView      view        = mesh.view();
-	RemeshOptions options     = line.options;
-	options.timeLimitSeconds  = limit.secondsLeft();
-	options.anchorsOfVertices = mesh.attributes.any() || texture != nullptr;
-	options.anchorsOfFaces    = texture != nullptr || mesh.attributes.ofFacesToo();
+	MeshView      view              = mesh.view();
+	RemeshOptions options           = line.options;
+	options.timeLimitSeconds        = limit.secondsLeft();
+	options.surfacePointsOfVertices = mesh.attributes.any() || texture != nullptr;
+	options.surfacePointsOfFaces    = texture != nullptr || mesh.attributes.ofFacesToo();
 	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
 	tellEstimate(view, options, bar);
 	const char*  phraseBefore = nullptr;

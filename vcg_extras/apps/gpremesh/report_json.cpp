@@ -58,7 +58,7 @@ Json featuresJson(const RemeshOptions& o)
 			{"featureSupport", o.featureThresholds.support},
 			{"featureStrong", o.featureThresholds.strongDeg},
 			{"featureWeak", o.featureThresholds.weakDeg},
-			{"featureLength", o.featureThresholds.leastLength}};
+			{"featureLength", o.featureThresholds.minLength}};
 }
 
 /// The options in force; of the sizes only the one that was used.
@@ -136,7 +136,8 @@ Json auditJson(const AuditFigures& a)
 			{"nonManifoldVertices", a.nonManifoldVertices},
 			{"duplicateFaces", a.duplicateFaces},
 			{"zeroAreaFaces", a.zeroAreaFaces},
-			{"flippedFaces", a.flippedFaces},
+			{"invertedFaces", a.invertedFaces},
+			{"flippedFaces", a.invertedFaces}, // the key of earlier versions
 			{"nonFinitePositions", a.nonFinitePositions},
 			{"componentsKept", a.componentsKept},
 			{"boundaryLoopsKept", a.boundaryLoopsKept},
@@ -146,8 +147,10 @@ Json auditJson(const AuditFigures& a)
 
 Json checkJson(const CheckFigures& c)
 {
-	return {{"crossingFaces", c.crossingFaces},
-			{"inputCrossingFaces", c.inputCrossingFaces},
+	return {{"selfIntersectingFaces", c.intersectingFaces},
+			{"inputSelfIntersectingFaces", c.inputIntersectingFaces},
+			{"crossingFaces", c.intersectingFaces}, // keys of earlier versions
+			{"inputCrossingFaces", c.inputIntersectingFaces},
 			{"vertexDistance", c.vertexDistance},
 			{"largestDistance", c.largestDistance}};
 }
@@ -158,7 +161,8 @@ Json countsJson(const RemeshReport& r)
 			{"samples", r.sampleNum},
 			{"boundarySamples", r.boundarySampleNum},
 			{"featureEdges", r.featureEdgeNum},
-			{"featureTips", r.featureTipNum},
+			{"featureConeApexes", r.featureConeApexNum},
+			{"featureTips", r.featureConeApexNum}, // the key of earlier versions
 			{"featureRegionVertices", r.regionVertexNum},
 			{"keptVertices", r.keptVertexNum},
 			{"curvatureClamped", r.curvatureClampedNum},

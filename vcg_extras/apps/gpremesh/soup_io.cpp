@@ -38,11 +38,11 @@ using MemoryStream = boost::interprocess::ibufferstream;
 /// The corners of a face. Its size is bounded: CGAL resizes it to what an OFF file says before it
 /// looks whether there are as many numbers.
 struct Polygon : boost::container::small_vector<std::int32_t, 4> {
-	static constexpr std::size_t mostCorners = 1 << 20;
+	static constexpr std::size_t maxCorners = 1 << 20;
 
 	void resize(std::size_t num)
 	{
-		if (num > mostCorners) fail("a face with more than 1048576 corners");
+		if (num > maxCorners) fail("a face with more than 1048576 corners");
 		boost::container::small_vector<std::int32_t, 4>::resize(num);
 	}
 };

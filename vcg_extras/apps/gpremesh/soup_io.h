@@ -10,7 +10,7 @@
 #include <string_view>
 
 // OBJ, OFF, STL and ASCII PLY by CGAL's readers and writers of polygon soups. The files lie in
-// memory. The readers check what CGAL hands out: no index is out of range, nothing is lost
+// memory. The readers check what CGAL exports: no index is out of range, nothing is lost
 // silently. They throw AppError (BadInput) on anything malformed or cut off.
 
 namespace gpr::app {

@@ -37,17 +37,17 @@ gpr::TextureSource WedgeTextureOf(const gpr::MeshView& view, const FaceOfType& f
 	return gpr::TextureSource(view, std::move(texture));
 }
 
-/** \brief Attributes of a mesh read at anchors on its faces.
+/** \brief Attributes of a mesh read at surface points on its faces.
 
 Of vertices: colour, quality, radius and texture coordinates, means over the corners of the face.
-Of faces, where the anchors of a result's faces are there: colour and quality of the face that the
-middle of the new face lies on; wedge texture coordinates from one side of the seams (see
+Of faces, where the surface points of a result's faces are there: colour and quality of the face
+that the middle of the new face lies on; wedge texture coordinates from one side of the seams (see
 TextureSource). Read first and written later, so that the mesh read and the mesh written may be the
 same. An attribute is carried where both meshes have it, optional (ocf) components only where
-enabled. Cost: linear in the anchors.
+enabled. Cost: linear in the surface points.
 */
 template <class MeshType>
-class AnchoredAttributes {
+class AttributesAtPoints {
 public:
 	typedef typename MeshType::VertexType       VertexType;
 	typedef typename MeshType::FaceType         FaceType;
@@ -56,31 +56,34 @@ public:
 	typedef typename VertexType::QualityType    QualityType;
 	typedef typename VertexType::RadiusType     RadiusType;
 	typedef typename VertexType::TexCoordType   TexCoordType;
-	typedef std::vector<gpr::SurfacePoint>      Anchors;
+	typedef std::vector<gpr::BarycentricPoint>  PointVector;
 
-	/// Reads of vertices what `to` has room for; faceOf(i) is the face of `from` that anchors mean
-	/// by the number i.
+	/// Reads of vertices what `to` has room for; faceOf(i) is the face of `from` that surface
+	/// points mean by the number i.
 	template <class FaceOfType>
-	void ReadVertices(const MeshType& from, const MeshType& to, const Anchors& anchors,
+	void ReadVertices(const MeshType& from, const MeshType& to, const PointVector& surfacePoints,
 					  const FaceOfType& faceOf)
 	{
 		if (HasPerVertexColor(from) && HasPerVertexColor(to))
-			Read(anchors, faceOf, _color, [](ConstFacePointer f, const gpr::SurfacePoint& at) {
-				const ColorType c[3] = {f->cV(0)->cC(), f->cV(1)->cC(), f->cV(2)->cC()};
-				return ValueAt<ColorType>(at, [&](int k) -> const ColorType& { return c[k]; });
-			});
+			Read(surfacePoints, faceOf, _color,
+				 [](ConstFacePointer f, const gpr::BarycentricPoint& at) {
+					 const ColorType c[3] = {f->cV(0)->cC(), f->cV(1)->cC(), f->cV(2)->cC()};
+					 return ValueAt<ColorType>(at, [&](int k) -> const ColorType& { return c[k]; });
+				 });
 		if (HasPerVertexQuality(from) && HasPerVertexQuality(to))
-			Read(anchors, faceOf, _quality, [](ConstFacePointer f, const gpr::SurfacePoint& at) {
-				return gpr::meanAs<QualityType>(
-					gpr::meanOfCorners(at, [&](int k) { return f->cV(k)->cQ(); }));
-			});
+			Read(surfacePoints, faceOf, _quality,
+				 [](ConstFacePointer f, const gpr::BarycentricPoint& at) {
+					 return gpr::meanAs<QualityType>(
+						 gpr::meanOfCorners(at, [&](int k) { return f->cV(k)->cQ(); }));
+				 });
 		if (HasPerVertexRadius(from) && HasPerVertexRadius(to))
-			Read(anchors, faceOf, _radius, [](ConstFacePointer f, const gpr::SurfacePoint& at) {
-				return gpr::meanAs<RadiusType>(
-					gpr::meanOfCorners(at, [&](int k) { return f->cV(k)->cR(); }));
-			});
+			Read(surfacePoints, faceOf, _radius,
+				 [](ConstFacePointer f, const gpr::BarycentricPoint& at) {
+					 return gpr::meanAs<RadiusType>(
+						 gpr::meanOfCorners(at, [&](int k) { return f->cV(k)->cR(); }));
+				 });
 		if (HasPerVertexTexCoord(from) && HasPerVertexTexCoord(to))
-			Read(anchors, faceOf, _texCoord, TexCoordAt);
+			Read(surfacePoints, faceOf, _texCoord, TexCoordAt);
 	}
 
 	/// Reads of faces what `to` has room for. texture: that of `from`, or null.
@@ -89,18 +92,19 @@ public:
 				   const gpr::TextureSource* texture, const FaceOfType& faceOf)
 	{
 		const auto own = [](auto valueOf) {
-			return [valueOf](ConstFacePointer f, const gpr::SurfacePoint&) { return valueOf(f); };
+			return
+				[valueOf](ConstFacePointer f, const gpr::BarycentricPoint&) { return valueOf(f); };
 		};
 		if (HasPerFaceColor(from) && HasPerFaceColor(to))
-			Read(run.faceAnchors, faceOf, _faceColor,
+			Read(run.facePoints, faceOf, _faceColor,
 				 own([](ConstFacePointer f) { return f->cC(); }));
 		if (HasPerFaceQuality(from) && HasPerFaceQuality(to))
-			Read(run.faceAnchors, faceOf, _faceQuality,
+			Read(run.facePoints, faceOf, _faceQuality,
 				 own([](ConstFacePointer f) { return f->cQ(); }));
 		if (texture != nullptr && HasPerWedgeTexCoord(to)) _wedge = texture->carriedTo(run);
 	}
 
-	/// Writes to the first vertices and faces of m, in the order of the anchors.
+	/// Writes to the first vertices and faces of m, in the order of the surface points.
 	void Write(MeshType& m) const
 	{
 		for (std::size_t v = 0; v < _color.size(); ++v)
@@ -124,15 +128,15 @@ private:
 	typedef typename FaceType::QualityType FaceQualityType;
 
 	template <class FaceOfType, class ValueType, class ValueAtType>
-	static void Read(const Anchors& anchors, const FaceOfType& faceOf,
+	static void Read(const PointVector& surfacePoints, const FaceOfType& faceOf,
 					 std::vector<ValueType>& values, const ValueAtType& valueAt)
 	{
-		values.reserve(anchors.size());
-		for (const gpr::SurfacePoint& at : anchors)
+		values.reserve(surfacePoints.size());
+		for (const gpr::BarycentricPoint& at : surfacePoints)
 			values.push_back(valueAt(faceOf(at.face), at));
 	}
 
-	static TexCoordType TexCoordAt(ConstFacePointer f, const gpr::SurfacePoint& at)
+	static TexCoordType TexCoordAt(ConstFacePointer f, const gpr::BarycentricPoint& at)
 	{
 		const auto mean = [&](const auto& valueOf) {
 			return float(gpr::meanOfCorners(at, [&](int k) { return valueOf(f->cV(k)->cT()); }));
@@ -200,12 +204,12 @@ GeodesicPoissonResult WriteResultOf(const MeshType& in, MeshType& out, gpr::Reme
 		if (run.status != gpr::Status::Ok) return result;
 
 		const auto                      faceOf = [&](std::int32_t f) { return flat.Face(f); };
-		AnchoredAttributes<MeshType>    attributes;
+		AttributesAtPoints<MeshType>    attributes;
 		CarriedUserAttributes<MeshType> user;
-		attributes.ReadVertices(in, out, run.anchors, faceOf);
+		attributes.ReadVertices(in, out, run.surfacePoints, faceOf);
 		attributes.ReadFaces(in, out, run, texture.get(), faceOf);
-		user.ReadVertices(in, run.anchors, faceOf);
-		user.ReadFaces(in, run.faceAnchors, faceOf);
+		user.ReadVertices(in, run.surfacePoints, faceOf);
+		user.ReadFaces(in, run.facePoints, faceOf);
 		const std::string lost = SentenceOfLost(user.Lost());
 		if (!lost.empty()) result.notes.push_back(lost);
 		WriteMesh(run.mesh, out);
@@ -219,9 +223,9 @@ GeodesicPoissonResult WriteResultOf(const MeshType& in, MeshType& out, gpr::Reme
 	}
 }
 
-/// Whether the attributes that `in` and `out` share need the anchors of the result's faces.
+/// Whether the attributes that `in` and `out` share need the surface points of the result's faces.
 template <class MeshType>
-bool NeedsFaceAnchors(const MeshType& in, const MeshType& out)
+bool NeedsFacePoints(const MeshType& in, const MeshType& out)
 {
 	return (HasPerWedgeTexCoord(in) && HasPerWedgeTexCoord(out)) ||
 		   (HasPerFaceColor(in) && HasPerFaceColor(out)) ||

@@ -13,7 +13,7 @@
 namespace vcg {
 namespace tri {
 
-/** \brief Creases and tips of a surface, by a uniformly supported second-order difference.
+/** \brief Creases and cone apexes of a surface, by a uniformly supported second-order difference.
 
 "Fast Edge-based geodesic Poisson Disk Remeshing", section 3.1, finds features so, after Wang 2006,
 "with user determined threshold values"; the formula is this project's, see docs/features.md. The
@@ -44,18 +44,18 @@ public:
 		double supportRatio   = 2;  ///< radius of the half-disks in mean edges, > 0, <= 100
 		double strongAngleDeg = 40; ///< a line has an edge as sharp as this, (0, 180]
 		double weakAngleDeg   = 20; ///< and goes on down to this, (0, strongAngleDeg]
-		double leastLenRatio  = 3;  ///< shorter lines are dropped; in supports, >= 0
+		double minLenRatio    = 3;  ///< shorter lines are dropped; in supports, >= 0
 		int    threadNum      = 0;  ///< 0 = one per core; never changes the result
 
 		/// The same choices as the engine takes them.
 		gpr::RemeshOptions Options() const
 		{
 			gpr::RemeshOptions o;
-			o.featureThresholds.support     = supportRatio;
-			o.featureThresholds.strongDeg   = strongAngleDeg;
-			o.featureThresholds.weakDeg     = weakAngleDeg;
-			o.featureThresholds.leastLength = leastLenRatio;
-			o.threads                       = threadNum;
+			o.featureThresholds.support   = supportRatio;
+			o.featureThresholds.strongDeg = strongAngleDeg;
+			o.featureThresholds.weakDeg   = weakAngleDeg;
+			o.featureThresholds.minLength = minLenRatio;
+			o.threads                     = threadNum;
 			return o;
 		}
 	};

@@ -101,8 +101,8 @@ public:
 					 Stat* stat = nullptr, vcg::CallBackPos* cb = nullptr)
 	{
 		gpr_detail::RequireReadableTriangles(in);
-		gpr::RemeshOptions options = params.Options();
-		options.anchorsOfFaces     = gpr_detail::NeedsFaceAnchors(in, out);
+		gpr::RemeshOptions options   = params.Options();
+		options.surfacePointsOfFaces = gpr_detail::NeedsFacePoints(in, out);
 		std::vector<std::uint8_t> selected;
 		for (const auto& f : in.face)
 			if (params.selectedOnlyFlag && !f.IsD()) selected.push_back(f.IsS());

@@ -126,12 +126,12 @@ private:
 	{
 		std::vector<SamplePoint> samples(run.points.size());
 		for (std::size_t i = 0; i < samples.size(); ++i) {
-			const gpr::SurfacePoint& anchor = run.anchors[i];
-			samples[i].position             = gpr_detail::ToCoord<CoordType>(run.points[i]);
-			samples[i].face                 = &m.face[Index(m, flat.Face(anchor.face))];
+			const gpr::BarycentricPoint& point = run.surfacePoints[i];
+			samples[i].position                = gpr_detail::ToCoord<CoordType>(run.points[i]);
+			samples[i].face                    = &m.face[Index(m, flat.Face(point.face))];
 			samples[i].barycentric =
-				CoordType(ScalarType(anchor.weight[0]), ScalarType(anchor.weight[1]),
-						  ScalarType(anchor.weight[2]));
+				CoordType(ScalarType(point.weight[0]), ScalarType(point.weight[1]),
+						  ScalarType(point.weight[2]));
 		}
 		return samples;
 	}
@@ -139,8 +139,8 @@ private:
 	static void WritePoints(const MeshType& m, const gpr_detail::FlatMesh<MeshType>& flat,
 							const gpr::SamplingResult& run, MeshType& points)
 	{
-		gpr_detail::AnchoredAttributes<MeshType> attributes;
-		attributes.ReadVertices(m, points, run.anchors,
+		gpr_detail::AttributesAtPoints<MeshType> attributes;
+		attributes.ReadVertices(m, points, run.surfacePoints,
 								[&](std::int32_t f) { return flat.Face(f); });
 		gpr_detail::ReplaceElements(points, run.points.size(), 0);
 		for (std::size_t i = 0; i < run.points.size(); ++i)
@@ -152,7 +152,7 @@ private:
 		if (HasPerVertexNormal(points))
 			for (std::size_t i = 0; i < run.points.size(); ++i)
 				points.vert[i].N().Import(
-					vcg::TriangleNormal(*flat.Face(run.anchors[i].face)).Normalize());
+					vcg::TriangleNormal(*flat.Face(run.surfacePoints[i].face)).Normalize());
 		UpdateBounding<MeshType>::Box(points);
 	}
 };

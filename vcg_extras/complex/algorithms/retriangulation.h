@@ -93,9 +93,9 @@ private:
 	{
 		gpr_detail::RequireReadableTriangles(in);
 		gpr::RemeshOptions options;
-		options.seed           = params.seed;
-		options.threads        = params.threadNum;
-		options.anchorsOfFaces = gpr_detail::NeedsFaceAnchors(in, out);
+		options.seed                 = params.seed;
+		options.threads              = params.threadNum;
+		options.surfacePointsOfFaces = gpr_detail::NeedsFacePoints(in, out);
 		return gpr_detail::WriteResultOf(in, out, stat, [&](const gpr::MeshView& view) {
 			return gpr::retriangulate(view, points, options, gpr_detail::ProgressOf(cb));
 		});

@@ -76,7 +76,7 @@ auto& ComponentOf(T& value, int k)
 /// The mean of a value over the corners of a face, or the nearest corner's where it has none;
 /// valueOf(k) returns a reference to the value at corner k.
 template <class T, class ValueOfType>
-T ValueAt(const gpr::SurfacePoint& at, const ValueOfType& valueOf)
+T ValueAt(const gpr::BarycentricPoint& at, const ValueOfType& valueOf)
 {
 	if constexpr (MeanOf<T>::componentNum > 0) {
 		typedef typename MeanOf<T>::ComponentType ComponentType;
@@ -123,16 +123,17 @@ class UserValuesOf : public UserValues {
 public:
 	explicit UserValuesOf(const std::string& name) : UserValues(name, typeid(T)) {}
 
-	/// Of vertices, at anchors; corners: those of each anchor's face.
-	void ReadCorners(const SimpleTempDataBase& data, const std::vector<gpr::SurfacePoint>& anchors,
-					 const std::vector<std::size_t>& corners)
+	/// Of vertices, at surface points; corners: those of each surface point's face.
+	void ReadCorners(const SimpleTempDataBase&                 data,
+					 const std::vector<gpr::BarycentricPoint>& surfacePoints,
+					 const std::vector<std::size_t>&           corners)
 	{
-		_values.reserve(anchors.size());
-		for (std::size_t i = 0; i < anchors.size(); ++i) {
+		_values.reserve(surfacePoints.size());
+		for (std::size_t i = 0; i < surfacePoints.size(); ++i) {
 			const auto valueOf = [&](int k) -> const T& {
 				return *static_cast<const T*>(data.At(corners[3 * i + std::size_t(k)]));
 			};
-			_values.push_back({ValueAt<T>(anchors[i], valueOf)});
+			_values.push_back({ValueAt<T>(surfacePoints[i], valueOf)});
 		}
 	}
 	void ReadElements(const SimpleTempDataBase& data, const std::vector<std::size_t>& elements)
@@ -205,37 +206,39 @@ typedef TypeList<float, double, Point2f, Point2d, Point3f, Point3d, Point4f, Poi
 				 unsigned int, long, unsigned long, long long, unsigned long long, std::string>
 	UserTypes;
 
-/** \brief The named attributes of a mesh, read at anchors on its faces.
+/** \brief The named attributes of a mesh, read at surface points on its faces.
 
-Attributes of vertices: means of numbers, points and colours over the corners of the anchor's face;
-of other types (UserTypes) the nearest corner's value. Attributes of faces: that of the face that
-the middle of the result's face lies on. `Lost()` names those of types that are not known here.
+Attributes of vertices: means of numbers, points and colours over the corners of the surface point's
+face; of other types (UserTypes) the nearest corner's value. Attributes of faces: that of the face
+that the middle of the result's face lies on. `Lost()` names those of types that are not known here.
 Read first and written later, so that the mesh read and the mesh written may be the same. */
 template <class MeshType>
 class CarriedUserAttributes {
 public:
-	typedef std::vector<gpr::SurfacePoint> Anchors;
+	typedef std::vector<gpr::BarycentricPoint> PointVector;
 
-	/// faceOf(i) is the face of `from` that anchors mean by the number i.
+	/// faceOf(i) is the face of `from` that surface points mean by the number i.
 	template <class FaceOfType>
-	void ReadVertices(const MeshType& from, const Anchors& anchors, const FaceOfType& faceOf)
+	void ReadVertices(const MeshType& from, const PointVector& surfacePoints,
+					  const FaceOfType& faceOf)
 	{
 		if (from.vert_attr.empty()) return;
 		std::vector<std::size_t> corners;
-		corners.reserve(3 * anchors.size());
-		for (const gpr::SurfacePoint& at : anchors)
+		corners.reserve(3 * surfacePoints.size());
+		for (const gpr::BarycentricPoint& at : surfacePoints)
 			for (int k = 0; k < 3; ++k)
 				corners.push_back(Index(from, faceOf(at.face)->cV(k)));
 		for (const PointerToAttribute& a : from.vert_attr)
-			if (!ReadVertexAttribute(a, anchors, corners, UserTypes())) _lost.push_back(a._name);
+			if (!ReadVertexAttribute(a, surfacePoints, corners, UserTypes()))
+				_lost.push_back(a._name);
 	}
 	template <class FaceOfType>
-	void ReadFaces(const MeshType& from, const Anchors& faceAnchors, const FaceOfType& faceOf)
+	void ReadFaces(const MeshType& from, const PointVector& facePoints, const FaceOfType& faceOf)
 	{
 		if (from.face_attr.empty()) return;
 		std::vector<std::size_t> faces;
-		faces.reserve(faceAnchors.size());
-		for (const gpr::SurfacePoint& at : faceAnchors)
+		faces.reserve(facePoints.size());
+		for (const gpr::BarycentricPoint& at : facePoints)
 			faces.push_back(Index(from, faceOf(at.face)));
 		for (const PointerToAttribute& a : from.face_attr)
 			if (!ReadFaceAttribute(a, faces, UserTypes())) _lost.push_back(a._name);
@@ -272,18 +275,18 @@ private:
 
 	/// False where the attribute is of none of the types.
 	template <class... Ts>
-	bool ReadVertexAttribute(const PointerToAttribute& a, const Anchors& anchors,
+	bool ReadVertexAttribute(const PointerToAttribute& a, const PointVector& surfacePoints,
 							 const std::vector<std::size_t>& corners, TypeList<Ts...>)
 	{
-		return (ReadVertexValues<Ts>(a, anchors, corners) || ...);
+		return (ReadVertexValues<Ts>(a, surfacePoints, corners) || ...);
 	}
 	template <class T>
-	bool ReadVertexValues(const PointerToAttribute& a, const Anchors& anchors,
+	bool ReadVertexValues(const PointerToAttribute& a, const PointVector& surfacePoints,
 						  const std::vector<std::size_t>& corners)
 	{
 		if (!IsOf<T>(a)) return false;
 		auto values = std::make_unique<UserValuesOf<T>>(a._name);
-		values->ReadCorners(*a._handle, anchors, corners);
+		values->ReadCorners(*a._handle, surfacePoints, corners);
 		_vertex.push_back({std::move(values), NewUserData<VertContainer, T>});
 		return true;
 	}

@@ -70,11 +70,11 @@ constexpr StageRow stageTable[] = {
 	{Stage::Count,           "count",           "Reaching the count",                      {0.46,  0,     0,     0}},
 	{Stage::Relaxation,      "relaxation",      "Relaxing",                                {0.6,   0,     0,     0}},
 	{Stage::Fit,             "fit",             "Fitting to the input",                    {0.96,  0,     0,     0}},
-	{Stage::Angles,          "angles",          "Mending angles",                          {0.975, 0,     0,     0}},
+	{Stage::Angles,          "angles",          "Repairing small angles",                  {0.975, 0,     0,     0}},
 	{Stage::Error,           "error",           "Measuring the error",                     {0.98,  0,     0,     0}},
 	{Stage::Audit,           "audit",           "Checking",                                {0.985, 0,     0.98,  0}},
-	{Stage::Check,           "check",           "Looking for crossings and distances",     {0.995, 0,     0.99,  0}},
-	{Stage::Export,          "export",          "Handing out the result",                  {1,     1,     1,     1}},
+	{Stage::Check,           "check",           "Checking intersections and distances",    {0.995, 0,     0.99,  0}},
+	{Stage::Export,          "export",          "Exporting the result",                    {1,     1,     1,     1}},
 	// clang-format on
 };
 

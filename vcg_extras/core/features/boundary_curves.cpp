@@ -302,7 +302,7 @@ public:
 		CurveSample sample;
 		sample.isCorner = true;
 		sample.isPinned = isKept(v);
-		sample.anchor   = {m_.position[v], m_.outgoing[v] / 3};
+		sample.point    = {m_.position[v], m_.outgoing[v] / 3};
 		sample.vertex   = v;
 		out_.samples.push_back(sample);
 	}
@@ -349,7 +349,7 @@ private:
 		sample.arc      = c.wrap(s);
 		sample.curve    = index_;
 		sample.isCorner = isCorner;
-		sample.anchor   = {c.at(sample.arc), c.face[c.segmentAt(sample.arc)]};
+		sample.point    = {c.at(sample.arc), c.face[c.segmentAt(sample.arc)]};
 		marks_.push_back({sample.arc, int(out_.samples.size())});
 		out_.samples.push_back(sample);
 	}
@@ -514,7 +514,7 @@ ChainEnds countChainEnds(const std::vector<Curve>& curves)
 }
 
 /// A chain back to its own node needs three edges, chains that share both nodes two each.
-int leastPieces(const Curve& c, const ChainEnds& chainEnds)
+int minPieces(const Curve& c, const ChainEnds& chainEnds)
 {
 	if (c.vertex.front() == c.vertex.back()) return 3;
 	return chainEnds.at(endsOf(c)) > 1 ? 2 : 1;
@@ -531,7 +531,7 @@ std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh)
 }
 
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
-							  const std::vector<int>& tips, const std::vector<int>& kept,
+							  const std::vector<int>& coneApexes, const std::vector<int>& kept,
 							  BoundaryMode border)
 {
 	const HalfEdgeMesh& m = surface.mesh;
@@ -546,13 +546,13 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 		if (result.curves[i].isClosed)
 			sampler.sampleClosed(int(i));
 		else
-			sampler.sampleOpen(int(i), leastPieces(result.curves[i], chainEnds));
+			sampler.sampleOpen(int(i), minPieces(result.curves[i], chainEnds));
 	}
-	for (int v : tips)
+	for (int v : coneApexes)
 		sampler.addPoint(v);
-	const std::set<int> isTip(tips.begin(), tips.end());
+	const std::set<int> isConeApex(coneApexes.begin(), coneApexes.end());
 	for (int v : kept) {
-		if (!m.isCurveVertex(v) && isTip.count(v) == 0) sampler.addPoint(v);
+		if (!m.isCurveVertex(v) && isConeApex.count(v) == 0) sampler.addPoint(v);
 	}
 	return result;
 }

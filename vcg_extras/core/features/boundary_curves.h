@@ -17,14 +17,14 @@ namespace gpr {
 constexpr float borderSpacing = 1.04f;
 
 /// A sample on a curve: fixed in number, free to slide along its curve unless a corner. Where
-/// curves meet they share one; a cone's tip, or a vertex to be kept inside, has no curve.
+/// curves meet they share one; a cone apex, or a vertex to be kept inside, has no curve.
 struct CurveSample {
-	Anchor anchor;
-	int    curve    = -1;
-	float  arc      = 0;
-	bool   isCorner = false;
-	bool   isPinned = false; ///< kept as it is, whatever the count or the shape of triangles
-	int    vertex = -1; ///< the input vertex that stands for it in the removal; -1 if none is left
+	SurfacePoint point;
+	int          curve    = -1;
+	float        arc      = 0;
+	bool         isCorner = false;
+	bool         isPinned = false; ///< kept as it is, whatever the count or the shape of triangles
+	int vertex = -1; ///< the input vertex that stands for it in the removal; -1 if none is left
 };
 
 /// The border loops and feature lines of the input, their samples, and which sample each of their
@@ -42,15 +42,17 @@ std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh);
 /// Stage 5: samples border and feature lines (surface.mesh.crease) before anything else, so that
 /// they keep their shape and triangles are as regular there as inside. Feature lines are cut into
 /// chains between nodes, the vertices where other than two of their edges meet or the border is
-/// met; nodes and the given tips are samples that never move. Vertices to be kept are samples too:
-/// those on a curve cut it into pieces as corners do. Loops and chains are cut further at
-/// corners (a turn of 50° that persists over r), each piece is sampled by chords of `spacing` (see
-/// spaceOut). Loops too short for three samples keep three of their own vertices. What is said here
-/// of loops holds for BoundaryMode::Resample; with Keep their samples are those of the vertices to
-/// be kept that lie on them, with Free they have no corners. Cost: linear in the curves.
+/// met; nodes and the given cone apexes are samples that never move. Vertices to be kept are
+/// samples too: those on a curve cut it into pieces as corners do. Loops and chains are cut further
+/// at corners (a turn of 50° that persists over r), each piece is sampled by chords of `spacing`
+/// (see spaceOut). Loops too short for three samples keep three of their own vertices. What is said
+/// here of loops holds for BoundaryMode::Resample; with Keep their samples are those of the
+/// vertices to be kept that lie on them, with Free they have no corners. Cost: linear in the
+/// curves.
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
-							  const std::vector<int>& tips = {}, const std::vector<int>& kept = {},
-							  BoundaryMode border = BoundaryMode::Resample);
+							  const std::vector<int>& coneApexes = {},
+							  const std::vector<int>& kept       = {},
+							  BoundaryMode            border     = BoundaryMode::Resample);
 
 } // namespace gpr
 

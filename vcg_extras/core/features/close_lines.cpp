@@ -20,13 +20,13 @@ namespace {
 /// A stretch that is too near reaches on up to so many times the gap.
 constexpr float leaveRatio = 1.6f;
 /// Lines diverge from where they meet if they are this share of the way from there apart.
-constexpr float leastSlope = 0.1f;
+constexpr float minSlope = 0.1f;
 /// Beside a border so many times the gap is too near: it shows where the dropped line was.
 constexpr float borderRatio = 2;
 /// Of the normals on both sides of a thin sheet.
-constexpr float mostSheetCosine = -0.5f;
+constexpr float maxSheetCosine = -0.5f;
 /// Faces that a way crosses at most.
-constexpr int mostCrossings = 500;
+constexpr int maxCrossings = 500;
 
 /// From the middle of a segment straight across the surface to another.
 struct Crossing {
@@ -159,7 +159,7 @@ private:
 	{
 		const float reach = leaveRatio * borderRatio * gapAt(segment);
 		bool        met   = false;
-		traceRay(m_, h, {0, 1}, reach, mostCrossings, [&](int exit, float at) {
+		traceRay(m_, h, {0, 1}, reach, maxCrossings, [&](int exit, float at) {
 			if (met || !m_.isCurveEdge(exit)) return;
 			met = true;
 			if (isSheetBetween(h, exit)) return;
@@ -176,7 +176,7 @@ private:
 		const int f = m_.opposite[h], g = m_.opposite[exit];
 		if (f < 0 || g < 0) return false;
 		const Vec3f a = m_.faceCross(f / 3), b = m_.faceCross(g / 3);
-		return dot(a, b) < mostSheetCosine * length(a) * length(b);
+		return dot(a, b) < maxSheetCosine * length(a) * length(b);
 	}
 
 	// ---- strength
@@ -268,12 +268,12 @@ private:
 	bool diverge(const Crossing& x) const
 	{
 		const int c = curve_[x.from], d = curve_[x.to];
-		if (c == d) return x.distance > leastSlope * arcBetween(x);
+		if (c == d) return x.distance > minSlope * arcBetween(x);
 		if (curves_[c].isClosed) return false;
 		const std::vector<int>& v = curves_[c].vertex;
 		for (int node : {v.front(), v.back()}) {
 			if (nodes_.count({node, d}) == 0) continue;
-			if (x.distance > leastSlope * length(middle(x.from) - m_.position[node])) return true;
+			if (x.distance > minSlope * length(middle(x.from) - m_.position[node])) return true;
 		}
 		return false;
 	}

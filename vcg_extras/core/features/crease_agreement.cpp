@@ -4,9 +4,9 @@
 
 #include "curve_slide.h"
 
-#include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
@@ -42,7 +42,7 @@ Vec3f normalBesideEdge(const Surface& surface, const BoundaryCurves& curves, con
 	if (!room.isOpen()) return {};
 	const Curve& c         = curves.curves[here.curve];
 	const int    w         = r.mesh.origin[h] == v ? r.mesh.target(h) : r.mesh.origin[h];
-	const Vec3f  place     = r.vertex[w].anchor.position;
+	const Vec3f  place     = r.vertex[w].point.position;
 	const float  toForward = squaredLength(c.at(here.arc + room.forward) - place);
 	const float  toBack    = squaredLength(c.at(here.arc - room.backward) - place);
 	const bool   forward   = toForward <= toBack;

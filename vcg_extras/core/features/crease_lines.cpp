@@ -19,8 +19,8 @@ constexpr float clearLength = 4;
 constexpr float clearShare = 0.7f;
 /// A line goes on straight ahead within this.
 constexpr float goOnCosine = 0.5f;
-/// The angle defects round a tip are at most this share of its own.
-constexpr float tipContrast = 0.2f;
+/// The angle defects round a cone apex are at most this share of its own.
+constexpr float apexContrast = 0.2f;
 
 float edgeLength(const HalfEdgeMesh& m, int h)
 {
@@ -49,8 +49,9 @@ public:
 			growFromEnds(sharp);
 			dropShortOnes();
 		}
-		found.tips = findTips(); // corners of lines that are dropped for others are none
-		if (rules_.mode == FeatureMode::Auto && rules_.leastGap > 0) dropCloseOnes();
+		found.coneApexes =
+			findConeApexes(); // corners of lines that are dropped for others are none
+		if (rules_.mode == FeatureMode::Auto && rules_.minGap > 0) dropCloseOnes();
 		found.edgeNum = std::int64_t(edges_.size());
 		if (edges_.empty()) m_.crease.release();
 		return found;
@@ -291,19 +292,19 @@ private:
 		const CreaseClearance                 clearance(surface_, isSplit(), edges_, workers_);
 		const std::unordered_map<int, Extent> extentAt = extentOfComponents(edges_, &clearance);
 		keepOnly([&](int h) { return isLongEnough(extentAt.at(m_.origin[h])); });
-		std::vector<int> twigs;
+		std::vector<int> spurs;
 		for (int h : edges_) {
 			for (int e : {h, m_.opposite[h]}) {
-				if (isFreeEnd(m_.origin[e])) collectTwig(e, twigs);
+				if (isFreeEnd(m_.origin[e])) collectSpur(e, spurs);
 			}
 		}
-		std::sort(twigs.begin(), twigs.end());
-		drop(twigs);
+		std::sort(spurs.begin(), spurs.end());
+		drop(spurs);
 	}
 
 	void dropCloseOnes()
 	{
-		const std::vector<int> close = findCloseLines(surface_, rules_.leastGap, workers_);
+		const std::vector<int> close = findCloseLines(surface_, rules_.minGap, workers_);
 		if (close.empty()) return;
 		drop(close);
 		dropShortOnes();
@@ -317,8 +318,8 @@ private:
 
 	bool isLongEnough(const Extent& line) const
 	{
-		if (line.length >= rules_.leastLength) return true;
-		return line.length >= rules_.leastLoop && line.endNum == 0 &&
+		if (line.length >= rules_.minLength) return true;
+		return line.length >= rules_.minLoop && line.endNum == 0 &&
 			   line.clear >= clearShare * line.length;
 	}
 
@@ -339,7 +340,7 @@ private:
 
 	/// The chain that begins with e, if it is too short and ends at a fork: dropped, the fork is a
 	/// plain vertex of the line.
-	void collectTwig(int e, std::vector<int>& twigs) const
+	void collectSpur(int e, std::vector<int>& spurs) const
 	{
 		std::vector<int> chain;
 		float            sum = 0;
@@ -347,10 +348,10 @@ private:
 		while (h >= 0) {
 			chain.push_back(std::min(h, m_.opposite[h]));
 			sum += edgeLength(m_, h);
-			if (sum >= rules_.leastTwig) return;
+			if (sum >= rules_.minSpur) return;
 			h = onlyNext(h);
 		}
-		twigs.insert(twigs.end(), chain.begin(), chain.end());
+		spurs.insert(spurs.end(), chain.begin(), chain.end());
 	}
 
 	/// The edge after h in a chain; -1 at its end or at a fork.
@@ -366,7 +367,7 @@ private:
 		return n == 2 && !m_.isBorderVertex(v) ? next : -1;
 	}
 
-	// ---- tips
+	// ---- cone apexes
 
 	/// 2π less the angles at v: 0 on flat ground.
 	float defect(int v) const
@@ -380,21 +381,21 @@ private:
 		return sum;
 	}
 
-	std::vector<int> findTips() const
+	std::vector<int> findConeApexes() const
 	{
 		return workers_.collect<int>(m_.vertexNum,
 									 [&](std::size_t begin, std::size_t end, auto& out) {
 										 for (int v = int(begin); v < int(end); ++v) {
-											 if (isTip(v)) out.push_back(v);
+											 if (isConeApex(v)) out.push_back(v);
 										 }
 									 });
 	}
 
-	/// Cheap test that the tip of any cone with such a defect passes: the normals round it spread,
+	/// Cheap test that the apex of any cone with such a defect passes: the normals round it spread,
 	/// to n·axis = 1 - defect / 2π.
 	bool isPointed(int v) const
 	{
-		const float spread = spreadAtTip(rules_.strongDeg);
+		const float spread = spreadAtApex(rules_.strongDeg);
 		if (spread <= pointedSpread && !surface_.normal[v].isPointed()) return false;
 		Vec3f sum;
 		float area = 0;
@@ -406,14 +407,14 @@ private:
 		return length(sum) < spread * area;
 	}
 
-	bool isTip(int v) const
+	bool isConeApex(int v) const
 	{
 		if (m_.isBorderVertex(v) || !isPointed(v) || m_.isCreaseVertex(v)) return false;
 		const float own = defect(v);
 		if (own < rules_.strongDeg * radians) return false;
 		bool alone = true;
 		forEachNeighbour(m_, v, [&](int w) {
-			const bool smooth = m_.isCurveVertex(w) || std::abs(defect(w)) <= tipContrast * own;
+			const bool smooth = m_.isCurveVertex(w) || std::abs(defect(w)) <= apexContrast * own;
 			alone             = alone && smooth;
 		});
 		return alone;

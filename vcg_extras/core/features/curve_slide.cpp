@@ -31,8 +31,8 @@ float arcOfNeighbour(const Curve& c, const ResultVertex& v, const ResultVertex& 
 {
 	if (!w.isCorner && w.curve == v.curve) return w.arc;
 	if (w.isCorner && w.curve == v.curve && w.arc > 0 && w.arc < c.length) return w.arc;
-	const bool atFront = w.anchor.position == c.point.front();
-	const bool atBack  = w.anchor.position == c.point.back();
+	const bool atFront = w.point.position == c.point.front();
+	const bool atBack  = w.point.position == c.point.back();
 	if (atFront && atBack) return v.arc < 0.5f * c.length ? 0.0f : c.length;
 	if (atFront) return 0;
 	return atBack ? c.length : v.arc;
@@ -60,7 +60,7 @@ SlideRoom roomOnCrease(const ResultMesh& r, const Curve& c, int v)
 }
 
 /// Arcs between neighbours on a curve, in wanted edges.
-constexpr float leastSpacing = 0.7f, mostSpacing = 1.3f;
+constexpr float minSpacing = 0.7f, maxSpacing = 1.3f;
 /// How far a curve may leave its chords, in ideal edges; see CurveSpacing.
 constexpr float tolerance = 0.08f;
 
@@ -130,8 +130,8 @@ bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, i
 {
 	const ResultVertex& here  = result.vertex[v];
 	const float         edge  = result.idealEdge * curves.curves[here.curve].sizeAt(here.arc);
-	const float         least = std::min({leastSpacing * edge, room.backward, room.forward});
-	const float         most  = std::max({mostSpacing * edge, room.backward, room.forward});
+	const float         least = std::min({minSpacing * edge, room.backward, room.forward});
+	const float         most  = std::max({maxSpacing * edge, room.backward, room.forward});
 	const float         back = room.backward + step, ahead = room.forward - step;
 	return std::min(back, ahead) >= least && std::max(back, ahead) <= most;
 }
@@ -142,8 +142,8 @@ ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const Re
 	const Curve& c     = curves.curves[vertex.curve];
 	ResultVertex moved = vertex;
 	moved.arc          = c.wrap(vertex.arc + step);
-	moved.anchor       = {c.at(moved.arc), c.face[c.segmentAt(moved.arc)]};
-	moved.normal       = surface.mesh.faceNormal(moved.anchor.face);
+	moved.point        = {c.at(moved.arc), c.face[c.segmentAt(moved.arc)]};
+	moved.normal       = surface.mesh.faceNormal(moved.point.face);
 	return moved;
 }
 

@@ -24,7 +24,7 @@ public:
 
 	void offer(const ResultVertex& trial)
 	{
-		const float off = length(trial.anchor.position - straight_);
+		const float off = length(trial.point.position - straight_);
 		if (off >= nearest_) return;
 		nearest_ = off;
 		middle_  = trial;
@@ -40,18 +40,18 @@ private:
 };
 
 /// A point of the surface halfway from a to b, by walking from a, in the face at hand.
-bool walkHalfway(const Surface& surface, const HalfEdgeMesh& m, int a, int b, const Anchor& from,
-				 ResultVertex& middle)
+bool walkHalfway(const Surface& surface, const HalfEdgeMesh& m, int a, int b,
+				 const SurfacePoint& from, ResultVertex& middle)
 {
-	middle.anchor       = from;
+	middle.point        = from;
 	const Vec3f half    = (m.position[b] - m.position[a]) * 0.5f;
 	const Vec3f flat    = tangential(half, surface.mesh.faceNormal(from.face));
 	const float reach   = length(half);
 	const float flatLen = length(flat);
 	if (!(flatLen > 0)) return false;
 	if (walkBy(surface, flat * (reach / flatLen), middle) != WalkEnd::Arrived) return false;
-	return length(middle.anchor.position - m.position[a]) > 0.5f * reach &&
-		   length(middle.anchor.position - m.position[b]) > 0.5f * reach;
+	return length(middle.point.position - m.position[a]) > 0.5f * reach &&
+		   length(middle.point.position - m.position[b]) > 0.5f * reach;
 }
 
 /// The right face to begin in is the one whose walk stays nearest to the straight line.
@@ -60,7 +60,7 @@ bool findMiddleFromCrease(const Surface& surface, const ResultMesh& result, int 
 {
 	const HalfEdgeMesh& m = result.mesh;
 	NearestToMiddle     nearest(m, a, b, middle);
-	for (int face : facesAt(surface.mesh, result.vertex[a].anchor)) {
+	for (int face : facesAt(surface.mesh, result.vertex[a].point)) {
 		ResultVertex trial;
 		if (walkHalfway(surface, m, a, b, {m.position[a], face}, trial)) nearest.offer(trial);
 	}
@@ -75,9 +75,9 @@ bool findMiddle(const Surface& surface, const ResultMesh& result, int a, int b,
 	const HalfEdgeMesh& m          = result.mesh;
 	const bool          fromCrease = m.isCreaseVertex(a), toCrease = m.isCreaseVertex(b);
 	if (fromCrease && toCrease) return findMiddleFromCrease(surface, result, a, b, middle);
-	if (fromCrease) return walkHalfway(surface, m, b, a, result.vertex[b].anchor, middle);
-	if (walkHalfway(surface, m, a, b, result.vertex[a].anchor, middle)) return true;
-	return !toCrease && walkHalfway(surface, m, b, a, result.vertex[b].anchor, middle);
+	if (fromCrease) return walkHalfway(surface, m, b, a, result.vertex[b].point, middle);
+	if (walkHalfway(surface, m, a, b, result.vertex[a].point, middle)) return true;
+	return !toCrease && walkHalfway(surface, m, b, a, result.vertex[b].point, middle);
 }
 
 bool findMiddleOnCurve(const Surface& surface, const BoundaryCurves& curves,

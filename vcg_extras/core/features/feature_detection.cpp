@@ -19,8 +19,8 @@ namespace {
 /// Of the square root of the area.
 constexpr float largestSupport = 0.05f;
 /// Where the surface bends as much on both sides of an edge as at it, it is round there.
-constexpr float plateauShare  = 0.7f;
-constexpr int   mostCrossings = 256;
+constexpr float plateauShare = 0.7f;
+constexpr int   maxCrossings = 256;
 /// Share of an edge's strength that its own two faces must make up for it to be a crease of the
 /// mesh, not of the shape the mesh goes round.
 constexpr float creaseShare = 0.5f;
@@ -76,7 +76,7 @@ public:
 		pruneSpurs();
 		keepStrongLines();
 		markCorners();
-		markTips();
+		markConeApexes();
 	}
 
 private:
@@ -209,7 +209,7 @@ private:
                 seen.isRound = true;
             }
 		};
-		traceRay(m_, start, {0, 1}, out_.support, mostCrossings, look);
+		traceRay(m_, start, {0, 1}, out_.support, maxCrossings, look);
 		return seen;
 	}
 
@@ -380,7 +380,7 @@ private:
 			strongest = std::max(strongest, sharpness_[h]);
 			lineLength += length(along(h));
 		}
-		return strongest >= float(thresholds_.strongDeg) && lineLength >= out_.leastLength;
+		return strongest >= float(thresholds_.strongDeg) && lineLength >= out_.minLength;
 	}
 
 	// ---- vertices
@@ -463,10 +463,10 @@ private:
 		return sharpest;
 	}
 
-	// ---- tips
+	// ---- cone apexes
 
-	/// A cone's tip has no crease: what tells it is that its faces do not close a full turn.
-	void markTips()
+	/// a cone apex has no crease: what tells it is that its faces do not close a full turn.
+	void markConeApexes()
 	{
 		Buffer<float> defect(m_.vertexNum, 0);
 		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
@@ -478,10 +478,10 @@ private:
 			}
 		});
 		for (int v = 0; v < m_.vertexNum; ++v) {
-			if (defect[v] < float(thresholds_.strongDeg) || !isTip(v, defect)) continue;
-			out_.vertexFeature[v] |= FeatureTip;
+			if (defect[v] < float(thresholds_.strongDeg) || !isConeApex(v, defect)) continue;
+			out_.vertexFeature[v] |= FeatureConeApex;
 			out_.vertexStrength[v] = std::min(180.0f, std::max(out_.vertexStrength[v], defect[v]));
-			++out_.tipNum;
+			++out_.coneApexNum;
 		}
 	}
 
@@ -520,7 +520,7 @@ private:
 		return 360 - angles;
 	}
 
-	bool isTip(int v, const Buffer<float>& defect) const
+	bool isConeApex(int v, const Buffer<float>& defect) const
 	{
 		bool isLargest = true, isFree = true;
 		forEachNear(v, out_.support, [&](int w) {
@@ -551,7 +551,7 @@ FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thres
 	const float  largest = largestSupport * extentOf(surface.mesh, workers);
 	out.support          = std::min(wanted, largest);
 	out.supportCut       = wanted > largest;
-	out.leastLength      = float(thresholds.leastLength) * out.support;
+	out.minLength        = float(thresholds.minLength) * out.support;
 	Detection(surface, thresholds, workers, out).run();
 	return out;
 }

@@ -19,12 +19,12 @@ struct FeatureEdges {
 	Buffer<std::uint8_t> vertexFeature;  ///< per vertex: VertexFeature bits, 0 for most
 
 	float        support      = 0;     ///< radius of the half-disks, working units
-	float        leastLength  = 0;     ///< of a line, working units
+	float        minLength    = 0;     ///< of a line, working units
 	bool         supportCut   = false; ///< the support asked for was above the largest one
 	std::int64_t edgeNum      = 0;     ///< feature edges
 	std::int64_t lineNum      = 0;     ///< connected sets of feature edges
 	std::int64_t cornerNum    = 0;
-	std::int64_t tipNum       = 0;
+	std::int64_t coneApexNum  = 0;
 	std::int64_t cappedRayNum = 0; ///< rays that ended by their bound instead of at the support
 };
 
@@ -32,8 +32,8 @@ struct FeatureEdges {
 float meanEdgeLength(const HalfEdgeMesh& mesh, Workers& workers);
 float meanEdgeLength(const IndexedMesh& mesh, Workers& workers);
 
-/// Finds creases and tips by a uniformly supported second-order difference (paper §3.1 names it
-/// after Wang 2006 and leaves the thresholds to the user; its formula could not be found in
+/// Finds creases and cone apexes by a uniformly supported second-order difference (paper §3.1 names
+/// it after Wang 2006 and leaves the thresholds to the user; its formula could not be found in
 /// readable form, this one is the project's, docs/features.md).
 ///
 /// The strength of an edge is the angle between the mean normals of its two half-disks (see
@@ -42,7 +42,7 @@ float meanEdgeLength(const IndexedMesh& mesh, Workers& workers);
 /// the latter makes up half of the strength at least and the surface is not as round on both sides.
 /// Edges sharp by weakDeg and sharper than those across are candidates; gaps shorter than a support
 /// are bridged, spurs shorter than that dropped. A line stays that has an edge sharp by strongDeg
-/// and is leastLength supports long. A tip is a vertex on no line about which the angle defects
+/// and is minLength supports long. A cone apex is a vertex on no line about which the angle defects
 /// within half a support add up to strongDeg.
 ///
 /// meanEdge: working units, the length that thresholds.support counts in; that of the caller's mesh

@@ -76,9 +76,9 @@ void exportFeatures(const MeshView& input, const Surface& surface, const Feature
 	out.figures.edgeNum     = features.edgeNum;
 	out.figures.lineNum     = features.lineNum;
 	out.figures.cornerNum   = features.cornerNum;
-	out.figures.tipNum      = features.tipNum;
+	out.figures.coneApexNum = features.coneApexNum;
 	out.figures.support     = double(features.support) / surface.frame.scale;
-	out.figures.leastLength = double(features.leastLength) / surface.frame.scale;
+	out.figures.minLength   = double(features.minLength) / surface.frame.scale;
 }
 
 } // namespace gpr

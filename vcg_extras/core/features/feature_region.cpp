@@ -14,7 +14,7 @@ namespace {
 /// Rounding puts less on the corners beside a vertex of the caller's.
 constexpr float weightThatCounts = 1e-4f;
 
-bool isBetweenMarks(const MeshView& input, const std::uint8_t* marks, const SurfacePoint& at)
+bool isBetweenMarks(const MeshView& input, const std::uint8_t* marks, const BarycentricPoint& at)
 {
 	for (int k = 0; k < 3; ++k) {
 		const std::int32_t corner = input.vertexOf(3 * std::size_t(at.face) + std::size_t(k));
@@ -34,10 +34,10 @@ Buffer<char> regionVertices(const MeshView& input, const std::uint8_t* marks,
 		workers.sum<std::int64_t>(isInside.size(), [&](std::size_t begin, std::size_t end) {
 			std::int64_t found = 0;
 			for (std::size_t v = begin; v < end; ++v) {
-				isInside[v] =
-					surface.mesh.outgoing[v] >= 0 &&
-					isBetweenMarks(input, marks,
-								   surfacePoint(input, surface, anchorOfVertex(surface, int(v))));
+				isInside[v] = surface.mesh.outgoing[v] >= 0 &&
+							  isBetweenMarks(
+								  input, marks,
+								  barycentricPoint(input, surface, pointOfVertex(surface, int(v))));
 				found += isInside[v];
 			}
 			return found;
@@ -48,15 +48,16 @@ Buffer<char> regionVertices(const MeshView& input, const std::uint8_t* marks,
 std::vector<int> callersVertices(const MeshView& input, const Buffer<char>& region,
 								 const Surface& surface, Workers& workers)
 {
-	return workers.collect<int>(region.size(), [&](std::size_t begin, std::size_t end,
-												   std::vector<int>& part) {
-		for (std::size_t v = begin; v < end; ++v) {
-			if (!region[v]) continue;
-			const SurfacePoint at   = surfacePoint(input, surface, anchorOfVertex(surface, int(v)));
-			const float        most = *std::max_element(at.weight, at.weight + 3);
-			if (most > 1 - weightThatCounts) part.push_back(int(v));
-		}
-	});
+	return workers.collect<int>(
+		region.size(), [&](std::size_t begin, std::size_t end, std::vector<int>& part) {
+			for (std::size_t v = begin; v < end; ++v) {
+				if (!region[v]) continue;
+				const BarycentricPoint at =
+					barycentricPoint(input, surface, pointOfVertex(surface, int(v)));
+				const float most = *std::max_element(at.weight, at.weight + 3);
+				if (most > 1 - weightThatCounts) part.push_back(int(v));
+			}
+		});
 }
 
 } // namespace gpr

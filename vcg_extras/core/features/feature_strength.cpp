@@ -10,7 +10,7 @@ namespace gpr {
 
 namespace {
 
-constexpr int mostCrossings = 256;
+constexpr int maxCrossings = 256;
 
 /// Six rays in the middle of sectors of 30°. An even number: a ray at right angles would run
 /// straight into the apex of every symmetric triangle, where rounding decides which way it goes.
@@ -66,7 +66,7 @@ private:
 			const float weight =
 				advance(f.b2, f.c2, b.first, parting) + advance(f.c2, f.a2, parting, b.end);
 			if (f.doubleArea > 0) sum_ += f.cross * (weight / f.doubleArea);
-			if (++b.crossings == mostCrossings) {
+			if (++b.crossings == maxCrossings) {
 				cappedNum_ += b.end - b.first;
 				return;
 			}

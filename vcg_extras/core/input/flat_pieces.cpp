@@ -14,9 +14,9 @@ namespace gpr {
 namespace {
 
 /// In working units, the box being about 1: above the rounding of coordinates, as for the weld.
-constexpr float leastWidth = 1e-6f;
+constexpr float minWidth = 1e-6f;
 /// Height over length.
-constexpr float leastSlope = 1e-3f;
+constexpr float minSlope = 1e-3f;
 
 float edgeLength(const HalfEdgeMesh& m, int h)
 {
@@ -33,10 +33,10 @@ bool isThin(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 	const Vec3f n = cross(b - a, c - a);
 	const float squared =
 		std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
-	// Nearly all faces are told without a root: far wider than leastWidth.
-	if (squaredLength(n) > 4 * leastWidth * leastWidth * squared) return false;
+	// Nearly all faces are told without a root: far wider than minWidth.
+	if (squaredLength(n) > 4 * minWidth * minWidth * squared) return false;
 	const float longest = std::sqrt(squared);
-	return !(length(n) > longest * std::min(leastWidth, leastSlope * longest));
+	return !(length(n) > longest * std::min(minWidth, minSlope * longest));
 }
 
 bool isThin(const HalfEdgeMesh& m, int f)
@@ -55,7 +55,7 @@ bool isThin(const IndexedMesh& m, int f)
 /// from its first.
 std::vector<int> findThin(const Surface& surface, Workers& workers)
 {
-	static_assert(roughWidth >= 1.5f * leastWidth);
+	static_assert(roughWidth >= 1.5f * minWidth);
 	const HalfEdgeMesh& m    = surface.mesh;
 	std::vector<int>    thin = workers.collect<int>(
         m.vertexNum, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
@@ -89,7 +89,7 @@ struct Extent {
 
 	/// Whether the faces, each thin, are so together too: not a small piece of many small faces,
 	/// and not many needles side by side.
-	bool isLine() const { return !(area > double(leastWidth) * double(box.diagonal())); }
+	bool isLine() const { return !(area > double(minWidth) * double(box.diagonal())); }
 };
 
 class FlatFinder {

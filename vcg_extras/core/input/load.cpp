@@ -36,8 +36,8 @@ bool isFinite(const Vec3d& p)
 void refuseHugeInput(const MeshView& input)
 {
 	// Half-edges are numbered with 32 bits; a factor of two is left for splitting.
-	constexpr std::size_t mostFaces = std::size_t(1) << 29;
-	if (input.faceNum > mostFaces || input.vertexNum > mostFaces) {
+	constexpr std::size_t maxFaces = std::size_t(1) << 29;
+	if (input.faceNum > maxFaces || input.vertexNum > maxFaces) {
 		throw Failure(Status::UnusableInput,
 					  "The mesh has more than 536,870,912 faces or vertices.");
 	}

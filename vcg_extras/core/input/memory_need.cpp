@@ -47,7 +47,7 @@ struct FaceShape {
 
 	bool isNeedle(float maxLength) const
 	{
-		return edge[2] > leastNeedleLength * maxLength && 2 * height <= maxLength;
+		return edge[2] > minNeedleLength * maxLength && 2 * height <= maxLength;
 	}
 };
 
@@ -61,7 +61,7 @@ double partsOfFace(FaceShape shape, float maxLength)
 	const double middle  = partsOfEdge(shape.edge[1], maxLength);
 	const double longest = partsOfEdge(shape.edge[2], maxLength);
 	if (shape.isNeedle(maxLength)) return 2.5 * parts * longest;
-	if (longest > leastNeedleLength) return 2 * parts * (middle + longest);
+	if (longest > minNeedleLength) return 2 * parts * (middle + longest);
 	return parts * std::exp2(std::log2(middle) * std::log2(3.0)) * longest / middle;
 }
 

@@ -47,7 +47,7 @@ private:
 
 } // namespace
 
-SmallComponents findSmallComponents(const HalfEdgeMesh& mesh, std::int64_t leastFaceNum,
+SmallComponents findSmallComponents(const HalfEdgeMesh& mesh, std::int64_t minFaceNum,
 									Workers& workers)
 {
 	SmallComponents small;
@@ -55,7 +55,7 @@ SmallComponents findSmallComponents(const HalfEdgeMesh& mesh, std::int64_t least
 	for (int f = 0; f < mesh.faceNum; ++f) {
 		if (search.isSeen(f)) continue;
 		const std::vector<int>& faces = search.collect(f);
-		if (std::int64_t(faces.size()) >= leastFaceNum) continue;
+		if (std::int64_t(faces.size()) >= minFaceNum) continue;
 		++small.num;
 		small.faces.insert(small.faces.end(), faces.begin(), faces.end());
 	}

@@ -17,8 +17,8 @@ struct SmallComponents {
 	std::vector<int> faces; ///< of all of them, ascending
 };
 
-/// Components (faces linked over edges) with fewer than leastFaceNum faces. Cost: linear, serial.
-SmallComponents findSmallComponents(const HalfEdgeMesh& mesh, std::int64_t leastFaceNum,
+/// Components (faces linked over edges) with fewer than minFaceNum faces. Cost: linear, serial.
+SmallComponents findSmallComponents(const HalfEdgeMesh& mesh, std::int64_t minFaceNum,
 									Workers& workers);
 
 } // namespace gpr

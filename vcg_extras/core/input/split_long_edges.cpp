@@ -22,10 +22,10 @@ struct EdgeRule {
 	float                maxSquared;
 	const Buffer<float>& size; ///< of each vertex, or empty
 
-	/// leastSize: the lesser one of the edge's ends; 1 where there are no sizes.
-	bool isLong(float squared, float leastSize) const
+	/// minSize: the lesser one of the edge's ends; 1 where there are no sizes.
+	bool isLong(float squared, float minSize) const
 	{
-		return squared > maxSquared * leastSize * leastSize;
+		return squared > maxSquared * minSize * minSize;
 	}
 	bool isLong(const IndexedMesh& mesh, int a, int b) const
 	{
@@ -261,7 +261,7 @@ private:
 		const Vec3f edge    = position(b) - position(a);
 		const float squared = squaredLength(edge);
 		const float least   = std::min({sizeOf(a), sizeOf(b), sizeOf(c)});
-		if (!rule_.isLong(squared / (leastNeedleLength * leastNeedleLength), least)) return false;
+		if (!rule_.isLong(squared / (minNeedleLength * minNeedleLength), least)) return false;
 		const float height = squaredLength(cross(edge, position(c) - position(a))) / squared;
 		return !rule_.isLong(4 * height, least);
 	}

@@ -17,7 +17,7 @@ namespace gpr {
 constexpr float longestEdgeInRadii = 0.8f;
 /// How many times longer than allowed the longest edge of a needle is. Halving makes 81 faces of
 /// this one where a strip has 32; below that the two are alike.
-constexpr float leastNeedleLength = 16;
+constexpr float minNeedleLength = 16;
 
 /// Stage 2: splits edges longer than maxLength at their midpoints, as often as needed, so that a
 /// disk always covers a few vertices. This removes both weaknesses that the paper admits (§4):

@@ -13,12 +13,12 @@ namespace gpr {
 namespace {
 
 /// How much longer the diagonal of the whole mesh is, at least, than that of the others.
-constexpr double leastSizeRatio = 2;
+constexpr double minSizeRatio = 2;
 /// Diagonal of a face's box below which it is not huge, in working units, in which the whole is
 /// about one: a face from the others' box to beyond twice its size is longer.
-constexpr float leastLength = 0.2f;
+constexpr float minLength = 0.2f;
 /// Of all faces.
-constexpr double mostStray = 0.01;
+constexpr double maxStray = 0.01;
 
 /// Box and area of some faces.
 struct Extent {
@@ -75,15 +75,14 @@ StrayFaces findStrayFaces(const IndexedMesh& mesh, const std::vector<int>& longF
 	// Working coordinates are of magnitude one, which tells most meshes without stray faces at
 	// once.
 	StrayFaces       none;
-	std::vector<int> faces = longerThan(mesh, longFaces, leastLength);
-	if (faces.empty() || double(faces.size()) > mostStray * mesh.faceNum) return none;
+	std::vector<int> faces = longerThan(mesh, longFaces, minLength);
+	if (faces.empty() || double(faces.size()) > maxStray * mesh.faceNum) return none;
 	const Extent others = extentWithout(mesh, faces, workers);
 	Extent       stray, whole = others;
 	for (int f : faces)
 		stray.add(mesh, f);
 	whole += stray;
-	if (!(others.box.diagonal() > 0) ||
-		whole.box.diagonal() < leastSizeRatio * others.box.diagonal())
+	if (!(others.box.diagonal() > 0) || whole.box.diagonal() < minSizeRatio * others.box.diagonal())
 		return none;
 	return {std::int64_t(faces.size()), double(whole.box.diagonal() / others.box.diagonal()),
 			stray.area / whole.area};

@@ -25,15 +25,15 @@ struct Surface {
 };
 
 /// How far the normals of the faces round a vertex spread: the length of the sum of their cross
-/// products over the sum of the lengths is 1 on flat ground, and below this at the tip of any cone
+/// products over the sum of the lengths is 1 on flat ground, and below this at the apex of any cone
 /// that lacks so many degrees.
-constexpr float spreadAtTip(float defectDeg)
+constexpr float spreadAtApex(float defectDeg)
 {
 	return 1.05f - defectDeg / 360;
 }
 
 /// Vertices with a spread below this are marked as pointed.
-constexpr float pointedSpread = spreadAtTip(30);
+constexpr float pointedSpread = spreadAtApex(30);
 
 /// Vertices at which two faces meet at more than this, or one is narrower than that in working
 /// units, are marked as rough: few on most surfaces, and all that searches for sharp edges and thin

@@ -140,8 +140,8 @@ void FaceBoxes::build(const HalfEdgeMesh& m, const std::vector<char>& wanted, Wo
 		for (std::size_t i = begin; i < end; ++i)
 			level_[0][i] = boxOfFace(m, face_[i]);
 	});
-	constexpr std::size_t leastLevels = 3; // searches by groups of faces count on them
-	while (level_.size() < leastLevels || level_.back().size() > fanOut)
+	constexpr std::size_t minLevels = 3; // searches by groups of faces count on them
+	while (level_.size() < minLevels || level_.back().size() > fanOut)
 		addLevel(workers);
 }
 

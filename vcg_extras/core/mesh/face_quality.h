@@ -29,8 +29,8 @@ std::vector<int> poorOnes(const HalfEdgeMesh& mesh, float angle, const std::vect
 std::vector<int> sharpestFirst(const HalfEdgeMesh& mesh, std::vector<int> faces);
 
 /// Whether the faces that flipping h would make are sound: not turned over, no angle below
-/// leastAngle (radians), no dihedral below leastCosine.
-bool flipKeepsShape(const HalfEdgeMesh& m, int h, float leastAngle, float leastCosine);
+/// minAngle (radians), no dihedral below minCosine.
+bool flipKeepsShape(const HalfEdgeMesh& m, int h, float minAngle, float minCosine);
 
 /// Whether the area of a living face is nothing but rounding.
 bool hasNoArea(const HalfEdgeMesh& mesh, int face);

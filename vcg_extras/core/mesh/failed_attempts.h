@@ -17,7 +17,7 @@ namespace gpr {
 class FailedAttempts {
 public:
 	/// Of a mesh that will never have more vertices.
-	explicit FailedAttempts(int mostVertices) : changedAt_(mostVertices, 0) {}
+	explicit FailedAttempts(int maxVertices) : changedAt_(maxVertices, 0) {}
 
 	/// These vertices moved, came in, or have other faces now. Cost: three rings of faces round
 	/// them.

@@ -43,17 +43,17 @@ bool isFlatSector(const HalfEdgeMesh& m, int first, int faceNum)
 /// isFlatSector of the whole ring, which is read once where it is not uncommonly large.
 bool isFlatRing(const HalfEdgeMesh& m, int v)
 {
-	constexpr int mostKept = 12;
-	Vec3f         kept[mostKept];
+	constexpr int maxKept = 12;
+	Vec3f         kept[maxKept];
 	Vec3f         sum;
 	int           num = 0;
 	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
 		const Vec3f n = cross(a, b);
-		if (num < mostKept) kept[num] = n;
+		if (num < maxKept) kept[num] = n;
 		++num;
 		sum += n;
 	});
-	if (num > mostKept) return isFlatSector(m, m.outgoing[v], num);
+	if (num > maxKept) return isFlatSector(m, m.outgoing[v], num);
 	const float limit = flatCosine * flatCosine * squaredLength(sum);
 	bool        flat  = squaredLength(sum) > 0;
 	for (int i = 0; i < num; ++i) {

@@ -46,13 +46,13 @@ std::uint64_t keyOf(Keyed item)
 /// one outcome, so pieces can be sorted by any thread.
 void radixSort(Buffer<Keyed>& items, int bits, Workers& workers)
 {
-	constexpr int       mostDigitBits = 12;
-	const int           passNum       = (bits + mostDigitBits - 1) / mostDigitBits;
-	const int           digitBits     = (bits + passNum - 1) / passNum;
-	const std::size_t   digitNum      = std::size_t(1) << digitBits;
-	const std::size_t   n             = items.size();
-	const std::size_t   pieceNum      = std::min<std::size_t>(64, n / 4096 + 1);
-	const std::size_t   pieceSize     = (n + pieceNum - 1) / pieceNum;
+	constexpr int       maxDigitBits = 12;
+	const int           passNum      = (bits + maxDigitBits - 1) / maxDigitBits;
+	const int           digitBits    = (bits + passNum - 1) / passNum;
+	const std::size_t   digitNum     = std::size_t(1) << digitBits;
+	const std::size_t   n            = items.size();
+	const std::size_t   pieceNum     = std::min<std::size_t>(64, n / 4096 + 1);
+	const std::size_t   pieceSize    = (n + pieceNum - 1) / pieceNum;
 	Buffer<Keyed>       other(n);
 	Buffer<std::size_t> place(pieceNum * digitNum);
 

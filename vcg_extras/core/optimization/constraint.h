@@ -10,7 +10,7 @@ namespace gpr {
 
 /// What a vertex of the result may do.
 enum class Constraint {
-	Fixed,   ///< stays: corners of curves, tips of cones, pinned vertices of curves
+	Fixed,   ///< stays: corners of curves, cone apexes, pinned vertices of curves
 	Curve,   ///< slides along its border or feature line, as far as slideRoom allows
 	Surface, ///< walks over the surface, and stays on it: samples of a line that the mesh has lost
 	Free,    ///< walks over the surface; the fit may take it off

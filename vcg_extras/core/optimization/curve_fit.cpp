@@ -54,12 +54,12 @@ struct Span {
 
 class CurveFitter {
 public:
-	CurveFitter(const Surface& surface, const BoundaryCurves& curves, float leastAngle,
+	CurveFitter(const Surface& surface, const BoundaryCurves& curves, float minAngle,
 				ResultMesh& result) :
 			surface_(surface),
 			curves_(curves), r_(result), m_(result.mesh)
 	{
-		limits_.minAngle = leastAngle;
+		limits_.minAngle = minAngle;
 	}
 
 	void run()
@@ -199,10 +199,10 @@ private:
 
 } // namespace
 
-void fitCurves(const Surface& surface, const BoundaryCurves& curves, float leastAngle,
+void fitCurves(const Surface& surface, const BoundaryCurves& curves, float minAngle,
 			   ResultMesh& result)
 {
-	CurveFitter(surface, curves, leastAngle, result).run();
+	CurveFitter(surface, curves, minAngle, result).run();
 }
 
 } // namespace gpr

@@ -17,12 +17,12 @@ namespace gpr {
 /// One vertex after the other goes towards the minimum for it, four rounds of this. A move stands,
 /// whole, halved or quartered, if the largest distance between the curve and the two edges there
 /// does not grow, if the vertex stays within 8 % of an edge from the curve, and if no face turns or
-/// gets a smaller angle than leastAngle (radians, or than it had). Nodes, corners and pinned
+/// gets a smaller angle than minAngle (radians, or than it had). Nodes, corners and pinned
 /// vertices stay.
 ///
 /// Changes mesh.position, and the records, which slide along the curve below the vertices. Cost:
 /// the points of the curves and the rings of their vertices; serial.
-void fitCurves(const Surface& surface, const BoundaryCurves& curves, float leastAngle,
+void fitCurves(const Surface& surface, const BoundaryCurves& curves, float minAngle,
 			   ResultMesh& result);
 
 } // namespace gpr

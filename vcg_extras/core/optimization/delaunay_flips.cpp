@@ -11,7 +11,7 @@ namespace gpr {
 namespace {
 
 /// Flips that one edge can set off; an unending exchange between two places ends here.
-constexpr int mostFlipsInARow = 200;
+constexpr int maxFlipsInARow = 200;
 
 /// New faces that meet below this cosine (60°) must not meet much sharper than the old ones.
 constexpr float creaseCosine = 0.5f;
@@ -47,7 +47,7 @@ std::int64_t settleFrom(HalfEdgeMesh& m, int h, std::vector<int>& stack)
 	while (!stack.empty()) {
 		const int e = stack.back();
 		stack.pop_back();
-		if (flips == mostFlipsInARow) break;
+		if (flips == maxFlipsInARow) break;
 		if (!improvesAngles(m, e) || !canFlip(m, e)) continue;
 		const int g = m.opposite[e];
 		flip(m, e);
@@ -87,18 +87,18 @@ std::int64_t flipOnce(HalfEdgeMesh& m, const std::vector<int>& candidates)
 
 } // namespace
 
-std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers, int mostPasses)
+std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers, int maxPasses)
 {
 	HalfEdgeMesh&    m = result.mesh;
 	std::vector<int> stack;
 	std::int64_t     flips = 0;
-	if (mostPasses >= untilDelaunay) {
+	if (maxPasses >= untilDelaunay) {
 		for (int h : findFlips(m, workers))
 			flips += settleFrom(m, h, stack);
 	}
 	else {
 		std::int64_t last = 1;
-		for (int pass = 0; pass < mostPasses && last > 0; ++pass) {
+		for (int pass = 0; pass < maxPasses && last > 0; ++pass) {
 			last = flipOnce(m, findFlips(m, workers));
 			flips += last;
 		}

@@ -17,7 +17,7 @@ constexpr int untilDelaunay = 1000;
 /// passes (the paper's user-given number) each pass flips those edges once that ask for it at its
 /// start. Returns the number of flips.
 /// Cost: linear a pass; edges are tested in parallel, the few that flip are turned serially.
-std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers, int mostPasses = untilDelaunay);
+std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers, int maxPasses = untilDelaunay);
 
 } // namespace gpr
 

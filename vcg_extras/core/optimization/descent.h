@@ -50,12 +50,12 @@ public:
 			if (to) next_[v] = *to;
 		});
 		workers_.forEach(m_.vertexNum, [&](int v) {
-			if (moves_[v]) m_.position[v] = next_[v].anchor.position;
+			if (moves_[v]) m_.position[v] = next_[v].point.position;
 		});
 		guard_.takeOver();
 		guard_.settle();
 		workers_.forEach(m_.vertexNum, [&](int v) {
-			moves_[v] = moves_[v] && m_.position[v] == next_[v].anchor.position;
+			moves_[v] = moves_[v] && m_.position[v] == next_[v].point.position;
 			if (moves_[v]) r_.vertex[v] = next_[v];
 		});
 	}

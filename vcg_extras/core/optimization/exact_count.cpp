@@ -31,8 +31,8 @@ enum QuadEdge { WC = 1, XC = 2, WD = 4, XD = 8 };
 constexpr int splitPatterns[] = {0, WC, XC, WD, XD, WC | WD, XC | XD, WC | XD, XC | WD};
 
 /// Angles of flips after a split, and of collapses, must reach this.
-constexpr float leastAngle      = 17 * radians;
-constexpr float leastFlipCosine = 0.8f;
+constexpr float minAngle      = 17 * radians;
+constexpr float minFlipCosine = 0.8f;
 
 struct Operation {
 	int   energy; ///< change of Σ(valence - 6)²
@@ -281,7 +281,7 @@ private:
 	void flipAfterSplit(int h)
 	{
 		if (m_.opposite[h] < 0 || !canFlip(m_, h)) return;
-		if (flipKeepsShape(m_, h, leastAngle, leastFlipCosine)) flip(m_, h);
+		if (flipKeepsShape(m_, h, minAngle, minFlipCosine)) flip(m_, h);
 	}
 
 	bool splitAtBorder(int h)
@@ -293,9 +293,9 @@ private:
 		ResultVertex        middle;
 		middle.curve  = ra.curve;
 		middle.arc    = c.wrap(ra.arc + 0.5f * c.wrap(r_.vertex[b].arc - ra.arc));
-		middle.anchor = {c.at(middle.arc), c.face[c.segmentAt(middle.arc)]};
-		middle.normal = surface_.mesh.faceNormal(middle.anchor.face);
-		if (middle.anchor.position == m_.position[a] || middle.anchor.position == m_.position[b])
+		middle.point  = {c.at(middle.arc), c.face[c.segmentAt(middle.arc)]};
+		middle.normal = surface_.mesh.faceNormal(middle.point.face);
+		if (middle.point.position == m_.position[a] || middle.point.position == m_.position[b])
 			return false;
 		splitBorderEdge(m_, h, append(middle));
 		used_[a] = used_[b] = 1;
@@ -305,7 +305,7 @@ private:
 	int append(const ResultVertex& vertex)
 	{
 		const int v    = m_.vertexNum++;
-		m_.position[v] = vertex.anchor.position;
+		m_.position[v] = vertex.point.position;
 		r_.vertex.push_back(vertex);
 		++r_.splitNum;
 		++liveNum_;
@@ -380,12 +380,12 @@ private:
 			else if (care_ == Care::FlatGroundOnly)
 				return false;
 		}
-		if (!shapesAllowCollapse(a, b, survivor.anchor.position)) return false;
+		if (!shapesAllowCollapse(a, b, survivor.point.position)) return false;
 		markRing(a);
 		markRing(b);
 		collapse(m_, h);
 		r_.vertex[b]   = survivor;
-		m_.position[b] = survivor.anchor.position;
+		m_.position[b] = survivor.point.position;
 		countCollapse();
 		return true;
 	}
@@ -394,12 +394,12 @@ private:
 	bool shapesAllowCollapse(int a, int b, const Vec3f& p) const
 	{
 		if (care_ == Care::TopologyOnly) return true;
-		const float leastCosine = care_ == Care::FlatGroundOnly ? 0.5f : 0.1f;
-		const float least       = care_ == Care::FlatGroundOnly ? leastAngle : 0.3f * leastAngle;
-		return ringAllows(a, b, p, leastCosine, least) && ringAllows(b, a, p, leastCosine, least);
+		const float minCosine = care_ == Care::FlatGroundOnly ? 0.5f : 0.1f;
+		const float least     = care_ == Care::FlatGroundOnly ? minAngle : 0.3f * minAngle;
+		return ringAllows(a, b, p, minCosine, least) && ringAllows(b, a, p, minCosine, least);
 	}
 
-	bool ringAllows(int v, int other, const Vec3f& p, float leastCosine, float least) const
+	bool ringAllows(int v, int other, const Vec3f& p, float minCosine, float least) const
 	{
 		bool sound = true;
 		forEachOutgoing(m_, v, [&](int h) {
@@ -408,7 +408,7 @@ private:
 			const Vec3f x = m_.position[i], y = m_.position[k];
 			const Vec3f before = cross(x - m_.position[v], y - m_.position[v]);
 			const Vec3f after  = cross(x - p, y - p);
-			sound = dot(before, after) > leastCosine * length(before) * length(after) &&
+			sound              = dot(before, after) > minCosine * length(before) * length(after) &&
 					smallestAngle(p, x, y) >= least;
 		});
 		return sound;

@@ -101,14 +101,14 @@ Goal invertedFaces(LocalSearch& search, bool mayCollapse)
 	goal.isBad       = [&editor](int f) { return isInverted(editor, f); };
 	goal.faceCost    = [&editor](int f) { return costOfOrientation(editor, f); };
 	goal.operations  = keepingCount;
-	goal.mostLeft    = 1;
-	goal.leastGain   = 0.01f; // less is rounding
+	goal.maxLeft     = 1;
+	goal.minGain     = 0.01f; // less is rounding
 	goal.stepLengths = longSteps;
 	goal.limits      = limitsBeforeFit();
 	if (mayCollapse)
 		goal.operations.insert(goal.operations.end(),
 							   {Operation::Collapse, Operation::CollapseBack});
-	goal.collapseCost    = 2 * goal.leastGain;
+	goal.collapseCost    = 2 * goal.minGain;
 	goal.budget.attempts = std::numeric_limits<std::int64_t>::max(); // only work is limited
 	goal.settles         = false;                                    // shapes come later
 	return goal;
@@ -128,14 +128,14 @@ Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::
 {
 	const HalfEdgeMesh& m = search.mesh();
 	Goal                goal;
-	goal.isBad           = [&m, angle](int f) { return smallestAngle(m, f) < angle; };
-	goal.faceCost        = [&m, angle](int f) { return lackOfAngle(m, f, angle); };
-	goal.operations      = operations;
-	goal.takesFirst      = !changesCount(operations);
-	goal.mostLeft        = changesCount(operations) ? 0.8f : 0.995f;
-	goal.stepLengths     = shortSteps;
-	goal.limits          = limitsAfterFit(guardedDistance);
-	goal.budget.mostLeft = 0.95f; // the rest of the rounds would cost more than they bring
+	goal.isBad          = [&m, angle](int f) { return smallestAngle(m, f) < angle; };
+	goal.faceCost       = [&m, angle](int f) { return lackOfAngle(m, f, angle); };
+	goal.operations     = operations;
+	goal.takesFirst     = !changesCount(operations);
+	goal.maxLeft        = changesCount(operations) ? 0.8f : 0.995f;
+	goal.stepLengths    = shortSteps;
+	goal.limits         = limitsAfterFit(guardedDistance);
+	goal.budget.maxLeft = 0.95f; // the rest of the rounds would cost more than they bring
 	return goal;
 }
 
@@ -148,8 +148,8 @@ Goal selfIntersections(LocalSearch& search, const std::vector<int>& suspects, fl
 	goal.isBad               = [&search](int f) { return search.intersects(f); };
 	goal.faceCost            = [&m, angle](int f) { return lackOfAngle(m, f, angle); };
 	goal.countsIntersections = true;
-	goal.mostLeft            = 1;
-	goal.leastGain           = 0.49f; // a pair less, whatever the angles
+	goal.maxLeft             = 1;
+	goal.minGain             = 0.49f; // a pair less, whatever the angles
 	goal.operations          = operations;
 	goal.takesFirst          = !changesCount(operations);
 	goal.stepLengths         = longSteps;

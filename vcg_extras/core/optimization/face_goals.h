@@ -14,7 +14,7 @@ namespace gpr {
 /// Operations that leave the number of vertices as it is, and those that change it.
 extern const std::vector<Operation::Kind> keepingCount, changingCount;
 
-/// Faces that look against the surface, lie across a feature line or have no area. They are left by
+/// Faces that are inverted, lie across a feature line or have no area. They are left by
 /// the retriangulation where the surface is thinner than the triangles are long: fingers, rims,
 /// thin plates.
 Goal invertedFaces(LocalSearch& search, bool mayCollapse);

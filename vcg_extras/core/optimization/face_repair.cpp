@@ -5,9 +5,9 @@
 #include "exact_count.h"
 #include "face_goals.h"
 
-#include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
@@ -20,25 +20,25 @@ namespace {
 /// Operations that change the count are tried where at most so many faces, or this share of all,
 /// are poor, since each must be made good in another place; two in a row, which take some hundred
 /// trials, where at most so many are left.
-constexpr std::size_t mostForCount      = 100;
-constexpr float       mostShareForCount = 0.001f;
-constexpr std::size_t mostForPairs      = 8;
+constexpr std::size_t maxForCount      = 100;
+constexpr float       maxShareForCount = 0.001f;
+constexpr std::size_t maxForPairs      = 8;
 /// Such rounds: after each the angles are raised again, which gives the next one new chances.
-constexpr int mostCountRounds = 3;
+constexpr int maxCountRounds = 3;
 /// Faces that are tried in a round, and so the most vertices that come in.
 constexpr int attemptsByCount = 200, attemptsByPairs = 12;
 /// How well faces agree with the surface that angles are raised on without a map: 37°.
-constexpr float leastAgreementOnSurface = 0.8f;
+constexpr float minAgreementOnSurface = 0.8f;
 /// Where more than this share of the faces, and so many at least, are poor, the triangles are too
 /// large for the surface. Single changes then cost much and help little: 9 and 100 % more time on
 /// two parts with many holes, at the same worst angle.
 constexpr float       hopelessShare = 0.2f;
-constexpr std::size_t leastHopeless = 100;
+constexpr std::size_t minHopeless   = 100;
 /// What all searches together may measure (see LocalSearch), at some 20 ns each: half a second, and
 /// a tenth of the run on large meshes. On parts full of needles nothing helps, and the search would
 /// last much longer than all the rest. 10 times as much raises the worst angle of 40 noisy spheres
 /// by .05° on the mean.
-constexpr std::int64_t leastWork = 40000000, workPerFace = 20;
+constexpr std::int64_t minWork = 40000000, workPerFace = 20;
 /// Of what is left, before what changes the count has the rest.
 constexpr double shareOfIntersections = 0.25, shareOfAngles = 0.67;
 /// Two operations in a row take some hundred trials a face.
@@ -49,7 +49,7 @@ constexpr std::int64_t shareOfOrientation = 2;
 
 std::int64_t workFor(int faceNum)
 {
-	return leastWork + workPerFace * faceNum;
+	return minWork + workPerFace * faceNum;
 }
 
 /// How poor a mesh is.
@@ -71,7 +71,7 @@ struct Poorness {
 class PoorFaceRepair {
 public:
 	PoorFaceRepair(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,
-				   const Cells& map, ResultMesh& result, Workers& workers) :
+				   const ClosestFaceMap& map, ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			curves_(curves), wanted_(wanted), angle_(wanted.angleDeg * radians), map_(map),
 			mapFaceNum_(result.mesh.faceNum), work_(workFor(result.mesh.faceNum)), r_(result),
@@ -97,7 +97,7 @@ private:
 	const BoundaryCurves& curves_;
 	const PoorFaces&      wanted_;
 	float                 angle_;
-	const Cells&          map_;
+	const ClosestFaceMap& map_;
 	int                   mapFaceNum_;
 	std::vector<int>      mapFace_; ///< see Assignment
 	std::int64_t          work_;    ///< left to all searches
@@ -122,7 +122,7 @@ private:
 	bool isHopeless(std::size_t poorNum) const
 	{
 		const auto most = std::size_t(hopelessShare * float(r_.mesh.faceNum));
-		return poorNum > std::max(leastHopeless, most);
+		return poorNum > std::max(minHopeless, most);
 	}
 
 	bool takeApart(const std::vector<int>& intersecting)
@@ -149,7 +149,7 @@ private:
 
 	void repeatWhileItHelps(bool mayIntersect, bool inPairs)
 	{
-		for (int round = 0; round < mostCountRounds; ++round) {
+		for (int round = 0; round < maxCountRounds; ++round) {
 			if (!changeCountWhereItHelps(mayIntersect, inPairs)) return;
 		}
 	}
@@ -159,8 +159,8 @@ private:
 	{
 		const std::size_t num = findPoorFaces(r_.mesh, angle_, workers_).size();
 		const std::size_t most =
-			std::max(mostForCount, std::size_t(mostShareForCount * float(r_.mesh.faceNum)));
-		return num > 0 && num <= (inPairs ? mostForPairs : most);
+			std::max(maxForCount, std::size_t(maxShareForCount * float(r_.mesh.faceNum)));
+		return num > 0 && num <= (inPairs ? maxForPairs : most);
 	}
 
 	/// All is as it was, and the answer is false, where it does not.
@@ -168,10 +168,9 @@ private:
 	{
 		const bool raisesAngles = hasFewPoor(inPairs);
 		if (work_ <= 0 || !(raisesAngles || mayIntersect)) return false;
-		const Poorness before = poornessOf(mayIntersect);
-		const bool     takesApart =
-			!before.intersecting.empty() &&
-			before.intersecting.size() <= (inPairs ? mostForPairs : mostForCount);
+		const Poorness before     = poornessOf(mayIntersect);
+		const bool     takesApart = !before.intersecting.empty() &&
+								before.intersecting.size() <= (inPairs ? maxForPairs : maxForCount);
 		if (!raisesAngles && !takesApart) return false;
 		const ResultMesh       start   = copyResult(r_, workers_);
 		const std::vector<int> mapFace = mapFace_;
@@ -240,21 +239,21 @@ private:
 			poorness.lack += lack * lack;
 			poorness.minAngle = std::min(poorness.minAngle, own);
 		}
-		if (mayIntersect) poorness.intersecting = findCrossingFaces(r_.mesh, workers_);
+		if (mayIntersect) poorness.intersecting = findIntersectingFaces(r_.mesh, workers_);
 		return poorness;
 	}
 };
 
 /// Where more faces than this, and than this share of all, are inverted, the triangles are too
 /// large for the surface, and moves, which cost most, repair nothing.
-constexpr std::size_t mostForMoves      = 500;
-constexpr float       mostShareForMoves = 0.02f;
+constexpr std::size_t maxForMoves      = 500;
+constexpr float       maxShareForMoves = 0.02f;
 
 void repairOrientation(LocalSearch& search, bool mayCollapse)
 {
 	Goal       goal = invertedFaces(search, mayCollapse);
 	const auto most =
-		std::max(mostForMoves, std::size_t(mostShareForMoves * float(search.mesh().faceNum)));
+		std::max(maxForMoves, std::size_t(maxShareForMoves * float(search.mesh().faceNum)));
 	if (search.findBad(goal).size() > most)
 		goal.operations.erase(goal.operations.begin()); // the moves
 	search.run(goal);
@@ -296,20 +295,20 @@ void raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, 
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	Goal         goal = smallAngles(search, angle, keepingCount);
 	// Where faces lie as the surface does they are near it, and intersect no others.
-	goal.limits.minNormalAgreement = leastAgreementOnSurface;
+	goal.limits.minNormalAgreement = minAgreementOnSurface;
 	goal.limits.intersections      = false;
 	search.run(goal);
 }
 
 bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,
-					 std::unique_ptr<Cells>& map, ResultMesh& result, Workers& workers)
+					 std::unique_ptr<ClosestFaceMap>& map, ResultMesh& result, Workers& workers)
 {
 	std::vector<int> intersecting;
 	if (!wanted.suspects.empty())
-		intersecting = findCrossingFaces(result.mesh, wanted.suspects, workers);
+		intersecting = findIntersectingFaces(result.mesh, wanted.suspects, workers);
 	const float angle = wanted.angleDeg * radians;
 	if (intersecting.empty() && findPoorFaces(result.mesh, angle, workers).empty()) return true;
-	if (map == nullptr) map.reset(new Cells(surface, result, workers));
+	if (map == nullptr) map.reset(new ClosestFaceMap(surface, result, workers));
 	return PoorFaceRepair(surface, curves, wanted, *map, result, workers).run(intersecting);
 }
 

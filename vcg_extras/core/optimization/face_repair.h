@@ -6,7 +6,7 @@
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/surface/cells.h>
+#include <vcg_extras/core/surface/closest_face_map.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace gpr {
 
-/// Turns faces that look against the surface or lie across feature lines, by flips, moves on the
+/// Turns faces that are inverted or lie across feature lines, by flips, moves on the
 /// surface and, where vertices may go, collapses; only the exact count makes these good again.
 /// Where nothing else helps a face without area, feature lines at it end. Cost: a pass over the
 /// faces, and the few bad ones.
@@ -38,12 +38,12 @@ struct PoorFaces {
 /// After the fit: takes intersecting faces apart and raises small angles, by moves and flips, then
 /// by splits and collapses, which other places make good, then by two of these in a row. What
 /// changes the count is kept only if angles lack less then, none is smaller than the smallest
-/// before, no more faces look against the surface, and the count is reached. Needs a mesh without
+/// before, no more faces are inverted, and the count is reached. Needs a mesh without
 /// dead faces; `map` belongs to its faces, and is made here where it is needed and null. Returns
 /// false if the budget ended a search. Cost: bounded by that budget, about a third of a second, and
 /// a tenth of the run on large meshes; the worst faces come first.
 bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,
-					 std::unique_ptr<Cells>& map, ResultMesh& result, Workers& workers);
+					 std::unique_ptr<ClosestFaceMap>& map, ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

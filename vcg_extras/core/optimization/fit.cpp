@@ -9,8 +9,8 @@
 #include "worst_distances.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
-#include <vcg_extras/core/mesh/crossing_faces.h>
-#include <vcg_extras/core/surface/cells.h>
+#include <vcg_extras/core/mesh/self_intersections.h>
+#include <vcg_extras/core/surface/closest_face_map.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/walk.h>
 
@@ -37,12 +37,12 @@ constexpr float farthestMove = 0.3f;
 constexpr float squaredEdgePerArea = 2.3094011f;
 
 /// Passes over the whole result at the end; each puts vertices back for good.
-constexpr int mostTakeBacks = 32;
+constexpr int maxTakeBacks = 32;
 
 MoveLimits limitsOfFit(const FitSettings& settings)
 {
 	MoveLimits limits;
-	limits.minAngle     = settings.leastAngleDeg * radians;
+	limits.minAngle     = settings.minAngleDeg * radians;
 	limits.minAgreement = 0.3f;    // a face that looks 73° off the surface is about to turn over
 	limits.falls        = 0.9999f; // rounding is no fall
 	limits.halvings     = 5;       // what is left, a thirtieth of the move, is not worth more
@@ -63,9 +63,9 @@ public:
 	}
 
 	/// False if all moves had to be taken back.
-	bool run(const Cells& cells)
+	bool run(const ClosestFaceMap& map)
 	{
-		distance_.assemble(surface_, cells, workers_);
+		distance_.assemble(surface_, map, workers_);
 		guard_.start();
 		workers_.forEach(m_.vertexNum, [&](int v) { measure(v); });
 		for (int step = 0; step < stepNum; ++step) {
@@ -177,12 +177,12 @@ public:
 	FitOutcome run()
 	{
 		FitOutcome outcome;
-		outcome.capped = !fitSoundly(outcome.cells);
-		if (settings_.worstRounds > 0 && outcome.cells != nullptr && !lowerWorst(outcome))
+		outcome.capped = !fitSoundly(outcome.map);
+		if (settings_.worstRounds > 0 && outcome.map != nullptr && !lowerWorst(outcome))
 			outcome.capped = true;
-		sortUnique(crossing_);
-		outcome.crossing = std::move(crossing_);
-		outcome.farthest = farthestFromAnchor(r_);
+		sortUnique(intersecting_);
+		outcome.intersecting = std::move(intersecting_);
+		outcome.farthest     = farthestFromSurface(r_);
 		return outcome;
 	}
 
@@ -194,73 +194,74 @@ private:
 	HalfEdgeMesh&         m_;
 	Workers&              workers_;
 	MoveLimits            limits_;
-	Buffer<char>          isFree_;   ///< vertices that may leave the surface
-	std::vector<int>      crossing_; ///< faces that crossed others at some time
+	Buffer<char>          isFree_;       ///< vertices that may leave the surface
+	std::vector<int>      intersecting_; ///< faces that intersected others at some time
 
 	/// False if a round, or all together, had to be taken back.
-	bool fitSoundly(std::unique_ptr<Cells>& cells)
+	bool fitSoundly(std::unique_ptr<ClosestFaceMap>& map)
 	{
 		MoveGuard whole(limits_, m_, workers_);
 		whole.start();
 		fitCurves(surface_, curves_, limits_.minAngle, r_);
-		const bool allKept = fitInRounds(cells);
+		const bool allKept = fitInRounds(map);
 		whole.takeOver();
 		return takeBackOffenders(whole, {}) && allKept;
 	}
 
 	/// False if a round had to take all its moves back.
-	bool fitInRounds(std::unique_ptr<Cells>& cells)
+	bool fitInRounds(std::unique_ptr<ClosestFaceMap>& map)
 	{
 		if (settings_.rounds == 0) return true;
 		FitRounds rounds(surface_, settings_, isFree_, r_, workers_);
-		cells.reset(new Cells(surface_, r_, workers_));
+		map.reset(new ClosestFaceMap(surface_, r_, workers_));
 		bool allKept = true;
 		for (int round = 0; round < settings_.rounds; ++round) {
-			if (round > 0) cells->update(r_, workers_);
-			allKept = rounds.run(*cells) && allKept;
+			if (round > 0) map->update(r_, workers_);
+			allKept = rounds.run(*map) && allKept;
 			followOnSurface();
 		}
-		// Before the search for crossing faces needs memory.
-		cells->keepListsOnly();
+		// Before the search for intersecting faces needs memory.
+		map->keepListsOnly();
 		return allKept;
 	}
 
-	/// False if what crosses others then could not be told from what does not.
+	/// False if what intersects others then could not be told from what does not.
 	bool lowerWorst(FitOutcome& outcome)
 	{
 		MoveGuard moves(limits_, m_, workers_);
 		moves.start();
-		outcome.largestGap = lowerWorstDistances(surface_, *outcome.cells, limits_.minAngle,
+		outcome.largestGap = lowerWorstDistances(surface_, *outcome.map, limits_.minAngle,
 												 settings_.worstRounds, r_, workers_);
 		moves.takeOver();
 		// Crossings are only new where vertices have moved.
-		std::vector<char> mayCross(m_.faceNum);
+		std::vector<char> mayIntersect(m_.faceNum);
 		for (int f = 0; f < m_.faceNum; ++f)
-			mayCross[f] = moves.hasMoved(f);
-		if (std::find(mayCross.begin(), mayCross.end(), char(1)) == mayCross.end()) return true;
+			mayIntersect[f] = moves.hasMoved(f);
+		if (std::find(mayIntersect.begin(), mayIntersect.end(), char(1)) == mayIntersect.end())
+			return true;
 		// Records of vertices that stayed must stay: at a sharp edge they might walk round it.
 		for (int v = 0; v < m_.vertexNum; ++v)
 			isFree_[v] = isFree_[v] && !(moves.shift(v) == Vec3f());
 		followOnSurface();
-		return takeBackOffenders(moves, std::move(mayCross));
+		return takeBackOffenders(moves, std::move(mayIntersect));
 	}
 
-	/// Takes the moves of faces back that cross others or look against the surface where the
-	/// records are now. mayCross: faces, of which one at least takes part in a crossing not known
-	/// yet; empty: all. False if there was no end to it and all moves were taken back.
-	bool takeBackOffenders(MoveGuard& moves, std::vector<char> mayCross)
+	/// Takes the moves of faces back that intersect others or are inverted where the
+	/// records are now. mayIntersect: faces, of which one at least takes part in an intersection
+	/// not known yet; empty: all. False if there was no end to it and all moves were taken back.
+	bool takeBackOffenders(MoveGuard& moves, std::vector<char> mayIntersect)
 	{
-		for (int i = 0; i < mostTakeBacks; ++i) {
-			const Buffer<Vec3f>    normal   = smoothNormals(surface_, r_, workers_);
-			const std::vector<int> crossing = findCrossingFaces(m_, mayCross, workers_);
-			crossing_.insert(crossing_.end(), crossing.begin(), crossing.end());
-			const auto       looksAgainst = [&](int f) { return faceAgreement(m_, normal, f) < 0; };
-			std::vector<int> faces        = workers_.collectIf(m_.faceNum, looksAgainst);
-			faces.insert(faces.end(), crossing.begin(), crossing.end());
+		for (int i = 0; i < maxTakeBacks; ++i) {
+			const Buffer<Vec3f>    normal       = smoothNormals(surface_, r_, workers_);
+			const std::vector<int> intersecting = findIntersectingFaces(m_, mayIntersect, workers_);
+			intersecting_.insert(intersecting_.end(), intersecting.begin(), intersecting.end());
+			const auto looksAgainst = [&](int f) { return normalAgreement(m_, normal, f) < 0; };
+			std::vector<int> faces  = workers_.collectIf(m_.faceNum, looksAgainst);
+			faces.insert(faces.end(), intersecting.begin(), intersecting.end());
 			const auto stands = [&](int f) { return !moves.hasMoved(f); };
 			faces.erase(std::remove_if(faces.begin(), faces.end(), stands), faces.end());
 			if (faces.empty()) return true;
-			mayCross = moves.takeBack(faces, normal);
+			mayIntersect = moves.takeBack(faces, normal);
 			followOnSurface();
 		}
 		moves.takeAllBack();
@@ -274,7 +275,7 @@ private:
 		workers_.forEach(m_.vertexNum, [&](int v) {
 			if (!isFree_[v]) return;
 			ResultVertex& record = r_.vertex[v];
-			const Vec3f   step   = m_.position[v] - record.anchor.position;
+			const Vec3f   step   = m_.position[v] - record.point.position;
 			walkBy(surface_, tangential(step, record.normal), record);
 		});
 	}

@@ -6,7 +6,7 @@
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/surface/cells.h>
+#include <vcg_extras/core/surface/closest_face_map.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
 #include <memory>
@@ -15,18 +15,19 @@
 namespace gpr {
 
 struct FitSettings {
-	int   rounds        = 4;     ///< cells found anew and vertices moved, so many times
-	float shapeWeight   = 0.01f; ///< of the triangles' shape against the distance
-	float leastAngleDeg = 32;    ///< no angle falls below, and none below it falls further
-	int   worstRounds   = 0;     ///< of lowering the largest distances: see worst_distances.h
+	int   rounds      = 4;     ///< map found anew and vertices moved, so many times
+	float shapeWeight = 0.01f; ///< of the triangles' shape against the distance
+	float minAngleDeg = 32;    ///< no angle falls below, and none below it falls further
+	int   worstRounds = 0;     ///< of lowering the largest distances: see worst_distances.h
 };
 
 struct FitOutcome {
-	std::unique_ptr<Cells> cells;  ///< of the last round; null where there was none
-	std::vector<int> crossing;     ///< ascending; all faces that still cross others are among them
-	float            farthest = 0; ///< largest distance of a vertex from its anchor, working units
-	float            largestGap = 0; ///< between result and input after worstRounds, working units
-	bool             capped = false; ///< a guard gave up: the moves of that round were taken back
+	std::unique_ptr<ClosestFaceMap> map; ///< of the last round; null where there was none
+	std::vector<int>
+		  intersecting;   ///< ascending; all faces that still intersect others are among them
+	float farthest   = 0; ///< largest distance of a vertex from its surface point, working units
+	float largestGap = 0; ///< between result and input after worstRounds, working units
+	bool  capped     = false; ///< a guard gave up: the moves of that round were taken back
 };
 
 /// Stage 12: moves the vertices off the surface to where the triangles lie closest to it, and keeps
@@ -35,20 +36,21 @@ struct FitOutcome {
 ///     Σ_p A_p (n_p · (p - Σ_k b_k x_k))²  +  Σ_f s_f E_f  +  μ Σ_i M_i |x_i - x_i⁰|²
 ///
 /// p runs over the vertices of the input, with area A_p and normal n_p, whose nearest triangle has
-/// the corners x_k and the weights b_k there (see Cells): the squared distance between triangles
-/// and tangent planes of the input. E_f = (a² + b² + c²) / (4√3·area) is the conformal energy of a
-/// triangle, 1 if equilateral, of which only the tangential part moves a vertex: across the
-/// surface the first term alone decides. A small pull to where the vertex was keeps the system
+/// the corners x_k and the weights b_k there (see ClosestFaceMap): the squared distance between
+/// triangles and tangent planes of the input. E_f = (a² + b² + c²) / (4√3·area) is the conformal
+/// energy of a triangle, 1 if equilateral, of which only the tangential part moves a vertex: across
+/// the surface the first term alone decides. A small pull to where the vertex was keeps the system
 /// sound where no vertex of the input says anything.
 ///
-/// A round finds the cells, sums the first term up in a matrix per vertex and edge, whose size does
+/// A round finds the map, sums the first term up in a matrix per vertex and edge, whose size does
 /// not depend on the input's, descends by Jacobi steps with momentum, shortens the moves of faces
-/// that turn, look away from the surface or get poor angles, and lets the anchors follow on the
-/// surface. At the end faces that cross others are put back to where they were before the first
-/// round. Vertices of borders and curves are fitted to these first (curve_fit.h) and stay there.
+/// that turn, look away from the surface or get poor angles, and lets the surface points follow on
+/// the surface. At the end faces that intersect others are put back to where they were before the
+/// first round. Vertices of borders and curves are fitted to these first (curve_fit.h) and stay
+/// there.
 ///
-/// Changes mesh.position and the anchors. Cost: linear in the input per round; parallel; the bits
-/// do not depend on the threads.
+/// Changes mesh.position and the surface points. Cost: linear in the input per round; parallel; the
+/// bits do not depend on the threads.
 FitOutcome fitToInput(const Surface& surface, const BoundaryCurves& curves,
 					  const FitSettings& settings, ResultMesh& result, Workers& workers);
 

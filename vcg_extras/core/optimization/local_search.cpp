@@ -3,8 +3,8 @@
 #include "local_search.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
-#include <vcg_extras/core/mesh/crossing_faces.h>
 #include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/mesh/self_intersections.h>
 
 #include <algorithm>
 #include <iterator>
@@ -14,7 +14,7 @@ namespace gpr {
 namespace {
 
 /// Changes at one face before the next one has its turn.
-constexpr int mostChanges = 6;
+constexpr int maxChanges = 6;
 /// Passes of flips and moves after a change; a third one finds next to nothing.
 constexpr int settlePasses = 2;
 /// Rings round a face that two operations in a row may change: as many as one with what settles
@@ -27,7 +27,7 @@ constexpr float settleShare = 0.995f;
 /// counted: measured, so that a unit takes 8 to 40 ns on all models.
 constexpr std::int64_t workOfPatchFace = 10, workOfStep = 50, workOfPair = 3;
 /// Moves of a vertex with one step length.
-constexpr int mostMoves = 4;
+constexpr int maxMoves = 4;
 
 } // namespace
 
@@ -67,7 +67,7 @@ bool LocalSearch::run(const Goal& goal)
 					   std::back_inserter(candidates));
 		const std::size_t before = bad.size();
 		bad                      = stillBad(candidates);
-		if (float(bad.size()) > goal.budget.mostLeft * float(before)) break;
+		if (float(bad.size()) > goal.budget.maxLeft * float(before)) break;
 	}
 	return true;
 }
@@ -105,7 +105,7 @@ std::vector<int> LocalSearch::stillBad(const std::vector<int>& faces) const
 
 void LocalSearch::improveAt(int f)
 {
-	for (int change = 0; change < mostChanges; ++change) {
+	for (int change = 0; change < maxChanges; ++change) {
 		if (isDeadFace(m_, f) || failed_.isKnown(m_, f)) return;
 		if (!goal_->isBad(f)) return;
 		if (goal_->limits.intersections) lookForIntersections(f);
@@ -226,7 +226,7 @@ float LocalSearch::gainOver(const Before& before)
 {
 	const std::vector<int> faces = facesNow(before);
 	const float            now   = costOf(faces);
-	const bool             pays  = now < goal_->mostLeft * before.cost - goal_->leastGain;
+	const bool             pays  = now < goal_->maxLeft * before.cost - goal_->minGain;
 	return pays && keepsWorst(faces, before.worst) ? before.cost - now : 0;
 }
 
@@ -302,7 +302,7 @@ bool LocalSearch::keepsWorst(const std::vector<int>& faces, const Worst& before)
 int LocalSearch::intersectionNum(const std::vector<int>& faces)
 {
 	std::int64_t pairs = 0;
-	const int    num   = countCrossingPairs(m_, faces, near_, &pairs);
+	const int    num   = countIntersectingPairs(m_, faces, near_, &pairs);
 	work_ -= workOfPair * pairs + std::int64_t(near_.size());
 	return num;
 }
@@ -408,7 +408,7 @@ bool LocalSearch::moveToBest(int v)
 	const float edge   = editor_.meanEdge(v);
 	bool        better = false;
 	for (float length : goal_->stepLengths) {
-		for (int move = 0; move < mostMoves; ++move) {
+		for (int move = 0; move < maxMoves; ++move) {
 			if (!stepFrom(v, length * edge, cost)) break;
 			better = true;
 		}

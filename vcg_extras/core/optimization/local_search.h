@@ -33,7 +33,7 @@ struct Limits {
 /// Where a search ends though faces are left.
 struct Budget {
 	int          rounds     = 8; ///< over all bad faces
-	float        mostLeft   = 1; ///< another one follows where at most this share of them is left
+	float        maxLeft    = 1; ///< another one follows where at most this share of them is left
 	std::int64_t attempts   = 2000; ///< faces that are tried
 	bool         limitsWork = true; ///< whether it ends where the work of all searches is done
 };
@@ -43,9 +43,9 @@ struct Goal {
 	const std::vector<int>*        suspects = nullptr; ///< where bad faces are; null: anywhere
 	std::function<bool(int face)>  isBad; ///< called in parallel where there are no suspects
 	std::function<float(int face)> faceCost;
-	bool  countsIntersections = false;      ///< their number comes before the faces' cost
-	float mostLeft = 0.995f, leastGain = 0; ///< a change leaves at most this share, less this
-	float collapseCost = 0;                 ///< a vertex less has to be worth so much
+	bool  countsIntersections = false;   ///< their number comes before the faces' cost
+	float maxLeft = 0.995f, minGain = 0; ///< a change leaves at most this share, less this
+	float collapseCost = 0;              ///< a vertex less has to be worth so much
 	std::vector<Operation::Kind> operations;
 	std::vector<float>           stepLengths;    ///< of moves, in mean edges
 	bool                         raises = false; ///< moves also go up and down from the surface

@@ -109,7 +109,7 @@ bool MoveGuard::isSpoilt(int f, const Buffer<Vec3f>& normal) const
 	if (spoilsFace(limits_, before, {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]}))
 		return true;
 	if (normal.empty()) return false;
-	const float now = faceAgreement(m_, normal, f);
+	const float now = normalAgreement(m_, normal, f);
 	if (now >= limits_.minAgreement) return false;
 	const Vec3f wanted = normal[c[0]] + normal[c[1]] + normal[c[2]];
 	return now < limits_.falls * agreement(before.cross(), wanted);

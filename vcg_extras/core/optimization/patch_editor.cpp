@@ -25,7 +25,7 @@ constexpr float longestSlide = 0.5f;
 /// surface.
 constexpr float largestDiagonalGap = 0.5f;
 /// Faces that a step may cross; longer ways, among needles, are not worth their time.
-constexpr int mostFacesOfStep = 256;
+constexpr int maxFacesOfStep = 256;
 
 /// Whether an inner vertex is left with four faces at least. Three faces round one have an angle of
 /// 30° at the most.
@@ -66,7 +66,7 @@ PatchEditor::PatchEditor(const Surface& surface, const BoundaryCurves& curves, R
 
 float PatchEditor::agreement(int f) const
 {
-	return faceAgreement(m_, normal_, f);
+	return normalAgreement(m_, normal_, f);
 }
 
 float PatchEditor::agreementAtCreases(int f) const
@@ -122,9 +122,9 @@ std::vector<PatchEditor::VertexState> PatchEditor::statesAround(int v, float rea
 	}
 	for (const Vec3f& direction : compassDirections(here.normal)) {
 		ResultVertex  there = here;
-		const WalkEnd end   = walk(surface_.mesh, there.anchor, direction * reach, mostFacesOfStep);
+		const WalkEnd end   = walk(surface_.mesh, there.point, direction * reach, maxFacesOfStep);
 		if (end != WalkEnd::Arrived) continue;
-		there.normal = surface_.mesh.faceNormal(there.anchor.face);
+		there.normal = surface_.mesh.faceNormal(there.point.face);
 		states.push_back(movedTo(v, there));
 	}
 	return states;
@@ -132,7 +132,7 @@ std::vector<PatchEditor::VertexState> PatchEditor::statesAround(int v, float rea
 
 PatchEditor::VertexState PatchEditor::movedTo(int v, const ResultVertex& record) const
 {
-	return {record.anchor.position + heightOf(v), normalAt(v, record.anchor), record};
+	return {record.point.position + heightOf(v), normalAt(v, record.point), record};
 }
 
 PatchEditor::VertexState PatchEditor::raised(int v, float by) const
@@ -142,15 +142,15 @@ PatchEditor::VertexState PatchEditor::raised(int v, float by) const
 	return state;
 }
 
-bool PatchEditor::isNearStart(int v, const VertexState& state, float share, float leastCosine) const
+bool PatchEditor::isNearStart(int v, const VertexState& state, float share, float minCosine) const
 {
 	const Vec3f& normal = startNormal_[v];
 	const float  scale  = length(state.normal) * length(normal);
-	if (dot(state.normal, normal) < leastCosine * scale) return false;
+	if (dot(state.normal, normal) < minCosine * scale) return false;
 	return length(state.position - startPosition_[v]) <= share * meanEdge(v);
 }
 
-Vec3f PatchEditor::normalAt(int v, const Anchor& at) const
+Vec3f PatchEditor::normalAt(int v, const SurfacePoint& at) const
 {
 	const Vec3f own = smoothNormal(surface_, at);
 	return m_.isBorderVertex(v) ? withoutLip(m_, normal_, v, own) : own;
@@ -256,12 +256,12 @@ bool PatchEditor::split(int h)
 	const Vec3f height = (heightOf(a) + heightOf(b)) * 0.5f;
 	const int   v      = m_.vertexNum++;
 	r_.vertex.push_back(middle);
-	m_.position[v] = startPosition_[v] = middle.anchor.position + height;
+	m_.position[v] = startPosition_[v] = middle.point.position + height;
 	if (m_.opposite[h] < 0)
 		splitBorderEdge(m_, h, v);
 	else
 		splitEdge(m_, h, v);
-	normal_[v] = startNormal_[v] = normalAt(v, middle.anchor);
+	normal_[v] = startNormal_[v] = normalAt(v, middle.point);
 	return true;
 }
 

@@ -38,7 +38,7 @@ std::vector<Operation> operationsAt(const HalfEdgeMesh& mesh, int face,
 									const std::vector<Operation::Kind>& kinds);
 
 /// Changes single patches of the result in a way that can be undone. Vertices move on the surface,
-/// those of curves along these, and keep their height above it; corners of curves, tips of cones
+/// those of curves along these, and keep their height above it; corners of curves, cone apexes
 /// and pinned vertices never move.
 class PatchEditor {
 public:
@@ -82,7 +82,7 @@ public:
 	VertexState raised(int v, float by) const;
 	/// Whether v at a state is within `share` mean edges of where it was at first, and the
 	/// surface's normal there has at least this cosine with the one it had at first.
-	bool isNearStart(int v, const VertexState& state, float share, float leastCosine) const;
+	bool isNearStart(int v, const VertexState& state, float share, float minCosine) const;
 
 	/// Whether the flip of h leaves every vertex enough faces for good angles and moves the surface
 	/// little.
@@ -121,8 +121,8 @@ private:
 
 	Snapshot    snapshotOf(PatchBackup backup) const;
 	VertexState movedTo(int v, const ResultVertex& record) const;
-	Vec3f       normalAt(int v, const Anchor& at) const;
-	Vec3f       heightOf(int v) const { return m_.position[v] - r_.vertex[v].anchor.position; }
+	Vec3f       normalAt(int v, const SurfacePoint& at) const;
+	Vec3f       heightOf(int v) const { return m_.position[v] - r_.vertex[v].point.position; }
 	void        addStar(int v, std::vector<int>& patch) const;
 	void        addHalfOfEdge(int h, std::vector<int>& patch) const;
 	bool        mayGo(int v) const;

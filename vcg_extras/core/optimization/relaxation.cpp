@@ -70,10 +70,10 @@ void slideOnCrease(const Surface& surface, const BoundaryCurves& curves, int v, 
 	const float step =
 		std::clamp(wanted, -longestCreaseSlide * room.backward, longestCreaseSlide * room.forward);
 	const ResultVertex to = slid(surface, curves, r.vertex[v], step);
-	if (spoilsRing(limitsOfRelaxation(), r.mesh, v, to.anchor.position)) return;
+	if (spoilsRing(limitsOfRelaxation(), r.mesh, v, to.point.position)) return;
 	if (!slideKeepsToCurve(r, curves, v, room, step)) return;
 	r.vertex[v]        = to;
-	r.mesh.position[v] = to.anchor.position;
+	r.mesh.position[v] = to.point.position;
 }
 
 // ---- conformal
@@ -85,15 +85,15 @@ constexpr int calmSteps = 2;
 /// Rings with a face above this energy move by guarded steps.
 constexpr float poorEnergy = 1.35f;
 /// Twice a face's area counts as at least this, in squared local edges.
-constexpr float leastCross = 0.02f;
+constexpr float minCross = 0.02f;
 
 // Longest moves, in local edges.
 constexpr float longestDescent = 0.15f, longestMove = 0.3f, longestSlide = 0.1f;
 
 /// Vertices that slide keep this distance from their neighbours on the curve, in local edges.
-constexpr float leastSpacing = 0.6f;
+constexpr float minSpacing = 0.6f;
 /// A slide may lower the worst angle of the ring down to this.
-constexpr float leastSlideAngle = 34 * radians;
+constexpr float minSlideAngle = 34 * radians;
 
 float meanSquaredEdge(const HalfEdgeMesh& m, int v)
 {
@@ -125,7 +125,7 @@ RingPull pullOf(const HalfEdgeMesh& m, int v, bool onCurve, const Vec3f& normal)
 		const Vec3f n         = cross(a, b);
 		const float twiceArea = onCurve || dot(n, normal) > 0 ? length(n) : 0.0f;
 		if (onCurve && !(twiceArea > 0)) return;
-		const float inverse = 1 / std::max(twiceArea, leastCross * squared);
+		const float inverse = 1 / std::max(twiceArea, minCross * squared);
 		const float energy  = onCurve ? sum.add(a, b, n * (1 / twiceArea), 1, inverse)
 									  : sum.add(a, b, normal, 1, inverse);
 		ring.worstEnergy    = std::max(ring.worstEnergy, energy);
@@ -191,7 +191,7 @@ private:
 		last_[v]            = move;
 		if (!(squaredLength(move) > 0)) return {};
 		const bool arrives = walkBy(surface_, move, next) == WalkEnd::Arrived;
-		if (isPoor && (!arrives || lowersWorstAngle(v, next.anchor.position))) return {};
+		if (isPoor && (!arrives || lowersWorstAngle(v, next.point.position))) return {};
 		return next;
 	}
 
@@ -209,13 +209,13 @@ private:
 		const float wanted  = dot(step, slideDirection(curves_, here, room));
 		const float arc     = std::clamp(wanted, -longest, longest);
 		const float ahead   = arc > 0 ? room.forward : room.backward;
-		if (arc == 0 || ahead - std::abs(arc) < leastSpacing * edge) return {};
+		if (arc == 0 || ahead - std::abs(arc) < minSpacing * edge) return {};
 		if (!slideKeepsToCurve(r_, curves_, v, room, arc)) return {};
 		if (!slideKeepsSpacing(r_, curves_, v, room, arc)) return {};
 		const ResultVertex next  = slid(surface_, curves_, here, arc);
-		const float        worst = smallestAngleAround(m_, v, next.anchor.position, 0);
+		const float        worst = smallestAngleAround(m_, v, next.point.position, 0);
 		const float        least =
-			std::min(leastSlideAngle, smallestAngleAround(m_, v, here.anchor.position, 0));
+			std::min(minSlideAngle, smallestAngleAround(m_, v, here.point.position, 0));
 		if (worst < 0 || worst < least) return {};
 		return next;
 	}

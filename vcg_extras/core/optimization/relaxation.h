@@ -27,7 +27,7 @@ void slideAlongCreases(const Surface& surface, const BoundaryCurves& curves, Res
 
 /// One step of the second-order umbrella, as the paper has it (§3, last paragraph), for all
 /// vertices at once. Differs from the paper: only the tangential part of a step is taken, by
-/// walking on the surface. Vertices of curves, tips and vertices on creases stay.
+/// walking on the surface. Vertices of curves, cone apexes and vertices on creases stay.
 void smoothByUmbrella2(const Surface& surface, ResultMesh& result, Workers& workers);
 
 /// Steps of relaxConformally and their weights.
@@ -43,9 +43,9 @@ ConformalSteps conformalSteps(int stepNum);
 
 /// Moves vertices so that the triangles become equilateral: descent with momentum on the sum over
 /// the faces of the conformal energy. It knows no size, so a graded mesh stays graded. All vertices
-/// move at once (Jacobi); those of curves slide along them, corners and tips stay. Where a ring has
-/// a poor triangle, only moves that do not lower its worst angle are made. Every third step, and at
-/// the end, edges are flipped to Delaunay. A step costs what one of relaxOnce does.
+/// move at once (Jacobi); those of curves slide along them, corners and cone apexes stay. Where a
+/// ring has a poor triangle, only moves that do not lower its worst angle are made. Every third
+/// step, and at the end, edges are flipped to Delaunay. A step costs what one of relaxOnce does.
 void relaxConformally(const Surface& surface, const BoundaryCurves& curves,
 					  const ConformalSteps& steps, ResultMesh& result, Workers& workers);
 

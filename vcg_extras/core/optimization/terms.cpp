@@ -85,14 +85,14 @@ DistanceTerm::DistanceTerm(const HalfEdgeMesh& mesh) :
 	joint_.reset(num);
 }
 
-void DistanceTerm::assemble(const Surface& surface, const Cells& cells, Workers& workers)
+void DistanceTerm::assemble(const Surface& surface, const ClosestFaceMap& map, Workers& workers)
 {
 	workers.forEach(joint_.size(), [&](int edge) { joint_[edge] = SymmetricMatrix(); });
-	workers.forEach(m_.vertexNum, [&](int v) { assembleVertex(surface, cells, v); });
+	workers.forEach(m_.vertexNum, [&](int v) { assembleVertex(surface, map, v); });
 }
 
 /// An edge is summed up by its lower vertex, which sees both faces: nothing is written twice.
-void DistanceTerm::assembleVertex(const Surface& surface, const Cells& cells, int v)
+void DistanceTerm::assembleVertex(const Surface& surface, const ClosestFaceMap& map, int v)
 {
 	SymmetricMatrix own;
 	Vec3f           force;
@@ -100,13 +100,13 @@ void DistanceTerm::assembleVertex(const Surface& surface, const Cells& cells, in
 		const int       next = m_.target(h), last = m_.apex(h);
 		const Vec3f     p = m_.position[v], q = m_.position[next], r = m_.position[last];
 		SymmetricMatrix withNext, withLast;
-		for (const int* i = cells.begin(h / 3); i != cells.end(h / 3); ++i) {
-			const PackedWeights w    = cells.weights(*i);
+		for (const int* i = map.begin(h / 3); i != map.end(h / 3); ++i) {
+			const PackedWeights w    = map.weights(*i);
 			const float         b[3] = {w.first(), w.second(), w.third()};
 			const float         bp = b[h % 3], bq = b[nextInFace(h) % 3], br = b[prevInFace(h) % 3];
 			const Vec3f         n   = surface.normal[*i].unpack();
 			const float         off = dot(n, surface.mesh.position[*i] - p * bp - q * bq - r * br);
-			const float         share = cells.area(*i) * bp;
+			const float         share = map.area(*i) * bp;
 			force += n * (share * off);
 			own.addOuter(n, share * bp);
 			withNext.addOuter(n, share * bq);

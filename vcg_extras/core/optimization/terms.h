@@ -6,7 +6,7 @@
 #include <vcg_extras/core/base/symmetric_matrix.h>
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/surface/cells.h>
+#include <vcg_extras/core/surface/closest_face_map.h>
 
 namespace gpr {
 
@@ -51,14 +51,15 @@ struct ConformalPull {
 	}
 };
 
-/// Distance: the squared distance of the cells' vertices from the triangles, as a function of the
-/// vertices' shifts: ½ Σ_ij s_i K_ij s_j - Σ_i f_i s_i. K_ij is kept for every vertex and edge.
+/// Distance: the squared distance of the input's vertices from their closest faces, as a function
+/// of the vertices' shifts: ½ Σ_ij s_i K_ij s_j - Σ_i f_i s_i. K_ij is kept for every vertex and
+/// edge.
 class DistanceTerm {
 public:
 	explicit DistanceTerm(const HalfEdgeMesh& mesh);
 
-	/// For the present cells and places. Cost: linear in the input, parallel.
-	void assemble(const Surface& surface, const Cells& cells, Workers& workers);
+	/// For the present map and places. Cost: linear in the input, parallel.
+	void assemble(const Surface& surface, const ClosestFaceMap& map, Workers& workers);
 
 	const SymmetricMatrix& own(int v) const { return own_[v]; }
 	const Vec3f&           force(int v) const { return force_[v]; }
@@ -72,7 +73,7 @@ private:
 	Buffer<SymmetricMatrix> joint_; ///< per edge
 	Buffer<Vec3f>           force_;
 
-	void assembleVertex(const Surface& surface, const Cells& cells, int v);
+	void assembleVertex(const Surface& surface, const ClosestFaceMap& map, int v);
 };
 
 } // namespace gpr

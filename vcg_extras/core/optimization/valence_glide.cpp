@@ -5,31 +5,31 @@
 #include "constraint.h"
 #include "delaunay_flips.h"
 
+#include <vcg_extras/core/mesh/coloured_grid.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/mesh/sectors.h>
 #include <vcg_extras/core/mesh/valence_energy.h>
-#include <vcg_extras/core/mesh/work_cells.h>
 
 namespace gpr {
 
 namespace {
 
-constexpr float leastAngle  = 17 * radians;
-constexpr float leastCosine = 0.8f;
+constexpr float minAngle  = 17 * radians;
+constexpr float minCosine = 0.8f;
 /// Valences that a flip must not leave.
-constexpr int leastValence = 4, mostValence = 8;
+constexpr int minValence = 4, maxValence = 8;
 /// Width of the cells that threads share, in ideal edges: a chain of six flips seldom gets out of
 /// what a cell reaches.
 constexpr float cellWidth = 14;
 /// Vertices of more faces than this are no dislocations.
-constexpr int mostNeighbours = 16;
+constexpr int maxNeighbours = 16;
 
 /// Searches chains of flips within one cell.
 class GlideSearch {
 public:
 	GlideSearch(ResultMesh& result, Buffer<int>& valence, const Buffer<char>& flat,
-				const WorkCell& cell) :
+				const GridCell& cell) :
 			m_(result.mesh),
 			valence_(valence), flat_(flat), cell_(cell)
 	{
@@ -63,7 +63,7 @@ private:
 	HalfEdgeMesh&       m_;
 	Buffer<int>&        valence_;
 	const Buffer<char>& flat_;
-	const WorkCell&     cell_;
+	const GridCell&     cell_;
 	std::int64_t        flipNum_ = 0;
 
 	bool isOurs(int v) const { return flat_[v] && cell_.reaches(m_.position[v]); }
@@ -71,10 +71,10 @@ private:
 	/// Tries the edges at v, a vertex with a face too many.
 	bool goOnFrom(int v, const State& state)
 	{
-		int neighbour[mostNeighbours];
+		int neighbour[maxNeighbours];
 		int n = 0;
 		forEachNeighbour(m_, v, [&](int w) {
-			if (n < mostNeighbours) neighbour[n++] = w;
+			if (n < maxNeighbours) neighbour[n++] = w;
 		});
 		// Flips tried and undone may have renamed half-edges, so edges go by their ends.
 		for (int i = 0; i < n; ++i) {
@@ -107,9 +107,9 @@ private:
 	bool mayFlip(int h, int a, int b, int c, int d) const
 	{
 		if (valence_[c] > 5 && valence_[d] > 5) return false;
-		if (valence_[a] <= leastValence || valence_[b] <= leastValence) return false;
-		if (valence_[c] >= mostValence || valence_[d] >= mostValence) return false;
-		return flipKeepsShape(m_, h, leastAngle, leastCosine) && canFlip(m_, h);
+		if (valence_[a] <= minValence || valence_[b] <= minValence) return false;
+		if (valence_[c] >= maxValence || valence_[d] >= maxValence) return false;
+		return flipKeepsShape(m_, h, minAngle, minCosine) && canFlip(m_, h);
 	}
 
 	void turn(int h)
@@ -140,10 +140,10 @@ std::int64_t glideDislocations(ResultMesh& result, Workers& workers, int depth)
 	const Buffer<char>     flat    = findFlatVertices(result.mesh, workers);
 	Buffer<int>            valence = correctedValences(result.mesh, workers);
 	const std::vector<int> crowded = crowdedVertices(valence, flat, workers);
-	const WorkCells cells = cutIntoWorkCells(result.mesh, crowded, cellWidth * result.idealEdge);
+	const ColouredGrid cells = cutIntoGridCells(result.mesh, crowded, cellWidth * result.idealEdge);
 
 	Buffer<std::int64_t> chains(crowded.size(), 0), flips(crowded.size(), 0);
-	cells.forCells(workers, [&](const WorkCell& cell) {
+	cells.forEachCell(workers, [&](const GridCell& cell) {
 		GlideSearch search(result, valence, flat, cell);
 		for (int i = cell.begin; i < cell.end; ++i) {
 			const int v = cells.vertices[i];

@@ -18,7 +18,7 @@ constexpr int usualGlideDepth = 6;
 /// kept, all others are undone. No flip makes a face turn over, an angle below 17° or a dihedral
 /// beyond 37°, and all happen on flat ground. Vertices do not move: relaxation follows. Returns the
 /// number of chains kept. Cost: some hundred trial flips for each vertex of seven faces; parallel
-/// by cells of space (see WorkCells), whose borders chains do not cross far.
+/// by cells of space (see ColouredGrid), whose borders chains do not cross far.
 std::int64_t glideDislocations(ResultMesh& result, Workers& workers, int depth = usualGlideDepth);
 
 } // namespace gpr

@@ -21,35 +21,35 @@ namespace {
 /// Faces that are drawn closer in a round: those beyond this share of the largest distance, and so
 /// many at most.
 constexpr float       worstShare = 0.75f;
-constexpr std::size_t mostFaces  = 300;
+constexpr std::size_t maxFaces   = 300;
 /// Distances below this share of the mean edge are near enough.
 constexpr float nearShare = 0.1f;
 /// Moves at a face in a round.
-constexpr int mostMoves = 6;
+constexpr int maxMoves = 6;
 /// So much farther than what is near may a vertex get that was nearer.
 constexpr float farthestOff = 2;
 /// A move must lessen the distance to this share.
-constexpr float leastGain = 0.96f;
+constexpr float minGain = 0.96f;
 /// Of the way that would close the gap if nothing else changed: as little as will do.
 constexpr float wayShares[] = {0.25f, 0.5f, 1};
 /// A vertex moves at most this share of an edge at once.
 constexpr float longestMove = 0.3f;
 /// No face agrees less with the surface's normals after a move: 73°.
-constexpr float leastAgreement = 0.3f;
+constexpr float minAgreement = 0.3f;
 
 class WorstDistances {
 public:
-	WorstDistances(const Surface& surface, const Cells& cells, float leastAngle, ResultMesh& result,
-				   Workers& workers) :
+	WorstDistances(const Surface& surface, const ClosestFaceMap& map, float minAngle,
+				   ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			s_(surface.mesh), near_(nearShare * meanEdgeByArea(result.mesh)), r_(result),
 			m_(result.mesh), workers_(workers), normal_(smoothNormals(surface, result, workers)),
-			anchor_(m_.vertexNum), gaps_(surface, cells, m_, anchor_, near_)
+			point_(m_.vertexNum), gaps_(surface, map, m_, point_, near_)
 	{
 		for (int v = 0; v < m_.vertexNum; ++v)
-			anchor_[v] = r_.vertex[v].anchor;
-		limits_.minAngle     = leastAngle;
-		limits_.minAgreement = leastAgreement;
+			point_[v] = r_.vertex[v].point;
+		limits_.minAngle     = minAngle;
+		limits_.minAgreement = minAgreement;
 	}
 
 	/// Returns the largest distance left.
@@ -69,17 +69,17 @@ public:
 	}
 
 private:
-	const Surface&      surface_;
-	const HalfEdgeMesh& s_; ///< of the surface
-	float               near_;
-	MoveLimits          limits_; ///< of a move: what a face must not suffer
-	ResultMesh&         r_;
-	HalfEdgeMesh&       m_;
-	Workers&            workers_;
-	Buffer<Vec3f>       normal_; ///< of the surface at the result's vertices
-	Buffer<Anchor>      anchor_; ///< the nearest points of the surface, of vertices that moved
-	SurfaceGaps         gaps_;
-	Buffer<float>       gap_; ///< per face: the squared length, or what is near enough
+	const Surface&       surface_;
+	const HalfEdgeMesh&  s_; ///< of the surface
+	float                near_;
+	MoveLimits           limits_; ///< of a move: what a face must not suffer
+	ResultMesh&          r_;
+	HalfEdgeMesh&        m_;
+	Workers&             workers_;
+	Buffer<Vec3f>        normal_; ///< of the surface at the result's vertices
+	Buffer<SurfacePoint> point_;  ///< the nearest points of the surface, of vertices that moved
+	SurfaceGaps          gaps_;
+	Buffer<float>        gap_; ///< per face: the squared length, or what is near enough
 
 	// ---- distances
 
@@ -110,7 +110,7 @@ private:
 		}
 		std::stable_sort(faces.begin(), faces.end(),
 						 [&](int f, int g) { return gap_[f] > gap_[g]; });
-		if (faces.size() > mostFaces) faces.resize(mostFaces);
+		if (faces.size() > maxFaces) faces.resize(maxFaces);
 		return faces;
 	}
 
@@ -121,7 +121,7 @@ private:
 	bool drawCloser(int f, float goal)
 	{
 		bool better = false;
-		for (int move = 0; move < mostMoves && gap_[f] > goal; ++move) {
+		for (int move = 0; move < maxMoves && gap_[f] > goal; ++move) {
 			if (!moveCorners(f)) break;
 			better = true;
 		}
@@ -192,7 +192,7 @@ private:
 		std::vector<float>   agreed;
 		for (int g : faces) {
 			corners.push_back(cornersOf(g));
-			agreed.push_back(faceAgreement(m_, normal_, g));
+			agreed.push_back(normalAgreement(m_, normal_, g));
 		}
 		std::vector<Place> places;
 		bool               keepsNear = true;
@@ -203,7 +203,7 @@ private:
 			put(m.vertex, next);
 		}
 		if (keepsNear && areSound(faces, corners, agreed) &&
-			gaps_.gapAt(f).squared <= leastGain * leastGain * gap.squared &&
+			gaps_.gapAt(f).squared <= minGain * minGain * gap.squared &&
 			gaps_.largestGap(faces, before) <= before) {
 			for (int g : faces)
 				gap_[g] = gaps_.gapAt(g).squared;
@@ -216,25 +216,22 @@ private:
 
 	/// A vertex with what follows it.
 	struct Place {
-		Vec3f  position, normal;
-		Anchor anchor;
+		Vec3f        position, normal;
+		SurfacePoint point;
 	};
 
-	Place placeOf(int v) const { return {m_.position[v], normal_[v], anchor_[v]}; }
+	Place placeOf(int v) const { return {m_.position[v], normal_[v], point_[v]}; }
 
 	Place placeAfter(int v, const Vec3f& shift) const
 	{
-		Place place           = placeOf(v);
-		place.position        = place.position + shift;
-		place.anchor.position = nearestOnTheWay(s_, place.position, 0, place.anchor.face);
-		place.normal          = smoothNormal(surface_, place.anchor);
+		Place place          = placeOf(v);
+		place.position       = place.position + shift;
+		place.point.position = nearestOnTheWay(s_, place.position, 0, place.point.face);
+		place.normal         = smoothNormal(surface_, place.point);
 		return place;
 	}
 
-	static float squaredOff(const Place& p)
-	{
-		return squaredLength(p.position - p.anchor.position);
-	}
+	static float squaredOff(const Place& p) { return squaredLength(p.position - p.point.position); }
 
 	/// A vertex must not be drawn off the surface to one that only seems to have no triangle near.
 	float allowedOff(int v) const
@@ -247,7 +244,7 @@ private:
 	{
 		m_.position[v] = place.position;
 		normal_[v]     = place.normal;
-		anchor_[v]     = place.anchor;
+		point_[v]      = place.point;
 	}
 
 	Corners cornersOf(int f) const { return {corner(f, 0), corner(f, 1), corner(f, 2)}; }
@@ -257,7 +254,7 @@ private:
 	{
 		for (std::size_t i = 0; i < faces.size(); ++i) {
 			if (spoilsFace(limits_, before[i], cornersOf(faces[i]))) return false;
-			const float agrees = faceAgreement(m_, normal_, faces[i]);
+			const float agrees = normalAgreement(m_, normal_, faces[i]);
 			if (agrees < std::min(limits_.minAgreement, agreedBefore[i])) return false;
 		}
 		return true;
@@ -266,10 +263,10 @@ private:
 
 } // namespace
 
-float lowerWorstDistances(const Surface& surface, const Cells& cells, float leastAngle, int rounds,
-						  ResultMesh& result, Workers& workers)
+float lowerWorstDistances(const Surface& surface, const ClosestFaceMap& map, float minAngle,
+						  int rounds, ResultMesh& result, Workers& workers)
 {
-	return WorstDistances(surface, cells, leastAngle, result, workers).run(rounds);
+	return WorstDistances(surface, map, minAngle, result, workers).run(rounds);
 }
 
 } // namespace gpr

@@ -100,7 +100,7 @@ void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, 
 	if (hasNoArea(m, f))
 		++found.zeroArea;
 	else
-		found.flipped += faceAgreement(m, smoothNormal, f) < 0;
+		found.flipped += normalAgreement(m, smoothNormal, f) < 0;
 }
 
 } // namespace
@@ -137,7 +137,7 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	a.zeroAreaFaces       = found.zeroArea;
 	const bool isTableBad = found.badEdges > 0 || found.badVertices > 0;
 	a.duplicateFaces      = isTableBad ? countDuplicateFaces(m) : found.duplicates;
-	a.flippedFaces        = found.flipped;
+	a.invertedFaces       = found.flipped;
 	a.nonFinitePositions  = found.notFinite;
 	a.componentsKept      = input.components == output.components;
 	a.boundaryLoopsKept   = input.boundaryLoops == output.boundaryLoops;

@@ -11,7 +11,7 @@
 
 namespace gpr {
 
-/// Last stage: checks what is promised before the result is handed out. Every edge has one or two
+/// Last stage: checks what is promised before the result is exported. Every edge has one or two
 /// faces that run along it in opposite directions, every vertex one fan, no two faces the same
 /// corners; no face without area; no coordinate that is not finite; components, boundary loops and
 /// Euler characteristic as in `input`, the count as in targetNum (0: not promised). Faces that look

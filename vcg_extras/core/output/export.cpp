@@ -3,7 +3,7 @@
 #include "export.h"
 
 #include "audit.h"
-#include "face_anchor.h"
+#include "face_point.h"
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/carry_over.h>
@@ -28,13 +28,13 @@ void exportMesh(RunContext& run, const Surface& surface, const HalfEdgeMesh& m, 
 	});
 }
 
-void exportAnchors(RunContext& run, const Surface& surface, const ResultMesh& result,
-				   std::vector<SurfacePoint>& anchors)
+void exportSurfacePoints(RunContext& run, const Surface& surface, const ResultMesh& result,
+						 std::vector<BarycentricPoint>& surfacePoints)
 {
-	anchors.resize(result.vertex.size());
+	surfacePoints.resize(result.vertex.size());
 	run.workers.forRange(result.vertex.size(), [&](std::size_t begin, std::size_t end) {
 		for (std::size_t v = begin; v < end; ++v)
-			anchors[v] = surfacePoint(run.input, surface, result.vertex[v].anchor);
+			surfacePoints[v] = barycentricPoint(run.input, surface, result.vertex[v].point);
 	});
 }
 
@@ -45,7 +45,7 @@ void exportKept(const MeshView& input, const ResultMesh& result, double unit, Re
 	out.callersVertex.assign(result.vertex.size(), -1);
 	for (std::size_t v = 0; v < result.vertex.size(); ++v) {
 		if (!result.vertex[v].isPinned) continue;
-		SurfacePoint&      at     = out.anchors[v];
+		BarycentricPoint&  at     = out.surfacePoints[v];
 		const int          corner = nearestCorner(at);
 		const std::size_t  i      = 3 * std::size_t(at.face) + std::size_t(corner);
 		const std::int32_t c      = input.vertexOf(i);
@@ -58,14 +58,14 @@ void exportKept(const MeshView& input, const ResultMesh& result, double unit, Re
 	}
 }
 
-void exportFaceAnchors(RunContext& run, const Surface& surface, const ResultMesh& result,
-					   std::vector<SurfacePoint>& anchors)
+void exportFacePoints(RunContext& run, const Surface& surface, const ResultMesh& result,
+					  std::vector<BarycentricPoint>& surfacePoints)
 {
-	anchors.resize(result.mesh.faceNum);
+	surfacePoints.resize(result.mesh.faceNum);
 	run.workers.forRange(result.mesh.faceNum, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t f = begin; f < end; ++f) {
-			const Anchor middle = anchorOfFace(surface, result, int(f));
-			anchors[f]          = surfacePoint(run.input, surface, middle);
+			const SurfacePoint middle = pointOfFace(surface, result, int(f));
+			surfacePoints[f]          = barycentricPoint(run.input, surface, middle);
 		}
 	});
 }
@@ -86,9 +86,10 @@ void exportResult(RunContext& run, const Surface& surface, const ResultMesh& res
 	run.clock.enter(Stage::Export);
 	const bool hasKept = run.report.keptVertexNum > 0;
 	exportMesh(run, surface, result.mesh, out.mesh);
-	if (run.options.anchorsOfVertices || hasKept) exportAnchors(run, surface, result, out.anchors);
+	if (run.options.surfacePointsOfVertices || hasKept)
+		exportSurfacePoints(run, surface, result, out.surfacePoints);
 	if (hasKept) exportKept(run.input, result, 1 / surface.frame.scale, out);
-	if (run.options.anchorsOfFaces) exportFaceAnchors(run, surface, result, out.faceAnchors);
+	if (run.options.surfacePointsOfFaces) exportFacePoints(run, surface, result, out.facePoints);
 	requireAreas(run, out.mesh);
 	run.report.quality = measureQuality(out.mesh.view(), run.workers);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "thorough_check.h"
 
-#include <vcg_extras/core/mesh/crossing_faces.h>
+#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/surface/sampled_distance.h>
 
 namespace gpr {
@@ -11,10 +11,10 @@ CheckFigures checkThoroughly(const Surface& surface, const HalfEdgeMesh& result,
 {
 	const HalfEdgeMesh& input = surface.mesh;
 	CheckFigures        figures;
-	figures.done          = true;
-	figures.crossingFaces = std::int64_t(findCrossingFaces(result, workers).size());
-	if (figures.crossingFaces > 0)
-		figures.inputCrossingFaces = std::int64_t(findCrossingFaces(input, workers).size());
+	figures.done              = true;
+	figures.intersectingFaces = std::int64_t(findIntersectingFaces(result, workers).size());
+	if (figures.intersectingFaces > 0)
+		figures.inputIntersectingFaces = std::int64_t(findIntersectingFaces(input, workers).size());
 	figures.vertexDistance  = double(largestVertexDistance(result, input, workers));
 	figures.largestDistance = double(largestSampledDistance(input, result, workers));
 	return figures;
@@ -28,8 +28,8 @@ std::string describeFailure(const CheckFigures& figures, double fitDistance)
 	const auto       add = [&](bool failed, const std::string& phrase) {
         if (failed) what += (what.empty() ? "" : ", ") + phrase;
 	};
-	add(figures.crossingFaces > 0 && figures.inputCrossingFaces == 0,
-		std::to_string(figures.crossingFaces) + " faces that cross others");
+	add(figures.intersectingFaces > 0 && figures.inputIntersectingFaces == 0,
+		std::to_string(figures.intersectingFaces) + " self-intersecting faces");
 	add(!(figures.vertexDistance <= fitDistance + rounding),
 		"vertices farther from the input than the fit moves them");
 	if (what.empty()) return "";

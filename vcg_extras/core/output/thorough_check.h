@@ -11,13 +11,13 @@
 
 namespace gpr {
 
-/// What the audit leaves out because it costs as much as a run: faces that cross others, and
-/// distances found by nearest points, which trust none of the run's own anchors. The input's
-/// crossings are looked for only where the result has some. Lengths of the figures are in working
+/// What the audit leaves out because it costs as much as a run: self-intersections, and
+/// distances found by nearest points, which trust none of the run's own surface points. The input's
+/// ones are looked for only where the result has some. Lengths of the figures are in working
 /// units. Cost: O(F log F) of both meshes, parallel but for the trees.
 CheckFigures checkThoroughly(const Surface& surface, const HalfEdgeMesh& result, Workers& workers);
 
-/// What is promised and not kept, as one sentence; empty if all is: no face crosses another where
+/// What is promised and not kept, as one sentence; empty if all is: no faces intersect where
 /// none did in the input, and no vertex is farther from the input than the fit moved it, which is
 /// fitDistance in working units.
 std::string describeFailure(const CheckFigures& figures, double fitDistance);

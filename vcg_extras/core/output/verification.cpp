@@ -65,10 +65,11 @@ void requirePromises(RunContext& run, const Surface& surface, const ResultMesh& 
 	report.audit =
 		audit(surface, result, report.cleanedInput, report.result, promisedNum, run.workers);
 	if (!report.audit.passed) throw Failure(Status::PromiseBroken, describeFailure(report.audit));
-	if (report.audit.flippedFaces == 0) return;
-	run.notes.push_back(std::to_string(report.audit.flippedFaces) +
-						" faces look against the input's normals, where the surface is thinner "
-						"than the triangles are wide.");
+	if (report.audit.invertedFaces == 0) return;
+	run.notes.push_back(
+		std::to_string(report.audit.invertedFaces) +
+		" faces are inverted: they look against the input's normals, where the surface is thinner "
+		"than the triangles are wide.");
 }
 
 void checkWhereAsked(RunContext& run, const Surface& surface, const HalfEdgeMesh& result)

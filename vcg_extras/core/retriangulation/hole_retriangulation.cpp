@@ -14,9 +14,9 @@ namespace {
 
 /// Rounds of a kind, and what they accept.
 struct RoundRules {
-	float leastCosine;
+	float minCosine;
 	bool  sparesNeighbours; ///< a vertex waits for the next round once a neighbour has gone
-	int   mostRounds;
+	int   maxRounds;
 };
 
 constexpr RoundRules roundRules[] = {
@@ -25,7 +25,7 @@ constexpr RoundRules roundRules[] = {
 /// The vertices still to be removed, block by block.
 class Removal {
 public:
-	Removal(FusedMesh& fused, const BlockPartition& partition, Workers& workers) :
+	Removal(FusedMesh& fused, const OctreeBlocks& partition, Workers& workers) :
 			m_(fused.mesh), partition_(partition), workers_(workers),
 			lastTouch_(fused.mesh.vertexNum, 0)
 	{
@@ -49,12 +49,12 @@ public:
 		rules.longestSquared = 0.0625f * partition_.cellSize * partition_.cellSize;
 		std::vector<HoleRetriangulator> removers(workers_.threadNum(), HoleRetriangulator(m_));
 		for (const RoundRules& kind : roundRules) {
-			rules.leastCosine = kind.leastCosine;
+			rules.minCosine = kind.minCosine;
 			for (const std::vector<int>& ids : partition_.byColour) {
 				workers_.forTasks(ids.size(), [&](std::size_t i, int worker) {
 					runRounds(todo_[ids[i]], removers[worker], rules, kind, firstRound_);
 				});
-				firstRound_ += kind.mostRounds;
+				firstRound_ += kind.maxRounds;
 			}
 		}
 	}
@@ -69,16 +69,16 @@ public:
 		HoleRules          rules;
 		for (const RoundRules& kind : roundRules) {
 			workers_.poll();
-			rules.leastCosine = kind.leastCosine;
+			rules.minCosine = kind.minCosine;
 			runRounds(rest, remover, rules, kind, firstRound_);
-			firstRound_ += kind.mostRounds;
+			firstRound_ += kind.maxRounds;
 		}
 		return rest;
 	}
 
 private:
 	HalfEdgeMesh&                 m_;
-	const BlockPartition&         partition_;
+	const OctreeBlocks&           partition_;
 	Workers&                      workers_;
 	std::vector<int>              lastTouch_; ///< per vertex: the round its star changed last in
 	std::vector<std::vector<int>> todo_;
@@ -87,7 +87,7 @@ private:
 	void runRounds(std::vector<int>& vertices, HoleRetriangulator& remover, const HoleRules& rules,
 				   const RoundRules& kind, int firstRound)
 	{
-		for (int i = 0; i < kind.mostRounds && !vertices.empty(); ++i) {
+		for (int i = 0; i < kind.maxRounds && !vertices.empty(); ++i) {
 			const std::size_t before = vertices.size();
 			runRound(vertices, remover, rules, kind.sparesNeighbours ? firstRound + i : 0);
 			if (vertices.size() == before) return;
@@ -146,7 +146,7 @@ Vec3d flattenStar(const HalfEdgeMesh& m, const VertexStar& star, std::vector<Vec
 bool HoleRetriangulator::remove(int v, const HoleRules& rules)
 {
 	collectStar(m_, v, star_);
-	if (star_.placeNum() > mostPlaces) return false;
+	if (star_.placeNum() > maxPlaces) return false;
 	const Vec3f normal(flattenStar(m_, star_, flat_));
 	delaunay_.forbidden.clear();
 	if (!delaunay_.triangulate(flat_, patch_)) return false;
@@ -180,7 +180,7 @@ bool HoleRetriangulator::keeps(const HoleRules& rules, const Vec3f& normal) cons
 		const Vec3f b = m_.position[star_.ring[patch_.corner[x + 1]]];
 		const Vec3f c = m_.position[star_.ring[patch_.corner[x + 2]]];
 		const Vec3f n = cross(b - a, c - a);
-		if (dot(n, normal) < rules.leastCosine * length(n)) return false;
+		if (dot(n, normal) < rules.minCosine * length(n)) return false;
 		if (squaredLength(b - a) > rules.longestSquared) return false;
 		if (squaredLength(c - b) > rules.longestSquared) return false;
 		if (squaredLength(a - c) > rules.longestSquared) return false;
@@ -190,7 +190,7 @@ bool HoleRetriangulator::keeps(const HoleRules& rules, const Vec3f& normal) cons
 
 ResultMesh removeOriginalVertices(FusedMesh&& fused, const Surface& surface,
 								  const Sampling& sampling, const BoundaryCurves& boundary,
-								  const BlockPartition& partition, Workers& workers)
+								  const OctreeBlocks& partition, Workers& workers)
 {
 	Removal removal(fused, partition, workers);
 	removal.runInBlocks();

@@ -6,7 +6,7 @@
 #include "polygon_delaunay.h"
 #include "sampled_result.h"
 
-#include <vcg_extras/core/mesh/blocks.h>
+#include <vcg_extras/core/mesh/octree_blocks.h>
 #include <vcg_extras/core/sampling/fused_mesh.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
@@ -26,7 +26,7 @@ namespace gpr {
 /// vertices. Needs a sampling's samples to be the fused mesh's. Cost: about 1 M vertices/s a core.
 ResultMesh removeOriginalVertices(FusedMesh&& fused, const Surface& surface,
 								  const Sampling& sampling, const BoundaryCurves& boundary,
-								  const BlockPartition& partition, Workers& workers);
+								  const OctreeBlocks& partition, Workers& workers);
 
 /// The geodesic polar map of a star: place i of its ring lies at its true distance from the vertex,
 /// in the directions the faces' angles give, scaled to add up to 360°, or 180° at a border. All
@@ -36,7 +36,7 @@ Vec3d flattenStar(const HalfEdgeMesh& m, const VertexStar& star, std::vector<Vec
 
 /// What a hole must keep to.
 struct HoleRules {
-	float leastCosine    = -2;        ///< of new faces' normals with the star's mean normal
+	float minCosine      = -2;        ///< of new faces' normals with the star's mean normal
 	float longestSquared = HUGE_VALF; ///< of new edges, squared length
 };
 
@@ -47,13 +47,13 @@ public:
 
 	/// Takes v out and closes the hole. False, and nothing changed: the polygon cannot be
 	/// triangulated, the new faces break the rules, topology forbids it (see canRemoveVertex), or
-	/// the ring has more than mostPlaces places.
+	/// the ring has more than maxPlaces places.
 	bool remove(int v, const HoleRules& rules);
 
 	/// The star of the vertex removed last.
 	const VertexStar& star() const { return star_; }
 
-	static constexpr int mostPlaces = 128;
+	static constexpr int maxPlaces = 128;
 
 private:
 	HalfEdgeMesh&      m_;

@@ -11,7 +11,7 @@ namespace {
 constexpr double inLineTolerance   = 1e-9;
 constexpr double onCircleTolerance = 1e-9;
 /// Flips are at most this times the square of the edges; rounding could turn diagonals for ever.
-constexpr int mostFlipsFactor = 4;
+constexpr int maxFlipsFactor = 4;
 
 Vec2d minus(const Vec2d& a, const Vec2d& b)
 {
@@ -171,7 +171,7 @@ bool PolygonDelaunay::isDelaunay(const HolePatch& patch, int x) const
 void PolygonDelaunay::makeDelaunay(HolePatch& patch) const
 {
 	const int edges     = int(patch.corner.size());
-	int       flipsLeft = mostFlipsFactor * edges * edges;
+	int       flipsLeft = maxFlipsFactor * edges * edges;
 	for (bool again = true; again;) {
 		again = false;
 		for (int x = 0; x < edges; ++x) {

@@ -32,7 +32,7 @@ std::unordered_map<int, std::pair<int, float>> findOnCurves(const BoundaryCurves
 ResultVertex recordOf(int s, const Sampling& sampling, const BoundaryCurves& boundary)
 {
 	ResultVertex r;
-	r.anchor = sampling.samples[s].anchor;
+	r.point  = sampling.samples[s].point;
 	r.normal = sampling.samples[s].normal;
 	r.sample = s;
 	if (s < sampling.boundarySampleNum && std::size_t(s) < boundary.samples.size()) {
@@ -71,12 +71,12 @@ ResultMesh resultOfSamples(Retriangulated&& removed, const Surface& surface,
 		ResultVertex& r   = result.vertex[newIndex[removed.leftover[i]]];
 		r.curve           = onCurve.at(old).first;
 		r.arc             = onCurve.at(old).second;
-		r.anchor          = {surface.mesh.position[old], surface.mesh.outgoing[old] / 3};
-		r.normal          = surface.mesh.faceNormal(r.anchor.face);
+		r.point           = {surface.mesh.position[old], surface.mesh.outgoing[old] / 3};
+		r.normal          = surface.mesh.faceNormal(r.point.face);
 	}
 	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
 		for (std::size_t v = begin; v < end; ++v)
-			m.position[v] = result.vertex[v].anchor.position;
+			m.position[v] = result.vertex[v].point.position;
 	});
 	result.mesh = std::move(m);
 	return result;

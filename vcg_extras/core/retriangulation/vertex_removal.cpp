@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vertex_removal.h"
 
-#include "cell_contraction.h"
 #include "sampled_result.h"
+#include "voronoi_dual.h"
 
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/coloured_grid.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
-#include <vcg_extras/core/mesh/work_cells.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,10 +18,9 @@ namespace {
 
 /// What a pass of the removal accepts.
 struct PassRules {
-	bool sameLabelOnly;
-	float
-		leastCosine; ///< of each new face's normal with the mean normal of the ring; -2 = anything
-	int tries;       ///< targets tried per vertex, best first
+	bool  sameLabelOnly;
+	float minCosine; ///< of each new face's normal with the mean normal of the ring; -2 = anything
+	int   tries;     ///< targets tried per vertex, best first
 };
 
 constexpr PassRules passRules[] = {
@@ -44,7 +43,7 @@ public:
 
 	/// Tries to merge v into a neighbour, if the cell, where there is one, reaches all of them.
 	/// False: v stays for now.
-	bool remove(int v, const PassRules& rules, const WorkCell* cell)
+	bool remove(int v, const PassRules& rules, const GridCell* cell)
 	{
 		if (cell != nullptr && !reachesRing(*cell, v)) return false;
 		if (m_.isBorderVertex(v)) return removeAtBorder(v, rules);
@@ -67,7 +66,7 @@ private:
 
 	int labelOf(int v) const { return label_[v]; }
 
-	bool reachesRing(const WorkCell& cell, int v) const
+	bool reachesRing(const GridCell& cell, int v) const
 	{
 		bool all = true;
 		forEachNeighbour(m_, v, [&](int w) { all = all && cell.reaches(m_.position[w]); });
@@ -112,12 +111,12 @@ private:
 	{
 		for (Spoke& t : ring_) {
 			const bool allowed = !rules.sameLabelOnly || labelOf(t.target) == label;
-			t.score            = allowed ? scoreOf(t, normal, rules.leastCosine) : noScore;
+			t.score            = allowed ? scoreOf(t, normal, rules.minCosine) : noScore;
 		}
 	}
 
 	/// The worst shape among the triangles that moving v to t would leave.
-	float scoreOf(const Spoke& t, const Vec3f& normal, float leastCosine) const
+	float scoreOf(const Spoke& t, const Vec3f& normal, float minCosine) const
 	{
 		float worst = 1;
 		for (std::size_t i = 0, last = ring_.size() - 1; i < ring_.size(); last = i++) {
@@ -126,7 +125,7 @@ private:
 			const Vec3f n        = cross(e, g);
 			const float doubled  = length(n);
 			const float eSquared = squaredLength(e), gSquared = squaredLength(g);
-			if (dot(n, normal) < leastCosine * doubled) return noScore;
+			if (dot(n, normal) < minCosine * doubled) return noScore;
 			if (eSquared > longestSquared_ || gSquared > longestSquared_) return noScore;
 			const float edges =
 				eSquared + gSquared + squaredLength(ring_[i].place - ring_[last].place);
@@ -172,7 +171,7 @@ private:
 			const bool  tooLong =
 				squaredLength(s - q) > longestSquared_ || squaredLength(t - q) > longestSquared_;
 			const float scale = length(then) * length(now);
-			if (tooLong || dot(then, now) < rules.leastCosine * scale) worst = noScore;
+			if (tooLong || dot(then, now) < rules.minCosine * scale) worst = noScore;
 			worst = std::min(worst, triangleShape(q, s, t));
 		});
 		return worst;
@@ -209,7 +208,7 @@ private:
 			const Vec3f n = cross(x - q, y - q);
 			const bool  tooLong =
 				squaredLength(x - q) > longestSquared_ || squaredLength(y - q) > longestSquared_;
-			if (tooLong || dot(n, normal) < rules.leastCosine * length(n)) worst = noScore;
+			if (tooLong || dot(n, normal) < rules.minCosine * length(n)) worst = noScore;
 			worst = std::min(worst, triangleShape(q, x, y));
 		});
 		return worst;
@@ -217,12 +216,12 @@ private:
 };
 
 /// Runs one pass over the vertices still to be removed, work cell by work cell.
-void runPass(const WorkCells& cells, const PassRules& rules, std::vector<Remover>& removers,
+void runPass(const ColouredGrid& cells, const PassRules& rules, std::vector<Remover>& removers,
 			 std::vector<char>& isThere, Workers& workers)
 {
-	for (const std::vector<WorkCell>& sameColour : cells.byColour) {
+	for (const std::vector<GridCell>& sameColour : cells.byColour) {
 		workers.forTasks(sameColour.size(), [&](std::size_t i, int worker) {
-			const WorkCell& cell = sameColour[i];
+			const GridCell& cell = sameColour[i];
 			for (int k = cell.begin; k < cell.end; ++k) {
 				const int v = cells.vertices[k];
 				if (isThere[k] && removers[worker].remove(v, rules, &cell)) isThere[k] = 0;
@@ -255,9 +254,9 @@ ResultMesh removeVertices(const Surface& surface, const Sampling& sampling,
 						  const BoundaryCurves& boundary, const MeshFigures& input,
 						  Workers& workers)
 {
-	ContractedCells      cells = contractCells(surface, sampling, boundary, input, workers);
+	VoronoiDual          cells = makeVoronoiDual(surface, sampling, boundary, input, workers);
 	HalfEdgeMesh&        m     = cells.mesh;
-	const WorkCells      work  = cutIntoWorkCells(m, cells.todo, workWidth * sampling.radius);
+	const ColouredGrid   work  = cutIntoGridCells(m, cells.todo, workWidth * sampling.radius);
 	std::vector<char>    isThere(work.vertices.size(), 1);
 	std::vector<Remover> removers(workers.threadNum(),
 								  Remover(m, cells.label, 0.25f * workWidth * sampling.radius));

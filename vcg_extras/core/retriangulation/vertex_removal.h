@@ -15,7 +15,7 @@ namespace gpr {
 /// Differs from the paper, whose samples are fused into the mesh by edge splits and whose holes are
 /// closed in a local parametrization: here the vertices of each Voronoi cell are merged until one
 /// is left, which takes the sample's place. For most cells that is done in one step (see
-/// cell_contraction.h). In cells where that could harm the topology one vertex stands for the
+/// voronoi_dual.h). In cells where that could harm the topology one vertex stands for the
 /// sample, and every other one is merged into a neighbour of the same cell, the one that leaves the
 /// best worst triangle. Later passes allow any cell, then any geometry, so that only what the
 /// topology needs is left over. Border vertices move along their border only. Topology is kept by

@@ -17,10 +17,10 @@ constexpr double usualPower = 0.75;
 /// Counts of which one meets the goal and one does not are near enough at this quotient.
 constexpr double nearEnough = 1.03;
 /// Between two counts tried, a new one keeps this share of the way (of logarithms) from both.
-constexpr double leastShare = 0.15;
+constexpr double minShare = 0.15;
 /// A count tried is at most this many times the last one, or its inverse.
 constexpr double       largestJump = 8;
-constexpr std::int64_t leastCount  = 4;
+constexpr std::int64_t minCount    = 4;
 
 class CountSearch {
 public:
@@ -32,13 +32,13 @@ public:
 	std::int64_t run()
 	{
 		std::int64_t next = clamped(goal_.start);
-		for (int i = 0; i < goal_.mostTrials && next > 0; ++i) {
+		for (int i = 0; i < goal_.maxTrials && next > 0; ++i) {
 			const ErrorTrial t            = trial_(next);
 			const bool       meets        = t.error <= goal_.largest;
 			(meets ? meeting_ : missing_) = t;
 			// Topology needs more than what was asked for: there is nothing below.
 			const bool floor = t.vertexNum > next;
-			if (meets && (floor || next <= leastCount)) break;
+			if (meets && (floor || next <= minCount)) break;
 			next = nextCount(t);
 		}
 		return meeting_.vertexNum;
@@ -51,7 +51,7 @@ private:
 
 	std::int64_t clamped(std::int64_t n) const
 	{
-		return std::max(leastCount, std::min(n, goal_.most));
+		return std::max(minCount, std::min(n, goal_.most));
 	}
 
 	/// 0 where the search is over.
@@ -73,7 +73,7 @@ private:
 		if (way <= std::log(nearEnough) || meeting_.vertexNum <= missing_.vertexNum + 1) return 0;
 		const double fall  = std::log(missing_.error) - std::log(std::max(meeting_.error, 1e-300));
 		const double share = std::log(missing_.error / goal_.largest) / fall;
-		const double safe  = std::min(1 - leastShare, std::max(leastShare, share));
+		const double safe  = std::min(1 - minShare, std::max(minShare, share));
 		const auto   n     = std::int64_t(std::lround(std::exp(low + safe * way)));
 		return std::max(missing_.vertexNum + 1, std::min(n, meeting_.vertexNum - 1));
 	}

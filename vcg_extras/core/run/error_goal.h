@@ -12,10 +12,10 @@ namespace gpr {
 
 /// A count is looked for whose mesh has an error no larger than this.
 struct ErrorGoal {
-	double       largest    = 0;
-	std::int64_t start      = 0; ///< count that is tried first
-	std::int64_t most       = 0; ///< larger counts are not tried
-	int          mostTrials = 16;
+	double       largest   = 0;
+	std::int64_t start     = 0; ///< count that is tried first
+	std::int64_t most      = 0; ///< larger counts are not tried
+	int          maxTrials = 16;
 };
 
 /// What a trial came to; vertexNum differs from what was asked for where topology needs more.
@@ -28,7 +28,7 @@ struct ErrorTrial {
 /// on either side, or of what is usual where there is but one, until counts that meet it and that
 /// miss it are within 3 % of each other. The error of a mesh is not quite monotonic in its count;
 /// so what is found is a count that meets the goal next to one that does not. Returns the least
-/// count that met it; 0 if none did up to goal.most or within goal.mostTrials.
+/// count that met it; 0 if none did up to goal.most or within goal.maxTrials.
 std::int64_t searchCount(const ErrorGoal&                               goal,
 						 const std::function<ErrorTrial(std::int64_t)>& trial);
 

@@ -77,7 +77,7 @@ bool isBetter(const RemeshResult& a, const RemeshResult& b, double largest)
 
 ErrorTrial tryCount(RunContext& run, const ErrorGoal& goal, std::int64_t vertexNum, Trials& trials)
 {
-	const double     length = 1.0 / goal.mostTrials, from = trials.num * length;
+	const double     length = 1.0 / goal.maxTrials, from = trials.num * length;
 	RemeshResult     trial = remeshWith(run, vertexNum, {from, from + length});
 	const ErrorTrial outcome{std::int64_t(trial.mesh.vertexNum()), trial.report.largestError};
 	++trials.num;

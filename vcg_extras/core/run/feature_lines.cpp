@@ -14,15 +14,15 @@ namespace gpr {
 namespace {
 
 /// Connected feature lines shorter than this in all are dropped; in ideal edges.
-constexpr float leastLineLength = 3;
+constexpr float minLineLength = 3;
 /// But for the rims of holes, and other clear loops, down to this.
-constexpr float leastLoopLength = 1.5f;
+constexpr float minLoopLength = 1.5f;
 /// Of two feature lines nearer to each other than this the weaker is dropped; in ideal edges. The
 /// second where lines and borders take more than this share of the vertices.
-constexpr float  leastLineGap = 0.15f, leastCrowdedGap = 0.3f;
-constexpr double mostOnCurves = 0.5;
+constexpr float  minLineGap = 0.15f, minCrowdedGap = 0.3f;
+constexpr double maxOnCurves = 0.5;
 /// Share of the vertices that lines given by the caller may take, with borders and feature lines.
-constexpr double mostOnGivenLines = 0.5;
+constexpr double maxOnGivenLines = 0.5;
 
 CreaseRules creaseRules(const RemeshOptions& options, const Prepared& p)
 {
@@ -30,10 +30,10 @@ CreaseRules creaseRules(const RemeshOptions& options, const Prepared& p)
 	rules.mode            = followsFeatureLines(options) ? options.featureMode : FeatureMode::Off;
 	rules.strongDeg       = float(options.featureAngleDeg);
 	rules.weakDeg         = 0.5f * rules.strongDeg;
-	rules.leastLength     = leastLineLength * idealEdge(p);
-	rules.leastLoop       = leastLoopLength * idealEdge(p);
-	rules.leastTwig       = idealEdge(p);
-	rules.leastGap        = leastLineGap * idealEdge(p);
+	rules.minLength       = minLineLength * idealEdge(p);
+	rules.minLoop         = minLoopLength * idealEdge(p);
+	rules.minSpur         = idealEdge(p);
+	rules.minGap          = minLineGap * idealEdge(p);
 	rules.callersMeanEdge = p.callersMeanEdge;
 	return rules;
 }
@@ -44,14 +44,14 @@ double shareOf(const BoundaryCurves& curves, const Prepared& p)
 	return double(curves.samples.size()) / double(p.targetNum);
 }
 
-/// Marks lines and tips and samples them. Returns the share that their samples are of the vertices
-/// wanted; 0 without lines.
+/// Marks lines and cone apexes and samples them. Returns the share that their samples are of the
+/// vertices wanted; 0 without lines.
 double followCreases(RunContext& run, const CreaseRules& rules, Prepared& p)
 {
-	CreaseFindings found      = markCreases(rules, run.workers, p.surface);
-	run.report.featureEdgeNum = found.edgeNum;
-	run.report.featureTipNum  = std::int64_t(found.tips.size());
-	p.tips                    = std::move(found.tips);
+	CreaseFindings found          = markCreases(rules, run.workers, p.surface);
+	run.report.featureEdgeNum     = found.edgeNum;
+	run.report.featureConeApexNum = std::int64_t(found.coneApexes.size());
+	p.coneApexes                  = std::move(found.coneApexes);
 	if (found.edgeNum == 0) return 0;
 	p.curves       = sampleCurves(p, p.radius, run.options.boundary);
 	p.curvesRadius = p.radius;
@@ -68,13 +68,13 @@ void followAsManyCreasesAsFit(RunContext& run, Prepared& p)
 {
 	CreaseRules rules = creaseRules(run.options, p);
 	double      share = followCreases(run, rules, p);
-	if (share > mostOnCurves) {
-		rules.leastGap = leastCrowdedGap * idealEdge(p);
-		share          = followCreasesAgain(run, rules, p);
+	if (share > maxOnCurves) {
+		rules.minGap = minCrowdedGap * idealEdge(p);
+		share        = followCreasesAgain(run, rules, p);
 	}
 	while (share > 1) {
-		rules.leastLength *= 2;
-		rules.leastLoop *= 2;
+		rules.minLength *= 2;
+		rules.minLoop *= 2;
 		share = followCreasesAgain(run, rules, p);
 	}
 }
@@ -92,7 +92,7 @@ void followGivenLines(RunContext& run, Prepared& p)
 	std::copy(m.crease.begin(), m.crease.end(), before.begin());
 	const std::int64_t added = markGivenLines(run.input, run.workers, p.surface);
 	if (added == 0) return;
-	if (shareOf(sampleCurves(p, p.radius, run.options.boundary), p) <= mostOnGivenLines) {
+	if (shareOf(sampleCurves(p, p.radius, run.options.boundary), p) <= maxOnGivenLines) {
 		run.report.featureEdgeNum += added;
 		p.curvesRadius = 0;
 		return;
@@ -105,7 +105,7 @@ void followGivenLines(RunContext& run, Prepared& p)
 /// Whether anything of the result will be named by the caller's faces.
 bool namesSources(const RemeshOptions& options, const Prepared& p)
 {
-	return options.anchorsOfVertices || options.anchorsOfFaces || !p.kept.empty();
+	return options.surfacePointsOfVertices || options.surfacePointsOfFaces || !p.kept.empty();
 }
 
 } // namespace
@@ -126,14 +126,14 @@ void findFeatureLines(RunContext& run, Prepared& p)
 void forgetFeatureLines(RunContext& run, Prepared& p)
 {
 	p.surface.mesh.crease.release();
-	p.tips.clear();
+	p.coneApexes.clear();
 	p.curvesRadius            = 0;
-	run.report.featureEdgeNum = run.report.featureTipNum = 0;
+	run.report.featureEdgeNum = run.report.featureConeApexNum = 0;
 }
 
 BoundaryCurves sampleCurves(const Prepared& p, float radius, BoundaryMode border)
 {
-	return sampleBoundary(p.surface, radius, borderSpacing * radius, p.tips, p.kept, border);
+	return sampleBoundary(p.surface, radius, borderSpacing * radius, p.coneApexes, p.kept, border);
 }
 
 } // namespace gpr

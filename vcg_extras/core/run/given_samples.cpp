@@ -23,8 +23,8 @@ GivenSamples takeOverSamples(RunContext& run, const Prepared& p, const std::vect
 	float farthest          = 0;
 	for (const Vec3d& point : points) {
 		run.workers.poll();
-		const Vec3f  q = p.surface.frame.toWorking(point);
-		const Anchor a = tree.nearest(q);
+		const Vec3f        q = p.surface.frame.toWorking(point);
+		const SurfacePoint a = tree.nearest(q);
 		if (a.face < 0) throw Failure(Status::BadOptions, "A sample is not finite.");
 		const float moved = length(a.position - q);
 		given.isMoved.push_back(moved > onSurface);

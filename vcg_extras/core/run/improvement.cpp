@@ -34,11 +34,11 @@ constexpr int adaptedWorstRounds = 4;
 
 /// What the fit leaves for the repair of poor faces.
 struct Fitted {
-	std::unique_ptr<Cells> cells; ///< of the last round, if there was one
-	PoorFaces              poor;
+	std::unique_ptr<ClosestFaceMap> map; ///< of the last round, if there was one
+	PoorFaces                       poor;
 };
 
-float leastAngleDeg(const RemeshOptions& options)
+float minAngleDeg(const RemeshOptions& options)
 {
 	return poorAngleDeg + float(options.adapt) * (adaptedAngleDeg - poorAngleDeg);
 }
@@ -58,9 +58,9 @@ int roundsOfFit(const RemeshOptions& options)
 FitSettings fitSettings(const RemeshOptions& options, LargestDistance largest)
 {
 	FitSettings settings;
-	settings.rounds        = roundsOfFit(options);
-	settings.leastAngleDeg = leastAngleDeg(options);
-	settings.worstRounds   = worstRounds(options, largest);
+	settings.rounds      = roundsOfFit(options);
+	settings.minAngleDeg = minAngleDeg(options);
+	settings.worstRounds = worstRounds(options, largest);
 	settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options.adapt));
 	return settings;
 }
@@ -122,9 +122,9 @@ Fitted fit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 	if (outcome.capped) run.report.capsReached.push_back("moves of the fit");
 	Fitted fitted;
 	run.report.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
-	fitted.poor.suspects          = std::move(outcome.crossing);
+	fitted.poor.suspects          = std::move(outcome.intersecting);
 	fitted.poor.largestGap        = outcome.largestGap;
-	fitted.cells                  = std::move(outcome.cells);
+	fitted.map                    = std::move(outcome.map);
 	return fitted;
 }
 
@@ -141,13 +141,13 @@ void repairFaces(RunContext& run, const Prepared& p, const BoundaryCurves& bound
 	if (!repairsPoorFaces(run.options)) return;
 	run.clock.enter(Stage::Angles);
 	returnReleasedMemory();
-	fitted.poor.angleDeg  = leastAngleDeg(run.options);
+	fitted.poor.angleDeg  = minAngleDeg(run.options);
 	fitted.poor.targetNum = run.options.exactCount ? p.targetNum : 0;
-	if (!repairPoorFaces(p.surface, boundary, fitted.poor, fitted.cells, result, run.workers))
+	if (!repairPoorFaces(p.surface, boundary, fitted.poor, fitted.map, result, run.workers))
 		run.report.capsReached.push_back("changes for the worst angles");
 	// Faces that intersect are taken apart also by raising vertices from the surface.
 	if (run.options.fit != Fit::Off)
-		run.report.largestFitDistance = double(farthestFromAnchor(result)) / p.surface.frame.scale;
+		run.report.largestFitDistance = double(farthestFromSurface(result)) / p.surface.frame.scale;
 }
 
 } // namespace

@@ -28,8 +28,8 @@ void exportSamples(RunContext& run, const Surface& surface, const Sampling& samp
 {
 	run.clock.enter(Stage::Export);
 	for (const Sample& s : sampling.samples) {
-		out.points.push_back(surface.frame.toCaller(s.anchor.position));
-		out.anchors.push_back(surfacePoint(run.input, surface, s.anchor));
+		out.points.push_back(surface.frame.toCaller(s.point.position));
+		out.surfacePoints.push_back(barycentricPoint(run.input, surface, s.point));
 		out.radii.push_back(run.report.diskRadius * double(s.size));
 	}
 	out.diskRadius = run.report.diskRadius;

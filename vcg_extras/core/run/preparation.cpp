@@ -30,12 +30,12 @@ namespace {
 /// long edges in a dense scan do no harm, and splitting them all would make a tenth more of
 /// everything.
 constexpr float  longestSingleEdge = 1.1f;
-constexpr double mostSingleFaces   = 0.15;
+constexpr double maxSingleFaces    = 0.15;
 /// Where no more than this share of the faces is split, noise is still seen on those that are
 /// there.
-constexpr double mostUnseen = 0.02;
+constexpr double maxUnseen = 0.02;
 
-std::int64_t mostFacesFor(std::int64_t targetNum, std::int64_t faceNum)
+std::int64_t maxFacesFor(std::int64_t targetNum, std::int64_t faceNum)
 {
 	const std::int64_t most = std::max<std::int64_t>(4 * faceNum, 200 * targetNum + 10000000);
 	return std::min<std::int64_t>(most, 700000000);
@@ -61,17 +61,17 @@ std::int64_t splitAsFarAsMemoryGoes(RunContext& run, const FaceExtents& extents,
 	run.clock.enter(Stage::SplitLongEdges);
 	float            longest   = longestEdgeInRadii * p.radius;
 	std::vector<int> longFaces = findLongFaces(mesh, extents, longest, run.workers);
-	if (double(longFaces.size()) < mostSingleFaces * mesh.faceNum) {
+	if (double(longFaces.size()) < maxSingleFaces * mesh.faceNum) {
 		longest   = longestSingleEdge * p.radius;
 		longFaces = findLongFaces(mesh, longest, longFaces, run.workers);
 	}
 	noteStrayFaces(run, mesh, longFaces);
 	const double faces = facesAfterSplitting(mesh, longFaces, longest);
 	requireMemory(bytesNeeded(faces, double(p.targetNum)), availableMemoryBytes());
-	const std::int64_t mostFaces = mostFacesFor(p.targetNum, mesh.faceNum);
-	if (double(longFaces.size()) > mostUnseen * mesh.faceNum)
+	const std::int64_t maxFaces = maxFacesFor(p.targetNum, mesh.faceNum);
+	if (double(longFaces.size()) > maxUnseen * mesh.faceNum)
 		p.callersMeanEdge = meanEdgeLength(mesh, run.workers);
-	return splitLongEdges(mesh, longFaces, longest, mostFaces, run.workers);
+	return splitLongEdges(mesh, longFaces, longest, maxFaces, run.workers);
 }
 
 /// The caller's own vertices on the border.
@@ -129,9 +129,8 @@ void splitForSizes(RunContext& run, float longest, Prepared& p)
 	Buffer<float> size = std::move(p.surface.size);
 	IndexedMesh   mesh = disconnect(p.surface);
 	if (!(p.callersMeanEdge > 0)) p.callersMeanEdge = meanEdgeLength(mesh, run.workers);
-	const std::int64_t mostFaces = mostFacesFor(p.targetNum, mesh.faceNum);
-	run.report.cleaned.longEdgesSplit +=
-		splitLongEdges(mesh, longest, size, mostFaces, run.workers);
+	const std::int64_t maxFaces = maxFacesFor(p.targetNum, mesh.faceNum);
+	run.report.cleaned.longEdgesSplit += splitLongEdges(mesh, longest, size, maxFaces, run.workers);
 	connectOrRepair(run, mesh, p.surface);
 }
 
@@ -139,8 +138,8 @@ void splitForSizes(RunContext& run, float longest, Prepared& p)
 /// small sizes meet edges that are too long for them, those are split and the sizes found anew.
 void setSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 {
-	constexpr int mostRefinements = 4;
-	for (int pass = 0; pass <= mostRefinements; ++pass) {
+	constexpr int maxRefinements = 4;
+	for (int pass = 0; pass <= maxRefinements; ++pass) {
 		Sizing sizing = findSizes(run, marks, p);
 		if (sizing.size.empty()) return;
 		p.surface.size                 = std::move(sizing.size);
@@ -148,7 +147,7 @@ void setSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 		run.report.curvatureClampedNum = sizing.clampedNum;
 		setTarget(run, p.targetNum, p);
 		const float longest = longestEdgeInRadii * p.radius;
-		if (pass == mostRefinements || edgesFitSizes(p.surface, longest, run.workers)) return;
+		if (pass == maxRefinements || edgesFitSizes(p.surface, longest, run.workers)) return;
 		splitForSizes(run, longest, p);
 	}
 }

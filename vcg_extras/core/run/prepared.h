@@ -22,7 +22,7 @@ struct Prepared {
 	float  callersMeanEdge = 0; ///< before edges were split, working units; 0: hardly any were
 	double radiusFactor    = 1; ///< that over the radius of eq. (1): see Sizing
 	Buffer<char>     isFeatureVertex;  ///< of the region to be preserved; empty: none
-	std::vector<int> tips;             ///< vertices at tips of cones
+	std::vector<int> coneApexes;       ///< vertices at cone apexes
 	BoundaryCurves   curves;           ///< with samples, where they are known already
 	float            curvesRadius = 0; ///< for which they were sampled; 0: not yet
 	std::vector<int> kept;             ///< the caller's vertices that stay

@@ -24,7 +24,7 @@ constexpr float blockWidth      = 20;
 constexpr float smallBlockWidth = 12;
 constexpr int   smallMeshFaces  = 2000000;
 
-BlockPartition cutForRadius(RunContext& run, const Prepared& p, float radius)
+OctreeBlocks cutForRadius(RunContext& run, const Prepared& p, float radius)
 {
 	const bool small = p.surface.mesh.faceNum < smallMeshFaces;
 	return cutIntoBlocks(p.surface, (small ? smallBlockWidth : blockWidth) * radius, run.workers);
@@ -38,19 +38,19 @@ float correctedRadius(const Prepared& p, const Sampling& sampling, float radius)
 	constexpr float aim = 0.985f; // of the wanted number
 	// A few samples too many are soon merged and not worth another sampling.
 	constexpr float fewest = 0.98f, most = 1.035f;
-	constexpr float mostOnCurves = 0.7f;
+	constexpr float maxOnCurves = 0.7f;
 	if (!p.surface.mesh.hasCreases() && p.kept.empty()) return radius;
 	const float kept   = float(p.kept.size());
 	const float wanted = aim * float(p.targetNum) - kept;
 	const float share  = (float(sampling.samples.size()) - kept) / wanted;
 	if (!(wanted > 0) || (share >= fewest && share <= most)) return radius;
 	const float onCurves = float(sampling.boundarySampleNum) - kept;
-	if (onCurves > mostOnCurves * (float(p.targetNum) - kept)) return radius;
+	if (onCurves > maxOnCurves * (float(p.targetNum) - kept)) return radius;
 	if (p.kept.empty()) return radius * std::sqrt(share);
 	// Edges are cut for this radius; much smaller disks would own no vertices.
-	constexpr float leastRadius = 0.8f, leastShare = 0.25f, mostShare = 4;
-	return std::max(leastRadius * p.radius,
-					radius * std::sqrt(std::clamp(share, leastShare, mostShare)));
+	constexpr float minRadius = 0.8f, minShare = 0.25f, maxShare = 4;
+	return std::max(minRadius * p.radius,
+					radius * std::sqrt(std::clamp(share, minShare, maxShare)));
 }
 
 /// The paper's placement fuses its samples into a mesh, which the removal of vertices goes on with.
@@ -60,7 +60,7 @@ void sampleOnBorderEdges(RunContext& run, const Prepared& p, float radius,
 	BorderEdgeOptions o;
 	o.radius                  = radius;
 	o.seed                    = run.options.seed;
-	o.mostSamples             = 100000 + 10 * p.targetNum;
+	o.maxSamples              = 100000 + 10 * p.targetNum;
 	o.region                  = &first;
 	BorderEdgeSampling placed = sampleBorderEdges(p.surface, sampled.curves, o, run.workers);
 	sampled.sampling          = std::move(placed.sampling);
@@ -69,7 +69,7 @@ void sampleOnBorderEdges(RunContext& run, const Prepared& p, float radius,
 }
 
 void sampleWithRadius(RunContext& run, const Prepared& p, float radius,
-					  const BlockPartition& partition, Sampled& sampled)
+					  const OctreeBlocks& partition, Sampled& sampled)
 {
 	const RemeshOptions& options = run.options;
 	run.clock.enter(Stage::Boundary);
@@ -102,19 +102,19 @@ FusedMesh fusedMesh(RunContext& run, const Prepared& p, Sampled& sampled)
 
 } // namespace
 
-BlockPartition cutForSampling(RunContext& run, const Prepared& p)
+OctreeBlocks cutForSampling(RunContext& run, const Prepared& p)
 {
 	return cutForRadius(run, p, p.radius);
 }
 
 Sampled sampleSurface(RunContext& run, const Prepared& p)
 {
-	const int mostCorrections = p.kept.empty() ? 2 : 6;
-	float     radius          = p.radius;
+	const int maxCorrections = p.kept.empty() ? 2 : 6;
+	float     radius         = p.radius;
 	Sampled   sampled;
 	sampled.partition = cutForSampling(run, p);
 	sampleWithRadius(run, p, radius, sampled.partition, sampled);
-	for (int i = 0; i < mostCorrections; ++i) {
+	for (int i = 0; i < maxCorrections; ++i) {
 		const float corrected = correctedRadius(p, sampled.sampling, radius);
 		if (corrected == radius) break;
 		radius = corrected;

@@ -7,7 +7,7 @@
 
 #include <vcg_extras/core/base/run_context.h>
 #include <vcg_extras/core/features/boundary_curves.h>
-#include <vcg_extras/core/mesh/blocks.h>
+#include <vcg_extras/core/mesh/octree_blocks.h>
 #include <vcg_extras/core/sampling/front_sampling.h>
 #include <vcg_extras/core/sampling/fused_mesh.h>
 #include <vcg_extras/core/surface/result_mesh.h>
@@ -16,7 +16,7 @@ namespace gpr {
 
 /// Samples of the surface, and what the retriangulation takes over from the sampling.
 struct Sampled {
-	BlockPartition partition;
+	OctreeBlocks   partition;
 	BoundaryCurves curves;
 	Sampling       sampling;
 	FusedMesh      fused; ///< with the samples of the border-edge placement, else empty
@@ -28,7 +28,7 @@ struct Meshed {
 	BoundaryCurves curves;
 };
 
-BlockPartition cutForSampling(RunContext& run, const Prepared& p);
+OctreeBlocks cutForSampling(RunContext& run, const Prepared& p);
 
 /// Samples of about the wanted number, placed in the way that the options choose.
 Sampled sampleSurface(RunContext& run, const Prepared& p);

@@ -128,13 +128,13 @@ private:
 	RemeshResult&             out_;
 	std::vector<std::int32_t> newIndex_; ///< per vertex of the caller's: that of the result, or -1
 
-	std::int32_t addCallers(std::int32_t v, const SurfacePoint& at)
+	std::int32_t addCallers(std::int32_t v, const BarycentricPoint& at)
 	{
 		std::int32_t& index = newIndex_[std::size_t(v)];
 		if (index >= 0) return index;
 		index = std::int32_t(out_.mesh.positions.size());
 		out_.mesh.positions.push_back(input_.position(std::size_t(v)));
-		out_.anchors.push_back(at);
+		out_.surfacePoints.push_back(at);
 		out_.callersVertex.push_back(v);
 		return index;
 	}
@@ -142,11 +142,11 @@ private:
 	/// The faces that are not selected, and their vertices in the caller's order.
 	void takeRest()
 	{
-		std::vector<SurfacePoint> at(input_.vertexNum);
+		std::vector<BarycentricPoint> at(input_.vertexNum);
 		for (std::size_t f = 0; f < input_.faceNum; ++f) {
 			if (isSelected(input_, f)) continue;
 			for (int k = 0; k < 3; ++k) {
-				SurfacePoint& p = at[std::size_t(input_.vertexOf(3 * f + std::size_t(k)))];
+				BarycentricPoint& p = at[std::size_t(input_.vertexOf(3 * f + std::size_t(k)))];
 				if (p.face >= 0) continue;
 				p.face = std::int32_t(f);
 				for (int i = 0; i < 3; ++i)
@@ -167,11 +167,11 @@ private:
 		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
 			out_.mesh.triangles.push_back(newIndex_[std::size_t(input_.vertexOf(c))]);
 		constexpr float third = 1 / 3.0f;
-		out_.faceAnchors.push_back({std::int32_t(f), {third, third, third}});
+		out_.facePoints.push_back({std::int32_t(f), {third, third, third}});
 		out_.callersFace.push_back(std::int32_t(f));
 	}
 
-	SurfacePoint ofCaller(SurfacePoint at) const
+	BarycentricPoint ofCaller(BarycentricPoint at) const
 	{
 		at.face = part_.faceOf[std::size_t(at.face)];
 		return at;
@@ -185,17 +185,17 @@ private:
 		for (std::int32_t v : made_.mesh.triangles)
 			out_.mesh.triangles.push_back(index[std::size_t(v)]);
 		out_.callersFace.resize(out_.mesh.faceNum(), -1);
-		for (const SurfacePoint& at : made_.faceAnchors)
-			out_.faceAnchors.push_back(ofCaller(at));
+		for (const BarycentricPoint& at : made_.facePoints)
+			out_.facePoints.push_back(ofCaller(at));
 	}
 
 	std::int32_t addMade(std::size_t v)
 	{
-		const SurfacePoint at = ofCaller(made_.anchors[v]);
+		const BarycentricPoint at = ofCaller(made_.surfacePoints[v]);
 		if (!made_.callersVertex.empty() && made_.callersVertex[v] >= 0)
 			return addCallers(part_.vertexOf[std::size_t(made_.callersVertex[v])], at);
 		out_.mesh.positions.push_back(made_.mesh.positions[v]);
-		out_.anchors.push_back(at);
+		out_.surfacePoints.push_back(at);
 		out_.callersVertex.push_back(-1);
 		return std::int32_t(out_.mesh.positions.size()) - 1;
 	}
@@ -225,17 +225,17 @@ private:
 RemeshResult remeshSelected(const MeshView& input, const RemeshOptions& options, const PartRun& run)
 {
 	requireIndices(input);
-	const Part    part       = cutOut(input);
-	RemeshOptions inside     = options;
-	inside.selectedOnly      = false;
-	inside.anchorsOfVertices = true; // they say where the parts are joined
-	inside.boundary          = BoundaryMode::Keep;
-	RemeshResult made        = run(part.view(), inside);
+	const Part    part             = cutOut(input);
+	RemeshOptions inside           = options;
+	inside.selectedOnly            = false;
+	inside.surfacePointsOfVertices = true; // they say where the parts are joined
+	inside.boundary                = BoundaryMode::Keep;
+	RemeshResult made              = run(part.view(), inside);
 	if (made.status != Status::Ok) return made;
 
 	RemeshResult out;
 	Joining(input, part, made, out).join();
-	if (!options.anchorsOfFaces) out.faceAnchors.clear();
+	if (!options.surfacePointsOfFaces) out.facePoints.clear();
 	out.status                  = Status::Ok;
 	out.notes                   = std::move(made.notes);
 	out.report                  = std::move(made.report);

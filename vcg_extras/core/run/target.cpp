@@ -32,7 +32,7 @@ double wantedVertexNum(const MeshView& input, const RemeshOptions& o, double are
 std::int64_t resolveTarget(const MeshView& input, const RemeshOptions& o, double area, double scale)
 {
 	const double n = std::round(wantedVertexNum(input, o, area, scale));
-	if (n > mostResultVertices) {
+	if (n > maxResultVertices) {
 		throw Failure(Status::OutOfMemory, "The result would have more than 200,000,000 vertices.");
 	}
 	return std::max<std::int64_t>(1, std::int64_t(n));

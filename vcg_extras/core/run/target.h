@@ -15,7 +15,7 @@ namespace gpr {
 /// triangles a trial cost more than a trial.
 constexpr double edgePerError = 5;
 /// More vertices are refused.
-constexpr double mostResultVertices = 2e8;
+constexpr double maxResultVertices = 2e8;
 
 /// Vertices of about-equilateral triangles of this edge length that cover the area.
 double vertexNumForEdgeLength(double area, double edgeLength);

@@ -10,9 +10,9 @@ namespace gpr {
 namespace {
 
 /// Beyond so many vertices a few more do not change whether every triangle has an area.
-constexpr std::int64_t mostSearchedVertices = 64;
+constexpr std::int64_t maxSearchedVertices = 64;
 /// Each is a quarter more than the one before, so that the last is about four times the first.
-constexpr int mostSearchedCounts = 8;
+constexpr int maxSearchedCounts = 8;
 
 std::string text(std::int64_t n)
 {
@@ -80,7 +80,7 @@ bool isSearching(const Attempt& attempt)
 
 bool leavesRoom(const Outcome& outcome)
 {
-	return !outcome.hasZeroAreas || outcome.vertexNum > mostSearchedVertices;
+	return !outcome.hasZeroAreas || outcome.vertexNum > maxSearchedVertices;
 }
 
 Verdict beginSearch(const Attempt& attempt, std::int64_t from)
@@ -106,7 +106,7 @@ Verdict endSearchAt(const Request& request, const Attempt& attempt, std::int64_t
 /// for.
 Verdict goOnSearching(const Request& request, const Attempt& attempt)
 {
-	const bool isOver   = attempt.searchedNum == mostSearchedCounts;
+	const bool isOver   = attempt.searchedNum == maxSearchedCounts;
 	const bool isAnswer = request.isTargetWish || attempt.searchedFrom == attempt.asked;
 	if (isOver && !isAnswer) return refuseBelow(attempt.searchedFrom, attempt);
 	Attempt next = attempt;
@@ -122,7 +122,7 @@ Verdict judgeAreas(const Request& request, const Attempt& attempt, const Outcome
 	if (!isSearching(attempt)) {
 		return leavesRoom(outcome) ? accept() : beginSearch(attempt, outcome.vertexNum);
 	}
-	if (attempt.searchedNum > mostSearchedCounts) return accept();
+	if (attempt.searchedNum > maxSearchedCounts) return accept();
 	if (!outcome.hasZeroAreas) return endSearchAt(request, attempt, outcome.vertexNum);
 	return goOnSearching(request, attempt);
 }

@@ -14,7 +14,7 @@ namespace {
 /// A sample nearer to an end of its edge than this share of the edge is that end.
 constexpr double sameAsEnd = 1e-3;
 /// How often a place that proves too near to a sample moves on before its edge's end is taken.
-constexpr int mostMoves = 3;
+constexpr int maxMoves = 3;
 
 constexpr NearestField::Nearest unreached = {HUGE_VALF, -1};
 
@@ -123,7 +123,7 @@ private:
 	float distanceOf(int v) const { return field_.nearest[v].distance; }
 	int   sampleOf(int v) const { return field_.nearest[v].sample; }
 	bool  isCovered(int v) const { return distanceOf(v) <= r_; }
-	Vec3f placeOf(int sample) const { return samples_[sample].anchor.position; }
+	Vec3f placeOf(int sample) const { return samples_[sample].point.position; }
 	bool  isStretched() const { return !surface_.size.empty(); }
 	float stretchOf(int v) const { return isStretched() ? stretch_[v] : 1.0f; }
 
@@ -160,7 +160,7 @@ private:
 
 	bool hasRoom()
 	{
-		capped_ = capped_ || std::int64_t(samples_.size()) >= options_.mostSamples;
+		capped_ = capped_ || std::int64_t(samples_.size()) >= options_.maxSamples;
 		return !capped_;
 	}
 
@@ -199,9 +199,9 @@ private:
 		for (int v = before; v < m_.vertexNum; ++v)
 			initFromNeighbours(v);
 		for (std::size_t i = 0; i < boundary_.samples.size(); ++i) {
-			const Anchor& a      = boundary_.samples[i].anchor;
-			const Vec3f   normal = surface_.mesh.faceNormal(a.face);
-			const int     v      = fused_.sampleVertex[i];
+			const SurfacePoint& a      = boundary_.samples[i].point;
+			const Vec3f         normal = surface_.mesh.faceNormal(a.face);
+			const int           v      = fused_.sampleVertex[i];
 			flood_.explore({{a.position, m_.outgoing[v] / 3}, normal});
 			samples_.push_back({a, normal, 1 / stretchOf(v)});
 			takeDisk(v);
@@ -267,7 +267,7 @@ private:
 	void placeOnEdge(const BorderEdge& e, int h)
 	{
 		double t = unionCrossing(e);
-		for (int move = 0; move < mostMoves && t < 1 - sameAsEnd; ++move) {
+		for (int move = 0; move < maxMoves && t < 1 - sameAsEnd; ++move) {
 			const Place place = placeAt(e, h, t);
 			flood_.explore(place.sample);
 			const int tooNear = findTooNear(place.sample);
@@ -366,7 +366,7 @@ private:
 		constexpr float sameSideCosine = 0.8f;
 		for (int t : flood_.metSamples()) {
 			const float limit = nearLimit_ * 0.5f * (sample.size + samples_[t].size);
-			if (squaredLength(sample.anchor.position - placeOf(t)) >= limit * limit) continue;
+			if (squaredLength(sample.point.position - placeOf(t)) >= limit * limit) continue;
 			if (dot(sample.normal, samples_[t].normal) >= sameSideCosine) return t;
 		}
 		return -1;
@@ -377,10 +377,10 @@ private:
 	/// Steps 6 and 7, and step 3 for its disk, which is explored already.
 	void accept(const Place& place)
 	{
-		Sample    sample   = place.sample;
-		const int face     = sample.anchor.face;
-		const int v        = place.vertex >= 0 ? place.vertex : split(place);
-		sample.anchor.face = fused_.parentFace[face];
+		Sample    sample  = place.sample;
+		const int face    = sample.point.face;
+		const int v       = place.vertex >= 0 ? place.vertex : split(place);
+		sample.point.face = fused_.parentFace[face];
 		samples_.push_back(sample);
 		fused_.sampleVertex.push_back(v);
 		takeDisk(v);
@@ -391,7 +391,7 @@ private:
 	{
 		const int a = m_.origin[place.halfEdge], b = m_.target(place.halfEdge);
 		if (field_.nearest.size() <= std::size_t(m_.vertexNum)) growTo(m_.vertexNum / 4 * 5 + 64);
-		const int v = splitAt(fused_, place.halfEdge, place.sample.anchor.position);
+		const int v = splitAt(fused_, place.halfEdge, place.sample.point.position);
 		initVertex(v, a, b);
 		return v;
 	}

@@ -14,15 +14,16 @@ namespace gpr {
 
 /// What the border-edge sampling goes by.
 struct BorderEdgeOptions {
-	float               radius      = 0;       ///< r, working units
-	std::uint32_t       seed        = 1;       ///< of the start vertices and the random choices
-	std::int64_t        mostSamples = 1 << 30; ///< then it ends, and Sampling::capped is set
+	float               radius     = 0;       ///< r, working units
+	std::uint32_t       seed       = 1;       ///< of the start vertices and the random choices
+	std::int64_t        maxSamples = 1 << 30; ///< then it ends, and Sampling::capped is set
 	const Buffer<char>* region = nullptr; ///< per vertex of the surface: sampled first; null: none
 };
 
 /// The samples, and the mesh they were fused into while they were placed.
 struct BorderEdgeSampling {
-	Sampling  sampling; ///< anchors and distances in terms of the surface, which is not changed
+	Sampling
+		sampling; ///< surface points and distances in terms of the surface, which is not changed
 	FusedMesh fused;
 };
 

@@ -29,15 +29,15 @@ public:
 
 	const std::vector<int>& earlier() const { return earlier_; }
 
-	/// mostCrossings: faces that a walk to one of its intersections may cross.
-	void add(const std::vector<int>& near, int mostCrossings)
+	/// maxCrossings: faces that a walk to one of its intersections may cross.
+	void add(const std::vector<int>& near, int maxCrossings)
 	{
 		const int first = int(near_.size());
 		near_.insert(near_.end(), near.begin(), near.end());
-		fans_.push_back({first, int(near_.size()), mostCrossings, -1});
+		fans_.push_back({first, int(near_.size()), maxCrossings, -1});
 	}
 	int last() const { return int(fans_.size()) - 1; }
-	int mostCrossings(int fan) const { return fans_[fan].mostCrossings; }
+	int maxCrossings(int fan) const { return fans_[fan].maxCrossings; }
 
 	/// Tells the fan of `sample`, if it has one, that another one was placed near it.
 	void tellNewcomer(int sample, int newcomer)
@@ -68,7 +68,7 @@ public:
 private:
 	struct Fan {
 		int firstNear, endNear; ///< in near_
-		int mostCrossings;
+		int maxCrossings;
 		int newest; ///< index of the latest newcomer; -1: none
 	};
 	struct Newcomer {

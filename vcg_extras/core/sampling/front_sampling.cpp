@@ -26,8 +26,8 @@ constexpr float pairWeight = 1;
 
 /// A place for a sample, and the size of its disk over the largest one.
 struct Place {
-	Anchor anchor;
-	float  size = 1;
+	SurfacePoint point;
+	float        size = 1;
 };
 
 /// An intersection of the disks of two samples, in the plane of the first, and how well it fits:
@@ -148,7 +148,7 @@ private:
 
 	float distanceOf(int v) const { return shared_.field.nearest[v].distance; }
 	int   sampleOf(int v) const { return shared_.field.nearest[v].sample; }
-	Vec3f placeOf(int sample) const { return shared_.samples[sample].anchor.position; }
+	Vec3f placeOf(int sample) const { return shared_.samples[sample].point.position; }
 	float sizeOf(int sample) const { return shared_.samples[sample].size; }
 
 	/// Whether the sample is nearer to p than `limit` times the mean of both sizes.
@@ -174,7 +174,10 @@ private:
 		return isOpen(v[0]) && isOpen(v[1]) && isOpen(v[2]);
 	}
 
-	Place placeAt(const Anchor& anchor) const { return {anchor, sizeAt(shared_.surface, anchor)}; }
+	Place placeAt(const SurfacePoint& point) const
+	{
+		return {point, sizeAt(shared_.surface, point)};
+	}
 
 	/// A face belongs to the block that holds its smallest vertex, its first corner.
 	bool isMine(int face) const
@@ -212,9 +215,9 @@ private:
 	/// sampled, the border edges serve as well and do not cost the cube of their number.
 	void addForeignIntersections()
 	{
-		constexpr std::size_t   mostSamples = 4096, mostNear = 64;
+		constexpr std::size_t   maxSamples = 4096, maxNear = 64;
 		const std::vector<int>& foreign    = fans_.earlier();
-		const bool              areTooMany = foreign.size() > mostSamples;
+		const bool              areTooMany = foreign.size() > maxSamples;
 		std::vector<int>        near;
 		for (int s : foreign) {
 			near.clear();
@@ -222,8 +225,8 @@ private:
 				if (areTooMany) break;
 				if (t != s && isNearer(placeOf(s), sizeOf(s), t, 2 * r_)) near.push_back(t);
 			}
-			fans_.add(near, mostFacesCrossed);
-			if (near.size() > mostNear) continue;
+			fans_.add(near, maxFacesCrossed);
+			if (near.size() > maxNear) continue;
 			for (int t : near) {
 				if (t > s) addIntersections(s, t);
 			}
@@ -298,8 +301,8 @@ private:
 	/// the flood would not have met. Among large faces two rings are looked at.
 	bool isTaken(const Place& place) const
 	{
-		const Vec3f p    = place.anchor.position;
-		const int   face = place.anchor.face;
+		const Vec3f p    = place.point.position;
+		const int   face = place.point.face;
 		for (int k = 0; k < 3; ++k) {
 			const int s = sampleOf(m_.origin[3 * face + k]);
 			if (s >= 0 && isTooNear(p, place.size, s)) return true;
@@ -312,10 +315,10 @@ private:
 		bool       taken = false;
 		const auto look  = [&](int w) {
             const int s = sampleOf(w);
-            taken       = taken || (s >= 0 && isTooNear(place.anchor.position, place.size, s));
+            taken       = taken || (s >= 0 && isTooNear(place.point.position, place.size, s));
 		};
 		for (int k = 0; k < 3 && !taken; ++k) {
-			forEachNeighbour(m_, m_.origin[3 * place.anchor.face + k], [&](int w) {
+			forEachNeighbour(m_, m_.origin[3 * place.point.face + k], [&](int w) {
 				look(w);
 				if (!taken) forEachNeighbour(m_, w, look);
 			});
@@ -339,8 +342,8 @@ private:
 	bool improvesAVertex(const Place& place) const
 	{
 		for (int k = 0; k < 3; ++k) {
-			const int   v        = m_.origin[3 * place.anchor.face + k];
-			const float distance = length(m_.position[v] - place.anchor.position);
+			const int   v        = m_.origin[3 * place.point.face + k];
+			const float distance = length(m_.position[v] - place.point.position);
 			if (distance * 1.02f < distanceOf(v) * place.size) return true;
 		}
 		return false;
@@ -351,11 +354,11 @@ private:
 	/// or among needles: it then belongs to that sample.
 	void tryToPlace(const Place& place, bool isUncovered)
 	{
-		const Sample sample{place.anchor, m_.faceNormal(place.anchor.face), place.size};
+		const Sample sample{place.point, m_.faceNormal(place.point.face), place.size};
 		flood_.explore(sample);
 		const int tooNear = findTooNear(sample, isUncovered);
 		if (tooNear >= 0) {
-			if (isUncovered) cover(place.anchor, tooNear);
+			if (isUncovered) cover(place.point, tooNear);
 			return;
 		}
 		const int s        = range_->firstSample + range_->used++;
@@ -371,14 +374,14 @@ private:
 	{
 		constexpr float sameSideCosine = 0.8f;
 		for (int t : flood_.metSamples()) {
-			if (!isTooNear(sample.anchor.position, sample.size, t)) continue;
+			if (!isTooNear(sample.point.position, sample.size, t)) continue;
 			const float cosine = dot(sample.normal, shared_.samples[t].normal);
 			if (!sameSideOnly || cosine >= sameSideCosine) return t;
 		}
 		return -1;
 	}
 
-	void cover(const Anchor& place, int sample)
+	void cover(const SurfacePoint& place, int sample)
 	{
 		for (int k = 0; k < 3; ++k) {
 			const int v = m_.origin[3 * place.face + k];
@@ -425,7 +428,7 @@ private:
 	bool makePair(int s, int t, Pair& pair) const
 	{
 		const Sample& a       = shared_.samples[s];
-		const Vec3f   between = placeOf(t) - a.anchor.position;
+		const Vec3f   between = placeOf(t) - a.point.position;
 		const float   wanted  = wantedDistance(s, t);
 		pair                  = {s, t, {}, {}, length(between)};
 		if (pair.distance > widestPair * wanted || pair.distance < closestPair * wanted)
@@ -441,7 +444,7 @@ private:
 		// As large as the mean of the two, until the place is known.
 		const Apex  apex = apexOf(pair, 0.5f * (a.size + sizeOf(pair.b)));
 		const Vec3f guess =
-			a.anchor.position + (pair.u * apex.cosine + pair.w * (side * apex.sine)) * apex.length;
+			a.point.position + (pair.u * apex.cosine + pair.w * (side * apex.sine)) * apex.length;
 		float third = 0;
 		if (!isRoughlyFree(guess, apex.size, pair, third)) return;
 		// Pairs nearer than the ideal leave room for a whole triangle; far ones would start a
@@ -464,17 +467,16 @@ private:
 	{
 		Pair pair;
 		makePair(c.a, c.b, pair);
-		const int  mostCrossings = fans_.mostCrossings(c.fan);
-		const Apex apex          = apexOf(pair, c.size);
-		if (!walkToIntersection(pair, c.side, apex, mostCrossings, place.anchor)) return false;
-		place.size = sizeAt(shared_.surface, place.anchor);
+		const int  maxCrossings = fans_.maxCrossings(c.fan);
+		const Apex apex         = apexOf(pair, c.size);
+		if (!walkToIntersection(pair, c.side, apex, maxCrossings, place.point)) return false;
+		place.size = sizeAt(shared_.surface, place.point);
 		if (std::abs(place.size - apex.size) > 0.01f * apex.size) {
 			const Apex better = apexOf(pair, place.size);
-			if (!walkToIntersection(pair, c.side, better, mostCrossings, place.anchor))
-				return false;
-			place.size = sizeAt(shared_.surface, place.anchor);
+			if (!walkToIntersection(pair, c.side, better, maxCrossings, place.point)) return false;
+			place.size = sizeAt(shared_.surface, place.point);
 		}
-		const int face = place.anchor.face;
+		const int face = place.point.face;
 		return isMine(face) && isOpenFace(face) && isFree(place, pair, c.fan);
 	}
 
@@ -524,7 +526,7 @@ private:
 	bool isFree(const Place& place, const Pair& pair, int fan) const
 	{
 		const auto isInTheWay = [&](int other) {
-			return other != pair.a && isTooNear(place.anchor.position, place.size, other);
+			return other != pair.a && isTooNear(place.point.position, place.size, other);
 		};
 		return !isInTheWay(pair.b) && !fans_.anyNear(fan, isInTheWay) &&
 			   !fans_.anyNewcomer(fan, isInTheWay);
@@ -532,12 +534,12 @@ private:
 
 	/// Walks from a at the angle the plane suggests; if the surface's bend leaves the other sample
 	/// off by more than 1 %, once more at the angle of a secant step.
-	bool walkToIntersection(const Pair& pair, float side, const Apex& apex, int mostCrossings,
-							Anchor& place) const
+	bool walkToIntersection(const Pair& pair, float side, const Apex& apex, int maxCrossings,
+							SurfacePoint& place) const
 	{
 		const Sample& a      = shared_.samples[pair.a];
 		const float   cosine = apex.cosine, sine = apex.sine;
-		if (!walkFrom(a, (pair.u * cosine + pair.w * (side * sine)) * apex.length, mostCrossings,
+		if (!walkFrom(a, (pair.u * cosine + pair.w * (side * sine)) * apex.length, maxCrossings,
 					  place))
 			return false;
 		const float error = length(place.position - placeOf(pair.b)) - apex.otherLength;
@@ -549,14 +551,13 @@ private:
 		const float ct = 1 - 0.5f * turn * turn + turn * turn * turn * turn * (1 / 24.0f);
 		const float st = turn - turn * turn * turn * (1 / 6.0f);
 		const float c2 = cosine * ct - sine * st, s2 = sine * ct + cosine * st;
-		return walkFrom(a, (pair.u * c2 + pair.w * (side * s2)) * apex.length, mostCrossings,
-						place);
+		return walkFrom(a, (pair.u * c2 + pair.w * (side * s2)) * apex.length, maxCrossings, place);
 	}
 
-	bool walkFrom(const Sample& a, const Vec3f& step, int mostCrossings, Anchor& place) const
+	bool walkFrom(const Sample& a, const Vec3f& step, int maxCrossings, SurfacePoint& place) const
 	{
-		place = a.anchor;
-		return walk(m_, place, step, mostCrossings) == WalkEnd::Arrived;
+		place = a.point;
+		return walk(m_, place, step, maxCrossings) == WalkEnd::Arrived;
 	}
 };
 
@@ -602,8 +603,8 @@ void compact(const SharedState& shared, Workers& workers, Sampling& result)
 /// Calls body(sampler, block) for all blocks once, colour by colour. The number of floods goes from
 /// each colour to the next.
 template <class Body>
-void forBlocks(const BlockPartition& partition, Workers& workers,
-			   std::vector<BlockSampler>& samplers, const Body& body)
+void forBlocks(const OctreeBlocks& partition, Workers& workers, std::vector<BlockSampler>& samplers,
+			   const Body& body)
 {
 	int        floodNumber = 0;
 	const auto collect     = [&] {
@@ -620,7 +621,7 @@ void forBlocks(const BlockPartition& partition, Workers& workers,
 	}
 }
 
-void sampleBlocks(const BlockPartition& partition, bool inRegion, Workers& workers,
+void sampleBlocks(const OctreeBlocks& partition, bool inRegion, Workers& workers,
 				  std::vector<BlockSampler>& samplers)
 {
 	forBlocks(partition, workers, samplers, [&](BlockSampler& sampler, int block) {
@@ -630,12 +631,12 @@ void sampleBlocks(const BlockPartition& partition, bool inRegion, Workers& worke
 
 /// Floods from the samples of curves, each with those of its block.
 void floodGiven(const HalfEdgeMesh& m, const BoundaryCurves& boundary,
-				const BlockPartition& partition, Workers& workers,
+				const OctreeBlocks& partition, Workers& workers,
 				std::vector<BlockSampler>& samplers)
 {
 	const std::vector<Block>& blocks  = partition.blocks;
 	const auto                blockOf = [&](std::size_t s) {
-        const int  v = m.origin[3 * boundary.samples[s].anchor.face];
+        const int  v = m.origin[3 * boundary.samples[s].point.face];
         const auto next =
             std::upper_bound(blocks.begin(), blocks.end(), v,
 											[](int vertex, const Block& b) { return vertex < b.end; });
@@ -651,7 +652,7 @@ void floodGiven(const HalfEdgeMesh& m, const BoundaryCurves& boundary,
 
 } // namespace
 
-/// Vertices of curves belong to the nearest sample along their curve, tips to their own, at
+/// Vertices of curves belong to the nearest sample along their curve, cone apexes to their own, at
 /// distance 0 of the interior's choice: no interior sample is stood for by such a vertex.
 void labelBorder(const BoundaryCurves& boundary, Sampling& result)
 {
@@ -667,7 +668,7 @@ void labelBorder(const BoundaryCurves& boundary, Sampling& result)
 }
 
 Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
-					 const BlockPartition& partition, float radius, std::uint32_t seed,
+					 const OctreeBlocks& partition, float radius, std::uint32_t seed,
 					 Workers& workers, const Buffer<char>& region)
 {
 	const HalfEdgeMesh& m = surface.mesh;
@@ -689,8 +690,8 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 
 	std::vector<BlockSampler> samplers(workers.threadNum(), BlockSampler(shared));
 	for (int s = 0; s < result.boundarySampleNum; ++s) {
-		const Anchor& a   = boundary.samples[s].anchor;
-		shared.samples[s] = {a, m.faceNormal(a.face), sizeAt(surface, a)};
+		const SurfacePoint& a = boundary.samples[s].point;
+		shared.samples[s]     = {a, m.faceNormal(a.face), sizeAt(surface, a)};
 	}
 	floodGiven(m, boundary, partition, workers, samplers);
 	if (!region.empty()) sampleBlocks(partition, true, workers, samplers);

@@ -4,7 +4,7 @@
 #define VCG_EXTRAS_CORE_SAMPLING_FRONT_SAMPLING_H
 
 #include <vcg_extras/core/features/boundary_curves.h>
-#include <vcg_extras/core/mesh/blocks.h>
+#include <vcg_extras/core/mesh/octree_blocks.h>
 #include <vcg_extras/core/surface/disk_flood.h>
 
 #include <cstdint>
@@ -36,10 +36,10 @@ struct Sampling {
 /// A region, if given (per vertex of the surface), is sampled first, as §3.1.1 has it: on edges and
 /// in faces whose corners all belong to it. So a region that is a line is sampled along it.
 ///
-/// Works block by block (see BlockPartition); each block's first free start is chosen by `seed`.
+/// Works block by block (see OctreeBlocks); each block's first free start is chosen by `seed`.
 /// Cost: each vertex is visited 3.4 to 4 times.
 Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
-					 const BlockPartition& partition, float radius, std::uint32_t seed,
+					 const OctreeBlocks& partition, float radius, std::uint32_t seed,
 					 Workers& workers, const Buffer<char>& region = Buffer<char>());
 
 /// The last step of a sampling: border vertices belong to the nearest sample along their curve, at

@@ -16,7 +16,7 @@ constexpr double onEdge = 1e-3;
 /// Points nearer than this are one: a few steps of a float of magnitude one.
 constexpr float samePlace = 4e-6f;
 /// Faces of one face of the surface that the search for a sample crosses at most.
-constexpr int mostFacesCrossedInFace = 1000;
+constexpr int maxFacesCrossedInFace = 1000;
 
 /// Fuses samples anywhere on the surface, one after the other.
 class Fuser {
@@ -31,7 +31,7 @@ public:
 
 	/// A sample anywhere. mayBeBorder: whether it may become a vertex of the border; one that lies
 	/// there though it may not gets no vertex.
-	void fuse(int sample, const Anchor& at, bool mayBeBorder)
+	void fuse(int sample, const SurfacePoint& at, bool mayBeBorder)
 	{
 		const Place place = locate(at);
 		const auto  least = std::min_element(place.weight, place.weight + 3) - place.weight;
@@ -76,12 +76,12 @@ private:
 		fused_.sampleVertex[sample] = v;
 	}
 
-	/// Walks within the anchor's face of the surface, cut up as it may be by now, to the part that
-	/// holds the point.
-	Place locate(const Anchor& at) const
+	/// Walks within the surface point's face of the surface, cut up as it may be by now, to the
+	/// part that holds the point.
+	Place locate(const SurfacePoint& at) const
 	{
 		Place place = weigh(at.face, at.position);
-		for (int crossed = 0; crossed < mostFacesCrossedInFace; ++crossed) {
+		for (int crossed = 0; crossed < maxFacesCrossedInFace; ++crossed) {
 			const auto least = std::min_element(place.weight, place.weight + 3);
 			if (*least >= 0) return place;
 			const int beyond = m_.opposite[nextInFace(3 * place.face + int(least - place.weight))];
@@ -137,7 +137,7 @@ FusedMesh fuseSamples(const Surface& surface, const Sampling& sampling,
 	Fuser fuser(fused);
 	for (int s = first; s < sampleNum; ++s) {
 		if (s % 65536 == 0) workers.poll(double(s) / sampleNum);
-		fuser.fuse(s, sampling.samples[s].anchor, boundary.samples.empty());
+		fuser.fuse(s, sampling.samples[s].point, boundary.samples.empty());
 	}
 	return fused;
 }

@@ -27,7 +27,7 @@ public:
 		const int segment = curve_.segmentAt(sample.arc);
 		if (segment != segment_) behind_ = curve_.vertex[segment];
 		segment_    = segment;
-		const int v = vertexAt(sample.anchor.position);
+		const int v = vertexAt(sample.point.position);
 		taken_.insert(v);
 		return v;
 	}
@@ -117,8 +117,9 @@ void fuseBoundary(const BoundaryCurves& boundary, FusedMesh& fused)
 	for (const Curve& curve : boundary.curves)
 		fusers.emplace_back(curve, taken, fused);
 	for (const CurveSample& sample : boundary.samples) {
-		const bool isTip = sample.curve < 0;
-		fused.sampleVertex.push_back(isTip ? sample.vertex : fusers[sample.curve].fuse(sample));
+		const bool isConeApex = sample.curve < 0;
+		fused.sampleVertex.push_back(isConeApex ? sample.vertex
+												: fusers[sample.curve].fuse(sample));
 	}
 }
 

@@ -31,7 +31,7 @@ double roomOf(const Surface& surface, int f, float radius)
 
 } // namespace
 
-std::vector<BlockRange> makeRanges(const Surface& surface, const BlockPartition& partition,
+std::vector<BlockRange> makeRanges(const Surface& surface, const OctreeBlocks& partition,
 								   float radius, int firstSample, Workers& workers)
 {
 	constexpr int           spareRoom = 64;

@@ -4,8 +4,8 @@
 #define VCG_EXTRAS_CORE_SAMPLING_SAMPLE_RANGES_H
 
 #include <vcg_extras/core/base/workers.h>
-#include <vcg_extras/core/mesh/blocks.h>
 #include <vcg_extras/core/mesh/connect.h>
+#include <vcg_extras/core/mesh/octree_blocks.h>
 
 #include <vector>
 
@@ -20,7 +20,7 @@ struct BlockRange {
 
 /// A range for each block, the first from firstSample on, with room for as many samples as disks of
 /// radius r leave on its faces and some more. Cost: a parallel pass over the faces.
-std::vector<BlockRange> makeRanges(const Surface& surface, const BlockPartition& partition,
+std::vector<BlockRange> makeRanges(const Surface& surface, const OctreeBlocks& partition,
 								   float radius, int firstSample, Workers& workers);
 
 } // namespace gpr

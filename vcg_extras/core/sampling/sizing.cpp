@@ -21,11 +21,11 @@ namespace {
 /// faster cost angles.
 constexpr float gradingSlope = 0.15f;
 /// The grading passes end by themselves long before; its ramps are a few radii long.
-constexpr int mostGradingPasses = 10000;
+constexpr int maxGradingPasses = 10000;
 /// Least 1 + λH of the equations as printed.
-constexpr float leastPrintedStretch = 0.1f;
+constexpr float minPrintedStretch = 0.1f;
 /// More ring passes than this would take longer than the remeshing.
-constexpr int mostCurvaturePasses = 200;
+constexpr int maxCurvaturePasses = 200;
 
 /// A curvature, or its square, integrated over faces, and their area: both are averaged alike, so
 /// that the quotient is an area mean.
@@ -96,7 +96,7 @@ int passesForRadius(const Surface& surface, float radius, Workers& workers)
 	const double area  = surfaceAreaOf(surface.mesh, workers);
 	const double edge2 = area / std::max(1, surface.mesh.faceNum) * (4 / std::sqrt(3.0));
 	const double steps = 0.25 * double(radius) * radius / std::max(edge2, 1e-30);
-	return std::clamp(int(std::lround(steps)), 0, mostCurvaturePasses);
+	return std::clamp(int(std::lround(steps)), 0, maxCurvaturePasses);
 }
 
 /// Normals averaged over so many rings: what noise there is in them goes, creases stay within a
@@ -122,14 +122,14 @@ Buffer<Vec3f> smoothedNormals(const HalfEdgeMesh& m, int passes, Workers& worker
 /// edges of the cotangent of the angle opposite times the squared change of the normal.
 float integratedSquaredCurvature(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int f)
 {
-	constexpr float leastCotangent = -5; // of needles
-	float           sum            = 0;
+	constexpr float minCotangent = -5; // of needles
+	float           sum          = 0;
 	for (int h = 3 * f; h < 3 * f + 3; ++h) {
 		const Vec3f p = m.position[m.origin[h]];
 		const Vec3f a = m.position[m.target(h)] - p, b = m.position[m.apex(h)] - p;
 		const float doubled = length(cross(a, b));
 		if (!(doubled > 0)) continue;
-		const float cotangent = std::max(leastCotangent, dot(a, b) / doubled);
+		const float cotangent = std::max(minCotangent, dot(a, b) / doubled);
 		sum += cotangent * squaredLength(normal[m.target(h)] - normal[m.apex(h)]);
 	}
 	return std::max(0.0f, 0.5f * sum);
@@ -246,8 +246,8 @@ Buffer<float> qualityAtVertices(const SizingRequest& request, const Surface& sur
 		for (std::size_t v = begin; v < end; ++v) {
 			value[v] = 0;
 			if (surface.mesh.outgoing[v] < 0) continue;
-			const SurfacePoint at =
-				surfacePoint(request.input, surface, anchorOfVertex(surface, int(v)));
+			const BarycentricPoint at =
+				barycentricPoint(request.input, surface, pointOfVertex(surface, int(v)));
 			for (int k = 0; k < 3; ++k)
 				value[v] += at.weight[k] * quality[request.input.vertexOf(3 * at.face + k)];
 		}
@@ -288,7 +288,7 @@ void grade(const Surface& surface, float radius, Workers& workers, Buffer<float>
 	const HalfEdgeMesh& m       = surface.mesh;
 	const float         perUnit = gradingSlope / radius;
 	Buffer<float>       lowered(size.size());
-	for (int pass = 0; pass < mostGradingPasses; ++pass) {
+	for (int pass = 0; pass < maxGradingPasses; ++pass) {
 		const int changed = workers.sum<int>(size.size(), [&](std::size_t begin, std::size_t end) {
 			int n = 0;
 			for (std::size_t v = begin; v < end; ++v) {
@@ -455,11 +455,11 @@ Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers
 		for (std::size_t v = 0; v < strength.size(); ++v) {
 			const float stretch = 1 + lambda * strength[v];
 			sum += double(lambda) * strength[v];
-			sizing.clampedNum += stretch < leastPrintedStretch;
-			sizing.size[v] = 1 / std::max(stretch, leastPrintedStretch);
+			sizing.clampedNum += stretch < minPrintedStretch;
+			sizing.size[v] = 1 / std::max(stretch, minPrintedStretch);
 		}
 		// A surface that is hollow on the whole must not get a radius of nothing.
-		meanStretch = std::max(double(leastPrintedStretch), 1 + sum / double(strength.size()));
+		meanStretch = std::max(double(minPrintedStretch), 1 + sum / double(strength.size()));
 	}
 	if (wantsSmallerDisks(request)) shrinkFeatures(request, sizing.size);
 	sizing.radiusFactor = meanStretch * double(normalise(sizing.size));
@@ -492,7 +492,7 @@ Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers&
 			   : makeCalibrated(request, surface, workers);
 }
 
-float interpolatedSize(const Surface& surface, const Anchor& at)
+float interpolatedSize(const Surface& surface, const SurfacePoint& at)
 {
 	const HalfEdgeMesh& m = surface.mesh;
 	const int           i = m.origin[3 * at.face], j = m.origin[3 * at.face + 1];
@@ -514,7 +514,7 @@ Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers&
 	Buffer<float> size(result.vertex.size());
 	workers.forRange(size.size(), [&](std::size_t begin, std::size_t end) {
 		for (std::size_t v = begin; v < end; ++v)
-			size[v] = interpolatedSize(surface, result.vertex[v].anchor);
+			size[v] = interpolatedSize(surface, result.vertex[v].point);
 	});
 	return size;
 }

@@ -60,10 +60,10 @@ Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers&
 Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& workers);
 
 /// Size at a point of a surface whose sizes differ: interpolated over its face.
-float interpolatedSize(const Surface& surface, const Anchor& at);
+float interpolatedSize(const Surface& surface, const SurfacePoint& at);
 
 /// The wanted size at a point of the surface over the largest one.
-inline float sizeAt(const Surface& surface, const Anchor& at)
+inline float sizeAt(const Surface& surface, const SurfacePoint& at)
 {
 	return surface.size.empty() ? 1.0f : interpolatedSize(surface, at);
 }

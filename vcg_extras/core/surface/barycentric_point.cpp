@@ -41,11 +41,12 @@ void weightsOnEdge(const Vec3d& p, const Vec3d corner[3], double weight[3])
 
 } // namespace
 
-SurfacePoint surfacePoint(const MeshView& input, const Surface& surface, const Anchor& anchor)
+BarycentricPoint barycentricPoint(const MeshView& input, const Surface& surface,
+								  const SurfacePoint& point)
 {
-	SurfacePoint s;
-	s.face                = surface.sourceFace[anchor.face];
-	const Vec3d p         = surface.frame.toCaller(anchor.position);
+	BarycentricPoint s;
+	s.face                = surface.sourceFace[point.face];
+	const Vec3d p         = surface.frame.toCaller(point.position);
 	const auto  t         = input.triangle(std::size_t(s.face));
 	const Vec3d corner[3] = {input.position(std::size_t(t[0])), input.position(std::size_t(t[1])),
 							 input.position(std::size_t(t[2]))};

@@ -11,7 +11,8 @@ namespace gpr {
 
 /// Where a point of the engine's surface lies on the caller's mesh: the caller's face and the
 /// weights of its corners.
-SurfacePoint surfacePoint(const MeshView& input, const Surface& surface, const Anchor& anchor);
+BarycentricPoint barycentricPoint(const MeshView& input, const Surface& surface,
+								  const SurfacePoint& point);
 
 } // namespace gpr
 

@@ -16,7 +16,7 @@ constexpr float flatCosine = 0.8f;
 constexpr float worthAnotherVisit = 1e-3f;
 /// Vertices that a flood may visit again: among needles a way could else get shorter bit by bit,
 /// without end to speak of. On scans it is some per cent of a few dozen.
-constexpr int mostVisitsAgain = 48;
+constexpr int maxVisitsAgain = 48;
 
 } // namespace
 
@@ -77,7 +77,7 @@ bool DiskFlood::exploreFlat(const Sample& sample)
 	NearestField::Trial* const         trial    = field_.trial.data();
 	const NearestField::Nearest* const nearest  = field_.nearest.data();
 	const Vec3f* const                 position = m_.position.data();
-	const Vec3f                        centre = sample.anchor.position, normal = sample.normal;
+	const Vec3f                        centre = sample.point.position, normal = sample.normal;
 
 	const auto reach = [&](int v) {
 		if (trial[v].stamp >= stamp) return;
@@ -85,7 +85,7 @@ bool DiskFlood::exploreFlat(const Sample& sample)
 		queue_.push_back(v);
 	};
 	for (int k = 0; k < 3; ++k)
-		reach(m_.origin[3 * sample.anchor.face + k]);
+		reach(m_.origin[3 * sample.point.face + k]);
 	for (std::size_t i = 0; i < queue_.size(); ++i) {
 		const int   v      = queue_[i];
 		const float cosine = dot(normal_[v].unpack(), normal);
@@ -109,7 +109,7 @@ void DiskFlood::exploreUnfolding(const Sample& sample)
 	heap_.clear();
 	visitedAgainNum_ = 0;
 	for (int k = 0; k < 3; ++k) {
-		const int v = m_.origin[3 * sample.anchor.face + k];
+		const int v = m_.origin[3 * sample.point.face + k];
 		tryDistance(v, wayFrom(sample, v) * scale_);
 	}
 	while (!heap_.empty()) {
@@ -130,11 +130,11 @@ float DiskFlood::wayAlong(int v, int w) const
 /// From the sample straight to a corner of its face.
 float DiskFlood::wayFrom(const Sample& sample, int corner) const
 {
-	const float straight = length(m_.position[corner] - sample.anchor.position);
+	const float straight = length(m_.position[corner] - sample.point.position);
 	if (stretch_ == nullptr) return straight;
 	float sum = 3 * (*stretch_)[corner];
 	for (int k = 0; k < 3; ++k)
-		sum += (*stretch_)[m_.origin[3 * sample.anchor.face + k]];
+		sum += (*stretch_)[m_.origin[3 * sample.point.face + k]];
 	return straight * sum * (1 / 6.0f);
 }
 
@@ -145,7 +145,7 @@ void DiskFlood::tryDistance(int vertex, float distance)
 	if (t.stamp == 2 * flood_ + 1) {
 		// Triangles of stretched edges need not be triangles: there a front could creep back.
 		if (stretch_ != nullptr || distance >= t.distance * (1 - worthAnotherVisit)) return;
-		if (visitedAgainNum_ >= mostVisitsAgain) return;
+		if (visitedAgainNum_ >= maxVisitsAgain) return;
 		++visitedAgainNum_;
 		t.distance = distance;
 	}
@@ -197,7 +197,7 @@ void DiskFlood::unfoldOver(int v, const Spoke& known, const Spoke& wanted, float
 	if (!(d < HUGE_VALF)) return;
 	// No way on the surface is shorter than the chord; under a stretch the front never runs back.
 	const float least = stretch_ == nullptr
-							? length(m_.position[wanted.vertex] - sample.anchor.position) * scale_
+							? length(m_.position[wanted.vertex] - sample.point.position) * scale_
 							: std::max(d1, d2);
 	tryDistance(wanted.vertex, std::max(d, least));
 }

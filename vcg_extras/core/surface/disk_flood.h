@@ -14,9 +14,9 @@ namespace gpr {
 
 /// A sample of the surface: where it lies, the normal of its face, and how large its disk is.
 struct Sample {
-	Anchor anchor;
-	Vec3f  normal;
-	float  size = 1; ///< radius of its disk over r, in (0, 1]
+	SurfacePoint point;
+	Vec3f        normal;
+	float        size = 1; ///< radius of its disk over r, in (0, 1]
 };
 
 /// What the sampling knows about every vertex of the input. Distance and sample, trial distance and

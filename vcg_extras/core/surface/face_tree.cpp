@@ -83,9 +83,9 @@ float FaceTree::squaredDistance(const Node& n, const Vec3f& p) const
 	return squaredLength(p - inside);
 }
 
-Anchor FaceTree::nearest(const Vec3f& p) const
+SurfacePoint FaceTree::nearest(const Vec3f& p) const
 {
-	Anchor           best;
+	SurfacePoint     best;
 	float            bestSquared = HUGE_VALF;
 	std::vector<int> stack{0};
 	while (!stack.empty()) {

@@ -21,7 +21,7 @@ public:
 	explicit FaceTree(const HalfEdgeMesh& mesh, Workers* workers = nullptr);
 
 	/// The point of the mesh nearest to p. Cost: O(log F) on well-behaved meshes.
-	Anchor nearest(const Vec3f& p) const;
+	SurfacePoint nearest(const Vec3f& p) const;
 
 private:
 	struct Node {

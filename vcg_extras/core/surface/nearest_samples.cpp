@@ -27,7 +27,7 @@ Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface
 	};
 	std::priority_queue<Entry> front;
 	for (std::size_t s = 0; s < samples.size(); ++s) {
-		const Anchor& a = samples[s].anchor;
+		const SurfacePoint& a = samples[s].point;
 		for (int k = 0; k < 3; ++k) {
 			const int v = m.origin[3 * a.face + k];
 			front.push({length(m.position[v] - a.position), v, int(s)});

@@ -12,9 +12,9 @@ float agreement(const Vec3f& a, const Vec3f& b)
 	return scale > 0 ? dot(a, b) / scale : -1.0f;
 }
 
-Vec3f smoothNormal(const Surface& surface, const Anchor& anchor)
+Vec3f smoothNormal(const Surface& surface, const SurfacePoint& point)
 {
-	const int h = 3 * anchor.face;
+	const int h = 3 * point.face;
 	return normalized(surface.normal[surface.mesh.origin[h]].unpack() +
 					  surface.normal[surface.mesh.origin[h + 1]].unpack() +
 					  surface.normal[surface.mesh.origin[h + 2]].unpack());
@@ -25,23 +25,23 @@ Buffer<Vec3f> smoothNormals(const Surface& surface, const ResultMesh& result, Wo
 	Buffer<Vec3f> normal(result.vertex.size());
 	workers.forRange(normal.size(), [&](std::size_t begin, std::size_t end) {
 		for (std::size_t v = begin; v < end; ++v)
-			normal[v] = smoothNormal(surface, result.vertex[v].anchor);
+			normal[v] = smoothNormal(surface, result.vertex[v].point);
 	});
 	return normal;
 }
 
-float faceAgreement(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int face)
+float normalAgreement(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int face)
 {
 	const int* corner = &m.origin[3 * face];
 	return agreement(m.faceCross(face),
 					 smoothNormal[corner[0]] + smoothNormal[corner[1]] + smoothNormal[corner[2]]);
 }
 
-float faceAgreement(const Surface& surface, const ResultMesh& result, int face)
+float normalAgreement(const Surface& surface, const ResultMesh& result, int face)
 {
 	Vec3f wanted;
 	for (int h = 3 * face; h < 3 * face + 3; ++h)
-		wanted += smoothNormal(surface, result.vertex[result.mesh.origin[h]].anchor);
+		wanted += smoothNormal(surface, result.vertex[result.mesh.origin[h]].point);
 	return agreement(result.mesh.faceCross(face), wanted);
 }
 
@@ -73,7 +73,7 @@ int invertedFaceNum(const Surface& surface, const ResultMesh& result, Workers& w
 	return workers.sum<int>(result.mesh.faceNum, [&](std::size_t begin, std::size_t end) {
 		int num = 0;
 		for (std::size_t f = begin; f < end; ++f)
-			num += faceAgreement(result.mesh, normal, int(f)) < 0;
+			num += normalAgreement(result.mesh, normal, int(f)) < 0;
 		return num;
 	});
 }

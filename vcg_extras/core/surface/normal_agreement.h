@@ -11,18 +11,18 @@
 
 namespace gpr {
 
-/// The input's normal round an anchor: mean of the vertex normals of its face. Steadier than the
-/// face's own normal on noisy scans.
-Vec3f smoothNormal(const Surface& surface, const Anchor& anchor);
+/// The input's normal round a surface point: mean of the vertex normals of its face. Steadier than
+/// the face's own normal on noisy scans.
+Vec3f smoothNormal(const Surface& surface, const SurfacePoint& point);
 
 /// smoothNormal of every vertex of the result.
 Buffer<Vec3f> smoothNormals(const Surface& surface, const ResultMesh& result, Workers& workers);
 
 /// Cosine of the angle between a face of the result and the mean of its corners' smooth normals; -1
 /// for a face without area. Below 0 the face looks the wrong way.
-float faceAgreement(const HalfEdgeMesh& mesh, const Buffer<Vec3f>& smoothNormal, int face);
+float normalAgreement(const HalfEdgeMesh& mesh, const Buffer<Vec3f>& smoothNormal, int face);
 /// The same for a few faces, without the normals of all vertices.
-float faceAgreement(const Surface& surface, const ResultMesh& result, int face);
+float normalAgreement(const Surface& surface, const ResultMesh& result, int face);
 
 /// The surface's normals at the vertices (smoothNormals), but at vertices of the border that lie on
 /// a lip narrower than a triangle, which looks away from the surface beside it: the normal of that.
@@ -33,7 +33,7 @@ Buffer<Vec3f> normalsWithoutLips(const Surface& surface, const ResultMesh& resul
 /// it, else its own.
 Vec3f withoutLip(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int v, const Vec3f& own);
 
-/// Faces that look against these normals.
+/// Number of inverted faces: those that look against these normals.
 int invertedFaceNum(const Surface& surface, const ResultMesh& result, Workers& workers);
 
 /// Cosine of the angle between two vectors; -1 where one is zero.

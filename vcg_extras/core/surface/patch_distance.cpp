@@ -49,7 +49,7 @@ private:
 
 } // namespace
 
-Assignment::Assignment(const Surface& surface, const Cells& map, int mapFaceNum,
+Assignment::Assignment(const Surface& surface, const ClosestFaceMap& map, int mapFaceNum,
 					   std::vector<int> mapFace) :
 		surface_(surface),
 		map_(map), mapFaceNum_(mapFaceNum), mapFace_(std::move(mapFace))

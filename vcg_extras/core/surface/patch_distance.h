@@ -4,7 +4,7 @@
 #define VCG_EXTRAS_CORE_SURFACE_PATCH_DISTANCE_H
 
 #include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/surface/cells.h>
+#include <vcg_extras/core/surface/closest_face_map.h>
 
 #include <array>
 #include <cmath>
@@ -20,7 +20,7 @@ class Assignment {
 public:
 	/// mapFace: per face, the face of the map that it was, -1 where there was none; empty: its own
 	/// number.
-	Assignment(const Surface& surface, const Cells& map, int mapFaceNum,
+	Assignment(const Surface& surface, const ClosestFaceMap& map, int mapFaceNum,
 			   std::vector<int> mapFace = {});
 
 	/// What belongs to a face that is no more belongs to the nearest one of these from here on.
@@ -43,10 +43,10 @@ public:
 	}
 
 private:
-	static constexpr int mostOfFace = 64; ///< vertices that are looked at
+	static constexpr int maxOfFace = 64; ///< vertices that are looked at
 
 	const Surface&                  surface_;
-	const Cells&                    map_;
+	const ClosestFaceMap&           map_;
 	int                             mapFaceNum_;
 	std::vector<int>                mapFace_;
 	std::map<int, std::vector<int>> further_; ///< per face: faces of the map besides its own
@@ -62,7 +62,7 @@ private:
 	{
 		const int*           first = map_.begin(f);
 		const std::ptrdiff_t num   = map_.end(f) - first;
-		for (std::ptrdiff_t k = 0; k < num; k += 1 + num / mostOfFace) {
+		for (std::ptrdiff_t k = 0; k < num; k += 1 + num / maxOfFace) {
 			if (!visit(surface_.mesh.position[first[k]])) return false;
 		}
 		return true;

@@ -35,11 +35,11 @@ void compactResult(ResultMesh& result, Workers& workers)
 	result.vertex.resize(result.mesh.vertexNum);
 }
 
-float farthestFromAnchor(const ResultMesh& r)
+float farthestFromSurface(const ResultMesh& r)
 {
 	float farthest = 0;
 	for (int v = 0; v < r.mesh.vertexNum; ++v) {
-		const Vec3f off = r.mesh.position[v] - r.vertex[v].anchor.position;
+		const Vec3f off = r.mesh.position[v] - r.vertex[v].point.position;
 		farthest        = std::max(farthest, squaredLength(off));
 	}
 	return std::sqrt(farthest);

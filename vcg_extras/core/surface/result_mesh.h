@@ -14,18 +14,18 @@ namespace gpr {
 
 /// What a vertex of the result knows of the input.
 struct ResultVertex {
-	Anchor anchor;           ///< where on the input's surface it lies, or nearly (see ResultMesh)
-	Vec3f  normal;           ///< of that face
-	int    curve    = -1;    ///< border or feature line it belongs to, or -1
-	float  arc      = 0;     ///< where on the curve
-	bool   isCorner = false; ///< of the curves, or a cone's tip: never moves
-	bool   isPinned = false; ///< one of the caller's vertices that is to be kept: never goes either
-	int    sample   = -1;    ///< the sample it was, in the sampling's order; -1 for later ones
+	SurfacePoint point;  ///< where on the input's surface it lies, or nearly (see ResultMesh)
+	Vec3f        normal; ///< of that face
+	int          curve    = -1;    ///< border or feature line it belongs to, or -1
+	float        arc      = 0;     ///< where on the curve
+	bool         isCorner = false; ///< of the curves, or a cone apex: never moves
+	bool isPinned = false; ///< one of the caller's vertices that is to be kept: never goes either
+	int  sample   = -1;    ///< the sample it was, in the sampling's order; -1 for later ones
 };
 
-/// The mesh under way from retriangulation to the end. Until the fit vertex[v].anchor.position is
-/// mesh.position[v]; the fit then takes vertices off the surface, and anchors stay on it below
-/// them.
+/// The mesh under way from retriangulation to the end. Until the fit vertex[v].point.position is
+/// mesh.position[v]; the fit then takes vertices off the surface, and surface points stay on it
+/// below them.
 struct ResultMesh {
 	HalfEdgeMesh              mesh;
 	std::vector<ResultVertex> vertex;
@@ -39,7 +39,7 @@ struct ResultMesh {
 	std::int64_t leftoverNum   = 0; ///< input vertices that removal had to keep
 };
 
-/// Whether v may move over the surface and be merged: neither on a curve nor a cone's tip.
+/// Whether v may move over the surface and be merged: neither on a curve nor a cone apex.
 inline bool isFree(const ResultMesh& result, int v)
 {
 	return !result.vertex[v].isCorner && !result.mesh.isCurveVertex(v);
@@ -51,8 +51,8 @@ ResultMesh copyResult(const ResultMesh& result, Workers& workers);
 /// Drops dead faces and vertices (see mesh_edit.h) from mesh and vertex records.
 void compactResult(ResultMesh& result, Workers& workers);
 
-/// The largest distance of a vertex from its anchor on the input. Cost: O(V).
-float farthestFromAnchor(const ResultMesh& result);
+/// The largest distance of a vertex from its surface point on the input. Cost: O(V).
+float farthestFromSurface(const ResultMesh& result);
 
 } // namespace gpr
 

@@ -13,7 +13,7 @@ namespace {
 /// Spacing of the points in mean edges of the coarser mesh.
 constexpr float spacingShare = 0.34f;
 /// Points along the edge of a face at most.
-constexpr float mostSteps = 1000;
+constexpr float maxSteps = 1000;
 
 float meanEdge(const HalfEdgeMesh& m, Workers& workers)
 {
@@ -35,7 +35,7 @@ void forEachInnerPoint(const HalfEdgeMesh& m, int f, float spacing, const Visit&
 	const Vec3f ab = m.position[m.origin[3 * f + 1]] - a, ac = m.position[m.origin[3 * f + 2]] - a;
 	const float longest =
 		std::sqrt(std::max({squaredLength(ab), squaredLength(ac), squaredLength(ac - ab)}));
-	const int n = int(std::min(mostSteps, std::ceil(longest / spacing)));
+	const int n = int(std::min(maxSteps, std::ceil(longest / spacing)));
 	for (int i = 0; i < n; ++i) {
 		for (int k = i == 0 ? 1 : 0; i + k <= n; ++k) {
 			if (k < n) visit(a + ab * (float(i) / float(n)) + ac * (float(k) / float(n)));

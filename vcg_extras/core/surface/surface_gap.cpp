@@ -13,7 +13,7 @@ namespace {
 /// Points of the lattice along an edge, less one.
 constexpr int latticeSteps = 4;
 /// Faces of the input from which the next one is looked for, on the way to the nearest.
-constexpr int mostHops = 64;
+constexpr int maxHops = 64;
 
 Vec3f nearestIn(const HalfEdgeMesh& m, int f, const Vec3f& p)
 {
@@ -33,7 +33,7 @@ void widen(const Vec3f& onTriangle, const Vec3f& onSurface, Gap& gap)
 Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& face)
 {
 	Vec3f nearest = nearestIn(m, face, p);
-	for (int hop = 0; hop < mostHops; ++hop) {
+	for (int hop = 0; hop < maxHops; ++hop) {
 		if (squaredLength(nearest - p) <= enough) break;
 		const int from = face;
 		for (int k = 0; k < 3; ++k) {
@@ -49,17 +49,18 @@ Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& 
 	return nearest;
 }
 
-SurfaceGaps::SurfaceGaps(const Surface& surface, const Cells& cells, const HalfEdgeMesh& result,
-						 const Buffer<Anchor>& anchor, float near) :
+SurfaceGaps::SurfaceGaps(const Surface& surface, const ClosestFaceMap& map,
+						 const HalfEdgeMesh& result, const Buffer<SurfacePoint>& point,
+						 float near) :
 		s_(surface.mesh),
-		cells_(cells), m_(result), anchor_(anchor), squaredNear_(near * near)
+		map_(map), m_(result), point_(point), squaredNear_(near * near)
 {
 }
 
-/// The vertices of the input in f's cell, from where the result comes nearest to them.
+/// The vertices of the input that are closest to f, from where the result comes nearest to them.
 void SurfaceGaps::lookFromSurface(int f, Gap& gap) const
 {
-	for (const int* i = cells_.begin(f); i != cells_.end(f); ++i) {
+	for (const int* i = map_.begin(f); i != map_.end(f); ++i) {
 		int         face = f;
 		const Vec3f p    = s_.position[*i];
 		widen(nearestOnTheWay(m_, p, gap.squared, face), p, gap);
@@ -71,7 +72,7 @@ void SurfaceGaps::lookFromTriangle(int f, Gap& gap) const
 {
 	const int*  corner = &m_.origin[3 * f];
 	const Vec3f a = m_.position[corner[0]], b = m_.position[corner[1]], c = m_.position[corner[2]];
-	int         face = anchorFace(f, 0);
+	int         face = faceOfPoint(f, 0);
 	for (int i = 0; i <= latticeSteps; ++i) {
 		for (int k = 0; i + k <= latticeSteps; ++k) {
 			const float x = float(i) / latticeSteps, y = float(k) / latticeSteps;
@@ -86,7 +87,7 @@ Vec3f SurfaceGaps::nearestFromCorners(int f, const Vec3f& p, float enough, int& 
 {
 	Vec3f nearest = nearestOnTheWay(s_, p, enough, face);
 	for (int k = 0; k < 3 && squaredLength(nearest - p) > enough; ++k) {
-		int         other = anchorFace(f, k);
+		int         other = faceOfPoint(f, k);
 		const Vec3f q     = nearestOnTheWay(s_, p, enough, other);
 		if (squaredLength(q - p) >= squaredLength(nearest - p)) continue;
 		nearest = q;
@@ -131,10 +132,10 @@ float SurfaceGaps::largestGap(const std::vector<int>& faces, float bound) const
 /// Whether a vertex of the result is farther off than what is near.
 bool SurfaceGaps::isFarVertex(int v) const
 {
-	const Vec3f  p      = m_.position[v];
-	const Anchor anchor = anchor_[v];
-	if (squaredLength(p - anchor.position) <= squaredNear_) return false;
-	int face = anchor.face;
+	const Vec3f        p     = m_.position[v];
+	const SurfacePoint point = point_[v];
+	if (squaredLength(p - point.position) <= squaredNear_) return false;
+	int face = point.face;
 	return squaredLength(nearestOnTheWay(s_, p, squaredNear_, face) - p) > squaredNear_;
 }
 

@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_SURFACE_SURFACE_GAP_H
 #define VCG_EXTRAS_CORE_SURFACE_SURFACE_GAP_H
 
-#include "cells.h"
+#include "closest_face_map.h"
 #include "surface_point.h"
 
 #include <vcg_extras/core/base/buffer.h>
@@ -26,13 +26,13 @@ struct Gap {
 Vec3f nearestOnTheWay(const HalfEdgeMesh& mesh, const Vec3f& p, float enough, int& face);
 
 /// Measures gaps between the faces of a result and the surface, from both sides: from the vertices
-/// of the input in a face's cell, and from a lattice of points on the face. Gaps shorter than
-/// `near` are not measured.
+/// of the input that are closest to a face, and from a lattice of points on the face. Gaps shorter
+/// than `near` are not measured.
 class SurfaceGaps {
 public:
-	/// anchor: per vertex of the result, a point of the surface near it; it may change later on.
-	SurfaceGaps(const Surface& surface, const Cells& cells, const HalfEdgeMesh& result,
-				const Buffer<Anchor>& anchor, float near);
+	/// point: per vertex of the result, a point of the surface near it; it may change later on.
+	SurfaceGaps(const Surface& surface, const ClosestFaceMap& map, const HalfEdgeMesh& result,
+				const Buffer<SurfacePoint>& point, float near);
 
 	Gap gapAt(int f) const;
 	/// Per face the squared length of its gap. From the face itself it is looked at only where a
@@ -43,15 +43,15 @@ public:
 	float largestGap(const std::vector<int>& faces, float bound) const;
 
 private:
-	const HalfEdgeMesh&   s_; ///< of the surface
-	const Cells&          cells_;
-	const HalfEdgeMesh&   m_; ///< of the result
-	const Buffer<Anchor>& anchor_;
-	float                 squaredNear_;
+	const HalfEdgeMesh&         s_; ///< of the surface
+	const ClosestFaceMap&       map_;
+	const HalfEdgeMesh&         m_; ///< of the result
+	const Buffer<SurfacePoint>& point_;
+	float                       squaredNear_;
 
 	Gap   nearEnough() const { return {squaredNear_, Vec3f(), Vec3f()}; }
 	Vec3f nearestFromCorners(int f, const Vec3f& p, float enough, int& face) const;
-	int   anchorFace(int f, int k) const { return anchor_[m_.origin[3 * f + k]].face; }
+	int   faceOfPoint(int f, int k) const { return point_[m_.origin[3 * f + k]].face; }
 	void  lookFromSurface(int f, Gap& gap) const;
 	void  lookFromTriangle(int f, Gap& gap) const;
 	bool  isFarVertex(int v) const;

@@ -8,13 +8,13 @@
 namespace gpr {
 
 /// A point of the engine's surface.
-struct Anchor {
+struct SurfacePoint {
 	Vec3f position;
 	int   face = -1;
 };
 
 /// Vertex v of the engine's surface, as a point of it; v must be in a face.
-inline Anchor anchorOfVertex(const Surface& surface, int v)
+inline SurfacePoint pointOfVertex(const Surface& surface, int v)
 {
 	return {surface.mesh.position[v], surface.mesh.outgoing[v] / 3};
 }

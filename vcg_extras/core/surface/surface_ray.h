@@ -13,7 +13,7 @@ namespace gpr {
 enum class RayEnd {
 	Arrived,
 	AtBorder, ///< or before an edge without length
-	Capped,   ///< crossed mostCrossings faces
+	Capped,   ///< crossed maxCrossings faces
 };
 
 /// A direction in the plane of a face, measured from one of its edges: counter-clockwise from the
@@ -107,14 +107,14 @@ inline float crossingOf(RayDirection ray, PlanePoint p, PlanePoint q, float from
 
 /// Follows a straight geodesic from the midpoint of half-edge h into its face and on. Calls
 /// visit(exit, at) for each edge crossed within `reach`: the half-edge of the face that the ray
-/// leaves, and where along the ray that is. Cost: the faces crossed, at most mostCrossings.
+/// leaves, and where along the ray that is. Cost: the faces crossed, at most maxCrossings.
 template <class Visit>
-RayEnd traceRay(const HalfEdgeMesh& m, int h, RayDirection ray, float reach, int mostCrossings,
+RayEnd traceRay(const HalfEdgeMesh& m, int h, RayDirection ray, float reach, int maxCrossings,
 				const Visit& visit)
 {
 	UnfoldedFace f(m, h);
 	float        at = 0;
-	for (int crossings = 0; crossings < mostCrossings; ++crossings) {
+	for (int crossings = 0; crossings < maxCrossings; ++crossings) {
 		if (!f.unfoldApex(m)) return RayEnd::AtBorder;
 		const bool overBC = f.apexIsLeftOf(ray);
 		at = overBC ? crossingOf(ray, f.b2, f.c2, at) : crossingOf(ray, f.c2, f.a2, at);

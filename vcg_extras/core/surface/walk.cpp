@@ -12,7 +12,7 @@ namespace gpr {
 namespace {
 
 /// Crossings in a row without getting on, as happens among slivers that meet in one vertex.
-constexpr int mostIdleCrossings = 32;
+constexpr int maxIdleCrossings = 32;
 
 /// A point of the plane that the faces on the way are unfolded into: the walk runs along +x from 0.
 struct Flat {
@@ -49,7 +49,7 @@ struct Exit {
 /// Of the face that the walk begins in. Seen from inside, counter-clockwise corners have one edge
 /// that goes from right to left; where rounding puts the start outside, the lowest corner counts as
 /// right and the highest as left.
-Exit exitOfFirstFace(const HalfEdgeMesh& m, const Anchor& at, const Vec3f& u, const Vec3f& w)
+Exit exitOfFirstFace(const HalfEdgeMesh& m, const SurfacePoint& at, const Vec3f& u, const Vec3f& w)
 {
 	Corner corner[3];
 	int    lowest = 0, highest = 0;
@@ -140,7 +140,7 @@ struct StartFace {
 } // namespace
 
 /// No face's normal is needed on the way, and one root a face: see Unfolded.
-WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCrossings)
+WalkEnd walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step, int maxCrossings)
 {
 	const float wanted = length(step);
 	if (!(wanted > 0)) return WalkEnd::Arrived;
@@ -160,7 +160,7 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCross
 
 	Unfolded face;
 	int      idle = 0;
-	for (int crossed = 0; crossed < mostCrossings && idle <= mostIdleCrossings; ++crossed) {
+	for (int crossed = 0; crossed < maxCrossings && idle <= maxIdleCrossings; ++crossed) {
 		const int beyond = m.opposite[exit.halfEdge];
 		if (beyond < 0 || !face.set(m, exit, beyond)) {
 			at = {exit.place(), exit.halfEdge / 3};
@@ -184,12 +184,12 @@ WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step, int mostCross
 
 WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex)
 {
-	const WalkEnd end = walk(surface.mesh, vertex.anchor, step);
-	vertex.normal     = surface.mesh.faceNormal(vertex.anchor.face);
+	const WalkEnd end = walk(surface.mesh, vertex.point, step);
+	vertex.normal     = surface.mesh.faceNormal(vertex.point.face);
 	return end;
 }
 
-std::vector<int> facesAt(const HalfEdgeMesh& m, const Anchor& at)
+std::vector<int> facesAt(const HalfEdgeMesh& m, const SurfacePoint& at)
 {
 	constexpr float  rounding = 1e-4f; // of the edge
 	std::vector<int> faces    = {at.face};

@@ -19,20 +19,20 @@ enum class WalkEnd {
 };
 
 /// Faces a walk crosses at most where the caller knows no better bound.
-constexpr int mostFacesCrossed = 20000;
+constexpr int maxFacesCrossed = 20000;
 
 /// Traces a straight geodesic: moves `at` by the vector `step`, turned into the plane of its face
 /// and kept at its length, unfolding across every edge on the way. The point stays on the surface,
 /// so nothing has to be projected and no other sheet can be met. Cost: the faces crossed.
-WalkEnd walk(const HalfEdgeMesh& m, Anchor& at, const Vec3f& step,
-			 int mostCrossings = mostFacesCrossed);
+WalkEnd walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step,
+			 int maxCrossings = maxFacesCrossed);
 
 /// Moves the record of a vertex by a walk.
 WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex);
 
 /// The faces that a point lies in: its own, and where it lies on an edge or in a corner of that, up
 /// to rounding, all those that meet there. On a crease a walk goes wrong from all but one of them.
-std::vector<int> facesAt(const HalfEdgeMesh& m, const Anchor& at);
+std::vector<int> facesAt(const HalfEdgeMesh& m, const SurfacePoint& at);
 
 /// Eight unit vectors perpendicular to a unit normal, an eighth of a turn apart: the directions of
 /// a pattern search on the surface.

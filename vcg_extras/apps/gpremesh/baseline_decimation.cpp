@@ -1,21 +1,21 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Quadric Edge Collapse as MeshLab runs it, timed.
-#include "peer_remeshers.h"
+#include "baseline_remeshers.h"
 #include "platform.h"
 #include "stopwatch.h"
 
-#include <vcg_extras/complex/peers/quadric_collapse.h>
+#include <vcg_extras/complex/baselines/quadric_collapse.h>
 
 namespace gpr::app {
 
-PeerResult collapseQuadricEdges(const MeshView& mesh, std::int64_t faceNum,
-								const StopQuestion& shallStop)
+BaselineResult collapseQuadricEdges(const MeshView& mesh, std::int64_t faceNum,
+									const StopQuestion& shallStop)
 {
-	PeerResult             result;
-	peers::QuadricCollapse collapse(mesh);
-	const Stopwatch        clock;
-	const double           processorBefore = processorSeconds();
+	BaselineResult             result;
+	baselines::QuadricCollapse collapse(mesh);
+	const Stopwatch            clock;
+	const double               processorBefore = processorSeconds();
 	if (!collapse.run(faceNum, shallStop)) {
 		result.failure = "Quadric Edge Collapse was stopped.";
 		return result;

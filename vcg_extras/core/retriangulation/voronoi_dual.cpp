@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cell_contraction.h"
+#include "voronoi_dual.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/mesh/measure.h>
@@ -18,9 +18,9 @@ namespace gpr {
 namespace {
 
 /// Times that cells found bad are opened and the rest contracted anew.
-constexpr int mostRounds = 8;
+constexpr int maxRounds = 8;
 /// Times that opening cells may spoil others in one round.
-constexpr int mostSpreads = 32;
+constexpr int maxSpreads = 32;
 
 using Triple = std::array<int, 3>;
 
@@ -36,7 +36,7 @@ void addRelaxed(int& place, int value)
 }
 
 /// The vertices from `first` on that stand for no sample.
-void listTodo(int first, ContractedCells& cells)
+void listTodo(int first, VoronoiDual& cells)
 {
 	std::vector<char> stays(cells.label.size(), 0);
 	for (int v : cells.sampleVertex) {
@@ -47,10 +47,10 @@ void listTodo(int first, ContractedCells& cells)
 	}
 }
 
-class CellContraction {
+class VoronoiDualBuilder {
 public:
-	CellContraction(const Surface& surface, const Sampling& sampling,
-					const BoundaryCurves& boundary, Workers& workers) :
+	VoronoiDualBuilder(const Surface& surface, const Sampling& sampling,
+					   const BoundaryCurves& boundary, Workers& workers) :
 			surface_(surface),
 			m_(surface.mesh), sampling_(sampling), boundary_(boundary), workers_(workers),
 			sampleNum_(int(sampling.samples.size())), open_(sampleNum_, 0), bad_(sampleNum_, 0)
@@ -58,7 +58,7 @@ public:
 	}
 
 	/// False: the cells are better left open, all of them.
-	bool run(const MeshFigures& input, ContractedCells& out)
+	bool run(const MeshFigures& input, VoronoiDual& out)
 	{
 		takeOverLabels();
 		orderCells();
@@ -67,7 +67,7 @@ public:
 		findDualFaces();
 		markCellsOnCreases();
 		markStrayCurveSamples();
-		for (int round = 0; round < mostRounds; ++round) {
+		for (int round = 0; round < maxRounds; ++round) {
 			if (!openBadCells()) return false;
 			if (contract(out)) return hasTopology(out.mesh, input);
 		}
@@ -109,7 +109,7 @@ private:
 	void orderCells()
 	{
 		constexpr int facesTogether = 8; // less than one sample's in most
-		const auto    faceOf        = [&](int s) { return sampling_.samples[s].anchor.face; };
+		const auto    faceOf        = [&](int s) { return sampling_.samples[s].point.face; };
 		const auto    bucketOf      = [&](std::size_t s) {
             return owns_[s] ? faceOf(int(s)) / facesTogether : -1;
 		};
@@ -264,7 +264,7 @@ private:
 		forEachNeighbour(m_, v, [&](int w) {
 			const int s = labelOf(w);
 			if (s < 0) return;
-			const float d = squaredLength(sampling_.samples[s].anchor.position - m_.position[v]);
+			const float d = squaredLength(sampling_.samples[s].point.position - m_.position[v]);
 			if (d < distance || (d == distance && s < best)) {
 				distance = d;
 				best     = s;
@@ -334,7 +334,7 @@ private:
 	bool openBadCells()
 	{
 		std::vector<char> fresh;
-		for (int i = 0; i < mostSpreads && openMarked(fresh); ++i)
+		for (int i = 0; i < maxSpreads && openMarked(fresh); ++i)
 			markSpoiltBy(fresh);
 		openMarked(fresh);
 		openVertices_ =
@@ -362,7 +362,7 @@ private:
 	}
 
 	/// A contracted cell that touches an open vertex in two places is no disk round one vertex any
-	/// more. Found here, at those next to cells just opened, it costs no vain contraction.
+	/// more. Found here, at those next to cells just opened, it costs no contraction that fails.
 	void markSpoiltBy(const std::vector<char>& fresh)
 	{
 		std::vector<char> isNear(sampleNum_, 0);
@@ -425,7 +425,7 @@ private:
 	bool         isOpenVertex(int v) const { return labelOf(v) < 0 || open_[labelOf(v)]; }
 
 	/// Makes the mesh. False if it is not manifold; the cells to blame are marked as bad.
-	bool contract(ContractedCells& out)
+	bool contract(VoronoiDual& out)
 	{
 		numberVertices(out);
 		IndexedMesh mesh;
@@ -436,7 +436,7 @@ private:
 			for (std::size_t v = begin; v < end; ++v) {
 				const int u = out.surfaceVertex[v];
 				mesh.position[v] =
-					u >= 0 ? m_.position[u] : sampling_.samples[out.label[v]].anchor.position;
+					u >= 0 ? m_.position[u] : sampling_.samples[out.label[v]].point.position;
 			}
 		});
 		collectFaces(out, mesh);
@@ -454,7 +454,7 @@ private:
 	}
 
 	/// Contracted cells first, then the vertices of open ones.
-	void numberVertices(ContractedCells& out)
+	void numberVertices(VoronoiDual& out)
 	{
 		out.label.clear();
 		out.surfaceVertex.clear();
@@ -475,7 +475,7 @@ private:
 	}
 
 	/// Of each open cell the vertex nearest to the sample stays; samples of curves have theirs.
-	void chooseRepresentatives(ContractedCells& out) const
+	void chooseRepresentatives(VoronoiDual& out) const
 	{
 		const int firstOpen = int(out.label.size() - openVertices_.size());
 		for (int s = 0; s < sampling_.boundarySampleNum; ++s) {
@@ -501,7 +501,7 @@ private:
 
 	/// The dual's faces between contracted cells, and those at open vertices whose corners are
 	/// different still.
-	void collectFaces(const ContractedCells& out, IndexedMesh& mesh) const
+	void collectFaces(const VoronoiDual& out, IndexedMesh& mesh) const
 	{
 		const auto isContracted = [&](const Triple& t) {
 			return !open_[t[0]] && !open_[t[1]] && !open_[t[2]];
@@ -528,7 +528,7 @@ private:
 		});
 	}
 
-	Buffer<Triple> facesAtOpenVertices(const ContractedCells& out) const
+	Buffer<Triple> facesAtOpenVertices(const VoronoiDual& out) const
 	{
 		const int  firstOpen = int(out.label.size() - openVertices_.size());
 		const auto vertexOf  = [&](int v) {
@@ -550,7 +550,7 @@ private:
 	}
 
 	/// Both ends of a crease's edges are vertices of open cells.
-	void carryCreases(ContractedCells& out) const
+	void carryCreases(VoronoiDual& out) const
 	{
 		if (!m_.hasCreases()) return;
 		HalfEdgeMesh& mesh = out.mesh;
@@ -566,7 +566,7 @@ private:
 		});
 	}
 
-	void markBad(const ContractedCells& out, const Buffer<char>& notManifold)
+	void markBad(const VoronoiDual& out, const Buffer<char>& notManifold)
 	{
 		for (std::size_t v = 0; v < out.label.size(); ++v) {
 			if (notManifold[v] && out.label[v] >= 0) bad_[out.label[v]] = 1;
@@ -575,7 +575,7 @@ private:
 
 	/// The border must run through the samples of the border and no others, and every inner vertex
 	/// needs three faces.
-	bool markWrongBorders(const ContractedCells& out)
+	bool markWrongBorders(const VoronoiDual& out)
 	{
 		const std::vector<int> wrong = workers_.collect<int>(
 			out.mesh.vertexNum, [&](std::size_t begin, std::size_t end, auto& found) {
@@ -588,7 +588,7 @@ private:
 		return wrong.empty();
 	}
 
-	bool isBorderRight(const ContractedCells& out, int v) const
+	bool isBorderRight(const VoronoiDual& out, int v) const
 	{
 		const int  s          = out.label[v];
 		const int  standsFor  = s < sampling_.boundarySampleNum ? boundary_.samples[s].vertex : -1;
@@ -607,12 +607,12 @@ private:
 };
 
 /// Nothing contracted: every vertex of the surface, the nearest of each cell to stand for it.
-ContractedCells openAll(const Surface& surface, const Sampling& sampling,
-						const BoundaryCurves& boundary, Workers& workers)
+VoronoiDual openAll(const Surface& surface, const Sampling& sampling,
+					const BoundaryCurves& boundary, Workers& workers)
 {
-	ContractedCells out;
-	const int       vertexNum = surface.mesh.vertexNum;
-	out.mesh                  = copyMesh(surface.mesh, workers);
+	VoronoiDual out;
+	const int   vertexNum = surface.mesh.vertexNum;
+	out.mesh              = copyMesh(surface.mesh, workers);
 	out.surfaceVertex.resize(vertexNum);
 	std::iota(out.surfaceVertex.begin(), out.surfaceVertex.end(), 0);
 	out.label.resize(vertexNum);
@@ -633,12 +633,12 @@ ContractedCells openAll(const Surface& surface, const Sampling& sampling,
 
 } // namespace
 
-ContractedCells contractCells(const Surface& surface, const Sampling& sampling,
-							  const BoundaryCurves& boundary, const MeshFigures& input,
-							  Workers& workers)
+VoronoiDual makeVoronoiDual(const Surface& surface, const Sampling& sampling,
+							const BoundaryCurves& boundary, const MeshFigures& input,
+							Workers& workers)
 {
-	ContractedCells out;
-	CellContraction contraction(surface, sampling, boundary, workers);
+	VoronoiDual        out;
+	VoronoiDualBuilder contraction(surface, sampling, boundary, workers);
 	if (contraction.run(input, out)) return out;
 	return openAll(surface, sampling, boundary, workers);
 }

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_BENCH_PEER_MESHOPTIMIZER_H
-#define VCG_EXTRAS_BENCH_PEER_MESHOPTIMIZER_H
+#ifndef VCG_EXTRAS_BENCH_BASELINE_MESHOPTIMIZER_H
+#define VCG_EXTRAS_BENCH_BASELINE_MESHOPTIMIZER_H
 
+#include <vcg_extras/apps/gpremesh/baseline_remeshers.h>
 #include <vcg_extras/apps/gpremesh/mesh_data.h>
-#include <vcg_extras/apps/gpremesh/peer_remeshers.h>
 
 #include <cstdint>
 
@@ -14,7 +14,7 @@ namespace gpr::bench {
 /// from indices and positions in memory to indices in memory; seconds leave out the copy of the
 /// vertices that are left. It keeps its own idea of the topology and may stop before faceNum. One
 /// thread. Fails with a sentence where the program was built without it.
-app::PeerResult simplifyByMeshoptimizer(const app::InputMesh& mesh, std::int64_t faceNum);
+app::BaselineResult simplifyByMeshoptimizer(const app::InputMesh& mesh, std::int64_t faceNum);
 
 } // namespace gpr::bench
 

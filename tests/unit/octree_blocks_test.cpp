@@ -3,7 +3,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/mesh/blocks.h>
+#include <vcg_extras/core/mesh/octree_blocks.h>
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -19,8 +19,8 @@ protected:
 
 TEST_P(CutIntoBlocks, EveryVertexIsInOneBlockAndCellsAreWideEnough)
 {
-	const Surface        s = surfaceOf(torus(120, 60), workers);
-	const BlockPartition p = cutIntoBlocks(s, float(GetParam()), workers);
+	const Surface      s = surfaceOf(torus(120, 60), workers);
+	const OctreeBlocks p = cutIntoBlocks(s, float(GetParam()), workers);
 	if (p.blocks.size() > 1) {
 		EXPECT_GE(double(p.cellSize), GetParam());
 	}
@@ -48,10 +48,10 @@ TEST_P(CutIntoBlocks, EveryVertexIsInOneBlockAndCellsAreWideEnough)
 /// What lets cells of a colour be worked on at once: a cell's width between any two of them.
 TEST_P(CutIntoBlocks, BlocksOfAColourLieAtLeastACellApart)
 {
-	Random               random(1);
-	const Surface        s     = surfaceOf(noisySphere(4, 0.1, random), workers);
-	const BlockPartition p     = cutIntoBlocks(s, float(GetParam()), workers);
-	const float          least = p.cellSize * 0.9999f;
+	Random             random(1);
+	const Surface      s     = surfaceOf(noisySphere(4, 0.1, random), workers);
+	const OctreeBlocks p     = cutIntoBlocks(s, float(GetParam()), workers);
+	const float        least = p.cellSize * 0.9999f;
 	for (const std::vector<int>& ids : p.byColour) {
 		for (std::size_t i = 0; i < ids.size(); ++i) {
 			for (std::size_t k = i + 1; k < ids.size(); ++k) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cells.h"
+#include "closest_face_map.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/triangle.h>
@@ -14,20 +14,20 @@ namespace {
 /// What looks the other way counts as farther by this factor on squared distances.
 constexpr float wrongSide = 4;
 /// Triangles crossed at most on the way to the one over a vertex; then stars are searched.
-constexpr int mostSteps = 8;
+constexpr int maxSteps = 8;
 /// A vertex that lies over a triangle belongs to it unless it is this share of twice its area away,
 /// squared: beyond a crease there may be a nearer one.
 constexpr float overShare = 0.04f;
 /// Stars searched at most.
-constexpr int mostHops = 4;
+constexpr int maxHops = 4;
 /// Vertices that are flooded together: pieces of fixed size, whatever the number of threads.
 constexpr int pieceSize = 16384;
 
 /// Breadth-first within pieces of consecutive vertices; from piece to piece by offers that are all
 /// made before any is taken. The outcome is the same for any number of threads.
-class AnchorFlood {
+class PointFlood {
 public:
-	AnchorFlood(const Surface& surface, const ResultMesh& result, Workers& workers) :
+	PointFlood(const Surface& surface, const ResultMesh& result, Workers& workers) :
 			m_(surface.mesh), r_(result), workers_(workers),
 			pieceNum_((m_.vertexNum + pieceSize - 1) / pieceSize), label_(m_.vertexNum),
 			left_(pieceNum_), offers_(pieceNum_)
@@ -56,10 +56,11 @@ private:
 	std::vector<std::vector<int>>   left_;   ///< per piece: vertices without a label
 	std::vector<std::vector<Offer>> offers_; ///< per piece
 
-	/// Seeds are the corners of the anchors' faces, numbered by vertex of the result and corner.
+	/// Seeds are the corners of the surface points' faces, numbered by vertex of the result and
+	/// corner.
 	int seedVertex(std::size_t seed) const
 	{
-		return m_.origin[3 * r_.vertex[seed / 3].anchor.face + seed % 3];
+		return m_.origin[3 * r_.vertex[seed / 3].point.face + seed % 3];
 	}
 
 	int beginOf(std::size_t piece) const { return int(piece) * pieceSize; }
@@ -199,15 +200,15 @@ public:
 	};
 
 	/// Walks from a face towards the one that p lies over, as in point location in the plane. Where
-	/// that ends nowhere, as at creases and tips, the stars on the way are searched; where it ends
-	/// far off, beyond a crease perhaps, those round the face that it began with, too.
+	/// that ends nowhere, as at creases and coneApexes, the stars on the way are searched; where it
+	/// ends far off, beyond a crease perhaps, those round the face that it began with, too.
 	Found locate(int p, int face) const
 	{
 		const Vec3f at     = surface_.mesh.position[p];
 		const Vec3f normal = surface_.normal[p].unpack();
 		const int   start  = face;
 		Foot        foot{{1, 0, 0}};
-		for (int step = 0; step < mostSteps; ++step) {
+		for (int step = 0; step < maxSteps; ++step) {
 			const Corners t = cornersOf(face);
 			const Vec3f   n = t.cross();
 			if (!(dot(n, normal) > 0)) break;
@@ -241,7 +242,7 @@ private:
 	Found searchStars(const Vec3f& at, const Vec3f& normal, int vertex) const
 	{
 		Found best{m_.outgoing[vertex] / 3, {{1, 0, 0}}, std::numeric_limits<float>::infinity()};
-		for (int hop = 0; hop < mostHops; ++hop) {
+		for (int hop = 0; hop < maxHops; ++hop) {
 			forEachOutgoing(m_, vertex, [&](int h) { tryFace(at, normal, h / 3, best); });
 			const int next = m_.origin[3 * best.face + best.foot.heaviest()];
 			if (next == vertex) break;
@@ -263,13 +264,13 @@ private:
 
 } // namespace
 
-Buffer<int> floodFromAnchors(const Surface& surface, const ResultMesh& result, Workers& workers)
+Buffer<int> floodFromPoints(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
-	return AnchorFlood(surface, result, workers).run();
+	return PointFlood(surface, result, workers).run();
 }
 
-Cells::Cells(const Surface& surface, const ResultMesh& result, Workers& workers) :
-		surface_(surface), face_(floodFromAnchors(surface, result, workers)),
+ClosestFaceMap::ClosestFaceMap(const Surface& surface, const ResultMesh& result, Workers& workers) :
+		surface_(surface), face_(floodFromPoints(surface, result, workers)),
 		weights_(surface.mesh.vertexNum), area_(surface.mesh.vertexNum)
 {
 	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
@@ -281,7 +282,7 @@ Cells::Cells(const Surface& surface, const ResultMesh& result, Workers& workers)
 	update(result, workers);
 }
 
-void Cells::update(const ResultMesh& result, Workers& workers)
+void ClosestFaceMap::update(const ResultMesh& result, Workers& workers)
 {
 	const TriangleSearch search(surface_, result.mesh);
 	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
@@ -296,14 +297,14 @@ void Cells::update(const ResultMesh& result, Workers& workers)
 	sortIntoBuckets(face_.size(), result.mesh.faceNum, faceOf, workers, start_, item_);
 }
 
-void Cells::keepListsOnly()
+void ClosestFaceMap::keepListsOnly()
 {
 	face_.release();
 	weights_.release();
 	area_.release();
 }
 
-void Cells::measureAreas(Workers& workers)
+void ClosestFaceMap::measureAreas(Workers& workers)
 {
 	const HalfEdgeMesh& m = surface_.mesh;
 	workers.forRange(area_.size(), [&](std::size_t begin, std::size_t end) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_MESH_BLOCKS_H
-#define VCG_EXTRAS_CORE_MESH_BLOCKS_H
+#ifndef VCG_EXTRAS_CORE_MESH_OCTREE_BLOCKS_H
+#define VCG_EXTRAS_CORE_MESH_OCTREE_BLOCKS_H
 
 #include "connect.h"
 
@@ -23,14 +23,14 @@ struct Block {
 /// them: work that begins in a cell and reaches less than half of that beyond it can be done in all
 /// cells of a colour at once, without locks, and the outcome depends only on the order of the
 /// colours.
-struct BlockPartition {
+struct OctreeBlocks {
 	std::vector<Block>              blocks;   ///< in vertex order
 	std::array<std::vector<int>, 8> byColour; ///< block indices, largest block first
 	float                           cellSize = 0;
 };
 
 /// The deepest cells that are at least minCellSize wide (working units).
-BlockPartition cutIntoBlocks(const Surface& surface, float minCellSize, Workers& workers);
+OctreeBlocks cutIntoBlocks(const Surface& surface, float minCellSize, Workers& workers);
 
 } // namespace gpr
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_OUTPUT_FACE_ANCHOR_H
-#define VCG_EXTRAS_CORE_OUTPUT_FACE_ANCHOR_H
+#ifndef VCG_EXTRAS_CORE_OUTPUT_FACE_POINT_H
+#define VCG_EXTRAS_CORE_OUTPUT_FACE_POINT_H
 
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/surface/result_mesh.h>
@@ -10,9 +10,9 @@
 namespace gpr {
 
 /// Where on the surface the middle of face f of the result lies: the end of the straight way from a
-/// corner's anchor that comes nearest to it. Walked, not searched for, so that it is never on
-/// another sheet. Cost: the faces crossed.
-Anchor anchorOfFace(const Surface& surface, const ResultMesh& result, int f);
+/// corner's surface point that comes nearest to it. Walked, not searched for, so that it is never
+/// on another sheet. Cost: the faces crossed.
+SurfacePoint pointOfFace(const Surface& surface, const ResultMesh& result, int f);
 
 } // namespace gpr
 

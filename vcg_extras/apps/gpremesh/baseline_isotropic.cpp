@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Isotropic explicit remeshing as MeshLab runs it. Source of the parameters and of the order of the
 // steps: MeshLab 2020.09, filter_meshing (FP_EXPLICIT_ISOTROPIC_REMESHING).
-#include "peer_remeshers.h"
+#include "baseline_remeshers.h"
 #include "platform.h"
 #include "stopwatch.h"
 
-#include <vcg_extras/complex/peers/peer_mesh.h>
+#include <vcg_extras/complex/baselines/baseline_mesh.h>
 
 // vcglib's headers need complex.h before them.
 // clang-format off
@@ -50,7 +50,7 @@ Remeshing::Params dialogDefaults(double edgeLen, double diagonal)
 	return p;
 }
 
-void remeshPeer(IsotropicMesh& mesh, double edgeLen)
+void remeshBaseline(IsotropicMesh& mesh, double edgeLen)
 {
 	using Clean = vcg::tri::Clean<IsotropicMesh>;
 	Clean::RemoveDuplicateVertex(mesh);
@@ -68,15 +68,15 @@ void remeshPeer(IsotropicMesh& mesh, double edgeLen)
 
 } // namespace
 
-PeerResult remeshIsotropically(const MeshView& mesh, double edgeLen)
+BaselineResult remeshIsotropically(const MeshView& mesh, double edgeLen)
 {
-	PeerResult    result;
-	IsotropicMesh work;
-	peers::fillPeerMesh(mesh, work);
+	BaselineResult result;
+	IsotropicMesh  work;
+	baselines::fillBaselineMesh(mesh, work);
 	const Stopwatch clock;
 	const double    processorBefore = processorSeconds();
 	try {
-		remeshPeer(work, edgeLen);
+		remeshBaseline(work, edgeLen);
 	}
 	catch (const std::runtime_error& error) { // vcglib's exceptions for meshes it cannot take
 		result.failure = std::string("Isotropic remeshing failed: ") + error.what();
@@ -84,7 +84,7 @@ PeerResult remeshIsotropically(const MeshView& mesh, double edgeLen)
 	}
 	result.seconds          = clock.seconds();
 	result.processorSeconds = processorSeconds() - processorBefore;
-	result.mesh             = peers::arraysOfPeerMesh(work);
+	result.mesh             = baselines::arraysOfBaselineMesh(work);
 	if (work.face.empty()) result.failure = "Isotropic remeshing left no face.";
 	return result;
 }

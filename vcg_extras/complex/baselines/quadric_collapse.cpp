@@ -4,7 +4,7 @@
 // MeshLab 2020.09, filter_meshing (FP_QUADRIC_SIMPLIFICATION and QuadricSimplification).
 #include "quadric_collapse.h"
 
-#include "peer_mesh.h"
+#include "baseline_mesh.h"
 
 #include <new>
 
@@ -17,7 +17,7 @@
 #include <vcg/complex/algorithms/local_optimization/tri_edge_collapse_quadric.h>
 // clang-format on
 
-namespace gpr::peers {
+namespace gpr::baselines {
 
 namespace {
 
@@ -117,7 +117,7 @@ struct QuadricCollapse::Work {
 
 QuadricCollapse::QuadricCollapse(const MeshView& mesh) : work_(std::make_unique<Work>())
 {
-	fillPeerMesh(mesh, work_->mesh);
+	fillBaselineMesh(mesh, work_->mesh);
 }
 
 QuadricCollapse::~QuadricCollapse() = default;
@@ -134,7 +134,7 @@ bool QuadricCollapse::run(std::int64_t faceNum, const std::function<bool()>& sha
 
 TriangleMesh QuadricCollapse::mesh() const
 {
-	return arraysOfPeerMesh(work_->mesh);
+	return arraysOfBaselineMesh(work_->mesh);
 }
 
-} // namespace gpr::peers
+} // namespace gpr::baselines

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_COMPLEX_PEERS_QUADRIC_COLLAPSE_H
-#define VCG_EXTRAS_COMPLEX_PEERS_QUADRIC_COLLAPSE_H
+#ifndef VCG_EXTRAS_COMPLEX_BASELINES_QUADRIC_COLLAPSE_H
+#define VCG_EXTRAS_COMPLEX_BASELINES_QUADRIC_COLLAPSE_H
 
 #include <vcg_extras/core/mesh_view.h>
 
@@ -9,7 +9,7 @@
 #include <functional>
 #include <memory>
 
-namespace gpr::peers {
+namespace gpr::baselines {
 
 /// MeshLab's "Simplification: Quadric Edge Collapse Decimation" (Garland, Heckbert 1997) with what
 /// its dialog proposes, to compare with: quality threshold 0.3, optimal placement, clean-up at the
@@ -38,6 +38,6 @@ private:
 	std::unique_ptr<Work> work_;
 };
 
-} // namespace gpr::peers
+} // namespace gpr::baselines
 
 #endif

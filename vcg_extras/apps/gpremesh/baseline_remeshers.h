@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_APPS_GPREMESH_PEER_REMESHERS_H
-#define VCG_EXTRAS_APPS_GPREMESH_PEER_REMESHERS_H
+#ifndef VCG_EXTRAS_APPS_GPREMESH_BASELINE_REMESHERS_H
+#define VCG_EXTRAS_APPS_GPREMESH_BASELINE_REMESHERS_H
 
 #include <vcg_extras/core/mesh_view.h>
 
@@ -15,8 +15,8 @@
 
 namespace gpr::app {
 
-/// What a peer made of a mesh, and how long that took.
-struct PeerResult {
+/// What a baseline made of a mesh, and how long that took.
+struct BaselineResult {
 	TriangleMesh mesh;
 	double       seconds          = 0; ///< from vcglib's mesh in memory to the result in memory
 	double       processorSeconds = 0; ///< of the same; the fairer figure on a busy machine
@@ -27,14 +27,14 @@ struct PeerResult {
 using StopQuestion = std::function<bool()>;
 
 /// MeshLab's "Simplification: Quadric Edge Collapse Decimation" down to faceNum faces; see
-/// vcg_extras/complex/peers/quadric_collapse.h.
-PeerResult collapseQuadricEdges(const MeshView& mesh, std::int64_t faceNum,
-								const StopQuestion& shallStop);
+/// vcg_extras/complex/baselines/quadric_collapse.h.
+BaselineResult collapseQuadricEdges(const MeshView& mesh, std::int64_t faceNum,
+									const StopQuestion& shallStop);
 
 /// MeshLab's "Remeshing: Isotropic Explicit Remeshing" with that target length, mesh units: three
 /// rounds of splits, collapses, flips, smoothing and reprojection; crease angle 30°, no operation
 /// further than 1 % of the diagonal from the surface. One thread; cannot be stopped.
-PeerResult remeshIsotropically(const MeshView& mesh, double edgeLen);
+BaselineResult remeshIsotropically(const MeshView& mesh, double edgeLen);
 
 } // namespace gpr::app
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_SURFACE_CELLS_H
-#define VCG_EXTRAS_CORE_SURFACE_CELLS_H
+#ifndef VCG_EXTRAS_CORE_SURFACE_CLOSEST_FACE_MAP_H
+#define VCG_EXTRAS_CORE_SURFACE_CLOSEST_FACE_MAP_H
 
 #include "result_mesh.h"
 
@@ -59,13 +59,13 @@ private:
 /// What each triangle of the result stands for: every vertex of the input belongs to the triangle
 /// nearest to it, found by walking over the triangles from its former one, so that a sheet that
 /// only looks near is never taken. 14 B per vertex of the input.
-class Cells {
+class ClosestFaceMap {
 public:
-	/// Finds the first cells, starting from a flood over the input from the result's anchors.
+	/// Finds the map, starting from a flood over the input from the result's surface points.
 	/// Cost: linear in the input, parallel.
-	Cells(const Surface& surface, const ResultMesh& result, Workers& workers);
+	ClosestFaceMap(const Surface& surface, const ResultMesh& result, Workers& workers);
 
-	/// Brings the cells up to date after vertices of the result moved or edges were flipped.
+	/// Brings the map up to date after vertices of the result moved or edges were flipped.
 	/// Cost: linear in the input, parallel.
 	void update(const ResultMesh& result, Workers& workers);
 
@@ -73,7 +73,8 @@ public:
 	const int* begin(int f) const { return item_.data() + start_[f]; }
 	const int* end(int f) const { return item_.data() + start_[f + 1]; }
 
-	/// Face of the result that vertex p of the input belongs to; -1 where no anchor reaches p.
+	/// Face of the result that vertex p of the input belongs to; -1 where no surface point reaches
+	/// p.
 	int face(int p) const { return face_[p]; }
 	/// Where on that face the point nearest to p lies.
 	const PackedWeights& weights(int p) const { return weights_[p]; }
@@ -95,8 +96,8 @@ private:
 };
 
 /// A vertex of the result near each vertex of the input, by a breadth-first flood over the input
-/// from all anchors at once; -1 where none comes to. Cost: linear, parallel.
-Buffer<int> floodFromAnchors(const Surface& surface, const ResultMesh& result, Workers& workers);
+/// from all surface points at once; -1 where none comes to. Cost: linear, parallel.
+Buffer<int> floodFromPoints(const Surface& surface, const ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// gpr_bench_peer: runs another simplifier on a file, as a program, so that all of it can be
+// gpr_bench_baseline: runs another simplifier on a file, as a program, so that all of it can be
 // measured from outside. Prints its own seconds and what is left as JSON.
-#include "peer_meshoptimizer.h"
+#include "baseline_meshoptimizer.h"
 
+#include <vcg_extras/apps/gpremesh/baseline_remeshers.h>
 #include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/apps/gpremesh/peer_remeshers.h>
 #include <vcg_extras/apps/gpremesh/run_limit.h>
 
 #include <cstdio>
@@ -18,9 +18,10 @@ namespace {
 
 using namespace gpr;
 
-constexpr const char* usage = "usage: gpr_bench_peer quadric|meshoptimizer IN OUT FACES\n";
+constexpr const char* usage = "usage: gpr_bench_baseline quadric|meshoptimizer IN OUT FACES\n";
 
-app::PeerResult simplified(const std::string& method, const std::string& in, std::int64_t faceNum)
+app::BaselineResult simplified(const std::string& method, const std::string& in,
+							   std::int64_t faceNum)
 {
 	const app::InputMesh mesh = app::readMesh(in);
 	if (method == "meshoptimizer") return bench::simplifyByMeshoptimizer(mesh, faceNum);
@@ -30,7 +31,7 @@ app::PeerResult simplified(const std::string& method, const std::string& in, std
 void run(const std::string& method, const std::string& in, const std::string& out,
 		 std::int64_t faceNum)
 {
-	const app::PeerResult result = simplified(method, in, faceNum);
+	const app::BaselineResult result = simplified(method, in, faceNum);
 	if (!result.failure.empty()) throw std::runtime_error(result.failure);
 	app::MeshAttributes none;
 	app::writeMesh(result.mesh, false, none, out, app::RunLimit());
@@ -52,7 +53,7 @@ int main(int argc, char** argv)
 		run(method, argv[2], argv[3], faceNum);
 	}
 	catch (const std::exception& error) {
-		std::fprintf(stderr, "gpr_bench_peer: %s\n", error.what());
+		std::fprintf(stderr, "gpr_bench_baseline: %s\n", error.what());
 		return 1;
 	}
 	return 0;

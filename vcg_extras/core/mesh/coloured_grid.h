@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_MESH_WORK_CELLS_H
-#define VCG_EXTRAS_CORE_MESH_WORK_CELLS_H
+#ifndef VCG_EXTRAS_CORE_MESH_COLOURED_GRID_H
+#define VCG_EXTRAS_CORE_MESH_COLOURED_GRID_H
 
 #include "half_edge_mesh.h"
 
@@ -14,10 +14,10 @@
 namespace gpr {
 
 /// A cube of space, the vertices that lie in it, and how far work that begins there may reach.
-struct WorkCell {
+struct GridCell {
 	Vec3f centre;
 	float reach = 0; ///< from the centre, along each axis
-	int   begin = 0; ///< of WorkCells::vertices
+	int   begin = 0; ///< of ColouredGrid::vertices
 	int   end   = 0;
 
 	bool reaches(const Vec3f& p) const
@@ -34,22 +34,23 @@ struct WorkCell {
 /// of their outer edges, and to its vertices. A turn round a reached vertex reads faces with one
 /// vertex reached at least, whose opposites at that vertex no other cell writes. The outcome
 /// depends on the order of colours and vertices only.
-struct WorkCells {
+struct ColouredGrid {
 	std::vector<int>                     vertices;
-	std::array<std::vector<WorkCell>, 8> byColour;
+	std::array<std::vector<GridCell>, 8> byColour;
 
 	/// Calls body(cell) for every cell: the colours one after the other, a colour's in parallel.
 	template <class Body>
-	void forCells(Workers& workers, const Body& body) const
+	void forEachCell(Workers& workers, const Body& body) const
 	{
-		for (const std::vector<WorkCell>& cells : byColour)
+		for (const std::vector<GridCell>& cells : byColour)
 			workers.forTasks(cells.size(), [&](std::size_t i, int) { body(cells[i]); });
 	}
 };
 
 /// Shares the vertices out to cells of the given width (working units), which keep their order.
 /// Cost: sorts the vertices by cell.
-WorkCells cutIntoWorkCells(const HalfEdgeMesh& mesh, const std::vector<int>& vertices, float width);
+ColouredGrid cutIntoGridCells(const HalfEdgeMesh& mesh, const std::vector<int>& vertices,
+							  float width);
 
 } // namespace gpr
 

@@ -10,7 +10,7 @@ include(CheckCXXCompilerFlag)
 check_cxx_compiler_flag(-ftrivial-auto-var-init=zero GPR_CAN_ZERO_VARIABLES)
 
 # To be called in the folder whose targets have the sources.
-function(gpr_set_up_peers)
+function(gpr_set_up_baselines)
   set_source_files_properties(${ARGN} PROPERTIES
     COMPILE_DEFINITIONS NDEBUG
     COMPILE_OPTIONS "-Wno-maybe-uninitialized;$<$<BOOL:${GPR_CAN_ZERO_VARIABLES}>:-ftrivial-auto-var-init=zero>")

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "crossing_faces.h"
+#include "self_intersections.h"
 
 #include "face_boxes.h"
 #include "mesh_edit.h"
@@ -120,11 +120,13 @@ bool facesCross(const HalfEdgeMesh& m, int f, int g, const SharedCorners& shared
 						   : crossApart(m, f, g);
 }
 
-class CrossingSearch {
+class IntersectionSearch {
 public:
-	/// wanted: per face, whether its crossings are looked for; empty: all faces'.
-	CrossingSearch(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers) :
-			m_(mesh), wanted_(wanted), workers_(workers), boxes_(mesh, wanted, workers)
+	/// wanted: per face, whether its intersections are looked for; empty: all faces'.
+	IntersectionSearch(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
+					   Workers& workers) :
+			m_(mesh),
+			wanted_(wanted), workers_(workers), boxes_(mesh, wanted, workers)
 	{
 	}
 
@@ -155,7 +157,7 @@ private:
 	Buffer<char>             isFlat_; ///< per vertex
 
 	/// Faces round a vertex whose normals lie within 37° of their mean, and that go round it once,
-	/// are seen side by side along that normal: they cannot cross.
+	/// are seen side by side along that normal: they cannot intersect.
 	bool isFlatStar(int v) const { return !m_.isCreaseVertex(v) && isFlat(m_, v) && turnsOnce(v); }
 
 	/// Of all vertices at once where all faces are compared.
@@ -265,28 +267,28 @@ private:
 
 } // namespace
 
-std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, Workers& workers)
+std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, Workers& workers)
 {
-	return CrossingSearch(mesh, {}, workers).run();
+	return IntersectionSearch(mesh, {}, workers).run();
 }
 
-std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
-								   Workers& workers)
+std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
+									   Workers& workers)
 {
-	return CrossingSearch(mesh, wanted, workers).run();
+	return IntersectionSearch(mesh, wanted, workers).run();
 }
 
-std::vector<int> findCrossingFaces(const HalfEdgeMesh& mesh, const std::vector<int>& wanted,
-								   Workers& workers)
+std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, const std::vector<int>& wanted,
+									   Workers& workers)
 {
 	std::vector<char> mark(mesh.faceNum, 0);
 	for (int f : wanted)
 		mark[f] = 1;
-	return findCrossingFaces(mesh, mark, workers);
+	return findIntersectingFaces(mesh, mark, workers);
 }
 
-int countCrossingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
-					   const std::vector<int>& near, std::int64_t* work)
+int countIntersectingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
+						   const std::vector<int>& near, std::int64_t* work)
 {
 	std::vector<int> others;
 	std::set_union(faces.begin(), faces.end(), near.begin(), near.end(),

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "work_cells.h"
+#include "coloured_grid.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -41,10 +41,10 @@ CellNumber cellOf(const Vec3f& p, float width)
 	return {number(p.x), number(p.y), number(p.z)};
 }
 
-WorkCell makeCell(const CellNumber& n, float width)
+GridCell makeCell(const CellNumber& n, float width)
 {
 	const auto middle = [&](std::uint64_t i) { return lowest + (float(i) + 0.5f) * width; };
-	WorkCell   cell;
+	GridCell   cell;
 	cell.centre = {middle(n.x), middle(n.y), middle(n.z)};
 	cell.reach  = (0.5f + reachBeyondSide) * width;
 	return cell;
@@ -52,7 +52,7 @@ WorkCell makeCell(const CellNumber& n, float width)
 
 } // namespace
 
-WorkCells cutIntoWorkCells(const HalfEdgeMesh& m, const std::vector<int>& vertices, float width)
+ColouredGrid cutIntoGridCells(const HalfEdgeMesh& m, const std::vector<int>& vertices, float width)
 {
 	std::vector<KeyedVertex> keyed;
 	keyed.reserve(vertices.size());
@@ -60,11 +60,11 @@ WorkCells cutIntoWorkCells(const HalfEdgeMesh& m, const std::vector<int>& vertic
 		keyed.push_back({cellOf(m.position[v], width).key(), v});
 	std::sort(keyed.begin(), keyed.end());
 
-	WorkCells cells;
+	ColouredGrid cells;
 	cells.vertices.reserve(keyed.size());
 	for (std::size_t i = 0; i < keyed.size(); ++i) {
 		const CellNumber       number = cellOf(m.position[keyed[i].vertex], width);
-		std::vector<WorkCell>& own    = cells.byColour[number.colour()];
+		std::vector<GridCell>& own    = cells.byColour[number.colour()];
 		if (i == 0 || keyed[i].key != keyed[i - 1].key) {
 			own.push_back(makeCell(number, width));
 			own.back().begin = int(i);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "peer_meshoptimizer.h"
+#include "baseline_meshoptimizer.h"
 
 #include <vcg_extras/apps/gpremesh/platform.h>
 #include <vcg_extras/apps/gpremesh/stopwatch.h>
@@ -44,13 +44,13 @@ TriangleMesh compacted(const Indices& triangles, const std::vector<float>& posit
 
 } // namespace
 
-app::PeerResult simplifyByMeshoptimizer(const app::InputMesh& mesh, std::int64_t faceNum)
+app::BaselineResult simplifyByMeshoptimizer(const app::InputMesh& mesh, std::int64_t faceNum)
 {
 	const std::vector<float> positions = floatPositions(mesh.view());
 	const Indices            triangles(mesh.triangles.begin(), mesh.triangles.end());
 	Indices                  simplified(triangles.size());
 
-	app::PeerResult      result;
+	app::BaselineResult  result;
 	const double         processorBefore = app::processorSeconds();
 	const app::Stopwatch clock;
 	simplified.resize(meshopt_simplify(simplified.data(), triangles.data(), triangles.size(),

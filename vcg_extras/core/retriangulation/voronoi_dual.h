@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_RETRIANGULATION_CELL_CONTRACTION_H
-#define VCG_EXTRAS_CORE_RETRIANGULATION_CELL_CONTRACTION_H
+#ifndef VCG_EXTRAS_CORE_RETRIANGULATION_VORONOI_DUAL_H
+#define VCG_EXTRAS_CORE_RETRIANGULATION_VORONOI_DUAL_H
 
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/report.h>
@@ -13,7 +13,7 @@ namespace gpr {
 
 /// The surface with most Voronoi cells drawn together to one vertex each. Cells that could not be
 /// are open: all their vertices are still there, but for one of each they are to be merged away.
-struct ContractedCells {
+struct VoronoiDual {
 	HalfEdgeMesh     mesh;
 	std::vector<int> label;         ///< per vertex: the sample whose cell it is or belongs to
 	std::vector<int> surfaceVertex; ///< per vertex: the surface's vertex it is; -1: a whole cell
@@ -34,9 +34,9 @@ struct ContractedCells {
 /// the mesh that comes out has not the components, boundary loops and Euler characteristic of
 /// `input`, or more than half of the cells would be open, all are.
 /// Cost: some passes over the faces, parallel; ten times cheaper than collapses.
-ContractedCells contractCells(const Surface& surface, const Sampling& sampling,
-							  const BoundaryCurves& boundary, const MeshFigures& input,
-							  Workers& workers);
+VoronoiDual makeVoronoiDual(const Surface& surface, const Sampling& sampling,
+							const BoundaryCurves& boundary, const MeshFigures& input,
+							Workers& workers);
 
 } // namespace gpr
 

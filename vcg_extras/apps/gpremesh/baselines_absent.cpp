@@ -1,27 +1,27 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stands in for MeshLab's remeshers where the program is built without vcglib.
-#include "peer_remeshers.h"
+#include "baseline_remeshers.h"
 
 namespace gpr::app {
 
 namespace {
 
-PeerResult absent()
+BaselineResult absent()
 {
-	PeerResult result;
+	BaselineResult result;
 	result.failure = "Left out: this program was built without vcglib.";
 	return result;
 }
 
 } // namespace
 
-PeerResult collapseQuadricEdges(const MeshView&, std::int64_t, const StopQuestion&)
+BaselineResult collapseQuadricEdges(const MeshView&, std::int64_t, const StopQuestion&)
 {
 	return absent();
 }
 
-PeerResult remeshIsotropically(const MeshView&, double)
+BaselineResult remeshIsotropically(const MeshView&, double)
 {
 	return absent();
 }

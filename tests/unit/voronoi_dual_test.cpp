@@ -4,8 +4,8 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/core/mesh/measure.h>
-#include <vcg_extras/core/retriangulation/cell_contraction.h>
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
+#include <vcg_extras/core/retriangulation/voronoi_dual.h>
 #include <vcg_extras/core/surface/nearest_samples.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@ namespace gpr::test {
 namespace {
 
 /// A surface without curves, and cells on it.
-class Cells : public ::testing::TestWithParam<std::uint32_t> {
+class VoronoiCells : public ::testing::TestWithParam<std::uint32_t> {
 protected:
 	Random         random{GetParam()};
 	Workers        workers{2, nullptr};
@@ -50,10 +50,10 @@ protected:
 		putSamples(vertices);
 	}
 
-	MeshFigures     figures() { return figuresOf(surface.mesh, 1, workers); }
-	ContractedCells contract()
+	MeshFigures figures() { return figuresOf(surface.mesh, 1, workers); }
+	VoronoiDual contract()
 	{
-		return contractCells(surface, sampling, noCurves, figures(), workers);
+		return makeVoronoiDual(surface, sampling, noCurves, figures(), workers);
 	}
 	ResultMesh remove() { return removeVertices(surface, sampling, noCurves, figures(), workers); }
 
@@ -65,24 +65,24 @@ protected:
 	}
 };
 
-TEST_P(Cells, OnASphereEveryOneBecomesAVertex)
+TEST_P(VoronoiCells, OnASphereEveryOneBecomesAVertex)
 {
 	takeSurface(icosphere(5));
 	sampling = sampleFront(surface, noCurves, cutIntoBlocks(surface, 1, workers), 0.06f, GetParam(),
 						   workers);
-	const ContractedCells cells = contract();
+	const VoronoiDual cells = contract();
 	EXPECT_EQ(cells.openCellNum, 0);
 	EXPECT_TRUE(cells.todo.empty());
 	EXPECT_EQ(cells.mesh.vertexNum, int(sampling.samples.size()));
 	for (std::size_t s = 0; s < sampling.samples.size(); ++s) {
 		const int v = cells.sampleVertex[s];
 		ASSERT_GE(v, 0);
-		EXPECT_EQ(cells.mesh.position[v], sampling.samples[s].anchor.position);
+		EXPECT_EQ(cells.mesh.position[v], sampling.samples[s].point.position);
 	}
 	expectSameTopology(cells.mesh);
 }
 
-TEST_P(Cells, TopologyStaysWhateverTheCells)
+TEST_P(VoronoiCells, TopologyStaysWhateverTheCells)
 {
 	takeSurface(random.below(2) == 0 ? torus(60, 30) : noisySphere(4, 0.1, random));
 	putRandomSamples(8 + random.below(300));
@@ -91,21 +91,21 @@ TEST_P(Cells, TopologyStaysWhateverTheCells)
 	expectSameTopology(result.mesh);
 }
 
-TEST_P(Cells, VerticesThatWereCutOffGoToTheCellsRoundThem)
+TEST_P(VoronoiCells, VerticesThatWereCutOffGoToTheCellsRoundThem)
 {
 	takeSurface(icosphere(5));
 	putRandomSamples(200);
 	ASSERT_EQ(contract().openCellNum, 0);
 	for (int i = 0; i < 20; ++i)
 		sampling.nearest[random.below(surface.mesh.vertexNum)] = {2, random.below(200)};
-	const ContractedCells cells = contract();
+	const VoronoiDual cells = contract();
 	EXPECT_LE(cells.openCellNum, 4);
 	EXPECT_EQ(remove().mesh.vertexNum, 200);
 	expectSameTopology(cells.mesh);
 }
 
 /// Four cells round a torus are rings, of Euler characteristic 0: drawn together they would cut it.
-TEST_P(Cells, RingsAreLeftOpen)
+TEST_P(VoronoiCells, RingsAreLeftOpen)
 {
 	takeSurface(torus(80, 24));
 	putSamples({0, 1, 2, 3});
@@ -119,24 +119,24 @@ TEST_P(Cells, RingsAreLeftOpen)
 }
 
 /// A cell with the handle in it has one rim, as a disk has, and must not be taken for one.
-TEST_P(Cells, ACellWithAHandleIsLeftOpen)
+TEST_P(VoronoiCells, ACellWithAHandleIsLeftOpen)
 {
 	takeSurface(torus(60, 30));
 	putRandomSamples(60);
-	const Vec3f far = sampling.samples[0].anchor.position;
+	const Vec3f far = sampling.samples[0].point.position;
 	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
 		if (length(surface.mesh.position[v] - far) > 0.4f) sampling.nearest[v].sample = 1;
 	}
 	expectSameTopology(remove().mesh);
 }
 
-TEST_P(Cells, AreTheSameForAnyNumberOfThreads)
+TEST_P(VoronoiCells, AreTheSameForAnyNumberOfThreads)
 {
 	takeSurface(torus(60, 30));
 	putRandomSamples(150);
-	Workers               one(1, nullptr), three(3, nullptr);
-	const ContractedCells a = contractCells(surface, sampling, noCurves, figures(), one);
-	const ContractedCells b = contractCells(surface, sampling, noCurves, figures(), three);
+	Workers           one(1, nullptr), three(3, nullptr);
+	const VoronoiDual a = makeVoronoiDual(surface, sampling, noCurves, figures(), one);
+	const VoronoiDual b = makeVoronoiDual(surface, sampling, noCurves, figures(), three);
 	EXPECT_EQ(a.label, b.label);
 	EXPECT_EQ(a.todo, b.todo);
 	ASSERT_EQ(a.mesh.faceNum, b.mesh.faceNum);
@@ -144,7 +144,7 @@ TEST_P(Cells, AreTheSameForAnyNumberOfThreads)
 						   b.mesh.origin.begin()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Cells, ::testing::Range(1u, 7u));
+INSTANTIATE_TEST_SUITE_P(Seeds, VoronoiCells, ::testing::Range(1u, 7u));
 
 } // namespace
 

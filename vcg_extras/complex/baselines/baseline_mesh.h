@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_COMPLEX_PEERS_PEER_MESH_H
-#define VCG_EXTRAS_COMPLEX_PEERS_PEER_MESH_H
+#ifndef VCG_EXTRAS_COMPLEX_BASELINES_BASELINE_MESH_H
+#define VCG_EXTRAS_COMPLEX_BASELINES_BASELINE_MESH_H
 
 // Between flat arrays and a mesh of vcglib in float, as MeshLab keeps it.
 
@@ -11,11 +11,11 @@
 #include <vcg/complex/complex.h>
 #include <vector>
 
-namespace gpr::peers {
+namespace gpr::baselines {
 
 /// Fills an empty mesh with the usable faces of a view and the vertices that these name.
 template <class Mesh>
-void fillPeerMesh(const MeshView& from, Mesh& to)
+void fillBaselineMesh(const MeshView& from, Mesh& to)
 {
 	using Allocator = vcg::tri::Allocator<Mesh>;
 	std::vector<std::int32_t> number(from.vertexNum, -1), corners;
@@ -42,7 +42,7 @@ void fillPeerMesh(const MeshView& from, Mesh& to)
 
 /// The mesh as arrays; it must be compact.
 template <class Mesh>
-TriangleMesh arraysOfPeerMesh(const Mesh& from)
+TriangleMesh arraysOfBaselineMesh(const Mesh& from)
 {
 	TriangleMesh to;
 	to.positions.reserve(from.vert.size());
@@ -55,6 +55,6 @@ TriangleMesh arraysOfPeerMesh(const Mesh& from)
 	return to;
 }
 
-} // namespace gpr::peers
+} // namespace gpr::baselines
 
 #endif

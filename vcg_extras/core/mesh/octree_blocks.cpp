@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "blocks.h"
+#include "octree_blocks.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -36,7 +36,7 @@ int endOfCell(const CellOf& cellOf, int v, int end)
 
 } // namespace
 
-BlockPartition cutIntoBlocks(const Surface& surface, float minCellSize, Workers& workers)
+OctreeBlocks cutIntoBlocks(const Surface& surface, float minCellSize, Workers& workers)
 {
 	const HalfEdgeMesh& m     = surface.mesh;
 	const MortonGrid&   grid  = surface.grid;
@@ -51,7 +51,7 @@ BlockPartition cutIntoBlocks(const Surface& surface, float minCellSize, Workers&
 			}
 		});
 
-	BlockPartition partition;
+	OctreeBlocks partition;
 	partition.cellSize = grid.cellSize(level);
 	for (std::size_t b = 0; b < begins.size(); ++b) {
 		const int end = b + 1 < begins.size() ? begins[b + 1] : m.vertexNum;
