@@ -16,6 +16,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Below what a user feels as a delay, and long enough that asking costs nothing.
 constexpr auto pollPeriod = std::chrono::milliseconds(40);
 /// Looks at a flag before going to sleep: some tens of microseconds. Stages are chains of short
 /// loops, and waking a thread costs as much as many a loop on a small mesh.
@@ -154,7 +155,7 @@ std::size_t Workers::grainFor(std::size_t n)
 
 int Workers::sumUp(int* value, std::size_t n)
 {
-	constexpr std::size_t grain    = 16384;
+	constexpr std::size_t grain = 16384; // 64 KB, which stay in a core's own cache between passes
 	const std::size_t     pieceNum = (n + grain - 1) / grain;
 	std::vector<int>      before(pieceNum + 1, 0);
 	forRange(pieceNum, [&](std::size_t begin, std::size_t end) {

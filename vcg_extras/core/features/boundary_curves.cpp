@@ -15,6 +15,8 @@ namespace gpr {
 
 namespace {
 
+/// A turn within a window that makes a corner of a curve. Less is a bend that chords of the wanted
+/// length can follow: they leave an arc of 50° by about a tenth of their length.
 constexpr float cornerTurn = 50 * radians;
 /// A turn at one point that makes it a corner of a feature line.
 constexpr float kinkTurn = 25 * radians;

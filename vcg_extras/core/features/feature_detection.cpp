@@ -188,6 +188,7 @@ private:
 		return true;
 	}
 
+	/// Edges within 60° of each other run side by side; others meet at an angle and do not compete.
 	static constexpr float besideCosine = 0.5f;
 
 	/// What a look across an edge sees on one side.
@@ -489,7 +490,7 @@ private:
 	template <class Visit>
 	void forEachNear(int v, float reach, const Visit& visit) const
 	{
-		constexpr std::size_t most = 256;
+		constexpr std::size_t most = 256; // needles could bring in any number
 		std::vector<int>      near{v};
 		for (std::size_t i = 0; i < near.size(); ++i) {
 			visit(near[i]);

@@ -10,6 +10,8 @@ namespace gpr {
 
 namespace {
 
+/// A support is some edges long, so that a ray crosses ten faces or so. Among needles it could
+/// cross any number.
 constexpr int maxCrossings = 256;
 
 /// Six rays in the middle of sectors of 30°. An even number: a ray at right angles would run

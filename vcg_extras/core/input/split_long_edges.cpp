@@ -97,6 +97,7 @@ private:
 	/// which are asked for soon before and after; where there are too many, anywhere.
 	Entry& placeOf(std::uint64_t edge)
 	{
+		// A vertex has three edges to others on the mean; a line of the cache holds four entries.
 		constexpr std::size_t   perVertex = 4, nearby = 8;
 		constexpr std::uint64_t golden = 0x9E3779B97F4A7C15; // Knuth: spreads whatever lies close
 		const std::size_t       mask   = entry_.size() - 1;

@@ -29,7 +29,7 @@ bool spokeLess(const Spoke& a, const Spoke& b)
 
 /// The spokes of a vertex: few as plain arrays, all of them where there are more.
 struct SpokeFan {
-	static constexpr int few = 16;
+	static constexpr int few = 16; // nearly all vertices have fewer
 	struct End {
 		int other;
 		int halfEdge;

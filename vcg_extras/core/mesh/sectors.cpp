@@ -43,7 +43,7 @@ bool isFlatSector(const HalfEdgeMesh& m, int first, int faceNum)
 /// isFlatSector of the whole ring, which is read once where it is not uncommonly large.
 bool isFlatRing(const HalfEdgeMesh& m, int v)
 {
-	constexpr int maxKept = 12;
+	constexpr int maxKept = 12; // nearly all vertices have fewer faces; others are read twice
 	Vec3f         kept[maxKept];
 	Vec3f         sum;
 	int           num = 0;

@@ -45,7 +45,7 @@ bool passesThrough(const Vec3f& p, const Vec3f& q, const Vec3f* t)
 /// rounding.
 bool liesBeyondAnEdge(const Vec3f* t, const Vec3f* s)
 {
-	constexpr float margin = 1e-5f;
+	constexpr float margin = 1e-5f; // some hundred roundings of a float
 	const Vec3f     normal = cross(s[1] - s[0], s[2] - s[0]);
 	for (int k = 0; k < 3; ++k) {
 		const Vec3f edge    = s[(k + 1) % 3] - s[k];

@@ -15,6 +15,7 @@ namespace gpr {
 
 namespace {
 
+/// The mean distance has settled by then: 2 are 0.1 % worse, 8 no better (means of six models).
 constexpr int rounds = 4;
 /// Of the way to the minimum for a vertex whose neighbours stay. The whole way would leave every
 /// second one far out: it would move for its neighbours, and they then need not.

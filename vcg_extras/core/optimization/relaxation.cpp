@@ -78,6 +78,8 @@ void slideOnCrease(const Surface& surface, const BoundaryCurves& curves, int v, 
 
 // ---- conformal
 
+/// Flips after every step give the same regularity and a mean distance 5 % larger, after every
+/// sixth one less regularity (means of six models).
 constexpr int stepsBetweenFlips = 3;
 /// The momentum fades over the last steps, which then damp what it left of short waves.
 constexpr int calmSteps = 2;

@@ -15,6 +15,7 @@ namespace gpr {
 
 namespace {
 
+/// What a flip may leave: the limits of the exact count (exact_count.cpp), for the same reason.
 constexpr float minAngle  = 17 * radians;
 constexpr float minCosine = 0.8f;
 /// Valences that a flip must not leave.

@@ -53,6 +53,7 @@ public:
 	/// The star of the vertex removed last.
 	const VertexStar& star() const { return star_; }
 
+	/// Larger rings are left to collapses: the time of a hole grows with the square of its size.
 	static constexpr int maxPlaces = 128;
 
 private:

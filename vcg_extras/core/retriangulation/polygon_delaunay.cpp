@@ -8,6 +8,8 @@ namespace gpr {
 
 namespace {
 
+/// Shares of the squared edges. Coordinates come from floats, with errors of 1e-7, whose squares
+/// are far below this; doubles err by 1e-16.
 constexpr double inLineTolerance   = 1e-9;
 constexpr double onCircleTolerance = 1e-9;
 /// Flips are at most this times the square of the edges; rounding could turn diagonals for ever.

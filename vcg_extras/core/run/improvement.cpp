@@ -75,16 +75,13 @@ void smoothAsWritten(RunContext& run, const Prepared& p, ResultMesh& result)
 	}
 }
 
-/// The first two steps leave the edges alone: flips straight away would undo what the exact
-/// count did for the valences.
 void relaxPlainly(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 				  ResultMesh& result)
 {
-	constexpr int stepsWithoutFlips = 2;
 	for (int step = 0; step < run.options.relaxIterations; ++step) {
 		relaxOnce(p.surface, result, run.workers);
 		slideAlongCreases(p.surface, boundary, result);
-		if (step >= stepsWithoutFlips) flipEdges(run, result);
+		flipEdges(run, result);
 	}
 }
 
@@ -92,7 +89,7 @@ void relaxPlainly(RunContext& run, const Prepared& p, const BoundaryCurves& boun
 void makeRegular(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 				 ResultMesh& result)
 {
-	constexpr int rounds = 2;
+	constexpr int rounds = 2; // one leaves a worse smallest angle, four gain nothing
 	for (int round = 0; round < rounds; ++round) {
 		relaxOnce(p.surface, result, run.workers);
 		slideAlongCreases(p.surface, boundary, result);

@@ -138,7 +138,8 @@ void splitForSizes(RunContext& run, float longest, Prepared& p)
 /// small sizes meet edges that are too long for them, those are split and the sizes found anew.
 void setSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 {
-	constexpr int maxRefinements = 4;
+	constexpr int maxRefinements =
+		4; // each splits what is too long; needles could ask for any number
 	for (int pass = 0; pass <= maxRefinements; ++pass) {
 		Sizing sizing = findSizes(run, marks, p);
 		if (sizing.size.empty()) return;

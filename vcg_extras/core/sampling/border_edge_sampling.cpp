@@ -363,7 +363,7 @@ private:
 	/// space the other side of a thin sheet is near too.
 	int findTooNear(const Sample& sample) const
 	{
-		constexpr float sameSideCosine = 0.8f;
+		constexpr float sameSideCosine = 0.8f; // 37°, as far as flat ground bends (sectors.h)
 		for (int t : flood_.metSamples()) {
 			const float limit = nearLimit_ * 0.5f * (sample.size + samples_[t].size);
 			if (squaredLength(sample.point.position - placeOf(t)) >= limit * limit) continue;

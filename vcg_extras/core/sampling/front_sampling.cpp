@@ -215,6 +215,7 @@ private:
 	/// sampled, the border edges serve as well and do not cost the cube of their number.
 	void addForeignIntersections()
 	{
+		// A disk meets some six others; ten times that is a dust of components.
 		constexpr std::size_t   maxSamples = 4096, maxNear = 64;
 		const std::vector<int>& foreign    = fans_.earlier();
 		const bool              areTooMany = foreign.size() > maxSamples;
@@ -372,7 +373,7 @@ private:
 	/// is near too.
 	int findTooNear(const Sample& sample, bool sameSideOnly) const
 	{
-		constexpr float sameSideCosine = 0.8f;
+		constexpr float sameSideCosine = 0.8f; // 37°, as far as flat ground bends (sectors.h)
 		for (int t : flood_.metSamples()) {
 			if (!isTooNear(sample.point.position, sample.size, t)) continue;
 			const float cosine = dot(sample.normal, shared_.samples[t].normal);

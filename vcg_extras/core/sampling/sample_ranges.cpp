@@ -34,7 +34,7 @@ double roomOf(const Surface& surface, int f, float radius)
 std::vector<BlockRange> makeRanges(const Surface& surface, const OctreeBlocks& partition,
 								   float radius, int firstSample, Workers& workers)
 {
-	constexpr int           spareRoom = 64;
+	constexpr int           spareRoom = 64; // blocks of few vertices may get as many samples
 	const HalfEdgeMesh&     m         = surface.mesh;
 	std::vector<BlockRange> ranges(partition.blocks.size());
 	// Faces lie in the order of their first corner, so a block's faces are one range as well.

@@ -180,6 +180,7 @@ Buffer<float> totalCurvature(const Surface& surface, float radius, Workers& work
 /// of the surface is flat.
 float areaMedian(const HalfEdgeMesh& m, const Buffer<float>& value)
 {
+	// Values differ by 0.14 % from bin to bin, and by 2⁶⁴ from end to end.
 	constexpr int       binsPerOctave = 512, octaves = 64;
 	std::vector<double> bin(std::size_t(binsPerOctave) * octaves, 0.0);
 	double              flat = 0, whole = 0;
@@ -395,6 +396,8 @@ Buffer<float> spacingAtBorder(const SizingRequest& request, const HalfEdgeMesh& 
 void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers& workers,
 				   Buffer<float>& size)
 {
+	// The radius follows the sizes by less than their change, so that each pass takes most of it
+	// off.
 	constexpr int       passes       = 3;
 	constexpr float     smallestSize = 1 / 32.0f;
 	const HalfEdgeMesh& m            = surface.mesh;

@@ -14,6 +14,7 @@ namespace gpr {
 
 namespace {
 
+/// Faces that are looked at one by one: as many boxes above them would cost as much.
 constexpr int leafSize = 4;
 
 Vec3f lower(const Vec3f& a, const Vec3f& b)

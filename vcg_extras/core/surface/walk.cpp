@@ -131,7 +131,7 @@ struct StartFace {
 	/// Takes rounding away, which in the plane of a needle is much.
 	Vec3f putBack(const Vec3f& p, const Vec3f& normal) const
 	{
-		constexpr float needle = 1e-6f;
+		constexpr float needle = 1e-6f; // an angle of a thousandth: rounding moves points as far
 		if (squaredSine < needle) return nearestOnTriangle(p, a, b, c);
 		return p - normal * dot(p - a, normal);
 	}
