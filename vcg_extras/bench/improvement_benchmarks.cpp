@@ -6,6 +6,7 @@
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/exact_count.h>
+#include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/output/audit.h>
@@ -87,7 +88,7 @@ void fit(benchmark::State& state, StagedRun& run, Workers& workers)
 void poorFacesRepair(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Surface&        surface = run.prepared().surface;
-	const BoundaryCurves& curves  = run.sampled().boundary;
+	const BoundaryCurves& curves  = run.sampled().curves;
 	timeChange(state, run.improved().fitted, [&](ResultMesh& result) {
 		std::unique_ptr<ClosestFaceMap> map;
 		repairPoorFaces(surface, curves, PoorFaces(), map, result, workers);

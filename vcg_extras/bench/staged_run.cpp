@@ -4,6 +4,7 @@
 
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/exact_count.h>
+#include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/retriangulation/vertex_removal.h>

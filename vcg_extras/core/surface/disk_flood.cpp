@@ -120,21 +120,13 @@ void DiskFlood::exploreUnfolding(const Sample& sample)
 	}
 }
 
-/// Length of the edge v-w in the metric in force.
-float DiskFlood::wayAlong(int v, int w) const
-{
-	const float edge = length(m_.position[w] - m_.position[v]);
-	return stretch_ == nullptr ? edge : edge * 0.5f * ((*stretch_)[v] + (*stretch_)[w]);
-}
-
 /// From the sample straight to a corner of its face.
 float DiskFlood::wayFrom(const Sample& sample, int corner) const
 {
 	const float straight = length(m_.position[corner] - sample.point.position);
-	if (stretch_ == nullptr) return straight;
-	float sum = 3 * (*stretch_)[corner];
+	float       sum      = 3 * stretchAt(corner);
 	for (int k = 0; k < 3; ++k)
-		sum += (*stretch_)[m_.origin[3 * sample.point.face + k]];
+		sum += stretchAt(m_.origin[3 * sample.point.face + k]);
 	return straight * sum * (1 / 6.0f);
 }
 
@@ -143,8 +135,7 @@ void DiskFlood::tryDistance(int vertex, float distance)
 	NearestField::Trial& t = field_.trial[vertex];
 	if (t.stamp == 2 * flood_ && distance >= t.distance) return;
 	if (t.stamp == 2 * flood_ + 1) {
-		// Triangles of stretched edges need not be triangles: there a front could creep back.
-		if (stretch_ != nullptr || distance >= t.distance * (1 - worthAnotherVisit)) return;
+		if (distance >= t.distance * (1 - worthAnotherVisit)) return;
 		if (visitedAgainNum_ >= maxVisitsAgain) return;
 		++visitedAgainNum_;
 		t.distance = distance;
@@ -167,9 +158,11 @@ void DiskFlood::settle(int v, float distance, const Sample& sample)
 
 	// Along the edges, and across every triangle one of whose other corners is settled too.
 	ring_.clear();
-	forEachNeighbour(m_, v, [&](int w) { ring_.push_back({w, wayAlong(v, w) * scale_}); });
+	forEachNeighbour(m_, v, [&](int w) {
+		ring_.push_back({w, length(m_.position[w] - m_.position[v]) * scale_});
+	});
 	for (const Spoke& s : ring_)
-		tryDistance(s.vertex, distance + s.way);
+		tryDistance(s.vertex, distance + s.length * 0.5f * (stretchAt(v) + stretchAt(s.vertex)));
 	const bool isClosed = !m_.isBorderVertex(v);
 	for (std::size_t i = 0; i + !isClosed < ring_.size(); ++i)
 		unfoldBetween(v, ring_[i], ring_[i + 1 < ring_.size() ? i + 1 : 0], sample);
@@ -182,24 +175,25 @@ void DiskFlood::unfoldBetween(int v, const Spoke& a, const Spoke& b, const Sampl
 	const bool aSettled = field_.trial[a.vertex].stamp == settled;
 	const bool bSettled = field_.trial[b.vertex].stamp == settled;
 	if (!aSettled && !bSettled) return;
-	const float between = wayAlong(a.vertex, b.vertex) * scale_;
+	const float between = length(m_.position[b.vertex] - m_.position[a.vertex]) * scale_;
 	if (aSettled) unfoldOver(v, a, b, between, sample);
 	if (bSettled) unfoldOver(v, b, a, between, sample);
 }
 
 /// Tries the way to the third corner of a triangle over the edge between two settled ones, v and
-/// `known`.
+/// `known`. All edges of the triangle take its mean stretch: edges that are stretched each by its
+/// own ends need not make a triangle.
 void DiskFlood::unfoldOver(int v, const Spoke& known, const Spoke& wanted, float between,
 						   const Sample& sample)
 {
 	const float d1 = field_.trial[v].distance, d2 = field_.trial[known.vertex].distance;
-	const float d = unfoldedDistance(d1, d2, known.way, wanted.way, between);
+	const float s =
+		(stretchAt(v) + stretchAt(known.vertex) + stretchAt(wanted.vertex)) * (1 / 3.0f);
+	const float d = unfoldedDistance(d1, d2, s * known.length, s * wanted.length, s * between);
 	if (!(d < HUGE_VALF)) return;
-	// No way on the surface is shorter than the chord; under a stretch the front never runs back.
-	const float least = stretch_ == nullptr
-							? length(m_.position[wanted.vertex] - sample.point.position) * scale_
-							: std::max(d1, d2);
-	tryDistance(wanted.vertex, std::max(d, least));
+	// No way on the surface is shorter than the chord, as no stretch is below 1.
+	const float chord = length(m_.position[wanted.vertex] - sample.point.position) * scale_;
+	tryDistance(wanted.vertex, std::max(d, chord));
 }
 
 void DiskFlood::pushHeap(HeapEntry e)

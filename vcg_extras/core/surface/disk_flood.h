@@ -39,7 +39,7 @@ struct NearestField {
 struct FloodGround {
 	const HalfEdgeMesh&         mesh;
 	const Buffer<PackedNormal>& normal;            ///< per vertex
-	const Buffer<float>*        stretch = nullptr; ///< per vertex, > 0; nullptr = 1 everywhere
+	const Buffer<float>*        stretch = nullptr; ///< per vertex, >= 1; nullptr = 1 everywhere
 	bool useChords = true; ///< where all is flat and not stretched; false: unfolding everywhere
 };
 
@@ -95,10 +95,10 @@ private:
 		float distance;
 		int   vertex;
 	};
-	/// A neighbour of the vertex being settled, and the way to it.
+	/// A neighbour of the vertex being settled, and how far off it is without a stretch.
 	struct Spoke {
 		int   vertex;
-		float way;
+		float length;
 	};
 
 	const HalfEdgeMesh&         m_;
@@ -118,7 +118,7 @@ private:
 	bool      exploreFlat(const Sample& sample);
 	void      exploreUnfolding(const Sample& sample);
 	void      settle(int vertex, float distance, const Sample& sample);
-	float     wayAlong(int v, int w) const;
+	float     stretchAt(int v) const { return stretch_ == nullptr ? 1.0f : (*stretch_)[v]; }
 	float     wayFrom(const Sample& sample, int corner) const;
 	void      tryDistance(int vertex, float distance);
 	void      unfoldBetween(int v, const Spoke& a, const Spoke& b, const Sample& sample);
