@@ -11,8 +11,8 @@
 
 namespace gpr_test {
 
-/// Ten for the program alone; other tests run beside it.
-constexpr int maxSeconds = 20;
+/// The slowest one takes nine seconds on a quiet machine.
+constexpr int maxSeconds = 90;
 
 namespace {
 

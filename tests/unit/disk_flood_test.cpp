@@ -55,8 +55,13 @@ public:
 	/// form.
 	void expectDistances(const Vec3d& p, double r, const Distance& closedForm, double tolerance)
 	{
+		expectDistances(p, r, closedForm, tolerance, {surface.mesh, surface.normal});
+	}
+	void expectDistances(const Vec3d& p, double r, const Distance& closedForm, double tolerance,
+						 const FloodGround& ground)
+	{
 		const int from = vertexNearest(p);
-		DiskFlood flood(surface, field, working(r));
+		DiskFlood flood(ground, field, working(r));
 		flood.run(0, sampleAt(from));
 		int inside = 0;
 		for (int v = 0; v < surface.mesh.vertexNum; ++v) {
@@ -167,6 +172,46 @@ TEST(DiskFlood, DoesNotReachTheOtherSideOfAThinPlate)
 		}
 	}
 	EXPECT_GT(above, 300);
+}
+
+/// The half-plane of Poincaré: lengths at height y are divided by y.
+double onHyperbolicPlane(const Vec3d& a, const Vec3d& b)
+{
+	const Vec3d way = b - a;
+	return std::acosh(1 + dot(way, way) / (2 * a.y * b.y));
+}
+
+/// Ways under a stretch bend towards where it is least, so that only a front that is corrected
+/// after it has passed comes near the closed form.
+TEST(DiskFlood, UnderAStretchIsTheDistanceOfTheHyperbolicPlane)
+{
+	TriangleMesh mesh = grid(80, 60);
+	for (Vec3d& p : mesh.positions)
+		p.y = 0.25 + 0.75 * p.y;
+	Flooded       f(mesh);
+	Buffer<float> stretch(std::size_t(f.surface.mesh.vertexNum));
+	for (int v = 0; v < f.surface.mesh.vertexNum; ++v)
+		stretch[v] = float(1 / f.place(v).y);
+	f.expectDistances({0.5, 0.5, 0}, 0.4, onHyperbolicPlane, 0.01,
+					  {f.surface.mesh, f.surface.normal, &stretch, false});
+}
+
+/// The same bits as without: what is stretched by nothing is no other case.
+TEST(DiskFlood, AStretchOfOneChangesNothing)
+{
+	const TriangleMesh sphere = icosphere(4);
+	Flooded            plain(sphere), stretched(sphere);
+	Buffer<float>      one(std::size_t(plain.surface.mesh.vertexNum));
+	one.fill(1);
+	const int from = plain.vertexNearest({0.3, 0.4, 0.8});
+	DiskFlood without({plain.surface.mesh, plain.surface.normal, nullptr, false}, plain.field,
+					  plain.working(0.7));
+	DiskFlood with({stretched.surface.mesh, stretched.surface.normal, &one, false}, stretched.field,
+				   stretched.working(0.7));
+	without.run(0, plain.sampleAt(from));
+	with.run(0, stretched.sampleAt(from));
+	for (int v = 0; v < plain.surface.mesh.vertexNum; ++v)
+		ASSERT_EQ(plain.field.nearest[v].distance, stretched.field.nearest[v].distance) << v;
 }
 
 TEST(DiskFlood, TakesAVertexOnlyFromASampleFartherAway)

@@ -241,6 +241,36 @@ TEST(StatusName, IsOneOfItsOwnForEveryStatus)
 	EXPECT_EQ(names.count("unknown"), 0u);
 }
 
+TEST(OptionsWithoutEffect, AreNamedInASentenceEach)
+{
+	EXPECT_TRUE(optionsWithoutEffect(RemeshOptions()).empty());
+	RemeshOptions adapt, sizing, scale, sampling, whole;
+	adapt.adapt              = 1;
+	adapt.equations          = Equations::AsPrinted;
+	sizing.sizing            = SizingSource::Quality;
+	scale.featureDiskScale   = 0.3;
+	sampling.featureSampling = FeatureSampling::Vertices;
+	whole.featureRegion      = FeatureRegion::Detected;
+	whole.featureDiskScale   = 1;
+	for (const RemeshOptions& o : {adapt, sizing, scale, sampling, whole}) {
+		const std::vector<std::string> sentences = optionsWithoutEffect(o);
+		ASSERT_EQ(sentences.size(), 1u);
+		EXPECT_EQ(sentences[0].back(), '.');
+	}
+}
+
+TEST(OptionsWithoutEffect, AreNotNamedWhereTheyHaveOne)
+{
+	RemeshOptions adapt, sizing, scale;
+	adapt.adapt            = 1;
+	sizing.sizing          = SizingSource::Quality;
+	sizing.lambda          = 1;
+	scale.featureRegion    = FeatureRegion::Selection;
+	scale.featureDiskScale = 0.3;
+	for (const RemeshOptions& o : {adapt, sizing, scale})
+		EXPECT_TRUE(optionsWithoutEffect(o).empty());
+}
+
 } // namespace
 
 } // namespace gpr::test

@@ -114,4 +114,22 @@ std::vector<std::string> validate(const RemeshOptions& o)
 	return complaints;
 }
 
+std::vector<std::string> optionsWithoutEffect(const RemeshOptions& o)
+{
+	std::vector<std::string> sentences;
+	const RemeshOptions      defaults;
+	const bool               hasRegion = o.featureRegion != FeatureRegion::None;
+	if (o.adapt > 0 && o.equations == Equations::AsPrinted)
+		sentences.push_back("The adaptivity has no effect with the paper's equations.");
+	if (o.sizing != defaults.sizing && !(o.lambda > 0))
+		sentences.push_back("The sizing by quality has no effect while lambda is 0.");
+	if (o.featureDiskScale != defaults.featureDiskScale && !hasRegion)
+		sentences.push_back("The feature disk scale has no effect without a feature region.");
+	if (o.featureSampling != defaults.featureSampling && !hasRegion)
+		sentences.push_back("What the feature region becomes has no effect without such a region.");
+	if (hasRegion && o.featureSampling == FeatureSampling::Disks && o.featureDiskScale == 1)
+		sentences.push_back("A feature region has no effect while the feature disk scale is 1.");
+	return sentences;
+}
+
 } // namespace gpr

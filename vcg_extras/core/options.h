@@ -159,6 +159,10 @@ void applyPreset(Preset preset, RemeshOptions& options);
 /// Complaints about values out of range, one sentence each; empty when all is well.
 std::vector<std::string> validate(const RemeshOptions& options);
 
+/// Which of the options that differ from their defaults have no effect beside the others, one
+/// sentence each.
+std::vector<std::string> optionsWithoutEffect(const RemeshOptions& options);
+
 } // namespace gpr
 
 #endif

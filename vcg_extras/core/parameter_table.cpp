@@ -207,8 +207,8 @@ void addAdaptivity(Table& t)
 {
 	t.push_back(row(shared, "Adapt", "--adapt", "A", Kind::Number, "Adaptivity to the error",
 					"Spends the vertices where the surface bends, for a smaller error at the same "
-					"number: 0, all triangles of one size, to 1, sizes within a range of four. Not "
-					"used with the paper's equations.")
+					"number: 0, all triangles of one size, to 1, sizes within a range of four. Has "
+					"no effect with the paper's equations.")
 					.range(0, 1)
 					.store([](const Value& v, RemeshOptions& o) { o.adapt = numberOf(v); })
 					.p);
@@ -418,7 +418,8 @@ void addFeatures(Table& t)
 	t.push_back(
 		row(sized, "FeatureDiskScale", "--feature-disk-scale", "S", Kind::Number,
 			"Feature disk scale",
-			"Radius of the disks in the feature region over that of the others; 0.05 to 1.")
+			"Radius of the disks in the feature region over that of the others; 0.05 to 1. Needs a "
+			"feature region.")
 			.range(0.05, 1)
 			.byDefault([](const MeshFacts&) { return Value(0.5); })
 			.store([](const Value& v, RemeshOptions& o) { o.featureDiskScale = numberOf(v); })

@@ -85,9 +85,11 @@ void requireValid(const RemeshOptions& options)
 	if (!complaints.empty()) throw Failure(Status::BadOptions, complaints.front());
 }
 
-RemeshOptions withSeed(RemeshOptions options)
+/// The options in force.
+RemeshOptions resolved(RemeshOptions options)
 {
 	if (options.seed == 0) options.seed = std::max(1u, std::uint32_t(std::random_device()()));
+	if (options.equations == Equations::AsPrinted) options.adapt = 0; // the paper has no such thing
 	return options;
 }
 
@@ -107,10 +109,11 @@ Result runPipeline(const Call& call, Pipeline pipeline, const Body& body)
 	return guarded<Result>([&](Result& result) {
 		requireValid(call.options);
 		{
-			const RemeshOptions options = withSeed(call.options);
+			const RemeshOptions options = resolved(call.options);
 			Workers             workers(options.threads, call.progress, options.timeLimitSeconds);
 			result.report.seed    = options.seed;
 			result.report.threads = workers.threadNum();
+			if (pipeline != Pipeline::Detection) result.notes = optionsWithoutEffect(call.options);
 			RunContext run{call.input,   options,
 						   workers,      result.report,
 						   result.notes, StageClock(workers, result.report, pipeline)};

@@ -127,7 +127,7 @@ float DiskFlood::wayFrom(const Sample& sample, int corner) const
 	float       sum      = 3 * stretchAt(corner);
 	for (int k = 0; k < 3; ++k)
 		sum += stretchAt(m_.origin[3 * sample.point.face + k]);
-	return straight * sum * (1 / 6.0f);
+	return straight * (sum / 6); // in this order no stretch leaves the length as it is, to the bit
 }
 
 void DiskFlood::tryDistance(int vertex, float distance)
