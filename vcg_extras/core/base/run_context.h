@@ -10,6 +10,7 @@
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/report.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,13 @@ struct RunContext {
 	RemeshReport&             report;
 	std::vector<std::string>& notes;
 	StageClock                clock;
+
+	/// Tells of a loop that its bound ended; once, however often that happens.
+	void tellCap(const char* loop)
+	{
+		std::vector<std::string>& caps = report.capsReached;
+		if (std::find(caps.begin(), caps.end(), loop) == caps.end()) caps.push_back(loop);
+	}
 };
 
 } // namespace gpr

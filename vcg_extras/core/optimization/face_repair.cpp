@@ -17,27 +17,35 @@ namespace gpr {
 
 namespace {
 
-/// Operations that change the count are tried where at most so many faces, or this share of all,
-/// are poor, since each must be made good in another place; two in a row, which take some hundred
-/// trials, where at most so many are left.
-constexpr std::size_t maxForCount      = 100;
-constexpr float       maxShareForCount = 0.001f;
-constexpr std::size_t maxForPairs      = 8;
+/// So many faces, or this share of all.
+struct Few {
+	std::size_t num;
+	float       share;
+
+	bool holds(std::size_t faces, const HalfEdgeMesh& m) const
+	{
+		return faces <= std::max(num, std::size_t(share * float(m.faceNum)));
+	}
+};
+
+/// Where more faces are poor, the triangles are too large for the surface. Single changes then cost
+/// much and help little: twice the time of the whole run on parts with many holes, at the same
+/// worst angle. Moves, which cost most, are left out where more than few faces are inverted.
+constexpr Few fewPoor = {100, 0.2f}, fewInverted = {500, 0.02f};
+/// Operations that change the count are tried at few faces, since each must be made good in another
+/// place; two in a row, which take some hundred trials, where at most so many are left.
+constexpr Few         fewForCount = {100, 0.001f};
+constexpr std::size_t maxForPairs = 8;
 /// Such rounds: after each the angles are raised again, which gives the next one new chances.
 constexpr int maxCountRounds = 3;
 /// Faces that are tried in a round, and so the most vertices that come in.
 constexpr int attemptsByCount = 200, attemptsByPairs = 12;
 /// How well faces agree with the surface that angles are raised on without a map: 37°.
 constexpr float minAgreementOnSurface = 0.8f;
-/// Where more than this share of the faces, and so many at least, are poor, the triangles are too
-/// large for the surface. Single changes then cost much and help little: 9 and 100 % more time on
-/// two parts with many holes, at the same worst angle.
-constexpr float       hopelessShare = 0.2f;
-constexpr std::size_t minHopeless   = 100;
-/// What all searches together may measure (see LocalSearch), at some 20 ns each: half a second, and
-/// a tenth of the run on large meshes. On parts full of needles nothing helps, and the search would
-/// last much longer than all the rest. 10 times as much raises the worst angle of 40 noisy spheres
-/// by .05° on the mean.
+/// What all searches together may measure (see LocalSearch), at some 20 ns each: most of a
+/// second, and a tenth of the run on large meshes. On parts full of needles nothing helps, and the
+/// search would last much longer than all the rest. With half of it the worst angle of 20 noisy
+/// spheres is 2° smaller on the mean.
 constexpr std::int64_t minWork = 40000000, workPerFace = 20;
 /// Of what is left, before what changes the count has the rest.
 constexpr double shareOfIntersections = 0.25, shareOfAngles = 0.67;
@@ -83,7 +91,7 @@ public:
 	bool run(const std::vector<int>& intersecting)
 	{
 		const std::size_t poorNum = findPoorFaces(r_.mesh, angle_, workers_).size();
-		if (isHopeless(poorNum + intersecting.size())) return false;
+		if (!fewPoor.holds(poorNum + intersecting.size(), r_.mesh)) return false;
 		bool isDone = takeApart(intersecting);
 		isDone      = raiseAngles() && isDone;
 		repeatWhileItHelps(!intersecting.empty(), false);
@@ -119,12 +127,6 @@ private:
 		return taken;
 	}
 
-	bool isHopeless(std::size_t poorNum) const
-	{
-		const auto most = std::size_t(hopelessShare * float(r_.mesh.faceNum));
-		return poorNum > std::max(minHopeless, most);
-	}
-
 	bool takeApart(const std::vector<int>& intersecting)
 	{
 		if (intersecting.empty()) return true;
@@ -154,23 +156,19 @@ private:
 		}
 	}
 
-	/// Whether operations that change the count have a chance against small angles.
-	bool hasFewPoor(bool inPairs) const
+	/// Whether operations that change the count have a chance against so many faces.
+	bool mayHelp(std::size_t faces, bool inPairs) const
 	{
-		const std::size_t num = findPoorFaces(r_.mesh, angle_, workers_).size();
-		const std::size_t most =
-			std::max(maxForCount, std::size_t(maxShareForCount * float(r_.mesh.faceNum)));
-		return num > 0 && num <= (inPairs ? maxForPairs : most);
+		return faces > 0 && (inPairs ? faces <= maxForPairs : fewForCount.holds(faces, r_.mesh));
 	}
 
 	/// All is as it was, and the answer is false, where it does not.
 	bool changeCountWhereItHelps(bool mayIntersect, bool inPairs)
 	{
-		const bool raisesAngles = hasFewPoor(inPairs);
+		const bool raisesAngles = mayHelp(findPoorFaces(r_.mesh, angle_, workers_).size(), inPairs);
 		if (work_ <= 0 || !(raisesAngles || mayIntersect)) return false;
 		const Poorness before     = poornessOf(mayIntersect);
-		const bool     takesApart = !before.intersecting.empty() &&
-								before.intersecting.size() <= (inPairs ? maxForPairs : maxForCount);
+		const bool     takesApart = mayHelp(before.intersecting.size(), inPairs);
 		if (!raisesAngles && !takesApart) return false;
 		const ResultMesh       start   = copyResult(r_, workers_);
 		const std::vector<int> mapFace = mapFace_;
@@ -244,19 +242,12 @@ private:
 	}
 };
 
-/// Where more faces than this, and than this share of all, are inverted, the triangles are too
-/// large for the surface, and moves, which cost most, repair nothing.
-constexpr std::size_t maxForMoves      = 500;
-constexpr float       maxShareForMoves = 0.02f;
-
-void repairOrientation(LocalSearch& search, bool mayCollapse)
+bool repairOrientation(LocalSearch& search, bool mayCollapse)
 {
-	Goal       goal = invertedFaces(search, mayCollapse);
-	const auto most =
-		std::max(maxForMoves, std::size_t(maxShareForMoves * float(search.mesh().faceNum)));
-	if (search.findBad(goal).size() > most)
+	Goal goal = invertedFaces(search, mayCollapse);
+	if (!fewInverted.holds(search.findBad(goal).size(), search.mesh()))
 		goal.operations.erase(goal.operations.begin()); // the moves
-	search.run(goal);
+	return search.run(goal);
 }
 
 /// Feature lines side by side on one straight line, as where a surface is folded flat, can hold all
@@ -276,28 +267,31 @@ void repairFacesWithoutArea(LocalSearch& search)
 
 } // namespace
 
-void repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, bool mayCollapse,
+bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, bool mayCollapse,
 						 ResultMesh& result, Workers& workers)
 {
 	std::int64_t work = shareOfOrientation * workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
-	repairOrientation(search, mayCollapse);
-	if (mayCollapse) return compactResult(result, workers);
-	repairFacesWithoutArea(search);
+	const bool   isDone = repairOrientation(search, mayCollapse);
+	if (mayCollapse)
+		compactResult(result, workers);
+	else
+		repairFacesWithoutArea(search);
+	return isDone;
 }
 
-void raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+bool raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
 						  ResultMesh& result, Workers& workers)
 {
 	const float angle = angleDeg * radians;
-	if (findPoorFaces(result.mesh, angle, workers).empty()) return;
+	if (findPoorFaces(result.mesh, angle, workers).empty()) return true;
 	std::int64_t work = workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	Goal         goal = smallAngles(search, angle, keepingCount);
 	// Where faces lie as the surface does they are near it, and intersect no others.
 	goal.limits.minNormalAgreement = minAgreementOnSurface;
 	goal.limits.intersections      = false;
-	search.run(goal);
+	return search.run(goal);
 }
 
 bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,

@@ -17,14 +17,15 @@ namespace gpr {
 
 /// Turns faces that are inverted or lie across feature lines, by flips, moves on the
 /// surface and, where vertices may go, collapses; only the exact count makes these good again.
-/// Where nothing else helps a face without area, feature lines at it end. Cost: a pass over the
-/// faces, and the few bad ones.
-void repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, bool mayCollapse,
+/// Where nothing else helps a face without area, feature lines at it end. Returns false if the
+/// budget ended the search. Cost: a pass over the faces, and the few bad ones.
+bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, bool mayCollapse,
 						 ResultMesh& result, Workers& workers);
 
 /// Raises angles below angleDeg by moves on the surface and flips, where no fit follows that knows
-/// what each face stands for. Cost: a pass over the angles, and the few poor faces.
-void raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
+/// what each face stands for. Returns false if the budget ended the search. Cost: a pass over the
+/// angles, and the few poor faces.
+bool raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, float angleDeg,
 						  ResultMesh& result, Workers& workers);
 
 /// What is to be repaired after the fit.

@@ -23,7 +23,7 @@ void tellLimits(RunContext& run, const FeatureEdges& features)
 							"the mesh is too coarse for more.");
 	}
 	if (features.cappedRayNum > 0) {
-		run.report.capsReached.push_back("faces crossed by the rays of the feature support");
+		run.tellCap("faces crossed by the rays of the feature support");
 	}
 }
 

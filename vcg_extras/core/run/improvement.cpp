@@ -105,7 +105,8 @@ void relax(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, R
 	if (run.options.relaxIterations == 0) return;
 	if (run.options.regularity == Regularity::Full) return makeRegular(run, p, boundary, result);
 	relaxPlainly(run, p, boundary, result);
-	raiseAnglesOnSurface(p.surface, boundary, poorAngleDeg, result, run.workers);
+	if (!raiseAnglesOnSurface(p.surface, boundary, poorAngleDeg, result, run.workers))
+		run.tellCap("changes for small angles");
 }
 
 Fitted fit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
@@ -116,7 +117,7 @@ Fitted fit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 	returnReleasedMemory(); // this stage sets the peak
 	const FitSettings settings = fitSettings(run.options, largest);
 	FitOutcome        outcome  = fitToInput(p.surface, boundary, settings, result, run.workers);
-	if (outcome.capped) run.report.capsReached.push_back("moves of the fit");
+	if (outcome.capped) run.tellCap("moves of the fit");
 	Fitted fitted;
 	run.report.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
 	fitted.poor.suspects          = std::move(outcome.intersecting);
@@ -141,7 +142,7 @@ void repairFaces(RunContext& run, const Prepared& p, const BoundaryCurves& bound
 	fitted.poor.angleDeg  = minAngleDeg(run.options);
 	fitted.poor.targetNum = run.options.exactCount ? p.targetNum : 0;
 	if (!repairPoorFaces(p.surface, boundary, fitted.poor, fitted.map, result, run.workers))
-		run.report.capsReached.push_back("changes for the worst angles");
+		run.tellCap("changes for small angles");
 	// Faces that intersect are taken apart also by raising vertices from the surface.
 	if (run.options.fit != Fit::Off)
 		run.report.largestFitDistance = double(farthestFromSurface(result)) / p.surface.frame.scale;
@@ -161,7 +162,8 @@ void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 		smoothAsWritten(run, p, result);
 	else
 		relax(run, p, boundary, result);
-	repairInvertedFaces(p.surface, boundary, false, result, run.workers);
+	if (!repairInvertedFaces(p.surface, boundary, false, result, run.workers))
+		run.tellCap("changes for inverted faces");
 }
 
 void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,

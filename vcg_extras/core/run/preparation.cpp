@@ -148,9 +148,10 @@ void setSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 		run.report.curvatureClampedNum = sizing.clampedNum;
 		setTarget(run, p.targetNum, p);
 		const float longest = longestEdgeInRadii * p.radius;
-		if (pass == maxRefinements || edgesFitSizes(p.surface, longest, run.workers)) return;
-		splitForSizes(run, longest, p);
+		if (edgesFitSizes(p.surface, longest, run.workers)) return;
+		if (pass < maxRefinements) splitForSizes(run, longest, p);
 	}
+	run.tellCap("splits of edges that are too long for small sizes");
 }
 
 /// The count to aim at, for an area in working units squared and a scale from mesh to working

@@ -90,7 +90,7 @@ void tellSampling(RunContext& run, const Prepared& p, const Sampling& sampling, 
 	run.report.sampleNum         = std::int64_t(sampling.samples.size());
 	run.report.boundarySampleNum = sampling.boundarySampleNum;
 	run.report.diskRadius        = double(radius) / p.surface.frame.scale;
-	if (sampling.capped) run.report.capsReached.push_back("samples of a block");
+	if (sampling.capped) run.tellCap("samples of a block");
 }
 
 /// The mesh that the border-edge placement fused its samples into, or one made now.
@@ -151,7 +151,8 @@ Meshed sampleAndRetriangulate(RunContext& run, const Prepared& p)
 	made.result.keepsBorder = run.options.boundary == BoundaryMode::Keep;
 	run.clock.enter(Stage::Flips);
 	flipEdges(run, made.result);
-	repairInvertedFaces(p.surface, made.curves, true, made.result, run.workers);
+	if (!repairInvertedFaces(p.surface, made.curves, true, made.result, run.workers))
+		run.tellCap("changes for inverted faces");
 	return made;
 }
 
