@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tables, pages and the records that they are made from."""
 
+import hashlib
 import json
 from pathlib import Path
 
@@ -25,9 +26,20 @@ def table(titles, rows, left_columns=1):
 
 
 def page(maker, title, *parts):
-    """A page whose parts are divided by empty lines."""
-    head = f"<!-- Made by {maker}; do not edit. -->\n# {title}\n"
-    return "\n".join(part.rstrip("\n") + "\n" for part in (head, *parts))
+    """A page whose parts are divided by empty lines. Its first two lines name its maker and seal it."""
+    body = "\n".join(part.rstrip("\n") + "\n" for part in (f"# {title}\n", *parts))
+    return f"<!-- Made by {maker}; do not edit. -->\n{seal(body)}{body}"
+
+
+def seal(text):
+    """A line that tells whether a text is as it was made: tests/docs/check_measured_pages looks."""
+    return f"<!-- content: {hashlib.sha256(text.encode()).hexdigest()[:16]} -->\n"
+
+
+def is_sealed(text):
+    """Whether a text begins with the seal of what follows."""
+    first, _, rest = text.partition("\n")
+    return first + "\n" == seal(rest)
 
 
 def write_page(folder, name, text):
@@ -49,7 +61,7 @@ def between_marks(text, inner, begin=BEGIN_IN_README, end=END_IN_README):
 def write_into_readme(folder, inner):
     """Into a copy where the pages go to a folder of their own."""
     target = folder / README.name if folder else README
-    target.write_text(between_marks(README.read_text(), inner))
+    target.write_text(between_marks(README.read_text(), seal(inner) + inner))
     say(f"written to {target}")
 
 

@@ -186,8 +186,7 @@ void addFeatureLines(Table& t)
 			"preset); "
 			"lines, wherever the faces turn by the feature angle; off, nowhere; selected, "
 			"at the edges selected in MeshLab (no file holds such) and nowhere else. Needs the "
-			"placement "
-			"disk-intersection and the retriangulation label-collapse.")
+			"retriangulation label-collapse.")
 			.choices({"auto", "lines", "off", "selected"})
 			.store([](const Value& v, RemeshOptions& o) {
 				if (countOf(v) > 0) o.featureMode = FeatureMode(countOf(v));

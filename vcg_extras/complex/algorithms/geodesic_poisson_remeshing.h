@@ -96,7 +96,8 @@ public:
 
 	\throw MissingComponentException where in has no flags
 
-	Cost: about 0.3 s and 80 B per million faces and core; threads never change the result. */
+	Cost: linear in the faces of in; threads never change the result. Time and memory:
+	docs/measurements_speed.md. */
 	static Result Do(const MeshType& in, MeshType& out, const Params& params = Params(),
 					 Stat* stat = nullptr, vcg::CallBackPos* cb = nullptr)
 	{

@@ -38,8 +38,9 @@ constexpr Few         fewForCount = {100, 0.001f};
 constexpr std::size_t maxForPairs = 8;
 /// Such rounds: after each the angles are raised again, which gives the next one new chances.
 constexpr int maxCountRounds = 3;
-/// Faces that are tried in a round, and so the most vertices that come in.
+/// Faces that are tried in a round, and room for the vertices that come in.
 constexpr int attemptsByCount = 200, attemptsByPairs = 12;
+constexpr int roomForTrials = 4 * (attemptsByCount + 2 * attemptsByPairs);
 /// How well faces agree with the surface that angles are raised on without a map: 37°.
 constexpr float minAgreementOnSurface = 0.8f;
 /// What all searches together may measure (see LocalSearch), at some 20 ns each: most of a
@@ -62,9 +63,10 @@ std::int64_t workFor(int faceNum)
 
 /// How poor a mesh is.
 struct Poorness {
-	double           lack = 0; ///< Σ(1 - angle / limit)² over the faces below the limit
-	float            minAngle;
-	int              invertedNum;
+	double           lack        = 0; ///< Σ(1 - angle / limit)² over the faces below the limit
+	std::size_t      poorNum     = 0; ///< these
+	float            minAngle    = 0;
+	int              invertedNum = 0;
 	std::vector<int> intersecting; ///< faces; only looked for where there were some
 
 	bool beats(const Poorness& before) const
@@ -92,11 +94,13 @@ public:
 	{
 		const std::size_t poorNum = findPoorFaces(r_.mesh, angle_, workers_).size();
 		if (!fewPoor.holds(poorNum + intersecting.size(), r_.mesh)) return false;
-		bool isDone = takeApart(intersecting);
-		isDone      = raiseAngles() && isDone;
-		repeatWhileItHelps(!intersecting.empty(), false);
-		work_ = std::max(work_, workOfPairs); // only a few faces are left to spend it on
-		repeatWhileItHelps(!intersecting.empty(), true);
+		bool isDone   = takeApart(intersecting);
+		isDone        = raiseAngles() && isDone;
+		mayIntersect_ = !intersecting.empty();
+		now_          = poorness();
+		for (int round = 0; round < maxCountRounds; ++round) {
+			if (!changeCountWhereItHelps()) break;
+		}
 		return isDone;
 	}
 
@@ -107,8 +111,11 @@ private:
 	float                 angle_;
 	const ClosestFaceMap& map_;
 	int                   mapFaceNum_;
-	std::vector<int>      mapFace_; ///< see Assignment
-	std::int64_t          work_;    ///< left to all searches
+	std::vector<int>      mapFace_;                    ///< see Assignment
+	std::int64_t          work_;                       ///< left to all searches
+	std::int64_t          workOfPairs_  = workOfPairs; ///< left to those by two operations in a row
+	bool                  mayIntersect_ = false;
+	Poorness              now_; ///< how poor the result is before the next change of the count
 	ResultMesh&           r_;
 	Workers&              workers_;
 
@@ -149,41 +156,28 @@ private:
 		return search.run(smallAngles(search, angle_, keepingCount, guarded()));
 	}
 
-	void repeatWhileItHelps(bool mayIntersect, bool inPairs)
-	{
-		for (int round = 0; round < maxCountRounds; ++round) {
-			if (!changeCountWhereItHelps(mayIntersect, inPairs)) return;
-		}
-	}
-
-	/// Whether operations that change the count have a chance against so many faces.
-	bool mayHelp(std::size_t faces, bool inPairs) const
-	{
-		return faces > 0 && (inPairs ? faces <= maxForPairs : fewForCount.holds(faces, r_.mesh));
-	}
-
 	/// All is as it was, and the answer is false, where it does not.
-	bool changeCountWhereItHelps(bool mayIntersect, bool inPairs)
+	bool changeCountWhereItHelps()
 	{
-		const bool raisesAngles = mayHelp(findPoorFaces(r_.mesh, angle_, workers_).size(), inPairs);
-		if (work_ <= 0 || !(raisesAngles || mayIntersect)) return false;
-		const Poorness before     = poornessOf(mayIntersect);
-		const bool     takesApart = mayHelp(before.intersecting.size(), inPairs);
-		if (!raisesAngles && !takesApart) return false;
+		if (work_ <= 0) return false;
 		const ResultMesh       start   = copyResult(r_, workers_);
 		const std::vector<int> mapFace = mapFace_;
-		const std::vector<int> apart   = takesApart ? before.intersecting : std::vector<int>();
-		if (changeCount(raisesAngles, apart, inPairs) && poornessOf(mayIntersect).beats(before))
-			return true;
+		if (changeCount()) {
+			Poorness after = poorness();
+			if (after.beats(now_)) {
+				now_ = std::move(after);
+				return true;
+			}
+		}
 		r_       = copyResult(start, workers_);
 		mapFace_ = mapFace;
 		return false;
 	}
 
 	/// False where nothing changed or the wanted count cannot be reached any more.
-	bool changeCount(bool raisesAngles, const std::vector<int>& intersecting, bool inPairs)
+	bool changeCount()
 	{
-		if (!changeByTrials(raisesAngles, intersecting, inPairs)) return false;
+		if (!changeByTrials()) return false;
 		const bool isReached = wanted_.targetNum == 0 ||
 							   gpr::changeCount(surface_, curves_, wanted_.targetNum, r_, workers_);
 		followCompaction();
@@ -196,19 +190,25 @@ private:
 	}
 
 	/// Leaves dead faces in the mesh. False where nothing changed.
-	bool changeByTrials(bool raisesAngles, const std::vector<int>& intersecting, bool inPairs)
+	bool changeByTrials()
 	{
-		const int   attempts = inPairs ? attemptsByPairs : attemptsByCount;
-		Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
-		LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_, 4 * attempts);
-		const auto  run = [&](Goal goal) {
-            goal.inPairs         = inPairs;
-            goal.budget.attempts = attempts;
-            search.run(goal);
-		};
-		if (raisesAngles) run(smallAngles(search, angle_, changingCount, guarded()));
-		if (!intersecting.empty())
-			run(selfIntersections(search, intersecting, angle_, changingCount));
+		Assignment   assignment(surface_, map_, mapFaceNum_, mapFace_);
+		std::int64_t work = work_;
+		LocalSearch  search(surface_, curves_, &assignment, work, r_, workers_, roomForTrials);
+		Goal         angles = smallAngles(search, angle_, changingCount, guarded());
+		Goal         apart  = selfIntersections(search, now_.intersecting, angle_, changingCount);
+		for (Goal* goal : {&angles, &apart}) {
+			goal->budget.attempts = attemptsByCount;
+			if (fewForCount.holds(search.findBad(*goal).size(), r_.mesh)) search.run(*goal);
+		}
+		work_ = work;
+		work  = workOfPairs_;
+		for (Goal* goal : {&angles, &apart}) {
+			goal->budget.attempts = attemptsByPairs;
+			goal->inPairs         = true;
+			if (search.findBad(*goal).size() <= maxForPairs) search.run(*goal);
+		}
+		workOfPairs_ = work;
 		return search.changeNum() > 0;
 	}
 
@@ -228,16 +228,17 @@ private:
 		mapFace_ = std::move(mapFace);
 	}
 
-	Poorness poornessOf(bool mayIntersect) const
+	Poorness poorness() const
 	{
-		Poorness poorness = {0, angle_, invertedFaceNum(surface_, r_, workers_), {}};
+		Poorness poorness = {0, 0, angle_, invertedFaceNum(surface_, r_, workers_), {}};
 		for (int f : findPoorFaces(r_.mesh, angle_, workers_)) {
+			++poorness.poorNum;
 			const float  own  = smallestAngle(r_.mesh, f);
 			const double lack = 1 - double(own) / angle_;
 			poorness.lack += lack * lack;
 			poorness.minAngle = std::min(poorness.minAngle, own);
 		}
-		if (mayIntersect) poorness.intersecting = findIntersectingFaces(r_.mesh, workers_);
+		if (mayIntersect_) poorness.intersecting = findIntersectingFaces(r_.mesh, workers_);
 		return poorness;
 	}
 };

@@ -29,7 +29,8 @@ void tellOperations(const ResultMesh& result, RemeshReport& report)
 /// that would have hit the target, as the count goes with 1/c².
 void tellCountReached(RunContext& run, const Expected& expected, const ResultMesh& result)
 {
-	if (run.options.exactCount || expected.vertexNum == 0) return;
+	// Vertices that are kept do not go with the radius.
+	if (run.options.exactCount || expected.vertexNum == 0 || expected.keptNum > 0) return;
 	const double share                 = double(result.mesh.vertexNum) / double(expected.vertexNum);
 	run.report.radiusConstantForTarget = run.report.radiusConstant * std::sqrt(share);
 	char sentence[160];

@@ -31,7 +31,7 @@ Prepared prepareWithRoom(RunContext& run, const FeatureMarks& marks)
 
 void tellLinesNotFollowed(RunContext& run)
 {
-	if (run.options.featureMode != FeatureMode::Lines || followsFeatureLines(run.options)) return;
+	if (run.options.featureMode == FeatureMode::Off || followsFeatureLines(run.options)) return;
 	run.notes.push_back("Feature lines are not followed where vertices are removed one by one.");
 }
 

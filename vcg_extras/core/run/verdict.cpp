@@ -96,9 +96,8 @@ Verdict endSearchAt(const Request& request, const Attempt& attempt, std::int64_t
 					  text(attempt.asked) + ", with which some triangles would have no area.");
 	}
 	return refuse("With " + text(attempt.asked) +
-					  " vertices some triangles would have no area; the smallest possible number "
-					  "is " +
-					  text(found) + ".",
+					  " vertices some triangles would have no area; with " + text(found) +
+					  " none has.",
 				  found);
 }
 
