@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <map>
 
 namespace gpr::test {
 
@@ -494,6 +495,66 @@ TEST(MaxError, OutOfReachIsRefusedOrTheNearestIsTaken)
 	EXPECT_TRUE(isSoundSurface(near.mesh));
 	ASSERT_FALSE(near.notes.empty());
 	EXPECT_NE(near.notes.back().find("was not reached"), std::string::npos);
+}
+
+/// Edges with one face.
+std::vector<std::pair<int, int>> borderEdges(const TriangleMesh& mesh)
+{
+	std::map<std::pair<int, int>, int> faces;
+	for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) {
+		for (int k = 0; k < 3; ++k) {
+			const int a = mesh.triangles[i + k], b = mesh.triangles[i + (k + 1) % 3];
+			++faces[{std::min(a, b), std::max(a, b)}];
+		}
+	}
+	std::vector<std::pair<int, int>> border;
+	for (const auto& [edge, num] : faces) {
+		if (num == 1) border.push_back(edge);
+	}
+	return border;
+}
+
+double distanceFromSegment(const Vec3d& p, const Vec3d& a, const Vec3d& b)
+{
+	const double share = dot(p - a, b - a) / squaredLength(b - a);
+	return length(p - a - (b - a) * std::min(1.0, std::max(0.0, share)));
+}
+
+/// Largest distance of the result's border vertices from the input's border.
+double farthestOffBorder(const TriangleMesh& input, const TriangleMesh& result)
+{
+	const std::vector<std::pair<int, int>> border   = borderEdges(input);
+	double                                 farthest = 0;
+	for (const auto& [v, next] : borderEdges(result)) {
+		for (int end : {v, next}) {
+			double nearest = HUGE_VAL;
+			for (const auto& [a, b] : border)
+				nearest =
+					std::min(nearest, distanceFromSegment(result.positions[end], input.positions[a],
+														  input.positions[b]));
+			farthest = std::max(farthest, nearest);
+		}
+	}
+	return farthest;
+}
+
+/// guarantees.md: vertices of borders leave these by at most 8 % of the wanted edge, and not at all
+/// without the fit.
+TEST(Border, ItsVerticesLeaveItByNoMoreThanIsPromised)
+{
+	const TriangleMesh tube    = openCylinder(120, 120, 0.5, 1.5);
+	RemeshOptions      options = percentOptions(5);
+	const RemeshResult fitted  = remesh(tube.view(), options);
+	ASSERT_EQ(fitted.status, Status::Ok) << fitted.message;
+	const double area  = fitted.report.input.area;
+	const double edge  = std::sqrt(2 * area / (std::sqrt(3.0) * double(fitted.mesh.vertexNum())));
+	const double moved = farthestOffBorder(tube, fitted.mesh);
+	EXPECT_LT(moved, 0.08 * edge);
+	EXPECT_GT(moved, 0.001 * edge) << "the fit takes them to where the chords are nearest";
+	options.fit                 = Fit::Off;
+	const RemeshResult unfitted = remesh(tube.view(), options);
+	ASSERT_EQ(unfitted.status, Status::Ok) << unfitted.message;
+	EXPECT_LT(farthestOffBorder(tube, unfitted.mesh), 1e-6);
 }
 
 } // namespace
