@@ -159,7 +159,7 @@ private:
 	/// All is as it was, and the answer is false, where it does not.
 	bool changeCountWhereItHelps()
 	{
-		if (work_ <= 0) return false;
+		if (work_ <= 0 || (now_.poorNum == 0 && now_.intersecting.empty())) return false;
 		const ResultMesh       start   = copyResult(r_, workers_);
 		const std::vector<int> mapFace = mapFace_;
 		if (changeCount()) {
