@@ -89,7 +89,7 @@ void separateDislocations(OnSurface& on, int first, int flips)
 		for (int h = 0; h < m.halfEdgeNum(); ++h) {
 			if (m.opposite[h] < h || flipEnergy(m, valence, h) != 0 || !canFlip(m, h)) continue;
 			if (valence[m.apex(h)] > 5 && valence[m.apex(m.opposite[h])] > 5) continue;
-			if (!flipKeepsShape(m, h, 0.3f, 0.8f)) continue;
+			if (!flipKeepsShape(m, h)) continue;
 			const float distance =
 				length(m.position[m.origin[h]] + m.position[m.target(h)] - origin - origin);
 			if (distance <= far) continue;

@@ -20,7 +20,7 @@ struct SampledState : Sampled {
 
 /// The result before and between the stages that improve it, in their order.
 struct ImprovedStates {
-	ResultMesh flipped;   ///< to Delaunay, folds repaired
+	ResultMesh flipped;   ///< to Delaunay, inverted faces repaired
 	ResultMesh counted;   ///< with the exact count
 	ResultMesh glided;    ///< relaxed, dislocations glided
 	ResultMesh conformal; ///< triangles made equilateral

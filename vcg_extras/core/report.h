@@ -72,7 +72,7 @@ struct AuditFigures {
 	std::int64_t nonManifoldVertices = 0;
 	std::int64_t duplicateFaces      = 0;
 	std::int64_t zeroAreaFaces       = 0;
-	std::int64_t invertedFaces       = 0; ///< look against the input's normals; counted, not failed
+	std::int64_t invertedFaces       = 0; ///< their normals point against the input's; counted, not failed
 	std::int64_t nonFinitePositions  = 0;
 	bool         componentsKept      = false;
 	bool         boundaryLoopsKept   = false;

@@ -90,7 +90,7 @@ std::vector<int> sharpestFirst(const HalfEdgeMesh& m, std::vector<int> faces)
 	return faces;
 }
 
-bool flipKeepsShape(const HalfEdgeMesh& m, int h, float minAngle, float minCosine)
+bool flipKeepsShape(const HalfEdgeMesh& m, int h)
 {
 	const int   g = m.opposite[h];
 	const Vec3f a = m.position[m.origin[h]], b = m.position[m.target(h)];
@@ -98,8 +98,8 @@ bool flipKeepsShape(const HalfEdgeMesh& m, int h, float minAngle, float minCosin
 	const Vec3f normal = cross(b - a, c - a) + cross(a - b, d - b);
 	const Vec3f n1 = cross(d - a, c - a), n2 = cross(c - b, d - b);
 	if (dot(n1, normal) <= 0 || dot(n2, normal) <= 0) return false;
-	if (dot(n1, n2) < minCosine * length(n1) * length(n2)) return false;
-	return std::min(smallestAngle(a, d, c), smallestAngle(b, c, d)) >= minAngle;
+	if (dot(n1, n2) < minFlipCosine * length(n1) * length(n2)) return false;
+	return std::min(smallestAngle(a, d, c), smallestAngle(b, c, d)) >= minFlipAngle;
 }
 
 bool hasNoArea(const HalfEdgeMesh& m, int f)

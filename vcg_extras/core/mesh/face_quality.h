@@ -28,9 +28,13 @@ std::vector<int> poorOnes(const HalfEdgeMesh& mesh, float angle, const std::vect
 /// The faces (living), by their smallest angle.
 std::vector<int> sharpestFirst(const HalfEdgeMesh& mesh, std::vector<int> faces);
 
+/// What a flip that changes valences may leave: an angle (radians), which a relaxation can still
+/// raise, and the cosine of the angle between the two faces.
+constexpr float minFlipAngle = 17 * radians, minFlipCosine = 0.8f;
+
 /// Whether the faces that flipping h would make are sound: not turned over, no angle below
-/// minAngle (radians), no dihedral below minCosine.
-bool flipKeepsShape(const HalfEdgeMesh& m, int h, float minAngle, float minCosine);
+/// minFlipAngle, and no larger angle between them than minFlipCosine says.
+bool flipKeepsShape(const HalfEdgeMesh& m, int h);
 
 /// Whether the area of a living face is nothing but rounding.
 bool hasNoArea(const HalfEdgeMesh& mesh, int face);

@@ -30,10 +30,6 @@ enum QuadEdge { WC = 1, XC = 2, WD = 4, XD = 8 };
 /// Never two flips at c or at d: they would lose two faces at once.
 constexpr int splitPatterns[] = {0, WC, XC, WD, XD, WC | WD, XC | XD, WC | XD, XC | WD};
 
-/// Angles of flips after a split, and of collapses, must reach this.
-constexpr float minAngle      = 17 * radians;
-constexpr float minFlipCosine = 0.8f;
-
 struct Operation {
 	int   energy; ///< change of Σ(valence - 6)²
 	float rank;   ///< smaller first among equal energies
@@ -281,7 +277,7 @@ private:
 	void flipAfterSplit(int h)
 	{
 		if (m_.opposite[h] < 0 || !canFlip(m_, h)) return;
-		if (flipKeepsShape(m_, h, minAngle, minFlipCosine)) flip(m_, h);
+		if (flipKeepsShape(m_, h)) flip(m_, h);
 	}
 
 	bool splitAtBorder(int h)
@@ -395,7 +391,7 @@ private:
 	{
 		if (care_ == Care::TopologyOnly) return true;
 		const float minCosine = care_ == Care::FlatGroundOnly ? 0.5f : 0.1f;
-		const float least     = care_ == Care::FlatGroundOnly ? minAngle : 0.3f * minAngle;
+		const float least     = care_ == Care::FlatGroundOnly ? minFlipAngle : 0.3f * minFlipAngle;
 		return ringAllows(a, b, p, minCosine, least) && ringAllows(b, a, p, minCosine, least);
 	}
 

@@ -15,9 +15,6 @@ namespace gpr {
 
 namespace {
 
-/// What a flip may leave: the limits of the exact count (exact_count.cpp), for the same reason.
-constexpr float minAngle  = 17 * radians;
-constexpr float minCosine = 0.8f;
 /// Valences that a flip must not leave.
 constexpr int minValence = 4, maxValence = 8;
 /// Width of the cells that threads share, in ideal edges: a chain of six flips seldom gets out of
@@ -110,7 +107,7 @@ private:
 		if (valence_[c] > 5 && valence_[d] > 5) return false;
 		if (valence_[a] <= minValence || valence_[b] <= minValence) return false;
 		if (valence_[c] >= maxValence || valence_[d] >= maxValence) return false;
-		return flipKeepsShape(m_, h, minAngle, minCosine) && canFlip(m_, h);
+		return flipKeepsShape(m_, h) && canFlip(m_, h);
 	}
 
 	void turn(int h)

@@ -67,10 +67,10 @@ void requirePromises(RunContext& run, const Surface& surface, const ResultMesh& 
 		audit(surface, result, report.cleanedInput, report.result, promisedNum, run.workers);
 	if (!report.audit.passed) throw Failure(Status::PromiseBroken, describeFailure(report.audit));
 	if (report.audit.invertedFaces == 0) return;
-	run.notes.push_back(
-		std::to_string(report.audit.invertedFaces) +
-		" faces are inverted: they look against the input's normals, where the surface is thinner "
-		"than the triangles are wide.");
+	run.notes.push_back(std::to_string(report.audit.invertedFaces) +
+						" faces are inverted: their normals point against the input's, where the "
+						"surface is thinner "
+						"than the triangles are wide.");
 }
 
 void checkWhereAsked(RunContext& run, const Surface& surface, const HalfEdgeMesh& result)

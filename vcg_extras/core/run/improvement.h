@@ -15,7 +15,7 @@ namespace gpr {
 void flipEdges(RunContext& run, ResultMesh& result);
 
 /// Makes the triangles regular on the surface, by the smoothing and the regularity chosen; last the
-/// worst angles and folds.
+/// inverted faces are repaired.
 void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 			 ResultMesh& result);
 

@@ -33,7 +33,7 @@ Buffer<Vec3f> normalsWithoutLips(const Surface& surface, const ResultMesh& resul
 /// it, else its own.
 Vec3f withoutLip(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int v, const Vec3f& own);
 
-/// Number of inverted faces: those that look against these normals.
+/// Number of inverted faces: those whose normals point against the surface's.
 int invertedFaceNum(const Surface& surface, const ResultMesh& result, Workers& workers);
 
 /// Cosine of the angle between two vectors; -1 where one is zero.
