@@ -72,13 +72,12 @@ struct AuditFigures {
 	std::int64_t nonManifoldVertices = 0;
 	std::int64_t duplicateFaces      = 0;
 	std::int64_t zeroAreaFaces       = 0;
-	std::int64_t invertedFaces =
-		0; ///< their normals point against the input's; counted, not failed
-	std::int64_t nonFinitePositions = 0;
-	bool         componentsKept     = false;
-	bool         boundaryLoopsKept  = false;
-	bool         eulerKept          = false;
-	bool         countExact         = false;
+	std::int64_t invertedFaces       = 0; ///< normals against the input's; counted, not failed
+	std::int64_t nonFinitePositions  = 0;
+	bool         componentsKept      = false;
+	bool         boundaryLoopsKept   = false;
+	bool         eulerKept           = false;
+	bool         countExact          = false;
 };
 
 /// What RemeshOptions::check found.
