@@ -62,6 +62,7 @@ RunOutcome remesh(const LayerJob& job, vcg::CallBackPos* progress)
 	const gpr::QualityFigures before =
 		gpr::measureQuality(job.copy().view(), job.options().threads);
 	Lines lines = remeshingLines(result, before);
+	lines.push_back(job.sentenceOfSelectedFaces());
 	append(job.put(result, "_remeshed"), lines);
 	return {true, lines, remeshingFigures(result)};
 }
@@ -150,8 +151,7 @@ int postConditionOf(gpr::Tool tool)
 	case gpr::CompareTool:
 		return MeshModel::MM_NONE; // they only add layers
 	case gpr::FeatureTool:
-		return MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTFLAGSELECT |
-			   MeshModel::MM_FACEFLAGSELECT;
+		return MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTFLAGSELECT;
 	default:
 		return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE;
 	}

@@ -43,9 +43,11 @@ bool asksForQuality(const gpr::RemeshOptions& options)
 	return options.lambda > 0 && options.sizing == gpr::SizingSource::Quality;
 }
 
-bool asksForSelection(const gpr::RemeshOptions& options)
+/// The selected vertices are the feature region where it is not named, too.
+bool mayUseSelectedVertices(const gpr::RemeshOptions& options)
 {
-	return options.featureRegion == gpr::FeatureRegion::Selection;
+	return gpr::asksForFeatureRegion(options) &&
+		   options.featureRegion != gpr::FeatureRegion::Detected;
 }
 
 gpr::ParameterSet readValues(gpr::Tool tool, const RichParameterList& list,
@@ -60,7 +62,8 @@ LayerCopy copyOf(const MeshModel& layer, const gpr::RemeshOptions& options)
 {
 	CopiedParts parts;
 	parts.quality       = layer.hasDataMask(MeshModel::MM_VERTQUALITY);
-	parts.selection     = asksForSelection(options);
+	parts.selection     = mayUseSelectedVertices(options);
+	parts.facesCorners  = options.featureRegion == gpr::FeatureRegion::Selection;
 	parts.faceSelection = options.selectedOnly;
 	parts.edgeSelection = options.featureMode == gpr::FeatureMode::Given;
 	parts.texture = options.surfacePointsOfFaces && layer.hasDataMask(MeshModel::MM_WEDGTEXCOORD);
@@ -68,7 +71,7 @@ LayerCopy copyOf(const MeshModel& layer, const gpr::RemeshOptions& options)
 		throw Refusal("The density shall go with the vertex quality, but the layer has none.");
 	}
 	LayerCopy copy = copyLayer(layer.cm, parts);
-	if (parts.selection && !copy.anySelected()) {
+	if (parts.facesCorners && !copy.anySelected()) {
 		throw Refusal("The feature region shall be the selection, but nothing is selected.");
 	}
 	if (parts.edgeSelection && copy.selectedEdges.empty()) {
@@ -134,22 +137,16 @@ void fill(MeshModel& layer, CMeshO& built, int carried)
 	updateBoxAndNormals(layer);
 }
 
-/// How many vertices the selected faces have, and how many of them others have, too.
-void countSelected(const CMeshO& mesh, gpr::MeshFacts& facts)
+bool anyVertexSelected(const CMeshO& mesh)
 {
-	constexpr char    ofSelected = 1, ofOther = 2;
-	std::vector<char> kind(mesh.vert.size(), 0);
-	for (const CFaceO& face : mesh.face) {
-		if (face.IsD()) continue;
-		for (int k = 0; k < 3; ++k) {
-			char& its = kind[vcg::tri::Index(mesh, face.cV(k))];
-			its       = char(its | (face.IsS() ? ofSelected : ofOther));
-		}
-	}
-	facts.seamVertexNum = std::count(kind.begin(), kind.end(), ofSelected | ofOther);
-	facts.selectedVertexNum =
-		std::count(kind.begin(), kind.end(), ofSelected) + facts.seamVertexNum;
-	facts.hasSelection = facts.selectedVertexNum > 0;
+	return std::any_of(mesh.vert.begin(), mesh.vert.end(),
+					   [](const CVertexO& v) { return !v.IsD() && v.IsS(); });
+}
+
+bool anyFaceSelected(const CMeshO& mesh)
+{
+	return std::any_of(mesh.face.begin(), mesh.face.end(),
+					   [](const CFaceO& f) { return !f.IsD() && f.IsS(); });
 }
 
 } // namespace
@@ -159,10 +156,10 @@ gpr::MeshFacts factsOf(const MeshDocument& document)
 	gpr::MeshFacts   facts;
 	const MeshModel* layer = document.mm();
 	if (layer != nullptr) {
-		const CMeshO& mesh = layer->cm;
-		facts.vertexNum    = mesh.vn;
-		facts.diagonal     = mesh.bbox.IsNull() ? 0.0 : double(mesh.bbox.Diag());
-		countSelected(mesh, facts);
+		const CMeshO& mesh        = layer->cm;
+		facts.vertexNum           = mesh.vn;
+		facts.diagonal            = mesh.bbox.IsNull() ? 0.0 : double(mesh.bbox.Diag());
+		facts.hasSelectedVertices = anyVertexSelected(mesh);
 	}
 	const int samples = likelySampleLayer(document);
 	if (samples >= 0) facts.sampleLayer = samples;
@@ -224,6 +221,13 @@ MeshModel& LayerJob::layer() const
 		throw Refusal("The layer was changed or removed while the filter was running.");
 	}
 	return *layer;
+}
+
+std::string LayerJob::sentenceOfSelectedFaces() const
+{
+	if (_options.selectedOnly || !anyFaceSelected(layer().cm)) return std::string();
+	return "Faces are selected, but the whole layer was remeshed. \"Only the selected faces\" "
+		   "remeshes those alone.";
 }
 
 MeshModel& LayerJob::addLayer(const MeshModel& source, int mask, const char* suffix,

@@ -39,14 +39,18 @@ public:
 	/// they removed the layer or changed its mesh.
 	MeshModel& layer() const;
 
+	/// Told to a user who has faces selected and did not ask for them to be remeshed alone; empty
+	/// where none is selected. Throws as layer() does.
+	std::string sentenceOfSelectedFaces() const;
+
 	/// Puts a result with the layer's attributes into the layer, or into a new one where the
 	/// parameters say so, whose label ends with the suffix. Returns sentences, some empty, about
 	/// what was lost and what the layer's transform does. Throws as layer() does; the document is
 	/// then as it was.
 	std::vector<std::string> put(const gpr::RemeshResult& result, const char* suffix) const;
 
-	/// Makes strengths the layer's vertex quality and selects what is marked. Throws as layer()
-	/// does.
+	/// Makes strengths the layer's vertex quality and selects the marked vertices. Throws as
+	/// layer() does.
 	void mark(const gpr::FeatureResult& result) const;
 
 	/// Puts samples, with quality and the layer's colour, into a new layer that becomes the current

@@ -176,7 +176,7 @@ LayerCopy copyLayer(const CMeshO& mesh, const CopiedParts& parts)
 {
 	LayerCopy                       copy;
 	const std::vector<std::int32_t> newIndex     = copyVertices(mesh, parts, copy);
-	const bool                      cornersCount = parts.selection && !copy.anySelected();
+	const bool                      cornersCount = parts.facesCorners && !copy.anySelected();
 	copy.triangles.reserve(3 * std::size_t(mesh.fn));
 	for (const CFaceO& face : mesh.face) {
 		if (face.IsD()) continue;
@@ -299,16 +299,12 @@ Matrix44m movedAside(const CMeshO& mesh, int place)
 
 void markFeatures(const gpr::FeatureResult& result, CMeshO& mesh)
 {
-	mesh.svn = mesh.sfn = 0;
-	std::size_t v = 0, f = 0;
+	mesh.svn      = 0;
+	std::size_t v = 0;
 	for (CVertexO& vertex : mesh.vert) {
 		if (vertex.IsD()) continue;
 		vertex.Q() = Scalarm(result.vertexStrength[v]);
 		setSelected(vertex, result.vertexFeature[v++] != 0, mesh.svn);
-	}
-	for (CFaceO& face : mesh.face) {
-		if (face.IsD()) continue;
-		setSelected(face, result.faceMark[f++] != 0, mesh.sfn);
 	}
 }
 

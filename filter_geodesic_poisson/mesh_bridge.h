@@ -19,7 +19,8 @@ namespace gpr_filter {
 /// What of a mesh is copied beside its vertices and faces.
 struct CopiedParts {
 	bool quality       = false; ///< of the vertices
-	bool selection     = false; ///< of the vertices or, where none is, the corners of faces
+	bool selection     = false; ///< of the vertices
+	bool facesCorners  = false; ///< where no vertex is selected, those of the selected faces
 	bool faceSelection = false;
 	bool texture       = false; ///< texture coordinates of the wedges
 	bool edgeSelection = false; ///< of the faces' edges
@@ -45,8 +46,6 @@ struct LayerCopy {
 	bool anyFaceSelected() const;
 };
 
-/// Copies a mesh. Selected are the selected vertices; where there is none, the corners of selected
-/// faces.
 LayerCopy copyLayer(const CMeshO& mesh, const CopiedParts& parts);
 
 /// Whether points of a mesh with the transform `from` can be brought into the frame of a mesh with
@@ -83,8 +82,9 @@ void colourFaces(const std::vector<float>& figures, double red, double blue, CMe
 /// The transform that puts a copy of a mesh `place` widths and a little beside it, along x.
 Matrix44m movedAside(const CMeshO& mesh, int place);
 
-/// Gives the mesh that was copied its features: strengths as vertex quality, marked vertices and
-/// faces selected and no others. Needs no memory.
+/// Gives the mesh that was copied its features: strengths as vertex quality, marked vertices
+/// selected and no others. Faces stay selected as they are: selected faces are those to be remeshed
+/// alone. Needs no memory.
 void markFeatures(const gpr::FeatureResult& result, CMeshO& mesh);
 
 /// Puts the vertices and faces of `built`, with their optional components, in the place of those of

@@ -11,7 +11,6 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <string>
 
 namespace gpr_filter {
@@ -31,27 +30,13 @@ QStringList textsOf(const std::vector<const char*>& choices)
 	return texts;
 }
 
-/// A dialog of more rows than this does not fit on a screen and hides those of seldom use where it
-/// can; it does not scroll, and its buttons would be out of reach.
-constexpr std::size_t kMaxRows = 14;
-
-bool ofEverydayUse(const Parameter& row)
-{
-	static const std::set<std::string> keys = {
-		"TargetVertexNum", "TargetPerc",   "TargetLen", "MaxError",   "Preset",
-		"Adapt",           "Features",     "Selected",  "Seed",       "NewLayer",
-		"SampleLayer",     "FeatureAngle", "ColorBy",   "SideBySide",
-	};
-	return keys.count(row.key) != 0;
-}
-
 void addRow(const Parameter& row, const gpr::MeshFacts& facts, bool advanced,
 			RichParameterList& list)
 {
 	const ParameterValue value = row.defaultValue(facts);
 	const QString        key   = QString::fromUtf8(row.key);
 	const QString        label = QString::fromUtf8(row.label);
-	const QString        help  = QString::fromUtf8(row.help);
+	const QString        help  = QString::fromStdString(gpr::dialogHelp(row));
 	// The dialog divides by the range of a length: an empty layer gets one, too.
 	const Scalarm diagonal = facts.diagonal > 0 ? Scalarm(facts.diagonal) : 1;
 	switch (row.kind) {
@@ -117,39 +102,31 @@ std::string outOfRange(const Parameter& row)
 		.toStdString();
 }
 
-bool hasRow(const std::vector<Parameter>& table, const std::string& key)
-{
-	return std::any_of(table.begin(), table.end(),
-					   [&](const Parameter& p) { return p.key == key; });
-}
-
-/// The selection counts where only selected faces can be worked on.
-gpr::MeshFacts factsFor(const std::vector<Parameter>& table, const gpr::MeshFacts& facts)
-{
-	gpr::MeshFacts known = facts;
-	known.hasSelection   = facts.hasSelection && hasRow(table, "Selected");
-	return known;
-}
-
 } // namespace
+
+std::size_t everydayRowNum(const std::vector<Parameter>& table)
+{
+	if (table.size() <= kMostEverydayRows) return table.size();
+	const auto first =
+		std::find_if(table.begin(), table.end(), [](const Parameter& p) { return p.isExpert; });
+	return std::size_t(first - table.begin());
+}
 
 void fillParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts& facts,
 					   RichParameterList& list)
 {
-	const gpr::MeshFacts known = factsFor(table, facts);
-	for (const Parameter& row : table) {
-		addRow(row, known, table.size() > kMaxRows && !ofEverydayUse(row), list);
-	}
+	const std::size_t shown = everydayRowNum(table);
+	for (std::size_t i = 0; i < table.size(); ++i)
+		addRow(table[i], facts, i >= shown, list);
 }
 
 ReadParameters readParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts& facts,
 								 const RichParameterList& list)
 {
-	const gpr::MeshFacts known = factsFor(table, facts);
-	ReadParameters       read;
+	ReadParameters read;
 	for (const Parameter& row : table) {
 		if (!list.hasParameter(QString::fromUtf8(row.key))) {
-			read.values.set(row, row.defaultValue(known));
+			read.values.set(row, row.defaultValue(facts));
 			continue;
 		}
 		const std::optional<ParameterValue> value = find(row, list);

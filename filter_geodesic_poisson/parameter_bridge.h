@@ -14,9 +14,15 @@
 
 namespace gpr_filter {
 
+/// A dialog with more rows than this shows those for experts only when asked to.
+constexpr std::size_t kMostEverydayRows = 12;
+
+/// How many rows of the table, its first ones, a dialog always shows.
+std::size_t everydayRowNum(const std::vector<gpr::Parameter>& table);
+
 /// Adds one MeshLab parameter for each row of the table, in the table's order, with its default for
-/// a mesh of these facts. Lengths range from 0 to the diagonal. Of a long table, rows of seldom use
-/// are marked as advanced where MeshLab knows that.
+/// a mesh of these facts. Lengths range from 0 to the diagonal. Rows for experts are marked as
+/// advanced where MeshLab knows that.
 void fillParameterList(const std::vector<gpr::Parameter>& table, const gpr::MeshFacts& facts,
 					   RichParameterList& list);
 

@@ -52,8 +52,8 @@ QString foundLine(const gpr::FeatureResult& result)
 
 QString markedLine(const gpr::FeatureFigures& f)
 {
-	return QStringLiteral("Selected %1 vertices, %2 faces; support %3, least length %4")
-		.arg(count(f.vertexNum), count(f.faceNum), number(f.support, 6), number(f.minLength, 6));
+	return QStringLiteral("Selected %1 vertices; support %2, least length %3")
+		.arg(count(f.vertexNum), number(f.support, 6), number(f.minLength, 6));
 }
 
 /// "Samples: 700, of which 3 were off the surface and were put on it, the farthest by 0.01".

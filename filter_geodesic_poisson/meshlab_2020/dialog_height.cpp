@@ -13,6 +13,8 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTimer>
+#include <QToolButton>
+#include <QVBoxLayout>
 #include <algorithm>
 
 namespace gpr_filter {
@@ -42,18 +44,68 @@ void showInFull(QLabel& text)
 	text.setSizePolicy(policy);
 }
 
-/// Scrolls the parameters up and down, and keeps the dialog as wide as they need it.
+/// The rows of the host's frame: label, value, help.
+class ParameterRows {
+public:
+	/// everydayNum: how many rows, the first ones, are always shown.
+	ParameterRows(QWidget& frame, int everydayNum) :
+			_frame(frame), _grid(qobject_cast<QGridLayout*>(frame.layout())),
+			_everydayNum(everydayNum)
+	{
+	}
+
+	bool hasExpertRows() const { return _grid != nullptr && _everydayNum < _grid->rowCount(); }
+	/// The host's Help shows and hides the help of all rows, and this puts right what it did to
+	/// those that are hidden.
+	void showExpertRows(bool shown)
+	{
+		if (!hasExpertRows()) return;
+		const bool withHelp = isShown(_grid->itemAtPosition(0, kHelpColumn));
+		for (int row = _everydayNum; row < _grid->rowCount(); ++row) {
+			for (int column = 0; column < kHelpColumn; ++column)
+				show(_grid->itemAtPosition(row, column), shown);
+			show(_grid->itemAtPosition(row, kHelpColumn), shown && withHelp);
+		}
+		_frame.setMinimumSize(0, 0); // the host's, for all rows
+		_grid->activate();
+	}
+
+private:
+	static constexpr int kHelpColumn = 2;
+
+	QWidget&     _frame;
+	QGridLayout* _grid;
+	int          _everydayNum;
+
+	static bool isShown(QLayoutItem* item)
+	{
+		return item != nullptr && item->widget() != nullptr && !item->widget()->isHidden();
+	}
+	/// A value may be a layout of several widgets.
+	static void show(QLayoutItem* item, bool shown)
+	{
+		if (item == nullptr) return;
+		if (item->widget() != nullptr) item->widget()->setVisible(shown);
+		const QLayout* const inside = item->layout();
+		for (int i = 0; inside != nullptr && i < inside->count(); ++i)
+			show(inside->itemAt(i), shown);
+	}
+};
+
+/// Scrolls the parameters up and down, keeps the dialog as wide as they need it, and hides those
+/// for experts.
 class ParameterArea : public QScrollArea {
 public:
 	/// othersHeight: of all else in the dialog.
-	ParameterArea(QWidget* parameters, int dialogHeight, int othersHeight) :
-			_dialogHeight(dialogHeight), _othersHeight(othersHeight)
+	ParameterArea(QWidget* parameters, int everydayNum, int mostHeight, int othersHeight) :
+			_rows(*parameters, everydayNum), _mostHeight(mostHeight), _othersHeight(othersHeight)
 	{
 		setFrameShape(QFrame::NoFrame);
 		setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 		setVerticalScrollBarPolicy(Qt::ScrollBarAsNeeded);
 		setWidgetResizable(true);
 		setWidget(parameters);
+		_rows.showExpertRows(false);
 		for (QWidget* part : parameters->findChildren<QWidget*>()) {
 			auto* const text = qobject_cast<QLabel*>(part);
 			if (text != nullptr && text->wordWrap()) showInFull(*text);
@@ -63,22 +115,29 @@ public:
 
 	QSize sizeHint() const override
 	{
-		return {wantedWidth(),
-				std::min(widget()->sizeHint().height(), _dialogHeight - _othersHeight)};
+		return {wantedWidth(), std::min(rowsHeight(), _mostHeight - _othersHeight)};
 	}
 
 	/// Takes the width that the parameters need now, and the dialog with it.
 	void fitDialog()
 	{
-		QWidget&  inside = *parentWidget();
+		QWidget&  inside = *parentWidget()->parentWidget();
 		const int frame  = window()->width() - inside.width();
 		setMinimumWidth(wantedWidth());
+		parentWidget()->layout()->activate();
 		inside.layout()->activate();
 		const int width = frame + inside.layout()->minimumSize().width();
-		window()->setMinimumSize(
-			width, std::min(_dialogHeight, _othersHeight + minimumSizeHint().height()));
-		window()->resize(width, _dialogHeight);
+		window()->setMinimumSize(width,
+								 std::min(_mostHeight, _othersHeight + minimumSizeHint().height()));
+		window()->resize(width, dialogHeight());
 		window()->installEventFilter(this);
+	}
+
+	void showExpertRows(bool shown)
+	{
+		_expertsShown = shown;
+		_rows.showExpertRows(shown);
+		fitDialog();
 	}
 
 protected:
@@ -93,12 +152,17 @@ protected:
 		if (event->type() == QEvent::Resize && object == window()) fitDialogAgain();
 		// The help texts come and go beside the values.
 		const bool moved = event->type() == QEvent::LayoutRequest && object == widget();
-		if (moved && minimumWidth() != wantedWidth()) fitDialog();
+		if (moved && minimumWidth() != wantedWidth()) {
+			_rows.showExpertRows(_expertsShown);
+			fitDialog();
+		}
 		return seen;
 	}
 
 private:
-	int _dialogHeight, _othersHeight;
+	ParameterRows _rows;
+	int           _mostHeight, _othersHeight;
+	bool          _expertsShown = false;
 
 	/// On a slow machine the window manager takes up the host's first, full height only after the
 	/// change, and with it overrides the change.
@@ -109,11 +173,43 @@ private:
 		QTimer::singleShot(0, this, [this] { fitDialog(); });
 	}
 
+	int rowsHeight() const { return widget()->sizeHint().height(); }
+	int dialogHeight() const { return std::min(_mostHeight, _othersHeight + rowsHeight()); }
 	int wantedWidth() const
 	{
 		return widget()->sizeHint().width() + verticalScrollBar()->sizeHint().width();
 	}
 };
+
+/// The arrow that shows the parameters for experts, and hides them again.
+QToolButton* makeArrow(QWidget* parent)
+{
+	auto* const arrow = new QToolButton(parent);
+	arrow->setText("Parameters for experts");
+	arrow->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+	arrow->setArrowType(Qt::RightArrow);
+	arrow->setAutoRaise(true);
+	arrow->setCheckable(true);
+	return arrow;
+}
+
+/// With the Tab key the arrow comes after the parameters.
+void putAfterParameters(QToolButton* arrow, const QWidget& parameters)
+{
+	QWidget* last = nullptr;
+	for (QWidget* part : parameters.findChildren<QWidget*>()) {
+		if ((part->focusPolicy() & Qt::TabFocus) != 0) last = part;
+	}
+	if (last != nullptr) QWidget::setTabOrder(last, arrow);
+}
+
+void connectArrow(QToolButton* arrow, ParameterArea* area)
+{
+	QObject::connect(arrow, &QToolButton::toggled, area, [arrow, area](bool shown) {
+		arrow->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+		area->showExpertRows(shown);
+	});
+}
 
 QDockWidget* shownDialog(const QString& title)
 {
@@ -140,26 +236,39 @@ int maxHeightOn(const QScreen& screen)
 }
 
 void scrollParameters(QDockWidget& dialog, QGridLayout& grid, QWidget& parameters,
-					  const QWidget& below)
+					  const QWidget& below, int everydayNum)
 {
-	QWidget&  inside = *dialog.widget();
-	const int most   = maxHeightOn(*dialog.screen());
-	const int title  = dialog.height() - inside.height();
-	const int others = title + parameters.y() + inside.height() - below.y() + grid.spacing();
-	const int rows   = std::max(parameters.sizeHint().height(), parameters.height());
+	QWidget&   inside  = *dialog.widget();
+	const int  most    = maxHeightOn(*dialog.screen());
+	const int  title   = dialog.height() - inside.height();
+	const int  others  = title + parameters.y() + inside.height() - below.y() + grid.spacing();
+	const int  rows    = std::max(parameters.sizeHint().height(), parameters.height());
+	const bool experts = ParameterRows(parameters, everydayNum).hasExpertRows();
 	// The host forgets the height of its own text, so that the last rows can be behind the buttons.
 	const bool cutOff = parameters.geometry().bottom() > below.y();
-	if (others + rows <= most && !cutOff) return;
+	if (!experts && others + rows <= most && !cutOff) return;
+
 	grid.removeWidget(&parameters);
-	auto* const area = new ParameterArea(&parameters, std::min(most, others + rows), others);
-	grid.addWidget(area, kParameterRow, 0, 1, 2);
+	auto* const place  = new QWidget(&inside);
+	auto* const column = new QVBoxLayout(place);
+	column->setContentsMargins(0, 0, 0, 0);
+	QToolButton* const arrow       = experts ? makeArrow(place) : nullptr;
+	const int          arrowHeight = experts ? arrow->sizeHint().height() + column->spacing() : 0;
+	auto* const area = new ParameterArea(&parameters, everydayNum, most, others + arrowHeight);
+	column->addWidget(area);
+	if (experts) {
+		column->addWidget(arrow);
+		connectArrow(arrow, area);
+		putAfterParameters(arrow, parameters);
+	}
+	grid.addWidget(place, kParameterRow, 0, 1, 2);
 	grid.setRowStretch(kParameterRow, 1);
 	area->fitDialog();
 }
 
 } // namespace
 
-void shortenDialog(const QString& title)
+void shortenDialog(const QString& title, int everydayNum)
 {
 	QDockWidget* const dialog = shownDialog(title);
 	if (dialog == nullptr || dialog->widget() == nullptr || dialog->screen() == nullptr) return;
@@ -169,13 +278,13 @@ void shortenDialog(const QString& title)
 	QWidget* const below      = widgetAt(*grid, kParameterRow + 1);
 	if (parameters == nullptr || below == nullptr) return;
 	// Default, pressed in a dialog that was shortened, comes here, too.
-	if (qobject_cast<QScrollArea*>(parameters) != nullptr) return;
-	scrollParameters(*dialog, *grid, *parameters, *below);
+	if (parameters->findChild<QScrollArea*>() != nullptr) return;
+	scrollParameters(*dialog, *grid, *parameters, *below, everydayNum);
 }
 
-void shortenDialogLater(const QString& title, QObject* alive)
+void shortenDialogLater(const QString& title, int everydayNum, QObject* alive)
 {
-	QTimer::singleShot(0, alive, [title] { shortenDialog(title); });
+	QTimer::singleShot(0, alive, [title, everydayNum] { shortenDialog(title, everydayNum); });
 }
 
 } // namespace gpr_filter

@@ -63,10 +63,11 @@ MeshFilterInterface::FILTER_ARITY FilterGeodesicPoisson::filterArity(QAction*) c
 void FilterGeodesicPoisson::initParameterSet(QAction* action, MeshDocument& document,
 											 RichParameterList& list)
 {
-	gpr_filter::fillParameterList(gpr::parametersOf(gpr::Tool(ID(action))),
-								  gpr_filter::factsOf(document), list);
+	const std::vector<gpr::Parameter>& table = gpr::parametersOf(gpr::Tool(ID(action)));
+	gpr_filter::fillParameterList(table, gpr_filter::factsOf(document), list);
 	// The host asks just before it shows the dialog; meshlabserver asks, too, and shows none.
-	gpr_filter::shortenDialogLater(filterName(ID(action)), this);
+	gpr_filter::shortenDialogLater(filterName(ID(action)), int(gpr_filter::everydayRowNum(table)),
+								   this);
 }
 
 bool FilterGeodesicPoisson::applyFilter(QAction* action, MeshDocument& document,

@@ -42,7 +42,10 @@ const char* const intro =
 	"is this page: first what each filter has, then [what it means](#what-each-one-means).\n"
 	"A script for `meshlabserver` names every key of its filter, with its type; a complete one "
 	"belongs to\n"
-	"each filter.\n";
+	"each filter. In it one edits `TargetVertexNum`. A dialog with more than twelve parameters "
+	"shows "
+	"the\n"
+	"rows below the line *for experts* only when asked to.\n";
 
 std::string plain(double value)
 {
@@ -125,7 +128,7 @@ std::string overviewRow(const Parameter& p, bool withOption)
 /// Whether the program has a command for it.
 bool isCommand(Tool tool)
 {
-	return tool == gpr::RemeshTool || tool == gpr::FeatureTool;
+	return tool == gpr::RemeshTool || tool == gpr::FeatureTool || tool == gpr::CompareTool;
 }
 
 std::string overview(Tool tool)
@@ -134,8 +137,13 @@ std::string overview(Tool tool)
 	std::string text       = withOption ? "| command line " : "";
 	text += "| filter key | type in a script | range | default |\n";
 	text += withOption ? "|---|---|---|---|---|\n" : "|---|---|---|---|\n";
-	for (const Parameter& p : gpr::parametersOf(tool))
+	bool expert = false;
+	for (const Parameter& p : gpr::parametersOf(tool)) {
+		if (p.isExpert && !expert)
+			text += withOption ? "| | *for experts* | | | |\n" : "| *for experts* | | | |\n";
+		expert = p.isExpert;
 		text += overviewRow(p, withOption);
+	}
 	return text;
 }
 
@@ -153,10 +161,18 @@ std::string chapter(Tool tool)
 			"`gpremesh remesh` takes one of `--vertices`, `--percent` and `--edge-length`, 10 % "
 			"of the\n"
 			"vertices where none is given, and writes to OUT, so that it needs no new layer.\n\n";
+	if (tool == gpr::CompareTool)
+		text += "`gpremesh compare` takes no time limit. With `--html` it writes a page.\n\n";
 	if (tool == gpr::FeatureTool)
 		text +=
 			"`gpremesh features` writes the same quality and selection, and colours, to OUT.\n\n";
 	return text + overview(tool) + "\n" + scriptLink(tool);
+}
+
+/// What is so in one host only, as a paragraph of its own.
+std::string inHost(const char* host, const std::string& sentences)
+{
+	return sentences.empty() ? sentences : std::string("\n*") + host + ":* " + sentences + "\n";
 }
 
 std::string explanations()
@@ -165,7 +181,8 @@ std::string explanations()
 	for (const Parameter& p : gpr::makeParameterTable()) {
 		text += "\n<a id=\"" + std::string(p.key) + "\"></a>\n### " + p.label + "\n\n" +
 				code(p.key) + (*p.option != '\0' ? ", " + optionText(p) : std::string()) + "\n\n" +
-				p.help + "\n";
+				p.help + "\n" + inHost("In MeshLab", p.dialogHelp) +
+				inHost("On the command line", p.commandHelp);
 	}
 	return text;
 }
@@ -180,10 +197,9 @@ std::string page()
 
 // ---- scripts
 
-/// A script is made for no mesh in particular, so that the size is a share.
+/// A script is made for no mesh in particular. The number of vertices is what a user edits first.
 ParameterValue scriptValue(const Parameter& p)
 {
-	if (std::string(p.key) == "TargetPerc") return 10.0;
 	return p.defaultValue(MeshFacts{100000, 1.0});
 }
 

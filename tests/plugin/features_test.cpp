@@ -31,27 +31,28 @@ bool onRidge(const CVertexO& v)
 	return std::abs(v.cP()[0] - 0.5f) < 1e-6f;
 }
 
+gpr_filter::CopiedParts withSelection()
+{
+	gpr_filter::CopiedParts parts;
+	parts.selection = true;
+	return parts;
+}
+
 bool detect(Document& document)
 {
 	return apply(document, tool, defaults(document, tool));
 }
 
-/// Fails where anything else than the ridge and the faces at it is selected.
+/// Fails where another vertex than those of the ridge is selected.
 void expectRidgeSelected(const CMeshO& mesh)
 {
-	int vertexNum = 0, faceNum = 0;
+	int vertexNum = 0;
 	for (const CVertexO& v : mesh.vert) {
 		if (v.IsD()) continue;
 		ASSERT_EQ(v.IsS(), onRidge(v));
 		vertexNum += v.IsS();
 	}
-	for (const CFaceO& f : mesh.face) {
-		if (f.IsD()) continue;
-		ASSERT_EQ(f.IsS(), onRidge(*f.cV(0)) || onRidge(*f.cV(1)) || onRidge(*f.cV(2)));
-		faceNum += f.IsS();
-	}
 	EXPECT_EQ(mesh.svn, vertexNum);
-	EXPECT_EQ(mesh.sfn, faceNum);
 }
 
 TEST(FeatureFilter, RidgeIsSelectedAndItsStrengthIsTheAngle)
@@ -65,6 +66,8 @@ TEST(FeatureFilter, RidgeIsSelectedAndItsStrengthIsTheAngle)
 	ASSERT_TRUE(roof.hasDataMask(MeshModel::MM_VERTQUALITY));
 	expectRidgeSelected(roof.cm);
 	EXPECT_EQ(roof.cm.svn, 51);
+	for (const CFaceO& f : roof.cm.face)
+		ASSERT_FALSE(f.IsS()) << "selected faces are those to be remeshed alone";
 	for (const CVertexO& v : roof.cm.vert) {
 		if (onRidge(v)) {
 			ASSERT_NEAR(v.cQ(), 90, 0.5);
@@ -114,9 +117,79 @@ TEST(FeatureFilter, SelectionIsARegionForTheRemeshing)
 	Document   document;
 	MeshModel& roof = addRoof(document);
 	ASSERT_TRUE(detect(document));
-	const auto copy = gpr_filter::copyLayer(roof.cm, {false, true});
+	const auto copy = gpr_filter::copyLayer(roof.cm, withSelection());
 	for (std::size_t v = 0; v < roof.cm.vert.size(); ++v)
 		ASSERT_EQ(copy.selected[v] != 0, onRidge(roof.cm.vert[v])) << v;
+}
+
+/// Of the faces near the plane of the ridge, or far from it.
+double meanFaceArea(const CMeshO& mesh, bool nearRidge)
+{
+	double area = 0;
+	int    num  = 0;
+	for (const CFaceO& f : mesh.face) {
+		const bool near = std::abs(vcg::Barycenter(f)[0] - 0.5f) < 0.03;
+		const bool far  = std::abs(vcg::Barycenter(f)[0] - 0.5f) > 0.3;
+		if (nearRidge ? !near : !far) continue;
+		area += vcg::DoubleArea(f) / 2;
+		++num;
+	}
+	return area / num;
+}
+
+/// As a new user clicks it: what the dialogs propose, one filter after the other.
+TEST(FeatureFilter, RemeshingAfterwardsIsDenserAtTheFeatures)
+{
+	Document   document;
+	MeshModel& roof      = addRoof(document);
+	const int  vertexNum = roof.cm.vn;
+	ASSERT_TRUE(detect(document));
+	const RichParameterList proposed = defaults(document, gpr::RemeshTool);
+	EXPECT_EQ(proposed.getFloat("FeatureDiskScale"), Scalarm(0.5));
+	EXPECT_FALSE(proposed.getBool("Selected"));
+	RichParameterList list = proposed;
+	list.setValue("TargetVertexNum", IntValue(vertexNum / 2));
+	ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
+	EXPECT_EQ(roof.cm.vn, vertexNum / 2);
+	EXPECT_TRUE(document.logText().contains("made of 51 selected vertices"));
+	EXPECT_NEAR(roof.cm.bbox.DimX(), 1, 1e-3) << "the whole roof";
+	EXPECT_LT(meanFaceArea(roof.cm, true), 0.5 * meanFaceArea(roof.cm, false));
+}
+
+/// A disk scale asks for the detected region by itself.
+TEST(FeatureFilter, DiskScaleAloneIsTheDetectedRegion)
+{
+	Document          one, two;
+	MeshModel&        alone = addRoof(one);
+	MeshModel&        named = addRoof(two);
+	RichParameterList list  = defaults(one, gpr::RemeshTool);
+	EXPECT_EQ(list.getFloat("FeatureDiskScale"), Scalarm(0));
+	list.setValue("TargetVertexNum", IntValue(700));
+	list.setValue("FeatureDiskScale", FloatValue(Scalarm(0.4)));
+	ASSERT_TRUE(apply(one, list)) << one.logText().toStdString();
+	list.setValue("FeatureRegion", EnumValue(1));
+	ASSERT_TRUE(apply(two, list)) << two.logText().toStdString();
+	// The plugin tells the newest document.
+	EXPECT_EQ(two.logText().count("made of 51 detected vertices"), 2);
+	EXPECT_TRUE(
+		gpr_filter::copyLayer(alone.cm, {}).sameGeometry(gpr_filter::copyLayer(named.cm, {})));
+	EXPECT_LT(meanFaceArea(alone.cm, true), 0.5 * meanFaceArea(alone.cm, false));
+}
+
+/// Scripts of older versions name a scale of 0.5 and no region.
+TEST(FeatureFilter, ARegionThatIsSwitchedOffStaysOff)
+{
+	Document   one, two;
+	MeshModel& plain = addRoof(one);
+	MeshModel& off   = addRoof(two);
+	ASSERT_TRUE(apply(one, defaults(one, gpr::RemeshTool)));
+	RichParameterList list = defaults(two, gpr::RemeshTool);
+	list.setValue("FeatureDiskScale", FloatValue(Scalarm(0.5)));
+	list.setValue("FeatureRegion", EnumValue(0));
+	ASSERT_TRUE(apply(two, list));
+	EXPECT_TRUE(
+		gpr_filter::copyLayer(plain.cm, {}).sameGeometry(gpr_filter::copyLayer(off.cm, {})));
+	EXPECT_TRUE(two.logText().contains("feature disk scale has no effect"));
 }
 
 TEST(FeatureFilter, CancelledOrRefusedChangesNothing)

@@ -56,9 +56,8 @@ TEST(Filter, ClassAndPostCondition)
 	EXPECT_EQ(plugin().postCondition(comparison), MeshModel::MM_NONE);
 	QAction* const features = actionOf(gpr::FeatureTool);
 	EXPECT_EQ(plugin().getClass(features), PluginInterface::Selection | PluginInterface::Quality);
-	EXPECT_EQ(plugin().postCondition(features), MeshModel::MM_VERTQUALITY |
-													MeshModel::MM_VERTFLAGSELECT |
-													MeshModel::MM_FACEFLAGSELECT);
+	EXPECT_EQ(plugin().postCondition(features),
+			  MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTFLAGSELECT);
 }
 
 TEST(Filter, RemeshesInPlace)
@@ -234,10 +233,10 @@ TEST(Filter, TheSelectionIsRemeshedAndTheRestIsLeftAlone)
 		for (int k = 0; k < 3 && isRest(f); ++k)
 			rest.push_back(f.P(k));
 	}
-	ball.cm.sfn = ball.cm.fn - int(rest.size() / 3);
-	EXPECT_TRUE(defaults(document).getBool("Selected"));
-	EXPECT_LT(defaults(document).getInt("TargetVertexNum"), 700) << "a tenth of the selected ones";
-	ASSERT_TRUE(apply(document, withCount(document, 900))) << document.logText().toStdString();
+	ball.cm.sfn            = ball.cm.fn - int(rest.size() / 3);
+	RichParameterList list = withCount(document, 900);
+	list.setValue("Selected", BoolValue(true));
+	ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
 
 	ASSERT_EQ(std::size_t(ball.cm.fn), std::size_t(ball.cm.sfn) + rest.size() / 3);
 	for (std::size_t c = 0; c < rest.size(); ++c)
@@ -248,6 +247,22 @@ TEST(Filter, TheSelectionIsRemeshedAndTheRestIsLeftAlone)
 	ball.updateDataMask(MeshModel::MM_FACEFACETOPO);
 	EXPECT_EQ(vcg::tri::Clean<CMeshO>::CountNonManifoldEdgeFF(ball.cm), 0);
 	EXPECT_EQ(vcg::tri::Clean<CMeshO>::CountHoles(ball.cm), 0);
+}
+
+/// A selection may be left over from another filter.
+TEST(Filter, SelectedFacesAreNotRemeshedAloneUnasked)
+{
+	Document   document;
+	MeshModel& ball      = addBall(document);
+	const int  vertexNum = ball.cm.vn;
+	ball.cm.face[5].SetS();
+	ball.cm.sfn = 1;
+	EXPECT_FALSE(defaults(document).getBool("Selected"));
+	EXPECT_EQ(defaults(document).getInt("TargetVertexNum"), (vertexNum + 5) / 10);
+	ASSERT_TRUE(apply(document, defaults(document))) << document.logText().toStdString();
+	EXPECT_EQ(ball.cm.vn, (vertexNum + 5) / 10);
+	EXPECT_EQ(ball.cm.sfn, 0);
+	EXPECT_TRUE(document.logText().contains("Faces are selected, but the whole layer"));
 }
 
 TEST(Filter, SelectedWithoutASelectionIsRefused)

@@ -157,7 +157,12 @@ TEST(LayerCopy, SelectedAreVerticesOrElseCornersOfFaces)
 	Document   document;
 	MeshModel& sheet = addSheet(document);
 	sheet.cm.face[100].SetS();
-	const gpr_filter::LayerCopy copy = gpr_filter::copyLayer(sheet.cm, {false, true});
+	gpr_filter::CopiedParts parts;
+	parts.selection = true;
+	for (std::uint8_t mark : gpr_filter::copyLayer(sheet.cm, parts).selected)
+		ASSERT_EQ(mark, 0) << "faces do not count unless they are asked for";
+	parts.facesCorners               = true;
+	const gpr_filter::LayerCopy copy = gpr_filter::copyLayer(sheet.cm, parts);
 	std::vector<std::uint8_t>   wanted(sheet.cm.vert.size());
 	for (int k = 0; k < 3; ++k) {
 		wanted[vcg::tri::Index(sheet.cm, sheet.cm.face[100].cV(k))] = 1;
@@ -168,7 +173,7 @@ TEST(LayerCopy, SelectedAreVerticesOrElseCornersOfFaces)
 	sheet.cm.vert[7].SetS();
 	wanted.assign(sheet.cm.vert.size(), 0);
 	wanted[7] = 1;
-	EXPECT_EQ(gpr_filter::copyLayer(sheet.cm, {false, true}).selected, wanted);
+	EXPECT_EQ(gpr_filter::copyLayer(sheet.cm, parts).selected, wanted);
 }
 
 } // namespace

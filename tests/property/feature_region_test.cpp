@@ -21,12 +21,13 @@ namespace {
 RemeshOptions withRegion(std::int64_t vertexNum, FeatureSampling sampling)
 {
 	RemeshOptions o;
-	o.targetMode      = TargetMode::VertexNum;
-	o.targetVertexNum = vertexNum;
-	o.threads         = 2;
-	o.featureMode     = FeatureMode::Off;
-	o.featureRegion   = FeatureRegion::Detected;
-	o.featureSampling = sampling;
+	o.targetMode       = TargetMode::VertexNum;
+	o.targetVertexNum  = vertexNum;
+	o.threads          = 2;
+	o.featureMode      = FeatureMode::Off;
+	o.featureRegion    = FeatureRegion::Detected;
+	o.featureDiskScale = 0.5;
+	o.featureSampling  = sampling;
 	return o;
 }
 

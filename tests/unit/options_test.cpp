@@ -50,7 +50,7 @@ TEST(Validate, ComplainsOfEveryValueOutOfRangeInASentence)
 	flips.flipIterations           = -1;
 	lambda.lambda                  = NAN;
 	stretch.largestStretch         = 0.5;
-	scale.featureDiskScale         = 0;
+	scale.featureDiskScale         = 0.01;
 	weak.featureThresholds.weakDeg = 50;
 	relax.relaxIterations          = 1001;
 	threads.threads                = -1;
@@ -97,6 +97,48 @@ TEST(ParameterTable, KeysAndOptionsAreUniqueAndComplete)
 							"Threads", "ExactCount", "AllowNearest", "NewLayer"})
 		EXPECT_EQ(keys.count(key), 1u) << key << " is public";
 	EXPECT_EQ(findParameter("Nonsense"), nullptr);
+}
+
+/// How many, how, what is kept, where to: a newcomer needs no more.
+TEST(ParameterTable, AtMostTwelveParametersComeBeforeThoseForExperts)
+{
+	for (Tool tool : {RemeshTool, SamplingTool, CompareTool}) {
+		const std::vector<Parameter>& rows = parametersOf(tool);
+		std::size_t                   num  = 0;
+		while (num < rows.size() && !rows[num].isExpert)
+			++num;
+		EXPECT_LE(num, 12u);
+		for (std::size_t i = num; i < rows.size(); ++i)
+			EXPECT_TRUE(rows[i].isExpert) << rows[i].key;
+		for (const char* key :
+			 {"TargetVertexNum", "Adapt", "Lambda", "Features", "FeatureDiskScale"})
+			EXPECT_FALSE(findParameter(key, tool)->isExpert) << key;
+	}
+}
+
+TEST(ParameterTable, WhereThereIsNoPresetNoChoiceIsLeftToIt)
+{
+	for (Tool tool : {RemeshTool, SamplingTool, RetriangulateTool, FeatureTool, CompareTool}) {
+		const bool hasPreset = findParameter("Preset", tool) != nullptr;
+		for (const Parameter& p : parametersOf(tool)) {
+			for (const char* choice : p.choices)
+				EXPECT_TRUE(hasPreset || std::string(choice) != "preset") << p.key;
+		}
+	}
+}
+
+TEST(ParameterTable, DialogsDoNotSpeakOfTheCommandLineNorItOfDialogs)
+{
+	const auto has = [](const std::string& text, const char* word) {
+		return text.find(word) != std::string::npos;
+	};
+	for (const Parameter& p : makeParameterTable()) {
+		EXPECT_FALSE(has(dialogHelp(p), "command line")) << p.key;
+		if (std::string(p.option).empty()) continue;
+		EXPECT_FALSE(has(commandHelp(p), "dialog") || has(commandHelp(p), "layer")) << p.key;
+		EXPECT_EQ(dialogHelp(p).back(), '.') << p.key;
+		EXPECT_EQ(commandHelp(p).back(), '.') << p.key;
+	}
 }
 
 TEST(ParameterTable, DefaultsFitTheirKindAndRange)
@@ -241,6 +283,38 @@ TEST(StatusName, IsOneOfItsOwnForEveryStatus)
 	EXPECT_EQ(names.count("unknown"), 0u);
 }
 
+TEST(FeatureRegionByItself, IsAskedForByADiskScaleOrByKeptVertices)
+{
+	RemeshOptions none, scale, kept, off;
+	scale.featureDiskScale = 0.3;
+	kept.featureSampling   = FeatureSampling::Vertices;
+	off.featureDiskScale   = 0.3;
+	off.featureRegion      = FeatureRegion::None;
+	for (const bool anySelected : {false, true}) {
+		for (RemeshOptions o : {none, off}) {
+			resolveFeatureRegion(anySelected, o);
+			EXPECT_EQ(o.featureRegion, FeatureRegion::None);
+		}
+		for (RemeshOptions o : {scale, kept}) {
+			resolveFeatureRegion(anySelected, o);
+			EXPECT_EQ(o.featureRegion,
+					  anySelected ? FeatureRegion::Selection : FeatureRegion::Detected);
+		}
+	}
+}
+
+TEST(FeatureRegionByItself, HasHalfTheRadiusWhereItIsNamedAndNoScaleGiven)
+{
+	RemeshOptions o;
+	o.featureRegion = FeatureRegion::Detected;
+	resolveFeatureRegion(true, o);
+	EXPECT_EQ(o.featureRegion, FeatureRegion::Detected);
+	EXPECT_EQ(o.featureDiskScale, 0.5);
+	o.featureDiskScale = 0.8;
+	resolveFeatureRegion(true, o);
+	EXPECT_EQ(o.featureDiskScale, 0.8);
+}
+
 TEST(OptionsWithoutEffect, AreNamedInASentenceEach)
 {
 	EXPECT_TRUE(optionsWithoutEffect(RemeshOptions()).empty());
@@ -249,7 +323,9 @@ TEST(OptionsWithoutEffect, AreNamedInASentenceEach)
 	adapt.equations          = Equations::AsPrinted;
 	sizing.sizing            = SizingSource::Quality;
 	scale.featureDiskScale   = 0.3;
+	scale.featureRegion      = FeatureRegion::None;
 	sampling.featureSampling = FeatureSampling::Vertices;
+	sampling.featureRegion   = FeatureRegion::None;
 	whole.featureRegion      = FeatureRegion::Detected;
 	whole.featureDiskScale   = 1;
 	for (const RemeshOptions& o : {adapt, sizing, scale, sampling, whole}) {

@@ -58,8 +58,8 @@ void checkFeatures(const RemeshOptions& o, std::vector<std::string>& complaints)
 	if (!isWithin(o.featureAngleDeg, 5, 175)) {
 		complaints.push_back("The feature angle must be between 5 and 175 degrees.");
 	}
-	if (!isWithin(o.featureDiskScale, 0.05, 1)) {
-		complaints.push_back("The feature disk scale must be between 0.05 and 1.");
+	if (o.featureDiskScale != 0 && !isWithin(o.featureDiskScale, 0.05, 1)) {
+		complaints.push_back("The feature disk scale must be between 0.05 and 1, or 0.");
 	}
 	if (!(t.support > 0 && t.support <= 100)) {
 		complaints.push_back("The feature support must be above 0 and at most 100 mean edges.");
@@ -90,6 +90,24 @@ void applyPreset(Preset preset, RemeshOptions& o)
 	o.featureMode     = paper ? FeatureMode::Off : FeatureMode::Auto;
 }
 
+bool asksForFeatureRegion(const RemeshOptions& o)
+{
+	if (o.featureRegion != FeatureRegion::Auto) return o.featureRegion != FeatureRegion::None;
+	return o.featureDiskScale > 0 || o.featureSampling == FeatureSampling::Vertices;
+}
+
+void resolveFeatureRegion(bool anySelected, RemeshOptions& o)
+{
+	constexpr double usualScale = 0.5;
+	if (!asksForFeatureRegion(o)) {
+		o.featureRegion = FeatureRegion::None;
+	}
+	else if (o.featureRegion == FeatureRegion::Auto) {
+		o.featureRegion = anySelected ? FeatureRegion::Selection : FeatureRegion::Detected;
+	}
+	if (o.featureDiskScale == 0) o.featureDiskScale = usualScale;
+}
+
 std::vector<std::string> validate(const RemeshOptions& o)
 {
 	std::vector<std::string> complaints;
@@ -118,7 +136,7 @@ std::vector<std::string> optionsWithoutEffect(const RemeshOptions& o)
 {
 	std::vector<std::string> sentences;
 	const RemeshOptions      defaults;
-	const bool               hasRegion = o.featureRegion != FeatureRegion::None;
+	const bool               hasRegion = asksForFeatureRegion(o);
 	if (o.adapt > 0 && o.equations == Equations::AsPrinted)
 		sentences.push_back("The adaptivity has no effect with the paper's equations.");
 	if (o.sizing != defaults.sizing && !(o.lambda > 0))

@@ -74,6 +74,9 @@ enum class FeatureRegion {
 	None,
 	Detected,  ///< by second-order difference, see feature_detection.h
 	Selection, ///< MeshView::selected
+	/// Where a disk scale is given or vertices are to be kept: MeshView::selected, or what is
+	/// detected where none is selected. Else None.
+	Auto,
 };
 
 /// How a feature region is preserved (paper §3.1.1).
@@ -146,15 +149,25 @@ struct RemeshOptions {
 	FeatureMode featureMode     = FeatureMode::Auto;
 	double      featureAngleDeg = 40; ///< feature lines: between the normals of two faces, [5, 175]
 
-	FeatureRegion     featureRegion    = FeatureRegion::None;
-	FeatureSampling   featureSampling  = FeatureSampling::Disks;
-	double            featureDiskScale = 0.5; ///< disk radius in the region over r, [0.05, 1]
+	FeatureRegion   featureRegion   = FeatureRegion::Auto;
+	FeatureSampling featureSampling = FeatureSampling::Disks;
+	/// Disk radius in the region over r, [0.05, 1]; 0 = 0.5 where a region is named, else no
+	/// region.
+	double            featureDiskScale = 0;
 	FeatureThresholds featureThresholds;
 };
 
 /// Sets placement, retriangulation, smoothing, regularity, fit, equations, exactCount and
 /// featureMode to those of a preset and leaves the rest alone.
 void applyPreset(Preset preset, RemeshOptions& options);
+
+/// Whether a feature region is asked for, and where none is named, by its disk scale or its
+/// vertices.
+bool asksForFeatureRegion(const RemeshOptions& options);
+
+/// Puts the region that FeatureRegion::Auto stands for, and the disk scale that 0 stands for, in
+/// their places.
+void resolveFeatureRegion(bool anySelected, RemeshOptions& options);
 
 /// Complaints about values out of range, one sentence each; empty when all is well.
 std::vector<std::string> validate(const RemeshOptions& options);

@@ -10,10 +10,9 @@ namespace gpr {
 namespace {
 
 constexpr double   largestCount = 2147483647.0;
-constexpr unsigned sized        = RemeshTool | SamplingTool;
-constexpr unsigned shared       = sized | CompareTool;
-constexpr unsigned everywhere =
-	RemeshTool | SamplingTool | RetriangulateTool | FeatureTool | CompareTool;
+constexpr unsigned sampled      = RemeshTool | SamplingTool | CompareTool;
+constexpr unsigned meshed       = RemeshTool | CompareTool;
+constexpr unsigned everywhere   = sampled | RetriangulateTool | FeatureTool;
 
 std::int64_t countOf(const ParameterValue& v)
 {
@@ -30,14 +29,15 @@ bool switchOf(const ParameterValue& v)
 	return std::get<bool>(v);
 }
 
+std::string withMore(const char* help, const char* more)
+{
+	return *more == '\0' ? help : std::string(help) + " " + more;
+}
+
 ParameterValue tenPercent(const MeshFacts& facts)
 {
 	// A tetrahedron is the smallest closed surface; the dialog never proposes less.
-	const std::int64_t whole = facts.hasSelection ? facts.selectedVertexNum : facts.vertexNum;
-	// The vertices of the seam stay; as many others beside them make good triangles.
-	const double seam  = facts.hasSelection ? 2 * double(facts.seamVertexNum) : 0;
-	const double share = std::max(seam, std::round(0.1 * double(whole)));
-	return std::int64_t(std::max(4.0, share));
+	return std::int64_t(std::max(4.0, std::round(0.1 * double(facts.vertexNum))));
 }
 
 template <int value>
@@ -69,6 +69,16 @@ struct Row {
 		p.defaultValue = value;
 		return *this;
 	}
+	Row& inDialog(const char* sentences)
+	{
+		p.dialogHelp = sentences;
+		return *this;
+	}
+	Row& onCommandLine(const char* sentences)
+	{
+		p.commandHelp = sentences;
+		return *this;
+	}
 	Row& store(void (*put)(const ParameterValue&, RemeshOptions&))
 	{
 		p.store = put;
@@ -84,22 +94,23 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 		zero = [](const MeshFacts&) { return ParameterValue(false); };
 	if (kind == ParameterKind::Number || kind == ParameterKind::Length)
 		zero = [](const MeshFacts&) { return ParameterValue(0.0); };
-	return {{key, option, argument, kind, label, help, 0, 1, {}, zero, nullptr, tools}};
+	return {
+		{key, option, argument, kind, label, help, "", "", 0, 1, {}, zero, nullptr, tools, false}};
 }
 
 using Table = std::vector<Parameter>;
 using Kind  = ParameterKind;
 using Value = ParameterValue;
 
+// ---- how many vertices
+
 void addSamples(Table& t)
 {
 	t.push_back(row(RetriangulateTool, "SampleLayer", "", "", Kind::Count,
 					"Number of the layer with the samples",
-					"The layer whose vertices become the vertices of the result, by the number "
-					"that MeshLab "
-					"shows before its name; the current layer is the surface. The dialog proposes "
-					"the newest "
-					"other layer of points.")
+					"The vertices of this layer become the vertices of the result. The current "
+					"layer is the surface. MeshLab shows the number of a layer before its name. "
+					"The proposed layer is the newest other layer of points.")
 					.range(0, largestCount)
 					.byDefault([](const MeshFacts& facts) { return Value(facts.sampleLayer); })
 					.p);
@@ -108,355 +119,254 @@ void addSamples(Table& t)
 void addSize(Table& t)
 {
 	t.push_back(
-		row(shared, "TargetVertexNum", "--vertices", "N", Kind::Count, "Number of vertices",
-			"How many vertices the result has, exactly; a sampling lands within about a "
-			"tenth of it. Used where percentage and edge length are 0. A number below what "
-			"the topology needs is refused, and the "
-			"smallest possible one named. Counts those of the selected part where only that is "
-			"remeshed. The default is 10 % of the vertices there are.")
+		row(sampled, "TargetVertexNum", "--vertices", "N", Kind::Count, "Number of vertices",
+			"How many vertices the result has. A remeshing has exactly so many, a sampling about "
+			"a tenth more or less. A number below what the topology needs is refused, and the "
+			"message names the smallest possible number. Where only the selected faces are "
+			"remeshed this is the number of vertices of that part.")
+			.inDialog("It counts only while percentage, edge length and largest error are 0. The "
+					  "proposed number is 10 % of the layer's vertices.")
 			.range(1, largestCount)
 			.byDefault(tenPercent)
 			.store([](const Value& v, RemeshOptions& o) { o.targetVertexNum = countOf(v); })
 			.p);
-	t.push_back(row(shared, "TargetPerc", "--percent", "P", Kind::Number,
+	t.push_back(row(sampled, "TargetPerc", "--percent", "P", Kind::Number,
 					"Percentage of vertices (0 = off)",
-					"Size of the result in percent of the layer's vertices, in (0, 10000]; takes "
-					"the place of the number of vertices where it is above 0. Raised where the "
-					"topology needs more vertices.")
+					"The size of the result in percent of the input's vertices, at most 10000. "
+					"More vertices are taken where the topology needs them.")
+					.inDialog("Above 0 it takes the place of the number of vertices.")
 					.range(0, 10000)
 					.store([](const Value& v, RemeshOptions& o) { o.targetPercent = numberOf(v); })
 					.p);
-	t.push_back(row(shared, "TargetLen", "--edge-length", "L", Kind::Length,
+	t.push_back(row(sampled, "TargetLen", "--edge-length", "L", Kind::Length,
 					"Mean edge length (0 = off)",
-					"Wanted mean edge length of the result in mesh units; takes the place of the "
-					"number of vertices where it is above 0. Raised count where the topology needs "
-					"more vertices.")
+					"The wanted mean edge length of the result in mesh units. More vertices are "
+					"taken where the topology needs them.")
+					.inDialog("Above 0 it takes the place of the number of vertices.")
 					.range(0, 1e300)
 					.store([](const Value& v, RemeshOptions& o) { o.targetEdgeLen = numberOf(v); })
 					.p);
 	t.push_back(
-		row(RemeshTool, "MaxError", "--max-error", "E", Kind::Length, "Largest error (0 = off)",
-			"Takes the place of the number of vertices where it is above 0: the smallest number is "
-			"looked for whose mesh is nowhere farther from the input, nor the input from it; in "
-			"mesh units, on the command line also in percent of the diagonal, as 0.2%. Some ten "
-			"trials are made. The distance is found by sampling, which is no proof.")
+		row(meshed, "MaxError", "--max-error", "E", Kind::Length, "Largest error (0 = off)",
+			"Looks for the smallest number of vertices with which the result is nowhere farther "
+			"than this from the input, nor the input from the result. It is given in mesh units. "
+			"Some ten trials are made. The distance is found by sampling, which is no proof.")
+			.inDialog("Above 0 it takes the place of the number of vertices.")
+			.onCommandLine("With a percent sign, as 0.2%, it is a share of the diagonal.")
 			.range(0, 1e300)
 			.store([](const Value& v, RemeshOptions& o) { o.targetMaxError = numberOf(v); })
 			.p);
 }
 
-void addMainChoices(Table& t)
+// ---- which way, and with which density
+
+void addPreset(Table& t)
 {
 	t.push_back(
-		row(shared, "Preset", "--preset", "NAME", Kind::Choice, "Preset",
-			"Which way is gone: default, the most regular triangles, close to the input; fast, "
-			"three times as fast, without the fit and the passes for regularity; paper, each stage "
-			"as the paper has it, whose number of vertices is only "
-			"about what was asked for. What is chosen for a single stage wins over the preset.")
+		row(sampled, "Preset", "--preset", "NAME", Kind::Choice, "Preset",
+			"Which methods are used. default: the most regular triangles, close to the input. "
+			"fast: a third of the time, without the fit and the steps for regularity. paper: each "
+			"stage as the paper describes it; the number of vertices is hit to a tenth only. A "
+			"method that is chosen for a single stage wins over the preset. A sampling is the "
+			"same with default and fast.")
 			.choices({"default", "fast", "paper"})
 			.store([](const Value& v, RemeshOptions& o) { applyPreset(Preset(countOf(v)), o); })
 			.p);
+}
+
+void addDensity(Table& t)
+{
+	t.push_back(row(sampled, "Adapt", "--adapt", "A", Kind::Number, "Adaptivity to the error",
+					"Puts more vertices where the surface bends, so that the error is smaller at "
+					"the same number. 0: all triangles have one size. 1: sizes differ by a factor "
+					"of four. It has no effect with the paper's equations.")
+					.range(0, 1)
+					.store([](const Value& v, RemeshOptions& o) { o.adapt = numberOf(v); })
+					.p);
 	t.push_back(
-		row(RemeshTool, "Selected", "--selected", "", Kind::Switch, "Only the selected faces",
-			"Remeshes the selected faces and leaves the others bit for bit as they are; the "
-			"vertices between the two stay, and the new triangles grow from their spacing to the "
-			"wanted size. On by default where faces are selected. On the command line the faces "
-			"are those that a PLY file marks by the property 'selected' or MeshLab's 'flags'.")
-			.byDefault([](const MeshFacts& facts) { return Value(facts.hasSelection); })
-			.store([](const Value& v, RemeshOptions& o) { o.selectedOnly = switchOf(v); })
-			.p);
-	t.push_back(
-		row(shared, "Boundary", "--boundary", "NAME", Kind::Choice, "Boundary",
-			"What becomes of the surface's open borders: resample, their curve and their corners "
-			"stay, vertices are placed on them anew; keep, every vertex on them stays where it is "
-			"and none is added, the triangles growing from their spacing to the wanted size; free, "
-			"evenly spaced vertices that cut corners off.")
-			.choices({"resample", "keep", "free"})
-			.store([](const Value& v, RemeshOptions& o) { o.boundary = BoundaryMode(countOf(v)); })
+		row(sampled, "Lambda", "--lambda", "W", Kind::Number, "Curvature weight (lambda)",
+			"How much denser curved places are sampled, eq. (4) of the paper. Distances are "
+			"stretched by 1 + lambda |H| r, where H is the mean curvature and r the radius of the "
+			"disks. 0: evenly. 1 to 5 are usual. With the paper's equations H is taken with its "
+			"sign, in 1/mesh unit.")
+			.range(0, 1e6)
+			.store([](const Value& v, RemeshOptions& o) { o.lambda = numberOf(v); })
 			.p);
 }
+
+// ---- what is kept
 
 void addFeatureLines(Table& t)
 {
 	t.push_back(
-		row(shared, "Features", "--features", "NAME", Kind::Choice, "Feature lines",
-			"Sharp edges of the mesh become edges of the result, corners and cone apexes its "
-			"vertices: "
-			"auto, where they are real creases and not a scan's noise (none with the paper "
-			"preset); "
-			"lines, wherever the faces turn by the feature angle; off, nowhere; selected, "
-			"at the edges selected in MeshLab (no file holds such) and nowhere else. Needs the "
+		row(sampled, "Features", "--features", "NAME", Kind::Choice, "Feature lines",
+			"Feature lines are sharp edges of the input that become edges of the result; corners "
+			"and cone apexes become vertices. auto: real creases, but not the noise of a scan; "
+			"none with the paper preset. lines: wherever the faces turn by the angle of feature "
+			"lines. off: none. selected: the selected edges and no others. Feature lines need the "
 			"retriangulation label-collapse.")
+			.onCommandLine("No file format holds selected edges, so that selected is for MeshLab "
+						   "only.")
 			.choices({"auto", "lines", "off", "selected"})
 			.store([](const Value& v, RemeshOptions& o) {
 				if (countOf(v) > 0) o.featureMode = FeatureMode(countOf(v));
 			})
 			.p);
+}
+
+void addFeatureDisks(Table& t)
+{
 	t.push_back(
-		row(shared, "FeatureAngle", "--feature-angle", "DEG", Kind::Number, "Feature angle",
-			"A feature line begins where the normals of two faces differ by so many degrees, "
-			"and goes on from its ends down to half of that; 5 to 175.")
-			.range(5, 175)
-			.byDefault([](const MeshFacts&) { return Value(40.0); })
-			.store([](const Value& v, RemeshOptions& o) { o.featureAngleDeg = numberOf(v); })
+		row(sampled, "FeatureDiskScale", "--feature-disk-scale", "S", Kind::Number,
+			"Feature disk scale (0 = off)",
+			"Makes the triangles of the feature region smaller: the radius of its disks over the "
+			"radius elsewhere, 0.05 to 1. The feature region is made of the selected vertices; "
+			"where "
+			"no vertex is selected it is detected. 0: no feature region, unless one is named; "
+			"then its disks have half the radius.")
+			.inDialog("0.5 is proposed where vertices are selected.")
+			.range(0, 1)
+			.byDefault(
+				[](const MeshFacts& facts) { return Value(facts.hasSelectedVertices ? 0.5 : 0.0); })
+			.store([](const Value& v, RemeshOptions& o) { o.featureDiskScale = numberOf(v); })
 			.p);
 }
 
-void addAdaptivity(Table& t)
+void addBoundary(Table& t)
 {
-	t.push_back(row(shared, "Adapt", "--adapt", "A", Kind::Number, "Adaptivity to the error",
-					"Spends the vertices where the surface bends, for a smaller error at the same "
-					"number: 0, all triangles of one size, to 1, sizes within a range of four. Has "
-					"no effect with the paper's equations.")
-					.range(0, 1)
-					.store([](const Value& v, RemeshOptions& o) { o.adapt = numberOf(v); })
-					.p);
+	t.push_back(
+		row(sampled, "Boundary", "--boundary", "NAME", Kind::Choice, "Boundary",
+			"What becomes of the surface's open borders. resample: their curve and their corners "
+			"stay, and vertices are placed on them anew. keep: each of their vertices stays where "
+			"it is, and none is added; the triangles grow from the spacing there to the wanted "
+			"size. free: evenly spaced vertices, which cut corners off.")
+			.choices({"resample", "keep", "free"})
+			.store([](const Value& v, RemeshOptions& o) { o.boundary = BoundaryMode(countOf(v)); })
+			.p);
 }
+
+void addSelected(Table& t)
+{
+	t.push_back(
+		row(RemeshTool, "Selected", "--selected", "", Kind::Switch, "Only the selected faces",
+			"Remeshes the selected faces and leaves all others bit for bit as they are. The "
+			"vertices between the two stay. The new triangles grow from the spacing there to the "
+			"wanted size.")
+			.inDialog("The proposed number of vertices is for the whole layer: give the number "
+					  "for the selected part, or an edge length.")
+			.onCommandLine("A PLY file marks its selected faces by the property 'selected', or by "
+						   "'flags' as MeshLab writes them.")
+			.store([](const Value& v, RemeshOptions& o) { o.selectedOnly = switchOf(v); })
+			.p);
+}
+
+// ---- where to
 
 void addLayer(Table& t)
 {
 	t.push_back(
 		row(RemeshTool | RetriangulateTool, "NewLayer", "", "", Kind::Switch,
 			"Put the result into a new layer",
-			"Off (default): the result takes the place of the layer's mesh, and MeshLab has no "
-			"undo. On: it becomes a layer of its own, with the transform of the old one, "
-			"which stays as it is.")
+			"Off: the result takes the place of the layer's mesh, and MeshLab has no undo. On: "
+			"the result becomes a new layer with the transform of the old one, and the old layer "
+			"stays as it is.")
 			.p);
 }
 
 void addComparison(Table& t)
 {
 	t.push_back(row(CompareTool, "ColorBy", "", "", Kind::Choice, "Colour by",
-					"What the two results are coloured by, on one scale: quality, 2 inradius / "
-					"circumradius of each face from red (0) over green to blue (1, equilateral); "
-					"distance, of each vertex from the input, from blue (0) to red (the largest of "
-					"both); nothing. The figure is the quality of the faces or vertices, too.")
+					"What the colours of the two results show, on one scale. quality: 2 inradius "
+					"/ circumradius of each face, from red (0) over green to blue (1, "
+					"equilateral). distance: how far each face is from the input, from blue (0) "
+					"to red (the largest distance of both). The quality of the faces is the same "
+					"figure.")
 					.choices({"quality", "distance", "nothing"})
 					.p);
 	t.push_back(row(CompareTool, "SideBySide", "", "", Kind::Switch, "Move the results apart",
-					"On (default): the transforms of the two layers put them beside the input, "
-					"along x. Off: they lie where it is.")
+					"On: the transforms of the two layers put them beside the input, along x. "
+					"Off: they lie where the input is.")
 					.byDefault([](const MeshFacts&) { return Value(true); })
 					.p);
 }
 
-void addStages(Table& t)
+// ---- for experts: the feature region and its detection
+
+void addFeatureRegion(Table& t)
 {
-	t.push_back(row(sized, "Placement", "--placement", "NAME", Kind::Choice, "Placement of samples",
-					"Where the next sample is put: disk-intersection, where the borders of two "
-					"disks meet (default and fast); border-edge, on a random edge that the border "
-					"of the disks crosses (paper).")
-					.choices({"preset", "disk-intersection", "border-edge"})
-					.store([](const Value& v, RemeshOptions& o) {
-						if (countOf(v) > 0) o.placement = Placement(countOf(v) - 1);
-					})
-					.p);
-	t.push_back(row(RemeshTool | RetriangulateTool, "Retriangulation", "--retriangulation", "NAME",
-					Kind::Choice, "Retriangulation",
-					"How the samples become a mesh: label-collapse merges every vertex into the "
-					"cell of its "
-					"sample (default and fast); vertex-removal takes the vertices out one by one "
-					"and closes "
-					"each hole by a constrained Delaunay triangulation (paper).")
-					.choices({"preset", "label-collapse", "vertex-removal"})
-					.store([](const Value& v, RemeshOptions& o) {
-						if (countOf(v) > 0) o.retriangulation = Retriangulation(countOf(v) - 1);
-					})
-					.p);
-	t.push_back(row(RemeshTool, "Smoothing", "--smoothing", "NAME", Kind::Choice, "Smoothing",
-					"How vertices move on the surface in the end: barycentric, to the centre of "
-					"their neighbours (default and fast); umbrella2, by the second-order umbrella "
-					"(paper); none.")
-					.choices({"preset", "barycentric", "umbrella2", "none"})
-					.store([](const Value& v, RemeshOptions& o) {
-						if (countOf(v) > 0) o.smoothing = Smoothing(countOf(v) - 1);
-					})
-					.p);
 	t.push_back(
-		row(RemeshTool, "Regularity", "--regularity", "NAME", Kind::Choice, "Regularity",
-			"full (default) rids the triangulation of most vertices that have not six neighbours "
-			"and makes the triangles equilateral by conformal steps, two for each relaxation step; "
-			"plain (fast, paper) only relaxes and flips edges. full is plain where the smoothing "
-			"is not barycentric.")
-			.choices({"preset", "full", "plain"})
-			.store([](const Value& v, RemeshOptions& o) {
-				if (countOf(v) > 0) o.regularity = Regularity(countOf(v) - 1);
-			})
-			.p);
-	t.push_back(
-		row(RemeshTool, "RelaxIter", "--relax", "K", Kind::Count, "Relaxation steps",
-			"How often the vertices are moved by the smoothing, on the surface; 0 to 1000. 3 "
-			"make the triangles regular, more change little.")
-			.range(0, 1000)
+		row(sampled, "FeatureRegion", "--feature-region", "NAME", Kind::Choice, "Feature region",
+			"The part of the surface where vertices are denser, section 3.1.1 of the paper. none: "
+			"there is none. detected: what the feature detection finds by the strength of the "
+			"edges. selection: the selected vertices, or the corners of the selected faces where "
+			"no vertex is selected. auto: the selected vertices, or what is detected where no "
+			"vertex is selected, if a feature disk scale is given or vertices are to be kept; else "
+			"none.")
+			.onCommandLine("A PLY file marks its selection by the property 'selected', or by "
+						   "'flags' as MeshLab writes them.")
+			.choices({"none", "detected", "selection", "auto"})
 			.byDefault(count<3>)
-			.store([](const Value& v, RemeshOptions& o) { o.relaxIterations = int(countOf(v)); })
-			.p);
-	t.push_back(
-		row(RemeshTool, "Fit", "--fit", "on|quick|off", Kind::Choice, "Fit to the input",
-			"After the smoothing vertices leave the surface a little for where the triangles lie "
-			"closest to it, which halves the error or better, and the triangles stay regular: on "
-			"(default); quick, with fewer rounds; off, every vertex stays on the surface (fast, "
-			"paper). Vertices of borders and feature lines leave these by at most 8 % of an edge.")
-			.choices({"preset", "on", "quick", "off"})
-			.store([](const Value& v, RemeshOptions& o) {
-				if (countOf(v) > 0) o.fit = Fit(countOf(v) - 1);
-			})
-			.p);
-	t.push_back(
-		row(RemeshTool | RetriangulateTool, "FlipIter", "--flips", "K", Kind::Count,
-			"Passes of edge flips",
-			"Edges are flipped after the retriangulation and while smoothing, in so many passes at "
-			"most each time; 0 to 1000. With the default they end by themselves, all edges being "
-			"Delaunay.")
-			.range(0, 1000)
-			.byDefault(count<1000>)
-			.store([](const Value& v, RemeshOptions& o) { o.flipIterations = int(countOf(v)); })
-			.p);
-}
-
-void addCount(Table& t)
-{
-	t.push_back(
-		row(RemeshTool, "ExactCount", "--exact-count", "on|off", Kind::Choice,
-			"Exact number of vertices",
-			"On (default and fast): edges are split and collapsed after the sampling until the "
-			"number of vertices is hit exactly. Off (paper): the number lands within about a tenth "
-			"of the target.")
-			.choices({"preset", "on", "off"})
-			.store([](const Value& v, RemeshOptions& o) {
-				if (countOf(v) > 0) o.exactCount = countOf(v) == 1;
-			})
-			.p);
-	t.push_back(row(RemeshTool | CompareTool, "AllowNearest", "--allow-nearest", "", Kind::Switch,
-					"Take the nearest possible number",
-					"Where the topology needs more vertices than asked for: take the nearest "
-					"possible number instead of refusing.")
-					.store([](const Value& v, RemeshOptions& o) { o.allowNearest = switchOf(v); })
-					.p);
-}
-
-void addCleaning(Table& t)
-{
-	t.push_back(
-		row(shared, "DropComponentsBelow", "--drop-components-below", "N", Kind::Count,
-			"Drop components with fewer faces (0 = none)",
-			"Components with fewer faces are left out: dust of scans, which would take four "
-			"vertices a piece. 0 keeps all.")
-			.range(0, largestCount)
-			.store([](const Value& v, RemeshOptions& o) { o.dropComponentsBelow = countOf(v); })
-			.p);
-}
-
-void addDensity(Table& t)
-{
-	t.push_back(
-		row(sized, "Equations", "--equations", "NAME", Kind::Choice,
-			"Equations of radius and density",
-			"Which form of the paper's equations (1), (4) and (5): calibrated, with a constant "
-			"that "
-			"hits the number, a density without units and its mean over the area (default and "
-			"fast); paper, as printed, with 0.844, the mean curvature in 1/mesh unit with its "
-			"sign, "
-			"and the mean over the vertices.")
-			.choices({"preset", "calibrated", "paper"})
-			.store([](const Value& v, RemeshOptions& o) {
-				if (countOf(v) > 0) o.equations = Equations(countOf(v) - 1);
-			})
-			.p);
-	t.push_back(
-		row(sized, "Lambda", "--lambda", "W", Kind::Number, "Curvature weight (lambda)",
-			"How much denser curved places are sampled, eq. (4): distances are stretched by "
-			"1 + lambda |H| r, where H is the mean curvature and r the disk radius; 0 = evenly, "
-			"1 to 5 are usual. With the paper's equations H is taken as it is, in 1/mesh unit.")
-			.range(0, 1e6)
-			.store([](const Value& v, RemeshOptions& o) { o.lambda = numberOf(v); })
-			.p);
-	t.push_back(
-		row(sized, "MaxStretch", "--max-stretch", "S", Kind::Number, "Largest stretch",
-			"The densest places get triangles at most so many times smaller than the largest ones; "
-			"1 to 100. Not used with the paper's equations.")
-			.range(1, 100)
-			.byDefault([](const MeshFacts&) { return Value(4.0); })
-			.store([](const Value& v, RemeshOptions& o) { o.largestStretch = numberOf(v); })
-			.p);
-	t.push_back(
-		row(sized, "Sizing", "--sizing", "NAME", Kind::Choice, "Density from",
-			"What the density goes with: curvature, or the mesh's vertex quality (on the command "
-			"line "
-			"the property 'quality' of a PLY file), which then takes the place of |H| r.")
-			.choices({"curvature", "quality"})
-			.store([](const Value& v, RemeshOptions& o) { o.sizing = SizingSource(countOf(v)); })
-			.p);
-}
-
-void addFeatures(Table& t)
-{
-	t.push_back(
-		row(sized, "FeatureRegion", "--feature-region", "NAME", Kind::Choice, "Feature region",
-			"Which part of the surface is preserved as in the paper's 3.1.1: none; detected, by "
-			"the "
-			"second-order difference and the thresholds below; selection, the selected vertices "
-			"or, where there is none, the corners of selected faces (on the command line by the "
-			"property 'flags' of a "
-			"PLY "
-			"file as MeshLab saves it, or 'selected').")
-			.choices({"none", "detected", "selection"})
 			.store([](const Value& v, RemeshOptions& o) {
 				o.featureRegion = FeatureRegion(countOf(v));
 			})
 			.p);
-	t.push_back(row(sized, "FeatureSampling", "--feature-sampling", "NAME", Kind::Choice,
+	t.push_back(row(sampled, "FeatureSampling", "--feature-sampling", "NAME", Kind::Choice,
 					"Feature region becomes",
-					"How the feature region is preserved: disks, sampled first, with smaller "
-					"disks; vertices, each of its vertices stays as a vertex of the result.")
+					"How the feature region is kept. disks: it is sampled first, with smaller "
+					"disks. vertices: each of its vertices becomes a vertex of the result.")
 					.choices({"disks", "vertices"})
 					.store([](const Value& v, RemeshOptions& o) {
 						o.featureSampling = FeatureSampling(countOf(v));
 					})
 					.p);
+}
+
+void addFeatureThresholds(Table& t)
+{
 	t.push_back(
-		row(sized, "FeatureDiskScale", "--feature-disk-scale", "S", Kind::Number,
-			"Feature disk scale",
-			"Radius of the disks in the feature region over that of the others; 0.05 to 1. Needs a "
-			"feature region.")
-			.range(0.05, 1)
-			.byDefault([](const MeshFacts&) { return Value(0.5); })
-			.store([](const Value& v, RemeshOptions& o) { o.featureDiskScale = numberOf(v); })
+		row(sampled, "FeatureAngle", "--feature-angle", "DEG", Kind::Number,
+			"Angle of feature lines",
+			"A feature line begins where the normals of two faces differ by so many degrees, 5 to "
+			"175. It goes on from its ends down to half of that.")
+			.range(5, 175)
+			.byDefault([](const MeshFacts&) { return Value(40.0); })
+			.store([](const Value& v, RemeshOptions& o) { o.featureAngleDeg = numberOf(v); })
 			.p);
-	t.push_back(row(sized | FeatureTool, "FeatureSupport", "--feature-support", "S", Kind::Number,
-					"Feature support",
-					"Radius within which normals are averaged on either side of an edge for the "
-					"second-order difference, in mean edges of the input; above 0, at most 100. "
-					"Larger overlooks more noise.")
-					.range(0.01, 100)
-					.byDefault([](const MeshFacts&) { return Value(2.0); })
-					.store([](const Value& v, RemeshOptions& o) {
-						o.featureThresholds.support = numberOf(v);
-					})
-					.p);
-	t.push_back(row(sized | FeatureTool, "FeatureStrong", "--feature-strong", "DEG", Kind::Number,
+	t.push_back(
+		row(sampled | FeatureTool, "FeatureSupport", "--feature-support", "S", Kind::Number,
+			"Support of the strength",
+			"The strength of an edge is the angle between the mean normals of its two sides. The "
+			"support is the radius within which normals are averaged, in mean edges of the input; "
+			"above 0, at most 100. A larger one overlooks more noise.")
+			.range(0.01, 100)
+			.byDefault([](const MeshFacts&) { return Value(2.0); })
+			.store(
+				[](const Value& v, RemeshOptions& o) { o.featureThresholds.support = numberOf(v); })
+			.p);
+	t.push_back(row(sampled | FeatureTool, "FeatureStrong", "--feature-strong", "DEG", Kind::Number,
 					"Strong feature angle",
-					"A feature begins where the normals of the two sides differ by so many "
-					"degrees; above 0, at most 180.")
+					"A detected feature begins where the strength has so many degrees; above 0, "
+					"at most 180.")
 					.range(0.01, 180)
 					.byDefault([](const MeshFacts&) { return Value(40.0); })
 					.store([](const Value& v, RemeshOptions& o) {
 						o.featureThresholds.strongDeg = numberOf(v);
 					})
 					.p);
-	t.push_back(row(sized | FeatureTool, "FeatureWeak", "--feature-weak", "DEG", Kind::Number,
+	t.push_back(row(sampled | FeatureTool, "FeatureWeak", "--feature-weak", "DEG", Kind::Number,
 					"Weak feature angle",
-					"A feature goes on as long as the normals of the two sides differ by so many "
-					"degrees; above 0, at most the strong angle.")
+					"A detected feature goes on as long as the strength has so many degrees; "
+					"above 0, at most the strong angle.")
 					.range(0.01, 180)
 					.byDefault([](const MeshFacts&) { return Value(20.0); })
 					.store([](const Value& v, RemeshOptions& o) {
 						o.featureThresholds.weakDeg = numberOf(v);
 					})
 					.p);
-	t.push_back(row(sized | FeatureTool, "FeatureLength", "--feature-length", "K", Kind::Number,
+	t.push_back(row(sampled | FeatureTool, "FeatureLength", "--feature-length", "K", Kind::Number,
 					"Least feature length",
-					"Features shorter than so many supports are dropped as noise; 0 keeps all.")
+					"Detected features that are shorter than so many supports are dropped as "
+					"noise. 0 keeps all.")
 					.range(0, 1e6)
 					.byDefault([](const MeshFacts&) { return Value(3.0); })
 					.store([](const Value& v, RemeshOptions& o) {
@@ -465,39 +375,180 @@ void addFeatures(Table& t)
 					.p);
 }
 
+// ---- for experts: the density
+
+void addDensityDetails(Table& t)
+{
+	t.push_back(
+		row(sampled, "Sizing", "--sizing", "NAME", Kind::Choice, "Density from",
+			"What the density follows where lambda is above 0. curvature: the mean curvature. "
+			"quality: the mesh's vertex quality, which takes the place of |H| r.")
+			.onCommandLine("The vertex quality is the property 'quality' of a PLY file.")
+			.choices({"curvature", "quality"})
+			.store([](const Value& v, RemeshOptions& o) { o.sizing = SizingSource(countOf(v)); })
+			.p);
+	t.push_back(
+		row(sampled, "MaxStretch", "--max-stretch", "S", Kind::Number, "Largest stretch",
+			"Where lambda is above 0 the smallest triangles are at most so many times smaller "
+			"than the largest ones; 1 to 100. The paper's equations do not use it.")
+			.range(1, 100)
+			.byDefault([](const MeshFacts&) { return Value(4.0); })
+			.store([](const Value& v, RemeshOptions& o) { o.largestStretch = numberOf(v); })
+			.p);
+}
+
+// ---- for experts: the number, the input, the run
+
+void addCount(Table& t)
+{
+	t.push_back(
+		row(RemeshTool, "ExactCount", "--exact-count", "on|off", Kind::Choice,
+			"Exact number of vertices",
+			"on (default, fast): edges are split and collapsed after the sampling until the "
+			"number of vertices is exact. off (paper): the number is hit to about a tenth.")
+			.choices({"preset", "on", "off"})
+			.store([](const Value& v, RemeshOptions& o) {
+				if (countOf(v) > 0) o.exactCount = countOf(v) == 1;
+			})
+			.p);
+	t.push_back(row(meshed, "AllowNearest", "--allow-nearest", "", Kind::Switch,
+					"Take the nearest possible number",
+					"Where the topology needs more vertices than asked for, the nearest possible "
+					"number is taken. Otherwise the run is refused.")
+					.store([](const Value& v, RemeshOptions& o) { o.allowNearest = switchOf(v); })
+					.p);
+}
+
+void addCleaning(Table& t)
+{
+	t.push_back(
+		row(sampled, "DropComponentsBelow", "--drop-components-below", "N", Kind::Count,
+			"Drop components with fewer faces (0 = none)",
+			"Components with fewer faces are left out, for instance the dust of a scan. Each of "
+			"them would take four vertices. 0 keeps all.")
+			.range(0, largestCount)
+			.store([](const Value& v, RemeshOptions& o) { o.dropComponentsBelow = countOf(v); })
+			.p);
+}
+
 void addRun(Table& t)
 {
 	t.push_back(
-		row(everywhere, "TimeLimit", "--time-limit", "SECONDS", Kind::Number,
-			"Time limit in seconds (0 = none)",
-			"Where the work is not done within so many seconds it is given up, and nothing is "
-			"changed; 0 = no limit. The commands remesh and features count reading and writing, "
-			"too.")
-			.range(0, 1e9)
-			.store([](const Value& v, RemeshOptions& o) { o.timeLimitSeconds = numberOf(v); })
-			.p);
-	t.push_back(
-		row(shared, "Seed", "--seed", "S", Kind::Count, "Random seed",
-			"The same seed gives the same mesh, byte for byte, with any number of threads. 0 takes "
-			"a fresh seed and logs it.")
+		row(sampled, "Seed", "--seed", "S", Kind::Count, "Random seed",
+			"The same seed gives the same mesh, byte for byte, with any number of threads. 0 "
+			"takes a new seed and tells it.")
 			.range(0, largestCount)
 			.byDefault(count<1>)
 			.store([](const Value& v, RemeshOptions& o) { o.seed = std::uint32_t(countOf(v)); })
 			.p);
 	t.push_back(row(everywhere, "Threads", "--threads", "T", Kind::Count, "Threads (0 = all cores)",
-					"How many threads work, 0 to 1024; 0 takes one for each core. Never changes "
-					"the result.")
+					"How many threads work, at most 1024. 0 takes one for each core. The result "
+					"is the same.")
 					.range(0, 1024)
 					.store([](const Value& v, RemeshOptions& o) { o.threads = int(countOf(v)); })
 					.p);
+	t.push_back(
+		row(everywhere, "TimeLimit", "--time-limit", "SECONDS", Kind::Number,
+			"Time limit in seconds (0 = none)",
+			"A run that takes longer is given up, and nothing is changed. 0 is no limit.")
+			.onCommandLine("The commands remesh and features count reading and writing, too.")
+			.range(0, 1e9)
+			.store([](const Value& v, RemeshOptions& o) { o.timeLimitSeconds = numberOf(v); })
+			.p);
 	t.push_back(row(RemeshTool | RetriangulateTool, "Check", "--check", "", Kind::Switch,
 					"Check thoroughly",
-					"Beside what is checked in any case: self-intersections, and the distances "
-					"from the input, which costs as much again. Where faces intersect and "
-					"none did in the input, or a vertex lies off the input farther than the fit "
-					"moved it, there is no result.")
+					"Looks for self-intersections and measures the distances from the input, which "
+					"doubles the time. There is no result where faces intersect and none did in "
+					"the input, or where a vertex is farther from the input than the fit moved "
+					"it.")
 					.store([](const Value& v, RemeshOptions& o) { o.check = switchOf(v); })
 					.p);
+}
+
+// ---- for experts: the methods of single stages
+
+void addStages(Table& t)
+{
+	t.push_back(row(sampled, "Placement", "--placement", "NAME", Kind::Choice,
+					"Placement of samples",
+					"Where the next sample is put. disk-intersection (default, fast): where the "
+					"borders of two disks meet. border-edge (paper): on a random edge that the "
+					"border of the disks crosses.")
+					.choices({"preset", "disk-intersection", "border-edge"})
+					.store([](const Value& v, RemeshOptions& o) {
+						if (countOf(v) > 0) o.placement = Placement(countOf(v) - 1);
+					})
+					.p);
+	t.push_back(row(meshed | RetriangulateTool, "Retriangulation", "--retriangulation", "NAME",
+					Kind::Choice, "Retriangulation",
+					"How the samples become a mesh. label-collapse (default, fast): every vertex "
+					"is merged into the Voronoi cell of its sample. vertex-removal (paper): the "
+					"vertices are removed one by one, and a constrained Delaunay triangulation "
+					"closes each hole.")
+					.choices({"preset", "label-collapse", "vertex-removal"})
+					.store([](const Value& v, RemeshOptions& o) {
+						if (countOf(v) > 0) o.retriangulation = Retriangulation(countOf(v) - 1);
+					})
+					.p);
+	t.push_back(row(meshed, "Smoothing", "--smoothing", "NAME", Kind::Choice, "Smoothing",
+					"How vertices move on the surface after the retriangulation. barycentric "
+					"(default, fast): to the centre of their neighbours. umbrella2 (paper): by "
+					"the second-order umbrella operator. none: they do not.")
+					.choices({"preset", "barycentric", "umbrella2", "none"})
+					.store([](const Value& v, RemeshOptions& o) {
+						if (countOf(v) > 0) o.smoothing = Smoothing(countOf(v) - 1);
+					})
+					.p);
+	t.push_back(
+		row(meshed, "Regularity", "--regularity", "NAME", Kind::Choice, "Regularity",
+			"full (default): most vertices get six neighbours, and conformal steps make the "
+			"triangles equilateral. plain (fast, paper): relaxation and edge flips only. full "
+			"needs the barycentric smoothing.")
+			.choices({"preset", "full", "plain"})
+			.store([](const Value& v, RemeshOptions& o) {
+				if (countOf(v) > 0) o.regularity = Regularity(countOf(v) - 1);
+			})
+			.p);
+	t.push_back(
+		row(meshed, "RelaxIter", "--relax", "K", Kind::Count, "Relaxation steps",
+			"How often the smoothing moves the vertices, 0 to 1000. 3 make the triangles regular; "
+			"more change little.")
+			.range(0, 1000)
+			.byDefault(count<3>)
+			.store([](const Value& v, RemeshOptions& o) { o.relaxIterations = int(countOf(v)); })
+			.p);
+	t.push_back(
+		row(meshed, "Fit", "--fit", "on|quick|off", Kind::Choice, "Fit to the input",
+			"The fit moves vertices a little off the surface, to where the triangles are closest "
+			"to it. The error is halved or better, and the triangles stay regular. on (default); "
+			"quick: fewer rounds; off (fast, paper): every vertex stays on the surface. Vertices "
+			"of borders and feature lines leave their curves by at most 8 % of an edge.")
+			.choices({"preset", "on", "quick", "off"})
+			.store([](const Value& v, RemeshOptions& o) {
+				if (countOf(v) > 0) o.fit = Fit(countOf(v) - 1);
+			})
+			.p);
+	t.push_back(
+		row(meshed | RetriangulateTool, "FlipIter", "--flips", "K", Kind::Count,
+			"Passes of edge flips",
+			"After the retriangulation and during the smoothing edges are flipped in so many "
+			"passes at most, 0 to 1000. With 1000 they end when all edges are Delaunay.")
+			.range(0, 1000)
+			.byDefault(count<1000>)
+			.store([](const Value& v, RemeshOptions& o) { o.flipIterations = int(countOf(v)); })
+			.p);
+	t.push_back(
+		row(sampled, "Equations", "--equations", "NAME", Kind::Choice,
+			"Equations of radius and density",
+			"Which form of the paper's equations (1), (4) and (5) is used. calibrated (default, "
+			"fast): a constant that hits the number of vertices, a density without units, and its "
+			"mean over the area. paper: as they are printed, with 0.844, the mean curvature in "
+			"1/mesh unit with its sign, and the mean over the vertices.")
+			.choices({"preset", "calibrated", "paper"})
+			.store([](const Value& v, RemeshOptions& o) {
+				if (countOf(v) > 0) o.equations = Equations(countOf(v) - 1);
+			})
+			.p);
 }
 
 } // namespace
@@ -505,21 +556,38 @@ void addRun(Table& t)
 std::vector<Parameter> makeParameterTable()
 {
 	Table table;
-	// What most need comes first, what only experts turn last.
+	// In the order in which a user decides.
 	addSamples(table);
 	addSize(table);
-	addMainChoices(table);
+	addPreset(table);
+	addDensity(table);
 	addFeatureLines(table);
-	addAdaptivity(table);
+	addFeatureDisks(table);
+	addBoundary(table);
+	addSelected(table);
 	addLayer(table);
 	addComparison(table);
+	const std::size_t everydayNum = table.size();
+	addFeatureRegion(table);
+	addFeatureThresholds(table);
+	addDensityDetails(table);
 	addCount(table);
 	addCleaning(table);
 	addRun(table);
 	addStages(table);
-	addDensity(table);
-	addFeatures(table);
+	for (std::size_t i = everydayNum; i < table.size(); ++i)
+		table[i].isExpert = true;
 	return table;
+}
+
+std::string dialogHelp(const Parameter& p)
+{
+	return withMore(p.help, p.dialogHelp);
+}
+
+std::string commandHelp(const Parameter& p)
+{
+	return withMore(p.help, p.commandHelp);
 }
 
 } // namespace gpr

@@ -6,6 +6,7 @@
 #include "options.h"
 
 #include <cstdint>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -24,12 +25,10 @@ using ParameterValue = std::variant<std::int64_t, double, bool>; ///< Choice use
 
 /// What defaults may depend on.
 struct MeshFacts {
-	std::int64_t vertexNum         = 0;
-	double       diagonal          = 0;     ///< mesh units
-	bool         hasSelection      = false; ///< some faces are selected
-	std::int64_t selectedVertexNum = 0;     ///< vertices of the selected faces
-	std::int64_t seamVertexNum     = 0;     ///< those of them that other faces have, too
-	std::int64_t sampleLayer       = 1; ///< number of the layer in which samples most likely are
+	std::int64_t vertexNum           = 0;
+	double       diagonal            = 0; ///< mesh units
+	bool         hasSelectedVertices = false;
+	std::int64_t sampleLayer         = 1; ///< number of the layer in which samples most likely are
 };
 
 /// What parameters are for: each is a filter in MeshLab, most are a command of gpremesh.
@@ -51,19 +50,28 @@ struct Parameter {
 	const char*              option;   ///< on the command line: "--vertices"; "" where it has none
 	const char*              argument; ///< placeholder in --help: "N"; "" for a bare switch
 	ParameterKind            kind;
-	const char*              label; ///< in the dialog
-	const char*              help;  ///< full sentences with unit and range
+	const char*              label;       ///< in the dialog
+	const char*              help;        ///< full sentences with unit and range, for every host
+	const char*              dialogHelp;  ///< what is so in MeshLab only, or ""
+	const char*              commandHelp; ///< what is so on the command line only, or ""
 	double                   minimum;
 	double                   maximum;
 	std::vector<const char*> choices; ///< Choice only
 	ParameterValue (*defaultValue)(const MeshFacts&);
 	/// Puts a value into the options; null for rows that the host handles itself.
 	void (*store)(const ParameterValue&, RemeshOptions&);
-	unsigned tools; ///< the Tool bits it is offered by
+	unsigned tools;    ///< the Tool bits it is offered by
+	bool     isExpert; ///< a dialog with many parameters shows it only when asked to
 };
 
 /// All parameters of all tools, in the order in which dialogs and --help show them.
 std::vector<Parameter> makeParameterTable();
+
+/// What MeshLab's dialogs say of a parameter.
+std::string dialogHelp(const Parameter& p);
+
+/// What --help says of it.
+std::string commandHelp(const Parameter& p);
 
 } // namespace gpr
 

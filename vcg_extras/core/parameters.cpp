@@ -6,11 +6,20 @@ namespace gpr {
 
 namespace {
 
+/// Where a tool has no preset the first choice of a stage is not left to one.
+void nameChoiceWithoutPreset(Parameter& p)
+{
+	if (!p.choices.empty() && std::string(p.choices.front()) == "preset")
+		p.choices.front() = "default";
+}
+
 std::vector<Parameter> rowsOf(Tool tool)
 {
 	std::vector<Parameter> rows;
 	for (Parameter& p : makeParameterTable()) {
-		if (p.tools & tool) rows.push_back(p);
+		if (!(p.tools & tool)) continue;
+		if (tool == RetriangulateTool) nameChoiceWithoutPreset(p);
+		rows.push_back(p);
 	}
 	return rows;
 }

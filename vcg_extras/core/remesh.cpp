@@ -85,9 +85,17 @@ void requireValid(const RemeshOptions& options)
 	if (!complaints.empty()) throw Failure(Status::BadOptions, complaints.front());
 }
 
-/// The options in force.
-RemeshOptions resolved(RemeshOptions options)
+bool anySelected(const MeshView& input)
 {
+	if (input.selected == nullptr) return false;
+	const std::uint8_t* const end = input.selected + input.vertexNum;
+	return std::any_of(input.selected, end, [](std::uint8_t mark) { return mark != 0; });
+}
+
+/// The options in force.
+RemeshOptions resolved(const MeshView& input, RemeshOptions options)
+{
+	resolveFeatureRegion(anySelected(input), options);
 	if (options.seed == 0) options.seed = std::max(1u, std::uint32_t(std::random_device()()));
 	if (options.equations == Equations::AsPrinted) options.adapt = 0; // the paper has no such thing
 	return options;
@@ -109,7 +117,7 @@ Result runPipeline(const Call& call, Pipeline pipeline, const Body& body)
 	return guarded<Result>([&](Result& result) {
 		requireValid(call.options);
 		{
-			const RemeshOptions options = resolved(call.options);
+			const RemeshOptions options = resolved(call.input, call.options);
 			Workers             workers(options.threads, call.progress, options.timeLimitSeconds);
 			result.report.seed    = options.seed;
 			result.report.threads = workers.threadNum();

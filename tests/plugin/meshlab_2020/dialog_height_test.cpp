@@ -15,11 +15,14 @@
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <gtest/gtest.h>
 #include <vector>
 
 namespace {
+
+constexpr int kAllRows = 1000; // none is for experts
 
 /// What MeshlabStdDialog::loadFrameContent() builds.
 class HostDialog {
@@ -50,6 +53,7 @@ public:
 	}
 
 	QWidget&     window() { return _dialog; }
+	QToolButton* arrow() { return area()->parentWidget()->findChild<QToolButton*>(); }
 	QScrollArea* area() { return _dialog.findChild<QScrollArea*>(); }
 	/// As the host's toggleHelp().
 	void toggleHelp()
@@ -115,7 +119,7 @@ TEST(DialogHeight, ManyRowsScrollAndApplyIsSeen)
 {
 	HostDialog host(40);
 	ASSERT_GT(host.window().height(), maxHeight()) << "the model is no test";
-	gpr_filter::shortenDialog("Many rows");
+	gpr_filter::shortenDialog("Many rows", kAllRows);
 	QApplication::processEvents();
 	EXPECT_LE(host.window().height(), maxHeight());
 	EXPECT_TRUE(isInside(*host.apply, host.window()));
@@ -131,7 +135,7 @@ TEST(DialogHeight, FewRowsStayAsTheyAre)
 {
 	HostDialog  host(5);
 	const QSize before = host.window().size();
-	gpr_filter::shortenDialog("Many rows");
+	gpr_filter::shortenDialog("Many rows", kAllRows);
 	EXPECT_EQ(host.area(), nullptr);
 	EXPECT_EQ(host.window().size(), before);
 }
@@ -139,7 +143,7 @@ TEST(DialogHeight, FewRowsStayAsTheyAre)
 TEST(DialogHeight, OtherDialogsStayAsTheyAre)
 {
 	HostDialog host(40);
-	gpr_filter::shortenDialog("Another filter");
+	gpr_filter::shortenDialog("Another filter", 12);
 	EXPECT_EQ(host.area(), nullptr);
 }
 
@@ -148,9 +152,9 @@ TEST(DialogHeight, TwiceIsOnce)
 {
 	HostDialog host(40);
 	QObject    alive;
-	gpr_filter::shortenDialogLater("Many rows", &alive);
+	gpr_filter::shortenDialogLater("Many rows", kAllRows, &alive);
 	EXPECT_EQ(host.area(), nullptr);
-	gpr_filter::shortenDialogLater("Many rows", &alive);
+	gpr_filter::shortenDialogLater("Many rows", kAllRows, &alive);
 	QApplication::processEvents();
 	EXPECT_EQ(host.window().findChildren<QScrollArea*>().size(), 1);
 }
@@ -159,7 +163,7 @@ TEST(DialogHeight, TwiceIsOnce)
 TEST(DialogHeight, ResizedBeyondTheScreenComesBack)
 {
 	HostDialog host(40);
-	gpr_filter::shortenDialog("Many rows");
+	gpr_filter::shortenDialog("Many rows", kAllRows);
 	QApplication::processEvents();
 	host.window().resize(host.window().width(), 3 * maxHeight());
 	QApplication::processEvents();
@@ -170,7 +174,7 @@ TEST(DialogHeight, ResizedBeyondTheScreenComesBack)
 TEST(DialogHeight, HelpWidensAndIsShownInFull)
 {
 	HostDialog host(40);
-	gpr_filter::shortenDialog("Many rows");
+	gpr_filter::shortenDialog("Many rows", kAllRows);
 	QApplication::processEvents();
 	const QSize before = host.window().size();
 	host.toggleHelp();
@@ -185,12 +189,75 @@ TEST(DialogHeight, HelpWidensAndIsShownInFull)
 TEST(DialogHeight, TheWheelScrollsAndChangesNoValue)
 {
 	HostDialog host(40);
-	gpr_filter::shortenDialog("Many rows");
+	gpr_filter::shortenDialog("Many rows", kAllRows);
 	host.area()->ensureWidgetVisible(host.choice);
 	QWheelEvent turn(QPointF(3, 3), host.choice->mapToGlobal(QPoint(3, 3)), QPoint(),
 					 QPoint(0, -120), Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
 	QApplication::sendEvent(host.choice, &turn);
 	EXPECT_EQ(host.choice->currentIndex(), 0);
+}
+
+/// Of the rows' values, how many are shown, and whether those come first.
+int shownRowNum(const HostDialog& host)
+{
+	int num = 0;
+	while (num < int(host.values.size()) && host.values[num]->isVisible())
+		++num;
+	for (int row = num; row < int(host.values.size()); ++row)
+		EXPECT_FALSE(host.values[row]->isVisible()) << row;
+	return num;
+}
+
+TEST(DialogHeight, RowsForExpertsAreBehindAnArrow)
+{
+	HostDialog host(40);
+	gpr_filter::shortenDialog("Many rows", 8);
+	QApplication::processEvents();
+	EXPECT_EQ(shownRowNum(host), 8);
+	EXPECT_FALSE(host.choice->isVisible());
+	EXPECT_TRUE(isInside(*host.values[7], host.window())) << "no scrolling for eight rows";
+	EXPECT_TRUE(isInside(*host.apply, host.window()));
+	const QSize before = host.window().size();
+	ASSERT_NE(host.arrow(), nullptr);
+	EXPECT_TRUE(isInside(*host.arrow(), host.window()));
+
+	host.arrow()->click();
+	QApplication::processEvents();
+	EXPECT_EQ(shownRowNum(host), 40);
+	EXPECT_TRUE(host.choice->isVisible());
+	EXPECT_GT(host.window().height(), before.height());
+	EXPECT_LE(host.window().height(), maxHeight());
+	EXPECT_TRUE(isInside(*host.apply, host.window()));
+
+	host.arrow()->click();
+	QApplication::processEvents();
+	EXPECT_EQ(shownRowNum(host), 8);
+	EXPECT_EQ(host.window().size(), before);
+}
+
+TEST(DialogHeight, HelpIsForTheRowsThatAreShown)
+{
+	HostDialog host(40);
+	gpr_filter::shortenDialog("Many rows", 8);
+	QApplication::processEvents();
+	host.toggleHelp();
+	EXPECT_TRUE(host.help[7]->isVisible());
+	EXPECT_FALSE(host.help[8]->isVisible());
+	EXPECT_EQ(shownRowNum(host), 8);
+	host.arrow()->click();
+	QApplication::processEvents();
+	EXPECT_TRUE(host.help[39]->isVisible());
+	host.toggleHelp();
+	EXPECT_FALSE(host.help[0]->isVisible());
+	EXPECT_FALSE(host.help[39]->isVisible());
+	EXPECT_EQ(shownRowNum(host), 40);
+}
+
+TEST(DialogHeight, AShortDialogWithoutExpertsIsLeftAlone)
+{
+	HostDialog host(5);
+	gpr_filter::shortenDialog("Many rows", 6);
+	EXPECT_EQ(host.area(), nullptr);
 }
 
 } // namespace

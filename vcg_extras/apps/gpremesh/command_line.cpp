@@ -88,20 +88,20 @@ CLI::App* addInfo(CLI::App& app, CommandLine& line)
 	return info;
 }
 
-/// The options of the table that make sense for several methods at once.
+/// The other methods know no time limit.
 bool isForCompare(const Parameter& p)
 {
-	const std::string key = p.key;
-	return isSizeOption(p) || key == "Seed" || key == "Threads";
+	return std::string(p.key) != "TimeLimit";
 }
 
 CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* compare = app.add_subcommand(
-		"compare", "Remeshes IN by default, by the paper's preset and by MeshLab's Quadric Edge\n"
-				   "Collapse and prints a table: time, distances from IN, triangle quality.");
+		"compare",
+		"Remeshes IN with these options, by the paper's preset and by MeshLab's Quadric\n"
+		"Edge Collapse and prints a table: time, distances from IN, triangle quality.");
 	compare->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off or .stl")->required();
-	addTableOptions(*compare, RemeshTool, given, isForCompare);
+	addTableOptions(*compare, CompareTool, given, isForCompare);
 	compare->add_flag("--isotropic", line.isotropic, "MeshLab's Isotropic Explicit Remeshing too");
 	compare->add_option("--runs", line.runNum, "How often each method is run; the median counts")
 		->check(CLI::Range(1, 101))
@@ -168,7 +168,8 @@ CommandLine parseCommandLine(int argc, char** argv)
 	if (info->parsed()) line.command = Command::Info;
 	if (compare->parsed()) line.command = Command::Compare;
 	if (features->parsed()) line.command = Command::Features;
-	line.options = optionsOf(given);
+	line.options     = optionsOf(given);
+	line.optionsText = textOf(given);
 	checkPaths(line);
 	return line;
 }

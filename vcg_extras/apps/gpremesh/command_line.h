@@ -29,6 +29,7 @@ struct CommandLine {
 	int           runNum    = 1;     ///< compare only
 	std::string   htmlFolder;        ///< compare only; empty = no page
 	RemeshOptions options;           ///< all but info
+	std::string   optionsText;       ///< these as the user gave them: "--lambda 2 --fit off"
 };
 
 /// Reads the arguments; the remeshing options are made from the engine's parameter table. Prints

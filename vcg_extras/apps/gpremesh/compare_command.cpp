@@ -73,10 +73,10 @@ void writePage(const std::string& folder, const InputMesh& input, CompareRecord&
 	page.commit();
 }
 
-InputMesh readUnlessStopped(const std::string& path)
+InputMesh readUnlessStopped(const CommandLine& line)
 {
 	const EndAtOnce guard{RunLimit()};
-	return readMesh(path);
+	return readMesh(line.input, neededBy(line.options));
 }
 
 } // namespace
@@ -85,11 +85,14 @@ void runCompare(const CommandLine& line)
 {
 	if (!line.htmlFolder.empty()) checkFolder(line.htmlFolder);
 	catchStopSignals();
-	const InputMesh input = readUnlessStopped(line.input);
+	const InputMesh input = readUnlessStopped(line);
 	ProgressBar     bar(errorIsTerminal());
 	CompareRecord   record =
 		compareMethods(input, {line.options, line.runNum, line.isotropic}, progressOn(bar));
-	record.inputPath = line.input;
+	record.inputPath   = line.input;
+	record.optionsText = line.optionsText;
+	if (!line.optionsText.empty())
+		record.notes.push_back("gpremesh was run with " + line.optionsText + ".");
 	if (!line.htmlFolder.empty()) writePage(line.htmlFolder, input, record, bar);
 	bar.clear();
 	const std::string text = line.json ? compareJson(record) : compareText(record);

@@ -48,6 +48,7 @@ std::string compareJson(const CompareRecord& record)
 	json["input"]["nonManifoldEdges"] = record.input.nonManifoldEdges;
 	json["input"]["quality"]          = qualityJson(record.input.quality);
 	json["cleanedInput"]              = figuresJson(record.cleanedInput);
+	json["options"]                   = record.optionsText;
 	json["seed"]                      = record.options.seed;
 	json["threads"]                   = record.threads;
 	json["runs"]                      = record.runNum;

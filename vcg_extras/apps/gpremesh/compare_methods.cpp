@@ -73,14 +73,22 @@ BaselineResult runIsotropic(Comparison& c)
 	return remeshIsotropically(c.input.view(), c.edgeLen);
 }
 
-std::vector<Method> chosenMethods(bool isotropic)
+/// Whether every stage is that of the paper.
+bool isPaper(const RemeshOptions& o)
 {
-	std::vector<Method> methods = {
-		{"default", "gpremesh", "gpremesh", runDefault},
-		{"paper", "gpremesh, preset paper", "paper", runPaper},
-		{"quadricEdgeCollapse", "Quadric Edge Collapse", "QEC", runQuadric},
-	};
-	if (isotropic) {
+	RemeshOptions paper;
+	applyPreset(Preset::Paper, paper);
+	return o.placement == paper.placement && o.retriangulation == paper.retriangulation &&
+		   o.smoothing == paper.smoothing && o.equations == paper.equations;
+}
+
+std::vector<Method> chosenMethods(const CompareWishes& wishes)
+{
+	std::vector<Method> methods = {{"default", "gpremesh", "gpremesh", runDefault}};
+	if (!isPaper(wishes.options))
+		methods.push_back({"paper", "gpremesh, preset paper", "paper", runPaper});
+	methods.push_back({"quadricEdgeCollapse", "Quadric Edge Collapse", "QEC", runQuadric});
+	if (wishes.isotropic) {
 		methods.push_back({"isotropicRemeshing", "isotropic remeshing", "isotropic", runIsotropic});
 	}
 	return methods;
@@ -162,7 +170,7 @@ CompareRecord compareMethods(const InputMesh& input, const CompareWishes& wishes
 							 const CompareProgress& progress)
 {
 	Comparison                comparison = {input, wishes, {}};
-	const std::vector<Method> methods    = chosenMethods(wishes.isotropic);
+	const std::vector<Method> methods    = chosenMethods(wishes);
 	CompareRecord&            record     = comparison.record;
 	const double              stepNum    = double(methods.size()) * (wishes.runNum + 1) + 1;
 	double                    done       = 0;

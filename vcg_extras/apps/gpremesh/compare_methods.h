@@ -12,7 +12,7 @@ namespace gpr::app {
 
 /// Which methods are compared, and how often each is run.
 struct CompareWishes {
-	RemeshOptions options;           ///< of the default path; the paper preset is laid over them
+	RemeshOptions options; ///< of the engine; the paper preset is laid over them for a second run
 	int           runNum    = 1;     ///< rounds in which every method is run once
 	bool          isotropic = false; ///< vcglib's isotropic remeshing too
 };

@@ -45,6 +45,7 @@ struct CompareRecord {
 	MeshRecord                input;
 	MeshFigures               cleanedInput; ///< as the engine takes it
 	RemeshOptions             options;
+	std::string               optionsText; ///< as the user gave them
 	int                       runNum  = 1;
 	int                       threads = 0; ///< those that the engine took
 	std::vector<MethodRecord> methods;

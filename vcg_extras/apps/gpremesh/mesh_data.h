@@ -7,6 +7,7 @@
 
 #include <vcg_extras/core/mesh_view.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -46,12 +47,14 @@ using CoordinateArray = std::vector<S, UninitializedAllocator<S>>;
 struct WantedAttributes {
 	bool quality       = false; ///< of the vertices
 	bool selection     = false; ///< of vertices and the corners of faces
+	bool ifSelected    = false; ///< of vertices, where the file marks any
 	bool faceSelection = false; ///< of the faces
 	bool carried       = false; ///< whatever there is, to be carried over to a result
 	bool mayStayInFile = false; ///< see InputMesh::inFile
 
 	/// Any that must be there.
 	bool anyRequired() const { return quality || selection || faceSelection; }
+	bool ofSelectedVertices() const { return selection || ifSelected; }
 };
 
 class FileContent;
@@ -75,7 +78,11 @@ struct InputMesh {
 	bool        isInFile() const { return inFile.triangles != nullptr; }
 	std::size_t vertexNum() const { return view().vertexNum; }
 	std::size_t faceNum() const { return view().faceNum; }
-	MeshView    view() const
+	bool        anySelected() const
+	{
+		return std::find(selected.begin(), selected.end(), 1) != selected.end();
+	}
+	MeshView view() const
 	{
 		MeshView v     = isInFile() ? inFile : viewOfArrays();
 		v.quality      = quality.empty() ? nullptr : quality.data();

@@ -62,6 +62,17 @@ void checkCarried(MeshFormat format, const std::string& path, const WantedAttrib
 
 } // namespace
 
+WantedAttributes neededBy(const RemeshOptions& options)
+{
+	WantedAttributes wanted;
+	wanted.quality   = options.lambda > 0 && options.sizing == SizingSource::Quality;
+	wanted.selection = options.featureRegion == FeatureRegion::Selection;
+	wanted.ifSelected =
+		options.featureRegion == FeatureRegion::Auto && asksForFeatureRegion(options);
+	wanted.faceSelection = options.selectedOnly;
+	return wanted;
+}
+
 MeshFormat formatOfPath(const std::string& path)
 {
 	const std::string extension = lowerCase(std::filesystem::path(path).extension().string());

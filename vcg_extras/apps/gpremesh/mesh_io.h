@@ -6,6 +6,8 @@
 #include "mesh_data.h"
 #include "run_limit.h"
 
+#include <vcg_extras/core/options.h>
+
 #include <string>
 
 namespace gpr::app {
@@ -15,6 +17,9 @@ enum class MeshFormat { Ply, Obj, Off, Stl };
 /// The format that a file's extension stands for, upper or lower case.
 /// Throws AppError (Usage) where it stands for none.
 MeshFormat formatOfPath(const std::string& path);
+
+/// The attributes without which a run with these options cannot be.
+WantedAttributes neededBy(const RemeshOptions& options);
 
 /// Reads a mesh in the format that its extension stands for. Throws AppError (BadInput) with a
 /// sentence that names the file when it cannot be read, has no faces or lacks a wanted attribute,

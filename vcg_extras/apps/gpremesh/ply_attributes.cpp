@@ -200,7 +200,7 @@ void readVertices(const PlyElement& e, const WantedAttributes& wanted, Source& s
 	for (std::uint64_t v = 0; v < e.count; ++v) {
 		readRecord(e, {}, source, record);
 		if (quality >= 0) mesh.quality.push_back(float(record.scalars[std::size_t(quality)]));
-		if (wanted.selection && selection.isSelected(record)) mesh.selected[v] = 1;
+		if (wanted.ofSelectedVertices() && selection.isSelected(record)) mesh.selected[v] = 1;
 		carried.take(record);
 	}
 	mesh.attributes.ofVertices = std::move(carried.columns);
@@ -219,7 +219,7 @@ public:
 	template <class Source>
 	void read(const PlyElement& e, Source& source, InputMesh& mesh)
 	{
-		const bool cornersToo = wanted_.selection && !anySelected(mesh);
+		const bool cornersToo = wanted_.selection && !mesh.anySelected();
 		Record     record;
 		for (std::uint64_t f = 0; f < e.count; ++f) {
 			readRecord(e, kept_, source, record);
@@ -272,11 +272,6 @@ private:
 		image_.push_back(i >= 0 ? record.scalars[std::size_t(i)] : 0);
 	}
 
-	static bool anySelected(const InputMesh& mesh)
-	{
-		return std::find(mesh.selected.begin(), mesh.selected.end(), 1) != mesh.selected.end();
-	}
-
 	static void selectCorners(const Record& record, InputMesh& mesh)
 	{
 		for (const std::int64_t v : record.corners) {
@@ -295,7 +290,9 @@ bool wantsFaces(const PlyElement& e, const WantedAttributes& wanted)
 bool wantsElement(const PlyElement& e, const WantedAttributes& wanted)
 {
 	if (e.name == "vertex") {
-		return wanted.quality || wanted.selection || CarriedColumns(e, wanted.carried).any();
+		const bool selection =
+			wanted.selection || (wanted.ifSelected && SelectionColumns(e).exist());
+		return wanted.quality || selection || CarriedColumns(e, wanted.carried).any();
 	}
 	return e.name == "face" && wantsFaces(e, wanted);
 }
@@ -365,7 +362,7 @@ void readPlyAttributes(std::string_view file, const WantedAttributes& wanted, In
 	const PlyHeader header = readPlyHeader(file);
 	checkPresent(header, wanted);
 	if (wanted.quality) mesh.quality.reserve(mesh.vertexNum());
-	if (wanted.selection) mesh.selected.assign(mesh.vertexNum(), 0);
+	if (wanted.ofSelectedVertices()) mesh.selected.assign(mesh.vertexNum(), 0);
 	if (wanted.carried) {
 		noteLostLists(header, mesh.attributes);
 		mesh.attributes.images = findImages(file.substr(0, header.byteNum));

@@ -78,12 +78,9 @@ void writeReport(const std::string& path, const RunRecord& run)
 
 WantedAttributes wantedBy(const RemeshOptions& options)
 {
-	WantedAttributes wanted;
-	wanted.quality       = options.lambda > 0 && options.sizing == SizingSource::Quality;
-	wanted.selection     = options.featureRegion == FeatureRegion::Selection;
-	wanted.faceSelection = options.selectedOnly;
-	wanted.carried       = true;
-	wanted.mayStayInFile = true;
+	WantedAttributes wanted = neededBy(options);
+	wanted.carried          = true;
+	wanted.mayStayInFile    = true;
 	return wanted;
 }
 
@@ -141,7 +138,8 @@ RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit
 	run.inputDouble  = input.doublePrecision;
 	run.outputDouble = needsDoubleOutput(input, result);
 	run.options      = line.options;
-	run.notes        = input.notes;
+	resolveFeatureRegion(input.anySelected(), run.options);
+	run.notes = input.notes;
 	run.notes.insert(run.notes.end(), result.notes.begin(), result.notes.end());
 	addPrecisionNote(run);
 	run.report                = std::move(result.report);

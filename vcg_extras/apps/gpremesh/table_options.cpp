@@ -129,7 +129,7 @@ std::string wrapped(const std::string& text)
 std::string helpText(const Parameter& p)
 {
 	const std::string value = defaultText(p);
-	return wrapped(std::string(p.help) + (value.empty() ? "" : " Default: " + value + "."));
+	return wrapped(commandHelp(p) + (value.empty() ? "" : " Default: " + value + "."));
 }
 
 } // namespace
@@ -189,6 +189,17 @@ RemeshOptions optionsOf(const GivenOptions& given)
 	RemeshOptions options     = set.options();
 	options.maxErrorIsPercent = percent;
 	return options;
+}
+
+std::string textOf(const GivenOptions& given)
+{
+	std::map<std::string, std::string> words; // by option: the rows' addresses have no order
+	for (const auto& [row, word] : given)
+		words[row->option] = std::string(row->argument).empty() ? "" : " " + word;
+	std::string text;
+	for (const auto& [option, word] : words)
+		text += (text.empty() ? "" : " ") + option + word;
+	return text;
 }
 
 } // namespace gpr::app

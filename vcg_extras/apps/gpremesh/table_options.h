@@ -26,6 +26,9 @@ void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
 /// (Usage) for values of the wrong kind or out of range, and for more than one size.
 RemeshOptions optionsOf(const GivenOptions& given);
 
+/// What was given as one writes it, in alphabetical order: "--lambda 2 --percent 5".
+std::string textOf(const GivenOptions& given);
+
 } // namespace gpr::app
 
 #endif

@@ -98,6 +98,16 @@ const std::uint8_t* regionMarks(const RunContext& run, const FeatureMarks& marks
 	return marks.empty() ? nullptr : marks.data();
 }
 
+/// The region may have been chosen by what is selected: the user shall see which it is.
+void tellFeatureRegion(RunContext& run)
+{
+	if (run.report.regionVertexNum == 0) return;
+	const bool        isSelection = run.options.featureRegion == FeatureRegion::Selection;
+	const std::string number      = std::to_string(run.report.regionVertexNum);
+	run.notes.push_back("The feature region is made of " + number +
+						(isSelection ? " selected" : " detected") + " vertices.");
+}
+
 void findFeatureRegion(RunContext& run, const FeatureMarks& marks, Prepared& p)
 {
 	p.isFeatureVertex = regionVertices(run.input, regionMarks(run, marks), p.surface, run.workers);
@@ -174,6 +184,7 @@ Prepared prepareWith(RunContext& run, const FeatureMarks& marks, const TargetOf&
 	connectOrRepair(run, mesh, p.surface);
 	dropFlatPieces(run, p.surface);
 	setSizes(run, marks, p);
+	tellFeatureRegion(run);
 	describeInput(run, p.surface);
 	return p;
 }
