@@ -134,9 +134,9 @@ TYPED_TEST(GeodesicPoissonSamplingTest, DependsOnTheSeedAndNotOnThreads)
 	MakeTorus(m);
 	std::vector<SamplePoint> a, b, c;
 	auto                     params = ParamsOf<MeshType>(400);
-	params.threadNum                = 1;
+	params.threads                  = 1;
 	ASSERT_TRUE(Sampling::Sample(m, params, a).IsOk());
-	params.threadNum = 2;
+	params.threads = 2;
 	ASSERT_TRUE(Sampling::Sample(m, params, b).IsOk());
 	params.seed = 2;
 	ASSERT_TRUE(Sampling::Sample(m, params, c).IsOk());

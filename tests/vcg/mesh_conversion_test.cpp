@@ -224,48 +224,4 @@ TEST(Progress, IsPassedOnInPercentAndItsAnswerBack)
 	EXPECT_EQ(reported, (std::vector<int>{25, 50, 100, 0}));
 }
 
-TEST(Params, DefaultsAreThoseOfTheEngine)
-{
-	typedef GeodesicPoissonRemeshing<FullMesh<float>>::Params ParamsType;
-	const gpr::RemeshOptions                                  a = ParamsType().Options(), b;
-	EXPECT_EQ(a.targetMode, b.targetMode);
-	EXPECT_EQ(a.targetVertexNum, b.targetVertexNum);
-	EXPECT_EQ(a.targetPercent, b.targetPercent);
-	EXPECT_EQ(a.targetEdgeLen, b.targetEdgeLen);
-	EXPECT_EQ(a.exactCount, b.exactCount);
-	EXPECT_EQ(a.allowNearest, b.allowNearest);
-	EXPECT_EQ(a.relaxIterations, b.relaxIterations);
-	EXPECT_EQ(a.seed, b.seed);
-	EXPECT_EQ(a.threads, b.threads);
-}
-
-TEST(Params, AreAllHandedOver)
-{
-	GeodesicPoissonRemeshing<FullMesh<float>>::Params params;
-	params.SetTargetLen(0.5);
-	EXPECT_EQ(params.Options().targetMode, gpr::TargetMode::EdgeLength);
-	EXPECT_EQ(params.Options().targetEdgeLen, 0.5);
-	params.SetTargetPerc(20);
-	EXPECT_EQ(params.Options().targetMode, gpr::TargetMode::Percent);
-	EXPECT_EQ(params.Options().targetPercent, 20);
-	params.SetTargetVertexNum(77);
-	params.exactCountFlag      = false;
-	params.allowNearestFlag    = true;
-	params.relaxIterNum        = 3;
-	params.seed                = 4;
-	params.threadNum           = 2;
-	params.dropComponentsBelow = 9;
-	params.timeLimit           = 60;
-	const gpr::RemeshOptions o = params.Options();
-	EXPECT_EQ(o.targetMode, gpr::TargetMode::VertexNum);
-	EXPECT_EQ(o.targetVertexNum, 77);
-	EXPECT_FALSE(o.exactCount);
-	EXPECT_TRUE(o.allowNearest);
-	EXPECT_EQ(o.relaxIterations, 3);
-	EXPECT_EQ(o.seed, 4u);
-	EXPECT_EQ(o.threads, 2);
-	EXPECT_EQ(o.dropComponentsBelow, 9);
-	EXPECT_EQ(o.timeLimitSeconds, 60);
-}
-
 } // namespace

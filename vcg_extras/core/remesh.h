@@ -33,8 +33,8 @@ SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& op
 /// whose vertices are the samples, each exactly where it was given. Samples off the surface are put
 /// on it first (nearest point); report.samplesMoved and report.largestSampleMove tell how many and
 /// how far. Where the topology needs more vertices than there are samples, vertices of the input
-/// stay: report.leftoverVertexNum. Of the options, seed and threads count; relaxIterations and
-/// count do not.
+/// stay: report.leftoverVertexNum. Of the options, the target, the exact count, the smoothing and
+/// the fit do not count.
 RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samples,
 						   const RemeshOptions&    options,
 						   const ProgressCallback& progress = nullptr);

@@ -185,19 +185,32 @@ std::unique_ptr<gpr::TextureSource> TextureFor(const MeshType& in, const MeshTyp
 	return std::make_unique<gpr::TextureSource>(WedgeTextureOf<MeshType>(flat.View(), faceOf));
 }
 
+/// Whether the attributes that `in` and `out` share need the surface points of the result's faces.
+template <class MeshType>
+bool NeedsFacePoints(const MeshType& in, const MeshType& out)
+{
+	return (HasPerWedgeTexCoord(in) && HasPerWedgeTexCoord(out)) ||
+		   (HasPerFaceColor(in) && HasPerFaceColor(out)) ||
+		   (HasPerFaceQuality(in) && HasPerFaceQuality(out)) || !in.face_attr.empty();
+}
+
 /** \brief Runs an engine function on `in` and writes its mesh with carried attributes to `out`.
 
-`out` may be `in`: it is written only when everything has been read, and only when the run is Ok. */
+`out` may be `in`: it is written only when everything has been read, and only when the run is Ok.
+engine: takes a view of `in` and the options, with the surface points that the attributes need. */
 template <class MeshType, class EngineFunctionType>
-GeodesicPoissonResult WriteResultOf(const MeshType& in, MeshType& out, gpr::RemeshReport* stat,
-									EngineFunctionType engine)
+GeodesicPoissonResult WriteResultOf(const MeshType& in, MeshType& out, gpr::RemeshOptions options,
+									gpr::RemeshReport* stat, EngineFunctionType engine)
 {
+	RequireReadableTriangles(in);
 	try {
-		const FlatMesh<MeshType>                  flat(in);
-		const std::unique_ptr<gpr::TextureSource> texture = TextureFor(in, out, flat);
-		gpr::MeshView                             view    = flat.View();
-		if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
-		const gpr::RemeshResult run = engine(view);
+		FlatMesh<MeshType>                        flat(in);
+		const std::unique_ptr<gpr::TextureSource> texture  = TextureFor(in, out, flat);
+		const bool                                hasSeams = texture && texture->hasSeams();
+		flat.ReadUsedBy(options, hasSeams ? texture->seams().data() : nullptr);
+		options.surfacePointsOfVertices = true;
+		options.surfacePointsOfFaces    = NeedsFacePoints(in, out);
+		const gpr::RemeshResult run     = engine(flat.View(), options);
 		if (stat != nullptr) *stat = run.report;
 		GeodesicPoissonResult result = ResultOf(run);
 		result.smallestVertexNum     = run.smallestVertexNum;
@@ -221,15 +234,6 @@ GeodesicPoissonResult WriteResultOf(const MeshType& in, MeshType& out, gpr::Reme
 	catch (const std::bad_alloc&) {
 		return OutOfMemoryResult();
 	}
-}
-
-/// Whether the attributes that `in` and `out` share need the surface points of the result's faces.
-template <class MeshType>
-bool NeedsFacePoints(const MeshType& in, const MeshType& out)
-{
-	return (HasPerWedgeTexCoord(in) && HasPerWedgeTexCoord(out)) ||
-		   (HasPerFaceColor(in) && HasPerFaceColor(out)) ||
-		   (HasPerFaceQuality(in) && HasPerFaceQuality(out)) || !in.face_attr.empty();
 }
 
 } // namespace gpr_detail

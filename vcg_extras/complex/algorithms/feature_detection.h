@@ -37,26 +37,24 @@ public:
 
 	typedef GeodesicPoissonResult Result;
 
-	/// The thresholds; a value out of range ends a call with BadOptions.
-	struct Params {
+	/// featureThresholds, threads and timeLimitSeconds count; see GeodesicPoissonParams. The four
+	/// members are the thresholds under shorter names.
+	struct Params : public GeodesicPoissonParams {
 		typedef gpr::FeatureFigures Stat;
 
-		double supportRatio   = 2;  ///< radius of the half-disks in mean edges, > 0, <= 100
-		double strongAngleDeg = 40; ///< a line has an edge as sharp as this, (0, 180]
-		double weakAngleDeg   = 20; ///< and goes on down to this, (0, strongAngleDeg]
-		double minLenRatio    = 3;  ///< shorter lines are dropped; in supports, >= 0
-		int    threadNum      = 0;  ///< 0 = one per core; never changes the result
+		double& supportRatio   = featureThresholds.support;
+		double& strongAngleDeg = featureThresholds.strongDeg;
+		double& weakAngleDeg   = featureThresholds.weakDeg;
+		double& minLenRatio    = featureThresholds.minLength;
 
-		/// The same choices as the engine takes them.
-		gpr::RemeshOptions Options() const
+		Params() = default;
+		Params(const gpr::RemeshOptions& options) : GeodesicPoissonParams(options) {}
+		// A copy's members name its own thresholds.
+		Params(const Params& from) : GeodesicPoissonParams(from) {}
+		Params& operator=(const Params& from)
 		{
-			gpr::RemeshOptions o;
-			o.featureThresholds.support   = supportRatio;
-			o.featureThresholds.strongDeg = strongAngleDeg;
-			o.featureThresholds.weakDeg   = weakAngleDeg;
-			o.featureThresholds.minLength = minLenRatio;
-			o.threads                     = threadNum;
-			return o;
+			GeodesicPoissonParams::operator=(from);
+			return *this;
 		}
 	};
 	typedef typename Params::Stat Stat;
@@ -100,7 +98,7 @@ public:
 		try {
 			const gpr_detail::FlatMesh<MeshType> flat(m);
 			const gpr::FeatureResult             run =
-				gpr::detectFeatures(flat.View(), params.Options(), gpr_detail::ProgressOf(cb));
+				gpr::detectFeatures(flat.View(), params, gpr_detail::ProgressOf(cb));
 			if (stat != nullptr) *stat = run.figures;
 			if (run.status == gpr::Status::Ok) features = FeaturesOf(m, run);
 			return gpr_detail::ResultOf(run);

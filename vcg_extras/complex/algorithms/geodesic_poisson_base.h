@@ -26,56 +26,57 @@ struct GeodesicPoissonResult {
 	bool IsOk() const { return status == gpr::Status::Ok; }
 };
 
-/** \brief The wanted size of the result, and what every run needs.
+/** \brief Everything that a caller can choose: the engine's own options, with setters for the size.
 
-The ranges are those of gpr::RemeshOptions; a value out of range ends a call with BadOptions.
+What each option means, its range and its default: gpr::RemeshOptions in core/options.h. A value out
+of range ends a call with BadOptions. All algorithms take all options and hand them to the engine,
+which leaves alone those that a stage does not need. Two are set by the algorithms, by the
+attributes that the meshes have: surfacePointsOfVertices and surfacePointsOfFaces.
+
+Some options read more of the mesh than positions and faces. Without it a call ends with BadOptions:
+- featureRegion Selection: the selected vertices; where none is selected, the corners of the
+  selected faces. FeatureDetection::Select selects what was detected.
+- sizing Quality with lambda above 0: the quality of the vertices.
+- featureMode Given: the selected edges of faces.
+- selectedOnly: the selected faces.
+
+An option can also be set by its key in the parameter table, see core/parameters.h:
+\code
+gpr::findParameter("FeatureDiskScale")->store(0.3, params);
+\endcode
 */
-struct GeodesicPoissonParams {
-	gpr::TargetMode targetMode      = gpr::TargetMode::Percent;
-	std::int64_t    targetVertexNum = 0;  ///< vertices, >= 1
-	double          targetPerc      = 10; ///< percent of the input's vertices, > 0, <= 10000
-	double          targetLen       = 0;  ///< mean edge length in mesh units, > 0
-	std::uint32_t   seed            = 1;  ///< 0 = a fresh seed, told in Stat::seed
-	int             threadNum       = 0;  ///< 0 = one per core; never changes the result
-	double          lambda          = 0; ///< how much denser curved places are, eq. (4); 0 = evenly
-	double          adapt           = 0; ///< sizes by the error to be expected, [0, 1]; 0 = evenly
+struct GeodesicPoissonParams : public gpr::RemeshOptions {
+	GeodesicPoissonParams() = default;
+	/// Options made elsewhere: by gpr::ParameterSet, or for another algorithm.
+	GeodesicPoissonParams(const gpr::RemeshOptions& options) : gpr::RemeshOptions(options) {}
 
-	std::int64_t dropComponentsBelow = 0; ///< components with fewer faces are left out; 0 = none
-	double       timeLimit           = 0; ///< seconds after which a run is given up; 0 = none
-
+	/// Exactly so many vertices, >= 1.
 	void SetTargetVertexNum(std::int64_t num)
 	{
 		targetMode      = gpr::TargetMode::VertexNum;
 		targetVertexNum = num;
 	}
+	/// Percent of the input's vertices, > 0, <= 10000.
 	void SetTargetPerc(double perc)
 	{
-		targetMode = gpr::TargetMode::Percent;
-		targetPerc = perc;
+		targetMode    = gpr::TargetMode::Percent;
+		targetPercent = perc;
 	}
+	/// Mean edge length in mesh units, > 0.
 	void SetTargetLen(double len)
 	{
-		targetMode = gpr::TargetMode::EdgeLength;
-		targetLen  = len;
+		targetMode    = gpr::TargetMode::EdgeLength;
+		targetEdgeLen = len;
 	}
-
-	/// The same choices as the engine takes them.
-	gpr::RemeshOptions Options() const
+	/// Largest distance from the input in mesh units, > 0; only the remeshing can aim at it.
+	void SetTargetMaxError(double distance)
 	{
-		gpr::RemeshOptions o;
-		o.targetMode      = targetMode;
-		o.targetVertexNum = targetVertexNum;
-		o.targetPercent   = targetPerc;
-		o.targetEdgeLen   = targetLen;
-		o.seed            = seed;
-		o.threads         = threadNum;
-		o.lambda          = lambda;
-		o.adapt           = adapt;
-
-		o.dropComponentsBelow = dropComponentsBelow;
-		o.timeLimitSeconds    = timeLimit;
-		return o;
+		targetMode        = gpr::TargetMode::MaxError;
+		targetMaxError    = distance;
+		maxErrorIsPercent = false;
 	}
+	/// A named set of the stage choices; stages that are chosen afterwards win over it.
+	void SetPreset(gpr::Preset preset) { gpr::applyPreset(preset, *this); }
 };
 
 } // namespace tri

@@ -35,40 +35,10 @@ public:
 
 	typedef GeodesicPoissonResult Result;
 
-	/// How many vertices (by number, percent or mean edge length), seed, threads, and:
+	/// How many vertices, and all other choices: see GeodesicPoissonParams.
 	struct Params : public GeodesicPoissonParams {
 		typedef gpr::RemeshReport Stat;
-
-		bool exactCountFlag   = true;  ///< split and collapse until the count is met exactly
-		bool allowNearestFlag = false; ///< take the nearest reachable count instead of refusing
-		int  relaxIterNum     = 3;     ///< relaxation steps, 0 to 1000
-
-		gpr::FeatureMode featureMode =
-			gpr::FeatureMode::Auto;  ///< edges to be kept; Given: selected
-		double featureAngleDeg = 40; ///< from which edges are sharp, [5, 175]
-
-		gpr::BoundaryMode boundary = gpr::BoundaryMode::Resample; ///< keep, resample or free it
-
-		bool selectedOnlyFlag = false; ///< remesh the selected faces, leave the rest bit for bit
-
-		gpr::Regularity regularity = gpr::Regularity::Full; ///< passes for six neighbours
-		gpr::Fit        fit        = gpr::Fit::Rounds;      ///< vertices leave the surface for it
-
-		/// The same choices as the engine takes them.
-		gpr::RemeshOptions Options() const
-		{
-			gpr::RemeshOptions o = GeodesicPoissonParams::Options();
-			o.regularity         = regularity;
-			o.fit                = fit;
-			o.exactCount         = exactCountFlag;
-			o.allowNearest       = allowNearestFlag;
-			o.relaxIterations    = relaxIterNum;
-			o.featureMode        = featureMode;
-			o.featureAngleDeg    = featureAngleDeg;
-			o.boundary           = boundary;
-			o.selectedOnly       = selectedOnlyFlag;
-			return o;
-		}
+		using GeodesicPoissonParams::GeodesicPoissonParams;
 	};
 	typedef typename Params::Stat Stat;
 
@@ -101,21 +71,11 @@ public:
 	static Result Do(const MeshType& in, MeshType& out, const Params& params = Params(),
 					 Stat* stat = nullptr, vcg::CallBackPos* cb = nullptr)
 	{
-		gpr_detail::RequireReadableTriangles(in);
-		gpr::RemeshOptions options   = params.Options();
-		options.surfacePointsOfFaces = gpr_detail::NeedsFacePoints(in, out);
-		std::vector<std::uint8_t> selected;
-		for (const auto& f : in.face)
-			if (params.selectedOnlyFlag && !f.IsD()) selected.push_back(f.IsS());
-		return gpr_detail::WriteResultOf(in, out, stat, [&](gpr::MeshView view) {
-			view.selectedFace = selected.empty() ? nullptr : selected.data();
-			std::vector<std::uint8_t> lines;
-			if (params.featureMode == gpr::FeatureMode::Given) {
-				lines     = gpr_detail::SelectedEdges(in, view.line);
-				view.line = lines.empty() ? nullptr : lines.data();
-			}
-			return gpr::remesh(view, options, gpr_detail::ProgressOf(cb));
-		});
+		return gpr_detail::WriteResultOf(
+			in, out, params, stat,
+			[&](const gpr::MeshView& view, const gpr::RemeshOptions& options) {
+				return gpr::remesh(view, options, gpr_detail::ProgressOf(cb));
+			});
 	}
 
 	/** \brief Remeshes a surface in place: Do(m, m, ...). Unless Ok comes back m is as it was. */

@@ -19,6 +19,7 @@ without two of them being nearer than a radius, measured along the surface.
 After "Fast Edge-based geodesic Poisson Disk Remeshing", section 3, steps 1 to 8. Differs from the
 paper: a new sample lies where the disks of two others meet, not on a random border edge, which
 packs closer; rims are sampled first; the mesh is not split, a sample is a point of a face.
+Params::placement and equations have the paper's way, too.
 
 Works on any tri::TriMesh with coordinates in float or double; a minimal mesh type needs only
 coordinates, flags and vertex references. For example:
@@ -39,9 +40,11 @@ public:
 
 	typedef GeodesicPoissonResult Result;
 
-	/// How many points (by number, percent of the vertices or mean distance), seed, threads.
+	/// How many points (by number, percent of the vertices or mean distance), where they are
+	/// denser, and all other choices: see GeodesicPoissonParams.
 	struct Params : public GeodesicPoissonParams {
 		typedef gpr::RemeshReport Stat;
+		using GeodesicPoissonParams::GeodesicPoissonParams;
 	};
 	typedef typename Params::Stat Stat;
 
@@ -75,8 +78,8 @@ public:
 	{
 		gpr_detail::RequireReadableTriangles(m);
 		try {
-			const gpr_detail::FlatMesh<MeshType> flat(m);
-			const gpr::SamplingResult            run = Run(flat, params, stat, cb);
+			gpr_detail::FlatMesh<MeshType> flat(m);
+			const gpr::SamplingResult      run = Run(flat, params, stat, cb);
 			if (run.status == gpr::Status::Ok) samples = PointsOf(m, flat, run);
 			return gpr_detail::ResultOf(run);
 		}
@@ -99,8 +102,8 @@ public:
 		assert(&m != &points);
 		gpr_detail::RequireReadableTriangles(m);
 		try {
-			const gpr_detail::FlatMesh<MeshType> flat(m);
-			const gpr::SamplingResult            run = Run(flat, params, stat, cb);
+			gpr_detail::FlatMesh<MeshType> flat(m);
+			const gpr::SamplingResult      run = Run(flat, params, stat, cb);
 			if (run.status == gpr::Status::Ok) WritePoints(m, flat, run, points);
 			return gpr_detail::ResultOf(run);
 		}
@@ -110,11 +113,12 @@ public:
 	}
 
 private:
-	static gpr::SamplingResult Run(const gpr_detail::FlatMesh<MeshType>& flat, const Params& params,
+	static gpr::SamplingResult Run(gpr_detail::FlatMesh<MeshType>& flat, const Params& params,
 								   Stat* stat, vcg::CallBackPos* cb)
 	{
+		flat.ReadUsedBy(params);
 		gpr::SamplingResult run =
-			gpr::samplePoissonDisks(flat.View(), params.Options(), gpr_detail::ProgressOf(cb));
+			gpr::samplePoissonDisks(flat.View(), params, gpr_detail::ProgressOf(cb));
 		run.report.diskRadius = run.diskRadius;
 		if (stat != nullptr) *stat = run.report;
 		return run;

@@ -29,6 +29,60 @@ namespace vcg {
 namespace tri {
 namespace gpr_detail {
 
+/// The quality of the vertices that are not deleted. The mesh must have it.
+template <class MeshType>
+std::vector<float> VertexQualities(const MeshType& m)
+{
+	std::vector<float> quality;
+	quality.reserve(m.vert.size());
+	for (const auto& v : m.vert)
+		if (!v.IsD()) quality.push_back(float(v.cQ()));
+	return quality;
+}
+
+/// Per element that is not deleted: 1 where it is selected.
+template <class ContainerType>
+std::vector<std::uint8_t> SelectionOf(const ContainerType& elements)
+{
+	std::vector<std::uint8_t> selected;
+	selected.reserve(elements.size());
+	for (const auto& e : elements)
+		if (!e.IsD()) selected.push_back(e.IsS());
+	return selected;
+}
+
+/// Per vertex of the view, which is one of m: 1 where it is selected or, where no vertex is, where
+/// it is a corner of a selected face.
+template <class MeshType>
+std::vector<std::uint8_t> SelectedVertices(const MeshType& m, const gpr::MeshView& view)
+{
+	std::vector<std::uint8_t> selected = SelectionOf(m.vert);
+	if (std::find(selected.begin(), selected.end(), 1) != selected.end()) return selected;
+	const std::vector<std::uint8_t> selectedFace = SelectionOf(m.face);
+	for (std::size_t f = 0; f < selectedFace.size(); ++f)
+		for (const std::int32_t v : view.triangle(f))
+			if (selectedFace[f] != 0 && v >= 0) selected[std::size_t(v)] = 1;
+	return selected;
+}
+
+/// The selected edges as the engine takes lines, one byte a corner of the faces that are not
+/// deleted; empty where none is selected. Other lines, as many or null, are added to them.
+template <class MeshType>
+std::vector<std::uint8_t> SelectedEdges(const MeshType& m, const std::uint8_t* others)
+{
+	std::vector<std::uint8_t> line;
+	bool                      anyFlag = false;
+	for (const auto& f : m.face) {
+		if (f.IsD()) continue;
+		for (int k = 0; k < 3; ++k) {
+			anyFlag = anyFlag || f.IsFaceEdgeS(k);
+			line.push_back(f.IsFaceEdgeS(k) || (others != nullptr && others[line.size()] != 0));
+		}
+	}
+	if (!anyFlag) line.clear();
+	return line;
+}
+
 /** \brief A vcg mesh as the engine reads it. The mesh must outlive it, unchanged.
 
 Deleted elements are left out. Where no vertex is deleted the positions are viewed in place;
@@ -53,9 +107,30 @@ public:
 		CollectFaces();
 	}
 
+	/// Reads what the options use beside positions and faces; View() has it from then on.
+	/// seams: lines to be followed in any case, three a face of the view, or null; they must
+	/// outlive the views.
+	void ReadUsedBy(const gpr::RemeshOptions& options, const std::uint8_t* seams = nullptr)
+	{
+		_lines = seams;
+		if (options.sizing == gpr::SizingSource::Quality && HasPerVertexQuality(_mesh))
+			_quality = VertexQualities(_mesh);
+		if (options.featureRegion == gpr::FeatureRegion::Selection)
+			_selected = SelectedVertices(_mesh, View());
+		if (options.selectedOnly) _selectedFace = SelectionOf(_mesh.face);
+		if (options.featureMode == gpr::FeatureMode::Given) {
+			_selectedEdge = SelectedEdges(_mesh, seams);
+			_lines        = DataOrNull(_selectedEdge);
+		}
+	}
+
 	gpr::MeshView View() const
 	{
 		gpr::MeshView view(_position, _triangle);
+		view.quality      = DataOrNull(_quality);
+		view.selected     = DataOrNull(_selected);
+		view.selectedFace = DataOrNull(_selectedFace);
+		view.line         = _lines;
 		if (_indexOf.empty() && !_mesh.vert.empty()) {
 			view.positions           = _mesh.vert[0].P().V(); // cP() would copy
 			view.positionStrideBytes = sizeof(VertexType);
@@ -71,6 +146,12 @@ public:
 	}
 
 private:
+	template <class T>
+	static const T* DataOrNull(const std::vector<T>& values)
+	{
+		return values.empty() ? nullptr : values.data();
+	}
+
 	void CollectVertices()
 	{
 		const auto& vert = _mesh.vert;
@@ -112,6 +193,11 @@ private:
 	std::vector<std::int32_t>          _triangle;
 	std::vector<std::int32_t>          _indexOf; ///< per mesh vertex: index in the view; or empty
 	std::vector<std::int32_t> _faceOf; ///< per face of the view: index in the mesh; or empty
+
+	// What options use, each empty where they do not.
+	std::vector<float>        _quality;
+	std::vector<std::uint8_t> _selected, _selectedFace, _selectedEdge;
+	const std::uint8_t*       _lines = nullptr;
 };
 
 /// What every algorithm needs of a mesh; throws vcglib's exceptions where it is missing.
@@ -222,24 +308,6 @@ void WriteMesh(const gpr::TriangleMesh& from, MeshType& m)
 	for (std::size_t f = 0; f < from.faceNum(); ++f)
 		for (int k = 0; k < 3; ++k)
 			m.face[f].V(k) = &m.vert[from.triangles[3 * f + k]];
-}
-
-/// The selected edges as the engine takes lines, one byte a corner of the faces that are not
-/// deleted; empty where none is selected. Other lines, as many or null, are added to them.
-template <class MeshType>
-std::vector<std::uint8_t> SelectedEdges(const MeshType& m, const std::uint8_t* others)
-{
-	std::vector<std::uint8_t> line;
-	bool                      anyFlag = false;
-	for (const auto& f : m.face) {
-		if (f.IsD()) continue;
-		for (int k = 0; k < 3; ++k) {
-			anyFlag = anyFlag || f.IsFaceEdgeS(k);
-			line.push_back(f.IsFaceEdgeS(k) || (others != nullptr && others[line.size()] != 0));
-		}
-	}
-	if (!anyFlag) line.clear();
-	return line;
 }
 
 } // namespace gpr_detail

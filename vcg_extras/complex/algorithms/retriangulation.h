@@ -18,8 +18,8 @@ namespace tri {
 After "Fast Edge-based geodesic Poisson Disk Remeshing", section 3, last paragraph. Differs from the
 paper: the original vertices are removed by collapses into the sample that is nearest along the
 surface, which keeps the topology by construction, instead of one by one with a local
-parametrization; Delaunay flips follow. The samples may come from anywhere: this sampling, another
-one, points picked by hand.
+parametrization (Params::retriangulation has that, too); Delaunay flips follow. The samples may come
+from anywhere: this sampling, another one, points picked by hand.
 
 Works on any tri::TriMesh with coordinates in float or double.
 */
@@ -31,11 +31,11 @@ public:
 
 	typedef GeodesicPoissonResult Result;
 
-	struct Params {
+	/// How the vertices are removed (retriangulation), flipIterations, check and all other choices:
+	/// see GeodesicPoissonParams. The size, the placement and the smoothing have no purpose here.
+	struct Params : public GeodesicPoissonParams {
 		typedef gpr::RemeshReport Stat;
-
-		std::uint32_t seed      = 1; ///< 0 = a fresh seed, told in Stat::seed
-		int           threadNum = 0; ///< 0 = one per core; never changes the result
+		using GeodesicPoissonParams::GeodesicPoissonParams;
 	};
 	typedef typename Params::Stat Stat;
 
@@ -51,9 +51,10 @@ public:
 	its nearest point, see stat->samplesMoved and stat->largestSampleMove
 	\param out     receives the mesh in place of its former content; may be in. Attributes and
 	derived data as with GeodesicPoissonRemeshing::Do. Where the topology needs more vertices than
-	there are samples, vertices of the input stay: stat->leftoverVertexNum \param params  seed and
-	threads \param stat    null, or receives what the run tells about itself, on failure too \param
-	cb      null, or progress in percent; returning false cancels
+	there are samples, vertices of the input stay: stat->leftoverVertexNum
+	\param params  how the vertices are removed, see Params
+	\param stat    null, or receives what the run tells about itself, on failure too
+	\param cb      null, or progress in percent; returning false cancels
 
 	\return Ok; or why not, and then out is as it was
 
@@ -91,14 +92,11 @@ private:
 	static Result Run(const MeshType& in, const std::vector<gpr::Vec3d>& points, MeshType& out,
 					  const Params& params, Stat* stat, vcg::CallBackPos* cb)
 	{
-		gpr_detail::RequireReadableTriangles(in);
-		gpr::RemeshOptions options;
-		options.seed                 = params.seed;
-		options.threads              = params.threadNum;
-		options.surfacePointsOfFaces = gpr_detail::NeedsFacePoints(in, out);
-		return gpr_detail::WriteResultOf(in, out, stat, [&](const gpr::MeshView& view) {
-			return gpr::retriangulate(view, points, options, gpr_detail::ProgressOf(cb));
-		});
+		return gpr_detail::WriteResultOf(
+			in, out, params, stat,
+			[&](const gpr::MeshView& view, const gpr::RemeshOptions& options) {
+				return gpr::retriangulate(view, points, options, gpr_detail::ProgressOf(cb));
+			});
 	}
 };
 
