@@ -4,7 +4,9 @@
 //
 //   gpr_pipeline_figure                 prints the figure
 //   gpr_pipeline_figure --write ROOT    writes it between its marks in the page
-//   gpr_pipeline_figure --check ROOT    ends with 0 where the page has it, else with 1
+//   gpr_pipeline_figure --check ROOT    ends with 0 where the page has it and, below it, an entry
+//   with
+//                                       the key of every stage, else with 1
 #include <vcg_extras/core/base/stages.h>
 
 #include <cmath>
@@ -63,6 +65,18 @@ std::string pageWithFigure(const std::string& page)
 	return page.substr(0, begin) + figure() + page.substr(end + endMark.size());
 }
 
+/// Keys that no entry below the figure has, with commas between them.
+std::string keysWithoutEntry(const std::string& page)
+{
+	const std::string entries = page.substr(page.find(endMark) + endMark.size());
+	std::string       missing;
+	for (Stage stage : gpr::stagesOf(Pipeline::Remeshing)) {
+		const std::string key = std::string("`") + gpr::rowOf(stage).key + "`";
+		if (entries.find(key) == std::string::npos) missing += (missing.empty() ? "" : ", ") + key;
+	}
+	return missing;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -81,6 +95,11 @@ int main(int argc, char** argv)
 	if (std::strcmp(argv[1], "--write") == 0) {
 		std::ofstream(path, std::ios::binary) << wanted;
 		return 0;
+	}
+	const std::string missing = keysWithoutEntry(page);
+	if (!missing.empty()) {
+		std::fprintf(stderr, "%s has no entry for %s\n", path.c_str(), missing.c_str());
+		return 1;
 	}
 	if (page == wanted) return 0;
 	std::fprintf(

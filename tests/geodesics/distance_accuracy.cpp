@@ -4,7 +4,9 @@
 
 #include "exact_distances.h"
 
+#include <tests/support/mesh_builders.h>
 #include <tests/support/random_source.h>
+#include <tests/support/stages.h>
 #include <vcg_extras/core/input/load.h>
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/surface/disk_flood.h>
@@ -12,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace gpr::test {
 
@@ -29,10 +33,12 @@ Sample randomSample(const HalfEdgeMesh& m, Random& random)
 	return {{p, f}, m.faceNormal(f)};
 }
 
-/// Adds the vertices of one disk; mean and above5Percent are sums meanwhile.
-void addDisk(const ExactDistances& exact, const NearestField& field, double radius, Accuracy& sum)
+/// Adds the vertices of one disk, each with its exact distance; mean and above5Percent are sums
+/// meanwhile.
+template <class Exact>
+void addDisk(const Exact& exact, const NearestField& field, double radius, Accuracy& sum)
 {
-	for (const auto& [v, d] : exact.all()) {
+	for (const auto& [v, d] : exact) {
 		if (!(d > 0)) continue;
 		const NearestField::Nearest& near = field.nearest[v];
 		if (near.sample < 0) {
@@ -46,6 +52,38 @@ void addDisk(const ExactDistances& exact, const NearestField& field, double radi
 		sum.largestUnder = std::min(sum.largestUnder, error);
 		sum.above5Percent += std::abs(error) > 0.05;
 	}
+}
+
+void makeMeans(Accuracy& sum)
+{
+	const double num = double(std::max<std::int64_t>(1, sum.vertexNum));
+	sum.mean /= num;
+	sum.above5Percent /= num;
+}
+
+/// The half-plane of Poincaré: lengths at height y are divided by y.
+double onHyperbolicPlane(const Vec3d& a, const Vec3d& b)
+{
+	const Vec3d way = b - a;
+	return std::acosh(1 + dot(way, way) / (2 * a.y * b.y));
+}
+
+/// The part of the half-plane over [0, 1] × [0.25, 1].
+TriangleMesh halfPlane(int cellNum, double jitter, Random& random)
+{
+	TriangleMesh mesh = jitteredGrid(cellNum, jitter, random);
+	for (Vec3d& p : mesh.positions)
+		p.y = 0.25 + 0.75 * p.y;
+	return mesh;
+}
+
+/// Whether a disk of that hyperbolic radius about p, with all shortest ways in it, lies in the
+/// part.
+bool holdsDisk(const Vec3d& p, double radius)
+{
+	const double width = p.y * std::sinh(radius);
+	return p.x > width && p.x < 1 - width && p.y * std::exp(-radius) > 0.25 &&
+		   p.y * std::exp(radius) < 1;
 }
 
 } // namespace
@@ -81,10 +119,44 @@ Accuracy measureAccuracy(const Ground& ground, Metric metric, double reach, int 
 		const Sample sample = randomSample(m, random);
 		field.nearest.fill({HUGE_VALF, -1});
 		flood.run(0, sample);
-		addDisk(ExactDistances(m, sample.point, double(radius)), field, double(radius), sum);
+		addDisk(ExactDistances(m, sample.point, double(radius)).all(), field, double(radius), sum);
 	}
-	sum.mean /= double(std::max<std::int64_t>(1, sum.vertexNum));
-	sum.above5Percent /= double(std::max<std::int64_t>(1, sum.vertexNum));
+	makeMeans(sum);
+	return sum;
+}
+
+Accuracy measureUnderStretch(int cellNum, double radius, int sourceNum, std::uint32_t seed)
+{
+	constexpr double    jitter = 0.3;
+	Random              random(seed);
+	Workers             workers(2, nullptr);
+	const Surface       surface = surfaceOf(halfPlane(cellNum, jitter, random), workers);
+	const HalfEdgeMesh& m       = surface.mesh;
+	const auto          place   = [&](const Vec3f& p) { return surface.frame.toCaller(p); };
+	Buffer<float>       stretch(std::size_t(m.vertexNum));
+	for (int v = 0; v < m.vertexNum; ++v)
+		stretch[v] = float(1 / place(m.position[v]).y);
+	NearestField field;
+	field.nearest.reset(m.vertexNum);
+	field.trial         = Buffer<NearestField::Trial>(std::size_t(m.vertexNum), {0, 0});
+	const double inUnit = radius * surface.frame.scale;
+	DiskFlood    flood(FloodGround{m, surface.normal, &stretch, false}, field, float(inUnit));
+	Accuracy     sum;
+	for (int disk = 0; disk < sourceNum;) {
+		const Sample sample = randomSample(m, random);
+		const Vec3d  source = place(sample.point.position);
+		if (!holdsDisk(source, radius)) continue;
+		++disk;
+		field.nearest.fill({HUGE_VALF, -1});
+		flood.run(0, sample);
+		std::vector<std::pair<int, double>> exact;
+		for (int v = 0; v < m.vertexNum; ++v) {
+			const double d = onHyperbolicPlane(source, place(m.position[v]));
+			if (d < radius) exact.push_back({v, d * surface.frame.scale});
+		}
+		addDisk(exact, field, inUnit, sum);
+	}
+	makeMeans(sum);
 	return sum;
 }
 

@@ -38,6 +38,12 @@ struct Ground {
 Accuracy measureAccuracy(const Ground& ground, Metric metric, double reach, int sourceNum,
 						 std::uint32_t seed);
 
+/// The same under a stretch of distances (eq. (4)), by unfolding: on a jittered grid of so many
+/// cells a side, stretched by 1 / y over [0, 1] × [0.25, 1]. This is a part of the hyperbolic
+/// plane, whose distances are known in closed form. The disks have that radius and lie inside of
+/// the part; below 0.6 there are such.
+Accuracy measureUnderStretch(int cellNum, double radius, int sourceNum, std::uint32_t seed);
+
 } // namespace gpr::test
 
 #endif

@@ -68,6 +68,23 @@ TEST_P(ModelSurface, DistancesAreThoseOfExactGeodesics)
 INSTANTIATE_TEST_SUITE_P(, ModelSurface, ::testing::ValuesIn(modelDistanceCases()),
 						 [](const auto& c) { return c.param.name; });
 
+/// The errors fall with the edges of the grid. The largest ones are next to the source.
+TEST(UnderAStretch, DistancesAreThoseOfTheHyperbolicPlane)
+{
+	for (int cellNum : {20, 40, 80}) {
+		for (double radius : {0.2, 0.4}) {
+			SCOPED_TRACE(std::to_string(cellNum) + " cells, radius " + std::to_string(radius));
+			const Accuracy a       = measureUnderStretch(cellNum, radius, sourceNum, 2);
+			const double   maxMean = 0.7 / cellNum, maxLargest = 16.0 / cellNum;
+			EXPECT_GT(a.vertexNum, 10 * sourceNum) << "else little was tested";
+			EXPECT_EQ(a.unreachedNum, 0);
+			EXPECT_LE(a.mean, maxMean);
+			EXPECT_LE(a.largestOver, maxLargest);
+			EXPECT_GE(a.largestUnder, -maxLargest);
+		}
+	}
+}
+
 /// The judge itself: right angles over an edge of a cube, and straight on in the plane.
 TEST(ExactDistances, AreThoseOfTheUnfoldedCube)
 {

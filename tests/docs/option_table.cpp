@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Prints vcg_extras/docs/measurements_options.md: what single options do to triangles and
+// distances.
+//
+//   GPR_MODELS_DIR=... build/bin/gpr_option_table COMMIT > vcg_extras/docs/measurements_options.md
+//
+// Needs the bunny of Debian's package glmark2-data. Of the models in GPR_MODELS_DIR those that are
+// there are taken; vcg_extras/docs/models.md says where they come from.
+#include <tests/support/oracles.h>
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/surface/surface_distance.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace gpr;
+
+constexpr double       sharpDeg        = 40; ///< of edges that are to be preserved
+constexpr std::int64_t distanceSamples = 400000;
+
+struct Model {
+	std::string  name;
+	TriangleMesh mesh;
+};
+
+/// A name for the table, and the options that it stands for.
+struct Setting {
+	std::string   name;
+	RemeshOptions options;
+};
+
+RemeshOptions percentOptions(double percent)
+{
+	RemeshOptions options;
+	options.targetPercent = percent;
+	options.threads       = 2;
+	return options;
+}
+
+TriangleMesh copyOf(const MeshView& view)
+{
+	TriangleMesh mesh;
+	for (std::size_t v = 0; v < view.vertexNum; ++v)
+		mesh.positions.push_back(view.position(v));
+	for (std::size_t c = 0; c < 3 * view.faceNum; ++c)
+		mesh.triangles.push_back(view.vertexOf(c));
+	return mesh;
+}
+
+double diagonalOf(const TriangleMesh& mesh)
+{
+	Vec3d low = mesh.positions[0], high = low;
+	for (const Vec3d& p : mesh.positions) {
+		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+	}
+	return length(high - low);
+}
+
+/// Both ways: the larger of the two root mean squares, and the largest distance, in percent of the
+/// input's diagonal.
+SurfaceDistance distanceBetween(const TriangleMesh& input, const TriangleMesh& result)
+{
+	Workers               workers(2, nullptr);
+	const SurfaceDistance there =
+		NearSurface(input.view(), workers).from(result.view(), distanceSamples, workers);
+	const SurfaceDistance back =
+		NearSurface(result.view(), workers).from(input.view(), distanceSamples, workers);
+	const double percent = 100 / diagonalOf(input);
+	return {percent * std::max(there.rms, back.rms), percent * std::max(there.max, back.max)};
+}
+
+/// Of the input's sharp edges, by their ends and middles, from the result; the same units.
+SurfaceDistance distanceOfSharpEdges(const TriangleMesh& input, const TriangleMesh& result)
+{
+	const std::vector<Vec3d> ends = test::sharpSegments(input, sharpDeg);
+	SurfaceDistance          d;
+	double                   sum = 0, num = 0;
+	const auto               look = [&](const Vec3d& p) {
+        const double off = test::distanceToMesh(result, p);
+        sum += off * off;
+        ++num;
+        d.max = std::max(d.max, off);
+	};
+	for (std::size_t s = 0; s < ends.size(); s += 2) {
+		look(ends[s]);
+		look(ends[s + 1]);
+		look((ends[s] + ends[s + 1]) * 0.5);
+	}
+	const double percent = 100 / diagonalOf(input);
+	return {percent * std::sqrt(sum / std::max(num, 1.0)), percent * d.max};
+}
+
+RemeshResult remeshed(const Model& model, const Setting& setting)
+{
+	RemeshResult r = remesh(model.mesh.view(), setting.options);
+	if (r.status == Status::Ok) return r;
+	std::fprintf(stderr, "%s, %s: %s\n", model.name.c_str(), setting.name.c_str(),
+				 r.message.c_str());
+	std::exit(1);
+}
+
+// ---- the tables
+
+void printRegularity(const std::vector<Model>& models)
+{
+	std::printf(
+		"## Regularity\n\n10 %% of the vertices with `--fit off`, so that nothing but the "
+		"relaxation differs.\n\n| model | `--regularity` | vertices with six neighbours | "
+		"mean 2r/R | mean aspect ratio | smallest angle |\n|---|---|---:|---:|---:|---:|\n");
+	Setting plain{"plain", percentOptions(10)};
+	plain.options.fit        = Fit::Off;
+	plain.options.regularity = Regularity::Plain;
+	Setting full             = {"full", plain.options};
+	full.options.regularity  = Regularity::Full;
+	for (const Model& model : models) {
+		for (const Setting& setting : {plain, full}) {
+			const QualityFigures q = remeshed(model, setting).report.quality;
+			std::printf("| %s | %s | %.1f %% | %.4f | %.3f | %.1f° |\n", model.name.c_str(),
+						setting.name.c_str(), q.valence6Percent, q.radiusRatioMean,
+						q.aspectRatioMean, q.minAngleDeg);
+		}
+	}
+}
+
+std::vector<Setting> fitSettings()
+{
+	Setting off{"off", percentOptions(10)}, quick = off, on = off, adapted = off;
+	off.options.fit       = Fit::Off;
+	quick.name            = "quick";
+	quick.options.fit     = Fit::Quick;
+	on.name               = "on";
+	adapted.name          = "on, with `--adapt 1`";
+	adapted.options.adapt = 1;
+	return {off, quick, on, adapted};
+}
+
+void printFit(const std::vector<Model>& models)
+{
+	std::printf("\n## Fit\n\n10 %% of the vertices.\n\n| model | `--fit` | root mean square "
+				"distance | largest distance | mean 2r/R | mean aspect ratio | smallest angle "
+				"|\n|---|---|---:|---:|---:|---:|---:|\n");
+	for (const Model& model : models) {
+		for (const Setting& setting : fitSettings()) {
+			const RemeshResult    r = remeshed(model, setting);
+			const QualityFigures& q = r.report.quality;
+			const SurfaceDistance d = distanceBetween(model.mesh, r.mesh);
+			std::printf("| %s | %s | %.4f %% | %.3f %% | %.4f | %.3f | %.1f° |\n",
+						model.name.c_str(), setting.name.c_str(), d.rms, d.max, q.radiusRatioMean,
+						q.aspectRatioMean, q.minAngleDeg);
+		}
+	}
+}
+
+std::vector<Setting> lineSettings()
+{
+	std::vector<Setting> settings = {{"auto", percentOptions(10)}};
+	for (int angle : {40, 60, 80, 100}) {
+		Setting lines             = {"lines, with `--feature-angle " + std::to_string(angle) + "`",
+									 percentOptions(10)};
+		lines.options.featureMode = FeatureMode::Lines;
+		lines.options.featureAngleDeg = angle;
+		settings.push_back(lines);
+	}
+	return settings;
+}
+
+void printLines(const Model& scan)
+{
+	std::printf("\n## Feature lines on a scan\n\n10 %% of the vertices of the bunny. Its ears have "
+				"sharp rims.\n\n| `--features` | edges of the input on lines | root mean square "
+				"distance | largest distance | smallest angle | inverted faces "
+				"|\n|---|---:|---:|---:|---:|---:|\n");
+	for (const Setting& setting : lineSettings()) {
+		const RemeshResult    r = remeshed(scan, setting);
+		const SurfaceDistance d = distanceBetween(scan.mesh, r.mesh);
+		std::printf("| %s | %lld | %.4f %% | %.3f %% | %.1f° | %lld |\n", setting.name.c_str(),
+					static_cast<long long>(r.report.featureEdgeNum), d.rms, d.max,
+					r.report.quality.minAngleDeg,
+					static_cast<long long>(r.report.audit.invertedFaces));
+	}
+}
+
+std::vector<Setting> preservationSettings(Fit fit)
+{
+	Setting none{"none", percentOptions(20)};
+	none.options.fit         = fit;
+	none.options.featureMode = FeatureMode::Off;
+	Setting lambda = none, disks = none, vertices = none;
+	lambda.name                      = "`--lambda 2`";
+	lambda.options.lambda            = 2;
+	disks.name                       = "`--feature-region detected`";
+	disks.options.featureRegion      = FeatureRegion::Detected;
+	disks.options.featureSampling    = FeatureSampling::Disks;
+	vertices.name                    = "the same with `--feature-sampling vertices`";
+	vertices.options.featureRegion   = FeatureRegion::Detected;
+	vertices.options.featureSampling = FeatureSampling::Vertices;
+	return {none, lambda, disks, vertices};
+}
+
+void printPreservation(const std::vector<Model>& models)
+{
+	std::printf(
+		"\n## Preserving features\n\n20 %% of the vertices with `--features off`. Distances "
+		"are those of the input's edges sharper than %g°\nfrom the result's surface.\n\n| "
+		"model | `--fit` | options | root mean square distance | largest distance | mean "
+		"2r/R |\n|---|---|---|---:|---:|---:|\n",
+		sharpDeg);
+	for (const Model& model : models) {
+		for (const Fit fit : {Fit::Off, Fit::Rounds}) {
+			for (const Setting& setting : preservationSettings(fit)) {
+				const RemeshResult    r = remeshed(model, setting);
+				const SurfaceDistance d = distanceOfSharpEdges(model.mesh, r.mesh);
+				std::printf("| %s | %s | %s | %.3f %% | %.2f %% | %.4f |\n", model.name.c_str(),
+							fit == Fit::Off ? "off" : "on", setting.name.c_str(), d.rms, d.max,
+							r.report.quality.radiusRatioMean);
+			}
+		}
+	}
+}
+
+// ---- the page
+
+const char* const intro =
+	"<!-- Made by build/bin/gpr_option_table (tests/docs); do not edit. -->\n"
+	"# What single options do\n"
+	"\n"
+	"All other options are the defaults, seed 1. Distances are in percent of the diagonal of the "
+	"input's bounding box, both ways:\n"
+	"the larger of the two root mean squares, and the largest of all. They are found by sampling. "
+	"2r/R and aspect ratio are 1 for an\n"
+	"equilateral triangle. [Where the models come from](models.md). Commit %s.\n\n";
+
+/// Those that are there, of the models' folder.
+std::vector<Model> modelsOf(const std::vector<std::string>& names)
+{
+	std::vector<Model> models;
+	const char*        folder = std::getenv("GPR_MODELS_DIR");
+	for (const std::string& name : names) {
+		if (folder == nullptr) break;
+		const std::string path = std::string(folder) + "/" + name + ".ply";
+		if (std::ifstream(path)) models.push_back({name, copyOf(app::readMesh(path).view())});
+	}
+	return models;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+	const Model              bunny = {"bunny",
+									  copyOf(app::readMesh("/usr/share/glmark2/models/bunny.obj").view())};
+	std::vector<Model>       scans = modelsOf({"igea_269k"});
+	const std::vector<Model> parts = modelsOf({"fandisk_13k_cad", "rockerarm_20k"});
+	scans.insert(scans.begin(), bunny);
+	std::vector<Model> all = scans;
+	all.insert(all.end(), parts.begin(), parts.end());
+	std::printf(intro, argc > 1 ? argv[1] : "unknown");
+	printRegularity(all);
+	printFit(all);
+	printLines(bunny);
+	printPreservation(parts);
+	return 0;
+}
