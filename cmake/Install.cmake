@@ -45,6 +45,11 @@ endforeach()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/filter_geodesic_poisson/mlx
         DESTINATION ${CMAKE_INSTALL_DATADIR}/gpremesh COMPONENT meshlab)
 
+# What the texts of the filters name.
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/vcg_extras/docs/
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gpremesh-meshlab COMPONENT meshlab
+        FILES_MATCHING PATTERN "*.md")
+
 # ---- development
 
 set(_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/gpremesh)

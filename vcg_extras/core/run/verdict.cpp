@@ -73,6 +73,12 @@ Verdict raiseTo(std::int64_t smallest, const Attempt& attempt)
 					   text(attempt.asked) + ", the smallest number that could be reached.");
 }
 
+/// Whether the number of vertices may differ from what was asked for.
+bool mayDiffer(const Request& request)
+{
+	return request.isTargetWish || !request.exactCount;
+}
+
 bool isSearching(const Attempt& attempt)
 {
 	return attempt.searchedNum > 0;
@@ -91,7 +97,7 @@ Verdict beginSearch(const Attempt& attempt, std::int64_t from)
 Verdict endSearchAt(const Request& request, const Attempt& attempt, std::int64_t found)
 {
 	if (found == attempt.asked) return accept();
-	if (request.isTargetWish) {
+	if (mayDiffer(request)) {
 		return accept("The result has " + text(found) + " vertices instead of " +
 					  text(attempt.asked) + ", with which some triangles would have no area.");
 	}
@@ -106,7 +112,7 @@ Verdict endSearchAt(const Request& request, const Attempt& attempt, std::int64_t
 Verdict goOnSearching(const Request& request, const Attempt& attempt)
 {
 	const bool isOver   = attempt.searchedNum == maxSearchedCounts;
-	const bool isAnswer = request.isTargetWish || attempt.searchedFrom == attempt.asked;
+	const bool isAnswer = mayDiffer(request) || attempt.searchedFrom == attempt.asked;
 	if (isOver && !isAnswer) return refuseBelow(attempt.searchedFrom, attempt);
 	Attempt next = attempt;
 	next.way     = Way::WithoutFeatureLines;
@@ -152,7 +158,6 @@ Verdict judge(const Request& request, const Attempt& attempt, const Outcome& out
 	if (outcome.hasFeatureLines && outcome.hasZeroAreas) {
 		return withoutFeatureLines(attempt, "With feature lines some triangles would have no area");
 	}
-	if (!request.exactCount) return accept();
 	if (request.keptNum > 0)
 		return misses ? nearestWithKept(request, attempt, outcome.vertexNum) : accept();
 	if (!misses) return judgeAreas(request, attempt, outcome);
