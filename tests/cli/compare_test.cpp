@@ -179,13 +179,37 @@ TEST_F(Compare, DirtyInputIsCompared)
 	EXPECT_EQ(method(all, "default")["nonManifoldEdges"], 0);
 }
 
+/// What the paper does in section 3.1 can be set beside Quadric Edge Collapse.
+TEST_F(Compare, TakesDensityFeaturesAndPresets)
+{
+	const TestMesh mesh     = sphere(16);
+	const auto     compared = [&](std::vector<std::string> options) {
+        options.insert(options.end(), {"--vertices", "300"});
+        return Compare::compared(mesh, options);
+	};
+	const Json even = compared({});
+	EXPECT_EQ(even["options"], "--vertices 300");
+	for (const std::vector<std::string>& options : std::vector<std::vector<std::string>>{
+			 {"--lambda", "2"}, {"--adapt", "1"}, {"--preset", "fast"}, {"--fit", "off"}}) {
+		const Json other = compared(options);
+		const Json ours  = method(other, "default");
+		EXPECT_EQ(ours["vertices"], 300);
+		EXPECT_NE(ours["toInput"]["rms"], method(even, "default")["toInput"]["rms"]) << options[0];
+		EXPECT_NE(other["notes"].dump().find(options[0] + " " + options[1]), std::string::npos);
+	}
+	// The paper's preset is not run twice.
+	EXPECT_EQ(even["methods"].size(), 3u);
+	EXPECT_EQ(compared({"--preset", "paper"})["methods"].size(), 2u);
+}
+
 TEST_F(Compare, MistakesAreTold)
 {
 	const TestMesh mesh = sphere(8);
 	expectFailure(run({"compare"}), 2);
 	expectFailure(compare(mesh, {"--vertices", "50", "--percent", "10"}), 2, "only one");
 	expectFailure(compare(mesh, {"--runs", "0"}), 2, "--runs");
-	expectFailure(compare(mesh, {"--relax", "3"}), 2);
+	expectFailure(compare(mesh, {"--time-limit", "3"}), 2);
+	expectFailure(compare(mesh, {"--selected"}), 2);
 	expectFailure(compare(mesh, {"--vertices", "2"}), 4, "smallest");
 	expectFailure(compare(mesh, {"--html", put("file", "")}), 1, "folder");
 	expectFailure(run({"compare", put("bad.ply", "no mesh")}), 3);
