@@ -48,7 +48,7 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/filter_geodesic_poisson/mlx
 # What the texts of the filters name.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/vcg_extras/docs/
         DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gpremesh-meshlab COMPONENT meshlab
-        FILES_MATCHING PATTERN "*.md")
+        FILES_MATCHING PATTERN "CHANGELOG.md" EXCLUDE PATTERN "*.md")
 
 # ---- development
 
