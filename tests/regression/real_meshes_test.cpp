@@ -140,64 +140,105 @@ std::vector<Band> bands()
 {
 	Band igea{"igea_269k.ply", 10};
 	igea.vertexNum       = 13434;
-	igea.meanRadiusRatio = 0.988;
-	igea.meanAspectRatio = 0.948;
-	igea.minAngleDeg     = 30;
+	igea.meanRadiusRatio = 0.9915;
+	igea.meanAspectRatio = 0.96;
+	igea.minAngleDeg     = 31;
 	igea.below30Percent  = 0;
-	igea.valence6Percent = 93;
-	igea.rmsPercent      = 0.0165;
+	igea.valence6Percent = 94;
+	igea.rmsPercent      = 0.0162;
 	igea.keepsInverted   = false;
 
 	Band adapted            = igea;
 	adapted.adapt           = 1;
-	adapted.meanRadiusRatio = 0.95;
-	adapted.meanAspectRatio = 0.88;
-	adapted.minAngleDeg     = 25;
-	adapted.below30Percent  = 0.4;
-	adapted.valence6Percent = 0;
-	adapted.rmsPercent      = 0.0115;
+	adapted.meanRadiusRatio = 0.965;
+	adapted.meanAspectRatio = 0.905;
+	adapted.minAngleDeg     = 25.5;
+	adapted.below30Percent  = 0.3;
+	adapted.valence6Percent = 90;
+	adapted.rmsPercent      = 0.0113;
 
 	Band facemask{"facemask_62k_open.ply", 10};
-	facemask.meanRadiusRatio = 0.97;
-	facemask.minAngleDeg     = 30;
+	facemask.meanRadiusRatio = 0.989;
+	facemask.meanAspectRatio = 0.954;
+	facemask.minAngleDeg     = 32;
 	facemask.below30Percent  = 0;
+	facemask.valence6Percent = 92;
 	facemask.rim             = 0.15;
-	facemask.rmsPercent      = 0.015;
+	facemask.rmsPercent      = 0.0143;
 
 	Band laurana{"laurana_50k_colour_open.ply", 10};
-	laurana.meanRadiusRatio = 0.97;
+	laurana.meanRadiusRatio = 0.981;
+	laurana.meanAspectRatio = 0.935;
+	laurana.minAngleDeg     = 31;
+	laurana.below30Percent  = 0;
+	laurana.valence6Percent = 90;
+	laurana.rmsPercent      = 0.082;
 	laurana.rim             = 0.105; // its rim is ragged
 
 	Band terrain{"terrain_N44W072_2.9M_open.ply", 10};
-	terrain.meanRadiusRatio = 0.97;
+	terrain.meanRadiusRatio = 0.993;
+	terrain.meanAspectRatio = 0.966;
+	terrain.minAngleDeg     = 31;
+	terrain.below30Percent  = 0;
+	terrain.valence6Percent = 94;
+	terrain.rmsPercent      = 0.0029;
 	terrain.rim             = 0.15;
 
 	Band iguana{"iguana_ct_skin_1.9M.ply", 10};
-	iguana.meanRadiusRatio = 0.95;
+	iguana.meanRadiusRatio = 0.977;
+	iguana.minAngleDeg     = 9; // of feet that are thinner than an edge
+	iguana.below30Percent  = 0.02;
+	iguana.valence6Percent = 89;
+	iguana.rmsPercent      = 0.0282;
 
 	Band casting{"casting_10k_genus9.ply", 50};
-	casting.meanRadiusRatio = 0.9;
+	casting.meanRadiusRatio = 0.93;
+	casting.below30Percent  = 5; // between lines that are nearer than an edge to each other
+	casting.valence6Percent = 79;
+	casting.rmsPercent      = 0.105;
 	casting.creases         = 0.3; // lines shorter than an edge that fork off others are left out
 	Band cheese{"cheese_18k_genus133.ply", 50};
-	cheese.meanRadiusRatio = 0.78; // half of its vertices are on creases
+	cheese.meanRadiusRatio = 0.79; // half of its vertices are on creases
+	cheese.below30Percent  = 19;
+	cheese.rmsPercent      = 0.09;
 
 	Band fullSize{"rockerarm_20k.ply", 100};
-	fullSize.meanRadiusRatio = 0.97;
+	fullSize.meanRadiusRatio = 0.991;
+	fullSize.minAngleDeg     = 31;
+	fullSize.valence6Percent = 93;
+	fullSize.rmsPercent      = 0.0252;
 	Band doubled{"rockerarm_20k.ply", 200};
-	doubled.meanRadiusRatio = 0.97;
+	doubled.meanRadiusRatio = 0.992;
+	doubled.minAngleDeg     = 31;
+	doubled.valence6Percent = 93;
+	doubled.rmsPercent      = 0.0178;
 	Band rockerarm{"rockerarm_20k.ply", 10};
-	rockerarm.hasLines = false; // a scan of a smooth part
+	rockerarm.meanRadiusRatio = 0.967;
+	rockerarm.minAngleDeg     = 31;
+	rockerarm.valence6Percent = 81;
+	rockerarm.rmsPercent      = 0.124;
+	rockerarm.hasLines        = false; // a scan of a smooth part
 	Band gargoyle{"gargoyle_96k.ply", 10};
-	gargoyle.meanRadiusRatio = 0.96;
-	gargoyle.rmsPercent      = 0.09;
+	gargoyle.meanRadiusRatio = 0.965;
+	gargoyle.minAngleDeg     = 31;
+	gargoyle.valence6Percent = 82;
+	gargoyle.rmsPercent      = 0.0905;
 	Band fandisk{"fandisk_13k_cad.ply", 50};
-	fandisk.meanRadiusRatio   = 0.95;
+	fandisk.meanRadiusRatio   = 0.975;
+	fandisk.minAngleDeg       = 22;
+	fandisk.below30Percent    = 0.05;
+	fandisk.rmsPercent        = 0.0088;
 	fandisk.creases           = 0.1;
 	Band fandisk20            = fandisk;
 	fandisk20.percent         = 20;
+	fandisk20.meanRadiusRatio = 0.966;
+	fandisk20.below30Percent  = 0.08;
+	fandisk20.rmsPercent      = 0.0225;
 	Band fandisk10            = fandisk;
 	fandisk10.percent         = 10;
-	fandisk10.meanRadiusRatio = 0.94;
+	fandisk10.meanRadiusRatio = 0.944;
+	fandisk10.below30Percent  = 0.2;
+	fandisk10.rmsPercent      = 0.0425;
 	return {igea,     adapted, facemask,  laurana,  terrain, iguana,    casting,  cheese,
 			fullSize, doubled, rockerarm, gargoyle, fandisk, fandisk20, fandisk10};
 }
@@ -217,18 +258,20 @@ TEST(Bunny, StaysWithinItsBands)
 	const std::string path = "/usr/share/glmark2/models/bunny.obj";
 	if (!std::ifstream(path)) GTEST_SKIP() << "glmark2-data is not installed";
 	Band bunny{"bunny.obj", 10};
-	bunny.meanRadiusRatio = 0.97;
-	bunny.meanAspectRatio = 0.91;
-	bunny.minAngleDeg     = 20;
-	bunny.below30Percent  = 0.05;
+	bunny.meanRadiusRatio = 0.983;
+	bunny.meanAspectRatio = 0.94;
+	bunny.minAngleDeg     = 31;
+	bunny.below30Percent  = 0;
+	bunny.valence6Percent = 89;
+	bunny.rmsPercent      = 0.0435;
 	expectWithin(path, bunny);
 }
 
-/// The paper as it is written: its own Table 1 has 0.824 to 0.835 for the aspect ratio and lands 1
-/// to 8 % below the target.
+/// The paper as it is written. Its own Table 1 has 0.824 to 0.835 for the aspect ratio and lands 1
+/// to 8 % below the target; ours lands 8 to 12 % below it.
 class PaperPreset : public ::testing::TestWithParam<const char*> {};
 
-TEST_P(PaperPreset, IsInThePapersBand)
+TEST_P(PaperPreset, IsAsRegularAsThePapersTableAndMissesTheTargetByATenth)
 {
 	const ModelFile model = findModel(GetParam());
 	if (!model.isThere()) GTEST_SKIP() << model.missing;
@@ -243,8 +286,8 @@ TEST_P(PaperPreset, IsInThePapersBand)
 	EXPECT_EQ(facts.components, r.report.cleanedInput.components);
 	EXPECT_EQ(facts.boundaryLoops, r.report.cleanedInput.boundaryLoops);
 	EXPECT_EQ(facts.euler(), r.report.cleanedInput.eulerCharacteristic);
-	EXPECT_GE(r.report.quality.aspectRatioMean, 0.84);
-	EXPECT_NEAR(double(r.mesh.vertexNum()) / double(r.report.targetVertexNum), 0.91, 0.03);
+	EXPECT_GE(r.report.quality.aspectRatioMean, 0.843);
+	EXPECT_NEAR(double(r.mesh.vertexNum()) / double(r.report.targetVertexNum), 0.90, 0.025);
 }
 
 INSTANTIATE_TEST_SUITE_P(, PaperPreset,
