@@ -451,6 +451,20 @@ TEST(WorstDistances, BringASpikeBack)
 	EXPECT_LT(laid.farthest(), 0.4f * before);
 }
 
+/// What one triangle gains others must not lose.
+TEST(WorstDistances, NeverGrow)
+{
+	for (unsigned seed : {20u, 23u, 31u}) {
+		Random random(seed);
+		Laid   laid(noisySphere(4, 0.05, random), icosphere(2));
+		laid.fit(15);
+		const ClosestFaceMap map(laid.surface, laid.result, laid.workers);
+		const float          before = laid.farthest() * laid.meanEdge();
+		lowerWorstDistances(laid.surface, map, 0.2f, 4, laid.result, laid.workers);
+		EXPECT_LE(laid.farthest() * laid.meanEdge(), 1.001f * before) << seed;
+	}
+}
+
 TEST(WorstDistances, LeaveAloneWhatIsNear)
 {
 	Laid laid(icosphere(6), icosphere(3));
