@@ -100,6 +100,19 @@ TEST(RepairPoorFaces, ChangesNoCountWhereTheWantedOneCannotBeReached)
 	on.expectSound();
 }
 
+/// A tetrahedron has good angles, too, and is as near as it gets.
+TEST(RepairPoorFaces, TakesNoOtherCountHoweverGoodTheAngles)
+{
+	for (const TriangleMesh& mesh :
+		 {uvSphere(4, 16), uvSphere(8, 12), closedCylinder(20, 2, 1, 1), torus(20, 4)}) {
+		OnSurface on(mesh);
+		const int num = on.m().vertexNum;
+		ASSERT_LT(on.minAngleDeg(), 32);
+		repair(on, on.workers, 3);
+		EXPECT_EQ(on.m().vertexNum, num);
+	}
+}
+
 /// Vertices that come in at the ribbon must go at a body so small that each is missed.
 TEST(RepairPoorFaces, LowersNoAngleAndInvertsNoFaceForOthers)
 {
