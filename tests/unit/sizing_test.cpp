@@ -3,6 +3,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/sampling/sizing.h>
 
@@ -134,6 +135,23 @@ TEST_F(SizingTest, SizesByCurvatureKeepToTheirRange)
 		const float  least = *std::min_element(s.size.begin(), s.size.end());
 		EXPECT_NEAR(least, std::pow(4, -adapt), 0.01);
 	}
+}
+
+/// A border whose vertices stay is finer than the rest is to be: disks there go with its spacing.
+TEST_F(SizingTest, DisksAtAKeptBorderGoWithItsSpacing)
+{
+	options.boundary        = BoundaryMode::Keep;
+	const TriangleMesh mesh = grid(80, 80);
+	const Surface      flat = surfaceOf(mesh, workers);
+	std::vector<int>   kept;
+	for (int v = 0; v < flat.mesh.vertexNum; ++v) {
+		if (flat.mesh.isBorderVertex(v)) kept.push_back(v);
+	}
+	const float    r = 0.01f, spacing = float(flat.frame.scale) / 80;
+	const MeshView view = mesh.view();
+	const Sizing   s    = makeSizing({view, options, r, isFeature, kept}, flat, workers);
+	for (int v : kept)
+		EXPECT_NEAR(borderSpacing * s.size[v] * r * float(s.radiusFactor) / spacing, 1, 0.05f);
 }
 
 TEST_F(SizingTest, QualityTakesTheCurvaturesPlace)
