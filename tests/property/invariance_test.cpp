@@ -135,6 +135,27 @@ TEST(Precision, FarAwayNothingIsLost)
 	}
 }
 
+/// So far out the places of doubles lie an eighth of a unit apart, and corners of small triangles
+/// fall together or in line.
+TEST(FarOffset, WhatRoundingSpoilsIsWithheld)
+{
+	const TriangleMesh mesh     = shifted(grid(32, 32, 4, 4), {1e15, 1e15, 0});
+	int                withheld = 0;
+	for (double percent : {3.0, 20.0, 100.0, 200.0}) {
+		RemeshOptions options;
+		options.targetMode    = TargetMode::Percent;
+		options.targetPercent = percent;
+		const RemeshResult r  = remesh(mesh.view(), options);
+		if (r.status == Status::Ok) {
+			EXPECT_EQ(factsOf(r.mesh).zeroAreaFaces, 0) << percent;
+			continue;
+		}
+		EXPECT_EQ(r.status, Status::PromiseBroken) << r.message;
+		++withheld;
+	}
+	EXPECT_GE(withheld, 1);
+}
+
 } // namespace
 
 } // namespace gpr::test

@@ -219,6 +219,19 @@ TEST(Sampling, TheNumberLandsNearTheTarget)
 	}
 }
 
+/// Feature lines leave gaps between them and the other samples; the radius makes up for them.
+TEST(Sampling, TheNumberLandsNearTheTargetBesideFeatureLines)
+{
+	for (const TriangleMesh& mesh : {lPrism(20), closedCylinder(100, 60, 0.5, 1)}) {
+		for (double percent : {3.0, 10.0, 30.0}) {
+			const SamplingResult s     = sample(mesh, percent, 1);
+			const double         asked = percent / 100 * double(mesh.vertexNum());
+			EXPECT_GT(s.report.boundarySampleNum, 30) << "else nothing is tested";
+			EXPECT_NEAR(double(s.points.size()) / asked, 1, 0.04) << percent << " %";
+		}
+	}
+}
+
 TEST(Sampling, DoesNotDependOnThreads)
 {
 	const TriangleMesh   mesh = torus(90, 46);
@@ -228,6 +241,14 @@ TEST(Sampling, DoesNotDependOnThreads)
 		EXPECT_TRUE(several.points == one.points) << threads << " threads";
 	}
 	EXPECT_FALSE(sample(mesh, 30, 8, 1).points == one.points) << "another seed";
+}
+
+double meanEdgeLength(const HalfEdgeMesh& m)
+{
+	double sum = 0;
+	for (int h = 0; h < m.halfEdgeNum(); ++h)
+		sum += double(length(m.position[m.target(h)] - m.position[m.origin[h]]));
+	return sum / m.halfEdgeNum();
 }
 
 /// The stage itself, in working units: what it says of every vertex.
@@ -252,6 +273,46 @@ TEST(SampleFront, KnowsTheNearestSampleOfEveryVertex)
 		ASSERT_LE(n.distance, r);
 		ASSERT_NEAR(double(n.distance), length(places[n.sample] - p), 0.01 * double(r));
 		ASSERT_LE(double(n.distance), distanceToNearest(places, p) + 0.01 * double(r));
+	}
+}
+
+/// A vertex that no disk reaches, and from which a sample is too near all the same, as happens
+/// across folds and among needles, belongs to that sample.
+TEST(SampleFront, CoversEveryVertexAmongBumpsAndNeedles)
+{
+	Workers workers(2, nullptr);
+	Random  random(1);
+	for (const TriangleMesh& mesh :
+		 {noisySphere(5, 0.2, random), noisySphere(5, 0.5, random), openCylinder(6, 400, 0.5, 1)}) {
+		const Surface surface = surfaceOf(mesh, workers);
+		for (float r : {0.03f, 0.08f}) {
+			const BoundaryCurves boundary  = sampleBoundary(surface, r, r);
+			const OctreeBlocks   partition = cutIntoBlocks(surface, 12 * r, workers);
+			const Sampling       s = sampleFront(surface, boundary, partition, r, 1, workers);
+			for (int v = 0; v < surface.mesh.vertexNum; ++v) {
+				ASSERT_GE(s.nearest[v].sample, 0);
+				ASSERT_LE(s.nearest[v].distance, r);
+			}
+		}
+	}
+}
+
+/// Where edges are as long as disks are wide, a sample too near by need not own a corner of the
+/// face.
+TEST(SampleFront, KeepsTheSpacingAmongFacesAsLargeAsDisks)
+{
+	Workers workers(2, nullptr);
+	for (const TriangleMesh& mesh : {torus(30, 14), uvSphere(20, 30), uvSphere(12, 60)}) {
+		const Surface      surface   = surfaceOf(mesh, workers);
+		const float        r         = float(meanEdgeLength(surface.mesh));
+		const OctreeBlocks partition = cutIntoBlocks(surface, 12 * r, workers);
+		for (std::uint32_t seed = 1; seed <= 6; ++seed) {
+			const Sampling s = sampleFront(surface, BoundaryCurves(), partition, r, seed, workers);
+			std::vector<Vec3d> places;
+			for (const Sample& sample : s.samples)
+				places.push_back(Vec3d(sample.point.position));
+			EXPECT_EQ(pairsNearerThan(places, 0.949 * double(r)), 0) << seed;
+		}
 	}
 }
 

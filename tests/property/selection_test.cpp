@@ -128,6 +128,38 @@ TEST(Selection, IsRefusedWhereNothingIsSelected)
 	EXPECT_EQ(remeshSelection(mesh, none, percent(20)).status, Status::BadOptions);
 }
 
+/// Two faces of the rest, each along half of an edge of a third one, and between them a selected
+/// face without area. It is dropped, and without it the mesh would be torn open.
+TEST(Selection, IsRefusedWhereTheNewFacesLeaveATear)
+{
+	TriangleMesh      mesh     = grid(12, 12);
+	const Chosen      isChosen = [](const Vec3d& p) { return p.x < 0.5; };
+	const std::size_t faceNum  = mesh.faceNum();
+	std::size_t       face     = 0;
+	const auto        isFar    = [&](std::size_t f) {
+        const std::int32_t* t = &mesh.triangles[3 * f];
+        return std::all_of(t, t + 3, [&](int v) {
+            const Vec3d& p = mesh.positions[std::size_t(v)];
+            return p.x > 0.7 && p.x < 0.9 && p.y > 0.2 && p.y < 0.8;
+        });
+	};
+	while (!isFar(face))
+		++face;
+	const std::int32_t a = mesh.triangles[3 * face], b = mesh.triangles[3 * face + 1];
+	const std::int32_t d = mesh.triangles[3 * face + 2], m = std::int32_t(mesh.vertexNum());
+	mesh.positions.push_back((mesh.positions[std::size_t(a)] + mesh.positions[std::size_t(b)]) *
+							 0.5);
+	mesh.triangles[3 * face + 1] = m;
+	mesh.triangles.insert(mesh.triangles.end(), {m, b, d, a, b, m});
+	ASSERT_TRUE(factsOf(mesh).isManifold());
+	std::vector<std::uint8_t> selected = selectionOf(mesh, isChosen);
+	ASSERT_EQ(remeshSelection(mesh, selected, percent(50)).status, Status::Ok);
+	selected[faceNum + 1]   = 1;
+	const RemeshResult torn = remeshSelection(mesh, selected, percent(50));
+	EXPECT_EQ(torn.status, Status::PromiseBroken) << torn.message;
+	EXPECT_TRUE(torn.mesh.triangles.empty());
+}
+
 TEST(Selection, OfEverythingIsTheWholeMesh)
 {
 	const TriangleMesh              mesh = icosphere(4);

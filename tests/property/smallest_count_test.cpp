@@ -135,6 +135,21 @@ TEST_P(SmallestCount, EveryLargerCountIsHit)
 INSTANTIATE_TEST_SUITE_P(, SmallestCount, ::testing::ValuesIn(shapes()),
 						 [](const auto& shape) { return std::string(shape.param.name); });
 
+/// A count that is raised means that the input is loaded again; what is wrong with it is told once.
+TEST(SmallestCountTells, TheInputsFaultsAreCountedOnce)
+{
+	TriangleMesh mesh = torus(40, 20);
+	mesh.triangles.insert(mesh.triangles.end(), {0, 0, 1, 0, 1, 0});
+	mesh.positions.push_back({7, 7, 7}); // in no face
+	RemeshOptions options = countOptions(4, 1);
+	options.allowNearest  = true;
+	const RemeshResult r  = remesh(mesh.view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_GT(r.mesh.vertexNum(), 4u);
+	EXPECT_EQ(r.report.cleaned.repeatedIndexFaces, 2);
+	EXPECT_EQ(r.report.cleaned.unreferencedVertices, 1);
+}
+
 } // namespace
 
 } // namespace gpr::test

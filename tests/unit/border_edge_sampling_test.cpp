@@ -112,6 +112,26 @@ TEST(BorderEdgeSampling, PlacesEachSampleAtDistanceROfAnEarlierOne)
 	}
 }
 
+/// Where the border of the union of all disks crosses an edge, and not that of one disk, and on
+/// edges that it still crosses: such places are seldom nearer to a sample than r.
+TEST(BorderEdgeSampling, SeldomPlacesASampleNearerThanR)
+{
+	const float r    = 0.02f;
+	int         near = 0, num = 0;
+	for (std::uint32_t seed : {1u, 2u, 3u}) {
+		const Sampled ball(icosphere(6), r, seed);
+		for (int i = 1; i < int(ball.samples().size()); ++i) {
+			double nearest = HUGE_VAL;
+			for (int k = 0; k < i; ++k)
+				nearest = std::min(nearest, length(ball.place(i) - ball.place(k)));
+			near += nearest < 0.98 * double(r);
+			++num;
+		}
+	}
+	EXPECT_GT(num, 10000);
+	EXPECT_LT(near, num / 75);
+}
+
 TEST(BorderEdgeSampling, StartsAtARandomVertexAndDrawsAtRandom)
 {
 	const TriangleMesh mesh = icosphere(4);

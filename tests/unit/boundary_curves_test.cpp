@@ -5,6 +5,7 @@
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/features/boundary_curves.h>
+#include <vcg_extras/core/features/crease_lines.h>
 
 #include <algorithm>
 #include <cmath>
@@ -59,6 +60,37 @@ TEST_F(SampleBoundary, KeepsTheCornersOfASquare)
 								[](const CurveSample& s) { return s.isCorner; }),
 				  4);
 	}
+}
+
+/// From 50° on.
+TEST_F(SampleBoundary, KeepsTheCornersOfAHexagonButNotOfAnOctagon)
+{
+	for (int sides : {6, 8}) {
+		sample(subdivided(subdivided(cone(sides, 4, 1, 0.01))), 0.1f);
+		ASSERT_EQ(b.curves.size(), 1u);
+		const auto isCorner = [](const CurveSample& s) { return s.isCorner; };
+		EXPECT_EQ(std::count_if(b.samples.begin(), b.samples.end(), isCorner), sides == 6 ? 6 : 0);
+	}
+}
+
+/// Three lines from pole to pole: were each one edge only, they would fall together.
+TEST_F(SampleBoundary, LinesBetweenTheSameNodesHaveTwoEdgesAtLeast)
+{
+	TriangleMesh spindle = uvSphere(24, 3);
+	for (Vec3d& p : spindle.positions)
+		p.z *= 4;
+	surface = surfaceOf(spindle, workers);
+	CreaseRules rules;
+	rules.mode      = FeatureMode::Lines;
+	rules.strongDeg = 60;
+	ASSERT_EQ(markCreases(rules, workers, surface).edgeNum, 3 * 24);
+	b = sampleBoundary(surface, 4, 4);
+	ASSERT_EQ(b.curves.size(), 3u);
+	int onLines = 0;
+	for (const CurveSample& s : b.samples)
+		onLines += !s.isCorner;
+	EXPECT_EQ(onLines, 3);
+	EXPECT_EQ(b.samples.size(), 5u);
 }
 
 TEST_F(SampleBoundary, SpacesEvenlyRoundACylinder)

@@ -196,6 +196,15 @@ TEST_F(MarkCreases, TheTipOfACone)
 	EXPECT_EQ(found.edgeNum, 0);
 }
 
+/// Each of the twelve tips of an icosahedron, of 60°, has five others beside it.
+TEST_F(MarkCreases, NoTipOfAPolyhedronIsThatOfACone)
+{
+	rules.strongDeg = 50;
+	mark(icosphere(0));
+	EXPECT_EQ(found.edgeNum, 0);
+	EXPECT_TRUE(found.coneApexes.empty());
+}
+
 TEST_F(MarkCreases, FromTheAngleGivenOn)
 {
 	const double radians = 3.14159265358979 / 180;

@@ -242,6 +242,21 @@ TEST(FitCurves, NoVertexLeavesItsCurveFar)
 	}
 }
 
+/// The edges of a pentagon leave its circle by a sixth of their length: vertices would go farther
+/// out than they may.
+TEST(FitCurves, NoVertexLeavesItsCurveFarWhereItsEdgesDo)
+{
+	Laid laid(cone(160, 40, 1, 0.1), cone(5, 2, 1, 0.1));
+	laid.fit();
+	const std::vector<Vec3d> curve    = laid.segments();
+	double                   farthest = 0;
+	for (const Vec3d& p : laid.polygon())
+		farthest = std::max(farthest, Laid::distanceToSegments(p, curve));
+	farthest /= double(laid.result.idealEdge);
+	EXPECT_LT(farthest, 0.081);
+	EXPECT_GT(farthest, 0.04) << "as far as they may, nearly";
+}
+
 /// The record lies on the curve, at the point nearest to the vertex.
 TEST(FitCurves, RecordsStayOnTheCurves)
 {

@@ -22,6 +22,7 @@
 #include <vcg_extras/core/surface/face_tree.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/sampled_distance.h>
+#include <vcg_extras/core/surface/surface_gap.h>
 
 #include <algorithm>
 #include <cmath>
@@ -435,6 +436,24 @@ TEST(WorstDistances, ShrinkAtARimAtLittleCost)
 	EXPECT_TRUE(isSoundSurface(meshOf(worst.result.mesh)));
 }
 
+/// Two squares side by side with a slit between, and two triangles over both: what is nearest to a
+/// point beyond the slit is found from a corner beyond it.
+TEST(SurfaceGaps, AreNoWiderThanASlit)
+{
+	constexpr double     slit = 0.05;
+	Laid                 laid(joined(grid(20, 20), shifted(grid(20, 20), {1 + slit, 0, 0})),
+							  grid(1, 1, 2 + slit, 1));
+	const ClosestFaceMap map(laid.surface, laid.result, laid.workers);
+	Buffer<SurfacePoint> point(laid.result.mesh.vertexNum);
+	for (int v = 0; v < laid.result.mesh.vertexNum; ++v)
+		point[v] = laid.result.vertex[v].point;
+	const SurfaceGaps gaps(laid.surface, map, laid.result.mesh, point, 1e-4f);
+	for (int f = 0; f < laid.result.mesh.faceNum; ++f) {
+		const double gap = std::sqrt(double(gaps.gapAt(f).squared)) / laid.surface.frame.scale;
+		EXPECT_NEAR(gap, 0.5 * slit, 1e-4);
+	}
+}
+
 /// A vertex pushed out of a sphere comes back; no other goes farther than it helps that.
 TEST(WorstDistances, BringASpikeBack)
 {
@@ -449,6 +468,20 @@ TEST(WorstDistances, BringASpikeBack)
 	lowerWorstDistances(laid.surface, map, 0.5f, 4, laid.result, laid.workers);
 	EXPECT_GT(before, 0.28f);
 	EXPECT_LT(laid.farthest(), 0.4f * before);
+}
+
+/// What one triangle gains others must not lose.
+TEST(WorstDistances, NeverGrow)
+{
+	for (unsigned seed : {20u, 23u, 31u}) {
+		Random random(seed);
+		Laid   laid(noisySphere(4, 0.05, random), icosphere(2));
+		laid.fit(15);
+		const ClosestFaceMap map(laid.surface, laid.result, laid.workers);
+		const float          before = laid.farthest() * laid.meanEdge();
+		lowerWorstDistances(laid.surface, map, 0.2f, 4, laid.result, laid.workers);
+		EXPECT_LE(laid.farthest() * laid.meanEdge(), 1.001f * before) << seed;
+	}
 }
 
 TEST(WorstDistances, LeaveAloneWhatIsNear)

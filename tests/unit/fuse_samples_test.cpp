@@ -173,7 +173,9 @@ TEST_F(FuseSamples, OfTheBorderBecomeItsVerticesAlone)
 		const Vec3f middle = (surface.mesh.position[surface.mesh.origin[h]] +
 							  surface.mesh.position[surface.mesh.target(h)]) *
 							 0.5f;
-		sampling.samples.push_back({{middle, h / 3}, surface.mesh.faceNormal(h / 3)});
+		const Vec3f end = surface.mesh.position[surface.mesh.origin[h]];
+		for (const Vec3f& p : {middle, end})
+			sampling.samples.push_back({{p, h / 3}, surface.mesh.faceNormal(h / 3)});
 	}
 	const FusedMesh fused = fuse();
 	expectSound(fused);

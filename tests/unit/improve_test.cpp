@@ -54,6 +54,47 @@ TEST_P(FlipToDelaunay, DoesNotDependOnThreads)
 
 INSTANTIATE_TEST_SUITE_P(Seeds, FlipToDelaunay, ::testing::ValuesIn(testSeeds(4)));
 
+ResultMesh twoTriangles(const std::vector<Vec3d>& corners)
+{
+	TriangleMesh quad;
+	quad.positions = corners;
+	quad.triangles = {0, 1, 2, 1, 0, 3};
+	ResultMesh result;
+	result.mesh = halfEdgesOf(quad);
+	return result;
+}
+
+TEST(FlipToDelaunayKeeps, FacesFromTurningOver)
+{
+	Random  random(1);
+	Workers workers(1, nullptr);
+	int     flips = 0;
+	for (int i = 0; i < 20000; ++i) {
+		std::vector<Vec3d> corners;
+		for (int k = 0; k < 4; ++k)
+			corners.push_back({random.unit(), random.unit(), random.unit()});
+		ResultMesh  result = twoTriangles(corners);
+		const Vec3f before = result.mesh.faceCross(0) + result.mesh.faceCross(1);
+		if (flipToDelaunay(result, workers) == 0) continue;
+		++flips;
+		for (int f : {0, 1})
+			EXPECT_GT(dot(result.mesh.faceCross(f), before), 0) << i;
+	}
+	EXPECT_GT(flips, 500);
+}
+
+/// The Delaunay edge of some pairs of triangles lies in a much sharper fold: here 75° for 25°.
+TEST(FlipToDelaunayKeeps, AGentleFoldFromGettingSharp)
+{
+	Workers    workers(1, nullptr);
+	ResultMesh fold =
+		twoTriangles({{0.77, 0.94, 0.02}, {0.03, 0.2, 0.01}, {0.09, 0.17, 0}, {0, 0.22, 0}});
+	ASSERT_GT(dot(fold.mesh.faceNormal(0), fold.mesh.faceNormal(1)), 0.9);
+	ASSERT_EQ(flipToDelaunay(fold, workers), 0);
+	flip(fold.mesh, 0);
+	EXPECT_LT(dot(fold.mesh.faceNormal(0), fold.mesh.faceNormal(1)), 0.27);
+}
+
 /// The fold of a bent sheet is an edge of the surface: flipping over it would cut the corner off.
 TEST(FlipToDelaunayKeeps, ASharpFold)
 {
@@ -120,6 +161,21 @@ TEST(CollapseShortEdges, MergesWhatLiesTooClose)
 }
 
 /// Passes are the paper's number: none, some, and as many as it takes lead to the same end.
+/// An edge goes only where the worst angle of the faces that stay gets larger.
+TEST(CollapseShortEdges, LowersNoAngle)
+{
+	for (std::uint32_t seed : {1u, 2u, 3u}) {
+		Random    random(seed);
+		OnSurface on(jitteredGrid(20, 0.45, random));
+		on.result.idealEdge *= 1.3f;
+		const double angle = on.minAngleDeg();
+		collapseShortEdges(on.surface, on.result, on.workers);
+		EXPECT_GT(on.result.collapseNum, 5);
+		EXPECT_GE(on.minAngleDeg(), 0.9999 * angle);
+		on.expectSound();
+	}
+}
+
 TEST(FlipToDelaunay, StopsAfterSoManyPasses)
 {
 	const auto scrambled = [](OnSurface& on) {

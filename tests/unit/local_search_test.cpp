@@ -13,6 +13,8 @@
 #include <vcg_extras/core/optimization/face_goals.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/surface/normal_agreement.h>
+#include <vcg_extras/core/surface/walk.h>
 
 #include <algorithm>
 #include <cmath>
@@ -96,6 +98,33 @@ TEST(RepairPoorFaces, ChangesNoCountWhereTheWantedOneCannotBeReached)
 	EXPECT_FALSE(repair(on, on.workers, 1));
 	EXPECT_EQ(on.m().vertexNum, num);
 	on.expectSound();
+}
+
+/// A tetrahedron has good angles, too, and is as near as it gets.
+TEST(RepairPoorFaces, TakesNoOtherCountHoweverGoodTheAngles)
+{
+	for (const TriangleMesh& mesh :
+		 {uvSphere(4, 16), uvSphere(8, 12), closedCylinder(20, 2, 1, 1), torus(20, 4)}) {
+		OnSurface on(mesh);
+		const int num = on.m().vertexNum;
+		ASSERT_LT(on.minAngleDeg(), 32);
+		repair(on, on.workers, 3);
+		EXPECT_EQ(on.m().vertexNum, num);
+	}
+}
+
+/// Vertices that come in at the ribbon must go at a body so small that each is missed.
+TEST(RepairPoorFaces, LowersNoAngleAndInvertsNoFaceForOthers)
+{
+	for (const TriangleMesh& body : {cube(1), torus(5, 3, 0.25, 0.1)}) {
+		OnSurface on(joined(grid(10, 1, 2.5, 0.12), shifted(body, {0, 3, 0})));
+		raiseAngles(on);
+		const double angle    = on.minAngleDeg();
+		const int    inverted = invertedFaceNum(on.surface, on.result, on.workers);
+		repair(on, on.workers, on.m().vertexNum);
+		EXPECT_GE(on.minAngleDeg(), 0.9999 * angle);
+		EXPECT_LE(invertedFaceNum(on.surface, on.result, on.workers), inverted);
+	}
 }
 
 TEST(RepairPoorFaces, LeavesPinnedVerticesAndAKeptBorder)
@@ -215,6 +244,117 @@ TEST(SelfIntersections, AreTakenApartByMovesAndFlips)
 											 32 * radians, keepingCount)));
 	EXPECT_TRUE(findIntersectingFaces(on.m(), on.workers).empty());
 	on.expectSound();
+}
+
+// ---- limits of the search
+
+/// The vertex nearest to a place of the caller's.
+int vertexNear(OnSurface& on, const Vec3d& place)
+{
+	const Vec3f p    = on.surface.frame.toWorking(place);
+	int         best = 0;
+	for (int v = 0; v < on.m().vertexNum; ++v) {
+		if (squaredLength(on.m().position[v] - p) < squaredLength(on.m().position[best] - p))
+			best = v;
+	}
+	return best;
+}
+
+/// Draws one vertex two edges far in a direction; no limit is set.
+Goal drawnAlong(OnSurface& on, int v, const Vec3f& direction)
+{
+	const HalfEdgeMesh& m     = on.m();
+	const Vec3f         start = m.position[v];
+	const float         way   = 2 * on.result.idealEdge;
+	const auto          hasIt = [&m, v](int f) {
+        const int* c = &m.origin[3 * f];
+        return c[0] == v || c[1] == v || c[2] == v;
+	};
+	Goal goal;
+	goal.isBad    = hasIt;
+	goal.faceCost = [=, &m](int f) {
+		const float left = way - dot(m.position[v] - start, direction);
+		return hasIt(f) ? std::max(0.0f, left / way) : 0.0f;
+	};
+	goal.operations           = {Operation::Move};
+	goal.stepLengths          = {0.25f};
+	goal.raises               = true;
+	goal.settles              = false;
+	goal.limits.maxMove       = 100;
+	goal.limits.maxTurn       = -1;
+	goal.limits.intersections = false;
+	return goal;
+}
+
+void search(OnSurface& on, const Goal& goal)
+{
+	std::int64_t work = 100000000;
+	LocalSearch(on.surface, on.boundary, nullptr, work, on.result, on.workers).run(goal);
+}
+
+float leastAgreement(OnSurface& on)
+{
+	const Buffer<Vec3f> normal = smoothNormals(on.surface, on.result, on.workers);
+	float               least  = 1;
+	for (int f = 0; f < on.m().faceNum; ++f)
+		least = std::min(least, normalAgreement(on.m(), normal, f));
+	return least;
+}
+
+TEST(LocalSearch, TiltsNoFaceFartherFromTheSurfaceThanItMay)
+{
+	for (float least : {0.3f, 0.6f}) {
+		OnSurface on(grid(8, 8));
+		Goal      goal                 = drawnAlong(on, vertexNear(on, {0.5, 0.5, 0}), {0, 0, 1});
+		goal.limits.minNormalAgreement = least;
+		search(on, goal);
+		EXPECT_GE(leastAgreement(on), least);
+		EXPECT_LT(leastAgreement(on), least + 0.25f) << "as far as it may, nearly";
+	}
+}
+
+/// Faces inverted after a vertex that is beyond one side of its ring was drawn on beyond another.
+int invertedAfterDrawing(float minNormalAgreement, int& before)
+{
+	OnSurface     on(grid(8, 8));
+	const int     v    = vertexNear(on, {0.5, 0.5, 0});
+	const Vec3f   over = on.surface.frame.toWorking(Vec3d(0.5 + 1.15 / 8, 0.5 + 0.5 / 8, 0));
+	SurfacePoint& at   = on.result.vertex[v].point;
+	EXPECT_EQ(walk(on.surface.mesh, at, over - at.position), WalkEnd::Arrived);
+	on.m().position[v]             = at.position;
+	before                         = invertedFaceNum(on.surface, on.result, on.workers);
+	Goal goal                      = drawnAlong(on, v, {0, 1, 0});
+	goal.raises                    = false;
+	goal.limits.minNormalAgreement = minNormalAgreement;
+	search(on, goal);
+	return invertedFaceNum(on.surface, on.result, on.workers);
+}
+
+TEST(LocalSearch, InvertsNoMoreFacesWhereSomeAreAlready)
+{
+	int before = 0;
+	EXPECT_GT(invertedAfterDrawing(-1, before), before) << "without a limit";
+	EXPECT_GT(before, 0);
+	EXPECT_EQ(invertedAfterDrawing(0.6f, before), before);
+}
+
+TEST(LocalSearch, MovesNoFaceThroughAnother)
+{
+	OnSurface   on(sheetsOneAboveTheOther());
+	const int   v     = vertexNear(on, {0.5, 0.5, 0});
+	const float above = on.m().position[v].z + float(0.03 * on.surface.frame.scale);
+	Goal        goal  = drawnAlong(on, v, {0, 0, 1});
+	search(on, goal);
+	ASSERT_GT(on.m().position[v].z, above) << "else nothing is tested";
+	ASSERT_FALSE(findIntersectingFaces(on.m(), on.workers).empty());
+
+	OnSurface guarded(sheetsOneAboveTheOther());
+	goal                      = drawnAlong(guarded, v, {0, 0, 1});
+	goal.stepLengths          = {0.05f};
+	goal.limits.intersections = true;
+	search(guarded, goal);
+	EXPECT_GT(guarded.m().position[v].z, 0.5f * above);
+	EXPECT_TRUE(findIntersectingFaces(guarded.m(), guarded.workers).empty());
 }
 
 TEST(RepairPoorFaces, TakesFacesApartAndKeepsTheCount)

@@ -246,9 +246,8 @@ float grading(const HalfEdgeMesh& m)
 }
 
 /// The lattice under the exponential function: triangles that grow by a fifth from row to row and
-/// are nearly equilateral. Size is none of the energy's business, so they keep theirs; barycentres
-/// would pull the vertices towards the larger triangles.
-TEST(ConformalKeeps, TheGradingOfAMesh)
+/// are nearly equilateral.
+TriangleMesh growingLattice()
 {
 	TriangleMesh mesh = lattice(20, 12);
 	for (Vec3d& p : mesh.positions) {
@@ -256,13 +255,52 @@ TEST(ConformalKeeps, TheGradingOfAMesh)
 			std::exp(0.2 * std::complex<double>(p.y, p.x - 0.5 * p.y / std::sqrt(0.75)));
 		p = {z.real(), z.imag(), 0};
 	}
-	OnSurface   on(mesh);
+	return mesh;
+}
+
+/// Size is none of the energy's business, so they keep theirs; barycentres would pull the vertices
+/// towards the larger triangles.
+TEST(ConformalKeeps, TheGradingOfAMesh)
+{
+	OnSurface   on(growingLattice());
 	const float before = grading(on.m());
 	for (ResultVertex& v : on.result.vertex)
 		v.isCorner = v.curve >= 0;
 	relaxConformally(on.surface, on.boundary, conformalSteps(10), on.result, on.workers);
 	EXPECT_GT(before, 4);
 	EXPECT_NEAR(grading(on.m()) / before, 1, 0.05f);
+}
+
+/// By which power of the distance from the origin the lengths of inner edges grow.
+double growth(const HalfEdgeMesh& m)
+{
+	double x = 0, y = 0, xx = 0, xy = 0, n = 0;
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		if (m.isBorderVertex(m.origin[h]) || m.isBorderVertex(m.target(h))) continue;
+		const Vec3f  a = m.position[m.origin[h]], b = m.position[m.target(h)];
+		const double at = std::log(double(length(a + b))), edge = std::log(double(length(b - a)));
+		x += at;
+		y += edge;
+		xx += at * at;
+		xy += at * edge;
+		n += 1;
+	}
+	return (n * xy - x * y) / (n * xx - x * x);
+}
+
+/// Edges as long as the distance from the origin wants stay so; barycentres that know of no sizes
+/// take a fifth of that away.
+TEST(RelaxOnceKeeps, TheGradingOfAMeshThatHasSizes)
+{
+	OnSurface           on(growingLattice());
+	const HalfEdgeMesh& m = on.surface.mesh;
+	on.surface.size.reset(m.vertexNum);
+	for (int v = 0; v < m.vertexNum; ++v)
+		on.surface.size[v] = length(m.position[v]);
+	EXPECT_NEAR(growth(on.m()), 1, 0.01);
+	for (int step = 0; step < 20; ++step)
+		relaxOnce(on.surface, on.result, on.workers);
+	EXPECT_NEAR(growth(on.m()), 1, 0.12);
 }
 
 } // namespace

@@ -70,6 +70,19 @@ TEST(RepairManifold, DropsDuplicateFacesWhateverTheirOrder)
 	EXPECT_EQ(r.after.triangles, std::vector<std::int32_t>(t.begin(), t.end()));
 }
 
+/// Two faces go straight on from each other, but run along the edge the same way: joined, one of
+/// them would be turned over. The third one at 90° runs against both.
+TEST(RepairManifold, KeepsFacesTogetherThatAreOrientedAlike)
+{
+	TriangleMesh mesh;
+	mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -1, 0}, {0.5, 0, 1}};
+	mesh.triangles = {0, 1, 2, 0, 1, 3, 1, 0, 4};
+	const Repaired r(mesh);
+	expectManifold(r);
+	EXPECT_EQ(r.counts.nonManifoldEdges, 1);
+	EXPECT_EQ(r.counts.reorientedFaces, 0);
+}
+
 ///  Seen along the edge: 0° and 180° go straight on, the fin at 90° is cut off.
 TEST(RepairManifold, KeepsTheSmoothestPairOfAFinnedEdgeTogether)
 {

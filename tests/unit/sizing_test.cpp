@@ -3,6 +3,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/sampling/sizing.h>
 
@@ -104,6 +105,53 @@ TEST_F(SizingTest, SizesGrowNoFasterThanTheirSlopeAndNoWiderThanTheStretch)
 	}
 	EXPECT_GE(least, 1 / 3.001f);
 	EXPECT_LT(least, 0.5f);
+}
+
+/// Hollows and bumps need small triangles alike.
+TEST_F(SizingTest, TheSideThatIsOutsideChangesNothing)
+{
+	options.lambda            = 1;
+	const TriangleMesh ring   = torus(80, 40);
+	TriangleMesh       hollow = ring;
+	for (std::size_t f = 0; f < hollow.faceNum(); ++f)
+		std::swap(hollow.triangles[3 * f], hollow.triangles[3 * f + 1]);
+	const Surface a = surfaceOf(ring, workers), b = surfaceOf(hollow, workers);
+	const Sizing  outside = sizing(ring, a, 0.1f), inside = sizing(hollow, b, 0.1f);
+	EXPECT_NEAR(inside.radiusFactor, outside.radiusFactor, 1e-4);
+	for (int v = 0; v < a.mesh.vertexNum; ++v) {
+		ASSERT_TRUE(a.mesh.position[v] == b.mesh.position[v]);
+		ASSERT_NEAR(inside.size[v], outside.size[v], 1e-3);
+	}
+}
+
+/// With an adaptation of 1 they differ by a factor of 4, with one of a half by one of 2.
+TEST_F(SizingTest, SizesByCurvatureKeepToTheirRange)
+{
+	const TriangleMesh mesh = bentSheet(60, 1.5);
+	const Surface      bent = surfaceOf(mesh, workers);
+	for (double adapt : {0.25, 0.5}) {
+		options.adapt      = adapt;
+		const Sizing s     = sizing(mesh, bent, 0.03f);
+		const float  least = *std::min_element(s.size.begin(), s.size.end());
+		EXPECT_NEAR(least, std::pow(4, -adapt), 0.01);
+	}
+}
+
+/// A border whose vertices stay is finer than the rest is to be: disks there go with its spacing.
+TEST_F(SizingTest, DisksAtAKeptBorderGoWithItsSpacing)
+{
+	options.boundary        = BoundaryMode::Keep;
+	const TriangleMesh mesh = grid(80, 80);
+	const Surface      flat = surfaceOf(mesh, workers);
+	std::vector<int>   kept;
+	for (int v = 0; v < flat.mesh.vertexNum; ++v) {
+		if (flat.mesh.isBorderVertex(v)) kept.push_back(v);
+	}
+	const float    r = 0.01f, spacing = float(flat.frame.scale) / 80;
+	const MeshView view = mesh.view();
+	const Sizing   s    = makeSizing({view, options, r, isFeature, kept}, flat, workers);
+	for (int v : kept)
+		EXPECT_NEAR(borderSpacing * s.size[v] * r * float(s.radiusFactor) / spacing, 1, 0.05f);
 }
 
 TEST_F(SizingTest, QualityTakesTheCurvaturesPlace)

@@ -39,6 +39,14 @@ TEST(StrayFaces, AFaceThatReachesFarBeyondTheOthersIsFound)
 	EXPECT_GT(stray.areaShare, 0.99);
 }
 
+TEST(StrayFaces, AreThoseThatMakeTheMeshTwiceAsLarge)
+{
+	const StrayFaces stray = strayOf(joined(icosphere(3), triangle(5)));
+	EXPECT_EQ(stray.num, 1);
+	EXPECT_NEAR(stray.sizeRatio, 2.5, 0.1);
+	EXPECT_EQ(strayOf(joined(icosphere(3), triangle(2.5))).num, 0) << "1.5 times";
+}
+
 TEST(StrayFaces, LargeFacesBesideSmallOnesAreNone)
 {
 	// A plate of one square of which one rim is cut into small triangles.

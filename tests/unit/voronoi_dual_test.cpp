@@ -3,6 +3,7 @@
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
+#include <tests/support/transforms.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
 #include <vcg_extras/core/retriangulation/voronoi_dual.h>
@@ -128,6 +129,26 @@ TEST_P(VoronoiCells, ACellWithAHandleIsLeftOpen)
 		if (length(surface.mesh.position[v] - far) > 0.4f) sampling.nearest[v].sample = 1;
 	}
 	expectSameTopology(remove().mesh);
+}
+
+/// A disk and a whole torus have together the Euler characteristic of a disk; contracted, the torus
+/// would be lost.
+TEST_P(VoronoiCells, ACellWithAnotherComponentInItIsLeftOpen)
+{
+	takeSurface(joined(icosphere(5), shifted(torus(12, 8, 0.04, 0.01), {1.5, 0, 0})));
+	const auto isOfTorus = [&](int v) {
+		return surface.frame.toCaller(surface.mesh.position[v]).x > 1.2;
+	};
+	std::vector<int> ball;
+	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
+		if (!isOfTorus(v)) ball.push_back(v);
+	}
+	random.shuffle(ball);
+	putSamples({ball.begin(), ball.begin() + 200});
+	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
+		if (isOfTorus(v)) sampling.nearest[v] = {1, 0};
+	}
+	expectSameTopology(contract().mesh);
 }
 
 TEST_P(VoronoiCells, AreTheSameForAnyNumberOfThreads)

@@ -206,6 +206,31 @@ TEST(WalkAtAll, EndsByItsBound)
 	EXPECT_LT(distanceToOwnFace(m, at), 1e-4);
 }
 
+/// The normal of a face less than a thousandth as high as long is off by rounding, and with it the
+/// plane.
+TEST(WalkAtAll, StaysInTheNeedleThatItBeginsIn)
+{
+	Random       random(3);
+	double       farthest = 0;
+	TriangleMesh needle;
+	needle.triangles = {0, 1, 2};
+	for (int i = 0; i < 2000; ++i) {
+		const auto direction = [&] {
+			return normalized(
+				Vec3d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)));
+		};
+		const Vec3d along = direction(), across = normalized(cross(along, direction()));
+		const Vec3d a = direction() * 0.5, b = a + along;
+		const Vec3d c         = a + along * 0.5 + across * random.between(2e-5, 4e-4);
+		needle.positions      = {a, b, c};
+		const HalfEdgeMesh m  = halfEdgesOf(needle);
+		SurfacePoint       at = {Vec3f((a + b + c) * (1 / 3.0)), 0};
+		walk(m, at, Vec3f(along * random.between(-0.2, 0.2)));
+		farthest = std::max(farthest, distanceToTriangle(Vec3d(at.position), a, b, c));
+	}
+	EXPECT_LT(farthest, 1e-6);
+}
+
 } // namespace
 
 } // namespace gpr::test
