@@ -254,7 +254,9 @@ void scrollParameters(QDockWidget& dialog, QGridLayout& grid, QWidget& parameter
 	column->setContentsMargins(0, 0, 0, 0);
 	QToolButton* const arrow       = experts ? makeArrow(place) : nullptr;
 	const int          arrowHeight = experts ? arrow->sizeHint().height() + column->spacing() : 0;
-	auto* const area = new ParameterArea(&parameters, everydayNum, most, others + arrowHeight);
+	// The filter's text may take a line more in the new width.
+	const int   more = arrowHeight + dialog.fontMetrics().lineSpacing();
+	auto* const area = new ParameterArea(&parameters, everydayNum, most, others + more);
 	column->addWidget(area);
 	if (experts) {
 		column->addWidget(arrow);
