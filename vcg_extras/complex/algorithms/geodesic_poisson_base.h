@@ -36,6 +36,8 @@ attributes that the meshes have: surfacePointsOfVertices and surfacePointsOfFace
 Some options read more of the mesh than positions and faces. Without it a call ends with BadOptions:
 - featureRegion Selection: the selected vertices; where none is selected, the corners of the
   selected faces. FeatureDetection::Select selects what was detected.
+- featureDiskScale above 0, and no featureRegion named: the selected vertices. Where none is
+  selected the region is detected, and the call does not end.
 - sizing Quality with lambda above 0: the quality of the vertices.
 - featureMode Given: the selected edges of faces.
 - selectedOnly: the selected faces.
