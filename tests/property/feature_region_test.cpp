@@ -274,6 +274,23 @@ TEST(DetectedRegion, ThresholdsAreObeyedAndNothingFoundIsTold)
 	EXPECT_TRUE(sameBytes(remesh(mesh.view(), o), r));
 }
 
+/// The surface is prepared again where more vertices are needed than were asked for.
+TEST(DetectedRegion, IsToldOnce)
+{
+	const TriangleMesh mesh = cube(12);
+	RemeshOptions      o    = withRegion(0, FeatureSampling::Disks);
+	o.targetMode            = TargetMode::Percent;
+	o.targetPercent         = 0.1;
+	const RemeshResult r    = remesh(mesh.view(), o);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_GE(r.mesh.vertexNum(), 4u);
+	EXPECT_EQ(std::count_if(r.notes.begin(), r.notes.end(),
+							[](const std::string& note) {
+								return note.find("The feature region is made of") == 0;
+							}),
+			  1);
+}
+
 TEST(KeptVertices, MoreThanWantedIsRefused)
 {
 	const TriangleMesh mesh = cube(12);

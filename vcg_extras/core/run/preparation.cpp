@@ -184,7 +184,6 @@ Prepared prepareWith(RunContext& run, const FeatureMarks& marks, const TargetOf&
 	connectOrRepair(run, mesh, p.surface);
 	dropFlatPieces(run, p.surface);
 	setSizes(run, marks, p);
-	tellFeatureRegion(run);
 	describeInput(run, p.surface);
 	return p;
 }
@@ -193,9 +192,11 @@ Prepared prepareWith(RunContext& run, const FeatureMarks& marks, const TargetOf&
 
 Prepared prepare(RunContext& run, const FeatureMarks& marks)
 {
-	return prepareWith(run, marks, [&](double area, double scale) {
+	Prepared p = prepareWith(run, marks, [&](double area, double scale) {
 		return resolveTarget(run.input, run.options, area, scale);
 	});
+	tellFeatureRegion(run);
+	return p;
 }
 
 Prepared prepareFor(RunContext& run, const FeatureMarks& marks, std::int64_t vertexNum)
