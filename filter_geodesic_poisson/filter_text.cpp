@@ -3,10 +3,9 @@
 #include "filter_text.h"
 
 #define GPR_PAPER "<b>\"Fast Edge-based geodesic Poisson Disk Remeshing\"</b>"
-#define GPR_FU_AND_ZHOU                                                                       \
-	"Yan Fu, Bingfeng Zhou: \"Direct sampling on surfaces for high quality remeshing\", ACM " \
-	"Symposium "                                                                              \
-	"on Solid and Physical Modeling, 2008"
+#define GPR_FU_AND_ZHOU                                                                   \
+	"Yan Fu, Bingfeng Zhou: \"Direct sampling on surfaces for high quality remeshing\", " \
+	"ACM Symposium on Solid and Physical Modeling, 2008"
 
 namespace gpr_filter {
 
@@ -16,12 +15,9 @@ const FilterText remeshing = {
 	"Remeshing: Geodesic Poisson Disk",
 	"meshing_geodesic_poisson_disk_remeshing",
 	"Remeshes the surface with about-equilateral triangles of equal size and with exactly the "
-	"wanted "
-	"number of vertices. Components, holes, handles and borders are kept; colour, quality, "
-	"textures "
-	"and named attributes are carried over. MeshLab has no undo: put the result into a new layer "
-	"to "
-	"keep the original.<br>"
+	"wanted number of vertices. Components, holes, handles and borders are kept; colour, quality, "
+	"textures and named attributes are carried over. MeshLab has no undo: put the result into a "
+	"new layer to keep the original.<br>"
 	"<br>See: " GPR_PAPER " and " GPR_FU_AND_ZHOU,
 };
 
@@ -29,9 +25,8 @@ const FilterText sampling = {
 	"Sampling: Geodesic Poisson Disk",
 	"generate_sampling_geodesic_poisson_disk",
 	"Makes a new layer of points on the surface. They are as dense as possible while no two of "
-	"them "
-	"are nearer than the disk radius, measured along the surface. Their number is within about a "
-	"tenth of the wanted one.<br>"
+	"them are nearer than the disk radius, measured along the surface. Their number is within "
+	"about a tenth of the wanted one.<br>"
 	"The quality of a point is the radius of its disk. Its normal is that of the surface. Vertex "
 	"colour is carried over. \"Remeshing: Retriangulate from Samples\" makes a mesh of the "
 	"points.<br>"
@@ -42,14 +37,12 @@ const FilterText retriangulation = {
 	"Remeshing: Retriangulate from Samples",
 	"meshing_retriangulate_from_samples",
 	"Gives the surface of the current layer new vertices: those of another layer, which is named "
-	"by "
-	"its number. Components, holes and handles are kept. Where they need more vertices than there "
-	"are samples, some of the original vertices stay.<br>"
+	"by its number. Components, holes and handles are kept. Where they need more vertices than "
+	"there are samples, some of the original vertices stay.<br>"
 	"A sample off the surface is put on the nearest point of the surface. The log tells how many "
 	"were, and how far off. The transforms of both layers are taken into account. Attributes are "
 	"carried over from the surface. MeshLab has no undo: put the result into a new layer to keep "
-	"the "
-	"original.<br>"
+	"the original.<br>"
 	"<br>See: " GPR_PAPER ", section 3, last paragraph",
 };
 
@@ -57,13 +50,13 @@ const FilterText features = {
 	"Feature Detection: Second-Order Difference",
 	"compute_features_by_second_order_difference",
 	"Finds creases and cone apexes and selects their vertices. The strength of an edge is the "
-	"angle, "
-	"in degrees, between the mean normals of the two half-disks on its sides. All half-disks have "
-	"one size. The quality of a vertex becomes the largest strength of its edges; \"Colorize by "
-	"vertex Quality\" shows it. Selected faces stay selected; nothing else is changed.<br>"
+	"angle, in degrees, between the mean normals of the two half-disks on its sides. All "
+	"half-disks have one size. The quality of a vertex becomes the largest strength of its edges; "
+	"\"Colorize by vertex Quality\" shows it. Selected faces stay selected; nothing else is "
+	"changed.<br>"
 	"The selected vertices are a feature region. They can be corrected by hand. \"Remeshing: "
-	"Geodesic Poisson Disk\", called afterwards, proposes smaller triangles there: see its feature "
-	"disk scale.<br>"
+	"Geodesic Poisson Disk\", called afterwards, proposes smaller triangles there: see its "
+	"feature disk scale.<br>"
 	"<br>See: " GPR_PAPER
 	", section 3.1, for the method's name and its use. The formula is in the file "
 	"features.md of this plugin's documentation.",

@@ -43,13 +43,6 @@ bool asksForQuality(const gpr::RemeshOptions& options)
 	return options.lambda > 0 && options.sizing == gpr::SizingSource::Quality;
 }
 
-/// The selected vertices are the feature region where it is not named, too.
-bool mayUseSelectedVertices(const gpr::RemeshOptions& options)
-{
-	return gpr::asksForFeatureRegion(options) &&
-		   options.featureRegion != gpr::FeatureRegion::Detected;
-}
-
 gpr::ParameterSet readValues(gpr::Tool tool, const RichParameterList& list,
 							 const MeshDocument& document)
 {
@@ -62,7 +55,7 @@ LayerCopy copyOf(const MeshModel& layer, const gpr::RemeshOptions& options)
 {
 	CopiedParts parts;
 	parts.quality       = layer.hasDataMask(MeshModel::MM_VERTQUALITY);
-	parts.selection     = mayUseSelectedVertices(options);
+	parts.selection     = gpr::mayUseSelectedVertices(options);
 	parts.facesCorners  = options.featureRegion == gpr::FeatureRegion::Selection;
 	parts.faceSelection = options.selectedOnly;
 	parts.edgeSelection = options.featureMode == gpr::FeatureMode::Given;
@@ -71,7 +64,7 @@ LayerCopy copyOf(const MeshModel& layer, const gpr::RemeshOptions& options)
 		throw Refusal("The density shall go with the vertex quality, but the layer has none.");
 	}
 	LayerCopy copy = copyLayer(layer.cm, parts);
-	if (parts.facesCorners && !copy.anySelected()) {
+	if (parts.facesCorners && !copy.view().anySelected()) {
 		throw Refusal("The feature region shall be the selection, but nothing is selected.");
 	}
 	if (parts.edgeSelection && copy.selectedEdges.empty()) {
@@ -177,7 +170,8 @@ LayerJob::LayerJob(MeshDocument& document, gpr::Tool tool, const RichParameterLi
 	_options.surfacePointsOfFaces =
 		(tool == gpr::RemeshTool || tool == gpr::RetriangulateTool) &&
 		((current->dataMask() & kCarriedFaceMask) != 0 || !current->cm.face_attr.empty());
-	_copy = copyOf(*current, _options);
+	_anyFaceSelected = anyFaceSelected(current->cm);
+	_copy            = copyOf(*current, _options);
 }
 
 const MeshModel& LayerJob::sampleModel() const
@@ -225,7 +219,7 @@ MeshModel& LayerJob::layer() const
 
 std::string LayerJob::sentenceOfSelectedFaces() const
 {
-	if (_options.selectedOnly || !anyFaceSelected(layer().cm)) return std::string();
+	if (_options.selectedOnly || !_anyFaceSelected) return std::string();
 	return "Faces are selected, but the whole layer was remeshed. \"Only the selected faces\" "
 		   "remeshes those alone.";
 }

@@ -40,7 +40,7 @@ public:
 	MeshModel& layer() const;
 
 	/// Told to a user who has faces selected and did not ask for them to be remeshed alone; empty
-	/// where none is selected. Throws as layer() does.
+	/// where none was selected when the run began.
 	std::string sentenceOfSelectedFaces() const;
 
 	/// Puts a result with the layer's attributes into the layer, or into a new one where the
@@ -67,6 +67,7 @@ private:
 	gpr::ParameterSet  _values;
 	gpr::RemeshOptions _options;
 	LayerCopy          _copy;
+	bool               _anyFaceSelected = false;
 
 	const MeshModel& sampleModel() const;
 	const MeshModel& reachableSampleModel() const;

@@ -32,17 +32,8 @@ std::vector<std::int32_t> copyVertices(const CMeshO& mesh, const CopiedParts& pa
 		const Point3m& point = vertex.cP();
 		copy.positions.push_back({point[0], point[1], point[2]});
 		if (parts.quality) copy.qualities.push_back(float(vertex.cQ()));
-		if (parts.selection) copy.selected.push_back(vertex.IsS());
 	}
 	return newIndex;
-}
-
-void selectCorners(const CFaceO& face, const CMeshO& mesh,
-				   const std::vector<std::int32_t>& newIndex, LayerCopy& copy)
-{
-	for (int k = 0; k < 3; ++k) {
-		copy.selected[std::size_t(newIndex[vcg::tri::Index(mesh, face.cV(k))])] = 1;
-	}
 }
 
 /// The unit normal of the face on which a point lies, or zero where the face has no area.
@@ -162,11 +153,6 @@ bool LayerCopy::sameGeometry(const LayerCopy& other) const
 	return sameBits(positions, other.positions) && sameBits(triangles, other.triangles);
 }
 
-bool LayerCopy::anySelected() const
-{
-	return std::find(selected.begin(), selected.end(), 1) != selected.end();
-}
-
 bool LayerCopy::anyFaceSelected() const
 {
 	return std::find(selectedFaces.begin(), selectedFaces.end(), 1) != selectedFaces.end();
@@ -175,25 +161,27 @@ bool LayerCopy::anyFaceSelected() const
 LayerCopy copyLayer(const CMeshO& mesh, const CopiedParts& parts)
 {
 	LayerCopy                       copy;
-	const std::vector<std::int32_t> newIndex     = copyVertices(mesh, parts, copy);
-	const bool                      cornersCount = parts.facesCorners && !copy.anySelected();
+	const std::vector<std::int32_t> newIndex = copyVertices(mesh, parts, copy);
 	copy.triangles.reserve(3 * std::size_t(mesh.fn));
 	for (const CFaceO& face : mesh.face) {
 		if (face.IsD()) continue;
 		for (int k = 0; k < 3; ++k) {
 			copy.triangles.push_back(newIndex[vcg::tri::Index(mesh, face.cV(k))]);
 		}
-		if (cornersCount && face.IsS()) selectCorners(face, mesh, newIndex, copy);
-		if (parts.faceSelection) copy.selectedFaces.push_back(face.IsS());
 	}
+	using namespace vcg::tri::gpr_detail;
+	if (parts.facesCorners)
+		copy.selected = SelectedVertices(mesh, copy.view());
+	else if (parts.selection)
+		copy.selected = SelectionOf(mesh.vert);
+	if (parts.faceSelection) copy.selectedFaces = SelectionOf(mesh.face);
 	if (parts.texture) {
 		const std::vector<const CFaceO*> faces = liveFaces(mesh);
 		const auto faceOf = [&](std::int32_t f) { return faces[std::size_t(f)]; };
-		copy.texture      = std::make_shared<const gpr::TextureSource>(
-            vcg::tri::gpr_detail::WedgeTextureOf<CMeshO>(copy.view(), faceOf));
+		copy.texture =
+			std::make_shared<const gpr::TextureSource>(WedgeTextureOf<CMeshO>(copy.view(), faceOf));
 	}
-	if (parts.edgeSelection)
-		copy.selectedEdges = vcg::tri::gpr_detail::SelectedEdges(mesh, copy.view().line);
+	if (parts.edgeSelection) copy.selectedEdges = SelectedEdges(mesh, copy.view().line);
 	return copy;
 }
 

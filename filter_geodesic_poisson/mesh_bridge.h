@@ -42,7 +42,6 @@ struct LayerCopy {
 	gpr::MeshView view() const;
 	/// Bit by bit, so that a NaN equals itself.
 	bool sameGeometry(const LayerCopy& other) const;
-	bool anySelected() const;
 	bool anyFaceSelected() const;
 };
 

@@ -7,8 +7,10 @@
 //
 // Needs the bunny of Debian's package glmark2-data. Of the models in GPR_MODELS_DIR those that are
 // there are taken; vcg_extras/docs/models.md says where they come from.
+#include <tests/support/model_files.h>
 #include <tests/support/oracles.h>
 #include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/core/surface/surface_distance.h>
 
@@ -46,26 +48,6 @@ RemeshOptions percentOptions(double percent)
 	return options;
 }
 
-TriangleMesh copyOf(const MeshView& view)
-{
-	TriangleMesh mesh;
-	for (std::size_t v = 0; v < view.vertexNum; ++v)
-		mesh.positions.push_back(view.position(v));
-	for (std::size_t c = 0; c < 3 * view.faceNum; ++c)
-		mesh.triangles.push_back(view.vertexOf(c));
-	return mesh;
-}
-
-double diagonalOf(const TriangleMesh& mesh)
-{
-	Vec3d low = mesh.positions[0], high = low;
-	for (const Vec3d& p : mesh.positions) {
-		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-	}
-	return length(high - low);
-}
-
 /// Both ways: the larger of the two root mean squares, and the largest distance, in percent of the
 /// input's diagonal.
 SurfaceDistance distanceBetween(const TriangleMesh& input, const TriangleMesh& result)
@@ -75,7 +57,7 @@ SurfaceDistance distanceBetween(const TriangleMesh& input, const TriangleMesh& r
 		NearSurface(input.view(), workers).from(result.view(), distanceSamples, workers);
 	const SurfaceDistance back =
 		NearSurface(result.view(), workers).from(input.view(), distanceSamples, workers);
-	const double percent = 100 / diagonalOf(input);
+	const double percent = 100 / measureMesh(input.view()).diagonal;
 	return {percent * std::max(there.rms, back.rms), percent * std::max(there.max, back.max)};
 }
 
@@ -96,7 +78,7 @@ SurfaceDistance distanceOfSharpEdges(const TriangleMesh& input, const TriangleMe
 		look(ends[s + 1]);
 		look((ends[s] + ends[s + 1]) * 0.5);
 	}
-	const double percent = 100 / diagonalOf(input);
+	const double percent = 100 / measureMesh(input.view()).diagonal;
 	return {percent * std::sqrt(sum / std::max(num, 1.0)), percent * d.max};
 }
 
@@ -248,7 +230,7 @@ std::vector<Model> modelsOf(const std::vector<std::string>& names)
 	for (const std::string& name : names) {
 		if (folder == nullptr) break;
 		const std::string path = std::string(folder) + "/" + name + ".ply";
-		if (std::ifstream(path)) models.push_back({name, copyOf(app::readMesh(path).view())});
+		if (std::ifstream(path)) models.push_back({name, test::copyOf(app::readMesh(path).view())});
 	}
 	return models;
 }
@@ -258,7 +240,7 @@ std::vector<Model> modelsOf(const std::vector<std::string>& names)
 int main(int argc, char** argv)
 {
 	const Model              bunny = {"bunny",
-									  copyOf(app::readMesh("/usr/share/glmark2/models/bunny.obj").view())};
+									  test::copyOf(app::readMesh("/usr/share/glmark2/models/bunny.obj").view())};
 	std::vector<Model>       scans = modelsOf({"igea_269k"});
 	const std::vector<Model> parts = modelsOf({"fandisk_13k_cad", "rockerarm_20k"});
 	scans.insert(scans.begin(), bunny);

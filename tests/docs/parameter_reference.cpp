@@ -42,10 +42,8 @@ const char* const intro =
 	"is this page: first what each filter has, then [what it means](#what-each-one-means).\n"
 	"A script for `meshlabserver` names every key of its filter, with its type; a complete one "
 	"belongs to\n"
-	"each filter. In it one edits `TargetVertexNum`. A dialog with more than twelve parameters "
-	"shows "
-	"the\n"
-	"rows below the line *for experts* only when asked to.\n";
+	"each filter. In it one edits `TargetVertexNum`. A dialog with more than twelve parameters\n"
+	"shows the rows below the line *for experts* only when asked to.\n";
 
 std::string plain(double value)
 {
@@ -181,8 +179,8 @@ std::string explanations()
 	for (const Parameter& p : gpr::makeParameterTable()) {
 		text += "\n<a id=\"" + std::string(p.key) + "\"></a>\n### " + p.label + "\n\n" +
 				code(p.key) + (*p.option != '\0' ? ", " + optionText(p) : std::string()) + "\n\n" +
-				p.help + "\n" + inHost("In MeshLab", p.dialogHelp) +
-				inHost("On the command line", p.commandHelp);
+				p.help + "\n" + inHost("In MeshLab", p.dialogOnly) +
+				inHost("On the command line", p.commandOnly);
 	}
 	return text;
 }

@@ -4,6 +4,7 @@
 // stored into a template's parameters by its key, and the result must have the bytes of the facade
 // called with the options that gpr::ParameterSet makes of the same values.
 #include "option_support.h"
+#include "poisson_samples.h"
 
 #include <vcg_extras/complex/algorithms/feature_detection.h>
 #include <vcg_extras/complex/algorithms/geodesic_poisson_remeshing.h>
@@ -25,21 +26,6 @@ static_assert(
 static_assert(std::is_base_of<gpr::RemeshOptions, GeodesicPoissonSampling<AnyMesh>::Params>::value);
 static_assert(std::is_base_of<gpr::RemeshOptions, Retriangulation<AnyMesh>::Params>::value);
 static_assert(std::is_base_of<gpr::RemeshOptions, FeatureDetection<AnyMesh>::Params>::value);
-
-/// About 400 points of a mesh.
-template <class MeshType>
-std::vector<typename MeshType::CoordType> SomePoints(MeshType& m)
-{
-	typedef GeodesicPoissonSampling<MeshType>   Sampling;
-	std::vector<typename Sampling::SamplePoint> samples;
-	typename Sampling::Params                   params;
-	params.SetTargetVertexNum(400);
-	EXPECT_TRUE(Sampling::Sample(m, params, samples).IsOk());
-	std::vector<typename MeshType::CoordType> points;
-	for (const auto& s : samples)
-		points.push_back(s.position);
-	return points;
-}
 
 /// A tool by its template and by the facade of the engine.
 template <class MeshType>
@@ -100,14 +86,14 @@ struct RetriangulationTool {
 	static OptionOutcome ByTemplate(MeshType& m, const Params& params)
 	{
 		MeshType      out;
-		OptionOutcome outcome = OutcomeOf(Algorithm::Do(m, SomePoints(m), out, params));
+		OptionOutcome outcome = OutcomeOf(Algorithm::Do(m, PoissonSamples(m, 400), out, params));
 		AddMesh(out, outcome);
 		return outcome;
 	}
 	static OptionOutcome ByFacade(MeshType& m, const gpr::RemeshOptions& options)
 	{
 		std::vector<gpr::Vec3d> samples;
-		for (const auto& p : SomePoints(m))
+		for (const auto& p : PoissonSamples(m, 400))
 			samples.push_back({double(p[0]), double(p[1]), double(p[2])});
 		const OptionInput       input   = InputOf(m);
 		const gpr::RemeshResult run     = gpr::retriangulate(input.View(options), samples, options);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "poisson_samples.h"
 #include "support.h"
 
-#include <vcg_extras/complex/algorithms/geodesic_poisson_sampling.h>
 #include <vcg_extras/complex/algorithms/retriangulation.h>
 
 #include <algorithm>
@@ -12,20 +12,6 @@ using namespace gpr_test;
 using namespace vcg::tri;
 
 namespace {
-
-template <class MeshType>
-std::vector<typename MeshType::CoordType> PoissonSamples(MeshType& m, int vertexNum)
-{
-	typedef GeodesicPoissonSampling<MeshType> Sampling;
-	typename Sampling::Params                 params;
-	params.SetTargetVertexNum(vertexNum);
-	std::vector<typename Sampling::SamplePoint> points;
-	EXPECT_TRUE(Sampling::Sample(m, params, points).IsOk());
-	std::vector<typename MeshType::CoordType> positions;
-	for (const auto& p : points)
-		positions.push_back(p.position);
-	return positions;
-}
 
 template <class S>
 class RetriangulationTest : public ::testing::Test {

@@ -5,6 +5,7 @@
 
 #include "vec.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -65,6 +66,12 @@ struct MeshView {
 	}
 	/// That of corner c, of face c / 3.
 	std::int32_t vertexOf(std::size_t c) const { return triangle(c / 3)[c % 3]; }
+
+	bool anySelected() const
+	{
+		return selected != nullptr && std::any_of(selected, selected + vertexNum,
+												  [](std::uint8_t mark) { return mark != 0; });
+	}
 };
 
 /// All indices of a view, three a triangle.

@@ -96,6 +96,11 @@ bool asksForFeatureRegion(const RemeshOptions& o)
 	return o.featureDiskScale > 0 || o.featureSampling == FeatureSampling::Vertices;
 }
 
+bool mayUseSelectedVertices(const RemeshOptions& o)
+{
+	return asksForFeatureRegion(o) && o.featureRegion != FeatureRegion::Detected;
+}
+
 void resolveFeatureRegion(bool anySelected, RemeshOptions& o)
 {
 	constexpr double usualScale = 0.5;

@@ -165,6 +165,9 @@ void applyPreset(Preset preset, RemeshOptions& options);
 /// vertices.
 bool asksForFeatureRegion(const RemeshOptions& options);
 
+/// Whether the region is made of the selected vertices, or may be: it is named so, or not named.
+bool mayUseSelectedVertices(const RemeshOptions& options);
+
 /// Puts the region that FeatureRegion::Auto stands for, and the disk scale that 0 stands for, in
 /// their places.
 void resolveFeatureRegion(bool anySelected, RemeshOptions& options);

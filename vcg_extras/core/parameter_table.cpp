@@ -71,12 +71,12 @@ struct Row {
 	}
 	Row& inDialog(const char* sentences)
 	{
-		p.dialogHelp = sentences;
+		p.dialogOnly = sentences;
 		return *this;
 	}
 	Row& onCommandLine(const char* sentences)
 	{
-		p.commandHelp = sentences;
+		p.commandOnly = sentences;
 		return *this;
 	}
 	Row& store(void (*put)(const ParameterValue&, RemeshOptions&))
@@ -221,9 +221,8 @@ void addFeatureDisks(Table& t)
 			"Feature disk scale (0 = off)",
 			"Makes the triangles of the feature region smaller: the radius of its disks over the "
 			"radius elsewhere, 0.05 to 1. The feature region is made of the selected vertices; "
-			"where "
-			"no vertex is selected it is detected. 0: no feature region, unless one is named; "
-			"then its disks have half the radius.")
+			"where no vertex is selected it is detected. 0: no feature region, unless one is "
+			"named; then its disks have half the radius.")
 			.inDialog("0.5 is proposed where vertices are selected.")
 			.range(0, 1)
 			.byDefault(
@@ -582,12 +581,12 @@ std::vector<Parameter> makeParameterTable()
 
 std::string dialogHelp(const Parameter& p)
 {
-	return withMore(p.help, p.dialogHelp);
+	return withMore(p.help, p.dialogOnly);
 }
 
 std::string commandHelp(const Parameter& p)
 {
-	return withMore(p.help, p.commandHelp);
+	return withMore(p.help, p.commandOnly);
 }
 
 } // namespace gpr

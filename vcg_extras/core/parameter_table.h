@@ -52,8 +52,8 @@ struct Parameter {
 	ParameterKind            kind;
 	const char*              label;       ///< in the dialog
 	const char*              help;        ///< full sentences with unit and range, for every host
-	const char*              dialogHelp;  ///< what is so in MeshLab only, or ""
-	const char*              commandHelp; ///< what is so on the command line only, or ""
+	const char*              dialogOnly;  ///< what is so in MeshLab only, or ""
+	const char*              commandOnly; ///< what is so on the command line only, or ""
 	double                   minimum;
 	double                   maximum;
 	std::vector<const char*> choices; ///< Choice only

@@ -85,17 +85,10 @@ void requireValid(const RemeshOptions& options)
 	if (!complaints.empty()) throw Failure(Status::BadOptions, complaints.front());
 }
 
-bool anySelected(const MeshView& input)
-{
-	if (input.selected == nullptr) return false;
-	const std::uint8_t* const end = input.selected + input.vertexNum;
-	return std::any_of(input.selected, end, [](std::uint8_t mark) { return mark != 0; });
-}
-
 /// The options in force.
 RemeshOptions resolved(const MeshView& input, RemeshOptions options)
 {
-	resolveFeatureRegion(anySelected(input), options);
+	resolveFeatureRegion(input.anySelected(), options);
 	if (options.seed == 0) options.seed = std::max(1u, std::uint32_t(std::random_device()()));
 	if (options.equations == Equations::AsPrinted) options.adapt = 0; // the paper has no such thing
 	return options;

@@ -7,7 +7,6 @@
 
 #include <vcg_extras/core/mesh_view.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -78,11 +77,7 @@ struct InputMesh {
 	bool        isInFile() const { return inFile.triangles != nullptr; }
 	std::size_t vertexNum() const { return view().vertexNum; }
 	std::size_t faceNum() const { return view().faceNum; }
-	bool        anySelected() const
-	{
-		return std::find(selected.begin(), selected.end(), 1) != selected.end();
-	}
-	MeshView view() const
+	MeshView    view() const
 	{
 		MeshView v     = isInFile() ? inFile : viewOfArrays();
 		v.quality      = quality.empty() ? nullptr : quality.data();

@@ -65,10 +65,9 @@ void checkCarried(MeshFormat format, const std::string& path, const WantedAttrib
 WantedAttributes neededBy(const RemeshOptions& options)
 {
 	WantedAttributes wanted;
-	wanted.quality   = options.lambda > 0 && options.sizing == SizingSource::Quality;
-	wanted.selection = options.featureRegion == FeatureRegion::Selection;
-	wanted.ifSelected =
-		options.featureRegion == FeatureRegion::Auto && asksForFeatureRegion(options);
+	wanted.quality       = options.lambda > 0 && options.sizing == SizingSource::Quality;
+	wanted.selection     = options.featureRegion == FeatureRegion::Selection;
+	wanted.ifSelected    = mayUseSelectedVertices(options);
 	wanted.faceSelection = options.selectedOnly;
 	return wanted;
 }

@@ -219,7 +219,7 @@ public:
 	template <class Source>
 	void read(const PlyElement& e, Source& source, InputMesh& mesh)
 	{
-		const bool cornersToo = wanted_.selection && !mesh.anySelected();
+		const bool cornersToo = wanted_.selection && !mesh.view().anySelected();
 		Record     record;
 		for (std::uint64_t f = 0; f < e.count; ++f) {
 			readRecord(e, kept_, source, record);

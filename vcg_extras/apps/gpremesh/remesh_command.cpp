@@ -138,7 +138,7 @@ RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit
 	run.inputDouble  = input.doublePrecision;
 	run.outputDouble = needsDoubleOutput(input, result);
 	run.options      = line.options;
-	resolveFeatureRegion(input.anySelected(), run.options);
+	resolveFeatureRegion(input.view().anySelected(), run.options);
 	run.notes = input.notes;
 	run.notes.insert(run.notes.end(), result.notes.begin(), result.notes.end());
 	addPrecisionNote(run);

@@ -117,7 +117,7 @@ public:
 			_quality = VertexQualities(_mesh);
 		if (options.featureRegion == gpr::FeatureRegion::Selection)
 			_selected = SelectedVertices(_mesh, View());
-		if (options.featureRegion == gpr::FeatureRegion::Auto && gpr::asksForFeatureRegion(options))
+		else if (gpr::mayUseSelectedVertices(options))
 			_selected = SelectionOf(_mesh.vert);
 		if (options.selectedOnly) _selectedFace = SelectionOf(_mesh.face);
 		if (options.featureMode == gpr::FeatureMode::Given) {

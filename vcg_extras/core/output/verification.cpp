@@ -69,8 +69,7 @@ void requirePromises(RunContext& run, const Surface& surface, const ResultMesh& 
 	if (report.audit.invertedFaces == 0) return;
 	run.notes.push_back(std::to_string(report.audit.invertedFaces) +
 						" faces are inverted: their normals point against the input's, where the "
-						"surface is thinner "
-						"than the triangles are wide.");
+						"surface is thinner than the triangles are wide.");
 }
 
 void checkWhereAsked(RunContext& run, const Surface& surface, const HalfEdgeMesh& result)
