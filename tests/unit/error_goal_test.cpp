@@ -130,4 +130,59 @@ TEST(SampledDistance, IsFoundInsideOfLargeFaces)
 	EXPECT_NEAR(largestSampledDistance(flat, halfEdgesOf(squareFrame(20, 10)), workers), 0.25, 0.1);
 }
 
+TEST(SampledDistance, OverARampIsTheIntegral)
+{
+	for (const int cells : {1, 40}) {
+		TriangleMesh tilted = grid(cells, cells);
+		for (Vec3d& p : tilted.positions)
+			p.z = 0.5 * p.x;
+		Workers               workers(2, nullptr);
+		const SurfaceDistance d =
+			sampledDistance(halfEdgesOf(grid(60, 60)), halfEdgesOf(tilted), workers).mutual.toInput;
+		EXPECT_NEAR(d.max, 0.5, 1e-6);
+		EXPECT_NEAR(d.rms, 0.5 / std::sqrt(3.0), 1e-4);
+		EXPECT_NEAR(d.p999, 0.4995, 3e-4);
+	}
+}
+
+/// A strip of 20000 faces has less than a thousandth of the area, the rest is 18 faces.
+TEST(SampledDistance, ManySmallFacesWeighNoMoreThanTheirArea)
+{
+	TriangleMesh mesh = grid(100, 100, 1, 0.0005);
+	for (Vec3d& p : mesh.positions)
+		p.z = 0.2;
+	mesh = joined(mesh, shifted(grid(3, 3), {0, 1, 0.1}));
+	Workers              workers(2, nullptr);
+	const MutualDistance d =
+		sampledDistance(halfEdgesOf(grid(1, 1, 9, 9)), halfEdgesOf(mesh), workers).mutual;
+	EXPECT_NEAR(d.toInput.p999, 0.1, 1e-3);
+	EXPECT_NEAR(d.toInput.max, 0.2, 1e-6);
+	EXPECT_EQ(d.larger().max, d.fromInput.max);
+}
+
+TEST(SampledDistance, IsTheSameForAnyNumberOfThreads)
+{
+	const HalfEdgeMesh a = halfEdgesOf(icosphere(5)), b = halfEdgesOf(torus(50, 20));
+	Workers            alone(1, nullptr);
+	const auto         one = sampledDistance(a, b, alone).mutual;
+	for (const int threads : {2, 3}) {
+		Workers    workers(threads, nullptr);
+		const auto more = sampledDistance(a, b, workers).mutual;
+		EXPECT_EQ(one.toInput.rms, more.toInput.rms);
+		EXPECT_EQ(one.toInput.p999, more.toInput.p999);
+		EXPECT_EQ(one.fromInput.rms, more.fromInput.rms);
+		EXPECT_EQ(one.fromInput.p999, more.fromInput.p999);
+		EXPECT_EQ(one.larger().max, more.larger().max);
+	}
+}
+
+TEST(SampledDistance, OfNothingIsNothing)
+{
+	Workers              workers(1, nullptr);
+	const MutualDistance d =
+		sampledDistance(HalfEdgeMesh(), halfEdgesOf(grid(2, 2)), workers).mutual;
+	EXPECT_EQ(d.larger().max, 0);
+	EXPECT_EQ(d.larger().p999, 0);
+}
+
 } // namespace gpr::test

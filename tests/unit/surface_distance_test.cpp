@@ -48,6 +48,7 @@ TEST(NearSurface, ParallelSquaresAreTheirGapApart)
 {
 	const SurfaceDistance d = distance(squareAt({0, 0, 0.25}), squareAt({0, 0, 0}));
 	EXPECT_NEAR(d.rms, 0.25, 1e-6);
+	EXPECT_NEAR(d.p999, 0.25, 1e-6);
 	EXPECT_NEAR(d.max, 0.25, 1e-6);
 }
 
@@ -55,6 +56,7 @@ TEST(NearSurface, OverARampIsTheIntegral)
 {
 	const SurfaceDistance d = distance(ramp(), squareAt({0, 0, 0}));
 	EXPECT_NEAR(d.rms, 0.6 / std::sqrt(3.0), 1e-3);
+	EXPECT_NEAR(d.p999, 0.999 * 0.6, 0.0005 * 0.6);
 	EXPECT_NEAR(d.max, 0.6, 1e-6);
 }
 
@@ -88,15 +90,31 @@ TEST(NearSurface, TakesAnySetOfFaces)
 	EXPECT_LE(there.max, 0.25 + 1e-6);
 	EXPECT_NEAR(distance(wild, squareAt({0, 0, 0})).max, 9, 1e-5);
 	EXPECT_EQ(distance(wild, TriangleMesh()).max, 0);
+	EXPECT_EQ(distance(wild, TriangleMesh()).p999, 0);
 	EXPECT_EQ(distance(TriangleMesh(), wild).max, 0);
 }
 
 TEST(NearSurface, SameBitsForAnyNumberOfThreads)
 {
 	const SurfaceDistance one = distance(ramp(), squareAt({0.3, 0, 0}), 1);
-	const SurfaceDistance two = distance(ramp(), squareAt({0.3, 0, 0}), 3);
-	EXPECT_EQ(one.rms, two.rms);
-	EXPECT_EQ(one.max, two.max);
+	for (const int threads : {2, 3}) {
+		const SurfaceDistance more = distance(ramp(), squareAt({0.3, 0, 0}), threads);
+		EXPECT_EQ(one.rms, more.rms);
+		EXPECT_EQ(one.p999, more.p999);
+		EXPECT_EQ(one.max, more.max);
+	}
+}
+
+/// The spike has a 4000th of the area. Its tip is the largest distance.
+TEST(NearSurface, OneSpikeDoesNotShowInP999)
+{
+	TriangleMesh spiked = squareAt({0, 0, 0.1});
+	spiked.positions.insert(spiked.positions.end(),
+							{{0.5, 0.5, 0.1}, {0.5005, 0.5, 0.1}, {0.5, 0.5, 1.1}});
+	spiked.triangles.insert(spiked.triangles.end(), {4, 5, 6});
+	const SurfaceDistance d = distance(spiked, squareAt({0, 0, 0}));
+	EXPECT_NEAR(d.p999, 0.1, 1e-4);
+	EXPECT_NEAR(d.max, 1.1, 1e-6);
 }
 
 TEST(RadiusRatios, OfEachFace)

@@ -73,6 +73,13 @@ TEST(CheckOption, TellsDistancesInTheCallersUnit)
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	EXPECT_TRUE(r.report.check.done);
 	EXPECT_EQ(r.report.check.intersectingFaces, 0);
+	const MutualDistance& d = r.report.check.distance;
+	EXPECT_EQ(d.larger().max, r.report.check.largestDistance);
+	for (const SurfaceDistance& way : {d.toInput, d.fromInput}) {
+		EXPECT_GT(way.rms, 0.1);
+		EXPECT_GT(way.p999, way.rms);
+		EXPECT_LE(way.p999, way.max);
+	}
 	EXPECT_GT(r.report.check.largestDistance, 1);
 	EXPECT_LT(r.report.check.largestDistance, 30);
 	EXPECT_NEAR(r.report.check.vertexDistance, r.report.largestFitDistance, 0.5);

@@ -80,13 +80,38 @@ struct AuditFigures {
 	bool         countExact          = false;
 };
 
+/// Distances of the points of one surface from another, mesh units.
+struct SurfaceDistance {
+	double rms  = 0; ///< over the area: the E_RMS of Metro
+	double p999 = 0; ///< 99.9 % of the area is nearer than this
+	double max  = 0; ///< over all points measured: the one-sided Hausdorff distance from below
+
+	SurfaceDistance times(double unit) const { return {rms * unit, p999 * unit, max * unit}; }
+};
+
+/// Distances of input and result from each other, mesh units.
+struct MutualDistance {
+	SurfaceDistance toInput;   ///< of the points of the result from the input
+	SurfaceDistance fromInput; ///< of the points of the input from the result
+
+	MutualDistance times(double unit) const { return {toInput.times(unit), fromInput.times(unit)}; }
+	/// The larger of both ways, figure by figure.
+	SurfaceDistance larger() const
+	{
+		return {toInput.rms > fromInput.rms ? toInput.rms : fromInput.rms,
+				toInput.p999 > fromInput.p999 ? toInput.p999 : fromInput.p999,
+				toInput.max > fromInput.max ? toInput.max : fromInput.max};
+	}
+};
+
 /// What RemeshOptions::check found.
 struct CheckFigures {
-	bool         done                   = false;
-	std::int64_t intersectingFaces      = 0; ///< of the result, that intersect another
-	std::int64_t inputIntersectingFaces = 0; ///< looked for only where the result has some
-	double       vertexDistance         = 0; ///< largest of a vertex from the input, mesh units
-	double       largestDistance        = 0; ///< either way, found by sampling, mesh units
+	bool           done                   = false;
+	std::int64_t   intersectingFaces      = 0; ///< of the result, that intersect another
+	std::int64_t   inputIntersectingFaces = 0; ///< looked for only where the result has some
+	double         vertexDistance         = 0; ///< largest of a vertex from the input, mesh units
+	double         largestDistance        = 0; ///< largest of distance, mesh units
+	MutualDistance distance;                   ///< found by sampling
 };
 
 /// What a vertex is to the features, as bits.

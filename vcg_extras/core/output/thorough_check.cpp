@@ -15,8 +15,10 @@ CheckFigures checkThoroughly(const Surface& surface, const HalfEdgeMesh& result,
 	figures.intersectingFaces = std::int64_t(findIntersectingFaces(result, workers).size());
 	if (figures.intersectingFaces > 0)
 		figures.inputIntersectingFaces = std::int64_t(findIntersectingFaces(input, workers).size());
-	figures.vertexDistance  = double(largestVertexDistance(result, input, workers));
-	figures.largestDistance = double(largestSampledDistance(input, result, workers));
+	const SampledDistance distance = sampledDistance(input, result, workers);
+	figures.vertexDistance         = double(distance.vertexDistance);
+	figures.distance               = distance.mutual;
+	figures.largestDistance        = figures.distance.larger().max;
 	return figures;
 }
 

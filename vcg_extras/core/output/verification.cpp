@@ -81,6 +81,7 @@ void checkWhereAsked(RunContext& run, const Surface& surface, const HalfEdgeMesh
 	const std::string failure = describeFailure(figures, run.report.largestFitDistance / unit);
 	figures.vertexDistance *= unit;
 	figures.largestDistance *= unit;
+	figures.distance = figures.distance.times(unit);
 	run.report.check = figures;
 	if (!failure.empty()) throw Failure(Status::PromiseBroken, failure);
 }

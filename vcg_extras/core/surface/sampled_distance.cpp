@@ -3,7 +3,9 @@
 #include "sampled_distance.h"
 
 #include "face_tree.h"
+#include "surface_distance.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gpr {
@@ -12,6 +14,8 @@ namespace {
 
 /// Spacing of the points in mean edges of the coarser mesh.
 constexpr float spacingShare = 0.34f;
+/// Bounds of the number of points spread evenly. Of the most, 200 are beyond the p99.9.
+constexpr std::int64_t leastEvenPoints = 20000, mostEvenPoints = 200000;
 /// Points along the edge of a face at most.
 constexpr float maxSteps = 1000;
 
@@ -25,6 +29,22 @@ float meanEdge(const HalfEdgeMesh& m, Workers& workers)
 			return part;
 		});
 	return float(sum / std::max(1, m.halfEdgeNum()));
+}
+
+float spacingBetween(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& workers)
+{
+	return spacingShare * std::max(meanEdge(a, workers), meanEdge(b, workers));
+}
+
+MeshView viewOf(const HalfEdgeMesh& m)
+{
+	MeshView view;
+	view.positions           = m.position.data();
+	view.positionStrideBytes = sizeof(Vec3f);
+	view.vertexNum           = std::size_t(m.vertexNum);
+	view.triangles           = m.origin.data();
+	view.faceNum             = std::size_t(m.faceNum);
+	return view;
 }
 
 /// Calls visit(p) for a lattice of points on a face, without its corners.
@@ -68,34 +88,75 @@ Largest largestOfVertices(const HalfEdgeMesh& from, const FaceTree& to, Workers&
 	});
 }
 
-float largestFrom(const HalfEdgeMesh& from, const FaceTree& to, float spacing, Workers& workers)
+Largest largestOfLattices(const HalfEdgeMesh& from, const FaceTree& to, float spacing,
+						  Workers& workers)
 {
-	Largest all = workers.sum<Largest>(from.faceNum, [&](std::size_t begin, std::size_t end) {
+	return workers.sum<Largest>(from.faceNum, [&](std::size_t begin, std::size_t end) {
 		Largest largest;
 		for (std::size_t f = begin; f < end; ++f)
 			forEachInnerPoint(from, int(f), spacing,
 							  [&](const Vec3f& p) { largest += {distance(p, to)}; });
 		return largest;
 	});
+}
+
+float largestFrom(const HalfEdgeMesh& from, const FaceTree& to, float spacing, Workers& workers)
+{
+	Largest all = largestOfLattices(from, to, spacing, workers);
 	all += largestOfVertices(from, to, workers);
 	return all.value;
 }
+
+/// Distances of one mesh from the tree of another.
+class OneWay {
+public:
+	OneWay(const HalfEdgeMesh& from, const FaceTree& to, float spacing, Workers& workers) :
+			from_(from), to_(to), spacing_(spacing), workers_(workers),
+			ofVertices_(largestOfVertices(from, to, workers).value)
+	{
+	}
+
+	float ofVertices() const { return ofVertices_; }
+
+	SurfaceDistance ofSurface(std::int64_t evenNum) const
+	{
+		const auto ofPoint     = [this](const Vec3d& p) { return double(distance(Vec3f(p), to_)); };
+		SurfaceDistance d      = distanceOfEvenPoints(viewOf(from_), evenNum, ofPoint, workers_);
+		const float     inside = largestOfLattices(from_, to_, spacing_, workers_).value;
+		d.max                  = std::max({d.max, double(inside), double(ofVertices_)});
+		return d;
+	}
+
+private:
+	const HalfEdgeMesh& from_;
+	const FaceTree&     to_;
+	float               spacing_;
+	Workers&            workers_;
+	float               ofVertices_;
+};
 
 } // namespace
 
 float largestSampledDistance(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& workers)
 {
 	if (a.faceNum == 0 || b.faceNum == 0) return 0;
-	const float    spacing = spacingShare * std::max(meanEdge(a, workers), meanEdge(b, workers));
+	const float    spacing = spacingBetween(a, b, workers);
 	const FaceTree treeA(a, &workers), treeB(b, &workers);
 	return std::max(largestFrom(a, treeB, spacing, workers),
 					largestFrom(b, treeA, spacing, workers));
 }
 
-float largestVertexDistance(const HalfEdgeMesh& from, const HalfEdgeMesh& to, Workers& workers)
+SampledDistance sampledDistance(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
+								Workers& workers)
 {
-	if (to.faceNum == 0) return 0;
-	return largestOfVertices(from, FaceTree(to, &workers), workers).value;
+	if (input.faceNum == 0 || result.faceNum == 0) return {};
+	const float    spacing = spacingBetween(input, result, workers);
+	const FaceTree inputTree(input, &workers), resultTree(result, &workers);
+	const auto     evenNum = std::clamp<std::int64_t>(10 * std::int64_t(result.faceNum),
+                                                  leastEvenPoints, mostEvenPoints);
+	const OneWay   there(result, inputTree, spacing, workers);
+	const OneWay   back(input, resultTree, spacing, workers);
+	return {{there.ofSurface(evenNum), back.ofSurface(evenNum)}, there.ofVertices()};
 }
 
 } // namespace gpr

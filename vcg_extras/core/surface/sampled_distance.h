@@ -5,6 +5,7 @@
 
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
+#include <vcg_extras/core/report.h>
 
 namespace gpr {
 
@@ -14,8 +15,18 @@ namespace gpr {
 /// Cost: O(F log F), parallel but for the two trees.
 float largestSampledDistance(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& workers);
 
-/// Largest distance of a vertex of one mesh from the other mesh. Cost: as above.
-float largestVertexDistance(const HalfEdgeMesh& from, const HalfEdgeMesh& to, Workers& workers);
+/// Distances of two meshes from each other, in their own unit.
+struct SampledDistance {
+	MutualDistance mutual;
+	float          vertexDistance = 0; ///< largest of a vertex of the result from the input
+};
+
+/// The largest distance is that over the points above and over others that are spread evenly, root
+/// mean square and p99.9 are over the even points alone. Of these there are ten for each face of
+/// the result, but at least 20000 and at most 200000. So the p99.9 is known to some percent. All
+/// figures are 0 where either mesh has no face. Cost: as above, and a search for each even point.
+SampledDistance sampledDistance(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
+								Workers& workers);
 
 } // namespace gpr
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface_distance.h"
 
+#include "distance_histogram.h"
 #include "even_points.h"
 
 #include <algorithm>
@@ -65,6 +66,26 @@ std::vector<char> usedVertices(const MeshView& mesh)
 
 } // namespace
 
+SurfaceDistance distanceOfEvenPoints(const MeshView& mesh, std::int64_t pointNum,
+									 const std::function<double(const Vec3d&)>& distance,
+									 Workers&                                   workers)
+{
+	const EvenPoints points(mesh, pointNum);
+	if (points.num() == 0) return {};
+	DistanceHistogram  histogram;
+	const DistanceSums sums =
+		workers.sum<DistanceSums>(points.num(), [&](std::size_t begin, std::size_t end) {
+			DistanceSums part;
+			points.forEach(begin, end, [&](const Vec3d& p) {
+				const double d = distance(p);
+				part.add(d);
+				histogram.add(d);
+			});
+			return part;
+		});
+	return {std::sqrt(sums.squares / double(points.num())), histogram.p999(sums.max), sums.max};
+}
+
 NearSurface::NearSurface(const MeshView& mesh, Workers& workers) :
 		origin_(firstCorner(mesh)), faces_(cornersOf(mesh, origin_)), tree_(faces_, &workers)
 {
@@ -119,16 +140,11 @@ double NearSurface::largestOfVertices(const MeshView& mesh, Workers& workers) co
 SurfaceDistance NearSurface::from(const MeshView& mesh, std::int64_t pointNum,
 								  Workers& workers) const
 {
-	const EvenPoints points(mesh, pointNum);
-	if (faces_.faceNum == 0 || points.num() == 0) return {};
-	const DistanceSums sums =
-		workers.sum<DistanceSums>(points.num(), [&](std::size_t begin, std::size_t end) {
-			DistanceSums part;
-			points.forEach(begin, end, [&](const Vec3d& p) { part.add(distance(p)); });
-			return part;
-		});
-	return {std::sqrt(sums.squares / double(points.num())),
-			std::max(sums.max, largestOfVertices(mesh, workers))};
+	if (faces_.faceNum == 0) return {};
+	SurfaceDistance d = distanceOfEvenPoints(
+		mesh, pointNum, [this](const Vec3d& p) { return distance(p); }, workers);
+	d.max = std::max(d.max, largestOfVertices(mesh, workers));
+	return d;
 }
 
 } // namespace gpr

@@ -7,16 +7,20 @@
 
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh_view.h>
+#include <vcg_extras/core/report.h>
 
+#include <functional>
 #include <vector>
 
 namespace gpr {
 
-/// Distances of the points of one surface from another, mesh units.
-struct SurfaceDistance {
-	double rms = 0; ///< over points spread evenly over the area: the E_RMS of Metro
-	double max = 0; ///< over these and the vertices: the one-sided Hausdorff distance from below
-};
+/// Distances of about pointNum points, spread evenly over a surface. distance: of a point, from
+/// whatever; called by several threads at once. The p99.9 is at most 0.05 % too large: see
+/// DistanceHistogram. All figures are 0 where the surface has no area. Cost: so many calls,
+/// parallel, and 8 B a face.
+SurfaceDistance distanceOfEvenPoints(const MeshView& mesh, std::int64_t pointNum,
+									 const std::function<double(const Vec3d&)>& distance,
+									 Workers&                                   workers);
 
 /// A surface to which distances are measured. Any set of triangles, manifold or not, whoever made
 /// it; float precision of its own extent.
@@ -30,8 +34,8 @@ public:
 	/// that are not usable, and where there is no surface. Cost: seven searches a face, parallel.
 	std::vector<float> ofFaces(const MeshView& mesh, Workers& workers) const;
 
-	/// Over about pointNum even points and all vertices that faces have. Cost: O(pointNum + V)
-	/// searches of some microseconds, parallel.
+	/// Over about pointNum even points, as above, and for the largest distance also over all
+	/// vertices that faces have. Cost: O(pointNum + V) searches of some microseconds, parallel.
 	SurfaceDistance from(const MeshView& mesh, std::int64_t pointNum, Workers& workers) const;
 
 private:
