@@ -69,7 +69,8 @@ TEST_F(Compare, OursIsAsNearAsQuadricCollapseAndMoreRegular)
 		const double rms = ours[way]["rms"], theirs = quadric[way]["rms"];
 		EXPECT_LT(rms, 1.3 * theirs) << way;
 		EXPECT_GT(rms, 0.3 * theirs) << way;
-		EXPECT_GT(ours[way]["hausdorff"].get<double>(), rms) << way;
+		EXPECT_GT(ours[way]["p999"].get<double>(), rms) << way;
+		EXPECT_GE(ours[way]["hausdorff"].get<double>(), ours[way]["p999"].get<double>()) << way;
 	}
 	EXPECT_GT(ours["quality"]["aspectRatio"]["mean"], 0.9);
 	EXPECT_LT(quadric["quality"]["aspectRatio"]["mean"], 0.85);
@@ -91,6 +92,10 @@ TEST_F(Compare, DistancesOfASphereAreThoseOfItsChords)
 	const double diagonal = all["input"]["diagonal"];
 	EXPECT_NEAR(ours["toInput"]["rmsPercent"], 100 * rms / diagonal, 1e-9);
 	EXPECT_NEAR(ours["toInput"]["hausdorffPercent"], 100 * most / diagonal, 1e-9);
+	const double p999 = ours["toInput"]["p999"];
+	EXPECT_NEAR(ours["toInput"]["p999Percent"], 100 * p999 / diagonal, 1e-9);
+	EXPECT_LE(p999, most);
+	EXPECT_GT(p999, 1.5 * rms);
 }
 
 TEST_F(Compare, JsonTellsEveryFigureOfEveryMethod)
@@ -108,7 +113,8 @@ TEST_F(Compare, JsonTellsEveryFigureOfEveryMethod)
 								"nonManifoldEdges", "topologyKept", "quality"}) {
 			EXPECT_TRUE(m.contains(key)) << key;
 		}
-		for (const char* key : {"rms", "rmsPercent", "mean", "hausdorff", "hausdorffPercent"}) {
+		for (const char* key : {"rms", "rmsPercent", "mean", "p999", "p999Percent", "hausdorff",
+								"hausdorffPercent"}) {
 			EXPECT_GT(m["toInput"][key].get<double>(), 0) << key;
 			EXPECT_GT(m["fromInput"][key].get<double>(), 0) << key;
 		}
@@ -124,7 +130,8 @@ TEST_F(Compare, TableFitsATerminal)
 {
 	const ProgramResult result = compare(grid(30), {"--percent", "20", "--isotropic"});
 	ASSERT_EQ(result.exitCode, 0) << result.err;
-	for (const char* word : {"gpremesh", "paper", "QEC", "isotropic", "E_RMS", "Hausdorff",
+	for (const char* word : {"gpremesh", "paper", "QEC", "isotropic", "E_RMS",
+							 "p99.9, result to input", "p99.9, input to result", "Hausdorff",
 							 "aspect ratio", "2r/R", "worst angle", "topology"}) {
 		EXPECT_NE(result.out.find(word), std::string::npos) << word;
 	}
@@ -142,6 +149,9 @@ TEST_F(Compare, PageHoldsItsPictures)
 	EXPECT_EQ(page.find("<!DOCTYPE html>"), 0u);
 	EXPECT_EQ(page.rfind("</html>\n"), page.size() - 8);
 	EXPECT_NE(page.find("Hausdorff"), std::string::npos);
+	EXPECT_NE(page.find("<td>p99.9, result to input</td>"), std::string::npos);
+	EXPECT_NE(page.find("<td>p99.9, input to result</td>"), std::string::npos);
+	EXPECT_NE(page.find("99.9 % of the points are nearer than p99.9"), std::string::npos);
 	EXPECT_EQ(count(page, "src=\"") + count(page, "href="), count(page, "src=\"data:image/png"));
 	const auto files = std::filesystem::directory_iterator(path("new/page"));
 	EXPECT_EQ(std::distance(begin(files), end(files)), 1);

@@ -327,6 +327,29 @@ TEST_F(Remesh, ReportHasThePromisedKeys)
 	EXPECT_TRUE(r["capsReached"].is_array());
 }
 
+TEST_F(Remesh, ReportHasP999BesideTheOtherDistances)
+{
+	const std::string in = binaryPly(sphere(40), true, false);
+	remeshed("in.ply", in, {"--vertices", "300"});
+	EXPECT_FALSE(report().contains("check"));
+	remeshed("in.ply", in, {"--vertices", "300", "--check"});
+	const Json   check = report()["check"];
+	const double share = 100 / double(report()["input"]["diagonal"]);
+	double       p999 = 0, hausdorff = 0;
+	for (const char* way : {"toInput", "fromInput"}) {
+		const Json& d = check[way];
+		EXPECT_GT(double(d["rms"]), 0) << way;
+		EXPECT_GT(double(d["p999"]), double(d["rms"])) << way;
+		EXPECT_LE(double(d["p999"]), double(d["hausdorff"])) << way;
+		for (const std::string key : {"rms", "p999", "hausdorff"})
+			EXPECT_NEAR(double(d[key + "Percent"]), share * double(d[key]), 1e-9) << key;
+		p999      = std::max(p999, double(d["p999"]));
+		hausdorff = std::max(hausdorff, double(d["hausdorff"]));
+	}
+	EXPECT_EQ(p999, check["p999Distance"]);
+	EXPECT_EQ(hausdorff, check["largestDistance"]);
+}
+
 TEST_F(Remesh, ReportKeepsTheKeysOfEarlierVersions)
 {
 	remeshed("in.ply", binaryPly(sphere(40), true, false), {"--vertices", "300", "--check"});

@@ -52,6 +52,7 @@ TEST(SurfaceDistance, OfParallelSquaresIsTheirGap)
 	const DistanceFigures d = distance(square(0, 0, 0.25), square(0, 0, 0), 1000);
 	EXPECT_NEAR(d.mean, 0.25, 1e-12);
 	EXPECT_NEAR(d.rms, 0.25, 1e-12);
+	EXPECT_NEAR(d.p999, 0.25, 1e-12);
 	EXPECT_NEAR(d.max, 0.25, 1e-12);
 	EXPECT_EQ(d.sampleNum, 1000);
 	EXPECT_EQ(d.vertexNum, 4);
@@ -64,6 +65,8 @@ TEST(SurfaceDistance, IsSpreadEvenlyAndItsMaximumFoundBetweenSamples)
 	const DistanceFigures many = distance(square(0, 0, 0), frame(), 200000);
 	EXPECT_NEAR(many.mean, 1.0 / 6, 1e-4);
 	EXPECT_NEAR(many.rms, std::sqrt(1.0 / 24), 1e-4);
+	// Farther than d from all sides is the share (1 - 2 d)² of the square.
+	EXPECT_NEAR(many.p999, (1 - std::sqrt(0.001)) / 2, 5e-4);
 	for (const std::int64_t samples : {1, 10, 200000}) {
 		const DistanceFigures d = distance(square(0, 0, 0), frame(), samples);
 		EXPECT_LE(d.max, 0.5 + 1e-12) << samples;
@@ -88,9 +91,12 @@ TEST(SurfaceDistance, LosesNoDigitsFarFromTheOrigin)
 TEST(SurfaceDistance, IsTheSameForAnyNumberOfThreads)
 {
 	const DistanceFigures one = distance(square(0.3, 0.2, 0.1), frame(), 50000, 1);
-	const DistanceFigures two = distance(square(0.3, 0.2, 0.1), frame(), 50000, 2);
-	EXPECT_EQ(one.rms, two.rms);
-	EXPECT_EQ(one.max, two.max);
+	for (const int threads : {2, 3}) {
+		const DistanceFigures more = distance(square(0.3, 0.2, 0.1), frame(), 50000, threads);
+		EXPECT_EQ(one.rms, more.rms);
+		EXPECT_EQ(one.p999, more.p999);
+		EXPECT_EQ(one.max, more.max);
+	}
 }
 
 TEST(SurfaceDistance, PassesOverUnusableFaces)
@@ -106,6 +112,7 @@ TEST(SurfaceDistance, PassesOverUnusableFaces)
 	EXPECT_EQ(from.vertexNum, 4);
 	EXPECT_EQ(distance(TriangleMesh(), dirty, 1000).max, 0);
 	EXPECT_EQ(distance(dirty, TriangleMesh(), 1000).max, 0);
+	EXPECT_EQ(distance(dirty, TriangleMesh(), 1000).p999, 0);
 }
 
 } // namespace gpr_test

@@ -13,6 +13,8 @@ Json distanceJson(const CompareRecord& record, const DistanceFigures& d)
 	return {{"rms", d.rms},
 			{"rmsPercent", record.percentOfDiagonal(d.rms)},
 			{"mean", d.mean},
+			{"p999", d.p999},
+			{"p999Percent", record.percentOfDiagonal(d.p999)},
 			{"hausdorff", d.max},
 			{"hausdorffPercent", record.percentOfDiagonal(d.max)},
 			{"samples", d.sampleNum},

@@ -77,6 +77,9 @@ void addDistances(TableMaker& table)
 {
 	table.distance("E_RMS, result to input", [](const MethodRecord& m) { return m.toInput.rms; });
 	table.distance("E_RMS, input to result", [](const MethodRecord& m) { return m.fromInput.rms; });
+	table.distance("p99.9, result to input", [](const MethodRecord& m) { return m.toInput.p999; });
+	table.distance("p99.9, input to result",
+				   [](const MethodRecord& m) { return m.fromInput.p999; });
 	table.distance("Hausdorff, result to input",
 				   [](const MethodRecord& m) { return m.toInput.max; });
 	table.distance("Hausdorff, input to result",
@@ -106,8 +109,10 @@ std::string sizesText(const CompareRecord& record)
 {
 	const MethodRecord& first = record.methods.front();
 	return "Distances: " + grouped(first.toInput.sampleNum) +
-		   " points spread evenly over each surface, and all its vertices; E_RMS over the even "
-		   "points, Hausdorff over all and refined. Diagonal of the input: " +
+		   " points spread evenly over each surface, and all its vertices; E_RMS and p99.9 over "
+		   "the even points, Hausdorff over all and refined. 99.9 % of the points are nearer than "
+		   "p99.9. It is the distance to judge a result by: Hausdorff is that of one point, and "
+		   "varies much with the seed. Diagonal of the input: " +
 		   formatted("%.6g.", record.input.figures.diagonal);
 }
 

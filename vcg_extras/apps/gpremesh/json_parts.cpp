@@ -35,6 +35,14 @@ Json qualityJson(const QualityFigures& q)
 			{"meanEdgeLength", q.meanEdgeLen}};
 }
 
+Json distanceJson(const SurfaceDistance& d, double diagonal)
+{
+	const double percent = diagonal > 0 ? 100 / diagonal : 0;
+	return {{"rms", d.rms},       {"rmsPercent", percent * d.rms},
+			{"p999", d.p999},     {"p999Percent", percent * d.p999},
+			{"hausdorff", d.max}, {"hausdorffPercent", percent * d.max}};
+}
+
 Json programJson()
 {
 	return {{"name", "gpremesh"}, {"version", GPR_VERSION}};

@@ -19,6 +19,8 @@ Json figuresJson(const MeshFigures& m);
 /// The same with the file's name and precision before them.
 Json fileJson(const std::string& path, bool doublePrecision, const MeshFigures& figures);
 Json qualityJson(const QualityFigures& q);
+/// Of one direction, in mesh units and in percent of a diagonal; 0 % where that is 0.
+Json distanceJson(const SurfaceDistance& d, double diagonal);
 
 /// The text of a whole file. What a file name may have made invalid UTF-8 is repaired rather than
 /// refused.

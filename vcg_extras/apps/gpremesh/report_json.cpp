@@ -145,14 +145,17 @@ Json auditJson(const AuditFigures& a)
 			{"countExact", a.countExact}};
 }
 
-Json checkJson(const CheckFigures& c)
+Json checkJson(const CheckFigures& c, double diagonal)
 {
 	return {{"selfIntersectingFaces", c.intersectingFaces},
 			{"inputSelfIntersectingFaces", c.inputIntersectingFaces},
 			{"crossingFaces", c.intersectingFaces}, // keys of earlier versions
 			{"inputCrossingFaces", c.inputIntersectingFaces},
 			{"vertexDistance", c.vertexDistance},
-			{"largestDistance", c.largestDistance}};
+			{"largestDistance", c.largestDistance},
+			{"p999Distance", c.distance.larger().p999},
+			{"toInput", distanceJson(c.distance.toInput, diagonal)},
+			{"fromInput", distanceJson(c.distance.fromInput, diagonal)}};
 }
 
 Json countsJson(const RemeshReport& r)
@@ -199,7 +202,7 @@ std::string remeshReportJson(const RunRecord& run)
 	json["quality"] = qualityJson(r.quality);
 	json["cleaned"] = cleanedJson(r.cleaned);
 	json["audit"]   = auditJson(r.audit);
-	if (r.check.done) json["check"] = checkJson(r.check);
+	if (r.check.done) json["check"] = checkJson(r.check, r.input.diagonal);
 	if (r.errorTrialNum > 0) json["error"] = errorJson(r);
 	json["fitDistance"]     = r.largestFitDistance;
 	json["capsReached"]     = r.capsReached;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface_distance.h"
 
+#include <vcg_extras/core/surface/distance_histogram.h>
 #include <vcg_extras/core/surface/even_points.h>
 
 #include <CGAL/AABB_traits.h>
@@ -64,12 +65,11 @@ using FaceTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, FacePrimitive>>;
 struct DistanceSums {
 	double sum = 0, squares = 0, max = 0;
 
-	void add(double squaredDistance)
+	void add(double distance)
 	{
-		const double d = std::sqrt(squaredDistance);
-		sum += d;
-		squares += squaredDistance;
-		max = std::max(max, d);
+		sum += distance;
+		squares += distance * distance;
+		max = std::max(max, distance);
 	}
 	DistanceSums& operator+=(const DistanceSums& o)
 	{
@@ -100,11 +100,11 @@ public:
 	{
 	}
 
-	double squaredDistance(const Vec3d& from)
+	double distance(const Vec3d& from)
 	{
 		const Point p = mesh_.local(from);
 		last_         = tree_.closest_point_and_primitive(p, last_);
-		return CGAL::squared_distance(p, last_.first);
+		return std::sqrt(CGAL::squared_distance(p, last_.first));
 	}
 
 private:
@@ -139,7 +139,8 @@ struct DistanceTarget::Tree {
 
 	NearestSearch search() const { return {tree, mesh}; }
 
-	DistanceSums sumOfSamples(const MeshView& from, std::int64_t num, Workers& workers) const;
+	DistanceSums        sumOfSamples(const MeshView& from, std::int64_t num, Workers& workers,
+									 DistanceHistogram& histogram) const;
 	std::vector<double> ofVertices(const MeshView& from, const std::vector<char>& used,
 								   Workers& workers) const;
 	double refinedMax(const MeshView& from, const std::vector<double>& ofVertex, double atLeast,
@@ -148,14 +149,18 @@ struct DistanceTarget::Tree {
 };
 
 DistanceSums DistanceTarget::Tree::sumOfSamples(const MeshView& from, std::int64_t num,
-												Workers& workers) const
+												Workers&           workers,
+												DistanceHistogram& histogram) const
 {
 	const EvenPoints points(from, num);
 	return workers.sum<DistanceSums>(points.num(), [&](std::size_t begin, std::size_t end) {
 		NearestSearch nearest = search();
 		DistanceSums  part;
-		points.forEach(begin, end,
-					   [&](const Vec3d& point) { part.add(nearest.squaredDistance(point)); });
+		points.forEach(begin, end, [&](const Vec3d& point) {
+			const double d = nearest.distance(point);
+			part.add(d);
+			histogram.add(d);
+		});
 		return part;
 	});
 }
@@ -169,7 +174,7 @@ std::vector<double> DistanceTarget::Tree::ofVertices(const MeshView&          fr
 	workers.forRange(from.vertexNum, [&](std::size_t begin, std::size_t end) {
 		NearestSearch nearest = search();
 		for (std::size_t v = begin; v < end; ++v)
-			if (used[v] != 0) distance[v] = std::sqrt(nearest.squaredDistance(from.position(v)));
+			if (used[v] != 0) distance[v] = nearest.distance(from.position(v));
 	});
 	return distance;
 }
@@ -186,7 +191,7 @@ std::vector<Suspect> DistanceTarget::Tree::cut(const std::vector<Suspect>& whole
 			Suspect&       middle = quarters[4 * i + 3];
 			for (int k = 0; k < 3; ++k) {
 				middle.corner[k]   = (w.corner[k] + w.corner[(k + 1) % 3]) * 0.5;
-				middle.distance[k] = std::sqrt(nearest.squaredDistance(middle.corner[k]));
+				middle.distance[k] = nearest.distance(middle.corner[k]);
 			}
 			for (int k = 0; k < 3; ++k) {
 				const int last      = (k + 2) % 3;
@@ -252,12 +257,14 @@ DistanceFigures DistanceTarget::from(const MeshView& mesh, std::int64_t sampleNu
 	const std::vector<char> used = usedVertices(mesh);
 	figures.vertexNum            = std::count(used.begin(), used.end(), 1);
 	if (tree_->faces.empty() || figures.vertexNum == 0) return figures;
-	const DistanceSums        sums     = tree_->sumOfSamples(mesh, sampleNum, workers);
+	DistanceHistogram         histogram;
+	const DistanceSums        sums     = tree_->sumOfSamples(mesh, sampleNum, workers, histogram);
 	const std::vector<double> ofVertex = tree_->ofVertices(mesh, used, workers);
 	const double              atVertex = *std::max_element(ofVertex.begin(), ofVertex.end());
 	figures.sampleNum                  = sampleNum;
 	figures.mean                       = sums.sum / double(sampleNum);
 	figures.rms                        = std::sqrt(sums.squares / double(sampleNum));
+	figures.p999                       = histogram.p999(sums.max);
 	figures.max = tree_->refinedMax(mesh, ofVertex, std::max(sums.max, atVertex), workers);
 	return figures;
 }

@@ -15,6 +15,7 @@ namespace gpr::app {
 struct DistanceFigures {
 	double       mean      = 0; ///< over the surface
 	double       rms       = 0; ///< over the surface: the E_RMS of Metro
+	double       p999      = 0; ///< 99.9 % of the surface is nearer than this
 	double       max       = 0; ///< one-sided Hausdorff distance, approached from below
 	std::int64_t sampleNum = 0; ///< points spread evenly over the area
 	std::int64_t vertexNum = 0; ///< vertices measured beside them; they count for max only
@@ -32,7 +33,8 @@ public:
 
 	/// Distances of another surface from this one (Cignoni, Rocchini, Scopigno 1998: Metro): about
 	/// sampleNum points spread evenly over its area, and all its vertices. The points depend on the
-	/// mesh only. No distance is found where either has no usable face: all figures are 0 then.
+	/// mesh only. The p99.9 is at most 0.05 % too large: see DistanceHistogram. No distance is
+	/// found where either has no usable face: all figures are 0 then.
 	DistanceFigures from(const MeshView& mesh, std::int64_t sampleNum, Workers& workers) const;
 
 private:
