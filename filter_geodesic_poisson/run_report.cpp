@@ -159,10 +159,8 @@ QString errorLine(const gpr::RemeshReport& r)
 {
 	if (r.check.done) {
 		return QStringLiteral(
-				   "Checked: %1 self-intersecting faces, vertices are at most %2 from the "
-				   "input, points of either mesh at most %3 from the other")
-			.arg(count(r.check.intersectingFaces), lengthText(r.check.vertexDistance, r),
-				 lengthText(r.check.largestDistance, r));
+				   "Checked: %1 self-intersecting faces, vertices are at most %2 from the input")
+			.arg(count(r.check.intersectingFaces), lengthText(r.check.vertexDistance, r));
 	}
 	if (r.errorGoal > 0) {
 		return QStringLiteral(
@@ -174,6 +172,22 @@ QString errorLine(const gpr::RemeshReport& r)
 			   "Error: vertices are at most %1 off the surface; the check and the filter "
 			   "Compare measure the distance of the surfaces")
 		.arg(lengthText(r.largestFitDistance, r));
+}
+
+QString distanceLine(const char* way, const gpr::SurfaceDistance& d, const gpr::RemeshReport& r)
+{
+	return QStringLiteral("Distance from the %1: RMS %2, p99.9 %3, largest %4")
+		.arg(QString::fromUtf8(way), lengthText(d.rms, r), lengthText(d.p999, r),
+			 lengthText(d.max, r));
+}
+
+/// One line for each direction; none without the thorough check.
+QStringList distanceLines(const gpr::RemeshReport& r)
+{
+	if (!r.check.done) return {};
+	return {distanceLine("result to the input", r.check.distance.toInput, r),
+			distanceLine("input to the result", r.check.distance.fromInput, r),
+			QStringLiteral("99.9 % of the surface is nearer than p99.9")};
 }
 
 QString timeLine(const gpr::RemeshReport& r)
@@ -220,7 +234,7 @@ std::vector<std::string> remeshingLines(const gpr::RemeshResult&   result,
 						<< countsLine("Remeshed", r) << untouchedLine(r) << topologyLine(r)
 						<< radiusLine(r) << qualityLine(before, "Quality before")
 						<< qualityLine(r.quality, "Quality after") << auditLine(r.audit)
-						<< errorLine(r) << timeLine(r));
+						<< errorLine(r) << distanceLines(r) << timeLine(r));
 }
 
 std::vector<std::string> featureLines(const gpr::FeatureResult& result)
@@ -240,7 +254,7 @@ std::vector<std::string> retriangulationLines(const gpr::RemeshResult& result)
 	return withoutEmpty(firstLines(result)
 						<< countsLine("Retriangulated", r) << samplesLine(r) << leftoverLine(result)
 						<< topologyLine(r) << qualityLine(r.quality) << auditLine(r.audit)
-						<< errorLine(r) << timeLine(r));
+						<< errorLine(r) << distanceLines(r) << timeLine(r));
 }
 
 } // namespace gpr_filter

@@ -8,6 +8,7 @@
 
 #include <vcg_extras/core/remesh.h>
 
+#include <QRegularExpression>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <stdexcept>
@@ -76,6 +77,28 @@ TEST(Filter, RemeshesInPlace)
 	EXPECT_GE(expected, 0);
 	EXPECT_GT(document.logText().indexOf("to 700 vertices"), expected);
 	EXPECT_TRUE(document.logText().contains("% of the diagonal) off the surface"));
+}
+
+/// Root mean square, p99.9 and largest of both directions.
+TEST(Filter, LogHasTheDistancesThatTheCheckMeasures)
+{
+	const QRegularExpression ofOneWay(
+		"Distance from the (result to the input|input to the result): "
+		"RMS 0\\.\\d+ \\(0\\.\\d+ % of the diagonal\\), "
+		"p99\\.9 0\\.\\d+ \\(0\\.\\d+ % of the diagonal\\), "
+		"largest 0\\.\\d+ \\(0\\.\\d+ % of the diagonal\\)");
+	for (const bool check : {false, true}) {
+		Document          document;
+		RichParameterList list = (addBall(document), withCount(document, 700));
+		list.setValue("Check", BoolValue(check));
+		ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
+		const QString log   = document.logText();
+		int           lines = 0;
+		for (auto match = ofOneWay.globalMatch(log); match.hasNext(); match.next())
+			++lines;
+		EXPECT_EQ(lines, check ? 2 : 0) << log.toStdString();
+		EXPECT_EQ(log.contains("99.9 % of the surface is nearer than p99.9"), check);
+	}
 }
 
 TEST(Filter, MoreVerticesThanBefore)
