@@ -5,6 +5,7 @@
 import sys
 import unittest
 from pathlib import Path
+from unittest import mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
@@ -172,6 +173,23 @@ class PaperRows(unittest.TestCase):
         self.assertEqual(paper.compared_row("bust", 100, 10, method),
                          ["bust", "ours", "100 / 14", "+10.0 %", "0.13", "2.317e-05", "0.0146 %", "0.964",
                           "32.1°", "0 %", "kept"])
+
+
+    def test_p999_stands_beside_the_largest_distance(self):
+        method = {"name": "ours", "toInput": {"p999Percent": 0.12345, "hausdorffPercent": 0.5},
+                  "fromInput": {"p999Percent": 0.25, "hausdorffPercent": 1}}
+        self.assertEqual(paper.distance_row("bust", method),
+                         ["bust", "ours", "0.1235 %", "0.2500 %", "0.5000 %", "1.0000 %"])
+
+    def test_a_record_of_an_earlier_version_makes_a_page(self):
+        earlier = {"name": "bust", "table1": [["earlier"]], "counts": [], "density": []}
+        later = {**earlier, "distances": [["later"]]}
+        with mock.patch.object(paper, "_circumstances", return_value=""):
+            self.assertNotIn("p99.9", paper.paper_page({"meshes": [earlier]}))
+            both = paper.paper_page({"meshes": [earlier, later]})
+        self.assertIn("| earlier |", both)
+        self.assertIn("| later |", both)
+        self.assertIn("p99.9", both)
 
 
 if __name__ == "__main__":
