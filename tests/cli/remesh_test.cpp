@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sys/stat.h>
 #include <tuple>
 #include <unistd.h>
@@ -402,6 +403,20 @@ TEST_F(Remesh, SecondsAddUpToTheWallTime)
 	// machine.
 	EXPECT_GE(total, 0.9 * result.seconds - 0.05);
 	EXPECT_GT(s.size(), 4u) << "no stages";
+}
+
+TEST_F(Remesh, TellsTheDistancesThatTheCheckMeasures)
+{
+	const std::string in    = put("in.ply", binaryPly(sphere(24), true, false));
+	const std::string plain = run({"remesh", in, path("out.ply")}).out;
+	EXPECT_EQ(plain.find("p99.9"), std::string::npos) << plain;
+	const std::string checked = run({"remesh", in, path("out.ply"), "--check"}).out;
+	const std::string length  = R"( \d\S* \(\d\S* %\))";
+	for (const std::string way : {"result to input", "input to result"}) {
+		const std::regex line(way + ": RMS" + length + ", p99\\.9" + length + ", largest" + length);
+		EXPECT_TRUE(std::regex_search(checked, line)) << checked;
+	}
+	EXPECT_NE(checked.find("check    0 self-intersecting faces"), std::string::npos) << checked;
 }
 
 TEST_F(Remesh, QuietSilencesAllButErrors)

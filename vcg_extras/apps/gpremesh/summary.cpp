@@ -53,6 +53,25 @@ std::string cleanedText(const CleanCounts& c)
 	return list;
 }
 
+/// "RMS 0.0123 (0.045 %), p99.9 ...".
+std::string distanceText(const SurfaceDistance& d, double diagonal)
+{
+	const auto length = [&](const char* name, double value) {
+		return formatted("%s %.4g (%.3g %%)", name, value,
+						 diagonal > 0 ? 100 * value / diagonal : 0);
+	};
+	return length("RMS", d.rms) + ", " + length("p99.9", d.p999) + ", " + length("largest", d.max);
+}
+
+std::string checkText(const CheckFigures& c, double diagonal)
+{
+	return "check    " +
+		   counted(c.intersectingFaces, "self-intersecting face", "self-intersecting faces") +
+		   "\n         result to input: " + distanceText(c.distance.toInput, diagonal) +
+		   "\n         input to result: " + distanceText(c.distance.fromInput, diagonal) +
+		   "\n         % of the diagonal; 99.9 % of the surface is nearer than p99.9\n";
+}
+
 std::string notesText(const std::vector<std::string>& notes)
 {
 	std::string lines;
@@ -73,6 +92,7 @@ std::string remeshSummary(const RunRecord& run)
 		text += "         all of the selected part; " +
 				counted(run.report.untouchedFaceNum, "face was", "faces were") + " left alone\n";
 	text += "quality  " + qualityText(run.report.quality) + "\n";
+	if (run.report.check.done) text += checkText(run.report.check, run.report.input.diagonal);
 	text += formatted("seconds  %.3f: %.3f read, %.3f remesh, %.3f write\n", run.times.total(),
 					  run.times.read, run.times.remesh, run.times.write);
 	return text + notesText(run.notes);
