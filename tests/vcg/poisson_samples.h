@@ -15,7 +15,7 @@ template <class MeshType>
 std::vector<typename MeshType::CoordType> PoissonSamples(MeshType& m, int vertexNum)
 {
 	typedef vcg::tri::GeodesicPoissonSampling<MeshType> Sampling;
-	typename Sampling::Params                 params;
+	typename Sampling::Params                           params;
 	params.SetTargetVertexNum(vertexNum);
 	std::vector<typename Sampling::SamplePoint> points;
 	EXPECT_TRUE(Sampling::Sample(m, params, points).IsOk());
