@@ -9,6 +9,7 @@
 #include <vcg_extras/core/input/load.h>
 #include <vcg_extras/core/mesh/measure.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <string>
 #include <vector>
@@ -18,12 +19,12 @@ namespace gpr {
 namespace {
 
 /// Shares below this are not worth a word.
-constexpr double leastShare = 5e-5;
+constexpr double leastShare = 5e-4;
 
 /// What part of `before` is gone.
 double shareLost(double before, double after)
 {
-	return before > 0 ? 1 - after / before : 0;
+	return before > 0 ? std::max(0.0, 1 - after / before) : 0;
 }
 
 std::string sentenceWith(const char* format, double number)

@@ -14,8 +14,8 @@ namespace gpr {
 /// result, and tells the report of it. True if the surface has changed, and p.area with it.
 bool cutBorderSpikes(RunContext& run, Prepared& p);
 
-/// Tells the report how long the border of the result is, and the user what was lost. For results
-/// with a smooth border only.
+/// With BoundaryMode::Smooth, tells the report how long the border of the result is, and the user
+/// what was lost. Comes after describeInput, once.
 void tellSmoothBorder(RunContext& run, const Surface& surface, const ResultMesh& result);
 
 } // namespace gpr
