@@ -233,6 +233,23 @@ TEST_F(Remesh, OpenSurfaceKeepsItsBoundary)
 	EXPECT_NEAR(double(report()["result"]["area"]), 1, 0.01);
 }
 
+TEST_F(Remesh, SmoothBordersHaveTheirFiguresInTheReport)
+{
+	const std::string in = binaryPly(grid(60), true, false);
+	remeshed("grid.ply", in, {"--boundary", "smooth", "--check"});
+	const Json r = report();
+	EXPECT_EQ(r["options"]["boundary"], "smooth");
+	EXPECT_EQ(r["border"]["cutFaces"], 0);
+	EXPECT_EQ(r["border"]["cutAreaPercent"], 0);
+	EXPECT_NEAR(double(r["border"]["length"]), 4, 1e-6);
+	const double left = double(r["border"]["resultLength"]);
+	EXPECT_NEAR(double(r["border"]["lengthLostPercent"]), 100 * (1 - left / 4), 1e-6);
+	EXPECT_GT(left, 3.8);
+	EXPECT_LT(left, 3.99) << "its corners are round now";
+	remeshed("grid.ply", in, {});
+	EXPECT_FALSE(report().contains("border"));
+}
+
 TEST_F(Remesh, EdgeLengthIsMet)
 {
 	remeshed("in.ply", binaryPly(sphere(40), true, false), {"--edge-length", "0.15"});

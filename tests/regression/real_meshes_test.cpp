@@ -252,6 +252,35 @@ std::string bandName(const ::testing::TestParamInfo<Band>& info)
 
 INSTANTIATE_TEST_SUITE_P(, RealMesh, ::testing::ValuesIn(bands()), bandName);
 
+/// A range map with ragged borders, which more than a third of the vertices lie on by default.
+TEST(SmoothBorder, LeavesFewSmallAnglesOnARangeMap)
+{
+	const ModelFile model = findModel("rangemap_lato315_121k_open_32comp.ply");
+	if (!model.isThere()) GTEST_SKIP() << model.missing;
+	const app::InputMesh input   = app::readMesh(model.path);
+	double               below30 = 0;
+	for (std::uint32_t seed : {1u, 2u, 3u}) {
+		RemeshOptions options;
+		options.targetPercent = 10;
+		options.seed          = seed;
+		options.threads       = 2;
+		options.check         = true;
+		options.boundary      = BoundaryMode::Smooth;
+		const RemeshResult r  = remesh(input.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		const SurfaceFacts facts = factsOf(r.mesh);
+		EXPECT_EQ(facts.components, 39); // those of the repaired scan
+		EXPECT_EQ(facts.boundaryLoops, 60);
+		EXPECT_EQ(facts.euler(), 18);
+		EXPECT_GE(r.report.quality.radiusRatioMean, 0.97);
+		EXPECT_LE(r.report.border.cutArea, 0.02 * r.report.border.area);
+		EXPECT_LE(r.report.border.resultLength, 0.72 * r.report.border.length);
+		below30 += r.report.quality.below30Percent / 3;
+	}
+	EXPECT_LE(below30, 0.3); // 4.3 by default
+}
+
 /// The bunny of Debian's glmark2-data, which every checkout can install.
 TEST(Bunny, StaysWithinItsBands)
 {

@@ -162,20 +162,24 @@ TriangleMesh twoSheets(int n, double gap)
 	return joined(grid(n, n), shifted(grid(n, n), {0, 0, gap}));
 }
 
-TriangleMesh squareFrame(int n, int holeCells)
+TriangleMesh gridWhere(int n, double side, const std::function<bool(int i, int j)>& keep)
 {
-	const TriangleMesh whole = grid(n, n);
-	const int          low = (n - holeCells) / 2, high = low + holeCells;
+	const TriangleMesh whole = grid(n, n, side, side);
 	TriangleMesh       mesh;
 	mesh.positions = whole.positions;
 	for (int f = 0; f < int(whole.faceNum()); ++f) {
-		const int  i = f / 2 % n, j = f / 2 / n;
-		const bool inHole = i >= low && i < high && j >= low && j < high;
-		if (inHole) continue;
+		if (!keep(f / 2 % n, f / 2 / n)) continue;
 		const std::int32_t* t = &whole.triangles[3 * f];
 		addFace(mesh, t[0], t[1], t[2]);
 	}
 	return withoutUnused(mesh);
+}
+
+TriangleMesh squareFrame(int n, int holeCells)
+{
+	const int low = (n - holeCells) / 2, high = low + holeCells;
+	return gridWhere(n, 1,
+					 [&](int i, int j) { return i < low || i >= high || j < low || j >= high; });
 }
 
 TriangleMesh openCylinder(int around, int along, double radius, double height)

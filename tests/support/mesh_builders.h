@@ -7,6 +7,8 @@
 
 #include <vcg_extras/core/mesh_view.h>
 
+#include <functional>
+
 namespace gpr::test {
 
 // Meshes made in code. Lengths in mesh units; all are oriented, outwards where closed, unless said.
@@ -15,6 +17,8 @@ namespace gpr::test {
 
 /// nx × ny squares, each of two triangles, over [0, width] × [0, height] in the plane z = 0.
 TriangleMesh grid(int nx, int ny, double width = 1, double height = 1);
+/// The squares of grid(n, n, side, side) for which keep(i, j).
+TriangleMesh gridWhere(int n, double side, const std::function<bool(int i, int j)>& keep);
 /// Equilateral triangles of side 1, nx by ny pairs of them, in a parallelogram.
 TriangleMesh lattice(int nx, int ny);
 /// A square grid of side 1 whose inner points are moved by up to `jitter` of a cell.

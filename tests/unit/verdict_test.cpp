@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -100,6 +101,22 @@ TEST(Verdict, GivesUpFeatureLinesThatDoHarm)
 		EXPECT_TRUE(says(verdict, "feature lines")) << verdict.sentence;
 	}
 	EXPECT_EQ(judge(order, firstAttempt(500), {500, true, false}).kind, Kind::Accept);
+}
+
+TEST(Verdict, GivesUpASmoothBorderWithWhichTrianglesHaveNoArea)
+{
+	const Verdict verdict = judge(order, firstAttempt(500), {500, false, true, true});
+	ASSERT_EQ(verdict.kind, Kind::TryNext);
+	EXPECT_TRUE(verdict.next.keepsRaggedBorder);
+	EXPECT_EQ(verdict.next.vertexNum, 500);
+	EXPECT_TRUE(says(verdict, "smooth border")) << verdict.sentence;
+	EXPECT_EQ(judge(order, verdict.next, reached(500)).kind, Kind::Accept);
+	EXPECT_EQ(judge(order, firstAttempt(500), {500, false, false, true}).kind, Kind::Accept);
+	// It is not tried again with another count.
+	const Verdict smallest =
+		judge(wish, {Way::ByTopology, 500, 500, false, 0, 0, true}, reached(600));
+	ASSERT_EQ(smallest.kind, Kind::TryNext);
+	EXPECT_TRUE(smallest.next.keepsRaggedBorder);
 }
 
 TEST(Verdict, ReachesAMissedCountByTopology)
@@ -212,14 +229,16 @@ TEST(Verdict, AlwaysComesToAnEnd)
 		const std::int64_t asked = 1 + random.below(80), kept = random.chance(0.2) ? asked / 2 : 0;
 		const Request      request{random.chance(0.8), random.chance(0.5), kept};
 		const double       hit = random.between(0, 1), flat = random.between(0, 1);
-		std::map<std::pair<Way, std::int64_t>, Outcome> known;
-		std::int64_t                                    last = 0;
+		const bool         isSmooth = random.chance(0.5);
+		std::map<std::tuple<Way, std::int64_t, bool>, Outcome> known;
+		std::int64_t                                           last = 0;
 		const std::vector<Verdict> verdicts = verdictsOn(request, asked, [&](const Attempt& a) {
 			Outcome outcome{random.chance(hit) ? a.vertexNum : 1 + random.below(90),
 							a.way == Way::WithFeatureLines && random.chance(0.5),
-							random.chance(flat)};
-			outcome = known.insert({{a.way, a.vertexNum}, outcome}).first->second;
-			last    = outcome.vertexNum;
+							random.chance(flat), isSmooth && !a.keepsRaggedBorder};
+			outcome =
+				known.insert({{a.way, a.vertexNum, a.keepsRaggedBorder}, outcome}).first->second;
+			last = outcome.vertexNum;
 			return outcome;
 		});
 		EXPECT_LE(verdicts.size(), 25u);

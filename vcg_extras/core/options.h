@@ -90,6 +90,7 @@ enum class BoundaryMode {
 	Resample, ///< its curve and its corners stay, other vertices are placed on it anew
 	Keep,     ///< its vertices stay where they are, and no others are put between them
 	Free,     ///< evenly spaced vertices on it, past its corners
+	Smooth,   ///< a smooth curve near it, past spikes and bays narrower than an edge
 };
 
 /// Whether sharp edges of the input become edges of the result. They do with

@@ -104,6 +104,16 @@ struct MutualDistance {
 	}
 };
 
+/// What became of the border (BoundaryMode::Smooth). Lengths and areas in mesh units.
+struct BorderFigures {
+	bool         isSmooth     = false; ///< asked for, and there is a border
+	std::int64_t cutFaceNum   = 0;     ///< the caller's faces that spikes lay in
+	double       cutArea      = 0;     ///< of the spikes that were cut off
+	double       area         = 0;     ///< of the surface before
+	double       length       = 0;     ///< of the border before
+	double       resultLength = 0;     ///< of the result's border
+};
+
 /// What RemeshOptions::check found.
 struct CheckFigures {
 	bool           done                   = false;
@@ -130,6 +140,7 @@ struct RemeshReport {
 	QualityFigures quality;
 	AuditFigures   audit;
 	CheckFigures   check;
+	BorderFigures  border;
 	std::vector<StageTime> stages;
 	double                 remeshSeconds = 0; ///< wall time from mesh in memory to result in memory
 

@@ -158,6 +158,15 @@ Json checkJson(const CheckFigures& c, double diagonal)
 			{"fromInput", distanceJson(c.distance.fromInput, diagonal)}};
 }
 
+Json borderJson(const BorderFigures& b)
+{
+	return {{"cutFaces", b.cutFaceNum},
+			{"cutAreaPercent", 100 * b.cutArea / b.area},
+			{"length", b.length},
+			{"resultLength", b.resultLength},
+			{"lengthLostPercent", 100 * (1 - b.resultLength / b.length)}};
+}
+
 Json countsJson(const RemeshReport& r)
 {
 	return {{"targetVertices", r.targetVertexNum},
@@ -203,6 +212,7 @@ std::string remeshReportJson(const RunRecord& run)
 	json["cleaned"] = cleanedJson(r.cleaned);
 	json["audit"]   = auditJson(r.audit);
 	if (r.check.done) json["check"] = checkJson(r.check, r.input.diagonal);
+	if (r.border.isSmooth) json["border"] = borderJson(r.border);
 	if (r.errorTrialNum > 0) json["error"] = errorJson(r);
 	json["fitDistance"]     = r.largestFitDistance;
 	json["capsReached"]     = r.capsReached;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "boundary_curves.h"
 
+#include "smooth_border.h"
+
 #include <vcg_extras/core/base/sort_unique.h>
 
 #include <algorithm>
@@ -261,12 +263,24 @@ public:
 			isKept_[v] = 1;
 	}
 
+	/// Before any curve is sampled. Vertices where feature lines end, and those to be kept, stay.
+	void smoothBorders()
+	{
+		for (Curve& c : out_.curves) {
+			if (!isOfBorder(c) || isTooShort(c)) continue;
+			std::vector<char> isFixed;
+			for (int v : c.vertex)
+				isFixed.push_back(isStop(v));
+			smoothLoop(wanted_.chord, isFixed, c);
+		}
+	}
+
 	void sampleClosed(int index)
 	{
 		const Curve& c = begin(index);
 		if (border_ == BoundaryMode::Keep && isOfBorder(c) && keptOn(c) >= 3)
 			keepAll(c);
-		else if (c.pointNum() <= 3 || c.length < 1.8f * wanted_.chord * c.smallestSize())
+		else if (isTooShort(c))
 			keepThree(c);
 		else
 			sampleLoop(c);
@@ -323,6 +337,11 @@ private:
 
 	bool isKept(int v) const { return !isKept_.empty() && isKept_[v]; }
 	bool isStop(int v) const { return isNode(m_, v) || isKept(v); }
+	/// For three samples.
+	bool isTooShort(const Curve& c) const
+	{
+		return c.pointNum() <= 3 || c.length < 1.8f * wanted_.chord * c.smallestSize();
+	}
 	bool isOfBorder(const Curve& c) const { return c.isClosed && m_.isBorderEdge(outgoingOf(c)); }
 	/// The half-edge from the first to the second point of a loop of the border.
 	int            outgoingOf(const Curve& c) const { return m_.outgoing[c.vertex[0]]; }
@@ -420,7 +439,8 @@ private:
 		const bool onCrease = m_.isCreaseVertex(c.vertex[0]) && !m_.isBorderVertex(c.vertex[0]);
 		const std::vector<char> turns =
 			onCrease ? findCreaseCorners(c, window) : findTurns(c, turn, window);
-		const bool         hasTurns = onCrease || border_ != BoundaryMode::Free;
+		const bool followsTurns = border_ != BoundaryMode::Free && border_ != BoundaryMode::Smooth;
+		const bool hasTurns     = onCrease || followsTurns;
 		std::vector<float> arcs;
 		for (int i = 0; i < c.pointNum(); ++i) {
 			if ((turns[i] && hasTurns) || isStop(c.vertex[i])) arcs.push_back(c.arc[i]);
@@ -544,6 +564,7 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 	for (Curve& c : result.curves)
 		addSizes(surface, c);
 	CurveSampler sampler(m, diskRadius, spacing, kept, border, result);
+	if (border == BoundaryMode::Smooth) sampler.smoothBorders();
 	for (std::size_t i = 0; i < result.curves.size(); ++i) {
 		if (result.curves[i].isClosed)
 			sampler.sampleClosed(int(i));

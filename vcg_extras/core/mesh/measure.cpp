@@ -377,4 +377,14 @@ MeshFigures figuresOf(const HalfEdgeMesh& m, double unit, Workers& workers)
 	return figures;
 }
 
+double borderLength(const HalfEdgeMesh& m)
+{
+	double sum = 0;
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		if (m.isBorderEdge(h))
+			sum += double(length(m.position[m.target(h)] - m.position[m.origin[h]]));
+	}
+	return sum;
+}
+
 } // namespace gpr

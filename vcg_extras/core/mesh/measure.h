@@ -29,6 +29,9 @@ std::vector<float> radiusRatios(const MeshView& mesh, Workers& workers);
 /// unit. Cost: linear.
 MeshFigures figuresOf(const HalfEdgeMesh& mesh, double unit, Workers& workers);
 
+/// Of all edges with one face, in the mesh's units. Cost: a pass over the half-edges.
+double borderLength(const HalfEdgeMesh& mesh);
+
 } // namespace gpr
 
 #endif

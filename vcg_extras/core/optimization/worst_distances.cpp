@@ -56,6 +56,9 @@ public:
 	float run(int rounds)
 	{
 		gap_ = gaps_.measureAll(workers_);
+		for (int f = 0; f < m_.faceNum; ++f) {
+			if (isAtSmoothBorder(f)) gap_[f] = near_ * near_;
+		}
 		for (int round = 0; round < rounds; ++round) {
 			bool        better = false;
 			const float goal   = squaredGoal();
@@ -89,6 +92,14 @@ private:
 	{
 		const Vec3f a = corner(f, 0), b = corner(f, 1), c = corner(f, 2);
 		return (length(b - a) + length(c - b) + length(a - c)) / 3;
+	}
+
+	/// The surface ends elsewhere there, and no move inside would help.
+	bool isAtSmoothBorder(int f) const
+	{
+		const int* c = &m_.origin[3 * f];
+		return r_.hasSmoothBorder &&
+			   (m_.isBorderVertex(c[0]) || m_.isBorderVertex(c[1]) || m_.isBorderVertex(c[2]));
 	}
 
 	// ---- the worst faces
@@ -206,7 +217,7 @@ private:
 			gaps_.gapAt(f).squared <= minGain * minGain * gap.squared &&
 			gaps_.largestGap(faces, before) <= before) {
 			for (int g : faces)
-				gap_[g] = gaps_.gapAt(g).squared;
+				gap_[g] = isAtSmoothBorder(g) ? near_ * near_ : gaps_.gapAt(g).squared;
 			return true;
 		}
 		for (std::size_t i = 0; i < moves.size(); ++i)

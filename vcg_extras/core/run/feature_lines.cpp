@@ -53,7 +53,7 @@ double followCreases(RunContext& run, const CreaseRules& rules, Prepared& p)
 	run.report.featureConeApexNum = std::int64_t(found.coneApexes.size());
 	p.coneApexes                  = std::move(found.coneApexes);
 	if (found.edgeNum == 0) return 0;
-	p.curves       = sampleCurves(p, p.radius, run.options.boundary);
+	p.curves       = sampleCurves(p, p.radius, borderMode(run.options, p));
 	p.curvesRadius = p.radius;
 	return shareOf(p.curves, p);
 }
@@ -92,7 +92,7 @@ void followGivenLines(RunContext& run, Prepared& p)
 	std::copy(m.crease.begin(), m.crease.end(), before.begin());
 	const std::int64_t added = markGivenLines(run.input, run.workers, p.surface);
 	if (added == 0) return;
-	if (shareOf(sampleCurves(p, p.radius, run.options.boundary), p) <= maxOnGivenLines) {
+	if (shareOf(sampleCurves(p, p.radius, borderMode(run.options, p)), p) <= maxOnGivenLines) {
 		run.report.featureEdgeNum += added;
 		p.curvesRadius = 0;
 		return;

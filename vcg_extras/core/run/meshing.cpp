@@ -42,6 +42,7 @@ Prepared prepareAgain(RunContext& run, const FeatureMarks& marks, const Attempt&
 	}
 	setTarget(run, vertexNum, p);
 	forgetFeatureLines(run, p);
+	p.keepsRaggedBorder = attempt.keepsRaggedBorder;
 	return p;
 }
 
@@ -77,7 +78,7 @@ MeshedSurface makeMesh(RunContext& run, const Attempt& attempt, Prepared prepare
 Outcome outcomeOf(RunContext& run, const ResultMesh& result)
 {
 	return {result.mesh.vertexNum, run.report.featureEdgeNum > 0,
-			lineFaceNum(result.mesh, run.workers) > 0};
+			lineFaceNum(result.mesh, run.workers) > 0, result.hasSmoothBorder};
 }
 
 void tell(RunContext& run, const Verdict& verdict)

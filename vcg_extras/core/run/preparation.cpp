@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "preparation.h"
 
+#include "border_smoothing.h"
 #include "loading.h"
 #include "target.h"
 
@@ -178,11 +179,12 @@ Prepared prepareWith(RunContext& run, const FeatureMarks& marks, const TargetOf&
 	p.surface.frame           = mesh.frame;
 	run.report.radiusConstant = radiusConstant(run.options);
 	setTarget(run, targetOf(p.area, mesh.frame.scale), p);
-	p.madeFor = p.targetNum;
 
 	run.report.cleaned.longEdgesSplit = splitAsFarAsMemoryGoes(run, extents, mesh, p);
 	connectOrRepair(run, mesh, p.surface);
 	dropFlatPieces(run, p.surface);
+	if (cutBorderSpikes(run, p)) setTarget(run, targetOf(p.area, p.surface.frame.scale), p);
+	p.madeFor = p.targetNum;
 	setSizes(run, marks, p);
 	describeInput(run, p.surface);
 	return p;

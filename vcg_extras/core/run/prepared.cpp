@@ -17,6 +17,11 @@ constexpr double borderEdgeRadiusConstant   = 0.802;
 
 } // namespace
 
+BoundaryMode borderMode(const RemeshOptions& options, const Prepared& p)
+{
+	return p.keepsRaggedBorder ? BoundaryMode::Resample : options.boundary;
+}
+
 double diskRadius(double area, double vertexNum, double constant)
 {
 	return 2 * std::sqrt(area) * std::sqrt(1 / (2 * std::sqrt(3.0) * vertexNum)) * constant;

@@ -21,12 +21,16 @@ struct Prepared {
 	float        radius    = 0; ///< of the largest disks, working units
 	float  callersMeanEdge = 0; ///< before edges were split, working units; 0: hardly any were
 	double radiusFactor    = 1; ///< that over the radius of eq. (1): see Sizing
-	Buffer<char>     isFeatureVertex;  ///< of the region to be preserved; empty: none
-	std::vector<int> coneApexes;       ///< vertices at cone apexes
-	BoundaryCurves   curves;           ///< with samples, where they are known already
-	float            curvesRadius = 0; ///< for which they were sampled; 0: not yet
-	std::vector<int> kept;             ///< the caller's vertices that stay
+	Buffer<char>     isFeatureVertex;           ///< of the region to be preserved; empty: none
+	std::vector<int> coneApexes;                ///< vertices at cone apexes
+	BoundaryCurves   curves;                    ///< with samples, where they are known already
+	float            curvesRadius = 0;          ///< for which they were sampled; 0: not yet
+	std::vector<int> kept;                      ///< the caller's vertices that stay
+	bool             keepsRaggedBorder = false; ///< BoundaryMode::Smooth was given up
 };
+
+/// What becomes of the border of the prepared surface.
+BoundaryMode borderMode(const RemeshOptions& options, const Prepared& p);
 
 /// Eq. (1).
 double diskRadius(double area, double vertexNum, double constant);

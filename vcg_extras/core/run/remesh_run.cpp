@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remesh_run.h"
 
+#include "border_smoothing.h"
 #include "detection.h"
 #include "feature_lines.h"
 #include "meshing.h"
@@ -58,6 +59,7 @@ void remeshInput(RunContext& run, LargestDistance largest, RemeshResult& out)
 
 	fitResult(run, made.prepared, made.meshed.curves, largest, result);
 	if (largest == LargestDistance::Counts) measureError(run, surface, result);
+	tellSmoothBorder(run, surface, result);
 	verifyResult(run, surface, result, expected);
 	exportResult(run, surface, result, out);
 }

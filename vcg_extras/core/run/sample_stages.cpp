@@ -74,7 +74,7 @@ void sampleWithRadius(RunContext& run, const Prepared& p, float radius,
 	const RemeshOptions& options = run.options;
 	run.clock.enter(Stage::Boundary);
 	sampled.curves =
-		radius == p.curvesRadius ? p.curves : sampleCurves(p, radius, options.boundary);
+		radius == p.curvesRadius ? p.curves : sampleCurves(p, radius, borderMode(options, p));
 	run.clock.enter(Stage::Sampling);
 	const Buffer<char>  noRegion;
 	const bool          beginsInRegion = options.featureSampling == FeatureSampling::Disks;
@@ -149,6 +149,8 @@ Meshed sampleAndRetriangulate(RunContext& run, const Prepared& p)
 	Meshed made             = retriangulateSamples(run, p, sampleSurface(run, p));
 	made.result.idealEdge   = idealEdge(p);
 	made.result.keepsBorder = run.options.boundary == BoundaryMode::Keep;
+	made.result.hasSmoothBorder =
+		borderMode(run.options, p) == BoundaryMode::Smooth && run.report.border.isSmooth;
 	run.clock.enter(Stage::Flips);
 	flipEdges(run, made.result);
 	if (!repairInvertedFaces(p.surface, made.curves, true, made.result, run.workers))

@@ -40,6 +40,13 @@ Verdict withoutFeatureLines(Attempt attempt, const std::string& fault)
 	return tryNext(attempt, fault + ", so that there are none.");
 }
 
+Verdict withRaggedBorder(Attempt attempt)
+{
+	attempt.keepsRaggedBorder = true;
+	return tryNext(attempt, "With a smooth border some triangles would have no area, so that it is "
+							"not made smooth.");
+}
+
 Verdict byTopology(Attempt attempt)
 {
 	attempt.way = Way::ByTopology;
@@ -68,9 +75,10 @@ Verdict refuseBelow(std::int64_t smallest, const Attempt& attempt)
 
 Verdict raiseTo(std::int64_t smallest, const Attempt& attempt)
 {
-	return tryNext({Way::WithoutFeatureLines, smallest, smallest, true, 0, 0},
-				   "The result has " + text(smallest) + " vertices instead of " +
-					   text(attempt.asked) + ", the smallest number that could be reached.");
+	return tryNext(
+		{Way::WithoutFeatureLines, smallest, smallest, true, 0, 0, attempt.keepsRaggedBorder},
+		"The result has " + text(smallest) + " vertices instead of " + text(attempt.asked) +
+			", the smallest number that could be reached.");
 }
 
 /// Whether the number of vertices may differ from what was asked for.
@@ -91,7 +99,8 @@ bool leavesRoom(const Outcome& outcome)
 
 Verdict beginSearch(const Attempt& attempt, std::int64_t from)
 {
-	return tryNext({Way::WithoutFeatureLines, from, attempt.asked, attempt.isRaised, from, 1});
+	return tryNext({Way::WithoutFeatureLines, from, attempt.asked, attempt.isRaised, from, 1,
+					attempt.keepsRaggedBorder});
 }
 
 Verdict endSearchAt(const Request& request, const Attempt& attempt, std::int64_t found)
@@ -145,7 +154,7 @@ Verdict judgeSmallest(const Request& request, const Attempt& attempt, const Outc
 
 Attempt firstAttempt(std::int64_t vertexNum)
 {
-	return {Way::WithFeatureLines, vertexNum, vertexNum, false, 0, 0};
+	return {Way::WithFeatureLines, vertexNum, vertexNum, false, 0, 0, false};
 }
 
 Verdict judge(const Request& request, const Attempt& attempt, const Outcome& outcome)
@@ -158,6 +167,7 @@ Verdict judge(const Request& request, const Attempt& attempt, const Outcome& out
 	if (outcome.hasFeatureLines && outcome.hasZeroAreas) {
 		return withoutFeatureLines(attempt, "With feature lines some triangles would have no area");
 	}
+	if (outcome.hasSmoothBorder && outcome.hasZeroAreas) return withRaggedBorder(attempt);
 	if (request.keptNum > 0)
 		return misses ? nearestWithKept(request, attempt, outcome.vertexNum) : accept();
 	if (!misses) return judgeAreas(request, attempt, outcome);

@@ -30,8 +30,9 @@ struct Attempt {
 	bool         isRaised  = false; ///< to the smallest count that topology came to
 	/// The search for a count with which every triangle has an area: the count that it began with,
 	/// and how many counts it has come to, this one included. 0: there is no search.
-	std::int64_t searchedFrom = 0;
-	int          searchedNum  = 0;
+	std::int64_t searchedFrom      = 0;
+	int          searchedNum       = 0;
+	bool         keepsRaggedBorder = false; ///< though a smooth one was asked for
 };
 
 /// What came of an attempt.
@@ -39,6 +40,7 @@ struct Outcome {
 	std::int64_t vertexNum       = 0;
 	bool         hasFeatureLines = false;
 	bool         hasZeroAreas    = false; ///< triangles whose area is nothing but rounding
+	bool         hasSmoothBorder = false;
 };
 
 /// What is to be done with the mesh of an attempt.
@@ -56,7 +58,8 @@ Attempt firstAttempt(std::int64_t vertexNum);
 
 /// Decides by counts alone; makes nothing. The rules, in their order:
 ///
-/// 1. Feature lines with which the count is missed or triangles have no area are given up.
+/// 1. Feature lines with which the count is missed or triangles have no area are given up. So is a
+///    smooth border with which triangles have no area.
 /// 2. Vertices to be kept leave no other way to the count: the nearest one is taken where the
 ///    target is a wish, else it is refused.
 /// 3. A count that is missed is reached by topology alone. What even that cannot reach is refused

@@ -12,15 +12,16 @@ namespace gpr {
 ResultMesh copyResult(const ResultMesh& result, Workers& workers)
 {
 	ResultMesh copy;
-	copy.mesh          = copyMesh(result.mesh, workers);
-	copy.vertex        = result.vertex;
-	copy.keepsBorder   = result.keepsBorder;
-	copy.idealEdge     = result.idealEdge;
-	copy.flipNum       = result.flipNum;
-	copy.splitNum      = result.splitNum;
-	copy.collapseNum   = result.collapseNum;
-	copy.byCollapseNum = result.byCollapseNum;
-	copy.leftoverNum   = result.leftoverNum;
+	copy.mesh            = copyMesh(result.mesh, workers);
+	copy.vertex          = result.vertex;
+	copy.keepsBorder     = result.keepsBorder;
+	copy.hasSmoothBorder = result.hasSmoothBorder;
+	copy.idealEdge       = result.idealEdge;
+	copy.flipNum         = result.flipNum;
+	copy.splitNum        = result.splitNum;
+	copy.collapseNum     = result.collapseNum;
+	copy.byCollapseNum   = result.byCollapseNum;
+	copy.leftoverNum     = result.leftoverNum;
 	return copy;
 }
 

@@ -30,7 +30,8 @@ struct ResultMesh {
 	HalfEdgeMesh              mesh;
 	std::vector<ResultVertex> vertex;
 	bool                      keepsBorder = false; ///< no border edge may be split
-	float                     idealEdge   = 0; ///< edge of the lattice of equilateral triangles, L0
+	bool  hasSmoothBorder = false; ///< its vertices need not lie on the input's border
+	float idealEdge       = 0;     ///< edge of the lattice of equilateral triangles, L0
 
 	std::int64_t flipNum       = 0;
 	std::int64_t splitNum      = 0;
