@@ -197,7 +197,7 @@ std::vector<Band> bands()
 	casting.below30Percent    = 0;
 	casting.valence6Percent   = 79;
 	casting.rmsPercent        = 0.105;
-	casting.creases           = 0.3; // lines shorter than an edge that fork off others are left out
+	casting.creases           = 0.36; // where lines are released a sharp edge may be rounded
 	Band casting10            = casting;
 	casting10.percent         = 10;
 	casting10.meanRadiusRatio = 0.88;
