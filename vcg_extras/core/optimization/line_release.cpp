@@ -13,8 +13,8 @@ namespace gpr {
 namespace {
 
 /// Lines are crowded from this share of poor faces at them on. After all other mending it is 0.2 %
-/// on the fandisk, where single faces at corners and ends of lines are left, 3 % on other parts,
-/// and 7 to 20 % on parts with walls as thin as an edge.
+/// on the fandisk, where single faces at corners and ends of lines are left, 3 to 5 % on other
+/// parts, and 7 to 20 % on parts with walls as thin as an edge.
 constexpr double fewestPoor = 0.06;
 /// Beyond this share the triangles are too large for the part. The search after the fit has more
 /// poor faces then than it works on, and sharp edges would be lost for little.
