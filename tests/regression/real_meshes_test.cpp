@@ -191,12 +191,19 @@ std::vector<Band> bands()
 	iguana.valence6Percent = 89;
 	iguana.rmsPercent      = 0.0282;
 
-	Band casting{"casting_10k_genus9.ply", 50};
-	casting.meanRadiusRatio = 0.93;
-	casting.below30Percent  = 5; // between lines that are nearer than an edge to each other
-	casting.valence6Percent = 79;
-	casting.rmsPercent      = 0.105;
-	casting.creases         = 0.3; // lines shorter than an edge that fork off others are left out
+	Band casting{"casting_10k_genus9.ply", 50}; // its crowded lines are released
+	casting.meanRadiusRatio   = 0.952;
+	casting.minAngleDeg       = 30;
+	casting.below30Percent    = 0;
+	casting.valence6Percent   = 79;
+	casting.rmsPercent        = 0.105;
+	casting.creases           = 0.36; // where lines are released a sharp edge may be rounded
+	Band casting10            = casting;
+	casting10.percent         = 10;
+	casting10.meanRadiusRatio = 0.88;
+	casting10.valence6Percent = 0;
+	casting10.rmsPercent      = 0.4;
+	casting10.creases         = 0;
 	Band cheese{"cheese_18k_genus133.ply", 50};
 	cheese.meanRadiusRatio = 0.79; // half of its vertices are on creases
 	cheese.below30Percent  = 19;
@@ -239,8 +246,8 @@ std::vector<Band> bands()
 	fandisk10.meanRadiusRatio = 0.944;
 	fandisk10.below30Percent  = 0.2;
 	fandisk10.rmsPercent      = 0.0425;
-	return {igea,     adapted, facemask,  laurana,  terrain, iguana,    casting,  cheese,
-			fullSize, doubled, rockerarm, gargoyle, fandisk, fandisk20, fandisk10};
+	return {igea,   adapted,  facemask, laurana,   terrain,  iguana,  casting,   casting10,
+			cheese, fullSize, doubled,  rockerarm, gargoyle, fandisk, fandisk20, fandisk10};
 }
 
 std::string bandName(const ::testing::TestParamInfo<Band>& info)

@@ -155,6 +155,7 @@ struct RemeshReport {
 	std::int64_t             boundarySampleNum   = 0;
 	std::int64_t             featureEdgeNum      = 0; ///< edges of the input on feature lines
 	std::int64_t             featureConeApexNum  = 0; ///< cone apexes
+	std::int64_t             releasedVertexNum   = 0; ///< of the result, that left crowded lines
 	std::int64_t             regionVertexNum     = 0; ///< of the caller's, in the feature region
 	std::int64_t             keptVertexNum       = 0; ///< vertices that had to stay, and did
 	std::int64_t             untouchedFaceNum    = 0; ///< selectedOnly: faces that were left alone

@@ -175,6 +175,7 @@ Json countsJson(const RemeshReport& r)
 			{"featureEdges", r.featureEdgeNum},
 			{"featureConeApexes", r.featureConeApexNum},
 			{"featureTips", r.featureConeApexNum}, // the key of earlier versions
+			{"releasedLineVertices", r.releasedVertexNum},
 			{"featureRegionVertices", r.regionVertexNum},
 			{"keptVertices", r.keptVertexNum},
 			{"curvatureClamped", r.curvatureClampedNum},

@@ -53,6 +53,9 @@ constexpr double shareOfIntersections = 0.25, shareOfAngles = 0.67;
 /// Two operations in a row take some hundred trials a face.
 constexpr std::int64_t workOfPairs = 25000000;
 
+/// What raises an angle and leaves the faces near the surface comes before what does not.
+constexpr float sharesOfMaxGap[] = {0.7f, 1};
+
 /// Inverted faces have more: no other search repairs what this one leaves.
 constexpr std::int64_t shareOfOrientation = 2;
 
@@ -153,7 +156,14 @@ private:
 
 	bool raiseAngles(LocalSearch& search)
 	{
-		return search.run(smallAngles(search, angle_, keepingCount, guarded()));
+		Goal goal = smallAngles(search, angle_, keepingCount, guarded());
+		if (!(wanted_.maxGap > 0)) return search.run(goal);
+		bool isDone = true;
+		for (float share : sharesOfMaxGap) {
+			goal.limits.maxGap = share * wanted_.maxGap;
+			isDone             = search.run(goal) && isDone;
+		}
+		return isDone;
 	}
 
 	/// All is as it was, and the answer is false, where it does not.
@@ -196,7 +206,8 @@ private:
 		std::int64_t work = work_;
 		LocalSearch  search(surface_, curves_, &assignment, work, r_, workers_, roomForTrials);
 		Goal         angles = smallAngles(search, angle_, changingCount, guarded());
-		Goal         apart  = selfIntersections(search, now_.intersecting, angle_, changingCount);
+		if (wanted_.maxGap > 0) angles.limits.maxGap = wanted_.maxGap;
+		Goal apart = selfIntersections(search, now_.intersecting, angle_, changingCount);
 		for (Goal* goal : {&angles, &apart}) {
 			goal->budget.attempts = attemptsByCount;
 			if (fewForCount.holds(search.findBad(*goal).size(), r_.mesh)) search.run(*goal);

@@ -5,6 +5,7 @@
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/self_intersections.h>
+#include <vcg_extras/core/surface/surface_gap.h>
 
 #include <algorithm>
 #include <iterator>
@@ -23,9 +24,9 @@ constexpr int pairRings = 3;
 /// What settles must lower the cost to this share: less is not worth a step.
 constexpr float settleShare = 0.995f;
 /// What it takes to collect, remember and restore a face of a patch, to find the places that a step
-/// may lead to, and to look at a pair of faces for an intersection, in units of the work that is
-/// counted: measured, so that a unit takes 8 to 40 ns on all models.
-constexpr std::int64_t workOfPatchFace = 10, workOfStep = 50, workOfPair = 3;
+/// may lead to, to look at a pair of faces for an intersection, and to measure the gap of a face,
+/// in units of the work that is counted: measured, so that a unit takes 8 to 40 ns on all models.
+constexpr std::int64_t workOfPatchFace = 10, workOfStep = 50, workOfPair = 3, workOfGap = 15;
 /// Moves of a vertex with one step length.
 constexpr int maxMoves = 4;
 
@@ -201,6 +202,7 @@ LocalSearch::Before LocalSearch::lookAt(PatchEditor::Snapshot snapshot)
 	before.worst     = worstOf(before.faces());
 	for (int v : before.snapshot.backup.vertices())
 		before.meanEdge = std::max(before.meanEdge, editor_.meanEdge(v));
+	if (limitsGaps()) before.squaredGap = squaredGapOf(before.faces());
 	if (intersectsHere_) before.intersections = intersectionNum(before.faces());
 	work_ -= workOfPatchFace * std::int64_t(before.faces().size());
 	return before;
@@ -236,6 +238,7 @@ bool LocalSearch::keepsLimits(Before& before)
 	if (before.distance == nullptr)
 		before.distance = distanceOf(before.faces(), before.triangles, before.meanEdge);
 	if (!keepsDistance(before.distance.get(), faces)) return false;
+	if (limitsGaps() && squaredGapOf(faces) > before.squaredGap) return false;
 	// A goal that counts intersections has looked at them already.
 	if (!goal_->limits.intersections || goal_->countsIntersections) return true;
 	return intersectionNum(faces) <= before.intersections;
@@ -259,6 +262,22 @@ bool LocalSearch::keepsDistance(const PatchDistance* distance, const std::vector
 	if (distance == nullptr) return true;
 	work_ -= distance->work();
 	return distance->isKeptBy(trianglesOf(m_, faces));
+}
+
+/// The largest of the faces' gaps, squared, or the one allowed where none is larger.
+float LocalSearch::squaredGapOf(const std::vector<int>& faces)
+{
+	const HalfEdgeMesh& surface = editor_.surface().mesh;
+	const Triangles     shape   = trianglesOf(m_, faces);
+	const auto below   = [&](int h) { return editor_.result().vertex[m_.origin[h]].point.face; };
+	float      largest = goal_->limits.maxGap * goal_->limits.maxGap;
+	for (std::size_t i = 0; i < faces.size(); ++i) {
+		const int                h    = 3 * faces[i];
+		const std::array<int, 3> seed = {below(h), below(h + 1), below(h + 2)};
+		largest                       = gapFromTriangle(surface, shape[i], seed, largest).squared;
+	}
+	work_ -= workOfGap * std::int64_t(faces.size());
+	return largest;
 }
 
 // ---- what is measured

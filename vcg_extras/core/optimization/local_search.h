@@ -23,6 +23,7 @@ struct Limits {
 	float minAngle           = 0;         ///< radians
 	float minNormalAgreement = -1;        ///< cosine
 	float maxDistance        = HUGE_VALF; ///< of the input's vertices from the faces, in mean edges
+	float maxGap             = HUGE_VALF; ///< of the faces from the surface, working units
 	float guardedDistance    = HUGE_VALF; ///< working units; vertices so far off get no farther
 	float maxMove            = 0.5f; ///< of a vertex from where the search found it, in mean edges
 	float maxTurn            = 0.5f; ///< cosine of the normals before and after a move
@@ -103,6 +104,7 @@ private:
 		Worst                 worst;
 		float                 cost          = 0;
 		float                 meanEdge      = 0;
+		float                 squaredGap    = 0;     ///< where gaps are limited
 		int                   intersections = 0;     ///< pairs, where there are any near
 		bool                  keepsFaces    = false; ///< the trial leaves the faces their numbers
 		/// Measured when it is first asked for.
@@ -150,6 +152,8 @@ private:
 	std::unique_ptr<PatchDistance> distanceOf(const std::vector<int>& faces,
 											  const Triangles& triangles, float edge);
 	bool  keepsDistance(const PatchDistance* distance, const std::vector<int>& faces);
+	bool  limitsGaps() const { return goal_->limits.maxGap < HUGE_VALF; }
+	float squaredGapOf(const std::vector<int>& faces);
 	float costOf(const std::vector<int>& faces);
 	Worst worstOf(const std::vector<int>& faces);
 	bool  keepsWorst(const std::vector<int>& faces, const Worst& before);

@@ -6,11 +6,15 @@
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/optimization/fit.h>
+#include <vcg_extras/core/optimization/line_release.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
+#include <string>
 #include <utility>
 
 namespace gpr {
@@ -31,6 +35,10 @@ constexpr int adaptedFitRounds = 4;
 constexpr int quickFitRounds   = 2;
 /// Rounds of lowering the largest distances there; one of them takes a fifth off.
 constexpr int adaptedWorstRounds = 4;
+
+/// Where lines were released, no point of a face gets farther than this from the surface while
+/// angles are raised, in ideal edges, or than the largest distance that the fit left.
+constexpr float maxReleasedGap = 0.3f;
 
 /// What the fit leaves for the repair of poor faces.
 struct Fitted {
@@ -109,6 +117,43 @@ void relax(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, R
 		run.tellCap("changes for small angles");
 }
 
+/// What regularity asks for to the last; the paper's post-processing stays as it is written.
+bool repairsPoorFaces(const RemeshOptions& options)
+{
+	return options.smoothing == Smoothing::Barycentric && options.relaxIterations > 0 &&
+		   options.regularity == Regularity::Full;
+}
+
+/// Lines that the caller gave stay: textures and selections hang on them. Without a fit nothing
+/// would draw what is released to the sharp edge again.
+bool mayReleaseLines(const RunContext& run)
+{
+	return repairsPoorFaces(run.options) && run.options.fit != Fit::Off &&
+		   run.input.line == nullptr;
+}
+
+bool areLinesCrowded(RunContext& run, const ResultMesh& result)
+{
+	return areLinesCrowded(minAngleDeg(run.options), result, run.workers);
+}
+
+void releaseCrowdedLines(RunContext& run, ResultMesh& result)
+{
+	const std::int64_t num       = releaseLines(minAngleDeg(run.options), result, run.workers);
+	run.report.releasedVertexNum = num;
+	run.notes.push_back("Feature lines are so close to each other that they would leave acute "
+						"angles; " +
+						std::to_string(num) + " vertices there need not stay on them.");
+}
+
+/// How far faces may get from the surface while angles are raised; 0: not limited.
+float maxGapAfter(const RunContext& run, float largestGap, const ResultMesh& result)
+{
+	if (run.report.releasedVertexNum == 0) return 0;
+	const float most = maxReleasedGap * result.idealEdge;
+	return largestGap > 0 ? std::min(most, largestGap) : most;
+}
+
 Fitted fit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 		   LargestDistance largest, ResultMesh& result)
 {
@@ -126,13 +171,6 @@ Fitted fit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 	return fitted;
 }
 
-/// What regularity asks for to the last; the paper's post-processing stays as it is written.
-bool repairsPoorFaces(const RemeshOptions& options)
-{
-	return options.smoothing == Smoothing::Barycentric && options.relaxIterations > 0 &&
-		   options.regularity == Regularity::Full;
-}
-
 void repairFaces(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, Fitted fitted,
 				 ResultMesh& result)
 {
@@ -141,11 +179,19 @@ void repairFaces(RunContext& run, const Prepared& p, const BoundaryCurves& bound
 	returnReleasedMemory();
 	fitted.poor.angleDeg  = minAngleDeg(run.options);
 	fitted.poor.targetNum = run.options.exactCount ? p.targetNum : 0;
+	fitted.poor.maxGap    = maxGapAfter(run, fitted.poor.largestGap, result);
 	if (!repairPoorFaces(p.surface, boundary, fitted.poor, fitted.map, result, run.workers))
 		run.tellCap("changes for small angles");
 	// Faces that intersect are taken apart also by raising vertices from the surface.
 	if (run.options.fit != Fit::Off)
 		run.report.largestFitDistance = double(farthestFromSurface(result)) / p.surface.frame.scale;
+}
+
+void fitAndRepair(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+				  LargestDistance largest, ResultMesh& result)
+{
+	Fitted fitted = fit(run, p, boundary, largest, result);
+	repairFaces(run, p, boundary, std::move(fitted), result);
 }
 
 } // namespace
@@ -169,8 +215,15 @@ void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 			   LargestDistance largest, ResultMesh& result)
 {
-	Fitted fitted = fit(run, p, boundary, largest, result);
-	repairFaces(run, p, boundary, std::move(fitted), result);
+	if (!mayReleaseLines(run) || !areLinesCrowded(run, result))
+		return fitAndRepair(run, p, boundary, largest, result);
+	// Lines are let go only where all other means fail; then these begin anew.
+	ResultMesh start = copyResult(result, run.workers);
+	fitAndRepair(run, p, boundary, largest, result);
+	if (!areLinesCrowded(run, result)) return;
+	result = std::move(start);
+	releaseCrowdedLines(run, result);
+	fitAndRepair(run, p, boundary, largest, result);
 }
 
 } // namespace gpr

@@ -22,8 +22,9 @@ void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 /// Whether the largest distance from the input is what the user asked for.
 enum class LargestDistance { Counts, IsOneOfMany };
 
-/// The last to move vertices: those before walk on the surface, which this leaves. Last of all the
-/// worst angles once more, with or without a fit. Where the largest distance counts, or sizes
+/// The last to move vertices: those before walk on the surface, which this leaves. Feature lines
+/// that are too close to each other for good angles are released, and all begins anew. Last of all
+/// the worst angles once more, with or without a fit. Where the largest distance counts, or sizes
 /// follow the error, the fit sees to that too.
 void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 			   LargestDistance largest, ResultMesh& result);

@@ -28,6 +28,21 @@ void widen(const Vec3f& onTriangle, const Vec3f& onSurface, Gap& gap)
 	if (squared > gap.squared) gap = {squared, way, onTriangle};
 }
 
+/// On the way from a face to the nearest one a rim may lie; then another way may not cross it.
+Vec3f nearestFromCorners(const HalfEdgeMesh& m, const std::array<int, 3>& seed, const Vec3f& p,
+						 float enough, int& face)
+{
+	Vec3f nearest = nearestOnTheWay(m, p, enough, face);
+	for (int k = 0; k < 3 && squaredLength(nearest - p) > enough; ++k) {
+		int         other = seed[k];
+		const Vec3f q     = nearestOnTheWay(m, p, enough, other);
+		if (squaredLength(q - p) >= squaredLength(nearest - p)) continue;
+		nearest = q;
+		face    = other;
+	}
+	return nearest;
+}
+
 } // namespace
 
 Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& face)
@@ -49,6 +64,21 @@ Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& 
 	return nearest;
 }
 
+Gap gapFromTriangle(const HalfEdgeMesh& m, const std::array<Vec3f, 3>& t,
+					const std::array<int, 3>& seed, float squaredNear)
+{
+	Gap gap  = {squaredNear, Vec3f(), Vec3f()};
+	int face = seed[0];
+	for (int i = 0; i <= latticeSteps; ++i) {
+		for (int k = 0; i + k <= latticeSteps; ++k) {
+			const float x = float(i) / latticeSteps, y = float(k) / latticeSteps;
+			const Vec3f p = t[0] * (1 - x - y) + t[1] * x + t[2] * y;
+			widen(p, nearestFromCorners(m, seed, p, gap.squared, face), gap);
+		}
+	}
+	return gap;
+}
+
 SurfaceGaps::SurfaceGaps(const Surface& surface, const ClosestFaceMap& map,
 						 const HalfEdgeMesh& result, const Buffer<SurfacePoint>& point,
 						 float near) :
@@ -67,33 +97,13 @@ void SurfaceGaps::lookFromSurface(int f, Gap& gap) const
 	}
 }
 
-/// A lattice of points on f.
 void SurfaceGaps::lookFromTriangle(int f, Gap& gap) const
 {
-	const int*  corner = &m_.origin[3 * f];
-	const Vec3f a = m_.position[corner[0]], b = m_.position[corner[1]], c = m_.position[corner[2]];
-	int         face = faceOfPoint(f, 0);
-	for (int i = 0; i <= latticeSteps; ++i) {
-		for (int k = 0; i + k <= latticeSteps; ++k) {
-			const float x = float(i) / latticeSteps, y = float(k) / latticeSteps;
-			const Vec3f p = a * (1 - x - y) + b * x + c * y;
-			widen(p, nearestFromCorners(f, p, gap.squared, face), gap);
-		}
-	}
-}
-
-/// On the way from a face to the nearest one a rim may lie; then another way may not cross it.
-Vec3f SurfaceGaps::nearestFromCorners(int f, const Vec3f& p, float enough, int& face) const
-{
-	Vec3f nearest = nearestOnTheWay(s_, p, enough, face);
-	for (int k = 0; k < 3 && squaredLength(nearest - p) > enough; ++k) {
-		int         other = faceOfPoint(f, k);
-		const Vec3f q     = nearestOnTheWay(s_, p, enough, other);
-		if (squaredLength(q - p) >= squaredLength(nearest - p)) continue;
-		nearest = q;
-		face    = other;
-	}
-	return nearest;
+	const int* c = &m_.origin[3 * f];
+	const Gap  own =
+		gapFromTriangle(s_, {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]},
+						{point_[c[0]].face, point_[c[1]].face, point_[c[2]].face}, gap.squared);
+	if (own.squared > gap.squared) gap = own;
 }
 
 Gap SurfaceGaps::gapAt(int f) const

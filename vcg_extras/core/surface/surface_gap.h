@@ -10,6 +10,7 @@
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
 
+#include <array>
 #include <vector>
 
 namespace gpr {
@@ -24,6 +25,11 @@ struct Gap {
 /// The point of a mesh nearest to p, as far as it gets ever nearer on the way from `face`, which is
 /// then the one that it lies in; or one within the root of `enough`. Cost: the faces on the way.
 Vec3f nearestOnTheWay(const HalfEdgeMesh& mesh, const Vec3f& p, float enough, int& face);
+
+/// How far a triangle lies from the surface: the largest of the distances of a lattice of points on
+/// it, or what is near where none is larger. seed: faces of the surface near its corners.
+Gap gapFromTriangle(const HalfEdgeMesh& surface, const std::array<Vec3f, 3>& triangle,
+					const std::array<int, 3>& seed, float squaredNear);
 
 /// Measures gaps between the faces of a result and the surface, from both sides: from the vertices
 /// of the input that are closest to a face, and from a lattice of points on the face. Gaps shorter
@@ -49,12 +55,10 @@ private:
 	const Buffer<SurfacePoint>& point_;
 	float                       squaredNear_;
 
-	Gap   nearEnough() const { return {squaredNear_, Vec3f(), Vec3f()}; }
-	Vec3f nearestFromCorners(int f, const Vec3f& p, float enough, int& face) const;
-	int   faceOfPoint(int f, int k) const { return point_[m_.origin[3 * f + k]].face; }
-	void  lookFromSurface(int f, Gap& gap) const;
-	void  lookFromTriangle(int f, Gap& gap) const;
-	bool  isFarVertex(int v) const;
+	Gap  nearEnough() const { return {squaredNear_, Vec3f(), Vec3f()}; }
+	void lookFromSurface(int f, Gap& gap) const;
+	void lookFromTriangle(int f, Gap& gap) const;
+	bool isFarVertex(int v) const;
 };
 
 } // namespace gpr
