@@ -216,48 +216,53 @@ TEST(DensityAsPrinted, LandsNearTheTargetOnANoisySurface)
 	EXPECT_LT(result.report.cleaned.longEdgesSplit, 5000);
 }
 
-/// Root of the sum of the squared principal curvatures of the ellipsoid x² + y² + z²/9 = 1.
-double ellipsoidCurvature(const Vec3d& p)
+/// A torus whose tube is thin on one side.
+TriangleMesh ringWithThinSide()
 {
-	const double a = 1, c = 3;
-	const double rho2     = p.x * p.x + p.y * p.y;
-	const double w        = rho2 / (a * a * a * a) + p.z * p.z / (c * c * c * c);
-	const double gaussian = 1 / (a * a * a * a * c * c * w * w);
-	// Round the axis: 1 over the length of the normal up to the axis, which is a² √w.
-	const double round = 1 / (a * a * std::sqrt(w));
-	return std::hypot(round, gaussian / round);
+	TriangleMesh mesh = torus(300, 60, 1, 0.3);
+	for (Vec3d& p : mesh.positions) {
+		const double around = std::hypot(p.x, p.y);
+		const double share  = 0.6 - 0.4 * p.x / around; // of the tube's radius
+		const Vec3d  middle{p.x / around, p.y / around, 0};
+		p = middle + (p - middle) * share;
+	}
+	return mesh;
 }
 
-TEST(DensityByError, GoesWithTheRootOfTheCurvature)
+TEST(DensityByError, LowersTheLargeDistancesAtTheSameNumber)
 {
-	TriangleMesh egg = icosphere(6);
-	for (Vec3d& p : egg.positions)
-		p.z *= 3;
-	RemeshOptions options     = withCount(4000);
-	options.adapt             = 1;
-	const RemeshResult result = remesh(egg.view(), options);
-	ASSERT_EQ(result.status, Status::Ok) << result.message;
-	EXPECT_EQ(result.mesh.vertexNum(), 4000u);
-	// Sizes go with κ^-1/4, so the density with κ^1/2.
-	Shares     expected{}, measured{};
-	const auto part = [](double z) {
-		return std::min(partNum - 1, int(std::abs(z) / 3 * partNum));
-	};
-	double sum = 0;
-	for (std::size_t f = 0; f < egg.faceNum(); ++f) {
-		const Vec3d  a = egg.positions[egg.triangles[3 * f]];
-		const Vec3d  b = egg.positions[egg.triangles[3 * f + 1]];
-		const Vec3d  c = egg.positions[egg.triangles[3 * f + 2]];
-		const double w = length(cross(b - a, c - a)) * std::sqrt(ellipsoidCurvature(a));
-		expected[part(a.z)] += w;
-		sum += w;
+	const TriangleMesh mesh = ringWithThinSide();
+	double             even = 0;
+	for (const double adapt : {0.0, 0.1, 1.0}) {
+		RemeshOptions options     = withCount(1200);
+		options.adapt             = adapt;
+		options.check             = true;
+		const RemeshResult result = remesh(mesh.view(), options);
+		ASSERT_EQ(result.status, Status::Ok) << result.message;
+		EXPECT_EQ(result.mesh.vertexNum(), 1200u);
+		EXPECT_TRUE(hasSameTopology(mesh, result.mesh));
+		EXPECT_GT(result.report.quality.radiusRatioMean, 0.93);
+		const double p999 = result.report.check.distance.larger().p999;
+		if (adapt > 0) {
+			EXPECT_LT(p999, 0.8 * even) << "adapt " << adapt;
+		}
+		else {
+			even = p999;
+		}
 	}
-	for (double& e : expected)
-		e /= sum;
-	for (const Vec3d& p : result.mesh.positions)
-		measured[part(p.z)] += 1 / 4000.0;
-	expectNear(measured, expected, 0.1);
-	EXPECT_GT(result.report.quality.radiusRatioMean, 0.97);
+}
+
+TEST(DensityByError, IsEvenWhereThereAreFeatureLines)
+{
+	const TriangleMesh mesh = box(30, 30, 30, {1, 1, 1});
+	RemeshOptions      even = withCount(600), adapted = even;
+	even.adapt    = 0;
+	adapted.adapt = 1;
+	even.fit = adapted.fit = Fit::Off;
+	const RemeshResult a = remesh(mesh.view(), even), b = remesh(mesh.view(), adapted);
+	ASSERT_EQ(b.status, Status::Ok) << b.message;
+	EXPECT_GT(b.report.featureEdgeNum, 0);
+	EXPECT_EQ(a.report.diskRadius, b.report.diskRadius);
 }
 
 TEST(DensityBySelection, MakesTheRegionFiner)

@@ -150,12 +150,11 @@ std::vector<Band> bands()
 
 	Band adapted            = igea;
 	adapted.adapt           = 1;
-	adapted.meanRadiusRatio = 0.965;
-	adapted.meanAspectRatio = 0.905;
-	adapted.minAngleDeg     = 25.5;
-	adapted.below30Percent  = 0.3;
+	adapted.meanRadiusRatio = 0.98;
+	adapted.meanAspectRatio = 0.935;
+	adapted.minAngleDeg     = 29.5;
 	adapted.valence6Percent = 90;
-	adapted.rmsPercent      = 0.0113;
+	adapted.rmsPercent      = 0.0143;
 
 	Band facemask{"facemask_62k_open.ply", 10};
 	facemask.meanRadiusRatio = 0.989;

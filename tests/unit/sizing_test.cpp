@@ -21,13 +21,15 @@ protected:
 	Workers       workers{2, nullptr};
 	RemeshOptions options;
 	Buffer<char>  isFeature;
+	bool          hasFeatureLines = false;
 
 	Sizing sizing(const TriangleMesh& mesh, const Surface& surface, float radius,
 				  const float* quality = nullptr)
 	{
 		MeshView view = mesh.view();
 		view.quality  = quality;
-		return makeSizing({view, options, radius, isFeature, {}}, surface, workers);
+		return makeSizing({view, options, radius, radius, hasFeatureLines, isFeature, {}}, surface,
+						  workers);
 	}
 };
 
@@ -124,17 +126,18 @@ TEST_F(SizingTest, TheSideThatIsOutsideChangesNothing)
 	}
 }
 
-/// With an adaptation of 1 they differ by a factor of 4, with one of a half by one of 2.
-TEST_F(SizingTest, SizesByCurvatureKeepToTheirRange)
+TEST_F(SizingTest, SizesByTheErrorAreSmallAtABendUnlessItIsAFeatureLine)
 {
 	const TriangleMesh mesh = bentSheet(60, 1.5);
 	const Surface      bent = surfaceOf(mesh, workers);
-	for (double adapt : {0.25, 0.5}) {
-		options.adapt      = adapt;
-		const Sizing s     = sizing(mesh, bent, 0.03f);
-		const float  least = *std::min_element(s.size.begin(), s.size.end());
-		EXPECT_NEAR(least, std::pow(4, -adapt), 0.01);
-	}
+	options.adapt           = 1;
+	const Sizing s          = sizing(mesh, bent, 0.06f);
+	EXPECT_LT(*std::min_element(s.size.begin(), s.size.end()), 0.6f);
+	EXPECT_EQ(*std::max_element(s.size.begin(), s.size.end()), 1.0f);
+	EXPECT_GT(s.radiusFactor, 1.01);
+	EXPECT_LT(s.radiusFactor, 1.31);
+	hasFeatureLines = true;
+	EXPECT_TRUE(sizing(mesh, bent, 0.06f).size.empty());
 }
 
 /// A border whose vertices stay is finer than the rest is to be: disks there go with its spacing.
@@ -149,7 +152,7 @@ TEST_F(SizingTest, DisksAtAKeptBorderGoWithItsSpacing)
 	}
 	const float    r = 0.01f, spacing = float(flat.frame.scale) / 80;
 	const MeshView view = mesh.view();
-	const Sizing   s    = makeSizing({view, options, r, isFeature, kept}, flat, workers);
+	const Sizing   s    = makeSizing({view, options, r, r, false, isFeature, kept}, flat, workers);
 	for (int v : kept)
 		EXPECT_NEAR(borderSpacing * s.size[v] * r * float(s.radiusFactor) / spacing, 1, 0.05f);
 }
@@ -193,7 +196,8 @@ TEST_F(SizingTest, LongEdgesAreSplitByTheirLocalSize)
 	for (int v = 0; v < mesh.vertexNum; ++v)
 		size[v] = mesh.frame.toCaller(mesh.position[v]).x < 0.5 ? 1.0f : 0.2f;
 	const float unit = float(mesh.frame.scale);
-	splitLongEdges(mesh, 0.2f * unit, size, 1000000, workers);
+	mesh.size        = std::move(size);
+	splitLongEdges(mesh, 0.2f * unit, 1000000, workers);
 	for (int h = 0; h < 3 * mesh.faceNum; ++h) {
 		const Vec3f  a    = mesh.position[mesh.triangle[h]];
 		const Vec3f  b    = mesh.position[mesh.triangle[nextInFace(h)]];

@@ -176,13 +176,15 @@ void addPreset(Table& t)
 
 void addDensity(Table& t)
 {
-	t.push_back(row(sampled, "Adapt", "--adapt", "A", Kind::Number, "Adaptivity to the error",
-					"Puts more vertices where the surface bends, so that the error is smaller at "
-					"the same number. 0: all triangles have one size. 1: sizes differ by a factor "
-					"of four. It has no effect with the paper's equations.")
-					.range(0, 1)
-					.store([](const Value& v, RemeshOptions& o) { o.adapt = numberOf(v); })
-					.p);
+	t.push_back(
+		row(sampled, "Adapt", "--adapt", "A", Kind::Number, "Adaptivity to the error",
+			"How much the sizes of the triangles follow the error. 0: all triangles have "
+			"one size. 0.1: a tenth of the vertices goes to ridges, rims and tips that are "
+			"finer than the triangles. 1: all sizes follow the error. Sizes stay even where "
+			"there are feature lines. It has no effect with the paper's equations.")
+			.range(0, 1)
+			.store([](const Value& v, RemeshOptions& o) { o.adapt = numberOf(v); })
+			.p);
 	t.push_back(
 		row(sampled, "Lambda", "--lambda", "W", Kind::Number, "Curvature weight (lambda)",
 			"How much denser curved places are sampled, eq. (4) of the paper. Distances are "

@@ -116,9 +116,8 @@ private:
 /// needed.
 class Splitter {
 public:
-	/// size: empty, or one of each vertex.
-	Splitter(IndexedMesh& mesh, float maxLength, const Buffer<float>& size, std::int64_t maxFaces) :
-			mesh_(mesh), rule_{maxLength * maxLength, size}, maxFaces_(maxFaces),
+	Splitter(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces) :
+			mesh_(mesh), rule_{maxLength * maxLength, mesh.size}, maxFaces_(maxFaces),
 			faceNum_(mesh.faceNum)
 	{
 	}
@@ -152,6 +151,7 @@ public:
 
 	const std::vector<Face>&  finished() const { return finished_; }
 	const std::vector<Vec3f>& newPositions() const { return added_; }
+	const std::vector<float>& newSizes() const { return addedSize_; }
 	std::int64_t              splitNum() const { return std::int64_t(added_.size()); }
 
 private:
@@ -356,6 +356,10 @@ void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Split
 	makeRoom(mesh.position, mesh.vertexNum + added.size(), workers);
 	for (std::size_t i = 0; i < added.size(); ++i)
 		mesh.position[mesh.vertexNum + i] = added[i];
+	const std::vector<float>& sizes = splitter.newSizes();
+	if (!sizes.empty()) makeRoom(mesh.size, mesh.vertexNum + sizes.size(), workers);
+	for (std::size_t i = 0; i < sizes.size(); ++i)
+		mesh.size[mesh.vertexNum + i] = sizes[i];
 	mesh.vertexNum += int(added.size());
 }
 
@@ -371,6 +375,14 @@ std::int64_t runSplitter(Splitter& splitter, const std::vector<int>& longFaces, 
 }
 
 } // namespace
+
+std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength, Workers& workers)
+{
+	const EdgeRule rule{maxLength * maxLength, mesh.size};
+	return workers.collect<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+		addLongFaces(mesh, rule, begin, end, out);
+	});
+}
 
 std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
 							   Workers& workers)
@@ -401,28 +413,14 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
 							Workers& workers)
 {
-	return splitLongEdges(mesh,
-						  findLongFaces(mesh, measureFaces(mesh, workers), maxLength, workers),
-						  maxLength, maxFaces, workers);
+	return splitLongEdges(mesh, findLongFaces(mesh, maxLength, workers), maxLength, maxFaces,
+						  workers);
 }
 
 std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
 							std::int64_t maxFaces, Workers& workers)
 {
-	const Buffer<float> sameSize;
-	Splitter            splitter(mesh, maxLength, sameSize, maxFaces);
-	return runSplitter(splitter, longFaces, mesh, workers);
-}
-
-std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, const Buffer<float>& size,
-							std::int64_t maxFaces, Workers& workers)
-{
-	Splitter               splitter(mesh, maxLength, size, maxFaces);
-	const EdgeRule         rule{maxLength * maxLength, size};
-	const std::vector<int> longFaces =
-		workers.collect<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-			addLongFaces(mesh, rule, begin, end, out);
-		});
+	Splitter splitter(mesh, maxLength, maxFaces);
 	return runSplitter(splitter, longFaces, mesh, workers);
 }
 

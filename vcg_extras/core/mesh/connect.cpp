@@ -372,6 +372,7 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 		return false;
 	}
 	surface.sourceFace.swap(mesh.sourceFace);
+	surface.size.swap(mesh.size);
 	surface.frame = mesh.frame;
 	return true;
 }
@@ -385,6 +386,7 @@ IndexedMesh disconnect(Surface& surface)
 	mesh.position   = std::move(surface.mesh.position);
 	mesh.triangle   = std::move(surface.mesh.origin);
 	mesh.sourceFace = std::move(surface.sourceFace);
+	mesh.size       = std::move(surface.size);
 	surface         = Surface();
 	surface.frame   = mesh.frame;
 	return mesh;

@@ -29,6 +29,7 @@ struct IndexedMesh {
 	Buffer<Vec3f> position;   ///< working coordinates; like the others at least this long
 	Buffer<int>   triangle;   ///< 3 a face
 	Buffer<int>   sourceFace; ///< per face: the caller's face it is part of
+	Buffer<float> size;       ///< per vertex: see sizing.h; empty: the same everywhere
 
 	Vec3f faceCross(int f) const
 	{

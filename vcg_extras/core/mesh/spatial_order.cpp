@@ -109,6 +109,15 @@ int levelFor(int vertexNum)
 	return std::min(level, 11);
 }
 
+/// The sizes of the vertices in their new order.
+void renameSizes(const Buffer<int>& rename, Workers& workers, Buffer<float>& size)
+{
+	if (size.empty()) return;
+	Buffer<float> ordered(rename.size());
+	workers.forEach(rename.size(), [&](int v) { ordered[rename[v]] = size[v]; });
+	size.swap(ordered);
+}
+
 /// Puts the vertices in order; returns their new names.
 Buffer<int> orderVertices(IndexedMesh& mesh, const MortonGrid& grid, Workers& workers)
 {
@@ -130,6 +139,7 @@ Buffer<int> orderVertices(IndexedMesh& mesh, const MortonGrid& grid, Workers& wo
 		}
 	});
 	mesh.position.swap(position);
+	renameSizes(rename, workers, mesh.size);
 	return rename;
 }
 

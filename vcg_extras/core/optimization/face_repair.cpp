@@ -99,7 +99,7 @@ public:
 		if (!fewPoor.holds(poorNum + intersecting.size(), r_.mesh)) return false;
 		bool isDone   = takeApart(intersecting);
 		isDone        = raiseAngles() && isDone;
-		mayIntersect_ = !intersecting.empty();
+		mayIntersect_ = doesAnyIntersect(intersecting);
 		now_          = poorness();
 		for (int round = 0; round < maxCountRounds; ++round) {
 			if (!changeCountWhereItHelps()) break;
@@ -144,6 +144,18 @@ private:
 		Assignment   assignment(surface_, map_, mapFaceNum_);
 		LocalSearch  search(surface_, curves_, &assignment, work, r_, workers_);
 		return search.run(selfIntersections(search, intersecting, angle_, keepingCount));
+	}
+
+	/// Whether any of the faces, or of those near them that may have changed with them, intersects
+	/// another one. Looks at these alone: all faces would take longer than the repair.
+	bool doesAnyIntersect(const std::vector<int>& faces) const
+	{
+		if (faces.empty()) return false;
+		const HalfEdgeMesh& m    = r_.mesh;
+		std::vector<int>    near = faces;
+		for (int ring = 0; ring < 2; ++ring)
+			near = facesRound(m, verticesOf(m, near));
+		return !findIntersectingFaces(m, near, workers_).empty();
 	}
 
 	bool raiseAngles()

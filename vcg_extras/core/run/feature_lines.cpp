@@ -115,6 +115,14 @@ bool followsFeatureLines(const RemeshOptions& options)
 	return options.retriangulation == Retriangulation::LabelCollapse;
 }
 
+bool hasFeatureLines(RunContext& run, Prepared& p)
+{
+	const CreaseRules    rules = creaseRules(run.options, p);
+	const CreaseFindings found = markCreases(rules, run.workers, p.surface);
+	p.surface.mesh.crease.release();
+	return found.edgeNum > 0;
+}
+
 void findFeatureLines(RunContext& run, Prepared& p)
 {
 	run.clock.enter(Stage::FeatureLines);

@@ -13,6 +13,9 @@ namespace gpr {
 /// The paper's removal of vertices knows no curves but the border.
 bool followsFeatureLines(const RemeshOptions& options);
 
+/// Whether findFeatureLines will find lines by itself. The surface is as before.
+bool hasFeatureLines(RunContext& run, Prepared& p);
+
 /// Marks the feature lines; from here on the surface does not change any more. Where there are
 /// more of them than the wanted vertices can follow, the shorter ones are left out, and where
 /// one runs close beside another the weaker one. The caller's own lines are added where they leave

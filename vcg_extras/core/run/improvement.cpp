@@ -23,18 +23,17 @@ namespace {
 
 /// Angles below this are raised at the end.
 constexpr float poorAngleDeg = 32;
-/// What is left of the weight of the triangles' shape in the fit where sizes follow the error: who
-/// asks for that wants to be close first.
-constexpr double adaptedShapeWeight = 0.07;
-/// Angles that the fit and the last pass hold there: sharp tips and folds come out closer.
-constexpr float adaptedAngleDeg = 26;
+/// Where all sizes follow the error closeness comes first: what is left of the weight of the
+/// triangles' shape in the fit, and the angles that the fit and the last pass hold.
+constexpr double adaptedShapeWeight = 0.5;
+constexpr float  adaptedAngleDeg    = 30;
 /// Rounds of the fit, and of the quick one; a fourth takes 1 to 3 % off the error where sizes are
-/// the same everywhere, and as much again where they follow it.
+/// nearly the same everywhere, and as much again where they follow it.
 constexpr int fitRounds        = 3;
 constexpr int adaptedFitRounds = 4;
 constexpr int quickFitRounds   = 2;
-/// Rounds of lowering the largest distances there; one of them takes a fifth off.
-constexpr int adaptedWorstRounds = 4;
+/// Rounds of lowering the largest distances where they matter; one of them takes a fifth off.
+constexpr int manyWorstRounds = 4;
 
 /// Where lines were released, no point of a face gets farther than this from the surface while
 /// angles are raised, in ideal edges, or than the largest distance that the fit left.
@@ -51,16 +50,16 @@ float minAngleDeg(const RemeshOptions& options)
 	return poorAngleDeg + float(options.adapt) * (adaptedAngleDeg - poorAngleDeg);
 }
 
-int worstRounds(const RemeshOptions& options, LargestDistance largest)
-{
-	if (largest == LargestDistance::Counts || options.adapt > 0) return adaptedWorstRounds;
-	return options.fit == Fit::Quick ? 0 : 1;
-}
-
 int roundsOfFit(const RemeshOptions& options)
 {
 	if (options.fit == Fit::Quick) return quickFitRounds;
-	return options.adapt > 0 ? adaptedFitRounds : fitRounds;
+	return options.adapt > 0.5 ? adaptedFitRounds : fitRounds;
+}
+
+int worstRounds(const RemeshOptions& options, LargestDistance largest)
+{
+	if (largest == LargestDistance::Counts || options.adapt > 0) return manyWorstRounds;
+	return options.fit == Fit::Quick ? 0 : 1;
 }
 
 FitSettings fitSettings(const RemeshOptions& options, LargestDistance largest)

@@ -3,6 +3,7 @@
 #include "preparation.h"
 
 #include "border_smoothing.h"
+#include "feature_lines.h"
 #include "loading.h"
 #include "target.h"
 
@@ -27,11 +28,8 @@ namespace gpr {
 
 namespace {
 
-/// Longest edge where at most this share of the faces has one beyond longestEdgeInRadii. Single
-/// long edges in a dense scan do no harm, and splitting them all would make a tenth more of
-/// everything.
-constexpr float  longestSingleEdge = 1.1f;
-constexpr double maxSingleFaces    = 0.15;
+/// Share of the faces that may have an edge of more than longestEdgeInRadii.
+constexpr double maxSingleFaces = 0.15;
 /// Where no more than this share of the faces is split, noise is still seen on those that are
 /// there.
 constexpr double maxUnseen = 0.02;
@@ -131,38 +129,34 @@ Sizing findSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 	findFeatureRegion(run, marks, p);
 	const float uniform =
 		float(diskRadius(p.area, double(p.targetNum), radiusConstant(run.options)));
-	return makeSizing({run.input, run.options, uniform, p.isFeatureVertex, p.kept}, p.surface,
-					  run.workers);
+	const bool hasLines = run.options.adapt > 0 && hasFeatureLines(run, p);
+	return makeSizing(
+		{run.input, run.options, uniform, evenEdge(p), hasLines, p.isFeatureVertex, p.kept},
+		p.surface, run.workers);
 }
 
-void splitForSizes(RunContext& run, float longest, Prepared& p)
+/// Splits what is too long for small triangles. The sizes go with the vertices.
+void splitForSizes(RunContext& run, const FeatureMarks& marks, float longest, Prepared& p)
 {
-	Buffer<float> size = std::move(p.surface.size);
-	IndexedMesh   mesh = disconnect(p.surface);
+	IndexedMesh mesh = disconnect(p.surface);
 	if (!(p.callersMeanEdge > 0)) p.callersMeanEdge = meanEdgeLength(mesh, run.workers);
 	const std::int64_t maxFaces = maxFacesFor(p.targetNum, mesh.faceNum);
-	run.report.cleaned.longEdgesSplit += splitLongEdges(mesh, longest, size, maxFaces, run.workers);
+	run.report.cleaned.longEdgesSplit += splitLongEdges(mesh, longest, maxFaces, run.workers);
 	connectOrRepair(run, mesh, p.surface);
+	findFeatureRegion(run, marks, p);
 }
 
-/// Gives the surface its sizes, and the largest disks the radius that goes with them. Where
-/// small sizes meet edges that are too long for them, those are split and the sizes found anew.
+/// Gives the surface its sizes, and the largest disks the radius that goes with them.
 void setSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 {
-	constexpr int maxRefinements =
-		4; // each splits what is too long; needles could ask for any number
-	for (int pass = 0; pass <= maxRefinements; ++pass) {
-		Sizing sizing = findSizes(run, marks, p);
-		if (sizing.size.empty()) return;
-		p.surface.size                 = std::move(sizing.size);
-		p.radiusFactor                 = sizing.radiusFactor;
-		run.report.curvatureClampedNum = sizing.clampedNum;
-		setTarget(run, p.targetNum, p);
-		const float longest = longestEdgeInRadii * p.radius;
-		if (edgesFitSizes(p.surface, longest, run.workers)) return;
-		if (pass < maxRefinements) splitForSizes(run, longest, p);
-	}
-	run.tellCap("splits of edges that are too long for small sizes");
+	Sizing sizing = findSizes(run, marks, p);
+	if (sizing.size.empty()) return;
+	p.surface.size                 = std::move(sizing.size);
+	p.radiusFactor                 = sizing.radiusFactor;
+	run.report.curvatureClampedNum = sizing.clampedNum;
+	setTarget(run, p.targetNum, p);
+	const float longest = sizing.longestEdge * p.radius;
+	if (!edgesFitSizes(p.surface, longest, run.workers)) splitForSizes(run, marks, longest, p);
 }
 
 /// The count to aim at, for an area in working units squared and a scale from mesh to working

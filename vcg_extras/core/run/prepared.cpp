@@ -39,6 +39,11 @@ float idealEdge(const Prepared& p)
 	return float(p.radiusFactor * diskRadius(p.area, double(p.targetNum), 1));
 }
 
+float evenEdge(const Prepared& p)
+{
+	return float(diskRadius(p.area, double(p.targetNum), 1));
+}
+
 void setTarget(RunContext& run, std::int64_t targetNum, Prepared& p)
 {
 	p.targetNum = targetNum;

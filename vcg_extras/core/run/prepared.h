@@ -40,6 +40,8 @@ double radiusConstant(const RemeshOptions& options);
 
 /// Edge length of the largest triangles.
 float idealEdge(const Prepared& p);
+/// Edge length of the triangles if all had one size.
+float evenEdge(const Prepared& p);
 
 /// Sets the target, and the radius that goes with it.
 void setTarget(RunContext& run, std::int64_t targetNum, Prepared& p);

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sizing.h"
 
+#include "error_sizes.h"
+#include "size_grading.h"
+
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/input/split_long_edges.h>
@@ -20,15 +23,13 @@ namespace {
 /// How much sizes may grow by distance, both in units of the largest radius: sizes that change
 /// faster cost angles.
 constexpr float gradingSlope = 0.15f;
-/// The grading passes end by themselves long before; its ramps are a few radii long.
-constexpr int maxGradingPasses = 10000;
 /// Least 1 + λH of the equations as printed.
 constexpr float minPrintedStretch = 0.1f;
 /// More ring passes than this would take longer than the remeshing.
 constexpr int maxCurvaturePasses = 200;
 
-/// A curvature, or its square, integrated over faces, and their area: both are averaged alike, so
-/// that the quotient is an area mean.
+/// A curvature integrated over faces, and their area: both are averaged alike, so that the quotient
+/// is an area mean.
 struct CurvatureSum {
 	float curvature = 0;
 	float area      = 0;
@@ -99,42 +100,6 @@ int passesForRadius(const Surface& surface, float radius, Workers& workers)
 	return std::clamp(int(std::lround(steps)), 0, maxCurvaturePasses);
 }
 
-/// Normals averaged over so many rings: what noise there is in them goes, creases stay within a
-/// fraction of the radius.
-Buffer<Vec3f> smoothedNormals(const HalfEdgeMesh& m, int passes, Workers& workers)
-{
-	Buffer<Vec3f> normal = vertexNormals(m, workers);
-	Buffer<Vec3f> mean(normal.size());
-	for (int pass = 0; pass < passes; ++pass) {
-		workers.forRange(normal.size(), [&](std::size_t begin, std::size_t end) {
-			for (std::size_t v = begin; v < end; ++v) {
-				Vec3f sum = normal[v];
-				forEachNeighbour(m, int(v), [&](int w) { sum += normal[w]; });
-				mean[v] = normalized(sum);
-			}
-		});
-		normal.swap(mean);
-	}
-	return normal;
-}
-
-/// κ₁² + κ₂² integrated over a face: the Dirichlet energy of its normals, half the sum over the
-/// edges of the cotangent of the angle opposite times the squared change of the normal.
-float integratedSquaredCurvature(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int f)
-{
-	constexpr float minCotangent = -5; // of needles
-	float           sum          = 0;
-	for (int h = 3 * f; h < 3 * f + 3; ++h) {
-		const Vec3f p = m.position[m.origin[h]];
-		const Vec3f a = m.position[m.target(h)] - p, b = m.position[m.apex(h)] - p;
-		const float doubled = length(cross(a, b));
-		if (!(doubled > 0)) continue;
-		const float cotangent = std::max(minCotangent, dot(a, b) / doubled);
-		sum += cotangent * squaredLength(normal[m.target(h)] - normal[m.apex(h)]);
-	}
-	return std::max(0.0f, 0.5f * sum);
-}
-
 /// What ofFace(f) gives, and the area, summed over the ring of every vertex.
 template <class OfFace>
 Buffer<CurvatureSum> sumOverRings(const HalfEdgeMesh& m, Workers& workers, const OfFace& ofFace)
@@ -156,81 +121,6 @@ Buffer<CurvatureSum> sumOverRings(const HalfEdgeMesh& m, Workers& workers, const
 		}
 	});
 	return ring;
-}
-
-/// Root of κ₁² + κ₂² at every vertex, averaged over half a disk's radius.
-Buffer<float> totalCurvature(const Surface& surface, float radius, Workers& workers)
-{
-	const HalfEdgeMesh& m = surface.mesh;
-	const int           normalPasses =
-		std::max(1, passesForRadius(surface, 0.5f * radius, workers)); // of .25 r
-	const Buffer<Vec3f>  normal = smoothedNormals(m, normalPasses, workers);
-	Buffer<CurvatureSum> ring =
-		sumOverRings(m, workers, [&](int f) { return integratedSquaredCurvature(m, normal, f); });
-	const int passes = passesForRadius(surface, radius, workers); // of .5 r
-	for (int pass = 0; pass < passes; ++pass)
-		averageOverRings(m, workers, ring);
-	Buffer<float> kappa(ring.size());
-	for (std::size_t v = 0; v < ring.size(); ++v)
-		kappa[v] = ring[v].area > 0 ? std::sqrt(ring[v].curvature / ring[v].area) : 0.0f;
-	return kappa;
-}
-
-/// The value that half of the area lies below, by a histogram of eighths of a percent; 0 where half
-/// of the surface is flat.
-float areaMedian(const HalfEdgeMesh& m, const Buffer<float>& value)
-{
-	// Values differ by 0.14 % from bin to bin, and by 2⁶⁴ from end to end.
-	constexpr int       binsPerOctave = 512, octaves = 64;
-	std::vector<double> bin(std::size_t(binsPerOctave) * octaves, 0.0);
-	double              flat = 0, whole = 0;
-	for (int f = 0; f < m.faceNum; ++f) {
-		const double area = double(length(m.faceCross(f)));
-		whole += area;
-		for (int k = 0; k < 3; ++k) {
-			const float x = value[m.origin[3 * f + k]];
-			if (!(x > 0)) {
-				flat += area / 3;
-				continue;
-			}
-			int         exponent = 0;
-			const float fraction = std::frexp(x, &exponent); // in [0.5, 1)
-			const int   inOctave = int((fraction - 0.5f) * 2 * binsPerOctave);
-			const int   at = (std::clamp(exponent + octaves / 2, 0, octaves - 1)) * binsPerOctave;
-			bin[at + inOctave] += area / 3;
-		}
-	}
-	double below = flat;
-	if (below * 2 >= whole) return 0;
-	for (std::size_t i = 0; i < bin.size(); ++i) {
-		below += bin[i];
-		if (below * 2 < whole) continue;
-		const int octave = int(i) / binsPerOctave - octaves / 2;
-		return std::ldexp(0.5f + 0.5f * float(int(i) % binsPerOctave) / binsPerOctave, octave);
-	}
-	return 0;
-}
-
-/// Sizes that lessen the error at the same number of vertices: the fourth root of the curvature's
-/// inverse, within a range of 4 to the power of `adapt`. Where half of the surface is flat the mean
-/// takes the median's place.
-void adaptSizes(const SizingRequest& request, const Surface& surface, Workers& workers,
-				Buffer<float>& size)
-{
-	const Buffer<float> kappa  = totalCurvature(surface, request.radius, workers);
-	float               middle = areaMedian(surface.mesh, kappa);
-	if (!(middle > 0)) {
-		double sum = 0;
-		for (float k : kappa)
-			sum += k;
-		middle = float(sum / double(std::max<std::size_t>(1, kappa.size())));
-	}
-	if (!(middle > 0)) return;                                   // all flat
-	const float range = std::exp2(float(request.options.adapt)); // root of 4^adapt
-	for (std::size_t v = 0; v < size.size(); ++v) {
-		const float wanted = kappa[v] > 0 ? std::sqrt(std::sqrt(middle / kappa[v])) : range;
-		size[v] *= std::clamp(wanted, 1 / range, range);
-	}
 }
 
 /// The caller's quality at every vertex of the surface.
@@ -282,33 +172,31 @@ Buffer<float> strengthAtVertices(const SizingRequest& request, const Surface& su
 	return strength;
 }
 
-/// Lowers sizes until none grows faster than the slope along any edge. Each pass reads the last
-/// one's values, so that it does not matter which thread does what.
+/// Lowers sizes until none grows faster than the slope along any edge.
 void grade(const Surface& surface, float radius, Workers& workers, Buffer<float>& size)
 {
-	const HalfEdgeMesh& m       = surface.mesh;
-	const float         perUnit = gradingSlope / radius;
-	Buffer<float>       lowered(size.size());
-	for (int pass = 0; pass < maxGradingPasses; ++pass) {
-		const int changed = workers.sum<int>(size.size(), [&](std::size_t begin, std::size_t end) {
-			int n = 0;
-			for (std::size_t v = begin; v < end; ++v) {
-				float least = size[v];
-				forEachNeighbour(m, int(v), [&](int w) {
-					const float distance = length(m.position[w] - m.position[v]);
-					least                = std::min(least, size[w] + perUnit * distance);
-				});
-				// Ever smaller changes far from their cause are not worth a pass.
-				const bool lower = least < size[v] * 0.999f;
-				lowered[v]       = lower ? least : size[v];
-				n += lower;
-			}
-			return n;
-		});
-		size.swap(lowered);
-		if (changed == 0) return;
-	}
+	const HalfEdgeMesh& m                       = surface.mesh;
+	const float         perUnit                 = gradingSlope / radius;
+	const auto          isTooSmallForANeighbour = [&](std::size_t v) {
+        bool isIt = false;
+        forEachNeighbour(m, int(v), [&](int w) {
+            const float rise = size[w] - size[v];
+            isIt = isIt || (rise > 0 && rise > perUnit * length(m.position[w] - m.position[v]));
+        });
+        return isIt;
+	};
+	std::vector<int> small = workers.collectIf(size.size(), isTooSmallForANeighbour);
+	gradeSizes(m, perUnit, workers, small, size);
 }
+
+struct Largest {
+	float    size = 0;
+	Largest& operator+=(const Largest& o)
+	{
+		size = std::max(size, o.size);
+		return *this;
+	}
+};
 
 /// Area mean of 1/size².
 double meanSquaredStretch(const HalfEdgeMesh& m, const Buffer<float>& size, Workers& workers)
@@ -340,14 +228,16 @@ double meanSquaredStretch(const HalfEdgeMesh& m, const Buffer<float>& size, Work
 }
 
 /// Sizes over the largest one, which may be above or below 1; returns it.
-float normalise(Buffer<float>& size)
+float normalise(Workers& workers, Buffer<float>& size)
 {
-	float largest = 0;
-	for (float s : size)
-		largest = std::max(largest, s);
-	for (float& s : size)
-		s /= largest;
-	return largest;
+	const Largest all = workers.sum<Largest>(size.size(), [&](std::size_t begin, std::size_t end) {
+		Largest part;
+		for (std::size_t v = begin; v < end; ++v)
+			part += {size[v]};
+		return part;
+	});
+	workers.forEach(size.size(), [&](int v) { size[v] /= all.size; });
+	return all.size;
 }
 
 void shrinkFeatures(const SizingRequest& request, Buffer<float>& size)
@@ -365,10 +255,28 @@ bool wantsSmallerDisks(const SizingRequest& request)
 		   request.options.featureDiskScale < 1;
 }
 
+/// The size where the surface is flat, over that of even triangles: the larger, the more vertices
+/// are left for where it is not.
+float largestSizeFor(double adapt)
+{
+	return 1 + 0.3f * float(adapt);
+}
+
+bool wantsErrorSizes(const SizingRequest& request)
+{
+	return request.options.adapt > 0 && !request.hasFeatureLines;
+}
+
 bool matchesBorder(const SizingRequest& request)
 {
 	return request.options.boundary == BoundaryMode::Keep &&
 		   request.options.equations == Equations::Calibrated;
+}
+
+bool wantsOtherSizes(const SizingRequest& request)
+{
+	const bool atBorder = matchesBorder(request) && !request.kept.empty();
+	return request.options.lambda > 0 || wantsSmallerDisks(request) || atBorder;
 }
 
 /// Mean length of the two border edges at every border vertex; 0 inside. Edges that were split are
@@ -418,28 +326,58 @@ void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers
 	size.swap(matched);
 }
 
-Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Workers& workers)
+/// Sizes that may differ from vertex to vertex as they like; `grade` has to follow.
+Buffer<float> ungradedSizes(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
-	Sizing      sizing;
-	const float lambda   = float(request.options.lambda);
-	const float smallest = float(1 / request.options.largestStretch);
-	sizing.size.reset(surface.mesh.vertexNum);
-	sizing.size.fill(1);
+	const float   lambda   = float(request.options.lambda);
+	const float   smallest = float(1 / request.options.largestStretch);
+	Buffer<float> size(surface.mesh.vertexNum, 1.0f);
 	if (lambda > 0) {
 		const Buffer<float> strength = strengthAtVertices(request, surface, workers);
 		for (std::size_t v = 0; v < strength.size(); ++v)
-			sizing.size[v] = std::max(smallest, 1 / (1 + lambda * strength[v]));
+			size[v] = std::max(smallest, 1 / (1 + lambda * strength[v]));
 	}
-	if (request.options.adapt > 0) adaptSizes(request, surface, workers, sizing.size);
-	if (wantsSmallerDisks(request)) shrinkFeatures(request, sizing.size);
-	// How steep a ramp is depends on the radius, and that on the sizes: the sizes before grading
-	// give it well enough.
-	const double before = meanSquaredStretch(surface.mesh, sizing.size, workers);
-	if (matchesBorder(request))
-		gradeToBorder(request, surface, workers, sizing.size);
-	else
-		grade(surface, request.radius * float(std::sqrt(before)), workers, sizing.size);
-	const float largest = normalise(sizing.size);
+	if (wantsSmallerDisks(request)) shrinkFeatures(request, size);
+	return size;
+}
+
+/// Edges of triangles by the error, graded, in working units.
+Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, Workers& workers)
+{
+	ErrorSizeRequest wanted;
+	wanted.area    = surfaceAreaOf(surface.mesh, workers);
+	wanted.even    = request.evenEdge;
+	wanted.largest = request.evenEdge * largestSizeFor(request.options.adapt);
+	wanted.slope   = gradingSlope;
+	return sizesByError(surface.mesh, wanted, workers).edge;
+}
+
+void multiply(const Buffer<float>& factor, Workers& workers, Buffer<float>& size)
+{
+	workers.forEach(size.size(), [&](int v) { size[v] *= factor[v]; });
+}
+
+Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Workers& workers)
+{
+	const bool onlyByError = !wantsOtherSizes(request);
+	Sizing     sizing;
+	sizing.longestEdge = onlyByError ? longestSingleEdge : longestEdgeInRadii;
+	if (onlyByError) {
+		sizing.size = errorSizes(request, surface, workers);
+	}
+	else {
+		sizing.size = ungradedSizes(request, surface, workers);
+		if (wantsErrorSizes(request))
+			multiply(errorSizes(request, surface, workers), workers, sizing.size);
+		// How steep a ramp is depends on the radius, and that on the sizes: the sizes before
+		// grading give it well enough.
+		const double before = meanSquaredStretch(surface.mesh, sizing.size, workers);
+		if (matchesBorder(request))
+			gradeToBorder(request, surface, workers, sizing.size);
+		else
+			grade(surface, request.radius * float(std::sqrt(before)), workers, sizing.size);
+	}
+	const float largest = normalise(workers, sizing.size);
 	if (!(largest > 0)) throw Failure(Status::InternalError, "The density has no largest size.");
 	sizing.radiusFactor = std::sqrt(meanSquaredStretch(surface.mesh, sizing.size, workers));
 	return sizing;
@@ -465,7 +403,7 @@ Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers
 		meanStretch = std::max(double(minPrintedStretch), 1 + sum / double(strength.size()));
 	}
 	if (wantsSmallerDisks(request)) shrinkFeatures(request, sizing.size);
-	sizing.radiusFactor = meanStretch * double(normalise(sizing.size));
+	sizing.radiusFactor = meanStretch * double(normalise(workers, sizing.size));
 	return sizing;
 }
 
@@ -487,9 +425,7 @@ Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& wor
 
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
-	const bool uniform  = !(request.options.lambda > 0) && !(request.options.adapt > 0);
-	const bool atBorder = matchesBorder(request) && !request.kept.empty();
-	if (uniform && !wantsSmallerDisks(request) && !atBorder) return Sizing();
+	if (!wantsErrorSizes(request) && !wantsOtherSizes(request)) return Sizing();
 	return request.options.equations == Equations::AsPrinted
 			   ? makePrinted(request, surface, workers)
 			   : makeCalibrated(request, surface, workers);

@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_SAMPLING_SIZING_H
 #define VCG_EXTRAS_CORE_SAMPLING_SIZING_H
 
+#include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/options.h>
@@ -18,8 +19,9 @@ namespace gpr {
 /// How large the triangles are to be where: for every vertex of the surface the disk radius there
 /// over the largest one, in (0, 1].
 struct Sizing {
-	Buffer<float> size;             ///< empty: the same everywhere
-	double        radiusFactor = 1; ///< largest disk radius over that of eq. (1)
+	Buffer<float> size;                              ///< empty: the same everywhere
+	double        radiusFactor = 1;                  ///< largest disk radius over that of eq. (1)
+	float         longestEdge  = longestEdgeInRadii; ///< of the surface, in local disk radii
 	std::int64_t  clampedNum   = 0; ///< equations as printed: vertices where 1 + λH fell below 0.1
 };
 
@@ -28,6 +30,8 @@ struct SizingRequest {
 	const MeshView&         input;
 	const RemeshOptions&    options;
 	float                   radius;          ///< of eq. (1), working units
+	float                   evenEdge;        ///< of triangles that all have one size, working units
+	bool                    hasFeatureLines; ///< sizes are not by the error then
 	const Buffer<char>&     isFeatureVertex; ///< per vertex of the surface; empty: none
 	const std::vector<int>& kept;            ///< the caller's vertices that stay, ascending
 };
@@ -42,15 +46,15 @@ struct SizingRequest {
 /// As printed: s = max(1 + λ·H, 0.1) with the signed H of each vertex in 1/mesh unit, averaged over
 /// a disk too (the paper does not say how it is found, and noise would drown it), and the radius
 /// times the vertex mean of 1 + λ·H, eq. (5), which overshoots the count wherever the curvature
-/// varies. With `adapt` (calibrated only) sizes are multiplied by (κ / area median of κ)^-1/4,
-/// within a range of 4^adapt, where κ² = κ₁² + κ₂²: at the same number of vertices that lessens the
-/// error. With BoundaryMode::Keep sizes at the border go with the spacing of its own vertices.
-/// Theory asks for isotropic triangles of size κ^-1/3 for the least mean and κ^-1/2 for the
-/// least largest error; the fourth root, limited and graded, measured best of all, with good
-/// angles. With SizingSource::Quality the absolute value of the mesh's quality stands for |H|·r, or
-/// for H. Throws Failure{BadOptions} where the quality is asked for and missing or not finite.
-/// Cost: linear, a pass over the mesh for every edge that r spans, squared, and for each of the
-/// grading.
+/// varies. With BoundaryMode::Keep sizes at the border go with the spacing of its own vertices.
+/// With SizingSource::Quality the absolute value of the mesh's quality stands for |H|·r, or for H.
+///
+/// With `adapt` (calibrated only) sizes are multiplied by those of sizesByError, whose largest one
+/// is 1 + 0.3·adapt times that of even triangles. They stay even where there are feature lines:
+/// flat faces between sharp edges need no small triangles, and the lines have their own samples.
+///
+/// Throws Failure{BadOptions} where the quality is asked for and missing or not finite. Cost:
+/// linear; for λ a pass over the mesh for every edge that r spans, squared.
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers);
 
 /// Mean curvature H at every vertex in 1/working unit, positive where the surface bulges along its

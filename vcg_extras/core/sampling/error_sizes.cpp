@@ -1,0 +1,498 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "error_sizes.h"
+
+#include "size_grading.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+/// Radii of disks, from the smallest size to the largest one in geometric steps.
+constexpr int radiusNum = 9;
+/// Radius of the disk that has to be flat, over the edge: twice as large ones take longer and lead
+/// to no smaller distances.
+constexpr float radiusOfEdge = 0.5f;
+/// Sizes are not below this share of the even one: smaller ones gain nothing.
+constexpr float smallestShare = 0.25f;
+/// Disks for each square of an even edge. With three, some tips fall between them.
+constexpr float disksPerSquare = 5;
+/// Disks from which ε is guessed.
+constexpr std::size_t guessingDiskNum = 8000;
+/// ε is at least so many times the noise: a disk of noise has about four deviations from end to
+/// end.
+constexpr float noiseFactor = 2.5f;
+using Radii                 = std::array<float, radiusNum>;
+using Flatness              = std::array<float, radiusNum>; ///< at each radius, never falling
+
+Radii radiiFor(const ErrorSizeRequest& request)
+{
+	Radii       radii;
+	const float ratio = request.largest / (smallestShare * request.even);
+	const float step  = std::sqrt(std::sqrt(std::sqrt(ratio))); // the eighth root: nine radii
+	float       edge  = smallestShare * request.even;
+	for (float& radius : radii) {
+		radius = radiusOfEdge * edge;
+		edge *= step;
+	}
+	return radii;
+}
+
+/// The faces round a vertex.
+struct Ring {
+	Vec3f normal;   ///< the sum of their normals, twice as long as their areas
+	float area = 0; ///< twice the sum of these
+
+	/// 1 where all is flat, less where the faces' normals differ.
+	float flatness() const { return area > 0 ? length(normal) / area : 1; }
+};
+
+Buffer<Ring> ringsOf(const HalfEdgeMesh& m, Workers& workers)
+{
+	Buffer<Ring> ring(m.vertexNum);
+	workers.forEach(std::size_t(m.vertexNum), [&](int v) {
+		Ring sum;
+		forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
+			const Vec3f normal = cross(a, b);
+			sum.normal += normal;
+			sum.area += length(normal);
+		});
+		ring[v] = sum;
+	});
+	return ring;
+}
+
+/// The part of the surface within a straight distance of a vertex that edges inside that ball join
+/// to it. So the other side of a thin sheet is in it only round a rim. Edges that leave the ball
+/// are cut there: a disk sees as much of long edges as of short ones.
+class Disk {
+public:
+	struct Member {
+		float squaredDistance;
+		int   vertex;
+	};
+
+	explicit Disk(const HalfEdgeMesh& mesh) : mesh_(mesh), slot_(64, none) {}
+
+	void collect(int centre, float radius)
+	{
+		forget();
+		middle_             = mesh_.position[centre];
+		const float squared = radius * radius;
+		add({0, centre});
+		for (std::size_t next = 0; next < members_.size(); ++next) {
+			forEachNeighbour(mesh_, members_[next].vertex, [&](int w) {
+				const float distance = squaredLength(mesh_.position[w] - middle_);
+				if (distance <= squared) add({distance, w});
+			});
+		}
+	}
+	/// Every edge once, from its nearer end. Most disks are flat by their normals alone and need
+	/// none.
+	void collectEdges()
+	{
+		for (const Member& from : members_) {
+			const Vec3f place = mesh_.position[from.vertex] - middle_;
+			forEachNeighbour(mesh_, from.vertex, [&](int w) {
+				const Vec3f to       = mesh_.position[w] - middle_;
+				const float distance = squaredLength(to);
+				if (distance > from.squaredDistance)
+					edges_.push_back({place, to, from.squaredDistance, distance});
+			});
+		}
+	}
+	void sortByDistance()
+	{
+		std::sort(members_.begin() + 1, members_.end(), [](const Member& a, const Member& b) {
+			return a.squaredDistance != b.squaredDistance ? a.squaredDistance < b.squaredDistance
+														  : a.vertex < b.vertex;
+		});
+	}
+	/// The centre is the first.
+	const std::vector<Member>& members() const { return members_; }
+
+	/// Half of the extent, along a direction, of the edges within a radius, at most the one that
+	/// was collected.
+	float halfExtent(float radius, const Vec3f& direction) const
+	{
+		const float squared = radius * radius;
+		float       least = 0, most = 0;
+		for (const Edge& e : edges_) {
+			if (e.squaredFrom > squared) continue;
+			float height = dot(e.to, direction);
+			if (e.squaredTo > squared) {
+				const float before = dot(e.from, direction);
+				height             = before + shareInside(e, squared) * (height - before);
+			}
+			least = std::min(least, height);
+			most  = std::max(most, height);
+		}
+		return 0.5f * (most - least);
+	}
+
+private:
+	/// From a member to a vertex farther from the centre; both seen from there.
+	struct Edge {
+		Vec3f from, to;
+		float squaredFrom, squaredTo;
+	};
+	static constexpr int none = -1;
+
+	const HalfEdgeMesh& mesh_;
+	Vec3f               middle_;
+	std::vector<Member> members_;
+	std::vector<Edge>   edges_;
+	std::vector<int>    slot_; ///< a hash table of the members' vertices, a power of two
+
+	/// Where an edge that leaves the ball does so.
+	static float shareInside(const Edge& e, float squaredRadius)
+	{
+		const Vec3f along   = e.to - e.from;
+		const float squared = squaredLength(along), half = dot(e.from, along);
+		const float root = half * half + squared * std::max(0.0f, squaredRadius - e.squaredFrom);
+		return std::clamp((std::sqrt(root) - half) / squared, 0.0f, 1.0f);
+	}
+	std::size_t slotOf(int vertex) const
+	{
+		const std::size_t mask = slot_.size() - 1;
+		std::size_t       at   = (std::uint32_t(vertex) * 2654435769u >> 7) & mask;
+		while (slot_[at] != none && slot_[at] != vertex)
+			at = (at + 1) & mask;
+		return at;
+	}
+	void add(const Member& member)
+	{
+		const std::size_t at = slotOf(member.vertex);
+		if (slot_[at] == member.vertex) return;
+		slot_[at] = member.vertex;
+		members_.push_back(member);
+		if (2 * members_.size() > slot_.size()) grow();
+	}
+	void grow()
+	{
+		slot_.assign(2 * slot_.size(), none);
+		for (const Member& m : members_)
+			slot_[slotOf(m.vertex)] = m.vertex;
+	}
+	void forget()
+	{
+		std::fill(slot_.begin(), slot_.end(), none);
+		members_.clear();
+		edges_.clear();
+	}
+};
+
+/// Measures disks of one mesh: half of their extent along their mean normal. A plane fitted to the
+/// vertices would not do: round the rim of a thin sheet it is the sheet itself and sees nothing.
+class FlatnessGauge {
+public:
+	FlatnessGauge(const HalfEdgeMesh& mesh, const Buffer<Ring>& ring, const Radii& radii) :
+			ring_(ring), radii_(radii), disk_(mesh)
+	{
+	}
+
+	/// Of the largest disk about a vertex; 0 where its normals show that it is flat to within
+	/// epsilon.
+	float ofLargest(int v, float epsilon)
+	{
+		disk_.collect(v, radii_.back());
+		if (areNormalsClose(sinePerSlope * epsilon / radii_.back())) return 0;
+		disk_.collectEdges();
+		Vec3f sum;
+		for (const Disk::Member& m : disk_.members())
+			sum += ring_[m.vertex].normal;
+		return disk_.halfExtent(radii_.back(), normalized(sum));
+	}
+	/// Of all disks about the vertex that was last asked for. Disks beyond one that is less flat
+	/// than `enough` are not looked at and have its value.
+	Flatness ofAll(float enough)
+	{
+		disk_.sortByDistance();
+		const std::vector<Disk::Member>& members = disk_.members();
+		Flatness                         flatness;
+		Vec3f                            sum;
+		std::size_t                      num   = 0;
+		float                            soFar = 0;
+		for (int k = 0; k < radiusNum; ++k) {
+			const float squared = radii_[k] * radii_[k];
+			while (num < members.size() && members[num].squaredDistance <= squared)
+				sum += ring_[members[num++].vertex].normal;
+			if (soFar <= enough)
+				soFar = std::max(soFar, disk_.halfExtent(radii_[k], normalized(sum)));
+			flatness[k] = soFar;
+		}
+		return flatness;
+	}
+
+private:
+	/// Normals that turn by the angle α from the centre's make a disk rise by half of its radius
+	/// times sin α where it is a ridge, and by a quarter where it is round. In practice 1.6 misses
+	/// one bent disk of a hundred, none of them much bent, and spares three of four extents.
+	static constexpr float sinePerSlope = 1.6f;
+
+	const Buffer<Ring>& ring_;
+	const Radii&        radii_;
+	Disk                disk_;
+
+	/// Whether the disk's normals turn from that of its centre by an angle of at most that sine.
+	bool areNormalsClose(float sine) const
+	{
+		constexpr std::size_t            leastNum = 7; // fewer say nothing about long edges
+		const std::vector<Disk::Member>& members  = disk_.members();
+		if (members.size() < leastNum) return false;
+		const Vec3f centre = normalized(ring_[members[0].vertex].normal);
+		const float least  = std::max(0.0f, 1 - sine * sine);
+		for (const Disk::Member& m : members) {
+			const Vec3f normal = ring_[m.vertex].normal;
+			const float along  = dot(normal, centre);
+			if (!(along > 0 && along * along >= least * squaredLength(normal))) return false;
+		}
+		return true;
+	}
+};
+
+/// The largest edge whose disk is flat to within epsilon, linear between the radii.
+float edgeFor(const Flatness& flatness, const Radii& radii, float epsilon)
+{
+	if (flatness[0] > epsilon) return radii[0] / radiusOfEdge;
+	for (int k = 1; k < radiusNum; ++k) {
+		if (flatness[k] <= epsilon) continue;
+		const float share = (epsilon - flatness[k - 1]) / (flatness[k] - flatness[k - 1]);
+		return (radii[k - 1] + share * (radii[k] - radii[k - 1])) / radiusOfEdge;
+	}
+	return radii.back() / radiusOfEdge;
+}
+
+double areaAt(const HalfEdgeMesh& m, int v)
+{
+	double area = 0;
+	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
+		area += double(length(cross(a, b))) / 6;
+	});
+	return area;
+}
+
+/// How far a vertex is off the place that its ring and the rings round it let expect, along its
+/// normal. What is smooth cancels out; noise does not.
+float roughnessAt(const HalfEdgeMesh& m, const Vec3f& direction, int v)
+{
+	const auto offsetOf = [&](int w) {
+		Vec3f sum;
+		int   num = 0;
+		forEachNeighbour(m, w, [&](int x) {
+			sum += m.position[x];
+			++num;
+		});
+		return num > 0 ? dot(m.position[w] - sum * (1 / float(num)), direction) : 0.0f;
+	};
+	float sum = 0;
+	int   num = 0;
+	forEachNeighbour(m, v, [&](int w) {
+		sum += offsetOf(w);
+		++num;
+	});
+	return num > 0 ? std::abs(offsetOf(v) - sum / float(num)) : 0.0f;
+}
+
+/// The sizes of a surface, for one ε after the other.
+class SizeSearch {
+public:
+	SizeSearch(const HalfEdgeMesh& mesh, const ErrorSizeRequest& request, Workers& workers) :
+			mesh_(mesh), request_(request), workers_(workers), radii_(radiiFor(request)),
+			ring_(ringsOf(mesh, workers)), ofLargest_(trianglesAt(request.largest)),
+			wanted_(1 - ofLargest_), centre_(spreadCentres())
+	{
+	}
+
+	ErrorSizes run()
+	{
+		// Grading adds small triangles, for which ε has to be larger: mostly by 1.35. Where there
+		// is little to grade it may be smaller, as the disks lie at the sharpest places.
+		constexpr float             leastRaise = 0.8f, usualRaise = 1.35f, mostRaise = 2;
+		const std::vector<Flatness> some  = measureSome();
+		const float                 flat  = epsilonFor(some, wanted_);
+		const float                 noise = noiseFactor * noiseLevel();
+		const float                 least = std::max(noise, leastRaise * flat);
+		const float                 most  = std::max(noise, mostRaise * flat);
+		gatherBent(least, most);
+
+		ErrorSizes sizes;
+		sizes.edge.reset(mesh_.vertexNum);
+		workers_.forRange(sizes.edge.size(), [&](std::size_t begin, std::size_t end) {
+			std::fill(sizes.edge.data() + begin, sizes.edge.data() + end, request_.largest);
+		});
+		sizes.epsilon = std::max(noise, usualRaise * flat);
+		makeSizes(sizes.epsilon, sizes.edge);
+		const float corrected = std::clamp(correctedEpsilon(some, sizes), least, most);
+		if (isFarFrom(sizes.epsilon, corrected)) {
+			sizes.epsilon = corrected;
+			makeSizes(sizes.epsilon, sizes.edge);
+		}
+		return sizes;
+	}
+
+private:
+	/// A vertex whose largest disk is not flat.
+	struct Bent {
+		int      vertex;
+		Flatness flatness;
+	};
+	const HalfEdgeMesh&     mesh_;
+	const ErrorSizeRequest& request_;
+	Workers&                workers_;
+	const Radii             radii_;
+	const Buffer<Ring>      ring_;
+	const double           ofLargest_; ///< triangles if all had the largest size, over their number
+	const double           wanted_;    ///< triangles that are left for small ones
+	const std::vector<int> centre_;    ///< vertices round which disks are looked at
+	std::vector<Bent>      bent_;
+	std::vector<int>       lowered_; ///< vertices that have not the largest size
+
+	/// Vertices that lie evenly on the surface: of so much of it the least flat one, so that ridges
+	/// and tips are not missed. The vertices are in spatial order: those that follow each other lie
+	/// side by side.
+	std::vector<int> spreadCentres()
+	{
+		const float quota =
+			2 * 3 * request_.even * request_.even / disksPerSquare; // as rings' areas
+		return workers_.collect<int>(std::size_t(mesh_.vertexNum),
+									 [&](std::size_t begin, std::size_t end, auto& out) {
+										 float passed = 0, least = HUGE_VALF;
+										 int   sharpest = int(begin);
+										 for (std::size_t v = begin; v < end; ++v) {
+											 const float flatness = ring_[v].flatness();
+											 if (flatness < least) {
+												 least    = flatness;
+												 sharpest = int(v);
+											 }
+											 passed += ring_[v].area;
+											 if (passed < quota && v + 1 < end) continue;
+											 out.push_back(sharpest);
+											 passed = 0;
+											 least  = HUGE_VALF;
+										 }
+									 });
+	}
+
+	double trianglesAt(float edge) const
+	{
+		const double ratio = double(request_.even / edge);
+		return ratio * ratio;
+	}
+	static bool isFarFrom(float epsilon, float other)
+	{
+		constexpr float far = 0.05f; // a tenth of the small triangles, a three-hundredth of all
+		return std::abs(other - epsilon) > far * epsilon;
+	}
+
+	/// The median deviation of the vertices from what is smooth.
+	float noiseLevel()
+	{
+		constexpr float    ofMedian  = 1 / 0.6745f; // a deviation over the median amount
+		const int          step      = std::max(1, mesh_.vertexNum / int(guessingDiskNum));
+		std::vector<float> roughness = workers_.collect<float>(
+			std::size_t(mesh_.vertexNum / step),
+			[&](std::size_t begin, std::size_t end, auto& out) {
+				for (std::size_t i = begin; i < end; ++i) {
+					const int v = int(i) * step;
+					out.push_back(roughnessAt(mesh_, normalized(ring_[v].normal), v));
+				}
+			});
+		if (roughness.empty()) return 0;
+		const auto middle = roughness.begin() + std::ptrdiff_t(roughness.size() / 2);
+		std::nth_element(roughness.begin(), middle, roughness.end());
+		return ofMedian * *middle;
+	}
+
+	std::vector<Flatness> measureSome()
+	{
+		const std::size_t step = std::max<std::size_t>(1, centre_.size() / guessingDiskNum);
+		return workers_.collect<Flatness>(centre_.size() / step,
+										  [&](std::size_t begin, std::size_t end, auto& out) {
+											  FlatnessGauge gauge(mesh_, ring_, radii_);
+											  for (std::size_t i = begin; i < end; ++i) {
+												  gauge.ofLargest(centre_[i * step], 0);
+												  out.push_back(gauge.ofAll(request_.even));
+											  }
+										  });
+	}
+
+	/// The triangles that there are more than if all had the largest size, over the wanted number;
+	/// from some disks, each of which stands for as much area, without grading.
+	double smallTriangles(const std::vector<Flatness>& disks, float epsilon) const
+	{
+		double more = 0;
+		for (const Flatness& flatness : disks)
+			more += trianglesAt(edgeFor(flatness, radii_, epsilon)) - ofLargest_;
+		return disks.empty() ? 0 : more / double(disks.size());
+	}
+	/// The ε that makes so many of them.
+	float epsilonFor(const std::vector<Flatness>& disks, double wanted) const
+	{
+		float low = 0, high = request_.even;
+		for (int halving = 0; halving < 20; ++halving) {
+			const float middle                                    = 0.5f * (low + high);
+			(smallTriangles(disks, middle) > wanted ? low : high) = middle;
+		}
+		return high;
+	}
+
+	/// Most of a surface is flat at the scale of its triangles: only the rest is looked at closely,
+	/// and kept. ε will be between least and most.
+	void gatherBent(float least, float most)
+	{
+		const auto search = [&](std::size_t begin, std::size_t end, auto& out) {
+			FlatnessGauge gauge(mesh_, ring_, radii_);
+			for (std::size_t i = begin; i < end; ++i) {
+				const int v = centre_[i];
+				if (gauge.ofLargest(v, least) > least) out.push_back({v, gauge.ofAll(most)});
+			}
+		};
+		bent_ = workers_.collect<Bent>(centre_.size(), search);
+	}
+
+	/// Sizes for an ε, from the largest everywhere else.
+	void makeSizes(float epsilon, Buffer<float>& edge)
+	{
+		for (int v : lowered_)
+			edge[v] = request_.largest;
+		lowered_.clear();
+		for (const Bent& b : bent_) {
+			edge[b.vertex] = edgeFor(b.flatness, radii_, epsilon);
+			if (edge[b.vertex] < request_.largest) lowered_.push_back(b.vertex);
+		}
+		gradeSizes(mesh_, request_.slope, workers_, lowered_, edge);
+	}
+
+	/// Grading adds small triangles. As many times fewer are asked for where it is left out.
+	float correctedEpsilon(const std::vector<Flatness>& some, const ErrorSizes& sizes)
+	{
+		const double more =
+			workers_.sum<double>(lowered_.size(), [&](std::size_t begin, std::size_t end) {
+				double sum = 0;
+				for (std::size_t i = begin; i < end; ++i) {
+					const int v = lowered_[i];
+					sum += areaAt(mesh_, v) * (trianglesAt(sizes.edge[v]) - ofLargest_);
+				}
+				return sum;
+			});
+		const double ungraded = smallTriangles(some, sizes.epsilon);
+		const double got      = more / request_.area;
+		return got > 0 ? epsilonFor(some, wanted_ * ungraded / got) : sizes.epsilon;
+	}
+};
+
+} // namespace
+
+ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const ErrorSizeRequest& request, Workers& workers)
+{
+	return SizeSearch(mesh, request, workers).run();
+}
+
+} // namespace gpr

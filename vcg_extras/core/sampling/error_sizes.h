@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SAMPLING_ERROR_SIZES_H
+#define VCG_EXTRAS_CORE_SAMPLING_ERROR_SIZES_H
+
+#include <vcg_extras/core/base/buffer.h>
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
+
+namespace gpr {
+
+/// What sizes by the error are made for; all lengths in working units.
+struct ErrorSizeRequest {
+	double area;    ///< of the surface, working units squared
+	float  even;    ///< the edge of the triangles if all had one size
+	float  largest; ///< the edge where the surface is flat; above `even`
+	float  slope;   ///< by how much sizes may grow over the distance
+};
+
+/// The edges of triangles that are as large as the error allows.
+struct ErrorSizes {
+	Buffer<float> edge; ///< per vertex, working units
+	float epsilon = 0;  ///< how flat each triangle's disk is, working units; forecasts the error
+};
+
+/// Sizes by the error at the scale of the triangles: the edge at a vertex is the largest h at which
+/// a disk of radius h / √3, the circumscribed circle of an equilateral triangle, is flat to within
+/// ε. Flatness is half of the disk's extent along its mean normal. So rims, tips, thin sheets and
+/// limbs ask for small triangles, whatever their curvature, and all else has the edge `largest`.
+/// ε is such that the number of triangles is that of the edge `even` everywhere: the area mean of
+/// (even / h)² is 1. It is not below the noise of the surface.
+///
+/// Needs a connected surface with edges of at most `even` / 2 or so, else disks see too little.
+/// The same bits for any number of threads. Cost: linear. Disks are looked at round some vertices
+/// only, about four for each triangle of the result, and closely where they are not flat.
+ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const ErrorSizeRequest& request,
+						Workers& workers);
+
+} // namespace gpr
+
+#endif
