@@ -23,6 +23,8 @@ constexpr float radiusOfEdge = 0.5f;
 constexpr float smallestShare = 0.25f;
 /// Disks for each square of an even edge. With three, some tips fall between them.
 constexpr float disksPerSquare = 5;
+/// So many disks in a row are left out together where the surface hardly turns.
+constexpr int centresTogether = 8;
 /// Disks from which ε is guessed.
 constexpr std::size_t guessingDiskNum = 8000;
 /// ε is at least so many times the noise: a disk of noise has about four deviations from end to
@@ -314,13 +316,14 @@ public:
 	{
 		// Grading adds small triangles, for which ε has to be larger: mostly by 1.35. Where there
 		// is little to grade it may be smaller, as the disks lie at the sharpest places.
-		constexpr float             leastRaise = 0.8f, usualRaise = 1.35f, mostRaise = 2;
+		constexpr float leastRaise = 0.8f, fewRaise = 1.1f, usualRaise = 1.35f, mostRaise = 2;
 		const std::vector<Flatness> some  = measureSome();
 		const float                 flat  = epsilonFor(some, wanted_);
 		const float                 noise = noiseFactor * noiseLevel();
 		const float                 least = std::max(noise, leastRaise * flat);
 		const float                 most  = std::max(noise, mostRaise * flat);
-		gatherBent(least, most);
+		const float                 few   = std::max(noise, fewRaise * flat);
+		gatherBent(few, most);
 
 		ErrorSizes sizes;
 		sizes.edge.reset(mesh_.vertexNum);
@@ -331,6 +334,7 @@ public:
 		makeSizes(sizes.epsilon, sizes.edge);
 		const float corrected = std::clamp(correctedEpsilon(some, sizes), least, most);
 		if (isFarFrom(sizes.epsilon, corrected)) {
+			if (corrected < few) gatherBent(least, most);
 			sizes.epsilon = corrected;
 			makeSizes(sizes.epsilon, sizes.edge);
 		}
@@ -338,6 +342,11 @@ public:
 	}
 
 private:
+	/// A vertex for the middle of a disk.
+	struct Centre {
+		int   vertex;
+		float squaredTurn; ///< of the surface near it, see squaredSineOfTurn
+	};
 	/// A vertex whose largest disk is not flat.
 	struct Bent {
 		int      vertex;
@@ -348,36 +357,61 @@ private:
 	Workers&                workers_;
 	const Radii             radii_;
 	const Buffer<Ring>      ring_;
-	const double           ofLargest_; ///< triangles if all had the largest size, over their number
-	const double           wanted_;    ///< triangles that are left for small ones
-	const std::vector<int> centre_;    ///< vertices round which disks are looked at
-	std::vector<Bent>      bent_;
-	std::vector<int>       lowered_; ///< vertices that have not the largest size
+	const double ofLargest_;           ///< triangles if all had the largest size, over their number
+	const double wanted_;              ///< triangles that are left for small ones
+	const std::vector<Centre> centre_; ///< round which disks are looked at
+	std::vector<Bent>         bent_;
+	std::vector<int>          lowered_; ///< vertices that have not the largest size
 
 	/// Vertices that lie evenly on the surface: of so much of it the least flat one, so that ridges
 	/// and tips are not missed. The vertices are in spatial order: those that follow each other lie
 	/// side by side.
-	std::vector<int> spreadCentres()
+	std::vector<Centre> spreadCentres()
 	{
-		const float quota =
-			2 * 3 * request_.even * request_.even / disksPerSquare; // as rings' areas
-		return workers_.collect<int>(std::size_t(mesh_.vertexNum),
-									 [&](std::size_t begin, std::size_t end, auto& out) {
-										 float passed = 0, least = HUGE_VALF;
-										 int   sharpest = int(begin);
-										 for (std::size_t v = begin; v < end; ++v) {
-											 const float flatness = ring_[v].flatness();
-											 if (flatness < least) {
-												 least    = flatness;
-												 sharpest = int(v);
-											 }
-											 passed += ring_[v].area;
-											 if (passed < quota && v + 1 < end) continue;
-											 out.push_back(sharpest);
-											 passed = 0;
-											 least  = HUGE_VALF;
-										 }
-									 });
+		const float squares = request_.even * request_.even / disksPerSquare;
+		const float quota   = 6 * squares; // a ring's area counts double, and thrice
+		const auto  spread  = [&](std::size_t begin, std::size_t end, auto& out) {
+            std::vector<int> centres;
+            std::size_t      first  = begin;
+            float            passed = 0, least = HUGE_VALF;
+            int              sharpest = int(begin);
+            for (std::size_t v = begin; v < end; ++v) {
+                const float flatness = ring_[v].flatness();
+                if (flatness < least) {
+                    least    = flatness;
+                    sharpest = int(v);
+                }
+                passed += ring_[v].area;
+                if (passed < quota && v + 1 < end) continue;
+                centres.push_back(sharpest);
+                passed = 0;
+                least  = HUGE_VALF;
+                if (int(centres.size()) < centresTogether && v + 1 < end) continue;
+                const float turn = squaredSineOfTurn(first, v + 1);
+                for (int centre : centres)
+                    out.push_back({centre, turn});
+                centres.clear();
+                first = v + 1;
+            }
+		};
+		return workers_.collect<Centre>(std::size_t(mesh_.vertexNum), spread);
+	}
+
+	/// By how much the normals of vertices that follow each other turn from their mean; above 1
+	/// where it is more than a right angle.
+	float squaredSineOfTurn(std::size_t begin, std::size_t end) const
+	{
+		Vec3f sum;
+		for (std::size_t v = begin; v < end; ++v)
+			sum += ring_[v].normal;
+		const Vec3f mean = normalized(sum);
+		float       turn = 0;
+		for (std::size_t v = begin; v < end; ++v) {
+			const float along = dot(ring_[v].normal, mean), whole = squaredLength(ring_[v].normal);
+			if (!(along > 0)) return 2;
+			turn = std::max(turn, 1 - along * along / whole);
+		}
+		return turn;
 	}
 
 	double trianglesAt(float edge) const
@@ -417,7 +451,7 @@ private:
 										  [&](std::size_t begin, std::size_t end, auto& out) {
 											  FlatnessGauge gauge(mesh_, ring_, radii_);
 											  for (std::size_t i = begin; i < end; ++i) {
-												  gauge.ofLargest(centre_[i * step], 0);
+												  gauge.ofLargest(centre_[i * step].vertex, 0);
 												  out.push_back(gauge.ofAll(request_.even));
 											  }
 										  });
@@ -447,12 +481,17 @@ private:
 	/// and kept. ε will be between least and most.
 	void gatherBent(float least, float most)
 	{
-		const auto search = [&](std::size_t begin, std::size_t end, auto& out) {
-			FlatnessGauge gauge(mesh_, ring_, radii_);
-			for (std::size_t i = begin; i < end; ++i) {
-				const int v = centre_[i];
-				if (gauge.ofLargest(v, least) > least) out.push_back({v, gauge.ofAll(most)});
-			}
+		// A ridge turns the normals to either side of it by the angle whose sine is 2 ε over the
+		// radius: where normals turn by less than half as much there is none.
+		const float sine     = least / radii_.back();
+		const float flatTurn = sine * sine;
+		const auto  search   = [&](std::size_t begin, std::size_t end, auto& out) {
+            FlatnessGauge gauge(mesh_, ring_, radii_);
+            for (std::size_t i = begin; i < end; ++i) {
+                if (centre_[i].squaredTurn < flatTurn) continue;
+                const int v = centre_[i].vertex;
+                if (gauge.ofLargest(v, least) > least) out.push_back({v, gauge.ofAll(most)});
+            }
 		};
 		bent_ = workers_.collect<Bent>(centre_.size(), search);
 	}
