@@ -24,7 +24,7 @@ constexpr float smallestShare = 0.25f;
 /// Disks for each square of an even edge. With three, some tips fall between them.
 constexpr float disksPerSquare = 5;
 /// So many disks in a row are left out together where the surface hardly turns.
-constexpr int centresTogether = 8;
+constexpr std::size_t centresTogether = 8;
 /// Disks from which ε is guessed.
 constexpr std::size_t guessingDiskNum = 8000;
 /// ε is at least so many times the noise: a disk of noise has about four deviations from end to
@@ -302,6 +302,85 @@ float roughnessAt(const HalfEdgeMesh& m, const Vec3f& direction, int v)
 	return num > 0 ? std::abs(offsetOf(v) - sum / float(num)) : 0.0f;
 }
 
+/// A vertex for the middle of a disk.
+struct Centre {
+	int   vertex;
+	float squaredTurn; ///< squared sine of the angle by which normals near it turn from their mean
+};
+
+/// Chooses vertices that lie evenly on the surface: of every square the least flat one, so that
+/// ridges and tips are not missed. The vertices are in spatial order: those that are passed one
+/// after the other lie side by side.
+class CentreSpreader {
+public:
+	CentreSpreader(const Buffer<Ring>& ring, float square, std::vector<Centre>& out) :
+			ring_(ring), square_(square), out_(out)
+	{
+	}
+
+	void pass(int v)
+	{
+		if (group_.empty()) firstNew_ = out_.size();
+		group_.push_back(v);
+		const float flatness = ring_[v].flatness();
+		if (flatness < least_) {
+			least_    = flatness;
+			sharpest_ = v;
+		}
+		passed_ += ring_[v].area / 6; // of each face, twice its area at three vertices
+		if (passed_ < square_) return;
+		choose();
+		if (out_.size() - firstNew_ == centresTogether) closeGroup();
+	}
+	void finish()
+	{
+		if (passed_ > 0) choose();
+		closeGroup();
+	}
+
+private:
+	const Buffer<Ring>&  ring_;
+	float                square_;
+	std::vector<Centre>& out_;
+	std::vector<int>     group_;        ///< vertices passed since the last group
+	std::size_t          firstNew_ = 0; ///< of the centres, that is not of an earlier group
+	float                passed_   = 0; ///< area of the square at hand
+	float                least_    = HUGE_VALF;
+	int                  sharpest_ = 0;
+
+	void choose()
+	{
+		out_.push_back({sharpest_, 0});
+		passed_ = 0;
+		least_  = HUGE_VALF;
+	}
+
+	void closeGroup()
+	{
+		const float turn = squaredTurn();
+		for (std::size_t i = firstNew_; i < out_.size(); ++i)
+			out_[i].squaredTurn = turn;
+		group_.clear();
+		firstNew_ = out_.size();
+	}
+
+	/// More than 1 where it is more than a right angle.
+	float squaredTurn() const
+	{
+		Vec3f sum;
+		for (int v : group_)
+			sum += ring_[v].normal;
+		const Vec3f mean = normalized(sum);
+		float       turn = 0;
+		for (int v : group_) {
+			const float along = dot(ring_[v].normal, mean), whole = squaredLength(ring_[v].normal);
+			if (!(along > 0)) return 2;
+			turn = std::max(turn, 1 - along * along / whole);
+		}
+		return turn;
+	}
+};
+
 /// The sizes of a surface, for one ε after the other.
 class SizeSearch {
 public:
@@ -342,11 +421,6 @@ public:
 	}
 
 private:
-	/// A vertex for the middle of a disk.
-	struct Centre {
-		int   vertex;
-		float squaredTurn; ///< of the surface near it, see squaredSineOfTurn
-	};
 	/// A vertex whose largest disk is not flat.
 	struct Bent {
 		int      vertex;
@@ -363,55 +437,16 @@ private:
 	std::vector<Bent>         bent_;
 	std::vector<int>          lowered_; ///< vertices that have not the largest size
 
-	/// Vertices that lie evenly on the surface: of so much of it the least flat one, so that ridges
-	/// and tips are not missed. The vertices are in spatial order: those that follow each other lie
-	/// side by side.
 	std::vector<Centre> spreadCentres()
 	{
-		const float squares = request_.even * request_.even / disksPerSquare;
-		const float quota   = 6 * squares; // a ring's area counts double, and thrice
-		const auto  spread  = [&](std::size_t begin, std::size_t end, auto& out) {
-            std::vector<int> centres;
-            std::size_t      first  = begin;
-            float            passed = 0, least = HUGE_VALF;
-            int              sharpest = int(begin);
-            for (std::size_t v = begin; v < end; ++v) {
-                const float flatness = ring_[v].flatness();
-                if (flatness < least) {
-                    least    = flatness;
-                    sharpest = int(v);
-                }
-                passed += ring_[v].area;
-                if (passed < quota && v + 1 < end) continue;
-                centres.push_back(sharpest);
-                passed = 0;
-                least  = HUGE_VALF;
-                if (int(centres.size()) < centresTogether && v + 1 < end) continue;
-                const float turn = squaredSineOfTurn(first, v + 1);
-                for (int centre : centres)
-                    out.push_back({centre, turn});
-                centres.clear();
-                first = v + 1;
-            }
-		};
-		return workers_.collect<Centre>(std::size_t(mesh_.vertexNum), spread);
-	}
-
-	/// By how much the normals of vertices that follow each other turn from their mean; above 1
-	/// where it is more than a right angle.
-	float squaredSineOfTurn(std::size_t begin, std::size_t end) const
-	{
-		Vec3f sum;
-		for (std::size_t v = begin; v < end; ++v)
-			sum += ring_[v].normal;
-		const Vec3f mean = normalized(sum);
-		float       turn = 0;
-		for (std::size_t v = begin; v < end; ++v) {
-			const float along = dot(ring_[v].normal, mean), whole = squaredLength(ring_[v].normal);
-			if (!(along > 0)) return 2;
-			turn = std::max(turn, 1 - along * along / whole);
-		}
-		return turn;
+		const float square = request_.even * request_.even / disksPerSquare;
+		return workers_.collect<Centre>(std::size_t(mesh_.vertexNum),
+										[&](std::size_t begin, std::size_t end, auto& out) {
+											CentreSpreader spreader(ring_, square, out);
+											for (std::size_t v = begin; v < end; ++v)
+												spreader.pass(int(v));
+											spreader.finish();
+										});
 	}
 
 	double trianglesAt(float edge) const
