@@ -24,15 +24,15 @@ struct ErrorSizes {
 };
 
 /// Sizes by the error at the scale of the triangles: the edge at a vertex is the largest h at which
-/// a disk of radius h / √3, the circumscribed circle of an equilateral triangle, is flat to within
-/// ε. Flatness is half of the disk's extent along its mean normal. So rims, tips, thin sheets and
-/// limbs ask for small triangles, whatever their curvature, and all else has the edge `largest`.
-/// ε is such that the number of triangles is that of the edge `even` everywhere: the area mean of
-/// (even / h)² is 1. It is not below the noise of the surface.
+/// the disk of radius h/2 round it is flat to within ε. Flatness is half of the disk's extent along
+/// its mean normal. So rims, tips, thin sheets and limbs ask for small triangles, whatever their
+/// curvature, and all else has the edge `largest`; none is below a quarter of `even`. ε is such
+/// that the number of triangles is that of the edge `even` everywhere: the area mean of (even / h)²
+/// is 1. It is not below the noise of the surface: there are fewer triangles then.
 ///
-/// Needs a connected surface with edges of at most `even` / 2 or so, else disks see too little.
-/// The same bits for any number of threads. Cost: linear. Disks are looked at round some vertices
-/// only, about four for each triangle of the result, and closely where they are not flat.
+/// Needs a connected surface in spatial order; edges may be of any length. The same bits for any
+/// number of threads. Cost: linear. Five disks for each square of an even edge, but where the
+/// surface hardly turns, and a closer look where they are not flat.
 ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const ErrorSizeRequest& request,
 						Workers& workers);
 
