@@ -152,9 +152,12 @@ TEST_F(SizingTest, DisksAtAKeptBorderGoWithItsSpacing)
 	}
 	const float    r = 0.01f, spacing = float(flat.frame.scale) / 80;
 	const MeshView view = mesh.view();
-	const Sizing   s    = makeSizing({view, options, r, r, false, isFeature, kept}, flat, workers);
-	for (int v : kept)
-		EXPECT_NEAR(borderSpacing * s.size[v] * r * float(s.radiusFactor) / spacing, 1, 0.05f);
+	for (double adapt : {0.0, 1.0}) {
+		options.adapt  = adapt;
+		const Sizing s = makeSizing({view, options, r, r, false, isFeature, kept}, flat, workers);
+		for (int v : kept)
+			EXPECT_NEAR(borderSpacing * s.size[v] * r * float(s.radiusFactor) / spacing, 1, 0.05f);
+	}
 }
 
 TEST_F(SizingTest, QualityTakesTheCurvaturesPlace)

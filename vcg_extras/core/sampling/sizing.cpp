@@ -341,15 +341,17 @@ Buffer<float> ungradedSizes(const SizingRequest& request, const Surface& surface
 	return size;
 }
 
-/// Edges of triangles by the error, graded, in working units.
+/// Edges of triangles by the error over that of even ones, graded.
 Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
 	ErrorSizeRequest wanted;
-	wanted.area    = surfaceAreaOf(surface.mesh, workers);
-	wanted.even    = request.evenEdge;
-	wanted.largest = request.evenEdge * largestSizeFor(request.options.adapt);
-	wanted.slope   = gradingSlope;
-	return sizesByError(surface.mesh, wanted, workers).edge;
+	wanted.area        = surfaceAreaOf(surface.mesh, workers);
+	wanted.even        = request.evenEdge;
+	wanted.largest     = request.evenEdge * largestSizeFor(request.options.adapt);
+	wanted.slope       = gradingSlope;
+	Buffer<float> edge = sizesByError(surface.mesh, wanted, workers).edge;
+	workers.forEach(edge.size(), [&](int v) { edge[v] /= request.evenEdge; });
+	return edge;
 }
 
 void multiply(const Buffer<float>& factor, Workers& workers, Buffer<float>& size)
