@@ -136,6 +136,8 @@ TEST_F(SizingTest, SizesByTheErrorAreSmallAtABendUnlessItIsAFeatureLine)
 	EXPECT_EQ(*std::max_element(s.size.begin(), s.size.end()), 1.0f);
 	EXPECT_GT(s.radiusFactor, 1.01);
 	EXPECT_LT(s.radiusFactor, 1.31);
+	options.adapt = 0.1;
+	EXPECT_LT(sizing(mesh, bent, 0.06f).radiusFactor, s.radiusFactor - 0.1);
 	hasFeatureLines = true;
 	EXPECT_TRUE(sizing(mesh, bent, 0.06f).size.empty());
 }

@@ -30,10 +30,8 @@ constexpr std::size_t guessingDiskNum = 8000;
 /// ε is at least so many times the noise: a disk of noise has about four deviations from end to
 /// end.
 constexpr float noiseFactor = 2.5f;
-/// And at least this share of the even edge: less is the rounding of coordinates.
-constexpr float leastShare = 0.001f;
-using Radii                = std::array<float, radiusNum>;
-using Flatness             = std::array<float, radiusNum>; ///< at each radius, never falling
+using Radii                 = std::array<float, radiusNum>;
+using Flatness              = std::array<float, radiusNum>; ///< at each radius, never falling
 
 Radii radiiFor(const ErrorSizeRequest& request)
 {
@@ -398,12 +396,12 @@ public:
 		// Grading adds small triangles, for which ε has to be larger: mostly by 1.35. Where there
 		// is little to grade it may be smaller, as the disks lie at the sharpest places.
 		constexpr float leastRaise = 0.8f, fewRaise = 1.1f, usualRaise = 1.35f, mostRaise = 2;
-		const std::vector<Flatness> some = measureSome();
-		const float                 flat = epsilonFor(some, wanted_);
-		const float noise = std::max(noiseFactor * noiseLevel(), leastShare * request_.even);
-		const float least = std::max(noise, leastRaise * flat);
-		const float most  = std::max(noise, mostRaise * flat);
-		const float few   = std::max(noise, fewRaise * flat);
+		const std::vector<Flatness> some  = measureSome();
+		const float                 flat  = epsilonFor(some, wanted_);
+		const float                 noise = noiseFactor * noiseLevel();
+		const float                 least = std::max(noise, leastRaise * flat);
+		const float                 most  = std::max(noise, mostRaise * flat);
+		const float                 few   = std::max(noise, fewRaise * flat);
 		gatherBent(few, most);
 
 		ErrorSizes sizes;
