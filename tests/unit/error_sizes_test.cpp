@@ -18,14 +18,6 @@ namespace {
 
 constexpr float largest = 1.1f, slope = 0.15f;
 
-double areaOf(const HalfEdgeMesh& m)
-{
-	double area = 0;
-	for (int f = 0; f < m.faceNum; ++f)
-		area += 0.5 * double(length(m.faceCross(f)));
-	return area;
-}
-
 class ErrorSizesTest : public ::testing::Test {
 protected:
 	Workers workers{2, nullptr};
@@ -35,7 +27,6 @@ protected:
 	{
 		Workers          own(threads, nullptr);
 		ErrorSizeRequest request;
-		request.area     = areaOf(surface.mesh);
 		request.even     = float(even * surface.frame.scale);
 		request.largest  = largest * request.even;
 		request.slope    = slope;

@@ -388,8 +388,7 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& exten
 							   Workers& workers)
 {
 	constexpr std::size_t together = FaceExtents::facesTogether;
-	const Buffer<float>   sameSize;
-	const EdgeRule        rule{maxLength * maxLength, sameSize};
+	const EdgeRule        rule{maxLength * maxLength, mesh.size};
 	return workers.collect<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
 		for (std::size_t f = begin; f < end; f += together) {
 			if (!rule.isLong(extents.longestSquared[f / together], 1)) continue;
@@ -401,8 +400,7 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& exten
 std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 							   const std::vector<int>& among, Workers& workers)
 {
-	const Buffer<float> sameSize;
-	const EdgeRule      rule{maxLength * maxLength, sameSize};
+	const EdgeRule rule{maxLength * maxLength, mesh.size};
 	return workers.collect<int>(among.size(), [&](std::size_t begin, std::size_t end, auto& out) {
 		for (std::size_t i = begin; i < end; ++i) {
 			if (rule.isLongFace(mesh, among[i])) out.push_back(among[i]);

@@ -12,7 +12,7 @@ namespace gpr {
 
 namespace {
 
-/// Lines are crowded from this share of poor faces at them on. After all other mending it is 0.2 %
+/// Lines are crowded from this share of poor faces at them on. After all other repair it is 0.2 %
 /// on the fandisk, where single faces at corners and ends of lines are left, 3 to 5 % on other
 /// parts, and 7 to 20 % on parts with walls as thin as an edge.
 constexpr double fewestPoor = 0.06;

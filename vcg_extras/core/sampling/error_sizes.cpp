@@ -51,6 +51,8 @@ struct Ring {
 	Vec3f normal;   ///< the sum of their normals, twice as long as their areas
 	float area = 0; ///< twice the sum of these
 
+	/// The part of the surface that is nearest to the vertex: a third of the faces.
+	float ownArea() const { return area / 6; }
 	/// 1 where all is flat, less where the faces' normals differ.
 	float flatness() const { return area > 0 ? length(normal) / area : 1; }
 };
@@ -271,15 +273,6 @@ float edgeFor(const Flatness& flatness, const Radii& radii, float epsilon)
 	return radii.back() / radiusOfEdge;
 }
 
-double areaAt(const HalfEdgeMesh& m, int v)
-{
-	double area = 0;
-	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
-		area += double(length(cross(a, b))) / 6;
-	});
-	return area;
-}
-
 /// How far a vertex is off the place that its ring and the rings round it let expect, along its
 /// normal. What is smooth cancels out; noise does not.
 float roughnessAt(const HalfEdgeMesh& m, const Vec3f& direction, int v)
@@ -327,7 +320,7 @@ public:
 			least_    = flatness;
 			sharpest_ = v;
 		}
-		passed_ += ring_[v].area / 6; // of each face, twice its area at three vertices
+		passed_ += ring_[v].ownArea();
 		if (passed_ < square_) return;
 		choose();
 		if (out_.size() - firstNew_ == centresTogether) closeGroup();
@@ -450,6 +443,16 @@ private:
 										});
 	}
 
+	double area()
+	{
+		return workers_.sum<double>(ring_.size(), [&](std::size_t begin, std::size_t end) {
+			double sum = 0;
+			for (std::size_t v = begin; v < end; ++v)
+				sum += double(ring_[v].ownArea());
+			return sum;
+		});
+	}
+
 	double trianglesAt(float edge) const
 	{
 		const double ratio = double(request_.even / edge);
@@ -553,12 +556,12 @@ private:
 				double sum = 0;
 				for (std::size_t i = begin; i < end; ++i) {
 					const int v = lowered_[i];
-					sum += areaAt(mesh_, v) * (trianglesAt(sizes.edge[v]) - ofLargest_);
+					sum += double(ring_[v].ownArea()) * (trianglesAt(sizes.edge[v]) - ofLargest_);
 				}
 				return sum;
 			});
 		const double ungraded = smallTriangles(some, sizes.epsilon);
-		const double got      = more / request_.area;
+		const double got      = more / area();
 		return got > 0 ? epsilonFor(some, wanted_ * ungraded / got) : sizes.epsilon;
 	}
 };

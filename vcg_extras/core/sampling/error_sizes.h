@@ -11,10 +11,9 @@ namespace gpr {
 
 /// What sizes by the error are made for; all lengths in working units.
 struct ErrorSizeRequest {
-	double area;    ///< of the surface, working units squared
-	float  even;    ///< the edge of the triangles if all had one size
-	float  largest; ///< the edge where the surface is flat; above `even`
-	float  slope;   ///< by how much sizes may grow over the distance
+	float even;    ///< the edge of the triangles if all had one size
+	float largest; ///< the edge where the surface is flat; above `even`
+	float slope;   ///< by how much sizes may grow over the distance
 };
 
 /// The edges of triangles that are as large as the error allows.

@@ -345,7 +345,6 @@ Buffer<float> ungradedSizes(const SizingRequest& request, const Surface& surface
 Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
 	ErrorSizeRequest wanted;
-	wanted.area        = surfaceAreaOf(surface.mesh, workers);
 	wanted.even        = request.evenEdge;
 	wanted.largest     = request.evenEdge * largestSizeFor(request.options.adapt);
 	wanted.slope       = gradingSlope;
