@@ -70,7 +70,7 @@ struct Poorness {
 	std::size_t      poorNum     = 0; ///< these
 	float            minAngle    = 0;
 	int              invertedNum = 0;
-	std::vector<int> intersecting; ///< faces; only looked for where there were some
+	std::vector<int> intersecting; ///< faces, ascending
 
 	bool beats(const Poorness& before) const
 	{
@@ -80,6 +80,16 @@ struct Poorness {
 		return lack < before.lack;
 	}
 };
+
+bool haveSameCorners(const HalfEdgeMesh& m, int f, const HalfEdgeMesh& other, int g)
+{
+	for (int k = 0; k < 3; ++k) {
+		const Vec3f &here  = m.position[m.origin[3 * f + k]],
+					&there = other.position[other.origin[3 * g + k]];
+		if (here.x != there.x || here.y != there.y || here.z != there.z) return false;
+	}
+	return true;
+}
 
 class PoorFaceRepair {
 public:
@@ -97,10 +107,9 @@ public:
 	{
 		const std::size_t poorNum = findPoorFaces(r_.mesh, angle_, workers_).size();
 		if (!fewPoor.holds(poorNum + intersecting.size(), r_.mesh)) return false;
-		bool isDone   = takeApart(intersecting);
-		isDone        = raiseAngles() && isDone;
-		mayIntersect_ = doesAnyIntersect(intersecting);
-		now_          = poorness();
+		bool isDone = takeApart(intersecting);
+		isDone      = raiseAngles() && isDone;
+		now_        = poorness(leftOf(intersecting));
 		for (int round = 0; round < maxCountRounds; ++round) {
 			if (!changeCountWhereItHelps()) break;
 		}
@@ -114,10 +123,9 @@ private:
 	float                 angle_;
 	const ClosestFaceMap& map_;
 	int                   mapFaceNum_;
-	std::vector<int>      mapFace_;                    ///< see Assignment
-	std::int64_t          work_;                       ///< left to all searches
-	std::int64_t          workOfPairs_  = workOfPairs; ///< left to those by two operations in a row
-	bool                  mayIntersect_ = false;
+	std::vector<int>      mapFace_;                   ///< see Assignment
+	std::int64_t          work_;                      ///< left to all searches
+	std::int64_t          workOfPairs_ = workOfPairs; ///< left to those by two operations in a row
 	Poorness              now_; ///< how poor the result is before the next change of the count
 	ResultMesh&           r_;
 	Workers&              workers_;
@@ -146,16 +154,16 @@ private:
 		return search.run(selfIntersections(search, intersecting, angle_, keepingCount));
 	}
 
-	/// Whether any of the faces, or of those near them that may have changed with them, intersects
-	/// another one. Looks at these alone: all faces would take longer than the repair.
-	bool doesAnyIntersect(const std::vector<int>& faces) const
+	/// Which of the faces, and of those near them that may have changed with them, still intersect
+	/// others. Looks at these alone: all faces would take longer than the repair.
+	std::vector<int> leftOf(const std::vector<int>& intersecting) const
 	{
-		if (faces.empty()) return false;
+		if (intersecting.empty()) return {};
 		const HalfEdgeMesh& m    = r_.mesh;
-		std::vector<int>    near = faces;
+		std::vector<int>    near = intersecting;
 		for (int ring = 0; ring < 2; ++ring)
 			near = facesRound(m, verticesOf(m, near));
-		return !findIntersectingFaces(m, near, workers_).empty();
+		return findIntersectingFaces(m, near, workers_);
 	}
 
 	bool raiseAngles()
@@ -185,7 +193,7 @@ private:
 		const ResultMesh       start   = copyResult(r_, workers_);
 		const std::vector<int> mapFace = mapFace_;
 		if (changeCount()) {
-			Poorness after = poorness();
+			Poorness after = poorness(intersectingAfter(start, mapFace));
 			if (after.beats(now_)) {
 				now_ = std::move(after);
 				return true;
@@ -251,9 +259,39 @@ private:
 		mapFace_ = std::move(mapFace);
 	}
 
-	Poorness poorness() const
+	/// Which faces intersect others now. Faces that are as they were at the start, and intersected
+	/// none then, can only intersect others that are not: it is enough to look at the rest.
+	std::vector<int> intersectingAfter(const ResultMesh&       start,
+									   const std::vector<int>& startMapFace) const
 	{
-		Poorness poorness = {0, 0, angle_, invertedFaceNum(surface_, r_, workers_), {}};
+		if (now_.intersecting.empty()) return {};
+		const auto nameOf = [](const std::vector<int>& mapFace, int f) {
+			return mapFace.empty() ? f : mapFace[f];
+		};
+		std::vector<int> faceAtStart(std::size_t(mapFaceNum_), -1); // by its name in the map
+		for (int f = 0; f < start.mesh.faceNum; ++f) {
+			const int name = nameOf(startMapFace, f);
+			if (name >= 0) faceAtStart[name] = f;
+		}
+		for (int f : now_.intersecting) {
+			const int name = nameOf(startMapFace, f);
+			if (name >= 0) faceAtStart[name] = -1;
+		}
+		const auto isAsBefore = [&](int f) {
+			const int name = nameOf(mapFace_, f);
+			return name >= 0 && faceAtStart[name] >= 0 &&
+				   haveSameCorners(r_.mesh, f, start.mesh, faceAtStart[name]);
+		};
+		const std::vector<int> changed =
+			workers_.collectIf(r_.mesh.faceNum, [&](int f) { return !isAsBefore(f); });
+		return findIntersectingFaces(r_.mesh, changed, workers_);
+	}
+
+	/// intersecting: the faces that intersect others.
+	Poorness poorness(std::vector<int> intersecting) const
+	{
+		const int inverted = invertedFaceNum(surface_, r_, workers_);
+		Poorness  poorness = {0, 0, angle_, inverted, std::move(intersecting)};
 		for (int f : findPoorFaces(r_.mesh, angle_, workers_)) {
 			++poorness.poorNum;
 			const float  own  = smallestAngle(r_.mesh, f);
@@ -261,7 +299,6 @@ private:
 			poorness.lack += lack * lack;
 			poorness.minAngle = std::min(poorness.minAngle, own);
 		}
-		if (mayIntersect_) poorness.intersecting = findIntersectingFaces(r_.mesh, workers_);
 		return poorness;
 	}
 };
