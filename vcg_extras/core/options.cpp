@@ -113,6 +113,14 @@ void resolveFeatureRegion(bool anySelected, RemeshOptions& o)
 	if (o.featureDiskScale == 0) o.featureDiskScale = usualScale;
 }
 
+double resolveAdapt(const RemeshOptions& o, bool isFitted)
+{
+	if (o.equations == Equations::AsPrinted) return 0;
+	const bool isLeftToUs = o.adapt == usualAdapt;
+	const bool hasUse     = isFitted && o.fit != Fit::Off && !(o.lambda > 0);
+	return isLeftToUs && !hasUse ? 0 : o.adapt;
+}
+
 std::vector<std::string> validate(const RemeshOptions& o)
 {
 	std::vector<std::string> complaints;
@@ -142,7 +150,7 @@ std::vector<std::string> optionsWithoutEffect(const RemeshOptions& o)
 	std::vector<std::string> sentences;
 	const RemeshOptions      defaults;
 	const bool               hasRegion = asksForFeatureRegion(o);
-	if (o.adapt > 0 && o.equations == Equations::AsPrinted)
+	if (o.adapt > 0 && o.adapt != defaults.adapt && o.equations == Equations::AsPrinted)
 		sentences.push_back("The adaptivity has no effect with the paper's equations.");
 	if (o.sizing != defaults.sizing && !(o.lambda > 0))
 		sentences.push_back("The sizing by quality has no effect while lambda is 0.");

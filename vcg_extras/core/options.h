@@ -102,6 +102,9 @@ enum class FeatureMode {
 	Given, ///< where the caller says so (MeshView::line), and nowhere else
 };
 
+/// Adaptivity of a run whose caller does not choose one.
+constexpr double usualAdapt = 0.1;
+
 /// Thresholds of the second-order difference.
 struct FeatureThresholds {
 	double support   = 2;  ///< radius of the support in mean edges of the input, > 0, <= 100
@@ -143,7 +146,7 @@ struct RemeshOptions {
 	double       lambda         = 0; ///< weight of the density, >= 0; without unit if calibrated
 	double       largestStretch = 4; ///< s_max of the density, [1, 100]; calibrated only
 	SizingSource sizing         = SizingSource::Curvature;
-	double       adapt          = 0; ///< sizes by the error, [0, 1]; 0 = evenly; calibrated only
+	double       adapt = usualAdapt; ///< sizes by the error, [0, 1]; 0 = evenly; see resolveAdapt
 
 	BoundaryMode boundary = BoundaryMode::Resample;
 
@@ -172,6 +175,11 @@ bool mayUseSelectedVertices(const RemeshOptions& options);
 /// Puts the region that FeatureRegion::Auto stands for, and the disk scale that 0 stands for, in
 /// their places.
 void resolveFeatureRegion(bool anySelected, RemeshOptions& options);
+
+/// What RemeshOptions::adapt comes to. The paper's equations have no adaptivity. The usual one
+/// stands for 0 where the caller asked for another density (lambda), and where no fit makes the
+/// result closer: in the quick presets, and where only samples are wanted (`isFitted` is false).
+double resolveAdapt(const RemeshOptions& options, bool isFitted);
 
 /// Complaints about values out of range, one sentence each; empty when all is well.
 std::vector<std::string> validate(const RemeshOptions& options);

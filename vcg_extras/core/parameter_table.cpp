@@ -181,8 +181,11 @@ void addDensity(Table& t)
 			"How much the sizes of the triangles follow the error. 0: all triangles have "
 			"one size. 0.1: a tenth of the vertices goes to ridges, rims and tips that are "
 			"finer than the triangles. 1: all sizes follow the error. Sizes stay even where "
-			"there are feature lines. It has no effect with the paper's equations.")
+			"there are feature lines. 0.1 stands for 0 with a lambda above 0, without a fit, as in "
+			"the presets fast and paper, and where only samples are made. It has no effect with "
+			"the paper's equations.")
 			.range(0, 1)
+			.byDefault([](const MeshFacts&) { return Value(usualAdapt); })
 			.store([](const Value& v, RemeshOptions& o) { o.adapt = numberOf(v); })
 			.p);
 	t.push_back(

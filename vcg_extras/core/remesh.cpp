@@ -86,11 +86,11 @@ void requireValid(const RemeshOptions& options)
 }
 
 /// The options in force.
-RemeshOptions resolved(const MeshView& input, RemeshOptions options)
+RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions options)
 {
 	resolveFeatureRegion(input.anySelected(), options);
 	if (options.seed == 0) options.seed = std::max(1u, std::uint32_t(std::random_device()()));
-	if (options.equations == Equations::AsPrinted) options.adapt = 0; // the paper has no such thing
+	options.adapt = resolveAdapt(options, pipeline == Pipeline::Remeshing);
 	return options;
 }
 
@@ -110,9 +110,10 @@ Result runPipeline(const Call& call, Pipeline pipeline, const Body& body)
 	return guarded<Result>([&](Result& result) {
 		requireValid(call.options);
 		{
-			const RemeshOptions options = resolved(call.input, call.options);
+			const RemeshOptions options = resolved(call.input, pipeline, call.options);
 			Workers             workers(options.threads, call.progress, options.timeLimitSeconds);
 			result.report.seed    = options.seed;
+			result.report.adapt   = options.adapt;
 			result.report.threads = workers.threadNum();
 			if (pipeline != Pipeline::Detection) result.notes = optionsWithoutEffect(call.options);
 			RunContext run{call.input,   options,

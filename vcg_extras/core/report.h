@@ -145,6 +145,7 @@ struct RemeshReport {
 	double                 remeshSeconds = 0; ///< wall time from mesh in memory to result in memory
 
 	std::uint32_t seed             = 0;
+	double        adapt            = 0; ///< in force: 0 where sizes stayed even
 	int           threads          = 0;
 	std::int64_t  targetVertexNum  = 0; ///< after percent or edge length were resolved
 	double        diskRadius       = 0; ///< r, mesh units

@@ -203,6 +203,7 @@ std::string remeshReportJson(const RunRecord& run)
 	json["result"]         = fileJson(run.outputPath, run.outputDouble, r.result);
 	json["options"]        = optionsJson(run.options);
 	json["seed"]           = r.seed;
+	json["adapt"]          = r.adapt;
 	json["threads"]        = r.threads;
 	json["diskRadius"]     = r.diskRadius;
 	json["radiusConstant"] = r.radiusConstant;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "split_long_edges.h"
 
+#include "edge_table.h"
+
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/results.h>
 
@@ -27,15 +29,20 @@ struct EdgeRule {
 	{
 		return squared > maxSquared * minSize * minSize;
 	}
-	bool isLong(const IndexedMesh& mesh, int a, int b) const
+	bool isLong(const Buffer<Vec3f>& position, int a, int b) const
 	{
-		return isLong(squaredLength(mesh.position[a] - mesh.position[b]),
+		return isLong(squaredLength(position[a] - position[b]),
 					  size.empty() ? 1.0f : std::min(size[a], size[b]));
+	}
+	/// corner: the first of a face's three.
+	bool isLongFace(const Buffer<Vec3f>& position, const int* corner) const
+	{
+		return isLong(position, corner[0], corner[1]) || isLong(position, corner[1], corner[2]) ||
+			   isLong(position, corner[2], corner[0]);
 	}
 	bool isLongFace(const IndexedMesh& mesh, int f) const
 	{
-		const int* t = &mesh.triangle[3 * f];
-		return isLong(mesh, t[0], t[1]) || isLong(mesh, t[1], t[2]) || isLong(mesh, t[2], t[0]);
+		return isLongFace(mesh.position, &mesh.triangle[3 * f]);
 	}
 };
 
@@ -45,72 +52,6 @@ struct EdgeRule {
 				  "Splitting the long edges would make too many faces; ask for fewer vertices or "
 				  "remove the stray triangles.");
 }
-
-/// A number per edge, found by its two ends. A table without chains: most of the time of splitting
-/// went into the memory of a std::unordered_map's nodes.
-class EdgeTable {
-public:
-	void clear()
-	{
-		entry_.assign(entry_.size(), Entry());
-		num_ = 0;
-	}
-
-	void reserve(std::size_t edgeNum)
-	{
-		if (2 * edgeNum <= entry_.size()) return;
-		std::size_t size = 1024;
-		while (size < 2 * edgeNum)
-			size *= 2;
-		std::vector<Entry> old(size);
-		old.swap(entry_);
-		for (const Entry& e : old) {
-			if (e.number >= 0) placeOf(e.edge) = e;
-		}
-	}
-
-	/// The number of the edge a-b, which is `next` if it had none yet.
-	int findOrPut(int a, int b, int next)
-	{
-		const std::uint64_t low = std::min(a, b), high = std::max(a, b);
-		const std::uint64_t edge  = low << 32 | high;
-		Entry&              place = placeOf(edge);
-		if (place.number >= 0) return place.number;
-		place = {edge, next};
-		if (2 * ++num_ > entry_.size()) reserve(2 * num_);
-		return next;
-	}
-
-	std::size_t size() const { return num_; }
-
-private:
-	struct Entry {
-		std::uint64_t edge   = 0;
-		int           number = -1; ///< below 0: free
-
-		bool isFreeOr(std::uint64_t other) const { return number < 0 || edge == other; }
-	};
-	std::vector<Entry> entry_ = std::vector<Entry>(1024); ///< a power of two, at most half full
-	std::size_t        num_   = 0;
-
-	/// Where the edge is, or is to be put: beside those of the same and the next smaller ends,
-	/// which are asked for soon before and after; where there are too many, anywhere.
-	Entry& placeOf(std::uint64_t edge)
-	{
-		// A vertex has three edges to others on the mean; a line of the cache holds four entries.
-		constexpr std::size_t   perVertex = 4, nearby = 8;
-		constexpr std::uint64_t golden = 0x9E3779B97F4A7C15; // Knuth: spreads whatever lies close
-		const std::size_t       mask   = entry_.size() - 1;
-		std::size_t             at     = std::size_t(edge >> 32) * perVertex & mask;
-		for (std::size_t i = 0; i < nearby; ++i, at = (at + 1) & mask) {
-			if (entry_[at].isFreeOr(edge)) return entry_[at];
-		}
-		at = std::size_t((edge * golden) >> 32) & mask;
-		while (!entry_[at].isFreeOr(edge))
-			at = (at + 1) & mask;
-		return entry_[at];
-	}
-};
 
 /// Splits the long faces round by round; both faces of a long edge are among them, so no others are
 /// needed.
@@ -406,6 +347,14 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 			if (rule.isLongFace(mesh, among[i])) out.push_back(among[i]);
 		}
 	});
+}
+
+std::vector<int> findLongFaces(const Surface& surface, float maxLength, Workers& workers)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	const EdgeRule      rule{maxLength * maxLength, surface.size};
+	return workers.collectIf(m.faceNum,
+							 [&](int f) { return rule.isLongFace(m.position, &m.origin[3 * f]); });
 }
 
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,

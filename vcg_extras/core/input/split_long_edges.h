@@ -6,6 +6,7 @@
 #include "load.h"
 
 #include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh/indexed_mesh.h>
 
 #include <cstdint>
@@ -39,6 +40,8 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength, Workers
 /// groups of faces that have such an edge.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
 							   Workers& workers);
+/// The same for a surface that is connected.
+std::vector<int> findLongFaces(const Surface& surface, float maxLength, Workers& workers);
 /// Those among some faces. Cost: theirs alone.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 							   const std::vector<int>& among, Workers& workers);

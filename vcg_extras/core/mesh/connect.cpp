@@ -377,6 +377,13 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 	return true;
 }
 
+PackedNormal vertexNormal(const HalfEdgeMesh& m, int v)
+{
+	Turn turn;
+	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) { turn.add(a, b); });
+	return turn.normal();
+}
+
 IndexedMesh disconnect(Surface& surface)
 {
 	IndexedMesh mesh;

@@ -49,6 +49,9 @@ constexpr float roughWidth = 2e-6f;
 bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface,
 			 Buffer<char>* notManifold = nullptr);
 
+/// What Surface::normal holds for a vertex.
+PackedNormal vertexNormal(const HalfEdgeMesh& mesh, int v);
+
 /// Moves the surface's arrays back into a mesh that may be changed and connected anew. Nothing is
 /// left of the surface but its frame.
 IndexedMesh disconnect(Surface& surface);

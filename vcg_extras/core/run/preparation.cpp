@@ -13,6 +13,7 @@
 #include <vcg_extras/core/input/memory_need.h>
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/input/stray_faces.h>
+#include <vcg_extras/core/input/surface_refinement.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/sampling/front_sampling.h>
 #include <vcg_extras/core/sampling/sizing.h>
@@ -130,6 +131,7 @@ Sizing findSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 	const float uniform =
 		float(diskRadius(p.area, double(p.targetNum), radiusConstant(run.options)));
 	const bool hasLines = run.options.adapt > 0 && hasFeatureLines(run, p);
+	if (hasLines) run.report.adapt = 0;
 	return makeSizing(
 		{run.input, run.options, uniform, evenEdge(p), hasLines, p.isFeatureVertex, p.kept},
 		p.surface, run.workers);
@@ -138,11 +140,15 @@ Sizing findSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 /// Splits what is too long for small triangles. The sizes go with the vertices.
 void splitForSizes(RunContext& run, const FeatureMarks& marks, float longest, Prepared& p)
 {
-	IndexedMesh mesh = disconnect(p.surface);
-	if (!(p.callersMeanEdge > 0)) p.callersMeanEdge = meanEdgeLength(mesh, run.workers);
-	const std::int64_t maxFaces = maxFacesFor(p.targetNum, mesh.faceNum);
-	run.report.cleaned.longEdgesSplit += splitLongEdges(mesh, longest, maxFaces, run.workers);
-	connectOrRepair(run, mesh, p.surface);
+	const std::vector<int> longFaces = findLongFaces(p.surface, longest, run.workers);
+	if (longFaces.empty()) return;
+	run.clock.enter(Stage::SplitLongEdges);
+	const int faceNum = p.surface.mesh.faceNum;
+	if (!(p.callersMeanEdge > 0) && double(longFaces.size()) > maxUnseen * faceNum)
+		p.callersMeanEdge = meanEdgeLength(p.surface.mesh, run.workers);
+	const std::int64_t maxFaces = maxFacesFor(p.targetNum, faceNum);
+	run.report.cleaned.longEdgesSplit +=
+		refineSurface(longFaces, longest, maxFaces, p.surface, run.workers);
 	findFeatureRegion(run, marks, p);
 }
 
@@ -155,8 +161,7 @@ void setSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 	p.radiusFactor                 = sizing.radiusFactor;
 	run.report.curvatureClampedNum = sizing.clampedNum;
 	setTarget(run, p.targetNum, p);
-	const float longest = sizing.longestEdge * p.radius;
-	if (!edgesFitSizes(p.surface, longest, run.workers)) splitForSizes(run, marks, longest, p);
+	splitForSizes(run, marks, sizing.longestEdge * p.radius, p);
 }
 
 /// The count to aim at, for an area in working units squared and a scale from mesh to working

@@ -459,19 +459,4 @@ Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers&
 	return size;
 }
 
-bool edgesFitSizes(const Surface& surface, float longest, Workers& workers)
-{
-	const HalfEdgeMesh& m = surface.mesh;
-	const int tooLong = workers.sum<int>(m.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
-		int n = 0;
-		for (std::size_t h = begin; h < end; ++h) {
-			const int   a = m.origin[h], b = m.target(int(h));
-			const float limit = longest * std::min(surface.size[a], surface.size[b]);
-			n += squaredLength(m.position[a] - m.position[b]) > limit * limit;
-		}
-		return n;
-	});
-	return tooLong == 0;
-}
-
 } // namespace gpr

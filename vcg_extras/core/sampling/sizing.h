@@ -75,10 +75,6 @@ inline float sizeAt(const Surface& surface, const SurfacePoint& at)
 /// The sizes wanted at the vertices of a result; empty where all are the same.
 Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers& workers);
 
-/// Whether every edge is short enough for the disks round it: at most `longest` times the local
-/// size.
-bool edgesFitSizes(const Surface& surface, float longest, Workers& workers);
-
 } // namespace gpr
 
 #endif
