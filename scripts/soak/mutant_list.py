@@ -192,7 +192,11 @@ MUTANTS = [
     ("counts of cleaning", "run/preparation.cpp",
      "run.report.cleaned = CleanCounts(); // they may have been counted before", ""),
     ("edges too long for small sizes", "run/preparation.cpp",
-     "if (!edgesFitSizes(p.surface, longest, run.workers)) splitForSizes(run, marks, longest, p);", ""),
+     "splitForSizes(run, marks, sizing.longestEdge * p.radius, p);", ""),
+    ("refinement: border first", "input/surface_refinement.cpp",
+     "if (opposite[h] < 0) outgoing[mesh.triangle[h]] = h;", ""),
+    ("refinement: places in the order of cells", "input/surface_refinement.cpp",
+     "return low;", "return oldNum_;"),
     ("seam of a selection", "run/selected_part.cpp",
      "if (std::includes(made.begin(), made.end(), seam.begin(), seam.end())) return;", "return;"),
     # ---- output

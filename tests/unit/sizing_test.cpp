@@ -72,6 +72,7 @@ TEST_F(SizingTest, MeanCurvatureOfAPlaneIsNothingEvenAmongSlivers)
 
 TEST_F(SizingTest, NothingWantedIsNothingGiven)
 {
+	options.adapt           = 0;
 	const TriangleMesh mesh = icosphere(2);
 	const Sizing       none = sizing(mesh, surfaceOf(mesh, workers), 0.1f);
 	EXPECT_TRUE(none.size.empty());

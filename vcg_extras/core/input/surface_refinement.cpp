@@ -123,9 +123,9 @@ public:
 	{
 		Buffer<int> number(std::size_t(oldNum_) + added_.size());
 		workers.forRange(std::size_t(oldNum_), [&](std::size_t begin, std::size_t end) {
-			auto next = std::upper_bound(
-				added_.begin(), added_.end(), int(begin),
-				[](int v, const Added& added) { return v < added.before; });
+			auto next =
+				std::upper_bound(added_.begin(), added_.end(), int(begin),
+								 [](int v, const Added& added) { return v < added.before; });
 			for (std::size_t v = begin; v < end; ++v) {
 				while (next != added_.end() && next->before <= int(v))
 					++next;
@@ -209,11 +209,11 @@ std::int64_t refineSurface(const std::vector<int>& longFaces, float maxLength,
 						   std::int64_t maxFaces, Surface& surface, Workers& workers)
 {
 	if (longFaces.empty()) return 0;
-	const Change change{longFaces, surface.mesh.faceNum, surface.mesh.vertexNum};
+	const Change           change{longFaces, surface.mesh.faceNum, surface.mesh.vertexNum};
 	const std::vector<int> beside = halfEdgesBeside(longFaces, surface);
 	Links                  links(surface);
-	IndexedMesh            mesh = disconnect(surface);
-	const std::int64_t splitNum = splitLongEdges(mesh, longFaces, maxLength, maxFaces, workers);
+	IndexedMesh            mesh     = disconnect(surface);
+	const std::int64_t     splitNum = splitLongEdges(mesh, longFaces, maxLength, maxFaces, workers);
 
 	links.opposite.resize(std::size_t(3) * mesh.faceNum);
 	links.outgoing.resize(mesh.vertexNum);

@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/input/split_long_edges.h>
+#include <vcg_extras/core/input/surface_refinement.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// Sizes that fall to an eighth towards one side.
+Buffer<float> sizesAlong(const Surface& s)
+{
+	Buffer<float> size(s.mesh.vertexNum);
+	for (int v = 0; v < s.mesh.vertexNum; ++v)
+		size[v] = std::clamp(0.5f + s.mesh.position[v].x / s.grid.cubeSize, 0.125f, 1.0f);
+	return size;
+}
+
+float longestEdgeOf(const HalfEdgeMesh& m)
+{
+	float longest = 0;
+	for (int h = 0; h < m.halfEdgeNum(); ++h)
+		longest = std::max(longest, length(m.position[m.origin[h]] - m.position[m.target(h)]));
+	return longest;
+}
+
+/// The places of a face's corners, from the first one in order on.
+using Places = std::array<std::array<float, 3>, 3>;
+
+std::vector<Places> facesOf(const HalfEdgeMesh& m)
+{
+	std::vector<Places> faces;
+	for (int f = 0; f < m.faceNum; ++f) {
+		Places places;
+		for (int k = 0; k < 3; ++k) {
+			const Vec3f p = m.position[m.origin[3 * f + k]];
+			places[k]     = {p.x, p.y, p.z};
+		}
+		std::rotate(places.begin(), std::min_element(places.begin(), places.end()), places.end());
+		faces.push_back(places);
+	}
+	std::sort(faces.begin(), faces.end());
+	return faces;
+}
+
+class SurfaceRefinement : public ::testing::TestWithParam<std::uint32_t> {
+protected:
+	Workers workers{2, nullptr};
+};
+
+/// The way round about is to split, to order and to connect anew.
+TEST_P(SurfaceRefinement, IsWhatSplittingAndConnectingAnewMakes)
+{
+	Random             random(GetParam());
+	const TriangleMesh mesh = randomSurface(random);
+	Surface            s = surfaceOf(mesh, workers), other = surfaceOf(mesh, workers);
+	s.size              = sizesAlong(s);
+	other.size          = sizesAlong(other);
+	const float longest = longestEdgeOf(s.mesh) * 0.9f;
+	const auto  found   = findLongFaces(s, longest, workers);
+	ASSERT_FALSE(found.empty());
+
+	const std::int64_t splits  = refineSurface(found, longest, 1 << 28, s, workers);
+	IndexedMesh        indexed = disconnect(other);
+	EXPECT_EQ(splits, splitLongEdges(indexed, longest, 1 << 28, workers));
+	other = surfaceOf(std::move(indexed), workers);
+
+	EXPECT_TRUE(isSoundTable(s.mesh));
+	EXPECT_EQ(s.mesh.vertexNum, other.mesh.vertexNum);
+	EXPECT_EQ(facesOf(s.mesh), facesOf(other.mesh));
+	EXPECT_TRUE(findLongFaces(s, longest, workers).empty());
+}
+
+TEST_P(SurfaceRefinement, KeepsVerticesInTheOrderOfTheCells)
+{
+	Random  random(GetParam());
+	Surface s           = surfaceOf(randomSurface(random), workers);
+	s.size              = sizesAlong(s);
+	const float longest = longestEdgeOf(s.mesh) * 0.5f;
+	ASSERT_GT(refineSurface(findLongFaces(s, longest, workers), longest, 1 << 28, s, workers), 0);
+	for (int v = 1; v < s.mesh.vertexNum; ++v) {
+		ASSERT_LE(s.grid.cell(s.mesh.position[v - 1], s.grid.level),
+				  s.grid.cell(s.mesh.position[v], s.grid.level));
+	}
+}
+
+TEST_P(SurfaceRefinement, TellsNormalsSizesAndSources)
+{
+	Random             random(GetParam());
+	const TriangleMesh mesh = randomSurface(random);
+	Surface            s    = surfaceOf(mesh, workers);
+	s.size                  = sizesAlong(s);
+	const float longest     = longestEdgeOf(s.mesh) * 0.7f;
+	refineSurface(findLongFaces(s, longest, workers), longest, 1 << 28, s, workers);
+	for (int v = 0; v < s.mesh.vertexNum; ++v) {
+		const PackedNormal anew = vertexNormal(s.mesh, v);
+		ASSERT_EQ(length(s.normal[v].unpack() - anew.unpack()), 0);
+		ASSERT_EQ(s.normal[v].isRough(), anew.isRough());
+		ASSERT_GE(s.size[v], 0.125f);
+		ASSERT_LE(s.size[v], 1);
+	}
+	std::vector<double> area(mesh.faceNum(), 0);
+	const double        unit = 0.5 / double(s.frame.scale) / double(s.frame.scale);
+	for (int f = 0; f < s.mesh.faceNum; ++f)
+		area.at(s.sourceFace[f]) += unit * double(length(s.mesh.faceCross(f)));
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		TriangleMesh one;
+		one.positions = mesh.positions;
+		one.triangles = {mesh.triangles[3 * f], mesh.triangles[3 * f + 1],
+						 mesh.triangles[3 * f + 2]};
+		ASSERT_NEAR(area[f], factsOf(one).area, 1e-4 * factsOf(one).area + 1e-9);
+	}
+}
+
+INSTANTIATE_TEST_SUITE_P(, SurfaceRefinement, ::testing::Range(1u, 13u));
+
+TEST(SurfaceRefinementOf, ShortEdgesNothingChanges)
+{
+	Workers   workers(1, nullptr);
+	Surface   s      = surfaceOf(icosphere(2), workers);
+	const int before = s.mesh.faceNum;
+	EXPECT_EQ(refineSurface({}, 1, 1 << 28, s, workers), 0);
+	EXPECT_EQ(s.mesh.faceNum, before);
+	EXPECT_TRUE(isSoundTable(s.mesh));
+}
+
+TEST(SurfaceRefinementOf, TooManyFacesAreRefused)
+{
+	Workers workers(1, nullptr);
+	Surface s = surfaceOf(icosphere(2), workers);
+	try {
+		refineSurface(findLongFaces(s, 1e-5f, workers), 1e-5f, 100000, s, workers);
+		FAIL() << "accepted";
+	}
+	catch (const Failure& f) {
+		EXPECT_EQ(f.status, Status::OutOfMemory);
+	}
+}
+
+} // namespace
+
+} // namespace gpr::test
