@@ -7,6 +7,7 @@
 #include <vcg_extras/apps/gpremesh/number_text.h>
 #include <vcg_extras/apps/gpremesh/ply_reader.h>
 #include <vcg_extras/apps/gpremesh/soup_io.h>
+#include <vcg_extras/apps/gpremesh/text_lines.h>
 
 #include <cctype>
 #include <cmath>
@@ -324,6 +325,114 @@ TEST(AllReaders, DamagedBytesAreReadOrRefusedWithoutHarm)
 			EXPECT_EQ(error.code, gpr::app::ExitCode::BadInput);
 		}
 	}
+}
+
+/// A file of several megabytes, which threads read in pieces: vertex i is (i, 0, 1), and corners
+/// count from the end, so that each depends on where it stands.
+TEST(ObjReader, PiecesOfALargeFileFitTogether)
+{
+	const int   num = 120000;
+	std::string text;
+	for (int i = 0; i < num; ++i) {
+		text += "v " + std::to_string(i) + " 0 1\n";
+		if (i < 3) continue;
+		text += i % 7 == 0 ? "f -1 -2 \\\n -3\n" : i % 5 == 0 ? "f -1 -2 -3 -4\n" : "f -1 -2 -3\n";
+	}
+	const InputMesh mesh = readObj(text);
+	ASSERT_EQ(mesh.vertexNum(), std::size_t(num));
+	std::vector<int> expected;
+	for (int i = 3; i < num; ++i) {
+		if (i % 7 != 0 && i % 5 == 0) continue; // these come behind the triangles
+		for (int k = 0; k < 3; ++k)
+			expected.push_back(i - k);
+	}
+	ASSERT_GT(mesh.triangles.size(), expected.size());
+	for (std::size_t i = 0; i < expected.size(); ++i)
+		ASSERT_EQ(mesh.triangles[i], expected[i]) << i;
+	for (int i = 0; i < num; ++i)
+		ASSERT_EQ(mesh.view().position(std::size_t(i)).x, i);
+}
+
+TEST(ObjReader, TheFirstBadLineOfALargeFileIsNamed)
+{
+	std::string text;
+	for (int i = 0; i < 300000; ++i)
+		text += i == 150000 || i == 250000 ? "v 1 x 0\n" : "v 1 0 0\n";
+	try {
+		readObj(text);
+		FAIL() << "accepted";
+	}
+	catch (const gpr::app::AppError& error) {
+		EXPECT_NE(std::string(error.what()).find("line 150001:"), std::string::npos)
+			<< error.what();
+	}
+}
+
+TEST(ObjReader, TellsWhetherThereIsMoreThanTheMesh)
+{
+	const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+	for (const auto& [text, expected] :
+		 std::vector<std::pair<std::string, bool>>{{mesh, false},
+												   {"o a\ns off\n" + mesh, false},
+												   {mesh + "vt 0 0\n", true},
+												   {mesh + "vn 0 0 1\n", true},
+												   {"usemtl a\n" + mesh, true},
+												   {mesh + "v 0 0 0 1 0 0\n", true}}) {
+		bool holdsMore = !expected;
+		gpr::app::readObj(text, holdsMore);
+		EXPECT_EQ(holdsMore, expected) << text;
+	}
+}
+
+TEST(OffReader, PiecesOfALargeFileFitTogether)
+{
+	const int   num  = 200000;
+	std::string text = "OFF\n" + std::to_string(num) + " " + std::to_string(num - 2) + " 0\n\n";
+	for (int i = 0; i < num; ++i)
+		text += std::to_string(i) + " 0 1" + (i % 3 == 0 ? " # and more\n\n" : "\n");
+	for (int i = 2; i < num; ++i)
+		text += "3 " + std::to_string(i - 2) + " " + std::to_string(i - 1) + " " +
+				std::to_string(i) + "\n";
+	const InputMesh mesh = readOff(text);
+	ASSERT_EQ(mesh.vertexNum(), std::size_t(num));
+	ASSERT_EQ(mesh.faceNum(), std::size_t(num - 2));
+	for (int i = 0; i < num; ++i)
+		ASSERT_EQ(mesh.view().position(std::size_t(i)).x, i);
+	for (int i = 2; i < num; ++i)
+		ASSERT_EQ(mesh.triangles[3 * std::size_t(i) - 4], i);
+}
+
+/// Threads fill one table side by side: vertices come in the order of their first corners all the
+/// same.
+TEST(StlReader, VerticesOfALargeFileAreInTheOrderOfTheirFirstUse)
+{
+	TestMesh large = sphere(150);
+	for (int round = 0; round < 5; ++round) {
+		const InputMesh mesh = readStl(binaryStl(large));
+		ASSERT_EQ(mesh.vertexNum(), large.points.size());
+		int next = 0;
+		for (const std::int32_t i : mesh.triangles) {
+			ASSERT_LE(i, next);
+			if (i == next) ++next;
+		}
+		ASSERT_EQ(std::size_t(next), mesh.vertexNum());
+	}
+}
+
+TEST(TextLines, PiecesEndAtLinesThatDoNotGoOn)
+{
+	std::string text;
+	for (int i = 0; i < 100000; ++i)
+		text += i % 2 ? "second part of line " + std::to_string(i) + "\n" : "first part \\ \r\n";
+	std::string together;
+	const auto  pieces = gpr::app::linePieces(text, true);
+	EXPECT_GT(pieces.size(), 1u);
+	for (const std::string_view piece : pieces) {
+		EXPECT_EQ(piece.substr(0, 5), "first");
+		EXPECT_EQ(piece.back(), '\n');
+		together += piece;
+	}
+	EXPECT_EQ(together, text);
 }
 
 TEST(TextPrecision, DoubleOnlyWhereFloatDoesNotDo)

@@ -67,6 +67,17 @@ void FaceList::addStrip(const std::vector<std::int64_t>& strip)
 	}
 }
 
+void FaceList::append(const FaceList& other)
+{
+	const std::size_t begin = polygonCorners_.size();
+	triangles.insert(triangles.end(), other.triangles.begin(), other.triangles.end());
+	polygonCorners_.insert(polygonCorners_.end(), other.polygonCorners_.begin(),
+						   other.polygonCorners_.end());
+	for (const std::size_t end : other.polygonEnds_)
+		polygonEnds_.push_back(begin + end);
+	tooSmallNum_ += other.tooSmallNum_;
+}
+
 void FaceList::cutPolygons(const InputMesh& mesh)
 {
 	const MeshView           view = mesh.view();

@@ -25,6 +25,9 @@ public:
 	/// over; -1 ends the strip. Triangles with a repeated index only steer it and are left out.
 	void addStrip(const std::vector<std::int64_t>& strip);
 
+	/// Adds the faces of another list behind those of this one.
+	void append(const FaceList& other);
+
 	/// Checks every index, cuts the polygons into triangles and moves all into the mesh.
 	/// Throws AppError (BadInput) when an index names no vertex of the mesh.
 	void finish(InputMesh& mesh);

@@ -27,13 +27,14 @@ std::string lowerCase(std::string text)
 	return text;
 }
 
-InputMesh readFormat(MeshFormat format, std::string_view content, bool mayStayInFile)
+InputMesh readFormat(MeshFormat format, std::string_view content, bool mayStayInFile,
+					 bool& holdsMore)
 {
 	switch (format) {
 	case MeshFormat::Ply:
 		return mayStayInFile ? lookAtPly(content) : readPly(content);
 	case MeshFormat::Obj:
-		return readObj(content);
+		return readObj(content, holdsMore);
 	case MeshFormat::Off:
 		return readOff(content);
 	case MeshFormat::Stl:
@@ -46,9 +47,11 @@ InputMesh readContent(MeshFormat format, const std::string& path, const WantedAt
 {
 	const auto content = std::make_shared<const FileContent>(path);
 	if (content->view().empty()) throw AppError(ExitCode::BadInput, "the file is empty");
-	InputMesh mesh = readFormat(format, content->view(), wanted.mayStayInFile);
+	bool      holdsMore = false;
+	InputMesh mesh      = readFormat(format, content->view(), wanted.mayStayInFile, holdsMore);
 	if (format == MeshFormat::Ply) readPlyAttributes(content->view(), wanted, mesh);
-	if (format == MeshFormat::Obj && wanted.carried) readObjAttributes(content->view(), mesh);
+	if (format == MeshFormat::Obj && wanted.carried && holdsMore)
+		readObjAttributes(content->view(), mesh);
 	if (mesh.isInFile()) mesh.file = content;
 	return mesh;
 }

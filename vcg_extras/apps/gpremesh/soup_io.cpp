@@ -8,6 +8,7 @@
 #include "ply_layout.h"
 #include "precision.h"
 #include "soup_text.h"
+#include "text_lines.h"
 
 #include <CGAL/IO/OBJ.h>
 #include <CGAL/IO/OFF.h>
@@ -67,14 +68,6 @@ template <class P>
 struct Soup {
 	std::vector<P>       points;
 	std::vector<Polygon> faces;
-
-	std::size_t cornerNum() const
-	{
-		std::size_t num = 0;
-		for (const Polygon& f : faces)
-			num += f.size();
-		return num;
-	}
 };
 
 const auto silent = CGAL::parameters::verbose(false);
@@ -94,15 +87,14 @@ bool succeeds(Reader read)
 	}
 }
 
-/// Names the line where CGAL stopped: the one it has just read, or that of the word it stands at.
-[[noreturn]] void failAt(const SoupText& soup, MemoryStream& in, const std::string& what,
-						 bool byWords = false)
+/// Names the line of the word that CGAL stopped at.
+[[noreturn]] void failAt(const SoupText& soup, MemoryStream& in, const std::string& what)
 {
 	in.exceptions(std::ios::goodbit);
 	in.clear();
 	const std::size_t at  = std::size_t(in.tellg());
 	const bool        end = at >= soup.text.size();
-	fail("line " + std::to_string(lineAt(soup, at + (byWords || end))) + ": " + what +
+	fail("line " + std::to_string(lineAt(soup, at + 1)) + ": " + what +
 		 (end ? ", or the file ends too early" : ""));
 }
 
@@ -141,50 +133,11 @@ InputMesh meshOf(const Soup<P>& soup, std::size_t stripBegin = 0, std::size_t st
 
 } // namespace
 
-InputMesh readObj(std::string_view file)
-{
-	const SoupText text = prepareObj(file);
-	Soup<Point>    soup;
-	MemoryStream   in(text.text.data(), text.text.size());
-	// It returns false for a file without faces too; the counts tell what it has read.
-	succeeds([&] { return CGAL::IO::read_OBJ(in, soup.points, soup.faces, silent); });
-	if (soup.points.size() != text.vertexNum || soup.faces.size() != text.faceNum)
-		failAt(text, in, badNumber);
-	if (soup.cornerNum() != text.cornerNum) {
-		fail("a face names a vertex that does not exist or is no number");
-	}
-	InputMesh mesh = meshOf(soup);
-	settlePrecision(mesh);
-	return mesh;
-}
-
-InputMesh readOff(std::string_view file)
-{
-	const SoupText text = prepareOff(file);
-	Soup<Point>    soup;
-	MemoryStream   in(text.text.data(), text.text.size());
-	if (!succeeds([&] { return CGAL::IO::read_OFF(in, soup.points, soup.faces, silent); })) {
-		failAt(text, in, "a number is malformed, missing or names a vertex that does not exist");
-	}
-	InputMesh mesh = meshOf(soup);
-	settlePrecision(mesh);
-	return mesh;
-}
-
 // ---- STL
 
 namespace {
 
 constexpr std::size_t stlHeaderBytes = 80;
-
-/// How long a binary STL file is by the count that follows its header.
-std::size_t promisedStlBytes(std::string_view file)
-{
-	std::size_t faceNum = 0;
-	for (std::size_t i = 4; i-- > 0;)
-		faceNum = faceNum << 8 | std::uint8_t(file[stlHeaderBytes + i]);
-	return stlHeaderBytes + 4 + 50 * faceNum;
-}
 
 bool beginsWithSolid(std::string_view file)
 {
@@ -205,22 +158,6 @@ bool isBinaryStl(std::string_view file)
 	return !beginsWithSolid(file) || file.substr(0, 1024).find('\0') != file.npos;
 }
 
-InputMesh readBinaryStl(std::string_view file)
-{
-	if (promisedStlBytes(file) > file.size()) {
-		fail("the file ends too early: its header promises " +
-			 std::to_string(promisedStlBytes(file)) + " bytes");
-	}
-	std::string bytes(file);
-	bytes[0] = '-'; // so that CGAL does not take it for text
-	MemoryStream    in(bytes.data(), bytes.size());
-	Soup<StlCorner> soup;
-	if (!CGAL::IO::read_STL(in, soup.points, soup.faces, silent)) fail("it is malformed");
-	InputMesh mesh = meshOf(soup);
-	roundToFloat(mesh);
-	return mesh;
-}
-
 InputMesh readAsciiStl(std::string_view file)
 {
 	const SoupText  text = prepareAsciiStl(file);
@@ -238,9 +175,23 @@ InputMesh readAsciiStl(std::string_view file)
 
 } // namespace
 
+std::size_t promisedStlBytes(std::string_view file)
+{
+	std::size_t faceNum = 0;
+	for (std::size_t i = 4; i-- > 0;)
+		faceNum = faceNum << 8 | std::uint8_t(file[stlHeaderBytes + i]);
+	return stlHeaderBytes + 4 + 50 * faceNum;
+}
+
 InputMesh readStl(std::string_view file)
 {
-	if (isBinaryStl(file)) return readBinaryStl(file);
+	if (isBinaryStl(file)) {
+		if (promisedStlBytes(file) > file.size()) {
+			fail("the file ends too early: its header promises " +
+				 std::to_string(promisedStlBytes(file)) + " bytes");
+		}
+		return readBinaryStl(file);
+	}
 	if (!beginsWithSolid(file)) fail("neither an ASCII nor a binary STL file");
 	return readAsciiStl(file);
 }
@@ -256,7 +207,7 @@ InputMesh readAsciiPly(const PlyHeader& header, std::string_view body)
 	const bool whole =
 		succeeds([&] { return CGAL::IO::read_PLY(in, soup.points, soup.faces, silent); });
 	if (!whole || soup.points.size() != text.vertexNum || soup.faces.size() != text.faceNum) {
-		failAt(text, in, badNumber, true);
+		failAt(text, in, badNumber);
 	}
 	InputMesh mesh = meshOf(soup, text.stripBegin, text.stripNum);
 	if (!text.doublePrecision) roundToFloat(mesh);

@@ -9,13 +9,16 @@
 
 #include <string_view>
 
-// OBJ, OFF, STL and ASCII PLY by CGAL's readers and writers of polygon soups. The files lie in
-// memory. The readers check what CGAL exports: no index is out of range, nothing is lost
-// silently. They throw AppError (BadInput) on anything malformed or cut off.
+// OBJ, OFF, STL and ASCII PLY. The files lie in memory. OBJ, OFF and binary STL are read in pieces
+// by all threads; ASCII STL and ASCII PLY by CGAL's readers of polygon soups. No index is out of
+// range in what the readers return, and nothing is lost silently. They throw AppError (BadInput) on
+// anything malformed or cut off.
 
 namespace gpr::app {
 
 /// Positions and faces; all else is passed over. Indices count from the begin or from the end.
+/// holdsMore: whether there are colours, texture, normals or materials, see obj_attributes.h.
+InputMesh readObj(std::string_view file, bool& holdsMore);
 InputMesh readObj(std::string_view file);
 
 /// ASCII, one vertex and one face a line; what follows the coordinates and the corners on a line is
@@ -25,6 +28,12 @@ InputMesh readOff(std::string_view file);
 /// ASCII or binary, whatever the first word claims; corners at exactly the same position become one
 /// vertex, in the order of their first use.
 InputMesh readStl(std::string_view file);
+
+/// How long a binary STL file is by the count that follows its header.
+std::size_t promisedStlBytes(std::string_view file);
+
+/// A binary STL file, which is at least that long.
+InputMesh readBinaryStl(std::string_view file);
 
 /// The body of an ASCII PLY file whose header has been read. Positions are double where the header
 /// says so.

@@ -2,27 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "soup_text.h"
 
-#include "exit_code.h"
-#include "number_text.h"
 #include "ply_layout.h"
 
 #include <algorithm>
-#include <boost/interprocess/streams/bufferstream.hpp>
 #include <initializer_list>
-#include <istream>
 
 namespace gpr::app {
 
 namespace {
 
-using MemoryStream = boost::interprocess::ibufferstream;
-
 constexpr const char* nonFiniteMarkText = "-1.7976931348623157e308"; // the lowest double
-
-[[noreturn]] void fail(const std::string& sentence)
-{
-	throw AppError(ExitCode::BadInput, sentence);
-}
 
 char lower(char c)
 {
@@ -78,97 +67,6 @@ void appendNumbers(std::string_view text, std::string& out)
 		done = i = end;
 	}
 	out.append(text, done);
-}
-
-// ---- OBJ
-
-/// Tabs and carriage returns as blanks, and a backslash at the end of a line joins the next one.
-std::string joinedLines(std::string_view file)
-{
-	std::string text(file);
-	std::replace_if(
-		text.begin(), text.end(), [](char c) { return c != '\n' && isBlank(c); }, ' ');
-	for (std::size_t end = text.find('\n'); end != text.npos; end = text.find('\n', end + 1)) {
-		const std::size_t last = text.find_last_not_of(' ', end > 0 ? end - 1 : 0);
-		if (end > 0 && last != text.npos && text[last] == '\\') text[last] = text[end] = ' ';
-	}
-	return text;
-}
-
-/// Whether a text has the form of whole numbers between blanks and slashes.
-bool holdsIndices(std::string_view text)
-{
-	for (std::size_t i = 0; i < text.size(); ++i) {
-		const char c = text[i], before = i > 0 ? text[i - 1] : ' ';
-		const bool sign = (c == '-' || c == '+') && (before == ' ' || before == '/');
-		if (!isDigit(c) && c != ' ' && c != '/' && !sign) return false;
-	}
-	return true;
-}
-
-std::size_t wordNum(std::string_view line)
-{
-	std::size_t num = 0;
-	for (std::size_t i = 0; i < line.size(); ++i) {
-		if (!isBlank(line[i]) && (i == 0 || isBlank(line[i - 1]))) ++num;
-	}
-	return num;
-}
-
-void addObjLine(std::string_view line, std::size_t lineNum, SoupText& soup)
-{
-	line = line.substr(0, line.find('#'));
-	line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
-	const std::string_view keyword = line.substr(0, line.find(' '));
-	if (keyword == "v") {
-		++soup.vertexNum;
-		soup.text += 'v';
-		appendNumbers(line.substr(1), soup.text);
-	}
-	else if (keyword == "f") {
-		if (!holdsIndices(line.substr(1))) {
-			fail("line " + std::to_string(lineNum) + ": " + badNumber);
-		}
-		++soup.faceNum;
-		soup.cornerNum += wordNum(line) - 1;
-		soup.text.append(line);
-	}
-	soup.text += '\n';
-}
-
-// ---- OFF
-
-std::string nextWord(std::istream& in)
-{
-	std::string word;
-	while (in >> word && word[0] == '#')
-		std::getline(in, word);
-	return in ? word : "";
-}
-
-void checkOffKeyword(const std::string& keyword)
-{
-	const std::size_t off = keyword.find("OFF");
-	if (off == keyword.npos || off + 3 != keyword.size()) {
-		fail("an OFF file must begin with the word OFF");
-	}
-	if (keyword.find_first_of("4n") != keyword.npos) {
-		fail("OFF files of other than three dimensions are not read");
-	}
-}
-
-std::size_t offCount(const std::string& word, std::size_t fileSize)
-{
-	std::int64_t count = 0;
-	if (word == "BINARY") fail("binary OFF files are not read");
-	if (!parseInteger(word, count))
-		fail("bad OFF header: '" + word.substr(0, 30) + "' is no count");
-	if (count < 0) fail("bad OFF header: a negative count");
-	// A record takes at least a digit and a line break.
-	if (std::uint64_t(count) > (fileSize + 1) / 2) {
-		fail("the file ends too early: its header promises " + word + " records");
-	}
-	return std::size_t(count);
 }
 
 // ---- STL
@@ -268,40 +166,6 @@ std::string faceElement(const PlyElement& e, std::size_t bodySize, SoupText& sou
 }
 
 } // namespace
-
-SoupText prepareObj(std::string_view file)
-{
-	SoupText          soup;
-	const std::string text = joinedLines(file);
-	soup.text.reserve(text.size() + 1);
-	std::size_t lineNum = 0;
-	for (std::size_t begin = 0; begin < text.size();) {
-		const std::size_t end = std::min(text.find('\n', begin), text.size());
-		addObjLine(std::string_view(text).substr(begin, end - begin), ++lineNum, soup);
-		begin = end + 1;
-	}
-	return soup;
-}
-
-SoupText prepareOff(std::string_view file)
-{
-	SoupText     soup;
-	MemoryStream in(file.data(), file.size());
-	checkOffKeyword(nextWord(in));
-	soup.vertexNum = offCount(nextWord(in), file.size());
-	soup.faceNum   = offCount(nextWord(in), file.size());
-	std::string edges; // of no use and often left out
-	std::getline(in, edges);
-	if (!in) fail("the file ends too early; it seems to be cut off");
-	const std::size_t bodyBegin = in.eof() ? file.size() : std::size_t(in.tellg());
-	const auto        lineNum   = std::count(file.begin(), file.begin() + long(bodyBegin), '\n');
-
-	soup.text =
-		"OFF " + std::to_string(soup.vertexNum) + " " + std::to_string(soup.faceNum) + " 0\n";
-	soup.lineNumShift = std::size_t(lineNum) - 1;
-	appendNumbers(file.substr(bodyBegin), soup.text);
-	return soup;
-}
 
 SoupText prepareAsciiStl(std::string_view file)
 {

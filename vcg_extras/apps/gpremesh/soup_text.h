@@ -20,22 +20,12 @@ struct SoupText {
 	std::string text;
 	std::size_t vertexNum       = 0;
 	std::size_t faceNum         = 0;
-	std::size_t cornerNum       = 0; ///< of all faces together; OBJ only
 	std::size_t stripBegin      = 0; ///< the first face that is a triangle strip; PLY only
 	std::size_t stripNum        = 0;
 	std::size_t lineNumShift    = 0;     ///< lines of the file before the text's first one
 	bool        ended           = true;  ///< STL only: the last solid is closed
 	bool        doublePrecision = false; ///< PLY only: what the header says
 };
-
-/// The lines v and f in their places, comments cut off, continued lines joined, tabs as blanks.
-/// CGAL 5.5 refuses files with other keywords (l), and takes a tab for the end of the face.
-SoupText prepareObj(std::string_view file);
-
-/// A header of one form, its counts checked against the length of the file, then the file's body.
-/// CGAL 5.5 wants the number of edges, asks for memory by the counts, and reads beyond its buffer
-/// where the header announces colours that a line lacks.
-SoupText prepareOff(std::string_view file);
 
 /// Keywords in lower case, no names of solids, the last solid closed. CGAL 5.5 knows lower case
 /// only and takes the name "solid" for a keyword.
@@ -48,8 +38,6 @@ SoupText prepareAsciiPly(const PlyHeader& header, std::string_view body);
 
 /// The number in the file of the line that the character before a position belongs to.
 std::size_t lineAt(const SoupText& soup, std::size_t position);
-
-constexpr const char* badNumber = "a number is malformed or missing";
 
 /// Stands for "nan" and "inf", which streams do not read, until the mesh is made. As an index it is
 /// out of range.

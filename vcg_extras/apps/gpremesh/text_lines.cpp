@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "text_lines.h"
+
+#include "number_text.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace gpr::app {
+
+namespace {
+
+bool isBlank(char c)
+{
+	return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+char lower(char c)
+{
+	return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+}
+
+/// Whether a word begins like nan, inf or infinity, with or without a sign, whatever follows.
+bool isNonFinite(std::string_view word)
+{
+	if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);
+	if (word.size() < 3) return false;
+	const char begin[] = {lower(word[0]), lower(word[1]), lower(word[2]), 0};
+	return std::string_view(begin) == "nan" || std::string_view(begin) == "inf";
+}
+
+} // namespace
+
+bool goesOn(std::string_view line)
+{
+	std::size_t end = line.size();
+	while (end > 0 && isBlank(line[end - 1]))
+		--end;
+	return end > 0 && line[end - 1] == '\\';
+}
+
+std::string_view takeLine(std::string_view& text)
+{
+	const std::size_t      end  = std::min(text.find('\n'), text.size());
+	const std::string_view line = text.substr(0, end);
+	text.remove_prefix(std::min(end + 1, text.size()));
+	return line;
+}
+
+std::vector<std::string_view> linePieces(std::string_view text, bool mayGoOn)
+{
+	constexpr std::size_t         usualBytes = 1 << 20;
+	std::vector<std::string_view> pieces;
+	while (!text.empty()) {
+		std::size_t end = std::min(usualBytes, text.size()), begin = end;
+		while (end < text.size()) {
+			end = std::min(text.find('\n', end), text.size() - 1) + 1;
+			if (!mayGoOn || !goesOn(text.substr(begin, end - begin))) break;
+		}
+		pieces.push_back(text.substr(0, end));
+		text.remove_prefix(end);
+	}
+	return pieces;
+}
+
+std::size_t lineNumber(std::string_view text, const char* place)
+{
+	return 1 + std::size_t(std::count(text.data(), place, '\n'));
+}
+
+void Words::skipBlanks()
+{
+	while (at_ < end_ && isBlank(*at_))
+		++at_;
+}
+
+bool Words::isAtEnd()
+{
+	skipBlanks();
+	return at_ == end_;
+}
+
+std::string_view Words::next()
+{
+	skipBlanks();
+	const char* const begin = at_;
+	while (at_ < end_ && !isBlank(*at_))
+		++at_;
+	return {begin, std::size_t(at_ - begin)};
+}
+
+bool Words::nextCoordinate(double& value)
+{
+	skipBlanks();
+	// Most words are plain numbers, which end where the parser says: they are looked at once.
+	const auto parsed = std::from_chars(at_, end_, value);
+	const bool isWord = parsed.ptr == end_ || isBlank(*parsed.ptr);
+	if (parsed.ec == std::errc() && isWord && std::isfinite(value)) {
+		at_ = parsed.ptr;
+		return true;
+	}
+	const std::string_view word = next();
+	const bool             isOdd = isNonFinite(word);
+	if (!isOdd && !parseNumber(word, value)) return false;
+	if (isOdd || !std::isfinite(value)) value = std::nan("");
+	return true;
+}
+
+} // namespace gpr::app

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_TEXT_LINES_H
+#define VCG_EXTRAS_APPS_GPREMESH_TEXT_LINES_H
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Text files by their lines: pieces that threads can read side by side, and the words of a line.
+
+namespace gpr::app {
+
+constexpr const char* badNumber = "a number is malformed or missing";
+
+/// Whether a line goes on behind its end: its last character that is no blank is a backslash.
+bool goesOn(std::string_view line);
+
+/// Pieces of about a megabyte that end at the end of a line. Where `mayGoOn`, none ends at one that
+/// goes on.
+std::vector<std::string_view> linePieces(std::string_view text, bool mayGoOn = false);
+
+/// Cuts the first line, without its end, off a text.
+std::string_view takeLine(std::string_view& text);
+
+/// The number of the line, from 1 on, that a place of the text is in.
+std::size_t lineNumber(std::string_view text, const char* place);
+
+/// The words of one line, from its begin on. Any white space parts them.
+class Words {
+public:
+	explicit Words(std::string_view line) : at_(line.data()), end_(line.data() + line.size()) {}
+
+	/// The next word; empty at the end of the line.
+	std::string_view next();
+	/// The next word as a coordinate: NaN for words such as inf and nan(ind). False where it is
+	/// missing or no number.
+	bool nextCoordinate(double& value);
+	bool isAtEnd();
+
+private:
+	const char* at_;
+	const char* end_;
+
+	void skipBlanks();
+};
+
+} // namespace gpr::app
+
+#endif
