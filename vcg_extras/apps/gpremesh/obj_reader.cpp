@@ -57,7 +57,7 @@ class ObjPiece {
 public:
 	std::vector<double> coordinates; ///< three a vertex
 	FaceList            faces;
-	bool                holdsMore = false; ///< see readObj
+	bool                holdsMore = false;   ///< see readObj
 	const char*         badPlace  = nullptr; ///< the line that cannot be read; null: there is none
 
 	/// before: vertices of the pieces before.
@@ -83,7 +83,8 @@ private:
 		const std::string_view keyword = words.next();
 		if (keyword == "v") return readVertex(words);
 		if (keyword == "f") return readFace(words);
-		holdsMore |= keyword == "vt" || keyword == "vn" || keyword == "usemtl" || keyword == "mtllib";
+		holdsMore |=
+			keyword == "vt" || keyword == "vn" || keyword == "usemtl" || keyword == "mtllib";
 		return true;
 	}
 

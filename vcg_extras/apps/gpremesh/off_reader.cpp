@@ -142,8 +142,7 @@ private:
 [[noreturn]] void failAt(std::string_view file, const char* place)
 {
 	const std::string_view from(place, std::size_t(file.data() + file.size() - place));
-	std::string            sentence =
-		"line " + std::to_string(lineNumber(file, place)) + ": " + badNumber;
+	std::string sentence = "line " + std::to_string(lineNumber(file, place)) + ": " + badNumber;
 	if (from.find('\n') == from.npos) sentence += ", or the file ends too early";
 	fail(sentence);
 }

@@ -101,7 +101,7 @@ bool Words::nextCoordinate(double& value)
 		at_ = parsed.ptr;
 		return true;
 	}
-	const std::string_view word = next();
+	const std::string_view word  = next();
 	const bool             isOdd = isNonFinite(word);
 	if (!isOdd && !parseNumber(word, value)) return false;
 	if (isOdd || !std::isfinite(value)) value = std::nan("");
