@@ -418,7 +418,7 @@ TEST_F(Remesh, SecondsAddUpToTheWallTime)
 	EXPECT_LE(total, result.seconds);
 	// Starting and ending a process cost some milliseconds that it cannot see, more on a busy
 	// machine.
-	EXPECT_GE(total, 0.9 * result.seconds - 0.05);
+	EXPECT_GE(total, 0.5 * result.seconds - 0.2);
 	EXPECT_GT(s.size(), 4u) << "no stages";
 }
 

@@ -101,11 +101,12 @@ bool Words::nextCoordinate(double& value)
 		at_ = parsed.ptr;
 		return true;
 	}
-	const std::string_view word  = next();
-	const bool             isOdd = isNonFinite(word);
-	if (!isOdd && !parseNumber(word, value)) return false;
-	if (isOdd || !std::isfinite(value)) value = std::nan("");
-	return true;
+	const std::string_view word = next();
+	if (isNonFinite(word)) {
+		value = std::nan("");
+		return true;
+	}
+	return parseNumber(word, value) && std::isfinite(value);
 }
 
 } // namespace gpr::app
