@@ -104,6 +104,30 @@ struct MutualDistance {
 	}
 };
 
+/// A largest distance between proven bounds, mesh units.
+struct DistanceBounds {
+	double lower         = 0;     ///< some point is so far, or farther
+	double upper         = 0;     ///< no point is farther
+	bool   isBudgetSpent = false; ///< the bounds are farther from each other than they were to be
+
+	DistanceBounds times(double unit) const { return {lower * unit, upper * unit, isBudgetSpent}; }
+};
+
+/// Proven bounds of the largest distance of input and result from each other, both ways.
+struct MutualBounds {
+	DistanceBounds toInput;   ///< of the points of the result from the input
+	DistanceBounds fromInput; ///< of the points of the input from the result
+
+	MutualBounds times(double unit) const { return {toInput.times(unit), fromInput.times(unit)}; }
+	/// Of the larger of both: the Hausdorff distance.
+	DistanceBounds hausdorff() const
+	{
+		return {toInput.lower > fromInput.lower ? toInput.lower : fromInput.lower,
+				toInput.upper > fromInput.upper ? toInput.upper : fromInput.upper,
+				toInput.isBudgetSpent || fromInput.isBudgetSpent};
+	}
+};
+
 /// What became of the border (BoundaryMode::Smooth). Lengths and areas in mesh units.
 struct BorderFigures {
 	bool         isSmooth     = false; ///< asked for, and there is a border

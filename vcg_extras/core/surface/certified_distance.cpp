@@ -1,0 +1,457 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "certified_distance.h"
+
+#include "cover_bound.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+/// Of the extent: far more than what rounding does to distances and bounds.
+constexpr double roundingShare = 2e-7;
+/// Of the extent: coordinates of points made by cutting are exact to this.
+constexpr double coordinateShare = 1e-14;
+/// Levels of groups of triangles above the leaves, and the number of groups that gives a first idea
+/// of the largest distance.
+constexpr int groupLevels = 3, fewestGroupLevels = 12;
+/// Triangles that are looked at before the goal is set anew.
+constexpr std::size_t batchSize = 1u << 17;
+/// Pieces that are cut at once at least; of more, the quarter with the largest bounds.
+constexpr std::size_t leastCuts = 8192, cutShare = 4;
+
+Vec3d centreOf(const Triangle& t)
+{
+	return (t[0] + t[1] + t[2]) * (1.0 / 3);
+}
+
+/// Every point of the triangle is nearer than this to a triangle of the other surface: the distance
+/// from that is convex, so largest at a corner.
+double convexBound(const Triangle& piece, const Triangle& other)
+{
+	double squared = 0;
+	for (const Vec3d& corner : piece)
+		squared = std::max(squared, squaredDistance(corner, other));
+	return std::sqrt(squared);
+}
+
+double longestEdge(const Triangle& t)
+{
+	return std::sqrt(std::max(
+		{squaredLength(t[1] - t[0]), squaredLength(t[2] - t[1]), squaredLength(t[0] - t[2])}));
+}
+
+/// What was found of a group, a triangle or a piece.
+struct Finding {
+	double bound   = 0;  ///< no point is farther
+	double seen    = 0;  ///< some point is so far
+	int    nearest = -1; ///< triangle of the other surface nearest to its middle, or next to it
+};
+
+/// A part of a triangle that may hold the largest distance.
+struct Piece {
+	Triangle              corner;
+	std::array<double, 3> distance;  ///< of the corners
+	std::array<int, 3>    nearest;   ///< triangles of the other surface
+	int                   candidate; ///< another one that may bound it
+	int                   depth;
+	double                bound;
+};
+
+/// Larger bounds first is the order of work; this finds the bound from which on work is done.
+double boundToCutFrom(const std::vector<Piece>& pieces)
+{
+	const std::size_t num = std::max(leastCuts, pieces.size() / cutShare);
+	if (pieces.size() <= num) return 0;
+	std::vector<double> bounds;
+	bounds.reserve(pieces.size());
+	for (const Piece& p : pieces)
+		bounds.push_back(p.bound);
+	std::nth_element(bounds.begin(), bounds.begin() + std::ptrdiff_t(num), bounds.end(),
+					 std::greater<double>());
+	return bounds[num];
+}
+
+class BranchAndBound {
+public:
+	BranchAndBound(const TriangleTree& from, const TriangleTree& to, double rounding,
+				   const CertificateSettings& settings, Workers& workers) :
+			from_(from),
+			to_(to), settings_(settings), workers_(workers), slack_(rounding)
+	{
+		Box<double> box = from.box();
+		box += to.box();
+		exact_ = coordinateShare * box.diagonal();
+		slack_ += roundingShare * box.diagonal() + settings.coordinateError;
+	}
+
+	DistanceBounds run()
+	{
+		lookAtGroups();
+		for (std::size_t begin = 0; begin < faces_.size(); begin += batchSize)
+			lookAtFaces(begin, std::min(faces_.size(), begin + batchSize));
+		dropBelowGoal();
+		while (!pieces_.empty() && cutNum_ < settings_.budget)
+			cutWorst();
+		return bounds();
+	}
+
+private:
+	const TriangleTree&        from_;
+	const TriangleTree&        to_;
+	const CertificateSettings& settings_;
+	Workers&                   workers_;
+	double                     slack_;     ///< of both bounds, for rounding
+	double                     exact_ = 0; ///< coordinates are right to this
+
+	double lower_ = 0; ///< largest distance found so far
+	double upper_ = 0; ///< of all that is done with
+
+	struct Face {
+		int triangle, hint;
+	};
+	std::vector<Face>  faces_;
+	std::vector<Piece> pieces_;
+	std::int64_t       cutNum_ = 0;
+
+	/// What has a bound up to this is done with.
+	double goal() const
+	{
+		return (1 + settings_.relative) * (lower_ - slack_) + settings_.absolute - slack_;
+	}
+
+	DistanceBounds bounds() const
+	{
+		double upper = std::max(lower_, upper_);
+		for (const Piece& p : pieces_)
+			upper = std::max(upper, p.bound);
+		DistanceBounds b;
+		b.lower         = std::max(0.0, lower_ - slack_);
+		b.upper         = upper + slack_;
+		b.isBudgetSpent = !pieces_.empty();
+		return b;
+	}
+
+	/// Tells whether there is nothing more to do about it.
+	bool isDone(double bound)
+	{
+		if (bound > goal()) return false;
+		upper_ = std::max(upper_, bound);
+		return true;
+	}
+
+	Finding ofGroup(int level, int i) const
+	{
+		const Vec3d                 p    = centreOf(from_.triangle(from_.groupBegin(level, i)));
+		const TriangleTree::Nearest near = to_.nearest(p);
+		const Box<float>&           box  = from_.groupBox(level, i);
+		const Vec3d  farthest(std::max(double(box.high.x) - p.x, p.x - double(box.low.x)),
+							  std::max(double(box.high.y) - p.y, p.y - double(box.low.y)),
+							  std::max(double(box.high.z) - p.z, p.z - double(box.low.z)));
+		const double distance = std::sqrt(near.squared);
+		return {distance + length(farthest), distance, near.triangle};
+	}
+
+	/// Of many neighbouring triangles at once; the triangles of the others are put on the list.
+	void lookAtGroups()
+	{
+		const int            level = std::min(from_.levelNum() - 1,
+											  std::max(fewestGroupLevels, from_.levelNum() - 1 - groupLevels));
+		const std::size_t    num   = std::size_t(1) << level;
+		std::vector<Finding> found(num);
+		workers_.forEach(num, [&](int i) { found[std::size_t(i)] = ofGroup(level, i); });
+		for (const Finding& f : found)
+			lower_ = std::max(lower_, f.seen);
+		for (std::size_t i = 0; i < num; ++i) {
+			if (isDone(found[i].bound)) continue;
+			for (int t = from_.groupBegin(level, int(i)); t < from_.groupBegin(level, int(i) + 1);
+				 ++t)
+				faces_.push_back({t, found[i].nearest});
+		}
+	}
+
+	/// The bounds of a triangle by what is near its middle, the quick one first.
+	Finding byMiddle(const Triangle& t, int hint, double goal) const
+	{
+		const TriangleTree::Nearest near = to_.nearest(centreOf(t), hint);
+		Finding f = {convexBound(t, to_.triangle(near.triangle)), std::sqrt(near.squared),
+					 near.triangle};
+		if (f.bound > goal)
+			f.bound = std::min(f.bound, coverBound(t, to_, near.triangle, goal, exact_));
+		return f;
+	}
+
+	Finding ofFace(const Face& face, double goal) const
+	{
+		const Triangle& t = from_.triangle(face.triangle);
+		const Finding   quick{convexBound(t, to_.triangle(face.hint)), 0, face.hint};
+		return quick.bound <= goal ? quick : byMiddle(t, face.hint, goal);
+	}
+
+	void lookAtFaces(std::size_t begin, std::size_t end)
+	{
+		const double         goalNow = goal();
+		std::vector<Finding> found(end - begin);
+		workers_.forEach(end - begin, [&](int i) {
+			found[std::size_t(i)] = ofFace(faces_[begin + std::size_t(i)], goalNow);
+		});
+		for (const Finding& f : found)
+			lower_ = std::max(lower_, f.seen);
+		std::vector<Face>   left;
+		std::vector<double> bound;
+		for (std::size_t i = begin; i < end; ++i) {
+			if (isDone(found[i - begin].bound)) continue;
+			left.push_back({faces_[i].triangle, found[i - begin].nearest});
+			bound.push_back(found[i - begin].bound);
+		}
+		addPieces(left, bound);
+	}
+
+	void addPieces(const std::vector<Face>& faces, const std::vector<double>& bound)
+	{
+		const std::size_t before = pieces_.size();
+		pieces_.resize(before + faces.size());
+		workers_.forEach(faces.size(), [&](int i) {
+			pieces_[before + std::size_t(i)] =
+				wholeFace(faces[std::size_t(i)], bound[std::size_t(i)]);
+		});
+		for (std::size_t i = before; i < pieces_.size(); ++i)
+			for (const double d : pieces_[i].distance)
+				lower_ = std::max(lower_, d);
+	}
+
+	Piece wholeFace(const Face& face, double bound) const
+	{
+		Piece piece;
+		piece.corner    = from_.triangle(face.triangle);
+		piece.candidate = face.hint;
+		piece.depth     = 0;
+		for (std::size_t k = 0; k < 3; ++k)
+			setCorner(piece, k, piece.corner[k], face.hint);
+		piece.bound = std::min(bound, quickBound(piece));
+		return piece;
+	}
+
+	void setCorner(Piece& piece, std::size_t k, const Vec3d& p, int hint) const
+	{
+		const TriangleTree::Nearest near = to_.nearest(p, hint);
+		piece.corner[k]                  = p;
+		piece.distance[k]                = std::sqrt(near.squared);
+		piece.nearest[k]                 = near.triangle;
+	}
+
+	/// By the triangles near the corners, and by the way to the corners.
+	double quickBound(const Piece& piece) const
+	{
+		double bound = convexBound(piece.corner, to_.triangle(piece.candidate));
+		for (std::size_t k = 0; k < 3; ++k)
+			if (piece.nearest[k] != piece.candidate)
+				bound = std::min(bound, convexBound(piece.corner, to_.triangle(piece.nearest[k])));
+		const double farthest = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
+		// Every point of a triangle is within longest edge/√3 of a corner.
+		return std::min(bound, farthest + longestEdge(piece.corner) / std::sqrt(3.0));
+	}
+
+	void dropBelowGoal()
+	{
+		pieces_.erase(std::remove_if(pieces_.begin(), pieces_.end(),
+									 [this](const Piece& p) { return isDone(p.bound); }),
+					  pieces_.end());
+	}
+
+	/// Cuts the pieces with the largest bounds.
+	void cutWorst()
+	{
+		const double       from   = boundToCutFrom(pieces_);
+		const auto         isKept = [from](const Piece& p) { return p.bound < from; };
+		const auto         first  = std::stable_partition(pieces_.begin(), pieces_.end(), isKept);
+		std::vector<Piece> whole(first, pieces_.end());
+		pieces_.erase(first, pieces_.end());
+		const double        goalNow = goal();
+		std::vector<Piece>  halves(2 * whole.size());
+		std::vector<double> seen(2 * whole.size());
+		workers_.forEach(whole.size(), [&](int i) {
+			const std::size_t at = 2 * std::size_t(i);
+			cut(whole[std::size_t(i)], halves[at], halves[at + 1]);
+			seen[at]     = bound(halves[at], goalNow);
+			seen[at + 1] = bound(halves[at + 1], goalNow);
+		});
+		cutNum_ += std::int64_t(halves.size());
+		for (const double d : seen)
+			lower_ = std::max(lower_, d);
+		pieces_.insert(pieces_.end(), halves.begin(), halves.end());
+		dropBelowGoal();
+	}
+
+	/// Sets the bound of a piece and returns the largest distance seen of it.
+	double bound(Piece& piece, double goal) const
+	{
+		double seen = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
+		piece.bound = std::min(piece.bound, quickBound(piece));
+		if (piece.bound <= goal) return seen;
+		const Finding middle = byMiddle(piece.corner, piece.candidate, goal);
+		piece.candidate      = middle.nearest;
+		piece.bound          = std::min(piece.bound, middle.bound);
+		return std::max(seen, middle.seen);
+	}
+
+	/// Where and between which corners a piece is cut.
+	struct Cut {
+		std::size_t p, q;
+		double      share;    ///< of the way from p to q
+		int         atP, atQ; ///< triangles that may bound the two parts
+	};
+
+	void cut(const Piece& whole, Piece& one, Piece& two) const
+	{
+		const Cut   c = cutOf(whole);
+		const Vec3d x = whole.corner[c.p] + (whole.corner[c.q] - whole.corner[c.p]) * c.share;
+		one = two = whole;
+		one.depth = two.depth = whole.depth + 1;
+		one.candidate         = c.atP;
+		two.candidate         = c.atQ;
+		setCorner(one, c.q, x, whole.candidate);
+		two.corner[c.p]   = x;
+		two.distance[c.p] = one.distance[c.q];
+		two.nearest[c.p]  = one.nearest[c.q];
+	}
+
+	Cut cutOf(const Piece& piece) const
+	{
+		// Every third cut goes through the middle, so that pieces become small whatever happens.
+		Cut c;
+		if (piece.depth % 3 != 2 && findEqualDistance(piece, c)) return c;
+		return middleOfLongest(piece);
+	}
+
+	Cut middleOfLongest(const Piece& piece) const
+	{
+		std::size_t longest = 0;
+		double      most    = -1;
+		for (std::size_t k = 0; k < 3; ++k) {
+			const double squared = squaredLength(piece.corner[(k + 1) % 3] - piece.corner[k]);
+			if (squared > most) longest = k;
+			most = std::max(most, squared);
+		}
+		return {longest, (longest + 1) % 3, 0.5, piece.candidate, piece.candidate};
+	}
+
+	/// Of the triangles near the corners, that which alone bounds the piece best.
+	int bestAlone(const Piece& piece) const
+	{
+		int    best  = piece.candidate;
+		double bound = convexBound(piece.corner, to_.triangle(best));
+		for (const int t : piece.nearest) {
+			const double other = convexBound(piece.corner, to_.triangle(t));
+			if (other < bound) best = t;
+			bound = std::min(bound, other);
+		}
+		return best;
+	}
+
+	/// By how much a point is nearer to the second triangle than to the first.
+	double advantage(const Vec3d& p, int first, int second) const
+	{
+		return std::sqrt(squaredDistance(p, to_.triangle(first))) -
+			   std::sqrt(squaredDistance(p, to_.triangle(second)));
+	}
+
+	/// A cut between the corner that is far from the triangle that bounds best, and one that is
+	/// near it: where its own nearest triangle gets nearer. False where there is none.
+	bool findEqualDistance(const Piece& piece, Cut& c) const
+	{
+		const int   best = bestAlone(piece);
+		std::size_t q    = 0;
+		double      most = -1;
+		for (std::size_t k = 0; k < 3; ++k) {
+			const double squared = squaredDistance(piece.corner[k], to_.triangle(best));
+			if (squared > most) q = k;
+			most = std::max(most, squared);
+		}
+		const int own = piece.nearest[q];
+		if (own == best) return false;
+		for (const std::size_t p : {(q + 1) % 3, (q + 2) % 3}) {
+			const double before = advantage(piece.corner[p], best, own);
+			if (!(before < 0)) continue;
+			c = {p, q, shareOfEqual(piece.corner[p], piece.corner[q], best, own), best, own};
+			return c.share > 0.001 && c.share < 0.999;
+		}
+		return false;
+	}
+
+	/// The share of the way from p, nearer to the first triangle, to q, nearer to the second, at
+	/// which both are equally near.
+	double shareOfEqual(const Vec3d& p, const Vec3d& q, int first, int second) const
+	{
+		constexpr int steps = 4;
+		double        low = 0, high = 1;
+		double        atLow = advantage(p, first, second), atHigh = advantage(q, first, second);
+		if (!(atHigh > 0)) return 1;
+		for (int i = 0; i < steps; ++i) {
+			const double share        = low + (high - low) * (atLow / (atLow - atHigh));
+			const double at           = advantage(p + (q - p) * share, first, second);
+			(at < 0 ? low : high)     = share;
+			(at < 0 ? atLow : atHigh) = at;
+			if (at == 0) return share;
+		}
+		return low + (high - low) * (atLow / (atLow - atHigh));
+	}
+};
+
+/// Where positions are taken from, so that no digit is lost to an offset.
+Vec3d someCorner(const MeshView& mesh)
+{
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		for (const std::int32_t v : mesh.triangle(f)) {
+			if (v < 0 || std::size_t(v) >= mesh.vertexNum) continue;
+			const Vec3d p = mesh.position(std::size_t(v));
+			if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) return p;
+		}
+	}
+	return {};
+}
+
+} // namespace
+
+CertificateSettings usualCertificate(double diagonal)
+{
+	CertificateSettings settings;
+	settings.absolute = 1e-5 * diagonal;
+	return settings;
+}
+
+CertifiedSurface::CertifiedSurface(const MeshView& mesh, Workers& workers) :
+		origin_(someCorner(mesh)), tree_(std::make_unique<TriangleTree>(mesh, origin_, workers))
+{
+}
+
+CertifiedSurface::CertifiedSurface(const MeshView& mesh, const CertifiedSurface& other,
+								   Workers& workers) :
+		origin_(other.origin_),
+		tree_(std::make_unique<TriangleTree>(mesh, origin_, workers))
+{
+}
+
+DistanceBounds certifiedDistance(const CertifiedSurface& from, const CertifiedSurface& to,
+								 const CertificateSettings& settings, Workers& workers)
+{
+	if (from.tree().size() == 0 || to.tree().size() == 0) return {};
+	const double rounding = 1e-15 * length(from.origin()); // of positions relative to it
+	return BranchAndBound(from.tree(), to.tree(), rounding, settings, workers).run();
+}
+
+MutualBounds certifiedDistances(const MeshView& input, const MeshView& result,
+								const CertificateSettings& settings, Workers& workers)
+{
+	const CertifiedSurface a(input, workers), b(result, a, workers);
+	return {certifiedDistance(b, a, settings, workers), certifiedDistance(a, b, settings, workers)};
+}
+
+} // namespace gpr

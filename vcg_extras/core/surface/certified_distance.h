@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SURFACE_CERTIFIED_DISTANCE_H
+#define VCG_EXTRAS_CORE_SURFACE_CERTIFIED_DISTANCE_H
+
+#include "triangle_tree.h"
+
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh_view.h>
+#include <vcg_extras/core/report.h>
+
+#include <cstdint>
+#include <memory>
+
+namespace gpr {
+
+/// How near to each other the bounds shall come, and what that may cost.
+struct CertificateSettings {
+	double relative = 0.01; ///< upper is at most (1 + relative) lower + absolute
+	double absolute = 0;    ///< mesh units, at least some millionths of the extent
+	/// Coordinates may be wrong by so much, mesh units; the bounds hold all the same.
+	double coordinateError = 0;
+	/// Pieces of triangles that may be looked at for each direction, beside the triangles.
+	std::int64_t budget = 4000000;
+};
+
+/// Goal of the distance that reports tell: 1 % of it and 1e-5 of the diagonal.
+CertificateSettings usualCertificate(double diagonal);
+
+/// A surface of whose distance from others bounds are proven. Any set of triangles, manifold or
+/// not.
+class CertifiedSurface {
+public:
+	/// Faces without three different, finite corners are left out. The mesh may go afterwards.
+	/// Throws what workers throw. Cost: see TriangleTree.
+	CertifiedSurface(const MeshView& mesh, Workers& workers);
+	/// With positions relative to the same origin as another one, to which distances are wanted.
+	CertifiedSurface(const MeshView& mesh, const CertifiedSurface& other, Workers& workers);
+
+	const TriangleTree& tree() const { return *tree_; }
+	const Vec3d&        origin() const { return origin_; }
+
+private:
+	Vec3d                         origin_;
+	std::unique_ptr<TriangleTree> tree_;
+};
+
+/// Bounds of the largest distance of a point of one surface from another: the one-sided Hausdorff
+/// distance. All 0 where either has no face. Both need the same origin.
+///
+/// Lower: the largest distance of a point that was looked at. Upper, by branch and bound (Guthe,
+/// Borodin, Klein 2005: Fast and accurate Hausdorff distance calculation between meshes; the bounds
+/// are others): triangles of the first surface are cut until a bound of each piece is below the
+/// goal. A piece has three bounds, of which the least counts. The distance from a single triangle
+/// of the other surface is a convex function, so it is largest at a corner of the piece. The second
+/// is coverBound. The third is what corners have, and the way to them. Pieces are cut where two
+/// triangles of the other surface are equally near, else in the middle of the longest edge.
+///
+/// Both bounds have a slack of 2e-7 of the extent of the two surfaces, and coordinateError, which
+/// is far more than rounding can do. Where the budget is spent, the bounds are as good as they are
+/// then, and say so. The same bits for any number of threads. Cost: a search for each triangle that
+/// may be near the largest distance and for some of the others, parallel.
+DistanceBounds certifiedDistance(const CertifiedSurface& from, const CertifiedSurface& to,
+								 const CertificateSettings& settings, Workers& workers);
+
+/// Both ways between an input and a result.
+MutualBounds certifiedDistances(const MeshView& input, const MeshView& result,
+								const CertificateSettings& settings, Workers& workers);
+
+} // namespace gpr
+
+#endif

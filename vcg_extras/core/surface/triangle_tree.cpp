@@ -1,0 +1,295 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "triangle_tree.h"
+
+#include "even_points.h"
+
+#include <vcg_extras/core/base/counting_sort.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gpr {
+
+namespace {
+
+/// Triangles that are looked at one by one: as many boxes above them would cost as much.
+constexpr int leafSize = 4;
+/// More than a tree of 2^31 triangles is deep.
+constexpr int maxDepth = 32;
+
+double squaredDistanceToSegment(const Vec3d& p, const Vec3d& a, const Vec3d& b)
+{
+	const Vec3d  ab = b - a, ap = p - a;
+	const double squared = squaredLength(ab);
+	const double t       = squared > 0 ? std::min(1.0, std::max(0.0, dot(ap, ab) / squared)) : 0.0;
+	return squaredLength(ap - ab * t);
+}
+
+bool hasUsableCorners(const MeshView& mesh, std::size_t face)
+{
+	for (const std::int32_t v : mesh.triangle(face))
+		if (v < 0 || std::size_t(v) >= mesh.vertexNum) return false;
+	return isUsableFace(mesh, face);
+}
+
+float roundedDown(double x)
+{
+	return std::nextafter(float(x), -std::numeric_limits<float>::infinity());
+}
+
+float roundedUp(double x)
+{
+	return std::nextafter(float(x), std::numeric_limits<float>::infinity());
+}
+
+Box<float> roundedOut(const Box<double>& box)
+{
+	return {{roundedDown(box.low.x), roundedDown(box.low.y), roundedDown(box.low.z)},
+			{roundedUp(box.high.x), roundedUp(box.high.y), roundedUp(box.high.z)}};
+}
+
+double squaredDistanceToBox(const Vec3d& p, const Box<float>& box)
+{
+	const double x = std::max({double(box.low.x) - p.x, p.x - double(box.high.x), 0.0});
+	const double y = std::max({double(box.low.y) - p.y, p.y - double(box.high.y), 0.0});
+	const double z = std::max({double(box.low.z) - p.z, p.z - double(box.high.z), 0.0});
+	return x * x + y * y + z * z;
+}
+
+/// A face while it is put in its place.
+struct Placed {
+	float        centre[3]; ///< times three
+	std::int32_t face;
+};
+
+Placed placed(const MeshView& mesh, int face, const Vec3d& origin)
+{
+	const auto  t   = mesh.triangle(std::size_t(face));
+	const Vec3d sum = (mesh.position(std::size_t(t[0])) - origin) +
+					  (mesh.position(std::size_t(t[1])) - origin) +
+					  (mesh.position(std::size_t(t[2])) - origin);
+	return {{float(sum.x), float(sum.y), float(sum.z)}, face};
+}
+
+/// The axis along which the centres reach farthest.
+int longestAxis(const Placed* begin, const Placed* end)
+{
+	float size[3];
+	for (int k = 0; k < 3; ++k) {
+		float low = HUGE_VALF, high = -HUGE_VALF;
+		for (const Placed* p = begin; p < end; ++p) {
+			low  = std::min(low, p->centre[k]);
+			high = std::max(high, p->centre[k]);
+		}
+		size[k] = high - low;
+	}
+	if (size[0] >= size[1] && size[0] >= size[2]) return 0;
+	return size[1] >= size[2] ? 1 : 2;
+}
+
+void splitAt(Placed* begin, Placed* middle, Placed* end)
+{
+	const int k = longestAxis(begin, end);
+	std::nth_element(begin, middle, end, [k](const Placed& a, const Placed& b) {
+		return a.centre[k] != b.centre[k] ? a.centre[k] < b.centre[k] : a.face < b.face;
+	});
+}
+
+/// Edges by their vertices, to find those that two triangles share.
+class EdgePairs {
+public:
+	EdgePairs(const MeshView& mesh, const Buffer<int>& face, Workers& workers) :
+			vertex_(3 * face.size()), workers_(workers)
+	{
+		workers.forRange(face.size(), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i) {
+				const auto t = mesh.triangle(std::size_t(face[i]));
+				std::copy(t.begin(), t.end(), vertex_.data() + 3 * i);
+			}
+		});
+		sortIntoBuckets(
+			vertex_.size(), mesh.vertexNum,
+			[this](std::size_t edge) { return std::min(vertex_[edge], other(edge)); }, workers,
+			start_, edge_);
+	}
+
+	Buffer<int> neighbours()
+	{
+		Buffer<int> neighbour(vertex_.size());
+		workers_.forRange(start_.size() - 1, [&](std::size_t begin, std::size_t end) {
+			for (std::size_t v = begin; v < end; ++v)
+				pairUp(edge_.data() + start_[v], edge_.data() + start_[v + 1], neighbour);
+		});
+		return neighbour;
+	}
+
+private:
+	Buffer<int> vertex_; ///< at which each edge begins; three edges a triangle
+	Buffer<int> start_, edge_;
+	Workers&    workers_;
+
+	int other(std::size_t edge) const { return vertex_[edge % 3 == 2 ? edge - 2 : edge + 1]; }
+	int larger(int edge) const
+	{
+		return std::max(vertex_[std::size_t(edge)], other(std::size_t(edge)));
+	}
+
+	/// Of the edges whose smaller vertex is the same.
+	void pairUp(int* begin, int* end, Buffer<int>& neighbour) const
+	{
+		std::sort(begin, end, [this](int a, int b) {
+			const int va = larger(a), vb = larger(b);
+			return va != vb ? va < vb : a < b;
+		});
+		for (const int* first = begin; first < end;) {
+			const int* last = first + 1;
+			while (last < end && larger(*last) == larger(*first))
+				++last;
+			const bool arePair = last - first == 2;
+			for (const int* e = first; e < last; ++e)
+				neighbour[std::size_t(*e)] = arePair ? (e == first ? first[1] : first[0]) / 3 : -1;
+			first = last;
+		}
+	}
+};
+
+} // namespace
+
+double squaredDistance(const Vec3d& p, const Triangle& t)
+{
+	// Sine of the smallest angle below which the normal is lost in rounding.
+	constexpr double needle = 1e-8;
+	const Vec3d      ab = t[1] - t[0], bc = t[2] - t[1], ca = t[0] - t[2], n = cross(bc, ca);
+	const double     longest = std::max({squaredLength(ab), squaredLength(bc), squaredLength(ca)});
+	const double     nn      = squaredLength(n);
+	double           outside[3] = {-1, -1, -1};
+	if (nn > needle * needle * longest * longest) {
+		const Vec3d  ap     = p - t[0];
+		const double height = dot(ap, n) / nn;
+		const Vec3d  q      = ap - n * height; // the foot of p, seen from the first corner
+		outside[0]          = dot(cross(ab, q), n);
+		outside[1]          = dot(cross(bc, q - ab), n);
+		outside[2]          = dot(cross(ca, q + ca), n);
+		if (outside[0] > 0 && outside[1] > 0 && outside[2] > 0) return height * height * nn;
+	}
+	// The nearest point lies on an edge that the foot is beyond.
+	double best = HUGE_VAL;
+	for (std::size_t k = 0; k < 3; ++k)
+		if (!(outside[k] > 0))
+			best = std::min(best, squaredDistanceToSegment(p, t[k], t[(k + 1) % 3]));
+	return best;
+}
+
+TriangleTree::TriangleTree(const MeshView& mesh, const Vec3d& origin, Workers& workers)
+{
+	Buffer<int> face =
+		workers.collectMany<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+			for (std::size_t f = begin; f < end; ++f)
+				if (hasUsableCorners(mesh, f)) out.push_back(int(f));
+		});
+	if (face.empty()) return;
+	while ((face.size() >> depth_) > leafSize)
+		++depth_;
+	triangle_.reset(face.size());
+	order(mesh, origin, face, workers);
+	workers.forRange(face.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i)
+			for (std::size_t k = 0; k < 3; ++k)
+				triangle_[i][k] =
+					mesh.position(std::size_t(mesh.vertexOf(3 * std::size_t(face[i]) + k))) -
+					origin;
+	});
+	fillBoxes(workers);
+	neighbour_ = EdgePairs(mesh, face, workers).neighbours();
+}
+
+void TriangleTree::order(const MeshView& mesh, const Vec3d& origin, Buffer<int>& face,
+						 Workers& workers)
+{
+	Buffer<Placed> all(face.size());
+	workers.forRange(face.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t i = begin; i < end; ++i)
+			all[i] = placed(mesh, face[i], origin);
+	});
+	for (int level = 0; level < depth_; ++level) {
+		workers.forTasks(std::size_t(1) << level, [&](std::size_t i, int) {
+			splitAt(all.data() + groupBegin(level, int(i)),
+					all.data() + groupBegin(level + 1, int(2 * i + 1)),
+					all.data() + groupBegin(level, int(i) + 1));
+		});
+	}
+	// The library may leave a leaf in any order.
+	workers.forEach(std::size_t(1) << depth_, [&](int leaf) {
+		const int begin = groupBegin(depth_, leaf), end = groupBegin(depth_, leaf + 1);
+		std::sort(all.data() + begin, all.data() + end,
+				  [](const Placed& a, const Placed& b) { return a.face < b.face; });
+		for (int i = begin; i < end; ++i)
+			face[std::size_t(i)] = all[std::size_t(i)].face;
+	});
+}
+
+void TriangleTree::fillBoxes(Workers& workers)
+{
+	const std::size_t leafNum = std::size_t(1) << depth_;
+	node_.reset(2 * leafNum - 1);
+	workers.forEach(leafNum, [&](int leaf) {
+		Box<double> box;
+		for (int i = groupBegin(depth_, leaf); i < groupBegin(depth_, leaf + 1); ++i)
+			for (const Vec3d& p : triangle_[std::size_t(i)])
+				box.add(p);
+		node_[leafNum - 1 + std::size_t(leaf)] = roundedOut(box);
+	});
+	for (int level = depth_ - 1; level >= 0; --level) {
+		const std::size_t first = (std::size_t(1) << level) - 1;
+		workers.forEach(first + 1, [&](int i) {
+			const std::size_t node = first + std::size_t(i);
+			Box<float>        box  = node_[2 * node + 1];
+			box += node_[2 * node + 2];
+			node_[node] = box;
+		});
+	}
+	for (const Triangle& t : triangle_)
+		for (const Vec3d& p : t)
+			box_.add(p);
+}
+
+void TriangleTree::searchLeaf(const Vec3d& p, int leaf, Nearest& best) const
+{
+	for (int i = groupBegin(depth_, leaf); i < groupBegin(depth_, leaf + 1); ++i) {
+		const double squared = squaredDistance(p, triangle_[std::size_t(i)]);
+		if (squared < best.squared) best = {i, squared};
+	}
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Vec3d& p, int hint) const
+{
+	struct Waiting {
+		std::size_t node;
+		double      squared;
+	};
+	Nearest best;
+	if (hint >= 0) best = {hint, squaredDistance(p, triangle_[std::size_t(hint)])};
+	const std::size_t firstLeaf = (std::size_t(1) << depth_) - 1;
+	Waiting           stack[maxDepth];
+	int               num = 0;
+	stack[num++]          = {0, squaredDistanceToBox(p, node_[0])};
+	while (num > 0) {
+		const Waiting next = stack[--num];
+		if (next.squared >= best.squared) continue;
+		std::size_t node = next.node;
+		while (node < firstLeaf) {
+			Waiting near = {2 * node + 1, squaredDistanceToBox(p, node_[2 * node + 1])};
+			Waiting far  = {2 * node + 2, squaredDistanceToBox(p, node_[2 * node + 2])};
+			if (far.squared < near.squared) std::swap(near, far);
+			if (far.squared < best.squared) stack[num++] = far;
+			if (near.squared >= best.squared) break;
+			node = near.node;
+		}
+		if (node >= firstLeaf) searchLeaf(p, int(node - firstLeaf), best);
+	}
+	return best;
+}
+
+} // namespace gpr
