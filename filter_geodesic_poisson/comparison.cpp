@@ -6,6 +6,7 @@
 
 #include <vcg_extras/complex/baselines/quadric_collapse.h>
 #include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/surface/certified_distance.h>
 
 #include <algorithm>
 #include <chrono>
@@ -122,6 +123,19 @@ MeasuredMesh measure(const gpr::MeshView& mesh, gpr::Workers& workers)
 	return {gpr::measureMesh(mesh), gpr::measureQuality(mesh, workers)};
 }
 
+/// The proof may find points farther than those that were measured.
+void proveDistance(const gpr::CertifiedSurface& input, double diagonal, ComparedResult& result,
+				   gpr::Workers& workers)
+{
+	const gpr::CertificateSettings settings = gpr::usualCertificate(diagonal);
+	const gpr::CertifiedSurface    surface(result.mesh.view(), input, workers);
+	const gpr::MutualBounds both = {gpr::certifiedDistance(surface, input, settings, workers),
+									gpr::certifiedDistance(input, surface, settings, workers)};
+	result.proven                = both.hausdorff();
+	result.toInput.max           = std::max(result.toInput.max, both.toInput.lower);
+	result.fromInput.max         = std::max(result.fromInput.max, both.fromInput.lower);
+}
+
 void measureResult(const gpr::MeshView& input, const gpr::NearSurface& target,
 				   ComparedResult& result, gpr::Workers& workers)
 {
@@ -139,11 +153,15 @@ try {
 	gpr::Workers workers(threads, watch.part(kCollapsed, 1), watch.secondsLeft());
 	workers.enterStage("Measuring", 0, 0.4);
 	comparison.input = measure(input, workers);
-	const gpr::NearSurface target(input, workers);
+	const gpr::NearSurface      target(input, workers);
+	const gpr::CertifiedSurface surface(input, workers);
+	const double                diagonal = comparison.input.figures.diagonal;
 	workers.enterStage("Measuring", 0.4, 0.7);
 	measureResult(input, target, comparison.remeshed, workers);
+	proveDistance(surface, diagonal, comparison.remeshed, workers);
 	workers.enterStage("Measuring", 0.7, 1);
 	measureResult(input, target, comparison.collapsed, workers);
+	proveDistance(surface, diagonal, comparison.collapsed, workers);
 }
 catch (const gpr::CancelledError&) {
 	watch.refuse();

@@ -27,6 +27,7 @@ struct ComparedResult {
 	MeasuredMesh         measured;
 	gpr::SurfaceDistance toInput;   ///< of the points of the result from the input
 	gpr::SurfaceDistance fromInput; ///< of the points of the input from the result
+	gpr::DistanceBounds  proven;    ///< of the largest distance, of both ways
 	std::vector<float>   shape;     ///< of each face: 2·inradius/circumradius
 	std::vector<float>   deviation; ///< of each face: root mean square distance from the input
 };

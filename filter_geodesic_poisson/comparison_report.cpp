@@ -100,11 +100,17 @@ double largerMax(const ComparedResult& r)
 	return std::max(r.toInput.max, r.fromInput.max);
 }
 
+double provenMost(const ComparedResult& r)
+{
+	return r.proven.upper;
+}
+
 void addDistances(Table& table)
 {
 	table.ofDistances("RMS distance", largerRms);
 	table.ofDistances("p99.9 distance", largerP999);
 	table.ofDistances("largest distance", largerMax);
+	table.ofDistances("proven, at most", provenMost);
 }
 
 void addTopology(Table& table)
@@ -130,6 +136,8 @@ void addFigures(const std::string& prefix, const ComparedResult& r, Figures& fig
 	figures[prefix + "rms_distance"]         = largerRms(r);
 	figures[prefix + "p999_distance"]        = largerP999(r);
 	figures[prefix + "max_distance"]         = largerMax(r);
+	figures[prefix + "hausdorff_lower"]      = r.proven.lower;
+	figures[prefix + "hausdorff_upper"]      = r.proven.upper;
 	figures[prefix + "component_number"]     = double(r.measured.figures.components);
 	figures[prefix + "boundary_loop_number"] = double(r.measured.figures.boundaryLoops);
 	figures[prefix + "euler_characteristic"] = double(r.measured.figures.eulerCharacteristic);

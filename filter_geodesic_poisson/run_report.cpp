@@ -162,16 +162,23 @@ QString errorLine(const gpr::RemeshReport& r)
 				   "Checked: %1 self-intersecting faces, vertices are at most %2 from the input")
 			.arg(count(r.check.intersectingFaces), lengthText(r.check.vertexDistance, r));
 	}
-	if (r.errorGoal > 0) {
-		return QStringLiteral(
-				   "Error: points of either mesh are at most %1 from the other; asked for %2")
-			.arg(lengthText(r.largestError, r), lengthText(r.errorGoal, r));
-	}
+	if (r.errorGoal > 0) return "Error: asked for " + lengthText(r.errorGoal, r);
 	if (!(r.largestFitDistance > 0)) return QString();
 	return QStringLiteral(
 			   "Error: vertices are at most %1 off the surface; the check and the filter "
 			   "Compare measure the distance of the surfaces")
 		.arg(lengthText(r.largestFitDistance, r));
+}
+
+/// Empty where nothing was proven.
+QString provenLine(const gpr::RemeshReport& r)
+{
+	if (!r.isDistanceProven) return QString();
+	const gpr::DistanceBounds b = r.provenDistance.hausdorff();
+	return QStringLiteral(
+			   "Proven: the largest distance of either mesh from the other is between %1 and %2")
+			   .arg(lengthText(b.lower, r), lengthText(b.upper, r)) +
+		   (b.isBudgetSpent ? "; the budget of the proof was spent" : "");
 }
 
 QString distanceLine(const char* way, const gpr::SurfaceDistance& d, const gpr::RemeshReport& r)
@@ -234,7 +241,7 @@ std::vector<std::string> remeshingLines(const gpr::RemeshResult&   result,
 						<< countsLine("Remeshed", r) << untouchedLine(r) << topologyLine(r)
 						<< radiusLine(r) << qualityLine(before, "Quality before")
 						<< qualityLine(r.quality, "Quality after") << auditLine(r.audit)
-						<< errorLine(r) << distanceLines(r) << timeLine(r));
+						<< errorLine(r) << provenLine(r) << distanceLines(r) << timeLine(r));
 }
 
 std::vector<std::string> featureLines(const gpr::FeatureResult& result)
@@ -254,7 +261,7 @@ std::vector<std::string> retriangulationLines(const gpr::RemeshResult& result)
 	return withoutEmpty(firstLines(result)
 						<< countsLine("Retriangulated", r) << samplesLine(r) << leftoverLine(result)
 						<< topologyLine(r) << qualityLine(r.quality) << auditLine(r.audit)
-						<< errorLine(r) << distanceLines(r) << timeLine(r));
+						<< errorLine(r) << provenLine(r) << distanceLines(r) << timeLine(r));
 }
 
 } // namespace gpr_filter

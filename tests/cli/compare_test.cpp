@@ -96,6 +96,11 @@ TEST_F(Compare, DistancesOfASphereAreThoseOfItsChords)
 	EXPECT_NEAR(ours["toInput"]["p999Percent"], 100 * p999 / diagonal, 1e-9);
 	EXPECT_LE(p999, most);
 	EXPECT_GT(p999, 1.5 * rms);
+	const Json& proven = ours["error"];
+	EXPECT_LE(double(proven["toInput"]["lower"]), most);
+	EXPECT_GE(double(proven["toInput"]["upper"]), most);
+	EXPECT_LE(double(proven["toInput"]["upper"]), 1.01 * most + 1e-5 * diagonal);
+	EXPECT_GE(double(proven["hausdorff"]["upper"]), double(proven["fromInput"]["upper"]));
 }
 
 TEST_F(Compare, JsonTellsEveryFigureOfEveryMethod)

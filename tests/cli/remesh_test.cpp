@@ -368,6 +368,32 @@ TEST_F(Remesh, ReportHasP999BesideTheOtherDistances)
 	EXPECT_EQ(hausdorff, check["largestDistance"]);
 }
 
+TEST_F(Remesh, ReportHasProvenBoundsOfTheLargestDistance)
+{
+	const std::string in = binaryPly(sphere(40), true, false);
+	remeshed("in.ply", in, {"--vertices", "300"});
+	EXPECT_FALSE(report().contains("error"));
+	remeshed("in.ply", in, {"--vertices", "300", "--check"});
+	const Json   error   = report()["error"];
+	const double largest = report()["check"]["largestDistance"];
+	const double diag    = report()["input"]["diagonal"];
+	for (const char* way : {"hausdorff", "toInput", "fromInput"}) {
+		const double lower = error[way]["lower"], upper = error[way]["upper"];
+		EXPECT_GT(lower, 0) << way;
+		EXPECT_GE(upper, lower) << way;
+		EXPECT_LE(upper, 1.01 * lower + 1e-5 * diag) << way;
+		EXPECT_NEAR(double(error[way]["upperPercent"]), 100 * upper / diag, 1e-9) << way;
+		EXPECT_EQ(error[way]["budgetSpent"], false) << way;
+	}
+	EXPECT_LE(double(error["hausdorff"]["lower"]), largest);
+	EXPECT_GE(double(error["hausdorff"]["upper"]), largest);
+	EXPECT_FALSE(error.contains("goal"));
+	remeshed("in.ply", in, {"--max-error", "2%"});
+	EXPECT_LE(double(report()["error"]["hausdorff"]["upperPercent"]), 2);
+	EXPECT_EQ(report()["error"]["largest"], report()["error"]["hausdorff"]["upper"]);
+	EXPECT_LE(int(report()["error"]["trials"]), 5);
+}
+
 TEST_F(Remesh, ReportKeepsTheKeysOfEarlierVersions)
 {
 	remeshed("in.ply", binaryPly(sphere(40), true, false), {"--vertices", "300", "--check"});

@@ -456,11 +456,15 @@ TEST(MaxError, IsMetByAFewVerticesAndTold)
 		const RemeshResult r      = remesh(mesh.view(), options);
 		ASSERT_EQ(r.status, Status::Ok) << r.message;
 		EXPECT_GT(r.report.errorGoal, 0);
-		EXPECT_LE(r.report.largestError, r.report.errorGoal);
-		EXPECT_LE(vertexDistance(r.mesh, mesh), 1.0001 * r.report.largestError);
+		ASSERT_TRUE(r.report.isDistanceProven);
+		const DistanceBounds proven = r.report.provenDistance.hausdorff();
+		EXPECT_LE(proven.upper, r.report.errorGoal);
+		EXPECT_GT(proven.lower, 0);
+		EXPECT_LE(vertexDistance(r.mesh, mesh), proven.upper);
+		EXPECT_LE(r.report.errorTrialNum, 5);
 		EXPECT_LT(r.mesh.vertexNum(), mesh.vertexNum());
 		ASSERT_FALSE(r.notes.empty());
-		EXPECT_NE(r.notes.back().find("no proof"), std::string::npos);
+		EXPECT_NE(r.notes.back().find("This is proven"), std::string::npos);
 		EXPECT_TRUE(hasSameTopology(r.mesh, mesh));
 	}
 }

@@ -69,7 +69,8 @@ struct Laid {
 	/// Largest distance, both ways, in mean edges.
 	float farthest()
 	{
-		return largestSampledDistance(surface.mesh, result.mesh, workers) / meanEdge();
+		const MutualDistance d = sampledDistance(surface.mesh, result.mesh, workers).mutual;
+		return float(d.larger().max) / meanEdge();
 	}
 
 	FitOutcome fit(float minAngleDeg = 32, int rounds = 4, int worstRounds = 0)

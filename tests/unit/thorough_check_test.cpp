@@ -80,6 +80,11 @@ TEST(CheckOption, TellsDistancesInTheCallersUnit)
 		EXPECT_GT(way.p999, way.rms);
 		EXPECT_LE(way.p999, way.max);
 	}
+	ASSERT_TRUE(r.report.isDistanceProven);
+	const DistanceBounds proven = r.report.provenDistance.hausdorff();
+	EXPECT_LE(proven.lower, r.report.check.largestDistance);
+	EXPECT_GE(proven.upper, r.report.check.largestDistance);
+	EXPECT_LE(proven.upper, 1.01 * proven.lower + 1e-5 * r.report.input.diagonal);
 	EXPECT_GT(r.report.check.largestDistance, 1);
 	EXPECT_LT(r.report.check.largestDistance, 30);
 	EXPECT_NEAR(r.report.check.vertexDistance, r.report.largestFitDistance, 0.5);

@@ -15,7 +15,7 @@ enum class TargetMode {
 				///< refused
 	Percent,    ///< targetPercent of the input's vertices; raised where the topology needs more
 	EdgeLength, ///< mean edge length targetEdgeLen; raised count where the topology needs more
-	MaxError,   ///< the least count found whose distance from the input is at most targetMaxError
+	MaxError,   ///< the least count found that is proven to be within targetMaxError of the input
 };
 
 /// A named set of the stage choices below.

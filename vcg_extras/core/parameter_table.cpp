@@ -149,8 +149,10 @@ void addSize(Table& t)
 	t.push_back(
 		row(meshed, "MaxError", "--max-error", "E", Kind::Length, "Largest error (0 = off)",
 			"Looks for the smallest number of vertices with which the result is nowhere farther "
-			"than this from the input, nor the input from the result. It is given in mesh units. "
-			"Some ten trials are made. The distance is found by sampling, which is no proof.")
+			"than this from the input, nor the input from the result. This is proven. It is given "
+			"in mesh units. At most five trials are made. Sizes follow the error, and each trial "
+			"makes triangles smaller where the one before it was too far from the input. What "
+			"cannot be reached is refused.")
 			.inDialog("Above 0 it takes the place of the number of vertices.")
 			.onCommandLine("With a percent sign, as 0.2%, it is a share of the diagonal.")
 			.range(0, 1e300)
@@ -465,8 +467,9 @@ void addRun(Table& t)
 	t.push_back(row(RemeshTool | RetriangulateTool, "Check", "--check", "", Kind::Switch,
 					"Check thoroughly",
 					"Looks for self-intersections and measures the distances from the input: root "
-					"mean square, p99.9 (99.9 % of the surface is nearer) and the largest, in both "
-					"directions. This takes longer than the run itself. There is no result where "
+					"mean square, p99.9 (99.9 % of the surface is nearer) and the largest, with "
+					"proven bounds, in both directions. This takes longer than the run itself. "
+					"There is no result where "
 					"faces intersect and none did in the input, or where a vertex is farther from "
 					"the input than the fit moved it.")
 					.store([](const Value& v, RemeshOptions& o) { o.check = switchOf(v); })

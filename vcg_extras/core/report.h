@@ -140,12 +140,13 @@ struct BorderFigures {
 
 /// What RemeshOptions::check found.
 struct CheckFigures {
-	bool           done                   = false;
-	std::int64_t   intersectingFaces      = 0; ///< of the result, that intersect another
-	std::int64_t   inputIntersectingFaces = 0; ///< looked for only where the result has some
-	double         vertexDistance         = 0; ///< largest of a vertex from the input, mesh units
-	double         largestDistance        = 0; ///< largest of distance, mesh units
-	MutualDistance distance;                   ///< found by sampling
+	bool         done                   = false;
+	std::int64_t intersectingFaces      = 0; ///< of the result, that intersect another
+	std::int64_t inputIntersectingFaces = 0; ///< looked for only where the result has some
+	double       vertexDistance         = 0; ///< largest of a vertex from the input, mesh units
+	double       largestDistance        = 0; ///< largest of distance, mesh units
+	/// Found by sampling. The largest distances are at least the lower bounds of provenDistance.
+	MutualDistance distance;
 };
 
 /// What a vertex is to the features, as bits.
@@ -175,26 +176,27 @@ struct RemeshReport {
 	double        diskRadius       = 0; ///< r, mesh units
 	double        radiusConstant   = 0; ///< c of eq. (1)
 	double radiusConstantForTarget = 0; ///< without the exact count: what would have hit the target
-	std::int64_t             curvatureClampedNum = 0; ///< vertices where 1 + λH fell below 0.1
-	std::int64_t             sampleNum           = 0; ///< what the front sampling placed
-	std::int64_t             boundarySampleNum   = 0;
-	std::int64_t             featureEdgeNum      = 0; ///< edges of the input on feature lines
-	std::int64_t             featureConeApexNum  = 0; ///< cone apexes
-	std::int64_t             releasedVertexNum   = 0; ///< of the result, that left crowded lines
-	std::int64_t             regionVertexNum     = 0; ///< of the caller's, in the feature region
-	std::int64_t             keptVertexNum       = 0; ///< vertices that had to stay, and did
-	std::int64_t             untouchedFaceNum    = 0; ///< selectedOnly: faces that were left alone
-	std::int64_t             leftoverVertexNum   = 0; ///< input vertices that removal had to keep
-	std::int64_t             splitNum            = 0; ///< of the exact count
-	std::int64_t             collapseNum         = 0;
-	std::int64_t             flipNum             = 0;
-	std::int64_t             samplesMoved = 0; ///< retriangulate: samples that were off the surface
-	double                   largestSampleMove  = 0; ///< mesh units
-	double                   largestFitDistance = 0; ///< from surface point to vertex, mesh units
-	double                   errorGoal    = 0; ///< largest error asked for, mesh units; 0: none
-	double                   largestError = 0; ///< found by sampling, mesh units; 0: not looked for
-	int                      errorTrialNum = 0; ///< counts tried for the goal
-	std::vector<std::string> capsReached; ///< loops that ended by their bound, one phrase each
+	std::int64_t curvatureClampedNum = 0; ///< vertices where 1 + λH fell below 0.1
+	std::int64_t sampleNum           = 0; ///< what the front sampling placed
+	std::int64_t boundarySampleNum   = 0;
+	std::int64_t featureEdgeNum      = 0; ///< edges of the input on feature lines
+	std::int64_t featureConeApexNum  = 0; ///< cone apexes
+	std::int64_t releasedVertexNum   = 0; ///< of the result, that left crowded lines
+	std::int64_t regionVertexNum     = 0; ///< of the caller's, in the feature region
+	std::int64_t keptVertexNum       = 0; ///< vertices that had to stay, and did
+	std::int64_t untouchedFaceNum    = 0; ///< selectedOnly: faces that were left alone
+	std::int64_t leftoverVertexNum   = 0; ///< input vertices that removal had to keep
+	std::int64_t splitNum            = 0; ///< of the exact count
+	std::int64_t collapseNum         = 0;
+	std::int64_t flipNum             = 0;
+	std::int64_t samplesMoved        = 0;     ///< retriangulate: samples that were off the surface
+	double       largestSampleMove   = 0;     ///< mesh units
+	double       largestFitDistance  = 0;     ///< from surface point to vertex, mesh units
+	double       errorGoal           = 0;     ///< largest error asked for, mesh units; 0: none
+	bool         isDistanceProven    = false; ///< with RemeshOptions::check, or an error goal
+	MutualBounds provenDistance;              ///< of the cleaned input and the result
+	int          errorTrialNum = 0;           ///< counts tried for the goal
+	std::vector<std::string> capsReached;     ///< loops that ended by their bound, one phrase each
 };
 
 } // namespace gpr

@@ -29,7 +29,7 @@ constexpr Rate detectionRate = {2, 0};
 /// Quadric Edge Collapse as MeshLab has it, on one thread whatever our own number.
 constexpr double collapseMicrosecondsPerFace = 10;
 /// Runs that a search for the count of an error takes, in the mean.
-constexpr double trialsForError = 6;
+constexpr double trialsForError = 5;
 /// Faces after splitting long edges, at least, for a vertex of the result.
 constexpr double facesPerResultVertex = 6;
 /// What a second thread and each further one leave of the time, as a power.

@@ -36,6 +36,7 @@ Json methodJson(const CompareRecord& record, const MethodRecord& m)
 	json["topologyKept"]     = m.topologyKept;
 	json["toInput"]          = distanceJson(record, m.toInput);
 	json["fromInput"]        = distanceJson(record, m.fromInput);
+	json["error"]            = boundsJson(m.proven, record.input.figures.diagonal);
 	json["quality"]          = qualityJson(m.record.quality);
 	return json;
 }

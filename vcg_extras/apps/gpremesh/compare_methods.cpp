@@ -8,6 +8,7 @@
 
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/surface/certified_distance.h>
 
 #include <algorithm>
 
@@ -144,8 +145,21 @@ bool keepsTopology(const MeshRecord& result, const CompareRecord& all)
 			sameTopology(result.figures, all.cleanedInput));
 }
 
-void measureMethod(const MeshView& input, const DistanceTarget& target, const CompareRecord& all,
-				   MethodRecord& method, Workers& workers)
+/// The proof may find points farther than those that were measured.
+void proveDistances(const CertifiedSurface& input, const MeshView& result, const CompareRecord& all,
+					MethodRecord& method, Workers& workers)
+{
+	const CertificateSettings settings = usualCertificate(all.input.figures.diagonal);
+	const CertifiedSurface    surface(result, input, workers);
+	method.proven.toInput   = certifiedDistance(surface, input, settings, workers);
+	method.proven.fromInput = certifiedDistance(input, surface, settings, workers);
+	method.toInput.max      = std::max(method.toInput.max, method.proven.toInput.lower);
+	method.fromInput.max    = std::max(method.fromInput.max, method.proven.fromInput.lower);
+}
+
+void measureMethod(const MeshView& input, const DistanceTarget& target,
+				   const CertifiedSurface& surface, const CompareRecord& all, MethodRecord& method,
+				   Workers& workers)
 {
 	if (!method.failure.empty()) return;
 	const MeshView     result    = method.mesh.view();
@@ -154,6 +168,7 @@ void measureMethod(const MeshView& input, const DistanceTarget& target, const Co
 	method.topologyKept          = keepsTopology(method.record, all);
 	method.toInput               = target.from(result, sampleNum, workers);
 	method.fromInput             = DistanceTarget(result).from(input, sampleNum, workers);
+	proveDistances(surface, result, all, method, workers);
 }
 
 } // namespace
@@ -193,10 +208,11 @@ CompareRecord compareMethods(const InputMesh& input, const CompareWishes& wishes
 	record.runNum      = wishes.runNum;
 	record.notes       = input.notes;
 	record.input       = recordOf(input.view(), workers);
-	const DistanceTarget target(input.view());
+	const DistanceTarget   target(input.view());
+	const CertifiedSurface surface(input.view(), workers);
 	for (MethodRecord& m : record.methods) {
 		progress(done++ / stepNum, "measuring " + m.name);
-		measureMethod(input.view(), target, record, m, workers);
+		measureMethod(input.view(), target, surface, record, m, workers);
 	}
 	progress(1, "done");
 	return record;

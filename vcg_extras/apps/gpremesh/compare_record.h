@@ -33,6 +33,7 @@ struct MethodRecord {
 	bool                topologyKept = false;
 	DistanceFigures     toInput;   ///< of the points of the result from the input
 	DistanceFigures     fromInput; ///< of the points of the input from the result
+	MutualBounds        proven;    ///< of the largest distances
 };
 
 /// 0 of none.

@@ -35,7 +35,11 @@ public:
 	void distance(const std::string& label, const std::function<double(const MethodRecord&)>& of)
 	{
 		result(label, [&](const MethodRecord& m) { return formatted("%.4g", of(m)); });
-		result("  % of the diagonal", [&](const MethodRecord& m) {
+		percent("  % of the diagonal", of);
+	}
+	void percent(const std::string& label, const std::function<double(const MethodRecord&)>& of)
+	{
+		result(label, [&](const MethodRecord& m) {
 			return formatted("%.4f", record_.percentOfDiagonal(of(m)));
 		});
 	}
@@ -82,8 +86,12 @@ void addDistances(TableMaker& table)
 				   [](const MethodRecord& m) { return m.fromInput.p999; });
 	table.distance("Hausdorff, result to input",
 				   [](const MethodRecord& m) { return m.toInput.max; });
+	table.percent("  % proven, at most",
+				  [](const MethodRecord& m) { return m.proven.toInput.upper; });
 	table.distance("Hausdorff, input to result",
 				   [](const MethodRecord& m) { return m.fromInput.max; });
+	table.percent("  % proven, at most",
+				  [](const MethodRecord& m) { return m.proven.fromInput.upper; });
 }
 
 std::string changed(const char* what, std::int64_t from, std::int64_t to)
@@ -110,10 +118,18 @@ std::string sizesText(const CompareRecord& record)
 	const MethodRecord& first = record.methods.front();
 	return "Distances: " + grouped(first.toInput.sampleNum) +
 		   " points spread evenly over each surface, and all its vertices; E_RMS and p99.9 over "
-		   "the even points, Hausdorff over all and refined. 99.9 % of the points are nearer than "
+		   "the even points, Hausdorff over all and over those that the proof "
+		   "looked at; no point is farther than what is proven. 99.9 % of the points are nearer "
+		   "than "
 		   "p99.9. It is the distance to judge a result by: Hausdorff is that of one point, and "
 		   "varies much with the seed. Diagonal of the input: " +
 		   formatted("%.6g.", record.input.figures.diagonal);
+}
+
+std::string budgetText(const MethodRecord& m)
+{
+	return m.column + ": the budget of the proof was spent; what is proven may be more than 1 % "
+					  "above the largest distance.";
 }
 
 std::string methodsText(const CompareRecord& record)
@@ -178,6 +194,7 @@ std::vector<std::string> explanations(const CompareRecord& record)
 			list.push_back(m.column + ": " + m.failure);
 		else if (!m.topologyKept)
 			list.push_back(topologyChange(record, m));
+		if (m.proven.hausdorff().isBudgetSpent) list.push_back(budgetText(m));
 	}
 	list.insert(list.end(), record.notes.begin(), record.notes.end());
 	return list;

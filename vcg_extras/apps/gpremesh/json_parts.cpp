@@ -43,6 +43,27 @@ Json distanceJson(const SurfaceDistance& d, double diagonal)
 			{"hausdorff", d.max}, {"hausdorffPercent", percent * d.max}};
 }
 
+namespace {
+
+Json boundsOfOne(const DistanceBounds& b, double diagonal)
+{
+	const double percent = diagonal > 0 ? 100 / diagonal : 0;
+	return {{"lower", b.lower},
+			{"upper", b.upper},
+			{"lowerPercent", percent * b.lower},
+			{"upperPercent", percent * b.upper},
+			{"budgetSpent", b.isBudgetSpent}};
+}
+
+} // namespace
+
+Json boundsJson(const MutualBounds& b, double diagonal)
+{
+	return {{"hausdorff", boundsOfOne(b.hausdorff(), diagonal)},
+			{"toInput", boundsOfOne(b.toInput, diagonal)},
+			{"fromInput", boundsOfOne(b.fromInput, diagonal)}};
+}
+
 Json programJson()
 {
 	return {{"name", "gpremesh"}, {"version", GPR_VERSION}};

@@ -22,6 +22,9 @@ Json qualityJson(const QualityFigures& q);
 /// Of one direction, in mesh units and in percent of a diagonal; 0 % where that is 0.
 Json distanceJson(const SurfaceDistance& d, double diagonal);
 
+/// Proven bounds of the largest distance, of both directions and of each, in the same units.
+Json boundsJson(const MutualBounds& b, double diagonal);
+
 /// The text of a whole file. What a file name may have made invalid UTF-8 is repaired rather than
 /// refused.
 std::string textOf(const Json& json);

@@ -188,7 +188,12 @@ Json countsJson(const RemeshReport& r)
 
 Json errorJson(const RemeshReport& r)
 {
-	return {{"goal", r.errorGoal}, {"largest", r.largestError}, {"trials", r.errorTrialNum}};
+	Json json = boundsJson(r.provenDistance, r.input.diagonal);
+	if (r.errorTrialNum == 0) return json;
+	json["goal"]    = r.errorGoal;
+	json["largest"] = r.provenDistance.hausdorff().upper; // the key of earlier versions
+	json["trials"]  = r.errorTrialNum;
+	return json;
 }
 
 } // namespace
@@ -215,7 +220,7 @@ std::string remeshReportJson(const RunRecord& run)
 	json["audit"]   = auditJson(r.audit);
 	if (r.check.done) json["check"] = checkJson(r.check, r.input.diagonal);
 	if (r.border.isSmooth) json["border"] = borderJson(r.border);
-	if (r.errorTrialNum > 0) json["error"] = errorJson(r);
+	if (r.isDistanceProven) json["error"] = errorJson(r);
 	json["fitDistance"]     = r.largestFitDistance;
 	json["capsReached"]     = r.capsReached;
 	json["notes"]           = run.notes;

@@ -72,6 +72,16 @@ std::string checkText(const CheckFigures& c, double diagonal)
 		   "\n         % of the diagonal; 99.9 % of the surface is nearer than p99.9\n";
 }
 
+std::string provenText(const MutualBounds& proven, double diagonal)
+{
+	const DistanceBounds b       = proven.hausdorff();
+	const double         percent = diagonal > 0 ? 100 / diagonal : 0;
+	return formatted("error    proven: the largest distance of either from the other is between "
+					 "%.4g and %.4g\n         (%.4f and %.4f %% of the diagonal)%s\n",
+					 b.lower, b.upper, percent * b.lower, percent * b.upper,
+					 b.isBudgetSpent ? "; the budget of the proof was spent" : "");
+}
+
 std::string notesText(const std::vector<std::string>& notes)
 {
 	std::string lines;
@@ -93,6 +103,8 @@ std::string remeshSummary(const RunRecord& run)
 				counted(run.report.untouchedFaceNum, "face was", "faces were") + " left alone\n";
 	text += "quality  " + qualityText(run.report.quality) + "\n";
 	if (run.report.check.done) text += checkText(run.report.check, run.report.input.diagonal);
+	if (run.report.isDistanceProven)
+		text += provenText(run.report.provenDistance, run.report.input.diagonal);
 	text += formatted("seconds  %.3f: %.3f read, %.3f remesh, %.3f write\n", run.times.total(),
 					  run.times.read, run.times.remesh, run.times.write);
 	return text + notesText(run.notes);

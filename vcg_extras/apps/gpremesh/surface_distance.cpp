@@ -113,23 +113,6 @@ private:
 	FaceTree::Point_and_primitive_id last_;
 };
 
-/// A piece of a face in which the largest distance may lie.
-struct Suspect {
-	Vec3d  corner[3];
-	double distance[3]; ///< of the corners
-
-	double largest() const { return std::max({distance[0], distance[1], distance[2]}); }
-	/// No point of the piece is further away: every point is within longest edge/√3 of a corner,
-	/// and the distance changes by at most the way.
-	double bound() const
-	{
-		const double longest =
-			std::max({length(corner[1] - corner[0]), length(corner[2] - corner[1]),
-					  length(corner[0] - corner[2])});
-		return largest() + longest / std::sqrt(3.0);
-	}
-};
-
 } // namespace
 
 struct DistanceTarget::Tree {
@@ -139,13 +122,10 @@ struct DistanceTarget::Tree {
 
 	NearestSearch search() const { return {tree, mesh}; }
 
-	DistanceSums        sumOfSamples(const MeshView& from, std::int64_t num, Workers& workers,
-									 DistanceHistogram& histogram) const;
-	std::vector<double> ofVertices(const MeshView& from, const std::vector<char>& used,
+	DistanceSums sumOfSamples(const MeshView& from, std::int64_t num, Workers& workers,
+							  DistanceHistogram& histogram) const;
+	double       largestOfVertices(const MeshView& from, const std::vector<char>& used,
 								   Workers& workers) const;
-	double refinedMax(const MeshView& from, const std::vector<double>& ofVertex, double atLeast,
-					  Workers& workers) const;
-	std::vector<Suspect> cut(const std::vector<Suspect>& whole, Workers& workers) const;
 };
 
 DistanceSums DistanceTarget::Tree::sumOfSamples(const MeshView& from, std::int64_t num,
@@ -165,74 +145,19 @@ DistanceSums DistanceTarget::Tree::sumOfSamples(const MeshView& from, std::int64
 	});
 }
 
-/// 0 for vertices that are not used.
-std::vector<double> DistanceTarget::Tree::ofVertices(const MeshView&          from,
-													 const std::vector<char>& used,
-													 Workers&                 workers) const
+double DistanceTarget::Tree::largestOfVertices(const MeshView& from, const std::vector<char>& used,
+											   Workers& workers) const
 {
-	std::vector<double> distance(from.vertexNum, 0);
-	workers.forRange(from.vertexNum, [&](std::size_t begin, std::size_t end) {
-		NearestSearch nearest = search();
-		for (std::size_t v = begin; v < end; ++v)
-			if (used[v] != 0) distance[v] = nearest.distance(from.position(v));
-	});
-	return distance;
-}
-
-/// Cuts every piece into four at the middles of its edges.
-std::vector<Suspect> DistanceTarget::Tree::cut(const std::vector<Suspect>& whole,
-											   Workers&                    workers) const
-{
-	std::vector<Suspect> quarters(4 * whole.size());
-	workers.forRange(whole.size(), [&](std::size_t begin, std::size_t end) {
-		NearestSearch nearest = search();
-		for (std::size_t i = begin; i < end; ++i) {
-			const Suspect& w      = whole[i];
-			Suspect&       middle = quarters[4 * i + 3];
-			for (int k = 0; k < 3; ++k) {
-				middle.corner[k]   = (w.corner[k] + w.corner[(k + 1) % 3]) * 0.5;
-				middle.distance[k] = nearest.distance(middle.corner[k]);
-			}
-			for (int k = 0; k < 3; ++k) {
-				const int last      = (k + 2) % 3;
-				quarters[4 * i + k] = {{w.corner[k], middle.corner[k], middle.corner[last]},
-									   {w.distance[k], middle.distance[k], middle.distance[last]}};
-			}
-		}
-	});
-	return quarters;
-}
-
-/// The largest distance by branch and bound (Guthe, Borodin, Klein 2005): pieces of faces that may
-/// hold a larger one than known are cut until there are none. Where that would be too many, as
-/// between surfaces that all but agree, the most promising are followed.
-double DistanceTarget::Tree::refinedMax(const MeshView& from, const std::vector<double>& ofVertex,
-										double atLeast, Workers& workers) const
-{
-	constexpr double      accuracy   = 1.01;
-	constexpr int         levelNum   = 12;
-	constexpr std::size_t suspectNum = 10000;
-	double                largest    = atLeast;
-	const auto innocent = [&](const Suspect& s) { return s.bound() <= accuracy * largest; };
-	const auto worse = [](const Suspect& a, const Suspect& b) { return a.largest() > b.largest(); };
-
-	std::vector<Suspect> suspects;
-	for (std::size_t f = 0; f < from.faceNum; ++f) {
-		if (!isUsableFace(from, f)) continue;
-		const auto    t = from.triangle(f);
-		const Suspect s = {{from.position(t[0]), from.position(t[1]), from.position(t[2])},
-						   {ofVertex[t[0]], ofVertex[t[1]], ofVertex[t[2]]}};
-		if (!innocent(s)) suspects.push_back(s);
-	}
-	for (int level = 0; level < levelNum && !suspects.empty(); ++level) {
-		std::stable_sort(suspects.begin(), suspects.end(), worse);
-		suspects.resize(std::min(suspects.size(), suspectNum), Suspect());
-		suspects = cut(suspects, workers);
-		for (const Suspect& s : suspects)
-			largest = std::max(largest, s.largest());
-		suspects.erase(std::remove_if(suspects.begin(), suspects.end(), innocent), suspects.end());
-	}
-	return largest;
+	return workers
+		.sum<DistanceSums>(from.vertexNum,
+						   [&](std::size_t begin, std::size_t end) {
+							   NearestSearch nearest = search();
+							   DistanceSums  part;
+							   for (std::size_t v = begin; v < end; ++v)
+								   if (used[v] != 0) part.add(nearest.distance(from.position(v)));
+							   return part;
+						   })
+		.max;
 }
 
 DistanceTarget::DistanceTarget(const MeshView& mesh) : tree_(std::make_unique<Tree>())
@@ -257,15 +182,13 @@ DistanceFigures DistanceTarget::from(const MeshView& mesh, std::int64_t sampleNu
 	const std::vector<char> used = usedVertices(mesh);
 	figures.vertexNum            = std::count(used.begin(), used.end(), 1);
 	if (tree_->faces.empty() || figures.vertexNum == 0) return figures;
-	DistanceHistogram         histogram;
-	const DistanceSums        sums     = tree_->sumOfSamples(mesh, sampleNum, workers, histogram);
-	const std::vector<double> ofVertex = tree_->ofVertices(mesh, used, workers);
-	const double              atVertex = *std::max_element(ofVertex.begin(), ofVertex.end());
-	figures.sampleNum                  = sampleNum;
-	figures.mean                       = sums.sum / double(sampleNum);
-	figures.rms                        = std::sqrt(sums.squares / double(sampleNum));
-	figures.p999                       = histogram.p999(sums.max);
-	figures.max = tree_->refinedMax(mesh, ofVertex, std::max(sums.max, atVertex), workers);
+	DistanceHistogram  histogram;
+	const DistanceSums sums = tree_->sumOfSamples(mesh, sampleNum, workers, histogram);
+	figures.sampleNum       = sampleNum;
+	figures.mean            = sums.sum / double(sampleNum);
+	figures.rms             = std::sqrt(sums.squares / double(sampleNum));
+	figures.p999            = histogram.p999(sums.max);
+	figures.max             = std::max(sums.max, tree_->largestOfVertices(mesh, used, workers));
 	return figures;
 }
 

@@ -16,7 +16,7 @@ struct DistanceFigures {
 	double       mean      = 0; ///< over the surface
 	double       rms       = 0; ///< over the surface: the E_RMS of Metro
 	double       p999      = 0; ///< 99.9 % of the surface is nearer than this
-	double       max       = 0; ///< one-sided Hausdorff distance, approached from below
+	double       max       = 0; ///< largest of those measured
 	std::int64_t sampleNum = 0; ///< points spread evenly over the area
 	std::int64_t vertexNum = 0; ///< vertices measured beside them; they count for max only
 };

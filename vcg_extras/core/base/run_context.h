@@ -16,6 +16,8 @@
 
 namespace gpr {
 
+struct ErrorGuide; // run/error_guide.h
+
 /// What the parts of a run share: input and options, the threads, and where they tell what happens.
 struct RunContext {
 	const MeshView&           input;
@@ -24,6 +26,7 @@ struct RunContext {
 	RemeshReport&             report;
 	std::vector<std::string>& notes;
 	StageClock                clock;
+	ErrorGuide* guide = nullptr; ///< of a run towards a largest error; null: of any other
 
 	/// Tells of a loop that its bound ended; once, however often that happens.
 	void tellCap(const char* loop)

@@ -63,4 +63,15 @@ std::vector<int> verticesOf(const HalfEdgeMesh& m, const std::vector<int>& faces
 	return vertices;
 }
 
+MeshView viewOf(const HalfEdgeMesh& mesh)
+{
+	MeshView view;
+	view.positions           = mesh.position.data();
+	view.positionStrideBytes = sizeof(Vec3f);
+	view.vertexNum           = std::size_t(mesh.vertexNum);
+	view.triangles           = mesh.origin.data();
+	view.faceNum             = std::size_t(mesh.faceNum);
+	return view;
+}
+
 } // namespace gpr

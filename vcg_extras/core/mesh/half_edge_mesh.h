@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_CORE_MESH_HALF_EDGE_MESH_H
 
 #include <vcg_extras/core/base/buffer.h>
+#include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/vec.h>
 
 #include <cstddef>
@@ -155,6 +156,9 @@ inline void forEachNeighbour(const HalfEdgeMesh& m, int v, const Visit& visit)
 std::vector<int> facesRound(const HalfEdgeMesh& mesh, const std::vector<int>& vertices);
 /// The corners of all the faces, ascending.
 std::vector<int> verticesOf(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
+
+/// The vertices and faces as callers' meshes are seen. The mesh must stay where it is.
+MeshView viewOf(const HalfEdgeMesh& mesh);
 
 } // namespace gpr
 

@@ -3,6 +3,7 @@
 #include "verification.h"
 
 #include "audit.h"
+#include "distance_proof.h"
 #include "thorough_check.h"
 
 #include <vcg_extras/core/base/failure.h>
@@ -79,6 +80,15 @@ double besideBorder(const ResultMesh& result)
 	return result.hasSmoothBorder ? double(borderSlack * result.idealEdge) : 0;
 }
 
+/// The proof may have found points farther than the samples.
+void raiseToProven(const MutualBounds& proven, CheckFigures& figures)
+{
+	MutualDistance& d       = figures.distance;
+	d.toInput.max           = std::max(d.toInput.max, proven.toInput.lower);
+	d.fromInput.max         = std::max(d.fromInput.max, proven.fromInput.lower);
+	figures.largestDistance = d.larger().max;
+}
+
 void checkWhereAsked(RunContext& run, const Surface& surface, const ResultMesh& result)
 {
 	if (!run.options.check) return;
@@ -88,8 +98,10 @@ void checkWhereAsked(RunContext& run, const Surface& surface, const ResultMesh& 
 	const double      allowed = run.report.largestFitDistance / unit + besideBorder(result);
 	const std::string failure = describeFailure(figures, allowed);
 	figures.vertexDistance *= unit;
-	figures.largestDistance *= unit;
 	figures.distance = figures.distance.times(unit);
+	if (!run.report.isDistanceProven)
+		proveDistance(run, surface, ComparedSurfaces(surface, result, run.workers));
+	raiseToProven(run.report.provenDistance, figures);
 	run.report.check = figures;
 	if (!failure.empty()) throw Failure(Status::PromiseBroken, failure);
 }

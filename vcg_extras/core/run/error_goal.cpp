@@ -11,15 +11,22 @@ namespace gpr {
 
 namespace {
 
-/// The error falls with this power of the count on most surfaces: between that of creases (½) and
-/// that of smooth ground (1).
-constexpr double usualPower = 0.75;
+/// Of the area may be too far from the result so much, for the places to be made finer one by one;
+/// where there is more, all triangles are too large.
+constexpr double shareForSpots = 0.01;
+/// Beyond what would do if the error went with 1 / count, in the last trial.
+constexpr double lastCaution = 1.15;
+/// What the finer places themselves need.
+constexpr double leastGrowth = 1.03;
+/// A trial that keeps to so much of the goal or more is near enough to the smallest count.
+constexpr double nearEnough = 0.9;
 /// Counts of which one meets the goal and one does not are near enough at this quotient.
-constexpr double nearEnough = 1.03;
-/// Between two counts tried, a new one keeps this share of the way (of logarithms) from both.
-constexpr double minShare = 0.15;
-/// A count tried is at most this many times the last one, or its inverse.
-constexpr double       largestJump = 8;
+constexpr double nearCounts = 1.08;
+/// A count tried is at most so many times the last one, or its inverse.
+constexpr double largestGrowth = 4, largestShrink = 3;
+/// Power of the largest error with which the count falls: the few places that would be beyond the
+/// goal are made finer by the next trial.
+constexpr double       fallOfCount = 2;
 constexpr std::int64_t minCount    = 4;
 
 class CountSearch {
@@ -31,51 +38,74 @@ public:
 
 	std::int64_t run()
 	{
-		std::int64_t next = clamped(goal_.start);
-		for (int i = 0; i < goal_.maxTrials && next > 0; ++i) {
-			const ErrorTrial t            = trial_(next);
-			const bool       meets        = t.error <= goal_.largest;
-			(meets ? meeting_ : missing_) = t;
+		std::int64_t next = clamped(double(goal_.start));
+		for (int left = goal_.maxTrials - 1; left >= 0 && next > 0; --left) {
+			const ErrorTrial t     = trial_(next);
+			const bool       meets = t.error <= goal_.largest;
 			// Topology needs more than what was asked for: there is nothing below.
-			const bool floor = t.vertexNum > next;
-			if (meets && (floor || next <= minCount)) break;
-			next = nextCount(t);
+			const bool isLeast = t.vertexNum > next || next <= minCount;
+			if (meets) {
+				keepFewer(t);
+				next = isLeast ? 0 : fewerThan(t);
+			}
+			else {
+				missed_ = std::max(missed_, t.vertexNum);
+				next    = moreThan(t, left);
+			}
 		}
-		return meeting_.vertexNum;
+		return met_.vertexNum;
 	}
 
 private:
 	const ErrorGoal&                               goal_;
 	const std::function<ErrorTrial(std::int64_t)>& trial_;
-	ErrorTrial meeting_, missing_; ///< nearest to each other so far; vertexNum 0: none
+	ErrorTrial                                     met_;        ///< vertexNum 0: none
+	std::int64_t                                   missed_ = 0; ///< the largest count that did not
 
-	std::int64_t clamped(std::int64_t n) const
+	std::int64_t clamped(double n) const
 	{
-		return std::max(minCount, std::min(n, goal_.most));
+		const double most = double(goal_.most);
+		return std::int64_t(std::max(double(minCount), std::min(std::ceil(n), most)));
 	}
 
-	/// 0 where the search is over.
-	std::int64_t nextCount(const ErrorTrial& last) const
+	void keepFewer(const ErrorTrial& t)
 	{
-		if (meeting_.vertexNum > 0 && missing_.vertexNum > 0) return between();
-		if (missing_.vertexNum >= goal_.most) return 0;
-		// The side of the goal that the last one was on is passed by a little.
-		const double past   = last.error <= goal_.largest ? 0.95 : 1.05;
-		const double factor = past * std::pow(last.error / goal_.largest, 1 / usualPower);
-		const double jump   = std::min(largestJump, std::max(1 / largestJump, factor));
-		return clamped(std::int64_t(std::ceil(jump * double(last.vertexNum))));
+		if (met_.vertexNum == 0 || t.vertexNum < met_.vertexNum) met_ = t;
 	}
 
-	std::int64_t between() const
+	/// After a count that met the goal; 0 where that is near enough to the smallest. The places
+	/// made finer so far will serve the smaller count as well.
+	std::int64_t fewerThan(const ErrorTrial& t) const
 	{
-		const double low = std::log(double(missing_.vertexNum));
-		const double way = std::log(double(meeting_.vertexNum)) - low;
-		if (way <= std::log(nearEnough) || meeting_.vertexNum <= missing_.vertexNum + 1) return 0;
-		const double fall  = std::log(missing_.error) - std::log(std::max(meeting_.error, 1e-300));
-		const double share = std::log(missing_.error / goal_.largest) / fall;
-		const double safe  = std::min(1 - minShare, std::max(minShare, share));
-		const auto   n     = std::int64_t(std::lround(std::exp(low + safe * way)));
-		return std::max(missing_.vertexNum + 1, std::min(n, meeting_.vertexNum - 1));
+		const double n = double(met_.vertexNum);
+		if (t.error >= nearEnough * goal_.largest) return 0;
+		if (missed_ > 0 && n <= nearCounts * double(missed_)) return 0;
+		const double ratio  = std::max(t.error / goal_.largest, 1e-6);
+		const double wanted = n * std::max(std::pow(ratio, fallOfCount), 1 / largestShrink);
+		return clamped(std::max(wanted, std::sqrt(n * double(missed_))));
+	}
+
+	/// After a count that missed the goal: so many more that triangles elsewhere stay as they are.
+	/// Where much of the area is beyond the goal, triangles are too large everywhere: the larger an
+	/// error the fewer there are of it, about exponentially.
+	std::int64_t moreThan(const ErrorTrial& t, int left) const
+	{
+		const double n = double(t.vertexNum);
+		if (n == 0 || t.vertexNum >= goal_.most) return 0;
+		if (met_.vertexNum > 0) return between(t);
+		const double share  = std::min(0.5, std::max(t.share, 1e-12));
+		const double byArea = std::log(shareForSpots) / std::log(share);
+		// The last trial shall meet it, though that may be with too many.
+		const double byError = left == 1 ? lastCaution * t.error / goal_.largest : 1;
+		const double growth  = std::max({1.0, byArea, byError}) * t.growth;
+		return clamped(std::min(std::max(growth, leastGrowth), largestGrowth) * n);
+	}
+
+	std::int64_t between(const ErrorTrial& t) const
+	{
+		const double low = double(t.vertexNum), high = double(met_.vertexNum);
+		if (high <= nearCounts * low || high <= low + 1) return 0;
+		return clamped(std::sqrt(low * high));
 	}
 };
 

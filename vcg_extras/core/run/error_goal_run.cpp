@@ -3,12 +3,16 @@
 #include "error_goal_run.h"
 
 #include "error_goal.h"
+#include "error_guide.h"
+#include "preparation.h"
 #include "remesh_run.h"
 #include "target.h"
 
 #include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/sampling/error_sizes.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -17,22 +21,24 @@ namespace gpr {
 
 namespace {
 
+/// Sizes follow the error as far as they may: that spends the vertices where the error is.
+constexpr double adaptOfTrials = 1;
+
+/// The same as in the trials: the largest size over the even one, and how fast sizes grow.
+constexpr float largestByError = 1.3f, slopeOfSizes = 0.15f;
+
 /// What the trials so far came to.
 struct Trials {
 	RemeshResult best;
+	FineSpots    spots; ///< where triangles are to be smaller
 	int          num          = 0;
 	double       stageSeconds = 0; ///< of all of them
 };
 
-ErrorGoal goalOf(const MeshView& input, const RemeshOptions& options, const MeshExtent& extent)
+/// What is promised: the proven bound.
+double errorOf(const RemeshResult& result)
 {
-	ErrorGoal goal;
-	goal.largest = options.targetMaxError * (options.maxErrorIsPercent ? extent.diagonal / 100 : 1);
-	goal.most    = std::min<std::int64_t>(200000000, 1000 + 2 * std::int64_t(input.vertexNum));
-	const double edge = edgePerError * goal.largest;
-	const double n    = edge > 0 ? vertexNumForEdgeLength(extent.area, edge) : 1;
-	goal.start        = std::int64_t(std::min(double(goal.most), std::max(1.0, n)));
-	return goal;
+	return result.report.provenDistance.hausdorff().upper;
 }
 
 RemeshOptions trialOptions(RemeshOptions options, std::int64_t vertexNum)
@@ -40,7 +46,48 @@ RemeshOptions trialOptions(RemeshOptions options, std::int64_t vertexNum)
 	options.targetMode      = TargetMode::VertexNum;
 	options.targetVertexNum = vertexNum;
 	options.allowNearest    = true;
+	if (options.equations == Equations::Calibrated) options.adapt = adaptOfTrials;
 	return options;
+}
+
+ErrorGoal goalOf(const MeshView& input, const RemeshOptions& options, const MeshExtent& extent)
+{
+	ErrorGoal goal;
+	goal.largest = options.targetMaxError * (options.maxErrorIsPercent ? extent.diagonal / 100 : 1);
+	goal.most    = std::min<std::int64_t>(200000000, 10000 + 10 * std::int64_t(input.vertexNum));
+	const double edge = edgePerError * goal.largest;
+	const double n    = edge > 0 ? vertexNumForEdgeLength(extent.area, edge) : 1;
+	goal.start        = std::int64_t(std::min(double(goal.most), std::max(4.0, n)));
+	return goal;
+}
+
+/// How flat the disks of triangles are to be, over the largest error: see sizesByError. The places
+/// that are beyond the goal then are few enough to be made finer one by one.
+constexpr double flatnessShare = 0.75;
+
+/// The count with which triangles would be as flat as the goal asks for, but for few of them.
+std::int64_t forecastCount(RunContext& run, const ErrorGoal& goal)
+{
+	constexpr int steps   = 3;
+	RemeshOptions options = trialOptions(run.options, goal.start);
+	RemeshReport  report;
+	options.adapt = 0; // sizes are looked for here
+	std::vector<std::string> notes;
+	RunContext               context{run.input,   options,
+                       run.workers, report,
+                       notes,       StageClock(run.workers, report, Pipeline::Remeshing, {0, 0})};
+	const Prepared           p      = prepare(context, detectRegion(context));
+	const double             wanted = flatnessShare * goal.largest * p.surface.frame.scale;
+	double                   num    = double(p.targetNum);
+	for (int i = 0; i < steps; ++i) {
+		const float even = evenEdge(p) * float(std::sqrt(double(p.targetNum) / num));
+		const float flat =
+			sizesByError(p.surface.mesh, {even, largestByError * even, slopeOfSizes}, run.workers)
+				.epsilon;
+		num *= std::clamp(double(flat) / wanted, 0.1, 10.0);
+		num = std::clamp(num, 4.0, double(goal.most));
+	}
+	return std::int64_t(num);
 }
 
 double secondsOf(const std::vector<StageTime>& stages)
@@ -52,7 +99,7 @@ double secondsOf(const std::vector<StageTime>& stages)
 }
 
 /// A whole run of its own, with this share of the work.
-RemeshResult remeshWith(RunContext& run, std::int64_t vertexNum, WorkShare share)
+RemeshResult remeshWith(RunContext& run, std::int64_t vertexNum, WorkShare share, ErrorGuide& guide)
 {
 	RemeshResult        trial;
 	const RemeshOptions options = trialOptions(run.options, vertexNum);
@@ -62,6 +109,7 @@ RemeshResult remeshWith(RunContext& run, std::int64_t vertexNum, WorkShare share
 		run.input,   options,
 		run.workers, trial.report,
 		trial.notes, StageClock(run.workers, trial.report, Pipeline::Remeshing, share)};
+	context.guide = &guide;
 	remeshInput(context, LargestDistance::Counts, trial);
 	return trial;
 }
@@ -69,7 +117,7 @@ RemeshResult remeshWith(RunContext& run, std::int64_t vertexNum, WorkShare share
 /// Fewer vertices among those that meet the goal, else the smaller error.
 bool isBetter(const RemeshResult& a, const RemeshResult& b, double largest)
 {
-	const double errorOfA = a.report.largestError, errorOfB = b.report.largestError;
+	const double errorOfA = errorOf(a), errorOfB = errorOf(b);
 	const bool   meetsA = errorOfA <= largest, meetsB = errorOfB <= largest;
 	if (meetsA != meetsB) return meetsA;
 	return meetsA ? a.mesh.vertexNum() < b.mesh.vertexNum() : errorOfA < errorOfB;
@@ -77,11 +125,16 @@ bool isBetter(const RemeshResult& a, const RemeshResult& b, double largest)
 
 ErrorTrial tryCount(RunContext& run, const ErrorGoal& goal, std::int64_t vertexNum, Trials& trials)
 {
-	const double     length = 1.0 / goal.maxTrials, from = trials.num * length;
-	RemeshResult     trial = remeshWith(run, vertexNum, {from, from + length});
-	const ErrorTrial outcome{std::int64_t(trial.mesh.vertexNum()), trial.report.largestError};
+	const double length = 1.0 / goal.maxTrials, from = trials.num * length;
+	ErrorGuide   guide;
+	guide.goal             = goal.largest;
+	guide.spots            = trials.spots;
+	RemeshResult     trial = remeshWith(run, vertexNum, {from, from + length}, guide);
+	const ErrorTrial outcome{std::int64_t(trial.mesh.vertexNum()), errorOf(trial), guide.share,
+							 guide.growth};
 	++trials.num;
 	trials.stageSeconds += secondsOf(trial.report.stages);
+	if (outcome.error > goal.largest) trials.spots.push_back(std::move(guide.found));
 	if (trials.num == 1 || isBetter(trial, trials.best, goal.largest))
 		trials.best = std::move(trial);
 	return outcome;
@@ -98,16 +151,16 @@ std::string lengthText(double length, double diagonal)
 std::string missedText(const RemeshResult& best, const ErrorGoal& goal, double diagonal)
 {
 	return "An error of at most " + lengthText(goal.largest, diagonal) + " was not reached: with " +
-		   std::to_string(best.mesh.vertexNum()) + " vertices it is " +
-		   lengthText(best.report.largestError, diagonal) + ".";
+		   std::to_string(best.mesh.vertexNum()) + " vertices it is proven to be at most " +
+		   lengthText(errorOf(best), diagonal) + ".";
 }
 
 std::string metText(const RemeshResult& best, int trialNum, double diagonal)
 {
-	return "The largest distance from the input that was found with " +
-		   std::to_string(best.mesh.vertexNum()) + " vertices is " +
-		   lengthText(best.report.largestError, diagonal) + ", in " + std::to_string(trialNum) +
-		   " trials. It was found by sampling, which is no proof.";
+	return "With " + std::to_string(best.mesh.vertexNum()) +
+		   " vertices no point of either mesh is farther from the other than " +
+		   lengthText(errorOf(best), diagonal) + ". This is proven. It took " +
+		   std::to_string(trialNum) + (trialNum == 1 ? " trial." : " trials.");
 }
 
 } // namespace
@@ -115,9 +168,10 @@ std::string metText(const RemeshResult& best, int trialNum, double diagonal)
 RemeshResult remeshForError(RunContext& run)
 {
 	const MeshExtent extent = extentOf(run.input);
-	const ErrorGoal  goal   = goalOf(run.input, run.options, extent);
-	Trials           trials;
-	const bool       met =
+	ErrorGoal        goal   = goalOf(run.input, run.options, extent);
+	goal.start              = forecastCount(run, goal);
+	Trials     trials;
+	const bool met =
 		searchCount(goal, [&](std::int64_t n) { return tryCount(run, goal, n, trials); }) > 0;
 	RemeshResult&     best   = trials.best;
 	const std::string missed = missedText(best, goal, extent.diagonal);

@@ -4,14 +4,15 @@
 
 #include "border_smoothing.h"
 #include "detection.h"
+#include "error_guide.h"
 #include "feature_lines.h"
 #include "meshing.h"
 #include "preparation.h"
 #include "target.h"
 
+#include <vcg_extras/core/output/distance_proof.h>
 #include <vcg_extras/core/output/export.h>
 #include <vcg_extras/core/output/verification.h>
-#include <vcg_extras/core/surface/sampled_distance.h>
 
 #include <utility>
 
@@ -39,8 +40,9 @@ void tellLinesNotFollowed(RunContext& run)
 void measureError(RunContext& run, const Surface& surface, const ResultMesh& result)
 {
 	run.clock.enter(Stage::Error);
-	const float largest     = largestSampledDistance(surface.mesh, result.mesh, run.workers);
-	run.report.largestError = double(largest) / surface.frame.scale;
+	const ComparedSurfaces both(surface, result, run.workers);
+	proveDistance(run, surface, both);
+	if (run.guide != nullptr) findPlacesBeyond(run, surface, both, result.idealEdge);
 }
 
 } // namespace

@@ -273,10 +273,17 @@ bool matchesBorder(const SizingRequest& request)
 		   request.options.equations == Equations::Calibrated;
 }
 
+bool hasFineSpots(const SizingRequest& request)
+{
+	return request.fineSpots != nullptr && !request.fineSpots->empty() &&
+		   request.options.equations == Equations::Calibrated;
+}
+
 bool wantsOtherSizes(const SizingRequest& request)
 {
 	const bool atBorder = matchesBorder(request) && !request.kept.empty();
-	return request.options.lambda > 0 || wantsSmallerDisks(request) || atBorder;
+	return request.options.lambda > 0 || wantsSmallerDisks(request) || atBorder ||
+		   hasFineSpots(request);
 }
 
 /// Mean length of the two border edges at every border vertex; 0 inside. Edges that were split are
@@ -370,6 +377,8 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 		sizing.size = ungradedSizes(request, surface, workers);
 		if (wantsErrorSizes(request))
 			multiply(errorSizes(request, surface, workers), workers, sizing.size);
+		if (hasFineSpots(request))
+			multiply(factorsOf(*request.fineSpots, surface, workers), workers, sizing.size);
 		// How steep a ramp is depends on the radius, and that on the sizes: the sizes before
 		// grading give it well enough.
 		const double before = meanSquaredStretch(surface.mesh, sizing.size, workers);

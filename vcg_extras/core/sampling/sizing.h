@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_CORE_SAMPLING_SIZING_H
 #define VCG_EXTRAS_CORE_SAMPLING_SIZING_H
 
+#include "fine_spots.h"
+
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh_view.h>
@@ -34,6 +36,7 @@ struct SizingRequest {
 	bool                    hasFeatureLines; ///< sizes are not by the error then
 	const Buffer<char>&     isFeatureVertex; ///< per vertex of the surface; empty: none
 	const std::vector<int>& kept;            ///< the caller's vertices that stay, ascending
+	const FineSpots*        fineSpots = nullptr; ///< where triangles are to be smaller; or null
 };
 
 /// Stage 5: the density of the samples (paper §3.1.2), and the smaller disks of a feature region
@@ -52,6 +55,8 @@ struct SizingRequest {
 /// With `adapt` (calibrated only) sizes are multiplied by those of sizesByError, whose largest one
 /// is 1 + 0.3·adapt times that of even triangles. They stay even where there are feature lines:
 /// flat faces between sharp edges need no small triangles, and the lines have their own samples.
+///
+/// Where fine spots are given sizes are multiplied with their factors (calibrated only).
 ///
 /// Throws Failure{BadOptions} where the quality is asked for and missing or not finite. Cost:
 /// linear; for λ a pass over the mesh for every edge that r spans, squared.

@@ -103,6 +103,20 @@ public:
 		return bounds();
 	}
 
+	/// Places with a point farther than limit.
+	std::vector<FarPlace> beyond(double limit)
+	{
+		fixedGoal_ = limit;
+		lookAtGroups();
+		std::vector<FarPlace> places(faces_.size());
+		workers_.forEach(faces_.size(), [&](int i) {
+			places[std::size_t(i)] = placeOf(faces_[std::size_t(i)], limit);
+		});
+		const auto isNear = [limit](const FarPlace& p) { return !(p.distance > limit); };
+		places.erase(std::remove_if(places.begin(), places.end(), isNear), places.end());
+		return places;
+	}
+
 private:
 	const TriangleTree&        from_;
 	const TriangleTree&        to_;
@@ -111,8 +125,9 @@ private:
 	double                     slack_;     ///< of both bounds, for rounding
 	double                     exact_ = 0; ///< coordinates are right to this
 
-	double lower_ = 0; ///< largest distance found so far
-	double upper_ = 0; ///< of all that is done with
+	double lower_     = 0; ///< largest distance found so far
+	double upper_     = 0; ///< of all that is done with
+	double fixedGoal_ = 0; ///< 0: it goes with the largest distance found
 
 	struct Face {
 		int triangle, hint;
@@ -124,6 +139,7 @@ private:
 	/// What has a bound up to this is done with.
 	double goal() const
 	{
+		if (fixedGoal_ > 0) return fixedGoal_;
 		return (1 + settings_.relative) * (lower_ - slack_) + settings_.absolute - slack_;
 	}
 
@@ -193,6 +209,24 @@ private:
 		const Triangle& t = from_.triangle(face.triangle);
 		const Finding   quick{convexBound(t, to_.triangle(face.hint)), 0, face.hint};
 		return quick.bound <= goal ? quick : byMiddle(t, face.hint, goal);
+	}
+
+	/// Distance 0 where the bound of the triangle is below the limit.
+	FarPlace placeOf(const Face& face, double limit) const
+	{
+		const Finding found = ofFace(face, limit);
+		FarPlace      place;
+		if (found.bound <= limit) return place;
+		const Triangle& t = from_.triangle(face.triangle);
+		place = {centreOf(t), found.seen, 0.5 * length(cross(t[1] - t[0], t[2] - t[0]))};
+		for (std::size_t k = 0; k < 3; ++k) {
+			for (const Vec3d& p : {t[k], (t[k] + t[(k + 1) % 3]) * 0.5}) {
+				const double distance = std::sqrt(to_.nearest(p, found.nearest).squared);
+				if (distance > place.distance) place.position = p;
+				place.distance = std::max(place.distance, distance);
+			}
+		}
+		return place;
 	}
 
 	void lookAtFaces(std::size_t begin, std::size_t end)
@@ -445,6 +479,18 @@ DistanceBounds certifiedDistance(const CertifiedSurface& from, const CertifiedSu
 	if (from.tree().size() == 0 || to.tree().size() == 0) return {};
 	const double rounding = 1e-15 * length(from.origin()); // of positions relative to it
 	return BranchAndBound(from.tree(), to.tree(), rounding, settings, workers).run();
+}
+
+std::vector<FarPlace> placesBeyond(const CertifiedSurface& from, const CertifiedSurface& to,
+								   double limit, Workers& workers)
+{
+	if (from.tree().size() == 0 || to.tree().size() == 0) return {};
+	const CertificateSettings settings;
+	std::vector<FarPlace>     places =
+		BranchAndBound(from.tree(), to.tree(), 0, settings, workers).beyond(limit);
+	for (FarPlace& p : places)
+		p.position = p.position + from.origin();
+	return places;
 }
 
 MutualBounds certifiedDistances(const MeshView& input, const MeshView& result,

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace gpr {
 
@@ -62,6 +63,19 @@ private:
 /// may be near the largest distance and for some of the others, parallel.
 DistanceBounds certifiedDistance(const CertifiedSurface& from, const CertifiedSurface& to,
 								 const CertificateSettings& settings, Workers& workers);
+
+/// A triangle with a point that is farther from another surface than a limit.
+struct FarPlace {
+	Vec3d  position;     ///< of the farthest point that was looked at, in the frame of the mesh
+	double distance = 0; ///< its
+	double area     = 0; ///< of the triangle
+};
+
+/// The triangles of a surface with points farther than the limit from another one, as far as seven
+/// points of each show it. Of the others a bound is proven, but for a few that are near the limit.
+/// The same for any number of threads. Cost: as the first step of certifiedDistance.
+std::vector<FarPlace> placesBeyond(const CertifiedSurface& from, const CertifiedSurface& to,
+								   double limit, Workers& workers);
 
 /// Both ways between an input and a result.
 MutualBounds certifiedDistances(const MeshView& input, const MeshView& result,

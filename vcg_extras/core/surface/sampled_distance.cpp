@@ -36,17 +36,6 @@ float spacingBetween(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& work
 	return spacingShare * std::max(meanEdge(a, workers), meanEdge(b, workers));
 }
 
-MeshView viewOf(const HalfEdgeMesh& m)
-{
-	MeshView view;
-	view.positions           = m.position.data();
-	view.positionStrideBytes = sizeof(Vec3f);
-	view.vertexNum           = std::size_t(m.vertexNum);
-	view.triangles           = m.origin.data();
-	view.faceNum             = std::size_t(m.faceNum);
-	return view;
-}
-
 /// Calls visit(p) for a lattice of points on a face, without its corners.
 template <class Visit>
 void forEachInnerPoint(const HalfEdgeMesh& m, int f, float spacing, const Visit& visit)
@@ -100,13 +89,6 @@ Largest largestOfLattices(const HalfEdgeMesh& from, const FaceTree& to, float sp
 	});
 }
 
-float largestFrom(const HalfEdgeMesh& from, const FaceTree& to, float spacing, Workers& workers)
-{
-	Largest all = largestOfLattices(from, to, spacing, workers);
-	all += largestOfVertices(from, to, workers);
-	return all.value;
-}
-
 /// Distances of one mesh from the tree of another.
 class OneWay {
 public:
@@ -136,15 +118,6 @@ private:
 };
 
 } // namespace
-
-float largestSampledDistance(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& workers)
-{
-	if (a.faceNum == 0 || b.faceNum == 0) return 0;
-	const float    spacing = spacingBetween(a, b, workers);
-	const FaceTree treeA(a, &workers), treeB(b, &workers);
-	return std::max(largestFrom(a, treeB, spacing, workers),
-					largestFrom(b, treeA, spacing, workers));
-}
 
 SampledDistance sampledDistance(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
 								Workers& workers)

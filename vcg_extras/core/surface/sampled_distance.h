@@ -9,22 +9,18 @@
 
 namespace gpr {
 
-/// Largest distance found from points of either mesh to the other: the Hausdorff distance,
-/// approached from below. The points are the vertices that are in a face and, on faces larger than
-/// that, a lattice with a spacing of about a third of the mean edge of the coarser mesh.
-/// Cost: O(F log F), parallel but for the two trees.
-float largestSampledDistance(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& workers);
-
 /// Distances of two meshes from each other, in their own unit.
 struct SampledDistance {
 	MutualDistance mutual;
 	float          vertexDistance = 0; ///< largest of a vertex of the result from the input
 };
 
-/// The largest distance is that over the points above and over others that are spread evenly, root
-/// mean square and p99.9 are over the even points alone. Of these there are ten for each face of
-/// the result, but at least 20000 and at most 200000. So the p99.9 is known to some percent. All
-/// figures are 0 where either mesh has no face. Cost: as above, and a search for each even point.
+/// Root mean square and p99.9 are over points that are spread evenly: ten for each face of the
+/// result, but at least 20000 and at most 200000. So the p99.9 is known to some percent. The
+/// largest distance is that over these points, over the vertices that are in a face and, on larger
+/// faces, over a lattice with a spacing of about a third of the mean edge of the coarser mesh: the
+/// Hausdorff distance, approached from below. All figures are 0 where either mesh has no face.
+/// Cost: O(F log F), parallel but for the two trees.
 SampledDistance sampledDistance(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
 								Workers& workers);
 

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "fine_spots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+namespace gpr {
+
+namespace {
+
+/// Cells of a grid with the spots that reach into them.
+class SpotGrid {
+public:
+	SpotGrid(const std::vector<FineSpot>& spots, const Frame& frame)
+	{
+		for (const FineSpot& s : spots)
+			cell_ = std::max(cell_, float(s.reach * frame.scale));
+		if (!(cell_ > 0)) return;
+		for (const FineSpot& s : spots)
+			add({frame.toWorking(s.position), float(s.reach * frame.scale), float(s.factor)});
+	}
+
+	/// The smallest factor of the spots that reach p.
+	float factorAt(const Vec3f& p) const
+	{
+		const auto found = spots_.find(keyOf(cellOf(p.x), cellOf(p.y), cellOf(p.z)));
+		if (found == spots_.end()) return 1;
+		float least = 1;
+		for (const Spot& s : found->second)
+			if (squaredLength(p - s.centre) <= s.reach * s.reach) least = std::min(least, s.factor);
+		return least;
+	}
+
+private:
+	struct Spot {
+		Vec3f centre;
+		float reach, factor;
+	};
+
+	float                                                cell_ = 0;
+	std::unordered_map<std::uint64_t, std::vector<Spot>> spots_;
+
+	/// Working units are about the box, so that 21 bits are enough for cells that matter.
+	int cellOf(float x) const
+	{
+		return int(std::floor(std::min(1e6f, std::max(-1e6f, x / std::max(cell_, 1e-30f)))));
+	}
+	static std::uint64_t keyOf(int i, int j, int k)
+	{
+		const auto part = [](int n) { return std::uint64_t(n) & 0x1fffff; };
+		return part(i) << 42 | part(j) << 21 | part(k);
+	}
+
+	void add(const Spot& s)
+	{
+		const Vec3f reach(s.reach, s.reach, s.reach);
+		const Vec3f low = s.centre - reach, high = s.centre + reach;
+		for (int i = cellOf(low.x); i <= cellOf(high.x); ++i)
+			for (int j = cellOf(low.y); j <= cellOf(high.y); ++j)
+				for (int k = cellOf(low.z); k <= cellOf(high.z); ++k)
+					spots_[keyOf(i, j, k)].push_back(s);
+	}
+};
+
+} // namespace
+
+Buffer<float> factorsOf(const FineSpots& spots, const Surface& surface, Workers& workers)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	Buffer<float>       factor(std::size_t(m.vertexNum), 1.0f);
+	for (const std::vector<FineSpot>& ofTrial : spots) {
+		if (ofTrial.empty()) continue;
+		const SpotGrid grid(ofTrial, surface.frame);
+		workers.forEach(factor.size(),
+						[&](int v) { factor[v] *= grid.factorAt(m.position[std::size_t(v)]); });
+	}
+	workers.forEach(factor.size(), [&](int v) { factor[v] = std::max(leastFactor, factor[v]); });
+	return factor;
+}
+
+} // namespace gpr
