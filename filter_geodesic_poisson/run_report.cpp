@@ -126,6 +126,8 @@ QString cleanedLine(const gpr::CleanCounts& c)
 		{c.nonFiniteVertices, "vertices without finite coordinates dropped"},
 		{c.unreferencedVertices, "unreferenced vertices dropped"},
 		{c.weldedVertices, "vertices welded"},
+		{c.sewnEdges, "edges of seams sewn"},
+		{c.sharedBorderEdges, "border edges at the place of others left cut"},
 		{c.repeatedIndexFaces, "faces with a vertex twice dropped"},
 		{c.zeroAreaFaces, "faces without area dropped"},
 		{c.duplicateFaces, "duplicate faces dropped"},

@@ -129,7 +129,8 @@ struct RemeshOptions {
 	int           threads         = 0;     ///< 0 = one per core; never changes the result
 	/// Components with fewer faces are left out; 0 = none.
 	std::int64_t dropComponentsBelow = 0;
-	double       timeLimitSeconds    = 0; ///< the run ends then without a result; 0 = none
+	bool         sew = true; ///< borders that lie at one place edge by edge are joined: sew_seams.h
+	double       timeLimitSeconds = 0; ///< the run ends then without a result; 0 = none
 	bool check = false; ///< self-intersections and distances are looked for: thorough_check.h
 	bool selectedOnly = false; ///< remesh the selected faces, leave the rest as it is
 	/// Export RemeshResult::surfacePoints; without them a big surface takes 4 B a face less.

@@ -431,6 +431,15 @@ void addCount(Table& t)
 void addCleaning(Table& t)
 {
 	t.push_back(
+		row(everywhere, "SewSeams", "--sew", "on|off", Kind::Switch, "Sew seams",
+			"Borders that lie on one another edge by edge, within a millionth of the bounding box, "
+			"are joined, as those of CAD parts and of games whose smooth patches have vertices of "
+			"their own. Where they meet sharply, feature lines run along them. Edges at which more "
+			"than two borders meet stay cut. off: the pieces are remeshed one by one.")
+			.byDefault([](const MeshFacts&) { return Value(true); })
+			.store([](const Value& v, RemeshOptions& o) { o.sew = switchOf(v); })
+			.p);
+	t.push_back(
 		row(sampled, "DropComponentsBelow", "--drop-components-below", "N", Kind::Count,
 			"Drop components with fewer faces (0 = none)",
 			"Components with fewer faces are left out, for instance the dust of a scan. Each of "

@@ -25,6 +25,8 @@ struct CleanCounts {
 	std::int64_t nonFiniteVertices    = 0; ///< NaN or Inf coordinates, dropped with their faces
 	std::int64_t unreferencedVertices = 0; ///< in no face, dropped
 	std::int64_t weldedVertices       = 0; ///< of a triangle soup: equal positions made one vertex
+	std::int64_t sewnEdges            = 0; ///< pairs of border edges at one place, made one edge
+	std::int64_t sharedBorderEdges    = 0; ///< border edges at the place of others that stay cut
 	std::int64_t repeatedIndexFaces   = 0; ///< a vertex twice in one face, dropped
 	std::int64_t zeroAreaFaces       = 0; ///< welded to a line, or of a piece without area: dropped
 	std::int64_t duplicateFaces      = 0; ///< the same three vertices again, dropped
@@ -39,9 +41,9 @@ struct CleanCounts {
 	/// Anything that changes what the input was (splitting edges does not).
 	bool changedInput() const
 	{
-		return nonFiniteVertices || weldedVertices || repeatedIndexFaces || zeroAreaFaces ||
-			   duplicateFaces || reorientedFaces || nonManifoldEdges || nonManifoldVertices ||
-			   nonOrientableCuts || droppedComponents;
+		return nonFiniteVertices || weldedVertices || sewnEdges || repeatedIndexFaces ||
+			   zeroAreaFaces || duplicateFaces || reorientedFaces || nonManifoldEdges ||
+			   nonManifoldVertices || nonOrientableCuts || droppedComponents;
 	}
 };
 

@@ -117,6 +117,8 @@ Json cleanedJson(const CleanCounts& c)
 	return {{"nonFiniteVertices", c.nonFiniteVertices},
 			{"unreferencedVertices", c.unreferencedVertices},
 			{"weldedVertices", c.weldedVertices},
+			{"sewnEdges", c.sewnEdges},
+			{"sharedBorderEdges", c.sharedBorderEdges},
 			{"repeatedIndexFaces", c.repeatedIndexFaces},
 			{"zeroAreaFaces", c.zeroAreaFaces},
 			{"duplicateFaces", c.duplicateFaces},

@@ -40,6 +40,9 @@ std::string cleanedText(const CleanCounts& c)
 		   "vertices without finite coordinates dropped");
 	append(list, c.unreferencedVertices, "unused vertex dropped", "unused vertices dropped");
 	append(list, c.weldedVertices, "vertex welded", "vertices welded");
+	append(list, c.sewnEdges, "edge of seams sewn", "edges of seams sewn");
+	append(list, c.sharedBorderEdges, "border edge at the place of others left cut",
+		   "border edges at the place of others left cut");
 	append(list, c.repeatedIndexFaces, "face with a repeated vertex dropped",
 		   "faces with a repeated vertex dropped");
 	append(list, c.zeroAreaFaces, "face without area dropped", "faces without area dropped");

@@ -15,6 +15,7 @@ constexpr std::size_t pipelineNum = 4;
 /// One step of a pipeline, with a time in the report.
 enum class Stage {
 	Load,
+	Sew,
 	SplitLongEdges,
 	Order,
 	Connect,
@@ -54,6 +55,7 @@ constexpr StageRow stageTable[] = {
 	// clang-format off
 	//                                                                                     remeshing, sampling, retriangulation, detection
 	{Stage::Load,            "load",            "Taking over the mesh",                    {0.05,  0.14,  0.05,  0.03}},
+	{Stage::Sew,             "sew",             "Sewing seams",                            {0.051, 0.142, 0.051, 0.031}},
 	{Stage::SplitLongEdges,  "splitLongEdges",  "Splitting long edges",                    {0.055, 0.15,  0.06,  0}},
 	{Stage::Order,           "order",           "Ordering",                                {0.11,  0.27,  0.12,  0.1}},
 	{Stage::Connect,         "connect",         "Connecting",                              {0.18,  0.46,  0.2,   0.22}},

@@ -270,10 +270,7 @@ void renameCorners(IndexedMesh& mesh, const std::vector<int>& newName, CleanCoun
 /// Makes vertices at (nearly) equal positions one; faces that lose a corner by it are dropped.
 void weld(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 {
-	// Of the box, whose largest side is about 1 in working units: far below any edge worth keeping,
-	// and above the noise of coordinates that went through text or float.
-	constexpr float        tolerance = 1e-6f;
-	const std::vector<int> first     = findFirstNear(mesh, tolerance, workers);
+	const std::vector<int> first = findFirstNear(mesh, samePlace, workers);
 	for (int v = 0; v < mesh.vertexNum; ++v)
 		counts.weldedVertices += first[v] != v;
 	renameCorners(mesh, first, counts);

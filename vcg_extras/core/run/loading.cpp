@@ -6,6 +6,7 @@
 #include <vcg_extras/core/input/flat_pieces.h>
 #include <vcg_extras/core/input/load.h>
 #include <vcg_extras/core/input/repair_manifold.h>
+#include <vcg_extras/core/input/sew_seams.h>
 #include <vcg_extras/core/input/small_components.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/spatial_order.h>
@@ -49,6 +50,10 @@ IndexedMesh loadCleaned(RunContext& run)
 {
 	run.clock.enter(Stage::Load);
 	IndexedMesh mesh = loadInput(run.input, run.workers, run.report.cleaned);
+	if (run.options.sew) {
+		run.clock.enter(Stage::Sew);
+		sewSeams(mesh, run.workers, run.report.cleaned);
+	}
 	if (run.options.dropComponentsBelow <= 1 && !allFacesThin(mesh, run.workers)) return mesh;
 	return withoutUselessPieces(run, std::move(mesh));
 }

@@ -230,7 +230,8 @@ RemeshResult remeshSelected(const MeshView& input, const RemeshOptions& options,
 	inside.selectedOnly            = false;
 	inside.surfacePointsOfVertices = true; // they say where the parts are joined
 	inside.boundary                = BoundaryMode::Keep;
-	RemeshResult made              = run(part.view(), inside);
+	inside.sew        = false; // the rest stays as it is, and is joined vertex by vertex
+	RemeshResult made = run(part.view(), inside);
 	if (made.status != Status::Ok) return made;
 
 	RemeshResult out;

@@ -1,0 +1,534 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "sew_seams.h"
+
+#include <vcg_extras/core/base/poller.h>
+#include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+/// Spreads the bits of x over all 64 (the finalizer of splitmix64).
+std::uint64_t mixed(std::uint64_t x)
+{
+	x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
+	x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
+	return x ^ (x >> 31);
+}
+
+std::uint64_t numberOf(int v)
+{
+	return mixed(std::uint64_t(v) + 0x9e3779b97f4a7c15ull);
+}
+
+/// The ends of an edge, the smaller first.
+using Ends = std::pair<int, int>;
+
+Ends endsOf(const IndexedMesh& mesh, int h)
+{
+	return std::minmax({mesh.triangle[h], mesh.triangle[nextInFace(h)]});
+}
+
+// ---- the border
+
+struct Parity {
+	std::uint64_t bits = 0;
+	Parity&       operator+=(const Parity& other)
+	{
+		bits ^= other.bits;
+		return *this;
+	}
+};
+
+/// Whether every edge has an even number of faces. The numbers of the edges' sides cancel out then,
+/// whatever their order; that they do so by chance has a probability of 2^-64.
+bool isClosed(const IndexedMesh& mesh, Workers& workers)
+{
+	const auto parityOf = [&](std::size_t begin, std::size_t end) {
+		Parity parity;
+		for (int h = int(3 * begin); h < int(3 * end); ++h) {
+			const Ends e = endsOf(mesh, h);
+			parity.bits ^= mixed(std::uint64_t(e.first) << 32 | std::uint64_t(e.second));
+		}
+		return parity;
+	};
+	return workers.sum<Parity>(mesh.faceNum, parityOf).bits == 0;
+}
+
+/// Per vertex the numbers of its neighbours, each as often as there are faces at the edge to it,
+/// cancelled out in pairs: not 0 at the ends of border edges.
+Buffer<std::uint64_t> unpairedNeighbours(const IndexedMesh& mesh, Workers& workers)
+{
+	Buffer<std::uint64_t> unpaired(mesh.vertexNum, 0);
+	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		for (std::size_t f = begin; f < end; ++f) {
+			const int*          corner    = &mesh.triangle[3 * f];
+			const std::uint64_t number[3] = {numberOf(corner[0]), numberOf(corner[1]),
+											 numberOf(corner[2])};
+			for (int k = 0; k < 3; ++k)
+				__atomic_fetch_xor(&unpaired[corner[k]], number[(k + 1) % 3] ^ number[(k + 2) % 3],
+								   __ATOMIC_RELAXED);
+		}
+	});
+	return unpaired;
+}
+
+/// A half-edge and the edge it is a side of, named by two vertices or by two places.
+struct Side {
+	Ends ends;
+	int  halfEdge;
+
+	bool operator<(const Side& o) const
+	{
+		return ends != o.ends ? ends < o.ends : halfEdge < o.halfEdge;
+	}
+};
+
+/// Calls visit(begin, end) for each run of sides of one edge; the sides are sorted.
+template <class Visit>
+void forEachEdge(const std::vector<Side>& sides, const Visit& visit)
+{
+	for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+		for (end = i + 1; end < sides.size() && sides[end].ends == sides[i].ends;)
+			++end;
+		visit(i, end);
+	}
+}
+
+/// The half-edges whose edge has no other face.
+std::vector<int> findBorder(const IndexedMesh& mesh, Workers& workers)
+{
+	const Buffer<std::uint64_t> unpaired = unpairedNeighbours(mesh, workers);
+	const auto                  gather   = [&](std::size_t begin, std::size_t end, auto& out) {
+        for (int h = int(3 * begin); h < int(3 * end); ++h) {
+            const Ends e = endsOf(mesh, h);
+            if (unpaired[e.first] != 0 && unpaired[e.second] != 0) out.push_back({e, h});
+        }
+	};
+	std::vector<Side> sides = workers.collect<Side>(mesh.faceNum, gather);
+	sortPolled(sides.begin(), sides.end(), workers);
+	std::vector<int> border;
+	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+		if (end - begin == 1) border.push_back(sides[begin].halfEdge);
+	});
+	return border;
+}
+
+// ---- places
+
+/// Finds points near others: a hash table of cells, each a chain of points.
+class PointTable {
+public:
+	PointTable(const IndexedMesh& mesh, std::size_t pointNum) : mesh_(mesh)
+	{
+		std::size_t size = 64;
+		while (size < 2 * pointNum)
+			size *= 2;
+		first_.assign(size, -1);
+		entry_.reserve(pointNum);
+	}
+
+	/// The first vertex put in that lies within samePlace of v; else v itself, which is put in.
+	int findOrPut(int v)
+	{
+		const Vec3f p    = mesh_.position[v];
+		int         best = v;
+		for (std::int64_t x = cellOf(p.x - samePlace); x <= cellOf(p.x + samePlace); ++x) {
+			for (std::int64_t y = cellOf(p.y - samePlace); y <= cellOf(p.y + samePlace); ++y) {
+				for (std::int64_t z = cellOf(p.z - samePlace); z <= cellOf(p.z + samePlace); ++z)
+					best = std::min(best, firstNear(p, slotOf(x, y, z), v));
+			}
+		}
+		if (best == v) put(v, slotOf(cellOf(p.x), cellOf(p.y), cellOf(p.z)));
+		return best;
+	}
+
+private:
+	struct Entry {
+		int vertex;
+		int next; ///< in the chain, or -1
+	};
+	const IndexedMesh& mesh_;
+	std::vector<int>   first_; ///< per slot, or -1; a power of two of them
+	std::vector<Entry> entry_;
+
+	/// Cells are wide enough that most points are far from the next one.
+	static std::int64_t cellOf(float c) { return std::int64_t(std::floor(c / (16 * samePlace))); }
+
+	std::size_t slotOf(std::int64_t x, std::int64_t y, std::int64_t z) const
+	{
+		const std::uint64_t cell = std::uint64_t(x) * 0x9e3779b97f4a7c15ull ^
+								   std::uint64_t(y) * 0xc2b2ae3d27d4eb4full ^
+								   std::uint64_t(z) * 0x165667b19e3779f9ull;
+		return std::size_t(mixed(cell)) & (first_.size() - 1);
+	}
+
+	int firstNear(const Vec3f& p, std::size_t slot, int otherwise) const
+	{
+		int best = otherwise;
+		for (int i = first_[slot]; i >= 0; i = entry_[std::size_t(i)].next) {
+			const int w = entry_[std::size_t(i)].vertex;
+			if (squaredLength(mesh_.position[w] - p) <= samePlace * samePlace)
+				best = std::min(best, w);
+		}
+		return best;
+	}
+
+	void put(int v, std::size_t slot)
+	{
+		entry_.push_back({v, first_[slot]});
+		first_[slot] = int(entry_.size()) - 1;
+	}
+};
+
+/// The vertices of the border, with numbers in a row.
+class BorderVertices {
+public:
+	BorderVertices(const IndexedMesh& mesh, const std::vector<int>& border, Workers& workers)
+	{
+		for (int h : border) {
+			vertex_.push_back(mesh.triangle[h]);
+			vertex_.push_back(mesh.triangle[nextInFace(h)]);
+		}
+		sortUnique(vertex_);
+		Poller     poller(workers);
+		PointTable table(mesh, vertex_.size());
+		for (int v : vertex_) {
+			poller.count();
+			place_.push_back(table.findOrPut(v));
+			isAnyShared_ |= place_.back() != v;
+		}
+	}
+
+	int  num() const { return int(vertex_.size()); }
+	int  vertex(int i) const { return vertex_[std::size_t(i)]; }
+	bool isAnyShared() const { return isAnyShared_; } ///< whether two lie at one place
+	int  indexOf(int v) const
+	{
+		return int(std::lower_bound(vertex_.begin(), vertex_.end(), v) - vertex_.begin());
+	}
+	/// The first vertex that lies where v does.
+	int placeOf(int v) const { return place_[std::size_t(indexOf(v))]; }
+
+private:
+	std::vector<int> vertex_, place_;
+	bool             isAnyShared_ = false;
+};
+
+// ---- seams
+
+/// Two border edges at one place.
+struct Seam {
+	int  halfEdge[2];
+	bool sameDirection;
+};
+
+/// Numbers that are joined to sets, each told apart by whether it is turned over against the first.
+class TurnableSets {
+public:
+	explicit TurnableSets(std::size_t num) : parent_(num), turned_(num, 0)
+	{
+		std::iota(parent_.begin(), parent_.end(), 0);
+	}
+
+	/// False where the two are joined already, and the other way round.
+	bool join(int a, int b, bool turned)
+	{
+		const auto [rootA, turnedA] = find(a);
+		const auto [rootB, turnedB] = find(b);
+		const bool differs          = turnedA != turnedB;
+		if (rootA == rootB) return differs == turned;
+		const int low                      = std::min(rootA, rootB);
+		parent_[std::size_t(rootA)]        = low;
+		parent_[std::size_t(rootB)]        = low;
+		turned_[std::size_t(rootA ^ rootB ^ low)] = char(differs != turned);
+		return true;
+	}
+
+private:
+	std::vector<int>  parent_;
+	std::vector<char> turned_; ///< against the parent
+
+	std::pair<int, bool> find(int a)
+	{
+		int  root   = a;
+		bool turned = false;
+		for (; parent_[std::size_t(root)] != root; root = parent_[std::size_t(root)])
+			turned ^= turned_[std::size_t(root)] != 0;
+		const std::pair<int, bool> found{root, turned};
+		while (a != root) {
+			const int  next  = parent_[std::size_t(a)];
+			const bool after = turned != (turned_[std::size_t(a)] != 0);
+			parent_[std::size_t(a)] = root;
+			turned_[std::size_t(a)] = char(turned);
+			turned                  = after;
+			a                       = next;
+		}
+		return found;
+	}
+};
+
+/// Sews a mesh whose border is known.
+class Sewing {
+public:
+	Sewing(IndexedMesh& mesh, const std::vector<int>& border, Workers& workers,
+		   CleanCounts& counts) :
+			mesh_(mesh),
+			border_(border), workers_(workers), counts_(counts), vertices_(mesh, border, workers)
+	{
+	}
+
+	void run()
+	{
+		if (!vertices_.isAnyShared()) return;
+		findSeams();
+		leaveOutOneSided();
+		while (leaveOutConflicts()) {}
+		counts_.sewnEdges = std::int64_t(seams_.size());
+		counts_.sharedBorderEdges = coincidingNum_ - 2 * counts_.sewnEdges;
+		moveTogether();
+		if (!seams_.empty()) renameVertices();
+	}
+
+private:
+	IndexedMesh&            mesh_;
+	const std::vector<int>& border_;
+	Workers&                workers_;
+	CleanCounts&            counts_;
+	BorderVertices          vertices_;
+	std::vector<Seam>       seams_;
+	std::vector<int>        coinciding_;        ///< vertices at the ends of edges at one place
+	std::int64_t            coincidingNum_ = 0; ///< of those edges
+	std::vector<int>        joined_; ///< per border vertex: the number of the one it becomes
+
+	void findSeams()
+	{
+		std::vector<Side> sides;
+		for (int h : border_) {
+			const int a = vertices_.placeOf(mesh_.triangle[h]);
+			const int b = vertices_.placeOf(mesh_.triangle[nextInFace(h)]);
+			if (a != b) sides.push_back({std::minmax({a, b}), h});
+		}
+		sortPolled(sides.begin(), sides.end(), workers_);
+		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+			if (end - begin < 2) return;
+			noteCoinciding(sides, begin, end);
+			if (end - begin == 2) addSeam(sides[begin].halfEdge, sides[begin + 1].halfEdge);
+		});
+	}
+
+	void noteCoinciding(const std::vector<Side>& sides, std::size_t begin, std::size_t end)
+	{
+		coincidingNum_ += std::int64_t(end - begin);
+		for (std::size_t i = begin; i < end; ++i) {
+			coinciding_.push_back(mesh_.triangle[sides[i].halfEdge]);
+			coinciding_.push_back(mesh_.triangle[nextInFace(sides[i].halfEdge)]);
+		}
+	}
+
+	void addSeam(int g, int h)
+	{
+		if (g / 3 == h / 3 || lieOnOneAnother(g, h)) return;
+		const int atG = vertices_.placeOf(mesh_.triangle[g]);
+		const int atH = vertices_.placeOf(mesh_.triangle[h]);
+		seams_.push_back({{g, h}, atG == atH});
+	}
+
+	/// From the edge into the half-edge's face, perpendicular to the edge.
+	Vec3f inward(int h) const
+	{
+		const Vec3f a = mesh_.position[mesh_.triangle[h]];
+		const Vec3f e = normalized(mesh_.position[mesh_.triangle[nextInFace(h)]] - a);
+		return normalized(tangential(mesh_.position[mesh_.triangle[prevInFace(h)]] - a, e));
+	}
+
+	static constexpr float cosineOfLeast = 0.9998477f;
+	static_assert(leastSeamAngleDeg == 1);
+
+	bool lieOnOneAnother(int g, int h) const
+	{
+		// A face without area has no direction, and lies on nothing.
+		return dot(inward(g), inward(h)) > cosineOfLeast;
+	}
+
+	/// Where edges run in the same direction, whole parts of the mesh have to be turned over. A
+	/// seam that would need one part both ways is no seam.
+	void leaveOutOneSided()
+	{
+		const auto isReverse = [](const Seam& s) { return s.sameDirection; };
+		if (std::none_of(seams_.begin(), seams_.end(), isReverse)) return;
+		TurnableSets parts(std::size_t(mesh_.faceNum));
+		joinNeighbours(parts);
+		// Those that need no turning come first.
+		for (bool turning : {false, true}) {
+			const auto isOneSided = [&](const Seam& s) {
+				return s.sameDirection == turning &&
+					   !parts.join(s.halfEdge[0] / 3, s.halfEdge[1] / 3, turning);
+			};
+			seams_.erase(std::remove_if(seams_.begin(), seams_.end(), isOneSided), seams_.end());
+		}
+	}
+
+	void joinNeighbours(TurnableSets& parts) const
+	{
+		std::vector<Side> sides;
+		sides.reserve(3 * std::size_t(mesh_.faceNum));
+		for (int h = 0; h < 3 * mesh_.faceNum; ++h)
+			sides.push_back({endsOf(mesh_, h), h});
+		sortPolled(sides.begin(), sides.end(), workers_);
+		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+			if (end - begin != 2) return;
+			const int g = sides[begin].halfEdge, h = sides[begin + 1].halfEdge;
+			parts.join(g / 3, h / 3, mesh_.triangle[g] == mesh_.triangle[h]);
+		});
+	}
+
+	// ---- what joining does to the edges
+
+	int rootOf(int i)
+	{
+		while (joined_[std::size_t(i)] != i)
+			i = joined_[std::size_t(i)] = joined_[std::size_t(joined_[std::size_t(i)])];
+		return i;
+	}
+
+	void joinVertices(int v, int w)
+	{
+		const int a = rootOf(vertices_.indexOf(v)), b = rootOf(vertices_.indexOf(w));
+		joined_[std::size_t(std::max(a, b))] = std::min(a, b);
+	}
+
+	void joinAlongSeams()
+	{
+		joined_.resize(std::size_t(vertices_.num()));
+		std::iota(joined_.begin(), joined_.end(), 0);
+		for (const Seam& s : seams_) {
+			const int g = s.halfEdge[0], h = s.halfEdge[1];
+			const int otherStart = s.sameDirection ? h : nextInFace(h);
+			const int otherEnd   = s.sameDirection ? nextInFace(h) : h;
+			joinVertices(mesh_.triangle[g], mesh_.triangle[otherStart]);
+			joinVertices(mesh_.triangle[nextInFace(g)], mesh_.triangle[otherEnd]);
+		}
+		for (int i = 0; i < vertices_.num(); ++i)
+			joined_[std::size_t(i)] = rootOf(i);
+	}
+
+	/// Per vertex of the mesh what it becomes.
+	Buffer<int> newNames() const
+	{
+		Buffer<int> name(mesh_.vertexNum);
+		std::iota(name.begin(), name.end(), 0);
+		for (int i = 0; i < vertices_.num(); ++i)
+			name[vertices_.vertex(i)] = vertices_.vertex(joined_[std::size_t(i)]);
+		return name;
+	}
+
+	/// Per vertex of the mesh whether others become one with it, or it with another.
+	Buffer<char> joinedOnes() const
+	{
+		Buffer<char> isJoined(mesh_.vertexNum, 0);
+		for (int i = 0; i < vertices_.num(); ++i) {
+			const int root = joined_[std::size_t(i)];
+			if (root == i) continue;
+			isJoined[vertices_.vertex(i)] = isJoined[vertices_.vertex(root)] = 1;
+		}
+		return isJoined;
+	}
+
+	/// Two edges from far apart may get the same ends, and a face two corners at one vertex. Seams
+	/// there are left out. Returns whether there were any.
+	bool leaveOutConflicts()
+	{
+		if (seams_.empty()) return false;
+		joinAlongSeams();
+		const std::vector<int> bad = findConflicts();
+		if (bad.empty()) return false;
+		const auto touches = [&](const Seam& s) {
+			for (int h : {s.halfEdge[0], nextInFace(s.halfEdge[0])}) {
+				const int i = joined_[std::size_t(vertices_.indexOf(mesh_.triangle[h]))];
+				if (std::binary_search(bad.begin(), bad.end(), vertices_.vertex(i))) return true;
+			}
+			return false;
+		};
+		seams_.erase(std::remove_if(seams_.begin(), seams_.end(), touches), seams_.end());
+		return true;
+	}
+
+	/// The joined vertices, by their new names, at the ends of edges that would get too many faces.
+	/// Ascending.
+	std::vector<int> findConflicts() const
+	{
+		const Buffer<int>  name     = newNames();
+		const Buffer<char> isJoined = joinedOnes();
+		const auto         gather   = [&](std::size_t begin, std::size_t end, auto& out) {
+            for (int h = int(3 * begin); h < int(3 * end); ++h) {
+                const int a = mesh_.triangle[h], b = mesh_.triangle[nextInFace(h)];
+                if (!isJoined[a] && !isJoined[b]) continue;
+                out.push_back({std::minmax({name[a], name[b]}), h});
+            }
+		};
+		std::vector<Side> sides = workers_.collect<Side>(mesh_.faceNum, gather);
+		sortPolled(sides.begin(), sides.end(), workers_);
+		std::vector<int> bad;
+		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+			if (!isConflict(sides, begin, end)) return;
+			for (int v : {sides[begin].ends.first, sides[begin].ends.second}) {
+				if (isJoined[v]) bad.push_back(v);
+			}
+		});
+		sortUnique(bad);
+		return bad;
+	}
+
+	bool isConflict(const std::vector<Side>& sides, std::size_t begin, std::size_t end) const
+	{
+		if (sides[begin].ends.first == sides[begin].ends.second) return true;
+		if (end - begin <= 2) return false;
+		const Ends before = endsOf(mesh_, sides[begin].halfEdge);
+		for (std::size_t i = begin; i < end; ++i) {
+			if (endsOf(mesh_, sides[i].halfEdge) != before) return true;
+		}
+		return false; // it had as many faces before
+	}
+
+	// ---- the outcome
+
+	/// Ends of edges at one place get the same numbers, sewn or not: what is made of them later,
+	/// like the middles of long edges, is then at one place, too.
+	void moveTogether()
+	{
+		sortUnique(coinciding_);
+		for (int v : coinciding_)
+			mesh_.position[v] = mesh_.position[vertices_.placeOf(v)];
+	}
+
+	void renameVertices()
+	{
+		const Buffer<int> name = newNames();
+		workers_.forRange(3 * std::size_t(mesh_.faceNum), [&](std::size_t begin, std::size_t end) {
+			for (std::size_t i = begin; i < end; ++i)
+				mesh_.triangle[i] = name[mesh_.triangle[i]];
+		});
+		dropUnusedVertices(mesh_);
+	}
+};
+
+} // namespace
+
+void sewSeams(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
+{
+	if (isClosed(mesh, workers)) return;
+	const std::vector<int> border = findBorder(mesh, workers);
+	Sewing(mesh, border, workers, counts).run();
+}
+
+} // namespace gpr
