@@ -428,6 +428,42 @@ TriangleMesh soupOf(const TriangleMesh& mesh, double noise, Random& random)
 	return soup;
 }
 
+std::vector<int> randomParts(const TriangleMesh& mesh, int partNum, Random& random)
+{
+	std::map<std::pair<int, int>, std::vector<int>> facesAt; // an edge
+	for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+		const int a = mesh.triangles[i], b = mesh.triangles[i % 3 == 2 ? i - 2 : i + 1];
+		facesAt[{std::min(a, b), std::max(a, b)}].push_back(int(i / 3));
+	}
+	std::vector<std::vector<int>> neighbours(mesh.faceNum());
+	for (const auto& [edge, faces] : facesAt) {
+		for (int f : faces)
+			neighbours[std::size_t(f)].insert(neighbours[std::size_t(f)].end(), faces.begin(),
+											  faces.end());
+	}
+	std::vector<int> part(mesh.faceNum(), -1), front;
+	const auto       take = [&](int f, int number) {
+        if (part[std::size_t(f)] >= 0) return;
+        part[std::size_t(f)] = number;
+        front.push_back(f);
+	};
+	for (int i = 0; i < partNum; ++i)
+		take(random.below(int(mesh.faceNum())), i);
+	for (int f = 0; f < int(mesh.faceNum()); ++f) {
+		// Faces of components without a start become parts at the end.
+		while (!front.empty()) {
+			const std::size_t at = std::size_t(random.below(int(front.size())));
+			const int         g  = front[at];
+			front[at]            = front.back();
+			front.pop_back();
+			for (int n : neighbours[std::size_t(g)])
+				take(n, part[std::size_t(g)]);
+		}
+		take(f, random.below(partNum));
+	}
+	return part;
+}
+
 TriangleMesh withHoles(const TriangleMesh& mesh, int holeNum, Random& random)
 {
 	std::vector<std::set<int>>         facesAt(mesh.vertexNum());

@@ -8,6 +8,7 @@
 #include <vcg_extras/core/mesh_view.h>
 
 #include <functional>
+#include <vector>
 
 namespace gpr::test {
 
@@ -70,6 +71,8 @@ TriangleMesh fansSharingVertex(int fanNum);
 TriangleMesh finsOnEdge(int finNum);
 /// Every face with three vertices of its own, each moved by up to `noise` per coordinate.
 TriangleMesh soupOf(const TriangleMesh& mesh, double noise, Random& random);
+/// A number below `partNum` for every face: parts that hang together over edges, of random size.
+std::vector<int> randomParts(const TriangleMesh& mesh, int partNum, Random& random);
 /// Without the faces round `holeNum` inner vertices that are not near each other: each makes a
 /// loop.
 TriangleMesh withHoles(const TriangleMesh& mesh, int holeNum, Random& random);

@@ -3,6 +3,7 @@
 #include "transforms.h"
 
 #include <cmath>
+#include <map>
 #include <numeric>
 
 namespace gpr::test {
@@ -67,6 +68,19 @@ TriangleMesh insideOut(const TriangleMesh& mesh)
 	for (std::size_t f = 0; f < result.faceNum(); ++f)
 		std::swap(result.triangles[3 * f + 1], result.triangles[3 * f + 2]);
 	return result;
+}
+
+TriangleMesh cutApart(const TriangleMesh& mesh, const std::vector<int>& partOf)
+{
+	TriangleMesh                       cut;
+	std::map<std::pair<int, int>, int> vertexOf; // part and vertex
+	for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+		const auto added = vertexOf.insert(
+			{{partOf[i / 3], mesh.triangles[i]}, std::int32_t(cut.positions.size())});
+		if (added.second) cut.positions.push_back(mesh.positions[std::size_t(mesh.triangles[i])]);
+		cut.triangles.push_back(added.first->second);
+	}
+	return cut;
 }
 
 TriangleMesh withoutUnused(const TriangleMesh& mesh)

@@ -19,6 +19,8 @@ TriangleMesh joined(const TriangleMesh& a, const TriangleMesh& b);
 TriangleMesh shuffled(const TriangleMesh& mesh, Random& random);
 /// Every face turned over.
 TriangleMesh insideOut(const TriangleMesh& mesh);
+/// With vertices of their own for the faces of each part; partOf: one number a face.
+TriangleMesh cutApart(const TriangleMesh& mesh, const std::vector<int>& partOf);
 /// Without the vertices that are in no face.
 TriangleMesh withoutUnused(const TriangleMesh& mesh);
 

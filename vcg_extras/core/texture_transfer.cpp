@@ -4,6 +4,10 @@
 
 #include "carry_over.h"
 
+#include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/mesh/indexed_mesh.h>
+#include <vcg_extras/core/mesh/same_place.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -22,29 +26,34 @@ constexpr double reach = 1.5;
 /// Faces looked at for one face of the result at most.
 constexpr std::size_t maxFacesLookedAt = 100000;
 
-/// Numbers the positions: vertices at the same place get the same number.
+bool isFinite(const Vec3d& p)
+{
+	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+Box<double> boxOf(const MeshView& mesh)
+{
+	Box<double> box;
+	for (std::size_t c = 0; c < 3 * mesh.faceNum; ++c) {
+		const Vec3d p = mesh.position(std::size_t(mesh.vertexOf(c)));
+		if (isFinite(p)) box.add(p);
+	}
+	return box;
+}
+
+/// Numbers the places: vertices at the same place, as the engine sews and welds them, get the same
+/// number.
 std::vector<std::int32_t> placeNumbers(const MeshView& mesh)
 {
-	std::vector<std::int32_t> order(mesh.vertexNum), place(mesh.vertexNum);
-	std::iota(order.begin(), order.end(), 0);
-	const auto key = [&](std::int32_t v) {
-		const Vec3d p = mesh.position(std::size_t(v));
-		return std::array<double, 3>{p.x, p.y, p.z};
-	};
-	// A NaN has no order; such vertices are in no face that the engine keeps.
-	const auto comparable = [](double x) { return x == x ? x : HUGE_VAL; };
-	const auto before     = [&](std::int32_t a, std::int32_t b) {
-        const auto p = key(a), q = key(b);
-        for (std::size_t k = 0; k < 3; ++k) {
-            const double x = comparable(p[k]), y = comparable(q[k]);
-            if (x != y) return x < y;
-        }
-        return a < b;
-	};
-	std::sort(order.begin(), order.end(), before);
-	for (std::size_t i = 0; i < order.size(); ++i) {
-		const bool same              = i > 0 && key(order[i]) == key(order[i - 1]);
-		place[std::size_t(order[i])] = same ? place[std::size_t(order[i - 1])] : order[i];
+	std::vector<std::int32_t> place(mesh.vertexNum);
+	std::iota(place.begin(), place.end(), 0);
+	const Box<double> box = boxOf(mesh);
+	if (!canBeFramed(box)) return place;
+	const Frame    frame = frameOf(box);
+	SamePlaceTable table(mesh.vertexNum);
+	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
+		const Vec3d p = mesh.position(v);
+		if (isFinite(p)) place[v] = table.findOrPut(frame.toWorking(p), std::int32_t(v));
 	}
 	return place;
 }
@@ -93,7 +102,9 @@ TextureSource::TextureSource(const MeshView& mesh, CornerTexture texture) :
 {
 	seam_.assign(3 * mesh.faceNum, 0);
 	beyond_.assign(3 * mesh.faceNum, -1);
+	place_ = placeNumbers(mesh_);
 	connect();
+	place_ = {};
 }
 
 /// Finds the two sides of every edge by sorting.
@@ -109,13 +120,11 @@ void TextureSource::connect()
 		}
 		bool isOfSameEdge(const Side& o) const { return low == o.low && high == o.high; }
 	};
-	const std::vector<std::int32_t> place = placeNumbers(mesh_);
-	std::vector<Side>               sides;
+	std::vector<Side> sides;
 	sides.reserve(3 * mesh_.faceNum);
 	for (std::size_t c = 0; c < 3 * mesh_.faceNum; ++c) {
 		const std::size_t  next = c % 3 == 2 ? c - 2 : c + 1;
-		const std::int32_t a    = place[std::size_t(mesh_.vertexOf(c))];
-		const std::int32_t b    = place[std::size_t(mesh_.vertexOf(next))];
+		const std::int32_t a = placeOf(std::int64_t(c)), b = placeOf(std::int64_t(next));
 		if (a != b) sides.push_back({std::min(a, b), std::max(a, b), std::int64_t(c)});
 	}
 	std::sort(sides.begin(), sides.end());
@@ -146,11 +155,8 @@ bool TextureSource::agree(std::int64_t a, std::int64_t b) const
 	if (!texture_.image.empty() &&
 		texture_.image[std::size_t(a / 3)] != texture_.image[std::size_t(b / 3)])
 		return false;
-	const auto place = [&](std::int64_t c) {
-		return mesh_.position(std::size_t(mesh_.vertexOf(c)));
-	};
 	// Consistently oriented faces have the edge in opposite directions.
-	const bool opposite    = squaredLength(place(a) - place(next(b))) == 0;
+	const bool opposite    = placeOf(a) == placeOf(next(b));
 	const auto isSameThere = [&](std::int64_t x, std::int64_t y) {
 		for (std::int64_t k = 0; k < 2; ++k) {
 			const float d =

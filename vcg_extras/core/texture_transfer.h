@@ -21,8 +21,8 @@ struct CornerTexture {
 /// images.
 class TextureSource {
 public:
-	/// The mesh must outlive this. Vertices at the same position are taken for one, as in a
-	/// triangle soup. Cost: O(F log F).
+	/// The mesh must outlive this. Vertices at the same place are taken for one, as in a triangle
+	/// soup and along seams that are sewn. Cost: O(F log F).
 	TextureSource(const MeshView& mesh, CornerTexture texture);
 
 	/// Three a face, 1 where the edge from that corner to the next is a seam: MeshView::line.
@@ -42,8 +42,13 @@ private:
 	std::vector<std::uint8_t> seam_;
 	std::vector<std::int32_t> beyond_; ///< three a face: the face across an edge, or -1: none, or
 									   ///< a seam lies between
-	std::int64_t seamNum_ = 0;
+	std::vector<std::int32_t> place_;  ///< per vertex, while faces are linked: see same_place.h
+	std::int64_t              seamNum_ = 0;
 
+	std::int32_t placeOf(std::int64_t corner) const
+	{
+		return place_[std::size_t(mesh_.vertexOf(std::size_t(corner)))];
+	}
 	void connect();
 	void link(std::int64_t a, std::int64_t b);
 	bool agree(std::int64_t a, std::int64_t b) const;

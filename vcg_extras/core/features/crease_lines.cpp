@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <unordered_map>
 
 namespace gpr {
@@ -37,14 +38,16 @@ public:
 
 	CreaseFindings run()
 	{
-		CreaseFindings         found;
-		const std::vector<int> sharp = findSharpEdges();
+		CreaseFindings   found;
+		std::vector<int> sharp = findSharpEdges();
 		if (!sharp.empty()) {
 			markAll(sharp);
-			if (rules_.mode == FeatureMode::Auto && looksLikeNoise(sharp)) {
+			if (rules_.mode == FeatureMode::Auto && looksLikeNoise(withoutSeams(sharp))) {
 				m_.crease.release();
 				found.wasNoise = true;
-				return found;
+				sharp          = seamsAmong(sharp);
+				if (sharp.empty()) return found;
+				markAll(sharp);
 			}
 			growFromEnds(sharp);
 			dropShortOnes();
@@ -122,6 +125,29 @@ private:
 
 	void mark(int h, bool on) { m_.crease[h] = m_.crease[m_.opposite[h]] = char(on); }
 
+	// ---- seams
+
+	bool isSeam(int h) const
+	{
+		return std::binary_search(rules_.seams.begin(), rules_.seams.end(), h);
+	}
+
+	std::vector<int> withoutSeams(const std::vector<int>& edges) const
+	{
+		std::vector<int> others;
+		std::copy_if(edges.begin(), edges.end(), std::back_inserter(others),
+					 [&](int h) { return !isSeam(h); });
+		return others;
+	}
+
+	std::vector<int> seamsAmong(const std::vector<int>& edges) const
+	{
+		std::vector<int> seams;
+		std::copy_if(edges.begin(), edges.end(), std::back_inserter(seams),
+					 [&](int h) { return isSeam(h); });
+		return seams;
+	}
+
 	// ---- noise
 
 	/// Length of edges, and what of it is clear of noise.
@@ -141,6 +167,7 @@ private:
 	/// scan they do, and it has many.
 	bool looksLikeNoise(const std::vector<int>& sharp) const
 	{
+		if (sharp.empty()) return false;
 		const CreaseClearance clearance(surface_, isSplit(), sharp, workers_);
 		const auto            isClear = [&](int h) { return clearance.isClear(h); };
 		if (lengthsOf(sharp, isClear).areNoise()) return true;

@@ -22,6 +22,8 @@ struct CreaseRules {
 	/// on, be it below minLength.
 	float minLoop = std::numeric_limits<float>::infinity();
 	float minGap  = 0; ///< Auto: so is the weaker of two lines nearer than this to each other
+	/// Auto: edges that are no noise if they are sharp, each by its smaller half-edge, ascending.
+	std::vector<int> seams;
 	/// Of the caller's mesh if its edges have been split; 0: they were not.
 	float callersMeanEdge = 0;
 };
@@ -39,11 +41,11 @@ struct CreaseFindings {
 /// chains the line goes on along the edge that continues it best, as long as that has weakDeg. In
 /// Auto mode lines are only taken if sharp edges stand out: those of a scan's noise have others
 /// nearly as sharp beside them and break off after a few edges; where less than 70 % of the sharp
-/// length is clear of that, there are no lines; splitting edges before changes nothing of it. Cone
-/// Cone apexes are vertices whose angle defect exceeds strongDeg while the vertices round them are
-/// smooth. With Off and Given nothing is marked. Needs: connected, crease empty. Cost: linear,
-/// parallel, a few milliseconds a million faces; what follows the test for sharpness is serial,
-/// over the sharp edges.
+/// length is clear of that, there are no lines but the seams; splitting edges before changes
+/// nothing of it. Cone Cone apexes are vertices whose angle defect exceeds strongDeg while the
+/// vertices round them are smooth. With Off and Given nothing is marked. Needs: connected, crease
+/// empty. Cost: linear, parallel, a few milliseconds a million faces; what follows the test for
+/// sharpness is serial, over the sharp edges.
 CreaseFindings markCreases(const CreaseRules& rules, Workers& workers, Surface& surface);
 
 } // namespace gpr

@@ -2,31 +2,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "given_lines.h"
 
+#include <vcg_extras/core/mesh/same_place.h>
+
 namespace gpr {
 
 namespace {
 
 /// Whether a corner of the caller's face g lies where vertex v does. Positions, not numbers: the
-/// vertices of a triangle soup are welded by the engine only.
-bool hasCornerAt(const MeshView& input, int g, int v)
+/// vertices of a triangle soup, or along a seam, are joined by the engine only. Both may be as far
+/// as samePlace from the one that they were joined with. scale: from mesh to working units.
+bool hasCornerAt(const MeshView& input, double scale, int g, int v)
 {
-	const Vec3d p = input.position(std::size_t(v));
+	constexpr double farthest = 2 * double(samePlace);
+	const Vec3d      p        = input.position(std::size_t(v));
 	for (int k = 0; k < 3; ++k) {
-		const int w = input.vertexOf(3 * std::size_t(g) + std::size_t(k));
-		if (w == v || squaredLength(input.position(std::size_t(w)) - p) == 0) return true;
+		const int   w    = input.vertexOf(3 * std::size_t(g) + std::size_t(k));
+		const Vec3d away = (input.position(std::size_t(w)) - p) * scale;
+		if (w == v || squaredLength(away) <= farthest * farthest) return true;
 	}
 	return false;
 }
 
 /// Whether the caller's faces f and g meet in an edge that f has as a line.
-bool isLineBetween(const MeshView& input, int f, int g)
+bool isLineBetween(const MeshView& input, double scale, int f, int g)
 {
 	for (int k = 0; k < 3; ++k) {
 		const std::size_t at = 3 * std::size_t(f);
 		if (!input.line[at + std::size_t(k)]) continue;
 		const int a = input.vertexOf(at + std::size_t(k));
 		const int b = input.vertexOf(at + std::size_t((k + 1) % 3));
-		if (hasCornerAt(input, g, a) && hasCornerAt(input, g, b)) return true;
+		if (hasCornerAt(input, scale, g, a) && hasCornerAt(input, scale, g, b)) return true;
 	}
 	return false;
 }
@@ -35,8 +40,9 @@ bool isGivenLine(const MeshView& input, const Surface& surface, int h)
 {
 	const int other = surface.mesh.opposite[h];
 	if (other < 0) return false;
-	const int f = surface.sourceFace[h / 3], g = surface.sourceFace[other / 3];
-	return f != g && (isLineBetween(input, f, g) || isLineBetween(input, g, f));
+	const int    f = surface.sourceFace[h / 3], g = surface.sourceFace[other / 3];
+	const double scale = surface.frame.scale;
+	return f != g && (isLineBetween(input, scale, f, g) || isLineBetween(input, scale, g, f));
 }
 
 } // namespace

@@ -18,16 +18,6 @@ namespace gpr {
 
 namespace {
 
-double largestCoordinate(const Box<double>& box)
-{
-	double most = 0;
-	for (const Vec3d& p : {box.low, box.high}) {
-		for (double c : {p.x, p.y, p.z})
-			most = std::max(most, std::abs(c));
-	}
-	return most;
-}
-
 bool isFinite(const Vec3d& p)
 {
 	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -158,23 +148,13 @@ Box<double> boxOfUsed(const MeshView& input, const UsedVertices& used, Workers& 
 	});
 }
 
-Frame frameOf(const Box<double>& box)
+Frame requireFrame(const Box<double>& box)
 {
-	Frame        frame;
+	if (canBeFramed(box)) return frameOf(box);
 	const double extent = box.largestSide();
-	if (!(extent > 0) || !std::isfinite(extent)) {
-		throw Failure(Status::UnusableInput, "The surface has no area.");
-	}
-	// Coordinates that lie near the surface's own size stay as they are, so that float input is
-	// taken over exactly; only far offsets (georeferenced scans) are removed.
-	if (largestCoordinate(box) > 4 * extent) frame.origin = (box.low + box.high) * 0.5;
-	int exponent = 0;
-	std::frexp(extent, &exponent);
-	frame.scale = std::ldexp(1.0, -exponent);
-	if (!std::isfinite(frame.scale)) {
-		throw Failure(Status::UnusableInput, "The surface is too small to be computed with.");
-	}
-	return frame;
+	const bool   isTiny = extent > 0 && std::isfinite(extent);
+	throw Failure(Status::UnusableInput, isTiny ? "The surface is too small to be computed with."
+												: "The surface has no area.");
 }
 
 /// Puts the used vertices in a row and renames them in the faces.
@@ -292,7 +272,7 @@ IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& coun
 		throw Failure(Status::UnusableInput, "No face has three different, finite vertices.");
 	}
 	const UsedVertices used(mesh, input.vertexNum, workers);
-	mesh.frame = frameOf(boxOfUsed(input, used, workers));
+	mesh.frame = requireFrame(boxOfUsed(input, used, workers));
 	copyVertices(input, used, workers, mesh, counts);
 	counts.unreferencedVertices -= counts.nonFiniteVertices;
 	if (isSoup(mesh)) weld(mesh, workers, counts);

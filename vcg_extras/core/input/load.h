@@ -5,15 +5,11 @@
 
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/indexed_mesh.h>
+#include <vcg_extras/core/mesh/same_place.h>
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/report.h>
 
 namespace gpr {
-
-/// Vertices this near to each other, in working units, lie at one place where parts of a mesh are
-/// joined: a millionth of the box, whose largest side is about 1. That is far below any edge worth
-/// keeping, and above the noise of coordinates that went through text or float.
-constexpr float samePlace = 1e-6f;
 
 /// Stage 1: a working copy of the caller's mesh, with what no surface can have left out: vertices
 /// that are not finite (and their faces), vertices in no face, faces with a vertex twice. A

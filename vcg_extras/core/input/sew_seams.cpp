@@ -5,9 +5,9 @@
 #include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
+#include <vcg_extras/core/mesh/same_place.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <utility>
@@ -17,17 +17,9 @@ namespace gpr {
 
 namespace {
 
-/// Spreads the bits of x over all 64 (the finalizer of splitmix64).
-std::uint64_t mixed(std::uint64_t x)
-{
-	x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9ull;
-	x = (x ^ (x >> 27)) * 0x94d049bb133111ebull;
-	return x ^ (x >> 31);
-}
-
 std::uint64_t numberOf(int v)
 {
-	return mixed(std::uint64_t(v) + 0x9e3779b97f4a7c15ull);
+	return mixedBits(std::uint64_t(v) + 0x9e3779b97f4a7c15ull);
 }
 
 /// The ends of an edge, the smaller first.
@@ -57,7 +49,7 @@ bool isClosed(const IndexedMesh& mesh, Workers& workers)
 		Parity parity;
 		for (int h = int(3 * begin); h < int(3 * end); ++h) {
 			const Ends e = endsOf(mesh, h);
-			parity.bits ^= mixed(std::uint64_t(e.first) << 32 | std::uint64_t(e.second));
+			parity.bits ^= mixedBits(std::uint64_t(e.first) << 32 | std::uint64_t(e.second));
 		}
 		return parity;
 	};
@@ -125,71 +117,6 @@ std::vector<int> findBorder(const IndexedMesh& mesh, Workers& workers)
 
 // ---- places
 
-/// Finds points near others: a hash table of cells, each a chain of points.
-class PointTable {
-public:
-	PointTable(const IndexedMesh& mesh, std::size_t pointNum) : mesh_(mesh)
-	{
-		std::size_t size = 64;
-		while (size < 2 * pointNum)
-			size *= 2;
-		first_.assign(size, -1);
-		entry_.reserve(pointNum);
-	}
-
-	/// The first vertex put in that lies within samePlace of v; else v itself, which is put in.
-	int findOrPut(int v)
-	{
-		const Vec3f p    = mesh_.position[v];
-		int         best = v;
-		for (std::int64_t x = cellOf(p.x - samePlace); x <= cellOf(p.x + samePlace); ++x) {
-			for (std::int64_t y = cellOf(p.y - samePlace); y <= cellOf(p.y + samePlace); ++y) {
-				for (std::int64_t z = cellOf(p.z - samePlace); z <= cellOf(p.z + samePlace); ++z)
-					best = std::min(best, firstNear(p, slotOf(x, y, z), v));
-			}
-		}
-		if (best == v) put(v, slotOf(cellOf(p.x), cellOf(p.y), cellOf(p.z)));
-		return best;
-	}
-
-private:
-	struct Entry {
-		int vertex;
-		int next; ///< in the chain, or -1
-	};
-	const IndexedMesh& mesh_;
-	std::vector<int>   first_; ///< per slot, or -1; a power of two of them
-	std::vector<Entry> entry_;
-
-	/// Cells are wide enough that most points are far from the next one.
-	static std::int64_t cellOf(float c) { return std::int64_t(std::floor(c / (16 * samePlace))); }
-
-	std::size_t slotOf(std::int64_t x, std::int64_t y, std::int64_t z) const
-	{
-		const std::uint64_t cell = std::uint64_t(x) * 0x9e3779b97f4a7c15ull ^
-								   std::uint64_t(y) * 0xc2b2ae3d27d4eb4full ^
-								   std::uint64_t(z) * 0x165667b19e3779f9ull;
-		return std::size_t(mixed(cell)) & (first_.size() - 1);
-	}
-
-	int firstNear(const Vec3f& p, std::size_t slot, int otherwise) const
-	{
-		int best = otherwise;
-		for (int i = first_[slot]; i >= 0; i = entry_[std::size_t(i)].next) {
-			const int w = entry_[std::size_t(i)].vertex;
-			if (squaredLength(mesh_.position[w] - p) <= samePlace * samePlace)
-				best = std::min(best, w);
-		}
-		return best;
-	}
-
-	void put(int v, std::size_t slot)
-	{
-		entry_.push_back({v, first_[slot]});
-		first_[slot] = int(entry_.size()) - 1;
-	}
-};
-
 /// The vertices of the border, with numbers in a row.
 class BorderVertices {
 public:
@@ -200,11 +127,11 @@ public:
 			vertex_.push_back(mesh.triangle[nextInFace(h)]);
 		}
 		sortUnique(vertex_);
-		Poller     poller(workers);
-		PointTable table(mesh, vertex_.size());
+		Poller         poller(workers);
+		SamePlaceTable table(vertex_.size());
 		for (int v : vertex_) {
 			poller.count();
-			place_.push_back(table.findOrPut(v));
+			place_.push_back(table.findOrPut(mesh.position[v], v));
 			isAnyShared_ |= place_.back() != v;
 		}
 	}
@@ -247,9 +174,9 @@ public:
 		const auto [rootB, turnedB] = find(b);
 		const bool differs          = turnedA != turnedB;
 		if (rootA == rootB) return differs == turned;
-		const int low                      = std::min(rootA, rootB);
-		parent_[std::size_t(rootA)]        = low;
-		parent_[std::size_t(rootB)]        = low;
+		const int low                             = std::min(rootA, rootB);
+		parent_[std::size_t(rootA)]               = low;
+		parent_[std::size_t(rootB)]               = low;
 		turned_[std::size_t(rootA ^ rootB ^ low)] = char(differs != turned);
 		return true;
 	}
@@ -266,8 +193,8 @@ private:
 			turned ^= turned_[std::size_t(root)] != 0;
 		const std::pair<int, bool> found{root, turned};
 		while (a != root) {
-			const int  next  = parent_[std::size_t(a)];
-			const bool after = turned != (turned_[std::size_t(a)] != 0);
+			const int  next         = parent_[std::size_t(a)];
+			const bool after        = turned != (turned_[std::size_t(a)] != 0);
 			parent_[std::size_t(a)] = root;
 			turned_[std::size_t(a)] = char(turned);
 			turned                  = after;
@@ -293,7 +220,7 @@ public:
 		findSeams();
 		leaveOutOneSided();
 		while (leaveOutConflicts()) {}
-		counts_.sewnEdges = std::int64_t(seams_.size());
+		counts_.sewnEdges         = std::int64_t(seams_.size());
 		counts_.sharedBorderEdges = coincidingNum_ - 2 * counts_.sewnEdges;
 		moveTogether();
 		if (!seams_.empty()) renameVertices();

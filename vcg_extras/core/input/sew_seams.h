@@ -3,8 +3,6 @@
 #ifndef VCG_EXTRAS_CORE_INPUT_SEW_SEAMS_H
 #define VCG_EXTRAS_CORE_INPUT_SEW_SEAMS_H
 
-#include "load.h"
-
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/indexed_mesh.h>
 #include <vcg_extras/core/report.h>

@@ -2,9 +2,49 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "indexed_mesh.h"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace gpr {
+
+namespace {
+
+double scaleFor(double extent)
+{
+	int exponent = 0;
+	std::frexp(extent, &exponent);
+	return std::ldexp(1.0, -exponent);
+}
+
+double largestCoordinate(const Box<double>& box)
+{
+	double most = 0;
+	for (const Vec3d& p : {box.low, box.high}) {
+		for (double c : {p.x, p.y, p.z})
+			most = std::max(most, std::abs(c));
+	}
+	return most;
+}
+
+} // namespace
+
+bool canBeFramed(const Box<double>& box)
+{
+	const double extent = box.largestSide();
+	return extent > 0 && std::isfinite(extent) && std::isfinite(scaleFor(extent));
+}
+
+Frame frameOf(const Box<double>& box)
+{
+	Frame        frame;
+	const double extent = box.largestSide();
+	// Coordinates that lie near the surface's own size stay as they are, so that float input is
+	// taken over exactly; only far offsets (georeferenced scans) are removed.
+	if (largestCoordinate(box) > 4 * extent) frame.origin = (box.low + box.high) * 0.5;
+	frame.scale = scaleFor(extent);
+	return frame;
+}
 
 void dropUnusedVertices(IndexedMesh& mesh)
 {

@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_MESH_INDEXED_MESH_H
 #define VCG_EXTRAS_CORE_MESH_INDEXED_MESH_H
 
+#include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/buffer.h>
 #include <vcg_extras/core/vec.h>
 
@@ -20,6 +21,13 @@ struct Frame {
 	Vec3f toWorking(const Vec3d& p) const { return Vec3f((p - origin) * scale); }
 	Vec3d toCaller(const Vec3f& p) const { return origin + Vec3d(p) * (1 / scale); }
 };
+
+/// Whether a surface in that box has a size that can be computed with.
+bool canBeFramed(const Box<double>& box);
+
+/// The frame for a surface in that box, whose largest side will be at least 1/2 and below 1. Needs:
+/// canBeFramed.
+Frame frameOf(const Box<double>& box);
 
 /// Vertices and triangles without adjacency: the form of the mesh until it is ordered.
 struct IndexedMesh {

@@ -5,6 +5,7 @@
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/crease_lines.h>
 #include <vcg_extras/core/features/given_lines.h>
+#include <vcg_extras/core/features/seam_edges.h>
 
 #include <algorithm>
 #include <utility>
@@ -24,9 +25,21 @@ constexpr double maxOnCurves = 0.5;
 /// Share of the vertices that lines given by the caller may take, with borders and feature lines.
 constexpr double maxOnGivenLines = 0.5;
 
-CreaseRules creaseRules(const RemeshOptions& options, const Prepared& p)
+/// The seams that tell creases from noise: not where most edges were seams, as then the pieces were
+/// single faces, and say nothing.
+std::vector<int> tellingSeams(RunContext& run, const Prepared& p)
 {
-	CreaseRules rules;
+	constexpr double   mostPerFace = 0.75; // every second edge
+	const CleanCounts& cleaned     = run.report.cleaned;
+	const bool areMost = double(cleaned.sewnEdges) > mostPerFace * double(run.input.faceNum);
+	if (cleaned.sewnEdges == 0 || cleaned.weldedVertices > 0 || areMost) return {};
+	return findSeamEdges(run.input, p.surface, run.workers);
+}
+
+CreaseRules creaseRules(RunContext& run, const Prepared& p)
+{
+	const RemeshOptions& options = run.options;
+	CreaseRules          rules;
 	rules.mode            = followsFeatureLines(options) ? options.featureMode : FeatureMode::Off;
 	rules.strongDeg       = float(options.featureAngleDeg);
 	rules.weakDeg         = 0.5f * rules.strongDeg;
@@ -35,6 +48,7 @@ CreaseRules creaseRules(const RemeshOptions& options, const Prepared& p)
 	rules.minSpur         = idealEdge(p);
 	rules.minGap          = minLineGap * idealEdge(p);
 	rules.callersMeanEdge = p.callersMeanEdge;
+	if (rules.mode == FeatureMode::Auto) rules.seams = tellingSeams(run, p);
 	return rules;
 }
 
@@ -66,7 +80,7 @@ double followCreasesAgain(RunContext& run, const CreaseRules& rules, Prepared& p
 
 void followAsManyCreasesAsFit(RunContext& run, Prepared& p)
 {
-	CreaseRules rules = creaseRules(run.options, p);
+	CreaseRules rules = creaseRules(run, p);
 	double      share = followCreases(run, rules, p);
 	if (share > maxOnCurves) {
 		rules.minGap = minCrowdedGap * idealEdge(p);
@@ -117,7 +131,7 @@ bool followsFeatureLines(const RemeshOptions& options)
 
 bool hasFeatureLines(RunContext& run, Prepared& p)
 {
-	const CreaseRules    rules = creaseRules(run.options, p);
+	const CreaseRules    rules = creaseRules(run, p);
 	const CreaseFindings found = markCreases(rules, run.workers, p.surface);
 	p.surface.mesh.crease.release();
 	return found.edgeNum > 0;

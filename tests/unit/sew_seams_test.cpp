@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/input/repair_manifold.h>
+#include <vcg_extras/core/input/sew_seams.h>
+#include <vcg_extras/core/mesh/same_place.h>
+
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace gpr::test {
+
+namespace {
+
+struct Sewn {
+	CleanCounts  counts;
+	TriangleMesh before, after;
+	IndexedMesh  mesh;
+
+	explicit Sewn(const TriangleMesh& cut, int threads = 1)
+	{
+		Workers workers(threads, nullptr);
+		mesh   = loaded(cut, workers);
+		before = meshOf(mesh);
+		sewSeams(mesh, workers, counts);
+		after = meshOf(mesh);
+	}
+};
+
+/// Cut apart where x, or y, is 0.5.
+TriangleMesh cutByPlanes(const TriangleMesh& mesh, bool alongX, bool alongY)
+{
+	std::vector<int> part;
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		Vec3d sum;
+		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
+			sum += mesh.positions[std::size_t(mesh.triangles[c])] * (1 / 3.0);
+		part.push_back(int(alongX && sum.x > 0.5) + 2 * int(alongY && sum.y > 0.5));
+	}
+	return cutApart(mesh, part);
+}
+
+/// The faces of the cube's six sides with vertices of their own.
+TriangleMesh cubeOfSides(int n)
+{
+	const TriangleMesh whole = cube(n);
+	std::vector<int>   side;
+	for (std::size_t f = 0; f < whole.faceNum(); ++f) {
+		const auto at = [&](int k) {
+			return whole.positions[std::size_t(whole.triangles[3 * f + std::size_t(k)])];
+		};
+		const Vec3d n3   = cross(at(1) - at(0), at(2) - at(0));
+		const int   axis = std::abs(n3.x) > 1e-9 ? 0 : std::abs(n3.y) > 1e-9 ? 1 : 2;
+		side.push_back(2 * axis + int(n3.x + n3.y + n3.z > 0));
+	}
+	return cutApart(whole, side);
+}
+
+/// A square in the plane through the z axis at that angle; a side of it lies on the axis.
+TriangleMesh page(int n, double angleRad)
+{
+	return rotated(rotated(grid(n, n), {1, 0, 0}, std::acos(-1.0) / 2), {0, 0, 1}, angleRad);
+}
+
+TEST(SewSeams, TwoHalvesOfASquareBecomeOne)
+{
+	const Sewn r(cutByPlanes(grid(4, 4), true, false));
+	EXPECT_EQ(factsOf(r.before).components, 2);
+	EXPECT_TRUE(isSoundSurface(r.after));
+	EXPECT_TRUE(hasSameTopology(r.after, grid(4, 4)));
+	EXPECT_EQ(r.counts.sewnEdges, 4);
+	EXPECT_EQ(r.counts.sharedBorderEdges, 0);
+	EXPECT_EQ(r.mesh.vertexNum, 25);
+}
+
+TEST(SewSeams, FourPartsThatMeetInAPointGetOneVertexThere)
+{
+	const Sewn r(cutByPlanes(grid(4, 4), true, true));
+	EXPECT_EQ(factsOf(r.before).components, 4);
+	EXPECT_TRUE(isSoundSurface(r.after));
+	EXPECT_TRUE(hasSameTopology(r.after, grid(4, 4)));
+	EXPECT_EQ(r.counts.sewnEdges, 8);
+	EXPECT_EQ(r.mesh.vertexNum, 25);
+}
+
+TEST(SewSeams, ACubeOfSixSidesBecomesClosed)
+{
+	const Sewn r(cubeOfSides(3));
+	EXPECT_EQ(factsOf(r.before).components, 6);
+	EXPECT_TRUE(isSoundSurface(r.after));
+	EXPECT_TRUE(hasSameTopology(r.after, cube(3)));
+	EXPECT_EQ(r.counts.sewnEdges, 12 * 3);
+}
+
+TEST(SewSeams, FacesKeepTheirOrderTheirSourcesAndTheirPlace)
+{
+	const Sewn r(cubeOfSides(2));
+	ASSERT_EQ(r.after.faceNum(), r.before.faceNum());
+	for (std::size_t c = 0; c < r.before.triangles.size(); ++c) {
+		EXPECT_EQ(r.mesh.sourceFace[c / 3], int(c / 3));
+		const Vec3d was = r.before.positions[std::size_t(r.before.triangles[c])];
+		EXPECT_EQ(length(r.after.positions[std::size_t(r.after.triangles[c])] - was), 0);
+	}
+}
+
+TEST(SewSeams, AClosedMeshAndOneWithoutSeamsStayAsTheyAre)
+{
+	for (const TriangleMesh& mesh :
+		 {icosphere(2), grid(5, 3), twoSheets(3, 0.01), squareFrame(6, 2), moebiusStrip(30, 3),
+		  fansSharingVertex(3)}) {
+		const Sewn r(mesh);
+		EXPECT_EQ(r.after.triangles, r.before.triangles);
+		EXPECT_FALSE(r.counts.changedInput());
+		EXPECT_EQ(r.counts.sharedBorderEdges, 0);
+	}
+}
+
+TEST(SewSeams, WhatIsNearerThanAMillionthOfTheBoxIsAtOnePlace)
+{
+	for (double gap : {0.0, 4e-7, 4e-6}) {
+		const TriangleMesh cut = joined(grid(4, 4), shifted(grid(4, 4), {1 + gap, gap / 2, 0}));
+		const Sewn         r(cut);
+		const bool         isNear = gap < 1e-6;
+		EXPECT_EQ(r.counts.sewnEdges, isNear ? 4 : 0) << gap;
+		EXPECT_EQ(factsOf(r.after).components, isNear ? 1 : 2) << gap;
+		EXPECT_TRUE(isSoundSurface(r.after));
+	}
+}
+
+/// Two sides of a border with different numbers of vertices: a T-junction is no seam.
+TEST(SewSeams, ABorderIsSewnWhereItCoincidesEdgeByEdge)
+{
+	const Sewn tees(joined(grid(2, 2), shifted(grid(2, 3), {1, 0, 0})));
+	EXPECT_EQ(tees.counts.sewnEdges, 0);
+	EXPECT_EQ(tees.after.triangles, tees.before.triangles);
+	// The right square is half as high: two of the four edges have a partner.
+	const Sewn part(joined(grid(4, 4), shifted(grid(2, 2, 0.5, 0.5), {1, 0.25, 0})));
+	EXPECT_EQ(part.counts.sewnEdges, 2);
+	EXPECT_TRUE(isSoundSurface(part.after));
+	EXPECT_EQ(factsOf(part.after).components, 1);
+	EXPECT_EQ(factsOf(part.after).boundaryLoops, 1);
+}
+
+TEST(SewSeams, PartsThatOnlyTouchInAPointStayApart)
+{
+	const Sewn r(joined(grid(2, 2), shifted(grid(2, 2), {1, 1, 0})));
+	EXPECT_EQ(r.counts.sewnEdges, 0);
+	EXPECT_EQ(r.after.triangles, r.before.triangles);
+}
+
+TEST(SewSeams, WhereMoreThanTwoMeetTheyStayCutAtTheSameNumbers)
+{
+	const double third = 2 * std::acos(-1.0) / 3;
+	for (int pageNum : {3, 4, 5}) {
+		TriangleMesh book = page(4, 0);
+		for (int i = 1; i < pageNum; ++i)
+			book = joined(book, shifted(page(4, i * third * 3 / pageNum), {0, 1e-7 * i, 0}));
+		const Sewn r(book);
+		EXPECT_EQ(r.counts.sewnEdges, 0);
+		EXPECT_EQ(r.counts.sharedBorderEdges, 4 * pageNum);
+		EXPECT_EQ(factsOf(r.after).components, pageNum);
+		EXPECT_TRUE(isSoundSurface(r.after));
+		std::set<std::array<float, 3>> places;
+		int                            onAxis = 0;
+		for (int v = 0; v < r.mesh.vertexNum; ++v) {
+			const Vec3f p = r.mesh.position[v];
+			if (std::abs(p.x) > 1e-4f || std::abs(p.y) > 1e-4f) continue;
+			++onAxis;
+			places.insert({p.x, p.y, p.z});
+		}
+		EXPECT_EQ(onAxis, 5 * pageNum);
+		EXPECT_EQ(places.size(), 5u);
+	}
+}
+
+TEST(SewSeams, SheetsThatLieOnOneAnotherAreNotJoined)
+{
+	// A sheet with two sides, as games have them, the same twice, and one with other diagonals.
+	const TriangleMesh sheet  = grid(4, 4);
+	TriangleMesh       mirror = sheet;
+	for (Vec3d& p : mirror.positions)
+		p.x = 1 - p.x;
+	for (const TriangleMesh& other : {insideOut(sheet), sheet, mirror}) {
+		const Sewn r(joined(sheet, other));
+		EXPECT_EQ(r.counts.sewnEdges, 0);
+		EXPECT_EQ(r.counts.sharedBorderEdges, 2 * 16);
+		EXPECT_EQ(r.after.triangles, r.before.triangles);
+	}
+}
+
+TEST(SewSeams, PartsThatAreTheOtherWayRoundAreSewnWhereTurningThemHelps)
+{
+	TriangleMesh cut = cutByPlanes(grid(6, 6), true, false);
+	// Turn the right half over.
+	for (std::size_t f = 0; f < cut.faceNum(); ++f) {
+		const std::size_t c = 3 * f;
+		if (cut.positions[std::size_t(cut.triangles[c])].x +
+				cut.positions[std::size_t(cut.triangles[c + 1])].x +
+				cut.positions[std::size_t(cut.triangles[c + 2])].x >
+			1.5)
+			std::swap(cut.triangles[c + 1], cut.triangles[c + 2]);
+	}
+	Sewn r(cut);
+	EXPECT_EQ(r.counts.sewnEdges, 6);
+	Workers workers(1, nullptr);
+	repairManifold(r.mesh, workers, r.counts);
+	EXPECT_TRUE(isSoundSurface(meshOf(r.mesh)));
+	EXPECT_TRUE(hasSameTopology(meshOf(r.mesh), grid(6, 6)));
+	EXPECT_EQ(r.counts.reorientedFaces, 36);
+	EXPECT_EQ(r.counts.nonOrientableCuts, 0);
+}
+
+/// The ends of a strip that is twisted once lie at one place, but no turning makes them fit.
+TEST(SewSeams, AOneSidedStripStaysCut)
+{
+	TriangleMesh strip = moebiusStrip(40, 3);
+	for (Vec3d& p : strip.positions)
+		p += Vec3d(0.5, 0.5, 0); // cut where x or y is 0.5
+	const Sewn r(cutByPlanes(strip, true, true));
+	EXPECT_EQ(factsOf(r.before).components, 4);
+	EXPECT_EQ(r.counts.sewnEdges, 3 * 3);
+	EXPECT_EQ(r.counts.sharedBorderEdges, 2 * 3);
+	EXPECT_EQ(factsOf(r.after).components, 1);
+	EXPECT_EQ(factsOf(r.after).boundaryLoops, 1);
+	EXPECT_EQ(factsOf(r.after).crowdedEdges, 0);
+}
+
+TEST(SewSeams, SingleFacesBecomeASurface)
+{
+	for (const TriangleMesh& mesh : {icosphere(0), icosphere(1), cube(1), lPrism(1), torus(5, 4)}) {
+		std::vector<int> part(mesh.faceNum());
+		for (std::size_t f = 0; f < part.size(); ++f)
+			part[f] = int(f);
+		const Sewn r(cutApart(mesh, part));
+		EXPECT_TRUE(isSoundSurface(r.after));
+		EXPECT_TRUE(hasSameTopology(r.after, mesh));
+	}
+}
+
+/// Two bent sheets with the same rim and an edge across at the same place: sewing the rim would
+/// give that edge four faces.
+TEST(SewSeams, NoEdgeGetsMoreThanTwoFaces)
+{
+	TriangleMesh lens;
+	lens.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+	lens.triangles = {0, 1, 2, 0, 2, 3};
+	TriangleMesh other;
+	other.positions = {{0, 0, 0}, {1, 0, 0},       {1, 1, 0},
+					   {0, 1, 0}, {0.7, 0.3, 0.4}, {0.3, 0.7, 0.4}};
+	other.triangles = {1, 0, 4, 2, 1, 4, 0, 2, 4, 3, 2, 5, 0, 3, 5, 2, 0, 5};
+	const Sewn r(joined(lens, other));
+	EXPECT_TRUE(factsOf(r.after).isManifold()) << factsOf(r.after).complaints();
+	EXPECT_EQ(factsOf(r.after).crowdedEdges, 0);
+	EXPECT_GT(r.counts.sharedBorderEdges, 0);
+}
+
+TEST(SewSeams, AnyNumberOfThreadsMakesTheSame)
+{
+	Random             random(5);
+	const TriangleMesh ball = icosphere(4);
+	const TriangleMesh cut  = cutApart(ball, randomParts(ball, 40, random));
+	const Sewn         one(cut, 1), three(cut, 3);
+	EXPECT_EQ(one.after.triangles, three.after.triangles);
+	EXPECT_EQ(one.counts.sewnEdges, three.counts.sewnEdges);
+	EXPECT_TRUE(hasSameTopology(one.after, ball));
+}
+
+TEST(SamePlaceTable, FindsTheLeastNumberWithinReach)
+{
+	SamePlaceTable table(10);
+	const Vec3f    p(0.25f, -0.5f, 16e-6f);
+	EXPECT_EQ(table.findOrPut(p, 7), 7);
+	EXPECT_EQ(table.findOrPut(p + Vec3f(5e-7f, 0, -5e-7f), 9), 7) << "over the border of a cell";
+	EXPECT_EQ(table.findOrPut(p + Vec3f(0, 0, 2e-6f), 3), 3);
+	EXPECT_EQ(table.findOrPut(p + Vec3f(0, 0, 9e-7f), 12), 7);
+	EXPECT_EQ(table.findOrPut(p + Vec3f(0, 0, 1.5e-6f), 13), 3);
+}
+
+} // namespace
+
+} // namespace gpr::test
