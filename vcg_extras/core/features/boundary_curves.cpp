@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "boundary_curves.h"
 
+#include "shared_borders.h"
 #include "smooth_border.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
@@ -11,6 +12,7 @@
 #include <cstring>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <set>
 
 namespace gpr {
@@ -263,14 +265,26 @@ public:
 			isKept_[v] = 1;
 	}
 
+	/// Before any curve is sampled, and after borders have become smooth.
+	void shareBorders()
+	{
+		shared_ = std::make_unique<SharedBorders>(m_, out_.curves);
+		for (int c = 0; c < int(out_.curves.size()); ++c) {
+			if (shared_->isAnyShared(c)) addSharedStops(c);
+		}
+	}
+
 	/// Before any curve is sampled. Vertices where feature lines end, and those to be kept, stay.
-	void smoothBorders()
+	/// before: the borders at one place, which stay there; or null.
+	void smoothBorders(const SharedBorders* before)
 	{
 		for (Curve& c : out_.curves) {
 			if (!isOfBorder(c) || isTooShort(c)) continue;
 			std::vector<char> isFixed;
-			for (int v : c.vertex)
-				isFixed.push_back(isStop(v));
+			const int         index = int(&c - out_.curves.data());
+			for (int i = 0; i < c.pointNum(); ++i)
+				isFixed.push_back(isStop(c.vertex[i]) ||
+								  (before != nullptr && before->isOnShared(index, i)));
 			smoothLoop(wanted_.chord, isFixed, c);
 		}
 	}
@@ -280,6 +294,8 @@ public:
 		const Curve& c = begin(index);
 		if (border_ == BoundaryMode::Keep && isOfBorder(c) && keptOn(c) >= 3)
 			keepAll(c);
+		else if (shared_ != nullptr && shared_->isAnyShared(index))
+			sampleSharedLoop(c);
 		else if (isTooShort(c))
 			keepThree(c);
 		else
@@ -324,16 +340,17 @@ public:
 	}
 
 private:
-	const HalfEdgeMesh& m_;
-	BoundaryCurves&     out_;
-	BoundaryMode        border_;
-	float               diskRadius_;
-	CurveSpacing        wanted_;
-	int                 index_       = 0;
-	std::size_t         firstSample_ = 0; ///< of the curve at hand
-	std::vector<Mark>   marks_;
-	std::map<int, int>  sampleOfNode_;
-	std::vector<char>   isKept_; ///< per vertex; empty: none
+	const HalfEdgeMesh&            m_;
+	BoundaryCurves&                out_;
+	BoundaryMode                   border_;
+	float                          diskRadius_;
+	CurveSpacing                   wanted_;
+	int                            index_       = 0;
+	std::size_t                    firstSample_ = 0; ///< of the curve at hand
+	std::vector<Mark>              marks_;
+	std::map<int, int>             sampleOfNode_;
+	std::vector<char>              isKept_; ///< per vertex; empty: none
+	std::unique_ptr<SharedBorders> shared_; ///< or null
 
 	bool isKept(int v) const { return !isKept_.empty() && isKept_[v]; }
 	bool isStop(int v) const { return isNode(m_, v) || isKept(v); }
@@ -469,6 +486,109 @@ private:
 		}
 	}
 
+	// ---- borders at the place of others
+
+	/// The corners of the curve, and what else it needs for three samples, are stops of all curves
+	/// that run there.
+	void addSharedStops(int index)
+	{
+		const Curve&             c          = out_.curves[index];
+		bool                     hasCorners = false;
+		const std::vector<float> corners    = stopsOfLoop(c, hasCorners);
+		int                      stopNum    = 0;
+		for (int i = 0; i < c.pointNum(); ++i) {
+			const bool isCorner = std::binary_search(corners.begin(), corners.end(), c.arc[i]);
+			if (isCorner && hasCorners && shared_->isOnShared(index, i)) shared_->addStop(index, i);
+			stopNum += shared_->isStop(index, i);
+		}
+		for (int k = 0; stopNum < 3 && k < 3; ++k) {
+			const int i = nearestPoint(c, c.length * float(k) / 3);
+			stopNum += !shared_->isStop(index, i);
+			shared_->addStop(index, i);
+		}
+	}
+
+	static int nearestPoint(const Curve& c, float arc)
+	{
+		int best = 0;
+		for (int i = 1; i < c.pointNum(); ++i) {
+			if (arcDistance(c, c.arc[i], arc) < arcDistance(c, c.arc[best], arc)) best = i;
+		}
+		return best;
+	}
+
+	/// Points where the loop must have a sample: those of all its curves, and its own corners where
+	/// it is alone.
+	std::vector<int> sharedStops(const Curve& c) const
+	{
+		bool                     hasCorners = false;
+		const std::vector<float> corners    = stopsOfLoop(c, hasCorners);
+		std::vector<int>         stops;
+		for (int i = 0; i < c.pointNum(); ++i) {
+			const bool isCorner = std::binary_search(corners.begin(), corners.end(), c.arc[i]);
+			const bool isOwn    = isCorner && hasCorners && !shared_->isOnShared(index_, i);
+			if (isOwn || shared_->isStop(index_, i)) stops.push_back(i);
+		}
+		return stops;
+	}
+
+	void sampleSharedLoop(const Curve& c)
+	{
+		const std::vector<int> stops = sharedStops(c);
+		for (std::size_t k = 0; k < stops.size(); ++k) {
+			const int from = stops[k];
+			const int to   = k + 1 < stops.size() ? stops[k + 1] : stops[0] + c.pointNum();
+			put(c, c.arc[from], true);
+			out_.samples.back().isShared       = shared_->isOnShared(index_, from);
+			out_.samples.back().point.position = c.point[from];
+			if (!shared_->isShared(index_, from))
+				sampleAlone(c, from, to);
+			else if (shared_->isSampled(index_, from))
+				takeShared(c, from, to);
+			else
+				sampleShared(c, from, to);
+		}
+	}
+
+	void sampleAlone(const Curve& c, int from, int to)
+	{
+		for (float s : spaceOut(c, c.arcOf(from), c.arcOf(to), wanted_, 1))
+			put(c, s, false);
+	}
+
+	/// For all curves that run along the points from `from` to `to`.
+	void sampleShared(const Curve& c, int from, int to)
+	{
+		for (float s : spaceOut(c, c.arcOf(from), c.arcOf(to), wanted_, 1)) {
+			const int   segment = c.segmentAt(s);
+			const float extent  = c.arcOf(segment + 1) - c.arc[segment];
+			put(c, s, true);
+			CurveSample& sample = out_.samples.back();
+			sample.isShared     = true;
+			const float along   = extent > 0 ? (sample.arc - c.arc[segment]) / extent : 0.0f;
+			shared_->addSample(index_, segment, std::min(1.0f, std::max(0.0f, along)),
+							   sample.point.position);
+		}
+		for (int i = from; i < to; ++i)
+			shared_->markSampled(index_, i);
+	}
+
+	/// The samples that another curve, or this one on its way there, was given.
+	void takeShared(const Curve& c, int from, int to)
+	{
+		for (int i = from; i < to; ++i) {
+			const int   segment = i % c.pointNum();
+			const float extent  = c.arcOf(segment + 1) - c.arc[segment];
+			shared_->forEachSample(index_, segment, [&](float share, const Vec3f& position) {
+				put(c, c.arc[segment] + share * extent, true);
+				CurveSample& sample   = out_.samples.back();
+				sample.isShared       = true;
+				sample.point.position = position;
+				sample.point.face     = c.face[segment];
+			});
+		}
+	}
+
 	static float arcDistance(const Curve& c, float a, float b)
 	{
 		const float d = std::abs(a - b);
@@ -554,7 +674,7 @@ std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh)
 
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
 							  const std::vector<int>& coneApexes, const std::vector<int>& kept,
-							  BoundaryMode border)
+							  BoundaryMode border, bool sharesBorders)
 {
 	const HalfEdgeMesh& m = surface.mesh;
 	BoundaryCurves      result;
@@ -564,7 +684,12 @@ BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float sp
 	for (Curve& c : result.curves)
 		addSizes(surface, c);
 	CurveSampler sampler(m, diskRadius, spacing, kept, border, result);
-	if (border == BoundaryMode::Smooth) sampler.smoothBorders();
+	if (border == BoundaryMode::Smooth) {
+		const bool          isAlone = !sharesBorders;
+		const SharedBorders before(m, isAlone ? std::vector<Curve>() : result.curves);
+		sampler.smoothBorders(isAlone ? nullptr : &before);
+	}
+	if (sharesBorders && border != BoundaryMode::Keep) sampler.shareBorders();
 	for (std::size_t i = 0; i < result.curves.size(); ++i) {
 		if (result.curves[i].isClosed)
 			sampler.sampleClosed(int(i));

@@ -23,6 +23,7 @@ struct CurveSample {
 	int          curve    = -1;
 	float        arc      = 0;
 	bool         isCorner = false;
+	bool         isShared = false; ///< other borders have one at the same place
 	bool         isPinned = false; ///< kept as it is, whatever the count or the shape of triangles
 	int vertex = -1; ///< the input vertex that stands for it in the removal; -1 if none is left
 };
@@ -47,12 +48,14 @@ std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh);
 /// at corners (a turn of 50° that persists over r), each piece is sampled by chords of `spacing`
 /// (see spaceOut). Loops too short for three samples keep three of their own vertices. What is said
 /// here of loops holds for BoundaryMode::Resample; with Keep their samples are those of the
-/// vertices to be kept that lie on them, with Free they have no corners. Cost: linear in the
-/// curves.
+/// vertices to be kept that lie on them, with Free they have no corners. Where sharesBorders,
+/// borders that lie at the same place get samples at the same numbers (see shared_borders.h), but
+/// with Keep, where they do so anyway. Cost: linear in the curves.
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
-							  const std::vector<int>& coneApexes = {},
-							  const std::vector<int>& kept       = {},
-							  BoundaryMode            border     = BoundaryMode::Resample);
+							  const std::vector<int>& coneApexes    = {},
+							  const std::vector<int>& kept          = {},
+							  BoundaryMode            border        = BoundaryMode::Resample,
+							  bool                    sharesBorders = false);
 
 } // namespace gpr
 

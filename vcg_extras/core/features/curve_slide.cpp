@@ -94,7 +94,7 @@ float allowedDeviation(const ResultMesh& result, const BoundaryCurves& curves,
 SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int v)
 {
 	const ResultVertex& here = result.vertex[v];
-	if (here.curve < 0 || here.isPinned) return {};
+	if (here.curve < 0 || here.isPinned || here.isShared) return {};
 	const Curve& c = curves.curves[here.curve];
 	if (result.mesh.isBorderVertex(v))
 		return result.mesh.isCreaseVertex(v) ? SlideRoom() : roomAtBorder(result, c, v);

@@ -89,8 +89,8 @@ bool findMiddleOnCurve(const Surface& surface, const BoundaryCurves& curves,
 		for (float by : {0.5f * room.forward, -0.5f * room.backward}) {
 			if (by == 0) continue;
 			ResultVertex trial = slid(surface, curves, result.vertex[v], by);
-			trial.isCorner = trial.isPinned = false;
-			trial.sample                    = -1;
+			trial.isCorner = trial.isShared = trial.isPinned = false;
+			trial.sample                                     = -1;
 			nearest.offer(trial);
 		}
 	}

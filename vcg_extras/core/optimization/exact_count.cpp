@@ -159,7 +159,7 @@ private:
 
 	bool isSplittableBorder(int h) const
 	{
-		return care_ == Care::TopologyOnly && m_.opposite[h] < 0 && !r_.keepsBorder &&
+		return care_ == Care::TopologyOnly && m_.opposite[h] < 0 && maySplitBorder(r_, h) &&
 			   r_.vertex[m_.origin[h]].curve >= 0 && r_.vertex[m_.target(h)].curve >= 0;
 	}
 

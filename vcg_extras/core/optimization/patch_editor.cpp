@@ -100,7 +100,7 @@ float PatchEditor::meanEdge(int v) const
 bool PatchEditor::mayMove(int v, bool mayCrowd) const
 {
 	const ResultVertex& r = r_.vertex[v];
-	if (mayCrowd && r.curve >= 0 && m_.isBorderVertex(v)) return !r.isPinned;
+	if (mayCrowd && r.curve >= 0 && m_.isBorderVertex(v)) return !r.isPinned && !r.isShared;
 	const Constraint constraint = constraintOf(r_, v);
 	return constraint == Constraint::Curve || constraint == Constraint::Free;
 }
@@ -247,7 +247,7 @@ bool PatchEditor::make(const Operation& op)
 bool PatchEditor::split(int h)
 {
 	const int a = m_.origin[h], b = m_.target(h);
-	if (m_.opposite[h] < 0 && r_.keepsBorder) return false;
+	if (m_.opposite[h] < 0 && !maySplitBorder(r_, h)) return false;
 	if (std::size_t(m_.vertexNum) >= normal_.size()) return false; // no room is left
 	ResultVertex middle;
 	const bool   found = m_.isCurveEdge(h) ? findMiddleOnCurve(surface_, curves_, r_, a, b, middle)

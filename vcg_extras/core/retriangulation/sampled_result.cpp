@@ -39,6 +39,7 @@ ResultVertex recordOf(int s, const Sampling& sampling, const BoundaryCurves& bou
 		r.curve    = boundary.samples[s].curve;
 		r.arc      = boundary.samples[s].arc;
 		r.isCorner = boundary.samples[s].isCorner;
+		r.isShared = boundary.samples[s].isShared;
 		r.isPinned = boundary.samples[s].isPinned;
 	}
 	return r;

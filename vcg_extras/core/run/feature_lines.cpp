@@ -155,7 +155,8 @@ void forgetFeatureLines(RunContext& run, Prepared& p)
 
 BoundaryCurves sampleCurves(const Prepared& p, float radius, BoundaryMode border)
 {
-	return sampleBoundary(p.surface, radius, borderSpacing * radius, p.coneApexes, p.kept, border);
+	return sampleBoundary(p.surface, radius, borderSpacing * radius, p.coneApexes, p.kept, border,
+						  p.sharesBorders);
 }
 
 } // namespace gpr

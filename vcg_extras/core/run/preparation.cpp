@@ -10,6 +10,7 @@
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/feature_region.h>
+#include <vcg_extras/core/features/shared_borders.h>
 #include <vcg_extras/core/input/load.h>
 #include <vcg_extras/core/input/memory_need.h>
 #include <vcg_extras/core/input/split_long_edges.h>
@@ -159,8 +160,9 @@ void setSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 {
 	Sizing sizing = findSizes(run, marks, p);
 	if (sizing.size.empty()) return;
-	p.surface.size                 = std::move(sizing.size);
-	p.radiusFactor                 = sizing.radiusFactor;
+	p.surface.size = std::move(sizing.size);
+	p.radiusFactor = sizing.radiusFactor;
+	if (p.sharesBorders) equalizeSizes(p.surface);
 	run.report.curvatureClampedNum = sizing.clampedNum;
 	setTarget(run, p.targetNum, p);
 	splitForSizes(run, marks, sizing.longestEdge * p.radius, p);
@@ -176,6 +178,7 @@ Prepared prepareWith(RunContext& run, const FeatureMarks& marks, const TargetOf&
 	IndexedMesh       mesh    = loadCleaned(run);
 	const FaceExtents extents = measureFaces(mesh, run.workers);
 	p.area                    = extents.area;
+	p.sharesBorders           = run.report.cleaned.sharedBorderEdges > 0;
 	if (!(p.area > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
 	p.surface.frame           = mesh.frame;
 	run.report.radiusConstant = radiusConstant(run.options);

@@ -19,6 +19,7 @@ struct ResultVertex {
 	int          curve    = -1;    ///< border or feature line it belongs to, or -1
 	float        arc      = 0;     ///< where on the curve
 	bool         isCorner = false; ///< of the curves, or a cone apex: never moves
+	bool isShared = false; ///< other borders have a vertex here: never moves, so that no gap opens
 	bool isPinned = false; ///< one of the caller's vertices that is to be kept: never goes either
 	int  sample   = -1;    ///< the sample it was, in the sampling's order; -1 for later ones
 };
@@ -44,6 +45,16 @@ struct ResultMesh {
 inline bool isFree(const ResultMesh& result, int v)
 {
 	return !result.vertex[v].isCorner && !result.mesh.isCurveVertex(v);
+}
+
+/// Whether the border edge h may get a vertex in its middle. Where borders lie at one place all of
+/// them would have to.
+inline bool maySplitBorder(const ResultMesh& result, int h)
+{
+	const HalfEdgeMesh& m = result.mesh;
+	const bool          isAlone =
+		!result.vertex[m.origin[h]].isShared || !result.vertex[m.target(h)].isShared;
+	return !result.keepsBorder && isAlone;
 }
 
 /// Results cannot be copied by accident. No room beyond the vertices and faces is copied.

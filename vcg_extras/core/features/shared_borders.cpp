@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "shared_borders.h"
+
+#include <algorithm>
+#include <set>
+
+namespace gpr {
+
+namespace {
+
+using Position = std::array<float, 3>;
+
+Position positionOf(const Vec3f& p)
+{
+	return {p.x, p.y, p.z};
+}
+
+bool isOfBorder(const HalfEdgeMesh& m, const Curve& c)
+{
+	return c.isClosed && m.isBorderEdge(m.outgoing[c.vertex[0]]);
+}
+
+} // namespace
+
+SharedBorders::SharedBorders(const HalfEdgeMesh& mesh, const std::vector<Curve>& curves)
+{
+	numberPlaces(mesh, curves);
+	for (int c = 0; c < int(place_.size()); ++c) {
+		for (int i = 0; i < int(place_[std::size_t(c)].size()); ++i)
+			line_[std::minmax({placeAt(c, i), placeAt(c, i + 1)})].curves.push_back(c);
+	}
+	findStops();
+}
+
+void SharedBorders::numberPlaces(const HalfEdgeMesh& mesh, const std::vector<Curve>& curves)
+{
+	std::map<Position, int> number;
+	place_.resize(curves.size());
+	for (std::size_t c = 0; c < curves.size(); ++c) {
+		if (!isOfBorder(mesh, curves[c])) continue;
+		for (const Vec3f& p : curves[c].point)
+			place_[c].push_back(number.insert({positionOf(p), int(number.size())}).first->second);
+	}
+	isStop_.assign(number.size(), 0);
+}
+
+/// A shared stretch begins, ends or forks where other curves run along the next segment than along
+/// the last one, where a curve turns back, and where shared segments lead to other than two places.
+void SharedBorders::findStops()
+{
+	std::map<int, std::set<int>> next; ///< per place: those at the other ends of shared segments
+	for (const auto& [ends, line] : line_) {
+		if (line.curves.size() < 2) continue;
+		next[ends.first].insert(ends.second);
+		next[ends.second].insert(ends.first);
+	}
+	for (const auto& [place, others] : next)
+		isStop_[std::size_t(place)] = others.size() != 2;
+	for (int c = 0; c < int(place_.size()); ++c) {
+		const int n = int(place_[std::size_t(c)].size());
+		for (int i = 0; i < n; ++i) {
+			if (!isOnShared(c, i)) continue;
+			const bool turnsBack = placeAt(c, i + n - 1) == placeAt(c, i + 1);
+			if (turnsBack || lineOf(c, i + n - 1).curves != lineOf(c, i).curves) addStop(c, i);
+		}
+	}
+}
+
+int SharedBorders::placeAt(int curve, int i) const
+{
+	const std::vector<int>& place = place_[std::size_t(curve)];
+	return place[std::size_t(i) % place.size()];
+}
+
+bool SharedBorders::runsForward(int curve, int segment) const
+{
+	return placeAt(curve, segment) < placeAt(curve, segment + 1);
+}
+
+const SharedBorders::Line& SharedBorders::lineOf(int curve, int segment) const
+{
+	return line_.at(std::minmax({placeAt(curve, segment), placeAt(curve, segment + 1)}));
+}
+
+SharedBorders::Line& SharedBorders::lineOf(int curve, int segment)
+{
+	return line_.at(std::minmax({placeAt(curve, segment), placeAt(curve, segment + 1)}));
+}
+
+bool SharedBorders::isShared(int curve, int segment) const
+{
+	return !place_[std::size_t(curve)].empty() && lineOf(curve, segment).curves.size() > 1;
+}
+
+bool SharedBorders::isAnyShared(int curve) const
+{
+	for (int i = 0; i < int(place_[std::size_t(curve)].size()); ++i) {
+		if (isShared(curve, i)) return true;
+	}
+	return false;
+}
+
+bool SharedBorders::isOnShared(int curve, int i) const
+{
+	const int n = int(place_[std::size_t(curve)].size());
+	return n > 0 && (isShared(curve, i) || isShared(curve, i + n - 1));
+}
+
+bool SharedBorders::isStop(int curve, int i) const
+{
+	return !place_[std::size_t(curve)].empty() && isStop_[std::size_t(placeAt(curve, i))] != 0;
+}
+
+void SharedBorders::addStop(int curve, int i)
+{
+	isStop_[std::size_t(placeAt(curve, i))] = 1;
+}
+
+bool SharedBorders::isSampled(int curve, int segment) const
+{
+	return lineOf(curve, segment).isSampled;
+}
+
+void SharedBorders::markSampled(int curve, int segment)
+{
+	lineOf(curve, segment).isSampled = true;
+}
+
+void SharedBorders::addSample(int curve, int segment, float share, const Vec3f& position)
+{
+	const float fromSmaller = runsForward(curve, segment) ? share : 1 - share;
+	lineOf(curve, segment).samples.push_back({fromSmaller, position});
+}
+
+void equalizeSizes(Surface& surface)
+{
+	const HalfEdgeMesh&       m = surface.mesh;
+	std::map<Position, float> least;
+	const auto isBorder = [&](int v) { return m.outgoing[v] >= 0 && m.isBorderVertex(v); };
+	for (int v = 0; v < m.vertexNum; ++v) {
+		if (!isBorder(v)) continue;
+		float& size = least.insert({positionOf(m.position[v]), surface.size[v]}).first->second;
+		size        = std::min(size, surface.size[v]);
+	}
+	for (int v = 0; v < m.vertexNum; ++v) {
+		if (isBorder(v)) surface.size[v] = least.at(positionOf(m.position[v]));
+	}
+}
+
+} // namespace gpr
