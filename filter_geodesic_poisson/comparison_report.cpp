@@ -79,6 +79,8 @@ void addShapes(Table& table)
 				   [](const MeasuredMesh& m) { return fixed(m.quality.aspectRatioMean, 4); });
 	table.ofMeshes("smallest angle, deg",
 				   [](const MeasuredMesh& m) { return fixed(m.quality.minAngleDeg, 2); });
+	table.ofMeshes("largest angle, deg",
+				   [](const MeasuredMesh& m) { return fixed(m.quality.maxAngleDeg, 2); });
 	table.ofMeshes("faces below 30 deg, %",
 				   [](const MeasuredMesh& m) { return fixed(m.quality.below30Percent, 2); });
 	table.ofMeshes("6 faces at a vertex, %",
@@ -131,6 +133,7 @@ void addFigures(const std::string& prefix, const ComparedResult& r, Figures& fig
 	figures[prefix + "mean_radius_ratio"]    = q.radiusRatioMean;
 	figures[prefix + "mean_aspect_ratio"]    = q.aspectRatioMean;
 	figures[prefix + "min_angle"]            = q.minAngleDeg;
+	figures[prefix + "max_angle"]            = q.maxAngleDeg;
 	figures[prefix + "below_30_percent"]     = q.below30Percent;
 	figures[prefix + "valence_6_percent"]    = q.valence6Percent;
 	figures[prefix + "rms_distance"]         = largerRms(r);

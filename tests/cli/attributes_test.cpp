@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <map>
 #include <memory>
 #include <sstream>
 #include <unistd.h>
@@ -53,14 +54,13 @@ protected:
 	}
 
 	/// Reads, remeshes to 300 vertices, writes, and reads what was written.
-	InputMesh throughTheProgram(const std::string& from, const std::string& to)
+	InputMesh throughTheProgram(const std::string& from, const std::string& to, bool isSewn = true)
 	{
 		InputMesh                            input = read(from);
 		const std::unique_ptr<TextureSource> texture =
-			input.attributes.hasTexture()
-				? std::make_unique<TextureSource>(input.view(), input.attributes.texture)
-				: nullptr;
+			takeTexture(input.attributes, input.view(), isSewn);
 		RemeshOptions options;
+		options.sew                  = isSewn;
 		options.targetMode           = TargetMode::VertexNum;
 		options.targetVertexNum      = 300;
 		options.surfacePointsOfFaces = true;
@@ -156,6 +156,62 @@ TEST_F(Attributes, OfPlyFilesComeOutAgain)
 			EXPECT_NEAR(a.texture.uv[6 * f + 2 * k + 1], p.y / 2, 1e-4);
 		}
 	}
+}
+
+/// A square of two halves with vertices of their own, whose texture coordinates do not fit at
+/// x = 0.5.
+std::string plyOfTwoHalves()
+{
+	const TestMesh                      mesh = grid(20);
+	std::map<std::pair<bool, int>, int> vertexOf;
+	std::stringstream                   vertices, faces;
+	for (const auto& f : mesh.faces) {
+		double middle = 0;
+		for (const int v : f)
+			middle += mesh.points[std::size_t(v)][0] / 3;
+		const bool right = middle > 0.5;
+		faces << 3;
+		for (const int v : f) {
+			const auto  added = vertexOf.insert({{right, v}, int(vertexOf.size())});
+			const auto& p     = mesh.points[std::size_t(v)];
+			faces << ' ' << added.first->second;
+			if (!added.second) continue;
+			vertices << p[0] << ' ' << p[1] << ' ' << p[2] << ' '
+					 << (right ? 1 - p[1] / 2 : p[0] / 2) << ' ' << p[1] / 2 << '\n';
+		}
+		faces << '\n';
+	}
+	std::stringstream text;
+	text << "ply\nformat ascii 1.0\ncomment TextureFile wood.png\nelement vertex "
+		 << vertexOf.size()
+		 << "\nproperty float x\nproperty float y\nproperty float z\nproperty float s\n"
+			"property float t\nelement face "
+		 << mesh.faces.size() << "\nproperty list uchar int vertex_indices\nend_header\n"
+		 << vertices.str() << faces.str();
+	return text.str();
+}
+
+/// Once the halves are one, a vertex of the seam has two coordinates, which corners keep.
+TEST_F(Attributes, TextureCoordinatesOfVerticesStayOnTheirSideOfASewnSeam)
+{
+	const std::string in   = put("in.ply", plyOfTwoHalves());
+	const InputMesh   mesh = throughTheProgram(in, path("out.ply"));
+	ASSERT_EQ(mesh.vertexNum(), 300u);
+	EXPECT_EQ(mesh.attributes.images, std::vector<std::string>{"wood.png"});
+	EXPECT_EQ(mesh.attributes.ofVertex("s"), nullptr);
+	ASSERT_TRUE(mesh.attributes.hasTexture());
+	for (std::size_t c = 0; c < 3 * mesh.faceNum(); ++c) {
+		double middle = 0;
+		for (std::size_t k = 0; k < 3; ++k)
+			middle += mesh.view().position(std::size_t(mesh.triangles[c / 3 * 3 + k])).x / 3;
+		const bool  right = middle > 0.5;
+		const Vec3d p     = mesh.view().position(std::size_t(mesh.triangles[c]));
+		EXPECT_NEAR(mesh.attributes.texture.uv[2 * c], right ? 1 - p.y / 2 : p.x / 2, 1e-4);
+		EXPECT_NEAR(mesh.attributes.texture.uv[2 * c + 1], p.y / 2, 1e-4);
+	}
+	const InputMesh apart = throughTheProgram(in, path("apart.ply"), false);
+	EXPECT_NE(apart.attributes.ofVertex("s"), nullptr) << "as it was";
+	EXPECT_FALSE(apart.attributes.hasTexture());
 }
 
 TEST_F(Attributes, OfObjFilesComeOutAgain)

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sys/stat.h>
@@ -586,6 +587,45 @@ TEST_F(Remesh, TheTimeLimitEndsReadingToo)
 		expectFailure(run({command, path("in.ply"), old, "--time-limit", "0.2"}), 5, "time limit");
 		EXPECT_EQ(content(old), "old");
 	}
+}
+
+/// The grid of 12 by 12 squares, cut in two at x = 0.5, each half with vertices of its own.
+TestMesh gridOfTwoHalves()
+{
+	const TestMesh                      whole = grid(12);
+	TestMesh                            cut;
+	std::map<std::pair<bool, int>, int> vertexOf;
+	for (const auto& face : whole.faces) {
+		double middle = 0;
+		for (const int v : face)
+			middle += whole.points[std::size_t(v)][0] / 3;
+		auto own = face;
+		for (int& v : own) {
+			const auto added = vertexOf.insert({{middle > 0.5, v}, int(cut.points.size())});
+			if (added.second) cut.points.push_back(whole.points[std::size_t(v)]);
+			v = added.first->second;
+		}
+		cut.faces.push_back(own);
+	}
+	return cut;
+}
+
+TEST_F(Remesh, SeamsAreSewnUnlessOneSaysNo)
+{
+	const std::string input = binaryPly(gridOfTwoHalves(), true, false);
+	remeshed("in.ply", input, {"--vertices", "300"});
+	EXPECT_EQ(report()["cleaned"]["sewnEdges"], 12);
+	EXPECT_EQ(report()["cleaned"]["sharedBorderEdges"], 0);
+	EXPECT_EQ(report()["result"]["components"], 1);
+	EXPECT_EQ(report()["options"]["sew"], true);
+	const ProgramResult told =
+		run({"remesh", path("in.ply"), path("told.ply"), "--vertices", "300"});
+	EXPECT_NE(told.out.find("12 edges of seams sewn"), std::string::npos) << told.out;
+	remeshed("in.ply", input, {"--vertices", "300", "--sew", "off"});
+	EXPECT_EQ(report()["cleaned"]["sewnEdges"], 0);
+	EXPECT_EQ(report()["result"]["components"], 2);
+	expectFailure(run({"remesh", path("in.ply"), path("none.ply"), "--sew", "maybe"}), 2,
+				  "takes on or off");
 }
 
 TEST_F(Remesh, SmallComponentsAreDroppedAndCounted)

@@ -150,9 +150,10 @@ TEST(CompareFilter, LogHasTheTable)
 	const QString log = document.logText().replace(QChar(QChar::Nbsp), ' ').simplified();
 	EXPECT_TRUE(log.contains("faces 20480 1396 1396")) << log.toStdString();
 	EXPECT_TRUE(log.contains("vertices 10242 700 700"));
-	for (const char* row : {"seconds -", "mean 2r/R", "mean aspect ratio", "smallest angle, deg",
-							"6 faces at a vertex, %", "RMS distance -", "p99.9 distance -",
-							"largest distance -", "99.9 % of the points are nearer than p99.9"}) {
+	for (const char* row :
+		 {"seconds -", "mean 2r/R", "mean aspect ratio", "smallest angle, deg",
+		  "largest angle, deg", "6 faces at a vertex, %", "RMS distance -", "p99.9 distance -",
+		  "largest distance -", "99.9 % of the points are nearer than p99.9"}) {
 		EXPECT_TRUE(log.contains(row)) << row;
 	}
 	EXPECT_TRUE(log.contains("boundary loops 0 0 0"));

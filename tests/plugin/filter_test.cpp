@@ -101,6 +101,50 @@ TEST(Filter, LogHasTheDistancesThatTheCheckMeasures)
 	}
 }
 
+/// Gives the faces on the left vertices of their own where they meet those on the right.
+void cutInTwo(CMeshO& mesh)
+{
+	const auto isLeft = [&](CFaceO& f) {
+		const Scalarm middle = (f.P(0)[0] + f.P(1)[0] + f.P(2)[0]) / 3;
+		return middle < mesh.bbox.Center()[0];
+	};
+	std::vector<int> sides(mesh.vert.size(), 0), copyOf(mesh.vert.size(), -1);
+	for (CFaceO& f : mesh.face) {
+		for (int k = 0; k < 3; ++k)
+			sides[vcg::tri::Index(mesh, f.V(k))] |= isLeft(f) ? 1 : 2;
+	}
+	int added = int(mesh.vert.size());
+	for (std::size_t v = 0; v < sides.size(); ++v) {
+		if (sides[v] == 3) copyOf[v] = added++;
+	}
+	vcg::tri::Allocator<CMeshO>::AddVertices(mesh, std::size_t(added) - sides.size());
+	for (std::size_t v = 0; v < sides.size(); ++v) {
+		if (copyOf[v] >= 0) mesh.vert[std::size_t(copyOf[v])].P() = mesh.vert[v].P();
+	}
+	for (CFaceO& f : mesh.face) {
+		if (!isLeft(f)) continue;
+		for (int k = 0; k < 3; ++k) {
+			const int copy = copyOf[vcg::tri::Index(mesh, f.V(k))];
+			if (copy >= 0) f.V(k) = &mesh.vert[std::size_t(copy)];
+		}
+	}
+}
+
+TEST(Filter, SewsSeamsUnlessOneSaysNo)
+{
+	for (const bool sews : {true, false}) {
+		Document   document;
+		MeshModel& sheet = addSheet(document);
+		cutInTwo(sheet.cm);
+		RichParameterList list = withCount(document, 300);
+		list.setValue("SewSeams", BoolValue(sews));
+		ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
+		EXPECT_EQ(document.logText().contains("edges of seams sewn"), sews);
+		sheet.updateDataMask(MeshModel::MM_FACEFACETOPO);
+		EXPECT_EQ(vcg::tri::Clean<CMeshO>::CountConnectedComponents(sheet.cm), sews ? 1 : 2);
+	}
+}
+
 TEST(Filter, MoreVerticesThanBefore)
 {
 	Document   document;

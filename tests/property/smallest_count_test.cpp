@@ -22,6 +22,7 @@ RemeshOptions countOptions(std::int64_t vertexNum, std::uint32_t seed)
 	options.targetVertexNum = vertexNum;
 	options.seed            = seed;
 	options.threads         = 2;
+	options.sew             = false; // a slit is to stay one
 	return options;
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace gpr::app {
 
@@ -66,6 +67,20 @@ bool isNormal(const ValueColumn& column)
 }
 
 } // namespace
+
+std::unique_ptr<TextureSource> takeTexture(MeshAttributes& attributes, const MeshView& mesh,
+										   bool isSewn)
+{
+	if (attributes.hasTexture())
+		return std::make_unique<TextureSource>(mesh, std::move(attributes.texture));
+	if (!isSewn) return nullptr;
+	CornerTexture ofVertices = textureOfVertices(attributes, mesh);
+	if (ofVertices.uv.empty()) return nullptr;
+	auto source = std::make_unique<TextureSource>(mesh, std::move(ofVertices));
+	if (!source->hasSeams()) return nullptr;
+	dropTextureOfVertices(attributes);
+	return source;
+}
 
 MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
 							   const TextureSource* texture, const RemeshResult& result)

@@ -7,7 +7,16 @@
 
 #include <vcg_extras/core/remesh.h>
 
+#include <memory>
+
 namespace gpr::app {
+
+/// Takes the texture out of the attributes of a mesh; null where there is none. Texture coordinates
+/// of vertices are a texture where the mesh is sewn and they differ between vertices at one place:
+/// once these are one vertex, only corners can tell its two sides. The mesh must outlive the
+/// result.
+std::unique_ptr<TextureSource> takeTexture(MeshAttributes& attributes, const MeshView& mesh,
+										   bool isSewn);
 
 /// Carries attributes over to a result: of vertices the mean over the corners of the face that each
 /// lies on, the nearest corner's for whole numbers that are no colours; of faces those of the face

@@ -4,6 +4,8 @@
 
 #include "polygon.h"
 
+#include <algorithm>
+
 namespace gpr::app {
 
 const ValueColumn* MeshAttributes::ofVertex(const std::string& name) const
@@ -12,6 +14,44 @@ const ValueColumn* MeshAttributes::ofVertex(const std::string& name) const
 		if (column.name == name) return &column;
 	}
 	return nullptr;
+}
+
+namespace {
+
+/// By which names programs write them.
+constexpr const char* textureNames[][2] = {
+	{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}};
+
+} // namespace
+
+CornerTexture textureOfVertices(const MeshAttributes& attributes, const MeshView& mesh)
+{
+	CornerTexture texture;
+	for (const auto& names : textureNames) {
+		const ValueColumn* u = attributes.ofVertex(names[0]);
+		const ValueColumn* v = attributes.ofVertex(names[1]);
+		if (u == nullptr || v == nullptr) continue;
+		texture.uv.reserve(6 * mesh.faceNum);
+		for (std::size_t c = 0; c < 3 * mesh.faceNum; ++c) {
+			const auto vertex = std::size_t(mesh.vertexOf(c));
+			texture.uv.push_back(float(u->values[vertex]));
+			texture.uv.push_back(float(v->values[vertex]));
+		}
+		return texture;
+	}
+	return texture;
+}
+
+void dropTextureOfVertices(MeshAttributes& attributes)
+{
+	const auto isOfTexture = [](const ValueColumn& column) {
+		for (const auto& names : textureNames) {
+			if (column.name == names[0] || column.name == names[1]) return true;
+		}
+		return false;
+	};
+	auto& columns = attributes.ofVertices;
+	columns.erase(std::remove_if(columns.begin(), columns.end(), isOfTexture), columns.end());
 }
 
 void TriangleOrder::add(const std::int64_t* corners, std::size_t cornerNum)

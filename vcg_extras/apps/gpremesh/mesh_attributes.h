@@ -39,6 +39,12 @@ struct MeshAttributes {
 	const ValueColumn* ofVertex(const std::string& name) const;
 };
 
+/// The texture coordinates that vertices have, as those of the corners of the triangles; empty
+/// where they have none.
+CornerTexture textureOfVertices(const MeshAttributes& attributes, const MeshView& mesh);
+/// Drops the columns of these coordinates.
+void dropTextureOfVertices(MeshAttributes& attributes);
+
 /// The triangles that FaceList makes of a file's faces: first those that are triangles, in their
 /// order, then the polygons, cut up.
 class TriangleOrder {

@@ -84,13 +84,6 @@ WantedAttributes wantedBy(const RemeshOptions& options)
 	return wanted;
 }
 
-/// The texture of a mesh, or null.
-std::unique_ptr<TextureSource> textureOf(InputMesh& mesh)
-{
-	if (!mesh.attributes.hasTexture()) return nullptr;
-	return std::make_unique<TextureSource>(mesh.view(), std::move(mesh.attributes.texture));
-}
-
 std::string listOf(const std::vector<std::string>& words)
 {
 	std::string list;
@@ -108,9 +101,10 @@ struct Source {
 Source readSource(const CommandLine& line, const RunLimit& limit)
 {
 	const EndAtOnce guard(limit);
+	const bool      isSewn = line.options.sew && !line.options.selectedOnly;
 	Source          source;
 	source.mesh    = readMesh(line.input, wantedBy(line.options));
-	source.texture = textureOf(source.mesh);
+	source.texture = takeTexture(source.mesh.attributes, source.mesh.view(), isSewn);
 	return source;
 }
 

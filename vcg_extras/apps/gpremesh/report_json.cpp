@@ -91,6 +91,7 @@ Json optionsJson(const RemeshOptions& o)
 	json["exactCount"]          = o.exactCount;
 	json["allowNearest"]        = o.allowNearest;
 	json["dropComponentsBelow"] = o.dropComponentsBelow;
+	json["sew"]                 = o.sew;
 	json["timeLimit"]           = o.timeLimitSeconds;
 	json["check"]               = o.check;
 	json.update(featuresJson(o));

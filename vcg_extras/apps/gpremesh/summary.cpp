@@ -23,8 +23,9 @@ std::string countsText(const MeshFigures& m)
 std::string qualityText(const QualityFigures& q)
 {
 	return formatted("mean aspect ratio %.4f, mean 2r/R %.4f, smallest angle %.2f deg, "
-					 "%.4g %% of faces below 30 deg",
-					 q.aspectRatioMean, q.radiusRatioMean, q.minAngleDeg, q.below30Percent);
+					 "largest %.2f deg, %.4g %% of faces below 30 deg",
+					 q.aspectRatioMean, q.radiusRatioMean, q.minAngleDeg, q.maxAngleDeg,
+					 q.below30Percent);
 }
 
 void append(std::string& list, std::int64_t count, const char* one, const char* many)
