@@ -115,6 +115,39 @@ TEST(Seams, RandomSurfacesCutApartAreMeshedAsIfTheyWereWhole)
 	}
 }
 
+/// Parts are missing, doubled and turned over; whatever lies on one another, a sound result comes
+/// out.
+TEST(Seams, WhateverIsSewnGivesASoundResult)
+{
+	for (std::uint32_t seed : testSeeds(25)) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		Random             random(seed);
+		const TriangleMesh whole = randomSurface(random);
+		const auto         part  = randomParts(whole, 2 + random.below(12), random);
+		TriangleMesh       cut   = cutApart(whole, part);
+		std::vector<int>   isKept;
+		for (std::size_t f = 0; f < cut.faceNum(); ++f)
+			isKept.push_back(part[f] % 5 != 3);
+		TriangleMesh left;
+		left.positions = cut.positions;
+		for (std::size_t c = 0; c < cut.triangles.size(); ++c) {
+			if (isKept[c / 3]) left.triangles.push_back(cut.triangles[c]);
+		}
+		if (left.triangles.empty()) continue;
+		const TriangleMesh doubled =
+			random.chance(0.5) ? joined(left, insideOut(left)) : joined(left, left);
+		RemeshOptions options = countOptions(300 + random.below(500));
+		applyPreset(Preset(random.below(3)), options);
+		options.allowNearest = true;
+		for (const TriangleMesh& mesh : {left, doubled}) {
+			const RemeshResult r = remesh(mesh.view(), options);
+			ASSERT_EQ(r.status, Status::Ok) << r.message;
+			EXPECT_TRUE(isSoundSurface(r.mesh));
+			EXPECT_EQ(factsOf(r.mesh).components, r.report.cleanedInput.components);
+		}
+	}
+}
+
 TEST(Seams, StayCutWhereSewingIsOff)
 {
 	const TriangleMesh cut     = cubeOfSides(6);

@@ -8,6 +8,7 @@
 #include <vcg_extras/core/input/sew_seams.h>
 #include <vcg_extras/core/mesh/same_place.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
@@ -257,6 +258,61 @@ TEST(SewSeams, NoEdgeGetsMoreThanTwoFaces)
 	EXPECT_TRUE(factsOf(r.after).isManifold()) << factsOf(r.after).complaints();
 	EXPECT_EQ(factsOf(r.after).crowdedEdges, 0);
 	EXPECT_GT(r.counts.sharedBorderEdges, 0);
+}
+
+/// Parts that lie twice at the same place, the right way round or not, and parts that are missing.
+TriangleMesh withPartsTwice(const TriangleMesh& mesh, const std::vector<int>& part, Random& random)
+{
+	TriangleMesh     all;
+	std::vector<int> partOfAll;
+	const int        partNum = *std::max_element(part.begin(), part.end()) + 1;
+	all.positions            = mesh.positions;
+	for (int p = 0; p < partNum; ++p) {
+		const int copies = random.chance(0.1) ? 0 : random.chance(0.2) ? 2 + random.below(2) : 1;
+		for (int copy = 0; copy < copies; ++copy) {
+			const bool isTurned = random.chance(0.15);
+			for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+				if (part[f] != p) continue;
+				const std::int32_t* t = &mesh.triangles[3 * f];
+				all.triangles.insert(all.triangles.end(),
+									 {t[0], t[isTurned ? 2 : 1], t[isTurned ? 1 : 2]});
+				partOfAll.push_back(3 * p + copy);
+			}
+		}
+	}
+	return cutApart(all, partOfAll);
+}
+
+/// Whatever lies on one another, an edge never gets a third face, and a vertex no second fan.
+TEST(SewSeams, RandomPartsStayManifold)
+{
+	for (std::uint32_t seed : testSeeds(150)) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		Random             random(seed);
+		const TriangleMesh whole = randomSurface(random);
+		const int          most  = std::max(2, int(whole.faceNum()) / (1 + random.below(40)));
+		const auto         part  = randomParts(whole, 1 + random.below(most), random);
+		TriangleMesh       cut   = withPartsTwice(whole, part, random);
+		if (cut.faceNum() < 2) continue;
+		for (Vec3d& p : cut.positions)
+			p.x += random.between(0, 2e-7);
+		Sewn r(shuffled(cut, random));
+		ASSERT_EQ(r.after.faceNum(), r.before.faceNum());
+		const SurfaceFacts facts = factsOf(r.after);
+		EXPECT_EQ(facts.crowdedEdges, 0);
+		EXPECT_EQ(facts.repeatedCorners, 0);
+		Workers     workers(1, nullptr);
+		IndexedMesh unsewn = loaded(r.before, workers);
+		CleanCounts counts, before;
+		repairManifold(unsewn, workers, before);
+		repairManifold(r.mesh, workers, counts);
+		EXPECT_EQ(counts.nonManifoldEdges, 0);
+		EXPECT_LE(counts.nonManifoldVertices, before.nonManifoldVertices)
+			<< "parts touch themselves";
+		EXPECT_EQ(counts.nonOrientableCuts, 0);
+		EXPECT_EQ(counts.duplicateFaces, 0);
+		EXPECT_TRUE(factsOf(meshOf(r.mesh)).isManifold()) << factsOf(meshOf(r.mesh)).complaints();
+	}
 }
 
 TEST(SewSeams, AnyNumberOfThreadsMakesTheSame)
