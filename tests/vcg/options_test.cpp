@@ -228,10 +228,12 @@ bool ExpectFacadesBytes(const gpr::Parameter& row)
 	return hasEffect;
 }
 
-/// Rows that decide whether there is a mesh and how fast, but not which.
+/// Rows that decide whether there is a mesh and how fast, but not which; and the sewing, as the
+/// mesh has no seams.
 bool LeavesMeshAlone(const std::string& key)
 {
-	static const std::set<std::string> keys = {"AllowNearest", "Check", "Threads", "TimeLimit"};
+	static const std::set<std::string> keys = {"AllowNearest", "Check", "SewSeams", "Threads",
+											   "TimeLimit"};
 	return keys.count(key) > 0;
 }
 
