@@ -116,9 +116,10 @@ void resolveFeatureRegion(bool anySelected, RemeshOptions& o)
 double resolveAdapt(const RemeshOptions& o, bool isFitted)
 {
 	if (o.equations == Equations::AsPrinted) return 0;
-	const bool isLeftToUs = o.adapt == usualAdapt;
-	const bool hasUse     = isFitted && o.fit != Fit::Off && !(o.lambda > 0);
-	return isLeftToUs && !hasUse ? 0 : o.adapt;
+	if (o.adapt != usualAdapt) return o.adapt;
+	const bool hasUse = isFitted && o.fit != Fit::Off && !(o.lambda > 0);
+	if (!hasUse) return 0;
+	return o.targetMode == TargetMode::MaxError ? 1 : usualAdapt;
 }
 
 std::vector<std::string> validate(const RemeshOptions& o)

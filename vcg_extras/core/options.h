@@ -180,6 +180,8 @@ void resolveFeatureRegion(bool anySelected, RemeshOptions& options);
 /// What RemeshOptions::adapt comes to. The paper's equations have no adaptivity. The usual one
 /// stands for 0 where the caller asked for another density (lambda), and where no fit makes the
 /// result closer: in the quick presets, and where only samples are wanted (`isFitted` is false).
+/// With TargetMode::MaxError it stands for 1: a distance is kept with fewest vertices where they
+/// are spent on it.
 double resolveAdapt(const RemeshOptions& options, bool isFitted);
 
 /// Complaints about values out of range, one sentence each; empty when all is well.

@@ -150,7 +150,8 @@ void addSize(Table& t)
 		row(meshed, "MaxError", "--max-error", "E", Kind::Length, "Largest error (0 = off)",
 			"Looks for the smallest number of vertices with which the result is nowhere farther "
 			"than this from the input, nor the input from the result. This is proven. It is given "
-			"in mesh units. At most five trials are made. Sizes follow the error, and each trial "
+			"in mesh units. At most five trials are made. The adaptivity is 1 unless another one "
+			"is given, and each trial "
 			"makes triangles smaller where the one before it was too far from the input. What "
 			"cannot be reached is refused.")
 			.inDialog("Above 0 it takes the place of the number of vertices.")
@@ -183,7 +184,8 @@ void addDensity(Table& t)
 			"How much the sizes of the triangles follow the error. 0: all triangles have "
 			"one size. 0.1: a tenth of the vertices goes to ridges, rims and tips that are "
 			"finer than the triangles. 1: all sizes follow the error. Sizes stay even where "
-			"there are feature lines. 0.1 stands for 0 with a lambda above 0, without a fit, as in "
+			"there are feature lines. 0.1 stands for 1 with a largest error, and for 0 with a "
+			"lambda above 0, without a fit, as in "
 			"the presets fast and paper, and where only samples are made. It has no effect with "
 			"the paper's equations.")
 			.range(0, 1)

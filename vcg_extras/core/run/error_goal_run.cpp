@@ -21,9 +21,6 @@ namespace gpr {
 
 namespace {
 
-/// Sizes follow the error as far as they may: that spends the vertices where the error is.
-constexpr double adaptOfTrials = 1;
-
 /// The same as in the trials: the largest size over the even one, and how fast sizes grow.
 constexpr float largestByError = 1.3f, slopeOfSizes = 0.15f;
 
@@ -46,7 +43,6 @@ RemeshOptions trialOptions(RemeshOptions options, std::int64_t vertexNum)
 	options.targetMode      = TargetMode::VertexNum;
 	options.targetVertexNum = vertexNum;
 	options.allowNearest    = true;
-	if (options.equations == Equations::Calibrated) options.adapt = adaptOfTrials;
 	return options;
 }
 

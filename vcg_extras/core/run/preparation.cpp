@@ -132,9 +132,9 @@ Sizing findSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 	findFeatureRegion(run, marks, p);
 	const float uniform =
 		float(diskRadius(p.area, double(p.targetNum), radiusConstant(run.options)));
-	const bool       hasLines = run.options.adapt > 0 && hasFeatureLines(run, p);
+	const bool hasLines = run.options.adapt > 0 && hasFeatureLines(run, p);
 	if (hasLines) run.report.adapt = 0;
-	const FineSpots* spots    = run.guide != nullptr ? &run.guide->spots : nullptr;
+	const FineSpots* spots = run.guide != nullptr ? &run.guide->spots : nullptr;
 	return makeSizing(
 		{run.input, run.options, uniform, evenEdge(p), hasLines, p.isFeatureVertex, p.kept, spots},
 		p.surface, run.workers);
