@@ -347,6 +347,37 @@ TEST(OptionsWithoutEffect, AreNotNamedWhereTheyHaveOne)
 		EXPECT_TRUE(optionsWithoutEffect(o).empty());
 }
 
+TEST(ResolveAdapt, TheUsualOneHoldsWhereAFitFollows)
+{
+	RemeshOptions o;
+	EXPECT_EQ(resolveAdapt(o, true), usualAdapt);
+	o.fit = Fit::Quick;
+	EXPECT_EQ(resolveAdapt(o, true), usualAdapt);
+	EXPECT_EQ(resolveAdapt(o, false), 0) << "only samples";
+	o.fit = Fit::Off;
+	EXPECT_EQ(resolveAdapt(o, true), 0);
+	o        = RemeshOptions();
+	o.lambda = 1;
+	EXPECT_EQ(resolveAdapt(o, true), 0) << "another density";
+	o            = RemeshOptions();
+	o.targetMode = TargetMode::MaxError;
+	EXPECT_EQ(resolveAdapt(o, true), 1);
+	applyPreset(Preset::Fast, o);
+	EXPECT_EQ(resolveAdapt(o, true), 0);
+}
+
+TEST(ResolveAdapt, WhatWasGivenHolds)
+{
+	RemeshOptions o;
+	o.adapt      = 0.3;
+	o.targetMode = TargetMode::MaxError;
+	o.lambda     = 1;
+	o.fit        = Fit::Off;
+	EXPECT_EQ(resolveAdapt(o, false), 0.3);
+	o.equations = Equations::AsPrinted;
+	EXPECT_EQ(resolveAdapt(o, true), 0) << "the paper has no such thing";
+}
+
 } // namespace
 
 } // namespace gpr::test
