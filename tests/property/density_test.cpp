@@ -252,6 +252,20 @@ TEST(DensityByError, LowersTheLargeDistancesAtTheSameNumber)
 	}
 }
 
+/// A rim holds fewer disks than its area lets expect. Splits would make up for them elsewhere.
+TEST(DensityByError, SamplesComeToTheCountWhereSizesFollowTheErrorMost)
+{
+	TriangleMesh lens = icosphere(5);
+	for (Vec3d& p : lens.positions)
+		p.z *= 0.1;
+	RemeshOptions options     = withCount(700);
+	options.adapt             = 1;
+	const RemeshResult result = remesh(lens.view(), options);
+	ASSERT_EQ(result.status, Status::Ok) << result.message;
+	EXPECT_EQ(result.report.featureEdgeNum, 0);
+	EXPECT_NEAR(double(result.report.sampleNum) / 700, 1, 0.05);
+}
+
 TEST(DensityByError, IsEvenWhereThereAreFeatureLines)
 {
 	const TriangleMesh mesh = box(30, 30, 30, {1, 1, 1});
