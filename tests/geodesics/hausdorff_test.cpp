@@ -11,12 +11,15 @@
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
-// The kernel comes first: the header of the distances does not include all that it uses.
-#include <CGAL/Polygon_mesh_processing/distance.h>
-#include <CGAL/Simple_cartesian.h>
-#include <CGAL/Surface_mesh.h>
 #include <gtest/gtest.h>
 #include <string>
+
+// The kernel comes first: the header of the distances does not include all that it uses.
+// clang-format off
+#include <CGAL/Simple_cartesian.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/Polygon_mesh_processing/distance.h>
+// clang-format on
 
 namespace gpr::test {
 
