@@ -451,6 +451,16 @@ private:
 
 } // namespace
 
+bool mayHaveSeams(const Surface& surface, Workers& workers)
+{
+	const HalfEdgeMesh&    m      = surface.mesh;
+	const std::vector<int> border = workers.collectIf(
+		std::size_t(m.vertexNum), [&](int v) { return m.outgoing[v] >= 0 && m.isBorderVertex(v); });
+	SamePlaceTable table(border.size());
+	return std::any_of(border.begin(), border.end(),
+					   [&](int v) { return table.findOrPut(m.position[v], v) != v; });
+}
+
 void sewSeams(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 {
 	if (isClosed(mesh, workers)) return;

@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_CORE_INPUT_SEW_SEAMS_H
 
 #include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh/indexed_mesh.h>
 #include <vcg_extras/core/report.h>
 
@@ -25,6 +26,10 @@ constexpr float leastSeamAngleDeg = 1;
 /// mesh is closed; with borders two more that do, parallel, and O(B log B) for B edges of the
 /// border; O(F log F), serial, where edges run in the same direction.
 void sewSeams(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
+
+/// Whether two vertices of a connected surface's border lie at one place, so that there may be
+/// seams. Cost: a pass over the vertices, parallel, and the vertices of the border.
+bool mayHaveSeams(const Surface& surface, Workers& workers);
 
 } // namespace gpr
 

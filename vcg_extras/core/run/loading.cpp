@@ -46,11 +46,16 @@ IndexedMesh withoutUselessPieces(RunContext& run, IndexedMesh mesh)
 
 } // namespace
 
-IndexedMesh loadCleaned(RunContext& run)
+Sewing sewingFor(const RemeshOptions& options, Sewing wanted)
+{
+	return options.dropComponentsBelow > 1 ? Sewing::First : wanted;
+}
+
+IndexedMesh loadCleaned(RunContext& run, Sewing sewing)
 {
 	run.clock.enter(Stage::Load);
 	IndexedMesh mesh = loadInput(run.input, run.workers, run.report.cleaned);
-	if (run.options.sew) {
+	if (run.options.sew && sewingFor(run.options, sewing) == Sewing::First) {
 		run.clock.enter(Stage::Sew);
 		sewSeams(mesh, run.workers, run.report.cleaned);
 	}

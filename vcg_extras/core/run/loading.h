@@ -9,9 +9,15 @@
 
 namespace gpr {
 
+/// Whether seams are sewn before the mesh is connected.
+enum class Sewing { First, NotYet };
+
+/// What the options ask for. Components must be whole where small ones are dropped.
+Sewing sewingFor(const RemeshOptions& options, Sewing wanted);
+
 /// The caller's mesh without faulty faces and without the components that the options drop. They
 /// must go before the area is found, and with it the radius.
-IndexedMesh loadCleaned(RunContext& run);
+IndexedMesh loadCleaned(RunContext& run, Sewing sewing = Sewing::First);
 
 /// Orders the mesh in space and connects its faces; repairs it where it is not manifold. The mesh
 /// is used up.

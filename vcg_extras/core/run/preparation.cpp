@@ -13,6 +13,7 @@
 #include <vcg_extras/core/features/shared_borders.h>
 #include <vcg_extras/core/input/load.h>
 #include <vcg_extras/core/input/memory_need.h>
+#include <vcg_extras/core/input/sew_seams.h>
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/input/stray_faces.h>
 #include <vcg_extras/core/input/surface_refinement.h>
@@ -172,10 +173,19 @@ void setSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 /// units.
 using TargetOf = std::function<std::int64_t(double area, double scale)>;
 
-Prepared prepareWith(RunContext& run, const FeatureMarks& marks, const TargetOf& targetOf)
+/// Most meshes have no seams, which is soon seen where the border is known: to look for them before
+/// would take a tenth of a quick run. Where there may be some all begins anew.
+bool mustSewFirst(RunContext& run, Sewing sewing, const Surface& surface)
+{
+	return run.options.sew && sewingFor(run.options, sewing) == Sewing::NotYet &&
+		   mayHaveSeams(surface, run.workers);
+}
+
+Prepared prepareWith(RunContext& run, const FeatureMarks& marks, const TargetOf& targetOf,
+					 Sewing sewing = Sewing::NotYet)
 {
 	Prepared          p;
-	IndexedMesh       mesh    = loadCleaned(run);
+	IndexedMesh       mesh    = loadCleaned(run, sewing);
 	const FaceExtents extents = measureFaces(mesh, run.workers);
 	p.area                    = extents.area;
 	p.sharesBorders           = run.report.cleaned.sharedBorderEdges > 0;
@@ -186,6 +196,10 @@ Prepared prepareWith(RunContext& run, const FeatureMarks& marks, const TargetOf&
 
 	run.report.cleaned.longEdgesSplit = splitAsFarAsMemoryGoes(run, extents, mesh, p);
 	connectOrRepair(run, mesh, p.surface);
+	if (mustSewFirst(run, sewing, p.surface)) {
+		run.report.cleaned = CleanCounts();
+		return prepareWith(run, marks, targetOf, Sewing::First);
+	}
 	dropFlatPieces(run, p.surface);
 	if (cutBorderSpikes(run, p)) setTarget(run, targetOf(p.area, p.surface.frame.scale), p);
 	p.madeFor = p.targetNum;
