@@ -76,7 +76,8 @@ MUTANTS = [
     ("repair: smaller angles", "optimization/face_repair.cpp",
      "if (minAngle < before.minAngle || invertedNum > before.invertedNum) return false;", ""),
     ("worst distances: gain", "optimization/worst_distances.cpp",
-     "gaps_.largestGap(faces, before) <= before) {", "true) {"),
+     "gaps_.isWithin(f, minGain * minGain * gap.squared) && areWithin(faces, before)) {",
+     "true) {"),
     ("audit: area", "output/audit.cpp", "if (hasNoArea(m, f))", "if (false)"),
     # ---- sampling
     ("eq2 edges covered since", "sampling/border_edge_sampling.cpp",
@@ -194,10 +195,9 @@ MUTANTS = [
      "run.report.cleaned = CleanCounts(); // they may have been counted before", ""),
     ("edges too long for small sizes", "run/preparation.cpp",
      "splitForSizes(run, marks, sizing.longestEdge * p.radius, p);", ""),
-    ("refinement: border first", "input/surface_refinement.cpp",
-     "if (opposite[h] < 0) outgoing[mesh.triangle[h]] = h;", ""),
-    ("refinement: places in the order of cells", "input/surface_refinement.cpp",
-     "return low;", "return oldNum_;"),
+    ("refinement: order of space", "input/surface_refinement.cpp",
+     "surface.grid = orderSpatially(mesh, workers, faceStart);",
+     "surface.grid = orderSpatially(mesh, workers, faceStart); mesh.faceNum -= 1;"),
     ("seam of a selection", "run/selected_part.cpp",
      "if (std::includes(made.begin(), made.end(), seam.begin(), seam.end())) return;", "return;"),
     # ---- output

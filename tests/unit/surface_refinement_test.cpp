@@ -94,6 +94,24 @@ TEST_P(SurfaceRefinement, KeepsVerticesInTheOrderOfTheCells)
 	}
 }
 
+/// The sampling looks for the faces of a block among those of a range, and misses the others.
+TEST_P(SurfaceRefinement, KeepsFacesInTheOrderOfTheirSmallestVertex)
+{
+	Random  random(GetParam());
+	Surface s           = surfaceOf(randomSurface(random), workers);
+	s.size              = sizesAlong(s);
+	const float longest = longestEdgeOf(s.mesh) * 0.5f;
+	ASSERT_GT(refineSurface(findLongFaces(s, longest, workers), longest, 1 << 28, s, workers), 0);
+	int before = 0;
+	for (int f = 0; f < s.mesh.faceNum; ++f) {
+		const int* corner = &s.mesh.origin[3 * f];
+		ASSERT_LT(corner[0], corner[1]);
+		ASSERT_LT(corner[0], corner[2]);
+		ASSERT_GE(corner[0], before);
+		before = corner[0];
+	}
+}
+
 TEST_P(SurfaceRefinement, TellsNormalsSizesAndSources)
 {
 	Random             random(GetParam());

@@ -12,12 +12,10 @@
 namespace gpr {
 
 /// Splits the long faces of a surface that is connected, as splitLongEdges does: `longFaces` are
-/// all that findLongFaces finds. Vertices stay in their order in space, and new ones are put in
-/// their places there; faces and half-edges keep their numbers, and the new ones follow. So few
-/// splits cost far less than to order and to connect the mesh anew. Feature lines must not be
-/// marked yet. Returns the number of edges split; throws Failure{OutOfMemory} where the surface
-/// would have more than maxFaces faces.
-/// Cost: a pass over the vertices and corners, parallel; what is near the long faces, serial.
+/// all that findLongFaces finds. Vertices and faces are put in their order in space again, which
+/// the sampling relies on, and connected anew. Feature lines must not be marked yet. Returns the
+/// number of edges split; throws Failure{OutOfMemory} where the surface would have more than
+/// maxFaces faces. Cost: that of ordering and connecting, linear, parallel.
 std::int64_t refineSurface(const std::vector<int>& longFaces, float maxLength,
 						   std::int64_t maxFaces, Surface& surface, Workers& workers);
 

@@ -112,6 +112,20 @@ private:
 
 	float largestKnown() const { return *std::max_element(gap_.begin(), gap_.end()); }
 
+	float largestKnown(const std::vector<int>& faces) const
+	{
+		float largest = 0;
+		for (int f : faces)
+			largest = std::max(largest, gap_[f]);
+		return largest;
+	}
+
+	bool areWithin(const std::vector<int>& faces, float squared) const
+	{
+		return std::all_of(faces.begin(), faces.end(),
+						   [&](int f) { return gaps_.isWithin(f, squared); });
+	}
+
 	/// Farthest first.
 	std::vector<int> facesBeyond(float goal) const
 	{
@@ -189,7 +203,7 @@ private:
 		for (const Move& m : moves)
 			moving.push_back(m.vertex);
 		const std::vector<int> faces  = facesRound(m_, moving);
-		const float            before = gaps_.largestGap(faces, HUGE_VALF);
+		const float            before = std::max(gap.squared, largestKnown(faces));
 		for (float share : wayShares) {
 			if (tryMove(f, gap, moves, share, faces, before)) return true;
 		}
@@ -214,8 +228,7 @@ private:
 			put(m.vertex, next);
 		}
 		if (keepsNear && areSound(faces, corners, agreed) &&
-			gaps_.gapAt(f).squared <= minGain * minGain * gap.squared &&
-			gaps_.largestGap(faces, before) <= before) {
+			gaps_.isWithin(f, minGain * minGain * gap.squared) && areWithin(faces, before)) {
 			for (int g : faces)
 				gap_[g] = isAtSmoothBorder(g) ? near_ * near_ : gaps_.gapAt(g).squared;
 			return true;

@@ -114,6 +114,14 @@ Gap SurfaceGaps::gapAt(int f) const
 	return gap;
 }
 
+bool SurfaceGaps::isWithin(int f, float squared) const
+{
+	Gap gap = {squared, Vec3f(), Vec3f()};
+	lookFromSurface(f, gap);
+	if (gap.squared <= squared) lookFromTriangle(f, gap);
+	return gap.squared <= squared;
+}
+
 Buffer<float> SurfaceGaps::measureAll(Workers& workers) const
 {
 	Buffer<char> isFar(m_.vertexNum);
@@ -127,16 +135,6 @@ Buffer<float> SurfaceGaps::measureAll(Workers& workers) const
 		squared[f] = gap.squared;
 	});
 	return squared;
-}
-
-float SurfaceGaps::largestGap(const std::vector<int>& faces, float bound) const
-{
-	float largest = 0;
-	for (int f : faces) {
-		largest = std::max(largest, gapAt(f).squared);
-		if (largest > bound) break;
-	}
-	return largest;
 }
 
 /// Whether a vertex of the result is farther off than what is near.

@@ -41,12 +41,13 @@ public:
 				const Buffer<SurfacePoint>& point, float near);
 
 	Gap gapAt(int f) const;
+	/// Whether the gap of f, squared, is at most `squared`, which is no less than near. What makes
+	/// it quicker than gapAt: no nearest point is looked for beyond one that is near enough.
+	bool isWithin(int f, float squared) const;
 	/// Per face the squared length of its gap. From the face itself it is looked at only where a
 	/// corner is farther off than what is near. Cost: a pass over the input's vertices, in
 	/// parallel.
 	Buffer<float> measureAll(Workers& workers) const;
-	/// The largest of the faces' gaps, squared; any that is larger than `bound` will do.
-	float largestGap(const std::vector<int>& faces, float bound) const;
 
 private:
 	const HalfEdgeMesh&         s_; ///< of the surface
