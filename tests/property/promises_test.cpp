@@ -8,6 +8,7 @@
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
+#include <tests/support/run_options.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/remesh.h>
 
@@ -185,15 +186,6 @@ INSTANTIATE_TEST_SUITE_P(, Promise,
 							 return std::string(std::get<Shape>(which.param).name) + "_" +
 									nameOf(std::get<Preset>(which.param));
 						 });
-
-RemeshOptions countOptions(std::int64_t vertexNum)
-{
-	RemeshOptions options;
-	options.targetMode      = TargetMode::VertexNum;
-	options.targetVertexNum = vertexNum;
-	options.threads         = 2;
-	return options;
-}
 
 /// Largest distance of the segments' ends from other segments.
 double farthestEnd(const std::vector<Vec3d>& ends, const std::vector<Vec3d>& segments)

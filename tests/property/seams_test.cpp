@@ -3,6 +3,7 @@
 // Meshes whose parts have vertices of their own, from the input to the result.
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
+#include <tests/support/run_options.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/carry_over.h>
 #include <vcg_extras/core/remesh.h>
@@ -18,52 +19,6 @@
 namespace gpr::test {
 
 namespace {
-
-RemeshOptions countOptions(std::int64_t vertexNum)
-{
-	RemeshOptions options;
-	options.targetMode      = TargetMode::VertexNum;
-	options.targetVertexNum = vertexNum;
-	options.threads         = 2;
-	return options;
-}
-
-Vec3d middleOf(const TriangleMesh& mesh, std::size_t f)
-{
-	Vec3d sum;
-	for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
-		sum += mesh.positions[std::size_t(mesh.triangles[c])] * (1 / 3.0);
-	return sum;
-}
-
-/// The cube's six sides, or where the normal points.
-int sideOf(const TriangleMesh& mesh, std::size_t f)
-{
-	const auto at = [&](std::size_t k) {
-		return mesh.positions[std::size_t(mesh.triangles[3 * f + k])];
-	};
-	const Vec3d n    = cross(at(1) - at(0), at(2) - at(0));
-	const int   axis = std::abs(n.x) > std::max(std::abs(n.y), std::abs(n.z)) ? 0
-					   : std::abs(n.y) > std::abs(n.z)                        ? 1
-																			  : 2;
-	return 2 * axis + int(n.x + n.y + n.z > 0);
-}
-
-TriangleMesh cubeOfSides(int n)
-{
-	const TriangleMesh whole = cube(n);
-	std::vector<int>   side;
-	for (std::size_t f = 0; f < whole.faceNum(); ++f)
-		side.push_back(sideOf(whole, f));
-	return cutApart(whole, side);
-}
-
-/// A square in the plane through the z axis at that angle, with a side on the axis.
-TriangleMesh page(int n, double angleRad)
-{
-	const double right = std::acos(0.0);
-	return rotated(rotated(grid(n, n), {1, 0, 0}, right), {0, 0, 1}, angleRad);
-}
 
 std::set<std::array<double, 3>> borderPlaces(const TriangleMesh& mesh)
 {

@@ -5,6 +5,7 @@
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
+#include <tests/support/run_options.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/remesh.h>
 
@@ -15,14 +16,11 @@ namespace gpr::test {
 
 namespace {
 
-RemeshOptions countOptions(std::int64_t vertexNum, std::uint32_t seed)
+RemeshOptions unsewn(std::int64_t vertexNum, std::uint32_t seed)
 {
-	RemeshOptions options;
-	options.targetMode      = TargetMode::VertexNum;
-	options.targetVertexNum = vertexNum;
-	options.seed            = seed;
-	options.threads         = 2;
-	options.sew             = false; // a slit is to stay one
+	RemeshOptions options = countOptions(vertexNum);
+	options.seed          = seed;
+	options.sew           = false; // a slit is to stay one
 	return options;
 }
 
@@ -81,7 +79,7 @@ TEST_P(SmallestCount, IsNamedAndCanBeHad)
 	const TriangleMesh& mesh = GetParam().mesh;
 	for (std::uint32_t seed : {1u, 2u, 3u}) {
 		SCOPED_TRACE("seed " + std::to_string(seed));
-		const RemeshResult refused = remesh(mesh.view(), countOptions(1, seed));
+		const RemeshResult refused = remesh(mesh.view(), unsewn(1, seed));
 		ASSERT_EQ(refused.status, Status::CountTooSmall) << refused.message;
 		EXPECT_EQ(refused.mesh.vertexNum(), 0u) << "nothing is exported";
 		const std::int64_t smallest = refused.smallestVertexNum;
@@ -90,7 +88,7 @@ TEST_P(SmallestCount, IsNamedAndCanBeHad)
 		EXPECT_NE(refused.message.find(std::to_string(smallest)), std::string::npos)
 			<< "the sentence names it: " << refused.message;
 
-		const RemeshResult r = remesh(mesh.view(), countOptions(smallest, seed));
+		const RemeshResult r = remesh(mesh.view(), unsewn(smallest, seed));
 		ASSERT_EQ(r.status, Status::Ok) << r.message;
 		EXPECT_EQ(std::int64_t(r.mesh.vertexNum()), smallest);
 		EXPECT_TRUE(isSoundSurface(r.mesh));
@@ -101,9 +99,9 @@ TEST_P(SmallestCount, IsNamedAndCanBeHad)
 TEST_P(SmallestCount, IsTakenWithAllowNearestAndForPercentages)
 {
 	const TriangleMesh& mesh    = GetParam().mesh;
-	RemeshOptions       nearest = countOptions(1, 1);
+	RemeshOptions       nearest = unsewn(1, 1);
 	nearest.allowNearest        = true;
-	RemeshOptions percent       = countOptions(0, 1);
+	RemeshOptions percent       = unsewn(0, 1);
 	percent.targetMode          = TargetMode::Percent;
 	percent.targetPercent       = 0.001;
 	for (const RemeshOptions& options : {nearest, percent}) {
@@ -122,10 +120,10 @@ TEST_P(SmallestCount, IsTakenWithAllowNearestAndForPercentages)
 TEST_P(SmallestCount, EveryLargerCountIsHit)
 {
 	const TriangleMesh& mesh    = GetParam().mesh;
-	const RemeshResult  refused = remesh(mesh.view(), countOptions(1, 1));
+	const RemeshResult  refused = remesh(mesh.view(), unsewn(1, 1));
 	ASSERT_EQ(refused.status, Status::CountTooSmall);
 	for (std::int64_t n = refused.smallestVertexNum; n <= refused.smallestVertexNum + 30; ++n) {
-		const RemeshResult r = remesh(mesh.view(), countOptions(n, 1));
+		const RemeshResult r = remesh(mesh.view(), unsewn(n, 1));
 		ASSERT_EQ(r.status, Status::Ok) << n << " vertices: " << r.message;
 		EXPECT_EQ(std::int64_t(r.mesh.vertexNum()), n);
 		EXPECT_TRUE(isSoundSurface(r.mesh)) << n << " vertices";
@@ -142,7 +140,7 @@ TEST(SmallestCountTells, TheInputsFaultsAreCountedOnce)
 	TriangleMesh mesh = torus(40, 20);
 	mesh.triangles.insert(mesh.triangles.end(), {0, 0, 1, 0, 1, 0});
 	mesh.positions.push_back({7, 7, 7}); // in no face
-	RemeshOptions options = countOptions(4, 1);
+	RemeshOptions options = unsewn(4, 1);
 	options.allowNearest  = true;
 	const RemeshResult r  = remesh(mesh.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;

@@ -197,6 +197,14 @@ std::string SurfaceFacts::complaints() const
 	return out.str();
 }
 
+Vec3d middleOf(const TriangleMesh& mesh, std::size_t f)
+{
+	Vec3d sum;
+	for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
+		sum += mesh.positions[std::size_t(mesh.triangles[c])] * (1 / 3.0);
+	return sum;
+}
+
 SurfaceFacts factsOf(const TriangleMesh& mesh)
 {
 	return Auditor(mesh).run();

@@ -41,6 +41,9 @@ struct SurfaceFacts {
 
 SurfaceFacts factsOf(const TriangleMesh& mesh);
 
+/// The centroid of a face.
+Vec3d middleOf(const TriangleMesh& mesh, std::size_t face);
+
 /// A sound surface: oriented 2-manifold with border, no vertex unused, no face without area.
 ::testing::AssertionResult isSoundSurface(const TriangleMesh& mesh);
 

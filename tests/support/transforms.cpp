@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "transforms.h"
 
+#include "mesh_builders.h"
+
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -81,6 +83,27 @@ TriangleMesh cutApart(const TriangleMesh& mesh, const std::vector<int>& partOf)
 		cut.triangles.push_back(added.first->second);
 	}
 	return cut;
+}
+
+TriangleMesh cubeOfSides(int n)
+{
+	const TriangleMesh whole = cube(n);
+	std::vector<int>   side;
+	for (std::size_t f = 0; f < whole.faceNum(); ++f) {
+		const auto at = [&](std::size_t k) {
+			return whole.positions[std::size_t(whole.triangles[3 * f + k])];
+		};
+		const Vec3d normal = cross(at(1) - at(0), at(2) - at(0));
+		const int   axis   = std::abs(normal.x) > 1e-9 ? 0 : std::abs(normal.y) > 1e-9 ? 1 : 2;
+		side.push_back(2 * axis + int(normal.x + normal.y + normal.z > 0));
+	}
+	return cutApart(whole, side);
+}
+
+TriangleMesh page(int n, double angleRad)
+{
+	const double right = std::acos(0.0);
+	return rotated(rotated(grid(n, n), {1, 0, 0}, right), {0, 0, 1}, angleRad);
 }
 
 TriangleMesh withoutUnused(const TriangleMesh& mesh)

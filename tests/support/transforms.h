@@ -21,6 +21,10 @@ TriangleMesh shuffled(const TriangleMesh& mesh, Random& random);
 TriangleMesh insideOut(const TriangleMesh& mesh);
 /// With vertices of their own for the faces of each part; partOf: one number a face.
 TriangleMesh cutApart(const TriangleMesh& mesh, const std::vector<int>& partOf);
+/// The sides of a cube, each with vertices of its own.
+TriangleMesh cubeOfSides(int n);
+/// A square in the plane through the z axis at that angle; a side of it lies on the axis.
+TriangleMesh page(int n, double angleRad);
 /// Without the vertices that are in no face.
 TriangleMesh withoutUnused(const TriangleMesh& mesh);
 

@@ -38,34 +38,10 @@ TriangleMesh cutByPlanes(const TriangleMesh& mesh, bool alongX, bool alongY)
 {
 	std::vector<int> part;
 	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
-		Vec3d sum;
-		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
-			sum += mesh.positions[std::size_t(mesh.triangles[c])] * (1 / 3.0);
-		part.push_back(int(alongX && sum.x > 0.5) + 2 * int(alongY && sum.y > 0.5));
+		const Vec3d middle = middleOf(mesh, f);
+		part.push_back(int(alongX && middle.x > 0.5) + 2 * int(alongY && middle.y > 0.5));
 	}
 	return cutApart(mesh, part);
-}
-
-/// The faces of the cube's six sides with vertices of their own.
-TriangleMesh cubeOfSides(int n)
-{
-	const TriangleMesh whole = cube(n);
-	std::vector<int>   side;
-	for (std::size_t f = 0; f < whole.faceNum(); ++f) {
-		const auto at = [&](int k) {
-			return whole.positions[std::size_t(whole.triangles[3 * f + std::size_t(k)])];
-		};
-		const Vec3d n3   = cross(at(1) - at(0), at(2) - at(0));
-		const int   axis = std::abs(n3.x) > 1e-9 ? 0 : std::abs(n3.y) > 1e-9 ? 1 : 2;
-		side.push_back(2 * axis + int(n3.x + n3.y + n3.z > 0));
-	}
-	return cutApart(whole, side);
-}
-
-/// A square in the plane through the z axis at that angle; a side of it lies on the axis.
-TriangleMesh page(int n, double angleRad)
-{
-	return rotated(rotated(grid(n, n), {1, 0, 0}, std::acos(-1.0) / 2), {0, 0, 1}, angleRad);
 }
 
 TEST(SewSeams, TwoHalvesOfASquareBecomeOne)

@@ -55,17 +55,29 @@ std::vector<Places> facesOf(const HalfEdgeMesh& m)
 
 class SurfaceRefinement : public ::testing::TestWithParam<std::uint32_t> {
 protected:
-	Workers workers{2, nullptr};
+	Workers            workers{2, nullptr};
+	Random             random{GetParam()};
+	const TriangleMesh mesh = randomSurface(random);
+
+	Surface withSizes()
+	{
+		Surface s = surfaceOf(mesh, workers);
+		s.size    = sizesAlong(s);
+		return s;
+	}
+
+	/// Splits edges above so much of the longest one; returns how many splits it takes.
+	std::int64_t refine(Surface& s, float share)
+	{
+		const float longest = longestEdgeOf(s.mesh) * share;
+		return refineSurface(findLongFaces(s, longest, workers), longest, 1 << 28, s, workers);
+	}
 };
 
 /// The way round about is to split, to order and to connect anew.
 TEST_P(SurfaceRefinement, IsWhatSplittingAndConnectingAnewMakes)
 {
-	Random             random(GetParam());
-	const TriangleMesh mesh = randomSurface(random);
-	Surface            s = surfaceOf(mesh, workers), other = surfaceOf(mesh, workers);
-	s.size              = sizesAlong(s);
-	other.size          = sizesAlong(other);
+	Surface     s = withSizes(), other = withSizes();
 	const float longest = longestEdgeOf(s.mesh) * 0.9f;
 	const auto  found   = findLongFaces(s, longest, workers);
 	ASSERT_FALSE(found.empty());
@@ -83,11 +95,8 @@ TEST_P(SurfaceRefinement, IsWhatSplittingAndConnectingAnewMakes)
 
 TEST_P(SurfaceRefinement, KeepsVerticesInTheOrderOfTheCells)
 {
-	Random  random(GetParam());
-	Surface s           = surfaceOf(randomSurface(random), workers);
-	s.size              = sizesAlong(s);
-	const float longest = longestEdgeOf(s.mesh) * 0.5f;
-	ASSERT_GT(refineSurface(findLongFaces(s, longest, workers), longest, 1 << 28, s, workers), 0);
+	Surface s = withSizes();
+	ASSERT_GT(refine(s, 0.5f), 0);
 	for (int v = 1; v < s.mesh.vertexNum; ++v) {
 		ASSERT_LE(s.grid.cell(s.mesh.position[v - 1], s.grid.level),
 				  s.grid.cell(s.mesh.position[v], s.grid.level));
@@ -97,11 +106,8 @@ TEST_P(SurfaceRefinement, KeepsVerticesInTheOrderOfTheCells)
 /// The sampling looks for the faces of a block among those of a range, and misses the others.
 TEST_P(SurfaceRefinement, KeepsFacesInTheOrderOfTheirSmallestVertex)
 {
-	Random  random(GetParam());
-	Surface s           = surfaceOf(randomSurface(random), workers);
-	s.size              = sizesAlong(s);
-	const float longest = longestEdgeOf(s.mesh) * 0.5f;
-	ASSERT_GT(refineSurface(findLongFaces(s, longest, workers), longest, 1 << 28, s, workers), 0);
+	Surface s = withSizes();
+	ASSERT_GT(refine(s, 0.5f), 0);
 	int before = 0;
 	for (int f = 0; f < s.mesh.faceNum; ++f) {
 		const int* corner = &s.mesh.origin[3 * f];
@@ -114,12 +120,8 @@ TEST_P(SurfaceRefinement, KeepsFacesInTheOrderOfTheirSmallestVertex)
 
 TEST_P(SurfaceRefinement, TellsNormalsSizesAndSources)
 {
-	Random             random(GetParam());
-	const TriangleMesh mesh = randomSurface(random);
-	Surface            s    = surfaceOf(mesh, workers);
-	s.size                  = sizesAlong(s);
-	const float longest     = longestEdgeOf(s.mesh) * 0.7f;
-	refineSurface(findLongFaces(s, longest, workers), longest, 1 << 28, s, workers);
+	Surface s = withSizes();
+	refine(s, 0.7f);
 	for (int v = 0; v < s.mesh.vertexNum; ++v) {
 		const PackedNormal anew = vertexNormal(s.mesh, v);
 		ASSERT_EQ(length(s.normal[v].unpack() - anew.unpack()), 0);

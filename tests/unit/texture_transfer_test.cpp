@@ -23,14 +23,6 @@ std::array<double, 2> chartAt(const Vec3d& p, bool right)
 	return {0.4 * p.x, 0.5 + 0.4 * p.y};
 }
 
-Vec3d middleOf(const TriangleMesh& mesh, std::size_t f)
-{
-	Vec3d sum;
-	for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
-		sum += mesh.positions[std::size_t(mesh.triangles[c])] * (1 / 3.0);
-	return sum;
-}
-
 /// Corner textures of two charts.
 CornerTexture twoCharts(const TriangleMesh& mesh)
 {

@@ -7,18 +7,11 @@
 #include "soup_io.h"
 #include "text_lines.h"
 
-#include <vcg_extras/core/base/workers.h>
-
 #include <algorithm>
 
 namespace gpr::app {
 
 namespace {
-
-std::string_view withoutComment(std::string_view line)
-{
-	return line.substr(0, std::min(line.find('#'), line.size()));
-}
 
 /// Takes a line with those that it goes on with; `joined` holds it where there are some.
 std::string_view takeWholeLine(std::string_view& text, std::string& joined)
@@ -138,12 +131,8 @@ InputMesh readObj(std::string_view file, bool& holdsMore)
 {
 	const std::vector<std::string_view> text = linePieces(file, true);
 	std::vector<ObjPiece>               pieces(text.size());
-	std::vector<std::size_t>            before(text.size() + 1, 0);
 	Workers                             workers(0, nullptr);
-	workers.forTasks(text.size(),
-					 [&](std::size_t i, int) { before[i + 1] = countVertices(text[i]); });
-	for (std::size_t i = 0; i < text.size(); ++i)
-		before[i + 1] += before[i];
+	const std::vector<std::size_t>      before = recordsBefore(text, countVertices, workers);
 	workers.forTasks(text.size(), [&](std::size_t i, int) { pieces[i].read(text[i], before[i]); });
 
 	InputMesh mesh;

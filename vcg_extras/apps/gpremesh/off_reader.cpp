@@ -7,8 +7,6 @@
 #include "soup_io.h"
 #include "text_lines.h"
 
-#include <vcg_extras/core/base/workers.h>
-
 #include <algorithm>
 
 namespace gpr::app {
@@ -18,11 +16,6 @@ namespace {
 [[noreturn]] void fail(const std::string& sentence)
 {
 	throw AppError(ExitCode::BadInput, sentence);
-}
-
-std::string_view withoutComment(std::string_view line)
-{
-	return line.substr(0, std::min(line.find('#'), line.size()));
 }
 
 void checkKeyword(std::string_view keyword)
@@ -154,12 +147,8 @@ InputMesh readOff(std::string_view file)
 	const Header                        header = readHeader(file);
 	const std::vector<std::string_view> text   = linePieces(header.body);
 	std::vector<OffPiece>               pieces(text.size());
-	std::vector<std::size_t>            before(text.size() + 1, 0);
 	Workers                             workers(0, nullptr);
-	workers.forTasks(text.size(),
-					 [&](std::size_t i, int) { before[i + 1] = countRecords(text[i]); });
-	for (std::size_t i = 0; i < text.size(); ++i)
-		before[i + 1] += before[i];
+	const std::vector<std::size_t>      before = recordsBefore(text, countRecords, workers);
 
 	InputMesh mesh;
 	mesh.doublePrecision = true;

@@ -49,6 +49,11 @@ std::string_view takeLine(std::string_view& text)
 	return line;
 }
 
+std::string_view withoutComment(std::string_view line)
+{
+	return line.substr(0, std::min(line.find('#'), line.size()));
+}
+
 std::vector<std::string_view> linePieces(std::string_view text, bool mayGoOn)
 {
 	constexpr std::size_t         usualBytes = 1 << 20;
@@ -63,6 +68,18 @@ std::vector<std::string_view> linePieces(std::string_view text, bool mayGoOn)
 		text.remove_prefix(end);
 	}
 	return pieces;
+}
+
+std::vector<std::size_t>
+recordsBefore(const std::vector<std::string_view>&                pieces,
+			  const std::function<std::size_t(std::string_view)>& countRecords, Workers& workers)
+{
+	std::vector<std::size_t> before(pieces.size() + 1, 0);
+	workers.forTasks(pieces.size(),
+					 [&](std::size_t i, int) { before[i + 1] = countRecords(pieces[i]); });
+	for (std::size_t i = 0; i < pieces.size(); ++i)
+		before[i + 1] += before[i];
+	return before;
 }
 
 std::size_t lineNumber(std::string_view text, const char* place)

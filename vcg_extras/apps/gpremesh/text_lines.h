@@ -3,8 +3,11 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TEXT_LINES_H
 #define VCG_EXTRAS_APPS_GPREMESH_TEXT_LINES_H
 
+#include <vcg_extras/core/base/workers.h>
+
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +27,14 @@ std::vector<std::string_view> linePieces(std::string_view text, bool mayGoOn = f
 
 /// Cuts the first line, without its end, off a text.
 std::string_view takeLine(std::string_view& text);
+
+/// What stands before the first '#' of a line.
+std::string_view withoutComment(std::string_view line);
+
+/// For every piece how many records the pieces before it have, and at the end how many all have.
+std::vector<std::size_t>
+recordsBefore(const std::vector<std::string_view>&                pieces,
+			  const std::function<std::size_t(std::string_view)>& countRecords, Workers& workers);
 
 /// The number of the line, from 1 on, that a place of the text is in.
 std::size_t lineNumber(std::string_view text, const char* place);

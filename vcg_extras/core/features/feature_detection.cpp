@@ -4,6 +4,7 @@
 
 #include "feature_strength.h"
 
+#include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/surface_ray.h>
 
 #include <algorithm>
@@ -32,17 +33,6 @@ constexpr float bridgeCosine = 0.5f;
 
 /// Square root of the area: a size that does not change when the surface is turned, as that of its
 /// box would.
-float extentOf(const HalfEdgeMesh& m, Workers& workers)
-{
-	const double area = workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		double part = 0;
-		for (std::size_t f = begin; f < end; ++f)
-			part += 0.5 * double(length(m.faceCross(int(f))));
-		return part;
-	});
-	return float(std::sqrt(area));
-}
-
 float meanSideLength(const Buffer<Vec3f>& position, const Buffer<int>& corner, int faceNum,
 					 Workers& workers)
 {
@@ -549,7 +539,7 @@ FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thres
 {
 	FeatureEdges out;
 	const float  wanted  = float(thresholds.support) * meanEdge;
-	const float  largest = largestSupport * extentOf(surface.mesh, workers);
+	const float  largest = largestSupport * float(std::sqrt(surfaceArea(surface.mesh, workers)));
 	out.support          = std::min(wanted, largest);
 	out.supportCut       = wanted > largest;
 	out.minLength        = float(thresholds.minLength) * out.support;

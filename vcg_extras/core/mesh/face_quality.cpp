@@ -108,6 +108,16 @@ bool hasNoArea(const HalfEdgeMesh& m, int f)
 	return isLine(m.position[c[0]], m.position[c[1]], m.position[c[2]], m.faceCross(f));
 }
 
+double surfaceArea(const HalfEdgeMesh& m, Workers& workers)
+{
+	return workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		double area = 0;
+		for (std::size_t f = begin; f < end; ++f)
+			area += 0.5 * double(length(m.faceCross(int(f))));
+		return area;
+	});
+}
+
 float meanEdgeByArea(const HalfEdgeMesh& m)
 {
 	double area = 0;

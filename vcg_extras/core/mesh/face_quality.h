@@ -39,6 +39,9 @@ bool flipKeepsShape(const HalfEdgeMesh& m, int h);
 /// Whether the area of a living face is nothing but rounding.
 bool hasNoArea(const HalfEdgeMesh& mesh, int face);
 
+/// Area of all faces, squared units of the mesh.
+double surfaceArea(const HalfEdgeMesh& mesh, Workers& workers);
+
 /// Edge of equilateral triangles of the faces' mean area.
 float meanEdgeByArea(const HalfEdgeMesh& mesh);
 

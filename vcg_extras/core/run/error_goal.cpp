@@ -11,8 +11,8 @@ namespace gpr {
 
 namespace {
 
-/// Of the area may be too far from the result so much, for the places to be made finer one by one;
-/// where there is more, all triangles are too large.
+/// Share of the area that may be too far from the result if only the triangles at these places are
+/// to become smaller. Where more is too far, all triangles are too large.
 constexpr double shareForSpots = 0.01;
 /// Beyond what would do if the error went with 1 / count, in the last trial.
 constexpr double lastCaution = 1.15;

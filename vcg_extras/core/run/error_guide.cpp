@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "error_guide.h"
 
+#include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/sampling/sizing.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
 #include <algorithm>
@@ -43,44 +45,10 @@ double areaOf(const std::vector<FarPlace>& places, double goal)
 	return area;
 }
 
-double areaOf(const HalfEdgeMesh& m, Workers& workers)
+/// What smaller triangles at the spots multiply the number of triangles by.
+double growthBy(const FineSpots& spots, const Surface& surface, Workers& workers)
 {
-	return workers.sum<double>(std::size_t(m.faceNum), [&](std::size_t begin, std::size_t end) {
-		double area = 0;
-		for (std::size_t f = begin; f < end; ++f)
-			area += 0.5 * double(length(m.faceCross(int(f))));
-		return area;
-	});
-}
-
-/// Area mean of 1 / factor².
-double meanDensity(const FineSpots& spots, const Surface& surface, Workers& workers)
-{
-	struct Sums {
-		double weighted = 0, area = 0;
-		Sums&  operator+=(const Sums& o)
-		{
-			weighted += o.weighted;
-			area += o.area;
-			return *this;
-		}
-	};
-	const HalfEdgeMesh& m      = surface.mesh;
-	const Buffer<float> factor = factorsOf(spots, surface, workers);
-	const Sums          sums =
-		workers.sum<Sums>(std::size_t(m.faceNum), [&](std::size_t begin, std::size_t end) {
-			Sums s;
-			for (std::size_t f = begin; f < end; ++f) {
-				const double area = 0.5 * double(length(m.faceCross(int(f))));
-				for (std::size_t k = 0; k < 3; ++k) {
-					const double here = double(factor[std::size_t(m.origin[3 * f + k])]);
-					s.weighted += area / (3 * here * here);
-				}
-				s.area += area;
-			}
-			return s;
-		});
-	return sums.area > 0 ? sums.weighted / sums.area : 1;
+	return meanSquaredStretch(surface.mesh, factorsOf(spots, surface, workers), workers);
 }
 
 } // namespace
@@ -94,7 +62,7 @@ void findPlacesBeyond(RunContext& run, const Surface& surface, const ComparedSur
 	const double  limit    = effort.nearGoal * goal;
 	const auto    ofInput  = placesBeyond(both.input, both.result, limit, run.workers);
 	const auto    ofResult = placesBeyond(both.result, both.input, limit, run.workers);
-	const double  total    = areaOf(surface.mesh, run.workers);
+	const double  total    = surfaceArea(surface.mesh, run.workers);
 	guide.share            = std::min(1.0, areaOf(ofInput, goal) / std::max(total, 1e-300));
 	guide.found.clear();
 	for (const std::vector<FarPlace>* places : {&ofInput, &ofResult})
@@ -103,7 +71,7 @@ void findPlacesBeyond(RunContext& run, const Surface& surface, const ComparedSur
 	FineSpots all = guide.spots;
 	all.push_back(guide.found);
 	guide.growth =
-		meanDensity(all, surface, run.workers) / meanDensity(guide.spots, surface, run.workers);
+		growthBy(all, surface, run.workers) / growthBy(guide.spots, surface, run.workers);
 }
 
 } // namespace gpr

@@ -8,6 +8,7 @@
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/input/split_long_edges.h>
+#include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/results.h>
 #include <vcg_extras/core/surface/barycentric_point.h>
 #include <vcg_extras/core/surface/surface_point.h>
@@ -80,21 +81,11 @@ void averageOverRings(const HalfEdgeMesh& m, Workers& workers, Buffer<CurvatureS
 	value.swap(mean);
 }
 
-double surfaceAreaOf(const HalfEdgeMesh& m, Workers& workers)
-{
-	return workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		double area = 0;
-		for (std::size_t f = begin; f < end; ++f)
-			area += 0.5 * double(length(m.faceCross(int(f))));
-		return area;
-	});
-}
-
 /// Passes of ring averages that reach over a disk: the spread of n passes is that of a random walk
 /// of n steps an edge long, of which half the radius covers most of a disk.
 int passesForRadius(const Surface& surface, float radius, Workers& workers)
 {
-	const double area  = surfaceAreaOf(surface.mesh, workers);
+	const double area  = surfaceArea(surface.mesh, workers);
 	const double edge2 = area / std::max(1, surface.mesh.faceNum) * (4 / std::sqrt(3.0));
 	const double steps = 0.25 * double(radius) * radius / std::max(edge2, 1e-30);
 	return std::clamp(int(std::lround(steps)), 0, maxCurvaturePasses);
@@ -197,35 +188,6 @@ struct Largest {
 		return *this;
 	}
 };
-
-/// Area mean of 1/size².
-double meanSquaredStretch(const HalfEdgeMesh& m, const Buffer<float>& size, Workers& workers)
-{
-	struct Sums {
-		double weighted = 0, area = 0;
-		Sums&  operator+=(const Sums& o)
-		{
-			weighted += o.weighted;
-			area += o.area;
-			return *this;
-		}
-	};
-	const Sums sums = workers.sum<Sums>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		Sums s;
-		for (std::size_t f = begin; f < end; ++f) {
-			const double area    = 0.5 * double(length(m.faceCross(int(f))));
-			double       inverse = 0;
-			for (int k = 0; k < 3; ++k) {
-				const double here = size[m.origin[3 * f + k]];
-				inverse += 1 / (3 * here * here);
-			}
-			s.weighted += area * inverse;
-			s.area += area;
-		}
-		return s;
-	});
-	return sums.area > 0 ? sums.weighted / sums.area : 1;
-}
 
 /// Sizes over the largest one, which may be above or below 1; returns it.
 float normalise(Workers& workers, Buffer<float>& size)
@@ -418,6 +380,34 @@ Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers
 }
 
 } // namespace
+
+double meanSquaredStretch(const HalfEdgeMesh& m, const Buffer<float>& size, Workers& workers)
+{
+	struct Sums {
+		double weighted = 0, area = 0;
+		Sums&  operator+=(const Sums& o)
+		{
+			weighted += o.weighted;
+			area += o.area;
+			return *this;
+		}
+	};
+	const Sums sums = workers.sum<Sums>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		Sums s;
+		for (std::size_t f = begin; f < end; ++f) {
+			const double area    = 0.5 * double(length(m.faceCross(int(f))));
+			double       inverse = 0;
+			for (int k = 0; k < 3; ++k) {
+				const double here = size[m.origin[3 * f + k]];
+				inverse += 1 / (3 * here * here);
+			}
+			s.weighted += area * inverse;
+			s.area += area;
+		}
+		return s;
+	});
+	return sums.area > 0 ? sums.weighted / sums.area : 1;
+}
 
 Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& workers)
 {

@@ -62,6 +62,10 @@ struct SizingRequest {
 /// linear; for λ a pass over the mesh for every edge that r spans, squared.
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers);
 
+/// Area mean of 1/size², for sizes at the vertices; 1 where there is no area. The number of
+/// triangles goes with it.
+double meanSquaredStretch(const HalfEdgeMesh& mesh, const Buffer<float>& size, Workers& workers);
+
 /// Mean curvature H at every vertex in 1/working unit, positive where the surface bulges along its
 /// normals: the divergence of the vertex normals over each face (half of it is H), summed and
 /// divided by the area over the ring, then averaged over so many further rings. Needs no division
