@@ -316,6 +316,67 @@ TEST(PromiseOfInvertedFaces, TheyAreCountedAndANoteTellsOfThem)
 	EXPECT_GT(most, 0) << "none of these meshes tests the note";
 }
 
+/// "Plates of needles": the fit must not take the far side of a plate for the near one, whose
+/// vertices lie no farther by the number of edges.
+TEST(PromiseOfTheFit, ItComesNearerToPlatesOfNeedles)
+{
+	for (double height : {0.1, 0.3}) {
+		SCOPED_TRACE(height);
+		const TriangleMesh plate   = ringPlate(500, 0.4, height);
+		RemeshOptions      options = countOptions(600);
+		options.check              = true;
+		const RemeshResult fitted  = remesh(plate.view(), options);
+		ASSERT_EQ(fitted.status, Status::Ok) << fitted.message;
+		options.fit                = Fit::Off;
+		const RemeshResult onInput = remesh(plate.view(), options);
+		ASSERT_EQ(onInput.status, Status::Ok) << onInput.message;
+		const SurfaceDistance with    = fitted.report.check.distance.larger();
+		const SurfaceDistance without = onInput.report.check.distance.larger();
+		EXPECT_LT(with.rms, 0.8 * without.rms);
+		EXPECT_LE(with.max, 1.02 * without.max);
+	}
+}
+
+double longestOverMeanEdge(const TriangleMesh& mesh)
+{
+	double longest = 0, sum = 0;
+	for (std::size_t c = 0; c < mesh.triangles.size(); ++c) {
+		const std::size_t next = c % 3 == 2 ? c - 2 : c + 1;
+		const Vec3d       a    = mesh.positions[std::size_t(mesh.triangles[c])];
+		const double      edge = length(mesh.positions[std::size_t(mesh.triangles[next])] - a);
+		longest                = std::max(longest, edge);
+		sum += edge;
+	}
+	return longest / (sum / double(mesh.triangles.size()));
+}
+
+/// A tube with rings of fine bumps: small triangles on them make long edges of the input be split.
+TriangleMesh bumpyTube(int around, int along)
+{
+	TriangleMesh tube = openCylinder(around, along, 1, 4);
+	for (Vec3d& p : tube.positions) {
+		const double bump = std::exp(-40 * (p.z - 2) * (p.z - 2));
+		const double grow = 1 + 0.08 * bump * std::cos(12 * std::atan2(p.y, p.x));
+		p                 = {p.x * grow, p.y * grow, p.z};
+	}
+	return tube;
+}
+
+/// "No triangle is several times as large as wanted", wherever sizes change and edges were split.
+TEST(PromiseOfSizes, NoEdgeIsSeveralTimesAsLongAsTheMean)
+{
+	for (double adapt : {0.1, 1.0}) {
+		for (int vertexNum : {1500, 6000, 20000}) {
+			SCOPED_TRACE(std::to_string(adapt) + " " + std::to_string(vertexNum));
+			RemeshOptions options = countOptions(vertexNum);
+			options.adapt         = adapt;
+			const RemeshResult r  = remesh(bumpyTube(200, 120).view(), options);
+			ASSERT_EQ(r.status, Status::Ok) << r.message;
+			EXPECT_LT(longestOverMeanEdge(r.mesh), 3);
+		}
+	}
+}
+
 } // namespace
 
 } // namespace gpr::test

@@ -362,6 +362,18 @@ TriangleMesh closedCylinder(int around, int along, double radius, double height)
 	return mesh;
 }
 
+TriangleMesh ringPlate(int around, double innerRadius, double height)
+{
+	TriangleMesh mesh;
+	const double profile[4][2] = {{1, 0}, {1, height}, {innerRadius, height}, {innerRadius, 0}};
+	for (const auto& [radius, z] : profile) {
+		for (int i = 0; i < around; ++i)
+			mesh.positions.push_back(onCircle(double(i) / around, radius, z));
+	}
+	addSquares(mesh, around, 4, [&](int i, int k) { return k % 4 * around + i % around; });
+	return mesh;
+}
+
 TriangleMesh noisySphere(int level, double amplitude, Random& random)
 {
 	TriangleMesh mesh = icosphere(level);

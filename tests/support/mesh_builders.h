@@ -58,6 +58,8 @@ TriangleMesh thinPlate(int n, double thickness);
 /// A prism over an L: three cubes of side 1 and n cells in a corner.
 TriangleMesh lPrism(int n);
 TriangleMesh closedCylinder(int around, int along, double radius, double height);
+/// A plate of radius 1 with a round hole, as CAD programs mesh it: needles from rim to rim.
+TriangleMesh ringPlate(int around, double innerRadius, double height);
 /// A sphere whose vertices are moved along their normals by up to `amplitude`.
 TriangleMesh noisySphere(int level, double amplitude, Random& random);
 /// One-sided and closed; it runs through itself.

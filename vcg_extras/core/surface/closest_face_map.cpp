@@ -3,8 +3,10 @@
 #include "closest_face_map.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 
+#include <cmath>
 #include <limits>
 
 namespace gpr {
@@ -18,6 +20,9 @@ constexpr int maxSteps = 8;
 /// A vertex that lies over a triangle belongs to it unless it is this share of twice its area away,
 /// squared: beyond a crease there may be a nearer one.
 constexpr float overShare = 0.04f;
+/// Farther than this share of twice the triangle's area, squared, a vertex may have strayed: half
+/// an edge.
+constexpr float strayShare = 0.3f;
 /// Stars searched at most.
 constexpr int maxHops = 4;
 /// Vertices that are flooded together: pieces of fixed size, whatever the number of threads.
@@ -199,6 +204,17 @@ public:
 		float distance; ///< squared; × wrongSide where the face looks the other way
 	};
 
+	/// Whether the face looks the other way than the vertex of the input, or lies so far from it
+	/// that it may stand for another part of the surface.
+	bool isStray(int p, int face) const
+	{
+		const Corners t  = cornersOf(face);
+		const Vec3f   n  = t.cross();
+		const Vec3f   at = surface_.mesh.position[p];
+		if (!(dot(n, surface_.normal[p].unpack()) > 0)) return true;
+		return squaredLength(pointAt(nearestFoot(at, t, n), t) - at) > strayShare * length(n);
+	}
+
 	/// Walks from a face towards the one that p lies over, as in point location in the plane. Where
 	/// that ends nowhere, as at creases and coneApexes, the stars on the way are searched; where it
 	/// ends far off, beyond a crease perhaps, those round the face that it began with, too.
@@ -262,6 +278,93 @@ private:
 	}
 };
 
+/// Faces of the result for vertices of the input, and where on them.
+struct FaceChoice {
+	Buffer<int>&           face;
+	Buffer<PackedWeights>& weights;
+
+	void take(std::size_t p, const TriangleSearch::Found& found) const
+	{
+		face[p]    = found.face;
+		weights[p] = PackedWeights(found.foot.weight[1], found.foot.weight[2]);
+	}
+};
+
+/// The flood counts edges, not lengths: along needles it comes to the far side of a plate before
+/// the near one, and the walks from there do not find back. Strays are looked for again from the
+/// faces of their neighbours, ring by ring from those that have not strayed.
+class StrayReturn {
+public:
+	StrayReturn(const HalfEdgeMesh& input, const TriangleSearch& search, const FaceChoice& choice,
+				Workers& workers) :
+			m_(input),
+			search_(search), choice_(choice), workers_(workers)
+	{
+	}
+
+	void run()
+	{
+		std::vector<int> front = workers_.collectIf(m_.vertexNum, [&](int p) {
+			return choice_.face[p] >= 0 && search_.isStray(p, choice_.face[p]);
+		});
+		if (!front.empty()) isStray_.assign(std::size_t(m_.vertexNum), 0);
+		for (int p : front)
+			isStray_[p] = 1;
+		while (!front.empty())
+			front = takeRing(front);
+	}
+
+private:
+	struct Back {
+		int                   vertex;
+		TriangleSearch::Found found;
+	};
+
+	const HalfEdgeMesh&   m_;
+	const TriangleSearch& search_;
+	const FaceChoice&     choice_;
+	Workers&              workers_;
+	std::vector<char>     isStray_;
+
+	/// Returns the strays beside those that came back.
+	std::vector<int> takeRing(const std::vector<int>& front)
+	{
+		// All see the faces before the round: the bits do not depend on the threads.
+		const std::vector<Back> back = workers_.collect<Back>(
+			front.size(), [&](std::size_t begin, std::size_t end, auto& out) {
+				for (std::size_t i = begin; i < end; ++i) {
+					const TriangleSearch::Found found = nearestByNeighbours(front[i]);
+					if (!search_.isStray(front[i], found.face)) out.push_back({front[i], found});
+				}
+			});
+		std::vector<int> beside;
+		for (const Back& b : back) {
+			choice_.take(b.vertex, b.found);
+			isStray_[b.vertex] = 0;
+		}
+		for (const Back& b : back) {
+			forEachNeighbour(m_, b.vertex, [&](int q) {
+				if (isStray_[q]) beside.push_back(q);
+			});
+		}
+		sortUnique(beside);
+		return beside;
+	}
+
+	/// The nearest face that is found from those of the neighbours that have not strayed; its own
+	/// where there are none.
+	TriangleSearch::Found nearestByNeighbours(int p) const
+	{
+		TriangleSearch::Found best{choice_.face[p], {{1, 0, 0}}, HUGE_VALF};
+		forEachNeighbour(m_, p, [&](int q) {
+			if (choice_.face[q] < 0 || isStray_[q]) return;
+			const TriangleSearch::Found found = search_.locate(p, choice_.face[q]);
+			if (found.distance < best.distance) best = found;
+		});
+		return best;
+	}
+};
+
 } // namespace
 
 Buffer<int> floodFromPoints(const Surface& surface, const ResultMesh& result, Workers& workers)
@@ -279,20 +382,32 @@ ClosestFaceMap::ClosestFaceMap(const Surface& surface, const ResultMesh& result,
 		}
 	});
 	measureAreas(workers);
-	update(result, workers);
+	locateAll(result, workers);
+	StrayReturn(surface.mesh, TriangleSearch(surface_, result.mesh), {face_, weights_}, workers)
+		.run();
+	makeLists(result, workers);
 }
 
 void ClosestFaceMap::update(const ResultMesh& result, Workers& workers)
 {
+	locateAll(result, workers);
+	makeLists(result, workers);
+}
+
+void ClosestFaceMap::locateAll(const ResultMesh& result, Workers& workers)
+{
 	const TriangleSearch search(surface_, result.mesh);
+	const FaceChoice     choice{face_, weights_};
 	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
 		for (std::size_t p = begin; p < end; ++p) {
 			if (face_[p] < 0) continue;
-			const TriangleSearch::Found found = search.locate(int(p), face_[p]);
-			face_[p]                          = found.face;
-			weights_[p] = PackedWeights(found.foot.weight[1], found.foot.weight[2]);
+			choice.take(p, search.locate(int(p), face_[p]));
 		}
 	});
+}
+
+void ClosestFaceMap::makeLists(const ResultMesh& result, Workers& workers)
+{
 	const auto faceOf = [&](std::size_t p) { return face_[p]; };
 	sortIntoBuckets(face_.size(), result.mesh.faceNum, faceOf, workers, start_, item_);
 }

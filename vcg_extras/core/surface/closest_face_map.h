@@ -93,6 +93,8 @@ private:
 	Buffer<int>           item_;
 
 	void measureAreas(Workers& workers);
+	void locateAll(const ResultMesh& result, Workers& workers);
+	void makeLists(const ResultMesh& result, Workers& workers);
 };
 
 /// A vertex of the result near each vertex of the input, by a breadth-first flood over the input
