@@ -335,6 +335,47 @@ TEST(Seams, EitherSideKeepsItsTexture)
 	}
 }
 
+void addQuad(TriangleMesh& mesh, const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d)
+{
+	const int first = int(mesh.positions.size());
+	mesh.positions.insert(mesh.positions.end(), {a, b, c, d});
+	for (int k : {0, 1, 2, 0, 2, 3})
+		mesh.triangles.push_back(first + k);
+}
+
+/// A square tube along x, each side with vertices of its own, and a plate at one of its edges.
+/// Three sheets meet there, so that this edge stays cut: sewn, the tube is a strip that is folded
+/// round until both its long borders lie at one place.
+TriangleMesh tubeAtPlate(double width)
+{
+	const double section[5][2] = {{0, 0}, {-width, 0}, {-width, -width}, {0, -width}, {0, 0}};
+	TriangleMesh mesh;
+	for (int side = 0; side < 4; ++side) {
+		const double* from = section[side];
+		const double* to   = section[side + 1];
+		addQuad(mesh, {0, from[0], from[1]}, {10, from[0], from[1]}, {10, to[0], to[1]},
+				{0, to[0], to[1]});
+	}
+	addQuad(mesh, {10, 0, 0}, {0, 0, 0}, {0, 8, 0}, {10, 8, 0});
+	return mesh;
+}
+
+/// Samples on the two borders alone would make triangles that lie in a line.
+TEST(Seams, OfATubeThatIsThinnerThanItsTrianglesAreLeftOpen)
+{
+	int leftOpen = 0;
+	for (double width : {0.05, 0.1, 0.2, 0.4}) {
+		SCOPED_TRACE(width);
+		RemeshOptions options = countOptions(150);
+		options.featureMode   = FeatureMode::Off; // samples on the edges would help
+		const RemeshResult r  = remesh(tubeAtPlate(width).view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_EQ(factsOf(r.mesh).complaints(), "");
+		leftOpen += r.report.cleaned.sewnEdges == 0;
+	}
+	EXPECT_GT(leftOpen, 0) << "none of these tubes tests what is done about them";
+}
+
 } // namespace
 
 } // namespace gpr::test

@@ -119,6 +119,22 @@ TEST(Verdict, GivesUpASmoothBorderWithWhichTrianglesHaveNoArea)
 	EXPECT_TRUE(smallest.next.keepsRaggedBorder);
 }
 
+TEST(Verdict, LeavesSeamsOpenWithWhichTrianglesHaveNoArea)
+{
+	const Verdict verdict = judge(order, firstAttempt(500), {500, false, true, false, true});
+	ASSERT_EQ(verdict.kind, Kind::TryNext);
+	EXPECT_TRUE(verdict.next.leavesSeamsOpen);
+	EXPECT_EQ(verdict.next.vertexNum, 500);
+	EXPECT_TRUE(says(verdict, "seams")) << verdict.sentence;
+	EXPECT_EQ(judge(order, verdict.next, reached(500)).kind, Kind::Accept);
+	EXPECT_EQ(judge(order, firstAttempt(500), {500, false, false, false, true}).kind, Kind::Accept);
+	// They are not sewn again for another count.
+	const Verdict smallest =
+		judge(wish, {Way::ByTopology, 500, 500, false, 0, 0, false, true}, reached(600));
+	ASSERT_EQ(smallest.kind, Kind::TryNext);
+	EXPECT_TRUE(smallest.next.leavesSeamsOpen);
+}
+
 TEST(Verdict, ReachesAMissedCountByTopology)
 {
 	const Verdict verdict = judge(order, firstAttempt(500), reached(501));
@@ -229,15 +245,18 @@ TEST(Verdict, AlwaysComesToAnEnd)
 		const std::int64_t asked = 1 + random.below(80), kept = random.chance(0.2) ? asked / 2 : 0;
 		const Request      request{random.chance(0.8), random.chance(0.5), kept};
 		const double       hit = random.between(0, 1), flat = random.between(0, 1);
-		const bool         isSmooth = random.chance(0.5);
-		std::map<std::tuple<Way, std::int64_t, bool>, Outcome> known;
-		std::int64_t                                           last = 0;
+		const bool         isSmooth = random.chance(0.5), isSewn = random.chance(0.5);
+		std::map<std::tuple<Way, std::int64_t, bool, bool>, Outcome> known;
+		std::int64_t                                                 last = 0;
 		const std::vector<Verdict> verdicts = verdictsOn(request, asked, [&](const Attempt& a) {
 			Outcome outcome{random.chance(hit) ? a.vertexNum : 1 + random.below(90),
 							a.way == Way::WithFeatureLines && random.chance(0.5),
-							random.chance(flat), isSmooth && !a.keepsRaggedBorder};
+							random.chance(flat), isSmooth && !a.keepsRaggedBorder,
+							isSewn && !a.leavesSeamsOpen};
 			outcome =
-				known.insert({{a.way, a.vertexNum, a.keepsRaggedBorder}, outcome}).first->second;
+				known
+					.insert({{a.way, a.vertexNum, a.keepsRaggedBorder, a.leavesSeamsOpen}, outcome})
+					.first->second;
 			last = outcome.vertexNum;
 			return outcome;
 		});

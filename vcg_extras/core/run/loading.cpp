@@ -48,6 +48,7 @@ IndexedMesh withoutUselessPieces(RunContext& run, IndexedMesh mesh)
 
 Sewing sewingFor(const RemeshOptions& options, Sewing wanted)
 {
+	if (!options.sew || wanted == Sewing::Never) return Sewing::Never;
 	return options.dropComponentsBelow > 1 ? Sewing::First : wanted;
 }
 
@@ -55,7 +56,7 @@ IndexedMesh loadCleaned(RunContext& run, Sewing sewing)
 {
 	run.clock.enter(Stage::Load);
 	IndexedMesh mesh = loadInput(run.input, run.workers, run.report.cleaned);
-	if (run.options.sew && sewingFor(run.options, sewing) == Sewing::First) {
+	if (sewingFor(run.options, sewing) == Sewing::First) {
 		run.clock.enter(Stage::Sew);
 		sewSeams(mesh, run.workers, run.report.cleaned);
 	}

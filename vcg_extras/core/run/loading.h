@@ -10,7 +10,7 @@
 namespace gpr {
 
 /// Whether seams are sewn before the mesh is connected.
-enum class Sewing { First, NotYet };
+enum class Sewing { First, NotYet, Never };
 
 /// What the options ask for. Components must be whole where small ones are dropped.
 Sewing sewingFor(const RemeshOptions& options, Sewing wanted);

@@ -34,11 +34,13 @@ std::int64_t countToPrepareFor(const Attempt& attempt)
 Prepared prepareAgain(RunContext& run, const FeatureMarks& marks, const Attempt& attempt,
 					  Prepared last)
 {
-	const std::int64_t vertexNum = countToPrepareFor(attempt);
-	Prepared           p         = std::move(last);
-	if (p.madeFor != vertexNum) {
+	const std::int64_t vertexNum     = countToPrepareFor(attempt);
+	Prepared           p             = std::move(last);
+	const bool         seamsAreRight = !(attempt.leavesSeamsOpen && p.isSewn);
+	if (p.madeFor != vertexNum || !seamsAreRight) {
 		p = Prepared(); // its memory is needed
-		p = prepareFor(run, marks, vertexNum);
+		p = prepareFor(run, marks, vertexNum,
+					   attempt.leavesSeamsOpen ? Sewing::Never : Sewing::NotYet);
 	}
 	setTarget(run, vertexNum, p);
 	forgetFeatureLines(run, p);
@@ -75,10 +77,10 @@ MeshedSurface makeMesh(RunContext& run, const Attempt& attempt, Prepared prepare
 	return made;
 }
 
-Outcome outcomeOf(RunContext& run, const ResultMesh& result)
+Outcome outcomeOf(RunContext& run, const Prepared& p, const ResultMesh& result)
 {
 	return {result.mesh.vertexNum, run.report.featureEdgeNum > 0,
-			lineFaceNum(result.mesh, run.workers) > 0, result.hasSmoothBorder};
+			lineFaceNum(result.mesh, run.workers) > 0, result.hasSmoothBorder, p.isSewn};
 }
 
 void tell(RunContext& run, const Verdict& verdict)
@@ -102,7 +104,8 @@ MeshedSurface meshForTarget(RunContext& run, const FeatureMarks& marks, Prepared
 	Attempt       attempt = firstAttempt(prepared.targetNum);
 	MeshedSurface made    = makeMesh(run, attempt, std::move(prepared));
 	while (true) {
-		const Verdict verdict = judge(request, attempt, outcomeOf(run, made.meshed.result));
+		const Verdict verdict =
+			judge(request, attempt, outcomeOf(run, made.prepared, made.meshed.result));
 		tell(run, verdict);
 		if (verdict.kind == Verdict::Kind::Accept) break;
 		attempt     = verdict.next;

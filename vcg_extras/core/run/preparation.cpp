@@ -177,18 +177,18 @@ using TargetOf = std::function<std::int64_t(double area, double scale)>;
 /// would take a tenth of a quick run. Where there may be some all begins anew.
 bool mustSewFirst(RunContext& run, Sewing sewing, const Surface& surface)
 {
-	return run.options.sew && sewingFor(run.options, sewing) == Sewing::NotYet &&
-		   mayHaveSeams(surface, run.workers);
+	return sewingFor(run.options, sewing) == Sewing::NotYet && mayHaveSeams(surface, run.workers);
 }
 
 Prepared prepareWith(RunContext& run, const FeatureMarks& marks, const TargetOf& targetOf,
-					 Sewing sewing = Sewing::NotYet)
+					 Sewing sewing)
 {
 	Prepared          p;
 	IndexedMesh       mesh    = loadCleaned(run, sewing);
 	const FaceExtents extents = measureFaces(mesh, run.workers);
 	p.area                    = extents.area;
 	p.sharesBorders           = run.report.cleaned.sharedBorderEdges > 0;
+	p.isSewn                  = run.report.cleaned.sewnEdges > 0;
 	if (!(p.area > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
 	p.surface.frame           = mesh.frame;
 	run.report.radiusConstant = radiusConstant(run.options);
@@ -212,17 +212,20 @@ Prepared prepareWith(RunContext& run, const FeatureMarks& marks, const TargetOf&
 
 Prepared prepare(RunContext& run, const FeatureMarks& marks)
 {
-	Prepared p = prepareWith(run, marks, [&](double area, double scale) {
+	const auto targetOf = [&](double area, double scale) {
 		return resolveTarget(run.input, run.options, area, scale);
-	});
+	};
+	Prepared p = prepareWith(run, marks, targetOf, Sewing::NotYet);
 	tellFeatureRegion(run);
 	return p;
 }
 
-Prepared prepareFor(RunContext& run, const FeatureMarks& marks, std::int64_t vertexNum)
+Prepared prepareFor(RunContext& run, const FeatureMarks& marks, std::int64_t vertexNum,
+					Sewing sewing)
 {
 	run.report.cleaned = CleanCounts(); // they may have been counted before
-	return prepareWith(run, marks, [&](double, double) { return vertexNum; });
+	return prepareWith(
+		run, marks, [&](double, double) { return vertexNum; }, sewing);
 }
 
 } // namespace gpr

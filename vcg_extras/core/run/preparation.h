@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_CORE_RUN_PREPARATION_H
 
 #include "detection.h"
+#include "loading.h"
 #include "prepared.h"
 
 #include <vcg_extras/core/base/run_context.h>
@@ -17,7 +18,8 @@ namespace gpr {
 Prepared prepare(RunContext& run, const FeatureMarks& marks);
 
 /// The same for a count that is known.
-Prepared prepareFor(RunContext& run, const FeatureMarks& marks, std::int64_t vertexNum);
+Prepared prepareFor(RunContext& run, const FeatureMarks& marks, std::int64_t vertexNum,
+					Sewing sewing = Sewing::NotYet);
 
 } // namespace gpr
 

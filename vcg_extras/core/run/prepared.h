@@ -27,6 +27,7 @@ struct Prepared {
 	float            curvesRadius = 0;          ///< for which they were sampled; 0: not yet
 	std::vector<int> kept;                      ///< the caller's vertices that stay
 	bool             keepsRaggedBorder = false; ///< BoundaryMode::Smooth was given up
+	bool             isSewn            = false; ///< along seams
 	bool             sharesBorders     = false; ///< some lie at one place: see shared_borders.h
 };
 

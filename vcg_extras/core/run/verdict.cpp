@@ -47,6 +47,13 @@ Verdict withRaggedBorder(Attempt attempt)
 							"not made smooth.");
 }
 
+Verdict withOpenSeams(Attempt attempt)
+{
+	attempt.leavesSeamsOpen = true;
+	return tryNext(attempt, "With seams sewn some triangles would have no area, so that seams are "
+							"left open.");
+}
+
 Verdict byTopology(Attempt attempt)
 {
 	attempt.way = Way::ByTopology;
@@ -75,10 +82,10 @@ Verdict refuseBelow(std::int64_t smallest, const Attempt& attempt)
 
 Verdict raiseTo(std::int64_t smallest, const Attempt& attempt)
 {
-	return tryNext(
-		{Way::WithoutFeatureLines, smallest, smallest, true, 0, 0, attempt.keepsRaggedBorder},
-		"The result has " + text(smallest) + " vertices instead of " + text(attempt.asked) +
-			", the smallest number that could be reached.");
+	return tryNext({Way::WithoutFeatureLines, smallest, smallest, true, 0, 0,
+					attempt.keepsRaggedBorder, attempt.leavesSeamsOpen},
+				   "The result has " + text(smallest) + " vertices instead of " +
+					   text(attempt.asked) + ", the smallest number that could be reached.");
 }
 
 /// Whether the number of vertices may differ from what was asked for.
@@ -100,7 +107,7 @@ bool leavesRoom(const Outcome& outcome)
 Verdict beginSearch(const Attempt& attempt, std::int64_t from)
 {
 	return tryNext({Way::WithoutFeatureLines, from, attempt.asked, attempt.isRaised, from, 1,
-					attempt.keepsRaggedBorder});
+					attempt.keepsRaggedBorder, attempt.leavesSeamsOpen});
 }
 
 Verdict endSearchAt(const Request& request, const Attempt& attempt, std::int64_t found)
@@ -168,6 +175,7 @@ Verdict judge(const Request& request, const Attempt& attempt, const Outcome& out
 		return withoutFeatureLines(attempt, "With feature lines some triangles would have no area");
 	}
 	if (outcome.hasSmoothBorder && outcome.hasZeroAreas) return withRaggedBorder(attempt);
+	if (outcome.isSewn && outcome.hasZeroAreas) return withOpenSeams(attempt);
 	if (request.keptNum > 0)
 		return misses ? nearestWithKept(request, attempt, outcome.vertexNum) : accept();
 	if (!misses) return judgeAreas(request, attempt, outcome);

@@ -33,6 +33,7 @@ struct Attempt {
 	std::int64_t searchedFrom      = 0;
 	int          searchedNum       = 0;
 	bool         keepsRaggedBorder = false; ///< though a smooth one was asked for
+	bool         leavesSeamsOpen   = false; ///< though they were to be sewn
 };
 
 /// What came of an attempt.
@@ -41,6 +42,7 @@ struct Outcome {
 	bool         hasFeatureLines = false;
 	bool         hasZeroAreas    = false; ///< triangles whose area is nothing but rounding
 	bool         hasSmoothBorder = false;
+	bool         isSewn          = false; ///< along seams
 };
 
 /// What is to be done with the mesh of an attempt.
@@ -58,8 +60,8 @@ Attempt firstAttempt(std::int64_t vertexNum);
 
 /// Decides by counts alone; makes nothing. The rules, in their order:
 ///
-/// 1. Feature lines with which the count is missed or triangles have no area are given up. So is a
-///    smooth border with which triangles have no area.
+/// 1. Feature lines with which the count is missed or triangles have no area are given up. So are a
+///    smooth border, and then sewn seams, with which triangles have no area.
 /// 2. Vertices to be kept leave no other way to the count: the nearest one is taken where the
 ///    target is a wish, else it is refused.
 /// 3. A count that is missed is reached by topology alone. What even that cannot reach is refused
