@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_estimate.h"
 
+#include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/input/memory_need.h>
 #include <vcg_extras/core/run/error_goal.h>
 #include <vcg_extras/core/run/target.h>
@@ -80,7 +81,7 @@ RunEstimate estimateRun(const MeshView& input, const RemeshOptions& options, Too
 		estimate.vertexNum =
 			std::min(maxResultVertices, (isByCount ? 1 : share) * vertexNumOf(input, options));
 	const double microseconds = rate.perFace * faces + rate.perVertex * estimate.vertexNum;
-	estimate.seconds          = 1e-6 * microseconds / std::pow(threadNumOf(options), threadPower);
+	estimate.seconds = 1e-6 * microseconds / portable::pow(threadNumOf(options), threadPower);
 	if (options.targetMode == TargetMode::MaxError && tool == RemeshTool)
 		estimate.seconds *= trialsForError;
 	if (tool == CompareTool) estimate.seconds += 1e-6 * collapseMicrosecondsPerFace * faces;
@@ -93,8 +94,10 @@ std::string estimateText(const RunEstimate& estimate)
 {
 	// Two digits, without an exponent.
 	const double seconds = std::max(0.1, estimate.seconds);
-	const double unit    = std::pow(10, std::floor(std::log10(seconds)) - 1);
-	char         text[80];
+	double       unit    = 0.01;
+	while (seconds >= 100 * unit)
+		unit *= 10;
+	char text[80];
 	std::snprintf(text, sizeof text, "about %.15g s and %.2g GB of memory",
 				  unit * std::round(seconds / unit), std::max(0.01, 1e-9 * estimate.bytes));
 	return text;

@@ -89,13 +89,6 @@ inline Vec3<S> tangential(const Vec3<S>& a, const Vec3<S>& n)
 	return a - n * dot(n, a);
 }
 
-/// Radians; 0 where one of them has no length.
-inline float angleBetween(const Vec3f& a, const Vec3f& b)
-{
-	// Products of zeros may be -0, which atan2 takes for straight back.
-	return std::atan2(length(cross(a, b)), dot(a, b) + 0.0f);
-}
-
 /// Share of the way from a to b at which the segment is nearest to p; 0 where a and b coincide.
 inline float shareOnSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 {

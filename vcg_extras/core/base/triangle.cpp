@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "triangle.h"
 
+#include "angle.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -5,6 +5,7 @@
 #include "shared_borders.h"
 #include "smooth_border.h"
 
+#include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/base/sort_unique.h>
 
 #include <algorithm>
@@ -248,7 +249,7 @@ std::vector<char> findCreaseCorners(const Curve& c, float window)
 struct Mark {
 	float arc;
 	int   sample;
-	bool  operator<(const Mark& o) const { return arc < o.arc; }
+	bool  operator<(const Mark& o) const { return arc != o.arc ? arc < o.arc : sample < o.sample; }
 };
 
 /// Samples one curve after the other; remembers the nodes they share.
@@ -395,8 +396,8 @@ private:
 	/// Those of a loop, which are all its own, by arc.
 	void sortSamples()
 	{
-		std::sort(out_.samples.begin() + std::ptrdiff_t(firstSample_), out_.samples.end(),
-				  [](const CurveSample& a, const CurveSample& b) { return a.arc < b.arc; });
+		std::stable_sort(out_.samples.begin() + std::ptrdiff_t(firstSample_), out_.samples.end(),
+						 [](const CurveSample& a, const CurveSample& b) { return a.arc < b.arc; });
 		marks_.clear();
 		for (std::size_t s = firstSample_; s < out_.samples.size(); ++s)
 			marks_.push_back({out_.samples[s].arc, int(s)});

@@ -4,6 +4,7 @@
 
 #include "boundary_curves.h"
 
+#include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/surface/surface_ray.h>
 
 #include <algorithm>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "crease_clearance.h"
 
+#include <vcg_extras/core/base/angle.h>
+
 #include <algorithm>
 
 namespace gpr {

@@ -5,6 +5,9 @@
 #include "close_lines.h"
 #include "crease_clearance.h"
 
+#include <vcg_extras/core/base/angle.h>
+#include <vcg_extras/core/base/portable_math.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -73,7 +76,7 @@ private:
 	/// are looked at; a degree is left for rounding.
 	std::vector<int> findSharpEdges() const
 	{
-		const float      cosine = std::cos(rules_.strongDeg * radians);
+		const float      cosine = float(portable::cos(double(rules_.strongDeg * radians)));
 		const bool       atAll  = rules_.strongDeg < roughDeg + 1;
 		std::vector<int> sharp =
 			workers_.collect<int>(m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {

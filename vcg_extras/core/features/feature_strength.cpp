@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "feature_strength.h"
 
+#include <vcg_extras/core/base/angle.h>
 #include <vcg_extras/core/surface/surface_ray.h>
 
 #include <algorithm>

@@ -15,11 +15,14 @@ namespace gpr {
 
 namespace {
 
-/// Into how many parts an edge is halved until none is longer than maxLength.
-double partsOfEdge(float length, float maxLength)
+/// How often an edge and its parts are halved until none is longer than maxLength.
+int halvingsOfEdge(float length, float maxLength)
 {
-	if (!(length > maxLength)) return 1;
-	return std::exp2(std::ceil(std::log2(double(length) / double(maxLength))));
+	constexpr int most = 300; // more than between any two floats
+	int           num  = 0;
+	for (double part = double(length); part > double(maxLength) && num < most; part *= 0.5)
+		++num;
+	return num;
 }
 
 /// Its edges by length, and how far the third corner is from the longest.
@@ -58,11 +61,14 @@ double partsOfFace(FaceShape shape, float maxLength)
 	double parts = 1;
 	for (; shape.edge[0] > maxLength && !shape.isNeedle(maxLength); parts *= 4)
 		shape.halve();
-	const double middle  = partsOfEdge(shape.edge[1], maxLength);
-	const double longest = partsOfEdge(shape.edge[2], maxLength);
+	const int    halvings = halvingsOfEdge(shape.edge[1], maxLength);
+	const double middle   = std::ldexp(1.0, halvings);
+	const double longest  = std::ldexp(1.0, halvingsOfEdge(shape.edge[2], maxLength));
 	if (shape.isNeedle(maxLength)) return 2.5 * parts * longest;
 	if (longest > minNeedleLength) return 2 * parts * (middle + longest);
-	return parts * std::exp2(std::log2(middle) * std::log2(3.0)) * longest / middle;
+	for (int i = 0; i < halvings; ++i)
+		parts *= 3;
+	return parts * longest / middle;
 }
 
 } // namespace

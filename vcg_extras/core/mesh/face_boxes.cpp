@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 namespace gpr {
 
@@ -70,6 +71,15 @@ Box<float> boxOfAll(const HalfEdgeMesh& m, Workers& workers)
 	});
 }
 
+/// Of the blocks: no more of them than about twice the faces; a surface fills the fewest.
+int depthFor(std::int64_t faceNum)
+{
+	int depth = 1;
+	while (depth < 7 && std::int64_t(8) << 3 * depth <= 2 * (faceNum + 1))
+		++depth;
+	return depth;
+}
+
 MortonGrid gridOver(const Box<float>& all)
 {
 	MortonGrid grid;
@@ -128,10 +138,9 @@ void FaceBoxes::build(const HalfEdgeMesh& m, const std::vector<char>& wanted, Wo
 	const MortonGrid   grid   = gridOver(boxOfAll(m, workers));
 	const Buffer<char> counts = findCounting(m, grid, wanted, workers);
 	const auto         num    = std::count(counts.begin(), counts.end(), 1);
-	// No more blocks than about twice the faces; a surface fills the fewest of them.
-	const int   depth = std::min(7, std::max(1, int(std::log2(double(num) + 1) / 3 + 0.34)));
-	Buffer<int> start;
-	const auto  blockOf = [&](std::size_t f) {
+	const int          depth  = depthFor(num);
+	Buffer<int>        start;
+	const auto         blockOf = [&](std::size_t f) {
         return counts[f] ? int(grid.cell(m.position[m.origin[3 * f]], depth)) : -1;
 	};
 	sortIntoBuckets(m.faceNum, std::size_t(1) << 3 * depth, blockOf, workers, start, face_);

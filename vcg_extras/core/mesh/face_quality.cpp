@@ -4,6 +4,8 @@
 
 #include "mesh_edit.h"
 
+#include <vcg_extras/core/base/portable_math.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -17,7 +19,8 @@ namespace {
 /// for rounding.
 float largestEdgeRatio(float angle)
 {
-	return 1.001f * std::max(0.5f / std::cos(angle), 2 * std::sin(0.5f * angle));
+	return 1.001f * std::max(0.5f / float(portable::cos(double(angle))),
+							 2 * float(portable::sin(0.5 * double(angle))));
 }
 
 class PoorFaceTest {

@@ -3,6 +3,7 @@
 #include "measure.h"
 
 #include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/base/sort_unique.h>
 
 #include <algorithm>
@@ -171,9 +172,9 @@ struct ShapeSums {
 		radiusRatioMin = std::min(radiusRatioMin, radius);
 		aspectRatio += aspect;
 		aspectRatioMin         = std::min(aspectRatioMin, aspect);
-		const double angles[3] = {std::atan2(doubled, dot(q - p, s - p)),
-								  std::atan2(doubled, dot(p - q, s - q)),
-								  std::atan2(doubled, dot(p - s, q - s))};
+		const double angles[3] = {portable::angle(doubled, dot(q - p, s - p)),
+								  portable::angle(doubled, dot(p - q, s - q)),
+								  portable::angle(doubled, dot(p - s, q - s))};
 		const double smallest  = std::min({angles[0], angles[1], angles[2]});
 		minAngle += smallest;
 		minAngleMin = std::min(minAngleMin, smallest);

@@ -105,8 +105,10 @@ MortonGrid gridAround(const IndexedMesh& mesh, Workers& workers)
 /// A surface fills about 4^level cells of a level: this one has about a vertex in each.
 int levelFor(int vertexNum)
 {
-	const int level = int(std::ceil(std::log2(double(vertexNum) + 1) / 2)) + 1;
-	return std::min(level, 11);
+	int level = 1;
+	for (std::int64_t cells = 1; cells <= vertexNum && level < 11; cells *= 4)
+		++level;
+	return level;
 }
 
 /// The sizes of the vertices in their new order.

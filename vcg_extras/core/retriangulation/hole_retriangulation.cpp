@@ -4,6 +4,7 @@
 
 #include "vertex_removal.h"
 
+#include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
 #include <cmath>
@@ -125,7 +126,7 @@ Vec3d flattenStar(const HalfEdgeMesh& m, const VertexStar& star, std::vector<Vec
 	double      sum    = 0;
 	const auto  turnTo = [&](const Vec3d& spoke) {
         const Vec3d doubled = cross(last, spoke);
-        sum += std::atan2(length(doubled), dot(last, spoke));
+        sum += portable::angle(length(doubled), dot(last, spoke));
         normal += doubled;
         last = spoke;
 	};
@@ -138,7 +139,7 @@ Vec3d flattenStar(const HalfEdgeMesh& m, const VertexStar& star, std::vector<Vec
 	const double scale = sum > 0 ? (star.isClosed ? 2 : 1) * pi / sum : 0;
 	for (Vec2d& q : flat) {
 		const double angle = q.x * scale, distance = q.y;
-		q = {distance * std::cos(angle), distance * std::sin(angle)};
+		q = {distance * portable::cos(angle), distance * portable::sin(angle)};
 	}
 	return normalized(normal);
 }

@@ -3,6 +3,7 @@
 #include "error_goal.h"
 
 #include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/base/portable_math.h>
 
 #include <algorithm>
 #include <cmath>
@@ -81,7 +82,7 @@ private:
 		if (t.error >= nearEnough * goal_.largest) return 0;
 		if (missed_ > 0 && n <= nearCounts * double(missed_)) return 0;
 		const double ratio  = std::max(t.error / goal_.largest, 1e-6);
-		const double wanted = n * std::max(std::pow(ratio, fallOfCount), 1 / largestShrink);
+		const double wanted = n * std::max(portable::pow(ratio, fallOfCount), 1 / largestShrink);
 		return clamped(std::max(wanted, std::sqrt(n * double(missed_))));
 	}
 
@@ -94,7 +95,7 @@ private:
 		if (n == 0 || t.vertexNum >= goal_.most) return 0;
 		if (met_.vertexNum > 0) return between(t);
 		const double share  = std::min(0.5, std::max(t.share, 1e-12));
-		const double byArea = std::log(shareForSpots) / std::log(share);
+		const double byArea = portable::log(shareForSpots) / portable::log(share);
 		// The last trial shall meet it, though that may be with too many.
 		const double byError = left == 1 ? lastCaution * t.error / goal_.largest : 1;
 		const double growth  = std::max({1.0, byArea, byError}) * t.growth;

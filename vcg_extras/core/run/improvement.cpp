@@ -3,6 +3,7 @@
 #include "improvement.h"
 
 #include <vcg_extras/core/base/pages.h>
+#include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/optimization/fit.h>
@@ -68,7 +69,7 @@ FitSettings fitSettings(const RemeshOptions& options, LargestDistance largest)
 	settings.rounds      = roundsOfFit(options);
 	settings.minAngleDeg = minAngleDeg(options);
 	settings.worstRounds = worstRounds(options, largest);
-	settings.shapeWeight *= float(std::pow(adaptedShapeWeight, options.adapt));
+	settings.shapeWeight *= float(portable::pow(adaptedShapeWeight, options.adapt));
 	return settings;
 }
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace gpr {
 
@@ -62,7 +63,8 @@ struct Apex {
 
 bool fitsWorse(const Candidate& a, const Candidate& b)
 {
-	return a.fit > b.fit;
+	if (a.fit != b.fit) return a.fit > b.fit;
+	return std::tie(a.a, a.b, a.fan, a.side) > std::tie(b.a, b.b, b.fan, b.side);
 }
 
 std::uint32_t mix(std::uint32_t x)

@@ -53,7 +53,11 @@ int FaceTree::build(int begin, int end)
 	}
 	const int index = int(node_.size());
 	node_.push_back(node);
-	if (end - begin <= leafSize) return index;
+	if (end - begin <= leafSize) {
+		// The library may leave a leaf in any order; of faces equally near the first is taken.
+		std::sort(face_.begin() + begin, face_.begin() + end);
+		return index;
+	}
 
 	const Vec3f size   = node.high - node.low;
 	const auto  centre = [&](int f) {

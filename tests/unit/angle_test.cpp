@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <vcg_extras/core/vec.h>
+#include <vcg_extras/core/base/angle.h>
 
 #include <gtest/gtest.h>
 
