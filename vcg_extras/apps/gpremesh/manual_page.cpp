@@ -25,7 +25,7 @@ const char* const description =
 	"OUT is written beside its place and renamed when it is whole: after a failure a file that "
 	"was\n"
 	"there before is there still. The same input, options and seed give the same bytes, with any\n"
-	"number of threads.\n";
+	"number of threads, on every system.\n";
 
 const char* const examples =
 	".SH EXAMPLES\n"
