@@ -126,6 +126,7 @@ QString cleanedLine(const gpr::CleanCounts& c)
 		{c.nonFiniteVertices, "vertices without finite coordinates dropped"},
 		{c.unreferencedVertices, "unreferenced vertices dropped"},
 		{c.weldedVertices, "vertices welded"},
+		{c.contractedEdges, "edges without length contracted"},
 		{c.sewnEdges, "edges of seams sewn"},
 		{c.sharedBorderEdges, "border edges at the place of others left cut"},
 		{c.repeatedIndexFaces, "faces with a vertex twice dropped"},

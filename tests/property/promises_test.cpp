@@ -273,7 +273,7 @@ std::int64_t sumOf(const CleanCounts& c, bool hasCuts)
 	const std::int64_t all = c.nonFiniteVertices + c.unreferencedVertices + c.weldedVertices +
 							 c.repeatedIndexFaces + c.zeroAreaFaces + c.duplicateFaces +
 							 c.reorientedFaces + c.nonManifoldEdges + c.nonManifoldVertices +
-							 c.nonOrientableCuts + c.droppedComponents;
+							 c.nonOrientableCuts + c.droppedComponents + c.contractedEdges;
 	return hasCuts ? all - c.reorientedFaces - c.nonManifoldVertices : all;
 }
 

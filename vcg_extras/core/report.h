@@ -25,25 +25,26 @@ struct CleanCounts {
 	std::int64_t nonFiniteVertices    = 0; ///< NaN or Inf coordinates, dropped with their faces
 	std::int64_t unreferencedVertices = 0; ///< in no face, dropped
 	std::int64_t weldedVertices       = 0; ///< of a triangle soup: equal positions made one vertex
+	std::int64_t contractedEdges      = 0; ///< edges without length, made one vertex
 	std::int64_t sewnEdges            = 0; ///< pairs of border edges at one place, made one edge
 	std::int64_t sharedBorderEdges    = 0; ///< border edges at the place of others that stay cut
 	std::int64_t repeatedIndexFaces   = 0; ///< a vertex twice in one face, dropped
-	std::int64_t zeroAreaFaces       = 0; ///< welded to a line, or of a piece without area: dropped
-	std::int64_t duplicateFaces      = 0; ///< the same three vertices again, dropped
-	std::int64_t reorientedFaces     = 0;
-	std::int64_t nonManifoldEdges    = 0; ///< more than two faces: cut but for the smoothest pair
-	std::int64_t nonManifoldVertices = 0; ///< more than one fan: a copy for each further fan
-	std::int64_t nonOrientableCuts   = 0; ///< edges cut to make a one-sided surface orientable
-	std::int64_t droppedComponents   = 0; ///< with fewer faces than RemeshOptions asks for
-	std::int64_t droppedFaces        = 0; ///< of those components
-	std::int64_t longEdgesSplit      = 0; ///< edges longer than 0.8 r, split for the sampling only
+	std::int64_t zeroAreaFaces        = 0; ///< without width, or of a piece without area: dropped
+	std::int64_t duplicateFaces       = 0; ///< the same three vertices again, dropped
+	std::int64_t reorientedFaces      = 0;
+	std::int64_t nonManifoldEdges     = 0; ///< more than two faces: cut but for the smoothest pair
+	std::int64_t nonManifoldVertices  = 0; ///< more than one fan: a copy for each further fan
+	std::int64_t nonOrientableCuts    = 0; ///< edges cut to make a one-sided surface orientable
+	std::int64_t droppedComponents    = 0; ///< with fewer faces than RemeshOptions asks for
+	std::int64_t droppedFaces         = 0; ///< of those components
+	std::int64_t longEdgesSplit       = 0; ///< edges longer than 0.8 r, split for the sampling only
 
 	/// Anything that changes what the input was (splitting edges does not).
 	bool changedInput() const
 	{
-		return nonFiniteVertices || weldedVertices || sewnEdges || repeatedIndexFaces ||
-			   zeroAreaFaces || duplicateFaces || reorientedFaces || nonManifoldEdges ||
-			   nonManifoldVertices || nonOrientableCuts || droppedComponents;
+		return nonFiniteVertices || weldedVertices || contractedEdges || sewnEdges ||
+			   repeatedIndexFaces || zeroAreaFaces || duplicateFaces || reorientedFaces ||
+			   nonManifoldEdges || nonManifoldVertices || nonOrientableCuts || droppedComponents;
 	}
 };
 

@@ -118,6 +118,7 @@ Json cleanedJson(const CleanCounts& c)
 	return {{"nonFiniteVertices", c.nonFiniteVertices},
 			{"unreferencedVertices", c.unreferencedVertices},
 			{"weldedVertices", c.weldedVertices},
+			{"contractedEdges", c.contractedEdges},
 			{"sewnEdges", c.sewnEdges},
 			{"sharedBorderEdges", c.sharedBorderEdges},
 			{"repeatedIndexFaces", c.repeatedIndexFaces},

@@ -41,6 +41,8 @@ std::string cleanedText(const CleanCounts& c)
 		   "vertices without finite coordinates dropped");
 	append(list, c.unreferencedVertices, "unused vertex dropped", "unused vertices dropped");
 	append(list, c.weldedVertices, "vertex welded", "vertices welded");
+	append(list, c.contractedEdges, "edge without length contracted",
+		   "edges without length contracted");
 	append(list, c.sewnEdges, "edge of seams sewn", "edges of seams sewn");
 	append(list, c.sharedBorderEdges, "border edge at the place of others left cut",
 		   "border edges at the place of others left cut");

@@ -228,32 +228,13 @@ std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance, Workers
 	return first;
 }
 
-/// Renames the corners; faces that have a corner twice then are dropped.
-void renameCorners(IndexedMesh& mesh, const std::vector<int>& newName, CleanCounts& counts)
-{
-	int faces = 0;
-	for (int f = 0; f < mesh.faceNum; ++f) {
-		int corner[3];
-		for (int k = 0; k < 3; ++k)
-			corner[k] = newName[mesh.triangle[3 * f + k]];
-		if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) {
-			++counts.zeroAreaFaces;
-			continue;
-		}
-		for (int k = 0; k < 3; ++k)
-			mesh.triangle[3 * faces + k] = corner[k];
-		mesh.sourceFace[faces++] = mesh.sourceFace[f];
-	}
-	mesh.faceNum = faces;
-}
-
 /// Makes vertices at (nearly) equal positions one; faces that lose a corner by it are dropped.
 void weld(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 {
 	const std::vector<int> first = findFirstNear(mesh, samePlace, workers);
 	for (int v = 0; v < mesh.vertexNum; ++v)
 		counts.weldedVertices += first[v] != v;
-	renameCorners(mesh, first, counts);
+	counts.zeroAreaFaces += renameCorners(mesh, first);
 	dropUnusedVertices(mesh);
 }
 

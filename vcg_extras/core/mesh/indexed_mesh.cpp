@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace gpr {
 
@@ -44,6 +43,23 @@ Frame frameOf(const Box<double>& box)
 	if (largestCoordinate(box) > 4 * extent) frame.origin = (box.low + box.high) * 0.5;
 	frame.scale = scaleFor(extent);
 	return frame;
+}
+
+std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName)
+{
+	int faces = 0;
+	for (int f = 0; f < mesh.faceNum; ++f) {
+		int corner[3];
+		for (int k = 0; k < 3; ++k)
+			corner[k] = newName[mesh.triangle[3 * f + k]];
+		if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
+		for (int k = 0; k < 3; ++k)
+			mesh.triangle[3 * faces + k] = corner[k];
+		mesh.sourceFace[faces++] = mesh.sourceFace[f];
+	}
+	const std::int64_t dropped = mesh.faceNum - faces;
+	mesh.faceNum               = faces;
+	return dropped;
 }
 
 void dropUnusedVertices(IndexedMesh& mesh)

@@ -8,6 +8,8 @@
 #include <vcg_extras/core/vec.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 namespace gpr {
 
@@ -45,6 +47,9 @@ struct IndexedMesh {
 		return cross(position[triangle[3 * f + 1]] - a, position[triangle[3 * f + 2]] - a);
 	}
 };
+
+/// Renames the corners; faces that have a corner twice then are dropped, and their number returned.
+std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName);
 
 /// Drops vertices in no face and renames the others, which keep their order.
 void dropUnusedVertices(IndexedMesh& mesh);

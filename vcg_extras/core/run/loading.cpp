@@ -3,6 +3,7 @@
 #include "loading.h"
 
 #include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/input/contract_edges.h>
 #include <vcg_extras/core/input/flat_pieces.h>
 #include <vcg_extras/core/input/load.h>
 #include <vcg_extras/core/input/repair_manifold.h>
@@ -56,6 +57,7 @@ IndexedMesh loadCleaned(RunContext& run, Sewing sewing)
 {
 	run.clock.enter(Stage::Load);
 	IndexedMesh mesh = loadInput(run.input, run.workers, run.report.cleaned);
+	if (run.options.sew) contractEdgesWithoutLength(mesh, run.workers, run.report.cleaned);
 	if (sewingFor(run.options, sewing) == Sewing::First) {
 		run.clock.enter(Stage::Sew);
 		sewSeams(mesh, run.workers, run.report.cleaned);

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contract_edges.h"
+
+#include <vcg_extras/core/base/sort_unique.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <set>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+using Edge = std::pair<int, int>; ///< the smaller vertex first
+
+Edge edgeOf(int a, int b)
+{
+	return std::minmax({a, b});
+}
+
+std::vector<Edge> findEdgesWithoutLength(const IndexedMesh& mesh, Workers& workers)
+{
+	std::vector<Edge> edges =
+		workers.collect<Edge>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
+			for (std::size_t f = begin; f < end; ++f) {
+				const int* corner = &mesh.triangle[3 * f];
+				for (int k = 0; k < 3; ++k) {
+					const int a = corner[k], b = corner[(k + 1) % 3];
+					if (mesh.position[a] == mesh.position[b]) out.push_back(edgeOf(a, b));
+				}
+			}
+		});
+	sortUnique(edges);
+	return edges;
+}
+
+/// What a cluster of vertices and the faces at it look like when all become one vertex. Nothing of
+/// the topology changes if what is contracted is itself without holes, and everything beside it is
+/// joined to it in one piece: the link condition (Dey, Edelsbrunner, Guha and Nekhayev 1999) for
+/// many vertices at once. The outside of a border counts as one more vertex beside it.
+class ClusterTopology {
+public:
+	explicit ClusterTopology(const std::vector<int>& cluster) : cluster_(cluster) {}
+
+	/// A face with a corner in the cluster.
+	void addFace(const std::array<int, 3>& corner)
+	{
+		std::vector<int> in, out;
+		for (int v : corner)
+			(isInside(v) ? in : out).push_back(v);
+		if (in.size() == 3) ++innerFaceNum_;
+		if (in.size() == 2) ++facesTo_[out[0]];
+		if (in.size() == 1) addOpposite(edgeOf(out[0], out[1]));
+		for (int k = 0; k < 3; ++k)
+			addSide(corner[k], corner[(k + 1) % 3]);
+	}
+
+	bool staysTheSame() const
+	{
+		if (hasTwins_) return false;
+		std::map<int, std::set<int>> reaches; // per vertex beside it: those in the cluster
+		std::set<int>                border;
+		int                          innerEdgeNum = 0, innerBorderEdgeNum = 0;
+		for (const auto& [edge, faceNum] : faceNum_) {
+			const auto [a, b] = edge;
+			if (faceNum > 2) return false;
+			const bool isInner = isInside(a) && isInside(b);
+			innerEdgeNum += isInner;
+			innerBorderEdgeNum += isInner && faceNum == 1;
+			if (faceNum == 1) border.insert({a, b});
+			if (!isInner) reaches[isInside(a) ? b : a].insert(isInside(a) ? a : b);
+		}
+		if (int(cluster_.size()) - innerEdgeNum + innerFaceNum_ != 1) return false;
+		for (const auto& [beside, inside] : reaches) {
+			const auto faces = facesTo_.find(beside);
+			if (int(inside.size()) - (faces == facesTo_.end() ? 0 : faces->second) != 1)
+				return false;
+		}
+		const auto borderNum = std::count_if(border.begin(), border.end(),
+											 [&](int v) { return isInside(v); });
+		return borderNum == 0 || borderNum - innerBorderEdgeNum == 1;
+	}
+
+private:
+	const std::vector<int>& cluster_; ///< ascending
+	int                     innerFaceNum_ = 0;
+	std::map<int, int>      facesTo_; ///< per vertex beside it: faces with an edge of the cluster
+	std::map<Edge, int>     faceNum_; ///< per edge with an end in the cluster
+	std::set<Edge>          opposite_; ///< edges over which faces look at the cluster
+	bool                    hasTwins_ = false; ///< two faces would have the same vertices
+
+	bool isInside(int v) const
+	{
+		return std::binary_search(cluster_.begin(), cluster_.end(), v);
+	}
+	void addOpposite(const Edge& edge) { hasTwins_ |= !opposite_.insert(edge).second; }
+	void addSide(int a, int b)
+	{
+		if (isInside(a) || isInside(b)) ++faceNum_[edgeOf(a, b)];
+	}
+};
+
+/// Contracts one cluster after the other; each sees what those before it have left.
+class Contraction {
+public:
+	Contraction(IndexedMesh& mesh, const std::vector<Edge>& edges, Workers& workers) : mesh_(mesh)
+	{
+		findClusters(edges);
+		findFaces(workers);
+	}
+
+	/// Returns how many vertices were joined to others.
+	std::int64_t run()
+	{
+		std::int64_t num = 0;
+		for (const auto& [first, cluster] : cluster_) {
+			if (!isHarmless(first, cluster)) continue;
+			for (int v : cluster)
+				newName_[v] = first;
+			num += std::int64_t(cluster.size()) - 1;
+		}
+		return num;
+	}
+
+	int nameOf(int v) const
+	{
+		const auto found = newName_.find(v);
+		return found == newName_.end() ? v : found->second;
+	}
+
+private:
+	IndexedMesh&                           mesh_;
+	std::map<int, std::vector<int>>        cluster_; ///< by the least vertex; ascending
+	std::unordered_map<int, int>           firstOf_; ///< per vertex of a cluster: its least one
+	std::map<int, std::vector<int>>        facesAt_; ///< per cluster
+	std::unordered_map<int, int>           newName_;
+
+	int rootOf(int v)
+	{
+		while (firstOf_[v] != v)
+			v = firstOf_[v] = firstOf_[firstOf_[v]];
+		return v;
+	}
+
+	void findClusters(const std::vector<Edge>& edges)
+	{
+		for (const auto& [a, b] : edges) {
+			firstOf_.emplace(a, a);
+			firstOf_.emplace(b, b);
+		}
+		for (const auto& [a, b] : edges) {
+			const int rootA = rootOf(a), rootB = rootOf(b);
+			firstOf_[std::max(rootA, rootB)] = std::min(rootA, rootB);
+		}
+		std::vector<int> vertices;
+		for (const auto& entry : firstOf_)
+			vertices.push_back(entry.first);
+		std::sort(vertices.begin(), vertices.end());
+		for (int v : vertices)
+			cluster_[rootOf(v)].push_back(v);
+		for (int v : vertices)
+			firstOf_[v] = rootOf(v);
+	}
+
+	void findFaces(Workers& workers)
+	{
+		std::vector<char> isInCluster(std::size_t(mesh_.vertexNum), 0);
+		for (const auto& entry : firstOf_)
+			isInCluster[std::size_t(entry.first)] = 1;
+		const std::vector<int> faces = workers.collectIf(mesh_.faceNum, [&](int f) {
+			const int* corner = &mesh_.triangle[3 * f];
+			return isInCluster[corner[0]] || isInCluster[corner[1]] || isInCluster[corner[2]];
+		});
+		for (int f : faces) {
+			std::set<int> at;
+			for (int k = 0; k < 3; ++k) {
+				const auto found = firstOf_.find(mesh_.triangle[3 * f + k]);
+				if (found != firstOf_.end()) at.insert(found->second);
+			}
+			for (int first : at)
+				facesAt_[first].push_back(f);
+		}
+	}
+
+	bool isHarmless(int first, const std::vector<int>& cluster) const
+	{
+		ClusterTopology topology(cluster);
+		for (int f : facesAt_.at(first)) {
+			const int* t = &mesh_.triangle[3 * f];
+			const std::array<int, 3> corner{nameOf(t[0]), nameOf(t[1]), nameOf(t[2])};
+			const bool isGone =
+				corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
+			if (!isGone) topology.addFace(corner);
+		}
+		return topology.staysTheSame();
+	}
+};
+
+} // namespace
+
+void contractEdgesWithoutLength(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
+{
+	const std::vector<Edge> edges = findEdgesWithoutLength(mesh, workers);
+	if (edges.empty()) return;
+	Contraction        contraction(mesh, edges, workers);
+	const std::int64_t num = contraction.run();
+	if (num == 0) return;
+	counts.contractedEdges += num;
+	std::vector<int> newName(std::size_t(mesh.vertexNum));
+	std::iota(newName.begin(), newName.end(), 0);
+	for (int& v : newName)
+		v = contraction.nameOf(v);
+	counts.zeroAreaFaces += renameCorners(mesh, newName);
+	dropUnusedVertices(mesh);
+}
+
+} // namespace gpr
