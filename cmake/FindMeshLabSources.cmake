@@ -26,16 +26,16 @@ set(VCGDIR "" CACHE PATH "vcglib: the folder that holds vcg/ and wrap/")
 set(MESHLAB_SOURCE_DIR "" CACHE PATH "MeshLab's src folder, or the folder above it")
 set(GPR_MESHLAB "2020.09" CACHE STRING "MeshLab's versions to build the plugin for: 2020.09;2025.07")
 
-# The cache folder of scripts/setup.
+# The cache folder of scripts/setup, in GPR_CACHE_DIR.
 if(NOT "$ENV{GPR_CACHE_DIR}" STREQUAL "")
-  set(_gpr_cache "$ENV{GPR_CACHE_DIR}")
+  set(GPR_CACHE_DIR "$ENV{GPR_CACHE_DIR}")
 elseif(NOT "$ENV{XDG_CACHE_HOME}" STREQUAL "")
-  set(_gpr_cache "$ENV{XDG_CACHE_HOME}/gpremesh")
+  set(GPR_CACHE_DIR "$ENV{XDG_CACHE_HOME}/gpremesh")
 else()
-  set(_gpr_cache "$ENV{HOME}/.cache/gpremesh")
+  set(GPR_CACHE_DIR "$ENV{HOME}/.cache/gpremesh")
 endif()
-set(_gpr_2020 "${_gpr_cache}/meshlab-2020.09")
-set(_gpr_2025 "${_gpr_cache}/meshlab-2025.07")
+set(_gpr_2020 "${GPR_CACHE_DIR}/meshlab-2020.09")
+set(_gpr_2025 "${GPR_CACHE_DIR}/meshlab-2025.07")
 
 # Each version is known by a file of its interface.
 set(_gpr_mark_2020 common/interfaces.h)
@@ -121,8 +121,8 @@ endif()
 # PyMeshLab of that version, for tests.
 set(GPR_PYMESHLAB_PYTHON "" CACHE FILEPATH "Python that has PyMeshLab 2025.7; scripts/setup makes one")
 set(GPR_PYTHON_OF_TESTS "${GPR_PYMESHLAB_PYTHON}")
-if(NOT GPR_PYTHON_OF_TESTS AND EXISTS "${_gpr_cache}/pymeshlab-2025.7/.complete")
-  set(GPR_PYTHON_OF_TESTS "${_gpr_cache}/pymeshlab-2025.7/bin/python")
+if(NOT GPR_PYTHON_OF_TESTS AND EXISTS "${GPR_CACHE_DIR}/pymeshlab-2025.7/.complete")
+  set(GPR_PYTHON_OF_TESTS "${GPR_CACHE_DIR}/pymeshlab-2025.7/bin/python")
 endif()
 
 foreach(_year 2020 2025)

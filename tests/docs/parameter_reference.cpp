@@ -180,7 +180,7 @@ std::string explanations()
 		text += "\n<a id=\"" + std::string(p.key) + "\"></a>\n### " + p.label + "\n\n" +
 				code(p.key) + (*p.option != '\0' ? ", " + optionText(p) : std::string()) + "\n\n" +
 				p.help + "\n" + inHost("In MeshLab", p.dialogOnly) +
-				inHost("On the command line", p.commandOnly);
+				inHost("On the command line", p.commandOnly) + inHost("In Python", p.pythonOnly);
 	}
 	return text;
 }

@@ -79,6 +79,11 @@ struct Row {
 		p.commandOnly = sentences;
 		return *this;
 	}
+	Row& inPython(const char* sentences)
+	{
+		p.pythonOnly = sentences;
+		return *this;
+	}
 	Row& store(void (*put)(const ParameterValue&, RemeshOptions&))
 	{
 		p.store = put;
@@ -94,8 +99,22 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 		zero = [](const MeshFacts&) { return ParameterValue(false); };
 	if (kind == ParameterKind::Number || kind == ParameterKind::Length)
 		zero = [](const MeshFacts&) { return ParameterValue(0.0); };
-	return {
-		{key, option, argument, kind, label, help, "", "", 0, 1, {}, zero, nullptr, tools, false}};
+	return {{key,
+			 option,
+			 argument,
+			 kind,
+			 label,
+			 help,
+			 "",
+			 "",
+			 "",
+			 0,
+			 1,
+			 {},
+			 zero,
+			 nullptr,
+			 tools,
+			 false}};
 }
 
 using Table = std::vector<Parameter>;
@@ -156,6 +175,7 @@ void addSize(Table& t)
 			"cannot be reached is refused.")
 			.inDialog("Above 0 it takes the place of the number of vertices.")
 			.onCommandLine("With a percent sign, as 0.2%, it is a share of the diagonal.")
+			.inPython("As text with a percent sign, as \"0.2%\", it is a share of the diagonal.")
 			.range(0, 1e300)
 			.store([](const Value& v, RemeshOptions& o) { o.targetMaxError = numberOf(v); })
 			.p);
@@ -214,8 +234,10 @@ void addFeatureLines(Table& t)
 			"none with the paper preset. lines: wherever the faces turn by the angle of feature "
 			"lines. off: none. selected: the selected edges and no others. Feature lines need the "
 			"retriangulation label-collapse.")
-			.onCommandLine("No file format holds selected edges, so that selected is for MeshLab "
-						   "only.")
+			.onCommandLine(
+				"No file format holds selected edges, so that selected is for MeshLab and "
+				"Python only.")
+			.inPython("The selected edges are those of feature_edges.")
 			.choices({"auto", "lines", "off", "selected"})
 			.store([](const Value& v, RemeshOptions& o) {
 				if (countOf(v) > 0) o.featureMode = FeatureMode(countOf(v));
@@ -315,6 +337,7 @@ void addFeatureRegion(Table& t)
 			"none.")
 			.onCommandLine("A PLY file marks its selection by the property 'selected', or by "
 						   "'flags' as MeshLab writes them.")
+			.inPython("The selected vertices are those of region.")
 			.choices({"none", "detected", "selection", "auto"})
 			.byDefault(count<3>)
 			.store([](const Value& v, RemeshOptions& o) {
@@ -395,6 +418,7 @@ void addDensityDetails(Table& t)
 			"What the density follows where lambda is above 0. curvature: the mean curvature. "
 			"quality: the mesh's vertex quality, which takes the place of |H| r.")
 			.onCommandLine("The vertex quality is the property 'quality' of a PLY file.")
+			.inPython("The vertex quality is the argument quality.")
 			.choices({"curvature", "quality"})
 			.store([](const Value& v, RemeshOptions& o) { o.sizing = SizingSource(countOf(v)); })
 			.p);
@@ -472,6 +496,7 @@ void addRun(Table& t)
 			"Time limit in seconds (0 = none)",
 			"A run that takes longer is given up, and nothing is changed. 0 is no limit.")
 			.onCommandLine("The commands remesh and features count reading and writing, too.")
+			.inPython("The engine's time counts, without the conversion of arrays.")
 			.range(0, 1e9)
 			.store([](const Value& v, RemeshOptions& o) { o.timeLimitSeconds = numberOf(v); })
 			.p);
@@ -610,6 +635,11 @@ std::string dialogHelp(const Parameter& p)
 std::string commandHelp(const Parameter& p)
 {
 	return withMore(p.help, p.commandOnly);
+}
+
+std::string pythonHelp(const Parameter& p)
+{
+	return withMore(p.help, p.pythonOnly);
 }
 
 } // namespace gpr

@@ -54,6 +54,7 @@ struct Parameter {
 	const char*              help;        ///< full sentences with unit and range, for every host
 	const char*              dialogOnly;  ///< what is so in MeshLab only, or ""
 	const char*              commandOnly; ///< what is so on the command line only, or ""
+	const char*              pythonOnly;  ///< what is so in Python only, or ""
 	double                   minimum;
 	double                   maximum;
 	std::vector<const char*> choices; ///< Choice only
@@ -72,6 +73,9 @@ std::string dialogHelp(const Parameter& p);
 
 /// What --help says of it.
 std::string commandHelp(const Parameter& p);
+
+/// What Python's help says of it.
+std::string pythonHelp(const Parameter& p);
 
 } // namespace gpr
 

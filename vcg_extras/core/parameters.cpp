@@ -55,6 +55,13 @@ const Parameter* findParameter(const std::string& key, Tool tool)
 	return nullptr;
 }
 
+bool isSizeParameter(const Parameter& p)
+{
+	const std::string key = p.key;
+	return key == "TargetVertexNum" || key == "TargetPerc" || key == "TargetLen" ||
+		   key == "MaxError";
+}
+
 void ParameterSet::set(const Parameter& parameter, const ParameterValue& value)
 {
 	given_.insert_or_assign(parameter.key, Given{&parameter, value});

@@ -24,6 +24,9 @@ inline const std::vector<Parameter>& remeshParameters()
 /// The row of the tool with this key, or null.
 const Parameter* findParameter(const std::string& key, Tool tool = RemeshTool);
 
+/// Whether a row is one of the four that stand for one choice, the size of the result.
+bool isSizeParameter(const Parameter& p);
+
 /// Collects the values of the rows and makes options of them.
 /// The preset is applied before everything else, so that a stage named by itself wins over it.
 /// TargetVertexNum, TargetPerc and TargetLen are three rows for one choice: a percentage or a

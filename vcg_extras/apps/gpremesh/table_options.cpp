@@ -4,9 +4,8 @@
 
 #include "exit_code.h"
 #include "number_text.h"
+#include "range_text.h"
 
-#include <cmath>
-#include <locale>
 #include <sstream>
 
 namespace gpr::app {
@@ -18,26 +17,6 @@ namespace {
 	throw AppError(ExitCode::Usage, sentence);
 }
 
-/// A number as a person writes it: no trailing zeros.
-std::string plain(double value)
-{
-	std::ostringstream text;
-	text.imbue(std::locale::classic());
-	text.precision(10);
-	text << value;
-	return text.str();
-}
-
-/// The range of a row in words: " from 0 to 1000", " above 0, at most 10000".
-std::string rangeText(const Parameter& p)
-{
-	// A size of 0 means "off" in the dialog; here one that is not given is off, and 0 a mistake.
-	const bool  open = isSizeOption(p) && p.minimum == 0;
-	std::string text = open ? " above 0" : " from " + plain(p.minimum);
-	if (p.maximum < 1e100) text += (open ? ", at most " : " to ") + plain(p.maximum);
-	return text;
-}
-
 [[noreturn]] void failRange(const Parameter& p, const std::string& kind, const std::string& given)
 {
 	failUsage(std::string(p.option) + " takes " + kind + rangeText(p) + ", not '" + given + "'.");
@@ -46,19 +25,15 @@ std::string rangeText(const Parameter& p)
 ParameterValue parseCount(const Parameter& p, const std::string& given)
 {
 	std::int64_t value = 0;
-	if (!parseInteger(given, value) || double(value) < p.minimum || double(value) > p.maximum) {
+	if (!parseInteger(given, value) || !isInRange(p, double(value)))
 		failRange(p, "a whole number", given);
-	}
 	return value;
 }
 
 ParameterValue parseReal(const Parameter& p, const std::string& given)
 {
-	double     value  = 0;
-	const bool number = parseNumber(given, value) && std::isfinite(value);
-	if (!number || value < p.minimum || value > p.maximum || (isSizeOption(p) && value <= 0)) {
-		failRange(p, "a number", given);
-	}
+	double value = 0;
+	if (!parseNumber(given, value) || !isInRange(p, value)) failRange(p, "a number", given);
 	return value;
 }
 
@@ -98,14 +73,14 @@ ParameterValue parseValue(const Parameter& p, const std::string& given)
 /// The default as the user would write it; empty for the size, whose default is a share.
 std::string defaultText(const Parameter& p)
 {
-	if (isSizeOption(p)) return "";
+	if (isSizeParameter(p)) return "";
 	const ParameterValue value = p.defaultValue(MeshFacts());
 	if (p.kind == ParameterKind::Switch) return std::get<bool>(value) ? "on" : "off";
 	if (p.kind == ParameterKind::Choice) {
 		return p.choices[std::size_t(std::get<std::int64_t>(value))];
 	}
-	return plain(p.kind == ParameterKind::Count ? double(std::get<std::int64_t>(value))
-												: std::get<double>(value));
+	return plainText(p.kind == ParameterKind::Count ? double(std::get<std::int64_t>(value))
+													: std::get<double>(value));
 }
 
 /// Breaks a text into lines that fit beside the names of the options on 100 columns.
@@ -133,13 +108,6 @@ std::string helpText(const Parameter& p)
 }
 
 } // namespace
-
-bool isSizeOption(const Parameter& p)
-{
-	const std::string key = p.key;
-	return key == "TargetVertexNum" || key == "TargetPerc" || key == "TargetLen" ||
-		   key == "MaxError";
-}
 
 void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
 					 bool (*isWanted)(const Parameter&))
@@ -178,7 +146,7 @@ RemeshOptions optionsOf(const GivenOptions& given)
 	for (const auto& [row, givenWord] : given) {
 		std::string word = givenWord;
 		percent          = takePercent(*row, word) || percent;
-		sizeNum += isSizeOption(*row) ? 1 : 0;
+		sizeNum += isSizeParameter(*row) ? 1 : 0;
 		set.set(*row, parseValue(*row, word));
 	}
 	if (sizeNum > 1) {

@@ -14,9 +14,6 @@ namespace gpr::app {
 /// The options of the engine's parameter table that the user gave, their values as words.
 using GivenOptions = std::map<const Parameter*, std::string>;
 
-/// Whether a row is one of the four that stand for one choice, the size of the result.
-bool isSizeOption(const Parameter& p);
-
 /// Adds an option to the command for every row of the tool that has a name on the command line and
 /// is wanted; parsing fills given, which must stay where it is until then.
 void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "distance_call.h"
+
+#include "python_progress.h"
+
+#include <vcg_extras/apps/gpremesh/surface_distance.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/results.h>
+#include <vcg_extras/core/surface/certified_distance.h>
+
+#include <algorithm>
+
+namespace gpr::python {
+
+namespace {
+
+/// Distances of the points of one surface from another.
+struct OneWay {
+	app::DistanceFigures measured;
+	DistanceBounds       proven;
+};
+
+struct BothWays {
+	Status status = Status::Cancelled;
+	OneWay aToB, bToA;
+};
+
+/// Throws CancelledError.
+void measure(const MeshView& a, const MeshView& b, std::int64_t sampleNum, Workers& workers,
+			 BothWays& out)
+{
+	out.aToB.measured                  = app::DistanceTarget(b).from(a, sampleNum, workers);
+	out.bToA.measured                  = app::DistanceTarget(a).from(b, sampleNum, workers);
+	const CertificateSettings settings = usualCertificate(measureMesh(a).diagonal);
+	const MutualBounds        proven   = certifiedDistances(b, a, settings, workers);
+	out.aToB.proven                    = proven.toInput;
+	out.bToA.proven                    = proven.fromInput;
+	out.status                         = Status::Ok;
+}
+
+/// The proof may find points farther than those that were measured.
+nb::dict figuresOf(const OneWay& way)
+{
+	nb::dict figures;
+	figures["rms"]     = way.measured.rms;
+	figures["mean"]    = way.measured.mean;
+	figures["p999"]    = way.measured.p999;
+	figures["largest"] = std::max(way.measured.max, way.proven.lower);
+	figures["lower"]   = way.proven.lower;
+	figures["upper"]   = way.proven.upper;
+	return figures;
+}
+
+} // namespace
+
+nb::dict measureDistance(const Positions& positionsOfA, const Triangles& trianglesOfA,
+						 const Positions& positionsOfB, const Triangles& trianglesOfB,
+						 std::int64_t sampleNum, int threads, nb::object progress)
+{
+	const MeshView a = viewOf(positionsOfA, trianglesOfA), b = viewOf(positionsOfB, trianglesOfB);
+	if (sampleNum == 0) sampleNum = app::distanceSampleNum(b.faceNum);
+	PythonProgress watch(std::move(progress));
+	BothWays       out;
+	try {
+		const nb::gil_scoped_release noLock;
+		Workers                      workers(threads, watch.callback());
+		measure(a, b, sampleNum, workers, out);
+	}
+	catch (const CancelledError&) {
+		watch.rethrow();
+	}
+	nb::dict dict;
+	dict["status"]  = statusName(out.status);
+	dict["message"] = out.status == Status::Ok ? "" : "Cancelled.";
+	dict["a_to_b"]  = figuresOf(out.aToB);
+	dict["b_to_a"]  = figuresOf(out.bToA);
+	return dict;
+}
+
+} // namespace gpr::python

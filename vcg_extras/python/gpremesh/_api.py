@@ -1,0 +1,257 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+import json
+
+import numpy as np
+
+from . import _arrays, _core
+from ._errors import check
+from ._results import Distance, Features, OneWayDistance, RemeshResult, Samples
+from ._table import with_parameters
+
+
+def _check_progress(progress):
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress must be a function or None, not {type(progress).__name__}")
+
+
+def _given(parameters):
+    """None stands for what was not given."""
+    return {name: value for name, value in parameters.items() if value is not None}
+
+
+def _imply(parameters, name, choice, argument, values):
+    """An array that is given implies the choice that reads it; the choice needs the array."""
+    if values is not None:
+        parameters.setdefault(name, choice)
+    elif parameters.get(name) == choice:
+        raise ValueError(f"{name}={choice!r} needs {argument}.")
+
+
+def _extras(mesh, parameters, region, quality, feature_edges):
+    vertex_num = len(mesh.vertices)
+    extras = _core.Extras()
+    extras.region = _arrays.mask("region", region, vertex_num, "vertices")
+    extras.quality = _arrays.per_vertex("quality", quality, vertex_num)
+    extras.feature_edges = _arrays.edges("feature_edges", feature_edges, vertex_num)
+    _imply(parameters, "feature_region", "selection", "region", region)
+    _imply(parameters, "sizing", "quality", "quality", quality)
+    _imply(parameters, "features", "selected", "feature_edges", feature_edges)
+    return extras
+
+
+@with_parameters("remesh")
+def remesh(vertices, faces, *, selected=None, region=None, quality=None, feature_edges=None, uv=None,
+           image=None, progress=None, **parameters):
+    """Remeshes a surface to nearly equilateral triangles with exactly as many vertices as asked for.
+
+    Parameters
+    ----------
+    vertices : array_like (n, 3)
+        Coordinates in any unit. Arrays of float32 and float64 in C order are not copied; others are
+        converted to float64.
+    faces : array_like (f, 3), (f, k), or a list of polygons
+        Triangles, polygons of k corners, or polygons of several sizes, as rows of `vertices`. Arrays of
+        int32 in C order are not copied; int64 and others are converted. Polygons are cut into triangles.
+    selected : array_like (f,) of bool, optional
+        Only the faces with True are remeshed. All others stay bit for bit as they are and come first.
+    region : array_like (n,) of bool, optional
+        The feature region: the vertices around which triangles are smaller (`feature_disk_scale`).
+    quality : array_like (n,), optional
+        What the density follows where `lambda_` is above 0, instead of the curvature.
+    feature_edges : array_like (e, 2), optional
+        Edges of the faces, as pairs of vertices, that edges of the result shall follow. With `features`
+        not given they are the only ones; with features='auto' those that are found come beside them.
+    uv : array_like (n, 2) or (f, 3, 2), optional
+        Texture coordinates of the vertices, or of the corners of the faces. Edges of the result follow
+        the seams.
+    image : array_like (f,) of int, optional
+        With `uv`: the number of the image of each face.
+    progress : callable(fraction, stage), optional
+        Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
+        is cancelled where it returns False, and where it raises.
+    PARAMETERS
+
+    Returns
+    -------
+    RemeshResult
+        The mesh, where each of its vertices lies on the input, and a report.
+
+    Raises
+    ------
+    ValueError
+        For an argument that cannot be meant. The message names it.
+    gpremesh.Error
+        Where the engine gives no result. `status` says why, and `smallest_count` how many vertices the
+        surface needs where fewer were asked for.
+    KeyboardInterrupt
+        After Ctrl+C, within 200 ms.
+
+    Notes
+    -----
+    10 % of the vertices are made where no size is given. The result depends on the input, the parameters
+    and the seed, not on the number of threads, and is that of the command line. Other Python threads go on
+    meanwhile; they must not write to the arrays. The time is linear in the size of the input, some
+    seconds per million faces.
+
+    Examples
+    --------
+    >>> import numpy as np, gpremesh
+    >>> grid = np.stack(np.meshgrid(np.arange(50.), np.arange(50.)), axis=-1).reshape(-1, 2)
+    >>> vertices = np.column_stack([grid, np.sin(grid[:, 0] / 8)])
+    >>> corner = np.arange(49 * 50).reshape(49, 50)[:, :49].reshape(-1, 1)
+    >>> result = gpremesh.remesh(vertices, corner + [0, 1, 51, 50], vertex_count=300)
+    >>> len(result.vertices)
+    300
+    """
+    _check_progress(progress)
+    parameters = _given(parameters)
+    mesh = _arrays.Mesh(vertices, faces)
+    extras = _extras(mesh, parameters, region, quality, feature_edges)
+    extras.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
+    extras.uv = mesh.corner_uv("uv", uv)
+    extras.images = mesh.images("image", image)
+    if image is not None and uv is None:
+        raise ValueError("image needs uv.")
+    outcome = _core.remesh(mesh.vertices, mesh.faces, extras, parameters, progress)
+    check(outcome)
+    return RemeshResult(mesh, outcome, json.loads(outcome["report"]))
+
+
+@with_parameters("sample")
+def sample(vertices, faces, *, region=None, quality=None, feature_edges=None, progress=None,
+           **parameters):
+    """Spreads points evenly over a surface: a geodesic Poisson-disk sampling.
+
+    Points are at least about a disk's radius apart, and each vertex of the input is within a radius of
+    one. The number of points is hit to about a tenth.
+
+    Parameters
+    ----------
+    vertices, faces, region, quality, feature_edges, progress
+        As those of `remesh`.
+    PARAMETERS
+
+    Returns
+    -------
+    Samples
+        Points, and where each lies on the input.
+
+    Raises
+    ------
+    ValueError, gpremesh.Error, KeyboardInterrupt
+        As `remesh`.
+
+    Examples
+    --------
+    >>> import numpy as np, gpremesh
+    >>> vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.]])
+    >>> faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+    >>> samples = gpremesh.sample(vertices, faces, count=1000)
+    >>> 900 < len(samples.points) < 1100
+    True
+    """
+    _check_progress(progress)
+    parameters = _given(parameters)
+    mesh = _arrays.Mesh(vertices, faces)
+    extras = _extras(mesh, parameters, region, quality, feature_edges)
+    outcome = _core.sample(mesh.vertices, mesh.faces, extras, parameters, progress)
+    check(outcome)
+    return Samples(
+        points=outcome["points"].astype(mesh.vertices.dtype, copy=False),
+        face_index=mesh.callers_face(outcome["face_index"]),
+        barycentric=outcome["barycentric"],
+        radius=outcome["radius"],
+        disk_radius=outcome["disk_radius"],
+        seed=outcome["seed"],
+        notes=outcome["notes"],
+    )
+
+
+@with_parameters("features")
+def features(vertices, faces, *, progress=None, **parameters):
+    """Finds creases and cone apexes of a surface.
+
+    Parameters
+    ----------
+    vertices, faces, progress
+        As those of `remesh`.
+    PARAMETERS
+
+    Returns
+    -------
+    Features
+        The strength of each vertex, and the feature edges.
+
+    Raises
+    ------
+    ValueError, gpremesh.Error, KeyboardInterrupt
+        As `remesh`.
+    """
+    _check_progress(progress)
+    mesh = _arrays.Mesh(vertices, faces)
+    outcome = _core.features(mesh.vertices, mesh.faces, _given(parameters), progress)
+    check(outcome)
+    faces_marked = np.zeros(mesh.face_num, bool)
+    triangles = np.flatnonzero(outcome["face"])
+    faces_marked[triangles if mesh.face_of is None else mesh.face_of[triangles]] = True
+    return Features(
+        strength=outcome["strength"],
+        vertex=outcome["vertex"],
+        face=faces_marked,
+        edges=outcome["edges"].astype(mesh.index_dtype, copy=False),
+        edge_strength=outcome["edge_strength"],
+        report=json.loads(outcome["report"]),
+    )
+
+
+def _mesh_of(name, mesh):
+    if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
+        vertices, faces = mesh
+    elif hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        vertices, faces = mesh.vertices, mesh.faces
+    else:
+        raise ValueError(f"{name} must be a pair (vertices, faces), or have these two as attributes.")
+    return _arrays.Mesh(vertices, faces, (f"{name}.vertices", f"{name}.faces"))
+
+
+def _whole_number(name, value, least, most):
+    if isinstance(value, (bool, np.bool_)) or not hasattr(value, "__index__") or not least <= value <= most:
+        raise ValueError(f"{name} takes a whole number from {least} to {most}, not {value!r}.")
+    return int(value)
+
+
+def distance(a, b, *, samples=0, threads=0, progress=None):
+    """Measures the distances of two surfaces from each other, as `gpremesh compare` does.
+
+    Parameters
+    ----------
+    a, b : pair (vertices, faces), or an object that has them as attributes
+        The two surfaces, in one unit. Usually `a` is the input and `b` the result. A RemeshResult and a
+        mesh of trimesh have the two attributes.
+    samples : int, default 0
+        How many points are spread over each surface, at most 100000000. 0 takes ten for each face of
+        `b`, at least 200000 and at most 2000000.
+    threads : int, default 0
+        How many threads work. 0 takes one for each core. The result is the same.
+    progress : callable(fraction, stage), optional
+        As that of `remesh`. The fraction stays 0.
+
+    Returns
+    -------
+    Distance
+        In the unit of the coordinates. All figures are 0 where a surface has no face with an area.
+
+    Raises
+    ------
+    ValueError, gpremesh.Error, KeyboardInterrupt
+        As `remesh`. While a search tree is built, cancelling waits for its end.
+    """
+    _check_progress(progress)
+    samples = _whole_number("samples", samples, 0, 100_000_000)
+    threads = _whole_number("threads", threads, 0, 1024)
+    first, second = _mesh_of("a", a), _mesh_of("b", b)
+    outcome = _core.distance(first.vertices, first.faces, second.vertices, second.faces, samples, threads,
+                             progress)
+    check(outcome)
+    return Distance(OneWayDistance(**outcome["a_to_b"]), OneWayDistance(**outcome["b_to_a"]))

@@ -1,0 +1,197 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""From what a caller gives to arrays that the engine reads where they are: float32 or float64
+coordinates and int32 indices in C order. Other kinds are converted. What cannot be meant is a
+ValueError that names the argument."""
+
+import numpy as np
+
+from . import _core
+
+_MOST = 2**31 - 1  # vertices or faces, as the engine counts with int32
+
+
+def _array(name, values):
+    try:
+        return np.asarray(values)
+    except (TypeError, ValueError) as error:
+        raise ValueError(f"{name} is no array: {error}") from None
+
+
+def _in_order(array, dtype):
+    """The same array where it is so already."""
+    return np.require(array, dtype=dtype, requirements=("C_CONTIGUOUS", "ALIGNED"))
+
+
+def _numbers(name, values, shape, dtype):
+    """Finite real numbers; `shape` is text for the message, and what is checked beforehand."""
+    if values.dtype.kind not in "fiu":
+        raise ValueError(f"{name} must be real numbers of shape {shape}, not {values.dtype}.")
+    # The smallest and the largest are finite only where all are; no array is made for this.
+    if values.size and not (np.isfinite(values.min()) and np.isfinite(values.max())):
+        raise ValueError(f"{name} has values that are not finite.")
+    with np.errstate(over="ignore"):
+        numbers = _in_order(values, dtype)
+    if numbers.dtype != values.dtype and numbers.size and not np.isfinite(np.abs(numbers).max()):
+        raise ValueError(f"{name} has values too large for {numbers.dtype}.")
+    return numbers
+
+
+def coordinates(name, values):
+    """Points as rows of three."""
+    array = _array(name, values)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise ValueError(f"{name} must have the shape (n, 3), not {array.shape}.")
+    if len(array) > _MOST:
+        raise ValueError(f"{name} has more than {_MOST} rows.")
+    dtype = np.float32 if array.dtype == np.float32 else np.float64
+    return _numbers(name, array, "(n, 3)", dtype)
+
+
+def indices(name, values, limit):
+    """Whole numbers from 0 to limit - 1, as int32."""
+    if values.size == 0:
+        return np.zeros(values.shape, np.int32)
+    if values.dtype.kind not in "iu":
+        raise ValueError(f"{name} must be whole numbers, not {values.dtype}.")
+    least, most = int(values.min()), int(values.max())
+    if least < 0 or most >= limit:
+        wrong = least if least < 0 else most
+        raise ValueError(f"{name} has the index {wrong}; there are {limit} vertices.")
+    return _in_order(values, np.int32)
+
+
+def mask(name, values, length, what):
+    """A bool for each of something, as bytes that the engine reads; None stays None."""
+    if values is None:
+        return None
+    array = _array(name, values)
+    if array.dtype != bool or array.shape != (length,):
+        raise ValueError(f"{name} must be a mask, one bool for each of the {length} {what}; "
+                         f"it has the shape {array.shape} and holds {array.dtype}.")
+    return _in_order(array, bool).view(np.uint8)
+
+
+def per_vertex(name, values, length):
+    """A real number for each vertex, as float32; None stays None."""
+    if values is None:
+        return None
+    array = _array(name, values)
+    if array.shape != (length,):
+        raise ValueError(f"{name} must have the shape ({length},), not {array.shape}.")
+    return _numbers(name, array, f"({length},)", np.float32)
+
+
+def edges(name, values, vertex_num):
+    """Edges as pairs of vertices; None stays None."""
+    if values is None:
+        return None
+    array = _array(name, values)
+    if array.ndim != 2 or array.shape[1] != 2:
+        raise ValueError(f"{name} must have the shape (n, 2), not {array.shape}.")
+    return indices(name, array, vertex_num)
+
+
+def _ragged(name, faces):
+    """Polygons of several sizes: all corners one after the other, and the sizes."""
+    try:
+        rows = [np.asarray(face) for face in faces]
+    except (TypeError, ValueError):
+        rows = []
+    if not rows or any(row.ndim != 1 for row in rows):
+        raise ValueError(f"{name} must have the shape (n, 3), or be a list of polygons.")
+    filled = [row for row in rows if row.size]
+    corners = np.concatenate(filled) if filled else np.zeros(0, np.int32)
+    return corners, np.array([row.size for row in rows])
+
+
+class Mesh:
+    """A caller's mesh as the engine takes it.
+
+    vertices, faces : float32 or float64 (n, 3), int32 (t, 3): triangles
+    index_dtype : that of the caller's faces
+    face_num : number of the caller's faces
+    corners : for each corner of a triangle, which corner of the caller's faces it is, or None: the same
+    face_of : for each triangle, which of the caller's faces it is a part of, or None: the same
+    """
+
+    def __init__(self, vertices, faces, names=("vertices", "faces")):
+        self.vertices = coordinates(names[0], vertices)
+        self.corners = self.face_of = None
+        corners, sizes = self._polygons(names[1], faces)
+        if len(sizes) > _MOST or len(corners) > _MOST:
+            raise ValueError(f"{names[1]} has too many corners.")
+        self.face_num = len(sizes)
+        self.index_dtype = np.dtype(np.int64 if corners.dtype.itemsize > 4 else np.int32)
+        corners = indices(names[1], corners, len(self.vertices))
+        if (sizes == 3).all():
+            self.faces = corners.reshape(-1, 3)
+        else:
+            self._cut(corners, sizes)
+
+    @staticmethod
+    def _polygons(name, faces):
+        try:
+            array = np.asarray(faces)
+        except (TypeError, ValueError):
+            array = None
+        if array is None or array.dtype == object or array.ndim == 1 and array.size == 0:
+            corners, sizes = (array, array) if array is not None and array.size == 0 else _ragged(name, faces)
+        elif array.ndim == 2:
+            corners, sizes = array.reshape(-1), np.full(array.shape[0], array.shape[1])
+        else:
+            raise ValueError(f"{name} must have the shape (n, 3), not {array.shape}.")
+        if corners.size and corners.dtype.kind not in "iu":
+            raise ValueError(f"{name} must be whole numbers, not {corners.dtype}.")
+        if sizes.size and sizes.min() < 3:
+            raise ValueError(f"{name} has a face of {int(sizes.min())} corners.")
+        return corners, sizes
+
+    def _cut(self, corners, sizes):
+        self.corners = _core.cut_polygons(self.vertices, corners, sizes.astype(np.int32))
+        polygon_of_corner = np.repeat(np.arange(len(sizes), dtype=np.int32), sizes)
+        self.faces = corners[self.corners].reshape(-1, 3)
+        self.face_of = polygon_of_corner[self.corners[::3]]
+
+    def per_triangle(self, values):
+        """Values of the caller's faces for the triangles; None stays None."""
+        return values if values is None or self.face_of is None else values[self.face_of]
+
+    def callers_face(self, triangles):
+        """The caller's faces of triangles, -1 for -1, in the caller's dtype."""
+        if self.face_of is not None:
+            triangles = np.where(triangles < 0, -1, self.face_of[triangles])
+        return triangles.astype(self.index_dtype, copy=False)
+
+    def corner_uv(self, name, values):
+        """Texture coordinates of vertices (n, 2) or of the faces' corners (f, c, 2), for each corner of
+        the triangles; None stays None."""
+        if values is None:
+            return None
+        array = _array(name, values)
+        if array.shape == (len(self.vertices), 2):
+            of_corners = _numbers(name, array, "(n, 2)", np.float32)[self.faces]
+        elif array.ndim == 3 and array.shape[0] == self.face_num and array.shape[2] == 2 and (
+                self.corners is not None or array.shape[1] == 3):
+            flat = _numbers(name, array, "(f, 3, 2)", np.float32).reshape(-1, 2)
+            of_corners = flat if self.corners is None else self._of_corners(name, flat)
+        else:
+            raise ValueError(f"{name} must have the shape (n, 2) for vertices or (f, 3, 2) for corners "
+                             f"of faces, not {array.shape}.")
+        return _in_order(of_corners.reshape(-1, 3, 2), np.float32)
+
+    def _of_corners(self, name, flat):
+        if self.corners.size and int(self.corners.max()) >= len(flat):
+            raise ValueError(f"{name} has fewer corners than the faces.")
+        return flat[self.corners]
+
+    def images(self, name, values):
+        """The number of its image for each triangle; None stays None."""
+        if values is None:
+            return None
+        array = _array(name, values)
+        if array.shape != (self.face_num,) or array.dtype.kind not in "iu":
+            raise ValueError(f"{name} must be a whole number for each of the {self.face_num} faces.")
+        if array.size and not (0 <= array.min() and array.max() <= _MOST):
+            raise ValueError(f"{name} must be from 0 to {_MOST}.")
+        return _in_order(self.per_triangle(array), np.int32)

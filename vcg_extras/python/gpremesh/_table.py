@@ -1,0 +1,69 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Signatures and docstrings, made from the engine's parameter table when the package is imported."""
+
+import inspect
+import textwrap
+import typing
+
+from . import _core
+
+_TYPES = {"count": int, "number": float, "length": float, "switch": bool}
+
+
+def type_of(entry):
+    """The type of a parameter, as an annotation."""
+    if entry["kind"] != "choice":
+        plain = _TYPES[entry["kind"]]
+        return typing.Union[plain, str] if entry["name"] == "max_error" else plain
+    choices = typing.Literal[tuple(entry["choices"])]
+    return typing.Union[choices, bool] if {"on", "off"} <= set(entry["choices"]) else choices
+
+
+def type_text(entry):
+    """The type of a parameter, as NumPy's docstrings write it."""
+    if entry["kind"] == "choice":
+        return "{" + ", ".join(repr(choice) for choice in entry["choices"]) + "}"
+    return _TYPES[entry["kind"]].__name__
+
+
+def _paragraph(text, indent):
+    return textwrap.fill(text, 100, initial_indent=indent, subsequent_indent=indent)
+
+
+def documentation(tool):
+    """The parameters of a tool, as a section of a docstring has them."""
+    lines = []
+    for entry in _core.parameters(tool):
+        default = "optional" if entry["default"] is None else f"default {entry['default']!r}"
+        lines.append(f"    {entry['name']} : {type_text(entry)}, {default}")
+        lines.append(_paragraph(entry["help"], " " * 8))
+    return "\n".join(lines)
+
+
+def with_parameters(tool):
+    """Decorates a function that takes a tool's parameters as `**parameters`: its signature and its
+    docstring, at the line PARAMETERS, name them one by one, and others are a TypeError."""
+    names = [entry["name"] for entry in _core.parameters(tool)]
+
+    def decorate(function):
+        def call(*args, **keywords):
+            for keyword in keywords:
+                if keyword not in accepted:
+                    raise TypeError(f"{function.__name__}() has no parameter {keyword!r}")
+            return function(*args, **keywords)
+
+        own = [p for p in inspect.signature(function).parameters.values() if p.kind != p.VAR_KEYWORD]
+        accepted = {p.name for p in own} | set(names)
+        of_table = [
+            inspect.Parameter(entry["name"], inspect.Parameter.KEYWORD_ONLY, default=entry["default"],
+                              annotation=type_of(entry))
+            for entry in _core.parameters(tool)
+        ]
+        call.__name__ = call.__qualname__ = function.__name__
+        call.__module__ = function.__module__
+        call.__doc__ = function.__doc__.replace("    PARAMETERS", documentation(tool))
+        call.__signature__ = inspect.Signature(own + of_table)
+        return call
+
+    return decorate

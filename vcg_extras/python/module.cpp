@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "distance_call.h"
+#include "parameter_values.h"
+#include "polygon_call.h"
+#include "remesh_call.h"
+
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+
+namespace nb = nanobind;
+using namespace nb::literals;
+using namespace gpr::python;
+
+namespace {
+
+gpr::Tool toolOf(const std::string& name)
+{
+	if (name == "remesh") return gpr::RemeshTool;
+	if (name == "sample") return gpr::SamplingTool;
+	if (name == "features") return gpr::FeatureTool;
+	throw nb::value_error(("There is no tool " + name + ".").c_str());
+}
+
+} // namespace
+
+/// What the package is made of; only its own Python part calls this.
+NB_MODULE(_core, module)
+{
+	module.attr("version") = GPR_VERSION;
+
+	nb::class_<Extras>(module, "Extras")
+		.def(nb::init<>())
+		.def_rw("selected", &Extras::selectedFaces, nb::arg().none())
+		.def_rw("region", &Extras::selectedVertices, nb::arg().none())
+		.def_rw("quality", &Extras::quality, nb::arg().none())
+		.def_rw("feature_edges", &Extras::edges, nb::arg().none())
+		.def_rw("uv", &Extras::texture, nb::arg().none())
+		.def_rw("images", &Extras::images, nb::arg().none());
+
+	module.def(
+		"parameters", [](const std::string& tool) { return parameterList(toolOf(tool)); },
+		"tool"_a);
+	module.def("remesh", &remeshArrays, "vertices"_a, "faces"_a, "extras"_a, "parameters"_a,
+			   "progress"_a.none());
+	module.def("sample", &sampleArrays, "vertices"_a, "faces"_a, "extras"_a, "parameters"_a,
+			   "progress"_a.none());
+	module.def("features", &detectInArrays, "vertices"_a, "faces"_a, "parameters"_a,
+			   "progress"_a.none());
+	module.def("distance", &measureDistance, "vertices_a"_a, "faces_a"_a, "vertices_b"_a,
+			   "faces_b"_a, "samples"_a, "threads"_a, "progress"_a.none());
+	module.def("cut_polygons", &cutPolygons, "vertices"_a, "corners"_a, "sizes"_a);
+}

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "parameter_values.h"
+
+#include <vcg_extras/apps/gpremesh/range_text.h>
+
+#include <algorithm>
+#include <nanobind/stl/string.h>
+#include <optional>
+#include <vector>
+
+namespace nb = nanobind;
+
+namespace gpr::python {
+
+namespace {
+
+/// The option's name with underscores; other names where Python has a use of its own for it.
+std::string nameOf(const Parameter& p, Tool tool)
+{
+	std::string name = p.option;
+	name.erase(0, name.find_first_not_of('-'));
+	std::replace(name.begin(), name.end(), '-', '_');
+	if (name == "vertices") return tool == SamplingTool ? "count" : "vertex_count";
+	if (name == "lambda") return "lambda_";
+	return name;
+}
+
+/// The switch for the selected faces is the array that selects them.
+bool isArgument(const Parameter& p)
+{
+	return *p.option != '\0' && std::string(p.key) != "Selected";
+}
+
+const Parameter* findArgument(Tool tool, const std::string& name)
+{
+	for (const Parameter& p : parametersOf(tool)) {
+		if (isArgument(p) && nameOf(p, tool) == name) return &p;
+	}
+	return nullptr;
+}
+
+[[noreturn]] void failValue(const std::string& name, const std::string& wanted, nb::handle value)
+{
+	const std::string given = nb::cast<std::string>(nb::repr(value));
+	throw nb::value_error((name + " takes " + wanted + ", not " + given + ".").c_str());
+}
+
+/// NumPy's switches count as well.
+std::optional<bool> switchOf(nb::handle value)
+{
+	const std::string type = nb::cast<std::string>(nb::str(value.type().attr("__name__")));
+	if (type != "bool" && type != "bool_") return std::nullopt;
+	return nb::cast<bool>(nb::bool_(nb::borrow(value)));
+}
+
+std::optional<std::int64_t> wholeNumberOf(nb::handle value)
+{
+	if (switchOf(value)) return std::nullopt;
+	const nb::object index = nb::steal(PyNumber_Index(value.ptr()));
+	if (index) {
+		const long long number = PyLong_AsLongLong(index.ptr());
+		if (PyErr_Occurred() == nullptr) return number;
+	}
+	PyErr_Clear();
+	return std::nullopt;
+}
+
+std::optional<double> numberOf(nb::handle value)
+{
+	if (switchOf(value)) return std::nullopt;
+	const double number = PyFloat_AsDouble(value.ptr());
+	if (PyErr_Occurred() == nullptr) return number;
+	PyErr_Clear();
+	return std::nullopt;
+}
+
+std::optional<std::string> textOf(nb::handle value)
+{
+	if (!nb::isinstance<nb::str>(value)) return std::nullopt;
+	return nb::cast<std::string>(value);
+}
+
+ParameterValue parseCount(const Parameter& p, const std::string& name, nb::handle value)
+{
+	const std::optional<std::int64_t> number = wholeNumberOf(value);
+	if (!number || !app::isInRange(p, double(*number)))
+		failValue(name, "a whole number" + app::rangeText(p), value);
+	return *number;
+}
+
+ParameterValue parseNumber(const Parameter& p, const std::string& name, nb::handle value)
+{
+	const std::optional<double> number = numberOf(value);
+	if (!number || !app::isInRange(p, *number))
+		failValue(name, "a number" + app::rangeText(p), value);
+	return *number;
+}
+
+ParameterValue parseSwitch(const std::string& name, nb::handle value)
+{
+	const std::optional<bool> isOn = switchOf(value);
+	if (!isOn) failValue(name, "True or False", value);
+	return *isOn;
+}
+
+/// True and False stand for the choices on and off.
+std::optional<std::string> choiceOf(nb::handle value)
+{
+	const std::optional<bool> isOn = switchOf(value);
+	if (isOn) return std::string(*isOn ? "on" : "off");
+	return textOf(value);
+}
+
+ParameterValue parseChoice(const Parameter& p, const std::string& name, nb::handle value)
+{
+	const std::optional<std::string> given = choiceOf(value);
+	std::string                      names;
+	for (std::size_t i = 0; i < p.choices.size(); ++i) {
+		if (given && *given == p.choices[i]) return std::int64_t(i);
+		names += (i > 0 ? ", " : "") + std::string(p.choices[i]);
+	}
+	failValue(name, "one of " + names, value);
+}
+
+ParameterValue parseValue(const Parameter& p, const std::string& name, nb::handle value)
+{
+	switch (p.kind) {
+	case ParameterKind::Count:
+		return parseCount(p, name, value);
+	case ParameterKind::Number:
+	case ParameterKind::Length:
+		return parseNumber(p, name, value);
+	case ParameterKind::Switch:
+		return parseSwitch(name, value);
+	case ParameterKind::Choice:
+		break;
+	}
+	return parseChoice(p, name, value);
+}
+
+/// The number of a largest error in percent, given as "0.2%".
+std::optional<nb::object> percentOf(const Parameter& p, nb::handle value)
+{
+	std::optional<std::string> text = textOf(value);
+	if (std::string(p.key) != "MaxError" || !text || text->empty() || text->back() != '%')
+		return std::nullopt;
+	text->pop_back();
+	nb::object number = nb::steal(PyFloat_FromString(nb::str(text->c_str()).ptr()));
+	if (!number) PyErr_Clear();
+	if (!number) return std::nullopt; // and so it is refused as text
+	return number;
+}
+
+std::string sizeNames(Tool tool)
+{
+	std::string names;
+	for (const Parameter& p : parametersOf(tool)) {
+		if (isSizeParameter(p)) names += (names.empty() ? "" : ", ") + nameOf(p, tool);
+	}
+	return names;
+}
+
+const char* kindName(ParameterKind kind)
+{
+	switch (kind) {
+	case ParameterKind::Count:
+		return "count";
+	case ParameterKind::Number:
+		return "number";
+	case ParameterKind::Length:
+		return "length";
+	case ParameterKind::Switch:
+		return "switch";
+	case ParameterKind::Choice:
+		break;
+	}
+	return "choice";
+}
+
+nb::object defaultOf(const Parameter& p)
+{
+	if (isSizeParameter(p)) return nb::none();
+	const ParameterValue value = p.defaultValue(MeshFacts());
+	if (p.kind == ParameterKind::Choice)
+		return nb::str(p.choices[std::size_t(std::get<std::int64_t>(value))]);
+	return std::visit([](auto v) { return nb::cast(v); }, value);
+}
+
+nb::dict entryOf(const Parameter& p, Tool tool)
+{
+	nb::list choices;
+	for (const char* choice : p.choices)
+		choices.append(choice);
+	nb::dict entry;
+	entry["name"]    = nameOf(p, tool);
+	entry["kind"]    = kindName(p.kind);
+	entry["label"]   = p.label;
+	entry["help"]    = pythonHelp(p);
+	entry["minimum"] = p.minimum;
+	entry["maximum"] = p.maximum;
+	entry["choices"] = choices;
+	entry["default"] = defaultOf(p);
+	return entry;
+}
+
+} // namespace
+
+nb::list parameterList(Tool tool)
+{
+	nb::list entries;
+	for (const Parameter& p : parametersOf(tool)) {
+		if (isArgument(p)) entries.append(entryOf(p, tool));
+	}
+	return entries;
+}
+
+RemeshOptions optionsOf(Tool tool, const nb::dict& given)
+{
+	ParameterSet set;
+	int          sizeNum   = 0;
+	bool         isPercent = false;
+	for (const auto& [key, value] : given) {
+		const std::string      name = nb::cast<std::string>(nb::str(key));
+		const Parameter* const row  = findArgument(tool, name);
+		if (row == nullptr) throw nb::value_error(("There is no parameter " + name + ".").c_str());
+		const std::optional<nb::object> percent = percentOf(*row, value);
+		isPercent                               = isPercent || percent.has_value();
+		sizeNum += isSizeParameter(*row) ? 1 : 0;
+		set.set(*row, parseValue(*row, name, percent ? nb::handle(*percent) : nb::handle(value)));
+	}
+	if (sizeNum > 1) throw nb::value_error(("Give only one of " + sizeNames(tool) + ".").c_str());
+	const std::vector<std::string> complaints = set.complaints();
+	if (!complaints.empty()) throw nb::value_error(complaints.front().c_str());
+	RemeshOptions options     = set.options();
+	options.maxErrorIsPercent = isPercent;
+	return options;
+}
+
+} // namespace gpr::python

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh_call.h"
+
+#include "line_marks.h"
+#include "parameter_values.h"
+#include "python_progress.h"
+
+#include <vcg_extras/apps/gpremesh/features_report.h>
+#include <vcg_extras/apps/gpremesh/platform.h>
+#include <vcg_extras/apps/gpremesh/report_json.h>
+#include <vcg_extras/apps/gpremesh/stopwatch.h>
+#include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/texture_transfer.h>
+
+#include <memory>
+#include <nanobind/stl/string.h>
+#include <string>
+
+namespace gpr::python {
+
+namespace {
+
+/// The caller's mesh with all that goes with it; refers to the caller's arrays.
+struct Mesh {
+	MeshView                       view;
+	std::vector<std::uint8_t>      lines; ///< three a face, or empty
+	std::unique_ptr<TextureSource> texture;
+};
+
+[[noreturn]] void failEdge(const std::int32_t* edges, std::int64_t e)
+{
+	const std::string number = std::to_string(e);
+	const std::string a = std::to_string(edges[2 * e]), b = std::to_string(edges[2 * e + 1]);
+	throw nb::value_error(
+		("feature_edges[" + number + "], " + a + " to " + b + ", is no edge of a face.").c_str());
+}
+
+void takeLines(const Edges& edges, Mesh& mesh)
+{
+	const std::int64_t missing = markEdges(mesh.view, edges.data(), edges.shape(0), mesh.lines);
+	if (missing >= 0) failEdge(edges.data(), missing);
+}
+
+/// The seams of a texture are lines as those that are given.
+void takeTexture(const Extras& extras, Mesh& mesh)
+{
+	const float* const        uv    = dataOf(extras.texture, mesh.view.faceNum);
+	const std::int32_t* const image = dataOf(extras.images, mesh.view.faceNum);
+	CornerTexture             texture;
+	texture.uv.assign(uv, uv + 6 * mesh.view.faceNum);
+	if (image != nullptr) texture.image.assign(image, image + mesh.view.faceNum);
+	mesh.texture = std::make_unique<TextureSource>(mesh.view, std::move(texture));
+	if (!mesh.texture->hasSeams()) return;
+	mesh.lines.resize(3 * mesh.view.faceNum, 0);
+	for (std::size_t c = 0; c < mesh.lines.size(); ++c)
+		mesh.lines[c] |= mesh.texture->seams()[c];
+}
+
+/// Does not touch Python's objects but for the arrays' data.
+Mesh takeMesh(const Positions& positions, const Triangles& triangles, const Extras& extras)
+{
+	Mesh mesh;
+	mesh.view              = viewOf(positions, triangles);
+	mesh.view.selectedFace = dataOf(extras.selectedFaces, mesh.view.faceNum);
+	mesh.view.selected     = dataOf(extras.selectedVertices, mesh.view.vertexNum);
+	mesh.view.quality      = dataOf(extras.quality, mesh.view.vertexNum);
+	if (extras.edges) takeLines(*extras.edges, mesh);
+	if (extras.texture) takeTexture(extras, mesh);
+	if (!mesh.lines.empty()) mesh.view.line = mesh.lines.data();
+	return mesh;
+}
+
+nb::dict outcome(Status status, const std::string& message, std::int64_t smallestCount = 0)
+{
+	nb::dict out;
+	out["status"]         = statusName(status);
+	out["message"]        = message;
+	out["smallest_count"] = smallestCount;
+	return out;
+}
+
+/// What the command line's report says of a run, in the same words.
+app::RunRecord recordOf(const Mesh& mesh, const RemeshOptions& options, const RemeshResult& result)
+{
+	app::RunRecord run;
+	run.inputDouble = run.outputDouble = mesh.view.doublePrecision;
+	run.options                        = options;
+	resolveFeatureRegion(mesh.view.anySelected(), run.options);
+	run.report          = result.report;
+	run.notes           = result.notes;
+	run.peakMemoryBytes = app::peakMemoryBytes();
+	return run;
+}
+
+void putTexture(CornerTexture&& texture, nb::dict& out)
+{
+	const std::size_t faceNum = texture.uv.size() / 6;
+	out["uv"]                 = toNumpy<float>(std::move(texture.uv), {faceNum, 3, 2});
+	out["image"]              = toNumpy(std::move(texture.image));
+}
+
+void putMesh(RemeshResult&& result, nb::dict& out)
+{
+	const std::size_t faceNum = result.mesh.faceNum();
+	out["vertices"]           = toNumpy(std::move(result.mesh.positions));
+	out["faces"]       = toNumpy<std::int32_t>(std::move(result.mesh.triangles), {faceNum, 3});
+	out["face_index"]  = facesOf(result.surfacePoints);
+	out["barycentric"] = weightsOf(result.surfacePoints);
+	out["middle_face_index"] = facesOf(result.facePoints);
+	out["kept_vertex"]       = toNumpy(std::move(result.callersVertex));
+	out["kept_face"]         = toNumpy(std::move(result.callersFace));
+}
+
+} // namespace
+
+nb::dict remeshArrays(const Positions& positions, const Triangles& triangles, const Extras& extras,
+					  const nb::dict& given, nb::object progress)
+{
+	const app::Stopwatch clock;
+	RemeshOptions        options = optionsOf(RemeshTool, given);
+	options.selectedOnly         = extras.selectedFaces.has_value();
+	options.surfacePointsOfFaces = true;
+	PythonProgress watch(std::move(progress));
+	app::RunRecord run;
+	RemeshResult   result;
+	CornerTexture  texture;
+	bool           isTextured = false;
+	{
+		const nb::gil_scoped_release noLock;
+		const Mesh                   mesh = takeMesh(positions, triangles, extras);
+		const double                 read = clock.seconds();
+		result                            = remesh(mesh.view, options, watch.callback());
+		const double done                 = clock.seconds();
+		isTextured                        = mesh.texture != nullptr && result.status == Status::Ok;
+		if (isTextured) texture = mesh.texture->carriedTo(result);
+		run       = recordOf(mesh, options, result);
+		run.times = {read, done - read, clock.seconds() - done};
+	}
+	watch.rethrow();
+	nb::dict out = outcome(result.status, result.message, result.smallestVertexNum);
+	if (result.status != Status::Ok) return out;
+	out["report"] = app::remeshReportJson(run);
+	putMesh(std::move(result), out);
+	if (isTextured) putTexture(std::move(texture), out);
+	return out;
+}
+
+nb::dict sampleArrays(const Positions& positions, const Triangles& triangles, const Extras& extras,
+					  const nb::dict& given, nb::object progress)
+{
+	const RemeshOptions options = optionsOf(SamplingTool, given);
+	PythonProgress      watch(std::move(progress));
+	SamplingResult      result;
+	{
+		const nb::gil_scoped_release noLock;
+		const Mesh                   mesh = takeMesh(positions, triangles, extras);
+		result = samplePoissonDisks(mesh.view, options, watch.callback());
+	}
+	watch.rethrow();
+	nb::dict out = outcome(result.status, result.message);
+	if (result.status != Status::Ok) return out;
+	out["face_index"]  = facesOf(result.surfacePoints);
+	out["barycentric"] = weightsOf(result.surfacePoints);
+	out["points"]      = toNumpy(std::move(result.points));
+	out["radius"]      = toNumpy(std::move(result.radii));
+	out["disk_radius"] = result.diskRadius;
+	out["seed"]        = result.report.seed;
+	out["notes"]       = nb::list();
+	for (const std::string& note : result.notes)
+		nb::cast<nb::list>(out["notes"]).append(note);
+	return out;
+}
+
+namespace {
+
+void putEdges(const std::vector<FeatureEdge>& edges, nb::dict& out)
+{
+	std::vector<std::int32_t> vertices;
+	std::vector<float>        strengths;
+	for (const FeatureEdge& e : edges) {
+		vertices.insert(vertices.end(), e.vertex, e.vertex + 2);
+		strengths.push_back(e.strength);
+	}
+	out["edges"]         = toNumpy<std::int32_t>(std::move(vertices), {edges.size(), 2});
+	out["edge_strength"] = toNumpy(std::move(strengths));
+}
+
+app::FeaturesRecord recordOf(const MeshView& view, const RemeshOptions& options,
+							 const FeatureResult& found)
+{
+	app::FeaturesRecord record;
+	record.doublePrecision = view.doublePrecision;
+	record.thresholds      = options.featureThresholds;
+	record.figures         = found.figures;
+	record.notes           = found.notes;
+	record.report          = found.report;
+	return record;
+}
+
+} // namespace
+
+nb::dict detectInArrays(const Positions& positions, const Triangles& triangles,
+						const nb::dict& given, nb::object progress)
+{
+	const RemeshOptions options = optionsOf(FeatureTool, given);
+	const MeshView      view    = viewOf(positions, triangles);
+	PythonProgress      watch(std::move(progress));
+	FeatureResult       found;
+	{
+		const nb::gil_scoped_release noLock;
+		found = detectFeatures(view, options, watch.callback());
+	}
+	watch.rethrow();
+	nb::dict out = outcome(found.status, found.message);
+	if (found.status != Status::Ok) return out;
+	out["report"]   = app::featuresJson(recordOf(view, options, found));
+	out["strength"] = toNumpy(std::move(found.vertexStrength));
+	out["vertex"]   = toNumpy(std::move(found.vertexFeature));
+	out["face"]     = toNumpy(std::move(found.faceMark));
+	putEdges(found.edges, out);
+	return out;
+}
+
+} // namespace gpr::python

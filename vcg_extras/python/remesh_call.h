@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_PYTHON_REMESH_CALL_H
+#define VCG_EXTRAS_PYTHON_REMESH_CALL_H
+
+#include "arrays.h"
+
+#include <nanobind/nanobind.h>
+
+namespace gpr::python {
+
+/// What goes with a mesh beside its coordinates and triangles.
+struct Extras {
+	std::optional<Marks>        selectedFaces;
+	std::optional<Marks>        selectedVertices;
+	std::optional<Numbers>      quality;
+	std::optional<Edges>        edges;
+	std::optional<CornerCoords> texture;
+	std::optional<Indices>      images;
+};
+
+/// Each runs a tool of the engine without the interpreter's lock and returns a dictionary: status,
+/// message and smallest_count, then what the tool makes. `given` has the parameters of the table.
+nb::dict remeshArrays(const Positions& positions, const Triangles& triangles, const Extras& extras,
+					  const nb::dict& given, nb::object progress);
+nb::dict sampleArrays(const Positions& positions, const Triangles& triangles, const Extras& extras,
+					  const nb::dict& given, nb::object progress);
+nb::dict detectInArrays(const Positions& positions, const Triangles& triangles,
+						const nb::dict& given, nb::object progress);
+
+} // namespace gpr::python
+
+#endif
