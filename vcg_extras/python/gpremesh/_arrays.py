@@ -92,6 +92,22 @@ def edges(name, values, vertex_num):
     return indices(name, array, vertex_num)
 
 
+def _table(faces):
+    """Faces with one number of corners each, as an array; None where they are something else. None at
+    all are triangles."""
+    try:
+        array = np.asarray(faces)
+    except (TypeError, ValueError):
+        return None
+    if array.ndim == 1 and array.size == 0:
+        return array.reshape(0, 3)
+    return array if array.ndim == 2 and array.dtype != object and array.shape[1] else None
+
+
+def _rows(table):
+    return table.reshape(-1), np.full(len(table), table.shape[1])
+
+
 def _ragged(name, faces):
     """Polygons of several sizes: all corners one after the other, and the sizes."""
     try:
@@ -116,42 +132,34 @@ class Mesh:
     """
 
     def __init__(self, vertices, faces, names=("vertices", "faces")):
+        name = names[1]
         self.vertices = coordinates(names[0], vertices)
         self.corners = self.face_of = None
-        corners, sizes = self._polygons(names[1], faces)
-        if len(sizes) > _MOST or len(corners) > _MOST:
-            raise ValueError(f"{names[1]} has too many corners.")
-        self.face_num = len(sizes)
-        self.index_dtype = np.dtype(np.int64 if corners.dtype.itemsize > 4 else np.int32)
-        corners = indices(names[1], corners, len(self.vertices))
-        if (sizes == 3).all():
-            self.faces = corners.reshape(-1, 3)
+        table = _table(faces)
+        if table is not None and table.shape[1] == 3:
+            self.face_num = len(table)
+            self._check_corners(name, table)
+            self.faces = indices(name, table, len(self.vertices))
         else:
-            self._cut(corners, sizes)
+            corners, sizes = _ragged(name, faces) if table is None else _rows(table)
+            self.face_num = len(sizes)
+            self._check_corners(name, corners)
+            if sizes.size and sizes.min() < 3:
+                raise ValueError(f"{name} has a face of {int(sizes.min())} corners.")
+            self._cut(indices(name, corners, len(self.vertices)), sizes)
 
-    @staticmethod
-    def _polygons(name, faces):
-        try:
-            array = np.asarray(faces)
-        except (TypeError, ValueError):
-            array = None
-        if array is None or array.dtype == object or array.ndim == 1 and array.size == 0:
-            corners, sizes = (array, array) if array is not None and array.size == 0 else _ragged(name, faces)
-        elif array.ndim == 2:
-            corners, sizes = array.reshape(-1), np.full(array.shape[0], array.shape[1])
-        else:
-            raise ValueError(f"{name} must have the shape (n, 3), not {array.shape}.")
+    def _check_corners(self, name, corners):
+        if corners.size > 3 * _MOST:
+            raise ValueError(f"{name} has too many corners.")
         if corners.size and corners.dtype.kind not in "iu":
             raise ValueError(f"{name} must be whole numbers, not {corners.dtype}.")
-        if sizes.size and sizes.min() < 3:
-            raise ValueError(f"{name} has a face of {int(sizes.min())} corners.")
-        return corners, sizes
+        self.index_dtype = np.dtype(np.int64 if corners.dtype.itemsize > 4 else np.int32)
 
     def _cut(self, corners, sizes):
         self.corners = _core.cut_polygons(self.vertices, corners, sizes.astype(np.int32))
-        polygon_of_corner = np.repeat(np.arange(len(sizes), dtype=np.int32), sizes)
+        face_of_corner = np.repeat(np.arange(len(sizes), dtype=np.int32), sizes)
         self.faces = corners[self.corners].reshape(-1, 3)
-        self.face_of = polygon_of_corner[self.corners[::3]]
+        self.face_of = face_of_corner[self.corners[::3]]
 
     def per_triangle(self, values):
         """Values of the caller's faces for the triangles; None stays None."""

@@ -14,6 +14,9 @@ class Error(RuntimeError):
         With "count too small": the smallest number of vertices that can be had.
     """
 
+    status: str
+    smallest_count: "int | None"
+
     def __init__(self, message, status, smallest_count=None):
         super().__init__(message)
         self.status = status

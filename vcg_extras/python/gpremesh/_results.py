@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -37,6 +38,17 @@ class RemeshResult:
         lengths in the input's unit, angles in degrees. The names of files are empty.
     """
 
+    vertices: np.ndarray
+    faces: np.ndarray
+    face_index: np.ndarray
+    barycentric: np.ndarray
+    middle_face_index: np.ndarray
+    kept_vertex: "np.ndarray | None"
+    kept_face: "np.ndarray | None"
+    uv: "np.ndarray | None"
+    image: "np.ndarray | None"
+    report: dict
+
     def __init__(self, mesh, outcome, report):
         faces = outcome["faces"]
         self.vertices = outcome["vertices"].astype(mesh.vertices.dtype, copy=False)
@@ -60,10 +72,39 @@ class RemeshResult:
         return f"<gpremesh.RemeshResult: {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
     @property
-    def corner_index(self):
+    def corner_index(self) -> np.ndarray:
         return self._triangles[self._triangle_index].astype(self._index_dtype, copy=False)
 
-    def transfer(self, values, of="vertex"):
+    def split_at_seams(self) -> "tuple[np.ndarray, np.ndarray, np.ndarray]":
+        """The mesh with as many copies of each vertex as it has texture coordinates, for formats and
+        packages whose texture coordinates belong to vertices.
+
+        Returns
+        -------
+        vertex_index : ndarray (k,)
+            For each new vertex, which row of `vertices` it is a copy of. Without seams there are no
+            copies, and the order stays.
+        faces : ndarray (m, 3)
+            The faces by new vertices.
+        uv : ndarray (k, 2) of float32
+            The texture coordinates of the new vertices.
+
+        Raises
+        ------
+        ValueError
+            Where the result has no texture coordinates.
+        """
+        if self.uv is None:
+            raise ValueError("The result has no texture coordinates; give remesh the argument uv.")
+        uv = self.uv.reshape(-1, 2) + np.float32(0)  # -0 and 0 are one place
+        corners = np.empty(len(uv), dtype=[("vertex", np.int64), ("u", np.float32), ("v", np.float32)])
+        corners["vertex"], corners["u"], corners["v"] = self.faces.reshape(-1), uv[:, 0], uv[:, 1]
+        own, faces = np.unique(corners, return_inverse=True)
+        return (own["vertex"].astype(self._index_dtype),
+                faces.reshape(-1, 3).astype(self._index_dtype),
+                np.column_stack([own["u"], own["v"]]))
+
+    def transfer(self, values, of: 'Literal["vertex", "face"]' = "vertex") -> np.ndarray:
         """Carries values of the input over to the result, by the rule of the command line.
 
         Parameters
@@ -213,27 +254,27 @@ class Distance:
     b_to_a: OneWayDistance
 
     @property
-    def rms(self):
+    def rms(self) -> float:
         return self._larger("rms")
 
     @property
-    def mean(self):
+    def mean(self) -> float:
         return self._larger("mean")
 
     @property
-    def p999(self):
+    def p999(self) -> float:
         return self._larger("p999")
 
     @property
-    def largest(self):
+    def largest(self) -> float:
         return self._larger("largest")
 
     @property
-    def lower(self):
+    def lower(self) -> float:
         return self._larger("lower")
 
     @property
-    def upper(self):
+    def upper(self) -> float:
         return self._larger("upper")
 
     def _larger(self, name):

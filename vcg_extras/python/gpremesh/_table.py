@@ -8,6 +8,7 @@ import typing
 
 from . import _core
 
+_INDENT = " " * 4
 _TYPES = {"count": int, "number": float, "length": float, "switch": bool}
 
 
@@ -27,17 +28,13 @@ def type_text(entry):
     return _TYPES[entry["kind"]].__name__
 
 
-def _paragraph(text, indent):
-    return textwrap.fill(text, 100, initial_indent=indent, subsequent_indent=indent)
-
-
 def documentation(tool):
     """The parameters of a tool, as a section of a docstring has them."""
     lines = []
     for entry in _core.parameters(tool):
         default = "optional" if entry["default"] is None else f"default {entry['default']!r}"
-        lines.append(f"    {entry['name']} : {type_text(entry)}, {default}")
-        lines.append(_paragraph(entry["help"], " " * 8))
+        lines.append(f"{entry['name']} : {type_text(entry)}, {default}")
+        lines.append(textwrap.fill(entry["help"], 96, initial_indent=_INDENT, subsequent_indent=_INDENT))
     return "\n".join(lines)
 
 
@@ -62,7 +59,7 @@ def with_parameters(tool):
         ]
         call.__name__ = call.__qualname__ = function.__name__
         call.__module__ = function.__module__
-        call.__doc__ = function.__doc__.replace("    PARAMETERS", documentation(tool))
+        call.__doc__ = inspect.cleandoc(function.__doc__).replace("PARAMETERS", documentation(tool))
         call.__signature__ = inspect.Signature(own + of_table)
         return call
 

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes of the real Open3D, with and without tensors."""
+
+import numpy as np
+import pytest
+
+open3d = pytest.importorskip("open3d", reason="Open3D is not installed", exc_type=ImportError)
+
+import gpremesh
+from meshes import torus
+
+
+def plain_mesh():
+    vertices, faces = torus(120, 60)
+    return open3d.geometry.TriangleMesh(open3d.utility.Vector3dVector(vertices),
+                                        open3d.utility.Vector3iVector(faces))
+
+
+def test_a_plain_mesh():
+    mesh = plain_mesh()
+    mesh.vertex_colors = open3d.utility.Vector3dVector(np.asarray(mesh.vertices) / 10 + 0.5)
+    mesh.compute_vertex_normals()
+    result = gpremesh.open3d.remesh(mesh, 500)
+    points = np.asarray(result.vertices)
+    assert points.shape == (500, 3) and np.asarray(result.triangles).shape == (1000, 3)
+    assert result.is_watertight() and result.has_vertex_normals()
+    assert np.abs(np.asarray(result.vertex_colors) - (points / 10 + 0.5)).max() < 0.01
+    assert not result.has_triangle_uvs() and not result.has_triangle_material_ids()
+
+
+def test_texture_of_a_plain_mesh():
+    mesh = plain_mesh()
+    points, faces = np.asarray(mesh.vertices), np.asarray(mesh.triangles)
+    mesh.triangle_uvs = open3d.utility.Vector2dVector(points[faces][:, :, :2].reshape(-1, 2))
+    images = (points[faces].mean(axis=1)[:, 0] > 0).astype(np.int32)
+    mesh.triangle_material_ids = open3d.utility.IntVector(images)
+    result = gpremesh.open3d.remesh(mesh, 500)
+    corners = np.asarray(result.vertices)[np.asarray(result.triangles)]
+    assert np.abs(np.asarray(result.triangle_uvs).reshape(-1, 3, 2) - corners[:, :, :2]).max() < 0.2
+    assert set(np.asarray(result.triangle_material_ids)) == {0, 1}
+
+
+def test_a_mesh_of_tensors():
+    vertices, faces = torus(120, 60, np.float32)
+    mesh = open3d.t.geometry.TriangleMesh(open3d.core.Tensor(vertices), open3d.core.Tensor(faces.astype(np.int64)))
+    mesh.vertex["height"] = open3d.core.Tensor(np.ascontiguousarray(vertices[:, 2:]))
+    mesh.triangle["number"] = open3d.core.Tensor(np.arange(len(faces)))
+    mesh.triangle["texture_uvs"] = open3d.core.Tensor(np.ascontiguousarray(vertices[faces][:, :, :2]))
+    result = gpremesh.open3d.remesh(mesh, 500)
+    points, triangles = result.vertex["positions"].numpy(), result.triangle["indices"].numpy()
+    assert points.shape == (500, 3) and points.dtype == np.float32 and triangles.dtype == np.int64
+    assert np.abs(result.vertex["height"].numpy()[:, 0] - points[:, 2]).max() < 0.05
+    assert result.triangle["number"].numpy().shape == (1000,)
+    assert np.abs(result.triangle["texture_uvs"].numpy() - points[triangles][:, :, :2]).max() < 0.2

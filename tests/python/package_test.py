@@ -1,0 +1,90 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The names of the parameters, the stub, the examples of the documents, the command line of the package."""
+
+import doctest
+import inspect
+import json
+import pickle
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import gpremesh
+from gpremesh import _api, _core
+from meshes import command_line, torus
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.mark.parametrize("tool", ["remesh", "sample", "features"])
+def test_every_parameter_is_in_signature_and_help(tool):
+    function = getattr(gpremesh, tool)
+    names = list(inspect.signature(function).parameters)
+    for entry in _core.parameters(tool):
+        assert entry["name"].isidentifier() and names.count(entry["name"]) == 1
+        assert f"\n{entry['name']} : " in inspect.getdoc(function)
+
+
+def test_the_names_are_those_of_the_command_line():
+    options = set(re.findall(r"--([a-z-]+)", command_line("remesh", "--help").stdout))
+    options -= {"help", "quiet", "report", "selected"}
+    names = {entry["name"].rstrip("_").replace("_", "-") for entry in _core.parameters("remesh")}
+    names = (names - {"vertex-count"}) | {"vertices"}
+    assert names <= options
+    # What the help names beside the table's options.
+    assert not {option for option in options - names if f"\n  --{option} " in command_line("remesh", "--help").stdout}
+
+
+def test_defaults_given_by_hand_change_nothing():
+    vertices, faces = torus()
+    given = {entry["name"]: entry["default"] for entry in _core.parameters("remesh")}
+    expected = gpremesh.remesh(vertices, faces)
+    assert gpremesh.remesh(vertices, faces, **given).vertices.tobytes() == expected.vertices.tobytes()
+
+
+def test_the_stub_is_up_to_date():
+    script = ROOT / "vcg_extras/python/make_stubs"
+    checked = subprocess.run([sys.executable, script, "--check"], capture_output=True, text=True)
+    assert checked.returncode == 0, checked.stderr
+
+
+@pytest.mark.parametrize("holder", [gpremesh, _api], ids=lambda module: module.__name__)
+def test_examples_in_the_code(holder):
+    finder, runner = doctest.DocTestFinder(), doctest.DocTestRunner()
+    for name in ("",) if holder is gpremesh else ("remesh", "sample"):
+        for test in finder.find(getattr(holder, name) if name else holder, name or "gpremesh", globs={}):
+            runner.run(test)
+    assert runner.failures == 0 and runner.tries > 5
+
+
+def test_examples_in_the_document():
+    results = doctest.testfile(str(ROOT / "vcg_extras/docs/python.md"), module_relative=False)
+    assert results.failed == 0 and results.attempted > 5
+
+
+def test_version_is_that_of_the_program():
+    assert command_line("--version").stdout.split() == ["gpremesh", gpremesh.__version__]
+
+
+def test_module_as_a_program(tmp_path):
+    (tmp_path / "cube.off").write_text("OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n")
+    words = [sys.executable, "-m", "gpremesh"]
+    done = subprocess.run([*words, "info", "--json", tmp_path / "cube.off"], capture_output=True, text=True)
+    assert done.returncode == 0 and json.loads(done.stdout)["input"]["faces"] == 4
+    assert subprocess.run([*words, "remesh"], capture_output=True).returncode == 2
+
+
+def test_errors_can_be_pickled():
+    error = pickle.loads(pickle.dumps(gpremesh.Error("Too few.", "count too small", 7)))
+    assert (str(error), error.status, error.smallest_count) == ("Too few.", "count too small", 7)
+
+
+def test_hosts_are_imported_only_when_used():
+    code = "import sys, gpremesh; print([name for name in ('pyvista', 'trimesh', 'open3d') if name in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True).stdout.strip() == "[]"
+    with pytest.raises(AttributeError):
+        gpremesh.no_such_host

@@ -1,0 +1,88 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The accessor, with the real PyVista."""
+
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+pyvista = pytest.importorskip("pyvista", minversion="0.48", reason="PyVista 0.48 or later is not installed")
+
+import gpremesh.pyvista  # noqa: E402  (from a wheel PyVista finds it by itself)
+from meshes import sheet, torus
+
+
+def polydata():
+    return pyvista.PolyData.from_regular_faces(*torus(120, 60, np.float32))
+
+
+def test_point_and_cell_data_are_carried_over():
+    mesh = polydata()
+    mesh.point_data["height"] = mesh.points[:, 2]
+    mesh.point_data["label"] = (mesh.points[:, 0] > 0).astype(int)
+    mesh.cell_data["middle"] = mesh.cell_centers().points
+    mesh.field_data["name"] = ["torus"]
+    mesh.compute_normals(inplace=True, split_vertices=False, consistent_normals=False)
+    mesh.set_active_scalars("height")
+    result = mesh.gpremesh.remesh(500, seed=3)
+    assert result.n_points == 500 and result.n_cells == 1000 and result.points.dtype == np.float32
+    assert np.abs(result["height"] - result.points[:, 2]).max() < 0.05
+    assert set(result["label"]) == {0, 1}
+    assert np.linalg.norm(result.cell_data["middle"] - result.cell_centers().points, axis=1).max() < 0.2
+    assert np.allclose(np.linalg.norm(result.point_data["Normals"], axis=1), 1, atol=1e-5)
+    assert "Normals" not in result.cell_data
+    assert result.field_data["name"][0] == "torus" and result.active_scalars_name == "height"
+    assert result.is_manifold
+    assert mesh.n_points == 7200
+
+
+def test_polygons_lines_and_strips():
+    points, quads = sheet()
+    faces = np.column_stack([np.full(len(quads), 4), quads]).reshape(-1)
+    mesh = pyvista.PolyData(points, faces=faces, lines=[2, 0, 1, 2, 1, 2])
+    mesh.cell_data["number"] = np.arange(mesh.n_cells)
+    result = mesh.gpremesh.remesh(200)
+    assert result.n_points == 200 and result.cell_data["number"].min() >= 2
+    with pytest.raises(ValueError, match="strips"):
+        pyvista.PolyData(points, strips=[4, 0, 1, 31, 32]).gpremesh.remesh(100)
+
+
+def test_texture_coordinates():
+    mesh = pyvista.Plane(i_resolution=40, j_resolution=40).triangulate()
+    result = mesh.gpremesh.remesh(200)
+    assert result.n_points == 200
+    wanted = result.points[:, :2] + 0.5
+    assert np.abs(result.active_texture_coordinates - wanted).max() < 1e-3
+
+
+def test_samples_and_features():
+    mesh = polydata()
+    points = mesh.gpremesh.sample(300)
+    assert 270 < points.n_points < 330 and points["radius"].min() > 0
+    assert pyvista.Cube().triangulate().subdivide(4).clean().gpremesh.features().n_lines == 12 * 16
+
+
+def test_errors_come_out():
+    with pytest.raises(gpremesh.Error):
+        polydata().gpremesh.remesh(3)
+    with pytest.raises(TypeError):
+        polydata().gpremesh.remesh(300, uv=None, sed=5)
+
+
+def test_pyvista_finds_it_by_itself(tmp_path):
+    """By the entry point, as an installed package has it."""
+    info = tmp_path / "gpremesh-0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: gpremesh\nVersion: 0\n")
+    project = (Path(__file__).parents[2] / "pyproject.toml").read_text()
+    head = '[project.entry-points."pyvista.accessors"]\n'
+    entry = project.split(head)[1].splitlines()[0].replace('"', "")
+    (info / "entry_points.txt").write_text(f"[pyvista.accessors]\n{entry}\n")
+    code = (f"import sys; sys.path.insert(0, {str(tmp_path)!r}); import pyvista; "
+            "assert 'gpremesh' not in sys.modules; "
+            "print(pyvista.Sphere().gpremesh.remesh(100).n_points)")
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=120)
+    assert done.stdout.strip() == "100", done.stderr

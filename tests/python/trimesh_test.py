@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes of the real trimesh."""
+
+import numpy as np
+import pytest
+
+trimesh = pytest.importorskip("trimesh", reason="trimesh is not installed")
+
+import gpremesh
+from meshes import torus
+
+
+def mesh_of(**keywords):
+    vertices, faces = torus(120, 60)
+    return trimesh.Trimesh(vertices, faces, process=False, **keywords)
+
+
+def colours_by(values):
+    channel = np.clip(40 * values + 128, 0, 255).astype(np.uint8)
+    return np.column_stack([channel, 255 - channel, channel, np.full(len(channel), 255)])
+
+
+def test_a_plain_mesh():
+    mesh = mesh_of(metadata={"name": "torus"})
+    result = gpremesh.trimesh.remesh(mesh, 500, seed=2)
+    assert isinstance(result, trimesh.Trimesh) and result.vertices.shape == (500, 3)
+    assert result.is_watertight and result.is_winding_consistent and result.metadata["name"] == "torus"
+    assert result.volume == pytest.approx(mesh.volume, rel=0.02)
+    expected = gpremesh.remesh(*torus(120, 60), vertex_count=500, seed=2)
+    assert np.array_equal(result.vertices, expected.vertices)
+    assert np.array_equal(result.faces, expected.faces)
+
+
+def test_colours_and_attributes():
+    vertices = torus(120, 60)[0]
+    mesh = mesh_of(vertex_colors=colours_by(vertices[:, 2]), vertex_attributes={"height": vertices[:, 2]},
+                   face_attributes={"number": np.arange(14400)})
+    result = gpremesh.trimesh.remesh(mesh, 500)
+    assert result.visual.kind == "vertex"
+    wanted = colours_by(result.vertices[:, 2]).astype(int)
+    assert np.abs(result.visual.vertex_colors.astype(int) - wanted).max() <= 4
+    assert np.abs(result.vertex_attributes["height"] - result.vertices[:, 2]).max() < 0.05
+    assert result.face_attributes["number"].shape == (1000,)
+
+
+def test_colours_of_faces():
+    mesh = mesh_of()
+    mesh.visual.face_colors = colours_by(mesh.triangles_center[:, 2])
+    result = gpremesh.trimesh.remesh(mesh, 500)
+    assert result.visual.kind == "face"
+    difference = result.visual.face_colors.astype(int) - colours_by(result.triangles_center[:, 2])
+    assert np.abs(difference).max() < 15
+
+
+def test_texture():
+    image = pytest.importorskip("PIL.Image").new("RGB", (4, 4))
+    # A tube that was cut open along a seam, whose vertices are there twice.
+    i, j = np.meshgrid(np.arange(81), np.arange(41), indexing="ij")
+    angle = 2 * np.pi * (i % 80) / 80
+    vertices = np.stack([np.cos(angle), np.sin(angle), j / 10], axis=-1).reshape(-1, 3)
+    first = (np.arange(80)[:, None] * 41 + np.arange(40)).reshape(-1, 1)
+    quads = first + [0, 41, 42, 1]
+    uv = np.stack([i / 80, j / 40], axis=-1).reshape(-1, 2)
+    visual = trimesh.visual.TextureVisuals(uv=uv, image=image)
+    mesh = trimesh.Trimesh(vertices, np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]), visual=visual,
+                           process=False)
+    result = gpremesh.trimesh.remesh(mesh, 400)
+    assert len(result.vertices) > 400  # copies along the seam
+    assert result.visual.kind == "texture" and result.visual.material.image.size == (4, 4)
+    assert np.ptp(result.visual.uv[result.faces][:, :, 0], axis=1).max() < 0.2
+    around = np.arctan2(result.vertices[:, 1], result.vertices[:, 0]) / (2 * np.pi)
+    difference = np.abs(result.visual.uv[:, 0] - around) % 1
+    assert np.minimum(difference, 1 - difference).max() < 0.01
+    result.merge_vertices(merge_tex=True)
+    assert len(result.vertices) == 400
+
+
+def test_distance_takes_meshes():
+    mesh = mesh_of()
+    assert gpremesh.distance(mesh, gpremesh.trimesh.remesh(mesh, 500)).largest < 0.2

@@ -1,0 +1,515 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Made by vcg_extras/python/make_stubs --write from the engine's parameter table; do not edit.
+from collections.abc import Callable
+from typing import Any, Literal
+
+from numpy.typing import ArrayLike
+
+from ._errors import Error as Error
+from ._results import Distance as Distance
+from ._results import Features as Features
+from ._results import OneWayDistance as OneWayDistance
+from ._results import RemeshResult as RemeshResult
+from ._results import Samples as Samples
+
+__version__: str
+
+def remesh(
+    vertices: ArrayLike,
+    faces: ArrayLike | list[list[int]] | list[ArrayLike],
+    *,
+    selected: ArrayLike | None = None,
+    region: ArrayLike | None = None,
+    quality: ArrayLike | None = None,
+    feature_edges: ArrayLike | None = None,
+    uv: ArrayLike | None = None,
+    image: ArrayLike | None = None,
+    progress: Callable[[float, str], Any] | None = None,
+    vertex_count: int | None = None,
+    percent: float | None = None,
+    edge_length: float | None = None,
+    max_error: float | str | None = None,
+    preset: Literal['default', 'fast', 'paper'] = 'default',
+    adapt: float = 0.1,
+    lambda_: float = 0.0,
+    features: Literal['auto', 'lines', 'off', 'selected'] = 'auto',
+    feature_disk_scale: float = 0.0,
+    boundary: Literal['resample', 'keep', 'free', 'smooth'] = 'resample',
+    feature_region: Literal['none', 'detected', 'selection', 'auto'] = 'auto',
+    feature_sampling: Literal['disks', 'vertices'] = 'disks',
+    feature_angle: float = 40.0,
+    feature_support: float = 2.0,
+    feature_strong: float = 40.0,
+    feature_weak: float = 20.0,
+    feature_length: float = 3.0,
+    sizing: Literal['curvature', 'quality'] = 'curvature',
+    max_stretch: float = 4.0,
+    exact_count: Literal['preset', 'on', 'off'] | bool = 'preset',
+    allow_nearest: bool = False,
+    sew: bool = True,
+    drop_components_below: int = 0,
+    seed: int = 1,
+    threads: int = 0,
+    time_limit: float = 0.0,
+    check: bool = False,
+    placement: Literal['preset', 'disk-intersection', 'border-edge'] = 'preset',
+    retriangulation: Literal['preset', 'label-collapse', 'vertex-removal'] = 'preset',
+    smoothing: Literal['preset', 'barycentric', 'umbrella2', 'none'] = 'preset',
+    regularity: Literal['preset', 'full', 'plain'] = 'preset',
+    relax: int = 3,
+    fit: Literal['preset', 'on', 'quick', 'off'] | bool = 'preset',
+    flips: int = 1000,
+    equations: Literal['preset', 'calibrated', 'paper'] = 'preset',
+) -> RemeshResult:
+    """Remeshes a surface to nearly equilateral triangles with exactly as many vertices as asked for.
+
+    Parameters
+    ----------
+    vertices : array_like (n, 3)
+        Coordinates in any unit. Arrays of float32 and float64 in C order are not copied; others are
+        converted to float64.
+    faces : array_like (f, 3), (f, k), or a list of polygons
+        Triangles, polygons of k corners, or polygons of several sizes, as rows of `vertices`. Arrays of
+        int32 in C order are not copied; int64 and others are converted. Polygons are cut into triangles.
+    selected : array_like (f,) of bool, optional
+        Only the faces with True are remeshed. All others stay bit for bit as they are and come first.
+    region : array_like (n,) of bool, optional
+        The feature region: the vertices around which triangles are smaller (`feature_disk_scale`).
+    quality : array_like (n,), optional
+        What the density follows where `lambda_` is above 0, instead of the curvature.
+    feature_edges : array_like (e, 2), optional
+        Edges of the faces, as pairs of vertices, that edges of the result shall follow. With `features`
+        not given they are the only ones; with features='auto' those that are found come beside them.
+    uv : array_like (n, 2) or (f, 3, 2), optional
+        Texture coordinates of the vertices, or of the corners of the faces. Edges of the result follow
+        the seams.
+    image : array_like (f,) of int, optional
+        With `uv`: the number of the image of each face.
+    progress : callable(fraction, stage), optional
+        Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
+        is cancelled where it returns False, and where it raises.
+    vertex_count : int, optional
+        How many vertices the result has. A remeshing has exactly so many, a sampling about a tenth
+        more or less. A number below what the topology needs is refused, and the message names the
+        smallest possible number. Where only the selected faces are remeshed this is the number of
+        vertices of that part.
+    percent : float, optional
+        The size of the result in percent of the input's vertices, at most 10000. More vertices are
+        taken where the topology needs them.
+    edge_length : float, optional
+        The wanted mean edge length of the result in mesh units. More vertices are taken where the
+        topology needs them.
+    max_error : float, optional
+        Looks for the smallest number of vertices with which the result is nowhere farther than this
+        from the input, nor the input from the result. This is proven. It is given in mesh units. At
+        most five trials are made. The adaptivity is 1 unless another one is given, and each trial
+        makes triangles smaller where the one before it was too far from the input. What cannot be
+        reached is refused. As text with a percent sign, as "0.2%", it is a share of the diagonal.
+    preset : {'default', 'fast', 'paper'}, default 'default'
+        Which methods are used. default: the most regular triangles, close to the input. fast: a
+        third of the time, without the fit and the steps for regularity. paper: each stage as the
+        paper describes it; the number of vertices is hit to a tenth only. A method that is chosen
+        for a single stage wins over the preset. A sampling is the same with default and fast.
+    adapt : float, default 0.1
+        How much the sizes of the triangles follow the error. 0: all triangles have one size. 0.1: a
+        tenth of the vertices goes to ridges, rims and tips that are finer than the triangles. 1:
+        all sizes follow the error. Sizes stay even where there are feature lines. 0.1 stands for 1
+        with a largest error, and for 0 with a lambda above 0, without a fit, as in the presets fast
+        and paper, and where only samples are made. It has no effect with the paper's equations.
+    lambda_ : float, default 0.0
+        How much denser curved places are sampled, eq. (4) of the paper. Distances are stretched by
+        1 + lambda |H| r, where H is the mean curvature and r the radius of the disks. 0: evenly. 1
+        to 5 are usual. With the paper's equations H is taken with its sign, in 1/mesh unit.
+    features : {'auto', 'lines', 'off', 'selected'}, default 'auto'
+        Feature lines are sharp edges of the input that become edges of the result; corners and cone
+        apexes become vertices. auto: real creases, but not the noise of a scan; none with the paper
+        preset. lines: wherever the faces turn by the angle of feature lines. off: none. selected:
+        the selected edges and no others. Feature lines need the retriangulation label-collapse. The
+        selected edges are those of feature_edges.
+    feature_disk_scale : float, default 0.0
+        Makes the triangles of the feature region smaller: the radius of its disks over the radius
+        elsewhere, 0.05 to 1. The feature region is made of the selected vertices; where no vertex
+        is selected it is detected. 0: no feature region, unless one is named; then its disks have
+        half the radius.
+    boundary : {'resample', 'keep', 'free', 'smooth'}, default 'resample'
+        What becomes of the surface's open borders. resample: their curve and their corners stay,
+        and vertices are placed on them anew. keep: each of their vertices stays where it is, and
+        none is added; the triangles grow from the spacing there to the wanted size. free: evenly
+        spaced vertices, which cut corners off. smooth: for the ragged borders of scans. The border
+        becomes a smooth curve that stays within half an edge of the scan's border. Spikes narrower
+        than an edge are cut off, and corners are rounded. The report tells the area and the length
+        of the border that are lost.
+    feature_region : {'none', 'detected', 'selection', 'auto'}, default 'auto'
+        The part of the surface where vertices are denser, section 3.1.1 of the paper. none: there
+        is none. detected: what the feature detection finds by the strength of the edges. selection:
+        the selected vertices, or the corners of the selected faces where no vertex is selected.
+        auto: the selected vertices, or what is detected where no vertex is selected, if a feature
+        disk scale is given or vertices are to be kept; else none. The selected vertices are those
+        of region.
+    feature_sampling : {'disks', 'vertices'}, default 'disks'
+        How the feature region is kept. disks: it is sampled first, with smaller disks. vertices:
+        each of its vertices becomes a vertex of the result.
+    feature_angle : float, default 40.0
+        A feature line begins where the normals of two faces differ by so many degrees, 5 to 175. It
+        goes on from its ends down to half of that.
+    feature_support : float, default 2.0
+        The strength of an edge is the angle between the mean normals of its two sides. The support
+        is the radius within which normals are averaged, in mean edges of the input; above 0, at
+        most 100. A larger one overlooks more noise.
+    feature_strong : float, default 40.0
+        A detected feature begins where the strength has so many degrees; above 0, at most 180.
+    feature_weak : float, default 20.0
+        A detected feature goes on as long as the strength has so many degrees; above 0, at most the
+        strong angle.
+    feature_length : float, default 3.0
+        Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
+    sizing : {'curvature', 'quality'}, default 'curvature'
+        What the density follows where lambda is above 0. curvature: the mean curvature. quality:
+        the mesh's vertex quality, which takes the place of |H| r. The vertex quality is the
+        argument quality.
+    max_stretch : float, default 4.0
+        Where lambda is above 0 the smallest triangles are at most so many times smaller than the
+        largest ones; 1 to 100. The paper's equations do not use it.
+    exact_count : {'preset', 'on', 'off'}, default 'preset'
+        on (default, fast): edges are split and collapsed after the sampling until the number of
+        vertices is exact. off (paper): the number is hit to about a tenth.
+    allow_nearest : bool, default False
+        Where the topology needs more vertices than asked for, the nearest possible number is taken.
+        Otherwise the run is refused.
+    sew : bool, default True
+        Borders that lie on one another edge by edge, within a millionth of the bounding box, are
+        joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
+        Where they meet sharply, feature lines run along them. Edges at which more than two borders
+        meet stay cut. off: the pieces are remeshed one by one.
+    drop_components_below : int, default 0
+        Components with fewer faces are left out, for instance the dust of a scan. Each of them
+        would take four vertices. 0 keeps all.
+    seed : int, default 1
+        The same seed gives the same mesh, byte for byte, with any number of threads. 0 takes a new
+        seed and tells it.
+    threads : int, default 0
+        How many threads work, at most 1024. 0 takes one for each core. The result is the same.
+    time_limit : float, default 0.0
+        A run that takes longer is given up, and nothing is changed. 0 is no limit. The engine's
+        time counts, without the conversion of arrays.
+    check : bool, default False
+        Looks for self-intersections and measures the distances from the input: root mean square,
+        p99.9 (99.9 % of the surface is nearer) and the largest, with proven bounds, in both
+        directions. This takes longer than the run itself. There is no result where faces intersect
+        and none did in the input, or where a vertex is farther from the input than the fit moved
+        it.
+    placement : {'preset', 'disk-intersection', 'border-edge'}, default 'preset'
+        Where the next sample is put. disk-intersection (default, fast): where the borders of two
+        disks meet. border-edge (paper): on a random edge that the border of the disks crosses.
+    retriangulation : {'preset', 'label-collapse', 'vertex-removal'}, default 'preset'
+        How the samples become a mesh. label-collapse (default, fast): every vertex is merged into
+        the Voronoi cell of its sample. vertex-removal (paper): the vertices are removed one by one,
+        and a constrained Delaunay triangulation closes each hole.
+    smoothing : {'preset', 'barycentric', 'umbrella2', 'none'}, default 'preset'
+        How vertices move on the surface after the retriangulation. barycentric (default, fast): to
+        the centre of their neighbours. umbrella2 (paper): by the second-order umbrella operator.
+        none: they do not.
+    regularity : {'preset', 'full', 'plain'}, default 'preset'
+        full (default): most vertices get six neighbours, and conformal steps make the triangles
+        equilateral. plain (fast, paper): relaxation and edge flips only. full needs the barycentric
+        smoothing.
+    relax : int, default 3
+        How often the smoothing moves the vertices, 0 to 1000. 3 make the triangles regular; more
+        change little.
+    fit : {'preset', 'on', 'quick', 'off'}, default 'preset'
+        The fit moves vertices a little off the surface, to where the triangles are closest to it.
+        The error is halved or better, and the triangles stay regular. on (default); quick: fewer
+        rounds; off (fast, paper): every vertex stays on the surface. Vertices of borders and
+        feature lines leave their curves by at most 8 % of an edge.
+    flips : int, default 1000
+        After the retriangulation and during the smoothing edges are flipped in so many passes at
+        most, 0 to 1000. With 1000 they end when all edges are Delaunay.
+    equations : {'preset', 'calibrated', 'paper'}, default 'preset'
+        Which form of the paper's equations (1), (4) and (5) is used. calibrated (default, fast): a
+        constant that hits the number of vertices, a density without units, and its mean over the
+        area. paper: as they are printed, with 0.844, the mean curvature in 1/mesh unit with its
+        sign, and the mean over the vertices.
+
+    Returns
+    -------
+    RemeshResult
+        The mesh, where each of its vertices lies on the input, and a report.
+
+    Raises
+    ------
+    ValueError
+        For an argument that cannot be meant. The message names it.
+    gpremesh.Error
+        Where the engine gives no result. `status` says why, and `smallest_count` how many vertices the
+        surface needs where fewer were asked for.
+    KeyboardInterrupt
+        After Ctrl+C, within 200 ms.
+
+    Notes
+    -----
+    10 % of the vertices are made where no size is given. The result depends on the input, the parameters
+    and the seed, not on the number of threads, and is that of the command line. Other Python threads go on
+    meanwhile; they must not write to the arrays. The time is linear in the size of the input, some
+    seconds per million faces.
+
+    Examples
+    --------
+    >>> import numpy as np, gpremesh
+    >>> grid = np.stack(np.meshgrid(np.arange(50.), np.arange(50.)), axis=-1).reshape(-1, 2)
+    >>> vertices = np.column_stack([grid, np.sin(grid[:, 0] / 8)])
+    >>> corner = np.arange(49 * 50).reshape(49, 50)[:, :49].reshape(-1, 1)
+    >>> result = gpremesh.remesh(vertices, corner + [0, 1, 51, 50], vertex_count=300)
+    >>> len(result.vertices)
+    300
+    """
+
+def sample(
+    vertices: ArrayLike,
+    faces: ArrayLike | list[list[int]] | list[ArrayLike],
+    *,
+    region: ArrayLike | None = None,
+    quality: ArrayLike | None = None,
+    feature_edges: ArrayLike | None = None,
+    progress: Callable[[float, str], Any] | None = None,
+    count: int | None = None,
+    percent: float | None = None,
+    edge_length: float | None = None,
+    preset: Literal['default', 'fast', 'paper'] = 'default',
+    adapt: float = 0.1,
+    lambda_: float = 0.0,
+    features: Literal['auto', 'lines', 'off', 'selected'] = 'auto',
+    feature_disk_scale: float = 0.0,
+    boundary: Literal['resample', 'keep', 'free', 'smooth'] = 'resample',
+    feature_region: Literal['none', 'detected', 'selection', 'auto'] = 'auto',
+    feature_sampling: Literal['disks', 'vertices'] = 'disks',
+    feature_angle: float = 40.0,
+    feature_support: float = 2.0,
+    feature_strong: float = 40.0,
+    feature_weak: float = 20.0,
+    feature_length: float = 3.0,
+    sizing: Literal['curvature', 'quality'] = 'curvature',
+    max_stretch: float = 4.0,
+    sew: bool = True,
+    drop_components_below: int = 0,
+    seed: int = 1,
+    threads: int = 0,
+    time_limit: float = 0.0,
+    placement: Literal['preset', 'disk-intersection', 'border-edge'] = 'preset',
+    equations: Literal['preset', 'calibrated', 'paper'] = 'preset',
+) -> Samples:
+    """Spreads points evenly over a surface: a geodesic Poisson-disk sampling.
+
+    Points are at least about a disk's radius apart, and each vertex of the input is within a radius of
+    one. The number of points is hit to about a tenth.
+
+    Parameters
+    ----------
+    vertices, faces, region, quality, feature_edges, progress
+        As those of `remesh`.
+    count : int, optional
+        How many vertices the result has. A remeshing has exactly so many, a sampling about a tenth
+        more or less. A number below what the topology needs is refused, and the message names the
+        smallest possible number. Where only the selected faces are remeshed this is the number of
+        vertices of that part.
+    percent : float, optional
+        The size of the result in percent of the input's vertices, at most 10000. More vertices are
+        taken where the topology needs them.
+    edge_length : float, optional
+        The wanted mean edge length of the result in mesh units. More vertices are taken where the
+        topology needs them.
+    preset : {'default', 'fast', 'paper'}, default 'default'
+        Which methods are used. default: the most regular triangles, close to the input. fast: a
+        third of the time, without the fit and the steps for regularity. paper: each stage as the
+        paper describes it; the number of vertices is hit to a tenth only. A method that is chosen
+        for a single stage wins over the preset. A sampling is the same with default and fast.
+    adapt : float, default 0.1
+        How much the sizes of the triangles follow the error. 0: all triangles have one size. 0.1: a
+        tenth of the vertices goes to ridges, rims and tips that are finer than the triangles. 1:
+        all sizes follow the error. Sizes stay even where there are feature lines. 0.1 stands for 1
+        with a largest error, and for 0 with a lambda above 0, without a fit, as in the presets fast
+        and paper, and where only samples are made. It has no effect with the paper's equations.
+    lambda_ : float, default 0.0
+        How much denser curved places are sampled, eq. (4) of the paper. Distances are stretched by
+        1 + lambda |H| r, where H is the mean curvature and r the radius of the disks. 0: evenly. 1
+        to 5 are usual. With the paper's equations H is taken with its sign, in 1/mesh unit.
+    features : {'auto', 'lines', 'off', 'selected'}, default 'auto'
+        Feature lines are sharp edges of the input that become edges of the result; corners and cone
+        apexes become vertices. auto: real creases, but not the noise of a scan; none with the paper
+        preset. lines: wherever the faces turn by the angle of feature lines. off: none. selected:
+        the selected edges and no others. Feature lines need the retriangulation label-collapse. The
+        selected edges are those of feature_edges.
+    feature_disk_scale : float, default 0.0
+        Makes the triangles of the feature region smaller: the radius of its disks over the radius
+        elsewhere, 0.05 to 1. The feature region is made of the selected vertices; where no vertex
+        is selected it is detected. 0: no feature region, unless one is named; then its disks have
+        half the radius.
+    boundary : {'resample', 'keep', 'free', 'smooth'}, default 'resample'
+        What becomes of the surface's open borders. resample: their curve and their corners stay,
+        and vertices are placed on them anew. keep: each of their vertices stays where it is, and
+        none is added; the triangles grow from the spacing there to the wanted size. free: evenly
+        spaced vertices, which cut corners off. smooth: for the ragged borders of scans. The border
+        becomes a smooth curve that stays within half an edge of the scan's border. Spikes narrower
+        than an edge are cut off, and corners are rounded. The report tells the area and the length
+        of the border that are lost.
+    feature_region : {'none', 'detected', 'selection', 'auto'}, default 'auto'
+        The part of the surface where vertices are denser, section 3.1.1 of the paper. none: there
+        is none. detected: what the feature detection finds by the strength of the edges. selection:
+        the selected vertices, or the corners of the selected faces where no vertex is selected.
+        auto: the selected vertices, or what is detected where no vertex is selected, if a feature
+        disk scale is given or vertices are to be kept; else none. The selected vertices are those
+        of region.
+    feature_sampling : {'disks', 'vertices'}, default 'disks'
+        How the feature region is kept. disks: it is sampled first, with smaller disks. vertices:
+        each of its vertices becomes a vertex of the result.
+    feature_angle : float, default 40.0
+        A feature line begins where the normals of two faces differ by so many degrees, 5 to 175. It
+        goes on from its ends down to half of that.
+    feature_support : float, default 2.0
+        The strength of an edge is the angle between the mean normals of its two sides. The support
+        is the radius within which normals are averaged, in mean edges of the input; above 0, at
+        most 100. A larger one overlooks more noise.
+    feature_strong : float, default 40.0
+        A detected feature begins where the strength has so many degrees; above 0, at most 180.
+    feature_weak : float, default 20.0
+        A detected feature goes on as long as the strength has so many degrees; above 0, at most the
+        strong angle.
+    feature_length : float, default 3.0
+        Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
+    sizing : {'curvature', 'quality'}, default 'curvature'
+        What the density follows where lambda is above 0. curvature: the mean curvature. quality:
+        the mesh's vertex quality, which takes the place of |H| r. The vertex quality is the
+        argument quality.
+    max_stretch : float, default 4.0
+        Where lambda is above 0 the smallest triangles are at most so many times smaller than the
+        largest ones; 1 to 100. The paper's equations do not use it.
+    sew : bool, default True
+        Borders that lie on one another edge by edge, within a millionth of the bounding box, are
+        joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
+        Where they meet sharply, feature lines run along them. Edges at which more than two borders
+        meet stay cut. off: the pieces are remeshed one by one.
+    drop_components_below : int, default 0
+        Components with fewer faces are left out, for instance the dust of a scan. Each of them
+        would take four vertices. 0 keeps all.
+    seed : int, default 1
+        The same seed gives the same mesh, byte for byte, with any number of threads. 0 takes a new
+        seed and tells it.
+    threads : int, default 0
+        How many threads work, at most 1024. 0 takes one for each core. The result is the same.
+    time_limit : float, default 0.0
+        A run that takes longer is given up, and nothing is changed. 0 is no limit. The engine's
+        time counts, without the conversion of arrays.
+    placement : {'preset', 'disk-intersection', 'border-edge'}, default 'preset'
+        Where the next sample is put. disk-intersection (default, fast): where the borders of two
+        disks meet. border-edge (paper): on a random edge that the border of the disks crosses.
+    equations : {'preset', 'calibrated', 'paper'}, default 'preset'
+        Which form of the paper's equations (1), (4) and (5) is used. calibrated (default, fast): a
+        constant that hits the number of vertices, a density without units, and its mean over the
+        area. paper: as they are printed, with 0.844, the mean curvature in 1/mesh unit with its
+        sign, and the mean over the vertices.
+
+    Returns
+    -------
+    Samples
+        Points, and where each lies on the input.
+
+    Raises
+    ------
+    ValueError, gpremesh.Error, KeyboardInterrupt
+        As `remesh`.
+
+    Examples
+    --------
+    >>> import numpy as np, gpremesh
+    >>> vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1.]])
+    >>> faces = np.array([[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
+    >>> samples = gpremesh.sample(vertices, faces, count=1000)
+    >>> 900 < len(samples.points) < 1100
+    True
+    """
+
+def features(
+    vertices: ArrayLike,
+    faces: ArrayLike | list[list[int]] | list[ArrayLike],
+    *,
+    progress: Callable[[float, str], Any] | None = None,
+    feature_support: float = 2.0,
+    feature_strong: float = 40.0,
+    feature_weak: float = 20.0,
+    feature_length: float = 3.0,
+    sew: bool = True,
+    threads: int = 0,
+    time_limit: float = 0.0,
+) -> Features:
+    """Finds creases and cone apexes of a surface.
+
+    Parameters
+    ----------
+    vertices, faces, progress
+        As those of `remesh`.
+    feature_support : float, default 2.0
+        The strength of an edge is the angle between the mean normals of its two sides. The support
+        is the radius within which normals are averaged, in mean edges of the input; above 0, at
+        most 100. A larger one overlooks more noise.
+    feature_strong : float, default 40.0
+        A detected feature begins where the strength has so many degrees; above 0, at most 180.
+    feature_weak : float, default 20.0
+        A detected feature goes on as long as the strength has so many degrees; above 0, at most the
+        strong angle.
+    feature_length : float, default 3.0
+        Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
+    sew : bool, default True
+        Borders that lie on one another edge by edge, within a millionth of the bounding box, are
+        joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
+        Where they meet sharply, feature lines run along them. Edges at which more than two borders
+        meet stay cut. off: the pieces are remeshed one by one.
+    threads : int, default 0
+        How many threads work, at most 1024. 0 takes one for each core. The result is the same.
+    time_limit : float, default 0.0
+        A run that takes longer is given up, and nothing is changed. 0 is no limit. The engine's
+        time counts, without the conversion of arrays.
+
+    Returns
+    -------
+    Features
+        The strength of each vertex, and the feature edges.
+
+    Raises
+    ------
+    ValueError, gpremesh.Error, KeyboardInterrupt
+        As `remesh`.
+    """
+
+def distance(
+    a: Any,
+    b: Any,
+    *,
+    samples: int = 0,
+    threads: int = 0,
+    progress: Callable[[float, str], Any] | None = None,
+) -> Distance:
+    """Measures the distances of two surfaces from each other, as `gpremesh compare` does.
+
+    Parameters
+    ----------
+    a, b : pair (vertices, faces), or an object that has them as attributes
+        The two surfaces, in one unit. Usually `a` is the input and `b` the result. A RemeshResult and a
+        mesh of trimesh have the two attributes.
+    samples : int, default 0
+        How many points are spread over each surface, at most 100000000. 0 takes ten for each face of
+        `b`, at least 200000 and at most 2000000.
+    threads : int, default 0
+        How many threads work. 0 takes one for each core. The result is the same.
+    progress : callable(fraction, stage), optional
+        As that of `remesh`. The fraction stays 0.
+
+    Returns
+    -------
+    Distance
+        In the unit of the coordinates. All figures are 0 where a surface has no face with an area.
+
+    Raises
+    ------
+    ValueError, gpremesh.Error, KeyboardInterrupt
+        As `remesh`. While a search tree is built, cancelling waits for its end.
+    """

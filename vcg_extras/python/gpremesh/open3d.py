@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes of Open3D, those with tensors and those without. Importing this imports Open3D."""
+
+import numpy as np
+import open3d
+
+from . import _api
+
+_POSITIONS, _INDICES, _NORMALS, _TEXTURE = "positions", "indices", "normals", "texture_uvs"
+
+
+def remesh(mesh, vertex_count=None, **parameters):
+    """Remeshes a mesh of Open3D, with its colours, texture and attributes.
+
+    Parameters
+    ----------
+    mesh : open3d.geometry.TriangleMesh or open3d.t.geometry.TriangleMesh
+        It is not changed. One with tensors may lie on another device; it is brought to the processor's
+        memory for this.
+    vertex_count : int, optional
+        How many vertices the result has.
+    **parameters
+        As those of `gpremesh.remesh`, but for `uv` and `image`, which come from the mesh.
+
+    Returns
+    -------
+    As `mesh`
+        With its colours, texture coordinates, materials and, where it has tensors, all attributes of
+        vertices and triangles. Normals are computed anew where it has any.
+
+    Raises
+    ------
+    ValueError, gpremesh.Error, KeyboardInterrupt
+        As `gpremesh.remesh`.
+    """
+    if isinstance(mesh, open3d.t.geometry.TriangleMesh):
+        return _remesh_tensors(mesh, vertex_count, parameters)
+    return _remesh_plain(mesh, vertex_count, parameters)
+
+
+def _remesh_plain(mesh, vertex_count, parameters):
+    faces = np.asarray(mesh.triangles)
+    has_images = mesh.has_triangle_uvs() and mesh.has_triangle_material_ids()
+    result = _api.remesh(
+        np.asarray(mesh.vertices), faces, vertex_count=vertex_count,
+        uv=np.asarray(mesh.triangle_uvs).reshape(-1, 3, 2) if mesh.has_triangle_uvs() else None,
+        image=np.asarray(mesh.triangle_material_ids) if has_images else None, **parameters)
+    remeshed = open3d.geometry.TriangleMesh(open3d.utility.Vector3dVector(result.vertices),
+                                            open3d.utility.Vector3iVector(result.faces))
+    if mesh.has_vertex_colors():
+        colours = result.transfer(np.asarray(mesh.vertex_colors), "vertex")
+        remeshed.vertex_colors = open3d.utility.Vector3dVector(colours)
+    if result.uv is not None:
+        uv = result.uv.reshape(-1, 2).astype(np.float64)
+        remeshed.triangle_uvs = open3d.utility.Vector2dVector(uv)
+    if mesh.has_triangle_material_ids():
+        images = result.transfer(np.asarray(mesh.triangle_material_ids), "face")
+        images = images if result.image is None else result.image
+        remeshed.triangle_material_ids = open3d.utility.IntVector(images)
+    remeshed.textures = mesh.textures
+    if mesh.has_triangle_normals():
+        remeshed.compute_triangle_normals()
+    if mesh.has_vertex_normals():
+        remeshed.compute_vertex_normals()
+    return remeshed
+
+
+def _numpy(tensor):
+    return tensor.cpu().numpy()
+
+
+def _remesh_tensors(mesh, vertex_count, parameters):
+    has_texture = _TEXTURE in mesh.triangle
+    result = _api.remesh(_numpy(mesh.vertex[_POSITIONS]), _numpy(mesh.triangle[_INDICES]),
+                         vertex_count=vertex_count,
+                         uv=_numpy(mesh.triangle[_TEXTURE]) if has_texture else None, **parameters)
+    remeshed = open3d.t.geometry.TriangleMesh(open3d.core.Tensor(result.vertices),
+                                              open3d.core.Tensor(result.faces))
+    for of, here, there in (("vertex", mesh.vertex, remeshed.vertex),
+                            ("face", mesh.triangle, remeshed.triangle)):
+        for name, tensor in here.items():
+            if name not in (_POSITIONS, _INDICES, _NORMALS, _TEXTURE):
+                there[name] = open3d.core.Tensor(np.ascontiguousarray(result.transfer(_numpy(tensor), of)))
+    if result.uv is not None:
+        remeshed.triangle[_TEXTURE] = open3d.core.Tensor(result.uv)
+    if mesh.has_valid_material():
+        remeshed.material = mesh.material
+    if _NORMALS in mesh.triangle:
+        remeshed.compute_triangle_normals()
+    if _NORMALS in mesh.vertex:
+        remeshed.compute_vertex_normals()
+    return remeshed.to(mesh.device)

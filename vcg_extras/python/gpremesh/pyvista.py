@@ -1,0 +1,134 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes of PyVista: `mesh.gpremesh.remesh(5000)`. PyVista 0.48 and later find this by themselves.
+Importing this imports PyVista."""
+
+import numpy as np
+import pyvista
+
+from . import _api
+
+
+def _unit(normals):
+    """Means of unit vectors are shorter."""
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    return np.divide(normals, length, out=np.zeros_like(normals), where=length > 0)
+
+
+def _faces(mesh):
+    if mesh.n_strips:
+        raise ValueError("The mesh has triangle strips; call its triangulate() first.")
+    return mesh.regular_faces if mesh.is_all_triangles else list(mesh.irregular_faces)
+
+
+@pyvista.register_dataset_accessor("gpremesh", pyvista.PolyData)
+class Accessor:
+    """gpremesh for a surface of PyVista.
+
+    Parameters
+    ----------
+    mesh : pyvista.PolyData
+        Its triangles and polygons are the surface; points and lines are left out.
+    """
+
+    def __init__(self, mesh):
+        self._mesh = mesh
+
+    def remesh(self, vertex_count=None, **parameters):
+        """Remeshes the surface, with its point and cell data.
+
+        Parameters
+        ----------
+        vertex_count : int, optional
+            How many points the result has. Along the seams of a texture there are copies beyond that,
+            as PyVista has one texture coordinate for each point.
+        **parameters
+            As those of `gpremesh.remesh`, but for `uv`, which is the active texture coordinates.
+
+        Returns
+        -------
+        pyvista.PolyData
+            With the point, cell and field data of the mesh. Normals of points have the length 1 again;
+            those of cells are left out.
+
+        Raises
+        ------
+        ValueError, gpremesh.Error, KeyboardInterrupt
+            As `gpremesh.remesh`.
+        """
+        mesh = self._mesh
+        texture = mesh.active_texture_coordinates
+        result = _api.remesh(np.asarray(mesh.points), _faces(mesh), vertex_count=vertex_count,
+                             uv=None if texture is None else np.asarray(texture)[:, :2], **parameters)
+        vertices, faces, vertex_index, uv = result.vertices, result.faces, slice(None), None
+        if texture is not None:
+            vertex_index, faces, uv = result.split_at_seams()
+            vertices = vertices[vertex_index]
+        remeshed = pyvista.PolyData.from_regular_faces(vertices, faces)
+        self._carry_point_data(result, vertex_index, remeshed)
+        self._carry_cell_data(result, remeshed)
+        remeshed.field_data.update(mesh.field_data)
+        if uv is not None:
+            remeshed.active_texture_coordinates = uv
+        if mesh.active_scalars_name in remeshed.array_names:
+            remeshed.set_active_scalars(mesh.active_scalars_name)
+        return remeshed
+
+    def _carry_point_data(self, result, vertex_index, remeshed):
+        data = self._mesh.point_data
+        left_out = data.active_texture_coordinates_name
+        for name in data.keys():
+            if name == left_out:
+                continue
+            values = result.transfer(np.asarray(data[name]), "vertex")[vertex_index]
+            is_normal = name == data.active_normals_name
+            remeshed.point_data[name] = _unit(values) if is_normal else values
+        if data.active_normals_name in remeshed.point_data:
+            remeshed.point_data.active_normals_name = data.active_normals_name
+
+    def _carry_cell_data(self, result, remeshed):
+        data = self._mesh.cell_data
+        first = self._mesh.n_verts + self._mesh.n_lines  # cells of points and lines come before faces
+        for name in data.keys():
+            if name != data.active_normals_name:
+                remeshed.cell_data[name] = result.transfer(np.asarray(data[name])[first:], "face")
+
+    def sample(self, count=None, **parameters):
+        """Spreads points evenly over the surface.
+
+        Parameters
+        ----------
+        count : int, optional
+            About how many points.
+        **parameters
+            As those of `gpremesh.sample`.
+
+        Returns
+        -------
+        pyvista.PolyData
+            Points, with the radius of the disk of each as the point data "radius".
+        """
+        samples = _api.sample(np.asarray(self._mesh.points), _faces(self._mesh), count=count, **parameters)
+        points = pyvista.PolyData(samples.points)
+        points.point_data["radius"] = samples.radius
+        return points
+
+    def features(self, **parameters):
+        """Finds the creases of the surface.
+
+        Parameters
+        ----------
+        **parameters
+            As those of `gpremesh.features`.
+
+        Returns
+        -------
+        pyvista.PolyData
+            The feature edges as lines, with the cell data "strength" in degrees.
+        """
+        points = np.asarray(self._mesh.points)
+        found = _api.features(points, _faces(self._mesh), **parameters)
+        lines = np.column_stack([np.full(len(found.edges), 2), found.edges]).reshape(-1)
+        edges = pyvista.PolyData(points, lines=lines)
+        edges.cell_data["strength"] = found.edge_strength
+        return edges
