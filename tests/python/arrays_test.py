@@ -176,7 +176,7 @@ def test_nothing_is_kept_alive_or_leaks():
 
 
 def many_calls(vertices, faces):
-    gpremesh.remesh(vertices, faces, vertex_count=60, uv=vertices[:, :2], threads=1, progress=lambda *_: True)
+    gpremesh.remesh(vertices, faces, vertex_count=300, uv=vertices[:, :2], threads=1, progress=lambda *_: True)
     for wrong in (dict(vertex_count=4), dict(seed="x"), dict(feature_edges=[[0, 100]]),
                   dict(progress=lambda *_: False)):
         with pytest.raises((ValueError, gpremesh.Error)):
