@@ -66,6 +66,13 @@ def test_points_lie_where_the_result_says():
     assert np.array_equal(result.corner_index, faces[result.face_index])
 
 
+def test_a_note_where_float32_is_coarse():
+    vertices, faces = torus()
+    for real, is_told in ((np.float32, True), (np.float64, False)):
+        notes = gpremesh.remesh((vertices + 1e5).astype(real), faces, vertex_count=200).report["notes"]
+        assert any("float32" in note for note in notes) == is_told
+
+
 def test_polygons_are_those_of_the_triangles_they_are_cut_into():
     vertices, quads = sheet()
     result = gpremesh.remesh(vertices, quads, vertex_count=200)

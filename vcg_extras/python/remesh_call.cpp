@@ -8,6 +8,7 @@
 
 #include <vcg_extras/apps/gpremesh/features_report.h>
 #include <vcg_extras/apps/gpremesh/platform.h>
+#include <vcg_extras/apps/gpremesh/precision.h>
 #include <vcg_extras/apps/gpremesh/report_json.h>
 #include <vcg_extras/apps/gpremesh/stopwatch.h>
 #include <vcg_extras/core/remesh.h>
@@ -80,6 +81,14 @@ nb::dict outcome(Status status, const std::string& message, std::int64_t smalles
 	return out;
 }
 
+/// Whether floats do not resolve a thousandth of the mean edge; the command line writes doubles
+/// then.
+bool isCoarse(const RemeshResult& result)
+{
+	const double largest = app::largestCoordinate(result.mesh.view());
+	return !app::floatResolves(largest, result.report.quality.meanEdgeLen);
+}
+
 /// What the command line's report says of a run, in the same words.
 app::RunRecord recordOf(const Mesh& mesh, const RemeshOptions& options, const RemeshResult& result)
 {
@@ -87,8 +96,13 @@ app::RunRecord recordOf(const Mesh& mesh, const RemeshOptions& options, const Re
 	run.inputDouble = run.outputDouble = mesh.view.doublePrecision;
 	run.options                        = options;
 	resolveFeatureRegion(mesh.view.anySelected(), run.options);
-	run.report          = result.report;
-	run.notes           = result.notes;
+	run.report = result.report;
+	run.notes  = result.notes;
+	if (!mesh.view.doublePrecision && result.status == Status::Ok && isCoarse(result)) {
+		run.notes.push_back(
+			"The coordinates are rounded to float32, which is coarse beside edges so "
+			"short; float64 would keep them.");
+	}
 	run.peakMemoryBytes = app::peakMemoryBytes();
 	return run;
 }

@@ -34,6 +34,10 @@ __all__ = [
     "distance", "features", "remesh", "sample",
 ]
 
+for _name in __all__:  # where they are found, for their texts
+    globals()[_name].__module__ = __name__
+del _name
+
 _HOSTS = ("open3d", "pyvista", "trimesh")
 
 
