@@ -8,6 +8,7 @@
 #include "pipeline.h"
 #include "reader_check.h"
 
+#include <vcg_extras/apps/gpremesh/glb_reader.h>
 #include <vcg_extras/apps/gpremesh/ply_reader.h>
 #include <vcg_extras/apps/gpremesh/soup_io.h>
 
@@ -41,6 +42,7 @@ TEST(Corpus, EveryFileIsReadOrRefused)
 	expectReadOrRefused("obj", app::readObj);
 	expectReadOrRefused("off", app::readOff);
 	expectReadOrRefused("stl", app::readStl);
+	expectReadOrRefused("glb", app::readGlb);
 }
 
 } // namespace

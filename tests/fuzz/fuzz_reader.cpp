@@ -5,6 +5,7 @@
 
 #include "reader_check.h"
 
+#include <vcg_extras/apps/gpremesh/glb_reader.h>
 #include <vcg_extras/apps/gpremesh/ply_reader.h>
 #include <vcg_extras/apps/gpremesh/soup_io.h>
 

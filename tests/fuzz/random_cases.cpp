@@ -3,14 +3,15 @@
 
 // gpr_random_cases TARGET NUM [SEED [SECONDS]]: cases of the corpus with random bytes changed, at
 // the speed of an ordinary build and with any compiler; ends at the first fault or after so many
-// seconds. TARGET is pipeline, small (the same with small meshes), ply, obj, off or stl. Less
-// cunning than the fuzzer, but a hundred times faster.
+// seconds. TARGET is pipeline, small (the same with small meshes), ply, obj, off, stl or glb.
+// Less cunning than the fuzzer, but a hundred times faster.
 
 #include "corpus.h"
 #include "pipeline.h"
 #include "reader_check.h"
 
 #include <tests/support/random_source.h>
+#include <vcg_extras/apps/gpremesh/glb_reader.h>
 #include <vcg_extras/apps/gpremesh/ply_reader.h>
 #include <vcg_extras/apps/gpremesh/soup_io.h>
 
@@ -66,6 +67,7 @@ std::string complaintsAbout(const std::string& target, const std::string& bytes)
 	if (target == "obj") return test::complaintsAbout(app::readObj, bytes);
 	if (target == "off") return test::complaintsAbout(app::readOff, bytes);
 	if (target == "stl") return test::complaintsAbout(app::readStl, bytes);
+	if (target == "glb") return test::complaintsAbout(app::readGlb, bytes);
 	const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
 	const auto        size = target == "small" ? test::CaseSize::Small : test::CaseSize::Any;
 	return test::complaintsAbout(test::caseOf(data, bytes.size(), size));

@@ -8,7 +8,7 @@ import pytest
 trimesh = pytest.importorskip("trimesh", reason="trimesh is not installed")
 
 import gpremesh
-from meshes import torus
+from meshes import command_line, torus
 
 
 def mesh_of(**keywords):
@@ -74,6 +74,38 @@ def test_texture():
     assert np.minimum(difference, 1 - difference).max() < 0.01
     result.merge_vertices(merge_tex=True)
     assert len(result.vertices) == 400
+
+
+def test_glb_files_of_the_command_line(tmp_path):
+    """Written and read by trimesh, which knows nothing of the program's own reader and writer."""
+    image = pytest.importorskip("PIL.Image").effect_noise((8, 8), 60).convert("RGB")
+    vertices, faces = torus(120, 60)
+    material = trimesh.visual.material.PBRMaterial(name="bark", baseColorTexture=image, roughnessFactor=0.25)
+    sheet = trimesh.creation.box().subdivide().subdivide().subdivide()
+    sheet.visual = trimesh.visual.TextureVisuals(uv=sheet.vertices[:, :2] / 2 + 0.5, material=material)
+    ring = trimesh.Trimesh(vertices, faces, process=False, vertex_colors=colours_by(vertices[:, 2]))
+    moved = trimesh.transformations.rotation_matrix(0.7, [1, 2, 3])
+    moved[:3, 3] = 8, 0, 0
+    scene = trimesh.Scene()
+    scene.add_geometry(sheet, transform=moved)
+    scene.add_geometry(ring, transform=np.diag([1, 1, -1, 1]))
+    scene.export(tmp_path / "in.glb")
+    command_line("remesh", tmp_path / "in.glb", tmp_path / "out.glb", "--vertices", 1500)
+    made = {mesh.visual.kind: mesh for mesh in trimesh.load(tmp_path / "out.glb", process=False).dump()}
+    assert set(made) == {"texture", "vertex"}
+    assert made["texture"].visual.material.name == "bark"
+    assert made["texture"].visual.material.roughnessFactor == 0.25
+    back = np.asarray(made["texture"].visual.material.baseColorTexture.convert("RGB"))
+    assert np.array_equal(back, np.asarray(image))
+    box, other = (made[kind].copy() for kind in ("texture", "vertex"))
+    box.remove_unreferenced_vertices()
+    other.remove_unreferenced_vertices()
+    assert np.allclose(box.bounds, sheet.copy().apply_transform(moved).bounds, atol=0.05)
+    assert box.volume == pytest.approx(1, rel=0.05) and other.volume == pytest.approx(ring.volume, rel=0.05)
+    local = trimesh.transform_points(box.vertices, np.linalg.inv(moved))
+    assert np.abs(box.visual.uv - (local[:, :2] / 2 + 0.5)).max() < 0.05
+    difference = other.visual.vertex_colors[:, 0].astype(int) - colours_by(-other.vertices[:, 2])[:, 0]
+    assert np.abs(difference).max() < 6
 
 
 def test_distance_takes_meshes():

@@ -111,6 +111,7 @@ MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
 	carried.images          = source.images;
 	carried.materials       = source.materials;
 	carried.materialLibrary = source.materialLibrary;
+	carried.gltf            = source.gltf;
 	return carried;
 }
 

@@ -70,8 +70,10 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"remesh", "Remeshes IN with about-equilateral triangles of equal size and writes OUT.\n"
 				  "The size is given by one of --vertices, --percent and --edge-length; 10 % of\n"
 				  "IN's vertices where none is given.");
-	remesh->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off or .stl")->required();
-	remesh->add_option("OUT", line.output, "Mesh to write, may be IN: .ply, .obj, .off or .stl")
+	remesh->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		->required();
+	remesh
+		->add_option("OUT", line.output, "Mesh to write, may be IN: .ply, .obj, .off, .stl or .glb")
 		->required();
 	addTableOptions(*remesh, RemeshTool, given);
 	addOutcome(*remesh, line, "Write what was done, and how well, as JSON");
@@ -82,7 +84,7 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 CLI::App* addInfo(CLI::App& app, CommandLine& line)
 {
 	CLI::App* info = app.add_subcommand("info", "Prints counts, topology and quality of IN.");
-	info->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off or .stl")->required();
+	info->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")->required();
 	info->add_flag("--json", line.json, "Print JSON");
 	info->footer(exitCodeHelp);
 	return info;
@@ -100,7 +102,8 @@ CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"compare",
 		"Remeshes IN with these options, by the paper's preset and by MeshLab's Quadric\n"
 		"Edge Collapse and prints a table: time, distances from IN, triangle quality.");
-	compare->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off or .stl")->required();
+	compare->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		->required();
 	addTableOptions(*compare, CompareTool, given, isForCompare);
 	compare->add_flag("--isotropic", line.isotropic, "MeshLab's Isotropic Explicit Remeshing too");
 	compare->add_option("--runs", line.runNum, "How often each method is run; the median counts")
@@ -119,7 +122,8 @@ CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"features",
 		"Finds creases and cone apexes of IN and writes OUT: the same mesh with the strength of\n"
 		"its vertices, in degrees, as quality and colour, features selected.");
-	features->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off or .stl")->required();
+	features->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		->required();
 	features->add_option("OUT", line.output, "Mesh to write, may be IN: .ply")->required();
 	addTableOptions(*features, FeatureTool, given);
 	addOutcome(*features, line, "Write thresholds and counts as JSON");

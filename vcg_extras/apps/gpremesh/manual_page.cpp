@@ -21,7 +21,7 @@ const char* const description =
 	"exactly as many vertices as asked for, fitted to the scan, sharp edges and borders kept.\n"
 	"Every result is checked before it is written; one that fails is withheld.\n"
 	".PP\n"
-	"The extension of a file decides about its format: PLY, OBJ, OFF or STL.\n"
+	"The extension of a file decides about its format: PLY, OBJ, OFF, STL or GLB.\n"
 	"OUT is written beside its place and renamed when it is whole: after a failure a file that "
 	"was\n"
 	"there before is there still. The same input, options and seed give the same bytes, with any\n"

@@ -9,10 +9,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace gpr::app {
+
+struct GltfMaterials;
 
 /// One value for every vertex, or for every face, by its name and type in a PLY file.
 struct ValueColumn {
@@ -29,7 +32,8 @@ struct MeshAttributes {
 	std::vector<std::string> images;          ///< files of the texture's images, by their number
 	std::vector<std::string> materials;       ///< OBJ: names; the texture's images are materials
 	std::string              materialLibrary; ///< OBJ: the file that tells what they are
-	std::vector<std::string> lost;            ///< words for what the file has and this has not
+	std::shared_ptr<const GltfMaterials> gltf; ///< binary glTF: what the materials are, or null
+	std::vector<std::string>             lost; ///< words for what the file has and this has not
 
 	bool hasTexture() const { return !texture.uv.empty(); }
 	bool any() const { return !ofVertices.empty() || !ofFaces.empty() || hasTexture(); }

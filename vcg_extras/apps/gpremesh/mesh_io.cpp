@@ -3,6 +3,8 @@
 #include "mesh_io.h"
 
 #include "exit_code.h"
+#include "glb_reader.h"
+#include "glb_writer.h"
 #include "obj_attributes.h"
 #include "output_file.h"
 #include "platform.h"
@@ -27,18 +29,20 @@ std::string lowerCase(std::string text)
 	return text;
 }
 
-InputMesh readFormat(MeshFormat format, std::string_view content, bool mayStayInFile,
+InputMesh readFormat(MeshFormat format, std::string_view content, const WantedAttributes& wanted,
 					 bool& holdsMore)
 {
 	switch (format) {
 	case MeshFormat::Ply:
-		return mayStayInFile ? lookAtPly(content) : readPly(content);
+		return wanted.mayStayInFile ? lookAtPly(content) : readPly(content);
 	case MeshFormat::Obj:
 		return readObj(content, holdsMore);
 	case MeshFormat::Off:
 		return readOff(content);
 	case MeshFormat::Stl:
 		return readStl(content);
+	case MeshFormat::Glb:
+		return readGlb(content, wanted);
 	}
 	return {};
 }
@@ -48,7 +52,7 @@ InputMesh readContent(MeshFormat format, const std::string& path, const WantedAt
 	const auto content = std::make_shared<const FileContent>(path);
 	if (content->view().empty()) throw AppError(ExitCode::BadInput, "the file is empty");
 	bool      holdsMore = false;
-	InputMesh mesh      = readFormat(format, content->view(), wanted.mayStayInFile, holdsMore);
+	InputMesh mesh      = readFormat(format, content->view(), wanted, holdsMore);
 	if (format == MeshFormat::Ply) readPlyAttributes(content->view(), wanted, mesh);
 	if (format == MeshFormat::Obj && wanted.carried && holdsMore)
 		readObjAttributes(content->view(), mesh);
@@ -82,8 +86,9 @@ MeshFormat formatOfPath(const std::string& path)
 	if (extension == ".obj") return MeshFormat::Obj;
 	if (extension == ".off") return MeshFormat::Off;
 	if (extension == ".stl") return MeshFormat::Stl;
+	if (extension == ".glb") return MeshFormat::Glb;
 	throw AppError(ExitCode::Usage,
-				   "'" + path + "' has none of the extensions .ply, .obj, .off and .stl.");
+				   "'" + path + "' has none of the extensions .ply, .obj, .off, .stl and .glb.");
 }
 
 InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
@@ -133,6 +138,8 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 	OutputFile       out(path, limit);
 	if (attributes.any() && (format == MeshFormat::Off || format == MeshFormat::Stl))
 		attributes.lost.push_back("any attribute, which this format does not hold");
+	else if (attributes.gltf != nullptr && format != MeshFormat::Glb)
+		attributes.lost.push_back("images and properties of materials");
 	switch (format) {
 	case MeshFormat::Ply:
 		writePlyFile(mesh, doublePrecision, attributes, out);
@@ -145,6 +152,9 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 		break;
 	case MeshFormat::Stl:
 		writeStl(mesh, out);
+		break;
+	case MeshFormat::Glb:
+		writeGlb(mesh, attributes, out, attributes.lost);
 		break;
 	}
 	out.commit();

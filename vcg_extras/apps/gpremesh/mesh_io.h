@@ -12,7 +12,7 @@
 
 namespace gpr::app {
 
-enum class MeshFormat { Ply, Obj, Off, Stl };
+enum class MeshFormat { Ply, Obj, Off, Stl, Glb };
 
 /// The format that a file's extension stands for, upper or lower case.
 /// Throws AppError (Usage) where it stands for none.

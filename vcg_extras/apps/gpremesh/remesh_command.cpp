@@ -64,9 +64,11 @@ bool needsDoubleOutput(const InputMesh& input, const RemeshResult& result)
 
 void addPrecisionNote(RunRecord& run)
 {
-	if (formatOfPath(run.outputPath) != MeshFormat::Stl || !run.outputDouble) return;
-	run.outputDouble = false;
-	run.notes.push_back("STL holds floats only; the coordinates were rounded to float.");
+	const MeshFormat format = formatOfPath(run.outputPath);
+	if ((format != MeshFormat::Stl && format != MeshFormat::Glb) || !run.outputDouble) return;
+	const std::string name = format == MeshFormat::Stl ? "STL" : "glTF";
+	run.outputDouble       = false;
+	run.notes.push_back(name + " holds floats only; the coordinates were rounded to float.");
 }
 
 void writeReport(const std::string& path, const RunRecord& run)
