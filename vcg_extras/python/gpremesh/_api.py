@@ -24,7 +24,7 @@ def _imply(parameters, name, choice, argument, values):
     """An array that is given implies the choice that reads it; the choice needs the array."""
     if values is not None:
         parameters.setdefault(name, choice)
-    elif parameters.get(name) == choice:
+    elif isinstance(parameters.get(name), str) and parameters[name] == choice:
         raise ValueError(f"{name}={choice!r} needs {argument}.")
 
 
