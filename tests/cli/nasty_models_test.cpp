@@ -11,8 +11,9 @@
 
 namespace gpr_test {
 
-/// The slowest one takes nine seconds on a quiet machine.
-constexpr int maxSeconds = 90;
+/// The slowest one takes 28 seconds on a quiet machine: needles whose whole mesh has to be made
+/// anew, as it would intersect itself.
+constexpr int maxSeconds = 280;
 
 namespace {
 

@@ -6,6 +6,8 @@
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/output/audit.h>
+#include <vcg_extras/core/output/face_point.h>
+#include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <cmath>
 #include <functional>
@@ -170,6 +172,51 @@ TEST(Audit, CountsFacesThatLookAgainstTheSurface)
 	});
 	EXPECT_GT(a.invertedFaces, 0);
 	EXPECT_TRUE(a.passed);
+}
+
+/// Exactly those that look down: their neighbours' corners see them, too, and raise no alarm.
+TEST(Audit, CountsAsInvertedWhatLooksAgainstWhatItStandsFor)
+{
+	Random       random(4);
+	std::int64_t num = 0;
+	for (int i = 0; i < 20; ++i) {
+		int         down = 0;
+		const Vec3f push = {float(random.between(-0.2, 0.2)), float(random.between(-0.2, 0.2)), 0};
+		const AuditFigures figures = auditAfter(grid(9, 9), [&](HalfEdgeMesh& m) {
+			m.position[m.vertexNum / 2] += push;
+			for (int f = 0; f < m.faceNum; ++f)
+				down += m.faceCross(f).z < 0;
+		});
+		EXPECT_EQ(figures.invertedFaces, down);
+		num += down;
+	}
+	EXPECT_GT(num, 0);
+}
+
+/// The corners of a face on a thin plate may lie on its rim, whose normals point aside or down.
+TEST(Audit, CountsNoFaceAsInvertedForTheRimThatItsCornersLieOn)
+{
+	Workers             workers(1, nullptr);
+	const Surface       surface   = surfaceOf(thinPlate(12, 0.02), workers);
+	const ResultMesh    result    = resultOf(surface, {});
+	const HalfEdgeMesh& m         = surface.mesh;
+	const auto          looksDown = [&](int f) {
+        return smoothNormal(surface, {m.faceCentre(f), f}).z < -0.9f;
+	};
+	int below = 0;
+	while (!looksDown(below))
+		++below;
+	int suspects = 0;
+	for (int f = 0; f < m.faceNum; ++f) {
+		if (m.faceNormal(f).z < 0.9f) continue;
+		ResultMesh damaged = copyResult(result, workers);
+		for (int h = 3 * f; h < 3 * f + 2; ++h)
+			damaged.vertex[std::size_t(m.origin[h])].point = {m.faceCentre(below), below};
+		if (normalAgreement(surface, damaged, f) >= 0) continue;
+		++suspects;
+		EXPECT_FALSE(isInverted(surface, damaged, f));
+	}
+	EXPECT_GT(suspects, 50);
 }
 
 } // namespace

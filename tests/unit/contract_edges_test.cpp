@@ -29,7 +29,7 @@ TriangleMesh withFlatColumn(int nx, int ny, int column)
 {
 	TriangleMesh mesh = grid(nx, ny);
 	for (int j = 0; j <= ny; ++j) {
-		const std::size_t row = std::size_t(j) * std::size_t(nx + 1);
+		const std::size_t row                         = std::size_t(j) * std::size_t(nx + 1);
 		mesh.positions[row + std::size_t(column) + 1] = mesh.positions[row + std::size_t(column)];
 	}
 	return mesh;

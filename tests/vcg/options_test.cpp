@@ -232,8 +232,8 @@ bool ExpectFacadesBytes(const gpr::Parameter& row)
 /// mesh has no seams.
 bool LeavesMeshAlone(const std::string& key)
 {
-	static const std::set<std::string> keys = {"AllowNearest", "Check", "SewSeams", "Threads",
-											   "TimeLimit"};
+	static const std::set<std::string> keys = {"AllowNearest", "Check",   "Guard",
+											   "SewSeams",     "Threads", "TimeLimit"};
 	return keys.count(key) > 0;
 }
 

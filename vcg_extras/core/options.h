@@ -132,6 +132,9 @@ struct RemeshOptions {
 	bool         sew = true; ///< borders that lie at one place edge by edge are joined: sew_seams.h
 	double       timeLimitSeconds = 0; ///< the run ends then without a result; 0 = none
 	bool check = false; ///< self-intersections and distances are looked for: thorough_check.h
+	/// Self-intersections are looked for and taken out: run/guarded_result.h. Not with
+	/// Equations::AsPrinted.
+	bool guard        = true;
 	bool selectedOnly = false; ///< remesh the selected faces, leave the rest as it is
 	/// Export RemeshResult::surfacePoints; without them a big surface takes 4 B a face less.
 	bool surfacePointsOfVertices = true;

@@ -500,6 +500,17 @@ void addRun(Table& t)
 			.range(0, 1e9)
 			.store([](const Value& v, RemeshOptions& o) { o.timeLimitSeconds = numberOf(v); })
 			.p);
+	t.push_back(
+		row(RemeshTool, "Guard", "--guard", "on|off", Kind::Choice, "No self-intersections",
+			"on: every result is tested for triangles that touch or intersect each other. Where "
+			"there are some and the input has none, the triangles around them are made anew, by "
+			"edge collapses of the input that are refused where triangles would touch. These "
+			"triangles are less regular. Where that is not enough, whole components are made anew "
+			"in this way. The run is refused where the collapses end above the number of vertices "
+			"asked for. off: nothing is tested. The preset paper is never tested.")
+			.choices({"on", "off"})
+			.store([](const Value& v, RemeshOptions& o) { o.guard = countOf(v) == 0; })
+			.p);
 	t.push_back(row(RemeshTool | RetriangulateTool, "Check", "--check", "", Kind::Switch,
 					"Check thoroughly",
 					"Looks for self-intersections and measures the distances from the input: root "

@@ -68,19 +68,29 @@ struct QualityFigures {
 	double meanEdgeLen     = 0; ///< mesh units
 };
 
+/// What was done so that the result does not intersect itself.
+struct GuardedFigures {
+	bool         isTested     = false;
+	std::int64_t foundPairNum = 0; ///< touching pairs of faces before anything was done
+	std::int64_t inputPairNum = 0; ///< of the input, near those
+	std::int64_t vertexNum    = 0; ///< made anew by guarded collapses of the input
+	std::int64_t pairNum      = 0; ///< touching pairs of faces that are left
+};
+
 /// What was checked before the result was exported.
 struct AuditFigures {
-	bool         passed              = false;
-	std::int64_t nonManifoldEdges    = 0;
-	std::int64_t nonManifoldVertices = 0;
-	std::int64_t duplicateFaces      = 0;
-	std::int64_t zeroAreaFaces       = 0;
-	std::int64_t invertedFaces       = 0; ///< normals against the input's; counted, not failed
-	std::int64_t nonFinitePositions  = 0;
-	bool         componentsKept      = false;
-	bool         boundaryLoopsKept   = false;
-	bool         eulerKept           = false;
-	bool         countExact          = false;
+	bool           passed              = false;
+	std::int64_t   nonManifoldEdges    = 0;
+	std::int64_t   nonManifoldVertices = 0;
+	std::int64_t   duplicateFaces      = 0;
+	std::int64_t   zeroAreaFaces       = 0;
+	std::int64_t   invertedFaces       = 0; ///< normals against the input's; counted, not failed
+	std::int64_t   nonFinitePositions  = 0;
+	bool           componentsKept      = false;
+	bool           boundaryLoopsKept   = false;
+	bool           eulerKept           = false;
+	bool           countExact          = false;
+	GuardedFigures guarded;
 };
 
 /// Distances of the points of one surface from another, mesh units.

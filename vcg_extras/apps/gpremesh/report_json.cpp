@@ -94,6 +94,7 @@ Json optionsJson(const RemeshOptions& o)
 	json["sew"]                 = o.sew;
 	json["timeLimit"]           = o.timeLimitSeconds;
 	json["check"]               = o.check;
+	json["guard"]               = o.guard;
 	json.update(featuresJson(o));
 	json["seed"]    = o.seed;
 	json["threads"] = o.threads;
@@ -133,7 +134,22 @@ Json cleanedJson(const CleanCounts& c)
 			{"longEdgesSplit", c.longEdgesSplit}};
 }
 
-Json auditJson(const AuditFigures& a)
+Json guardedJson(const AuditFigures& a, const MeshFigures& result)
+{
+	const GuardedFigures& g    = a.guarded;
+	Json                  json = {{"tested", g.isTested}};
+	if (!g.isTested) return json;
+	const double share =
+		result.vertices > 0 ? 100 * double(g.vertexNum) / double(result.vertices) : 0;
+	json["pairsFound"]      = g.foundPairNum;
+	json["pairsOfInput"]    = g.inputPairNum;
+	json["pairsLeft"]       = g.pairNum;
+	json["vertices"]        = g.vertexNum;
+	json["verticesPercent"] = share;
+	return json;
+}
+
+Json auditJson(const AuditFigures& a, const MeshFigures& result)
 {
 	return {{"passed", a.passed},
 			{"nonManifoldEdges", a.nonManifoldEdges},
@@ -146,7 +162,8 @@ Json auditJson(const AuditFigures& a)
 			{"componentsKept", a.componentsKept},
 			{"boundaryLoopsKept", a.boundaryLoopsKept},
 			{"eulerKept", a.eulerKept},
-			{"countExact", a.countExact}};
+			{"countExact", a.countExact},
+			{"guarded", guardedJson(a, result)}};
 }
 
 Json checkJson(const CheckFigures& c, double diagonal)
@@ -221,7 +238,7 @@ std::string remeshReportJson(const RunRecord& run)
 	json["seconds"] = secondsJson(r.stages, run.times);
 	json["quality"] = qualityJson(r.quality);
 	json["cleaned"] = cleanedJson(r.cleaned);
-	json["audit"]   = auditJson(r.audit);
+	json["audit"]   = auditJson(r.audit, r.result);
 	if (r.check.done) json["check"] = checkJson(r.check, r.input.diagonal);
 	if (r.border.isSmooth) json["border"] = borderJson(r.border);
 	if (r.isDistanceProven) json["error"] = errorJson(r);

@@ -34,6 +34,7 @@ enum class Stage {
 	Fit,
 	Angles,
 	Error,
+	Contacts,
 	Audit,
 	Check,
 	Export
@@ -74,6 +75,7 @@ constexpr StageRow stageTable[] = {
 	{Stage::Fit,             "fit",             "Fitting to the input",                    {0.96,  0,     0,     0}},
 	{Stage::Angles,          "angles",          "Repairing small angles",                  {0.975, 0,     0,     0}},
 	{Stage::Error,           "error",           "Measuring the error",                     {0.98,  0,     0,     0}},
+	{Stage::Contacts,        "selfIntersections", "Looking for self-intersections",        {0.983, 0,     0,     0}},
 	{Stage::Audit,           "audit",           "Checking",                                {0.985, 0,     0.98,  0}},
 	{Stage::Check,           "check",           "Checking intersections and distances",    {0.995, 0,     0.99,  0}},
 	{Stage::Export,          "export",          "Exporting the result",                    {1,     1,     1,     1}},

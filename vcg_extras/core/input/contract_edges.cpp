@@ -82,23 +82,20 @@ public:
 			if (int(inside.size()) - (faces == facesTo_.end() ? 0 : faces->second) != 1)
 				return false;
 		}
-		const auto borderNum = std::count_if(border.begin(), border.end(),
-											 [&](int v) { return isInside(v); });
+		const auto borderNum =
+			std::count_if(border.begin(), border.end(), [&](int v) { return isInside(v); });
 		return borderNum == 0 || borderNum - innerBorderEdgeNum == 1;
 	}
 
 private:
 	const std::vector<int>& cluster_; ///< ascending
 	int                     innerFaceNum_ = 0;
-	std::map<int, int>      facesTo_; ///< per vertex beside it: faces with an edge of the cluster
-	std::map<Edge, int>     faceNum_; ///< per edge with an end in the cluster
+	std::map<int, int>      facesTo_;  ///< per vertex beside it: faces with an edge of the cluster
+	std::map<Edge, int>     faceNum_;  ///< per edge with an end in the cluster
 	std::set<Edge>          opposite_; ///< edges over which faces look at the cluster
 	bool                    hasTwins_ = false; ///< two faces would have the same vertices
 
-	bool isInside(int v) const
-	{
-		return std::binary_search(cluster_.begin(), cluster_.end(), v);
-	}
+	bool isInside(int v) const { return std::binary_search(cluster_.begin(), cluster_.end(), v); }
 	void addOpposite(const Edge& edge) { hasTwins_ |= !opposite_.insert(edge).second; }
 	void addSide(int a, int b)
 	{
@@ -135,11 +132,11 @@ public:
 	}
 
 private:
-	IndexedMesh&                           mesh_;
-	std::map<int, std::vector<int>>        cluster_; ///< by the least vertex; ascending
-	std::unordered_map<int, int>           firstOf_; ///< per vertex of a cluster: its least one
-	std::map<int, std::vector<int>>        facesAt_; ///< per cluster
-	std::unordered_map<int, int>           newName_;
+	IndexedMesh&                    mesh_;
+	std::map<int, std::vector<int>> cluster_; ///< by the least vertex; ascending
+	std::map<int, int>              firstOf_; ///< per vertex of a cluster: its least one
+	std::map<int, std::vector<int>> facesAt_; ///< per cluster
+	std::unordered_map<int, int>    newName_;
 
 	int rootOf(int v)
 	{
@@ -192,9 +189,9 @@ private:
 	{
 		ClusterTopology topology(cluster);
 		for (int f : facesAt_.at(first)) {
-			const int* t = &mesh_.triangle[3 * f];
+			const int*               t = &mesh_.triangle[3 * f];
 			const std::array<int, 3> corner{nameOf(t[0]), nameOf(t[1]), nameOf(t[2])};
-			const bool isGone =
+			const bool               isGone =
 				corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
 			if (!isGone) topology.addFace(corner);
 		}

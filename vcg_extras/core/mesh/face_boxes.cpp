@@ -170,6 +170,14 @@ void FaceBoxes::addLevel(Workers& workers)
 	level_.push_back(std::move(here));
 }
 
+void FaceBoxes::grow(int i, const Box<float>& box)
+{
+	for (Buffer<Box<float>>& level : level_) {
+		level[i] += box;
+		i /= fanOut;
+	}
+}
+
 std::vector<int> FaceBoxes::meeting(const Box<float>& box) const
 {
 	struct Node {

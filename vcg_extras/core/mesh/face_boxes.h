@@ -8,6 +8,7 @@
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/workers.h>
 
+#include <algorithm>
 #include <vector>
 
 namespace gpr {
@@ -33,6 +34,20 @@ public:
 	/// Faces whose boxes met `box` when the tree was built; ascending. Cost: O(log F) a face.
 	std::vector<int> meeting(const Box<float>& box) const;
 
+	/// Calls visit(i) for the places i of faces whose boxes meet `box`, until it returns false.
+	/// Cost: O(log F) a face.
+	template <class Visit>
+	bool forEachMeeting(const Box<float>& box, const Visit& visit) const
+	{
+		for (int k = 0; k < int(level_.back().size()); ++k) {
+			if (!visitBelow(levelNum() - 1, k, box, visit)) return false;
+		}
+		return true;
+	}
+
+	/// Makes room for more of the face at place i: its box, and those above it, only grow.
+	void grow(int i, const Box<float>& box);
+
 	int                       faceNum() const { return int(face_.size()); }
 	int                       face(int i) const { return face_[i]; }
 	int                       levelNum() const { return int(level_.size()); }
@@ -44,6 +59,18 @@ private:
 
 	void build(const HalfEdgeMesh& mesh, const std::vector<char>& wanted, Workers& workers);
 	void addLevel(Workers& workers);
+
+	template <class Visit>
+	bool visitBelow(int level, int index, const Box<float>& box, const Visit& visit) const
+	{
+		if (!level_[level][index].meets(box)) return true;
+		if (level == 0) return visit(index);
+		const int end = std::min(int(level_[level - 1].size()), (index + 1) * fanOut);
+		for (int k = index * fanOut; k < end; ++k) {
+			if (!visitBelow(level - 1, k, box, visit)) return false;
+		}
+		return true;
+	}
 };
 
 } // namespace gpr

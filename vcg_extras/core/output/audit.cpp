@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "audit.h"
 
+#include "face_point.h"
+
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
@@ -103,6 +105,18 @@ void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, 
 		found.flipped += normalAgreement(m, smoothNormal, f) < 0;
 }
 
+/// Of the faces that look against the mean of their corners' normals, those that are inverted: at a
+/// fold, a thin rim or a spike that mean is not what the face stands for.
+std::int64_t invertedAmongSuspects(const Surface& surface, const ResultMesh& r,
+								   const Buffer<Vec3f>& normals, Workers& workers)
+{
+	const std::vector<int> suspects = workers.collectIf(std::size_t(r.mesh.faceNum), [&](int f) {
+		return !hasNoArea(r.mesh, f) && normalAgreement(r.mesh, normals, f) < 0;
+	});
+	return std::count_if(suspects.begin(), suspects.end(),
+						 [&](int f) { return isInverted(surface, r, f); });
+}
+
 } // namespace
 
 AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigures& input,
@@ -137,7 +151,9 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	a.zeroAreaFaces       = found.zeroArea;
 	const bool isTableBad = found.badEdges > 0 || found.badVertices > 0;
 	a.duplicateFaces      = isTableBad ? countDuplicateFaces(m) : found.duplicates;
-	a.invertedFaces       = found.flipped;
+	a.invertedFaces       = found.flipped > 0 && !isTableBad
+								? invertedAmongSuspects(surface, r, normals, workers)
+								: found.flipped;
 	a.nonFinitePositions  = found.notFinite;
 	a.componentsKept      = input.components == output.components;
 	a.boundaryLoopsKept   = input.boundaryLoops == output.boundaryLoops;

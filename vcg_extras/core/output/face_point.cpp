@@ -14,6 +14,13 @@ namespace {
 /// A way that ends so near to the middle, in the way's own length, is the right one.
 constexpr float nearEnough = 0.2f;
 
+/// The faces from which a way may begin: on a crease all but one lead astray.
+std::vector<int> facesToBeginIn(const HalfEdgeMesh& m, const ResultMesh& result, int v)
+{
+	const SurfacePoint& point = result.vertex[v].point;
+	return isFree(result, v) ? std::vector<int>{point.face} : facesAt(m, point);
+}
+
 /// The best end so far of ways to a point.
 struct BestEnd {
 	SurfacePoint at;
@@ -27,13 +34,28 @@ struct BestEnd {
 		squaredMiss = miss;
 		at          = from;
 	}
+
+	void tryFromVertex(const HalfEdgeMesh& m, const ResultMesh& result, int v, const Vec3f& goal)
+	{
+		for (int face : facesToBeginIn(m, result, v))
+			tryFrom(m, {result.vertex[v].point.position, face}, goal);
+	}
 };
 
-/// The faces from which a way may begin: on a crease all but one lead astray.
-std::vector<int> facesToBeginIn(const HalfEdgeMesh& m, const ResultMesh& result, int v)
+/// Sum of the surface's normals under the middle of a face and under the middles between that and
+/// its corners, as ways from the corner origin[h] find them.
+Vec3f normalSeenFrom(const Surface& surface, const ResultMesh& result, int h)
 {
-	const SurfacePoint& point = result.vertex[v].point;
-	return isFree(result, v) ? std::vector<int>{point.face} : facesAt(m, point);
+	const HalfEdgeMesh& r      = result.mesh;
+	const Vec3f         middle = r.faceCentre(h / 3);
+	Vec3f               sum;
+	for (int k = -1; k < 3; ++k) {
+		const Vec3f other = k < 0 ? middle : r.position[r.origin[3 * (h / 3) + k]];
+		BestEnd     best;
+		best.tryFromVertex(surface.mesh, result, r.origin[h], (middle + other) * 0.5f);
+		if (best.at.face >= 0) sum += surface.mesh.faceNormal(best.at.face);
+	}
+	return sum;
 }
 
 } // namespace
@@ -45,14 +67,21 @@ SurfacePoint pointOfFace(const Surface& surface, const ResultMesh& result, int f
 
 	BestEnd best;
 	for (int h = 3 * f; h < 3 * f + 3; ++h) {
-		const int          v       = r.origin[h];
-		const SurfacePoint corner  = result.vertex[v].point;
-		const float        wayLong = length(middle - corner.position);
-		for (int face : facesToBeginIn(surface.mesh, result, v))
-			best.tryFrom(surface.mesh, {corner.position, face}, middle);
+		const int   v       = r.origin[h];
+		const float wayLong = length(middle - result.vertex[v].point.position);
+		best.tryFromVertex(surface.mesh, result, v, middle);
 		if (best.squaredMiss <= nearEnough * nearEnough * wayLong * wayLong) break;
 	}
 	return best.at.face >= 0 ? best.at : result.vertex[r.origin[3 * f]].point;
+}
+
+bool isInverted(const Surface& surface, const ResultMesh& result, int f)
+{
+	const Vec3f normal = result.mesh.faceCross(f);
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		if (dot(normalSeenFrom(surface, result, h), normal) >= 0) return false;
+	}
+	return true;
 }
 
 } // namespace gpr

@@ -64,9 +64,11 @@ void tellKept(RunContext& run, const Expected& expected, const ResultMesh& resul
 void requirePromises(RunContext& run, const Surface& surface, const ResultMesh& result,
 					 std::int64_t promisedNum)
 {
-	RemeshReport& report = run.report;
+	RemeshReport&        report  = run.report;
+	const GuardedFigures guarded = report.audit.guarded;
 	report.audit =
 		audit(surface, result, report.cleanedInput, report.result, promisedNum, run.workers);
+	report.audit.guarded = guarded;
 	if (!report.audit.passed) throw Failure(Status::PromiseBroken, describeFailure(report.audit));
 	if (report.audit.invertedFaces == 0) return;
 	run.notes.push_back(std::to_string(report.audit.invertedFaces) +

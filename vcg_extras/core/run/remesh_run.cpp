@@ -6,14 +6,18 @@
 #include "detection.h"
 #include "error_guide.h"
 #include "feature_lines.h"
+#include "guarded_result.h"
 #include "meshing.h"
 #include "preparation.h"
 #include "target.h"
 
+#include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/output/distance_proof.h>
 #include <vcg_extras/core/output/export.h>
 #include <vcg_extras/core/output/verification.h>
 
+#include <cstdint>
+#include <string>
 #include <utility>
 
 namespace gpr {
@@ -45,9 +49,7 @@ void measureError(RunContext& run, const Surface& surface, const ResultMesh& res
 	if (run.guide != nullptr) findPlacesBeyond(run, surface, both, result.idealEdge);
 }
 
-} // namespace
-
-void remeshInput(RunContext& run, LargestDistance largest, RemeshResult& out)
+void remeshOnce(RunContext& run, LargestDistance largest, RemeshResult& out)
 {
 	const FeatureMarks marks    = detectRegion(run);
 	Prepared           prepared = prepareWithRoom(run, marks);
@@ -57,13 +59,68 @@ void remeshInput(RunContext& run, LargestDistance largest, RemeshResult& out)
 	MeshedSurface  made    = meshForTarget(run, marks, std::move(prepared));
 	const Surface& surface = made.prepared.surface;
 	ResultMesh&    result  = made.meshed.result;
-	const Expected expected{made.prepared.targetNum, std::int64_t(made.prepared.kept.size())};
-
 	fitResult(run, made.prepared, made.meshed.curves, largest, result);
+	removeContacts(run, made.prepared, result);
 	if (largest == LargestDistance::Counts) measureError(run, surface, result);
 	tellSmoothBorder(run, surface, result);
+	const Expected expected{made.prepared.targetNum, std::int64_t(made.prepared.kept.size())};
 	verifyResult(run, surface, result, expected);
 	exportResult(run, surface, result, out);
+}
+
+/// Named counts up to this one are tried out.
+constexpr std::int64_t maxTriedVertices = 64;
+
+/// The count that a run for so many vertices is refused with, or 0 where it is not.
+std::int64_t smallestInstead(RunContext& run, LargestDistance largest, std::int64_t vertexNum)
+{
+	RemeshOptions options   = run.options;
+	options.targetMode      = TargetMode::VertexNum;
+	options.targetVertexNum = vertexNum;
+	RemeshResult trial;
+	RunContext   context{
+        run.input,   options,
+        run.workers, trial.report,
+        trial.notes, StageClock(run.workers, trial.report, Pipeline::Remeshing, {1, 1})};
+	try {
+		remeshOnce(context, largest, trial);
+	}
+	catch (const Failure& failure) {
+		return failure.status == Status::CountTooSmall ? failure.smallestVertexNum : 0;
+	}
+	return 0;
+}
+
+/// What topology allows may still not be free of self-intersections: the count named shall be one
+/// that can be had.
+Failure withCountToBeHad(RunContext& run, LargestDistance largest, const Failure& failure)
+{
+	std::int64_t smallest = failure.smallestVertexNum;
+	while (smallest > 0 && smallest <= maxTriedVertices) {
+		const std::int64_t instead = smallestInstead(run, largest, smallest);
+		if (instead <= smallest) break;
+		smallest = instead;
+	}
+	if (smallest == failure.smallestVertexNum) return failure;
+	return {failure.status,
+			"The surface cannot be meshed with " + std::to_string(run.report.targetVertexNum) +
+				" vertices; the smallest possible number without self-intersections that was found "
+				"is " +
+				std::to_string(smallest) + ".",
+			smallest};
+}
+
+} // namespace
+
+void remeshInput(RunContext& run, LargestDistance largest, RemeshResult& out)
+{
+	try {
+		remeshOnce(run, largest, out);
+	}
+	catch (const Failure& failure) {
+		if (failure.status != Status::CountTooSmall || !run.options.guard) throw;
+		throw withCountToBeHad(run, largest, failure);
+	}
 }
 
 } // namespace gpr

@@ -52,6 +52,7 @@ def remesh(
     seed: int = 1,
     threads: int = 0,
     time_limit: float = 0.0,
+    guard: Literal['on', 'off'] | bool = 'on',
     check: bool = False,
     placement: Literal['preset', 'disk-intersection', 'border-edge'] = 'preset',
     retriangulation: Literal['preset', 'label-collapse', 'vertex-removal'] = 'preset',
@@ -193,6 +194,13 @@ def remesh(
     time_limit : float, default 0.0
         A run that takes longer is given up, and nothing is changed. 0 is no limit. The engine's
         time counts, without the conversion of arrays.
+    guard : {'on', 'off'}, default 'on'
+        on: every result is tested for triangles that touch or intersect each other. Where there are
+        some and the input has none, the triangles around them are made anew, by edge collapses of
+        the input that are refused where triangles would touch. These triangles are less regular.
+        Where that is not enough, whole components are made anew in this way. The run is refused
+        where the collapses end above the number of vertices asked for. off: nothing is tested. The
+        preset paper is never tested.
     check : bool, default False
         Looks for self-intersections and measures the distances from the input: root mean square,
         p99.9 (99.9 % of the surface is nearer) and the largest, with proven bounds, in both

@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Guarded edge collapses, and the relaxation after them: no faces touch that did not.
+
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/oracles.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/guard/contact_guard.h>
+#include <vcg_extras/core/guard/guarded_relaxation.h>
+#include <vcg_extras/core/guard/local_nearest.h>
+#include <vcg_extras/core/mesh/components.h>
+#include <vcg_extras/core/mesh/face_contact.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gpr::test {
+
+namespace {
+
+double edgeFor(const TriangleMesh& mesh, std::int64_t vertexNum)
+{
+	double area = 0;
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		const Vec3d a = mesh.positions[std::size_t(mesh.triangles[3 * f])];
+		area += length(cross(mesh.positions[std::size_t(mesh.triangles[3 * f + 1])] - a,
+							 mesh.positions[std::size_t(mesh.triangles[3 * f + 2])] - a)) /
+				2;
+	}
+	return std::sqrt(2 * area / (std::sqrt(3.0) * double(vertexNum)));
+}
+
+GuardedSettings settingsFor(const TriangleMesh& mesh, std::int64_t vertexNum)
+{
+	GuardedSettings settings;
+	settings.targetNum = vertexNum;
+	settings.idealEdge = edgeFor(mesh, vertexNum);
+	return settings;
+}
+
+/// A tube within a tube: walls far nearer to each other than the wanted edges are long.
+TriangleMesh pipe()
+{
+	return joined(torus(120, 24, 1, 0.06), insideOut(torus(120, 24, 1, 0.05)));
+}
+
+struct Wanted {
+	const char*  name;
+	TriangleMesh mesh;
+	int          vertexNum;
+};
+
+std::vector<Wanted> thinShapes()
+{
+	return {{"tube", torus(200, 12, 1, 0.02), 120},
+			{"pipe", pipe(), 160},
+			{"sheets", twoSheets(40, 0.001), 60},
+			{"plate", thinPlate(40, 0.002), 80},
+			{"needle", closedCylinder(16, 200, 0.01, 2), 60}};
+}
+
+} // namespace
+
+TEST(GuardedDecimation, ReachesTheCountWithoutContacts)
+{
+	Workers workers(2, nullptr);
+	for (const Wanted& wanted : thinShapes()) {
+		SCOPED_TRACE(wanted.name);
+		GuardedMesh           g(halfEdgesOf(wanted.mesh), false);
+		const GuardedSettings settings = settingsFor(wanted.mesh, wanted.vertexNum);
+		ASSERT_TRUE(findTouchingPairs(g.mesh, workers).empty());
+		EXPECT_TRUE(decimateGuarded(settings, g, workers));
+		EXPECT_EQ(g.mesh.vertexNum, wanted.vertexNum);
+		EXPECT_TRUE(findTouchingPairs(g.mesh, workers).empty());
+		EXPECT_TRUE(isSoundSurface(meshOf(g.mesh)));
+		EXPECT_TRUE(hasSameTopology(wanted.mesh, meshOf(g.mesh)));
+		relaxGuarded(settings.idealEdge, true, g, workers);
+		EXPECT_EQ(g.mesh.vertexNum, wanted.vertexNum);
+		EXPECT_TRUE(findTouchingPairs(g.mesh, workers).empty());
+		EXPECT_TRUE(hasSameTopology(wanted.mesh, meshOf(g.mesh)));
+	}
+}
+
+TEST(GuardedDecimation, DoesNotDependOnThreads)
+{
+	const TriangleMesh mesh = pipe();
+	std::vector<Vec3f> first;
+	for (const int threads : {1, 4}) {
+		Workers     workers(threads, nullptr);
+		GuardedMesh g(halfEdgesOf(mesh), false);
+		decimateGuarded(settingsFor(mesh, 200), g, workers);
+		relaxGuarded(edgeFor(mesh, 200), true, g, workers);
+		const std::vector<Vec3f> places(g.mesh.position.begin(),
+										g.mesh.position.begin() + g.mesh.vertexNum);
+		if (first.empty()) first = places;
+		EXPECT_EQ(places, first);
+	}
+}
+
+TEST(GuardedDecimation, StopsWhereNothingMoreIsAllowed)
+{
+	Workers            workers(1, nullptr);
+	const TriangleMesh mesh = torus(40, 12);
+	GuardedMesh        g(halfEdgesOf(mesh), false);
+	EXPECT_FALSE(decimateGuarded(settingsFor(mesh, 3), g, workers));
+	EXPECT_GE(g.mesh.vertexNum, 7) << "no torus has fewer";
+	EXPECT_LT(g.mesh.vertexNum, 30);
+	EXPECT_TRUE(findTouchingPairs(g.mesh, workers).empty());
+	EXPECT_TRUE(hasSameTopology(mesh, meshOf(g.mesh)));
+}
+
+TEST(GuardedDecimation, LeavesFixedVertices)
+{
+	Workers            workers(1, nullptr);
+	const TriangleMesh mesh = icosphere(3);
+	GuardedMesh        g(halfEdgesOf(mesh), false);
+	std::vector<Vec3f> fixed;
+	for (int v = 0; v < g.mesh.vertexNum; ++v) {
+		if (g.mesh.position[v].z < 0.5f) continue;
+		g.isFixed[std::size_t(v)] = 1;
+		fixed.push_back(g.mesh.position[v]);
+	}
+	EXPECT_TRUE(decimateGuarded(settingsFor(mesh, int(fixed.size()) + 40), g, workers));
+	relaxGuarded(edgeFor(mesh, 100), true, g, workers);
+	std::vector<Vec3f> left;
+	for (int v = 0; v < g.mesh.vertexNum; ++v) {
+		if (g.isFixed[std::size_t(v)]) left.push_back(g.mesh.position[v]);
+	}
+	EXPECT_EQ(left, fixed);
+}
+
+TEST(GuardedDecimation, KeepsTheBorderAndStaysOnTheSurface)
+{
+	Workers            workers(1, nullptr);
+	const TriangleMesh mesh = gridWhere(24, 1, [](int i, int j) { return i < 8 || j < 12; });
+	GuardedMesh        g(halfEdgesOf(mesh), false);
+	ASSERT_TRUE(decimateGuarded(settingsFor(mesh, 60), g, workers));
+	relaxGuarded(edgeFor(mesh, 60), true, g, workers);
+	const TriangleMesh made = meshOf(g.mesh);
+	EXPECT_TRUE(hasSameTopology(mesh, made));
+	EXPECT_LT(rimDistance(made, mesh), 1e-5) << "straight borders stay, and so do their corners";
+	EXPECT_LT(rimDistance(mesh, made), 1e-5);
+}
+
+TEST(GuardedDecimation, StaysOnTheVerticesWhereItMust)
+{
+	Workers            workers(1, nullptr);
+	const TriangleMesh mesh = pipe();
+	GuardedMesh        g(halfEdgesOf(mesh), false);
+	GuardedSettings    settings = settingsFor(mesh, 200);
+	settings.mayLeaveVertices   = false;
+	const HalfEdgeMesh before   = halfEdgesOf(mesh);
+	ASSERT_TRUE(decimateGuarded(settings, g, workers));
+	relaxGuarded(settings.idealEdge, false, g, workers);
+	EXPECT_TRUE(findTouchingPairs(g.mesh, workers).empty());
+	for (int v = 0; v < g.mesh.vertexNum; ++v)
+		EXPECT_TRUE(g.mesh.position[v] == before.position[g.anchor[std::size_t(v)]]);
+}
+
+TEST(GuardedDecimation, AnchorsAreNear)
+{
+	Workers            workers(1, nullptr);
+	const TriangleMesh mesh    = icosphere(4);
+	const Surface      surface = surfaceOf(mesh, workers);
+	GuardedMesh        g(copyOf(surface.mesh), false);
+	const double       edge = edgeFor(mesh, 200) * surface.frame.scale;
+	GuardedSettings    settings;
+	settings.targetNum = 200;
+	settings.idealEdge = edge;
+	ASSERT_TRUE(decimateGuarded(settings, g, workers));
+	for (int v = 0; v < g.mesh.vertexNum; ++v) {
+		const Vec3f        p  = g.mesh.position[v];
+		const SurfacePoint at = nearestByDescent(surface.mesh, g.anchor[std::size_t(v)], p);
+		EXPECT_LT(length(at.position - p), 0.15 * edge);
+		EXPECT_LT(length(surface.mesh.position[g.anchor[std::size_t(v)]] - p), edge);
+	}
+}
+
+TEST(GuardedDecimation, AddsNoContactsToThoseOfItsInput)
+{
+	Workers            workers(1, nullptr);
+	const TriangleMesh mesh = joined(icosphere(4), shifted(icosphere(4), {1.2, 0.1, 0.05}));
+	GuardedMesh        g(halfEdgesOf(mesh), true);
+	const auto         before = findTouchingPairs(g.mesh, workers);
+	ASSERT_FALSE(before.empty());
+	EXPECT_TRUE(decimateGuarded(settingsFor(mesh, 400), g, workers));
+	const auto after = findTouchingPairs(g.mesh, workers);
+	EXPECT_FALSE(after.empty()) << "they cannot be taken apart";
+	EXPECT_LT(after.size(), before.size());
+	for (const FacePair& pair : after) {
+		for (int f : {pair.first, pair.second})
+			EXPECT_NEAR(g.mesh.faceCentre(f).x, 0.6, 0.35) << "where the spheres meet";
+	}
+}
+
+TEST(ContactGuard, RefusesWhatTouches)
+{
+	Workers            workers(1, nullptr);
+	const HalfEdgeMesh m = halfEdgesOf(twoSheets(4, 0.1));
+	ContactGuard       guard(m, false, workers);
+	int                inner = -1;
+	for (int v = 0; v < m.vertexNum && inner < 0; ++v) {
+		if (!m.isBorderVertex(v) && m.position[v].z < 0.05f) inner = v;
+	}
+	ASSERT_GE(inner, 0);
+	std::vector<int> faces;
+	forEachOutgoing(m, inner, [&](int h) { faces.push_back(h / 3); });
+	const auto raisedBy = [&](float height) {
+		std::vector<NamedTriangle> made;
+		for (int f : faces) {
+			made.push_back(triangleOf(m, f));
+			for (int k = 0; k < 3; ++k) {
+				if (made.back().vertex[k] == inner) made.back().at[k].z += height;
+			}
+		}
+		return made;
+	};
+	EXPECT_TRUE(guard.allows(raisedBy(0), faces));
+	EXPECT_TRUE(guard.allows(raisedBy(0.099f), faces));
+	EXPECT_FALSE(guard.allows(raisedBy(0.2f), faces));
+}
+
+TEST(Components, AreNumberedByTheirFirstFaces)
+{
+	const Components found = findComponents(halfEdgesOf(joined(icosphere(1), icosphere(0))));
+	EXPECT_EQ(found.num, 2);
+	EXPECT_EQ(found.ofFace.front(), 0);
+	EXPECT_EQ(std::count(found.ofFace.begin(), found.ofFace.end(), 1), 20);
+}
+
+} // namespace gpr::test

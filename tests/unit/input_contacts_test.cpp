@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Pairs of a result that are the input's own.
+
+#include <tests/support/mesh_builders.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/guard/input_contacts.h>
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// Two spheres round (x, 0, 0), so far apart.
+TriangleMesh spheres(int level, double x, double apart)
+{
+	return joined(shifted(icosphere(level), {x - apart / 2, 0.01, 0.02}),
+				  shifted(icosphere(level), {x + apart / 2, 0, 0}));
+}
+
+} // namespace
+
+TEST(InputContacts, AreOnlyThoseNearby)
+{
+	Workers            workers(2, nullptr);
+	const HalfEdgeMesh input  = halfEdgesOf(joined(spheres(4, 0, 1.5), spheres(4, 10, 3)));
+	const HalfEdgeMesh result = halfEdgesOf(joined(spheres(2, 0, 1.5), spheres(2, 10, 1.5)));
+	const std::vector<FacePair> pairs = findTouchingPairs(result, workers);
+	const InputContacts         contacts(input, result, pairs, 0.1f, workers);
+	EXPECT_EQ(contacts.pairNum(), std::int64_t(findTouchingPairs(input, workers).size()));
+	const std::vector<FacePair> others = contacts.withoutInputs(result, pairs);
+	ASSERT_FALSE(others.empty());
+	EXPECT_LT(others.size(), pairs.size());
+	for (const FacePair& pair : pairs) {
+		const bool isFar   = result.faceCentre(pair.first).x > 5;
+		const bool isOther = std::find(others.begin(), others.end(), pair) != others.end();
+		EXPECT_EQ(isOther, isFar);
+	}
+}
+
+TEST(InputContacts, AreNoneWhereOnlyTheResultIntersectsItself)
+{
+	Workers                     workers(2, nullptr);
+	const HalfEdgeMesh          input  = halfEdgesOf(spheres(4, 0, 3));
+	const HalfEdgeMesh          result = halfEdgesOf(spheres(2, 0, 1.5));
+	const std::vector<FacePair> pairs  = findTouchingPairs(result, workers);
+	const InputContacts         contacts(input, result, pairs, 0.1f, workers);
+	ASSERT_FALSE(pairs.empty());
+	EXPECT_EQ(contacts.pairNum(), 0);
+	EXPECT_EQ(contacts.withoutInputs(result, pairs), pairs);
+}
+
+/// The input's pairs elsewhere are not looked for.
+TEST(InputContacts, FarFromThePairsAreNotCounted)
+{
+	Workers                     workers(2, nullptr);
+	const HalfEdgeMesh          input  = halfEdgesOf(joined(spheres(3, 0, 3), spheres(3, 20, 1.5)));
+	const HalfEdgeMesh          result = halfEdgesOf(spheres(2, 0, 1.5));
+	const std::vector<FacePair> pairs  = findTouchingPairs(result, workers);
+	EXPECT_EQ(InputContacts(input, result, pairs, 0.1f, workers).pairNum(), 0);
+}
+
+} // namespace gpr::test

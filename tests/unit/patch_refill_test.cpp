@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The input's triangles in the place of patches of a result: the mesh is whole again, and nothing
+// else has changed.
+
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/random_source.h>
+#include <tests/support/stages.h>
+#include <tests/support/transforms.h>
+#include <vcg_extras/core/guard/patch_labels.h>
+#include <vcg_extras/core/guard/patch_refill.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/retriangulation/vertex_removal.h>
+#include <vcg_extras/core/surface/nearest_samples.h>
+
+#include <algorithm>
+#include <array>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <set>
+
+namespace gpr::test {
+
+namespace {
+
+/// A surface, and a coarser mesh of it.
+class CoarseResult {
+public:
+	CoarseResult(const TriangleMesh& mesh, float spacing, Random& random) :
+			surface_(surfaceOf(mesh, workers))
+	{
+		Sampling sampling;
+		sampling.radius = spacing;
+		for (int v : spacedVertices(spacing, random)) {
+			const int face = surface_.mesh.outgoing[v] / 3;
+			sampling.samples.push_back(
+				{{surface_.mesh.position[v], face}, surface_.mesh.faceNormal(face), 1});
+		}
+		sampling.nearest  = assignToSamples(surface_, sampling.samples, workers);
+		result_           = removeVertices(surface_, sampling, BoundaryCurves(),
+										   figuresOf(surface_.mesh, 1, workers), workers);
+		result_.idealEdge = 1.2f * spacing;
+	}
+
+	Workers           workers{2, nullptr};
+	const Surface&    surface() const { return surface_; }
+	const ResultMesh& result() const { return result_; }
+
+	bool refill(std::vector<char>& marked, RefilledMesh& refilled,
+				const std::vector<int>& kept = {})
+	{
+		return refillPatches(surface_, result_, kept, marked, workers, refilled);
+	}
+
+	/// A mark on the faces round some vertices.
+	std::vector<char> marksRound(const std::vector<int>& vertices) const
+	{
+		std::vector<char> marked(std::size_t(result_.mesh.faceNum), 0);
+		for (int v : vertices)
+			forEachOutgoing(result_.mesh, v, [&](int h) { marked[std::size_t(h / 3)] = 1; });
+		return marked;
+	}
+
+private:
+	Surface    surface_;
+	ResultMesh result_;
+
+	/// Vertices that are at least so far from each other.
+	std::vector<int> spacedVertices(float spacing, Random& random) const
+	{
+		std::vector<int> order(std::size_t(surface_.mesh.vertexNum)), chosen;
+		std::iota(order.begin(), order.end(), 0);
+		random.shuffle(order);
+		for (int v : order) {
+			const Vec3f p = surface_.mesh.position[v];
+			if (std::all_of(chosen.begin(), chosen.end(), [&](int w) {
+					return length(surface_.mesh.position[w] - p) >= spacing;
+				}))
+				chosen.push_back(v);
+		}
+		return chosen;
+	}
+};
+
+using Places = std::array<std::array<float, 3>, 3>;
+
+Places placesOf(const HalfEdgeMesh& m, int f)
+{
+	Places places;
+	for (int k = 0; k < 3; ++k) {
+		const Vec3f p          = m.position[m.origin[3 * f + k]];
+		places[std::size_t(k)] = {p.x, p.y, p.z};
+	}
+	std::rotate(places.begin(), std::min_element(places.begin(), places.end()), places.end());
+	return places;
+}
+
+/// Whether every face without a mark is still there.
+void expectRestIsThere(const ResultMesh& result, const std::vector<char>& marked,
+					   const HalfEdgeMesh& m)
+{
+	std::set<Places> there;
+	for (int f = 0; f < m.faceNum; ++f)
+		there.insert(placesOf(m, f));
+	for (int f = 0; f < result.mesh.faceNum; ++f) {
+		if (marked[std::size_t(f)]) continue;
+		EXPECT_EQ(there.count(placesOf(result.mesh, f)), 1u);
+	}
+}
+
+void expectWhole(CoarseResult& coarse, const std::vector<char>& marked, const RefilledMesh& made)
+{
+	const HalfEdgeMesh& m = made.guarded->mesh;
+	EXPECT_TRUE(isSoundTable(m));
+	EXPECT_TRUE(factsOf(meshOf(m)).isManifold()) << factsOf(meshOf(m)).complaints();
+	EXPECT_TRUE(hasSameTopology(meshOf(m), meshOf(coarse.surface().mesh)));
+	expectRestIsThere(coarse.result(), marked, m);
+	for (int v = 0; v < m.vertexNum; ++v) {
+		const bool isOld = made.resultVertex[std::size_t(v)] >= 0;
+		EXPECT_EQ(made.guarded->isFixed[std::size_t(v)] != 0, isOld);
+		EXPECT_EQ(made.inputVertex[std::size_t(v)] >= 0, !isOld);
+	}
+}
+
+struct Shape {
+	const char*  name;
+	TriangleMesh mesh;
+	float        spacing;
+};
+
+std::vector<Shape> shapes(Random& random)
+{
+	return {{"sphere", icosphere(5), 0.2f},
+			{"rough sphere", noisySphere(5, 0.002, random), 0.2f},
+			{"torus", torus(160, 60), 0.2f},
+			{"sheet", jitteredGrid(60, 0.2, random), 0.1f},
+			{"tube", openCylinder(60, 120, 0.3, 2), 0.12f},
+			{"two spheres", joined(icosphere(4), shifted(icosphere(4), {3, 0, 0})), 0.25f}};
+}
+
+} // namespace
+
+TEST(PatchRefill, LeavesTheRestAndTheTopology)
+{
+	for (const std::uint32_t seed : {1u, 2u, 3u}) {
+		Random random(seed);
+		for (const Shape& shape : shapes(random)) {
+			SCOPED_TRACE(shape.name);
+			CoarseResult      coarse(shape.mesh, shape.spacing, random);
+			std::vector<int>  centres = {random.below(coarse.result().mesh.vertexNum),
+										 random.below(coarse.result().mesh.vertexNum)};
+			std::vector<char> marked  = coarse.marksRound(centres);
+			widenMarks(coarse.result().mesh, 1, marked);
+			RefilledMesh made;
+			ASSERT_TRUE(coarse.refill(marked, made));
+			expectWhole(coarse, marked, made);
+			const std::size_t newNum =
+				std::size_t(std::count(made.resultVertex.begin(), made.resultVertex.end(), -1));
+			EXPECT_GT(newNum, 20u);
+		}
+	}
+}
+
+/// An input that is no finer than the result has its edges split.
+TEST(PatchRefill, SplitsAnInputThatIsCoarse)
+{
+	Random            random(4);
+	CoarseResult      coarse(icosphere(3), 0.1f, random);
+	std::vector<char> marked = coarse.marksRound({0, coarse.result().mesh.vertexNum / 2});
+	RefilledMesh      made;
+	ASSERT_TRUE(coarse.refill(marked, made));
+	expectWhole(coarse, marked, made);
+	EXPECT_GT(made.guarded->mesh.vertexNum, coarse.result().mesh.vertexNum + 20);
+}
+
+TEST(PatchRefill, FixesTheVerticesToBeKept)
+{
+	Random            random(5);
+	CoarseResult      coarse(icosphere(5), 0.2f, random);
+	const int         centre = 7;
+	std::vector<char> marked = coarse.marksRound({centre});
+	const int         face   = coarse.result().vertex[centre].point.face;
+	const int         kept   = coarse.surface().mesh.origin[3 * face];
+	RefilledMesh      made;
+	ASSERT_TRUE(coarse.refill(marked, made, {kept}));
+	int fixedNum = 0;
+	for (std::size_t v = 0; v < made.resultVertex.size(); ++v) {
+		if (made.resultVertex[v] >= 0 || !made.guarded->isFixed[v]) continue;
+		++fixedNum;
+		EXPECT_EQ(made.inputVertex[v], kept);
+	}
+	EXPECT_EQ(fixedNum, 1);
+}
+
+TEST(PatchRefill, IsRefusedWhereOtherBordersHaveTheirVertices)
+{
+	Random       random(6);
+	CoarseResult coarse(jitteredGrid(40, 0.2, random), 0.1f, random);
+	ResultMesh   result = copyResult(coarse.result(), coarse.workers);
+	int          border = 0;
+	while (!result.mesh.isBorderVertex(border))
+		++border;
+	result.vertex[std::size_t(border)].isShared = true;
+	std::vector<char> marked                    = coarse.marksRound({border});
+	RefilledMesh      made;
+	EXPECT_FALSE(refillPatches(coarse.surface(), result, {}, marked, coarse.workers, made));
+}
+
+/// Quadrics are of the input: the areas add up to its own there.
+TEST(PatchRefill, VerticesStandForTheInput)
+{
+	Random            random(7);
+	CoarseResult      coarse(icosphere(5), 0.2f, random);
+	std::vector<char> marked(std::size_t(coarse.result().mesh.faceNum), 1);
+	RefilledMesh      made;
+	ASSERT_TRUE(coarse.refill(marked, made));
+	double area = 0, wanted = 0;
+	for (float a : made.guarded->area)
+		area += double(a);
+	for (int f = 0; f < coarse.surface().mesh.faceNum; ++f)
+		wanted += double(length(coarse.surface().mesh.faceCross(f))) / 2;
+	EXPECT_NEAR(area, wanted, 1e-4 * wanted);
+}
+
+TEST(PatchRefill, MarksGrowByRings)
+{
+	const HalfEdgeMesh m = halfEdgesOf(lattice(20, 20));
+	std::vector<char>  marked(std::size_t(m.faceNum), 0);
+	marked[std::size_t(m.faceNum / 2 + 10)] = 1;
+	widenMarks(m, 0, marked);
+	EXPECT_EQ(std::count(marked.begin(), marked.end(), 1), 1);
+	widenMarks(m, 1, marked);
+	EXPECT_EQ(std::count(marked.begin(), marked.end(), 1), 13);
+	widenMarks(m, 1, marked);
+	EXPECT_EQ(std::count(marked.begin(), marked.end(), 1), 37);
+}
+
+namespace {
+
+/// Labels on a square grid: what lies left of the middle is inside (0), right of it the border's
+/// cells 1, 2, 3 from below.
+struct LabelledGrid {
+	static constexpr int n = 24;
+
+	HalfEdgeMesh                 mesh = halfEdgesOf(grid(n, n));
+	const std::vector<PatchRole> role = {PatchRole::Inside, PatchRole::Border, PatchRole::Border,
+										 PatchRole::Border};
+	std::vector<int>             label;
+
+	LabelledGrid()
+	{
+		for (int v = 0; v < mesh.vertexNum; ++v) {
+			const Vec3f p = mesh.position[v];
+			label.push_back(p.x < 0.5f ? 0 : 1 + std::min(2, int(3 * p.y)));
+		}
+	}
+
+	int near(float x, float y) const
+	{
+		int best = 0;
+		for (int v = 1; v < mesh.vertexNum; ++v) {
+			const Vec3f p(x, y, 0);
+			if (length(mesh.position[v] - p) < length(mesh.position[best] - p)) best = v;
+		}
+		return best;
+	}
+	void put(float x, float y, int wanted) { label[std::size_t(near(x, y))] = wanted; }
+
+	void expectCleanedTo(const std::vector<int>& wanted)
+	{
+		cleanLabels(mesh, role, label);
+		EXPECT_EQ(label, wanted);
+	}
+};
+
+} // namespace
+
+TEST(PatchLabels, AreLeftWhereCellsAreWhole)
+{
+	LabelledGrid           g;
+	const std::vector<int> before = g.label;
+	g.expectCleanedTo(before);
+}
+
+TEST(PatchLabels, PiecesOfACellGoToWhatIsRoundThem)
+{
+	LabelledGrid           g;
+	const std::vector<int> before = g.label;
+	g.put(0.2f, 0.5f, 2); // inside
+	g.put(0.8f, 0.9f, 1); // in another cell
+	g.expectCleanedTo(before);
+}
+
+TEST(PatchLabels, WhatIsEnclosedByOneCellGoesToIt)
+{
+	LabelledGrid           g;
+	const std::vector<int> before = g.label;
+	g.put(0.75f, 0.5f, 0);
+	g.put(0.8f, 0.5f, 0);
+	g.expectCleanedTo(before);
+}
+
+/// A vertex inside with arms of one cell on two sides.
+TEST(PatchLabels, NotchesAreFilled)
+{
+	LabelledGrid g;
+	for (float y : {0.42f, 0.54f})
+		g.put(0.46f, y, 2);
+	const std::vector<int> before = g.label;
+	cleanLabels(g.mesh, g.role, g.label);
+	for (int v = 0; v < g.mesh.vertexNum; ++v) {
+		if (g.label[std::size_t(v)] != 0) continue;
+		int runs = 0, last = -1, first = -1;
+		forEachNeighbour(g.mesh, v, [&](int w) {
+			const int here = g.label[std::size_t(w)] == 2;
+			runs += here == 1 && last != 1;
+			last = here;
+			if (first < 0) first = here;
+		});
+		if (!g.mesh.isBorderVertex(v) && first == 1 && last == 1 && runs > 1) --runs;
+		EXPECT_LE(runs, 1);
+	}
+	EXPECT_GE(std::count(g.label.begin(), g.label.end(), 2),
+			  std::count(before.begin(), before.end(), 2));
+}
+
+/// A ring round a tube has no inside: joining its two ends would close the tube.
+TEST(PatchLabels, ATubeBetweenTwoCellsStays)
+{
+	const HalfEdgeMesh           tube = halfEdgesOf(openCylinder(12, 30, 0.1, 3));
+	const std::vector<PatchRole> role = {PatchRole::Inside, PatchRole::Border, PatchRole::Border};
+	std::vector<int>             label;
+	for (int v = 0; v < tube.vertexNum; ++v) {
+		const float z = tube.position[v].z;
+		label.push_back(z < 1 ? 1 : z > 2 ? 2 : 0);
+	}
+	const std::vector<int> before = label;
+	cleanLabels(tube, role, label);
+	EXPECT_EQ(label, before);
+}
+
+} // namespace gpr::test

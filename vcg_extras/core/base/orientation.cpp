@@ -1,0 +1,163 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "orientation.h"
+
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+int signOf(double x)
+{
+	return (x > 0) - (x < 0);
+}
+
+/// A sum of two doubles and what rounding has lost: Knuth's two-sum.
+struct ExactPair {
+	double high, low;
+};
+
+ExactPair exactSum(double a, double b)
+{
+	const double sum = a + b, ofB = sum - a, ofA = sum - ofB;
+	return {sum, (a - ofA) + (b - ofB)};
+}
+
+/// The upper 26 bits of a double (Veltkamp).
+double upperHalf(double a)
+{
+	constexpr double splitter = 134217729; // 2^27 + 1
+	const double     c        = splitter * a;
+	return c - (c - a);
+}
+
+/// Dekker's product.
+ExactPair exactProduct(double a, double b)
+{
+	const double product = a * b;
+	const double ah = upperHalf(a), al = a - ah, bh = upperHalf(b), bl = b - bh;
+	return {product, al * bl - (((product - ah * bh) - al * bh) - ah * bl)};
+}
+
+/// Terms of an exact sum.
+template <std::size_t most>
+struct Terms {
+	double      term[most];
+	std::size_t num = 0;
+
+	void add(double x)
+	{
+		if (x != 0) term[num++] = x;
+	}
+	/// ab is a product of two floats, or of two short differences, which a double holds exactly.
+	void addProduct(double ab, double c)
+	{
+		const ExactPair p = exactProduct(ab, c);
+		add(p.low);
+		add(p.high);
+	}
+	int sign() const { return signOfSum(term, num); }
+};
+
+/// Whether a - b is exact in a double, and in the upper half of one, so that a product of two such
+/// differences is exact, too.
+bool isShortDifference(double a, double b)
+{
+	const double difference = a - b;
+	return exactSum(a, -b).low == 0 && upperHalf(difference) == difference;
+}
+
+bool areShortDifferences(const Vec3d& a, const Vec3d& b)
+{
+	return isShortDifference(a.x, b.x) && isShortDifference(a.y, b.y) &&
+		   isShortDifference(a.z, b.z);
+}
+
+/// Of the determinant of three rows whose entries fill the upper half of a double.
+int signOfDeterminant(const Vec3d& a, const Vec3d& b, const Vec3d& c)
+{
+	Terms<12> t;
+	t.addProduct(a.x * b.y, c.z);
+	t.addProduct(a.y * b.z, c.x);
+	t.addProduct(a.z * b.x, c.y);
+	t.addProduct(-a.z * b.y, c.x);
+	t.addProduct(-a.y * b.x, c.z);
+	t.addProduct(-a.x * b.z, c.y);
+	return t.sign();
+}
+
+/// The terms of the determinant of three points themselves, times a sign.
+template <std::size_t most>
+void addDeterminant(const Vec3d& a, const Vec3d& b, const Vec3d& c, double sign, Terms<most>& t)
+{
+	t.addProduct(sign * a.x * b.y, c.z);
+	t.addProduct(sign * a.y * b.z, c.x);
+	t.addProduct(sign * a.z * b.x, c.y);
+	t.addProduct(-sign * a.z * b.y, c.x);
+	t.addProduct(-sign * a.y * b.x, c.z);
+	t.addProduct(-sign * a.x * b.z, c.y);
+}
+
+/// For any floats, without a difference of them.
+int exactOrientation(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d)
+{
+	Terms<48> t;
+	addDeterminant(b, c, d, 1, t);
+	addDeterminant(a, c, d, -1, t);
+	addDeterminant(a, b, d, 1, t);
+	addDeterminant(a, b, c, -1, t);
+	return t.sign();
+}
+
+} // namespace
+
+int signOfSum(const double* term, std::size_t num)
+{
+	constexpr std::size_t most = 64;
+	double                part[most]; // no two overlap, the largest is the last
+	std::size_t           partNum = 0;
+	for (std::size_t i = 0; i < num; ++i) {
+		double      carried = term[i];
+		std::size_t kept    = 0;
+		for (std::size_t k = 0; k < partNum; ++k) {
+			const ExactPair s = exactSum(carried, part[k]);
+			if (s.low != 0) part[kept++] = s.low;
+			carried = s.high;
+		}
+		if (carried != 0) part[kept++] = carried;
+		partNum = kept;
+	}
+	return partNum == 0 ? 0 : signOf(part[partNum - 1]);
+}
+
+int orientation(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d)
+{
+	const Vec3d  o(a), u = Vec3d(b) - o, v = Vec3d(c) - o, w = Vec3d(d) - o;
+	const double xy = u.x * v.y, yx = u.y * v.x, yz = u.y * v.z, zy = u.z * v.y;
+	const double zx = u.z * v.x, xz = u.x * v.z;
+	const double volume    = (xy - yx) * w.z + (yz - zy) * w.x + (zx - xz) * w.y;
+	const double magnitude = (std::abs(xy) + std::abs(yx)) * std::abs(w.z) +
+							 (std::abs(yz) + std::abs(zy)) * std::abs(w.x) +
+							 (std::abs(zx) + std::abs(xz)) * std::abs(w.y);
+	constexpr double rounding = 1e-15; // (7 + 56ε) ε with Shewchuk's ε = 2^-53, and more
+	if (std::abs(volume) > rounding * magnitude) return signOf(volume);
+	if (magnitude == 0) return 0;
+	const bool isShort = areShortDifferences(Vec3d(b), o) && areShortDifferences(Vec3d(c), o) &&
+						 areShortDifferences(Vec3d(d), o);
+	return isShort ? signOfDeterminant(u, v, w) : exactOrientation(o, Vec3d(b), Vec3d(c), Vec3d(d));
+}
+
+int orientation(const Vec2f& a, const Vec2f& b, const Vec2f& c)
+{
+	// A product of two floats is exact in a double.
+	const double   ax = a.x, ay = a.y, bx = b.x, by = b.y, cx = c.x, cy = c.y;
+	const double   left = (bx - ax) * (cy - ay), right = (by - ay) * (cx - ax);
+	const double   area     = left - right;
+	constexpr auto rounding = 1e-15;
+	if (std::abs(area) > rounding * (std::abs(left) + std::abs(right))) return signOf(area);
+	const double term[] = {ax * by, -ay * bx, bx * cy, -by * cx, cx * ay, -cy * ax};
+	return signOfSum(term, 6);
+}
+
+} // namespace gpr

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_BASE_ORIENTATION_H
+#define VCG_EXTRAS_CORE_BASE_ORIENTATION_H
+
+#include <vcg_extras/core/vec.h>
+
+#include <cstddef>
+
+namespace gpr {
+
+/// The sign of a sum, exactly: -1, 0 or 1. The terms must be finite, and no sum of theirs may
+/// overflow. Expansions after Shewchuk (1997, Adaptive Precision Floating-Point Arithmetic and Fast
+/// Robust Geometric Predicates). Cost: O(num²).
+int signOfSum(const double* term, std::size_t num);
+
+/// On which side of the plane a b c the point d lies, exactly: 1 where a, b, c turn
+/// counter-clockwise seen from d, -1 on the other side, 0 in the plane. Rounding is looked at only
+/// where a bound of its error says so. Coordinates must be finite, and those that are not 0
+/// between 1e-30 and 1e30, as working coordinates are.
+int orientation(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d);
+
+/// A point without one of its coordinates.
+struct Vec2f {
+	float x = 0, y = 0;
+};
+
+/// Without coordinate `axis` (0, 1 or 2).
+inline Vec2f dropAxis(const Vec3f& p, int axis)
+{
+	if (axis == 0) return {p.y, p.z};
+	return axis == 1 ? Vec2f{p.z, p.x} : Vec2f{p.x, p.y};
+}
+
+/// 1 where a, b, c turn counter-clockwise, -1 where clockwise, 0 on a line; exactly.
+int orientation(const Vec2f& a, const Vec2f& b, const Vec2f& c);
+
+} // namespace gpr
+
+#endif

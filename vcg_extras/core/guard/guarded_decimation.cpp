@@ -1,0 +1,491 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "guarded_decimation.h"
+
+#include "contact_guard.h"
+
+#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <queue>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// What a collapse may do to faces.
+struct Bounds {
+	float shape;     ///< triangleShape, or as it was
+	float turn;      ///< cosine between the normals before and after
+	float agreement; ///< cosine between a face and the normals of what it stands for
+	float distance;  ///< root mean square from the planes of what a vertex stands for, in edges
+};
+
+/// From strict to loose; the next are taken where these leave nothing.
+constexpr std::array<Bounds, 8> boundsOfRounds = {{{0.35f, 0.5f, 0.2f, 0.02f},
+												   {0.2f, 0.5f, 0.2f, 0.05f},
+												   {0.05f, 0.1f, 0.2f, 0.05f},
+												   {0.2f, 0.5f, 0.2f, 0.15f},
+												   {0.05f, 0.1f, 0.1f, 0.15f},
+												   {0.1f, 0.5f, 0.2f, 0.4f},
+												   {0.03f, 0.1f, 0.05f, 0.4f},
+												   {0.01f, 0.02f, 0, HUGE_VALF}}};
+
+/// So few vertices hardly ever make a shape that looks like the surface: there only topology and
+/// contacts count at last.
+constexpr std::int64_t mostOfAnyShape = 64;
+constexpr Bounds       anyShape       = {0, -2, -2, HUGE_VALF};
+
+/// Normals that cancel out to less than this share say nothing: those round a thin rim.
+constexpr float leastSpread = 0.25f;
+/// The middle of an edge draws where the planes leave a choice.
+constexpr double middleWeight = 1e-3;
+/// A pass that collapses fewer than one in so many edges is the last with its bounds.
+constexpr std::int64_t leastShare = 30;
+
+/// An edge that may be collapsed: what that costs, and the state of its ends then.
+struct Candidate {
+	float    cost;
+	int      a, b;
+	unsigned stampA, stampB;
+
+	/// The queue has the largest first.
+	bool operator<(const Candidate& o) const
+	{
+		if (cost != o.cost) return cost > o.cost;
+		return a != o.a ? a > o.a : b > o.b;
+	}
+};
+
+/// How an edge is collapsed: from goes, to stays.
+struct Merge {
+	int  from = -1, to = -1;
+	bool isAlongBorder = false;
+	bool mayMove       = false; ///< to may come to lie elsewhere
+};
+
+/// The places that a merged vertex may come to, the best first.
+struct Places {
+	std::array<std::pair<double, Vec3f>, 4> at;
+	int                                     num = 0;
+
+	void add(const Quadric& q, const Vec3d& p)
+	{
+		const Vec3f rounded(p);
+		at[std::size_t(num++)] = {q.at(Vec3d(rounded)), rounded};
+	}
+	void sort()
+	{
+		std::stable_sort(at.begin(), at.begin() + num,
+						 [](const auto& a, const auto& b) { return a.first < b.first; });
+	}
+};
+
+class Decimation {
+public:
+	Decimation(const GuardedSettings& settings, GuardedMesh& guarded, Workers& workers) :
+			settings_(settings), g_(guarded), m_(guarded.mesh), workers_(workers),
+			guard_(std::make_unique<ContactGuard>(m_, g_.hadContacts, workers)),
+			livingNum_(m_.vertexNum), guardedNum_(m_.vertexNum),
+			stamp_(std::size_t(m_.vertexNum), 0)
+	{
+	}
+
+	bool run()
+	{
+		firstNum_ = livingNum_;
+		for (const Bounds& bounds : boundsOfRounds) {
+			bounds_ = bounds;
+			while (collapseAll() > livingNum_ / leastShare) {}
+		}
+		while (collapseAll() > 0) {}
+		if (settings_.targetNum <= mostOfAnyShape) {
+			bounds_ = anyShape;
+			while (collapseAll() > 0) {}
+		}
+		return livingNum_ <= settings_.targetNum;
+	}
+
+private:
+	const GuardedSettings&        settings_;
+	GuardedMesh&                  g_;
+	HalfEdgeMesh&                 m_;
+	Workers&                      workers_;
+	std::unique_ptr<ContactGuard> guard_;
+	std::int64_t          livingNum_, guardedNum_; ///< vertices now, and when the guard was made
+	std::int64_t          firstNum_ = 0;
+	std::vector<unsigned> stamp_; ///< per vertex: how often it has changed
+	std::priority_queue<Candidate> queue_;
+	Bounds                         bounds_{};
+	EditScratch                    scratch_;
+	std::vector<int>               gone_, changed_;
+	float                          leastShape_ = 0; ///< of the faces to be made
+	std::vector<NamedTriangle>     made_;
+
+	// ---- the queue
+
+	/// One pass over all edges; the number of collapses.
+	std::int64_t collapseAll()
+	{
+		const std::int64_t before = livingNum_;
+		if (before <= settings_.targetNum) return 0;
+		queueAll();
+		for (int calls = 0; !queue_.empty() && livingNum_ > settings_.targetNum;) {
+			const Candidate c = queue_.top();
+			queue_.pop();
+			if (stamp_[std::size_t(c.a)] != c.stampA || stamp_[std::size_t(c.b)] != c.stampB)
+				continue;
+			if (++calls % 1024 == 0) workers_.poll(share());
+			tryToCollapse(c.a, c.b);
+		}
+		queue_ = {};
+		return before - livingNum_;
+	}
+
+	double share() const
+	{
+		return double(firstNum_ - livingNum_) / double(firstNum_ - settings_.targetNum);
+	}
+
+	void queueAll()
+	{
+		std::vector<Candidate> all = workers_.collect<Candidate>(
+			std::size_t(m_.halfEdgeNum()), [&](std::size_t begin, std::size_t end, auto& out) {
+				for (int h = int(begin); h < int(end); ++h) {
+					if (isDeadFace(m_, h / 3) || m_.opposite[h] > h) continue;
+					Candidate c;
+					if (isWorthTrying(m_.origin[h], m_.target(h), c)) out.push_back(c);
+				}
+			});
+		queue_ = std::priority_queue<Candidate>(std::less<Candidate>(), std::move(all));
+	}
+
+	void queueRound(int v)
+	{
+		forEachNeighbour(m_, v, [&](int w) {
+			Candidate c;
+			if (isWorthTrying(v, w, c)) queue_.push(c);
+		});
+	}
+
+	bool isWorthTrying(int v, int w, Candidate& c) const
+	{
+		const Merge merge = mergeOf(v, w);
+		if (merge.from < 0) return false;
+		const double squared = squaredLength(Vec3d(m_.position[v]) - Vec3d(m_.position[w]));
+		if (squared > settings_.longestEdge * settings_.longestEdge) return false;
+		const Places places = placesOf(merge);
+		c.cost   = float(places.at[0].first + settings_.lengthWeight * squared * squared);
+		c.a      = std::min(v, w);
+		c.b      = std::max(v, w);
+		c.stampA = stamp_[std::size_t(c.a)];
+		c.stampB = stamp_[std::size_t(c.b)];
+		return true;
+	}
+
+	// ---- how an edge is collapsed
+
+	bool isFixed(int v) const { return g_.isFixed[std::size_t(v)] != 0; }
+
+	Merge mergeOf(int v, int w) const
+	{
+		const bool isBorderV = m_.isBorderVertex(v), isBorderW = m_.isBorderVertex(w);
+		if (isBorderV && isBorderW) return isFixed(v) ? alongBorder(w, v) : alongBorder(v, w);
+		if (isFixed(v) || isBorderV) return inside(w, v);
+		return inside(v, w);
+	}
+
+	Merge inside(int from, int to) const
+	{
+		if (isFixed(from)) return {};
+		return {from, to, false, !isFixed(to) && !m_.isBorderVertex(to)};
+	}
+
+	Merge alongBorder(int from, int to) const
+	{
+		if (isFixed(from) || !areBorderNeighbours(from, to)) return {};
+		return {from, to, true, !isFixed(to)};
+	}
+
+	bool areBorderNeighbours(int v, int w) const
+	{
+		return borderNeighbour(m_, v, true) == w || borderNeighbour(m_, v, false) == w;
+	}
+
+	Places placesOf(const Merge& merge) const
+	{
+		Places  places;
+		Quadric q = g_.quadric[std::size_t(merge.from)];
+		q += g_.quadric[std::size_t(merge.to)];
+		const Vec3d to(m_.position[merge.to]);
+		if (!merge.mayMove) {
+			places.add(q, to);
+			return places;
+		}
+		const Vec3d from(m_.position[merge.from]), middle = (from + to) * 0.5;
+		Quadric     drawn = q;
+		drawn.addPoint(middle, middleWeight * q.trace());
+		const Vec3d lowest = drawn.lowest(middle);
+		if (settings_.mayLeaveVertices &&
+			squaredLength(lowest - middle) <= squaredLength(to - from))
+			places.add(q, lowest);
+		if (settings_.mayLeaveVertices) places.add(q, middle);
+		places.add(q, from);
+		places.add(q, to);
+		places.sort();
+		return places;
+	}
+
+	// ---- collapsing
+
+	void tryToCollapse(int a, int b)
+	{
+		const Merge merge = mergeOf(a, b);
+		if (merge.from < 0 || !topologyAllows(merge)) return;
+		collectFaces(merge);
+		const Places places = placesOf(merge);
+		for (int i = 0; i < places.num; ++i) {
+			const Vec3f place = places.at[std::size_t(i)].second;
+			if (isTooFar(merge, places.at[std::size_t(i)].first)) return;
+			if (!makeTriangles(merge, place) || !guard_->allows(made_, gone_)) continue;
+			collapseTo(merge, place);
+			return;
+		}
+	}
+
+	bool topologyAllows(const Merge& merge)
+	{
+		if (merge.isAlongBorder)
+			return canCollapseAlongBorder(m_, merge.from, isForward(merge), scratch_);
+		const int h = m_.findHalfEdge(merge.from, merge.to);
+		return h >= 0 && canCollapse(m_, h, scratch_);
+	}
+
+	bool isForward(const Merge& merge) const
+	{
+		return borderNeighbour(m_, merge.from, true) == merge.to;
+	}
+
+	/// By the quadrics, which are weighted by area.
+	bool isTooFar(const Merge& merge, double squaredByArea) const
+	{
+		const double most = double(bounds_.distance) * settings_.idealEdge;
+		const float  area = g_.area[std::size_t(merge.from)] + g_.area[std::size_t(merge.to)];
+		return squaredByArea > most * most * double(area);
+	}
+
+	/// All faces at the two vertices.
+	void collectFaces(const Merge& merge)
+	{
+		gone_.clear();
+		forEachOutgoing(m_, merge.from, [&](int h) { gone_.push_back(h / 3); });
+		forEachOutgoing(m_, merge.to, [&](int h) {
+			if (m_.target(h) != merge.from && m_.apex(h) != merge.from) gone_.push_back(h / 3);
+		});
+		leastShape_ = bounds_.shape;
+		for (int f : gone_) {
+			const NamedTriangle t = triangleOf(m_, f);
+			leastShape_           = std::min(leastShape_, triangleShape(t.at[0], t.at[1], t.at[2]));
+		}
+	}
+
+	/// Whether every face that stays is sound with the merged vertex at `place`.
+	bool makeTriangles(const Merge& merge, const Vec3f& place)
+	{
+		made_.clear();
+		for (int f : gone_) {
+			const NamedTriangle before = triangleOf(m_, f);
+			NamedTriangle       after  = before;
+			int                 num    = 0;
+			for (int k = 0; k < 3; ++k) {
+				if (before.vertex[k] != merge.from && before.vertex[k] != merge.to) continue;
+				after.vertex[k] = merge.to;
+				after.at[k]     = place;
+				++num;
+			}
+			if (num > 1) continue;
+			if (!isSound(merge, before, after)) return false;
+			made_.push_back(after);
+		}
+		return true;
+	}
+
+	static Vec3f crossOf(const NamedTriangle& t)
+	{
+		return cross(t.at[1] - t.at[0], t.at[2] - t.at[0]);
+	}
+
+	bool isSound(const Merge& merge, const NamedTriangle& before, const NamedTriangle& after) const
+	{
+		const Vec3f normal = crossOf(after), old = crossOf(before);
+		if (isLine(after.at[0], after.at[1], after.at[2], normal)) return false;
+		if (triangleShape(after.at[0], after.at[1], after.at[2]) < leastShape_) return false;
+		if (dot(normal, old) < bounds_.turn * length(normal) * length(old)) return false;
+		return g_.agrees(after.vertex, normal, bounds_.agreement, merge.from) ||
+			   !g_.agrees(after.vertex, old, bounds_.agreement, merge.from);
+	}
+
+	void collapseTo(const Merge& merge, const Vec3f& place)
+	{
+		takeOver(merge, place);
+		if (merge.isAlongBorder)
+			collapseAlongBorder(m_, merge.from, isForward(merge));
+		else
+			collapse(m_, m_.findHalfEdge(merge.from, merge.to));
+		m_.position[merge.to] = place;
+		--livingNum_;
+		++stamp_[std::size_t(merge.from)];
+		++stamp_[std::size_t(merge.to)];
+		followWithGuard(merge.to);
+		queueRound(merge.to);
+	}
+
+	void takeOver(const Merge& merge, const Vec3f& place)
+	{
+		const std::size_t from = std::size_t(merge.from), to = std::size_t(merge.to);
+		g_.quadric[to] += g_.quadric[from];
+		g_.normal[to] += g_.normal[from];
+		g_.area[to] += g_.area[from];
+		const auto distance = [&](std::size_t v) {
+			return squaredLength(place - g_.anchorPlace[v]);
+		};
+		if (distance(from) < distance(to)) {
+			g_.anchor[to]      = g_.anchor[from];
+			g_.anchorPlace[to] = g_.anchorPlace[from];
+		}
+	}
+
+	void followWithGuard(int v)
+	{
+		if (2 * livingNum_ < guardedNum_) {
+			guard_      = std::make_unique<ContactGuard>(m_, g_.hadContacts, workers_);
+			guardedNum_ = livingNum_;
+			return;
+		}
+		changed_.clear();
+		forEachOutgoing(m_, v, [&](int h) { changed_.push_back(h / 3); });
+		guard_->follow(changed_);
+	}
+};
+
+/// nameOf tells a vertex' number in g, or -1 where it is not to be told.
+template <class NameOf>
+void addFace(const HalfEdgeMesh& m, int f, const NameOf& nameOf, GuardedMesh& g)
+{
+	const Vec3d  o(m.position[m.origin[3 * f]]);
+	const Vec3d  n       = cross(Vec3d(m.position[m.origin[3 * f + 1]]) - o,
+								 Vec3d(m.position[m.origin[3 * f + 2]]) - o);
+	const double doubled = length(n);
+	if (!(doubled > 0)) return;
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		const int name = nameOf(m.origin[h]);
+		if (name < 0) continue;
+		const std::size_t v = std::size_t(name);
+		g.quadric[v].addPlane(o, n * (1 / doubled), doubled / 6);
+		g.normal[v] += Vec3f(n * (1.0 / 6));
+		g.area[v] += float(doubled / 6);
+	}
+}
+
+/// A plane upright on the face holds the border where it is.
+template <class NameOf>
+void addBorder(const HalfEdgeMesh& m, int h, const NameOf& nameOf, GuardedMesh& g)
+{
+	const int   a = m.origin[h], b     = m.target(h);
+	const Vec3d o(m.position[a]), edge = Vec3d(m.position[b]) - o;
+	const Vec3d across = cross(edge, Vec3d(m.faceCross(h / 3)));
+	const Vec3d normal = normalized(across);
+	for (int v : {nameOf(a), nameOf(b)}) {
+		if (v >= 0) g.quadric[std::size_t(v)].addPlane(o, normal, squaredLength(edge));
+	}
+}
+
+} // namespace
+
+GuardedMesh::GuardedMesh(HalfEdgeMesh from, bool hasContacts) :
+		mesh(std::move(from)), quadric(std::size_t(mesh.vertexNum)),
+		normal(std::size_t(mesh.vertexNum)), area(std::size_t(mesh.vertexNum), 0),
+		anchor(std::size_t(mesh.vertexNum)), anchorPlace(std::size_t(mesh.vertexNum)),
+		isFixed(std::size_t(mesh.vertexNum), 0), anchorNum(std::size_t(mesh.vertexNum)),
+		hadContacts(hasContacts)
+{
+	mesh.crease       = Buffer<char>();
+	const auto itself = [](int v) { return v; };
+	for (int f = 0; f < mesh.faceNum; ++f) {
+		addFace(mesh, f, itself, *this);
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			if (mesh.isBorderEdge(h)) addBorder(mesh, h, itself, *this);
+		}
+	}
+	for (int v = 0; v < mesh.vertexNum; ++v) {
+		anchor[std::size_t(v)]      = v;
+		anchorPlace[std::size_t(v)] = mesh.position[v];
+	}
+}
+
+void GuardedMesh::standFor(const HalfEdgeMesh& other, const std::vector<int>& name)
+{
+	for (int v : name) {
+		if (v < 0) continue;
+		quadric[std::size_t(v)] = Quadric();
+		normal[std::size_t(v)]  = Vec3f();
+		area[std::size_t(v)]    = 0;
+	}
+	const auto nameOf = [&](int v) { return name[std::size_t(v)]; };
+	for (int f = 0; f < other.faceNum; ++f) {
+		addFace(other, f, nameOf, *this);
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			if (other.isBorderEdge(h) && other.isCreaseEdge(h)) addBorder(other, h, nameOf, *this);
+		}
+	}
+}
+
+bool GuardedMesh::agrees(const int* v, const Vec3f& n, float cosine, int another) const
+{
+	Vec3f wanted;
+	float sum = 0;
+	for (int w : {v[0], v[1], v[2], another}) {
+		if (w < 0) continue;
+		wanted += normal[std::size_t(w)];
+		sum += area[std::size_t(w)];
+	}
+	const float size = length(wanted);
+	return size < leastSpread * sum || dot(n, wanted) > cosine * length(n) * size;
+}
+
+void GuardedMesh::compact(Workers& workers)
+{
+	Buffer<int> newIndex;
+	gpr::compact(mesh, workers, newIndex);
+	for (std::size_t v = 0; v < newIndex.size(); ++v) {
+		if (newIndex[v] < 0) continue;
+		const std::size_t to = std::size_t(newIndex[v]);
+		quadric[to]          = quadric[v];
+		normal[to]           = normal[v];
+		area[to]             = area[v];
+		anchor[to]           = anchor[v];
+		anchorPlace[to]      = anchorPlace[v];
+		isFixed[to]          = isFixed[v];
+	}
+	const std::size_t num = std::size_t(mesh.vertexNum);
+	quadric.resize(num);
+	normal.resize(num);
+	area.resize(num);
+	anchor.resize(num);
+	anchorPlace.resize(num);
+	isFixed.resize(num);
+}
+
+bool decimateGuarded(const GuardedSettings& settings, GuardedMesh& guarded, Workers& workers)
+{
+	const bool isReached = Decimation(settings, guarded, workers).run();
+	guarded.compact(workers);
+	return isReached;
+}
+
+} // namespace gpr

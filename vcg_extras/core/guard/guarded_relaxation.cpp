@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "guarded_relaxation.h"
+
+#include "contact_guard.h"
+
+#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+/// Rounds of flips and slides; more gain little.
+constexpr int roundNum = 12;
+/// A slide is shortened so many times before it is given up.
+constexpr int halvingNum = 3;
+/// Pull to the barycentre over that of the planes.
+constexpr double barycentreWeight = 0.1;
+/// Cosine between the normals of a face before and after, and between a face and the normals of
+/// what it stands for.
+constexpr float leastTurn = 0.7f, leastAgreement = 0.2f;
+/// Vertices do not get farther from the planes of what they stand for, and flipped edges not
+/// farther apart, in ideal edges, than this, or than they were.
+constexpr double farthest = 0.1;
+/// Cosine between two faces at which their edge is sharp.
+constexpr float sharpCosine = 0.766f;
+/// Shape of triangles that are all but lines.
+constexpr float needleShape = 0.01f;
+/// A change must make shapes so much better, that none is made and taken back for ever.
+constexpr float leastGain = 1.001f;
+
+Vec3f crossOf(const NamedTriangle& t)
+{
+	return cross(t.at[1] - t.at[0], t.at[2] - t.at[0]);
+}
+
+float shapeOf(const NamedTriangle& t)
+{
+	return triangleShape(t.at[0], t.at[1], t.at[2]);
+}
+
+float cosineOf(const Vec3f& a, const Vec3f& b)
+{
+	const float size = length(a) * length(b);
+	return size > 0 ? dot(a, b) / size : -1;
+}
+
+class Relaxation {
+public:
+	Relaxation(double idealEdge, GuardedMesh& guarded, Workers& workers) :
+			farthest_(farthest * idealEdge), g_(guarded), m_(guarded.mesh), workers_(workers),
+			guard_(m_, g_.hadContacts, workers)
+	{
+	}
+
+	void run(bool mayMove)
+	{
+		for (int round = 0; round < roundNum; ++round) {
+			workers_.poll(double(round) / roundNum);
+			for (int h = 0; h < m_.halfEdgeNum(); ++h) {
+				if (h < m_.opposite[h]) tryToFlip(h);
+			}
+			for (int v = 0; v < m_.vertexNum; ++v) {
+				if (mayMove && isFree(v)) slide(v);
+			}
+		}
+	}
+
+private:
+	double                     farthest_; ///< working units
+	GuardedMesh&               g_;
+	HalfEdgeMesh&              m_;
+	Workers&                   workers_;
+	ContactGuard               guard_;
+	std::vector<int>           gone_;
+	std::vector<NamedTriangle> made_;
+
+	bool isFixed(int v) const { return g_.isFixed[std::size_t(v)] != 0; }
+
+	bool isFree(int v) const { return m_.outgoing[v] >= 0 && !isFixed(v) && !m_.isBorderVertex(v); }
+
+	bool isFixedFace(int f) const
+	{
+		return isFixed(m_.origin[3 * f]) && isFixed(m_.origin[3 * f + 1]) &&
+			   isFixed(m_.origin[3 * f + 2]);
+	}
+
+	NamedTriangle triangleBetween(int a, int b, int c) const
+	{
+		return {{a, b, c}, {m_.position[a], m_.position[b], m_.position[c]}};
+	}
+
+	// ---- flips
+
+	void tryToFlip(int h)
+	{
+		const int g = m_.opposite[h];
+		if (isFixedFace(h / 3) || isFixedFace(g / 3) || !canFlip(m_, h)) return;
+		const int           a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(g);
+		const NamedTriangle old[2] = {triangleBetween(a, b, c), triangleBetween(b, a, d)};
+		made_                      = {triangleBetween(a, d, c), triangleBetween(b, c, d)};
+		gone_                      = {h / 3, g / 3};
+		if (!isFlipBetter(old) || !guard_.allows(made_, gone_)) return;
+		flip(m_, h);
+		guard_.follow(gone_);
+	}
+
+	bool isFlipBetter(const NamedTriangle* old) const
+	{
+		const float before = std::min(shapeOf(old[0]), shapeOf(old[1]));
+		const float after  = std::min(shapeOf(made_[0]), shapeOf(made_[1]));
+		if (!(after > leastGain * before)) return false;
+		const Vec3f o[2] = {crossOf(old[0]), crossOf(old[1])};
+		const Vec3f n[2] = {crossOf(made_[0]), crossOf(made_[1])};
+		if (gapBetween(old[0], old[1]) > farthest_) return false;
+		const float bend = cosineOf(o[0], o[1]), newBend = cosineOf(n[0], n[1]);
+		// The normal of what is all but a line says nothing.
+		const bool isNeedle = before < needleShape;
+		if (newBend < sharpCosine && newBend < bend && !isNeedle) return false;
+		if (bend < sharpCosine && newBend < leastTurn && !isNeedle) return false;
+		const Vec3f mean = o[0] + o[1];
+		return cosineOf(n[0], mean) > leastTurn && cosineOf(n[1], mean) > leastTurn &&
+			   g_.agrees(made_[0].vertex, n[0], leastAgreement) &&
+			   g_.agrees(made_[1].vertex, n[1], leastAgreement);
+	}
+
+	/// How far the edge that two triangles share lies from that between their apexes: between the
+	/// lines through them.
+	static double gapBetween(const NamedTriangle& s, const NamedTriangle& t)
+	{
+		const Vec3d a(s.at[0]), b(s.at[1]), c(s.at[2]), d(t.at[2]);
+		const Vec3d normal = normalized(cross(b - a, d - c));
+		return std::abs(dot(normal, c - a));
+	}
+
+	// ---- slides
+
+	void slide(int v)
+	{
+		gone_.clear();
+		forEachOutgoing(m_, v, [&](int h) { gone_.push_back(h / 3); });
+		const Vec3d from(m_.position[v]), to = goalOf(v);
+		const float before = energy(gone_);
+		double      share  = 1;
+		for (int i = 0; i <= halvingNum; ++i, share /= 2) {
+			const Vec3f place(from + (to - from) * share);
+			if (isFarther(v, Vec3d(place)) || !makeTriangles(v, place) ||
+				!(leastGain * energyOfMade() < before))
+				continue;
+			if (!guard_.allows(made_, gone_)) continue;
+			m_.position[v] = place;
+			guard_.follow(gone_);
+			return;
+		}
+	}
+
+	/// By the quadrics, which are weighted by area.
+	bool isFarther(int v, const Vec3d& place) const
+	{
+		const Quadric& q     = g_.quadric[std::size_t(v)];
+		const double   there = q.at(place);
+		return there > farthest_ * farthest_ * double(g_.area[std::size_t(v)]) &&
+			   there > q.at(Vec3d(m_.position[v]));
+	}
+
+	Vec3d goalOf(int v) const
+	{
+		Vec3d  sum;
+		double area = 0;
+		for (int f : gone_) {
+			const double here = double(length(m_.faceCross(f)));
+			sum += Vec3d(m_.faceCentre(f)) * here;
+			area += here;
+		}
+		const Vec3d barycentre = area > 0 ? sum * (1 / area) : Vec3d(m_.position[v]);
+		Quadric     q          = g_.quadric[std::size_t(v)];
+		q.addPoint(barycentre, barycentreWeight * q.trace());
+		return q.lowest(Vec3d(m_.position[v]));
+	}
+
+	/// The conformal energy, summed over the faces: smallest where all are equilateral.
+	float energy(const std::vector<int>& faces) const
+	{
+		float sum = 0;
+		for (int f : faces)
+			sum += 1 / (shapeOf(triangleOf(m_, f)) + 1e-6f);
+		return sum;
+	}
+
+	float energyOfMade() const
+	{
+		float sum = 0;
+		for (const NamedTriangle& t : made_)
+			sum += 1 / (shapeOf(t) + 1e-6f);
+		return sum;
+	}
+
+	bool makeTriangles(int v, const Vec3f& place)
+	{
+		made_.clear();
+		for (int f : gone_) {
+			NamedTriangle t   = triangleOf(m_, f);
+			const Vec3f   old = crossOf(t);
+			for (int k = 0; k < 3; ++k) {
+				if (t.vertex[k] == v) t.at[k] = place;
+			}
+			const Vec3f normal = crossOf(t);
+			if (isLine(t.at[0], t.at[1], t.at[2], normal)) return false;
+			if (cosineOf(normal, old) < leastTurn) return false;
+			if (!g_.agrees(t.vertex, normal, leastAgreement) &&
+				g_.agrees(t.vertex, old, leastAgreement))
+				return false;
+			made_.push_back(t);
+		}
+		return true;
+	}
+};
+
+} // namespace
+
+void relaxGuarded(double idealEdge, bool mayMove, GuardedMesh& guarded, Workers& workers)
+{
+	Relaxation(idealEdge, guarded, workers).run(mayMove);
+}
+
+} // namespace gpr

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "input_contacts.h"
+
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace gpr {
+
+namespace {
+
+/// Some boxes as faces, so that they get a tree: each has two of its corners.
+HalfEdgeMesh diagonalsOf(const std::vector<Box<float>>& boxes)
+{
+	HalfEdgeMesh m;
+	const int    num = int(boxes.size());
+	reserve(m, 2 * num, num);
+	m.vertexNum = 2 * num;
+	m.faceNum   = num;
+	for (int i = 0; i < num; ++i) {
+		m.position[2 * i]     = boxes[std::size_t(i)].low;
+		m.position[2 * i + 1] = boxes[std::size_t(i)].high;
+		for (int k = 0; k < 3; ++k) {
+			m.origin[3 * i + k]   = 2 * i + (k > 0);
+			m.opposite[3 * i + k] = -1;
+		}
+		m.outgoing[2 * i] = m.outgoing[2 * i + 1] = -1;
+	}
+	return m;
+}
+
+/// Some faces with the vertices of all. Nothing is said of what lies round a vertex.
+HalfEdgeMesh facesAlone(const HalfEdgeMesh& from, const std::vector<int>& faces)
+{
+	HalfEdgeMesh     to;
+	std::vector<int> corner = verticesOf(from, faces);
+	const int        num    = int(corner.size());
+	reserve(to, num, int(faces.size()));
+	to.vertexNum = num;
+	to.faceNum   = int(faces.size());
+	for (int v = 0; v < num; ++v) {
+		to.position[v] = from.position[corner[std::size_t(v)]];
+		to.outgoing[v] = -1;
+	}
+	for (int h = 0; h < to.halfEdgeNum(); ++h) {
+		const int v    = from.origin[3 * faces[std::size_t(h / 3)] + h % 3];
+		to.origin[h]   = int(std::lower_bound(corner.begin(), corner.end(), v) - corner.begin());
+		to.opposite[h] = -1;
+	}
+	return to;
+}
+
+} // namespace
+
+InputContacts::InputContacts(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
+							 const std::vector<FacePair>& pairs, float distance, Workers& workers) :
+		distance_(distance)
+{
+	std::vector<Box<float>> places;
+	for (const FacePair& pair : pairs)
+		places.push_back(surroundings(result, pair));
+	const HalfEdgeMesh     diagonals = diagonalsOf(places);
+	const FaceBoxes        tree(diagonals, workers);
+	const std::vector<int> nearFaces = workers.collectIf(std::size_t(input.faceNum), [&](int f) {
+		return !tree.forEachMeeting(boxOfFace(input, f), [](int) { return false; });
+	});
+	const HalfEdgeMesh     near      = facesAlone(input, nearFaces);
+	// Where the input was cut, sides with other vertices than the input's touch at once.
+	const std::vector<FacePair> found = findTouchingPairs(near, workers, Seams::Apart);
+	pairNum_                          = std::int64_t(found.size());
+	if (found.empty()) return;
+	std::vector<Box<float>> boxes;
+	for (const FacePair& pair : found) {
+		boxes.push_back(boxOfFace(near, pair.first));
+		boxes.push_back(boxOfFace(near, pair.second));
+	}
+	touching_ = std::make_unique<FaceBoxes>(diagonalsOf(boxes), workers);
+}
+
+Box<float> InputContacts::surroundings(const HalfEdgeMesh& result, const FacePair& pair) const
+{
+	Box<float> box = boxOfFace(result, pair.first);
+	box += boxOfFace(result, pair.second);
+	const Vec3f margin(distance_, distance_, distance_);
+	return {box.low - margin, box.high + margin};
+}
+
+std::vector<FacePair> InputContacts::withoutInputs(const HalfEdgeMesh&          result,
+												   const std::vector<FacePair>& pairs) const
+{
+	if (!touching_) return pairs;
+	const auto isNear = [&](const FacePair& pair) {
+		return !touching_->forEachMeeting(surroundings(result, pair), [](int) { return false; });
+	};
+	std::vector<FacePair> others;
+	std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(others),
+				 [&](const FacePair& pair) { return !isNear(pair); });
+	return others;
+}
+
+} // namespace gpr

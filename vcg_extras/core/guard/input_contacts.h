@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_GUARD_INPUT_CONTACTS_H
+#define VCG_EXTRAS_CORE_GUARD_INPUT_CONTACTS_H
+
+#include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/face_boxes.h>
+#include <vcg_extras/core/mesh/face_contact.h>
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace gpr {
+
+/// Where the input intersects itself near pairs of a result, so that these are its own.
+class InputContacts {
+public:
+	/// Looks at the input's faces that lie nearer than `distance` to the box of a pair. Cost: a
+	/// pass over the input's faces, and the test of those.
+	InputContacts(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
+				  const std::vector<FacePair>& pairs, float distance, Workers& workers);
+
+	/// Pairs found in the input.
+	std::int64_t pairNum() const { return pairNum_; }
+
+	/// The pairs of the result that do not lie near pairs of the input.
+	std::vector<FacePair> withoutInputs(const HalfEdgeMesh&          result,
+										const std::vector<FacePair>& pairs) const;
+
+private:
+	float                      distance_;
+	std::int64_t               pairNum_ = 0;
+	std::unique_ptr<FaceBoxes> touching_; ///< the input's faces that touch others; null: none
+
+	Box<float> surroundings(const HalfEdgeMesh& result, const FacePair& pair) const;
+};
+
+} // namespace gpr
+
+#endif

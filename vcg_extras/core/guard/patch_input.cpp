@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_input.h"
+
+#include "local_nearest.h"
+
+#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// Where the input has more vertices than these, and so many per vertex of the result, it is too
+/// much to be worked on again and again.
+constexpr std::size_t mostVertices = 200'000, mostPerVertex = 500;
+/// Edges of the input are not longer than these shares of the result's longest edge there: at the
+/// border of a patch, where they have to follow the result's triangles, and inside.
+constexpr float longestAtBorder = 0.3f, longestInside = 0.6f;
+/// Beyond a patch the input is looked at for so many edges of the result.
+constexpr float reachBeyond = 1.5f;
+/// Inside the input may be farther from vertices of the result, but not by more than this.
+constexpr float reachInside = 2;
+/// The longest edge at a vertex.
+float longestEdgeAt(const HalfEdgeMesh& m, int v)
+{
+	float squared = 0;
+	forEachNeighbour(m, v, [&](int w) {
+		squared = std::max(squared, squaredLength(m.position[w] - m.position[v]));
+	});
+	return std::sqrt(squared);
+}
+
+/// Cells of the result's vertices near patches, on the input, by edges.
+class LocalCells {
+public:
+	LocalCells(const Surface& surface, const ResultMesh& result, const std::vector<PatchRole>& role,
+			   float reach, std::size_t mostReached) :
+			m_(surface.mesh),
+			mostReached_(mostReached), label_(std::size_t(m_.vertexNum), none)
+	{
+		std::vector<float> most(role.size(), 0);
+		for (std::size_t v = 0; v < role.size(); ++v) {
+			if (role[v] == PatchRole::Far) continue;
+			most[v] = reachBeyond * longestEdgeAt(result.mesh, int(v));
+			if (role[v] != PatchRole::Near)
+				most[v] = reach * reachInside * std::max(most[v], result.idealEdge);
+			const SurfacePoint& at = result.vertex[v].point;
+			for (int h = 3 * at.face; h < 3 * at.face + 3; ++h)
+				push(length(m_.position[m_.origin[h]] - at.position), m_.origin[h], int(v));
+		}
+		run(most);
+	}
+
+	const std::vector<int>& label() const { return label_; }
+	const std::vector<int>& reached() const { return reached_; }
+
+private:
+	struct Entry {
+		float distance;
+		int   vertex, label;
+		bool  operator<(const Entry& o) const
+		{
+			if (distance != o.distance) return distance > o.distance;
+			return vertex != o.vertex ? vertex > o.vertex : label > o.label;
+		}
+	};
+	static constexpr int       none = -1, outside = -2;
+	const HalfEdgeMesh&        m_;
+	std::size_t                mostReached_;
+	std::vector<int>           label_, reached_;
+	std::priority_queue<Entry> front_;
+
+	void push(float distance, int vertex, int label) { front_.push({distance, vertex, label}); }
+
+	void run(const std::vector<float>& most)
+	{
+		while (!front_.empty() && reached_.size() <= mostReached_) {
+			const Entry e = front_.top();
+			front_.pop();
+			int& label = label_[std::size_t(e.vertex)];
+			if (label != none) continue;
+			// What is nearest to a vertex beyond the patch is no other's, so that none leaks out.
+			label = e.distance > most[std::size_t(e.label)] ? outside : e.label;
+			if (label == outside) continue;
+			reached_.push_back(e.vertex);
+			forEachNeighbour(m_, e.vertex, [&](int w) {
+				if (label_[std::size_t(w)] != none) return;
+				push(e.distance + length(m_.position[w] - m_.position[e.vertex]), w, e.label);
+			});
+		}
+	}
+};
+
+/// The faces of the input whose corners are all in cells.
+class Extraction {
+public:
+	Extraction(const HalfEdgeMesh& m, const LocalCells& cells) :
+			m_(m), ofVertex_(std::size_t(m.vertexNum), -1)
+	{
+		local_.inputVertex = cells.reached();
+		std::sort(local_.inputVertex.begin(), local_.inputVertex.end());
+		local_.ownNum = int(local_.inputVertex.size());
+		for (int i = 0; i < local_.ownNum; ++i) {
+			const int v               = local_.inputVertex[std::size_t(i)];
+			ofVertex_[std::size_t(v)] = i;
+			local_.label.push_back(cells.label()[std::size_t(v)]);
+		}
+	}
+
+	PatchInput run()
+	{
+		collectFaces();
+		HalfEdgeMesh& to = local_.mesh;
+		reserve(to, local_.ownNum, int(face_.size()));
+		to.vertexNum = local_.ownNum;
+		to.faceNum   = int(face_.size());
+		to.crease    = Buffer<char>(std::size_t(to.halfEdgeNum()), 0);
+		for (int v = 0; v < to.vertexNum; ++v) {
+			to.position[v] = m_.position[local_.inputVertex[std::size_t(v)]];
+			to.outgoing[v] = -1;
+		}
+		for (int h = 0; h < to.halfEdgeNum(); ++h)
+			copyHalfEdge(h);
+		for (int h = 0; h < to.halfEdgeNum(); ++h) {
+			if (to.opposite[h] < 0) to.outgoing[to.origin[h]] = h;
+		}
+		return std::move(local_);
+	}
+
+private:
+	const HalfEdgeMesh& m_;
+	PatchInput          local_;
+	std::vector<int>    ofVertex_; ///< per vertex of the input: in the local mesh, or -1
+	std::vector<int>    face_;     ///< of the input, ascending
+
+	void collectFaces()
+	{
+		std::vector<int> met;
+		for (int v : local_.inputVertex)
+			forEachOutgoing(m_, v, [&](int h) { met.push_back(h / 3); });
+		std::sort(met.begin(), met.end());
+		// A face is there once for each corner that was reached.
+		for (std::size_t i = 0; i + 2 < met.size(); ++i) {
+			if (met[i] == met[i + 2]) face_.push_back(met[i]);
+		}
+	}
+
+	int placeOf(int face) const
+	{
+		const auto at = std::lower_bound(face_.begin(), face_.end(), face);
+		return at != face_.end() && *at == face ? int(at - face_.begin()) : -1;
+	}
+
+	void copyHalfEdge(int h)
+	{
+		HalfEdgeMesh& to          = local_.mesh;
+		const int     from        = 3 * face_[std::size_t(h / 3)] + h % 3;
+		const int     other       = m_.opposite[from];
+		const int     place       = other < 0 ? -1 : placeOf(other / 3);
+		to.origin[h]              = ofVertex_[std::size_t(m_.origin[from])];
+		to.opposite[h]            = place < 0 ? -1 : 3 * place + other % 3;
+		to.crease[h]              = char(other < 0);
+		to.outgoing[to.origin[h]] = h;
+	}
+};
+
+/// Splits edges that are longer than a share of the result's edges there.
+class LocalRefinement {
+public:
+	LocalRefinement(const HalfEdgeMesh& result, const std::vector<PatchRole>& role,
+					PatchInput& local) :
+			local_(local),
+			m_(local.mesh)
+	{
+		for (int label : local.label)
+			limit_.push_back((isDeep(result, role, label) ? longestInside : longestAtBorder) *
+							 longestEdgeAt(result, label));
+	}
+
+	/// Ends early with more vertices than `most`.
+	void run(std::size_t most)
+	{
+		while (std::size_t(m_.vertexNum) <= most && splitLongest() > 0) {}
+	}
+
+private:
+	PatchInput&        local_;
+	HalfEdgeMesh&      m_;
+	std::vector<float> limit_; ///< per vertex
+
+	bool isLong(int h, float& squared) const
+	{
+		const int a = m_.origin[h], b = m_.target(h);
+		squared          = squaredLength(m_.position[a] - m_.position[b]);
+		const float most = 0.5f * (limit_[std::size_t(a)] + limit_[std::size_t(b)]);
+		return squared > most * most;
+	}
+
+	/// One pass: the long edges, those first that are longest at its beginning.
+	int splitLongest()
+	{
+		std::vector<std::pair<float, int>> edges;
+		float                              squared = 0;
+		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
+			if (m_.opposite[h] < h && isLong(h, squared)) edges.emplace_back(-squared, h);
+		}
+		std::sort(edges.begin(), edges.end());
+		// An edge gives two faces and a vertex at most.
+		reserve(m_, m_.vertexNum + int(edges.size()), m_.faceNum + 2 * int(edges.size()));
+		for (const auto& edge : edges) {
+			if (isLong(edge.second, squared)) split(edge.second);
+		}
+		return int(edges.size());
+	}
+
+	void split(int h)
+	{
+		const std::size_t a = std::size_t(m_.origin[h]), b = std::size_t(m_.target(h));
+		const int         v = m_.vertexNum++;
+		m_.position[v]      = (m_.position[int(a)] + m_.position[int(b)]) * 0.5f;
+		if (m_.opposite[h] < 0) {
+			splitBorderEdge(m_, h, v);
+			m_.crease[m_.outgoing[v]] = m_.crease[h];
+		}
+		else {
+			splitEdge(m_, h, v);
+		}
+		local_.inputVertex.push_back(local_.inputVertex[a]);
+		local_.label.push_back(local_.label[a]);
+		limit_.push_back(0.5f * (limit_[a] + limit_[b]));
+	}
+};
+
+/// The corner with the largest weight at the point of the result nearest to p, from vertex `near`
+/// on.
+int labelAt(const HalfEdgeMesh& result, int near, const Vec3f& p, const Vec3f& normal)
+{
+	const SurfacePoint at = nearestByDescent(result, near, p, normal);
+	if (at.face < 0) return near;
+	const int* corner = &result.origin[3 * at.face];
+	const auto weight = weightsAt(at.position, result.position[corner[0]],
+								  result.position[corner[1]], result.position[corner[2]]);
+	return corner[std::max_element(weight.begin(), weight.end()) - weight.begin()];
+}
+
+void findLabels(const HalfEdgeMesh& result, const std::vector<PatchRole>& role, PatchInput& local,
+				Workers& workers)
+{
+	const HalfEdgeMesh& m = local.mesh;
+	std::vector<Vec3f>  normal(std::size_t(m.vertexNum));
+	for (int h = 0; h < m.halfEdgeNum(); ++h)
+		normal[std::size_t(m.origin[h])] += m.faceCross(h / 3);
+	workers.forEach(std::size_t(m.vertexNum), [&](int v) {
+		int& label = local.label[std::size_t(v)];
+		if (isDeep(result, role, label)) return;
+		const int better = labelAt(result, label, m.position[v], normal[std::size_t(v)]);
+		// A way that begins beyond the border and ends inside it has come to another sheet.
+		const bool hasLeft = role[std::size_t(label)] == PatchRole::Near &&
+							 role[std::size_t(better)] == PatchRole::Inside;
+		if (!hasLeft) label = better;
+	});
+}
+
+std::size_t mostVerticesFor(const std::vector<PatchRole>& role)
+{
+	const auto far = std::count(role.begin(), role.end(), PatchRole::Far);
+	return mostVertices + mostPerVertex * (role.size() - std::size_t(far));
+}
+
+} // namespace
+
+bool isDeep(const HalfEdgeMesh& result, const std::vector<PatchRole>& role, int v)
+{
+	bool isDeep = role[std::size_t(v)] == PatchRole::Inside;
+	forEachNeighbour(result, v,
+					 [&](int w) { isDeep = isDeep && role[std::size_t(w)] == PatchRole::Inside; });
+	return isDeep;
+}
+
+PatchInput collectPatchInput(const Surface& surface, const ResultMesh& result,
+							 const std::vector<PatchRole>& role, float reach, Workers& workers)
+{
+	const std::size_t most = mostVerticesFor(role);
+	PatchInput        local =
+		Extraction(surface.mesh, LocalCells(surface, result, role, reach, most)).run();
+	LocalRefinement(result.mesh, role, local).run(most);
+	local.share     = double(local.mesh.vertexNum) / double(most);
+	local.isTooMuch = local.share > 1;
+	if (!local.isTooMuch) findLabels(result.mesh, role, local, workers);
+	return local;
+}
+
+} // namespace gpr

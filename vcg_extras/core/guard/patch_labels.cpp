@@ -1,0 +1,244 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_labels.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <map>
+
+namespace gpr {
+
+namespace {
+
+/// More passes hardly change anything.
+constexpr int maxPasses = 12;
+
+class Cleaning {
+public:
+	Cleaning(const HalfEdgeMesh& mesh, const std::vector<PatchRole>& role,
+			 std::vector<int>& label) :
+			m_(mesh),
+			role_(role), label_(label)
+	{
+	}
+
+	void run()
+	{
+		for (int pass = 0; pass < maxPasses; ++pass) {
+			findPieces();
+			const int changes = joinPieces() + joinEnclosed() + joinNotches();
+			if (changes == 0) return;
+		}
+	}
+
+private:
+	/// Vertices that hang together and have one label, or all lie inside.
+	struct Piece {
+		int first = -1; ///< its first vertex
+		int size  = 0;
+	};
+	const HalfEdgeMesh&           m_;
+	const std::vector<PatchRole>& role_;
+	std::vector<int>&             label_;
+	std::vector<int>              pieceOf_; ///< per vertex
+	std::vector<Piece>            piece_;
+	std::vector<int>              stack_, ring_;
+
+	int  labelOf(int v) const { return label_[std::size_t(v)]; }
+	bool isInside(int v) const { return role_[std::size_t(labelOf(v))] == PatchRole::Inside; }
+	bool isBorder(int v) const { return role_[std::size_t(labelOf(v))] == PatchRole::Border; }
+
+	void findPieces()
+	{
+		pieceOf_.assign(std::size_t(m_.vertexNum), -1);
+		piece_.clear();
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			if (pieceOf_[std::size_t(v)] < 0 && (isInside(v) || isBorder(v))) gather(v);
+		}
+	}
+
+	void gather(int first)
+	{
+		const int name = int(piece_.size());
+		Piece     piece;
+		piece.first                  = first;
+		pieceOf_[std::size_t(first)] = name;
+		stack_                       = {first};
+		while (!stack_.empty()) {
+			const int v = stack_.back();
+			stack_.pop_back();
+			++piece.size;
+			forEachNeighbour(m_, v, [&](int w) {
+				const bool isSame = isInside(v) ? isInside(w) : labelOf(w) == labelOf(v);
+				if (!isSame || pieceOf_[std::size_t(w)] >= 0) return;
+				pieceOf_[std::size_t(w)] = name;
+				stack_.push_back(w);
+			});
+		}
+		piece_.push_back(piece);
+	}
+
+	/// The vertices of pieces that are marked get another label that is next to them, where there
+	/// is one; `may` tells of two neighbours whether the first may get the label of the second.
+	template <class May>
+	int giveAway(const std::vector<char>& isGiven, const May& may)
+	{
+		int              changes = 0;
+		std::vector<int> front;
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			const int piece = pieceOf_[std::size_t(v)];
+			if (piece >= 0 && isGiven[std::size_t(piece)]) front.push_back(v);
+		}
+		for (bool isChanged = true; isChanged && !front.empty();) {
+			isChanged = false;
+			std::vector<int> left;
+			for (int v : front) {
+				const int label = labelBeside(v, may);
+				if (label < 0) {
+					left.push_back(v);
+					continue;
+				}
+				label_[std::size_t(v)]   = label;
+				pieceOf_[std::size_t(v)] = -1;
+				isChanged                = true;
+				++changes;
+			}
+			front = std::move(left);
+		}
+		return changes;
+	}
+
+	template <class May>
+	int labelBeside(int v, const May& may) const
+	{
+		int found = -1;
+		forEachNeighbour(m_, v, [&](int w) {
+			const bool isSame = pieceOf_[std::size_t(w)] >= 0 &&
+								pieceOf_[std::size_t(w)] == pieceOf_[std::size_t(v)];
+			if (!isSame && may(w) && (found < 0 || isInside(w))) found = labelOf(w);
+		});
+		return found;
+	}
+
+	/// All pieces of a border's cell but the largest.
+	int joinPieces()
+	{
+		std::map<int, int> largest; // per label: a piece
+		for (std::size_t i = 0; i < piece_.size(); ++i) {
+			if (isInside(piece_[i].first)) continue;
+			const auto at = largest.emplace(labelOf(piece_[i].first), int(i)).first;
+			if (piece_[std::size_t(at->second)].size < piece_[i].size) at->second = int(i);
+		}
+		std::vector<char> isGiven(piece_.size(), 0);
+		bool              isAny = false;
+		for (std::size_t i = 0; i < piece_.size(); ++i) {
+			if (isInside(piece_[i].first)) continue;
+			isGiven[i] = largest[labelOf(piece_[i].first)] != int(i);
+			isAny      = isAny || isGiven[i];
+		}
+		return isAny ? giveAway(isGiven, [](int) { return true; }) : 0;
+	}
+
+	/// Pieces inside that meet two cells at most, and nothing beyond the border, and are disks.
+	int joinEnclosed()
+	{
+		const std::vector<std::vector<int>> met   = cellsMet();
+		const std::vector<int>              euler = eulerOfPieces();
+		std::vector<char>                   isGiven(piece_.size(), 0);
+		bool                                isAny = false;
+		for (std::size_t i = 0; i < piece_.size(); ++i) {
+			isGiven[i] =
+				isInside(piece_[i].first) && !met[i].empty() && met[i].size() <= 2 && euler[i] == 1;
+			isAny = isAny || isGiven[i];
+		}
+		return isAny ? giveAway(isGiven, [this](int w) { return isBorder(w); }) : 0;
+	}
+
+	/// Per piece inside: the labels round it, three at most.
+	std::vector<std::vector<int>> cellsMet() const
+	{
+		std::vector<std::vector<int>> met(piece_.size());
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			const int piece = pieceOf_[std::size_t(v)];
+			if (piece < 0 || !isInside(v)) continue;
+			std::vector<int>& labels = met[std::size_t(piece)];
+			forEachNeighbour(m_, v, [&](int w) {
+				if (isInside(w) || labels.size() > 2) return;
+				if (std::find(labels.begin(), labels.end(), labelOf(w)) == labels.end())
+					labels.push_back(labelOf(w));
+			});
+		}
+		return met;
+	}
+
+	/// Per piece inside: vertices less edges and faces with a corner in it. 1: an open disk.
+	std::vector<int> eulerOfPieces() const
+	{
+		std::vector<int> euler(piece_.size(), 0);
+		const auto       add = [&](std::initializer_list<int> corners, int sign) {
+            for (int v : corners) {
+                if (pieceOf_[std::size_t(v)] < 0 || !isInside(v)) continue;
+                euler[std::size_t(pieceOf_[std::size_t(v)])] += sign;
+                return; // corners inside hang together
+            }
+		};
+		for (int v = 0; v < m_.vertexNum; ++v)
+			add({v}, 1);
+		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
+			if (m_.opposite[h] < h) add({m_.origin[h], m_.target(h)}, -1);
+			if (h % 3 == 0) add({m_.origin[h], m_.target(h), m_.apex(h)}, 1);
+		}
+		return euler;
+	}
+
+	/// Vertices inside that meet a cell more than once.
+	int joinNotches()
+	{
+		int changes = 0;
+		for (int v = 0; v < m_.vertexNum; ++v) {
+			if (m_.outgoing[v] < 0 || !isInside(v)) continue;
+			const int label = metTwice(v);
+			if (label < 0) continue;
+			label_[std::size_t(v)] = label;
+			++changes;
+		}
+		return changes;
+	}
+
+	/// A border's label that comes up twice round v with others between, or -1.
+	int metTwice(int v)
+	{
+		ring_.clear();
+		bool isNearBeyond = false;
+		forEachNeighbour(m_, v, [&](int w) {
+			isNearBeyond = isNearBeyond || !(isInside(w) || isBorder(w));
+			ring_.push_back(isBorder(w) ? labelOf(w) : -1);
+		});
+		if (isNearBeyond) return -1;
+		const std::size_t num   = ring_.size();
+		const bool        isFan = m_.isBorderVertex(v);
+		for (std::size_t i = 0; i < num; ++i) {
+			const int label = ring_[i];
+			if (label < 0) continue;
+			int runs = 0;
+			for (std::size_t k = 0; k < num; ++k) {
+				const bool isFirst =
+					k == 0 ? isFan || ring_[num - 1] != label : ring_[k - 1] != label;
+				runs += ring_[k] == label && isFirst;
+			}
+			if (runs > 1) return label;
+		}
+		return -1;
+	}
+};
+
+} // namespace
+
+void cleanLabels(const HalfEdgeMesh& mesh, const std::vector<PatchRole>& role,
+				 std::vector<int>& label)
+{
+	Cleaning(mesh, role, label).run();
+}
+
+} // namespace gpr

@@ -1,0 +1,409 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_refill.h"
+
+#include "patch_input.h"
+
+#include <vcg_extras/core/mesh/face_contact.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// The rounds together look at no more than so many times what one may look at.
+constexpr double mostWork = 2;
+/// Marks that have not settled after so many rounds do not settle.
+constexpr int maxRounds = 24;
+/// Rings of vertices of the result whose cells are looked at beyond a patch.
+constexpr int ringsBeyond = 4;
+
+using Role = PatchRole;
+
+/// Per vertex of the result.
+std::vector<Role> findRoles(const HalfEdgeMesh& m, const std::vector<char>& marked)
+{
+	std::vector<Role> role(std::size_t(m.vertexNum), Role::Far);
+	for (int v = 0; v < m.vertexNum; ++v) {
+		int faces = 0, inside = 0;
+		forEachOutgoing(m, v, [&](int h) {
+			++faces;
+			inside += marked[std::size_t(h / 3)] != 0;
+		});
+		if (inside == 0) continue;
+		role[std::size_t(v)] = inside == faces ? Role::Inside : Role::Border;
+	}
+	for (int ring = 0; ring < ringsBeyond; ++ring) {
+		const std::vector<Role> before = role;
+		for (int v = 0; v < m.vertexNum; ++v) {
+			if (before[std::size_t(v)] == Role::Far) continue;
+			forEachNeighbour(m, v, [&](int w) {
+				if (role[std::size_t(w)] == Role::Far) role[std::size_t(w)] = Role::Near;
+			});
+		}
+	}
+	return role;
+}
+
+/// A triangle of the mesh to be put together.
+using Triangle = std::array<int, 3>;
+
+/// Puts the rest of the result and the input's triangles together.
+class Refill {
+public:
+	Refill(const Surface& surface, const ResultMesh& result, const std::vector<char>& marked,
+		   Workers& workers) :
+			surface_(surface),
+			result_(result), marked_(marked), workers_(workers),
+			role_(findRoles(result.mesh, marked))
+	{
+	}
+
+	/// reach: see collectPatchInput. False where it does not fit; culprits() then are vertices of
+	/// the result where it does not.
+	bool run(float reach)
+	{
+		local_ = collectPatchInput(surface_, result_, role_, reach, workers_);
+		if (local_.isTooMuch) return false;
+		cleanLabels(local_.mesh, role_, local_.label);
+		nameVertices();
+		collectTriangles();
+		return culprits_.empty() && link() && areFansWhole();
+	}
+
+	/// Cells on the border that are no disks are to blame where the topology is not the result's.
+	void blameCells()
+	{
+		const HalfEdgeMesh& m = local_.mesh;
+		std::vector<int>    euler(role_.size(), 0);
+		const auto          label = [&](int v) { return local_.label[std::size_t(v)]; };
+		for (int v = 0; v < m.vertexNum; ++v)
+			++euler[std::size_t(label(v))];
+		for (int h = 0; h < m.halfEdgeNum(); ++h) {
+			const int here = label(m.origin[h]);
+			if (here != label(m.target(h))) continue;
+			if (m.opposite[h] < h) --euler[std::size_t(here)];
+			if (h % 3 == 0 && here == label(m.apex(h))) ++euler[std::size_t(here)];
+		}
+		for (std::size_t v = 0; v < role_.size(); ++v) {
+			if (role_[v] == Role::Border && euler[v] != 1) culprits_.push_back(int(v));
+		}
+	}
+
+	bool                    isTooMuch() const { return local_.isTooMuch; }
+	double                  share() const { return local_.share; }
+	const std::vector<int>& culprits() const { return culprits_; }
+
+	/// Whether vertices would go at a place that other borders share.
+	bool isShared() const
+	{
+		for (std::size_t v = 0; v < role_.size(); ++v) {
+			if (role_[v] == Role::Inside && result_.vertex[v].isShared) return true;
+		}
+		return false;
+	}
+
+	void take(const std::vector<int>& keptInput, bool hasContacts, RefilledMesh& to)
+	{
+		to.guarded = std::make_unique<GuardedMesh>(std::move(mesh_), hasContacts);
+		standForInput(*to.guarded);
+		fix(keptInput, *to.guarded);
+		to.resultVertex = std::move(resultVertex_);
+		to.inputVertex  = std::move(inputVertex_);
+		to.label        = std::move(labelOf_);
+	}
+
+	const HalfEdgeMesh& mesh() const { return mesh_; }
+
+private:
+	const Surface&           surface_;
+	const ResultMesh&        result_;
+	const std::vector<char>& marked_;
+	Workers&                 workers_;
+	std::vector<Role>        role_;
+	PatchInput               local_;
+	std::vector<int>         nameOfResult_; ///< per vertex of the result: in the new mesh, or -1
+	std::vector<int>         nameOfLocal_;  ///< the same per vertex of the local input
+	std::vector<int>         resultVertex_, inputVertex_, labelOf_;
+	std::vector<Triangle>    triangle_;
+	std::vector<int>         culprits_;
+	HalfEdgeMesh             mesh_;
+
+	Role roleOf(int resultVertex) const { return role_[std::size_t(resultVertex)]; }
+
+	void nameVertices()
+	{
+		const HalfEdgeMesh& r = result_.mesh;
+		nameOfResult_.assign(std::size_t(r.vertexNum), -1);
+		nameOfLocal_.assign(std::size_t(local_.mesh.vertexNum), -1);
+		for (int v = 0; v < r.vertexNum; ++v) {
+			if (roleOf(v) == Role::Inside) continue;
+			nameOfResult_[std::size_t(v)] = int(resultVertex_.size());
+			resultVertex_.push_back(v);
+			inputVertex_.push_back(-1);
+			labelOf_.push_back(v);
+		}
+		for (int v = 0; v < local_.mesh.vertexNum; ++v) {
+			const int label = local_.label[std::size_t(v)];
+			if (roleOf(label) != Role::Inside) {
+				nameOfLocal_[std::size_t(v)] = nameOfResult_[std::size_t(label)];
+				continue;
+			}
+			if (local_.mesh.outgoing[v] < 0) continue;
+			nameOfLocal_[std::size_t(v)] = int(resultVertex_.size());
+			resultVertex_.push_back(-1);
+			inputVertex_.push_back(local_.inputVertex[std::size_t(v)]);
+			labelOf_.push_back(label);
+		}
+	}
+
+	void collectTriangles()
+	{
+		const HalfEdgeMesh& r = result_.mesh;
+		for (int f = 0; f < r.faceNum; ++f) {
+			if (marked_[std::size_t(f)]) continue;
+			Triangle t;
+			for (int k = 0; k < 3; ++k)
+				t[std::size_t(k)] = nameOfResult_[std::size_t(r.origin[3 * f + k])];
+			triangle_.push_back(t);
+		}
+		for (int f = 0; f < local_.mesh.faceNum; ++f)
+			addLocal(&local_.mesh.origin[3 * f]);
+	}
+
+	void addLocal(const int* corner)
+	{
+		Triangle t;
+		int      inside = 0, border = 0;
+		for (int k = 0; k < 3; ++k) {
+			const int v       = corner[k];
+			t[std::size_t(k)] = nameOfLocal_[std::size_t(v)];
+			const Role role   = roleOf(local_.label[std::size_t(v)]);
+			inside += role == Role::Inside;
+			border += role == Role::Border;
+		}
+		if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
+		if (inside + border == 3) {
+			if (inside > 0 || !isLeft(t)) triangle_.push_back(t);
+			return;
+		}
+		if (inside == 0) return;
+		// The inside meets what lies beyond the border.
+		for (int k = 0; k < 3; ++k) {
+			const int label = local_.label[std::size_t(corner[k])];
+			if (roleOf(label) != Role::Inside && roleOf(label) != Role::Border)
+				culprits_.push_back(label);
+		}
+	}
+
+	/// Whether the result has a face between these vertices that stays.
+	bool isLeft(const Triangle& t) const
+	{
+		const int h = result_.mesh.findHalfEdge(resultVertex_[std::size_t(t[0])],
+												resultVertex_[std::size_t(t[1])]);
+		return h >= 0 && !marked_[std::size_t(h / 3)] &&
+			   result_.mesh.apex(h) == resultVertex_[std::size_t(t[2])];
+	}
+
+	bool mayBeBorder(int v) const
+	{
+		const int w = resultVertex_[std::size_t(v)];
+		if (w >= 0) return result_.mesh.isBorderVertex(w);
+		return surface_.mesh.isBorderVertex(inputVertex_[std::size_t(v)]);
+	}
+
+	void blame(int v) { culprits_.push_back(labelOf_[std::size_t(v)]); }
+
+	/// A half-edge by the ends of its edge.
+	struct Edge {
+		int  low, high, half;
+		bool operator<(const Edge& o) const
+		{
+			if (low != o.low) return low < o.low;
+			return high != o.high ? high < o.high : half < o.half;
+		}
+		bool isSame(const Edge& o) const { return low == o.low && high == o.high; }
+	};
+
+	void placeVertices()
+	{
+		mesh_.vertexNum = int(resultVertex_.size());
+		mesh_.faceNum   = int(triangle_.size());
+		reserve(mesh_, mesh_.vertexNum, mesh_.faceNum);
+		for (int v = 0; v < mesh_.vertexNum; ++v) {
+			const int w       = resultVertex_[std::size_t(v)];
+			mesh_.outgoing[v] = -1;
+			if (w >= 0) mesh_.position[v] = result_.mesh.position[w];
+		}
+		for (int v = 0; v < local_.mesh.vertexNum; ++v) {
+			const int name = nameOfLocal_[std::size_t(v)];
+			if (name >= 0 && resultVertex_[std::size_t(name)] < 0)
+				mesh_.position[name] = local_.mesh.position[v];
+		}
+	}
+
+	std::vector<Edge> placeHalfEdges()
+	{
+		std::vector<Edge> edges;
+		edges.reserve(3 * triangle_.size());
+		for (int h = 0; h < mesh_.halfEdgeNum(); ++h) {
+			const Triangle& t = triangle_[std::size_t(h / 3)];
+			const int       a = t[std::size_t(h % 3)], b = t[std::size_t((h + 1) % 3)];
+			mesh_.origin[h]   = a;
+			mesh_.opposite[h] = -1;
+			mesh_.outgoing[a] = h;
+			edges.push_back({std::min(a, b), std::max(a, b), h});
+		}
+		std::sort(edges.begin(), edges.end());
+		return edges;
+	}
+
+	/// Joins the half-edges of one edge, from begin to end. False where they cannot be all there
+	/// are.
+	bool joinEdge(const Edge* begin, const Edge* end)
+	{
+		const int h = begin->half;
+		if (end - begin == 1) return mayBeBorder(begin->low) && mayBeBorder(begin->high);
+		const int g = begin[1].half;
+		if (end - begin > 2 || mesh_.origin[h] == mesh_.origin[g]) return false;
+		mesh_.opposite[h] = g;
+		mesh_.opposite[g] = h;
+		return true;
+	}
+
+	/// False where an edge has more than two faces, or one inside.
+	bool link()
+	{
+		placeVertices();
+		const std::vector<Edge> edges   = placeHalfEdges();
+		bool                    isSound = true;
+		for (std::size_t i = 0, end = 0; i < edges.size(); i = end) {
+			while (end < edges.size() && edges[end].isSame(edges[i]))
+				++end;
+			if (joinEdge(&edges[i], edges.data() + end)) continue;
+			blame(edges[i].low);
+			blame(edges[i].high);
+			isSound = false;
+		}
+		for (int h = 0; h < mesh_.halfEdgeNum(); ++h) {
+			if (mesh_.opposite[h] < 0) mesh_.outgoing[mesh_.origin[h]] = h;
+		}
+		return isSound;
+	}
+
+	/// Whether one turn round a vertex sees all its faces.
+	bool areFansWhole()
+	{
+		std::vector<int> faces(std::size_t(mesh_.vertexNum), 0);
+		for (int h = 0; h < mesh_.halfEdgeNum(); ++h)
+			++faces[std::size_t(mesh_.origin[h])];
+		bool isSound = true;
+		for (int v = 0; v < mesh_.vertexNum; ++v) {
+			if (faces[std::size_t(v)] == mesh_.valence(v) && faces[std::size_t(v)] > 0) continue;
+			blame(v);
+			isSound = false;
+		}
+		return isSound;
+	}
+
+	/// Vertices at patches stand for the input, not for the triangles of the first filling.
+	void standForInput(GuardedMesh& g) const
+	{
+		std::vector<int> names = nameOfLocal_;
+		for (int& name : names) {
+			const int w = name < 0 ? -1 : resultVertex_[std::size_t(name)];
+			if (w >= 0 && roleOf(w) != Role::Border) name = -1;
+		}
+		g.standFor(local_.mesh, names);
+	}
+
+	void fix(const std::vector<int>& keptInput, GuardedMesh& g) const
+	{
+		std::vector<int> kept = keptInput;
+		std::sort(kept.begin(), kept.end());
+		for (std::size_t v = 0; v < resultVertex_.size(); ++v) {
+			if (resultVertex_[v] >= 0) g.isFixed[v] = 1;
+		}
+		for (int v = 0; v < local_.ownNum; ++v) {
+			const int name = nameOfLocal_[std::size_t(v)];
+			if (name >= 0 &&
+				std::binary_search(kept.begin(), kept.end(), local_.inputVertex[std::size_t(v)]))
+				g.isFixed[std::size_t(name)] = 1;
+		}
+	}
+};
+
+/// Marks the faces round some vertices, and so many rings more, or as many as it takes to mark
+/// another face. False where there is none.
+bool markRound(const HalfEdgeMesh& m, const std::vector<int>& vertices, int rings,
+			   std::vector<char>& marked)
+{
+	std::vector<char> here(marked.size(), 0);
+	for (int v : vertices)
+		forEachOutgoing(m, v, [&](int h) { here[std::size_t(h / 3)] = 1; });
+	widenMarks(m, rings, here);
+	for (std::vector<char> before; here != before;) {
+		bool isNew = false;
+		for (std::size_t f = 0; f < here.size(); ++f) {
+			isNew     = isNew || here[f] > marked[f];
+			marked[f] = char(marked[f] | here[f]);
+		}
+		if (isNew) return true;
+		before = here;
+		widenMarks(m, 1, here);
+	}
+	return false;
+}
+
+bool haveSameTopology(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& workers)
+{
+	const MeshFigures s = figuresOf(a, 1, workers), t = figuresOf(b, 1, workers);
+	return s.components == t.components && s.boundaryLoops == t.boundaryLoops &&
+		   s.eulerCharacteristic == t.eulerCharacteristic;
+}
+
+} // namespace
+
+void widenMarks(const HalfEdgeMesh& m, int rings, std::vector<char>& marked)
+{
+	for (int ring = 0; ring < rings; ++ring) {
+		std::vector<char> isCorner(std::size_t(m.vertexNum), 0);
+		for (int h = 0; h < m.halfEdgeNum(); ++h) {
+			if (marked[std::size_t(h / 3)]) isCorner[std::size_t(m.origin[h])] = 1;
+		}
+		for (int h = 0; h < m.halfEdgeNum(); ++h) {
+			if (isCorner[std::size_t(m.origin[h])]) marked[std::size_t(h / 3)] = 1;
+		}
+	}
+}
+
+bool refillPatches(const Surface& surface, const ResultMesh& result,
+				   const std::vector<int>& keptInput, std::vector<char>& marked, Workers& workers,
+				   RefilledMesh& refilled)
+{
+	float  reach = 1;
+	double work  = 0;
+	for (int round = 0; round < maxRounds; ++round) {
+		workers.poll();
+		Refill refill(surface, result, marked, workers);
+		if (refill.isShared()) return false;
+		const bool fits = refill.run(reach);
+		if (fits && haveSameTopology(refill.mesh(), result.mesh, workers)) {
+			refill.take(keptInput, !findTouchingPairs(refill.mesh(), workers).empty(), refilled);
+			return true;
+		}
+		work += refill.share();
+		if (refill.isTooMuch() || work > mostWork) return false;
+		if (fits) refill.blameCells();
+		// Where all is marked the input may be farther from the result than it was looked for.
+		if (!markRound(result.mesh, refill.culprits(), round / 4, marked)) reach *= 2;
+	}
+	return false;
+}
+
+} // namespace gpr

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "face_contact.h"
+
+#include "face_boxes.h"
+#include "mesh_edit.h"
+
+#include <vcg_extras/core/base/orientation.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace gpr {
+
+namespace {
+
+using Corners3 = std::array<Vec3f, 3>;
+using Corners2 = std::array<Vec2f, 3>;
+
+/// The corners from the k-th on.
+Corners3 cornersFrom(const NamedTriangle& t, int k)
+{
+	return {t.at[k], t.at[(k + 1) % 3], t.at[(k + 2) % 3]};
+}
+
+Corners2 dropAxis(const Corners3& t, int axis)
+{
+	return {dropAxis(t[0], axis), dropAxis(t[1], axis), dropAxis(t[2], axis)};
+}
+
+// ---- in a plane
+
+bool isWithin(const Vec2f& p, const Corners2& t)
+{
+	const int a = orientation(t[0], t[1], p), b = orientation(t[1], t[2], p);
+	const int c = orientation(t[2], t[0], p);
+	return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+bool doIntervalsMeet(float a, float b, float c, float d)
+{
+	return std::max(a, b) >= std::min(c, d) && std::max(c, d) >= std::min(a, b);
+}
+
+bool doSegmentsMeet(const Vec2f& a, const Vec2f& b, const Vec2f& c, const Vec2f& d)
+{
+	return doIntervalsMeet(a.x, b.x, c.x, d.x) && doIntervalsMeet(a.y, b.y, c.y, d.y) &&
+		   orientation(a, b, c) * orientation(a, b, d) <= 0 &&
+		   orientation(c, d, a) * orientation(c, d, b) <= 0;
+}
+
+bool doesSegmentMeet(const Vec2f& p, const Vec2f& q, const Corners2& t)
+{
+	if (isWithin(p, t) || isWithin(q, t)) return true;
+	for (int k = 0; k < 3; ++k) {
+		if (doSegmentsMeet(p, q, t[k], t[(k + 1) % 3])) return true;
+	}
+	return false;
+}
+
+/// An axis along which the triangle is seen with an area, or -1 where it has none.
+int axisOf(const Corners3& t)
+{
+	for (int axis = 0; axis < 3; ++axis) {
+		if (orientation(dropAxis(t[0], axis), dropAxis(t[1], axis), dropAxis(t[2], axis)) != 0)
+			return axis;
+	}
+	return -1;
+}
+
+/// For p, q in the plane of t. Without an area t is only met by its edges, which the other triangle
+/// is asked for; that nothing is missed, such a pair counts as meeting.
+bool doesSegmentMeetInPlane(const Vec3f& p, const Vec3f& q, const Corners3& t)
+{
+	const int axis = axisOf(t);
+	return axis < 0 || doesSegmentMeet(dropAxis(p, axis), dropAxis(q, axis), dropAxis(t, axis));
+}
+
+// ---- in space
+
+int sideOf(const Corners3& t, const Vec3f& p)
+{
+	return orientation(t[0], t[1], t[2], p);
+}
+
+/// Closed segment, closed triangle; sideP and sideQ are those of the ends.
+bool doesSegmentMeet(const Vec3f& p, const Vec3f& q, int sideP, int sideQ, const Corners3& t)
+{
+	if (sideP * sideQ > 0) return false;
+	if (sideP == 0 && sideQ == 0) return doesSegmentMeetInPlane(p, q, t);
+	const int a = orientation(p, q, t[0], t[1]), b = orientation(p, q, t[1], t[2]);
+	if (a * b < 0) return false;
+	const int c = orientation(p, q, t[2], t[0]);
+	return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+}
+
+bool anyEdgeMeets(const Corners3& s, const std::array<int, 3>& sideOfCorner, const Corners3& t)
+{
+	for (int k = 0; k < 3; ++k) {
+		const int l = (k + 1) % 3;
+		if (doesSegmentMeet(s[k], s[l], sideOfCorner[k], sideOfCorner[l], t)) return true;
+	}
+	return false;
+}
+
+bool areOnOneSide(const std::array<int, 3>& side)
+{
+	return side[0] != 0 && side[0] == side[1] && side[1] == side[2];
+}
+
+std::array<int, 3> sidesOf(const Corners3& t, const Corners3& s)
+{
+	return {sideOf(t, s[0]), sideOf(t, s[1]), sideOf(t, s[2])};
+}
+
+/// Whether all of t lies beyond an edge of s, seen along the normal of s: most pairs of a nearly
+/// flat surface are told apart so.
+bool liesBeyondAnEdge(const Corners3& t, const Corners3& s)
+{
+	constexpr double margin = 1e-12; // many roundings of a double
+	const Vec3d      o(s[0]), normal = cross(Vec3d(s[1]) - o, Vec3d(s[2]) - o);
+	for (int k = 0; k < 3; ++k) {
+		const Vec3d  from(s[k]), edge = Vec3d(s[(k + 1) % 3]) - from, outward = cross(edge, normal);
+		const double size     = std::abs(outward.x) + std::abs(outward.y) + std::abs(outward.z);
+		bool         isBeyond = true;
+		for (int i = 0; i < 3 && isBeyond; ++i) {
+			const Vec3d way = Vec3d(t[i]) - from;
+			isBeyond        = dot(way, outward) >
+					   margin * size * (std::abs(way.x) + std::abs(way.y) + std::abs(way.z));
+		}
+		if (isBeyond) return true;
+	}
+	return false;
+}
+
+bool doApartOnesTouch(const Corners3& s, const Corners3& t)
+{
+	if (liesBeyondAnEdge(s, t) || liesBeyondAnEdge(t, s)) return false;
+	const std::array<int, 3> sideOfS = sidesOf(t, s);
+	if (areOnOneSide(sideOfS)) return false;
+	const std::array<int, 3> sideOfT = sidesOf(s, t);
+	if (areOnOneSide(sideOfT)) return false;
+	return anyEdgeMeets(s, sideOfS, t) || anyEdgeMeets(t, sideOfT, s);
+}
+
+/// Whether a plane through the shared corner 0 and an edge of s, upright on s, has s on one side
+/// and the rest of t strictly on the other.
+bool isSplitAtCorner(const Corners3& s, const Corners3& t)
+{
+	constexpr double margin = 1e-12;
+	const Vec3d      o(s[0]), a = Vec3d(s[1]) - o, b = Vec3d(s[2]) - o, normal = cross(a, b);
+	const Vec3d      p = Vec3d(t[1]) - o, q = Vec3d(t[2]) - o;
+	const auto       isBeyond = [&](const Vec3d& outward) {
+        const double least = margin * length(outward);
+        return dot(p, outward) > least * length(p) && dot(q, outward) > least * length(q);
+	};
+	return isBeyond(cross(a, normal)) || isBeyond(cross(normal, b));
+}
+
+/// Of triangles that share their corner 0. They meet elsewhere only if an edge opposite to it meets
+/// the other triangle.
+bool doCornerNeighboursTouch(const Corners3& s, const Corners3& t)
+{
+	if (isSplitAtCorner(s, t) || isSplitAtCorner(t, s)) return false;
+	const int p = sideOf(t, s[1]), q = sideOf(t, s[2]);
+	if (p * q <= 0 && doesSegmentMeet(s[1], s[2], p, q, t)) return true;
+	const int u = sideOf(s, t[1]), v = sideOf(s, t[2]);
+	return u * v <= 0 && doesSegmentMeet(t[1], t[2], u, v, s);
+}
+
+/// Of triangles with the common edge 0 1: only where one is folded onto the other.
+bool doEdgeNeighboursTouch(const Corners3& s, const Vec3f& apex)
+{
+	const Vec3d o(s[0]), edge = Vec3d(s[1]) - o;
+	const Vec3d ofS = cross(edge, Vec3d(s[2]) - o), ofT = cross(edge, Vec3d(apex) - o);
+	if (dot(ofS, ofT) < 0) return false;
+	if (sideOf(s, apex) != 0) return false;
+	const int axis = axisOf(s);
+	if (axis < 0) return true;
+	const Corners2 flat = dropAxis(s, axis);
+	return orientation(flat[0], flat[1], flat[2]) *
+			   orientation(flat[0], flat[1], dropAxis(apex, axis)) >=
+		   0;
+}
+
+/// The corners that two triangles share: how many, and where the last one is in each, or the one
+/// that is not shared where two are.
+struct Shared {
+	int num = 0, inS = 0, inT = 0;
+	int sumS = 0, sumT = 0;
+};
+
+Shared sharedBy(const NamedTriangle& s, const NamedTriangle& t)
+{
+	Shared shared;
+	for (int k = 0; k < 3; ++k) {
+		for (int l = 0; l < 3; ++l) {
+			if (s.vertex[k] != t.vertex[l]) continue;
+			++shared.num;
+			shared.inS = k;
+			shared.inT = l;
+			shared.sumS += k;
+			shared.sumT += l;
+		}
+	}
+	return shared;
+}
+
+/// Names border vertices at one place alike: by the first of them.
+int nameOf(const HalfEdgeMesh& m, int f, int k, const NamedTriangle& other)
+{
+	const int v = m.origin[3 * f + k];
+	if (!m.isBorderVertex(v)) return v;
+	for (int l = 0; l < 3; ++l) {
+		const int w = other.vertex[l];
+		if (w < v && m.position[w] == m.position[v] && m.isBorderVertex(w)) return w;
+	}
+	return v;
+}
+
+bool doFacesTouch(const HalfEdgeMesh& m, int f, int g, Seams seams)
+{
+	NamedTriangle s = triangleOf(m, f), t = triangleOf(m, g);
+	if (seams == Seams::Apart) return touch(s, t);
+	for (int k = 0; k < 3; ++k)
+		s.vertex[k] = nameOf(m, f, k, t);
+	for (int k = 0; k < 3; ++k)
+		t.vertex[k] = nameOf(m, g, k, s);
+	return touch(s, t);
+}
+
+} // namespace
+
+NamedTriangle triangleOf(const HalfEdgeMesh& m, int f)
+{
+	NamedTriangle t;
+	for (int k = 0; k < 3; ++k) {
+		t.vertex[k] = m.origin[3 * f + k];
+		t.at[k]     = m.position[t.vertex[k]];
+	}
+	return t;
+}
+
+bool touch(const NamedTriangle& s, const NamedTriangle& t)
+{
+	const Shared shared = sharedBy(s, t);
+	if (shared.num == 0) return doApartOnesTouch(cornersFrom(s, 0), cornersFrom(t, 0));
+	if (shared.num == 1)
+		return doCornerNeighboursTouch(cornersFrom(s, shared.inS), cornersFrom(t, shared.inT));
+	if (shared.num > 2) return true;
+	// The places of all corners add up to 3: what is missing is the apex.
+	const int apexOfS = 3 - shared.sumS, apexOfT = 3 - shared.sumT;
+	return doEdgeNeighboursTouch(cornersFrom(s, (apexOfS + 1) % 3), t.at[apexOfT]);
+}
+
+std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers, Seams seams,
+										int firstFace)
+{
+	const FaceBoxes       boxes(m, workers);
+	std::vector<FacePair> found = workers.collect<FacePair>(
+		boxes.faceNum(), [&](std::size_t begin, std::size_t end, auto& out) {
+			for (int i = int(begin); i < int(end); ++i) {
+				const int f = boxes.face(i);
+				if (f < firstFace) continue;
+				boxes.forEachMeeting(boxes.level(0)[i], [&](int k) {
+					const int g = boxes.face(k);
+					if ((k > i || g < firstFace) && doFacesTouch(m, f, g, seams))
+						out.push_back(std::minmax(f, g));
+					return true;
+				});
+			}
+		});
+	std::sort(found.begin(), found.end());
+	return found;
+}
+
+} // namespace gpr

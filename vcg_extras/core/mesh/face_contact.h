@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_MESH_FACE_CONTACT_H
+#define VCG_EXTRAS_CORE_MESH_FACE_CONTACT_H
+
+#include "half_edge_mesh.h"
+
+#include <vcg_extras/core/base/workers.h>
+
+#include <utility>
+#include <vector>
+
+namespace gpr {
+
+/// A triangle with the names of its corners.
+struct NamedTriangle {
+	int   vertex[3];
+	Vec3f at[3];
+};
+
+NamedTriangle triangleOf(const HalfEdgeMesh& mesh, int face);
+
+/// Whether two triangles have a point in common beyond the corners, or the edge, that they share by
+/// name. Touching counts. Exact: see base/orientation.h. Two triangles that share all corners
+/// touch.
+bool touch(const NamedTriangle& s, const NamedTriangle& t);
+
+/// Two faces that touch, the smaller first.
+using FacePair = std::pair<int, int>;
+
+/// Border vertices at one place: where a surface was cut, its two sides meet. Joined: they count as
+/// one vertex, so that sides with the same vertices do not touch. Apart: all sides touch.
+enum class Seams { Joined, Apart };
+
+/// All pairs of faces that touch beyond what they share, ascending. Unlike findIntersectingFaces
+/// this is exact and counts touching and overlapping. Of the pairs that have at least one face from
+/// firstFace on; dead faces are passed over. Cost: O(F log F), parallel.
+std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& mesh, Workers& workers,
+										Seams seams = Seams::Joined, int firstFace = 0);
+
+} // namespace gpr
+
+#endif

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_filling.h"
+
+#include <vcg_extras/core/guard/guarded_relaxation.h>
+#include <vcg_extras/core/guard/local_nearest.h>
+
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// Rings of vertices around patches that move with them.
+constexpr int ringsRelaxed = 2;
+/// Of an edge's length in patches, against the distance from the input.
+constexpr double patchLengthWeight = 0.3;
+
+} // namespace
+
+bool PatchFilling::fill(std::vector<char>& marked)
+{
+	if (!refillPatches(p_.surface, result_, p_.kept, marked, run_.workers, refilled_)) return false;
+	GuardedMesh&    guarded = *refilled_.guarded;
+	GuardedSettings settings;
+	settings.targetNum        = result_.mesh.vertexNum;
+	settings.idealEdge        = double(result_.idealEdge);
+	settings.lengthWeight     = patchLengthWeight;
+	settings.mayLeaveVertices = mayLeaveSurface();
+	isReached_                = decimateGuarded(settings, guarded, run_.workers);
+	if (!isReached_) return true;
+	freeAround();
+	relaxGuarded(settings.idealEdge, mayLeaveSurface(), guarded, run_.workers);
+	return true;
+}
+
+void PatchFilling::markAround(const std::vector<FacePair>& pairs, std::vector<char>& marked) const
+{
+	std::vector<char> here(marked.size(), 0);
+	const auto        markRound = [&](int v) {
+        const int anchor = refilled_.guarded->anchor[std::size_t(v)];
+        forEachOutgoing(result_.mesh, refilled_.label[std::size_t(anchor)],
+							   [&](int h) { here[std::size_t(h / 3)] = 1; });
+	};
+	for (const FacePair& pair : pairs) {
+		for (int f : {pair.first, pair.second}) {
+			for (int h = 3 * f; h < 3 * f + 3; ++h)
+				markRound(mesh().origin[h]);
+		}
+	}
+	widenMarks(result_.mesh, ringsAround, here);
+	for (std::size_t f = 0; f < here.size(); ++f)
+		marked[f] = char(marked[f] | here[f]);
+}
+
+Filled PatchFilling::take()
+{
+	Filled filled;
+	for (int v = 0; v < mesh().vertexNum; ++v) {
+		filled.vertex.push_back(recordOf(v));
+		filled.madeNum += oldVertex(v) < 0;
+	}
+	filled.mesh = std::move(refilled_.guarded->mesh);
+	return filled;
+}
+
+/// The result's vertex that v is, or -1 inside patches.
+int PatchFilling::oldVertex(int v) const
+{
+	return refilled_.resultVertex[std::size_t(refilled_.guarded->anchor[std::size_t(v)])];
+}
+
+/// Vertices next to patches may move with them, so that shapes change little by little.
+void PatchFilling::freeAround()
+{
+	GuardedMesh& g = *refilled_.guarded;
+	for (int ring = 0; ring < ringsRelaxed; ++ring) {
+		const std::vector<char> before = g.isFixed;
+		for (int v = 0; v < g.mesh.vertexNum; ++v) {
+			if (!before[std::size_t(v)] || !mayFree(v)) continue;
+			bool isNext = false;
+			forEachNeighbour(g.mesh, v, [&](int w) { isNext = isNext || !before[std::size_t(w)]; });
+			if (isNext) g.isFixed[std::size_t(v)] = 0;
+		}
+	}
+}
+
+bool PatchFilling::mayFree(int v) const
+{
+	const int old = oldVertex(v);
+	if (old < 0) return false;
+	const ResultVertex& vertex = result_.vertex[std::size_t(old)];
+	return !vertex.isPinned && !vertex.isShared && !vertex.isCorner && vertex.curve < 0;
+}
+
+ResultVertex PatchFilling::recordOf(int v) const
+{
+	const int old = oldVertex(v);
+	if (old < 0) {
+		const int anchor = refilled_.guarded->anchor[std::size_t(v)];
+		return vertexNear(refilled_.inputVertex[std::size_t(anchor)], v);
+	}
+	const ResultVertex& before = result_.vertex[std::size_t(old)];
+	if (mesh().position[v] == result_.mesh.position[old]) return before;
+	ResultVertex moved = vertexNear(p_.surface.mesh.origin[3 * before.point.face], v);
+	moved.sample       = before.sample;
+	return moved;
+}
+
+ResultVertex PatchFilling::vertexNear(int inputVertex, int v) const
+{
+	ResultVertex made;
+	made.point    = nearestByDescent(p_.surface.mesh, inputVertex, mesh().position[v]);
+	made.normal   = p_.surface.mesh.faceNormal(made.point.face);
+	made.isPinned = refilled_.guarded->isFixed[std::size_t(v)] != 0;
+	return made;
+}
+
+} // namespace gpr
