@@ -185,6 +185,15 @@ TEST(TouchingPairs, AreThoseOfAllPairs)
 	EXPECT_EQ(findTouchingPairs(m, workers, Seams::Joined, first), late);
 }
 
+/// Where border vertices at one place are named alike, a face without area has a name twice.
+TEST(TouchingFaces, MayHaveANameTwice)
+{
+	const NamedTriangle line = triangle(1, 1, 5, {1, 0, 0}, {1, 0, 0}, {2, 0, 0});
+	EXPECT_TRUE(touch(flat, line));
+	EXPECT_TRUE(touch(line, flat));
+	EXPECT_TRUE(touch(line, line));
+}
+
 TEST(TouchingPairs, AreNoneOnSoundSurfaces)
 {
 	Workers workers(2, nullptr);

@@ -193,15 +193,20 @@ struct Shared {
 
 Shared sharedBy(const NamedTriangle& s, const NamedTriangle& t)
 {
+	// Border vertices at one place are named alike, so that a triangle may have a name twice: each
+	// corner is counted once.
 	Shared shared;
+	bool   isTaken[3] = {false, false, false};
 	for (int k = 0; k < 3; ++k) {
 		for (int l = 0; l < 3; ++l) {
-			if (s.vertex[k] != t.vertex[l]) continue;
+			if (isTaken[l] || s.vertex[k] != t.vertex[l]) continue;
+			isTaken[l] = true;
 			++shared.num;
 			shared.inS = k;
 			shared.inT = l;
 			shared.sumS += k;
 			shared.sumT += l;
+			break;
 		}
 	}
 	return shared;
