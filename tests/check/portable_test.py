@@ -9,49 +9,27 @@
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-CHECKER = Path(__file__).resolve().parents[2] / "scripts" / "check" / "portable"
-CORE = CHECKER.parents[2] / "vcg_extras" / "core"
+from small_engine import SCRIPTS, SmallEngine
+
+CORE = SCRIPTS.parents[1] / "vcg_extras" / "core"
 LIBRARY = None
 
 
-def check(*arguments):
-    return subprocess.run([sys.executable, CHECKER, *map(str, arguments)], capture_output=True, text=True)
+class Portable(SmallEngine):
+    SCRIPT = "portable"
 
-
-class Portable(unittest.TestCase):
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.core = Path(self.folder.name)
+        super().setUp()
         self.write("CMakeLists.txt", "target_compile_options(core PUBLIC -ffp-contract=off)")
         self.write("vector.cpp", "float length(float a) { return std::sqrt(std::floor(a)); }")
 
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def write(self, name, text):
-        file = self.core / name
-        file.parent.mkdir(exist_ok=True)
-        file.write_text(text + "\n")
-
-    def assert_breach(self, words, *arguments):
-        result = check(self.core, *arguments)
-        self.assertEqual(result.returncode, 1)
-        self.assertIn(words, result.stderr)
-
-    def assert_none(self):
-        result = check(self.core)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-
     def test_the_engine_is_portable(self):
-        result = check(CORE, LIBRARY)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assert_accepted(CORE, LIBRARY)
 
     def test_exact_functions_are_free(self):
-        self.assert_none()
+        self.assert_accepted(self.core)
 
     def test_a_function_of_the_library_is_found_with_its_line(self):
         for call in ("std::acos(x)", "std::atan2(y, x)", "powf(x, 2)", "::exp(x)", "-cos(x)", "std::fma(a, b, c)"):
@@ -66,7 +44,7 @@ class Portable(unittest.TestCase):
         self.write("base/portable_math.h", "double sin(double angle);")
         self.write("angle.cpp", "/* std::sin(x) */ double a = portable::sin(x); // std::cos(x)\n"
                                 'const char* text = "std::exp(x)"; run.exp(x); distance.log(x); sines(x);')
-        self.assert_none()
+        self.assert_accepted(self.core)
 
     def test_what_libraries_do_in_their_own_way_is_found(self):
         for line in ("std::shuffle(a.begin(), a.end(), random);", "std::uniform_int_distribution<int> d;",
@@ -80,7 +58,7 @@ class Portable(unittest.TestCase):
             self.write("table.cpp", "std::unordered_map<int, std::vector<int>> table;\n" + walk)
             self.assert_breach("table.cpp:2: a walk through table")
         self.write("table.cpp", "std::unordered_map<int, int> table;\nif (table.find(3) == table.end()) return;")
-        self.assert_none()
+        self.assert_accepted(self.core)
 
     def test_options_of_the_compiler_are_looked_at(self):
         self.write("CMakeLists.txt", "target_compile_options(core PUBLIC -O3) # -ffp-contract=off")
@@ -97,8 +75,7 @@ class Portable(unittest.TestCase):
         self.assert_breach("libcall.a calls tanh", archive)
 
     def test_an_empty_folder_is_no_engine(self):
-        with tempfile.TemporaryDirectory() as empty:
-            self.assertEqual(check(empty).returncode, 1)
+        self.assert_empty_folder_is_refused()
 
 
 if __name__ == "__main__":

@@ -3,47 +3,25 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """scripts/check/rooms accepts the engine as it is, and finds planted breaches in small engines."""
 
-import subprocess
-import sys
-import tempfile
 import unittest
-from pathlib import Path
 
-CHECKER = Path(__file__).resolve().parents[2] / "scripts" / "check" / "rooms"
-
-
-def check(*arguments):
-    return subprocess.run([sys.executable, CHECKER, *map(str, arguments)], capture_output=True, text=True)
+from small_engine import SmallEngine
 
 
-class Rooms(unittest.TestCase):
+class Rooms(SmallEngine):
+    SCRIPT = "rooms"
+
     def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.core = Path(self.folder.name)
+        super().setUp()
         self.write("base/vector.h", "")
         self.write("mesh/half_edges.h", "#include <vcg_extras/core/base/vector.h>")
         self.write("mesh/half_edges.cpp", '#include "half_edges.h"')
 
-    def tearDown(self):
-        self.folder.cleanup()
-
-    def write(self, name, text):
-        file = self.core / name
-        file.parent.mkdir(exist_ok=True)
-        file.write_text(text + "\n")
-
-    def assert_breach(self, words):
-        result = check(self.core)
-        self.assertEqual(result.returncode, 1)
-        self.assertIn(words, result.stderr)
-
     def test_the_engine_is_in_order(self):
-        result = check()
-        self.assertEqual(result.stderr, "")
-        self.assertEqual(result.returncode, 0)
+        self.assert_accepted()
 
     def test_a_small_engine_in_order_is_accepted(self):
-        self.assertEqual(check(self.core).returncode, 0)
+        self.assert_accepted(self.core)
 
     def test_an_upward_include_is_found(self):
         self.write("base/vector.h", "#include <vcg_extras/core/mesh/triangle.h>")
@@ -70,8 +48,7 @@ class Rooms(unittest.TestCase):
         self.assert_breach("attic/old lies in an unknown room")
 
     def test_an_empty_folder_is_no_engine(self):
-        with tempfile.TemporaryDirectory() as empty:
-            self.assertEqual(check(empty).returncode, 1)
+        self.assert_empty_folder_is_refused()
 
 
 if __name__ == "__main__":

@@ -225,7 +225,9 @@ TEST(ContactGuard, RefusesWhatTouches)
 
 TEST(Components, AreNumberedByTheirFirstFaces)
 {
-	const Components found = findComponents(halfEdgesOf(joined(icosphere(1), icosphere(0))));
+	Workers          workers(1, nullptr);
+	const Components found =
+		findComponents(halfEdgesOf(joined(icosphere(1), icosphere(0))), workers);
 	EXPECT_EQ(found.num, 2);
 	EXPECT_EQ(found.ofFace.front(), 0);
 	EXPECT_EQ(std::count(found.ofFace.begin(), found.ofFace.end(), 1), 20);

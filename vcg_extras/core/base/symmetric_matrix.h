@@ -5,13 +5,17 @@
 
 #include <vcg_extras/core/vec.h>
 
+#include <cmath>
+#include <optional>
+
 namespace gpr {
 
 /// Symmetric 3×3 matrix, such as a sum of w·n·nᵀ.
-struct SymmetricMatrix {
-	float xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+template <class Scalar>
+struct SymmetricMatrixOf {
+	Scalar xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
 
-	SymmetricMatrix& operator+=(const SymmetricMatrix& o)
+	SymmetricMatrixOf& operator+=(const SymmetricMatrixOf& o)
 	{
 		xx += o.xx;
 		xy += o.xy;
@@ -22,9 +26,9 @@ struct SymmetricMatrix {
 		return *this;
 	}
 	/// Adds w·n·nᵀ.
-	void addOuter(const Vec3f& n, float w)
+	void addOuter(const Vec3<Scalar>& n, Scalar w)
 	{
-		const Vec3f wn = n * w;
+		const Vec3<Scalar> wn = n * w;
 		xx += wn.x * n.x;
 		xy += wn.x * n.y;
 		xz += wn.x * n.z;
@@ -33,32 +37,38 @@ struct SymmetricMatrix {
 		zz += wn.z * n.z;
 	}
 	/// Adds w times the identity.
-	void addDiagonal(float w)
+	void addDiagonal(Scalar w)
 	{
 		xx += w;
 		yy += w;
 		zz += w;
 	}
 
-	Vec3f operator*(const Vec3f& v) const
+	Scalar trace() const { return xx + yy + zz; }
+
+	Vec3<Scalar> operator*(const Vec3<Scalar>& v) const
 	{
 		return {xx * v.x + xy * v.y + xz * v.z, xy * v.x + yy * v.y + yz * v.z,
 				xz * v.x + yz * v.y + zz * v.z};
 	}
 
-	/// x with this · x = b, by cofactors in double; zero where the matrix is singular.
-	Vec3f solve(const Vec3f& b) const
+	/// x with this · x = b, by cofactors in double; none where the determinant is at most
+	/// `smallest`.
+	std::optional<Vec3<Scalar>> solve(const Vec3<Scalar>& b, double smallest = 0) const
 	{
 		const double a = xx, c = xy, d = xz, e = yy, f = yz, g = zz;
 		const double A = e * g - f * f, B = d * f - c * g, C = c * f - d * e;
 		const double determinant = a * A + c * B + d * C;
-		if (!(std::abs(determinant) > 0)) return {};
+		if (!(std::abs(determinant) > smallest)) return std::nullopt;
 		const double i = 1 / determinant;
-		return {float(i * (A * b.x + B * b.y + C * b.z)),
-				float(i * (B * b.x + (a * g - d * d) * b.y + (c * d - a * f) * b.z)),
-				float(i * (C * b.x + (c * d - a * f) * b.y + (a * e - c * c) * b.z))};
+		const double D = a * g - d * d, E = c * d - a * f, F = a * e - c * c;
+		return Vec3<Scalar>(Scalar(i * (A * b.x + B * b.y + C * b.z)),
+							Scalar(i * (B * b.x + D * b.y + E * b.z)),
+							Scalar(i * (C * b.x + E * b.y + F * b.z)));
 	}
 };
+
+using SymmetricMatrix = SymmetricMatrixOf<float>;
 
 } // namespace gpr
 

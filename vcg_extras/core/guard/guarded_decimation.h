@@ -33,9 +33,9 @@ struct GuardedMesh {
 	/// v they are number name[v], or for none (-1). Border edges count that are marked as creases.
 	void standFor(const HalfEdgeMesh& other, const std::vector<int>& name);
 
-	/// Whether a normal, of any length, looks where what a face between three vertices stands for
-	/// does: the cosine is larger. True where that is a rim so thin that its normals cancel out.
-	/// another: a fourth vertex, whose share counts too, or -1.
+	/// Whether the cosine between a normal, of any length, and that of what a face between three
+	/// vertices stands for is larger than `cosine`. another: a fourth vertex, whose share counts
+	/// too, or -1. True at a rim so thin that the normals of what the face stands for cancel out.
 	bool agrees(const int* vertex, const Vec3f& normal, float cosine, int another = -1) const;
 
 	/// Drops dead faces and vertices.

@@ -3,6 +3,7 @@
 #include "contract_edges.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/base/union_find.h>
 
 #include <algorithm>
 #include <array>
@@ -138,31 +139,22 @@ private:
 	std::map<int, std::vector<int>> facesAt_; ///< per cluster
 	std::unordered_map<int, int>    newName_;
 
-	int rootOf(int v)
-	{
-		while (firstOf_[v] != v)
-			v = firstOf_[v] = firstOf_[firstOf_[v]];
-		return v;
-	}
-
 	void findClusters(const std::vector<Edge>& edges)
 	{
 		for (const auto& [a, b] : edges) {
 			firstOf_.emplace(a, a);
 			firstOf_.emplace(b, b);
 		}
-		for (const auto& [a, b] : edges) {
-			const int rootA = rootOf(a), rootB = rootOf(b);
-			firstOf_[std::max(rootA, rootB)] = std::min(rootA, rootB);
-		}
+		for (const auto& [a, b] : edges)
+			joinSets(firstOf_, a, b);
 		std::vector<int> vertices;
 		for (const auto& entry : firstOf_)
 			vertices.push_back(entry.first);
 		std::sort(vertices.begin(), vertices.end());
 		for (int v : vertices)
-			cluster_[rootOf(v)].push_back(v);
+			cluster_[rootOf(firstOf_, v)].push_back(v);
 		for (int v : vertices)
-			firstOf_[v] = rootOf(v);
+			firstOf_[v] = rootOf(firstOf_, v);
 	}
 
 	void findFaces(Workers& workers)

@@ -4,6 +4,7 @@
 
 #include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/base/union_find.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 #include <vcg_extras/core/mesh/same_place.h>
 
@@ -321,17 +322,9 @@ private:
 
 	// ---- what joining does to the edges
 
-	int rootOf(int i)
-	{
-		while (joined_[std::size_t(i)] != i)
-			i = joined_[std::size_t(i)] = joined_[std::size_t(joined_[std::size_t(i)])];
-		return i;
-	}
-
 	void joinVertices(int v, int w)
 	{
-		const int a = rootOf(vertices_.indexOf(v)), b = rootOf(vertices_.indexOf(w));
-		joined_[std::size_t(std::max(a, b))] = std::min(a, b);
+		joinSets(joined_, vertices_.indexOf(v), vertices_.indexOf(w));
 	}
 
 	void joinAlongSeams()
@@ -346,7 +339,7 @@ private:
 			joinVertices(mesh_.triangle[nextInFace(g)], mesh_.triangle[otherEnd]);
 		}
 		for (int i = 0; i < vertices_.num(); ++i)
-			joined_[std::size_t(i)] = rootOf(i);
+			joined_[std::size_t(i)] = rootOf(joined_, i);
 	}
 
 	/// Per vertex of the mesh what it becomes.

@@ -5,6 +5,8 @@
 
 #include "half_edge_mesh.h"
 
+#include <vcg_extras/core/base/workers.h>
+
 #include <vector>
 
 namespace gpr {
@@ -16,8 +18,8 @@ struct Components {
 							 ///< faces
 };
 
-/// Of a mesh without dead faces. Cost: linear, serial.
-Components findComponents(const HalfEdgeMesh& mesh);
+/// Of a mesh without dead faces. Cost: linear, serial; polls.
+Components findComponents(const HalfEdgeMesh& mesh, Workers& workers);
 
 } // namespace gpr
 

@@ -292,23 +292,29 @@ private:
 	}
 };
 
+Turn turnRound(const HalfEdgeMesh& m, int v)
+{
+	Turn turn;
+	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) { turn.add(a, b); });
+	return turn;
+}
+
 /// Vertex normals by turning round every vertex, which also counts the corners seen: they are all
 /// corners exactly if every vertex has a single fan. Vertices are marked on the way: to turn round
 /// all of them once more, or to visit all faces, would cost as much as this.
 bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& normal)
 {
 	normal.reset(m.vertexNum);
-	const std::int64_t seen = workers.sum<std::int64_t>(m.vertexNum, [&](std::size_t begin,
-																		 std::size_t end) {
-		std::int64_t corners = 0;
-		for (int v = int(begin); v < int(end); ++v) {
-			Turn turn;
-			forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) { turn.add(a, b); });
-			corners += turn.cornerNum();
-			normal[v] = turn.normal();
-		}
-		return corners;
-	});
+	const std::int64_t seen =
+		workers.sum<std::int64_t>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
+			std::int64_t corners = 0;
+			for (int v = int(begin); v < int(end); ++v) {
+				const Turn turn = turnRound(m, v);
+				corners += turn.cornerNum();
+				normal[v] = turn.normal();
+			}
+			return corners;
+		});
 	return seen == std::int64_t(m.halfEdgeNum());
 }
 
@@ -379,9 +385,7 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 
 PackedNormal vertexNormal(const HalfEdgeMesh& m, int v)
 {
-	Turn turn;
-	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) { turn.add(a, b); });
-	return turn.normal();
+	return turnRound(m, v).normal();
 }
 
 IndexedMesh disconnect(Surface& surface)

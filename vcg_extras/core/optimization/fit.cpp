@@ -156,8 +156,9 @@ private:
 		SymmetricMatrix matrix = distance_.own(v);
 		matrix.addDiagonal(pull + stiff);
 		matrix.addOuter(normal, -stiff);
-		last_[v] = moveWithMomentum(last_[v], momentum, matrix.solve(force) * stepLength,
-									longestStep * std::sqrt(ring.shortest));
+		last_[v] =
+			moveWithMomentum(last_[v], momentum, matrix.solve(force).value_or(Vec3f()) * stepLength,
+							 longestStep * std::sqrt(ring.shortest));
 		return shortened(guard_.shift(v) + last_[v], farthestMove * std::sqrt(squaredEdge_[v]));
 	}
 };

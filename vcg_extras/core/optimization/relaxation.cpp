@@ -115,8 +115,8 @@ struct RingPull {
 	float edge        = 0; ///< local edge length: root mean square of the ring's
 };
 
-/// normal: the surface's at v. A face that looks against it counts as one without area; but the
-/// faces at a curve may look anywhere.
+/// normal: the surface's at v. A face whose normal points against it counts as one without area;
+/// but the faces at a curve may look anywhere.
 RingPull pullOf(const HalfEdgeMesh& m, int v, bool onCurve, const Vec3f& normal)
 {
 	const float squared = meanSquaredEdge(m, v);

@@ -105,8 +105,8 @@ void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, 
 		found.flipped += normalAgreement(m, smoothNormal, f) < 0;
 }
 
-/// Of the faces that look against the mean of their corners' normals, those that are inverted: at a
-/// fold, a thin rim or a spike that mean is not what the face stands for.
+/// Of the faces whose normal points against the mean of their corners' normals, those that are
+/// inverted: at a fold, a thin rim or a spike that mean is not what the face stands for.
 std::int64_t invertedAmongSuspects(const Surface& surface, const ResultMesh& r,
 								   const Buffer<Vec3f>& normals, Workers& workers)
 {

@@ -14,11 +14,11 @@ namespace gpr {
 /// on another sheet. Cost: the faces crossed.
 SurfacePoint pointOfFace(const Surface& surface, const ResultMesh& result, int f);
 
-/// Whether face f of the result looks against what it stands for: from each of its corners, the sum
-/// of the surface's normals under the middle of the face and under three points round it, found by
-/// walks as above. A wall behind a thin sheet is never asked. Nor is the face counted for a rim or
-/// fold that some of its corners lie on, where another corner sees what it stands for. Cost: twelve
-/// walks.
+/// Whether the normal of face f of the result points against the normal of what the face stands
+/// for: from each of its corners, the sum of the surface's normals under the middle of the face and
+/// under three points round it, found by walks as above. A wall behind a thin sheet is never asked.
+/// Nor is the face counted for a rim or fold that some of its corners lie on, where another corner
+/// sees what it stands for. Cost: twelve walks.
 bool isInverted(const Surface& surface, const ResultMesh& result, int f);
 
 } // namespace gpr

@@ -11,7 +11,7 @@
 #include <vcg_extras/core/guard/guarded_decimation.h>
 #include <vcg_extras/core/guard/guarded_relaxation.h>
 #include <vcg_extras/core/guard/input_contacts.h>
-#include <vcg_extras/core/guard/local_nearest.h>
+#include <vcg_extras/core/guard/made_vertex.h>
 #include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/face_boxes.h>
 #include <vcg_extras/core/mesh/face_contact.h>
@@ -35,6 +35,7 @@ namespace {
 constexpr float nearInputs = 1.5f;
 /// Patches that have grown so often and still do not fit are given up.
 constexpr int refillRounds = 4;
+
 /// Whether the options ask for a result that is free of contacts.
 bool isGuarded(const RemeshOptions& options)
 {
@@ -64,11 +65,12 @@ void takeComponents(const ResultMesh& result, const std::vector<int>& faces, Par
 	}
 }
 
-Parts chooseParts(const Surface& surface, const ResultMesh& result, const std::vector<int>& faces)
+Parts chooseParts(const Surface& surface, const ResultMesh& result, const std::vector<int>& faces,
+				  Workers& workers)
 {
 	Parts parts;
-	parts.ofInput  = findComponents(surface.mesh);
-	parts.ofResult = findComponents(result.mesh);
+	parts.ofInput  = findComponents(surface.mesh, workers);
+	parts.ofResult = findComponents(result.mesh, workers);
 	parts.isTaken.assign(std::size_t(parts.ofInput.num), 0);
 	parts.isLeft.assign(std::size_t(parts.ofResult.num), 1);
 	takeComponents(result, faces, parts);
@@ -143,7 +145,7 @@ public:
 		settings.targetNum        = result_.mesh.vertexNum;
 		settings.idealEdge        = double(result_.idealEdge);
 		settings.lengthWeight     = lengthWeight();
-		settings.mayLeaveVertices = mayLeaveSurface();
+		settings.mayLeaveVertices = mayLeaveSurface(run_.options);
 		decimateGuarded(settings, *guarded_, run_.workers);
 	}
 
@@ -152,13 +154,14 @@ public:
 	/// Puts what was decimated in the place of the result.
 	void take()
 	{
-		relaxGuarded(double(result_.idealEdge), mayLeaveSurface(), *guarded_, run_.workers);
+		relaxGuarded(double(result_.idealEdge), mayLeaveSurface(run_.options), *guarded_,
+					 run_.workers);
 		const std::vector<int>    ofAnchor = invertedNames();
 		std::vector<ResultVertex> vertex(std::size_t(guarded_->mesh.vertexNum));
 		for (std::size_t v = 0; v < vertex.size(); ++v) {
 			const int anchor = guarded_->anchor[v], name = ofAnchor[std::size_t(anchor)];
-			vertex[v] =
-				anchor >= inputNum_ ? result_.vertex[std::size_t(name)] : vertexNear(name, int(v));
+			vertex[v] = anchor >= inputNum_ ? result_.vertex[std::size_t(name)]
+											: madeVertex(p_.surface, name, *guarded_, int(v));
 			madeNum_ += anchor < inputNum_;
 		}
 		result_.mesh   = std::move(guarded_->mesh);
@@ -178,8 +181,6 @@ private:
 	int              inputNum_ = 0; ///< vertices of the mesh put together that are the input's
 	std::int64_t     madeNum_  = 0;
 	std::unique_ptr<GuardedMesh> guarded_;
-
-	bool mayLeaveSurface() const { return run_.options.fit != Fit::Off; }
 
 	/// Where sizes follow the error distance counts more than length.
 	double lengthWeight() const { return 0.01 * portable::pow(0.03, run_.options.adapt); }
@@ -237,25 +238,17 @@ private:
 		}
 		return name;
 	}
-
-	ResultVertex vertexNear(int anchor, int v) const
-	{
-		ResultVertex made;
-		made.point    = nearestByDescent(p_.surface.mesh, anchor, guarded_->mesh.position[v]);
-		made.normal   = p_.surface.mesh.faceNormal(made.point.face);
-		made.isPinned = guarded_->isFixed[std::size_t(v)] != 0;
-		return made;
-	}
 };
 
 Failure refusal(std::int64_t asked, std::int64_t reached)
 {
-	return {Status::CountTooSmall,
-			"With " + std::to_string(asked) +
-				" vertices the surface would intersect itself; the smallest number that was "
-				"reached without is " +
-				std::to_string(reached) + ".",
-			reached};
+	return {
+		Status::CountTooSmall,
+		"With " + std::to_string(asked) +
+			" vertices the surface would intersect itself. The smallest number of vertices that "
+			"was reached without self-intersections is " +
+			std::to_string(reached) + ".",
+		reached};
 }
 
 void tellMade(RunContext& run, const ResultMesh& result)
@@ -274,9 +267,10 @@ void tellMade(RunContext& run, const ResultMesh& result)
 void tellReached(RunContext& run, std::int64_t asked, std::int64_t reached)
 {
 	if (reached == asked) return;
-	run.notes.push_back("The result has " + std::to_string(reached) + " vertices instead of " +
-						std::to_string(asked) +
-						", the smallest number that was reached without self-intersections.");
+	run.notes.push_back(
+		"The result has " + std::to_string(reached) + " vertices instead of " +
+		std::to_string(asked) +
+		". This is the smallest number that was reached without self-intersections.");
 }
 
 /// Makes components anew where that is possible; what else may be done is up to the options.
@@ -284,7 +278,7 @@ void replaceComponents(RunContext& run, const std::vector<int>& faces, bool inpu
 					   Prepared& p, ResultMesh& result)
 {
 	const std::int64_t asked = result.mesh.vertexNum;
-	Replacement        replacement(run, p, result, chooseParts(p.surface, result, faces));
+	Replacement replacement(run, p, result, chooseParts(p.surface, result, faces, run.workers));
 	replacement.decimate(inputHasContacts);
 	const std::int64_t reached = replacement.reached();
 	if (reached > asked && inputHasContacts) return; // nothing is promised

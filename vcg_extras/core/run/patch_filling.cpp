@@ -3,7 +3,7 @@
 #include "patch_filling.h"
 
 #include <vcg_extras/core/guard/guarded_relaxation.h>
-#include <vcg_extras/core/guard/local_nearest.h>
+#include <vcg_extras/core/guard/made_vertex.h>
 
 #include <utility>
 
@@ -26,11 +26,11 @@ bool PatchFilling::fill(std::vector<char>& marked)
 	settings.targetNum        = result_.mesh.vertexNum;
 	settings.idealEdge        = double(result_.idealEdge);
 	settings.lengthWeight     = patchLengthWeight;
-	settings.mayLeaveVertices = mayLeaveSurface();
+	settings.mayLeaveVertices = mayLeaveSurface(run_.options);
 	isReached_                = decimateGuarded(settings, guarded, run_.workers);
 	if (!isReached_) return true;
 	freeAround();
-	relaxGuarded(settings.idealEdge, mayLeaveSurface(), guarded, run_.workers);
+	relaxGuarded(settings.idealEdge, mayLeaveSurface(run_.options), guarded, run_.workers);
 	return true;
 }
 
@@ -98,22 +98,15 @@ ResultVertex PatchFilling::recordOf(int v) const
 	const int old = oldVertex(v);
 	if (old < 0) {
 		const int anchor = refilled_.guarded->anchor[std::size_t(v)];
-		return vertexNear(refilled_.inputVertex[std::size_t(anchor)], v);
+		const int near   = refilled_.inputVertex[std::size_t(anchor)];
+		return madeVertex(p_.surface, near, *refilled_.guarded, v);
 	}
 	const ResultVertex& before = result_.vertex[std::size_t(old)];
 	if (mesh().position[v] == result_.mesh.position[old]) return before;
-	ResultVertex moved = vertexNear(p_.surface.mesh.origin[3 * before.point.face], v);
+	const int    near  = p_.surface.mesh.origin[3 * before.point.face];
+	ResultVertex moved = madeVertex(p_.surface, near, *refilled_.guarded, v);
 	moved.sample       = before.sample;
 	return moved;
-}
-
-ResultVertex PatchFilling::vertexNear(int inputVertex, int v) const
-{
-	ResultVertex made;
-	made.point    = nearestByDescent(p_.surface.mesh, inputVertex, mesh().position[v]);
-	made.normal   = p_.surface.mesh.faceNormal(made.point.face);
-	made.isPinned = refilled_.guarded->isFixed[std::size_t(v)] != 0;
-	return made;
 }
 
 } // namespace gpr

@@ -15,6 +15,12 @@
 
 namespace gpr {
 
+/// Whether vertices made by guarded collapses may lie off the input.
+inline bool mayLeaveSurface(const RemeshOptions& options)
+{
+	return options.fit != Fit::Off;
+}
+
 /// A result with patches made anew.
 struct Filled {
 	HalfEdgeMesh              mesh;
@@ -57,12 +63,10 @@ private:
 	RefilledMesh      refilled_;
 	bool              isReached_ = false;
 
-	bool         mayLeaveSurface() const { return run_.options.fit != Fit::Off; }
 	int          oldVertex(int v) const;
 	void         freeAround();
 	bool         mayFree(int v) const;
 	ResultVertex recordOf(int v) const;
-	ResultVertex vertexNear(int inputVertex, int v) const;
 };
 
 } // namespace gpr

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "made_vertex.h"
+
+#include "local_nearest.h"
+
+namespace gpr {
+
+ResultVertex madeVertex(const Surface& surface, int surfaceVertex, const GuardedMesh& made, int v)
+{
+	ResultVertex vertex;
+	vertex.point    = nearestByDescent(surface.mesh, surfaceVertex, made.mesh.position[v]);
+	vertex.normal   = surface.mesh.faceNormal(vertex.point.face);
+	vertex.isPinned = made.isFixed[std::size_t(v)] != 0;
+	return vertex;
+}
+
+} // namespace gpr
