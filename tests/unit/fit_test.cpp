@@ -617,6 +617,52 @@ TEST(SmallAngles, DoesNotDependOnThreads)
 	EXPECT_EQ(one.result.flipNum, three.result.flipNum);
 }
 
+std::size_t numAbove(const Laid& laid, float angle)
+{
+	Workers workers(1, nullptr);
+	return findObtuseFaces(laid.result.mesh, angle, workers).size();
+}
+
+float smallestOf(const Laid& laid)
+{
+	const std::vector<float> angles = laid.minAngles();
+	return *std::min_element(angles.begin(), angles.end());
+}
+
+bool lowerLargeAngles(Laid& laid, float smallestDeg)
+{
+	const ClosestFaceMap map(laid.surface, laid.result, laid.workers);
+	Assignment           assignment(laid.surface, map, laid.result.mesh.faceNum);
+	std::int64_t         work = 100000000;
+	LocalSearch search(laid.surface, laid.boundary, &assignment, work, laid.result, laid.workers);
+	return search.run(largeAngles(search, smallestDeg * radians));
+}
+
+TEST(LargeAngles, AsPoorAsSmallOnes)
+{
+	EXPECT_FLOAT_EQ(asPoorAs(32 * radians), 110 * radians);
+	EXPECT_FLOAT_EQ(asPoorAs(0), 180 * radians);
+}
+
+TEST(LargeAngles, LowersMostOfThemAndNoSmallOneFallsFurther)
+{
+	Laid               laid   = jitteredOnRoof();
+	const TriangleMesh before = meshOf(laid.result.mesh);
+	const float        limit  = asPoorAs(28 * radians);
+	const std::size_t  large  = numAbove(laid, limit);
+	const int          small  = numBelow(laid, 28);
+	const float        worst  = smallestOf(laid);
+	const double       error  = laid.rms();
+	ASSERT_GT(large, 8u);
+	EXPECT_TRUE(lowerLargeAngles(laid, 28));
+	EXPECT_LT(numAbove(laid, limit), 0.4 * double(large));
+	EXPECT_LE(numBelow(laid, 28), small);
+	EXPECT_GE(smallestOf(laid), worst);
+	EXPECT_LT(laid.rms(), 1.05 * error);
+	EXPECT_TRUE(hasSameTopology(meshOf(laid.result.mesh), before));
+	EXPECT_TRUE(findIntersectingFaces(laid.result.mesh, laid.workers).empty());
+}
+
 /// Every fourth vertex of the side y = 0 of a square lies close to the next one.
 OnSurface crowdedBorder()
 {

@@ -45,6 +45,15 @@ float smallestAngle(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 	return angleBetween(a - b, c - b);
 }
 
+float largestAngle(const Vec3f& a, const Vec3f& b, const Vec3f& c)
+{
+	// The largest angle lies opposite the longest edge.
+	const float ab = squaredLength(b - a), bc = squaredLength(c - b), ca = squaredLength(a - c);
+	if (ab >= bc && ab >= ca) return angleBetween(a - c, b - c);
+	if (bc >= ca) return angleBetween(b - a, c - a);
+	return angleBetween(a - b, c - b);
+}
+
 float triangleShape(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 {
 	const float edges = squaredLength(b - a) + squaredLength(c - b) + squaredLength(a - c);

@@ -21,6 +21,9 @@ struct Corners {
 /// Smallest angle of a triangle in radians; 0 where it has no area.
 float smallestAngle(const Vec3f& a, const Vec3f& b, const Vec3f& c);
 
+/// Largest angle of a triangle in radians.
+float largestAngle(const Vec3f& a, const Vec3f& b, const Vec3f& c);
+
 /// Shape of a triangle in [0, 1]: 4√3·area / (sum of squared edges); 1 = equilateral. Cheap: one
 /// root.
 float triangleShape(const Vec3f& a, const Vec3f& b, const Vec3f& c);

@@ -5,8 +5,8 @@
 
 #include "guarded_decimation.h"
 
-#include <vcg_extras/core/surface/result_mesh.h>
 #include <vcg_extras/core/mesh/connect.h>
+#include <vcg_extras/core/surface/result_mesh.h>
 
 namespace gpr {
 

@@ -55,6 +55,15 @@ float smallestAngle(const HalfEdgeMesh& m, int face)
 	return smallestAngle(m.position[corner[0]], m.position[corner[1]], m.position[corner[2]]);
 }
 
+float obtuseAngle(const HalfEdgeMesh& m, int face)
+{
+	const int*   corner = &m.origin[3 * face];
+	const Vec3f &a = m.position[corner[0]], &b = m.position[corner[1]], &c = m.position[corner[2]];
+	const float  ab = squaredLength(b - a), bc = squaredLength(c - b), ca = squaredLength(a - c);
+	const float  longest = std::max({ab, bc, ca});
+	return ab + bc + ca < 2 * longest ? largestAngle(a, b, c) : 0;
+}
+
 float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float turnCosine)
 {
 	const Vec3f here  = m.position[v];
@@ -84,6 +93,12 @@ std::vector<int> poorOnes(const HalfEdgeMesh& m, float angle, const std::vector<
 	std::vector<int>   poor;
 	std::copy_if(faces.begin(), faces.end(), std::back_inserter(poor), isPoor);
 	return poor;
+}
+
+std::vector<int> findObtuseFaces(const HalfEdgeMesh& m, float angle, Workers& workers)
+{
+	return workers.collectIf(std::size_t(m.faceNum),
+							 [&](int f) { return !isDeadFace(m, f) && obtuseAngle(m, f) > angle; });
 }
 
 std::vector<int> sharpestFirst(const HalfEdgeMesh& m, std::vector<int> faces)

@@ -15,6 +15,9 @@ namespace gpr {
 /// Smallest angle of a face in radians; 0 where it has no area.
 float smallestAngle(const HalfEdgeMesh& m, int face);
 
+/// Largest angle of a face in radians; 0 where it is not obtuse, which costs less to tell.
+float obtuseAngle(const HalfEdgeMesh& m, int face);
+
 /// Smallest angle in the ring of v with v at p; below 0 if a face turns so far by the move that the
 /// cosine is turnCosine or less.
 float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float turnCosine);
@@ -24,6 +27,9 @@ float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float tu
 std::vector<int> findPoorFaces(const HalfEdgeMesh& mesh, float angle, Workers& workers);
 /// Those of the given faces.
 std::vector<int> poorOnes(const HalfEdgeMesh& mesh, float angle, const std::vector<int>& faces);
+
+/// Living faces with a larger angle than this (radians, at least 90°), ascending. Cost: as above.
+std::vector<int> findObtuseFaces(const HalfEdgeMesh& mesh, float angle, Workers& workers);
 
 /// The faces (living), by their smallest angle.
 std::vector<int> sharpestFirst(const HalfEdgeMesh& mesh, std::vector<int> faces);

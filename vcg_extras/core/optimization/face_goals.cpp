@@ -59,6 +59,14 @@ float lackOfAngle(const HalfEdgeMesh& m, int f, float angle)
 	return lack * lack;
 }
 
+/// Of the largest angle, on the scale of lackOfAngle: 1 at 180°.
+float excessOfAngle(const HalfEdgeMesh& m, int f, float largest)
+{
+	const float rest = (float(pi) - obtuseAngle(m, f)) / (angleMargin * (float(pi) - largest));
+	const float lack = shortfall(rest, 1);
+	return lack * lack;
+}
+
 // ---- limits
 
 /// Of the goals that come after the fit, side by side with those that come before it.
@@ -136,6 +144,25 @@ Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::
 	goal.stepLengths    = shortSteps;
 	goal.limits         = limitsAfterFit(guardedDistance);
 	goal.budget.maxLeft = 0.95f; // the rest of the rounds would cost more than they bring
+	return goal;
+}
+
+float asPoorAs(float smallestAngle)
+{
+	constexpr float share = 70.0f / 32; // (180° - 110°) / 32°
+	return float(pi) - share * smallestAngle;
+}
+
+Goal largeAngles(LocalSearch& search, float angle, float guardedDistance)
+{
+	const HalfEdgeMesh& m       = search.mesh();
+	const float         largest = asPoorAs(angle);
+	Goal                goal    = smallAngles(search, angle, keepingCount, guardedDistance);
+	goal.isBad                  = [&m, largest](int f) { return obtuseAngle(m, f) > largest; };
+	goal.faceCost               = [&m, angle, largest](int f) {
+        return lackOfAngle(m, f, angle) + excessOfAngle(m, f, largest);
+	};
+	goal.limits.minAngle = angle;
 	return goal;
 }
 

@@ -27,6 +27,14 @@ Goal facesWithoutArea(LocalSearch& search);
 Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::Kind>& operations,
 				 float guardedDistance = HUGE_VALF);
 
+/// The largest angle (radians) that is as poor as a smallest one: 110° for 32°, 180° for 0.
+float asPoorAs(float smallestAngle);
+
+/// Faces with a largest angle above asPoorAs(angle). Minimised is the sum over the faces of the
+/// squares of what is too much, and of what smallest angles lack; no angle falls below `angle`
+/// (radians), and none below it falls further. guardedDistance: see Limits.
+Goal largeAngles(LocalSearch& search, float angle, float guardedDistance = HUGE_VALF);
+
 /// Faces among the suspects that intersect others; the list is kept by the caller. Minimised is the
 /// number of pairs, then what angles below `angle` lack.
 Goal selfIntersections(LocalSearch& search, const std::vector<int>& suspects, float angle,

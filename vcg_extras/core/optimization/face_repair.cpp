@@ -113,7 +113,7 @@ public:
 		for (int round = 0; round < maxCountRounds; ++round) {
 			if (!changeCountWhereItHelps()) break;
 		}
-		return isDone;
+		return lowerLargeAngles() && isDone;
 	}
 
 private:
@@ -184,6 +184,17 @@ private:
 			isDone             = search.run(goal) && isDone;
 		}
 		return isDone;
+	}
+
+	/// At the end: large angles are less poor than small ones, and must not take work from these.
+	bool lowerLargeAngles()
+	{
+		if (findObtuseFaces(r_.mesh, asPoorAs(angle_), workers_).empty()) return true;
+		Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
+		LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_);
+		Goal        goal = largeAngles(search, angle_, guarded());
+		if (wanted_.maxGap > 0) goal.limits.maxGap = wanted_.maxGap;
+		return search.run(goal);
 	}
 
 	/// All is as it was, and the answer is false, where it does not.
@@ -326,6 +337,12 @@ void repairFacesWithoutArea(LocalSearch& search)
 	search.run(goal);
 }
 
+bool hasPoorFaces(const HalfEdgeMesh& m, float angle, Workers& workers)
+{
+	return !findPoorFaces(m, angle, workers).empty() ||
+		   !findObtuseFaces(m, asPoorAs(angle), workers).empty();
+}
+
 } // namespace
 
 bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, bool mayCollapse,
@@ -362,7 +379,7 @@ bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, const
 	if (!wanted.suspects.empty())
 		intersecting = findIntersectingFaces(result.mesh, wanted.suspects, workers);
 	const float angle = wanted.angleDeg * radians;
-	if (intersecting.empty() && findPoorFaces(result.mesh, angle, workers).empty()) return true;
+	if (intersecting.empty() && !hasPoorFaces(result.mesh, angle, workers)) return true;
 	if (map == nullptr) map.reset(new ClosestFaceMap(surface, result, workers));
 	return PoorFaceRepair(surface, curves, wanted, *map, result, workers).run(intersecting);
 }

@@ -38,7 +38,8 @@ struct PoorFaces {
 };
 
 /// After the fit: takes intersecting faces apart and raises small angles, by moves and flips, then
-/// by splits and collapses, which other places make good, then by two of these in a row. What
+/// by splits and collapses, which other places make good, then by two of these in a row. Last come
+/// large angles (asPoorAs), by moves and flips that leave no angle poorer than it may be. What
 /// changes the count is kept only if angles lack less then, none is smaller than the smallest
 /// before, no more faces are inverted, and the count is reached. Needs a mesh without
 /// dead faces; `map` belongs to its faces, and is made here where it is needed and null. Returns
