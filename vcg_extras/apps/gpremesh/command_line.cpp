@@ -39,6 +39,7 @@ bool sameFile(const std::string& a, const std::string& b)
 
 void checkPaths(const CommandLine& line)
 {
+	if (line.command == Command::Tile) return;
 	formatOfPath(line.input);
 	if (line.command != Command::Remesh && line.command != Command::Features) return;
 	const MeshFormat written = formatOfPath(line.output);
@@ -64,6 +65,17 @@ void addOutcome(CLI::App& command, CommandLine& line, const char* reportHelp)
 	command.add_flag("--quiet", line.quiet, "No progress and no summary; errors are told still");
 }
 
+void addMemory(CLI::App& command, CommandLine& line)
+{
+	command
+		.add_option(
+			"--memory", line.tiles.memoryBytes,
+			"Memory to use at most, about, such as 8G. A larger PLY file is read in tiles,\n"
+			"each condensed by itself; the result is made of all of them together")
+		->transform(CLI::AsSizeValue(true))
+		->type_name("SIZE");
+}
+
 CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* remesh = app.add_subcommand(
@@ -77,6 +89,13 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 		->required();
 	addTableOptions(*remesh, RemeshTool, given);
 	addOutcome(*remesh, line, "Write what was done, and how well, as JSON");
+	addMemory(*remesh, line);
+	remesh
+		->add_option(
+			"--scratch", line.tiles.folder,
+			"With --memory: the folder for what is put aside, OUT.tiles by default. It is\n"
+			"kept where the run ends early, which then goes on there when run again")
+		->type_name("DIR");
 	remesh->footer(exitCodeHelp);
 	return remesh;
 }
@@ -88,6 +107,12 @@ CLI::App* addInfo(CLI::App& app, CommandLine& line)
 	info->add_flag("--json", line.json, "Print JSON");
 	info->footer(exitCodeHelp);
 	return info;
+}
+
+/// A plan does not depend on what each run of a step has.
+bool isForPlan(const Parameter& p)
+{
+	return std::string(p.key) != "TimeLimit" && std::string(p.key) != "Threads";
 }
 
 /// The other methods know no time limit.
@@ -131,6 +156,45 @@ CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 	return features;
 }
 
+CLI::App* addTileStep(CLI::App& tile, CommandLine& line, TileStep step, const char* name,
+					  const char* help)
+{
+	CLI::App* const command = tile.add_subcommand(name, help);
+	command->add_option("DIR", line.tiles.folder, "The folder of the run")->required();
+	command->callback([&line, step] { line.tiles.step = step; });
+	return command;
+}
+
+/// The steps of a run in tiles, for several machines that share a folder.
+CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
+{
+	CLI::App* const tile = app.add_subcommand(
+		"tile",
+		"The steps of a run in tiles, for many machines that share the folder DIR: plan,\n"
+		"split, part for every tile, join, finish. A step that was done is not done again.");
+	tile->require_subcommand(1);
+	CLI::App* const plan =
+		addTileStep(*tile, line, TileStep::Plan, "plan", "Decides how IN is cut. Reads a sample.");
+	plan->add_option("IN", line.tiles.inputs, "Binary PLY files, pieces of one surface")
+		->required();
+	addTableOptions(*plan, RemeshTool, given, isForPlan);
+	addMemory(*plan, line);
+	plan->add_option("--tiles", line.tiles.tileNum, "How many; by the memory if not given")
+		->check(CLI::Range(1, 10000))
+		->type_name("T");
+	addTileStep(*tile, line, TileStep::Split, "split", "Reads IN once and cuts it into tiles.");
+	CLI::App* const part = addTileStep(*tile, line, TileStep::Part, "part", "Condenses one tile.");
+	part->add_option("--unit", line.tiles.unit, "Number of the tile, from 0")->required();
+	addTileStep(*tile, line, TileStep::Join, "join", "Puts the condensed tiles together.");
+	CLI::App* const finish =
+		addTileStep(*tile, line, TileStep::Finish, "finish", "Remeshes what was joined.");
+	finish->add_option("OUT", line.output, "Mesh to write: .ply, .obj, .off, .stl or .glb")
+		->required();
+	addOutcome(*finish, line, "Write what was done, and how well, as JSON");
+	tile->footer(exitCodeHelp);
+	return tile;
+}
+
 /// For the build, which installs the page; --help does not show it.
 void addManualPage(CLI::App& app)
 {
@@ -157,6 +221,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 	CLI::App* const info     = addInfo(app, line);
 	CLI::App* const compare  = addCompare(app, line, given);
 	CLI::App* const features = addFeatures(app, line, given);
+	CLI::App* const tile     = addTile(app, line, given);
 	addManualPage(app);
 	try {
 		app.parse(argc, argv);
@@ -172,8 +237,10 @@ CommandLine parseCommandLine(int argc, char** argv)
 	if (info->parsed()) line.command = Command::Info;
 	if (compare->parsed()) line.command = Command::Compare;
 	if (features->parsed()) line.command = Command::Features;
-	line.options     = optionsOf(given);
-	line.optionsText = textOf(given);
+	if (tile->parsed()) line.command = Command::Tile;
+	line.options           = optionsOf(given);
+	line.optionsText       = textOf(given);
+	line.tiles.optionsText = textOf(given, isForPlan);
 	checkPaths(line);
 	return line;
 }

@@ -5,7 +5,9 @@
 
 #include <vcg_extras/core/options.h>
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 namespace gpr::app {
 
@@ -15,6 +17,20 @@ enum class Command {
 	Info,
 	Compare,
 	Features,
+	Tile,
+};
+
+enum class TileStep { Plan, Split, Part, Join, Finish };
+
+/// Of runs in tiles.
+struct TileSettings {
+	TileStep                 step = TileStep::Plan;
+	std::string              folder;      ///< of the run; remesh: empty = OUT.tiles
+	std::vector<std::string> inputs;      ///< of 'tile plan'
+	std::string              optionsText; ///< what of the options a plan depends on
+	int                      unit        = 0;
+	int                      tileNum     = 0; ///< 0 = by the memory
+	std::uint64_t            memoryBytes = 0; ///< 0 = as much as it takes
 };
 
 /// What the user asked for, checked.
@@ -30,6 +46,9 @@ struct CommandLine {
 	std::string   htmlFolder;        ///< compare only; empty = no page
 	RemeshOptions options;           ///< all but info
 	std::string   optionsText;       ///< these as the user gave them: "--lambda 2 --fit off"
+	TileSettings  tiles;             ///< tile, and remesh with --memory
+
+	std::vector<std::string> notes; ///< sentences that the program adds to the report's
 };
 
 /// Reads the arguments; the remeshing options are made from the engine's parameter table. Prints

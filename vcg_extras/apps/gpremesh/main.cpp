@@ -9,6 +9,7 @@
 #include "platform.h"
 #include "remesh_command.h"
 #include "stopwatch.h"
+#include "tiles/tile_run.h"
 
 #include <cstdio>
 #include <new>
@@ -33,7 +34,13 @@ void run(int argc, char** argv, const Stopwatch& programClock)
 	case Command::None:
 		break;
 	case Command::Remesh:
-		runRemesh(line, programClock);
+		if (needsTiles(line))
+			remeshInTiles(line, programClock);
+		else
+			runRemesh(line, programClock);
+		break;
+	case Command::Tile:
+		runTileStep(line, programClock);
 		break;
 	case Command::Info:
 		runInfo(line);

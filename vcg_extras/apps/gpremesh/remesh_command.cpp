@@ -137,6 +137,7 @@ RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit
 	resolveFeatureRegion(input.view().anySelected(), run.options);
 	run.notes = input.notes;
 	run.notes.insert(run.notes.end(), result.notes.begin(), result.notes.end());
+	run.notes.insert(run.notes.end(), line.notes.begin(), line.notes.end());
 	addPrecisionNote(run);
 	run.report                = std::move(result.report);
 	MeshAttributes attributes = carriedAttributes(source, result, limit);

@@ -6,6 +6,7 @@
 #include "number_text.h"
 #include "range_text.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace gpr::app {
@@ -159,11 +160,29 @@ RemeshOptions optionsOf(const GivenOptions& given)
 	return options;
 }
 
-std::string textOf(const GivenOptions& given)
+RemeshOptions optionsOfText(const std::string& text)
+{
+	GivenOptions       given;
+	std::istringstream words(text);
+	for (std::string option; words >> option;) {
+		const std::vector<Parameter>& rows = parametersOf(RemeshTool);
+		const auto                    row  = std::find_if(rows.begin(), rows.end(),
+														  [&](const Parameter& p) { return option == p.option; });
+		if (row == rows.end()) failUsage("there is no option " + option + ".");
+		std::string word = "on";
+		if (!std::string(row->argument).empty()) words >> word;
+		given[&*row] = word;
+	}
+	return optionsOf(given);
+}
+
+std::string textOf(const GivenOptions& given, bool (*isWanted)(const Parameter&))
 {
 	std::map<std::string, std::string> words; // by option: the rows' addresses have no order
-	for (const auto& [row, word] : given)
+	for (const auto& [row, word] : given) {
+		if (isWanted != nullptr && !isWanted(*row)) continue;
 		words[row->option] = std::string(row->argument).empty() ? "" : " " + word;
+	}
 	std::string text;
 	for (const auto& [option, word] : words)
 		text += (text.empty() ? "" : " ") + option + word;

@@ -23,8 +23,11 @@ void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
 /// (Usage) for values of the wrong kind or out of range, and for more than one size.
 RemeshOptions optionsOf(const GivenOptions& given);
 
+/// The options that textOf has written. Throws AppError (Usage) for others.
+RemeshOptions optionsOfText(const std::string& text);
+
 /// What was given as one writes it, in alphabetical order: "--lambda 2 --percent 5".
-std::string textOf(const GivenOptions& given);
+std::string textOf(const GivenOptions& given, bool (*isWanted)(const Parameter&) = nullptr);
 
 } // namespace gpr::app
 

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What runs in tiles are made from: cells, records of PLY files, borders that fit together.
+#include "mesh_files.h"
+
+#include <vcg_extras/apps/gpremesh/exit_code.h>
+#include <vcg_extras/apps/gpremesh/tiles/border_split.h>
+#include <vcg_extras/apps/gpremesh/tiles/cell_tree.h>
+#include <vcg_extras/apps/gpremesh/tiles/ply_records.h>
+#include <vcg_extras/apps/gpremesh/tiles/run_folder.h>
+#include <vcg_extras/apps/gpremesh/tiles/spill_files.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <random>
+
+namespace gpr_test {
+
+using namespace gpr::app;
+using gpr::Vec3d;
+
+namespace {
+
+std::vector<Vec3d> randomPoints(std::size_t num)
+{
+	std::mt19937       random(7);
+	const auto         next = [&] { return double(random()) / 4294967296.0; };
+	std::vector<Vec3d> points;
+	for (std::size_t i = 0; i < num; ++i)
+		points.push_back({next(), next() * next(), 3 * next()});
+	return points;
+}
+
+/// A folder that is removed at the end.
+class Folder {
+public:
+	Folder() : path_(::testing::TempDir() + "tile_parts")
+	{
+		std::filesystem::remove_all(path_);
+		std::filesystem::create_directories(path_);
+	}
+	~Folder() { std::filesystem::remove_all(path_); }
+
+	std::string path(const std::string& name) const { return path_ + "/" + name; }
+	std::string put(const std::string& name, const std::string& content) const
+	{
+		std::ofstream(path(name), std::ios::binary) << content;
+		return path(name);
+	}
+
+private:
+	std::string path_;
+};
+
+InputMesh inputMesh(const TestMesh& mesh)
+{
+	InputMesh input;
+	for (const auto& p : mesh.points)
+		for (double c : p)
+			input.floats.push_back(float(c));
+	for (const auto& f : mesh.faces)
+		for (int v : f)
+			input.triangles.push_back(v);
+	return input;
+}
+
+double areaOf(const InputMesh& mesh)
+{
+	double area = 0;
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		const auto  t = mesh.view().triangle(f);
+		const Vec3d a = mesh.view().position(std::size_t(t[0]));
+		area += 0.5 * length(cross(mesh.view().position(std::size_t(t[1])) - a,
+								   mesh.view().position(std::size_t(t[2])) - a));
+	}
+	return area;
+}
+
+/// Per edge that one face has: its length.
+std::vector<double> borderLengths(const InputMesh& mesh)
+{
+	std::map<std::pair<int, int>, int> faces;
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		const auto t = mesh.view().triangle(f);
+		for (std::size_t k = 0; k < 3; ++k)
+			++faces[std::minmax(t[k], t[(k + 1) % 3])];
+	}
+	std::vector<double> lengths;
+	for (const auto& [edge, num] : faces) {
+		if (num == 1)
+			lengths.push_back(length(mesh.view().position(std::size_t(edge.second)) -
+									 mesh.view().position(std::size_t(edge.first))));
+	}
+	return lengths;
+}
+
+} // namespace
+
+TEST(CellTree, CellsHaveAboutAsManyPoints)
+{
+	for (int cellNum : {1, 2, 3, 7, 12}) {
+		std::vector<Vec3d>    points = randomPoints(12000);
+		const CellTree        tree(points, cellNum);
+		std::vector<int>      num(std::size_t(cellNum), 0);
+		for (const Vec3d& p : points)
+			++num.at(std::size_t(tree.cellOf(p)));
+		for (int n : num)
+			EXPECT_NEAR(n, 12000 / cellNum, 2 + 0.01 * 12000) << cellNum;
+	}
+}
+
+TEST(CellTree, TakesPointsThatAreAllOneAndNumbersThatAreNone)
+{
+	std::vector<Vec3d> same(100, Vec3d{1, 2, 3});
+	same.push_back({NAN, 0, 0});
+	const CellTree tree(same, 5);
+	EXPECT_EQ(tree.cellOf({1, 2, 3}), tree.cellOf({1, 2, 3}));
+	EXPECT_LT(tree.cellOf({NAN, NAN, NAN}), 5);
+	EXPECT_GE(tree.cellOf({NAN, NAN, NAN}), 0);
+}
+
+TEST(SpillFiles, GiveBackWhatWasAdded)
+{
+	const Folder folder;
+	std::filesystem::create_directories(folder.path("spill"));
+	SpillFiles   files(folder.path("spill"), "number", 2);
+	const int    num = 300000; // more than is held in memory
+	for (int i = 0; i < num; ++i)
+		files.addValue(i % 2, i);
+	for (int tile : {1, 0}) {
+		const std::vector<int> values = files.takeValues<int>(tile);
+		ASSERT_EQ(values.size(), std::size_t(num) / 2);
+		for (std::size_t i = 0; i < values.size(); ++i)
+			ASSERT_EQ(values[i], int(2 * i) + tile);
+	}
+	EXPECT_TRUE(files.take(0).empty());
+}
+
+TEST(PlyRecords, AreThoseOfTheFile)
+{
+	const Folder          folder;
+	const TestMesh        mesh   = torus(9);
+	const std::string     path   = folder.put("torus.ply", binaryPly(mesh, true, true));
+	const PlyRecordLayout layout = readRecordLayout(path);
+	PlyRecordReader       reader(path, layout, 100); // a buffer of few records
+	reader.toVertices();
+	for (const auto& p : mesh.points) {
+		const Vec3d read = positionIn(reader.nextVertex(), layout);
+		EXPECT_EQ(std::vector<double>({read.x, read.y, read.z}),
+				  std::vector<double>(p.begin(), p.end()));
+	}
+	reader.toFaces();
+	FaceRecord  face;
+	std::string bytes;
+	for (const auto& f : mesh.faces) {
+		reader.nextFace(face);
+		EXPECT_EQ(face.corners, std::vector<std::int64_t>(f.begin(), f.end()));
+		appendFace(face, layout, bytes);
+	}
+	const std::string file = binaryPly(mesh, true, true);
+	EXPECT_EQ(bytes, file.substr(file.size() - bytes.size()));
+	reader.toVertices(40);
+	EXPECT_EQ(positionIn(reader.nextVertex(), layout).x, mesh.points[40][0]);
+}
+
+TEST(PlyRecords, RefuseWhatCannotBeReadInPieces)
+{
+	const Folder folder;
+	EXPECT_THROW(readRecordLayout(folder.put("text.ply", asciiPly(torus(5)))), AppError);
+	EXPECT_THROW(readRecordLayout(folder.put("big.ply", binaryPly(torus(5), false, false))),
+				 AppError);
+	EXPECT_THROW(readRecordLayout(folder.path("absent.ply")), AppError);
+	const std::string     whole  = binaryPly(torus(5), true, false);
+	const std::string     path   = folder.put("cut.ply", whole.substr(0, whole.size() / 2));
+	const PlyRecordLayout layout = readRecordLayout(path);
+	PlyRecordReader       reader(path, layout);
+	FaceRecord            face;
+	reader.toVertices();
+	const auto readAll = [&] {
+		reader.skipVertices();
+		for (int f = 0; f < 50; ++f)
+			reader.nextFace(face);
+	};
+	EXPECT_THROW(readAll(), AppError);
+}
+
+TEST(FileStamp, TellsAChangedByteAndAChangedLength)
+{
+	const Folder      folder;
+	std::string       content(100000, 'a');
+	const std::string path   = folder.put("file", content);
+	const FileStamp   before = stampOf(path);
+	EXPECT_NO_THROW(requireStamp(path, before));
+	content[77777] = 'b';
+	folder.put("file", content);
+	EXPECT_THROW(requireStamp(path, before), AppError);
+	content[77777] = 'a';
+	folder.put("file", content + 'a');
+	EXPECT_THROW(requireStamp(path, before), AppError);
+}
+
+TEST(SplitLongBorderEdges, LeavesNoneAndKeepsTheArea)
+{
+	InputMesh               mesh   = inputMesh(grid(3));
+	const double            before = areaOf(mesh);
+	std::vector<SharedName> names(mesh.vertexNum());
+	splitLongBorderEdges(0.1, mesh, names);
+	EXPECT_NEAR(areaOf(mesh), before, 1e-6);
+	EXPECT_EQ(names.size(), mesh.vertexNum());
+	const std::vector<double> lengths = borderLengths(mesh);
+	EXPECT_EQ(lengths.size(), 12u * 4);
+	for (double length : lengths)
+		EXPECT_NEAR(length, 1.0 / 12, 1e-6);
+}
+
+/// The two faces of a square, each in a tile of its own and with its own order of vertices.
+TEST(SplitLongBorderEdges, GivesTwoTilesTheSameVertices)
+{
+	const std::vector<std::array<double, 3>> corner = {
+		{0.1, 0.2, 0.3}, {1.7, 0.1, 0.2}, {1.3, 1.9, 0.1}, {0.2, 1.1, 0.7}};
+	const auto tileOf = [&](const std::array<int, 3>& of, InputMesh& mesh) {
+		TestMesh                tile;
+		std::vector<SharedName> names;
+		for (int v : of) {
+			tile.points.push_back(corner[std::size_t(v)]);
+			names.push_back(v == 0 || v == 2 ?
+								SharedName{std::uint32_t(v), std::uint32_t(v), 0} :
+								SharedName());
+		}
+		tile.faces = {{0, 1, 2}};
+		mesh       = inputMesh(tile);
+		splitLongBorderEdges(0.15, mesh, names);
+		std::map<std::array<std::uint32_t, 3>, std::array<double, 3>> shared;
+		for (std::size_t v = 0; v < names.size(); ++v) {
+			const Vec3d p = mesh.view().position(v);
+			if (names[v].isShared())
+				shared[{names[v].low, names[v].high, names[v].part}] = {p.x, p.y, p.z};
+		}
+		return shared;
+	};
+	InputMesh  one, other;
+	const auto a = tileOf({0, 1, 2}, one), b = tileOf({2, 3, 0}, other);
+	EXPECT_EQ(a, b);
+	EXPECT_EQ(a.size(), 2 + std::size_t(std::ceil(std::hypot(1.2, 1.7, 0.2) / 0.15)) - 1);
+}
+
+TEST(SplitLongBorderEdges, CarriesTextureAndValues)
+{
+	InputMesh mesh = inputMesh(grid(1));
+	for (std::size_t c = 0; c < 3 * mesh.faceNum(); ++c) {
+		const Vec3d p = mesh.view().position(std::size_t(mesh.view().vertexOf(c)));
+		mesh.attributes.texture.uv.push_back(float(p.x));
+		mesh.attributes.texture.uv.push_back(float(p.y));
+	}
+	ValueColumn height{"height", PlyType::Float32, {}};
+	for (std::size_t v = 0; v < mesh.vertexNum(); ++v)
+		height.values.push_back(mesh.view().position(v).x + 2 * mesh.view().position(v).y);
+	mesh.attributes.ofVertices = {height};
+	std::vector<SharedName> names(mesh.vertexNum());
+	splitLongBorderEdges(0.3, mesh, names);
+	ASSERT_GT(mesh.faceNum(), 10u);
+	for (std::size_t c = 0; c < 3 * mesh.faceNum(); ++c) {
+		const std::size_t v = std::size_t(mesh.view().vertexOf(c));
+		const Vec3d       p = mesh.view().position(v);
+		EXPECT_NEAR(mesh.attributes.texture.uv[2 * c], p.x, 1e-6);
+		EXPECT_NEAR(mesh.attributes.texture.uv[2 * c + 1], p.y, 1e-6);
+		EXPECT_NEAR(mesh.attributes.ofVertices[0].values[v], p.x + 2 * p.y, 1e-6);
+	}
+}
+
+} // namespace gpr_test

@@ -1,0 +1,284 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// gpremesh remesh --memory and gpremesh tile as a user runs them.
+#include "mesh_files.h"
+#include "program_runner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+namespace gpr_test {
+
+using Json = nlohmann::json;
+
+class TileRun : public CliTest {
+protected:
+	static constexpr int tileNum = 5;
+
+	void runStep(std::vector<std::string> words)
+	{
+		words.insert(words.begin(), "tile");
+		const ProgramResult result = run(words, 120);
+		EXPECT_EQ(result.exitCode, 0) << words[1] << ": " << result.err;
+	}
+
+	void plan(const std::string& input, std::vector<std::string> options)
+	{
+		std::vector<std::string> words = {"plan", path("run"), input};
+		words.insert(words.end(), options.begin(), options.end());
+		words.insert(words.end(), {"--tiles", std::to_string(tileNum)});
+		runStep(words);
+	}
+
+	void part(int unit) { runStep({"part", path("run"), "--unit", std::to_string(unit)}); }
+
+	/// All steps; the result is out.ply.
+	TestMesh remeshedInTiles(const std::string& input, const std::vector<std::string>& options)
+	{
+		plan(input, options);
+		runStep({"split", path("run")});
+		for (int unit = 0; unit < tileNum; ++unit)
+			part(unit);
+		runStep({"join", path("run")});
+		runStep({"finish", path("run"), path("out.ply"), "--quiet", "--report",
+				 path("report.json")});
+		std::string precision;
+		return parseWrittenPly(content(path("out.ply")), precision);
+	}
+
+	Json info(const std::string& file)
+	{
+		const ProgramResult result = run({"info", file, "--json"});
+		EXPECT_EQ(result.exitCode, 0) << result.err;
+		return Json::parse(result.out);
+	}
+
+	Json report() { return Json::parse(content(path("report.json"))); }
+};
+
+TEST_F(TileRun, KeepsTopologyCountAndShape)
+{
+	const std::string in   = put("torus.ply", binaryPly(torus(160), true, false));
+	const TestMesh    mesh = remeshedInTiles(in, {"--vertices", "1500"});
+	EXPECT_EQ(mesh.points.size(), 1500u);
+	const Json facts = info(path("out.ply"));
+	EXPECT_EQ(facts["input"]["eulerCharacteristic"], 0);
+	EXPECT_EQ(facts["input"]["boundaryLoops"], 0);
+	EXPECT_EQ(facts["input"]["components"], 1);
+	EXPECT_GT(facts["quality"]["angles"]["min"], 30);
+	EXPECT_GT(facts["quality"]["radiusRatio"]["mean"], 0.97);
+	for (const auto& p : mesh.points)
+		EXPECT_NEAR(std::hypot(std::hypot(p[0], p[1]) - 1, p[2]), 0.4, 0.007);
+}
+
+/// The seams show nowhere: the same figures as without tiles.
+TEST_F(TileRun, IsAsRegularAndNearAsWithoutTiles)
+{
+	const std::string in = put("torus.ply", binaryPly(torus(160), true, false));
+	remeshedInTiles(in, {"--vertices", "1500"});
+	const Json tiled = info(path("out.ply"));
+	ASSERT_EQ(run({"remesh", in, path("whole.ply"), "--vertices", "1500"}).exitCode, 0);
+	const Json whole = info(path("whole.ply"));
+	EXPECT_NEAR(tiled["quality"]["radiusRatio"]["mean"].get<double>(),
+				whole["quality"]["radiusRatio"]["mean"].get<double>(), 0.006);
+	EXPECT_NEAR(tiled["input"]["area"].get<double>(), whole["input"]["area"].get<double>(),
+				0.003 * whole["input"]["area"].get<double>());
+}
+
+TEST_F(TileRun, TheOrderOfStepsAndThreadsAndRepeatsDoNotMatter)
+{
+	const std::string in      = put("torus.ply", binaryPly(torus(120), true, false));
+	remeshedInTiles(in, {"--vertices", "900"});
+	const std::string first = content(path("out.ply"));
+	std::filesystem::remove_all(path("run"));
+	plan(in, {"--vertices", "900"});
+	plan(in, {"--vertices", "900"});
+	runStep({"split", path("run")});
+	for (int unit : {3, 0, 4, 3, 1, 2})
+		part(unit);
+	std::filesystem::remove(path("run/part2.json")); // as if it had been killed
+	part(2);
+	runStep({"join", path("run")});
+	runStep({"finish", path("run"), path("again.ply"), "--quiet"});
+	EXPECT_EQ(first, content(path("again.ply")));
+}
+
+TEST_F(TileRun, OneCommandDoesAllStepsWithinItsMemory)
+{
+	const std::string in = put("torus.ply", binaryPly(torus(400), true, false));
+	const std::vector<std::string> words = {"remesh",   in,     path("out.ply"), "--vertices",
+											"3000",     "--memory", "45M",        "--report",
+											path("report.json")};
+	const ProgramResult result = run(words, 300);
+	ASSERT_EQ(result.exitCode, 0) << result.err;
+	EXPECT_NE(result.out.find("condensed in"), std::string::npos) << result.out;
+	EXPECT_EQ(report()["result"]["vertices"], 3000);
+	EXPECT_EQ(report()["result"]["eulerCharacteristic"], 0);
+	EXPECT_FALSE(exists(path("out.ply.tiles"))) << "cleared at the end";
+}
+
+TEST_F(TileRun, WithEnoughMemoryThereAreNoTiles)
+{
+	const std::string in = put("torus.ply", binaryPly(torus(60), true, false));
+	ASSERT_EQ(run({"remesh", in, path("a.ply"), "--memory", "1G"}).exitCode, 0);
+	ASSERT_EQ(run({"remesh", in, path("b.ply")}).exitCode, 0);
+	EXPECT_EQ(content(path("a.ply")), content(path("b.ply")));
+}
+
+TEST_F(TileRun, AKilledRunGoesOnWhereItWas)
+{
+	const std::string in = put("torus.ply", binaryPly(torus(400), true, false));
+	const std::vector<std::string> words = {"remesh", in,         path("out.ply"), "--vertices",
+											"3000",   "--memory", "45M",           "--quiet"};
+	ASSERT_EQ(run(words, 300).exitCode, 0);
+	const std::string whole = content(path("out.ply"));
+	std::filesystem::remove(path("out.ply"));
+	for (int i = 0; i < 3; ++i) {
+		runAndSignal(words, SIGKILL);
+		std::string precision;
+		if (exists(path("out.ply"))) {
+			EXPECT_EQ(whole, content(path("out.ply")));
+		}
+	}
+	ASSERT_EQ(run(words, 300).exitCode, 0);
+	EXPECT_EQ(whole, content(path("out.ply")));
+}
+
+TEST_F(TileRun, AnOpenSurfaceKeepsItsBorder)
+{
+	const std::string in   = put("square.ply", binaryPly(grid(150), true, true));
+	const TestMesh    mesh = remeshedInTiles(in, {"--vertices", "1000"});
+	EXPECT_EQ(mesh.points.size(), 1000u);
+	const Json facts = info(path("out.ply"));
+	EXPECT_EQ(facts["input"]["boundaryLoops"], 1);
+	EXPECT_EQ(facts["input"]["eulerCharacteristic"], 1);
+	EXPECT_NEAR(facts["input"]["area"], 1, 1e-9);
+	EXPECT_EQ(report()["result"]["precision"], "double");
+}
+
+TEST_F(TileRun, PiecesWhoseBordersCoincideAreOneSurface)
+{
+	TestMesh whole = grid(120), left = whole, right = whole;
+	left.faces.clear();
+	right.faces.clear();
+	for (const auto& f : whole.faces) {
+		const double x = whole.points[std::size_t(f[0])][0] + whole.points[std::size_t(f[1])][0] +
+						 whole.points[std::size_t(f[2])][0];
+		(x < 1.5 ? left : right).faces.push_back(f);
+	}
+	const std::string a = put("left.ply", binaryPly(left, true, false));
+	const std::string b = put("right.ply", binaryPly(right, true, false));
+	runStep({"plan", path("run"), a, b, "--vertices", "800", "--tiles", "3"});
+	runStep({"split", path("run")});
+	for (int unit = 0; unit < 3; ++unit)
+		part(unit);
+	runStep({"join", path("run")});
+	runStep({"finish", path("run"), path("out.ply"), "--quiet"});
+	const Json facts = info(path("out.ply"));
+	EXPECT_EQ(facts["input"]["components"], 1);
+	EXPECT_EQ(facts["input"]["boundaryLoops"], 1);
+	EXPECT_EQ(facts["input"]["vertices"], 800);
+}
+
+/// Huge triangles beside small ones, and seams through both.
+TEST_F(TileRun, LongEdgesOfSeamsLeaveNoNeedles)
+{
+	TestMesh mesh = grid(100);
+	for (auto& p : mesh.points)
+		p[0] = p[0] * p[0] * p[0]; // cells up to three times as long, and much shorter ones
+	const std::string in = put("graded.ply", binaryPly(mesh, true, false));
+	remeshedInTiles(in, {"--vertices", "3000"});
+	const Json facts = info(path("out.ply"));
+	EXPECT_GT(facts["quality"]["angles"]["min"], 25);
+	EXPECT_EQ(facts["input"]["boundaryLoops"], 1);
+}
+
+TEST_F(TileRun, AttributesComeThrough)
+{
+	const TestMesh mesh = torus(100);
+	std::string    file = "ply\nformat binary_little_endian 1.0\nelement vertex " +
+					   std::to_string(mesh.points.size()) +
+					   "\nproperty float x\nproperty float y\nproperty float z\n"
+					   "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+					   "property float height\nelement face " +
+					   std::to_string(mesh.faces.size()) +
+					   "\nproperty list uchar int vertex_indices\nend_header\n";
+	for (const auto& p : mesh.points) {
+		for (double c : p)
+			putBinary(file, float(c), true);
+		for (int k = 0; k < 3; ++k)
+			putBinary(file, std::uint8_t(100 + 50 * p[0]), true);
+		putBinary(file, float(p[2]), true);
+	}
+	for (const auto& f : mesh.faces) {
+		file += char(3);
+		for (int v : f)
+			putBinary(file, std::int32_t(v), true);
+	}
+	remeshedInTiles(put("in.ply", file), {"--vertices", "700"});
+	const std::string out = content(path("out.ply"));
+	EXPECT_NE(out.find("property uchar red"), std::string::npos);
+	EXPECT_NE(out.find("property float height"), std::string::npos);
+	const std::size_t body  = out.find("end_header\n") + 11;
+	const std::size_t bytes = 12 + 3 + 4;
+	for (std::size_t v = 0; v < 700; ++v) {
+		float         p[3], height;
+		const char* const at = out.data() + body + v * bytes;
+		std::memcpy(p, at, 12);
+		std::memcpy(&height, at + 15, 4);
+		EXPECT_NEAR(height, p[2], 0.03);
+		EXPECT_NEAR(std::uint8_t(at[12]), 100 + 50 * p[0], 4);
+	}
+}
+
+TEST_F(TileRun, DamagedFilesAreToldNotUsed)
+{
+	const std::string in = put("torus.ply", binaryPly(torus(100), true, false));
+	plan(in, {"--vertices", "700"});
+	runStep({"split", path("run")});
+	for (int unit = 0; unit < tileNum; ++unit)
+		part(unit);
+	for (const char* name : {"run/part2.ply", "run/part2.names"}) {
+		const std::string good = content(path(name));
+		std::string       bad  = good;
+		bad[bad.size() / 2]    = char(bad[bad.size() / 2] ^ 8);
+		put(name, bad);
+		expectFailure(run({"tile", "join", path("run")}), 3, "not as it was written");
+		put(name, good);
+	}
+	std::filesystem::remove(path("run/part1.json"));
+	put("run/tile1.ply", content(path("run/tile1.ply")).substr(0, 500));
+	expectFailure(run({"tile", "part", path("run"), "--unit", "1"}), 3, "not as it was written");
+	put("run/split.json", "{");
+	expectFailure(run({"tile", "part", path("run"), "--unit", "1"}), 3, "damaged");
+}
+
+TEST_F(TileRun, WhatCannotBeIsRefusedWithASentence)
+{
+	const std::string in = put("torus.ply", binaryPly(torus(100), true, false));
+	expectFailure(run({"tile", "split", path("run")}), 2, "holds no plan");
+	expectFailure(run({"tile", "plan", path("run"), in, "--max-error", "0.1%"}), 2, "--max-error");
+	expectFailure(run({"tile", "plan", path("run"), in, "--boundary", "keep"}), 2,
+				  "--boundary keep");
+	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "900000", "--memory", "40M"}),
+				  4, "Ask for at most");
+	const std::string text = put("text.ply", asciiPly(torus(20)));
+	expectFailure(run({"tile", "plan", path("run"), text}), 3, "binary");
+	plan(in, {"--vertices", "700"});
+	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "701", "--tiles", "5"}), 2,
+				  "another plan");
+	expectFailure(run({"tile", "part", path("run"), "--unit", "0"}), 2, "split");
+	runStep({"split", path("run")});
+	expectFailure(run({"tile", "part", path("run"), "--unit", "5"}), 2, "from 0 to 4");
+	expectFailure(run({"tile", "join", path("run")}), 2, "Part 0");
+	expectFailure(run({"tile", "finish", path("run"), path("out.ply")}), 2, "joined");
+	put("torus.ply", binaryPly(torus(101), true, false));
+	std::filesystem::remove(path("run/split.json"));
+	expectFailure(run({"tile", "split", path("run")}), 3, "has changed");
+}
+
+} // namespace gpr_test

@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "border_split.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace gpr::app {
+
+namespace {
+
+using Edge = std::pair<std::int32_t, std::int32_t>; ///< the smaller vertex first
+
+Edge edgeOf(std::int32_t a, std::int32_t b)
+{
+	return {std::min(a, b), std::max(a, b)};
+}
+
+class BorderSplitter {
+public:
+	BorderSplitter(double maxLength, InputMesh& mesh, std::vector<SharedName>& names) :
+			maxLength_(maxLength), mesh_(mesh), names_(names)
+	{
+	}
+
+	void run()
+	{
+		std::vector<std::size_t> toDo = findLongBorderEdges();
+		while (!toDo.empty()) {
+			const std::size_t f = toDo.back();
+			toDo.pop_back();
+			splitFace(f, toDo);
+		}
+	}
+
+private:
+	/// The vertices between the ends of an edge.
+	struct Points {
+		int          pieceNum = 1;
+		std::int32_t first    = 0; ///< of those between, from the smaller vertex on
+	};
+
+	double                   maxLength_;
+	InputMesh&               mesh_;
+	std::vector<SharedName>& names_;
+	std::map<Edge, Points>   split_;
+
+	std::int32_t corner(std::size_t f, std::size_t k) const
+	{
+		return mesh_.triangles[3 * f + k % 3];
+	}
+
+	double lengthOf(std::int32_t a, std::int32_t b) const
+	{
+		const MeshView view = mesh_.view();
+		return length(view.position(std::size_t(b)) - view.position(std::size_t(a)));
+	}
+
+	/// Makes their points. Returns the faces at them.
+	std::vector<std::size_t> findLongBorderEdges()
+	{
+		std::vector<std::pair<Edge, std::size_t>> found; // with the face
+		for (std::size_t f = 0; f < mesh_.faceNum(); ++f) {
+			for (std::size_t k = 0; k < 3; ++k) {
+				const std::int32_t a = corner(f, k), b = corner(f, k + 1);
+				if (a != b && lengthOf(a, b) > maxLength_) found.push_back({edgeOf(a, b), f});
+			}
+		}
+		std::sort(found.begin(), found.end());
+		std::vector<std::size_t> faces;
+		for (std::size_t i = 0; i < found.size();) {
+			std::size_t end = i + 1;
+			while (end < found.size() && found[end].first == found[i].first)
+				++end;
+			if (end - i == 1) {
+				addPoints(found[i].first);
+				faces.push_back(found[i].second);
+			}
+			i = end;
+		}
+		return faces;
+	}
+
+	/// From the end with the lower name on, so that all tiles compute the same.
+	void addPoints(const Edge& edge)
+	{
+		const double pieces = std::ceil(lengthOf(edge.first, edge.second) / maxLength_);
+		if (!(pieces < mostPieces)) return; // a length that is no number
+		Points points{int(pieces), std::int32_t(mesh_.vertexNum())};
+		const SharedName a = names_[std::size_t(edge.first)],
+						 b = names_[std::size_t(edge.second)];
+		const bool isShared = a.isShared() && b.isShared();
+		const bool isTurned = isShared && std::tie(b.low, b.high, b.part) <
+											  std::tie(a.low, a.high, a.part);
+		const std::int32_t from = isTurned ? edge.second : edge.first;
+		const std::int32_t to   = isTurned ? edge.first : edge.second;
+		for (int i = 1; i < points.pieceNum; ++i) {
+			const int k = isTurned ? points.pieceNum - i : i; // the k-th from 'from'
+			addVertex(from, to, double(k) / points.pieceNum);
+			SharedName name;
+			if (isShared)
+				name = {std::min(a.low, b.low), std::max(a.low, b.low), std::uint32_t(k)};
+			names_.push_back(name);
+		}
+		split_[edge] = points;
+	}
+
+	static constexpr double mostPieces = 1e6;
+
+	void addVertex(std::int32_t from, std::int32_t to, double share)
+	{
+		const MeshView view = mesh_.view();
+		const Vec3d    a = view.position(std::size_t(from)), b = view.position(std::size_t(to));
+		const Vec3d    p = a + (b - a) * share;
+		for (double c : {p.x, p.y, p.z}) {
+			if (mesh_.doublePrecision)
+				mesh_.doubles.push_back(c);
+			else
+				mesh_.floats.push_back(float(c));
+		}
+		for (ValueColumn& column : mesh_.attributes.ofVertices) {
+			const double u = column.values[std::size_t(from)], v = column.values[std::size_t(to)];
+			const double between = u + (v - u) * share;
+			column.values.push_back(isInteger(column.type) ? std::round(between) : between);
+		}
+	}
+
+	void splitFace(std::size_t f, std::vector<std::size_t>& toDo)
+	{
+		for (std::size_t k = 0; k < 3; ++k) {
+			const std::int32_t a = corner(f, k), b = corner(f, k + 1);
+			const auto         at = split_.find(edgeOf(a, b));
+			if (at == split_.end()) continue;
+			splitFaceAt(f, k, at->second, a < b, toDo);
+			return;
+		}
+	}
+
+	/// The edge from corner k on. The face becomes the first piece; the others come at the end.
+	void splitFaceAt(std::size_t f, std::size_t k, const Points& points, bool isForward,
+					 std::vector<std::size_t>& toDo)
+	{
+		const std::int32_t         b = corner(f, k + 1), apex = corner(f, k + 2);
+		const std::array<float, 6> uv = textureOf(f);
+		std::int32_t               last = corner(f, k);
+		for (int i = 1; i <= points.pieceNum; ++i) {
+			const int          between = isForward ? i - 1 : points.pieceNum - 1 - i;
+			const std::int32_t next    = i == points.pieceNum ? b : points.first + between;
+			const std::size_t  piece   = i == 1 ? f : copyFace(f);
+			mesh_.triangles[3 * piece + k % 3]       = last;
+			mesh_.triangles[3 * piece + (k + 1) % 3] = next;
+			mesh_.triangles[3 * piece + (k + 2) % 3] = apex;
+			setTexture(piece, k, uv, double(i - 1) / points.pieceNum,
+					   double(i) / points.pieceNum);
+			toDo.push_back(piece);
+			last = next;
+		}
+	}
+
+	std::size_t copyFace(std::size_t f)
+	{
+		for (std::size_t k = 0; k < 3; ++k)
+			mesh_.triangles.push_back(mesh_.triangles[3 * f + k]);
+		for (ValueColumn& column : mesh_.attributes.ofFaces)
+			column.values.push_back(column.values[f]);
+		CornerTexture& texture = mesh_.attributes.texture;
+		if (!texture.uv.empty()) {
+			for (std::size_t i = 0; i < 6; ++i)
+				texture.uv.push_back(texture.uv[6 * f + i]);
+		}
+		if (!texture.image.empty()) texture.image.push_back(texture.image[f]);
+		return mesh_.faceNum() - 1;
+	}
+
+	std::array<float, 6> textureOf(std::size_t f) const
+	{
+		std::array<float, 6> uv{};
+		if (!mesh_.attributes.hasTexture()) return uv;
+		std::copy_n(mesh_.attributes.texture.uv.begin() + std::ptrdiff_t(6 * f), 6, uv.begin());
+		return uv;
+	}
+
+	/// uv: of the whole face; from and to: shares of the edge from corner k on.
+	void setTexture(std::size_t piece, std::size_t k, const std::array<float, 6>& uv, double from,
+					double to)
+	{
+		if (!mesh_.attributes.hasTexture()) return;
+		const std::size_t a = 2 * (k % 3), b = 2 * ((k + 1) % 3);
+		float* const      out = &mesh_.attributes.texture.uv[6 * piece];
+		std::copy(uv.begin(), uv.end(), out);
+		for (std::size_t i = 0; i < 2; ++i) {
+			const double u = double(uv[a + i]), v = double(uv[b + i]);
+			out[a + i] = float(u + (v - u) * from);
+			out[b + i] = float(u + (v - u) * to);
+		}
+	}
+};
+
+} // namespace
+
+void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names)
+{
+	if (maxLength > 0) BorderSplitter(maxLength, mesh, names).run();
+}
+
+} // namespace gpr::app

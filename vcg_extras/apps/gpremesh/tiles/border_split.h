@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_BORDER_SPLIT_H
+#define VCG_EXTRAS_APPS_GPREMESH_TILES_BORDER_SPLIT_H
+
+#include "../mesh_data.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace gpr::app {
+
+/// By what tiles know a vertex that several of them have: its number in the input, or the two
+/// numbers of an edge and the how manieth between them it is.
+struct SharedName {
+	std::uint32_t low = none, high = none, part = 0;
+
+	static constexpr std::uint32_t none = 0xffffffffu;
+
+	bool isShared() const { return low != none; }
+	bool operator==(const SharedName& o) const
+	{
+		return low == o.low && high == o.high && part == o.part;
+	}
+	struct Hash {
+		std::size_t operator()(const SharedName& n) const
+		{
+			const std::uint64_t both = std::uint64_t(n.high) << 32 | n.low;
+			return std::size_t((both ^ n.part) * 0x9e3779b97f4a7c15u >> 7);
+		}
+	};
+};
+
+/// Splits the edges of a tile's border that are longer than maxLength into equal pieces, so that
+/// triangles as small as those of the result fit beside them. All tiles split an edge that they
+/// share at the same points, bit for bit: these depend on its ends and maxLength alone. The surface
+/// stays the same. names: per vertex; gets those of the new ones. Cost: linear, and O(n log n) in
+/// the long edges.
+void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names);
+
+} // namespace gpr::app
+
+#endif

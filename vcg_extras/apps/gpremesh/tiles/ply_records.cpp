@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ply_records.h"
+
+#include "../exit_code.h"
+#include "../ply_layout.h"
+#include "../ply_source.h"
+
+#include <algorithm>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace gpr::app {
+
+namespace {
+
+[[noreturn]] void fail(const std::string& path, const std::string& why)
+{
+	throw AppError(ExitCode::BadInput, "'" + path + "' cannot be read in tiles: " + why);
+}
+
+std::string beginOf(const std::string& path)
+{
+	std::ifstream file(path, std::ios::binary);
+	if (!file) throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
+	std::string text(std::size_t(1) << 20, '\0');
+	file.read(text.data(), std::streamsize(text.size()));
+	text.resize(std::size_t(file.gcount()));
+	return text;
+}
+
+std::size_t elementNamed(const std::string& path, const PlyHeader& header, const char* name)
+{
+	for (std::size_t i = 0; i < header.elements.size(); ++i) {
+		if (header.elements[i].name == name) return i;
+	}
+	fail(path, "it has no element '" + std::string(name) + "'.");
+}
+
+std::string textureComments(const std::string& header)
+{
+	std::istringstream lines(header);
+	std::string        kept, line;
+	while (std::getline(lines, line)) {
+		if (!line.empty() && line.back() == '\r') line.pop_back();
+		if (line.rfind("comment TextureFile", 0) == 0) kept += line + "\n";
+	}
+	return kept;
+}
+
+void findCoordinates(PlyRecordLayout& layout)
+{
+	const PlyElement&          e      = layout.vertices();
+	const CoordinateProperties c      = findCoordinates(e);
+	const int                  axes[] = {c.x, c.y, c.z};
+	for (std::size_t i = 0; i < e.properties.size(); ++i) {
+		for (int k = 0; k < 3; ++k) {
+			if (axes[k] != int(i)) continue;
+			layout.coordinateAt[k]   = layout.vertexBytes;
+			layout.coordinateType[k] = e.properties[i].type;
+		}
+		layout.vertexBytes += plyTypeSize(e.properties[i].type);
+	}
+}
+
+const char* typeName(PlyType type)
+{
+	static const char* const names[] = {"char", "uchar", "short", "ushort",
+										"int",  "uint",  "float", "double"};
+	return names[int(type)];
+}
+
+void addElement(const PlyElement& element, std::uint64_t count, std::string& text)
+{
+	text += "element " + element.name + " " + std::to_string(count) + "\n";
+	for (const PlyProperty& p : element.properties) {
+		text += "property ";
+		if (p.isList) text += "list " + std::string(typeName(p.countType)) + " ";
+		text += std::string(typeName(p.type)) + " " + p.name + "\n";
+	}
+}
+
+template <class T>
+void append(T value, std::string& out)
+{
+	char bytes[sizeof(T)];
+	std::memcpy(bytes, &value, sizeof(T));
+	out.append(bytes, sizeof(T));
+}
+
+void appendWhole(PlyType type, std::int64_t value, std::string& out)
+{
+	switch (plyTypeSize(type)) {
+	case 1:
+		return append(std::uint8_t(value), out);
+	case 2:
+		return append(std::uint16_t(value), out);
+	default:
+		return append(std::uint32_t(value), out);
+	}
+}
+
+} // namespace
+
+PlyRecordLayout readRecordLayout(const std::string& path)
+{
+	const std::string begin = beginOf(path);
+	PlyRecordLayout   layout;
+	layout.header = readPlyHeader(begin);
+	if (layout.header.format == PlyFormat::Ascii)
+		fail(path, "it is a text. Convert it to a binary PLY file.");
+	const bool isLittle = layout.header.format == PlyFormat::LittleEndian;
+	if (isLittle != hostIsLittleEndian()) fail(path, "its byte order is not the machine's.");
+	checkElements(layout.header);
+	layout.vertexElement = elementNamed(path, layout.header, "vertex");
+	layout.faceElement   = elementNamed(path, layout.header, "face");
+	if (layout.vertexElement > layout.faceElement) fail(path, "its faces come before its vertices.");
+	if (layout.vertices().hasList()) fail(path, "its vertices have lists.");
+	findCoordinates(layout);
+	layout.indexList = std::size_t(findIndexList(layout.faces()));
+	layout.comments  = textureComments(begin.substr(0, layout.header.byteNum));
+	return layout;
+}
+
+Vec3d positionIn(const char* vertexRecord, const PlyRecordLayout& layout)
+{
+	double c[3];
+	for (int k = 0; k < 3; ++k)
+		c[k] = loadValue<double>(layout.coordinateType[k], vertexRecord + layout.coordinateAt[k],
+								 false);
+	return {c[0], c[1], c[2]};
+}
+
+std::string headerText(const PlyRecordLayout& layout, std::uint64_t vertexNum,
+					   std::uint64_t faceNum)
+{
+	std::string text = "ply\nformat ";
+	text += hostIsLittleEndian() ? "binary_little_endian" : "binary_big_endian";
+	text += " 1.0\n" + layout.comments;
+	addElement(layout.vertices(), vertexNum, text);
+	addElement(layout.faces(), faceNum, text);
+	return text + "end_header\n";
+}
+
+void appendFace(const FaceRecord& face, const PlyRecordLayout& layout, std::string& out)
+{
+	const PlyProperty& list = layout.faces().properties[layout.indexList];
+	out += face.before;
+	appendWhole(list.countType, std::int64_t(face.corners.size()), out);
+	for (std::int64_t corner : face.corners)
+		appendWhole(list.type, corner, out);
+	out += face.after;
+}
+
+PlyRecordReader::PlyRecordReader(const std::string& path, const PlyRecordLayout& layout,
+								 std::size_t bufferBytes) :
+		path_(path), layout_(layout), file_(std::fopen(path.c_str(), "rb")), buffer_(bufferBytes)
+{
+	if (file_ == nullptr) throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
+	std::setvbuf(file_, nullptr, _IONBF, 0); // there is a buffer here
+}
+
+PlyRecordReader::~PlyRecordReader()
+{
+	if (file_ != nullptr) std::fclose(file_);
+}
+
+void PlyRecordReader::seek(std::uint64_t offset)
+{
+#ifdef _WIN32
+	const bool failed = _fseeki64(file_, std::int64_t(offset), SEEK_SET) != 0;
+#else
+	const bool failed = fseeko(file_, off_t(offset), SEEK_SET) != 0;
+#endif
+	if (failed) fail(path_, "it is a pipe or ends too early.");
+	at_ = end_ = 0;
+}
+
+void PlyRecordReader::toVertices(std::uint64_t i)
+{
+	seek(layout_.header.byteNum);
+	for (std::size_t e = 0; e < layout_.vertexElement; ++e)
+		skipElement(layout_.header.elements[e]);
+	if (i == 0) return;
+	std::uint64_t offset = layout_.header.byteNum + i * layout_.vertexBytes;
+	for (std::size_t e = 0; e < layout_.vertexElement; ++e)
+		offset += layout_.header.elements[e].count *
+				  layout_.header.elements[e].smallestRecordBytes();
+	seek(offset);
+}
+
+void PlyRecordReader::toFaces()
+{
+	for (std::size_t e = layout_.vertexElement + 1; e < layout_.faceElement; ++e)
+		skipElement(layout_.header.elements[e]);
+}
+
+void PlyRecordReader::skipElement(const PlyElement& element)
+{
+	if (element.hasList()) fail(path_, "its element '" + element.name + "' has lists.");
+	for (std::uint64_t i = 0; i < element.count; ++i)
+		take(element.smallestRecordBytes());
+}
+
+const char* PlyRecordReader::take(std::size_t num)
+{
+	if (end_ - at_ < num) {
+		if (num > buffer_.size()) buffer_.resize(num);
+		std::copy(buffer_.begin() + std::ptrdiff_t(at_), buffer_.begin() + std::ptrdiff_t(end_),
+				  buffer_.begin());
+		end_ -= at_;
+		at_ = 0;
+		end_ += std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_);
+		if (end_ < num) fail(path_, "the file ends too early; it seems to be cut off.");
+	}
+	const char* const here = buffer_.data() + at_;
+	at_ += num;
+	return here;
+}
+
+void PlyRecordReader::copyList(const PlyProperty& list, std::string& to)
+{
+	const std::size_t  countBytes = plyTypeSize(list.countType);
+	const char* const  count      = take(countBytes);
+	const std::int64_t num        = loadValue<std::int64_t>(list.countType, count, false);
+	to.append(count, countBytes);
+	if (num < 0) fail(path_, "a list has a negative length.");
+	to.append(take(std::size_t(num) * plyTypeSize(list.type)),
+			  std::size_t(num) * plyTypeSize(list.type));
+}
+
+void PlyRecordReader::nextFace(FaceRecord& face)
+{
+	face.corners.clear();
+	face.before.clear();
+	face.after.clear();
+	const std::vector<PlyProperty>& properties = layout_.faces().properties;
+	for (std::size_t i = 0; i < properties.size(); ++i) {
+		const PlyProperty& p     = properties[i];
+		std::string&       other = i < layout_.indexList ? face.before : face.after;
+		if (!p.isList) {
+			const std::size_t bytes = plyTypeSize(p.type);
+			other.append(take(bytes), bytes);
+		}
+		else if (i != layout_.indexList) {
+			copyList(p, other);
+		}
+		else {
+			const auto count = loadValue<std::int64_t>(p.countType,
+													   take(plyTypeSize(p.countType)), false);
+			if (count < 0) fail(path_, "a face has a negative number of vertices.");
+			const std::size_t bytes = plyTypeSize(p.type);
+			const char* const at    = take(std::size_t(count) * bytes);
+			for (std::int64_t k = 0; k < count; ++k)
+				face.corners.push_back(
+					loadValue<std::int64_t>(p.type, at + std::size_t(k) * bytes, false));
+		}
+	}
+}
+
+} // namespace gpr::app

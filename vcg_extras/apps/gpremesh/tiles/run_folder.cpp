@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "run_folder.h"
+
+#include "../exit_code.h"
+#include "../output_file.h"
+
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+namespace gpr::app {
+
+namespace {
+
+class Checksum {
+public:
+	void add(const char* data, std::size_t num)
+	{
+		constexpr std::uint64_t prime = 1099511628211u;
+		for (std::size_t i = 0; i < num; i += 8) {
+			std::uint64_t word = 0;
+			std::memcpy(&word, data + i, std::min<std::size_t>(8, num - i));
+			value_ = (value_ ^ word) * prime;
+			value_ ^= value_ >> 29; // else the upper bits of a word never reach the lower ones
+		}
+	}
+	std::uint64_t value() const { return value_; }
+
+private:
+	std::uint64_t value_ = 14695981039346656037u;
+};
+
+[[noreturn]] void failRead(const std::string& path)
+{
+	throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
+}
+
+} // namespace
+
+FileStamp stampOf(const std::string& path)
+{
+	std::ifstream file(path, std::ios::binary);
+	if (!file) failRead(path);
+	constexpr std::size_t block = 1 << 20; // a multiple of eight, so that words do not shift
+	std::vector<char>     buffer(block);
+	FileStamp             stamp;
+	Checksum              sum;
+	while (file) {
+		file.read(buffer.data(), std::streamsize(block));
+		const std::size_t num = std::size_t(file.gcount());
+		sum.add(buffer.data(), num);
+		stamp.bytes += num;
+	}
+	if (file.bad()) failRead(path);
+	stamp.checksum = sum.value();
+	return stamp;
+}
+
+Json jsonOf(const FileStamp& stamp)
+{
+	return {{"bytes", stamp.bytes}, {"checksum", stamp.checksum}};
+}
+
+FileStamp stampOf(const Json& json)
+{
+	return {json.at("bytes").get<std::uint64_t>(), json.at("checksum").get<std::uint64_t>()};
+}
+
+void requireStamp(const std::string& path, const FileStamp& stamp)
+{
+	const FileStamp now = stampOf(path);
+	if (now.bytes == stamp.bytes && now.checksum == stamp.checksum) return;
+	throw AppError(ExitCode::BadInput, "'" + path +
+										   "' is not as it was written. Remove the folder of the "
+										   "run and begin anew.");
+}
+
+void writeJson(const std::string& path, const Json& json)
+{
+	OutputFile out(path);
+	out.text(textOf(json));
+	out.commit();
+}
+
+std::optional<Json> readJson(const std::string& path)
+{
+	std::ifstream file(path, std::ios::binary);
+	if (!file) return std::nullopt;
+	try {
+		return Json::parse(file);
+	}
+	catch (const Json::exception&) {
+		throw AppError(ExitCode::BadInput, "'" + path + "' is damaged");
+	}
+}
+
+std::optional<Json> readRecord(const std::string& path, const std::string& planName)
+{
+	std::optional<Json> record = readJson(path);
+	if (record && record->value("plan", "") != planName) {
+		throw AppError(ExitCode::Usage, "'" + path +
+											"' belongs to another plan. Remove the folder of the "
+											"run or name another one.");
+	}
+	return record;
+}
+
+} // namespace gpr::app

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_RUN_FOLDER_H
+#define VCG_EXTRAS_APPS_GPREMESH_TILES_RUN_FOLDER_H
+
+#include "../json_parts.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace gpr::app {
+
+/// Where the files of a run in tiles are. All paths of the run are made here.
+class RunFolder {
+public:
+	explicit RunFolder(std::string path) : path_(std::move(path)) {}
+
+	const std::string& path() const { return path_; }
+	std::string        plan() const { return path_ + "/plan.json"; }
+	std::string        splitRecord() const { return path_ + "/split.json"; }
+	std::string        scratch() const { return path_ + "/scratch"; }
+	std::string        tile(int k) const { return numbered("tile", k, ".ply"); }
+	/// Per vertex of the tile: its number in the input, and whether other tiles have it too.
+	std::string tileNames(int k) const { return numbered("tile", k, ".names"); }
+	std::string part(int k) const { return numbered("part", k, ".ply"); }
+	/// Per vertex of the part: its SharedName.
+	std::string partNames(int k) const { return numbered("part", k, ".names"); }
+	std::string partRecord(int k) const { return numbered("part", k, ".json"); }
+	std::string joined() const { return path_ + "/joined.ply"; }
+	std::string joinRecord() const { return path_ + "/join.json"; }
+
+private:
+	std::string path_;
+
+	std::string numbered(const char* name, int k, const char* ending) const
+	{
+		return path_ + "/" + name + std::to_string(k) + ending;
+	}
+};
+
+/// By what a file is known again.
+struct FileStamp {
+	std::uint64_t bytes    = 0;
+	std::uint64_t checksum = 0; ///< FNV-1a over words of eight bytes
+};
+
+/// Throws AppError (BadInput) when the file cannot be read. Cost: one pass over the file.
+FileStamp stampOf(const std::string& path);
+Json      jsonOf(const FileStamp& stamp);
+FileStamp stampOf(const Json& json);
+/// Throws AppError (BadInput) with a sentence where the file is not what it was.
+void requireStamp(const std::string& path, const FileStamp& stamp);
+
+/// Writes a JSON text whole or not at all.
+void writeJson(const std::string& path, const Json& json);
+/// Null where there is no such file. Throws AppError (BadInput) where it holds no JSON.
+std::optional<Json> readJson(const std::string& path);
+/// What a step has left, or null where it was not done. Throws AppError (Usage) where it was done
+/// for another plan.
+std::optional<Json> readRecord(const std::string& path, const std::string& planName);
+
+} // namespace gpr::app
+
+#endif

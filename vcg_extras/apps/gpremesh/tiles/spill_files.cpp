@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spill_files.h"
+
+#include "../exit_code.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+
+namespace gpr::app {
+
+namespace {
+
+[[noreturn]] void fail(const char* what, const std::string& path)
+{
+	throw AppError(ExitCode::Failure,
+				   std::string("cannot ") + what + " '" + path + "': " + std::strerror(errno));
+}
+
+} // namespace
+
+SpillFiles::SpillFiles(const std::string& folder, const std::string& name, int tileNum) :
+		stem_(folder + "/" + name), buffer_(std::size_t(tileNum))
+{
+}
+
+void SpillFiles::flush(int tile)
+{
+	std::vector<char>& buffer = buffer_[std::size_t(tile)];
+	const std::string  path   = pathOf(tile);
+	std::FILE* const   file   = std::fopen(path.c_str(), "ab");
+	if (file == nullptr) fail("write", path);
+	const bool written = std::fwrite(buffer.data(), 1, buffer.size(), file) == buffer.size();
+	const bool closed  = std::fclose(file) == 0;
+	if (!written || !closed) fail("write", path);
+	buffer.clear();
+}
+
+std::vector<char> SpillFiles::take(int tile)
+{
+	const std::string path = pathOf(tile);
+	std::error_code   error;
+	const auto        onDisk = std::filesystem::file_size(path, error);
+	std::vector<char> all(error ? 0 : std::size_t(onDisk));
+	if (!all.empty()) {
+		std::FILE* const file = std::fopen(path.c_str(), "rb");
+		if (file == nullptr) fail("read", path);
+		const bool complete = std::fread(all.data(), 1, all.size(), file) == all.size();
+		std::fclose(file);
+		if (!complete) fail("read", path);
+	}
+	std::vector<char>& buffer = buffer_[std::size_t(tile)];
+	all.insert(all.end(), buffer.begin(), buffer.end());
+	buffer = std::vector<char>();
+	std::filesystem::remove(path, error);
+	return all;
+}
+
+} // namespace gpr::app

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tile_plan.h"
+
+#include "../exit_code.h"
+#include "../formatted_text.h"
+#include "../table_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace gpr::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Bytes a face of a tile while it is condensed, and a vertex of the result at the end: measured,
+/// see docs/scale.md.
+constexpr double bytesPerTileFace = 450, bytesPerResultVertex = 900;
+constexpr double bytesAtLeast = 3e7;
+
+constexpr std::uint64_t sampleNum = 100000;
+/// Numbers of vertices in PLY files have 32 bits.
+constexpr std::uint64_t mostVertices = 0xfffffffeu;
+constexpr int           mostTiles    = 10000;
+/// Where neither memory nor a number is given.
+constexpr int usualTileNum = 8;
+
+[[noreturn]] void failUsage(const std::string& sentence)
+{
+	throw AppError(ExitCode::Usage, sentence);
+}
+
+void checkOptions(const RemeshOptions& options)
+{
+	if (options.targetMode == TargetMode::MaxError)
+		failUsage("--max-error is proven against the whole input, which tiles do not hold. Give "
+				  "--vertices, --percent or --edge-length.");
+	if (options.selectedOnly || options.sizing == SizingSource::Quality ||
+		options.featureRegion == FeatureRegion::Selection)
+		failUsage("Selections and quality are not carried through tiles.");
+	if (options.boundary == BoundaryMode::Keep)
+		failUsage("--boundary keep is not possible in tiles, whose results are made of a condensed "
+				  "mesh.");
+}
+
+std::uint64_t sum(const std::vector<std::uint64_t>& of)
+{
+	std::uint64_t all = 0;
+	for (std::uint64_t one : of)
+		all += one;
+	return all;
+}
+
+bool sameProperties(const PlyElement& a, const PlyElement& b)
+{
+	if (a.properties.size() != b.properties.size()) return false;
+	for (std::size_t i = 0; i < a.properties.size(); ++i) {
+		const PlyProperty &p = a.properties[i], &q = b.properties[i];
+		if (p.name != q.name || p.type != q.type || p.isList != q.isList ||
+			(p.isList && p.countType != q.countType))
+			return false;
+	}
+	return true;
+}
+
+void checkLayouts(const std::vector<std::string>& paths, const std::vector<PlyRecordLayout>& layouts)
+{
+	for (std::size_t i = 1; i < layouts.size(); ++i) {
+		if (sameProperties(layouts[i].vertices(), layouts[0].vertices()) &&
+			sameProperties(layouts[i].faces(), layouts[0].faces()))
+			continue;
+		throw AppError(ExitCode::BadInput, "'" + paths[i] + "' has other properties than '" +
+											   paths[0] + "'.");
+	}
+}
+
+/// Every so many vertices, the same ones each time.
+std::vector<Vec3d> samplePositions(const std::vector<std::string>&     paths,
+								   const std::vector<PlyRecordLayout>& layouts, std::uint64_t all)
+{
+	const std::uint64_t step = std::max<std::uint64_t>(1, all / sampleNum);
+	std::vector<Vec3d>  points;
+	for (std::size_t i = 0; i < paths.size(); ++i) {
+		constexpr std::size_t onePage = 4096;
+		PlyRecordReader       reader(paths[i], layouts[i], step > 1 ? onePage : usualBufferBytes);
+		const std::uint64_t num = layouts[i].vertices().count;
+		if (step == 1 && num > 0) reader.toVertices();
+		for (std::uint64_t v = 0; v < num; v += step) {
+			if (step > 1) reader.toVertices(v);
+			points.push_back(positionIn(reader.nextVertex(), layouts[i]));
+		}
+	}
+	return points;
+}
+
+int tilesFor(double faceNum, double memoryBytes)
+{
+	if (!(memoryBytes > 0)) return usualTileNum;
+	const double room = std::max(memoryBytes - bytesAtLeast, bytesAtLeast);
+	return int(std::clamp(std::ceil(faceNum * bytesPerTileFace / room), 1.0, double(mostTiles)));
+}
+
+Json jsonOf(const CellTree& tree)
+{
+	Json nodes = Json::array();
+	for (const CellTree::Node& n : tree.nodes())
+		nodes.push_back({n.axis, n.value, n.below, n.above});
+	return nodes;
+}
+
+CellTree treeOf(const Json& nodes, int cellNum)
+{
+	std::vector<CellTree::Node> all;
+	for (const Json& n : nodes)
+		all.push_back({n[0].get<int>(), n[1].get<double>(), n[2].get<int>(), n[3].get<int>()});
+	return {std::move(all), cellNum};
+}
+
+Json inputJson(const TilePlan& plan, std::size_t i)
+{
+	return {{"file", plan.inputs[i]},
+			{"bytes", fs::file_size(plan.inputs[i])},
+			{"vertices", plan.vertexNum[i]},
+			{"faces", plan.faceNum[i]}};
+}
+
+/// Without its name.
+Json jsonOf(const TilePlan& plan)
+{
+	Json inputs = Json::array();
+	for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+		inputs.push_back(inputJson(plan, i));
+	return {{"program", programJson()},
+			{"inputs", std::move(inputs)},
+			{"options", plan.optionsText},
+			{"memoryBytes", plan.memoryBytes},
+			{"tiles", plan.tileNum()},
+			{"cells", jsonOf(plan.cells)}};
+}
+
+/// 64 bits of FNV-1a as hexadecimal digits.
+std::string nameOf(const Json& json)
+{
+	std::uint64_t sum = 14695981039346656037u;
+	for (char c : textOf(json))
+		sum = (sum ^ std::uint64_t(std::uint8_t(c))) * 1099511628211u;
+	return formatted("%016llx", static_cast<unsigned long long>(sum));
+}
+
+} // namespace
+
+std::uint64_t TilePlan::allVertices() const
+{
+	return sum(vertexNum);
+}
+
+std::uint64_t TilePlan::allFaces() const
+{
+	return sum(faceNum);
+}
+
+double bytesUntiled(double faceNum, double vertexNum)
+{
+	constexpr double bytesPerFace = 80, bytesPerVertex = 300; // the file in memory included
+	return bytesAtLeast + bytesPerFace * faceNum + bytesPerVertex * vertexNum;
+}
+
+double resultVertexNum(const RemeshOptions& options, double inputVertexNum)
+{
+	if (options.targetMode == TargetMode::VertexNum) return double(options.targetVertexNum);
+	if (options.targetMode == TargetMode::Percent)
+		return std::round(options.targetPercent / 100 * inputVertexNum);
+	return 0;
+}
+
+void requireMemoryFor(double vertexNum, double memoryBytes)
+{
+	const double needed = bytesAtLeast + bytesPerResultVertex * vertexNum;
+	if (!(memoryBytes > 0) || needed <= memoryBytes) return;
+	throw AppError(ExitCode::PromiseBroken,
+				   formatted("A result of %.0f vertices needs about %.1f GB of memory at the end, and "
+							 "--memory allows %.1f GB. Ask for at most %.0f vertices.",
+							 vertexNum, needed * 1e-9, memoryBytes * 1e-9,
+							 std::max(0.0, (memoryBytes - bytesAtLeast) / bytesPerResultVertex)));
+}
+
+TilePlan makePlan(const TileRequest& request)
+{
+	checkOptions(request.options);
+	TilePlan plan;
+	plan.optionsText = request.optionsText;
+	plan.options     = request.options;
+	plan.memoryBytes = request.memoryBytes;
+	std::vector<PlyRecordLayout> layouts;
+	for (const std::string& path : request.inputs) {
+		layouts.push_back(readRecordLayout(path));
+		plan.inputs.push_back(fs::absolute(path).lexically_normal().string());
+		plan.vertexNum.push_back(layouts.back().vertices().count);
+		plan.faceNum.push_back(layouts.back().faces().count);
+	}
+	checkLayouts(plan.inputs, layouts);
+	const std::uint64_t all = plan.allVertices();
+	if (all > mostVertices)
+		throw AppError(ExitCode::BadInput, "the inputs have more than 4,294,967,294 vertices.");
+	requireMemoryFor(resultVertexNum(plan.options, double(all)), plan.memoryBytes);
+	const int          wanted = request.tileNum > 0 ? request.tileNum :
+													  tilesFor(double(plan.allFaces()),
+															   plan.memoryBytes);
+	std::vector<Vec3d> points = samplePositions(plan.inputs, layouts, all);
+	if (points.empty()) throw AppError(ExitCode::BadInput, "the inputs have no vertices.");
+	plan.cells = CellTree(points, wanted);
+	plan.name  = nameOf(jsonOf(plan));
+	return plan;
+}
+
+void writePlan(const TilePlan& plan, const RunFolder& folder)
+{
+	std::error_code error;
+	fs::create_directories(folder.path(), error);
+	if (error)
+		throw AppError(ExitCode::Failure,
+					   "cannot make the folder '" + folder.path() + "': " + error.message());
+	if (readRecord(folder.plan(), plan.name)) return;
+	Json json    = jsonOf(plan);
+	json["plan"] = plan.name;
+	writeJson(folder.plan(), json);
+}
+
+TilePlan readPlan(const RunFolder& folder)
+{
+	const std::optional<Json> json = readJson(folder.plan());
+	if (!json)
+		failUsage("'" + folder.path() + "' holds no plan. 'gpremesh tile plan' makes one.");
+	TilePlan plan;
+	for (const Json& input : json->at("inputs")) {
+		plan.inputs.push_back(input.at("file").get<std::string>());
+		plan.vertexNum.push_back(input.at("vertices").get<std::uint64_t>());
+		plan.faceNum.push_back(input.at("faces").get<std::uint64_t>());
+	}
+	plan.optionsText = json->at("options").get<std::string>();
+	plan.options     = optionsOfText(plan.optionsText);
+	plan.memoryBytes = json->at("memoryBytes").get<double>();
+	plan.cells       = treeOf(json->at("cells"), json->at("tiles").get<int>());
+	plan.name        = json->at("plan").get<std::string>();
+	if (json->at("program") != programJson())
+		failUsage("The plan was made by another version of gpremesh.");
+	return plan;
+}
+
+} // namespace gpr::app

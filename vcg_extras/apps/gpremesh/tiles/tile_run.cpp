@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tile_run.h"
+
+#include "tile_join.h"
+
+#include "../exit_code.h"
+#include "../mesh_io.h"
+#include "../output_file.h"
+#include "../platform.h"
+#include "../progress_bar.h"
+#include "../remesh_command.h"
+
+#include <vcg_extras/core/base/pages.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+
+namespace gpr::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of the work of a run, so that the bar moves evenly.
+constexpr double shareOfSplit = 0.15, shareOfParts = 0.55;
+
+TileRequest requestOf(const CommandLine& line)
+{
+	TileRequest request;
+	request.inputs      = line.tiles.inputs;
+	request.options     = line.options;
+	request.optionsText = line.tiles.optionsText;
+	request.memoryBytes = double(line.tiles.memoryBytes);
+	request.tileNum     = line.tiles.tileNum;
+	return request;
+}
+
+/// The last step: an ordinary run on the condensed surface.
+CommandLine lastStepOf(const CommandLine& line, const TilePlan& plan, const SplitFacts& facts,
+					   const RunFolder& folder)
+{
+	CommandLine last             = line;
+	last.command                 = Command::Remesh;
+	last.input                   = folder.joined();
+	last.options                 = plan.options;
+	last.options.threads          = line.options.threads;
+	last.options.timeLimitSeconds = line.options.timeLimitSeconds;
+	if (last.options.targetMode == TargetMode::Percent) {
+		last.options.targetMode      = TargetMode::VertexNum;
+		last.options.targetVertexNum = std::int64_t(resultVertexNum(plan, facts));
+	}
+	last.notes.push_back("The input was condensed in " + std::to_string(plan.tileNum()) +
+						 " tiles first. What is told of the input here is told of the condensed "
+						 "surface.");
+	return last;
+}
+
+void finish(const CommandLine& line, const TilePlan& plan, const SplitFacts& facts,
+			const RunFolder& folder, const Stopwatch& programClock)
+{
+	const auto joined = readRecord(folder.joinRecord(), plan.name);
+	if (!joined)
+		throw AppError(ExitCode::Usage, "The parts were not joined yet. Run 'gpremesh tile join'.");
+	requireStamp(folder.joined(), stampOf(joined->at("mesh")));
+	runRemesh(lastStepOf(line, plan, facts, folder), programClock);
+}
+
+/// A part of the whole progress.
+ProgressCallback partOf(ProgressBar& bar, double from, double to)
+{
+	return [&bar, from, to](double share, const char* phrase) {
+		bar.show(from + (to - from) * share, phrase);
+		return !stopRequested();
+	};
+}
+
+/// Everything up to the condensed surface.
+void condense(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
+			  ProgressBar& bar)
+{
+	const SplitFacts facts = split(plan, folder, limit, partOf(bar, 0, shareOfSplit));
+	requireMemoryFor(resultVertexNum(plan, facts), plan.memoryBytes);
+	const double each = (shareOfParts - shareOfSplit) / plan.tileNum();
+	for (int tile = 0; tile < plan.tileNum(); ++tile) {
+		const double from = shareOfSplit + each * tile;
+		makePart(plan, facts, tile, folder, limit, partOf(bar, from, from + each));
+		fs::remove(folder.tile(tile));
+		fs::remove(folder.tileNames(tile));
+		returnReleasedMemory(); // the next step needs another mix of sizes
+	}
+	joinParts(plan, folder, limit, partOf(bar, shareOfParts, shareOfParts + 0.05));
+}
+
+void printJson(const Json& json)
+{
+	std::printf("%s\n", json.dump().c_str());
+}
+
+Json stepJson(const TilePlan& plan, const char* step)
+{
+	return {{"step", step}, {"plan", plan.name}};
+}
+
+// ---- steps
+
+void stepPlan(const CommandLine& line, const RunFolder& folder)
+{
+	const TilePlan plan = makePlan(requestOf(line));
+	writePlan(plan, folder);
+	Json json        = stepJson(plan, "plan");
+	json["tiles"]    = plan.tileNum();
+	json["vertices"] = plan.allVertices();
+	json["faces"]    = plan.allFaces();
+	printJson(json);
+}
+
+void stepSplit(const RunFolder& folder, const RunLimit& limit)
+{
+	const TilePlan   plan  = readPlan(folder);
+	const SplitFacts facts = split(plan, folder, limit, nullptr);
+	requireMemoryFor(resultVertexNum(plan, facts), plan.memoryBytes);
+	Json json     = stepJson(plan, "split");
+	json["tiles"] = Json::array();
+	for (const SplitFacts::Tile& tile : facts.tiles)
+		json["tiles"].push_back(tile.faceNum);
+	printJson(json);
+}
+
+void stepPart(const CommandLine& line, const RunFolder& folder, const RunLimit& limit)
+{
+	const TilePlan   plan  = readPlan(folder);
+	const SplitFacts facts = readSplit(plan, folder);
+	if (line.tiles.unit < 0 || line.tiles.unit >= plan.tileNum())
+		throw AppError(ExitCode::Usage, "--unit takes a number from 0 to " +
+											std::to_string(plan.tileNum() - 1) + ".");
+	const auto      mayGoOn = [](double, const char*) { return !stopRequested(); };
+	const PartFacts part    = makePart(plan, facts, line.tiles.unit, folder, limit, mayGoOn);
+	Json            json    = stepJson(plan, "part");
+	json["unit"]            = line.tiles.unit;
+	json["vertices"]        = part.vertexNum;
+	json["condensed"]       = part.isCondensed;
+	json["note"]            = part.note;
+	printJson(json);
+}
+
+void stepJoin(const RunFolder& folder, const RunLimit& limit)
+{
+	const TilePlan plan = readPlan(folder);
+	joinParts(plan, folder, limit, nullptr);
+	printJson(stepJson(plan, "join"));
+}
+
+} // namespace
+
+bool needsTiles(const CommandLine& line)
+{
+	if (!(line.tiles.memoryBytes > 0)) return false;
+	if (formatOfPath(line.input) == MeshFormat::Ply) {
+		const PlyRecordLayout layout   = readRecordLayout(line.input);
+		const double          vertices = double(layout.vertices().count);
+		const double          faces    = double(layout.faces().count);
+		return bytesUntiled(faces, resultVertexNum(line.options, vertices)) >
+			   line.tiles.memoryBytes;
+	}
+	constexpr double leastBytesPerFace = 35; // of text, and of binary STL with its 50
+	const double     faces = double(fs::file_size(line.input)) / leastBytesPerFace;
+	if (bytesUntiled(faces, resultVertexNum(line.options, faces / 2)) <= double(line.tiles.memoryBytes))
+		return false;
+	throw AppError(ExitCode::BadInput,
+				   "'" + line.input +
+					   "' may need more memory than --memory allows, and only binary PLY files can be "
+					   "read in tiles. Convert it to one.");
+}
+
+void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)
+{
+	checkWritable(line.output);
+	if (!line.report.empty()) checkWritable(line.report);
+	catchStopSignals();
+	const RunLimit  limit(programClock, line.options.timeLimitSeconds);
+	const RunFolder folder(line.tiles.folder.empty() ? line.output + ".tiles" : line.tiles.folder);
+	TileRequest     request = requestOf(line);
+	request.inputs          = {line.input};
+	TilePlan plan           = makePlan(request);
+	writePlan(plan, folder);
+	plan.options.threads = line.options.threads;
+	{
+		ProgressBar bar(!line.quiet && errorIsTerminal());
+		condense(plan, folder, limit, bar);
+	}
+	finish(line, plan, readSplit(plan, folder), folder, programClock);
+	std::error_code error;
+	fs::remove_all(folder.path(), error);
+}
+
+void runTileStep(const CommandLine& line, const Stopwatch& programClock)
+{
+	catchStopSignals();
+	const RunLimit  limit(programClock, line.options.timeLimitSeconds);
+	const RunFolder folder(line.tiles.folder);
+	switch (line.tiles.step) {
+	case TileStep::Plan:
+		return stepPlan(line, folder);
+	case TileStep::Split:
+		return stepSplit(folder, limit);
+	case TileStep::Part:
+		return stepPart(line, folder, limit);
+	case TileStep::Join:
+		return stepJoin(folder, limit);
+	case TileStep::Finish: {
+		const TilePlan plan = readPlan(folder);
+		return finish(line, plan, readSplit(plan, folder), folder, programClock);
+	}
+	}
+}
+
+} // namespace gpr::app

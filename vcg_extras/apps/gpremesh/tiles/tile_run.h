@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_RUN_H
+#define VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_RUN_H
+
+#include "../command_line.h"
+#include "../stopwatch.h"
+
+namespace gpr::app {
+
+/// Whether a run of 'gpremesh remesh --memory' has to be done in tiles. Reads the header of the
+/// input. Throws AppError (BadInput) for an input in another format than PLY that is too large.
+bool needsTiles(const CommandLine& line);
+
+/// All steps of a run in tiles, one after the other, in the folder that the command line names or
+/// OUT.tiles; it goes on where an earlier run of the same command ended. The folder is removed at
+/// the end, and kept where the run fails. Throws AppError.
+void remeshInTiles(const CommandLine& line, const Stopwatch& programClock);
+
+/// One step: 'gpremesh tile'. Prints a line of JSON. Throws AppError.
+void runTileStep(const CommandLine& line, const Stopwatch& programClock);
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,493 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tile_split.h"
+
+#include "spill_files.h"
+
+#include "../exit_code.h"
+#include "../output_file.h"
+#include "../platform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <memory>
+
+namespace gpr::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of the work, so that the bar moves evenly.
+constexpr double shareOfVertices = 0.25, shareOfFaces = 0.45;
+/// Records between two questions whether to go on.
+constexpr std::uint64_t pollMask = 0xffff;
+
+/// A vertex that a tile has lent to another one.
+struct Lent {
+	std::uint32_t tile, number;
+
+	bool operator<(const Lent& other) const
+	{
+		return number != other.number ? number < other.number : tile < other.tile;
+	}
+	bool operator==(const Lent& other) const
+	{
+		return number == other.number && tile == other.tile;
+	}
+};
+
+/// The faces of a tile as they lie on the disk: numbers of vertices, and the other properties.
+class FaceSpill {
+public:
+	static void put(const FaceRecord& face, std::string& out)
+	{
+		putNumber(std::uint32_t(face.corners.size()), out);
+		putNumber(std::uint32_t(face.before.size()), out);
+		putNumber(std::uint32_t(face.after.size()), out);
+		for (std::int64_t corner : face.corners)
+			putNumber(std::uint32_t(corner), out);
+		out += face.before;
+		out += face.after;
+	}
+
+	explicit FaceSpill(const std::vector<char>& bytes) : at_(bytes.data()), end_(at_ + bytes.size())
+	{
+	}
+
+	bool next(FaceRecord& face)
+	{
+		if (at_ == end_) return false;
+		const std::uint32_t cornerNum = number(), before = number(), after = number();
+		face.corners.resize(cornerNum);
+		for (std::int64_t& corner : face.corners)
+			corner = number();
+		face.before.assign(at_, before);
+		face.after.assign(at_ + before, after);
+		at_ += before + after;
+		return true;
+	}
+
+private:
+	const char* at_;
+	const char* end_;
+
+	static void putNumber(std::uint32_t value, std::string& out)
+	{
+		char bytes[4];
+		std::memcpy(bytes, &value, 4);
+		out.append(bytes, 4);
+	}
+	std::uint32_t number()
+	{
+		std::uint32_t value;
+		std::memcpy(&value, at_, 4);
+		at_ += 4;
+		return value;
+	}
+};
+
+/// The vertices that lie in one cell, or that were lent to it, ascending by number.
+struct VertexPool {
+	std::vector<std::uint32_t> number;
+	std::vector<char>          records;
+	std::vector<char>          isUsed, isShared;
+
+	/// -1 where there is none.
+	std::int64_t find(std::uint32_t wanted) const
+	{
+		const auto at = std::lower_bound(number.begin(), number.end(), wanted);
+		return at == number.end() || *at != wanted ? -1 : at - number.begin();
+	}
+	const char* record(std::size_t i, std::size_t bytes) const { return &records[i * bytes]; }
+};
+
+class Splitter {
+public:
+	Splitter(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
+			 const ProgressCallback& progress) :
+			plan_(plan),
+			folder_(folder), limit_(limit), progress_(progress),
+			scratch_(folder.scratch() + std::to_string(processId())), layouts_(layoutsOf(plan)),
+			recordBytes_(layouts_.front().vertexBytes), facts_{}
+	{
+		fs::remove_all(scratch_);
+		fs::create_directories(scratch_);
+		facts_.tiles.resize(std::size_t(plan.tileNum()));
+		for (const char* name : {"vertices", "numbers", "faces", "lent", "borrowed"})
+			spills_.emplace_back(scratch_, name, plan.tileNum());
+	}
+	~Splitter()
+	{
+		std::error_code error;
+		fs::remove_all(scratch_, error);
+	}
+	Splitter(const Splitter&)            = delete;
+	Splitter& operator=(const Splitter&) = delete;
+
+	SplitFacts run()
+	{
+		cell_.reserve(std::size_t(plan_.allVertices()));
+		std::uint64_t first = 0;
+		std::vector<std::uint64_t> firstVertex;
+		for (std::size_t i = 0; i < layouts_.size(); ++i) {
+			firstVertex.push_back(first);
+			first += plan_.vertexNum[i];
+		}
+		// The vertices of all files first: which tile a face belongs to needs no position then.
+		for (std::size_t i = 0; i < layouts_.size(); ++i)
+			readVertices(i, firstVertex[i]);
+		for (std::size_t i = 0; i < layouts_.size(); ++i)
+			readFaces(i, firstVertex[i]);
+		cell_ = std::vector<std::uint16_t>();
+		// A face lies in the lowest cell of its corners, so that tiles borrow vertices of higher
+		// cells only: when a tile's turn comes all of them are there.
+		for (int tile = plan_.tileNum() - 1; tile >= 0; --tile)
+			putTogether(tile);
+		return std::move(facts_);
+	}
+
+private:
+	enum Spill { Vertices, Numbers, Faces, LentOnes, Borrowed };
+
+	const TilePlan&              plan_;
+	const RunFolder&             folder_;
+	const RunLimit&              limit_;
+	const ProgressCallback&      progress_;
+	std::string                  scratch_;
+	std::vector<PlyRecordLayout> layouts_;
+	std::size_t                  recordBytes_;
+	SplitFacts                   facts_;
+	std::vector<SpillFiles>      spills_;
+	std::vector<std::uint16_t>   cell_; ///< per vertex of all inputs
+	std::uint64_t                doneNum_ = 0;
+
+	static std::vector<PlyRecordLayout> layoutsOf(const TilePlan& plan)
+	{
+		std::vector<PlyRecordLayout> layouts;
+		for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+			layouts.push_back(readRecordLayout(plan.inputs[i]));
+			const PlyRecordLayout& layout = layouts.back();
+			if (layout.vertices().count != plan.vertexNum[i] ||
+				layout.faces().count != plan.faceNum[i])
+				throw AppError(ExitCode::BadInput,
+							   "'" + plan.inputs[i] + "' has changed since the plan was made.");
+		}
+		return layouts;
+	}
+
+	void tell(double share, const char* phrase)
+	{
+		limit_.check();
+		if (progress_ && !progress_(share, phrase)) limit_.check();
+	}
+
+	void readVertices(std::size_t file, std::uint64_t first)
+	{
+		PlyRecordReader reader(plan_.inputs[file], layouts_[file]);
+		reader.toVertices();
+		const double all = double(std::max<std::uint64_t>(1, plan_.allVertices()));
+		for (std::uint64_t v = 0; v < plan_.vertexNum[file]; ++v) {
+			if ((v & pollMask) == 0)
+				tell(shareOfVertices * double(first + v) / all, "Reading vertices");
+			const char* const record = reader.nextVertex();
+			const int         cell   = plan_.cells.cellOf(positionIn(record, layouts_[file]));
+			cell_.push_back(std::uint16_t(cell));
+			spills_[Vertices].add(cell, record, recordBytes_);
+			spills_[Numbers].addValue(cell, std::uint32_t(first + v));
+		}
+	}
+
+	void readFaces(std::size_t file, std::uint64_t firstVertex)
+	{
+		PlyRecordReader reader(plan_.inputs[file], layouts_[file]);
+		reader.toVertices();
+		reader.skipVertices();
+		reader.toFaces();
+		const double all = double(std::max<std::uint64_t>(1, plan_.allFaces()));
+		FaceRecord   face;
+		std::string  bytes;
+		for (std::uint64_t f = 0; f < plan_.faceNum[file]; ++f) {
+			if ((f & pollMask) == 0)
+				tell(shareOfVertices + shareOfFaces * double(doneNum_) / all, "Reading faces");
+			++doneNum_;
+			reader.nextFace(face);
+			if (face.corners.size() < 3) continue;
+			shiftCorners(file, firstVertex, face);
+			const int tile = tileOf(face);
+			for (std::int64_t v : face.corners) {
+				const int cell = cell_[std::size_t(v)];
+				if (cell != tile)
+					spills_[LentOnes].addValue(cell, Lent{std::uint32_t(tile), std::uint32_t(v)});
+			}
+			bytes.clear();
+			FaceSpill::put(face, bytes);
+			spills_[Faces].add(tile, bytes.data(), bytes.size());
+		}
+	}
+
+	void shiftCorners(std::size_t file, std::uint64_t firstVertex, FaceRecord& face) const
+	{
+		for (std::int64_t& v : face.corners) {
+			if (v < 0 || std::uint64_t(v) >= plan_.vertexNum[file])
+				throw AppError(ExitCode::BadInput, "'" + plan_.inputs[file] +
+													   "': a face names vertex " +
+													   std::to_string(v) + ", which is not there");
+			v += std::int64_t(firstVertex);
+		}
+	}
+
+	int tileOf(const FaceRecord& face) const
+	{
+		int lowest = cell_[std::size_t(face.corners.front())];
+		for (std::int64_t v : face.corners)
+			lowest = std::min(lowest, int(cell_[std::size_t(v)]));
+		return lowest;
+	}
+
+	// ---- one tile
+
+	void putTogether(int tile)
+	{
+		tell(shareOfVertices + shareOfFaces +
+				 (1 - shareOfVertices - shareOfFaces) * double(plan_.tileNum() - tile) /
+					 plan_.tileNum(),
+			 "Writing tiles");
+		VertexPool        own      = ownVertices(tile);
+		VertexPool        borrowed = borrowedVertices(tile);
+		std::vector<char> faces    = spills_[Faces].take(tile);
+		markUsed(faces, own);
+		lend(tile, own);
+		write(tile, own, borrowed, faces);
+	}
+
+	VertexPool ownVertices(int tile)
+	{
+		VertexPool pool;
+		pool.number  = spills_[Numbers].takeValues<std::uint32_t>(tile);
+		pool.records = spills_[Vertices].take(tile);
+		pool.isUsed.assign(pool.number.size(), 0);
+		pool.isShared.assign(pool.number.size(), 0);
+		return pool;
+	}
+
+	/// Each is on the disk as its number, whether it is shared, and its record.
+	VertexPool borrowedVertices(int tile)
+	{
+		const std::vector<char> bytes = spills_[Borrowed].take(tile);
+		const std::size_t       each  = 5 + recordBytes_;
+		std::vector<const char*> at;
+		for (std::size_t i = 0; i < bytes.size(); i += each)
+			at.push_back(&bytes[i]);
+		const auto numberAt = [](const char* p) {
+			std::uint32_t number;
+			std::memcpy(&number, p, 4);
+			return number;
+		};
+		std::sort(at.begin(), at.end(),
+				  [&](const char* a, const char* b) { return numberAt(a) < numberAt(b); });
+		VertexPool pool;
+		for (const char* p : at) {
+			pool.number.push_back(numberAt(p));
+			pool.isShared.push_back(p[4]);
+			pool.records.insert(pool.records.end(), p + 5, p + each);
+		}
+		pool.isUsed.assign(pool.number.size(), 1);
+		return pool;
+	}
+
+	static void markUsed(const std::vector<char>& faces, VertexPool& own)
+	{
+		FaceSpill  spill(faces);
+		FaceRecord face;
+		while (spill.next(face)) {
+			for (std::int64_t v : face.corners) {
+				const std::int64_t i = own.find(std::uint32_t(v));
+				if (i >= 0) own.isUsed[std::size_t(i)] = 1;
+			}
+		}
+	}
+
+	/// Gives the tile's vertices to the tiles that have faces at them. A vertex is shared where two
+	/// tiles have it; one that a single tile borrows is its own.
+	void lend(int tile, VertexPool& own)
+	{
+		std::vector<Lent> lent = spills_[LentOnes].takeValues<Lent>(tile);
+		std::sort(lent.begin(), lent.end());
+		lent.erase(std::unique(lent.begin(), lent.end()), lent.end());
+		for (std::size_t begin = 0; begin < lent.size();) {
+			std::size_t end = begin;
+			while (end < lent.size() && lent[end].number == lent[begin].number)
+				++end;
+			const std::size_t i        = std::size_t(own.find(lent[begin].number));
+			const bool        isShared = end - begin > 1 || own.isUsed[i] != 0;
+			own.isShared[i]            = isShared;
+			for (std::size_t k = begin; k < end; ++k) {
+				const int to = int(lent[k].tile);
+				spills_[Borrowed].addValue(to, lent[k].number);
+				spills_[Borrowed].addValue(to, char(isShared));
+				spills_[Borrowed].add(to, own.record(i, recordBytes_), recordBytes_);
+			}
+			begin = end;
+		}
+	}
+
+	void write(int tile, const VertexPool& own, const VertexPool& borrowed,
+			   const std::vector<char>& faces)
+	{
+		SplitFacts::Tile&           facts = facts_.tiles[std::size_t(tile)];
+		std::vector<std::int64_t>   newIndex(own.number.size(), -1);
+		std::vector<TileVertexName> names;
+		for (std::size_t i = 0; i < own.number.size(); ++i) {
+			if (!own.isUsed[i]) continue;
+			newIndex[i] = std::int64_t(names.size());
+			names.push_back({own.number[i], std::uint32_t(own.isShared[i])});
+		}
+		const std::int64_t firstBorrowed = std::int64_t(names.size());
+		for (std::size_t i = 0; i < borrowed.number.size(); ++i)
+			names.push_back({borrowed.number[i], std::uint32_t(borrowed.isShared[i])});
+		facts.vertexNum = names.size();
+		facts.sharedNum = std::uint64_t(std::count_if(
+			names.begin(), names.end(), [](const TileVertexName& n) { return n.isShared != 0; }));
+		facts.faceNum = faceNumOf(faces);
+		const auto localOf = [&](std::int64_t v) {
+			const std::int64_t i = own.find(std::uint32_t(v));
+			return i >= 0 ? newIndex[std::size_t(i)] :
+							firstBorrowed + borrowed.find(std::uint32_t(v));
+		};
+		writeMesh(tile, own, borrowed, faces, localOf);
+		writeNames(tile, names);
+	}
+
+	static std::uint64_t faceNumOf(const std::vector<char>& faces)
+	{
+		FaceSpill     spill(faces);
+		FaceRecord    face;
+		std::uint64_t num = 0;
+		while (spill.next(face))
+			++num;
+		return num;
+	}
+
+	template <class LocalOf>
+	void writeMesh(int tile, const VertexPool& own, const VertexPool& borrowed,
+				   const std::vector<char>& faces, const LocalOf& localOf)
+	{
+		SplitFacts::Tile& facts = facts_.tiles[std::size_t(tile)];
+		OutputFile        out(folder_.tile(tile), limit_);
+		out.text(headerText(layouts_.front(), facts.vertexNum, facts.faceNum));
+		std::vector<Vec3d> place;
+		for (const VertexPool* pool : {&own, &borrowed}) {
+			for (std::size_t i = 0; i < pool->number.size(); ++i) {
+				if (!pool->isUsed[i]) continue;
+				out.bytes(pool->record(i, recordBytes_), recordBytes_);
+				place.push_back(positionIn(pool->record(i, recordBytes_), layouts_.front()));
+			}
+		}
+		FaceSpill   spill(faces);
+		FaceRecord  face;
+		std::string bytes;
+		while (spill.next(face)) {
+			for (std::int64_t& v : face.corners)
+				v = localOf(v);
+			for (std::size_t k = 2; k < face.corners.size(); ++k)
+				facts.area += areaOf(place, face.corners, k);
+			bytes.clear();
+			appendFace(face, layouts_.front(), bytes);
+			out.bytes(bytes.data(), bytes.size());
+		}
+		out.commit();
+		facts.mesh = stampOf(folder_.tile(tile));
+	}
+
+	/// Of the triangle of a face's first corner and corner k with the one before it.
+	static double areaOf(const std::vector<Vec3d>& place, const std::vector<std::int64_t>& corners,
+						 std::size_t k)
+	{
+		const Vec3d  a = place[std::size_t(corners[0])], b = place[std::size_t(corners[k - 1])];
+		const Vec3d  c    = place[std::size_t(corners[k])];
+		const double area = 0.5 * length(cross(b - a, c - a));
+		return std::isfinite(area) ? area : 0;
+	}
+
+	void writeNames(int tile, const std::vector<TileVertexName>& names)
+	{
+		OutputFile out(folder_.tileNames(tile), limit_);
+		out.bytes(reinterpret_cast<const char*>(names.data()), names.size() * sizeof(names[0]));
+		out.commit();
+		facts_.tiles[std::size_t(tile)].names = stampOf(folder_.tileNames(tile));
+	}
+};
+
+Json jsonOf(const SplitFacts::Tile& tile)
+{
+	return {{"vertices", tile.vertexNum}, {"faces", tile.faceNum},
+			{"shared", tile.sharedNum},   {"area", tile.area},
+			{"mesh", jsonOf(tile.mesh)},  {"names", jsonOf(tile.names)}};
+}
+
+SplitFacts factsOf(const Json& record)
+{
+	SplitFacts facts;
+	for (const Json& json : record.at("tiles")) {
+		SplitFacts::Tile tile;
+		tile.vertexNum = json.at("vertices").get<std::uint64_t>();
+		tile.faceNum   = json.at("faces").get<std::uint64_t>();
+		tile.sharedNum = json.at("shared").get<std::uint64_t>();
+		tile.area      = json.at("area").get<double>();
+		tile.mesh      = stampOf(json.at("mesh"));
+		tile.names     = stampOf(json.at("names"));
+		facts.tiles.push_back(tile);
+	}
+	return facts;
+}
+
+/// Vertices and faces of the input, once as they are put aside and once in tiles.
+void requireRoom(const TilePlan& plan, const RunFolder& folder)
+{
+	std::error_code error;
+	double          needed = 0;
+	for (const std::string& input : plan.inputs)
+		needed += 2.5 * double(fs::file_size(input));
+	const fs::space_info room = fs::space(folder.path(), error);
+	if (error || double(room.available) >= needed) return;
+	throw AppError(ExitCode::Failure,
+				   "the tiles need about " + std::to_string(std::int64_t(needed / 1e6) + 1) +
+					   " MB in '" + folder.path() + "', and " +
+					   std::to_string(std::int64_t(double(room.available) / 1e6)) + " MB are free.");
+}
+
+} // namespace
+
+double SplitFacts::area() const
+{
+	double sum = 0;
+	for (const Tile& tile : tiles)
+		sum += tile.area;
+	return sum;
+}
+
+SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
+				 const ProgressCallback& progress)
+{
+	if (const auto record = readRecord(folder.splitRecord(), plan.name)) return factsOf(*record);
+	requireRoom(plan, folder);
+	const SplitFacts facts  = Splitter(plan, folder, limit, progress).run();
+	Json             record = {{"plan", plan.name}, {"tiles", Json::array()}};
+	for (const SplitFacts::Tile& tile : facts.tiles)
+		record["tiles"].push_back(jsonOf(tile));
+	writeJson(folder.splitRecord(), record);
+	return facts;
+}
+
+SplitFacts readSplit(const TilePlan& plan, const RunFolder& folder)
+{
+	const auto record = readRecord(folder.splitRecord(), plan.name);
+	if (!record)
+		throw AppError(ExitCode::Usage, "The split was not done yet. Run 'gpremesh tile split'.");
+	return factsOf(*record);
+}
+
+} // namespace gpr::app

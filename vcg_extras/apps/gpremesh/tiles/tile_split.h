@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_SPLIT_H
+#define VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_SPLIT_H
+
+#include "tile_plan.h"
+
+#include "../run_limit.h"
+
+#include <vcg_extras/core/progress.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gpr::app {
+
+/// What the split has found, for the steps that follow.
+struct SplitFacts {
+	struct Tile {
+		std::uint64_t vertexNum = 0, faceNum = 0, sharedNum = 0; ///< shared: with other tiles
+		double        area = 0;
+		FileStamp     mesh, names;
+	};
+	std::vector<Tile> tiles;
+
+	double area() const;
+};
+
+/// A vertex of a tile: its number in all inputs, and whether other tiles have it too.
+struct TileVertexName {
+	std::uint32_t number   = 0;
+	std::uint32_t isShared = 0;
+};
+
+/// Cuts the inputs into tiles: each vertex has the cell that it lies in, each face the lowest cell
+/// of its corners. Vertices and faces are read once, in the order of the files; then each tile is
+/// put together, by itself, into a PLY file with all that its vertices and faces have. Does nothing
+/// where that was done. Throws AppError: (BadInput) for a damaged input or one that has changed
+/// since the plan, (Failure) where the disk is full, (Stopped) when the run has to end. Memory: 2 B
+/// a vertex, and some 50 B a face of one tile. Cost: two passes over the input, and as much written.
+SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
+				 const ProgressCallback& progress);
+
+/// Throws AppError (Usage) where the split was not done.
+SplitFacts readSplit(const TilePlan& plan, const RunFolder& folder);
+
+} // namespace gpr::app
+
+#endif
