@@ -102,9 +102,9 @@ std::vector<double> borderLengths(const InputMesh& mesh)
 TEST(CellTree, CellsHaveAboutAsManyPoints)
 {
 	for (int cellNum : {1, 2, 3, 7, 12}) {
-		std::vector<Vec3d>    points = randomPoints(12000);
-		const CellTree        tree(points, cellNum);
-		std::vector<int>      num(std::size_t(cellNum), 0);
+		std::vector<Vec3d> points = randomPoints(12000);
+		const CellTree     tree(points, cellNum);
+		std::vector<int>   num(std::size_t(cellNum), 0);
 		for (const Vec3d& p : points)
 			++num.at(std::size_t(tree.cellOf(p)));
 		for (int n : num)
@@ -126,8 +126,8 @@ TEST(SpillFiles, GiveBackWhatWasAdded)
 {
 	const Folder folder;
 	std::filesystem::create_directories(folder.path("spill"));
-	SpillFiles   files(folder.path("spill"), "number", 2);
-	const int    num = 300000; // more than is held in memory
+	SpillFiles files(folder.path("spill"), "number", 2);
+	const int  num = 300000; // more than is held in memory
 	for (int i = 0; i < num; ++i)
 		files.addValue(i % 2, i);
 	for (int tile : {1, 0}) {
@@ -226,9 +226,8 @@ TEST(SplitLongBorderEdges, GivesTwoTilesTheSameVertices)
 		std::vector<SharedName> names;
 		for (int v : of) {
 			tile.points.push_back(corner[std::size_t(v)]);
-			names.push_back(v == 0 || v == 2 ?
-								SharedName{std::uint32_t(v), std::uint32_t(v), 0} :
-								SharedName());
+			names.push_back(v == 0 || v == 2 ? SharedName{std::uint32_t(v), std::uint32_t(v), 0}
+											 : SharedName());
 		}
 		tile.faces = {{0, 1, 2}};
 		mesh       = inputMesh(tile);

@@ -44,8 +44,8 @@ protected:
 		for (int unit = 0; unit < tileNum; ++unit)
 			part(unit);
 		runStep({"join", path("run")});
-		runStep({"finish", path("run"), path("out.ply"), "--quiet", "--report",
-				 path("report.json")});
+		runStep(
+			{"finish", path("run"), path("out.ply"), "--quiet", "--report", path("report.json")});
 		std::string precision;
 		return parseWrittenPly(content(path("out.ply")), precision);
 	}
@@ -91,7 +91,7 @@ TEST_F(TileRun, IsAsRegularAndNearAsWithoutTiles)
 
 TEST_F(TileRun, TheOrderOfStepsAndThreadsAndRepeatsDoNotMatter)
 {
-	const std::string in      = put("torus.ply", binaryPly(torus(120), true, false));
+	const std::string in = put("torus.ply", binaryPly(torus(120), true, false));
 	remeshedInTiles(in, {"--vertices", "900"});
 	const std::string first = content(path("out.ply"));
 	std::filesystem::remove_all(path("run"));
@@ -109,11 +109,11 @@ TEST_F(TileRun, TheOrderOfStepsAndThreadsAndRepeatsDoNotMatter)
 
 TEST_F(TileRun, OneCommandDoesAllStepsWithinItsMemory)
 {
-	const std::string in = put("torus.ply", binaryPly(torus(400), true, false));
-	const std::vector<std::string> words = {"remesh",   in,     path("out.ply"), "--vertices",
-											"3000",     "--memory", "45M",        "--report",
-											path("report.json")};
-	const ProgramResult result = run(words, 300);
+	const std::string              in     = put("torus.ply", binaryPly(torus(400), true, false));
+	const std::vector<std::string> words  = {"remesh",     in,         path("out.ply"),
+											 "--vertices", "3000",     "--memory",
+											 "45M",        "--report", path("report.json")};
+	const ProgramResult            result = run(words, 300);
 	ASSERT_EQ(result.exitCode, 0) << result.err;
 	EXPECT_NE(result.out.find("condensed in"), std::string::npos) << result.out;
 	EXPECT_EQ(report()["result"]["vertices"], 3000);
@@ -131,7 +131,7 @@ TEST_F(TileRun, WithEnoughMemoryThereAreNoTiles)
 
 TEST_F(TileRun, AKilledRunGoesOnWhereItWas)
 {
-	const std::string in = put("torus.ply", binaryPly(torus(400), true, false));
+	const std::string              in    = put("torus.ply", binaryPly(torus(400), true, false));
 	const std::vector<std::string> words = {"remesh", in,         path("out.ply"), "--vertices",
 											"3000",   "--memory", "45M",           "--quiet"};
 	ASSERT_EQ(run(words, 300).exitCode, 0);
@@ -226,7 +226,7 @@ TEST_F(TileRun, AttributesComeThrough)
 	const std::size_t body  = out.find("end_header\n") + 11;
 	const std::size_t bytes = 12 + 3 + 4;
 	for (std::size_t v = 0; v < 700; ++v) {
-		float         p[3], height;
+		float             p[3], height;
 		const char* const at = out.data() + body + v * bytes;
 		std::memcpy(p, at, 12);
 		std::memcpy(&height, at + 15, 4);

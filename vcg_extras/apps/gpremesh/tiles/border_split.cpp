@@ -90,20 +90,18 @@ private:
 	{
 		const double pieces = std::ceil(lengthOf(edge.first, edge.second) / maxLength_);
 		if (!(pieces < mostPieces)) return; // a length that is no number
-		Points points{int(pieces), std::int32_t(mesh_.vertexNum())};
-		const SharedName a = names_[std::size_t(edge.first)],
-						 b = names_[std::size_t(edge.second)];
-		const bool isShared = a.isShared() && b.isShared();
-		const bool isTurned = isShared && std::tie(b.low, b.high, b.part) <
-											  std::tie(a.low, a.high, a.part);
+		Points           points{int(pieces), std::int32_t(mesh_.vertexNum())};
+		const SharedName a = names_[std::size_t(edge.first)], b = names_[std::size_t(edge.second)];
+		const bool       isShared = a.isShared() && b.isShared();
+		const bool       isTurned =
+			isShared && std::tie(b.low, b.high, b.part) < std::tie(a.low, a.high, a.part);
 		const std::int32_t from = isTurned ? edge.second : edge.first;
 		const std::int32_t to   = isTurned ? edge.first : edge.second;
 		for (int i = 1; i < points.pieceNum; ++i) {
 			const int k = isTurned ? points.pieceNum - i : i; // the k-th from 'from'
 			addVertex(from, to, double(k) / points.pieceNum);
 			SharedName name;
-			if (isShared)
-				name = {std::min(a.low, b.low), std::max(a.low, b.low), std::uint32_t(k)};
+			if (isShared) name = {std::min(a.low, b.low), std::max(a.low, b.low), std::uint32_t(k)};
 			names_.push_back(name);
 		}
 		split_[edge] = points;
@@ -145,17 +143,16 @@ private:
 					 std::vector<std::size_t>& toDo)
 	{
 		const std::int32_t         b = corner(f, k + 1), apex = corner(f, k + 2);
-		const std::array<float, 6> uv = textureOf(f);
+		const std::array<float, 6> uv   = textureOf(f);
 		std::int32_t               last = corner(f, k);
 		for (int i = 1; i <= points.pieceNum; ++i) {
-			const int          between = isForward ? i - 1 : points.pieceNum - 1 - i;
-			const std::int32_t next    = i == points.pieceNum ? b : points.first + between;
-			const std::size_t  piece   = i == 1 ? f : copyFace(f);
-			mesh_.triangles[3 * piece + k % 3]       = last;
+			const int          between         = isForward ? i - 1 : points.pieceNum - 1 - i;
+			const std::int32_t next            = i == points.pieceNum ? b : points.first + between;
+			const std::size_t  piece           = i == 1 ? f : copyFace(f);
+			mesh_.triangles[3 * piece + k % 3] = last;
 			mesh_.triangles[3 * piece + (k + 1) % 3] = next;
 			mesh_.triangles[3 * piece + (k + 2) % 3] = apex;
-			setTexture(piece, k, uv, double(i - 1) / points.pieceNum,
-					   double(i) / points.pieceNum);
+			setTexture(piece, k, uv, double(i - 1) / points.pieceNum, double(i) / points.pieceNum);
 			toDo.push_back(piece);
 			last = next;
 		}

@@ -42,9 +42,9 @@ bool isFinite(const Vec3d& p)
 
 CellTree::CellTree(std::vector<Vec3d>& points, int cellNum) : cellNum_(cellNum)
 {
-	points.erase(std::remove_if(points.begin(), points.end(),
-								[](const Vec3d& p) { return !isFinite(p); }),
-				 points.end());
+	points.erase(
+		std::remove_if(points.begin(), points.end(), [](const Vec3d& p) { return !isFinite(p); }),
+		points.end());
 	build(points, 0, points.size(), 0, cellNum);
 }
 
@@ -59,7 +59,7 @@ int CellTree::build(std::vector<Vec3d>& points, std::size_t begin, std::size_t e
 	const auto isBefore = [axis](const Vec3d& a, const Vec3d& b) {
 		return coordinate(a, axis) < coordinate(b, axis);
 	};
-	const auto at = [&](std::size_t i) { return points.begin() + std::ptrdiff_t(i); };
+	const auto at    = [&](std::size_t i) { return points.begin() + std::ptrdiff_t(i); };
 	double     value = 0;
 	if (middle < end) {
 		std::nth_element(at(begin), at(middle), at(end), isBefore);

@@ -15,8 +15,8 @@ namespace gpr::app {
 class CellTree {
 public:
 	struct Node {
-		int    axis = 0; ///< 0 to 2
-		double value = 0; ///< points with a smaller coordinate are below
+		int    axis  = 0;            ///< 0 to 2
+		double value = 0;            ///< points with a smaller coordinate are below
 		int    below = 0, above = 0; ///< a node, or -1 - cell
 	};
 

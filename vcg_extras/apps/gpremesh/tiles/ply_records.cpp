@@ -115,7 +115,8 @@ PlyRecordLayout readRecordLayout(const std::string& path)
 	checkElements(layout.header);
 	layout.vertexElement = elementNamed(path, layout.header, "vertex");
 	layout.faceElement   = elementNamed(path, layout.header, "face");
-	if (layout.vertexElement > layout.faceElement) fail(path, "its faces come before its vertices.");
+	if (layout.vertexElement > layout.faceElement)
+		fail(path, "its faces come before its vertices.");
 	if (layout.vertices().hasList()) fail(path, "its vertices have lists.");
 	findCoordinates(layout);
 	layout.indexList = std::size_t(findIndexList(layout.faces()));
@@ -155,7 +156,8 @@ void appendFace(const FaceRecord& face, const PlyRecordLayout& layout, std::stri
 
 PlyRecordReader::PlyRecordReader(const std::string& path, const PlyRecordLayout& layout,
 								 std::size_t bufferBytes) :
-		path_(path), layout_(layout), file_(std::fopen(path.c_str(), "rb")), buffer_(bufferBytes)
+		path_(path),
+		layout_(layout), file_(std::fopen(path.c_str(), "rb")), buffer_(bufferBytes)
 {
 	if (file_ == nullptr) throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
 	std::setvbuf(file_, nullptr, _IONBF, 0); // there is a buffer here
@@ -185,8 +187,8 @@ void PlyRecordReader::toVertices(std::uint64_t i)
 	if (i == 0) return;
 	std::uint64_t offset = layout_.header.byteNum + i * layout_.vertexBytes;
 	for (std::size_t e = 0; e < layout_.vertexElement; ++e)
-		offset += layout_.header.elements[e].count *
-				  layout_.header.elements[e].smallestRecordBytes();
+		offset +=
+			layout_.header.elements[e].count * layout_.header.elements[e].smallestRecordBytes();
 	seek(offset);
 }
 
@@ -247,8 +249,8 @@ void PlyRecordReader::nextFace(FaceRecord& face)
 			copyList(p, other);
 		}
 		else {
-			const auto count = loadValue<std::int64_t>(p.countType,
-													   take(plyTypeSize(p.countType)), false);
+			const auto count =
+				loadValue<std::int64_t>(p.countType, take(plyTypeSize(p.countType)), false);
 			if (count < 0) fail(path_, "a face has a negative number of vertices.");
 			const std::size_t bytes = plyTypeSize(p.type);
 			const char* const at    = take(std::size_t(count) * bytes);

@@ -24,11 +24,11 @@ struct PlyRecordLayout {
 	const PlyElement& faces() const { return header.elements[faceElement]; }
 
 	std::size_t vertexElement = 0, faceElement = 0;
-	std::size_t vertexBytes = 0;        ///< of one record
-	std::size_t coordinateAt[3] = {};   ///< in a record of a vertex
+	std::size_t vertexBytes       = 0;  ///< of one record
+	std::size_t coordinateAt[3]   = {}; ///< in a record of a vertex
 	PlyType     coordinateType[3] = {};
-	std::size_t indexList = 0;          ///< the property of the faces that holds their vertices
-	std::string comments;               ///< lines of the header that tell of textures
+	std::size_t indexList         = 0; ///< the property of the faces that holds their vertices
+	std::string comments;              ///< lines of the header that tell of textures
 };
 
 /// Throws AppError (BadInput) for what cannot be read record by record: text, the other byte order,

@@ -84,8 +84,9 @@ private:
 	std::vector<SharedName> namesOf(const PartFile& part) const
 	{
 		std::vector<SharedName> names(part.facts.vertexNum);
-		std::ifstream              file(folder_.partNames(part.tile), std::ios::binary);
-		file.read(reinterpret_cast<char*>(names.data()), std::streamsize(names.size() * sizeof(SharedName)));
+		std::ifstream           file(folder_.partNames(part.tile), std::ios::binary);
+		file.read(reinterpret_cast<char*>(names.data()),
+				  std::streamsize(names.size() * sizeof(SharedName)));
 		if (!file)
 			throw AppError(ExitCode::BadInput,
 						   "cannot read '" + folder_.partNames(part.tile) + "'");

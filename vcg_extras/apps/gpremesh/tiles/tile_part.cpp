@@ -55,9 +55,9 @@ WantedAttributes carriedOnes()
 
 /// A part on its way: its mesh and the names of its vertices.
 struct Part {
-	TriangleMesh               mesh;
-	MeshAttributes             attributes;
-	std::vector<SharedName>    names;
+	TriangleMesh            mesh;
+	MeshAttributes          attributes;
+	std::vector<SharedName> names;
 };
 
 class TileCondenser {
@@ -75,10 +75,10 @@ public:
 
 	PartFacts run()
 	{
-		PartFacts   facts;
-		Part        part;
-		const auto  wanted = wantedVertexNum();
-		facts.isCondensed  = wanted < mostLeft * double(mesh_.vertexNum()) &&
+		PartFacts  facts;
+		Part       part;
+		const auto wanted = wantedVertexNum();
+		facts.isCondensed = wanted < mostLeft * double(mesh_.vertexNum()) &&
 							condense(std::int64_t(wanted), part, facts.note);
 		if (!facts.isCondensed) takeAsItIs(part);
 		facts.vertexNum = part.mesh.positions.size();
@@ -88,14 +88,14 @@ public:
 	}
 
 private:
-	const TilePlan&             plan_;
-	const SplitFacts&           split_;
-	int                         tile_;
-	const RunFolder&            folder_;
-	const RunLimit&             limit_;
-	const ProgressCallback&     progress_;
-	std::vector<SharedName>     names_; ///< per vertex of the tile
-	InputMesh                   mesh_;
+	const TilePlan&                plan_;
+	const SplitFacts&              split_;
+	int                            tile_;
+	const RunFolder&               folder_;
+	const RunLimit&                limit_;
+	const ProgressCallback&        progress_;
+	std::vector<SharedName>        names_; ///< per vertex of the tile
+	InputMesh                      mesh_;
 	std::unique_ptr<TextureSource> texture_;
 
 	/// As long as the edges of the condensed surface. 0 where that has no area.
@@ -121,16 +121,16 @@ private:
 	{
 		RemeshOptions options;
 		applyPreset(Preset::Fast, options);
-		options.targetMode          = TargetMode::VertexNum;
-		options.targetVertexNum     = std::max<std::int64_t>(4, vertexNum);
-		options.allowNearest        = true;
-		options.adapt               = condensedAdapt;
-		options.boundary            = BoundaryMode::Keep;
-		options.seed                = plan_.options.seed;
-		options.threads             = plan_.options.threads;
-		options.sew                 = plan_.options.sew;
-		options.featureAngleDeg     = plan_.options.featureAngleDeg;
-		options.timeLimitSeconds    = limit_.secondsLeft();
+		options.targetMode       = TargetMode::VertexNum;
+		options.targetVertexNum  = std::max<std::int64_t>(4, vertexNum);
+		options.allowNearest     = true;
+		options.adapt            = condensedAdapt;
+		options.boundary         = BoundaryMode::Keep;
+		options.seed             = plan_.options.seed;
+		options.threads          = plan_.options.threads;
+		options.sew              = plan_.options.sew;
+		options.featureAngleDeg  = plan_.options.featureAngleDeg;
+		options.timeLimitSeconds = limit_.secondsLeft();
 		return options;
 	}
 
@@ -178,7 +178,7 @@ private:
 		for (std::size_t v = 0; v < result.callersVertex.size(); ++v) {
 			const std::int32_t old = result.callersVertex[v];
 			if (old < 0) continue;
-			names[v]                     = names_[std::size_t(old)];
+			names[v]                  = names_[std::size_t(old)];
 			isThere[std::size_t(old)] = 1;
 		}
 		for (std::size_t v = 0; v < names_.size(); ++v) {

@@ -66,14 +66,15 @@ bool sameProperties(const PlyElement& a, const PlyElement& b)
 	return true;
 }
 
-void checkLayouts(const std::vector<std::string>& paths, const std::vector<PlyRecordLayout>& layouts)
+void checkLayouts(const std::vector<std::string>&     paths,
+				  const std::vector<PlyRecordLayout>& layouts)
 {
 	for (std::size_t i = 1; i < layouts.size(); ++i) {
 		if (sameProperties(layouts[i].vertices(), layouts[0].vertices()) &&
 			sameProperties(layouts[i].faces(), layouts[0].faces()))
 			continue;
-		throw AppError(ExitCode::BadInput, "'" + paths[i] + "' has other properties than '" +
-											   paths[0] + "'.");
+		throw AppError(ExitCode::BadInput,
+					   "'" + paths[i] + "' has other properties than '" + paths[0] + "'.");
 	}
 }
 
@@ -86,7 +87,7 @@ std::vector<Vec3d> samplePositions(const std::vector<std::string>&     paths,
 	for (std::size_t i = 0; i < paths.size(); ++i) {
 		constexpr std::size_t onePage = 4096;
 		PlyRecordReader       reader(paths[i], layouts[i], step > 1 ? onePage : usualBufferBytes);
-		const std::uint64_t num = layouts[i].vertices().count;
+		const std::uint64_t   num = layouts[i].vertices().count;
 		if (step == 1 && num > 0) reader.toVertices();
 		for (std::uint64_t v = 0; v < num; v += step) {
 			if (step > 1) reader.toVertices(v);
@@ -133,12 +134,9 @@ Json jsonOf(const TilePlan& plan)
 	Json inputs = Json::array();
 	for (std::size_t i = 0; i < plan.inputs.size(); ++i)
 		inputs.push_back(inputJson(plan, i));
-	return {{"program", programJson()},
-			{"inputs", std::move(inputs)},
-			{"options", plan.optionsText},
-			{"memoryBytes", plan.memoryBytes},
-			{"tiles", plan.tileNum()},
-			{"cells", jsonOf(plan.cells)}};
+	return {{"program", programJson()},    {"inputs", std::move(inputs)},
+			{"options", plan.optionsText}, {"memoryBytes", plan.memoryBytes},
+			{"tiles", plan.tileNum()},     {"cells", jsonOf(plan.cells)}};
 }
 
 /// 64 bits of FNV-1a as hexadecimal digits.
@@ -180,11 +178,12 @@ void requireMemoryFor(double vertexNum, double memoryBytes)
 {
 	const double needed = bytesAtLeast + bytesPerResultVertex * vertexNum;
 	if (!(memoryBytes > 0) || needed <= memoryBytes) return;
-	throw AppError(ExitCode::PromiseBroken,
-				   formatted("A result of %.0f vertices needs about %.1f GB of memory at the end, and "
-							 "--memory allows %.1f GB. Ask for at most %.0f vertices.",
-							 vertexNum, needed * 1e-9, memoryBytes * 1e-9,
-							 std::max(0.0, (memoryBytes - bytesAtLeast) / bytesPerResultVertex)));
+	throw AppError(
+		ExitCode::PromiseBroken,
+		formatted("A result of %.0f vertices needs about %.1f GB of memory at the end, and "
+				  "--memory allows %.1f GB. Ask for at most %.0f vertices.",
+				  vertexNum, needed * 1e-9, memoryBytes * 1e-9,
+				  std::max(0.0, (memoryBytes - bytesAtLeast) / bytesPerResultVertex)));
 }
 
 TilePlan makePlan(const TileRequest& request)
@@ -206,9 +205,8 @@ TilePlan makePlan(const TileRequest& request)
 	if (all > mostVertices)
 		throw AppError(ExitCode::BadInput, "the inputs have more than 4,294,967,294 vertices.");
 	requireMemoryFor(resultVertexNum(plan.options, double(all)), plan.memoryBytes);
-	const int          wanted = request.tileNum > 0 ? request.tileNum :
-													  tilesFor(double(plan.allFaces()),
-															   plan.memoryBytes);
+	const int wanted =
+		request.tileNum > 0 ? request.tileNum : tilesFor(double(plan.allFaces()), plan.memoryBytes);
 	std::vector<Vec3d> points = samplePositions(plan.inputs, layouts, all);
 	if (points.empty()) throw AppError(ExitCode::BadInput, "the inputs have no vertices.");
 	plan.cells = CellTree(points, wanted);
@@ -232,8 +230,7 @@ void writePlan(const TilePlan& plan, const RunFolder& folder)
 TilePlan readPlan(const RunFolder& folder)
 {
 	const std::optional<Json> json = readJson(folder.plan());
-	if (!json)
-		failUsage("'" + folder.path() + "' holds no plan. 'gpremesh tile plan' makes one.");
+	if (!json) failUsage("'" + folder.path() + "' holds no plan. 'gpremesh tile plan' makes one.");
 	TilePlan plan;
 	for (const Json& input : json->at("inputs")) {
 		plan.inputs.push_back(input.at("file").get<std::string>());

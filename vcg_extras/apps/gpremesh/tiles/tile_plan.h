@@ -17,9 +17,9 @@ namespace gpr::app {
 
 /// What is asked for of a run in tiles.
 struct TileRequest {
-	std::vector<std::string> inputs;     ///< PLY files, pieces of one surface
-	RemeshOptions            options;    ///< of the result
-	std::string              optionsText; ///< these as the user gave them
+	std::vector<std::string> inputs;          ///< PLY files, pieces of one surface
+	RemeshOptions            options;         ///< of the result
+	std::string              optionsText;     ///< these as the user gave them
 	double                   memoryBytes = 0; ///< at most, of each process; 0: not limited
 	int                      tileNum     = 0; ///< 0: by the memory
 };
@@ -27,7 +27,7 @@ struct TileRequest {
 /// All that the steps of a run in tiles need to know. It depends on the inputs and the options
 /// alone, never on who runs the steps: so the same plan gives the same bytes.
 struct TilePlan {
-	std::vector<std::string>  inputs;
+	std::vector<std::string>   inputs;
 	std::vector<std::uint64_t> vertexNum; ///< per input
 	std::vector<std::uint64_t> faceNum;
 	std::string                optionsText;
@@ -47,13 +47,13 @@ double bytesUntiled(double faceNum, double resultVertexNum);
 /// Vertices of the result where options name a count or a share; 0 where they name an edge length.
 double resultVertexNum(const RemeshOptions& options, double inputVertexNum);
 
-/// Reads the headers and a sample of the vertices. Throws AppError: (BadInput) for files that cannot
-/// be read in tiles, (Usage) for options that tiles do not serve, (PromiseBroken) where the memory
-/// is too small for the result. Cost: 100,000 reads.
+/// Reads the headers and a sample of the vertices. Throws AppError: (BadInput) for files that
+/// cannot be read in tiles, (Usage) for options that tiles do not serve, (PromiseBroken) where the
+/// memory is too small for the result. Cost: 100,000 reads.
 TilePlan makePlan(const TileRequest& request);
 
-/// Writes the plan into the folder, which is made. An equal plan that is there is left alone; throws
-/// AppError (Usage) for another one.
+/// Writes the plan into the folder, which is made. An equal plan that is there is left alone;
+/// throws AppError (Usage) for another one.
 void writePlan(const TilePlan& plan, const RunFolder& folder);
 /// Throws AppError (Usage) where there is none, or an input has changed since.
 TilePlan readPlan(const RunFolder& folder);

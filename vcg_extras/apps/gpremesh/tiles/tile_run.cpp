@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_run.h"
 
-#include "tile_join.h"
-
 #include "../exit_code.h"
 #include "../mesh_io.h"
 #include "../output_file.h"
 #include "../platform.h"
 #include "../progress_bar.h"
 #include "../remesh_command.h"
+#include "tile_join.h"
 
 #include <vcg_extras/core/base/pages.h>
 
@@ -42,10 +41,10 @@ TileRequest requestOf(const CommandLine& line)
 CommandLine lastStepOf(const CommandLine& line, const TilePlan& plan, const SplitFacts& facts,
 					   const RunFolder& folder)
 {
-	CommandLine last             = line;
-	last.command                 = Command::Remesh;
-	last.input                   = folder.joined();
-	last.options                 = plan.options;
+	CommandLine last              = line;
+	last.command                  = Command::Remesh;
+	last.input                    = folder.joined();
+	last.options                  = plan.options;
 	last.options.threads          = line.options.threads;
 	last.options.timeLimitSeconds = line.options.timeLimitSeconds;
 	if (last.options.targetMode == TargetMode::Percent) {
@@ -166,13 +165,15 @@ bool needsTiles(const CommandLine& line)
 			   line.tiles.memoryBytes;
 	}
 	constexpr double leastBytesPerFace = 35; // of text, and of binary STL with its 50
-	const double     faces = double(fs::file_size(line.input)) / leastBytesPerFace;
-	if (bytesUntiled(faces, resultVertexNum(line.options, faces / 2)) <= double(line.tiles.memoryBytes))
+	const double     faces             = double(fs::file_size(line.input)) / leastBytesPerFace;
+	if (bytesUntiled(faces, resultVertexNum(line.options, faces / 2)) <=
+		double(line.tiles.memoryBytes))
 		return false;
-	throw AppError(ExitCode::BadInput,
-				   "'" + line.input +
-					   "' may need more memory than --memory allows, and only binary PLY files can be "
-					   "read in tiles. Convert it to one.");
+	throw AppError(
+		ExitCode::BadInput,
+		"'" + line.input +
+			"' may need more memory than --memory allows, and only binary PLY files can be "
+			"read in tiles. Convert it to one.");
 }
 
 void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)

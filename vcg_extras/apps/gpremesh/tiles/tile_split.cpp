@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_split.h"
 
-#include "spill_files.h"
-
 #include "../exit_code.h"
 #include "../output_file.h"
 #include "../platform.h"
+#include "spill_files.h"
 
 #include <algorithm>
 #include <cmath>
@@ -130,7 +129,7 @@ public:
 	SplitFacts run()
 	{
 		cell_.reserve(std::size_t(plan_.allVertices()));
-		std::uint64_t first = 0;
+		std::uint64_t              first = 0;
 		std::vector<std::uint64_t> firstVertex;
 		for (std::size_t i = 0; i < layouts_.size(); ++i) {
 			firstVertex.push_back(first);
@@ -276,8 +275,8 @@ private:
 	/// Each is on the disk as its number, whether it is shared, and its record.
 	VertexPool borrowedVertices(int tile)
 	{
-		const std::vector<char> bytes = spills_[Borrowed].take(tile);
-		const std::size_t       each  = 5 + recordBytes_;
+		const std::vector<char>  bytes = spills_[Borrowed].take(tile);
+		const std::size_t        each  = 5 + recordBytes_;
 		std::vector<const char*> at;
 		for (std::size_t i = 0; i < bytes.size(); i += each)
 			at.push_back(&bytes[i]);
@@ -348,14 +347,14 @@ private:
 		const std::int64_t firstBorrowed = std::int64_t(names.size());
 		for (std::size_t i = 0; i < borrowed.number.size(); ++i)
 			names.push_back({borrowed.number[i], std::uint32_t(borrowed.isShared[i])});
-		facts.vertexNum = names.size();
-		facts.sharedNum = std::uint64_t(std::count_if(
-			names.begin(), names.end(), [](const TileVertexName& n) { return n.isShared != 0; }));
-		facts.faceNum = faceNumOf(faces);
+		facts.vertexNum    = names.size();
+		facts.sharedNum    = std::uint64_t(std::count_if(
+			   names.begin(), names.end(), [](const TileVertexName& n) { return n.isShared != 0; }));
+		facts.faceNum      = faceNumOf(faces);
 		const auto localOf = [&](std::int64_t v) {
 			const std::int64_t i = own.find(std::uint32_t(v));
-			return i >= 0 ? newIndex[std::size_t(i)] :
-							firstBorrowed + borrowed.find(std::uint32_t(v));
+			return i >= 0 ? newIndex[std::size_t(i)]
+						  : firstBorrowed + borrowed.find(std::uint32_t(v));
 		};
 		writeMesh(tile, own, borrowed, faces, localOf);
 		writeNames(tile, names);
@@ -456,7 +455,8 @@ void requireRoom(const TilePlan& plan, const RunFolder& folder)
 	throw AppError(ExitCode::Failure,
 				   "the tiles need about " + std::to_string(std::int64_t(needed / 1e6) + 1) +
 					   " MB in '" + folder.path() + "', and " +
-					   std::to_string(std::int64_t(double(room.available) / 1e6)) + " MB are free.");
+					   std::to_string(std::int64_t(double(room.available) / 1e6)) +
+					   " MB are free.");
 }
 
 } // namespace

@@ -3,9 +3,8 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_SPLIT_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_SPLIT_H
 
-#include "tile_plan.h"
-
 #include "../run_limit.h"
+#include "tile_plan.h"
 
 #include <vcg_extras/core/progress.h>
 
@@ -38,7 +37,8 @@ struct TileVertexName {
 /// put together, by itself, into a PLY file with all that its vertices and faces have. Does nothing
 /// where that was done. Throws AppError: (BadInput) for a damaged input or one that has changed
 /// since the plan, (Failure) where the disk is full, (Stopped) when the run has to end. Memory: 2 B
-/// a vertex, and some 50 B a face of one tile. Cost: two passes over the input, and as much written.
+/// a vertex, and some 50 B a face of one tile. Cost: two passes over the input, and as much
+/// written.
 SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
 				 const ProgressCallback& progress);
 
