@@ -91,6 +91,8 @@ def outcome(command, longest):
                               capture_output=True, text=True, errors="replace")
     except subprocess.TimeoutExpired:
         return f"not done after {longest:g} s"
+    except OSError as error:
+        return str(error)
     if done.returncode < 0:
         return f"crash, signal {-done.returncode}"
     if done.returncode > 0:
