@@ -53,8 +53,8 @@ TOOLS = (("tetgen-kept", "tetgen"), ("tetgen-free", "tetgen"), ("ftetwild", "pyt
 def options_of(arguments):
     parser = argparse.ArgumentParser(prog="scripts/measure/run simulation")
     parser.add_argument("meshes", nargs="*", type=Path, metavar="MESH",
-                        help="closed meshes; by default those in GPR_MODELS_DIR, or without it the bunny of "
-                             "glmark2-data and two that are made in code")
+                        help="closed meshes; by default those in GPR_MODELS_DIR, or without it two that "
+                             "are made in code")
     parser.add_argument("--vertices", type=int,
                         help=f"of the results; by default {PERCENT} %% of the model's, at least {LEAST_VERTICES}")
     parser.add_argument("--tools", default=",".join(key for key, _ in TOOLS), help="meshers of volumes (all)")
@@ -209,10 +209,8 @@ def models(options, programs):
     """Names and files."""
     if options.meshes:
         return [(file.stem, file) for file in options.meshes]
-    bunny = programs.work / "bunny.ply"
-    found = [("bunny", bunny)] if bunny.exists() else []
     folder = os.environ.get("GPR_MODELS_DIR")
-    return found + (models_of_folder(Path(folder), programs) if folder else models_in_code(programs))
+    return models_of_folder(Path(folder), programs) if folder else models_in_code(programs)
 
 
 def models_in_code(programs):

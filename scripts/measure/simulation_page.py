@@ -8,7 +8,7 @@ from statistics import geometric_mean
 from . import circumstances
 from .pages import page, table
 
-TOOL_NAMES = {"tetgen-kept": "TetGen, surface kept", "tetgen-free": "TetGen, surface split where it needs to",
+TOOL_NAMES = {"tetgen-kept": "TetGen, surface kept", "tetgen-free": "TetGen, surface may be split",
               "ftetwild": "fTetWild"}
 
 
@@ -29,21 +29,27 @@ class Figure:
 
     def text(self, result):
         value = self.value(result)
-        return "–" if value is None else self.form.format(value)
+        if value is None:
+            return "–" if "failure" in result.get(self.step, {"failure": ""}) else "no end"
+        return self.form.format(value)
 
 
+SMALLEST_ANGLE = Figure("smallest angle", "surface", "smallestAngle", "{:.1f}°", max)
+E_RMS = Figure("E_RMS, % of the diagonal", "surface", "rmsPercent", "{:.4f}", min)
+CONDITION_NUMBER = Figure("condition number", "surface", "conditionNumber", "{:.3g}", min)
+ITERATIONS = Figure("iterations", "surface", "iterations", "{}", min)
 SURFACE = (
     Figure("vertices", "surface", "vertices", "{}"),
     Figure("faces", "surface", "faces", "{}"),
-    Figure("smallest angle", "surface", "smallestAngle", "{:.1f}°", max),
+    SMALLEST_ANGLE,
     Figure("largest angle", "surface", "largestAngle", "{:.1f}°", min),
     Figure("faces below 30°", "surface", "below30Percent", "{:.3g} %", min),
-    Figure("E_RMS, % of the diagonal", "surface", "rmsPercent", "{:.4f}", min),
+    E_RMS,
     Figure("largest distance, % of the diagonal", "surface", "largestDistancePercent", "{:.3f}", min),
 )
 POISSON = (
-    Figure("condition number", "surface", "conditionNumber", "{:.3g}", min),
-    Figure("iterations", "surface", "iterations", "{}", min),
+    CONDITION_NUMBER,
+    ITERATIONS,
     Figure("iterations with Jacobi", "surface", "iterationsJacobi", "{}", min),
     Figure("edges of negative weight", "surface", "negativeWeightsPercent", "{:.3g} %", min),
 )
@@ -108,20 +114,26 @@ def worst(data, key, figure):
     return figure.form.format(min(there)) if there else "–"
 
 
-def overview(data):
-    condition, iterations = POISSON[0], POISSON[1]
-    titles = ["method", "closed", "smallest angle of all", "E_RMS ×", "condition number ×", "iterations ×"]
+def overview_of_surfaces(data):
+    rows = []
+    for key, label in data["methods"]:
+        closed = sum(closed_text(mesh["results"][key]) == "yes" for mesh in data["meshes"])
+        rows.append([label, f"{closed} of {len(data['meshes'])}", worst(data, key, SMALLEST_ANGLE),
+                     *(ratio(data, key, figure) for figure in (E_RMS, CONDITION_NUMBER, ITERATIONS))])
+    return table(["method", "closed and manifold", "smallest angle of all", "E_RMS ×", "condition number ×",
+                  "iterations of conjugate gradients ×"], rows)
+
+
+def overview_of_volumes(data):
+    titles = ["method"]
     for tool in data["tools"]:
         titles += [f"{TOOL_NAMES[tool]}: done", "tetrahedra ×", "smallest dihedral angle of all"]
     rows = []
     for key, label in data["methods"]:
-        closed = sum(closed_text(mesh["results"][key]) == "yes" for mesh in data["meshes"])
-        row = [label, f"{closed} of {len(data['meshes'])}", worst(data, key, SURFACE[2]),
-               ratio(data, key, SURFACE[5]), ratio(data, key, condition), ratio(data, key, iterations)]
+        rows.append([label])
         for tool in data["tools"]:
-            figures = volume_figures(tool)
-            row += [done_count(data, key, tool), ratio(data, key, figures[0]), worst(data, key, figures[2])]
-        rows.append(row)
+            tetrahedra, _, dihedral, *_ = volume_figures(tool)
+            rows[-1] += [done_count(data, key, tool), ratio(data, key, tetrahedra), worst(data, key, dihedral)]
     return table(titles, rows)
 
 
@@ -138,16 +150,34 @@ def best_methods(mesh, methods, figure):
     return [key for key, value in values.items() if value is not None and figure.form.format(value) == best]
 
 
-def best_table(data):
-    rows = []
+def best_counts(data):
+    """Pairs of a figure's name and, by method, on how many models it is the best one."""
+    counts = []
     parts = [("surface", (*SURFACE, *POISSON))] + [(TOOL_NAMES[t], volume_figures(t)) for t in data["tools"]]
     for part, figures in parts:
         for figure in figures:
             if figure.best:
                 best = [best_methods(mesh, data["methods"], figure) for mesh in data["meshes"]]
-                counts = [sum(key in keys for keys in best) for key, _ in data["methods"]]
-                rows.append([f"{part}: {figure.title}", *(str(count) for count in counts)])
+                counts.append((f"{part}: {figure.title}",
+                               {key: sum(key in keys for keys in best) for key, _ in data["methods"]}))
+    return counts
+
+
+def best_table(data):
+    rows = [[name, *(str(counts[key]) for key, _ in data["methods"])] for name, counts in best_counts(data)]
     return table(["figure", *(label for _, label in data["methods"])], rows)
+
+
+def others_better(data):
+    """The figures in which another method is the best one more often than either result of gpremesh."""
+    labels = dict(data["methods"])
+    lines = []
+    for name, counts in best_counts(data):
+        ours = max(count for key, count in counts.items() if key.startswith("gpremesh"))
+        better = [f"{labels[key]} on {count}" for key, count in counts.items() if count > ours]
+        if better:
+            lines.append(f"- {name}: {', '.join(better)}; gpremesh on {ours} of {len(data['meshes'])} models\n")
+    return "Another method is the best more often than gpremesh in these figures:\n\n" + ("".join(lines) or "- none\n")
 
 
 # ---- the page
@@ -169,15 +199,15 @@ HOW_MEASURED = """\
 - **E_RMS**, **largest distance**: from 100,000 samples of the model to the result, by MeshLab's filter.
 - **condition number**: of the cotangent Laplacian, the largest eigenvalue over the smallest that is not 0.
   **iterations**: of conjugate gradients, until the residual is 1e-8 of the right side, without a preconditioner and
-  with the diagonal as one. **edges of negative weight**: there the discrete maximum principle can fail.
+  with the diagonal as one; "no end" after 20,000. **edges of negative weight**: there the discrete maximum principle can fail.
 - **seconds**: of the tool alone, one run.
 - [Where the models come from](models.md).
 """
 
-ORDER_OF_TABLES = """\
-Regular triangles are of use to a mesher that has to keep or to refine the surface, as TetGen has, and to a solver on the
-surface. fTetWild makes a surface of its own within 0.1 % of the diagonal. Its tetrahedra depend less on the triangles
-that it gets.
+INTRODUCTION = """\
+Closed models are remeshed with the same number of vertices by gpremesh and by others. The results are handed to two meshers of
+volumes, TetGen and fTetWild, and to a solver of the Poisson problem on the surface. TetGen has to keep or to split the
+triangles that it gets. fTetWild makes triangles of its own, within 0.1 % of the diagonal.
 """
 
 
@@ -196,6 +226,19 @@ def step_part(data, step, figures):
     return table(titles, rows_of(data, step, figures), 3)
 
 
+def done_by_all(data, tool):
+    """The models of which every method's result was meshed by a tool."""
+    return [mesh for mesh in data["meshes"]
+            if not any(failure_of(mesh["results"][key], tool) for key, _ in data["methods"])]
+
+
+def picture_part(data, picture):
+    names = {TOOL_NAMES[tool]: [mesh["name"] for mesh in done_by_all(data, tool)] for tool in data["tools"]}
+    models = [f"{tool}: {', '.join(found)}" for tool, found in names.items() if found]
+    return (f"![Dihedral angles of the tetrahedra by method]({picture})\n\n"
+            f"Of the models that every method has done. {'. '.join(models)}.\n")
+
+
 def machine(data):
     facts = data["circumstances"]
     commits = sorted({mesh["commit"] for mesh in data["meshes"]})
@@ -209,13 +252,13 @@ def text(data, picture):
     from .commands import PERCENT
     from .simulation import LEAST_VERTICES
 
-    shown = [f"![Dihedral angles of the tetrahedra by method]({picture})"] if picture else []
+    shown = [picture_part(data, picture)] if picture else []
     volumes = [f"## {TOOL_NAMES[tool]}\n\n{step_part(data, tool, volume_figures(tool))}" for tool in data["tools"]]
     return page(
-        "scripts/measure/run simulation", "Ready for simulation", ORDER_OF_TABLES, overview(data), machine(data),
-        *shown,
+        "scripts/measure/run simulation", "Ready for simulation", INTRODUCTION, overview_of_surfaces(data),
+        overview_of_volumes(data), machine(data), others_better(data), *shown,
         HOW_MEASURED.format(percent=PERCENT, least=f"{LEAST_VERTICES:,}", longest=data["longest"]),
         "## On how many models each method is the best\n\nMethods that are equal as written here count alike; of "
         f"{len(data['meshes'])} models.\n\n{best_table(data)}",
-        f"## Surfaces\n\n{surface_part(data)}", f"## Poisson problem on the surface\n\n{step_part(data, 'surface', POISSON)}",
-        *volumes)
+        f"## Surfaces\n\n{surface_part(data)}",
+        f"## Poisson problem on the surface\n\n{step_part(data, 'surface', POISSON)}", *volumes)

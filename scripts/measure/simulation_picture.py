@@ -2,21 +2,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The picture of the study of simulation: histograms of dihedral angles."""
 
-from .simulation_page import TOOL_NAMES
+from .simulation_page import TOOL_NAMES, done_by_all
 
 BIN_DEGREES = 5  # as simulation_tasks.py counts
 COLOURS = ("#1f77b4", "#17becf", "#2ca02c", "#9467bd", "#d62728", "#ff7f0e", "#bcbd22")
 
 
 def pooled(data, method, tool):
-    """The counts of all models where every method has tetrahedra of that tool; empty where there is none."""
-    counts = []
-    for mesh in data["meshes"]:
-        figures = [mesh["results"][key].get(tool, {"failure": ""}) for key, _ in data["methods"]]
-        if all("failure" not in of_method for of_method in figures):
-            histogram = mesh["results"][method][tool]["histogram"]
-            counts = [a + b for a, b in zip(counts, histogram)] if counts else histogram
-    return counts
+    """The counts of all models that every method has done with that tool; empty where there is none."""
+    histograms = [mesh["results"][method][tool]["histogram"] for mesh in done_by_all(data, tool)]
+    return [sum(counts) for counts in zip(*histograms)]
 
 
 def draw(data, path):
@@ -50,7 +45,7 @@ def _draw_tool(axes, data, tool):
         counts = pooled(data, key, tool)
         edges = [BIN_DEGREES * i for i in range(len(counts) + 1)]
         axes.stairs([100 * count / sum(counts) for count in counts], edges, label=label, color=colour,
-                    linewidth=1.6 if key == "gpremesh" else 1)
+                    baseline=None, linewidth=1.6 if key == "gpremesh" else 1)
     axes.set_yscale("log")
     axes.set_xlim(0, 180)
     axes.set_xticks(range(0, 181, 30), [f"{angle}°" for angle in range(0, 181, 30)])

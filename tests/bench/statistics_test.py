@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What scripts/measure makes of its figures."""
 
+import copy
 import sys
 import unittest
 from pathlib import Path
@@ -237,6 +238,22 @@ class SimulationPage(unittest.TestCase):
         self.assertEqual(simulation_page.best_methods(part, methods, angle), ["gpremesh"])
         self.assertEqual(simulation_page.best_methods(bust, methods, iterations), ["gpremesh"])
         self.assertIn("| surface: smallest angle | 3 | 1 |", simulation_page.best_table(self.data))
+
+    def test_it_tells_where_others_are_better(self):
+        self.assertTrue(simulation_page.others_better(self.data).endswith(":\n\n- none\n"))
+        better = copy.deepcopy(self.data)
+        for mesh in better["meshes"][:2]:
+            mesh["results"]["other"]["surface"]["rmsPercent"] = 0.01
+        self.assertTrue(simulation_page.others_better(better).endswith(
+            ":\n\n- surface: E_RMS, % of the diagonal: theirs on 2; gpremesh on 1 of 3 models\n"))
+
+    def test_iterations_without_end_are_told(self):
+        endless = {"surface": surface(12, 30, None)}
+        self.assertEqual(simulation_page.ITERATIONS.text(endless), "no end")
+        self.assertEqual(simulation_page.ITERATIONS.text({"failure": "crash"}), "–")
+
+    def test_only_models_that_all_methods_have_done_are_drawn(self):
+        self.assertEqual([mesh["name"] for mesh in simulation_page.done_by_all(self.data, "ftetwild")], ["bust"])
 
 
 if __name__ == "__main__":
