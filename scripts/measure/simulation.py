@@ -21,6 +21,7 @@ from .pages import DOCS, add_out_option, keep_record, kept_record, write_page
 
 LONGEST_STEP_SECONDS = 120
 LEAST_VERTICES = 2000  # of a result; coarse models would lose their shape at 10 %
+LEAST_SHARE = 1.5  # of a model's vertices over those of its result
 MOST_FACES = 300000  # of a model out of a folder
 FORMATS = (".ply", ".stl", ".obj", ".off")
 MADE_IN_CODE = ("stone", "box")  # by gpr_big_mesh
@@ -153,7 +154,7 @@ class Measuring:
         """The figures of all methods on a model; None with a line where it is none for the study."""
         welded = self.work / f"{name}.model.ply"
         facts = self.steps.task("input", file, welded)
-        complaint = complaint_on(facts, digests)
+        complaint = complaint_on(facts, digests) or self._too_coarse(facts)
         if complaint:
             say(f"SKIPPED: {name} ({complaint})")
             return None
@@ -168,10 +169,16 @@ class Measuring:
             record["results"][method.key] = self._method(name, method, welded, goal)
         return record
 
+    def _too_coarse(self, facts):
+        """Whether hardly a vertex would have to go."""
+        if self.options.vertices or facts["vertices"] >= LEAST_SHARE * LEAST_VERTICES:
+            return ""
+        return f"{facts['vertices']} vertices are too few"
+
     def _goal(self, model, facts):
         """What the others are asked for: the counts of gpremesh's result."""
         wanted = max(LEAST_VERTICES, round(facts["vertices"] * PERCENT / 100))
-        goal = {"vertices": self.options.vertices or min(wanted, facts["vertices"])}
+        goal = {"vertices": self.options.vertices or wanted}
         result = self.work / "goal.ply"
         failure = self.steps.remesh(METHODS[0], model, result, goal)
         if failure:
