@@ -3,13 +3,16 @@
 """Results of gpremesh and of other remeshers with as many vertices, handed to TetGen, to fTetWild and to a Poisson
 problem on the surface: vcg_extras/docs/measurements_simulation.md.
 
-Each step is a process of its own with a cap on its time; what crashes, refuses or does not end is a row that says so.
+Each step is a process of its own with a cap on its processor time; what crashes, refuses or does not end is a row that
+says so. Times are processor times, so that other programs on the machine do not change who ends in time.
 simulation_tasks.py has the steps.
 """
 
 import argparse
+import concurrent.futures
 import importlib.util
 import os
+import signal
 import subprocess
 import sys
 from dataclasses import dataclass
@@ -19,8 +22,10 @@ from . import circumstances, simulation_page, simulation_picture
 from .commands import PERCENT, Programs, say
 from .pages import DOCS, add_out_option, keep_record, kept_record, write_page
 
-LONGEST_STEP_SECONDS = 120
+LONGEST_STEP_SECONDS = 120  # of processor time
+WALL_SHARE = 10  # a step that sleeps or starves ends after so many times its cap
 LEAST_VERTICES = 2000  # of a result; coarse models would lose their shape at 10 %
+MOST_VERTICES = 5000  # more would take the meshers of volumes very long
 LEAST_SHARE = 1.5  # of a model's vertices over those of its result
 MOST_FACES = 300000  # of a model out of a folder
 FORMATS = (".ply", ".stl", ".obj", ".off")
@@ -57,10 +62,12 @@ def options_of(arguments):
                         help="closed meshes; by default those in GPR_MODELS_DIR, or without it two that "
                              "are made in code")
     parser.add_argument("--vertices", type=int,
-                        help=f"of the results; by default {PERCENT} %% of the model's, at least {LEAST_VERTICES}")
+                        help=f"of the results; by default {PERCENT} %% of the model's, at least {LEAST_VERTICES}, "
+                             f"at most {MOST_VERTICES}")
     parser.add_argument("--tools", default=",".join(key for key, _ in TOOLS), help="meshers of volumes (all)")
-    parser.add_argument("--longest", type=float, default=LONGEST_STEP_SECONDS, metavar="SECONDS",
-                        help=f"cap of each step ({LONGEST_STEP_SECONDS})")
+    parser.add_argument("--longest", type=int, default=LONGEST_STEP_SECONDS, metavar="SECONDS",
+                        help=f"cap on the processor time of each step ({LONGEST_STEP_SECONDS})")
+    parser.add_argument("--jobs", type=int, default=len(os.sched_getaffinity(0)), help="methods at a time (all cores)")
     parser.add_argument("--reuse", action="store_true", help="take what an earlier run has measured")
     add_out_option(parser)
     return parser.parse_args(arguments)
@@ -85,15 +92,20 @@ def without_missing(wanted, label_and_package):
 # ---- one step
 
 
+# The soft limit is the one that a signal tells of.
+LIMITED = ("/bin/sh", "-c", 'ulimit -c 0; ulimit -S -t "$1"; shift; exec "$@"', "step")
+
+
 def outcome(command, longest):
     """Nothing where a command is done, else a sentence."""
+    too_long = f"not done after {longest} s"
     try:
-        done = subprocess.run(list(map(str, command)), timeout=longest, stdin=subprocess.DEVNULL,
-                              capture_output=True, text=True, errors="replace")
+        done = subprocess.run([*LIMITED, str(longest), *map(str, command)], timeout=WALL_SHARE * longest,
+                              stdin=subprocess.DEVNULL, capture_output=True, text=True, errors="replace")
     except subprocess.TimeoutExpired:
-        return f"not done after {longest:g} s"
-    except OSError as error:
-        return str(error)
+        return too_long
+    if done.returncode == -signal.SIGXCPU:
+        return too_long
     if done.returncode < 0:
         return f"crash, signal {-done.returncode}"
     if done.returncode > 0:
@@ -108,9 +120,8 @@ class Steps:
         self.programs = programs
         self.longest = longest
 
-    def task(self, name, *arguments):
-        """Its figures; {"failure": sentence} where there are none."""
-        file = self.programs.work / "figures.json"
+    def task(self, file, name, *arguments):
+        """Its figures, which go to the file on the way; {"failure": sentence} where there are none."""
         file.unlink(missing_ok=True)
         failure = outcome([sys.executable, "-m", "measure.simulation_tasks", file, name, *arguments], self.longest)
         return {"failure": failure} if failure else kept_record(file)
@@ -119,7 +130,7 @@ class Steps:
         """A sentence where there is no result."""
         result.unlink(missing_ok=True)
         if method.package:
-            failed = self.task("remesh", method.key, model, result, goal["vertices"], goal["faces"])
+            failed = self.task(result.with_suffix(".json"), "remesh", method.key, model, result, goal["vertices"], goal["faces"])
             return failed.get("failure", "")
         if method.key == "cgal":
             return outcome([self.programs.path("gpr_bench_baseline"), "cgal", model, result, goal["faces"]],
@@ -130,7 +141,7 @@ class Steps:
 
     def volume(self, tool, surface):
         """The figures of a mesh of the volume; one that has another volume than the surface is a failure."""
-        figures = self.task("volume", tool, surface)
+        figures = self.task(surface.with_suffix(".json"), "volume", tool, surface)
         share = figures.get("volumeShare", 1)
         if abs(share - 1) > NO_VOLUME_OFF:
             figures["failure"] = f"the volume is {100 * share:.0f} % of that inside"
@@ -153,7 +164,7 @@ class Measuring:
     def model(self, name, file, digests):
         """The figures of all methods on a model; None with a line where it is none for the study."""
         welded = self.work / f"{name}.model.ply"
-        facts = self.steps.task("input", file, welded)
+        facts = self.steps.task(welded.with_suffix(".json"), "input", file, welded)
         complaint = complaint_on(facts, digests) or self._too_coarse(facts)
         if complaint:
             say(f"SKIPPED: {name} ({complaint})")
@@ -163,10 +174,10 @@ class Measuring:
             say(f"SKIPPED: {name} (gpremesh: {goal['failure']})")
             return None
         record = {"name": name, "commit": self.commit, "vertices": facts["vertices"], "faces": facts["faces"],
-                  "digest": facts["digest"], "goal": goal, "results": {}}
-        for method in self.methods:
-            say(f"{name}, {method.label}")
-            record["results"][method.key] = self._method(name, method, welded, goal)
+                  "digest": facts["digest"], "goal": goal}
+        with concurrent.futures.ThreadPoolExecutor(self.options.jobs) as pool:
+            results = pool.map(lambda method: self._method(name, method, welded, goal), self.methods)
+            record["results"] = {method.key: result for method, result in zip(self.methods, results)}
         return record
 
     def _too_coarse(self, facts):
@@ -177,7 +188,7 @@ class Measuring:
 
     def _goal(self, model, facts):
         """What the others are asked for: the counts of gpremesh's result."""
-        wanted = max(LEAST_VERTICES, round(facts["vertices"] * PERCENT / 100))
+        wanted = min(MOST_VERTICES, max(LEAST_VERTICES, round(facts["vertices"] * PERCENT / 100)))
         goal = {"vertices": self.options.vertices or wanted}
         result = self.work / "goal.ply"
         failure = self.steps.remesh(METHODS[0], model, result, goal)
@@ -186,11 +197,12 @@ class Measuring:
         return {**goal, "faces": self.steps.programs.info(result)["input"]["faces"]}
 
     def _method(self, name, method, model, goal):
+        say(f"{name}, {method.label}")
         result = self.work / f"{name}.{method.key}.ply"
         failure = self.steps.remesh(method, model, result, goal)
         if failure:
             return {"failure": failure}
-        figures = {"surface": self.steps.task("surface", result, model)}
+        figures = {"surface": self.steps.task(result.with_suffix(".json"), "surface", result, model)}
         for tool in self.tools:
             figures[tool] = self.steps.volume(tool, result)
         return figures

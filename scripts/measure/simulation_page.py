@@ -185,7 +185,7 @@ def others_better(data):
 
 HOW_MEASURED = """\
 - The models are closed and connected, and TetGen finds no intersection in them. Vertices of the same place are one.
-- gpremesh makes {percent} % of a model's vertices, at least {least}. The others are asked for as many vertices or
+- gpremesh makes {percent} % of a model's vertices, at least {least} and at most {most}. The others are asked for as many vertices or
   faces, whichever they take. CGAL takes an edge length: the program tries up to eight lengths.
 - **CGAL**: `isotropic_remeshing`, five iterations, edges of 60° and more kept. **Quadric Edge Collapse**: PyMeshLab's,
   as its dialog proposes. **pyacvd**: with the subdivision that it advises. **meshoptimizer**: `meshopt_simplify`
@@ -193,14 +193,14 @@ HOW_MEASURED = """\
   no such option. So it is the one that the package almeshopt brings.
 - **TetGen**: radius-edge ratio at most 1.414, dihedral angles of 10° wanted. "Surface kept" may not change the
   surface (switch Y). Otherwise TetGen may split its edges and faces. **fTetWild**: the defaults of pytetwild, on one thread.
-- A step is **done** if there are tetrahedra after at most {longest:g} s, and their volume is within 2 % of that inside of
-  the surface.
+- A step is **done** if there are tetrahedra after at most {longest} s of processor time, and their volume is
+  within 2 % of that inside of the surface.
 - **×**: the figure over that of gpremesh's default, geometric mean over the models where both have one.
 - **E_RMS**, **largest distance**: from 100,000 samples of the model to the result, by MeshLab's filter.
 - **condition number**: of the cotangent Laplacian, the largest eigenvalue over the smallest that is not 0.
   **iterations**: of conjugate gradients, until the residual is 1e-8 of the right side, without a preconditioner and
   with the diagonal as one; "no end" after 20,000. **edges of negative weight**: there the discrete maximum principle can fail.
-- **seconds**: of the tool alone, one run.
+- **seconds**: processor time of the tool alone, one run.
 - [Where the models come from](models.md).
 """
 
@@ -244,20 +244,21 @@ def machine(data):
     commits = sorted({mesh["commit"] for mesh in data["meshes"]})
     packages = ", ".join(f"{name} {version}" for name, version in data["versions"].items())
     return (f"{circumstances.sentence_on_machine(facts)}, {circumstances.sentence_on_build(facts)}; {packages}; "
-            f"commit {', '.join(commits)}; {facts['date']}.\n" + circumstances.sentence_on_load(facts))
+            f"commit {', '.join(commits)}; {facts['date']}.\n")
 
 
 def text(data, picture):
     """picture: the name of the file, or an empty string."""
     from .commands import PERCENT
-    from .simulation import LEAST_VERTICES
+    from .simulation import LEAST_VERTICES, MOST_VERTICES
 
     shown = [picture_part(data, picture)] if picture else []
     volumes = [f"## {TOOL_NAMES[tool]}\n\n{step_part(data, tool, volume_figures(tool))}" for tool in data["tools"]]
     return page(
         "scripts/measure/run simulation", "Ready for simulation", INTRODUCTION, overview_of_surfaces(data),
         overview_of_volumes(data), machine(data), others_better(data), *shown,
-        HOW_MEASURED.format(percent=PERCENT, least=f"{LEAST_VERTICES:,}", longest=data["longest"]),
+        HOW_MEASURED.format(percent=PERCENT, least=f"{LEAST_VERTICES:,}", most=f"{MOST_VERTICES:,}",
+                            longest=data["longest"]),
         "## On how many models each method is the best\n\nMethods that are equal as written here count alike; of "
         f"{len(data['meshes'])} models.\n\n{best_table(data)}",
         f"## Surfaces\n\n{surface_part(data)}",

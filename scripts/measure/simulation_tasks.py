@@ -255,9 +255,9 @@ def volume_of(points, tetrahedra):
 
 def volume(tool, source):
     vertices, faces = read(source)
-    start = time.perf_counter()
+    start = time.process_time()
     points, tetrahedra = VOLUME_MESHERS[tool](vertices, faces)
-    seconds = time.perf_counter() - start
+    seconds = time.process_time() - start
     if len(tetrahedra) == 0:
         return {"failure": "no tetrahedron was made"}
     angles = dihedral_angles(points, tetrahedra)
