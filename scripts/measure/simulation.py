@@ -130,7 +130,8 @@ class Steps:
         """A sentence where there is no result."""
         result.unlink(missing_ok=True)
         if method.package:
-            failed = self.task(result.with_suffix(".json"), "remesh", method.key, model, result, goal["vertices"], goal["faces"])
+            failed = self.task(result.with_suffix(".json"), "remesh", method.key, model, result, goal["vertices"],
+                               goal["faces"])
             return failed.get("failure", "")
         if method.key == "cgal":
             return outcome([self.programs.path("gpr_bench_baseline"), "cgal", model, result, goal["faces"]],
