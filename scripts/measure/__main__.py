@@ -4,18 +4,18 @@
 
     python3 -m measure commit                          the commit that the sources are of
     python3 -m measure meshlab ARGUMENTS               one run of meshlabserver, see meshlab.py
-    python3 -m measure quality|paper|speed BUILD COMMIT ARGUMENTS
+    python3 -m measure quality|paper|simulation|speed BUILD COMMIT ARGUMENTS
 """
 
 import subprocess
 import sys
 from pathlib import Path
 
-from . import meshlab, paper, quality, speed
+from . import meshlab, paper, quality, simulation, speed
 from .circumstances import commit_of_sources
 from .commands import RunFailed, say
 
-MEASUREMENTS = {"quality": quality.main, "paper": paper.main, "speed": speed.main}
+MEASUREMENTS = {"quality": quality.main, "paper": paper.main, "simulation": simulation.main, "speed": speed.main}
 
 
 def main(which, *arguments):

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What scripts/measure makes of its figures."""
 
+import copy
 import sys
 import unittest
 from pathlib import Path
@@ -10,7 +11,7 @@ from unittest import mock
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 
-from measure import paper, quality
+from measure import paper, quality, simulation_page
 from measure.circumstances import sentence_on_load
 from measure.commands import RunFailed, measured, timed
 from measure.memory_by_stage import by_stage
@@ -190,6 +191,69 @@ class PaperRows(unittest.TestCase):
         self.assertIn("| earlier |", both)
         self.assertIn("| later |", both)
         self.assertIn("p99.9", both)
+
+
+def surface(vertices, angle, iterations):
+    return {"vertices": vertices, "faces": 2 * vertices - 4, "closed": True, "smallestAngle": angle,
+            "largestAngle": 110, "below30Percent": 0, "rmsPercent": 0.05, "largestDistancePercent": 0.4,
+            "conditionNumber": 1234.5, "iterations": iterations, "iterationsJacobi": 90,
+            "negativeWeightsPercent": 0.5}
+
+
+def volume(tetrahedra):
+    return {"tetrahedra": tetrahedra, "points": 30, "smallestDihedral": 2.345, "largestDihedral": 176,
+            "below10Percent": 0.5, "seconds": 0.2}
+
+
+class SimulationPage(unittest.TestCase):
+    """A model on which everything is done, and one on which the other method fails in both ways."""
+    data = {
+        "methods": [["gpremesh", "ours"], ["other", "theirs"]], "tools": ["ftetwild"],
+        "meshes": [
+            {"name": "bust", "results": {"gpremesh": {"surface": surface(12, 30, 100), "ftetwild": volume(100)},
+                                         "other": {"surface": surface(12, 30.01, 200), "ftetwild": volume(400)}}},
+            {"name": "part", "results": {"gpremesh": {"surface": surface(12, 33, 100), "ftetwild": volume(100)},
+                                         "other": {"surface": surface(12, 5, 800),
+                                                   "ftetwild": {"failure": "crash, signal 6"}}}},
+            {"name": "soup", "results": {"gpremesh": {"surface": surface(12, 33, 100), "ftetwild": volume(100)},
+                                         "other": {"failure": "not done after 9 s"}}}]}
+
+    def test_what_failed_says_why(self):
+        rows = simulation_page.rows_of(self.data, "ftetwild", simulation_page.volume_figures("ftetwild"))
+        self.assertEqual(rows[1][:4], ["bust", "theirs", "yes", "400"])
+        self.assertEqual(rows[3], ["part", "theirs", "crash, signal 6"] + 6 * ["–"])
+        self.assertEqual(rows[5][2], "no surface: not done after 9 s")
+
+    def test_ratios_are_of_the_models_that_both_have_done(self):
+        tetrahedra, iterations = simulation_page.volume_figures("ftetwild")[0], simulation_page.POISSON[1]
+        self.assertEqual(simulation_page.ratio(self.data, "other", tetrahedra), "4.00")
+        self.assertEqual(simulation_page.ratio(self.data, "other", iterations), "4.00")  # of 2 and 8
+        self.assertEqual(simulation_page.ratio(self.data, "gpremesh", iterations), "1.00")
+        self.assertEqual(simulation_page.done_count(self.data, "other", "ftetwild"), "1 of 3")
+
+    def test_what_is_written_alike_is_equally_good(self):
+        methods, angle, iterations = self.data["methods"], simulation_page.SURFACE[2], simulation_page.POISSON[1]
+        bust, part, _ = self.data["meshes"]
+        self.assertEqual(simulation_page.best_methods(bust, methods, angle), ["gpremesh", "other"])
+        self.assertEqual(simulation_page.best_methods(part, methods, angle), ["gpremesh"])
+        self.assertEqual(simulation_page.best_methods(bust, methods, iterations), ["gpremesh"])
+        self.assertIn("| surface: smallest angle | 3 | 1 |", simulation_page.best_table(self.data))
+
+    def test_it_tells_where_others_are_better(self):
+        self.assertTrue(simulation_page.others_better(self.data).endswith(":\n\n- none\n"))
+        better = copy.deepcopy(self.data)
+        for mesh in better["meshes"][:2]:
+            mesh["results"]["other"]["surface"]["rmsPercent"] = 0.01
+        self.assertTrue(simulation_page.others_better(better).endswith(
+            ":\n\n- surface: E_RMS, % of the diagonal: theirs on 2; gpremesh on 1 of 3 models\n"))
+
+    def test_iterations_without_end_are_told(self):
+        endless = {"surface": surface(12, 30, None)}
+        self.assertEqual(simulation_page.ITERATIONS.text(endless), "no end")
+        self.assertEqual(simulation_page.ITERATIONS.text({"failure": "crash"}), "–")
+
+    def test_only_models_that_all_methods_have_done_are_drawn(self):
+        self.assertEqual([mesh["name"] for mesh in simulation_page.done_by_all(self.data, "ftetwild")], ["bust"])
 
 
 if __name__ == "__main__":

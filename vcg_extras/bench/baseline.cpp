@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // gpr_bench_baseline: runs another simplifier on a file, as a program, so that all of it can be
 // measured from outside. Prints its own seconds and what is left as JSON.
+#include "baseline_cgal.h"
 #include "baseline_meshoptimizer.h"
 
 #include <vcg_extras/apps/gpremesh/baseline_remeshers.h>
@@ -18,13 +19,14 @@ namespace {
 
 using namespace gpr;
 
-constexpr const char* usage = "usage: gpr_bench_baseline quadric|meshoptimizer IN OUT FACES\n";
+constexpr const char* usage = "usage: gpr_bench_baseline quadric|meshoptimizer|cgal IN OUT FACES\n";
 
 app::BaselineResult simplified(const std::string& method, const std::string& in,
 							   std::int64_t faceNum)
 {
 	const app::InputMesh mesh = app::readMesh(in);
 	if (method == "meshoptimizer") return bench::simplifyByMeshoptimizer(mesh, faceNum);
+	if (method == "cgal") return bench::remeshByCgal(mesh, faceNum);
 	return app::collapseQuadricEdges(mesh.view(), faceNum, [] { return false; });
 }
 
@@ -45,7 +47,7 @@ int main(int argc, char** argv)
 {
 	const std::string method  = argc == 5 ? argv[1] : "";
 	const long long   faceNum = argc == 5 ? std::atoll(argv[4]) : 0;
-	if ((method != "quadric" && method != "meshoptimizer") || faceNum < 1) {
+	if ((method != "quadric" && method != "meshoptimizer" && method != "cgal") || faceNum < 1) {
 		std::fputs(usage, stderr);
 		return 2;
 	}

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stands in for CGAL where the program is built without it.
+#include "baseline_cgal.h"
+
+namespace gpr::bench {
+
+app::BaselineResult remeshByCgal(const app::InputMesh&, std::int64_t)
+{
+	app::BaselineResult result;
+	result.failure = "Left out: this program was built without CGAL.";
+	return result;
+}
+
+} // namespace gpr::bench
