@@ -204,4 +204,29 @@ void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedN
 	if (maxLength > 0) BorderSplitter(maxLength, mesh, names).run();
 }
 
+BorderFigures measureBorder(const MeshView& mesh)
+{
+	std::vector<Edge> edges;
+	edges.reserve(3 * mesh.faceNum);
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		const auto t = mesh.triangle(f);
+		for (std::size_t k = 0; k < 3; ++k)
+			edges.push_back(edgeOf(t[k], t[(k + 1) % 3]));
+	}
+	std::sort(edges.begin(), edges.end());
+	BorderFigures border;
+	for (std::size_t i = 0; i < edges.size();) {
+		std::size_t end = i + 1;
+		while (end < edges.size() && edges[end] == edges[i])
+			++end;
+		if (end - i == 1) {
+			++border.edgeNum;
+			border.length += length(mesh.position(std::size_t(edges[i].second)) -
+									mesh.position(std::size_t(edges[i].first)));
+		}
+		i = end;
+	}
+	return border;
+}
+
 } // namespace gpr::app

@@ -40,6 +40,15 @@ struct SharedName {
 /// the long edges.
 void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names);
 
+/// The edges that one face has.
+struct BorderFigures {
+	std::size_t edgeNum = 0;
+	double      length  = 0; ///< of all of them, mesh units
+};
+
+/// Cost: O(F log F).
+BorderFigures measureBorder(const MeshView& mesh);
+
 } // namespace gpr::app
 
 #endif

@@ -69,7 +69,7 @@ public:
 			names_(readNames(folder.tileNames(tile)))
 	{
 		mesh_ = readMesh(folder.tile(tile), carriedOnes());
-		splitLongBorderEdges(longestBorderEdge(), mesh_, names_);
+		splitLongBorderEdges(borderEdgeShare * condensedEdge(), mesh_, names_);
 		texture_ = takeTexture(mesh_.attributes, mesh_.view(), false);
 	}
 
@@ -98,23 +98,37 @@ private:
 	InputMesh                      mesh_;
 	std::unique_ptr<TextureSource> texture_;
 
-	/// As long as the edges of the condensed surface. 0 where that has no area.
-	double longestBorderEdge() const
+	/// Mean edge of the condensed surface. 0 where that has no area.
+	double condensedEdge() const
 	{
 		// Equilateral triangles have the area √3/4 L², and there are two for each vertex.
 		const double vertexNum = condensedPerResult * resultVertexNum(plan_, split_);
-		return borderEdgeShare * std::sqrt(2 * split_.area() / (std::sqrt(3.0) * vertexNum));
+		return std::sqrt(2 * split_.area() / (std::sqrt(3.0) * vertexNum));
 	}
 
-	/// By the tile's share of the area; kept vertices come on top, else they would take the place
-	/// of others.
+	/// By the tile's area, and what its border takes beyond that.
 	double wantedVertexNum() const
 	{
-		const double area  = split_.area();
-		const auto&  facts = split_.tiles[std::size_t(tile_)];
-		const double share = area > 0 ? facts.area / area : 1;
-		return std::ceil(condensedPerResult * resultVertexNum(plan_, split_) * share) +
-			   double(facts.sharedNum);
+		const double edge = condensedEdge();
+		const double area = split_.tiles[std::size_t(tile_)].area;
+		const double even = edge > 0 ? 2 * area / (std::sqrt(3.0) * edge * edge) : 0;
+		return std::ceil(even + vertexNumForBorder(edge));
+	}
+
+	/// All vertices of the border stay, and the triangles grow slowly from there. Without these
+	/// vertices those inside would be too few. Along a border with edges h sizes are h + g·d at the
+	/// distance d, until they are L: over this strip the density 2/(√3 s²) adds up to
+	/// 2/(√3 g)·(1 - h/L)² for each edge more than with L everywhere.
+	double vertexNumForBorder(double edge) const
+	{
+		const BorderFigures border = measureBorder(mesh_.view());
+		if (border.edgeNum == 0 || !(edge > 0)) return 0;
+		constexpr double growth   = 0.15;
+		const double     num      = double(border.edgeNum);
+		const double     shorter  = std::max(0.0, 1 - border.length / num / edge);
+		const double     ofStrip  = 2 / (std::sqrt(3.0) * growth) * shorter * shorter;
+		constexpr double ofBorder = 0.5;
+		return num * (ofBorder + ofStrip);
 	}
 
 	RemeshOptions optionsFor(std::int64_t vertexNum) const
