@@ -79,21 +79,12 @@ double areaOf(const InputMesh& mesh)
 	return area;
 }
 
-/// Per edge that one face has: its length.
 std::vector<double> borderLengths(const InputMesh& mesh)
 {
-	std::map<std::pair<int, int>, int> faces;
-	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
-		const auto t = mesh.view().triangle(f);
-		for (std::size_t k = 0; k < 3; ++k)
-			++faces[std::minmax(t[k], t[(k + 1) % 3])];
-	}
 	std::vector<double> lengths;
-	for (const auto& [edge, num] : faces) {
-		if (num == 1)
-			lengths.push_back(length(mesh.view().position(std::size_t(edge.second)) -
-									 mesh.view().position(std::size_t(edge.first))));
-	}
+	for (const Edge& e : borderEdges(mesh.view()))
+		lengths.push_back(length(mesh.view().position(std::size_t(e.second)) -
+								 mesh.view().position(std::size_t(e.first))));
 	return lengths;
 }
 
@@ -214,6 +205,17 @@ TEST(SplitLongBorderEdges, LeavesNoneAndKeepsTheArea)
 	EXPECT_EQ(lengths.size(), 12u * 4);
 	for (double length : lengths)
 		EXPECT_NEAR(length, 1.0 / 12, 1e-6);
+}
+
+TEST(BorderEdges, AreThoseThatOneFaceHas)
+{
+	EXPECT_EQ(borderEdges(inputMesh(grid(7)).view()).size(), 4u * 7);
+	EXPECT_TRUE(borderEdges(inputMesh(torus(7)).view()).empty());
+	TestMesh two;
+	two.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}};
+	two.faces  = {{0, 1, 2}, {2, 1, 3}};
+	EXPECT_EQ(borderEdges(inputMesh(two).view()),
+			  (std::vector<Edge>{{0, 1}, {0, 2}, {1, 3}, {2, 3}}));
 }
 
 /// The two faces of a square, each in a tile of its own and with its own order of vertices.

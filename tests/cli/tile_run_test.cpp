@@ -184,6 +184,45 @@ TEST_F(TileRun, PiecesWhoseBordersCoincideAreOneSurface)
 	EXPECT_EQ(facts["input"]["vertices"], 800);
 }
 
+/// A sheet that stands on another one: each of its edges there has three faces.
+TEST_F(TileRun, EdgesWithThreeFacesAreCutAsWithoutTiles)
+{
+	TestMesh          mesh = grid(60);
+	const TestMesh    fin  = grid(60);
+	std::vector<int>  number;
+	const std::size_t flat = mesh.points.size();
+	for (const auto& p : fin.points) {
+		int there = -1;
+		for (std::size_t v = 0; v < flat && p[1] == 0; ++v) {
+			if (std::abs(mesh.points[v][0] - 0.5) < 1e-9 &&
+				std::abs(mesh.points[v][1] - p[0]) < 1e-9)
+				there = int(v);
+		}
+		if (there < 0) {
+			there = int(mesh.points.size());
+			mesh.points.push_back({0.5, p[0], p[1]});
+		}
+		number.push_back(there);
+	}
+	for (const auto& f : fin.faces)
+		mesh.faces.push_back(
+			{number[std::size_t(f[0])], number[std::size_t(f[1])], number[std::size_t(f[2])]});
+	const std::string in = put("fin.ply", binaryPly(mesh, true, false));
+	remeshedInTiles(in, {"--vertices", "900"});
+	ASSERT_EQ(run({"remesh", in, path("whole.ply"), "--vertices", "900"}).exitCode, 0);
+	const Json tiled = info(path("out.ply"))["input"], whole = info(path("whole.ply"))["input"];
+	for (const char* key : {"vertices", "components", "boundaryLoops", "eulerCharacteristic"})
+		EXPECT_EQ(tiled[key], whole[key]) << key;
+}
+
+TEST_F(TileRun, AShareTooSmallForTheTopologyIsRaised)
+{
+	const std::string in   = put("torus.ply", binaryPly(torus(60), true, false));
+	const TestMesh    mesh = remeshedInTiles(in, {"--percent", "0.03"}); // one vertex
+	EXPECT_GE(mesh.points.size(), 7u);
+	EXPECT_LE(mesh.points.size(), 40u);
+}
+
 /// Huge triangles beside small ones, and seams through both.
 TEST_F(TileRun, LongEdgesOfSeamsLeaveNoNeedles)
 {

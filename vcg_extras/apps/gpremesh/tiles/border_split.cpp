@@ -13,8 +13,6 @@ namespace gpr::app {
 
 namespace {
 
-using Edge = std::pair<std::int32_t, std::int32_t>; ///< the smaller vertex first
-
 Edge edgeOf(std::int32_t a, std::int32_t b)
 {
 	return {std::min(a, b), std::max(a, b)};
@@ -93,10 +91,9 @@ private:
 		Points           points{int(pieces), std::int32_t(mesh_.vertexNum())};
 		const SharedName a = names_[std::size_t(edge.first)], b = names_[std::size_t(edge.second)];
 		const bool       isShared = a.isShared() && b.isShared();
-		const bool       isTurned =
-			isShared && std::tie(b.low, b.high, b.part) < std::tie(a.low, a.high, a.part);
-		const std::int32_t from = isTurned ? edge.second : edge.first;
-		const std::int32_t to   = isTurned ? edge.first : edge.second;
+		const bool       isTurned = isShared && b < a;
+		const std::int32_t from   = isTurned ? edge.second : edge.first;
+		const std::int32_t to     = isTurned ? edge.first : edge.second;
 		for (int i = 1; i < points.pieceNum; ++i) {
 			const int k = isTurned ? points.pieceNum - i : i; // the k-th from 'from'
 			addVertex(from, to, double(k) / points.pieceNum);
@@ -204,7 +201,7 @@ void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedN
 	if (maxLength > 0) BorderSplitter(maxLength, mesh, names).run();
 }
 
-BorderFigures measureBorder(const MeshView& mesh)
+std::vector<Edge> borderEdges(const MeshView& mesh)
 {
 	std::vector<Edge> edges;
 	edges.reserve(3 * mesh.faceNum);
@@ -214,16 +211,12 @@ BorderFigures measureBorder(const MeshView& mesh)
 			edges.push_back(edgeOf(t[k], t[(k + 1) % 3]));
 	}
 	std::sort(edges.begin(), edges.end());
-	BorderFigures border;
+	std::vector<Edge> border;
 	for (std::size_t i = 0; i < edges.size();) {
 		std::size_t end = i + 1;
 		while (end < edges.size() && edges[end] == edges[i])
 			++end;
-		if (end - i == 1) {
-			++border.edgeNum;
-			border.length += length(mesh.position(std::size_t(edges[i].second)) -
-									mesh.position(std::size_t(edges[i].first)));
-		}
+		if (end - i == 1) border.push_back(edges[i]);
 		i = end;
 	}
 	return border;

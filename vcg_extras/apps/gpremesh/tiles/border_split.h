@@ -7,7 +7,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace gpr::app {
@@ -20,9 +21,11 @@ struct SharedName {
 	static constexpr std::uint32_t none = 0xffffffffu;
 
 	bool isShared() const { return low != none; }
-	bool operator==(const SharedName& o) const
+	bool operator==(const SharedName& o) const { return key() == o.key(); }
+	bool operator<(const SharedName& o) const { return key() < o.key(); }
+	std::tuple<std::uint32_t, std::uint32_t, std::uint32_t> key() const
 	{
-		return low == o.low && high == o.high && part == o.part;
+		return {low, high, part};
 	}
 	struct Hash {
 		std::size_t operator()(const SharedName& n) const
@@ -40,14 +43,11 @@ struct SharedName {
 /// the long edges.
 void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names);
 
-/// The edges that one face has.
-struct BorderFigures {
-	std::size_t edgeNum = 0;
-	double      length  = 0; ///< of all of them, mesh units
-};
+/// Two vertices of a mesh, the smaller one first.
+using Edge = std::pair<std::int32_t, std::int32_t>;
 
-/// Cost: O(F log F).
-BorderFigures measureBorder(const MeshView& mesh);
+/// The edges that one face has, ascending. Cost: O(F log F).
+std::vector<Edge> borderEdges(const MeshView& mesh);
 
 } // namespace gpr::app
 

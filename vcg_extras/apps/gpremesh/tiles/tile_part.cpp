@@ -70,6 +70,7 @@ public:
 	{
 		mesh_ = readMesh(folder.tile(tile), carriedOnes());
 		splitLongBorderEdges(borderEdgeShare * condensedEdge(), mesh_, names_);
+		border_  = borderEdges(mesh_.view());
 		texture_ = takeTexture(mesh_.attributes, mesh_.view(), false);
 	}
 
@@ -96,6 +97,7 @@ private:
 	const ProgressCallback&        progress_;
 	std::vector<SharedName>        names_; ///< per vertex of the tile
 	InputMesh                      mesh_;
+	std::vector<Edge>              border_; ///< of the tile
 	std::unique_ptr<TextureSource> texture_;
 
 	/// Mean edge of the condensed surface. 0 where that has no area.
@@ -121,11 +123,14 @@ private:
 	/// 2/(√3 g)·(1 - h/L)² for each edge more than with L everywhere.
 	double vertexNumForBorder(double edge) const
 	{
-		const BorderFigures border = measureBorder(mesh_.view());
-		if (border.edgeNum == 0 || !(edge > 0)) return 0;
+		if (border_.empty() || !(edge > 0)) return 0;
+		double borderLength = 0;
+		for (const Edge& e : border_)
+			borderLength += length(mesh_.view().position(std::size_t(e.second)) -
+								   mesh_.view().position(std::size_t(e.first)));
 		constexpr double growth   = 0.15;
-		const double     num      = double(border.edgeNum);
-		const double     shorter  = std::max(0.0, 1 - border.length / num / edge);
+		const double     num      = double(border_.size());
+		const double     shorter  = std::max(0.0, 1 - borderLength / num / edge);
 		const double     ofStrip  = 2 / (std::sqrt(3.0) * growth) * shorter * shorter;
 		constexpr double ofBorder = 0.5;
 		return num * (ofBorder + ofStrip);
@@ -165,7 +170,7 @@ private:
 			return false;
 		}
 		if (!takeNames(result, part.names)) {
-			note = "A vertex that the tile shares with others was not kept.";
+			note = "A vertex or edge that the tile shares with others was not kept.";
 			return false;
 		}
 		carry(std::move(result), part);
@@ -184,7 +189,8 @@ private:
 		part.mesh       = std::move(result.mesh);
 	}
 
-	/// False where a shared vertex has been lost: the tiles would no longer fit together.
+	/// False where a shared vertex or an edge between two has been lost: the tiles would no longer
+	/// fit together.
 	bool takeNames(const RemeshResult& result, std::vector<SharedName>& names) const
 	{
 		names.assign(result.mesh.positions.size(), SharedName());
@@ -198,7 +204,20 @@ private:
 		for (std::size_t v = 0; v < names_.size(); ++v) {
 			if (names_[v].isShared() && isThere[v] == 0) return false;
 		}
-		return true;
+		return sharedEdges(border_, names_) == sharedEdges(borderEdges(result.mesh.view()), names);
+	}
+
+	/// By their names, in an order of their own.
+	static std::vector<std::pair<SharedName, SharedName>>
+	sharedEdges(const std::vector<Edge>& border, const std::vector<SharedName>& names)
+	{
+		std::vector<std::pair<SharedName, SharedName>> shared;
+		for (const Edge& e : border) {
+			const SharedName a = names[std::size_t(e.first)], b = names[std::size_t(e.second)];
+			if (a.isShared() && b.isShared()) shared.push_back(std::minmax(a, b));
+		}
+		std::sort(shared.begin(), shared.end());
+		return shared;
 	}
 
 	/// The tile as a result of itself, so that it has the same attributes as condensed ones.

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 
 /// Bytes a face of a tile while it is condensed, and a vertex of the result at the end: measured,
 /// see docs/scale.md.
+constexpr double bytesPerCondensedFace = 62;
 constexpr double bytesPerTileFace = 450, bytesPerResultVertex = 900;
 constexpr double bytesAtLeast = 3e7;
 
@@ -184,6 +185,18 @@ void requireMemoryFor(double vertexNum, double memoryBytes)
 				  "--memory allows %.1f GB. Ask for at most %.0f vertices.",
 				  vertexNum, needed * 1e-9, memoryBytes * 1e-9,
 				  std::max(0.0, (memoryBytes - bytesAtLeast) / bytesPerResultVertex)));
+}
+
+void requireMemoryForFaces(double faceNum, double memoryBytes)
+{
+	const double needed = bytesAtLeast + bytesPerCondensedFace * faceNum;
+	if (!(memoryBytes > 0) || needed <= memoryBytes) return;
+	throw AppError(
+		ExitCode::PromiseBroken,
+		formatted("The condensed surface has %.0f faces, since parts of the input could not "
+				  "be condensed. It needs about %.1f GB of memory, and --memory allows "
+				  "%.1f GB.",
+				  faceNum, needed * 1e-9, memoryBytes * 1e-9));
 }
 
 TilePlan makePlan(const TileRequest& request)

@@ -60,6 +60,9 @@ TilePlan readPlan(const RunFolder& folder);
 
 /// Throws AppError (PromiseBroken) where the last step needs more memory than the plan allows.
 void requireMemoryFor(double resultVertexNum, double memoryBytes);
+/// The same for a condensed surface that has more faces than it should, where tiles could not be
+/// condensed.
+void requireMemoryForFaces(double condensedFaceNum, double memoryBytes);
 
 } // namespace gpr::app
 

@@ -50,6 +50,7 @@ CommandLine lastStepOf(const CommandLine& line, const TilePlan& plan, const Spli
 	if (last.options.targetMode == TargetMode::Percent) {
 		last.options.targetMode      = TargetMode::VertexNum;
 		last.options.targetVertexNum = std::int64_t(resultVertexNum(plan, facts));
+		last.options.allowNearest    = true; // a share is a wish
 	}
 	last.notes.push_back("The input was condensed in " + std::to_string(plan.tileNum()) +
 						 " tiles first. What is told of the input here is told of the condensed "
@@ -82,14 +83,17 @@ void condense(const TilePlan& plan, const RunFolder& folder, const RunLimit& lim
 {
 	const SplitFacts facts = split(plan, folder, limit, partOf(bar, 0, shareOfSplit));
 	requireMemoryFor(resultVertexNum(plan, facts), plan.memoryBytes);
-	const double each = (shareOfParts - shareOfSplit) / plan.tileNum();
+	const double each    = (shareOfParts - shareOfSplit) / plan.tileNum();
+	double       faceNum = 0;
 	for (int tile = 0; tile < plan.tileNum(); ++tile) {
 		const double from = shareOfSplit + each * tile;
-		makePart(plan, facts, tile, folder, limit, partOf(bar, from, from + each));
+		faceNum += double(
+			makePart(plan, facts, tile, folder, limit, partOf(bar, from, from + each)).faceNum);
 		fs::remove(folder.tile(tile));
 		fs::remove(folder.tileNames(tile));
 		returnReleasedMemory(); // the next step needs another mix of sizes
 	}
+	requireMemoryForFaces(faceNum, plan.memoryBytes);
 	joinParts(plan, folder, limit, partOf(bar, shareOfParts, shareOfParts + 0.05));
 }
 
