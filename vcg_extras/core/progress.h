@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_PROGRESS_H
 #define VCG_EXTRAS_CORE_PROGRESS_H
 
+#include <atomic>
 #include <functional>
 
 namespace gpr {
@@ -11,6 +12,9 @@ namespace gpr {
 /// work done in [0, 1] and a short verb phrase. Returning false cancels: the engine ends with
 /// Status::Cancelled and exports nothing.
 using ProgressCallback = std::function<bool(double share, const char* phrase)>;
+
+/// Set to true by any thread, it ends a run as a callback does that returns false, and sooner.
+using StopRequest = std::atomic<bool>;
 
 } // namespace gpr
 

@@ -2,16 +2,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remesh.h"
 
+#include "prepared_surface.h"
+
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/run_context.h>
+#include <vcg_extras/core/input/selected_part.h>
+#include <vcg_extras/core/output/part_joining.h>
 #include <vcg_extras/core/run/error_goal_run.h>
+#include <vcg_extras/core/run/kept_input.h>
 #include <vcg_extras/core/run/partial_runs.h>
 #include <vcg_extras/core/run/remesh_run.h>
-#include <vcg_extras/core/run/selected_part.h>
 
 #include <algorithm>
 #include <chrono>
+#include <mutex>
 #include <new>
+#include <optional>
 #include <random>
 #include <utility>
 
@@ -99,6 +105,9 @@ struct Call {
 	const MeshView&         input;
 	const RemeshOptions&    options;
 	const ProgressCallback& progress;
+	const StopRequest*      stop  = nullptr;
+	KeptInput*              kept  = nullptr; ///< null: of a single run
+	WorkShare               whole = {};      ///< of the progress that is told
 };
 
 /// Runs a pipeline: body(run, result) with threads, a clock and a seed.
@@ -111,14 +120,15 @@ Result runPipeline(const Call& call, Pipeline pipeline, const Body& body)
 		requireValid(call.options);
 		{
 			const RemeshOptions options = resolved(call.input, pipeline, call.options);
-			Workers             workers(options.threads, call.progress, options.timeLimitSeconds);
+			Workers workers(options.threads, call.progress, options.timeLimitSeconds, call.stop);
 			result.report.seed    = options.seed;
 			result.report.adapt   = options.adapt;
 			result.report.threads = workers.threadNum();
 			if (pipeline != Pipeline::Detection) result.notes = optionsWithoutEffect(call.options);
 			RunContext run{call.input,   options,
 						   workers,      result.report,
-						   result.notes, StageClock(workers, result.report, pipeline)};
+						   result.notes, StageClock(workers, result.report, pipeline, call.whole)};
+			run.kept = call.kept;
 			body(run, result);
 		}
 		result.status               = Status::Ok;
@@ -126,7 +136,7 @@ Result runPipeline(const Call& call, Pipeline pipeline, const Body& body)
 	});
 }
 
-RemeshResult remeshWhole(const Call& call)
+RemeshResult remeshWhole(Call call)
 {
 	return runPipeline<RemeshResult>(call, Pipeline::Remeshing,
 									 [&](RunContext& run, RemeshResult& result) {
@@ -137,18 +147,89 @@ RemeshResult remeshWhole(const Call& call)
 									 });
 }
 
+/// What a surface keeps of its selected faces.
+struct KeptPart {
+	SelectedPart part;
+	KeptInput    ofRuns;
+};
+
+/// Preparation without a run.
+RemeshResult prepareOnly(Call call)
+{
+	// It does about a fifth of the stages of a run, and nothing after.
+	const bool detects = call.options.featureRegion == FeatureRegion::Detected;
+	call.whole         = {0, detects ? 1.0 : 5.0};
+	return runPipeline<RemeshResult>(call, Pipeline::Remeshing,
+									 [](RunContext& run, RemeshResult&) { keepInput(run); });
+}
+
+/// What is done with a mesh, whole or cut out.
+using MeshCall = RemeshResult (*)(Call call);
+
+RemeshResult onSelected(const Call& call, const SelectedPart& part, KeptInput* kept, MeshCall run)
+{
+	const RemeshOptions inside = optionsInside(call.options);
+	const MeshView      view   = part.view();
+	RemeshResult        made   = run({view, inside, call.progress, call.stop, kept});
+	if (made.status != Status::Ok || run == prepareOnly) return made;
+	return joinPart(call.input, part, call.options, std::move(made));
+}
+
 } // namespace
 
 RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 					const ProgressCallback& progress)
 {
-	if (!options.selectedOnly) return remeshWhole({input, options, progress});
+	const Call call{input, options, progress};
+	if (!options.selectedOnly) return remeshWhole(call);
 	return guarded<RemeshResult>([&](RemeshResult& result) {
-		const auto remeshPart = [&](const MeshView& part, const RemeshOptions& o) {
-			return remeshWhole({part, o, progress});
-		};
-		result = remeshSelected(input, options, remeshPart);
+		result = onSelected(call, cutOutSelected(input), nullptr, remeshWhole);
 	});
+}
+
+struct PreparedSurface::Kept {
+	MeshView                input;
+	std::mutex              oneRun; ///< runs leave here what they made, one after the other
+	KeptInput               ofRuns;
+	std::optional<KeptPart> selected;
+
+	RemeshResult call(const RemeshOptions& options, const ProgressCallback& progress,
+					  const StopRequest* stop, MeshCall run)
+	{
+		const std::lock_guard<std::mutex> lock(oneRun);
+		const Call                        whole{input, options, progress, stop, &ofRuns};
+		if (!options.selectedOnly) return run(whole);
+		return guarded<RemeshResult>([&](RemeshResult& result) {
+			if (!selected) selected = KeptPart{cutOutSelected(input), {}};
+			result = onSelected(whole, selected->part, &selected->ofRuns, run);
+		});
+	}
+};
+
+PreparedSurface::PreparedSurface(const MeshView& input) : kept_(new Kept)
+{
+	kept_->input = input;
+}
+
+PreparedSurface::~PreparedSurface()                                     = default;
+PreparedSurface::PreparedSurface(PreparedSurface&&) noexcept            = default;
+PreparedSurface& PreparedSurface::operator=(PreparedSurface&&) noexcept = default;
+
+RemeshResult PreparedSurface::prepare(const RemeshOptions&    options,
+									  const ProgressCallback& progress, const StopRequest* stop)
+{
+	return kept_->call(options, progress, stop, prepareOnly);
+}
+
+RemeshResult PreparedSurface::remesh(const RemeshOptions& options, const ProgressCallback& progress,
+									 const StopRequest* stop)
+{
+	return kept_->call(options, progress, stop, remeshWhole);
+}
+
+const MeshView& PreparedSurface::input() const
+{
+	return kept_->input;
 }
 
 SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& options,

@@ -17,6 +17,7 @@
 namespace gpr {
 
 struct ErrorGuide; // run/error_guide.h
+struct KeptInput;  // run/kept_input.h
 
 /// What the parts of a run share: input and options, the threads, and where they tell what happens.
 struct RunContext {
@@ -27,6 +28,7 @@ struct RunContext {
 	std::vector<std::string>& notes;
 	StageClock                clock;
 	ErrorGuide* guide = nullptr; ///< of a run towards a largest error; null: of any other
+	KeptInput*  kept  = nullptr; ///< of the runs on this input; null: of a single run
 
 	/// Tells of a loop that its bound ended; once, however often that happens.
 	void tellCap(const char* loop)

@@ -56,14 +56,15 @@ struct Workers::Pool {
 	std::exception_ptr       failure;
 
 	// Progress; touched by the calling thread only.
-	ProgressCallback  progress;
-	Clock::time_point lastPoll  = Clock::now();
-	const char*       phrase    = "";
-	double            stageFrom = 0;
-	double            stageTo   = 0;
-	double            told      = 0;
-	bool              isLimited = false;
-	Clock::time_point deadline;
+	ProgressCallback   progress;
+	Clock::time_point  lastPoll    = Clock::now();
+	const char*        phrase      = "";
+	double             stageFrom   = 0;
+	double             stageTo     = 0;
+	double             told        = 0;
+	bool               isLimited   = false;
+	const StopRequest* stopRequest = nullptr;
+	Clock::time_point  deadline;
 
 	/// Takes tasks until none is left. Worker 0 is the calling thread and polls in between.
 	void work(int worker, Workers& owner)
@@ -119,12 +120,15 @@ struct Workers::Pool {
 	}
 };
 
-Workers::Workers(int threads, ProgressCallback progress, double timeLimitSeconds) : pool_(new Pool)
+Workers::Workers(int threads, ProgressCallback progress, double timeLimitSeconds,
+				 const StopRequest* stop) :
+		pool_(new Pool)
 {
-	const int n      = threads > 0 ? threads : coreNum();
-	pool_->progress  = std::move(progress);
-	pool_->isLimited = timeLimitSeconds > 0;
-	pool_->deadline  = pool_->lastPoll + std::chrono::duration_cast<Clock::duration>(
+	const int n        = threads > 0 ? threads : coreNum();
+	pool_->progress    = std::move(progress);
+	pool_->isLimited   = timeLimitSeconds > 0;
+	pool_->stopRequest = stop;
+	pool_->deadline    = pool_->lastPoll + std::chrono::duration_cast<Clock::duration>(
                                             std::chrono::duration<double>(timeLimitSeconds));
 	pool_->lastPoll -= pollPeriod;
 	for (int t = 1; t < n; ++t)
@@ -209,6 +213,7 @@ void Workers::enterStage(const char* phrase, double from, double to)
 void Workers::poll(double share)
 {
 	Pool& p = *pool_;
+	if (p.stopRequest != nullptr && *p.stopRequest) throw CancelledError();
 	if (!p.progress && !p.isLimited) return;
 	const Clock::time_point now = Clock::now();
 	if (now - p.lastPoll < pollPeriod) return;

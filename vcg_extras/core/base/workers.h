@@ -14,7 +14,7 @@
 
 namespace gpr {
 
-/// Thrown in the calling thread when the progress callback asked to stop.
+/// Thrown in the calling thread when the progress callback, or another thread, asked to stop.
 struct CancelledError {};
 /// Thrown in the calling thread when the time limit has passed.
 struct OutOfTimeError {};
@@ -24,8 +24,10 @@ struct OutOfTimeError {};
 /// write only to their own indices, sums are formed over pieces of fixed size.
 class Workers {
 public:
-	/// threads = 0 takes one per core, timeLimitSeconds = 0 as long as it takes.
-	Workers(int threads, ProgressCallback progress, double timeLimitSeconds = 0);
+	/// threads = 0 takes one per core, timeLimitSeconds = 0 as long as it takes. `stop` may be
+	/// null; it is looked at much more often than progress is told.
+	Workers(int threads, ProgressCallback progress, double timeLimitSeconds = 0,
+			const StopRequest* stop = nullptr);
 	~Workers();
 	Workers(const Workers&)            = delete;
 	Workers& operator=(const Workers&) = delete;

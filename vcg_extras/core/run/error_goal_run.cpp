@@ -4,6 +4,7 @@
 
 #include "error_goal.h"
 #include "error_guide.h"
+#include "kept_input.h"
 #include "preparation.h"
 #include "remesh_run.h"
 #include "target.h"
@@ -26,6 +27,7 @@ constexpr float largestByError = 1.3f, slopeOfSizes = 0.15f;
 
 /// What the trials so far came to.
 struct Trials {
+	KeptInput&   kept; ///< what they have in common
 	RemeshResult best;
 	FineSpots    spots; ///< where triangles are to be smaller
 	int          num          = 0;
@@ -62,7 +64,7 @@ ErrorGoal goalOf(const MeshView& input, const RemeshOptions& options, const Mesh
 constexpr double flatnessShare = 0.75;
 
 /// The count with which triangles would be as flat as the goal asks for, but for few of them.
-std::int64_t forecastCount(RunContext& run, const ErrorGoal& goal)
+std::int64_t forecastCount(RunContext& run, const ErrorGoal& goal, KeptInput& kept)
 {
 	constexpr int steps   = 3;
 	RemeshOptions options = trialOptions(run.options, goal.start);
@@ -72,9 +74,10 @@ std::int64_t forecastCount(RunContext& run, const ErrorGoal& goal)
 	RunContext               context{run.input,   options,
                        run.workers, report,
                        notes,       StageClock(run.workers, report, Pipeline::Remeshing, {0, 0})};
-	const Prepared           p      = prepare(context, detectRegion(context));
-	const double             wanted = flatnessShare * goal.largest * p.surface.frame.scale;
-	double                   num    = double(p.targetNum);
+	context.kept          = &kept;
+	const Prepared p      = prepare(context, regionOfRun(context));
+	const double   wanted = flatnessShare * goal.largest * p.surface.frame.scale;
+	double         num    = double(p.targetNum);
 	for (int i = 0; i < steps; ++i) {
 		const float even = evenEdge(p) * float(std::sqrt(double(p.targetNum) / num));
 		const float flat =
@@ -95,7 +98,8 @@ double secondsOf(const std::vector<StageTime>& stages)
 }
 
 /// A whole run of its own, with this share of the work.
-RemeshResult remeshWith(RunContext& run, std::int64_t vertexNum, WorkShare share, ErrorGuide& guide)
+RemeshResult remeshWith(RunContext& run, std::int64_t vertexNum, WorkShare share, ErrorGuide& guide,
+						KeptInput& kept)
 {
 	RemeshResult        trial;
 	const RemeshOptions options = trialOptions(run.options, vertexNum);
@@ -106,6 +110,7 @@ RemeshResult remeshWith(RunContext& run, std::int64_t vertexNum, WorkShare share
 		run.workers, trial.report,
 		trial.notes, StageClock(run.workers, trial.report, Pipeline::Remeshing, share)};
 	context.guide = &guide;
+	context.kept  = &kept;
 	remeshInput(context, LargestDistance::Counts, trial);
 	return trial;
 }
@@ -125,7 +130,7 @@ ErrorTrial tryCount(RunContext& run, const ErrorGoal& goal, std::int64_t vertexN
 	ErrorGuide   guide;
 	guide.goal             = goal.largest;
 	guide.spots            = trials.spots;
-	RemeshResult     trial = remeshWith(run, vertexNum, {from, from + length}, guide);
+	RemeshResult     trial = remeshWith(run, vertexNum, {from, from + length}, guide, trials.kept);
 	const ErrorTrial outcome{std::int64_t(trial.mesh.vertexNum()), errorOf(trial), guide.share,
 							 guide.growth};
 	++trials.num;
@@ -165,8 +170,10 @@ RemeshResult remeshForError(RunContext& run)
 {
 	const MeshExtent extent = extentOf(run.input);
 	ErrorGoal        goal   = goalOf(run.input, run.options, extent);
-	goal.start              = forecastCount(run, goal);
-	Trials     trials;
+	KeptInput        ofTrials;
+	KeptInput&       kept = run.kept != nullptr ? *run.kept : ofTrials;
+	goal.start            = forecastCount(run, goal, kept);
+	Trials     trials{kept, {}, {}};
 	const bool met =
 		searchCount(goal, [&](std::int64_t n) { return tryCount(run, goal, n, trials); }) > 0;
 	RemeshResult&     best   = trials.best;

@@ -6,6 +6,7 @@
 #include "feature_lines.h"
 #include "given_samples.h"
 #include "improvement.h"
+#include "kept_input.h"
 #include "loading.h"
 #include "preparation.h"
 #include "sample_stages.h"
@@ -39,7 +40,7 @@ void exportSamples(RunContext& run, const Surface& surface, const Sampling& samp
 
 void sampleInput(RunContext& run, SamplingResult& out)
 {
-	Prepared p = prepare(run, detectRegion(run));
+	Prepared p = prepare(run, regionOfRun(run));
 	requireRoomForKept(run.options, p.targetNum, std::int64_t(p.kept.size()));
 	findFeatureLines(run, p);
 	const Sampled sampled = sampleSurface(run, p);

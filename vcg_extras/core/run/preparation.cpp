@@ -5,6 +5,7 @@
 #include "border_smoothing.h"
 #include "error_guide.h"
 #include "feature_lines.h"
+#include "kept_input.h"
 #include "loading.h"
 #include "target.h"
 
@@ -58,23 +59,50 @@ void noteStrayFaces(RunContext& run, const IndexedMesh& mesh, const std::vector<
 		run.notes.push_back(sentence);
 }
 
-std::int64_t splitAsFarAsMemoryGoes(RunContext& run, const FaceExtents& extents, IndexedMesh& mesh,
-									Prepared& p)
+/// Faces with edges that are too long for the sampling.
+struct LongFaces {
+	std::vector<int> faces;
+	float            longest = 0; ///< edges longer than this are split, working units
+};
+
+LongFaces findTooLong(RunContext& run, const CleanedInput& input, const Prepared& p)
+{
+	LongFaces found;
+	found.longest = longestEdgeInRadii * p.radius;
+	found.faces   = findLongFaces(input.mesh, input.extents, found.longest, run.workers);
+	if (double(found.faces.size()) < maxSingleFaces * input.mesh.faceNum) {
+		found.longest = longestSingleEdge * p.radius;
+		found.faces   = findLongFaces(input.mesh, found.longest, found.faces, run.workers);
+	}
+	return found;
+}
+
+void requireMemoryFor(const LongFaces& tooLong, const IndexedMesh& mesh, const Prepared& p)
+{
+	const double faces = facesAfterSplitting(mesh, tooLong.faces, tooLong.longest);
+	requireMemory(bytesNeeded(faces, double(p.targetNum)), availableMemoryBytes());
+}
+
+void splitTooLong(RunContext& run, const LongFaces& tooLong, IndexedMesh& mesh, Prepared& p)
+{
+	const std::int64_t maxFaces = maxFacesFor(p.targetNum, mesh.faceNum);
+	if (double(tooLong.faces.size()) > maxUnseen * mesh.faceNum)
+		p.callersMeanEdge = meanEdgeLength(mesh, run.workers);
+	run.report.cleaned.longEdgesSplit =
+		splitLongEdges(mesh, tooLong.faces, tooLong.longest, maxFaces, run.workers);
+}
+
+/// Connects the input, split as far as the sampling needs it. False where seams must be sewn first.
+bool splitAndConnect(RunContext& run, Sewing sewing, InputOfRun& input, Prepared& p)
 {
 	run.clock.enter(Stage::SplitLongEdges);
-	float            longest   = longestEdgeInRadii * p.radius;
-	std::vector<int> longFaces = findLongFaces(mesh, extents, longest, run.workers);
-	if (double(longFaces.size()) < maxSingleFaces * mesh.faceNum) {
-		longest   = longestSingleEdge * p.radius;
-		longFaces = findLongFaces(mesh, longest, longFaces, run.workers);
-	}
-	noteStrayFaces(run, mesh, longFaces);
-	const double faces = facesAfterSplitting(mesh, longFaces, longest);
-	requireMemory(bytesNeeded(faces, double(p.targetNum)), availableMemoryBytes());
-	const std::int64_t maxFaces = maxFacesFor(p.targetNum, mesh.faceNum);
-	if (double(longFaces.size()) > maxUnseen * mesh.faceNum)
-		p.callersMeanEdge = meanEdgeLength(mesh, run.workers);
-	return splitLongEdges(mesh, longFaces, longest, maxFaces, run.workers);
+	const LongFaces tooLong = findTooLong(run, input.cleaned(), p);
+	noteStrayFaces(run, input.cleaned().mesh, tooLong.faces);
+	requireMemoryFor(tooLong, input.cleaned().mesh, p);
+	if (tooLong.faces.empty()) return input.takeSurface(p.surface);
+	IndexedMesh mesh = input.takeMesh();
+	splitTooLong(run, tooLong, mesh, p);
+	return connectCleaned(run, sewingFor(run.options, sewing), mesh, p.surface);
 }
 
 /// The caller's own vertices on the border.
@@ -173,34 +201,21 @@ void setSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 /// units.
 using TargetOf = std::function<std::int64_t(double area, double scale)>;
 
-/// Most meshes have no seams, which is soon seen where the border is known: to look for them before
-/// would take a tenth of a quick run. Where there may be some all begins anew.
-bool mustSewFirst(RunContext& run, Sewing sewing, const Surface& surface)
-{
-	return sewingFor(run.options, sewing) == Sewing::NotYet && mayHaveSeams(surface, run.workers);
-}
-
 Prepared prepareWith(RunContext& run, const FeatureMarks& marks, const TargetOf& targetOf,
 					 Sewing sewing)
 {
-	Prepared          p;
-	IndexedMesh       mesh    = loadCleaned(run, sewing);
-	const FaceExtents extents = measureFaces(mesh, run.workers);
-	p.area                    = extents.area;
-	p.sharesBorders           = run.report.cleaned.sharedBorderEdges > 0;
-	p.isSewn                  = run.report.cleaned.sewnEdges > 0;
+	Prepared   p;
+	InputOfRun input(run, sewing);
+	p.area          = input.cleaned().extents.area;
+	p.sharesBorders = run.report.cleaned.sharedBorderEdges > 0;
+	p.isSewn        = run.report.cleaned.sewnEdges > 0;
 	if (!(p.area > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
-	p.surface.frame           = mesh.frame;
+	p.surface.frame           = input.cleaned().mesh.frame;
 	run.report.radiusConstant = radiusConstant(run.options);
-	setTarget(run, targetOf(p.area, mesh.frame.scale), p);
+	setTarget(run, targetOf(p.area, p.surface.frame.scale), p);
 
-	run.report.cleaned.longEdgesSplit = splitAsFarAsMemoryGoes(run, extents, mesh, p);
-	connectOrRepair(run, mesh, p.surface);
-	if (mustSewFirst(run, sewing, p.surface)) {
-		run.report.cleaned = CleanCounts();
+	if (!splitAndConnect(run, sewing, input, p))
 		return prepareWith(run, marks, targetOf, Sewing::First);
-	}
-	dropFlatPieces(run, p.surface);
 	if (cutBorderSpikes(run, p)) setTarget(run, targetOf(p.area, p.surface.frame.scale), p);
 	p.madeFor = p.targetNum;
 	setSizes(run, marks, p);
@@ -223,7 +238,6 @@ Prepared prepare(RunContext& run, const FeatureMarks& marks)
 Prepared prepareFor(RunContext& run, const FeatureMarks& marks, std::int64_t vertexNum,
 					Sewing sewing)
 {
-	run.report.cleaned = CleanCounts(); // they may have been counted before
 	return prepareWith(
 		run, marks, [&](double, double) { return vertexNum; }, sewing);
 }

@@ -3,10 +3,10 @@
 #include "remesh_run.h"
 
 #include "border_smoothing.h"
-#include "detection.h"
 #include "error_guide.h"
 #include "feature_lines.h"
 #include "guarded_result.h"
+#include "kept_input.h"
 #include "meshing.h"
 #include "preparation.h"
 #include "target.h"
@@ -51,7 +51,7 @@ void measureError(RunContext& run, const Surface& surface, const ResultMesh& res
 
 void remeshOnce(RunContext& run, LargestDistance largest, RemeshResult& out)
 {
-	const FeatureMarks marks    = detectRegion(run);
+	const FeatureMarks marks    = regionOfRun(run);
 	Prepared           prepared = prepareWithRoom(run, marks);
 	findFeatureLines(run, prepared);
 	tellLinesNotFollowed(run);
@@ -82,6 +82,7 @@ std::int64_t smallestInstead(RunContext& run, LargestDistance largest, std::int6
         run.input,   options,
         run.workers, trial.report,
         trial.notes, StageClock(run.workers, trial.report, Pipeline::Remeshing, {1, 1})};
+	context.kept = run.kept;
 	try {
 		remeshOnce(context, largest, trial);
 	}

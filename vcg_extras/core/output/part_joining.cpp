@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "selected_part.h"
+#include "part_joining.h"
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/sort_unique.h>
@@ -13,73 +13,11 @@ namespace gpr {
 
 namespace {
 
-/// The selected faces as a mesh of its own, with the way back.
-struct Part {
-	std::vector<Vec3d>        positions;
-	std::vector<std::int32_t> triangles;
-	std::vector<std::int32_t> vertexOf; ///< per vertex: the caller's
-	std::vector<std::int32_t> faceOf;   ///< per face: the caller's
-	std::vector<float>        quality;
-	std::vector<std::uint8_t> selected;
-	std::vector<std::uint8_t> line;
-
-	MeshView view() const
-	{
-		MeshView v(positions, triangles);
-		v.quality  = quality.empty() ? nullptr : quality.data();
-		v.selected = selected.empty() ? nullptr : selected.data();
-		v.line     = line.empty() ? nullptr : line.data();
-		return v;
-	}
-};
-
 using Edge = std::pair<std::int32_t, std::int32_t>; ///< the smaller vertex first
 
 Edge edgeOf(std::int32_t a, std::int32_t b)
 {
 	return {std::min(a, b), std::max(a, b)};
-}
-
-bool isSelected(const MeshView& input, std::size_t f)
-{
-	return input.selectedFace != nullptr && input.selectedFace[f] != 0;
-}
-
-void requireIndices(const MeshView& input)
-{
-	for (std::size_t i = 0; i < 3 * input.faceNum; ++i) {
-		if (std::uint32_t(input.vertexOf(i)) < input.vertexNum) continue;
-		throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
-	}
-}
-
-void addVertex(const MeshView& input, std::int32_t v, Part& part)
-{
-	part.vertexOf.push_back(v);
-	part.positions.push_back(input.position(std::size_t(v)));
-	if (input.quality != nullptr) part.quality.push_back(input.quality[v]);
-	if (input.selected != nullptr) part.selected.push_back(input.selected[v]);
-}
-
-Part cutOut(const MeshView& input)
-{
-	Part                      part;
-	std::vector<std::int32_t> newIndex(input.vertexNum, -1);
-	for (std::size_t f = 0; f < input.faceNum; ++f) {
-		if (!isSelected(input, f)) continue;
-		part.faceOf.push_back(std::int32_t(f));
-		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
-			std::int32_t& index = newIndex[std::size_t(input.vertexOf(c))];
-			if (index < 0) {
-				index = std::int32_t(part.vertexOf.size());
-				addVertex(input, input.vertexOf(c), part);
-			}
-			part.triangles.push_back(index);
-			if (input.line != nullptr) part.line.push_back(input.line[c]);
-		}
-	}
-	if (part.faceOf.empty()) throw Failure(Status::BadOptions, "No face is selected.");
-	return part;
 }
 
 /// The edges that faces of both kinds share, sorted.
@@ -109,8 +47,10 @@ std::vector<Edge> findSeam(const MeshView& input)
 /// Puts the part's result in the place of the selected faces.
 class Joining {
 public:
-	Joining(const MeshView& input, const Part& part, const RemeshResult& made, RemeshResult& out) :
-			input_(input), part_(part), made_(made), out_(out)
+	Joining(const MeshView& input, const SelectedPart& part, const RemeshResult& made,
+			RemeshResult& out) :
+			input_(input),
+			part_(part), made_(made), out_(out)
 	{
 	}
 
@@ -123,7 +63,7 @@ public:
 
 private:
 	const MeshView&           input_;
-	const Part&               part_;
+	const SelectedPart&       part_;
 	const RemeshResult&       made_;
 	RemeshResult&             out_;
 	std::vector<std::int32_t> newIndex_; ///< per vertex of the caller's: that of the result, or -1
@@ -222,18 +162,19 @@ private:
 
 } // namespace
 
-RemeshResult remeshSelected(const MeshView& input, const RemeshOptions& options, const PartRun& run)
+RemeshOptions optionsInside(const RemeshOptions& options)
 {
-	requireIndices(input);
-	const Part    part             = cutOut(input);
 	RemeshOptions inside           = options;
 	inside.selectedOnly            = false;
 	inside.surfacePointsOfVertices = true; // they say where the parts are joined
 	inside.boundary                = BoundaryMode::Keep;
-	inside.sew        = false; // the rest stays as it is, and is joined vertex by vertex
-	RemeshResult made = run(part.view(), inside);
-	if (made.status != Status::Ok) return made;
+	inside.sew = false; // the rest stays as it is, and is joined vertex by vertex
+	return inside;
+}
 
+RemeshResult joinPart(const MeshView& input, const SelectedPart& part, const RemeshOptions& options,
+					  RemeshResult made)
+{
 	RemeshResult out;
 	Joining(input, part, made, out).join();
 	if (!options.surfacePointsOfFaces) out.facePoints.clear();

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "selected_part.h"
+
+#include <vcg_extras/core/base/failure.h>
+
+namespace gpr {
+
+namespace {
+
+void requireIndices(const MeshView& input)
+{
+	for (std::size_t i = 0; i < 3 * input.faceNum; ++i) {
+		if (std::uint32_t(input.vertexOf(i)) < input.vertexNum) continue;
+		throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
+	}
+}
+
+void addVertex(const MeshView& input, std::int32_t v, SelectedPart& part)
+{
+	part.vertexOf.push_back(v);
+	part.positions.push_back(input.position(std::size_t(v)));
+	if (input.quality != nullptr) part.quality.push_back(input.quality[v]);
+	if (input.selected != nullptr) part.selected.push_back(input.selected[v]);
+}
+
+} // namespace
+
+SelectedPart cutOutSelected(const MeshView& input)
+{
+	requireIndices(input);
+	SelectedPart              part;
+	std::vector<std::int32_t> newIndex(input.vertexNum, -1);
+	for (std::size_t f = 0; f < input.faceNum; ++f) {
+		if (!isSelected(input, f)) continue;
+		part.faceOf.push_back(std::int32_t(f));
+		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
+			std::int32_t& index = newIndex[std::size_t(input.vertexOf(c))];
+			if (index < 0) {
+				index = std::int32_t(part.vertexOf.size());
+				addVertex(input, input.vertexOf(c), part);
+			}
+			part.triangles.push_back(index);
+			if (input.line != nullptr) part.line.push_back(input.line[c]);
+		}
+	}
+	if (part.faceOf.empty()) throw Failure(Status::BadOptions, "No face is selected.");
+	return part;
+}
+
+} // namespace gpr

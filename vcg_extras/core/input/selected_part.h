@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_INPUT_SELECTED_PART_H
+#define VCG_EXTRAS_CORE_INPUT_SELECTED_PART_H
+
+#include <vcg_extras/core/mesh_view.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace gpr {
+
+inline bool isSelected(const MeshView& input, std::size_t f)
+{
+	return input.selectedFace != nullptr && input.selectedFace[f] != 0;
+}
+
+/// The selected faces as a mesh of its own, with the way back.
+struct SelectedPart {
+	std::vector<Vec3d>        positions;
+	std::vector<std::int32_t> triangles;
+	std::vector<std::int32_t> vertexOf; ///< per vertex: the caller's
+	std::vector<std::int32_t> faceOf;   ///< per face: the caller's
+	std::vector<float>        quality;
+	std::vector<std::uint8_t> selected;
+	std::vector<std::uint8_t> line;
+
+	MeshView view() const
+	{
+		MeshView v(positions, triangles);
+		v.quality  = quality.empty() ? nullptr : quality.data();
+		v.selected = selected.empty() ? nullptr : selected.data();
+		v.line     = line.empty() ? nullptr : line.data();
+		return v;
+	}
+};
+
+/// Copies the selected faces, with their vertices in the order in which the faces name them. Throws
+/// Failure where no face is selected, and where one names a vertex that does not exist. Cost:
+/// linear.
+SelectedPart cutOutSelected(const MeshView& input);
+
+} // namespace gpr
+
+#endif
