@@ -51,31 +51,6 @@ gpr::ParameterSet readValues(gpr::Tool tool, const RichParameterList& list,
 	return read.values;
 }
 
-LayerCopy copyOf(const MeshModel& layer, const gpr::RemeshOptions& options)
-{
-	CopiedParts parts;
-	parts.quality       = layer.hasDataMask(MeshModel::MM_VERTQUALITY);
-	parts.selection     = gpr::mayUseSelectedVertices(options);
-	parts.facesCorners  = options.featureRegion == gpr::FeatureRegion::Selection;
-	parts.faceSelection = options.selectedOnly;
-	parts.edgeSelection = options.featureMode == gpr::FeatureMode::Given;
-	parts.texture = options.surfacePointsOfFaces && layer.hasDataMask(MeshModel::MM_WEDGTEXCOORD);
-	if (asksForQuality(options) && !parts.quality) {
-		throw Refusal("The density shall go with the vertex quality, but the layer has none.");
-	}
-	LayerCopy copy = copyLayer(layer.cm, parts);
-	if (parts.facesCorners && !copy.view().anySelected()) {
-		throw Refusal("The feature region shall be the selection, but nothing is selected.");
-	}
-	if (parts.edgeSelection && copy.selectedEdges.empty()) {
-		throw Refusal("The feature lines shall be the selected edges, but no edge is selected.");
-	}
-	if (parts.faceSelection && !copy.anyFaceSelected()) {
-		throw Refusal("Cannot apply only on selection: no face is selected.");
-	}
-	return copy;
-}
-
 /// "bunny.ply" gives "bunny": the layer list shows a label up to its first dot only.
 QString baseLabel(const MeshModel& layer)
 {
@@ -159,19 +134,51 @@ gpr::MeshFacts factsOf(const MeshDocument& document)
 	return facts;
 }
 
+gpr::RemeshOptions optionsFor(const gpr::ParameterSet& values, gpr::Tool tool,
+							  const MeshModel& layer)
+{
+	gpr::RemeshOptions options    = values.options();
+	const bool         makesFaces = tool == gpr::RemeshTool || tool == gpr::RetriangulateTool;
+	options.surfacePointsOfFaces =
+		makesFaces && ((layer.dataMask() & kCarriedFaceMask) != 0 || !layer.cm.face_attr.empty());
+	return options;
+}
+
+LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options)
+{
+	CopiedParts parts;
+	parts.quality       = layer.hasDataMask(MeshModel::MM_VERTQUALITY);
+	parts.selection     = gpr::mayUseSelectedVertices(options);
+	parts.facesCorners  = options.featureRegion == gpr::FeatureRegion::Selection;
+	parts.faceSelection = options.selectedOnly;
+	parts.edgeSelection = options.featureMode == gpr::FeatureMode::Given;
+	parts.texture = options.surfacePointsOfFaces && layer.hasDataMask(MeshModel::MM_WEDGTEXCOORD);
+	if (asksForQuality(options) && !parts.quality) {
+		throw Refusal("The density shall go with the vertex quality, but the layer has none.");
+	}
+	LayerCopy copy = copyLayer(layer.cm, parts);
+	if (parts.facesCorners && !copy.view().anySelected()) {
+		throw Refusal("The feature region shall be the selection, but nothing is selected.");
+	}
+	if (parts.edgeSelection && copy.selectedEdges.empty()) {
+		throw Refusal("The feature lines shall be the selected edges, but no edge is selected.");
+	}
+	if (parts.faceSelection && !copy.anyFaceSelected()) {
+		throw Refusal("Cannot apply only on selection: no face is selected.");
+	}
+	return copy;
+}
+
 LayerJob::LayerJob(MeshDocument& document, gpr::Tool tool, const RichParameterList& list) :
 		_document(document), _layerId(-1)
 {
 	const MeshModel* const current = document.mm();
 	if (current == nullptr) throw Refusal("There is no layer.");
-	_layerId = current->id();
-	_values  = readValues(tool, list, document);
-	_options = _values.options();
-	_options.surfacePointsOfFaces =
-		(tool == gpr::RemeshTool || tool == gpr::RetriangulateTool) &&
-		((current->dataMask() & kCarriedFaceMask) != 0 || !current->cm.face_attr.empty());
+	_layerId         = current->id();
+	_values          = readValues(tool, list, document);
+	_options         = optionsFor(_values, tool, *current);
 	_anyFaceSelected = anyFaceSelected(current->cm);
-	_copy            = copyOf(*current, _options);
+	_copy            = copyFor(*current, _options);
 }
 
 const MeshModel& LayerJob::sampleModel() const

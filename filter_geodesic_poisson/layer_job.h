@@ -18,6 +18,14 @@ namespace gpr_filter {
 /// What the dialog's defaults depend on; a document without a layer has facts, too.
 gpr::MeshFacts factsOf(const MeshDocument& document);
 
+/// The options that values ask for on a layer, with what its attributes need.
+gpr::RemeshOptions optionsFor(const gpr::ParameterSet& values, gpr::Tool tool,
+							  const MeshModel& layer);
+
+/// What a run with these options reads of a layer. Throws Refusal where the layer lacks the quality
+/// or the selection that the options ask for.
+LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options);
+
 /// One run of a filter on the current layer: what the user asked for, a copy of the mesh for the
 /// engine, and the way back into the document.
 class LayerJob {

@@ -30,13 +30,12 @@ QStringList textsOf(const std::vector<const char*>& choices)
 	return texts;
 }
 
-void addRow(const Parameter& row, const gpr::MeshFacts& facts, bool advanced,
-			RichParameterList& list)
+void addRow(const Parameter& row, const gpr::MeshFacts& facts, const ParameterValue& value,
+			bool advanced, RichParameterList& list)
 {
-	const ParameterValue value = row.defaultValue(facts);
-	const QString        key   = QString::fromUtf8(row.key);
-	const QString        label = QString::fromUtf8(row.label);
-	const QString        help  = QString::fromStdString(gpr::dialogHelp(row));
+	const QString key   = QString::fromUtf8(row.key);
+	const QString label = QString::fromUtf8(row.label);
+	const QString help  = QString::fromStdString(gpr::dialogHelp(row));
 	// The dialog divides by the range of a length: an empty layer gets one, too.
 	const Scalarm diagonal = facts.diagonal > 0 ? Scalarm(facts.diagonal) : 1;
 	switch (row.kind) {
@@ -113,11 +112,15 @@ std::size_t everydayRowNum(const std::vector<Parameter>& table)
 }
 
 void fillParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts& facts,
-					   RichParameterList& list)
+					   RichParameterList& list, const GivenValues& given)
 {
 	const std::size_t shown = everydayRowNum(table);
-	for (std::size_t i = 0; i < table.size(); ++i)
-		addRow(table[i], facts, i >= shown, list);
+	for (std::size_t i = 0; i < table.size(); ++i) {
+		const auto           found = given.find(table[i].key);
+		const ParameterValue value =
+			found != given.end() ? found->second : table[i].defaultValue(facts);
+		addRow(table[i], facts, value, i >= shown, list);
+	}
 }
 
 ReadParameters readParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts& facts,

@@ -9,6 +9,7 @@
 
 #include <vcg_extras/core/parameters.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,14 @@ constexpr std::size_t kMostEverydayRows = 12;
 /// How many rows of the table, its first ones, a dialog always shows.
 std::size_t everydayRowNum(const std::vector<gpr::Parameter>& table);
 
-/// Adds one MeshLab parameter for each row of the table, in the table's order, with its default for
-/// a mesh of these facts. Lengths range from 0 to the diagonal. Rows for experts are marked as
-/// advanced where MeshLab knows that.
+/// Values of rows by their keys, of a type that goes with the row.
+using GivenValues = std::map<std::string, gpr::ParameterValue>;
+
+/// Adds one MeshLab parameter for each row of the table, in the table's order, with the value that
+/// is given for it, or else its default for a mesh of these facts. Lengths range from 0 to the
+/// diagonal. Rows for experts are marked as advanced where MeshLab knows that.
 void fillParameterList(const std::vector<gpr::Parameter>& table, const gpr::MeshFacts& facts,
-					   RichParameterList& list);
+					   RichParameterList& list, const GivenValues& given = {});
 
 /// What a parameter list says, and what is wrong with it.
 struct ReadParameters {

@@ -88,7 +88,7 @@ struct NamedRun {
 std::vector<NamedRun> runs()
 {
 	std::vector<NamedRun> all;
-	const auto       add = [&](const std::string& name) -> RemeshOptions& {
+	const auto            add = [&](const std::string& name) -> RemeshOptions& {
         all.push_back({name, RemeshOptions()});
         all.back().options.targetPercent = 20;
         return all.back().options;
@@ -96,20 +96,20 @@ std::vector<NamedRun> runs()
 	add("default");
 	applyPreset(Preset::Fast, add("fast"));
 	applyPreset(Preset::Paper, add("paper"));
-	add("fewer").targetPercent      = 8;
-	add("finerThanInput").targetPercent = 150; // edges are split before the mesh is connected
-	add("seed").seed                = 7;
-	add("adapt").adapt              = 1;
-	add("lambda").lambda            = 2;
-	add("border").boundary          = BoundaryMode::Smooth;
-	add("unsewn").sew               = false;
+	add("fewer").targetPercent            = 8;
+	add("finerThanInput").targetPercent   = 150; // edges are split before the mesh is connected
+	add("seed").seed                      = 7;
+	add("adapt").adapt                    = 1;
+	add("lambda").lambda                  = 2;
+	add("border").boundary                = BoundaryMode::Smooth;
+	add("unsewn").sew                     = false;
 	add("largeParts").dropComponentsBelow = 30;
-	add("part").selectedOnly        = true;
-	RemeshOptions& region           = add("region");
-	region.featureRegion            = FeatureRegion::Detected;
-	region.featureDiskScale         = 0.6;
-	add("regionAgain")              = region;
-	RemeshOptions& goal             = add("maxError");
+	add("part").selectedOnly              = true;
+	RemeshOptions& region                 = add("region");
+	region.featureRegion                  = FeatureRegion::Detected;
+	region.featureDiskScale               = 0.6;
+	add("regionAgain")                    = region;
+	RemeshOptions& goal                   = add("maxError");
 	applyPreset(Preset::Fast, goal);
 	goal.targetMode        = TargetMode::MaxError;
 	goal.targetMaxError    = 2;
@@ -212,11 +212,35 @@ TEST(PreparedSurface, TellsWhyThereIsNoSurface)
 	EXPECT_EQ(unselected.remesh(RemeshOptions()).status, Status::Ok);
 }
 
+TEST(PreparedSurface, TakesOtherMarksOfTheSameMesh)
+{
+	const TriangleMesh        mesh      = icosphere(4);
+	const TriangleMesh        elsewhere = mesh;
+	std::vector<std::uint8_t> vertices(mesh.vertexNum(), 0), faces(mesh.faceNum(), 0);
+	std::fill(vertices.begin(), vertices.begin() + 200, std::uint8_t(1));
+	std::fill(faces.begin(), faces.begin() + 500, std::uint8_t(1));
+	MeshView marked     = elsewhere.view();
+	marked.selected     = vertices.data();
+	marked.selectedFace = faces.data();
+	PreparedSurface surface(mesh.view());
+	ASSERT_EQ(surface.remesh(countOptions(300)).status, Status::Ok);
+	surface.setInput(marked);
+	RemeshOptions region = countOptions(300);
+	region.featureRegion = FeatureRegion::Selection;
+	expectSame(surface.remesh(region), remesh(marked, region));
+	RemeshOptions part = countOptions(100);
+	part.selectedOnly  = true;
+	expectSame(surface.remesh(part), remesh(marked, part));
+	std::fill(faces.begin() + 500, faces.begin() + 900, std::uint8_t(1));
+	surface.setInput(marked);
+	expectSame(surface.remesh(part), remesh(marked, part));
+}
+
 TEST(PreparedSurface, CallsOfSeveralThreadsWaitForEachOther)
 {
-	const TriangleMesh mesh = torus(90, 46);
-	PreparedSurface    surface(mesh.view());
-	const RemeshResult      alone = remesh(mesh.view(), countOptions(500));
+	const TriangleMesh        mesh = torus(90, 46);
+	PreparedSurface           surface(mesh.view());
+	const RemeshResult        alone = remesh(mesh.view(), countOptions(500));
 	std::vector<RemeshResult> made(4);
 	std::vector<std::thread>  threads;
 	for (RemeshResult& result : made)
@@ -232,9 +256,9 @@ using Clock = std::chrono::steady_clock;
 /// Seconds from the request to the return; below 0 where the run had ended before.
 double secondsToStop(PreparedSurface& surface, const RemeshOptions& options, double delay)
 {
-	StopRequest       stop{false};
-	Clock::time_point asked;
-	std::thread       asking([&] {
+	StopRequest             stop{false};
+	Clock::time_point       asked;
+	std::thread             asking([&] {
         std::this_thread::sleep_for(std::chrono::duration<double>(delay));
         asked = Clock::now();
         stop  = true;
@@ -255,8 +279,8 @@ TEST(PreparedSurface, ARunStopsSoonAndLeavesTheSurfaceAsItWas)
 	const TriangleMesh mesh       = torus(400, 200); // 160,000 faces
 	PreparedSurface    surface(mesh.view());
 	RemeshOptions      options;
-	options.targetPercent = 20;
-	options.threads       = 2;
+	options.targetPercent    = 20;
+	options.threads          = 2;
 	const RemeshResult whole = surface.remesh(options);
 	ASSERT_EQ(whole.status, Status::Ok);
 	std::vector<double> seconds;

@@ -46,6 +46,9 @@ public:
 	RemeshResult remesh(const RemeshOptions& options, const ProgressCallback& progress = nullptr,
 						const StopRequest* stop = nullptr);
 
+	/// The same vertices and faces with another quality, selection or lines; the arrays may lie
+	/// elsewhere. What was prepared stays, but for that of selected faces.
+	void            setInput(const MeshView& sameMesh);
 	const MeshView& input() const;
 
 private:

@@ -227,6 +227,13 @@ RemeshResult PreparedSurface::remesh(const RemeshOptions& options, const Progres
 	return kept_->call(options, progress, stop, remeshWhole);
 }
 
+void PreparedSurface::setInput(const MeshView& sameMesh)
+{
+	const std::lock_guard<std::mutex> lock(kept_->oneRun);
+	kept_->input = sameMesh;
+	kept_->selected.reset();
+}
+
 const MeshView& PreparedSurface::input() const
 {
 	return kept_->input;

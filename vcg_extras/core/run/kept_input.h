@@ -29,8 +29,8 @@ struct CleanedInput {
 
 /// The same, ordered and connected.
 struct ConnectedInput {
-	bool        mustSewFirst = false; ///< it has seams that are to be sewn; there is no surface then
-	Surface     surface;
+	bool    mustSewFirst = false; ///< it has seams that are to be sewn; there is no surface then
+	Surface surface;
 	CleanCounts counts; ///< up to here
 };
 
@@ -83,8 +83,8 @@ private:
 };
 
 /// Orders and connects a mesh, which is used up, and drops pieces without area. False where its
-/// seams must be sewn first: most meshes have none, which is soon seen where the border is known. To
-/// look for them before would take a tenth of a quick run.
+/// seams must be sewn first: most meshes have none, which is soon seen where the border is known.
+/// To look for them before would take a tenth of a quick run.
 bool connectCleaned(RunContext& run, Sewing sewing, IndexedMesh& mesh, Surface& surface);
 
 /// The features for the feature region, as detectRegion finds them.

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef FILTER_GEODESIC_POISSON_PREVIEW_H
+#define FILTER_GEODESIC_POISSON_PREVIEW_H
+
+// What a run of the edit tool hands to the window; knows nothing of MeshLab.
+
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/results.h>
+#include <vcg_extras/core/surface/surface_distance.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace gpr_filter {
+
+/// A corner of a face as it is drawn; colours are red, green, blue, opaque.
+struct DrawnCorner {
+	float        position[3];
+	float        normal[3];
+	std::uint8_t byQuality[4];
+	std::uint8_t byDistance[4]; ///< grey until distances were measured
+};
+
+/// Faces to be drawn, three corners each, each with a normal of its own.
+using DrawnFaces = std::vector<DrawnCorner>;
+
+/// A face to look at, in the layer's own coordinates.
+struct Spot {
+	bool       isKnown = false;
+	gpr::Vec3d middle, normal;
+	double     size   = 0; ///< of its longest edge
+	double     figure = 0; ///< its quality, or its distance from the input
+};
+
+/// A result and what is shown of it. Nothing of it changes any more.
+struct Preview {
+	std::uint64_t                            request = 0; ///< which one it answers
+	bool                                     isDraft = false;
+	std::shared_ptr<const gpr::RemeshResult> result;
+	std::shared_ptr<const DrawnFaces>        faces;
+	bool                                     isMeasured = false; ///< distances are known
+	gpr::SurfaceDistance                     distance;           ///< the larger of both directions
+	double                                   largestDeviation = 0; ///< the red end of the colours
+	Spot                                     worstTriangle, farthest;
+};
+
+/// The result with its faces, coloured by quality, and the worst one. Cost: linear.
+Preview shownResult(std::shared_ptr<const gpr::RemeshResult> result, gpr::Workers& workers);
+
+/// The same with distances from the input, and coloured by them, too. `target` is the input's
+/// surface. Cost: some seconds a million faces.
+Preview measuredResult(const Preview& shown, const gpr::MeshView& input,
+					   const gpr::NearSurface& target, gpr::Workers& workers);
+
+/// The faces of any mesh, coloured by quality, and by distance where `target` is not null.
+/// `largest`: the distance that is red; 0 takes that of the mesh.
+DrawnFaces drawnFaces(const gpr::MeshView& mesh, const gpr::NearSurface* target, double largest,
+					  gpr::Workers& workers);
+
+} // namespace gpr_filter
+
+#endif

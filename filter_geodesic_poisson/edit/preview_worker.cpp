@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "preview_worker.h"
+
+#include <vcg_extras/complex/baselines/quadric_collapse.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/prepared_surface.h>
+
+#include <chrono>
+#include <exception>
+#include <utility>
+
+namespace gpr_filter {
+
+/// The thread's own: the surface, and what was measured of it.
+class PreviewWorker::Runs {
+public:
+	explicit Runs(PreviewWorker& owner) : owner_(owner) {}
+
+	void setLayer(std::shared_ptr<const LayerCopy> layer)
+	{
+		const bool isSame = layer_ != nullptr && layer_->sameGeometry(*layer);
+		const auto before = std::exchange(layer_, std::move(layer)); // the surface refers to it
+		if (isSame)
+			surface_->setInput(layer_->view());
+		else
+			surface_.emplace(layer_->view());
+		if (isSame) return;
+		target_.reset();
+		isQualityKnown_ = false;
+	}
+
+	void run(const PreviewRequest& request)
+	{
+		auto made = std::make_shared<gpr::RemeshResult>(
+			surface_->remesh(request.options, progress(), &owner_.stop_));
+		if (made->status == gpr::Status::Cancelled) return;
+		if (made->status != gpr::Status::Ok) return fail(request, made->message);
+		gpr::Workers workers(request.options.threads, nullptr, 0, &owner_.stop_);
+		Preview      shown = shownResult(std::move(made), workers);
+		shown.request      = request.id;
+		shown.isDraft      = request.isDraft;
+		show(shown);
+		if (request.isDraft) return;
+		measureLayer(workers);
+		const Preview measured = measuredResult(shown, layer_->view(), target(workers), workers);
+		show(measured);
+		if (request.withQuadric) collapse(measured, workers);
+	}
+
+	void fail(const PreviewRequest& request, const std::string& why)
+	{
+		owner_.tell([&](PreviewNews& news) {
+			news.failure       = why.empty() ? "Internal error." : why;
+			news.failedRequest = request.id;
+		});
+	}
+
+	void rest()
+	{
+		owner_.tell([](PreviewNews& news) {
+			news.share = 1;
+			news.phrase.clear();
+		});
+	}
+
+private:
+	PreviewWorker&                      owner_;
+	std::shared_ptr<const LayerCopy>    layer_;
+	std::optional<gpr::PreparedSurface> surface_;
+	std::optional<gpr::NearSurface>     target_;
+	bool                                isQualityKnown_ = false;
+
+	gpr::ProgressCallback progress()
+	{
+		return [this](double share, const char* phrase) {
+			owner_.tell([&](PreviewNews& news) {
+				news.share  = share;
+				news.phrase = phrase;
+			});
+			return true;
+		};
+	}
+
+	void show(const Preview& preview)
+	{
+		const auto shown = std::make_shared<const Preview>(preview);
+		owner_.tell([&](PreviewNews& news) {
+			news.preview = shown;
+			news.failure.clear();
+			news.phrase = preview.isDraft || preview.isMeasured ? "" : "Measuring distances";
+			news.share  = news.phrase.empty() ? 1 : 0;
+		});
+	}
+
+	const gpr::NearSurface& target(gpr::Workers& workers)
+	{
+		if (!target_) target_.emplace(layer_->view(), workers);
+		return *target_;
+	}
+
+	void measureLayer(gpr::Workers& workers)
+	{
+		if (isQualityKnown_) return;
+		const auto quality = std::make_shared<const gpr::QualityFigures>(
+			gpr::measureQuality(layer_->view(), workers));
+		isQualityKnown_ = true;
+		owner_.tell([&](PreviewNews&) { owner_.qualityOfLayer_ = quality; });
+	}
+
+	void collapse(const Preview& measured, gpr::Workers& workers)
+	{
+		owner_.tell([](PreviewNews& news) {
+			news.phrase = "Quadric Edge Collapse";
+			news.share  = 0;
+		});
+		using Clock                            = std::chrono::steady_clock;
+		const auto                      start  = Clock::now();
+		const auto                      wanted = measured.result->mesh.faceNum();
+		gpr::baselines::QuadricCollapse collapsing(layer_->view());
+		if (!collapsing.run(std::int64_t(wanted), [&] { return bool(owner_.stop_); })) return;
+		const std::chrono::duration<double> seconds = Clock::now() - start;
+		const gpr::TriangleMesh             mesh    = collapsing.mesh();
+		const auto                          faces   = std::make_shared<const DrawnFaces>(
+            drawnFaces(mesh.view(), &target(workers), measured.largestDeviation, workers));
+		owner_.tell([&](PreviewNews& news) {
+			news.quadric        = faces;
+			news.quadricSeconds = seconds.count();
+			news.phrase.clear();
+			news.share = 1;
+		});
+	}
+};
+
+PreviewWorker::PreviewWorker(std::shared_ptr<const LayerCopy> layer) : layer_(std::move(layer))
+{
+	thread_ = std::thread([this] { work(); });
+}
+
+PreviewWorker::~PreviewWorker()
+{
+	{
+		const std::lock_guard<std::mutex> lock(mutex_);
+		isQuitting_ = true;
+		stop_       = true;
+	}
+	wake_.notify_all();
+	thread_.join();
+}
+
+void PreviewWorker::setLayer(std::shared_ptr<const LayerCopy> layer)
+{
+	const std::lock_guard<std::mutex> lock(mutex_);
+	layer_      = std::move(layer);
+	isLayerNew_ = true;
+}
+
+void PreviewWorker::request(const PreviewRequest& request)
+{
+	{
+		const std::lock_guard<std::mutex> lock(mutex_);
+		wanted_ = request;
+		stop_   = true;
+	}
+	wake_.notify_all();
+}
+
+PreviewNews PreviewWorker::takeNews()
+{
+	const std::lock_guard<std::mutex> lock(mutex_);
+	PreviewNews                       news = std::move(news_);
+	news_                                  = PreviewNews();
+	news_.share                            = news.share;
+	news_.phrase                           = news.phrase;
+	return news;
+}
+
+std::shared_ptr<const gpr::QualityFigures> PreviewWorker::qualityOfLayer()
+{
+	const std::lock_guard<std::mutex> lock(mutex_);
+	return qualityOfLayer_;
+}
+
+template <class Change>
+void PreviewWorker::tell(const Change& change)
+{
+	{
+		const std::lock_guard<std::mutex> lock(mutex_);
+		change(news_);
+	}
+	emit newsArrived();
+}
+
+std::optional<PreviewRequest> PreviewWorker::nextRequest(std::shared_ptr<const LayerCopy>& newLayer)
+{
+	std::unique_lock<std::mutex> lock(mutex_);
+	wake_.wait(lock, [&] { return isQuitting_ || wanted_; });
+	if (isQuitting_) return std::nullopt;
+	if (isLayerNew_) newLayer = layer_;
+	isLayerNew_ = false;
+	stop_       = false;
+	return std::exchange(wanted_, std::nullopt);
+}
+
+void PreviewWorker::work()
+{
+	Runs runs(*this);
+	while (true) {
+		std::shared_ptr<const LayerCopy>    newLayer;
+		const std::optional<PreviewRequest> request = nextRequest(newLayer);
+		if (!request) return;
+		try {
+			if (newLayer != nullptr) runs.setLayer(std::move(newLayer));
+			runs.run(*request);
+		}
+		catch (const gpr::CancelledError&) {
+		}
+		catch (const std::bad_alloc&) {
+			runs.fail(*request, "There is not enough memory for this.");
+		}
+		catch (const std::exception& error) {
+			runs.fail(*request, error.what());
+		}
+		runs.rest();
+	}
+}
+
+} // namespace gpr_filter

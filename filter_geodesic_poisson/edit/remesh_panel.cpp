@@ -1,0 +1,424 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "remesh_panel.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSlider>
+#include <QSpinBox>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace gpr_filter {
+
+namespace {
+
+/// The rows of the table that the panel shows, in this order.
+constexpr const char* kShownKeys[] = {
+	"TargetVertexNum", "TargetPerc",    "TargetLen",        "Preset",   "Adapt",   "Lambda",
+	"Features",        "FeatureRegion", "FeatureDiskScale", "Boundary", "NewLayer"};
+/// The three ways to give the size: one above 0 takes the place of the count.
+constexpr const char* kOtherSizes[] = {"TargetPerc", "TargetLen"};
+
+constexpr int    kSliderSteps = 1000;
+constexpr double kFewest      = 50;
+
+/// The slider's end: twice the vertices of the layer.
+double mostOnSlider(const gpr::MeshFacts& facts)
+{
+	return std::max(1000.0, 2.0 * double(facts.vertexNum));
+}
+
+/// Equal steps of the slider multiply the number alike. Three digits are enough to choose by.
+std::int64_t countAt(int step, const gpr::MeshFacts& facts)
+{
+	const double ratio = mostOnSlider(facts) / kFewest;
+	const double exact = kFewest * std::pow(ratio, double(step) / kSliderSteps);
+	const double unit  = std::pow(10.0, std::max(0.0, std::floor(std::log10(exact)) - 2));
+	return std::int64_t(std::llround(exact / unit) * std::llround(unit));
+}
+
+int stepOf(std::int64_t count, const gpr::MeshFacts& facts)
+{
+	const double ratio = std::log(mostOnSlider(facts) / kFewest);
+	const double step  = std::log(std::max(1.0, double(count) / kFewest)) / ratio;
+	return std::clamp(int(std::lround(kSliderSteps * step)), 0, kSliderSteps);
+}
+
+QString helpOf(const gpr::Parameter& row)
+{
+	// As HTML, so that the window breaks the lines.
+	return "<p>" + QString::fromStdString(gpr::dialogHelp(row)).toHtmlEscaped() + "</p>";
+}
+
+double largestNumber(const gpr::Parameter& row, const gpr::MeshFacts& facts)
+{
+	const bool isLength = row.kind == gpr::ParameterKind::Length;
+	return std::min(row.maximum, isLength && facts.diagonal > 0 ? facts.diagonal : 1e6);
+}
+
+/// Digits behind the point, so that a length has some five in all.
+int decimalsFor(double largest)
+{
+	return std::clamp(4 - int(std::floor(std::log10(std::max(largest, 1e-30)))), 2, 12);
+}
+
+QString inPerMille(double length, double diagonal)
+{
+	return QString::number(diagonal > 0 ? 1000 * length / diagonal : 0, 'f', 2) + " \u2030";
+}
+
+QGroupBox* groupIn(QVBoxLayout& column, const QString& title)
+{
+	auto* group = new QGroupBox(title);
+	column.addWidget(group);
+	return group;
+}
+
+} // namespace
+
+RemeshPanel::RemeshPanel(const gpr::MeshFacts& facts, const PanelValues& values,
+						 const ViewChoices& choices, QWidget* parent) :
+		QDockWidget("Geodesic Poisson Remeshing", parent),
+		facts_(facts), values_(values), choices_(choices)
+{
+	setObjectName("gprRemeshPanel");
+	setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
+	auto* inside = new QWidget;
+	auto* column = new QVBoxLayout(inside);
+	column->setSpacing(4);
+	column->setContentsMargins(6, 4, 6, 4);
+	addParameters(*column);
+	addView(*column);
+	addOutcome(*column);
+	column->addStretch(1);
+	auto* scroll = new QScrollArea;
+	scroll->setWidgetResizable(true);
+	scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+	scroll->setFrameShape(QFrame::NoFrame);
+	scroll->setWidget(inside);
+	scroll->setMinimumWidth(inside->sizeHint().width() + 24);
+	setWidget(scroll);
+	showLegend();
+}
+
+// ---- parameters
+
+void RemeshPanel::addParameters(QVBoxLayout& column)
+{
+	auto* form = new QFormLayout(groupIn(column, "Remeshing"));
+	form->setVerticalSpacing(3);
+	for (const char* key : kShownKeys) {
+		const gpr::Parameter& row = *gpr::findParameter(key);
+		if (values_.count(key) == 0) values_[key] = row.defaultValue(facts_);
+		addRow(row, *form);
+	}
+}
+
+void RemeshPanel::addRow(const gpr::Parameter& row, QFormLayout& form)
+{
+	QWidget* field = nullptr;
+	switch (row.kind) {
+	case gpr::ParameterKind::Count:
+		form.addRow(countSlider_ = sliderFor(row));
+		field = countField(row);
+		break;
+	case gpr::ParameterKind::Switch:
+		field = switchField(row);
+		break;
+	case gpr::ParameterKind::Choice:
+		field = choiceField(row);
+		break;
+	default:
+		field = numberField(row);
+		break;
+	}
+	field->setObjectName(row.key);
+	auto* label = new QLabel(QString::fromUtf8(row.label));
+	field->setToolTip(helpOf(row));
+	label->setToolTip(helpOf(row));
+	form.addRow(label, field);
+	show(row.key);
+}
+
+QSlider* RemeshPanel::sliderFor(const gpr::Parameter& row)
+{
+	auto* slider = new QSlider(Qt::Horizontal);
+	slider->setObjectName(QString(row.key) + "Slider");
+	slider->setRange(0, kSliderSteps);
+	slider->setPageStep(kSliderSteps / 20);
+	slider->setToolTip(helpOf(row));
+	const std::string key = row.key;
+	connect(slider, &QSlider::valueChanged, this, [this, key](int step) {
+		if (isShowing_) return;
+		for (const char* other : kOtherSizes) {
+			values_[other] = 0.0;
+			show(other);
+		}
+		change(key, countAt(step, facts_));
+		show(key);
+	});
+	return slider;
+}
+
+QWidget* RemeshPanel::countField(const gpr::Parameter& row)
+{
+	auto* box = new QSpinBox;
+	box->setRange(int(row.minimum), int(std::min(row.maximum, 2e9)));
+	box->setKeyboardTracking(false);
+	box->setGroupSeparatorShown(false);
+	const std::string key = row.key;
+	connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this, [this, key](int count) {
+		change(key, std::int64_t(count));
+		const bool wasShowing = std::exchange(isShowing_, true);
+		countSlider_->setValue(stepOf(count, facts_));
+		isShowing_ = wasShowing;
+	});
+	showValue_[key] = [this, box, key] {
+		const std::int64_t count = std::get<std::int64_t>(values_[key]);
+		box->setValue(int(count));
+		// The user's own place of the slider stays where it stands for this number.
+		if (countAt(countSlider_->value(), facts_) != count)
+			countSlider_->setValue(stepOf(count, facts_));
+	};
+	return box;
+}
+
+QWidget* RemeshPanel::numberField(const gpr::Parameter& row)
+{
+	auto*        box     = new QDoubleSpinBox;
+	const double largest = largestNumber(row, facts_);
+	const bool   isUnit  = largest <= 1 && row.kind == gpr::ParameterKind::Number;
+	box->setDecimals(row.kind == gpr::ParameterKind::Length ? decimalsFor(largest) : 2);
+	box->setRange(row.minimum, largest);
+	box->setSingleStep(isUnit ? 0.05 : std::min(1.0, largest / 1000));
+	box->setKeyboardTracking(false);
+	const std::string key = row.key;
+	connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
+			[this, key](double number) { change(key, number); });
+	showValue_[key] = [this, box, key] { box->setValue(std::get<double>(values_[key])); };
+	return box;
+}
+
+QWidget* RemeshPanel::switchField(const gpr::Parameter& row)
+{
+	auto*             box = new QCheckBox;
+	const std::string key = row.key;
+	connect(box, &QCheckBox::toggled, this, [this, key](bool on) { change(key, on); });
+	showValue_[key] = [this, box, key] { box->setChecked(std::get<bool>(values_[key])); };
+	return box;
+}
+
+QWidget* RemeshPanel::choiceField(const gpr::Parameter& row)
+{
+	auto* box = new QComboBox;
+	for (const char* choice : row.choices)
+		box->addItem(QString::fromUtf8(choice));
+	const std::string key = row.key;
+	connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+			[this, key](int index) { change(key, std::int64_t(index)); });
+	showValue_[key] = [this, box, key] {
+		box->setCurrentIndex(int(std::get<std::int64_t>(values_[key])));
+	};
+	return box;
+}
+
+void RemeshPanel::show(const std::string& key)
+{
+	const bool wasShowing = std::exchange(isShowing_, true);
+	showValue_.at(key)();
+	isShowing_ = wasShowing;
+}
+
+void RemeshPanel::change(const std::string& key, const gpr::ParameterValue& value)
+{
+	if (isShowing_) return;
+	values_[key] = value;
+	emit valuesChanged();
+}
+
+// ---- the view
+
+template <class Choice>
+QComboBox* RemeshPanel::viewBox(const char* name, const QStringList& texts,
+								Choice ViewChoices::*choice)
+{
+	auto* box = new QComboBox;
+	box->setObjectName(name);
+	box->addItems(texts);
+	box->setCurrentIndex(int(choices_.*choice));
+	connect(box, QOverload<int>::of(&QComboBox::currentIndexChanged), this,
+			[this, choice](int index) {
+				choices_.*choice = Choice(index);
+				changeView();
+			});
+	return box;
+}
+
+QCheckBox* RemeshPanel::viewSwitch(const char* text, const char* name, bool ViewChoices::*choice)
+{
+	auto* box = new QCheckBox(text);
+	box->setObjectName(name);
+	box->setChecked(choices_.*choice);
+	connect(box, &QCheckBox::toggled, this, [this, choice](bool on) {
+		choices_.*choice = on;
+		changeView();
+	});
+	return box;
+}
+
+void RemeshPanel::addView(QVBoxLayout& column)
+{
+	auto* form = new QFormLayout(groupIn(column, "View"));
+	form->setVerticalSpacing(3);
+	form->addRow("Result", viewBox("Place", {"over the original", "in place of the original"},
+								   &ViewChoices::place));
+	auto* drawn = new QHBoxLayout;
+	drawn->addWidget(viewSwitch("Faces", "Faces", &ViewChoices::faces));
+	drawn->addWidget(viewSwitch("Wireframe", "Wireframe", &ViewChoices::wireframe));
+	form->addRow("Drawn as", drawn);
+	form->addRow("Colours",
+				 viewBox("Colours", {"none", "quality of triangles", "distance from the input"},
+						 &ViewChoices::colour));
+	legend_ = new QLabel;
+	legend_->setObjectName("Legend");
+	form->addRow(legend_);
+	wipe_ = viewSwitch("Wipe line: drag it in the view", "Wipe", &ViewChoices::isWiped);
+	form->addRow(wipe_);
+	form->addRow("Left of it", viewBox("OtherSide", {"original", "Quadric Edge Collapse"},
+									   &ViewChoices::otherSide));
+	quadric_ = new QLabel;
+	form->addRow(quadric_);
+	quadric_->hide();
+}
+
+void RemeshPanel::setWipeAt(double share)
+{
+	choices_.wipeAt = std::clamp(share, 0.0, 1.0);
+}
+
+void RemeshPanel::changeView()
+{
+	showLegend();
+	emit choicesChanged();
+}
+
+/// From the worst to the best on MeshLab's scale.
+void RemeshPanel::showLegend()
+{
+	const bool isDistance = choices_.colour == PreviewColour::Distance;
+	legend_->setVisible(choices_.colour != PreviewColour::None);
+	const QString left = isDistance ? QString("0") : QString("0, no area");
+	const QString right =
+		isDistance ? QString::number(largestDistance_, 'g', 3) : QString("1, equilateral");
+	const QString stops = isDistance ? "stop:0 blue, stop:0.25 cyan, stop:0.5 lime, "
+									   "stop:0.75 yellow, stop:1 red"
+									 : "stop:0 red, stop:0.25 yellow, stop:0.5 lime, "
+									   "stop:0.75 cyan, stop:1 blue";
+	legend_->setStyleSheet("QLabel { color: black; padding: 2px; background: "
+						   "qlineargradient(x1:0, y1:0, x2:1, y2:0, " +
+						   stops + "); }");
+	legend_->setText("<table width='100%'><tr><td><b>" + left + "</b></td><td align='right'><b>" +
+					 right + "</b></td></tr></table>");
+}
+
+// ---- what came of it
+
+void RemeshPanel::addOutcome(QVBoxLayout& column)
+{
+	auto* lines = new QVBoxLayout(groupIn(column, "Result"));
+	lines->setSpacing(3);
+	figures_ = new QLabel("\n\n\n");
+	figures_->setObjectName("Figures");
+	lines->addWidget(figures_);
+	message_ = new QLabel;
+	message_->setObjectName("Message");
+	message_->setWordWrap(true);
+	message_->setStyleSheet("QLabel { color: #b00000; }");
+	message_->hide();
+	lines->addWidget(message_);
+	progress_ = new QProgressBar;
+	progress_->setRange(0, 100);
+	lines->addWidget(progress_);
+	auto* spots = new QHBoxLayout;
+	worst_      = new QPushButton("Worst triangle");
+	worst_->setObjectName("WorstTriangle");
+	worst_->setToolTip("Flies to the triangle of the lowest quality.");
+	farthest_ = new QPushButton("Largest distance");
+	farthest_->setObjectName("LargestDistance");
+	farthest_->setToolTip("Flies to the triangle that is farthest from the input.");
+	spots->addWidget(worst_);
+	spots->addWidget(farthest_);
+	lines->addLayout(spots);
+	apply_ = new QPushButton("Apply");
+	apply_->setObjectName("Apply");
+	apply_->setToolTip("Puts the result into the document. The commands that give the same mesh "
+					   "are written to the log and the clipboard.");
+	lines->addWidget(apply_);
+	worst_->setEnabled(false);
+	farthest_->setEnabled(false);
+	connect(worst_, &QPushButton::clicked, this, &RemeshPanel::worstTrianglePressed);
+	connect(farthest_, &QPushButton::clicked, this, &RemeshPanel::farthestPressed);
+	connect(apply_, &QPushButton::clicked, this, &RemeshPanel::applyPressed);
+}
+
+void RemeshPanel::showFigures(const Preview& preview, double diagonal)
+{
+	const gpr::RemeshReport& report = preview.result->report;
+	const QString            kind   = preview.isDraft ? " (draft)" : "";
+	QString text = QString("%1 vertices, %2 faces%3\nmean 2r/R %4, smallest angle %5\u00b0\n")
+					   .arg(preview.result->mesh.vertexNum())
+					   .arg(preview.result->mesh.faceNum())
+					   .arg(kind)
+					   .arg(report.quality.radiusRatioMean, 0, 'f', 3)
+					   .arg(report.quality.minAngleDeg, 0, 'f', 1);
+	if (preview.isMeasured) {
+		text += "distance / diagonal: RMS " + inPerMille(preview.distance.rms, diagonal) +
+				", p99.9 " + inPerMille(preview.distance.p999, diagonal);
+	}
+	text += QString("\n%1 s").arg(report.remeshSeconds, 0, 'f', 3);
+	figures_->setText(text);
+	worst_->setEnabled(preview.worstTriangle.isKnown);
+	farthest_->setEnabled(preview.farthest.isKnown);
+	largestDistance_ = preview.largestDeviation;
+	showLegend();
+}
+
+void RemeshPanel::showQuadric(double seconds, std::size_t faceNum)
+{
+	quadric_->setText(
+		QString("Quadric Edge Collapse: %1 faces, %2 s").arg(faceNum).arg(seconds, 0, 'f', 2));
+	quadric_->show();
+}
+
+void RemeshPanel::showProgress(double share, const std::string& phrase)
+{
+	progress_->setVisible(share < 1);
+	progress_->setValue(int(100 * share));
+	progress_->setFormat(QString::fromStdString(phrase) + " %p%");
+}
+
+void RemeshPanel::showMessage(const std::string& sentence)
+{
+	message_->setText(QString::fromStdString(sentence));
+	message_->setVisible(!sentence.empty());
+}
+
+void RemeshPanel::setApplying(bool isApplying)
+{
+	apply_->setEnabled(!isApplying);
+	apply_->setText(isApplying ? "Applying" : "Apply");
+}
+
+} // namespace gpr_filter

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "edit_geodesic_poisson.h"
+
+#include "edit/edit_session.h"
+#include "edit/edit_text.h"
+
+#include <QAction>
+#include <QIcon>
+
+EditGeodesicPoisson::EditGeodesicPoisson() : _memory(new gpr_filter::EditMemory) {}
+EditGeodesicPoisson::~EditGeodesicPoisson() = default;
+
+bool EditGeodesicPoisson::StartEdit(MeshModel& layer, GLArea* view,
+									MLSceneGLSharedDataContext* context)
+{
+	_session.reset();
+	if (layer.cm.fn == 0 || view->md() == nullptr || context == nullptr) return false;
+	_session =
+		std::make_unique<gpr_filter::EditSession>(*view->md(), layer, *view, *context, *_memory);
+	connect(view, &QObject::destroyed, this, [this] { _session.reset(); });
+	return true;
+}
+
+void EditGeodesicPoisson::EndEdit(MeshModel&, GLArea*, MLSceneGLSharedDataContext*)
+{
+	_session.reset();
+}
+
+void EditGeodesicPoisson::EndEdit(MeshDocument&, GLArea*, MLSceneGLSharedDataContext*)
+{
+	_session.reset();
+}
+
+void EditGeodesicPoisson::Decorate(MeshModel&, GLArea*)
+{
+	if (_session != nullptr) _session->draw();
+}
+
+void EditGeodesicPoisson::mousePressEvent(QMouseEvent* event, MeshModel&, GLArea*)
+{
+	if (_session != nullptr) _session->mousePressEvent(*event);
+}
+
+void EditGeodesicPoisson::mouseMoveEvent(QMouseEvent* event, MeshModel&, GLArea*)
+{
+	if (_session != nullptr) _session->mouseMoveEvent(*event);
+}
+
+void EditGeodesicPoisson::mouseReleaseEvent(QMouseEvent* event, MeshModel&, GLArea*)
+{
+	if (_session != nullptr) _session->mouseReleaseEvent(*event);
+}
+
+void EditGeodesicPoisson::wheelEvent(QWheelEvent* event, MeshModel&, GLArea*)
+{
+	if (_session != nullptr) _session->passOn(*event);
+}
+
+EditGeodesicPoissonFactory::EditGeodesicPoissonFactory()
+{
+	auto* action = new QAction(QIcon(gpr_filter::kEditIcon), gpr_filter::kEditName, this);
+	action->setCheckable(true);
+	_actions << action;
+}
+
+QList<QAction*> EditGeodesicPoissonFactory::actions() const
+{
+	return _actions;
+}
+
+MeshEditInterface* EditGeodesicPoissonFactory::getMeshEditInterface(QAction*)
+{
+	return new EditGeodesicPoisson();
+}
+
+QString EditGeodesicPoissonFactory::getEditToolDescription(QAction*)
+{
+	return gpr_filter::kEditDescription;
+}
