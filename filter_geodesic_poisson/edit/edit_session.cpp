@@ -149,8 +149,6 @@ try {
 	PreviewRequest wanted;
 	wanted.options = wantedOptions(isDraft);
 	wanted.isDraft = isDraft;
-	wanted.withQuadric =
-		panel_->choices().isWiped && panel_->choices().otherSide == OtherSide::QuadricCollapse;
 	copyMarksFor(wanted.options);
 	wanted.id = ++lastRequest_;
 	panel_->showMessage("");
@@ -162,6 +160,18 @@ catch (const Refusal& refusal) {
 }
 catch (const std::bad_alloc&) {
 	panel_->showMessage("There is not enough memory for this.");
+}
+
+/// Beside the result that is shown.
+void EditSession::requestQuadric()
+{
+	const ViewChoices& choices = panel_->choices();
+	const bool         wanted  = choices.isWiped && choices.otherSide == OtherSide::QuadricCollapse;
+	if (!wanted || painter_.hasQuadric() || !isUpToDate()) return;
+	PreviewRequest request;
+	request.id          = lastRequest_;
+	request.withQuadric = request.keepsResult = true;
+	worker_->request(request);
 }
 
 void EditSession::changeValues()
@@ -176,9 +186,7 @@ void EditSession::changeValues()
 void EditSession::changeChoices()
 {
 	memory_.choices = panel_->choices();
-	const bool wantsQuadric =
-		memory_.choices.isWiped && memory_.choices.otherSide == OtherSide::QuadricCollapse;
-	if (wantsQuadric && !painter_.hasQuadric() && !rest_.isActive()) request(false);
+	requestQuadric();
 	view_.update();
 }
 
@@ -207,6 +215,7 @@ void EditSession::showPreview(std::shared_ptr<const Preview> preview)
 	painter_.setResult(shown_->faces);
 	panel_->showFigures(*shown_, facts_.diagonal);
 	view_.update();
+	if (shown_->isMeasured) requestQuadric();
 	if (isApplying_ && isUpToDate()) finishApply();
 }
 

@@ -65,6 +65,7 @@ private:
 	MeshModel*         layer();
 	gpr::RemeshOptions wantedOptions(bool isDraft);
 	void               request(bool isDraft);
+	void               requestQuadric();
 	void               copyMarksFor(const gpr::RemeshOptions& options);
 	void               changeValues();
 	void               changeChoices();

@@ -6,11 +6,29 @@
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/prepared_surface.h>
 
+#ifdef __linux__
+#include <sys/resource.h>
+#endif
+
 #include <chrono>
 #include <exception>
 #include <utility>
 
 namespace gpr_filter {
+
+namespace {
+
+/// The window comes first where there are fewer cores than threads. The engine's threads are
+/// children of this one and take its priority over.
+void giveWayToTheWindow()
+{
+#ifdef __linux__
+	constexpr int aLittleLess = 5;
+	setpriority(PRIO_PROCESS, 0, aLittleLess); // on Linux, of the calling thread alone
+#endif
+}
+
+} // namespace
 
 /// The thread's own: the surface, and what was measured of it.
 class PreviewWorker::Runs {
@@ -32,20 +50,15 @@ public:
 
 	void run(const PreviewRequest& request)
 	{
-		auto made = std::make_shared<gpr::RemeshResult>(
-			surface_->remesh(request.options, progress(), &owner_.stop_));
-		if (made->status == gpr::Status::Cancelled) return;
-		if (made->status != gpr::Status::Ok) return fail(request, made->message);
-		gpr::Workers workers(request.options.threads, nullptr, 0, &owner_.stop_);
-		Preview      shown = shownResult(std::move(made), workers);
-		shown.request      = request.id;
-		shown.isDraft      = request.isDraft;
-		show(shown);
+		if (!request.keepsResult && !remesh(request)) return;
 		if (request.isDraft) return;
+		gpr::Workers workers(request.options.threads, nullptr, 0, &owner_.stop_);
 		measureLayer(workers);
-		const Preview measured = measuredResult(shown, layer_->view(), target(workers), workers);
-		show(measured);
-		if (request.withQuadric) collapse(measured, workers);
+		if (!last_.isMeasured) {
+			last_ = measuredResult(last_, layer_->view(), target(workers), workers);
+			show();
+		}
+		if (request.withQuadric) collapse(workers);
 	}
 
 	void fail(const PreviewRequest& request, const std::string& why)
@@ -70,6 +83,25 @@ private:
 	std::optional<gpr::PreparedSurface> surface_;
 	std::optional<gpr::NearSurface>     target_;
 	bool                                isQualityKnown_ = false;
+	Preview                             last_;
+
+	/// False where there is no result.
+	bool remesh(const PreviewRequest& request)
+	{
+		auto made = std::make_shared<gpr::RemeshResult>(
+			surface_->remesh(request.options, progress(), &owner_.stop_));
+		if (made->status == gpr::Status::Cancelled) return false;
+		if (made->status != gpr::Status::Ok) {
+			fail(request, made->message);
+			return false;
+		}
+		gpr::Workers workers(request.options.threads, nullptr, 0, &owner_.stop_);
+		last_         = shownResult(std::move(made), workers);
+		last_.request = request.id;
+		last_.isDraft = request.isDraft;
+		show();
+		return true;
+	}
 
 	gpr::ProgressCallback progress()
 	{
@@ -82,13 +114,13 @@ private:
 		};
 	}
 
-	void show(const Preview& preview)
+	void show()
 	{
-		const auto shown = std::make_shared<const Preview>(preview);
+		const auto shown = std::make_shared<const Preview>(last_);
 		owner_.tell([&](PreviewNews& news) {
 			news.preview = shown;
 			news.failure.clear();
-			news.phrase = preview.isDraft || preview.isMeasured ? "" : "Measuring distances";
+			news.phrase = shown->isDraft || shown->isMeasured ? "" : "Measuring distances";
 			news.share  = news.phrase.empty() ? 1 : 0;
 		});
 	}
@@ -108,7 +140,7 @@ private:
 		owner_.tell([&](PreviewNews&) { owner_.qualityOfLayer_ = quality; });
 	}
 
-	void collapse(const Preview& measured, gpr::Workers& workers)
+	void collapse(gpr::Workers& workers)
 	{
 		owner_.tell([](PreviewNews& news) {
 			news.phrase = "Quadric Edge Collapse";
@@ -116,13 +148,13 @@ private:
 		});
 		using Clock                            = std::chrono::steady_clock;
 		const auto                      start  = Clock::now();
-		const auto                      wanted = measured.result->mesh.faceNum();
+		const auto                      wanted = last_.result->mesh.faceNum();
 		gpr::baselines::QuadricCollapse collapsing(layer_->view());
 		if (!collapsing.run(std::int64_t(wanted), [&] { return bool(owner_.stop_); })) return;
 		const std::chrono::duration<double> seconds = Clock::now() - start;
 		const gpr::TriangleMesh             mesh    = collapsing.mesh();
 		const auto                          faces   = std::make_shared<const DrawnFaces>(
-            drawnFaces(mesh.view(), &target(workers), measured.largestDeviation, workers));
+            drawnFaces(mesh.view(), &target(workers), last_.largestDeviation, workers));
 		owner_.tell([&](PreviewNews& news) {
 			news.quadric        = faces;
 			news.quadricSeconds = seconds.count();
@@ -204,6 +236,7 @@ std::optional<PreviewRequest> PreviewWorker::nextRequest(std::shared_ptr<const L
 
 void PreviewWorker::work()
 {
+	giveWayToTheWindow();
 	Runs runs(*this);
 	while (true) {
 		std::shared_ptr<const LayerCopy>    newLayer;

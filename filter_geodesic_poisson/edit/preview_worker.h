@@ -25,6 +25,8 @@ struct PreviewRequest {
 	gpr::RemeshOptions options;
 	bool               isDraft     = false; ///< neither measured nor compared
 	bool               withQuadric = false; ///< Quadric Edge Collapse makes as many faces, too
+	/// The last result, which was no draft, is still the right one; nothing is remeshed.
+	bool keepsResult = false;
 };
 
 /// What is new since it was last asked for.

@@ -79,6 +79,21 @@ QString inPerMille(double length, double diagonal)
 	return QString::number(diagonal > 0 ? 1000 * length / diagonal : 0, 'f', 2) + " \u2030";
 }
 
+/// What comes and goes shall not move what is below it: a click would hit something else.
+void keepPlace(QWidget& widget)
+{
+	QSizePolicy policy = widget.sizePolicy();
+	policy.setRetainSizeWhenHidden(true);
+	widget.setSizePolicy(policy);
+}
+
+/// All of the panel shall fit beside a view of 760 pixels.
+void beTight(QLayout& layout)
+{
+	layout.setSpacing(2);
+	layout.setContentsMargins(8, 2, 8, 3);
+}
+
 QGroupBox* groupIn(QVBoxLayout& column, const QString& title)
 {
 	auto* group = new QGroupBox(title);
@@ -97,8 +112,8 @@ RemeshPanel::RemeshPanel(const gpr::MeshFacts& facts, const PanelValues& values,
 	setFeatures(QDockWidget::DockWidgetMovable | QDockWidget::DockWidgetFloatable);
 	auto* inside = new QWidget;
 	auto* column = new QVBoxLayout(inside);
-	column->setSpacing(4);
-	column->setContentsMargins(6, 4, 6, 4);
+	column->setSpacing(2);
+	column->setContentsMargins(4, 0, 4, 0);
 	addParameters(*column);
 	addView(*column);
 	addOutcome(*column);
@@ -118,7 +133,7 @@ RemeshPanel::RemeshPanel(const gpr::MeshFacts& facts, const PanelValues& values,
 void RemeshPanel::addParameters(QVBoxLayout& column)
 {
 	auto* form = new QFormLayout(groupIn(column, "Remeshing"));
-	form->setVerticalSpacing(3);
+	beTight(*form);
 	for (const char* key : kShownKeys) {
 		const gpr::Parameter& row = *gpr::findParameter(key);
 		if (values_.count(key) == 0) values_[key] = row.defaultValue(facts_);
@@ -281,7 +296,7 @@ QCheckBox* RemeshPanel::viewSwitch(const char* text, const char* name, bool View
 void RemeshPanel::addView(QVBoxLayout& column)
 {
 	auto* form = new QFormLayout(groupIn(column, "View"));
-	form->setVerticalSpacing(3);
+	beTight(*form);
 	form->addRow("Result", viewBox("Place", {"over the original", "in place of the original"},
 								   &ViewChoices::place));
 	auto* drawn = new QHBoxLayout;
@@ -293,12 +308,16 @@ void RemeshPanel::addView(QVBoxLayout& column)
 						 &ViewChoices::colour));
 	legend_ = new QLabel;
 	legend_->setObjectName("Legend");
+	legend_->setText("<b>0</b>");
+	keepPlace(*legend_);
 	form->addRow(legend_);
 	wipe_ = viewSwitch("Wipe line: drag it in the view", "Wipe", &ViewChoices::isWiped);
 	form->addRow(wipe_);
 	form->addRow("Left of it", viewBox("OtherSide", {"original", "Quadric Edge Collapse"},
 									   &ViewChoices::otherSide));
 	quadric_ = new QLabel;
+	quadric_->setObjectName("QuadricFigures");
+	keepPlace(*quadric_);
 	form->addRow(quadric_);
 	quadric_->hide();
 }
@@ -338,18 +357,14 @@ void RemeshPanel::showLegend()
 void RemeshPanel::addOutcome(QVBoxLayout& column)
 {
 	auto* lines = new QVBoxLayout(groupIn(column, "Result"));
-	lines->setSpacing(3);
-	figures_ = new QLabel("\n\n\n");
+	beTight(*lines);
+	figures_ = new QLabel("\n\n");
 	figures_->setObjectName("Figures");
 	lines->addWidget(figures_);
-	message_ = new QLabel;
-	message_->setObjectName("Message");
-	message_->setWordWrap(true);
-	message_->setStyleSheet("QLabel { color: #b00000; }");
-	message_->hide();
-	lines->addWidget(message_);
 	progress_ = new QProgressBar;
 	progress_->setRange(0, 100);
+	progress_->setMaximumHeight(16);
+	keepPlace(*progress_);
 	lines->addWidget(progress_);
 	auto* spots = new QHBoxLayout;
 	worst_      = new QPushButton("Worst triangle");
@@ -366,6 +381,12 @@ void RemeshPanel::addOutcome(QVBoxLayout& column)
 	apply_->setToolTip("Puts the result into the document. The commands that give the same mesh "
 					   "are written to the log and the clipboard.");
 	lines->addWidget(apply_);
+	message_ = new QLabel;
+	message_->setObjectName("Message");
+	message_->setWordWrap(true);
+	message_->setStyleSheet("QLabel { color: #b00000; }");
+	message_->hide();
+	lines->addWidget(message_);
 	worst_->setEnabled(false);
 	farthest_->setEnabled(false);
 	connect(worst_, &QPushButton::clicked, this, &RemeshPanel::worstTrianglePressed);
@@ -377,17 +398,18 @@ void RemeshPanel::showFigures(const Preview& preview, double diagonal)
 {
 	const gpr::RemeshReport& report = preview.result->report;
 	const QString            kind   = preview.isDraft ? " (draft)" : "";
-	QString text = QString("%1 vertices, %2 faces%3\nmean 2r/R %4, smallest angle %5\u00b0\n")
+	QString                  text   = QString("%1 vertices, %2 faces, %3 s%4\n")
 					   .arg(preview.result->mesh.vertexNum())
 					   .arg(preview.result->mesh.faceNum())
-					   .arg(kind)
-					   .arg(report.quality.radiusRatioMean, 0, 'f', 3)
-					   .arg(report.quality.minAngleDeg, 0, 'f', 1);
+					   .arg(report.remeshSeconds, 0, 'f', 3)
+					   .arg(kind);
+	text += QString("mean 2r/R %1, smallest angle %2\u00b0\n")
+				.arg(report.quality.radiusRatioMean, 0, 'f', 3)
+				.arg(report.quality.minAngleDeg, 0, 'f', 1);
 	if (preview.isMeasured) {
 		text += "distance / diagonal: RMS " + inPerMille(preview.distance.rms, diagonal) +
 				", p99.9 " + inPerMille(preview.distance.p999, diagonal);
 	}
-	text += QString("\n%1 s").arg(report.remeshSeconds, 0, 'f', 3);
 	figures_->setText(text);
 	worst_->setEnabled(preview.worstTriangle.isKnown);
 	farthest_->setEnabled(preview.farthest.isKnown);
