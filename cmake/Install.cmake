@@ -3,11 +3,11 @@
 #
 # What `cmake --install` lays where, in four parts (its option --component):
 #   program      gpremesh, its manual page
-#   meshlab      the plugin for MeshLab 2020.09 and the scripts
+#   meshlab      the plugins for MeshLab 2020.09, filters and edit tool, and the scripts
 #   meshlab2025  those for MeshLab 2025.07 and PyMeshLab, of which no Debian package is made
 #   development  the engine, the templates for vcglib, and what find_package(gpremesh) reads
 #
-#   GPR_PLUGIN_DIR   folder for the plugin for MeshLab 2020.09, below the prefix or absolute; where
+#   GPR_PLUGIN_DIR   folder for the plugins for MeshLab 2020.09, below the prefix or absolute; where
 #                    MeshLab looks below a prefix, so that the prefix of MeshLab (/usr) is right at once
 
 include(GNUInstallDirs)
@@ -32,12 +32,13 @@ if(GPR_MESHLAB_2020_LIBRARY MATCHES "/(lib(/[^/]+)?/meshlab)/[^/]+$")
 endif()
 set(GPR_PLUGIN_DIR ${_below_prefix} CACHE STRING "Where the plugin for MeshLab 2020.09 is installed")
 if(TARGET filter_geodesic_poisson)
-  install(TARGETS filter_geodesic_poisson LIBRARY DESTINATION ${GPR_PLUGIN_DIR} COMPONENT meshlab)
+  install(TARGETS filter_geodesic_poisson edit_geodesic_poisson
+          LIBRARY DESTINATION ${GPR_PLUGIN_DIR} COMPONENT meshlab)
 endif()
 # MeshLab 2025.07 and PyMeshLab load a plugin from anywhere.
 foreach(_scalar float double)
   if(TARGET filter_geodesic_poisson_2025_${_scalar})
-    install(TARGETS filter_geodesic_poisson_2025_${_scalar}
+    install(TARGETS filter_geodesic_poisson_2025_${_scalar} edit_geodesic_poisson_2025_${_scalar}
             LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/gpremesh/meshlab-2025.07/${_scalar}
             COMPONENT meshlab2025)
   endif()

@@ -67,7 +67,8 @@ endif()
 if(TARGET filter_geodesic_poisson)
   gpr_package(meshlab gpremesh-meshlab graphics "geodesic Poisson-disk remeshing for MeshLab"
 "Filters for MeshLab 2020.09 and meshlabserver: remeshing, sampling, retriangulation
-from samples, feature detection, comparison; with a script for each.")
+from samples, feature detection, comparison; with a script for each. An edit tool
+for the window remeshes while a slider is dragged.")
   set(CPACK_DEBIAN_MESHLAB_PACKAGE_SHLIBDEPS ON)
   get_filename_component(_dir "${GPR_MESHLAB_2020_LIBRARY}" DIRECTORY)
   set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${_dir}")

@@ -138,9 +138,23 @@ std::size_t colourOffset(PreviewColour colour)
 											 : offsetof(DrawnCorner, byQuality);
 }
 
+/// The result lies partly below the original, and both are to be seen.
+bool isOverOriginal(const ViewChoices& choices)
+{
+	return choices.place == PreviewPlace::OverOriginal && !choices.isWiped;
+}
+
+void seeThrough()
+{
+	QOpenGLContext::currentContext()->functions()->glBlendColor(0, 0, 0, 0.5f);
+	glEnable(GL_BLEND);
+	glBlendFunc(GL_CONSTANT_ALPHA, GL_ONE_MINUS_CONSTANT_ALPHA);
+}
+
 void fillTriangles(const ViewChoices& choices, int cornerNum)
 {
 	light();
+	if (isOverOriginal(choices)) seeThrough();
 	glEnable(GL_POLYGON_OFFSET_FILL);
 	glPolygonOffset(1, 1); // lines are seen on the faces
 	if (choices.colour == PreviewColour::None) {
@@ -158,17 +172,15 @@ void fillTriangles(const ViewChoices& choices, int cornerNum)
 
 void outlineTriangles(const ViewChoices& choices, int cornerNum)
 {
-	const bool isOver = choices.place == PreviewPlace::OverOriginal && !choices.isWiped;
 	glDisable(GL_LIGHTING);
+	glDisable(GL_BLEND);
 	glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
 	glLineWidth(1);
-	if (isOver) glDepthRange(0, 0.9995); // the result lies partly below the original
-	if (choices.faces && !isOver)
+	if (choices.faces && !isOverOriginal(choices))
 		glColor3f(0.12f, 0.15f, 0.20f);
 	else
 		glColor3f(0.05f, 0.20f, 0.55f);
 	glDrawArrays(GL_TRIANGLES, 0, cornerNum);
-	glDepthRange(0, 1);
 	glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
@@ -227,8 +239,10 @@ void PreviewPainter::drawFaces(const ViewChoices& choices, Sent& sent)
 	glDisable(GL_CULL_FACE);
 	glDisable(GL_TEXTURE_2D);
 	glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+	if (isOverOriginal(choices)) glDepthRange(0, 0.9995);
 	if (choices.faces) fillTriangles(choices, cornerNum);
 	if (choices.wireframe) outlineTriangles(choices, cornerNum);
+	glDepthRange(0, 1);
 	sent.buffer.release();
 }
 
