@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The plugin as one of MeshLab's own, from 2025.07 on: this folder lies in src/meshlabplugins, with
+# The plugins as two of MeshLab's own, from 2025.07 on: this folder lies in src/meshlabplugins, with
 # vcg_extras beside or within it, and MESHLAB_PLUGINS names meshlabplugins/filter_geodesic_poisson.
 
 set(_extras "")
@@ -31,6 +31,10 @@ add_meshlab_plugin(filter_geodesic_poisson ${_shared} ${GPR_QUADRIC_COLLAPSE}
   meshlab_2025/filter_geodesic_poisson.cpp meshlab_2025/filter_geodesic_poisson.h)
 target_include_directories(filter_geodesic_poisson PRIVATE meshlab_2025)
 target_link_libraries(filter_geodesic_poisson PUBLIC gpr_core)
-set_target_properties(filter_geodesic_poisson PROPERTIES
+add_meshlab_plugin(edit_geodesic_poisson ${_shared} ${_edit} ${GPR_QUADRIC_COLLAPSE}
+  meshlab_2025/edit_geodesic_poisson.cpp meshlab_2025/edit_geodesic_poisson.h)
+target_include_directories(edit_geodesic_poisson PRIVATE meshlab_2025)
+target_link_libraries(edit_geodesic_poisson PUBLIC gpr_core)
+set_target_properties(filter_geodesic_poisson edit_geodesic_poisson PROPERTIES
   CXX_VISIBILITY_PRESET hidden
   VISIBILITY_INLINES_HIDDEN ON)

@@ -48,11 +48,11 @@ build_for_meshlab() {
 	say "building"
 	cmake -S . -B "$1" >"$2"
 	cmake --build "$1" -j"$(nproc)" --target gpremesh gpremesh_manual_page filter_geodesic_poisson \
-		>>"$2" 2>&1 || {
+		edit_geodesic_poisson >>"$2" 2>&1 || {
 		tail -40 "$2" >&2
 		fail "the build failed"
 	}
-	scripts/release/private_meshlab "$1/meshlab" "$1/lib/libfilter_geodesic_poisson.so"
+	scripts/release/private_meshlab "$1/meshlab" "$1"/lib/lib{filter,edit}_geodesic_poisson.so
 }
 
 # Runs the tests in the build folder $1, with further options for ctest. No tests at all are a failure.

@@ -179,6 +179,8 @@ void EditSession::changeValues()
 	memory_.values = panel_->values();
 	if (isApplying_) panel_->setApplying(isApplying_ = false);
 	sinceChange_.start();
+	qCDebug(gprEdit) << "asked for" << std::get<std::int64_t>(memory_.values["TargetVertexNum"])
+					 << "vertices";
 	request(true);
 	rest_.start(kRestMs);
 }
