@@ -105,10 +105,11 @@ EditSession::~EditSession()
 {
 	if (panel_ != nullptr) memory_.choices = panel_->choices();
 	worker_.reset();
+	delete panel_;
+	if (isViewGone_) return; // and the document with it
 	hideOriginal(false);
 	view_.makeCurrent();
 	painter_.release();
-	delete panel_;
 	view_.update();
 }
 

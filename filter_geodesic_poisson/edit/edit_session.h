@@ -35,6 +35,9 @@ public:
 	/// Ends a run that is under way; the layer is seen as before.
 	~EditSession() override;
 
+	/// To be called where the view goes first: neither it nor the document is touched any more.
+	void forgetView() { isViewGone_ = true; }
+
 	void draw();
 	void mousePressEvent(QMouseEvent& event);
 	void mouseMoveEvent(QMouseEvent& event);
@@ -58,7 +61,7 @@ private:
 	std::uint64_t                  drawnRequest_ = 0;
 	std::shared_ptr<const Preview> shown_;
 	gpr::RemeshOptions             copiedFor_; ///< the options that the worker's copy is for
-	bool                           isApplying_ = false, isWiping_ = false;
+	bool                           isApplying_ = false, isWiping_ = false, isViewGone_ = false;
 	vcg::Similarityf               flightStart_, flightEnd_;
 	int                            flightStep_ = 0;
 

@@ -9,11 +9,13 @@
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSlider>
 #include <QSpinBox>
+#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -94,6 +96,23 @@ void beTight(QLayout& layout)
 	layout.setContentsMargins(8, 2, 8, 3);
 }
 
+/// A slider whose handle comes to where it is pressed, and is dragged from there.
+class JumpingSlider : public QSlider {
+public:
+	JumpingSlider() : QSlider(Qt::Horizontal) {}
+
+protected:
+	void mousePressEvent(QMouseEvent* event) override
+	{
+		const int handle = style()->pixelMetric(QStyle::PM_SliderLength, nullptr, this);
+		if (event->button() == Qt::LeftButton) {
+			setValue(QStyle::sliderValueFromPosition(
+				minimum(), maximum(), event->pos().x() - handle / 2, width() - handle));
+		}
+		QSlider::mousePressEvent(event);
+	}
+};
+
 QGroupBox* groupIn(QVBoxLayout& column, const QString& title)
 {
 	auto* group = new QGroupBox(title);
@@ -169,7 +188,7 @@ void RemeshPanel::addRow(const gpr::Parameter& row, QFormLayout& form)
 
 QSlider* RemeshPanel::sliderFor(const gpr::Parameter& row)
 {
-	auto* slider = new QSlider(Qt::Horizontal);
+	auto* slider = new JumpingSlider;
 	slider->setObjectName(QString(row.key) + "Slider");
 	slider->setRange(0, kSliderSteps);
 	slider->setPageStep(kSliderSteps / 20);

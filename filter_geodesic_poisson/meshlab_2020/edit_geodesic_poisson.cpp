@@ -18,7 +18,10 @@ bool EditGeodesicPoisson::StartEdit(MeshModel& layer, GLArea* view,
 	if (layer.cm.fn == 0 || view->md() == nullptr || context == nullptr) return false;
 	_session =
 		std::make_unique<gpr_filter::EditSession>(*view->md(), layer, *view, *context, *_memory);
-	connect(view, &QObject::destroyed, this, [this] { _session.reset(); });
+	connect(view, &QObject::destroyed, _session.get(), [this] {
+		_session->forgetView();
+		_session.reset();
+	});
 	return true;
 }
 
