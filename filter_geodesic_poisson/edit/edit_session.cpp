@@ -207,6 +207,7 @@ void EditSession::takeNews()
 	if (news.quadric == nullptr) return;
 	panel_->showQuadric(news.quadricSeconds, news.quadric->size() / 3);
 	painter_.setQuadric(std::move(news.quadric));
+	qCDebug(gprEdit) << "quadric drawn";
 	view_.update();
 }
 

@@ -6,6 +6,7 @@
 #include "remesh_call.h"
 
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 
 namespace nb = nanobind;
@@ -29,6 +30,10 @@ NB_MODULE(_core, module)
 {
 	module.attr("version") = GPR_VERSION;
 
+	nb::class_<gpr::PreparedSurface>(module, "PreparedSurface")
+		.def("__init__",
+			 [](gpr::PreparedSurface* self) { new (self) gpr::PreparedSurface(gpr::MeshView()); });
+
 	nb::class_<Extras>(module, "Extras")
 		.def(nb::init<>())
 		.def_rw("selected", &Extras::selectedFaces, nb::arg().none())
@@ -36,7 +41,8 @@ NB_MODULE(_core, module)
 		.def_rw("quality", &Extras::quality, nb::arg().none())
 		.def_rw("feature_edges", &Extras::edges, nb::arg().none())
 		.def_rw("uv", &Extras::texture, nb::arg().none())
-		.def_rw("images", &Extras::images, nb::arg().none());
+		.def_rw("images", &Extras::images, nb::arg().none())
+		.def_rw("prepared", &Extras::prepared, nb::arg().none());
 
 	module.def(
 		"parameters", [](const std::string& tool) { return parameterList(toolOf(tool)); },

@@ -27,6 +27,7 @@ struct Mesh {
 	MeshView                       view;
 	std::vector<std::uint8_t>      lines; ///< three a face, or empty
 	std::unique_ptr<TextureSource> texture;
+	PreparedSurface*               prepared = nullptr; ///< of these vertices and faces
 };
 
 [[noreturn]] void failEdge(const std::int32_t* edges, std::int64_t e)
@@ -69,7 +70,16 @@ Mesh takeMesh(const Positions& positions, const Triangles& triangles, const Extr
 	if (extras.edges) takeLines(*extras.edges, mesh);
 	if (extras.texture) takeTexture(extras, mesh);
 	if (!mesh.lines.empty()) mesh.view.line = mesh.lines.data();
+	mesh.prepared = extras.prepared.get();
 	return mesh;
+}
+
+RemeshResult remeshOf(const Mesh& mesh, const RemeshOptions& options,
+					  const ProgressCallback& progress)
+{
+	if (mesh.prepared == nullptr) return remesh(mesh.view, options, progress);
+	mesh.prepared->setInput(mesh.view);
+	return mesh.prepared->remesh(options, progress);
 }
 
 nb::dict outcome(Status status, const std::string& message, std::int64_t smallestCount = 0)
@@ -144,7 +154,7 @@ nb::dict remeshArrays(const Positions& positions, const Triangles& triangles, co
 		const nb::gil_scoped_release noLock;
 		const Mesh                   mesh = takeMesh(positions, triangles, extras);
 		const double                 read = clock.seconds();
-		result                            = remesh(mesh.view, options, watch.callback());
+		result                            = remeshOf(mesh, options, watch.callback());
 		const double done                 = clock.seconds();
 		isTextured                        = mesh.texture != nullptr && result.status == Status::Ok;
 		if (isTextured) texture = mesh.texture->carriedTo(result);

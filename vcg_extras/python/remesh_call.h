@@ -5,6 +5,9 @@
 
 #include "arrays.h"
 
+#include <vcg_extras/core/prepared_surface.h>
+
+#include <memory>
 #include <nanobind/nanobind.h>
 
 namespace gpr::python {
@@ -17,6 +20,8 @@ struct Extras {
 	std::optional<Edges>        edges;
 	std::optional<CornerCoords> texture;
 	std::optional<Indices>      images;
+	/// What earlier runs on the same vertices and faces have made; or null.
+	std::shared_ptr<PreparedSurface> prepared;
 };
 
 /// Each runs a tool of the engine without the interpreter's lock and returns a dictionary: status,

@@ -28,9 +28,10 @@ from ._api import distance, features, remesh, sample
 from ._core import version as __version__
 from ._errors import Error
 from ._results import Distance, Features, OneWayDistance, RemeshResult, Samples
+from ._surface import Surface
 
 __all__ = [
-    "Distance", "Error", "Features", "OneWayDistance", "RemeshResult", "Samples",
+    "Distance", "Error", "Features", "OneWayDistance", "RemeshResult", "Samples", "Surface",
     "distance", "features", "remesh", "sample",
 ]
 

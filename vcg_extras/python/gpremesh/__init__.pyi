@@ -12,6 +12,7 @@ from ._results import Features as Features
 from ._results import OneWayDistance as OneWayDistance
 from ._results import RemeshResult as RemeshResult
 from ._results import Samples as Samples
+from ._surface import Surface as Surface
 
 __version__: str
 

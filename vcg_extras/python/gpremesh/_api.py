@@ -40,6 +40,22 @@ def _extras(mesh, parameters, region, quality, feature_edges):
     return extras
 
 
+def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, quality, feature_edges, uv, image):
+    """The run of `remesh` on a mesh that was taken over, and maybe prepared."""
+    _check_progress(progress)
+    parameters = _given(parameters)
+    extras = _extras(mesh, parameters, region, quality, feature_edges)
+    extras.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
+    extras.uv = mesh.corner_uv("uv", uv)
+    extras.images = mesh.images("image", image)
+    extras.prepared = prepared
+    if image is not None and uv is None:
+        raise ValueError("image needs uv.")
+    outcome = _core.remesh(mesh.vertices, mesh.faces, extras, parameters, progress)
+    check(outcome)
+    return RemeshResult(mesh, outcome, json.loads(outcome["report"]))
+
+
 @with_parameters("remesh")
 def remesh(vertices, faces, *, selected=None, region=None, quality=None, feature_edges=None, uv=None,
            image=None, progress=None, **parameters):
@@ -104,18 +120,8 @@ def remesh(vertices, faces, *, selected=None, region=None, quality=None, feature
     >>> len(result.vertices)
     300
     """
-    _check_progress(progress)
-    parameters = _given(parameters)
-    mesh = _arrays.Mesh(vertices, faces)
-    extras = _extras(mesh, parameters, region, quality, feature_edges)
-    extras.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
-    extras.uv = mesh.corner_uv("uv", uv)
-    extras.images = mesh.images("image", image)
-    if image is not None and uv is None:
-        raise ValueError("image needs uv.")
-    outcome = _core.remesh(mesh.vertices, mesh.faces, extras, parameters, progress)
-    check(outcome)
-    return RemeshResult(mesh, outcome, json.loads(outcome["report"]))
+    return remesh_mesh(_arrays.Mesh(vertices, faces), None, progress, parameters, selected=selected,
+                       region=region, quality=quality, feature_edges=feature_edges, uv=uv, image=image)
 
 
 @with_parameters("sample")

@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A surface that is prepared once: the bytes of single runs, whatever ran before."""
+
+import threading
+
+import numpy as np
+import pytest
+
+import gpremesh
+from meshes import cube, sheet, torus
+
+RUNS = [
+    dict(vertex_count=200),
+    dict(vertex_count=400, preset="fast"),
+    dict(percent=20, seed=7),
+    dict(vertex_count=200, adapt=1),
+    dict(vertex_count=300, preset="paper"),
+    dict(vertex_count=200, sew=False),
+    dict(max_error="5%", preset="fast"),
+    dict(vertex_count=200),
+]
+
+
+def assert_same(ours, theirs):
+    assert ours.vertices.tobytes() == theirs.vertices.tobytes()
+    assert ours.faces.tobytes() == theirs.faces.tobytes()
+    assert ours.report["notes"] == theirs.report["notes"]
+
+
+@pytest.mark.parametrize("mesh", [torus(), cube(), sheet()], ids=["torus", "cube", "sheet"])
+def test_runs_have_the_bytes_of_single_runs(mesh):
+    surface = gpremesh.Surface(*mesh)
+    for parameters in RUNS:
+        assert_same(surface.remesh(**parameters), gpremesh.remesh(*mesh, **parameters))
+
+
+def test_marks_may_differ_from_run_to_run():
+    vertices, faces = torus()
+    surface = gpremesh.Surface(vertices, faces)
+    half = vertices[faces[:, 0], 0] > 0
+    region = vertices[:, 1] > 0
+    for marks in (dict(selected=half), dict(selected=~half), dict(region=region), dict()):
+        parameters = dict(marks, vertex_count=1000)
+        assert_same(surface.remesh(**parameters), gpremesh.remesh(vertices, faces, **parameters))
+
+
+def test_a_failed_run_leaves_the_surface_as_it_was():
+    mesh = torus()
+    surface = gpremesh.Surface(*mesh)
+    with pytest.raises(gpremesh.Error):
+        surface.remesh(vertex_count=2)
+    with pytest.raises(gpremesh.Error):
+        surface.remesh(vertex_count=250, progress=lambda share, stage: False)
+    with pytest.raises(ValueError):
+        surface.remesh(vertex_count=-1)
+    with pytest.raises(TypeError):
+        surface.remesh(vertex_number=5)
+    assert_same(surface.remesh(vertex_count=250), gpremesh.remesh(*mesh, vertex_count=250))
+
+
+def test_threads_wait_for_each_other():
+    mesh = torus()
+    surface = gpremesh.Surface(*mesh)
+    counts = [150, 200, 250, 300]
+    made = {}
+
+    def run(count):
+        made[count] = surface.remesh(vertex_count=count)
+
+    threads = [threading.Thread(target=run, args=(count,)) for count in counts]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for count in counts:
+        assert_same(made[count], gpremesh.remesh(*mesh, vertex_count=count))
