@@ -11,8 +11,6 @@ in_display_with_tool() { # picture
 
 open_tool_on_bunny() {
 	open_tool "$(window_of_2020)" "$work/window.log" bunny.ply
-	xdotool mousemove 760 480 mousedown 2 sleep 0.3 mousemove 760 500 sleep 0.3 mousemove 760 530 sleep 0.3 mouseup 2
-	xdotool click --repeat 3 --delay 200 5 # nearer
 }
 
 # The wipe line, Quadric Edge Collapse to its left, both coloured by the quality of the triangles.
@@ -52,9 +50,10 @@ window_edit_tool_moving() {
 	click_on Wipe
 	sleep 1
 	take_frame
-	xdotool mousemove 765 600 mousedown 1
-	for at in 740 700 660 620 580 620 680 740 800 860 920; do
-		xdotool mousemove "$at" 600 sleep 0.3
+	read -r x y width height < <(place_of View)
+	xdotool mousemove $((x + width / 2)) 600 mousedown 1
+	for at in 45 40 34 28 22 28 36 44 52 60 68 76 84; do
+		xdotool mousemove $((x + width * at / 100)) 600 sleep 0.3
 		take_frame
 	done
 	xdotool mouseup 1
@@ -65,7 +64,7 @@ picture_edit_tool() { in_display_with_tool edit_tool; }
 
 picture_edit_tool_moving() {
 	in_display_with_tool edit_tool_moving
-	convert -delay 22 "$edit_frames"/*.miff -resize 760x +dither -colors 64 -loop 0 \
+	convert -delay 22 "$edit_frames"/*.miff -resize 720x +dither -colors 56 -loop 0 \
 		-fuzz 2% -layers OptimizePlus "$pictures_dir/edit_tool_moving.gif"
 	[ "$(stat -c %s "$pictures_dir/edit_tool_moving.gif")" -lt 2000000 ] || fail "the moving picture has 2 MB or more"
 }

@@ -65,6 +65,14 @@ vcg::Quaternionf towardsEye(const vcg::Point3f& direction)
 	return vcg::Quaternionf(angle, axis.Normalize());
 }
 
+/// On the screen, in the debug output.
+void tellPlace(const QWidget& widget, const QString& name)
+{
+	const QPoint at = widget.mapToGlobal(QPoint(0, 0));
+	qCDebug(gprEdit).noquote() << "widget" << name << at.x() << at.y() << widget.width()
+							   << widget.height();
+}
+
 vcg::Similarityf between(const vcg::Similarityf& a, const vcg::Similarityf& b, float share)
 {
 	vcg::Similarityf track;
@@ -394,12 +402,11 @@ void EditSession::watchForStalls()
 		if (late > kStallMs) qCDebug(gprEdit) << "stall of" << late << "ms";
 	});
 	watch_.start(kBeatMs);
-	QTimer::singleShot(400, panel_, [panel = panel_] {
-		for (const QWidget* widget : panel->findChildren<QWidget*>()) {
-			if (widget->objectName().isEmpty() || widget->objectName().startsWith("qt_")) continue;
-			const QPoint at = widget->mapToGlobal(QPoint(0, 0));
-			qCDebug(gprEdit).noquote() << "widget" << widget->objectName() << at.x() << at.y()
-									   << widget->width() << widget->height();
+	QTimer::singleShot(400, this, [this] {
+		tellPlace(view_, "View");
+		for (const QWidget* widget : panel_->findChildren<QWidget*>()) {
+			const QString name = widget->objectName();
+			if (!name.isEmpty() && !name.startsWith("qt_")) tellPlace(*widget, name);
 		}
 	});
 }

@@ -16,6 +16,7 @@ bool EditGeodesicPoisson::startEdit(MeshModel& layer, GLArea* view,
 {
 	_session.reset();
 	if (layer.cm.fn == 0 || view->md() == nullptr || context == nullptr) return false;
+	if (view->md()->isBusy()) return false; // a file is being opened, or a filter runs
 	_session =
 		std::make_unique<gpr_filter::EditSession>(*view->md(), layer, *view, *context, *_memory);
 	connect(view, &QObject::destroyed, _session.get(), [this] {

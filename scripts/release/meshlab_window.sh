@@ -55,6 +55,7 @@ home_of_2025() {
 # Starts the MeshLab $1 with the log $2; further arguments are files that it opens.
 open_window() {
 	window_log=$2
+	rm -f "$window_log" # what an earlier one wrote would be taken for this one's
 	openbox >/dev/null 2>&1 &
 	"$1" "${@:3}" >"$window_log" 2>&1 &
 	window_process=$!
