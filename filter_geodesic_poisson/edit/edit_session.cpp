@@ -103,7 +103,7 @@ EditSession::EditSession(MeshDocument& document, MeshModel& layer, GLArea& view,
 	connect(panel_, &RemeshPanel::farthestPressed, this, [this] { flyTo(shown_->farthest); });
 
 	rest_.setSingleShot(true);
-	connect(&rest_, &QTimer::timeout, this, [this] { request(false); });
+	connect(&rest_, &QTimer::timeout, this, &EditSession::requestFull);
 	connect(&flight_, &QTimer::timeout, this, &EditSession::fly);
 	watchForStalls();
 	changeValues();
@@ -159,7 +159,8 @@ try {
 	wanted.options = wantedOptions(isDraft);
 	wanted.isDraft = isDraft;
 	copyMarksFor(wanted.options);
-	wanted.id = ++lastRequest_;
+	wanted.id    = ++lastRequest_;
+	isDraftDone_ = isFullUnderWay_ = !isDraft;
 	panel_->showMessage("");
 	worker_->request(wanted);
 }
@@ -169,6 +170,20 @@ catch (const Refusal& refusal) {
 }
 catch (const std::bad_alloc&) {
 	panel_->showMessage("There is not enough memory for this.");
+}
+
+/// After the draft, which a large layer may take longer for than the user's rest.
+void EditSession::requestFull()
+{
+	if (!rest_.isActive() && isDraftDone_) request(false);
+}
+
+/// The full run follows, unless it is under way or over.
+void EditSession::endDraft()
+{
+	if (isDraftDone_) return;
+	isDraftDone_ = true;
+	requestFull();
 }
 
 /// Beside the result that is shown.
@@ -207,9 +222,11 @@ void EditSession::takeNews()
 	PreviewNews news = worker_->takeNews();
 	panel_->showProgress(news.share, news.phrase);
 	if (!news.failure.empty() && news.failedRequest == lastRequest_) {
+		isFullUnderWay_ = false;
 		panel_->showMessage(news.failure);
 		panel_->setApplying(isApplying_ = false);
 		qCDebug(gprEdit) << "failed" << news.failure.c_str();
+		endDraft();
 	}
 	if (news.preview != nullptr) showPreview(std::move(news.preview));
 	if (news.quadric == nullptr) return;
@@ -227,6 +244,10 @@ void EditSession::showPreview(std::shared_ptr<const Preview> preview)
 	painter_.setResult(shown_->faces);
 	panel_->showFigures(*shown_, facts_.diagonal);
 	view_.update();
+	if (shown_->request == lastRequest_) {
+		isFullUnderWay_ = false;
+		endDraft();
+	}
 	if (shown_->isMeasured) requestQuadric();
 	if (isApplying_ && isUpToDate()) finishApply();
 }
@@ -244,7 +265,7 @@ void EditSession::apply()
 {
 	panel_->setApplying(isApplying_ = true);
 	if (isUpToDate()) return finishApply();
-	if (!rest_.isActive() && shown_ != nullptr && !shown_->isDraft) return; // it is being made
+	if (isFullUnderWay_) return;
 	rest_.stop();
 	request(false);
 }

@@ -62,12 +62,15 @@ private:
 	std::shared_ptr<const Preview> shown_;
 	gpr::RemeshOptions             copiedFor_; ///< the options that the worker's copy is for
 	bool                           isApplying_ = false, isWiping_ = false, isViewGone_ = false;
-	vcg::Similarityf               flightStart_, flightEnd_;
-	int                            flightStep_ = 0;
+	bool             isDraftDone_ = true, isFullUnderWay_ = false; ///< of the last request
+	vcg::Similarityf flightStart_, flightEnd_;
+	int              flightStep_ = 0;
 
 	MeshModel*         layer();
 	gpr::RemeshOptions wantedOptions(bool isDraft);
 	void               request(bool isDraft);
+	void               requestFull();
+	void               endDraft();
 	void               requestQuadric();
 	void               copyMarksFor(const gpr::RemeshOptions& options);
 	void               changeValues();
