@@ -65,6 +65,13 @@ vcg::Quaternionf towardsEye(const vcg::Point3f& direction)
 	return vcg::Quaternionf(angle, axis.Normalize());
 }
 
+/// They are for a layer.
+void forgetSizes(PanelValues& values)
+{
+	for (const gpr::Parameter& row : gpr::remeshParameters())
+		if (gpr::isSizeParameter(row)) values.erase(row.key);
+}
+
 /// On the screen, in the debug output.
 void tellPlace(const QWidget& widget, const QString& name)
 {
@@ -91,10 +98,13 @@ EditSession::EditSession(MeshDocument& document, MeshModel& layer, GLArea& view,
 		facts_(factsOf(document))
 {
 	auto* window = qobject_cast<QMainWindow*>(view.window());
-	if (memory_.values.empty()) memory_.values["NewLayer"] = true;
+	if (memory_.values.count("NewLayer") == 0) memory_.values["NewLayer"] = true;
+	if (memory_.layerId != layerId_ || memory_.vertexNum != layer.cm.vn)
+		forgetSizes(memory_.values);
 	panel_ = new RemeshPanel(facts_, memory_.values, memory_.choices, window);
 	if (window != nullptr) window->addDockWidget(Qt::LeftDockWidgetArea, panel_);
-	memory_.values = panel_->values();
+	memory_.layerId   = layerId_;
+	memory_.vertexNum = layer.cm.vn;
 	connect(panel_, &RemeshPanel::valuesChanged, this, &EditSession::changeValues);
 	connect(panel_, &RemeshPanel::choicesChanged, this, &EditSession::changeChoices);
 	connect(panel_, &RemeshPanel::applyPressed, this, &EditSession::apply);
@@ -198,12 +208,25 @@ void EditSession::requestQuadric()
 	worker_->request(request);
 }
 
+/// Not what is proposed: that may be something else next time, as where vertices were selected.
+void EditSession::rememberValues()
+{
+	for (const auto& [key, value] : panel_->values()) {
+		const bool isProposed = value == gpr::findParameter(key)->defaultValue(facts_);
+		if (isProposed && key != "NewLayer")
+			memory_.values.erase(key);
+		else
+			memory_.values[key] = value;
+	}
+}
+
 void EditSession::changeValues()
 {
-	memory_.values = panel_->values();
+	rememberValues();
 	if (isApplying_) panel_->setApplying(isApplying_ = false);
 	sinceChange_.start();
-	qCDebug(gprEdit) << "asked for" << std::get<std::int64_t>(memory_.values["TargetVertexNum"])
+	qCDebug(gprEdit) << "asked for"
+					 << std::get<std::int64_t>(panel_->values().at("TargetVertexNum"))
 					 << "vertices";
 	request(true);
 	rest_.start(kRestMs);

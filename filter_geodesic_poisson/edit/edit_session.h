@@ -19,7 +19,8 @@ namespace gpr_filter {
 
 /// What a tool remembers from one use to the next.
 struct EditMemory {
-	PanelValues values;
+	PanelValues values;                      ///< those that the user changed
+	int         layerId = -1, vertexNum = 0; ///< of the layer that sizes are for
 	ViewChoices choices;
 };
 
@@ -74,6 +75,7 @@ private:
 	void               requestQuadric();
 	void               copyMarksFor(const gpr::RemeshOptions& options);
 	void               changeValues();
+	void               rememberValues();
 	void               changeChoices();
 	void               takeNews();
 	void               showPreview(std::shared_ptr<const Preview> preview);

@@ -196,10 +196,6 @@ QSlider* RemeshPanel::sliderFor(const gpr::Parameter& row)
 	const std::string key = row.key;
 	connect(slider, &QSlider::valueChanged, this, [this, key](int step) {
 		if (isShowing_) return;
-		for (const char* other : kOtherSizes) {
-			values_[other] = 0.0;
-			show(other);
-		}
 		change(key, countAt(step, facts_));
 		show(key);
 	});
@@ -275,10 +271,21 @@ void RemeshPanel::show(const std::string& key)
 	isShowing_ = wasShowing;
 }
 
+/// The size that was given last is the one that counts.
+void RemeshPanel::keepOneSize(const std::string& key)
+{
+	for (const char* other : kOtherSizes) {
+		if (key == other) continue;
+		values_[other] = 0.0;
+		show(other);
+	}
+}
+
 void RemeshPanel::change(const std::string& key, const gpr::ParameterValue& value)
 {
 	if (isShowing_) return;
 	values_[key] = value;
+	if (gpr::isSizeParameter(*gpr::findParameter(key))) keepOneSize(key);
 	emit valuesChanged();
 }
 

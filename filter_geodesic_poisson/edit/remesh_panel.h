@@ -87,6 +87,7 @@ private:
 	QComboBox* viewBox(const char* name, const QStringList& texts, Choice ViewChoices::*choice);
 	void       change(const std::string& key, const gpr::ParameterValue& value);
 	void       show(const std::string& key);
+	void       keepOneSize(const std::string& key);
 	void       changeView();
 	void       showLegend();
 };
