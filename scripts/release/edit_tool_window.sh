@@ -11,9 +11,12 @@ press_icon() {
 	xdotool mousemove "$edit_icon_at" 65 click 1
 }
 
-open_tool() { # MESHLAB, LOG, MESH
+# MeshLab refuses the tool while it opens a further mesh.
+open_tool() { # MESHLAB, LOG, MESHES
 	open_window "$@"
+	wait_until log_has "Opened mesh ${!#}"
 	press_icon
+	comes_within 5 log_has "Started Mode Geodesic Poisson Remeshing" || press_icon
 	wait_until log_has "Started Mode Geodesic Poisson Remeshing"
 	wait_until log_has "gpr.edit: widget Apply "
 	wait_until log_has "gpr.edit: full drawn"
