@@ -31,8 +31,9 @@ using Values = std::map<std::string, gpr::ParameterValue>;
 
 Values someValues()
 {
-	return {{"TargetVertexNum", std::int64_t(700)}, {"Preset", std::int64_t(1)}, {"Lambda", 1.5},
-			{"Features", std::int64_t(2)},          {"SewSeams", false},         {"NewLayer", false}};
+	return {
+		{"TargetVertexNum", std::int64_t(700)}, {"Preset", std::int64_t(1)}, {"Lambda", 1.5},
+		{"Features", std::int64_t(2)},          {"SewSeams", false},         {"NewLayer", false}};
 }
 
 RichParameterList listOf(const QString& script)
@@ -57,8 +58,8 @@ TEST(Recipe, TheScriptMakesTheMeshOfTheValues)
 {
 	Document document;
 	addBall(document);
-	const gpr::MeshFacts        facts = gpr_filter::factsOf(*document);
-	const gpr_filter::LayerCopy copy  = gpr_filter::copyLayer(document.layer().cm, {});
+	const gpr::MeshFacts        facts  = gpr_filter::factsOf(*document);
+	const gpr_filter::LayerCopy copy   = gpr_filter::copyLayer(document.layer().cm, {});
 	const Recipe                recipe = gpr_filter::recipeFor(someValues(), facts, "a/ball.ply");
 	gpr::ParameterSet           set;
 	for (const auto& [key, value] : someValues())
@@ -73,15 +74,16 @@ TEST(Recipe, TheScriptMakesTheMeshOfTheValues)
 	ASSERT_EQ(std::size_t(made.vn), wanted.mesh.vertexNum());
 	for (std::size_t v = 0; v < wanted.mesh.vertexNum(); ++v) {
 		const gpr::Vec3d& p = wanted.mesh.positions[v];
-		EXPECT_EQ(made.vert[v].cP(), vcg::Point3<Scalarm>(Scalarm(p.x), Scalarm(p.y), Scalarm(p.z)));
+		EXPECT_EQ(made.vert[v].cP(),
+				  vcg::Point3<Scalarm>(Scalarm(p.x), Scalarm(p.y), Scalarm(p.z)));
 	}
 }
 
 TEST(Recipe, CommandsNameWhatDiffersFromTheDefaults)
 {
 	gpr::MeshFacts facts;
-	facts.vertexNum = 1000;
-	facts.diagonal  = 2;
+	facts.vertexNum     = 1000;
+	facts.diagonal      = 2;
 	const Recipe recipe = gpr_filter::recipeFor(someValues(), facts, "/of/it's a ball.ply");
 	EXPECT_EQ(recipe.command.toStdString(),
 			  "gpremesh remesh 'it'\\''s a ball.ply' 'it'\\''s a ball_remeshed.ply' --vertices 700 "
@@ -146,8 +148,7 @@ TEST(PreviewWorker, MakesDraftsThenMeasuresThenCompares)
 	const auto    layer = ballCopy();
 	PreviewWorker worker(layer);
 	worker.request(request(1, 500, true));
-	PreviewNews news =
-		newsUntil(worker, [](const PreviewNews& n) { return n.preview != nullptr; });
+	PreviewNews news = newsUntil(worker, [](const PreviewNews& n) { return n.preview != nullptr; });
 	EXPECT_EQ(news.preview->request, 1u);
 	EXPECT_TRUE(news.preview->isDraft);
 	EXPECT_EQ(news.preview->result->mesh.vertexNum(), 500u);
