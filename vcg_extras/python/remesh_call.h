@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_PYTHON_REMESH_CALL_H
 
 #include "arrays.h"
+#include "mesh_file.h"
 
 #include <nanobind/nanobind.h>
 
@@ -18,6 +19,12 @@ struct Extras {
 	std::optional<CornerCoords> texture;
 	std::optional<Indices>      images;
 };
+
+/// The attributes of a file instead of a texture: they are carried over to the result, by the rules
+/// of the program. The dictionary has them as `attributes`.
+nb::dict remeshMeshOfFile(const Positions& positions, const Triangles& triangles,
+						  const Extras& extras, const FileAttributes& attributes,
+						  const nb::dict& given, nb::object progress);
 
 /// Each runs a tool of the engine without the interpreter's lock and returns a dictionary: status,
 /// message and smallest_count, then what the tool makes. `given` has the parameters of the table.
