@@ -33,6 +33,9 @@ class Here:
     def settings(self, tools, folder, version):
         return []
 
+    def environment(self):
+        return {}
+
 
 class ZigSystem:
     """A system that zig's clang compiles for."""
@@ -62,6 +65,10 @@ class ZigSystem:
         if self.is_windows:
             defines.update(windows_python(tools, folder))
         return ["install.strip=false"] + [f"cmake.define.{name}={value}" for name, value in defines.items()]
+
+    def environment(self):
+        """Without vcglib, whether or not it is here: compare has the engine's own methods only."""
+        return {"GPR_CACHE_DIR": "/nonexistent"}
 
     def suffix(self, version):
         """How the name of a module ends that Python finds."""
@@ -130,7 +137,7 @@ def windows_python(tools, folder):
         (include / "pyconfig.h").symlink_to(Path(__file__).with_name("windows_pyconfig.h"))
     library = folder / "python3.lib"
     write_import_library(folder, include, library)
-    return {"Python_INCLUDE_DIR": include, "Python_SABI_LIBRARY": library, "Python_LIBRARY": library}
+    return {"GPR_WINDOWS_PYTHON_INCLUDE_DIR": include, "GPR_WINDOWS_PYTHON_LIBRARY": library}
 
 
 def write_import_library(folder, include, library):
