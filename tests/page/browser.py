@@ -2,12 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Chromium without a window, driven by the standard protocol of WebDriver (W3C), with the standard library only."""
 
+import base64
 import json
 import re
 import shutil
 import subprocess
 import time
 import urllib.request
+from pathlib import Path
 
 # No graphics card is needed, nor a sandbox, which root has none of. The test has no need of the network.
 ARGUMENTS = ["--headless=new", "--no-sandbox", "--disable-dev-shm-usage", "--hide-scrollbars", "--use-angle=swiftshader",
@@ -81,6 +83,10 @@ class Browser:
         self._call("POST", self.session + "/actions", {"actions": [{"type": "wheel", "id": "wheel", "actions": [step]}]})
         time.sleep(0.2)  # the event comes later
         self.run("return 0")
+
+    def screenshot(self, path):
+        """A PNG file of what the window shows."""
+        Path(path).write_bytes(base64.b64decode(self._call("GET", self.session + "/screenshot")))
 
     def messages(self):
         """What was written to the console since the last call, errors and warnings."""
