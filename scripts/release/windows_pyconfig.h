@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What Python's headers need to know of 64-bit Windows for modules of the stable ABI, in place of the pyconfig.h
-// that a Python for Windows brings.
+// What Python's headers need to know of 64-bit Windows for modules of the stable ABI, in place of
+// the pyconfig.h that a Python for Windows brings.
 #ifndef Py_CONFIG_H
 #define Py_CONFIG_H
 
