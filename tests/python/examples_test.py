@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The first example of the page for each package, on another mesh."""
 
+import importlib
 import re
 from pathlib import Path
 
@@ -18,7 +19,7 @@ DOCS = Path(__file__).resolve().parents[2] / "vcg_extras/docs"
 def test_first_example(host, tmp_path, monkeypatch):
     module = pytest.importorskip(host)
     if host == "pyvista":
-        import gpremesh.pyvista  # PyVista finds it by itself only where gpremesh is installed
+        importlib.import_module("gpremesh.pyvista")  # found by itself only where gpremesh is installed
         monkeypatch.setattr(module.Plotter, "show", lambda plotter: plotter.close())  # there is no window
         monkeypatch.setattr(module, "OFF_SCREEN", True)
     monkeypatch.chdir(tmp_path)
