@@ -56,9 +56,10 @@ class ZigSystem:
         folder.mkdir(exist_ok=True)
         install_zig(tools, folder)
         for name in ("c++", "ar", "ranlib", "rc"):
-            target = f" -target {self.target}" if name == "c++" else ""
+            target = f' -target {self.target} -I "{folder}/first"' if name == "c++" else ""
             write_script(folder / name, f'exec "{zig_of(folder)}" -m ziglang {name}{target} "$@"')
         headers = collect_headers(folder / "include")
+        write_empty_header(folder / "first/sys")
         defines = {f"GPR_{name}_INCLUDE_DIR": headers for name in ("CLI11", "JSON", "CGAL", "BOOST")}
         defines["CMAKE_TOOLCHAIN_FILE"] = self.write_toolchain(folder)
         defines["GPR_PYTHON_SUFFIX"] = self.suffix(version)
@@ -117,10 +118,13 @@ def collect_headers(folder):
     for name in HEADERS:
         if not (folder / name).exists():
             (folder / name).symlink_to(f"/usr/include/{name}")
-    # CGAL includes this header of glibc 2.32 where it finds it, and zig has it for every glibc.
-    (folder / "sys").mkdir(exist_ok=True)
-    (folder / "sys/single_threaded.h").write_text("enum { __libc_single_threaded = 0 };\n", encoding="utf-8")
     return folder
+
+
+def write_empty_header(folder):
+    """CGAL includes this header of glibc 2.32 where it finds it, and zig has it for every glibc: as an error."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "single_threaded.h").write_text("enum { __libc_single_threaded = 0 };\n", encoding="utf-8")
 
 
 def windows_python(tools, folder):
