@@ -56,7 +56,8 @@ class ZigSystem:
         folder.mkdir(exist_ok=True)
         install_zig(tools, folder)
         for name in ("c++", "ar", "ranlib", "rc"):
-            target = f' -target {self.target} -I "{folder}/first"' if name == "c++" else ""
+            # nanobind uses the header of C's input and output, which only other C++ libraries bring along.
+            target = f' -target {self.target} -I "{folder}/first" -include stdio.h' if name == "c++" else ""
             write_script(folder / name, f'exec "{zig_of(folder)}" -m ziglang {name}{target} "$@"')
         headers = collect_headers(folder / "include")
         write_empty_header(folder / "first/sys")

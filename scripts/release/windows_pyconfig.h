@@ -6,9 +6,6 @@
 #ifndef Py_CONFIG_H
 #define Py_CONFIG_H
 
-// Python's own includes it here, and others rely on it.
-#include <stdio.h>
-
 #define MS_WIN32
 #define MS_WIN64
 #define MS_WINDOWS
