@@ -47,6 +47,14 @@ protected:
 		return false;
 	}
 
+	/// tests/page looks at it in a browser.
+	static void expectViewer(const std::string& page)
+	{
+		const bool isBuilt = page.find("built without three.js") == std::string::npos;
+		EXPECT_EQ(count(page, "id=\"viewer-data\""), isBuilt ? 1u : 0u);
+		EXPECT_EQ(count(page, "three.js authors"), isBuilt ? 1u : 0u);
+	}
+
 	static std::size_t count(const std::string& text, const std::string& part)
 	{
 		std::size_t num = 0;
@@ -158,6 +166,8 @@ TEST_F(Compare, PageHoldsItsPictures)
 	EXPECT_NE(page.find("<td>p99.9, input to result</td>"), std::string::npos);
 	EXPECT_NE(page.find("99.9 % of the points are nearer than p99.9"), std::string::npos);
 	EXPECT_EQ(count(page, "src=\"") + count(page, "href="), count(page, "src=\"data:image/png"));
+	EXPECT_EQ(count(page, "<link") + count(page, "@import") + count(page, "import("), 0u);
+	expectViewer(page);
 	const auto files = std::filesystem::directory_iterator(path("new/page"));
 	EXPECT_EQ(std::distance(begin(files), end(files)), 1);
 	if (page.find("no pictures") != std::string::npos) GTEST_SKIP() << "f3d is not installed";

@@ -112,4 +112,31 @@ TEST(SurfaceDistance, PassesOverUnusableFaces)
 	EXPECT_EQ(distance(dirty, TriangleMesh(), 1000).p999, 0);
 }
 
+// A peak of height h over the middle of the square: its tip is farthest, and of the faces at the
+// rim the middle of an edge or of the face.
+TEST(SurfaceDistance, FarthestPointsAreThoseOfTheFaces)
+{
+	TriangleMesh tent = square(0, 0, 0);
+	tent.positions.push_back({0.5, 0.5, 0.3});
+	tent.triangles            = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
+	const TriangleMesh   flat = square(0, 0, 0);
+	gpr::Workers         workers(2, nullptr);
+	const DistanceTarget target(flat.view());
+	const auto           far = target.farthestPoints(tent.view(), {0, 2}, workers);
+	ASSERT_EQ(far.size(), 2u);
+	for (const gpr::app::FarPoint& p : far) {
+		EXPECT_NEAR(p.distance, 0.3, 1e-12);
+		EXPECT_EQ(p.position, Vec3d(0.5, 0.5, 0.3));
+	}
+	// From the tent, the middle of the flat face is not farther than its height allows.
+	const auto back = DistanceTarget(tent.view()).farthestPoints(flat.view(), {0, 1}, workers);
+	for (const gpr::app::FarPoint& p : back) {
+		EXPECT_NEAR(p.distance, 0.3 * 0.5 / std::hypot(0.3, 0.5), 1e-12);
+		EXPECT_EQ(p.position, Vec3d(0.5, 0.5, 0)); // the middle of the diagonal
+	}
+	const TriangleMesh nothing;
+	EXPECT_EQ(DistanceTarget(nothing.view()).farthestPoints(flat.view(), {0}, workers)[0].distance,
+			  0);
+}
+
 } // namespace gpr_test

@@ -174,17 +174,18 @@ def test_nothing_is_kept_alive_or_leaks():
     gc.collect()
     assert [reference() for reference in kept] == [None, None, None]
     vertices, faces = torus(20, 10)
-    for _ in range(30):
-        many_calls(vertices, faces)
+    for i in range(30):
+        many_calls(vertices, faces, i)
     before = resident_bytes()
-    for _ in range(150):
-        many_calls(vertices, faces)
+    for i in range(150):
+        many_calls(vertices, faces, i)
     assert resident_bytes() - before < 1_000_000
 
 
-def many_calls(vertices, faces):
+def many_calls(vertices, faces, i):
     gpremesh.remesh(vertices, faces, vertex_count=300, uv=vertices[:, :2], threads=1, progress=lambda *_: True)
-    for wrong in (dict(vertex_count=4), dict(seed="x"), dict(feature_edges=[[0, 100]]),
+    too_few = [dict(vertex_count=4)] if i % 10 == 0 else []  # the smallest count is searched for half a second
+    for wrong in (*too_few, dict(seed="x"), dict(feature_edges=[[0, 100]]),
                   dict(progress=lambda *_: False)):
         with pytest.raises((ValueError, gpremesh.Error)):
             gpremesh.remesh(vertices, faces, **{"vertex_count": 60, "threads": 1, **wrong})

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distance_call.h"
+#include "mesh_file.h"
 #include "parameter_values.h"
 #include "polygon_call.h"
 #include "remesh_call.h"
@@ -8,6 +9,7 @@
 #include <nanobind/nanobind.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -44,11 +46,26 @@ NB_MODULE(_core, module)
 		.def_rw("images", &Extras::images, nb::arg().none())
 		.def_rw("prepared", &Extras::prepared, nb::arg().none());
 
+	nb::class_<FileAttributes>(module, "FileAttributes")
+		.def(nb::init<>())
+		.def("add_vertex_values", &FileAttributes::addVertexValues, "name"_a, "array"_a)
+		.def("add_face_values", &FileAttributes::addFaceValues, "name"_a, "array"_a)
+		.def("set_texture", &FileAttributes::setTexture, "uv"_a, "image"_a.none())
+		.def("take_materials", &FileAttributes::takeMaterials, "other"_a)
+		.def("vertex_values", &FileAttributes::vertexValues)
+		.def("face_values", &FileAttributes::faceValues)
+		.def("uv", &FileAttributes::uv)
+		.def("image", &FileAttributes::image);
+
 	module.def(
 		"parameters", [](const std::string& tool) { return parameterList(toolOf(tool)); },
 		"tool"_a);
 	module.def("remesh", &remeshArrays, "vertices"_a, "faces"_a, "extras"_a, "parameters"_a,
 			   "progress"_a.none());
+	module.def("remesh_mesh_of_file", &remeshMeshOfFile, "vertices"_a, "faces"_a, "extras"_a,
+			   "attributes"_a, "parameters"_a, "progress"_a.none());
+	module.def("read_mesh", &readMeshFile, "path"_a);
+	module.def("write_mesh", &writeMeshFile, "path"_a, "vertices"_a, "faces"_a, "attributes"_a);
 	module.def("sample", &sampleArrays, "vertices"_a, "faces"_a, "extras"_a, "parameters"_a,
 			   "progress"_a.none());
 	module.def("features", &detectInArrays, "vertices"_a, "faces"_a, "parameters"_a,

@@ -6,6 +6,7 @@
 #include "parameter_values.h"
 #include "python_progress.h"
 
+#include <vcg_extras/apps/gpremesh/attribute_carry.h>
 #include <vcg_extras/apps/gpremesh/features_report.h>
 #include <vcg_extras/apps/gpremesh/platform.h>
 #include <vcg_extras/apps/gpremesh/precision.h>
@@ -45,6 +46,15 @@ void takeLines(const Edges& edges, Mesh& mesh)
 }
 
 /// The seams of a texture are lines as those that are given.
+void takeSeams(Mesh& mesh)
+{
+	if (mesh.texture == nullptr || !mesh.texture->hasSeams()) return;
+	mesh.lines.resize(3 * mesh.view.faceNum, 0);
+	for (std::size_t c = 0; c < mesh.lines.size(); ++c)
+		mesh.lines[c] |= mesh.texture->seams()[c];
+	mesh.view.line = mesh.lines.data();
+}
+
 void takeTexture(const Extras& extras, Mesh& mesh)
 {
 	const float* const        uv    = dataOf(extras.texture, mesh.view.faceNum);
@@ -53,10 +63,7 @@ void takeTexture(const Extras& extras, Mesh& mesh)
 	texture.uv.assign(uv, uv + 6 * mesh.view.faceNum);
 	if (image != nullptr) texture.image.assign(image, image + mesh.view.faceNum);
 	mesh.texture = std::make_unique<TextureSource>(mesh.view, std::move(texture));
-	if (!mesh.texture->hasSeams()) return;
-	mesh.lines.resize(3 * mesh.view.faceNum, 0);
-	for (std::size_t c = 0; c < mesh.lines.size(); ++c)
-		mesh.lines[c] |= mesh.texture->seams()[c];
+	takeSeams(mesh);
 }
 
 /// Does not touch Python's objects but for the arrays' data.
@@ -138,35 +145,93 @@ void putMesh(RemeshResult&& result, nb::dict& out)
 
 } // namespace
 
+namespace {
+
+/// A run of the whole way and what is told of it.
+struct Run {
+	RemeshOptions  options;
+	app::RunRecord record;
+	RemeshResult   result;
+};
+
+Run runOf(const Extras& extras, const nb::dict& given)
+{
+	Run run;
+	run.options                      = optionsOf(RemeshTool, given);
+	run.options.selectedOnly         = extras.selectedFaces.has_value();
+	run.options.surfacePointsOfFaces = true;
+	return run;
+}
+
+/// carry(mesh) takes what is carried over to the result, if there is one.
+template <class Carry>
+void remeshTimed(const Mesh& mesh, const app::Stopwatch& clock, PythonProgress& watch, Run& run,
+				 const Carry& carry)
+{
+	const double read = clock.seconds();
+	run.result        = remeshOf(mesh, run.options, watch.callback());
+	const double done = clock.seconds();
+	if (run.result.status == Status::Ok) carry(mesh);
+	run.record       = recordOf(mesh, run.options, run.result);
+	run.record.times = {read, done - read, clock.seconds() - done};
+}
+
+nb::dict outcomeOf(Run&& run)
+{
+	const RemeshResult& result = run.result;
+	nb::dict            out    = outcome(result.status, result.message, result.smallestVertexNum);
+	if (result.status != Status::Ok) return out;
+	out["report"]    = app::remeshReportJson(run.record);
+	out["is_coarse"] = isCoarse(result);
+	putMesh(std::move(run.result), out);
+	return out;
+}
+
+} // namespace
+
 nb::dict remeshArrays(const Positions& positions, const Triangles& triangles, const Extras& extras,
 					  const nb::dict& given, nb::object progress)
 {
 	const app::Stopwatch clock;
-	RemeshOptions        options = optionsOf(RemeshTool, given);
-	options.selectedOnly         = extras.selectedFaces.has_value();
-	options.surfacePointsOfFaces = true;
-	PythonProgress watch(std::move(progress));
-	app::RunRecord run;
-	RemeshResult   result;
-	CornerTexture  texture;
-	bool           isTextured = false;
+	Run                  run = runOf(extras, given);
+	PythonProgress       watch(std::move(progress));
+	CornerTexture        texture;
 	{
 		const nb::gil_scoped_release noLock;
-		const Mesh                   mesh = takeMesh(positions, triangles, extras);
-		const double                 read = clock.seconds();
-		result                            = remeshOf(mesh, options, watch.callback());
-		const double done                 = clock.seconds();
-		isTextured                        = mesh.texture != nullptr && result.status == Status::Ok;
-		if (isTextured) texture = mesh.texture->carriedTo(result);
-		run       = recordOf(mesh, options, result);
-		run.times = {read, done - read, clock.seconds() - done};
+		remeshTimed(takeMesh(positions, triangles, extras), clock, watch, run,
+					[&](const Mesh& mesh) {
+						if (mesh.texture != nullptr) texture = mesh.texture->carriedTo(run.result);
+					});
 	}
 	watch.rethrow();
-	nb::dict out = outcome(result.status, result.message, result.smallestVertexNum);
-	if (result.status != Status::Ok) return out;
-	out["report"] = app::remeshReportJson(run);
-	putMesh(std::move(result), out);
-	if (isTextured) putTexture(std::move(texture), out);
+	nb::dict out = outcomeOf(std::move(run));
+	if (!texture.uv.empty()) putTexture(std::move(texture), out);
+	return out;
+}
+
+nb::dict remeshMeshOfFile(const Positions& positions, const Triangles& triangles,
+						  const Extras& extras, const FileAttributes& attributes,
+						  const nb::dict& given, nb::object progress)
+{
+	const app::Stopwatch clock;
+	Run                  run = runOf(extras, given);
+	PythonProgress       watch(std::move(progress));
+	FileAttributes       carried;
+	{
+		const nb::gil_scoped_release noLock;
+		const bool                   isSewn = run.options.sew && !run.options.selectedOnly;
+		app::MeshAttributes          source = attributes.values;
+		Mesh                         mesh   = takeMesh(positions, triangles, extras);
+		mesh.texture                        = app::takeTexture(source, mesh.view, isSewn);
+		takeSeams(mesh);
+		remeshTimed(mesh, clock, watch, run, [&](const Mesh& taken) {
+			carried.values =
+				app::carryAttributes(source, taken.view, taken.texture.get(), run.result);
+		});
+	}
+	watch.rethrow();
+	nb::dict out      = outcomeOf(std::move(run));
+	out["attributes"] = std::move(carried);
 	return out;
 }
 

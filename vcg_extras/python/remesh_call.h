@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_PYTHON_REMESH_CALL_H
 
 #include "arrays.h"
+#include "mesh_file.h"
 
 #include <vcg_extras/core/prepared_surface.h>
 
@@ -23,6 +24,12 @@ struct Extras {
 	/// What earlier runs on the same vertices and faces have made; or null.
 	std::shared_ptr<PreparedSurface> prepared;
 };
+
+/// The attributes of a file instead of a texture: they are carried over to the result, by the rules
+/// of the program. The dictionary has them as `attributes`.
+nb::dict remeshMeshOfFile(const Positions& positions, const Triangles& triangles,
+						  const Extras& extras, const FileAttributes& attributes,
+						  const nb::dict& given, nb::object progress);
 
 /// Each runs a tool of the engine without the interpreter's lock and returns a dictionary: status,
 /// message and smallest_count, then what the tool makes. `given` has the parameters of the table.

@@ -135,7 +135,9 @@ CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 		->check(CLI::Range(1, 101))
 		->type_name("K");
 	compare->add_flag("--json", line.json, "Print JSON");
-	compare->add_option("--html", line.htmlFolder, "Write the page DIR/index.html with pictures")
+	compare
+		->add_option("--html", line.htmlFolder,
+					 "Write the page DIR/index.html with views to turn and pictures")
 		->type_name("DIR");
 	compare->footer(exitCodeHelp);
 	return compare;

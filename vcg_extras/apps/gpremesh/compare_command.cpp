@@ -6,6 +6,7 @@
 #include "compare_methods.h"
 #include "compare_page.h"
 #include "compare_table.h"
+#include "compare_viewer.h"
 #include "exit_code.h"
 #include "formatted_text.h"
 #include "mesh_io.h"
@@ -68,8 +69,14 @@ void writePage(const std::string& folder, const InputMesh& input, CompareRecord&
 	MeshPhotographer  photographer(input.view(), edgeLen, workFolder);
 	const std::vector<CaptionedPictures> pictures = takePictures(input, record, photographer, bar);
 	if (!photographer.complaint().empty()) record.notes.push_back(photographer.complaint());
-	OutputFile page(pagePath(folder));
-	page.text(comparePage(record, pictures));
+	if (!hasViewer()) {
+		record.notes.push_back(
+			"The page has no views to turn: this program was built without three.js.");
+	}
+	bar.show(1, "measuring for the views");
+	const std::string viewer = hasViewer() ? viewerHtml(input.view(), record) : "";
+	OutputFile        page(pagePath(folder));
+	page.text(comparePage(record, pictures, viewer));
 	page.commit();
 }
 

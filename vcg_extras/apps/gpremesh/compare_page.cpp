@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "compare_page.h"
 
+#include "base64.h"
 #include "compare_table.h"
 #include "formatted_text.h"
 
@@ -42,23 +43,6 @@ std::string escaped(const std::string& text)
 	return out;
 }
 
-/// RFC 4648.
-std::string base64(const std::string& bytes)
-{
-	const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-	std::string       text;
-	text.reserve(4 * (bytes.size() / 3 + 1));
-	for (std::size_t i = 0; i < bytes.size(); i += 3) {
-		const std::size_t num  = std::min<std::size_t>(3, bytes.size() - i);
-		std::uint32_t     bits = 0;
-		for (std::size_t k = 0; k < 3; ++k)
-			bits = bits << 8 | (k < num ? static_cast<unsigned char>(bytes[i + k]) : 0u);
-		for (std::size_t k = 0; k < 4; ++k)
-			text += k <= num ? digits[bits >> (18 - 6 * k) & 63] : '=';
-	}
-	return text;
-}
-
 std::string tableHtml(const FigureTable& table)
 {
 	std::string html = "<div class=\"scroll\"><table>\n<tr><th></th>";
@@ -96,7 +80,8 @@ std::string picturesHtml(const std::vector<CaptionedPictures>& list)
 
 } // namespace
 
-std::string comparePage(const CompareRecord& record, const std::vector<CaptionedPictures>& pictures)
+std::string comparePage(const CompareRecord& record, const std::vector<CaptionedPictures>& pictures,
+						const std::string& viewer)
 {
 	const std::string name  = std::filesystem::path(record.inputPath).filename().string();
 	const std::string title = escaped(name) + ", compared by gpremesh " + GPR_VERSION;
@@ -106,7 +91,7 @@ std::string comparePage(const CompareRecord& record, const std::vector<Captioned
 					   title + "</h1>\n" + tableHtml(figureTable(record)) + "<ul>\n";
 	for (const std::string& e : explanations(record))
 		html += "<li>" + escaped(e) + "</li>\n";
-	return html + "</ul>\n" + picturesHtml(pictures) + "</body>\n</html>\n";
+	return html + "</ul>\n" + viewer + picturesHtml(pictures) + "</body>\n</html>\n";
 }
 
 } // namespace gpr::app

@@ -14,9 +14,10 @@ struct CaptionedPictures {
 	MeshPictures pictures;
 };
 
-/// The comparison as one HTML page that needs no other file: the pictures are part of it.
-std::string comparePage(const CompareRecord&                  record,
-						const std::vector<CaptionedPictures>& pictures);
+/// The comparison as one HTML page that needs no other file: the pictures are part of it, and so is
+/// the viewer, a piece of HTML or empty.
+std::string comparePage(const CompareRecord& record, const std::vector<CaptionedPictures>& pictures,
+						const std::string& viewer);
 
 } // namespace gpr::app
 

@@ -113,6 +113,20 @@ private:
 	FaceTree::Point_and_primitive_id last_;
 };
 
+FarPoint farthestPointOf(const MeshView& mesh, std::size_t face, NearestSearch& nearest)
+{
+	const auto  t = mesh.triangle(face);
+	const Vec3d a = mesh.position(std::size_t(t[0])), b = mesh.position(std::size_t(t[1])),
+				c     = mesh.position(std::size_t(t[2]));
+	FarPoint farthest = {a, nearest.distance(a)};
+	for (const Vec3d& p :
+		 {b, c, (a + b) * 0.5, (b + c) * 0.5, (c + a) * 0.5, (a + b + c) * (1. / 3)}) {
+		const double distance = nearest.distance(p);
+		if (distance > farthest.distance) farthest = {p, distance};
+	}
+	return farthest;
+}
+
 } // namespace
 
 struct DistanceTarget::Tree {
@@ -190,6 +204,20 @@ DistanceFigures DistanceTarget::from(const MeshView& mesh, std::int64_t sampleNu
 	figures.p999            = histogram.p999(sums.max);
 	figures.max             = std::max(sums.max, tree_->largestOfVertices(mesh, used, workers));
 	return figures;
+}
+
+std::vector<FarPoint> DistanceTarget::farthestPoints(const MeshView&                   mesh,
+													 const std::vector<std::uint32_t>& faces,
+													 Workers& workers) const
+{
+	std::vector<FarPoint> points(faces.size());
+	if (tree_->faces.empty()) return points;
+	workers.forRange(faces.size(), [&](std::size_t begin, std::size_t end) {
+		NearestSearch nearest = tree_->search();
+		for (std::size_t i = begin; i < end; ++i)
+			points[i] = farthestPointOf(mesh, faces[i], nearest);
+	});
+	return points;
 }
 
 std::int64_t distanceSampleNum(std::size_t resultFaceNum)

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace gpr::app {
 
@@ -19,6 +20,12 @@ struct DistanceFigures {
 	double       max       = 0; ///< largest of those measured
 	std::int64_t sampleNum = 0; ///< points spread evenly over the area
 	std::int64_t vertexNum = 0; ///< vertices measured beside them; they count for max only
+};
+
+/// A point of a surface and its distance from another one, mesh units.
+struct FarPoint {
+	Vec3d  position;
+	double distance = 0;
 };
 
 /// A surface to which distances are measured: CGAL's bounding-box tree over its triangles.
@@ -36,6 +43,13 @@ public:
 	/// mesh only. The p99.9 is at most 0.05 % too large: see DistanceHistogram. No distance is
 	/// found where either has no usable face: all figures are 0 then.
 	DistanceFigures from(const MeshView& mesh, std::int64_t sampleNum, Workers& workers) const;
+
+	/// For each of these faces of another surface that of seven points which is farthest from this
+	/// one: its corners, the middles of its edges and its own middle. The faces must have finite
+	/// corners. Distance 0 where this surface has no usable face.
+	std::vector<FarPoint> farthestPoints(const MeshView&                   mesh,
+										 const std::vector<std::uint32_t>& faces,
+										 Workers&                          workers) const;
 
 private:
 	struct Tree;

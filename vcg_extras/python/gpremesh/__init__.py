@@ -27,12 +27,13 @@ import importlib
 from ._api import distance, features, remesh, sample
 from ._core import version as __version__
 from ._errors import Error
+from ._files import FileMesh, read, write
 from ._results import Distance, Features, OneWayDistance, RemeshResult, Samples
 from ._surface import Surface
 
 __all__ = [
-    "Distance", "Error", "Features", "OneWayDistance", "RemeshResult", "Samples", "Surface",
-    "distance", "features", "remesh", "sample",
+    "Distance", "Error", "Features", "FileMesh", "OneWayDistance", "RemeshResult", "Samples", "Surface",
+    "distance", "features", "read", "remesh", "sample", "write",
 ]
 
 for _name in __all__:  # where they are found, for their texts

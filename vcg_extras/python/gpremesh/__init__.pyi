@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Made by vcg_extras/python/make_stubs --write from the engine's parameter table; do not edit.
+import os
 from collections.abc import Callable
 from typing import Any, Literal
 
 from numpy.typing import ArrayLike
 
 from ._errors import Error as Error
+from ._files import FileMesh as FileMesh
 from ._results import Distance as Distance
 from ._results import Features as Features
 from ._results import OneWayDistance as OneWayDistance
@@ -521,4 +523,59 @@ def distance(
     ------
     ValueError, gpremesh.Error, KeyboardInterrupt
         As `remesh`. While a search tree is built, cancelling waits for its end.
+    """
+
+def read(
+    path: str | os.PathLike[str],
+) -> FileMesh:
+    """Reads a mesh with all that its file holds, by the reader of the command line.
+
+    Parameters
+    ----------
+    path : str or path-like
+        A file in one of the formats PLY, OBJ, OFF, STL and binary glTF, by its extension.
+
+    Returns
+    -------
+    FileMesh
+        Polygons are cut into triangles. A scene of binary glTF becomes one mesh.
+
+    Raises
+    ------
+    ValueError
+        For another extension.
+    OSError
+        Where there is no such file, or it cannot be read.
+    gpremesh.Error
+        Where the file is no mesh, with the status "unusable input". Compressed binary glTF and morph
+        targets are refused.
+
+    Examples
+    --------
+    >>> import gpremesh
+    >>> mesh = gpremesh.read("statue.glb")                # doctest: +SKIP
+    >>> gpremesh.write("small.glb", mesh.remesh(5000))    # doctest: +SKIP
+    """
+
+def write(
+    path: str | os.PathLike[str],
+    mesh: Any,
+) -> None:
+    """Writes a mesh, by the writer of the command line.
+
+    Parameters
+    ----------
+    path : str or path-like
+        A file to write or replace, in one of the formats PLY, OBJ, OFF, STL and binary glTF, by its
+        extension. An older file stays as it is where anything goes wrong.
+    mesh : FileMesh, RemeshResult, a pair (vertices, faces), or an object that has them as attributes
+        A FileMesh is written with everything that the format holds, a RemeshResult with its texture
+        coordinates. There is a warning that names what the format does not hold.
+
+    Raises
+    ------
+    ValueError
+        For another extension, and for arrays that do not fit together.
+    OSError
+        Where the file cannot be written.
     """

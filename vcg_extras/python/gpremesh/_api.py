@@ -20,6 +20,16 @@ def _given(parameters):
     return {name: value for name, value in parameters.items() if value is not None}
 
 
+def checked(tool, parameters, progress):
+    """The parameters of a tool that were given; others are a TypeError."""
+    _check_progress(progress)
+    names = {entry["name"] for entry in _core.parameters(tool)}
+    for name in parameters:
+        if name not in names:
+            raise TypeError(f"{tool}() has no parameter {name!r}")
+    return _given(parameters)
+
+
 def _imply(parameters, name, choice, argument, values):
     """An array that is given implies the choice that reads it; the choice needs the array."""
     if values is not None:
@@ -28,30 +38,30 @@ def _imply(parameters, name, choice, argument, values):
         raise ValueError(f"{name}={choice!r} needs {argument}.")
 
 
-def _extras(mesh, parameters, region, quality, feature_edges):
+def extras(mesh, parameters, region, quality, feature_edges):
     vertex_num = len(mesh.vertices)
-    extras = _core.Extras()
-    extras.region = _arrays.mask("region", region, vertex_num, "vertices")
-    extras.quality = _arrays.per_vertex("quality", quality, vertex_num)
-    extras.feature_edges = _arrays.edges("feature_edges", feature_edges, vertex_num)
+    made = _core.Extras()
+    made.region = _arrays.mask("region", region, vertex_num, "vertices")
+    made.quality = _arrays.per_vertex("quality", quality, vertex_num)
+    made.feature_edges = _arrays.edges("feature_edges", feature_edges, vertex_num)
     _imply(parameters, "feature_region", "selection", "region", region)
     _imply(parameters, "sizing", "quality", "quality", quality)
     _imply(parameters, "features", "selected", "feature_edges", feature_edges)
-    return extras
+    return made
 
 
 def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, quality, feature_edges, uv, image):
     """The run of `remesh` on a mesh that was taken over, and maybe prepared."""
     _check_progress(progress)
     parameters = _given(parameters)
-    extras = _extras(mesh, parameters, region, quality, feature_edges)
-    extras.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
-    extras.uv = mesh.corner_uv("uv", uv)
-    extras.images = mesh.images("image", image)
-    extras.prepared = prepared
+    given = extras(mesh, parameters, region, quality, feature_edges)
+    given.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
+    given.uv = mesh.corner_uv("uv", uv)
+    given.images = mesh.images("image", image)
+    given.prepared = prepared
     if image is not None and uv is None:
         raise ValueError("image needs uv.")
-    outcome = _core.remesh(mesh.vertices, mesh.faces, extras, parameters, progress)
+    outcome = _core.remesh(mesh.vertices, mesh.faces, given, parameters, progress)
     check(outcome)
     return RemeshResult(mesh, outcome, json.loads(outcome["report"]))
 
@@ -160,8 +170,8 @@ def sample(vertices, faces, *, region=None, quality=None, feature_edges=None, pr
     _check_progress(progress)
     parameters = _given(parameters)
     mesh = _arrays.Mesh(vertices, faces)
-    extras = _extras(mesh, parameters, region, quality, feature_edges)
-    outcome = _core.sample(mesh.vertices, mesh.faces, extras, parameters, progress)
+    given = extras(mesh, parameters, region, quality, feature_edges)
+    outcome = _core.sample(mesh.vertices, mesh.faces, given, parameters, progress)
     check(outcome)
     return Samples(
         points=outcome["points"].astype(mesh.vertices.dtype, copy=False),
@@ -211,14 +221,16 @@ def features(vertices, faces, *, progress=None, **parameters):
     )
 
 
-def _mesh_of(name, mesh):
+def vertices_and_faces(name, mesh):
     if isinstance(mesh, (tuple, list)) and len(mesh) == 2:
-        vertices, faces = mesh
-    elif hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
-        vertices, faces = mesh.vertices, mesh.faces
-    else:
-        raise ValueError(f"{name} must be a pair (vertices, faces), or have these two as attributes.")
-    return _arrays.Mesh(vertices, faces, (f"{name}.vertices", f"{name}.faces"))
+        return mesh
+    if hasattr(mesh, "vertices") and hasattr(mesh, "faces"):
+        return mesh.vertices, mesh.faces
+    raise ValueError(f"{name} must be a pair (vertices, faces), or have these two as attributes.")
+
+
+def _mesh_of(name, mesh):
+    return _arrays.Mesh(*vertices_and_faces(name, mesh), (f"{name}.vertices", f"{name}.faces"))
 
 
 def _whole_number(name, value, least, most):

@@ -1,0 +1,178 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The systems that wheels are made for: how scikit-build-core and CMake are told to compile for each."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+HEADERS = ("CLI", "nlohmann", "CGAL", "boost")  # libraries that are headers only
+GLIBC = "2.28"  # of Debian 10, RHEL 8 and Ubuntu 18.10
+STABLE_ABI = "0x030c0000"  # what is declared in Python's headers for the stable ABI of 3.12
+
+
+def build_requirements(project):
+    """What pyproject.toml asks for, with CMake and ninja, since nothing is isolated."""
+    found = re.search(r"^requires = \[(.*)\]", project.read_text(encoding="utf-8"), re.MULTILINE)
+    return re.findall(r'"([^"]+)"', found.group(1)) + ["cmake>=3.26", "ninja"]
+
+
+class Here:
+    """This machine's own compiler."""
+
+    name = "here"
+    machine = os.uname().machine
+    is_windows = False
+    is_this_machine = True
+
+    def has(self, version):
+        return True
+
+    def settings(self, tools, folder, version):
+        return []
+
+    def environment(self):
+        return {}
+
+
+class ZigSystem:
+    """A system that zig's clang compiles for."""
+
+    def __init__(self, name, target):
+        self.name = name
+        self.target = target
+        self.machine = name.split("-")[1]
+        self.is_windows = "windows" in target
+        self.is_this_machine = name == "linux-" + os.uname().machine
+
+    def has(self, version):
+        """Whether there is a wheel for this Python. Windows's libraries of 3.10 and 3.11 are not to be had here."""
+        return version >= (3, 12) or not self.is_windows
+
+    def settings(self, tools, folder, version):
+        """Settings of scikit-build-core; what they name lies in the folder."""
+        folder.mkdir(exist_ok=True)
+        install_zig(tools, folder)
+        for name in ("c++", "ar", "ranlib", "rc"):
+            # nanobind uses the header of C's input and output, which only other C++ libraries bring along.
+            target = f' -target {self.target} -I "{folder}/first" -include stdio.h' if name == "c++" else ""
+            write_script(folder / name, f'exec "{zig_of(folder)}" -m ziglang {name}{target} "$@"')
+        headers = collect_headers(folder / "include")
+        write_empty_header(folder / "first/sys")
+        defines = {f"GPR_{name}_INCLUDE_DIR": headers for name in ("CLI11", "JSON", "CGAL", "BOOST")}
+        defines["CMAKE_TOOLCHAIN_FILE"] = self.write_toolchain(folder)
+        defines["GPR_PYTHON_SUFFIX"] = self.suffix(version)
+        if self.is_windows:
+            defines.update(windows_python(tools, folder))
+        return ["install.strip=false"] + [f"cmake.define.{name}={value}" for name, value in defines.items()]
+
+    def environment(self):
+        """Without vcglib, whether or not it is here: compare has the engine's own methods only."""
+        return {"GPR_CACHE_DIR": "/nonexistent"}
+
+    def suffix(self, version):
+        """How the name of a module ends that Python finds."""
+        if self.is_windows:
+            return ".pyd"
+        if version >= (3, 12):
+            return ".abi3.so"
+        return ".cpython-%d%d-%s-linux-gnu.so" % (*version, self.machine)
+
+    def write_toolchain(self, folder):
+        path = folder / "toolchain.cmake"
+        path.write_text(f"""set(CMAKE_SYSTEM_NAME {"Windows" if self.is_windows else "Linux"})
+set(CMAKE_SYSTEM_PROCESSOR {self.machine})
+set(CMAKE_CXX_COMPILER {folder}/c++)
+set(CMAKE_AR {folder}/ar CACHE FILEPATH "")
+set(CMAKE_RANLIB {folder}/ranlib CACHE FILEPATH "")
+set(CMAKE_RC_COMPILER {folder}/rc CACHE FILEPATH "")
+# zig checks for undefined behaviour unless told otherwise. Its libc++ has no std::unary_function in C++17.
+set(CMAKE_CXX_FLAGS_INIT "-fno-sanitize=undefined -DBOOST_NO_CXX98_FUNCTION_BASE")
+set(CMAKE_EXE_LINKER_FLAGS_INIT -s)
+set(CMAKE_MODULE_LINKER_FLAGS_INIT -s)
+""", encoding="utf-8")
+        return path
+
+
+def write_script(path, text):
+    path.write_text(f"#!/bin/sh\n{text}\n", encoding="utf-8")
+    path.chmod(0o755)
+
+
+def zig_of(folder):
+    """The Python with ziglang, one for all systems."""
+    return folder.parent / "zig/bin/python"
+
+
+def install_zig(tools, folder):
+    zig = zig_of(folder)
+    if not zig.exists():
+        subprocess.run([tools, "-m", "venv", zig.parents[1]], check=True)
+        subprocess.run([zig, "-m", "pip", "--quiet", "--disable-pip-version-check", "install", "ziglang"], check=True)
+
+
+def collect_headers(folder):
+    """Links to libraries that are headers only, apart from the other headers of this system."""
+    folder.mkdir(exist_ok=True)
+    for name in HEADERS:
+        if not (folder / name).exists():
+            (folder / name).symlink_to(f"/usr/include/{name}")
+    return folder
+
+
+def write_empty_header(folder):
+    """CGAL includes this header of glibc 2.32 where it finds it, and zig has it for every glibc: as an error."""
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "single_threaded.h").write_text("enum { __libc_single_threaded = 0 };\n", encoding="utf-8")
+
+
+def windows_python(tools, folder):
+    """Python's headers for Windows, and the library through which a module finds python3.dll. The headers are
+    those of this system, which are the same on all but for pyconfig.h."""
+    include = folder / "python"
+    if not include.exists():
+        code = "import sysconfig; print(sysconfig.get_path('include'))"
+        ours = Path(subprocess.run([tools, "-c", code], check=True, capture_output=True, text=True).stdout.strip())
+        include.mkdir()
+        for path in ours.iterdir():
+            if path.name != "pyconfig.h":
+                (include / path.name).symlink_to(path)
+        (include / "pyconfig.h").symlink_to(Path(__file__).with_name("windows_pyconfig.h"))
+    library = folder / "python3.lib"
+    write_import_library(folder, include, library)
+    return {"GPR_WINDOWS_PYTHON_INCLUDE_DIR": include, "GPR_WINDOWS_PYTHON_LIBRARY": library}
+
+
+def write_import_library(folder, include, library):
+    """Of all that the headers declare for the stable ABI, as they say themselves."""
+    source = folder / "declared.cpp"
+    source.write_text("#include <Python.h>\n", encoding="utf-8")
+    declared = subprocess.run([folder / "c++", f"-DPy_LIMITED_API={STABLE_ABI}", "-I", include, "-E", source],
+                              check=True, capture_output=True, text=True).stdout
+    # The name stands before the arguments, the semicolon or the bracket of what is declared.
+    declaration = re.compile(r"dllimport\)\)?\)[^;{}]*?\b(_?Py\w+)\s*(?:\(|;|\[)")
+    names = sorted(set(declaration.findall(declared)))
+    if len(names) < 500:
+        sys.exit(f"make_wheels: only {len(names)} names were found in Python's headers")
+    definition = folder / "python3.def"
+    definition.write_text("LIBRARY python3.dll\nEXPORTS\n" + "\n".join(names) + "\n", encoding="utf-8")
+    subprocess.run([zig_of(folder), "-m", "ziglang", "dlltool", "-m", "i386:x86-64", "-d", definition,
+                    "-l", library], check=True)
+
+
+SYSTEMS = [
+    ZigSystem("linux-x86_64", f"x86_64-linux-gnu.{GLIBC}"),
+    ZigSystem("linux-aarch64", f"aarch64-linux-gnu.{GLIBC}"),
+    ZigSystem("windows-x86_64", "x86_64-windows-gnu"),
+    Here(),
+]
+
+
+def by_names(text):
+    known = {system.name: system for system in SYSTEMS}
+    for name in text.split(","):
+        if name not in known:
+            sys.exit(f"make_wheels: there is no system {name}; it is one of {', '.join(known)}")
+    return [known[name] for name in text.split(",")]

@@ -1,0 +1,183 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Files with all that they hold: the bytes of the command line, and arrays there and back."""
+
+import json
+import struct
+import warnings
+
+import numpy as np
+import pytest
+
+import gpremesh
+from meshes import command_line, cube, sheet, torus
+
+PIXEL = bytes.fromhex(  # an image of one pixel, as PNG
+    "89504e470d0a1a0a0000000d49484452000000010000000108060000001f15c4890000000d49444154789c63f8cfc0f01f00"
+    "0500010000ffff5d0db5e70000000049454e44ae426082")
+
+
+def colours(vertices):
+    share = (vertices - vertices.min(axis=0)) / np.ptp(vertices, axis=0)
+    return dict(zip(("red", "green", "blue"), (255 * share).round().astype(np.uint8).T))
+
+
+def write_glb(path, vertices, faces, uv):
+    """A binary glTF file of one mesh with a material that has an image."""
+    parts = [vertices.astype("<f4"), uv.astype("<f4"), faces.astype("<u4")]
+    blob, views = b"", []
+    for part in [*(part.tobytes() for part in parts), PIXEL]:
+        views.append({"buffer": 0, "byteOffset": len(blob), "byteLength": len(part)})
+        blob += part + b"\0" * (-len(part) % 4)
+    document = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
+        "materials": [{"name": "paint", "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "roughnessFactor": 0.7}}],
+        "textures": [{"source": 0}], "images": [{"bufferView": 3, "mimeType": "image/png"}],
+        "bufferViews": views, "buffers": [{"byteLength": len(blob)}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": len(vertices), "type": "VEC3",
+             "min": vertices.min(axis=0).tolist(), "max": vertices.max(axis=0).tolist()},
+            {"bufferView": 1, "componentType": 5126, "count": len(uv), "type": "VEC2"},
+            {"bufferView": 2, "componentType": 5125, "count": faces.size, "type": "SCALAR"}],
+    }
+    text = json.dumps(document).encode()
+    text += b" " * (-len(text) % 4)
+    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", len(blob), 0x004E4942) + blob
+    path.write_bytes(struct.pack("<III", 0x46546C67, 2, 12 + len(chunks)) + chunks)
+
+
+def textured_glb(path):
+    vertices, quads = sheet()
+    write_glb(path, vertices, np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]]), vertices[:, :2] / 30)
+
+
+def document_of(path):
+    content = path.read_bytes()
+    return json.loads(content[20:20 + struct.unpack_from("<I", content, 12)[0]])
+
+
+@pytest.mark.parametrize("ending", ["ply", "obj", "off", "stl", "glb"])
+def test_the_bytes_of_the_command_line(tmp_path, ending):
+    source = tmp_path / f"in.{ending}"
+    vertices, faces = torus(dtype=np.float32)
+    mesh = gpremesh.FileMesh(vertices, faces, vertex_values=colours(vertices))
+    with warnings.catch_warnings(record=True) as told:
+        warnings.simplefilter("always")
+        gpremesh.write(source, mesh)
+    assert bool(told) == (ending in ("off", "stl"))  # these hold no colours
+    command_line("remesh", source, tmp_path / f"theirs.{ending}", "--vertices", 300)
+    gpremesh.write(tmp_path / f"ours.{ending}", gpremesh.read(source).remesh(300))
+    assert (tmp_path / f"ours.{ending}").read_bytes() == (tmp_path / f"theirs.{ending}").read_bytes()
+
+
+def test_binary_gltf_with_its_material_and_image(tmp_path):
+    textured_glb(tmp_path / "in.glb")
+    mesh = gpremesh.read(tmp_path / "in.glb")
+    assert mesh.uv.shape == (len(mesh.faces), 3, 2) and mesh.vertices.dtype == np.float32
+    small = mesh.remesh(150)
+    gpremesh.write(tmp_path / "ours.glb", small)
+    command_line("remesh", tmp_path / "in.glb", tmp_path / "theirs.glb", "--vertices", 150)
+    content = (tmp_path / "ours.glb").read_bytes()
+    assert content == (tmp_path / "theirs.glb").read_bytes()
+    assert PIXEL in content
+    (material,) = document_of(tmp_path / "ours.glb")["materials"]
+    assert material["name"] == "paint" and material["pbrMetallicRoughness"]["roughnessFactor"] == 0.7
+    # Texture coordinates are those of the places.
+    corners = small.vertices[small.faces]
+    assert np.abs(small.uv[..., 0] - corners[..., 0] / 30).max() < 0.01
+    assert small.result.report["result"]["vertices"] == 150
+
+
+def test_a_coarse_mesh_far_from_the_origin(tmp_path):
+    vertices, faces = torus(dtype=np.float64)
+    gpremesh.write(tmp_path / "in.ply", ((vertices + [3e5, 5e6, 0]).astype(np.float32), faces))
+    command_line("remesh", tmp_path / "in.ply", tmp_path / "theirs.ply", "--vertices", 300)
+    small = gpremesh.read(tmp_path / "in.ply").remesh(300)
+    assert small.vertices.dtype == np.float64
+    gpremesh.write(tmp_path / "ours.ply", small)
+    assert (tmp_path / "ours.ply").read_bytes() == (tmp_path / "theirs.ply").read_bytes()
+
+
+@pytest.mark.parametrize("real", [np.float32, np.float64])
+def test_arrays_there_and_back(tmp_path, real):
+    vertices, faces = cube()
+    rng = np.random.default_rng(1)
+    mesh = gpremesh.FileMesh(vertices.astype(real), faces, uv=rng.random((len(faces), 3, 2), np.float32), vertex_values={
+        "height": vertices[:, 2], "label": np.arange(len(vertices)), **colours(vertices)},
+        face_values={"part": np.arange(len(faces), dtype=np.uint16), "marked": np.arange(len(faces)) % 2 == 0})
+    gpremesh.write(tmp_path / "mesh.ply", mesh)
+    back = gpremesh.read(tmp_path / "mesh.ply")
+    assert back.vertices.dtype == real and back.vertices.tobytes() == mesh.vertices.tobytes()
+    assert back.faces.tobytes() == faces.tobytes() and back.uv.tobytes() == mesh.uv.tobytes()
+    for name, values in mesh.vertex_values.items():
+        assert (back.vertex_values[name] == values).all(), name
+    assert back.vertex_values["red"].dtype == np.uint8 and back.vertex_values["label"].dtype == np.int32
+    assert (back.face_values["part"] == np.arange(len(faces))).all()
+    assert (back.face_values["marked"] == mesh.face_values["marked"]).all()
+    assert back.result is None
+
+
+def test_values_are_carried_over(tmp_path):
+    vertices, faces = cube()
+    side = np.abs(vertices[faces].mean(axis=1) - 0.5).argmax(axis=1)
+    mesh = gpremesh.FileMesh(vertices, faces, vertex_values={"x": vertices[:, 0]}, face_values={"side": side})
+    small = mesh.remesh(200)
+    assert np.abs(small.vertex_values["x"] - small.vertices[:, 0]).max() < 0.05
+    assert (small.face_values["side"] == np.abs(small.vertices[small.faces].mean(axis=1) - 0.5).argmax(axis=1)).mean() > 0.99
+
+
+def test_results_and_pairs_are_written(tmp_path):
+    vertices, quads = sheet()
+    result = gpremesh.remesh(vertices, quads, vertex_count=200, uv=vertices[:, :2] / 30)
+    gpremesh.write(tmp_path / "result.obj", result)
+    assert np.allclose(gpremesh.read(tmp_path / "result.obj").uv, result.uv)
+    gpremesh.write(tmp_path / "quads.off", (vertices, quads))
+    assert len(gpremesh.read(tmp_path / "quads.off").faces) == 2 * len(quads)
+
+
+def test_quality_and_region_of_the_mesh():
+    vertices, faces = torus()
+    mesh = gpremesh.FileMesh(vertices, faces, vertex_values={"quality": (vertices[:, 0] > 0).astype(float)})
+    even, graded = mesh.remesh(300), mesh.remesh(300, lambda_=2, sizing="quality")
+    assert (graded.vertices[:, 0] > 0).sum() > (even.vertices[:, 0] > 0).sum() + 20
+    mesh.region = vertices[:, 0] > 0
+    near = mesh.remesh(300, feature_region="selection", feature_disk_scale=0.5)
+    assert (near.vertices[:, 0] > 0).sum() > (even.vertices[:, 0] > 0).sum() + 20
+
+
+def test_what_is_wrong_is_told(tmp_path):
+    with pytest.raises(FileNotFoundError):
+        gpremesh.read(tmp_path / "nothing.glb")
+    (tmp_path / "mesh.xyz").write_text("0 0 0\n")
+    with pytest.raises(ValueError, match="extension"):
+        gpremesh.read(tmp_path / "mesh.xyz")
+    (tmp_path / "bad.glb").write_bytes(b"glTF")
+    with pytest.raises(gpremesh.Error, match="bad.glb") as caught:
+        gpremesh.read(tmp_path / "bad.glb")
+    assert caught.value.status == "unusable input"
+    mesh = gpremesh.FileMesh(*torus())
+    with pytest.raises(OSError):
+        gpremesh.write(tmp_path / "no" / "folder.ply", mesh)
+    with pytest.raises(ValueError, match="extension"):
+        gpremesh.write(tmp_path / "mesh.xyz", mesh)
+    with pytest.raises(TypeError, match="colour"):
+        mesh.remesh(100, colour=3)
+    with pytest.raises(gpremesh.Error):
+        mesh.remesh(3)
+    with pytest.raises(ValueError, match="mesh"):
+        gpremesh.write(tmp_path / "mesh.ply", "mesh")
+
+
+@pytest.mark.parametrize("name, value", [
+    ("uv", np.zeros((3, 2))), ("image", np.zeros(3, int)), ("vertex_values", {"red": np.zeros(3)}),
+    ("face_values", {"part": np.zeros((2, 2))}), ("vertex_values", {"name": np.array(["a"] * 1800)}),
+])
+def test_arrays_that_do_not_fit_are_named(tmp_path, name, value):
+    mesh = gpremesh.FileMesh(*torus())
+    setattr(mesh, name, value)
+    with pytest.raises(ValueError, match=name):
+        gpremesh.write(tmp_path / "mesh.ply", mesh)
+    with pytest.raises(ValueError, match=name):
+        mesh.remesh(100)
+    assert not (tmp_path / "mesh.ply").exists()

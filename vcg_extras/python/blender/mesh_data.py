@@ -1,0 +1,181 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes of Blender as arrays and back, with what belongs to them."""
+
+import numpy as np
+
+import gpremesh
+
+# The numbers of a value, its name in foreach_get, and the dtype that it is read and carried over as.
+TYPES = {
+    "FLOAT": (1, "value", np.float32),
+    "INT": (1, "value", np.int32),
+    "INT8": (1, "value", np.int32),
+    "BOOLEAN": (1, "value", bool),
+    "FLOAT_VECTOR": (3, "vector", np.float32),
+    "FLOAT2": (2, "vector", np.float32),
+    "FLOAT_COLOR": (4, "color", np.float32),
+    "BYTE_COLOR": (4, "color", np.float32),  # foreach_get reads them as numbers from 0 to 1
+}
+# Made anew with the mesh, or the shape of what is no more.
+OWN = {"position", "material_index", "custom_normal", "sharp_edge"}
+
+
+def numbers(collection, name, length, dtype):
+    array = np.zeros(len(collection) * length, dtype)
+    collection.foreach_get(name, array)
+    return array.reshape(-1, length) if length > 1 else array
+
+
+class Column:
+    """The values of one attribute, of vertices or of faces. Those of corners become the means of vertices."""
+
+    def __init__(self, attribute, of, values):
+        self.name = attribute.name
+        self.type = attribute.data_type
+        self.domain = attribute.domain
+        self.of = of
+        self.values = values
+
+    def put(self, mesh, result):
+        length, name, dtype = TYPES[self.type]
+        values = result.transfer(self.values, self.of)
+        if self.domain == "CORNER":
+            values = values[result.faces.reshape(-1)]
+        attribute = mesh.attributes.get(self.name) or mesh.attributes.new(self.name, self.type, self.domain)
+        attribute.data.foreach_set(name, np.ascontiguousarray(values, dtype).reshape(-1))
+
+
+class TakenMesh:
+    """A mesh as gpremesh takes it, and what is carried over to the result. Coordinates have the object's scale, so
+    that triangles are regular in the scene."""
+
+    def __init__(self, mesh, scale):
+        mesh.calc_loop_triangles()
+        triangles = mesh.loop_triangles
+        self.notes = []
+        self.scale = scale
+        self.vertices = numbers(mesh.vertices, "co", 3, np.float32) * scale
+        self.faces = numbers(triangles, "vertices", 3, np.int32)
+        self.corners = numbers(triangles, "loops", 3, np.int32)
+        self.polygons = numbers(triangles, "polygon_index", 1, np.int32)
+        self.materials = numbers(mesh.polygons, "material_index", 1, np.int32)[self.polygons]
+        self.uv_name, self.uv = self._take_uv(mesh)
+        self.columns = [column for attribute in mesh.attributes for column in self._column(mesh, attribute)]
+        self.groups = self._take_groups(mesh)
+
+    def _take_uv(self, mesh):
+        layer = mesh.uv_layers.active
+        if layer is None:
+            return None, None
+        if len(mesh.uv_layers) > 1:
+            self.notes.append(f"Of the UV maps, only the active one was carried over: {layer.name}.")
+        return layer.name, numbers(layer.uv, "vector", 2, np.float32)[self.corners]
+
+    def _column(self, mesh, attribute):
+        if attribute.name in OWN or attribute.name.startswith(".") or attribute.name in mesh.uv_layers:
+            return []
+        if attribute.data_type not in TYPES or attribute.domain == "EDGE":
+            if attribute.domain != "EDGE" or not attribute.is_internal:
+                self.notes.append(f"The attribute {attribute.name} was not carried over.")
+            return []
+        length, name, dtype = TYPES[attribute.data_type]
+        values = numbers(attribute.data, name, length, dtype)
+        if attribute.domain == "FACE":
+            return [Column(attribute, "face", values[self.polygons])]
+        return [Column(attribute, "vertex", self._of_vertices(values) if attribute.domain == "CORNER" else values)]
+
+    def _of_vertices(self, values):
+        """Means over the corners of each vertex."""
+        at, of_corners = self.faces.reshape(-1), values[self.corners.reshape(-1)].astype(np.float64)
+        count = np.maximum(np.bincount(at, minlength=len(self.vertices)), 1)
+        flat = of_corners.reshape(len(at), -1)
+        sums = [np.bincount(at, flat[:, k], len(self.vertices)) / count for k in range(flat.shape[1])]
+        return np.stack(sums, axis=-1).reshape((-1,) + values.shape[1:]).astype(np.float32)
+
+    def _take_groups(self, mesh):
+        """The weights of each vertex group that any vertex is in, by its number."""
+        weights = {}
+        for vertex in mesh.vertices:
+            for element in vertex.groups:
+                column = weights.setdefault(element.group, np.zeros(len(mesh.vertices), np.float32))
+                column[vertex.index] = element.weight
+        return weights
+
+    def _material_edges(self):
+        """Edges between faces of different materials."""
+        halves = np.concatenate([self.faces[:, [k, (k + 1) % 3]] for k in range(3)])
+        materials = np.tile(self.materials, 3)
+        halves.sort(axis=1)
+        order = np.lexsort((halves[:, 1], halves[:, 0]))
+        first, second = order[:-1], order[1:]
+        differ = (halves[first] == halves[second]).all(axis=1) & (materials[first] != materials[second])
+        return halves[first[differ]]
+
+    def remesh(self, progress, **parameters):
+        """Edges of the result follow the seams of the texture and the borders between materials."""
+        extra = {}
+        if self.uv is not None:
+            extra = {"uv": self.uv, "image": self.materials}
+        elif len(np.unique(self.materials)) > 1:
+            extra = {"feature_edges": self._material_edges()}
+            parameters["features"] = "selected" if parameters["features"] == "off" else parameters["features"]
+        return gpremesh.remesh(self.vertices, self.faces, progress=progress, **extra, **parameters)
+
+    def put(self, result, active):
+        """Makes the object's mesh that of the result, in its place. Its materials stay."""
+        mesh = active.data
+        names = [group.name for group in active.vertex_groups]
+        groups = {number: result.transfer(weights, "vertex") for number, weights in self.groups.items()}
+        mesh.clear_geometry()
+        mesh.vertices.add(len(result.vertices))
+        mesh.loops.add(3 * len(result.faces))
+        mesh.polygons.add(len(result.faces))
+        mesh.vertices.foreach_set("co", np.ascontiguousarray(result.vertices / self.scale, np.float32).reshape(-1))
+        mesh.loops.foreach_set("vertex_index", np.ascontiguousarray(result.faces, np.int32).reshape(-1))
+        mesh.polygons.foreach_set("loop_start", np.arange(0, 3 * len(result.faces), 3, dtype=np.int32))
+        mesh.polygons.foreach_set("material_index", result.transfer(self.materials, "face"))
+        mesh.update(calc_edges=True)
+        if self.uv is not None:
+            layer = mesh.uv_layers.new(name=self.uv_name)
+            layer.uv.foreach_set("vector", result.uv.reshape(-1))
+        for column in self.columns:
+            column.put(mesh, result)
+        _put_groups(active, names, groups)
+        mesh.validate()
+        mesh.update()
+
+
+def _put_groups(active, names, groups):
+    """The names go with the old geometry where Blender keeps them there."""
+    for name in names[len(active.vertex_groups):]:
+        active.vertex_groups.new(name=name)
+    for number, weights in groups.items():
+        for vertex in np.flatnonzero(weights > 0):
+            active.vertex_groups[number].add([int(vertex)], float(weights[vertex]), "REPLACE")
+
+
+def take(active):
+    """The mesh of an object. A ValueError says why it cannot be taken."""
+    mesh = active.data
+    if mesh.shape_keys is not None:
+        raise ValueError("The mesh has shape keys, which cannot be carried over; apply or remove them first.")
+    if not mesh.polygons:
+        raise ValueError("The mesh has no faces.")
+    scale = np.abs(np.array(active.matrix_world.to_scale(), np.float32))
+    if not scale.min() > 0:
+        raise ValueError("The object is scaled to nothing.")
+    return TakenMesh(mesh, scale)
+
+
+def copy_beside(context, active):
+    """A copy of the object with a mesh of its own, beside it and active in its place."""
+    copied = active.copy()
+    copied.data = active.data.copy()
+    for collection in active.users_collection:
+        collection.objects.link(copied)
+    copied.location.x += 1.1 * active.dimensions.x
+    active.select_set(False)
+    copied.select_set(True)
+    context.view_layer.objects.active = copied
+    return copied

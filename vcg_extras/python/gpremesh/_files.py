@@ -1,0 +1,216 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes with all that their files hold, by the readers and writers of the command line."""
+
+import json
+import os
+import warnings
+
+import numpy as np
+
+from . import _api, _arrays, _core
+from ._errors import check
+from ._results import RemeshResult
+
+
+class FileMesh:
+    """A mesh with all that a file may hold of it.
+
+    Parameters
+    ----------
+    vertices, faces : array_like
+        As those of `gpremesh.remesh`.
+    uv : array_like (n, 2) or (f, 3, 2), optional
+        Texture coordinates of the vertices, or of the corners of the faces. They count from the lower
+        left corner of the image.
+    image : array_like (f,) of int, optional
+        With `uv`: the number of the material of each face.
+    vertex_values, face_values : dict of str to array_like, optional
+        One number for each vertex or face, by the names of PLY files: red, green, blue and alpha (uint8),
+        nx, ny and nz, quality, and any other.
+    materials : FileMesh, optional
+        A mesh whose materials and images this one has.
+
+    Attributes
+    ----------
+    vertices, faces, uv, image, vertex_values, face_values
+        As above. They may be changed.
+    region : ndarray (n,) of uint8, or None
+        The vertices that a PLY file marks as selected.
+    notes : list of str
+        What is odd about the file.
+    result : RemeshResult or None
+        Where this mesh is the result of `remesh`: where each vertex lies on the input, and the report.
+    """
+
+    def __init__(self, vertices, faces, *, uv=None, image=None, vertex_values=None, face_values=None,
+                 materials=None):
+        self.vertices = vertices
+        self.faces = faces
+        self.uv = uv
+        self.image = image
+        self.vertex_values = dict(vertex_values or {})
+        self.face_values = dict(face_values or {})
+        self.region = None
+        self.notes = []
+        self.result = None
+        self._materials = _core.FileAttributes() if materials is None else materials._materials
+
+    def __repr__(self):
+        return f"<gpremesh.FileMesh: {len(self.vertices)} vertices, {len(self.faces)} faces>"
+
+    def remesh(self, vertex_count=None, *, selected=None, region=None, quality=None, feature_edges=None,
+               progress=None, **parameters):
+        """Remeshes this mesh and carries everything over, by the rules of the command line.
+
+        Parameters
+        ----------
+        vertex_count : int, optional
+            How many vertices the result has.
+        selected, region, quality, feature_edges, progress, **parameters
+            As those of `gpremesh.remesh`. Where they are not given, the region is that of the file, and
+            with sizing='quality' the quality is `vertex_values["quality"]`.
+
+        Returns
+        -------
+        FileMesh
+            Its `result` has the rest. This mesh is not changed.
+
+        Raises
+        ------
+        ValueError, gpremesh.Error, KeyboardInterrupt
+            As `gpremesh.remesh`.
+        """
+        parameters = _api.checked("remesh", dict(parameters, vertex_count=vertex_count), progress)
+        if quality is None and parameters.get("sizing") == "quality":
+            quality = self.vertex_values.get("quality")
+        marked = None if self.region is None else np.asarray(self.region, bool)
+        if region is None and parameters.get("feature_region") == "selection":
+            region = marked
+        mesh = _arrays.Mesh(self.vertices, self.faces)
+        extras = _api.extras(mesh, parameters, region, quality, feature_edges)
+        extras.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
+        if region is None:  # by default they count where there are any
+            extras.region = _arrays.mask("region", marked, len(mesh.vertices), "vertices")
+        outcome = _core.remesh_mesh_of_file(mesh.vertices, mesh.faces, extras, self._attributes(mesh), parameters,
+                                            progress)
+        check(outcome)
+        return self._of_result(mesh, outcome)
+
+    def _of_result(self, mesh, outcome):
+        # As the command line does: floats that would not resolve the result become doubles.
+        is_double = mesh.vertices.dtype == np.float64 or outcome["is_coarse"]
+        vertices = outcome["vertices"].astype(np.float64 if is_double else np.float32, copy=False)
+        result = RemeshResult(mesh, outcome, json.loads(outcome["report"]))
+        made = _with_attributes(vertices, result.faces, outcome["attributes"])
+        result.vertices, result.uv, result.image = vertices, made.uv, made.image
+        made.result = result
+        return made
+
+    def _attributes(self, mesh):
+        """Of the triangles of `mesh`, which are those of this one."""
+        attributes = _core.FileAttributes()
+        attributes.take_materials(self._materials)
+        for name, values in self.vertex_values.items():
+            attributes.add_vertex_values(name, _column(f"vertex_values[{name!r}]", values, len(mesh.vertices)))
+        for name, values in self.face_values.items():
+            column = _column(f"face_values[{name!r}]", values, mesh.face_num)
+            attributes.add_face_values(name, mesh.per_triangle(column))
+        if self.image is not None and self.uv is None:
+            raise ValueError("image needs uv.")
+        if self.uv is not None:
+            attributes.set_texture(mesh.corner_uv("uv", self.uv), mesh.images("image", self.image))
+        return attributes
+
+
+def _with_attributes(vertices, faces, attributes):
+    mesh = FileMesh(vertices, faces, uv=attributes.uv(), image=attributes.image(),
+                    vertex_values=attributes.vertex_values(), face_values=attributes.face_values())
+    mesh._materials.take_materials(attributes)
+    return mesh
+
+
+def _column(name, values, length):
+    """Numbers of a type that PLY files have."""
+    array = np.asarray(values)
+    if array.shape != (length,):
+        raise ValueError(f"{name} must have the shape ({length},), not {array.shape}.")
+    if array.dtype.kind not in "biuf":
+        raise ValueError(f"{name} must be numbers, not {array.dtype}.")
+    if array.dtype == bool:
+        array = array.astype(np.uint8)
+    elif array.dtype.kind in "iu" and array.dtype.itemsize > 4:
+        fits = array.size == 0 or (array.min() >= -2**31 and array.max() < 2**31)
+        array = array.astype(np.int32 if fits else np.float64)
+    elif array.dtype.kind == "f" and array.dtype.itemsize not in (4, 8):
+        array = array.astype(np.float32 if array.dtype.itemsize < 4 else np.float64)
+    return np.ascontiguousarray(array, array.dtype.newbyteorder("="))
+
+
+def read(path):
+    """Reads a mesh with all that its file holds, by the reader of the command line.
+
+    Parameters
+    ----------
+    path : str or path-like
+        A file in one of the formats PLY, OBJ, OFF, STL and binary glTF, by its extension.
+
+    Returns
+    -------
+    FileMesh
+        Polygons are cut into triangles. A scene of binary glTF becomes one mesh.
+
+    Raises
+    ------
+    ValueError
+        For another extension.
+    OSError
+        Where there is no such file, or it cannot be read.
+    gpremesh.Error
+        Where the file is no mesh, with the status "unusable input". Compressed binary glTF and morph
+        targets are refused.
+
+    Examples
+    --------
+    >>> import gpremesh
+    >>> mesh = gpremesh.read("statue.glb")                # doctest: +SKIP
+    >>> gpremesh.write("small.glb", mesh.remesh(5000))    # doctest: +SKIP
+    """
+    path = os.fspath(path)
+    with open(path, "rb"):  # what is wrong with the path is told by Python
+        pass
+    outcome = _core.read_mesh(path)
+    check(outcome)
+    mesh = _with_attributes(outcome["vertices"], outcome["faces"], outcome["attributes"])
+    mesh.region = outcome["selected"]
+    mesh.notes = outcome["notes"]
+    return mesh
+
+
+def write(path, mesh):
+    """Writes a mesh, by the writer of the command line.
+
+    Parameters
+    ----------
+    path : str or path-like
+        A file to write or replace, in one of the formats PLY, OBJ, OFF, STL and binary glTF, by its
+        extension. An older file stays as it is where anything goes wrong.
+    mesh : FileMesh, RemeshResult, a pair (vertices, faces), or an object that has them as attributes
+        A FileMesh is written with everything that the format holds, a RemeshResult with its texture
+        coordinates. There is a warning that names what the format does not hold.
+
+    Raises
+    ------
+    ValueError
+        For another extension, and for arrays that do not fit together.
+    OSError
+        Where the file cannot be written.
+    """
+    path = os.fspath(path)
+    if not isinstance(mesh, FileMesh):
+        uv = mesh.uv if isinstance(mesh, RemeshResult) else None
+        mesh = FileMesh(*_api.vertices_and_faces("mesh", mesh), uv=uv)
+    arrays = _arrays.Mesh(mesh.vertices, mesh.faces, ("mesh.vertices", "mesh.faces"))
+    lost = _core.write_mesh(path, arrays.vertices, arrays.faces, mesh._attributes(arrays))
+    if lost:
+        warnings.warn(f"Not written to {path!r}: {', '.join(lost)}.", stacklevel=2)

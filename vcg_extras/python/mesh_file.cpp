@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_file.h"
+
+#include <vcg_extras/apps/gpremesh/exit_code.h>
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+
+#include <nanobind/stl/string.h>
+
+namespace gpr::python {
+
+namespace {
+
+using app::PlyType;
+using app::ValueColumn;
+
+/// Calls visit(a value of the type) for the type.
+template <class Visit>
+void withType(PlyType type, const Visit& visit)
+{
+	switch (type) {
+	case PlyType::Int8:
+		return visit(std::int8_t());
+	case PlyType::UInt8:
+		return visit(std::uint8_t());
+	case PlyType::Int16:
+		return visit(std::int16_t());
+	case PlyType::UInt16:
+		return visit(std::uint16_t());
+	case PlyType::Int32:
+		return visit(std::int32_t());
+	case PlyType::UInt32:
+		return visit(std::uint32_t());
+	case PlyType::Float32:
+		return visit(float());
+	case PlyType::Float64:
+		return visit(double());
+	}
+}
+
+constexpr PlyType allTypes[] = {PlyType::Int8,    PlyType::UInt8,  PlyType::Int16,
+								PlyType::UInt16,  PlyType::Int32,  PlyType::UInt32,
+								PlyType::Float32, PlyType::Float64};
+
+PlyType typeOf(const nb::ndarray<nb::ro>& array)
+{
+	for (const PlyType type : allTypes) {
+		bool isIt = false;
+		withType(type, [&](auto zero) { isIt = array.dtype() == nb::dtype<decltype(zero)>(); });
+		if (isIt) return type;
+	}
+	throw nb::type_error("Values must be whole numbers of up to 32 bits or real numbers.");
+}
+
+ValueColumn columnOf(const std::string& name, const nb::ndarray<nb::ro>& array)
+{
+	if (array.ndim() != 1 || (array.shape(0) > 1 && array.stride(0) != 1))
+		throw nb::type_error("Values must be an array of one dimension in C order.");
+	ValueColumn column{name, typeOf(array), {}};
+	withType(column.type, [&](auto zero) {
+		const auto* const values = static_cast<const decltype(zero)*>(array.data());
+		column.values.assign(values, values + array.shape(0));
+	});
+	return column;
+}
+
+nb::dict arraysOf(const std::vector<ValueColumn>& columns)
+{
+	nb::dict arrays;
+	for (const ValueColumn& column : columns) {
+		withType(column.type, [&](auto zero) {
+			using T = decltype(zero);
+			std::vector<T> values;
+			for (const double value : column.values)
+				values.push_back(T(value));
+			arrays[column.name.c_str()] = toNumpy(std::move(values));
+		});
+	}
+	return arrays;
+}
+
+template <class Array>
+auto copyOf(const Array& values)
+{
+	using T = typename Array::value_type;
+	return std::vector<T>(values.begin(), values.end());
+}
+
+nb::dict failed(const app::AppError& error)
+{
+	nb::dict out;
+	out["status"]  = "unusable input";
+	out["message"] = std::string(error.what());
+	return out;
+}
+
+[[noreturn]] void raise(const app::AppError& error)
+{
+	if (error.code == app::ExitCode::Usage) throw nb::value_error(error.what());
+	PyErr_SetString(PyExc_OSError, error.what());
+	throw nb::python_error();
+}
+
+app::InputMesh readWithoutLock(const std::string& path)
+{
+	const nb::gil_scoped_release noLock;
+	app::WantedAttributes        wanted;
+	wanted.carried    = true;
+	wanted.ifSelected = true;
+	return app::readMesh(path, wanted);
+}
+
+nb::object coordinatesOf(const app::InputMesh& mesh)
+{
+	if (mesh.doublePrecision) return toNumpy<double>(copyOf(mesh.doubles), {mesh.vertexNum(), 3});
+	return toNumpy<float>(copyOf(mesh.floats), {mesh.vertexNum(), 3});
+}
+
+} // namespace
+
+void FileAttributes::addVertexValues(const std::string& name, const nb::ndarray<nb::ro>& array)
+{
+	values.ofVertices.push_back(columnOf(name, array));
+}
+
+void FileAttributes::addFaceValues(const std::string& name, const nb::ndarray<nb::ro>& array)
+{
+	values.ofFaces.push_back(columnOf(name, array));
+}
+
+void FileAttributes::setTexture(const CornerCoords& uv, const std::optional<Indices>& image)
+{
+	const std::size_t         faceNum = uv.shape(0);
+	const std::int32_t* const images  = dataOf(image, faceNum);
+	values.texture.uv.assign(uv.data(), uv.data() + 6 * faceNum);
+	values.texture.image.clear();
+	if (images != nullptr) values.texture.image.assign(images, images + faceNum);
+}
+
+void FileAttributes::takeMaterials(const FileAttributes& other)
+{
+	values.images          = other.values.images;
+	values.materials       = other.values.materials;
+	values.materialLibrary = other.values.materialLibrary;
+	values.gltf            = other.values.gltf;
+}
+
+nb::dict FileAttributes::vertexValues() const
+{
+	return arraysOf(values.ofVertices);
+}
+
+nb::dict FileAttributes::faceValues() const
+{
+	return arraysOf(values.ofFaces);
+}
+
+nb::object FileAttributes::uv() const
+{
+	if (!values.hasTexture()) return nb::none();
+	return toNumpy<float>(copyOf(values.texture.uv), {values.texture.uv.size() / 6, 3, 2});
+}
+
+nb::object FileAttributes::image() const
+{
+	if (values.texture.image.empty()) return nb::none();
+	return toNumpy(copyOf(values.texture.image));
+}
+
+nb::dict readMeshFile(const std::string& path)
+{
+	app::InputMesh mesh;
+	try {
+		mesh = readWithoutLock(path);
+	}
+	catch (const app::AppError& error) {
+		if (error.code == app::ExitCode::BadInput) return failed(error);
+		raise(error);
+	}
+	nb::dict out;
+	out["status"]   = "ok";
+	out["vertices"] = coordinatesOf(mesh);
+	out["faces"]    = toNumpy<std::int32_t>(copyOf(mesh.triangles), {mesh.faceNum(), 3});
+	out["selected"] = mesh.selected.empty() ? nb::none() : toNumpy(std::move(mesh.selected));
+	out["notes"]    = nb::list();
+	for (const std::string& note : mesh.notes)
+		nb::cast<nb::list>(out["notes"]).append(note);
+	out["attributes"] = FileAttributes{std::move(mesh.attributes)};
+	return out;
+}
+
+std::vector<std::string> writeMeshFile(const std::string& path, const Positions& positions,
+									   const Triangles& triangles, const FileAttributes& attributes)
+{
+	try {
+		const nb::gil_scoped_release noLock;
+		const MeshView               view   = viewOf(positions, triangles);
+		app::MeshAttributes          values = attributes.values;
+		TriangleMesh                 mesh;
+		mesh.triangles = trianglesOf(view);
+		for (std::size_t v = 0; v < view.vertexNum; ++v)
+			mesh.positions.push_back(view.position(v));
+		app::writeMesh(mesh, view.doublePrecision, values, path, app::RunLimit());
+		return values.lost;
+	}
+	catch (const app::AppError& error) {
+		raise(error);
+	}
+}
+
+} // namespace gpr::python
