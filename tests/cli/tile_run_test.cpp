@@ -139,7 +139,6 @@ TEST_F(TileRun, AKilledRunGoesOnWhereItWas)
 	std::filesystem::remove(path("out.ply"));
 	for (int i = 0; i < 3; ++i) {
 		runAndSignal(words, SIGKILL);
-		std::string precision;
 		if (exists(path("out.ply"))) {
 			EXPECT_EQ(whole, content(path("out.ply")));
 		}

@@ -13,29 +13,6 @@ namespace gpr::app {
 
 namespace {
 
-const char* nameOf(PlyType type)
-{
-	switch (type) {
-	case PlyType::Int8:
-		return "char";
-	case PlyType::UInt8:
-		return "uchar";
-	case PlyType::Int16:
-		return "short";
-	case PlyType::UInt16:
-		return "ushort";
-	case PlyType::Int32:
-		return "int";
-	case PlyType::UInt32:
-		return "uint";
-	case PlyType::Float32:
-		return "float";
-	case PlyType::Float64:
-		return "double";
-	}
-	return "";
-}
-
 /// The bytes of one record, in little endian order on every machine.
 class RecordBytes {
 public:
@@ -100,7 +77,7 @@ std::string propertiesOf(const std::vector<ValueColumn>& columns)
 {
 	std::string text;
 	for (const ValueColumn& c : columns)
-		text += std::string("property ") + nameOf(c.type) + " " + c.name + "\n";
+		text += std::string("property ") + plyTypeName(c.type) + " " + c.name + "\n";
 	return text;
 }
 

@@ -124,6 +124,13 @@ std::size_t plyTypeSize(PlyType type)
 	return sizes[int(type)];
 }
 
+const char* plyTypeName(PlyType type)
+{
+	static const char* const names[] = {"char", "uchar", "short", "ushort",
+										"int",  "uint",  "float", "double"};
+	return names[int(type)];
+}
+
 bool isInteger(PlyType type)
 {
 	return type != PlyType::Float32 && type != PlyType::Float64;

@@ -16,6 +16,8 @@ enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64
 /// Bytes that a value of this type takes in a binary file.
 std::size_t plyTypeSize(PlyType type);
 bool        isInteger(PlyType type);
+/// As headers have it: "uchar", "int", "float".
+const char* plyTypeName(PlyType type);
 
 struct PlyProperty {
 	std::string name;

@@ -64,20 +64,13 @@ void findCoordinates(PlyRecordLayout& layout)
 	}
 }
 
-const char* typeName(PlyType type)
-{
-	static const char* const names[] = {"char", "uchar", "short", "ushort",
-										"int",  "uint",  "float", "double"};
-	return names[int(type)];
-}
-
 void addElement(const PlyElement& element, std::uint64_t count, std::string& text)
 {
 	text += "element " + element.name + " " + std::to_string(count) + "\n";
 	for (const PlyProperty& p : element.properties) {
 		text += "property ";
-		if (p.isList) text += "list " + std::string(typeName(p.countType)) + " ";
-		text += std::string(typeName(p.type)) + " " + p.name + "\n";
+		if (p.isList) text += "list " + std::string(plyTypeName(p.countType)) + " ";
+		text += std::string(plyTypeName(p.type)) + " " + p.name + "\n";
 	}
 }
 

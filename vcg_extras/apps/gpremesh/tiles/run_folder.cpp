@@ -5,6 +5,7 @@
 #include "../exit_code.h"
 #include "../output_file.h"
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <vector>
@@ -37,6 +38,13 @@ private:
 }
 
 } // namespace
+
+std::uint64_t checksumOf(std::string_view text)
+{
+	Checksum sum;
+	sum.add(text.data(), text.size());
+	return sum.value();
+}
 
 FileStamp stampOf(const std::string& path)
 {

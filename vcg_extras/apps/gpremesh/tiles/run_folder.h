@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace gpr::app {
 
@@ -45,6 +46,8 @@ struct FileStamp {
 	std::uint64_t checksum = 0; ///< FNV-1a over words of eight bytes
 };
 
+/// The checksum of a text in memory.
+std::uint64_t checksumOf(std::string_view text);
 /// Throws AppError (BadInput) when the file cannot be read. Cost: one pass over the file.
 FileStamp stampOf(const std::string& path);
 Json      jsonOf(const FileStamp& stamp);

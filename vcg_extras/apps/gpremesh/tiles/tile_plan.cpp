@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 
 namespace gpr::app {
 
@@ -45,14 +46,6 @@ void checkOptions(const RemeshOptions& options)
 	if (options.boundary == BoundaryMode::Keep)
 		failUsage("--boundary keep is not possible in tiles, whose results are made of a condensed "
 				  "mesh.");
-}
-
-std::uint64_t sum(const std::vector<std::uint64_t>& of)
-{
-	std::uint64_t all = 0;
-	for (std::uint64_t one : of)
-		all += one;
-	return all;
 }
 
 bool sameProperties(const PlyElement& a, const PlyElement& b)
@@ -140,25 +133,21 @@ Json jsonOf(const TilePlan& plan)
 			{"tiles", plan.tileNum()},     {"cells", jsonOf(plan.cells)}};
 }
 
-/// 64 bits of FNV-1a as hexadecimal digits.
 std::string nameOf(const Json& json)
 {
-	std::uint64_t sum = 14695981039346656037u;
-	for (char c : textOf(json))
-		sum = (sum ^ std::uint64_t(std::uint8_t(c))) * 1099511628211u;
-	return formatted("%016llx", static_cast<unsigned long long>(sum));
+	return formatted("%016llx", static_cast<unsigned long long>(checksumOf(textOf(json))));
 }
 
 } // namespace
 
 std::uint64_t TilePlan::allVertices() const
 {
-	return sum(vertexNum);
+	return std::accumulate(vertexNum.begin(), vertexNum.end(), std::uint64_t(0));
 }
 
 std::uint64_t TilePlan::allFaces() const
 {
-	return sum(faceNum);
+	return std::accumulate(faceNum.begin(), faceNum.end(), std::uint64_t(0));
 }
 
 double bytesUntiled(double faceNum, double vertexNum)

@@ -12,10 +12,8 @@
 
 #include <vcg_extras/core/base/pages.h>
 
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <functional>
 
 namespace gpr::app {
 
