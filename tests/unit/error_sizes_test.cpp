@@ -194,6 +194,49 @@ TEST(SizeGrading, LowersARampRoundASmallSize)
 	EXPECT_EQ(small, lowered);
 }
 
+/// Sizes lowered by one edge after the other until nothing changes.
+void gradeSlowly(const HalfEdgeMesh& m, float steepest, Buffer<float>& size)
+{
+	for (bool changed = true; changed;) {
+		changed = false;
+		for (int h = 0; h < m.halfEdgeNum(); ++h) {
+			const int   a = m.origin[h], b = m.target(h);
+			const float bound = size[a] + steepest * length(m.position[b] - m.position[a]);
+			if (!(bound < size[b])) continue;
+			size[b] = bound;
+			changed = true;
+		}
+	}
+}
+
+TEST(SizeGrading, EndsWhereTheSlowWayEndsBitForBit)
+{
+	// Many times as many vertices as the grading takes together.
+	Workers             one(1, nullptr);
+	const Surface       ring = surfaceOf(torus(300, 120, 1, 0.2), one);
+	const HalfEdgeMesh& m    = ring.mesh;
+	Buffer<float>       expected(m.vertexNum, 1.0f);
+	std::vector<int>    seeds;
+	for (int v = 0; v < m.vertexNum; v += 1777) {
+		expected[v] = 0.05f + 0.1f * float(v % 7);
+		seeds.push_back(v);
+	}
+	Buffer<float> start(m.vertexNum);
+	std::copy(expected.begin(), expected.end(), start.begin());
+	gradeSlowly(m, 0.5f, expected);
+	std::vector<int> loweredByOne;
+	for (int threads : {1, 2, 3}) {
+		Workers       workers(threads, nullptr);
+		Buffer<float> size(m.vertexNum);
+		std::copy(start.begin(), start.end(), size.begin());
+		std::vector<int> small = seeds;
+		gradeSizes(m, 0.5f, workers, small, size);
+		EXPECT_TRUE(std::equal(expected.begin(), expected.end(), size.begin()));
+		if (threads == 1) loweredByOne = small;
+		EXPECT_EQ(small, loweredByOne);
+	}
+}
+
 } // namespace
 
 } // namespace gpr::test

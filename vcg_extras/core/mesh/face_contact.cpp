@@ -3,6 +3,8 @@
 #include "face_contact.h"
 
 #include "face_boxes.h"
+#include "face_pairs.h"
+#include "flat_stars.h"
 #include "mesh_edit.h"
 
 #include <vcg_extras/core/base/orientation.h>
@@ -235,6 +237,18 @@ bool doFacesTouch(const HalfEdgeMesh& m, int f, int g, Seams seams)
 	return touch(s, t);
 }
 
+/// Whether both lie round one vertex and cannot touch for that.
+bool areInAFlatStar(const HalfEdgeMesh& m, const FlatStars& stars, int f, int g)
+{
+	for (int k = 0; k < 3; ++k) {
+		const int v = m.origin[3 * f + k];
+		for (int l = 0; l < 3; ++l) {
+			if (m.origin[3 * g + l] == v && stars.isFlat(v)) return true;
+		}
+	}
+	return false;
+}
+
 } // namespace
 
 NamedTriangle triangleOf(const HalfEdgeMesh& m, int f)
@@ -262,20 +276,20 @@ bool touch(const NamedTriangle& s, const NamedTriangle& t)
 std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers, Seams seams,
 										int firstFace)
 {
-	const FaceBoxes       boxes(m, workers);
-	std::vector<FacePair> found = workers.collect<FacePair>(
-		boxes.faceNum(), [&](std::size_t begin, std::size_t end, auto& out) {
-			for (int i = int(begin); i < int(end); ++i) {
-				const int f = boxes.face(i);
-				if (f < firstFace) continue;
-				boxes.forEachMeeting(boxes.level(0)[i], [&](int k) {
-					const int g = boxes.face(k);
-					if ((k > i || g < firstFace) && doFacesTouch(m, f, g, seams))
-						out.push_back(std::minmax(f, g));
-					return true;
-				});
-			}
-		});
+	const FaceBoxes   boxes(m, workers);
+	FlatStars         stars(m);
+	std::vector<char> wanted;
+	if (firstFace == 0)
+		stars.findAll(workers);
+	else {
+		wanted.assign(std::size_t(m.faceNum), 0);
+		std::fill(wanted.begin() + std::min(firstFace, m.faceNum), wanted.end(), char(1));
+	}
+	const auto compare = [&](int f, int g, std::vector<FacePair>& out) {
+		if (!areInAFlatStar(m, stars, f, g) && doFacesTouch(m, f, g, seams))
+			out.push_back(std::minmax(f, g));
+	};
+	std::vector<FacePair> found = FacePairs(boxes, wanted).collect<FacePair>(workers, compare);
 	std::sort(found.begin(), found.end());
 	return found;
 }

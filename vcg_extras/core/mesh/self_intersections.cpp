@@ -3,8 +3,9 @@
 #include "self_intersections.h"
 
 #include "face_boxes.h"
+#include "face_pairs.h"
+#include "flat_stars.h"
 #include "mesh_edit.h"
-#include "sectors.h"
 
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/sort_unique.h>
@@ -17,11 +18,6 @@
 namespace gpr {
 
 namespace {
-
-constexpr int fanOut = FaceBoxes::fanOut;
-/// Level whose nodes look for each other; 16 faces then share one way through the tree.
-constexpr int groupLevel = 2;
-constexpr int groupSize  = fanOut * fanOut;
 
 /// Six times the signed volume of a tetrahedron.
 double volume(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& d)
@@ -120,162 +116,36 @@ bool facesCross(const HalfEdgeMesh& m, int f, int g, const SharedCorners& shared
 						   : crossApart(m, f, g);
 }
 
-class IntersectionSearch {
-public:
-	/// wanted: per face, whether its intersections are looked for; empty: all faces'.
-	IntersectionSearch(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
-					   Workers& workers) :
-			m_(mesh),
-			wanted_(wanted), workers_(workers), boxes_(mesh, wanted, workers)
-	{
-	}
-
-	std::vector<int> run()
-	{
-		findFlatStars();
-		const std::size_t groupNum = (std::size_t(boxes_.faceNum()) + groupSize - 1) / groupSize;
-		std::vector<int>  found =
-			workers_.collect<int>(groupNum, [&](std::size_t begin, std::size_t end, auto& out) {
-				std::vector<Node> stack;
-				for (std::size_t i = begin; i < end; ++i) {
-					if (isGroupWanted(int(i))) searchGroup(int(i), stack, out);
-				}
-			});
-		sortUnique(found);
-		return found;
-	}
-
-private:
-	struct Node {
-		int level, index;
-	};
-
-	const HalfEdgeMesh&      m_;
-	const std::vector<char>& wanted_;
-	Workers&                 workers_;
-	FaceBoxes                boxes_;
-	Buffer<char>             isFlat_; ///< per vertex
-
-	/// Faces round a vertex whose normals lie within 37° of their mean, and that go round it once,
-	/// are seen side by side along that normal: they cannot intersect.
-	bool isFlatStar(int v) const { return !m_.isCreaseVertex(v) && isFlat(m_, v) && turnsOnce(v); }
-
-	/// Of all vertices at once where all faces are compared.
-	void findFlatStars()
-	{
-		if (!wanted_.empty()) return;
-		isFlat_.reset(m_.vertexNum);
-		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (int v = int(begin); v < int(end); ++v)
-				isFlat_[v] = isFlatStar(v);
-		});
-	}
-
-	/// The ring of a flat star crosses a plane through the normal upwards once a turn.
-	bool turnsOnce(int v) const
-	{
-		const Vec3f p     = m_.position[v];
-		const Vec3f first = m_.position[m_.target(m_.outgoing[v])] - p;
-		Vec3f       normal;
-		forEachOutgoing(m_, v, [&](int h) { normal += m_.faceCross(h / 3); });
-		const Vec3f side    = cross(normal, first);
-		int         upwards = 0;
-		forEachOutgoing(m_, v, [&](int h) {
-			const float here = h == m_.outgoing[v] ? 0 : dot(m_.position[m_.target(h)] - p, side);
-			const float then = m_.apex(h) == m_.target(m_.outgoing[v])
-								   ? 0
-								   : dot(m_.position[m_.apex(h)] - p, side);
-			upwards += here <= 0 && then > 0;
-		});
-		return upwards <= 1;
-	}
-
-	bool isWanted(int f) const { return wanted_.empty() || wanted_[f]; }
-
-	bool isGroupWanted(int group) const
-	{
-		if (wanted_.empty()) return true;
-		const int end = std::min(boxes_.faceNum(), (group + 1) * groupSize);
-		for (int i = group * groupSize; i < end; ++i) {
-			if (wanted_[boxes_.face(i)]) return true;
-		}
-		return false;
-	}
-
-	/// Compares the wanted faces of a group with each other and with those of other groups.
-	void searchGroup(int group, std::vector<Node>& stack, std::vector<int>& out) const
-	{
-		const Box<float>& box = boxes_.level(groupLevel)[group];
-		const int         top = boxes_.levelNum() - 1;
-		for (int k = 0; k < int(boxes_.level(top).size()); ++k)
-			stack.push_back({top, k});
-		while (!stack.empty()) {
-			const Node n = stack.back();
-			stack.pop_back();
-			// A group that is not wanted does not search itself, so that it is looked for here even
-			// if it lies before.
-			const bool isBehind = !wanted_.empty() || lastGroupBelow(n) >= group;
-			if (!isBehind || !boxes_.level(n.level)[n.index].meets(box)) continue;
-			if (n.level == groupLevel) {
-				compareGroups(group, n.index, out);
-				continue;
-			}
-			const int end = std::min(int(boxes_.level(n.level - 1).size()), (n.index + 1) * fanOut);
-			for (int k = n.index * fanOut; k < end; ++k)
-				stack.push_back({n.level - 1, k});
-		}
-	}
-
-	static int lastGroupBelow(const Node& n)
-	{
-		std::int64_t end = n.index + 1;
-		for (int level = groupLevel; level < n.level; ++level)
-			end *= fanOut;
-		return int(end) - 1;
-	}
-
-	void compareGroups(int group, int other, std::vector<int>& out) const
-	{
-		const int        endI = std::min(boxes_.faceNum(), (group + 1) * groupSize);
-		const int        endK = std::min(boxes_.faceNum(), (other + 1) * groupSize);
-		const Box<float> box  = boxes_.level(groupLevel)[other];
-		for (int i = group * groupSize; i < endI; ++i) {
-			const Box<float> own = boxes_.level(0)[i];
-			if (!own.meets(box)) continue;
-			if (!isWanted(boxes_.face(i))) continue;
-			// Of two faces that are wanted the first finds the second.
-			for (int k = wanted_.empty() ? std::max(i + 1, other * groupSize) : other * groupSize;
-				 k < endK; ++k) {
-				if (!boxes_.level(0)[k].meets(own) || k == i) continue;
-				if (k > i || !isWanted(boxes_.face(k)))
-					compare(boxes_.face(i), boxes_.face(k), out);
-			}
-		}
-	}
-
-	void compare(int f, int g, std::vector<int>& out) const
-	{
-		const SharedCorners shared = sharedCorners(m_, f, g);
+/// wanted: per face, whether its intersections are looked for; empty: all faces'.
+std::vector<int> findAmong(const HalfEdgeMesh& m, const std::vector<char>& wanted, Workers& workers)
+{
+	const FaceBoxes boxes(m, wanted, workers);
+	FlatStars       stars(m);
+	if (wanted.empty()) stars.findAll(workers);
+	const auto compare = [&](int f, int g, std::vector<int>& out) {
+		const SharedCorners shared = sharedCorners(m, f, g);
 		if (shared.num > 1) return;
-		const int joint = m_.origin[3 * f + shared.ofF];
-		if (shared.num == 1 && (isFlat_.empty() ? isFlatStar(joint) : isFlat_[joint] != 0)) return;
-		if (!facesCross(m_, f, g, shared)) return;
+		if (shared.num == 1 && stars.isFlat(m.origin[3 * f + shared.ofF])) return;
+		if (!facesCross(m, f, g, shared)) return;
 		out.push_back(f);
 		out.push_back(g);
-	}
-};
+	};
+	std::vector<int> found = FacePairs(boxes, wanted).collect<int>(workers, compare);
+	sortUnique(found);
+	return found;
+}
 
 } // namespace
 
 std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, Workers& workers)
 {
-	return IntersectionSearch(mesh, {}, workers).run();
+	return findAmong(mesh, {}, workers);
 }
 
 std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
 									   Workers& workers)
 {
-	return IntersectionSearch(mesh, wanted, workers).run();
+	return findAmong(mesh, wanted, workers);
 }
 
 std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, const std::vector<int>& wanted,

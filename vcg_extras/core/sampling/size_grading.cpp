@@ -3,103 +3,66 @@
 #include "size_grading.h"
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
+#include <queue>
 
 namespace gpr {
 
 namespace {
 
-/// What the neighbours leave of a size.
-float gradedSize(const HalfEdgeMesh& m, float slope, const Buffer<float>& size, int v)
-{
-	float least = size[v];
-	forEachNeighbour(m, v, [&](int w) {
-		if (!(size[w] < least)) return;
-		least = std::min(least, size[w] + slope * length(m.position[w] - m.position[v]));
-	});
-	return least;
-}
+/// Neighbours in space have near indices, so that a block of consecutive vertices is a patch of the
+/// surface that stays in the cache. It is also large enough for most paths to end inside.
+constexpr std::size_t blockSize = 4096;
 
-/// A list of vertices without repetition.
-class VertexList {
-public:
-	explicit VertexList(int vertexNum) : isListed_(std::size_t(vertexNum), 0) {}
+/// A size that a vertex may have at most.
+struct Bound {
+	float size;
+	int   vertex;
 
-	void add(int v)
+	bool operator>(const Bound& o) const
 	{
-		if (isListed_[v] != 0) return;
-		isListed_[v] = 1;
-		list_.push_back(v);
+		return size != o.size ? size > o.size : vertex > o.vertex;
 	}
-	/// Hands the list over and is empty then.
-	std::vector<int> take()
-	{
-		for (int v : list_)
-			isListed_[v] = 0;
-		std::vector<int> taken;
-		taken.swap(list_);
-		return taken;
-	}
-
-private:
-	std::vector<int>  list_;
-	std::vector<char> isListed_;
 };
 
-/// Vertices by their sizes. The smaller ones come first: what they lower is lowered once, and not
-/// again and again as the sizes round it fall.
-class SizeQueue {
-public:
-	SizeQueue(float least, float largest) :
-			least_(least), perSize_(bucketNum / std::max(largest - least, 1e-30f)),
-			bucket_(bucketNum)
-	{
-	}
+using Bounds = std::vector<Bound>;
 
-	static constexpr int bucketNum = 64;
+/// The smallest of them comes first.
+using BoundQueue = std::priority_queue<Bound, Bounds, std::greater<Bound>>;
 
-	int bucketOf(float size) const
-	{
-		return std::min(bucketNum - 1, int((size - least_) * perSize_));
-	}
-	void add(int v, float size) { bucket_[bucketOf(size)].push_back(v); }
-	/// Empties a bucket.
-	std::vector<int> take(int b)
-	{
-		std::vector<int> taken;
-		taken.swap(bucket_[b]);
-		return taken;
-	}
-
-private:
-	float                         least_, perSize_;
-	std::vector<std::vector<int>> bucket_;
+/// Consecutive vertices, whose sizes only one thread at a time looks at.
+struct Block {
+	Bounds           arriving; ///< for vertices in it
+	Bounds           leaving;  ///< for vertices of other blocks
+	std::vector<int> lowered;  ///< its vertices that are lowered, each once
 };
 
-/// Lowers sizes at the vertices round some.
+/// Lowers sizes at the vertices round some. The graded size of a vertex is the least over all paths
+/// to it of a path's first size and its rise, so it does not matter in which order they are
+/// followed. Inside a block this is Dijkstra's algorithm, which reads each vertex once; what leaves
+/// a block is handed over after all blocks are done, and the blocks that got something go on.
 class Grader {
 public:
 	Grader(const HalfEdgeMesh& mesh, float slope, Workers& workers, Buffer<float>& size) :
-			m_(mesh), slope_(slope), workers_(workers), size_(size), lowered_(mesh.vertexNum),
-			next_(mesh.vertexNum)
+			m_(mesh), slope_(slope), workers_(workers), size_(size),
+			block_((size.size() + blockSize - 1) / blockSize), isLowered_(size.size(), 0)
 	{
 	}
 
 	std::vector<int> run(const std::vector<int>& small)
 	{
-		float least = HUGE_VALF, largest = 0;
-		for (int v : small)
-			least = std::min(least, size_[v]);
-		for (float size : size_)
-			largest = std::max(largest, size);
-		SizeQueue queue(least, largest);
 		for (int v : small) {
-			lowered_.add(v);
-			queue.add(v, size_[v]);
+			blockOf(v).arriving.push_back({size_[v], v});
+			markLowered(v);
 		}
-		for (int b = 0; b < SizeQueue::bucketNum; ++b)
-			lowerFrom(b, queue);
-		return lowered_.take();
+		largest_ = *std::max_element(size_.begin(), size_.end());
+		for (std::vector<int> active = activeBlocks(); !active.empty(); active = activeBlocks()) {
+			workers_.forTasks(active.size(),
+							  [&](std::size_t i, int) { lowerInside(block_[active[i]]); });
+			for (int b : active)
+				handOver(block_[b].leaving);
+		}
+		return takeLowered();
 	}
 
 private:
@@ -107,37 +70,79 @@ private:
 	float               slope_;
 	Workers&            workers_;
 	Buffer<float>&      size_;
-	VertexList          lowered_, next_;
-	std::vector<float>  value_;
+	float               largest_ = 0;
+	std::vector<Block>  block_;
+	std::vector<char>   isLowered_;
 
-	void lowerFrom(int b, SizeQueue& queue)
+	Block& blockOf(int v) { return block_[std::size_t(v) / blockSize]; }
+
+	void markLowered(int v)
 	{
-		for (std::vector<int> source = queue.take(b); !source.empty(); source = queue.take(b)) {
-			for (int v : source) {
-				if (queue.bucketOf(size_[v]) < b) continue; // it was lowered since, and done then
-				forEachNeighbour(m_, v, [&](int w) {
-					if (size_[w] > size_[v]) next_.add(w);
-				});
-			}
-			lower(next_.take(), queue);
+		if (isLowered_[v] != 0) return;
+		isLowered_[v] = 1;
+		blockOf(v).lowered.push_back(v);
+	}
+
+	std::vector<int> activeBlocks() const
+	{
+		std::vector<int> active;
+		for (std::size_t b = 0; b < block_.size(); ++b) {
+			if (!block_[b].arriving.empty()) active.push_back(int(b));
+		}
+		return active;
+	}
+
+	void lowerInside(Block& block)
+	{
+		BoundQueue queue(std::greater<Bound>(), std::move(block.arriving));
+		block.arriving.clear();
+		while (!queue.empty()) {
+			const Bound least = queue.top();
+			queue.pop();
+			// A smaller one has come first since it was queued.
+			if (least.size > size_[least.vertex]) continue;
+			lowerNeighbours(least, block, queue);
 		}
 	}
 
-	/// All are found from the same sizes before any is written: no thread sees another's.
-	void lower(const std::vector<int>& tried, SizeQueue& queue)
+	void lowerNeighbours(const Bound& from, Block& block, BoundQueue& queue)
 	{
-		// Ever smaller changes far from their cause are not worth a round.
-		constexpr float worth = 0.999f;
-		value_.resize(tried.size());
-		workers_.forEach(tried.size(),
-						 [&](int i) { value_[i] = gradedSize(m_, slope_, size_, tried[i]); });
-		for (std::size_t i = 0; i < tried.size(); ++i) {
-			const int v = tried[i];
-			if (!(value_[i] < worth * size_[v])) continue;
-			size_[v] = value_[i];
-			queue.add(v, value_[i]);
-			lowered_.add(v);
+		const Vec3f place = m_.position[from.vertex];
+		forEachNeighbour(m_, from.vertex, [&](int w) {
+			const Bound bound = {from.size + slope_ * length(m_.position[w] - place), w};
+			// Another thread may be writing the sizes of another block.
+			if (&blockOf(w) != &block) {
+				if (bound.size < largest_) block.leaving.push_back(bound);
+			}
+			else if (bound.size < size_[w]) {
+				lower(bound);
+				queue.push(bound);
+			}
+		});
+	}
+
+	void lower(const Bound& bound)
+	{
+		size_[bound.vertex] = bound.size;
+		markLowered(bound.vertex);
+	}
+
+	void handOver(Bounds& leaving)
+	{
+		for (const Bound& bound : leaving) {
+			if (!(bound.size < size_[bound.vertex])) continue;
+			lower(bound);
+			blockOf(bound.vertex).arriving.push_back(bound);
 		}
+		leaving.clear();
+	}
+
+	std::vector<int> takeLowered()
+	{
+		std::vector<int> all;
+		for (const Block& block : block_)
+			all.insert(all.end(), block.lowered.begin(), block.lowered.end());
+		return all;
 	}
 };
 

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_MESH_FACE_PAIRS_H
+#define VCG_EXTRAS_CORE_MESH_FACE_PAIRS_H
+
+#include "face_boxes.h"
+
+#include <vcg_extras/core/base/workers.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace gpr {
+
+/// Finds the pairs of faces whose boxes meet. Groups of 16 neighbours go through the tree together:
+/// that is what makes it fast.
+class FacePairs {
+public:
+	/// wanted: per face, whether its pairs are looked for; empty: all faces'. Both must live as long
+	/// as this.
+	FacePairs(const FaceBoxes& boxes, const std::vector<char>& wanted) :
+			boxes_(boxes), wanted_(wanted)
+	{
+	}
+
+	/// What compare(f, g, out) appends for every pair, once each, of which one face is wanted; in an
+	/// order that does not depend on the threads. Cost: O(F log F), parallel.
+	template <class Value, class Compare>
+	std::vector<Value> collect(Workers& workers, const Compare& compare) const
+	{
+		const std::size_t groupNum = (std::size_t(boxes_.faceNum()) + groupSize - 1) / groupSize;
+		return workers.collect<Value>(
+			groupNum, [&](std::size_t begin, std::size_t end, auto& out) {
+				std::vector<Node> stack;
+				for (std::size_t i = begin; i < end; ++i) {
+					if (isGroupWanted(int(i))) searchGroup(int(i), stack, compare, out);
+				}
+			});
+	}
+
+private:
+	struct Node {
+		int level, index;
+	};
+
+	static constexpr int fanOut     = FaceBoxes::fanOut;
+	static constexpr int groupLevel = 2; ///< whose nodes are the groups
+	static constexpr int groupSize  = fanOut * fanOut;
+
+	const FaceBoxes&         boxes_;
+	const std::vector<char>& wanted_;
+
+	bool isWanted(int f) const { return wanted_.empty() || wanted_[f]; }
+
+	bool isGroupWanted(int group) const
+	{
+		if (wanted_.empty()) return true;
+		const int end = std::min(boxes_.faceNum(), (group + 1) * groupSize);
+		for (int i = group * groupSize; i < end; ++i) {
+			if (wanted_[boxes_.face(i)]) return true;
+		}
+		return false;
+	}
+
+	/// Compares the wanted faces of a group with each other and with those of other groups.
+	template <class Value, class Compare>
+	void searchGroup(int group, std::vector<Node>& stack, const Compare& compare,
+					 std::vector<Value>& out) const
+	{
+		const Box<float>& box = boxes_.level(groupLevel)[group];
+		const int         top = boxes_.levelNum() - 1;
+		for (int k = 0; k < int(boxes_.level(top).size()); ++k)
+			stack.push_back({top, k});
+		while (!stack.empty()) {
+			const Node n = stack.back();
+			stack.pop_back();
+			// A group that is not wanted does not search itself, so that it is looked for here even
+			// if it lies before.
+			const bool isBehind = !wanted_.empty() || lastGroupBelow(n) >= group;
+			if (!isBehind || !boxes_.level(n.level)[n.index].meets(box)) continue;
+			if (n.level == groupLevel) {
+				compareGroups(group, n.index, compare, out);
+				continue;
+			}
+			const int end = std::min(int(boxes_.level(n.level - 1).size()), (n.index + 1) * fanOut);
+			for (int k = n.index * fanOut; k < end; ++k)
+				stack.push_back({n.level - 1, k});
+		}
+	}
+
+	static int lastGroupBelow(const Node& n)
+	{
+		std::int64_t end = n.index + 1;
+		for (int level = groupLevel; level < n.level; ++level)
+			end *= fanOut;
+		return int(end) - 1;
+	}
+
+	template <class Value, class Compare>
+	void compareGroups(int group, int other, const Compare& compare, std::vector<Value>& out) const
+	{
+		const int        endI = std::min(boxes_.faceNum(), (group + 1) * groupSize);
+		const int        endK = std::min(boxes_.faceNum(), (other + 1) * groupSize);
+		const Box<float> box  = boxes_.level(groupLevel)[other];
+		for (int i = group * groupSize; i < endI; ++i) {
+			const Box<float> own = boxes_.level(0)[i];
+			if (!own.meets(box)) continue;
+			if (!isWanted(boxes_.face(i))) continue;
+			// Of two faces that are wanted the first finds the second.
+			for (int k = wanted_.empty() ? std::max(i + 1, other * groupSize) : other * groupSize;
+				 k < endK; ++k) {
+				if (!boxes_.level(0)[k].meets(own) || k == i) continue;
+				if (k > i || !isWanted(boxes_.face(k)))
+					compare(boxes_.face(i), boxes_.face(k), out);
+			}
+		}
+	}
+};
+
+} // namespace gpr
+
+#endif
