@@ -17,26 +17,25 @@ namespace gpr {
 /// that is what makes it fast.
 class FacePairs {
 public:
-	/// wanted: per face, whether its pairs are looked for; empty: all faces'. Both must live as long
-	/// as this.
+	/// wanted: per face, whether its pairs are looked for; empty: all faces'. Both must live as
+	/// long as this.
 	FacePairs(const FaceBoxes& boxes, const std::vector<char>& wanted) :
 			boxes_(boxes), wanted_(wanted)
 	{
 	}
 
-	/// What compare(f, g, out) appends for every pair, once each, of which one face is wanted; in an
-	/// order that does not depend on the threads. Cost: O(F log F), parallel.
+	/// What compare(f, g, out) appends for every pair, once each, of which one face is wanted; in
+	/// an order that does not depend on the threads. Cost: O(F log F), parallel.
 	template <class Value, class Compare>
 	std::vector<Value> collect(Workers& workers, const Compare& compare) const
 	{
 		const std::size_t groupNum = (std::size_t(boxes_.faceNum()) + groupSize - 1) / groupSize;
-		return workers.collect<Value>(
-			groupNum, [&](std::size_t begin, std::size_t end, auto& out) {
-				std::vector<Node> stack;
-				for (std::size_t i = begin; i < end; ++i) {
-					if (isGroupWanted(int(i))) searchGroup(int(i), stack, compare, out);
-				}
-			});
+		return workers.collect<Value>(groupNum, [&](std::size_t begin, std::size_t end, auto& out) {
+			std::vector<Node> stack;
+			for (std::size_t i = begin; i < end; ++i) {
+				if (isGroupWanted(int(i))) searchGroup(int(i), stack, compare, out);
+			}
+		});
 	}
 
 private:

@@ -19,15 +19,16 @@ namespace gpr {
 
 namespace {
 
-/// Least width of a block in r; fewer, larger blocks mean fewer seams in the packing.
-constexpr float blockWidth      = 20;
-constexpr float smallBlockWidth = 12;
-constexpr int   smallMeshFaces  = 2000000;
+/// Least width of a block in r. Fewer, larger blocks mean fewer seams in the packing; few samples
+/// fill too few of them for all threads to have work.
+constexpr float        blockWidth      = 20;
+constexpr float        smallBlockWidth = 12;
+constexpr std::int64_t fewSamples      = 100000;
 
 OctreeBlocks cutForRadius(RunContext& run, const Prepared& p, float radius)
 {
-	const bool small = p.surface.mesh.faceNum < smallMeshFaces;
-	return cutIntoBlocks(p.surface, (small ? smallBlockWidth : blockWidth) * radius, run.workers);
+	const float width = p.targetNum < fewSamples ? smallBlockWidth : blockWidth;
+	return cutIntoBlocks(p.surface, width * radius, run.workers);
 }
 
 /// Whether it matters by how much the first go misses the count. Ridges and thin parts hold fewer
