@@ -3,16 +3,32 @@
 #include "model_files.h"
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
 
 namespace gpr::test {
+
+namespace {
+
+/// Of a file that gzip has made, without the end ".gz".
+ModelFile unpacked(const std::filesystem::path& packed)
+{
+	const std::string to      = ::testing::TempDir() + packed.stem().string();
+	const std::string command = "gzip -dc '" + packed.string() + "' > '" + to + "'";
+	if (std::system(command.c_str()) == 0) return {to, ""};
+	return {"", packed.filename().string() + " cannot be unpacked"};
+}
+
+} // namespace
 
 ModelFile findModel(const std::string& name)
 {
 	const char* folder = std::getenv("GPR_MODELS_DIR");
 	if (folder == nullptr) return {"", "GPR_MODELS_DIR is not set"};
 	const std::string path = std::string(folder) + "/" + name;
-	return {path, std::ifstream(path) ? "" : name + " is not there"};
+	if (!std::ifstream(path)) return {path, name + " is not there"};
+	return std::filesystem::path(path).extension() == ".gz" ? unpacked(path) : ModelFile{path, ""};
 }
 
 std::string shortName(const std::string& file)

@@ -20,6 +20,7 @@ struct ModelFile {
 	bool isThere() const { return missing.empty(); }
 };
 
+/// One that ends in .gz is unpacked into the folder for temporary files.
 ModelFile findModel(const std::string& name);
 
 /// The name of a file up to the first underscore, for the names of tests.

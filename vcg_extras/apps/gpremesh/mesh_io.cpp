@@ -13,6 +13,7 @@
 #include "ply_reader.h"
 #include "ply_writer.h"
 #include "soup_io.h"
+#include "soup_writer.h"
 
 #include <filesystem>
 #include <memory>

@@ -3,7 +3,6 @@
 #include "ply_attributes.h"
 
 #include "exit_code.h"
-#include "number_text.h"
 #include "ply_layout.h"
 #include "ply_source.h"
 
@@ -22,38 +21,6 @@ constexpr std::int64_t selectedFlag = 0x20; ///< vcglib's bit, of vertices and f
 {
 	throw AppError(ExitCode::BadInput, sentence);
 }
-
-/// The words of an ASCII file one after the other, with the interface of BinarySource.
-class TextSource {
-public:
-	explicit TextSource(std::string_view body) : left_(body) {}
-
-	double real(PlyType)
-	{
-		double value = 0;
-		if (!parseNumber(nextWord(), value)) fail("a number is malformed or missing");
-		return value;
-	}
-	std::int64_t whole(PlyType type)
-	{
-		const double value = real(type);
-		if (!(std::abs(value) < 9e15)) fail("a number is malformed or missing");
-		return std::int64_t(value);
-	}
-
-private:
-	std::string_view left_;
-
-	std::string_view nextWord()
-	{
-		constexpr const char* blanks = " \t\r\n\v\f";
-		left_.remove_prefix(std::min(left_.find_first_not_of(blanks), left_.size()));
-		const std::size_t      end  = std::min(left_.find_first_of(blanks), left_.size());
-		const std::string_view word = left_.substr(0, end);
-		left_.remove_prefix(end);
-		return word;
-	}
-};
 
 /// The number of a scalar property, or -1.
 int findScalar(const PlyElement& e, const char* name)
@@ -369,7 +336,7 @@ void readPlyAttributes(std::string_view file, const WantedAttributes& wanted, In
 	}
 	const std::string_view body = file.substr(header.byteNum);
 	if (header.format == PlyFormat::Ascii) {
-		readElements(header, wanted, TextSource(body), mesh);
+		readElements(header, wanted, TextSource(body, header.lineNum), mesh);
 	}
 	else {
 		readElements(header, wanted, BinarySource(body, header.format == PlyFormat::LittleEndian),

@@ -6,7 +6,6 @@
 #include "face_list.h"
 #include "ply_layout.h"
 #include "ply_source.h"
-#include "soup_io.h"
 
 #include <algorithm>
 #include <cstring>
@@ -22,17 +21,20 @@ namespace {
 	throw AppError(ExitCode::BadInput, sentence);
 }
 
-std::uint64_t listLength(const PlyProperty& list, BinarySource& source)
+// A source is a BinarySource or a TextSource.
+
+template <class Source>
+std::uint64_t listLength(const PlyProperty& list, Source& source)
 {
 	const std::int64_t num = source.whole(list.countType);
-	if (num < 0) fail("a list of negative length");
-	if (std::uint64_t(num) > source.valuesLeft(list.type)) {
-		fail("a list is longer than the rest of the file, which seems to be cut off");
-	}
+	if (num < 0) source.fail("a list of negative length");
+	if (std::uint64_t(num) > source.valuesLeft(list.type))
+		source.fail("a list is longer than the rest of the file, which seems to be cut off");
 	return std::uint64_t(num);
 }
 
-void skipProperty(const PlyProperty& p, BinarySource& source)
+template <class Source>
+void skipProperty(const PlyProperty& p, Source& source)
 {
 	if (p.isList) {
 		source.skip(p.type, listLength(p, source));
@@ -42,13 +44,24 @@ void skipProperty(const PlyProperty& p, BinarySource& source)
 	}
 }
 
-/// Steps over an element that is of no use here.
-void skipElement(const PlyElement& element, BinarySource& source)
+/// Steps over records of one length; false where they have not.
+bool skipRecords(const PlyElement& e, BinarySource& source)
 {
-	if (!element.hasList()) {
-		source.take(std::size_t(element.count) * element.smallestRecordBytes());
-		return;
-	}
+	if (e.hasList()) return false;
+	source.take(std::size_t(e.count) * e.smallestRecordBytes());
+	return true;
+}
+
+bool skipRecords(const PlyElement&, TextSource&)
+{
+	return false;
+}
+
+/// Steps over an element that is of no use here.
+template <class Source>
+void skipElement(const PlyElement& element, Source& source)
+{
+	if (skipRecords(element, source)) return;
 	for (std::uint64_t i = 0; i < element.count; ++i) {
 		for (const PlyProperty& p : element.properties)
 			skipProperty(p, source);
@@ -57,21 +70,21 @@ void skipElement(const PlyElement& element, BinarySource& source)
 
 // ---- vertices
 
-template <class S>
-void readVerticesOneByOne(const PlyElement& e, const CoordinateProperties& c, BinarySource& source,
+template <class Source, class S>
+void readVerticesOneByOne(const PlyElement& e, const CoordinateProperties& c, Source& source,
 						  S* out)
 {
 	for (std::uint64_t v = 0; v < e.count; ++v, out += 3) {
 		for (int i = 0; i < int(e.properties.size()); ++i) {
 			const PlyProperty& p = e.properties[i];
 			if (i == c.x) {
-				out[0] = S(source.real(p.type));
+				out[0] = S(source.coordinate(p.type));
 			}
 			else if (i == c.y) {
-				out[1] = S(source.real(p.type));
+				out[1] = S(source.coordinate(p.type));
 			}
 			else if (i == c.z) {
-				out[2] = S(source.real(p.type));
+				out[2] = S(source.coordinate(p.type));
 			}
 			else {
 				skipProperty(p, source);
@@ -120,6 +133,12 @@ bool copyVertices(const PlyElement& e, const CoordinateProperties& c, BinarySour
 	return true;
 }
 
+template <class S>
+bool copyVertices(const PlyElement&, const CoordinateProperties&, TextSource&, S*)
+{
+	return false;
+}
+
 void requireVertexNum(const PlyElement& e)
 {
 	if (e.count > std::uint64_t(std::numeric_limits<std::int32_t>::max())) {
@@ -127,7 +146,8 @@ void requireVertexNum(const PlyElement& e)
 	}
 }
 
-void readVertices(const PlyElement& e, BinarySource& source, InputMesh& mesh)
+template <class Source>
+void readVertices(const PlyElement& e, Source& source, InputMesh& mesh)
 {
 	requireVertexNum(e);
 	const CoordinateProperties c = findCoordinates(e);
@@ -148,15 +168,16 @@ void readVertices(const PlyElement& e, BinarySource& source, InputMesh& mesh)
 
 // ---- faces
 
-void readIndexList(const PlyProperty& list, BinarySource& source,
-				   std::vector<std::int64_t>& indices)
+template <class Source>
+void readIndexList(const PlyProperty& list, Source& source, std::vector<std::int64_t>& indices)
 {
 	indices.resize(std::size_t(listLength(list, source)));
 	for (std::int64_t& i : indices)
 		i = source.whole(list.type);
 }
 
-void readFace(const PlyElement& e, int indexList, BinarySource& source, FaceList& faces,
+template <class Source>
+void readFace(const PlyElement& e, int indexList, Source& source, FaceList& faces,
 			  std::vector<std::int64_t>& corners)
 {
 	for (int i = 0; i < int(e.properties.size()); ++i) {
@@ -190,10 +211,12 @@ bool findTriangleRecord(const PlyElement& e, int indexList, TriangleRecord& reco
 }
 
 /// Copies triangles up to the first face that is none; tells how many.
-std::uint64_t copyTriangles(const TriangleRecord& record, std::uint64_t most, BinarySource& source,
+std::uint64_t copyTriangles(const PlyElement& e, int indexList, BinarySource& source,
 							IndexArray& triangles)
 {
-	most                      = std::min<std::uint64_t>(most, source.bytesLeft() / record.bytes);
+	TriangleRecord record;
+	if (source.swapped() || !findTriangleRecord(e, indexList, record)) return 0;
+	std::uint64_t     most    = std::min<std::uint64_t>(e.count, source.bytesLeft() / record.bytes);
 	const char*       at      = source.peek() + record.countAt;
 	const std::size_t oldSize = triangles.size();
 	std::uint64_t     num     = 0;
@@ -207,21 +230,24 @@ std::uint64_t copyTriangles(const TriangleRecord& record, std::uint64_t most, Bi
 	return num;
 }
 
-void readFaces(const PlyElement& e, BinarySource& source, FaceList& faces)
+std::uint64_t copyTriangles(const PlyElement&, int, TextSource&, IndexArray&)
+{
+	return 0;
+}
+
+template <class Source>
+void readFaces(const PlyElement& e, Source& source, FaceList& faces)
 {
 	const int                 indexList = findIndexList(e);
-	TriangleRecord            record;
 	std::vector<std::int64_t> corners;
-	std::uint64_t             f = 0;
-	if (!source.swapped() && findTriangleRecord(e, indexList, record)) {
-		f = copyTriangles(record, e.count, source, faces.triangles);
-	}
 	// After the first polygon no block is tried again: its memory would be asked for each time.
-	for (; f < e.count; ++f)
+	const std::uint64_t copied = copyTriangles(e, indexList, source, faces.triangles);
+	for (std::uint64_t f = copied; f < e.count; ++f)
 		readFace(e, indexList, source, faces, corners);
 }
 
-void readStrips(const PlyElement& e, BinarySource& source, FaceList& faces)
+template <class Source>
+void readStrips(const PlyElement& e, Source& source, FaceList& faces)
 {
 	const int                 indexList = findIndexList(e);
 	std::vector<std::int64_t> strip;
@@ -303,7 +329,8 @@ bool lookAtBody(const PlyHeader& header, BinarySource source, MeshView& mesh)
 
 // ---- the whole
 
-void readElement(const PlyElement& e, BinarySource& source, InputMesh& mesh, FaceList& faces)
+template <class Source>
+void readElement(const PlyElement& e, Source& source, InputMesh& mesh, FaceList& faces)
 {
 	if (e.properties.empty() || e.count == 0) return;
 	if (e.count > source.recordsLeft(e)) failTruncated(e);
@@ -321,7 +348,8 @@ void readElement(const PlyElement& e, BinarySource& source, InputMesh& mesh, Fac
 	}
 }
 
-InputMesh readBody(const PlyHeader& header, BinarySource source)
+template <class Source>
+InputMesh readBody(const PlyHeader& header, Source source)
 {
 	InputMesh         mesh;
 	FaceList          faces;
@@ -339,7 +367,8 @@ InputMesh readPly(std::string_view file)
 	const PlyHeader header = readPlyHeader(file);
 	checkElements(header);
 	const std::string_view body = file.substr(header.byteNum);
-	if (header.format == PlyFormat::Ascii) return readAsciiPly(header, body);
+	if (header.format == PlyFormat::Ascii)
+		return readBody(header, TextSource(body, header.lineNum));
 	return readBody(header, BinarySource(body, header.format == PlyFormat::LittleEndian));
 }
 

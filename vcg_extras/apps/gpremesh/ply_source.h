@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string>
 #include <string_view>
 
 namespace gpr::app {
@@ -67,6 +68,7 @@ public:
 	}
 
 	double real(PlyType type) { return loadValue<double>(type, take(plyTypeSize(type)), swap_); }
+	double coordinate(PlyType type) { return real(type); }
 	std::int64_t whole(PlyType type)
 	{
 		return loadValue<std::int64_t>(type, take(plyTypeSize(type)), swap_);
@@ -84,6 +86,11 @@ public:
 	}
 	std::uint64_t valuesLeft(PlyType type) const { return bytesLeft() / plyTypeSize(type); }
 
+	[[noreturn]] void fail(const std::string& sentence) const
+	{
+		throw AppError(ExitCode::BadInput, sentence);
+	}
+
 	std::size_t bytesLeft() const { return std::size_t(end_ - at_); }
 	bool        swapped() const { return swap_; }
 	const char* peek() const { return at_; }
@@ -100,10 +107,52 @@ private:
 	const char* end_;
 	bool        swap_;
 
-	[[noreturn]] static void failCut()
+	[[noreturn]] void failCut() const { fail("the file ends too early; it seems to be cut off"); }
+};
+
+/// The same for the words of an ASCII file. The types of its header say nothing about how its
+/// values are stored. What follows a '#' on a line is passed over.
+class TextSource {
+public:
+	/// lineNum: of the lines before the body.
+	TextSource(std::string_view body, std::size_t lineNum) :
+			body_(body), at_(body.data()), end_(body.data() + body.size()), lineNum_(lineNum)
 	{
-		throw AppError(ExitCode::BadInput, "the file ends too early; it seems to be cut off");
 	}
+
+	/// NaN for words such as nan(ind).
+	double real(PlyType type);
+	/// NaN for infinite ones, too.
+	double       coordinate(PlyType type);
+	std::int64_t whole(PlyType type);
+	void         skip(PlyType type) { real(type); }
+	void         skip(PlyType type, std::uint64_t num)
+	{
+		for (std::uint64_t i = 0; i < num; ++i)
+			real(type);
+	}
+
+	/// Each value takes a character and a blank, the very last one no blank.
+	std::uint64_t recordsLeft(const PlyElement& e) const
+	{
+		return (bytesLeft() + 1) / (2 * e.properties.size());
+	}
+	std::uint64_t valuesLeft(PlyType) const { return (bytesLeft() + 1) / 2; }
+
+	/// Names the line of the last word.
+	[[noreturn]] void fail(const std::string& sentence) const;
+
+private:
+	std::string_view body_;
+	const char*      at_;
+	const char*      end_;
+	const char*      word_ = nullptr; ///< where the last one begins
+	std::size_t      lineNum_;
+
+	std::size_t      bytesLeft() const { return std::size_t(end_ - at_); }
+	void             skipBlanks();
+	std::string_view takeWord();
+	bool             endsHere(const char* place) const;
 };
 
 } // namespace gpr::app

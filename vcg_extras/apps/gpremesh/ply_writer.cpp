@@ -2,23 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ply_writer.h"
 
-#include <cstring>
+#include "little_endian.h"
+
 #include <string>
 
 namespace gpr::app {
 
 namespace {
-
-/// Puts the bytes of a value in little endian order on every machine.
-template <class Bits, class T>
-void put(T value, char*& at)
-{
-	static_assert(sizeof(Bits) == sizeof(T), "the same size");
-	Bits bits;
-	std::memcpy(&bits, &value, sizeof bits);
-	for (std::size_t i = 0; i < sizeof bits; ++i)
-		*at++ = char(bits >> (8 * i) & 0xff);
-}
 
 constexpr std::int32_t selectedFlag = 0x20; ///< vcglib's bit
 
@@ -44,18 +34,19 @@ void putPosition(const Vec3d& p, bool doublePrecision, char*& at)
 {
 	for (const double c : {p.x, p.y, p.z}) {
 		if (doublePrecision) {
-			put<std::uint64_t>(c, at);
+			putLittleEndian<std::uint64_t>(c, at);
 		}
 		else {
-			put<std::uint32_t>(float(c), at);
+			putLittleEndian<std::uint32_t>(float(c), at);
 		}
 	}
 }
 
 void putData(const PlyVertexData& data, std::size_t v, char*& at)
 {
-	if (data.selected != nullptr) put<std::uint32_t>(data.selected[v] ? selectedFlag : 0, at);
-	if (data.quality != nullptr) put<std::uint32_t>(data.quality[v], at);
+	if (data.selected != nullptr)
+		putLittleEndian<std::uint32_t>(data.selected[v] ? selectedFlag : 0, at);
+	if (data.quality != nullptr) putLittleEndian<std::uint32_t>(data.quality[v], at);
 	if (data.rgb == nullptr) return;
 	for (std::size_t k = 0; k < 3; ++k)
 		*at++ = char(data.rgb[3 * v + k]);
@@ -79,7 +70,7 @@ void writePly(const MeshView& mesh, bool doublePrecision, const PlyVertexData& d
 		char  record[13] = {3};
 		char* at         = record + 1;
 		for (std::size_t k = 0; k < 3; ++k)
-			put<std::uint32_t>(mesh.vertexOf(3 * f + k), at);
+			putLittleEndian<std::uint32_t>(mesh.vertexOf(3 * f + k), at);
 		out.bytes(record, sizeof record);
 	}
 }

@@ -5,48 +5,25 @@
 
 #include "exit_code.h"
 #include "face_list.h"
-#include "ply_layout.h"
 #include "precision.h"
 #include "soup_text.h"
-#include "text_lines.h"
 
-#include <CGAL/IO/OBJ.h>
-#include <CGAL/IO/OFF.h>
-#include <CGAL/IO/PLY.h>
 #include <CGAL/IO/STL.h>
-#include <CGAL/Simple_cartesian.h>
 #include <array>
-#include <boost/container/small_vector.hpp>
 #include <boost/interprocess/streams/bufferstream.hpp>
-#include <boost/iostreams/stream.hpp>
 #include <cctype>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
 
 namespace gpr::app {
 
 namespace {
 
-using Point        = CGAL::Simple_cartesian<double>::Point_3;
 using MemoryStream = boost::interprocess::ibufferstream;
 
 [[noreturn]] void fail(const std::string& sentence)
 {
 	throw AppError(ExitCode::BadInput, sentence);
 }
-
-/// The corners of a face. Its size is bounded: CGAL resizes it to what an OFF file says before it
-/// looks whether there are as many numbers.
-struct Polygon : boost::container::small_vector<std::int32_t, 4> {
-	static constexpr std::size_t maxCorners = 1 << 20;
-
-	void resize(std::size_t num)
-	{
-		if (num > maxCorners) fail("a face with more than 1048576 corners");
-		boost::container::small_vector<std::int32_t, 4>::resize(num);
-	}
-};
 
 /// A corner of an STL file. CGAL makes one vertex of equal ones by a std::map: so NaN, which would
 /// put its order in disorder, comes after all numbers.
@@ -64,78 +41,28 @@ private:
 	static bool isLess(double a, double b) { return std::isnan(b) ? !std::isnan(a) : a < b; }
 };
 
-template <class P>
 struct Soup {
-	std::vector<P>       points;
-	std::vector<Polygon> faces;
+	std::vector<StlCorner>                   points;
+	std::vector<std::array<std::int32_t, 3>> faces;
 };
 
-const auto silent = CGAL::parameters::verbose(false);
-
-/// Calls one of CGAL's readers; false when it throws what a damaged file makes it throw.
-template <class Reader>
-bool succeeds(Reader read)
+InputMesh meshOf(const Soup& soup)
 {
-	try {
-		return read();
-	}
-	catch (const std::ios_base::failure&) {
-		return false;
-	}
-	catch (const std::length_error&) { // a negative number taken as a size
-		return false;
-	}
-}
-
-/// Names the line of the word that CGAL stopped at.
-[[noreturn]] void failAt(const SoupText& soup, MemoryStream& in, const std::string& what)
-{
-	in.exceptions(std::ios::goodbit);
-	in.clear();
-	const std::size_t at  = std::size_t(in.tellg());
-	const bool        end = at >= soup.text.size();
-	fail("line " + std::to_string(lineAt(soup, at + 1)) + ": " + what +
-		 (end ? ", or the file ends too early" : ""));
-}
-
-template <class P>
-void copyPositions(const std::vector<P>& points, InputMesh& mesh)
-{
+	InputMesh mesh;
 	mesh.doublePrecision = true;
-	mesh.doubles.reserve(3 * points.size());
-	for (const P& p : points) {
-		for (int k = 0; k < 3; ++k) {
-			const double c = p[k];
+	mesh.doubles.reserve(3 * soup.points.size());
+	for (const StlCorner& p : soup.points) {
+		for (const double c : p)
 			mesh.doubles.push_back(c != nonFiniteMark ? c : std::nan(""));
-		}
 	}
-}
-
-template <class P>
-InputMesh meshOf(const Soup<P>& soup, std::size_t stripBegin = 0, std::size_t stripNum = 0)
-{
-	InputMesh                 mesh;
-	FaceList                  list;
-	std::vector<std::int64_t> corners;
-	copyPositions(soup.points, mesh);
-	for (std::size_t f = 0; f < soup.faces.size(); ++f) {
-		corners.assign(soup.faces[f].begin(), soup.faces[f].end());
-		if (f - stripBegin < stripNum) {
-			list.addStrip(corners);
-		}
-		else {
-			list.add(corners.data(), corners.size());
-		}
+	FaceList list;
+	for (const std::array<std::int32_t, 3>& face : soup.faces) {
+		const std::array<std::int64_t, 3> corners = {face[0], face[1], face[2]};
+		list.add(corners.data(), corners.size());
 	}
 	list.finish(mesh);
 	return mesh;
 }
-
-} // namespace
-
-// ---- STL
-
-namespace {
 
 constexpr std::size_t stlHeaderBytes = 80;
 
@@ -160,10 +87,11 @@ bool isBinaryStl(std::string_view file)
 
 InputMesh readAsciiStl(std::string_view file)
 {
-	const SoupText  text = prepareAsciiStl(file);
-	MemoryStream    in(text.text.data(), text.text.size());
-	Soup<StlCorner> soup;
-	const bool      whole = CGAL::IO::read_STL(in, soup.points, soup.faces, silent);
+	const SoupText text = prepareAsciiStl(file);
+	MemoryStream   in(text.text.data(), text.text.size());
+	Soup           soup;
+	const bool     whole =
+		CGAL::IO::read_STL(in, soup.points, soup.faces, CGAL::parameters::verbose(false));
 	if (!whole || soup.faces.size() != text.faceNum) {
 		fail("a facet is malformed or the file ends too early");
 	}
@@ -194,97 +122,6 @@ InputMesh readStl(std::string_view file)
 	}
 	if (!beginsWithSolid(file)) fail("neither an ASCII nor a binary STL file");
 	return readAsciiStl(file);
-}
-
-// ---- PLY
-
-InputMesh readAsciiPly(const PlyHeader& header, std::string_view body)
-{
-	const SoupText text = prepareAsciiPly(header, body);
-	MemoryStream   in(text.text.data(), text.text.size());
-	Soup<Point>    soup;
-	in.exceptions(std::ios::failbit | std::ios::badbit); // or a long list is read to its end
-	const bool whole =
-		succeeds([&] { return CGAL::IO::read_PLY(in, soup.points, soup.faces, silent); });
-	if (!whole || soup.points.size() != text.vertexNum || soup.faces.size() != text.faceNum) {
-		failAt(text, in, badNumber);
-	}
-	InputMesh mesh = meshOf(soup, text.stripBegin, text.stripNum);
-	if (!text.doublePrecision) roundToFloat(mesh);
-	return mesh;
-}
-
-// ---- writing
-
-namespace {
-
-/// An output file as the end of a stream.
-class Sink {
-public:
-	using char_type = char;
-	using category  = boost::iostreams::sink_tag;
-
-	explicit Sink(OutputFile& out) : out_(&out) {}
-	std::streamsize write(const char* data, std::streamsize num)
-	{
-		out_->bytes(data, std::size_t(num));
-		return num;
-	}
-
-private:
-	OutputFile* out_;
-};
-
-using Triangles = std::vector<std::array<std::int32_t, 3>>;
-
-/// Hands points, triangles and a stream to one of CGAL's writers.
-template <class Writer>
-void writeSoup(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out, Writer write)
-{
-	constexpr std::size_t pollMask = 0xfffff;
-	std::vector<Point>    points;
-	points.reserve(mesh.vertexNum());
-	for (const Vec3d& p : mesh.positions) {
-		if ((points.size() & pollMask) == 0) out.poll();
-		points.push_back(doublePrecision ? Point(p.x, p.y, p.z)
-										 : Point(float(p.x), float(p.y), float(p.z)));
-	}
-	Triangles triangles(mesh.faceNum());
-	for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-		if ((i & pollMask) == 0) out.poll();
-		triangles[i / 3][i % 3] = mesh.triangles[i];
-	}
-
-	boost::iostreams::stream<Sink> stream(out);
-	stream.exceptions(std::ios::badbit); // hands on what the output file throws
-	stream.precision(doublePrecision ? std::numeric_limits<double>::max_digits10
-									 : std::numeric_limits<float>::max_digits10);
-	write(stream, points, triangles);
-	stream.flush();
-}
-
-} // namespace
-
-void writeObj(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out)
-{
-	writeSoup(mesh, doublePrecision, out, [](auto& stream, const auto& points, const auto& faces) {
-		CGAL::IO::write_OBJ(stream, points, faces);
-	});
-}
-
-void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out)
-{
-	writeSoup(mesh, doublePrecision, out, [](auto& stream, const auto& points, const auto& faces) {
-		CGAL::IO::write_OFF(stream, points, faces);
-	});
-}
-
-void writeStl(const TriangleMesh& mesh, OutputFile& out)
-{
-	writeSoup(mesh, true, out, [](auto& stream, const auto& points, const auto& faces) {
-		CGAL::IO::set_binary_mode(stream);
-		CGAL::IO::write_STL(stream, points, faces);
-	});
 }
 
 } // namespace gpr::app

@@ -4,13 +4,11 @@
 #define VCG_EXTRAS_APPS_GPREMESH_SOUP_IO_H
 
 #include "mesh_data.h"
-#include "output_file.h"
-#include "ply_header.h"
 
 #include <string_view>
 
-// OBJ, OFF, STL and ASCII PLY. The files lie in memory. OBJ, OFF and binary STL are read in pieces
-// by all threads; ASCII STL and ASCII PLY by CGAL's readers of polygon soups. No index is out of
+// OBJ, OFF and STL. The files lie in memory. OBJ, OFF and binary STL are read in pieces by all
+// threads; ASCII STL by CGAL's reader of polygon soups. No index is out of
 // range in what the readers return, and nothing is lost silently. They throw AppError (BadInput) on
 // anything malformed or cut off.
 
@@ -34,17 +32,6 @@ std::size_t promisedStlBytes(std::string_view file);
 
 /// A binary STL file, which is at least that long.
 InputMesh readBinaryStl(std::string_view file);
-
-/// The body of an ASCII PLY file whose header has been read. Positions are double where the header
-/// says so.
-InputMesh readAsciiPly(const PlyHeader& header, std::string_view body);
-
-/// Coordinates with as many digits as give back each double, or each float.
-void writeObj(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out);
-void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out);
-
-/// Binary. The format holds floats only.
-void writeStl(const TriangleMesh& mesh, OutputFile& out);
 
 } // namespace gpr::app
 

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "soup_text.h"
 
-#include "ply_layout.h"
-
 #include <algorithm>
-#include <initializer_list>
 
 namespace gpr::app {
 
@@ -69,8 +66,6 @@ void appendNumbers(std::string_view text, std::string& out)
 	out.append(text, done);
 }
 
-// ---- STL
-
 /// Blanks out what follows the word solid or endsolid on its line.
 void dropSolidNames(std::string& text)
 {
@@ -120,51 +115,6 @@ bool solidIsClosed(std::string_view text)
 	return end != text.npos && (facet == text.npos || facet < end);
 }
 
-// ---- PLY
-
-bool isOneOf(const std::string& name, std::initializer_list<const char*> names)
-{
-	return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-/// The length of a list is taken as a short: CGAL asks for memory by it, and a damaged one cannot
-/// ask for much then. Strips may be longer, where the file is.
-std::string asciiElement(const PlyElement& e, const std::string& name, int indexList,
-						 bool longStrips = false)
-{
-	std::string lines = "element " + name + " " + std::to_string(e.count) + "\n";
-	for (int i = 0; i < int(e.properties.size()); ++i) {
-		const PlyProperty& p = e.properties[i];
-		if (i == indexList) {
-			lines += longStrips ? "property list int" : "property list short";
-			lines += " int vertex_indices\n";
-			continue;
-		}
-		lines += p.isList ? "property list short double " : "property double ";
-		lines += (isOneOf(p.name, {"x", "y", "z"}) ? p.name : "unused") + "\n";
-	}
-	return lines;
-}
-
-std::string vertexElement(const PlyElement& e, SoupText& soup)
-{
-	soup.vertexNum       = std::size_t(e.count);
-	soup.doublePrecision = needsDouble(e, findCoordinates(e));
-	return asciiElement(e, "vertex", -1);
-}
-
-std::string faceElement(const PlyElement& e, std::size_t bodySize, SoupText& soup)
-{
-	constexpr std::size_t longestShort = std::numeric_limits<std::int16_t>::max();
-	const bool            strips       = e.name == "tristrips";
-	if (strips) {
-		soup.stripBegin = soup.faceNum;
-		soup.stripNum   = std::size_t(e.count);
-	}
-	soup.faceNum += std::size_t(e.count);
-	return asciiElement(e, "face", findIndexList(e), strips && bodySize / 2 > longestShort);
-}
-
 } // namespace
 
 SoupText prepareAsciiStl(std::string_view file)
@@ -182,35 +132,6 @@ SoupText prepareAsciiStl(std::string_view file)
 	// CGAL tries the binary form on a text that it could not read: let the count there be absurd.
 	soup.text.append(100, ' ');
 	return soup;
-}
-
-SoupText prepareAsciiPly(const PlyHeader& header, std::string_view body)
-{
-	SoupText          soup;
-	const std::size_t num = usefulElementNum(header);
-	soup.text             = "ply\nformat ascii 1.0\n";
-	for (std::size_t i = 0; i < num; ++i) {
-		const PlyElement& e = header.elements[i];
-		if (e.properties.empty() || e.count == 0) continue;
-		// Each value takes a digit and a separator, the very last one no separator.
-		if (e.count > (body.size() + 1) / (2 * e.properties.size())) failTruncated(e);
-		const bool faces = isOneOf(e.name, {"face", "tristrips"});
-		soup.text += e.name == "vertex" ? vertexElement(e, soup)
-					 : faces            ? faceElement(e, body.size(), soup)
-										: asciiElement(e, "unused", -1);
-	}
-	soup.text += "end_header\n";
-	soup.lineNumShift =
-		header.lineNum - std::size_t(std::count(soup.text.begin(), soup.text.end(), '\n'));
-	appendNumbers(body, soup.text);
-	return soup;
-}
-
-std::size_t lineAt(const SoupText& soup, std::size_t position)
-{
-	const std::size_t before = std::min(position > 0 ? position - 1 : 0, soup.text.size());
-	const auto        end    = soup.text.begin() + long(before);
-	return 1 + std::size_t(std::count(soup.text.begin(), end, '\n')) + soup.lineNumShift;
 }
 
 } // namespace gpr::app

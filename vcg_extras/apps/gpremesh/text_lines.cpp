@@ -12,17 +12,13 @@ namespace gpr::app {
 
 namespace {
 
-bool isBlank(char c)
-{
-	return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
 char lower(char c)
 {
 	return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
 }
 
-/// Whether a word begins like nan, inf or infinity, with or without a sign, whatever follows.
+} // namespace
+
 bool isNonFinite(std::string_view word)
 {
 	if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);
@@ -30,8 +26,6 @@ bool isNonFinite(std::string_view word)
 	const char begin[] = {lower(word[0]), lower(word[1]), lower(word[2]), 0};
 	return std::string_view(begin) == "nan" || std::string_view(begin) == "inf";
 }
-
-} // namespace
 
 bool goesOn(std::string_view line)
 {

@@ -18,6 +18,14 @@ namespace gpr::app {
 
 constexpr const char* badNumber = "a number is malformed or missing";
 
+inline bool isBlank(char c)
+{
+	return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/// Whether a word begins like nan, inf or infinity, with or without a sign, whatever follows.
+bool isNonFinite(std::string_view word);
+
 /// Whether a line goes on behind its end: its last character that is no blank is a backslash.
 bool goesOn(std::string_view line);
 

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ply_source.h"
+
+#include "number_text.h"
+#include "text_lines.h"
+
+#include <charconv>
+#include <cmath>
+
+namespace gpr::app {
+
+void TextSource::skipBlanks()
+{
+	while (at_ < end_) {
+		if (isBlank(*at_))
+			++at_;
+		else if (*at_ == '#')
+			at_ = std::find(at_, end_, '\n');
+		else
+			return;
+	}
+}
+
+/// Of a number that was read up to there.
+bool TextSource::endsHere(const char* place) const
+{
+	return place == end_ || isBlank(*place);
+}
+
+std::string_view TextSource::takeWord()
+{
+	const char* const begin = at_;
+	while (!endsHere(at_))
+		++at_;
+	return {begin, std::size_t(at_ - begin)};
+}
+
+double TextSource::real(PlyType)
+{
+	skipBlanks();
+	word_ = at_;
+	// Most words are plain numbers, which end where the parser says: they are looked at once.
+	double     value  = 0;
+	const auto parsed = std::from_chars(at_, end_, value);
+	if (parsed.ec == std::errc() && endsHere(parsed.ptr)) {
+		at_ = parsed.ptr;
+		return value;
+	}
+	const std::string_view word = takeWord();
+	if (isNonFinite(word)) return std::nan("");
+	if (!parseNumber(word, value) || !std::isfinite(value)) fail(badNumber);
+	return value;
+}
+
+double TextSource::coordinate(PlyType type)
+{
+	const double value = real(type);
+	return std::isfinite(value) ? value : std::nan("");
+}
+
+std::int64_t TextSource::whole(PlyType type)
+{
+	skipBlanks();
+	std::int64_t index  = 0;
+	const auto   parsed = std::from_chars(at_, end_, index);
+	if (parsed.ec == std::errc() && endsHere(parsed.ptr)) {
+		word_ = at_;
+		at_   = parsed.ptr;
+		return index;
+	}
+	constexpr double largest = 9e15; // whole numbers up to there are told apart
+	const double     value   = real(type);
+	if (!(std::abs(value) < largest) || value != std::floor(value)) fail(badNumber);
+	return std::int64_t(value);
+}
+
+void TextSource::fail(const std::string& sentence) const
+{
+	const char* const place = word_ != nullptr ? word_ : body_.data();
+	const std::size_t line  = lineNum_ + lineNumber(body_, place);
+	throw AppError(ExitCode::BadInput,
+				   "line " + std::to_string(line) + ": " + sentence +
+					   (at_ == end_ ? ", or the file ends too early" : ""));
+}
+
+} // namespace gpr::app
