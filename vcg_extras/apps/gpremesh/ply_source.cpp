@@ -5,7 +5,6 @@
 #include "number_text.h"
 #include "text_lines.h"
 
-#include <charconv>
 #include <cmath>
 
 namespace gpr::app {
@@ -22,16 +21,10 @@ void TextSource::skipBlanks()
 	}
 }
 
-/// Of a number that was read up to there.
-bool TextSource::endsHere(const char* place) const
-{
-	return place == end_ || isBlank(*place);
-}
-
 std::string_view TextSource::takeWord()
 {
 	const char* const begin = at_;
-	while (!endsHere(at_))
+	while (at_ < end_ && !isBlank(*at_))
 		++at_;
 	return {begin, std::size_t(at_ - begin)};
 }
@@ -39,14 +32,9 @@ std::string_view TextSource::takeWord()
 double TextSource::real(PlyType)
 {
 	skipBlanks();
-	word_ = at_;
-	// Most words are plain numbers, which end where the parser says: they are looked at once.
-	double     value  = 0;
-	const auto parsed = std::from_chars(at_, end_, value);
-	if (parsed.ec == std::errc() && endsHere(parsed.ptr)) {
-		at_ = parsed.ptr;
-		return value;
-	}
+	word_        = at_;
+	double value = 0;
+	if (takePlainNumber(at_, end_, value)) return value;
 	const std::string_view word = takeWord();
 	if (isNonFinite(word)) return std::nan("");
 	if (!parseNumber(word, value) || !std::isfinite(value)) fail(badNumber);
@@ -62,13 +50,9 @@ double TextSource::coordinate(PlyType type)
 std::int64_t TextSource::whole(PlyType type)
 {
 	skipBlanks();
-	std::int64_t index  = 0;
-	const auto   parsed = std::from_chars(at_, end_, index);
-	if (parsed.ec == std::errc() && endsHere(parsed.ptr)) {
-		word_ = at_;
-		at_   = parsed.ptr;
-		return index;
-	}
+	word_              = at_;
+	std::int64_t index = 0;
+	if (takePlainNumber(at_, end_, index)) return index;
 	constexpr double largest = 9e15; // whole numbers up to there are told apart
 	const double     value   = real(type);
 	if (!(std::abs(value) < largest) || value != std::floor(value)) fail(badNumber);

@@ -152,7 +152,6 @@ private:
 	std::size_t      bytesLeft() const { return std::size_t(end_ - at_); }
 	void             skipBlanks();
 	std::string_view takeWord();
-	bool             endsHere(const char* place) const;
 };
 
 } // namespace gpr::app

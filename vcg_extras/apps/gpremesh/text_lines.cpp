@@ -5,7 +5,6 @@
 #include "number_text.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 namespace gpr::app {
@@ -105,13 +104,9 @@ std::string_view Words::next()
 bool Words::nextCoordinate(double& value)
 {
 	skipBlanks();
-	// Most words are plain numbers, which end where the parser says: they are looked at once.
-	const auto parsed = std::from_chars(at_, end_, value);
-	const bool isWord = parsed.ptr == end_ || isBlank(*parsed.ptr);
-	if (parsed.ec == std::errc() && isWord && std::isfinite(value)) {
-		at_ = parsed.ptr;
-		return true;
-	}
+	const char* const begin = at_;
+	if (takePlainNumber(at_, end_, value) && std::isfinite(value)) return true;
+	at_                         = begin;
 	const std::string_view word = next();
 	if (isNonFinite(word)) {
 		value = std::nan("");

@@ -5,6 +5,7 @@
 
 #include <vcg_extras/core/base/workers.h>
 
+#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -21,6 +22,18 @@ constexpr const char* badNumber = "a number is malformed or missing";
 inline bool isBlank(char c)
 {
 	return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+/// Reads a number of the plain form that nearly all words have, which are looked at once so, and
+/// goes on behind it. False, and nothing is read, where the next word is none.
+template <class Number>
+bool takePlainNumber(const char*& at, const char* end, Number& value)
+{
+	const auto parsed = std::from_chars(at, end, value);
+	const bool isWord = parsed.ptr == end || isBlank(*parsed.ptr);
+	if (parsed.ec != std::errc() || !isWord) return false;
+	at = parsed.ptr;
+	return true;
 }
 
 /// Whether a word begins like nan, inf or infinity, with or without a sign, whatever follows.
