@@ -22,19 +22,21 @@ import numpy as np  # noqa: E402
 
 
 def enable(zip_file):
+    """Registers the extension. Returns what takes it away again."""
     if zip_file is None:
         where = SOURCES / "__init__.py"
         spec = importlib.util.spec_from_file_location("gpremesh_extension", where, submodule_search_locations=[str(SOURCES)])
         sys.modules[spec.name] = module = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(module)
         module.register()
-        return
+        return module.unregister
     bpy.ops.preferences.addon_enable(module="bl_pkg")
     done = bpy.ops.extensions.package_install_files(filepath=zip_file, repo="user_default", enable_on_install=True)
     assert done == {"FINISHED"}, done
     assert "bl_ext.user_default.gpremesh" in bpy.context.preferences.addons.keys()
     import gpremesh
     assert home.name in gpremesh.__file__, gpremesh.__file__
+    return lambda: bpy.ops.preferences.addon_disable(module="bl_ext.user_default.gpremesh")
 
 
 def read(collection, name, length, dtype=np.float32):
@@ -191,8 +193,14 @@ class Extension(unittest.TestCase):
 
 def enable_again():
     """Factory settings take add-ons away."""
+    global disable
     if not hasattr(bpy.types, "OBJECT_OT_gpremesh"):
-        enable(ZIP)
+        disable = enable(ZIP)
+
+
+def tearDownModule():
+    """Blender as a module crashes when its process ends with a class registered, of whatever add-on."""
+    disable()
 
 
 if __name__ == "__main__":
