@@ -9,11 +9,69 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <nlohmann/json.hpp>
 
 namespace gpr_test {
 
 using Json = nlohmann::json;
+
+namespace {
+
+/// Puts a mesh beside another one.
+void append(const TestMesh& more, TestMesh& mesh)
+{
+	const int first = int(mesh.points.size());
+	mesh.points.insert(mesh.points.end(), more.points.begin(), more.points.end());
+	for (const auto& f : more.faces)
+		mesh.faces.push_back({f[0] + first, f[1] + first, f[2] + first});
+}
+
+int mostFacesOfAnEdge(const TestMesh& mesh)
+{
+	std::map<std::array<int, 2>, int> faceNum;
+	int                               most = 0;
+	for (const auto& f : mesh.faces) {
+		for (std::size_t k = 0; k < 3; ++k) {
+			const auto ends = std::minmax(f[k], f[(k + 1) % 3]);
+			most            = std::max(most, ++faceNum[{ends.first, ends.second}]);
+		}
+	}
+	return most;
+}
+
+/// The walls of n by n by n boxes, each wall cut into cells by cells squares.
+TestMesh foam(int n, int cells)
+{
+	const int                         size = n * cells + 1;
+	std::map<std::array<int, 3>, int> number;
+	TestMesh                          mesh;
+	const auto                        numberOf = [&](const std::array<int, 3>& at) {
+        const auto added = number.emplace(at, int(mesh.points.size()));
+        if (added.second) mesh.points.push_back({double(at[0]), double(at[1]), double(at[2])});
+        return added.first->second;
+	};
+	for (std::size_t axis = 0; axis < 3; ++axis) {
+		for (int wall = 0; wall < size; wall += cells) {
+			for (int i = 0; i + 1 < size; ++i) {
+				for (int k = 0; k + 1 < size; ++k) {
+					const auto corner = [&](int di, int dk) {
+						std::array<int, 3> at{};
+						at[axis]           = wall;
+						at[(axis + 1) % 3] = i + di;
+						at[(axis + 2) % 3] = k + dk;
+						return numberOf(at);
+					};
+					mesh.faces.push_back({corner(0, 0), corner(1, 0), corner(1, 1)});
+					mesh.faces.push_back({corner(0, 0), corner(1, 1), corner(0, 1)});
+				}
+			}
+		}
+	}
+	return mesh;
+}
+
+} // namespace
 
 class TileRun : public CliTest {
 protected:
@@ -55,6 +113,19 @@ protected:
 		const ProgramResult result = run({"info", file, "--json"});
 		EXPECT_EQ(result.exitCode, 0) << result.err;
 		return Json::parse(result.out);
+	}
+
+	/// The same topology, and as many vertices.
+	void expectAsWithoutTiles(const std::string& input, const std::string& vertexNum)
+	{
+		remeshedInTiles(input, {"--vertices", vertexNum});
+		const ProgramResult whole =
+			run({"remesh", input, path("whole.ply"), "--vertices", vertexNum});
+		ASSERT_EQ(whole.exitCode, 0) << whole.err;
+		const Json tiled    = info(path("out.ply"))["input"],
+				   expected = info(path("whole.ply"))["input"];
+		for (const char* key : {"vertices", "components", "boundaryLoops", "eulerCharacteristic"})
+			EXPECT_EQ(tiled[key], expected[key]) << key;
 	}
 
 	Json report() { return Json::parse(content(path("report.json"))); }
@@ -207,11 +278,60 @@ TEST_F(TileRun, EdgesWithThreeFacesAreCutAsWithoutTiles)
 		mesh.faces.push_back(
 			{number[std::size_t(f[0])], number[std::size_t(f[1])], number[std::size_t(f[2])]});
 	const std::string in = put("fin.ply", binaryPly(mesh, true, false));
-	remeshedInTiles(in, {"--vertices", "900"});
-	ASSERT_EQ(run({"remesh", in, path("whole.ply"), "--vertices", "900"}).exitCode, 0);
-	const Json tiled = info(path("out.ply"))["input"], whole = info(path("whole.ply"))["input"];
-	for (const char* key : {"vertices", "components", "boundaryLoops", "eulerCharacteristic"})
-		EXPECT_EQ(tiled[key], whole[key]) << key;
+	expectAsWithoutTiles(in, "900");
+}
+
+/// A Möbius band, which no orientation of its tiles fits.
+TEST_F(TileRun, AMoebiusBandOverSeveralTilesIsAsWithoutTiles)
+{
+	constexpr int around = 300, across = 24;
+	TestMesh      mesh;
+	for (int i = 0; i < around; ++i) {
+		for (int k = 0; k <= across; ++k) {
+			const double u = 2 * 3.14159265358979 * i / around, v = 0.4 * (2.0 * k / across - 1);
+			const double r = 1 + v * std::cos(u / 2);
+			mesh.points.push_back({r * std::cos(u), r * std::sin(u), v * std::sin(u / 2)});
+		}
+	}
+	const auto number = [](int i, int k) {
+		// Once around, the two borders have changed places.
+		return i < around ? i * (across + 1) + k : across - k;
+	};
+	for (int i = 0; i < around; ++i) {
+		for (int k = 0; k < across; ++k) {
+			mesh.faces.push_back({number(i, k), number(i + 1, k), number(i + 1, k + 1)});
+			mesh.faces.push_back({number(i, k), number(i + 1, k + 1), number(i, k + 1)});
+		}
+	}
+	expectAsWithoutTiles(put("band.ply", binaryPly(mesh, true, false)), "600");
+}
+
+/// Pieces that are smaller than the triangles of the result, wherever the seams lie.
+TEST_F(TileRun, TinyPiecesAreAsWithoutTiles)
+{
+	TestMesh mesh = torus(120);
+	for (int i = 0; i < 60; ++i) {
+		TestMesh piece = sphere(1 + i % 5);
+		for (auto& p : piece.points) {
+			for (double& c : p)
+				c *= 0.01;
+		}
+		append(moved(piece, 0.05 * i - 1.5, 0.5 * std::sin(double(i)), 0.6), mesh);
+	}
+	expectAsWithoutTiles(put("pieces.ply", binaryPly(mesh, true, false)), "1500");
+}
+
+/// Boxes side by side with common walls: three or four faces at the edges of the walls. Which of
+/// them are joined when it is cut is not told by the surface, and depends on the tiles.
+TEST_F(TileRun, FoamLosesNoWall)
+{
+	const std::string in   = put("foam.ply", binaryPly(foam(3, 8), true, false));
+	const TestMesh    mesh = remeshedInTiles(in, {"--vertices", "1500"});
+	EXPECT_EQ(mesh.points.size(), 1500u);
+	EXPECT_LE(mostFacesOfAnEdge(mesh), 2);
+	const Json   facts = info(path("out.ply"))["input"];
+	const double walls = 3 * 4 * 24 * 24;
+	EXPECT_NEAR(facts["area"].get<double>(), walls, 0.005 * walls);
 }
 
 TEST_F(TileRun, AShareTooSmallForTheTopologyIsRaised)

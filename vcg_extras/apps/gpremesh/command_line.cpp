@@ -37,19 +37,32 @@ bool sameFile(const std::string& a, const std::string& b)
 		   std::filesystem::weakly_canonical(b, error);
 }
 
+/// "tiles/" is "tiles".
+std::string withoutSlashAtEnd(const std::string& path)
+{
+	const std::filesystem::path all(path);
+	return all.has_filename() ? path : all.parent_path().string();
+}
+
+void checkReport(const CommandLine& line)
+{
+	if (line.report.empty()) return;
+	if (sameFile(line.report, line.output) || sameFile(line.report, line.input)) {
+		failUsage("--report must name another file than IN and OUT.");
+	}
+}
+
 void checkPaths(const CommandLine& line)
 {
 	if (line.command == Command::Tile) return;
 	formatOfPath(line.input);
 	if (line.command != Command::Remesh && line.command != Command::Features) return;
+	if (line.outTileNum > 0) return checkReport(line);
 	const MeshFormat written = formatOfPath(line.output);
 	if (line.command == Command::Features && written != MeshFormat::Ply) {
 		failUsage("features writes .ply only, the one format here that holds quality and colour.");
 	}
-	if (line.report.empty()) return;
-	if (sameFile(line.report, line.output) || sameFile(line.report, line.input)) {
-		failUsage("--report must name another file than IN and OUT.");
-	}
+	checkReport(line);
 }
 
 /// The parser's complaint with a full stop.
@@ -63,6 +76,23 @@ void addOutcome(CLI::App& command, CommandLine& line, const char* reportHelp)
 {
 	command.add_option("--report", line.report, reportHelp)->type_name("FILE.json");
 	command.add_flag("--quiet", line.quiet, "No progress and no summary; errors are told still");
+}
+
+void addOutput(CLI::App& command, CommandLine& line)
+{
+	command
+		.add_option("OUT", line.output, "Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN")
+		->required();
+}
+
+void addTilesOut(CLI::App& command, CommandLine& line)
+{
+	command
+		.add_option("--tiles-out", line.outTileNum,
+					"Write OUT as a folder of T binary PLY files whose borders coincide, and of\n"
+					"tiles.json, which tells the box of each")
+		->check(CLI::Range(1, 10000))
+		->type_name("T");
 }
 
 void addMemory(CLI::App& command, CommandLine& line)
@@ -84,9 +114,7 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 				  "IN's vertices where none is given.");
 	remesh->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
 		->required();
-	remesh
-		->add_option("OUT", line.output, "Mesh to write, may be IN: .ply, .obj, .off, .stl or .glb")
-		->required();
+	addOutput(*remesh, line);
 	addTableOptions(*remesh, RemeshTool, given);
 	addOutcome(*remesh, line, "Write what was done, and how well, as JSON");
 	addMemory(*remesh, line);
@@ -96,6 +124,7 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 			"With --memory: the folder for what is put aside, OUT.tiles by default. It is\n"
 			"kept where the run ends early, which then goes on there when run again")
 		->type_name("DIR");
+	addTilesOut(*remesh, line);
 	remesh->footer(exitCodeHelp);
 	return remesh;
 }
@@ -190,9 +219,9 @@ CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
 	addTileStep(*tile, line, TileStep::Join, "join", "Puts the condensed tiles together.");
 	CLI::App* const finish =
 		addTileStep(*tile, line, TileStep::Finish, "finish", "Remeshes what was joined.");
-	finish->add_option("OUT", line.output, "Mesh to write: .ply, .obj, .off, .stl or .glb")
-		->required();
+	addOutput(*finish, line);
 	addOutcome(*finish, line, "Write what was done, and how well, as JSON");
+	addTilesOut(*finish, line);
 	tile->footer(exitCodeHelp);
 	return tile;
 }
@@ -243,6 +272,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 	line.options           = optionsOf(given);
 	line.optionsText       = textOf(given);
 	line.tiles.optionsText = textOf(given, isForPlan);
+	if (line.outTileNum > 0) line.output = withoutSlashAtEnd(line.output);
 	checkPaths(line);
 	return line;
 }

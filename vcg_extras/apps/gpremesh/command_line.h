@@ -35,18 +35,19 @@ struct TileSettings {
 
 /// What the user asked for, checked.
 struct CommandLine {
-	Command       command = Command::None;
-	std::string   input;
-	std::string   output; ///< remesh and features only
-	std::string   report; ///< remesh and features only; empty = none
-	bool          quiet     = false;
-	bool          json      = false; ///< info and compare only
-	bool          isotropic = false; ///< compare only
-	int           runNum    = 1;     ///< compare only
-	std::string   htmlFolder;        ///< compare only; empty = no page
-	RemeshOptions options;           ///< all but info
-	std::string   optionsText;       ///< these as the user gave them: "--lambda 2 --fit off"
-	TileSettings  tiles;             ///< tile, and remesh with --memory
+	Command     command = Command::None;
+	std::string input;
+	std::string output;         ///< remesh, 'tile finish' and features only
+	std::string report;         ///< remesh and features only; empty = none
+	int         outTileNum = 0; ///< remesh and 'tile finish': OUT is a folder of tiles; 0 = a file
+	bool        quiet      = false;
+	bool        json       = false; ///< info and compare only
+	bool        isotropic  = false; ///< compare only
+	int         runNum     = 1;     ///< compare only
+	std::string htmlFolder;         ///< compare only; empty = no page
+	RemeshOptions options;          ///< all but info
+	std::string   optionsText;      ///< these as the user gave them: "--lambda 2 --fit off"
+	TileSettings  tiles;            ///< tile, and remesh with --memory
 
 	std::vector<std::string> notes; ///< sentences that the program adds to the report's
 };

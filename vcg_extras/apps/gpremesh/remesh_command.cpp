@@ -11,6 +11,7 @@
 #include "progress_bar.h"
 #include "remesh_outcome.h"
 #include "summary.h"
+#include "tiles/result_tiles.h"
 
 #include <vcg_extras/core/run_estimate.h>
 
@@ -62,9 +63,23 @@ bool needsDoubleOutput(const InputMesh& input, const RemeshResult& result)
 		   !floatResolves(largestCoordinate(result.mesh.view()), result.report.quality.meanEdgeLen);
 }
 
-void addPrecisionNote(RunRecord& run)
+/// Of OUT, which may be a folder of tiles.
+MeshFormat writtenFormat(const CommandLine& line)
 {
-	const MeshFormat format = formatOfPath(run.outputPath);
+	return line.outTileNum > 0 ? MeshFormat::Ply : formatOfPath(line.output);
+}
+
+void writeResult(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
+				 const CommandLine& line, const RunLimit& limit)
+{
+	if (line.outTileNum > 0)
+		writeTiles(mesh, doublePrecision, attributes, line.outTileNum, line.output, limit);
+	else
+		writeMesh(mesh, doublePrecision, attributes, line.output, limit);
+}
+
+void addPrecisionNote(MeshFormat format, RunRecord& run)
+{
 	if ((format != MeshFormat::Stl && format != MeshFormat::Glb) || !run.outputDouble) return;
 	const std::string name = format == MeshFormat::Stl ? "STL" : "glTF";
 	run.outputDouble       = false;
@@ -138,10 +153,10 @@ RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit
 	run.notes = input.notes;
 	run.notes.insert(run.notes.end(), result.notes.begin(), result.notes.end());
 	run.notes.insert(run.notes.end(), line.notes.begin(), line.notes.end());
-	addPrecisionNote(run);
+	addPrecisionNote(writtenFormat(line), run);
 	run.report                = std::move(result.report);
 	MeshAttributes attributes = carriedAttributes(source, result, limit);
-	writeMesh(result.mesh, run.outputDouble, attributes, line.output, limit);
+	writeResult(result.mesh, run.outputDouble, attributes, line, limit);
 	if (!attributes.lost.empty())
 		run.notes.push_back("Not carried over: " + listOf(attributes.lost) + ".");
 
@@ -153,10 +168,18 @@ RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit
 
 } // namespace
 
+void checkOutput(const CommandLine& line)
+{
+	if (line.outTileNum > 0)
+		checkWritableFolder(line.output);
+	else
+		checkWritable(line.output);
+	if (!line.report.empty()) checkWritable(line.report);
+}
+
 void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 {
-	checkWritable(line.output);
-	if (!line.report.empty()) checkWritable(line.report);
+	checkOutput(line);
 	catchStopSignals();
 	const RunLimit limit(programClock, line.options.timeLimitSeconds);
 	Source         source = readSource(line, limit);

@@ -8,6 +8,10 @@
 
 namespace gpr::app {
 
+/// Throws AppError (Failure) where OUT or the report could not be written. To be asked before long
+/// work.
+void checkOutput(const CommandLine& line);
+
 /// gpremesh remesh: reads IN, remeshes, writes OUT and the report, prints the summary.
 /// programClock runs since the program's start. Throws AppError; OUT and the report appear only
 /// when all has gone well.

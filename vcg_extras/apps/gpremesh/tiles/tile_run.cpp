@@ -180,8 +180,7 @@ bool needsTiles(const CommandLine& line)
 
 void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)
 {
-	checkWritable(line.output);
-	if (!line.report.empty()) checkWritable(line.report);
+	checkOutput(line);
 	catchStopSignals();
 	const RunLimit  limit(programClock, line.options.timeLimitSeconds);
 	const RunFolder folder(line.tiles.folder.empty() ? line.output + ".tiles" : line.tiles.folder);

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_RESULT_TILES_H
+#define VCG_EXTRAS_APPS_GPREMESH_TILES_RESULT_TILES_H
+
+#include "../mesh_attributes.h"
+#include "../run_limit.h"
+
+#include <string>
+
+// A result as a folder of tiles, for viewers that load what they show.
+
+namespace gpr::app {
+
+/// Throws AppError (Failure) when no such folder could be made: the folder around it is missing or
+/// not writable, or the path is something else than a folder of tiles. To be asked before long
+/// work.
+void checkWritableFolder(const std::string& folder);
+
+/// Writes a mesh as tile0.ply, tile1.ply, ... and tiles.json, which tells the counts and the box of
+/// each. Every face is in one tile, and the tiles have about as many faces each; one that gets none
+/// is left out. A vertex of several tiles has the same bytes in all of them, so that their borders
+/// coincide. Attributes are cut likewise; attributes.lost receives words for what PLY does not
+/// hold. The folder appears whole or not at all, and replaces an older folder of tiles. Throws
+/// AppError (Failure) when writing fails, (Stopped) when the run has to end.
+/// tileNum: at least 1. Memory: one tile, and 40 B a face. Cost: O(F log tileNum).
+void writeTiles(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
+				int tileNum, const std::string& folder, const RunLimit& limit);
+
+} // namespace gpr::app
+
+#endif
