@@ -38,12 +38,13 @@ std::multiset<Triangle> trianglesOf(const TestMesh& mesh)
 std::string paintedTorus(int n)
 {
 	const TestMesh mesh = torus(n);
-	std::string    file = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-					   std::to_string(mesh.points.size()) +
-					   "\nproperty float x\nproperty float y\nproperty float z\n"
-					   "property float height\nelement face " +
-					   std::to_string(mesh.faces.size()) +
-					   "\nproperty list uchar int vertex_indices\nproperty uchar side\nend_header\n";
+	std::string    file =
+		"ply\nformat binary_little_endian 1.0\nelement vertex " +
+		std::to_string(mesh.points.size()) +
+		"\nproperty float x\nproperty float y\nproperty float z\n"
+		"property float height\nelement face " +
+		std::to_string(mesh.faces.size()) +
+		"\nproperty list uchar int vertex_indices\nproperty uchar side\nend_header\n";
 	for (const auto& p : mesh.points) {
 		for (const double c : p)
 			putBinary(file, float(c), true);
@@ -95,8 +96,7 @@ TEST_F(ResultTiles, TogetherAreTheResult)
 		all.merge(trianglesOf(part));
 		for (std::size_t k = 0; k < 3; ++k) {
 			const auto before = [k](const Point& a, const Point& b) { return a[k] < b[k]; };
-			const auto ends =
-				std::minmax_element(part.points.begin(), part.points.end(), before);
+			const auto ends   = std::minmax_element(part.points.begin(), part.points.end(), before);
 			EXPECT_EQ((*ends.first)[k], tile["low"][k].get<double>());
 			EXPECT_EQ((*ends.second)[k], tile["high"][k].get<double>());
 		}
@@ -117,8 +117,10 @@ TEST_F(ResultTiles, AreOneSurfaceAgainAsAnInput)
 				   path("tiles/tile2.ply"), "--vertices", "300", "--tiles", "2"})
 				  .exitCode,
 			  0);
-	for (const std::vector<std::string>& step :
-		 {std::vector<std::string>{"split"}, {"part", "--unit", "0"}, {"part", "--unit", "1"}, {"join"}}) {
+	for (const std::vector<std::string>& step : {std::vector<std::string>{"split"},
+												 {"part", "--unit", "0"},
+												 {"part", "--unit", "1"},
+												 {"join"}}) {
 		std::vector<std::string> words = {"tile", step[0], path("run")};
 		words.insert(words.end(), step.begin() + 1, step.end());
 		ASSERT_EQ(run(words, 120).exitCode, 0) << step[0];
@@ -128,7 +130,8 @@ TEST_F(ResultTiles, AreOneSurfaceAgainAsAnInput)
 	EXPECT_EQ(facts["input"]["boundaryLoops"], 0);
 	EXPECT_EQ(facts["input"]["components"], 1);
 	EXPECT_EQ(facts["input"]["vertices"], 300);
-	ASSERT_EQ(run({"tile", "finish", path("run"), path("tiles"), "--tiles-out", "2"}, 120).exitCode, 0);
+	ASSERT_EQ(run({"tile", "finish", path("run"), path("tiles"), "--tiles-out", "2"}, 120).exitCode,
+			  0);
 	EXPECT_EQ(index()["vertices"], 300);
 }
 
@@ -137,8 +140,8 @@ TEST_F(ResultTiles, HaveTheAttributesOfTheResult)
 	const std::string in = put("in.ply", paintedTorus(80));
 	remesh(in, path("tiles"), {"--vertices", "900", "--tiles-out", "4"});
 	for (int tile = 0; tile < 4; ++tile) {
-		const std::string file = content(path("tiles/tile" + std::to_string(tile) + ".ply"));
-		const Json        json = index()["tiles"][std::size_t(tile)];
+		const std::string file      = content(path("tiles/tile" + std::to_string(tile) + ".ply"));
+		const Json        json      = index()["tiles"][std::size_t(tile)];
 		const std::size_t vertexNum = json["vertices"], faceNum = json["faces"];
 		const std::size_t vertexBytes = 16, faceBytes = 14;
 		const char* const body = file.data() + file.find("end_header\n") + 11;
@@ -155,8 +158,9 @@ TEST_F(ResultTiles, HaveTheAttributesOfTheResult)
 			const char* const at = body + vertexNum * vertexBytes + f * faceBytes;
 			std::int32_t      corner[3];
 			std::memcpy(corner, at + 1, sizeof corner);
-			const float middle =
-				(x[std::size_t(corner[0])] + x[std::size_t(corner[1])] + x[std::size_t(corner[2])]) / 3;
+			const float middle = (x[std::size_t(corner[0])] + x[std::size_t(corner[1])] +
+								  x[std::size_t(corner[2])]) /
+								 3;
 			if (std::abs(middle) > 0.1) {
 				EXPECT_EQ(int(at[13]), middle > 0 ? 1 : 0);
 			}

@@ -216,9 +216,9 @@ void writeTiles(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& 
 	TileCutter               cutter(mesh, attributes);
 	std::vector<std::string> lost; // the same for each tile
 	Json                     index = {{"program", programJson()},
-							  {"vertices", mesh.vertexNum()},
-							  {"faces", mesh.faceNum()},
-							  {"tiles", Json::array()}};
+									  {"vertices", mesh.vertexNum()},
+									  {"faces", mesh.faceNum()},
+									  {"tiles", Json::array()}};
 	for (const std::vector<std::size_t>& faces : groups) {
 		const std::string name = tileName(index["tiles"].size());
 		Tile              tile = cutter.cut(faces);
