@@ -12,7 +12,8 @@ from meshes import command_line, torus, write_ply
 
 from gpremesh import cluster
 
-OPTIONS = ["--vertices", "900", "--tiles", "4"]
+TILE_NUM = 4
+OPTIONS = ["--vertices", "900", "--tiles", str(TILE_NUM)]
 
 
 @pytest.fixture
@@ -27,7 +28,7 @@ def by_steps(mesh, folder, out):
     """One step after the other, by the program alone."""
     command_line("tile", "plan", folder, mesh, *OPTIONS)
     command_line("tile", "split", folder)
-    for unit in range(4):
+    for unit in range(TILE_NUM):
         command_line("tile", "part", folder, "--unit", unit)
     command_line("tile", "join", folder)
     command_line("tile", "finish", folder, out, "--quiet")
@@ -42,13 +43,14 @@ def test_dask_gives_the_same_bytes(mesh, tmp_path):
     assert out.read_bytes() == expected
 
 
+def run_of(*words):
+    return cluster.tile_run(*cluster._arguments(["run", *map(str, words), *OPTIONS]))
+
+
 def test_a_lost_worker_changes_nothing(mesh, tmp_path):
     distributed = pytest.importorskip("distributed", reason="Dask's package distributed is not installed")
     expected = by_steps(mesh, tmp_path / "steps", tmp_path / "steps.ply")
-    options, more = cluster._arguments(["run", str(mesh), str(tmp_path / "out.ply"), "--folder",
-                                        str(tmp_path / "run"), *OPTIONS])
-    steps = cluster.TileSteps(options, more)
-    tile_num = cluster.tile_step(steps.plan())["tiles"]
+    run = run_of(mesh, tmp_path / "out.ply", "--folder", tmp_path / "run")
     with distributed.LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None) as workers, \
             distributed.Client(workers) as client:
         told = []
@@ -58,8 +60,8 @@ def test_a_lost_worker_changes_nothing(mesh, tmp_path):
                 workers.workers[0].process.process._process.kill()
             told.append(sentence)
 
-        cluster.run_with_dask(client, steps, tile_num, kill_one)
-    assert len(told) == tile_num + 2
+        cluster.run_with_dask(client, run, kill_one)
+    assert len(told) == TILE_NUM + 3
     assert (tmp_path / "out.ply").read_bytes() == expected
 
 
@@ -96,3 +98,120 @@ def test_a_refusal_is_the_programs_sentence(mesh, tmp_path):
     with pytest.raises(SystemExit, match="--max-error"):
         cluster.main(["slurm", str(mesh), str(tmp_path / "out.ply"), "--folder", str(tmp_path / "run"),
                       "--max-error", "0.1%"])
+
+
+# ---- files that have URLs
+
+
+@pytest.fixture
+def at_urls(mesh, tmp_path):
+    """A run whose files have URLs of this machine."""
+    pytest.importorskip("fsspec", reason="fsspec is not installed")
+    return run_of(f"file://{mesh}", f"file://{tmp_path}/out/out.ply", "--folder", f"file://{tmp_path}/run",
+                  "--scratch", tmp_path / "scratch")
+
+
+def steps_behind_the_cut():
+    return [*map(cluster.part_step, range(TILE_NUM)), cluster.join_step(TILE_NUM), cluster.finish_step()]
+
+
+def test_only_the_cut_needs_the_input(mesh, at_urls, tmp_path):
+    cut = cluster.cut_step(at_urls.plan_options)
+    at_urls.do(cut)
+    content = mesh.read_bytes()
+    mesh.unlink()
+    for step in steps_behind_the_cut():
+        at_urls.do(step)
+        assert list((tmp_path / "scratch").iterdir()) == []
+    mesh.write_bytes(content)
+    assert (tmp_path / "out" / "out.ply").read_bytes() == by_steps(mesh, tmp_path / "steps", tmp_path / "steps.ply")
+
+
+def test_what_was_put_is_not_put_again(at_urls, tmp_path):
+    steps = [cluster.cut_step(at_urls.plan_options), *steps_behind_the_cut()]
+
+    def times():
+        return {path.name: path.stat().st_mtime_ns for path in (tmp_path / "run").iterdir()}
+
+    told = [at_urls.do(step) for step in steps]
+    first = times()
+    assert {"plan.json", "split.json", "part3.ply", "joined.ply"} < first.keys()
+    assert [at_urls.do(step) for step in steps] == told
+    assert times() == first
+
+
+def test_the_record_is_put_last(at_urls, monkeypatch, tmp_path):
+    put = cluster.put_file
+    urls = []
+    monkeypatch.setattr(cluster, "put_file", lambda path, url: (urls.append(url), put(path, url)))
+    at_urls.do(cluster.cut_step(at_urls.plan_options))
+    at_urls.do(cluster.part_step(0))
+    names = [url.rpartition("/")[2] for url in urls]
+    assert len(names) == 2 + 2 * TILE_NUM + 3
+    assert names[1 + 2 * TILE_NUM] == "split.json" and names[-1] == "part0.json"
+
+
+def test_another_command_in_the_same_place_is_refused(mesh, at_urls, tmp_path):
+    at_urls.do(cluster.cut_step(at_urls.plan_options))
+    at_urls.plan_options += ("--seed", "7")
+    with pytest.raises(cluster.StepFailed, match="another plan"):
+        at_urls.do(cluster.cut_step(at_urls.plan_options))
+
+
+def test_a_missing_file_is_named(mesh, at_urls, tmp_path):
+    with pytest.raises(cluster.StepFailed, match="holds no plan"):
+        at_urls.do(cluster.part_step(0))
+    mesh.unlink()
+    with pytest.raises(cluster.StepFailed, match="torus.ply: it is not there"):
+        at_urls.do(cluster.cut_step(at_urls.plan_options))
+
+
+def test_an_unknown_kind_of_url_is_named(mesh, tmp_path):
+    pytest.importorskip("fsspec", reason="fsspec is not installed")
+    run = run_of(mesh, tmp_path / "out.ply", "--folder", "nowhere://bucket/run", "--scratch", tmp_path / "scratch")
+    with pytest.raises(cluster.StepFailed, match="nowhere://bucket/run"):
+        run.do(cluster.cut_step(run.plan_options))
+
+
+def test_slurm_wants_paths(mesh, tmp_path):
+    with pytest.raises(SystemExit, match="no URLs"):
+        cluster.main(["slurm", str(mesh), str(tmp_path / "out.ply"), "--folder", f"file://{tmp_path}/run"])
+
+
+def test_files_are_fetched_and_put_between_dasks_workers(mesh, tmp_path):
+    pytest.importorskip("distributed", reason="Dask's package distributed is not installed")
+    pytest.importorskip("fsspec", reason="fsspec is not installed")
+    expected = by_steps(mesh, tmp_path / "steps", tmp_path / "steps.ply")
+    cluster.main(["run", f"file://{mesh}", f"file://{tmp_path}/out.ply", "--folder", f"file://{tmp_path}/run",
+                  "--scratch", str(tmp_path / "scratch"), "--local", "2", *OPTIONS])
+    assert (tmp_path / "out.ply").read_bytes() == expected
+
+
+@pytest.fixture
+def bucket(monkeypatch):
+    """A bucket of S3 that a server on this machine has."""
+    pytest.importorskip("s3fs", reason="s3fs is not installed")
+    server_of = pytest.importorskip("moto.server", reason="moto, a server like S3, is not installed")
+    server = server_of.ThreadedMotoServer(ip_address="127.0.0.1", port=0, verbose=False)
+    server.start()
+    host, port = server.get_host_and_port()
+    for name, value in [("AWS_ENDPOINT_URL", f"http://{host}:{port}"), ("AWS_ACCESS_KEY_ID", "key"),
+                        ("AWS_SECRET_ACCESS_KEY", "secret"), ("AWS_DEFAULT_REGION", "us-east-1")]:
+        monkeypatch.setenv(name, value)
+    import s3fs
+
+    store = s3fs.S3FileSystem(skip_instance_cache=True, use_listings_cache=False)
+    store.mkdir("bucket")
+    yield store
+    server.stop()
+
+
+def test_s3_gives_the_same_bytes(mesh, bucket, tmp_path):
+    pytest.importorskip("distributed", reason="Dask's package distributed is not installed")
+    expected = by_steps(mesh, tmp_path / "steps", tmp_path / "steps.ply")
+    bucket.put_file(str(mesh), "bucket/torus.ply")
+    cluster.main(["run", "s3://bucket/torus.ply", "s3://bucket/out.ply", "--folder", "s3://bucket/a/run",
+                  "--scratch", str(tmp_path / "scratch"), "--local", "2", *OPTIONS])
+    assert bucket.cat_file("bucket/out.ply") == expected
+    assert list((tmp_path / "scratch").iterdir()) == []
+    assert "bucket/a/run/part3.json" in bucket.ls("bucket/a/run", detail=False)

@@ -2,35 +2,227 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Remeshes a surface in tiles on many machines: `gpremesh-cluster`.
 
-The machines share a folder. Each step of a run in tiles is one call of the program `gpremesh tile`, which does
-nothing where its step was done before. So a step may be lost, repeated or done twice at once: the result has the
-same bytes. Dask runs the steps, or Slurm by the scripts that `--slurm` writes.
+The machines share a folder, or a place that has a URL of fsspec, such as S3. Each step of a run in tiles is one
+call of the program `gpremesh tile`, which does nothing where its step was done before. So a step may be lost,
+repeated or done twice at once: the result has the same bytes. Dask runs the steps, or Slurm by the script that
+`gpremesh-cluster slurm` writes.
 
     gpremesh-cluster run huge.ply out.ply --folder DIR --percent 1 --memory 8G --local 2
+    gpremesh-cluster run huge.ply out.ply --folder DIR --percent 1 --memory 8G --ssh host1,host2
     gpremesh-cluster run huge.ply out.ply --folder DIR --percent 1 --scheduler tcp://host:8786
+    gpremesh-cluster run s3://bucket/huge.ply s3://bucket/out.ply --folder s3://bucket/run --percent 1
     gpremesh-cluster slurm huge.ply out.ply --folder DIR --percent 1 --memory 8G
 """
 
 from __future__ import annotations
 
 import argparse
+import contextlib
+import hashlib
 import json
+import math
 import shlex
+import shutil
 import subprocess
 import sys
+import tempfile
+import uuid
+from dataclasses import dataclass
+from enum import Enum
 from pathlib import Path
 
 from .__main__ import program
 
 RETRIES = 3  # of a step whose worker was lost, or that failed
 
+# A put is whole or not at all there; there are no folders, and a move is a copy.
+OBJECT_STORES = {"s3", "s3a", "gs", "gcs", "az", "abfs"}
+
 
 class StepFailed(RuntimeError):
-    """A step ended with an exit code; the text is the sentence that the program told."""
+    """A step ended with an exit code, or its files are not to be had; the text is a sentence about it."""
 
 
-def tile_step(command: list[str]) -> dict:
-    """Runs one step of the program and returns what it tells.
+class Place(Enum):
+    """Stands in a call for a path that depends on where the step runs."""
+
+    FOLDER = 1  # of the run
+    INPUT = 2
+    OUTPUT = 3
+
+
+@dataclass(frozen=True)
+class Step:
+    """One step of a run in tiles.
+
+    Parameters
+    ----------
+    calls : tuple of tuple of str or Place
+        What `gpremesh tile` is called with, one call after the other.
+    record : str
+        The file in the folder of the run that says that the step is done; empty where there is none.
+    reads : tuple of str
+        Files in the folder of the run that the step reads beside its record. It writes others.
+    """
+
+    calls: tuple
+    record: str = ""
+    reads: tuple[str, ...] = ()
+
+    @property
+    def reads_input(self) -> bool:
+        return any(Place.INPUT in call for call in self.calls)
+
+
+PLAN_CALL = ("plan", Place.FOLDER, Place.INPUT)  # and the options
+SPLIT_CALL = ("split", Place.FOLDER)
+PART_CALL = ("part", Place.FOLDER, "--unit")  # and the number
+JOIN_CALL = ("join", Place.FOLDER)
+FINISH_CALL = ("finish", Place.FOLDER, Place.OUTPUT, "--quiet")
+
+
+def cut_step(options: tuple[str, ...]) -> Step:
+    """Plan and split in one: both read the input."""
+    return Step(((*PLAN_CALL, *options), SPLIT_CALL), "split.json", ("plan.json",))
+
+
+def part_step(unit: int) -> Step:
+    return Step(((*PART_CALL, str(unit)),), f"part{unit}.json",
+                ("plan.json", "split.json", f"tile{unit}.ply", f"tile{unit}.names"))
+
+
+def join_step(tile_num: int) -> Step:
+    parts = [f"part{unit}.{ending}" for unit in range(tile_num) for ending in ("json", "ply", "names")]
+    return Step((JOIN_CALL,), "join.json", ("plan.json", *parts))
+
+
+def finish_step() -> Step:
+    return Step((FINISH_CALL,), "",
+                ("plan.json", "split.json", "join.json", "joined.ply"))
+
+
+def is_url(path: str) -> bool:
+    return "://" in path
+
+
+def fetch_file(url: str, path: Path) -> bool:
+    """Copies a file from a URL. False where there is none. Raises StepFailed where it cannot be read."""
+    try:
+        import fsspec
+
+        place, remote = fsspec.core.url_to_fs(url)
+        place.invalidate_cache()
+        if not place.exists(remote):
+            return False
+        place.get_file(remote, str(path))
+    except Exception as failure:  # each kind of place has errors of its own
+        raise StepFailed(f"cannot fetch {url}: {failure}") from failure
+    return True
+
+
+def put_file(path: Path, url: str) -> None:
+    """Copies a file to a URL, whole or not at all. Raises StepFailed where it cannot be written."""
+    try:
+        import fsspec
+
+        place, remote = fsspec.core.url_to_fs(url)
+        protocols = {place.protocol} if isinstance(place.protocol, str) else set(place.protocol)
+        if protocols & OBJECT_STORES:
+            place.put_file(str(path), remote)
+            return
+        place.makedirs(remote.rpartition("/")[0], exist_ok=True)
+        partial = f"{remote}.part{uuid.uuid4().hex}"
+        place.put_file(str(path), partial)
+        place.mv(partial, remote)
+    except Exception as failure:  # as above
+        raise StepFailed(f"cannot write {url}: {failure}") from failure
+
+
+class SharedFiles:
+    """The files of a run whose folder, input and output all machines see: nothing is fetched or put."""
+
+    def __init__(self, folder: str, input: str, output: str):
+        self.paths = {Place.FOLDER: folder, Place.INPUT: input, Place.OUTPUT: output}
+
+    @contextlib.contextmanager
+    def at_hand(self, step: Step):
+        """The paths for a step's calls, by their Place."""
+        yield self.paths
+
+
+class FetchedFiles:
+    """The files of a run whose folder, input or output has a URL.
+
+    Each step has a folder of its own on the machine where it runs. What it reads is fetched there, and what it has
+    written is put; its record goes last.
+
+    Parameters
+    ----------
+    folder, input, output : str
+        URLs or paths. Input and output are used as they are where they are paths.
+    scratch : str
+        Where the folders are made. The plan names the path of the input, so that the same path is used by all
+        machines; what is read from a URL lies in a folder there, whose name follows from the URLs.
+    """
+
+    def __init__(self, folder: str, input: str, output: str, scratch: str):
+        self.folder = folder.rstrip("/")
+        self.input = input
+        self.output = output
+        self.scratch = Path(scratch)
+        name = hashlib.sha256(f"{self.folder} {input}".encode()).hexdigest()[:16]
+        self.input_folder = self.scratch / f"gpremesh-input-{name}"
+
+    @contextlib.contextmanager
+    def at_hand(self, step: Step):
+        """The paths for a step's calls, by their Place. At the end what was written is put."""
+        self.scratch.mkdir(parents=True, exist_ok=True)
+        with contextlib.ExitStack() as stack:
+            own = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="gpremesh-", dir=self.scratch)))
+            folder = own / "run"
+            folder.mkdir()
+            output = own / self.output.rpartition("/")[2] if is_url(self.output) else Path(self.output)
+            self._fetch(step, folder)
+            fetched = set(folder.iterdir())
+            paths = {Place.FOLDER: str(folder), Place.OUTPUT: str(output)}
+            if step.reads_input:
+                paths[Place.INPUT] = stack.enter_context(self._input_at_hand())
+            yield paths
+            written = set(folder.iterdir()) - fetched
+            for path in sorted(written, key=lambda path: (path.name == step.record, path.name)):
+                put_file(path, f"{self.folder}/{path.name}")
+            if is_url(self.output) and output.exists():
+                put_file(output, self.output)
+
+    def _fetch(self, step: Step, folder: Path) -> None:
+        """A file that is missing is left to the program, which tells what was not done."""
+        def fetch(name):
+            return fetch_file(f"{self.folder}/{name}", folder / name)
+
+        is_done = step.record and fetch(step.record)
+        for name in step.reads:
+            if not is_done or name.endswith(".json"):
+                fetch(name)
+
+    @contextlib.contextmanager
+    def _input_at_hand(self):
+        if not is_url(self.input):
+            yield self.input
+            return
+        self.input_folder.mkdir(exist_ok=True)
+        path = self.input_folder / self.input.rpartition("/")[2]
+        partial = path.with_name(f"{path.name}.part{uuid.uuid4().hex}")
+        try:
+            if not fetch_file(self.input, partial):
+                raise StepFailed(f"cannot fetch {self.input}: it is not there")
+            partial.replace(path)
+            yield str(path)
+        finally:
+            shutil.rmtree(self.input_folder, ignore_errors=True)
+
+
+def tile_call(command: list[str]) -> dict:
+    """Runs `gpremesh tile` once.
 
     Parameters
     ----------
@@ -54,46 +246,44 @@ def tile_step(command: list[str]) -> dict:
     return json.loads(lines[-1]) if lines and lines[-1].startswith("{") else {}
 
 
-class TileSteps:
-    """The commands of a run in tiles, in the order of the steps."""
+class TileRun:
+    """A run in tiles: its files, the program, and the options of its plan.
 
-    def __init__(self, options: argparse.Namespace, remesh_options: list[str]):
-        self.program = options.program or program()
-        self.folder = options.folder
-        self.input = options.input
-        self.output = options.output
-        sizes = [("--memory", options.memory), ("--tiles", options.tiles)]
-        self.plan_options = remesh_options + [word for name, size in sizes if size for word in (name, str(size))]
+    Parameters
+    ----------
+    files : SharedFiles or FetchedFiles
+    plan_options : sequence of str
+        Options of `gpremesh tile plan`.
+    program_path : str or None
+        The program; that of the package on the machine where a step runs if not given.
+    """
 
-    def _step(self, name: str, *words: str) -> list[str]:
-        return [self.program, "tile", name, str(self.folder), *words]
+    def __init__(self, files, plan_options, program_path: str | None = None):
+        self.files = files
+        self.plan_options = tuple(plan_options)
+        self.program_path = program_path
 
-    def plan(self) -> list[str]:
-        return self._step("plan", str(self.input), *self.plan_options)
+    def command(self, call, paths) -> list[str]:
+        """The program and its words, with paths in the places."""
+        return [self.program_path or program(), "tile", *(paths.get(word, word) for word in call)]
 
-    def split(self) -> list[str]:
-        return self._step("split")
-
-    def part(self, unit) -> list[str]:
-        return self._step("part", "--unit", str(unit))
-
-    def join(self) -> list[str]:
-        return self._step("join")
-
-    def finish(self) -> list[str]:
-        return self._step("finish", str(self.output), "--quiet")
+    def do(self, step: Step) -> dict:
+        """Does a step on this machine and returns what its last call tells. Raises StepFailed."""
+        told = {}
+        with self.files.at_hand(step) as paths:
+            for call in step.calls:
+                told = tile_call(self.command(call, paths))
+        return told
 
 
-def run_with_dask(client, steps: TileSteps, tile_num: int, tell=print) -> None:
-    """Runs all steps behind the plan by the workers of a Dask client.
+def run_with_dask(client, run: TileRun, tell=print) -> None:
+    """Does all steps of a run by the workers of a Dask client.
 
     Parameters
     ----------
     client : distributed.Client
-        Its workers see the folder of the run, the input and the program under the same paths.
-    steps : TileSteps
-    tile_num : int
-        Number of tiles in the plan.
+        Its workers have this package. They see the files of the run, or can fetch them.
+    run : TileRun
     tell : callable
         Gets a sentence after each step.
 
@@ -104,84 +294,129 @@ def run_with_dask(client, steps: TileSteps, tile_num: int, tell=print) -> None:
     """
     from distributed import as_completed
 
-    def submit(command):
-        return client.submit(tile_step, command, retries=RETRIES, pure=False)
+    def submit(step):
+        return client.submit(run.do, step, retries=RETRIES, pure=False)
 
-    submit(steps.split()).result()
-    tell("The input is split.")
-    parts = [submit(steps.part(unit)) for unit in range(tile_num)]
+    tile_num = len(submit(cut_step(run.plan_options)).result()["tiles"])
+    tell(f"The input is cut into {tile_num} tiles.")
+    parts = [submit(part_step(unit)) for unit in range(tile_num)]
     for done, part in enumerate(as_completed(parts), start=1):
         part.result()
         tell(f"{done} of {tile_num} tiles are condensed.")
-    submit(steps.join()).result()
-    submit(steps.finish()).result()
-    tell(f"{steps.output} is written.")
+    submit(join_step(tile_num)).result()
+    tell("The tiles are joined.")
+    submit(finish_step()).result()
+    tell("The result is written.")
 
 
-def slurm_script(steps: TileSteps, tile_num: int, memory: str | None) -> str:
-    """A shell script that gives all steps to Slurm: an array of jobs for the tiles, and what depends on it."""
-    options = ["--parsable", f"--output={shlex.quote(str(steps.folder))}/slurm-%x-%A_%a.log"]
-    if memory:
-        options.append(f"--mem={shlex.quote(memory)}")
+def slurm_script(run: TileRun, tile_num: int, memory_bytes: float) -> str:
+    """A shell script that gives all steps behind the plan to Slurm: an array of jobs for the tiles, and what
+    depends on it."""
+    paths = run.files.paths
+    log = f"{paths[Place.FOLDER]}/slurm-%x"
+    options = ["--parsable", "--requeue", "--kill-on-invalid-dep=yes"]
+    if memory_bytes > 0:
+        options.append(f"--mem={math.ceil(memory_bytes / 2**20)}M")
     sbatch = " ".join(["sbatch", *options])
 
-    def job(name, command, more=""):
-        return f"{name}=$({sbatch} --job-name=gpremesh-{name} {more}--wrap {shlex.quote(command)})"
+    def command(call):
+        return shlex.join(run.command(call, paths))
 
-    part = shlex.join(steps.part("UNIT")).replace("UNIT", "$SLURM_ARRAY_TASK_ID")
+    def job(name, command, more="", number="%j"):
+        return (f"{name}=$({sbatch} --job-name=gpremesh-{name} --output={shlex.quote(f'{log}-{number}.log')} "
+                f"{more}--wrap {shlex.quote(command)})")
+
     return "\n".join([
         "#!/bin/bash",
         "# Gives the steps of a run in tiles to Slurm. Run it again after a failure: steps that were done are not",
         "# done again.",
         "set -euo pipefail",
-        job("split", shlex.join(steps.split())),
-        job("part", part, f'--dependency=afterok:"$split" --array=0-{tile_num - 1} '),
-        job("join", shlex.join(steps.join()), '--dependency=afterok:"$part" '),
-        job("finish", shlex.join(steps.finish()), '--dependency=afterok:"$join" '),
+        job("split", command(SPLIT_CALL)),
+        job("part", f'{command(PART_CALL)} "$SLURM_ARRAY_TASK_ID"',
+            f'--dependency=afterok:"$split" --array=0-{tile_num - 1} ', "%A_%a"),
+        job("join", command(JOIN_CALL), '--dependency=afterok:"$part" '),
+        job("finish", command(FINISH_CALL), '--dependency=afterok:"$join" '),
         'echo "The last job is $finish."',
         "",
     ])
 
 
+def _write_slurm_script(run: TileRun) -> None:
+    folder = Path(run.files.paths[Place.FOLDER])
+    tile_num = run.do(Step(((*PLAN_CALL, *run.plan_options),)))["tiles"]
+    plan = json.loads((folder / "plan.json").read_text())
+    script = folder / "slurm.sh"
+    script.write_text(slurm_script(run, tile_num, plan["memoryBytes"]))
+    print(f"Run 'bash {shlex.quote(str(script))}' where sbatch is.")
+
+
 def _arguments(words):
-    parser = argparse.ArgumentParser(prog="gpremesh-cluster", description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(prog="gpremesh-cluster", description=__doc__.splitlines()[0],
+                                     epilog="All other options are those of gpremesh remesh.")
     parser.add_argument("action", choices=["run", "slurm"],
                         help="run: by Dask; slurm: write DIR/slurm.sh, which gives the steps to Slurm")
-    parser.add_argument("input", type=Path, help="binary PLY file")
-    parser.add_argument("output", type=Path)
-    parser.add_argument("--folder", type=Path, required=True, help="of the run; all machines see it")
+    parser.add_argument("input", help="binary PLY file; a path or a URL of fsspec")
+    parser.add_argument("output", help="a path or a URL")
+    parser.add_argument("--folder", required=True, metavar="DIR",
+                        help="of the run: a path that all machines see, or a URL")
     parser.add_argument("--memory", help="of each step at most, such as 8G")
     parser.add_argument("--tiles", type=int, help="number of tiles, in place of --memory")
     parser.add_argument("--program", help="gpremesh; that of this package by default")
-    parser.add_argument("--scheduler", help="address of a Dask scheduler, such as tcp://host:8786")
-    parser.add_argument("--local", type=int, metavar="N", help="N workers on this machine")
+    parser.add_argument("--scratch", default=tempfile.gettempdir(), metavar="DIR",
+                        help="with URLs: where each machine puts the files of a step; %(default)s by default")
+    workers = parser.add_mutually_exclusive_group()
+    workers.add_argument("--local", type=int, metavar="N", help="N workers on this machine; 1 by default")
+    workers.add_argument("--ssh", metavar="HOST,HOST",
+                         help="a worker on each host, by ssh; the first host has the scheduler, too")
+    workers.add_argument("--scheduler", help="address of a Dask scheduler, such as tcp://host:8786")
     return parser.parse_known_args(words)  # what is left are options of gpremesh remesh
 
 
+def tile_run(options, remesh_options) -> TileRun:
+    """The run that a command line asks for."""
+    def absolute(path):  # other machines have other current folders
+        return path if is_url(path) else str(Path(path).absolute())
+
+    sizes = [("--memory", options.memory), ("--tiles", options.tiles)]
+    plan_options = [*remesh_options, *(word for name, size in sizes if size for word in (name, str(size)))]
+    paths = [absolute(path) for path in (options.folder, options.input, options.output)]
+    if any(is_url(path) for path in paths):
+        files = FetchedFiles(*paths, absolute(options.scratch))
+    else:
+        files = SharedFiles(*paths)
+    return TileRun(files, plan_options, options.program)
+
+
+@contextlib.contextmanager
 def _client(options):
     try:
-        from distributed import Client, LocalCluster
+        from distributed import Client, LocalCluster, SSHCluster
     except ImportError:
         sys.exit("gpremesh-cluster: Dask is missing. Install it with: pip install distributed")
     if options.scheduler:
-        return Client(options.scheduler)
-    return Client(LocalCluster(n_workers=options.local or 1, threads_per_worker=1))
+        with Client(options.scheduler) as client:
+            yield client
+        return
+    if options.ssh:
+        hosts = options.ssh.split(",")
+        cluster = SSHCluster([hosts[0], *hosts], worker_options={"nthreads": 1})
+    else:
+        cluster = LocalCluster(n_workers=options.local or 1, threads_per_worker=1)
+    with cluster, Client(cluster) as client:
+        yield client
 
 
 def main(words=None):
     options, remesh_options = _arguments(words)
-    for name in ("input", "output", "folder"):  # other machines have other current folders
-        setattr(options, name, getattr(options, name).absolute())
-    steps = TileSteps(options, remesh_options)
+    run = tile_run(options, remesh_options)
     try:
-        tile_num = tile_step(steps.plan())["tiles"]
-        if options.action == "slurm":
-            script = options.folder / "slurm.sh"
-            script.write_text(slurm_script(steps, tile_num, options.memory))
-            print(f"Run 'bash {shlex.quote(str(script))}' where sbatch is.")
-            return
-        with _client(options) as client:
-            run_with_dask(client, steps, tile_num)
+        if options.action == "run":
+            with _client(options) as client:
+                run_with_dask(client, run)
+        elif isinstance(run.files, SharedFiles):
+            _write_slurm_script(run)
+        else:
+            sys.exit("gpremesh-cluster: Slurm's jobs need paths that all machines see, no URLs.")
     except StepFailed as failure:
         sys.exit(f"gpremesh-cluster: {failure}")
 
