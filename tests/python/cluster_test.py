@@ -3,8 +3,12 @@
 """Runs in tiles by Dask and by Slurm's scripts: the same bytes as those of one machine."""
 
 import os
+import shutil
+import socket
 import stat
 import subprocess
+import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -215,3 +219,65 @@ def test_s3_gives_the_same_bytes(mesh, bucket, tmp_path):
     assert bucket.cat_file("bucket/out.ply") == expected
     assert list((tmp_path / "scratch").iterdir()) == []
     assert "bucket/a/run/part3.json" in bucket.ls("bucket/a/run", detail=False)
+
+
+# ---- workers by ssh
+
+
+def free_port():
+    with socket.socket() as some:
+        some.bind(("127.0.0.1", 0))
+        return some.getsockname()[1]
+
+
+def accepts(port):
+    with socket.socket() as some:
+        return some.connect_ex(("127.0.0.1", port)) == 0
+
+
+@pytest.fixture
+def ssh_hosts(monkeypatch, tmp_path):
+    """Two hosts in the user's configuration of ssh; both are a server on this machine with keys of its own."""
+    pytest.importorskip("asyncssh", reason="asyncssh is not installed")
+    server = shutil.which("sshd", path=f"{os.environ['PATH']}:/usr/sbin")
+    if server is None:
+        pytest.skip("sshd is not installed")
+    home = tmp_path / "home"
+    ssh = home / ".ssh"
+    ssh.mkdir(parents=True)
+    for key in ("host", "user"):
+        subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", ssh / key], check=True)
+    port = free_port()
+    (ssh / "known_hosts").write_text(f"[127.0.0.1]:{port} {(ssh / 'host.pub').read_text()}")
+    (ssh / "config").write_text("".join(
+        f"Host {name}\n  HostName 127.0.0.1\n  Port {port}\n  IdentityFile {ssh}/user\n"
+        f"  UserKnownHostsFile {ssh}/known_hosts\n" for name in ("first", "second")))
+    (ssh / "sshd_config").write_text(
+        f"ListenAddress 127.0.0.1:{port}\nHostKey {ssh}/host\nAuthorizedKeysFile {ssh}/user.pub\nPidFile none\n"
+        f"StrictModes no\nUsePAM no\nSetEnv PYTHONPATH={os.environ.get('PYTHONPATH', '')}\n")
+    if os.geteuid() == 0:
+        Path("/run/sshd").mkdir(exist_ok=True)  # where root's sshd wants to live
+    process = subprocess.Popen([server, "-D", "-e", "-f", ssh / "sshd_config"], stderr=subprocess.DEVNULL)
+    while not accepts(port):
+        assert process.poll() is None, "sshd has ended"
+        time.sleep(0.05)
+    monkeypatch.setenv("HOME", str(home))
+    yield "first,second"
+    process.terminate()
+    process.wait()
+
+
+def test_workers_by_ssh_give_the_same_bytes(mesh, ssh_hosts, tmp_path):
+    pytest.importorskip("distributed", reason="Dask's package distributed is not installed")
+    expected = by_steps(mesh, tmp_path / "steps", tmp_path / "steps.ply")
+    out = tmp_path / "ssh.ply"
+    cluster.main(["run", str(mesh), str(out), "--folder", str(tmp_path / "run"), "--ssh", ssh_hosts, *OPTIONS])
+    assert out.read_bytes() == expected
+
+
+def test_a_host_that_lets_nobody_in_is_told(mesh, ssh_hosts, tmp_path):
+    pytest.importorskip("distributed", reason="Dask's package distributed is not installed")
+    (tmp_path / "home" / ".ssh" / "user.pub").unlink()
+    with pytest.raises(SystemExit, match="there are no workers"):
+        cluster.main(["run", str(mesh), str(tmp_path / "out.ply"), "--folder", str(tmp_path / "run"),
+                      "--ssh", ssh_hosts, *OPTIONS])

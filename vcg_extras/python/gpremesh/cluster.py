@@ -387,22 +387,32 @@ def tile_run(options, remesh_options) -> TileRun:
     return TileRun(files, plan_options, options.program)
 
 
+def _cluster(options):
+    """Workers of our own, or none where a scheduler has some. An object of Dask that ends them."""
+    from distributed import LocalCluster, SSHCluster
+
+    if options.scheduler:
+        return contextlib.nullcontext(options.scheduler)
+    if not options.ssh:
+        return LocalCluster(n_workers=options.local or 1, threads_per_worker=1)
+    import asyncssh  # noqa: F401, so that a sentence tells where it is missing
+
+    hosts = options.ssh.split(",")
+    return SSHCluster([hosts[0], *hosts], worker_options={"nthreads": 1})
+
+
 @contextlib.contextmanager
 def _client(options):
-    try:
-        from distributed import Client, LocalCluster, SSHCluster
-    except ImportError:
-        sys.exit("gpremesh-cluster: Dask is missing. Install it with: pip install distributed")
-    if options.scheduler:
-        with Client(options.scheduler) as client:
-            yield client
-        return
-    if options.ssh:
-        hosts = options.ssh.split(",")
-        cluster = SSHCluster([hosts[0], *hosts], worker_options={"nthreads": 1})
-    else:
-        cluster = LocalCluster(n_workers=options.local or 1, threads_per_worker=1)
-    with cluster, Client(cluster) as client:
+    """A Dask client with workers. Ends the program with a sentence where they are not to be had."""
+    with contextlib.ExitStack() as stack:
+        try:
+            from distributed import Client
+
+            client = stack.enter_context(Client(stack.enter_context(_cluster(options))))
+        except ImportError as missing:
+            sys.exit(f"gpremesh-cluster: {missing.name} is missing. Install it with: pip install {missing.name}")
+        except (OSError, RuntimeError) as failure:
+            sys.exit(f"gpremesh-cluster: there are no workers: {failure}")
         yield client
 
 
