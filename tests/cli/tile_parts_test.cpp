@@ -4,6 +4,8 @@
 #include "mesh_files.h"
 
 #include <vcg_extras/apps/gpremesh/exit_code.h>
+#include <vcg_extras/apps/gpremesh/output_file.h>
+#include <vcg_extras/apps/gpremesh/platform.h>
 #include <vcg_extras/apps/gpremesh/tiles/border_split.h>
 #include <vcg_extras/apps/gpremesh/tiles/cell_tree.h>
 #include <vcg_extras/apps/gpremesh/tiles/ply_records.h>
@@ -270,6 +272,36 @@ TEST(SplitLongBorderEdges, CarriesTextureAndValues)
 		EXPECT_NEAR(mesh.attributes.texture.uv[2 * c + 1], p.y, 1e-6);
 		EXPECT_NEAR(mesh.attributes.ofVertices[0].values[v], p.x + 2 * p.y, 1e-6);
 	}
+}
+
+// Processes of other machines may have our number, and so may one that was killed before.
+
+TEST(SameProcessNumber, AFileOfAnotherProcessStaysWhereItIs)
+{
+	const Folder      folder;
+	const std::string theirs =
+		folder.put("out.txt.part" + std::to_string(processId()), "of another machine");
+	OutputFile out(folder.path("out.txt"));
+	out.text("ours");
+	out.commit();
+	EXPECT_EQ(checksumOf("ours"), stampOf(folder.path("out.txt")).checksum);
+	EXPECT_EQ(checksumOf("of another machine"), stampOf(theirs).checksum);
+}
+
+TEST(SameProcessNumber, AFolderOfAnotherProcessStaysAsItIs)
+{
+	const Folder      folder;
+	const std::string stem = folder.path("scratch"), theirs = stem + std::to_string(processId());
+	std::filesystem::create_directory(theirs);
+	std::ofstream(theirs + "/faces0") << "of another machine";
+	std::string ours;
+	{
+		const SpillFolder spill(stem);
+		ours = spill.path();
+		EXPECT_TRUE(std::filesystem::is_empty(ours));
+	}
+	EXPECT_FALSE(std::filesystem::exists(ours));
+	EXPECT_EQ(checksumOf("of another machine"), stampOf(theirs + "/faces0").checksum);
 }
 
 } // namespace gpr_test

@@ -45,8 +45,11 @@ OutputFile::OutputFile(const std::string& path, const RunLimit& limit) :
 		file_ = std::fopen(target_.c_str(), "wb");
 	}
 	else {
-		temporary_ = target_ + ".part" + std::to_string(processId());
-		file_      = openNewFile(temporary_);
+		int attempt = 0;
+		do {
+			temporary_ = target_ + ".part" + processName(attempt++);
+			file_      = openNewFile(temporary_);
+		} while (file_ == nullptr && errno == EEXIST);
 		if (file_ == nullptr) temporary_.clear();
 	}
 	if (file_ == nullptr) fail();

@@ -47,8 +47,17 @@ std::int64_t peakMemoryBytes();
 /// Processor time that this process has used so far.
 double processorSeconds();
 
-/// A number that no other running process has.
+/// A number that no other running process of this machine has.
 long processId();
+
+/// For the names of files and folders of this process: its number, and the attempt's behind the
+/// first one. A process of another machine that shares the folder may have the same, and so may one
+/// that was killed before: what exists already belongs to another.
+inline std::string processName(int attempt)
+{
+	const std::string number = std::to_string(processId());
+	return attempt == 0 ? number : number + "-" + std::to_string(attempt);
+}
 
 /// False when the file exists and its permissions forbid to write it.
 bool mayOverwrite(const std::string& path);

@@ -3,6 +3,7 @@
 #include "spill_files.h"
 
 #include "../exit_code.h"
+#include "../platform.h"
 
 #include <cerrno>
 #include <cstdio>
@@ -19,6 +20,20 @@ namespace {
 }
 
 } // namespace
+
+SpillFolder::SpillFolder(const std::string& stem)
+{
+	int attempt = 0;
+	do {
+		path_ = stem + processName(attempt++);
+	} while (!std::filesystem::create_directory(path_));
+}
+
+SpillFolder::~SpillFolder()
+{
+	std::error_code error;
+	std::filesystem::remove_all(path_, error);
+}
 
 SpillFiles::SpillFiles(const std::string& folder, const std::string& name, int tileNum) :
 		stem_(folder + "/" + name), buffer_(std::size_t(tileNum))

@@ -4,7 +4,6 @@
 
 #include "../exit_code.h"
 #include "../output_file.h"
-#include "../platform.h"
 #include "spill_files.h"
 
 #include <algorithm>
@@ -146,23 +145,13 @@ public:
 	Splitter(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
 			 const ProgressCallback& progress) :
 			plan_(plan),
-			folder_(folder), limit_(limit), progress_(progress),
-			scratch_(folder.scratch() + std::to_string(processId())), layouts_(layoutsOf(plan)),
-			recordBytes_(layouts_.front().vertexBytes), facts_{}
+			folder_(folder), limit_(limit), progress_(progress), scratch_(folder.scratch()),
+			layouts_(layoutsOf(plan)), recordBytes_(layouts_.front().vertexBytes), facts_{}
 	{
-		fs::remove_all(scratch_);
-		fs::create_directories(scratch_);
 		facts_.tiles.resize(std::size_t(plan.tileNum()));
 		for (const char* name : {"vertices", "numbers", "faces", "lent", "borrowed"})
-			spills_.emplace_back(scratch_, name, plan.tileNum());
+			spills_.emplace_back(scratch_.path(), name, plan.tileNum());
 	}
-	~Splitter()
-	{
-		std::error_code error;
-		fs::remove_all(scratch_, error);
-	}
-	Splitter(const Splitter&)            = delete;
-	Splitter& operator=(const Splitter&) = delete;
 
 	SplitFacts run()
 	{
@@ -193,7 +182,7 @@ private:
 	const RunFolder&             folder_;
 	const RunLimit&              limit_;
 	const ProgressCallback&      progress_;
-	std::string                  scratch_;
+	SpillFolder                  scratch_;
 	std::vector<PlyRecordLayout> layouts_;
 	std::size_t                  recordBytes_;
 	SplitFacts                   facts_;
