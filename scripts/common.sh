@@ -113,3 +113,29 @@ tiles() {
 		-geometry 640x640+4+4 -tile "${columns}x" "${list[@]}" miff:- |
 		convert - -resize 1400x -colors 96 "PNG8:$file"
 }
+
+# A run in tiles on this machine, one step after the other: the program, the folder of the run, input, output,
+# and options of the plan.
+run_in_tiles() {
+	local program=$1 folder=$2 input=$3 output=$4 tiles unit
+	"$program" tile plan "$folder" "$input" "${@:5}" >"$output.plan"
+	tiles=$(jq .tiles "$output.plan")
+	rm "$output.plan"
+	"$program" tile split "$folder" >/dev/null
+	for ((unit = 0; unit < tiles; ++unit)); do
+		"$program" tile part "$folder" --unit "$unit" >/dev/null
+	done
+	"$program" tile join "$folder" >/dev/null
+	"$program" tile finish "$folder" "$output" --quiet
+}
+
+# Waits until a command succeeds; fails after a minute, with the words.
+wait_until() {
+	local words=$1 tries
+	shift
+	for ((tries = 0; tries < 600; ++tries)); do
+		! "$@" 2>/dev/null || return 0
+		sleep 0.1
+	done
+	fail "$words"
+}
