@@ -98,6 +98,15 @@ echo 17
     assert out.read_bytes() == expected
 
 
+def test_slurm_is_asked_for_memory_in_its_units(mesh, tmp_path):
+    """Its M is 1048576 bytes, and that of --memory a million; a number alone is bytes for us and M for Slurm."""
+    for memory in ("1500M", "1500000000"):
+        folder = tmp_path / memory
+        cluster.main(["slurm", str(mesh), str(tmp_path / "out.ply"), "--folder", str(folder), "--vertices", "900",
+                      "--memory", memory])
+        assert (folder / "slurm.sh").read_text().count("--mem=1431M ") == 4
+
+
 def test_a_refusal_is_the_programs_sentence(mesh, tmp_path):
     with pytest.raises(SystemExit, match="--max-error"):
         cluster.main(["slurm", str(mesh), str(tmp_path / "out.ply"), "--folder", str(tmp_path / "run"),
@@ -129,6 +138,19 @@ def test_only_the_cut_needs_the_input(mesh, at_urls, tmp_path):
         assert list((tmp_path / "scratch").iterdir()) == []
     mesh.write_bytes(content)
     assert (tmp_path / "out" / "out.ply").read_bytes() == by_steps(mesh, tmp_path / "steps", tmp_path / "steps.ply")
+
+
+@pytest.mark.parametrize("urls", ["folder", "input", "output"])
+def test_paths_and_urls_go_together(mesh, urls, tmp_path):
+    pytest.importorskip("fsspec", reason="fsspec is not installed")
+    out = tmp_path / "out.ply"
+    paths = {"input": mesh, "output": out, "folder": tmp_path / "run"}
+    paths[urls] = f"file://{paths[urls]}"
+    run = run_of(paths["input"], paths["output"], "--folder", paths["folder"], "--scratch", tmp_path / "scratch")
+    for step in [cluster.cut_step(run.plan_options), *steps_behind_the_cut()]:
+        run.do(step)
+    assert (tmp_path / "run" / "join.json").exists()
+    assert out.read_bytes() == by_steps(mesh, tmp_path / "steps", tmp_path / "steps.ply")
 
 
 def test_what_was_put_is_not_put_again(at_urls, tmp_path):
