@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 #include <map>
 #include <random>
+#include <sstream>
 
 namespace gpr_test {
 
@@ -272,6 +273,31 @@ TEST(SplitLongBorderEdges, CarriesTextureAndValues)
 		EXPECT_NEAR(mesh.attributes.texture.uv[2 * c + 1], p.y, 1e-6);
 		EXPECT_NEAR(mesh.attributes.ofVertices[0].values[v], p.x + 2 * p.y, 1e-6);
 	}
+}
+
+TEST(Record, TellsEveryDamage)
+{
+	const Folder folder;
+	const Json   json = {
+		  {"plan", "a name"}, {"area", 1.25}, {"bytes", 18446744073709551615u}, {"of", {1, 2}}};
+	const std::string path = folder.path("record.json");
+	writeJson(path, json);
+	EXPECT_EQ(readJson(path), json);
+
+	std::stringstream whole;
+	whole << std::ifstream(path, std::ios::binary).rdbuf();
+	for (std::size_t i = 0; i < whole.str().size(); ++i) {
+		std::string damaged = whole.str();
+		damaged[i]          = char(damaged[i] ^ (1 << i % 7));
+		folder.put("record.json", damaged);
+		try {
+			EXPECT_EQ(readJson(path), json) << "a blank has changed at most, byte " << i;
+		}
+		catch (const AppError& error) {
+			EXPECT_EQ(error.code, ExitCode::BadInput);
+		}
+	}
+	EXPECT_EQ(readJson(folder.path("absent.json")), std::nullopt);
 }
 
 // Processes of other machines may have our number, and so may one that was killed before.
