@@ -50,14 +50,18 @@ bool holdsTilesOnly(const fs::path& folder)
 /// A folder that appears whole or not at all, as OutputFile does it for a file.
 class OutputFolder {
 public:
-	explicit OutputFolder(const std::string& path) :
-			wanted_(path), temporary_(path + ".part" + std::to_string(processId()))
+	explicit OutputFolder(const std::string& path) : wanted_(path)
 	{
 		if (fs::exists(wanted_) && !(fs::is_directory(wanted_) && holdsTilesOnly(wanted_)))
 			failToWrite(wanted_, "it exists, and holds something else than tiles");
 		std::error_code error;
-		if (!fs::create_directory(temporary_, error) && error)
-			failToWrite(wanted_, error.message());
+		int             attempt = 0;
+		do {
+			temporary_ = path + ".part" + processName(attempt++);
+		} while (!fs::create_directory(temporary_, error) && !error);
+		if (!error) return;
+		temporary_.clear();
+		failToWrite(wanted_, error.message());
 	}
 	~OutputFolder()
 	{
