@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
 
 namespace gpr::app {
 
@@ -28,11 +27,21 @@ void checkRange(const std::int32_t* indices, std::size_t indexNum, std::size_t v
 		largest = std::max(largest, std::uint32_t(indices[i]));
 	}
 	if (indexNum == 0 || largest < vertexNum) return;
+	failNoSuchVertex(vertexNum);
+}
+
+} // namespace
+
+void failNoSuchVertex(std::uint64_t vertexNum)
+{
 	throw AppError(ExitCode::BadInput, "a face names a vertex that does not exist (the file has " +
 										   std::to_string(vertexNum) + " vertices)");
 }
 
-} // namespace
+std::string tooSmallFacesNote(std::uint64_t faceNum)
+{
+	return std::to_string(faceNum) + " faces with fewer than three corners were left out.";
+}
 
 void FaceList::add(const std::int64_t* corners, std::size_t cornerNum)
 {
@@ -101,10 +110,7 @@ void FaceList::finish(InputMesh& mesh)
 	checkRange(triangles.data(), triangles.size(), mesh.vertexNum());
 	checkRange(polygonCorners_.data(), polygonCorners_.size(), mesh.vertexNum());
 	cutPolygons(mesh);
-	if (tooSmallNum_ > 0) {
-		mesh.notes.push_back(std::to_string(tooSmallNum_) +
-							 " faces with fewer than three corners were left out.");
-	}
+	if (tooSmallNum_ > 0) mesh.notes.push_back(tooSmallFacesNote(tooSmallNum_));
 	mesh.triangles = std::move(triangles);
 }
 

@@ -7,9 +7,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 namespace gpr::app {
+
+/// A face names a vertex that is not there. Throws AppError (BadInput).
+[[noreturn]] void failNoSuchVertex(std::uint64_t vertexNum);
+
+/// What a report tells of faces that were left out.
+std::string tooSmallFacesNote(std::uint64_t faceNum);
 
 /// Collects the faces of a file. Triangles are stored at once; larger polygons wait until all
 /// positions are known, since the best way to cut them up depends on their shape.

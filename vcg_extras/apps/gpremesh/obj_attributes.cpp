@@ -3,11 +3,11 @@
 #include "obj_attributes.h"
 
 #include "number_text.h"
+#include "obj_lines.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <string>
@@ -88,19 +88,19 @@ public:
 	}
 
 private:
-	std::size_t                             vertexNum_ = 0;
-	std::vector<std::array<double, 3>>      colour_; ///< 0 to 1; as many as vertices, or useless
-	std::vector<std::array<float, 2>>       texturePoint_;
-	TriangleOrder                           order_;
-	std::vector<float>                      uv_; ///< two a corner of the file
-	std::vector<double>                     faceMaterial_;
-	std::map<std::string, int, std::less<>> materialNumber_;
-	std::vector<std::string>                materialNames_;
-	std::string                             library_;
-	int                                     material_        = 0;
-	std::int64_t                            texturedCorners_ = 0, malformed_ = 0;
-	bool                                    hasNormals_ = false;
-	std::vector<std::int64_t>               corners_;
+	std::size_t                              vertexNum_ = 0;
+	std::vector<std::array<std::uint8_t, 3>> colour_; ///< as many as vertices, or useless
+	std::vector<std::array<float, 2>>        texturePoint_;
+	TriangleOrder                            order_;
+	std::vector<float>                       uv_; ///< two a corner of the file
+	std::vector<double>                      faceMaterial_;
+	std::map<std::string, int, std::less<>>  materialNumber_;
+	std::vector<std::string>                 materialNames_;
+	std::string                              library_;
+	int                                      material_        = 0;
+	std::int64_t                             texturedCorners_ = 0, malformed_ = 0;
+	bool                                     hasNormals_ = false;
+	std::vector<std::int64_t>                corners_;
 
 	int numberOf(const std::string& name)
 	{
@@ -117,12 +117,11 @@ private:
 	void addVertex(std::string_view line)
 	{
 		++vertexNum_;
-		std::array<double, 7> number{};
-		std::size_t           num = 0;
-		for (std::string_view word = nextWord(line); !word.empty() && num < number.size();
-			 word                  = nextWord(line))
-            parseNumber(word, number[num++]);
-		if (num == 6) colour_.push_back({number[3], number[4], number[5]});
+		Words words(line);
+		for (int k = 0; k < 3; ++k)
+			words.next();
+		std::array<std::uint8_t, 3> colour{};
+		if (readObjColour(words, colour)) colour_.push_back(colour);
 	}
 
 	void addTexturePoint(std::string_view line)
@@ -168,7 +167,7 @@ private:
 		for (std::size_t k = 0; k < 3; ++k) {
 			ValueColumn column{names[k], PlyType::UInt8, {}};
 			for (const auto& c : colour_)
-				column.values.push_back(std::floor(255 * std::clamp(c[k], 0.0, 1.0) + 0.5));
+				column.values.push_back(c[k]);
 			a.ofVertices.push_back(std::move(column));
 		}
 	}

@@ -2,10 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ply_attribute_writer.h"
 
-#include <algorithm>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <type_traits>
 
@@ -38,17 +35,17 @@ public:
 	{
 		switch (type) {
 		case PlyType::Int8:
-			return put(whole<std::int8_t>(value));
+			return put(wholeOfRange<std::int8_t>(value));
 		case PlyType::UInt8:
-			return put(whole<std::uint8_t>(value));
+			return put(wholeOfRange<std::uint8_t>(value));
 		case PlyType::Int16:
-			return put(whole<std::int16_t>(value));
+			return put(wholeOfRange<std::int16_t>(value));
 		case PlyType::UInt16:
-			return put(whole<std::uint16_t>(value));
+			return put(wholeOfRange<std::uint16_t>(value));
 		case PlyType::Int32:
-			return put(whole<std::int32_t>(value));
+			return put(wholeOfRange<std::int32_t>(value));
 		case PlyType::UInt32:
-			return put(whole<std::uint32_t>(value));
+			return put(wholeOfRange<std::uint32_t>(value));
 		case PlyType::Float32:
 			return put(float(value));
 		case PlyType::Float64:
@@ -63,14 +60,6 @@ public:
 
 private:
 	std::string bytes_;
-
-	template <class T>
-	static T whole(double value)
-	{
-		const double least = double(std::numeric_limits<T>::min());
-		const double most  = double(std::numeric_limits<T>::max());
-		return value == value ? T(std::clamp(value, least, most)) : T(0);
-	}
 };
 
 std::string propertiesOf(const std::vector<ValueColumn>& columns)

@@ -3,8 +3,10 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_PLY_HEADER_H
 #define VCG_EXTRAS_APPS_GPREMESH_PLY_HEADER_H
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +20,16 @@ std::size_t plyTypeSize(PlyType type);
 bool        isInteger(PlyType type);
 /// As headers have it: "uchar", "int", "float".
 const char* plyTypeName(PlyType type);
+
+/// A value as a whole number of a type: without the digits behind the point, at the end of the
+/// range where it lies beyond, 0 for NaN.
+template <class T>
+T wholeOfRange(double value)
+{
+	const double least = double(std::numeric_limits<T>::min());
+	const double most  = double(std::numeric_limits<T>::max());
+	return value == value ? T(std::clamp(value, least, most)) : T(0);
+}
 
 struct PlyProperty {
 	std::string name;

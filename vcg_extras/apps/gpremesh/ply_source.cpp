@@ -9,9 +9,20 @@
 
 namespace gpr::app {
 
+bool TextSource::takeNextPiece()
+{
+	if (pieces_ == nullptr || pieces_->bytesLeft() == 0) return false;
+	body_    = pieces_->next();
+	at_      = body_.data();
+	end_     = at_ + body_.size();
+	word_    = nullptr;
+	lineNum_ = pieces_->linesBefore();
+	return true;
+}
+
 void TextSource::skipBlanks()
 {
-	while (at_ < end_) {
+	while (at_ < end_ || takeNextPiece()) {
 		if (isBlank(*at_))
 			++at_;
 		else if (*at_ == '#')
@@ -63,8 +74,9 @@ void TextSource::fail(const std::string& sentence) const
 {
 	const char* const place = word_ != nullptr ? word_ : body_.data();
 	const std::size_t line  = lineNum_ + lineNumber(body_, place);
-	throw AppError(ExitCode::BadInput, "line " + std::to_string(line) + ": " + sentence +
-										   (at_ == end_ ? ", or the file ends too early" : ""));
+	throw AppError(ExitCode::BadInput,
+				   "line " + std::to_string(line) + ": " + sentence +
+					   (bytesLeft() == 0 ? ", or the file ends too early" : ""));
 }
 
 } // namespace gpr::app

@@ -5,6 +5,7 @@
 
 #include "exit_code.h"
 #include "ply_header.h"
+#include "text_pieces.h"
 
 #include <algorithm>
 #include <cstring>
@@ -119,6 +120,11 @@ public:
 			body_(body), at_(body.data()), end_(body.data() + body.size()), lineNum_(lineNum)
 	{
 	}
+	/// Of a file that is read piece by piece. The pieces must outlive the source.
+	explicit TextSource(TextPieces& pieces) : TextSource(pieces.next(), pieces.linesBefore())
+	{
+		pieces_ = &pieces;
+	}
 
 	/// NaN for words such as nan(ind).
 	double real(PlyType type);
@@ -148,8 +154,13 @@ private:
 	const char*      end_;
 	const char*      word_ = nullptr; ///< where the last one begins
 	std::size_t      lineNum_;
+	TextPieces*      pieces_ = nullptr; ///< null: the body is all there is
 
-	std::size_t      bytesLeft() const { return std::size_t(end_ - at_); }
+	std::uint64_t bytesLeft() const
+	{
+		return std::uint64_t(end_ - at_) + (pieces_ != nullptr ? pieces_->bytesLeft() : 0);
+	}
+	bool             takeNextPiece();
 	void             skipBlanks();
 	std::string_view takeWord();
 };

@@ -7,6 +7,7 @@
 #include "face_list.h"
 #include "precision.h"
 #include "soup_text.h"
+#include "stl_facets.h"
 
 #include <CGAL/IO/STL.h>
 #include <array>
@@ -76,15 +77,6 @@ bool beginsWithSolid(std::string_view file)
 		   (word.compare(0, 5, "solid") == 0 && std::isspace(static_cast<unsigned char>(word[5])));
 }
 
-/// The first word decides, but binary files may begin with "solid" too: so the size that the count
-/// asks for goes first, and zero bytes tell as well.
-bool isBinaryStl(std::string_view file)
-{
-	if (file.size() < stlHeaderBytes + 4) return false;
-	if (file.size() == promisedStlBytes(file)) return true;
-	return !beginsWithSolid(file) || file.substr(0, 1024).find('\0') != file.npos;
-}
-
 InputMesh readAsciiStl(std::string_view file)
 {
 	const SoupText text = prepareAsciiStl(file);
@@ -103,21 +95,34 @@ InputMesh readAsciiStl(std::string_view file)
 
 } // namespace
 
-std::size_t promisedStlBytes(std::string_view file)
+std::uint64_t promisedStlBytes(std::string_view begin)
 {
-	std::size_t faceNum = 0;
+	std::uint64_t faceNum = 0;
 	for (std::size_t i = 4; i-- > 0;)
-		faceNum = faceNum << 8 | std::uint8_t(file[stlHeaderBytes + i]);
-	return stlHeaderBytes + 4 + 50 * faceNum;
+		faceNum = faceNum << 8 | std::uint8_t(begin[stlHeaderBytes + i]);
+	return stlFacetsAt + stlFacetBytes * faceNum;
+}
+
+// The first word decides, but binary files may begin with "solid" too: so the size that the count
+// asks for goes first, and zero bytes tell as well.
+bool isBinaryStl(std::string_view begin, std::uint64_t fileBytes)
+{
+	if (begin.size() < stlFacetsAt) return false;
+	if (fileBytes == promisedStlBytes(begin)) return true;
+	return !beginsWithSolid(begin) || begin.substr(0, 1024).find('\0') != begin.npos;
+}
+
+void requireAllFacets(std::string_view begin, std::uint64_t fileBytes)
+{
+	if (promisedStlBytes(begin) <= fileBytes) return;
+	fail("the file ends too early: its header promises " + std::to_string(promisedStlBytes(begin)) +
+		 " bytes");
 }
 
 InputMesh readStl(std::string_view file)
 {
-	if (isBinaryStl(file)) {
-		if (promisedStlBytes(file) > file.size()) {
-			fail("the file ends too early: its header promises " +
-				 std::to_string(promisedStlBytes(file)) + " bytes");
-		}
+	if (isBinaryStl(file, file.size())) {
+		requireAllFacets(file, file.size());
 		return readBinaryStl(file);
 	}
 	if (!beginsWithSolid(file)) fail("neither an ASCII nor a binary STL file");

@@ -27,9 +27,6 @@ InputMesh readOff(std::string_view file);
 /// vertex, in the order of their first use.
 InputMesh readStl(std::string_view file);
 
-/// How long a binary STL file is by the count that follows its header.
-std::size_t promisedStlBytes(std::string_view file);
-
 /// A binary STL file, which is at least that long.
 InputMesh readBinaryStl(std::string_view file);
 

@@ -82,6 +82,13 @@ void append(T value, std::string& out)
 	out.append(bytes, sizeof(T));
 }
 
+/// Turns each of some values round, byte by byte.
+void swapBytes(char* at, std::size_t each, std::size_t num)
+{
+	for (std::size_t i = 0; i < num; ++i, at += each)
+		std::reverse(at, at + each);
+}
+
 void appendWhole(PlyType type, std::int64_t value, std::string& out)
 {
 	switch (plyTypeSize(type)) {
@@ -96,15 +103,10 @@ void appendWhole(PlyType type, std::int64_t value, std::string& out)
 
 } // namespace
 
-PlyRecordLayout readRecordLayout(const std::string& path)
+PlyRecordLayout layoutOf(std::string_view header, const std::string& path)
 {
-	const std::string begin = beginOf(path);
-	PlyRecordLayout   layout;
-	layout.header = readPlyHeader(begin);
-	if (layout.header.format == PlyFormat::Ascii)
-		fail(path, "it is a text. Convert it to a binary PLY file.");
-	const bool isLittle = layout.header.format == PlyFormat::LittleEndian;
-	if (isLittle != hostIsLittleEndian()) fail(path, "its byte order is not the machine's.");
+	PlyRecordLayout layout;
+	layout.header = readPlyHeader(header);
 	checkElements(layout.header);
 	layout.vertexElement = elementNamed(path, layout.header, "vertex");
 	layout.faceElement   = elementNamed(path, layout.header, "face");
@@ -113,8 +115,44 @@ PlyRecordLayout readRecordLayout(const std::string& path)
 	if (layout.vertices().hasList()) fail(path, "its vertices have lists.");
 	findCoordinates(layout);
 	layout.indexList = std::size_t(findIndexList(layout.faces()));
-	layout.comments  = textureComments(begin.substr(0, layout.header.byteNum));
+	layout.comments  = textureComments(std::string(header.substr(0, layout.header.byteNum)));
+	layout.isSwapped = !layout.isText() &&
+					   (layout.header.format == PlyFormat::LittleEndian) != hostIsLittleEndian();
 	return layout;
+}
+
+PlyRecordLayout readPlyLayout(const std::string& path)
+{
+	return layoutOf(beginOf(path), path);
+}
+
+PlyRecordLayout readRecordLayout(const std::string& path)
+{
+	PlyRecordLayout layout = readPlyLayout(path);
+	if (layout.isText()) fail(path, "it is a text. Convert it to a binary PLY file.");
+	return layout;
+}
+
+void appendValue(PlyType type, double value, std::string& out)
+{
+	switch (type) {
+	case PlyType::Int8:
+		return append(wholeOfRange<std::int8_t>(value), out);
+	case PlyType::UInt8:
+		return append(wholeOfRange<std::uint8_t>(value), out);
+	case PlyType::Int16:
+		return append(wholeOfRange<std::int16_t>(value), out);
+	case PlyType::UInt16:
+		return append(wholeOfRange<std::uint16_t>(value), out);
+	case PlyType::Int32:
+		return append(wholeOfRange<std::int32_t>(value), out);
+	case PlyType::UInt32:
+		return append(wholeOfRange<std::uint32_t>(value), out);
+	case PlyType::Float32:
+		return append(float(value), out);
+	case PlyType::Float64:
+		return append(value, out);
+	}
 }
 
 Vec3d positionIn(const char* vertexRecord, const PlyRecordLayout& layout)
@@ -126,12 +164,16 @@ Vec3d positionIn(const char* vertexRecord, const PlyRecordLayout& layout)
 	return {c[0], c[1], c[2]};
 }
 
+std::string headerBegin()
+{
+	return std::string("ply\nformat ") +
+		   (hostIsLittleEndian() ? "binary_little_endian" : "binary_big_endian") + " 1.0\n";
+}
+
 std::string headerText(const PlyRecordLayout& layout, std::uint64_t vertexNum,
 					   std::uint64_t faceNum)
 {
-	std::string text = "ply\nformat ";
-	text += hostIsLittleEndian() ? "binary_little_endian" : "binary_big_endian";
-	text += " 1.0\n" + layout.comments;
+	std::string text = headerBegin() + layout.comments;
 	addElement(layout.vertices(), vertexNum, text);
 	addElement(layout.faces(), faceNum, text);
 	return text + "end_header\n";
@@ -198,7 +240,7 @@ void PlyRecordReader::skipElement(const PlyElement& element)
 		take(element.smallestRecordBytes());
 }
 
-const char* PlyRecordReader::take(std::size_t num)
+char* PlyRecordReader::takeBytes(std::size_t num)
 {
 	if (end_ - at_ < num) {
 		if (num > buffer_.size()) buffer_.resize(num);
@@ -209,20 +251,43 @@ const char* PlyRecordReader::take(std::size_t num)
 		end_ += std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_);
 		if (end_ < num) fail(path_, "the file ends too early; it seems to be cut off.");
 	}
-	const char* const here = buffer_.data() + at_;
+	char* const here = buffer_.data() + at_;
 	at_ += num;
 	return here;
 }
 
+char* PlyRecordReader::takeValues(PlyType type, std::size_t num)
+{
+	const std::size_t each = plyTypeSize(type);
+	char* const       at   = takeBytes(num * each);
+	if (layout_.isSwapped) swapBytes(at, each, num);
+	return at;
+}
+
+const char* PlyRecordReader::nextVertex()
+{
+	char* const record = takeBytes(layout_.vertexBytes);
+	if (!layout_.isSwapped) return record;
+	char* at = record;
+	for (const PlyProperty& p : layout_.vertices().properties) {
+		swapBytes(at, plyTypeSize(p.type), 1);
+		at += plyTypeSize(p.type);
+	}
+	return record;
+}
+
+std::size_t PlyRecordReader::listLength(const PlyProperty& list)
+{
+	const auto num = loadValue<std::int64_t>(list.countType, takeValues(list.countType, 1), false);
+	if (num < 0) fail(path_, "a list has a negative length.");
+	return std::size_t(num);
+}
+
 void PlyRecordReader::copyList(const PlyProperty& list, std::string& to)
 {
-	const std::size_t  countBytes = plyTypeSize(list.countType);
-	const char* const  count      = take(countBytes);
-	const std::int64_t num        = loadValue<std::int64_t>(list.countType, count, false);
-	to.append(count, countBytes);
-	if (num < 0) fail(path_, "a list has a negative length.");
-	to.append(take(std::size_t(num) * plyTypeSize(list.type)),
-			  std::size_t(num) * plyTypeSize(list.type));
+	const std::size_t num = listLength(list);
+	appendWhole(list.countType, std::int64_t(num), to);
+	to.append(takeValues(list.type, num), num * plyTypeSize(list.type));
 }
 
 void PlyRecordReader::nextFace(FaceRecord& face)
@@ -235,21 +300,17 @@ void PlyRecordReader::nextFace(FaceRecord& face)
 		const PlyProperty& p     = properties[i];
 		std::string&       other = i < layout_.indexList ? face.before : face.after;
 		if (!p.isList) {
-			const std::size_t bytes = plyTypeSize(p.type);
-			other.append(take(bytes), bytes);
+			other.append(takeValues(p.type, 1), plyTypeSize(p.type));
 		}
 		else if (i != layout_.indexList) {
 			copyList(p, other);
 		}
 		else {
-			const auto count =
-				loadValue<std::int64_t>(p.countType, take(plyTypeSize(p.countType)), false);
-			if (count < 0) fail(path_, "a face has a negative number of vertices.");
-			const std::size_t bytes = plyTypeSize(p.type);
-			const char* const at    = take(std::size_t(count) * bytes);
-			for (std::int64_t k = 0; k < count; ++k)
-				face.corners.push_back(
-					loadValue<std::int64_t>(p.type, at + std::size_t(k) * bytes, false));
+			const std::size_t num  = listLength(p);
+			const std::size_t each = plyTypeSize(p.type);
+			const char* const at   = takeValues(p.type, num);
+			for (std::size_t k = 0; k < num; ++k)
+				face.corners.push_back(loadValue<std::int64_t>(p.type, at + k * each, false));
 		}
 	}
 }

@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 // Reading a binary PLY file of any size record by record, without holding it in memory.
@@ -29,13 +30,29 @@ struct PlyRecordLayout {
 	PlyType     coordinateType[3] = {};
 	std::size_t indexList         = 0; ///< the property of the faces that holds their vertices
 	std::string comments;              ///< lines of the header that tell of textures
+	bool        isSwapped = false;     ///< the byte order is not the machine's
+
+	bool isText() const { return header.format == PlyFormat::Ascii; }
 };
 
-/// Throws AppError (BadInput) for what cannot be read record by record: text, the other byte order,
-/// triangle strips, vertices with lists, vertices behind faces.
+/// Of a binary or ASCII file. Throws AppError (BadInput) where its order cannot be followed record
+/// by record: triangle strips, vertices with lists, vertices behind faces.
+PlyRecordLayout readPlyLayout(const std::string& path);
+
+/// The same for a header alone. path: for sentences.
+PlyRecordLayout layoutOf(std::string_view header, const std::string& path);
+
+/// Throws AppError (BadInput) for text, too.
 PlyRecordLayout readRecordLayout(const std::string& path);
 
+/// Appends a value as a file in the machine's byte order holds it, see wholeOfRange.
+void appendValue(PlyType type, double value, std::string& out);
+
+/// Of a record that PlyRecordReader gives.
 Vec3d positionIn(const char* vertexRecord, const PlyRecordLayout& layout);
+
+/// The first lines of the header of a binary file in the machine's byte order.
+std::string headerBegin();
 
 /// The lines of a header for these elements, in the file's names and types; counts as given.
 std::string headerText(const PlyRecordLayout& layout, std::uint64_t vertexNum,
@@ -52,7 +69,7 @@ void appendFace(const FaceRecord& face, const PlyRecordLayout& layout, std::stri
 /// As much is read at once.
 constexpr std::size_t usualBufferBytes = std::size_t(1) << 22;
 
-/// Goes through the records of a file in their order.
+/// Goes through the records of a file in their order. They come in the machine's byte order.
 class PlyRecordReader {
 public:
 	PlyRecordReader(const std::string& path, const PlyRecordLayout& layout,
@@ -68,7 +85,7 @@ public:
 	/// Behind the last vertex: to the first face. Reads what lies between.
 	void toFaces();
 	/// The next vertex; valid until the next call.
-	const char* nextVertex() { return take(layout_.vertexBytes); }
+	const char* nextVertex();
 	void        nextFace(FaceRecord& face);
 
 private:
@@ -78,7 +95,11 @@ private:
 	std::vector<char>      buffer_;
 	std::size_t            at_ = 0, end_ = 0;
 
-	const char* take(std::size_t num);
+	const char* take(std::size_t num) { return takeBytes(num); }
+	char*       takeBytes(std::size_t num);
+	/// Values that lie one after the other.
+	char*       takeValues(PlyType type, std::size_t num);
+	std::size_t listLength(const PlyProperty& list);
 	void        copyList(const PlyProperty& list, std::string& to);
 	void        skipElement(const PlyElement& element);
 	void        seek(std::uint64_t offset);

@@ -4,13 +4,17 @@
 
 #include "../exit_code.h"
 #include "../output_file.h"
+#include "../platform.h"
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <vector>
 
 namespace gpr::app {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -38,6 +42,39 @@ private:
 }
 
 } // namespace
+
+void makeFolder(const std::string& path)
+{
+	std::error_code error;
+	fs::create_directories(path, error);
+	if (!error) return;
+	throw AppError(ExitCode::Failure, "cannot make the folder '" + path + "': " + error.message());
+}
+
+void requireRoom(const std::string& folder, double bytesNeeded)
+{
+	std::error_code      error;
+	const fs::space_info room = fs::space(folder, error);
+	if (error || double(room.available) >= bytesNeeded) return;
+	throw AppError(ExitCode::Failure,
+				   "the tiles need about " + std::to_string(std::int64_t(bytesNeeded / 1e6) + 1) +
+					   " MB in '" + folder + "', and " +
+					   std::to_string(std::int64_t(double(room.available) / 1e6)) +
+					   " MB are free.");
+}
+
+ScratchFolder::ScratchFolder(const RunFolder& folder) :
+		path_(folder.scratch() + std::to_string(processId()))
+{
+	fs::remove_all(path_);
+	makeFolder(path_);
+}
+
+ScratchFolder::~ScratchFolder()
+{
+	std::error_code error;
+	fs::remove_all(path_, error);
+}
 
 std::uint64_t checksumOf(std::string_view text)
 {
@@ -77,8 +114,7 @@ FileStamp stampOf(const Json& json)
 
 void requireStamp(const std::string& path, const FileStamp& stamp)
 {
-	const FileStamp now = stampOf(path);
-	if (now.bytes == stamp.bytes && now.checksum == stamp.checksum) return;
+	if (stampOf(path) == stamp) return;
 	throw AppError(ExitCode::BadInput, "'" + path +
 										   "' is not as it was written. Remove the folder of the "
 										   "run and begin anew.");
@@ -103,14 +139,17 @@ std::optional<Json> readJson(const std::string& path)
 	}
 }
 
+void failOtherPlan(const std::string& path)
+{
+	throw AppError(ExitCode::Usage, "'" + path +
+										"' belongs to another plan. Remove the folder of the run "
+										"or name another one.");
+}
+
 std::optional<Json> readRecord(const std::string& path, const std::string& planName)
 {
 	std::optional<Json> record = readJson(path);
-	if (record && record->value("plan", "") != planName) {
-		throw AppError(ExitCode::Usage, "'" + path +
-											"' belongs to another plan. Remove the folder of the "
-											"run or name another one.");
-	}
+	if (record && record->value("plan", "") != planName) failOtherPlan(path);
 	return record;
 }
 

@@ -20,8 +20,11 @@ public:
 	const std::string& path() const { return path_; }
 	std::string        plan() const { return path_ + "/plan.json"; }
 	std::string        splitRecord() const { return path_ + "/split.json"; }
-	std::string        scratch() const { return path_ + "/scratch"; }
-	std::string        tile(int k) const { return numbered("tile", k, ".ply"); }
+	/// An input that was converted, and what is known of that.
+	std::string input(std::size_t i) const { return numbered("input", int(i), ".ply"); }
+	std::string inputRecord(std::size_t i) const { return numbered("input", int(i), ".json"); }
+	std::string scratch() const { return path_ + "/scratch"; }
+	std::string tile(int k) const { return numbered("tile", k, ".ply"); }
 	/// Per vertex of the tile: its number in the input, and whether other tiles have it too.
 	std::string tileNames(int k) const { return numbered("tile", k, ".names"); }
 	std::string part(int k) const { return numbered("part", k, ".ply"); }
@@ -40,10 +43,35 @@ private:
 	}
 };
 
+/// Makes the folder where it is not there. Throws AppError (Failure).
+void makeFolder(const std::string& path);
+
+/// What the split takes of the disk, for each byte of the PLY files that it reads.
+constexpr double splitBytesPerInputByte = 2.5;
+
+/// Throws AppError (Failure) where fewer bytes than needed are free there.
+void requireRoom(const std::string& folder, double bytesNeeded);
+
+/// A folder for what is put aside, of this process alone. It is removed at the end.
+class ScratchFolder {
+public:
+	explicit ScratchFolder(const RunFolder& folder);
+	~ScratchFolder();
+	ScratchFolder(const ScratchFolder&)            = delete;
+	ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+	const std::string& path() const { return path_; }
+
+private:
+	std::string path_;
+};
+
 /// By what a file is known again.
 struct FileStamp {
 	std::uint64_t bytes    = 0;
 	std::uint64_t checksum = 0; ///< FNV-1a over words of eight bytes
+
+	bool operator==(const FileStamp& o) const { return bytes == o.bytes && checksum == o.checksum; }
 };
 
 /// The checksum of a text in memory.
@@ -59,6 +87,8 @@ void requireStamp(const std::string& path, const FileStamp& stamp);
 void writeJson(const std::string& path, const Json& json);
 /// Null where there is no such file. Throws AppError (BadInput) where it holds no JSON.
 std::optional<Json> readJson(const std::string& path);
+/// Throws AppError (Usage): a file of the folder is of another run.
+[[noreturn]] void failOtherPlan(const std::string& path);
 /// What a step has left, or null where it was not done. Throws AppError (Usage) where it was done
 /// for another plan.
 std::optional<Json> readRecord(const std::string& path, const std::string& planName);

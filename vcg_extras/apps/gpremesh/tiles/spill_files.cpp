@@ -21,22 +21,10 @@ namespace {
 
 } // namespace
 
-SpillFolder::SpillFolder(const std::string& stem)
-{
-	int attempt = 0;
-	do {
-		path_ = stem + processName(attempt++);
-	} while (!std::filesystem::create_directory(path_));
-}
-
-SpillFolder::~SpillFolder()
-{
-	std::error_code error;
-	std::filesystem::remove_all(path_, error);
-}
-
-SpillFiles::SpillFiles(const std::string& folder, const std::string& name, int tileNum) :
-		stem_(folder + "/" + name), buffer_(std::size_t(tileNum))
+SpillFiles::SpillFiles(const std::string& folder, const std::string& name, int tileNum,
+					   std::size_t flushBytes) :
+		stem_(folder + "/" + name),
+		flushBytes_(flushBytes), buffer_(std::size_t(tileNum))
 {
 }
 

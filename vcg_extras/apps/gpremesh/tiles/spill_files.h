@@ -29,13 +29,15 @@ private:
 /// number of tiles will do. Throws AppError (Failure) where writing or reading fails.
 class SpillFiles {
 public:
-	SpillFiles(const std::string& folder, const std::string& name, int tileNum);
+	/// flushBytes: of each file are held in memory before they are written.
+	SpillFiles(const std::string& folder, const std::string& name, int tileNum,
+			   std::size_t flushBytes = std::size_t(1) << 18);
 
 	void add(int tile, const char* data, std::size_t num)
 	{
 		std::vector<char>& buffer = buffer_[std::size_t(tile)];
 		buffer.insert(buffer.end(), data, data + num);
-		if (buffer.size() >= flushBytes) flush(tile);
+		if (buffer.size() >= flushBytes_) flush(tile);
 	}
 	template <class T>
 	void addValue(int tile, T value)
@@ -57,8 +59,8 @@ public:
 	}
 
 private:
-	static constexpr std::size_t   flushBytes = std::size_t(1) << 18;
 	std::string                    stem_;
+	std::size_t                    flushBytes_;
 	std::vector<std::vector<char>> buffer_;
 
 	std::string pathOf(int tile) const { return stem_ + std::to_string(tile); }

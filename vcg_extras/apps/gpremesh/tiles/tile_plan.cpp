@@ -218,11 +218,7 @@ TilePlan makePlan(const TileRequest& request)
 
 void writePlan(const TilePlan& plan, const RunFolder& folder)
 {
-	std::error_code error;
-	fs::create_directories(folder.path(), error);
-	if (error)
-		throw AppError(ExitCode::Failure,
-					   "cannot make the folder '" + folder.path() + "': " + error.message());
+	makeFolder(folder.path());
 	if (readRecord(folder.plan(), plan.name)) return;
 	Json json    = jsonOf(plan);
 	json["plan"] = plan.name;

@@ -8,6 +8,7 @@
 #include "../platform.h"
 #include "../progress_bar.h"
 #include "../remesh_command.h"
+#include "input_conversion.h"
 #include "tile_join.h"
 
 #include <vcg_extras/core/base/pages.h>
@@ -53,6 +54,8 @@ CommandLine lastStepOf(const CommandLine& line, const TilePlan& plan, const Spli
 	last.notes.push_back("The input was condensed in " + std::to_string(plan.tileNum()) +
 						 " tiles first. What is told of the input here is told of the condensed "
 						 "surface.");
+	for (const std::string& note : conversionNotes(plan.inputs.size(), folder))
+		last.notes.push_back(note);
 	return last;
 }
 
@@ -75,11 +78,39 @@ ProgressCallback partOf(ProgressBar& bar, double from, double to)
 	};
 }
 
+/// The plan of the inputs, which are converted before where that is needed.
+TilePlan planFor(TileRequest request, const RunFolder& folder, const RunLimit& limit,
+				 const ProgressCallback& progress)
+{
+	request.inputs = convertInputs(request.inputs, request.memoryBytes, folder, limit, progress);
+	TilePlan plan  = makePlan(request);
+	writePlan(plan, folder);
+	return plan;
+}
+
+/// Of inputs that were converted and split, and are no longer there.
+TilePlan planOfSplit(const TileRequest& request, const RunFolder& folder)
+{
+	TilePlan plan = readPlan(folder);
+	if (plan.optionsText != request.optionsText || plan.memoryBytes != request.memoryBytes)
+		failOtherPlan(folder.plan());
+	requireSameInputs(request.inputs, folder);
+	return plan;
+}
+
+/// Nothing but the split reads them.
+void removeConverted(const TilePlan& plan, const RunFolder& folder)
+{
+	for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+		fs::remove(folder.input(i));
+}
+
 /// Everything up to the condensed surface.
 void condense(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
 			  ProgressBar& bar)
 {
 	const SplitFacts facts = split(plan, folder, limit, partOf(bar, 0, shareOfSplit));
+	removeConverted(plan, folder);
 	requireMemoryFor(resultVertexNum(plan, facts), plan.memoryBytes);
 	const double each    = (shareOfParts - shareOfSplit) / plan.tileNum();
 	double       faceNum = 0;
@@ -107,14 +138,13 @@ Json stepJson(const TilePlan& plan, const char* step)
 
 // ---- steps
 
-void stepPlan(const CommandLine& line, const RunFolder& folder)
+void stepPlan(const CommandLine& line, const RunFolder& folder, const RunLimit& limit)
 {
-	const TilePlan plan = makePlan(requestOf(line));
-	writePlan(plan, folder);
-	Json json        = stepJson(plan, "plan");
-	json["tiles"]    = plan.tileNum();
-	json["vertices"] = plan.allVertices();
-	json["faces"]    = plan.allFaces();
+	const TilePlan plan = planFor(requestOf(line), folder, limit, nullptr);
+	Json           json = stepJson(plan, "plan");
+	json["tiles"]       = plan.tileNum();
+	json["vertices"]    = plan.allVertices();
+	json["faces"]       = plan.allFaces();
 	printJson(json);
 }
 
@@ -159,23 +189,15 @@ void stepJoin(const RunFolder& folder, const RunLimit& limit)
 bool needsTiles(const CommandLine& line)
 {
 	if (!(line.tiles.memoryBytes > 0)) return false;
-	if (formatOfPath(line.input) == MeshFormat::Ply) {
-		const PlyRecordLayout layout   = readRecordLayout(line.input);
-		const double          vertices = double(layout.vertices().count);
-		const double          faces    = double(layout.faces().count);
-		return bytesUntiled(faces, resultVertexNum(line.options, vertices)) >
-			   line.tiles.memoryBytes;
-	}
-	constexpr double leastBytesPerFace = 35; // of text, and of binary STL with its 50
-	const double     faces             = double(fs::file_size(line.input)) / leastBytesPerFace;
-	if (bytesUntiled(faces, resultVertexNum(line.options, faces / 2)) <=
+	const MeshSize size = estimatedSize(line.input);
+	if (bytesUntiled(size.faceNum, resultVertexNum(line.options, size.vertexNum)) <=
 		double(line.tiles.memoryBytes))
 		return false;
-	throw AppError(
-		ExitCode::BadInput,
-		"'" + line.input +
-			"' may need more memory than --memory allows, and only binary PLY files can be "
-			"read in tiles. Convert it to one.");
+	if (tileInputOf(line.input) != TileInput::NotAtAll) return true;
+	throw AppError(ExitCode::BadInput, "'" + line.input +
+										   "' may need more memory than --memory allows, and files "
+										   "of its kind cannot be read in tiles. Convert it to a "
+										   "PLY file.");
 }
 
 void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)
@@ -186,11 +208,13 @@ void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)
 	const RunFolder folder(line.tiles.folder.empty() ? line.output + ".tiles" : line.tiles.folder);
 	TileRequest     request = requestOf(line);
 	request.inputs          = {line.input};
-	TilePlan plan           = makePlan(request);
-	writePlan(plan, folder);
-	plan.options.threads = line.options.threads;
+	const bool isSplit      = fs::exists(folder.splitRecord()) && fs::exists(folder.inputRecord(0));
+	TilePlan   plan;
 	{
 		ProgressBar bar(!line.quiet && errorIsTerminal());
+		plan                 = isSplit ? planOfSplit(request, folder)
+									   : planFor(request, folder, limit, partOf(bar, 0, 1));
+		plan.options.threads = line.options.threads;
 		condense(plan, folder, limit, bar);
 	}
 	finish(line, plan, readSplit(plan, folder), folder, programClock);
@@ -205,7 +229,7 @@ void runTileStep(const CommandLine& line, const Stopwatch& programClock)
 	const RunFolder folder(line.tiles.folder);
 	switch (line.tiles.step) {
 	case TileStep::Plan:
-		return stepPlan(line, folder);
+		return stepPlan(line, folder, limit);
 	case TileStep::Split:
 		return stepSplit(folder, limit);
 	case TileStep::Part:

@@ -145,7 +145,7 @@ public:
 	Splitter(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
 			 const ProgressCallback& progress) :
 			plan_(plan),
-			folder_(folder), limit_(limit), progress_(progress), scratch_(folder.scratch()),
+			folder_(folder), limit_(limit), progress_(progress), scratch_(folder),
 			layouts_(layoutsOf(plan)), recordBytes_(layouts_.front().vertexBytes), facts_{}
 	{
 		facts_.tiles.resize(std::size_t(plan.tileNum()));
@@ -182,7 +182,7 @@ private:
 	const RunFolder&             folder_;
 	const RunLimit&              limit_;
 	const ProgressCallback&      progress_;
-	SpillFolder                  scratch_;
+	ScratchFolder                scratch_;
 	std::vector<PlyRecordLayout> layouts_;
 	std::size_t                  recordBytes_;
 	SplitFacts                   facts_;
@@ -473,19 +473,12 @@ SplitFacts factsOf(const Json& record)
 }
 
 /// Vertices and faces of the input, once as they are put aside and once in tiles.
-void requireRoom(const TilePlan& plan, const RunFolder& folder)
+double bytesNeeded(const TilePlan& plan)
 {
-	std::error_code error;
-	double          needed = 0;
+	double bytes = 0;
 	for (const std::string& input : plan.inputs)
-		needed += 2.5 * double(fs::file_size(input));
-	const fs::space_info room = fs::space(folder.path(), error);
-	if (error || double(room.available) >= needed) return;
-	throw AppError(ExitCode::Failure,
-				   "the tiles need about " + std::to_string(std::int64_t(needed / 1e6) + 1) +
-					   " MB in '" + folder.path() + "', and " +
-					   std::to_string(std::int64_t(double(room.available) / 1e6)) +
-					   " MB are free.");
+		bytes += splitBytesPerInputByte * double(fs::file_size(input));
+	return bytes;
 }
 
 } // namespace
@@ -502,7 +495,7 @@ SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& 
 				 const ProgressCallback& progress)
 {
 	if (const auto record = readRecord(folder.splitRecord(), plan.name)) return factsOf(*record);
-	requireRoom(plan, folder);
+	requireRoom(folder.path(), bytesNeeded(plan));
 	const SplitFacts facts  = Splitter(plan, folder, limit, progress).run();
 	Json             record = {{"plan", plan.name}, {"tiles", Json::array()}};
 	for (const SplitFacts::Tile& tile : facts.tiles)

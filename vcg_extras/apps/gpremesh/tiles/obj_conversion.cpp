@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../face_list.h"
+#include "../obj_lines.h"
+#include "../text_pieces.h"
+#include "conversion.h"
+#include "mesh_spill.h"
+
+namespace gpr::app {
+
+namespace {
+
+/// Takes what ObjPiece reads.
+struct ObjSink {
+	MeshPieceBytes mesh;
+	bool           hasTexture = false, hasNormals = false, hasMaterials = false;
+
+	void addVertex(const std::array<double, 3>& position, Words& behind)
+	{
+		MeshPieceBytes::Colour colour{};
+		const bool             isColoured = !behind.isAtEnd() && readObjColour(behind, colour);
+		mesh.addVertex(position, isColoured ? &colour : nullptr);
+	}
+	void addFace(const std::int64_t* corners, std::size_t num) { mesh.addFace(corners, num); }
+	void addOther(std::string_view keyword)
+	{
+		hasTexture |= keyword == "vt";
+		hasNormals |= keyword == "vn";
+		hasMaterials |= keyword == "usemtl";
+	}
+};
+
+/// What was left out, in words.
+struct LostOfObj {
+	bool texture = false, normals = false, materials = false;
+
+	void add(const ObjSink& sink)
+	{
+		texture |= sink.hasTexture;
+		normals |= sink.hasNormals;
+		materials |= sink.hasMaterials;
+	}
+	std::string words() const
+	{
+		std::string list;
+		for (const auto& [isLost, word] : {std::pair(texture, "texture coordinates"),
+										   std::pair(normals, "normals"),
+										   std::pair(materials, "materials")}) {
+			if (isLost) list += (list.empty() ? "" : ", ") + std::string(word);
+		}
+		return list;
+	}
+};
+
+} // namespace
+
+std::vector<std::string> convertObj(const Conversion& job)
+{
+	TextPieces   text(job.source);
+	MeshSpill    mesh(job.scratch, job.limit);
+	Workers      workers(0, nullptr);
+	LostOfObj    lost;
+	const double all = double(text.bytesLeft());
+	for (std::string_view piece = text.next(); !piece.empty(); piece = text.next()) {
+		job.tell(1 - double(text.bytesLeft()) / all);
+		for (const auto& read : readObjPieces<ObjSink>(piece, mesh.vertexNum(), workers)) {
+			if (read.badPlace != nullptr)
+				failAtObjLine(text.linesBefore() + lineNumber(piece, read.badPlace));
+			mesh.add(read.sink.mesh);
+			lost.add(read.sink);
+		}
+	}
+	mesh.writePly(job.target);
+
+	std::vector<std::string> notes;
+	if (mesh.tooSmallFaceNum() > 0) notes.push_back(tooSmallFacesNote(mesh.tooSmallFaceNum()));
+	if (!lost.words().empty())
+		notes.push_back("Not carried through tiles from an OBJ file: " + lost.words() + ".");
+	return notes;
+}
+
+} // namespace gpr::app

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "../face_list.h"
+#include "../off_lines.h"
+#include "../text_pieces.h"
+#include "conversion.h"
+#include "mesh_spill.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace gpr::app {
+
+namespace {
+
+/// Takes what OffPiece reads.
+struct OffSink {
+	MeshPieceBytes mesh;
+
+	void addVertex(std::size_t, const std::array<double, 3>& position) { mesh.addVertex(position); }
+	void addFace(const std::int64_t* corners, std::size_t num) { mesh.addFace(corners, num); }
+};
+
+std::string beginOf(const std::string& path)
+{
+	constexpr std::size_t muchMore = 1 << 20; // than a header takes
+	std::string           begin(muchMore, '\0');
+	std::ifstream         file(path, std::ios::binary);
+	file.read(begin.data(), std::streamsize(begin.size()));
+	begin.resize(std::size_t(file.gcount()));
+	return begin;
+}
+
+} // namespace
+
+std::vector<std::string> convertOff(const Conversion& job)
+{
+	const std::string begin  = beginOf(job.source);
+	const OffHeader   header = readOffHeader(begin, std::filesystem::file_size(job.source));
+	TextPieces        text(job.source, header.byteNum,
+						   lineNumber(begin, begin.data() + header.byteNum) - 1);
+	MeshSpill         mesh(job.scratch, job.limit);
+	Workers           workers(0, nullptr);
+	std::size_t       recordNum = 0;
+	const double      all       = double(text.bytesLeft());
+	for (std::string_view block = text.next(); !block.empty(); block = text.next()) {
+		job.tell(1 - double(text.bytesLeft()) / all);
+		const std::vector<std::string_view> pieces = linePieces(block);
+		const std::vector<std::size_t> before = recordsBefore(pieces, countOffRecords, workers);
+		std::vector<OffPiece<OffSink>> read(pieces.size());
+		workers.forTasks(pieces.size(), [&](std::size_t i, int) {
+			read[i].read(pieces[i], recordNum + before[i], header);
+		});
+		for (const OffPiece<OffSink>& piece : read) {
+			if (piece.badPlace != nullptr)
+				failAtOffLine(text.linesBefore() + lineNumber(block, piece.badPlace),
+							  text.bytesLeft() == 0 && block.back() != '\n' &&
+								  &piece == &read.back());
+			mesh.add(piece.sink.mesh);
+		}
+		recordNum += before.back();
+	}
+	requireAllOffRecords(header, recordNum);
+	mesh.writePly(job.target);
+
+	std::vector<std::string> notes;
+	if (mesh.tooSmallFaceNum() > 0) notes.push_back(tooSmallFacesNote(mesh.tooSmallFaceNum()));
+	return notes;
+}
+
+} // namespace gpr::app
