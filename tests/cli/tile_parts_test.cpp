@@ -6,16 +6,22 @@
 #include <vcg_extras/apps/gpremesh/exit_code.h>
 #include <vcg_extras/apps/gpremesh/output_file.h>
 #include <vcg_extras/apps/gpremesh/platform.h>
+#include <vcg_extras/apps/gpremesh/ply_source.h>
+#include <vcg_extras/apps/gpremesh/text_pieces.h>
 #include <vcg_extras/apps/gpremesh/tiles/border_split.h>
 #include <vcg_extras/apps/gpremesh/tiles/cell_tree.h>
+#include <vcg_extras/apps/gpremesh/tiles/conversion.h>
 #include <vcg_extras/apps/gpremesh/tiles/ply_records.h>
+#include <vcg_extras/apps/gpremesh/tiles/ranked_set.h>
 #include <vcg_extras/apps/gpremesh/tiles/run_folder.h>
 #include <vcg_extras/apps/gpremesh/tiles/spill_files.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <map>
 #include <random>
 #include <sstream>
@@ -23,6 +29,7 @@
 namespace gpr_test {
 
 using namespace gpr::app;
+using gpr::ProgressCallback;
 using gpr::Vec3d;
 
 namespace {
@@ -133,11 +140,15 @@ TEST(SpillFiles, GiveBackWhatWasAdded)
 	EXPECT_TRUE(files.take(0).empty());
 }
 
-TEST(PlyRecords, AreThoseOfTheFile)
+class PlyRecords : public ::testing::TestWithParam<bool> {};
+
+INSTANTIATE_TEST_SUITE_P(LittleEndian, PlyRecords, ::testing::Bool());
+
+TEST_P(PlyRecords, AreThoseOfTheFile)
 {
 	const Folder          folder;
 	const TestMesh        mesh   = torus(9);
-	const std::string     path   = folder.put("torus.ply", binaryPly(mesh, true, true));
+	const std::string     path   = folder.put("torus.ply", binaryPly(mesh, GetParam(), true));
 	const PlyRecordLayout layout = readRecordLayout(path);
 	PlyRecordReader       reader(path, layout, 100); // a buffer of few records
 	reader.toVertices();
@@ -160,12 +171,10 @@ TEST(PlyRecords, AreThoseOfTheFile)
 	EXPECT_EQ(positionIn(reader.nextVertex(), layout).x, mesh.points[40][0]);
 }
 
-TEST(PlyRecords, RefuseWhatCannotBeReadInPieces)
+TEST(PlyRecordLayouts, RefuseWhatCannotBeReadInPieces)
 {
 	const Folder folder;
 	EXPECT_THROW(readRecordLayout(folder.put("text.ply", asciiPly(torus(5)))), AppError);
-	EXPECT_THROW(readRecordLayout(folder.put("big.ply", binaryPly(torus(5), false, false))),
-				 AppError);
 	EXPECT_THROW(readRecordLayout(folder.path("absent.ply")), AppError);
 	const std::string     whole  = binaryPly(torus(5), true, false);
 	const std::string     path   = folder.put("cut.ply", whole.substr(0, whole.size() / 2));
@@ -179,6 +188,91 @@ TEST(PlyRecords, RefuseWhatCannotBeReadInPieces)
 			reader.nextFace(face);
 	};
 	EXPECT_THROW(readAll(), AppError);
+}
+
+TEST(TextPieces, EndAtLinesThatDoNotGoOnAndCountThem)
+{
+	const Folder folder;
+	std::string  text, read;
+	for (int i = 0; i < 500; ++i)
+		text +=
+			"v " + std::to_string(i) + (i % 3 ? "\n" : " \\\r\n") + std::string(i % 50, 'x') + "\n";
+	text += std::string(3000, 'y') + "\nthe last one";
+	const std::string path = folder.put("text", text);
+	TextPieces        pieces(path, 0, 0, 100); // pieces of few lines; a line that is longer
+	int               num = 0;
+	for (std::string_view piece = pieces.next(); !piece.empty(); piece = pieces.next()) {
+		EXPECT_EQ(pieces.linesBefore(), std::size_t(std::count(read.begin(), read.end(), '\n')));
+		read += piece;
+		EXPECT_EQ(pieces.bytesLeft(), text.size() - read.size());
+		EXPECT_TRUE(read.size() == text.size() || piece.back() == '\n');
+		EXPECT_TRUE(piece.size() < 3 || piece.substr(piece.size() - 3) != "\\\r\n");
+		++num;
+	}
+	EXPECT_EQ(read, text);
+	EXPECT_GT(num, 20);
+	EXPECT_EQ(TextPieces(path, text.size() - 4).next(), " one");
+}
+
+TEST(TextPieces, AreReadByTextSourceAsOneText)
+{
+	const Folder folder;
+	std::string  text;
+	for (int i = 0; i < 300; ++i)
+		text += std::to_string(i) + (i % 7 ? " " : " # 5 6 7\n");
+	text += "\nx";
+	TextPieces pieces(folder.put("text", text), 0, 10, 64);
+	TextSource source(pieces);
+	for (int i = 0; i < 300; ++i)
+		ASSERT_EQ(source.whole(PlyType::Int32), i);
+	try {
+		source.real(PlyType::Float32);
+		FAIL() << "x is no number";
+	}
+	catch (const AppError& error) {
+		const auto line = 11 + std::count(text.begin(), text.end(), '\n');
+		EXPECT_EQ(std::string(error.what()).find("line " + std::to_string(line) + ":"), 0u)
+			<< error.what();
+	}
+}
+
+TEST(RankedSet, CountsWhatIsBelow)
+{
+	const std::uint64_t        limit = 5000;
+	RankedSet                  set(limit);
+	std::vector<std::uint64_t> rank;
+	std::uint64_t              num = 0;
+	for (std::uint64_t i = 0; i < limit; ++i) {
+		rank.push_back(num);
+		if (i * i % 7 != 1) continue;
+		set.insert(i);
+		++num;
+	}
+	set.finish();
+	EXPECT_EQ(set.size(), num);
+	for (std::uint64_t i = 0; i < limit; ++i) {
+		ASSERT_EQ(set.rank(i), rank[std::size_t(i)]);
+		ASSERT_EQ(set.has(i), i * i % 7 == 1);
+	}
+}
+
+/// In one share, and in some twenty.
+TEST(ConvertBinaryStl, GivesTheSameForAnyMemory)
+{
+	const Folder           folder;
+	const std::string      stl = folder.put("in.stl", binaryStl(torus(200)));
+	const RunLimit         limit;
+	const ProgressCallback progress;
+	const auto             converted = [&](double memoryBytes) {
+        std::filesystem::create_directories(folder.path("scratch"));
+        const std::string out = folder.path("out.ply");
+        convertBinaryStl({stl, out, folder.path("scratch"), memoryBytes, limit, progress});
+        std::ifstream file(out, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(file), {});
+	};
+	const std::string large = converted(1e9);
+	EXPECT_EQ(large, converted(1e6));
+	EXPECT_NE(large.find("element vertex 40000\n"), std::string::npos);
 }
 
 TEST(FileStamp, TellsAChangedByteAndAChangedLength)

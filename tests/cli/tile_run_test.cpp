@@ -424,8 +424,8 @@ TEST_F(TileRun, WhatCannotBeIsRefusedWithASentence)
 				  "--boundary keep");
 	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "900000", "--memory", "40M"}),
 				  4, "Ask for at most");
-	const std::string text = put("text.ply", asciiPly(torus(20)));
-	expectFailure(run({"tile", "plan", path("run"), text}), 3, "binary");
+	const std::string text = put("text.stl", asciiStl(torus(20)));
+	expectFailure(run({"tile", "plan", path("run"), text}), 3, "cannot be read in tiles");
 	plan(in, {"--vertices", "700"});
 	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "701", "--tiles", "5"}), 2,
 				  "another plan");

@@ -15,7 +15,7 @@
 namespace gpr::app {
 
 /// Of the facets: behind the header and their count.
-constexpr std::size_t stlFacetsAt = 84;
+constexpr std::size_t stlFacetsAt   = 84;
 constexpr std::size_t stlFacetBytes = 50;
 
 /// Whether a file is binary, whatever its first word claims. begin: of the file, some thousand
@@ -59,7 +59,8 @@ public:
 	{
 		constexpr std::size_t normalBytes = 12, cornerBytes = 12;
 		std::array<float, 3>  p;
-		std::memcpy(p.data(), begin_ + stlFacetBytes * (c / 3) + normalBytes + cornerBytes * (c % 3),
+		std::memcpy(p.data(),
+					begin_ + stlFacetBytes * (c / 3) + normalBytes + cornerBytes * (c % 3),
 					cornerBytes);
 		return p;
 	}

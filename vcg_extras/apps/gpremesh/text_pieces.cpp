@@ -56,8 +56,8 @@ void TextPieces::fill()
 std::string_view TextPieces::next()
 {
 	if (bytesLeft() == 0) return {};
-	linesBefore_ += std::size_t(
-		std::count(buffer_.begin(), buffer_.begin() + std::ptrdiff_t(pieceEnd_), '\n'));
+	linesBefore_ +=
+		std::size_t(std::count(buffer_.begin(), buffer_.begin() + std::ptrdiff_t(pieceEnd_), '\n'));
 	std::copy(buffer_.begin() + std::ptrdiff_t(pieceEnd_),
 			  buffer_.begin() + std::ptrdiff_t(filled_), buffer_.begin());
 	filled_ -= pieceEnd_;

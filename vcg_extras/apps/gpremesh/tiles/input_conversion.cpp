@@ -144,7 +144,7 @@ MeshSize estimatedSize(const std::string& path)
 	constexpr double leastBytesPerFace = 35; // of text
 	const bool       isBinary          = format == MeshFormat::Stl && isBinaryStlFile(path);
 	const double     faceNum =
-        double(sizeOf(path)) / (isBinary ? double(stlFacetBytes) : leastBytesPerFace);
+		double(sizeOf(path)) / (isBinary ? double(stlFacetBytes) : leastBytesPerFace);
 	return {faceNum / 2, faceNum};
 }
 
@@ -159,7 +159,8 @@ std::vector<std::string> convertInputs(const std::vector<std::string>& inputs, d
 		const TileInput kind = tileInputOf(inputs[i]);
 		if (kind == TileInput::NotAtAll)
 			throw AppError(ExitCode::BadInput,
-						   "'" + inputs[i] + "' cannot be read in tiles. Convert it to a PLY file.");
+						   "'" + inputs[i] +
+							   "' cannot be read in tiles. Convert it to a PLY file.");
 		if (kind == TileInput::Directly) continue;
 		makeFolder(folder.path());
 		files[i] = folder.input(i);

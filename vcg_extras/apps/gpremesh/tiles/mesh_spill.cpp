@@ -106,9 +106,8 @@ void MeshSpill::add(const MeshPieceBytes& piece)
 /// Of the two files, which have no header. Each is read as one that lacks the other's records.
 PlyRecordLayout MeshSpill::layoutAside() const
 {
-	PlyRecordLayout layout =
-		layoutOf(headerText("double", true, "uint uint", all_.vertexNum_, all_.faceNum_),
-				 verticesPath_);
+	PlyRecordLayout layout = layoutOf(
+		headerText("double", true, "uint uint", all_.vertexNum_, all_.faceNum_), verticesPath_);
 	layout.header.byteNum = 0;
 	return layout;
 }

@@ -43,9 +43,9 @@ struct LostOfObj {
 	std::string words() const
 	{
 		std::string list;
-		for (const auto& [isLost, word] : {std::pair(texture, "texture coordinates"),
-										   std::pair(normals, "normals"),
-										   std::pair(materials, "materials")}) {
+		for (const auto& [isLost, word] :
+			 {std::pair(texture, "texture coordinates"), std::pair(normals, "normals"),
+			  std::pair(materials, "materials")}) {
 			if (isLost) list += (list.empty() ? "" : ", ") + std::string(word);
 		}
 		return list;

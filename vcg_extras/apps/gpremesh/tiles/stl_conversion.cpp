@@ -4,8 +4,8 @@
 #include "../output_file.h"
 #include "../stl_facets.h"
 #include "conversion.h"
-#include "ranked_set.h"
 #include "ply_records.h"
+#include "ranked_set.h"
 #include "spill_files.h"
 
 #include <algorithm>
@@ -34,11 +34,11 @@ struct Shares {
 	Shares(std::uint64_t cornerNum, double memoryBytes)
 	{
 		constexpr int    mostShares = 10000;
-		constexpr double leastBytes = 1 << 24, leastFlush = 1 << 12, mostFlush = 1 << 18;
+		constexpr double leastBytes = 1 << 20, leastFlush = 1 << 12, mostFlush = 1 << 18;
 		const double     bytes = std::max(leastBytes, memoryBytes / 2);
-		num                    = int(std::clamp(std::ceil(double(cornerNum) * bytesPerCorner / bytes), 1.0,
-												double(mostShares)));
-		cornersEach            = cornerNum / std::uint64_t(num) + 1;
+		num         = int(std::clamp(std::ceil(double(cornerNum) * bytesPerCorner / bytes), 1.0,
+									 double(mostShares)));
+		cornersEach = cornerNum / std::uint64_t(num) + 1;
 		// Two files of each share are written at the same time; a buffer grows to twice its size.
 		flushBytes = std::size_t(std::clamp(bytes / 8 / num, leastFlush, mostFlush));
 	}
@@ -84,8 +84,7 @@ class StlConverter {
 public:
 	StlConverter(const Conversion& job, std::uint64_t facetNum) :
 			job_(job), facetNum_(facetNum), shares_(3 * facetNum, job.memoryBytes),
-			isFirst_(3 * facetNum),
-			keys_(job.scratch, "keys", shares_.num, shares_.flushBytes),
+			isFirst_(3 * facetNum), keys_(job.scratch, "keys", shares_.num, shares_.flushBytes),
 			corners_(job.scratch, "corners", shares_.num, shares_.flushBytes),
 			found_(job.scratch, "found", shares_.num, shares_.flushBytes)
 	{
@@ -148,8 +147,8 @@ private:
 	{
 		return headerBegin() + "element vertex " + std::to_string(isFirst_.size()) +
 			   "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-			   std::to_string(facetNum_) + "\nproperty list uchar " +
-			   plyTypeName(indexType()) + " vertex_indices\nend_header\n";
+			   std::to_string(facetNum_) + "\nproperty list uchar " + plyTypeName(indexType()) +
+			   " vertex_indices\nend_header\n";
 	}
 
 	PlyType indexType() const

@@ -22,10 +22,10 @@ constexpr std::uint64_t pollMask = 0xffff;
 /// header, see TextSource.
 PlyRecordLayout binaryLayout(PlyRecordLayout layout)
 {
-	PlyElement&                vertices  = layout.header.elements[layout.vertexElement];
-	const CoordinateProperties c         = findCoordinates(vertices);
-	const PlyType              type      = needsDouble(vertices, c) ? PlyType::Float64 : PlyType::Float32;
-	constexpr std::uint64_t    mostOfInt = std::numeric_limits<std::int32_t>::max();
+	PlyElement&                vertices = layout.header.elements[layout.vertexElement];
+	const CoordinateProperties c        = findCoordinates(vertices);
+	const PlyType           type = needsDouble(vertices, c) ? PlyType::Float64 : PlyType::Float32;
+	constexpr std::uint64_t mostOfInt = std::numeric_limits<std::int32_t>::max();
 	for (const int i : {c.x, c.y, c.z})
 		vertices.properties[std::size_t(i)].type = type;
 	PlyElement& faces = layout.header.elements[layout.faceElement];
