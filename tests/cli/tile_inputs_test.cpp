@@ -200,22 +200,22 @@ TEST_F(TileInputs, CornersOfStlFilesAreComparedAsByTheOrdinaryReader)
 
 TEST_F(TileInputs, PropertiesOfAsciiPlyFilesStay)
 {
-	const std::string text = "ply\r\nformat ascii 1.0\r\ncomment TextureFile a.png\r\n"
-							 "element camera 1\r\nproperty list uchar float values\r\n"
-							 "element vertex 3\r\nproperty uchar red\r\nproperty int x\r\n"
-							 "property float y\r\nproperty float z\r\nproperty float quality\r\n"
-							 "element face 1\r\nproperty list uchar short vertex_index\r\n"
-							 "property list uchar float texcoord\r\nproperty char flags\r\n"
-							 "element more 1\r\nproperty int what\r\nend_header\r\n"
-							 "2 1 2\r\n1 1.5 0 0 inf # a comment 7\r\n300 1 0 nan .5\r\n0\n0 1e0 1 "
-							 "-1\r\n3 0 1 2 6 0 0 1 0 1 1 -7\r\nrubbish\r\n";
-	std::string expected = "ply\nformat binary_little_endian 1.0\ncomment TextureFile a.png\n"
-						   "element vertex 3\nproperty uchar red\nproperty double x\n"
-						   "property double y\nproperty double z\nproperty float quality\n"
-						   "element face 1\nproperty list uchar int vertex_index\n"
-						   "property list uchar float texcoord\nproperty char flags\nend_header\n";
-	const double vertices[3][5] = {
-		{1, 1.5, 0, 0, INFINITY}, {255, 1, 0, NAN, .5}, {0, 0, 1, 1, -1}};
+	const std::string text     = "ply\r\nformat ascii 1.0\r\ncomment TextureFile a.png\r\n"
+								 "element camera 1\r\nproperty list uchar float values\r\n"
+								 "element vertex 3\r\nproperty uchar red\r\nproperty int x\r\n"
+								 "property float y\r\nproperty float z\r\nproperty float quality\r\n"
+								 "element face 1\r\nproperty list uchar short vertex_index\r\n"
+								 "property list uchar float texcoord\r\nproperty char flags\r\n"
+								 "element more 1\r\nproperty int what\r\nend_header\r\n"
+								 "2 1 2\r\n1 1.5 0 0 inf # a comment 7\r\n300 1 0 nan .5\r\n0\n0 1e0 1 "
+								 "-1\r\n3 0 1 2 6 0 0 1 0 1 1 -7\r\nrubbish\r\n";
+	std::string       expected = "ply\nformat binary_little_endian 1.0\ncomment TextureFile a.png\n"
+								 "element vertex 3\nproperty uchar red\nproperty double x\n"
+								 "property double y\nproperty double z\nproperty float quality\n"
+								 "element face 1\nproperty list uchar int vertex_index\n"
+								 "property list uchar float texcoord\nproperty char flags\nend_header\n";
+	const double      vertices[3][5] = {
+			 {1, 1.5, 0, 0, INFINITY}, {255, 1, 0, NAN, .5}, {0, 0, 1, 1, -1}};
 	for (const auto& v : vertices) {
 		expected += char(std::uint8_t(v[0]));
 		for (int k = 1; k < 4; ++k)
@@ -313,7 +313,7 @@ class LargeTileInputs : public TileInputs {
 protected:
 	std::vector<std::string> command(const std::string& input)
 	{
-		return {"remesh", input,   path("out.ply"), "--vertices", "2000",
+		return {"remesh",   input, path("out.ply"), "--vertices",        "2000",
 				"--memory", "45M", "--report",      path("report.json"), "--quiet"};
 	}
 

@@ -98,10 +98,9 @@ void addTilesOut(CLI::App& command, CommandLine& line)
 void addMemory(CLI::App& command, CommandLine& line)
 {
 	command
-		.add_option(
-			"--memory", line.tiles.memoryBytes,
-			"Memory to use at most, about, such as 8G. A larger PLY file is read in tiles,\n"
-			"each condensed by itself; the result is made of all of them together")
+		.add_option("--memory", line.tiles.memoryBytes,
+					"Memory to use at most, about, such as 8G. A larger mesh is read in tiles,\n"
+					"each condensed by itself; the result is made of all of them together")
 		->transform(CLI::AsSizeValue(true))
 		->type_name("SIZE");
 }
@@ -204,9 +203,11 @@ CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"The steps of a run in tiles, for many machines that share the folder DIR: plan,\n"
 		"split, part for every tile, join, finish. A step that was done is not done again.");
 	tile->require_subcommand(1);
-	CLI::App* const plan =
-		addTileStep(*tile, line, TileStep::Plan, "plan", "Decides how IN is cut. Reads a sample.");
-	plan->add_option("IN", line.tiles.inputs, "Binary PLY files, pieces of one surface")
+	CLI::App* const plan = addTileStep(*tile, line, TileStep::Plan, "plan",
+									   "Decides how IN is cut. Reads a sample of a binary "
+									   "PLY\nfile; of others such a file is made first.");
+	plan->add_option("IN", line.tiles.inputs,
+					 "PLY, OBJ, OFF or binary STL files, pieces of one surface")
 		->required();
 	addTableOptions(*plan, RemeshTool, given, isForPlan);
 	addMemory(*plan, line);

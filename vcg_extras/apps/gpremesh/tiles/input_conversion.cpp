@@ -40,8 +40,9 @@ std::string absolutePath(const std::string& path)
 	return fs::absolute(path).lexically_normal().string();
 }
 
-/// Of the disk for each byte of an input, measured: what is put aside, the PLY file, and what the
-/// split of that takes.
+/// Of the disk: what is put aside, the PLY file, and what the split of that takes. Text has two to
+/// four characters for each byte of a binary file. Of a facet with 50 bytes there are 48 aside and
+/// 19 in the PLY file.
 double diskBytesFor(const std::string& path)
 {
 	const double bytes = double(sizeOf(path));

@@ -21,14 +21,6 @@ constexpr std::uint64_t pollMask = 0xffff;
 
 constexpr std::size_t colourBytes = 3;
 
-template <class T>
-void append(T value, std::string& out)
-{
-	char bytes[sizeof(T)];
-	std::memcpy(bytes, &value, sizeof(T));
-	out.append(bytes, sizeof(T));
-}
-
 std::string headerText(const std::string& coordinate, bool isColoured, const std::string& lists,
 					   std::uint64_t vertexNum, std::uint64_t faceNum)
 {
@@ -60,11 +52,11 @@ void addEdges(const std::vector<Vec3d>& corners, double& sum, std::uint64_t& num
 void MeshPieceBytes::addVertex(const std::array<double, 3>& position, const Colour* colour)
 {
 	for (const double c : position) {
-		append(c, vertices_);
+		appendValue(PlyType::Float64, c, vertices_);
 		if (std::isfinite(c)) largest_ = std::max(largest_, std::abs(c));
 	}
 	for (std::size_t k = 0; k < colourBytes; ++k)
-		append(colour != nullptr ? (*colour)[k] : std::uint8_t(0), vertices_);
+		vertices_ += colour != nullptr ? char((*colour)[k]) : char(0);
 	colourNum_ += colour != nullptr;
 	++vertexNum_;
 }
@@ -75,9 +67,9 @@ void MeshPieceBytes::addFace(const std::int64_t* corners, std::size_t num)
 		++tooSmallNum_;
 		return;
 	}
-	append(std::uint32_t(num), faces_);
+	appendValue(PlyType::UInt32, double(num), faces_);
 	for (std::size_t k = 0; k < num; ++k) {
-		append(std::uint32_t(corners[k]), faces_);
+		appendValue(PlyType::UInt32, double(corners[k]), faces_);
 		largestIndex_ = std::max(largestIndex_, std::uint64_t(corners[k]));
 	}
 	mostCorners_ = std::max<std::uint64_t>(mostCorners_, num);
@@ -106,8 +98,8 @@ void MeshSpill::add(const MeshPieceBytes& piece)
 /// Of the two files, which have no header. Each is read as one that lacks the other's records.
 PlyRecordLayout MeshSpill::layoutAside() const
 {
-	PlyRecordLayout layout = layoutOf(
-		headerText("double", true, "uint uint", all_.vertexNum_, all_.faceNum_), verticesPath_);
+	PlyRecordLayout layout =
+		layoutOf(headerText("double", true, "uint uint", all_.vertexNum_, all_.faceNum_));
 	layout.header.byteNum = 0;
 	return layout;
 }
@@ -160,7 +152,7 @@ void MeshSpill::writePly(const std::string& path)
 					   "it has no faces (" + std::to_string(all_.vertexNum_) + " vertices)");
 	if (all_.largestIndex_ >= all_.vertexNum_) failNoSuchVertex(all_.vertexNum_);
 	const std::string     text   = header(floatsWillDo());
-	const PlyRecordLayout layout = layoutOf(text, path);
+	const PlyRecordLayout layout = layoutOf(text);
 	OutputFile            out(path, limit_);
 	out.text(text);
 	writeVertices(layout, out);

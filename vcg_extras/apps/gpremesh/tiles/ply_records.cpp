@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -20,6 +21,11 @@ namespace {
 	throw AppError(ExitCode::BadInput, "'" + path + "' cannot be read in tiles: " + why);
 }
 
+[[noreturn]] void fail(const std::string& why)
+{
+	throw AppError(ExitCode::BadInput, why);
+}
+
 std::string beginOf(const std::string& path)
 {
 	std::ifstream file(path, std::ios::binary);
@@ -30,12 +36,19 @@ std::string beginOf(const std::string& path)
 	return text;
 }
 
-std::size_t elementNamed(const std::string& path, const PlyHeader& header, const char* name)
+std::uint64_t fileBytesOf(const std::string& path)
+{
+	std::error_code error;
+	const auto      bytes = std::filesystem::file_size(path, error);
+	return error ? 0 : bytes;
+}
+
+std::size_t elementNamed(const PlyHeader& header, const char* name)
 {
 	for (std::size_t i = 0; i < header.elements.size(); ++i) {
 		if (header.elements[i].name == name) return i;
 	}
-	fail(path, "it has no element '" + std::string(name) + "'.");
+	fail("it has no element '" + std::string(name) + "'.");
 }
 
 std::string textureComments(const std::string& header)
@@ -103,16 +116,15 @@ void appendWhole(PlyType type, std::int64_t value, std::string& out)
 
 } // namespace
 
-PlyRecordLayout layoutOf(std::string_view header, const std::string& path)
+PlyRecordLayout layoutOf(std::string_view header)
 {
 	PlyRecordLayout layout;
 	layout.header = readPlyHeader(header);
 	checkElements(layout.header);
-	layout.vertexElement = elementNamed(path, layout.header, "vertex");
-	layout.faceElement   = elementNamed(path, layout.header, "face");
-	if (layout.vertexElement > layout.faceElement)
-		fail(path, "its faces come before its vertices.");
-	if (layout.vertices().hasList()) fail(path, "its vertices have lists.");
+	layout.vertexElement = elementNamed(layout.header, "vertex");
+	layout.faceElement   = elementNamed(layout.header, "face");
+	if (layout.vertexElement > layout.faceElement) fail("its faces come before its vertices.");
+	if (layout.vertices().hasList()) fail("its vertices have lists.");
 	findCoordinates(layout);
 	layout.indexList = std::size_t(findIndexList(layout.faces()));
 	layout.comments  = textureComments(std::string(header.substr(0, layout.header.byteNum)));
@@ -123,7 +135,13 @@ PlyRecordLayout layoutOf(std::string_view header, const std::string& path)
 
 PlyRecordLayout readPlyLayout(const std::string& path)
 {
-	return layoutOf(beginOf(path), path);
+	const std::string begin = beginOf(path);
+	try {
+		return layoutOf(begin);
+	}
+	catch (const AppError& error) {
+		fail(path, error.what());
+	}
 }
 
 PlyRecordLayout readRecordLayout(const std::string& path)
@@ -192,7 +210,8 @@ void appendFace(const FaceRecord& face, const PlyRecordLayout& layout, std::stri
 PlyRecordReader::PlyRecordReader(const std::string& path, const PlyRecordLayout& layout,
 								 std::size_t bufferBytes) :
 		path_(path),
-		layout_(layout), file_(std::fopen(path.c_str(), "rb")), buffer_(bufferBytes)
+		fileBytes_(fileBytesOf(path)), layout_(layout), file_(std::fopen(path.c_str(), "rb")),
+		buffer_(bufferBytes)
 {
 	if (file_ == nullptr) throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
 	std::setvbuf(file_, nullptr, _IONBF, 0); // there is a buffer here
@@ -243,17 +262,23 @@ void PlyRecordReader::skipElement(const PlyElement& element)
 char* PlyRecordReader::takeBytes(std::size_t num)
 {
 	if (end_ - at_ < num) {
+		if (num > fileBytes_) failCut();
 		if (num > buffer_.size()) buffer_.resize(num);
 		std::copy(buffer_.begin() + std::ptrdiff_t(at_), buffer_.begin() + std::ptrdiff_t(end_),
 				  buffer_.begin());
 		end_ -= at_;
 		at_ = 0;
 		end_ += std::fread(buffer_.data() + end_, 1, buffer_.size() - end_, file_);
-		if (end_ < num) fail(path_, "the file ends too early; it seems to be cut off.");
+		if (end_ < num) failCut();
 	}
 	char* const here = buffer_.data() + at_;
 	at_ += num;
 	return here;
+}
+
+void PlyRecordReader::failCut() const
+{
+	fail(path_, "the file ends too early; it seems to be cut off.");
 }
 
 char* PlyRecordReader::takeValues(PlyType type, std::size_t num)

@@ -35,12 +35,12 @@ struct PlyRecordLayout {
 	bool isText() const { return header.format == PlyFormat::Ascii; }
 };
 
-/// Of a binary or ASCII file. Throws AppError (BadInput) where its order cannot be followed record
-/// by record: triangle strips, vertices with lists, vertices behind faces.
-PlyRecordLayout readPlyLayout(const std::string& path);
+/// Of a header, or of a file that begins with it. Throws AppError (BadInput) where its order cannot
+/// be followed record by record: triangle strips, vertices with lists, vertices behind faces.
+PlyRecordLayout layoutOf(std::string_view header);
 
-/// The same for a header alone. path: for sentences.
-PlyRecordLayout layoutOf(std::string_view header, const std::string& path);
+/// Of a binary or ASCII file. The sentences of errors name it.
+PlyRecordLayout readPlyLayout(const std::string& path);
 
 /// Throws AppError (BadInput) for text, too.
 PlyRecordLayout readRecordLayout(const std::string& path);
@@ -90,6 +90,7 @@ public:
 
 private:
 	std::string            path_;
+	std::uint64_t          fileBytes_;
 	const PlyRecordLayout& layout_;
 	std::FILE*             file_ = nullptr;
 	std::vector<char>      buffer_;
@@ -98,11 +99,12 @@ private:
 	const char* take(std::size_t num) { return takeBytes(num); }
 	char*       takeBytes(std::size_t num);
 	/// Values that lie one after the other.
-	char*       takeValues(PlyType type, std::size_t num);
-	std::size_t listLength(const PlyProperty& list);
-	void        copyList(const PlyProperty& list, std::string& to);
-	void        skipElement(const PlyElement& element);
-	void        seek(std::uint64_t offset);
+	char*             takeValues(PlyType type, std::size_t num);
+	std::size_t       listLength(const PlyProperty& list);
+	void              copyList(const PlyProperty& list, std::string& to);
+	void              skipElement(const PlyElement& element);
+	void              seek(std::uint64_t offset);
+	[[noreturn]] void failCut() const;
 };
 
 } // namespace gpr::app

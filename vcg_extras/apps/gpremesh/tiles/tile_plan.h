@@ -17,7 +17,7 @@ namespace gpr::app {
 
 /// What is asked for of a run in tiles.
 struct TileRequest {
-	std::vector<std::string> inputs;          ///< PLY files, pieces of one surface
+	std::vector<std::string> inputs;          ///< pieces of one surface
 	RemeshOptions            options;         ///< of the result
 	std::string              optionsText;     ///< these as the user gave them
 	double                   memoryBytes = 0; ///< at most, of each process; 0: not limited
@@ -47,9 +47,9 @@ double bytesUntiled(double faceNum, double resultVertexNum);
 /// Vertices of the result where options name a count or a share; 0 where they name an edge length.
 double resultVertexNum(const RemeshOptions& options, double inputVertexNum);
 
-/// Reads the headers and a sample of the vertices. Throws AppError: (BadInput) for files that
-/// cannot be read in tiles, (Usage) for options that tiles do not serve, (PromiseBroken) where the
-/// memory is too small for the result. Cost: 100,000 reads.
+/// Reads the headers and a sample of the vertices. The inputs are binary PLY files here. Throws
+/// AppError: (BadInput) for files that cannot be read in tiles, (Usage) for options that tiles do
+/// not serve, (PromiseBroken) where the memory is too small for the result. Cost: 100,000 reads.
 TilePlan makePlan(const TileRequest& request);
 
 /// Writes the plan into the folder, which is made. An equal plan that is there is left alone;

@@ -9,7 +9,7 @@
 namespace gpr::app {
 
 /// Whether a run of 'gpremesh remesh --memory' has to be done in tiles. Reads the header of the
-/// input. Throws AppError (BadInput) for an input in another format than PLY that is too large.
+/// input. Throws AppError (BadInput) for an input that is too large and that tiles do not read.
 bool needsTiles(const CommandLine& line);
 
 /// All steps of a run in tiles, one after the other, in the folder that the command line names or
