@@ -21,9 +21,9 @@ namespace {
 /// Facets that are read at once.
 constexpr std::size_t blockFacets = 20000;
 
-/// The work of a share of all corners that lies in memory at once, where places are compared, and
-/// where the corners come back in their order: about so many bytes a corner.
-constexpr double bytesPerCorner = 90;
+/// Of a share of all corners that lies in memory at once: about so many bytes a corner where each
+/// is at a place of its own. Usually six are at one, which takes a sixth of that.
+constexpr double bytesPerCorner = 60;
 
 /// How all corners are shared out.
 struct Shares {
@@ -39,9 +39,22 @@ struct Shares {
 		num         = int(std::clamp(std::ceil(double(cornerNum) * bytesPerCorner / bytes), 1.0,
 									 double(mostShares)));
 		cornersEach = cornerNum / std::uint64_t(num) + 1;
-		// Two files of each share are written at the same time; a buffer grows to twice its size.
-		flushBytes = std::size_t(std::clamp(bytes / 8 / num, leastFlush, mostFlush));
+		// A buffer grows to twice its size.
+		flushBytes = std::size_t(std::clamp(bytes / 4 / num, leastFlush, mostFlush));
 	}
+};
+
+/// A corner and its place, without the gap that a number of eight bytes would make.
+struct PlacedCorner {
+	StlCornerKey  place;
+	std::uint32_t low = 0, high = 0;
+
+	PlacedCorner() = default;
+	PlacedCorner(const StlCornerKey& key, std::uint64_t corner) :
+			place(key), low(std::uint32_t(corner)), high(std::uint32_t(corner >> 32))
+	{
+	}
+	std::uint64_t corner() const { return std::uint64_t(high) << 32 | low; }
 };
 
 /// A corner, and the first corner at the same place.
@@ -84,7 +97,7 @@ class StlConverter {
 public:
 	StlConverter(const Conversion& job, std::uint64_t facetNum) :
 			job_(job), facetNum_(facetNum), shares_(3 * facetNum, job.memoryBytes),
-			isFirst_(3 * facetNum), keys_(job.scratch, "keys", shares_.num, shares_.flushBytes),
+			isFirst_(3 * facetNum),
 			corners_(job.scratch, "corners", shares_.num, shares_.flushBytes),
 			found_(job.scratch, "found", shares_.num, shares_.flushBytes)
 	{
@@ -109,8 +122,8 @@ private:
 	std::uint64_t     facetNum_;
 	Shares            shares_;
 	RankedSet         isFirst_;
-	SpillFiles        keys_, corners_; ///< by place
-	SpillFiles        found_;          ///< by corner
+	SpillFiles        corners_; ///< by place
+	SpillFiles        found_;   ///< by corner
 
 	/// All corners at one place come into one share, in their order.
 	void shareOutPlaces()
@@ -122,8 +135,7 @@ private:
 			for (std::size_t c = 0; c < block.cornerNum(); ++c) {
 				const StlCornerKey key   = block.key(c);
 				const int          share = int((key.hash() >> 32) % std::uint64_t(shares_.num));
-				keys_.addValue(share, key);
-				corners_.addValue(share, before + c);
+				corners_.addValue(share, PlacedCorner(key, before + c));
 			}
 			before += block.cornerNum();
 		}
@@ -132,15 +144,13 @@ private:
 	void findFirstCorners(int share)
 	{
 		job_.tell(0.25 + 0.4 * share / shares_.num);
-		const std::vector<StlCornerKey>  keys    = keys_.takeValues<StlCornerKey>(share);
-		const std::vector<std::uint64_t> corners = corners_.takeValues<std::uint64_t>(share);
 		std::unordered_map<StlCornerKey, std::uint64_t, HashOfKey> firstAt;
-		for (std::size_t i = 0; i < keys.size(); ++i) {
-			const auto [at, isNew] = firstAt.emplace(keys[i], corners[i]);
-			if (isNew) isFirst_.insert(corners[i]);
-			found_.addValue(int(corners[i] / shares_.cornersEach),
-							SamePlace{corners[i], at->second});
-		}
+		corners_.takeEach<PlacedCorner>(share, [&](const PlacedCorner& placed) {
+			const std::uint64_t corner = placed.corner();
+			const auto [at, isNew]     = firstAt.emplace(placed.place, corner);
+			if (isNew) isFirst_.insert(corner);
+			found_.addValue(int(corner / shares_.cornersEach), SamePlace{corner, at->second});
+		});
 	}
 
 	std::string header() const
