@@ -65,9 +65,12 @@ void requireAllOffRecords(const OffHeader& header, std::uint64_t recordNum)
 		 " records");
 }
 
-void failAtOffLine(std::size_t number, bool isLast)
+void failAtOffLine(std::string_view text, const char* place, std::size_t linesBefore,
+				   bool textEndsFile)
 {
-	fail("line " + std::to_string(number) + ": " + badNumber +
+	const std::string_view from   = text.substr(std::size_t(place - text.data()));
+	const bool             isLast = textEndsFile && from.find('\n') == from.npos;
+	fail("line " + std::to_string(linesBefore + lineNumber(text, place)) + ": " + badNumber +
 		 (isLast ? ", or the file ends too early" : ""));
 }
 

@@ -28,9 +28,10 @@ OffHeader readOffHeader(std::string_view begin, std::uint64_t fileBytes);
 /// Throws AppError (BadInput) where a file has fewer records than its header says.
 void requireAllOffRecords(const OffHeader& header, std::uint64_t recordNum);
 
-/// Throws AppError (BadInput) with the number of a line that cannot be read. isLast: of the file,
-/// and without an end.
-[[noreturn]] void failAtOffLine(std::size_t number, bool isLast);
+/// Throws AppError (BadInput) with the number of a line that cannot be read. text: that it is in,
+/// with so many lines of the file before. The last line of a file may lack its end.
+[[noreturn]] void failAtOffLine(std::string_view text, const char* place, std::size_t linesBefore,
+								bool textEndsFile);
 
 /// The lines of a text that are records.
 std::size_t countOffRecords(std::string_view text);

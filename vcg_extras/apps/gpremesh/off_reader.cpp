@@ -23,13 +23,6 @@ struct MeshPiece {
 	void addFace(const std::int64_t* corners, std::size_t num) { faces.add(corners, num); }
 };
 
-/// Names the line; the last one of a file may lack its end.
-[[noreturn]] void failAt(std::string_view file, const char* place)
-{
-	const std::string_view from(place, std::size_t(file.data() + file.size() - place));
-	failAtOffLine(lineNumber(file, place), from.find('\n') == from.npos);
-}
-
 } // namespace
 
 InputMesh readOff(std::string_view file)
@@ -49,7 +42,7 @@ InputMesh readOff(std::string_view file)
 	});
 	FaceList faces;
 	for (OffPiece<MeshPiece>& piece : pieces) {
-		if (piece.badPlace != nullptr) failAt(file, piece.badPlace);
+		if (piece.badPlace != nullptr) failAtOffLine(file, piece.badPlace, 0, true);
 		faces.append(piece.sink.faces);
 		piece = OffPiece<MeshPiece>(); // gives its memory back
 	}

@@ -53,9 +53,7 @@ std::vector<std::string> convertOff(const Conversion& job)
 		});
 		for (const OffPiece<OffSink>& piece : read) {
 			if (piece.badPlace != nullptr)
-				failAtOffLine(text.linesBefore() + lineNumber(block, piece.badPlace),
-							  text.bytesLeft() == 0 && block.back() != '\n' &&
-								  &piece == &read.back());
+				failAtOffLine(block, piece.badPlace, text.linesBefore(), text.bytesLeft() == 0);
 			mesh.add(piece.sink.mesh);
 		}
 		recordNum += before.back();
