@@ -411,12 +411,14 @@ TEST(SameProcessNumber, AFileOfAnotherProcessStaysWhereItIs)
 TEST(SameProcessNumber, AFolderOfAnotherProcessStaysAsItIs)
 {
 	const Folder      folder;
-	const std::string stem = folder.path("scratch"), theirs = stem + std::to_string(processId());
+	const RunFolder   run(folder.path("run"));
+	const std::string theirs = run.scratch() + std::to_string(processId());
+	std::filesystem::create_directory(run.path());
 	std::filesystem::create_directory(theirs);
 	std::ofstream(theirs + "/faces0") << "of another machine";
 	std::string ours;
 	{
-		const SpillFolder spill(stem);
+		const ScratchFolder spill(run);
 		ours = spill.path();
 		EXPECT_TRUE(std::filesystem::is_empty(ours));
 	}

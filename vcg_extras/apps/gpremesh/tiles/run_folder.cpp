@@ -63,11 +63,13 @@ void requireRoom(const std::string& folder, double bytesNeeded)
 					   " MB are free.");
 }
 
-ScratchFolder::ScratchFolder(const RunFolder& folder) :
-		path_(folder.scratch() + std::to_string(processId()))
+ScratchFolder::ScratchFolder(const RunFolder& folder)
 {
-	fs::remove_all(path_);
-	makeFolder(path_);
+	makeFolder(folder.path());
+	int attempt = 0;
+	do {
+		path_ = folder.scratch() + processName(attempt++);
+	} while (!fs::create_directory(path_));
 }
 
 ScratchFolder::~ScratchFolder()

@@ -3,7 +3,6 @@
 #include "spill_files.h"
 
 #include "../exit_code.h"
-#include "../platform.h"
 
 #include <cerrno>
 #include <cstdio>

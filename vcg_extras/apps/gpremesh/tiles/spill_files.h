@@ -11,21 +11,6 @@
 
 namespace gpr::app {
 
-/// A folder of this process, removed at the end. Its name begins with the stem. Throws
-/// std::filesystem::filesystem_error where it cannot be made.
-class SpillFolder {
-public:
-	explicit SpillFolder(const std::string& stem);
-	~SpillFolder();
-	SpillFolder(const SpillFolder&)            = delete;
-	SpillFolder& operator=(const SpillFolder&) = delete;
-
-	const std::string& path() const { return path_; }
-
-private:
-	std::string path_;
-};
-
 /// One file of bytes for each tile, appended to by pieces. Only one is open at a time, so that any
 /// number of tiles will do. Throws AppError (Failure) where writing or reading fails.
 class SpillFiles {
