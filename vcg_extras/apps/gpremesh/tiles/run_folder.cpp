@@ -18,6 +18,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// In records, behind all else: the checksum of their text without it.
+constexpr const char* checksumKey = "checksum";
+
 class Checksum {
 public:
 	void add(const char* data, std::size_t num)
@@ -124,8 +127,10 @@ void requireStamp(const std::string& path, const FileStamp& stamp)
 
 void writeJson(const std::string& path, const Json& json)
 {
+	Json whole         = json;
+	whole[checksumKey] = checksumOf(textOf(json));
 	OutputFile out(path);
-	out.text(textOf(json));
+	out.text(textOf(whole));
 	out.commit();
 }
 
@@ -134,11 +139,17 @@ std::optional<Json> readJson(const std::string& path)
 	std::ifstream file(path, std::ios::binary);
 	if (!file) return std::nullopt;
 	try {
-		return Json::parse(file);
+		Json       json    = Json::parse(file);
+		const auto written = json.at(checksumKey).get<std::uint64_t>();
+		json.erase(checksumKey);
+		if (checksumOf(textOf(json)) == written) return json;
 	}
 	catch (const Json::exception&) {
-		throw AppError(ExitCode::BadInput, "'" + path + "' is damaged");
+		// as where the checksum is another one
 	}
+	throw AppError(ExitCode::BadInput, "'" + path +
+										   "' is damaged. Remove the folder of the run and begin "
+										   "anew.");
 }
 
 void failOtherPlan(const std::string& path)

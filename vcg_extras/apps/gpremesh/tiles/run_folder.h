@@ -84,9 +84,10 @@ FileStamp stampOf(const Json& json);
 /// Throws AppError (BadInput) with a sentence where the file is not what it was.
 void requireStamp(const std::string& path, const FileStamp& stamp);
 
-/// Writes a JSON text whole or not at all.
+/// Writes a JSON text and its checksum, whole or not at all.
 void writeJson(const std::string& path, const Json& json);
-/// Null where there is no such file. Throws AppError (BadInput) where it holds no JSON.
+/// Null where there is no such file. Throws AppError (BadInput) where it is not as writeJson has
+/// written it.
 std::optional<Json> readJson(const std::string& path);
 /// Throws AppError (Usage): a file of the folder is of another run.
 [[noreturn]] void failOtherPlan(const std::string& path);
