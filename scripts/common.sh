@@ -129,11 +129,11 @@ run_in_tiles() {
 	"$program" tile finish "$folder" "$output" --quiet
 }
 
-# Waits until a command succeeds; fails after a minute, with the words.
+# Waits until a command succeeds; fails after ten minutes, with the words.
 wait_until() {
 	local words=$1 tries
 	shift
-	for ((tries = 0; tries < 600; ++tries)); do
+	for ((tries = 0; tries < 6000; ++tries)); do
 		! "$@" 2>/dev/null || return 0
 		sleep 0.1
 	done
