@@ -334,6 +334,7 @@ protected:
 
 TEST_F(LargeTileInputs, AreRemeshedWithinTheMemory)
 {
+	if (GPREMESH_IS_SANITIZED) GTEST_SKIP() << "A sanitizer takes memory of its own.";
 	const TestMesh mesh = inOrderOfUse(torus(500));
 	ASSERT_EQ(run({"remesh", put("in.ply", binaryPly(mesh, true, false)), path("out.ply"),
 				   "--vertices", "2000", "--report", path("report.json")},
