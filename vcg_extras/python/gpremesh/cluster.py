@@ -355,16 +355,10 @@ def _arguments(words):
                                      epilog="All other options are those of gpremesh remesh.")
     parser.add_argument("action", choices=["run", "slurm"],
                         help="run: by Dask; slurm: write DIR/slurm.sh, which gives the steps to Slurm")
-<<<<<<< HEAD
-    parser.add_argument("input", help="binary PLY file; a path or a URL of fsspec")
+    parser.add_argument("input", help="PLY, OBJ, OFF or binary STL file; a path or a URL of fsspec")
     parser.add_argument("output", help="a path or a URL")
     parser.add_argument("--folder", required=True, metavar="DIR",
                         help="of the run: a path that all machines see, or a URL")
-=======
-    parser.add_argument("input", type=Path, help="PLY, OBJ, OFF or binary STL file")
-    parser.add_argument("output", type=Path)
-    parser.add_argument("--folder", type=Path, required=True, help="of the run; all machines see it")
->>>>>>> 74b9408 (Sentences about PLY headers name the file; documents of runs in tiles tell which inputs they read)
     parser.add_argument("--memory", help="of each step at most, such as 8G")
     parser.add_argument("--tiles", type=int, help="number of tiles, in place of --memory")
     parser.add_argument("--program", help="gpremesh; that of this package by default")
