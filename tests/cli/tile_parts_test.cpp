@@ -47,7 +47,7 @@ std::vector<Vec3d> randomPoints(std::size_t num)
 /// A folder that is removed at the end.
 class Folder {
 public:
-	Folder() : path_(::testing::TempDir() + "tile_parts")
+	Folder() : path_(::testing::TempDir() + "tile_parts" + std::to_string(processId()))
 	{
 		std::filesystem::remove_all(path_);
 		std::filesystem::create_directories(path_);

@@ -11,8 +11,11 @@
 #include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/remesh.h>
 
+#include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
+#include <map>
+#include <set>
 
 namespace gpr::test {
 
@@ -102,6 +105,82 @@ TEST(FoldedFlat, TrianglesHaveAnArea)
 		const RemeshResult r  = remesh(flat.view(), options);
 		ASSERT_EQ(r.status, Status::Ok) << r.message;
 		EXPECT_EQ(factsOf(r.mesh).complaints(), "");
+	}
+}
+
+namespace {
+
+/// A grid whose edges on the border are twice as long as those inside.
+TriangleMesh gridWithCoarseBorder(int n)
+{
+	TriangleMesh mesh = grid(n, n);
+	// Every second vertex of the border goes to the one before it.
+	std::map<std::pair<double, double>, std::int32_t> at;
+	for (std::size_t v = 0; v < mesh.vertexNum(); ++v)
+		at[{std::round(n * mesh.positions[v].x), std::round(n * mesh.positions[v].y)}] =
+			std::int32_t(v);
+	std::vector<std::int32_t> goesTo(mesh.vertexNum());
+	for (const auto& [place, v] : at) {
+		const auto [x, y]   = place;
+		const bool   alongX = y == 0 || y == n, alongY = x == 0 || x == n;
+		const double dx = alongX && std::fmod(x, 2) == 1, dy = alongY && std::fmod(y, 2) == 1;
+		goesTo[std::size_t(v)] = at[{x - dx, y - dy}];
+	}
+	std::vector<std::int32_t> triangles;
+	for (std::size_t c = 0; c < mesh.triangles.size(); c += 3) {
+		std::int32_t t[3];
+		for (std::size_t k = 0; k < 3; ++k)
+			t[k] = goesTo[std::size_t(mesh.triangles[c + k])];
+		if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0])
+			triangles.insert(triangles.end(), t, t + 3);
+	}
+	mesh.triangles = triangles;
+	return mesh;
+}
+
+/// Two sheets with waves, which are nearer to each other than the triangles' chords to the waves.
+TriangleMesh wavySheets()
+{
+	TriangleMesh sheet = gridWithCoarseBorder(100);
+	for (Vec3d& p : sheet.positions)
+		p.z = 0.05 * std::sin(12 * p.x) * std::cos(9 * p.y);
+	return joined(sheet, shifted(sheet, {0, 0, 0.0004}));
+}
+
+/// Of a triangle mesh, by their ends.
+std::set<std::pair<std::int32_t, std::int32_t>> edgesOf(const TriangleMesh& mesh, bool borderOnly)
+{
+	std::map<std::pair<std::int32_t, std::int32_t>, int> faceNum;
+	for (std::size_t c = 0; c < mesh.triangles.size(); ++c)
+		++faceNum[std::minmax(mesh.triangles[c], mesh.triangles[c % 3 == 2 ? c - 2 : c + 1])];
+	std::set<std::pair<std::int32_t, std::int32_t>> edges;
+	for (const auto& [edge, num] : faceNum) {
+		if (!borderOnly || num == 1) edges.insert(edge);
+	}
+	return edges;
+}
+
+} // namespace
+
+/// Triangles made by edge collapses of the input keep a border edge by edge, too.
+TEST(CloseSurfacesWithBorders, KeepTheirBorderWhereTrianglesAreMadeAnew)
+{
+	const TriangleMesh mesh = wavySheets();
+	for (const int count : {4200, 5000, 6600}) {
+		RemeshOptions options;
+		applyPreset(Preset::Fast, options);
+		options.targetMode      = TargetMode::VertexNum;
+		options.targetVertexNum = count;
+		options.boundary        = BoundaryMode::Keep;
+		const RemeshResult r    = remesh(mesh.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_GT(r.report.audit.guarded.vertexNum, 0) << count;
+		EXPECT_EQ(int(r.mesh.vertexNum()), count);
+		std::set<std::pair<std::int32_t, std::int32_t>> kept;
+		for (const auto& [a, b] : edgesOf(r.mesh, true))
+			kept.insert(
+				std::minmax(r.callersVertex[std::size_t(a)], r.callersVertex[std::size_t(b)]));
+		EXPECT_EQ(kept, edgesOf(mesh, true)) << count;
 	}
 }
 

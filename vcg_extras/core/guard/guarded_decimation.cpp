@@ -98,7 +98,8 @@ public:
 
 	bool run()
 	{
-		firstNum_ = livingNum_;
+		firstNum_  = livingNum_;
+		borderNum_ = numberToGo();
 		for (const Bounds& bounds : boundsOfRounds) {
 			bounds_ = bounds;
 			while (collapseAll() > livingNum_ / leastShare) {}
@@ -108,6 +109,7 @@ public:
 			bounds_ = anyShape;
 			while (collapseAll() > 0) {}
 		}
+		removeFromBorder();
 		return livingNum_ <= settings_.targetNum;
 	}
 
@@ -117,9 +119,11 @@ private:
 	HalfEdgeMesh&                 m_;
 	Workers&                      workers_;
 	std::unique_ptr<ContactGuard> guard_;
-	std::int64_t          livingNum_, guardedNum_; ///< vertices now, and when the guard was made
-	std::int64_t          firstNum_ = 0;
-	std::vector<unsigned> stamp_; ///< per vertex: how often it has changed
+	std::int64_t livingNum_, guardedNum_; ///< vertices now, and when the guard was made
+	std::int64_t firstNum_  = 0;
+	std::int64_t borderNum_ = 0;           ///< vertices in edges of a border that is kept
+	bool         isForced_  = false;       ///< only these are removed, also where faces touch then
+	std::vector<unsigned>          stamp_; ///< per vertex: how often it has changed
 	std::priority_queue<Candidate> queue_;
 	Bounds                         bounds_{};
 	EditScratch                    scratch_;
@@ -133,9 +137,9 @@ private:
 	std::int64_t collapseAll()
 	{
 		const std::int64_t before = livingNum_;
-		if (before <= settings_.targetNum) return 0;
+		if (!mayGoOn()) return 0;
 		queueAll();
-		for (int calls = 0; !queue_.empty() && livingNum_ > settings_.targetNum;) {
+		for (int calls = 0; !queue_.empty() && mayGoOn();) {
 			const Candidate c = queue_.top();
 			queue_.pop();
 			if (stamp_[std::size_t(c.a)] != c.stampA || stamp_[std::size_t(c.b)] != c.stampB)
@@ -145,6 +149,25 @@ private:
 		}
 		queue_ = {};
 		return before - livingNum_;
+	}
+
+	/// Each vertex that has to go from the border counts as gone, since it is removed at last.
+	bool mayGoOn() const { return livingNum_ > settings_.targetNum + (isForced_ ? 0 : borderNum_); }
+
+	std::int64_t numberToGo() const
+	{
+		std::int64_t num = 0;
+		for (int v = 0; settings_.keepsBorder && v < m_.vertexNum; ++v)
+			num += m_.outgoing[v] >= 0 && !isFixed(v) && m_.isBorderVertex(v);
+		return num;
+	}
+
+	/// A border that is kept counts for more than faces that touch.
+	void removeFromBorder()
+	{
+		isForced_ = true;
+		bounds_   = anyShape;
+		while (borderNum_ > 0 && collapseAll() > 0) {}
 	}
 
 	double share() const
@@ -176,11 +199,12 @@ private:
 	bool isWorthTrying(int v, int w, Candidate& c) const
 	{
 		const Merge merge = mergeOf(v, w);
-		if (merge.from < 0) return false;
+		if (merge.from < 0 || (isForced_ && !hasToGo(merge))) return false;
 		const double squared = squaredLength(Vec3d(m_.position[v]) - Vec3d(m_.position[w]));
 		if (squared > settings_.longestEdge * settings_.longestEdge) return false;
 		const Places places = placesOf(merge);
-		c.cost   = float(places.at[0].first + settings_.lengthWeight * squared * squared);
+		c.cost = float(places.at[0].first + settings_.lengthWeight * squared * squared);
+		if (hasToGo(merge)) c.cost = -1;
 		c.a      = std::min(v, w);
 		c.b      = std::max(v, w);
 		c.stampA = stamp_[std::size_t(c.a)];
@@ -215,6 +239,14 @@ private:
 	bool areBorderNeighbours(int v, int w) const
 	{
 		return borderNeighbour(m_, v, true) == w || borderNeighbour(m_, v, false) == w;
+	}
+
+	/// A vertex in an edge of the border that is kept.
+	bool hasToGo(const Merge& merge) const { return settings_.keepsBorder && merge.isAlongBorder; }
+
+	const Bounds& boundsOf(const Merge& merge) const
+	{
+		return hasToGo(merge) && !isForced_ ? boundsOfRounds.back() : bounds_;
 	}
 
 	Places placesOf(const Merge& merge) const
@@ -252,7 +284,8 @@ private:
 		for (int i = 0; i < places.num; ++i) {
 			const Vec3f place = places.at[std::size_t(i)].second;
 			if (isTooFar(merge, places.at[std::size_t(i)].first)) return;
-			if (!makeTriangles(merge, place) || !guard_->allows(made_, gone_)) continue;
+			if (!makeTriangles(merge, place)) continue;
+			if (!isForced_ && !guard_->allows(made_, gone_)) continue;
 			collapseTo(merge, place);
 			return;
 		}
@@ -274,7 +307,7 @@ private:
 	/// By the quadrics, which are weighted by area.
 	bool isTooFar(const Merge& merge, double squaredByArea) const
 	{
-		const double most = double(bounds_.distance) * settings_.idealEdge;
+		const double most = double(boundsOf(merge).distance) * settings_.idealEdge;
 		const float  area = g_.area[std::size_t(merge.from)] + g_.area[std::size_t(merge.to)];
 		return squaredByArea > most * most * double(area);
 	}
@@ -287,7 +320,7 @@ private:
 		forEachOutgoing(m_, merge.to, [&](int h) {
 			if (m_.target(h) != merge.from && m_.apex(h) != merge.from) gone_.push_back(h / 3);
 		});
-		leastShape_ = bounds_.shape;
+		leastShape_ = boundsOf(merge).shape;
 		for (int f : gone_) {
 			const NamedTriangle t = triangleOf(m_, f);
 			leastShape_           = std::min(leastShape_, triangleShape(t.at[0], t.at[1], t.at[2]));
@@ -322,12 +355,13 @@ private:
 
 	bool isSound(const Merge& merge, const NamedTriangle& before, const NamedTriangle& after) const
 	{
-		const Vec3f normal = crossOf(after), old = crossOf(before);
+		const Vec3f   normal = crossOf(after), old = crossOf(before);
+		const Bounds& bounds = boundsOf(merge);
 		if (isLine(after.at[0], after.at[1], after.at[2], normal)) return false;
 		if (triangleShape(after.at[0], after.at[1], after.at[2]) < leastShape_) return false;
-		if (dot(normal, old) < bounds_.turn * length(normal) * length(old)) return false;
-		return g_.agrees(after.vertex, normal, bounds_.agreement, merge.from) ||
-			   !g_.agrees(after.vertex, old, bounds_.agreement, merge.from);
+		if (dot(normal, old) < bounds.turn * length(normal) * length(old)) return false;
+		return g_.agrees(after.vertex, normal, bounds.agreement, merge.from) ||
+			   !g_.agrees(after.vertex, old, bounds.agreement, merge.from);
 	}
 
 	void collapseTo(const Merge& merge, const Vec3f& place)
@@ -339,6 +373,7 @@ private:
 			collapse(m_, m_.findHalfEdge(merge.from, merge.to));
 		m_.position[merge.to] = place;
 		--livingNum_;
+		if (hasToGo(merge)) --borderNum_;
 		++stamp_[std::size_t(merge.from)];
 		++stamp_[std::size_t(merge.to)];
 		followWithGuard(merge.to);

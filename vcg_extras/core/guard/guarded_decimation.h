@@ -47,6 +47,9 @@ struct GuardedSettings {
 	double       idealEdge  = 0;    ///< of the result, working units
 	double lengthWeight     = 0.01; ///< of an edge's length against what merging costs in distance
 	bool   mayLeaveVertices = true; ///< merged vertices may come to lie where none has lain
+	/// The border's fixed vertices are all that it shall have. Its others go as soon as they can,
+	/// and at last even where faces touch then.
+	bool keepsBorder = false;
 	/// Longer edges stay, working units.
 	double longestEdge = std::numeric_limits<double>::infinity();
 };

@@ -143,6 +143,7 @@ public:
 		fixVertices();
 		GuardedSettings settings;
 		settings.targetNum        = result_.mesh.vertexNum;
+		settings.keepsBorder      = result_.keepsBorder;
 		settings.idealEdge        = double(result_.idealEdge);
 		settings.lengthWeight     = lengthWeight();
 		settings.mayLeaveVertices = mayLeaveSurface(run_.options);

@@ -24,6 +24,7 @@ bool PatchFilling::fill(std::vector<char>& marked)
 	GuardedMesh&    guarded = *refilled_.guarded;
 	GuardedSettings settings;
 	settings.targetNum        = result_.mesh.vertexNum;
+	settings.keepsBorder      = result_.keepsBorder;
 	settings.idealEdge        = double(result_.idealEdge);
 	settings.lengthWeight     = patchLengthWeight;
 	settings.mayLeaveVertices = mayLeaveSurface(run_.options);
