@@ -90,6 +90,20 @@ TestMesh grid(int n)
 	return mesh;
 }
 
+std::array<TestMesh, 2> halvesOfGrid(int n)
+{
+	const TestMesh whole = grid(n);
+	TestMesh       left = whole, right = whole;
+	left.faces.clear();
+	right.faces.clear();
+	for (const auto& f : whole.faces) {
+		const double x = whole.points[std::size_t(f[0])][0] + whole.points[std::size_t(f[1])][0] +
+						 whole.points[std::size_t(f[2])][0];
+		(x < 1.5 ? left : right).faces.push_back(f);
+	}
+	return {left, right};
+}
+
 TestMesh torus(int n)
 {
 	TestMesh mesh;

@@ -21,6 +21,8 @@ struct TestMesh {
 TestMesh sphere(int n);
 /// Flat square [0,1]² of n by n cells, one boundary loop.
 TestMesh grid(int n);
+/// The faces of grid(n) left of the middle, and those right of it, each with all vertices.
+std::array<TestMesh, 2> halvesOfGrid(int n);
 /// Torus with radii 1 and 0.4, n by n cells, n² vertices.
 TestMesh torus(int n);
 /// The mesh moved by (dx, dy, dz).

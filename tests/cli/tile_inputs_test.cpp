@@ -286,16 +286,9 @@ TEST_F(TileInputs, WhatWasConvertedIsTestedAndNotConvertedAgain)
 
 TEST_F(TileInputs, SeveralFilesOfSeveralFormatsAreOneSurface)
 {
-	TestMesh whole = grid(60), left = whole, right = whole;
-	left.faces.clear();
-	right.faces.clear();
-	for (const auto& f : whole.faces) {
-		const double x = whole.points[std::size_t(f[0])][0] + whole.points[std::size_t(f[1])][0] +
-						 whole.points[std::size_t(f[2])][0];
-		(x < 1.5 ? left : right).faces.push_back(f);
-	}
-	const std::string a = put("left.obj", obj(left));
-	const std::string b = put("right.ply", binaryPly(right, true, false));
+	const auto [left, right] = halvesOfGrid(60);
+	const std::string a      = put("left.obj", obj(left));
+	const std::string b      = put("right.ply", binaryPly(right, true, false));
 	step({"plan", path("run"), a, b, "--vertices", "400", "--tiles", "2"});
 	step({"split", path("run")});
 	for (int unit = 0; unit < 2; ++unit)

@@ -232,16 +232,9 @@ TEST_F(TileRun, AnOpenSurfaceKeepsItsBorder)
 
 TEST_F(TileRun, PiecesWhoseBordersCoincideAreOneSurface)
 {
-	TestMesh whole = grid(120), left = whole, right = whole;
-	left.faces.clear();
-	right.faces.clear();
-	for (const auto& f : whole.faces) {
-		const double x = whole.points[std::size_t(f[0])][0] + whole.points[std::size_t(f[1])][0] +
-						 whole.points[std::size_t(f[2])][0];
-		(x < 1.5 ? left : right).faces.push_back(f);
-	}
-	const std::string a = put("left.ply", binaryPly(left, true, false));
-	const std::string b = put("right.ply", binaryPly(right, true, false));
+	const auto [left, right] = halvesOfGrid(120);
+	const std::string a      = put("left.ply", binaryPly(left, true, false));
+	const std::string b      = put("right.ply", binaryPly(right, true, false));
 	runStep({"plan", path("run"), a, b, "--vertices", "800", "--tiles", "3"});
 	runStep({"split", path("run")});
 	for (int unit = 0; unit < 3; ++unit)

@@ -147,15 +147,15 @@ TriangleMesh wavySheets()
 	return joined(sheet, shifted(sheet, {0, 0, 0.0004}));
 }
 
-/// Of a triangle mesh, by their ends.
-std::set<std::pair<std::int32_t, std::int32_t>> edgesOf(const TriangleMesh& mesh, bool borderOnly)
+/// By their ends.
+std::set<std::pair<std::int32_t, std::int32_t>> borderEdgesOf(const TriangleMesh& mesh)
 {
 	std::map<std::pair<std::int32_t, std::int32_t>, int> faceNum;
 	for (std::size_t c = 0; c < mesh.triangles.size(); ++c)
 		++faceNum[std::minmax(mesh.triangles[c], mesh.triangles[c % 3 == 2 ? c - 2 : c + 1])];
 	std::set<std::pair<std::int32_t, std::int32_t>> edges;
 	for (const auto& [edge, num] : faceNum) {
-		if (!borderOnly || num == 1) edges.insert(edge);
+		if (num == 1) edges.insert(edge);
 	}
 	return edges;
 }
@@ -177,10 +177,10 @@ TEST(CloseSurfacesWithBorders, KeepTheirBorderWhereTrianglesAreMadeAnew)
 		EXPECT_GT(r.report.audit.guarded.vertexNum, 0) << count;
 		EXPECT_EQ(int(r.mesh.vertexNum()), count);
 		std::set<std::pair<std::int32_t, std::int32_t>> kept;
-		for (const auto& [a, b] : edgesOf(r.mesh, true))
+		for (const auto& [a, b] : borderEdgesOf(r.mesh))
 			kept.insert(
 				std::minmax(r.callersVertex[std::size_t(a)], r.callersVertex[std::size_t(b)]));
-		EXPECT_EQ(kept, edgesOf(mesh, true)) << count;
+		EXPECT_EQ(kept, borderEdgesOf(mesh)) << count;
 	}
 }
 

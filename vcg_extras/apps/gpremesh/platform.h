@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -57,6 +58,18 @@ inline std::string processName(int attempt)
 {
 	const std::string number = std::to_string(processId());
 	return attempt == 0 ? number : number + "-" + std::to_string(attempt);
+}
+
+/// Makes a folder that is not there yet and whose name begins with the stem. Returns its path;
+/// where it cannot be made `error` tells why.
+inline std::string makeOwnFolder(const std::string& stem, std::error_code& error)
+{
+	std::string path;
+	int         attempt = 0;
+	do {
+		path = stem + processName(attempt++);
+	} while (!std::filesystem::create_directory(path, error) && !error);
+	return path;
 }
 
 /// False when the file exists and its permissions forbid to write it.

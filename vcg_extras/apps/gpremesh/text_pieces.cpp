@@ -31,6 +31,16 @@ std::size_t endOfWholeLines(std::string_view text)
 
 } // namespace
 
+std::string beginOfFile(const std::string& path, std::size_t most)
+{
+	std::ifstream file(path, std::ios::binary);
+	if (!file) fail("cannot read '" + path + "'");
+	std::string begin(most, '\0');
+	file.read(begin.data(), std::streamsize(most));
+	begin.resize(std::size_t(file.gcount()));
+	return begin;
+}
+
 TextPieces::TextPieces(const std::string& path, std::uint64_t from, std::size_t lineNum,
 					   std::size_t pieceBytes) :
 		file_(path, std::ios::binary),

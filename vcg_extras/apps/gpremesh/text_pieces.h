@@ -12,6 +12,10 @@
 
 namespace gpr::app {
 
+/// The first bytes of a file, or all where it has fewer. Throws AppError (BadInput) where it cannot
+/// be read.
+std::string beginOfFile(const std::string& path, std::size_t most = std::size_t(1) << 20);
+
 /// Reads a text file of any size once, from begin to end, by pieces that end at the end of a line,
 /// and not at one that goes on (see goesOn). Throws AppError (BadInput) where the file cannot be
 /// read or a line is longer than 64 MB. Memory: one piece.

@@ -5,11 +5,11 @@
 #include "../exit_code.h"
 #include "../mesh_io.h"
 #include "../stl_facets.h"
+#include "../text_pieces.h"
 #include "conversion.h"
 #include "ply_records.h"
 
 #include <filesystem>
-#include <fstream>
 
 namespace gpr::app {
 
@@ -28,11 +28,7 @@ std::uint64_t sizeOf(const std::string& path)
 bool isBinaryStlFile(const std::string& path)
 {
 	constexpr std::size_t enough = 4096;
-	std::string           begin(enough, '\0');
-	std::ifstream         file(path, std::ios::binary);
-	file.read(begin.data(), std::streamsize(enough));
-	begin.resize(std::size_t(file.gcount()));
-	return isBinaryStl(begin, sizeOf(path));
+	return isBinaryStl(beginOfFile(path, enough), sizeOf(path));
 }
 
 std::string absolutePath(const std::string& path)

@@ -10,35 +10,15 @@ namespace gpr::app {
 
 namespace {
 
-/// Takes what ObjPiece reads.
-struct ObjSink {
-	MeshPieceBytes mesh;
-	bool           hasTexture = false, hasNormals = false, hasMaterials = false;
-
-	void addVertex(const std::array<double, 3>& position, Words& behind)
-	{
-		MeshPieceBytes::Colour colour{};
-		const bool             isColoured = !behind.isAtEnd() && readObjColour(behind, colour);
-		mesh.addVertex(position, isColoured ? &colour : nullptr);
-	}
-	void addFace(const std::int64_t* corners, std::size_t num) { mesh.addFace(corners, num); }
-	void addOther(std::string_view keyword)
-	{
-		hasTexture |= keyword == "vt";
-		hasNormals |= keyword == "vn";
-		hasMaterials |= keyword == "usemtl";
-	}
-};
-
 /// What was left out, in words.
 struct LostOfObj {
 	bool texture = false, normals = false, materials = false;
 
-	void add(const ObjSink& sink)
+	void add(const LostOfObj& other)
 	{
-		texture |= sink.hasTexture;
-		normals |= sink.hasNormals;
-		materials |= sink.hasMaterials;
+		texture |= other.texture;
+		normals |= other.normals;
+		materials |= other.materials;
 	}
 	std::string words() const
 	{
@@ -49,6 +29,26 @@ struct LostOfObj {
 			if (isLost) list += (list.empty() ? "" : ", ") + std::string(word);
 		}
 		return list;
+	}
+};
+
+/// Takes what ObjPiece reads.
+struct ObjSink {
+	MeshPieceBytes mesh;
+	LostOfObj      lost;
+
+	void addVertex(const std::array<double, 3>& position, Words& behind)
+	{
+		MeshPieceBytes::Colour colour{};
+		const bool             isColoured = !behind.isAtEnd() && readObjColour(behind, colour);
+		mesh.addVertex(position, isColoured ? &colour : nullptr);
+	}
+	void addFace(const std::int64_t* corners, std::size_t num) { mesh.addFace(corners, num); }
+	void addOther(std::string_view keyword)
+	{
+		lost.texture |= keyword == "vt";
+		lost.normals |= keyword == "vn";
+		lost.materials |= keyword == "usemtl";
 	}
 };
 
@@ -67,7 +67,7 @@ std::vector<std::string> convertObj(const Conversion& job)
 			if (read.badPlace != nullptr)
 				failAtObjLine(text.linesBefore() + lineNumber(piece, read.badPlace));
 			mesh.add(read.sink.mesh);
-			lost.add(read.sink);
+			lost.add(read.sink.lost);
 		}
 	}
 	mesh.writePly(job.target);

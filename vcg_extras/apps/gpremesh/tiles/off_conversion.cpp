@@ -7,7 +7,6 @@
 #include "mesh_spill.h"
 
 #include <filesystem>
-#include <fstream>
 
 namespace gpr::app {
 
@@ -21,21 +20,11 @@ struct OffSink {
 	void addFace(const std::int64_t* corners, std::size_t num) { mesh.addFace(corners, num); }
 };
 
-std::string beginOf(const std::string& path)
-{
-	constexpr std::size_t muchMore = 1 << 20; // than a header takes
-	std::string           begin(muchMore, '\0');
-	std::ifstream         file(path, std::ios::binary);
-	file.read(begin.data(), std::streamsize(begin.size()));
-	begin.resize(std::size_t(file.gcount()));
-	return begin;
-}
-
 } // namespace
 
 std::vector<std::string> convertOff(const Conversion& job)
 {
-	const std::string begin  = beginOf(job.source);
+	const std::string begin  = beginOfFile(job.source);
 	const OffHeader   header = readOffHeader(begin, std::filesystem::file_size(job.source));
 	TextPieces        text(job.source, header.byteNum,
 						   lineNumber(begin, begin.data() + header.byteNum) - 1);

@@ -5,11 +5,11 @@
 #include "../exit_code.h"
 #include "../ply_layout.h"
 #include "../ply_source.h"
+#include "../text_pieces.h"
 
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 
 namespace gpr::app {
@@ -24,16 +24,6 @@ namespace {
 [[noreturn]] void fail(const std::string& why)
 {
 	throw AppError(ExitCode::BadInput, why);
-}
-
-std::string beginOf(const std::string& path)
-{
-	std::ifstream file(path, std::ios::binary);
-	if (!file) throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
-	std::string text(std::size_t(1) << 20, '\0');
-	file.read(text.data(), std::streamsize(text.size()));
-	text.resize(std::size_t(file.gcount()));
-	return text;
 }
 
 std::uint64_t fileBytesOf(const std::string& path)
@@ -135,7 +125,7 @@ PlyRecordLayout layoutOf(std::string_view header)
 
 PlyRecordLayout readPlyLayout(const std::string& path)
 {
-	const std::string begin = beginOf(path);
+	const std::string begin = beginOfFile(path);
 	try {
 		return layoutOf(begin);
 	}

@@ -55,10 +55,7 @@ public:
 		if (fs::exists(wanted_) && !(fs::is_directory(wanted_) && holdsTilesOnly(wanted_)))
 			failToWrite(wanted_, "it exists, and holds something else than tiles");
 		std::error_code error;
-		int             attempt = 0;
-		do {
-			temporary_ = path + ".part" + processName(attempt++);
-		} while (!fs::create_directory(temporary_, error) && !error);
+		temporary_ = makeOwnFolder(path + ".part", error);
 		if (!error) return;
 		temporary_.clear();
 		failToWrite(wanted_, error.message());

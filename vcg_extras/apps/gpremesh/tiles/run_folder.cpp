@@ -44,14 +44,18 @@ private:
 	throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
 }
 
+[[noreturn]] void failToMake(const std::string& path, const std::error_code& error)
+{
+	throw AppError(ExitCode::Failure, "cannot make the folder '" + path + "': " + error.message());
+}
+
 } // namespace
 
 void makeFolder(const std::string& path)
 {
 	std::error_code error;
 	fs::create_directories(path, error);
-	if (!error) return;
-	throw AppError(ExitCode::Failure, "cannot make the folder '" + path + "': " + error.message());
+	if (error) failToMake(path, error);
 }
 
 void requireRoom(const std::string& folder, double bytesNeeded)
@@ -69,10 +73,9 @@ void requireRoom(const std::string& folder, double bytesNeeded)
 ScratchFolder::ScratchFolder(const RunFolder& folder)
 {
 	makeFolder(folder.path());
-	int attempt = 0;
-	do {
-		path_ = folder.scratch() + processName(attempt++);
-	} while (!fs::create_directory(path_));
+	std::error_code error;
+	path_ = makeOwnFolder(folder.scratch(), error);
+	if (error) failToMake(path_, error);
 }
 
 ScratchFolder::~ScratchFolder()

@@ -53,7 +53,7 @@ constexpr double splitBytesPerInputByte = 2.5;
 void requireRoom(const std::string& folder, double bytesNeeded);
 
 /// A folder for what is put aside, of this process alone. It is removed at the end. Throws
-/// AppError (Failure) or std::filesystem::filesystem_error where it cannot be made.
+/// AppError (Failure) where it cannot be made.
 class ScratchFolder {
 public:
 	explicit ScratchFolder(const RunFolder& folder);
