@@ -247,6 +247,28 @@ TEST_F(TileRun, PiecesWhoseBordersCoincideAreOneSurface)
 	EXPECT_EQ(facts["input"]["vertices"], 800);
 }
 
+/// Coordinates so coarse that many faces have no area, as those of a huge scan in single precision
+/// are. Where such faces lie at the border of a tile they stay as they are.
+TEST_F(TileRun, FacesWithoutAreaAtTheBorderOfATileAreNoHindrance)
+{
+	TestMesh mesh = torus(160);
+	for (auto& point : mesh.points) {
+		for (double& c : point)
+			c = std::round(64 * c) / 64;
+	}
+	remeshedInTiles(put("coarse.ply", binaryPly(mesh, true, false)), {"--vertices", "1500"});
+	for (int unit = 0; unit < tileNum; ++unit) {
+		const Json part = Json::parse(content(path("run/part" + std::to_string(unit) + ".json")));
+		EXPECT_TRUE(part["condensed"].get<bool>()) << unit << ": " << part["note"];
+	}
+	const Json facts = info(path("out.ply"));
+	EXPECT_EQ(facts["input"]["vertices"], 1500);
+	EXPECT_EQ(facts["input"]["eulerCharacteristic"], 0);
+	EXPECT_EQ(facts["input"]["components"], 1);
+	EXPECT_EQ(facts["input"]["boundaryLoops"], 0);
+	EXPECT_GT(facts["quality"]["angles"]["min"], 30);
+}
+
 /// A sheet that stands on another one: each of its edges there has three faces.
 TEST_F(TileRun, EdgesWithThreeFacesAreCutAsWithoutTiles)
 {

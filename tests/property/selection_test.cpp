@@ -128,15 +128,13 @@ TEST(Selection, IsRefusedWhereNothingIsSelected)
 	EXPECT_EQ(remeshSelection(mesh, none, percent(20)).status, Status::BadOptions);
 }
 
-/// Two faces of the rest, each along half of an edge of a third one, and between them a selected
-/// face without area. It is dropped, and without it the mesh would be torn open.
-TEST(Selection, IsRefusedWhereTheNewFacesLeaveATear)
+/// A grid in which two faces, each along half of an edge of a third one, meet it over a face
+/// without area, which is the last of all.
+TriangleMesh gridWithFaceWithoutArea()
 {
-	TriangleMesh      mesh     = grid(12, 12);
-	const Chosen      isChosen = [](const Vec3d& p) { return p.x < 0.5; };
-	const std::size_t faceNum  = mesh.faceNum();
-	std::size_t       face     = 0;
-	const auto        isFar    = [&](std::size_t f) {
+	TriangleMesh mesh  = grid(12, 12);
+	std::size_t  face  = 0;
+	const auto   isFar = [&](std::size_t f) {
         const std::int32_t* t = &mesh.triangles[3 * f];
         return std::all_of(t, t + 3, [&](int v) {
             const Vec3d& p = mesh.positions[std::size_t(v)];
@@ -151,13 +149,47 @@ TEST(Selection, IsRefusedWhereTheNewFacesLeaveATear)
 							 0.5);
 	mesh.triangles[3 * face + 1] = m;
 	mesh.triangles.insert(mesh.triangles.end(), {m, b, d, a, b, m});
+	return mesh;
+}
+
+/// If it were dropped the mesh would be torn open.
+TEST(Selection, LeavesAFaceWithoutAreaAtItsEdgeAsItIs)
+{
+	const TriangleMesh mesh = gridWithFaceWithoutArea();
 	ASSERT_TRUE(factsOf(mesh).isManifold());
-	std::vector<std::uint8_t> selected = selectionOf(mesh, isChosen);
-	ASSERT_EQ(remeshSelection(mesh, selected, percent(50)).status, Status::Ok);
-	selected[faceNum + 1]   = 1;
-	const RemeshResult torn = remeshSelection(mesh, selected, percent(50));
-	EXPECT_EQ(torn.status, Status::PromiseBroken) << torn.message;
-	EXPECT_TRUE(torn.mesh.triangles.empty());
+	std::vector<std::uint8_t> selected =
+		selectionOf(mesh, [](const Vec3d& p) { return p.x < 0.5; });
+	const std::vector<std::uint8_t> withoutIt = selected;
+	selected.back()                           = 1;
+	const RemeshResult r                      = remeshSelection(mesh, selected, percent(50));
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_TRUE(hasSameTopology(mesh, r.mesh));
+	expectRestUntouched(mesh, withoutIt, r);
+}
+
+/// A selected fan of faces along the line between the selection and the rest: in what is selected
+/// two faces meet at its edges, so that the line is no border of it.
+TEST(Selection, IsRefusedWhereMoreThanTwoFacesMeetAtItsEdge)
+{
+	TriangleMesh       mesh     = grid(12, 12);
+	const std::int32_t apex     = std::int32_t(mesh.vertexNum());
+	const std::size_t  faceNum  = mesh.faceNum();
+	const auto         isOnLine = [&](std::int32_t v) {
+        const Vec3d& p = mesh.positions[std::size_t(v)];
+        return p.x == 0.5 && p.y > 0.2 && p.y < 0.8;
+	};
+	std::vector<std::uint8_t> selected =
+		selectionOf(mesh, [](const Vec3d& p) { return p.x < 0.5; });
+	mesh.positions.push_back({0.8, 0.5, 0});
+	for (std::size_t c = 0; c < 3 * faceNum; ++c) {
+		const std::int32_t a = mesh.triangles[c], b = mesh.triangles[c % 3 == 2 ? c - 2 : c + 1];
+		if (selected[c / 3] == 0 || !isOnLine(a) || !isOnLine(b)) continue;
+		mesh.triangles.insert(mesh.triangles.end(), {b, a, apex});
+		selected.push_back(1);
+	}
+	const RemeshResult r = remeshSelection(mesh, selected, percent(50));
+	EXPECT_EQ(r.status, Status::PromiseBroken) << r.message;
+	EXPECT_TRUE(r.mesh.triangles.empty());
 }
 
 TEST(Selection, OfEverythingIsTheWholeMesh)

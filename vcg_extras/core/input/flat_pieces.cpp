@@ -28,17 +28,6 @@ float longestEdge(const HalfEdgeMesh& m, int f)
 	return std::max({edgeLength(m, 3 * f), edgeLength(m, 3 * f + 1), edgeLength(m, 3 * f + 2)});
 }
 
-bool isThin(const Vec3f& a, const Vec3f& b, const Vec3f& c)
-{
-	const Vec3f n = cross(b - a, c - a);
-	const float squared =
-		std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
-	// Nearly all faces are told without a root: far wider than minWidth.
-	if (squaredLength(n) > 4 * minWidth * minWidth * squared) return false;
-	const float longest = std::sqrt(squared);
-	return !(length(n) > longest * std::min(minWidth, minSlope * longest));
-}
-
 bool isThin(const HalfEdgeMesh& m, int f)
 {
 	const int* v = &m.origin[3 * f];
@@ -253,6 +242,18 @@ private:
 };
 
 } // namespace
+
+bool isThin(const Vec3f& a, const Vec3f& b, const Vec3f& c, float factor)
+{
+	const Vec3f n     = cross(b - a, c - a);
+	const float width = factor * minWidth;
+	const float squared =
+		std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
+	// Nearly all faces are told without a root: far wider than minWidth.
+	if (squaredLength(n) > 4 * width * width * squared) return false;
+	const float longest = std::sqrt(squared);
+	return !(length(n) > longest * std::min(width, factor * minSlope * longest));
+}
 
 std::vector<int> findFlatPieces(const Surface& surface, Workers& workers)
 {

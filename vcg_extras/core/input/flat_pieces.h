@@ -12,12 +12,15 @@
 
 namespace gpr {
 
+/// Whether a triangle in working units is thinner than a millionth of the box and a thousandth of
+/// its length, or than `factor` times that.
+bool isThin(const Vec3f& a, const Vec3f& b, const Vec3f& c, float factor = 1);
+
 /// Faces, in ascending order, that a surface is no poorer without, and that no triangles with an
-/// area could take the place of. All are thinner than a millionth of the box and a thousandth of
-/// their length, and so is what is joined of them. They make up whole components that are lines; or
-/// hang on a border by one edge; or lie along a border with their longest edge. Without the
-/// components every other one keeps its topology. Cost: a parallel pass over the vertices; O(t log
-/// t) for t thin faces.
+/// area could take the place of. All are thin, and so is what is joined of them. They make up whole
+/// components that are lines; or hang on a border by one edge; or lie along a border with their
+/// longest edge. Without the components every other one keeps its topology. Cost: a parallel pass
+/// over the vertices; O(t log t) for t thin faces.
 std::vector<int> findFlatPieces(const Surface& surface, Workers& workers);
 
 /// The surface without `faces` (ascending) and the vertices only they have, as a mesh to be ordered

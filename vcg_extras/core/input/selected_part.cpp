@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "selected_part.h"
 
+#include "thin_border.h"
+
 #include <vcg_extras/core/base/failure.h>
 
 namespace gpr {
@@ -29,10 +31,14 @@ void addVertex(const MeshView& input, std::int32_t v, SelectedPart& part)
 SelectedPart cutOutSelected(const MeshView& input)
 {
 	requireIndices(input);
-	SelectedPart              part;
+	SelectedPart part;
+	part.isInPart.resize(input.faceNum);
+	for (std::size_t f = 0; f < input.faceNum; ++f)
+		part.isInPart[f] = input.selectedFace != nullptr && input.selectedFace[f] != 0;
+	takeOutThinBorder(input, part.isInPart);
 	std::vector<std::int32_t> newIndex(input.vertexNum, -1);
 	for (std::size_t f = 0; f < input.faceNum; ++f) {
-		if (!isSelected(input, f)) continue;
+		if (!part.isInPart[f]) continue;
 		part.faceOf.push_back(std::int32_t(f));
 		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
 			std::int32_t& index = newIndex[std::size_t(input.vertexOf(c))];

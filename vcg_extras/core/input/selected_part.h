@@ -11,17 +11,13 @@
 
 namespace gpr {
 
-inline bool isSelected(const MeshView& input, std::size_t f)
-{
-	return input.selectedFace != nullptr && input.selectedFace[f] != 0;
-}
-
 /// The selected faces as a mesh of its own, with the way back.
 struct SelectedPart {
 	std::vector<Vec3d>        positions;
 	std::vector<std::int32_t> triangles;
 	std::vector<std::int32_t> vertexOf; ///< per vertex: the caller's
 	std::vector<std::int32_t> faceOf;   ///< per face: the caller's
+	std::vector<char>         isInPart; ///< per face of the caller's
 	std::vector<float>        quality;
 	std::vector<std::uint8_t> selected;
 	std::vector<std::uint8_t> line;
@@ -36,9 +32,9 @@ struct SelectedPart {
 	}
 };
 
-/// Copies the selected faces, with their vertices in the order in which the faces name them. Throws
-/// Failure where no face is selected, and where one names a vertex that does not exist. Cost:
-/// linear.
+/// Copies the selected faces, with their vertices in the order in which the faces name them. Faces
+/// without area at the edge of the selection are left out (thin_border.h). Throws Failure where no
+/// face is selected, and where one names a vertex that does not exist. Cost: linear.
 SelectedPart cutOutSelected(const MeshView& input);
 
 } // namespace gpr

@@ -21,11 +21,11 @@ Edge edgeOf(std::int32_t a, std::int32_t b)
 }
 
 /// The edges that faces of both kinds share, sorted.
-std::vector<Edge> findSeam(const MeshView& input)
+std::vector<Edge> findSeam(const MeshView& input, const std::vector<char>& isInPart)
 {
 	std::vector<char> ofRest(input.vertexNum, 0), ofPart(input.vertexNum, 0);
 	for (std::size_t c = 0; c < 3 * input.faceNum; ++c)
-		(isSelected(input, c / 3) ? ofPart : ofRest)[std::size_t(input.vertexOf(c))] = 1;
+		(isInPart[c / 3] ? ofPart : ofRest)[std::size_t(input.vertexOf(c))] = 1;
 	const auto isOfBoth = [&](std::int32_t v) {
 		return ofRest[std::size_t(v)] && ofPart[std::size_t(v)];
 	};
@@ -33,7 +33,7 @@ std::vector<Edge> findSeam(const MeshView& input)
 	for (std::size_t c = 0; c < 3 * input.faceNum; ++c) {
 		const std::int32_t a = input.vertexOf(c), b = input.vertexOf(c % 3 == 2 ? c - 2 : c + 1);
 		if (a != b && isOfBoth(a) && isOfBoth(b))
-			edges[isSelected(input, c / 3)].push_back(edgeOf(a, b));
+			edges[std::size_t(isInPart[c / 3])].push_back(edgeOf(a, b));
 	}
 	std::vector<Edge> seam;
 	for (std::vector<Edge>& e : edges) {
@@ -84,7 +84,7 @@ private:
 	{
 		std::vector<BarycentricPoint> at(input_.vertexNum);
 		for (std::size_t f = 0; f < input_.faceNum; ++f) {
-			if (isSelected(input_, f)) continue;
+			if (part_.isInPart[f]) continue;
 			for (int k = 0; k < 3; ++k) {
 				BarycentricPoint& p = at[std::size_t(input_.vertexOf(3 * f + std::size_t(k)))];
 				if (p.face >= 0) continue;
@@ -98,7 +98,7 @@ private:
 			if (at[v].face >= 0) addCallers(std::int32_t(v), at[v]);
 		}
 		for (std::size_t f = 0; f < input_.faceNum; ++f) {
-			if (!isSelected(input_, f)) addRestFace(f);
+			if (!part_.isInPart[f]) addRestFace(f);
 		}
 	}
 
@@ -152,11 +152,11 @@ private:
 			if (a >= 0 && b >= 0) made.push_back(edgeOf(a, b));
 		}
 		std::sort(made.begin(), made.end());
-		const std::vector<Edge> seam = findSeam(input_);
+		const std::vector<Edge> seam = findSeam(input_, part_.isInPart);
 		if (std::includes(made.begin(), made.end(), seam.begin(), seam.end())) return;
 		throw Failure(Status::PromiseBroken,
 					  "The new faces could not be joined to the rest: along its edge the selection "
-					  "has faces without area, or edges at which more than two faces meet.");
+					  "has edges at which more than two faces meet.");
 	}
 };
 

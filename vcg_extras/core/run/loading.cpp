@@ -57,7 +57,7 @@ IndexedMesh loadCleaned(RunContext& run, Sewing sewing)
 {
 	run.clock.enter(Stage::Load);
 	IndexedMesh mesh = loadInput(run.input, run.workers, run.report.cleaned);
-	if (run.options.sew) contractEdgesWithoutLength(mesh, run.workers, run.report.cleaned);
+	contractEdgesWithoutLength(mesh, run.workers, run.report.cleaned);
 	if (sewingFor(run.options, sewing) == Sewing::First) {
 		run.clock.enter(Stage::Sew);
 		sewSeams(mesh, run.workers, run.report.cleaned);

@@ -159,7 +159,19 @@ private:
 		if (texture_ != nullptr && texture_->hasSeams()) view.line = texture_->seams().data();
 		RemeshOptions options        = optionsFor(vertexNum);
 		options.surfacePointsOfFaces = texture_ != nullptr || mesh_.attributes.ofFacesToo();
-		RemeshResult result          = remesh(view, options, progress_);
+		if (condenseWith(view, options, part, note)) return true;
+		// Faces without area at the border, and borders at one place, may be the reason. With all
+		// faces selected the former stay as they are, and the latter are not sewn.
+		const std::vector<std::uint8_t> all(view.faceNum, 1);
+		view.selectedFace    = all.data();
+		options.selectedOnly = true;
+		return condenseWith(view, options, part, note);
+	}
+
+	bool condenseWith(const MeshView& view, const RemeshOptions& options, Part& part,
+					  std::string& note)
+	{
+		RemeshResult result = remesh(view, options, progress_);
 		if (!isAboutTheTile(result.status)) {
 			limit_.check();
 			requireMesh(result);
@@ -172,6 +184,7 @@ private:
 			note = "A vertex or edge that the tile shares with others was not kept.";
 			return false;
 		}
+		note.clear();
 		carry(std::move(result), part);
 		return true;
 	}

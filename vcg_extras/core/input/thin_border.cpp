@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "thin_border.h"
+
+#include "flat_pieces.h"
+
+#include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/mesh/indexed_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+using Edge = std::pair<std::int32_t, std::int32_t>; ///< the smaller vertex first
+
+/// Widths are computed anew, in another frame, when the part is remeshed.
+constexpr float margin = 2;
+
+bool isFinite(const Vec3d& p)
+{
+	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+class ThinBorder {
+public:
+	ThinBorder(const MeshView& input, const std::vector<char>& isInPart) :
+			input_(input), isInPart_(isInPart)
+	{
+		findThin();
+		if (!thin_.empty()) findBorder();
+	}
+
+	/// From the border on, over all that touches.
+	std::vector<std::size_t> faces()
+	{
+		std::vector<std::size_t> found;
+		std::vector<char>        isFound(thin_.size(), 0);
+		while (!border_.empty()) {
+			const std::int32_t v = border_.back();
+			border_.pop_back();
+			auto at = std::lower_bound(thinAt_.begin(), thinAt_.end(), std::pair(v, std::size_t(0)));
+			for (; at != thinAt_.end() && at->first == v; ++at) {
+				if (isFound[at->second]) continue;
+				isFound[at->second] = 1;
+				found.push_back(thin_[at->second]);
+				for (std::int32_t corner : input_.triangle(found.back()))
+					border_.push_back(corner);
+			}
+		}
+		return found;
+	}
+
+private:
+	const MeshView&          input_;
+	const std::vector<char>& isInPart_;
+	std::vector<std::size_t> thin_; ///< faces
+	/// Corners of thin faces, each with where the face is in thin_; sorted.
+	std::vector<std::pair<std::int32_t, std::size_t>> thinAt_;
+	std::vector<std::int32_t>                         border_; ///< corners that lie on it
+
+	Box<double> boxOfPart() const
+	{
+		Box<double> box;
+		for (std::size_t f = 0; f < input_.faceNum; ++f) {
+			if (!isInPart_[f]) continue;
+			for (std::int32_t v : input_.triangle(f)) {
+				const Vec3d p = input_.position(std::size_t(v));
+				if (isFinite(p)) box.add(p);
+			}
+		}
+		return box;
+	}
+
+	void findThin()
+	{
+		const Box<double> box = boxOfPart();
+		if (!canBeFramed(box)) return;
+		const Frame frame = frameOf(box);
+		for (std::size_t f = 0; f < input_.faceNum; ++f) {
+			if (isInPart_[f] && isThinIn(frame, f)) addThin(f);
+		}
+		std::sort(thinAt_.begin(), thinAt_.end());
+	}
+
+	bool isThinIn(const Frame& frame, std::size_t f) const
+	{
+		std::array<Vec3f, 3> corner;
+		for (std::size_t k = 0; k < 3; ++k) {
+			const Vec3d p = input_.position(std::size_t(input_.triangle(f)[k]));
+			if (!isFinite(p)) return false; // dropped when the part is loaded
+			corner[k] = frame.toWorking(p);
+		}
+		return isThin(corner[0], corner[1], corner[2], margin);
+	}
+
+	void addThin(std::size_t f)
+	{
+		for (std::int32_t v : input_.triangle(f))
+			thinAt_.push_back({v, thin_.size()});
+		thin_.push_back(f);
+	}
+
+	/// Only edges with an end at a thin face are looked at, which are few.
+	void findBorder()
+	{
+		std::vector<char> isCorner(input_.vertexNum, 0);
+		for (const auto& [v, i] : thinAt_)
+			isCorner[std::size_t(v)] = 1;
+		std::vector<Edge> edges;
+		for (std::size_t f = 0; f < input_.faceNum; ++f) {
+			if (!isInPart_[f]) continue;
+			const auto corner = input_.triangle(f);
+			for (std::size_t k = 0; k < 3; ++k) {
+				const std::int32_t a = corner[k], b = corner[(k + 1) % 3];
+				if (isCorner[std::size_t(a)] || isCorner[std::size_t(b)])
+					edges.push_back(std::minmax(a, b));
+			}
+		}
+		std::sort(edges.begin(), edges.end());
+		for (std::size_t i = 0; i < edges.size();) {
+			std::size_t end = i + 1;
+			while (end < edges.size() && edges[end] == edges[i])
+				++end;
+			if (end - i == 1) {
+				border_.push_back(edges[i].first);
+				border_.push_back(edges[i].second);
+			}
+			i = end;
+		}
+	}
+};
+
+} // namespace
+
+void takeOutThinBorder(const MeshView& input, std::vector<char>& isInPart)
+{
+	const std::vector<std::size_t> faces = ThinBorder(input, isInPart).faces();
+	const auto partNum = std::count(isInPart.begin(), isInPart.end(), char(1));
+	if (std::ptrdiff_t(faces.size()) == partNum) return;
+	for (std::size_t f : faces)
+		isInPart[f] = 0;
+}
+
+} // namespace gpr
