@@ -51,6 +51,20 @@ def run_of(*words):
     return cluster.tile_run(*cluster._arguments(["run", *map(str, words), *OPTIONS]))
 
 
+def test_workers_of_one_machine_share_its_cores(mesh, tmp_path, monkeypatch):
+    monkeypatch.setattr(cluster.os, "cpu_count", lambda: 8)
+
+    def part_options(*words):
+        return run_of(mesh, tmp_path / "out.ply", "--folder", tmp_path / "run", *words).part_options
+
+    assert part_options() == ()
+    assert part_options("--local", "1") == ()
+    assert part_options("--local", "3") == ("--threads", "2")
+    assert part_options("--local", "20") == ("--threads", "1")
+    assert part_options("--local", "3", "--threads", "5") == ("--threads", "5")
+    assert part_options("--scheduler", "tcp://host:8786") == ()
+
+
 def test_a_lost_worker_changes_nothing(mesh, tmp_path):
     distributed = pytest.importorskip("distributed", reason="Dask's package distributed is not installed")
     expected = by_steps(mesh, tmp_path / "steps", tmp_path / "steps.ply")
@@ -73,7 +87,8 @@ def test_the_script_for_slurm_runs_all_steps(mesh, tmp_path):
     """With an sbatch that runs each job at once, as often as its array says."""
     expected = by_steps(mesh, tmp_path / "steps", tmp_path / "steps.ply")
     out, folder = tmp_path / "slurm.ply", tmp_path / "slurm"
-    cluster.main(["slurm", str(mesh), str(out), "--folder", str(folder), *OPTIONS])
+    cluster.main(["slurm", str(mesh), str(out), "--folder", str(folder), "--threads", "1", *OPTIONS])
+    assert '"$SLURM_ARRAY_TASK_ID" --threads 1' in (folder / "slurm.sh").read_text()
     sbatch = tmp_path / "bin" / "sbatch"
     sbatch.parent.mkdir()
     sbatch.write_text("""#!/bin/bash

@@ -143,6 +143,11 @@ bool isForPlan(const Parameter& p)
 	return std::string(p.key) != "TimeLimit" && std::string(p.key) != "Threads";
 }
 
+bool isForStep(const Parameter& p)
+{
+	return !isForPlan(p);
+}
+
 /// The other methods know no time limit.
 bool isForCompare(const Parameter& p)
 {
@@ -217,10 +222,12 @@ CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
 	addTileStep(*tile, line, TileStep::Split, "split", "Reads IN once and cuts it into tiles.");
 	CLI::App* const part = addTileStep(*tile, line, TileStep::Part, "part", "Condenses one tile.");
 	part->add_option("--unit", line.tiles.unit, "Number of the tile, from 0")->required();
+	addTableOptions(*part, RemeshTool, given, isForStep);
 	addTileStep(*tile, line, TileStep::Join, "join", "Puts the condensed tiles together.");
 	CLI::App* const finish =
 		addTileStep(*tile, line, TileStep::Finish, "finish", "Remeshes what was joined.");
 	addOutput(*finish, line);
+	addTableOptions(*finish, RemeshTool, given, isForStep);
 	addOutcome(*finish, line, "Write what was done, and how well, as JSON");
 	addTilesOut(*finish, line);
 	tile->footer(exitCodeHelp);

@@ -44,7 +44,8 @@ public:
 		while (!border_.empty()) {
 			const std::int32_t v = border_.back();
 			border_.pop_back();
-			auto at = std::lower_bound(thinAt_.begin(), thinAt_.end(), std::pair(v, std::size_t(0)));
+			auto at =
+				std::lower_bound(thinAt_.begin(), thinAt_.end(), std::pair(v, std::size_t(0)));
 			for (; at != thinAt_.end() && at->first == v; ++at) {
 				if (isFound[at->second]) continue;
 				isFound[at->second] = 1;
@@ -140,8 +141,8 @@ private:
 
 void takeOutThinBorder(const MeshView& input, std::vector<char>& isInPart)
 {
-	const std::vector<std::size_t> faces = ThinBorder(input, isInPart).faces();
-	const auto partNum = std::count(isInPart.begin(), isInPart.end(), char(1));
+	const std::vector<std::size_t> faces   = ThinBorder(input, isInPart).faces();
+	const auto                     partNum = std::count(isInPart.begin(), isInPart.end(), char(1));
 	if (std::ptrdiff_t(faces.size()) == partNum) return;
 	for (std::size_t f : faces)
 		isInPart[f] = 0;

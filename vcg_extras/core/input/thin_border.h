@@ -9,10 +9,11 @@
 
 namespace gpr {
 
-/// Takes the faces without area (isThin, with a margin) at the border of a part of a mesh out of the
-/// part, and those that touch them, and so on. The border of a part is to stay as it is: with such a
-/// face at it there would be triangles without area in any result. isInPart: per face. A part that
-/// would be empty stays as it is. Cost: a pass over the faces, and another one where some are thin.
+/// Takes the faces without area (isThin, with a margin) at the border of a part of a mesh out of
+/// the part, and those that touch them, and so on. The border of a part is to stay as it is: with
+/// such a face at it there would be triangles without area in any result. isInPart: per face. A
+/// part that would be empty stays as it is. Cost: a pass over the faces, and another one where some
+/// are thin.
 void takeOutThinBorder(const MeshView& input, std::vector<char>& isInPart);
 
 } // namespace gpr

@@ -21,6 +21,7 @@ import contextlib
 import hashlib
 import json
 import math
+import os
 import shlex
 import shutil
 import subprocess
@@ -86,8 +87,8 @@ def cut_step(options: tuple[str, ...]) -> Step:
     return Step(((*PLAN_CALL, *options), SPLIT_CALL), "split.json", ("plan.json",))
 
 
-def part_step(unit: int) -> Step:
-    return Step(((*PART_CALL, str(unit)),), f"part{unit}.json",
+def part_step(unit: int, options: tuple[str, ...] = ()) -> Step:
+    return Step(((*PART_CALL, str(unit), *options),), f"part{unit}.json",
                 ("plan.json", "split.json", f"tile{unit}.ply", f"tile{unit}.names"))
 
 
@@ -256,12 +257,15 @@ class TileRun:
         Options of `gpremesh tile plan`.
     program_path : str or None
         The program; that of the package on the machine where a step runs if not given.
+    part_threads : int
+        How many threads condense a tile; 0: one for each core of the machine.
     """
 
-    def __init__(self, files, plan_options, program_path: str | None = None):
+    def __init__(self, files, plan_options, program_path: str | None = None, part_threads: int = 0):
         self.files = files
         self.plan_options = tuple(plan_options)
         self.program_path = program_path
+        self.part_options = ("--threads", str(part_threads)) if part_threads > 0 else ()
 
     def command(self, call, paths) -> list[str]:
         """The program and its words, with paths in the places."""
@@ -299,7 +303,7 @@ def run_with_dask(client, run: TileRun, tell=print) -> None:
 
     tile_num = len(submit(cut_step(run.plan_options)).result()["tiles"])
     tell(f"The input is cut into {tile_num} tiles.")
-    parts = [submit(part_step(unit)) for unit in range(tile_num)]
+    parts = [submit(part_step(unit, run.part_options)) for unit in range(tile_num)]
     for done, part in enumerate(as_completed(parts), start=1):
         part.result()
         tell(f"{done} of {tile_num} tiles are condensed.")
@@ -322,6 +326,8 @@ def slurm_script(run: TileRun, tile_num: int, memory_bytes: float) -> str:
     def command(call):
         return shlex.join(run.command(call, paths))
 
+    part_options = "".join(f" {word}" for word in run.part_options)
+
     def job(name, command, more="", number="%j"):
         return (f"{name}=$({sbatch} --job-name=gpremesh-{name} --output={shlex.quote(f'{log}-{number}.log')} "
                 f"{more}--wrap {shlex.quote(command)})")
@@ -332,7 +338,7 @@ def slurm_script(run: TileRun, tile_num: int, memory_bytes: float) -> str:
         "# done again.",
         "set -euo pipefail",
         job("split", command(SPLIT_CALL)),
-        job("part", f'{command(PART_CALL)} "$SLURM_ARRAY_TASK_ID"',
+        job("part", f'{command(PART_CALL)} "$SLURM_ARRAY_TASK_ID"{part_options}',
             f'--dependency=afterok:"$split" --array=0-{tile_num - 1} ', "%A_%a"),
         job("join", command(JOIN_CALL), '--dependency=afterok:"$part" '),
         job("finish", command(FINISH_CALL), '--dependency=afterok:"$join" '),
@@ -364,12 +370,24 @@ def _arguments(words):
     parser.add_argument("--program", help="gpremesh; that of this package by default")
     parser.add_argument("--scratch", default=tempfile.gettempdir(), metavar="DIR",
                         help="with URLs: where each machine puts the files of a step; %(default)s by default")
+    parser.add_argument("--threads", type=int, metavar="T",
+                        help="that condense a tile; by default one for each core of the machine, which the workers "
+                             "of --local share")
     workers = parser.add_mutually_exclusive_group()
     workers.add_argument("--local", type=int, metavar="N", help="N workers on this machine; 1 by default")
     workers.add_argument("--ssh", metavar="HOST,HOST",
                          help="a worker on each host, by ssh; the first host has the scheduler, too")
     workers.add_argument("--scheduler", help="address of a Dask scheduler, such as tcp://host:8786")
     return parser.parse_known_args(words)  # what is left are options of gpremesh remesh
+
+
+def part_threads(options) -> int:
+    """How many threads condense a tile, 0 for one for each core."""
+    if options.threads is not None:
+        return options.threads
+    if options.local and options.local > 1:
+        return max(1, (os.cpu_count() or 1) // options.local)  # the workers run at the same time
+    return 0
 
 
 def tile_run(options, remesh_options) -> TileRun:
@@ -384,7 +402,7 @@ def tile_run(options, remesh_options) -> TileRun:
         files = FetchedFiles(*paths, absolute(options.scratch))
     else:
         files = SharedFiles(*paths)
-    return TileRun(files, plan_options, options.program)
+    return TileRun(files, plan_options, options.program, part_threads(options))
 
 
 def _cluster(options):

@@ -162,8 +162,9 @@ void stepSplit(const RunFolder& folder, const RunLimit& limit)
 
 void stepPart(const CommandLine& line, const RunFolder& folder, const RunLimit& limit)
 {
-	const TilePlan   plan  = readPlan(folder);
+	TilePlan         plan  = readPlan(folder);
 	const SplitFacts facts = readSplit(plan, folder);
+	plan.options.threads   = line.options.threads;
 	if (line.tiles.unit < 0 || line.tiles.unit >= plan.tileNum())
 		throw AppError(ExitCode::Usage, "--unit takes a number from 0 to " +
 											std::to_string(plan.tileNum() - 1) + ".");
