@@ -71,6 +71,10 @@ class Step:
     reads: tuple[str, ...] = ()
 
     @property
+    def name(self) -> str:
+        return self.calls[-1][0]
+
+    @property
     def reads_input(self) -> bool:
         return any(Place.INPUT in call for call in self.calls)
 
@@ -299,7 +303,8 @@ def run_with_dask(client, run: TileRun, tell=print) -> None:
     from distributed import as_completed
 
     def submit(step):
-        return client.submit(run.do, step, retries=RETRIES, pure=False)
+        key = f"{step.name}-{uuid.uuid4().hex}"  # Dask's dashboard shows what is before the dash
+        return client.submit(run.do, step, retries=RETRIES, key=key)
 
     tile_num = len(submit(cut_step(run.plan_options)).result()["tiles"])
     tell(f"The input is cut into {tile_num} tiles.")
@@ -440,6 +445,7 @@ def main(words=None):
     try:
         if options.action == "run":
             with _client(options) as client:
+                print(f"Dask's dashboard is at {client.dashboard_link}")
                 run_with_dask(client, run)
         elif isinstance(run.files, SharedFiles):
             _write_slurm_script(run)
