@@ -17,7 +17,7 @@ struct SelectedPart {
 	std::vector<std::int32_t> triangles;
 	std::vector<std::int32_t> vertexOf; ///< per vertex: the caller's
 	std::vector<std::int32_t> faceOf;   ///< per face: the caller's
-	std::vector<char>         isInPart; ///< per face of the caller's
+	std::vector<std::uint8_t> isInPart; ///< per face of the caller's
 	std::vector<float>        quality;
 	std::vector<std::uint8_t> selected;
 	std::vector<std::uint8_t> line;

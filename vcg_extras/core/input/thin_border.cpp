@@ -29,7 +29,7 @@ bool isFinite(const Vec3d& p)
 
 class ThinBorder {
 public:
-	ThinBorder(const MeshView& input, const std::vector<char>& isInPart) :
+	ThinBorder(const MeshView& input, const std::vector<std::uint8_t>& isInPart) :
 			input_(input), isInPart_(isInPart)
 	{
 		findThin();
@@ -58,9 +58,9 @@ public:
 	}
 
 private:
-	const MeshView&          input_;
-	const std::vector<char>& isInPart_;
-	std::vector<std::size_t> thin_; ///< faces
+	const MeshView&                  input_;
+	const std::vector<std::uint8_t>& isInPart_;
+	std::vector<std::size_t>         thin_; ///< faces
 	/// Corners of thin faces, each with where the face is in thin_; sorted.
 	std::vector<std::pair<std::int32_t, std::size_t>> thinAt_;
 	std::vector<std::int32_t>                         border_; ///< corners that lie on it
@@ -139,10 +139,10 @@ private:
 
 } // namespace
 
-void takeOutThinBorder(const MeshView& input, std::vector<char>& isInPart)
+void takeOutThinBorder(const MeshView& input, std::vector<std::uint8_t>& isInPart)
 {
-	const std::vector<std::size_t> faces   = ThinBorder(input, isInPart).faces();
-	const auto                     partNum = std::count(isInPart.begin(), isInPart.end(), char(1));
+	const std::vector<std::size_t> faces = ThinBorder(input, isInPart).faces();
+	const auto partNum = std::count(isInPart.begin(), isInPart.end(), std::uint8_t(1));
 	if (std::ptrdiff_t(faces.size()) == partNum) return;
 	for (std::size_t f : faces)
 		isInPart[f] = 0;

@@ -5,6 +5,7 @@
 
 #include <vcg_extras/core/mesh_view.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace gpr {
@@ -14,7 +15,7 @@ namespace gpr {
 /// such a face at it there would be triangles without area in any result. isInPart: per face. A
 /// part that would be empty stays as it is. Cost: a pass over the faces, and another one where some
 /// are thin.
-void takeOutThinBorder(const MeshView& input, std::vector<char>& isInPart);
+void takeOutThinBorder(const MeshView& input, std::vector<std::uint8_t>& isInPart);
 
 } // namespace gpr
 

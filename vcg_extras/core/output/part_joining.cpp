@@ -21,7 +21,7 @@ Edge edgeOf(std::int32_t a, std::int32_t b)
 }
 
 /// The edges that faces of both kinds share, sorted.
-std::vector<Edge> findSeam(const MeshView& input, const std::vector<char>& isInPart)
+std::vector<Edge> findSeam(const MeshView& input, const std::vector<std::uint8_t>& isInPart)
 {
 	std::vector<char> ofRest(input.vertexNum, 0), ofPart(input.vertexNum, 0);
 	for (std::size_t c = 0; c < 3 * input.faceNum; ++c)

@@ -8,6 +8,7 @@
 #include "../output_file.h"
 #include "../remesh_outcome.h"
 
+#include <vcg_extras/core/input/thin_border.h>
 #include <vcg_extras/core/remesh.h>
 
 #include <algorithm>
@@ -159,12 +160,13 @@ private:
 		if (texture_ != nullptr && texture_->hasSeams()) view.line = texture_->seams().data();
 		RemeshOptions options        = optionsFor(vertexNum);
 		options.surfacePointsOfFaces = texture_ != nullptr || mesh_.attributes.ofFacesToo();
+		std::vector<std::uint8_t> selected(view.faceNum, 1);
+		takeOutThinBorder(view, selected);
+		view.selectedFace    = selected.data();
+		options.selectedOnly = std::count(selected.begin(), selected.end(), 0) > 0;
 		if (condenseWith(view, options, part, note)) return true;
-		// Faces without area at the border, and borders at one place, may be the reason. With all
-		// faces selected the former stay as they are, and the latter are not sewn.
-		const std::vector<std::uint8_t> all(view.faceNum, 1);
-		view.selectedFace    = all.data();
-		options.selectedOnly = true;
+		if (options.selectedOnly || !options.sew) return false;
+		options.sew = false; // borders of tiles may lie at one place where none is of the input
 		return condenseWith(view, options, part, note);
 	}
 
