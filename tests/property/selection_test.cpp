@@ -5,6 +5,7 @@
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
+#include <tests/support/transforms.h>
 #include <vcg_extras/core/remesh.h>
 
 #include <algorithm>
@@ -252,6 +253,18 @@ TEST(Boundary, KeepLeavesEveryVertexOfItAndAddsNone)
 			EXPECT_EQ(borderOf(r.mesh), borderOf(mesh));
 		}
 	}
+}
+
+/// Rounding is no more than a hundred-millionth of the box, which is much of a small triangle.
+TEST(Boundary, KeepLeavesThatOfTinyTriangles)
+{
+	const TriangleMesh mesh =
+		joined(grid(50, 50), shifted(scaled(grid(20, 20), 2e-4), {0.7123, 0.3, 0.1}));
+	RemeshOptions options = percent(60);
+	options.boundary      = BoundaryMode::Keep;
+	const RemeshResult r  = remesh(mesh.view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_EQ(borderOf(r.mesh), borderOf(mesh));
 }
 
 TEST(Boundary, FreeCutsCornersThatResampleKeeps)

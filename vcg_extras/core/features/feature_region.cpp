@@ -2,20 +2,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "feature_region.h"
 
+#include <vcg_extras/core/mesh/same_place.h>
 #include <vcg_extras/core/surface/barycentric_point.h>
 #include <vcg_extras/core/surface/surface_point.h>
-
-#include <algorithm>
 
 namespace gpr {
 
 namespace {
 
-/// Rounding puts less on the corners beside a vertex of the caller's.
+/// Rounding puts less on the corner opposite to the edge that was split.
 constexpr float weightThatCounts = 1e-4f;
 
-bool isBetweenMarks(const MeshView& input, const std::uint8_t* marks, const BarycentricPoint& at)
+/// Which of the caller's vertices a vertex of the surface is, by its place: rounding moves no
+/// vertex far, but where triangles are small it puts much weight on the corners beside it. -1 for a
+/// vertex that was made by a split.
+std::int32_t callersVertexAt(const MeshView& input, const Surface& surface, int v)
 {
+	const int    face    = surface.sourceFace[pointOfVertex(surface, v).face];
+	std::int32_t nearest = -1;
+	float        least   = samePlace * samePlace;
+	for (std::int32_t c : input.triangle(std::size_t(face))) {
+		const Vec3f place    = surface.frame.toWorking(input.position(std::size_t(c)));
+		const float distance = squaredLength(place - surface.mesh.position[v]);
+		if (distance > least) continue;
+		least   = distance;
+		nearest = c;
+	}
+	return nearest;
+}
+
+bool isBetweenMarks(const MeshView& input, const std::uint8_t* marks, const Surface& surface, int v)
+{
+	const std::int32_t own = callersVertexAt(input, surface, v);
+	if (own >= 0) return marks[own] != 0;
+	const BarycentricPoint at = barycentricPoint(input, surface, pointOfVertex(surface, v));
 	for (int k = 0; k < 3; ++k) {
 		const std::int32_t corner = input.vertexOf(3 * std::size_t(at.face) + std::size_t(k));
 		if (at.weight[k] > weightThatCounts && marks[corner] == 0) return false;
@@ -34,10 +54,8 @@ Buffer<char> regionVertices(const MeshView& input, const std::uint8_t* marks,
 		workers.sum<std::int64_t>(isInside.size(), [&](std::size_t begin, std::size_t end) {
 			std::int64_t found = 0;
 			for (std::size_t v = begin; v < end; ++v) {
-				isInside[v] = surface.mesh.outgoing[v] >= 0 &&
-							  isBetweenMarks(
-								  input, marks,
-								  barycentricPoint(input, surface, pointOfVertex(surface, int(v))));
+				isInside[v] =
+					surface.mesh.outgoing[v] >= 0 && isBetweenMarks(input, marks, surface, int(v));
 				found += isInside[v];
 			}
 			return found;
@@ -51,11 +69,8 @@ std::vector<int> callersVertices(const MeshView& input, const Buffer<char>& regi
 	return workers.collect<int>(
 		region.size(), [&](std::size_t begin, std::size_t end, std::vector<int>& part) {
 			for (std::size_t v = begin; v < end; ++v) {
-				if (!region[v]) continue;
-				const BarycentricPoint at =
-					barycentricPoint(input, surface, pointOfVertex(surface, int(v)));
-				const float most = *std::max_element(at.weight, at.weight + 3);
-				if (most > 1 - weightThatCounts) part.push_back(int(v));
+				if (region[v] && callersVertexAt(input, surface, int(v)) >= 0)
+					part.push_back(int(v));
 			}
 		});
 }
