@@ -14,6 +14,7 @@
 #include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -62,6 +63,15 @@ std::vector<Wanted> thinShapes()
 			{"needle", closedCylinder(16, 200, 0.01, 2), 60}};
 }
 
+/// The largest distance of a vertex of the input from a mesh.
+double farthestFrom(const TriangleMesh& mesh, const TriangleMesh& input)
+{
+	double farthest = 0;
+	for (const Vec3d& p : input.positions)
+		farthest = std::max(farthest, distanceToMesh(mesh, p));
+	return farthest;
+}
+
 } // namespace
 
 TEST(GuardedDecimation, ReachesTheCountWithoutContacts)
@@ -81,6 +91,21 @@ TEST(GuardedDecimation, ReachesTheCountWithoutContacts)
 		EXPECT_EQ(g.mesh.vertexNum, wanted.vertexNum);
 		EXPECT_TRUE(findTouchingPairs(g.mesh, workers).empty());
 		EXPECT_TRUE(hasSameTopology(wanted.mesh, meshOf(g.mesh)));
+	}
+}
+
+TEST(GuardedRelaxation, TakesNoVertexOfTheInputFartherOff)
+{
+	Workers workers(2, nullptr);
+	for (const Wanted& wanted : thinShapes()) {
+		SCOPED_TRACE(wanted.name);
+		GuardedMesh           g(halfEdgesOf(wanted.mesh), false);
+		const GuardedSettings settings = settingsFor(wanted.mesh, wanted.vertexNum);
+		ASSERT_TRUE(decimateGuarded(settings, g, workers));
+		const double before = farthestFrom(meshOf(g.mesh), wanted.mesh);
+		relaxGuarded(settings.idealEdge, true, g, workers);
+		EXPECT_LE(farthestFrom(meshOf(g.mesh), wanted.mesh),
+				  std::max(before, 0.1 * settings.idealEdge) + 1e-6);
 	}
 }
 

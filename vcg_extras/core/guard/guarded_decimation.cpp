@@ -386,6 +386,7 @@ private:
 		g_.quadric[to] += g_.quadric[from];
 		g_.normal[to] += g_.normal[from];
 		g_.area[to] += g_.area[from];
+		g_.points.merge(merge.from, merge.to);
 		const auto distance = [&](std::size_t v) {
 			return squaredLength(place - g_.anchorPlace[v]);
 		};
@@ -442,12 +443,48 @@ void addBorder(const HalfEdgeMesh& m, int h, const NameOf& nameOf, GuardedMesh& 
 
 } // namespace
 
+void StoodFor::add(int v, const Vec3f& place)
+{
+	const int i = int(place_.size());
+	place_.push_back(place);
+	next_.push_back(-1);
+	List& list = list_[std::size_t(v)];
+	if (list.num == 0)
+		list.first = i;
+	else
+		next_[std::size_t(list.last)] = i;
+	list.last = i;
+	++list.num;
+}
+
+void StoodFor::merge(int from, int to)
+{
+	List& a = list_[std::size_t(to)];
+	List& b = list_[std::size_t(from)];
+	if (b.num == 0) return;
+	if (a.num == 0)
+		a.first = b.first;
+	else
+		next_[std::size_t(a.last)] = b.first;
+	a.last = b.last;
+	a.num += b.num;
+	b = {};
+}
+
+void StoodFor::rename(const Buffer<int>& newIndex, int vertexNum)
+{
+	for (std::size_t v = 0; v < newIndex.size(); ++v) {
+		if (newIndex[v] >= 0) list_[std::size_t(newIndex[v])] = list_[v];
+	}
+	list_.resize(std::size_t(vertexNum));
+}
+
 GuardedMesh::GuardedMesh(HalfEdgeMesh from, bool hasContacts) :
 		mesh(std::move(from)), quadric(std::size_t(mesh.vertexNum)),
 		normal(std::size_t(mesh.vertexNum)), area(std::size_t(mesh.vertexNum), 0),
 		anchor(std::size_t(mesh.vertexNum)), anchorPlace(std::size_t(mesh.vertexNum)),
-		isFixed(std::size_t(mesh.vertexNum), 0), anchorNum(std::size_t(mesh.vertexNum)),
-		hadContacts(hasContacts)
+		isFixed(std::size_t(mesh.vertexNum), 0), points(mesh.vertexNum),
+		anchorNum(std::size_t(mesh.vertexNum)), hadContacts(hasContacts)
 {
 	mesh.crease       = Buffer<char>();
 	const auto itself = [](int v) { return v; };
@@ -460,6 +497,7 @@ GuardedMesh::GuardedMesh(HalfEdgeMesh from, bool hasContacts) :
 	for (int v = 0; v < mesh.vertexNum; ++v) {
 		anchor[std::size_t(v)]      = v;
 		anchorPlace[std::size_t(v)] = mesh.position[v];
+		points.add(v, mesh.position[v]);
 	}
 }
 
@@ -470,6 +508,10 @@ void GuardedMesh::standFor(const HalfEdgeMesh& other, const std::vector<int>& na
 		quadric[std::size_t(v)] = Quadric();
 		normal[std::size_t(v)]  = Vec3f();
 		area[std::size_t(v)]    = 0;
+		points.clear(v);
+	}
+	for (std::size_t v = 0; v < name.size(); ++v) {
+		if (name[v] >= 0) points.add(name[v], other.position[v]);
 	}
 	const auto nameOf = [&](int v) { return name[std::size_t(v)]; };
 	for (int f = 0; f < other.faceNum; ++f) {
@@ -507,6 +549,7 @@ void GuardedMesh::compact(Workers& workers)
 		anchorPlace[to]      = anchorPlace[v];
 		isFixed[to]          = isFixed[v];
 	}
+	points.rename(newIndex, mesh.vertexNum);
 	const std::size_t num = std::size_t(mesh.vertexNum);
 	quadric.resize(num);
 	normal.resize(num);

@@ -14,6 +14,36 @@
 
 namespace gpr {
 
+/// Points of a surface, in a list per vertex of a mesh that stands for it.
+class StoodFor {
+public:
+	explicit StoodFor(int vertexNum) : list_(std::size_t(vertexNum)) {}
+
+	void clear(int v) { list_[std::size_t(v)] = {}; }
+	void add(int v, const Vec3f& place);
+	/// Vertex `to` stands for the points of `from`, too.
+	void merge(int from, int to);
+	/// Vertices have got other numbers, or are gone (-1).
+	void rename(const Buffer<int>& newIndex, int vertexNum);
+
+	int numOf(int v) const { return list_[std::size_t(v)].num; }
+
+	template <class Visit>
+	void forEach(int v, const Visit& visit) const
+	{
+		for (int i = list_[std::size_t(v)].first; i >= 0; i = next_[std::size_t(i)])
+			visit(place_[std::size_t(i)]);
+	}
+
+private:
+	struct List {
+		int first = -1, last = -1, num = 0;
+	};
+	std::vector<List>  list_; ///< per vertex
+	std::vector<Vec3f> place_;
+	std::vector<int>   next_; ///< per point
+};
+
 /// A mesh that is made coarser, and what its vertices know of the one that it was.
 struct GuardedMesh {
 	HalfEdgeMesh         mesh;    ///< without feature lines: the quadrics hold what is sharp
@@ -23,6 +53,7 @@ struct GuardedMesh {
 	std::vector<int>     anchor;  ///< per vertex: one of those merged into it, near to where it is
 	std::vector<Vec3f>   anchorPlace;         ///< where that lay
 	std::vector<char>    isFixed;             ///< per vertex: stays where it is
+	StoodFor             points;              ///< vertices of what it was
 	std::size_t          anchorNum   = 0;     ///< vertices at first
 	bool                 hadContacts = false; ///< some faces touched at first
 

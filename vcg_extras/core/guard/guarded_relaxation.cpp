@@ -3,6 +3,7 @@
 #include "guarded_relaxation.h"
 
 #include "contact_guard.h"
+#include "distance_guard.h"
 
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
@@ -54,7 +55,7 @@ class Relaxation {
 public:
 	Relaxation(double idealEdge, GuardedMesh& guarded, Workers& workers) :
 			farthest_(farthest * idealEdge), g_(guarded), m_(guarded.mesh), workers_(workers),
-			guard_(m_, g_.hadContacts, workers)
+			guard_(m_, g_.hadContacts, workers), distances_(g_, farthest_, workers)
 	{
 	}
 
@@ -77,6 +78,7 @@ private:
 	HalfEdgeMesh&              m_;
 	Workers&                   workers_;
 	ContactGuard               guard_;
+	DistanceGuard              distances_;
 	std::vector<int>           gone_;
 	std::vector<NamedTriangle> made_;
 
@@ -95,6 +97,15 @@ private:
 		return {{a, b, c}, {m_.position[a], m_.position[b], m_.position[c]}};
 	}
 
+	/// Whether the triangles of made_ may take the places of gone_.
+	bool isAllowed() { return distances_.allows(made_, gone_) && guard_.allows(made_, gone_); }
+
+	void follow()
+	{
+		guard_.follow(gone_);
+		distances_.follow(gone_);
+	}
+
 	// ---- flips
 
 	void tryToFlip(int h)
@@ -105,9 +116,9 @@ private:
 		const NamedTriangle old[2] = {triangleBetween(a, b, c), triangleBetween(b, a, d)};
 		made_                      = {triangleBetween(a, d, c), triangleBetween(b, c, d)};
 		gone_                      = {h / 3, g / 3};
-		if (!isFlipBetter(old) || !guard_.allows(made_, gone_)) return;
+		if (!isFlipBetter(old) || !isAllowed()) return;
 		flip(m_, h);
-		guard_.follow(gone_);
+		follow();
 	}
 
 	bool isFlipBetter(const NamedTriangle* old) const
@@ -152,9 +163,9 @@ private:
 			if (isFarther(v, Vec3d(place)) || !makeTriangles(v, place) ||
 				!(leastGain * energyOfMade() < before))
 				continue;
-			if (!guard_.allows(made_, gone_)) continue;
+			if (!isAllowed()) continue;
 			m_.position[v] = place;
-			guard_.follow(gone_);
+			follow();
 			return;
 		}
 	}

@@ -13,9 +13,9 @@ namespace gpr {
 /// what it stands for, or makes faces touch that did not (ContactGuard). Edges between faces that
 /// meet at more than 40° are sharp and are flipped only where they become less so. Neither takes
 /// the triangles farther from the surface than 10 % of the ideal edge (working units), or than they
-/// were. Vertices of borders and fixed ones stay, faces between fixed ones too. Without mayMove
-/// edges are flipped only. Needs a mesh without dead faces. Serial but for the trees. Cost: about
-/// 200 µs a vertex.
+/// were: by the quadrics, and by the points that the vertices stand for (DistanceGuard). Vertices
+/// of borders and fixed ones stay, faces between fixed ones too. Without mayMove edges are flipped
+/// only. Needs a mesh without dead faces. Serial but for the trees. Cost: about 200 µs a vertex.
 void relaxGuarded(double idealEdge, bool mayMove, GuardedMesh& guarded, Workers& workers);
 
 } // namespace gpr

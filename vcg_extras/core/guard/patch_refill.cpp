@@ -311,16 +311,9 @@ private:
 		return isSound;
 	}
 
-	/// Vertices at patches stand for the input, not for the triangles of the first filling.
-	void standForInput(GuardedMesh& g) const
-	{
-		std::vector<int> names = nameOfLocal_;
-		for (int& name : names) {
-			const int w = name < 0 ? -1 : resultVertex_[std::size_t(name)];
-			if (w >= 0 && roleOf(w) != Role::Border) name = -1;
-		}
-		g.standFor(local_.mesh, names);
-	}
+	/// Vertices in and round patches stand for the input, not for the triangles of the first
+	/// filling or of the result.
+	void standForInput(GuardedMesh& g) const { g.standFor(local_.mesh, nameOfLocal_); }
 
 	void fix(const std::vector<int>& keptInput, GuardedMesh& g) const
 	{
