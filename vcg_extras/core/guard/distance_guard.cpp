@@ -31,8 +31,7 @@ float squaredDistance(const Vec3f& p, const NamedTriangle& t)
 } // namespace
 
 DistanceGuard::DistanceGuard(const GuardedMesh& g, double enough, Workers& workers) :
-		m_(g.mesh), squaredEnough_(float(enough * enough)),
-		first_(std::size_t(g.mesh.faceNum), -1)
+		m_(g.mesh), squaredEnough_(float(enough * enough)), first_(std::size_t(g.mesh.faceNum), -1)
 {
 	std::vector<int> from; // per point
 	for (int v = 0; v < m_.vertexNum; ++v) {
@@ -63,8 +62,8 @@ bool DistanceGuard::allows(const std::vector<NamedTriangle>& made,
 	bool areNear = true;
 	forEachPointOf(gone, [&](const Point& p) {
 		areNear = areNear && std::any_of(made.begin(), made.end(), [&](const NamedTriangle& t) {
-			return squaredDistance(p.at, t) <= most;
-		});
+					  return squaredDistance(p.at, t) <= most;
+				  });
 	});
 	return areNear;
 }

@@ -10,6 +10,7 @@
 #include <vcg_extras/core/optimization/line_release.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -39,6 +40,11 @@ constexpr int manyWorstRounds = 4;
 /// Where lines were released, no point of a face gets farther than this from the surface while
 /// angles are raised, in ideal edges, or than the largest distance that the fit left.
 constexpr float maxReleasedGap = 0.3f;
+/// Points of the input, beside its vertices, by which a mesh without these lines is compared with
+/// the one before the fit; what is near enough on the mean, in ideal edges; what counts as equal.
+constexpr std::int64_t comparedPoints = 50000;
+constexpr double       nearMean       = 0.02;
+constexpr double       mostFarther    = 1.02;
 
 /// What the fit leaves for the repair of poor faces.
 struct Fitted {
@@ -137,13 +143,31 @@ bool areLinesCrowded(RunContext& run, const ResultMesh& result)
 	return areLinesCrowded(minAngleDeg(run.options), result, run.workers);
 }
 
-void releaseCrowdedLines(RunContext& run, ResultMesh& result)
+void tellReleased(RunContext& run)
 {
-	const std::int64_t num       = releaseLines(minAngleDeg(run.options), result, run.workers);
-	run.report.releasedVertexNum = num;
 	run.notes.push_back("Feature lines are so close to each other that they would leave acute "
 						"angles; " +
-						std::to_string(num) + " vertices there need not stay on them.");
+						std::to_string(run.report.releasedVertexNum) +
+						" vertices there need not stay on them.");
+}
+
+SurfaceDistance distanceFromInput(RunContext& run, const Surface& surface, const ResultMesh& result)
+{
+	return NearSurface(viewOf(result.mesh), run.workers)
+		.from(viewOf(surface.mesh), comparedPoints, run.workers);
+}
+
+/// Whether a mesh whose lines were released is farther from the input than it was before the fit,
+/// on the mean or at most, and farther than is near enough.
+bool hasLostSurface(RunContext& run, const Surface& surface, const ResultMesh& released,
+					const ResultMesh& start)
+{
+	const double          edge = double(start.idealEdge);
+	const SurfaceDistance of   = distanceFromInput(run, surface, released);
+	if (of.rms <= nearMean * edge && of.max <= double(maxReleasedGap) * edge) return false;
+	const SurfaceDistance before = distanceFromInput(run, surface, start);
+	return of.rms > std::max(nearMean * edge, mostFarther * before.rms) ||
+		   of.max > std::max(double(maxReleasedGap) * edge, mostFarther * before.max);
 }
 
 /// How far faces may get from the surface while angles are raised; 0: not limited.
@@ -194,6 +218,24 @@ void fitAndRepair(RunContext& run, const Prepared& p, const BoundaryCurves& boun
 	repairFaces(run, p, boundary, std::move(fitted), result);
 }
 
+/// Lines are let go only where all other means fail; then these begin anew. Without some lines the
+/// surface may be lost; then the result stays as it was.
+void releaseLinesAndFit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+						LargestDistance largest, const ResultMesh& start, ResultMesh& result)
+{
+	const double fitDistance     = run.report.largestFitDistance;
+	ResultMesh   released        = copyResult(start, run.workers);
+	run.report.releasedVertexNum = releaseLines(minAngleDeg(run.options), released, run.workers);
+	fitAndRepair(run, p, boundary, largest, released);
+	if (hasLostSurface(run, p.surface, released, start)) {
+		run.report.releasedVertexNum  = 0;
+		run.report.largestFitDistance = fitDistance;
+		return;
+	}
+	result = std::move(released);
+	tellReleased(run);
+}
+
 } // namespace
 
 void flipEdges(RunContext& run, ResultMesh& result)
@@ -217,13 +259,9 @@ void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundar
 {
 	if (!mayReleaseLines(run) || !areLinesCrowded(run, result))
 		return fitAndRepair(run, p, boundary, largest, result);
-	// Lines are let go only where all other means fail; then these begin anew.
-	ResultMesh start = copyResult(result, run.workers);
+	const ResultMesh start = copyResult(result, run.workers);
 	fitAndRepair(run, p, boundary, largest, result);
-	if (!areLinesCrowded(run, result)) return;
-	result = std::move(start);
-	releaseCrowdedLines(run, result);
-	fitAndRepair(run, p, boundary, largest, result);
+	if (areLinesCrowded(run, result)) releaseLinesAndFit(run, p, boundary, largest, start, result);
 }
 
 } // namespace gpr

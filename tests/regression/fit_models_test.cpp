@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The fit leaves no model farther from its input than no fit at all. The models are no part of the
+// project: where the environment variable GPR_MODELS_DIR is unset the tests are skipped.
+
+#include <tests/support/model_files.h>
+#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/surface/surface_distance.h>
+
+#include <gtest/gtest.h>
+#include <ostream>
+#include <string>
+
+namespace gpr::test {
+
+namespace {
+
+struct FittedModel {
+	const char* file;
+	double      percent;
+};
+
+std::ostream& operator<<(std::ostream& out, const FittedModel& model)
+{
+	return out << model.file << " to " << model.percent << " %";
+}
+
+/// The larger of both ways.
+SurfaceDistance distanceWith(Fit fit, double percent, const MeshView& input)
+{
+	constexpr std::int64_t pointNum = 200000;
+	RemeshOptions          options;
+	options.targetPercent = percent;
+	options.allowNearest  = true;
+	options.threads       = 2;
+	options.fit           = fit;
+	const RemeshResult r  = remesh(input, options);
+	EXPECT_EQ(r.status, Status::Ok) << r.message;
+	Workers        workers(2, nullptr);
+	const MeshView made = r.mesh.view();
+	return MutualDistance{NearSurface(input, workers).from(made, pointNum, workers),
+						  NearSurface(made, workers).from(input, pointNum, workers)}
+		.larger();
+}
+
+std::string fittedName(const ::testing::TestParamInfo<FittedModel>& info)
+{
+	return shortName(info.param.file) + "To" + std::to_string(int(info.param.percent));
+}
+
+} // namespace
+
+class FittedModels : public ::testing::TestWithParam<FittedModel> {};
+
+/// Of the largest distances points see most only.
+TEST_P(FittedModels, AreNoFartherThanWithoutTheFit)
+{
+	const ModelFile model = findModel(GetParam().file);
+	if (!model.isThere()) GTEST_SKIP() << model.missing;
+	const app::InputMesh  input  = app::readMesh(model.path);
+	const SurfaceDistance fitted = distanceWith(Fit::Rounds, GetParam().percent, input.view());
+	const SurfaceDistance plain  = distanceWith(Fit::Off, GetParam().percent, input.view());
+	EXPECT_LE(fitted.rms, 1.02 * plain.rms);
+	EXPECT_LE(fitted.p999, 1.1 * plain.p999);
+}
+
+INSTANTIATE_TEST_SUITE_P(, FittedModels,
+						 ::testing::Values(FittedModel{"cad_adis_7k_genus24.stl", 10},
+										   FittedModel{"cad_77k_genus13_grading.ply", 2},
+										   FittedModel{"conrod_6k_bad_orientation.stl", 2},
+										   FittedModel{"casting_10k_genus9.ply", 2},
+										   FittedModel{"casting_10k_genus9.ply", 10},
+										   FittedModel{"fandisk_13k_cad.ply", 2},
+										   FittedModel{"human_49k.ply", 2}),
+						 fittedName);
+
+} // namespace gpr::test
