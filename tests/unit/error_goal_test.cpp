@@ -104,6 +104,34 @@ TEST(SearchCount, EndsWithTheFewestThatMet)
 	EXPECT_LE(search.trialNum, 5);
 }
 
+/// As on the fandisk: where a count misses the goal that is at few places.
+TEST(SearchCount, ComesNearTheFewestWhereFewPlacesMissTheGoal)
+{
+	constexpr std::int64_t fewest  = 1700;
+	int                    trials  = 0;
+	const auto             errorOf = [&](std::int64_t n) {
+        ++trials;
+        const double error = 0.73 * std::pow(3058 / double(n), 0.64);
+        return n < fewest ? ErrorTrial{n, 1.2, 1e-5, 1.02} : ErrorTrial{n, std::min(error, 0.95)};
+	};
+	const std::int64_t found = searchCount(goalOf(1, 9173), errorOf);
+	EXPECT_GE(found, fewest);
+	EXPECT_LE(double(found), 1.1 * double(fewest));
+	EXPECT_LE(trials, 5);
+}
+
+/// Two counts that meet the goal show that the error falls slowly with the count.
+TEST(SearchCount, FollowsTheErrorThatTheTrialsShow)
+{
+	std::vector<std::int64_t> tried;
+	searchCount(goalOf(1, 24000), [&](std::int64_t n) {
+		tried.push_back(n);
+		return ErrorTrial{n, 0.75 * std::pow(24000 / double(n), 0.2)};
+	});
+	ASSERT_EQ(tried.size(), 3u) << "the last uses the goal";
+	EXPECT_NEAR(double(tried[2]), 24000 * std::pow(0.75, 5), 100);
+}
+
 TEST(SearchCount, StopsWhereTheGoalIsNearlyUsed)
 {
 	const Search search(goalOf(1, 5000), [](std::int64_t) { return 0.93; });

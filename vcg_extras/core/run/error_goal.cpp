@@ -26,9 +26,9 @@ constexpr double nearCounts = 1.08;
 /// A count tried is at most so many times the last one, or its inverse.
 constexpr double largestGrowth = 4, largestShrink = 3;
 /// Power of the largest error with which the count falls: the few places that would be beyond the
-/// goal are made finer by the next trial.
-constexpr double       fallOfCount = 2;
-constexpr std::int64_t minCount    = 4;
+/// goal are made finer by the next trial. Two trials that meet it tell the power, up to the other.
+constexpr double       fallOfCount = 2, steepestFall = 6;
+constexpr std::int64_t minCount = 4;
 
 class CountSearch {
 public:
@@ -62,6 +62,7 @@ private:
 	const std::function<ErrorTrial(std::int64_t)>& trial_;
 	ErrorTrial                                     met_;        ///< vertexNum 0: none
 	std::int64_t                                   missed_ = 0; ///< the largest count that did not
+	double                                         fall_   = fallOfCount;
 
 	std::int64_t clamped(double n) const
 	{
@@ -71,7 +72,16 @@ private:
 
 	void keepFewer(const ErrorTrial& t)
 	{
-		if (met_.vertexNum == 0 || t.vertexNum < met_.vertexNum) met_ = t;
+		if (met_.vertexNum > 0 && t.vertexNum >= met_.vertexNum) return;
+		if (met_.vertexNum > 0 && t.error > met_.error) fall_ = fallBetween(met_, t);
+		met_ = t;
+	}
+
+	static double fallBetween(const ErrorTrial& more, const ErrorTrial& fewer)
+	{
+		const double counts = double(more.vertexNum) / double(fewer.vertexNum);
+		const double errors = fewer.error / std::max(more.error, 1e-6 * fewer.error);
+		return std::clamp(portable::log(counts) / portable::log(errors), fallOfCount, steepestFall);
 	}
 
 	/// After a count that met the goal; 0 where that is near enough to the smallest. The places
@@ -82,7 +92,7 @@ private:
 		if (t.error >= nearEnough * goal_.largest) return 0;
 		if (missed_ > 0 && n <= nearCounts * double(missed_)) return 0;
 		const double ratio  = std::max(t.error / goal_.largest, 1e-6);
-		const double wanted = n * std::max(portable::pow(ratio, fallOfCount), 1 / largestShrink);
+		const double wanted = n * std::max(portable::pow(ratio, fall_), 1 / largestShrink);
 		return clamped(std::max(wanted, std::sqrt(n * double(missed_))));
 	}
 
@@ -93,20 +103,22 @@ private:
 	{
 		const double n = double(t.vertexNum);
 		if (n == 0 || t.vertexNum >= goal_.most) return 0;
-		if (met_.vertexNum > 0) return between(t);
-		const double share  = std::min(0.5, std::max(t.share, 1e-12));
-		const double byArea = portable::log(shareForSpots) / portable::log(share);
+		const double share   = std::min(0.5, std::max(t.share, 1e-12));
+		const double byArea  = portable::log(shareForSpots) / portable::log(share);
+		const double bySpots = std::max(std::max(1.0, byArea) * t.growth, leastGrowth);
+		if (met_.vertexNum > 0) return between(t, bySpots);
 		// The last trial shall meet it, though that may be with too many.
-		const double byError = left == 1 ? lastCaution * t.error / goal_.largest : 1;
-		const double growth  = std::max({1.0, byArea, byError}) * t.growth;
-		return clamped(std::min(std::max(growth, leastGrowth), largestGrowth) * n);
+		const double byError = left == 1 ? lastCaution * t.error / goal_.largest * t.growth : 0;
+		return clamped(std::min(std::max(bySpots, byError), largestGrowth) * n);
 	}
 
-	std::int64_t between(const ErrorTrial& t) const
+	/// No more than what smaller triangles at the places beyond the goal ask for, though a trial
+	/// may be lost by that: the counts may be far from each other.
+	std::int64_t between(const ErrorTrial& t, double growth) const
 	{
 		const double low = double(t.vertexNum), high = double(met_.vertexNum);
 		if (high <= nearCounts * low || high <= low + 1) return 0;
-		return clamped(std::sqrt(low * high));
+		return clamped(std::min(growth * low, std::sqrt(low * high)));
 	}
 };
 

@@ -30,7 +30,8 @@ struct ErrorTrial {
 /// where the ones before it missed the goal; so a count that misses it at few places is tried again
 /// with a few percent more. Where more than 1 % of the area misses it, the count is raised so
 /// that this much is left: errors are about exponentially distributed, and go with 1 / count. A
-/// count that meets the goal by far is lowered. Returns the least count that met it; 0 if none did.
+/// count that meets the goal by far is lowered, by the power of the error that the trials show.
+/// Returns the least count that met it; 0 if none did.
 std::int64_t searchCount(const ErrorGoal&                               goal,
 						 const std::function<ErrorTrial(std::int64_t)>& trial);
 
