@@ -17,9 +17,8 @@ struct SampledDistance {
 
 /// Root mean square and p99.9 are over points that are spread evenly: ten for each face of the
 /// result, but at least 20000 and at most 200000. So the p99.9 is known to some percent. The
-/// largest distance is that over these points, over the vertices that are in a face and, on larger
-/// faces, over a lattice with a spacing of about a third of the mean edge of the coarser mesh: the
-/// Hausdorff distance, approached from below. All figures are 0 where either mesh has no face.
+/// largest distance is that over these points and over the vertices that are in a face: a lower
+/// bound; certifiedDistance proves a better one. All figures are 0 where either mesh has no face.
 /// Cost: O(F log F), parallel but for the two trees.
 SampledDistance sampledDistance(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
 								Workers& workers);
