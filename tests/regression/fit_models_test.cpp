@@ -76,4 +76,20 @@ INSTANTIATE_TEST_SUITE_P(, FittedModels,
 										   FittedModel{"human_49k.ply", 2}),
 						 fittedName);
 
+/// In single precision the nearest point of a needle is too far off.
+TEST(NeedleModels, PassTheCheckOfVerticesOnTheSurface)
+{
+	const ModelFile model = findModel("cad_77k_genus13_grading.ply");
+	if (!model.isThere()) GTEST_SKIP() << model.missing;
+	const app::InputMesh input = app::readMesh(model.path);
+	RemeshOptions        options;
+	options.targetPercent = 2;
+	options.threads       = 2;
+	options.fit           = Fit::Off;
+	options.check         = true;
+	const RemeshResult r  = remesh(input.view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_LE(r.report.check.vertexDistance, 1e-6 * r.report.input.diagonal);
+}
+
 } // namespace gpr::test

@@ -135,4 +135,11 @@ TriangleMesh meshOf(const IndexedMesh& m)
 	return mesh;
 }
 
+SampledDistance sampledBetween(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
+							   Workers& workers)
+{
+	const CertifiedSurface from(viewOf(input), workers), to(viewOf(result), from, workers);
+	return sampledDistance({input, from}, {result, to}, workers);
+}
+
 } // namespace gpr::test

@@ -10,6 +10,7 @@
 #include <vcg_extras/core/mesh/indexed_mesh.h>
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/surface/result_mesh.h>
+#include <vcg_extras/core/surface/sampled_distance.h>
 
 namespace gpr::test {
 
@@ -32,6 +33,10 @@ ResultMesh resultOf(const Surface& surface, const BoundaryCurves& boundary);
 /// The triangles that are alive, in working coordinates, with unused vertices left out.
 TriangleMesh meshOf(const HalfEdgeMesh& mesh);
 TriangleMesh meshOf(const IndexedMesh& mesh);
+
+/// Of two meshes in the same units.
+SampledDistance sampledBetween(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
+							   Workers& workers);
 
 } // namespace gpr::test
 

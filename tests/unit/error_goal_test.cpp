@@ -42,7 +42,7 @@ struct Search {
 
 double largestDistance(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& workers)
 {
-	return sampledDistance(a, b, workers).mutual.larger().max;
+	return sampledBetween(a, b, workers).mutual.larger().max;
 }
 
 } // namespace
@@ -200,7 +200,7 @@ TEST(SampledDistance, OverARampIsTheIntegral)
 			p.z = 0.5 * p.x;
 		Workers               workers(2, nullptr);
 		const SurfaceDistance d =
-			sampledDistance(halfEdgesOf(grid(60, 60)), halfEdgesOf(tilted), workers).mutual.toInput;
+			sampledBetween(halfEdgesOf(grid(60, 60)), halfEdgesOf(tilted), workers).mutual.toInput;
 		EXPECT_NEAR(d.max, 0.5, 1e-6);
 		EXPECT_NEAR(d.rms, 0.5 / std::sqrt(3.0), 1e-4);
 		EXPECT_NEAR(d.p999, 0.4995, 3e-4);
@@ -216,7 +216,7 @@ TEST(SampledDistance, ManySmallFacesWeighNoMoreThanTheirArea)
 	mesh = joined(mesh, shifted(grid(3, 3), {0, 1, 0.1}));
 	Workers              workers(2, nullptr);
 	const MutualDistance d =
-		sampledDistance(halfEdgesOf(grid(1, 1, 9, 9)), halfEdgesOf(mesh), workers).mutual;
+		sampledBetween(halfEdgesOf(grid(1, 1, 9, 9)), halfEdgesOf(mesh), workers).mutual;
 	EXPECT_NEAR(d.toInput.p999, 0.1, 1e-3);
 	EXPECT_NEAR(d.toInput.max, 0.2, 1e-6);
 	EXPECT_EQ(d.larger().max, d.fromInput.max);
@@ -226,10 +226,10 @@ TEST(SampledDistance, IsTheSameForAnyNumberOfThreads)
 {
 	const HalfEdgeMesh a = halfEdgesOf(icosphere(5)), b = halfEdgesOf(torus(50, 20));
 	Workers            alone(1, nullptr);
-	const auto         one = sampledDistance(a, b, alone).mutual;
+	const auto         one = sampledBetween(a, b, alone).mutual;
 	for (const int threads : {2, 3}) {
 		Workers    workers(threads, nullptr);
-		const auto more = sampledDistance(a, b, workers).mutual;
+		const auto more = sampledBetween(a, b, workers).mutual;
 		EXPECT_EQ(one.toInput.rms, more.toInput.rms);
 		EXPECT_EQ(one.toInput.p999, more.toInput.p999);
 		EXPECT_EQ(one.fromInput.rms, more.fromInput.rms);
@@ -242,7 +242,7 @@ TEST(SampledDistance, OfNothingIsNothing)
 {
 	Workers              workers(1, nullptr);
 	const MutualDistance d =
-		sampledDistance(HalfEdgeMesh(), halfEdgesOf(grid(2, 2)), workers).mutual;
+		sampledBetween(HalfEdgeMesh(), halfEdgesOf(grid(2, 2)), workers).mutual;
 	EXPECT_EQ(d.larger().max, 0);
 	EXPECT_EQ(d.larger().p999, 0);
 }

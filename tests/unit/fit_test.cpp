@@ -69,7 +69,7 @@ struct Laid {
 	/// Largest distance, both ways, in mean edges.
 	float farthest()
 	{
-		const MutualDistance d = sampledDistance(surface.mesh, result.mesh, workers).mutual;
+		const MutualDistance d = sampledBetween(surface.mesh, result.mesh, workers).mutual;
 		return float(d.larger().max) / meanEdge();
 	}
 

@@ -19,7 +19,10 @@ protected:
 
 	CheckFigures checked(const TriangleMesh& input, const TriangleMesh& result)
 	{
-		return checkThoroughly(surfaceOf(input, workers), halfEdgesOf(result), workers);
+		const Surface surface = surfaceOf(input, workers);
+		ResultMesh    made;
+		made.mesh = halfEdgesOf(result);
+		return checkThoroughly(surface, made, ComparedSurfaces(surface, made, workers), workers);
 	}
 };
 

@@ -7,18 +7,20 @@
 
 namespace gpr {
 
-CheckFigures checkThoroughly(const Surface& surface, const HalfEdgeMesh& result, Workers& workers)
+CheckFigures checkThoroughly(const Surface& surface, const ResultMesh& made,
+							 const ComparedSurfaces& both, Workers& workers)
 {
-	const HalfEdgeMesh& input = surface.mesh;
+	const HalfEdgeMesh &input = surface.mesh, &result = made.mesh;
 	CheckFigures        figures;
 	figures.done              = true;
 	figures.intersectingFaces = std::int64_t(findIntersectingFaces(result, workers).size());
 	if (figures.intersectingFaces > 0)
 		figures.inputIntersectingFaces = std::int64_t(findIntersectingFaces(input, workers).size());
-	const SampledDistance distance = sampledDistance(input, result, workers);
-	figures.vertexDistance         = double(distance.vertexDistance);
-	figures.distance               = distance.mutual;
-	figures.largestDistance        = figures.distance.larger().max;
+	const SampledDistance distance =
+		sampledDistance({input, both.input}, {result, both.result}, workers);
+	figures.vertexDistance  = distance.vertexDistance;
+	figures.distance        = distance.mutual;
+	figures.largestDistance = figures.distance.larger().max;
 	return figures;
 }
 

@@ -95,14 +95,14 @@ void checkWhereAsked(RunContext& run, const Surface& surface, const ResultMesh& 
 {
 	if (!run.options.check) return;
 	run.clock.enter(Stage::Check);
-	const double      unit    = 1 / surface.frame.scale;
-	CheckFigures      figures = checkThoroughly(surface, result.mesh, run.workers);
-	const double      allowed = run.report.largestFitDistance / unit + besideBorder(result);
-	const std::string failure = describeFailure(figures, allowed);
+	const ComparedSurfaces both(surface, result, run.workers);
+	const double           unit    = 1 / surface.frame.scale;
+	CheckFigures           figures = checkThoroughly(surface, result, both, run.workers);
+	const double           allowed = run.report.largestFitDistance / unit + besideBorder(result);
+	const std::string      failure = describeFailure(figures, allowed);
 	figures.vertexDistance *= unit;
 	figures.distance = figures.distance.times(unit);
-	if (!run.report.isDistanceProven)
-		proveDistance(run, surface, ComparedSurfaces(surface, result, run.workers));
+	if (!run.report.isDistanceProven) proveDistance(run, surface, both);
 	raiseToProven(run.report.provenDistance, figures);
 	run.report.check = figures;
 	if (!failure.empty()) throw Failure(Status::PromiseBroken, failure);
