@@ -343,11 +343,64 @@ bool hasPoorFaces(const HalfEdgeMesh& m, float angle, Workers& workers)
 		   !findObtuseFaces(m, asPoorAs(angle), workers).empty();
 }
 
+/// Whether f is the first face of a closed component of four.
+bool isFirstOfTetrahedron(const HalfEdgeMesh& m, int f)
+{
+	if (isDeadFace(m, f)) return false;
+	int top = -1;
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		const int g = m.opposite[h];
+		if (g < 0 || g / 3 < f || m.valence(m.origin[h]) != 3) return false;
+		if (top >= 0 && m.apex(g) != top) return false;
+		top = m.apex(g);
+	}
+	return m.valence(top) == 3;
+}
+
+/// By the normals of the surface, over the four faces at three edges of the first one and itself.
+bool looksInside(const Surface& surface, const ResultMesh& r, int first)
+{
+	float sum = 0;
+	for (int f : {first, r.mesh.opposite[3 * first] / 3, r.mesh.opposite[3 * first + 1] / 3,
+				  r.mesh.opposite[3 * first + 2] / 3}) {
+		const Vec3f n = r.mesh.faceCross(f);
+		for (int h = 3 * f; h < 3 * f + 3; ++h)
+			sum += dot(n, smoothNormal(surface, r.vertex[r.mesh.origin[h]].point));
+	}
+	return sum < 0;
+}
+
+bool hasCreases(const HalfEdgeMesh& m, int first)
+{
+	bool has = false;
+	for (int h = 3 * first; h < 3 * first + 3; ++h) {
+		const int g = m.opposite[h];
+		has         = has || m.isCreaseEdge(g) || m.isCreaseEdge(g - g % 3 + (g + 1) % 3);
+	}
+	return has;
+}
+
+/// Small components become tetrahedra, and four samples on one may be joined so that all of it
+/// looks inside. With two of its vertices exchanged it looks outside.
+void turnTetrahedra(const Surface& surface, ResultMesh& r, Workers& workers)
+{
+	HalfEdgeMesh&          m     = r.mesh;
+	const std::vector<int> first = workers.collectIf(std::size_t(m.faceNum), [&](int f) {
+		return isFirstOfTetrahedron(m, f) && !hasCreases(m, f) && looksInside(surface, r, f);
+	});
+	for (int f : first) {
+		const int a = m.origin[3 * f], b = m.origin[3 * f + 1];
+		std::swap(m.position[a], m.position[b]);
+		std::swap(r.vertex[std::size_t(a)], r.vertex[std::size_t(b)]);
+	}
+}
+
 } // namespace
 
 bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, bool mayCollapse,
 						 ResultMesh& result, Workers& workers)
 {
+	turnTetrahedra(surface, result, workers);
 	std::int64_t work = shareOfOrientation * workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	const bool   isDone = repairOrientation(search, mayCollapse);

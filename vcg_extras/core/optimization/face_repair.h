@@ -17,6 +17,7 @@ namespace gpr {
 
 /// Turns faces that are inverted or lie across feature lines, by flips, moves on the
 /// surface and, where vertices may go, collapses; only the exact count makes these good again.
+/// Components of four faces that look inside are turned whole, by an exchange of two vertices.
 /// Where nothing else helps a face without area, feature lines at it end. Returns false if the
 /// budget ended the search. Cost: a pass over the faces, and the few bad ones.
 bool repairInvertedFaces(const Surface& surface, const BoundaryCurves& curves, bool mayCollapse,
