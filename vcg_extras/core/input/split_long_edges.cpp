@@ -14,10 +14,7 @@ namespace gpr {
 
 namespace {
 
-struct Face {
-	int corner[3];
-	int source;
-};
+using Face = SplitFaces::Face;
 
 /// Which edges of a mesh are too long.
 struct EdgeRule {
@@ -57,16 +54,19 @@ struct EdgeRule {
 /// needed.
 class Splitter {
 public:
-	Splitter(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces) :
-			mesh_(mesh), rule_{maxLength * maxLength, mesh.size}, maxFaces_(maxFaces),
-			faceNum_(mesh.faceNum)
+	/// position, size: of the mesh's vertexNum vertices, size may be empty; faceNum: its faces.
+	Splitter(const Buffer<Vec3f>& position, const Buffer<float>& size, int vertexNum, int faceNum,
+			 float maxLength, std::int64_t maxFaces) :
+			position_(position),
+			vertexNum_(vertexNum), rule_{maxLength * maxLength, size}, maxFaces_(maxFaces),
+			faceNum_(faceNum)
 	{
 	}
 
-	void addFace(int f)
+	/// One of the mesh's faces, by its three corners.
+	void addFace(const int* t, int source)
 	{
-		const int* t = &mesh_.triangle[3 * f];
-		todo_.push_back({{t[0], t[1], t[2]}, mesh_.sourceFace[f]});
+		todo_.push_back({{t[0], t[1], t[2]}, source});
 		--faceNum_;
 	}
 
@@ -76,7 +76,7 @@ public:
 							std::min(sizeOf(a), sizeOf(b)));
 	}
 
-	void run(Workers& workers)
+	SplitFaces run(Workers& workers)
 	{
 		while (!todo_.empty()) {
 			std::vector<Face> round;
@@ -88,44 +88,39 @@ public:
 				split(face);
 			}
 		}
+		return std::move(split_);
 	}
 
-	const std::vector<Face>&  finished() const { return finished_; }
-	const std::vector<Vec3f>& newPositions() const { return added_; }
-	const std::vector<float>& newSizes() const { return addedSize_; }
-	std::int64_t              splitNum() const { return std::int64_t(added_.size()); }
-
 private:
-	IndexedMesh&       mesh_;
-	EdgeRule           rule_;
-	std::int64_t       maxFaces_;
-	std::int64_t       faceNum_;
-	std::vector<Face>  todo_;
-	std::vector<Face>  finished_;
-	std::vector<Vec3f> added_;
-	std::vector<float> addedSize_;
+	const Buffer<Vec3f>& position_;
+	int                  vertexNum_;
+	EdgeRule             rule_;
+	std::int64_t         maxFaces_;
+	std::int64_t         faceNum_; ///< of the mesh, without those that were added here
+	std::vector<Face>    todo_;
+	SplitFaces           split_;
 	/// Of the edges split in this round; of all edges once strips split theirs ahead of the others.
 	EdgeTable midpoint_;
 	bool      hasStrips_ = false;
 
 	Vec3f position(int v) const
 	{
-		return v < mesh_.vertexNum ? mesh_.position[v] : added_[v - mesh_.vertexNum];
+		return v < vertexNum_ ? position_[v] : split_.position[v - vertexNum_];
 	}
 
 	float sizeOf(int v) const
 	{
 		if (rule_.size.empty()) return 1;
-		return v < mesh_.vertexNum ? rule_.size[v] : addedSize_[v - mesh_.vertexNum];
+		return v < vertexNum_ ? rule_.size[v] : split_.size[v - vertexNum_];
 	}
 
 	int midpointOf(int a, int b)
 	{
-		const int next   = mesh_.vertexNum + int(added_.size());
+		const int next   = vertexNum_ + int(split_.position.size());
 		const int middle = midpoint_.findOrPut(a, b, next);
 		if (middle == next) {
-			added_.push_back((position(a) + position(b)) * 0.5f);
-			if (!rule_.size.empty()) addedSize_.push_back(0.5f * (sizeOf(a) + sizeOf(b)));
+			split_.position.push_back((position(a) + position(b)) * 0.5f);
+			if (!rule_.size.empty()) split_.size.push_back(0.5f * (sizeOf(a) + sizeOf(b)));
 		}
 		return middle;
 	}
@@ -133,8 +128,8 @@ private:
 	void put(int a, int b, int c, int source)
 	{
 		const bool isDone = !isLong(a, b) && !isLong(b, c) && !isLong(c, a);
-		(isDone ? finished_ : todo_).push_back({{a, b, c}, source});
-		if (faceNum_ + std::int64_t(finished_.size() + todo_.size()) > maxFaces_)
+		(isDone ? split_.faces : todo_).push_back({{a, b, c}, source});
+		if (faceNum_ + std::int64_t(split_.faces.size() + todo_.size()) > maxFaces_)
 			failWithTooManyFaces();
 	}
 
@@ -276,10 +271,10 @@ void makeRoom(Buffer<T>& values, std::size_t n, Workers& workers)
 }
 
 /// The first new faces take the places of the long ones, the others follow at the end.
-void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Splitter& splitter,
+void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const SplitFaces& split,
 			   Workers& workers)
 {
-	const std::vector<Face>& faces = splitter.finished();
+	const std::vector<Face>& faces = split.faces;
 	const int                extra = int(faces.size() - longFaces.size());
 	makeRoom(mesh.triangle, 3 * (std::size_t(mesh.faceNum) + extra), workers);
 	makeRoom(mesh.sourceFace, std::size_t(mesh.faceNum) + extra, workers);
@@ -293,26 +288,15 @@ void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Split
 	}
 	mesh.faceNum += extra;
 
-	const std::vector<Vec3f>& added = splitter.newPositions();
+	const std::vector<Vec3f>& added = split.position;
 	makeRoom(mesh.position, mesh.vertexNum + added.size(), workers);
 	for (std::size_t i = 0; i < added.size(); ++i)
 		mesh.position[mesh.vertexNum + i] = added[i];
-	const std::vector<float>& sizes = splitter.newSizes();
+	const std::vector<float>& sizes = split.size;
 	if (!sizes.empty()) makeRoom(mesh.size, mesh.vertexNum + sizes.size(), workers);
 	for (std::size_t i = 0; i < sizes.size(); ++i)
 		mesh.size[mesh.vertexNum + i] = sizes[i];
 	mesh.vertexNum += int(added.size());
-}
-
-std::int64_t runSplitter(Splitter& splitter, const std::vector<int>& longFaces, IndexedMesh& mesh,
-						 Workers& workers)
-{
-	if (longFaces.empty()) return 0;
-	for (int f : longFaces)
-		splitter.addFace(f);
-	splitter.run(workers);
-	writeBack(mesh, longFaces, splitter, workers);
-	return splitter.splitNum();
 }
 
 } // namespace
@@ -367,8 +351,23 @@ std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t max
 std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
 							std::int64_t maxFaces, Workers& workers)
 {
-	Splitter splitter(mesh, maxLength, maxFaces);
-	return runSplitter(splitter, longFaces, mesh, workers);
+	if (longFaces.empty()) return 0;
+	Splitter splitter(mesh.position, mesh.size, mesh.vertexNum, mesh.faceNum, maxLength, maxFaces);
+	for (int f : longFaces)
+		splitter.addFace(&mesh.triangle[3 * f], mesh.sourceFace[f]);
+	const SplitFaces split = splitter.run(workers);
+	writeBack(mesh, longFaces, split, workers);
+	return std::int64_t(split.position.size());
+}
+
+SplitFaces splitLongFaces(const Surface& surface, const std::vector<int>& longFaces,
+						  float maxLength, std::int64_t maxFaces, Workers& workers)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	Splitter splitter(m.position, surface.size, m.vertexNum, m.faceNum, maxLength, maxFaces);
+	for (int f : longFaces)
+		splitter.addFace(&m.origin[3 * f], surface.sourceFace[f]);
+	return splitter.run(workers);
 }
 
 } // namespace gpr

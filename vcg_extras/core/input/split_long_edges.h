@@ -49,6 +49,21 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
 							std::int64_t maxFaces, Workers& workers);
 
+/// What long faces are split into.
+struct SplitFaces {
+	struct Face {
+		int corner[3]; ///< from the mesh's number of vertices on: the new ones, in their order
+		int source;    ///< the caller's face it is part of
+	};
+	std::vector<Face>  faces;
+	std::vector<Vec3f> position; ///< of the new vertices, working coordinates; one for each split
+	std::vector<float> size;     ///< of the new vertices; empty where the mesh has no sizes
+};
+
+/// The same for the long faces of a surface, which stays as it is: refineSurface puts them in.
+SplitFaces splitLongFaces(const Surface& surface, const std::vector<int>& longFaces,
+						  float maxLength, std::int64_t maxFaces, Workers& workers);
+
 } // namespace gpr
 
 #endif

@@ -2,23 +2,324 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface_refinement.h"
 
+#include "edge_table.h"
 #include "split_long_edges.h"
 
 #include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/mesh/spatial_order.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 namespace gpr {
+
+namespace {
+
+using Face = SplitFaces::Face;
+
+/// Puts the parts of split faces in the place of these. Vertices and faces that are in order stay
+/// so among themselves, so that new ones are inserted and all arrays are copied once: to order and
+/// to connect all of a scan anew for a few splits takes five times as long.
+class PartInsertion {
+public:
+	PartInsertion(const std::vector<int>& longFaces, SplitFaces split, Surface& surface,
+				  Workers& workers) :
+			longFaces_(longFaces),
+			split_(std::move(split)), s_(surface), m_(surface.mesh), workers_(workers)
+	{
+	}
+
+	void run()
+	{
+		nameVertices();
+		nameFaces();
+		moveVertices();
+		moveFaces();
+		const std::vector<int> open = moveOpposites();
+		joinParts(open);
+		turnRoundCorners();
+	}
+
+private:
+	const std::vector<int>& longFaces_; ///< ascending
+	SplitFaces              split_;     ///< the corners get their new names
+	Surface&                s_;
+	HalfEdgeMesh&           m_;
+	Workers&                workers_;
+	Buffer<int>      vertexName_; ///< the new names; of the new vertices, behind the old ones
+	Buffer<int>      faceName_;   ///< the same of faces; -1 of those that are split
+	std::vector<int> partName_;   ///< of the parts
+
+	// ---- names
+
+	/// What is inserted: before the old item of a number, and its own number.
+	struct Insert {
+		int before, item;
+	};
+
+	/// The first number in [0, n) for which the test holds; it holds for all behind, too.
+	template <class Test>
+	static int firstOf(int n, const Test& test)
+	{
+		int low = 0, high = n;
+		while (low < high) {
+			const int middle = low + (high - low) / 2;
+			if (test(middle))
+				high = middle;
+			else
+				low = middle + 1;
+		}
+		return low;
+	}
+
+	/// How many of the inserted items come before the old one.
+	static std::size_t insertedUpTo(const std::vector<Insert>& inserts, int old)
+	{
+		return std::size_t(firstOf(int(inserts.size()),
+								   [&](int i) { return inserts[std::size_t(i)].before > old; }));
+	}
+
+	/// A new vertex comes behind the old ones of its cell, as ordering anew would put it.
+	std::vector<Insert> insertedVertices() const
+	{
+		struct InCell {
+			std::uint64_t cell;
+			int           item;
+		};
+		std::vector<InCell> vertices;
+		for (std::size_t i = 0; i < split_.position.size(); ++i)
+			vertices.push_back({s_.grid.cell(split_.position[i], s_.grid.level), int(i)});
+		std::sort(vertices.begin(), vertices.end(), [](const InCell& a, const InCell& b) {
+			return a.cell != b.cell ? a.cell < b.cell : a.item < b.item;
+		});
+		std::vector<Insert> inserts;
+		for (const InCell& v : vertices) {
+			const auto isBehind = [&](int w) {
+				return s_.grid.cell(m_.position[w], s_.grid.level) > v.cell;
+			};
+			inserts.push_back({firstOf(m_.vertexNum, isBehind), v.item});
+		}
+		return inserts;
+	}
+
+	void nameVertices()
+	{
+		const std::vector<Insert> inserts = insertedVertices();
+		vertexName_.reset(std::size_t(m_.vertexNum) + inserts.size());
+		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
+			std::size_t i = insertedUpTo(inserts, int(begin));
+			for (int v = int(begin); v < int(end); ++v) {
+				while (i < inserts.size() && inserts[i].before <= v)
+					++i;
+				vertexName_[v] = v + int(i);
+			}
+		});
+		for (std::size_t i = 0; i < inserts.size(); ++i)
+			vertexName_[m_.vertexNum + inserts[i].item] = inserts[i].before + int(i);
+	}
+
+	/// Gives a part's corners their names, and makes the smallest one the first.
+	void nameCorners(Face& part) const
+	{
+		for (int& v : part.corner)
+			v = vertexName_[v];
+		std::rotate(part.corner, std::min_element(part.corner, part.corner + 3), part.corner + 3);
+	}
+
+	/// The first parts take the numbers of the split faces, the others follow at the end: this is
+	/// their order where the smallest vertex is the same.
+	int numberOf(int part) const
+	{
+		const int longNum = int(longFaces_.size());
+		return part < longNum ? longFaces_[std::size_t(part)] : m_.faceNum + part - longNum;
+	}
+
+	std::vector<Insert> insertedFaces() const
+	{
+		std::vector<Insert> inserts;
+		for (int i = 0; i < int(split_.faces.size()); ++i) {
+			const int  smallest = split_.faces[std::size_t(i)].corner[0], number = numberOf(i);
+			const auto isBehind = [&](int f) {
+				const int other = vertexName_[m_.origin[3 * f]];
+				return other != smallest ? other > smallest : f >= number;
+			};
+			inserts.push_back({firstOf(m_.faceNum, isBehind), i});
+		}
+		std::sort(inserts.begin(), inserts.end(), [&](const Insert& a, const Insert& b) {
+			const int v = split_.faces[std::size_t(a.item)].corner[0];
+			const int w = split_.faces[std::size_t(b.item)].corner[0];
+			return v != w ? v < w : numberOf(a.item) < numberOf(b.item);
+		});
+		return inserts;
+	}
+
+	std::size_t longFacesBefore(int f) const
+	{
+		return std::size_t(std::lower_bound(longFaces_.begin(), longFaces_.end(), f) -
+						   longFaces_.begin());
+	}
+
+	void nameFaces()
+	{
+		for (Face& part : split_.faces)
+			nameCorners(part);
+		const std::vector<Insert> inserts = insertedFaces();
+		faceName_.reset(m_.faceNum);
+		workers_.forRange(m_.faceNum, [&](std::size_t begin, std::size_t end) {
+			std::size_t i = insertedUpTo(inserts, int(begin)), gone = longFacesBefore(int(begin));
+			for (int f = int(begin); f < int(end); ++f) {
+				while (i < inserts.size() && inserts[i].before <= f)
+					++i;
+				const bool isLong = gone < longFaces_.size() && longFaces_[gone] == f;
+				faceName_[f]      = isLong ? -1 : f + int(i) - int(gone);
+				gone += isLong;
+			}
+		});
+		partName_.resize(inserts.size());
+		for (std::size_t i = 0; i < inserts.size(); ++i)
+			partName_[std::size_t(inserts[i].item)] =
+				inserts[i].before + int(i) - int(longFacesBefore(inserts[i].before));
+	}
+
+	/// -1 where there is none, or where its face is split.
+	int halfEdgeName(int h) const
+	{
+		const int name = h < 0 ? -1 : faceName_[h / 3];
+		return name < 0 ? -1 : 3 * name + h % 3;
+	}
+
+	// ---- arrays
+
+	/// Each value goes to its new name; what the new vertices have, where that is known.
+	template <class T>
+	void move(Buffer<T>& values, const std::vector<T>& added)
+	{
+		Buffer<T> moved(vertexName_.size());
+		workers_.forEach(m_.vertexNum, [&](int v) { moved[vertexName_[v]] = values[v]; });
+		for (std::size_t i = 0; i < added.size(); ++i)
+			moved[vertexName_[std::size_t(m_.vertexNum) + i]] = added[i];
+		values.swap(moved);
+	}
+
+	void moveVertices()
+	{
+		move(m_.position, split_.position);
+		if (!s_.size.empty()) move(s_.size, split_.size);
+		move(s_.normal, {});
+		workers_.forEach(m_.vertexNum,
+						 [&](int v) { m_.outgoing[v] = halfEdgeName(m_.outgoing[v]); });
+		move(m_.outgoing, {});
+		m_.vertexNum = int(vertexName_.size());
+	}
+
+	void moveFaces()
+	{
+		const std::size_t faceNum = faceName_.size() - longFaces_.size() + partName_.size();
+		Buffer<int>       origin(3 * faceNum), source(faceNum);
+		workers_.forEach(faceName_.size(), [&](int f) {
+			const int name = faceName_[f];
+			if (name < 0) return;
+			for (int k = 0; k < 3; ++k)
+				origin[3 * name + k] = vertexName_[m_.origin[3 * f + k]];
+			source[name] = s_.sourceFace[f];
+		});
+		for (std::size_t i = 0; i < partName_.size(); ++i) {
+			const Face& part = split_.faces[i];
+			std::copy(part.corner, part.corner + 3, &origin[3 * partName_[i]]);
+			source[partName_[i]] = part.source;
+		}
+		m_.origin.swap(origin);
+		s_.sourceFace.swap(source);
+		m_.faceNum = int(faceNum);
+	}
+
+	/// Returns the half-edges whose neighbours were split.
+	std::vector<int> moveOpposites()
+	{
+		Buffer<int>            opposite(m_.origin.size());
+		const std::vector<int> open = workers_.collect<int>(
+			faceName_.size(), [&](std::size_t begin, std::size_t end, auto& out) {
+				for (int h = 3 * int(begin); h < 3 * int(end); ++h) {
+					const int name = halfEdgeName(h), old = m_.opposite[h];
+					if (name < 0) continue;
+					opposite[name] = halfEdgeName(old);
+					if (old >= 0 && opposite[name] < 0) out.push_back(name);
+				}
+			});
+		m_.opposite.swap(opposite);
+		return open;
+	}
+
+	// ---- what is new
+
+	void joinParts(const std::vector<int>& open)
+	{
+		EdgeTable edges;
+		edges.reserve((3 * partName_.size() + open.size()) / 2);
+		for (int f : partName_) {
+			for (int h = 3 * f; h < 3 * f + 3; ++h)
+				join(h, edges);
+		}
+		for (int h : open)
+			join(h, edges);
+	}
+
+	/// The second half of an edge finds the first one.
+	void join(int h, EdgeTable& edges)
+	{
+		m_.opposite[h]  = -1;
+		const int first = edges.findOrPut(m_.origin[h], m_.target(h), h);
+		if (first == h) return;
+		if (m_.opposite[first] >= 0 || m_.origin[first] == m_.origin[h])
+			throw Failure(Status::InternalError, "The surface could not be connected anew.");
+		m_.opposite[h]     = first;
+		m_.opposite[first] = h;
+	}
+
+	void turnRoundCorners()
+	{
+		std::vector<int> corners;
+		for (int f : partName_) {
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				m_.outgoing[m_.origin[h]] = h;
+				corners.push_back(m_.origin[h]);
+			}
+		}
+		sortUnique(corners);
+		workers_.forEach(corners.size(), [&](int i) {
+			const int v    = corners[std::size_t(i)];
+			m_.outgoing[v] = firstOutgoing(m_.outgoing[v]);
+			s_.normal[v]   = vertexNormal(m_, v);
+		});
+	}
+
+	/// The half-edge that connect() takes, of those that leave a vertex as h does: the border's; or
+	/// the first one of a face whose first corner the vertex is; or the first.
+	int firstOutgoing(int h) const
+	{
+		int       first = h;
+		const int begin = h;
+		do {
+			if (m_.opposite[h] < 0) return h;
+			const bool isOwn = h % 3 == 0, wasOwn = first % 3 == 0;
+			if (isOwn != wasOwn ? isOwn : h < first) first = h;
+			h = nextInFace(m_.opposite[h]);
+		} while (h != begin);
+		return first;
+	}
+};
+
+} // namespace
 
 std::int64_t refineSurface(const std::vector<int>& longFaces, float maxLength,
 						   std::int64_t maxFaces, Surface& surface, Workers& workers)
 {
 	if (longFaces.empty()) return 0;
-	IndexedMesh        mesh     = disconnect(surface);
-	const std::int64_t splitNum = splitLongEdges(mesh, longFaces, maxLength, maxFaces, workers);
-	Buffer<int>        faceStart;
-	surface.grid = orderSpatially(mesh, workers, faceStart);
-	if (!connect(mesh, faceStart, workers, surface))
-		throw Failure(Status::InternalError, "The surface could not be connected anew.");
+	SplitFaces split    = splitLongFaces(surface, longFaces, maxLength, maxFaces, workers);
+	const auto splitNum = std::int64_t(split.position.size());
+	PartInsertion(longFaces, std::move(split), surface, workers).run();
 	return splitNum;
 }
 
