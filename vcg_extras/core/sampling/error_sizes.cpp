@@ -80,6 +80,7 @@ public:
 	struct Member {
 		float squaredDistance;
 		int   vertex;
+		Vec3f place; ///< seen from the centre
 	};
 
 	explicit Disk(const HalfEdgeMesh& mesh) : mesh_(mesh), slot_(64, none) {}
@@ -87,27 +88,32 @@ public:
 	void collect(int centre, float radius)
 	{
 		forget();
-		middle_             = mesh_.position[centre];
-		const float squared = radius * radius;
-		add({0, centre});
+		const Vec3f middle = mesh_.position[centre];
+		squaredRadius_     = radius * radius;
+		add({0, centre, Vec3f()});
 		for (std::size_t next = 0; next < members_.size(); ++next) {
-			forEachNeighbour(mesh_, members_[next].vertex, [&](int w) {
-				const float distance = squaredLength(mesh_.position[w] - middle_);
-				if (distance <= squared) add({distance, w});
+			const Member from = members_[next];
+			forEachNeighbour(mesh_, from.vertex, [&](int w) {
+				const Vec3f to       = mesh_.position[w] - middle;
+				const float distance = squaredLength(to);
+				if (distance <= squaredRadius_)
+					add({distance, w, to});
+				else
+					edges_.push_back({from.place, to, from.squaredDistance, distance});
 			});
 		}
 	}
-	/// Every edge once, from its nearer end. Most disks are flat by their normals alone and need
-	/// none.
-	void collectEdges()
+	/// Adds the edges that stay inside to those that leave the ball: every edge once, from its
+	/// nearer end. Only the extent of smaller disks needs them.
+	void collectInnerEdges()
 	{
+		const Vec3f middle = mesh_.position[members_[0].vertex];
 		for (const Member& from : members_) {
-			const Vec3f place = mesh_.position[from.vertex] - middle_;
 			forEachNeighbour(mesh_, from.vertex, [&](int w) {
-				const Vec3f to       = mesh_.position[w] - middle_;
+				const Vec3f to       = mesh_.position[w] - middle;
 				const float distance = squaredLength(to);
-				if (distance > from.squaredDistance)
-					edges_.push_back({place, to, from.squaredDistance, distance});
+				if (distance > from.squaredDistance && distance <= squaredRadius_)
+					edges_.push_back({from.place, to, from.squaredDistance, distance});
 			});
 		}
 	}
@@ -121,8 +127,27 @@ public:
 	/// The centre is the first.
 	const std::vector<Member>& members() const { return members_; }
 
-	/// Half of the extent, along a direction, of the edges within a radius, at most the one that
-	/// was collected.
+	/// Half of the extent, along a direction, of the whole disk.
+	float halfExtent(const Vec3f& direction) const
+	{
+		float least = 0, most = 0;
+		for (const Member& m : members_) {
+			const float height = dot(m.place, direction);
+			least              = std::min(least, height);
+			most               = std::max(most, height);
+		}
+		// An edge that leaves has a member at its other end: most end between the heights so far.
+		for (const Edge& e : edges_) {
+			if (e.squaredTo <= squaredRadius_) continue;
+			const float beyond = dot(e.to, direction);
+			if (beyond >= least && beyond <= most) continue;
+			const float height = heightOfCut(e, squaredRadius_, direction, beyond);
+			least              = std::min(least, height);
+			most               = std::max(most, height);
+		}
+		return 0.5f * (most - least);
+	}
+	/// The same of the edges within a radius, at most the one that was collected.
 	float halfExtent(float radius, const Vec3f& direction) const
 	{
 		const float squared = radius * radius;
@@ -130,10 +155,7 @@ public:
 		for (const Edge& e : edges_) {
 			if (e.squaredFrom > squared) continue;
 			float height = dot(e.to, direction);
-			if (e.squaredTo > squared) {
-				const float before = dot(e.from, direction);
-				height             = before + shareInside(e, squared) * (height - before);
-			}
+			if (e.squaredTo > squared) height = heightOfCut(e, squared, direction, height);
 			least = std::min(least, height);
 			most  = std::max(most, height);
 		}
@@ -149,7 +171,7 @@ private:
 	static constexpr int none = -1;
 
 	const HalfEdgeMesh& mesh_;
-	Vec3f               middle_;
+	float               squaredRadius_ = 0;
 	std::vector<Member> members_;
 	std::vector<Edge>   edges_;
 	std::vector<int>    slot_; ///< a hash table of the members' vertices, a power of two
@@ -161,6 +183,13 @@ private:
 		const float squared = squaredLength(along), half = dot(e.from, along);
 		const float root = half * half + squared * std::max(0.0f, squaredRadius - e.squaredFrom);
 		return std::clamp((std::sqrt(root) - half) / squared, 0.0f, 1.0f);
+	}
+	/// The height of that place; beyond: that of the edge's far end.
+	static float heightOfCut(const Edge& e, float squaredRadius, const Vec3f& direction,
+							 float beyond)
+	{
+		const float before = dot(e.from, direction);
+		return before + shareInside(e, squaredRadius) * (beyond - before);
 	}
 	std::size_t slotOf(int vertex) const
 	{
@@ -207,16 +236,16 @@ public:
 	{
 		disk_.collect(v, radii_.back());
 		if (areNormalsClose(sinePerSlope * epsilon / radii_.back())) return 0;
-		disk_.collectEdges();
 		Vec3f sum;
 		for (const Disk::Member& m : disk_.members())
 			sum += ring_[m.vertex].normal;
-		return disk_.halfExtent(radii_.back(), normalized(sum));
+		return disk_.halfExtent(normalized(sum));
 	}
 	/// Of all disks about the vertex that was last asked for. Disks beyond one that is less flat
 	/// than `enough` are not looked at and have its value.
 	Flatness ofAll(float enough)
 	{
+		disk_.collectInnerEdges();
 		disk_.sortByDistance();
 		const std::vector<Disk::Member>& members = disk_.members();
 		Flatness                         flatness;
