@@ -47,6 +47,32 @@ private:
 	static constexpr int groupLevel = 2; ///< whose nodes are the groups
 	static constexpr int groupSize  = fanOut * fanOut;
 
+	/// The boxes of a group by their sides: compilers compare several of them at once.
+	class GroupSides {
+	public:
+		GroupSides(const Box<float>* boxes, int num)
+		{
+			for (int k = 0; k < groupSize; ++k) {
+				const Box<float> box = k < num ? boxes[k] : Box<float>();
+				lowX_[k] = box.low.x, lowY_[k] = box.low.y, lowZ_[k] = box.low.z;
+				highX_[k] = box.high.x, highY_[k] = box.high.y, highZ_[k] = box.high.z;
+			}
+		}
+
+		/// Tells of each whether it meets another box.
+		void compareWith(const Box<float>& b, int* meets) const
+		{
+			for (int k = 0; k < groupSize; ++k)
+				meets[k] = int(lowX_[k] <= b.high.x) & int(b.low.x <= highX_[k]) &
+						   int(lowY_[k] <= b.high.y) & int(b.low.y <= highY_[k]) &
+						   int(lowZ_[k] <= b.high.z) & int(b.low.z <= highZ_[k]);
+		}
+
+	private:
+		float lowX_[groupSize], lowY_[groupSize], lowZ_[groupSize];
+		float highX_[groupSize], highY_[groupSize], highZ_[groupSize];
+	};
+
 	const FaceBoxes&         boxes_;
 	const std::vector<char>& wanted_;
 
@@ -99,17 +125,20 @@ private:
 	template <class Value, class Compare>
 	void compareGroups(int group, int other, const Compare& compare, std::vector<Value>& out) const
 	{
-		const int        endI = std::min(boxes_.faceNum(), (group + 1) * groupSize);
-		const int        endK = std::min(boxes_.faceNum(), (other + 1) * groupSize);
-		const Box<float> box  = boxes_.level(groupLevel)[other];
+		const int        endI   = std::min(boxes_.faceNum(), (group + 1) * groupSize);
+		const int        beginK = other * groupSize;
+		const int        endK   = std::min(boxes_.faceNum(), beginK + groupSize);
+		const Box<float> box    = boxes_.level(groupLevel)[other];
+		const GroupSides sides(&boxes_.level(0)[beginK], endK - beginK);
+		int              meets[groupSize];
 		for (int i = group * groupSize; i < endI; ++i) {
 			const Box<float> own = boxes_.level(0)[i];
 			if (!own.meets(box)) continue;
 			if (!isWanted(boxes_.face(i))) continue;
+			sides.compareWith(own, meets);
 			// Of two faces that are wanted the first finds the second.
-			for (int k = wanted_.empty() ? std::max(i + 1, other * groupSize) : other * groupSize;
-				 k < endK; ++k) {
-				if (!boxes_.level(0)[k].meets(own) || k == i) continue;
+			for (int k = wanted_.empty() ? std::max(i + 1, beginK) : beginK; k < endK; ++k) {
+				if (meets[k - beginK] == 0 || k == i) continue;
 				if (k > i || !isWanted(boxes_.face(k)))
 					compare(boxes_.face(i), boxes_.face(k), out);
 			}
