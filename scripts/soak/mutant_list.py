@@ -93,7 +93,7 @@ MUTANTS = [
      "constexpr float gradingSlope = 0.3f;"),
     ("sizes by the error: largest one", "sampling/sizing.cpp", "return 1 + 0.3f * float(adapt);", "return 1.3f;"),
     ("sizes by the error: edges are cut at the disk", "sampling/error_sizes.cpp",
-     "if (e.squaredTo > squared) {", "if (e.squaredTo > squared) {\n\t\t\t\tcontinue;"),
+     "return before + shareInside(e, squaredRadius) * (beyond - before);", "return beyond;"),
     ("sizes by the error: noise", "sampling/error_sizes.cpp", "constexpr float noiseFactor = 2.5f;",
      "constexpr float noiseFactor = 0.1f;"),
     ("sizes by the error: number", "sampling/error_sizes.cpp", "usualRaise = 1.35f, mostRaise = 2;",
@@ -196,8 +196,7 @@ MUTANTS = [
     ("edges too long for small sizes", "run/preparation.cpp",
      "splitForSizes(run, marks, sizing.longestEdge * p.radius, p);", ""),
     ("refinement: order of space", "input/surface_refinement.cpp",
-     "surface.grid = orderSpatially(mesh, workers, faceStart);",
-     "surface.grid = orderSpatially(mesh, workers, faceStart); mesh.faceNum -= 1;"),
+     "inserts.push_back({firstOf(m_.vertexNum, isBehind), v.item});", "inserts.push_back({0, v.item});"),
     ("seam of a selection", "output/part_joining.cpp",
      "if (std::includes(made.begin(), made.end(), seam.begin(), seam.end())) return;", "return;"),
     # ---- output

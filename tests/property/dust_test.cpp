@@ -41,7 +41,9 @@ int insideOutNum(const TriangleMesh& mesh)
 {
 	double volume[blobNum] = {};
 	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
-		const auto  at     = [&](std::size_t k) { return mesh.positions[std::size_t(mesh.triangles[3 * f + k])]; };
+		const auto at = [&](std::size_t k) {
+			return mesh.positions[std::size_t(mesh.triangles[3 * f + k])];
+		};
 		const int   column = int(std::lround(at(0).x / 4)), row = int(std::lround(at(0).y / 4));
 		const Vec3d centre(4.0 * column, 4.0 * row, 0);
 		volume[10 * row + column] += dot(at(0) - centre, cross(at(1) - centre, at(2) - centre));
