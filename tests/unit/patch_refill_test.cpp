@@ -124,6 +124,17 @@ void expectWhole(CoarseResult& coarse, const std::vector<char>& marked, const Re
 	}
 }
 
+/// A vertex from whose neighbours the border is not to be seen either.
+int vertexInside(const HalfEdgeMesh& m)
+{
+	for (int v = 0; v < m.vertexNum; ++v) {
+		bool isInside = !m.isBorderVertex(v);
+		forEachNeighbour(m, v, [&](int w) { isInside = isInside && !m.isBorderVertex(w); });
+		if (isInside) return v;
+	}
+	return -1;
+}
+
 struct Shape {
 	const char*  name;
 	TriangleMesh mesh;
@@ -222,6 +233,27 @@ TEST(PatchRefill, VerticesStandForTheInput)
 	for (int f = 0; f < coarse.surface().mesh.faceNum; ++f)
 		wanted += double(length(coarse.surface().mesh.faceCross(f))) / 2;
 	EXPECT_NEAR(area, wanted, 1e-4 * wanted);
+}
+
+/// Three vertices round a patch may lie in a line, and get a triangle of the input: its corners
+/// stay, so that nothing later gives it an area.
+TEST(PatchRefill, WidensAPatchWithATriangleInALine)
+{
+	Random        random(8);
+	CoarseResult  coarse(jitteredGrid(60, 0.2, random), 0.1f, random);
+	ResultMesh    result = copyResult(coarse.result(), coarse.workers);
+	const int     h      = result.mesh.outgoing[vertexInside(result.mesh)];
+	const int     v      = result.mesh.origin[h];
+	HalfEdgeMesh& m      = result.mesh;
+	m.position[v]        = (m.position[m.target(h)] + m.position[m.apex(h)]) * 0.5f;
+	std::vector<char> marked(std::size_t(m.faceNum), 0);
+	marked[std::size_t(h / 3)] = 1;
+	RefilledMesh made;
+	ASSERT_TRUE(refillPatches(coarse.surface(), result, {}, marked, coarse.workers, made));
+	EXPECT_GT(std::count(marked.begin(), marked.end(), 1), 1);
+	const HalfEdgeMesh& filled = made.guarded->mesh;
+	for (int f = 0; f < filled.faceNum; ++f)
+		EXPECT_FALSE(squaredLength(filled.faceCross(f)) < 1e-12f) << f;
 }
 
 TEST(PatchRefill, MarksGrowByRings)

@@ -4,6 +4,7 @@
 
 #include "patch_input.h"
 
+#include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
@@ -189,7 +190,10 @@ private:
 		}
 		if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
 		if (inside + border == 3) {
-			if (inside > 0 || !isLeft(t)) triangle_.push_back(t);
+			if (inside == 0 && isLeft(t)) return;
+			// Collapses cannot mend a triangle whose corners all stay.
+			if (inside == 0 && isLineOfResult(t)) blameAll(corner);
+			triangle_.push_back(t);
 			return;
 		}
 		if (inside == 0) return;
@@ -199,6 +203,21 @@ private:
 			if (roleOf(label) != Role::Inside && roleOf(label) != Role::Border)
 				culprits_.push_back(label);
 		}
+	}
+
+	void blameAll(const int* corner)
+	{
+		for (int k = 0; k < 3; ++k)
+			culprits_.push_back(local_.label[std::size_t(corner[k])]);
+	}
+
+	/// Whether three vertices that stay lie in a line.
+	bool isLineOfResult(const Triangle& t) const
+	{
+		const auto at = [&](std::size_t k) {
+			return result_.mesh.position[resultVertex_[std::size_t(t[k])]];
+		};
+		return isLine(at(0), at(1), at(2), cross(at(1) - at(0), at(2) - at(0)));
 	}
 
 	/// Whether the result has a face between these vertices that stays.

@@ -28,7 +28,10 @@ bool PatchFilling::fill(std::vector<char>& marked)
 	settings.idealEdge        = double(result_.idealEdge);
 	settings.lengthWeight     = patchLengthWeight;
 	settings.mayLeaveVertices = mayLeaveSurface(run_.options);
-	isReached_                = decimateGuarded(settings, guarded, run_.workers);
+	// What is enclosed by few cells of the border goes to them, so that a small patch may be left
+	// with fewer vertices than it had.
+	isReached_ = guarded.mesh.vertexNum >= settings.targetNum &&
+				 decimateGuarded(settings, guarded, run_.workers);
 	if (!isReached_) return true;
 	freeAround();
 	relaxGuarded(settings.idealEdge, mayLeaveSurface(run_.options), guarded, run_.workers);

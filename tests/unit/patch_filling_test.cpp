@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Patches made anew leave the result's number of vertices, or say that they do not.
+
+#include <tests/support/mesh_builders.h>
+#include <tests/support/random_source.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/core/run/patch_filling.h>
+
+#include <algorithm>
+#include <deque>
+#include <gtest/gtest.h>
+
+namespace gpr::test {
+
+namespace {
+
+/// A sheet, and a result that has a nest of vertices in one of its triangles. The input has nothing
+/// there that they could be made from.
+class NestInSheet {
+public:
+	explicit NestInSheet(int nestNum) : random_(3)
+	{
+		p_.surface = surfaceOf(jitteredGrid(8, 0.2, random_), workers);
+		p_.surface.mesh.crease.reset(std::size_t(p_.surface.mesh.halfEdgeNum()));
+		std::fill(p_.surface.mesh.crease.begin(), p_.surface.mesh.crease.end(), char(0));
+		const ResultMesh sheet = resultOf(p_.surface, BoundaryCurves());
+		const int        face  = faceInside(sheet.mesh);
+		TriangleMesh     mesh  = meshOf(sheet.mesh);
+		std::deque<int>  toSplit{face};
+		for (int i = 0; i < nestNum; ++i) {
+			const int next = int(mesh.faceNum());
+			toSplit.insert(toSplit.end(), {toSplit.front(), next, next + 1});
+			splitFace(mesh, toSplit.front());
+			toSplit.pop_front();
+		}
+		result_.mesh        = halfEdgesOf(mesh);
+		result_.vertex      = sheet.vertex;
+		result_.idealEdge   = sheet.idealEdge;
+		ResultVertex record = sheet.vertex[std::size_t(sheet.mesh.origin[3 * face])];
+		record.point.face   = face;
+		for (int v = int(result_.vertex.size()); v < result_.mesh.vertexNum; ++v) {
+			record.point.position = result_.mesh.position[v];
+			result_.vertex.push_back(record);
+		}
+	}
+
+	Workers           workers{1, nullptr};
+	const Prepared&   prepared() const { return p_; }
+	const ResultMesh& result() const { return result_; }
+
+	/// A mark on the faces at the nest.
+	std::vector<char> marks() const
+	{
+		std::vector<char> marked(std::size_t(result_.mesh.faceNum), 0);
+		for (int v = p_.surface.mesh.vertexNum; v < result_.mesh.vertexNum; ++v)
+			forEachOutgoing(result_.mesh, v, [&](int h) { marked[std::size_t(h / 3)] = 1; });
+		return marked;
+	}
+
+private:
+	Random     random_;
+	Prepared   p_;
+	ResultMesh result_;
+
+	static int faceInside(const HalfEdgeMesh& m)
+	{
+		for (int f = 0; f < m.faceNum; ++f) {
+			const int* v = &m.origin[3 * f];
+			if (std::none_of(v, v + 3, [&](int w) { return m.isBorderVertex(w); })) return f;
+		}
+		return -1;
+	}
+
+	/// A vertex in its middle; the two new faces come last.
+	static void splitFace(TriangleMesh& mesh, int f)
+	{
+		const std::int32_t v = std::int32_t(mesh.vertexNum());
+		std::int32_t*      t = &mesh.triangles[3 * std::size_t(f)];
+		const std::int32_t a = t[0], b = t[1], c = t[2];
+		const auto         at = [&](std::int32_t w) { return mesh.positions[std::size_t(w)]; };
+		mesh.positions.push_back((at(a) + at(b) + at(c)) * (1.0 / 3));
+		t[2] = v;
+		for (std::int32_t w : {b, c, v, c, a, v})
+			mesh.triangles.push_back(w);
+	}
+};
+
+} // namespace
+
+TEST(PatchFilling, TellsWhereTheInputHasTooFewVertices)
+{
+	NestInSheet              nest(600);
+	const TriangleMesh       input = meshOf(nest.prepared().surface.mesh);
+	const MeshView           view  = input.view();
+	RemeshOptions            options;
+	RemeshReport             report;
+	std::vector<std::string> notes;
+	RunContext               run{view,   options, nest.workers,
+                   report, notes,   StageClock(nest.workers, report, Pipeline::Remeshing)};
+	std::vector<char>        marked = nest.marks();
+	PatchFilling             filling(run, nest.prepared(), nest.result());
+	ASSERT_TRUE(filling.fill(marked));
+	ASSERT_LT(filling.mesh().vertexNum, nest.result().mesh.vertexNum);
+	EXPECT_FALSE(filling.isCountReached());
+}
+
+} // namespace gpr::test
