@@ -17,6 +17,8 @@ namespace {
 constexpr double shareForSpots = 0.01;
 /// Beyond what would do if the error went with 1 / count, in the last trial.
 constexpr double lastCaution = 1.15;
+/// What the last trial adds at least, where another count has met the goal.
+constexpr double lastGrowth = 1.1;
 /// What the finer places themselves need.
 constexpr double leastGrowth = 1.03;
 /// A trial that keeps to so much of the goal or more is near enough to the smallest count.
@@ -106,7 +108,8 @@ private:
 		const double share   = std::min(0.5, std::max(t.share, 1e-12));
 		const double byArea  = portable::log(shareForSpots) / portable::log(share);
 		const double bySpots = std::max(std::max(1.0, byArea) * t.growth, leastGrowth);
-		if (met_.vertexNum > 0) return between(t, bySpots);
+		if (met_.vertexNum > 0)
+			return between(t, left == 1 ? std::max(bySpots, lastGrowth) : bySpots);
 		// The last trial shall meet it, though that may be with too many.
 		const double byError = left == 1 ? lastCaution * t.error / goal_.largest * t.growth : 0;
 		return clamped(std::min(std::max(bySpots, byError), largestGrowth) * n);

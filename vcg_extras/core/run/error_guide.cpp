@@ -22,10 +22,17 @@ struct Effort {
 	double nearGoal; ///< nearer to the goal than this, a place may be beyond it in the next trial
 };
 
-/// There are many places after the first trial. Those after later ones are few, and shall be the
-/// last.
-constexpr Effort first = {1.2, 0.75, 0.9}, later = {1.5, 0.6, 0.8};
+/// There are many places after the first trial, and fewer after the second. Those after later ones
+/// shall be the last. Samples fall elsewhere in each trial, so that places near the goal get
+/// smaller triangles, too.
+constexpr Effort first = {1.2, 0.75, 0.9}, second = {1.5, 0.6, 0.8}, later = {1.5, 0.5, 0.65};
 constexpr double leastOfTrial = 0.3, mostOfTrial = 0.8;
+
+const Effort& effortAfter(std::size_t missedNum)
+{
+	if (missedNum == 0) return first;
+	return missedNum == 1 ? second : later;
+}
 
 FineSpot spotAt(const FarPlace& place, const Effort& effort, double goal, double edge,
 				const Surface& surface)
@@ -58,7 +65,7 @@ void findPlacesBeyond(RunContext& run, const Surface& surface, const ComparedSur
 {
 	ErrorGuide&   guide    = *run.guide;
 	const double  goal     = guide.goal * surface.frame.scale;
-	const Effort& effort   = guide.spots.empty() ? first : later;
+	const Effort& effort   = effortAfter(guide.spots.size());
 	const double  limit    = effort.nearGoal * goal;
 	const auto    ofInput  = placesBeyond(both.input, both.result, limit, run.workers);
 	const auto    ofResult = placesBeyond(both.result, both.input, limit, run.workers);
