@@ -342,7 +342,6 @@ INSTANTIATE_TEST_SUITE_P(
 			   (thin.adapt > 0 ? "Adapted" : "");
 	});
 
-/// The bunny of Debian's glmark2-data, which every checkout can install.
 /// An electronic part whose 104 faces have vertices of their own. Sewn it is one solid; before,
 /// each was remeshed by itself and a third of all triangles had an angle below 30 degrees.
 TEST(SplitSeams, APartOfManyPatchesIsOneSolid)
@@ -370,6 +369,43 @@ TEST(SplitSeams, APartOfManyPatchesIsOneSolid)
 	EXPECT_EQ(factsOf(apart.mesh).components, 104);
 }
 
+/// A tenth of a percent of the diagonal, proven, with no more vertices than this.
+struct ErrorGoal {
+	const char*  file;
+	std::int64_t mostVertices;
+};
+
+std::ostream& operator<<(std::ostream& out, const ErrorGoal& goal)
+{
+	return out << goal.file;
+}
+
+class ErrorOfRealMesh : public ::testing::TestWithParam<ErrorGoal> {};
+
+TEST_P(ErrorOfRealMesh, IsProvenToBeATenthOfAPercent)
+{
+	const ModelFile model = findModel(GetParam().file);
+	if (!model.isThere()) GTEST_SKIP() << model.missing;
+	const app::InputMesh input = app::readMesh(model.path);
+	RemeshOptions        options;
+	options.targetMode        = TargetMode::MaxError;
+	options.targetMaxError    = 0.1;
+	options.maxErrorIsPercent = true;
+	options.threads           = 2;
+	const RemeshResult r      = remesh(input.view(), options);
+	ASSERT_EQ(r.status, Status::Ok) << r.message;
+	EXPECT_LE(r.report.provenDistance.hausdorff().upper, r.report.errorGoal);
+	EXPECT_LE(std::int64_t(r.mesh.vertexNum()), GetParam().mostVertices);
+}
+
+INSTANTIATE_TEST_SUITE_P(, ErrorOfRealMesh,
+						 ::testing::Values(ErrorGoal{"casting_10k_genus9.ply", 44000},
+										   ErrorGoal{"fandisk_13k_cad.ply", 4500},
+										   ErrorGoal{"gargoyle_96k.ply", 60000},
+										   ErrorGoal{"igea_269k.ply", 25000}),
+						 [](const auto& goal) { return shortName(goal.param.file); });
+
+/// The bunny of Debian's glmark2-data, which every checkout can install.
 TEST(Bunny, StaysWithinItsBands)
 {
 	const std::string path = "/usr/share/glmark2/models/bunny.obj";
