@@ -44,8 +44,9 @@ bool walkHalfway(const Surface& surface, const HalfEdgeMesh& m, int a, int b,
 				 const SurfacePoint& from, ResultVertex& middle)
 {
 	middle.point        = from;
+	middle.normal       = surface.mesh.faceNormal(from.face);
 	const Vec3f half    = (m.position[b] - m.position[a]) * 0.5f;
-	const Vec3f flat    = tangential(half, surface.mesh.faceNormal(from.face));
+	const Vec3f flat    = tangential(half, middle.normal);
 	const float reach   = length(half);
 	const float flatLen = length(flat);
 	if (!(flatLen > 0)) return false;

@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
+#include <optional>
 
 namespace gpr {
 
@@ -136,20 +138,42 @@ private:
 		return size_.empty() ? straight : straight / (0.5f * (size_[a] + size_[b]));
 	}
 
+	/// What find(h) gives for the half-edges, up to an energy.
+	template <class Find>
+	std::vector<Operation> collectUpTo(int mostEnergy, const Find& find) const
+	{
+		return workers_.collect<Operation>(m_.halfEdgeNum(),
+										   [&](std::size_t begin, std::size_t end, auto& out) {
+											   for (int h = int(begin); h < int(end); ++h) {
+												   if (isDeadFace(m_, h / 3)) continue;
+												   const std::optional<Operation> op = find(h);
+												   if (op && op->energy <= mostEnergy)
+													   out.push_back(*op);
+											   }
+										   });
+	}
+
+	/// The operations of a round. On flat ground enough of them mostly cost nothing: then the
+	/// others, which are by far the most, would all be cut off, and are not collected.
+	template <class Find>
+	std::vector<Operation> operationsOfRound(std::int64_t wanted, const Find& find) const
+	{
+		if (care_ == Care::FlatGroundOnly) {
+			std::vector<Operation> free = collectUpTo(0, find);
+			if (std::int64_t(free.size()) > wanted / 8) return chosen(std::move(free), wanted);
+		}
+		return chosen(collectUpTo(std::numeric_limits<int>::max(), find), wanted);
+	}
+
 	// ---- splitting
 
 	void splitRound(std::int64_t wanted)
 	{
 		beginRound();
-		std::vector<Operation> all = workers_.collect<Operation>(
-			m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
-				for (int h = int(begin); h < int(end); ++h) {
-					if (isDeadFace(m_, h / 3) || m_.isCreaseEdge(h)) continue;
-					if (m_.opposite[h] > h || isSplittableBorder(h)) addSplit(h, out);
-				}
-			});
+		const std::vector<Operation> operations =
+			operationsOfRound(wanted, [&](int h) { return findSplit(h); });
 		reserve(m_, m_.vertexNum + int(wanted), m_.faceNum + 2 * int(wanted));
-		for (const Operation& op : chosen(std::move(all), wanted)) {
+		for (const Operation& op : operations) {
 			if (wanted == 0) return;
 			const bool done =
 				m_.opposite[op.halfEdge] < 0 ? splitAtBorder(op.halfEdge) : splitInside(op);
@@ -163,20 +187,16 @@ private:
 			   r_.vertex[m_.origin[h]].curve >= 0 && r_.vertex[m_.target(h)].curve >= 0;
 	}
 
-	void addSplit(int h, std::vector<Operation>& out) const
+	std::optional<Operation> findSplit(int h) const
 	{
+		if (m_.isCreaseEdge(h)) return {};
 		const float rank = -relativeLength(h);
-		if (m_.opposite[h] < 0) {
-			out.push_back({1000, rank, h, 0});
-			return;
-		}
+		if (isSplittableBorder(h)) return Operation{1000, rank, h, 0};
+		if (m_.opposite[h] <= h) return {};
 		const int w = m_.origin[h], x = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
-		if (care_ != Care::FlatGroundOnly) {
-			out.push_back({splitEnergy(h, 0), rank, h, 0});
-			return;
-		}
-		if (!allFlat(w, x, c, d)) return;
 		Operation best{splitEnergy(h, 0), rank, h, 0};
+		if (care_ != Care::FlatGroundOnly) return best;
+		if (!allFlat(w, x, c, d)) return {};
 		for (int pattern : splitPatterns) {
 			if (!patternAllowed(h, pattern)) continue;
 			const int energy = splitEnergy(h, pattern);
@@ -185,7 +205,7 @@ private:
 				best.pattern = pattern;
 			}
 		}
-		out.push_back(best);
+		return best;
 	}
 
 	/// The half-edge of the quadrilateral's edge, before the split.
@@ -313,13 +333,8 @@ private:
 	void collapseRound(std::int64_t wanted)
 	{
 		beginRound();
-		std::vector<Operation> all = workers_.collect<Operation>(
-			m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
-				for (int h = int(begin); h < int(end); ++h) {
-					if (!isDeadFace(m_, h / 3)) addCollapse(h, out);
-				}
-			});
-		for (const Operation& op : chosen(std::move(all), wanted)) {
+		for (const Operation& op :
+			 operationsOfRound(wanted, [&](int h) { return findCollapse(h); })) {
 			if (wanted == 0) return;
 			if (isDeadFace(m_, op.halfEdge / 3)) continue;
 			const bool done = m_.opposite[op.halfEdge] < 0 ? collapseAtBorder(op.halfEdge)
@@ -328,27 +343,27 @@ private:
 		}
 	}
 
-	void addCollapse(int h, std::vector<Operation>& out) const
+	std::optional<Operation> findCollapse(int h) const
 	{
 		const float rank = relativeLength(h);
 		if (m_.opposite[h] < 0) {
 			// Corners of the border go last.
 			const int  energy = r_.vertex[m_.origin[h]].isCorner ? 2000 : 1000;
 			const bool may    = care_ == Care::TopologyOnly && !r_.vertex[m_.origin[h]].isPinned;
-			if (may) out.push_back({energy, rank, h, 0});
-			return;
+			if (may) return Operation{energy, rank, h, 0};
+			return {};
 		}
 		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
-		if (!isFree(r_, a)) return;
+		if (!isFree(r_, a)) return {};
 		const bool seenFromOtherSide = isFree(r_, b) && m_.opposite[h] < h;
-		if (seenFromOtherSide && care_ != Care::TopologyOnly) return;
-		if (care_ == Care::FlatGroundOnly && !allFlat(a, b, c, d)) return;
-		if (care_ != Care::TopologyOnly && (valence_[c] <= 4 || valence_[d] <= 4)) return;
+		if (seenFromOtherSide && care_ != Care::TopologyOnly) return {};
+		if (care_ == Care::FlatGroundOnly && !allFlat(a, b, c, d)) return {};
+		if (care_ != Care::TopologyOnly && (valence_[c] <= 4 || valence_[d] <= 4)) return {};
 		const int energy = squaredDefect(valence_[a] + valence_[b] - 4) +
 						   squaredDefect(valence_[c] - 1) + squaredDefect(valence_[d] - 1) -
 						   squaredDefect(valence_[a]) - squaredDefect(valence_[b]) -
 						   squaredDefect(valence_[c]) - squaredDefect(valence_[d]);
-		out.push_back({energy, rank, h, 0});
+		return Operation{energy, rank, h, 0};
 	}
 
 	bool ringIsUnused(int v) const

@@ -22,10 +22,11 @@ namespace gpr {
 
 namespace {
 
-/// Jacobi steps of a round; more change nothing to speak of.
-constexpr int stepNum = 6;
+/// Jacobi steps of a round. More make triangles a little more regular and the distance a little
+/// larger, as less of a weight of the shape does.
+constexpr int stepNum = 4;
 /// Length of a step over that of Newton's for the vertex alone, and share of the last one kept.
-constexpr float stepLength = 0.7f;
+constexpr float stepLength = 0.85f;
 constexpr float momentum   = 0.7f;
 /// μ: pull to where the round began.
 constexpr float pullBack = 0.02f;
@@ -57,8 +58,9 @@ public:
 			  ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			settings_(settings), isFree_(isFree), r_(result), m_(result.mesh), workers_(workers),
-			distance_(m_), guard_(limitsOfFit(settings), result.mesh, workers), next_(m_.vertexNum),
-			last_(m_.vertexNum), mass_(m_.vertexNum), squaredEdge_(m_.vertexNum)
+			distance_(m_), guard_(limitsOfFit(settings), result.mesh, workers), now_(m_.vertexNum),
+			next_(m_.vertexNum), last_(m_.vertexNum), mass_(m_.vertexNum),
+			squaredEdge_(m_.vertexNum)
 	{
 	}
 
@@ -67,13 +69,15 @@ public:
 	{
 		distance_.assemble(surface_, map, workers_);
 		guard_.start();
-		workers_.forEach(m_.vertexNum, [&](int v) { measure(v); });
+		workers_.forEach(m_.vertexNum, [&](int v) { begin(v); });
 		for (int step = 0; step < stepNum; ++step) {
-			workers_.forEach(m_.vertexNum,
-							 [&](int v) { next_[v] = isFree_[v] ? stepFrom(v) : Vec3f(); });
-			guard_.swapShifts(next_);
+			workers_.forEach(m_.vertexNum, [&](int v) {
+				next_[v] = isFree_[v] ? m_.position[v] + shiftAfterStep(v) : now_[v];
+			});
+			now_.swap(next_);
 		}
-		guard_.apply();
+		workers_.forEach(m_.vertexNum, [&](int v) { m_.position[v] = now_[v]; });
+		guard_.takeOver();
 		return guard_.settle(smoothNormals(surface_, r_, workers_));
 	}
 
@@ -81,17 +85,18 @@ private:
 	const Surface&      surface_;
 	const FitSettings&  settings_;
 	const Buffer<char>& isFree_;
-	const ResultMesh&   r_;
-	const HalfEdgeMesh& m_;
+	ResultMesh&         r_;
+	HalfEdgeMesh&       m_; ///< where the round began, until its end
 	Workers&            workers_;
 	DistanceTerm        distance_;
 	MoveGuard           guard_;
-	Buffer<Vec3f>       next_;        ///< shifts behind the step
+	Buffer<Vec3f>       now_;         ///< places before the step
+	Buffer<Vec3f>       next_;        ///< and behind it
 	Buffer<Vec3f>       last_;        ///< moves of the step before
 	Buffer<float>       mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
 	Buffer<float>       squaredEdge_; ///< of an equilateral triangle as large as the ones round it
 
-	void measure(int v)
+	void begin(int v)
 	{
 		float area    = 0;
 		int   faceNum = 0;
@@ -99,6 +104,7 @@ private:
 			area += length(m_.faceCross(h / 3)) / 2;
 			++faceNum;
 		});
+		now_[v]         = m_.position[v];
 		last_[v]        = Vec3f();
 		mass_[v]        = area / 6;
 		squaredEdge_[v] = squaredEdgePerArea * area / float(faceNum);
@@ -129,37 +135,40 @@ private:
 		}
 	};
 
-	/// Where v's shift gets to by one step. Both terms of the energy are summed up in one turn
-	/// round v: reading the ring is what a step costs.
-	Vec3f stepFrom(int v)
+	/// Both terms of the energy are summed up in one turn round v: reading the ring is what a step
+	/// costs.
+	Vec3f shiftAfterStep(int v)
 	{
-		const Vec3f shift = guard_.shift(v);
-		const float pull  = pullBack * mass_[v];
-		Vec3f       force = distance_.force(v) - distance_.own(v) * shift - shift * pull;
-		RingShape   ring;
-		const auto  at = [&](int w) { return guard_.at(w); };
+		const Vec3f  shift = now_[v] - m_.position[v];
+		DistancePull distance;
+		RingShape    ring;
+		const auto   at = [&](int w) { return now_[w]; };
 		forEachFaceRound(m_, v, at, [&](int h, const Vec3f& a, const Vec3f& b) {
 			ring.add(a, b);
-			force = force - distance_.joint(h) * guard_.shift(m_.target(h));
+			distance.add(distance_.of(h / 3), h % 3, shift, a, b);
 		});
-		return stepAgainst(v, ring, force, pull);
+		return shiftAgainst(v, shift, ring, distance);
 	}
 
-	/// The step for the forces found; only the tangential part of the shape's counts.
-	Vec3f stepAgainst(int v, const RingShape& ring, Vec3f force, float pull)
+	/// The shift behind the step for the forces found; only the tangential part of the shape's
+	/// counts.
+	Vec3f shiftAgainst(int v, const Vec3f& shift, const RingShape& ring,
+					   const DistancePull& distance)
 	{
 		const Vec3f normal = normalized(ring.normal);
 		const float weight = shapeWeight(v);
 		const float stiff  = ring.pull.stiffness * weight;
-		force += tangential(ring.pull.force, normal) * weight;
+		const float pull   = pullBack * mass_[v];
+		const Vec3f force =
+			distance.force - shift * pull + tangential(ring.pull.force, normal) * weight;
 
-		SymmetricMatrix matrix = distance_.own(v);
+		SymmetricMatrix matrix = distance.stiffness;
 		matrix.addDiagonal(pull + stiff);
 		matrix.addOuter(normal, -stiff);
 		last_[v] =
 			moveWithMomentum(last_[v], momentum, matrix.solve(force).value_or(Vec3f()) * stepLength,
 							 longestStep * std::sqrt(ring.shortest));
-		return shortened(guard_.shift(v) + last_[v], farthestMove * std::sqrt(squaredEdge_[v]));
+		return shortened(shift + last_[v], farthestMove * std::sqrt(squaredEdge_[v]));
 	}
 };
 

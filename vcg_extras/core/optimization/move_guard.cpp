@@ -10,6 +10,10 @@ namespace gpr {
 
 namespace {
 
+/// A triangle whose smallest angle is α has a shape of √3 sin α / (2 - cos α) at most, where it is
+/// isosceles. So none of a better shape than this has an angle below that.
+constexpr float soundShape = 0.86f, soundAngle = 0.61f; // 35°
+
 /// Of a triangle with the given cross product; see triangleShape. No root.
 float squaredShape(const Vec3f& cross, const Corners& f)
 {
@@ -26,11 +30,11 @@ bool spoilsFace(const MoveLimits& limits, const Corners& before, const Corners& 
 	const float turn = dot(now, then), cosine = limits.turnCosine;
 	if (turn <= 0 || turn * turn < cosine * cosine * squaredLength(now) * squaredLength(then))
 		return true;
-	if (limits.minShape > 0) {
-		const float shape = squaredShape(now, after);
-		if (shape < limits.minShape * limits.minShape && shape < squaredShape(then, before))
-			return true;
-	}
+	// Nearly all faces are sound, and angles take long to compute.
+	const float shape = squaredShape(now, after);
+	if (shape >= soundShape * soundShape && limits.minAngle <= soundAngle) return false;
+	if (shape < limits.minShape * limits.minShape && shape < squaredShape(then, before))
+		return true;
 	if (limits.minAngle == 0) return false;
 	const float angle = smallestAngle(after.a, after.b, after.c);
 	return angle < limits.minAngle &&

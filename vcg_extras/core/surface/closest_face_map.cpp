@@ -4,8 +4,9 @@
 
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/sort_unique.h>
-#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/face_plane.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -141,53 +142,11 @@ private:
 	}
 };
 
-/// A point in the plane of a triangle as weights of its corners.
-struct Foot {
-	float weight[3];
-
-	bool isInside() const { return weight[0] > 0 && weight[1] > 0 && weight[2] > 0; }
-	int  lightest() const
-	{
-		if (weight[0] <= weight[1]) return weight[0] <= weight[2] ? 0 : 2;
-		return weight[1] <= weight[2] ? 1 : 2;
-	}
-	int heaviest() const
-	{
-		if (weight[0] >= weight[1]) return weight[0] >= weight[2] ? 0 : 2;
-		return weight[1] >= weight[2] ? 1 : 2;
-	}
-};
-
-Vec3f pointAt(const Foot& f, const Corners& t)
+/// Whether a vertex that lies over a triangle belongs to it: whether it is near.
+bool isOver(const FacePlane& plane, const Vec3f& at, const Vec3f& normal)
 {
-	return t.a * f.weight[0] + t.b * f.weight[1] + t.c * f.weight[2];
-}
-
-/// The point of the triangle's plane nearest to p; n is the triangle's cross product.
-Foot footInPlane(const Vec3f& p, const Corners& t, const Vec3f& n)
-{
-	const float squared = squaredLength(n);
-	const float second  = dot(cross(p - t.a, t.c - t.a), n) / squared;
-	const float third   = dot(cross(t.b - t.a, p - t.a), n) / squared;
-	return {{1 - second - third, second, third}};
-}
-
-/// The point of the triangle nearest to p.
-Foot nearestFoot(const Vec3f& p, const Corners& t, const Vec3f& n)
-{
-	if (squaredLength(n) > 0) {
-		const Foot inPlane = footInPlane(p, t, n);
-		if (inPlane.isInside()) return inPlane;
-	}
-	// Outside: all three edges, since the triangle may be obtuse.
-	const float ab = shareOnSegment(p, t.a, t.b), bc = shareOnSegment(p, t.b, t.c);
-	const float ca        = shareOnSegment(p, t.c, t.a);
-	const Foot  onEdge[3] = {{{1 - ab, ab, 0}}, {{0, 1 - bc, bc}}, {{ca, 0, 1 - ca}}};
-	Foot        best      = onEdge[0];
-	for (const Foot& f : onEdge) {
-		if (squaredLength(pointAt(f, t) - p) < squaredLength(pointAt(best, t) - p)) best = f;
-	}
-	return best;
+	return plane.looksAlong(normal) && plane.footOf(at).isInside() &&
+		   plane.squaredHeight(at) <= overShare * length(plane.areaNormal());
 }
 
 /// Finds the triangle of the result that a vertex of the input belongs to.
@@ -201,23 +160,24 @@ public:
 	struct Found {
 		int   face;
 		Foot  foot;
-		float distance; ///< squared; × wrongSide where the face looks the other way
+		float distance;       ///< squared; × wrongSide where the face looks the other way
+		bool  isOver = false; ///< it looks the same way, and the vertex lies over it and is near
 	};
 
 	/// Whether the face looks the other way than the vertex of the input, or lies so far from it
 	/// that it may stand for another part of the surface.
 	bool isStray(int p, int face) const
 	{
-		const Corners t  = cornersOf(face);
-		const Vec3f   n  = t.cross();
-		const Vec3f   at = surface_.mesh.position[p];
-		if (!(dot(n, surface_.normal[p].unpack()) > 0)) return true;
-		return squaredLength(pointAt(nearestFoot(at, t, n), t) - at) > strayShare * length(n);
+		const FacePlane plane(m_, face);
+		const Vec3f     at = surface_.mesh.position[p];
+		if (!plane.looksAlong(surface_.normal[p].unpack())) return true;
+		return plane.squaredDistance(at, plane.nearestFoot(at)) >
+			   strayShare * length(plane.areaNormal());
 	}
 
 	/// Walks from a face towards the one that p lies over, as in point location in the plane. Where
-	/// that ends nowhere, as at creases and coneApexes, the stars on the way are searched; where it
-	/// ends far off, beyond a crease perhaps, those round the face that it began with, too.
+	/// that ends nowhere, as at creases and cone apexes, the stars on the way are searched; where
+	/// it ends far off, beyond a crease perhaps, those round the face that it began with, too.
 	Found locate(int p, int face) const
 	{
 		const Vec3f at     = surface_.mesh.position[p];
@@ -225,13 +185,12 @@ public:
 		const int   start  = face;
 		Foot        foot{{1, 0, 0}};
 		for (int step = 0; step < maxSteps; ++step) {
-			const Corners t = cornersOf(face);
-			const Vec3f   n = t.cross();
-			if (!(dot(n, normal) > 0)) break;
-			foot = footInPlane(at, t, n);
+			const FacePlane plane(m_, face);
+			if (!plane.looksAlong(normal)) break;
+			foot = plane.footOf(at);
 			if (foot.isInside()) {
-				const float off = squaredLength(pointAt(foot, t) - at);
-				if (off <= overShare * length(n)) return {face, foot, off};
+				const float off = plane.squaredHeight(at);
+				if (off <= overShare * length(plane.areaNormal())) return {face, foot, off, true};
 				return nearer(searchStars(at, normal, m_.origin[3 * face + foot.heaviest()]),
 							  searchStars(at, normal, m_.origin[3 * start]));
 			}
@@ -245,12 +204,6 @@ public:
 private:
 	const Surface&      surface_;
 	const HalfEdgeMesh& m_;
-
-	Corners cornersOf(int face) const
-	{
-		const int* c = &m_.origin[3 * face];
-		return {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]]};
-	}
 
 	static Found nearer(const Found& a, const Found& b) { return b.distance < a.distance ? b : a; }
 
@@ -269,24 +222,12 @@ private:
 
 	void tryFace(const Vec3f& at, const Vec3f& normal, int face, Found& best) const
 	{
-		const Corners t        = cornersOf(face);
-		const Vec3f   n        = t.cross();
-		const Foot    foot     = nearestFoot(at, t, n);
-		float         distance = squaredLength(pointAt(foot, t) - at);
-		if (dot(n, normal) < 0) distance = wrongSide * distance + std::numeric_limits<float>::min();
+		const FacePlane plane(m_, face);
+		const Foot      foot     = plane.nearestFoot(at);
+		float           distance = plane.squaredDistance(at, foot);
+		if (dot(plane.areaNormal(), normal) < 0)
+			distance = wrongSide * distance + std::numeric_limits<float>::min();
 		if (distance < best.distance) best = {face, foot, distance};
-	}
-};
-
-/// Faces of the result for vertices of the input, and where on them.
-struct FaceChoice {
-	Buffer<int>&           face;
-	Buffer<PackedWeights>& weights;
-
-	void take(std::size_t p, const TriangleSearch::Found& found) const
-	{
-		face[p]    = found.face;
-		weights[p] = PackedWeights(found.foot.weight[1], found.foot.weight[2]);
 	}
 };
 
@@ -295,18 +236,17 @@ struct FaceChoice {
 /// faces of their neighbours, ring by ring from those that have not strayed.
 class StrayReturn {
 public:
-	StrayReturn(const HalfEdgeMesh& input, const TriangleSearch& search, const FaceChoice& choice,
+	/// face: per vertex of the input; -1 where there is none.
+	StrayReturn(const HalfEdgeMesh& input, const TriangleSearch& search, Buffer<int>& face,
 				Workers& workers) :
 			m_(input),
-			search_(search), choice_(choice), workers_(workers)
+			search_(search), face_(face), workers_(workers)
 	{
 	}
 
-	void run()
+	/// front: the strays.
+	void run(std::vector<int> front)
 	{
-		std::vector<int> front = workers_.collectIf(m_.vertexNum, [&](int p) {
-			return choice_.face[p] >= 0 && search_.isStray(p, choice_.face[p]);
-		});
 		if (!front.empty()) isStray_.assign(std::size_t(m_.vertexNum), 0);
 		for (int p : front)
 			isStray_[p] = 1;
@@ -316,13 +256,12 @@ public:
 
 private:
 	struct Back {
-		int                   vertex;
-		TriangleSearch::Found found;
+		int vertex, face;
 	};
 
 	const HalfEdgeMesh&   m_;
 	const TriangleSearch& search_;
-	const FaceChoice&     choice_;
+	Buffer<int>&          face_;
 	Workers&              workers_;
 	std::vector<char>     isStray_;
 
@@ -333,13 +272,13 @@ private:
 		const std::vector<Back> back = workers_.collect<Back>(
 			front.size(), [&](std::size_t begin, std::size_t end, auto& out) {
 				for (std::size_t i = begin; i < end; ++i) {
-					const TriangleSearch::Found found = nearestByNeighbours(front[i]);
-					if (!search_.isStray(front[i], found.face)) out.push_back({front[i], found});
+					const int face = nearestByNeighbours(front[i]);
+					if (!search_.isStray(front[i], face)) out.push_back({front[i], face});
 				}
 			});
 		std::vector<int> beside;
 		for (const Back& b : back) {
-			choice_.take(b.vertex, b.found);
+			face_[b.vertex]    = b.face;
 			isStray_[b.vertex] = 0;
 		}
 		for (const Back& b : back) {
@@ -353,17 +292,33 @@ private:
 
 	/// The nearest face that is found from those of the neighbours that have not strayed; its own
 	/// where there are none.
-	TriangleSearch::Found nearestByNeighbours(int p) const
+	int nearestByNeighbours(int p) const
 	{
-		TriangleSearch::Found best{choice_.face[p], {{1, 0, 0}}, HUGE_VALF};
+		TriangleSearch::Found best{face_[p], {{1, 0, 0}}, HUGE_VALF};
 		forEachNeighbour(m_, p, [&](int q) {
-			if (choice_.face[q] < 0 || isStray_[q]) return;
-			const TriangleSearch::Found found = search_.locate(p, choice_.face[q]);
+			if (face_[q] < 0 || isStray_[q]) return;
+			const TriangleSearch::Found found = search_.locate(p, face_[q]);
 			if (found.distance < best.distance) best = found;
 		});
-		return best;
+		return best.face;
 	}
 };
+
+/// The face that each vertex of the input belongs to; -1 where no surface point reaches it.
+Buffer<int> findFaces(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	const HalfEdgeMesh&    m    = result.mesh;
+	Buffer<int>            face = floodFromPoints(surface, result, workers);
+	const TriangleSearch   search(surface, m);
+	const std::vector<int> strays = workers.collectIf(face.size(), [&](int p) {
+		if (face[p] < 0) return false;
+		const TriangleSearch::Found found = search.locate(p, m.outgoing[face[p]] / 3);
+		face[p]                           = found.face;
+		return !found.isOver && search.isStray(p, found.face);
+	});
+	StrayReturn(surface.mesh, search, face, workers).run(strays);
+	return face;
+}
 
 } // namespace
 
@@ -373,50 +328,79 @@ Buffer<int> floodFromPoints(const Surface& surface, const ResultMesh& result, Wo
 }
 
 ClosestFaceMap::ClosestFaceMap(const Surface& surface, const ResultMesh& result, Workers& workers) :
-		surface_(surface), face_(floodFromPoints(surface, result, workers)),
-		weights_(surface.mesh.vertexNum), area_(surface.mesh.vertexNum)
+		surface_(surface), area_(surface.mesh.vertexNum)
 {
-	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t p = begin; p < end; ++p) {
-			if (face_[p] >= 0) face_[p] = result.mesh.outgoing[face_[p]] / 3;
-		}
-	});
 	measureAreas(workers);
-	locateAll(result, workers);
-	StrayReturn(surface.mesh, TriangleSearch(surface_, result.mesh), {face_, weights_}, workers)
-		.run();
-	makeLists(result, workers);
+	const Buffer<int> face   = findFaces(surface, result, workers);
+	const auto        faceOf = [&](std::size_t p) { return face[p]; };
+	sortIntoBuckets(face.size(), result.mesh.faceNum, faceOf, workers, start_, item_);
 }
 
 void ClosestFaceMap::update(const ResultMesh& result, Workers& workers)
 {
-	locateAll(result, workers);
-	makeLists(result, workers);
+	takeIn(takeLeavers(result.mesh, workers), workers);
 }
 
-void ClosestFaceMap::locateAll(const ResultMesh& result, Workers& workers)
+namespace {
+
+/// The place in a list of a vertex that has left it.
+constexpr int gone = -1;
+
+} // namespace
+
+/// Face by face, so that what finds the weights in a triangle is computed once for all its
+/// vertices. Nearly all of them still lie over it.
+std::vector<ClosestFaceMap::Leaver> ClosestFaceMap::takeLeavers(const HalfEdgeMesh& result,
+																Workers&            workers)
 {
-	const TriangleSearch search(surface_, result.mesh);
-	const FaceChoice     choice{face_, weights_};
-	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t p = begin; p < end; ++p) {
-			if (face_[p] < 0) continue;
-			choice.take(p, search.locate(int(p), face_[p]));
-		}
+	const TriangleSearch search(surface_, result);
+	const auto           takeFrom = [&](int f, std::vector<Leaver>& out) {
+        const FacePlane plane(result, f);
+        for (int i = start_[f]; i < start_[f + 1]; ++i) {
+            const int p = item_[i];
+            if (isOver(plane, surface_.mesh.position[p], surface_.normal[p].unpack())) continue;
+            const int to = search.locate(p, f).face;
+            if (to == f) continue;
+            out.push_back({p, to});
+            item_[i] = gone;
+        }
+	};
+	return workers.collect<Leaver>(result.faceNum,
+								   [&](std::size_t begin, std::size_t end, auto& out) {
+									   for (int f = int(begin); f < int(end); ++f)
+										   takeFrom(f, out);
+								   });
+}
+
+/// The new list of a face: those that stayed, then those that came.
+void ClosestFaceMap::takeIn(const std::vector<Leaver>& leavers, Workers& workers)
+{
+	const std::size_t faceNum = start_.size() - 1;
+	Buffer<int>       comingStart, coming;
+	sortIntoBuckets(
+		leavers.size(), faceNum, [&](std::size_t i) { return leavers[i].toFace; }, workers,
+		comingStart, coming);
+	Buffer<int> start(faceNum + 1);
+	workers.forEach(faceNum, [&](int f) {
+		const int* const begin = item_.data() + start_[f];
+		const int* const end   = item_.data() + start_[f + 1];
+		start[f] =
+			int(end - begin - std::count(begin, end, gone)) + comingStart[f + 1] - comingStart[f];
 	});
-}
-
-void ClosestFaceMap::makeLists(const ResultMesh& result, Workers& workers)
-{
-	const auto faceOf = [&](std::size_t p) { return face_[p]; };
-	sortIntoBuckets(face_.size(), result.mesh.faceNum, faceOf, workers, start_, item_);
-}
-
-void ClosestFaceMap::keepListsOnly()
-{
-	face_.release();
-	weights_.release();
-	area_.release();
+	start[faceNum] = 0;
+	workers.sumUp(start.data(), faceNum + 1); // now the end of each list
+	Buffer<int> item(item_.size());
+	workers.forEach(faceNum, [&](int f) {
+		int* to = item.data() + start[f];
+		for (int i = comingStart[f + 1]; i > comingStart[f]; --i)
+			*--to = leavers[coming[i - 1]].vertex;
+		for (int i = start_[f + 1]; i > start_[f]; --i) {
+			if (item_[i - 1] != gone) *--to = item_[i - 1];
+		}
+		start[f] = int(to - item.data());
+	});
+	start_.swap(start);
+	item_.swap(item);
 }
 
 void ClosestFaceMap::measureAreas(Workers& workers)

@@ -111,48 +111,43 @@ struct Unfolded {
 	}
 };
 
-/// How much the normal of the face that a walk begins in is to be trusted, by the sine of the angle
-/// at its first corner: rounding turns the normal by some 1e-7 over the sine.
+/// The corners of the face that a walk begins in, and how much its normal is to be trusted: the
+/// squared sine of the angle at its first corner is `squaredArea` over `edges`. Rounding turns the
+/// normal by some 1e-7 over the sine.
 struct StartFace {
 	Vec3f a, b, c;
 	Vec3f cross;       ///< two areas times the unit normal
-	float squaredSine; ///< 0 where two corners coincide
+	float squaredArea; ///< four times the square of the area
+	float edges;       ///< product of the squared edges at the corner; 0 where two corners coincide
 
 	StartFace(const HalfEdgeMesh& m, int f) :
 			a(m.position[m.origin[3 * f]]), b(m.position[m.origin[3 * f + 1]]),
-			c(m.position[m.origin[3 * f + 2]])
+			c(m.position[m.origin[3 * f + 2]]), cross(gpr::cross(b - a, c - a)),
+			squaredArea(squaredLength(cross)), edges(squaredLength(b - a) * squaredLength(c - a))
 	{
-		const float edges = squaredLength(b - a) * squaredLength(c - a);
-		cross             = gpr::cross(b - a, c - a);
-		squaredSine       = edges > 0 ? squaredLength(cross) / edges : 0;
 	}
-	bool hasArea() const { return squaredSine > 1e-10f; }
+	bool hasArea() const { return squaredArea > 1e-10f * edges; }
 
 	/// Takes rounding away, which in the plane of a needle is much.
 	Vec3f putBack(const Vec3f& p, const Vec3f& normal) const
 	{
 		constexpr float needle = 1e-6f; // an angle of a thousandth: rounding moves points as far
-		if (squaredSine < needle) return nearestOnTriangle(p, a, b, c);
+		if (squaredArea < needle * edges) return nearestOnTriangle(p, a, b, c);
 		return p - normal * dot(p - a, normal);
 	}
 };
 
 } // namespace
 
-/// No face's normal is needed on the way, and one root a face: see Unfolded.
-WalkEnd walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step, int maxCrossings)
+namespace {
+
+/// A walk of the length `wanted` along the unit vector u in the face that it begins in, whose unit
+/// normal is given. No face's normal is needed on the way, and one root a face: see Unfolded.
+WalkEnd walkAlong(const HalfEdgeMesh& m, SurfacePoint& at, const StartFace& start,
+				  const Vec3f& normal, const Vec3f& u, float wanted, int maxCrossings)
 {
-	const float wanted = length(step);
-	if (!(wanted > 0)) return WalkEnd::Arrived;
-	const StartFace start(m, at.face);
-	if (!start.hasArea()) return WalkEnd::AtBorder;
-	const Vec3f normal = normalized(start.cross);
-	const Vec3f ahead  = tangential(step, normal);
-	const float flat   = length(ahead);
-	if (!(flat > 0)) return WalkEnd::Arrived;
-	const Vec3f u    = ahead * (1 / flat);
-	Exit        exit = exitOfFirstFace(m, at, u, cross(normal, u));
-	float       x    = exit.x();
+	Exit  exit = exitOfFirstFace(m, at, u, cross(normal, u));
+	float x    = exit.x();
 	if (x >= wanted) {
 		at.position = start.putBack(at.position + u * wanted, normal);
 		return WalkEnd::Arrived;
@@ -182,10 +177,34 @@ WalkEnd walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step, int max
 	return WalkEnd::Capped;
 }
 
+} // namespace
+
+WalkEnd walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step, int maxCrossings)
+{
+	const float wanted = length(step);
+	if (!(wanted > 0)) return WalkEnd::Arrived;
+	const StartFace start(m, at.face);
+	if (!start.hasArea()) return WalkEnd::AtBorder;
+	const Vec3f normal = normalized(start.cross);
+	const Vec3f ahead  = tangential(step, normal);
+	const float flat   = length(ahead);
+	if (!(flat > 0)) return WalkEnd::Arrived;
+	return walkAlong(m, at, start, normal, ahead * (1 / flat), wanted, maxCrossings);
+}
+
+/// Most of the roots and divisions of a walk would be spent on the first face. A record knows its
+/// normal, and keeps it where the face stays.
 WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex)
 {
-	const WalkEnd end = walk(surface.mesh, vertex.point, step);
-	vertex.normal     = surface.mesh.faceNormal(vertex.point.face);
+	const HalfEdgeMesh& m      = surface.mesh;
+	const float         wanted = length(step);
+	if (!(wanted > 0)) return WalkEnd::Arrived;
+	const int       face = vertex.point.face;
+	const StartFace start(m, face);
+	if (!start.hasArea()) return WalkEnd::AtBorder;
+	const WalkEnd end = walkAlong(m, vertex.point, start, vertex.normal, step * (1 / wanted),
+								  wanted, maxFacesCrossed);
+	if (vertex.point.face != face) vertex.normal = m.faceNormal(vertex.point.face);
 	return end;
 }
 

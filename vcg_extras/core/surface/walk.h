@@ -27,7 +27,7 @@ constexpr int maxFacesCrossed = 20000;
 WalkEnd walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step,
 			 int maxCrossings = maxFacesCrossed);
 
-/// Moves the record of a vertex by a walk.
+/// Moves the record of a vertex by a walk. The step must be tangential to the record's normal.
 WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex);
 
 /// The faces that a point lies in: its own, and where it lies on an edge or in a corner of that, up

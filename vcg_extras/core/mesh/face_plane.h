@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_MESH_FACE_PLANE_H
+#define VCG_EXTRAS_CORE_MESH_FACE_PLANE_H
+
+#include "half_edge_mesh.h"
+
+#include <vcg_extras/core/base/triangle.h>
+
+namespace gpr {
+
+/// A point in the plane of a triangle, as weights of its corners.
+struct Foot {
+	float weight[3];
+
+	bool isInside() const { return weight[0] > 0 && weight[1] > 0 && weight[2] > 0; }
+	/// The corner with the least weight, and that with the most.
+	int lightest() const
+	{
+		if (weight[0] <= weight[1]) return weight[0] <= weight[2] ? 0 : 2;
+		return weight[1] <= weight[2] ? 1 : 2;
+	}
+	int heaviest() const
+	{
+		if (weight[0] >= weight[1]) return weight[0] >= weight[2] ? 0 : 2;
+		return weight[1] >= weight[2] ? 1 : 2;
+	}
+};
+
+/// A triangle and its plane, for many points: the weights of the corners at the foot of a point are
+/// linear functions of it, so that each point takes a few multiplications. Without an area no foot
+/// is inside.
+class FacePlane {
+public:
+	FacePlane(const HalfEdgeMesh& m, int face) :
+			corner_{m.position[m.origin[3 * face]], m.position[m.origin[3 * face + 1]],
+					m.position[m.origin[3 * face + 2]]},
+			cross_(corner_.cross())
+	{
+		const float squared = squaredLength(cross_);
+		inverse_            = squared > 0 ? 1 / squared : 0.0f;
+		second_             = cross(corner_.c - corner_.a, cross_) * inverse_;
+		third_              = cross(cross_, corner_.b - corner_.a) * inverse_;
+	}
+
+	/// The first one.
+	const Vec3f& corner() const { return corner_.a; }
+	/// Twice the area times the unit normal.
+	const Vec3f& areaNormal() const { return cross_; }
+	bool         looksAlong(const Vec3f& normal) const { return dot(cross_, normal) > 0; }
+
+	/// Of the point of the plane nearest to p.
+	Foot footOf(const Vec3f& p) const
+	{
+		const Vec3f from   = p - corner_.a;
+		const float second = dot(from, second_), third = dot(from, third_);
+		return {{1 - second - third, second, third}};
+	}
+	/// Of the point of the triangle nearest to p.
+	Foot nearestFoot(const Vec3f& p) const
+	{
+		const Foot inPlane = footOf(p);
+		return inPlane.isInside() && inverse_ > 0 ? inPlane : footOnEdges(p);
+	}
+
+	float squaredDistance(const Vec3f& p, const Foot& foot) const
+	{
+		return squaredLength(corner_.a * foot.weight[0] + corner_.b * foot.weight[1] +
+							 corner_.c * foot.weight[2] - p);
+	}
+	/// Of p from the plane.
+	float squaredHeight(const Vec3f& p) const
+	{
+		const float height = dot(p - corner_.a, cross_);
+		return height * height * inverse_;
+	}
+
+private:
+	Corners corner_;
+	Vec3f   cross_;
+	Vec3f   second_, third_; ///< gradients of the weights of the second and third corner
+	float   inverse_;        ///< 1 over the squared length of cross_; 0 without an area
+
+	/// All three edges, since the triangle may be obtuse.
+	Foot footOnEdges(const Vec3f& p) const;
+};
+
+} // namespace gpr
+
+#endif
