@@ -5,6 +5,7 @@
 #include "prepared_surface.h"
 
 #include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/base/pages.h>
 #include <vcg_extras/core/base/run_context.h>
 #include <vcg_extras/core/input/selected_part.h>
 #include <vcg_extras/core/output/part_joining.h>
@@ -116,24 +117,26 @@ Result runPipeline(const Call& call, Pipeline pipeline, const Body& body)
 {
 	using Clock      = std::chrono::steady_clock;
 	const auto start = Clock::now();
-	return guarded<Result>([&](Result& result) {
-		requireValid(call.options);
-		{
-			const RemeshOptions options = resolved(call.input, pipeline, call.options);
-			Workers workers(options.threads, call.progress, options.timeLimitSeconds, call.stop);
-			result.report.seed    = options.seed;
-			result.report.adapt   = options.adapt;
-			result.report.threads = workers.threadNum();
-			if (pipeline != Pipeline::Detection) result.notes = optionsWithoutEffect(call.options);
-			RunContext run{call.input,   options,
-						   workers,      result.report,
-						   result.notes, StageClock(workers, result.report, pipeline, call.whole)};
-			run.kept = call.kept;
-			body(run, result);
-		}
-		result.status               = Status::Ok;
-		result.report.remeshSeconds = std::chrono::duration<double>(Clock::now() - start).count();
-	});
+	Result     made  = guarded<Result>([&](Result& result) {
+        requireValid(call.options);
+        {
+            const RemeshOptions options = resolved(call.input, pipeline, call.options);
+            Workers workers(options.threads, call.progress, options.timeLimitSeconds, call.stop);
+            result.report.seed    = options.seed;
+            result.report.adapt   = options.adapt;
+            result.report.threads = workers.threadNum();
+            if (pipeline != Pipeline::Detection) result.notes = optionsWithoutEffect(call.options);
+            RunContext run{call.input,   options,
+                           workers,      result.report,
+                           result.notes, StageClock(workers, result.report, pipeline, call.whole)};
+            run.kept = call.kept;
+            body(run, result);
+        }
+        result.status               = Status::Ok;
+        result.report.remeshSeconds = std::chrono::duration<double>(Clock::now() - start).count();
+    });
+	returnReleasedMemory(); // the caller may need it
+	return made;
 }
 
 RemeshResult remeshWhole(Call call)

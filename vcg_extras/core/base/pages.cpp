@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "pages.h"
 
+#include "page_pool.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -25,8 +27,7 @@ namespace gpr {
 
 namespace {
 
-constexpr std::size_t hugePageBytes = std::size_t(2) << 20;
-constexpr std::size_t cacheLine     = 64;
+constexpr std::size_t cacheLine = 64;
 
 std::size_t roundUp(std::size_t n, std::size_t step)
 {
@@ -102,32 +103,78 @@ std::int64_t availableMemoryBytes()
 #endif
 }
 
+#if defined(__linux__)
+
+namespace {
+
+void unmapPages(void* block, std::size_t bytes)
+{
+	munmap(block, bytes);
+}
+
+/// The system's own alignment is that of small pages: more is taken, and what sticks out returned.
+void* mapPages(std::size_t bytes)
+{
+	constexpr std::size_t page = PagePool::pageBytes;
+	void* const           memory =
+		mmap(nullptr, bytes + page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+	if (memory == MAP_FAILED) return nullptr;
+	char* const       begin  = static_cast<char*>(memory);
+	const std::size_t before = (page - reinterpret_cast<std::uintptr_t>(begin) % page) % page;
+	if (before > 0) unmapPages(begin, before);
+	unmapPages(begin + before + bytes, page - before);
+#if defined(MADV_HUGEPAGE)
+	madvise(begin + before, bytes, MADV_HUGEPAGE);
+#endif
+	return begin + before;
+}
+
+/// Never destroyed: arrays of static objects may be given back at the very end.
+PagePool& pool()
+{
+	static PagePool* const pool = new PagePool({mapPages, unmapPages});
+	return *pool;
+}
+
+bool isForPool(std::size_t bytes)
+{
+	return bytes >= 2 * PagePool::pageBytes;
+}
+
+} // namespace
+
+#endif
+
 void* allocatePages(std::size_t bytes)
 {
-	const bool        large     = bytes >= 2 * hugePageBytes;
-	const std::size_t alignment = large ? hugePageBytes : cacheLine;
-	const std::size_t rounded   = roundUp(bytes + 1, alignment);
+#if defined(__linux__)
+	if (isForPool(bytes)) return pool().take(bytes);
+#endif
+	const std::size_t rounded = roundUp(bytes + 1, cacheLine);
 #if defined(_WIN32)
-	void* memory = _aligned_malloc(rounded, alignment);
+	void* memory = _aligned_malloc(rounded, cacheLine);
 #else
-	void* memory = std::aligned_alloc(alignment, rounded);
+	void* memory = std::aligned_alloc(cacheLine, rounded);
 #endif
 	if (memory == nullptr) throw std::bad_alloc();
-#if defined(__linux__) && defined(MADV_HUGEPAGE)
-	if (large) madvise(memory, rounded, MADV_HUGEPAGE);
-#endif
 	return memory;
 }
 
 void returnReleasedMemory()
 {
+#if defined(__linux__)
+	pool().returnAll();
+#endif
 #if defined(__GLIBC__)
 	malloc_trim(0);
 #endif
 }
 
-void releasePages(void* memory, std::size_t)
+void releasePages(void* memory, [[maybe_unused]] std::size_t bytes)
 {
+#if defined(__linux__)
+	if (isForPool(bytes)) return pool().give(memory, bytes);
+#endif
 #if defined(_WIN32)
 	_aligned_free(memory);
 #else

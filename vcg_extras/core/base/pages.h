@@ -8,7 +8,8 @@
 
 namespace gpr {
 
-/// Memory for a large array, in huge pages where the system offers them; throws std::bad_alloc.
+/// Memory for a large array, in huge pages where the system offers them (see page_pool.h); throws
+/// std::bad_alloc. bytes: the same when it is released.
 /// This file is the only place of the engine that talks to the operating system.
 void* allocatePages(std::size_t bytes);
 void  releasePages(void* memory, std::size_t bytes);

@@ -237,18 +237,6 @@ bool doFacesTouch(const HalfEdgeMesh& m, int f, int g, Seams seams)
 	return touch(s, t);
 }
 
-/// Whether both lie round one vertex and cannot touch for that.
-bool areInAFlatStar(const HalfEdgeMesh& m, const FlatStars& stars, int f, int g)
-{
-	for (int k = 0; k < 3; ++k) {
-		const int v = m.origin[3 * f + k];
-		for (int l = 0; l < 3; ++l) {
-			if (m.origin[3 * g + l] == v && stars.isFlat(v)) return true;
-		}
-	}
-	return false;
-}
-
 } // namespace
 
 NamedTriangle triangleOf(const HalfEdgeMesh& m, int f)
@@ -286,8 +274,7 @@ std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers,
 		std::fill(wanted.begin() + std::min(firstFace, m.faceNum), wanted.end(), char(1));
 	}
 	const auto compare = [&](int f, int g, std::vector<FacePair>& out) {
-		if (!areInAFlatStar(m, stars, f, g) && doFacesTouch(m, f, g, seams))
-			out.push_back(std::minmax(f, g));
+		if (!stars.areInOne(f, g) && doFacesTouch(m, f, g, seams)) out.push_back(std::minmax(f, g));
 	};
 	std::vector<FacePair> found = FacePairs(boxes, wanted).collect<FacePair>(workers, compare);
 	std::sort(found.begin(), found.end());

@@ -25,6 +25,20 @@ public:
 
 	bool isFlat(int v) const { return isFlat_.empty() ? looksFlat(v) : isFlat_[v] != 0; }
 
+	/// Whether two faces lie round one such vertex.
+	bool areInOne(int f, int g) const
+	{
+		// Most pairs are told apart by this, and which corners they share is hard to foresee: three
+		// branches, not nine.
+		const int* const a = &m_.origin[3 * f];
+		const int* const b = &m_.origin[3 * g];
+		for (int k = 0; k < 3; ++k) {
+			const bool isShared = (a[k] == b[0]) | (a[k] == b[1]) | (a[k] == b[2]);
+			if (isShared && isFlat(a[k])) return true;
+		}
+		return false;
+	}
+
 private:
 	const HalfEdgeMesh& m_;
 	Buffer<char>        isFlat_; ///< per vertex; empty where each is looked at when it is asked for

@@ -123,9 +123,9 @@ std::vector<int> findAmong(const HalfEdgeMesh& m, const std::vector<char>& wante
 	FlatStars       stars(m);
 	if (wanted.empty()) stars.findAll(workers);
 	const auto compare = [&](int f, int g, std::vector<int>& out) {
+		if (stars.areInOne(f, g)) return;
 		const SharedCorners shared = sharedCorners(m, f, g);
 		if (shared.num > 1) return;
-		if (shared.num == 1 && stars.isFlat(m.origin[3 * f + shared.ofF])) return;
 		if (!facesCross(m, f, g, shared)) return;
 		out.push_back(f);
 		out.push_back(g);

@@ -30,8 +30,12 @@ constexpr std::size_t guessingDiskNum = 8000;
 /// ε is at least so many times the noise: a disk of noise has about four deviations from end to
 /// end.
 constexpr float noiseFactor = 2.5f;
-using Radii                 = std::array<float, radiusNum>;
-using Flatness              = std::array<float, radiusNum>; ///< at each radius, never falling
+/// Normals that turn by the angle α from their mean make a disk rise by half of its radius times
+/// sin α where it is a ridge, and by a quarter where it is round. In practice 1.6 misses one to
+/// three bent disks of a hundred, none of them much bent, and spares three of four extents.
+constexpr float sinePerSlope = 1.6f;
+using Radii                  = std::array<float, radiusNum>;
+using Flatness               = std::array<float, radiusNum>; ///< at each radius, never falling
 
 Radii radiiFor(const ErrorSizeRequest& request)
 {
@@ -264,11 +268,6 @@ public:
 	}
 
 private:
-	/// Normals that turn by the angle α from the centre's make a disk rise by half of its radius
-	/// times sin α where it is a ridge, and by a quarter where it is round. In practice 1.6 misses
-	/// one bent disk of a hundred, none of them much bent, and spares three of four extents.
-	static constexpr float sinePerSlope = 1.6f;
-
 	const Buffer<Ring>& ring_;
 	const Radii&        radii_;
 	Disk                disk_;
@@ -549,9 +548,7 @@ private:
 	/// and kept. ε will be between least and most.
 	void gatherBent(float least, float most)
 	{
-		// A ridge turns the normals to either side of it by the angle whose sine is 2 ε over the
-		// radius: where normals turn by less than half as much there is none.
-		const float sine     = least / radii_.back();
+		const float sine     = sinePerSlope * least / radii_.back();
 		const float flatTurn = sine * sine;
 		const auto  search   = [&](std::size_t begin, std::size_t end, auto& out) {
             FlatnessGauge gauge(mesh_, ring_, radii_);
