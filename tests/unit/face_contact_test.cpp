@@ -9,6 +9,7 @@
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/base/orientation.h>
 #include <vcg_extras/core/mesh/face_contact.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <cmath>
 #include <cstdint>
@@ -212,6 +213,45 @@ TEST(TouchingPairs, AreNoneAlongCutsButWhereBordersRunThroughFaces)
 	const TriangleMesh fine = shifted(grid(4, 8), {1, 0, 0});
 	EXPECT_FALSE(findTouchingPairs(halfEdgesOf(joined(left, fine)), workers).empty())
 		<< "a vertex on an edge of the other touches it";
+}
+
+/// Few or many vertices move, edges are flipped, a vertex comes in, faces die: what is known gives
+/// the same as a search from nothing.
+TEST(KnownContacts, AreThoseOfASearchFromNothing)
+{
+	Workers workers(2, nullptr);
+	int     touching = 0;
+	for (unsigned seed = 1; seed <= 6; ++seed) {
+		Random        random(seed);
+		HalfEdgeMesh  mesh = halfEdgesOf(icosphere(3));
+		KnownContacts known;
+		EditScratch   scratch;
+		reserve(mesh, mesh.vertexNum + 20, mesh.faceNum + 40);
+		for (int round = 0; round < 20; ++round) {
+			const int moved = round % 5 == 0 ? mesh.vertexNum : random.below(4);
+			for (int i = 0; i < moved; ++i) {
+				const int v = random.below(mesh.vertexNum);
+				mesh.position[v] +=
+					Vec3f(float(random.between(-1, 1)), float(random.between(-1, 1)),
+						  float(random.between(-1, 1))) *
+					(round % 5 == 0 ? 0.02f : 0.3f);
+			}
+			const int h = random.below(mesh.halfEdgeNum());
+			if (isDeadFace(mesh, h / 3)) continue;
+			if (round % 3 == 0 && canFlip(mesh, h)) flip(mesh, h);
+			if (round % 3 == 1 && canCollapse(mesh, h, scratch)) collapse(mesh, h);
+			if (round % 3 == 2) {
+				const Vec3f middle =
+					(mesh.position[mesh.origin[h]] + mesh.position[mesh.target(h)]) * 0.5f;
+				mesh.position[mesh.vertexNum] = middle;
+				splitEdge(mesh, h, mesh.vertexNum++);
+			}
+			const std::vector<FacePair> pairs = known.find(mesh, workers);
+			EXPECT_EQ(pairs, findTouchingPairs(mesh, workers)) << seed << " " << round;
+			touching += int(pairs.size());
+		}
+	}
+	EXPECT_GT(touching, 100);
 }
 
 } // namespace gpr::test

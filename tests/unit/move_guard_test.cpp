@@ -153,16 +153,14 @@ TEST(MoveGuard, TakesAllBackWhereThereIsNoEnd)
 	EXPECT_EQ(trial.mesh.position[7], Vec3f(5, 0, 0));
 }
 
-TEST(MoveGuard, TakesMovesBackOnDemandAndTellsWhatChanged)
+TEST(MoveGuard, TakesMovesBackOnDemand)
 {
 	Trial trial(turnLimits());
 	trial.mesh.position[0] = {0.1f, 0, 0};
 	trial.mesh.position[7] = {5.1f, 0, 0};
 	trial.guard.takeOver();
 	EXPECT_TRUE(trial.guard.hasMoved(0));
-	const std::vector<char> changed = trial.guard.takeBack({0}, {});
-	for (int f = 0; f < trial.mesh.faceNum; ++f)
-		EXPECT_EQ(changed[f] != 0, f < 6) << f;
+	trial.guard.takeBack({0}, {});
 	EXPECT_FALSE(trial.guard.hasMoved(0));
 	EXPECT_EQ(trial.mesh.position[0], Vec3f());
 	EXPECT_EQ(trial.mesh.position[7], Vec3f(5.1f, 0, 0));

@@ -261,24 +261,76 @@ bool touch(const NamedTriangle& s, const NamedTriangle& t)
 	return doEdgeNeighboursTouch(cornersFrom(s, (apexOfS + 1) % 3), t.at[apexOfT]);
 }
 
-std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers, Seams seams,
-										int firstFace)
+namespace {
+
+/// wanted: per face, whether its pairs are looked for; empty: all faces'.
+std::vector<FacePair> findAmong(const HalfEdgeMesh& m, const std::vector<char>& wanted, Seams seams,
+								Workers& workers)
 {
-	const FaceBoxes   boxes(m, workers);
-	FlatStars         stars(m);
-	std::vector<char> wanted;
-	if (firstFace == 0)
-		stars.findAll(workers);
-	else {
-		wanted.assign(std::size_t(m.faceNum), 0);
-		std::fill(wanted.begin() + std::min(firstFace, m.faceNum), wanted.end(), char(1));
-	}
+	const FaceBoxes boxes(m, wanted, workers);
+	FlatStars       stars(m);
+	if (wanted.empty()) stars.findAll(workers);
 	const auto compare = [&](int f, int g, std::vector<FacePair>& out) {
 		if (!stars.areInOne(f, g) && doFacesTouch(m, f, g, seams)) out.push_back(std::minmax(f, g));
 	};
 	std::vector<FacePair> found = FacePairs(boxes, wanted).collect<FacePair>(workers, compare);
 	std::sort(found.begin(), found.end());
 	return found;
+}
+
+} // namespace
+
+std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers, Seams seams,
+										int firstFace)
+{
+	std::vector<char> wanted;
+	if (firstFace > 0) {
+		wanted.assign(std::size_t(m.faceNum), 0);
+		std::fill(wanted.begin() + std::min(firstFace, m.faceNum), wanted.end(), char(1));
+	}
+	return findAmong(m, wanted, seams, workers);
+}
+
+const std::vector<FacePair>& KnownContacts::find(const HalfEdgeMesh& m, Workers& workers)
+{
+	std::vector<char> changed(std::size_t(m.faceNum));
+	workers.forEach(changed.size(), [&](int f) { changed[f] = hasChanged(m, f); });
+	const auto isOld = [&](const FacePair& pair) {
+		return pair.second >= m.faceNum || changed[pair.first] || changed[pair.second];
+	};
+	pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), isOld), pairs_.end());
+	const auto changedNum = std::count(changed.begin(), changed.end(), char(1));
+	if (changedNum == 0) return pairs_;
+	// All at once is faster than many one by one.
+	constexpr std::ptrdiff_t many = 8;
+	if (changedNum > std::ptrdiff_t(changed.size()) / many) {
+		pairs_.clear();
+		changed.clear();
+	}
+	const std::vector<FacePair> found = findAmong(m, changed, Seams::Joined, workers);
+	pairs_.insert(pairs_.end(), found.begin(), found.end());
+	std::sort(pairs_.begin(), pairs_.end());
+	keep(m, workers);
+	return pairs_;
+}
+
+bool KnownContacts::hasChanged(const HalfEdgeMesh& m, int face) const
+{
+	if (std::size_t(3) * face + 3 > origin_.size()) return true;
+	for (int h = 3 * face; h < 3 * face + 3; ++h) {
+		const int v = m.origin[h];
+		if (v != origin_[h]) return true;
+		if (v >= 0 && !(m.position[v] == position_[v])) return true;
+	}
+	return false;
+}
+
+void KnownContacts::keep(const HalfEdgeMesh& m, Workers& workers)
+{
+	position_.reset(std::size_t(m.vertexNum));
+	origin_.reset(std::size_t(m.halfEdgeNum()));
+	workers.forEach(position_.size(), [&](int v) { position_[v] = m.position[v]; });
+	workers.forEach(origin_.size(), [&](int h) { origin_[h] = m.origin[h]; });
 }
 
 } // namespace gpr

@@ -38,6 +38,24 @@ enum class Seams { Joined, Apart };
 std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& mesh, Workers& workers,
 										Seams seams = Seams::Joined, int firstFace = 0);
 
+/// The touching pairs of a mesh that changes: faces that are as they were at the last search are
+/// not compared with each other again. What was found is kept together with the faces that it was
+/// found for, so that no one has to tell what has changed.
+class KnownContacts {
+public:
+	/// What findTouchingPairs(mesh, workers) gives. Cost: a pass over the mesh, and the faces that
+	/// have changed.
+	const std::vector<FacePair>& find(const HalfEdgeMesh& mesh, Workers& workers);
+
+private:
+	Buffer<Vec3f>         position_; ///< of the mesh at the last search
+	Buffer<int>           origin_;
+	std::vector<FacePair> pairs_;
+
+	bool hasChanged(const HalfEdgeMesh& mesh, int face) const;
+	void keep(const HalfEdgeMesh& mesh, Workers& workers);
+};
+
 } // namespace gpr
 
 #endif

@@ -9,7 +9,6 @@
 #include "worst_distances.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
-#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/surface/closest_face_map.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/walk.h>
@@ -192,6 +191,7 @@ public:
 			outcome.capped = true;
 		sortUnique(intersecting_);
 		outcome.intersecting = std::move(intersecting_);
+		outcome.contacts     = std::move(contacts_);
 		outcome.farthest     = farthestFromSurface(r_);
 		return outcome;
 	}
@@ -204,8 +204,9 @@ private:
 	HalfEdgeMesh&         m_;
 	Workers&              workers_;
 	MoveLimits            limits_;
-	Buffer<char>          isFree_;       ///< vertices that may leave the surface
-	std::vector<int>      intersecting_; ///< faces that intersected others at some time
+	Buffer<char>          isFree_; ///< vertices that may leave the surface
+	KnownContacts         contacts_;
+	std::vector<int>      intersecting_; ///< faces that touched others at some time
 
 	/// False if a round, or all together, had to be taken back.
 	bool fitSoundly(std::unique_ptr<ClosestFaceMap>& map)
@@ -215,7 +216,7 @@ private:
 		fitCurves(surface_, curves_, limits_.minAngle, r_);
 		const bool allKept = fitInRounds(map);
 		whole.takeOver();
-		return takeBackOffenders(whole, {}) && allKept;
+		return takeBackOffenders(whole) && allKept;
 	}
 
 	/// False if a round had to take all its moves back.
@@ -243,40 +244,46 @@ private:
 		outcome.largestGap = lowerWorstDistances(surface_, *outcome.map, limits_.minAngle,
 												 settings_.worstRounds, r_, workers_);
 		moves.takeOver();
-		// Crossings are only new where vertices have moved.
-		std::vector<char> mayIntersect(m_.faceNum);
-		for (int f = 0; f < m_.faceNum; ++f)
-			mayIntersect[f] = moves.hasMoved(f);
-		if (std::find(mayIntersect.begin(), mayIntersect.end(), char(1)) == mayIntersect.end())
-			return true;
 		// Records of vertices that stayed must stay: at a sharp edge they might walk round it.
-		for (int v = 0; v < m_.vertexNum; ++v)
+		bool hasMoved = false;
+		for (int v = 0; v < m_.vertexNum; ++v) {
 			isFree_[v] = isFree_[v] && !(moves.shift(v) == Vec3f());
+			hasMoved   = hasMoved || isFree_[v];
+		}
+		if (!hasMoved) return true;
 		followOnSurface();
-		return takeBackOffenders(moves, std::move(mayIntersect));
+		return takeBackOffenders(moves);
 	}
 
-	/// Takes the moves of faces back that intersect others or are inverted where the
-	/// records are now. mayIntersect: faces, of which one at least takes part in an intersection
-	/// not known yet; empty: all. False if there was no end to it and all moves were taken back.
-	bool takeBackOffenders(MoveGuard& moves, std::vector<char> mayIntersect)
+	/// Takes the moves of faces back that touch others or are inverted where the records are now.
+	/// False if there was no end to it and all moves were taken back.
+	bool takeBackOffenders(MoveGuard& moves)
 	{
 		for (int i = 0; i < maxTakeBacks; ++i) {
-			const Buffer<Vec3f>    normal       = smoothNormals(surface_, r_, workers_);
-			const std::vector<int> intersecting = findIntersectingFaces(m_, mayIntersect, workers_);
-			intersecting_.insert(intersecting_.end(), intersecting.begin(), intersecting.end());
+			const Buffer<Vec3f>    normal   = smoothNormals(surface_, r_, workers_);
+			const std::vector<int> touching = facesThatTouch();
 			const auto looksAgainst = [&](int f) { return normalAgreement(m_, normal, f) < 0; };
 			std::vector<int> faces  = workers_.collectIf(m_.faceNum, looksAgainst);
-			faces.insert(faces.end(), intersecting.begin(), intersecting.end());
+			faces.insert(faces.end(), touching.begin(), touching.end());
 			const auto stands = [&](int f) { return !moves.hasMoved(f); };
 			faces.erase(std::remove_if(faces.begin(), faces.end(), stands), faces.end());
 			if (faces.empty()) return true;
-			mayIntersect = moves.takeBack(faces, normal);
+			moves.takeBack(faces, normal);
 			followOnSurface();
 		}
 		moves.takeAllBack();
 		followOnSurface();
 		return false;
+	}
+
+	std::vector<int> facesThatTouch()
+	{
+		std::vector<int> faces;
+		for (const FacePair& pair : contacts_.find(m_, workers_))
+			faces.insert(faces.end(), {pair.first, pair.second});
+		sortUnique(faces);
+		intersecting_.insert(intersecting_.end(), faces.begin(), faces.end());
+		return faces;
 	}
 
 	/// Records go where the vertices went, on the surface.

@@ -6,6 +6,7 @@
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>
+#include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/surface/closest_face_map.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
@@ -23,8 +24,8 @@ struct FitSettings {
 
 struct FitOutcome {
 	std::unique_ptr<ClosestFaceMap> map; ///< of the last round; null where there was none
-	std::vector<int>
-		  intersecting;   ///< ascending; all faces that still intersect others are among them
+	std::vector<int> intersecting; ///< ascending; all faces that still touch others are among them
+	KnownContacts    contacts;     ///< of the mesh as it is left
 	float farthest   = 0; ///< largest distance of a vertex from its surface point, working units
 	float largestGap = 0; ///< between result and input after worstRounds, working units
 	bool  capped     = false; ///< a guard gave up: the moves of that round were taken back

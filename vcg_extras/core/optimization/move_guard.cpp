@@ -83,20 +83,13 @@ bool MoveGuard::hasMoved(int f) const
 
 bool MoveGuard::settle(const Buffer<Vec3f>& normal)
 {
-	shortened_.clear();
 	const auto isSpoiltFace = [&](int f) { return isSpoilt(f, normal); };
 	return settleAmong(workers_.collectIf(m_.faceNum, isSpoiltFace), normal);
 }
 
-std::vector<char> MoveGuard::takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& normal)
+void MoveGuard::takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& normal)
 {
-	shortened_.clear();
-	const bool isSettled = settleAmong(facesRound(m_, shorten(faces, 0)), normal);
-	// Where all moves were taken back, all faces have changed.
-	std::vector<char> changed(m_.faceNum, char(!isSettled));
-	for (int f : facesRound(m_, shortened_))
-		changed[f] = 1;
-	return changed;
+	settleAmong(facesRound(m_, shorten(faces, 0)), normal);
 }
 
 void MoveGuard::takeAllBack()
@@ -140,7 +133,6 @@ std::vector<int> MoveGuard::shorten(const std::vector<int>& faces, float share)
 		shift_[v]      = shift_[v] * share;
 		m_.position[v] = at(v);
 	}
-	shortened_.insert(shortened_.end(), vertices.begin(), vertices.end());
 	return vertices;
 }
 

@@ -53,18 +53,16 @@ public:
 	/// Shortens the moves of spoilt faces until there are none. normal: of the surface at the
 	/// vertices, or empty. False if there was no end to it, and all moves were taken back.
 	bool settle(const Buffer<Vec3f>& normal = {});
-	/// Takes the moves of these faces back, and settles what this spoils. Returns per face whether
-	/// it has changed.
-	std::vector<char> takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& normal);
-	void              takeAllBack();
+	/// Takes the moves of these faces back, and settles what this spoils.
+	void takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& normal);
+	void takeAllBack();
 
 private:
-	MoveLimits       limits_;
-	HalfEdgeMesh&    m_;
-	Workers&         workers_;
-	Buffer<Vec3f>    from_;
-	Buffer<Vec3f>    shift_;
-	std::vector<int> shortened_; ///< vertices whose moves were, in the last call
+	MoveLimits    limits_;
+	HalfEdgeMesh& m_;
+	Workers&      workers_;
+	Buffer<Vec3f> from_;
+	Buffer<Vec3f> shift_;
 
 	bool             isSpoilt(int f, const Buffer<Vec3f>& normal) const;
 	bool             settleAmong(std::vector<int> faces, const Buffer<Vec3f>& normal);

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms.h"
 
-#include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/mesh/face_plane.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
 

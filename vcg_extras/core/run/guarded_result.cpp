@@ -356,12 +356,12 @@ private:
 
 } // namespace
 
-void removeContacts(RunContext& run, Prepared& p, ResultMesh& result)
+void removeContacts(RunContext& run, Prepared& p, KnownContacts& contacts, ResultMesh& result)
 {
 	if (!isGuarded(run.options)) return;
 	run.clock.enter(Stage::Contacts);
 	GuardedFigures&             figures = run.report.audit.guarded;
-	const std::vector<FacePair> pairs   = findTouchingPairs(result.mesh, run.workers);
+	const std::vector<FacePair> pairs   = contacts.find(result.mesh, run.workers);
 	figures.isTested                    = true;
 	figures.foundPairNum = figures.pairNum = std::int64_t(pairs.size());
 	if (pairs.empty()) return;
@@ -373,7 +373,7 @@ void removeContacts(RunContext& run, Prepared& p, ResultMesh& result)
 	Repair(run, p, result, ofInput).run(others);
 	if (figures.vertexNum == 0) return;
 	run.report.largestFitDistance = double(farthestFromSurface(result)) / p.surface.frame.scale;
-	figures.pairNum = std::int64_t(findTouchingPairs(result.mesh, run.workers).size());
+	figures.pairNum               = std::int64_t(contacts.find(result.mesh, run.workers).size());
 	tellMade(run, result);
 }
 

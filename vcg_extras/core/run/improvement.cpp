@@ -50,6 +50,7 @@ constexpr double       mostFarther    = 1.02;
 struct Fitted {
 	std::unique_ptr<ClosestFaceMap> map; ///< of the last round, if there was one
 	PoorFaces                       poor;
+	KnownContacts                   contacts;
 };
 
 float minAngleDeg(const RemeshOptions& options)
@@ -192,6 +193,7 @@ Fitted fit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 	fitted.poor.suspects          = std::move(outcome.intersecting);
 	fitted.poor.largestGap        = outcome.largestGap;
 	fitted.map                    = std::move(outcome.map);
+	fitted.contacts               = std::move(outcome.contacts);
 	return fitted;
 }
 
@@ -211,11 +213,13 @@ void repairFaces(RunContext& run, const Prepared& p, const BoundaryCurves& bound
 		run.report.largestFitDistance = double(farthestFromSurface(result)) / p.surface.frame.scale;
 }
 
-void fitAndRepair(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
-				  LargestDistance largest, ResultMesh& result)
+KnownContacts fitAndRepair(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+						   LargestDistance largest, ResultMesh& result)
 {
-	Fitted fitted = fit(run, p, boundary, largest, result);
+	Fitted        fitted   = fit(run, p, boundary, largest, result);
+	KnownContacts contacts = std::move(fitted.contacts);
 	repairFaces(run, p, boundary, std::move(fitted), result);
+	return contacts;
 }
 
 /// Lines are let go only where all other means fail; then these begin anew. Without some lines the
@@ -254,14 +258,15 @@ void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 		run.tellCap("changes for inverted faces");
 }
 
-void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
-			   LargestDistance largest, ResultMesh& result)
+KnownContacts fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+						LargestDistance largest, ResultMesh& result)
 {
 	if (!mayReleaseLines(run) || !areLinesCrowded(run, result))
 		return fitAndRepair(run, p, boundary, largest, result);
-	const ResultMesh start = copyResult(result, run.workers);
-	fitAndRepair(run, p, boundary, largest, result);
+	const ResultMesh start    = copyResult(result, run.workers);
+	KnownContacts    contacts = fitAndRepair(run, p, boundary, largest, result);
 	if (areLinesCrowded(run, result)) releaseLinesAndFit(run, p, boundary, largest, start, result);
+	return contacts;
 }
 
 } // namespace gpr

@@ -7,6 +7,7 @@
 
 #include <vcg_extras/core/base/run_context.h>
 #include <vcg_extras/core/features/boundary_curves.h>
+#include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
 namespace gpr {
@@ -25,9 +26,9 @@ enum class LargestDistance { Counts, IsOneOfMany };
 /// The last to move vertices: those before walk on the surface, which this leaves. Feature lines
 /// that are too close to each other for good angles are released, and all begins anew. Last of all
 /// the worst angles once more, with or without a fit. Where the largest distance counts, or sizes
-/// follow the error, the fit sees to that too.
-void fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
-			   LargestDistance largest, ResultMesh& result);
+/// follow the error, the fit sees to that too. Returns what was found of faces that touch.
+KnownContacts fitResult(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
+						LargestDistance largest, ResultMesh& result);
 
 } // namespace gpr
 

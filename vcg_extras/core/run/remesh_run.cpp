@@ -56,11 +56,11 @@ void remeshOnce(RunContext& run, LargestDistance largest, RemeshResult& out)
 	findFeatureLines(run, prepared);
 	tellLinesNotFollowed(run);
 
-	MeshedSurface  made    = meshForTarget(run, marks, std::move(prepared));
-	const Surface& surface = made.prepared.surface;
-	ResultMesh&    result  = made.meshed.result;
-	fitResult(run, made.prepared, made.meshed.curves, largest, result);
-	removeContacts(run, made.prepared, result);
+	MeshedSurface  made     = meshForTarget(run, marks, std::move(prepared));
+	const Surface& surface  = made.prepared.surface;
+	ResultMesh&    result   = made.meshed.result;
+	KnownContacts  contacts = fitResult(run, made.prepared, made.meshed.curves, largest, result);
+	removeContacts(run, made.prepared, contacts, result);
 	if (largest == LargestDistance::Counts) measureError(run, surface, result);
 	tellSmoothBorder(run, surface, result);
 	const Expected expected{made.prepared.targetNum, std::int64_t(made.prepared.kept.size())};
