@@ -61,7 +61,6 @@ int main(int argc, char** argv)
 	// Loading the program and its libraries took time before this line; no clock says how much of
 	// it, but the processor time used so far is most of it.
 	const Stopwatch programClock(processorSeconds());
-	keepFreedMemory();
 	try {
 		run(argc, argv, programClock);
 	}

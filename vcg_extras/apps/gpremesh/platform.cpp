@@ -13,9 +13,6 @@
 #include <ctime>
 #include <fcntl.h>
 #include <fstream>
-#if defined(__GLIBC__)
-#include <malloc.h>
-#endif
 #include <spawn.h>
 #include <sstream>
 #include <sys/mman.h>
@@ -132,16 +129,6 @@ void FileContent::giveBackPages() const
 bool errorIsTerminal()
 {
 	return ::isatty(STDERR_FILENO) == 1;
-}
-
-void keepFreedMemory()
-{
-#if defined(__GLIBC__)
-	// No block gets pages of its own, whatever its size: these would be cleared by the system anew
-	// each time, at 31M faces 4 GB instead of 1.6. What is free at the end goes back still.
-	::mallopt(M_MMAP_MAX, 0);
-	::mallopt(M_TRIM_THRESHOLD, 64 << 20);
-#endif
 }
 
 std::int64_t peakMemoryBytes()

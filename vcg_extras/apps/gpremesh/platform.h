@@ -37,11 +37,6 @@ private:
 /// True when standard error is a terminal that a person looks at.
 bool errorIsTerminal();
 
-/// Lets the allocator keep blocks that are freed for the next use of their size; by itself it takes
-/// each large one from the system and gives it back, and clearing the pages costs as much as using
-/// them. The engine gives back what it has no use for before it needs most.
-void keepFreedMemory();
-
 /// The most memory that the process has held so far, bytes; 0 where that is unknown.
 std::int64_t peakMemoryBytes();
 

@@ -57,8 +57,6 @@ FileContent::~FileContent() = default;
 // The content was read into memory of the process, which has to stay.
 void FileContent::giveBackPages() const {}
 
-void keepFreedMemory() {}
-
 bool errorIsTerminal()
 {
 	return ::_isatty(::_fileno(stderr)) != 0;
