@@ -64,7 +64,10 @@ ratios are taken within a round: they say more than seconds, which belong to thi
 def _left_out(methods):
     limits = [f"{m.label} above {m.most_faces / 1e6:.0f} million faces" for m in methods.values()
               if m.most_faces != float("inf")]
-    return f"- Left out, for the time it takes: {', '.join(limits)}.\n"
+    text = f"- Left out, for the time it takes: {', '.join(limits)}.\n"
+    if not any(method.remesher for method in methods.values()):
+        text += "- meshoptimizer of PyPI was not to be had for this run: its rows are missing.\n"
+    return text
 
 
 # ---- tables

@@ -188,6 +188,8 @@ class SpeedPage(unittest.TestCase):
 
     def test_without_the_package_there_are_no_columns_of_it(self):
         text = self.page()
+        self.assertIn("its rows are missing", text)
+        self.assertNotIn("its rows are missing", self.page(package="almeshopt 1"))
         self.assertNotIn("× meshoptimizer of PyPI", text)
         self.assertIn("| gpremesh, fast, 2 threads | 1.67 | 1.7 |", text)
 
