@@ -6,6 +6,7 @@ import datetime
 import os
 import re
 import subprocess
+from pathlib import Path
 
 SOURCES = ("CMakeLists.txt", "vcg_extras/core", "vcg_extras/complex", "vcg_extras/apps", "vcg_extras/bench")
 LEAST_LOAD_TO_TELL = 0.5  # of the last minute; an idle machine stays below it
@@ -36,6 +37,13 @@ def commit_of_sources():
 
 def version_of_package(name):
     return _output("dpkg-query", "-W", "-f=${Version}", name)
+
+
+def version_in_python(python, name):
+    """Of a package of PyPI; an empty string where that Python cannot use it."""
+    if not Path(python).is_file():
+        return ""
+    return _output(python, "-c", f"import {name}, importlib.metadata as m; print(m.version('{name}'))")
 
 
 def sentence_on_machine(facts):

@@ -39,6 +39,7 @@ class Programs:
 
     build: Path
     work: Path
+    python: str = ""  # one that has packages of PyPI
 
     def path(self, name):
         return self.build / "bin" / name

@@ -4,6 +4,7 @@
 
 import hashlib
 import json
+import os
 from dataclasses import dataclass
 
 from .commands import PERCENT, measured, touch_memory
@@ -19,6 +20,7 @@ class Method:
     threads: int
     bytes_per_face: int  # of the input, about what a run needs
     preset: str = ""  # of gpremesh; empty: another simplifier
+    remesher: str = ""  # of simulation_tasks.REMESHERS, in Python; empty: a program
     most_faces: float = float("inf")  # of the input; larger ones take too long
 
     def run(self, programs, mesh, face_num, goal):
@@ -44,10 +46,15 @@ class Method:
         result = programs.work / "result.ply"
         output = programs.work / "baseline.json"
         with output.open("w") as told:
-            outside = measured([
-                programs.path("gpr_bench_baseline"), self.key, mesh, result, str(goal)], told)
+            outside = measured([*self._baseline(programs), mesh, result, str(goal)], told)
         figures = json.loads(output.read_text())
         return _record(figures["seconds"], outside, figures, result, {})
+
+
+    def _baseline(self, programs):
+        if self.remesher:
+            return [programs.python, "-m", "measure.package_baseline", self.remesher]
+        return [programs.path("gpr_bench_baseline"), self.key]
 
 
 def _record(seconds, outside, counts, result, stages):
@@ -65,13 +72,20 @@ def _record(seconds, outside, counts, result, stages):
     }
 
 
+def thread_nums():
+    """2, 1, and as many as there are cores by doubling."""
+    more = [2 ** i for i in range(2, 10) if 2 ** i <= len(os.sched_getaffinity(0))]
+    return [2, 1, *more]
+
+
 def all_methods():
     """The default first: its number of faces is the goal of the other simplifiers."""
-    return [
-        Method("default-2", "gpremesh, default", 2, 80, "default"),
-        Method("default-1", "gpremesh, default", 1, 80, "default"),
-        Method("fast-2", "gpremesh, fast", 2, 80, "fast"),
-        Method("fast-1", "gpremesh, fast", 1, 80, "fast"),
-        Method("meshoptimizer", "meshoptimizer", 1, 150, most_faces=40e6),
+    ours = [Method(f"{preset}-{threads}", f"gpremesh, {preset}", threads, 80, preset)
+            for preset in ("default", "fast") for threads in thread_nums()]
+    return ours + [
+        Method("meshoptimizer", "meshoptimizer of Debian", 1, 150, most_faces=40e6),
+        Method("meshoptimizer-pypi", "meshoptimizer of PyPI", 1, 180, most_faces=40e6, remesher="meshoptimizer"),
+        Method("meshoptimizer-pypi-regular", "meshoptimizer of PyPI, regularised", 1, 180, most_faces=40e6,
+               remesher="meshoptimizer-regular"),
         Method("quadric", "Quadric Edge Collapse", 1, 400, most_faces=10e6),
     ]

@@ -46,13 +46,16 @@ def read_any(path):
     return meshes.current_mesh().vertex_matrix(), meshes.current_mesh().face_matrix()
 
 
+def only_used(vertices, faces):
+    """The vertices that are in use, as float, and the faces with their new numbers."""
+    used, numbers = np.unique(faces, return_inverse=True)
+    return np.asarray(vertices, np.float32)[used], numbers.reshape(-1, 3)
+
+
 def write(path, vertices, faces):
-    """Only the vertices that are in use."""
     import pyvista
 
-    used, numbers = np.unique(faces, return_inverse=True)
-    mesh = pyvista.PolyData.from_regular_faces(np.asarray(vertices, np.float32)[used], numbers.reshape(-1, 3))
-    mesh.save(path)
+    pyvista.PolyData.from_regular_faces(*only_used(vertices, faces)).save(path)
 
 
 def welded(vertices, faces):

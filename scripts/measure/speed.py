@@ -3,12 +3,14 @@
 """Time and memory of whole runs, which scripts/bench explains."""
 
 import argparse
+import os
 import shlex
 import subprocess
 import sys
 from pathlib import Path
 
-from .circumstances import circumstances
+from .bandwidth import memory_bandwidth
+from .circumstances import circumstances, version_in_python
 from .commands import Programs, RunFailed, say
 from .memory_by_stage import watch_memory
 from .methods import all_methods
@@ -16,9 +18,11 @@ from .pages import DOCS, add_out_option, keep_record, kept_record, write_page
 from .speed_page import speed_page
 from .speed_picture import draw
 from .stage_benchmarks import measure_stages
+from .statistics_of_runs import has_same_bytes
 
 FULL_SIZES = "0.27M,2.4M,7.75M,31M"
 QUICK_SIZES = "30k,60k"
+PACKAGE = "almeshopt"  # of PyPI, with the newest meshoptimizer that has a regularising option
 BUILT_IN = ("stone", "land", "box")
 MOST_FACES_FOR_STAGES = 3e6
 LEAST_FACES_FOR_MEMORY = 1e6  # the program itself is too much of a smaller run's memory
@@ -45,6 +49,11 @@ def face_number(text):
     return round(float(text.rstrip("kM")) * unit)
 
 
+def methods_of(figures):
+    """Without those whose package cannot be used here."""
+    return [method for method in all_methods() if figures.get("package") or not method.remesher]
+
+
 # ---- measuring
 
 
@@ -53,10 +62,13 @@ class Measuring:
         self.options = options
         self.programs = programs
         self.work = programs.work
+        self.methods = all_methods()
 
     def all(self, figures, record):
         """Writes the record after each mesh, so that a run broken off is not lost."""
         figures["meshes"] = []
+        figures["bandwidth"] = memory_bandwidth()
+        self.methods = methods_of(figures)
         files = self._files()
         for name, file, grown in files:
             figures["meshes"].append(self._measure_mesh(name, file, grown))
@@ -100,7 +112,7 @@ class Measuring:
         return 5 if face_num <= 3e6 else 3 if face_num <= 40e6 else 1
 
     def _measure_round(self, mesh, file, round_number):
-        methods = [m for m in all_methods() if mesh["faces"] <= m.most_faces]
+        methods = [m for m in self.methods if mesh["faces"] <= m.most_faces]
         # The goal of the others is known from the first round on, which begins with the default.
         if round_number % 2 == 1:
             methods.reverse()
@@ -140,15 +152,14 @@ def complaints(figures):
     """What cannot be right, whatever the machine; for --quick."""
     found = []
     for mesh in figures["meshes"]:
-        for method in all_methods():
+        for method in methods_of(figures):
             runs = mesh["runs"].get(method.key, [])
             if not runs:
                 found.append(f"{method.label} was not run on {mesh['name']}")
             found += [f"{method.label} on {mesh['name']}: {wrong}"
                       for run in runs for wrong in wrongs_of(run, mesh)]
         for preset in ("default", "fast"):
-            runs = mesh["runs"][f"{preset}-1"] + mesh["runs"][f"{preset}-2"]
-            if len({run["digest"] for run in runs}) != 1:
+            if not has_same_bytes(mesh, preset):
                 found.append(f"{preset} on {mesh['name']}: bytes depend on the threads")
     return found
 
@@ -166,11 +177,20 @@ def tell(figures, folder):
     folder.mkdir(parents=True, exist_ok=True)
     picture = folder / "measurements_speed.png"
     grown = [mesh for mesh in figures["meshes"] if mesh["grown"]]
-    drawn = draw(grown, all_methods(), picture)
+    drawn = draw(grown, methods_of(figures), figures.get("bandwidth"), picture)
     if not drawn:
         say("no picture: matplotlib is missing (python3-matplotlib)")
-    page = speed_page(figures, all_methods(), picture.name if drawn else "")
+    page = speed_page(figures, methods_of(figures), picture.name if drawn else "")
     write_page(folder, "measurements_speed.md", page)
+
+
+def package_version(python):
+    """An empty string, and a line, where it cannot be used."""
+    version = version_in_python(python, PACKAGE)
+    if not version:
+        say(f"SKIPPED: meshoptimizer of PyPI ({PACKAGE} is not to be had here; to try again, delete the folder "
+            f"{Path(python).parent.parent})" if python else f"SKIPPED: meshoptimizer of PyPI (no Python has {PACKAGE})")
+    return f"{PACKAGE} {version}" if version else ""
 
 
 def command_of(arguments):
@@ -180,10 +200,11 @@ def command_of(arguments):
 
 def main(build, commit, arguments):
     options = options_of(arguments)
-    programs = Programs(build, build / "bench")
+    programs = Programs(build, build / "bench", os.environ.get("GPR_BENCH_PYTHON", ""))
     record = programs.work / ("quick.json" if options.quick else "speed.json")
     if not options.page:
-        figures = {"circumstances": circumstances(build, commit), "command": command_of(arguments)}
+        figures = {"circumstances": circumstances(build, commit), "command": command_of(arguments),
+                   "package": package_version(programs.python)}
         Measuring(options, programs).all(figures, record)
     figures = kept_record(record)
     tell(figures, options.out or (programs.work if options.quick else DOCS))

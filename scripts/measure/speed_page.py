@@ -4,10 +4,14 @@
 
 from . import circumstances
 from .pages import page, table
-from .statistics_of_runs import (Spread, growth_of, memory_of, overhead_of, parallel_share, ratio_of,
-                                spread_of)
+from .statistics_of_runs import (Spread, amdahl, bandwidth_seconds, growth_of, has_same_bytes, memory_of, overhead_of,
+                                parallel_share, ratio_of, spread_of)
 
 OURS = ("fast-2", "fast-1", "default-2", "default-1")
+# Key, and how ratios to it are written.
+OTHERS = (("meshoptimizer", "{:.2f}"), ("meshoptimizer-pypi", "{:.2f}"), ("meshoptimizer-pypi-regular", "{:.2f}"),
+          ("quadric", "{:.1f}"))
+MANY_CORES = (8, 64)  # for which Amdahl's bound is told
 
 
 def speed_page(data, methods, picture_name):
@@ -17,6 +21,8 @@ def speed_page(data, methods, picture_name):
         "## Ratios\n\n" + _ratios(data["meshes"], methods),
         "## Whole runs\n\n" + _whole_runs(data["meshes"], methods),
         "## Growth\n\n" + _growth(data["meshes"], methods, picture_name),
+        "## Threads\n\n" + _threads(data["meshes"]),
+        *_bandwidth_part(data),
         "## Stages of the whole runs\n\n" + _stages(data["meshes"], methods),
     ]
     if any("memory" in mesh for mesh in data["meshes"]):
@@ -34,10 +40,15 @@ ratios are taken within a round: they say more than seconds, which belong to thi
 
 - **seconds**: the algorithm, from the mesh in memory to the result in memory. gpremesh: `seconds.remesh` of its report, with
   cleaning, ordering and audit. Quadric Edge Collapse: vcglib's, with the parameters that MeshLab's dialog proposes, without
-  assertions, from vcglib's mesh to vcglib's mesh. meshoptimizer: `meshopt_simplify` alone, at any error. Both work on one
-  thread, and get as many faces for their goal as gpremesh's default has; where they stop before it, the column "faces" says so.
+  assertions, from vcglib's mesh to vcglib's mesh. meshoptimizer: `meshopt_simplify` alone, at any error, from arrays to
+  arrays. All of them work on one thread, and get as many faces for their goal as gpremesh's default has; where they stop before
+  it, the column "faces" says so.
+- **meshoptimizer of PyPI**: the package almeshopt brings it, compiled for AVX2; **regularised**: with
+  `meshopt_SimplifyRegularize`. The package meshoptimizer of PyPI is older and has no such option. The arrays are made before
+  the clock starts; within it are the array for the result and a copy of what is left, which the package makes.
 - **whole program**: wall time from outside, from the start of the process to its end: reading a binary PLY, the algorithm,
-  writing one. The other simplifiers are given gpremesh's reader and writer. **over seconds** is its ratio to the seconds.
+  writing one. The other simplifiers are given gpremesh's reader and writer, that of PyPI one of numpy, and it has Python to
+  start. **over seconds** is its ratio to the seconds.
 - **processor**: time of all threads, user and system, of the whole program. Near twice the wall time where two threads are
   always busy.
 - **peak**: the largest resident memory of the program as the system tells it (`ru_maxrss`), pages of the mapped input file
@@ -53,7 +64,10 @@ ratios are taken within a round: they say more than seconds, which belong to thi
 def _left_out(methods):
     limits = [f"{m.label} above {m.most_faces / 1e6:.0f} million faces" for m in methods.values()
               if m.most_faces != float("inf")]
-    return f"- Left out, for the time it takes: {', '.join(limits)}.\n"
+    text = f"- Left out, for the time it takes: {', '.join(limits)}.\n"
+    if not any(method.remesher for method in methods.values()):
+        text += "- meshoptimizer of PyPI was not to be had for this run: its rows are missing.\n"
+    return text
 
 
 # ---- tables
@@ -74,14 +88,13 @@ def _name(method):
 
 
 def _ratios(meshes, methods):
+    others = [(key, written) for key, written in OTHERS if key in methods]
     rows = []
     for mesh in meshes:
         for key in OURS:
-            rows.append([
-                _title(mesh), _name(methods[key]), _text(ratio_of(mesh, "meshoptimizer", key), "{:.2f}"),
-                _text(ratio_of(mesh, "quadric", key), "{:.1f}"),
-                _text(overhead_of(mesh, key), "{:.2f}")])
-    titles = ["model", "method", "× meshoptimizer", "× Quadric Edge Collapse", "whole program over seconds"]
+            ratios = [_text(ratio_of(mesh, other, key), written) for other, written in others]
+            rows.append([_title(mesh), _name(methods[key]), *ratios, _text(overhead_of(mesh, key), "{:.2f}")])
+    titles = ["model", "method", *(f"× {methods[key].label}" for key, _ in others), "whole program over seconds"]
     return table(titles, rows, 2)
 
 
@@ -110,15 +123,14 @@ def _whole_row(mesh, method):
 
 def _growth(meshes, methods, picture_name):
     grown = [mesh for mesh in meshes if mesh["grown"]]
-    text = f"![Seconds and memory over the number of faces]({picture_name})\n\n" if picture_name else ""
+    text = f"![Seconds by faces and by threads, memory by faces]({picture_name})\n\n" if picture_name else ""
     text += """\
 Fitted over the sizes of the first model. **seconds ~ faces^b**: 1 is linear. **from size to size**: seconds over those of the
 size before, and faces over faces. **peak = offset + B/face · faces**, by least squares with equal weight for each size.
 
 """
     rows = [row for row in (_growth_row(grown, method) for method in methods.values()) if row]
-    text += table(["method", "b", "from size to size", "B/face", "offset, MB"], rows)
-    return text + "\nWith a second thread; the share of the work that it halves is Amdahl's:\n\n" + _threads(meshes)
+    return text + table(["method", "b", "from size to size", "B/face", "offset, MB"], rows)
 
 
 def _growth_row(grown, method):
@@ -139,21 +151,53 @@ def _steps(grown, key):
     return "; ".join(steps)
 
 
+# ---- threads and bandwidth
+
+
 def _threads(meshes):
+    text = """\
+**parallel** is the share of the work that a second thread halves. By Amdahl's law no number of cores takes less time than
+the rest of the work; **at most with 8 cores** is how many times faster than one thread they are where they divide that share
+evenly. A share above 100 % is noise, and is taken as 100 % for that.
+
+"""
     rows = []
     for mesh in meshes:
         for preset in ("fast", "default"):
             one = spread_of(mesh, f"{preset}-1", "seconds").median
             two = spread_of(mesh, f"{preset}-2", "seconds").median
-            rows.append([_title(mesh), preset, f"{one:.3f}", f"{two:.3f}", f"{one / two:.2f}",
-                         f"{100 * parallel_share(one, two):.0f} %", _same_bytes(mesh, preset)])
-    titles = ["model", "preset", "1 thread, s", "2 threads, s", "times faster", "parallel", "same bytes"]
-    return table(titles, rows, 2)
+            share = parallel_share(one, two)
+            rows.append([_title(mesh), preset, f"{one:.3f}", f"{two:.3f}", f"{one / two:.2f}", f"{100 * share:.0f} %",
+                         *(f"{amdahl(share, cores):.1f}" for cores in MANY_CORES),
+                         "yes" if has_same_bytes(mesh, preset) else "NO"])
+    titles = ["model", "preset", "1 thread, s", "2 threads, s", "times faster", "parallel",
+              *(f"at most with {cores} cores" for cores in MANY_CORES), "same bytes"]
+    return text + table(titles, rows, 2)
 
 
-def _same_bytes(mesh, preset):
-    runs = mesh["runs"][f"{preset}-1"] + mesh["runs"][f"{preset}-2"]
-    return "yes" if len({run["digest"] for run in runs}) == 1 else "NO"
+def _bandwidth_part(data):
+    """Earlier records have none."""
+    if "bandwidth" not in data:
+        return []
+    text = f"""\
+## Limit by the bandwidth of the memory
+
+The line in the picture: the time in which the arrays of a run are written once and read once. Assumed are as many bytes a
+face as `fast` holds at its peak, the program itself included, which counts with small meshes. The memory reads and writes
+{data['bandwidth'] / 1e9:.1f} GB/s together, measured by copies of a large array before the first run, all cores at once. What a run takes
+beyond that is arithmetic, waiting for single places of the memory, and passes that go over the arrays again.
+
+"""
+    rows = [_bandwidth_row(mesh, data["bandwidth"]) for mesh in data["meshes"]]
+    titles = ["model", "bytes a face", "limit, s", "fast, 2 threads, over it", "default, 2 threads, over it"]
+    return [text + table(titles, rows)]
+
+
+def _bandwidth_row(mesh, bandwidth):
+    limit = bandwidth_seconds(mesh, bandwidth)
+    held = spread_of(mesh, "fast-2", "peak").median / mesh["faces"]
+    over = [spread_of(mesh, key, "seconds").median / limit for key in ("fast-2", "default-2")]
+    return [_title(mesh), f"{held:.0f}", f"{limit:.3f}", *(f"{times:.0f}" for times in over)]
 
 
 # ---- stages
@@ -216,7 +260,8 @@ By [gpremesh_bench](../bench/README.md) on {stages['mesh']}; milliseconds, on 1 
 
 def _circumstances(data):
     facts = data["circumstances"]
+    package = f", {data['package']}" if data.get("package") else ""
     return f"""\
 {circumstances.sentence_on_machine(facts)}, {facts['memory']}; {circumstances.sentence_on_build(facts)}; vcglib of MeshLab 2020.09;
-meshoptimizer {facts['meshoptimizer']}; commit {facts['commit']}; {facts['date']}. Made by `{data['command']}`.
+meshoptimizer {facts['meshoptimizer']}{package}; commit {facts['commit']}; {facts['date']}. Made by `{data['command']}`.
 """ + circumstances.sentence_on_load(facts)

@@ -33,6 +33,12 @@ def ratio_of(mesh, slower, faster):
     return Spread(a["seconds"] / b["seconds"] for a, b in pairs) if pairs else None
 
 
+def has_same_bytes(mesh, preset):
+    """Whether all runs of a preset of gpremesh, with any number of threads, made the same file."""
+    runs = [run for key, runs in mesh["runs"].items() if key.startswith(f"{preset}-") for run in runs]
+    return len({run["digest"] for run in runs}) == 1
+
+
 def overhead_of(mesh, method):
     """Wall time of the whole program over the engine's own seconds."""
     runs = mesh["runs"].get(method, [])
@@ -42,6 +48,18 @@ def overhead_of(mesh, method):
 def parallel_share(one, two):
     """The share of the work that a second thread halves, by Amdahl's law; 0 where it was none."""
     return max(0, 2 * (1 - two / one))
+
+
+def amdahl(share, core_num):
+    """How many times faster so many cores are at most, if they divide this share of the work evenly. A share above 1
+    is noise."""
+    share = min(share, 1)
+    return 1 / (1 - share + share / core_num)
+
+
+def bandwidth_seconds(mesh, bandwidth):
+    """The time in which memory of so many bytes a second writes once and reads once what fast holds at its peak."""
+    return 2 * spread_of(mesh, "fast-2", "peak").median / bandwidth
 
 
 def growth(points):

@@ -3,23 +3,27 @@
 """What scripts/measure makes of its figures."""
 
 import copy
+import io
 import sys
+import tempfile
 import unittest
+from contextlib import redirect_stdout
 from pathlib import Path
 from unittest import mock
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 
-from measure import paper, quality, simulation_page
+from measure import binary_ply, paper, quality, simulation_page, speed_page, speed_picture
+from measure.bandwidth import memory_bandwidth
 from measure.circumstances import sentence_on_load
 from measure.commands import RunFailed, measured, timed
 from measure.memory_by_stage import by_stage
 from measure.methods import all_methods
 from measure.pages import between_marks, table
-from measure.speed import command_of, complaints, face_number
-from measure.statistics_of_runs import (Spread, growth, line_through, overhead_of, parallel_share,
-                                        ratio_of, spread_of)
+from measure.speed import command_of, complaints, face_number, methods_of, package_version
+from measure.statistics_of_runs import (Spread, amdahl, bandwidth_seconds, growth, has_same_bytes, line_through,
+                                        overhead_of, parallel_share, ratio_of, spread_of)
 
 
 def run(seconds, wall=None, faces=10, digest="same"):
@@ -63,6 +67,23 @@ class Statistics(unittest.TestCase):
         self.assertAlmostEqual(parallel_share(10, 10 - 0.8 * 10 / 2), 0.8)
         self.assertEqual(parallel_share(10, 11), 0)
 
+    def test_amdahl_bounds_what_many_cores_gain(self):
+        self.assertEqual([amdahl(1, 8), amdahl(0, 64), amdahl(1.03, 64)], [8, 1, 64])
+        self.assertAlmostEqual(amdahl(parallel_share(10, 6), 2), 10 / 6)
+        self.assertAlmostEqual(amdahl(0.95, 8), 1 / (0.05 + 0.95 / 8))
+
+    def test_the_limit_is_what_fast_holds_written_and_read_once(self):
+        self.assertEqual(bandwidth_seconds({"runs": {"fast-2": [run(1)]}}, 1e6), 2)  # the peak of run() is 1e6
+
+    def test_runs_with_any_number_of_threads_are_compared(self):
+        runs = {"fast-1": [run(1)], "fast-2": [run(1)], "fast-4": [run(1)]}
+        self.assertTrue(has_same_bytes({"runs": runs}, "fast"))
+        runs["fast-4"] = [run(1, digest="another")]
+        self.assertFalse(has_same_bytes({"runs": runs}, "fast"))
+
+    def test_memory_is_copied_at_a_likely_speed(self):
+        self.assertTrue(1e8 < memory_bandwidth(1 << 24) < 1e13)
+
 
 class Measured(unittest.TestCase):
     def test_sees_time_and_memory_from_outside(self):
@@ -94,7 +115,7 @@ class MemoryByStage(unittest.TestCase):
 
 class Complaints(unittest.TestCase):
     def test_a_sound_record_has_none(self):
-        self.assertEqual(complaints({"meshes": [mesh_with_all_methods()]}), [])
+        self.assertEqual(complaints({"package": "almeshopt 1", "meshes": [mesh_with_all_methods()]}), [])
 
     def test_other_bytes_with_other_threads_are_found(self):
         mesh = mesh_with_all_methods()
@@ -106,6 +127,21 @@ class Complaints(unittest.TestCase):
         mesh["runs"]["quadric"] = []
         mesh["runs"]["meshoptimizer"] = [run(1, wall=0.5, faces=1000)]
         self.assertEqual(len(complaints({"meshes": [mesh]})), 3)
+
+    def test_a_missing_package_leaves_its_methods_out_with_a_line(self):
+        told = io.StringIO()
+        with redirect_stdout(told):
+            self.assertEqual(package_version(""), "")
+            self.assertEqual(package_version("/no/python"), "")
+        self.assertEqual(told.getvalue().count("SKIPPED: meshoptimizer of PyPI"), 2)
+        self.assertFalse([method for method in methods_of({"package": ""}) if method.remesher])
+        self.assertEqual(len([method for method in methods_of({"package": "almeshopt 1"}) if method.remesher]), 2)
+        mesh = mesh_with_all_methods()
+        for method in all_methods():
+            if method.remesher:
+                del mesh["runs"][method.key]
+        self.assertEqual(complaints({"meshes": [mesh]}), [])
+        self.assertEqual(len(complaints({"package": "almeshopt 1", "meshes": [mesh]})), 2)
 
     def test_sizes_are_read(self):
         self.assertEqual([face_number(t) for t in ("900", "30k", "0.27M", "7.75M")],
@@ -130,6 +166,56 @@ class Pages(unittest.TestCase):
     def test_the_command_names_no_folder_of_this_machine(self):
         self.assertEqual(command_of(["--grow", "/some/where/scan.ply", "--rounds", "3"]),
                          "scripts/bench --grow scan.ply --rounds 3")
+
+
+class SpeedPage(unittest.TestCase):
+    facts = {"processor": "P", "cores": 2, "memory": "1 GB", "compiler": "c++", "build_type": "Release",
+             "meshoptimizer": "0.18", "commit": "c", "date": "d", "load": 0}
+
+    def page(self, **more):
+        mesh = mesh_with_all_methods()
+        for key in ("fast-2", "default-2"):
+            mesh["runs"][key] = [run(0.6)]
+        mesh["runs"]["meshoptimizer-pypi"] = [run(3)]
+        data = {"meshes": [mesh], "circumstances": self.facts, "command": "scripts/bench", **more}
+        return speed_page.speed_page(data, methods_of(data), "")
+
+    def test_ratios_are_those_to_all_others(self):
+        text = self.page(package="almeshopt 1")
+        self.assertIn("× meshoptimizer of Debian | × meshoptimizer of PyPI | × meshoptimizer of PyPI, regularised | ×", text)
+        self.assertIn("| gpremesh, fast, 2 threads | 1.67 | 5.00 | 1.67 | 1.7 |", text)
+        self.assertIn("meshoptimizer 0.18, almeshopt 1;", text)
+
+    def test_without_the_package_there_are_no_columns_of_it(self):
+        text = self.page()
+        self.assertIn("its rows are missing", text)
+        self.assertNotIn("its rows are missing", self.page(package="almeshopt 1"))
+        self.assertNotIn("× meshoptimizer of PyPI", text)
+        self.assertIn("| gpremesh, fast, 2 threads | 1.67 | 1.7 |", text)
+
+    def test_bounds_for_many_cores_and_the_limit_are_told(self):
+        self.assertNotIn("## Limit", self.page())
+        text = self.page(bandwidth=1e8)
+        self.assertIn("| fast | 1.000 | 0.600 | 1.67 | 80 % | 3.3 | 4.7 | yes |", text)
+        self.assertIn("| mesh, 1,000 faces | 1000 | 0.020 | 30 | 30 |", text)
+
+    def test_all_methods_have_a_colour(self):
+        for method in all_methods():
+            self.assertIn(method.preset or method.key, speed_picture.COLOURS)
+
+
+class Files(unittest.TestCase):
+    def test_a_ply_file_is_read_as_it_was_written(self):
+        try:
+            import numpy as np
+        except ImportError:
+            self.skipTest("numpy is missing")
+        vertices, faces = np.eye(4, 3), np.array([[0, 1, 2], [0, 3, 1]])
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "mesh.ply"
+            binary_ply.write_arrays(file, vertices, faces)
+            read_vertices, read_faces = binary_ply.arrays_of(file)
+        self.assertTrue((read_vertices == vertices).all() and (read_faces == faces).all())
 
 
 class QualityRows(unittest.TestCase):
