@@ -113,7 +113,7 @@ MUTANTS = [
      "if (!mayBeBorder && m_.isBorderVertex(v)) return;", ""),
     # ---- surface
     ("walk from needles", "surface/walk.cpp",
-     "if (squaredSine < needle) return nearestOnTriangle(p, a, b, c);", ""),
+     "if (squaredArea < needle * edges) return nearestOnTriangle(p, a, b, c);", ""),
     ("gap seen from all corners", "surface/surface_gap.cpp",
      "for (int k = 0; k < 3 && squaredLength(nearest - p) > enough; ++k) {",
      "for (int k = 0; k < 0; ++k) {"),
@@ -177,7 +177,7 @@ MUTANTS = [
     ("flips for valences: no gain", "optimization/valence_glide.cpp", "if (energy < 0) return true;",
      "if (energy <= 0) return true;"),
     ("fit: what intersects goes back", "optimization/fit.cpp",
-     "return takeBackOffenders(whole, {}) && allKept;", "return allKept;"),
+     "return takeBackOffenders(whole) && allKept;", "return allKept;"),
     ("fit: farthest move", "optimization/fit.cpp", "constexpr float farthestMove = 0.3f;",
      "constexpr float farthestMove = 3;"),
     ("count: worse angles", "optimization/exact_count.cpp",
