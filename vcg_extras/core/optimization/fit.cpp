@@ -57,8 +57,8 @@ public:
 			  ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			settings_(settings), isFree_(isFree), r_(result), m_(result.mesh), workers_(workers),
-			distance_(m_), guard_(limitsOfFit(settings), result.mesh, workers), now_(m_.vertexNum),
-			next_(m_.vertexNum), last_(m_.vertexNum), mass_(m_.vertexNum),
+			distance_(m_), guard_(limitsOfFit(settings), result.mesh, workers),
+			shift_(m_.vertexNum), next_(m_.vertexNum), last_(m_.vertexNum), mass_(m_.vertexNum),
 			squaredEdge_(m_.vertexNum)
 	{
 	}
@@ -70,12 +70,11 @@ public:
 		guard_.start();
 		workers_.forEach(m_.vertexNum, [&](int v) { begin(v); });
 		for (int step = 0; step < stepNum; ++step) {
-			workers_.forEach(m_.vertexNum, [&](int v) {
-				next_[v] = isFree_[v] ? m_.position[v] + shiftAfterStep(v) : now_[v];
-			});
-			now_.swap(next_);
+			workers_.forEach(m_.vertexNum,
+							 [&](int v) { next_[v] = isFree_[v] ? shiftAfterStep(v) : Vec3f(); });
+			shift_.swap(next_);
 		}
-		workers_.forEach(m_.vertexNum, [&](int v) { m_.position[v] = now_[v]; });
+		workers_.forEach(m_.vertexNum, [&](int v) { m_.position[v] += shift_[v]; });
 		guard_.takeOver();
 		return guard_.settle(smoothNormals(surface_, r_, workers_));
 	}
@@ -89,7 +88,7 @@ private:
 	Workers&            workers_;
 	DistanceTerm        distance_;
 	MoveGuard           guard_;
-	Buffer<Vec3f>       now_;         ///< places before the step
+	Buffer<Vec3f>       shift_;       ///< before the step
 	Buffer<Vec3f>       next_;        ///< and behind it
 	Buffer<Vec3f>       last_;        ///< moves of the step before
 	Buffer<float>       mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
@@ -103,7 +102,7 @@ private:
 			area += length(m_.faceCross(h / 3)) / 2;
 			++faceNum;
 		});
-		now_[v]         = m_.position[v];
+		shift_[v]       = Vec3f();
 		last_[v]        = Vec3f();
 		mass_[v]        = area / 6;
 		squaredEdge_[v] = squaredEdgePerArea * area / float(faceNum);
@@ -134,40 +133,36 @@ private:
 		}
 	};
 
-	/// Both terms of the energy are summed up in one turn round v: reading the ring is what a step
-	/// costs.
+	/// The shift of v behind a step. Both terms of the energy are summed up in one turn round v:
+	/// reading the ring is what a step costs.
 	Vec3f shiftAfterStep(int v)
 	{
-		const Vec3f  shift = now_[v] - m_.position[v];
-		DistancePull distance;
-		RingShape    ring;
-		const auto   at = [&](int w) { return now_[w]; };
+		const float pull  = pullBack * mass_[v];
+		Vec3f       force = distance_.force(v) - distance_.own(v) * shift_[v] - shift_[v] * pull;
+		RingShape   ring;
+		const auto  at = [&](int w) { return m_.position[w] + shift_[w]; };
 		forEachFaceRound(m_, v, at, [&](int h, const Vec3f& a, const Vec3f& b) {
 			ring.add(a, b);
-			distance.add(distance_.of(h / 3), h % 3, shift, a, b);
+			force = force - distance_.joint(h) * shift_[m_.target(h)];
 		});
-		return shiftAgainst(v, shift, ring, distance);
+		return shiftAgainst(v, ring, force, pull);
 	}
 
-	/// The shift behind the step for the forces found; only the tangential part of the shape's
-	/// counts.
-	Vec3f shiftAgainst(int v, const Vec3f& shift, const RingShape& ring,
-					   const DistancePull& distance)
+	/// For the forces found; only the tangential part of the shape's counts.
+	Vec3f shiftAgainst(int v, const RingShape& ring, Vec3f force, float pull)
 	{
 		const Vec3f normal = normalized(ring.normal);
 		const float weight = shapeWeight(v);
 		const float stiff  = ring.pull.stiffness * weight;
-		const float pull   = pullBack * mass_[v];
-		const Vec3f force =
-			distance.force - shift * pull + tangential(ring.pull.force, normal) * weight;
+		force += tangential(ring.pull.force, normal) * weight;
 
-		SymmetricMatrix matrix = distance.stiffness;
+		SymmetricMatrix matrix = distance_.own(v);
 		matrix.addDiagonal(pull + stiff);
 		matrix.addOuter(normal, -stiff);
 		last_[v] =
 			moveWithMomentum(last_[v], momentum, matrix.solve(force).value_or(Vec3f()) * stepLength,
 							 longestStep * std::sqrt(ring.shortest));
-		return shortened(shift + last_[v], farthestMove * std::sqrt(squaredEdge_[v]));
+		return shortened(shift_[v] + last_[v], farthestMove * std::sqrt(squaredEdge_[v]));
 	}
 };
 

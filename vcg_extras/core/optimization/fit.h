@@ -16,10 +16,10 @@
 namespace gpr {
 
 struct FitSettings {
-	int   rounds      = 4;      ///< map found anew and vertices moved, so many times
-	float shapeWeight = 0.011f; ///< of the triangles' shape against the distance
-	float minAngleDeg = 32;     ///< no angle falls below, and none below it falls further
-	int   worstRounds = 0;      ///< of lowering the largest distances: see worst_distances.h
+	int   rounds      = 4;       ///< map found anew and vertices moved, so many times
+	float shapeWeight = 0.0105f; ///< of the triangles' shape against the distance
+	float minAngleDeg = 32;      ///< no angle falls below, and none below it falls further
+	int   worstRounds = 0;       ///< of lowering the largest distances: see worst_distances.h
 };
 
 struct FitOutcome {
@@ -34,7 +34,7 @@ struct FitOutcome {
 /// Stage 12: moves the vertices off the surface to where the triangles lie closest to it, and keeps
 /// the triangles regular meanwhile. Minimised over the vertices' positions x is
 ///
-///     Σ_p A_p (n_f · (p - Σ_k b_k x_k))²  +  Σ_f s_f E_f  +  μ Σ_i M_i |x_i - x_i⁰|²
+///     Σ_p A_p (n_p · (p - Σ_k b_k x_k))²  +  Σ_f s_f E_f  +  μ Σ_i M_i |x_i - x_i⁰|²
 ///
 /// p runs over the vertices of the input, with area A_p, whose nearest triangle f has the normal
 /// n_f, the corners x_k and the weights b_k there (see ClosestFaceMap): the squared distance of the

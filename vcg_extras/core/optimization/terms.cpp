@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms.h"
 
-#include <vcg_extras/core/mesh/face_plane.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
@@ -74,33 +73,50 @@ Buffer<Vec3f> secondOrderUmbrella(const HalfEdgeMesh& m, Workers& workers)
 	return step;
 }
 
-namespace {
-
-DistanceTerm::FaceSums sumsOf(const FacePlane& plane, const Surface& surface,
-							  const ClosestFaceMap& map, int f)
+DistanceTerm::DistanceTerm(const HalfEdgeMesh& mesh) :
+		m_(mesh), edge_(mesh.halfEdgeNum()), own_(mesh.vertexNum), force_(mesh.vertexNum)
 {
-	DistanceTerm::FaceSums sums{normalized(plane.areaNormal()), {}, {}, {}};
-	for (const int* i = map.begin(f); i != map.end(f); ++i) {
-		const Vec3f at     = surface.mesh.position[*i];
-		const Foot  foot   = plane.nearestFoot(at);
-		const float area   = map.area(*i);
-		const float height = dot(sums.normal, at - plane.corner());
-		for (int k = 0; k < 3; ++k) {
-			const float weighted = area * foot.weight[k];
-			sums.own[k] += weighted * foot.weight[k];
-			sums.joint[k] += weighted * foot.weight[k == 2 ? 0 : k + 1];
-			sums.pull[k] += weighted * height;
-		}
+	// Edges are numbered in the order of their lower half-edges.
+	int num = 0;
+	for (int h = 0; h < m_.halfEdgeNum(); ++h) {
+		const int g = m_.opposite[h];
+		edge_[h]    = g >= 0 && g < h ? edge_[g] : num++;
 	}
-	return sums;
+	joint_.reset(num);
 }
-
-} // namespace
 
 void DistanceTerm::assemble(const Surface& surface, const ClosestFaceMap& map, Workers& workers)
 {
-	workers.forEach(m_.faceNum,
-					[&](int f) { sums_[f] = sumsOf(FacePlane(m_, f), surface, map, f); });
+	workers.forEach(joint_.size(), [&](int edge) { joint_[edge] = SymmetricMatrix(); });
+	workers.forEach(m_.vertexNum, [&](int v) { assembleVertex(surface, map, v); });
+}
+
+/// An edge is summed up by its lower vertex, which sees both faces: nothing is written twice.
+void DistanceTerm::assembleVertex(const Surface& surface, const ClosestFaceMap& map, int v)
+{
+	SymmetricMatrix own;
+	Vec3f           force;
+	forEachOutgoing(m_, v, [&](int h) {
+		const int       next = m_.target(h), last = m_.apex(h);
+		const Vec3f     p = m_.position[v], q = m_.position[next], r = m_.position[last];
+		SymmetricMatrix withNext, withLast;
+		for (const int* i = map.begin(h / 3); i != map.end(h / 3); ++i) {
+			const PackedWeights w    = map.weights(i);
+			const float         b[3] = {w.first(), w.second(), w.third()};
+			const float         bp = b[h % 3], bq = b[nextInFace(h) % 3], br = b[prevInFace(h) % 3];
+			const Vec3f         n   = surface.normal[*i].unpack();
+			const float         off = dot(n, surface.mesh.position[*i] - p * bp - q * bq - r * br);
+			const float         share = map.area(*i) * bp;
+			force += n * (share * off);
+			own.addOuter(n, share * bp);
+			withNext.addOuter(n, share * bq);
+			withLast.addOuter(n, share * br);
+		}
+		if (v < next) joint_[edge_[h]] += withNext;
+		if (v < last) joint_[edge_[prevInFace(h)]] += withLast;
+	});
+	own_[v]   = own;
+	force_[v] = force;
 }
 
 } // namespace gpr

@@ -51,54 +51,29 @@ struct ConformalPull {
 	}
 };
 
-/// Distance: the squared distance of the input's vertices p from the planes of their closest faces,
-/// as a function of the shifts s of the faces' corners,
-///
-///     ½ Σ_p A_p (n·(p - x) - Σ_k b_k n·s_k)²,
-///
-/// where n is the face's normal, x a point of it, A_p the input's area round p, and b_k are the
-/// weights of the corners at the point of the face nearest to p. As n is the same for all p of a
-/// face, nine sums say all: they do not grow with the input, and a step reads little.
+/// Distance: the squared distance of the input's vertices from their closest faces, as a function
+/// of the vertices' shifts: ½ Σ_ij s_i K_ij s_j - Σ_i f_i s_i. K_ij is kept for every vertex and
+/// edge.
 class DistanceTerm {
 public:
-	struct FaceSums {
-		Vec3f normal;
-		float own[3];   ///< Σ A b_k²
-		float joint[3]; ///< Σ A b_k b_l, where l follows k
-		float pull[3];  ///< Σ A b_k n·(p - x)
-	};
-
-	explicit DistanceTerm(const HalfEdgeMesh& mesh) : m_(mesh), sums_(mesh.faceNum) {}
+	explicit DistanceTerm(const HalfEdgeMesh& mesh);
 
 	/// For the present map and places. Cost: linear in the input, parallel.
 	void assemble(const Surface& surface, const ClosestFaceMap& map, Workers& workers);
 
-	const FaceSums& of(int face) const { return sums_[face]; }
+	const SymmetricMatrix& own(int v) const { return own_[v]; }
+	const Vec3f&           force(int v) const { return force_[v]; }
+	/// Of the edge that h is a half of.
+	const SymmetricMatrix& joint(int h) const { return joint_[edge_[h]]; }
 
 private:
-	const HalfEdgeMesh& m_;
-	Buffer<FaceSums>    sums_;
-};
+	const HalfEdgeMesh&     m_;
+	Buffer<int>             edge_; ///< per half-edge: number of its edge
+	Buffer<SymmetricMatrix> own_;
+	Buffer<SymmetricMatrix> joint_; ///< per edge
+	Buffer<Vec3f>           force_;
 
-/// What the distance wants of a vertex.
-struct DistancePull {
-	Vec3f           force;     ///< minus the gradient over its shift
-	SymmetricMatrix stiffness; ///< the Hessian over its shift
-
-	/// Adds the k-th corner's part of a face. shift: the vertex' own; a and b lead from it to the
-	/// next corner and the one before, where these are now. All three began in the face's plane, so
-	/// that a and b tell how far the others have left it.
-	void add(const DistanceTerm::FaceSums& face, int k, const Vec3f& shift, const Vec3f& a,
-			 const Vec3f& b)
-	{
-		const int   before = k == 0 ? 2 : k - 1;
-		const float own    = dot(face.normal, shift);
-		const float next = own + dot(face.normal, a), last = own + dot(face.normal, b);
-		const float left =
-			face.pull[k] - face.own[k] * own - face.joint[k] * next - face.joint[before] * last;
-		force += face.normal * left;
-		stiffness.addOuter(face.normal, face.own[k]);
-	}
+	void assembleVertex(const Surface& surface, const ClosestFaceMap& map, int v);
 };
 
 } // namespace gpr
