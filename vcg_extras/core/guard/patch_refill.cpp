@@ -23,6 +23,8 @@ constexpr double mostWork = 2;
 constexpr int maxRounds = 24;
 /// Rings of vertices of the result whose cells are looked at beyond a patch.
 constexpr int ringsBeyond = 4;
+/// What is drawn together lies no farther off than this, in edges of the result there.
+constexpr float farthestDrawn = 1;
 
 using Role = PatchRole;
 
@@ -72,6 +74,7 @@ public:
 		local_ = collectPatchInput(surface_, result_, role_, reach, workers_);
 		if (local_.isTooMuch) return false;
 		cleanLabels(local_.mesh, role_, local_.label);
+		blameWideCells();
 		nameVertices();
 		collectTriangles();
 		return culprits_.empty() && link() && areFansWhole();
@@ -134,6 +137,25 @@ private:
 	std::vector<Triangle>    triangle_;
 	std::vector<int>         culprits_;
 	HalfEdgeMesh             mesh_;
+
+	/// A thin tube that ends in a patch may be enclosed by one cell: drawn together, it would be
+	/// lost.
+	void blameWideCells()
+	{
+		std::vector<float> most(role_.size(), 0);
+		for (std::size_t v = 0; v < role_.size(); ++v) {
+			if (role_[v] == Role::Border)
+				most[v] = farthestDrawn *
+						  std::max(result_.idealEdge, longestEdgeAt(result_.mesh, int(v)));
+		}
+		for (int v = 0; v < local_.mesh.vertexNum; ++v) {
+			const int label = local_.label[std::size_t(v)];
+			if (roleOf(label) != Role::Border) continue;
+			if (length(local_.mesh.position[v] - result_.mesh.position[label]) >
+				most[std::size_t(label)])
+				culprits_.push_back(label);
+		}
+	}
 
 	Role roleOf(int resultVertex) const { return role_[std::size_t(resultVertex)]; }
 
