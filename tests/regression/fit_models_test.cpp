@@ -76,6 +76,45 @@ INSTANTIATE_TEST_SUITE_P(, FittedModels,
 										   FittedModel{"human_49k.ply", 2}),
 						 fittedName);
 
+/// The larger of both ways, with the proof of the largest distance.
+struct ProvenDistance {
+	double         rms = 0;
+	DistanceBounds largest;
+};
+
+ProvenDistance provenDistanceWith(Fit fit, double percent, const MeshView& input)
+{
+	RemeshOptions options;
+	options.targetPercent = percent;
+	options.threads       = 2;
+	options.fit           = fit;
+	options.check         = true;
+	const RemeshResult r  = remesh(input, options);
+	EXPECT_EQ(r.status, Status::Ok) << r.message;
+	return {r.report.check.distance.larger().rms, r.report.provenDistance.hausdorff()};
+}
+
+/// Where lines are released some places may come to lie farther off than before the fit.
+class CrowdedModels : public ::testing::TestWithParam<FittedModel> {};
+
+TEST_P(CrowdedModels, AreNoFartherAnywhereThanWithoutTheFit)
+{
+	const ModelFile model = findModel(GetParam().file);
+	if (!model.isThere()) GTEST_SKIP() << model.missing;
+	const app::InputMesh input  = app::readMesh(model.path);
+	const ProvenDistance fitted = provenDistanceWith(Fit::Rounds, GetParam().percent, input.view());
+	const ProvenDistance plain  = provenDistanceWith(Fit::Off, GetParam().percent, input.view());
+	EXPECT_LE(fitted.rms, 1.02 * plain.rms);
+	EXPECT_LE(fitted.largest.lower, 1.02 * plain.largest.upper);
+}
+
+INSTANTIATE_TEST_SUITE_P(, CrowdedModels,
+						 ::testing::Values(FittedModel{"cad_split_seams_104comp.ply",
+													   144.51}, // 2,000
+										   FittedModel{"casting_10k_genus9.ply", 10},
+										   FittedModel{"motorbike_332k_nonmanifold.ply", 10}),
+						 fittedName);
+
 /// In single precision the nearest point of a needle is too far off.
 TEST(NeedleModels, PassTheCheckOfVerticesOnTheSurface)
 {

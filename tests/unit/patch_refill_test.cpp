@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
 #include <set>
@@ -25,15 +26,29 @@ namespace gpr::test {
 
 namespace {
 
+/// At a share of the height.
+float heightAt(const HalfEdgeMesh& m, float share)
+{
+	float low = HUGE_VALF, high = -HUGE_VALF;
+	for (int v = 0; v < m.vertexNum; ++v) {
+		low  = std::min(low, m.position[v].z);
+		high = std::max(high, m.position[v].z);
+	}
+	return low + share * (high - low);
+}
+
 /// A surface, and a coarser mesh of it.
 class CoarseResult {
 public:
-	CoarseResult(const TriangleMesh& mesh, float spacing, Random& random) :
+	/// No vertex lies in the uppermost part of the height, `bare`.
+	CoarseResult(const TriangleMesh& mesh, float spacing, Random& random, float bare = 0) :
 			surface_(surfaceOf(mesh, workers))
 	{
-		Sampling sampling;
+		Sampling    sampling;
+		const float top = heightAt(surface_.mesh, 1 - bare);
 		sampling.radius = spacing;
 		for (int v : spacedVertices(spacing, random)) {
+			if (surface_.mesh.position[v].z > top) continue;
 			const int face = surface_.mesh.outgoing[v] / 3;
 			sampling.samples.push_back(
 				{{surface_.mesh.position[v], face}, surface_.mesh.faceNormal(face), 1});
@@ -133,6 +148,19 @@ int vertexInside(const HalfEdgeMesh& m)
 		if (isInside) return v;
 	}
 	return -1;
+}
+
+/// A sphere with a thin tube upright on its pole, which takes six tenths of the height.
+TriangleMesh sphereWithTube()
+{
+	constexpr double width = 0.2, radius = 0.03;
+	TriangleMesh     mesh = icosphere(6);
+	for (Vec3d& p : mesh.positions) {
+		const double away = std::hypot(p.x, p.y);
+		if (p.z > 0 && away < width)
+			p = {p.x / width * radius, p.y / width * radius, 4 - 3 * away / width};
+	}
+	return mesh;
 }
 
 struct Shape {
@@ -254,6 +282,28 @@ TEST(PatchRefill, WidensAPatchWithATriangleInALine)
 	const HalfEdgeMesh& filled = made.guarded->mesh;
 	for (int f = 0; f < filled.faceNum; ++f)
 		EXPECT_FALSE(squaredLength(filled.faceCross(f)) < 1e-12f) << f;
+}
+
+/// The input can reach far beyond a coarse result. There it is followed; the patch stays small.
+TEST(PatchRefill, FollowsTheInputInside)
+{
+	for (const std::uint32_t seed : {1u, 2u, 3u}) {
+		Random              random(seed);
+		CoarseResult        coarse(sphereWithTube(), 0.05f, random, 0.62f);
+		const HalfEdgeMesh& result = coarse.result().mesh;
+		const float         top    = heightAt(result, 0.95f);
+		std::vector<int>    upper;
+		for (int v = 0; v < result.vertexNum; ++v) {
+			if (result.position[v].z > top) upper.push_back(v);
+		}
+		std::vector<char> marked = coarse.marksRound(upper);
+		widenMarks(result, 1, marked);
+		RefilledMesh made;
+		ASSERT_TRUE(coarse.refill(marked, made));
+		expectWhole(coarse, marked, made);
+		EXPECT_NEAR(heightAt(made.guarded->mesh, 1), heightAt(coarse.surface().mesh, 1), 1e-5f);
+		EXPECT_LT(double(std::count(marked.begin(), marked.end(), 1)), 0.7 * result.faceNum);
+	}
 }
 
 TEST(PatchRefill, MarksGrowByRings)

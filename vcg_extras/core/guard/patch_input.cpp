@@ -26,15 +26,6 @@ constexpr float longestAtBorder = 0.3f, longestInside = 0.6f;
 constexpr float reachBeyond = 1.5f;
 /// Inside the input may be farther from vertices of the result, but not by more than this.
 constexpr float reachInside = 2;
-/// The longest edge at a vertex.
-float longestEdgeAt(const HalfEdgeMesh& m, int v)
-{
-	float squared = 0;
-	forEachNeighbour(m, v, [&](int w) {
-		squared = std::max(squared, squaredLength(m.position[w] - m.position[v]));
-	});
-	return std::sqrt(squared);
-}
 
 /// Cells of the result's vertices near patches, on the input, by edges.
 class LocalCells {
@@ -274,6 +265,15 @@ std::size_t mostVerticesFor(const std::vector<PatchRole>& role)
 }
 
 } // namespace
+
+float longestEdgeAt(const HalfEdgeMesh& m, int v)
+{
+	float squared = 0;
+	forEachNeighbour(m, v, [&](int w) {
+		squared = std::max(squared, squaredLength(m.position[w] - m.position[v]));
+	});
+	return std::sqrt(squared);
+}
 
 bool isDeep(const HalfEdgeMesh& result, const std::vector<PatchRole>& role, int v)
 {

@@ -22,6 +22,9 @@ struct PatchInput {
 	bool             isTooMuch = false; ///< there are so many that it was given up
 };
 
+/// The longest edge at a vertex.
+float longestEdgeAt(const HalfEdgeMesh& mesh, int v);
+
 /// Whether a vertex of the result lies inside a patch and all its neighbours do.
 bool isDeep(const HalfEdgeMesh& result, const std::vector<PatchRole>& role, int v);
 

@@ -21,8 +21,12 @@ namespace {
 constexpr double mostWork = 2;
 /// Marks that have not settled after so many rounds do not settle.
 constexpr int maxRounds = 24;
+/// The input is looked for so many times farther than at first before patches grow instead.
+constexpr float mostReach = 8;
 /// Rings of vertices of the result whose cells are looked at beyond a patch.
 constexpr int ringsBeyond = 4;
+/// What is drawn together lies no farther off than this, in edges of the result there.
+constexpr float farthestDrawn = 1;
 
 using Role = PatchRole;
 
@@ -72,6 +76,7 @@ public:
 		local_ = collectPatchInput(surface_, result_, role_, reach, workers_);
 		if (local_.isTooMuch) return false;
 		cleanLabels(local_.mesh, role_, local_.label);
+		blameWideCells();
 		nameVertices();
 		collectTriangles();
 		return culprits_.empty() && link() && areFansWhole();
@@ -134,6 +139,25 @@ private:
 	std::vector<Triangle>    triangle_;
 	std::vector<int>         culprits_;
 	HalfEdgeMesh             mesh_;
+
+	/// A thin tube that ends in a patch may be enclosed by one cell: drawn together, it would be
+	/// lost.
+	void blameWideCells()
+	{
+		std::vector<float> most(role_.size(), 0);
+		for (std::size_t v = 0; v < role_.size(); ++v) {
+			if (role_[v] == Role::Border)
+				most[v] = farthestDrawn *
+						  std::max(result_.idealEdge, longestEdgeAt(result_.mesh, int(v)));
+		}
+		for (int v = 0; v < local_.mesh.vertexNum; ++v) {
+			const int label = local_.label[std::size_t(v)];
+			if (roleOf(label) != Role::Border) continue;
+			if (length(local_.mesh.position[v] - result_.mesh.position[label]) >
+				most[std::size_t(label)])
+				culprits_.push_back(label);
+		}
+	}
 
 	Role roleOf(int resultVertex) const { return role_[std::size_t(resultVertex)]; }
 
@@ -372,6 +396,19 @@ bool markRound(const HalfEdgeMesh& m, const std::vector<int>& vertices, int ring
 	return false;
 }
 
+/// Those whose faces are not all marked.
+std::vector<int> notInside(const HalfEdgeMesh& m, std::vector<int> vertices,
+						   const std::vector<char>& marked)
+{
+	const auto isInside = [&](int v) {
+		bool areMarked = true;
+		forEachOutgoing(m, v, [&](int h) { areMarked = areMarked && marked[std::size_t(h / 3)]; });
+		return areMarked;
+	};
+	vertices.erase(std::remove_if(vertices.begin(), vertices.end(), isInside), vertices.end());
+	return vertices;
+}
+
 bool haveSameTopology(const HalfEdgeMesh& a, const HalfEdgeMesh& b, Workers& workers)
 {
 	const MeshFigures s = figuresOf(a, 1, workers), t = figuresOf(b, 1, workers);
@@ -412,8 +449,14 @@ bool refillPatches(const Surface& surface, const ResultMesh& result,
 		work += refill.share();
 		if (refill.isTooMuch() || work > mostWork) return false;
 		if (fits) refill.blameCells();
-		// Where all is marked the input may be farther from the result than it was looked for.
-		if (!markRound(result.mesh, refill.culprits(), round / 4, marked)) reach *= 2;
+		// Inside of a patch the input may be farther from the result than it was looked for.
+		const std::vector<int> outer = notInside(result.mesh, refill.culprits(), marked);
+		if (outer.size() < refill.culprits().size() && reach < mostReach) {
+			reach *= 2;
+			if (outer.empty()) continue;
+		}
+		if (!markRound(result.mesh, outer.empty() ? refill.culprits() : outer, round / 4, marked))
+			reach *= 2;
 	}
 	return false;
 }

@@ -27,8 +27,9 @@ struct RefilledMesh {
 /// triangles. Those that belong to vertices inside the patch stay, those that belong to a vertex of
 /// its border are drawn together to that: where the input is finer than the result that leaves
 /// triangles between the two that close the gap exactly. So the input's edges are first split to a
-/// third of the result's. Where that fails, as a cell on the border is no disk or meets its
-/// neighbours otherwise than the triangles do, faces there are marked too, and it begins again.
+/// third of the result's. Where that fails, as a cell on the border is no disk, meets its
+/// neighbours otherwise than the triangles do or reaches farther than an edge, faces there are
+/// marked too, and it begins again. Inside of patches the input is looked for farther away first.
 ///
 /// Returns false where the marks do not settle, or where a border that others share with it would
 /// have to change. keptInput: vertices of the input that are to be fixed. Serial. Cost: that of the

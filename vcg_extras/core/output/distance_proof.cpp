@@ -19,18 +19,23 @@ ComparedSurfaces::ComparedSurfaces(const Surface& surface, const ResultMesh& mad
 {
 }
 
+MutualBounds boundsOf(const RunContext& run, const Surface& surface, const ComparedSurfaces& both)
+{
+	CertificateSettings settings =
+		usualCertificate(run.report.input.diagonal * surface.frame.scale);
+	settings.coordinateError = roundingOfPositions;
+	MutualBounds bounds;
+	bounds.toInput   = certifiedDistance(both.result, both.input, settings, run.workers);
+	bounds.fromInput = certifiedDistance(both.input, both.result, settings, run.workers);
+	return bounds;
+}
+
 void proveDistance(RunContext& run, const Surface& surface, const ComparedSurfaces& both)
 {
-	RemeshReport&       report   = run.report;
-	const double        unit     = 1 / surface.frame.scale;
-	CertificateSettings settings = usualCertificate(report.input.diagonal / unit);
-	settings.coordinateError     = roundingOfPositions;
-	MutualBounds bounds;
-	bounds.toInput          = certifiedDistance(both.result, both.input, settings, run.workers);
-	bounds.fromInput        = certifiedDistance(both.input, both.result, settings, run.workers);
-	report.provenDistance   = bounds.times(unit);
+	RemeshReport& report    = run.report;
+	report.provenDistance   = boundsOf(run, surface, both).times(1 / surface.frame.scale);
 	report.isDistanceProven = true;
-	if (bounds.hausdorff().isBudgetSpent) {
+	if (report.provenDistance.hausdorff().isBudgetSpent) {
 		run.notes.push_back("The bounds of the largest distance are proven, but they are farther "
 							"from each other than 1 %: their budget was spent.");
 	}

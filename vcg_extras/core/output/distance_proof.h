@@ -17,8 +17,11 @@ struct ComparedSurfaces {
 	ComparedSurfaces(const Surface& surface, const ResultMesh& made, Workers& workers);
 };
 
-/// Proves bounds of the distances of both from each other, and tells them in the report. Cost: see
+/// Bounds of the distances of both from each other, proven; working units. Cost: see
 /// certifiedDistance.
+MutualBounds boundsOf(const RunContext& run, const Surface& surface, const ComparedSurfaces& both);
+
+/// Proves these bounds and tells them in the report.
 void proveDistance(RunContext& run, const Surface& surface, const ComparedSurfaces& both);
 
 } // namespace gpr

@@ -35,6 +35,8 @@ namespace {
 constexpr float nearInputs = 1.5f;
 /// Patches that have grown so often and still do not fit are given up.
 constexpr int refillRounds = 4;
+/// Patches of a larger share of the faces are no better than whole components made anew.
+constexpr double mostInPatches = 0.75;
 
 /// Whether the options ask for a result that is free of contacts.
 bool isGuarded(const RemeshOptions& options)
@@ -325,6 +327,12 @@ private:
 		return ofInput_.withoutInputs(m, findTouchingPairs(m, run_.workers));
 	}
 
+	static bool areMost(const std::vector<char>& marked)
+	{
+		return double(std::count(marked.begin(), marked.end(), char(1))) >
+			   mostInPatches * double(marked.size());
+	}
+
 	/// The best of some rounds of patches, each larger than the one before.
 	void refill(const std::vector<FacePair>& pairs)
 	{
@@ -336,7 +344,7 @@ private:
 		std::optional<Filled> best;
 		for (int round = 0; round < refillRounds && fewest > 0; ++round) {
 			PatchFilling filling(run_, p_, result_);
-			if (!filling.fill(marked)) break;
+			if (!filling.fill(marked) || areMost(marked)) break;
 			if (!filling.isCountReached()) {
 				widenMarks(result_.mesh, 1, marked);
 				continue;

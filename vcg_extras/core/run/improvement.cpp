@@ -10,11 +10,10 @@
 #include <vcg_extras/core/optimization/line_release.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
-#include <vcg_extras/core/surface/surface_distance.h>
+#include <vcg_extras/core/output/distance_proof.h>
+#include <vcg_extras/core/surface/sampled_distance.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
@@ -40,11 +39,10 @@ constexpr int manyWorstRounds = 4;
 /// Where lines were released, no point of a face gets farther than this from the surface while
 /// angles are raised, in ideal edges, or than the largest distance that the fit left.
 constexpr float maxReleasedGap = 0.3f;
-/// Points of the input, beside its vertices, by which a mesh without these lines is compared with
-/// the one before the fit; what is near enough on the mean, in ideal edges; what counts as equal.
-constexpr std::int64_t comparedPoints = 50000;
-constexpr double       nearMean       = 0.02;
-constexpr double       mostFarther    = 1.02;
+/// A mesh without these lines may be so much farther from the input than the one before the fit, or
+/// so far, in ideal edges: nobody sees that.
+constexpr double mostFarther = 1.02;
+constexpr double nearMean = 0.015, nearMost = 0.3;
 
 /// What the fit leaves for the repair of poor faces.
 struct Fitted {
@@ -152,10 +150,20 @@ void tellReleased(RunContext& run)
 						" vertices there need not stay on them.");
 }
 
-SurfaceDistance distanceFromInput(RunContext& run, const Surface& surface, const ResultMesh& result)
+/// How far the input and a mesh are from each other, in ideal edges.
+struct Distance {
+	double rms     = 0;
+	double largest = 0; ///< no point is farther: proven
+};
+
+Distance distanceFromInput(RunContext& run, const Surface& surface, const ResultMesh& result)
 {
-	return NearSurface(viewOf(result.mesh), run.workers)
-		.from(viewOf(surface.mesh), comparedPoints, run.workers);
+	const double           unit = 1 / double(result.idealEdge);
+	const ComparedSurfaces both(surface, result, run.workers);
+	const SampledDistance  sampled =
+		sampledDistance({surface.mesh, both.input}, {result.mesh, both.result}, run.workers);
+	return {sampled.mutual.larger().rms * unit,
+			boundsOf(run, surface, both).hausdorff().upper * unit};
 }
 
 /// Whether a mesh whose lines were released is farther from the input than it was before the fit,
@@ -163,12 +171,11 @@ SurfaceDistance distanceFromInput(RunContext& run, const Surface& surface, const
 bool hasLostSurface(RunContext& run, const Surface& surface, const ResultMesh& released,
 					const ResultMesh& start)
 {
-	const double          edge = double(start.idealEdge);
-	const SurfaceDistance of   = distanceFromInput(run, surface, released);
-	if (of.rms <= nearMean * edge && of.max <= double(maxReleasedGap) * edge) return false;
-	const SurfaceDistance before = distanceFromInput(run, surface, start);
-	return of.rms > std::max(nearMean * edge, mostFarther * before.rms) ||
-		   of.max > std::max(double(maxReleasedGap) * edge, mostFarther * before.max);
+	const Distance of = distanceFromInput(run, surface, released);
+	if (of.rms <= nearMean && of.largest <= nearMost) return false;
+	const Distance before = distanceFromInput(run, surface, start);
+	return of.rms > std::max(nearMean, mostFarther * before.rms) ||
+		   of.largest > std::max(nearMost, mostFarther * before.largest);
 }
 
 /// How far faces may get from the surface while angles are raised; 0: not limited.
