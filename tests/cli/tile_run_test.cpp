@@ -187,9 +187,63 @@ TEST_F(TileRun, OneCommandDoesAllStepsWithinItsMemory)
 	const ProgramResult            result = run(words, 300);
 	ASSERT_EQ(result.exitCode, 0) << result.err;
 	EXPECT_NE(result.out.find("condensed in"), std::string::npos) << result.out;
+	EXPECT_EQ(result.err.find("In 5 tiles: about "), 0u) << result.err;
+	EXPECT_NE(result.err.find(" of disk in '" + path("out.ply.tiles") + "'."), std::string::npos)
+		<< result.err;
 	EXPECT_EQ(report()["result"]["vertices"], 3000);
 	EXPECT_EQ(report()["result"]["eulerCharacteristic"], 0);
 	EXPECT_FALSE(exists(path("out.ply.tiles"))) << "cleared at the end";
+}
+
+/// With little memory the condensed surface has fewer vertices for one of the result.
+TEST_F(TileRun, WhereMemoryIsShortLessDenseTilesServe)
+{
+	const std::string in             = put("torus.ply", binaryPly(torus(400), true, false));
+	const auto        joinedVertices = [&](const std::string& memory) {
+        std::filesystem::remove_all(path("run"));
+        runStep(
+				   {"plan", path("run"), in, "--vertices", "20000", "--memory", memory, "--tiles", "3"});
+        runStep({"split", path("run")});
+        for (int unit = 0; unit < 3; ++unit)
+            part(unit);
+        runStep({"join", path("run")});
+        runStep(
+				   {"finish", path("run"), path("out.ply"), "--quiet", "--report", path("report.json")});
+        EXPECT_EQ(report()["result"]["vertices"], 20000);
+        return info(path("run/joined.ply"))["input"]["vertices"].get<double>();
+	};
+	const auto isTold = [&] {
+		return report()["notes"].dump().find("The memory allows a condensed surface") !=
+			   std::string::npos;
+	};
+	// Four for one of the result, and some more at the seams.
+	const double usual = joinedVertices("1G");
+	EXPECT_NEAR(usual, 86000, 5000);
+	EXPECT_FALSE(isTold());
+	EXPECT_NEAR(joinedVertices("45M"), usual - 18600, 2000);
+	EXPECT_TRUE(isTold());
+	EXPECT_GT(info(path("out.ply"))["quality"]["angles"]["min"], 30);
+}
+
+/// Coordinates as those of a map, which floats hold by a quarter of a metre.
+TEST_F(TileRun, CoordinatesFarFromTheOriginLoseNothing)
+{
+	const TestMesh here = torus(160);
+	const TestMesh far  = moved(here, 600000, 5100000, 300);
+	remeshedInTiles(put("here.ply", binaryPly(here, true, true)), {"--vertices", "1500"});
+	const Json expected = info(path("out.ply"));
+	std::filesystem::remove_all(path("run"));
+	const TestMesh mesh =
+		remeshedInTiles(put("far.ply", binaryPly(far, true, true)), {"--vertices", "1500"});
+	EXPECT_EQ(report()["result"]["precision"], "double");
+	const Json facts = info(path("out.ply"));
+	EXPECT_EQ(facts["input"]["vertices"], 1500);
+	EXPECT_EQ(facts["input"]["eulerCharacteristic"], 0);
+	EXPECT_NEAR(facts["input"]["area"], expected["input"]["area"], 1e-3);
+	EXPECT_GT(facts["quality"]["angles"]["min"], 30);
+	for (const auto& p : mesh.points)
+		EXPECT_NEAR(std::hypot(std::hypot(p[0] - 600000, p[1] - 5100000) - 1, p[2] - 300), 0.4,
+					0.007);
 }
 
 TEST_F(TileRun, WithEnoughMemoryThereAreNoTiles)

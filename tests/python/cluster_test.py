@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs in tiles by Dask and by Slurm's scripts: the same bytes as those of one machine."""
 
+import json
 import os
 import shutil
 import socket
@@ -179,6 +180,27 @@ def test_what_was_put_is_not_put_again(at_urls, tmp_path):
     assert {"plan.json", "split.json", "part3.ply", "joined.ply"} < first.keys()
     assert [at_urls.do(step) for step in steps] == told
     assert times() == first
+
+
+@pytest.mark.parametrize("scheme", ["", "file://"])
+def test_pieces_are_one_surface(scheme, tmp_path):
+    """The two halves of a torus, in files of one name in two folders."""
+    if scheme:
+        pytest.importorskip("fsspec", reason="fsspec is not installed")
+    vertices, faces = torus(150, 80, np.float32)
+    half = np.arange(len(faces)) < len(faces) // 2
+    pieces = []
+    for name, which in (("west", half), ("east", ~half)):
+        used, corners = np.unique(faces[which], return_inverse=True)
+        pieces.append(tmp_path / name / "piece.ply")
+        pieces[-1].parent.mkdir()
+        write_ply(pieces[-1], vertices[used], corners.reshape(-1, 3).astype(np.int32))
+    run = run_of(*(f"{scheme}{piece}" for piece in pieces), tmp_path / "out.ply", "--folder", tmp_path / "run",
+                 "--scratch", tmp_path / "scratch")
+    for step in [cluster.cut_step(run.plan_options), *steps_behind_the_cut()]:
+        run.do(step)
+    facts = json.loads(command_line("info", tmp_path / "out.ply", "--json").stdout)["input"]
+    assert (facts["vertices"], facts["components"], facts["boundaryLoops"], facts["eulerCharacteristic"]) == (900, 1, 0, 0)
 
 
 def test_the_record_is_put_last(at_urls, monkeypatch, tmp_path):

@@ -4,6 +4,8 @@
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/workers.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -148,6 +150,23 @@ TEST_P(WorkersOf, SortIntoBucketsIsTheStableSort)
 		}
 	}
 	EXPECT_EQ(expected, item.size());
+}
+
+TEST_P(WorkersOf, SortedByBucketsIsTheSort)
+{
+	using Pair = std::array<int, 2>;
+	for (std::size_t n : {0u, 1u, 5u, 50000u}) {
+		const auto make = [](std::size_t i) {
+			return Pair{int(i * 7919 % 101), int(i * 104729 % 1009)};
+		};
+		std::vector<Pair> expected;
+		for (std::size_t i = 0; i < n; ++i)
+			expected.push_back(make(i));
+		std::sort(expected.begin(), expected.end());
+		const Buffer<Pair> sorted = sortedByBuckets<Pair>(
+			n, 101, make, [](const Pair& p) { return p[0]; }, workers);
+		EXPECT_EQ(std::vector<Pair>(sorted.begin(), sorted.end()), expected);
+	}
 }
 
 INSTANTIATE_TEST_SUITE_P(Threads, WorkersOf, ::testing::Values(1, 2, 3, 4));

@@ -50,6 +50,7 @@ struct CommandLine {
 	TileSettings  tiles;            ///< tile, and remesh with --memory
 
 	std::vector<std::string> notes; ///< sentences that the program adds to the report's
+	double shareDone = 0;           ///< remesh: of a longer work that it ends, as the bar shows it
 };
 
 /// Reads the arguments; the remeshing options are made from the engine's parameter table. Prints

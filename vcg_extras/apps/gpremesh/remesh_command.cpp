@@ -40,14 +40,14 @@ RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* text
 	options.surfacePointsOfVertices = mesh.attributes.any() || texture != nullptr;
 	options.surfacePointsOfFaces    = texture != nullptr || mesh.attributes.ofFacesToo();
 	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
-	tellEstimate(view, options, bar);
+	if (line.shareDone == 0) tellEstimate(view, options, bar);
 	const char*  phraseBefore = nullptr;
 	RemeshResult result       = remesh(view, options, [&](double share, const char* phrase) {
         // What the engine has copied is no longer looked at, mostly.
         const bool isNext = phraseBefore != nullptr && phrase != phraseBefore;
         if (isNext && mesh.isInFile()) mesh.file->giveBackPages();
         phraseBefore = phrase;
-        bar.show(share, phrase);
+        bar.show(line.shareDone + (1 - line.shareDone) * share, phrase);
         return !stopRequested();
     });
 	bar.clear();

@@ -51,6 +51,30 @@ void sortIntoBuckets(std::size_t itemNum, std::size_t bucketNum, const BucketOf&
 	});
 }
 
+/// make(0), ..., make(itemNum - 1) in ascending order, where bucketOf(value) in [0, bucketNum)
+/// rises with the value. Values that are equal have to be alike. Cost: linear where buckets are
+/// small, parallel.
+template <class Value, class Make, class BucketOf>
+Buffer<Value> sortedByBuckets(std::size_t itemNum, std::size_t bucketNum, const Make& make,
+							  const BucketOf& bucketOf, Workers& workers)
+{
+	Buffer<int> start(bucketNum + 1, 0);
+	workers.forEach(itemNum, [&](std::size_t i) {
+		__atomic_fetch_add(&start[std::size_t(bucketOf(make(i)))], 1, __ATOMIC_RELAXED);
+	});
+	start[bucketNum] = workers.sumUp(start.data(), bucketNum);
+	Buffer<Value> values(itemNum);
+	workers.forEach(itemNum, [&](std::size_t i) {
+		const Value value = make(i);
+		values[std::size_t(
+			__atomic_sub_fetch(&start[std::size_t(bucketOf(value))], 1, __ATOMIC_RELAXED))] = value;
+	});
+	workers.forEach(bucketNum, [&](std::size_t b) {
+		std::sort(values.data() + start[b], values.data() + start[b + 1]);
+	});
+	return values;
+}
+
 } // namespace gpr
 
 #endif

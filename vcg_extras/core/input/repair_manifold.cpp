@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "repair_manifold.h"
 
+#include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
@@ -30,13 +31,16 @@ void keepFaces(IndexedMesh& mesh, const std::vector<char>& keep)
 
 void dropDuplicateFaces(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 {
-	std::vector<std::array<int, 4>> faces(mesh.faceNum); // sorted corners, face
-	for (int f = 0; f < mesh.faceNum; ++f) {
+	using Corners        = std::array<int, 4>; // in order, and the face
+	const auto cornersOf = [&](std::size_t f) {
 		const int* t = &mesh.triangle[3 * f];
-		faces[f]     = {t[0], t[1], t[2], f};
-		std::sort(faces[f].begin(), faces[f].begin() + 3);
-	}
-	sortPolled(faces.begin(), faces.end(), workers);
+		Corners    c = {t[0], t[1], t[2], int(f)};
+		std::sort(c.begin(), c.begin() + 3);
+		return c;
+	};
+	const Buffer<Corners> faces = sortedByBuckets<Corners>(
+		std::size_t(mesh.faceNum), std::size_t(mesh.vertexNum), cornersOf,
+		[](const Corners& c) { return c[0]; }, workers);
 	std::vector<char> keep(mesh.faceNum, 1);
 	for (std::size_t i = 1; i < faces.size(); ++i) {
 		if (std::equal(faces[i].begin(), faces[i].begin() + 3, faces[i - 1].begin())) {
@@ -60,20 +64,20 @@ struct EdgeSide {
 	}
 };
 
-std::vector<EdgeSide> sortedSides(const IndexedMesh& mesh, Workers& workers)
+Buffer<EdgeSide> sortedSides(const IndexedMesh& mesh, Workers& workers)
 {
-	std::vector<EdgeSide> sides(std::size_t(3) * mesh.faceNum);
-	for (int h = 0; h < 3 * mesh.faceNum; ++h) {
-		const int a = mesh.triangle[h], b = mesh.triangle[nextInFace(h)];
-		sides[h] = {std::min(a, b), std::max(a, b), h};
-	}
-	sortPolled(sides.begin(), sides.end(), workers);
-	return sides;
+	const auto side = [&](std::size_t h) {
+		const int a = mesh.triangle[h], b = mesh.triangle[std::size_t(nextInFace(int(h)))];
+		return EdgeSide{std::min(a, b), std::max(a, b), int(h)};
+	};
+	return sortedByBuckets<EdgeSide>(
+		std::size_t(3) * mesh.faceNum, std::size_t(mesh.vertexNum), side,
+		[](const EdgeSide& s) { return s.low; }, workers);
 }
 
 /// Calls visit(begin, end) for each run of sides of one edge.
 template <class Visit>
-void forEachEdge(const std::vector<EdgeSide>& sides, Workers& workers, const Visit& visit)
+void forEachEdge(const Buffer<EdgeSide>& sides, Workers& workers, const Visit& visit)
 {
 	Poller poller(workers);
 	for (std::size_t i = 0; i < sides.size();) {
@@ -97,7 +101,7 @@ public:
 
 	std::vector<int> run()
 	{
-		const std::vector<EdgeSide> sides = sortedSides(mesh_, workers_);
+		const Buffer<EdgeSide> sides = sortedSides(mesh_, workers_);
 		forEachEdge(sides, workers_, [&](std::size_t begin, std::size_t end) {
 			if (end - begin == 2) {
 				join(sides[begin].halfEdge, sides[begin + 1].halfEdge);
@@ -137,7 +141,7 @@ private:
 		return dot(inward(g), inward(h)) + (sameDirection ? 2.0f : 0.0f);
 	}
 
-	void joinSmoothest(const std::vector<EdgeSide>& sides, std::size_t begin, std::size_t end)
+	void joinSmoothest(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
 	{
 		// Fans of many faces on one edge are rare, but the pairing is quadratic: bound it.
 		constexpr std::size_t most = 64;
@@ -315,7 +319,7 @@ private:
 
 	void findSlits()
 	{
-		const std::vector<EdgeSide> sides = sortedSides(mesh_, workers_);
+		const Buffer<EdgeSide> sides = sortedSides(mesh_, workers_);
 		forEachEdge(sides, workers_, [&](std::size_t begin, std::size_t end) {
 			// The first joined pair keeps the plain edge, or else the first border.
 			int keeper = sides[begin].halfEdge;

@@ -10,6 +10,7 @@ repeated or done twice at once: the result has the same bytes. Dask runs the ste
     gpremesh-cluster run huge.ply out.ply --folder DIR --percent 1 --memory 8G --local 2
     gpremesh-cluster run huge.ply out.ply --folder DIR --percent 1 --memory 8G --ssh host1,host2
     gpremesh-cluster run huge.ply out.ply --folder DIR --percent 1 --scheduler tcp://host:8786
+    gpremesh-cluster run west.ply east.ply out.ply --folder DIR --percent 1 --memory 8G
     gpremesh-cluster run s3://bucket/huge.ply s3://bucket/out.ply --folder s3://bucket/run --percent 1
     gpremesh-cluster slurm huge.ply out.ply --folder DIR --percent 1 --memory 8G
 """
@@ -19,6 +20,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import hashlib
+import itertools
 import json
 import math
 import os
@@ -48,7 +50,7 @@ class Place(Enum):
     """Stands in a call for a path that depends on where the step runs."""
 
     FOLDER = 1  # of the run
-    INPUT = 2
+    INPUTS = 2
     OUTPUT = 3
 
 
@@ -76,10 +78,10 @@ class Step:
 
     @property
     def reads_input(self) -> bool:
-        return any(Place.INPUT in call for call in self.calls)
+        return any(Place.INPUTS in call for call in self.calls)
 
 
-PLAN_CALL = ("plan", Place.FOLDER, Place.INPUT)  # and the options
+PLAN_CALL = ("plan", Place.FOLDER, Place.INPUTS)  # and the options
 SPLIT_CALL = ("split", Place.FOLDER)
 PART_CALL = ("part", Place.FOLDER, "--unit")  # and the number
 JOIN_CALL = ("join", Place.FOLDER)
@@ -144,43 +146,45 @@ def put_file(path: Path, url: str) -> None:
 
 
 class SharedFiles:
-    """The files of a run whose folder, input and output all machines see: nothing is fetched or put."""
+    """The files of a run whose folder, inputs and output all machines see: nothing is fetched or put."""
 
-    def __init__(self, folder: str, input: str, output: str):
-        self.paths = {Place.FOLDER: folder, Place.INPUT: input, Place.OUTPUT: output}
+    def __init__(self, folder: str, inputs: list[str], output: str):
+        self.paths = {Place.FOLDER: [folder], Place.INPUTS: inputs, Place.OUTPUT: [output]}
 
     @contextlib.contextmanager
     def at_hand(self, step: Step):
-        """The paths for a step's calls, by their Place."""
+        """Lists of paths for a step's calls, by their Place."""
         yield self.paths
 
 
 class FetchedFiles:
-    """The files of a run whose folder, input or output has a URL.
+    """The files of a run whose folder, output or one of whose inputs has a URL.
 
     Each step has a folder of its own on the machine where it runs. What it reads is fetched there, and what it has
     written is put; its record goes last.
 
     Parameters
     ----------
-    folder, input, output : str
-        URLs or paths. Input and output are used as they are where they are paths.
+    folder, output : str
+        URLs or paths. Inputs and output are used as they are where they are paths.
+    inputs : list of str
+        Pieces of one surface.
     scratch : str
-        Where the folders are made. The plan names the path of the input, so that the same path is used by all
+        Where the folders are made. The plan names the paths of the inputs, so that the same paths are used by all
         machines; what is read from a URL lies in a folder there, whose name follows from the URLs.
     """
 
-    def __init__(self, folder: str, input: str, output: str, scratch: str):
+    def __init__(self, folder: str, inputs: list[str], output: str, scratch: str):
         self.folder = folder.rstrip("/")
-        self.input = input
+        self.inputs = inputs
         self.output = output
         self.scratch = Path(scratch)
-        name = hashlib.sha256(f"{self.folder} {input}".encode()).hexdigest()[:16]
+        name = hashlib.sha256(" ".join([self.folder, *inputs]).encode()).hexdigest()[:16]
         self.input_folder = self.scratch / f"gpremesh-input-{name}"
 
     @contextlib.contextmanager
     def at_hand(self, step: Step):
-        """The paths for a step's calls, by their Place. At the end what was written is put."""
+        """Lists of paths for a step's calls, by their Place. At the end what was written is put."""
         self.scratch.mkdir(parents=True, exist_ok=True)
         with contextlib.ExitStack() as stack:
             own = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="gpremesh-", dir=self.scratch)))
@@ -189,9 +193,9 @@ class FetchedFiles:
             output = own / self.output.rpartition("/")[2] if is_url(self.output) else Path(self.output)
             self._fetch(step, folder)
             fetched = set(folder.iterdir())
-            paths = {Place.FOLDER: str(folder), Place.OUTPUT: str(output)}
+            paths = {Place.FOLDER: [str(folder)], Place.OUTPUT: [str(output)]}
             if step.reads_input:
-                paths[Place.INPUT] = stack.enter_context(self._input_at_hand())
+                paths[Place.INPUTS] = [stack.enter_context(self._input_at_hand(i)) for i in range(len(self.inputs))]
             yield paths
             written = set(folder.iterdir()) - fetched
             for path in sorted(written, key=lambda path: (path.name == step.record, path.name)):
@@ -210,16 +214,18 @@ class FetchedFiles:
                 fetch(name)
 
     @contextlib.contextmanager
-    def _input_at_hand(self):
-        if not is_url(self.input):
-            yield self.input
+    def _input_at_hand(self, i: int):
+        url = self.inputs[i]
+        if not is_url(url):
+            yield url
             return
-        self.input_folder.mkdir(exist_ok=True)
-        path = self.input_folder / self.input.rpartition("/")[2]
+        folder = self.input_folder / str(i)
+        folder.mkdir(parents=True, exist_ok=True)
+        path = folder / url.rpartition("/")[2]
         partial = path.with_name(f"{path.name}.part{uuid.uuid4().hex}")
         try:
-            if not fetch_file(self.input, partial):
-                raise StepFailed(f"cannot fetch {self.input}: it is not there")
+            if not fetch_file(url, partial):
+                raise StepFailed(f"cannot fetch {url}: it is not there")
             partial.replace(path)
             yield str(path)
         finally:
@@ -273,7 +279,8 @@ class TileRun:
 
     def command(self, call, paths) -> list[str]:
         """The program and its words, with paths in the places."""
-        return [self.program_path or program(), "tile", *(paths.get(word, word) for word in call)]
+        words = (paths.get(word, [word]) for word in call)
+        return [self.program_path or program(), "tile", *itertools.chain.from_iterable(words)]
 
     def do(self, step: Step) -> dict:
         """Does a step on this machine and returns what its last call tells. Raises StepFailed."""
@@ -322,7 +329,7 @@ def slurm_script(run: TileRun, tile_num: int, memory_bytes: float) -> str:
     """A shell script that gives all steps behind the plan to Slurm: an array of jobs for the tiles, and what
     depends on it."""
     paths = run.files.paths
-    log = f"{paths[Place.FOLDER]}/slurm-%x"
+    log = f"{paths[Place.FOLDER][0]}/slurm-%x"
     options = ["--parsable", "--requeue", "--kill-on-invalid-dep=yes"]
     if memory_bytes > 0:
         options.append(f"--mem={math.ceil(memory_bytes / 2**20)}M")
@@ -353,7 +360,7 @@ def slurm_script(run: TileRun, tile_num: int, memory_bytes: float) -> str:
 
 
 def _write_slurm_script(run: TileRun) -> None:
-    folder = Path(run.files.paths[Place.FOLDER])
+    folder = Path(run.files.paths[Place.FOLDER][0])
     tile_num = run.do(Step(((*PLAN_CALL, *run.plan_options),)))["tiles"]
     plan = json.loads((folder / "plan.json").read_text())
     script = folder / "slurm.sh"
@@ -366,7 +373,8 @@ def _arguments(words):
                                      epilog="All other options are those of gpremesh remesh.")
     parser.add_argument("action", choices=["run", "slurm"],
                         help="run: by Dask; slurm: write DIR/slurm.sh, which gives the steps to Slurm")
-    parser.add_argument("input", help="PLY, OBJ, OFF or binary STL file; a path or a URL of fsspec")
+    parser.add_argument("inputs", nargs="+", metavar="input",
+                        help="PLY, OBJ, OFF or binary STL files, pieces of one surface; paths or URLs of fsspec")
     parser.add_argument("output", help="a path or a URL")
     parser.add_argument("--folder", required=True, metavar="DIR",
                         help="of the run: a path that all machines see, or a URL")
@@ -402,11 +410,11 @@ def tile_run(options, remesh_options) -> TileRun:
 
     sizes = [("--memory", options.memory), ("--tiles", options.tiles)]
     plan_options = [*remesh_options, *(word for name, size in sizes if size for word in (name, str(size)))]
-    paths = [absolute(path) for path in (options.folder, options.input, options.output)]
-    if any(is_url(path) for path in paths):
-        files = FetchedFiles(*paths, absolute(options.scratch))
+    folder, output, *inputs = map(absolute, (options.folder, options.output, *options.inputs))
+    if any(is_url(path) for path in (folder, output, *inputs)):
+        files = FetchedFiles(folder, inputs, output, absolute(options.scratch))
     else:
-        files = SharedFiles(*paths)
+        files = SharedFiles(folder, inputs, output)
     return TileRun(files, plan_options, options.program, part_threads(options))
 
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -16,6 +17,19 @@ namespace {
 Edge edgeOf(std::int32_t a, std::int32_t b)
 {
 	return {std::min(a, b), std::max(a, b)};
+}
+
+/// Both ends of every edge of every face, the smaller one first; of edges without length, too.
+template <class Do>
+void forEdges(const MeshView& mesh, const Do& perEdge)
+{
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		const auto t = mesh.triangle(f);
+		for (std::size_t k = 0; k < 3; ++k) {
+			const std::int32_t a = t[k], b = t[(k + 1) % 3];
+			perEdge(std::min(a, b), std::max(a, b));
+		}
+	}
 }
 
 class BorderSplitter {
@@ -61,24 +75,18 @@ private:
 	/// Makes their points. Returns the faces at them.
 	std::vector<std::size_t> findLongBorderEdges()
 	{
-		std::vector<std::pair<Edge, std::size_t>> found; // with the face
-		for (std::size_t f = 0; f < mesh_.faceNum(); ++f) {
-			for (std::size_t k = 0; k < 3; ++k) {
-				const std::int32_t a = corner(f, k), b = corner(f, k + 1);
-				if (a != b && lengthOf(a, b) > maxLength_) found.push_back({edgeOf(a, b), f});
-			}
+		std::vector<char> isEnd(mesh_.vertexNum(), 0);
+		for (const Edge& e : borderEdges(mesh_.view())) {
+			if (!(lengthOf(e.first, e.second) > maxLength_)) continue;
+			addPoints(e);
+			isEnd[std::size_t(e.first)] = isEnd[std::size_t(e.second)] = 1;
 		}
-		std::sort(found.begin(), found.end());
 		std::vector<std::size_t> faces;
-		for (std::size_t i = 0; i < found.size();) {
-			std::size_t end = i + 1;
-			while (end < found.size() && found[end].first == found[i].first)
-				++end;
-			if (end - i == 1) {
-				addPoints(found[i].first);
-				faces.push_back(found[i].second);
-			}
-			i = end;
+		for (std::size_t f = 0; f < mesh_.faceNum(); ++f) {
+			int endNum = 0;
+			for (std::size_t k = 0; k < 3; ++k)
+				endNum += isEnd[std::size_t(corner(f, k))];
+			if (endNum >= 2) faces.push_back(f); // of those without such an edge nothing is split
 		}
 		return faces;
 	}
@@ -203,21 +211,23 @@ void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedN
 
 std::vector<Edge> borderEdges(const MeshView& mesh)
 {
-	std::vector<Edge> edges;
-	edges.reserve(3 * mesh.faceNum);
-	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		const auto t = mesh.triangle(f);
-		for (std::size_t k = 0; k < 3; ++k)
-			edges.push_back(edgeOf(t[k], t[(k + 1) % 3]));
-	}
-	std::sort(edges.begin(), edges.end());
+	// The larger ends, by the smaller ones.
+	std::vector<std::size_t> start(mesh.vertexNum + 1, 0);
+	forEdges(mesh, [&](std::int32_t low, std::int32_t) { ++start[std::size_t(low)]; });
+	std::partial_sum(start.begin(), start.end(), start.begin());
+	std::vector<std::int32_t> ends(start.back());
+	forEdges(mesh,
+			 [&](std::int32_t low, std::int32_t high) { ends[--start[std::size_t(low)]] = high; });
 	std::vector<Edge> border;
-	for (std::size_t i = 0; i < edges.size();) {
-		std::size_t end = i + 1;
-		while (end < edges.size() && edges[end] == edges[i])
-			++end;
-		if (end - i == 1) border.push_back(edges[i]);
-		i = end;
+	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
+		const auto begin = ends.begin() + std::ptrdiff_t(start[v]);
+		const auto end   = ends.begin() + std::ptrdiff_t(start[v + 1]);
+		std::sort(begin, end);
+		for (auto it = begin; it != end;) {
+			const auto next = std::upper_bound(it, end, *it);
+			if (next - it == 1) border.push_back({std::int32_t(v), *it});
+			it = next;
+		}
 	}
 	return border;
 }

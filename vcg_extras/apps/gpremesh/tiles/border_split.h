@@ -40,13 +40,13 @@ struct SharedName {
 /// triangles as small as those of the result fit beside them. All tiles split an edge that they
 /// share at the same points, bit for bit: these depend on its ends and maxLength alone. The surface
 /// stays the same. names: per vertex; gets those of the new ones. Cost: linear, and O(n log n) in
-/// the long edges.
+/// the long edges of the border.
 void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names);
 
 /// Two vertices of a mesh, the smaller one first.
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
-/// The edges that one face has, ascending. Cost: O(F log F).
+/// The edges that one face has, ascending. Cost: linear.
 std::vector<Edge> borderEdges(const MeshView& mesh);
 
 } // namespace gpr::app

@@ -16,12 +16,12 @@ struct PartFacts {
 	FileStamp     mesh, names;
 };
 
-/// Condenses one tile: remeshes it by the preset 'fast', with sizes that follow the error and four
-/// times the density of the result, all vertices of its border kept. Long edges of the border are
-/// split before. A tile that is not denser than that is taken as it is, and so is one that cannot
-/// be remeshed with all the vertices and edges that it shares. Does nothing where that was done.
-/// Throws AppError: (BadInput) where a file of the tile is damaged,
-/// (Stopped), (Failure) without memory or disk. Cost: that of a fast run on the tile.
+/// Condenses one tile: remeshes it by the preset 'fast' and a quick fit, with sizes that follow the
+/// error and the density of condensedDensity(), all vertices of its border kept. Long edges of the
+/// border are split before. A tile that is not denser than that is taken as it is, and so is one
+/// that cannot be remeshed with all the vertices and edges that it shares. Does nothing where that
+/// was done. Throws AppError: (BadInput) where a file of the tile is damaged, (Stopped), (Failure)
+/// without memory or disk. Cost: that of a fast run on the tile.
 PartFacts makePart(const TilePlan& plan, const SplitFacts& split, int tile, const RunFolder& folder,
 				   const RunLimit& limit, const ProgressCallback& progress);
 

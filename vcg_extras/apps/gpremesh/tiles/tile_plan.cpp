@@ -17,11 +17,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Bytes a face of a tile while it is condensed, and a vertex of the result at the end: measured,
-/// see docs/scale.md.
-constexpr double bytesPerCondensedFace = 62;
-constexpr double bytesPerTileFace = 450, bytesPerResultVertex = 900;
+/// Bytes a face of a tile while it is condensed; at the end a face of the condensed surface, which
+/// has two for a vertex, and a vertex of the result: measured, see docs/scale.md.
+constexpr double bytesPerTileFace      = 450;
+constexpr double bytesPerCondensedFace = 57, bytesPerResultVertex = 400;
 constexpr double bytesAtLeast = 3e7;
+
+/// Vertices of the condensed surface for one of the result. With fewer the result is farther from
+/// the input: see docs/scale.md.
+constexpr double usualDensity = 4, leastDensity = 2;
 
 constexpr std::uint64_t sampleNum = 100000;
 /// Numbers of vertices in PLY files have 32 bits.
@@ -164,16 +168,32 @@ double resultVertexNum(const RemeshOptions& options, double inputVertexNum)
 	return 0;
 }
 
+double condensedDensity(double vertexNum, double memoryBytes)
+{
+	if (!(memoryBytes > 0) || !(vertexNum > 0)) return usualDensity;
+	const double room = (memoryBytes - bytesAtLeast) / vertexNum - bytesPerResultVertex;
+	return std::clamp(room / (2 * bytesPerCondensedFace), leastDensity, usualDensity);
+}
+
+double diskBytesOf(const TilePlan& plan)
+{
+	double bytes = 0;
+	for (const std::string& input : plan.inputs)
+		bytes += splitBytesPerInputByte * double(fs::file_size(input));
+	return bytes;
+}
+
 void requireMemoryFor(double vertexNum, double memoryBytes)
 {
-	const double needed = bytesAtLeast + bytesPerResultVertex * vertexNum;
+	constexpr double each   = bytesPerResultVertex + 2 * bytesPerCondensedFace * leastDensity;
+	const double     needed = bytesAtLeast + each * vertexNum;
 	if (!(memoryBytes > 0) || needed <= memoryBytes) return;
 	throw AppError(
 		ExitCode::PromiseBroken,
 		formatted("A result of %.0f vertices needs about %.1f GB of memory at the end, and "
 				  "--memory allows %.1f GB. Ask for at most %.0f vertices.",
 				  vertexNum, needed * 1e-9, memoryBytes * 1e-9,
-				  std::max(0.0, (memoryBytes - bytesAtLeast) / bytesPerResultVertex)));
+				  std::max(0.0, (memoryBytes - bytesAtLeast) / each)));
 }
 
 void requireMemoryForFaces(double faceNum, double memoryBytes)

@@ -58,6 +58,13 @@ void writePlan(const TilePlan& plan, const RunFolder& folder);
 /// Throws AppError (Usage) where there is none, or an input has changed since.
 TilePlan readPlan(const RunFolder& folder);
 
+/// Vertices of the condensed surface for one of the result: four, and fewer where so many do not
+/// fit into the memory of the last step. That is not limited where memoryBytes is 0.
+double condensedDensity(double resultVertexNum, double memoryBytes);
+
+/// What the files of the run take of the disk at most, bytes, about, without converted inputs.
+double diskBytesOf(const TilePlan& plan);
+
 /// Throws AppError (PromiseBroken) where the last step needs more memory than the plan allows.
 void requireMemoryFor(double resultVertexNum, double memoryBytes);
 /// The same for a condensed surface that has more faces than it should, where tiles could not be

@@ -3,6 +3,7 @@
 #include "tile_run.h"
 
 #include "../exit_code.h"
+#include "../formatted_text.h"
 #include "../mesh_io.h"
 #include "../output_file.h"
 #include "../platform.h"
@@ -12,6 +13,7 @@
 #include "tile_join.h"
 
 #include <vcg_extras/core/base/pages.h>
+#include <vcg_extras/core/run_estimate.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -23,7 +25,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Of the work of a run, so that the bar moves evenly.
-constexpr double shareOfSplit = 0.15, shareOfParts = 0.55;
+constexpr double shareOfSplit = 0.15, shareOfParts = 0.6, shareOfJoin = 0.05;
+
+constexpr double shareUntilJoin = shareOfSplit + shareOfParts;
+constexpr double shareCondensed = shareUntilJoin + shareOfJoin;
 
 TileRequest requestOf(const CommandLine& line)
 {
@@ -34,6 +39,17 @@ TileRequest requestOf(const CommandLine& line)
 	request.memoryBytes = double(line.tiles.memoryBytes);
 	request.tileNum     = line.tiles.tileNum;
 	return request;
+}
+
+void noteDensity(double vertexNum, double memoryBytes, std::vector<std::string>& notes)
+{
+	const double density = condensedDensity(vertexNum, memoryBytes);
+	const double usual   = condensedDensity(vertexNum, 0);
+	if (density >= usual) return;
+	notes.push_back(
+		formatted("The memory allows a condensed surface with %.1f vertices for one of the "
+				  "result, where %.0f are usual. The result is a little farther from the input.",
+				  density, usual));
 }
 
 /// The last step: an ordinary run on the condensed surface.
@@ -54,6 +70,7 @@ CommandLine lastStepOf(const CommandLine& line, const TilePlan& plan, const Spli
 	last.notes.push_back("The input was condensed in " + std::to_string(plan.tileNum()) +
 						 " tiles first. What is told of the input here is told of the condensed "
 						 "surface.");
+	noteDensity(resultVertexNum(plan, facts), plan.memoryBytes, last.notes);
 	for (const std::string& note : conversionNotes(plan.inputs.size(), folder))
 		last.notes.push_back(note);
 	return last;
@@ -105,6 +122,36 @@ void removeConverted(const TilePlan& plan, const RunFolder& folder)
 		fs::remove(folder.input(i));
 }
 
+/// Seconds that an ordinary run takes, by the numbers alone.
+double secondsOfRun(double faceNum, double vertexNum, RemeshOptions options)
+{
+	MeshView sizes;
+	sizes.faceNum           = std::size_t(faceNum);
+	sizes.vertexNum         = std::size_t(faceNum / 2);
+	options.targetMode      = TargetMode::VertexNum;
+	options.targetVertexNum = std::int64_t(vertexNum);
+	return estimateRun(sizes, options).seconds;
+}
+
+/// What is to be expected, where the options tell the size of the result.
+std::string expectation(const TilePlan& plan, const RunFolder& folder)
+{
+	constexpr double splitSecondsPerFace = 0.25e-6; // on one thread
+	const double     faceNum             = double(plan.allFaces());
+	const double     vertexNum = resultVertexNum(plan.options, double(plan.allVertices()));
+	const double     condensed = condensedDensity(vertexNum, plan.memoryBytes) * vertexNum;
+	RemeshOptions    quick     = plan.options;
+	applyPreset(Preset::Fast, quick);
+	RunEstimate estimate;
+	estimate.bytes   = plan.memoryBytes;
+	estimate.seconds = splitSecondsPerFace * faceNum + secondsOfRun(faceNum, condensed, quick) +
+					   secondsOfRun(2 * condensed, vertexNum, plan.options);
+	return formatted("In %d tiles: ", plan.tileNum()) + (vertexNum > 0 ? "" : "more than ") +
+		   estimateText(estimate) +
+		   formatted(", and %.2g GB of disk in '", 1e-9 * diskBytesOf(plan)) + folder.path() +
+		   "'.\n";
+}
+
 /// Everything up to the condensed surface.
 void condense(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
 			  ProgressBar& bar)
@@ -112,7 +159,7 @@ void condense(const TilePlan& plan, const RunFolder& folder, const RunLimit& lim
 	const SplitFacts facts = split(plan, folder, limit, partOf(bar, 0, shareOfSplit));
 	removeConverted(plan, folder);
 	requireMemoryFor(resultVertexNum(plan, facts), plan.memoryBytes);
-	const double each    = (shareOfParts - shareOfSplit) / plan.tileNum();
+	const double each    = shareOfParts / plan.tileNum();
 	double       faceNum = 0;
 	for (int tile = 0; tile < plan.tileNum(); ++tile) {
 		const double from = shareOfSplit + each * tile;
@@ -123,7 +170,7 @@ void condense(const TilePlan& plan, const RunFolder& folder, const RunLimit& lim
 		returnReleasedMemory(); // the next step needs another mix of sizes
 	}
 	requireMemoryForFaces(faceNum, plan.memoryBytes);
-	joinParts(plan, folder, limit, partOf(bar, shareOfParts, shareOfParts + 0.05));
+	joinParts(plan, folder, limit, partOf(bar, shareUntilJoin, shareCondensed));
 }
 
 void printJson(const Json& json)
@@ -216,9 +263,13 @@ void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)
 		plan                 = isSplit ? planOfSplit(request, folder)
 									   : planFor(request, folder, limit, partOf(bar, 0, 1));
 		plan.options.threads = line.options.threads;
+		bar.clear();
+		if (!line.quiet) std::fputs(expectation(plan, folder).c_str(), stderr);
 		condense(plan, folder, limit, bar);
 	}
-	finish(line, plan, readSplit(plan, folder), folder, programClock);
+	CommandLine rest = line;
+	rest.shareDone   = shareCondensed;
+	finish(rest, plan, readSplit(plan, folder), folder, programClock);
 	std::error_code error;
 	fs::remove_all(folder.path(), error);
 }

@@ -445,15 +445,6 @@ SplitFacts factsOf(const Json& record)
 	return facts;
 }
 
-/// Vertices and faces of the input, once as they are put aside and once in tiles.
-double bytesNeeded(const TilePlan& plan)
-{
-	double bytes = 0;
-	for (const std::string& input : plan.inputs)
-		bytes += splitBytesPerInputByte * double(fs::file_size(input));
-	return bytes;
-}
-
 } // namespace
 
 double SplitFacts::area() const
@@ -468,7 +459,7 @@ SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& 
 				 const ProgressCallback& progress)
 {
 	if (const auto record = readRecord(folder.splitRecord(), plan.name)) return factsOf(*record);
-	requireRoom(folder.path(), bytesNeeded(plan));
+	requireRoom(folder.path(), diskBytesOf(plan));
 	const SplitFacts facts  = Splitter(plan, folder, limit, progress).run();
 	Json             record = {{"plan", plan.name}, {"tiles", Json::array()}};
 	for (const SplitFacts::Tile& tile : facts.tiles)
