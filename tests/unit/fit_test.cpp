@@ -329,8 +329,9 @@ TEST(ClosestFaceMap, OfAComponentWithoutResultAreEmpty)
 	EXPECT_EQ(std::count(face.begin(), face.end(), -1), std::ptrdiff_t(icosphere(2).vertexNum()));
 }
 
-/// The sums of a face are those of a loop over its vertices, as is the pull at a corner.
-TEST(DistanceTerm, IsTheGradientOfTheSquaredDistances)
+/// The force on a vertex and its own matrix are the derivatives of the squared distances over its
+/// shift.
+TEST(DistanceTerm, HasTheDerivativesOfTheSquaredDistances)
 {
 	const Laid           laid(icosphere(4), icosphere(1));
 	Workers              workers(2, nullptr);
@@ -338,39 +339,28 @@ TEST(DistanceTerm, IsTheGradientOfTheSquaredDistances)
 	const HalfEdgeMesh&  m = laid.result.mesh;
 	DistanceTerm         term(m);
 	term.assemble(laid.surface, map, workers);
-	const int   f = 5;
-	const Vec3d n(term.of(f).normal);
-	// The squared distance from the plane with the shifts of the corners, by the weights where all
-	// began.
-	const auto energy = [&](const std::array<Vec3d, 3>& shift) {
-		double sum = 0;
-		for (const int* i = map.begin(f); i != map.end(f); ++i) {
-			const FacePlane plane(m, f);
-			const Vec3f     at     = laid.surface.mesh.position[*i];
-			const Foot      foot   = plane.nearestFoot(at);
-			double          height = dot(n, Vec3d(at - plane.corner()));
-			for (int k = 0; k < 3; ++k)
-				height -= double(foot.weight[k]) * dot(n, shift[k]);
-			sum += 0.5 * double(map.area(*i)) * height * height;
-		}
-		return sum;
-	};
-	const double               unit  = 0.1 * double(laid.meanEdge());
-	const std::array<Vec3d, 3> shift = {Vec3d(0.1, 0.3, -0.2) * unit, Vec3d(-0.2, 0.1, 0.3) * unit,
-										Vec3d(0.3, 0.2, 0.1) * unit};
-	std::array<Vec3f, 3>       now;
-	for (int k = 0; k < 3; ++k)
-		now[k] = m.position[m.origin[3 * f + k]] + Vec3f(shift[k]);
-	for (int k = 0; k < 3; ++k) {
-		DistancePull pull;
-		pull.add(term.of(f), k, Vec3f(shift[k]), now[(k + 1) % 3] - now[k],
-				 now[(k + 2) % 3] - now[k]);
-		const double step = 0.01 * unit;
-		auto         more = shift, less = shift;
-		more[k] += n * step;
-		less[k] += n * -step;
-		const double slope = (energy(more) - energy(less)) / (2 * step);
-		EXPECT_NEAR(dot(Vec3d(pull.force), n), -slope, 2e-3 * std::abs(slope)) << k;
+	const Vec3d unit(0.6, 0.64, 0.48);
+	for (int v : {0, 7, 20}) {
+		const auto energy = [&](double shift) {
+			double sum = 0;
+			forEachOutgoing(m, v, [&](int h) {
+				const FacePlane plane(m, h / 3);
+				for (const int* i = map.begin(h / 3); i != map.end(h / 3); ++i) {
+					const Vec3f  at   = laid.surface.mesh.position[*i];
+					const Foot   foot = plane.nearestFoot(at);
+					const Vec3d  n(laid.surface.normal[*i].unpack());
+					const double off = dot(n, Vec3d(at) - Vec3d(plane.pointAt(foot))) -
+									   shift * double(foot.weight[h % 3]) * dot(n, unit);
+					sum += 0.5 * double(map.area(*i)) * off * off;
+				}
+			});
+			return sum;
+		};
+		const double step  = 0.01 * double(laid.meanEdge());
+		const double slope = (energy(step) - energy(-step)) / (2 * step);
+		const double bend  = (energy(step) - 2 * energy(0) + energy(-step)) / (step * step);
+		EXPECT_NEAR(dot(Vec3d(term.force(v)), unit), -slope, 2e-3 * std::abs(slope)) << v;
+		EXPECT_NEAR(dot(Vec3d(term.own(v) * Vec3f(unit)), unit), bend, 2e-3 * bend) << v;
 	}
 }
 

@@ -43,8 +43,6 @@ public:
 		third_              = cross(cross_, corner_.b - corner_.a) * inverse_;
 	}
 
-	/// The first one.
-	const Vec3f& corner() const { return corner_.a; }
 	/// Twice the area times the unit normal.
 	const Vec3f& areaNormal() const { return cross_; }
 	bool         looksAlong(const Vec3f& normal) const { return dot(cross_, normal) > 0; }
@@ -63,10 +61,13 @@ public:
 		return inPlane.isInside() && inverse_ > 0 ? inPlane : footOnEdges(p);
 	}
 
+	Vec3f pointAt(const Foot& foot) const
+	{
+		return corner_.a * foot.weight[0] + corner_.b * foot.weight[1] + corner_.c * foot.weight[2];
+	}
 	float squaredDistance(const Vec3f& p, const Foot& foot) const
 	{
-		return squaredLength(corner_.a * foot.weight[0] + corner_.b * foot.weight[1] +
-							 corner_.c * foot.weight[2] - p);
+		return squaredLength(pointAt(foot) - p);
 	}
 	/// Of p from the plane.
 	float squaredHeight(const Vec3f& p) const

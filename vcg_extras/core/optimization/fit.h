@@ -36,18 +36,18 @@ struct FitOutcome {
 ///
 ///     Σ_p A_p (n_p · (p - Σ_k b_k x_k))²  +  Σ_f s_f E_f  +  μ Σ_i M_i |x_i - x_i⁰|²
 ///
-/// p runs over the vertices of the input, with area A_p, whose nearest triangle f has the normal
-/// n_f, the corners x_k and the weights b_k there (see ClosestFaceMap): the squared distance of the
-/// vertices from the triangles' planes (see DistanceTerm). E_f = (a² + b² + c²) / (4√3·area) is the
-/// conformal energy of a triangle, 1 if equilateral, of which only the tangential part moves a
-/// vertex: across the surface the first term alone decides. A small pull to where the vertex was
-/// keeps the system sound where no vertex of the input says anything.
+/// p runs over the vertices of the input, with area A_p and normal n_p, whose nearest triangle has
+/// the corners x_k and the weights b_k there (see ClosestFaceMap): the squared distance between
+/// triangles and tangent planes of the input. E_f = (a² + b² + c²) / (4√3·area) is the conformal
+/// energy of a triangle, 1 if equilateral, of which only the tangential part moves a vertex: across
+/// the surface the first term alone decides. A small pull to where the vertex was keeps the system
+/// sound where no vertex of the input says anything.
 ///
-/// A round finds the map, sums the first term up in nine numbers a triangle, descends by Jacobi
-/// steps with momentum, shortens the moves of faces that turn, look away from the surface or get
-/// poor angles, and lets the surface points follow on the surface. At the end faces that intersect
-/// others are put back to where they were before the first round. Vertices of borders and curves
-/// are fitted to these first (curve_fit.h) and stay there.
+/// A round finds the map, sums the first term up in a matrix per vertex and edge, whose size does
+/// not depend on the input's, descends by Jacobi steps with momentum, shortens the moves of faces
+/// that turn, look away from the surface or get poor angles, and lets the surface points follow on
+/// the surface. At the end faces that touch others are put back to where they were before the first
+/// round. Vertices of borders and curves are fitted to these first (curve_fit.h) and stay there.
 ///
 /// Changes mesh.position and the surface points. Cost: linear in the input per round; parallel; the
 /// bits do not depend on the threads.
