@@ -12,7 +12,6 @@
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/remesh.h>
-#include <vcg_extras/core/surface/face_tree.h>
 
 #include <algorithm>
 #include <cmath>
@@ -49,25 +48,12 @@ std::ostream& operator<<(std::ostream& out, const Band& band)
 	return out << band.file << " to " << band.percent << " %";
 }
 
-/// Root mean square distance of every tenth vertex of the input from the result, in % of the
-/// input's diagonal.
-double rmsPercent(const TriangleMesh& result, const MeshView& input)
+/// Root mean square distance between input and result, in the direction in which it is larger, in %
+/// of the input's diagonal: by points spread evenly on both surfaces.
+double rmsPercent(const RemeshReport& report)
 {
-	Workers        workers(1, nullptr);
-	const Surface  surface = surfaceOf(result, workers);
-	const FaceTree tree(surface.mesh);
-	Vec3d          low(HUGE_VAL, HUGE_VAL, HUGE_VAL), high = low * -1.0;
-	double         sum = 0;
-	std::size_t    num = 0;
-	for (std::size_t v = 0; v < input.vertexNum; v += 10, ++num) {
-		const Vec3d p = input.position(v);
-		const Vec3f q = surface.frame.toWorking(p);
-		sum += double(squaredLength(tree.nearest(q).position - q));
-		low  = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-		high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-	}
-	const double rms = std::sqrt(sum / double(num)) / surface.frame.scale;
-	return 100 * rms / length(high - low);
+	const double rms = double(report.check.distance.larger().rms);
+	return 100 * rms / report.input.diagonal;
 }
 
 /// Whole creases of the original are creases of the result; those shorter than three edges may go.
@@ -88,6 +74,7 @@ void expectWithin(const std::string& path, const Band& band)
 	options.targetPercent = band.percent;
 	options.adapt         = band.adapt;
 	options.threads       = 2;
+	options.check         = band.rmsPercent > 0;
 	if (band.vertexNum > 0) {
 		options.targetMode      = TargetMode::VertexNum;
 		options.targetVertexNum = band.vertexNum;
@@ -111,7 +98,7 @@ void expectWithin(const std::string& path, const Band& band)
 	EXPECT_GE(q.minAngleDeg, band.minAngleDeg);
 	EXPECT_LE(q.below30Percent, band.below30Percent);
 	if (band.rmsPercent > 0) {
-		EXPECT_LE(rmsPercent(r.mesh, input.view()), band.rmsPercent);
+		EXPECT_LE(rmsPercent(r.report), band.rmsPercent);
 	}
 	if (!band.keepsInverted) {
 		EXPECT_EQ(r.report.audit.invertedFaces, 0);
@@ -172,7 +159,7 @@ std::vector<Band> bands()
 	laurana.minAngleDeg     = 31;
 	laurana.below30Percent  = 0;
 	laurana.valence6Percent = 90;
-	laurana.rmsPercent      = 0.082;
+	laurana.rmsPercent      = 0.06;
 	laurana.rim             = 0.105; // its rim is ragged
 
 	Band terrain{"terrain_N44W072_2.9M_open.ply", 10};
@@ -189,7 +176,7 @@ std::vector<Band> bands()
 	iguana.minAngleDeg     = 9; // of feet that are thinner than an edge
 	iguana.below30Percent  = 0.02;
 	iguana.valence6Percent = 89;
-	iguana.rmsPercent      = 0.0282;
+	iguana.rmsPercent      = 0.023;
 
 	Band casting{"casting_10k_genus9.ply", 50}; // its crowded lines are released
 	casting.meanRadiusRatio   = 0.952;
@@ -210,7 +197,7 @@ std::vector<Band> bands()
 	Band cheese{"cheese_18k_genus133.ply", 50};
 	cheese.meanRadiusRatio = 0.79; // half of its vertices are on creases
 	cheese.below30Percent  = 19;
-	cheese.rmsPercent      = 0.09;
+	cheese.rmsPercent      = 0.27;
 
 	Band fullSize{"rockerarm_20k.ply", 100};
 	fullSize.meanRadiusRatio = 0.991;
@@ -373,7 +360,8 @@ TEST(SplitSeams, APartOfManyPatchesIsOneSolid)
 	EXPECT_EQ(factsOf(apart.mesh).components, 104);
 }
 
-/// A tenth of a percent of the diagonal, proven, with no more vertices than this.
+/// A tenth of a percent of the diagonal, proven, with no more vertices than this. Where few places
+/// decide the count is twice as large with one seed as with another.
 struct ErrorGoal {
 	const char*  file;
 	std::int64_t mostVertices;
@@ -405,7 +393,7 @@ TEST_P(ErrorOfRealMesh, IsProvenToBeATenthOfAPercent)
 INSTANTIATE_TEST_SUITE_P(, ErrorOfRealMesh,
 						 ::testing::Values(ErrorGoal{"casting_10k_genus9.ply", 44000},
 										   ErrorGoal{"fandisk_13k_cad.ply", 4500},
-										   ErrorGoal{"gargoyle_96k.ply", 60000},
+										   ErrorGoal{"gargoyle_96k.ply", 100000},
 										   ErrorGoal{"igea_269k.ply", 25000}),
 						 [](const auto& goal) { return shortName(goal.param.file); });
 

@@ -166,10 +166,10 @@ TEST(RepairPoorFaces, DoesNotDependOnThreads)
 		ribbon, [](OnSurface& on, Workers& workers) { EXPECT_TRUE(repair(on, workers, 0)); });
 }
 
-/// On these few triangles per bump are left at 5° to 16° that no single change repairs.
+/// On these few triangles per bump are left at 12° to 20° that no single change repairs.
 TEST(RepairPoorFaces, TwoChangesInARowRepairWhatOneCannot)
 {
-	for (unsigned seed : {9u, 21u, 46u, 61u, 74u}) {
+	for (unsigned seed : {33u, 57u, 72u, 76u, 87u}) {
 		Random             random(seed);
 		const TriangleMesh mesh = noisySphere(5, 0.05, random);
 		RemeshOptions      options;
