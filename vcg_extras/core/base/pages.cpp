@@ -136,9 +136,22 @@ PagePool& pool()
 	return *pool;
 }
 
+/// What lies beyond an array is seen by a sanitizer only where each array has memory of its own.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool isSanitized = true;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr bool isSanitized = true;
+#else
+constexpr bool isSanitized = false;
+#endif
+#else
+constexpr bool isSanitized = false;
+#endif
+
 bool isForPool(std::size_t bytes)
 {
-	return bytes >= 2 * PagePool::pageBytes;
+	return !isSanitized && bytes >= 2 * PagePool::pageBytes;
 }
 
 } // namespace
