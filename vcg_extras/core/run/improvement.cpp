@@ -232,18 +232,20 @@ KnownContacts fitAndRepair(RunContext& run, const Prepared& p, const BoundaryCur
 /// Lines are let go only where all other means fail; then these begin anew. Without some lines the
 /// surface may be lost; then the result stays as it was.
 void releaseLinesAndFit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
-						LargestDistance largest, const ResultMesh& start, ResultMesh& result)
+						LargestDistance largest, const ResultMesh& start, KnownContacts& contacts,
+						ResultMesh& result)
 {
 	const double fitDistance     = run.report.largestFitDistance;
 	ResultMesh   released        = copyResult(start, run.workers);
 	run.report.releasedVertexNum = releaseLines(minAngleDeg(run.options), released, run.workers);
-	fitAndRepair(run, p, boundary, largest, released);
+	KnownContacts ofReleased     = fitAndRepair(run, p, boundary, largest, released);
 	if (hasLostSurface(run, p.surface, released, start)) {
 		run.report.releasedVertexNum  = 0;
 		run.report.largestFitDistance = fitDistance;
 		return;
 	}
-	result = std::move(released);
+	result   = std::move(released);
+	contacts = std::move(ofReleased);
 	tellReleased(run);
 }
 
@@ -272,7 +274,8 @@ KnownContacts fitResult(RunContext& run, const Prepared& p, const BoundaryCurves
 		return fitAndRepair(run, p, boundary, largest, result);
 	const ResultMesh start    = copyResult(result, run.workers);
 	KnownContacts    contacts = fitAndRepair(run, p, boundary, largest, result);
-	if (areLinesCrowded(run, result)) releaseLinesAndFit(run, p, boundary, largest, start, result);
+	if (areLinesCrowded(run, result))
+		releaseLinesAndFit(run, p, boundary, largest, start, contacts, result);
 	return contacts;
 }
 
