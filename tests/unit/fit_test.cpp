@@ -177,24 +177,6 @@ TEST(IntersectingFaces, AreFoundWhereTwoSpheresMeet)
 	}
 }
 
-TEST(IntersectingFaces, AreLookedForWhereWanted)
-{
-	Workers            workers(2, nullptr);
-	const TriangleMesh sphere = icosphere(3);
-	const TriangleMesh both =
-		joined(joined(sphere, shifted(sphere, {1, 0.01, 0.02})), shifted(sphere, {-1, 0.01, 0.02}));
-	const HalfEdgeMesh m = halfEdgesOf(both);
-	// Those of the second sphere: the third lies on the other side of the first.
-	std::vector<char> wanted(m.faceNum, 0);
-	std::fill(wanted.begin() + m.faceNum / 3, wanted.begin() + 2 * m.faceNum / 3, char(1));
-	std::vector<int> expected;
-	for (int f : findIntersectingFaces(m, workers)) {
-		if (m.position[m.origin[3 * f]].x > 0) expected.push_back(f);
-	}
-	EXPECT_FALSE(expected.empty());
-	EXPECT_EQ(findIntersectingFaces(m, wanted, workers), expected);
-}
-
 TEST(IntersectingFaces, AreNotThoseThatShareEdgesOrVertices)
 {
 	Workers workers(2, nullptr);

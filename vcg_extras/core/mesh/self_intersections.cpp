@@ -116,12 +116,13 @@ bool facesCross(const HalfEdgeMesh& m, int f, int g, const SharedCorners& shared
 						   : crossApart(m, f, g);
 }
 
-/// wanted: per face, whether its intersections are looked for; empty: all faces'.
-std::vector<int> findAmong(const HalfEdgeMesh& m, const std::vector<char>& wanted, Workers& workers)
+} // namespace
+
+std::vector<int> findIntersectingFaces(const HalfEdgeMesh& m, Workers& workers)
 {
-	const FaceBoxes boxes(m, wanted, workers);
+	const FaceBoxes boxes(m, workers);
 	FlatStars       stars(m);
-	if (wanted.empty()) stars.findAll(workers);
+	stars.findAll(workers);
 	const auto compare = [&](int f, int g, std::vector<int>& out) {
 		if (stars.areInOne(f, g)) return;
 		const SharedCorners shared = sharedCorners(m, f, g);
@@ -130,31 +131,10 @@ std::vector<int> findAmong(const HalfEdgeMesh& m, const std::vector<char>& wante
 		out.push_back(f);
 		out.push_back(g);
 	};
-	std::vector<int> found = FacePairs(boxes, wanted).collect<int>(workers, compare);
+	const std::vector<char> all; // no face is left out
+	std::vector<int>        found = FacePairs(boxes, all).collect<int>(workers, compare);
 	sortUnique(found);
 	return found;
-}
-
-} // namespace
-
-std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, Workers& workers)
-{
-	return findAmong(mesh, {}, workers);
-}
-
-std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
-									   Workers& workers)
-{
-	return findAmong(mesh, wanted, workers);
-}
-
-std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, const std::vector<int>& wanted,
-									   Workers& workers)
-{
-	std::vector<char> mark(mesh.faceNum, 0);
-	for (int f : wanted)
-		mark[f] = 1;
-	return findIntersectingFaces(mesh, mark, workers);
 }
 
 int countIntersectingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,

@@ -18,14 +18,6 @@ namespace gpr {
 /// Cost: O(F log F), parallel, with a tree of boxes that is thrown away.
 std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, Workers& workers);
 
-/// Only pairs of which at least one face is wanted (1 of a mark per face): both are in the answer.
-std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, const std::vector<char>& wanted,
-									   Workers& workers);
-
-/// The same with those that are wanted in a list.
-std::vector<int> findIntersectingFaces(const HalfEdgeMesh& mesh, const std::vector<int>& wanted,
-									   Workers& workers);
-
 /// Number of intersecting pairs of which one is among `faces` and the other there or in `near`,
 /// both ascending; dead faces are passed over. Adds the number of pairs that were compared to
 /// `work`, if it is given. Cost: the product of the two for the boxes of the faces.

@@ -166,26 +166,4 @@ Goal largeAngles(LocalSearch& search, float angle, float guardedDistance)
 	return goal;
 }
 
-Goal selfIntersections(LocalSearch& search, const std::vector<int>& suspects, float angle,
-					   const std::vector<Operation::Kind>& operations)
-{
-	const HalfEdgeMesh& m = search.mesh();
-	Goal                goal;
-	goal.suspects            = &suspects;
-	goal.isBad               = [&search](int f) { return search.intersects(f); };
-	goal.faceCost            = [&m, angle](int f) { return lackOfAngle(m, f, angle); };
-	goal.countsIntersections = true;
-	goal.maxLeft             = 1;
-	goal.minGain             = 0.49f; // a pair less, whatever the angles
-	goal.operations          = operations;
-	goal.takesFirst          = !changesCount(operations);
-	goal.stepLengths         = longSteps;
-	goal.raises              = !changesCount(operations);
-	goal.limits              = limitsAfterFit(HUGE_VALF);
-	goal.limits.minAngle     = angle;
-	goal.budget.rounds       = 4;
-	goal.budget.attempts     = 200;
-	return goal;
-}
-
 } // namespace gpr

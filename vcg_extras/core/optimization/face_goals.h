@@ -35,11 +35,6 @@ float asPoorAs(float smallestAngle);
 /// (radians), and none below it falls further. guardedDistance: see Limits.
 Goal largeAngles(LocalSearch& search, float angle, float guardedDistance = HUGE_VALF);
 
-/// Faces among the suspects that intersect others; the list is kept by the caller. Minimised is the
-/// number of pairs, then what angles below `angle` lack.
-Goal selfIntersections(LocalSearch& search, const std::vector<int>& suspects, float angle,
-					   const std::vector<Operation::Kind>& operations);
-
 } // namespace gpr
 
 #endif

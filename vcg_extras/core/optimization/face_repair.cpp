@@ -7,7 +7,6 @@
 
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
-#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
@@ -49,7 +48,7 @@ constexpr float minAgreementOnSurface = 0.8f;
 /// spheres is 2° smaller on the mean.
 constexpr std::int64_t minWork = 40000000, workPerFace = 20;
 /// Of what is left, before what changes the count has the rest.
-constexpr double shareOfIntersections = 0.25, shareOfAngles = 0.67;
+constexpr double shareOfAngles = 0.67;
 /// Two operations in a row take some hundred trials a face.
 constexpr std::int64_t workOfPairs = 25000000;
 
@@ -66,30 +65,17 @@ std::int64_t workFor(int faceNum)
 
 /// How poor a mesh is.
 struct Poorness {
-	double           lack        = 0; ///< Σ(1 - angle / limit)² over the faces below the limit
-	std::size_t      poorNum     = 0; ///< these
-	float            minAngle    = 0;
-	int              invertedNum = 0;
-	std::vector<int> intersecting; ///< faces, ascending
+	double      lack        = 0; ///< Σ(1 - angle / limit)² over the faces below the limit
+	std::size_t poorNum     = 0; ///< these
+	float       minAngle    = 0;
+	int         invertedNum = 0;
 
 	bool beats(const Poorness& before) const
 	{
-		if (minAngle < before.minAngle || invertedNum > before.invertedNum) return false;
-		if (intersecting.size() != before.intersecting.size())
-			return intersecting.size() < before.intersecting.size() && lack <= before.lack;
-		return lack < before.lack;
+		return minAngle >= before.minAngle && invertedNum <= before.invertedNum &&
+			   lack < before.lack;
 	}
 };
-
-bool haveSameCorners(const HalfEdgeMesh& m, int f, const HalfEdgeMesh& other, int g)
-{
-	for (int k = 0; k < 3; ++k) {
-		const Vec3f &here  = m.position[m.origin[3 * f + k]],
-					&there = other.position[other.origin[3 * g + k]];
-		if (here.x != there.x || here.y != there.y || here.z != there.z) return false;
-	}
-	return true;
-}
 
 class PoorFaceRepair {
 public:
@@ -102,14 +88,12 @@ public:
 	{
 	}
 
-	/// intersecting: faces that intersect others.
-	bool run(const std::vector<int>& intersecting)
+	bool run()
 	{
 		const std::size_t poorNum = findPoorFaces(r_.mesh, angle_, workers_).size();
-		if (!fewPoor.holds(poorNum + intersecting.size(), r_.mesh)) return false;
-		bool isDone = takeApart(intersecting);
-		isDone      = raiseAngles() && isDone;
-		now_        = poorness(leftOf(intersecting));
+		if (!fewPoor.holds(poorNum, r_.mesh)) return false;
+		const bool isDone = raiseAngles();
+		now_              = poorness();
 		for (int round = 0; round < maxCountRounds; ++round) {
 			if (!changeCountWhereItHelps()) break;
 		}
@@ -137,40 +121,13 @@ private:
 		return wanted_.largestGap > 0 ? share * wanted_.largestGap : HUGE_VALF;
 	}
 
-	/// Takes a share of the work for one search, so that some is left for those that follow.
-	std::int64_t takeWork(double share)
-	{
-		const std::int64_t taken = std::int64_t(share * double(work_));
-		work_ -= taken;
-		return taken;
-	}
-
-	bool takeApart(const std::vector<int>& intersecting)
-	{
-		if (intersecting.empty()) return true;
-		std::int64_t work = takeWork(shareOfIntersections);
-		Assignment   assignment(surface_, map_, mapFaceNum_);
-		LocalSearch  search(surface_, curves_, &assignment, work, r_, workers_);
-		return search.run(selfIntersections(search, intersecting, angle_, keepingCount));
-	}
-
-	/// Which of the faces, and of those near them that may have changed with them, still intersect
-	/// others. Looks at these alone: all faces would take longer than the repair.
-	std::vector<int> leftOf(const std::vector<int>& intersecting) const
-	{
-		if (intersecting.empty()) return {};
-		const HalfEdgeMesh& m    = r_.mesh;
-		std::vector<int>    near = intersecting;
-		for (int ring = 0; ring < 2; ++ring)
-			near = facesRound(m, verticesOf(m, near));
-		return findIntersectingFaces(m, near, workers_);
-	}
-
+	/// Leaves some of the work for the searches that follow.
 	bool raiseAngles()
 	{
-		std::int64_t work = takeWork(shareOfAngles);
-		Assignment   assignment(surface_, map_, mapFaceNum_);
-		LocalSearch  search(surface_, curves_, &assignment, work, r_, workers_);
+		std::int64_t work = std::int64_t(shareOfAngles * double(work_));
+		work_ -= work;
+		Assignment  assignment(surface_, map_, mapFaceNum_);
+		LocalSearch search(surface_, curves_, &assignment, work, r_, workers_);
 		return raiseAngles(search);
 	}
 
@@ -200,13 +157,13 @@ private:
 	/// All is as it was, and the answer is false, where it does not.
 	bool changeCountWhereItHelps()
 	{
-		if (work_ <= 0 || (now_.poorNum == 0 && now_.intersecting.empty())) return false;
+		if (work_ <= 0 || now_.poorNum == 0) return false;
 		const ResultMesh       start   = copyResult(r_, workers_);
 		const std::vector<int> mapFace = mapFace_;
 		if (changeCount()) {
-			Poorness after = poorness(intersectingAfter(start, mapFace));
+			const Poorness after = poorness();
 			if (after.beats(now_)) {
-				now_ = std::move(after);
+				now_ = after;
 				return true;
 			}
 		}
@@ -238,18 +195,13 @@ private:
 		LocalSearch  search(surface_, curves_, &assignment, work, r_, workers_, roomForTrials);
 		Goal         angles = smallAngles(search, angle_, changingCount, guarded());
 		if (wanted_.maxGap > 0) angles.limits.maxGap = wanted_.maxGap;
-		Goal apart = selfIntersections(search, now_.intersecting, angle_, changingCount);
-		for (Goal* goal : {&angles, &apart}) {
-			goal->budget.attempts = attemptsByCount;
-			if (fewForCount.holds(search.findBad(*goal).size(), r_.mesh)) search.run(*goal);
-		}
-		work_ = work;
-		work  = workOfPairs_;
-		for (Goal* goal : {&angles, &apart}) {
-			goal->budget.attempts = attemptsByPairs;
-			goal->inPairs         = true;
-			if (search.findBad(*goal).size() <= maxForPairs) search.run(*goal);
-		}
+		angles.budget.attempts = attemptsByCount;
+		if (fewForCount.holds(search.findBad(angles).size(), r_.mesh)) search.run(angles);
+		work_                  = work;
+		work                   = workOfPairs_;
+		angles.budget.attempts = attemptsByPairs;
+		angles.inPairs         = true;
+		if (search.findBad(angles).size() <= maxForPairs) search.run(angles);
 		workOfPairs_ = work;
 		return search.changeNum() > 0;
 	}
@@ -270,39 +222,9 @@ private:
 		mapFace_ = std::move(mapFace);
 	}
 
-	/// Which faces intersect others now. Faces that are as they were at the start, and intersected
-	/// none then, can only intersect others that are not: it is enough to look at the rest.
-	std::vector<int> intersectingAfter(const ResultMesh&       start,
-									   const std::vector<int>& startMapFace) const
+	Poorness poorness() const
 	{
-		if (now_.intersecting.empty()) return {};
-		const auto nameOf = [](const std::vector<int>& mapFace, int f) {
-			return mapFace.empty() ? f : mapFace[f];
-		};
-		std::vector<int> faceAtStart(std::size_t(mapFaceNum_), -1); // by its name in the map
-		for (int f = 0; f < start.mesh.faceNum; ++f) {
-			const int name = nameOf(startMapFace, f);
-			if (name >= 0) faceAtStart[name] = f;
-		}
-		for (int f : now_.intersecting) {
-			const int name = nameOf(startMapFace, f);
-			if (name >= 0) faceAtStart[name] = -1;
-		}
-		const auto isAsBefore = [&](int f) {
-			const int name = nameOf(mapFace_, f);
-			return name >= 0 && faceAtStart[name] >= 0 &&
-				   haveSameCorners(r_.mesh, f, start.mesh, faceAtStart[name]);
-		};
-		const std::vector<int> changed =
-			workers_.collectIf(r_.mesh.faceNum, [&](int f) { return !isAsBefore(f); });
-		return findIntersectingFaces(r_.mesh, changed, workers_);
-	}
-
-	/// intersecting: the faces that intersect others.
-	Poorness poorness(std::vector<int> intersecting) const
-	{
-		const int inverted = invertedFaceNum(surface_, r_, workers_);
-		Poorness  poorness = {0, 0, angle_, inverted, std::move(intersecting)};
+		Poorness poorness = {0, 0, angle_, invertedFaceNum(surface_, r_, workers_)};
 		for (int f : findPoorFaces(r_.mesh, angle_, workers_)) {
 			++poorness.poorNum;
 			const float  own  = smallestAngle(r_.mesh, f);
@@ -428,13 +350,9 @@ bool raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, 
 bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,
 					 std::unique_ptr<ClosestFaceMap>& map, ResultMesh& result, Workers& workers)
 {
-	std::vector<int> intersecting;
-	if (!wanted.suspects.empty())
-		intersecting = findIntersectingFaces(result.mesh, wanted.suspects, workers);
-	const float angle = wanted.angleDeg * radians;
-	if (intersecting.empty() && !hasPoorFaces(result.mesh, angle, workers)) return true;
+	if (!hasPoorFaces(result.mesh, wanted.angleDeg * radians, workers)) return true;
 	if (map == nullptr) map.reset(new ClosestFaceMap(surface, result, workers));
-	return PoorFaceRepair(surface, curves, wanted, *map, result, workers).run(intersecting);
+	return PoorFaceRepair(surface, curves, wanted, *map, result, workers).run();
 }
 
 } // namespace gpr

@@ -31,21 +31,20 @@ bool raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, 
 
 /// What is to be repaired after the fit.
 struct PoorFaces {
-	float            angleDeg   = 32; ///< no face shall have a smaller angle
-	std::int64_t     targetNum  = 0;  ///< vertices that the result must have; 0: any number
-	float            largestGap = 0;  ///< between input and result, working units; 0: not known
-	float            maxGap     = 0;  ///< see Limits, while angles are raised; 0: not limited
-	std::vector<int> suspects;        ///< faces, ascending, all that intersect others among them
+	float        angleDeg   = 32; ///< no face shall have a smaller angle
+	std::int64_t targetNum  = 0;  ///< vertices that the result must have; 0: any number
+	float        largestGap = 0;  ///< between input and result, working units; 0: not known
+	float        maxGap     = 0;  ///< see Limits, while angles are raised; 0: not limited
 };
 
-/// After the fit: takes intersecting faces apart and raises small angles, by moves and flips, then
-/// by splits and collapses, which other places make good, then by two of these in a row. Last come
-/// large angles (asPoorAs), by moves and flips that leave no angle poorer than it may be. What
-/// changes the count is kept only if angles lack less then, none is smaller than the smallest
-/// before, no more faces are inverted, and the count is reached. Needs a mesh without
-/// dead faces; `map` belongs to its faces, and is made here where it is needed and null. Returns
-/// false if the budget ended a search. Cost: bounded by that budget, about a third of a second, and
-/// a tenth of the run on large meshes; the worst faces come first.
+/// After the fit: raises small angles, by moves and flips, then by splits and collapses, which
+/// other places make good, then by two of these in a row. Last come large angles (asPoorAs), by
+/// moves and flips that leave no angle poorer than it may be. What changes the count is kept only
+/// if angles lack less then, none is smaller than the smallest before, no more faces are inverted,
+/// and the count is reached. Needs a mesh without dead faces; `map` belongs to its faces, and is
+/// made here where it is needed and null. Returns false if the budget ended a search. Cost: bounded
+/// by that budget, about a third of a second, and a tenth of the run on large meshes; the worst
+/// faces come first.
 bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,
 					 std::unique_ptr<ClosestFaceMap>& map, ResultMesh& result, Workers& workers);
 

@@ -184,10 +184,8 @@ public:
 		outcome.capped = !fitSoundly(outcome.map);
 		if (settings_.worstRounds > 0 && outcome.map != nullptr && !lowerWorst(outcome))
 			outcome.capped = true;
-		sortUnique(intersecting_);
-		outcome.intersecting = std::move(intersecting_);
-		outcome.contacts     = std::move(contacts_);
-		outcome.farthest     = farthestFromSurface(r_);
+		outcome.contacts = std::move(contacts_);
+		outcome.farthest = farthestFromSurface(r_);
 		return outcome;
 	}
 
@@ -201,7 +199,6 @@ private:
 	MoveLimits            limits_;
 	Buffer<char>          isFree_; ///< vertices that may leave the surface
 	KnownContacts         contacts_;
-	std::vector<int>      intersecting_; ///< faces that touched others at some time
 
 	/// False if a round, or all together, had to be taken back.
 	bool fitSoundly(std::unique_ptr<ClosestFaceMap>& map)
@@ -277,7 +274,6 @@ private:
 		for (const FacePair& pair : contacts_.find(m_, workers_))
 			faces.insert(faces.end(), {pair.first, pair.second});
 		sortUnique(faces);
-		intersecting_.insert(intersecting_.end(), faces.begin(), faces.end());
 		return faces;
 	}
 

@@ -23,9 +23,8 @@ struct FitSettings {
 };
 
 struct FitOutcome {
-	std::unique_ptr<ClosestFaceMap> map; ///< of the last round; null where there was none
-	std::vector<int> intersecting; ///< ascending; all faces that still touch others are among them
-	KnownContacts    contacts;     ///< of the mesh as it is left
+	std::unique_ptr<ClosestFaceMap> map;      ///< of the last round; null where there was none
+	KnownContacts                   contacts; ///< of the mesh as it is left
 	float farthest   = 0; ///< largest distance of a vertex from its surface point, working units
 	float largestGap = 0; ///< between result and input after worstRounds, working units
 	bool  capped     = false; ///< a guard gave up: the moves of that round were taken back

@@ -80,7 +80,6 @@ bool LocalSearch::isExhausted() const
 
 std::vector<int> LocalSearch::findBad(const Goal& goal) const
 {
-	if (goal.suspects != nullptr) return *goal.suspects;
 	return workers_.collectIf(m_.faceNum,
 							  [&](int f) { return !isDeadFace(m_, f) && goal.isBad(f); });
 }
@@ -239,9 +238,7 @@ bool LocalSearch::keepsLimits(Before& before)
 		before.distance = distanceOf(before.faces(), before.triangles, before.meanEdge);
 	if (!keepsDistance(before.distance.get(), faces)) return false;
 	if (limitsGaps() && squaredGapOf(faces) > before.squaredGap) return false;
-	// A goal that counts intersections has looked at them already.
-	if (!goal_->limits.intersections || goal_->countsIntersections) return true;
-	return intersectionNum(faces) <= before.intersections;
+	return !goal_->limits.intersections || intersectionNum(faces) <= before.intersections;
 }
 
 /// Null where distances are not limited.
@@ -288,9 +285,7 @@ float LocalSearch::costOf(const std::vector<int>& faces)
 	float cost = 0;
 	for (int f : faces)
 		cost += goal_->faceCost(f);
-	if (!goal_->countsIntersections) return cost;
-	// Pairs come first; of as many, what the faces cost tells.
-	return float(intersectionNum(faces)) + 0.5f * cost / (1 + cost);
+	return cost;
 }
 
 LocalSearch::Worst LocalSearch::worstOf(const std::vector<int>& faces)
@@ -324,12 +319,6 @@ int LocalSearch::intersectionNum(const std::vector<int>& faces)
 	const int    num   = countIntersectingPairs(m_, faces, near_, &pairs);
 	work_ -= workOfPair * pairs + std::int64_t(near_.size());
 	return num;
-}
-
-bool LocalSearch::intersects(int f)
-{
-	findNear(f);
-	return intersectionNum({f}) > 0;
 }
 
 void LocalSearch::lookForIntersections(int f)
@@ -435,16 +424,6 @@ bool LocalSearch::moveToBest(int v)
 	return better;
 }
 
-std::vector<PatchEditor::VertexState> LocalSearch::statesFor(int v, float reach) const
-{
-	std::vector<PatchEditor::VertexState> states = editor_.statesAround(v, reach, goal_->mayCrowd);
-	if (goal_->raises && editor_.result().vertex[v].curve < 0) {
-		states.push_back(editor_.raised(v, -reach));
-		states.push_back(editor_.raised(v, reach));
-	}
-	return states;
-}
-
 /// Moves v by one step to where its faces cost least; false if no place is better.
 bool LocalSearch::stepFrom(int v, float reach, float& cost)
 {
@@ -454,7 +433,7 @@ bool LocalSearch::stepFrom(int v, float reach, float& cost)
 	bool                           found = false;
 	StepLimits before; // looked at where a place is better: most steps find none
 	work_ -= workOfStep;
-	for (const PatchEditor::VertexState& next : statesFor(v, reach)) {
+	for (const PatchEditor::VertexState& next : editor_.statesAround(v, reach, goal_->mayCrowd)) {
 		if (!editor_.isNearStart(v, next, goal_->limits.maxMove, goal_->limits.maxTurn)) continue;
 		editor_.put(v, next);
 		const float now = costOf(faces);

@@ -41,15 +41,12 @@ struct Budget {
 
 /// What a search is for.
 struct Goal {
-	const std::vector<int>*        suspects = nullptr; ///< where bad faces are; null: anywhere
-	std::function<bool(int face)>  isBad; ///< called in parallel where there are no suspects
+	std::function<bool(int face)>  isBad; ///< called in parallel
 	std::function<float(int face)> faceCost;
-	bool  countsIntersections = false;   ///< their number comes before the faces' cost
 	float maxLeft = 0.995f, minGain = 0; ///< a change leaves at most this share, less this
 	float collapseCost = 0;              ///< a vertex less has to be worth so much
 	std::vector<Operation::Kind> operations;
-	std::vector<float>           stepLengths;    ///< of moves, in mean edges
-	bool                         raises = false; ///< moves also go up and down from the surface
+	std::vector<float>           stepLengths; ///< of moves, in mean edges
 	bool   settles    = true;  ///< what lies round a change settles by moves and flips
 	bool   takesFirst = false; ///< each operation that helps is kept, not only the best of all
 	bool   inPairs    = false; ///< two operations in a row
@@ -71,12 +68,8 @@ public:
 				std::int64_t& work, ResultMesh& result, Workers& workers, int spareVertexNum = 0);
 
 	/// False if the budget ended before the search did.
-	bool run(const Goal& goal);
-	/// The suspects, or the bad ones of all faces.
+	bool             run(const Goal& goal);
 	std::vector<int> findBad(const Goal& goal) const;
-
-	/// Whether a face intersects any other.
-	bool intersects(int f);
 
 	PatchEditor&        editor() { return editor_; }
 	const HalfEdgeMesh& mesh() const { return m_; }
@@ -158,12 +151,11 @@ private:
 	Worst worstOf(const std::vector<int>& faces);
 	bool  keepsWorst(const std::vector<int>& faces, const Worst& before);
 
-	bool                                  make(const Operation& op);
-	void                                  settle(const std::vector<int>& patch);
-	void                                  flipIfBetter(int h, const std::vector<int>& patch);
-	bool                                  moveToBest(int v);
-	bool                                  stepFrom(int v, float reach, float& cost);
-	std::vector<PatchEditor::VertexState> statesFor(int v, float reach) const;
+	bool make(const Operation& op);
+	void settle(const std::vector<int>& patch);
+	void flipIfBetter(int h, const std::vector<int>& patch);
+	bool moveToBest(int v);
+	bool stepFrom(int v, float reach, float& cost);
 
 	/// Pairs of intersecting faces of which one is among these (ascending), and the other near.
 	int              intersectionNum(const std::vector<int>& faces);

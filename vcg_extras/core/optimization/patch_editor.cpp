@@ -135,13 +135,6 @@ PatchEditor::VertexState PatchEditor::movedTo(int v, const ResultVertex& record)
 	return {record.point.position + heightOf(v), normalAt(v, record.point), record};
 }
 
-PatchEditor::VertexState PatchEditor::raised(int v, float by) const
-{
-	VertexState state = stateOf(v);
-	state.position += normalized(state.normal) * by;
-	return state;
-}
-
 bool PatchEditor::isNearStart(int v, const VertexState& state, float share, float minCosine) const
 {
 	const Vec3f& normal = startNormal_[v];

@@ -197,7 +197,6 @@ Fitted fit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 	if (outcome.capped) run.tellCap("moves of the fit");
 	Fitted fitted;
 	run.report.largestFitDistance = double(outcome.farthest) / p.surface.frame.scale;
-	fitted.poor.suspects          = std::move(outcome.intersecting);
 	fitted.poor.largestGap        = outcome.largestGap;
 	fitted.map                    = std::move(outcome.map);
 	fitted.contacts               = std::move(outcome.contacts);
@@ -215,7 +214,7 @@ void repairFaces(RunContext& run, const Prepared& p, const BoundaryCurves& bound
 	fitted.poor.maxGap    = maxGapAfter(run, fitted.poor.largestGap, result);
 	if (!repairPoorFaces(p.surface, boundary, fitted.poor, fitted.map, result, run.workers))
 		run.tellCap("changes for small angles");
-	// Faces that intersect are taken apart also by raising vertices from the surface.
+	// Vertices have come and gone.
 	if (run.options.fit != Fit::Off)
 		run.report.largestFitDistance = double(farthestFromSurface(result)) / p.surface.frame.scale;
 }
