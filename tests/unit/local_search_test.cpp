@@ -290,7 +290,7 @@ TEST(LocalSearch, TiltsNoFaceFartherFromTheSurfaceThanItMay)
 	EXPECT_LT(leastAgreementAfterDrawing(-1), 0.8f) << "else nothing is tested";
 	for (float least : {0.8f, 0.9f}) {
 		EXPECT_GE(leastAgreementAfterDrawing(least), least);
-		EXPECT_LT(leastAgreementAfterDrawing(least), least + 0.1f) << "as far as it may, nearly";
+		EXPECT_LT(leastAgreementAfterDrawing(least), least + 0.15f) << "as far as it may, nearly";
 	}
 }
 
