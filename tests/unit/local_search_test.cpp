@@ -320,9 +320,11 @@ TEST(LocalSearch, InvertsNoMoreFacesWhereSomeAreAlready)
 
 TEST(LocalSearch, MovesNoFaceThroughAnother)
 {
-	// A leaf under the top of an arch: where the vertex at the top moves on, the faces behind it
-	// cut through the leaf.
-	const TriangleMesh leaf    = shifted(grid(2, 2, 0.04, 0.04), {-0.02, 1.98, 0.95});
+	// An upright leaf under the top of an arch: where the vertex at the top moves on, the faces
+	// behind it cut through the leaf.
+	TriangleMesh leaf = grid(2, 2, 0.04, 0.45);
+	for (Vec3d& p : leaf.positions)
+		p = {p.x - 0.02, 2, p.y + 0.5};
 	const TriangleMesh both    = joined(arch(), leaf);
 	const auto         drawTop = [](OnSurface& on, bool intersections) {
         const int   v             = vertexNear(on, {0, 2, 1});
