@@ -391,10 +391,10 @@ TEST_P(ErrorOfRealMesh, IsProvenToBeATenthOfAPercent)
 }
 
 INSTANTIATE_TEST_SUITE_P(, ErrorOfRealMesh,
-						 ::testing::Values(ErrorGoal{"casting_10k_genus9.ply", 44000},
-										   ErrorGoal{"fandisk_13k_cad.ply", 4500},
-										   ErrorGoal{"gargoyle_96k.ply", 100000},
-										   ErrorGoal{"igea_269k.ply", 25000}),
+						 ::testing::Values(ErrorGoal{"casting_10k_genus9.ply", 10500},
+										   ErrorGoal{"fandisk_13k_cad.ply", 3200},
+										   ErrorGoal{"gargoyle_96k.ply", 37000},
+										   ErrorGoal{"igea_269k.ply", 8600}),
 						 [](const auto& goal) { return shortName(goal.param.file); });
 
 /// The bunny of Debian's glmark2-data, which every checkout can install.

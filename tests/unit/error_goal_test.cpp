@@ -79,7 +79,7 @@ TEST(SearchCount, AddsWhatSmallerTrianglesAskFor)
         const bool isLast = tried.size() == 3;
         return ErrorTrial{n, isLast ? 0.95 : 1.5, isLast ? 0 : 0.0001, 1.2};
     });
-	ASSERT_EQ(tried.size(), 3u);
+	ASSERT_GE(tried.size(), 3u);
 	EXPECT_EQ(tried[1], 1200);
 	EXPECT_EQ(tried[2], 1440);
 	EXPECT_EQ(found, 1440);
@@ -92,7 +92,7 @@ TEST(SearchCount, RaisesTheCountWhereMuchIsBeyond)
 		tried.push_back(n);
 		return ErrorTrial{n, n > 1500 ? 0.95 : 3, n > 1500 ? 0 : 0.2, 1};
 	});
-	ASSERT_EQ(tried.size(), 2u);
+	ASSERT_GE(tried.size(), 2u);
 	EXPECT_GT(tried[1], 2000);
 }
 
@@ -120,23 +120,29 @@ TEST(SearchCount, ComesNearTheFewestWhereFewPlacesMissTheGoal)
 	EXPECT_LE(trials, 5);
 }
 
-/// Two counts that meet the goal show that the error falls slowly with the count.
-TEST(SearchCount, FollowsTheErrorThatTheTrialsShow)
+/// Errors are exponentially distributed: with two thirds of the exponent a twentieth is added.
+TEST(SearchCount, FollowsTheShareOfVerticesThatCameIn)
 {
 	std::vector<std::int64_t> tried;
-	searchCount(goalOf(1, 24000), [&](std::int64_t n) {
-		tried.push_back(n);
-		return ErrorTrial{n, 0.75 * std::pow(24000 / double(n), 0.2)};
-	});
-	ASSERT_EQ(tried.size(), 3u) << "the last uses the goal";
-	EXPECT_NEAR(double(tried[2]), 24000 * std::pow(0.75, 5), 100);
+	const std::int64_t        found = searchCount(goalOf(1, 20000), [&](std::int64_t n) {
+        tried.push_back(n);
+        const auto added = std::int64_t(double(n) * std::exp(-double(n) / 4000));
+        return ErrorTrial{n + added, 0.98, 0, 1, added};
+    });
+	ASSERT_EQ(tried.size(), 2u);
+	EXPECT_NEAR(double(tried[1]), 4000 * std::log(20), 100);
+	EXPECT_EQ(found, tried[1]);
 }
 
-TEST(SearchCount, StopsWhereTheGoalIsNearlyUsed)
+TEST(SearchCount, StopsWhereATwentiethCameIn)
 {
-	const Search search(goalOf(1, 5000), [](std::int64_t) { return 0.93; });
-	EXPECT_EQ(search.found, 5000);
-	EXPECT_EQ(search.trialNum, 1);
+	std::int64_t trialNum = 0;
+	const auto   trial    = [&](std::int64_t n) {
+        ++trialNum;
+        return ErrorTrial{n + n / 20, 0.98, 0, 1, n / 20};
+	};
+	EXPECT_EQ(searchCount(goalOf(1, 5000), trial), 5000);
+	EXPECT_EQ(trialNum, 1);
 }
 
 TEST(SearchCount, GivesUpAtTheMost)

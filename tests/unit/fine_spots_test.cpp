@@ -63,4 +63,21 @@ TEST(PlacesBeyond, AreTheTrianglesThatAreTooFar)
 	EXPECT_TRUE(placesBeyond(from, to, 0.11, workers).empty());
 }
 
+/// A large triangle over a thin peak that none of its corners, middles of edges and middle meets.
+TEST(PlacesBeyond, AreFoundBetweenThePointsThatAreLookedAtFirst)
+{
+	TriangleMesh peak = grid(60, 60);
+	for (Vec3d& p : peak.positions)
+		p.z = -std::max(0.0, 0.1 - 2 * length(p - Vec3d(0.55, 0.15, 0)));
+	Workers                     workers(2, nullptr);
+	const CertifiedSurface      from(grid(3, 3).view(), workers), to(peak.view(), from, workers);
+	const std::vector<FarPlace> places = placesBeyond(from, to, 0.03, workers);
+	ASSERT_FALSE(places.empty());
+	for (const FarPlace& p : places) {
+		EXPECT_GT(p.distance, 0.03);
+		EXPECT_LT(length(p.position - Vec3d(0.55, 0.15, 0)), 0.05);
+	}
+	EXPECT_TRUE(placesBeyond(from, to, 0.06, workers).empty());
+}
+
 } // namespace gpr::test

@@ -170,8 +170,7 @@ void addSize(Table& t)
 			"Looks for the smallest number of vertices with which the result is nowhere farther "
 			"than this from the input, nor the input from the result. This is proven. It is given "
 			"in mesh units. At most five trials are made. The adaptivity is 1 unless another one "
-			"is given, and each trial "
-			"makes triangles smaller where the one before it was too far from the input. What "
+			"is given. Where a trial is too far from the input, more vertices come in. What "
 			"cannot be reached is refused.")
 			.inDialog("Above 0 it takes the place of the number of vertices.")
 			.onCommandLine("With a percent sign, as 0.2%, it is a share of the diagonal.")

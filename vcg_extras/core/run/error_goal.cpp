@@ -17,19 +17,16 @@ namespace {
 constexpr double shareForSpots = 0.01;
 /// Beyond what would do if the error went with 1 / count, in the last trial.
 constexpr double lastCaution = 1.15;
-/// What the last trial adds at least, where another count has met the goal.
-constexpr double lastGrowth = 1.1;
 /// What the finer places themselves need.
 constexpr double leastGrowth = 1.03;
-/// A trial that keeps to so much of the goal or more is near enough to the smallest count.
-constexpr double nearEnough = 0.9;
+/// Share of the vertices that shall come in at single places.
+constexpr double shareToAdd = 0.05;
+/// A count that would be lowered to no less than this is near enough to the smallest.
+constexpr double nearEnough = 0.87;
 /// Counts of which one meets the goal and one does not are near enough at this quotient.
 constexpr double nearCounts = 1.08;
 /// A count tried is at most so many times the last one, or its inverse.
-constexpr double largestGrowth = 4, largestShrink = 3;
-/// Power of the largest error with which the count falls: the few places that would be beyond the
-/// goal are made finer by the next trial. Two trials that meet it tell the power, up to the other.
-constexpr double       fallOfCount = 2, steepestFall = 6;
+constexpr double       largestGrowth = 4, largestShrink = 3;
 constexpr std::int64_t minCount = 4;
 
 class CountSearch {
@@ -46,17 +43,18 @@ public:
 			const ErrorTrial t     = trial_(next);
 			const bool       meets = t.error <= goal_.largest;
 			// Topology needs more than what was asked for: there is nothing below.
-			const bool isLeast = t.vertexNum > next || next <= minCount;
+			const bool isLeast = t.evenNum() > next || next <= minCount;
 			if (meets) {
 				keepFewer(t);
 				next = isLeast ? 0 : fewerThan(t);
 			}
 			else {
-				missed_ = std::max(missed_, t.vertexNum);
+				missed_ = std::max(missed_, t.evenNum());
 				next    = moreThan(t, left);
 			}
+			hasJustMissed_ = !meets;
 		}
-		return met_.vertexNum;
+		return met_.evenNum();
 	}
 
 private:
@@ -64,7 +62,7 @@ private:
 	const std::function<ErrorTrial(std::int64_t)>& trial_;
 	ErrorTrial                                     met_;        ///< vertexNum 0: none
 	std::int64_t                                   missed_ = 0; ///< the largest count that did not
-	double                                         fall_   = fallOfCount;
+	bool                                           hasJustMissed_ = false; ///< the trial before
 
 	std::int64_t clamped(double n) const
 	{
@@ -74,28 +72,27 @@ private:
 
 	void keepFewer(const ErrorTrial& t)
 	{
-		if (met_.vertexNum > 0 && t.vertexNum >= met_.vertexNum) return;
-		if (met_.vertexNum > 0 && t.error > met_.error) fall_ = fallBetween(met_, t);
-		met_ = t;
+		if (met_.vertexNum == 0 || t.vertexNum < met_.vertexNum) met_ = t;
 	}
 
-	static double fallBetween(const ErrorTrial& more, const ErrorTrial& fewer)
+	/// The exponent of the errors' distribution at the goal: the share that is beyond it is e^-x.
+	double exponentAtGoal(const ErrorTrial& t) const
 	{
-		const double counts = double(more.vertexNum) / double(fewer.vertexNum);
-		const double errors = fewer.error / std::max(more.error, 1e-6 * fewer.error);
-		return std::clamp(portable::log(counts) / portable::log(errors), fallOfCount, steepestFall);
+		const double n = double(t.evenNum());
+		if (t.addedNum > 0) return portable::log(double(t.vertexNum) / double(t.addedNum));
+		// The largest of n errors.
+		return portable::log(std::max(n, 2.0)) * goal_.largest /
+			   std::max(t.error, 1e-6 * goal_.largest);
 	}
 
-	/// After a count that met the goal; 0 where that is near enough to the smallest. The places
-	/// made finer so far will serve the smaller count as well.
+	/// After a count that met the goal; 0 where that is near enough to the smallest.
 	std::int64_t fewerThan(const ErrorTrial& t) const
 	{
-		const double n = double(met_.vertexNum);
-		if (t.error >= nearEnough * goal_.largest) return 0;
+		const double n      = double(t.evenNum());
+		const double wanted = n * portable::log(1 / shareToAdd) / exponentAtGoal(t);
+		if (wanted >= nearEnough * n) return 0;
 		if (missed_ > 0 && n <= nearCounts * double(missed_)) return 0;
-		const double ratio  = std::max(t.error / goal_.largest, 1e-6);
-		const double wanted = n * std::max(portable::pow(ratio, fall_), 1 / largestShrink);
-		return clamped(std::max(wanted, std::sqrt(n * double(missed_))));
+		return clamped(std::max({wanted, n / largestShrink, std::sqrt(n * double(missed_))}));
 	}
 
 	/// After a count that missed the goal: so many more that triangles elsewhere stay as they are.
@@ -103,25 +100,25 @@ private:
 	/// error the fewer there are of it, about exponentially.
 	std::int64_t moreThan(const ErrorTrial& t, int left) const
 	{
-		const double n = double(t.vertexNum);
-		if (n == 0 || t.vertexNum >= goal_.most) return 0;
+		const double n = double(t.evenNum());
+		if (n == 0 || t.evenNum() >= goal_.most) return 0;
 		const double share   = std::min(0.5, std::max(t.share, 1e-12));
 		const double byArea  = portable::log(shareForSpots) / portable::log(share);
 		const double bySpots = std::max(std::max(1.0, byArea) * t.growth, leastGrowth);
-		if (met_.vertexNum > 0)
-			return between(t, left == 1 ? std::max(bySpots, lastGrowth) : bySpots);
+		if (met_.vertexNum > 0) return between(t, bySpots);
 		// The last trial shall meet it, though that may be with too many.
 		const double byError = left == 1 ? lastCaution * t.error / goal_.largest * t.growth : 0;
 		return clamped(std::min(std::max(bySpots, byError), largestGrowth) * n);
 	}
 
-	/// No more than what smaller triangles at the places beyond the goal ask for, though a trial
-	/// may be lost by that: the counts may be far from each other.
+	/// What smaller triangles at the places beyond the goal ask for. Where that misses it, too,
+	/// half way: the counts may be far from each other.
 	std::int64_t between(const ErrorTrial& t, double growth) const
 	{
-		const double low = double(t.vertexNum), high = double(met_.vertexNum);
+		const double low = double(t.evenNum()), high = double(met_.evenNum());
 		if (high <= nearCounts * low || high <= low + 1) return 0;
-		return clamped(std::min(growth * low, std::sqrt(low * high)));
+		const double half = std::sqrt(low * high);
+		return clamped(hasJustMissed_ ? half : std::min(growth * low, half));
 	}
 };
 

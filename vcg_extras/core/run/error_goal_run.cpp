@@ -132,7 +132,7 @@ ErrorTrial tryCount(RunContext& run, const ErrorGoal& goal, std::int64_t vertexN
 	guide.spots            = trials.spots;
 	RemeshResult     trial = remeshWith(run, vertexNum, {from, from + length}, guide, trials.kept);
 	const ErrorTrial outcome{std::int64_t(trial.mesh.vertexNum()), errorOf(trial), guide.share,
-							 guide.growth};
+							 guide.growth, guide.addedNum};
 	++trials.num;
 	trials.stageSeconds += secondsOf(trial.report.stages);
 	if (outcome.error > goal.largest) trials.spots.push_back(std::move(guide.found));
@@ -173,6 +173,7 @@ RemeshResult remeshForError(RunContext& run)
 	KeptInput        ofTrials;
 	KeptInput&       kept = run.kept != nullptr ? *run.kept : ofTrials;
 	goal.start            = forecastCount(run, goal, kept);
+
 	Trials     trials{kept, {}, {}};
 	const bool met =
 		searchCount(goal, [&](std::int64_t n) { return tryCount(run, goal, n, trials); }) > 0;

@@ -3,11 +3,13 @@
 #include "error_guide.h"
 
 #include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/optimization/local_refinement.h>
 #include <vcg_extras/core/sampling/sizing.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gpr {
 
@@ -27,6 +29,17 @@ struct Effort {
 /// smaller triangles, too.
 constexpr Effort first = {1.2, 0.75, 0.9}, second = {1.5, 0.6, 0.8}, later = {1.5, 0.5, 0.65};
 constexpr double leastOfTrial = 0.3, mostOfTrial = 0.8;
+
+/// Of the goal: what no point was found to be beyond is proven to keep to the goal.
+constexpr double provable = 0.97;
+/// Where a round would have more new vertices, over those that are there, triangles are too large
+/// on the whole.
+constexpr double mostAdded = 0.08;
+/// Each round halves triangles that are still too large. Half a dozen do but at thin spikes.
+constexpr int mostRounds = 16;
+/// Smaller angles are raised beside new vertices; at spikes that takes back what is gained.
+constexpr float angleAtFirst = 30, angleLater = 15;
+constexpr int   roundsForAngles = 4;
 
 const Effort& effortAfter(std::size_t missedNum)
 {
@@ -58,7 +71,68 @@ double growthBy(const FineSpots& spots, const Surface& surface, Workers& workers
 	return meanSquaredStretch(surface.mesh, factorsOf(spots, surface, workers), workers);
 }
 
+void append(const std::vector<FarPlace>& places, bool areOfSurface, std::vector<FarPoint>& points)
+{
+	for (const FarPlace& p : places)
+		points.push_back({Vec3f(p.position), float(p.distance), areOfSurface});
+}
+
+/// Where the surface and a result are farther from each other than a limit.
+std::vector<FarPoint> pointsBeyond(const CertifiedSurface& input, const ResultMesh& result,
+								   double limit, Workers& workers)
+{
+	const CertifiedSurface made(viewOf(result.mesh), input, workers);
+	std::vector<FarPoint>  points;
+	append(placesBeyond(input, made, limit, workers), true, points);
+	append(placesBeyond(made, input, limit, workers), false, points);
+	return points;
+}
+
+/// Whether rounds still get anywhere: the number of points falls.
+class Progress {
+public:
+	bool goesOn(std::size_t pointNum)
+	{
+		if (pointNum < fewest_) {
+			fewest_ = pointNum;
+			lost_   = 0;
+		}
+		else
+			++lost_;
+		return pointNum > 0 && lost_ < mostLostRounds;
+	}
+
+private:
+	static constexpr int mostLostRounds = 3;
+
+	std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
+	int         lost_   = 0; ///< rounds since it fell
+};
+
 } // namespace
+
+int refineToGoal(RunContext& run, const Surface& surface, const BoundaryCurves& curves,
+				 ResultMesh& result)
+{
+	run.clock.enter(Stage::Fit);
+	const double           limit = provable * run.guide->goal * surface.frame.scale;
+	const CertifiedSurface input(viewOf(surface.mesh), run.workers);
+	Progress               progress;
+	int                    added = 0;
+	for (int round = 0; round < mostRounds; ++round) {
+		const std::vector<FarPoint> points = pointsBeyond(input, result, limit, run.workers);
+		if (!progress.goesOn(points.size())) break;
+		LocalRefinement settings;
+		settings.minAngle = (round < roundsForAngles ? angleAtFirst : angleLater) * radians;
+		settings.maxGap   = float(limit);
+		settings.mostNew  = int(mostAdded * result.mesh.vertexNum);
+		const int more    = refineAt(surface, curves, points, settings, result, run.workers);
+		if (more == 0) break;
+		added += more;
+	}
+	run.guide->addedNum += added;
+	return added;
+}
 
 void findPlacesBeyond(RunContext& run, const Surface& surface, const ComparedSurfaces& both,
 					  float idealEdge)

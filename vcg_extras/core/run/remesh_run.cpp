@@ -49,6 +49,19 @@ void measureError(RunContext& run, const Surface& surface, const ResultMesh& res
 	if (run.guide != nullptr) findPlacesBeyond(run, surface, both, result.idealEdge);
 }
 
+/// Smaller triangles may touch others, and what is made anew there may be too far from the input.
+void keepToGoal(RunContext& run, MeshedSurface& made, KnownContacts& contacts, ResultMesh& result)
+{
+	constexpr int mostTimes = 3;
+	for (int time = 0; time < mostTimes; ++time) {
+		const int added = refineToGoal(run, made.prepared.surface, made.meshed.curves, result);
+		if (added == 0) return;
+		made.prepared.targetNum += added;
+		run.report.targetVertexNum = made.prepared.targetNum;
+		removeContacts(run, made.prepared, contacts, result);
+	}
+}
+
 void remeshOnce(RunContext& run, LargestDistance largest, RemeshResult& out)
 {
 	const FeatureMarks marks    = regionOfRun(run);
@@ -61,6 +74,7 @@ void remeshOnce(RunContext& run, LargestDistance largest, RemeshResult& out)
 	ResultMesh&    result   = made.meshed.result;
 	KnownContacts  contacts = fitResult(run, made.prepared, made.meshed.curves, largest, result);
 	removeContacts(run, made.prepared, contacts, result);
+	if (run.guide != nullptr) keepToGoal(run, made, contacts, result);
 	if (largest == LargestDistance::Counts) measureError(run, surface, result);
 	tellSmoothBorder(run, surface, result);
 	const Expected expected{made.prepared.targetNum, std::int64_t(made.prepared.kept.size())};

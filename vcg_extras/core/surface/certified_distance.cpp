@@ -65,6 +65,14 @@ struct Piece {
 	double                bound;
 };
 
+bool isBoundSmaller(const Piece& a, const Piece& b)
+{
+	return a.bound < b.bound;
+}
+
+/// Cuts of a triangle after which it counts as near, if no point was found that is far.
+constexpr int maxCutsOfPlace = 200;
+
 /// Larger bounds first is the order of work; this finds the bound from which on work is done.
 double boundToCutFrom(const std::vector<Piece>& pieces)
 {
@@ -226,7 +234,38 @@ private:
 				place.distance = std::max(place.distance, distance);
 			}
 		}
+		if (place.distance <= limit) lookCloser(face, found, limit, place);
 		return place;
+	}
+
+	/// Cuts a triangle of which seven points are within the limit until all of it is, or some point
+	/// is not.
+	void lookCloser(const Face& face, const Finding& found, double limit, FarPlace& place) const
+	{
+		std::vector<Piece> open = {wholeFace({face.triangle, found.nearest}, found.bound)};
+		for (int cutNum = 0; cutNum < maxCutsOfPlace && !open.empty(); ++cutNum) {
+			std::swap(open.back(), *std::max_element(open.begin(), open.end(), isBoundSmaller));
+			const Piece whole = open.back();
+			open.pop_back();
+			Piece half[2];
+			cut(whole, half[0], half[1]);
+			for (Piece& piece : half) {
+				takeFarther(piece, place);
+				if (place.distance > limit) return;
+				bound(piece, limit);
+				if (piece.bound > limit) open.push_back(piece);
+			}
+		}
+	}
+
+	/// Takes the place over at the corner of a piece that is farther.
+	static void takeFarther(const Piece& piece, FarPlace& place)
+	{
+		for (std::size_t k = 0; k < 3; ++k) {
+			if (piece.distance[k] <= place.distance) continue;
+			place.distance = piece.distance[k];
+			place.position = piece.corner[k];
+		}
 	}
 
 	void lookAtFaces(std::size_t begin, std::size_t end)

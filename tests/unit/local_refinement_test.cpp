@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Vertices that come in where a result is too far from the surface.
+
+#include <tests/support/laid.h>
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/on_surface.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/core/base/angle.h>
+#include <vcg_extras/core/mesh/self_intersections.h>
+#include <vcg_extras/core/optimization/local_refinement.h>
+#include <vcg_extras/core/surface/certified_distance.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace gpr::test {
+
+namespace {
+
+constexpr double height = 0.12;
+const Vec3d      tip(0.37, 0.61, 0);
+
+/// A plane with a tent that is narrower than the coarse mesh's cells.
+TriangleMesh tent(int cells)
+{
+	TriangleMesh mesh = grid(cells, cells);
+	for (Vec3d& p : mesh.positions)
+		p.z = std::max(0.0, height - 1.5 * length(p - tip));
+	return mesh;
+}
+
+/// Points of both meshes that are farther from the other than a limit, working units.
+std::vector<FarPoint> pointsBeyond(Laid& on, double limit)
+{
+	const CertifiedSurface surface(viewOf(on.surface.mesh), on.workers);
+	const CertifiedSurface result(viewOf(on.result.mesh), surface, on.workers);
+	std::vector<FarPoint>  points;
+	for (const FarPlace& p : placesBeyond(surface, result, limit, on.workers))
+		points.push_back({Vec3f(p.position), float(p.distance), true});
+	for (const FarPlace& p : placesBeyond(result, surface, limit, on.workers))
+		points.push_back({Vec3f(p.position), float(p.distance), false});
+	return points;
+}
+
+LocalRefinement settingsFor(double limit)
+{
+	return {20 * radians, float(limit), 1000};
+}
+
+} // namespace
+
+TEST(LocalRefinement, BringsTheResultNearWhereItWasFar)
+{
+	Laid         on(tent(100), grid(12, 12));
+	const double limit  = 0.08 * height * on.surface.frame.scale;
+	const int    before = on.result.mesh.vertexNum;
+	ASSERT_FALSE(pointsBeyond(on, limit).empty());
+	int added = 0;
+	for (int round = 0; round < 12; ++round) {
+		const std::vector<FarPoint> points = pointsBeyond(on, limit);
+		if (points.empty()) break;
+		added +=
+			refineAt(on.surface, on.boundary, points, settingsFor(limit), on.result, on.workers);
+	}
+	EXPECT_TRUE(pointsBeyond(on, limit).empty());
+	EXPECT_EQ(on.result.mesh.vertexNum, before + added);
+	EXPECT_EQ(on.result.splitNum, added);
+	EXPECT_LT(added, before) << "only near the tent";
+	EXPECT_TRUE(findIntersectingFaces(on.result.mesh, on.workers).empty());
+	EXPECT_TRUE(isSoundTable(on.result.mesh));
+}
+
+TEST(LocalRefinement, LeavesAllElseAsItWas)
+{
+	Laid             on(tent(100), grid(12, 12));
+	const ResultMesh before = copyResult(on.result, on.workers);
+	const double     limit  = 0.2 * height * on.surface.frame.scale;
+	const auto       points = pointsBeyond(on, limit);
+	const float      near   = float(0.4 * on.surface.frame.scale);
+	const Vec3f      middle = on.surface.frame.toWorking(tip);
+	refineAt(on.surface, on.boundary, points, settingsFor(limit), on.result, on.workers);
+	int same = 0;
+	for (int v = 0; v < before.mesh.vertexNum; ++v) {
+		if (length(before.mesh.position[v] - middle) < near) continue;
+		EXPECT_EQ(on.result.mesh.position[v], before.mesh.position[v]) << v;
+		++same;
+	}
+	EXPECT_GT(same, before.mesh.vertexNum / 3);
+}
+
+TEST(LocalRefinement, ChangesNothingWhereItWouldNeedTooManyVertices)
+{
+	Laid            on(tent(100), grid(12, 12));
+	const double    limit    = 0.08 * height * on.surface.frame.scale;
+	LocalRefinement settings = settingsFor(limit);
+	settings.mostNew         = 1;
+	const int  before        = on.result.mesh.vertexNum;
+	const auto points        = pointsBeyond(on, limit);
+	EXPECT_EQ(refineAt(on.surface, on.boundary, points, settings, on.result, on.workers), 0);
+	EXPECT_EQ(on.result.mesh.vertexNum, before);
+}
+
+/// A point beside the border asks for a border edge, or the border would stay as coarse as it is.
+TEST(LocalRefinement, SplitsTheBorderBesideAPoint)
+{
+	OnSurface                   on(grid(8, 8));
+	const std::vector<FarPoint> points = {
+		{on.surface.frame.toWorking(Vec3d(0.36, 0.001, 0)), 0.1f, false}};
+	ASSERT_EQ(refineAt(on.surface, on.boundary, points, settingsFor(1), on.result, on.workers), 1);
+	EXPECT_TRUE(on.result.mesh.isBorderVertex(on.result.mesh.vertexNum - 1));
+}
+
+TEST(LocalRefinement, DoesNotDependOnThreads)
+{
+	const auto refined = [](int threads) {
+		Laid         on(tent(100), grid(12, 12), threads);
+		const double limit = 0.08 * height * on.surface.frame.scale;
+		for (int round = 0; round < 3; ++round)
+			refineAt(on.surface, on.boundary, pointsBeyond(on, limit), settingsFor(limit),
+					 on.result, on.workers);
+		return meshOf(on.result.mesh);
+	};
+	const TriangleMesh one = refined(1), four = refined(4);
+	EXPECT_EQ(one.positions, four.positions);
+	EXPECT_EQ(one.triangles, four.triangles);
+}
+
+} // namespace gpr::test

@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "local_refinement.h"
+
+#include "constraint.h"
+#include "face_goals.h"
+#include "local_search.h"
+#include "worst_distances.h"
+
+#include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/face_boxes.h>
+#include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/mesh/self_intersections.h>
+#include <vcg_extras/core/surface/face_tree.h>
+#include <vcg_extras/core/surface/surface_gap.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// A point lies beside an edge where the weight of the corner beyond it is smaller.
+constexpr float besideEdge = 0.15f;
+/// On the way over the surface, a point of it is reached where what is left of the distance is
+/// less. A point of the result is as far from its nearest point of the surface as was found.
+constexpr float reachedShare = 0.2f, foundShare = 1.01f;
+/// A new vertex goes to the point only if no angle at it is smaller than this, or than in the
+/// middle of the edge: 5°. Thin spikes need such angles; they are raised afterwards where that
+/// harms not.
+constexpr float minAngleAtPoint = 5 * radians;
+/// The fit leaves vertices off the surface, so that triangles lie on both sides of it. Smaller
+/// triangles need less of that: 0.5 and 1 take twice the rounds.
+constexpr float heightKept = 0.7f;
+/// Vertices of the input so far off, over what is allowed, get no farther while angles are raised.
+constexpr float guardedShare = 0.7f;
+/// What the search for better angles may measure: see LocalSearch.
+constexpr std::int64_t workOfAngles = 40000000;
+/// Of lowering the largest distances.
+constexpr int worstRounds = 2;
+
+/// An edge by its ends, the smaller one first: half-edges get other numbers when others are split.
+using Edge = std::pair<int, int>;
+
+struct Split {
+	Edge     edge;
+	FarPoint point; ///< the farthest one that asks for it
+};
+
+bool isLine(const HalfEdgeMesh& m, int h)
+{
+	return m.opposite[h] < 0 || m.isCurveEdge(h);
+}
+
+int longestEdgeOf(const HalfEdgeMesh& m, int f)
+{
+	int   longest = 3 * f;
+	float squared = 0;
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		const float own = squaredLength(m.position[m.target(h)] - m.position[m.origin[h]]);
+		if (own <= squared) continue;
+		squared = own;
+		longest = h;
+	}
+	return longest;
+}
+
+int edgeToSplit(const HalfEdgeMesh& m, const SurfacePoint& at)
+{
+	const int                  h      = 3 * at.face;
+	const auto                 corner = [&](int k) { return m.position[m.origin[h + k]]; };
+	const std::array<float, 3> weight = weightsAt(at.position, corner(0), corner(1), corner(2));
+	for (int k = 0; k < 3; ++k) {
+		const float ofCornerBeyond = weight[std::size_t(k + 2) % 3];
+		if (isLine(m, h + k) && ofCornerBeyond < besideEdge) return h + k;
+	}
+	return longestEdgeOf(m, at.face);
+}
+
+/// Every edge once, in the order of their ends.
+std::vector<Split> splitsFor(const HalfEdgeMesh& m, const std::vector<FarPoint>& points,
+							 Workers& workers)
+{
+	const FaceTree     tree(m, &workers);
+	std::vector<Split> splits(points.size());
+	workers.forEach(points.size(), [&](int i) {
+		const FarPoint& point  = points[std::size_t(i)];
+		const int       h      = edgeToSplit(m, tree.nearest(point.position));
+		splits[std::size_t(i)] = {std::minmax(int(m.origin[h]), m.target(h)), point};
+	});
+	std::stable_sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
+		if (a.edge != b.edge) return a.edge < b.edge;
+		return a.point.distance > b.point.distance;
+	});
+	const auto isSame = [](const Split& a, const Split& b) { return a.edge == b.edge; };
+	splits.erase(std::unique(splits.begin(), splits.end(), isSame), splits.end());
+	return splits;
+}
+
+int findEdge(const HalfEdgeMesh& m, const Edge& edge)
+{
+	const int h = m.findHalfEdge(edge.first, edge.second);
+	return h >= 0 ? h : m.findHalfEdge(edge.second, edge.first);
+}
+
+class Refinement {
+public:
+	Refinement(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result,
+			   Workers& workers, int mostNew) :
+			editor_(surface, curves, result, workers, mostNew),
+			m_(result.mesh), boxes_(result.mesh, workers)
+	{
+	}
+
+	void split(const Split& wanted)
+	{
+		for (const Place place : {Place::AtPoint, Place::OnSurface, Place::OnEdge}) {
+			if (trySplit(wanted, place)) return;
+		}
+	}
+
+private:
+	PatchEditor         editor_;
+	const HalfEdgeMesh& m_;
+	FaceBoxes           boxes_;   ///< as the faces were
+	std::vector<int>    changed_; ///< since then
+
+	/// Where a new vertex goes. On the edge itself nothing can go wrong; later rounds move it.
+	enum class Place { AtPoint, OnSurface, OnEdge };
+
+	/// What a split must not make worse.
+	struct Faults {
+		int invertedNum = 0, pairNum = 0;
+	};
+
+	/// False where faces would be inverted or intersect others; then all is as before.
+	bool trySplit(const Split& wanted, Place place)
+	{
+		const Operation op{Operation::Split, findEdge(m_, wanted.edge)};
+		if (op.halfEdge < 0) return false;
+		const PatchEditor::Snapshot before      = editor_.remember(editor_.patchOf(op));
+		const Faults                faultsOfOld = faultsOf(before.backup.faces());
+		const bool                  isMade      = makeAndPlace(op, place, wanted.point);
+		const std::vector<int>      faces       = facesRound(m_, editor_.patchNow(before));
+		const Faults                faults      = isMade ? faultsOf(faces) : Faults();
+		if (!isMade || faults.invertedNum > faultsOfOld.invertedNum ||
+			faults.pairNum > faultsOfOld.pairNum) {
+			editor_.undo(before);
+			return false;
+		}
+		editor_.countDone(op);
+		changed_.insert(changed_.end(), faces.begin(), faces.end());
+		return true;
+	}
+
+	bool makeAndPlace(const Operation& op, Place place, const FarPoint& point)
+	{
+		const Vec3f middle =
+			(m_.position[m_.origin[op.halfEdge]] + m_.position[m_.target(op.halfEdge)]) * 0.5f;
+		if (!editor_.make(op)) return false;
+		const int v = m_.vertexNum - 1;
+		if (place == Place::OnEdge) {
+			moveTo(middle, v);
+			return true;
+		}
+		if (place == Place::AtPoint && !moveTo(point, v)) return false;
+		for (int w : verticesOf(m_, facesRound(m_, {v})))
+			lower(w);
+		return true;
+	}
+
+	Faults faultsOf(const std::vector<int>& faces) const
+	{
+		Faults faults;
+		for (int f : faces)
+			faults.invertedNum += editor_.agreement(f) < 0;
+		faults.pairNum = countIntersectingPairs(m_, faces, facesNear(faces));
+		return faults;
+	}
+
+	std::vector<int> facesNear(const std::vector<int>& faces) const
+	{
+		const Box<float> box  = boxOfFaces(m_, faces);
+		std::vector<int> near = boxes_.meeting(box);
+		for (int f : changed_) {
+			if (boxOfFace(m_, f).meets(box)) near.push_back(f);
+		}
+		sortUnique(near);
+		return near;
+	}
+
+	bool isFree(int v) const { return constraintOf(editor_.result(), v) == Constraint::Free; }
+
+	void moveTo(const Vec3f& position, int v)
+	{
+		PatchEditor::VertexState state = editor_.stateOf(v);
+		state.position                 = position;
+		editor_.put(v, state);
+	}
+
+	/// To the point of the surface that is the far point or nearest to it. False where that cannot
+	/// be reached or leaves angles that are too small.
+	bool moveTo(const FarPoint& point, int v)
+	{
+		if (!isFree(v)) return false;
+		const HalfEdgeMesh&      s      = editor_.surface().mesh;
+		const float              before = smallestAngleAt(v);
+		PatchEditor::VertexState there  = editor_.stateOf(v);
+		SurfacePoint&            at     = there.record.point;
+		at.position                     = nearestOnTheWay(s, point.position, 0, at.face);
+		const float most = (point.isOfSurface ? reachedShare : foundShare) * point.distance;
+		if (length(at.position - point.position) > most) return false;
+		there.position      = at.position;
+		there.record.normal = s.faceNormal(at.face);
+		editor_.put(v, there);
+		return smallestAngleAt(v) >= std::min(before, minAngleAtPoint);
+	}
+
+	/// Towards the surface.
+	void lower(int v)
+	{
+		if (!isFree(v)) return;
+		PatchEditor::VertexState state  = editor_.stateOf(v);
+		const Vec3f              height = state.position - state.record.point.position;
+		state.position                  = state.record.point.position + height * heightKept;
+		editor_.put(v, state);
+	}
+
+	float smallestAngleAt(int v) const
+	{
+		float smallest = HUGE_VALF;
+		for (int f : facesRound(m_, {v}))
+			smallest = std::min(smallest, smallestAngle(m_, f));
+		return smallest;
+	}
+};
+
+} // namespace
+
+int refineAt(const Surface& surface, const BoundaryCurves& curves,
+			 const std::vector<FarPoint>& points, const LocalRefinement& settings,
+			 ResultMesh& result, Workers& workers)
+{
+	const int                before = result.mesh.vertexNum;
+	const std::vector<Split> splits = splitsFor(result.mesh, points, workers);
+	if (int(splits.size()) > settings.mostNew) return 0;
+	Refinement refinement(surface, curves, result, workers, int(splits.size()));
+	for (const Split& split : splits)
+		refinement.split(split);
+
+	const ClosestFaceMap map(surface, result, workers);
+	Assignment           assignment(surface, map, result.mesh.faceNum);
+	std::int64_t         work = workOfAngles;
+	LocalSearch          search(surface, curves, &assignment, work, result, workers);
+	Goal                 goal =
+		smallAngles(search, settings.minAngle, keepingCount, guardedShare * settings.maxGap);
+	goal.limits.maxGap = settings.maxGap;
+	search.run(goal);
+	lowerWorstDistances(surface, map, settings.minAngle, worstRounds, result, workers);
+	return result.mesh.vertexNum - before;
+}
+
+} // namespace gpr
