@@ -119,8 +119,9 @@ public:
 
 	void split(const Split& wanted)
 	{
-		for (const Place place : {Place::AtPoint, Place::OnSurface, Place::OnEdge}) {
-			if (trySplit(wanted, place)) return;
+		if (trySplit(wanted.edge, wanted.point)) return;
+		for (const Edge& edge : othersBeside(wanted.edge)) {
+			if (trySplit(edge, wanted.point)) return;
 		}
 	}
 
@@ -138,14 +139,37 @@ private:
 		int invertedNum = 0, pairNum = 0;
 	};
 
-	/// False where faces would be inverted or intersect others; then all is as before.
-	bool trySplit(const Split& wanted, Place place)
+	/// The other edges of an edge's faces. They are tried where curves let no vertex in, since
+	/// those on them would be too close to each other.
+	std::vector<Edge> othersBeside(const Edge& edge) const
 	{
-		const Operation op{Operation::Split, findEdge(m_, wanted.edge)};
+		std::vector<Edge> others;
+		const int         h = findEdge(m_, edge);
+		if (h < 0) return others;
+		for (int side : {h, int(m_.opposite[h])}) {
+			if (side < 0) continue;
+			for (int other : {nextInFace(side), prevInFace(side)})
+				others.push_back(std::minmax(int(m_.origin[other]), m_.target(other)));
+		}
+		return others;
+	}
+
+	bool trySplit(const Edge& edge, const FarPoint& point)
+	{
+		for (const Place place : {Place::AtPoint, Place::OnSurface, Place::OnEdge}) {
+			if (trySplit(edge, place, point)) return true;
+		}
+		return false;
+	}
+
+	/// False where faces would be inverted or intersect others; then all is as before.
+	bool trySplit(const Edge& edge, Place place, const FarPoint& point)
+	{
+		const Operation op{Operation::Split, findEdge(m_, edge)};
 		if (op.halfEdge < 0) return false;
 		const PatchEditor::Snapshot before      = editor_.remember(editor_.patchOf(op));
 		const Faults                faultsOfOld = faultsOf(before.backup.faces());
-		const bool                  isMade      = makeAndPlace(op, place, wanted.point);
+		const bool                  isMade      = makeAndPlace(op, place, point);
 		const std::vector<int>      faces       = facesRound(m_, editor_.patchNow(before));
 		const Faults                faults      = isMade ? faultsOf(faces) : Faults();
 		if (!isMade || faults.invertedNum > faultsOfOld.invertedNum ||

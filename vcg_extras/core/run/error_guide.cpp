@@ -35,8 +35,8 @@ constexpr double provable = 0.97;
 /// Where a round would have more new vertices, over those that are there, triangles are too large
 /// on the whole.
 constexpr double mostAdded = 0.08;
-/// Each round halves triangles that are still too large. Half a dozen do but at thin spikes.
-constexpr int mostRounds = 16;
+/// Each round halves triangles that are still too large. Half a dozen are enough but at thin spikes.
+constexpr int mostRounds = 12;
 /// Smaller angles are raised beside new vertices; at spikes that takes back what is gained.
 constexpr float angleAtFirst = 30, angleLater = 15;
 constexpr int   roundsForAngles = 4;
@@ -103,7 +103,7 @@ public:
 	}
 
 private:
-	static constexpr int mostLostRounds = 3;
+	static constexpr int mostLostRounds = 2;
 
 	std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
 	int         lost_   = 0; ///< rounds since it fell
