@@ -107,9 +107,9 @@ def remesh(
     max_error : float, optional
         Looks for the smallest number of vertices with which the result is nowhere farther than this
         from the input, nor the input from the result. This is proven. It is given in mesh units. At
-        most five trials are made. The adaptivity is 1 unless another one is given, and each trial
-        makes triangles smaller where the one before it was too far from the input. What cannot be
-        reached is refused. As text with a percent sign, as "0.2%", it is a share of the diagonal.
+        most five trials are made. The adaptivity is 1 unless another one is given. Where a trial is
+        too far from the input, more vertices come in. What cannot be reached is refused. As text
+        with a percent sign, as "0.2%", it is a share of the diagonal.
     preset : {'default', 'fast', 'paper'}, default 'default'
         Which methods are used. default: the most regular triangles, close to the input. fast: a
         third of the time, without the fit and the steps for regularity. paper: each stage as the
