@@ -146,6 +146,54 @@ TEST(ThinSurfaces, WithAHoleThatHasNoAreaAreNotWithheld)
 	expectNoContacts(withSlit(pipe, 700), 150, 0, pipe);
 }
 
+/// Faces whose corners lie in a line, as where an edge was split from one side alone.
+TriangleMesh withFlatFaces(TriangleMesh mesh, int num, Random& random)
+{
+	for (int i = 0; i < num; ++i)
+		mesh = withFlatFace(mesh, std::size_t(random.below(int(mesh.triangles.size()))));
+	return mesh;
+}
+
+/// So many vertices that few of the input's have to go where it is made anew.
+TEST(ThinSurfaces, WithFacesThatHaveNoAreaAreNotWithheld)
+{
+	const TriangleMesh pipe = joined(torus(30, 8, 1, 0.05), insideOut(torus(30, 8, 1, 0.04)));
+	for (const std::uint32_t seed : testSeeds(6)) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		Random             random(seed);
+		const TriangleMesh mesh = withFlatFaces(pipe, 8, random);
+		const RemeshResult r    = remesh(mesh.view(), optionsFor(438, true));
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		EXPECT_TRUE(hasSameTopology(pipe, r.mesh));
+		EXPECT_EQ(r.mesh.vertexNum(), 438u);
+		EXPECT_GT(r.report.audit.guarded.vertexNum, 0) << "or nothing here needs the guard";
+	}
+}
+
+/// Between vertices that have to stay a face without area stays, too, where the input's triangles
+/// are kept. Then the result is left as it was.
+TEST(ThinSurfaces, WithSuchFacesBetweenKeptVerticesAreNotWithheld)
+{
+	for (const std::uint32_t seed : testSeeds(4)) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		Random                    random(seed);
+		const TriangleMesh        tube = withFlatFaces(torus(80, 6, 1, 0.04), 1, random);
+		std::vector<std::uint8_t> selected(tube.vertexNum(), 0);
+		for (auto corner = tube.triangles.end() - 3; corner != tube.triangles.end(); ++corner)
+			selected[std::size_t(*corner)] = 1;
+		MeshView view           = tube.view();
+		view.selected           = selected.data();
+		RemeshOptions options   = optionsFor(120, true);
+		options.featureRegion   = FeatureRegion::Selection;
+		options.featureSampling = FeatureSampling::Vertices;
+		const RemeshResult r    = remesh(view, options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		EXPECT_EQ(r.report.keptVertexNum, 3);
+	}
+}
+
 /// Two bulbs joined by a tube.
 TriangleMesh dumbbell(double tubeRadius, double bulbRadius, double length)
 {
