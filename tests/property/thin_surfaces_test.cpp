@@ -89,7 +89,8 @@ RemeshOptions optionsFor(int vertexNum, bool guard)
 }
 
 /// The contacts that the same run without the guard would have had.
-std::size_t expectNoContacts(const TriangleMesh& mesh, int vertexNum, double adapt)
+std::size_t expectNoContacts(const TriangleMesh& mesh, int vertexNum, double adapt,
+							 const TriangleMesh& repaired)
 {
 	RemeshOptions options = optionsFor(vertexNum, true);
 	options.adapt         = adapt;
@@ -99,7 +100,7 @@ std::size_t expectNoContacts(const TriangleMesh& mesh, int vertexNum, double ada
 	EXPECT_EQ(int(r.mesh.vertexNum()), vertexNum);
 	EXPECT_EQ(contactNum(r.mesh), 0u);
 	EXPECT_TRUE(isSoundSurface(r.mesh));
-	EXPECT_TRUE(hasSameTopology(mesh, r.mesh));
+	EXPECT_TRUE(hasSameTopology(repaired, r.mesh));
 	const GuardedFigures& figures = r.report.audit.guarded;
 	EXPECT_TRUE(figures.isTested);
 	EXPECT_EQ(figures.pairNum, 0);
@@ -118,8 +119,8 @@ TEST(ThinSurfaces, DoNotIntersectThemselves)
 		ASSERT_EQ(contactNum(pipe) + contactNum(plate), 0u);
 		SCOPED_TRACE(seed);
 		for (const double adapt : {0.0, 1.0}) {
-			found += expectNoContacts(pipe, 150, adapt);
-			found += expectNoContacts(plate, 120, adapt);
+			found += expectNoContacts(pipe, 150, adapt, pipe);
+			found += expectNoContacts(plate, 120, adapt, plate);
 		}
 	}
 	EXPECT_GT(found, 0u) << "or nothing here needs the guard";
@@ -135,6 +136,62 @@ TEST(ThinSurfaces, AreLeftAsTheyAreWithoutTheGuard)
 	EXPECT_FALSE(figures.isTested);
 	EXPECT_EQ(figures.vertexNum, 0);
 	EXPECT_GT(contactNum(r.mesh), 0u);
+}
+
+/// What CAD programs leave where strips of no width end. All of the surface is made anew.
+TEST(ThinSurfaces, WithAHoleThatHasNoAreaAreNotWithheld)
+{
+	Random             random(1);
+	const TriangleMesh pipe = randomPipe(random);
+	expectNoContacts(withSlit(pipe, 700), 150, 0, pipe);
+}
+
+/// Faces whose corners lie in a line, as where an edge was split from one side alone.
+TriangleMesh withFlatFaces(TriangleMesh mesh, int num, Random& random)
+{
+	for (int i = 0; i < num; ++i)
+		mesh = withFlatFace(mesh, std::size_t(random.below(int(mesh.triangles.size()))));
+	return mesh;
+}
+
+/// So many vertices that few of the input's have to go where it is made anew.
+TEST(ThinSurfaces, WithFacesThatHaveNoAreaAreNotWithheld)
+{
+	const TriangleMesh pipe = joined(torus(30, 8, 1, 0.05), insideOut(torus(30, 8, 1, 0.04)));
+	for (const std::uint32_t seed : testSeeds(6)) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		Random             random(seed);
+		const TriangleMesh mesh = withFlatFaces(pipe, 8, random);
+		const RemeshResult r    = remesh(mesh.view(), optionsFor(438, true));
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		EXPECT_TRUE(hasSameTopology(pipe, r.mesh));
+		EXPECT_EQ(r.mesh.vertexNum(), 438u);
+		EXPECT_GT(r.report.audit.guarded.vertexNum, 0) << "or nothing here needs the guard";
+	}
+}
+
+/// Between vertices that have to stay a face without area stays, too, where the input's triangles
+/// are kept. Then the result is left as it was.
+TEST(ThinSurfaces, WithSuchFacesBetweenKeptVerticesAreNotWithheld)
+{
+	for (const std::uint32_t seed : testSeeds(4)) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		Random                    random(seed);
+		const TriangleMesh        tube = withFlatFaces(torus(80, 6, 1, 0.04), 1, random);
+		std::vector<std::uint8_t> selected(tube.vertexNum(), 0);
+		for (auto corner = tube.triangles.end() - 3; corner != tube.triangles.end(); ++corner)
+			selected[std::size_t(*corner)] = 1;
+		MeshView view           = tube.view();
+		view.selected           = selected.data();
+		RemeshOptions options   = optionsFor(120, true);
+		options.featureRegion   = FeatureRegion::Selection;
+		options.featureSampling = FeatureSampling::Vertices;
+		const RemeshResult r    = remesh(view, options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		EXPECT_TRUE(isSoundSurface(r.mesh));
+		EXPECT_EQ(r.report.keptVertexNum, 3);
+	}
 }
 
 /// Two bulbs joined by a tube.

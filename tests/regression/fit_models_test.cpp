@@ -94,7 +94,8 @@ ProvenDistance provenDistanceWith(Fit fit, double percent, const MeshView& input
 	return {r.report.check.distance.larger().rms, r.report.provenDistance.hausdorff()};
 }
 
-/// Where lines are released some places may come to lie farther off than before the fit.
+/// Where lines are released, or much is made anew by guarded collapses, some places may come to lie
+/// farther off than before the fit.
 class CrowdedModels : public ::testing::TestWithParam<FittedModel> {};
 
 TEST_P(CrowdedModels, AreNoFartherAnywhereThanWithoutTheFit)
@@ -111,6 +112,7 @@ TEST_P(CrowdedModels, AreNoFartherAnywhereThanWithoutTheFit)
 INSTANTIATE_TEST_SUITE_P(, CrowdedModels,
 						 ::testing::Values(FittedModel{"cad_split_seams_104comp.ply",
 													   144.51}, // 2,000
+										   FittedModel{"cad_adis_7k_genus24.stl", 10},
 										   FittedModel{"casting_10k_genus9.ply", 10},
 										   FittedModel{"motorbike_332k_nonmanifold.ply", 10}),
 						 fittedName);

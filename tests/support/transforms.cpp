@@ -106,6 +106,40 @@ TriangleMesh page(int n, double angleRad)
 	return rotated(rotated(grid(n, n), {1, 0, 0}, right), {0, 0, 1}, angleRad);
 }
 
+TriangleMesh withSlit(const TriangleMesh& mesh, int v)
+{
+	std::map<int, std::size_t> cornerBefore; // per neighbour: v's corner in the face v, neighbour
+	for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+		if (mesh.triangles[i] == v) cornerBefore[mesh.triangles[i % 3 == 2 ? i - 2 : i + 1]] = i;
+	}
+	TriangleMesh slit = mesh;
+	const int    w    = int(slit.positions.size());
+	slit.positions.push_back(slit.positions[std::size_t(v)]);
+	int neighbour = cornerBefore.begin()->first;
+	for (std::size_t turned = 0; turned < cornerBefore.size() / 2; ++turned) {
+		const std::size_t i = cornerBefore.at(neighbour);
+		slit.triangles[i]   = w;
+		neighbour           = mesh.triangles[i % 3 == 0 ? i + 2 : i - 1];
+	}
+	slit.triangles.insert(slit.triangles.end(), {w, neighbour, v});
+	return slit;
+}
+
+TriangleMesh withFlatFace(const TriangleMesh& mesh, std::size_t at)
+{
+	const std::size_t first = at - at % 3;
+	const int         a = mesh.triangles[at], b = mesh.triangles[first + (at + 1) % 3];
+	const int         c      = mesh.triangles[first + (at + 2) % 3];
+	TriangleMesh      result = mesh;
+	const int         middle = int(result.positions.size());
+	result.positions.push_back(
+		(result.positions[std::size_t(a)] + result.positions[std::size_t(b)]) * 0.5);
+	const int made[] = {a, middle, c, middle, b, c, a, b, middle};
+	std::copy_n(made, 3, result.triangles.begin() + std::ptrdiff_t(first));
+	result.triangles.insert(result.triangles.end(), made + 3, made + 9);
+	return result;
+}
+
 TriangleMesh withoutUnused(const TriangleMesh& mesh)
 {
 	TriangleMesh     result;

@@ -25,6 +25,12 @@ TriangleMesh cutApart(const TriangleMesh& mesh, const std::vector<int>& partOf);
 TriangleMesh cubeOfSides(int n);
 /// A square in the plane through the z axis at that angle; a side of it lies on the axis.
 TriangleMesh page(int n, double angleRad);
+/// Inner vertex v made two at one place, joined by an edge: a hole of three edges without area, and
+/// a face without area on the other side of the edge.
+TriangleMesh withSlit(const TriangleMesh& mesh, int v);
+/// The middle of the edge from corner `at`, a place in the list of corners, becomes a vertex of
+/// this face alone: between it and the face beyond the edge comes one without area.
+TriangleMesh withFlatFace(const TriangleMesh& mesh, std::size_t at);
 /// Without the vertices that are in no face.
 TriangleMesh withoutUnused(const TriangleMesh& mesh);
 

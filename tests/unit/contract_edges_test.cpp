@@ -3,6 +3,7 @@
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
+#include <tests/support/transforms.h>
 #include <vcg_extras/core/input/contract_edges.h>
 
 #include <gtest/gtest.h>
@@ -108,6 +109,30 @@ TEST(ContractEdges, ACapWithoutSizeBecomesATip)
 	EXPECT_EQ(r.counts.contractedEdges, 6);
 	EXPECT_TRUE(isSoundSurface(r.after));
 	EXPECT_TRUE(hasSameTopology(r.after, icosphere(0)));
+}
+
+/// A hole without area is a seam that was not sewn at its end.
+TEST(ContractEdges, ASlitOfThreeEdgesIsClosed)
+{
+	const TriangleMesh whole = icosphere(2);
+	const TriangleMesh slit  = withSlit(whole, 50);
+	ASSERT_EQ(factsOf(slit).boundaryLoops, 1);
+	ASSERT_TRUE(factsOf(slit).isManifold());
+	const Contracted r(slit);
+	EXPECT_EQ(r.counts.contractedEdges, 1);
+	EXPECT_TRUE(isSoundSurface(r.after));
+	EXPECT_TRUE(hasSameTopology(r.after, whole));
+}
+
+/// Its three edges are those of the face itself, and no hole.
+TEST(ContractEdges, ASingleFaceIsNoSlitAndGone)
+{
+	TriangleMesh face;
+	face.positions = {{0, 0, 0}, {0, 0, 0}, {1, 0, 0}};
+	face.triangles = {0, 1, 2};
+	const Contracted r(joined(grid(2, 2), face));
+	EXPECT_EQ(r.counts.contractedEdges, 1);
+	EXPECT_EQ(factsOf(r.after).components, 1);
 }
 
 TEST(ContractEdges, RandomOnesKeepTheTopology)

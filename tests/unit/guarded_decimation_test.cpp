@@ -13,6 +13,7 @@
 #include <vcg_extras/core/guard/local_nearest.h>
 #include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/face_contact.h>
+#include <vcg_extras/core/output/audit.h>
 
 #include <algorithm>
 #include <cmath>
@@ -134,6 +135,25 @@ TEST(GuardedDecimation, StopsWhereNothingMoreIsAllowed)
 	EXPECT_GE(g.mesh.vertexNum, 7) << "no torus has fewer";
 	EXPECT_LT(g.mesh.vertexNum, 30);
 	EXPECT_TRUE(findTouchingPairs(g.mesh, workers).empty());
+	EXPECT_TRUE(hasSameTopology(mesh, meshOf(g.mesh)));
+}
+
+/// Faces whose corners lie in a line, as CAD programs leave them where an edge was split from one
+/// side alone. They are long, and cost more than all that is on a ball of small triangles.
+TEST(GuardedDecimation, FacesWithoutAreaGoFirst)
+{
+	Workers      workers(2, nullptr);
+	Random       random(3);
+	TriangleMesh mesh = box(6, 5, 4, {6, 5, 4});
+	for (int i = 0; i < 12; ++i)
+		mesh = withFlatFace(mesh, std::size_t(random.below(int(mesh.triangles.size()))));
+	mesh = joined(mesh, shifted(icosphere(3, 0.2), {-2, 0, 0}));
+	GuardedMesh g(halfEdgesOf(mesh), true);
+	ASSERT_GE(zeroAreaFaceNum(g.mesh, workers), 12);
+	const int wanted = g.mesh.vertexNum - 12;
+	EXPECT_TRUE(decimateGuarded(settingsFor(mesh, wanted), g, workers));
+	EXPECT_EQ(g.mesh.vertexNum, wanted);
+	EXPECT_EQ(zeroAreaFaceNum(g.mesh, workers), 0);
 	EXPECT_TRUE(hasSameTopology(mesh, meshOf(g.mesh)));
 }
 

@@ -103,7 +103,7 @@ TEST(PatchFilling, TellsWhereTheInputHasTooFewVertices)
 	PatchFilling             filling(run, nest.prepared(), nest.result());
 	ASSERT_TRUE(filling.fill(marked));
 	ASSERT_LT(filling.mesh().vertexNum, nest.result().mesh.vertexNum);
-	EXPECT_FALSE(filling.isCountReached());
+	EXPECT_FALSE(filling.isSound());
 }
 
 } // namespace gpr::test

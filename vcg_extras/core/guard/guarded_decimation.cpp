@@ -67,6 +67,7 @@ struct Merge {
 	int  from = -1, to = -1;
 	bool isAlongBorder = false;
 	bool mayMove       = false; ///< to may come to lie elsewhere
+	bool endsFlat      = false; ///< a face without area goes by it
 };
 
 /// The places that a merged vertex may come to, the best first.
@@ -91,7 +92,7 @@ public:
 	Decimation(const GuardedSettings& settings, GuardedMesh& guarded, Workers& workers) :
 			settings_(settings), g_(guarded), m_(guarded.mesh), workers_(workers),
 			guard_(std::make_unique<ContactGuard>(m_, g_.hadContacts, workers)),
-			livingNum_(m_.vertexNum), guardedNum_(m_.vertexNum),
+			livingNum_(m_.vertexNum), guardedNum_(m_.vertexNum), hasFlat_(hasAnyFlat()),
 			stamp_(std::size_t(m_.vertexNum), 0)
 	{
 	}
@@ -123,6 +124,7 @@ private:
 	std::int64_t firstNum_  = 0;
 	std::int64_t borderNum_ = 0;           ///< vertices in edges of a border that is kept
 	bool         isForced_  = false;       ///< only these are removed, also where faces touch then
+	bool         hasFlat_;                 ///< some faces had no area at first
 	std::vector<unsigned>          stamp_; ///< per vertex: how often it has changed
 	std::priority_queue<Candidate> queue_;
 	Bounds                         bounds_{};
@@ -204,6 +206,7 @@ private:
 		if (squared > settings_.longestEdge * settings_.longestEdge) return false;
 		const Places places = placesOf(merge);
 		c.cost = float(places.at[0].first + settings_.lengthWeight * squared * squared);
+		if (merge.endsFlat) c.cost = -1 / (1 + c.cost); // before all others, the cheapest first
 		if (hasToGo(merge)) c.cost = -1;
 		c.a      = std::min(v, w);
 		c.b      = std::max(v, w);
@@ -216,7 +219,36 @@ private:
 
 	bool isFixed(int v) const { return g_.isFixed[std::size_t(v)] != 0; }
 
+	/// No area at all, by the measure of the audit.
+	static bool isFlat(const Vec3f& normal) { return !(squaredLength(normal) > 0); }
+
+	/// A result must not have faces without area, so that those of the input go first.
+	bool hasAnyFlat() const
+	{
+		for (int f = 0; f < m_.faceNum; ++f) {
+			if (!isDeadFace(m_, f) && isFlat(m_.faceCross(f))) return true;
+		}
+		return false;
+	}
+
+	bool isBesideFlat(int v, int w) const
+	{
+		bool isBeside = false;
+		forEachOutgoing(m_, v, [&](int h) {
+			isBeside =
+				isBeside || ((m_.target(h) == w || m_.apex(h) == w) && isFlat(m_.faceCross(h / 3)));
+		});
+		return isBeside;
+	}
+
 	Merge mergeOf(int v, int w) const
+	{
+		Merge merge    = wayOf(v, w);
+		merge.endsFlat = hasFlat_ && merge.from >= 0 && isBesideFlat(v, w);
+		return merge;
+	}
+
+	Merge wayOf(int v, int w) const
 	{
 		const bool isBorderV = m_.isBorderVertex(v), isBorderW = m_.isBorderVertex(w);
 		if (isBorderV && isBorderW) return isFixed(v) ? alongBorder(w, v) : alongBorder(v, w);
@@ -227,13 +259,13 @@ private:
 	Merge inside(int from, int to) const
 	{
 		if (isFixed(from)) return {};
-		return {from, to, false, !isFixed(to) && !m_.isBorderVertex(to)};
+		return {from, to, false, !isFixed(to) && !m_.isBorderVertex(to), false};
 	}
 
 	Merge alongBorder(int from, int to) const
 	{
 		if (isFixed(from) || !areBorderNeighbours(from, to)) return {};
-		return {from, to, true, !isFixed(to)};
+		return {from, to, true, !isFixed(to), false};
 	}
 
 	bool areBorderNeighbours(int v, int w) const
@@ -246,7 +278,8 @@ private:
 
 	const Bounds& boundsOf(const Merge& merge) const
 	{
-		return hasToGo(merge) && !isForced_ ? boundsOfRounds.back() : bounds_;
+		const bool isFirst = hasToGo(merge) || merge.endsFlat;
+		return isFirst && !isForced_ ? boundsOfRounds.back() : bounds_;
 	}
 
 	Places placesOf(const Merge& merge) const
@@ -357,7 +390,8 @@ private:
 	{
 		const Vec3f   normal = crossOf(after), old = crossOf(before);
 		const Bounds& bounds = boundsOf(merge);
-		if (isLine(after.at[0], after.at[1], after.at[2], normal)) return false;
+		if (isLine(after.at[0], after.at[1], after.at[2], normal)) return isFlat(old);
+		if (isFlat(old)) return g_.agrees(after.vertex, normal, bounds.agreement, merge.from);
 		if (triangleShape(after.at[0], after.at[1], after.at[2]) < leastShape_) return false;
 		if (dot(normal, old) < bounds.turn * length(normal) * length(old)) return false;
 		return g_.agrees(after.vertex, normal, bounds.agreement, merge.from) ||

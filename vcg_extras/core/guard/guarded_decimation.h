@@ -93,6 +93,7 @@ struct GuardedSettings {
 /// far from the planes of what it stands for, or make faces touch that did not (ContactGuard). The
 /// bounds on turns, shapes and distances are loosened step by step where nothing else is left.
 /// Border vertices move along their border only, and vertices inside never onto it but where it is.
+/// Edges of faces without area go before all others, within the loosest of the bounds.
 ///
 /// Returns false where no more collapse is allowed; the mesh then has as few vertices as it came
 /// to. Leaves no dead faces. Serial but for the trees, so that the bits do not depend on the

@@ -56,10 +56,28 @@ public:
 		for (int v : corner)
 			(isInside(v) ? in : out).push_back(v);
 		if (in.size() == 3) ++innerFaceNum_;
-		if (in.size() == 2) ++facesTo_[out[0]];
+		if (in.size() == 2) {
+			++facesTo_[out[0]];
+			apexOf_[edgeOf(in[0], in[1])] = out[0];
+		}
 		if (in.size() == 1) addOpposite(edgeOf(out[0], out[1]));
 		for (int k = 0; k < 3; ++k)
 			addSide(corner[k], corner[(k + 1) % 3]);
+	}
+
+	/// A hole of three edges, one of which is in the cluster, has no area. It counts as a face from
+	/// here on, which goes with that edge, so that the other two become one.
+	void fillSlits()
+	{
+		std::map<int, std::vector<int>> openTo; // per vertex beside it: over edges of the border
+		for (const auto& [edge, faceNum] : faceNum_) {
+			const auto [a, b] = edge;
+			if (faceNum != 1 || isInside(a) == isInside(b)) continue;
+			openTo[isInside(a) ? b : a].push_back(isInside(a) ? a : b);
+		}
+		for (const auto& [beside, inside] : openTo) {
+			if (inside.size() == 2) fillSlit(beside, inside[0], inside[1]);
+		}
 	}
 
 	bool staysTheSame() const
@@ -92,6 +110,7 @@ private:
 	const std::vector<int>& cluster_; ///< ascending
 	int                     innerFaceNum_ = 0;
 	std::map<int, int>      facesTo_;  ///< per vertex beside it: faces with an edge of the cluster
+	std::map<Edge, int>     apexOf_;   ///< per edge of the cluster: beside it, of a face there
 	std::map<Edge, int>     faceNum_;  ///< per edge with an end in the cluster
 	std::set<Edge>          opposite_; ///< edges over which faces look at the cluster
 	bool                    hasTwins_ = false; ///< two faces would have the same vertices
@@ -101,6 +120,18 @@ private:
 	void addSide(int a, int b)
 	{
 		if (isInside(a) || isInside(b)) ++faceNum_[edgeOf(a, b)];
+	}
+
+	void fillSlit(int beside, int a, int b)
+	{
+		const auto inner = faceNum_.find(edgeOf(a, b));
+		if (inner == faceNum_.end() || inner->second != 1) return;
+		const auto apex = apexOf_.find(inner->first);
+		if (apex != apexOf_.end() && apex->second == beside) return; // a face, and no hole
+		++inner->second;
+		++faceNum_[edgeOf(a, beside)];
+		++faceNum_[edgeOf(b, beside)];
+		++facesTo_[beside];
 	}
 };
 
@@ -187,6 +218,7 @@ private:
 				corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
 			if (!isGone) topology.addFace(corner);
 		}
+		topology.fillSlits();
 		return topology.staysTheSame();
 	}
 };

@@ -13,8 +13,9 @@ namespace gpr {
 /// the faces between them are dropped. CAD programs write such faces, as strips without width: each
 /// side of a strip would get samples of its own, and the triangles between them no area. What is
 /// contracted must not change the topology, nor make an edge or a vertex that is not manifold; else
-/// it stays. Vertices and faces keep their order. Cost: a parallel pass over the faces; for what
-/// has to be contracted, O(n log n) in the faces there.
+/// it stays. Holes of three edges, one of them without length, are the exception: they have no area
+/// and are closed. Vertices and faces keep their order. Cost: a parallel pass over the faces; for
+/// what has to be contracted, O(n log n) in the faces there.
 void contractEdgesWithoutLength(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
 
 } // namespace gpr

@@ -177,6 +177,16 @@ std::int64_t lineFaceNum(const HalfEdgeMesh& m, Workers& workers)
 	});
 }
 
+std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& m, Workers& workers)
+{
+	return workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		std::int64_t num = 0;
+		for (int f = int(begin); f < int(end); ++f)
+			num += hasNoArea(m, f);
+		return num;
+	});
+}
+
 std::int64_t zeroAreaFaceNum(const TriangleMesh& mesh, Workers& workers)
 {
 	return workers.sum<std::int64_t>(mesh.faceNum(), [&](std::size_t begin, std::size_t end) {

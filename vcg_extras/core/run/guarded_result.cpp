@@ -16,6 +16,7 @@
 #include <vcg_extras/core/mesh/face_boxes.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/output/audit.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
@@ -154,11 +155,18 @@ public:
 
 	std::int64_t reached() const { return guarded_->mesh.vertexNum; }
 
-	/// Puts what was decimated in the place of the result.
-	void take()
+	/// Makes what was decimated more regular. False where faces without area are left, as between
+	/// vertices that have to stay.
+	bool relax()
 	{
 		relaxGuarded(double(result_.idealEdge), mayLeaveSurface(run_.options), *guarded_,
 					 run_.workers);
+		return zeroAreaFaceNum(guarded_->mesh, run_.workers) == 0;
+	}
+
+	/// Puts what was decimated in the place of the result.
+	void take()
+	{
 		const std::vector<int>    ofAnchor = invertedNames();
 		std::vector<ResultVertex> vertex(std::size_t(guarded_->mesh.vertexNum));
 		for (std::size_t v = 0; v < vertex.size(); ++v) {
@@ -287,6 +295,8 @@ void replaceComponents(RunContext& run, const std::vector<int>& faces, bool inpu
 	if (reached > asked && inputHasContacts) return; // nothing is promised
 	if (reached > asked && run.options.exactCount && !isTargetWish(run.options))
 		throw refusal(asked, reached);
+	// Where a face of the input has no area its neighbours touch: nothing is promised there either.
+	if (!replacement.relax()) return;
 	replacement.take();
 	if (run.options.exactCount && reached != asked) setTarget(run, reached, p);
 	std::int64_t& madeNum = run.report.audit.guarded.vertexNum; // patches may be among these
@@ -345,7 +355,7 @@ private:
 		for (int round = 0; round < refillRounds && fewest > 0; ++round) {
 			PatchFilling filling(run_, p_, result_);
 			if (!filling.fill(marked) || areMost(marked)) break;
-			if (!filling.isCountReached()) {
+			if (!filling.isSound()) {
 				widenMarks(result_.mesh, 1, marked);
 				continue;
 			}

@@ -4,6 +4,7 @@
 
 #include <vcg_extras/core/guard/guarded_relaxation.h>
 #include <vcg_extras/core/guard/made_vertex.h>
+#include <vcg_extras/core/output/audit.h>
 
 #include <utility>
 
@@ -30,11 +31,12 @@ bool PatchFilling::fill(std::vector<char>& marked)
 	settings.mayLeaveVertices = mayLeaveSurface(run_.options);
 	// What is enclosed by few cells of the border goes to them, so that a small patch may be left
 	// with fewer vertices than it had.
-	isReached_ = guarded.mesh.vertexNum >= settings.targetNum &&
-				 decimateGuarded(settings, guarded, run_.workers);
-	if (!isReached_) return true;
+	if (guarded.mesh.vertexNum < settings.targetNum ||
+		!decimateGuarded(settings, guarded, run_.workers))
+		return true;
 	freeAround();
 	relaxGuarded(settings.idealEdge, mayLeaveSurface(run_.options), guarded, run_.workers);
+	isSound_ = zeroAreaFaceNum(guarded.mesh, run_.workers) == 0;
 	return true;
 }
 

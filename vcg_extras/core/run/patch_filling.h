@@ -46,8 +46,9 @@ public:
 	/// Cost: that of refillPatches, and about 30 µs a collapse.
 	bool fill(std::vector<char>& marked);
 
-	/// Whether the collapses came down to the result's number of vertices.
-	bool                isCountReached() const { return isReached_; }
+	/// Whether the collapses came down to the result's number of vertices, and each face that they
+	/// left has an area.
+	bool                isSound() const { return isSound_; }
 	const HalfEdgeMesh& mesh() const { return refilled_.guarded->mesh; }
 
 	/// Marks the faces of the result around pairs of faces of mesh().
@@ -61,7 +62,7 @@ private:
 	const Prepared&   p_;
 	const ResultMesh& result_;
 	RefilledMesh      refilled_;
-	bool              isReached_ = false;
+	bool              isSound_ = false;
 
 	int          oldVertex(int v) const;
 	void         freeAround();
