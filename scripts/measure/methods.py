@@ -30,14 +30,18 @@ class Method:
             return self._run_gpremesh(programs, mesh)
         return self._run_baseline(programs, mesh, goal)
 
+    def command(self, programs, mesh, result, goal):
+        """gpremesh writes its report beside."""
+        if not self.preset:
+            return [*self._baseline(programs), mesh, result, str(goal)]
+        return [programs.path("gpremesh"), "remesh", mesh, result, "--percent", str(PERCENT),
+                "--preset", self.preset, "--threads", str(self.threads), "--quiet",
+                "--report", programs.work / "report.json"]
+
     def _run_gpremesh(self, programs, mesh):
         result = programs.work / "result.ply"
-        report_file = programs.work / "report.json"
-        outside = measured([
-            programs.path("gpremesh"), "remesh", mesh, result, "--percent", str(PERCENT),
-            "--preset", self.preset, "--threads", str(self.threads), "--quiet",
-            "--report", report_file])
-        report = json.loads(report_file.read_text())
+        outside = measured(self.command(programs, mesh, result, 0))
+        report = json.loads((programs.work / "report.json").read_text())
         seconds = report["seconds"]
         stages = {key: value for key, value in seconds.items() if key not in NO_STAGES}
         return _record(seconds["remesh"], outside, report["result"], result, stages)
@@ -46,10 +50,9 @@ class Method:
         result = programs.work / "result.ply"
         output = programs.work / "baseline.json"
         with output.open("w") as told:
-            outside = measured([*self._baseline(programs), mesh, result, str(goal)], told)
+            outside = measured(self.command(programs, mesh, result, goal), told)
         figures = json.loads(output.read_text())
         return _record(figures["seconds"], outside, figures, result, {})
-
 
     def _baseline(self, programs):
         if self.remesher:
@@ -58,8 +61,6 @@ class Method:
 
 
 def _record(seconds, outside, counts, result, stages):
-    digest = hashlib.sha256(result.read_bytes()).hexdigest()
-    result.unlink()
     return {
         "seconds": seconds,
         "wall": outside.wall,
@@ -68,8 +69,15 @@ def _record(seconds, outside, counts, result, stages):
         "vertices": counts["vertices"],
         "faces": counts["faces"],
         "stages": stages,
-        "digest": digest,
+        "digest": taken_digest(result),
     }
+
+
+def taken_digest(result):
+    """Of a file, which is deleted."""
+    digest = hashlib.sha256(result.read_bytes()).hexdigest()
+    result.unlink()
+    return digest
 
 
 def thread_nums():

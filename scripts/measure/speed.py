@@ -12,6 +12,7 @@ from pathlib import Path
 from .bandwidth import memory_bandwidth
 from .circumstances import circumstances, version_in_python
 from .commands import Programs, RunFailed, say
+from .counters import count_all, wrongs_of_counters
 from .memory_by_stage import watch_memory
 from .methods import all_methods
 from .pages import DOCS, add_out_option, keep_record, kept_record, write_page
@@ -35,6 +36,8 @@ def options_of(arguments):
     parser.add_argument("--rounds", type=int, help="runs of each method (5; 3 above 3M faces, 1 above 40M)")
     parser.add_argument("--quick", action="store_true", help="whether it all works, in a minute")
     parser.add_argument("--page", action="store_true", help="only the page, from the last run's figures")
+    parser.add_argument("--counters", action="store_true",
+                        help="only what limits the runs, and the page, beside the last run's figures")
     parser.add_argument("meshes", nargs="*", type=Path, help="further meshes, as they are")
     add_out_option(parser)
     options = parser.parse_args(arguments)
@@ -75,6 +78,7 @@ class Measuring:
             keep_record(record, figures)
         figures["stages"] = self._stages(figures["meshes"], files)
         keep_record(record, figures)
+        add_counters(figures, self.programs, figures["circumstances"]["commit"], record)
 
     def _files(self):
         """Name, file, and whether it is of the family that grows."""
@@ -145,6 +149,13 @@ class Measuring:
         return {"mesh": name, "rows": measure_stages(self.programs, name, file)}
 
 
+def add_counters(figures, programs, commit, record):
+    """Of the smallest mesh: valgrind makes runs some thirty times as long."""
+    smallest = min((mesh for mesh in figures["meshes"] if mesh["grown"]), key=lambda mesh: mesh["faces"])
+    figures["counters"] = count_all(programs, methods_of(figures), smallest, commit)
+    keep_record(record, figures)
+
+
 # ---- what is told
 
 
@@ -161,6 +172,8 @@ def complaints(figures):
         for preset in ("default", "fast"):
             if not has_same_bytes(mesh, preset):
                 found.append(f"{preset} on {mesh['name']}: bytes depend on the threads")
+    if figures.get("counters"):
+        found += wrongs_of_counters(figures["counters"])
     return found
 
 
@@ -202,7 +215,9 @@ def main(build, commit, arguments):
     options = options_of(arguments)
     programs = Programs(build, build / "bench", os.environ.get("GPR_BENCH_PYTHON", ""))
     record = programs.work / ("quick.json" if options.quick else "speed.json")
-    if not options.page:
+    if options.counters:
+        add_counters(kept_record(record), programs, commit, record)
+    elif not options.page:
         figures = {"circumstances": circumstances(build, commit), "command": command_of(arguments),
                    "package": package_version(programs.python)}
         Measuring(options, programs).all(figures, record)

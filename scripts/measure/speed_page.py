@@ -3,6 +3,7 @@
 """The page of scripts/bench: all figures, and how to read them."""
 
 from . import circumstances
+from .counters import growth_of_seconds_a_face, instructions_a_nanosecond, share_of_first_misses
 from .pages import page, table
 from .statistics_of_runs import (Spread, amdahl, bandwidth_seconds, growth_of, has_same_bytes, memory_of, overhead_of,
                                 parallel_share, ratio_of, spread_of)
@@ -23,6 +24,7 @@ def speed_page(data, methods, picture_name):
         "## Growth\n\n" + _growth(data["meshes"], methods, picture_name),
         "## Threads\n\n" + _threads(data["meshes"]),
         *_bandwidth_part(data),
+        *_counters_part(data, methods),
         "## Stages of the whole runs\n\n" + _stages(data["meshes"], methods),
     ]
     if any("memory" in mesh for mesh in data["meshes"]):
@@ -198,6 +200,104 @@ def _bandwidth_row(mesh, bandwidth):
     held = spread_of(mesh, "fast-2", "peak").median / mesh["faces"]
     over = [spread_of(mesh, key, "seconds").median / limit for key in ("fast-2", "default-2")]
     return [_title(mesh), f"{held:.0f}", f"{limit:.3f}", *(f"{times:.0f}" for times in over)]
+
+
+# ---- what limits the runs
+
+
+def _counters_part(data, methods):
+    """Earlier records have none, nor those of machines without valgrind."""
+    counters = data.get("counters")
+    if not counters:
+        return []
+    mesh = next(mesh for mesh in data["meshes"] if mesh["name"] == counters["mesh"])
+    rows = [_counters_row(mesh, methods[key], counted) for key, counted in counters["methods"].items()]
+    titles = ["method", "instructions", "misses of the first cache", "of the second", "of the last", "mispredictions",
+              "whole program, s", "instructions a ns"]
+    facts = [_fact_on_caches(counters), _fact_on_presets(mesh, counters), _fact_on_threads(mesh, counters),
+             _fact_on_waiting(counters), _fact_on_size(data["meshes"], counters)]
+    return ["## What limits the runs\n\n" + _how_counted(data, mesh, counters) + table(titles, rows) + "\n"
+            + "".join(f"- {fact}\n" for fact in facts if fact)]
+
+
+def _how_counted(data, mesh, counters):
+    same = all(counted["sameBytes"] for counted in counters["methods"].values())
+    caches = next(iter(counters["methods"].values()))["caches"]
+    sizes = ", ".join(f"{name} {size / 1024:,.0f} KiB" for name, size in sorted(caches.items(), key=lambda c: c[1]))
+    return f"""\
+Runs of each method on {_title(mesh)}, on one thread, by valgrind's cachegrind: most virtual machines have no
+counters in hardware. Figures are those a face of the input. The caches of data and the prediction of branches are simulated
+({sizes}); nothing is fetched ahead. The last cache may be
+shared with other machines. Counters and seconds are of the whole program: reading and writing of the files are within,
+nothing is subtracted. The seconds are those of the runs above, without valgrind, and ratios are those of their medians.
+Counted with commit {counters['commit']}, timed with {data['circumstances']['commit']};
+the results are {'the same, byte for byte' if same else 'NOT the same'}.
+
+"""
+
+
+def _counters_row(mesh, method, counted):
+    names = ("firstMisses", "secondMisses", "lastMisses", "mispredictions")
+    each = [f"{counted[name] / mesh['faces']:.1f}" if name in counted else "–" for name in names]
+    return [_name(method), f"{counted['instructions'] / mesh['faces']:.0f}", *each,
+            _text(spread_of(mesh, method.key, "wall")), f"{instructions_a_nanosecond(mesh, counted, method.key):.1f}"]
+
+
+def _fact_on_caches(counters):
+    found = "Of the misses of the first cache, {:.0f} to {:.0f} % miss the last one, too: the others are hits there."
+    text = found.format(*share_of_first_misses(counters, "lastMisses"))
+    if all("secondMisses" in counted for counted in counters["methods"].values()):
+        text += (" The second cache, that of the core, is missed by {:.0f} to {:.0f} % of them."
+                 .format(*share_of_first_misses(counters, "secondMisses")))
+    return text
+
+
+def _times(mesh, counters, slower, faster):
+    """How many times the instructions, the instructions a nanosecond, and the seconds; None where one was not run."""
+    pair = [counters["methods"].get(key) for key in (slower, faster)]
+    if not all(pair):
+        return None
+    rates = [instructions_a_nanosecond(mesh, counted, key) for counted, key in zip(pair, (slower, faster))]
+    instructions = pair[0]["instructions"] / pair[1]["instructions"]
+    return instructions, rates[0] / rates[1], instructions * rates[1] / rates[0]
+
+
+def _fact_on_presets(mesh, counters):
+    times = _times(mesh, counters, "default-1", "fast-1")
+    return times and (f"The default takes {times[0]:.1f} times the instructions of `fast`, and {times[2]:.1f} times its "
+                      "seconds. Where the two are alike, the time goes with the number of instructions.")
+
+
+def _fact_on_threads(mesh, counters):
+    times = _times(mesh, counters, "default-1", "meshoptimizer")
+    return times and (f"The default takes {times[0]:.1f} times the instructions of meshoptimizer. It runs {times[1]:.1f} "
+                      f"times as many of them a nanosecond, so that it takes {times[2]:.1f} times the seconds. Two threads "
+                      f"halve that at best, to {times[2] / 2:.1f}: at these rates they are as fast on such a mesh only with "
+                      f"at most {2 * times[1]:.1f} times the instructions of meshoptimizer.")
+
+
+def _fact_on_waiting(counters):
+    ours, other = (counters["methods"].get(key) for key in ("default-1", "meshoptimizer"))
+    if not ours or not other:
+        return None
+    of_1000 = [1000 * counted[name] / counted["instructions"]
+               for name in ("firstMisses", "mispredictions") for counted in (other, ours)]
+    return ("In 1000 instructions meshoptimizer misses the first cache {:.1f} times, the default {:.1f} times; {:.1f} and "
+            "{:.1f} branches are mispredicted. How long each of them takes is not counted.".format(*of_1000))
+
+
+def _fact_on_size(meshes, counters):
+    """From the smallest to the largest mesh that all of them were run on."""
+    keys = list(counters["methods"])
+    grown = sorted((mesh for mesh in meshes if mesh["grown"] and all(mesh["runs"].get(key) for key in keys)),
+                   key=lambda mesh: mesh["faces"])
+    if len(grown) < 2:
+        return None
+    names = {"default-1": "the default", "fast-1": "`fast`"}
+    factors = ", ".join(f"{growth_of_seconds_a_face(grown[0], grown[-1], key):.2f} with {names.get(key, key)}"
+                        for key in keys)
+    return (f"From {grown[0]['faces']:,} to {grown[-1]['faces']:,} faces the seconds a face, on one thread, grow by these "
+            f"factors: {factors}. The larger a mesh, the less of it is in the caches; misses are counted on the smallest.")
 
 
 # ---- stages

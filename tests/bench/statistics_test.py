@@ -17,7 +17,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 from measure import binary_ply, paper, quality, simulation_page, speed_page, speed_picture
 from measure.bandwidth import memory_bandwidth
 from measure.circumstances import sentence_on_load
-from measure.commands import RunFailed, measured, timed
+from measure.commands import Programs, RunFailed, measured, timed
+from measure.counters import count_all, counters_in, growth_of_seconds_a_face, second_level_cache, wrongs_of_counters
 from measure.memory_by_stage import by_stage
 from measure.methods import all_methods
 from measure.pages import between_marks, table
@@ -113,6 +114,68 @@ class MemoryByStage(unittest.TestCase):
         self.assertEqual(by_stage(samples, seconds), {"read": 7, "load": 20, "order": 15, "short": None})
 
 
+CACHEGRIND_OUTPUT = """\
+desc: I1 cache:         65536 B, 64 B, 16-way associative
+desc: D1 cache:         49152 B, 64 B, 12-way associative
+desc: LL cache:         2097152 B, 64 B, 16-way associative
+cmd: program mesh.ply
+events: Ir I1mr ILmr Dr D1mr DLmr Dw D1mw DLmw Bc Bcm Bi Bim
+fl=some.c
+fn=main
+128 2 1 1 2 0 0 0 0 0 0 0 0 0
+summary: 9000 3 3 2000 80 10 500 20 30 700 40 10 2
+"""
+
+
+def counted(instructions, **more):
+    return {"instructions": instructions, "firstMisses": 20000, "lastMisses": 1000, "mispredictions": 5000,
+            "caches": {"first": 1024, "last": 4096}, "sameBytes": True, **more}
+
+
+class Counters(unittest.TestCase):
+    def test_the_sums_of_cachegrind_are_read(self):
+        self.assertEqual(counters_in(CACHEGRIND_OUTPUT),
+                         {"instructions": 9000, "firstMisses": 100, "lastMisses": 40, "mispredictions": 42,
+                          "caches": {"first": 49152, "last": 2097152}})
+
+    def test_runs_without_branches_have_no_mispredictions(self):
+        text = CACHEGRIND_OUTPUT.replace(" Bc Bcm Bi Bim", "").replace(" 700 40 10 2", "")
+        self.assertNotIn("mispredictions", counters_in(text))
+
+    def test_the_cache_of_the_core_is_that_of_level_two(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertIsNone(second_level_cache(Path(folder)))
+            for level, size in (("1", "48K"), ("2", "2048K")):
+                cache = Path(folder) / f"index{level}"
+                cache.mkdir()
+                for name, value in (("level", level), ("size", size), ("ways_of_associativity", "16"),
+                                    ("coherency_line_size", "64")):
+                    (cache / name).write_text(value + "\n")
+            self.assertEqual(second_level_cache(Path(folder)), (2097152, 16, 64))
+
+    def test_without_valgrind_there_are_none_with_a_line(self):
+        told = io.StringIO()
+        with redirect_stdout(told), mock.patch("shutil.which", return_value=None):
+            self.assertIsNone(count_all(Programs(Path(), Path()), all_methods(), mesh_with_all_methods(), "c"))
+        self.assertIn("SKIPPED: what limits the runs (valgrind is missing)", told.getvalue())
+
+    def test_a_method_that_fails_leaves_them_out_with_a_line(self):
+        told = io.StringIO()
+        with redirect_stdout(told), mock.patch("shutil.which", return_value="valgrind"), \
+                mock.patch("measure.counters.timed", side_effect=RunFailed("exit code 1")):
+            self.assertIsNone(count_all(Programs(Path(), Path()), all_methods(), mesh_with_all_methods(), "c"))
+        self.assertIn("SKIPPED: what limits the runs (exit code 1)", told.getvalue())
+
+    def test_impossible_ones_are_found(self):
+        self.assertEqual(list(wrongs_of_counters({"methods": {"fast-1": counted(10 ** 6)}})), [])
+        wrong = counted(10 ** 6, lastMisses=30000, mispredictions=0)
+        self.assertEqual(len(list(wrongs_of_counters({"methods": {"fast-1": wrong}}))), 2)
+
+    def test_growth_is_that_of_the_time_of_a_face(self):
+        small, large = ({"faces": faces, "runs": {"fast-1": [run(seconds)]}} for faces, seconds in ((10, 1), (100, 15)))
+        self.assertAlmostEqual(growth_of_seconds_a_face(small, large, "fast-1"), 1.5)
+
+
 class Complaints(unittest.TestCase):
     def test_a_sound_record_has_none(self):
         self.assertEqual(complaints({"package": "almeshopt 1", "meshes": [mesh_with_all_methods()]}), [])
@@ -198,6 +261,27 @@ class SpeedPage(unittest.TestCase):
         text = self.page(bandwidth=1e8)
         self.assertIn("| fast | 1.000 | 0.600 | 1.67 | 80 % | 3.3 | 4.7 | yes |", text)
         self.assertIn("| mesh, 1,000 faces | 1000 | 0.020 | 30 | 30 |", text)
+
+    def test_what_limits_the_runs_is_told(self):
+        self.assertNotIn("## What limits", self.page())
+        self.assertNotIn("## What limits", self.page(counters=None))
+        methods = {"default-1": counted(4 * 10 ** 6), "fast-1": counted(2 * 10 ** 6), "meshoptimizer": counted(10 ** 6)}
+        text = self.page(counters={"mesh": "mesh", "commit": "later", "methods": methods})
+        self.assertIn("| gpremesh, default, 1 thread | 4000 | 20.0 | – | 1.0 | 5.0 | 2.000 | 0.0 |", text)
+        self.assertIn("Counted with commit later, timed with c;\nthe results are the same, byte for byte.", text)
+        self.assertIn("misses of the first cache, 5 to 5 % miss the last one, too", text)
+        self.assertNotIn("The second cache", text)
+        self.assertIn("takes 2.0 times the instructions of `fast`, and 1.0 times its seconds", text)
+        self.assertIn("with at most 8.0 times the instructions of meshoptimizer", text)
+        self.assertNotIn("seconds a face, on one thread, grow", text)  # there is one size only
+
+    def test_the_cache_of_the_core_and_other_results_are_told(self):
+        methods = {"fast-1": counted(2 * 10 ** 6, secondMisses=12000, sameBytes=False)}
+        text = self.page(counters={"mesh": "mesh", "commit": "later", "methods": methods})
+        self.assertIn("| gpremesh, fast, 1 thread | 2000 | 20.0 | 12.0 | 1.0 | 5.0 |", text)
+        self.assertIn("is missed by 60 to 60 % of them", text)
+        self.assertIn("the results are NOT the same", text)
+        self.assertNotIn("of meshoptimizer. It runs", text)
 
     def test_all_methods_have_a_colour(self):
         for method in all_methods():
