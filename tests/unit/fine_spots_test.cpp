@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
+#include <tests/support/transforms.h>
 #include <vcg_extras/core/sampling/fine_spots.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
@@ -61,6 +62,24 @@ TEST(PlacesBeyond, AreTheTrianglesThatAreTooFar)
 	}
 	EXPECT_GT(area, 3.14 * 0.05 * 0.05);
 	EXPECT_TRUE(placesBeyond(from, to, 0.11, workers).empty());
+}
+
+TEST(PlacesBeyond, AreOnlyThoseInTheRegions)
+{
+	TriangleMesh bumps = grid(40, 40);
+	for (Vec3d& p : bumps.positions) {
+		const double near =
+			std::min(length(p - Vec3d(0.2, 0.2, 0)), length(p - Vec3d(0.8, 0.7, 0)));
+		p.z = 5 + std::max(0.0, 0.1 - near); // the origin of the tree is elsewhere
+	}
+	Workers                workers(2, nullptr);
+	const CertifiedSurface from(bumps.view(), workers);
+	const CertifiedSurface to(shifted(grid(4, 4), {0, 0, 5}).view(), from, workers);
+	const auto             all = placesBeyond(from, to, 0.05, workers);
+	const auto some = placesBeyond(from, to, 0.05, workers, {{{0.1, 0.1, 4}, {0.3, 0.3, 6}}});
+	EXPECT_EQ(2 * some.size(), all.size());
+	for (const FarPlace& p : some)
+		EXPECT_LT(p.position.x, 0.5);
 }
 
 /// A large triangle over a thin peak that none of its corners, middles of edges and middle meets.

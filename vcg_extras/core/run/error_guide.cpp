@@ -35,7 +35,8 @@ constexpr double provable = 0.97;
 /// Where a round would have more new vertices, over those that are there, triangles are too large
 /// on the whole.
 constexpr double mostAdded = 0.08;
-/// Each round halves triangles that are still too large. Half a dozen are enough but at thin spikes.
+/// Each round halves triangles that are still too large. Half a dozen are enough but at thin
+/// spikes.
 constexpr int mostRounds = 12;
 /// Smaller angles are raised beside new vertices; at spikes that takes back what is gained.
 constexpr float angleAtFirst = 30, angleLater = 15;
@@ -77,16 +78,54 @@ void append(const std::vector<FarPlace>& places, bool areOfSurface, std::vector<
 		points.push_back({Vec3f(p.position), float(p.distance), areOfSurface});
 }
 
-/// Where the surface and a result are farther from each other than a limit.
-std::vector<FarPoint> pointsBeyond(const CertifiedSurface& input, const ResultMesh& result,
-								   double limit, Workers& workers)
-{
-	const CertifiedSurface made(viewOf(result.mesh), input, workers);
-	std::vector<FarPoint>  points;
-	append(placesBeyond(input, made, limit, workers), true, points);
-	append(placesBeyond(made, input, limit, workers), false, points);
-	return points;
-}
+/// Looks for points where the surface and a result are farther from each other than a limit.
+class FarPointSearch {
+public:
+	FarPointSearch(const Surface& surface, double limit, Workers& workers) :
+			input_(viewOf(surface.mesh), workers), limit_(limit), workers_(workers)
+	{
+	}
+
+	/// Near those that were there before, if they were few; everywhere where none are left there.
+	std::vector<FarPoint> next(const ResultMesh& result, const std::vector<FarPoint>& before) const
+	{
+		std::vector<FarPoint> points;
+		if (!before.empty() && before.size() <= fewPoints)
+			points = find(result, regionsRound(before, reachInEdges * result.idealEdge));
+		return points.empty() ? find(result, {}) : points;
+	}
+
+private:
+	/// With more of them it takes as long to tell whether a triangle is near some.
+	static constexpr std::size_t fewPoints = 64;
+	/// What changes with a point is within this of it.
+	static constexpr float reachInEdges = 4;
+
+	CertifiedSurface input_;
+	double           limit_;
+	Workers&         workers_;
+
+	static std::vector<Box<double>> regionsRound(const std::vector<FarPoint>& points, float reach)
+	{
+		const Vec3d              corner(reach, reach, reach);
+		std::vector<Box<double>> regions;
+		for (const FarPoint& p : points) {
+			const Vec3d at(p.position);
+			regions.push_back({at - corner, at + corner});
+		}
+		return regions;
+	}
+
+	std::vector<FarPoint> find(const ResultMesh&               result,
+							   const std::vector<Box<double>>& regions) const
+	{
+		const CertifiedSurface made(viewOf(result.mesh), input_, workers_);
+		std::vector<FarPoint>  points;
+		append(placesBeyond(input_, made, limit_, workers_, regions), true, points);
+		append(placesBeyond(made, input_, limit_, workers_, regions), false, points);
+		return points;
+	}
+};
 
 /// Whether rounds still get anywhere: the number of points falls.
 class Progress {
@@ -115,12 +154,13 @@ int refineToGoal(RunContext& run, const Surface& surface, const BoundaryCurves& 
 				 ResultMesh& result)
 {
 	run.clock.enter(Stage::Fit);
-	const double           limit = provable * run.guide->goal * surface.frame.scale;
-	const CertifiedSurface input(viewOf(surface.mesh), run.workers);
-	Progress               progress;
-	int                    added = 0;
+	const double          limit = provable * run.guide->goal * surface.frame.scale;
+	const FarPointSearch  search(surface, limit, run.workers);
+	Progress              progress;
+	std::vector<FarPoint> points;
+	int                   added = 0;
 	for (int round = 0; round < mostRounds; ++round) {
-		const std::vector<FarPoint> points = pointsBeyond(input, result, limit, run.workers);
+		points = search.next(result, points);
 		if (!progress.goesOn(points.size())) break;
 		LocalRefinement settings;
 		settings.minAngle = (round < roundsForAngles ? angleAtFirst : angleLater) * radians;

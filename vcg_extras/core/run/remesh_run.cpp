@@ -46,7 +46,9 @@ void measureError(RunContext& run, const Surface& surface, const ResultMesh& res
 	run.clock.enter(Stage::Error);
 	const ComparedSurfaces both(surface, result, run.workers);
 	proveDistance(run, surface, both);
-	if (run.guide != nullptr) findPlacesBeyond(run, surface, both, result.idealEdge);
+	if (run.guide == nullptr || run.report.provenDistance.hausdorff().upper <= run.guide->goal)
+		return;
+	findPlacesBeyond(run, surface, both, result.idealEdge);
 }
 
 /// Smaller triangles may touch others, and what is made anew there may be too far from the input.

@@ -27,6 +27,14 @@ constexpr std::size_t batchSize = 1u << 17;
 /// Pieces that are cut at once at least; of more, the quarter with the largest bounds.
 constexpr std::size_t leastCuts = 8192, cutShare = 4;
 
+Box<double> boxOf(const Triangle& t)
+{
+	Box<double> box;
+	for (const Vec3d& p : t)
+		box.add(p);
+	return box;
+}
+
 Vec3d centreOf(const Triangle& t)
 {
 	return (t[0] + t[1] + t[2]) * (1.0 / 3);
@@ -111,10 +119,11 @@ public:
 		return bounds();
 	}
 
-	/// Places with a point farther than limit.
-	std::vector<FarPlace> beyond(double limit)
+	/// Places with a point farther than limit, in the regions.
+	std::vector<FarPlace> beyond(double limit, std::vector<Box<double>> regions)
 	{
 		fixedGoal_ = limit;
+		regions_   = std::move(regions);
 		lookAtGroups();
 		std::vector<FarPlace> places(faces_.size());
 		workers_.forEach(faces_.size(), [&](int i) {
@@ -133,9 +142,10 @@ private:
 	double                     slack_;     ///< of both bounds, for rounding
 	double                     exact_ = 0; ///< coordinates are right to this
 
-	double lower_     = 0; ///< largest distance found so far
-	double upper_     = 0; ///< of all that is done with
-	double fixedGoal_ = 0; ///< 0: it goes with the largest distance found
+	double                   lower_     = 0; ///< largest distance found so far
+	double                   upper_     = 0; ///< of all that is done with
+	double                   fixedGoal_ = 0; ///< 0: it goes with the largest distance found
+	std::vector<Box<double>> regions_;       ///< relative to the origin; empty: everywhere
 
 	struct Face {
 		int triangle, hint;
@@ -171,8 +181,18 @@ private:
 		return true;
 	}
 
+	bool isInRegions(const Box<double>& box) const
+	{
+		return regions_.empty() ||
+			   std::any_of(regions_.begin(), regions_.end(),
+						   [&](const Box<double>& region) { return region.meets(box); });
+	}
+
+	/// Nothing is far in a group outside of the regions.
 	Finding ofGroup(int level, int i) const
 	{
+		const Box<float>& own = from_.groupBox(level, i);
+		if (!isInRegions({Vec3d(own.low), Vec3d(own.high)})) return {0, 0, 0};
 		const Vec3d                 p    = centreOf(from_.triangle(from_.groupBegin(level, i)));
 		const TriangleTree::Nearest near = to_.nearest(p);
 		const Box<float>&           box  = from_.groupBox(level, i);
@@ -196,8 +216,9 @@ private:
 		for (std::size_t i = 0; i < num; ++i) {
 			if (isDone(found[i].bound)) continue;
 			for (int t = from_.groupBegin(level, int(i)); t < from_.groupBegin(level, int(i) + 1);
-				 ++t)
-				faces_.push_back({t, found[i].nearest});
+				 ++t) {
+				if (isInRegions(boxOf(from_.triangle(t)))) faces_.push_back({t, found[i].nearest});
+			}
 		}
 	}
 
@@ -521,12 +542,18 @@ DistanceBounds certifiedDistance(const CertifiedSurface& from, const CertifiedSu
 }
 
 std::vector<FarPlace> placesBeyond(const CertifiedSurface& from, const CertifiedSurface& to,
-								   double limit, Workers& workers)
+								   double limit, Workers& workers,
+								   const std::vector<Box<double>>& regions)
 {
 	if (from.tree().size() == 0 || to.tree().size() == 0) return {};
+	std::vector<Box<double>> own = regions;
+	for (Box<double>& box : own) {
+		box.low  = box.low - from.origin();
+		box.high = box.high - from.origin();
+	}
 	const CertificateSettings settings;
 	std::vector<FarPlace>     places =
-		BranchAndBound(from.tree(), to.tree(), 0, settings, workers).beyond(limit);
+		BranchAndBound(from.tree(), to.tree(), 0, settings, workers).beyond(limit, std::move(own));
 	for (FarPlace& p : places)
 		p.position = p.position + from.origin();
 	return places;

@@ -5,6 +5,7 @@
 
 #include "triangle_tree.h"
 
+#include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/report.h>
@@ -72,10 +73,13 @@ struct FarPlace {
 };
 
 /// The triangles of a surface with points farther than the limit from another one, as far as seven
-/// points of each show it. Of the others a bound is proven, but for a few that are near the limit.
-/// The same for any number of threads. Cost: as the first step of certifiedDistance.
+/// points of each, or cutting it, show it. Of the others a bound is proven, but for a few that are
+/// near the limit. Only triangles whose boxes meet one of the regions are looked at, if there are
+/// any; these are few, and in the frame of the mesh. The same for any number of threads. Cost: as
+/// the first step of certifiedDistance.
 std::vector<FarPlace> placesBeyond(const CertifiedSurface& from, const CertifiedSurface& to,
-								   double limit, Workers& workers);
+								   double limit, Workers& workers,
+								   const std::vector<Box<double>>& regions = {});
 
 /// Both ways between an input and a result.
 MutualBounds certifiedDistances(const MeshView& input, const MeshView& result,
