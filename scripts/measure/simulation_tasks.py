@@ -15,6 +15,7 @@ The figures go to the file FIGURES, as JSON; {"failure": SENTENCE} where a libra
 
 import hashlib
 import json
+import os
 import resource
 import sys
 import time
@@ -258,6 +259,7 @@ def volume_of(points, tetrahedra):
 
 def volume(tool, source):
     vertices, faces = read(source)
+    os.chdir(Path(source).resolve().parent)  # both meshers write files of their own where they are
     start = time.process_time()
     points, tetrahedra = VOLUME_MESHERS[tool](vertices, faces)
     seconds = time.process_time() - start
@@ -282,11 +284,12 @@ TASKS = {"input": take_input, "remesh": remesh, "surface": surface, "volume": vo
 def main(target, task, *arguments):
     """What a library raises is its answer to the mesh, whatever the type."""
     resource.setrlimit(resource.RLIMIT_AS, (MOST_MEMORY, MOST_MEMORY))
+    target = Path(target).resolve()
     try:
         figures = TASKS[task](*arguments)
     except Exception as error:
         figures = {"failure": sentence(error)}
-    Path(target).write_text(json.dumps(figures))
+    target.write_text(json.dumps(figures))
 
 
 if __name__ == "__main__":
