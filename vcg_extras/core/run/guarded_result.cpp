@@ -337,10 +337,14 @@ private:
 		return ofInput_.withoutInputs(m, findTouchingPairs(m, run_.workers));
 	}
 
+	static std::ptrdiff_t numOf(const std::vector<char>& marked)
+	{
+		return std::count(marked.begin(), marked.end(), char(1));
+	}
+
 	static bool areMost(const std::vector<char>& marked)
 	{
-		return double(std::count(marked.begin(), marked.end(), char(1))) >
-			   mostInPatches * double(marked.size());
+		return double(numOf(marked)) > mostInPatches * double(marked.size());
 	}
 
 	/// The best of some rounds of patches, each larger than the one before.
@@ -359,11 +363,14 @@ private:
 				widenMarks(result_.mesh, 1, marked);
 				continue;
 			}
-			const std::vector<FacePair> left = pairsOf(filling.mesh());
+			const std::vector<FacePair> left      = pairsOf(filling.mesh());
+			const std::ptrdiff_t        markedNum = numOf(marked);
 			filling.markAround(left, marked);
-			if (left.size() >= fewest) continue;
-			fewest = left.size();
-			best   = filling.take();
+			if (left.size() < fewest) {
+				fewest = left.size();
+				best   = filling.take();
+			}
+			if (numOf(marked) == markedNum) break; // the next round would come to the same
 		}
 		if (!best) return;
 		result_.mesh   = std::move(best->mesh);
