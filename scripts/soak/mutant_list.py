@@ -79,11 +79,11 @@ MUTANTS = [
     ("refinement: to the far point", "optimization/local_refinement.cpp",
      "if (place == Place::AtPoint && !moveTo(point, v)) return false;", ""),
     ("refinement: beside the border", "optimization/local_refinement.cpp",
-     "if (isLine(m, h + k) && ofCornerBeyond < besideEdge) return h + k;", ""),
+     "if (m.isCurveEdge(h + k) && ofCornerBeyond < besideEdge) return h + k;", ""),
     ("worst distances: gain", "optimization/worst_distances.cpp",
      "gaps_.isWithin(f, minGain * minGain * gap.squared) && areWithin(faces, before)) {",
      "true) {"),
-    ("audit: area", "output/audit.cpp", "if (hasNoArea(m, f))", "if (false)"),
+    ("audit: area", "output/audit.cpp", "if (hasZeroArea(m.faceCross(f)))", "if (false)"),
     # ---- sampling
     ("eq2 edges covered since", "sampling/border_edge_sampling.cpp",
      "if (isCovered(e.outer)) return true;", ""),

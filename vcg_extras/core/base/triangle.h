@@ -38,6 +38,13 @@ inline bool isLine(const Vec3f& a, const Vec3f& b, const Vec3f& c, const Vec3f& 
 	return !(squaredLength(n) > roundingHeight * roundingHeight * longest);
 }
 
+/// Whether a triangle has no area at all, not even one by rounding: no result may have such a face.
+/// n as above.
+inline bool hasZeroArea(const Vec3f& n)
+{
+	return !(squaredLength(n) > 0);
+}
+
 /// The point of the triangle a b c nearest to p.
 Vec3f nearestOnTriangle(const Vec3f& p, const Vec3f& a, const Vec3f& b, const Vec3f& c);
 

@@ -219,14 +219,11 @@ private:
 
 	bool isFixed(int v) const { return g_.isFixed[std::size_t(v)] != 0; }
 
-	/// No area at all, by the measure of the audit.
-	static bool isFlat(const Vec3f& normal) { return !(squaredLength(normal) > 0); }
-
 	/// A result must not have faces without area, so that those of the input go first.
 	bool hasAnyFlat() const
 	{
 		for (int f = 0; f < m_.faceNum; ++f) {
-			if (!isDeadFace(m_, f) && isFlat(m_.faceCross(f))) return true;
+			if (!isDeadFace(m_, f) && hasZeroArea(m_.faceCross(f))) return true;
 		}
 		return false;
 	}
@@ -235,8 +232,8 @@ private:
 	{
 		bool isBeside = false;
 		forEachOutgoing(m_, v, [&](int h) {
-			isBeside =
-				isBeside || ((m_.target(h) == w || m_.apex(h) == w) && isFlat(m_.faceCross(h / 3)));
+			isBeside = isBeside ||
+					   ((m_.target(h) == w || m_.apex(h) == w) && hasZeroArea(m_.faceCross(h / 3)));
 		});
 		return isBeside;
 	}
@@ -390,8 +387,8 @@ private:
 	{
 		const Vec3f   normal = crossOf(after), old = crossOf(before);
 		const Bounds& bounds = boundsOf(merge);
-		if (isLine(after.at[0], after.at[1], after.at[2], normal)) return isFlat(old);
-		if (isFlat(old)) return g_.agrees(after.vertex, normal, bounds.agreement, merge.from);
+		if (isLine(after.at[0], after.at[1], after.at[2], normal)) return hasZeroArea(old);
+		if (hasZeroArea(old)) return g_.agrees(after.vertex, normal, bounds.agreement, merge.from);
 		if (triangleShape(after.at[0], after.at[1], after.at[2]) < leastShape_) return false;
 		if (dot(normal, old) < bounds.turn * length(normal) * length(old)) return false;
 		return g_.agrees(after.vertex, normal, bounds.agreement, merge.from) ||

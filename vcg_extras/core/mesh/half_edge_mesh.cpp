@@ -17,6 +17,12 @@ int HalfEdgeMesh::findHalfEdge(int a, int b) const
 	return found;
 }
 
+int HalfEdgeMesh::findEdge(int a, int b) const
+{
+	const int h = findHalfEdge(a, b);
+	return h >= 0 ? h : findHalfEdge(b, a);
+}
+
 bool HalfEdgeMesh::areNeighbours(int a, int b) const
 {
 	bool found = false;

@@ -76,6 +76,8 @@ struct HalfEdgeMesh {
 
 	/// Half-edge a -> b, or -1.
 	int findHalfEdge(int a, int b) const;
+	/// Either half-edge of the edge of a and b, a -> b if there is one; or -1.
+	int findEdge(int a, int b) const;
 	/// Whether a and b are joined by an edge, seen from a; also over a border edge b -> a.
 	bool areNeighbours(int a, int b) const;
 	/// Number of faces at v.

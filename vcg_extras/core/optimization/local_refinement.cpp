@@ -52,11 +52,6 @@ struct Split {
 	FarPoint point; ///< the farthest one that asks for it
 };
 
-bool isLine(const HalfEdgeMesh& m, int h)
-{
-	return m.opposite[h] < 0 || m.isCurveEdge(h);
-}
-
 int longestEdgeOf(const HalfEdgeMesh& m, int f)
 {
 	int   longest = 3 * f;
@@ -77,7 +72,7 @@ int edgeToSplit(const HalfEdgeMesh& m, const SurfacePoint& at)
 	const std::array<float, 3> weight = weightsAt(at.position, corner(0), corner(1), corner(2));
 	for (int k = 0; k < 3; ++k) {
 		const float ofCornerBeyond = weight[std::size_t(k + 2) % 3];
-		if (isLine(m, h + k) && ofCornerBeyond < besideEdge) return h + k;
+		if (m.isCurveEdge(h + k) && ofCornerBeyond < besideEdge) return h + k;
 	}
 	return longestEdgeOf(m, at.face);
 }
@@ -100,12 +95,6 @@ std::vector<Split> splitsFor(const HalfEdgeMesh& m, const std::vector<FarPoint>&
 	const auto isSame = [](const Split& a, const Split& b) { return a.edge == b.edge; };
 	splits.erase(std::unique(splits.begin(), splits.end(), isSame), splits.end());
 	return splits;
-}
-
-int findEdge(const HalfEdgeMesh& m, const Edge& edge)
-{
-	const int h = m.findHalfEdge(edge.first, edge.second);
-	return h >= 0 ? h : m.findHalfEdge(edge.second, edge.first);
 }
 
 class Refinement {
@@ -144,7 +133,7 @@ private:
 	std::vector<Edge> othersBeside(const Edge& edge) const
 	{
 		std::vector<Edge> others;
-		const int         h = findEdge(m_, edge);
+		const int         h = m_.findEdge(edge.first, edge.second);
 		if (h < 0) return others;
 		for (int side : {h, int(m_.opposite[h])}) {
 			if (side < 0) continue;
@@ -165,7 +154,7 @@ private:
 	/// False where faces would be inverted or intersect others; then all is as before.
 	bool trySplit(const Edge& edge, Place place, const FarPoint& point)
 	{
-		const Operation op{Operation::Split, findEdge(m_, edge)};
+		const Operation op{Operation::Split, m_.findEdge(edge.first, edge.second)};
 		if (op.halfEdge < 0) return false;
 		const PatchEditor::Snapshot before      = editor_.remember(editor_.patchOf(op));
 		const Faults                faultsOfOld = faultsOf(before.backup.faces());
@@ -255,13 +244,7 @@ private:
 		editor_.put(v, state);
 	}
 
-	float smallestAngleAt(int v) const
-	{
-		float smallest = HUGE_VALF;
-		for (int f : facesRound(m_, {v}))
-			smallest = std::min(smallest, smallestAngle(m_, f));
-		return smallest;
-	}
+	float smallestAngleAt(int v) const { return smallestAngleAround(m_, v, m_.position[v], 0); }
 };
 
 } // namespace

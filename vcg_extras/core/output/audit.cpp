@@ -86,11 +86,6 @@ std::int64_t countDuplicateFaces(const HalfEdgeMesh& m)
 	return num;
 }
 
-bool hasNoArea(const HalfEdgeMesh& m, int f)
-{
-	return !(squaredLength(m.faceCross(f)) > 0);
-}
-
 void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, Findings& found)
 {
 	int badNum = 0;
@@ -99,7 +94,7 @@ void checkFace(const HalfEdgeMesh& m, const Buffer<Vec3f>& smoothNormal, int f, 
 	found.badEdges += badNum;
 	if (badNum > 0) return; // its corners may be no vertices
 	found.duplicates += isDuplicate(m, f);
-	if (hasNoArea(m, f))
+	if (hasZeroArea(m.faceCross(f)))
 		++found.zeroArea;
 	else
 		found.flipped += normalAgreement(m, smoothNormal, f) < 0;
@@ -111,7 +106,7 @@ std::int64_t invertedAmongSuspects(const Surface& surface, const ResultMesh& r,
 								   const Buffer<Vec3f>& normals, Workers& workers)
 {
 	const std::vector<int> suspects = workers.collectIf(std::size_t(r.mesh.faceNum), [&](int f) {
-		return !hasNoArea(r.mesh, f) && normalAgreement(r.mesh, normals, f) < 0;
+		return !hasZeroArea(r.mesh.faceCross(f)) && normalAgreement(r.mesh, normals, f) < 0;
 	});
 	return std::count_if(suspects.begin(), suspects.end(),
 						 [&](int f) { return isInverted(surface, r, f); });
@@ -182,7 +177,7 @@ std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& m, Workers& workers)
 	return workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
 		std::int64_t num = 0;
 		for (int f = int(begin); f < int(end); ++f)
-			num += hasNoArea(m, f);
+			num += hasZeroArea(m.faceCross(f));
 		return num;
 	});
 }

@@ -170,7 +170,6 @@ int refineToGoal(RunContext& run, const Surface& surface, const BoundaryCurves& 
 		if (more == 0) break;
 		added += more;
 	}
-	run.guide->addedNum += added;
 	return added;
 }
 

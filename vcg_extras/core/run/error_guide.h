@@ -27,8 +27,7 @@ struct ErrorGuide {
 
 /// Makes triangles smaller where a result does not keep to the goal of run.guide, round by round,
 /// unless these places are so many that triangles are too large on the whole. Returns the number of
-/// vertices that came in, which run.guide counts. Cost: in each round as findPlacesBeyond, and that
-/// of refineAt.
+/// vertices that came in. Cost: in each round as findPlacesBeyond, and that of refineAt.
 int refineToGoal(RunContext& run, const Surface& surface, const BoundaryCurves& curves,
 				 ResultMesh& result);
 

@@ -58,6 +58,7 @@ void keepToGoal(RunContext& run, MeshedSurface& made, KnownContacts& contacts, R
 	for (int time = 0; time < mostTimes; ++time) {
 		const int added = refineToGoal(run, made.prepared.surface, made.meshed.curves, result);
 		if (added == 0) return;
+		run.guide->addedNum += added;
 		made.prepared.targetNum += added;
 		run.report.targetVertexNum = made.prepared.targetNum;
 		removeContacts(run, made.prepared, contacts, result);

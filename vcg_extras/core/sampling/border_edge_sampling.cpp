@@ -218,16 +218,9 @@ private:
 		cache_.pop_back();
 		// Covered by a later disk, or split since.
 		if (isCovered(e.outer)) return true;
-		const int h = halfEdgeOf(e);
+		const int h = m_.findEdge(e.inner, e.outer);
 		if (h >= 0) placeOnEdge(e, h);
 		return true;
-	}
-
-	/// Either half-edge of the edge, or -1.
-	int halfEdgeOf(const BorderEdge& e) const
-	{
-		const int h = m_.findHalfEdge(e.inner, e.outer);
-		return h >= 0 ? h : m_.findHalfEdge(e.outer, e.inner);
 	}
 
 	/// Step 2: a random start vertex, one for every component that the border's samples and earlier
