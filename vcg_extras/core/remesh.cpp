@@ -6,20 +6,14 @@
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/pages.h>
-#include <vcg_extras/core/base/run_context.h>
 #include <vcg_extras/core/input/selected_part.h>
 #include <vcg_extras/core/output/part_joining.h>
-#include <vcg_extras/core/run/error_goal_run.h>
-#include <vcg_extras/core/run/kept_input.h>
-#include <vcg_extras/core/run/partial_runs.h>
-#include <vcg_extras/core/run/remesh_run.h>
+#include <vcg_extras/core/run/remeshing.h>
 
-#include <algorithm>
 #include <chrono>
 #include <mutex>
 #include <new>
 #include <optional>
-#include <random>
 #include <utility>
 
 namespace gpr {
@@ -72,110 +66,46 @@ Result failed(const Failure& failure, Result&& soFar)
 	return result;
 }
 
-/// Calls body(result) and turns what it throws into status and message.
-template <class Result, class Body>
-Result guarded(const Body& body)
-{
-	Result result;
-	try {
-		body(result);
-		return result;
-	}
-	catch (...) {
-		return failed(failureAtHand(), std::move(result));
-	}
-}
-
-void requireValid(const RemeshOptions& options)
-{
-	const std::vector<std::string> complaints = validate(options);
-	if (!complaints.empty()) throw Failure(Status::BadOptions, complaints.front());
-}
-
-/// The options in force.
-RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions options)
-{
-	resolveFeatureRegion(input.anySelected(), options);
-	if (options.seed == 0) options.seed = std::max(1u, std::uint32_t(std::random_device()()));
-	options.adapt = resolveAdapt(options, pipeline == Pipeline::Remeshing);
-	return options;
-}
-
-/// A call of the engine.
-struct Call {
-	const MeshView&         input;
-	const RemeshOptions&    options;
-	const ProgressCallback& progress;
-	const StopRequest*      stop  = nullptr;
-	KeptInput*              kept  = nullptr; ///< null: of a single run
-	WorkShare               whole = {};      ///< of the progress that is told
-};
-
-/// Runs a pipeline: body(run, result) with threads, a clock and a seed.
-template <class Result, class Body>
-Result runPipeline(const Call& call, Pipeline pipeline, const Body& body)
+/// Calls body(arguments..., result) and turns what it throws into status and message.
+template <class Result, class Body, class... Arguments>
+Result guarded(const Body& body, const Arguments&... arguments)
 {
 	using Clock      = std::chrono::steady_clock;
 	const auto start = Clock::now();
-	Result     made  = guarded<Result>([&](Result& result) {
-        requireValid(call.options);
-        {
-            const RemeshOptions options = resolved(call.input, pipeline, call.options);
-            Workers workers(options.threads, call.progress, options.timeLimitSeconds, call.stop);
-            result.report.seed    = options.seed;
-            result.report.adapt   = options.adapt;
-            result.report.threads = workers.threadNum();
-            if (pipeline != Pipeline::Detection) result.notes = optionsWithoutEffect(call.options);
-            RunContext run{call.input,   options,
-                           workers,      result.report,
-                           result.notes, StageClock(workers, result.report, pipeline, call.whole)};
-            run.kept = call.kept;
-            body(run, result);
-        }
-        result.status               = Status::Ok;
-        result.report.remeshSeconds = std::chrono::duration<double>(Clock::now() - start).count();
-    });
+	Result     result;
+	try {
+		body(arguments..., result);
+		result.status               = Status::Ok;
+		result.report.remeshSeconds = std::chrono::duration<double>(Clock::now() - start).count();
+	}
+	catch (...) {
+		result = failed(failureAtHand(), std::move(result));
+	}
 	returnReleasedMemory(); // the caller may need it
-	return made;
-}
-
-RemeshResult remeshWhole(Call call)
-{
-	return runPipeline<RemeshResult>(call, Pipeline::Remeshing,
-									 [&](RunContext& run, RemeshResult& result) {
-										 if (call.options.targetMode == TargetMode::MaxError)
-											 result = remeshForError(run);
-										 else
-											 remeshInput(run, LargestDistance::IsOneOfMany, result);
-									 });
+	return result;
 }
 
 /// What a surface keeps of its selected faces.
 struct KeptPart {
 	SelectedPart part;
-	KeptInput    ofRuns;
+	InputCache   ofRuns;
 };
 
-/// Preparation without a run.
-RemeshResult prepareOnly(Call call)
-{
-	// It does about a fifth of the stages of a run, and nothing after.
-	const bool detects = call.options.featureRegion == FeatureRegion::Detected;
-	call.whole         = {0, detects ? 1.0 : 5.0};
-	return runPipeline<RemeshResult>(call, Pipeline::Remeshing,
-									 [](RunContext& run, RemeshResult&) { keepInput(run); });
-}
-
 /// What is done with a mesh, whole or cut out.
-using MeshCall = RemeshResult (*)(Call call);
+using MeshCall = void (*)(const Call& call, RemeshResult& out);
 
-RemeshResult onSelected(const Call& call, const SelectedPart& part, KeptInput* kept, MeshCall run)
+void onSelected(const Call& call, const SelectedPart& part, InputCache* cache, MeshCall run,
+				RemeshResult& out)
 {
 	const RemeshOptions inside = optionsInside(call.options);
 	const MeshView      view   = part.view();
-	RemeshResult        made   = run({view, inside, call.progress, call.stop, kept});
-	if (made.status != Status::Ok || run == prepareOnly) return made;
-	return joinPart(call.input, part, call.options, std::move(made));
+	run({view, inside, call.progress, call.stop, cache}, out);
+	if (run != prepareInput) out = joinPart(call.input, part, call.options, std::move(out));
+}
+
+void remeshSelected(const Call& call, RemeshResult& out)
+{
+	onSelected(call, cutOutSelected(call.input), nullptr, remeshInput, out);
 }
 
 } // namespace
@@ -184,16 +114,13 @@ RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 					const ProgressCallback& progress)
 {
 	const Call call{input, options, progress};
-	if (!options.selectedOnly) return remeshWhole(call);
-	return guarded<RemeshResult>([&](RemeshResult& result) {
-		result = onSelected(call, cutOutSelected(input), nullptr, remeshWhole);
-	});
+	return guarded<RemeshResult>(options.selectedOnly ? remeshSelected : remeshInput, call);
 }
 
 struct PreparedSurface::Kept {
 	MeshView                input;
 	std::mutex              oneRun; ///< runs leave here what they made, one after the other
-	KeptInput               ofRuns;
+	InputCache              ofRuns;
 	std::optional<KeptPart> selected;
 
 	RemeshResult call(const RemeshOptions& options, const ProgressCallback& progress,
@@ -201,10 +128,10 @@ struct PreparedSurface::Kept {
 	{
 		const std::lock_guard<std::mutex> lock(oneRun);
 		const Call                        whole{input, options, progress, stop, &ofRuns};
-		if (!options.selectedOnly) return run(whole);
+		if (!options.selectedOnly) return guarded<RemeshResult>(run, whole);
 		return guarded<RemeshResult>([&](RemeshResult& result) {
 			if (!selected) selected = KeptPart{cutOutSelected(input), {}};
-			result = onSelected(whole, selected->part, &selected->ofRuns, run);
+			onSelected(whole, selected->part, &selected->ofRuns, run, result);
 		});
 	}
 };
@@ -221,13 +148,13 @@ PreparedSurface& PreparedSurface::operator=(PreparedSurface&&) noexcept = defaul
 RemeshResult PreparedSurface::prepare(const RemeshOptions&    options,
 									  const ProgressCallback& progress, const StopRequest* stop)
 {
-	return kept_->call(options, progress, stop, prepareOnly);
+	return kept_->call(options, progress, stop, prepareInput);
 }
 
 RemeshResult PreparedSurface::remesh(const RemeshOptions& options, const ProgressCallback& progress,
 									 const StopRequest* stop)
 {
-	return kept_->call(options, progress, stop, remeshWhole);
+	return kept_->call(options, progress, stop, remeshInput);
 }
 
 void PreparedSurface::setInput(const MeshView& sameMesh)
@@ -245,21 +172,19 @@ const MeshView& PreparedSurface::input() const
 SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& options,
 								  const ProgressCallback& progress)
 {
-	return runPipeline<SamplingResult>({input, options, progress}, Pipeline::Sampling, sampleInput);
+	return guarded<SamplingResult>(sampleInput, Call{input, options, progress});
 }
 
 RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samples,
 						   const RemeshOptions& options, const ProgressCallback& progress)
 {
-	return runPipeline<RemeshResult>(
-		{input, options, progress}, Pipeline::Retriangulation,
-		[&](RunContext& run, RemeshResult& result) { meshGivenSamples(run, samples, result); });
+	return guarded<RemeshResult>(meshGivenSamples, Call{input, options, progress}, samples);
 }
 
 FeatureResult detectFeatures(const MeshView& input, const RemeshOptions& options,
 							 const ProgressCallback& progress)
 {
-	return runPipeline<FeatureResult>({input, options, progress}, Pipeline::Detection, detectOnly);
+	return guarded<FeatureResult>(detectOnly, Call{input, options, progress});
 }
 
 } // namespace gpr

@@ -4,8 +4,7 @@
 
 #include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/input/memory_need.h>
-#include <vcg_extras/core/run/error_goal.h>
-#include <vcg_extras/core/run/target.h>
+#include <vcg_extras/core/sampling/target.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,10 +55,10 @@ double vertexNumOf(const MeshView& input, const RemeshOptions& o)
 {
 	const bool isByError = o.targetMode == TargetMode::MaxError;
 	if (!isByError && o.targetMode != TargetMode::EdgeLength)
-		return wantedVertexNum(input, o, 0, 1);
+		return wantedVertexNum(std::int64_t(input.vertexNum), o, 0, 1);
 	const MeshExtent extent = extentOf(input);
 	const double     unit   = isByError && o.maxErrorIsPercent ? extent.diagonal / 100 : 1;
-	const double     n      = wantedVertexNum(input, o, extent.area, unit);
+	const double     n      = wantedVertexNum(std::int64_t(input.vertexNum), o, extent.area, unit);
 	return std::isfinite(n) ? n : 0; // of a mesh or a length that is nothing
 }
 

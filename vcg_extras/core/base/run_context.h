@@ -8,7 +8,6 @@
 
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/options.h>
-#include <vcg_extras/core/report.h>
 
 #include <algorithm>
 #include <string>
@@ -16,25 +15,25 @@
 
 namespace gpr {
 
-struct ErrorGuide; // run/error_guide.h
-struct KeptInput;  // run/kept_input.h
-
-/// What the parts of a run share: input and options, the threads, and where they tell what happens.
+/// What the steps of a run share: input and options, the threads, and where they tell what happens.
 struct RunContext {
-	const MeshView&           input;
-	const RemeshOptions&      options; ///< with a seed
-	Workers&                  workers;
-	RemeshReport&             report;
-	std::vector<std::string>& notes;
-	StageClock                clock;
-	ErrorGuide* guide = nullptr; ///< of a run towards a largest error; null: of any other
-	KeptInput*  kept  = nullptr; ///< of the runs on this input; null: of a single run
+	const MeshView&          input;
+	const RemeshOptions&     options; ///< with a seed
+	Workers&                 workers;
+	StageClock               clock;
+	std::vector<std::string> notes;       ///< sentences for the user
+	std::vector<std::string> capsReached; ///< loops that ended by their bound
 
+	/// Adds a sentence for the user, once, however often it is told. An empty one says nothing.
+	void tell(const std::string& note) { addOnce(note, notes); }
 	/// Tells of a loop that its bound ended; once, however often that happens.
-	void tellCap(const char* loop)
+	void tellCap(const std::string& loop) { addOnce(loop, capsReached); }
+
+private:
+	static void addOnce(const std::string& text, std::vector<std::string>& all)
 	{
-		std::vector<std::string>& caps = report.capsReached;
-		if (std::find(caps.begin(), caps.end(), loop) == caps.end()) caps.push_back(loop);
+		if (text.empty() || std::find(all.begin(), all.end(), text) != all.end()) return;
+		all.push_back(text);
 	}
 };
 

@@ -33,18 +33,28 @@ void StageClock::enter(Stage stage)
 	share_ = until;
 }
 
-void StageClock::finish()
+void StageClock::restart(WorkShare whole)
+{
+	whole_      = whole;
+	stageStart_ = Clock::now();
+	key_        = nullptr;
+	times_.clear();
+	beginPart(pipeline_, whole);
+}
+
+const std::vector<StageTime>& StageClock::finish()
 {
 	const double seconds = std::chrono::duration<double>(Clock::now() - stageStart_).count();
 	stageStart_          = Clock::now();
-	if (key_ == nullptr) return;
-	for (StageTime& s : report_.stages) {
-		if (s.stage == key_) {
-			s.seconds += seconds;
-			return;
-		}
-	}
-	report_.stages.push_back({key_, seconds});
+	if (key_ == nullptr) return times_;
+	const auto isIt    = [&](const StageTime& s) { return s.stage == key_; };
+	const auto already = std::find_if(times_.begin(), times_.end(), isIt);
+	if (already == times_.end())
+		times_.push_back({key_, seconds});
+	else
+		already->seconds += seconds;
+	key_ = nullptr;
+	return times_;
 }
 
 } // namespace gpr

@@ -9,6 +9,7 @@
 #include <vcg_extras/core/report.h>
 
 #include <chrono>
+#include <vector>
 
 namespace gpr {
 
@@ -24,14 +25,14 @@ struct WorkShare {
 class StageClock {
 public:
 	/// whole: of the call, where it runs the pipeline several times.
-	StageClock(Workers& workers, RemeshReport& report, Pipeline pipeline, WorkShare whole = {}) :
-			workers_(workers), report_(report), pipeline_(pipeline), whole_(whole), part_(whole),
+	StageClock(Workers& workers, Pipeline pipeline, WorkShare whole = {}) :
+			workers_(workers), pipeline_(pipeline), whole_(whole), part_(whole),
 			current_(pipeline), stageStart_(Clock::now())
 	{
 	}
-	~StageClock() { finish(); }
-	StageClock(const StageClock&)            = delete;
-	StageClock& operator=(const StageClock&) = delete;
+
+	/// Begins anew, with other work of the call.
+	void restart(WorkShare whole);
 
 	/// The stages that follow are those of another pipeline, which does the work up to this share
 	/// for the one of the clock.
@@ -41,21 +42,22 @@ public:
 
 	/// Ends the stage before and begins this one.
 	void enter(Stage stage);
+	/// Ends the stage before. The times of all stages so far, in the order of their first entry.
+	const std::vector<StageTime>& finish();
 
 private:
 	using Clock = std::chrono::steady_clock;
 
-	Workers&          workers_;
-	RemeshReport&     report_;
-	Pipeline          pipeline_;
-	WorkShare         whole_, part_; ///< part_: of the pipeline under way
-	Pipeline          current_;
-	Clock::time_point stageStart_;
+	Workers&               workers_;
+	Pipeline               pipeline_;
+	WorkShare              whole_, part_; ///< part_: of the pipeline under way
+	Pipeline               current_;
+	Clock::time_point      stageStart_;
+	std::vector<StageTime> times_;
 	const char*       key_   = nullptr;
 	double            share_ = 0; ///< of the pipeline under way
 
 	void beginPart(Pipeline pipeline, WorkShare part);
-	void finish();
 };
 
 } // namespace gpr

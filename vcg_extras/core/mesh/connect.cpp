@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "connect.h"
 
+#include "mesh_edit.h"
+
 #include <vcg_extras/core/base/counting_sort.h>
 
 #include <algorithm>
@@ -401,6 +403,18 @@ IndexedMesh disconnect(Surface& surface)
 	surface         = Surface();
 	surface.frame   = mesh.frame;
 	return mesh;
+}
+
+Surface copyOf(const Surface& from, Workers& workers)
+{
+	Surface to;
+	to.mesh       = copyMesh(from.mesh, workers);
+	to.sourceFace = copyOf(from.sourceFace, workers);
+	to.normal     = copyOf(from.normal, workers);
+	to.size       = copyOf(from.size, workers);
+	to.frame      = from.frame;
+	to.grid       = from.grid;
+	return to;
 }
 
 } // namespace gpr

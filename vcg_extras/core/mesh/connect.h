@@ -56,6 +56,9 @@ PackedNormal vertexNormal(const HalfEdgeMesh& mesh, int v);
 /// left of the surface but its frame.
 IndexedMesh disconnect(Surface& surface);
 
+/// The same surface once more. Cost: as that of its memory, parallel.
+Surface copyOf(const Surface& from, Workers& workers);
+
 } // namespace gpr
 
 #endif

@@ -45,6 +45,19 @@ Frame frameOf(const Box<double>& box)
 	return frame;
 }
 
+IndexedMesh copyOf(const IndexedMesh& from, Workers& workers)
+{
+	IndexedMesh to;
+	to.frame      = from.frame;
+	to.vertexNum  = from.vertexNum;
+	to.faceNum    = from.faceNum;
+	to.position   = copyOf(from.position, workers);
+	to.triangle   = copyOf(from.triangle, workers);
+	to.sourceFace = copyOf(from.sourceFace, workers);
+	to.size       = copyOf(from.size, workers);
+	return to;
+}
+
 std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName)
 {
 	int faces = 0;

@@ -5,10 +5,12 @@
 
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/buffer.h>
+#include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/vec.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace gpr {
@@ -47,6 +49,27 @@ struct IndexedMesh {
 		return cross(position[triangle[3 * f + 1]] - a, position[triangle[3 * f + 2]] - a);
 	}
 };
+
+/// The first `num` values once more. Large arrays are copied by all threads: memory that is written
+/// to for the first time costs more than the copy.
+template <class T>
+Buffer<T> copyOf(const Buffer<T>& from, std::size_t num, Workers& workers)
+{
+	Buffer<T> to(num);
+	workers.forRange(num, [&](std::size_t begin, std::size_t end) {
+		std::memcpy(static_cast<void*>(to.data() + begin), from.data() + begin,
+					(end - begin) * sizeof(T));
+	});
+	return to;
+}
+
+template <class T>
+Buffer<T> copyOf(const Buffer<T>& from, Workers& workers)
+{
+	return copyOf(from, from.size(), workers);
+}
+
+IndexedMesh copyOf(const IndexedMesh& from, Workers& workers);
 
 /// Renames the corners; faces that have a corner twice then are dropped, and their number returned.
 std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName);

@@ -6,6 +6,8 @@
 #include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/base/sort_unique.h>
 
+#include <vcg_extras/core/base/triangle.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -386,6 +388,28 @@ double borderLength(const HalfEdgeMesh& m)
 			sum += double(length(m.position[m.target(h)] - m.position[m.origin[h]]));
 	}
 	return sum;
+}
+
+std::int64_t lineFaceNum(const HalfEdgeMesh& m, Workers& workers)
+{
+	return workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		std::int64_t num = 0;
+		for (int f = int(begin); f < int(end); ++f) {
+			const int* v = &m.origin[3 * f];
+			num += isLine(m.position[v[0]], m.position[v[1]], m.position[v[2]], m.faceCross(f));
+		}
+		return num;
+	});
+}
+
+std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& m, Workers& workers)
+{
+	return workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
+		std::int64_t num = 0;
+		for (int f = int(begin); f < int(end); ++f)
+			num += hasZeroArea(m.faceCross(f));
+		return num;
+	});
 }
 
 } // namespace gpr

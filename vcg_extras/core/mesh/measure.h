@@ -32,6 +32,11 @@ MeshFigures figuresOf(const HalfEdgeMesh& mesh, double unit, Workers& workers);
 /// Of all edges with one face, in the mesh's units. Cost: a pass over the half-edges.
 double borderLength(const HalfEdgeMesh& mesh);
 
+/// Faces without area. Cost: a parallel pass.
+std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& mesh, Workers& workers);
+/// Faces whose area, in working units, is nothing but rounding. Cost: a parallel pass.
+std::int64_t lineFaceNum(const HalfEdgeMesh& mesh, Workers& workers);
+
 } // namespace gpr
 
 #endif

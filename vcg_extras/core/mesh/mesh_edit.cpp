@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_edit.h"
 
+#include "indexed_mesh.h"
+
 #include <algorithm>
 
 namespace gpr {
@@ -561,20 +563,12 @@ HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers)
 	HalfEdgeMesh to;
 	to.vertexNum = from.vertexNum;
 	to.faceNum   = from.faceNum;
-	reserveExactly(to, from.hasCreases());
-	workers.forRange(from.vertexNum, [&](std::size_t begin, std::size_t end) {
-		std::copy(from.position.data() + begin, from.position.data() + end,
-				  to.position.data() + begin);
-		std::copy(from.outgoing.data() + begin, from.outgoing.data() + end,
-				  to.outgoing.data() + begin);
-	});
-	workers.forRange(from.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
-		std::copy(from.origin.data() + begin, from.origin.data() + end, to.origin.data() + begin);
-		std::copy(from.opposite.data() + begin, from.opposite.data() + end,
-				  to.opposite.data() + begin);
-		if (!from.hasCreases()) return;
-		std::copy(from.crease.data() + begin, from.crease.data() + end, to.crease.data() + begin);
-	});
+	to.position  = copyOf(from.position, std::size_t(from.vertexNum), workers);
+	to.outgoing  = copyOf(from.outgoing, std::size_t(from.vertexNum), workers);
+	to.origin    = copyOf(from.origin, std::size_t(from.halfEdgeNum()), workers);
+	to.opposite  = copyOf(from.opposite, std::size_t(from.halfEdgeNum()), workers);
+	if (from.hasCreases())
+		to.crease = copyOf(from.crease, std::size_t(from.halfEdgeNum()), workers);
 	return to;
 }
 

@@ -160,28 +160,6 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	return a;
 }
 
-std::int64_t lineFaceNum(const HalfEdgeMesh& m, Workers& workers)
-{
-	return workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		std::int64_t num = 0;
-		for (int f = int(begin); f < int(end); ++f) {
-			const int* v = &m.origin[3 * f];
-			num += isLine(m.position[v[0]], m.position[v[1]], m.position[v[2]], m.faceCross(f));
-		}
-		return num;
-	});
-}
-
-std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& m, Workers& workers)
-{
-	return workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		std::int64_t num = 0;
-		for (int f = int(begin); f < int(end); ++f)
-			num += hasZeroArea(m.faceCross(f));
-		return num;
-	});
-}
-
 std::int64_t zeroAreaFaceNum(const TriangleMesh& mesh, Workers& workers)
 {
 	return workers.sum<std::int64_t>(mesh.faceNum(), [&](std::size_t begin, std::size_t end) {

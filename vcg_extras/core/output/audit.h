@@ -21,12 +21,8 @@ namespace gpr {
 AuditFigures audit(const Surface& surface, const ResultMesh& result, const MeshFigures& input,
 				   const MeshFigures& output, std::int64_t targetNum, Workers& workers);
 
-/// Faces that the audit finds without area. Cost: a parallel pass.
-std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& mesh, Workers& workers);
 /// Faces that have no area in the caller's frame, where rounding is another. Cost: a parallel pass.
 std::int64_t zeroAreaFaceNum(const TriangleMesh& mesh, Workers& workers);
-/// Faces whose area, in working units, is nothing but rounding. Cost: a parallel pass.
-std::int64_t lineFaceNum(const HalfEdgeMesh& mesh, Workers& workers);
 
 /// What failed, as one sentence; empty if the audit passed.
 std::string describeFailure(const AuditFigures& figures);

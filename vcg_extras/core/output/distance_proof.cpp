@@ -19,26 +19,26 @@ ComparedSurfaces::ComparedSurfaces(const Surface& surface, const ResultMesh& mad
 {
 }
 
-MutualBounds boundsOf(const RunContext& run, const Surface& surface, const ComparedSurfaces& both)
+MutualBounds boundsOf(double diagonal, const ComparedSurfaces& both, Workers& workers)
 {
-	CertificateSettings settings =
-		usualCertificate(run.report.input.diagonal * surface.frame.scale);
-	settings.coordinateError = roundingOfPositions;
+	CertificateSettings settings = usualCertificate(diagonal);
+	settings.coordinateError     = roundingOfPositions;
 	MutualBounds bounds;
-	bounds.toInput   = certifiedDistance(both.result, both.input, settings, run.workers);
-	bounds.fromInput = certifiedDistance(both.input, both.result, settings, run.workers);
+	bounds.toInput   = certifiedDistance(both.result, both.input, settings, workers);
+	bounds.fromInput = certifiedDistance(both.input, both.result, settings, workers);
 	return bounds;
 }
 
-void proveDistance(RunContext& run, const Surface& surface, const ComparedSurfaces& both)
+DistanceProof proveDistance(RunContext& run, const Surface& surface, double diagonal,
+							const ComparedSurfaces& both)
 {
-	RemeshReport& report    = run.report;
-	report.provenDistance   = boundsOf(run, surface, both).times(1 / surface.frame.scale);
-	report.isDistanceProven = true;
-	if (report.provenDistance.hausdorff().isBudgetSpent) {
-		run.notes.push_back("The bounds of the largest distance are proven, but they are farther "
-							"from each other than 1 %: their budget was spent.");
+	const double        scale = surface.frame.scale;
+	const DistanceProof proof{true, boundsOf(diagonal * scale, both, run.workers).times(1 / scale)};
+	if (proof.bounds.hausdorff().isBudgetSpent) {
+		run.tell("The bounds of the largest distance are proven, but they are farther from each "
+				 "other than 1 %: their budget was spent.");
 	}
+	return proof;
 }
 
 } // namespace gpr

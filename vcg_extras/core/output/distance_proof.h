@@ -17,12 +17,19 @@ struct ComparedSurfaces {
 	ComparedSurfaces(const Surface& surface, const ResultMesh& made, Workers& workers);
 };
 
-/// Bounds of the distances of both from each other, proven; working units. Cost: see
-/// certifiedDistance.
-MutualBounds boundsOf(const RunContext& run, const Surface& surface, const ComparedSurfaces& both);
+/// Bounds of the largest distance of input and result from each other.
+struct DistanceProof {
+	bool         isMade = false;
+	MutualBounds bounds; ///< mesh units
+};
 
-/// Proves these bounds and tells them in the report.
-void proveDistance(RunContext& run, const Surface& surface, const ComparedSurfaces& both);
+/// Bounds of the distances of both from each other, proven; working units. diagonal: of the input,
+/// working units. Cost: see certifiedDistance.
+MutualBounds boundsOf(double diagonal, const ComparedSurfaces& both, Workers& workers);
+
+/// Proves these bounds, and tells the user where their budget was spent. diagonal: mesh units.
+DistanceProof proveDistance(RunContext& run, const Surface& surface, double diagonal,
+							const ComparedSurfaces& both);
 
 } // namespace gpr
 

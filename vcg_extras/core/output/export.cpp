@@ -70,28 +70,37 @@ void exportFacePoints(RunContext& run, const Surface& surface, const ResultMesh&
 	});
 }
 
-void requireAreas(RunContext& run, const TriangleMesh& mesh)
+void requireAreas(RunContext& run, const TriangleMesh& mesh, AuditFigures& audited)
 {
-	AuditFigures& audit = run.report.audit;
-	audit.zeroAreaFaces = zeroAreaFaceNum(mesh, run.workers);
-	audit.passed        = audit.zeroAreaFaces == 0;
-	if (!audit.passed) throw Failure(Status::PromiseBroken, describeFailure(audit));
+	audited.zeroAreaFaces = zeroAreaFaceNum(mesh, run.workers);
+	audited.passed        = audited.zeroAreaFaces == 0;
+	if (!audited.passed) throw Failure(Status::PromiseBroken, describeFailure(audited));
 }
 
 } // namespace
 
-void exportResult(RunContext& run, const Surface& surface, const ResultMesh& result,
-				  RemeshResult& out)
+QualityFigures exportResult(RunContext& run, const Surface& surface, const ResultMesh& result,
+							bool hasKept, AuditFigures& audited, RemeshResult& out)
 {
 	run.clock.enter(Stage::Export);
-	const bool hasKept = run.report.keptVertexNum > 0;
 	exportMesh(run, surface, result.mesh, out.mesh);
 	if (run.options.surfacePointsOfVertices || hasKept)
 		exportSurfacePoints(run, surface, result, out.surfacePoints);
 	if (hasKept) exportKept(run.input, result, 1 / surface.frame.scale, out);
 	if (run.options.surfacePointsOfFaces) exportFacePoints(run, surface, result, out.facePoints);
-	requireAreas(run, out.mesh);
-	run.report.quality = measureQuality(out.mesh.view(), run.workers);
+	requireAreas(run, out.mesh, audited);
+	return measureQuality(out.mesh.view(), run.workers);
+}
+
+void nameSamples(const std::vector<Vec3d>& points, const std::vector<char>& isMoved,
+				 const ResultMesh& result, RemeshResult& out)
+{
+	out.sampleOf.resize(result.vertex.size());
+	for (std::size_t v = 0; v < result.vertex.size(); ++v) {
+		const int s     = result.vertex[v].sample;
+		out.sampleOf[v] = s;
+		if (s >= 0 && !isMoved[s]) out.mesh.positions[v] = points[s];
+	}
 }
 
 } // namespace gpr

@@ -8,12 +8,21 @@
 #include <vcg_extras/core/results.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
+#include <vector>
+
 namespace gpr {
 
 /// Last stage: writes the mesh, and what the options ask for beside it, in the caller's frame and
-/// numbering. Throws Failure where rounding to that frame leaves a face without area.
-void exportResult(RunContext& run, const Surface& surface, const ResultMesh& result,
-				  RemeshResult& out);
+/// numbering. hasKept: vertices of the caller's stayed, and get the caller's own bits back. Returns
+/// the shape of the triangles. Throws Failure where rounding to that frame leaves a face without
+/// area; `audited` then tells how many.
+QualityFigures exportResult(RunContext& run, const Surface& surface, const ResultMesh& result,
+							bool hasKept, AuditFigures& audited, RemeshResult& out);
+
+/// Tells which vertex of the result is which of the caller's samples. A sample that lay on the
+/// surface, up to rounding, keeps its very coordinates.
+void nameSamples(const std::vector<Vec3d>& points, const std::vector<char>& isMoved,
+				 const ResultMesh& result, RemeshResult& out);
 
 } // namespace gpr
 

@@ -3,12 +3,12 @@
 #include "verification.h"
 
 #include "audit.h"
-#include "distance_proof.h"
 #include "thorough_check.h"
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/smooth_border.h>
 #include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/sampling/target.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,61 +19,51 @@ namespace gpr {
 
 namespace {
 
-void tellOperations(const ResultMesh& result, RemeshReport& report)
-{
-	report.leftoverVertexNum = result.leftoverNum;
-	report.splitNum          = result.splitNum;
-	report.collapseNum       = result.collapseNum;
-	report.flipNum           = result.flipNum;
-}
-
 /// Without the exact count eq. (1) is left to itself: tells how near it came, and the constant
 /// that would have hit the target, as the count goes with 1/c².
-void tellCountReached(RunContext& run, const Expected& expected, const ResultMesh& result)
+double tellCountReached(RunContext& run, const Expected& expected, const ResultMesh& result)
 {
 	// Vertices that are kept do not go with the radius.
-	if (run.options.exactCount || expected.vertexNum == 0 || expected.keptNum > 0) return;
-	const double share                 = double(result.mesh.vertexNum) / double(expected.vertexNum);
-	run.report.radiusConstantForTarget = run.report.radiusConstant * std::sqrt(share);
-	char sentence[160];
+	if (run.options.exactCount || expected.vertexNum == 0 || expected.keptNum > 0) return 0;
+	const double share    = double(result.mesh.vertexNum) / double(expected.vertexNum);
+	const double constant = radiusConstant(run.options);
+	const double better   = constant * std::sqrt(share);
+	char         sentence[160];
 	std::snprintf(sentence, sizeof sentence,
 				  "%lld vertices of %lld wanted (%+.1f %%); with %.3f instead of %.3f in eq. (1) "
 				  "it would have been about as many as wanted.",
 				  static_cast<long long>(result.mesh.vertexNum),
-				  static_cast<long long>(expected.vertexNum), 100 * (share - 1),
-				  run.report.radiusConstantForTarget, run.report.radiusConstant);
-	run.notes.push_back(sentence);
+				  static_cast<long long>(expected.vertexNum), 100 * (share - 1), better, constant);
+	run.tell(sentence);
+	return better;
 }
 
-void tellKept(RunContext& run, const Expected& expected, const ResultMesh& result)
+std::int64_t tellKept(RunContext& run, const Expected& expected, const ResultMesh& result)
 {
 	const auto         isPinned = [](const ResultVertex& v) { return v.isPinned; };
-	const std::int64_t kept  = std::count_if(result.vertex.begin(), result.vertex.end(), isPinned);
-	const std::int64_t lost  = expected.keptNum - kept;
-	run.report.keptVertexNum = kept;
+	const std::int64_t kept = std::count_if(result.vertex.begin(), result.vertex.end(), isPinned);
+	const std::int64_t lost = expected.keptNum - kept;
 	if (2 * kept > result.mesh.vertexNum) {
-		run.notes.push_back("More than half of the vertices had to stay where they were; the "
-							"triangles beside them are uneven.");
+		run.tell("More than half of the vertices had to stay where they were; the triangles beside "
+				 "them are uneven.");
 	}
 	if (lost > 0) {
-		run.notes.push_back(std::to_string(lost) + " of the " + std::to_string(expected.keptNum) +
-							" vertices that were to stay could not be kept.");
+		run.tell(std::to_string(lost) + " of the " + std::to_string(expected.keptNum) +
+				 " vertices that were to stay could not be kept.");
 	}
+	return kept;
 }
 
 void requirePromises(RunContext& run, const Surface& surface, const ResultMesh& result,
-					 std::int64_t promisedNum)
+					 const Expected& expected, Verification& found)
 {
-	RemeshReport&        report  = run.report;
-	const GuardedFigures guarded = report.audit.guarded;
-	report.audit =
-		audit(surface, result, report.cleanedInput, report.result, promisedNum, run.workers);
-	report.audit.guarded = guarded;
-	if (!report.audit.passed) throw Failure(Status::PromiseBroken, describeFailure(report.audit));
-	if (report.audit.invertedFaces == 0) return;
-	run.notes.push_back(std::to_string(report.audit.invertedFaces) +
-						" faces are inverted: their normals point against the input's, where the "
-						"surface is thinner than the triangles are wide.");
+	const std::int64_t promisedNum = run.options.exactCount ? expected.vertexNum : 0;
+	found.audit = audit(surface, result, expected.input, found.figures, promisedNum, run.workers);
+	if (!found.audit.passed) throw Failure(Status::PromiseBroken, describeFailure(found.audit));
+	if (found.audit.invertedFaces == 0) return;
+	run.tell(std::to_string(found.audit.invertedFaces) +
+			 " faces are inverted: their normals point against the input's, where the surface is "
+			 "thinner than the triangles are wide.");
 }
 
 /// How far vertices may lie beside the surface, in working units.
@@ -91,35 +81,36 @@ void raiseToProven(const MutualBounds& proven, CheckFigures& figures)
 	figures.largestDistance = d.larger().max;
 }
 
-void checkWhereAsked(RunContext& run, const Surface& surface, const ResultMesh& result)
+void checkWhereAsked(RunContext& run, const Surface& surface, const ResultMesh& result,
+					 const Expected& expected, Verification& found)
 {
 	if (!run.options.check) return;
 	run.clock.enter(Stage::Check);
 	const ComparedSurfaces both(surface, result, run.workers);
 	const double           unit    = 1 / surface.frame.scale;
 	CheckFigures           figures = checkThoroughly(surface, result, both, run.workers);
-	const double           allowed = run.report.largestFitDistance / unit + besideBorder(result);
+	const double           allowed = double(expected.largestFitDistance) + besideBorder(result);
 	const std::string      failure = describeFailure(figures, allowed);
 	figures.vertexDistance *= unit;
 	figures.distance = figures.distance.times(unit);
-	if (!run.report.isDistanceProven) proveDistance(run, surface, both);
-	raiseToProven(run.report.provenDistance, figures);
-	run.report.check = figures;
+	if (!found.proof.isMade)
+		found.proof = proveDistance(run, surface, expected.input.diagonal, both);
+	raiseToProven(found.proof.bounds, figures);
+	found.check = figures;
 	if (!failure.empty()) throw Failure(Status::PromiseBroken, failure);
 }
 
 } // namespace
 
 void verifyResult(RunContext& run, const Surface& surface, const ResultMesh& result,
-				  const Expected& expected)
+				  const Expected& expected, Verification& found)
 {
 	run.clock.enter(Stage::Audit);
-	run.report.result = figuresOf(result.mesh, 1 / surface.frame.scale, run.workers);
-	tellOperations(result, run.report);
-	tellCountReached(run, expected, result);
-	tellKept(run, expected, result);
-	requirePromises(run, surface, result, run.options.exactCount ? expected.vertexNum : 0);
-	checkWhereAsked(run, surface, result);
+	found.figures           = figuresOf(result.mesh, 1 / surface.frame.scale, run.workers);
+	found.constantForTarget = tellCountReached(run, expected, result);
+	found.keptNum           = tellKept(run, expected, result);
+	requirePromises(run, surface, result, expected, found);
+	checkWhereAsked(run, surface, result, expected, found);
 }
 
 } // namespace gpr

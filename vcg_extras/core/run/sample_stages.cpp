@@ -2,171 +2,164 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sample_stages.h"
 
-#include "feature_lines.h"
-#include "improvement.h"
+#include "surface_stages.h"
 
+#include <vcg_extras/core/optimization/delaunay_flips.h>
+#include <vcg_extras/core/optimization/exact_count.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/retriangulation/hole_retriangulation.h>
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
 #include <vcg_extras/core/sampling/border_edge_sampling.h>
 #include <vcg_extras/core/sampling/fuse_samples.h>
+#include <vcg_extras/core/sampling/given_samples.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace gpr {
 
 namespace {
 
-/// Least width of a block in r. Fewer, larger blocks mean fewer seams in the packing; few samples
-/// fill too few of them for all threads to have work.
-constexpr float        blockWidth      = 20;
-constexpr float        smallBlockWidth = 12;
-constexpr std::int64_t fewSamples      = 100000;
-
-OctreeBlocks cutForRadius(RunContext& run, const Prepared& p, float radius)
+OctreeBlocks cutForSampling(RunContext& run, const Decisions& decisions, float radius,
+							const Surface& surface)
 {
-	const float width = p.targetNum < fewSamples ? smallBlockWidth : blockWidth;
-	return cutIntoBlocks(p.surface, width * radius, run.workers);
+	// Least width of a block in r. Fewer, larger blocks mean fewer seams in the packing; few
+	// samples fill too few of them for all threads to have work.
+	constexpr float        blockWidth = 20, smallBlockWidth = 12;
+	constexpr std::int64_t fewSamples = 100000;
+	const float width = decisions.spacedFor() < fewSamples ? smallBlockWidth : blockWidth;
+	return cutIntoBlocks(surface, width * radius, run.workers);
 }
 
 /// Whether it matters by how much the first go misses the count. Ridges and thin parts hold fewer
 /// disks than their area lets expect, on scans up to a tenth of all. Where sizes follow the error
 /// most, small disks lie just there, and the splits that make up for them would fall elsewhere.
-bool mayMissCount(const RemeshOptions& options, const Prepared& p)
+bool mayMissCount(const RemeshOptions& options, const Products& made)
 {
 	const bool hasErrorSizes = options.equations == Equations::Calibrated && options.adapt >= 0.5 &&
-							   !p.surface.size.empty();
-	return hasErrorSizes || p.surface.mesh.hasCreases() || !p.kept.empty();
-}
-
-/// Feature lines leave gaps between them and the front, all the more the nearer they are to
-/// each other; so the radius is lowered by what the first go missed. Vertices to be kept are a
-/// fixed number of the samples, however near to each other: the others get what they leave.
-float correctedRadius(const Prepared& p, const Sampling& sampling, float radius)
-{
-	constexpr float aim = 0.985f; // of the wanted number
-	// A few samples too many are soon merged and not worth another sampling.
-	constexpr float fewest = 0.98f, most = 1.035f;
-	constexpr float maxOnCurves = 0.7f;
-	const float     kept        = float(p.kept.size());
-	const float     wanted      = aim * float(p.targetNum) - kept;
-	const float     share       = (float(sampling.samples.size()) - kept) / wanted;
-	if (!(wanted > 0) || (share >= fewest && share <= most)) return radius;
-	const float onCurves = float(sampling.boundarySampleNum) - kept;
-	if (onCurves > maxOnCurves * (float(p.targetNum) - kept)) return radius;
-	if (p.kept.empty()) return radius * std::sqrt(share);
-	// Edges are cut for this radius; much smaller disks would own no vertices.
-	constexpr float minRadius = 0.8f, minShare = 0.25f, maxShare = 4;
-	return std::max(minRadius * p.radius,
-					radius * std::sqrt(std::clamp(share, minShare, maxShare)));
+							   !made.surface.size.empty();
+	return hasErrorSizes || made.surface.mesh.hasCreases() || !made.sizes.kept.empty();
 }
 
 /// The paper's placement fuses its samples into a mesh, which the removal of vertices goes on with.
-void sampleOnBorderEdges(RunContext& run, const Prepared& p, float radius,
-						 const Buffer<char>& first, Sampled& sampled)
+void sampleOnBorderEdges(RunContext& run, const Decisions& decisions, const Buffer<char>& first,
+						 Products& made)
 {
 	BorderEdgeOptions o;
-	o.radius                  = radius;
-	o.seed                    = run.options.seed;
-	o.maxSamples              = 100000 + 10 * p.targetNum;
-	o.region                  = &first;
-	BorderEdgeSampling placed = sampleBorderEdges(p.surface, sampled.curves, o, run.workers);
-	sampled.sampling          = std::move(placed.sampling);
+	o.radius     = made.samples.radius;
+	o.seed       = run.options.seed;
+	o.maxSamples = 100000 + 10 * decisions.spacedFor();
+	o.region     = &first;
+	BorderEdgeSampling placed =
+		sampleBorderEdges(made.surface, made.samples.curves, o, run.workers);
+	made.samples.sampling = std::move(placed.sampling);
 	if (run.options.retriangulation == Retriangulation::VertexRemoval)
-		sampled.fused = std::move(placed.fused);
+		made.samples.fused = std::move(placed.fused);
 }
 
-void sampleWithRadius(RunContext& run, const Prepared& p, float radius,
-					  const OctreeBlocks& partition, Sampled& sampled)
+/// Where anything of the result will be named by the caller's faces, these are still needed.
+void releaseSources(const RemeshOptions& options, Products& made)
 {
-	const RemeshOptions& options = run.options;
-	run.clock.enter(Stage::Boundary);
-	sampled.curves =
-		radius == p.curvesRadius ? p.curves : sampleCurves(p, radius, borderMode(options, p));
-	run.clock.enter(Stage::Sampling);
-	const Buffer<char>  noRegion;
-	const bool          beginsInRegion = options.featureSampling == FeatureSampling::Disks;
-	const Buffer<char>& first          = beginsInRegion ? p.isFeatureVertex : noRegion;
-	if (options.placement == Placement::BorderEdge)
-		return sampleOnBorderEdges(run, p, radius, first, sampled);
-	sampled.sampling =
-		sampleFront(p.surface, sampled.curves, partition, radius, options.seed, run.workers, first);
-}
-
-void tellSampling(RunContext& run, const Prepared& p, const Sampling& sampling, float radius)
-{
-	run.report.sampleNum         = std::int64_t(sampling.samples.size());
-	run.report.boundarySampleNum = sampling.boundarySampleNum;
-	run.report.diskRadius        = double(radius) / p.surface.frame.scale;
-	if (sampling.capped) run.tellCap("samples of a block");
+	const bool areNeeded =
+		options.surfacePointsOfVertices || options.surfacePointsOfFaces || !made.sizes.kept.empty();
+	if (!areNeeded) made.surface.sourceFace.release();
 }
 
 /// The mesh that the border-edge placement fused its samples into, or one made now.
-FusedMesh fusedMesh(RunContext& run, const Prepared& p, Sampled& sampled)
+FusedMesh fusedMesh(RunContext& run, Products& made)
 {
-	if (!sampled.fused.sampleVertex.empty()) return std::move(sampled.fused);
-	return fuseSamples(p.surface, sampled.sampling, sampled.curves, run.workers);
+	if (!made.samples.fused.sampleVertex.empty()) return std::move(made.samples.fused);
+	return fuseSamples(made.surface, made.samples.sampling, made.samples.curves, run.workers);
 }
 
 } // namespace
 
-OctreeBlocks cutForSampling(RunContext& run, const Prepared& p)
+SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& made)
 {
-	return cutForRadius(run, p, p.radius);
+	const RemeshOptions& options = run.options;
+	Samples&             samples = made.samples;
+	const float          usual   = usualRadius(made, options, decisions.spacedFor());
+	releaseSources(options, made);
+	samples.radius = decisions.radius.value_or(usual);
+	if (!decisions.radius || !made.sizes.kept.empty())
+		samples.partition = cutForSampling(run, decisions, samples.radius, made.surface);
+	samples.spacedFor = decisions.spacedFor();
+	run.clock.enter(Stage::Boundary);
+	samples.curves = samples.radius == made.lines.radius
+						 ? made.lines.curves
+						 : sampleCurves(run, decisions, samples.radius, made);
+	run.clock.enter(Stage::Sampling);
+	const Buffer<char>  noRegion;
+	const bool          beginsInRegion = options.featureSampling == FeatureSampling::Disks;
+	const Buffer<char>& first          = beginsInRegion ? made.sizes.isFeatureVertex : noRegion;
+	if (options.placement == Placement::BorderEdge)
+		sampleOnBorderEdges(run, decisions, first, made);
+	else
+		samples.sampling = sampleFront(made.surface, samples.curves, samples.partition,
+									   samples.radius, options.seed, run.workers, first);
+	if (samples.sampling.capped) run.tellCap("samples of a block");
+	samples.num        = std::int64_t(samples.sampling.samples.size());
+	samples.onCurveNum = samples.sampling.boundarySampleNum;
+	return {mayMissCount(options, made), samples.num, samples.onCurveNum, samples.radius, usual};
 }
 
-Sampled sampleSurface(RunContext& run, const Prepared& p)
+void takeGivenSamples(RunContext& run, const Decisions& decisions, const std::vector<Vec3d>& points,
+					  Products& made)
 {
-	const bool isCorrected    = mayMissCount(run.options, p);
-	const int  maxCorrections = !isCorrected ? 0 : p.kept.empty() ? 2 : 6;
-	float      radius         = p.radius;
-	Sampled    sampled;
-	sampled.partition = cutForSampling(run, p);
-	sampleWithRadius(run, p, radius, sampled.partition, sampled);
-	for (int i = 0; i < maxCorrections; ++i) {
-		const float corrected = correctedRadius(p, sampled.sampling, radius);
-		if (corrected == radius) break;
-		radius = corrected;
-		if (p.kept.empty())
-			sampleWithRadius(run, p, radius, sampled.partition, sampled);
-		else
-			sampleWithRadius(run, p, radius, cutForRadius(run, p, radius), sampled);
-	}
-	tellSampling(run, p, sampled.sampling, radius);
-	return sampled;
+	run.clock.enter(Stage::GivenSamples);
+	GivenSamples given      = takeOverSamples(made.surface, points, run.workers);
+	Samples&     samples    = made.samples;
+	samples.radius          = usualRadius(made, run.options, decisions.spacedFor());
+	samples.spacedFor       = decisions.spacedFor();
+	samples.num             = std::int64_t(points.size());
+	samples.sampling        = std::move(given.sampling);
+	samples.sampling.radius = samples.radius;
+	samples.isMoved         = std::move(given.isMoved);
+	samples.movedNum        = given.movedNum;
+	samples.farthest        = given.farthest;
+	samples.partition       = cutForSampling(run, decisions, samples.radius, made.surface);
 }
 
-Meshed retriangulateSamples(RunContext& run, const Prepared& p, Sampled sampled)
+void connectSamples(RunContext& run, const Decisions& decisions, Products& made)
 {
 	run.clock.enter(Stage::Retriangulation);
-	Meshed made;
-	if (run.options.retriangulation == Retriangulation::LabelCollapse) {
-		made.result = removeVertices(p.surface, sampled.sampling, sampled.curves,
-									 run.report.cleanedInput, run.workers);
-	}
-	else {
-		made.result =
-			removeOriginalVertices(fusedMesh(run, p, sampled), p.surface, sampled.sampling,
-								   sampled.curves, sampled.partition, run.workers);
-	}
-	made.curves = std::move(sampled.curves);
-	return made;
+	ResultMesh& result = made.result;
+	if (run.options.retriangulation == Retriangulation::LabelCollapse)
+		result = removeVertices(made.surface, made.samples.sampling, made.samples.curves,
+								made.surface.figures, run.workers);
+	else
+		result = removeOriginalVertices(fusedMesh(run, made), made.surface, made.samples.sampling,
+										made.samples.curves, made.samples.partition, run.workers);
+	made.curves = std::move(made.samples.curves);
+	made.samples.release();
+	result.idealEdge   = idealEdge(made, decisions.spacedFor());
+	result.keepsBorder = run.options.boundary == BoundaryMode::Keep;
+	result.hasSmoothBorder =
+		borderMode(run.options, decisions) == BoundaryMode::Smooth && made.surface.border.isSmooth;
+	run.clock.enter(Stage::Flips);
+	flipEdges(run, result);
+	if (decisions.purpose == Purpose::OfGivenSamples) return;
+	if (!repairInvertedFaces(made.surface, made.curves, true, result, run.workers))
+		run.tellCap("changes for inverted faces");
 }
 
-Meshed sampleAndRetriangulate(RunContext& run, const Prepared& p)
+void reachCount(RunContext& run, const Decisions& decisions, Products& made)
 {
-	Meshed made             = retriangulateSamples(run, p, sampleSurface(run, p));
-	made.result.idealEdge   = idealEdge(p);
-	made.result.keepsBorder = run.options.boundary == BoundaryMode::Keep;
-	made.result.hasSmoothBorder =
-		borderMode(run.options, p) == BoundaryMode::Smooth && run.report.border.isSmooth;
-	run.clock.enter(Stage::Flips);
-	flipEdges(run, made.result);
-	if (!repairInvertedFaces(p.surface, made.curves, true, made.result, run.workers))
-		run.tellCap("changes for inverted faces");
-	return made;
+	if (decisions.way == Way::ByTopology) {
+		made.result.idealEdge = idealEdge(made, decisions.vertexNum);
+		run.clock.enter(Stage::Count);
+		reachCountByTopology(made.surface, made.curves, decisions.vertexNum, made.result,
+							 run.workers);
+		return;
+	}
+	if (!run.options.exactCount) return;
+	run.clock.enter(Stage::Count);
+	collapseShortEdges(made.surface, made.result, run.workers);
+	reachExactCount(made.surface, made.curves, decisions.vertexNum, made.result, run.workers);
+}
+
+void flipEdges(RunContext& run, ResultMesh& result)
+{
+	flipToDelaunay(result, run.workers, run.options.flipIterations);
 }
 
 } // namespace gpr

@@ -3,41 +3,33 @@
 #ifndef VCG_EXTRAS_CORE_RUN_SAMPLE_STAGES_H
 #define VCG_EXTRAS_CORE_RUN_SAMPLE_STAGES_H
 
-#include "prepared.h"
+#include "products.h"
 
 #include <vcg_extras/core/base/run_context.h>
-#include <vcg_extras/core/features/boundary_curves.h>
-#include <vcg_extras/core/mesh/octree_blocks.h>
-#include <vcg_extras/core/sampling/front_sampling.h>
-#include <vcg_extras/core/sampling/fused_mesh.h>
-#include <vcg_extras/core/surface/result_mesh.h>
+
+#include <vector>
 
 namespace gpr {
 
-/// Samples of the surface, and what the retriangulation takes over from the sampling.
-struct Sampled {
-	OctreeBlocks   partition;
-	BoundaryCurves curves;
-	Sampling       sampling;
-	FusedMesh      fused; ///< with the samples of the border-edge placement, else empty
-};
+// From the surface to a mesh with the right count.
 
-/// A mesh under way and the curves that its vertices lie on.
-struct Meshed {
-	ResultMesh     result;
-	BoundaryCurves curves;
-};
+/// Step Samples: places samples of about the wanted number, in the way that the options choose.
+SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& made);
 
-OctreeBlocks cutForSampling(RunContext& run, const Prepared& p);
+/// Step GivenSamples: takes the caller's points in the place of samples of our own. Throws Failure
+/// where one is not finite.
+void takeGivenSamples(RunContext& run, const Decisions& decisions, const std::vector<Vec3d>& points,
+					  Products& made);
 
-/// Samples of about the wanted number, placed in the way that the options choose.
-Sampled sampleSurface(RunContext& run, const Prepared& p);
+/// Step Triangles: from samples to a mesh of them, in the way that the options choose, and the
+/// first flips.
+void connectSamples(RunContext& run, const Decisions& decisions, Products& made);
 
-/// From samples to a mesh of them, in the way that the options choose.
-Meshed retriangulateSamples(RunContext& run, const Prepared& p, Sampled sampled);
+/// Step Count: splits and collapses edges until the mesh has the wanted count.
+void reachCount(RunContext& run, const Decisions& decisions, Products& made);
 
-/// Both, and the first flips.
-Meshed sampleAndRetriangulate(RunContext& run, const Prepared& p);
+/// Edge flips, in so many passes at most as the options say.
+void flipEdges(RunContext& run, ResultMesh& result);
 
 } // namespace gpr
 

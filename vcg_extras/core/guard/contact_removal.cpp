@@ -1,22 +1,16 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "guarded_result.h"
+#include "contact_removal.h"
 
-#include "patch_filling.h"
-#include "target.h"
+#include "guarded_decimation.h"
+#include "guarded_relaxation.h"
+#include "input_contacts.h"
+#include "made_vertex.h"
 
-#include <vcg_extras/core/base/box.h>
-#include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/portable_math.h>
-#include <vcg_extras/core/guard/guarded_decimation.h>
-#include <vcg_extras/core/guard/guarded_relaxation.h>
-#include <vcg_extras/core/guard/input_contacts.h>
-#include <vcg_extras/core/guard/made_vertex.h>
 #include <vcg_extras/core/mesh/components.h>
-#include <vcg_extras/core/mesh/face_boxes.h>
-#include <vcg_extras/core/mesh/face_contact.h>
+#include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
-#include <vcg_extras/core/output/audit.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
@@ -38,12 +32,6 @@ constexpr float nearInputs = 1.5f;
 constexpr int refillRounds = 4;
 /// Patches of a larger share of the faces are no better than whole components made anew.
 constexpr double mostInPatches = 0.75;
-
-/// Whether the options ask for a result that is free of contacts.
-bool isGuarded(const RemeshOptions& options)
-{
-	return options.guard && options.equations == Equations::Calibrated;
-}
 
 /// What a mesh is put together from: some components of the input, that are to be made coarser,
 /// and the other ones of the result, which stay.
@@ -134,8 +122,8 @@ std::vector<int> poorFaces(const Surface& surface, const ResultMesh& result,
 /// Makes components of the result anew.
 class Replacement {
 public:
-	Replacement(RunContext& run, const Prepared& p, ResultMesh& result, Parts parts) :
-			run_(run), p_(p), result_(result), parts_(std::move(parts))
+	Replacement(const MakingOfVertices& making, ResultMesh& result, Parts parts, Workers& workers) :
+			making_(making), result_(result), workers_(workers), parts_(std::move(parts))
 	{
 	}
 
@@ -149,8 +137,8 @@ public:
 		settings.keepsBorder      = result_.keepsBorder;
 		settings.idealEdge        = double(result_.idealEdge);
 		settings.lengthWeight     = lengthWeight();
-		settings.mayLeaveVertices = mayLeaveSurface(run_.options);
-		decimateGuarded(settings, *guarded_, run_.workers);
+		settings.mayLeaveVertices = making_.mayLeaveSurface;
+		decimateGuarded(settings, *guarded_, workers_);
 	}
 
 	std::int64_t reached() const { return guarded_->mesh.vertexNum; }
@@ -159,9 +147,8 @@ public:
 	/// vertices that have to stay.
 	bool relax()
 	{
-		relaxGuarded(double(result_.idealEdge), mayLeaveSurface(run_.options), *guarded_,
-					 run_.workers);
-		return zeroAreaFaceNum(guarded_->mesh, run_.workers) == 0;
+		relaxGuarded(double(result_.idealEdge), making_.mayLeaveSurface, *guarded_, workers_);
+		return zeroAreaFaceNum(guarded_->mesh, workers_) == 0;
 	}
 
 	/// Puts what was decimated in the place of the result.
@@ -172,7 +159,7 @@ public:
 		for (std::size_t v = 0; v < vertex.size(); ++v) {
 			const int anchor = guarded_->anchor[v], name = ofAnchor[std::size_t(anchor)];
 			vertex[v] = anchor >= inputNum_ ? result_.vertex[std::size_t(name)]
-											: madeVertex(p_.surface, name, *guarded_, int(v));
+											: madeVertex(making_.surface, name, *guarded_, int(v));
 			madeNum_ += anchor < inputNum_;
 		}
 		result_.mesh   = std::move(guarded_->mesh);
@@ -183,31 +170,31 @@ public:
 	std::int64_t madeNum() const { return madeNum_; }
 
 private:
-	RunContext&      run_;
-	const Prepared&  p_;
-	ResultMesh&      result_;
-	Parts            parts_;
-	std::vector<int> ofInput_;      ///< per vertex of the input: of the mesh put together, or -1
-	std::vector<int> ofResult_;     ///< the same of the result
-	int              inputNum_ = 0; ///< vertices of the mesh put together that are the input's
-	std::int64_t     madeNum_  = 0;
+	const MakingOfVertices& making_;
+	ResultMesh&             result_;
+	Workers&                workers_;
+	Parts                   parts_;
+	std::vector<int>        ofInput_;  ///< per vertex of the input: of the mesh put together, or -1
+	std::vector<int>        ofResult_; ///< the same of the result
+	int          inputNum_ = 0;        ///< vertices of the mesh put together that are the input's
+	std::int64_t madeNum_  = 0;
 	std::unique_ptr<GuardedMesh> guarded_;
 
 	/// Where sizes follow the error distance counts more than length.
-	double lengthWeight() const { return 0.01 * portable::pow(0.03, run_.options.adapt); }
+	double lengthWeight() const { return 0.01 * portable::pow(0.03, making_.adapt); }
 
 	/// Components of the result that touch one of the input, too, are made anew as well.
 	HalfEdgeMesh putTogether()
 	{
 		while (true) {
 			HalfEdgeMesh m;
-			append(p_.surface.mesh, parts_.ofInput, parts_.isTaken, m, ofInput_);
+			append(making_.surface.mesh, parts_.ofInput, parts_.isTaken, m, ofInput_);
 			inputNum_            = m.vertexNum;
 			const int inputFaces = m.faceNum;
 			append(result_.mesh, parts_.ofResult, parts_.isLeft, m, ofResult_);
 			if (m.faceNum == inputFaces) return m;
 			const std::vector<FacePair> pairs =
-				findTouchingPairs(m, run_.workers, Seams::Joined, inputFaces);
+				findTouchingPairs(m, workers_, Seams::Joined, inputFaces);
 			if (pairs.empty() || !takeTouching(pairs, inputFaces)) return m;
 		}
 	}
@@ -232,7 +219,7 @@ private:
 	void fixVertices()
 	{
 		std::fill(guarded_->isFixed.begin() + inputNum_, guarded_->isFixed.end(), char(1));
-		for (int v : p_.kept) {
+		for (int v : making_.kept) {
 			const int w = ofInput_[std::size_t(v)];
 			if (w >= 0) guarded_->isFixed[std::size_t(w)] = 1;
 		}
@@ -251,90 +238,60 @@ private:
 	}
 };
 
-Failure refusal(std::int64_t asked, std::int64_t reached)
+/// Makes components anew where that is possible.
+ContactOutcome replaceComponents(const MakingOfVertices& making, const std::vector<int>& faces,
+								 bool inputHasContacts, ResultMesh& result, GuardedFigures& figures,
+								 Workers& workers)
 {
-	return {
-		Status::CountTooSmall,
-		"With " + std::to_string(asked) +
-			" vertices the surface would intersect itself. The smallest number of vertices that "
-			"was reached without self-intersections is " +
-			std::to_string(reached) + ".",
-		reached};
-}
-
-void tellMade(RunContext& run, const ResultMesh& result)
-{
-	const std::int64_t num = run.report.audit.guarded.vertexNum;
-	if (num == 0) return;
-	run.notes.push_back(
-		"Triangles would intersect each other where the surface is thinner than they are wide, so "
-		"that " +
-		std::to_string(num) + " of the " + std::to_string(result.mesh.vertexNum) +
-		" vertices were made by guarded edge collapses of the input. The triangles there are less "
-		"regular.");
-}
-
-/// Another number than was asked for, where that is a wish.
-void tellReached(RunContext& run, std::int64_t asked, std::int64_t reached)
-{
-	if (reached == asked) return;
-	run.notes.push_back(
-		"The result has " + std::to_string(reached) + " vertices instead of " +
-		std::to_string(asked) +
-		". This is the smallest number that was reached without self-intersections.");
-}
-
-/// Makes components anew where that is possible; what else may be done is up to the options.
-void replaceComponents(RunContext& run, const std::vector<int>& faces, bool inputHasContacts,
-					   Prepared& p, ResultMesh& result)
-{
-	const std::int64_t asked = result.mesh.vertexNum;
-	Replacement replacement(run, p, result, chooseParts(p.surface, result, faces, run.workers));
+	const std::int64_t before = result.mesh.vertexNum;
+	Replacement replacement(making, result, chooseParts(making.surface, result, faces, workers),
+							workers);
 	replacement.decimate(inputHasContacts);
 	const std::int64_t reached = replacement.reached();
-	if (reached > asked && inputHasContacts) return; // nothing is promised
-	if (reached > asked && run.options.exactCount && !isTargetWish(run.options))
-		throw refusal(asked, reached);
+	if (reached > before && inputHasContacts) return {before, false}; // nothing is promised
+	if (reached > before && !making.mayEndAbove) return {reached, true};
 	// Where a face of the input has no area its neighbours touch: nothing is promised there either.
-	if (!replacement.relax()) return;
+	if (!replacement.relax()) return {before, false};
 	replacement.take();
-	if (run.options.exactCount && reached != asked) setTarget(run, reached, p);
-	std::int64_t& madeNum = run.report.audit.guarded.vertexNum; // patches may be among these
+	std::int64_t& madeNum = figures.vertexNum; // patches may be among these
 	madeNum = std::min(madeNum + replacement.madeNum(), std::int64_t(result.mesh.vertexNum));
-	tellReached(run, asked, reached);
+	return {reached, false};
 }
 
 /// What is done about the pairs of a result.
 class Repair {
 public:
-	Repair(RunContext& run, Prepared& p, ResultMesh& result, const InputContacts& ofInput) :
-			run_(run), p_(p), result_(result), ofInput_(ofInput)
+	Repair(const MakingOfVertices& making, const InputContacts& ofInput, ResultMesh& result,
+		   GuardedFigures& figures, Workers& workers) :
+			making_(making),
+			ofInput_(ofInput), result_(result), figures_(figures), workers_(workers)
 	{
 	}
 
 	/// Only what is near the pairs, then whole components.
-	void run(std::vector<FacePair> pairs)
+	ContactOutcome run(std::vector<FacePair> pairs)
 	{
 		refill(pairs);
 		pairs = pairsOf(result_.mesh);
-		if (!pairs.empty()) {
-			const bool inputHasContacts =
-				!findTouchingPairs(p_.surface.mesh, run_.workers, Seams::Apart).empty();
-			replaceComponents(run_, poorFaces(p_.surface, result_, pairs, run_.workers),
-							  inputHasContacts, p_, result_);
-		}
+		if (pairs.empty()) return {result_.mesh.vertexNum};
+		const Surface& surface = making_.surface;
+		const bool     inputHasContacts =
+			!findTouchingPairs(surface.mesh, workers_, Seams::Apart).empty();
+		return replaceComponents(making_, poorFaces(surface, result_, pairs, workers_),
+								 inputHasContacts, result_, figures_, workers_);
 	}
 
 private:
-	RunContext&          run_;
-	Prepared&            p_;
-	ResultMesh&          result_;
-	const InputContacts& ofInput_;
+	const MakingOfVertices& making_;
+	const InputContacts&    ofInput_;
+	ResultMesh&             result_;
+	GuardedFigures&         figures_;
+	Workers&                workers_;
 
 	/// Without the input's own.
 	std::vector<FacePair> pairsOf(const HalfEdgeMesh& m) const
 	{
-		return ofInput_.withoutInputs(m, findTouchingPairs(m, run_.workers));
+		return ofInput_.withoutInputs(m, findTouchingPairs(m, workers_));
 	}
 
 	static std::ptrdiff_t numOf(const std::vector<char>& marked)
@@ -357,7 +314,7 @@ private:
 		std::size_t           fewest = pairs.size();
 		std::optional<Filled> best;
 		for (int round = 0; round < refillRounds && fewest > 0; ++round) {
-			PatchFilling filling(run_, p_, result_);
+			PatchFilling filling(making_, result_, workers_);
 			if (!filling.fill(marked) || areMost(marked)) break;
 			if (!filling.isSound()) {
 				widenMarks(result_.mesh, 1, marked);
@@ -375,31 +332,30 @@ private:
 		if (!best) return;
 		result_.mesh   = std::move(best->mesh);
 		result_.vertex = std::move(best->vertex);
-		run_.report.audit.guarded.vertexNum += best->madeNum;
+		figures_.vertexNum += best->madeNum;
 	}
 };
 
 } // namespace
 
-void removeContacts(RunContext& run, Prepared& p, KnownContacts& contacts, ResultMesh& result)
+ContactOutcome removeContacts(const MakingOfVertices& making, KnownContacts& contacts,
+							  ResultMesh& result, GuardedFigures& figures, Workers& workers)
 {
-	if (!isGuarded(run.options)) return;
-	run.clock.enter(Stage::Contacts);
-	GuardedFigures&             figures = run.report.audit.guarded;
-	const std::vector<FacePair> pairs   = contacts.find(result.mesh, run.workers);
-	figures.isTested                    = true;
+	const std::vector<FacePair> pairs = contacts.find(result.mesh, workers);
+	ContactOutcome              outcome{result.mesh.vertexNum};
+	figures.isTested     = true;
 	figures.foundPairNum = figures.pairNum = std::int64_t(pairs.size());
-	if (pairs.empty()) return;
-	const InputContacts ofInput(p.surface.mesh, result.mesh, pairs, nearInputs * result.idealEdge,
-								run.workers);
+	if (pairs.empty()) return outcome;
+	const InputContacts ofInput(making.surface.mesh, result.mesh, pairs,
+								nearInputs * result.idealEdge, workers);
 	figures.inputPairNum               = ofInput.pairNum();
 	const std::vector<FacePair> others = ofInput.withoutInputs(result.mesh, pairs);
-	if (others.empty()) return;
-	Repair(run, p, result, ofInput).run(others);
-	if (figures.vertexNum == 0) return;
-	run.report.largestFitDistance = double(farthestFromSurface(result)) / p.surface.frame.scale;
-	figures.pairNum               = std::int64_t(contacts.find(result.mesh, run.workers).size());
-	tellMade(run, result);
+	if (others.empty()) return outcome;
+	outcome = Repair(making, ofInput, result, figures, workers).run(others);
+	if (outcome.isRefused || figures.vertexNum == 0) return outcome;
+	outcome.hasMade = true;
+	figures.pairNum = std::int64_t(contacts.find(result.mesh, workers).size());
+	return outcome;
 }
 
 } // namespace gpr

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_filling.h"
 
-#include <vcg_extras/core/guard/guarded_relaxation.h>
-#include <vcg_extras/core/guard/made_vertex.h>
-#include <vcg_extras/core/output/audit.h>
+#include "guarded_relaxation.h"
+#include "made_vertex.h"
+
+#include <vcg_extras/core/mesh/measure.h>
 
 #include <utility>
 
@@ -21,22 +22,23 @@ constexpr double patchLengthWeight = 0.3;
 
 bool PatchFilling::fill(std::vector<char>& marked)
 {
-	if (!refillPatches(p_.surface, result_, p_.kept, marked, run_.workers, refilled_)) return false;
+	if (!refillPatches(making_.surface, result_, making_.kept, marked, workers_, refilled_))
+		return false;
 	GuardedMesh&    guarded = *refilled_.guarded;
 	GuardedSettings settings;
 	settings.targetNum        = result_.mesh.vertexNum;
 	settings.keepsBorder      = result_.keepsBorder;
 	settings.idealEdge        = double(result_.idealEdge);
 	settings.lengthWeight     = patchLengthWeight;
-	settings.mayLeaveVertices = mayLeaveSurface(run_.options);
+	settings.mayLeaveVertices = making_.mayLeaveSurface;
 	// What is enclosed by few cells of the border goes to them, so that a small patch may be left
 	// with fewer vertices than it had.
 	if (guarded.mesh.vertexNum < settings.targetNum ||
-		!decimateGuarded(settings, guarded, run_.workers))
+		!decimateGuarded(settings, guarded, workers_))
 		return true;
 	freeAround();
-	relaxGuarded(settings.idealEdge, mayLeaveSurface(run_.options), guarded, run_.workers);
-	isSound_ = zeroAreaFaceNum(guarded.mesh, run_.workers) == 0;
+	relaxGuarded(settings.idealEdge, making_.mayLeaveSurface, guarded, workers_);
+	isSound_ = zeroAreaFaceNum(guarded.mesh, workers_) == 0;
 	return true;
 }
 
@@ -105,12 +107,12 @@ ResultVertex PatchFilling::recordOf(int v) const
 	if (old < 0) {
 		const int anchor = refilled_.guarded->anchor[std::size_t(v)];
 		const int near   = refilled_.inputVertex[std::size_t(anchor)];
-		return madeVertex(p_.surface, near, *refilled_.guarded, v);
+		return madeVertex(making_.surface, near, *refilled_.guarded, v);
 	}
 	const ResultVertex& before = result_.vertex[std::size_t(old)];
 	if (mesh().position[v] == result_.mesh.position[old]) return before;
-	const int    near  = p_.surface.mesh.origin[3 * before.point.face];
-	ResultVertex moved = madeVertex(p_.surface, near, *refilled_.guarded, v);
+	const int    near  = making_.surface.mesh.origin[3 * before.point.face];
+	ResultVertex moved = madeVertex(making_.surface, near, *refilled_.guarded, v);
 	moved.sample       = before.sample;
 	return moved;
 }

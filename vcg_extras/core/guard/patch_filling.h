@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_RUN_PATCH_FILLING_H
-#define VCG_EXTRAS_CORE_RUN_PATCH_FILLING_H
+#ifndef VCG_EXTRAS_CORE_GUARD_PATCH_FILLING_H
+#define VCG_EXTRAS_CORE_GUARD_PATCH_FILLING_H
 
-#include "prepared.h"
+#include "patch_refill.h"
 
-#include <vcg_extras/core/base/run_context.h>
-#include <vcg_extras/core/guard/patch_refill.h>
+#include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
@@ -15,11 +14,14 @@
 
 namespace gpr {
 
-/// Whether vertices made by guarded collapses may lie off the input.
-inline bool mayLeaveSurface(const RemeshOptions& options)
-{
-	return options.fit != Fit::Off;
-}
+/// The surface, and what is to hold for vertices that are made from it by guarded collapses.
+struct MakingOfVertices {
+	const Surface&          surface;
+	const std::vector<int>& kept;                    ///< vertices of the surface that stay
+	bool                    mayLeaveSurface = true;  ///< they may lie off the surface
+	double                  adapt           = 0;     ///< how much sizes follow the error
+	bool                    mayEndAbove     = false; ///< more vertices than before may be left
+};
 
 /// A result with patches made anew.
 struct Filled {
@@ -30,15 +32,15 @@ struct Filled {
 
 /// Patches of a result, made anew: the input's triangles take their place (refillPatches), and
 /// their edges are collapsed under a guard until the result has as many vertices as before
-/// (guard/guarded_decimation.h). Then flips and slides make the triangles in and around the
+/// (guarded_decimation.h). Then flips and slides make the triangles in and around the
 /// patches more regular. The result must stay where it is.
 class PatchFilling {
 public:
 	/// Rings of faces that patches have around faces that touch others.
 	static constexpr int ringsAround = 2;
 
-	PatchFilling(RunContext& run, const Prepared& p, const ResultMesh& result) :
-			run_(run), p_(p), result_(result)
+	PatchFilling(const MakingOfVertices& making, const ResultMesh& result, Workers& workers) :
+			making_(making), result_(result), workers_(workers)
 	{
 	}
 
@@ -58,11 +60,11 @@ public:
 	Filled take();
 
 private:
-	RunContext&       run_;
-	const Prepared&   p_;
-	const ResultMesh& result_;
-	RefilledMesh      refilled_;
-	bool              isSound_ = false;
+	const MakingOfVertices& making_;
+	const ResultMesh&       result_;
+	Workers&                workers_;
+	RefilledMesh            refilled_;
+	bool                    isSound_ = false;
 
 	int          oldVertex(int v) const;
 	void         freeAround();

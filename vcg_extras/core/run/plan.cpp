@@ -1,0 +1,571 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plan.h"
+
+#include <vcg_extras/core/sampling/target.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// Beyond so many vertices a few more do not change whether every triangle has an area. Counts up
+/// to this one are tried before they are named in a refusal.
+constexpr std::int64_t fewVertices = 64;
+/// Each is a quarter more than the one before, so that the last is about four times the first.
+constexpr int maxSearchedCounts = 8;
+
+/// Share of the vertices that lines and borders may take before the weaker of close lines go.
+constexpr double maxOnCurves = 0.5;
+/// Corrections of the radius: with vertices to be kept the rest of the count is a small number.
+constexpr int maxCorrections = 2, maxCorrectionsWithKept = 6;
+/// Smaller triangles may touch others, and what is made anew there may be too far from the input.
+constexpr int maxRefinements = 3;
+
+/// Whether a count with which every triangle has an area is looked for.
+bool needsSearch(const MeshFacts& facts)
+{
+	return facts.hasZeroAreas && facts.vertexNum <= fewVertices;
+}
+
+std::string text(std::int64_t n)
+{
+	return std::to_string(n);
+}
+
+std::string lengthText(double length, double diagonal)
+{
+	char words[80];
+	std::snprintf(words, sizeof words, "%.4g (%.3g %% of the diagonal)", length,
+				  100 * length / diagonal);
+	return words;
+}
+
+/// What no mesh for an error came to.
+std::string missedText(const ErrorTrial& best, double goal, double diagonal)
+{
+	return "An error of at most " + lengthText(goal, diagonal) + " was not reached: with " +
+		   text(best.vertexNum) + " vertices it is proven to be at most " +
+		   lengthText(best.error, diagonal) + ".";
+}
+
+std::string metText(const ErrorTrial& best, int trialNum, double diagonal)
+{
+	return "With " + text(best.vertexNum) +
+		   " vertices no point of either mesh is farther from the other than " +
+		   lengthText(best.error, diagonal) + ". This is proven. It took " + text(trialNum) +
+		   (trialNum == 1 ? " trial." : " trials.");
+}
+
+/// Fewer vertices among those that meet the goal, else the smaller error.
+bool isBetter(const ErrorTrial& a, const ErrorTrial& b, double largest)
+{
+	const bool meetsA = a.error <= largest, meetsB = b.error <= largest;
+	if (meetsA != meetsB) return meetsA;
+	return meetsA ? a.vertexNum < b.vertexNum : a.error < b.error;
+}
+
+} // namespace
+
+Plan::Plan(const Request& request) : request_(request)
+{
+	if (request.goal) search_.emplace(*request.goal);
+	beginRun(request.purpose, request.goal ? request.goal->start : request.sampleNum);
+}
+
+WorkShare Plan::share() const
+{
+	switch (decisions_.purpose) {
+	case Purpose::Forecast:
+		return {0, 0};
+	case Purpose::Trial: {
+		const double length = 1.0 / search_->goal().maxTrials, from = trialNum_ * length;
+		return {from, from + length};
+	}
+	case Purpose::CountToBeHad:
+		return {1, 1};
+	default:
+		return {0, 1};
+	}
+}
+
+// ---- The order of the steps.
+
+bool Plan::has(Step step) const
+{
+	const Purpose purpose = decisions_.purpose;
+	switch (step) {
+	case Step::Region:
+		return purpose != Purpose::OfGivenSamples;
+	case Step::Input:
+	case Step::Surface:
+	case Step::Sizes:
+	case Step::Export:
+		return true;
+	case Step::Forecast:
+		return purpose == Purpose::Forecast;
+	case Step::Lines:
+	case Step::GivenLines:
+	case Step::Samples:
+		return purpose != Purpose::OfGivenSamples;
+	case Step::GivenSamples:
+		return purpose == Purpose::OfGivenSamples;
+	case Step::Triangles:
+	case Step::Check:
+		return purpose != Purpose::SamplesOnly;
+	case Step::Refinement:
+		return purpose == Purpose::Trial && attempts_.refinementNum < maxRefinements;
+	case Step::Error:
+		return purpose == Purpose::Trial;
+	case Step::Release:
+		return false; // only where lines turn out to be crowded
+	default:
+		return purpose != Purpose::SamplesOnly && purpose != Purpose::OfGivenSamples;
+	}
+}
+
+void Plan::goOn()
+{
+	beginsRun_ = false;
+	do
+		step_ = Step(int(step_) + 1);
+	while (step_ != Step::Done && !has(step_));
+}
+
+void Plan::returnTo(Step from)
+{
+	++returnNum_;
+	step_ = from;
+}
+
+void Plan::beginRun(Purpose purpose, std::int64_t vertexNum)
+{
+	decisions_              = Decisions();
+	decisions_.purpose      = purpose;
+	decisions_.vertexNum    = vertexNum;
+	decisions_.mayEndAbove  = mayDiffer();
+	attempts_               = Attempts();
+	attempts_.isCountChosen = vertexNum > 0;
+	trial_                  = ErrorTrial();
+	step_                   = Step::Region;
+	if (!has(step_)) goOn();
+	beginsRun_ = true;
+}
+
+/// Whether another count may be taken where the one asked for cannot be had.
+bool Plan::isWish() const
+{
+	const bool isByCount = request_.options.targetMode == TargetMode::VertexNum ||
+						   decisions_.purpose == Purpose::CountToBeHad;
+	return request_.options.allowNearest || !isByCount;
+}
+
+/// Whether the number of vertices may differ from what was asked for.
+bool Plan::mayDiffer() const
+{
+	return isWish() || !request_.options.exactCount;
+}
+
+// ---- The surface and its samples.
+
+void Plan::resolveCount(const InputFacts& facts)
+{
+	if (attempts_.isCountChosen) return;
+	decisions_.vertexNum =
+		resolveTarget(request_.callersVertexNum, request_.options, facts.area, facts.scale);
+}
+
+std::string Plan::judge(const InputFacts& facts)
+{
+	resolveCount(facts);
+	goOn();
+	return "";
+}
+
+std::string Plan::judge(const SurfaceFacts& facts)
+{
+	if (facts.mustSewFirst) {
+		decisions_.sewing = Sewing::First;
+		returnTo(Step::Input);
+		return "";
+	}
+	resolveCount(facts.input);
+	attempts_.preparedFor = decisions_.spacedFor();
+	goOn();
+	return "";
+}
+
+std::string Plan::judge(const SizeFacts& facts)
+{
+	const bool isFirst = attempts_.keptNum < 0;
+	attempts_.keptNum  = facts.keptNum;
+	goOn();
+	if (!isFirst) return "";
+	attempts_.asked = decisions_.vertexNum;
+	return facts.keptNum > attempts_.asked && decisions_.purpose != Purpose::OfGivenSamples
+			   ? makeRoom()
+			   : "";
+}
+
+/// Where the target is a wish, a border whose vertices are to be kept raises it to what these need
+/// with some others between them.
+std::string Plan::makeRoom()
+{
+	const bool keepsBorder = request_.options.boundary == BoundaryMode::Keep;
+	const bool mayRaise    = keepsBorder && isWish() && decisions_.purpose != Purpose::SamplesOnly;
+	if (!mayRaise || !mayReturn()) {
+		throw Failure(Status::BadOptions,
+					  std::string("The ") + (keepsBorder ? "border has " : "feature region has ") +
+						  text(attempts_.keptNum) + " vertices to be kept, more than the " +
+						  text(attempts_.asked) + " of the result; ask for more vertices" +
+						  (keepsBorder ? "" : ", or have the region sampled by disks") + ".");
+	}
+	const std::int64_t raised = attempts_.keptNum + attempts_.keptNum / 2 + attempts_.asked;
+	const std::string  note   = "The border has " + text(attempts_.keptNum) +
+							 " vertices to be kept, so that " + text(raised) +
+							 " vertices were aimed at instead of " + text(attempts_.asked) + ".";
+	attempts_.isCountChosen = true;
+	decisions_.vertexNum = attempts_.asked = raised;
+	returnTo(Step::Input);
+	return note;
+}
+
+std::string Plan::judge(const ForecastFacts& facts)
+{
+	ErrorGoal goal = *request_.goal;
+	goal.start     = facts.vertexNum;
+	search_.emplace(goal);
+	beginRun(Purpose::Trial, search_->first());
+	return "";
+}
+
+std::string Plan::judge(const LineFacts& facts)
+{
+	const bool areTooMany = decisions_.lineLimit == 0 ? facts.share > maxOnCurves : facts.share > 1;
+	if (areTooMany && mayReturn()) {
+		++decisions_.lineLimit;
+		returnTo(Step::Lines);
+	}
+	else {
+		goOn();
+	}
+	return "";
+}
+
+/// Feature lines leave gaps between them and the front, all the more the nearer they are to each
+/// other; so the radius is lowered by what the first go missed. Vertices to be kept are a fixed
+/// number of the samples, however near to each other: the others get what they leave.
+float Plan::correctedRadius(const SampleFacts& facts) const
+{
+	constexpr float aim = 0.985f; // of the wanted number
+	// A few samples too many are soon merged and not worth another sampling.
+	constexpr float fewest = 0.98f, most = 1.035f;
+	constexpr float maxFixed = 0.7f;
+	const float     kept     = float(attempts_.keptNum);
+	const float     target   = float(decisions_.spacedFor());
+	const float     wanted   = aim * target - kept;
+	const float     share    = (float(facts.num) - kept) / wanted;
+	if (!(wanted > 0) || (share >= fewest && share <= most)) return facts.radius;
+	if (float(facts.onCurveNum) - kept > maxFixed * (target - kept)) return facts.radius;
+	if (attempts_.keptNum == 0) return facts.radius * std::sqrt(share);
+	// Edges are cut for this radius; much smaller disks would own no vertices.
+	constexpr float minRadius = 0.8f, minShare = 0.25f, maxShare = 4;
+	return std::max(minRadius * facts.usual,
+					facts.radius * std::sqrt(std::clamp(share, minShare, maxShare)));
+}
+
+std::string Plan::judge(const SampleFacts& facts)
+{
+	const int   most      = attempts_.keptNum == 0 ? maxCorrections : maxCorrectionsWithKept;
+	const float corrected = correctedRadius(facts);
+	const bool  mayCorrect =
+		facts.mayMiss && attempts_.correctionNum < most && mayReturn() && corrected != facts.radius;
+	if (mayCorrect) {
+		++attempts_.correctionNum;
+		decisions_.radius = corrected;
+		returnTo(Step::Samples);
+	}
+	else {
+		goOn();
+	}
+	return "";
+}
+
+// ---- The mesh and its count: the numbered rules of the table.
+
+/// The next attempt begins: with the surface at hand where that fits.
+std::string Plan::tryAgain(std::string note)
+{
+	attempts_.isCountChosen = true;
+	attempts_.correctionNum = 0;
+	decisions_.radius.reset();
+	returnTo(decisions_.spacedFor() == attempts_.preparedFor ? Step::Lines : Step::Input);
+	return note;
+}
+
+std::string Plan::accept(std::int64_t vertexNum, std::string note)
+{
+	if (request_.options.exactCount) decisions_.vertexNum = vertexNum;
+	goOn();
+	return note;
+}
+
+void Plan::refuse(const std::string& why, std::int64_t smallest) const
+{
+	throw Failure(Status::CountTooSmall, why, smallest);
+}
+
+void Plan::refuseBelow(std::int64_t smallest) const
+{
+	refuse("The surface cannot be meshed with " + text(attempts_.asked) +
+			   " vertices; the smallest possible number is " + text(smallest) + ".",
+		   smallest);
+}
+
+std::string Plan::withoutFeatureLines(const std::string& fault)
+{
+	decisions_.way = Way::WithoutFeatureLines;
+	return tryAgain(fault + ", so that there are none.");
+}
+
+std::string Plan::withRaggedBorder()
+{
+	decisions_.way               = Way::WithoutFeatureLines;
+	decisions_.keepsRaggedBorder = true;
+	return tryAgain(
+		"With a smooth border some triangles would have no area, so that it is not made "
+		"smooth.");
+}
+
+std::string Plan::withOpenSeams()
+{
+	decisions_.way        = Way::WithoutFeatureLines;
+	decisions_.sewing     = Sewing::Never;
+	attempts_.preparedFor = 0; // with seams sewn
+	return tryAgain("With seams sewn some triangles would have no area, so that seams are left "
+					"open.");
+}
+
+/// Vertices to be kept leave no other way to the count.
+std::string Plan::nearestWithKept(std::int64_t reached)
+{
+	if (isWish()) {
+		return accept(reached, "The result has " + text(reached) + " vertices instead of " +
+								   text(attempts_.asked) +
+								   ", with those to be kept the nearest that could be reached.");
+	}
+	refuse("The surface cannot be meshed with " + text(attempts_.asked) +
+			   " vertices that include the " + text(attempts_.keptNum) + " to be kept, but with " +
+			   text(reached) + ".",
+		   reached);
+}
+
+std::string Plan::byTopology()
+{
+	decisions_.way = Way::ByTopology;
+	return tryAgain("");
+}
+
+std::string Plan::raiseTo(std::int64_t smallest)
+{
+	const std::string note = "The result has " + text(smallest) + " vertices instead of " +
+							 text(attempts_.asked) + ", the smallest number that could be reached.";
+	attempts_.isRaised   = true;
+	decisions_.way       = Way::WithoutFeatureLines;
+	decisions_.vertexNum = attempts_.asked = smallest;
+	attempts_.searchedFrom = attempts_.searchedNum = 0;
+	return tryAgain(note);
+}
+
+std::string Plan::search(std::int64_t vertexNum)
+{
+	++attempts_.searchedNum;
+	decisions_.way       = Way::WithoutFeatureLines;
+	decisions_.vertexNum = vertexNum;
+	return tryAgain("");
+}
+
+std::string Plan::endSearchAt(std::int64_t found)
+{
+	if (found == attempts_.asked) return accept(found, "");
+	if (mayDiffer()) {
+		return accept(found, "The result has " + text(found) + " vertices instead of " +
+								 text(attempts_.asked) +
+								 ", with which some triangles would have no area.");
+	}
+	refuse("With " + text(attempts_.asked) + " vertices some triangles would have no area; with " +
+			   text(found) + " none has.",
+		   found);
+}
+
+/// After the last count the first one is taken after all, unless even that is not what was asked
+/// for.
+std::string Plan::goOnSearching()
+{
+	const bool isOver   = attempts_.searchedNum == maxSearchedCounts;
+	const bool isAnswer = mayDiffer() || attempts_.searchedFrom == attempts_.asked;
+	if (isOver && !isAnswer) refuseBelow(attempts_.searchedFrom);
+	const std::int64_t last = decisions_.vertexNum;
+	return search(isOver ? attempts_.searchedFrom : last + std::max<std::int64_t>(1, last / 4));
+}
+
+std::string Plan::judgeAreas(const MeshFacts& facts)
+{
+	if (attempts_.searchedNum == 0) {
+		if (!needsSearch(facts) || !mayReturn()) return accept(facts.vertexNum, "");
+		attempts_.searchedFrom = facts.vertexNum;
+		return search(facts.vertexNum);
+	}
+	if (attempts_.searchedNum > maxSearchedCounts) return accept(facts.vertexNum, "");
+	if (!facts.hasZeroAreas) return endSearchAt(facts.vertexNum);
+	return mayReturn() ? goOnSearching() : accept(facts.vertexNum, "");
+}
+
+/// Topology has the last word on the count: the one that it comes to is the smallest.
+std::string Plan::judgeSmallest(const MeshFacts& facts)
+{
+	if (attempts_.isRaised || attempts_.searchedNum > 0) return judgeAreas(facts);
+	if (isWish() && mayReturn()) return raiseTo(facts.vertexNum);
+	if (!needsSearch(facts) || !mayReturn()) refuseBelow(facts.vertexNum);
+	attempts_.searchedFrom = facts.vertexNum;
+	return search(facts.vertexNum);
+}
+
+std::string Plan::judge(const MeshFacts& facts)
+{
+	const bool misses = request_.options.exactCount && facts.vertexNum != decisions_.vertexNum;
+	if (mayReturn()) {
+		if (facts.hasFeatureLines && misses) {
+			return withoutFeatureLines(
+				"The number of vertices could not be reached with feature lines");
+		}
+		if (facts.hasFeatureLines && facts.hasZeroAreas)
+			return withoutFeatureLines("With feature lines some triangles would have no area");
+		if (facts.hasSmoothBorder && facts.hasZeroAreas) return withRaggedBorder();
+		if (facts.isSewn && facts.hasZeroAreas) return withOpenSeams();
+	}
+	if (attempts_.keptNum > 0)
+		return misses ? nearestWithKept(facts.vertexNum) : accept(facts.vertexNum, "");
+	if (!misses) return judgeAreas(facts);
+	if (decisions_.way != Way::ByTopology && mayReturn()) return byTopology();
+	return judgeSmallest(facts);
+}
+
+// ---- From the mesh to the result.
+
+std::string Plan::judge(const FitFacts& facts)
+{
+	if (facts.areLinesCrowded && mayReturn())
+		returnTo(Step::Release);
+	else
+		goOn();
+	return "";
+}
+
+std::string Plan::judge(const ContactFacts& facts)
+{
+	if (facts.isRefused) {
+		refuse("With " + text(facts.before) +
+				   " vertices the surface would intersect itself. The smallest number of vertices "
+				   "that was reached without self-intersections is " +
+				   text(facts.vertexNum) + ".",
+			   facts.vertexNum);
+	}
+	goOn();
+	if (facts.vertexNum == facts.before) return "";
+	if (request_.options.exactCount) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
+	return "The result has " + text(facts.vertexNum) + " vertices instead of " +
+		   text(facts.before) +
+		   ". This is the smallest number that was reached without self-intersections.";
+}
+
+std::string Plan::judge(const RefinementFacts& facts)
+{
+	decisions_.addedNum += facts.addedNum;
+	++attempts_.refinementNum;
+	if (facts.addedNum > 0 && mayReturn())
+		returnTo(Step::Contacts);
+	else
+		goOn();
+	return "";
+}
+
+// ---- Several meshes for one result.
+
+std::string Plan::judge(const ErrorFacts& facts)
+{
+	trial_.error  = facts.error;
+	trial_.share  = facts.share;
+	trial_.growth = facts.growth;
+	goOn();
+	return "";
+}
+
+std::string Plan::judge(const ExportFacts& facts)
+{
+	goOn();
+	isBest_ = true;
+	if (decisions_.purpose == Purpose::CountToBeHad) throw refusalAtLast();
+	if (decisions_.purpose != Purpose::Trial) return "";
+	trial_.vertexNum = facts.vertexNum;
+	trial_.addedNum  = decisions_.addedNum;
+	++trialNum_;
+	const double goal = search_->goal().largest;
+	isBest_           = trialNum_ == 1 || isBetter(trial_, best_, goal);
+	if (isBest_) best_ = trial_;
+	const std::int64_t next = search_->after(decisions_.vertexNum, trial_);
+	if (next > 0 && mayReturn()) {
+		++returnNum_;
+		beginRun(Purpose::Trial, next);
+	}
+	return "";
+}
+
+std::string Plan::outcomeForError() const
+{
+	const double goal = search_->goal().largest;
+	if (search_->found() > 0) return metText(best_, trialNum_, request_.diagonal);
+	const std::string missed = missedText(best_, goal, request_.diagonal);
+	if (!request_.options.allowNearest) throw Failure(Status::BadOptions, missed);
+	return missed;
+}
+
+/// What topology allows may still not be free of self-intersections: the count that a refusal names
+/// shall be one that can be had.
+void Plan::judge(const Failure& failure)
+{
+	const bool isSmall = failure.status == Status::CountTooSmall && request_.options.guard;
+	if (decisions_.purpose == Purpose::Answer && isSmall) {
+		refusal_     = failure;
+		refusedNum_  = decisions_.wholeNum();
+		smallestNum_ = failure.smallestVertexNum;
+	}
+	else if (decisions_.purpose != Purpose::CountToBeHad) {
+		throw failure;
+	}
+	else {
+		const bool isHigher = isSmall && failure.smallestVertexNum > smallestNum_;
+		if (!isHigher) throw refusalAtLast();
+		smallestNum_ = failure.smallestVertexNum;
+	}
+	if (smallestNum_ <= 0 || smallestNum_ > fewVertices || !mayReturn()) throw refusalAtLast();
+	++returnNum_;
+	beginRun(Purpose::CountToBeHad, smallestNum_);
+}
+
+Failure Plan::refusalAtLast() const
+{
+	if (smallestNum_ == refusal_->smallestVertexNum) return *refusal_;
+	return {refusal_->status,
+			"The surface cannot be meshed with " + text(refusedNum_) +
+				" vertices; the smallest possible number without self-intersections that was found "
+				"is " +
+				text(smallestNum_) + ".",
+			smallestNum_};
+}
+
+} // namespace gpr

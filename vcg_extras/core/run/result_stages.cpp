@@ -1,0 +1,328 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "result_stages.h"
+
+#include "sample_stages.h"
+
+#include <vcg_extras/core/base/pages.h>
+#include <vcg_extras/core/base/portable_math.h>
+#include <vcg_extras/core/guard/contact_removal.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/optimization/face_repair.h>
+#include <vcg_extras/core/optimization/line_release.h>
+#include <vcg_extras/core/optimization/relaxation.h>
+#include <vcg_extras/core/optimization/valence_glide.h>
+#include <vcg_extras/core/output/export.h>
+#include <vcg_extras/core/surface/sampled_distance.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// Angles below this are raised at the end.
+constexpr float poorAngleDeg = 32;
+/// Where all sizes follow the error closeness comes first: what is left of the weight of the
+/// triangles' shape in the fit, and the angles that the fit and the last pass hold.
+constexpr double adaptedShapeWeight = 0.5;
+constexpr float  adaptedAngleDeg    = 30;
+/// Rounds of the fit, and of the quick one; a fourth takes 1 to 3 % off the error where sizes are
+/// nearly the same everywhere, and as much again where they follow it.
+constexpr int fitRounds        = 3;
+constexpr int adaptedFitRounds = 4;
+constexpr int quickFitRounds   = 2;
+/// Rounds of lowering the largest distances where they matter; one of them takes a fifth off.
+constexpr int manyWorstRounds = 4;
+
+/// Where lines were released, no point of a face gets farther than this from the surface while
+/// angles are raised, in ideal edges, or than the largest distance that the fit left.
+constexpr float maxReleasedGap = 0.3f;
+/// A mesh without these lines may be so much farther from the input than the one before the fit, or
+/// so far, in ideal edges: nobody sees that.
+constexpr double mostFarther = 1.02;
+constexpr double nearMean = 0.015, nearMost = 0.3;
+
+float minAngleDeg(const RemeshOptions& options)
+{
+	return poorAngleDeg + float(options.adapt) * (adaptedAngleDeg - poorAngleDeg);
+}
+
+// ---- Relaxation.
+
+/// The paper's post-processing: umbrella and flips in turn, or flips alone.
+void smoothAsWritten(RunContext& run, Products& made)
+{
+	if (run.options.smoothing != Smoothing::Umbrella2) return;
+	for (int step = 0; step < run.options.relaxIterations; ++step) {
+		smoothByUmbrella2(made.surface, made.result, run.workers);
+		flipEdges(run, made.result);
+	}
+}
+
+void relaxPlainly(RunContext& run, Products& made)
+{
+	for (int step = 0; step < run.options.relaxIterations; ++step) {
+		relaxOnce(made.surface, made.result, run.workers);
+		slideAlongCreases(made.surface, made.curves, made.result);
+		flipEdges(run, made.result);
+	}
+	if (!raiseAnglesOnSurface(made.surface, made.curves, poorAngleDeg, made.result, run.workers))
+		run.tellCap("changes for small angles");
+}
+
+/// Chains of flips shear triangles; a relaxation before each round gives them room.
+void makeRegular(RunContext& run, Products& made)
+{
+	constexpr int rounds = 2; // one leaves a worse smallest angle, four gain nothing
+	for (int round = 0; round < rounds; ++round) {
+		relaxOnce(made.surface, made.result, run.workers);
+		slideAlongCreases(made.surface, made.curves, made.result);
+		glideDislocations(made.result, run.workers);
+	}
+	ConformalSteps steps = conformalSteps(2 * run.options.relaxIterations);
+	steps.flipPasses     = run.options.flipIterations;
+	relaxConformally(made.surface, made.curves, steps, made.result, run.workers);
+}
+
+void relax(RunContext& run, Products& made)
+{
+	if (run.options.smoothing != Smoothing::Barycentric)
+		smoothAsWritten(run, made);
+	else if (run.options.relaxIterations == 0)
+		return;
+	else if (run.options.regularity == Regularity::Full)
+		makeRegular(run, made);
+	else
+		relaxPlainly(run, made);
+}
+
+// ---- Fit and angles.
+
+/// What regularity asks for to the last; the paper's post-processing stays as it is written.
+bool repairsPoorFaces(const RemeshOptions& options)
+{
+	return options.smoothing == Smoothing::Barycentric && options.relaxIterations > 0 &&
+		   options.regularity == Regularity::Full;
+}
+
+/// Lines that the caller gave stay: textures and selections hang on them. Without a fit nothing
+/// would draw what is released to the sharp edge again.
+bool mayReleaseLines(const RunContext& run)
+{
+	return repairsPoorFaces(run.options) && run.options.fit != Fit::Off &&
+		   run.input.line == nullptr;
+}
+
+bool areLinesCrowded(RunContext& run, const ResultMesh& result)
+{
+	return areLinesCrowded(minAngleDeg(run.options), result, run.workers);
+}
+
+/// How far the input and a mesh are from each other, in ideal edges.
+struct Distance {
+	double rms     = 0;
+	double largest = 0; ///< no point is farther: proven
+};
+
+Distance distanceFromInput(RunContext& run, const WorkingSurface& surface, const ResultMesh& result)
+{
+	const double           unit = 1 / double(result.idealEdge);
+	const ComparedSurfaces both(surface, result, run.workers);
+	const SampledDistance  sampled =
+		sampledDistance({surface.mesh, both.input}, {result.mesh, both.result}, run.workers);
+	const double diagonal = surface.figures.diagonal * surface.frame.scale;
+	return {sampled.mutual.larger().rms * unit,
+			boundsOf(diagonal, both, run.workers).hausdorff().upper * unit};
+}
+
+/// Whether a mesh whose lines were released is farther from the input than it was before the fit,
+/// on the mean or at most, and farther than is near enough.
+bool hasLostSurface(RunContext& run, const WorkingSurface& surface, const ResultMesh& released,
+					const ResultMesh& start)
+{
+	const Distance of = distanceFromInput(run, surface, released);
+	if (of.rms <= nearMean && of.largest <= nearMost) return false;
+	const Distance before = distanceFromInput(run, surface, start);
+	return of.rms > std::max(nearMean, mostFarther * before.rms) ||
+		   of.largest > std::max(nearMost, mostFarther * before.largest);
+}
+
+/// What the fit leaves for the repair of poor faces.
+struct Fitted {
+	std::unique_ptr<ClosestFaceMap> map;            ///< of the last round, if there was one
+	float                           largestGap = 0; ///< see FitOutcome
+};
+
+Fitted fit(RunContext& run, const Decisions& decisions, Products& made)
+{
+	if (run.options.fit == Fit::Off) return {};
+	run.clock.enter(Stage::Fit);
+	returnReleasedMemory(); // this stage sets the peak
+	const FitSettings settings = fitSettings(run.options, decisions.purpose == Purpose::Trial);
+	FitOutcome outcome = fitToInput(made.surface, made.curves, settings, made.result, run.workers);
+	if (outcome.capped) run.tellCap("moves of the fit");
+	made.fitDistance = outcome.farthest;
+	made.contacts    = std::move(outcome.contacts);
+	return {std::move(outcome.map), outcome.largestGap};
+}
+
+/// How far faces may get from the surface while angles are raised; 0: not limited.
+float maxGapAfter(const Products& made, float largestGap)
+{
+	if (made.releasedNum == 0) return 0;
+	const float most = maxReleasedGap * made.result.idealEdge;
+	return largestGap > 0 ? std::min(most, largestGap) : most;
+}
+
+void fitAndRepair(RunContext& run, const Decisions& decisions, Products& made)
+{
+	made.contacts = KnownContacts();
+	Fitted fitted = fit(run, decisions, made);
+	if (!repairsPoorFaces(run.options)) return;
+	run.clock.enter(Stage::Angles);
+	returnReleasedMemory();
+	PoorFaces poor;
+	poor.angleDeg   = minAngleDeg(run.options);
+	poor.targetNum  = run.options.exactCount ? decisions.vertexNum : 0;
+	poor.largestGap = fitted.largestGap;
+	poor.maxGap     = maxGapAfter(made, fitted.largestGap);
+	if (!repairPoorFaces(made.surface, made.curves, poor, fitted.map, made.result, run.workers))
+		run.tellCap("changes for small angles");
+	// Vertices have come and gone.
+	if (run.options.fit != Fit::Off) made.fitDistance = farthestFromSurface(made.result);
+}
+
+// ---- The border.
+
+/// What part of `before` is gone.
+double shareLost(double before, double after)
+{
+	return before > 0 ? std::max(0.0, 1 - after / before) : 0;
+}
+
+std::string sentenceWith(const char* format, double number)
+{
+	char sentence[160];
+	std::snprintf(sentence, sizeof sentence, format, number);
+	return sentence;
+}
+
+/// Tells how much shorter a smooth border is than that of the input.
+void tellSmoothBorder(RunContext& run, Products& made)
+{
+	constexpr double leastShare = 5e-4; // what is below is not worth a word
+	BorderFigures&   border     = made.surface.border;
+	if (!border.isSmooth) return;
+	border.resultLength  = borderLength(made.result.mesh) / made.surface.frame.scale;
+	const double shorter = shareLost(border.length, border.resultLength);
+	const double cut     = border.cutArea / border.area;
+	if (shorter < leastShare && cut < leastShare) return;
+	std::string note =
+		sentenceWith("The border is %.2g %% shorter than that of the input.", 100 * shorter);
+	if (cut >= leastShare)
+		note += sentenceWith(" Spikes narrower than an edge were cut off; they have %.2g %% of the "
+							 "area.",
+							 100 * cut);
+	run.tell(note);
+}
+
+} // namespace
+
+FitSettings fitSettings(const RemeshOptions& options, bool countsLargest)
+{
+	const bool  isQuick = options.fit == Fit::Quick;
+	FitSettings settings;
+	settings.rounds = isQuick ? quickFitRounds : options.adapt > 0.5 ? adaptedFitRounds : fitRounds;
+	settings.minAngleDeg = minAngleDeg(options);
+	settings.worstRounds = countsLargest || options.adapt > 0 ? manyWorstRounds : isQuick ? 0 : 1;
+	settings.shapeWeight *= float(portable::pow(adaptedShapeWeight, options.adapt));
+	return settings;
+}
+
+MeshFacts relaxTriangles(RunContext& run, Products& made)
+{
+	run.clock.enter(Stage::Relaxation);
+	relax(run, made);
+	if (!repairInvertedFaces(made.surface, made.curves, false, made.result, run.workers))
+		run.tellCap("changes for inverted faces");
+	return {made.result.mesh.vertexNum, made.lines.edgeNum > 0,
+			lineFaceNum(made.result.mesh, run.workers) > 0, made.result.hasSmoothBorder,
+			made.surface.isSewn()};
+}
+
+FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
+{
+	const bool mayRelease = mayReleaseLines(run) && areLinesCrowded(run, made.result);
+	if (mayRelease)
+		made.beforeFit = std::make_unique<ResultMesh>(copyResult(made.result, run.workers));
+	fitAndRepair(run, decisions, made);
+	return {mayRelease && areLinesCrowded(run, made.result)};
+}
+
+void releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
+{
+	const float   fitDistance = made.fitDistance;
+	KnownContacts contacts    = std::move(made.contacts);
+	ResultMesh    withLines   = std::move(made.result);
+	made.result               = copyResult(*made.beforeFit, run.workers);
+	made.releasedNum          = releaseLines(minAngleDeg(run.options), made.result, run.workers);
+	fitAndRepair(run, decisions, made);
+	if (hasLostSurface(run, made.surface, made.result, *made.beforeFit)) {
+		made.releasedNum = 0;
+		made.fitDistance = fitDistance;
+		made.contacts    = std::move(contacts);
+		made.result      = std::move(withLines);
+	}
+	else {
+		run.tell("Feature lines are so close to each other that they would leave acute angles; " +
+				 std::to_string(made.releasedNum) + " vertices there need not stay on them.");
+	}
+}
+
+ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made)
+{
+	made.beforeFit.reset();
+	const std::int64_t before = made.result.mesh.vertexNum;
+	if (!run.options.guard || run.options.equations != Equations::Calibrated)
+		return {before, before};
+	run.clock.enter(Stage::Contacts);
+	const MakingOfVertices making{made.surface, made.sizes.kept, run.options.fit != Fit::Off,
+								  run.options.adapt, decisions.mayEndAbove};
+	const ContactOutcome   outcome =
+		removeContacts(making, made.contacts, made.result, made.guarded, run.workers);
+	if (outcome.hasMade) made.fitDistance = farthestFromSurface(made.result);
+	return {before, outcome.vertexNum, outcome.isRefused, outcome.hasMade};
+}
+
+void tellMadeVertices(RunContext& run, const Products& made)
+{
+	run.tell(
+		"Triangles would intersect each other where the surface is thinner than they are wide, so "
+		"that " +
+		std::to_string(made.guarded.vertexNum) + " of the " +
+		std::to_string(made.result.mesh.vertexNum) +
+		" vertices were made by guarded edge collapses of the input. The triangles there are less "
+		"regular.");
+}
+
+void checkResult(RunContext& run, const Decisions& decisions, Products& made)
+{
+	const bool isOfOurs = decisions.purpose != Purpose::OfGivenSamples;
+	if (isOfOurs) tellSmoothBorder(run, made);
+	const Expected expected{made.surface.figures, isOfOurs ? decisions.wholeNum() : 0,
+							std::int64_t(made.sizes.kept.size()), made.fitDistance};
+	verifyResult(run, made.surface, made.result, expected, made.verified);
+}
+
+ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out)
+{
+	made.quality = exportResult(run, made.surface, made.result, made.verified.keptNum > 0,
+								made.verified.audit, out);
+	return {made.result.mesh.vertexNum};
+}
+
+} // namespace gpr

@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "surface_stages.h"
+
+#include "input_stages.h"
+
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/features/feature_region.h>
+#include <vcg_extras/core/features/given_lines.h>
+#include <vcg_extras/core/features/seam_edges.h>
+#include <vcg_extras/core/features/shared_borders.h>
+#include <vcg_extras/core/input/split_long_edges.h>
+#include <vcg_extras/core/input/surface_refinement.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/sampling/error_sizes.h>
+#include <vcg_extras/core/sampling/sizing.h>
+#include <vcg_extras/core/sampling/target.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+/// Connected feature lines shorter than this in all are dropped; in ideal edges.
+constexpr float minLineLength = 3;
+/// But for the rims of holes, and other clear loops, down to this.
+constexpr float minLoopLength = 1.5f;
+/// Of two feature lines nearer to each other than this the weaker is dropped; in ideal edges. The
+/// second where lines and borders take more than half of the vertices.
+constexpr float minLineGap = 0.15f, minCrowdedGap = 0.3f;
+/// Share of the vertices that lines given by the caller may take, with borders and feature lines.
+constexpr double maxOnGivenLines = 0.5;
+
+// ---- The feature region.
+
+/// The caller's own vertices on the border.
+std::vector<int> borderVertices(RunContext& run, const Surface& surface)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	Buffer<char>        onBorder(m.vertexNum);
+	for (int v = 0; v < m.vertexNum; ++v)
+		onBorder[v] = m.outgoing[v] >= 0 && m.isBorderVertex(v);
+	return callersVertices(run.input, onBorder, surface, run.workers);
+}
+
+std::vector<int> unionOf(const std::vector<int>& a, const std::vector<int>& b)
+{
+	std::vector<int> all;
+	std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+	return all;
+}
+
+/// Which of the caller's vertices make the region, null for none.
+const std::uint8_t* regionMarks(const RunContext& run, const FeatureMarks& detected)
+{
+	if (run.options.featureRegion == FeatureRegion::Selection) return run.input.selected;
+	return detected.empty() ? nullptr : detected.data();
+}
+
+void findRegionOnSurface(RunContext& run, Products& made)
+{
+	Sizes&         sizes   = made.sizes;
+	const Surface& surface = made.surface;
+	sizes.isFeatureVertex =
+		regionVertices(run.input, regionMarks(run, made.regionMarks), surface, run.workers);
+	if (run.options.featureRegion == FeatureRegion::Selection && sizes.isFeatureVertex.empty()) {
+		throw Failure(Status::BadOptions,
+					  "The selection is to be preserved, but no vertex is selected.");
+	}
+	const std::vector<int> vertices =
+		callersVertices(run.input, sizes.isFeatureVertex, surface, run.workers);
+	sizes.regionVertexNum = std::int64_t(vertices.size());
+	sizes.kept.clear();
+	if (run.options.featureSampling == FeatureSampling::Vertices) sizes.kept = vertices;
+	if (run.options.boundary == BoundaryMode::Keep)
+		sizes.kept = unionOf(sizes.kept, borderVertices(run, surface));
+}
+
+/// The region may have been chosen by what is selected: the user shall see which it is.
+void tellRegion(RunContext& run, const Sizes& sizes)
+{
+	if (sizes.regionVertexNum == 0) return;
+	const bool isSelection = run.options.featureRegion == FeatureRegion::Selection;
+	run.tell("The feature region is made of " + std::to_string(sizes.regionVertexNum) +
+			 (isSelection ? " selected" : " detected") + " vertices.");
+}
+
+// ---- Feature lines.
+
+/// The seams that tell creases from noise: not where most edges were seams, as then the pieces were
+/// single faces, and say nothing.
+std::vector<int> tellingSeams(RunContext& run, const WorkingSurface& surface)
+{
+	constexpr double   mostPerFace = 0.75; // every second edge
+	const CleanCounts& cleaned     = surface.cleaned;
+	const bool areMost = double(cleaned.sewnEdges) > mostPerFace * double(run.input.faceNum);
+	if (cleaned.sewnEdges == 0 || cleaned.weldedVertices > 0 || areMost) return {};
+	return findSeamEdges(run.input, surface, run.workers);
+}
+
+CreaseRules creaseRules(RunContext& run, const Decisions& decisions, const Products& made)
+{
+	const RemeshOptions& options = run.options;
+	const float          edge    = idealEdge(made, decisions.spacedFor());
+	CreaseRules          rules;
+	rules.mode            = followsFeatureLines(options) ? options.featureMode : FeatureMode::Off;
+	rules.strongDeg       = float(options.featureAngleDeg);
+	rules.weakDeg         = 0.5f * rules.strongDeg;
+	rules.minLength       = minLineLength * edge;
+	rules.minLoop         = minLoopLength * edge;
+	rules.minSpur         = edge;
+	rules.minGap          = (decisions.lineLimit > 0 ? minCrowdedGap : minLineGap) * edge;
+	rules.callersMeanEdge = made.surface.callersMeanEdge;
+	for (int limit = 1; limit < decisions.lineLimit; ++limit) {
+		rules.minLength *= 2;
+		rules.minLoop *= 2;
+	}
+	if (rules.mode == FeatureMode::Auto) rules.seams = tellingSeams(run, made.surface);
+	return rules;
+}
+
+/// Whether lines that were looked for before the sizes were known are those that are to be
+/// followed: longer edges, which larger sizes have, leave no more of them.
+bool areAsKnown(const CreaseRules& rules, const Lines& known)
+{
+	if (!known.areKnown) return false;
+	return known.found.edgeNum == 0
+			   ? rules.minLength >= known.rules.minLength
+			   : rules.minLength == known.rules.minLength && rules.minGap == known.rules.minGap;
+}
+
+/// Looks for lines before the sizes are known, and keeps what is found for the step Lines.
+bool hasFeatureLines(RunContext& run, const Decisions& decisions, Products& made)
+{
+	Lines lines;
+	lines.rules    = creaseRules(run, decisions, made);
+	lines.found    = markCreases(lines.rules, run.workers, made.surface);
+	lines.marks    = std::move(made.surface.mesh.crease);
+	lines.areKnown = true;
+	made.lines     = std::move(lines);
+	return made.lines.found.edgeNum > 0;
+}
+
+/// Of the wanted vertices, that borders and feature lines take.
+double shareOf(const BoundaryCurves& curves, const Decisions& decisions)
+{
+	return double(curves.samples.size()) / double(decisions.spacedFor());
+}
+
+// ---- Sizes.
+
+Sizing findSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots,
+				 Products& made)
+{
+	run.clock.enter(Stage::Sizing);
+	findRegionOnSurface(run, made);
+	RemeshOptions      options = run.options;
+	const std::int64_t num     = decisions.spacedFor();
+	if (decisions.purpose == Purpose::Forecast) options.adapt = 0; // sizes are looked for here
+	const bool  hasLines = options.adapt > 0 && hasFeatureLines(run, decisions, made);
+	const float uniform =
+		float(diskRadius(made.surface.area, double(num), radiusConstant(options)));
+	made.sizes.adapt = hasLines ? 0 : options.adapt;
+	return makeSizing({run.input, options, uniform, evenEdge(made.surface.area, num), hasLines,
+					   made.sizes.isFeatureVertex, made.sizes.kept,
+					   decisions.purpose == Purpose::Trial ? &spots : nullptr},
+					  made.surface, run.workers);
+}
+
+/// Splits what is too long for small triangles. The sizes go with the vertices.
+void splitForSizes(RunContext& run, float longest, std::int64_t vertexNum, Products& made)
+{
+	WorkingSurface&        surface   = made.surface;
+	const std::vector<int> longFaces = findLongFaces(surface, longest, run.workers);
+	if (longFaces.empty()) return;
+	run.clock.enter(Stage::SplitLongEdges);
+	const int faceNum = surface.mesh.faceNum;
+	if (!(surface.callersMeanEdge > 0) && double(longFaces.size()) > maxUnseen * faceNum)
+		surface.callersMeanEdge = meanEdgeLength(surface.mesh, run.workers);
+	const std::int64_t maxFaces = maxFacesFor(vertexNum, faceNum);
+	surface.cleaned.longEdgesSplit +=
+		refineSurface(longFaces, longest, maxFaces, surface, run.workers);
+	made.lines = Lines();
+	findRegionOnSurface(run, made);
+}
+
+/// Gives the surface its sizes, and the largest disks the radius that goes with them.
+void setSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots, Products& made)
+{
+	Sizing sizing = findSizes(run, decisions, spots, made);
+	if (sizing.size.empty()) return;
+	made.surface.size       = std::move(sizing.size);
+	made.sizes.radiusFactor = sizing.radiusFactor;
+	made.sizes.clampedNum   = sizing.clampedNum;
+	if (made.surface.sharesBorders()) equalizeSizes(made.surface);
+	const float radius = usualRadius(made, run.options, decisions.spacedFor());
+	splitForSizes(run, sizing.longestEdge * radius, decisions.spacedFor(), made);
+}
+
+} // namespace
+
+bool followsFeatureLines(const RemeshOptions& options)
+{
+	return options.retriangulation == Retriangulation::LabelCollapse;
+}
+
+SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots,
+					Products& made)
+{
+	setSizes(run, decisions, spots, made);
+	run.clock.enter(Stage::InputFigures);
+	made.surface.figures = figuresOf(made.surface.mesh, 1 / made.surface.frame.scale, run.workers);
+	if (decisions.purpose != Purpose::OfGivenSamples) tellRegion(run, made.sizes);
+	return {std::int64_t(made.sizes.kept.size())};
+}
+
+ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const ErrorGoal& goal,
+							const Products& made)
+{
+	// The same as in the trials: the largest size over the even one, and how fast sizes grow.
+	constexpr float largestByError = 1.3f, slopeOfSizes = 0.15f;
+	// How flat the disks of triangles are to be, over the largest error: see sizesByError. The
+	// places that are beyond the goal then are few enough to be made finer one by one.
+	constexpr double flatnessShare = 0.75;
+	constexpr int    steps         = 3;
+	const double     start         = double(decisions.vertexNum);
+	const double     wanted        = flatnessShare * goal.largest * made.surface.frame.scale;
+	double           num           = start;
+	for (int i = 0; i < steps; ++i) {
+		const float even =
+			evenEdge(made.surface.area, decisions.vertexNum) * float(std::sqrt(start / num));
+		const float flat = sizesByError(made.surface.mesh,
+										{even, largestByError * even, slopeOfSizes}, run.workers)
+							   .epsilon;
+		num *= std::clamp(double(flat) / wanted, 0.1, 10.0);
+		num = std::clamp(num, 4.0, double(goal.most));
+	}
+	return {std::int64_t(num)};
+}
+
+LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)
+{
+	HalfEdgeMesh& m = made.surface.mesh;
+	if (decisions.way != Way::WithFeatureLines) {
+		m.crease.release();
+		made.lines = Lines();
+		return {};
+	}
+	run.clock.enter(Stage::FeatureLines);
+	made.lines.radius = 0;
+	if (!followsFeatureLines(run.options) && run.options.featureMode != FeatureMode::Off &&
+		decisions.purpose != Purpose::SamplesOnly)
+		run.tell("Feature lines are not followed where vertices are removed one by one.");
+	const CreaseRules rules = creaseRules(run, decisions, made);
+	if (areAsKnown(rules, made.lines)) {
+		m.crease = std::move(made.lines.marks);
+	}
+	else {
+		m.crease.release();
+		made.lines.found = markCreases(rules, run.workers, made.surface);
+	}
+	made.lines.areKnown = false;
+	made.lines.edgeNum  = made.lines.found.edgeNum;
+	if (made.lines.edgeNum == 0) return {};
+	made.lines.radius = usualRadius(made, run.options, decisions.spacedFor());
+	made.lines.curves = sampleCurves(run, decisions, made.lines.radius, made);
+	return {shareOf(made.lines.curves, decisions)};
+}
+
+void followGivenLines(RunContext& run, const Decisions& decisions, Products& made)
+{
+	if (decisions.way != Way::WithFeatureLines) return;
+	const bool areAllGiven = run.options.featureMode == FeatureMode::Given;
+	if (areAllGiven && run.input.line == nullptr) {
+		throw Failure(Status::BadOptions,
+					  "The feature lines shall be the selected edges, but no edge is selected.");
+	}
+	if (run.input.line == nullptr || !followsFeatureLines(run.options)) return;
+	HalfEdgeMesh&      m      = made.surface.mesh;
+	Buffer<char>       before = copyOf(m.crease, run.workers);
+	const std::int64_t added  = markGivenLines(run.input, run.workers, made.surface);
+	if (added == 0) return;
+	const float radius = usualRadius(made, run.options, decisions.spacedFor());
+	if (shareOf(sampleCurves(run, decisions, radius, made), decisions) <= maxOnGivenLines) {
+		made.lines.edgeNum += added;
+		made.lines.radius = 0;
+		return;
+	}
+	m.crease.swap(before);
+	run.tell("There are more given lines, like the seams of a texture, than so few vertices can "
+			 "follow; triangles lie across them.");
+}
+
+BoundaryCurves sampleCurves(const RunContext& run, const Decisions& decisions, float radius,
+							const Products& made)
+{
+	return sampleBoundary(made.surface, radius, borderSpacing * radius, made.lines.found.coneApexes,
+						  made.sizes.kept, borderMode(run.options, decisions),
+						  made.surface.sharesBorders());
+}
+
+} // namespace gpr
