@@ -6,7 +6,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/random_source.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/run/patch_filling.h>
+#include <vcg_extras/core/guard/patch_filling.h>
 
 #include <algorithm>
 #include <deque>
@@ -22,10 +22,10 @@ class NestInSheet {
 public:
 	explicit NestInSheet(int nestNum) : random_(3)
 	{
-		p_.surface = surfaceOf(jitteredGrid(8, 0.2, random_), workers);
-		p_.surface.mesh.crease.reset(std::size_t(p_.surface.mesh.halfEdgeNum()));
-		std::fill(p_.surface.mesh.crease.begin(), p_.surface.mesh.crease.end(), char(0));
-		const ResultMesh sheet = resultOf(p_.surface, BoundaryCurves());
+		surface_ = surfaceOf(jitteredGrid(8, 0.2, random_), workers);
+		surface_.mesh.crease.reset(std::size_t(surface_.mesh.halfEdgeNum()));
+		std::fill(surface_.mesh.crease.begin(), surface_.mesh.crease.end(), char(0));
+		const ResultMesh sheet = resultOf(surface_, BoundaryCurves());
 		const int        face  = faceInside(sheet.mesh);
 		TriangleMesh     mesh  = meshOf(sheet.mesh);
 		std::deque<int>  toSplit{face};
@@ -47,21 +47,21 @@ public:
 	}
 
 	Workers           workers{1, nullptr};
-	const Prepared&   prepared() const { return p_; }
+	const Surface&    surface() const { return surface_; }
 	const ResultMesh& result() const { return result_; }
 
 	/// A mark on the faces at the nest.
 	std::vector<char> marks() const
 	{
 		std::vector<char> marked(std::size_t(result_.mesh.faceNum), 0);
-		for (int v = p_.surface.mesh.vertexNum; v < result_.mesh.vertexNum; ++v)
+		for (int v = surface_.mesh.vertexNum; v < result_.mesh.vertexNum; ++v)
 			forEachOutgoing(result_.mesh, v, [&](int h) { marked[std::size_t(h / 3)] = 1; });
 		return marked;
 	}
 
 private:
 	Random     random_;
-	Prepared   p_;
+	Surface    surface_;
 	ResultMesh result_;
 
 	static int faceInside(const HalfEdgeMesh& m)
@@ -91,16 +91,11 @@ private:
 
 TEST(PatchFilling, TellsWhereTheInputHasTooFewVertices)
 {
-	NestInSheet              nest(600);
-	const TriangleMesh       input = meshOf(nest.prepared().surface.mesh);
-	const MeshView           view  = input.view();
-	RemeshOptions            options;
-	RemeshReport             report;
-	std::vector<std::string> notes;
-	RunContext               run{view,   options, nest.workers,
-                   report, notes,   StageClock(nest.workers, report, Pipeline::Remeshing)};
-	std::vector<char>        marked = nest.marks();
-	PatchFilling             filling(run, nest.prepared(), nest.result());
+	NestInSheet            nest(600);
+	const std::vector<int> kept;
+	const MakingOfVertices making{nest.surface(), kept};
+	std::vector<char>      marked = nest.marks();
+	PatchFilling           filling(making, nest.result(), nest.workers);
 	ASSERT_TRUE(filling.fill(marked));
 	ASSERT_LT(filling.mesh().vertexNum, nest.result().mesh.vertexNum);
 	EXPECT_FALSE(filling.isSound());

@@ -16,12 +16,11 @@ namespace {
 /// A clock whose last progress can be asked for.
 class StageClocks : public ::testing::Test {
 protected:
-	double       told_ = -1;
-	RemeshReport report_;
-	Workers      workers_{1, [this](double share, const char*) {
-                         told_ = share;
-                         return true;
-                     }};
+	double  told_ = -1;
+	Workers workers_{1, [this](double share, const char*) {
+						 told_ = share;
+						 return true;
+					 }};
 
 	/// Progress is told some times a second only.
 	double shareNow()
@@ -34,23 +33,22 @@ protected:
 
 TEST_F(StageClocks, AddUpTheTimesOfAStage)
 {
-	{
-		StageClock clock(workers_, report_, Pipeline::Remeshing);
-		for (Stage stage : {Stage::Order, Stage::Connect, Stage::Order, Stage::Connect}) {
-			clock.enter(stage);
-			std::this_thread::sleep_for(std::chrono::milliseconds(5));
-		}
+	StageClock clock(workers_, Pipeline::Remeshing);
+	for (Stage stage : {Stage::Order, Stage::Connect, Stage::Order, Stage::Connect}) {
+		clock.enter(stage);
+		std::this_thread::sleep_for(std::chrono::milliseconds(5));
 	}
-	ASSERT_EQ(report_.stages.size(), 2u);
-	EXPECT_EQ(report_.stages[0].stage, "order");
-	EXPECT_EQ(report_.stages[1].stage, "connect");
-	for (const StageTime& time : report_.stages)
+	const std::vector<StageTime>& stages = clock.finish();
+	ASSERT_EQ(stages.size(), 2u);
+	EXPECT_EQ(stages[0].stage, "order");
+	EXPECT_EQ(stages[1].stage, "connect");
+	for (const StageTime& time : stages)
 		EXPECT_GE(time.seconds, 0.01);
 }
 
 TEST_F(StageClocks, TellTheShareOfTheStageBefore)
 {
-	StageClock clock(workers_, report_, Pipeline::Remeshing);
+	StageClock clock(workers_, Pipeline::Remeshing);
 	clock.enter(Stage::Sampling);
 	EXPECT_EQ(shareNow(), 0);
 	clock.enter(Stage::Retriangulation);
@@ -59,7 +57,7 @@ TEST_F(StageClocks, TellTheShareOfTheStageBefore)
 
 TEST_F(StageClocks, WaitWhereStagesAreGoneThroughAgain)
 {
-	StageClock clock(workers_, report_, Pipeline::Remeshing);
+	StageClock clock(workers_, Pipeline::Remeshing);
 	clock.enter(Stage::Relaxation);
 	const double done = shareAtEnd(Stage::Relaxation, Pipeline::Remeshing);
 	clock.enter(Stage::Load);
@@ -68,9 +66,19 @@ TEST_F(StageClocks, WaitWhereStagesAreGoneThroughAgain)
 	EXPECT_DOUBLE_EQ(shareNow(), done);
 }
 
+TEST_F(StageClocks, BeginAnewWithOtherWork)
+{
+	StageClock clock(workers_, Pipeline::Remeshing);
+	clock.enter(Stage::Sampling);
+	clock.restart({0.5, 1});
+	EXPECT_TRUE(clock.finish().empty());
+	clock.enter(Stage::Load);
+	EXPECT_DOUBLE_EQ(shareNow(), 0.5);
+}
+
 TEST_F(StageClocks, GiveAnotherPipelineTheFirstPart)
 {
-	StageClock clock(workers_, report_, Pipeline::Remeshing, {0.2, 0.6});
+	StageClock clock(workers_, Pipeline::Remeshing, {0.2, 0.6});
 	clock.beginFirstPart(Pipeline::Detection, 0.5);
 	clock.enter(Stage::Detection);
 	EXPECT_DOUBLE_EQ(shareNow(), 0.2);

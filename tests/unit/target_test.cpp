@@ -4,21 +4,13 @@
 // The count that is aimed at.
 
 #include <vcg_extras/core/base/failure.h>
-#include <vcg_extras/core/run/target.h>
+#include <vcg_extras/core/sampling/target.h>
 
 #include <gtest/gtest.h>
 
 namespace gpr::test {
 
 namespace {
-
-RemeshOptions keepingBorder(TargetMode mode)
-{
-	RemeshOptions options;
-	options.targetMode = mode;
-	options.boundary   = BoundaryMode::Keep;
-	return options;
-}
 
 /// The status of the failure that body throws; Ok where it throws none.
 template <class Body>
@@ -34,51 +26,14 @@ Status statusOf(const Body& body)
 	return Status::Ok;
 }
 
-TEST(Target, StaysWhereTheKeptVerticesFit)
-{
-	for (TargetMode mode : {TargetMode::VertexNum, TargetMode::Percent}) {
-		const Target target = targetWithRoom(keepingBorder(mode), 100, 100);
-		EXPECT_EQ(target.vertexNum, 100);
-		EXPECT_EQ(target.note, "");
-	}
-}
-
-TEST(Target, IsRaisedForABorderThatIsKeptWhereItIsAWish)
-{
-	const Target target = targetWithRoom(keepingBorder(TargetMode::Percent), 30, 100);
-	EXPECT_EQ(target.vertexNum, 180) << "the border, half as many, and those asked for";
-	EXPECT_NE(target.note.find("180"), std::string::npos) << target.note;
-	EXPECT_NE(target.note.find("instead of 30"), std::string::npos) << target.note;
-
-	RemeshOptions nearest = keepingBorder(TargetMode::VertexNum);
-	nearest.allowNearest  = true;
-	EXPECT_EQ(targetWithRoom(nearest, 30, 100).vertexNum, 180);
-}
-
-TEST(Target, IsRefusedWhereItIsNoWish)
-{
-	const RemeshOptions options = keepingBorder(TargetMode::VertexNum);
-	EXPECT_EQ(statusOf([&] { targetWithRoom(options, 99, 100); }), Status::BadOptions);
-	EXPECT_EQ(statusOf([&] { requireRoomForKept(options, 99, 100); }), Status::BadOptions);
-	EXPECT_EQ(statusOf([&] { requireRoomForKept(options, 100, 100); }), Status::Ok);
-}
-
-TEST(Target, IsRefusedForARegionThatDoesNotFit)
-{
-	RemeshOptions options; // of a percentage: a wish
-	options.featureSampling = FeatureSampling::Vertices;
-	EXPECT_EQ(statusOf([&] { targetWithRoom(options, 99, 100); }), Status::BadOptions);
-}
-
 TEST(Target, OfTooManyVerticesIsRefused)
 {
 	RemeshOptions options;
 	options.targetMode      = TargetMode::VertexNum;
 	options.targetVertexNum = 200000001;
-	const MeshView input;
-	EXPECT_EQ(statusOf([&] { resolveTarget(input, options, 1, 1); }), Status::OutOfMemory);
+	EXPECT_EQ(statusOf([&] { resolveTarget(0, options, 1, 1); }), Status::OutOfMemory);
 	options.targetVertexNum = 200000000;
-	EXPECT_EQ(resolveTarget(input, options, 1, 1), 200000000);
+	EXPECT_EQ(resolveTarget(0, options, 1, 1), 200000000);
 }
 
 } // namespace

@@ -10,6 +10,8 @@
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/output/audit.h>
+#include <vcg_extras/core/retriangulation/vertex_removal.h>
+#include <vcg_extras/core/run/result_stages.h>
 
 namespace gpr::bench {
 
@@ -30,14 +32,16 @@ void timeChange(benchmark::State& state, const ResultMesh& before, const Change&
 
 void flips(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	timeChange(state, run.sampled().mesh,
-			   [&](ResultMesh& result) { flipToDelaunay(result, workers); });
+	const Products&  made = run.sampled();
+	const ResultMesh mesh = removeVertices(made.surface, made.samples.sampling, made.samples.curves,
+										   made.surface.figures, workers);
+	timeChange(state, mesh, [&](ResultMesh& result) { flipToDelaunay(result, workers); });
 }
 
 void invertedFacesRepair(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Surface&        surface  = run.prepared().surface;
-	const BoundaryCurves& boundary = run.sampled().curves;
+	const Surface&        surface  = run.sampled().surface;
+	const BoundaryCurves& boundary = run.sampled().samples.curves;
 	timeChange(state, run.improved().flipped, [&](ResultMesh& result) {
 		repairInvertedFaces(surface, boundary, true, result, workers);
 	});
@@ -45,17 +49,17 @@ void invertedFacesRepair(benchmark::State& state, StagedRun& run, Workers& worke
 
 void exactCount(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Prepared&       p        = run.prepared();
-	const BoundaryCurves& boundary = run.sampled().curves;
+	const Products&       p        = run.sampled();
+	const BoundaryCurves& boundary = run.sampled().samples.curves;
 	timeChange(state, run.improved().flipped, [&](ResultMesh& result) {
 		collapseShortEdges(p.surface, result, workers);
-		reachExactCount(p.surface, boundary, p.targetNum, result, workers);
+		reachExactCount(p.surface, boundary, run.decisions().vertexNum, result, workers);
 	});
 }
 
 void relaxation(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Surface& surface = run.prepared().surface;
+	const Surface& surface = run.sampled().surface;
 	timeChange(state, run.improved().counted,
 			   [&](ResultMesh& result) { relaxOnce(surface, result, workers); });
 }
@@ -68,9 +72,9 @@ void valenceGlide(benchmark::State& state, StagedRun& run, Workers& workers)
 
 void conformal(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Surface&        surface  = run.prepared().surface;
-	const BoundaryCurves& boundary = run.sampled().curves;
-	const ConformalSteps  steps    = conformalSteps(2 * run.options().relaxIterations);
+	const Surface&        surface  = run.sampled().surface;
+	const BoundaryCurves& boundary = run.sampled().samples.curves;
+	const ConformalSteps  steps    = conformalStepsFor(run.options());
 	timeChange(state, run.improved().glided, [&](ResultMesh& result) {
 		relaxConformally(surface, boundary, steps, result, workers);
 	});
@@ -78,17 +82,17 @@ void conformal(benchmark::State& state, StagedRun& run, Workers& workers)
 
 void fit(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Surface&        surface  = run.prepared().surface;
-	const BoundaryCurves& boundary = run.sampled().curves;
+	const Surface&        surface  = run.sampled().surface;
+	const BoundaryCurves& boundary = run.sampled().samples.curves;
 	timeChange(state, run.improved().repaired, [&](ResultMesh& result) {
-		fitToInput(surface, boundary, usualFitSettings(), result, workers);
+		fitToInput(surface, boundary, fitSettings(run.options(), false), result, workers);
 	});
 }
 
 void poorFacesRepair(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Surface&        surface = run.prepared().surface;
-	const BoundaryCurves& curves  = run.sampled().curves;
+	const Surface&        surface = run.sampled().surface;
+	const BoundaryCurves& curves  = run.sampled().samples.curves;
 	timeChange(state, run.improved().fitted, [&](ResultMesh& result) {
 		std::unique_ptr<ClosestFaceMap> map;
 		repairPoorFaces(surface, curves, PoorFaces(), map, result, workers);
@@ -97,9 +101,9 @@ void poorFacesRepair(benchmark::State& state, StagedRun& run, Workers& workers)
 
 void auditResult(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Surface&    surface = run.prepared().surface;
+	const Surface&    surface = run.sampled().surface;
 	const ResultMesh& result  = run.improved().fitted;
-	const MeshFigures input   = run.inputFigures();
+	const MeshFigures input   = run.sampled().surface.figures;
 	timeEach(state, [&] {
 		const MeshFigures output = figuresOf(result.mesh, 1, workers);
 		return audit(surface, result, input, output, 0, workers);

@@ -104,35 +104,31 @@ void halfEdgeTable(benchmark::State& state, StagedRun& run, Workers& workers)
 
 void figures(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const HalfEdgeMesh& mesh = run.prepared().surface.mesh;
+	const HalfEdgeMesh& mesh = run.sampled().surface.mesh;
 	timeEach(state, [&] { return figuresOf(mesh, 1, workers); });
 }
 
 /// Load, split, order, connect, sizes and figures in one.
 void prepareAll(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	timeEach(state, [&] {
-		RunContext context = run.contextFor(workers);
-		return prepare(context, {});
-	});
+	timeEach(state, [&] { return run.runUntil(Step::Lines, workers.threadNum()); });
 }
 
 /// By the rules of a run with FeatureMode::Auto.
 void creaseLines(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	Prepared&   p = run.prepared();
-	CreaseRules rules;
-	rules.minLength     = 3 * idealEdge(p);
-	rules.minSpur       = idealEdge(p);
-	Buffer<char> marked = std::move(p.surface.mesh.crease);
+	const Products& p = run.sampled();
+	CreaseRules     rules;
+	rules.minLength = 3 * idealEdge(p, run.decisions().vertexNum);
+	rules.minSpur   = idealEdge(p, run.decisions().vertexNum);
+	Surface surface = copyOf(p.surface, workers);
 	timeEach(
 		state,
 		[&] {
-			p.surface.mesh.crease.release();
+			surface.mesh.crease.release();
 			return 0;
 		},
-		[&](int) { return markCreases(rules, workers, p.surface); });
-	p.surface.mesh.crease = std::move(marked);
+		[&](int) { return markCreases(rules, workers, surface); });
 }
 
 } // namespace

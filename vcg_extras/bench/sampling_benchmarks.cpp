@@ -5,7 +5,8 @@
 
 #include <vcg_extras/core/retriangulation/hole_retriangulation.h>
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
-#include <vcg_extras/core/run/feature_lines.h>
+#include <vcg_extras/core/run/sample_stages.h>
+#include <vcg_extras/core/run/surface_stages.h>
 #include <vcg_extras/core/sampling/border_edge_sampling.h>
 #include <vcg_extras/core/sampling/fuse_samples.h>
 
@@ -15,33 +16,36 @@ namespace {
 
 void cutBlocks(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Prepared& p       = run.prepared();
+	const Products& made    = run.sampled();
 	RunContext      context = run.contextFor(workers);
-	timeEach(state, [&] { return cutForSampling(context, p); });
+	timeEach(state, [&] {
+		return cutForSampling(context, run.decisions(), made.samples.radius, made.surface);
+	});
 }
 
-void boundaryCurves(benchmark::State& state, StagedRun& run, Workers&)
+void boundaryCurves(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Prepared& p = run.prepared();
-	timeEach(state, [&] { return sampleCurves(p, p.radius, BoundaryMode::Resample); });
+	const Products&  made    = run.sampled();
+	const RunContext context = run.contextFor(workers);
+	timeEach(state,
+			 [&] { return sampleCurves(context, run.decisions(), made.samples.radius, made); });
 }
 
 void frontSampling(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Prepared&     p = run.prepared();
-	const SampledState& s = run.sampled();
+	const Products& p = run.sampled();
+	const Samples&  s = p.samples;
 	timeEach(state, [&] {
-		return sampleFront(p.surface, s.curves, s.partition, s.sampling.radius, run.options().seed,
-						   workers);
+		return sampleFront(p.surface, s.curves, s.partition, s.radius, run.options().seed, workers);
 	});
 }
 
 void labelCollapse(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Prepared&     p = run.prepared();
-	const SampledState& s = run.sampled();
+	const Products& p = run.sampled();
+	const Samples&  s = p.samples;
 	timeEach(state, [&] {
-		return removeVertices(p.surface, s.sampling, s.curves, run.inputFigures(), workers);
+		return removeVertices(p.surface, s.sampling, s.curves, p.surface.figures, workers);
 	});
 }
 
@@ -49,24 +53,24 @@ void labelCollapse(benchmark::State& state, StagedRun& run, Workers& workers)
 
 void borderEdgeSampling(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Prepared&     p = run.prepared();
-	const SampledState& s = run.sampled();
-	BorderEdgeOptions   options;
-	options.radius = p.radius;
+	const Products&   p = run.sampled();
+	const Samples&    s = p.samples;
+	BorderEdgeOptions options;
+	options.radius = s.radius;
 	timeEach(state, [&] { return sampleBorderEdges(p.surface, s.curves, options, workers); });
 }
 
 void fuse(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Prepared&     p = run.prepared();
-	const SampledState& s = run.sampled();
+	const Products& p = run.sampled();
+	const Samples&  s = p.samples;
 	timeEach(state, [&] { return fuseSamples(p.surface, s.sampling, s.curves, workers); });
 }
 
 void vertexRemoval(benchmark::State& state, StagedRun& run, Workers& workers)
 {
-	const Prepared&     p = run.prepared();
-	const SampledState& s = run.sampled();
+	const Products& p = run.sampled();
+	const Samples&  s = p.samples;
 	timeEach(
 		state, [&] { return fuseSamples(p.surface, s.sampling, s.curves, workers); },
 		[&](FusedMesh& fused) {

@@ -2,141 +2,63 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "staged_run.h"
 
-#include <vcg_extras/core/optimization/delaunay_flips.h>
-#include <vcg_extras/core/optimization/exact_count.h>
-#include <vcg_extras/core/optimization/face_repair.h>
-#include <vcg_extras/core/optimization/relaxation.h>
-#include <vcg_extras/core/optimization/valence_glide.h>
-#include <vcg_extras/core/retriangulation/vertex_removal.h>
-#include <vcg_extras/core/run/feature_lines.h>
+#include <vcg_extras/core/run/result_stages.h>
 
 namespace gpr::bench {
-
-namespace {
-
-class ImprovementSteps {
-public:
-	ImprovementSteps(const Prepared& prepared, const SampledState& sampled, Workers& workers) :
-			prepared_(prepared), sampled_(sampled), workers_(workers)
-	{
-	}
-
-	ResultMesh flipped(ResultMesh result)
-	{
-		flipToDelaunay(result, workers_);
-		repairInvertedFaces(prepared_.surface, sampled_.curves, true, result, workers_);
-		return result;
-	}
-
-	ResultMesh counted(ResultMesh result)
-	{
-		collapseShortEdges(prepared_.surface, result, workers_);
-		reachExactCount(prepared_.surface, sampled_.curves, prepared_.targetNum, result, workers_);
-		return result;
-	}
-
-	ResultMesh glided(ResultMesh result)
-	{
-		relaxOnce(prepared_.surface, result, workers_);
-		glideDislocations(result, workers_);
-		return result;
-	}
-
-	ResultMesh conformal(ResultMesh result, int relaxIterations)
-	{
-		relaxConformally(prepared_.surface, sampled_.curves, conformalSteps(2 * relaxIterations),
-						 result, workers_);
-		return result;
-	}
-
-	ResultMesh repaired(ResultMesh result)
-	{
-		repairInvertedFaces(prepared_.surface, sampled_.curves, false, result, workers_);
-		return result;
-	}
-
-	ResultMesh fitted(ResultMesh result)
-	{
-		fitToInput(prepared_.surface, sampled_.curves, usualFitSettings(), result, workers_);
-		return result;
-	}
-
-private:
-	const Prepared&     prepared_;
-	const SampledState& sampled_;
-	Workers&            workers_;
-};
-
-} // namespace
-
-FitSettings usualFitSettings()
-{
-	FitSettings settings;
-	settings.rounds = 3;
-	return settings;
-}
 
 StagedRun::StagedRun(const MeshView& input, const RemeshOptions& options) :
 		input_(input), options_(options), workers_(0, nullptr)
 {
 }
 
-RunContext StagedRun::contextFor(Workers& workers)
+RunContext StagedRun::contextFor(Workers& workers) const
 {
-	report_              = RemeshReport();
-	report_.cleanedInput = inputFigures_;
-	notes_.clear();
-	return {input_,  options_, workers,
-			report_, notes_,   StageClock(workers, report_, Pipeline::Remeshing)};
+	return {input_, options_, workers, StageClock(workers, Pipeline::Remeshing), {}, {}};
 }
 
-const MeshFigures& StagedRun::inputFigures()
+std::unique_ptr<Remeshing> StagedRun::runUntil(Step step, int threads) const
 {
-	prepared();
-	return inputFigures_;
+	RemeshOptions options                = options_;
+	options.threads                      = threads;
+	static const ProgressCallback silent = nullptr;
+	auto run = std::make_unique<Remeshing>(Call{input_, options, silent}, Pipeline::Remeshing,
+										   Request{options, std::int64_t(input_.vertexNum)});
+	while (run->next() < step)
+		run->takeStep();
+	return run;
 }
 
-Prepared& StagedRun::prepared()
+const Products& StagedRun::sampled()
 {
-	if (!prepared_) {
-		RunContext run = contextFor(workers_);
-		prepared_      = std::make_unique<Prepared>(prepare(run, {}));
-		findFeatureLines(run, *prepared_);
-		inputFigures_ = report_.cleanedInput;
-	}
-	return *prepared_;
+	if (!sampled_) sampled_ = runUntil(Step::Triangles);
+	return sampled_->made();
 }
 
-const SampledState& StagedRun::sampled()
+const Decisions& StagedRun::decisions()
 {
-	if (!sampled_) {
-		const Prepared& p     = prepared();
-		RunContext      run   = contextFor(workers_);
-		auto            state = std::make_unique<SampledState>();
-		Sampled&        s     = *state;
-		s                     = sampleSurface(run, p);
-		state->mesh = removeVertices(p.surface, s.sampling, s.curves, inputFigures_, workers_);
-		state->mesh.idealEdge = idealEdge(p);
-		sampled_              = std::move(state);
-	}
-	return *sampled_;
+	sampled();
+	return sampled_->decisions();
 }
 
 const ImprovedStates& StagedRun::improved()
 {
-	if (!improved_) {
-		const SampledState& s = sampled();
-		ImprovementSteps    steps(prepared(), s, workers_);
-		const auto          copy   = [&](const ResultMesh& r) { return copyResult(r, workers_); };
-		auto                states = std::make_unique<ImprovedStates>();
-		states->flipped            = steps.flipped(copy(s.mesh));
-		states->counted            = steps.counted(copy(states->flipped));
-		states->glided             = steps.glided(copy(states->counted));
-		states->conformal = steps.conformal(copy(states->glided), options_.relaxIterations);
-		states->repaired  = steps.repaired(copy(states->conformal));
-		states->fitted    = steps.fitted(copy(states->repaired));
-		improved_         = std::move(states);
-	}
+	if (improved_) return *improved_;
+	auto       states = std::make_unique<ImprovedStates>();
+	const auto run    = runUntil(Step::Count);
+	const auto copy   = [&] { return copyResult(run->made().result, workers_); };
+	states->flipped   = copy();
+	run->takeStep();
+	states->counted    = copy();
+	RunContext context = contextFor(workers_);
+	ResultMesh glided  = copy();
+	relaxAndGlide(context, run->made().surface, run->made().curves, glided);
+	states->glided = std::move(glided);
+	run->takeStep();
+	states->repaired = copy();
+	states->fitted   = copy();
+	fitToInput(run->made().surface, run->made().curves, fitSettings(options_, false),
+			   states->fitted, workers_);
+	improved_ = std::move(states);
 	return *improved_;
 }
 

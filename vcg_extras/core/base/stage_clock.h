@@ -26,8 +26,8 @@ class StageClock {
 public:
 	/// whole: of the call, where it runs the pipeline several times.
 	StageClock(Workers& workers, Pipeline pipeline, WorkShare whole = {}) :
-			workers_(workers), pipeline_(pipeline), whole_(whole), part_(whole),
-			current_(pipeline), stageStart_(Clock::now())
+			workers_(workers), pipeline_(pipeline), whole_(whole), part_(whole), current_(pipeline),
+			stageStart_(Clock::now())
 	{
 	}
 
@@ -54,8 +54,8 @@ private:
 	Pipeline               current_;
 	Clock::time_point      stageStart_;
 	std::vector<StageTime> times_;
-	const char*       key_   = nullptr;
-	double            share_ = 0; ///< of the pipeline under way
+	const char*            key_   = nullptr;
+	double                 share_ = 0; ///< of the pipeline under way
 
 	void beginPart(Pipeline pipeline, WorkShare part);
 };

@@ -5,7 +5,6 @@
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/base/sort_unique.h>
-
 #include <vcg_extras/core/base/triangle.h>
 
 #include <algorithm>

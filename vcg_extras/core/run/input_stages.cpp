@@ -99,19 +99,6 @@ IndexedMesh withoutUselessPieces(RunContext& run, IndexedMesh mesh, CleanCounts&
 	return disconnect(surface);
 }
 
-IndexedMesh loadCleaned(RunContext& run, Sewing sewing, CleanCounts& counts)
-{
-	run.clock.enter(Stage::Load);
-	IndexedMesh mesh = loadInput(run.input, run.workers, counts);
-	contractEdgesWithoutLength(mesh, run.workers, counts);
-	if (sewing == Sewing::First) {
-		run.clock.enter(Stage::Sew);
-		sewSeams(mesh, run.workers, counts);
-	}
-	if (run.options.dropComponentsBelow <= 1 && !allFacesThin(mesh, run.workers)) return mesh;
-	return withoutUselessPieces(run, std::move(mesh), counts);
-}
-
 /// Orders and connects a mesh, which is used up, and drops pieces without area. False where its
 /// seams must be sewn first: most meshes have none, which is soon seen where the border is known.
 /// To look for them before would take a tenth of a quick run.
@@ -124,12 +111,22 @@ bool connectCleaned(RunContext& run, Sewing sewing, IndexedMesh& mesh, CleanCoun
 	return true;
 }
 
+/// The caller's mesh without faulty faces and without the components that the options drop.
 std::shared_ptr<CleanedInput> clean(RunContext& run, Sewing sewing, CleanCounts& counts)
 {
+	counts = CleanCounts(); // an earlier attempt may have counted
+	run.clock.enter(Stage::Load);
+	IndexedMesh mesh = loadInput(run.input, run.workers, counts);
+	contractEdgesWithoutLength(mesh, run.workers, counts);
+	if (sewing == Sewing::First) {
+		run.clock.enter(Stage::Sew);
+		sewSeams(mesh, run.workers, counts);
+	}
+	if (run.options.dropComponentsBelow > 1 || allFacesThin(mesh, run.workers))
+		mesh = withoutUselessPieces(run, std::move(mesh), counts);
 	const auto cleaned = std::make_shared<CleanedInput>();
-	counts             = CleanCounts(); // an earlier attempt may have counted
-	cleaned->mesh      = loadCleaned(run, sewing, counts);
-	cleaned->extents   = measureFaces(cleaned->mesh, run.workers);
+	cleaned->extents   = measureFaces(mesh, run.workers);
+	cleaned->mesh      = std::move(mesh);
 	cleaned->counts    = counts;
 	return cleaned;
 }
@@ -288,7 +285,7 @@ void InputCache::fitTo(const RemeshOptions& options)
 FeatureEdges detectOnInput(RunContext& run, WorkingSurface& surface)
 {
 	const Sewing sewing  = sewingFor(run.options, Sewing::First);
-	IndexedMesh  mesh    = loadCleaned(run, sewing, surface.cleaned);
+	IndexedMesh  mesh    = std::move(clean(run, sewing, surface.cleaned)->mesh);
 	surface.frame        = mesh.frame;
 	const float meanEdge = meanEdgeLength(mesh, run.workers);
 	if (!(meanEdge > 0)) throw Failure(Status::UnusableInput, "The surface has no area.");
@@ -307,10 +304,10 @@ void countInput(RunContext& run, WorkingSurface& surface)
 	surface.figures = figuresOf(surface.mesh, 1 / surface.frame.scale, run.workers);
 }
 
-void findRegion(RunContext& run, InputCache* cache, Products& made)
+NoFacts findRegion(RunContext& run, InputCache* cache, Products& made)
 {
 	made.regionMarks.clear();
-	if (run.options.featureRegion != FeatureRegion::Detected) return;
+	if (run.options.featureRegion != FeatureRegion::Detected) return {};
 	InputCache                     own;
 	std::optional<DetectedRegion>& kept = (cache != nullptr ? *cache : own).region(run.options);
 	if (!kept) {
@@ -325,6 +322,7 @@ void findRegion(RunContext& run, InputCache* cache, Products& made)
 	for (const std::string& cap : kept->caps)
 		run.tellCap(cap);
 	made.regionMarks = kept->marks;
+	return {};
 }
 
 InputFacts makeInput(RunContext& run, const Decisions& decisions, InputCache* cache, Products& made)

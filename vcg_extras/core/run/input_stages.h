@@ -75,7 +75,7 @@ void countInput(RunContext& run, WorkingSurface& surface);
 
 /// Step Region: finds the features for the feature region where the options ask for them, the same
 /// as detectFeatures.
-void findRegion(RunContext& run, InputCache* cache, Products& made);
+NoFacts findRegion(RunContext& run, InputCache* cache, Products& made);
 
 /// Step Input: takes the caller's mesh over without faulty faces, with seams sewn where that is
 /// decided, and without the components that the options drop. They must go before the area is

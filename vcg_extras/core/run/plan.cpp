@@ -179,6 +179,12 @@ void Plan::resolveCount(const InputFacts& facts)
 		resolveTarget(request_.callersVertexNum, request_.options, facts.area, facts.scale);
 }
 
+std::string Plan::judge(const NoFacts&)
+{
+	goOn();
+	return "";
+}
+
 std::string Plan::judge(const InputFacts& facts)
 {
 	resolveCount(facts);

@@ -83,6 +83,7 @@ struct Decisions {
 
 // Facts that the steps come to.
 
+struct NoFacts {};
 struct InputFacts {
 	double area  = 0; ///< working units squared
 	double scale = 1; ///< from mesh to working units
@@ -121,7 +122,6 @@ struct ContactFacts {
 	std::int64_t before    = 0;     ///< vertices of the mesh that was looked at
 	std::int64_t vertexNum = 0;     ///< of the mesh now, or of the least one without contacts
 	bool         isRefused = false; ///< contacts are left, since that count may not be taken
-	bool         hasMade   = false; ///< vertices were made against contacts
 };
 struct RefinementFacts {
 	int addedNum = 0; ///< vertices that came in at single places
@@ -193,8 +193,7 @@ public:
 	/// Of all the work, what the run under way does.
 	WorkShare share() const;
 
-	/// The step is done, and nothing depends on what it came to.
-	void        goOn();
+	std::string judge(const NoFacts& facts);
 	std::string judge(const InputFacts& facts);
 	std::string judge(const SurfaceFacts& facts);
 	std::string judge(const SizeFacts& facts);
@@ -253,6 +252,7 @@ private:
 	std::int64_t           refusedNum_ = 0, smallestNum_ = 0;
 
 	bool        has(Step step) const;
+	void        goOn();
 	bool        isWish() const;
 	bool        mayDiffer() const;
 	bool        mayReturn() const { return returnNum_ < mostReturns; }

@@ -50,12 +50,12 @@ struct WorkingSurface : Surface {
 
 /// How large the triangles are to be where; the sizes themselves are the surface's.
 struct Sizes {
-	double           radiusFactor = 1;    ///< largest disk radius over that of eq. (1): see Sizing
+	double radiusFactor = 1;     ///< largest disk radius over that of eq. (1): see Sizing
 	std::optional<double> adapt; ///< in force, once it is known: 0 where sizes stayed even
-	Buffer<char>     isFeatureVertex;     ///< of the region to be preserved; empty: none
-	std::vector<int> kept;                ///< the caller's vertices that stay
-	std::int64_t     regionVertexNum = 0; ///< of the caller's, in the region
-	std::int64_t     clampedNum      = 0; ///< see Sizing
+	Buffer<char>          isFeatureVertex;     ///< of the region to be preserved; empty: none
+	std::vector<int>      kept;                ///< the caller's vertices that stay
+	std::int64_t          regionVertexNum = 0; ///< of the caller's, in the region
+	std::int64_t          clampedNum      = 0; ///< see Sizing
 };
 
 /// The feature lines that are marked on the surface, and the samples on them and on the border.
@@ -108,8 +108,9 @@ struct Products {
 	std::int64_t   releasedNum = 0; ///< vertices that left crowded lines
 	float          fitDistance = 0; ///< largest of a vertex from its surface point, working units
 	GuardedFigures guarded;         ///< Contacts
-	Verification   verified;        ///< Error (its proof), Check
-	QualityFigures quality;         ///< Export
+	bool           hasMadeVertices = false; ///< Contacts, the last time
+	Verification   verified;                ///< Error (its proof), Check
+	QualityFigures quality;                 ///< Export
 
 	/// Drops what a step and later ones have made, so that its memory is free.
 	void dropFrom(Step step);

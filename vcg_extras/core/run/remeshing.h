@@ -4,14 +4,22 @@
 #define VCG_EXTRAS_CORE_RUN_REMESHING_H
 
 #include "input_stages.h"
+#include "plan.h"
+#include "products.h"
 
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/base/run_context.h>
 #include <vcg_extras/core/base/stage_clock.h>
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/progress.h>
 #include <vcg_extras/core/results.h>
+#include <vcg_extras/core/sampling/fine_spots.h>
 
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace gpr {
@@ -23,6 +31,74 @@ struct Call {
 	const ProgressCallback& progress;
 	const StopRequest*      stop  = nullptr;
 	InputCache*             cache = nullptr; ///< null: of a single run
+};
+
+/// What every pipeline has: options in force, threads, and what they tell.
+struct Setup {
+	const RemeshOptions options;
+	Workers             workers;
+	RunContext          run;
+
+	Setup(const Call& call, Pipeline pipeline);
+};
+
+/// Whatever a run has to tell, in its report and its notes.
+struct Told {
+	RemeshReport             report;
+	std::vector<std::string> notes;
+
+	template <class Result>
+	void handOver(Result& out)
+	{
+		out.report = std::move(report);
+		out.notes  = std::move(notes);
+	}
+};
+
+/// One run through the steps of a plan, with the products that they make.
+class Remeshing {
+public:
+	Remeshing(const Call& call, Pipeline pipeline, const Request& request);
+
+	const std::vector<Vec3d>* given   = nullptr; ///< samples in the place of our own
+	SamplingResult*           samples = nullptr; ///< where samples go that are wanted alone
+
+	Step next() const { return plan_.next(); }
+	bool isDone() const { return next() == Step::Done; }
+	/// Takes the next step. Where a fact makes the plan go back, what later steps made is dropped.
+	/// Throws Failure where the run ends without a result.
+	void takeStep();
+	/// With a goal, at the end: tells what its trials came to. Throws Failure where none met it.
+	void endTrials();
+
+	const Products&  made() const { return made_; }
+	const Decisions& decisions() const { return plan_.decisions(); }
+	RemeshResult     takeResult() { return std::move(best_); }
+	Told             told();
+
+private:
+	Setup                    setup_;
+	std::vector<std::string> firstNotes_; ///< of the options
+	InputCache*              cache_;
+	InputCache               ownCache_; ///< for the trials of one call
+	Request                  request_;
+	Plan                     plan_;
+	Products                 made_;
+	FineSpots                spots_; ///< where the trials so far were beyond the error
+	RemeshResult             best_;
+	Told                     bestTold_;
+	double                   trialSeconds_ = 0; ///< of the stages of all trials
+	std::optional<Told>      refused_;          ///< of the run whose count was refused
+
+	template <class Facts>
+	void judge(const Facts& facts)
+	{
+		setup_.run.tell(plan_.judge(facts));
+	}
+	void beginRun();
+	void fail(const Failure& failure);
+	void exportAll();
+	void exportSamples();
 };
 
 // The pipelines. Each runs through the steps of a Plan (plan.h), and throws Failure where there is

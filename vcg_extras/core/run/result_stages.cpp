@@ -10,7 +10,6 @@
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/optimization/line_release.h>
-#include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/output/export.h>
 #include <vcg_extras/core/surface/sampled_distance.h>
@@ -74,18 +73,11 @@ void relaxPlainly(RunContext& run, Products& made)
 		run.tellCap("changes for small angles");
 }
 
-/// Chains of flips shear triangles; a relaxation before each round gives them room.
 void makeRegular(RunContext& run, Products& made)
 {
-	constexpr int rounds = 2; // one leaves a worse smallest angle, four gain nothing
-	for (int round = 0; round < rounds; ++round) {
-		relaxOnce(made.surface, made.result, run.workers);
-		slideAlongCreases(made.surface, made.curves, made.result);
-		glideDislocations(made.result, run.workers);
-	}
-	ConformalSteps steps = conformalSteps(2 * run.options.relaxIterations);
-	steps.flipPasses     = run.options.flipIterations;
-	relaxConformally(made.surface, made.curves, steps, made.result, run.workers);
+	relaxAndGlide(run, made.surface, made.curves, made.result);
+	relaxConformally(made.surface, made.curves, conformalStepsFor(run.options), made.result,
+					 run.workers);
 }
 
 void relax(RunContext& run, Products& made)
@@ -243,6 +235,25 @@ FitSettings fitSettings(const RemeshOptions& options, bool countsLargest)
 	return settings;
 }
 
+ConformalSteps conformalStepsFor(const RemeshOptions& options)
+{
+	ConformalSteps steps = conformalSteps(2 * options.relaxIterations);
+	steps.flipPasses     = options.flipIterations;
+	return steps;
+}
+
+/// Chains of flips shear triangles; a relaxation before each round gives them room.
+void relaxAndGlide(RunContext& run, const Surface& surface, const BoundaryCurves& curves,
+				   ResultMesh& result)
+{
+	constexpr int rounds = 2; // one leaves a worse smallest angle, four gain nothing
+	for (int round = 0; round < rounds; ++round) {
+		relaxOnce(surface, result, run.workers);
+		slideAlongCreases(surface, curves, result);
+		glideDislocations(result, run.workers);
+	}
+}
+
 MeshFacts relaxTriangles(RunContext& run, Products& made)
 {
 	run.clock.enter(Stage::Relaxation);
@@ -263,7 +274,7 @@ FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
 	return {mayRelease && areLinesCrowded(run, made.result)};
 }
 
-void releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
+NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
 {
 	const float   fitDistance = made.fitDistance;
 	KnownContacts contacts    = std::move(made.contacts);
@@ -281,11 +292,13 @@ void releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& m
 		run.tell("Feature lines are so close to each other that they would leave acute angles; " +
 				 std::to_string(made.releasedNum) + " vertices there need not stay on them.");
 	}
+	return {};
 }
 
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made)
 {
 	made.beforeFit.reset();
+	made.hasMadeVertices      = false;
 	const std::int64_t before = made.result.mesh.vertexNum;
 	if (!run.options.guard || run.options.equations != Equations::Calibrated)
 		return {before, before};
@@ -295,11 +308,13 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 	const ContactOutcome   outcome =
 		removeContacts(making, made.contacts, made.result, made.guarded, run.workers);
 	if (outcome.hasMade) made.fitDistance = farthestFromSurface(made.result);
-	return {before, outcome.vertexNum, outcome.isRefused, outcome.hasMade};
+	made.hasMadeVertices = outcome.hasMade;
+	return {before, outcome.vertexNum, outcome.isRefused};
 }
 
-void tellMadeVertices(RunContext& run, const Products& made)
+void tellMade(RunContext& run, const Products& made)
 {
+	if (!made.hasMadeVertices) return;
 	run.tell(
 		"Triangles would intersect each other where the surface is thinner than they are wide, so "
 		"that " +
@@ -309,13 +324,14 @@ void tellMadeVertices(RunContext& run, const Products& made)
 		"regular.");
 }
 
-void checkResult(RunContext& run, const Decisions& decisions, Products& made)
+NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made)
 {
 	const bool isOfOurs = decisions.purpose != Purpose::OfGivenSamples;
 	if (isOfOurs) tellSmoothBorder(run, made);
 	const Expected expected{made.surface.figures, isOfOurs ? decisions.wholeNum() : 0,
 							std::int64_t(made.sizes.kept.size()), made.fitDistance};
 	verifyResult(run, made.surface, made.result, expected, made.verified);
+	return {};
 }
 
 ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out)

@@ -19,17 +19,6 @@ namespace gpr {
 
 namespace {
 
-OctreeBlocks cutForSampling(RunContext& run, const Decisions& decisions, float radius,
-							const Surface& surface)
-{
-	// Least width of a block in r. Fewer, larger blocks mean fewer seams in the packing; few
-	// samples fill too few of them for all threads to have work.
-	constexpr float        blockWidth = 20, smallBlockWidth = 12;
-	constexpr std::int64_t fewSamples = 100000;
-	const float width = decisions.spacedFor() < fewSamples ? smallBlockWidth : blockWidth;
-	return cutIntoBlocks(surface, width * radius, run.workers);
-}
-
 /// Whether it matters by how much the first go misses the count. Ridges and thin parts hold fewer
 /// disks than their area lets expect, on scans up to a tenth of all. Where sizes follow the error
 /// most, small disks lie just there, and the splits that make up for them would fall elsewhere.
@@ -73,6 +62,17 @@ FusedMesh fusedMesh(RunContext& run, Products& made)
 
 } // namespace
 
+OctreeBlocks cutForSampling(RunContext& run, const Decisions& decisions, float radius,
+							const Surface& surface)
+{
+	// Least width of a block in r. Fewer, larger blocks mean fewer seams in the packing; few
+	// samples fill too few of them for all threads to have work.
+	constexpr float        blockWidth = 20, smallBlockWidth = 12;
+	constexpr std::int64_t fewSamples = 100000;
+	const float width = decisions.spacedFor() < fewSamples ? smallBlockWidth : blockWidth;
+	return cutIntoBlocks(surface, width * radius, run.workers);
+}
+
 SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& made)
 {
 	const RemeshOptions& options = run.options;
@@ -102,8 +102,8 @@ SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& 
 	return {mayMissCount(options, made), samples.num, samples.onCurveNum, samples.radius, usual};
 }
 
-void takeGivenSamples(RunContext& run, const Decisions& decisions, const std::vector<Vec3d>& points,
-					  Products& made)
+NoFacts takeGivenSamples(RunContext& run, const Decisions& decisions,
+						 const std::vector<Vec3d>& points, Products& made)
 {
 	run.clock.enter(Stage::GivenSamples);
 	GivenSamples given      = takeOverSamples(made.surface, points, run.workers);
@@ -117,9 +117,10 @@ void takeGivenSamples(RunContext& run, const Decisions& decisions, const std::ve
 	samples.movedNum        = given.movedNum;
 	samples.farthest        = given.farthest;
 	samples.partition       = cutForSampling(run, decisions, samples.radius, made.surface);
+	return {};
 }
 
-void connectSamples(RunContext& run, const Decisions& decisions, Products& made)
+NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& made)
 {
 	run.clock.enter(Stage::Retriangulation);
 	ResultMesh& result = made.result;
@@ -137,24 +138,26 @@ void connectSamples(RunContext& run, const Decisions& decisions, Products& made)
 		borderMode(run.options, decisions) == BoundaryMode::Smooth && made.surface.border.isSmooth;
 	run.clock.enter(Stage::Flips);
 	flipEdges(run, result);
-	if (decisions.purpose == Purpose::OfGivenSamples) return;
+	if (decisions.purpose == Purpose::OfGivenSamples) return {};
 	if (!repairInvertedFaces(made.surface, made.curves, true, result, run.workers))
 		run.tellCap("changes for inverted faces");
+	return {};
 }
 
-void reachCount(RunContext& run, const Decisions& decisions, Products& made)
+NoFacts reachCount(RunContext& run, const Decisions& decisions, Products& made)
 {
 	if (decisions.way == Way::ByTopology) {
 		made.result.idealEdge = idealEdge(made, decisions.vertexNum);
 		run.clock.enter(Stage::Count);
 		reachCountByTopology(made.surface, made.curves, decisions.vertexNum, made.result,
 							 run.workers);
-		return;
+		return {};
 	}
-	if (!run.options.exactCount) return;
+	if (!run.options.exactCount) return {};
 	run.clock.enter(Stage::Count);
 	collapseShortEdges(made.surface, made.result, run.workers);
 	reachExactCount(made.surface, made.curves, decisions.vertexNum, made.result, run.workers);
+	return {};
 }
 
 void flipEdges(RunContext& run, ResultMesh& result)

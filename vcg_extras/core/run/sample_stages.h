@@ -13,20 +13,24 @@ namespace gpr {
 
 // From the surface to a mesh with the right count.
 
+/// Blocks of the surface that are sampled by themselves, for disks of a radius.
+OctreeBlocks cutForSampling(RunContext& run, const Decisions& decisions, float radius,
+							const Surface& surface);
+
 /// Step Samples: places samples of about the wanted number, in the way that the options choose.
 SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step GivenSamples: takes the caller's points in the place of samples of our own. Throws Failure
 /// where one is not finite.
-void takeGivenSamples(RunContext& run, const Decisions& decisions, const std::vector<Vec3d>& points,
-					  Products& made);
+NoFacts takeGivenSamples(RunContext& run, const Decisions& decisions,
+						 const std::vector<Vec3d>& points, Products& made);
 
 /// Step Triangles: from samples to a mesh of them, in the way that the options choose, and the
 /// first flips.
-void connectSamples(RunContext& run, const Decisions& decisions, Products& made);
+NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Count: splits and collapses edges until the mesh has the wanted count.
-void reachCount(RunContext& run, const Decisions& decisions, Products& made);
+NoFacts reachCount(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Edge flips, in so many passes at most as the options say.
 void flipEdges(RunContext& run, ResultMesh& result);

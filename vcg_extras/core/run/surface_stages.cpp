@@ -273,28 +273,29 @@ LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)
 	return {shareOf(made.lines.curves, decisions)};
 }
 
-void followGivenLines(RunContext& run, const Decisions& decisions, Products& made)
+NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& made)
 {
-	if (decisions.way != Way::WithFeatureLines) return;
+	if (decisions.way != Way::WithFeatureLines) return {};
 	const bool areAllGiven = run.options.featureMode == FeatureMode::Given;
 	if (areAllGiven && run.input.line == nullptr) {
 		throw Failure(Status::BadOptions,
 					  "The feature lines shall be the selected edges, but no edge is selected.");
 	}
-	if (run.input.line == nullptr || !followsFeatureLines(run.options)) return;
+	if (run.input.line == nullptr || !followsFeatureLines(run.options)) return {};
 	HalfEdgeMesh&      m      = made.surface.mesh;
 	Buffer<char>       before = copyOf(m.crease, run.workers);
 	const std::int64_t added  = markGivenLines(run.input, run.workers, made.surface);
-	if (added == 0) return;
+	if (added == 0) return {};
 	const float radius = usualRadius(made, run.options, decisions.spacedFor());
 	if (shareOf(sampleCurves(run, decisions, radius, made), decisions) <= maxOnGivenLines) {
 		made.lines.edgeNum += added;
 		made.lines.radius = 0;
-		return;
+		return {};
 	}
 	m.crease.swap(before);
 	run.tell("There are more given lines, like the seams of a texture, than so few vertices can "
 			 "follow; triangles lie across them.");
+	return {};
 }
 
 BoundaryCurves sampleCurves(const RunContext& run, const Decisions& decisions, float radius,

@@ -33,7 +33,7 @@ LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)
 
 /// Step GivenLines: adds the caller's own lines where they leave enough vertices to the surface
 /// between them. Throws Failure where all lines are to be the caller's and there are none.
-void followGivenLines(RunContext& run, const Decisions& decisions, Products& made);
+NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Samples of border and feature lines for disks of a radius, working units.
 BoundaryCurves sampleCurves(const RunContext& run, const Decisions& decisions, float radius,

@@ -6,7 +6,8 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/run/error_goal.h>
+#include <vcg_extras/core/run/count_search.h>
+#include <vcg_extras/core/sampling/target.h>
 #include <vcg_extras/core/surface/sampled_distance.h>
 
 #include <cmath>
@@ -23,6 +24,16 @@ ErrorGoal goalOf(double largest, std::int64_t start)
 	goal.start   = start;
 	goal.most    = 1000000;
 	return goal;
+}
+
+/// The whole search; trial(n) makes the trial of a count.
+template <class Trial>
+std::int64_t searchCount(const ErrorGoal& goal, const Trial& trial)
+{
+	CountSearch search(goal);
+	for (std::int64_t next = search.first(); next > 0;)
+		next = search.after(next, trial(next));
+	return search.found();
 }
 
 /// Counts the trials of a search.

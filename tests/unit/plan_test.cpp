@@ -1,0 +1,743 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The table of the plan, row by row: which fact leads to which decision, and from which step the
+// run goes on.
+
+#include <tests/support/random_source.h>
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/run/plan.h>
+
+#include <algorithm>
+#include <functional>
+#include <gtest/gtest.h>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace gpr::test {
+
+namespace {
+
+RemeshOptions order(std::int64_t vertexNum)
+{
+	RemeshOptions options;
+	options.targetMode      = TargetMode::VertexNum;
+	options.targetVertexNum = vertexNum;
+	return options;
+}
+
+RemeshOptions wish(std::int64_t vertexNum)
+{
+	RemeshOptions options = order(vertexNum);
+	options.allowNearest  = true;
+	return options;
+}
+
+RemeshOptions inexact(std::int64_t vertexNum)
+{
+	RemeshOptions options = order(vertexNum);
+	options.exactCount    = false;
+	return options;
+}
+
+RemeshOptions keeping(RemeshOptions options)
+{
+	options.boundary = BoundaryMode::Keep;
+	return options;
+}
+
+MeshFacts reached(std::int64_t vertexNum)
+{
+	return {vertexNum};
+}
+
+MeshFacts withoutAreas(std::int64_t vertexNum)
+{
+	return {vertexNum, false, true};
+}
+
+/// A run whose steps come to what a test says. A step of which nothing is said comes to what needs
+/// no decision.
+class PlannedRun {
+public:
+	explicit PlannedRun(RemeshOptions options, Purpose purpose = Purpose::Answer) :
+			options_(std::move(options)), plan_(Request{options_, 1000, purpose})
+	{
+	}
+
+	std::int64_t                                  keptNum = 0;
+	std::function<LineFacts(const Decisions&)>    lines;
+	std::function<SampleFacts(const Decisions&)>  samples;
+	std::function<MeshFacts(const Decisions&)>    mesh;
+	std::function<ContactFacts(const Decisions&)> contacts;
+	bool                                          mustSew      = false;
+	bool                                          areCrowded   = false;
+	double                                        areaOfSpikes = 0;
+
+	std::vector<Step>        steps; ///< in the order in which they were taken
+	std::vector<std::string> told;
+	std::vector<Decisions>   attempts; ///< of every mesh
+	std::optional<Failure>   failure;  ///< that the run ended with
+
+	/// Takes steps until the run is done or refused.
+	PlannedRun& go()
+	{
+		try {
+			while (plan_.next() != Step::Done && steps.size() < 10000)
+				take(plan_.next());
+		}
+		catch (const Failure& f) {
+			failure = f;
+		}
+		return *this;
+	}
+
+	const Decisions& decisions() const { return plan_.decisions(); }
+	bool             isTaken() const { return !failure && plan_.next() == Step::Done; }
+	std::ptrdiff_t   numOf(Step step) const { return std::count(steps.begin(), steps.end(), step); }
+
+	bool says(const std::string& part) const
+	{
+		const auto has = [&](const std::string& s) { return s.find(part) != std::string::npos; };
+		return (failure && has(failure->message)) || std::any_of(told.begin(), told.end(), has);
+	}
+
+private:
+	RemeshOptions options_;
+	Plan          plan_;
+
+	void take(Step step)
+	{
+		steps.push_back(step);
+		try {
+			judge(step);
+		}
+		catch (const Failure& f) {
+			plan_.judge(f);
+		}
+	}
+
+	void judge(Step step)
+	{
+		const Decisions d = plan_.decisions();
+		switch (step) {
+		case Step::Input:
+			return tell(plan_.judge(InputFacts{1, 1}));
+		case Step::Surface:
+			return tell(plan_.judge(
+				SurfaceFacts{mustSew && d.sewing == Sewing::NotYet, {1 - areaOfSpikes, 1}}));
+		case Step::Sizes:
+			return tell(plan_.judge(SizeFacts{keptNum}));
+		case Step::Lines:
+			return tell(plan_.judge(lines ? lines(d) : LineFacts()));
+		case Step::Samples:
+			return tell(plan_.judge(samples ? samples(d) : SampleFacts()));
+		case Step::Relaxation:
+			attempts.push_back(d);
+			return tell(plan_.judge(mesh ? mesh(d) : reached(d.vertexNum)));
+		case Step::Fit:
+			return tell(plan_.judge(FitFacts{areCrowded}));
+		case Step::Contacts:
+			return tell(
+				plan_.judge(contacts ? contacts(d) : ContactFacts{d.vertexNum, d.vertexNum}));
+		case Step::Export:
+			return tell(plan_.judge(ExportFacts{d.vertexNum}));
+		default:
+			return tell(plan_.judge(NoFacts()));
+		}
+	}
+
+	void tell(const std::string& sentence)
+	{
+		if (!sentence.empty()) told.push_back(sentence);
+	}
+};
+
+/// The run in which each attempt at a mesh comes to meshOf(decisions).
+template <class MeshOf>
+PlannedRun runWith(const RemeshOptions& options, const MeshOf& meshOf, std::int64_t keptNum = 0)
+{
+	PlannedRun run(options);
+	run.mesh    = meshOf;
+	run.keptNum = keptNum;
+	run.go();
+	return run;
+}
+
+std::vector<std::int64_t> countsOf(const PlannedRun& run)
+{
+	std::vector<std::int64_t> counts;
+	for (const Decisions& d : run.attempts)
+		counts.push_back(d.vertexNum);
+	return counts;
+}
+
+} // namespace
+
+TEST(Plan, TakesTheStepsInTheirOrderWithoutAWord)
+{
+	for (const RemeshOptions& options : {order(500), wish(500)}) {
+		const PlannedRun run = PlannedRun(options).go();
+		EXPECT_TRUE(run.isTaken());
+		EXPECT_TRUE(run.told.empty());
+		EXPECT_TRUE(std::is_sorted(run.steps.begin(), run.steps.end()));
+		EXPECT_EQ(run.numOf(Step::Forecast) + run.numOf(Step::GivenSamples) +
+					  run.numOf(Step::Release) + run.numOf(Step::Refinement) +
+					  run.numOf(Step::Error),
+				  0);
+		EXPECT_EQ(run.steps.front(), Step::Region);
+		EXPECT_EQ(run.steps.back(), Step::Export);
+	}
+}
+
+TEST(Plan, StopsAtTheSamplesWhereTheyAreWantedAlone)
+{
+	const PlannedRun run = PlannedRun(order(500), Purpose::SamplesOnly).go();
+	EXPECT_TRUE(run.isTaken());
+	EXPECT_EQ(run.numOf(Step::Samples), 1);
+	EXPECT_EQ(run.numOf(Step::Triangles), 0);
+	EXPECT_EQ(run.steps.back(), Step::Export);
+}
+
+TEST(Plan, SewsSeamsBeforeTheInputIsConnectedAgain)
+{
+	PlannedRun run(order(500));
+	run.mustSew = true;
+	run.go();
+	EXPECT_EQ(run.numOf(Step::Input), 2);
+	EXPECT_EQ(run.decisions().sewing, Sewing::First);
+	EXPECT_TRUE(run.isTaken());
+}
+
+TEST(Plan, TakesTheCountFromTheAreaWithoutSpikes)
+{
+	RemeshOptions options;
+	options.targetMode    = TargetMode::EdgeLength;
+	options.targetEdgeLen = 0.1;
+	PlannedRun run(options);
+	run.areaOfSpikes = 0.5;
+	run.go();
+	EXPECT_EQ(run.decisions().vertexNum, 58) << "half of 115.5";
+}
+
+// Vertices to be kept.
+
+TEST(Plan, KeepsTheCountWhereTheKeptVerticesFit)
+{
+	for (const RemeshOptions& options : {keeping(order(100)), keeping(wish(100))}) {
+		PlannedRun run(options);
+		run.keptNum = 100;
+		run.go();
+		EXPECT_EQ(run.decisions().vertexNum, 100);
+		EXPECT_TRUE(run.told.empty());
+	}
+}
+
+TEST(Plan, RaisesTheCountForABorderThatIsKeptWhereItIsAWish)
+{
+	PlannedRun run(keeping(wish(30)));
+	run.keptNum = 100;
+	run.go();
+	EXPECT_EQ(run.decisions().vertexNum, 180) << "the border, half as many, and those asked for";
+	EXPECT_TRUE(run.says("180 vertices were aimed at instead of 30"));
+	EXPECT_EQ(run.numOf(Step::Input), 2) << "edges are split for another radius";
+}
+
+TEST(Plan, RefusesACountBelowTheKeptVertices)
+{
+	for (Purpose purpose : {Purpose::Answer, Purpose::SamplesOnly}) {
+		PlannedRun run(keeping(order(99)), purpose);
+		run.keptNum = 100;
+		run.go();
+		ASSERT_TRUE(run.failure);
+		EXPECT_EQ(run.failure->status, Status::BadOptions);
+	}
+}
+
+TEST(Plan, RefusesARegionThatDoesNotFitEvenWhereTheCountIsAWish)
+{
+	RemeshOptions options   = wish(99);
+	options.featureSampling = FeatureSampling::Vertices;
+	PlannedRun run(options);
+	run.keptNum = 100;
+	run.go();
+	ASSERT_TRUE(run.failure);
+	EXPECT_TRUE(run.says("have the region sampled by disks"));
+}
+
+// Lines and samples.
+
+TEST(Plan, FollowsFewerLinesUntilTheyFit)
+{
+	std::vector<int> limits;
+	PlannedRun       run(order(500));
+	run.lines = [&](const Decisions& d) {
+		limits.push_back(d.lineLimit);
+		return LineFacts{d.lineLimit < 3 ? 2.0 : 0.9};
+	};
+	run.go();
+	EXPECT_EQ(limits, (std::vector<int>{0, 1, 2, 3}));
+	EXPECT_TRUE(run.isTaken());
+}
+
+TEST(Plan, LeavesCloseLinesOutWhereLinesTakeOverHalfOfTheVertices)
+{
+	PlannedRun run(order(500));
+	run.lines = [](const Decisions& d) { return LineFacts{d.lineLimit == 0 ? 0.6 : 0.55}; };
+	run.go();
+	EXPECT_EQ(run.decisions().lineLimit, 1) << "what is left of them fits";
+}
+
+TEST(Plan, CorrectsARadiusThatMissesTheCountByMuch)
+{
+	PlannedRun run(order(1000));
+	run.samples = [](const Decisions& d) {
+		const float radius = d.radius.value_or(1);
+		return SampleFacts{true, d.radius ? 985 : 700, 10, radius, 1};
+	};
+	run.go();
+	EXPECT_EQ(run.numOf(Step::Samples), 2);
+	ASSERT_TRUE(run.decisions().radius);
+	EXPECT_NEAR(*run.decisions().radius, std::sqrt(700 / 985.0), 1e-6);
+}
+
+TEST(Plan, CorrectsNoRadiusTwiceTooOftenNorWhereNothingIsMissed)
+{
+	for (const bool mayMiss : {true, false}) {
+		PlannedRun run(order(1000));
+		run.samples = [&](const Decisions& d) {
+			return SampleFacts{mayMiss, 700, 10, d.radius.value_or(1), 1};
+		};
+		run.go();
+		EXPECT_EQ(run.numOf(Step::Samples), mayMiss ? 3 : 1);
+	}
+}
+
+TEST(Plan, CorrectsNoRadiusWhereTheCurvesTakeMostOfTheSamples)
+{
+	PlannedRun run(order(1000));
+	run.samples = [](const Decisions&) { return SampleFacts{true, 1500, 701, 1, 1}; };
+	run.go();
+	EXPECT_EQ(run.numOf(Step::Samples), 1);
+}
+
+// The numbered rules.
+
+TEST(Plan, AcceptsAnyCountWhereNoneIsPromised)
+{
+	EXPECT_EQ(runWith(inexact(500), [](const Decisions&) { return reached(480); }).attempts.size(),
+			  1u);
+	EXPECT_EQ(
+		runWith(inexact(500), [](const Decisions&) { return withoutAreas(480); }).attempts.size(),
+		1u)
+		<< "among many vertices another count changes nothing";
+}
+
+/// Nothing is promised of the count, but faces without area are withheld by the audit.
+TEST(Plan, LooksForAreasWhereNoCountIsPromised)
+{
+	const PlannedRun run = runWith(inexact(8), [](const Decisions& d) {
+		return d.vertexNum < 13 ? withoutAreas(d.vertexNum - 1) : reached(d.vertexNum - 1);
+	});
+	EXPECT_TRUE(run.isTaken());
+	EXPECT_TRUE(run.says("some triangles would have no area"));
+}
+
+TEST(Plan, GivesUpFeatureLinesThatDoHarm)
+{
+	for (const MeshFacts& facts : {MeshFacts{501, true, false}, MeshFacts{500, true, true}}) {
+		const PlannedRun run = runWith(order(500), [&](const Decisions& d) {
+			return d.way == Way::WithFeatureLines ? facts : reached(500);
+		});
+		ASSERT_TRUE(run.isTaken());
+		ASSERT_EQ(run.attempts.size(), 2u);
+		EXPECT_EQ(run.attempts[1].way, Way::WithoutFeatureLines);
+		EXPECT_EQ(run.attempts[1].vertexNum, 500);
+		EXPECT_EQ(run.numOf(Step::Input), 1) << "the surface fits";
+		EXPECT_TRUE(run.says("feature lines"));
+	}
+	const PlannedRun harmless = runWith(order(500), [](const Decisions&) {
+		return MeshFacts{500, true, false};
+	});
+	EXPECT_EQ(harmless.attempts.size(), 1u);
+}
+
+TEST(Plan, GivesUpASmoothBorderWithWhichTrianglesHaveNoArea)
+{
+	const PlannedRun run = runWith(order(500), [](const Decisions& d) {
+		return d.keepsRaggedBorder ? reached(500) : MeshFacts{500, false, true, true};
+	});
+	ASSERT_EQ(run.attempts.size(), 2u);
+	EXPECT_TRUE(run.attempts[1].keepsRaggedBorder);
+	EXPECT_EQ(run.attempts[1].vertexNum, 500);
+	EXPECT_TRUE(run.says("smooth border"));
+	// It is not tried again with another count.
+	const PlannedRun raised = runWith(wish(500), [](const Decisions& d) {
+		return d.keepsRaggedBorder ? reached(600) : MeshFacts{500, false, true, true};
+	});
+	EXPECT_EQ(raised.decisions().vertexNum, 600);
+	EXPECT_TRUE(raised.attempts.back().keepsRaggedBorder);
+}
+
+TEST(Plan, LeavesSeamsOpenWithWhichTrianglesHaveNoArea)
+{
+	const auto facts = [](const Decisions& d, std::int64_t reachedNum) {
+		const bool isSewn = d.sewing != Sewing::Never;
+		return MeshFacts{isSewn ? 500 : reachedNum, false, isSewn, false, isSewn};
+	};
+	const PlannedRun run = runWith(order(500), [&](const Decisions& d) { return facts(d, 500); });
+	ASSERT_EQ(run.attempts.size(), 2u);
+	EXPECT_EQ(run.attempts[1].sewing, Sewing::Never);
+	EXPECT_EQ(run.numOf(Step::Input), 2);
+	EXPECT_TRUE(run.says("seams"));
+	// They are not sewn again for another count.
+	const PlannedRun raised = runWith(wish(500), [&](const Decisions& d) { return facts(d, 600); });
+	EXPECT_EQ(raised.decisions().vertexNum, 600);
+	EXPECT_EQ(raised.attempts.back().sewing, Sewing::Never);
+}
+
+TEST(Plan, ReachesAMissedCountByTopology)
+{
+	const PlannedRun run = runWith(order(500), [](const Decisions& d) {
+		return reached(d.way == Way::ByTopology ? 500 : 501);
+	});
+	ASSERT_EQ(run.attempts.size(), 2u);
+	EXPECT_EQ(run.attempts[1].way, Way::ByTopology);
+	EXPECT_EQ(run.attempts[1].spacedFor(), 1);
+	EXPECT_TRUE(run.isTaken());
+}
+
+TEST(Plan, RefusesWhatTopologyForbidsAndNamesTheSmallest)
+{
+	RemeshOptions options = order(3);
+	options.guard         = false; // the count that is named is not tried
+	const PlannedRun run  = runWith(options, [](const Decisions&) { return reached(7); });
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.failure->smallestVertexNum, 7);
+	EXPECT_TRUE(run.says("with 3 vertices"));
+	EXPECT_TRUE(run.says("number is 7"));
+}
+
+TEST(Plan, RaisesAWishToTheSmallestAndMeshesAnew)
+{
+	const PlannedRun run = runWith(wish(3), [](const Decisions&) { return reached(7); });
+	ASSERT_TRUE(run.isTaken());
+	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{3, 3, 7}));
+	EXPECT_EQ(run.attempts.back().way, Way::WithoutFeatureLines);
+	EXPECT_EQ(run.told.size(), 1u);
+	EXPECT_TRUE(run.says("7 vertices instead of 3"));
+}
+
+TEST(Plan, TakesTheNearestWithKeptVerticesOrRefuses)
+{
+	const auto       mesh  = [](const Decisions&) { return reached(55); };
+	const PlannedRun taken = runWith(keeping(wish(50)), mesh, 40);
+	EXPECT_TRUE(taken.isTaken());
+	EXPECT_EQ(taken.decisions().vertexNum, 55);
+	EXPECT_TRUE(taken.says("55 vertices instead of 50"));
+	RemeshOptions options    = keeping(order(50));
+	options.guard            = false;
+	const PlannedRun refused = runWith(options, mesh, 40);
+	ASSERT_TRUE(refused.failure);
+	EXPECT_EQ(refused.failure->smallestVertexNum, 55);
+	EXPECT_TRUE(refused.says("the 40 to be kept"));
+	const auto       flat  = [](const Decisions&) { return withoutAreas(50); };
+	const PlannedRun other = runWith(options, flat, 40);
+	EXPECT_EQ(other.attempts.size(), 1u) << "no other count is looked for";
+}
+
+TEST(Plan, LooksForACountThatLeavesRoomForAreas)
+{
+	const auto hasAreasFrom13 = [](const Decisions& d) {
+		return d.vertexNum < 13 ? withoutAreas(d.vertexNum) : reached(d.vertexNum);
+	};
+	const std::vector<std::int64_t> counts{8, 8, 10, 12, 15};
+	const PlannedRun                taken = runWith(wish(8), hasAreasFrom13);
+	EXPECT_EQ(countsOf(taken), counts);
+	EXPECT_TRUE(taken.isTaken());
+	EXPECT_TRUE(taken.says("15 vertices instead of 8"));
+	RemeshOptions options    = order(8);
+	options.guard            = false;
+	const PlannedRun refused = runWith(options, hasAreasFrom13);
+	EXPECT_EQ(countsOf(refused), counts);
+	ASSERT_TRUE(refused.failure);
+	EXPECT_EQ(refused.failure->smallestVertexNum, 15);
+	EXPECT_TRUE(refused.says("With 8 vertices"));
+}
+
+TEST(Plan, TakesTheSameCountWhereASecondMeshHasAreas)
+{
+	int              meshNum = 0;
+	const PlannedRun run     = runWith(order(8), [&](const Decisions& d) {
+        return ++meshNum == 1 ? withoutAreas(d.vertexNum) : reached(d.vertexNum);
+    });
+	EXPECT_EQ(run.attempts.size(), 2u);
+	EXPECT_TRUE(run.isTaken());
+	EXPECT_TRUE(run.told.empty());
+}
+
+TEST(Plan, LooksForNoOtherCountAmongManyVertices)
+{
+	const auto flat = [](const Decisions& d) { return withoutAreas(d.vertexNum); };
+	EXPECT_GT(runWith(order(64), flat).attempts.size(), 1u);
+	EXPECT_EQ(runWith(order(65), flat).attempts.size(), 1u);
+}
+
+TEST(Plan, ComesBackToTheFirstCountAfterASearchThatFailed)
+{
+	const PlannedRun run =
+		runWith(order(8), [](const Decisions& d) { return withoutAreas(d.vertexNum); });
+	EXPECT_TRUE(run.isTaken()) << "the audit withholds it";
+	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{8, 8, 10, 12, 15, 18, 22, 27, 33, 8}));
+}
+
+TEST(Plan, RefusesAfterASearchThatFailedBelowTheSmallest)
+{
+	RemeshOptions options = order(3);
+	options.guard         = false;
+	const PlannedRun run  = runWith(options, [](const Decisions& d) {
+        return withoutAreas(std::max<std::int64_t>(7, d.vertexNum));
+    });
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.failure->smallestVertexNum, 7);
+	EXPECT_TRUE(run.says("cannot be meshed with 3"));
+}
+
+// From the mesh to the result.
+
+TEST(Plan, ReleasesCrowdedLinesOnce)
+{
+	PlannedRun run(order(500));
+	run.areCrowded = true;
+	run.go();
+	EXPECT_EQ(run.numOf(Step::Release), 1);
+	EXPECT_EQ(run.numOf(Step::Fit), 1);
+	EXPECT_EQ(run.numOf(Step::Contacts), 1);
+}
+
+TEST(Plan, TakesTheCountThatIsFreeOfContacts)
+{
+	PlannedRun run(wish(500));
+	run.contacts = [](const Decisions& d) {
+		EXPECT_TRUE(d.mayEndAbove);
+		return ContactFacts{500, 520};
+	};
+	run.go();
+	EXPECT_EQ(run.decisions().vertexNum, 520);
+	EXPECT_TRUE(run.says("520 vertices instead of 500"));
+}
+
+TEST(Plan, RefusesACountThatHasContacts)
+{
+	PlannedRun run(order(500));
+	run.contacts = [](const Decisions& d) {
+		EXPECT_FALSE(d.mayEndAbove);
+		return ContactFacts{500, 520, true};
+	};
+	run.go();
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.failure->smallestVertexNum, 520);
+	EXPECT_EQ(run.numOf(Step::Region), 1) << "among many vertices the count named is not tried";
+}
+
+// Several meshes for one result.
+
+TEST(Plan, NamesACountThatCanBeHad)
+{
+	PlannedRun run(order(8));
+	run.contacts = [](const Decisions& d) {
+		const bool isFree = d.vertexNum >= 20;
+		return isFree ? ContactFacts{d.vertexNum, d.vertexNum}
+					  : ContactFacts{d.vertexNum, d.vertexNum + 5, true};
+	};
+	run.go();
+	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{8, 13, 18, 23}));
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.failure->status, Status::CountTooSmall);
+	EXPECT_EQ(run.failure->smallestVertexNum, 23);
+	EXPECT_TRUE(run.says("cannot be meshed with 8 vertices"));
+	EXPECT_TRUE(run.says("that was found is 23"));
+}
+
+TEST(Plan, KeepsItsSentenceWhereTheCountNamedCanBeHad)
+{
+	const PlannedRun run = runWith(order(3), [](const Decisions& d) {
+		return reached(std::max<std::int64_t>(7, d.vertexNum));
+	});
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.failure->smallestVertexNum, 7);
+	EXPECT_TRUE(run.says("the smallest possible number is 7"));
+}
+
+namespace {
+
+/// Drives the trials for an error; errorOf(vertexNum, spots so far).
+class ErrorRun {
+public:
+	std::vector<std::int64_t> tried;
+	std::vector<double>       shares; ///< where the progress of each trial begins
+	int                       refinementNum = 0;
+	int                       addedATime    = 0;
+	Plan                      plan;
+
+	ErrorRun(const RemeshOptions& options, double goal) :
+			plan(Request{options, 1000, Purpose::Forecast, 0, ErrorGoal{goal, 300, 100000}, 1})
+	{
+	}
+
+	template <class ErrorOf>
+	void go(const ErrorOf& errorOf)
+	{
+		while (plan.next() != Step::Done) {
+			const Decisions d = plan.decisions();
+			if (plan.beginsRun() && d.purpose == Purpose::Trial) {
+				tried.push_back(d.vertexNum);
+				shares.push_back(plan.share().from);
+			}
+			switch (plan.next()) {
+			case Step::Forecast:
+				plan.judge(ForecastFacts{1000});
+				break;
+			case Step::Input:
+				plan.judge(InputFacts{1, 1});
+				break;
+			case Step::Surface:
+				plan.judge(SurfaceFacts{false, {1, 1}});
+				break;
+			case Step::Sizes:
+				plan.judge(SizeFacts{0});
+				break;
+			case Step::Relaxation:
+				plan.judge(reached(d.vertexNum));
+				break;
+			case Step::Refinement:
+				++refinementNum;
+				plan.judge(RefinementFacts{addedATime});
+				break;
+			case Step::Error:
+				plan.judge(ErrorFacts{errorOf(d.wholeNum()), 1e-4, 1.1});
+				break;
+			case Step::Export:
+				plan.judge(ExportFacts{d.wholeNum()});
+				break;
+			default:
+				plan.judge(NoFacts());
+			}
+		}
+	}
+};
+
+RemeshOptions forError()
+{
+	RemeshOptions options;
+	options.targetMode     = TargetMode::MaxError;
+	options.targetMaxError = 1;
+	return options;
+}
+
+} // namespace
+
+TEST(Plan, TriesTheCountOfTheForecastFirst)
+{
+	const RemeshOptions options = forError();
+	ErrorRun            run(options, 1);
+	run.go([](std::int64_t) { return 0.98; });
+	EXPECT_EQ(run.tried.front(), 1000);
+	EXPECT_NE(run.plan.outcomeForError().find("This is proven."), std::string::npos);
+}
+
+TEST(Plan, TriesOtherCountsUntilTheErrorIsMet)
+{
+	const RemeshOptions options = forError();
+	ErrorRun            run(options, 1);
+	run.go([](std::int64_t n) { return n < 1500 ? 1.5 : 0.95; });
+	EXPECT_GE(run.tried.back(), 1500);
+	EXPECT_LE(run.tried.size(), 5u);
+	for (std::size_t i = 0; i < run.shares.size(); ++i)
+		EXPECT_DOUBLE_EQ(run.shares[i], 0.2 * double(i));
+}
+
+TEST(Plan, RefusesAnErrorThatNoTrialMeets)
+{
+	RemeshOptions options = forError();
+	{
+		ErrorRun run(options, 1);
+		run.go([](std::int64_t) { return 2.0; });
+		EXPECT_EQ(run.tried.size(), 5u);
+		EXPECT_THROW(run.plan.outcomeForError(), Failure);
+	}
+	options.allowNearest = true;
+	ErrorRun run(options, 1);
+	run.go([](std::int64_t) { return 2.0; });
+	EXPECT_NE(run.plan.outcomeForError().find("was not reached"), std::string::npos);
+}
+
+TEST(Plan, RefinesATrialThreeTimesAtMost)
+{
+	const RemeshOptions options = forError();
+	ErrorRun            run(options, 1);
+	run.addedATime = 5;
+	run.go([](std::int64_t) { return 0.98; });
+	EXPECT_EQ(run.refinementNum, 3 * int(run.tried.size()));
+	EXPECT_EQ(run.plan.decisions().addedNum, 15);
+}
+
+// The bound of the whole run.
+
+/// Whatever the attempts come to: the same attempt comes to the same, as in a run.
+TEST(Plan, AlwaysComesToAnEnd)
+{
+	for (std::uint32_t seed : testSeeds(2000)) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		Random             random(seed);
+		const std::int64_t asked = 1 + random.below(80), kept = random.chance(0.2) ? asked / 2 : 0;
+		const bool         isWish  = random.chance(0.5);
+		RemeshOptions      options = isWish ? wish(asked) : order(asked);
+		options.exactCount         = random.chance(0.8);
+		options.guard              = false;
+		const double hit = random.between(0, 1), flat = random.between(0, 1);
+		const bool   isSmooth = random.chance(0.5), isSewn = random.chance(0.5);
+		std::map<std::tuple<Way, std::int64_t, bool, Sewing>, MeshFacts> known;
+		std::int64_t                                                     last = 0;
+		PlannedRun                                                       run(options);
+		run.keptNum = kept;
+		run.mesh    = [&](const Decisions& d) {
+            const MeshFacts facts{random.chance(hit) ? d.vertexNum : 1 + random.below(90),
+                                  d.way == Way::WithFeatureLines && random.chance(0.5),
+                                  random.chance(flat), isSmooth && !d.keepsRaggedBorder,
+                                  isSewn && d.sewing != Sewing::Never};
+            const auto key = std::make_tuple(d.way, d.vertexNum, d.keepsRaggedBorder, d.sewing);
+            const MeshFacts& made = known.insert({key, facts}).first->second;
+            last                  = made.vertexNum;
+            return made;
+		};
+		run.go();
+		EXPECT_LE(run.attempts.size(), 25u);
+		ASSERT_TRUE(run.failure || run.isTaken());
+		if (run.failure) {
+			EXPECT_FALSE(isWish) << "a wish is never refused";
+			EXPECT_TRUE(run.says(std::to_string(run.failure->smallestVertexNum)));
+		}
+		else if (options.exactCount && !isWish && kept > 0) {
+			EXPECT_EQ(last, asked);
+		}
+	}
+}
+
+/// Steps that would always go back end the run together, not each by a bound of its own.
+TEST(Plan, BoundsTheReturnsOfAWholeRun)
+{
+	PlannedRun run(order(500));
+	run.lines    = [](const Decisions&) { return LineFacts{2}; };
+	run.contacts = [](const Decisions& d) { return ContactFacts{d.vertexNum, d.vertexNum}; };
+	run.go();
+	EXPECT_EQ(run.numOf(Step::Lines), 1 + Plan::mostReturns);
+	EXPECT_TRUE(run.isTaken());
+	EXPECT_EQ(run.attempts.size(), 1u);
+}
+
+} // namespace gpr::test
