@@ -13,7 +13,7 @@
 #include <vcg_extras/core/guard/local_nearest.h>
 #include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/face_contact.h>
-#include <vcg_extras/core/output/audit.h>
+#include <vcg_extras/core/mesh/measure.h>
 
 #include <algorithm>
 #include <cmath>

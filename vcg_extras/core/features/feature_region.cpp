@@ -75,4 +75,20 @@ std::vector<int> callersVertices(const MeshView& input, const Buffer<char>& regi
 		});
 }
 
+std::vector<int> borderVertices(const MeshView& input, const Surface& surface, Workers& workers)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	Buffer<char>        onBorder(m.vertexNum);
+	for (int v = 0; v < m.vertexNum; ++v)
+		onBorder[v] = m.outgoing[v] >= 0 && m.isBorderVertex(v);
+	return callersVertices(input, onBorder, surface, workers);
+}
+
+std::vector<int> unionOf(const std::vector<int>& a, const std::vector<int>& b)
+{
+	std::vector<int> all;
+	std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
+	return all;
+}
+
 } // namespace gpr

@@ -22,6 +22,12 @@ Buffer<char> regionVertices(const MeshView& input, const std::uint8_t* marks,
 std::vector<int> callersVertices(const MeshView& input, const Buffer<char>& region,
 								 const Surface& surface, Workers& workers);
 
+/// The caller's own vertices on the border, ascending. Cost: linear.
+std::vector<int> borderVertices(const MeshView& input, const Surface& surface, Workers& workers);
+
+/// Of two sets of vertices, each ascending.
+std::vector<int> unionOf(const std::vector<int>& a, const std::vector<int>& b);
+
 } // namespace gpr
 
 #endif

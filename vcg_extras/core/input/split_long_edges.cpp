@@ -370,4 +370,24 @@ SplitFaces splitLongFaces(const Surface& surface, const std::vector<int>& longFa
 	return splitter.run(workers);
 }
 
+std::int64_t maxFacesFor(std::int64_t vertexNum, std::int64_t faceNum)
+{
+	const std::int64_t most = std::max<std::int64_t>(4 * faceNum, 200 * vertexNum + 10000000);
+	return std::min<std::int64_t>(most, 700000000);
+}
+
+LongFaces findTooLong(const IndexedMesh& mesh, const FaceExtents& extents, float radius,
+					  Workers& workers)
+{
+	constexpr double maxSingleFaces = 0.15; // share that may have longer edges
+	LongFaces        found;
+	found.longest = longestEdgeInRadii * radius;
+	found.faces   = findLongFaces(mesh, extents, found.longest, workers);
+	if (double(found.faces.size()) < maxSingleFaces * mesh.faceNum) {
+		found.longest = longestSingleEdge * radius;
+		found.faces   = findLongFaces(mesh, found.longest, found.faces, workers);
+	}
+	return found;
+}
+
 } // namespace gpr

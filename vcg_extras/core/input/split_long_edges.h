@@ -49,6 +49,23 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
 							std::int64_t maxFaces, Workers& workers);
 
+/// Where no more than this share of the faces is split, noise is still seen on those that are
+/// there.
+constexpr double maxUnseen = 0.02;
+
+/// Faces that splitting long edges may lead to, for a result of so many vertices.
+std::int64_t maxFacesFor(std::int64_t vertexNum, std::int64_t faceNum);
+
+/// Faces with edges that are too long for the sampling.
+struct LongFaces {
+	std::vector<int> faces;
+	float            longest = 0; ///< edges longer than this are split, working units
+};
+
+/// Those of a mesh, for disks of this radius.
+LongFaces findTooLong(const IndexedMesh& mesh, const FaceExtents& extents, float radius,
+					  Workers& workers);
+
 /// What long faces are split into.
 struct SplitFaces {
 	struct Face {

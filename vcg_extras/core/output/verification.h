@@ -32,6 +32,11 @@ struct Verification {
 	double        constantForTarget = 0; ///< of eq. (1): see RemeshReport
 };
 
+/// With BoundaryMode::Smooth, adds the length of the result's border to the figures, and tells the
+/// user how much shorter that is, and what was cut off.
+void tellSmoothBorder(RunContext& run, const Frame& frame, const ResultMesh& result,
+					  BorderFigures& border);
+
 /// Audits the finished mesh, thoroughly where the options ask for it, and notes what the user shall
 /// know of it. Throws Failure where a promise is broken; `found` then tells which.
 void verifyResult(RunContext& run, const Surface& surface, const ResultMesh& result,

@@ -4,18 +4,11 @@
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/feature_export.h>
-#include <vcg_extras/core/input/border_spikes.h>
-#include <vcg_extras/core/input/contract_edges.h>
-#include <vcg_extras/core/input/flat_pieces.h>
-#include <vcg_extras/core/input/load.h>
+#include <vcg_extras/core/input/cleaning.h>
 #include <vcg_extras/core/input/memory_need.h>
-#include <vcg_extras/core/input/repair_manifold.h>
-#include <vcg_extras/core/input/sew_seams.h>
-#include <vcg_extras/core/input/small_components.h>
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/input/stray_faces.h>
 #include <vcg_extras/core/mesh/measure.h>
-#include <vcg_extras/core/mesh/spatial_order.h>
 #include <vcg_extras/core/results.h>
 
 #include <algorithm>
@@ -26,110 +19,8 @@ namespace gpr {
 
 namespace {
 
-/// Share of the faces that may have an edge of more than longestEdgeInRadii.
-constexpr double maxSingleFaces = 0.15;
 /// Of the time of a run with a tenth of the vertices, about.
 constexpr double detectionShare = 0.5;
-
-// ---- Cleaning.
-
-/// What the options ask for. Components must be whole where small ones are dropped.
-Sewing sewingFor(const RemeshOptions& options, Sewing wanted)
-{
-	if (!options.sew || wanted == Sewing::Never) return Sewing::Never;
-	return options.dropComponentsBelow > 1 ? Sewing::First : wanted;
-}
-
-/// Orders the mesh in space and connects its faces; repairs it where it is not manifold. The mesh
-/// is used up.
-void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Surface& surface)
-{
-	Buffer<int> faceStart;
-	run.clock.enter(Stage::Order);
-	surface.grid = orderSpatially(mesh, run.workers, faceStart);
-	run.clock.enter(Stage::Connect);
-	if (connect(mesh, faceStart, run.workers, surface)) return;
-	run.clock.enter(Stage::Repair);
-	repairManifold(mesh, run.workers, counts);
-	surface.grid = orderSpatially(mesh, run.workers, faceStart);
-	if (!connect(mesh, faceStart, run.workers, surface)) {
-		throw Failure(Status::InternalError, "The surface could not be made manifold.");
-	}
-}
-
-void dropFaces(RunContext& run, const std::vector<int>& faces, std::int64_t& droppedNum,
-			   CleanCounts& counts, Surface& surface)
-{
-	IndexedMesh mesh = withoutFaces(surface, faces, droppedNum);
-	connectOrRepair(run, mesh, counts, surface);
-}
-
-/// Pieces without area, left by repair or there from the start, could only be meshed by triangles
-/// without area. Pieces that hold others together stay.
-void dropFlatPieces(RunContext& run, CleanCounts& counts, Surface& surface)
-{
-	const std::vector<int> flat = findFlatPieces(surface, run.workers);
-	if (flat.empty()) return;
-	if (int(flat.size()) == surface.mesh.faceNum)
-		throw Failure(Status::UnusableInput, "The surface has no area.");
-	dropFaces(run, flat, counts.zeroAreaFaces, counts, surface);
-}
-
-void dropSmallComponents(RunContext& run, CleanCounts& counts, Surface& surface)
-{
-	const std::int64_t    least = run.options.dropComponentsBelow;
-	const SmallComponents small = findSmallComponents(surface.mesh, least, run.workers);
-	if (small.num == 0) return;
-	if (int(small.faces.size()) == surface.mesh.faceNum) {
-		throw Failure(Status::UnusableInput,
-					  "Nothing would be left: every component has fewer than " +
-						  std::to_string(least) + " faces.");
-	}
-	counts.droppedComponents = small.num;
-	dropFaces(run, small.faces, counts.droppedFaces, counts, surface);
-}
-
-/// A detour, as it takes a second ordering and connecting.
-IndexedMesh withoutUselessPieces(RunContext& run, IndexedMesh mesh, CleanCounts& counts)
-{
-	Surface surface;
-	connectOrRepair(run, mesh, counts, surface);
-	dropFlatPieces(run, counts, surface);
-	dropSmallComponents(run, counts, surface);
-	return disconnect(surface);
-}
-
-/// Orders and connects a mesh, which is used up, and drops pieces without area. False where its
-/// seams must be sewn first: most meshes have none, which is soon seen where the border is known.
-/// To look for them before would take a tenth of a quick run.
-bool connectCleaned(RunContext& run, Sewing sewing, IndexedMesh& mesh, CleanCounts& counts,
-					Surface& surface)
-{
-	connectOrRepair(run, mesh, counts, surface);
-	if (sewing == Sewing::NotYet && mayHaveSeams(surface, run.workers)) return false;
-	dropFlatPieces(run, counts, surface);
-	return true;
-}
-
-/// The caller's mesh without faulty faces and without the components that the options drop.
-std::shared_ptr<CleanedInput> clean(RunContext& run, Sewing sewing, CleanCounts& counts)
-{
-	counts = CleanCounts(); // an earlier attempt may have counted
-	run.clock.enter(Stage::Load);
-	IndexedMesh mesh = loadInput(run.input, run.workers, counts);
-	contractEdgesWithoutLength(mesh, run.workers, counts);
-	if (sewing == Sewing::First) {
-		run.clock.enter(Stage::Sew);
-		sewSeams(mesh, run.workers, counts);
-	}
-	if (run.options.dropComponentsBelow > 1 || allFacesThin(mesh, run.workers))
-		mesh = withoutUselessPieces(run, std::move(mesh), counts);
-	const auto cleaned = std::make_shared<CleanedInput>();
-	cleaned->extents   = measureFaces(mesh, run.workers);
-	cleaned->mesh      = std::move(mesh);
-	cleaned->counts    = counts;
-	return cleaned;
-}
 
 // ---- The feature region.
 
@@ -162,24 +53,6 @@ bool areSame(const FeatureThresholds& a, const FeatureThresholds& b)
 }
 
 // ---- Edges that are too long for the sampling.
-
-/// Faces with such edges.
-struct LongFaces {
-	std::vector<int> faces;
-	float            longest = 0; ///< edges longer than this are split, working units
-};
-
-LongFaces findTooLong(RunContext& run, const CleanedInput& input, float radius)
-{
-	LongFaces found;
-	found.longest = longestEdgeInRadii * radius;
-	found.faces   = findLongFaces(input.mesh, input.extents, found.longest, run.workers);
-	if (double(found.faces.size()) < maxSingleFaces * input.mesh.faceNum) {
-		found.longest = longestSingleEdge * radius;
-		found.faces   = findLongFaces(input.mesh, found.longest, found.faces, run.workers);
-	}
-	return found;
-}
 
 void tellStrayFaces(RunContext& run, const IndexedMesh& mesh, const std::vector<int>& longFaces)
 {
@@ -235,31 +108,7 @@ bool takeConnected(RunContext& run, Sewing sewing, InputCache::OfSewing& kept,
 	return true;
 }
 
-/// With BoundaryMode::Smooth, cuts spikes off the surface that are narrower than an edge of the
-/// result. The area changes with it.
-void cutBorderSpikes(RunContext& run, float edge, WorkingSurface& surface)
-{
-	const double   unit           = 1 / surface.frame.scale;
-	BorderFigures& border         = surface.border;
-	border                        = BorderFigures();
-	border.length                 = unit * borderLength(surface.mesh);
-	border.isSmooth               = border.length > 0;
-	border.area                   = unit * unit * surface.area;
-	const std::vector<int> spikes = findBorderSpikes(surface.mesh, edge);
-	if (spikes.empty()) return;
-	IndexedMesh mesh = withoutFaces(surface, spikes, border.cutFaceNum);
-	surface.area     = measureFaces(mesh, run.workers).area;
-	border.cutArea   = border.area - unit * unit * surface.area;
-	connectOrRepair(run, mesh, surface.cleaned, surface);
-}
-
 } // namespace
-
-std::int64_t maxFacesFor(std::int64_t vertexNum, std::int64_t faceNum)
-{
-	const std::int64_t most = std::max<std::int64_t>(4 * faceNum, 200 * vertexNum + 10000000);
-	return std::min<std::int64_t>(most, 700000000);
-}
 
 InputCache::OfSewing& InputCache::of(const RemeshOptions& options, Sewing sewing)
 {
@@ -350,7 +199,8 @@ SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache
 	const Sewing       sewing  = sewingFor(run.options, decisions.sewing);
 	const std::int64_t num     = decisions.spacedFor();
 	run.clock.enter(Stage::SplitLongEdges);
-	const LongFaces tooLong = findTooLong(run, *made.input, usualRadius(made, run.options, num));
+	const LongFaces tooLong = findTooLong(made.input->mesh, made.input->extents,
+										  usualRadius(made, run.options, num), run.workers);
 	tellStrayFaces(run, made.input->mesh, tooLong.faces);
 	requireMemory(bytesNeeded(facesAfterSplitting(made.input->mesh, tooLong.faces, tooLong.longest),
 							  double(num)),
@@ -365,7 +215,8 @@ SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache
 		isConnected = connectCleaned(run, sewing, mesh, surface.cleaned, surface);
 	}
 	if (isConnected && run.options.boundary == BoundaryMode::Smooth)
-		cutBorderSpikes(run, idealEdge(made, num), surface);
+		cutBorderSpikes(run, idealEdge(made, num), surface, surface.area, surface.cleaned,
+						surface.border);
 	return {!isConnected, {surface.area, surface.frame.scale}};
 }
 

@@ -18,13 +18,6 @@ namespace gpr {
 
 // From the caller's mesh to a connected surface whose edges are short enough for the sampling.
 
-/// Where no more than this share of the faces is split, noise is still seen on those that are
-/// there.
-constexpr double maxUnseen = 0.02;
-
-/// Faces that splitting long edges may lead to.
-std::int64_t maxFacesFor(std::int64_t vertexNum, std::int64_t faceNum);
-
 /// The cleaned input, ordered and connected.
 struct ConnectedInput {
 	bool    mustSewFirst = false; ///< it has seams that are to be sewn; there is no surface then

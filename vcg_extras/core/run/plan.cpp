@@ -97,35 +97,31 @@ WorkShare Plan::share() const
 
 bool Plan::has(Step step) const
 {
-	const Purpose purpose = decisions_.purpose;
+	const Purpose purpose        = decisions_.purpose;
+	const bool    isOfOwn        = purpose != Purpose::OfGivenSamples;
+	const bool    becomesMesh    = purpose != Purpose::SamplesOnly;
+	const bool    isTrial        = purpose == Purpose::Trial;
+	const bool    mayStillRefine = attempts_.refinementNum < maxRefinements;
+	// clang-format off
 	switch (step) {
-	case Step::Region:
-		return purpose != Purpose::OfGivenSamples;
 	case Step::Input:
 	case Step::Surface:
 	case Step::Sizes:
-	case Step::Export:
-		return true;
-	case Step::Forecast:
-		return purpose == Purpose::Forecast;
+	case Step::Export:       return true;
+	case Step::Region:
 	case Step::Lines:
 	case Step::GivenLines:
-	case Step::Samples:
-		return purpose != Purpose::OfGivenSamples;
-	case Step::GivenSamples:
-		return purpose == Purpose::OfGivenSamples;
+	case Step::Samples:      return isOfOwn;
+	case Step::GivenSamples: return !isOfOwn;
+	case Step::Forecast:     return purpose == Purpose::Forecast;
 	case Step::Triangles:
-	case Step::Check:
-		return purpose != Purpose::SamplesOnly;
-	case Step::Refinement:
-		return purpose == Purpose::Trial && attempts_.refinementNum < maxRefinements;
-	case Step::Error:
-		return purpose == Purpose::Trial;
-	case Step::Release:
-		return false; // only where lines turn out to be crowded
-	default:
-		return purpose != Purpose::SamplesOnly && purpose != Purpose::OfGivenSamples;
+	case Step::Check:        return becomesMesh;
+	case Step::Refinement:   return isTrial && mayStillRefine;
+	case Step::Error:        return isTrial;
+	case Step::Release:      return false; // only where lines turn out to be crowded
+	default:                 return isOfOwn && becomesMesh;
 	}
+	// clang-format on
 }
 
 void Plan::goOn()
@@ -136,10 +132,18 @@ void Plan::goOn()
 	while (step_ != Step::Done && !has(step_));
 }
 
-void Plan::returnTo(Step from)
+std::string Plan::returnTo(Step from, std::string note)
 {
 	++returnNum_;
 	step_ = from;
+	return note;
+}
+
+std::string Plan::returnIf(bool isNeeded, Step from)
+{
+	if (isNeeded && mayReturn()) return returnTo(from);
+	goOn();
+	return "";
 }
 
 void Plan::beginRun(Purpose purpose, std::int64_t vertexNum)
@@ -196,8 +200,7 @@ std::string Plan::judge(const SurfaceFacts& facts)
 {
 	if (facts.mustSewFirst) {
 		decisions_.sewing = Sewing::First;
-		returnTo(Step::Input);
-		return "";
+		return returnTo(Step::Input);
 	}
 	resolveCount(facts.input);
 	attempts_.preparedFor = decisions_.spacedFor();
@@ -236,8 +239,7 @@ std::string Plan::makeRoom()
 							 " vertices were aimed at instead of " + text(attempts_.asked) + ".";
 	attempts_.isCountChosen = true;
 	decisions_.vertexNum = attempts_.asked = raised;
-	returnTo(Step::Input);
-	return note;
+	return returnTo(Step::Input, note);
 }
 
 std::string Plan::judge(const ForecastFacts& facts)
@@ -252,14 +254,8 @@ std::string Plan::judge(const ForecastFacts& facts)
 std::string Plan::judge(const LineFacts& facts)
 {
 	const bool areTooMany = decisions_.lineLimit == 0 ? facts.share > maxOnCurves : facts.share > 1;
-	if (areTooMany && mayReturn()) {
-		++decisions_.lineLimit;
-		returnTo(Step::Lines);
-	}
-	else {
-		goOn();
-	}
-	return "";
+	decisions_.lineLimit += areTooMany;
+	return returnIf(areTooMany, Step::Lines);
 }
 
 /// Feature lines leave gaps between them and the front, all the more the nearer they are to each
@@ -288,17 +284,11 @@ std::string Plan::judge(const SampleFacts& facts)
 {
 	const int   most      = attempts_.keptNum == 0 ? maxCorrections : maxCorrectionsWithKept;
 	const float corrected = correctedRadius(facts);
-	const bool  mayCorrect =
-		facts.mayMiss && attempts_.correctionNum < most && mayReturn() && corrected != facts.radius;
-	if (mayCorrect) {
-		++attempts_.correctionNum;
-		decisions_.radius = corrected;
-		returnTo(Step::Samples);
-	}
-	else {
-		goOn();
-	}
-	return "";
+	const bool  isCorrected =
+		facts.mayMiss && attempts_.correctionNum < most && corrected != facts.radius;
+	attempts_.correctionNum += isCorrected;
+	if (isCorrected) decisions_.radius = corrected;
+	return returnIf(isCorrected, Step::Samples);
 }
 
 // ---- The mesh and its count: the numbered rules of the table.
@@ -309,8 +299,8 @@ std::string Plan::tryAgain(std::string note)
 	attempts_.isCountChosen = true;
 	attempts_.correctionNum = 0;
 	decisions_.radius.reset();
-	returnTo(decisions_.spacedFor() == attempts_.preparedFor ? Step::Lines : Step::Input);
-	return note;
+	const bool fits = decisions_.spacedFor() == attempts_.preparedFor;
+	return returnTo(fits ? Step::Lines : Step::Input, std::move(note));
 }
 
 std::string Plan::accept(std::int64_t vertexNum, std::string note)
@@ -465,11 +455,7 @@ std::string Plan::judge(const MeshFacts& facts)
 
 std::string Plan::judge(const FitFacts& facts)
 {
-	if (facts.areLinesCrowded && mayReturn())
-		returnTo(Step::Release);
-	else
-		goOn();
-	return "";
+	return returnIf(facts.areLinesCrowded, Step::Release);
 }
 
 std::string Plan::judge(const ContactFacts& facts)
@@ -493,11 +479,7 @@ std::string Plan::judge(const RefinementFacts& facts)
 {
 	decisions_.addedNum += facts.addedNum;
 	++attempts_.refinementNum;
-	if (facts.addedNum > 0 && mayReturn())
-		returnTo(Step::Contacts);
-	else
-		goOn();
-	return "";
+	return returnIf(facts.addedNum > 0, Step::Contacts);
 }
 
 // ---- Several meshes for one result.

@@ -7,6 +7,7 @@
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/stage_clock.h>
+#include <vcg_extras/core/input/cleaning.h>
 #include <vcg_extras/core/options.h>
 
 #include <cstdint>
@@ -46,9 +47,6 @@ enum class Way {
 	WithoutFeatureLines, ///< the same, but no feature line is followed
 	ByTopology           ///< from the fewest samples, splits and collapses whatever the shapes
 };
-
-/// Whether seams are sewn before the mesh is connected.
-enum class Sewing { First, NotYet, Never };
 
 /// Why a mesh is made.
 enum class Purpose {
@@ -256,7 +254,8 @@ private:
 	bool        isWish() const;
 	bool        mayDiffer() const;
 	bool        mayReturn() const { return returnNum_ < mostReturns; }
-	void        returnTo(Step from);
+	std::string returnTo(Step from, std::string note = "");
+	std::string returnIf(bool isNeeded, Step from);
 	void        beginRun(Purpose purpose, std::int64_t vertexNum);
 	std::string tryAgain(std::string note);
 	std::string accept(std::int64_t vertexNum, std::string note);

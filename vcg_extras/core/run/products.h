@@ -8,7 +8,6 @@
 #include <vcg_extras/core/base/run_context.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/features/crease_lines.h>
-#include <vcg_extras/core/input/load.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/octree_blocks.h>
@@ -27,13 +26,6 @@ namespace gpr {
 
 /// Per vertex of the caller's: VertexFeature bits; empty: no vertex is marked.
 using FeatureMarks = std::vector<std::uint8_t>;
-
-/// The input without faults, before its edges are split.
-struct CleanedInput {
-	IndexedMesh mesh;
-	FaceExtents extents;
-	CleanCounts counts; ///< of what cleaning did
-};
 
 /// The surface that is remeshed. From the step Lines on it does not change any more.
 struct WorkingSurface : Surface {

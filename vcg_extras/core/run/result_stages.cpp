@@ -12,10 +12,8 @@
 #include <vcg_extras/core/optimization/line_release.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/output/export.h>
-#include <vcg_extras/core/surface/sampled_distance.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -40,10 +38,6 @@ constexpr int manyWorstRounds = 4;
 /// Where lines were released, no point of a face gets farther than this from the surface while
 /// angles are raised, in ideal edges, or than the largest distance that the fit left.
 constexpr float maxReleasedGap = 0.3f;
-/// A mesh without these lines may be so much farther from the input than the one before the fit, or
-/// so far, in ideal edges: nobody sees that.
-constexpr double mostFarther = 1.02;
-constexpr double nearMean = 0.015, nearMost = 0.3;
 
 float minAngleDeg(const RemeshOptions& options)
 {
@@ -114,35 +108,6 @@ bool areLinesCrowded(RunContext& run, const ResultMesh& result)
 	return areLinesCrowded(minAngleDeg(run.options), result, run.workers);
 }
 
-/// How far the input and a mesh are from each other, in ideal edges.
-struct Distance {
-	double rms     = 0;
-	double largest = 0; ///< no point is farther: proven
-};
-
-Distance distanceFromInput(RunContext& run, const WorkingSurface& surface, const ResultMesh& result)
-{
-	const double           unit = 1 / double(result.idealEdge);
-	const ComparedSurfaces both(surface, result, run.workers);
-	const SampledDistance  sampled =
-		sampledDistance({surface.mesh, both.input}, {result.mesh, both.result}, run.workers);
-	const double diagonal = surface.figures.diagonal * surface.frame.scale;
-	return {sampled.mutual.larger().rms * unit,
-			boundsOf(diagonal, both, run.workers).hausdorff().upper * unit};
-}
-
-/// Whether a mesh whose lines were released is farther from the input than it was before the fit,
-/// on the mean or at most, and farther than is near enough.
-bool hasLostSurface(RunContext& run, const WorkingSurface& surface, const ResultMesh& released,
-					const ResultMesh& start)
-{
-	const Distance of = distanceFromInput(run, surface, released);
-	if (of.rms <= nearMean && of.largest <= nearMost) return false;
-	const Distance before = distanceFromInput(run, surface, start);
-	return of.rms > std::max(nearMean, mostFarther * before.rms) ||
-		   of.largest > std::max(nearMost, mostFarther * before.largest);
-}
-
 /// What the fit leaves for the repair of poor faces.
 struct Fitted {
 	std::unique_ptr<ClosestFaceMap> map;            ///< of the last round, if there was one
@@ -186,40 +151,6 @@ void fitAndRepair(RunContext& run, const Decisions& decisions, Products& made)
 		run.tellCap("changes for small angles");
 	// Vertices have come and gone.
 	if (run.options.fit != Fit::Off) made.fitDistance = farthestFromSurface(made.result);
-}
-
-// ---- The border.
-
-/// What part of `before` is gone.
-double shareLost(double before, double after)
-{
-	return before > 0 ? std::max(0.0, 1 - after / before) : 0;
-}
-
-std::string sentenceWith(const char* format, double number)
-{
-	char sentence[160];
-	std::snprintf(sentence, sizeof sentence, format, number);
-	return sentence;
-}
-
-/// Tells how much shorter a smooth border is than that of the input.
-void tellSmoothBorder(RunContext& run, Products& made)
-{
-	constexpr double leastShare = 5e-4; // what is below is not worth a word
-	BorderFigures&   border     = made.surface.border;
-	if (!border.isSmooth) return;
-	border.resultLength  = borderLength(made.result.mesh) / made.surface.frame.scale;
-	const double shorter = shareLost(border.length, border.resultLength);
-	const double cut     = border.cutArea / border.area;
-	if (shorter < leastShare && cut < leastShare) return;
-	std::string note =
-		sentenceWith("The border is %.2g %% shorter than that of the input.", 100 * shorter);
-	if (cut >= leastShare)
-		note += sentenceWith(" Spikes narrower than an edge were cut off; they have %.2g %% of the "
-							 "area.",
-							 100 * cut);
-	run.tell(note);
 }
 
 } // namespace
@@ -276,22 +207,11 @@ FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
 
 NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
 {
-	const float   fitDistance = made.fitDistance;
-	KnownContacts contacts    = std::move(made.contacts);
-	ResultMesh    withLines   = std::move(made.result);
-	made.result               = copyResult(*made.beforeFit, run.workers);
-	made.releasedNum          = releaseLines(minAngleDeg(run.options), made.result, run.workers);
+	made.result      = std::move(*made.beforeFit);
+	made.releasedNum = releaseLines(minAngleDeg(run.options), made.result, run.workers);
 	fitAndRepair(run, decisions, made);
-	if (hasLostSurface(run, made.surface, made.result, *made.beforeFit)) {
-		made.releasedNum = 0;
-		made.fitDistance = fitDistance;
-		made.contacts    = std::move(contacts);
-		made.result      = std::move(withLines);
-	}
-	else {
-		run.tell("Feature lines are so close to each other that they would leave acute angles; " +
-				 std::to_string(made.releasedNum) + " vertices there need not stay on them.");
-	}
+	run.tell("Feature lines are so close to each other that they would leave acute angles; " +
+			 std::to_string(made.releasedNum) + " vertices there need not stay on them.");
 	return {};
 }
 
@@ -327,7 +247,7 @@ void tellMade(RunContext& run, const Products& made)
 NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made)
 {
 	const bool isOfOurs = decisions.purpose != Purpose::OfGivenSamples;
-	if (isOfOurs) tellSmoothBorder(run, made);
+	if (isOfOurs) tellSmoothBorder(run, made.surface.frame, made.result, made.surface.border);
 	const Expected expected{made.surface.figures, isOfOurs ? decisions.wholeNum() : 0,
 							std::int64_t(made.sizes.kept.size()), made.fitDistance};
 	verifyResult(run, made.surface, made.result, expected, made.verified);

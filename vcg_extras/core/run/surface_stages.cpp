@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -38,23 +37,6 @@ constexpr float minLineGap = 0.15f, minCrowdedGap = 0.3f;
 constexpr double maxOnGivenLines = 0.5;
 
 // ---- The feature region.
-
-/// The caller's own vertices on the border.
-std::vector<int> borderVertices(RunContext& run, const Surface& surface)
-{
-	const HalfEdgeMesh& m = surface.mesh;
-	Buffer<char>        onBorder(m.vertexNum);
-	for (int v = 0; v < m.vertexNum; ++v)
-		onBorder[v] = m.outgoing[v] >= 0 && m.isBorderVertex(v);
-	return callersVertices(run.input, onBorder, surface, run.workers);
-}
-
-std::vector<int> unionOf(const std::vector<int>& a, const std::vector<int>& b)
-{
-	std::vector<int> all;
-	std::set_union(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(all));
-	return all;
-}
 
 /// Which of the caller's vertices make the region, null for none.
 const std::uint8_t* regionMarks(const RunContext& run, const FeatureMarks& detected)
@@ -79,7 +61,7 @@ void findRegionOnSurface(RunContext& run, Products& made)
 	sizes.kept.clear();
 	if (run.options.featureSampling == FeatureSampling::Vertices) sizes.kept = vertices;
 	if (run.options.boundary == BoundaryMode::Keep)
-		sizes.kept = unionOf(sizes.kept, borderVertices(run, surface));
+		sizes.kept = unionOf(sizes.kept, borderVertices(run.input, surface, run.workers));
 }
 
 /// The region may have been chosen by what is selected: the user shall see which it is.
@@ -223,25 +205,8 @@ SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots
 ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const ErrorGoal& goal,
 							const Products& made)
 {
-	// The same as in the trials: the largest size over the even one, and how fast sizes grow.
-	constexpr float largestByError = 1.3f, slopeOfSizes = 0.15f;
-	// How flat the disks of triangles are to be, over the largest error: see sizesByError. The
-	// places that are beyond the goal then are few enough to be made finer one by one.
-	constexpr double flatnessShare = 0.75;
-	constexpr int    steps         = 3;
-	const double     start         = double(decisions.vertexNum);
-	const double     wanted        = flatnessShare * goal.largest * made.surface.frame.scale;
-	double           num           = start;
-	for (int i = 0; i < steps; ++i) {
-		const float even =
-			evenEdge(made.surface.area, decisions.vertexNum) * float(std::sqrt(start / num));
-		const float flat = sizesByError(made.surface.mesh,
-										{even, largestByError * even, slopeOfSizes}, run.workers)
-							   .epsilon;
-		num *= std::clamp(double(flat) / wanted, 0.1, 10.0);
-		num = std::clamp(num, 4.0, double(goal.most));
-	}
-	return {std::int64_t(num)};
+	return {countForFlatness(made.surface, made.surface.area, decisions.vertexNum, goal.largest,
+							 goal.most, run.workers)};
 }
 
 LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)

@@ -3,6 +3,7 @@
 #include "error_sizes.h"
 
 #include "size_grading.h"
+#include "target.h"
 
 #include <algorithm>
 #include <array>
@@ -597,6 +598,28 @@ private:
 ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const ErrorSizeRequest& request, Workers& workers)
 {
 	return SizeSearch(mesh, request, workers).run();
+}
+
+std::int64_t countForFlatness(const Surface& surface, double area, std::int64_t first, double error,
+							  std::int64_t most, Workers& workers)
+{
+	// The same as in the trials: the largest size over the even one, and how fast sizes grow.
+	constexpr float largestByError = 1.3f, slopeOfSizes = 0.15f;
+	// How flat the disks of triangles are to be, over the largest error. The places that are beyond
+	// the goal then are few enough to be made finer one by one.
+	constexpr double flatnessShare = 0.75;
+	constexpr int    steps         = 3;
+	const double     wanted        = flatnessShare * error * surface.frame.scale;
+	double           num           = double(first);
+	for (int i = 0; i < steps; ++i) {
+		const float even = evenEdge(area, first) * float(std::sqrt(double(first) / num));
+		const float flat =
+			sizesByError(surface.mesh, {even, largestByError * even, slopeOfSizes}, workers)
+				.epsilon;
+		num *= std::clamp(double(flat) / wanted, 0.1, 10.0);
+		num = std::clamp(num, 4.0, double(most));
+	}
+	return std::int64_t(num);
 }
 
 } // namespace gpr

@@ -5,7 +5,10 @@
 
 #include <vcg_extras/core/base/buffer.h>
 #include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
+
+#include <cstdint>
 
 namespace gpr {
 
@@ -34,6 +37,12 @@ struct ErrorSizes {
 /// surface hardly turns, and a closer look where they are not flat.
 ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const ErrorSizeRequest& request,
 						Workers& workers);
+
+/// The count with which triangles would be as flat as a largest error asks for, but for few of
+/// them. area: of the surface, working units squared; first: a guess; error: mesh units; most: no
+/// larger count is returned. Cost: three times that of sizesByError.
+std::int64_t countForFlatness(const Surface& surface, double area, std::int64_t first, double error,
+							  std::int64_t most, Workers& workers);
 
 } // namespace gpr
 

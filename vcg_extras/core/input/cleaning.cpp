@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cleaning.h"
+
+#include "border_spikes.h"
+#include "contract_edges.h"
+#include "flat_pieces.h"
+#include "repair_manifold.h"
+#include "sew_seams.h"
+#include "small_components.h"
+
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/mesh/spatial_order.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gpr {
+
+namespace {
+
+void dropFaces(RunContext& run, const std::vector<int>& faces, std::int64_t& droppedNum,
+			   CleanCounts& counts, Surface& surface)
+{
+	IndexedMesh mesh = withoutFaces(surface, faces, droppedNum);
+	connectOrRepair(run, mesh, counts, surface);
+}
+
+void dropSmallComponents(RunContext& run, CleanCounts& counts, Surface& surface)
+{
+	const std::int64_t    least = run.options.dropComponentsBelow;
+	const SmallComponents small = findSmallComponents(surface.mesh, least, run.workers);
+	if (small.num == 0) return;
+	if (int(small.faces.size()) == surface.mesh.faceNum) {
+		throw Failure(Status::UnusableInput,
+					  "Nothing would be left: every component has fewer than " +
+						  std::to_string(least) + " faces.");
+	}
+	counts.droppedComponents = small.num;
+	dropFaces(run, small.faces, counts.droppedFaces, counts, surface);
+}
+
+/// A detour, as it takes a second ordering and connecting.
+IndexedMesh withoutUselessPieces(RunContext& run, IndexedMesh mesh, CleanCounts& counts)
+{
+	Surface surface;
+	connectOrRepair(run, mesh, counts, surface);
+	dropFlatPieces(run, counts, surface);
+	dropSmallComponents(run, counts, surface);
+	return disconnect(surface);
+}
+
+} // namespace
+
+Sewing sewingFor(const RemeshOptions& options, Sewing wanted)
+{
+	if (!options.sew || wanted == Sewing::Never) return Sewing::Never;
+	return options.dropComponentsBelow > 1 ? Sewing::First : wanted;
+}
+
+void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Surface& surface)
+{
+	Buffer<int> faceStart;
+	run.clock.enter(Stage::Order);
+	surface.grid = orderSpatially(mesh, run.workers, faceStart);
+	run.clock.enter(Stage::Connect);
+	if (connect(mesh, faceStart, run.workers, surface)) return;
+	run.clock.enter(Stage::Repair);
+	repairManifold(mesh, run.workers, counts);
+	surface.grid = orderSpatially(mesh, run.workers, faceStart);
+	if (!connect(mesh, faceStart, run.workers, surface)) {
+		throw Failure(Status::InternalError, "The surface could not be made manifold.");
+	}
+}
+
+void dropFlatPieces(RunContext& run, CleanCounts& counts, Surface& surface)
+{
+	const std::vector<int> flat = findFlatPieces(surface, run.workers);
+	if (flat.empty()) return;
+	if (int(flat.size()) == surface.mesh.faceNum)
+		throw Failure(Status::UnusableInput, "The surface has no area.");
+	dropFaces(run, flat, counts.zeroAreaFaces, counts, surface);
+}
+
+bool connectCleaned(RunContext& run, Sewing sewing, IndexedMesh& mesh, CleanCounts& counts,
+					Surface& surface)
+{
+	connectOrRepair(run, mesh, counts, surface);
+	if (sewing == Sewing::NotYet && mayHaveSeams(surface, run.workers)) return false;
+	dropFlatPieces(run, counts, surface);
+	return true;
+}
+
+std::shared_ptr<CleanedInput> clean(RunContext& run, Sewing sewing, CleanCounts& counts)
+{
+	counts = CleanCounts(); // an earlier attempt may have counted
+	run.clock.enter(Stage::Load);
+	IndexedMesh mesh = loadInput(run.input, run.workers, counts);
+	contractEdgesWithoutLength(mesh, run.workers, counts);
+	if (sewing == Sewing::First) {
+		run.clock.enter(Stage::Sew);
+		sewSeams(mesh, run.workers, counts);
+	}
+	if (run.options.dropComponentsBelow > 1 || allFacesThin(mesh, run.workers))
+		mesh = withoutUselessPieces(run, std::move(mesh), counts);
+	const auto cleaned = std::make_shared<CleanedInput>();
+	cleaned->extents   = measureFaces(mesh, run.workers);
+	cleaned->mesh      = std::move(mesh);
+	cleaned->counts    = counts;
+	return cleaned;
+}
+
+void cutBorderSpikes(RunContext& run, float edge, Surface& surface, double& area,
+					 CleanCounts& counts, BorderFigures& border)
+{
+	const double unit             = 1 / surface.frame.scale;
+	border                        = BorderFigures();
+	border.length                 = unit * borderLength(surface.mesh);
+	border.isSmooth               = border.length > 0;
+	border.area                   = unit * unit * area;
+	const std::vector<int> spikes = findBorderSpikes(surface.mesh, edge);
+	if (spikes.empty()) return;
+	IndexedMesh mesh = withoutFaces(surface, spikes, border.cutFaceNum);
+	area             = measureFaces(mesh, run.workers).area;
+	border.cutArea   = border.area - unit * unit * area;
+	connectOrRepair(run, mesh, counts, surface);
+}
+
+} // namespace gpr
