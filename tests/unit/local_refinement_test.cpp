@@ -9,7 +9,7 @@
 #include <tests/support/on_surface.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/core/base/angle.h>
-#include <vcg_extras/core/mesh/self_intersections.h>
+#include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/optimization/local_refinement.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
@@ -69,7 +69,7 @@ TEST(LocalRefinement, BringsTheResultNearWhereItWasFar)
 	EXPECT_EQ(on.result.mesh.vertexNum, before + added);
 	EXPECT_EQ(on.result.splitNum, added);
 	EXPECT_LT(added, before) << "only near the tent";
-	EXPECT_TRUE(findIntersectingFaces(on.result.mesh, on.workers).empty());
+	EXPECT_TRUE(findTouchingFaces(on.result.mesh, on.workers).empty());
 	EXPECT_TRUE(isSoundTable(on.result.mesh));
 }
 

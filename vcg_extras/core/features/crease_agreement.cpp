@@ -6,7 +6,6 @@
 
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
-#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>

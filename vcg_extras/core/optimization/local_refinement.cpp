@@ -10,8 +10,8 @@
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/face_boxes.h>
+#include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/surface/local_nearest.h>
 #include <vcg_extras/core/surface/nearest_on_mesh.h>
 #include <vcg_extras/core/surface/surface_gap.h>
@@ -193,7 +193,7 @@ private:
 		Faults faults;
 		for (int f : faces)
 			faults.invertedNum += editor_.agreement(f) < 0;
-		faults.pairNum = countIntersectingPairs(m_, faces, facesNear(faces));
+		faults.pairNum = countTouchingPairs(m_, faces, facesNear(faces));
 		return faults;
 	}
 
