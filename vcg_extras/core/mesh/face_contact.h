@@ -17,6 +17,9 @@ namespace gpr {
 struct NamedTriangle {
 	int   vertex[3];
 	Vec3f at[3];
+
+	/// Area times two times the unit normal.
+	Vec3f cross() const { return gpr::cross(at[1] - at[0], at[2] - at[0]); }
 };
 
 NamedTriangle triangleOf(const HalfEdgeMesh& mesh, int face);

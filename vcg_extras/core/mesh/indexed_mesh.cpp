@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "indexed_mesh.h"
 
+#include "half_edge_mesh.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -43,6 +45,13 @@ Frame frameOf(const Box<double>& box)
 	if (largestCoordinate(box) > 4 * extent) frame.origin = (box.low + box.high) * 0.5;
 	frame.scale = scaleFor(extent);
 	return frame;
+}
+
+Vec3f inward(const IndexedMesh& mesh, int h)
+{
+	const Vec3f a = mesh.position[mesh.triangle[h]];
+	const Vec3f e = normalized(mesh.position[mesh.triangle[nextInFace(h)]] - a);
+	return normalized(tangential(mesh.position[mesh.triangle[prevInFace(h)]] - a, e));
 }
 
 std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName)

@@ -7,7 +7,6 @@
 #include <vcg_extras/core/base/buffer.h>
 #include <vcg_extras/core/vec.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -47,6 +46,9 @@ struct IndexedMesh {
 		return cross(position[triangle[3 * f + 1]] - a, position[triangle[3 * f + 2]] - a);
 	}
 };
+
+/// From the edge that begins at corner h into its face, perpendicular to the edge.
+Vec3f inward(const IndexedMesh& mesh, int h);
 
 /// Renames the corners; faces that have a corner twice then are dropped, and their number returned.
 std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName);

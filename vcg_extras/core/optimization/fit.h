@@ -11,7 +11,6 @@
 #include <vcg_extras/core/surface/result_mesh.h>
 
 #include <memory>
-#include <vector>
 
 namespace gpr {
 

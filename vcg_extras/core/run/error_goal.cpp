@@ -122,11 +122,6 @@ private:
 	}
 };
 
-bool isFinite(const Vec3d& p)
-{
-	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 } // namespace
 
 std::int64_t searchCount(const ErrorGoal&                               goal,

@@ -8,11 +8,6 @@ namespace gpr {
 
 namespace {
 
-bool isFinite(const Vec3d& p)
-{
-	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 /// Where the running area stands behind each face of a mesh.
 std::vector<double> runningArea(const MeshView& mesh)
 {

@@ -29,10 +29,8 @@ Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers&
 {
 	if (surface.size.empty()) return Buffer<float>();
 	Buffer<float> size(result.vertex.size());
-	workers.forRange(size.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			size[v] = interpolatedSize(surface, result.vertex[v].point);
-	});
+	workers.forEach(size.size(),
+					[&](int v) { size[v] = interpolatedSize(surface, result.vertex[v].point); });
 	return size;
 }
 

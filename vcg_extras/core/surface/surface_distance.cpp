@@ -58,7 +58,7 @@ Vec3d someCorner(const MeshView& mesh)
 		for (const std::int32_t v : mesh.triangle(f)) {
 			if (v < 0 || std::size_t(v) >= mesh.vertexNum) continue;
 			const Vec3d p = mesh.position(std::size_t(v));
-			if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) return p;
+			if (isFinite(p)) return p;
 		}
 	}
 	return {};

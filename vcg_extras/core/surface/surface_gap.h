@@ -11,7 +11,6 @@
 #include <vcg_extras/core/mesh/connect.h>
 
 #include <array>
-#include <vector>
 
 namespace gpr {
 

@@ -96,11 +96,9 @@ public:
 	EdgePairs(const MeshView& mesh, const Buffer<int>& face, Workers& workers) :
 			vertex_(3 * face.size()), workers_(workers)
 	{
-		workers.forRange(face.size(), [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i) {
-				const auto t = mesh.triangle(std::size_t(face[i]));
-				std::copy(t.begin(), t.end(), vertex_.data() + 3 * i);
-			}
+		workers.forEach(face.size(), [&](int i) {
+			const auto t = mesh.triangle(std::size_t(face[i]));
+			std::copy(t.begin(), t.end(), vertex_.data() + 3 * i);
 		});
 		sortIntoBuckets(
 			vertex_.size(), mesh.vertexNum,
@@ -111,9 +109,8 @@ public:
 	Buffer<int> neighbours()
 	{
 		Buffer<int> neighbour(vertex_.size());
-		workers_.forRange(start_.size() - 1, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t v = begin; v < end; ++v)
-				pairUp(edge_.data() + start_[v], edge_.data() + start_[v + 1], neighbour);
+		workers_.forEach(start_.size() - 1, [&](int v) {
+			pairUp(edge_.data() + start_[v], edge_.data() + start_[v + 1], neighbour);
 		});
 		return neighbour;
 	}
@@ -187,12 +184,10 @@ TriangleTree::TriangleTree(const MeshView& mesh, const Vec3d& origin, Workers& w
 		++depth_;
 	triangle_.reset(face_.size());
 	order(mesh, origin, workers);
-	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
-			for (std::size_t k = 0; k < 3; ++k)
-				triangle_[i][k] =
-					mesh.position(std::size_t(mesh.vertexOf(3 * std::size_t(face_[i]) + k))) -
-					origin;
+	workers.forEach(face_.size(), [&](int i) {
+		for (std::size_t k = 0; k < 3; ++k)
+			triangle_[i][k] =
+				mesh.position(std::size_t(mesh.vertexOf(3 * std::size_t(face_[i]) + k))) - origin;
 	});
 	fillBoxes(workers);
 	neighbour_ = EdgePairs(mesh, face_, workers).neighbours();
@@ -201,10 +196,7 @@ TriangleTree::TriangleTree(const MeshView& mesh, const Vec3d& origin, Workers& w
 void TriangleTree::order(const MeshView& mesh, const Vec3d& origin, Workers& workers)
 {
 	Buffer<Placed> all(face_.size());
-	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
-			all[i] = placed(mesh, face_[i], origin);
-	});
+	workers.forEach(face_.size(), [&](int i) { all[i] = placed(mesh, face_[i], origin); });
 	for (int level = 0; level < depth_; ++level) {
 		workers.forTasks(std::size_t(1) << level, [&](std::size_t i, int) {
 			splitAt(all.data() + groupBegin(level, int(i)),
