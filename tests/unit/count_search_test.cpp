@@ -8,7 +8,7 @@
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/run/count_search.h>
 #include <vcg_extras/core/sampling/target.h>
-#include <vcg_extras/core/surface/sampled_distance.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

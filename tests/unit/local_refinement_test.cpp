@@ -9,7 +9,7 @@
 #include <tests/support/on_surface.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/core/base/angle.h>
-#include <vcg_extras/core/mesh/self_intersections.h>
+#include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/optimization/local_refinement.h>
 #include <vcg_extras/core/surface/certified_distance.h>
 
@@ -35,9 +35,9 @@ TriangleMesh tent(int cells)
 /// Points of both meshes that are farther from the other than a limit, working units.
 std::vector<FarPoint> pointsBeyond(Laid& on, double limit)
 {
-	const CertifiedSurface surface(viewOf(on.surface.mesh), on.workers);
-	const CertifiedSurface result(viewOf(on.result.mesh), surface, on.workers);
-	std::vector<FarPoint>  points;
+	const MeasuredSurface surface(viewOf(on.surface.mesh), on.workers);
+	const MeasuredSurface result(viewOf(on.result.mesh), surface, on.workers);
+	std::vector<FarPoint> points;
 	for (const FarPlace& p : placesBeyond(surface, result, limit, on.workers))
 		points.push_back({Vec3f(p.position), float(p.distance), true});
 	for (const FarPlace& p : placesBeyond(result, surface, limit, on.workers))
@@ -69,7 +69,7 @@ TEST(LocalRefinement, BringsTheResultNearWhereItWasFar)
 	EXPECT_EQ(on.result.mesh.vertexNum, before + added);
 	EXPECT_EQ(on.result.splitNum, added);
 	EXPECT_LT(added, before) << "only near the tent";
-	EXPECT_TRUE(findIntersectingFaces(on.result.mesh, on.workers).empty());
+	EXPECT_TRUE(findTouchingFaces(on.result.mesh, on.workers).empty());
 	EXPECT_TRUE(isSoundTable(on.result.mesh));
 }
 

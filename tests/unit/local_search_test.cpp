@@ -8,8 +8,8 @@
 #include <tests/support/on_surface.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/mesh/face_boxes.h>
+#include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/optimization/face_goals.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/remesh.h>
@@ -337,13 +337,13 @@ TEST(LocalSearch, MovesNoFaceThroughAnother)
 	};
 	OnSurface   on(both);
 	const float free = drawTop(on, false);
-	ASSERT_FALSE(findIntersectingFaces(on.m(), on.workers).empty()) << "else nothing is tested";
+	ASSERT_FALSE(findTouchingFaces(on.m(), on.workers).empty()) << "else nothing is tested";
 
 	OnSurface   guarded(both);
 	const float way = drawTop(guarded, true);
 	EXPECT_GT(way, 0) << "as far as it may";
 	EXPECT_LT(way, free);
-	EXPECT_TRUE(findIntersectingFaces(guarded.m(), guarded.workers).empty());
+	EXPECT_TRUE(findTouchingFaces(guarded.m(), guarded.workers).empty());
 }
 
 TEST(PatchBackup, TakesFlipsSplitsAndCollapsesBack)
@@ -376,28 +376,27 @@ TEST(PatchBackup, TakesFlipsSplitsAndCollapsesBack)
 	EXPECT_GT(changes, 100);
 }
 
-TEST(CountIntersectingPairs, AgreesWithTheSearchOverAllFaces)
+TEST(CountTouchingPairs, AgreesWithTheSearchOverAllFaces)
 {
 	TriangleMesh sheets = joined(grid(12, 12), shifted(grid(12, 12), {0.013, 0.021, 0.05}));
 	Workers      workers(2, nullptr);
 	for (std::size_t v = 0; v < sheets.positions.size(); v += 7)
 		sheets.positions[v].z += v < sheets.positions.size() / 2 ? 0.08 : -0.08;
 	const HalfEdgeMesh     m     = halfEdgesOf(sheets);
-	const std::vector<int> found = findIntersectingFaces(m, workers);
+	const std::vector<int> found = findTouchingFaces(m, workers);
 	ASSERT_FALSE(found.empty());
 	std::vector<int> all(std::size_t(m.faceNum));
 	std::iota(all.begin(), all.end(), 0);
 	const FaceBoxes boxes(m, workers);
 	for (int f = 0; f < m.faceNum; ++f) {
 		const bool intersects = std::binary_search(found.begin(), found.end(), f);
-		EXPECT_EQ(countIntersectingPairs(m, {f}, all) > 0, intersects) << f;
-		EXPECT_EQ(countIntersectingPairs(m, {f}, boxes.meeting(boxOfFace(m, f))) > 0, intersects)
-			<< f;
+		EXPECT_EQ(countTouchingPairs(m, {f}, all) > 0, intersects) << f;
+		EXPECT_EQ(countTouchingPairs(m, {f}, boxes.meeting(boxOfFace(m, f))) > 0, intersects) << f;
 	}
 	int sum = 0;
 	for (int f : found)
-		sum += countIntersectingPairs(m, {f}, all);
-	EXPECT_EQ(2 * countIntersectingPairs(m, all, {}), sum) << "each pair is counted once";
+		sum += countTouchingPairs(m, {f}, all);
+	EXPECT_EQ(2 * countTouchingPairs(m, all, {}), sum) << "each pair is counted once";
 }
 
 } // namespace gpr::test

@@ -5,6 +5,7 @@
 #include "carry_over.h"
 
 #include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/indexed_mesh.h>
 #include <vcg_extras/core/mesh/same_place.h>
 
@@ -12,7 +13,6 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <unordered_map>
 
 namespace gpr {
 
@@ -25,11 +25,6 @@ constexpr float sameCoordinate = 2e-6f;
 constexpr double reach = 1.5;
 /// Faces looked at for one face of the result at most.
 constexpr std::size_t maxFacesLookedAt = 100000;
-
-bool isFinite(const Vec3d& p)
-{
-	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 Box<double> boxOf(const MeshView& mesh)
 {
@@ -110,30 +105,18 @@ TextureSource::TextureSource(const MeshView& mesh, CornerTexture texture) :
 /// Finds the two sides of every edge by sorting.
 void TextureSource::connect()
 {
-	struct Side {
-		std::int32_t low, high;
-		std::int64_t corner;
-		bool         operator<(const Side& o) const
-		{
-			if (low != o.low) return low < o.low;
-			return high != o.high ? high < o.high : corner < o.corner;
-		}
-		bool isOfSameEdge(const Side& o) const { return low == o.low && high == o.high; }
-	};
-	std::vector<Side> sides;
+	std::vector<EdgeSide> sides;
 	sides.reserve(3 * mesh_.faceNum);
 	for (std::size_t c = 0; c < 3 * mesh_.faceNum; ++c) {
 		const std::size_t  next = c % 3 == 2 ? c - 2 : c + 1;
 		const std::int32_t a = placeOf(std::int64_t(c)), b = placeOf(std::int64_t(next));
-		if (a != b) sides.push_back({std::min(a, b), std::max(a, b), std::int64_t(c)});
+		if (a != b) sides.push_back(edgeSide(a, b, int(c)));
 	}
 	std::sort(sides.begin(), sides.end());
-	for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-		for (end = i + 1; end < sides.size() && sides[end].isOfSameEdge(sides[i]);)
-			++end;
+	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 		// Where more than two faces meet the engine cuts: a border, and no way across.
-		if (end - i == 2) link(sides[i].corner, sides[i + 1].corner);
-	}
+		if (end - begin == 2) link(sides[begin].halfEdge, sides[begin + 1].halfEdge);
+	});
 }
 
 /// Two corners whose edges to the next corner are the two sides of one.

@@ -75,6 +75,11 @@ inline S length(const Vec3<S>& a)
 {
 	return std::sqrt(dot(a, a));
 }
+template <class S>
+inline bool isFinite(const Vec3<S>& a)
+{
+	return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
+}
 /// a / |a|; the zero vector stays zero.
 template <class S>
 inline Vec3<S> normalized(const Vec3<S>& a)

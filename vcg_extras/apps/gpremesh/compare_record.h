@@ -3,10 +3,9 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_COMPARE_RECORD_H
 #define VCG_EXTRAS_APPS_GPREMESH_COMPARE_RECORD_H
 
-#include "surface_distance.h"
-
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/report.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 #include <string>
 #include <vector>

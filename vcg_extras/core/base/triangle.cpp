@@ -4,9 +4,6 @@
 
 #include "angle.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace gpr {
 
 namespace {

@@ -81,6 +81,18 @@ public:
 		return total;
 	}
 
+	/// The same, of what visit(i, sum) adds for every i in [0, n).
+	template <class Value, class Visit>
+	Value sumEach(std::size_t n, const Visit& visit)
+	{
+		return sum<Value>(n, [&](std::size_t begin, std::size_t end) {
+			Value part = Value();
+			for (std::size_t i = begin; i < end; ++i)
+				visit(int(i), part);
+			return part;
+		});
+	}
+
 	/// What body(begin, end, out) appends for pieces of fixed size, joined in order.
 	template <class Value, class Body>
 	std::vector<Value> collect(std::size_t n, const Body& body)
@@ -91,14 +103,22 @@ public:
 		return all;
 	}
 
+	/// The same, of what visit(i, out) appends for every i in [0, n).
+	template <class Value, class Visit>
+	std::vector<Value> collectEach(std::size_t n, const Visit& visit)
+	{
+		return collect<Value>(n, [&](std::size_t begin, std::size_t end, auto& out) {
+			for (std::size_t i = begin; i < end; ++i)
+				visit(int(i), out);
+		});
+	}
+
 	/// All i in [0, n) that pass the test, ascending.
 	template <class Test>
 	std::vector<int> collectIf(std::size_t n, const Test& test)
 	{
-		return collect<int>(n, [&](std::size_t begin, std::size_t end, auto& out) {
-			for (std::size_t i = begin; i < end; ++i) {
-				if (test(int(i))) out.push_back(int(i));
-			}
+		return collectEach<int>(n, [&](int i, auto& out) {
+			if (test(i)) out.push_back(i);
 		});
 	}
 

@@ -142,11 +142,9 @@ private:
 
 	void findCrossings()
 	{
-		crossing_ = workers_.collect<Crossing>(
-			segmentOf_.size(), [&](std::size_t begin, std::size_t end, auto& out) {
-				for (std::size_t i = begin; i < end; ++i)
-					cross(segmentOf_[i].first, segmentOf_[i].second, out);
-			});
+		crossing_ = workers_.collectEach<Crossing>(segmentOf_.size(), [&](int i, auto& out) {
+			cross(segmentOf_[i].first, segmentOf_[i].second, out);
+		});
 		const std::size_t num = crossing_.size();
 		for (std::size_t i = 0; i < num; ++i) {
 			const Crossing c = crossing_[i];

@@ -4,15 +4,6 @@
 
 #include "curve_slide.h"
 
-#include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/mesh/mesh_edit.h>
-#include <vcg_extras/core/mesh/self_intersections.h>
-#include <vcg_extras/core/surface/normal_agreement.h>
-
-#include <algorithm>
-#include <cstdint>
-#include <vector>
-
 namespace gpr {
 
 namespace {

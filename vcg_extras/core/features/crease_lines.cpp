@@ -78,12 +78,9 @@ private:
 	{
 		const float      cosine = float(portable::cos(double(rules_.strongDeg * radians)));
 		const bool       atAll  = rules_.strongDeg < roughDeg + 1;
-		std::vector<int> sharp =
-			workers_.collect<int>(m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
-				for (int v = int(begin); v < int(end); ++v) {
-					if (atAll || surface_.normal[v].isRough()) addSharpEdges(v, cosine, out);
-				}
-			});
+		std::vector<int> sharp  = workers_.collectEach<int>(m_.vertexNum, [&](int v, auto& out) {
+            if (atAll || surface_.normal[v].isRough()) addSharpEdges(v, cosine, out);
+        });
 		std::sort(sharp.begin(), sharp.end());
 		return sharp;
 	}
@@ -185,13 +182,9 @@ private:
 	template <class IsClear>
 	Lengths lengthsOf(const std::vector<int>& edges, const IsClear& isClear) const
 	{
-		return workers_.sum<Lengths>(edges.size(), [&](std::size_t begin, std::size_t end) {
-			Lengths sum;
-			for (std::size_t i = begin; i < end; ++i) {
-				const double l = double(edgeLength(m_, edges[i]));
-				sum += {l, isClear(edges[i]) ? l : 0};
-			}
-			return sum;
+		return workers_.sumEach<Lengths>(edges.size(), [&](int i, Lengths& sum) {
+			const double l = double(edgeLength(m_, edges[i]));
+			sum += {l, isClear(edges[i]) ? l : 0};
 		});
 	}
 
@@ -203,12 +196,8 @@ private:
 		if (isSplit()) return rules_.callersMeanEdge;
 		const int         stride = 1 + m_.halfEdgeNum() / 1000000;
 		const std::size_t num    = std::size_t((m_.halfEdgeNum() + stride - 1) / stride);
-		const double      sum = workers_.sum<double>(num, [&](std::size_t begin, std::size_t end) {
-            double s = 0;
-            for (std::size_t i = begin; i < end; ++i)
-                s += double(edgeLength(m_, int(i) * stride));
-            return s;
-        });
+		const double      sum    = workers_.sumEach<double>(
+            num, [&](int i, double& s) { s += double(edgeLength(m_, i * stride)); });
 		return float(sum / double(num));
 	}
 
@@ -413,12 +402,7 @@ private:
 
 	std::vector<int> findConeApexes() const
 	{
-		return workers_.collect<int>(m_.vertexNum,
-									 [&](std::size_t begin, std::size_t end, auto& out) {
-										 for (int v = int(begin); v < int(end); ++v) {
-											 if (isConeApex(v)) out.push_back(v);
-										 }
-									 });
+		return workers_.collectIf(m_.vertexNum, [&](int v) { return isConeApex(v); });
 	}
 
 	/// Cheap test that the apex of any cone with such a defect passes: the normals round it spread,

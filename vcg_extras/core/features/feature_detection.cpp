@@ -10,14 +10,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <queue>
 #include <vector>
 
 namespace gpr {
 
 namespace {
 
-/// Of the square root of the area.
+/// Of the square root of the area: a size that does not change when the surface is turned, as that
+/// of its box would.
 constexpr float largestSupport = 0.05f;
 /// Where the surface bends as much on both sides of an edge as at it, it is round there.
 constexpr float plateauShare = 0.7f;
@@ -31,19 +31,14 @@ constexpr float cornerShare   = 0.7f;
 /// A gap is bridged along edges that turn by 60° at most.
 constexpr float bridgeCosine = 0.5f;
 
-/// Square root of the area: a size that does not change when the surface is turned, as that of its
-/// box would.
+/// Of the sides of all faces.
 float meanSideLength(const Buffer<Vec3f>& position, const Buffer<int>& corner, int faceNum,
 					 Workers& workers)
 {
-	const double sum = workers.sum<double>(faceNum, [&](std::size_t begin, std::size_t end) {
-		double part = 0;
-		for (std::size_t f = begin; f < end; ++f) {
-			const Vec3f a = position[corner[3 * f]], b = position[corner[3 * f + 1]];
-			const Vec3f c = position[corner[3 * f + 2]];
-			part += double(length(b - a)) + double(length(c - b)) + double(length(a - c));
-		}
-		return part;
+	const double sum = workers.sumEach<double>(faceNum, [&](int f, double& part) {
+		const Vec3f a = position[corner[3 * f]], b = position[corner[3 * f + 1]];
+		const Vec3f c = position[corner[3 * f + 2]];
+		part += double(length(b - a)) + double(length(c - b)) + double(length(a - c));
 	});
 	return faceNum > 0 ? float(sum / (3.0 * faceNum)) : 0;
 }
@@ -93,13 +88,11 @@ private:
 		dihedral_.swap(d.dihedral);
 		measureSharpness();
 		out_.vertexStrength.reset(m_.vertexNum);
-		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (int v = int(begin); v < int(end); ++v) {
-				float strongest = 0;
-				forEachOutgoing(
-					m_, v, [&](int h) { strongest = std::max(strongest, out_.edgeStrength[h]); });
-				out_.vertexStrength[v] = strongest;
-			}
+		workers_.forEach(m_.vertexNum, [&](int v) {
+			float strongest = 0;
+			forEachOutgoing(m_, v,
+							[&](int h) { strongest = std::max(strongest, out_.edgeStrength[h]); });
+			out_.vertexStrength[v] = strongest;
 		});
 	}
 
@@ -108,11 +101,9 @@ private:
 	void measureSharpness()
 	{
 		sharpness_.reset(m_.halfEdgeNum());
-		workers_.forRange(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
-			for (std::size_t h = begin; h < end; ++h) {
-				const float s = out_.edgeStrength[h];
-				sharpness_[h] = 0.5f * (s + std::min(s, dihedral_[h]));
-			}
+		workers_.forEach(m_.halfEdgeNum(), [&](int h) {
+			const float s = out_.edgeStrength[h];
+			sharpness_[h] = 0.5f * (s + std::min(s, dihedral_[h]));
 		});
 	}
 
@@ -123,18 +114,11 @@ private:
 	void findCandidates()
 	{
 		out_.isFeatureEdge.reset(m_.halfEdgeNum());
-		workers_.forRange(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
-			for (int h = int(begin); h < int(end); ++h) {
-				out_.isFeatureEdge[h] =
-					m_.opposite[h] >= 0 && isCandidate(std::min(h, m_.opposite[h]));
-			}
+		workers_.forEach(m_.halfEdgeNum(), [&](int h) {
+			out_.isFeatureEdge[h] = m_.opposite[h] >= 0 && isCandidate(std::min(h, m_.opposite[h]));
 		});
-		marked_ = workers_.collect<int>(
-			m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end, std::vector<int>& part) {
-				for (int h = int(begin); h < int(end); ++h) {
-					if (isMarked(h) && isFirstHalf(h)) part.push_back(h);
-				}
-			});
+		marked_ = workers_.collectIf(m_.halfEdgeNum(),
+									 [&](int h) { return isMarked(h) && isFirstHalf(h); });
 		degree_.reset(m_.vertexNum);
 		degree_.fill(0);
 		for (int h : marked_)
@@ -460,12 +444,9 @@ private:
 	void markConeApexes()
 	{
 		Buffer<float> defect(m_.vertexNum, 0);
-		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (int v = int(begin); v < int(end); ++v) {
-				if (out_.vertexStrength[v] >= float(thresholds_.strongDeg) &&
-					!m_.isBorderVertex(v)) {
-					defect[v] = defectAbout(v);
-				}
+		workers_.forEach(m_.vertexNum, [&](int v) {
+			if (out_.vertexStrength[v] >= float(thresholds_.strongDeg) && !m_.isBorderVertex(v)) {
+				defect[v] = defectAbout(v);
 			}
 		});
 		for (int v = 0; v < m_.vertexNum; ++v) {

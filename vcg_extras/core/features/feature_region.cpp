@@ -51,14 +51,9 @@ Buffer<char> regionVertices(const MeshView& input, const std::uint8_t* marks,
 	if (marks == nullptr) return Buffer<char>();
 	Buffer<char>       isInside(surface.mesh.vertexNum);
 	const std::int64_t num =
-		workers.sum<std::int64_t>(isInside.size(), [&](std::size_t begin, std::size_t end) {
-			std::int64_t found = 0;
-			for (std::size_t v = begin; v < end; ++v) {
-				isInside[v] =
-					surface.mesh.outgoing[v] >= 0 && isBetweenMarks(input, marks, surface, int(v));
-				found += isInside[v];
-			}
-			return found;
+		workers.sumEach<std::int64_t>(isInside.size(), [&](int v, std::int64_t& found) {
+			isInside[v] = surface.mesh.outgoing[v] >= 0 && isBetweenMarks(input, marks, surface, v);
+			found += isInside[v];
 		});
 	return num > 0 ? std::move(isInside) : Buffer<char>();
 }
@@ -66,13 +61,9 @@ Buffer<char> regionVertices(const MeshView& input, const std::uint8_t* marks,
 std::vector<int> callersVertices(const MeshView& input, const Buffer<char>& region,
 								 const Surface& surface, Workers& workers)
 {
-	return workers.collect<int>(
-		region.size(), [&](std::size_t begin, std::size_t end, std::vector<int>& part) {
-			for (std::size_t v = begin; v < end; ++v) {
-				if (region[v] && callersVertexAt(input, surface, int(v)) >= 0)
-					part.push_back(int(v));
-			}
-		});
+	return workers.collectEach<int>(region.size(), [&](int v, auto& part) {
+		if (region[v] && callersVertexAt(input, surface, v) >= 0) part.push_back(v);
+	});
 }
 
 std::vector<int> borderVertices(const MeshView& input, const Surface& surface, Workers& workers)

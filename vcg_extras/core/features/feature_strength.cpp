@@ -136,16 +136,14 @@ EdgeDifferences edgeDifferences(const HalfEdgeMesh& m, float support, Workers& w
 		});
 	d.supported.reset(halfEdgeNum);
 	d.dihedral.reset(halfEdgeNum);
-	workers.forRange(halfEdgeNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t h = begin; h < end; ++h) {
-			const int other = m.opposite[h];
-			d.supported[h] = d.dihedral[h] = 0;
-			if (other < 0) continue;
-			// The same order of the two sides gives both halves the same bits.
-			const int first = std::min(int(h), other), second = std::max(int(h), other);
-			d.supported[h] = angleDegBetween(sideNormal[first], sideNormal[second]);
-			d.dihedral[h]  = angleDegBetween(m.faceCross(first / 3), m.faceCross(second / 3));
-		}
+	workers.forEach(halfEdgeNum, [&](int h) {
+		const int other = m.opposite[h];
+		d.supported[h] = d.dihedral[h] = 0;
+		if (other < 0) return;
+		// The same order of the two sides gives both halves the same bits.
+		const int first = std::min(h, other), second = std::max(h, other);
+		d.supported[h] = angleDegBetween(sideNormal[first], sideNormal[second]);
+		d.dihedral[h]  = angleDegBetween(m.faceCross(first / 3), m.faceCross(second / 3));
 	});
 	return d;
 }

@@ -6,8 +6,6 @@
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/surface/curve.h>
 
-#include <array>
-#include <cstddef>
 #include <map>
 #include <utility>
 #include <vector>

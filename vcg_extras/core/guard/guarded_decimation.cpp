@@ -179,13 +179,11 @@ private:
 
 	void queueAll()
 	{
-		std::vector<Candidate> all = workers_.collect<Candidate>(
-			std::size_t(m_.halfEdgeNum()), [&](std::size_t begin, std::size_t end, auto& out) {
-				for (int h = int(begin); h < int(end); ++h) {
-					if (isDeadFace(m_, h / 3) || m_.opposite[h] > h) continue;
-					Candidate c;
-					if (isWorthTrying(m_.origin[h], m_.target(h), c)) out.push_back(c);
-				}
+		std::vector<Candidate> all =
+			workers_.collectEach<Candidate>(std::size_t(m_.halfEdgeNum()), [&](int h, auto& out) {
+				if (isDeadFace(m_, h / 3) || m_.opposite[h] > h) return;
+				Candidate c;
+				if (isWorthTrying(m_.origin[h], m_.target(h), c)) out.push_back(c);
 			});
 		queue_ = std::priority_queue<Candidate>(std::less<Candidate>(), std::move(all));
 	}
@@ -378,14 +376,9 @@ private:
 		return true;
 	}
 
-	static Vec3f crossOf(const NamedTriangle& t)
-	{
-		return cross(t.at[1] - t.at[0], t.at[2] - t.at[0]);
-	}
-
 	bool isSound(const Merge& merge, const NamedTriangle& before, const NamedTriangle& after) const
 	{
-		const Vec3f   normal = crossOf(after), old = crossOf(before);
+		const Vec3f   normal = after.cross(), old = before.cross();
 		const Bounds& bounds = boundsOf(merge);
 		if (isLine(after.at[0], after.at[1], after.at[2], normal)) return hasZeroArea(old);
 		if (hasZeroArea(old)) return g_.agrees(after.vertex, normal, bounds.agreement, merge.from);

@@ -9,7 +9,6 @@
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace gpr {
@@ -34,11 +33,6 @@ constexpr float sharpCosine = 0.766f;
 constexpr float needleShape = 0.01f;
 /// A change must make shapes so much better, that none is made and taken back for ever.
 constexpr float leastGain = 1.001f;
-
-Vec3f crossOf(const NamedTriangle& t)
-{
-	return cross(t.at[1] - t.at[0], t.at[2] - t.at[0]);
-}
 
 float shapeOf(const NamedTriangle& t)
 {
@@ -126,8 +120,8 @@ private:
 		const float before = std::min(shapeOf(old[0]), shapeOf(old[1]));
 		const float after  = std::min(shapeOf(made_[0]), shapeOf(made_[1]));
 		if (!(after > leastGain * before)) return false;
-		const Vec3f o[2] = {crossOf(old[0]), crossOf(old[1])};
-		const Vec3f n[2] = {crossOf(made_[0]), crossOf(made_[1])};
+		const Vec3f o[2] = {old[0].cross(), old[1].cross()};
+		const Vec3f n[2] = {made_[0].cross(), made_[1].cross()};
 		if (gapBetween(old[0], old[1]) > farthest_) return false;
 		const float bend = cosineOf(o[0], o[1]), newBend = cosineOf(n[0], n[1]);
 		// The normal of what is all but a line says nothing.
@@ -216,11 +210,11 @@ private:
 		made_.clear();
 		for (int f : gone_) {
 			NamedTriangle t   = triangleOf(m_, f);
-			const Vec3f   old = crossOf(t);
+			const Vec3f   old = t.cross();
 			for (int k = 0; k < 3; ++k) {
 				if (t.vertex[k] == v) t.at[k] = place;
 			}
-			const Vec3f normal = crossOf(t);
+			const Vec3f normal = t.cross();
 			if (isLine(t.at[0], t.at[1], t.at[2], normal)) return false;
 			if (cosineOf(normal, old) < leastTurn) return false;
 			if (!g_.agrees(t.vertex, normal, leastAgreement) &&

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_input.h"
 
-#include "local_nearest.h"
-
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/surface/local_nearest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -162,10 +161,10 @@ private:
 };
 
 /// Splits edges that are longer than a share of the result's edges there.
-class LocalRefinement {
+class PatchSubdivision {
 public:
-	LocalRefinement(const HalfEdgeMesh& result, const std::vector<PatchRole>& role,
-					PatchInput& local) :
+	PatchSubdivision(const HalfEdgeMesh& result, const std::vector<PatchRole>& role,
+					 PatchInput& local) :
 			local_(local),
 			m_(local.mesh)
 	{
@@ -289,7 +288,7 @@ PatchInput collectPatchInput(const Surface& surface, const ResultMesh& result,
 	const std::size_t most = mostVerticesFor(role);
 	PatchInput        local =
 		Extraction(surface.mesh, LocalCells(surface, result, role, reach, most)).run();
-	LocalRefinement(result.mesh, role, local).run(most);
+	PatchSubdivision(result.mesh, role, local).run(most);
 	local.share     = double(local.mesh.vertexNum) / double(most);
 	local.isTooMuch = local.share > 1;
 	if (!local.isTooMuch) findLabels(result.mesh, role, local, workers);

@@ -27,16 +27,13 @@ Edge edgeOf(int a, int b)
 
 std::vector<Edge> findEdgesWithoutLength(const IndexedMesh& mesh, Workers& workers)
 {
-	std::vector<Edge> edges =
-		workers.collect<Edge>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-			for (std::size_t f = begin; f < end; ++f) {
-				const int* corner = &mesh.triangle[3 * f];
-				for (int k = 0; k < 3; ++k) {
-					const int a = corner[k], b = corner[(k + 1) % 3];
-					if (mesh.position[a] == mesh.position[b]) out.push_back(edgeOf(a, b));
-				}
-			}
-		});
+	std::vector<Edge> edges = workers.collectEach<Edge>(mesh.faceNum, [&](int f, auto& out) {
+		const int* corner = &mesh.triangle[3 * f];
+		for (int k = 0; k < 3; ++k) {
+			const int a = corner[k], b = corner[(k + 1) % 3];
+			if (mesh.position[a] == mesh.position[b]) out.push_back(edgeOf(a, b));
+		}
+	});
 	sortUnique(edges);
 	return edges;
 }

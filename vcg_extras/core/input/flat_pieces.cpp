@@ -46,15 +46,12 @@ std::vector<int> findThin(const Surface& surface, Workers& workers)
 {
 	static_assert(roughWidth >= 1.5f * minWidth);
 	const HalfEdgeMesh& m    = surface.mesh;
-	std::vector<int>    thin = workers.collect<int>(
-        m.vertexNum, [&](std::size_t begin, std::size_t end, std::vector<int>& out) {
-            for (int v = int(begin); v < int(end); ++v) {
-                if (!surface.normal[v].isRough()) continue;
-                forEachOutgoing(m, v, [&](int h) {
-                    if (h % 3 == 0 && isThin(m, h / 3)) out.push_back(h / 3);
-                });
-            }
+	std::vector<int>    thin = workers.collectEach<int>(m.vertexNum, [&](int v, auto& out) {
+        if (!surface.normal[v].isRough()) return;
+        forEachOutgoing(m, v, [&](int h) {
+            if (h % 3 == 0 && isThin(m, h / 3)) out.push_back(h / 3);
         });
+    });
 	std::sort(thin.begin(), thin.end());
 	return thin;
 }

@@ -11,17 +11,10 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <limits>
-#include <unordered_map>
 
 namespace gpr {
 
 namespace {
-
-bool isFinite(const Vec3d& p)
-{
-	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 void refuseHugeInput(const MeshView& input)
 {
@@ -60,13 +53,9 @@ bool isUsable(const std::array<std::int32_t, 3>& corner, const Buffer<char>& fin
 Buffer<char> findFinite(const MeshView& input, Workers& workers, std::int64_t& badNum)
 {
 	Buffer<char> finite(input.vertexNum);
-	badNum = workers.sum<std::int64_t>(input.vertexNum, [&](std::size_t begin, std::size_t end) {
-		std::int64_t bad = 0;
-		for (std::size_t v = begin; v < end; ++v) {
-			finite[v] = isFinite(input.position(v));
-			bad += !finite[v];
-		}
-		return bad;
+	badNum = workers.sumEach<std::int64_t>(input.vertexNum, [&](int v, std::int64_t& bad) {
+		finite[v] = isFinite(input.position(v));
+		bad += !finite[v];
 	});
 	return finite;
 }
@@ -85,15 +74,11 @@ void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& worke
 	mesh.triangle.reset(withRoom(3 * input.faceNum));
 	mesh.sourceFace.reset(withRoom(input.faceNum));
 	const std::int64_t dropped =
-		workers.sum<std::int64_t>(input.faceNum, [&](std::size_t begin, std::size_t end) {
-			std::int64_t n = 0;
-			for (std::size_t f = begin; f < end; ++f) {
-				const auto corner = input.triangle(f);
-				std::copy(corner.begin(), corner.end(), &mesh.triangle[3 * f]);
-				mesh.sourceFace[f] = int(f);
-				n += !isUsable(corner, finite);
-			}
-			return n;
+		workers.sumEach<std::int64_t>(input.faceNum, [&](int f, std::int64_t& n) {
+			const auto corner = input.triangle(f);
+			std::copy(corner.begin(), corner.end(), &mesh.triangle[3 * f]);
+			mesh.sourceFace[f] = f;
+			n += !isUsable(corner, finite);
 		});
 	mesh.faceNum = int(input.faceNum);
 	if (dropped == 0) return;
@@ -120,10 +105,7 @@ public:
 	UsedVertices(const IndexedMesh& mesh, std::size_t vertexNum, Workers& workers) :
 			used_(vertexNum, 0)
 	{
-		workers.forRange(std::size_t(3) * mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i)
-				mark(mesh.triangle[i]);
-		});
+		workers.forEach(std::size_t(3) * mesh.faceNum, [&](int i) { mark(mesh.triangle[i]); });
 	}
 	bool operator[](std::size_t v) const { return used_[v] != 0; }
 
@@ -161,20 +143,13 @@ Frame requireFrame(const Box<double>& box)
 void copyVertices(const MeshView& input, const UsedVertices& used, Workers& workers,
 				  IndexedMesh& mesh, CleanCounts& counts)
 {
-	const std::int64_t unused =
-		workers.sum<std::int64_t>(input.vertexNum, [&](std::size_t begin, std::size_t end) {
-			std::int64_t n = 0;
-			for (std::size_t v = begin; v < end; ++v)
-				n += !used[v];
-			return n;
-		});
+	const std::int64_t unused = workers.sumEach<std::int64_t>(
+		input.vertexNum, [&](int v, std::int64_t& n) { n += !used[v]; });
 	mesh.vertexNum = int(input.vertexNum - unused);
 	mesh.position.reset(withRoom(mesh.vertexNum));
 	if (unused == 0) {
-		workers.forRange(input.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t v = begin; v < end; ++v)
-				mesh.position[v] = mesh.frame.toWorking(input.position(v));
-		});
+		workers.forEach(input.vertexNum,
+						[&](int v) { mesh.position[v] = mesh.frame.toWorking(input.position(v)); });
 		return;
 	}
 	counts.unreferencedVertices = unused;
@@ -185,10 +160,8 @@ void copyVertices(const MeshView& input, const UsedVertices& used, Workers& work
 		rename[v]             = kept;
 		mesh.position[kept++] = mesh.frame.toWorking(input.position(v));
 	}
-	workers.forRange(std::size_t(3) * mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
-			mesh.triangle[i] = rename[mesh.triangle[i]];
-	});
+	workers.forEach(std::size_t(3) * mesh.faceNum,
+					[&](int i) { mesh.triangle[i] = rename[mesh.triangle[i]]; });
 }
 
 bool isSoup(const IndexedMesh& mesh)

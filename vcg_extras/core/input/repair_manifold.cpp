@@ -4,12 +4,12 @@
 
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/poller.h>
+#include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 namespace gpr {
@@ -51,43 +51,15 @@ void dropDuplicateFaces(IndexedMesh& mesh, Workers& workers, CleanCounts& counts
 	if (counts.duplicateFaces > 0) keepFaces(mesh, keep);
 }
 
-struct EdgeSide {
-	int low, high; ///< the edge's ends
-	int halfEdge;
-
-	bool sameEdge(const EdgeSide& o) const { return low == o.low && high == o.high; }
-	bool operator<(const EdgeSide& o) const
-	{
-		if (low != o.low) return low < o.low;
-		if (high != o.high) return high < o.high;
-		return halfEdge < o.halfEdge;
-	}
-};
-
 Buffer<EdgeSide> sortedSides(const IndexedMesh& mesh, Workers& workers)
 {
 	const auto side = [&](std::size_t h) {
 		const int a = mesh.triangle[h], b = mesh.triangle[std::size_t(nextInFace(int(h)))];
-		return EdgeSide{std::min(a, b), std::max(a, b), int(h)};
+		return edgeSide(a, b, int(h));
 	};
 	return sortedByBuckets<EdgeSide>(
 		std::size_t(3) * mesh.faceNum, std::size_t(mesh.vertexNum), side,
 		[](const EdgeSide& s) { return s.low; }, workers);
-}
-
-/// Calls visit(begin, end) for each run of sides of one edge.
-template <class Visit>
-void forEachEdge(const Buffer<EdgeSide>& sides, Workers& workers, const Visit& visit)
-{
-	Poller poller(workers);
-	for (std::size_t i = 0; i < sides.size();) {
-		std::size_t end = i + 1;
-		while (end < sides.size() && sides[end].sameEdge(sides[i]))
-			++end;
-		poller.count();
-		visit(i, end);
-		i = end;
-	}
 }
 
 /// Joins faces over edges: link[h] is the half-edge on the other side, or -1.
@@ -102,7 +74,9 @@ public:
 	std::vector<int> run()
 	{
 		const Buffer<EdgeSide> sides = sortedSides(mesh_, workers_);
-		forEachEdge(sides, workers_, [&](std::size_t begin, std::size_t end) {
+		Poller                 poller(workers_);
+		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+			poller.count();
 			if (end - begin == 2) {
 				join(sides[begin].halfEdge, sides[begin + 1].halfEdge);
 			}
@@ -126,19 +100,11 @@ private:
 		link_[h] = g;
 	}
 
-	/// From the edge into the half-edge's face, perpendicular to the edge.
-	Vec3f inward(int h) const
-	{
-		const Vec3f a = mesh_.position[mesh_.triangle[h]];
-		const Vec3f e = normalized(mesh_.position[mesh_.triangle[nextInFace(h)]] - a);
-		return normalized(tangential(mesh_.position[mesh_.triangle[prevInFace(h)]] - a, e));
-	}
-
 	/// Small for faces that continue each other smoothly; faces oriented alike come first.
 	float bend(int g, int h) const
 	{
 		const bool sameDirection = mesh_.triangle[g] == mesh_.triangle[h];
-		return dot(inward(g), inward(h)) + (sameDirection ? 2.0f : 0.0f);
+		return dot(inward(mesh_, g), inward(mesh_, h)) + (sameDirection ? 2.0f : 0.0f);
 	}
 
 	void joinSmoothest(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
@@ -320,7 +286,9 @@ private:
 	void findSlits()
 	{
 		const Buffer<EdgeSide> sides = sortedSides(mesh_, workers_);
-		forEachEdge(sides, workers_, [&](std::size_t begin, std::size_t end) {
+		Poller                 poller(workers_);
+		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+			poller.count();
 			// The first joined pair keeps the plain edge, or else the first border.
 			int keeper = sides[begin].halfEdge;
 			for (std::size_t i = end; i-- > begin;) {

@@ -5,7 +5,6 @@
 
 #include <vcg_extras/core/mesh_view.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 

@@ -5,6 +5,7 @@
 #include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/union_find.h>
+#include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 #include <vcg_extras/core/mesh/same_place.h>
 
@@ -23,12 +24,9 @@ std::uint64_t numberOf(int v)
 	return mixedBits(std::uint64_t(v) + 0x9e3779b97f4a7c15ull);
 }
 
-/// The ends of an edge, the smaller first.
-using Ends = std::pair<int, int>;
-
-Ends endsOf(const IndexedMesh& mesh, int h)
+EdgeSide sideAt(const IndexedMesh& mesh, int h)
 {
-	return std::minmax({mesh.triangle[h], mesh.triangle[nextInFace(h)]});
+	return edgeSide(mesh.triangle[h], mesh.triangle[nextInFace(h)], h);
 }
 
 // ---- the border
@@ -46,15 +44,11 @@ struct Parity {
 /// whatever their order; that they do so by chance has a probability of 2^-64.
 bool isClosed(const IndexedMesh& mesh, Workers& workers)
 {
-	const auto parityOf = [&](std::size_t begin, std::size_t end) {
-		Parity parity;
-		for (int h = int(3 * begin); h < int(3 * end); ++h) {
-			const Ends e = endsOf(mesh, h);
-			parity.bits ^= mixedBits(std::uint64_t(e.first) << 32 | std::uint64_t(e.second));
-		}
-		return parity;
+	const auto addParity = [&](int h, Parity& parity) {
+		const EdgeSide e = sideAt(mesh, h);
+		parity.bits ^= mixedBits(std::uint64_t(e.low) << 32 | std::uint64_t(e.high));
 	};
-	return workers.sum<Parity>(mesh.faceNum, parityOf).bits == 0;
+	return workers.sumEach<Parity>(3 * std::size_t(mesh.faceNum), addParity).bits == 0;
 }
 
 /// Per vertex the numbers of its neighbours, each as often as there are faces at the edge to it,
@@ -62,52 +56,26 @@ bool isClosed(const IndexedMesh& mesh, Workers& workers)
 Buffer<std::uint64_t> unpairedNeighbours(const IndexedMesh& mesh, Workers& workers)
 {
 	Buffer<std::uint64_t> unpaired(mesh.vertexNum, 0);
-	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t f = begin; f < end; ++f) {
-			const int*          corner    = &mesh.triangle[3 * f];
-			const std::uint64_t number[3] = {numberOf(corner[0]), numberOf(corner[1]),
-											 numberOf(corner[2])};
-			for (int k = 0; k < 3; ++k)
-				__atomic_fetch_xor(&unpaired[corner[k]], number[(k + 1) % 3] ^ number[(k + 2) % 3],
-								   __ATOMIC_RELAXED);
-		}
+	workers.forEach(mesh.faceNum, [&](int f) {
+		const int*          corner    = &mesh.triangle[3 * f];
+		const std::uint64_t number[3] = {numberOf(corner[0]), numberOf(corner[1]),
+										 numberOf(corner[2])};
+		for (int k = 0; k < 3; ++k)
+			__atomic_fetch_xor(&unpaired[corner[k]], number[(k + 1) % 3] ^ number[(k + 2) % 3],
+							   __ATOMIC_RELAXED);
 	});
 	return unpaired;
-}
-
-/// A half-edge and the edge it is a side of, named by two vertices or by two places.
-struct Side {
-	Ends ends;
-	int  halfEdge;
-
-	bool operator<(const Side& o) const
-	{
-		return ends != o.ends ? ends < o.ends : halfEdge < o.halfEdge;
-	}
-};
-
-/// Calls visit(begin, end) for each run of sides of one edge; the sides are sorted.
-template <class Visit>
-void forEachEdge(const std::vector<Side>& sides, const Visit& visit)
-{
-	for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
-		for (end = i + 1; end < sides.size() && sides[end].ends == sides[i].ends;)
-			++end;
-		visit(i, end);
-	}
 }
 
 /// The half-edges whose edge has no other face.
 std::vector<int> findBorder(const IndexedMesh& mesh, Workers& workers)
 {
 	const Buffer<std::uint64_t> unpaired = unpairedNeighbours(mesh, workers);
-	const auto                  gather   = [&](std::size_t begin, std::size_t end, auto& out) {
-        for (int h = int(3 * begin); h < int(3 * end); ++h) {
-            const Ends e = endsOf(mesh, h);
-            if (unpaired[e.first] != 0 && unpaired[e.second] != 0) out.push_back({e, h});
-        }
-	};
-	std::vector<Side> sides = workers.collect<Side>(mesh.faceNum, gather);
+	std::vector<EdgeSide>       sides =
+		workers.collectEach<EdgeSide>(3 * std::size_t(mesh.faceNum), [&](int h, auto& out) {
+			const EdgeSide e = sideAt(mesh, h);
+			if (unpaired[e.low] != 0 && unpaired[e.high] != 0) out.push_back(e);
+		});
 	sortPolled(sides.begin(), sides.end(), workers);
 	std::vector<int> border;
 	forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
@@ -240,11 +208,11 @@ private:
 
 	void findSeams()
 	{
-		std::vector<Side> sides;
+		std::vector<EdgeSide> sides;
 		for (int h : border_) {
 			const int a = vertices_.placeOf(mesh_.triangle[h]);
 			const int b = vertices_.placeOf(mesh_.triangle[nextInFace(h)]);
-			if (a != b) sides.push_back({std::minmax({a, b}), h});
+			if (a != b) sides.push_back(edgeSide(a, b, h));
 		}
 		sortPolled(sides.begin(), sides.end(), workers_);
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
@@ -254,7 +222,7 @@ private:
 		});
 	}
 
-	void noteCoinciding(const std::vector<Side>& sides, std::size_t begin, std::size_t end)
+	void noteCoinciding(const std::vector<EdgeSide>& sides, std::size_t begin, std::size_t end)
 	{
 		coincidingNum_ += std::int64_t(end - begin);
 		for (std::size_t i = begin; i < end; ++i) {
@@ -271,21 +239,13 @@ private:
 		seams_.push_back({{g, h}, atG == atH});
 	}
 
-	/// From the edge into the half-edge's face, perpendicular to the edge.
-	Vec3f inward(int h) const
-	{
-		const Vec3f a = mesh_.position[mesh_.triangle[h]];
-		const Vec3f e = normalized(mesh_.position[mesh_.triangle[nextInFace(h)]] - a);
-		return normalized(tangential(mesh_.position[mesh_.triangle[prevInFace(h)]] - a, e));
-	}
-
 	static constexpr float cosineOfLeast = 0.9998477f;
 	static_assert(leastSeamAngleDeg == 1);
 
 	bool lieOnOneAnother(int g, int h) const
 	{
 		// A face without area has no direction, and lies on nothing.
-		return dot(inward(g), inward(h)) > cosineOfLeast;
+		return dot(inward(mesh_, g), inward(mesh_, h)) > cosineOfLeast;
 	}
 
 	/// Where edges run in the same direction, whole parts of the mesh have to be turned over. A
@@ -308,10 +268,10 @@ private:
 
 	void joinNeighbours(TurnableSets& parts) const
 	{
-		std::vector<Side> sides;
+		std::vector<EdgeSide> sides;
 		sides.reserve(3 * std::size_t(mesh_.faceNum));
 		for (int h = 0; h < 3 * mesh_.faceNum; ++h)
-			sides.push_back({endsOf(mesh_, h), h});
+			sides.push_back(sideAt(mesh_, h));
 		sortPolled(sides.begin(), sides.end(), workers_);
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 			if (end - begin != 2) return;
@@ -387,21 +347,18 @@ private:
 	/// Ascending.
 	std::vector<int> findConflicts() const
 	{
-		const Buffer<int>  name     = newNames();
-		const Buffer<char> isJoined = joinedOnes();
-		const auto         gather   = [&](std::size_t begin, std::size_t end, auto& out) {
-            for (int h = int(3 * begin); h < int(3 * end); ++h) {
-                const int a = mesh_.triangle[h], b = mesh_.triangle[nextInFace(h)];
-                if (!isJoined[a] && !isJoined[b]) continue;
-                out.push_back({std::minmax({name[a], name[b]}), h});
-            }
-		};
-		std::vector<Side> sides = workers_.collect<Side>(mesh_.faceNum, gather);
+		const Buffer<int>     name     = newNames();
+		const Buffer<char>    isJoined = joinedOnes();
+		std::vector<EdgeSide> sides =
+			workers_.collectEach<EdgeSide>(3 * std::size_t(mesh_.faceNum), [&](int h, auto& out) {
+				const int a = mesh_.triangle[h], b = mesh_.triangle[nextInFace(h)];
+				if (isJoined[a] || isJoined[b]) out.push_back(edgeSide(name[a], name[b], h));
+			});
 		sortPolled(sides.begin(), sides.end(), workers_);
 		std::vector<int> bad;
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 			if (!isConflict(sides, begin, end)) return;
-			for (int v : {sides[begin].ends.first, sides[begin].ends.second}) {
+			for (int v : {sides[begin].low, sides[begin].high}) {
 				if (isJoined[v]) bad.push_back(v);
 			}
 		});
@@ -409,13 +366,13 @@ private:
 		return bad;
 	}
 
-	bool isConflict(const std::vector<Side>& sides, std::size_t begin, std::size_t end) const
+	bool isConflict(const std::vector<EdgeSide>& sides, std::size_t begin, std::size_t end) const
 	{
-		if (sides[begin].ends.first == sides[begin].ends.second) return true;
+		if (sides[begin].low == sides[begin].high) return true;
 		if (end - begin <= 2) return false;
-		const Ends before = endsOf(mesh_, sides[begin].halfEdge);
+		const EdgeSide before = sideAt(mesh_, sides[begin].halfEdge);
 		for (std::size_t i = begin; i < end; ++i) {
-			if (endsOf(mesh_, sides[i].halfEdge) != before) return true;
+			if (!sideAt(mesh_, sides[i].halfEdge).isOfSameEdge(before)) return true;
 		}
 		return false; // it had as many faces before
 	}
@@ -434,10 +391,8 @@ private:
 	void renameVertices()
 	{
 		const Buffer<int> name = newNames();
-		workers_.forRange(3 * std::size_t(mesh_.faceNum), [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i)
-				mesh_.triangle[i] = name[mesh_.triangle[i]];
-		});
+		workers_.forEach(3 * std::size_t(mesh_.faceNum),
+						 [&](int i) { mesh_.triangle[i] = name[mesh_.triangle[i]]; });
 		dropUnusedVertices(mesh_);
 	}
 };

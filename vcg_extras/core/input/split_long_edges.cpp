@@ -326,10 +326,8 @@ std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 							   const std::vector<int>& among, Workers& workers)
 {
 	const EdgeRule rule{maxLength * maxLength, mesh.size};
-	return workers.collect<int>(among.size(), [&](std::size_t begin, std::size_t end, auto& out) {
-		for (std::size_t i = begin; i < end; ++i) {
-			if (rule.isLongFace(mesh, among[i])) out.push_back(among[i]);
-		}
+	return workers.collectEach<int>(among.size(), [&](int i, auto& out) {
+		if (rule.isLongFace(mesh, among[i])) out.push_back(among[i]);
 	});
 }
 

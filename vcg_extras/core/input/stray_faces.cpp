@@ -6,7 +6,6 @@
 #include <vcg_extras/core/base/buffer.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace gpr {
 

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -21,11 +20,6 @@ using Edge = std::pair<std::int32_t, std::int32_t>; ///< the smaller vertex firs
 
 /// Widths are computed anew, in another frame, when the part is remeshed.
 constexpr float margin = 2;
-
-bool isFinite(const Vec3d& p)
-{
-	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 class ThinBorder {
 public:

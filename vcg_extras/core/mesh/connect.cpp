@@ -209,10 +209,8 @@ private:
 	void leaveByOwnFaces()
 	{
 		m_.outgoing.reset(mesh_.vertexNum);
-		workers_.forRange(mesh_.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (int v = int(begin); v < int(end); ++v)
-				m_.outgoing[v] = hasOwnFaces(v) ? 3 * faceStart_[v] : -1;
-		});
+		workers_.forEach(mesh_.vertexNum,
+						 [&](int v) { m_.outgoing[v] = hasOwnFaces(v) ? 3 * faceStart_[v] : -1; });
 	}
 
 	/// For a vertex without faces of its own, which several threads may come across.
@@ -308,14 +306,10 @@ bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& 
 {
 	normal.reset(m.vertexNum);
 	const std::int64_t seen =
-		workers.sum<std::int64_t>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-			std::int64_t corners = 0;
-			for (int v = int(begin); v < int(end); ++v) {
-				const Turn turn = turnRound(m, v);
-				corners += turn.cornerNum();
-				normal[v] = turn.normal();
-			}
-			return corners;
+		workers.sumEach<std::int64_t>(m.vertexNum, [&](int v, std::int64_t& corners) {
+			const Turn turn = turnRound(m, v);
+			corners += turn.cornerNum();
+			normal[v] = turn.normal();
 		});
 	return seen == std::int64_t(m.halfEdgeNum());
 }
@@ -329,32 +323,26 @@ Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposit
 	const std::size_t halfEdgeNum = std::size_t(3) * mesh.faceNum;
 	Buffer<int>       outgoing(mesh.vertexNum, -1), fanNum(mesh.vertexNum, 0);
 	Buffer<int>       cornerNum(mesh.vertexNum, 0);
-	workers.forRange(halfEdgeNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t h = begin; h < end; ++h) {
-			const int v = mesh.triangle[h];
-			__atomic_fetch_add(&cornerNum[v], 1, __ATOMIC_RELAXED);
-			__atomic_store_n(&outgoing[v], int(h), __ATOMIC_RELAXED);
-		}
+	workers.forEach(halfEdgeNum, [&](int h) {
+		const int v = mesh.triangle[h];
+		__atomic_fetch_add(&cornerNum[v], 1, __ATOMIC_RELAXED);
+		__atomic_store_n(&outgoing[v], h, __ATOMIC_RELAXED);
 	});
-	workers.forRange(halfEdgeNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t h = begin; h < end; ++h) {
-			if (opposite[h] >= 0) continue;
-			const int v = mesh.triangle[h];
-			__atomic_fetch_add(&fanNum[v], 1, __ATOMIC_RELAXED);
-			__atomic_store_n(&outgoing[v], int(h), __ATOMIC_RELAXED);
-		}
+	workers.forEach(halfEdgeNum, [&](int h) {
+		if (opposite[h] >= 0) return;
+		const int v = mesh.triangle[h];
+		__atomic_fetch_add(&fanNum[v], 1, __ATOMIC_RELAXED);
+		__atomic_store_n(&outgoing[v], h, __ATOMIC_RELAXED);
 	});
 	Buffer<char> bad(mesh.vertexNum, 0);
-	workers.forRange(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			if (outgoing[v] < 0) continue;
-			int seen = 0, h = outgoing[v];
-			do {
-				++seen;
-				h = opposite[prevInFace(h)];
-			} while (h >= 0 && h != outgoing[v]);
-			bad[v] = fanNum[v] > 1 || seen != cornerNum[v];
-		}
+	workers.forEach(mesh.vertexNum, [&](int v) {
+		if (outgoing[v] < 0) return;
+		int seen = 0, h = outgoing[v];
+		do {
+			++seen;
+			h = opposite[prevInFace(h)];
+		} while (h >= 0 && h != outgoing[v]);
+		bad[v] = fanNum[v] > 1 || seen != cornerNum[v];
 	});
 	return bad;
 }

@@ -8,7 +8,6 @@
 #include <vcg_extras/core/base/counting_sort.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace gpr {
@@ -97,9 +96,8 @@ Buffer<char> findCounting(const HalfEdgeMesh& m, const MortonGrid& grid,
 		if (wanted[f]) cells.mark(boxOfFace(m, f));
 	}
 	Buffer<char> counts(m.faceNum);
-	workers.forRange(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		for (int f = int(begin); f < int(end); ++f)
-			counts[f] = !isDeadFace(m, f) && (wanted.empty() || cells.meets(boxOfFace(m, f)));
+	workers.forEach(m.faceNum, [&](int f) {
+		counts[f] = !isDeadFace(m, f) && (wanted.empty() || cells.meets(boxOfFace(m, f)));
 	});
 	return counts;
 }
@@ -145,10 +143,7 @@ void FaceBoxes::build(const HalfEdgeMesh& m, const std::vector<char>& wanted, Wo
 	};
 	sortIntoBuckets(m.faceNum, std::size_t(1) << 3 * depth, blockOf, workers, start, face_);
 	level_.emplace_back(face_.size());
-	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
-			level_[0][i] = boxOfFace(m, face_[i]);
-	});
+	workers.forEach(face_.size(), [&](int i) { level_[0][i] = boxOfFace(m, face_[i]); });
 	constexpr std::size_t minLevels = 3; // searches by groups of faces count on them
 	while (level_.size() < minLevels || level_.back().size() > fanOut)
 		addLevel(workers);
@@ -158,14 +153,12 @@ void FaceBoxes::addLevel(Workers& workers)
 {
 	const Buffer<Box<float>>& below = level_.back();
 	Buffer<Box<float>>        here((below.size() + fanOut - 1) / fanOut);
-	workers.forRange(here.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i) {
-			Box<float>        box;
-			const std::size_t last = std::min(below.size(), (i + 1) * fanOut);
-			for (std::size_t k = i * fanOut; k < last; ++k)
-				box += below[k];
-			here[i] = box;
-		}
+	workers.forEach(here.size(), [&](int i) {
+		Box<float>        box;
+		const std::size_t last = std::min(below.size(), std::size_t(i + 1) * fanOut);
+		for (std::size_t k = i * fanOut; k < last; ++k)
+			box += below[k];
+		here[i] = box;
 	});
 	level_.push_back(std::move(here));
 }

@@ -7,11 +7,14 @@
 #include "flat_stars.h"
 #include "mesh_edit.h"
 
+#include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/orientation.h>
+#include <vcg_extras/core/base/sort_unique.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 namespace gpr {
 
@@ -289,6 +292,43 @@ std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& m, Workers& workers,
 		std::fill(wanted.begin() + std::min(firstFace, m.faceNum), wanted.end(), char(1));
 	}
 	return findAmong(m, wanted, seams, workers);
+}
+
+std::vector<int> findTouchingFaces(const HalfEdgeMesh& m, Workers& workers)
+{
+	std::vector<int> faces;
+	for (const FacePair& pair : findTouchingPairs(m, workers))
+		faces.insert(faces.end(), {pair.first, pair.second});
+	sortUnique(faces);
+	return faces;
+}
+
+int countTouchingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
+					   const std::vector<int>& near, std::int64_t* work)
+{
+	std::vector<int> others;
+	std::set_union(faces.begin(), faces.end(), near.begin(), near.end(),
+				   std::back_inserter(others));
+	std::vector<Box<float>> boxes(faces.size());
+	Box<float>              all;
+	for (std::size_t i = 0; i < faces.size(); ++i) {
+		if (!isDeadFace(m, faces[i])) boxes[i] = boxOfFace(m, faces[i]);
+		all += boxes[i];
+	}
+	int num = 0;
+	for (int g : others) {
+		if (isDeadFace(m, g)) continue;
+		const Box<float> box = boxOfFace(m, g);
+		if (!box.meets(all)) continue;
+		const bool isOneOfThem = std::binary_search(faces.begin(), faces.end(), g);
+		for (std::size_t i = 0; i < faces.size(); ++i) {
+			// The empty box of a dead face meets none.
+			if (!boxes[i].meets(box) || (isOneOfThem && faces[i] >= g)) continue;
+			num += doFacesTouch(m, faces[i], g, Seams::Joined);
+			if (work != nullptr) ++*work;
+		}
+	}
+	return num;
 }
 
 const std::vector<FacePair>& KnownContacts::find(const HalfEdgeMesh& m, Workers& workers)

@@ -7,6 +7,7 @@
 
 #include <vcg_extras/core/base/workers.h>
 
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -16,6 +17,9 @@ namespace gpr {
 struct NamedTriangle {
 	int   vertex[3];
 	Vec3f at[3];
+
+	/// Area times two times the unit normal.
+	Vec3f cross() const { return gpr::cross(at[1] - at[0], at[2] - at[0]); }
 };
 
 NamedTriangle triangleOf(const HalfEdgeMesh& mesh, int face);
@@ -32,11 +36,18 @@ using FacePair = std::pair<int, int>;
 /// one vertex, so that sides with the same vertices do not touch. Apart: all sides touch.
 enum class Seams { Joined, Apart };
 
-/// All pairs of faces that touch beyond what they share, ascending. Unlike findIntersectingFaces
-/// this is exact and counts touching and overlapping. Of the pairs that have at least one face from
+/// All self-intersections: the pairs of faces that touch, ascending, of which at least one is from
 /// firstFace on; dead faces are passed over. Cost: O(F log F), parallel.
 std::vector<FacePair> findTouchingPairs(const HalfEdgeMesh& mesh, Workers& workers,
 										Seams seams = Seams::Joined, int firstFace = 0);
+/// The faces of all these pairs, ascending.
+std::vector<int> findTouchingFaces(const HalfEdgeMesh& mesh, Workers& workers);
+
+/// Number of touching pairs of which one is among `faces` and the other there or in `near`, both
+/// ascending; dead faces are passed over. Adds the number of pairs that were compared to `work`, if
+/// it is given. Cost: the product of the two for the boxes of the faces.
+int countTouchingPairs(const HalfEdgeMesh& mesh, const std::vector<int>& faces,
+					   const std::vector<int>& near, std::int64_t* work = nullptr);
 
 /// The touching pairs of a mesh that changes: faces that are as they were at the last search are
 /// not compared with each other again. What was found is kept together with the faces that it was

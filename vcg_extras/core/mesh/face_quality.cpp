@@ -80,11 +80,7 @@ float smallestAngleAround(const HalfEdgeMesh& m, int v, const Vec3f& p, float tu
 std::vector<int> findPoorFaces(const HalfEdgeMesh& m, float angle, Workers& workers)
 {
 	const PoorFaceTest isPoor(m, angle);
-	return workers.collect<int>(m.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
-		for (int f = int(begin); f < int(end); ++f) {
-			if (isPoor(f)) out.push_back(f);
-		}
-	});
+	return workers.collectIf(m.faceNum, [&](int f) { return isPoor(f); });
 }
 
 std::vector<int> poorOnes(const HalfEdgeMesh& m, float angle, const std::vector<int>& faces)
@@ -99,13 +95,6 @@ std::vector<int> findObtuseFaces(const HalfEdgeMesh& m, float angle, Workers& wo
 {
 	return workers.collectIf(std::size_t(m.faceNum),
 							 [&](int f) { return !isDeadFace(m, f) && obtuseAngle(m, f) > angle; });
-}
-
-std::vector<int> sharpestFirst(const HalfEdgeMesh& m, std::vector<int> faces)
-{
-	std::stable_sort(faces.begin(), faces.end(),
-					 [&](int f, int g) { return smallestAngle(m, f) < smallestAngle(m, g); });
-	return faces;
 }
 
 bool flipKeepsShape(const HalfEdgeMesh& m, int h)
@@ -128,12 +117,8 @@ bool hasNoArea(const HalfEdgeMesh& m, int f)
 
 double surfaceArea(const HalfEdgeMesh& m, Workers& workers)
 {
-	return workers.sum<double>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		double area = 0;
-		for (std::size_t f = begin; f < end; ++f)
-			area += 0.5 * double(length(m.faceCross(int(f))));
-		return area;
-	});
+	return workers.sumEach<double>(
+		m.faceNum, [&](int f, double& area) { area += 0.5 * double(length(m.faceCross(f))); });
 }
 
 float meanEdgeByArea(const HalfEdgeMesh& m)

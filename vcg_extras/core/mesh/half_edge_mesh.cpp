@@ -4,8 +4,6 @@
 
 #include <vcg_extras/core/base/sort_unique.h>
 
-#include <algorithm>
-
 namespace gpr {
 
 int HalfEdgeMesh::findHalfEdge(int a, int b) const

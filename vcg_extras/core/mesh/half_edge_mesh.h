@@ -7,7 +7,6 @@
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/vec.h>
 
-#include <cstddef>
 #include <vector>
 
 namespace gpr {

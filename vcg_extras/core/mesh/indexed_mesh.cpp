@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "indexed_mesh.h"
 
+#include "half_edge_mesh.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -56,6 +58,13 @@ IndexedMesh copyOf(const IndexedMesh& from, Workers& workers)
 	to.sourceFace = copyOf(from.sourceFace, workers);
 	to.size       = copyOf(from.size, workers);
 	return to;
+}
+
+Vec3f inward(const IndexedMesh& mesh, int h)
+{
+	const Vec3f a = mesh.position[mesh.triangle[h]];
+	const Vec3f e = normalized(mesh.position[mesh.triangle[nextInFace(h)]] - a);
+	return normalized(tangential(mesh.position[mesh.triangle[prevInFace(h)]] - a, e));
 }
 
 std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName)

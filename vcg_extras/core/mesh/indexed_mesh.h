@@ -8,7 +8,6 @@
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/vec.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -70,6 +69,9 @@ Buffer<T> copyOf(const Buffer<T>& from, Workers& workers)
 }
 
 IndexedMesh copyOf(const IndexedMesh& from, Workers& workers);
+
+/// From the edge that begins at corner h into its face, perpendicular to the edge.
+Vec3f inward(const IndexedMesh& mesh, int h);
 
 /// Renames the corners; faces that have a corner twice then are dropped, and their number returned.
 std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName);

@@ -6,9 +6,9 @@
 #include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/edge_sides.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -65,27 +65,13 @@ private:
 	int load(int x) const { return __atomic_load_n(&parent_[x], __ATOMIC_RELAXED); }
 };
 
-struct EdgeUse {
-	int low, high, face;
-
-	bool operator<(const EdgeUse& o) const
-	{
-		if (low != o.low) return low < o.low;
-		return high != o.high ? high < o.high : face < o.face;
-	}
-};
-
-std::vector<EdgeUse> sortedEdges(const MeshView& mesh)
+std::vector<EdgeSide> sortedEdges(const MeshView& mesh)
 {
-	std::vector<EdgeUse> edges;
+	std::vector<EdgeSide> edges;
 	edges.reserve(3 * mesh.faceNum);
-	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		const auto t = mesh.triangle(f);
-		for (int k = 0; k < 3; ++k) {
-			const int a = t[k], b = t[(k + 1) % 3];
-			edges.push_back({std::min(a, b), std::max(a, b), int(f)});
-		}
-	}
+	for (std::size_t h = 0; h < 3 * mesh.faceNum; ++h)
+		edges.push_back(
+			edgeSide(mesh.vertexOf(h), mesh.vertexOf(h % 3 == 2 ? h - 2 : h + 1), int(h)));
 	std::sort(edges.begin(), edges.end());
 	return edges;
 }
@@ -93,25 +79,20 @@ std::vector<EdgeUse> sortedEdges(const MeshView& mesh)
 /// Fills components, boundaryLoops and eulerCharacteristic.
 void measureTopology(const MeshView& mesh, MeshFigures& figures)
 {
-	const std::vector<EdgeUse> edges = sortedEdges(mesh);
-	DisjointSets               faces(mesh.faceNum), rim(mesh.vertexNum);
-	std::vector<char>          used(mesh.vertexNum, 0), onRim(mesh.vertexNum, 0);
-	std::int64_t               edgeNum = 0;
-	for (std::size_t i = 0; i < edges.size();) {
-		std::size_t end = i + 1;
-		while (end < edges.size() && edges[end].low == edges[i].low &&
-			   edges[end].high == edges[i].high) {
-			faces.unite(edges[i].face, edges[end].face);
-			++end;
-		}
+	const std::vector<EdgeSide> edges = sortedEdges(mesh);
+	DisjointSets                faces(mesh.faceNum), rim(mesh.vertexNum);
+	std::vector<char>           used(mesh.vertexNum, 0), onRim(mesh.vertexNum, 0);
+	std::int64_t                edgeNum = 0;
+	forEachEdge(edges, [&](std::size_t begin, std::size_t end) {
+		const int low = edges[begin].low, high = edges[begin].high;
+		for (std::size_t i = begin + 1; i < end; ++i)
+			faces.unite(edges[begin].halfEdge / 3, edges[i].halfEdge / 3);
 		++edgeNum;
-		used[edges[i].low] = used[edges[i].high] = 1;
-		if (end - i == 1) {
-			rim.unite(edges[i].low, edges[i].high);
-			onRim[edges[i].low] = onRim[edges[i].high] = 1;
-		}
-		i = end;
-	}
+		used[low] = used[high] = 1;
+		if (end - begin > 1) return;
+		rim.unite(low, high);
+		onRim[low] = onRim[high] = 1;
+	});
 	for (std::size_t f = 0; f < mesh.faceNum; ++f)
 		figures.components += faces.isRoot(int(f));
 	std::int64_t usedNum = 0;
@@ -120,11 +101,6 @@ void measureTopology(const MeshView& mesh, MeshFigures& figures)
 		figures.boundaryLoops += onRim[v] && rim.isRoot(int(v));
 	}
 	figures.eulerCharacteristic = usedNum - edgeNum + std::int64_t(mesh.faceNum);
-}
-
-void addIfFinite(const Vec3d& p, Box<double>& box)
-{
-	if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) box.add(p);
 }
 
 /// 2 inradius / circumradius of a triangle with these edges and this area, two times:
@@ -219,7 +195,7 @@ MeshFigures measureMesh(const MeshView& mesh)
 	measureTopology(mesh, figures);
 	Box<double> box;
 	for (std::size_t i = 0; i < 3 * mesh.faceNum; ++i)
-		addIfFinite(mesh.position(mesh.vertexOf(i)), box);
+		if (isFinite(mesh.position(mesh.vertexOf(i)))) box.add(mesh.position(mesh.vertexOf(i)));
 	figures.diagonal = box.diagonal();
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
 		const auto   t    = mesh.triangle(f);
@@ -233,14 +209,12 @@ MeshFigures measureMesh(const MeshView& mesh)
 std::vector<float> radiusRatios(const MeshView& mesh, Workers& workers)
 {
 	std::vector<float> ratios(mesh.faceNum, 0);
-	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t f = begin; f < end; ++f) {
-			const auto   t = mesh.triangle(f);
-			const Vec3d  p = mesh.position(t[0]), q = mesh.position(t[1]), s = mesh.position(t[2]);
-			const double doubled = length(cross(q - p, s - p));
-			const double ratio = ratioOfRadii(length(s - q), length(s - p), length(q - p), doubled);
-			if (doubled > 0 && std::isfinite(ratio)) ratios[f] = float(ratio);
-		}
+	workers.forEach(mesh.faceNum, [&](int f) {
+		const auto   t = mesh.triangle(f);
+		const Vec3d  p = mesh.position(t[0]), q = mesh.position(t[1]), s = mesh.position(t[2]);
+		const double doubled = length(cross(q - p, s - p));
+		const double ratio   = ratioOfRadii(length(s - q), length(s - p), length(q - p), doubled);
+		if (doubled > 0 && std::isfinite(ratio)) ratios[f] = float(ratio);
 	});
 	return ratios;
 }
@@ -255,26 +229,21 @@ QualityFigures measureQuality(const MeshView& mesh, Workers& workers)
 {
 	QualityFigures q;
 	if (mesh.faceNum == 0) return q;
-	const ShapeSums sums =
-		workers.sum<ShapeSums>(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-			ShapeSums part;
-			for (std::size_t f = begin; f < end; ++f) {
-				const auto t = mesh.triangle(f);
-				part.add(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
-			}
-			return part;
-		});
-	const double n    = double(mesh.faceNum);
-	q.radiusRatioMean = sums.radiusRatio / n;
-	q.radiusRatioMin  = sums.radiusRatioMin;
-	q.aspectRatioMean = sums.aspectRatio / n;
-	q.aspectRatioMin  = sums.aspectRatioMin;
-	q.minAngleDeg     = sums.minAngleMin * degrees;
-	q.meanMinAngleDeg = sums.minAngle / n * degrees;
-	q.maxAngleDeg     = sums.maxAngle * degrees;
-	q.below30Percent  = 100 * double(sums.below30) / n;
-	q.meanEdgeLen     = sums.edgeLen / n;
-	q.valence6Percent = valence6Percent(mesh);
+	const ShapeSums sums = workers.sumEach<ShapeSums>(mesh.faceNum, [&](int f, ShapeSums& part) {
+		const auto t = mesh.triangle(f);
+		part.add(mesh.position(t[0]), mesh.position(t[1]), mesh.position(t[2]));
+	});
+	const double    n    = double(mesh.faceNum);
+	q.radiusRatioMean    = sums.radiusRatio / n;
+	q.radiusRatioMin     = sums.radiusRatioMin;
+	q.aspectRatioMean    = sums.aspectRatio / n;
+	q.aspectRatioMin     = sums.aspectRatioMin;
+	q.minAngleDeg        = sums.minAngleMin * degrees;
+	q.meanMinAngleDeg    = sums.minAngle / n * degrees;
+	q.maxAngleDeg        = sums.maxAngle * degrees;
+	q.below30Percent     = 100 * double(sums.below30) / n;
+	q.meanEdgeLen        = sums.edgeLen / n;
+	q.valence6Percent    = valence6Percent(mesh);
 	return q;
 }
 
@@ -296,18 +265,14 @@ struct FaceFindings {
 /// Joins the corners of each face.
 FaceFindings readFaces(const HalfEdgeMesh& m, DisjointSets& sets, Workers& workers)
 {
-	return workers.sum<FaceFindings>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		FaceFindings found;
-		for (int f = int(begin); f < int(end); ++f) {
-			const int* v = &m.origin[3 * f];
-			sets.unite(v[0], v[1]);
-			sets.unite(v[0], v[2]);
-			found.area += 0.5 * double(length(m.faceCross(f)));
-			for (int h = 3 * f; h < 3 * f + 3; ++h) {
-				if (m.opposite[h] < 0) found.border.push_back(h);
-			}
+	return workers.sumEach<FaceFindings>(m.faceNum, [&](int f, FaceFindings& found) {
+		const int* v = &m.origin[3 * f];
+		sets.unite(v[0], v[1]);
+		sets.unite(v[0], v[2]);
+		found.area += 0.5 * double(length(m.faceCross(f)));
+		for (int h = 3 * f; h < 3 * f + 3; ++h) {
+			if (m.opposite[h] < 0) found.border.push_back(h);
 		}
-		return found;
 	});
 }
 
@@ -326,13 +291,9 @@ struct VertexFindings {
 
 VertexFindings readVertices(const HalfEdgeMesh& m, const DisjointSets& sets, Workers& workers)
 {
-	return workers.sum<VertexFindings>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		VertexFindings found;
-		for (std::size_t v = begin; v < end; ++v) {
-			found.roots += sets.isRoot(int(v));
-			addIfFinite(Vec3d(m.position[v]), found.box);
-		}
-		return found;
+	return workers.sumEach<VertexFindings>(m.vertexNum, [&](int v, VertexFindings& found) {
+		found.roots += sets.isRoot(v);
+		if (isFinite(m.position[v])) found.box.add(Vec3d(m.position[v]));
 	});
 }
 
@@ -391,24 +352,16 @@ double borderLength(const HalfEdgeMesh& m)
 
 std::int64_t lineFaceNum(const HalfEdgeMesh& m, Workers& workers)
 {
-	return workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		std::int64_t num = 0;
-		for (int f = int(begin); f < int(end); ++f) {
-			const int* v = &m.origin[3 * f];
-			num += isLine(m.position[v[0]], m.position[v[1]], m.position[v[2]], m.faceCross(f));
-		}
-		return num;
+	return workers.sumEach<std::int64_t>(m.faceNum, [&](int f, std::int64_t& num) {
+		const int* v = &m.origin[3 * f];
+		num += isLine(m.position[v[0]], m.position[v[1]], m.position[v[2]], m.faceCross(f));
 	});
 }
 
 std::int64_t zeroAreaFaceNum(const HalfEdgeMesh& m, Workers& workers)
 {
-	return workers.sum<std::int64_t>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		std::int64_t num = 0;
-		for (int f = int(begin); f < int(end); ++f)
-			num += hasZeroArea(m.faceCross(f));
-		return num;
-	});
+	return workers.sumEach<std::int64_t>(
+		m.faceNum, [&](int f, std::int64_t& num) { num += hasZeroArea(m.faceCross(f)); });
 }
 
 } // namespace gpr

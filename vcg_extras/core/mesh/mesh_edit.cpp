@@ -494,15 +494,9 @@ template <class IsAlive>
 int numberLiving(int n, const IsAlive& isAlive, Workers& workers, Buffer<int>& number)
 {
 	number.reset(n);
-	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
-			number[i] = isAlive(int(i));
-	});
+	workers.forEach(n, [&](int i) { number[i] = isAlive(i); });
 	const int livingNum = workers.sumUp(number.data(), n);
-	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i)
-			number[i] = isAlive(int(i)) ? number[i] - 1 : -1;
-	});
+	workers.forEach(n, [&](int i) { number[i] = isAlive(i) ? number[i] - 1 : -1; });
 	return livingNum;
 }
 
@@ -535,24 +529,20 @@ void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
 	if (to.vertexNum == m.vertexNum && to.faceNum == m.faceNum && !hasRoom(m)) return;
 	reserveExactly(to, m.hasCreases());
 	const auto renamed = [&](int h) { return h < 0 ? -1 : 3 * newFace[h / 3] + h % 3; };
-	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			const int n = newIndex[v];
-			if (n < 0) continue;
-			to.position[n] = m.position[v];
-			to.outgoing[n] = renamed(m.outgoing[v]);
-		}
+	workers.forEach(m.vertexNum, [&](int v) {
+		const int n = newIndex[v];
+		if (n < 0) return;
+		to.position[n] = m.position[v];
+		to.outgoing[n] = renamed(m.outgoing[v]);
 	});
-	workers.forRange(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t f = begin; f < end; ++f) {
-			if (newFace[f] < 0) continue;
-			for (int k = 0; k < 3; ++k) {
-				const std::size_t from = 3 * f + k;
-				const int         at   = 3 * newFace[f] + k;
-				to.origin[at]          = newIndex[m.origin[from]];
-				to.opposite[at]        = renamed(m.opposite[from]);
-				if (m.hasCreases()) to.crease[at] = m.crease[from];
-			}
+	workers.forEach(m.faceNum, [&](int f) {
+		if (newFace[f] < 0) return;
+		for (int k = 0; k < 3; ++k) {
+			const std::size_t from = 3 * f + k;
+			const int         at   = 3 * newFace[f] + k;
+			to.origin[at]          = newIndex[m.origin[from]];
+			to.opposite[at]        = renamed(m.opposite[from]);
+			if (m.hasCreases()) to.crease[at] = m.crease[from];
 		}
 	});
 	m = std::move(to);

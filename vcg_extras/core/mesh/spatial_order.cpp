@@ -5,7 +5,6 @@
 #include <vcg_extras/core/base/box.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace gpr {
 
@@ -125,20 +124,16 @@ Buffer<int> orderVertices(IndexedMesh& mesh, const MortonGrid& grid, Workers& wo
 {
 	const std::size_t n = mesh.vertexNum;
 	Buffer<Keyed>     items(n);
-	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			items[v] = keyed(grid.cell(mesh.position[v], grid.level), v);
-	});
+	workers.forEach(n,
+					[&](int v) { items[v] = keyed(grid.cell(mesh.position[v], grid.level), v); });
 	radixSort(items, 3 * grid.level, workers);
 
 	Buffer<Vec3f> position(n);
 	Buffer<int>   rename(n);
-	workers.forRange(n, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			const int old = indexOf(items[v]);
-			position[v]   = mesh.position[old];
-			rename[old]   = int(v);
-		}
+	workers.forEach(n, [&](int v) {
+		const int old = indexOf(items[v]);
+		position[v]   = mesh.position[old];
+		rename[old]   = v;
 	});
 	mesh.position.swap(position);
 	renameSizes(rename, workers, mesh.size);
@@ -157,11 +152,9 @@ int smallestCorner(const int* t)
 Buffer<Keyed> facesBySmallestVertex(const IndexedMesh& mesh, Workers& workers)
 {
 	Buffer<Keyed> items(mesh.faceNum);
-	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t f = begin; f < end; ++f) {
-			const int* t = &mesh.triangle[3 * f];
-			items[f]     = keyed(std::uint64_t(std::min({t[0], t[1], t[2]})), f);
-		}
+	workers.forEach(mesh.faceNum, [&](int f) {
+		const int* t = &mesh.triangle[3 * f];
+		items[f]     = keyed(std::uint64_t(std::min({t[0], t[1], t[2]})), f);
 	});
 	int bits = 1;
 	while (mesh.vertexNum >> bits > 0)
@@ -175,13 +168,11 @@ void findStarts(const Buffer<Keyed>& items, std::size_t keyNum, Workers& workers
 				Buffer<int>& start)
 {
 	start.reset(keyNum + 1);
-	workers.forRange(items.size() + 1, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t i = begin; i < end; ++i) {
-			const std::size_t first = i == 0 ? 0 : keyOf(items[i - 1]) + 1;
-			const std::size_t last  = i == items.size() ? keyNum : keyOf(items[i]);
-			for (std::size_t key = first; key <= last; ++key)
-				start[key] = int(i);
-		}
+	workers.forEach(items.size() + 1, [&](int i) {
+		const std::size_t first = i == 0 ? 0 : keyOf(items[i - 1]) + 1;
+		const std::size_t last  = std::size_t(i) == items.size() ? keyNum : keyOf(items[i]);
+		for (std::size_t key = first; key <= last; ++key)
+			start[key] = i;
 	});
 }
 
@@ -194,15 +185,13 @@ void orderFaces(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart)
 
 	Buffer<int> triangle(std::size_t(3) * mesh.faceNum);
 	Buffer<int> sourceFace(mesh.faceNum);
-	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t f = begin; f < end; ++f) {
-			const int  old   = indexOf(face[f]);
-			const int* from  = &mesh.triangle[std::size_t(3) * old];
-			const int  first = smallestCorner(from);
-			for (int k = 0; k < 3; ++k)
-				triangle[3 * f + k] = from[(first + k) % 3];
-			sourceFace[f] = mesh.sourceFace[old];
-		}
+	workers.forEach(mesh.faceNum, [&](int f) {
+		const int  old   = indexOf(face[f]);
+		const int* from  = &mesh.triangle[std::size_t(3) * old];
+		const int  first = smallestCorner(from);
+		for (int k = 0; k < 3; ++k)
+			triangle[3 * f + k] = from[(first + k) % 3];
+		sourceFace[f] = mesh.sourceFace[old];
 	});
 	mesh.triangle.swap(triangle);
 	mesh.sourceFace.swap(sourceFace);
@@ -225,10 +214,8 @@ MortonGrid orderSpatially(IndexedMesh& mesh, Workers& workers, Buffer<int>& face
 	grid.level      = levelFor(mesh.vertexNum);
 	{
 		const Buffer<int> rename = orderVertices(mesh, grid, workers);
-		workers.forRange(std::size_t(3) * mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t i = begin; i < end; ++i)
-				mesh.triangle[i] = rename[mesh.triangle[i]];
-		});
+		workers.forEach(std::size_t(3) * mesh.faceNum,
+						[&](int i) { mesh.triangle[i] = rename[mesh.triangle[i]]; });
 	}
 	orderFaces(mesh, workers, faceStart);
 	return grid;

@@ -9,10 +9,8 @@ namespace gpr {
 Buffer<int> correctedValences(const HalfEdgeMesh& m, Workers& workers)
 {
 	Buffer<int> valence(m.vertexNum);
-	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			valence[v] = m.outgoing[v] < 0 ? 6 : correctedValence(m, int(v));
-	});
+	workers.forEach(m.vertexNum,
+					[&](int v) { valence[v] = m.outgoing[v] < 0 ? 6 : correctedValence(m, v); });
 	return valence;
 }
 

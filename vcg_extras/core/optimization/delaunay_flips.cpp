@@ -65,13 +65,9 @@ std::int64_t settleFrom(HalfEdgeMesh& m, int h, std::vector<int>& stack)
 /// Edges that are to be flipped, one half of each.
 std::vector<int> findFlips(const HalfEdgeMesh& m, Workers& workers)
 {
-	return workers.collect<int>(m.halfEdgeNum(),
-								[&](std::size_t begin, std::size_t end, auto& out) {
-									for (std::size_t h = begin; h < end; ++h) {
-										if (m.opposite[h] > int(h) && improvesAngles(m, int(h)))
-											out.push_back(int(h));
-									}
-								});
+	return workers.collectEach<int>(m.halfEdgeNum(), [&](int h, auto& out) {
+		if (m.opposite[h] > h && improvesAngles(m, h)) out.push_back(h);
+	});
 }
 
 std::int64_t flipOnce(HalfEdgeMesh& m, const std::vector<int>& candidates)

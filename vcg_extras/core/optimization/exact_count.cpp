@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "exact_count.h"
 
-#include "constraint.h"
-#include "delaunay_flips.h"
-
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/features/edge_middle.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/mesh/sectors.h>
 #include <vcg_extras/core/mesh/valence_energy.h>
-#include <vcg_extras/core/sampling/sizing.h>
 
 #include <algorithm>
-#include <cmath>
 #include <initializer_list>
 #include <limits>
 #include <optional>
@@ -32,13 +27,13 @@ enum QuadEdge { WC = 1, XC = 2, WD = 4, XD = 8 };
 /// Never two flips at c or at d: they would lose two faces at once.
 constexpr int splitPatterns[] = {0, WC, XC, WD, XD, WC | WD, XC | XD, WC | XD, XC | WD};
 
-struct Operation {
+struct CountChange {
 	int   energy; ///< change of Σ(valence - 6)²
 	float rank;   ///< smaller first among equal energies
 	int   halfEdge;
 	int   pattern; ///< of the split
 
-	bool operator<(const Operation& o) const
+	bool operator<(const CountChange& o) const
 	{
 		if (energy != o.energy) return energy < o.energy;
 		if (rank != o.rank) return rank < o.rank;
@@ -105,7 +100,7 @@ private:
 
 	/// Operations in the order in which to take them, the last ones not worth taking in this round
 	/// cut off: once the cheap ones are gone, fresh valences find cheaper ones.
-	std::vector<Operation> chosen(std::vector<Operation>&& all, std::int64_t wanted) const
+	std::vector<CountChange> chosen(std::vector<CountChange>&& all, std::int64_t wanted) const
 	{
 		// By topology alone the order must not depend on how many are wanted.
 		const std::size_t most =
@@ -140,26 +135,22 @@ private:
 
 	/// What find(h) gives for the half-edges, up to an energy.
 	template <class Find>
-	std::vector<Operation> collectUpTo(int mostEnergy, const Find& find) const
+	std::vector<CountChange> collectUpTo(int mostEnergy, const Find& find) const
 	{
-		return workers_.collect<Operation>(m_.halfEdgeNum(),
-										   [&](std::size_t begin, std::size_t end, auto& out) {
-											   for (int h = int(begin); h < int(end); ++h) {
-												   if (isDeadFace(m_, h / 3)) continue;
-												   const std::optional<Operation> op = find(h);
-												   if (op && op->energy <= mostEnergy)
-													   out.push_back(*op);
-											   }
-										   });
+		return workers_.collectEach<CountChange>(m_.halfEdgeNum(), [&](int h, auto& out) {
+			if (isDeadFace(m_, h / 3)) return;
+			const std::optional<CountChange> op = find(h);
+			if (op && op->energy <= mostEnergy) out.push_back(*op);
+		});
 	}
 
 	/// The operations of a round. On flat ground enough of them mostly cost nothing: then the
 	/// others, which are by far the most, would all be cut off, and are not collected.
 	template <class Find>
-	std::vector<Operation> operationsOfRound(std::int64_t wanted, const Find& find) const
+	std::vector<CountChange> operationsOfRound(std::int64_t wanted, const Find& find) const
 	{
 		if (care_ == Care::FlatGroundOnly) {
-			std::vector<Operation> free = collectUpTo(0, find);
+			std::vector<CountChange> free = collectUpTo(0, find);
 			if (std::int64_t(free.size()) > wanted / 8) return chosen(std::move(free), wanted);
 		}
 		return chosen(collectUpTo(std::numeric_limits<int>::max(), find), wanted);
@@ -170,10 +161,10 @@ private:
 	void splitRound(std::int64_t wanted)
 	{
 		beginRound();
-		const std::vector<Operation> operations =
+		const std::vector<CountChange> operations =
 			operationsOfRound(wanted, [&](int h) { return findSplit(h); });
 		reserve(m_, m_.vertexNum + int(wanted), m_.faceNum + 2 * int(wanted));
-		for (const Operation& op : operations) {
+		for (const CountChange& op : operations) {
 			if (wanted == 0) return;
 			const bool done =
 				m_.opposite[op.halfEdge] < 0 ? splitAtBorder(op.halfEdge) : splitInside(op);
@@ -187,14 +178,14 @@ private:
 			   r_.vertex[m_.origin[h]].curve >= 0 && r_.vertex[m_.target(h)].curve >= 0;
 	}
 
-	std::optional<Operation> findSplit(int h) const
+	std::optional<CountChange> findSplit(int h) const
 	{
 		if (m_.isCreaseEdge(h)) return {};
 		const float rank = -relativeLength(h);
-		if (isSplittableBorder(h)) return Operation{1000, rank, h, 0};
+		if (isSplittableBorder(h)) return CountChange{1000, rank, h, 0};
 		if (m_.opposite[h] <= h) return {};
-		const int w = m_.origin[h], x = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
-		Operation best{splitEnergy(h, 0), rank, h, 0};
+		const int   w = m_.origin[h], x = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
+		CountChange best{splitEnergy(h, 0), rank, h, 0};
 		if (care_ != Care::FlatGroundOnly) return best;
 		if (!allFlat(w, x, c, d)) return {};
 		for (int pattern : splitPatterns) {
@@ -263,7 +254,7 @@ private:
 		return e;
 	}
 
-	bool splitInside(const Operation& op)
+	bool splitInside(const CountChange& op)
 	{
 		const int h = op.halfEdge;
 		const int w = m_.origin[h], x = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
@@ -333,7 +324,7 @@ private:
 	void collapseRound(std::int64_t wanted)
 	{
 		beginRound();
-		for (const Operation& op :
+		for (const CountChange& op :
 			 operationsOfRound(wanted, [&](int h) { return findCollapse(h); })) {
 			if (wanted == 0) return;
 			if (isDeadFace(m_, op.halfEdge / 3)) continue;
@@ -343,14 +334,14 @@ private:
 		}
 	}
 
-	std::optional<Operation> findCollapse(int h) const
+	std::optional<CountChange> findCollapse(int h) const
 	{
 		const float rank = relativeLength(h);
 		if (m_.opposite[h] < 0) {
 			// Corners of the border go last.
 			const int  energy = r_.vertex[m_.origin[h]].isCorner ? 2000 : 1000;
 			const bool may    = care_ == Care::TopologyOnly && !r_.vertex[m_.origin[h]].isPinned;
-			if (may) return Operation{energy, rank, h, 0};
+			if (may) return CountChange{energy, rank, h, 0};
 			return {};
 		}
 		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
@@ -363,7 +354,7 @@ private:
 						   squaredDefect(valence_[c] - 1) + squaredDefect(valence_[d] - 1) -
 						   squaredDefect(valence_[a]) - squaredDefect(valence_[b]) -
 						   squaredDefect(valence_[c]) - squaredDefect(valence_[d]);
-		return Operation{energy, rank, h, 0};
+		return CountChange{energy, rank, h, 0};
 	}
 
 	bool ringIsUnused(int v) const
@@ -497,17 +488,15 @@ void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& wor
         const float limit = tooShort * result.idealEdge * local;
         return squaredLength(m.position[b] - m.position[a]) < limit * limit;
 	};
-	std::vector<Operation> all = workers.collect<Operation>(
-		m.halfEdgeNum(), [&](std::size_t begin, std::size_t end, auto& out) {
-			for (int h = int(begin); h < int(end); ++h) {
-				const int a = m.origin[h], b = m.target(h);
-				if (!isShort(a, b) || m.opposite[h] < 0 || !isFree(result, a)) continue;
-				out.push_back({0, length(m.position[b] - m.position[a]), h, 0});
-			}
+	std::vector<CountChange> all =
+		workers.collectEach<CountChange>(m.halfEdgeNum(), [&](int h, auto& out) {
+			const int a = m.origin[h], b = m.target(h);
+			if (!isShort(a, b) || m.opposite[h] < 0 || !isFree(result, a)) return;
+			out.push_back({0, length(m.position[b] - m.position[a]), h, 0});
 		});
 	std::sort(all.begin(), all.end());
 	EditScratch scratch;
-	for (const Operation& op : all) {
+	for (const CountChange& op : all) {
 		const int h = op.halfEdge;
 		if (isDeadFace(m, h / 3)) continue;
 		const int a = m.origin[h], b = m.target(h);

@@ -5,7 +5,6 @@
 #include <vcg_extras/core/mesh/face_quality.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace gpr {

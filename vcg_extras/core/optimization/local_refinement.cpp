@@ -10,14 +10,14 @@
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/face_boxes.h>
+#include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/mesh/self_intersections.h>
-#include <vcg_extras/core/surface/face_tree.h>
+#include <vcg_extras/core/surface/local_nearest.h>
+#include <vcg_extras/core/surface/nearest_on_mesh.h>
 #include <vcg_extras/core/surface/surface_gap.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -81,8 +81,8 @@ int edgeToSplit(const HalfEdgeMesh& m, const SurfacePoint& at)
 std::vector<Split> splitsFor(const HalfEdgeMesh& m, const std::vector<FarPoint>& points,
 							 Workers& workers)
 {
-	const FaceTree     tree(m, &workers);
-	std::vector<Split> splits(points.size());
+	const NearestOnMesh tree(m, workers);
+	std::vector<Split>  splits(points.size());
 	workers.forEach(points.size(), [&](int i) {
 		const FarPoint& point  = points[std::size_t(i)];
 		const int       h      = edgeToSplit(m, tree.nearest(point.position));
@@ -192,7 +192,7 @@ private:
 		Faults faults;
 		for (int f : faces)
 			faults.invertedNum += editor_.agreement(f) < 0;
-		faults.pairNum = countIntersectingPairs(m_, faces, facesNear(faces));
+		faults.pairNum = countTouchingPairs(m_, faces, facesNear(faces));
 		return faults;
 	}
 

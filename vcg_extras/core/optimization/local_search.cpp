@@ -3,8 +3,8 @@
 #include "local_search.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/mesh/self_intersections.h>
 #include <vcg_extras/core/surface/surface_gap.h>
 
 #include <algorithm>
@@ -316,7 +316,7 @@ bool LocalSearch::keepsWorst(const std::vector<int>& faces, const Worst& before)
 int LocalSearch::intersectionNum(const std::vector<int>& faces)
 {
 	std::int64_t pairs = 0;
-	const int    num   = countIntersectingPairs(m_, faces, near_, &pairs);
+	const int    num   = countTouchingPairs(m_, faces, near_, &pairs);
 	work_ -= workOfPair * pairs + std::int64_t(near_.size());
 	return num;
 }

@@ -4,8 +4,6 @@
 
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
-#include <algorithm>
-
 namespace gpr {
 
 namespace {

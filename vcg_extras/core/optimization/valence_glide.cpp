@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "valence_glide.h"
 
-#include "constraint.h"
-#include "delaunay_flips.h"
-
 #include <vcg_extras/core/mesh/coloured_grid.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
@@ -124,11 +121,7 @@ private:
 std::vector<int> crowdedVertices(const Buffer<int>& valence, const Buffer<char>& flat,
 								 Workers& workers)
 {
-	return workers.collect<int>(valence.size(), [&](std::size_t begin, std::size_t end, auto& out) {
-		for (std::size_t v = begin; v < end; ++v) {
-			if (valence[v] >= 7 && flat[v]) out.push_back(int(v));
-		}
-	});
+	return workers.collectIf(valence.size(), [&](int v) { return valence[v] >= 7 && flat[v]; });
 }
 
 } // namespace

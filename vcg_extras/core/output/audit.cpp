@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace gpr {
 
@@ -119,12 +118,8 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 {
 	const HalfEdgeMesh& m       = r.mesh;
 	const Buffer<Vec3f> normals = smoothNormals(surface, r, workers);
-	Findings found = workers.sum<Findings>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		Findings part;
-		for (int f = int(begin); f < int(end); ++f)
-			checkFace(m, normals, f, part);
-		return part;
-	});
+	Findings            found   = workers.sumEach<Findings>(
+        m.faceNum, [&](int f, Findings& part) { checkFace(m, normals, f, part); });
 	// A table with wrong half-edges could lead the turning below astray.
 	if (found.badEdges == 0) {
 		found += workers.sum<Findings>(m.vertexNum, [&](std::size_t begin, std::size_t end) {
@@ -132,8 +127,7 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 			std::vector<int> ring;
 			for (int v = int(begin); v < int(end); ++v) {
 				part.badVertices += !isSoundVertex(m, v, ring, part.corners);
-				const Vec3f p = m.position[v];
-				part.notFinite += !(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+				part.notFinite += !isFinite(m.position[v]);
 			}
 			return part;
 		});
@@ -162,15 +156,11 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 
 std::int64_t zeroAreaFaceNum(const TriangleMesh& mesh, Workers& workers)
 {
-	return workers.sum<std::int64_t>(mesh.faceNum(), [&](std::size_t begin, std::size_t end) {
-		std::int64_t num = 0;
-		for (std::size_t f = begin; f < end; ++f) {
-			const std::int32_t* t = &mesh.triangles[3 * f];
-			const Vec3d         a = mesh.positions[t[0]];
-			const Vec3d         n = cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
-			num += n.x == 0 && n.y == 0 && n.z == 0; // squares could underflow
-		}
-		return num;
+	return workers.sumEach<std::int64_t>(mesh.faceNum(), [&](int f, std::int64_t& num) {
+		const std::int32_t* t = &mesh.triangles[3 * f];
+		const Vec3d         a = mesh.positions[t[0]];
+		const Vec3d         n = cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a);
+		num += n.x == 0 && n.y == 0 && n.z == 0; // squares could underflow
 	});
 }
 

@@ -22,19 +22,16 @@ void exportMesh(RunContext& run, const Surface& surface, const HalfEdgeMesh& m, 
 {
 	out.positions.resize(m.vertexNum);
 	out.triangles.assign(m.origin.data(), m.origin.data() + m.halfEdgeNum());
-	run.workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			out.positions[v] = surface.frame.toCaller(m.position[v]);
-	});
+	run.workers.forEach(m.vertexNum,
+						[&](int v) { out.positions[v] = surface.frame.toCaller(m.position[v]); });
 }
 
 void exportSurfacePoints(RunContext& run, const Surface& surface, const ResultMesh& result,
 						 std::vector<BarycentricPoint>& surfacePoints)
 {
 	surfacePoints.resize(result.vertex.size());
-	run.workers.forRange(result.vertex.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			surfacePoints[v] = barycentricPoint(run.input, surface, result.vertex[v].point);
+	run.workers.forEach(result.vertex.size(), [&](int v) {
+		surfacePoints[v] = barycentricPoint(run.input, surface, result.vertex[v].point);
 	});
 }
 
@@ -62,11 +59,9 @@ void exportFacePoints(RunContext& run, const Surface& surface, const ResultMesh&
 					  std::vector<BarycentricPoint>& surfacePoints)
 {
 	surfacePoints.resize(result.mesh.faceNum);
-	run.workers.forRange(result.mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t f = begin; f < end; ++f) {
-			const SurfacePoint middle = pointOfFace(surface, result, int(f));
-			surfacePoints[f]          = barycentricPoint(run.input, surface, middle);
-		}
+	run.workers.forEach(result.mesh.faceNum, [&](int f) {
+		const SurfacePoint middle = pointOfFace(surface, result, f);
+		surfacePoints[f]          = barycentricPoint(run.input, surface, middle);
 	});
 }
 

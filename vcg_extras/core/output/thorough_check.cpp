@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "thorough_check.h"
 
-#include <vcg_extras/core/mesh/self_intersections.h>
-#include <vcg_extras/core/surface/sampled_distance.h>
+#include <vcg_extras/core/mesh/face_contact.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 namespace gpr {
 
@@ -13,9 +13,9 @@ CheckFigures checkThoroughly(const Surface& surface, const ResultMesh& made,
 	const HalfEdgeMesh &input = surface.mesh, &result = made.mesh;
 	CheckFigures        figures;
 	figures.done              = true;
-	figures.intersectingFaces = std::int64_t(findIntersectingFaces(result, workers).size());
+	figures.intersectingFaces = std::int64_t(findTouchingFaces(result, workers).size());
 	if (figures.intersectingFaces > 0)
-		figures.inputIntersectingFaces = std::int64_t(findIntersectingFaces(input, workers).size());
+		figures.inputIntersectingFaces = std::int64_t(findTouchingFaces(input, workers).size());
 	const SampledDistance distance =
 		sampledDistance({input, both.input}, {result, both.result}, workers);
 	figures.vertexDistance  = distance.vertexDistance;

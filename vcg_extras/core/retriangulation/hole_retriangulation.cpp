@@ -7,8 +7,6 @@
 #include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
-#include <cmath>
-
 namespace gpr {
 
 namespace {

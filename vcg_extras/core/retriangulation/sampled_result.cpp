@@ -75,10 +75,7 @@ ResultMesh resultOfSamples(Retriangulated&& removed, const Surface& surface,
 		r.point           = {surface.mesh.position[old], surface.mesh.outgoing[old] / 3};
 		r.normal          = surface.mesh.faceNormal(r.point.face);
 	}
-	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			m.position[v] = result.vertex[v].point.position;
-	});
+	workers.forEach(m.vertexNum, [&](int v) { m.position[v] = result.vertex[v].point.position; });
 	result.mesh = std::move(m);
 	return result;
 }

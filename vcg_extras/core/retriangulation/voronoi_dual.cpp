@@ -116,12 +116,10 @@ private:
 		const std::size_t bucketNum = std::size_t(m_.faceNum / facesTogether) + 1;
 		Buffer<int>       start;
 		sortIntoBuckets(std::size_t(sampleNum_), bucketNum, bucketOf, workers_, start, cellOrder_);
-		workers_.forRange(bucketNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t b = begin; b < end; ++b) {
-				std::sort(&cellOrder_[start[b]], &cellOrder_[start[b + 1]], [&](int s, int t) {
-					return faceOf(s) != faceOf(t) ? faceOf(s) < faceOf(t) : s < t;
-				});
-			}
+		workers_.forEach(bucketNum, [&](int b) {
+			std::sort(&cellOrder_[start[b]], &cellOrder_[start[b + 1]], [&](int s, int t) {
+				return faceOf(s) != faceOf(t) ? faceOf(s) < faceOf(t) : s < t;
+			});
 		});
 	}
 
@@ -131,22 +129,18 @@ private:
 	void markCellsThatAreNoDisks()
 	{
 		Buffer<int> euler(sampleNum_, 0);
-		workers_.forRange(m_.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (int v = int(begin); v < int(end); ++v) {
-				const int s = labelOf(v);
-				if (s < 0) continue;
-				const int  h       = m_.outgoing[v];
-				const bool hasHalf = h >= 0 && m_.opposite[h] < 0 && labelOf(m_.target(h)) == s;
-				addRelaxed(euler[s], hasHalf ? 1 : 2);
-			}
+		workers_.forEach(m_.vertexNum, [&](int v) {
+			const int s = labelOf(v);
+			if (s < 0) return;
+			const int  h       = m_.outgoing[v];
+			const bool hasHalf = h >= 0 && m_.opposite[h] < 0 && labelOf(m_.target(h)) == s;
+			addRelaxed(euler[s], hasHalf ? 1 : 2);
 		});
-		workers_.forRange(m_.faceNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t f = begin; f < end; ++f) {
-				const int* v = &m_.origin[3 * f];
-				const int  a = labelOf(v[0]), b = labelOf(v[1]), c = labelOf(v[2]);
-				const int  shared = a == b || a == c ? a : b == c ? b : -1;
-				if (shared >= 0) addRelaxed(euler[shared], -1);
-			}
+		workers_.forEach(m_.faceNum, [&](int f) {
+			const int* v = &m_.origin[3 * f];
+			const int  a = labelOf(v[0]), b = labelOf(v[1]), c = labelOf(v[2]);
+			const int  shared = a == b || a == c ? a : b == c ? b : -1;
+			if (shared >= 0) addRelaxed(euler[shared], -1);
 		});
 		for (int s : cellOrder_)
 			bad_[s] = euler[s] != 2;
@@ -178,13 +172,9 @@ private:
 
 	std::vector<int> verticesOf(const std::vector<char>& marked) const
 	{
-		return workers_.collect<int>(m_.vertexNum,
-									 [&](std::size_t begin, std::size_t end, auto& out) {
-										 for (int v = int(begin); v < int(end); ++v) {
-											 if (labelOf(v) >= 0 && marked[labelOf(v)])
-												 out.push_back(v);
-										 }
-									 });
+		return workers_.collectEach<int>(m_.vertexNum, [&](int v, auto& out) {
+			if (labelOf(v) >= 0 && marked[labelOf(v)]) out.push_back(v);
+		});
 	}
 
 	/// What visit(cell, found) appends for each of the cells of these vertices, whose vertices it
@@ -309,12 +299,10 @@ private:
 	void markCellsOnCreases()
 	{
 		if (!m_.hasCreases()) return;
-		workers_.forRange(m_.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
-			for (std::size_t h = begin; h < end; ++h) {
-				if (m_.crease[h] == 0) continue;
-				const int s = labelOf(m_.origin[h]);
-				if (s >= 0) storeRelaxed(bad_[s], char(1));
-			}
+		workers_.forEach(m_.halfEdgeNum(), [&](int h) {
+			if (m_.crease[h] == 0) return;
+			const int s = labelOf(m_.origin[h]);
+			if (s >= 0) storeRelaxed(bad_[s], char(1));
 		});
 	}
 
@@ -337,12 +325,7 @@ private:
 		for (int i = 0; i < maxSpreads && openMarked(fresh); ++i)
 			markSpoiltBy(fresh);
 		openMarked(fresh);
-		openVertices_ =
-			workers_.collect<int>(m_.vertexNum, [&](std::size_t begin, std::size_t end, auto& out) {
-				for (int v = int(begin); v < int(end); ++v) {
-					if (isOpenVertex(v)) out.push_back(v);
-				}
-			});
+		openVertices_ = workers_.collectIf(m_.vertexNum, [&](int v) { return isOpenVertex(v); });
 		return 2 * openCellNum() <= std::int64_t(cellOrder_.size());
 	}
 
@@ -432,12 +415,10 @@ private:
 		mesh.frame     = surface_.frame;
 		mesh.vertexNum = int(out.label.size());
 		mesh.position.reset(mesh.vertexNum);
-		workers_.forRange(mesh.vertexNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t v = begin; v < end; ++v) {
-				const int u = out.surfaceVertex[v];
-				mesh.position[v] =
-					u >= 0 ? m_.position[u] : sampling_.samples[out.label[v]].point.position;
-			}
+		workers_.forEach(mesh.vertexNum, [&](int v) {
+			const int u = out.surfaceVertex[v];
+			mesh.position[v] =
+				u >= 0 ? m_.position[u] : sampling_.samples[out.label[v]].point.position;
 		});
 		collectFaces(out, mesh);
 		Buffer<int>  faceStart;
@@ -519,12 +500,10 @@ private:
 		mesh.faceNum              = int(faces.size() + more.size());
 		mesh.triangle.reset(3 * std::size_t(mesh.faceNum));
 		mesh.sourceFace.reset(mesh.faceNum);
-		workers_.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-			for (std::size_t f = begin; f < end; ++f) {
-				const Triple& t = f < faces.size() ? faces[f] : more[f - faces.size()];
-				std::copy(t.begin(), t.end(), &mesh.triangle[3 * f]);
-				mesh.sourceFace[f] = int(f);
-			}
+		workers_.forEach(mesh.faceNum, [&](int f) {
+			const Triple& t = std::size_t(f) < faces.size() ? faces[f] : more[f - faces.size()];
+			std::copy(t.begin(), t.end(), &mesh.triangle[3 * f]);
+			mesh.sourceFace[f] = f;
 		});
 	}
 
@@ -555,14 +534,12 @@ private:
 		if (!m_.hasCreases()) return;
 		HalfEdgeMesh& mesh = out.mesh;
 		mesh.crease        = Buffer<char>(mesh.halfEdgeNum(), 0);
-		workers_.forRange(mesh.halfEdgeNum(), [&](std::size_t begin, std::size_t end) {
-			for (int h = int(begin); h < int(end); ++h) {
-				const int a = out.surfaceVertex[mesh.origin[h]];
-				const int b = out.surfaceVertex[mesh.target(h)];
-				if (a < 0 || b < 0 || !m_.isCreaseVertex(a)) continue;
-				const int there = m_.findHalfEdge(a, b), back = m_.findHalfEdge(b, a);
-				mesh.crease[h] = (there >= 0 && m_.crease[there]) || (back >= 0 && m_.crease[back]);
-			}
+		workers_.forEach(mesh.halfEdgeNum(), [&](int h) {
+			const int a = out.surfaceVertex[mesh.origin[h]];
+			const int b = out.surfaceVertex[mesh.target(h)];
+			if (a < 0 || b < 0 || !m_.isCreaseVertex(a)) return;
+			const int there = m_.findHalfEdge(a, b), back = m_.findHalfEdge(b, a);
+			mesh.crease[h] = (there >= 0 && m_.crease[there]) || (back >= 0 && m_.crease[back]);
 		});
 	}
 
@@ -577,12 +554,9 @@ private:
 	/// needs three faces.
 	bool markWrongBorders(const VoronoiDual& out)
 	{
-		const std::vector<int> wrong = workers_.collect<int>(
-			out.mesh.vertexNum, [&](std::size_t begin, std::size_t end, auto& found) {
-				for (int v = int(begin); v < int(end); ++v) {
-					if (out.surfaceVertex[v] < 0 && !isBorderRight(out, v)) found.push_back(v);
-				}
-			});
+		const std::vector<int> wrong = workers_.collectIf(out.mesh.vertexNum, [&](int v) {
+			return out.surfaceVertex[v] < 0 && !isBorderRight(out, v);
+		});
 		for (int v : wrong)
 			bad_[out.label[v]] = 1;
 		return wrong.empty();

@@ -474,12 +474,8 @@ private:
 
 	double area()
 	{
-		return workers_.sum<double>(ring_.size(), [&](std::size_t begin, std::size_t end) {
-			double sum = 0;
-			for (std::size_t v = begin; v < end; ++v)
-				sum += double(ring_[v].ownArea());
-			return sum;
-		});
+		return workers_.sumEach<double>(
+			ring_.size(), [&](int v, double& sum) { sum += double(ring_[v].ownArea()); });
 	}
 
 	double trianglesAt(float edge) const
@@ -496,15 +492,12 @@ private:
 	/// The median deviation of the vertices from what is smooth.
 	float noiseLevel()
 	{
-		constexpr float    ofMedian  = 1 / 0.6745f; // a deviation over the median amount
-		const int          step      = std::max(1, mesh_.vertexNum / int(guessingDiskNum));
-		std::vector<float> roughness = workers_.collect<float>(
-			std::size_t(mesh_.vertexNum / step),
-			[&](std::size_t begin, std::size_t end, auto& out) {
-				for (std::size_t i = begin; i < end; ++i) {
-					const int v = int(i) * step;
-					out.push_back(roughnessAt(mesh_, normalized(ring_[v].normal), v));
-				}
+		constexpr float    ofMedian = 1 / 0.6745f; // a deviation over the median amount
+		const int          step     = std::max(1, mesh_.vertexNum / int(guessingDiskNum));
+		std::vector<float> roughness =
+			workers_.collectEach<float>(std::size_t(mesh_.vertexNum / step), [&](int i, auto& out) {
+				const int v = i * step;
+				out.push_back(roughnessAt(mesh_, normalized(ring_[v].normal), v));
 			});
 		if (roughness.empty()) return 0;
 		const auto middle = roughness.begin() + std::ptrdiff_t(roughness.size() / 2);
@@ -578,15 +571,10 @@ private:
 	/// Grading adds small triangles. As many times fewer are asked for where it is left out.
 	float correctedEpsilon(const std::vector<Flatness>& some, const ErrorSizes& sizes)
 	{
-		const double more =
-			workers_.sum<double>(lowered_.size(), [&](std::size_t begin, std::size_t end) {
-				double sum = 0;
-				for (std::size_t i = begin; i < end; ++i) {
-					const int v = lowered_[i];
-					sum += double(ring_[v].ownArea()) * (trianglesAt(sizes.edge[v]) - ofLargest_);
-				}
-				return sum;
-			});
+		const double more     = workers_.sumEach<double>(lowered_.size(), [&](int i, double& sum) {
+            const int v = lowered_[i];
+            sum += double(ring_[v].ownArea()) * (trianglesAt(sizes.edge[v]) - ofLargest_);
+        });
 		const double ungraded = smallTriangles(some, sizes.epsilon);
 		const double got      = more / area();
 		return got > 0 ? epsilonFor(some, wanted_ * ungraded / got) : sizes.epsilon;

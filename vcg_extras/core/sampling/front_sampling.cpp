@@ -4,7 +4,6 @@
 
 #include "front_fans.h"
 #include "sample_ranges.h"
-#include "sizing.h"
 
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/sort_unique.h>
@@ -569,11 +568,9 @@ private:
 Buffer<char> findOwners(const SharedState& shared, const Sampling& result, Workers& workers)
 {
 	Buffer<char> owns(shared.samples.size(), 0);
-	workers.forRange(result.nearest.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			const int s = result.nearest[v].sample;
-			if (s >= 0) __atomic_store_n(&owns[s], char(1), __ATOMIC_RELAXED);
-		}
+	workers.forEach(result.nearest.size(), [&](int v) {
+		const int s = result.nearest[v].sample;
+		if (s >= 0) __atomic_store_n(&owns[s], char(1), __ATOMIC_RELAXED);
 	});
 	return owns;
 }
@@ -595,11 +592,9 @@ void compact(const SharedState& shared, Workers& workers, Sampling& result)
 			result.samples.push_back(shared.samples[s]);
 		}
 	}
-	workers.forRange(result.nearest.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			int& s = result.nearest[v].sample;
-			if (s >= 0) s = rename[s];
-		}
+	workers.forEach(result.nearest.size(), [&](int v) {
+		int& s = result.nearest[v].sample;
+		if (s >= 0) s = rename[s];
 	});
 }
 
@@ -684,11 +679,9 @@ Sampling sampleFront(const Surface& surface, const BoundaryCurves& boundary,
 	shared.samples.reset(std::size_t(shared.ranges.back().firstSample) + shared.ranges.back().room);
 	shared.field.nearest.reset(m.vertexNum);
 	shared.field.trial.reset(m.vertexNum);
-	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			shared.field.nearest[v] = {HUGE_VALF, -1};
-			shared.field.trial[v]   = {0, 0};
-		}
+	workers.forEach(m.vertexNum, [&](int v) {
+		shared.field.nearest[v] = {HUGE_VALF, -1};
+		shared.field.trial[v]   = {0, 0};
 	});
 
 	std::vector<BlockSampler> samplers(workers.threadNum(), BlockSampler(shared));

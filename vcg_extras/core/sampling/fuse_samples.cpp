@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuse_samples.h"
 
-#include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/surface/surface_point.h>
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "given_samples.h"
 
 #include <vcg_extras/core/base/failure.h>
-#include <vcg_extras/core/surface/face_tree.h>
+#include <vcg_extras/core/surface/nearest_on_mesh.h>
 #include <vcg_extras/core/surface/nearest_samples.h>
 #include <vcg_extras/core/surface/surface_point.h>
 
@@ -14,7 +14,7 @@ namespace gpr {
 GivenSamples takeOverSamples(const Surface& surface, const std::vector<Vec3d>& points,
 							 Workers& workers)
 {
-	const FaceTree tree(surface.mesh, &workers);
+	const NearestOnMesh tree(surface.mesh, workers);
 	const float    onSurface = 1e-5f;
 	GivenSamples   given;
 	for (const Vec3d& point : points) {

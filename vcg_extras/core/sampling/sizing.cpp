@@ -39,12 +39,10 @@ struct CurvatureSum {
 Buffer<Vec3f> vertexNormals(const HalfEdgeMesh& m, Workers& workers)
 {
 	Buffer<Vec3f> normal(m.vertexNum);
-	workers.forRange(m.vertexNum, [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			Vec3f sum;
-			forEachOutgoing(m, int(v), [&](int h) { sum += m.faceCross(h / 3); });
-			normal[v] = normalized(sum);
-		}
+	workers.forEach(m.vertexNum, [&](int v) {
+		Vec3f sum;
+		forEachOutgoing(m, v, [&](int h) { sum += m.faceCross(h / 3); });
+		normal[v] = normalized(sum);
 	});
 	return normal;
 }
@@ -66,17 +64,15 @@ float integratedCurvature(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, in
 void averageOverRings(const HalfEdgeMesh& m, Workers& workers, Buffer<CurvatureSum>& value)
 {
 	Buffer<CurvatureSum> mean(value.size());
-	workers.forRange(value.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			CurvatureSum sum = value[v];
-			int          n   = 1;
-			forEachNeighbour(m, int(v), [&](int w) {
-				sum.curvature += value[w].curvature;
-				sum.area += value[w].area;
-				++n;
-			});
-			mean[v] = {sum.curvature / float(n), sum.area / float(n)};
-		}
+	workers.forEach(value.size(), [&](int v) {
+		CurvatureSum sum = value[v];
+		int          n   = 1;
+		forEachNeighbour(m, v, [&](int w) {
+			sum.curvature += value[w].curvature;
+			sum.area += value[w].area;
+			++n;
+		});
+		mean[v] = {sum.curvature / float(n), sum.area / float(n)};
 	});
 	value.swap(mean);
 }
@@ -96,20 +92,15 @@ template <class OfFace>
 Buffer<CurvatureSum> sumOverRings(const HalfEdgeMesh& m, Workers& workers, const OfFace& ofFace)
 {
 	Buffer<float> amount(m.faceNum);
-	workers.forRange(amount.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t f = begin; f < end; ++f)
-			amount[f] = ofFace(int(f));
-	});
+	workers.forEach(amount.size(), [&](int f) { amount[f] = ofFace(f); });
 	Buffer<CurvatureSum> ring(m.vertexNum);
-	workers.forRange(ring.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			CurvatureSum sum;
-			forEachOutgoing(m, int(v), [&](int h) {
-				sum.curvature += amount[h / 3];
-				sum.area += 0.5f * length(m.faceCross(h / 3));
-			});
-			ring[v] = sum;
-		}
+	workers.forEach(ring.size(), [&](int v) {
+		CurvatureSum sum;
+		forEachOutgoing(m, v, [&](int h) {
+			sum.curvature += amount[h / 3];
+			sum.area += 0.5f * length(m.faceCross(h / 3));
+		});
+		ring[v] = sum;
 	});
 	return ring;
 }
@@ -124,15 +115,13 @@ Buffer<float> qualityAtVertices(const SizingRequest& request, const Surface& sur
 					  "The density is to come from the vertex quality, but the mesh has none.");
 	}
 	Buffer<float> value(surface.mesh.vertexNum);
-	workers.forRange(value.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v) {
-			value[v] = 0;
-			if (surface.mesh.outgoing[v] < 0) continue;
-			const BarycentricPoint at =
-				barycentricPoint(request.input, surface, pointOfVertex(surface, int(v)));
-			for (int k = 0; k < 3; ++k)
-				value[v] += at.weight[k] * quality[request.input.vertexOf(3 * at.face + k)];
-		}
+	workers.forEach(value.size(), [&](int v) {
+		value[v] = 0;
+		if (surface.mesh.outgoing[v] < 0) return;
+		const BarycentricPoint at =
+			barycentricPoint(request.input, surface, pointOfVertex(surface, v));
+		for (int k = 0; k < 3; ++k)
+			value[v] += at.weight[k] * quality[request.input.vertexOf(3 * at.face + k)];
 	});
 	for (float q : value) {
 		if (!std::isfinite(q)) {
@@ -192,12 +181,8 @@ struct Largest {
 /// Sizes over the largest one, which may be above or below 1; returns it.
 float normalise(Workers& workers, Buffer<float>& size)
 {
-	const Largest all = workers.sum<Largest>(size.size(), [&](std::size_t begin, std::size_t end) {
-		Largest part;
-		for (std::size_t v = begin; v < end; ++v)
-			part += {size[v]};
-		return part;
-	});
+	const Largest all =
+		workers.sumEach<Largest>(size.size(), [&](int v, Largest& part) { part += {size[v]}; });
 	workers.forEach(size.size(), [&](int v) { size[v] /= all.size; });
 	return all.size;
 }
@@ -392,19 +377,15 @@ double meanSquaredStretch(const HalfEdgeMesh& m, const Buffer<float>& size, Work
 			return *this;
 		}
 	};
-	const Sums sums = workers.sum<Sums>(m.faceNum, [&](std::size_t begin, std::size_t end) {
-		Sums s;
-		for (std::size_t f = begin; f < end; ++f) {
-			const double area    = 0.5 * double(length(m.faceCross(int(f))));
-			double       inverse = 0;
-			for (int k = 0; k < 3; ++k) {
-				const double here = size[m.origin[3 * f + k]];
-				inverse += 1 / (3 * here * here);
-			}
-			s.weighted += area * inverse;
-			s.area += area;
+	const Sums sums = workers.sumEach<Sums>(m.faceNum, [&](int f, Sums& s) {
+		const double area    = 0.5 * double(length(m.faceCross(f)));
+		double       inverse = 0;
+		for (int k = 0; k < 3; ++k) {
+			const double here = size[m.origin[3 * f + k]];
+			inverse += 1 / (3 * here * here);
 		}
-		return s;
+		s.weighted += area * inverse;
+		s.area += area;
 	});
 	return sums.area > 0 ? sums.weighted / sums.area : 1;
 }
@@ -429,33 +410,6 @@ Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers&
 	return request.options.equations == Equations::AsPrinted
 			   ? makePrinted(request, surface, workers)
 			   : makeCalibrated(request, surface, workers);
-}
-
-float interpolatedSize(const Surface& surface, const SurfacePoint& at)
-{
-	const HalfEdgeMesh& m = surface.mesh;
-	const int           i = m.origin[3 * at.face], j = m.origin[3 * at.face + 1];
-	const int           k       = m.origin[3 * at.face + 2];
-	const Vec3f         a       = m.position[i];
-	const Vec3f         n       = m.faceCross(at.face);
-	const float         squared = squaredLength(n);
-	if (!(squared > 0)) return std::min({surface.size[i], surface.size[j], surface.size[k]});
-	const float wj = dot(cross(at.position - a, m.position[k] - a), n) / squared;
-	const float wk = dot(cross(m.position[j] - a, at.position - a), n) / squared;
-	const float b  = std::clamp(wj, 0.0f, 1.0f);
-	const float c  = std::clamp(wk, 0.0f, 1.0f - b);
-	return surface.size[i] * (1 - b - c) + surface.size[j] * b + surface.size[k] * c;
-}
-
-Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers& workers)
-{
-	if (surface.size.empty()) return Buffer<float>();
-	Buffer<float> size(result.vertex.size());
-	workers.forRange(size.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			size[v] = interpolatedSize(surface, result.vertex[v].point);
-	});
-	return size;
 }
 
 } // namespace gpr

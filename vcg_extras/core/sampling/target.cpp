@@ -19,11 +19,6 @@ constexpr double printedRadiusConstant = 0.844;
 constexpr double intersectionRadiusConstant = 0.962;
 constexpr double borderEdgeRadiusConstant   = 0.802;
 
-bool isFinite(const Vec3d& p)
-{
-	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 } // namespace
 
 double diskRadius(double area, double vertexNum, double constant)

@@ -269,12 +269,10 @@ private:
 	std::vector<int> takeRing(const std::vector<int>& front)
 	{
 		// All see the faces before the round: the bits do not depend on the threads.
-		const std::vector<Back> back = workers_.collect<Back>(
-			front.size(), [&](std::size_t begin, std::size_t end, auto& out) {
-				for (std::size_t i = begin; i < end; ++i) {
-					const int face = nearestByNeighbours(front[i]);
-					if (!search_.isStray(front[i], face)) out.push_back({front[i], face});
-				}
+		const std::vector<Back> back =
+			workers_.collectEach<Back>(front.size(), [&](int i, auto& out) {
+				const int face = nearestByNeighbours(front[i]);
+				if (!search_.isStray(front[i], face)) out.push_back({front[i], face});
 			});
 		std::vector<int> beside;
 		for (const Back& b : back) {
@@ -386,11 +384,7 @@ std::vector<ClosestFaceMap::Leaver> ClosestFaceMap::takeLeavers(const HalfEdgeMe
             item_[i] = gone;
         }
 	};
-	return workers.collect<Leaver>(result.faceNum,
-								   [&](std::size_t begin, std::size_t end, auto& out) {
-									   for (int f = int(begin); f < int(end); ++f)
-										   takeFrom(f, out);
-								   });
+	return workers.collectEach<Leaver>(result.faceNum, [&](int f, auto& out) { takeFrom(f, out); });
 }
 
 /// The new list of a face: those that stayed, then those that came.
@@ -427,14 +421,11 @@ void ClosestFaceMap::takeIn(const std::vector<Leaver>& leavers, Workers& workers
 void ClosestFaceMap::measureAreas(Workers& workers)
 {
 	const HalfEdgeMesh& m = surface_.mesh;
-	workers.forRange(area_.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t p = begin; p < end; ++p) {
-			float sum = 0;
-			forEachFaceRound(m, int(p), [&](int, const Vec3f& a, const Vec3f& b) {
-				sum += length(cross(a, b));
-			});
-			area_[p] = PackedMeasure(sum / 6);
-		}
+	workers.forEach(area_.size(), [&](int p) {
+		float sum = 0;
+		forEachFaceRound(m, p,
+						 [&](int, const Vec3f& a, const Vec3f& b) { sum += length(cross(a, b)); });
+		area_[p] = PackedMeasure(sum / 6);
 	});
 }
 

@@ -8,11 +8,6 @@ namespace gpr {
 
 namespace {
 
-bool isFinite(const Vec3d& p)
-{
-	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 /// Where the running area stands behind each face of a mesh.
 std::vector<double> runningArea(const MeshView& mesh)
 {
@@ -34,6 +29,8 @@ std::vector<double> runningArea(const MeshView& mesh)
 bool isUsableFace(const MeshView& mesh, std::size_t face)
 {
 	const auto t = mesh.triangle(face);
+	for (const std::int32_t v : t)
+		if (v < 0 || std::size_t(v) >= mesh.vertexNum) return false;
 	if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
 	return isFinite(mesh.position(t[0])) && isFinite(mesh.position(t[1])) &&
 		   isFinite(mesh.position(t[2]));

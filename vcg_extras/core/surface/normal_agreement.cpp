@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "normal_agreement.h"
 
-#include <cmath>
-
 namespace gpr {
 
 float agreement(const Vec3f& a, const Vec3f& b)
@@ -23,10 +21,8 @@ Vec3f smoothNormal(const Surface& surface, const SurfacePoint& point)
 Buffer<Vec3f> smoothNormals(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
 	Buffer<Vec3f> normal(result.vertex.size());
-	workers.forRange(normal.size(), [&](std::size_t begin, std::size_t end) {
-		for (std::size_t v = begin; v < end; ++v)
-			normal[v] = smoothNormal(surface, result.vertex[v].point);
-	});
+	workers.forEach(normal.size(),
+					[&](int v) { normal[v] = smoothNormal(surface, result.vertex[v].point); });
 	return normal;
 }
 
@@ -58,11 +54,9 @@ Buffer<Vec3f> normalsWithoutLips(const Surface& surface, const ResultMesh& resul
 {
 	const HalfEdgeMesh& m      = result.mesh;
 	Buffer<Vec3f>       normal = smoothNormals(surface, result, workers);
-	workers.forRange(normal.size(), [&](std::size_t begin, std::size_t end) {
-		for (int v = int(begin); v < int(end); ++v) {
-			if (m.outgoing[v] >= 0 && m.isBorderVertex(v))
-				normal[v] = withoutLip(m, normal, v, normal[v]);
-		}
+	workers.forEach(normal.size(), [&](int v) {
+		if (m.outgoing[v] >= 0 && m.isBorderVertex(v))
+			normal[v] = withoutLip(m, normal, v, normal[v]);
 	});
 	return normal;
 }
@@ -70,11 +64,8 @@ Buffer<Vec3f> normalsWithoutLips(const Surface& surface, const ResultMesh& resul
 int invertedFaceNum(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
 	const Buffer<Vec3f> normal = normalsWithoutLips(surface, result, workers);
-	return workers.sum<int>(result.mesh.faceNum, [&](std::size_t begin, std::size_t end) {
-		int num = 0;
-		for (std::size_t f = begin; f < end; ++f)
-			num += normalAgreement(result.mesh, normal, int(f)) < 0;
-		return num;
+	return workers.sumEach<int>(result.mesh.faceNum, [&](int f, int& num) {
+		num += normalAgreement(result.mesh, normal, f) < 0;
 	});
 }
 

@@ -5,8 +5,6 @@
 
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
-#include <cmath>
-
 namespace gpr {
 
 /// How a ray over the surface ended.

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_MESH_EDGE_SIDES_H
+#define VCG_EXTRAS_CORE_MESH_EDGE_SIDES_H
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+
+namespace gpr {
+
+/// A half-edge and the edge it is a side of, named by two vertices or by two places.
+struct EdgeSide {
+	int low, high; ///< the edge's ends
+	int halfEdge;
+
+	bool isOfSameEdge(const EdgeSide& o) const { return low == o.low && high == o.high; }
+	bool operator<(const EdgeSide& o) const
+	{
+		return std::tie(low, high, halfEdge) < std::tie(o.low, o.high, o.halfEdge);
+	}
+};
+
+inline EdgeSide edgeSide(int a, int b, int halfEdge)
+{
+	return {std::min(a, b), std::max(a, b), halfEdge};
+}
+
+/// Calls visit(begin, end) for each run of sides of one edge; the sides are sorted.
+template <class Sides, class Visit>
+void forEachEdge(const Sides& sides, const Visit& visit)
+{
+	for (std::size_t i = 0, end = 0; i < sides.size(); i = end) {
+		for (end = i + 1; end < sides.size() && sides[end].isOfSameEdge(sides[i]);)
+			++end;
+		visit(i, end);
+	}
+}
+
+} // namespace gpr
+
+#endif
