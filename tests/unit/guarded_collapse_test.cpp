@@ -43,12 +43,15 @@ public:
 	GuardedSettings settings;
 
 	explicit Fan(const std::vector<Vec3d>& hubAndRing, bool isAlone = false) :
-			guarded(halfEdgesOf(isAlone ? fanOf(hubAndRing) : among(fanOf(hubAndRing))), false)
+			Fan(isAlone ? fanOf(hubAndRing) : among(fanOf(hubAndRing)))
+	{
+	}
+	explicit Fan(const TriangleMesh& mesh) : guarded(halfEdgesOf(mesh), false)
 	{
 		guarded.isFixed.assign(guarded.isFixed.size(), 1);
 		guarded.isFixed[0]   = 0;
 		settings.idealEdge   = 1;
-		settings.longestEdge = 1.01 * length(hubAndRing[1] - hubAndRing[0]);
+		settings.longestEdge = 1.01 * length(mesh.positions[1] - mesh.positions[0]);
 	}
 
 	/// What all vertices stand for looks that way, per vertex.
@@ -287,6 +290,15 @@ TEST(GuardedCollapse, LeavesOnlyFixedVerticesOfAKeptBorder)
 	EXPECT_TRUE(decimateGuarded(notch.settings, notch.guarded, workers));
 	EXPECT_TRUE(notch.isThere(notch.bottom));
 	EXPECT_FALSE(notch.isThere(notch.hub));
+}
+
+/// The edge between them lies inside.
+TEST(GuardedCollapse, DoesNotMergeBordersAcrossANeck)
+{
+	const TriangleMesh neck{
+		{{0, 0.1, 0}, {0, -0.1, 0}, {-1, 1, 0}, {-1, -1, 0}, {1, -1, 0}, {1, 1, 0}},
+		{2, 3, 0, 3, 1, 0, 1, 4, 0, 4, 5, 0}};
+	EXPECT_FALSE(Fan(among(neck)).collapses());
 }
 
 /// Its vertices are all on the border.
