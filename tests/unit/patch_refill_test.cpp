@@ -383,7 +383,7 @@ TEST(PatchInput, IsOnlyWhatLiesNearThePatch)
 TEST(PatchInput, HasShortEdges)
 {
 	Random                       random(11);
-	CoarseResult                 coarse(icosphere(3), 0.1f, random);
+	CoarseResult                 coarse(icosphere(3), 0.02f, random);
 	const ResultMesh&            result = coarse.result();
 	const std::vector<PatchRole> role   = rolesRound(result.mesh, 5);
 	const PatchInput local = collectPatchInput(coarse.surface(), result, role, 1, coarse.workers);
