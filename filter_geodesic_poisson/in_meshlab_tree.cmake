@@ -31,8 +31,7 @@ add_meshlab_plugin(filter_geodesic_poisson ${_shared} ${GPR_QUADRIC_COLLAPSE}
   meshlab_2025/filter_geodesic_poisson.cpp meshlab_2025/filter_geodesic_poisson.h)
 target_include_directories(filter_geodesic_poisson PRIVATE meshlab_2025)
 target_link_libraries(filter_geodesic_poisson PUBLIC gpr_core)
-add_meshlab_plugin(edit_geodesic_poisson ${_shared} ${_edit} ${GPR_QUADRIC_COLLAPSE}
-  meshlab_2025/edit_geodesic_poisson.cpp meshlab_2025/edit_geodesic_poisson.h)
+add_meshlab_plugin(edit_geodesic_poisson ${_shared} ${_edit} ${GPR_QUADRIC_COLLAPSE})
 target_include_directories(edit_geodesic_poisson PRIVATE meshlab_2025)
 target_link_libraries(edit_geodesic_poisson PUBLIC gpr_core OpenGL::GL)
 set_target_properties(filter_geodesic_poisson edit_geodesic_poisson PROPERTIES

@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+
+// A work-around for the filter dialog of MeshLab 2020.09, which is as high as all its parameters
+// together and so higher than the screen.
 #include "dialog_height.h"
 
 #include <QAbstractSpinBox>

@@ -198,14 +198,26 @@ TEST(PreviewWorker, TellsWhyThereIsNoResultAndGoesOn)
 	newsUntil(worker, [](const PreviewNews& n) { return n.preview != nullptr; });
 }
 
-/// The worker goes amid a run, soon.
+template <class Work>
+double secondsOf(const Work& work)
+{
+	const auto start = std::chrono::steady_clock::now();
+	work();
+	return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The worker goes amid a run: long before that would be done.
 TEST(PreviewWorker, EndsAmidARun)
 {
-	const auto layer = ballCopy();
+	const auto           layer = ballCopy();
+	const PreviewRequest large = request(1, 30000, false);
+	const double         whole = secondsOf([&] { gpr::remesh(layer->view(), large.options); });
 	for (int delay : {0, 1, 5, 20, 60}) {
-		PreviewWorker worker(layer);
-		worker.request(request(1, 9000, false));
+		auto worker = std::make_unique<PreviewWorker>(layer);
+		worker->request(large);
 		std::this_thread::sleep_for(std::chrono::milliseconds(delay));
+		EXPECT_EQ(worker->takeNews().preview, nullptr) << "it is amid the run";
+		EXPECT_LT(secondsOf([&] { worker.reset(); }), whole / 2) << "of " << whole << " s";
 	}
 }
 

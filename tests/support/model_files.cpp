@@ -20,10 +20,18 @@ ModelFile unpacked(const std::filesystem::path& packed)
 	return {"", packed.filename().string() + " cannot be unpacked"};
 }
 
+ModelFile bunny()
+{
+	const char* path = "/usr/share/glmark2/models/bunny.obj";
+	if (std::ifstream(path)) return {path, ""};
+	return {"", "glmark2-data is not installed (scripts/setup)"};
+}
+
 } // namespace
 
 ModelFile findModel(const std::string& name)
 {
+	if (name == "bunny.obj") return bunny();
 	const char* folder = std::getenv("GPR_MODELS_DIR");
 	if (folder == nullptr) return {"", "GPR_MODELS_DIR is not set"};
 	const std::string path = std::string(folder) + "/" + name;

@@ -10,9 +10,10 @@
 namespace gpr::test {
 
 // Real scans and parts are no part of the project: the folder that holds them is named by the
-// environment variable GPR_MODELS_DIR.
+// environment variable GPR_MODELS_DIR. One, bunny.obj, is in Debian's glmark2-data, which
+// scripts/setup installs.
 
-/// A file of that folder.
+/// A file of that folder or package.
 struct ModelFile {
 	std::string path;
 	std::string missing; ///< why it cannot be read; empty if it is there

@@ -6,7 +6,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/run/count_search.h>
+#include <vcg_extras/core/sampling/count_search.h>
 #include <vcg_extras/core/sampling/target.h>
 #include <vcg_extras/core/surface/surface_distance.h>
 

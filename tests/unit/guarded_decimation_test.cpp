@@ -8,7 +8,6 @@
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/guard/contact_guard.h>
 #include <vcg_extras/core/guard/guarded_relaxation.h>
 #include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/face_contact.h>
@@ -239,33 +238,6 @@ TEST(GuardedDecimation, AddsNoContactsToThoseOfItsInput)
 		for (int f : {pair.first, pair.second})
 			EXPECT_NEAR(g.mesh.faceCentre(f).x, 0.6, 0.35) << "where the spheres meet";
 	}
-}
-
-TEST(ContactGuard, RefusesWhatTouches)
-{
-	Workers            workers(1, nullptr);
-	const HalfEdgeMesh m = halfEdgesOf(twoSheets(4, 0.1));
-	ContactGuard       guard(m, false, workers);
-	int                inner = -1;
-	for (int v = 0; v < m.vertexNum && inner < 0; ++v) {
-		if (!m.isBorderVertex(v) && m.position[v].z < 0.05f) inner = v;
-	}
-	ASSERT_GE(inner, 0);
-	std::vector<int> faces;
-	forEachOutgoing(m, inner, [&](int h) { faces.push_back(h / 3); });
-	const auto raisedBy = [&](float height) {
-		std::vector<NamedTriangle> made;
-		for (int f : faces) {
-			made.push_back(triangleOf(m, f));
-			for (int k = 0; k < 3; ++k) {
-				if (made.back().vertex[k] == inner) made.back().at[k].z += height;
-			}
-		}
-		return made;
-	};
-	EXPECT_TRUE(guard.allows(raisedBy(0), faces));
-	EXPECT_TRUE(guard.allows(raisedBy(0.099f), faces));
-	EXPECT_FALSE(guard.allows(raisedBy(0.2f), faces));
 }
 
 TEST(Components, AreNumberedByTheirFirstFaces)

@@ -64,4 +64,42 @@ TEST(InputContacts, FarFromThePairsAreNotCounted)
 	EXPECT_EQ(InputContacts(input, result, pairs, 0.1f, workers).pairNum(), 0);
 }
 
+/// Two triangles that cross each other, from x on to one unit farther.
+static TriangleMesh crossing(double x)
+{
+	return {{{x, 0, 0},
+			 {x + 1, -0.5, 0},
+			 {x + 1, 0.5, 0},
+			 {x, 0, 0.1},
+			 {x + 1, 0, -0.5},
+			 {x + 1, 0, 0.5}},
+			{0, 1, 2, 3, 4, 5}};
+}
+
+TEST(InputContacts, CountUpToADistanceFromThePairs)
+{
+	Workers            workers(1, nullptr);
+	const HalfEdgeMesh input = halfEdgesOf(crossing(0)), result = halfEdgesOf(crossing(1.05));
+	const std::vector<FacePair> pairs = findTouchingPairs(result, workers);
+	ASSERT_EQ(pairs.size(), 1u);
+	for (const float distance : {0.04f, 0.1f}) {
+		const InputContacts contacts(input, result, pairs, distance, workers);
+		const bool          isNear = distance > 0.05f;
+		EXPECT_EQ(contacts.pairNum(), isNear ? 1 : 0);
+		EXPECT_EQ(contacts.withoutInputs(result, pairs).empty(), isNear);
+	}
+}
+
+/// Where the input was cut, both sides have vertices of their own at one place.
+TEST(InputContacts, AreFoundAlongCuts)
+{
+	Workers            workers(1, nullptr);
+	const TriangleMesh sheet = grid(1, 1);
+	const HalfEdgeMesh whole = halfEdgesOf(sheet), cut = halfEdgesOf(cutApart(sheet, {0, 1}));
+	const HalfEdgeMesh result         = halfEdgesOf(crossing(0));
+	const std::vector<FacePair> pairs = findTouchingPairs(result, workers);
+	EXPECT_EQ(InputContacts(whole, result, pairs, 0.1f, workers).pairNum(), 0);
+	EXPECT_EQ(InputContacts(cut, result, pairs, 0.1f, workers).pairNum(), 1);
+}
+
 } // namespace gpr::test

@@ -9,7 +9,7 @@
 #include <tests/support/random_source.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/guard/patch_labels.h>
+#include <vcg_extras/core/guard/patch_input.h>
 #include <vcg_extras/core/guard/patch_refill.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
@@ -150,6 +150,14 @@ int vertexInside(const HalfEdgeMesh& m)
 	return -1;
 }
 
+int borderVertex(const HalfEdgeMesh& m)
+{
+	int v = 0;
+	while (!m.isBorderVertex(v))
+		++v;
+	return v;
+}
+
 /// A sphere with a thin tube upright on its pole, which takes six tenths of the height.
 TriangleMesh sphereWithTube()
 {
@@ -237,10 +245,8 @@ TEST(PatchRefill, IsRefusedWhereOtherBordersHaveTheirVertices)
 {
 	Random       random(6);
 	CoarseResult coarse(jitteredGrid(40, 0.2, random), 0.1f, random);
-	ResultMesh   result = copyResult(coarse.result(), coarse.workers);
-	int          border = 0;
-	while (!result.mesh.isBorderVertex(border))
-		++border;
+	ResultMesh   result                         = copyResult(coarse.result(), coarse.workers);
+	const int    border                         = borderVertex(result.mesh);
 	result.vertex[std::size_t(border)].isShared = true;
 	std::vector<char> marked                    = coarse.marksRound({border});
 	RefilledMesh      made;
@@ -306,6 +312,123 @@ TEST(PatchRefill, FollowsTheInputInside)
 	}
 }
 
+/// A tube on the border of a patch would be drawn together to one vertex.
+TEST(PatchRefill, WidensAPatchWhereTheInputReachesFarFromItsBorder)
+{
+	Random              random(1);
+	CoarseResult        coarse(sphereWithTube(), 0.05f, random, 0.62f);
+	const HalfEdgeMesh& result = coarse.result().mesh;
+	int                 top    = 0;
+	for (int v = 0; v < result.vertexNum; ++v) {
+		if (result.position[v].z > result.position[top].z) top = v;
+	}
+	std::vector<char> marked = coarse.marksRound({result.target(result.outgoing[top])});
+	RefilledMesh      made;
+	ASSERT_TRUE(coarse.refill(marked, made));
+	expectWhole(coarse, marked, made);
+	EXPECT_NEAR(heightAt(made.guarded->mesh, 1), heightAt(coarse.surface().mesh, 1), 1e-5f);
+}
+
+/// A result with a hole that its input does not have.
+TEST(PatchRefill, ClosesNoHole)
+{
+	Random       random(9);
+	CoarseResult coarse(icosphere(4), 0.3f, random);
+	ResultMesh   result  = copyResult(coarse.result(), coarse.workers);
+	TriangleMesh pierced = meshOf(result.mesh);
+	ASSERT_EQ(int(pierced.vertexNum()), result.mesh.vertexNum);
+	pierced.triangles.resize(pierced.triangles.size() - 3);
+	std::vector<char> marked(pierced.faceNum(), 1);
+	result.mesh = halfEdgesOf(pierced);
+	RefilledMesh made;
+	EXPECT_FALSE(refillPatches(coarse.surface(), result, {}, marked, coarse.workers, made));
+}
+
+namespace {
+
+/// A vertex and the rings round it: three of them inside, then the border, then two beyond.
+std::vector<PatchRole> rolesRound(const HalfEdgeMesh& m, int centre)
+{
+	constexpr PatchRole    ofRing[] = {PatchRole::Inside, PatchRole::Inside, PatchRole::Inside,
+									   PatchRole::Border, PatchRole::Near,   PatchRole::Near};
+	std::vector<PatchRole> role(std::size_t(m.vertexNum), PatchRole::Far);
+	std::vector<int>       front = {centre};
+	for (PatchRole here : ofRing) {
+		std::vector<int> next;
+		for (int v : front)
+			role[std::size_t(v)] = here;
+		for (int v : front)
+			forEachNeighbour(m, v, [&](int w) {
+				if (role[std::size_t(w)] == PatchRole::Far) next.push_back(w);
+			});
+		front = std::move(next);
+	}
+	return role;
+}
+
+} // namespace
+
+TEST(PatchInput, IsOnlyWhatLiesNearThePatch)
+{
+	Random                       random(10);
+	CoarseResult                 coarse(icosphere(5), 0.06f, random);
+	const std::vector<PatchRole> role = rolesRound(coarse.result().mesh, 5);
+	const PatchInput             local =
+		collectPatchInput(coarse.surface(), coarse.result(), role, 1, coarse.workers);
+	EXPECT_FALSE(local.isTooMuch);
+	EXPECT_GT(local.ownNum, 100);
+	EXPECT_LT(local.ownNum, coarse.surface().mesh.vertexNum / 2);
+}
+
+TEST(PatchInput, HasShortEdges)
+{
+	Random                       random(11);
+	CoarseResult                 coarse(icosphere(3), 0.02f, random);
+	const ResultMesh&            result = coarse.result();
+	const std::vector<PatchRole> role   = rolesRound(result.mesh, 5);
+	const PatchInput local = collectPatchInput(coarse.surface(), result, role, 1, coarse.workers);
+	const auto       isInside = [&](int v) {
+        return isDeep(result.mesh, role, local.label[std::size_t(v)]);
+	};
+	const auto longest = [&](int v) {
+		return longestEdgeAt(result.mesh, local.label[std::size_t(v)]);
+	};
+	int num = 0;
+	for (int h = 0; h < local.mesh.halfEdgeNum(); ++h) {
+		const int a = local.mesh.origin[h], b = local.mesh.target(h);
+		if (!isInside(a) || !isInside(b)) continue;
+		++num;
+		EXPECT_LE(length(local.mesh.position[a] - local.mesh.position[b]),
+				  0.6f * std::max(longest(a), longest(b)));
+	}
+	EXPECT_GT(num, 10);
+}
+
+TEST(PatchInput, KnowsTheInputsBorderFromWhereItWasCut)
+{
+	Random                       random(12);
+	CoarseResult                 coarse(jitteredGrid(60, 0.2, random), 0.04f, random);
+	const HalfEdgeMesh&          input = coarse.surface().mesh;
+	const std::vector<PatchRole> role =
+		rolesRound(coarse.result().mesh, borderVertex(coarse.result().mesh));
+	const PatchInput local =
+		collectPatchInput(coarse.surface(), coarse.result(), role, 1, coarse.workers);
+	int cutNum = 0, borderNum = 0;
+	for (int h = 0; h < local.mesh.halfEdgeNum(); ++h) {
+		const auto isOnBorder = [&](int v) {
+			return input.isBorderVertex(local.inputVertex[std::size_t(v)]);
+		};
+		const bool isMarked = local.mesh.crease[h] != 0;
+		EXPECT_TRUE(!isMarked || local.mesh.isBorderEdge(h));
+		EXPECT_TRUE(!isMarked ||
+					(isOnBorder(local.mesh.origin[h]) && isOnBorder(local.mesh.target(h))));
+		borderNum += isMarked;
+		cutNum += local.mesh.isBorderEdge(h) && !isMarked;
+	}
+	EXPECT_GT(cutNum, 10);
+	EXPECT_GT(borderNum, 5);
+}
+
 TEST(PatchRefill, MarksGrowByRings)
 {
 	const HalfEdgeMesh m = halfEdgesOf(lattice(20, 20));
@@ -326,10 +449,10 @@ namespace {
 struct LabelledGrid {
 	static constexpr int n = 24;
 
-	HalfEdgeMesh                 mesh = halfEdgesOf(grid(n, n));
-	const std::vector<PatchRole> role = {PatchRole::Inside, PatchRole::Border, PatchRole::Border,
-										 PatchRole::Border};
-	std::vector<int>             label;
+	HalfEdgeMesh           mesh = halfEdgesOf(grid(n, n));
+	std::vector<PatchRole> role = {PatchRole::Inside, PatchRole::Border, PatchRole::Border,
+								   PatchRole::Border};
+	std::vector<int>       label;
 
 	LabelledGrid()
 	{
@@ -353,7 +476,9 @@ struct LabelledGrid {
 	void expectCleanedTo(const std::vector<int>& wanted)
 	{
 		cleanLabels(mesh, role, label);
-		EXPECT_EQ(label, wanted);
+		for (int v = 0; v < mesh.vertexNum; ++v)
+			EXPECT_EQ(label[std::size_t(v)], wanted[std::size_t(v)])
+				<< v % (n + 1) << ", " << v / (n + 1);
 	}
 };
 
@@ -372,6 +497,7 @@ TEST(PatchLabels, PiecesOfACellGoToWhatIsRoundThem)
 	const std::vector<int> before = g.label;
 	g.put(0.2f, 0.5f, 2); // inside
 	g.put(0.8f, 0.9f, 1); // in another cell
+	g.put(0.9f, 0.1f, 3); // the same, and its first vertex is the cell's first
 	g.expectCleanedTo(before);
 }
 
@@ -384,28 +510,51 @@ TEST(PatchLabels, WhatIsEnclosedByOneCellGoesToIt)
 	g.expectCleanedTo(before);
 }
 
-/// A vertex inside with arms of one cell on two sides.
+namespace {
+
+/// Cell 2 has an arm round two vertices inside, the lower one of which meets the cell on two sides.
+struct Pocket : LabelledGrid {
+	const int upper = near(11.0f / n, 12.0f / n), lower = near(11.0f / n, 11.0f / n);
+
+	Pocket()
+	{
+		for (int j : {11, 12, 13})
+			put(10.0f / n, float(j) / n, 2);
+		put(11.0f / n, 13.0f / n, 2);
+	}
+};
+
+} // namespace
+
 TEST(PatchLabels, NotchesAreFilled)
 {
-	LabelledGrid g;
-	for (float y : {0.42f, 0.54f})
-		g.put(0.46f, y, 2);
-	const std::vector<int> before = g.label;
+	Pocket           g;
+	std::vector<int> filled      = g.label;
+	filled[std::size_t(g.upper)] = 2;
+	filled[std::size_t(g.lower)] = 2;
+	g.expectCleanedTo(filled);
+}
+
+/// A vertex that meets what lies beyond the border stays: its triangles there are to blame.
+TEST(PatchLabels, NotchesBesideWhatLiesBeyondStay)
+{
+	Pocket g;
+	g.role.push_back(PatchRole::Near);
+	g.put(11.0f / g.n, 10.0f / g.n, 4);
 	cleanLabels(g.mesh, g.role, g.label);
+	EXPECT_EQ(g.label[std::size_t(g.lower)], 0);
+}
+
+/// What lies inside, but at three cells, is enclosed by none.
+TEST(PatchLabels, WhatMeetsThreeCellsStays)
+{
+	LabelledGrid g;
 	for (int v = 0; v < g.mesh.vertexNum; ++v) {
-		if (g.label[std::size_t(v)] != 0) continue;
-		int runs = 0, last = -1, first = -1;
-		forEachNeighbour(g.mesh, v, [&](int w) {
-			const int here = g.label[std::size_t(w)] == 2;
-			runs += here == 1 && last != 1;
-			last = here;
-			if (first < 0) first = here;
-		});
-		if (!g.mesh.isBorderVertex(v) && first == 1 && last == 1 && runs > 1) --runs;
-		EXPECT_LE(runs, 1);
+		if (g.mesh.position[v].x > 0.8f) g.label[std::size_t(v)] = 3;
 	}
-	EXPECT_GE(std::count(g.label.begin(), g.label.end(), 2),
-			  std::count(before.begin(), before.end(), 2));
+	g.put(0.79f, 0.33f, 0);
+	const std::vector<int> before = g.label;
+	g.expectCleanedTo(before);
 }
 
 /// A ring round a tube has no inside: joining its two ends would close the tube.

@@ -3,12 +3,11 @@
 #ifndef VCG_EXTRAS_CORE_RUN_PLAN_H
 #define VCG_EXTRAS_CORE_RUN_PLAN_H
 
-#include "count_search.h"
-
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/stage_clock.h>
 #include <vcg_extras/core/input/cleaning.h>
 #include <vcg_extras/core/options.h>
+#include <vcg_extras/core/sampling/count_search.h>
 
 #include <cstdint>
 #include <optional>

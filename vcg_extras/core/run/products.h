@@ -115,10 +115,6 @@ float idealEdge(const Products& made, std::int64_t vertexNum);
 /// What becomes of the border.
 BoundaryMode borderMode(const RemeshOptions& options, const Decisions& decisions);
 
-/// What a run has to report of its products. Nothing else writes a report, and nothing reads it
-/// before the run is over.
-RemeshReport reportOf(RunContext& run, const Products& made, const Decisions& decisions);
-
 } // namespace gpr
 
 #endif

@@ -42,11 +42,6 @@ RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions o
 	return options;
 }
 
-Told tellOf(RunContext& run, const Products& made, const Decisions& decisions)
-{
-	return {reportOf(run, made, decisions), run.notes};
-}
-
 /// Hands over what a run tells at the end of a scope, whether there is a result or not.
 template <class Run, class Result>
 struct TellAtEnd {
@@ -57,14 +52,6 @@ struct TellAtEnd {
 };
 template <class Run, class Result>
 TellAtEnd(Run&, Result&) -> TellAtEnd<Run, Result>;
-
-double secondsOf(const std::vector<StageTime>& stages)
-{
-	double sum = 0;
-	for (const StageTime& s : stages)
-		sum += s.seconds;
-	return sum;
-}
 
 } // namespace
 
@@ -132,12 +119,8 @@ Told Remeshing::told()
 
 void Remeshing::endTrials()
 {
-	const std::string outcome = plan_.outcomeForError();
-	RemeshReport&     report  = bestTold_.report;
-	report.stages.push_back({"otherTrials", trialSeconds_ - secondsOf(report.stages)});
-	report.errorGoal     = plan_.goal().largest;
-	report.errorTrialNum = plan_.trialNum();
-	bestTold_.notes.push_back(outcome);
+	bestTold_.addTrials(plan_.goal().largest, plan_.trialNum(), trialSeconds_,
+						plan_.outcomeForError());
 }
 
 void Remeshing::beginRun()
@@ -167,7 +150,7 @@ void Remeshing::exportAll()
 	if (given != nullptr) nameSamples(*given, made_.samples.isMoved, made_.result, result);
 	Told told = tellOf(setup_.run, made_, plan_.decisions());
 	if (given != nullptr) told.report.targetVertexNum = facts.vertexNum;
-	trialSeconds_ += secondsOf(told.report.stages);
+	trialSeconds_ += told.stageSeconds();
 	plan_.judge(facts);
 	if (!plan_.isBest()) return;
 	best_     = std::move(result);

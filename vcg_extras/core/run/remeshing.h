@@ -6,6 +6,7 @@
 #include "input_stages.h"
 #include "plan.h"
 #include "products.h"
+#include "report.h"
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/run_context.h>
@@ -40,19 +41,6 @@ struct Setup {
 	RunContext          run;
 
 	Setup(const Call& call, Pipeline pipeline);
-};
-
-/// Whatever a run has to tell, in its report and its notes.
-struct Told {
-	RemeshReport             report;
-	std::vector<std::string> notes;
-
-	template <class Result>
-	void handOver(Result& out)
-	{
-		out.report = std::move(report);
-		out.notes  = std::move(notes);
-	}
 };
 
 /// One run through the steps of a plan, with the products that they make.

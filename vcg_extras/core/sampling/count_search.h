@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_RUN_COUNT_SEARCH_H
-#define VCG_EXTRAS_CORE_RUN_COUNT_SEARCH_H
+#ifndef VCG_EXTRAS_CORE_SAMPLING_COUNT_SEARCH_H
+#define VCG_EXTRAS_CORE_SAMPLING_COUNT_SEARCH_H
 
 #include <cstdint>
 

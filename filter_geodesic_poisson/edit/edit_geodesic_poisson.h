@@ -3,8 +3,9 @@
 #ifndef EDIT_GEODESIC_POISSON_H
 #define EDIT_GEODESIC_POISSON_H
 
+#include "edit_interface.h"
+
 #include <QObject>
-#include <common/plugins/interfaces/edit_plugin.h>
 #include <memory>
 
 namespace gpr_filter {
@@ -12,22 +13,19 @@ class EditSession;
 struct EditMemory;
 } // namespace gpr_filter
 
-/// The edit tool for MeshLab 2025.07, one a document: names and types of that version, nothing of
-/// what the tool does.
-class EditGeodesicPoisson : public QObject, public EditTool {
+/// The edit tool, one a document: names and types of MeshLab's interface, nothing of what the tool
+/// does.
+class EditGeodesicPoisson : public QObject, public gpr_filter::EditTool {
 	Q_OBJECT
 
 public:
 	EditGeodesicPoisson();
 	~EditGeodesicPoisson() override;
 
-	using EditTool::endEdit;
-	using EditTool::startEdit;
 	bool startEdit(MeshModel& layer, GLArea* view, MLSceneGLSharedDataContext* context) override;
 	void endEdit(MeshModel& layer, GLArea* view, MLSceneGLSharedDataContext* context) override;
 	void endEdit(MeshDocument& document, GLArea* view,
 				 MLSceneGLSharedDataContext* context) override;
-	using EditTool::decorate;
 	void decorate(MeshModel& layer, GLArea* view) override;
 	void mousePressEvent(QMouseEvent* event, MeshModel& layer, GLArea* view) override;
 	void mouseMoveEvent(QMouseEvent* event, MeshModel& layer, GLArea* view) override;
@@ -40,19 +38,19 @@ private:
 };
 
 /// Makes a tool for each document.
-class EditGeodesicPoissonPlugin : public QObject, public EditPlugin {
+class EditGeodesicPoissonPlugin : public QObject, public gpr_filter::EditPlugin {
 	Q_OBJECT
-	MESHLAB_PLUGIN_IID_EXPORTER(EDIT_PLUGIN_IID)
-	Q_INTERFACES(EditPlugin)
+	MESHLAB_PLUGIN_IID_EXPORTER(GPR_EDIT_PLUGIN_IID)
+	Q_INTERFACES(GPR_EDIT_PLUGIN)
 
 public:
-	/// Runs before the host has checked version and scalar, so it does next to nothing.
+	/// Runs before a host has checked version and scalar, so it does next to nothing.
 	EditGeodesicPoissonPlugin();
 
-	QString   pluginName() const override;
-	QString   vendor() const override;
-	EditTool* getEditTool(const QAction* action) override;
-	QString   getEditToolDescription(const QAction* action) override;
+	QString               pluginName() const override;
+	QString               vendor() const override;
+	gpr_filter::EditTool* getEditTool(const QAction* action) override;
+	QString               getEditToolDescription(const QAction* action) override;
 };
 
 #endif

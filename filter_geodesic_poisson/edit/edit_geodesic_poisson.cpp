@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "edit_geodesic_poisson.h"
 
-#include "edit/edit_session.h"
-#include "edit/edit_text.h"
+#include "edit_session.h"
+#include "edit_text.h"
 
 #include <QAction>
 #include <QIcon>
@@ -78,7 +78,7 @@ QString EditGeodesicPoissonPlugin::vendor() const
 	return "the gpremesh authors";
 }
 
-EditTool* EditGeodesicPoissonPlugin::getEditTool(const QAction*)
+gpr_filter::EditTool* EditGeodesicPoissonPlugin::getEditTool(const QAction*)
 {
 	return new EditGeodesicPoisson();
 }

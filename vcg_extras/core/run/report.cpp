@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report.h"
+
+#include <vcg_extras/core/sampling/target.h>
+
+namespace gpr {
+
+namespace {
+
+/// That of the samples, unless another count was aimed at later, mesh units.
+double reportedRadius(const RunContext& run, const Products& made, const Decisions& decisions)
+{
+	const bool  isOfSamples = made.samples.spacedFor == decisions.vertexNum;
+	const float radius =
+		isOfSamples ? made.samples.radius : usualRadius(made, run.options, decisions.vertexNum);
+	return double(radius) / made.surface.frame.scale;
+}
+
+void reportInput(const MeshView& input, const WorkingSurface& surface, RemeshReport& report)
+{
+	report.cleaned      = surface.cleaned;
+	report.cleanedInput = surface.figures;
+	report.border       = surface.border;
+	report.input        = surface.figures;
+	report.input.area += surface.border.cutArea; // it was measured without
+	if (surface.figures.faces == 0) return;
+	report.input.vertices = std::int64_t(input.vertexNum);
+	report.input.faces    = std::int64_t(input.faceNum);
+}
+
+void reportSamples(const RunContext& run, const Products& made, const Decisions& decisions,
+				   RemeshReport& report)
+{
+	if (!(made.surface.area > 0) || decisions.vertexNum == 0) return;
+	report.radiusConstant      = radiusConstant(run.options);
+	report.targetVertexNum     = decisions.wholeNum();
+	report.diskRadius          = reportedRadius(run, made, decisions);
+	report.curvatureClampedNum = made.sizes.clampedNum;
+	report.regionVertexNum     = made.sizes.regionVertexNum;
+	report.featureEdgeNum      = made.lines.edgeNum;
+	report.featureConeApexNum  = std::int64_t(made.lines.found.coneApexes.size());
+	report.sampleNum           = made.samples.num;
+	report.boundarySampleNum   = made.samples.onCurveNum;
+	report.samplesMoved        = made.samples.movedNum;
+	report.largestSampleMove   = double(made.samples.farthest) / made.surface.frame.scale;
+}
+
+void reportResult(const Products& made, RemeshReport& report)
+{
+	const ResultMesh&   result     = made.result;
+	const Verification& verified   = made.verified;
+	report.leftoverVertexNum       = result.leftoverNum;
+	report.splitNum                = result.splitNum;
+	report.collapseNum             = result.collapseNum;
+	report.flipNum                 = result.flipNum;
+	report.releasedVertexNum       = made.releasedNum;
+	report.largestFitDistance      = double(made.fitDistance) / made.surface.frame.scale;
+	report.result                  = verified.figures;
+	report.audit                   = verified.audit;
+	report.audit.guarded           = made.guarded;
+	report.check                   = verified.check;
+	report.isDistanceProven        = verified.proof.isMade;
+	report.provenDistance          = verified.proof.bounds;
+	report.radiusConstantForTarget = verified.constantForTarget;
+	report.keptVertexNum           = verified.keptNum;
+	report.quality                 = made.quality;
+}
+
+} // namespace
+
+Told tellOf(RunContext& run, const Products& made, const Decisions& decisions)
+{
+	Told          told;
+	RemeshReport& report = told.report;
+	report.seed          = run.options.seed;
+	report.threads       = run.workers.threadNum();
+	report.adapt         = made.sizes.adapt.value_or(run.options.adapt);
+	report.stages        = run.clock.finish();
+	report.capsReached   = run.capsReached;
+	reportInput(run.input, made.surface, report);
+	reportSamples(run, made, decisions, report);
+	reportResult(made, report);
+	told.notes = run.notes;
+	return told;
+}
+
+double Told::stageSeconds() const
+{
+	double sum = 0;
+	for (const StageTime& s : report.stages)
+		sum += s.seconds;
+	return sum;
+}
+
+void Told::addTrials(double goal, int trialNum, double seconds, const std::string& outcome)
+{
+	report.stages.push_back({"otherTrials", seconds - stageSeconds()});
+	report.errorGoal     = goal;
+	report.errorTrialNum = trialNum;
+	notes.push_back(outcome);
+}
+
+} // namespace gpr
