@@ -3,11 +3,11 @@
 // The readers of OBJ, OFF and STL, on what real programs write.
 #include "mesh_files.h"
 
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/number_text.h>
-#include <vcg_extras/apps/gpremesh/ply_reader.h>
-#include <vcg_extras/apps/gpremesh/soup_io.h>
-#include <vcg_extras/apps/gpremesh/text_lines.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/formats/ply_reader.h>
+#include <vcg_extras/io/formats/soup_io.h>
+#include <vcg_extras/io/text/number_text.h>
+#include <vcg_extras/io/text/text_lines.h>
 
 #include <cctype>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Distances between surfaces against closed forms.
-#include <vcg_extras/apps/gpremesh/surface_distance.h>
+#include <vcg_extras/io/mesh/surface_distance.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -4,10 +4,10 @@
 
 #include "python_progress.h"
 
-#include <vcg_extras/apps/gpremesh/surface_distance.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/results.h>
 #include <vcg_extras/core/surface/certified_distance.h>
+#include <vcg_extras/io/mesh/surface_distance.h>
 
 #include <algorithm>
 

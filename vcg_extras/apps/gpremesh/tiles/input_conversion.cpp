@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input_conversion.h"
 
-#include "../exit_code.h"
-#include "../mesh_io.h"
-#include "../stl_facets.h"
-#include "../text_pieces.h"
 #include "conversion.h"
 #include "ply_records.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/formats/stl_facets.h>
+#include <vcg_extras/io/mesh_io.h>
+#include <vcg_extras/io/text/text_pieces.h>
 
 #include <filesystem>
 

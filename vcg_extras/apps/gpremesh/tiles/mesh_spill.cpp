@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_spill.h"
 
-#include "../exit_code.h"
-#include "../face_list.h"
-#include "../polygon.h"
-#include "../precision.h"
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/mesh/face_list.h>
+#include <vcg_extras/io/mesh/polygon.h>
+#include <vcg_extras/io/mesh/precision.h>
 
 #include <algorithm>
 #include <cmath>

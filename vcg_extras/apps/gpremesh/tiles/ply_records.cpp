@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ply_records.h"
 
-#include "../exit_code.h"
-#include "../ply_layout.h"
-#include "../ply_source.h"
-#include "../text_pieces.h"
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/formats/ply_layout.h>
+#include <vcg_extras/io/formats/ply_source.h>
+#include <vcg_extras/io/text/text_pieces.h>
 
 #include <algorithm>
 #include <cstring>

@@ -3,9 +3,8 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_PLY_RECORDS_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_PLY_RECORDS_H
 
-#include "../ply_header.h"
-
 #include <vcg_extras/core/vec.h>
+#include <vcg_extras/io/formats/ply_header.h>
 
 #include <cstdint>
 #include <cstdio>

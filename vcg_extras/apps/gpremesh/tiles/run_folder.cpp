@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_folder.h"
 
-#include "../exit_code.h"
-#include "../output_file.h"
-#include "../platform.h"
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/base/platform.h>
 
 #include <algorithm>
 #include <cstring>

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../exit_code.h"
-#include "../output_file.h"
-#include "../stl_facets.h"
 #include "conversion.h"
 #include "ply_records.h"
 #include "ranked_set.h"
 #include "spill_files.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/formats/stl_facets.h>
 
 #include <algorithm>
 #include <cmath>

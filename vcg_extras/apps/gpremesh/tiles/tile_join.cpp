@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_join.h"
 
-#include "../exit_code.h"
-#include "../output_file.h"
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
 
 #include <cstring>
 #include <fstream>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_plan.h"
 
-#include "../exit_code.h"
-#include "../formatted_text.h"
-#include "../table_options.h"
+#include <vcg_extras/apps/gpremesh/commands/table_options.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/report/formatted_text.h>
 
 #include <algorithm>
 #include <cmath>

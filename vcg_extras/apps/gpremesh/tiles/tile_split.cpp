@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_split.h"
 
-#include "../exit_code.h"
-#include "../output_file.h"
 #include "ranked_set.h"
 #include "spill_files.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
 
 #include <algorithm>
 #include <cmath>
