@@ -10,7 +10,7 @@
 
 #include <vcg_extras/io/formats/glb_reader.h>
 #include <vcg_extras/io/formats/ply_reader.h>
-#include <vcg_extras/io/formats/soup_io.h>
+#include <vcg_extras/io/formats/soup_reader.h>
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include <tests/support/random_source.h>
 #include <vcg_extras/io/formats/glb_reader.h>
 #include <vcg_extras/io/formats/ply_reader.h>
-#include <vcg_extras/io/formats/soup_io.h>
+#include <vcg_extras/io/formats/soup_reader.h>
 
 #include <algorithm>
 #include <chrono>

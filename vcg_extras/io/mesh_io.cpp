@@ -12,8 +12,9 @@
 #include <vcg_extras/io/formats/ply_attributes.h>
 #include <vcg_extras/io/formats/ply_reader.h>
 #include <vcg_extras/io/formats/ply_writer.h>
-#include <vcg_extras/io/formats/soup_io.h>
+#include <vcg_extras/io/formats/soup_reader.h>
 #include <vcg_extras/io/formats/soup_writer.h>
+#include <vcg_extras/io/text/text_lines.h>
 
 #include <filesystem>
 #include <memory>
@@ -21,14 +22,6 @@
 namespace gpr::app {
 
 namespace {
-
-std::string lowerCase(std::string text)
-{
-	for (char& c : text) {
-		if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
-	}
-	return text;
-}
 
 InputMesh readFormat(MeshFormat format, std::string_view content, const WantedAttributes& wanted,
 					 bool& holdsMore)
@@ -51,7 +44,7 @@ InputMesh readFormat(MeshFormat format, std::string_view content, const WantedAt
 InputMesh readContent(MeshFormat format, const std::string& path, const WantedAttributes& wanted)
 {
 	const auto content = std::make_shared<const FileContent>(path);
-	if (content->view().empty()) throw AppError(ExitCode::BadInput, "the file is empty");
+	if (content->view().empty()) failInput("the file is empty");
 	bool      holdsMore = false;
 	InputMesh mesh      = readFormat(format, content->view(), wanted, holdsMore);
 	if (format == MeshFormat::Ply) readPlyAttributes(content->view(), wanted, mesh);
@@ -104,8 +97,8 @@ InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
 		throw AppError(error.code, "cannot read '" + path + "': " + error.what() + ".");
 	}
 	if (mesh.faceNum() == 0) {
-		throw AppError(ExitCode::BadInput, "'" + path + "' has no faces (" +
-											   std::to_string(mesh.vertexNum()) + " vertices).");
+		failInput("'" + path + "' has no faces (" + std::to_string(mesh.vertexNum()) +
+				  " vertices).");
 	}
 	return mesh;
 }

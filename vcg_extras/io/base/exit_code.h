@@ -29,6 +29,12 @@ public:
 	ExitCode code;
 };
 
+/// An input that cannot be read or used.
+[[noreturn]] inline void failInput(const std::string& sentence)
+{
+	throw AppError(ExitCode::BadInput, sentence);
+}
+
 } // namespace gpr::app
 
 #endif

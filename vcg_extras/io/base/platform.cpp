@@ -35,7 +35,7 @@ extern "C" void noteStop(int)
 
 [[noreturn]] void failToRead()
 {
-	throw AppError(ExitCode::BadInput, std::strerror(errno));
+	failInput(std::strerror(errno));
 }
 
 /// Closes a file descriptor at the end of a scope.
@@ -100,7 +100,7 @@ FileContent::FileContent(const std::string& path)
 	const Descriptor file(path);
 	struct stat      status;
 	if (file.number < 0 || ::fstat(file.number, &status) != 0) failToRead();
-	if (S_ISDIR(status.st_mode)) throw AppError(ExitCode::BadInput, "it is a folder");
+	if (S_ISDIR(status.st_mode)) failInput("it is a folder");
 	if (S_ISREG(status.st_mode) && status.st_size > 0) {
 		void* const at = ::mmap(nullptr, std::size_t(status.st_size), PROT_READ,
 								MAP_PRIVATE | MAP_POPULATE, file.number, 0);

@@ -29,7 +29,7 @@ extern "C" void noteStop(int)
 
 [[noreturn]] void failToRead()
 {
-	throw AppError(ExitCode::BadInput, std::strerror(errno));
+	failInput(std::strerror(errno));
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "soup_io.h"
+#include "soup_reader.h"
 #include "stl_facets.h"
 
 #include <vcg_extras/core/base/buffer.h>
@@ -99,8 +99,7 @@ InputMesh readBinaryStl(std::string_view file)
 	constexpr std::size_t mostCorners = std::numeric_limits<std::int32_t>::max();
 	const std::size_t     end         = std::size_t(promisedStlBytes(file));
 	const StlFacets       facets(file.substr(stlFacetsAt, end - stlFacetsAt));
-	if (facets.cornerNum() > mostCorners)
-		throw AppError(ExitCode::BadInput, "it has more than 715827882 faces");
+	if (facets.cornerNum() > mostCorners) failInput("it has more than 715827882 faces");
 	Workers     workers(0, nullptr);
 	Buffer<int> first = FirstCorners(facets, workers).find();
 	InputMesh   mesh;

@@ -11,11 +11,6 @@ namespace gpr::app {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& sentence)
-{
-	throw AppError(ExitCode::BadInput, sentence);
-}
-
 template <class T>
 T valueAt(const char* at)
 {
@@ -35,7 +30,7 @@ std::string_view takeChunk(std::string_view& file, std::uint32_t& kind)
 	const auto length = valueAt<std::uint32_t>(file.data());
 	kind              = valueAt<std::uint32_t>(file.data() + 4);
 	file.remove_prefix(gltf::chunkHeaderBytes);
-	if (length > file.size()) fail("the file is cut off");
+	if (length > file.size()) failInput("the file is cut off");
 	const std::string_view chunk = file.substr(0, length);
 	file.remove_prefix(std::min<std::size_t>((length + 3) / 4 * 4, file.size()));
 	return chunk;
@@ -50,19 +45,19 @@ GltfJson parsed(std::string_view text)
         return !isTooDeep;
 	};
 	GltfJson json = GltfJson::parse(text, look, false);
-	if (isTooDeep || !json.is_object()) fail("its JSON part is malformed");
+	if (isTooDeep || !json.is_object()) failInput("its JSON part is malformed");
 	return json;
 }
 
 int componentNumOf(const GltfJson& accessor)
 {
 	const auto type = accessor.find("type");
-	if (type == accessor.end() || !type->is_string()) fail("an accessor has no type");
+	if (type == accessor.end() || !type->is_string()) failInput("an accessor has no type");
 	if (*type == "SCALAR") return 1;
 	if (*type == "VEC2") return 2;
 	if (*type == "VEC3") return 3;
 	if (*type == "VEC4") return 4;
-	fail("an accessor is of another type than is wanted there");
+	failInput("an accessor is of another type than is wanted there");
 }
 
 std::size_t bytesOf(std::int64_t componentType)
@@ -78,7 +73,7 @@ std::size_t bytesOf(std::int64_t componentType)
 	case gltf::Float:
 		return 4;
 	default:
-		fail("an accessor has numbers of an unknown kind");
+		failInput("an accessor has numbers of an unknown kind");
 	}
 }
 
@@ -106,16 +101,16 @@ double normalized(double value, std::int64_t componentType)
 GlbChunks glbChunksOf(std::string_view file)
 {
 	if (file.size() < gltf::headerBytes || valueAt<std::uint32_t>(file.data()) != gltf::magic)
-		fail("it is no binary glTF file");
+		failInput("it is no binary glTF file");
 	if (valueAt<std::uint32_t>(file.data() + 4) != gltf::version)
-		fail("it is of another version of glTF than 2.0");
+		failInput("it is of another version of glTF than 2.0");
 	const auto length = valueAt<std::uint32_t>(file.data() + 8);
-	if (length > file.size() || length < gltf::headerBytes) fail("the file is cut off");
+	if (length > file.size() || length < gltf::headerBytes) failInput("the file is cut off");
 	file = file.substr(gltf::headerBytes, length - gltf::headerBytes);
 
 	std::uint32_t          kind = 0;
 	const std::string_view json = takeChunk(file, kind);
-	if (kind != gltf::jsonChunk) fail("it has no JSON part");
+	if (kind != gltf::jsonChunk) failInput("it has no JSON part");
 	GlbChunks              glb{parsed(json), {}};
 	const std::string_view second = takeChunk(file, kind);
 	if (kind == gltf::binaryChunk) glb.binary = second;
@@ -127,7 +122,7 @@ const GltfJson& listOf(const GltfJson& object, const char* name)
 	static const GltfJson none = GltfJson::array();
 	const auto            list = object.find(name);
 	if (list == object.end()) return none;
-	if (!list->is_array()) fail(std::string("its '") + name + "' is no list");
+	if (!list->is_array()) failInput(std::string("its '") + name + "' is no list");
 	return *list;
 }
 
@@ -136,14 +131,14 @@ std::int64_t countOf(const GltfJson& object, const char* name, std::int64_t fall
 	const auto value = object.find(name);
 	if (value == object.end()) return fallback;
 	if (!value->is_number_unsigned() || value->get<std::uint64_t>() > INT64_MAX)
-		fail(std::string("its '") + name + "' is no whole number of at least 0");
+		failInput(std::string("its '") + name + "' is no whole number of at least 0");
 	return std::int64_t(value->get<std::uint64_t>());
 }
 
 const GltfJson& entryOf(const GltfJson& list, std::int64_t index, const char* what)
 {
 	if (index < 0 || index >= std::int64_t(list.size()) || !list[std::size_t(index)].is_object())
-		fail(std::string("it names a ") + what + " that does not exist");
+		failInput(std::string("it names a ") + what + " that does not exist");
 	return list[std::size_t(index)];
 }
 
@@ -153,11 +148,11 @@ std::string_view bufferViewOf(const GlbChunks& glb, std::int64_t index)
 	const GltfJson& buffer =
 		entryOf(listOf(glb.json, "buffers"), countOf(view, "buffer", -1), "buffer");
 	if (countOf(view, "buffer", -1) != 0 || buffer.contains("uri"))
-		fail("its data lie in another file, which is not read");
+		failInput("its data lie in another file, which is not read");
 	const auto offset = std::uint64_t(countOf(view, "byteOffset", 0));
 	const auto length = std::uint64_t(countOf(view, "byteLength", 0));
 	if (offset > glb.binary.size() || length > glb.binary.size() - offset)
-		fail("a buffer view goes beyond the file's data");
+		failInput("a buffer view goes beyond the file's data");
 	return glb.binary.substr(std::size_t(offset), std::size_t(length));
 }
 
@@ -165,12 +160,12 @@ GltfRows::GltfRows(const GlbChunks& glb, std::int64_t accessor, int wantedCompon
 {
 	const GltfJson& entry = entryOf(listOf(glb.json, "accessors"), accessor, "accessor");
 	if (entry.contains("sparse") || !entry.contains("bufferView"))
-		fail("it has sparse accessors, which are not read");
+		failInput("it has sparse accessors, which are not read");
 	type_           = countOf(entry, "componentType", 0);
 	componentBytes_ = bytesOf(type_);
 	componentNum_   = componentNumOf(entry);
 	if (wantedComponents != 0 && componentNum_ != wantedComponents)
-		fail("an accessor is of another type than is wanted there");
+		failInput("an accessor is of another type than is wanted there");
 	const auto normalizedEntry = entry.find("normalized");
 	isNormalized_ = normalizedEntry != entry.end() && *normalizedEntry == GltfJson(true);
 
@@ -183,10 +178,10 @@ GltfRows::GltfRows(const GlbChunks& glb, std::int64_t accessor, int wantedCompon
 											  "byteStride", std::int64_t(packed)));
 	// Each row has at least a byte of its own, so that the products below stay small.
 	if (stride < packed || stride > 252 || offset > bytes_.size() || rows > bytes_.size())
-		fail("an accessor goes beyond its buffer view");
+		failInput("an accessor goes beyond its buffer view");
 	bytes_.remove_prefix(std::size_t(offset));
 	if (rows > 0 && (rows - 1) * stride + packed > bytes_.size())
-		fail("an accessor goes beyond its buffer view");
+		failInput("an accessor goes beyond its buffer view");
 	rowNum_ = std::size_t(rows);
 	stride_ = std::size_t(stride);
 }
@@ -227,7 +222,7 @@ std::int64_t GltfRows::index(std::size_t row) const
 	case gltf::UInt32:
 		return valueAt<std::uint32_t>(at(row, 0));
 	default:
-		fail("its indices are no whole numbers without sign");
+		failInput("its indices are no whole numbers without sign");
 	}
 }
 

@@ -19,11 +19,6 @@ namespace gpr::app {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& sentence)
-{
-	throw AppError(ExitCode::BadInput, sentence);
-}
-
 /// An affine map, row by row.
 struct Transform {
 	std::array<double, 12> m = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
@@ -73,9 +68,9 @@ bool readNumbers(const GltfJson& node, const char* name, std::array<double, leng
 {
 	const GltfJson& list = listOf(node, name);
 	if (list.empty()) return false;
-	if (list.size() != length) fail(std::string("a node's '") + name + "' has a wrong length");
+	if (list.size() != length) failInput(std::string("a node's '") + name + "' has a wrong length");
 	for (std::size_t i = 0; i < length; ++i) {
-		if (!list[i].is_number()) fail(std::string("a node's '") + name + "' has no numbers");
+		if (!list[i].is_number()) failInput(std::string("a node's '") + name + "' has no numbers");
 		numbers[i] = list[i].get<double>();
 	}
 	return true;
@@ -131,8 +126,9 @@ void checkExtensions(const GltfJson& json)
 {
 	for (const GltfJson& name : listOf(json, "extensionsRequired")) {
 		if (!name.is_string() || !isHarmless(name.get<std::string>()))
-			fail("it needs the extension " + (name.is_string() ? name.get<std::string>() : "") +
-				 " of glTF, which is not read");
+			failInput("it needs the extension " +
+					  (name.is_string() ? name.get<std::string>() : "") +
+					  " of glTF, which is not read");
 	}
 }
 
@@ -150,7 +146,7 @@ public:
 		const GltfJson& nodes  = listOf(glb_.json, "nodes");
 		const GltfJson& scenes = listOf(glb_.json, "scenes");
 		isVisited_.assign(nodes.size(), 0);
-		if (scenes.empty()) fail("it has no scene");
+		if (scenes.empty()) failInput("it has no scene");
 		const GltfJson& scene = entryOf(scenes, countOf(glb_.json, "scene", 0), "scene");
 		readNodes(listOf(scene, "nodes"), Transform());
 		while (!waiting_.empty()) {
@@ -203,7 +199,7 @@ private:
 	void readNodes(const GltfJson& children, const Transform& parent)
 	{
 		for (std::size_t i = children.size(); i-- > 0;) {
-			if (!children[i].is_number_unsigned()) fail("a node is named by no number");
+			if (!children[i].is_number_unsigned()) failInput("a node is named by no number");
 			waiting_.push_back({children[i].get<std::int64_t>(), parent});
 		}
 	}
@@ -211,7 +207,7 @@ private:
 	void readNode(const GltfJson& node, const Transform& parent)
 	{
 		const auto number = std::size_t(&node - &listOf(glb_.json, "nodes")[0]);
-		if (isVisited_[number]) fail("a node has two parents");
+		if (isVisited_[number]) failInput("a node has two parents");
 		isVisited_[number]        = 1;
 		const Transform transform = parent.after(transformOf(node));
 		readNodes(listOf(node, "children"), transform);
@@ -227,8 +223,9 @@ private:
 
 	void readPrimitive(const GltfJson& primitive, const Transform& transform)
 	{
-		if (!primitive.is_object()) fail("a primitive is malformed");
-		if (!listOf(primitive, "targets").empty()) fail("it has morph targets, which are not read");
+		if (!primitive.is_object()) failInput("a primitive is malformed");
+		if (!listOf(primitive, "targets").empty())
+			failInput("it has morph targets, which are not read");
 		const std::int64_t mode = countOf(primitive, "mode", gltf::Triangles);
 		if (mode != gltf::Triangles && mode != gltf::TriangleStrip && mode != gltf::TriangleFan) {
 			++otherPrimitiveNum_;
@@ -236,7 +233,7 @@ private:
 		}
 		const auto attributes = primitive.find("attributes");
 		if (attributes == primitive.end() || !attributes->is_object())
-			fail("a primitive has no attributes");
+			failInput("a primitive has no attributes");
 		const auto     known = firstVertex_.emplace(attributes->dump(), positions_.size() / 3);
 		const GltfRows places(glb_, countOf(*attributes, "POSITION", -1), 3);
 		if (known.second) addVertices(*attributes, places, transform);
@@ -247,7 +244,7 @@ private:
 	void addVertices(const GltfJson& attributes, const GltfRows& places, const Transform& transform)
 	{
 		if (positions_.size() / 3 + places.rowNum() > std::size_t(INT32_MAX))
-			fail("it has more vertices than can be counted");
+			failInput("it has more vertices than can be counted");
 		for (std::size_t v = 0; v < places.rowNum(); ++v) {
 			const Vec3d p =
 				transform.point({places.number(v, 0), places.number(v, 1), places.number(v, 2)});
@@ -275,7 +272,7 @@ private:
 		const GltfRows places(glb_, countOf(attributes, "POSITION", -1), 3);
 		auto rows = std::make_unique<GltfRows>(glb_, countOf(attributes, name, -1), componentNum);
 		if (rows->rowNum() != places.rowNum())
-			fail("a primitive's attributes are not equally many");
+			failInput("a primitive's attributes are not equally many");
 		values.isThere = true;
 		return rows;
 	}
@@ -297,7 +294,7 @@ private:
 	void addColours(const GltfJson& attributes)
 	{
 		if (const auto rows = rowsOf(attributes, "COLOR_0", 0, colours_)) {
-			if (rows->componentNum() < 3) fail("its colours have too few components");
+			if (rows->componentNum() < 3) failInput("its colours have too few components");
 			for (std::size_t v = 0; v < rows->rowNum(); ++v) {
 				for (int k = 0; k < 4; ++k)
 					colours_.numbers.push_back(k < rows->componentNum() ? rows->number(v, k) : 1);
@@ -325,7 +322,7 @@ private:
 			for (std::size_t i = 0; i < rows.rowNum(); ++i) {
 				const std::int64_t corner = rows.index(i);
 				if (corner >= std::int64_t(placeNum))
-					fail("a face names a vertex that does not exist");
+					failInput("a face names a vertex that does not exist");
 				corners.push_back(std::int32_t(first + std::size_t(corner)));
 			}
 		}
@@ -334,7 +331,7 @@ private:
 				corners.push_back(std::int32_t(first + i));
 		}
 		if (mode == gltf::Triangles && corners.size() % 3 != 0)
-			fail("the last triangle of a primitive is cut off");
+			failInput("the last triangle of a primitive is cut off");
 		const std::size_t step = mode == gltf::Triangles ? 3 : 1;
 		for (std::size_t i = 0; i + 2 < corners.size(); i += step)
 			addFace(corners, mode, i, isMirror);
@@ -349,7 +346,7 @@ private:
 		const bool isTurned = isMirror != (isStrip && i % 2 == 1);
 		if (isStrip && (a == b || b == c || c == a)) return; // it only steers the strip
 		if (isTurned) std::swap(b, c);
-		if (triangles_.size() / 3 >= std::size_t(INT32_MAX)) fail("it has too many faces");
+		if (triangles_.size() / 3 >= std::size_t(INT32_MAX)) failInput("it has too many faces");
 		for (const std::int32_t corner : {a, b, c})
 			triangles_.push_back(corner);
 	}
@@ -432,7 +429,7 @@ private:
 			}
 		}
 		for (const GltfJson& image : listOf(glb_.json, "images")) {
-			if (!image.is_object()) fail("an image is malformed");
+			if (!image.is_object()) failInput("an image is malformed");
 			const bool isInside = image.contains("bufferView");
 			kept->imageBytes.emplace_back(isInside
 											  ? bufferViewOf(glb_, countOf(image, "bufferView", -1))

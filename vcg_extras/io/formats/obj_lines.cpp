@@ -65,7 +65,7 @@ bool readObjColour(Words& behindCoordinates, std::array<std::uint8_t, 3>& colour
 
 void failAtObjLine(std::size_t number)
 {
-	throw AppError(ExitCode::BadInput, "line " + std::to_string(number) + ": " + badNumber);
+	failInput("line " + std::to_string(number) + ": " + badNumber);
 }
 
 } // namespace gpr::app

@@ -9,30 +9,25 @@ namespace gpr::app {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& sentence)
-{
-	throw AppError(ExitCode::BadInput, sentence);
-}
-
 void checkKeyword(std::string_view keyword)
 {
 	const std::size_t off = keyword.find("OFF");
 	if (off == keyword.npos || off + 3 != keyword.size())
-		fail("an OFF file must begin with the word OFF");
+		failInput("an OFF file must begin with the word OFF");
 	if (keyword.find_first_of("4n") != keyword.npos)
-		fail("OFF files of other than three dimensions are not read");
+		failInput("OFF files of other than three dimensions are not read");
 }
 
 std::size_t countOf(std::string_view word, std::uint64_t fileBytes)
 {
 	std::int64_t count = 0;
-	if (word == "BINARY") fail("binary OFF files are not read");
+	if (word == "BINARY") failInput("binary OFF files are not read");
 	if (!parseInteger(word, count))
-		fail("bad OFF header: '" + std::string(word.substr(0, 30)) + "' is no count");
-	if (count < 0) fail("bad OFF header: a negative count");
+		failInput("bad OFF header: '" + std::string(word.substr(0, 30)) + "' is no count");
+	if (count < 0) failInput("bad OFF header: a negative count");
 	// A record takes at least a digit and a line break.
 	if (std::uint64_t(count) > (fileBytes + 1) / 2)
-		fail("the file ends too early: its header promises " + std::string(word) + " records");
+		failInput("the file ends too early: its header promises " + std::string(word) + " records");
 	return std::size_t(count);
 }
 
@@ -53,7 +48,7 @@ OffHeader readOffHeader(std::string_view begin, std::uint64_t fileBytes)
 		}
 	}
 	if (wordNum == 0) checkKeyword({});
-	if (wordNum < 3) fail("the file ends too early; it seems to be cut off");
+	if (wordNum < 3) failInput("the file ends too early; it seems to be cut off");
 	header.byteNum = begin.size() - rest.size();
 	return header;
 }
@@ -61,8 +56,8 @@ OffHeader readOffHeader(std::string_view begin, std::uint64_t fileBytes)
 void requireAllOffRecords(const OffHeader& header, std::uint64_t recordNum)
 {
 	if (recordNum >= header.recordNum()) return;
-	fail("the file ends too early: its header promises " + std::to_string(header.recordNum()) +
-		 " records");
+	failInput("the file ends too early: its header promises " + std::to_string(header.recordNum()) +
+			  " records");
 }
 
 void failAtOffLine(std::string_view text, const char* place, std::size_t linesBefore,
@@ -70,8 +65,8 @@ void failAtOffLine(std::string_view text, const char* place, std::size_t linesBe
 {
 	const std::string_view from   = text.substr(std::size_t(place - text.data()));
 	const bool             isLast = textEndsFile && from.find('\n') == from.npos;
-	fail("line " + std::to_string(linesBefore + lineNumber(text, place)) + ": " + badNumber +
-		 (isLast ? ", or the file ends too early" : ""));
+	failInput("line " + std::to_string(linesBefore + lineNumber(text, place)) + ": " + badNumber +
+			  (isLast ? ", or the file ends too early" : ""));
 }
 
 std::size_t countOffRecords(std::string_view text)

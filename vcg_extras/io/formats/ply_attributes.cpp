@@ -18,11 +18,6 @@ namespace {
 
 constexpr std::int64_t selectedFlag = 0x20; ///< vcglib's bit, of vertices and faces alike
 
-[[noreturn]] void fail(const std::string& sentence)
-{
-	throw AppError(ExitCode::BadInput, sentence);
-}
-
 /// The number of a scalar property, or -1.
 int findScalar(const PlyElement& e, const char* name)
 {
@@ -103,15 +98,15 @@ void checkPresent(const PlyHeader& header, const WantedAttributes& wanted)
 		quality             = quality || (isVertex && findScalar(e, "quality") >= 0);
 		if (isVertex || e.name == "face") selection = selection || SelectionColumns(e).exist();
 	}
-	if (wanted.quality && !quality) fail("its vertices have no property 'quality'");
+	if (wanted.quality && !quality) failInput("its vertices have no property 'quality'");
 	if (wanted.selection && !selection) {
-		fail("its vertices and faces have neither the property 'selected' nor 'flags'");
+		failInput("its vertices and faces have neither the property 'selected' nor 'flags'");
 	}
 	if (!wanted.faceSelection) return;
 	for (const PlyElement& e : header.elements) {
 		if (e.name == "face" && SelectionColumns(e).exist()) return;
 	}
-	fail("its faces have neither the property 'selected' nor 'flags'");
+	failInput("its faces have neither the property 'selected' nor 'flags'");
 }
 
 bool isOneOf(const std::string& name, std::initializer_list<const char*> names)
@@ -203,7 +198,7 @@ public:
 	{
 		order_.finish(mesh.view());
 		if (order_.face().size() != mesh.faceNum()) { // triangle strips beside the faces
-			if (wanted_.faceSelection) fail("its selection is not that of faces alone");
+			if (wanted_.faceSelection) failInput("its selection is not that of faces alone");
 			mesh.attributes.lost.push_back("attributes of faces beside triangle strips");
 			return;
 		}

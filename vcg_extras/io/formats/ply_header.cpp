@@ -17,7 +17,7 @@ constexpr std::size_t longestHeader = 1 << 20; // bytes; real ones have a few hu
 
 [[noreturn]] void fail(const std::string& sentence)
 {
-	throw AppError(ExitCode::BadInput, "bad PLY header: " + sentence);
+	failInput("bad PLY header: " + sentence);
 }
 
 std::vector<std::string> splitWords(std::string_view line)

@@ -8,21 +8,12 @@
 
 namespace gpr::app {
 
-namespace {
-
-[[noreturn]] void fail(const std::string& sentence)
-{
-	throw AppError(ExitCode::BadInput, sentence);
-}
-
-} // namespace
-
 void checkElements(const PlyHeader& header)
 {
 	for (const char* name : {"vertex", "face", "tristrips"}) {
 		const auto num = std::count_if(header.elements.begin(), header.elements.end(),
 									   [&](const PlyElement& e) { return e.name == name; });
-		if (num > 1) fail("its header has the element '" + std::string(name) + "' twice");
+		if (num > 1) failInput("its header has the element '" + std::string(name) + "' twice");
 	}
 }
 
@@ -40,7 +31,7 @@ CoordinateProperties findCoordinates(const PlyElement& e)
 {
 	const CoordinateProperties c{e.find("x"), e.find("y"), e.find("z")};
 	for (const int i : {c.x, c.y, c.z}) {
-		if (i < 0 || e.properties[i].isList) fail("its vertices have no x, y and z");
+		if (i < 0 || e.properties[i].isList) failInput("its vertices have no x, y and z");
 	}
 	return c;
 }
@@ -62,13 +53,13 @@ int findIndexList(const PlyElement& e)
 		const int i = e.find(name);
 		if (i >= 0 && e.properties[i].isList && isInteger(e.properties[i].type)) return i;
 	}
-	fail("its element '" + e.name + "' has no list of vertex indices");
+	failInput("its element '" + e.name + "' has no list of vertex indices");
 }
 
 void failTruncated(const PlyElement& e)
 {
-	fail("the file ends too early: its header promises " + std::to_string(e.count) +
-		 " records of '" + e.name + "'");
+	failInput("the file ends too early: its header promises " + std::to_string(e.count) +
+			  " records of '" + e.name + "'");
 }
 
 } // namespace gpr::app

@@ -17,11 +17,6 @@ namespace gpr::app {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& sentence)
-{
-	throw AppError(ExitCode::BadInput, sentence);
-}
-
 // A source is a BinarySource or a TextSource.
 
 template <class Source>
@@ -143,7 +138,7 @@ bool copyVertices(const PlyElement&, const CoordinateProperties&, TextSource&, S
 void requireVertexNum(const PlyElement& e)
 {
 	if (e.count > std::uint64_t(std::numeric_limits<std::int32_t>::max())) {
-		fail("more than 2147483647 vertices");
+		failInput("more than 2147483647 vertices");
 	}
 }
 

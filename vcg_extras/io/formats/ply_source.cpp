@@ -74,9 +74,8 @@ void TextSource::fail(const std::string& sentence) const
 {
 	const char* const place = word_ != nullptr ? word_ : body_.data();
 	const std::size_t line  = lineNum_ + lineNumber(body_, place);
-	throw AppError(ExitCode::BadInput,
-				   "line " + std::to_string(line) + ": " + sentence +
-					   (bytesLeft() == 0 ? ", or the file ends too early" : ""));
+	failInput("line " + std::to_string(line) + ": " + sentence +
+			  (bytesLeft() == 0 ? ", or the file ends too early" : ""));
 }
 
 } // namespace gpr::app

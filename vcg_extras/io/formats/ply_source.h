@@ -88,10 +88,7 @@ public:
 	}
 	std::uint64_t valuesLeft(PlyType type) const { return bytesLeft() / plyTypeSize(type); }
 
-	[[noreturn]] void fail(const std::string& sentence) const
-	{
-		throw AppError(ExitCode::BadInput, sentence);
-	}
+	[[noreturn]] void fail(const std::string& sentence) const { failInput(sentence); }
 
 	std::size_t bytesLeft() const { return std::size_t(end_ - at_); }
 	bool        swapped() const { return swap_; }

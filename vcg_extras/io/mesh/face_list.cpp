@@ -35,8 +35,8 @@ void checkRange(const std::int32_t* indices, std::size_t indexNum, std::size_t v
 
 void failNoSuchVertex(std::uint64_t vertexNum)
 {
-	throw AppError(ExitCode::BadInput, "a face names a vertex that does not exist (the file has " +
-										   std::to_string(vertexNum) + " vertices)");
+	failInput("a face names a vertex that does not exist (the file has " +
+			  std::to_string(vertexNum) + " vertices)");
 }
 
 std::string tooSmallFacesNote(std::uint64_t faceNum)

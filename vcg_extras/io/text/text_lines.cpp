@@ -9,21 +9,19 @@
 
 namespace gpr::app {
 
-namespace {
-
-char lower(char c)
+std::string lowerCase(std::string_view text)
 {
-	return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+	std::string lower(text);
+	for (char& c : lower)
+		c = c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c;
+	return lower;
 }
-
-} // namespace
 
 bool isNonFinite(std::string_view word)
 {
 	if (!word.empty() && (word[0] == '-' || word[0] == '+')) word.remove_prefix(1);
-	if (word.size() < 3) return false;
-	const char begin[] = {lower(word[0]), lower(word[1]), lower(word[2]), 0};
-	return std::string_view(begin) == "nan" || std::string_view(begin) == "inf";
+	const std::string begin = lowerCase(word.substr(0, 3));
+	return begin == "nan" || begin == "inf";
 }
 
 bool goesOn(std::string_view line)
@@ -90,6 +88,11 @@ bool Words::isAtEnd()
 {
 	skipBlanks();
 	return at_ == end_;
+}
+
+void Words::skipLine()
+{
+	at_ = std::find(at_, end_, '\n');
 }
 
 std::string_view Words::next()

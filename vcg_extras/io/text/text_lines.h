@@ -24,6 +24,9 @@ inline bool isBlank(char c)
 	return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+/// ASCII letters in lower case.
+std::string lowerCase(std::string_view text);
+
 /// Reads a number of the plain form that nearly all words have, which are looked at once so, and
 /// goes on behind it. False, and nothing is read, where the next word is none.
 template <class Number>
@@ -71,6 +74,8 @@ public:
 	/// missing or no number.
 	bool nextCoordinate(double& value);
 	bool isAtEnd();
+	/// Goes on at the next line break, where the words are those of several lines.
+	void skipLine();
 
 private:
 	const char* at_;

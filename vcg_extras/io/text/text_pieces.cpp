@@ -13,11 +13,6 @@ namespace gpr::app {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& sentence)
-{
-	throw AppError(ExitCode::BadInput, sentence);
-}
-
 /// Where the last line ends that does not go on in the next one; 0 where there is none.
 std::size_t endOfWholeLines(std::string_view text)
 {
@@ -35,7 +30,7 @@ std::size_t endOfWholeLines(std::string_view text)
 std::string beginOfFile(const std::string& path, std::size_t most)
 {
 	std::ifstream file(path, std::ios::binary);
-	if (!file) fail("cannot read '" + path + "'");
+	if (!file) failInput("cannot read '" + path + "'");
 	std::string begin(most, '\0');
 	file.read(begin.data(), std::streamsize(most));
 	begin.resize(std::size_t(file.gcount()));
@@ -49,7 +44,7 @@ TextPieces::TextPieces(const std::string& path, std::uint64_t from, std::size_t 
 {
 	std::error_code     error;
 	const std::uint64_t bytes = std::filesystem::file_size(path, error);
-	if (!file_ || error) fail("the file cannot be opened");
+	if (!file_ || error) failInput("the file cannot be opened");
 	file_.seekg(std::streamoff(from));
 	unread_ = bytes - std::min(from, bytes);
 }
@@ -59,7 +54,7 @@ void TextPieces::fill()
 	const std::size_t wanted =
 		std::size_t(std::min<std::uint64_t>(unread_, buffer_.size() - filled_));
 	file_.read(buffer_.data() + filled_, std::streamsize(wanted));
-	if (std::size_t(file_.gcount()) != wanted) fail("the file cannot be read to its end");
+	if (std::size_t(file_.gcount()) != wanted) failInput("the file cannot be read to its end");
 	filled_ += wanted;
 	unread_ -= wanted;
 }
@@ -76,7 +71,7 @@ std::string_view TextPieces::next()
 	pieceEnd_ = endOfWholeLines({buffer_.data(), filled_});
 	while (pieceEnd_ == 0 && unread_ > 0) {
 		if (buffer_.size() >= longestLineBytes)
-			fail("line " + std::to_string(linesBefore_ + 1) + ": it is longer than 64 MB");
+			failInput("line " + std::to_string(linesBefore_ + 1) + ": it is longer than 64 MB");
 		buffer_.resize(2 * buffer_.size());
 		fill();
 		pieceEnd_ = endOfWholeLines({buffer_.data(), filled_});

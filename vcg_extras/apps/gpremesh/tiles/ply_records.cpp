@@ -18,12 +18,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& path, const std::string& why)
 {
-	throw AppError(ExitCode::BadInput, "'" + path + "' cannot be read in tiles: " + why);
-}
-
-[[noreturn]] void fail(const std::string& why)
-{
-	throw AppError(ExitCode::BadInput, why);
+	failInput("'" + path + "' cannot be read in tiles: " + why);
 }
 
 std::uint64_t fileBytesOf(const std::string& path)
@@ -38,7 +33,7 @@ std::size_t elementNamed(const PlyHeader& header, const char* name)
 	for (std::size_t i = 0; i < header.elements.size(); ++i) {
 		if (header.elements[i].name == name) return i;
 	}
-	fail("it has no element '" + std::string(name) + "'.");
+	failInput("it has no element '" + std::string(name) + "'.");
 }
 
 std::string textureComments(const std::string& header)
@@ -113,8 +108,8 @@ PlyRecordLayout layoutOf(std::string_view header)
 	checkElements(layout.header);
 	layout.vertexElement = elementNamed(layout.header, "vertex");
 	layout.faceElement   = elementNamed(layout.header, "face");
-	if (layout.vertexElement > layout.faceElement) fail("its faces come before its vertices.");
-	if (layout.vertices().hasList()) fail("its vertices have lists.");
+	if (layout.vertexElement > layout.faceElement) failInput("its faces come before its vertices.");
+	if (layout.vertices().hasList()) failInput("its vertices have lists.");
 	findCoordinates(layout);
 	layout.indexList = std::size_t(findIndexList(layout.faces()));
 	layout.comments  = textureComments(std::string(header.substr(0, layout.header.byteNum)));
@@ -203,7 +198,7 @@ PlyRecordReader::PlyRecordReader(const std::string& path, const PlyRecordLayout&
 		fileBytes_(fileBytesOf(path)), layout_(layout), file_(std::fopen(path.c_str(), "rb")),
 		buffer_(bufferBytes)
 {
-	if (file_ == nullptr) throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
+	if (file_ == nullptr) failInput("cannot read '" + path + "'");
 	std::setvbuf(file_, nullptr, _IONBF, 0); // there is a buffer here
 }
 

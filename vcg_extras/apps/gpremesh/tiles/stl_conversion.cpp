@@ -83,7 +83,7 @@ public:
 		block_.resize(num * stlFacetBytes);
 		file_.read(block_.data(), std::streamsize(block_.size()));
 		if (std::size_t(file_.gcount()) != block_.size())
-			throw AppError(ExitCode::BadInput, "the file cannot be read to its end");
+			failInput("the file cannot be read to its end");
 		left_ -= num;
 		return StlFacets({block_.data(), block_.size()});
 	}
@@ -210,7 +210,7 @@ std::vector<std::string> convertBinaryStl(const Conversion& job)
 	std::ifstream(job.source, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
 	requireAllFacets(begin, std::filesystem::file_size(job.source));
 	const std::uint64_t facetNum = (promisedStlBytes(begin) - stlFacetsAt) / stlFacetBytes;
-	if (facetNum == 0) throw AppError(ExitCode::BadInput, "it has no faces (0 vertices)");
+	if (facetNum == 0) failInput("it has no faces (0 vertices)");
 	StlConverter(job, facetNum).run();
 	return {};
 }

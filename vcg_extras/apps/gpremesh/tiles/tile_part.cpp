@@ -32,7 +32,7 @@ constexpr double mostLeft = 0.7;
 std::vector<SharedName> readNames(const std::string& path)
 {
 	std::ifstream file(path, std::ios::binary | std::ios::ate);
-	if (!file) throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
+	if (!file) failInput("cannot read '" + path + "'");
 	const std::size_t           bytes = std::size_t(file.tellg());
 	std::vector<TileVertexName> onDisk(bytes / sizeof(TileVertexName));
 	file.seekg(0);

@@ -242,10 +242,10 @@ bool needsTiles(const CommandLine& line)
 		double(line.tiles.memoryBytes))
 		return false;
 	if (tileInputOf(line.input) != TileInput::NotAtAll) return true;
-	throw AppError(ExitCode::BadInput, "'" + line.input +
-										   "' may need more memory than --memory allows, and files "
-										   "of its kind cannot be read in tiles. Convert it to a "
-										   "PLY file.");
+	failInput("'" + line.input +
+			  "' may need more memory than --memory allows, and files "
+			  "of its kind cannot be read in tiles. Convert it to a "
+			  "PLY file.");
 }
 
 void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)
