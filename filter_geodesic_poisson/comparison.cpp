@@ -18,13 +18,6 @@ namespace {
 /// Shares of the progress bar.
 constexpr double kRemeshed = 0.4, kCollapsed = 0.7;
 
-/// Points by which a distance is measured: as `gpremesh compare` takes them, ten for each face of
-/// the result within bounds.
-std::int64_t pointNumFor(const gpr::MeshView& result)
-{
-	return std::clamp<std::int64_t>(10 * std::int64_t(result.faceNum), 200000, 2000000);
-}
-
 class Clock {
 public:
 	double seconds() const
@@ -124,11 +117,10 @@ MeasuredMesh measure(const gpr::MeshView& mesh, gpr::Workers& workers)
 }
 
 /// The proof may find points farther than those that were measured.
-void proveDistance(const gpr::CertifiedSurface& input, double diagonal, ComparedResult& result,
-				   gpr::Workers& workers)
+void proveDistance(const gpr::MeasuredSurface& input, const gpr::MeasuredSurface& surface,
+				   double diagonal, ComparedResult& result, gpr::Workers& workers)
 {
 	const gpr::CertificateSettings settings = gpr::usualCertificate(diagonal);
-	const gpr::CertifiedSurface    surface(result.mesh.view(), input, workers);
 	const gpr::MutualBounds both = {gpr::certifiedDistance(surface, input, settings, workers),
 									gpr::certifiedDistance(input, surface, settings, workers)};
 	result.proven                = both.hausdorff();
@@ -136,16 +128,18 @@ void proveDistance(const gpr::CertifiedSurface& input, double diagonal, Compared
 	result.fromInput.max         = std::max(result.fromInput.max, both.fromInput.lower);
 }
 
-void measureResult(const gpr::MeshView& input, const gpr::NearSurface& target,
+void measureResult(const gpr::MeshView& input, const gpr::MeasuredSurface& target, double diagonal,
 				   ComparedResult& result, gpr::Workers& workers)
 {
-	const gpr::MeshView mesh     = result.mesh.view();
-	const std::int64_t  pointNum = pointNumFor(mesh);
-	result.measured              = measure(mesh, workers);
-	result.shape                 = gpr::radiusRatios(mesh, workers);
-	result.deviation             = target.ofFaces(mesh, workers);
-	result.toInput               = target.from(mesh, pointNum, workers);
-	result.fromInput             = gpr::NearSurface(mesh, workers).from(input, pointNum, workers);
+	const gpr::MeshView        mesh     = result.mesh.view();
+	const std::int64_t         pointNum = gpr::distanceSampleNum(mesh.faceNum);
+	const gpr::MeasuredSurface surface(mesh, target, workers);
+	result.measured  = measure(mesh, workers);
+	result.shape     = gpr::radiusRatios(mesh, workers);
+	result.deviation = target.ofFaces(mesh, workers);
+	result.toInput   = target.from(mesh, pointNum, workers);
+	result.fromInput = surface.from(input, pointNum, workers);
+	proveDistance(target, surface, diagonal, result, workers);
 }
 
 void measureAll(const gpr::MeshView& input, int threads, const Watch& watch, Comparison& comparison)
@@ -153,15 +147,12 @@ try {
 	gpr::Workers workers(threads, watch.part(kCollapsed, 1), watch.secondsLeft());
 	workers.enterStage("Measuring", 0, 0.4);
 	comparison.input = measure(input, workers);
-	const gpr::NearSurface      target(input, workers);
-	const gpr::CertifiedSurface surface(input, workers);
-	const double                diagonal = comparison.input.figures.diagonal;
+	const gpr::MeasuredSurface target(input, workers);
+	const double               diagonal = comparison.input.figures.diagonal;
 	workers.enterStage("Measuring", 0.4, 0.7);
-	measureResult(input, target, comparison.remeshed, workers);
-	proveDistance(surface, diagonal, comparison.remeshed, workers);
+	measureResult(input, target, diagonal, comparison.remeshed, workers);
 	workers.enterStage("Measuring", 0.7, 1);
-	measureResult(input, target, comparison.collapsed, workers);
-	proveDistance(surface, diagonal, comparison.collapsed, workers);
+	measureResult(input, target, diagonal, comparison.collapsed, workers);
 }
 catch (const gpr::CancelledError&) {
 	watch.refuse();

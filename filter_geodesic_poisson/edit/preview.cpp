@@ -95,12 +95,6 @@ Spot spotAt(const gpr::MeshView& mesh, const std::vector<float>& figures,
 	return spot;
 }
 
-/// As `gpremesh compare` takes them.
-std::int64_t pointNumFor(const gpr::MeshView& result)
-{
-	return std::clamp<std::int64_t>(10 * std::int64_t(result.faceNum), 200000, 2000000);
-}
-
 } // namespace
 
 Preview shownResult(std::shared_ptr<const gpr::RemeshResult> result, gpr::Workers& workers)
@@ -115,14 +109,14 @@ Preview shownResult(std::shared_ptr<const gpr::RemeshResult> result, gpr::Worker
 }
 
 Preview measuredResult(const Preview& shown, const gpr::MeshView& input,
-					   const gpr::NearSurface& target, gpr::Workers& workers)
+					   const gpr::MeasuredSurface& target, gpr::Workers& workers)
 {
 	const gpr::MeshView       mesh      = shown.result->mesh.view();
 	const std::vector<float>  deviation = target.ofFaces(mesh, workers);
-	const std::int64_t        pointNum  = pointNumFor(mesh);
+	const std::int64_t        pointNum  = gpr::distanceSampleNum(mesh.faceNum);
 	const gpr::MutualDistance both      = {
 			 target.from(mesh, pointNum, workers),
-			 gpr::NearSurface(mesh, workers).from(input, pointNum, workers)};
+			 gpr::MeasuredSurface(mesh, workers).from(input, pointNum, workers)};
 	Preview measured          = shown;
 	measured.isMeasured       = true;
 	measured.distance         = both.larger();
@@ -135,7 +129,7 @@ Preview measuredResult(const Preview& shown, const gpr::MeshView& input,
 	return measured;
 }
 
-DrawnFaces drawnFaces(const gpr::MeshView& mesh, const gpr::NearSurface* target, double largest,
+DrawnFaces drawnFaces(const gpr::MeshView& mesh, const gpr::MeasuredSurface* target, double largest,
 					  gpr::Workers& workers)
 {
 	DrawnFaces faces = facesByQuality(mesh, gpr::radiusRatios(mesh, workers), workers);

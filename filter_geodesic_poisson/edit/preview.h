@@ -52,11 +52,11 @@ Preview shownResult(std::shared_ptr<const gpr::RemeshResult> result, gpr::Worker
 /// The same with distances from the input, and coloured by them, too. `target` is the input's
 /// surface. Cost: some seconds a million faces.
 Preview measuredResult(const Preview& shown, const gpr::MeshView& input,
-					   const gpr::NearSurface& target, gpr::Workers& workers);
+					   const gpr::MeasuredSurface& target, gpr::Workers& workers);
 
 /// The faces of any mesh, coloured by quality, and by distance where `target` is not null.
 /// `largest`: the distance that is red; 0 takes that of the mesh.
-DrawnFaces drawnFaces(const gpr::MeshView& mesh, const gpr::NearSurface* target, double largest,
+DrawnFaces drawnFaces(const gpr::MeshView& mesh, const gpr::MeasuredSurface* target, double largest,
 					  gpr::Workers& workers);
 
 } // namespace gpr_filter

@@ -81,7 +81,7 @@ private:
 	PreviewWorker&                      owner_;
 	std::shared_ptr<const LayerCopy>    layer_;
 	std::optional<gpr::PreparedSurface> surface_;
-	std::optional<gpr::NearSurface>     target_;
+	std::optional<gpr::MeasuredSurface> target_;
 	bool                                isQualityKnown_ = false;
 	Preview                             last_;
 
@@ -125,7 +125,7 @@ private:
 		});
 	}
 
-	const gpr::NearSurface& target(gpr::Workers& workers)
+	const gpr::MeasuredSurface& target(gpr::Workers& workers)
 	{
 		if (!target_) target_.emplace(layer_->view(), workers);
 		return *target_;

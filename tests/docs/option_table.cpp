@@ -54,8 +54,8 @@ SurfaceDistance distanceBetween(const TriangleMesh& input, const TriangleMesh& r
 {
 	Workers              workers(2, nullptr);
 	const MutualDistance distance = {
-		NearSurface(input.view(), workers).from(result.view(), distanceSamples, workers),
-		NearSurface(result.view(), workers).from(input.view(), distanceSamples, workers)};
+		MeasuredSurface(input.view(), workers).from(result.view(), distanceSamples, workers),
+		MeasuredSurface(result.view(), workers).from(input.view(), distanceSamples, workers)};
 	return distance.larger().times(100 / measureMesh(input.view()).diagonal);
 }
 

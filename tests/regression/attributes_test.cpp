@@ -10,7 +10,7 @@
 #include <vcg_extras/core/carry_over.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/core/surface/barycentric_point.h>
-#include <vcg_extras/core/surface/face_tree.h>
+#include <vcg_extras/core/surface/nearest_on_mesh.h>
 #include <vcg_extras/core/surface/surface_point.h>
 #include <vcg_extras/io/mesh/attribute_carry.h>
 #include <vcg_extras/io/mesh_io.h>
@@ -37,7 +37,7 @@ class NearestPoints {
 public:
 	explicit NearestPoints(const MeshView& view) :
 			workers_(2, nullptr), view_(view), surface_(surfaceOf(copyOf(view), workers_)),
-			tree_(surface_.mesh)
+			tree_(surface_.mesh, workers_)
 	{
 	}
 	BarycentricPoint of(const Vec3d& p) const
@@ -46,10 +46,10 @@ public:
 	}
 
 private:
-	Workers  workers_;
-	MeshView view_;
-	Surface  surface_;
-	FaceTree tree_;
+	Workers       workers_;
+	MeshView      view_;
+	Surface       surface_;
+	NearestOnMesh tree_;
 };
 
 using Colour = std::array<double, 3>;

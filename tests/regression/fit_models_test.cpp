@@ -40,8 +40,8 @@ SurfaceDistance distanceWith(Fit fit, double percent, const MeshView& input)
 	EXPECT_EQ(r.status, Status::Ok) << r.message;
 	Workers        workers(2, nullptr);
 	const MeshView made = r.mesh.view();
-	return MutualDistance{NearSurface(input, workers).from(made, pointNum, workers),
-						  NearSurface(made, workers).from(input, pointNum, workers)}
+	return MutualDistance{MeasuredSurface(input, workers).from(made, pointNum, workers),
+						  MeasuredSurface(made, workers).from(input, pointNum, workers)}
 		.larger();
 }
 

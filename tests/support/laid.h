@@ -7,8 +7,8 @@
 
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/optimization/fit.h>
-#include <vcg_extras/core/surface/face_tree.h>
-#include <vcg_extras/core/surface/sampled_distance.h>
+#include <vcg_extras/core/surface/nearest_on_mesh.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ struct Laid {
 			p = Vec3d(surface.frame.toWorking(p));
 		result.mesh = halfEdgesOf(laid);
 		result.vertex.resize(laid.vertexNum());
-		const FaceTree tree(surface.mesh);
+		const NearestOnMesh tree(surface.mesh, workers);
 		for (int v = 0; v < result.mesh.vertexNum; ++v) {
 			ResultVertex& r         = result.vertex[v];
 			r.point                 = tree.nearest(result.mesh.position[v]);
@@ -71,10 +71,10 @@ struct Laid {
 	Vec3d at(int v) const { return surface.frame.toCaller(result.mesh.position[v]); }
 
 	/// Root mean square distance of the input's vertices from the result, in the caller's units.
-	double rms() const
+	double rms()
 	{
-		const FaceTree tree(result.mesh);
-		double         sum = 0;
+		const NearestOnMesh tree(result.mesh, workers);
+		double              sum = 0;
 		for (int p = 0; p < surface.mesh.vertexNum; ++p) {
 			const Vec3f at = surface.mesh.position[p];
 			sum += double(squaredLength(tree.nearest(at).position - at));

@@ -138,7 +138,7 @@ TriangleMesh meshOf(const IndexedMesh& m)
 SampledDistance sampledBetween(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
 							   Workers& workers)
 {
-	const CertifiedSurface from(viewOf(input), workers), to(viewOf(result), from, workers);
+	const MeasuredSurface from(viewOf(input), workers), to(viewOf(result), from, workers);
 	return sampledDistance({input, from}, {result, to}, workers);
 }
 

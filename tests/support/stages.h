@@ -10,7 +10,7 @@
 #include <vcg_extras/core/mesh/indexed_mesh.h>
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/surface/result_mesh.h>
-#include <vcg_extras/core/surface/sampled_distance.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 namespace gpr::test {
 

@@ -7,7 +7,7 @@
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/run/error_goal.h>
-#include <vcg_extras/core/surface/sampled_distance.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

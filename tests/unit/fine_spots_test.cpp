@@ -50,7 +50,7 @@ TEST(PlacesBeyond, AreTheTrianglesThatAreTooFar)
 	for (Vec3d& p : bump.positions)
 		p.z = std::max(0.0, 0.1 - length(p - Vec3d(0.7, 0.4, 0)));
 	Workers                     workers(2, nullptr);
-	const CertifiedSurface      from(bump.view(), workers), to(grid(4, 4).view(), from, workers);
+	const MeasuredSurface       from(bump.view(), workers), to(grid(4, 4).view(), from, workers);
 	const std::vector<FarPlace> places = placesBeyond(from, to, 0.05, workers);
 	ASSERT_FALSE(places.empty());
 	double area = 0;
@@ -72,10 +72,10 @@ TEST(PlacesBeyond, AreOnlyThoseInTheRegions)
 			std::min(length(p - Vec3d(0.2, 0.2, 0)), length(p - Vec3d(0.8, 0.7, 0)));
 		p.z = 5 + std::max(0.0, 0.1 - near); // the origin of the tree is elsewhere
 	}
-	Workers                workers(2, nullptr);
-	const CertifiedSurface from(bumps.view(), workers);
-	const CertifiedSurface to(shifted(grid(4, 4), {0, 0, 5}).view(), from, workers);
-	const auto             all = placesBeyond(from, to, 0.05, workers);
+	Workers               workers(2, nullptr);
+	const MeasuredSurface from(bumps.view(), workers);
+	const MeasuredSurface to(shifted(grid(4, 4), {0, 0, 5}).view(), from, workers);
+	const auto            all = placesBeyond(from, to, 0.05, workers);
 	const auto some = placesBeyond(from, to, 0.05, workers, {{{0.1, 0.1, 4}, {0.3, 0.3, 6}}});
 	EXPECT_EQ(2 * some.size(), all.size());
 	for (const FarPlace& p : some)
@@ -89,7 +89,7 @@ TEST(PlacesBeyond, AreFoundBetweenThePointsThatAreLookedAtFirst)
 	for (Vec3d& p : peak.positions)
 		p.z = -std::max(0.0, 0.1 - 2 * length(p - Vec3d(0.55, 0.15, 0)));
 	Workers                     workers(2, nullptr);
-	const CertifiedSurface      from(grid(3, 3).view(), workers), to(peak.view(), from, workers);
+	const MeasuredSurface       from(grid(3, 3).view(), workers), to(peak.view(), from, workers);
 	const std::vector<FarPlace> places = placesBeyond(from, to, 0.03, workers);
 	ASSERT_FALSE(places.empty());
 	for (const FarPlace& p : places) {

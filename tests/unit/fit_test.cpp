@@ -23,9 +23,8 @@
 #include <vcg_extras/core/optimization/terms.h>
 #include <vcg_extras/core/optimization/worst_distances.h>
 #include <vcg_extras/core/surface/closest_face_map.h>
-#include <vcg_extras/core/surface/face_tree.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
-#include <vcg_extras/core/surface/sampled_distance.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 #include <vcg_extras/core/surface/surface_gap.h>
 
 #include <algorithm>
@@ -142,7 +141,8 @@ std::vector<int> facesOf(const ClosestFaceMap& map, const Laid& laid)
 int numNotNearest(const ClosestFaceMap& map, const Laid& laid)
 {
 	const HalfEdgeMesh&    m = laid.result.mesh;
-	const FaceTree         tree(m);
+	Workers                workers(1, nullptr);
+	const NearestOnMesh    tree(m, workers);
 	const std::vector<int> face  = facesOf(map, laid);
 	int                    wrong = 0;
 	for (int p = 0; p < laid.surface.mesh.vertexNum; ++p) {

@@ -10,10 +10,10 @@
 #include <tests/support/transforms.h>
 #include <vcg_extras/core/guard/contact_guard.h>
 #include <vcg_extras/core/guard/guarded_relaxation.h>
-#include <vcg_extras/core/guard/local_nearest.h>
 #include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/output/audit.h>
+#include <vcg_extras/core/surface/local_nearest.h>
 
 #include <algorithm>
 #include <cmath>

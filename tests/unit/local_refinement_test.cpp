@@ -35,9 +35,9 @@ TriangleMesh tent(int cells)
 /// Points of both meshes that are farther from the other than a limit, working units.
 std::vector<FarPoint> pointsBeyond(Laid& on, double limit)
 {
-	const CertifiedSurface surface(viewOf(on.surface.mesh), on.workers);
-	const CertifiedSurface result(viewOf(on.result.mesh), surface, on.workers);
-	std::vector<FarPoint>  points;
+	const MeasuredSurface surface(viewOf(on.surface.mesh), on.workers);
+	const MeasuredSurface result(viewOf(on.result.mesh), surface, on.workers);
+	std::vector<FarPoint> points;
 	for (const FarPlace& p : placesBeyond(surface, result, limit, on.workers))
 		points.push_back({Vec3f(p.position), float(p.distance), true});
 	for (const FarPlace& p : placesBeyond(result, surface, limit, on.workers))

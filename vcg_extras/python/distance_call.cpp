@@ -7,7 +7,7 @@
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/results.h>
 #include <vcg_extras/core/surface/certified_distance.h>
-#include <vcg_extras/io/mesh/surface_distance.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 #include <algorithm>
 
@@ -17,8 +17,8 @@ namespace {
 
 /// Distances of the points of one surface from another.
 struct OneWay {
-	app::DistanceFigures measured;
-	DistanceBounds       proven;
+	DistanceFigures measured;
+	DistanceBounds  proven;
 };
 
 struct BothWays {
@@ -30,13 +30,11 @@ struct BothWays {
 void measure(const MeshView& a, const MeshView& b, std::int64_t sampleNum, Workers& workers,
 			 BothWays& out)
 {
-	out.aToB.measured                  = app::DistanceTarget(b).from(a, sampleNum, workers);
-	out.bToA.measured                  = app::DistanceTarget(a).from(b, sampleNum, workers);
+	const MeasuredSurface     ofB(b, workers), ofA(a, ofB, workers);
 	const CertificateSettings settings = usualCertificate(measureMesh(a).diagonal);
-	const MutualBounds        proven   = certifiedDistances(b, a, settings, workers);
-	out.aToB.proven                    = proven.toInput;
-	out.bToA.proven                    = proven.fromInput;
-	out.status                         = Status::Ok;
+	out.aToB   = {ofB.from(a, sampleNum, workers), certifiedDistance(ofA, ofB, settings, workers)};
+	out.bToA   = {ofA.from(b, sampleNum, workers), certifiedDistance(ofB, ofA, settings, workers)};
+	out.status = Status::Ok;
 }
 
 /// The proof may find points farther than those that were measured.
@@ -59,7 +57,7 @@ nb::dict measureDistance(const Positions& positionsOfA, const Triangles& triangl
 						 std::int64_t sampleNum, int threads, nb::object progress)
 {
 	const MeshView a = viewOf(positionsOfA, trianglesOfA), b = viewOf(positionsOfB, trianglesOfB);
-	if (sampleNum == 0) sampleNum = app::distanceSampleNum(b.faceNum);
+	if (sampleNum == 0) sampleNum = distanceSampleNum(b.faceNum);
 	PythonProgress watch(std::move(progress));
 	BothWays       out;
 	try {

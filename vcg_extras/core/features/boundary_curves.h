@@ -40,10 +40,10 @@ struct BoundaryCurves {
 /// The loops of the border, then the feature lines (mesh.crease), cut into chains between nodes.
 std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh);
 
-/// Stage 5: samples border and feature lines (surface.mesh.crease) before anything else, so that
-/// they keep their shape and triangles are as regular there as inside. Feature lines are cut into
-/// chains between nodes, the vertices where other than two of their edges meet or the border is
-/// met; nodes and the given cone apexes are samples that never move. Vertices to be kept are
+/// Stage::Boundary: samples border and feature lines (surface.mesh.crease) before anything else, so
+/// that they keep their shape and triangles are as regular there as inside. Feature lines are cut
+/// into chains between nodes, the vertices where other than two of their edges meet or the border
+/// is met; nodes and the given cone apexes are samples that never move. Vertices to be kept are
 /// samples too: those on a curve cut it into pieces as corners do. Loops and chains are cut further
 /// at corners (a turn of 50° that persists over r), each piece is sampled by chords of `spacing`
 /// (see spaceOut). Loops too short for three samples keep three of their own vertices. What is said

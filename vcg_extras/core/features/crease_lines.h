@@ -42,7 +42,7 @@ struct CreaseFindings {
 /// Auto mode lines are only taken if sharp edges stand out: those of a scan's noise have others
 /// nearly as sharp beside them and break off after a few edges; where less than 70 % of the sharp
 /// length is clear of that, there are no lines but the seams; splitting edges before changes
-/// nothing of it. Cone Cone apexes are vertices whose angle defect exceeds strongDeg while the
+/// nothing of it. Cone apexes are vertices whose angle defect exceeds strongDeg while the
 /// vertices round them are smooth. With Off and Given nothing is marked. Needs: connected, crease
 /// empty. Cost: linear, parallel, a few milliseconds a million faces; what follows the test for
 /// sharpness is serial, over the sharp edges.

@@ -17,7 +17,8 @@ namespace gpr {
 
 namespace {
 
-/// Of the square root of the area.
+/// Of the square root of the area: a size that does not change when the surface is turned, as that
+/// of its box would.
 constexpr float largestSupport = 0.05f;
 /// Where the surface bends as much on both sides of an edge as at it, it is round there.
 constexpr float plateauShare = 0.7f;
@@ -31,8 +32,7 @@ constexpr float cornerShare   = 0.7f;
 /// A gap is bridged along edges that turn by 60° at most.
 constexpr float bridgeCosine = 0.5f;
 
-/// Square root of the area: a size that does not change when the surface is turned, as that of its
-/// box would.
+/// Of the sides of all faces.
 float meanSideLength(const Buffer<Vec3f>& position, const Buffer<int>& corner, int faceNum,
 					 Workers& workers)
 {

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "distance_guard.h"
 
-#include "local_nearest.h"
-
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/surface/local_nearest.h>
 
 #include <algorithm>
 #include <cmath>

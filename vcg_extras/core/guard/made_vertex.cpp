@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "made_vertex.h"
 
-#include "local_nearest.h"
+#include <vcg_extras/core/surface/local_nearest.h>
 
 namespace gpr {
 

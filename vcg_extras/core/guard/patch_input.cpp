@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_input.h"
 
-#include "local_nearest.h"
-
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/surface/local_nearest.h>
 
 #include <algorithm>
 #include <cmath>

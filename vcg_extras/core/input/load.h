@@ -11,9 +11,9 @@
 
 namespace gpr {
 
-/// Stage 1: a working copy of the caller's mesh, with what no surface can have left out: vertices
-/// that are not finite (and their faces), vertices in no face, faces with a vertex twice. A
-/// triangle soup (no vertex shared at all) is welded where positions agree to a millionth of the
+/// Stage::Load: a working copy of the caller's mesh, with what no surface can have left out:
+/// vertices that are not finite (and their faces), vertices in no face, faces with a vertex twice.
+/// A triangle soup (no vertex shared at all) is welded where positions agree to a millionth of the
 /// box. Throws Failure{UnusableInput} for indices out of range, no face left or no area. Cost:
 /// linear, parallel.
 IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& counts);

@@ -23,14 +23,14 @@ constexpr float longestSingleEdge = 1.1f;
 /// this one where a strip has 32; below that the two are alike.
 constexpr float minNeedleLength = 16;
 
-/// Stage 2: splits edges longer than maxLength at their midpoints, as often as needed, so that a
-/// disk always covers a few vertices. Where the mesh has sizes an edge may be maxLength times the
-/// lesser size of its ends; new vertices take the mean of the two. This removes both weaknesses
-/// that the paper admits (§4): stray huge triangles, and targets near the input's own vertex
-/// number. The surface stays where it is. A face so thin and long that only one row of faces has
-/// room in it becomes such a row at once. Only faces with a long edge are looked at again; their
-/// midpoints are found by hashing. Returns the number of edges split; throws Failure{OutOfMemory}
-/// where the result would have more than maxFaces faces.
+/// Stage::SplitLongEdges: splits edges longer than maxLength at their midpoints, as often as
+/// needed, so that a disk always covers a few vertices. Where the mesh has sizes an edge may be
+/// maxLength times the lesser size of its ends; new vertices take the mean of the two. This removes
+/// both weaknesses that the paper admits (§4): stray huge triangles, and targets near the input's
+/// own vertex number. The surface stays where it is. A face so thin and long that only one row of
+/// faces has room in it becomes such a row at once. Only faces with a long edge are looked at
+/// again; their midpoints are found by hashing. Returns the number of edges split; throws
+/// Failure{OutOfMemory} where the result would have more than maxFaces faces.
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
 							Workers& workers);
 

@@ -41,8 +41,8 @@ constexpr float pointedSpread = spreadAtApex(30);
 constexpr float roughDeg   = 30;
 constexpr float roughWidth = 2e-6f;
 
-/// Stage 4: half-edge table of an ordered mesh (see orderSpatially) by bucketing half-edges at
-/// their smaller end. Moves the arrays out of `mesh` when all is manifold and consistently
+/// Stage::Connect: half-edge table of an ordered mesh (see orderSpatially) by bucketing half-edges
+/// at their smaller end. Moves the arrays out of `mesh` when all is manifold and consistently
 /// oriented, and returns true; otherwise returns false and leaves `mesh` as it was, for
 /// repairManifold. notManifold, if given, then tells the vertices (1) that are to blame.
 /// Cost: linear, parallel.

@@ -101,13 +101,6 @@ std::vector<int> findObtuseFaces(const HalfEdgeMesh& m, float angle, Workers& wo
 							 [&](int f) { return !isDeadFace(m, f) && obtuseAngle(m, f) > angle; });
 }
 
-std::vector<int> sharpestFirst(const HalfEdgeMesh& m, std::vector<int> faces)
-{
-	std::stable_sort(faces.begin(), faces.end(),
-					 [&](int f, int g) { return smallestAngle(m, f) < smallestAngle(m, g); });
-	return faces;
-}
-
 bool flipKeepsShape(const HalfEdgeMesh& m, int h)
 {
 	const int   g = m.opposite[h];

@@ -31,9 +31,6 @@ std::vector<int> poorOnes(const HalfEdgeMesh& mesh, float angle, const std::vect
 /// Living faces with a larger angle than this (radians, at least 90°), ascending. Cost: as above.
 std::vector<int> findObtuseFaces(const HalfEdgeMesh& mesh, float angle, Workers& workers);
 
-/// The faces (living), by their smallest angle.
-std::vector<int> sharpestFirst(const HalfEdgeMesh& mesh, std::vector<int> faces);
-
 /// What a flip that changes valences may leave: an angle (radians), which a relaxation can still
 /// raise, and the cosine of the angle between the two faces.
 constexpr float minFlipAngle = 17 * radians, minFlipCosine = 0.8f;

@@ -29,10 +29,10 @@ struct MortonGrid {
 	float cellSize(int onLevel) const { return cubeSize / float(1 << onLevel); }
 };
 
-/// Stage 3: puts the vertices in Morton order and the faces in the order of their smallest vertex,
-/// which also becomes their first corner (orientation kept). Neighbours then lie close together in
-/// memory, and a cell of the octree is one range of vertices, which is what threads are given.
-/// Equal keys and faces keep their order, so the outcome does not depend on threads.
+/// Stage::Order: puts the vertices in Morton order and the faces in the order of their smallest
+/// vertex, which also becomes their first corner (orientation kept). Neighbours then lie close
+/// together in memory, and a cell of the octree is one range of vertices, which is what threads are
+/// given. Equal keys and faces keep their order, so the outcome does not depend on threads.
 /// faceStart (vertexNum + 1 entries) receives where the faces of each first corner begin.
 /// Cost: linear (radix and counting sort), parallel.
 MortonGrid orderSpatially(IndexedMesh& mesh, Workers& workers, Buffer<int>& faceStart);

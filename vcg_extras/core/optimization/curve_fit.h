@@ -9,10 +9,10 @@
 
 namespace gpr {
 
-/// Beginning of stage 12: moves the vertices of borders and feature lines off their curves to where
-/// the polygon of the result's edges lies closest to the curve, in the mean of squares along it.
-/// Vertices on the curve leave all of it on one side where it bends: a chord's greatest distance
-/// is twice the least that is possible.
+/// First part of Stage::Fit: moves the vertices of borders and feature lines off their curves to
+/// where the polygon of the result's edges lies closest to the curve, in the mean of squares along
+/// it. Vertices on the curve leave all of it on one side where it bends: a chord's greatest
+/// distance is twice the least that is possible.
 ///
 /// One vertex after the other goes towards the minimum for it, four rounds of this. A move stands,
 /// whole, halved or quartered, if the largest distance between the curve and the two edges there

@@ -11,7 +11,6 @@
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/mesh/sectors.h>
 #include <vcg_extras/core/mesh/valence_energy.h>
-#include <vcg_extras/core/sampling/sizing.h>
 
 #include <algorithm>
 #include <cmath>

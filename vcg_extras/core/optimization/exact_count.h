@@ -10,7 +10,7 @@
 
 namespace gpr {
 
-/// Stage 9: splits or collapses edges of the result until it has exactly targetNum vertices.
+/// Stage::Count: splits or collapses edges of the result until it has exactly targetNum vertices.
 ///
 /// Which ones is chosen by valence: of every edge the change of Σ(valence - 6)² is worked out, for
 /// splits together with up to two flips round the new vertex; lowest first, then the longest edge

@@ -30,8 +30,8 @@ struct FitOutcome {
 	bool  capped     = false; ///< a guard gave up: the moves of that round were taken back
 };
 
-/// Stage 12: moves the vertices off the surface to where the triangles lie closest to it, and keeps
-/// the triangles regular meanwhile. Minimised over the vertices' positions x is
+/// Stage::Fit: moves the vertices off the surface to where the triangles lie closest to it, and
+/// keeps the triangles regular meanwhile. Minimised over the vertices' positions x is
 ///
 ///     Σ_p A_p (n_p · (p - Σ_k b_k x_k))²  +  Σ_f s_f E_f  +  μ Σ_i M_i |x_i - x_i⁰|²
 ///

@@ -12,7 +12,8 @@
 #include <vcg_extras/core/mesh/face_boxes.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/self_intersections.h>
-#include <vcg_extras/core/surface/face_tree.h>
+#include <vcg_extras/core/surface/local_nearest.h>
+#include <vcg_extras/core/surface/nearest_on_mesh.h>
 #include <vcg_extras/core/surface/surface_gap.h>
 
 #include <algorithm>
@@ -81,8 +82,8 @@ int edgeToSplit(const HalfEdgeMesh& m, const SurfacePoint& at)
 std::vector<Split> splitsFor(const HalfEdgeMesh& m, const std::vector<FarPoint>& points,
 							 Workers& workers)
 {
-	const FaceTree     tree(m, &workers);
-	std::vector<Split> splits(points.size());
+	const NearestOnMesh tree(m, workers);
+	std::vector<Split>  splits(points.size());
 	workers.forEach(points.size(), [&](int i) {
 		const FarPoint& point  = points[std::size_t(i)];
 		const int       h      = edgeToSplit(m, tree.nearest(point.position));

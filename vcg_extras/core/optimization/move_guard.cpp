@@ -70,11 +70,6 @@ void MoveGuard::takeOver()
 	workers_.forEach(m_.vertexNum, [&](int v) { shift_[v] = m_.position[v] - from_[v]; });
 }
 
-void MoveGuard::apply()
-{
-	workers_.forEach(m_.vertexNum, [&](int v) { m_.position[v] = at(v); });
-}
-
 bool MoveGuard::hasMoved(int f) const
 {
 	const int* c = &m_.origin[3 * f];
@@ -95,7 +90,7 @@ void MoveGuard::takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& nor
 void MoveGuard::takeAllBack()
 {
 	shift_.fill(Vec3f());
-	apply();
+	workers_.forEach(m_.vertexNum, [&](int v) { m_.position[v] = at(v); });
 }
 
 bool MoveGuard::isSpoilt(int f, const Buffer<Vec3f>& normal) const

@@ -31,8 +31,8 @@ bool spoilsRing(const MoveLimits& limits, const HalfEdgeMesh& mesh, int v, const
 /// Moves of many vertices at once, on trial. Those of faces that they spoil are shortened or taken
 /// back until no face is spoilt. Cost: a pass over the faces, and the few faces concerned.
 ///
-/// start() comes first. Who makes the moves then either sets the shifts, and calls apply(), or sets
-/// mesh.position, and calls takeOver(). settle() or takeBack() come last.
+/// start() comes first. Who makes the moves then sets mesh.position, and calls takeOver(). settle()
+/// or takeBack() come last.
 class MoveGuard {
 public:
 	MoveGuard(const MoveLimits& limits, HalfEdgeMesh& mesh, Workers& workers);
@@ -41,12 +41,8 @@ public:
 	void start();
 	/// Moves from the start to the present places.
 	void takeOver();
-	/// Puts all vertices where their shifts end.
-	void apply();
 
 	const Vec3f& shift(int v) const { return shift_[v]; }
-	Vec3f        at(int v) const { return from_[v] + shift_[v]; }
-	void         swapShifts(Buffer<Vec3f>& other) { shift_.swap(other); }
 	/// Whether a corner of the face moves.
 	bool hasMoved(int f) const;
 
@@ -64,6 +60,7 @@ private:
 	Buffer<Vec3f> from_;
 	Buffer<Vec3f> shift_;
 
+	Vec3f            at(int v) const { return from_[v] + shift_[v]; }
 	bool             isSpoilt(int f, const Buffer<Vec3f>& normal) const;
 	bool             settleAmong(std::vector<int> faces, const Buffer<Vec3f>& normal);
 	std::vector<int> shorten(const std::vector<int>& faces, float share);

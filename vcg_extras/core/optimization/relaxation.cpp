@@ -9,7 +9,6 @@
 #include <vcg_extras/core/features/curve_slide.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/sectors.h>
-#include <vcg_extras/core/sampling/sizing.h>
 #include <vcg_extras/core/surface/walk.h>
 
 #include <algorithm>

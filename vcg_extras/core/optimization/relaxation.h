@@ -12,9 +12,10 @@
 
 namespace gpr {
 
-/// Stage 10. Vertices move on the surface, which they never leave, by the terms of terms.h. Only
-/// flat vertices walk (findFlatVertices). No move folds a face or makes a poor one poorer (see
-/// MoveGuard). Needs vertices that lie on the surface. Cost of a step: linear, parallel.
+/// Stage::Relaxation: vertices move on the surface, which they never leave, by the terms of
+/// terms.h. Only flat vertices walk (findFlatVertices). No move folds a face or makes a poor one
+/// poorer (see MoveGuard). Needs vertices that lie on the surface. Cost of a step: linear,
+/// parallel.
 
 /// One relaxation step: every vertex walks to the area-weighted barycentre of its ring, all at once
 /// (Jacobi). Vertices of curves stay.

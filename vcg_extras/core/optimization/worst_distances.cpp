@@ -7,6 +7,7 @@
 
 #include <vcg_extras/core/base/triangle.h>
 #include <vcg_extras/core/mesh/face_quality.h>
+#include <vcg_extras/core/surface/local_nearest.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/surface_gap.h>
 

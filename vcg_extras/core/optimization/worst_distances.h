@@ -10,10 +10,10 @@
 
 namespace gpr {
 
-/// End of stage 12: where result and surface lie farthest apart, vertices are moved so that they
-/// come closer. The fit minimises a mean of squares over the vertices of the input: a vertex on a
-/// sharp ridge may stand far out from it, where hardly any vertex of the input sees it, and a tip
-/// may be cut off.
+/// Last part of Stage::Fit: where result and surface lie farthest apart, vertices are moved so that
+/// they come closer. The fit minimises a mean of squares over the vertices of the input: a vertex
+/// on a sharp ridge may stand far out from it, where hardly any vertex of the input sees it, and a
+/// tip may be cut off.
 ///
 /// Distances are looked at from both sides: from the vertices of the input closest to a triangle,
 /// and, where it has a corner that is not near, from a lattice of points on the triangle. At the

@@ -12,7 +12,7 @@ namespace gpr {
 
 /// The input and the result, ready for proofs about their distance; working units.
 struct ComparedSurfaces {
-	CertifiedSurface input, result;
+	MeasuredSurface input, result;
 
 	ComparedSurfaces(const Surface& surface, const ResultMesh& made, Workers& workers);
 };

@@ -3,7 +3,7 @@
 #include "thorough_check.h"
 
 #include <vcg_extras/core/mesh/self_intersections.h>
-#include <vcg_extras/core/surface/sampled_distance.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 namespace gpr {
 

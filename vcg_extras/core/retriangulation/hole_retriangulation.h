@@ -12,11 +12,11 @@
 
 namespace gpr {
 
-/// Stage 7 as the paper has it (§3, last paragraph; Fu & Zhou 2008): every vertex of the surface
-/// that is no sample is taken out of the mutual tessellation; its star is flattened by the geodesic
-/// polar map, and the hole closed by a constrained Delaunay triangulation. A vertex whose hole
-/// cannot be closed without doubling an edge or folding the surface is tried again when its
-/// neighbours are gone, then under looser geometry, then merged into a neighbour (collapseRest,
+/// Stage::Retriangulation as the paper has it (§3, last paragraph; Fu & Zhou 2008): every vertex of
+/// the surface that is no sample is taken out of the mutual tessellation; its star is flattened by
+/// the geodesic polar map, and the hole closed by a constrained Delaunay triangulation. A vertex
+/// whose hole cannot be closed without doubling an edge or folding the surface is tried again when
+/// its neighbours are gone, then under looser geometry, then merged into a neighbour (collapseRest,
 /// counted in byCollapseNum); what the topology needs stays and is counted in leftoverNum.
 ///
 /// The paper leaves open, and here is chosen: rounds in which no two neighbours go, so that the

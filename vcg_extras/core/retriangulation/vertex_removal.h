@@ -10,7 +10,7 @@
 
 namespace gpr {
 
-/// Stage 7: retriangulation (paper §3, last paragraph) by the samples' cells.
+/// Stage::Retriangulation (paper §3, last paragraph): by the samples' cells.
 ///
 /// Differs from the paper, whose samples are fused into the mesh by edge splits and whose holes are
 /// closed in a local parametrization: here the vertices of each Voronoi cell are merged until one

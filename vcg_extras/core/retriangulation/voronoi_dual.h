@@ -22,9 +22,9 @@ struct VoronoiDual {
 	std::int64_t     openCellNum = 0;
 };
 
-/// Stage 7, first half: the dual of the Voronoi cells. A face whose corners lie in three cells
-/// becomes a triangle between their samples, every other face vanishes: what merging the vertices
-/// of each cell one by one would end with, in one pass over the faces.
+/// Stage::Retriangulation, first half: the dual of the Voronoi cells. A face whose corners lie in
+/// three cells becomes a triangle between their samples, every other face vanishes: what merging
+/// the vertices of each cell one by one would end with, in one pass over the faces.
 ///
 /// That is a mesh of the same topology only where cells are disks that meet each other in one piece
 /// at most. A cell is a disk if its vertices, edges and faces have the Euler characteristic 1; a

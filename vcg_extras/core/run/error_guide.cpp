@@ -101,9 +101,9 @@ private:
 	/// What changes with a point is within this of it.
 	static constexpr float reachInEdges = 4;
 
-	CertifiedSurface input_;
-	double           limit_;
-	Workers&         workers_;
+	MeasuredSurface input_;
+	double          limit_;
+	Workers&        workers_;
 
 	static std::vector<Box<double>> regionsRound(const std::vector<FarPoint>& points, float reach)
 	{
@@ -119,8 +119,8 @@ private:
 	std::vector<FarPoint> find(const ResultMesh&               result,
 							   const std::vector<Box<double>>& regions) const
 	{
-		const CertifiedSurface made(viewOf(result.mesh), input_, workers_);
-		std::vector<FarPoint>  points;
+		const MeasuredSurface made(viewOf(result.mesh), input_, workers_);
+		std::vector<FarPoint> points;
 		append(placesBeyond(input_, made, limit_, workers_, regions), true, points);
 		append(placesBeyond(made, input_, limit_, workers_, regions), false, points);
 		return points;

@@ -4,7 +4,7 @@
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
-#include <vcg_extras/core/surface/face_tree.h>
+#include <vcg_extras/core/surface/nearest_on_mesh.h>
 #include <vcg_extras/core/surface/nearest_samples.h>
 #include <vcg_extras/core/surface/surface_point.h>
 
@@ -15,12 +15,12 @@ namespace gpr {
 GivenSamples takeOverSamples(RunContext& run, const Prepared& p, const std::vector<Vec3d>& points)
 {
 	run.clock.enter(Stage::GivenSamples);
-	const FaceTree tree(p.surface.mesh, &run.workers);
-	const float    onSurface = 1e-5f;
-	GivenSamples   given;
-	Sampling&      sampling = given.sampling;
-	sampling.radius         = p.radius;
-	float farthest          = 0;
+	const NearestOnMesh tree(p.surface.mesh, run.workers);
+	const float         onSurface = 1e-5f;
+	GivenSamples        given;
+	Sampling&           sampling = given.sampling;
+	sampling.radius              = p.radius;
+	float farthest               = 0;
 	for (const Vec3d& point : points) {
 		run.workers.poll();
 		const Vec3f        q = p.surface.frame.toWorking(point);

@@ -11,7 +11,7 @@
 #include <vcg_extras/core/optimization/relaxation.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/output/distance_proof.h>
-#include <vcg_extras/core/surface/sampled_distance.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 #include <algorithm>
 #include <memory>

@@ -33,9 +33,9 @@ struct BorderEdgeSampling {
 /// beyond it.
 double borderCrossing(double d1, double d2, double edge, double r);
 
-/// Stage 6 as the paper writes it (§3, steps 2–8; eq. (2), (3)): from a random start vertex, disk
-/// by disk, each new sample on a border edge drawn at random from the cache C, fused into the mesh
-/// by an edge split there and then.
+/// Stage::Sampling as the paper writes it (§3, steps 2–8; eq. (2), (3)): from a random start
+/// vertex, disk by disk, each new sample on a border edge drawn at random from the cache C, fused
+/// into the mesh by an edge split there and then.
 ///
 /// Differs from the paper:
 /// - It says nothing of open borders: their samples (see sampleBoundary) come first and are fused

@@ -25,7 +25,7 @@ struct Sampling {
 	bool         capped  = false; ///< a block had room for no more samples
 };
 
-/// Stage 6: front sampling (paper §3, steps 2–8) with disk-intersection placement.
+/// Stage::Sampling: front sampling (paper §3, steps 2–8) with disk-intersection placement.
 ///
 /// Differs from the paper: the next sample is put where the circles of radius r round two
 /// neighbouring samples intersect (the paper's own wish, §5), which packs tighter than a random

@@ -39,8 +39,8 @@ struct SizingRequest {
 	const FineSpots*        fineSpots = nullptr; ///< where triangles are to be smaller; or null
 };
 
-/// Stage 5: the density of the samples (paper §3.1.2), and the smaller disks of a feature region
-/// (§3.1.1).
+/// Stage::Sizing: the density of the samples (paper §3.1.2), and the smaller disks of a feature
+/// region (§3.1.1).
 ///
 /// Calibrated: the stretch of distances, eq. (4), is s = min(1 + λ·|H|·r, largestStretch), without
 /// unit, H averaged over a disk of radius r; sizes 1/s may grow by gradingSlope of the distance
@@ -71,18 +71,6 @@ double meanSquaredStretch(const HalfEdgeMesh& mesh, const Buffer<float>& size, W
 /// divided by the area over the ring, then averaged over so many further rings. Needs no division
 /// by the area of a single face, so slivers do no harm.
 Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& workers);
-
-/// Size at a point of a surface whose sizes differ: interpolated over its face.
-float interpolatedSize(const Surface& surface, const SurfacePoint& at);
-
-/// The wanted size at a point of the surface over the largest one.
-inline float sizeAt(const Surface& surface, const SurfacePoint& at)
-{
-	return surface.size.empty() ? 1.0f : interpolatedSize(surface, at);
-}
-
-/// The sizes wanted at the vertices of a result; empty where all are the same.
-Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

@@ -499,19 +499,6 @@ private:
 	}
 };
 
-/// Where positions are taken from, so that no digit is lost to an offset.
-Vec3d someCorner(const MeshView& mesh)
-{
-	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		for (const std::int32_t v : mesh.triangle(f)) {
-			if (v < 0 || std::size_t(v) >= mesh.vertexNum) continue;
-			const Vec3d p = mesh.position(std::size_t(v));
-			if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) return p;
-		}
-	}
-	return {};
-}
-
 } // namespace
 
 CertificateSettings usualCertificate(double diagonal)
@@ -521,19 +508,7 @@ CertificateSettings usualCertificate(double diagonal)
 	return settings;
 }
 
-CertifiedSurface::CertifiedSurface(const MeshView& mesh, Workers& workers) :
-		origin_(someCorner(mesh)), tree_(std::make_unique<TriangleTree>(mesh, origin_, workers))
-{
-}
-
-CertifiedSurface::CertifiedSurface(const MeshView& mesh, const CertifiedSurface& other,
-								   Workers& workers) :
-		origin_(other.origin_),
-		tree_(std::make_unique<TriangleTree>(mesh, origin_, workers))
-{
-}
-
-DistanceBounds certifiedDistance(const CertifiedSurface& from, const CertifiedSurface& to,
+DistanceBounds certifiedDistance(const MeasuredSurface& from, const MeasuredSurface& to,
 								 const CertificateSettings& settings, Workers& workers)
 {
 	if (from.tree().size() == 0 || to.tree().size() == 0) return {};
@@ -541,7 +516,7 @@ DistanceBounds certifiedDistance(const CertifiedSurface& from, const CertifiedSu
 	return BranchAndBound(from.tree(), to.tree(), rounding, settings, workers).run();
 }
 
-std::vector<FarPlace> placesBeyond(const CertifiedSurface& from, const CertifiedSurface& to,
+std::vector<FarPlace> placesBeyond(const MeasuredSurface& from, const MeasuredSurface& to,
 								   double limit, Workers& workers,
 								   const std::vector<Box<double>>& regions)
 {
@@ -562,7 +537,7 @@ std::vector<FarPlace> placesBeyond(const CertifiedSurface& from, const Certified
 MutualBounds certifiedDistances(const MeshView& input, const MeshView& result,
 								const CertificateSettings& settings, Workers& workers)
 {
-	const CertifiedSurface a(input, workers), b(result, a, workers);
+	const MeasuredSurface a(input, workers), b(result, a, workers);
 	return {certifiedDistance(b, a, settings, workers), certifiedDistance(a, b, settings, workers)};
 }
 

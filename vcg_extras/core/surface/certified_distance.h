@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_SURFACE_CERTIFIED_DISTANCE_H
 #define VCG_EXTRAS_CORE_SURFACE_CERTIFIED_DISTANCE_H
 
-#include "triangle_tree.h"
+#include "surface_distance.h"
 
 #include <vcg_extras/core/base/box.h>
 #include <vcg_extras/core/base/workers.h>
@@ -11,7 +11,6 @@
 #include <vcg_extras/core/report.h>
 
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 namespace gpr {
@@ -29,24 +28,6 @@ struct CertificateSettings {
 /// Goal of the distance that reports tell: 1 % of it and 1e-5 of the diagonal.
 CertificateSettings usualCertificate(double diagonal);
 
-/// A surface of whose distance from others bounds are proven. Any set of triangles, manifold or
-/// not.
-class CertifiedSurface {
-public:
-	/// Faces without three different, finite corners are left out. The mesh may go afterwards.
-	/// Throws what workers throw. Cost: see TriangleTree.
-	CertifiedSurface(const MeshView& mesh, Workers& workers);
-	/// With positions relative to the same origin as another one, to which distances are wanted.
-	CertifiedSurface(const MeshView& mesh, const CertifiedSurface& other, Workers& workers);
-
-	const TriangleTree& tree() const { return *tree_; }
-	const Vec3d&        origin() const { return origin_; }
-
-private:
-	Vec3d                         origin_;
-	std::unique_ptr<TriangleTree> tree_;
-};
-
 /// Bounds of the largest distance of a point of one surface from another: the one-sided Hausdorff
 /// distance. All 0 where either has no face. Both need the same origin.
 ///
@@ -62,7 +43,7 @@ private:
 /// is far more than rounding can do. Where the budget is spent, the bounds are as good as they are
 /// then, and say so. The same bits for any number of threads. Cost: a search for each triangle that
 /// may be near the largest distance and for some of the others, parallel.
-DistanceBounds certifiedDistance(const CertifiedSurface& from, const CertifiedSurface& to,
+DistanceBounds certifiedDistance(const MeasuredSurface& from, const MeasuredSurface& to,
 								 const CertificateSettings& settings, Workers& workers);
 
 /// A triangle with a point that is farther from another surface than a limit.
@@ -77,7 +58,7 @@ struct FarPlace {
 /// near the limit. Only triangles whose boxes meet one of the regions are looked at, if there are
 /// any; these are few, and in the frame of the mesh. The same for any number of threads. Cost: as
 /// the first step of certifiedDistance.
-std::vector<FarPlace> placesBeyond(const CertifiedSurface& from, const CertifiedSurface& to,
+std::vector<FarPlace> placesBeyond(const MeasuredSurface& from, const MeasuredSurface& to,
 								   double limit, Workers& workers,
 								   const std::vector<Box<double>>& regions = {});
 

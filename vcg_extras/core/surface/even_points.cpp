@@ -34,6 +34,8 @@ std::vector<double> runningArea(const MeshView& mesh)
 bool isUsableFace(const MeshView& mesh, std::size_t face)
 {
 	const auto t = mesh.triangle(face);
+	for (const std::int32_t v : t)
+		if (v < 0 || std::size_t(v) >= mesh.vertexNum) return false;
 	if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return false;
 	return isFinite(mesh.position(t[0])) && isFinite(mesh.position(t[1])) &&
 		   isFinite(mesh.position(t[2]));

@@ -12,7 +12,7 @@
 
 namespace gpr {
 
-/// Whether a face has three different corners that are all finite.
+/// Whether a face has three different corners that exist and are finite.
 bool isUsableFace(const MeshView& mesh, std::size_t face);
 
 /// Points spread evenly over the area of a surface, to measure it by (Cignoni, Rocchini, Scopigno

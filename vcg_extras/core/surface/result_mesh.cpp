@@ -9,6 +9,33 @@
 
 namespace gpr {
 
+float interpolatedSize(const Surface& surface, const SurfacePoint& at)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	const int           i = m.origin[3 * at.face], j = m.origin[3 * at.face + 1];
+	const int           k       = m.origin[3 * at.face + 2];
+	const Vec3f         a       = m.position[i];
+	const Vec3f         n       = m.faceCross(at.face);
+	const float         squared = squaredLength(n);
+	if (!(squared > 0)) return std::min({surface.size[i], surface.size[j], surface.size[k]});
+	const float wj = dot(cross(at.position - a, m.position[k] - a), n) / squared;
+	const float wk = dot(cross(m.position[j] - a, at.position - a), n) / squared;
+	const float b  = std::clamp(wj, 0.0f, 1.0f);
+	const float c  = std::clamp(wk, 0.0f, 1.0f - b);
+	return surface.size[i] * (1 - b - c) + surface.size[j] * b + surface.size[k] * c;
+}
+
+Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers& workers)
+{
+	if (surface.size.empty()) return Buffer<float>();
+	Buffer<float> size(result.vertex.size());
+	workers.forRange(size.size(), [&](std::size_t begin, std::size_t end) {
+		for (std::size_t v = begin; v < end; ++v)
+			size[v] = interpolatedSize(surface, result.vertex[v].point);
+	});
+	return size;
+}
+
 ResultMesh copyResult(const ResultMesh& result, Workers& workers)
 {
 	ResultMesh copy;

@@ -57,6 +57,18 @@ inline bool maySplitBorder(const ResultMesh& result, int h)
 	return !result.keepsBorder && isAlone;
 }
 
+/// Size at a point of a surface whose sizes differ: interpolated over its face.
+float interpolatedSize(const Surface& surface, const SurfacePoint& at);
+
+/// The wanted size at a point of the surface over the largest one.
+inline float sizeAt(const Surface& surface, const SurfacePoint& at)
+{
+	return surface.size.empty() ? 1.0f : interpolatedSize(surface, at);
+}
+
+/// The sizes wanted at the vertices of a result; empty where all are the same.
+Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers& workers);
+
 /// Results cannot be copied by accident. No room beyond the vertices and faces is copied.
 ResultMesh copyResult(const ResultMesh& result, Workers& workers);
 

@@ -6,6 +6,7 @@
 #include "even_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace gpr {
@@ -13,138 +14,188 @@ namespace gpr {
 namespace {
 
 struct DistanceSums {
-	double squares = 0, max = 0;
+	double sum = 0, squares = 0, max = 0;
 
 	void add(double distance)
 	{
+		sum += distance;
 		squares += distance * distance;
 		max = std::max(max, distance);
 	}
 	DistanceSums& operator+=(const DistanceSums& o)
 	{
+		sum += o.sum;
 		squares += o.squares;
 		max = std::max(max, o.max);
 		return *this;
 	}
 };
 
-Vec3d firstCorner(const MeshView& mesh)
-{
-	for (std::size_t f = 0; f < mesh.faceNum; ++f)
-		if (isUsableFace(mesh, f)) return mesh.position(std::size_t(mesh.vertexOf(3 * f)));
-	return {};
-}
-
-/// The usable faces, with positions relative to origin so that no digit is lost to an offset.
-HalfEdgeMesh cornersOf(const MeshView& mesh, const Vec3d& origin)
-{
-	HalfEdgeMesh to;
-	to.vertexNum = int(mesh.vertexNum);
-	to.position.reset(mesh.vertexNum);
-	for (std::size_t v = 0; v < mesh.vertexNum; ++v)
-		to.position[v] = Vec3f(mesh.position(v) - origin);
-	to.origin.reset(3 * mesh.faceNum);
-	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		if (!isUsableFace(mesh, f)) continue;
-		for (std::size_t k = 0; k < 3; ++k)
-			to.origin[3 * std::size_t(to.faceNum) + k] = mesh.vertexOf(3 * f + k);
-		++to.faceNum;
-	}
-	return to;
-}
-
 std::vector<char> usedVertices(const MeshView& mesh)
 {
 	std::vector<char> used(mesh.vertexNum, 0);
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
 		if (!isUsableFace(mesh, f)) continue;
-		for (std::size_t k = 0; k < 3; ++k)
-			used[std::size_t(mesh.vertexOf(3 * f + k))] = 1;
+		for (const std::int32_t v : mesh.triangle(f))
+			used[std::size_t(v)] = 1;
 	}
 	return used;
 }
 
+/// Of a face: its corners, the middles of its edges, its own middle.
+std::array<Vec3d, 7> sevenPoints(const MeshView& mesh, std::size_t face)
+{
+	const auto  t = mesh.triangle(face);
+	const Vec3d a = mesh.position(std::size_t(t[0])), b = mesh.position(std::size_t(t[1])),
+				c = mesh.position(std::size_t(t[2]));
+	return {a, b, c, (a + b) * 0.5, (b + c) * 0.5, (c + a) * 0.5, (a + b + c) * (1.0 / 3)};
+}
+
+/// Where positions are taken from, so that no digit is lost to an offset.
+Vec3d someCorner(const MeshView& mesh)
+{
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		for (const std::int32_t v : mesh.triangle(f)) {
+			if (v < 0 || std::size_t(v) >= mesh.vertexNum) continue;
+			const Vec3d p = mesh.position(std::size_t(v));
+			if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) return p;
+		}
+	}
+	return {};
+}
+
 } // namespace
 
-SurfaceDistance distanceOfEvenPoints(const MeshView& mesh, std::int64_t pointNum,
-									 const std::function<double(const Vec3d&)>& distance,
-									 Workers&                                   workers)
+/// One search after the other: the last answer bounds the next search, which is quick where the
+/// points follow each other on the surface.
+class MeasuredSurface::Search {
+public:
+	explicit Search(const MeasuredSurface& to) : to_(to) {}
+
+	double distance(const Vec3d& p)
+	{
+		const TriangleTree::Nearest nearest = to_.tree_->nearest(p - to_.origin_, last_);
+		last_                               = nearest.triangle;
+		return std::sqrt(nearest.squared);
+	}
+
+	double meanSquare(const std::array<Vec3d, 7>& p)
+	{
+		double mean = 0;
+		for (std::size_t k = 0; k < p.size(); ++k) {
+			const double d = distance(p[k]);
+			mean += (k < 3 ? 1.0 / 20 : k < 6 ? 2.0 / 15 : 9.0 / 20) * d * d;
+		}
+		return mean;
+	}
+
+	FarthestPoint farthest(const std::array<Vec3d, 7>& points)
+	{
+		FarthestPoint farthest = {points[0], -1};
+		for (const Vec3d& p : points) {
+			const double d = distance(p);
+			if (d > farthest.distance) farthest = {p, d};
+		}
+		return farthest;
+	}
+
+private:
+	const MeasuredSurface& to_;
+	int                    last_ = -1;
+};
+
+MeasuredSurface::MeasuredSurface(const MeshView& mesh, Workers& workers) :
+		origin_(someCorner(mesh)), tree_(std::make_unique<TriangleTree>(mesh, origin_, workers))
 {
-	const EvenPoints points(mesh, pointNum);
-	if (points.num() == 0) return {};
-	DistanceHistogram  histogram;
-	const DistanceSums sums =
-		workers.sum<DistanceSums>(points.num(), [&](std::size_t begin, std::size_t end) {
-			DistanceSums part;
-			points.forEach(begin, end, [&](const Vec3d& p) {
-				const double d = distance(p);
-				part.add(d);
-				histogram.add(d);
-			});
-			return part;
-		});
-	return {std::sqrt(sums.squares / double(points.num())), histogram.p999(sums.max), sums.max};
 }
 
-NearSurface::NearSurface(const MeshView& mesh, Workers& workers) :
-		origin_(firstCorner(mesh)), faces_(cornersOf(mesh, origin_)), tree_(faces_, &workers)
+MeasuredSurface::MeasuredSurface(const MeshView& mesh, const MeasuredSurface& other,
+								 Workers& workers) :
+		origin_(other.origin_),
+		tree_(std::make_unique<TriangleTree>(mesh, origin_, workers))
 {
 }
 
-double NearSurface::distance(const Vec3d& p) const
+DistanceFigures MeasuredSurface::from(const MeshView& mesh, std::int64_t sampleNum,
+									  Workers& workers) const
 {
-	const Vec3f local(p - origin_);
-	return double(length(tree_.nearest(local).position - local));
-}
-
-double NearSurface::meanSquareOver(const MeshView& mesh, std::size_t face) const
-{
-	const auto  t      = mesh.triangle(face);
-	const Vec3d p[3]   = {mesh.position(std::size_t(t[0])), mesh.position(std::size_t(t[1])),
-						  mesh.position(std::size_t(t[2]))};
-	const auto  square = [&](const Vec3d& q) {
-        const double d = distance(q);
-        return d * d;
+	DistanceFigures         figures;
+	const std::vector<char> used = usedVertices(mesh);
+	figures.vertexNum            = std::count(used.begin(), used.end(), 1);
+	if (tree_->size() == 0 || figures.vertexNum == 0) return figures;
+	const auto ofVertices = [&](std::size_t begin, std::size_t end) {
+		Search       search(*this);
+		DistanceSums part;
+		for (std::size_t v = begin; v < end; ++v)
+			if (used[v] != 0) part.add(search.distance(mesh.position(v)));
+		return part;
 	};
-	double mean = 9.0 / 20 * square((p[0] + p[1] + p[2]) * (1.0 / 3));
-	for (int k = 0; k < 3; ++k)
-		mean += square(p[k]) / 20 + 2 * square((p[k] + p[(k + 1) % 3]) * 0.5) / 15;
-	return mean;
+	figures.vertexMax = workers.sum<DistanceSums>(mesh.vertexNum, ofVertices).max;
+	figures.max       = figures.vertexMax;
+	const EvenPoints points(mesh, sampleNum);
+	if (points.num() == 0) return figures;
+	DistanceHistogram histogram;
+	const auto        ofPoints = [&](std::size_t begin, std::size_t end) {
+        Search       search(*this);
+        DistanceSums part;
+        points.forEach(begin, end, [&](const Vec3d& p) {
+            const double d = search.distance(p);
+            part.add(d);
+            histogram.add(d);
+        });
+        return part;
+	};
+	const DistanceSums sums = workers.sum<DistanceSums>(points.num(), ofPoints);
+	const double       num  = double(points.num());
+	figures.sampleNum       = std::int64_t(points.num());
+	figures.mean            = sums.sum / num;
+	figures.rms             = std::sqrt(sums.squares / num);
+	figures.p999            = histogram.p999(sums.max);
+	figures.max             = std::max(figures.max, sums.max);
+	return figures;
 }
 
-std::vector<float> NearSurface::ofFaces(const MeshView& mesh, Workers& workers) const
+std::vector<float> MeasuredSurface::ofFaces(const MeshView& mesh, Workers& workers) const
 {
 	std::vector<float> distances(mesh.faceNum, 0);
-	if (faces_.faceNum == 0) return distances;
+	if (tree_->size() == 0) return distances;
 	workers.forRange(mesh.faceNum, [&](std::size_t begin, std::size_t end) {
+		Search search(*this);
 		for (std::size_t f = begin; f < end; ++f)
-			if (isUsableFace(mesh, f)) distances[f] = float(std::sqrt(meanSquareOver(mesh, f)));
+			if (isUsableFace(mesh, f))
+				distances[f] = float(std::sqrt(search.meanSquare(sevenPoints(mesh, f))));
 	});
 	return distances;
 }
 
-double NearSurface::largestOfVertices(const MeshView& mesh, Workers& workers) const
+std::vector<FarthestPoint> MeasuredSurface::farthestPoints(const MeshView&                   mesh,
+														   const std::vector<std::uint32_t>& faces,
+														   Workers& workers) const
 {
-	const std::vector<char> used = usedVertices(mesh);
-	return workers
-		.sum<DistanceSums>(mesh.vertexNum,
-						   [&](std::size_t begin, std::size_t end) {
-							   DistanceSums part;
-							   for (std::size_t v = begin; v < end; ++v)
-								   if (used[v] != 0) part.add(distance(mesh.position(v)));
-							   return part;
-						   })
-		.max;
+	std::vector<FarthestPoint> points(faces.size());
+	if (tree_->size() == 0) return points;
+	workers.forRange(faces.size(), [&](std::size_t begin, std::size_t end) {
+		Search search(*this);
+		for (std::size_t i = begin; i < end; ++i)
+			points[i] = search.farthest(sevenPoints(mesh, faces[i]));
+	});
+	return points;
 }
 
-SurfaceDistance NearSurface::from(const MeshView& mesh, std::int64_t pointNum,
-								  Workers& workers) const
+std::int64_t distanceSampleNum(std::size_t resultFaceNum)
 {
-	if (faces_.faceNum == 0) return {};
-	SurfaceDistance d = distanceOfEvenPoints(
-		mesh, pointNum, [this](const Vec3d& p) { return distance(p); }, workers);
-	d.max = std::max(d.max, largestOfVertices(mesh, workers));
-	return d;
+	return std::clamp<std::int64_t>(10 * std::int64_t(resultFaceNum), 200000, 2000000);
+}
+
+SampledDistance sampledDistance(const MeasuredMesh& input, const MeasuredMesh& result,
+								Workers& workers)
+{
+	// Of the most, 200 are beyond the p99.9.
+	const auto sampleNum =
+		std::clamp<std::int64_t>(10 * std::int64_t(result.mesh.faceNum), 20000, 200000);
+	const DistanceFigures there = input.surface.from(viewOf(result.mesh), sampleNum, workers);
+	const DistanceFigures back  = result.surface.from(viewOf(input.mesh), sampleNum, workers);
+	return {{there, back}, there.vertexMax};
 }
 
 } // namespace gpr

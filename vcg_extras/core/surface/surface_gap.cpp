@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "surface_gap.h"
 
-#include <vcg_extras/core/base/triangle.h>
-
-#include <algorithm>
+#include "local_nearest.h"
 
 namespace gpr {
 
@@ -12,14 +10,6 @@ namespace {
 
 /// Points of the lattice along an edge, less one.
 constexpr int latticeSteps = 4;
-/// Faces of the input from which the next one is looked for, on the way to the nearest.
-constexpr int maxHops = 64;
-
-Vec3f nearestIn(const HalfEdgeMesh& m, int f, const Vec3f& p)
-{
-	const int* c = &m.origin[3 * f];
-	return nearestOnTriangle(p, m.position[c[0]], m.position[c[1]], m.position[c[2]]);
-}
 
 void widen(const Vec3f& onTriangle, const Vec3f& onSurface, Gap& gap)
 {
@@ -44,25 +34,6 @@ Vec3f nearestFromCorners(const HalfEdgeMesh& m, const std::array<int, 3>& seed, 
 }
 
 } // namespace
-
-Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& face)
-{
-	Vec3f nearest = nearestIn(m, face, p);
-	for (int hop = 0; hop < maxHops; ++hop) {
-		if (squaredLength(nearest - p) <= enough) break;
-		const int from = face;
-		for (int k = 0; k < 3; ++k) {
-			forEachOutgoing(m, m.origin[3 * from + k], [&](int h) {
-				const Vec3f q = nearestIn(m, h / 3, p);
-				if (squaredLength(q - p) >= squaredLength(nearest - p)) return;
-				nearest = q;
-				face    = h / 3;
-			});
-		}
-		if (face == from) break;
-	}
-	return nearest;
-}
 
 Gap gapFromTriangle(const HalfEdgeMesh& m, const std::array<Vec3f, 3>& t,
 					const std::array<int, 3>& seed, float squaredNear)

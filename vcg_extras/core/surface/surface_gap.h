@@ -22,10 +22,6 @@ struct Gap {
 	Vec3f at;      ///< where on the triangle
 };
 
-/// The point of a mesh nearest to p, as far as it gets ever nearer on the way from `face`, which is
-/// then the one that it lies in; or one within the root of `enough`. Cost: the faces on the way.
-Vec3f nearestOnTheWay(const HalfEdgeMesh& mesh, const Vec3f& p, float enough, int& face);
-
 /// How far a triangle lies from the surface: the largest of the distances of a lattice of points on
 /// it, or what is near where none is larger. seed: faces of the surface near its corners.
 Gap gapFromTriangle(const HalfEdgeMesh& surface, const std::array<Vec3f, 3>& triangle,

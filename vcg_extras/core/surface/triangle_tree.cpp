@@ -27,13 +27,6 @@ double squaredDistanceToSegment(const Vec3d& p, const Vec3d& a, const Vec3d& b)
 	return squaredLength(ap - ab * t);
 }
 
-bool hasUsableCorners(const MeshView& mesh, std::size_t face)
-{
-	for (const std::int32_t v : mesh.triangle(face))
-		if (v < 0 || std::size_t(v) >= mesh.vertexNum) return false;
-	return isUsableFace(mesh, face);
-}
-
 float roundedDown(double x)
 {
 	return std::nextafter(float(x), -std::numeric_limits<float>::infinity());
@@ -184,34 +177,33 @@ double squaredDistance(const Vec3d& p, const Triangle& t)
 
 TriangleTree::TriangleTree(const MeshView& mesh, const Vec3d& origin, Workers& workers)
 {
-	Buffer<int> face =
+	face_ =
 		workers.collectMany<int>(mesh.faceNum, [&](std::size_t begin, std::size_t end, auto& out) {
 			for (std::size_t f = begin; f < end; ++f)
-				if (hasUsableCorners(mesh, f)) out.push_back(int(f));
+				if (isUsableFace(mesh, f)) out.push_back(int(f));
 		});
-	if (face.empty()) return;
-	while ((face.size() >> depth_) > leafSize)
+	if (face_.empty()) return;
+	while ((face_.size() >> depth_) > leafSize)
 		++depth_;
-	triangle_.reset(face.size());
-	order(mesh, origin, face, workers);
-	workers.forRange(face.size(), [&](std::size_t begin, std::size_t end) {
+	triangle_.reset(face_.size());
+	order(mesh, origin, workers);
+	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i)
 			for (std::size_t k = 0; k < 3; ++k)
 				triangle_[i][k] =
-					mesh.position(std::size_t(mesh.vertexOf(3 * std::size_t(face[i]) + k))) -
+					mesh.position(std::size_t(mesh.vertexOf(3 * std::size_t(face_[i]) + k))) -
 					origin;
 	});
 	fillBoxes(workers);
-	neighbour_ = EdgePairs(mesh, face, workers).neighbours();
+	neighbour_ = EdgePairs(mesh, face_, workers).neighbours();
 }
 
-void TriangleTree::order(const MeshView& mesh, const Vec3d& origin, Buffer<int>& face,
-						 Workers& workers)
+void TriangleTree::order(const MeshView& mesh, const Vec3d& origin, Workers& workers)
 {
-	Buffer<Placed> all(face.size());
-	workers.forRange(face.size(), [&](std::size_t begin, std::size_t end) {
+	Buffer<Placed> all(face_.size());
+	workers.forRange(face_.size(), [&](std::size_t begin, std::size_t end) {
 		for (std::size_t i = begin; i < end; ++i)
-			all[i] = placed(mesh, face[i], origin);
+			all[i] = placed(mesh, face_[i], origin);
 	});
 	for (int level = 0; level < depth_; ++level) {
 		workers.forTasks(std::size_t(1) << level, [&](std::size_t i, int) {
@@ -226,7 +218,7 @@ void TriangleTree::order(const MeshView& mesh, const Vec3d& origin, Buffer<int>&
 		std::sort(all.data() + begin, all.data() + end,
 				  [](const Placed& a, const Placed& b) { return a.face < b.face; });
 		for (int i = begin; i < end; ++i)
-			face[std::size_t(i)] = all[std::size_t(i)].face;
+			face_[std::size_t(i)] = all[std::size_t(i)].face;
 	});
 }
 
@@ -255,41 +247,60 @@ void TriangleTree::fillBoxes(Workers& workers)
 			box_.add(p);
 }
 
-void TriangleTree::searchLeaf(const Vec3d& p, int leaf, Nearest& best) const
+bool TriangleTree::isBetter(const Nearest& a, const Nearest& b, Ties ties) const
 {
-	for (int i = groupBegin(depth_, leaf); i < groupBegin(depth_, leaf + 1); ++i) {
-		const double squared = squaredDistance(p, triangle_[std::size_t(i)]);
-		if (squared < best.squared) best = {i, squared};
-	}
+	if (ties == Ties::FirstFound || a.squared != b.squared || b.triangle < 0)
+		return a.squared < b.squared;
+	return face(a.triangle) < face(b.triangle);
 }
 
-TriangleTree::Nearest TriangleTree::nearest(const Vec3d& p, int hint) const
+void TriangleTree::search(const Vec3d& p, Ties ties, Nearest& best) const
 {
 	struct Waiting {
 		std::size_t node;
 		double      squared;
 	};
-	Nearest best;
-	if (hint >= 0) best = {hint, squaredDistance(p, triangle_[std::size_t(hint)])};
+	const auto mayHoldBetter = [&](double squared) {
+		return squared < best.squared || (ties == Ties::LowestFace && squared == best.squared);
+	};
 	const std::size_t firstLeaf = (std::size_t(1) << depth_) - 1;
 	Waiting           stack[maxDepth];
 	int               num = 0;
 	stack[num++]          = {0, squaredDistanceToBox(p, node_[0])};
 	while (num > 0) {
 		const Waiting next = stack[--num];
-		if (next.squared >= best.squared) continue;
+		if (!mayHoldBetter(next.squared)) continue;
 		std::size_t node = next.node;
 		while (node < firstLeaf) {
 			Waiting near = {2 * node + 1, squaredDistanceToBox(p, node_[2 * node + 1])};
 			Waiting far  = {2 * node + 2, squaredDistanceToBox(p, node_[2 * node + 2])};
 			if (far.squared < near.squared) std::swap(near, far);
-			if (far.squared < best.squared) stack[num++] = far;
-			if (near.squared >= best.squared) break;
+			if (mayHoldBetter(far.squared)) stack[num++] = far;
+			if (!mayHoldBetter(near.squared)) break;
 			node = near.node;
 		}
-		if (node >= firstLeaf) searchLeaf(p, int(node - firstLeaf), best);
+		if (node < firstLeaf) continue;
+		const int leaf = int(node - firstLeaf);
+		for (int i = groupBegin(depth_, leaf); i < groupBegin(depth_, leaf + 1); ++i) {
+			const Nearest own = {i, squaredDistance(p, triangle_[std::size_t(i)])};
+			if (isBetter(own, best, ties)) best = own;
+		}
 	}
+}
+
+TriangleTree::Nearest TriangleTree::nearest(const Vec3d& p, int hint) const
+{
+	Nearest best;
+	if (hint >= 0) best = {hint, squaredDistance(p, triangle_[std::size_t(hint)])};
+	search(p, Ties::FirstFound, best);
 	return best;
+}
+
+int TriangleTree::nearestFace(const Vec3d& p) const
+{
+	Nearest best;
+	if (size() > 0) search(p, Ties::LowestFace, best);
+	return best.triangle < 0 ? -1 : face(best.triangle);
 }
 
 } // namespace gpr

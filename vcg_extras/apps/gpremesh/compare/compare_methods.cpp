@@ -146,29 +146,28 @@ bool keepsTopology(const MeshRecord& result, const CompareRecord& all)
 }
 
 /// The proof may find points farther than those that were measured.
-void proveDistances(const CertifiedSurface& input, const MeshView& result, const CompareRecord& all,
-					MethodRecord& method, Workers& workers)
+void proveDistances(const MeasuredSurface& input, const MeasuredSurface& result,
+					const CompareRecord& all, MethodRecord& method, Workers& workers)
 {
 	const CertificateSettings settings = usualCertificate(all.input.figures.diagonal);
-	const CertifiedSurface    surface(result, input, workers);
-	method.proven.toInput   = certifiedDistance(surface, input, settings, workers);
-	method.proven.fromInput = certifiedDistance(input, surface, settings, workers);
-	method.toInput.max      = std::max(method.toInput.max, method.proven.toInput.lower);
-	method.fromInput.max    = std::max(method.fromInput.max, method.proven.fromInput.lower);
+	method.proven.toInput              = certifiedDistance(result, input, settings, workers);
+	method.proven.fromInput            = certifiedDistance(input, result, settings, workers);
+	method.toInput.max                 = std::max(method.toInput.max, method.proven.toInput.lower);
+	method.fromInput.max = std::max(method.fromInput.max, method.proven.fromInput.lower);
 }
 
-void measureMethod(const MeshView& input, const DistanceTarget& target,
-				   const CertifiedSurface& surface, const CompareRecord& all, MethodRecord& method,
-				   Workers& workers)
+void measureMethod(const MeshView& input, const MeasuredSurface& target, const CompareRecord& all,
+				   MethodRecord& method, Workers& workers)
 {
 	if (!method.failure.empty()) return;
-	const MeshView     result    = method.mesh.view();
-	const std::int64_t sampleNum = distanceSampleNum(result.faceNum);
-	method.record                = recordOf(result, workers);
-	method.topologyKept          = keepsTopology(method.record, all);
-	method.toInput               = target.from(result, sampleNum, workers);
-	method.fromInput             = DistanceTarget(result).from(input, sampleNum, workers);
-	proveDistances(surface, result, all, method, workers);
+	const MeshView        result    = method.mesh.view();
+	const std::int64_t    sampleNum = distanceSampleNum(result.faceNum);
+	const MeasuredSurface surface(result, target, workers);
+	method.record       = recordOf(result, workers);
+	method.topologyKept = keepsTopology(method.record, all);
+	method.toInput      = target.from(result, sampleNum, workers);
+	method.fromInput    = surface.from(input, sampleNum, workers);
+	proveDistances(target, surface, all, method, workers);
 }
 
 } // namespace
@@ -208,11 +207,10 @@ CompareRecord compareMethods(const InputMesh& input, const CompareWishes& wishes
 	record.runNum      = wishes.runNum;
 	record.notes       = input.notes;
 	record.input       = recordOf(input.view(), workers);
-	const DistanceTarget   target(input.view());
-	const CertifiedSurface surface(input.view(), workers);
+	const MeasuredSurface target(input.view(), workers);
 	for (MethodRecord& m : record.methods) {
 		progress(done++ / stepNum, "measuring " + m.name);
-		measureMethod(input.view(), target, surface, record, m, workers);
+		measureMethod(input.view(), target, record, m, workers);
 	}
 	progress(1, "done");
 	return record;

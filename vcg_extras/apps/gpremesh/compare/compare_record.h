@@ -5,7 +5,7 @@
 
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/report.h>
-#include <vcg_extras/io/mesh/surface_distance.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 #include <string>
 #include <vector>

@@ -24,8 +24,8 @@ Json tripleJson(const Vec3d& p)
 class MeshJson {
 public:
 	MeshJson(const MeshView& input, const CompareRecord& record) :
-			record_(record), frame_(input), target_(input),
-			workers_(record.options.threads, nullptr)
+			record_(record), frame_(input), workers_(record.options.threads, nullptr),
+			target_(input, workers_)
 	{
 	}
 
@@ -46,8 +46,8 @@ public:
 private:
 	const CompareRecord& record_;
 	ShownFrame           frame_;
-	DistanceTarget       target_;
 	Workers              workers_;
+	MeasuredSurface      target_;
 
 	Json ofMesh(const std::string& key, const std::string& name, const MeshView& mesh,
 				const ShownMesh& shown)
@@ -85,9 +85,10 @@ private:
 	/// In percent of the input's diagonal.
 	void addDistances(const MeshView& mesh, const ShownMesh& shown, Json& json)
 	{
-		const std::vector<FarPoint> points = target_.farthestPoints(mesh, shown.faceOf, workers_);
-		std::vector<float>          percents;
-		std::size_t                 best = 0;
+		const std::vector<FarthestPoint> points =
+			target_.farthestPoints(mesh, shown.faceOf, workers_);
+		std::vector<float> percents;
+		std::size_t        best = 0;
 		for (std::size_t i = 0; i < points.size(); ++i) {
 			percents.push_back(float(record_.percentOfDiagonal(points[i].distance)));
 			if (points[i].distance > points[best].distance) best = i;

@@ -4,21 +4,24 @@
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/core/base/triangle.h>
-#include <vcg_extras/core/surface/face_tree.h>
+#include <vcg_extras/core/surface/nearest_on_mesh.h>
 
+#include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace gpr::test {
 
 namespace {
 
-TEST(FaceTree, FindsWhatComparingAllFacesFinds)
+TEST(NearestOnMesh, FindsWhatComparingAllFacesFinds)
 {
-	Random random(1);
+	Random  random(1);
+	Workers workers(2, nullptr);
 	for (const TriangleMesh& mesh :
 		 {noisySphere(3, 0.2, random), thinPlate(10, 0.01), grid(1, 1)}) {
-		const HalfEdgeMesh m = halfEdgesOf(mesh);
-		const FaceTree     tree(m);
+		const HalfEdgeMesh  m = halfEdgesOf(mesh);
+		const NearestOnMesh tree(m, workers);
 		for (int i = 0; i < 200; ++i) {
 			const Vec3d p(random.between(-2, 2), random.between(-2, 2), random.between(-2, 2));
 			const SurfacePoint a = tree.nearest(Vec3f(p));
@@ -30,6 +33,29 @@ TEST(FaceTree, FindsWhatComparingAllFacesFinds)
 					  1e-5);
 		}
 	}
+}
+
+TEST(NearestOnMesh, OfFacesEquallyNearIsThatOfTheLowestIndex)
+{
+	Workers       workers(2, nullptr);
+	HalfEdgeMesh  m = halfEdgesOf(grid(8, 8));
+	NearestOnMesh tree(m, workers);
+	for (int v = 0; v < m.vertexNum; ++v) {
+		const int lowest =
+			int(std::find(m.origin.begin(), m.origin.end(), v) - m.origin.begin()) / 3;
+		EXPECT_EQ(tree.nearest(m.position[v]).face, lowest) << v;
+	}
+}
+
+TEST(NearestOnMesh, HasNoFaceForWhatIsNotFinite)
+{
+	Workers             workers(1, nullptr);
+	const HalfEdgeMesh  m = halfEdgesOf(grid(2, 2)), none;
+	const NearestOnMesh tree(m, workers);
+	EXPECT_EQ(tree.nearest({NAN, 0, 0}).face, -1);
+	EXPECT_EQ(tree.nearest({0, 0, NAN}).face, -1);
+	EXPECT_EQ(tree.nearest({0, INFINITY, 0}).face, -1);
+	EXPECT_EQ(NearestOnMesh(none, workers).nearest({0, 0, 0}).face, -1);
 }
 
 TEST(NearestOnTriangle, AgreesWithTheOracle)

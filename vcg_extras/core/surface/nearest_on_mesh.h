@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_SURFACE_NEAREST_ON_MESH_H
+#define VCG_EXTRAS_CORE_SURFACE_NEAREST_ON_MESH_H
+
+#include "surface_point.h"
+#include "triangle_tree.h"
+
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
+
+namespace gpr {
+
+/// Nearest points of a mesh without dead faces, as points of its faces.
+class NearestOnMesh {
+public:
+	/// The mesh must stay as it is. Throws what workers throw. Cost: see TriangleTree.
+	NearestOnMesh(const HalfEdgeMesh& mesh, Workers& workers);
+
+	/// Of faces equally near, that of the lowest index. Face -1 where the mesh has none, and where
+	/// p is not finite. Cost: O(log F) on well-behaved meshes.
+	SurfacePoint nearest(const Vec3f& p) const;
+
+private:
+	const HalfEdgeMesh& m_;
+	TriangleTree        tree_;
+};
+
+} // namespace gpr
+
+#endif
