@@ -5,6 +5,7 @@
 #include "json_parts.h"
 
 #include <vcg_extras/core/parameters.h>
+#include <vcg_extras/core/report_rows.h>
 
 #include <string>
 #include <vector>
@@ -114,24 +115,12 @@ Json secondsJson(const std::vector<StageTime>& stages, const RunTimes& times)
 	return json;
 }
 
-Json cleanedJson(const CleanCounts& c)
+Json cleanedJson(const CleanCounts& cleaned)
 {
-	return {{"nonFiniteVertices", c.nonFiniteVertices},
-			{"unreferencedVertices", c.unreferencedVertices},
-			{"weldedVertices", c.weldedVertices},
-			{"contractedEdges", c.contractedEdges},
-			{"sewnEdges", c.sewnEdges},
-			{"sharedBorderEdges", c.sharedBorderEdges},
-			{"repeatedIndexFaces", c.repeatedIndexFaces},
-			{"zeroAreaFaces", c.zeroAreaFaces},
-			{"duplicateFaces", c.duplicateFaces},
-			{"reorientedFaces", c.reorientedFaces},
-			{"nonManifoldEdges", c.nonManifoldEdges},
-			{"nonManifoldVertices", c.nonManifoldVertices},
-			{"nonOrientableCuts", c.nonOrientableCuts},
-			{"droppedComponents", c.droppedComponents},
-			{"droppedFaces", c.droppedFaces},
-			{"longEdgesSplit", c.longEdgesSplit}};
+	Json json;
+	for (const CountRow& row : describe(cleaned))
+		json[row.key] = row.count;
+	return json;
 }
 
 Json guardedJson(const AuditFigures& a, const MeshFigures& result)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "summary.h"
 
+#include <vcg_extras/core/report_rows.h>
 #include <vcg_extras/io/report/formatted_text.h>
 
 namespace gpr::app {
@@ -28,34 +29,14 @@ std::string qualityText(const QualityFigures& q)
 					 q.below30Percent);
 }
 
-void append(std::string& list, std::int64_t count, const char* one, const char* many)
-{
-	if (count != 0) list += (list.empty() ? "" : ", ") + counted(count, one, many);
-}
-
 /// What was repaired, or nothing where all was well.
-std::string cleanedText(const CleanCounts& c)
+std::string cleanedText(const CleanCounts& cleaned)
 {
 	std::string list;
-	append(list, c.nonFiniteVertices, "vertex without finite coordinates dropped",
-		   "vertices without finite coordinates dropped");
-	append(list, c.unreferencedVertices, "unused vertex dropped", "unused vertices dropped");
-	append(list, c.weldedVertices, "vertex welded", "vertices welded");
-	append(list, c.contractedEdges, "edge without length contracted",
-		   "edges without length contracted");
-	append(list, c.sewnEdges, "edge of seams sewn", "edges of seams sewn");
-	append(list, c.sharedBorderEdges, "border edge at the place of others left cut",
-		   "border edges at the place of others left cut");
-	append(list, c.repeatedIndexFaces, "face with a repeated vertex dropped",
-		   "faces with a repeated vertex dropped");
-	append(list, c.zeroAreaFaces, "face without area dropped", "faces without area dropped");
-	append(list, c.duplicateFaces, "duplicate face dropped", "duplicate faces dropped");
-	append(list, c.reorientedFaces, "face turned over", "faces turned over");
-	append(list, c.nonManifoldEdges, "non-manifold edge cut", "non-manifold edges cut");
-	append(list, c.nonManifoldVertices, "non-manifold vertex cut", "non-manifold vertices cut");
-	append(list, c.nonOrientableCuts, "edge cut to make the surface orientable",
-		   "edges cut to make the surface orientable");
-	append(list, c.droppedComponents, "small component dropped", "small components dropped");
+	for (const CountRow& row : describe(cleaned)) {
+		if (row.isTold())
+			list += (list.empty() ? "" : ", ") + grouped(row.count) + " " + row.words();
+	}
 	return list;
 }
 
