@@ -36,7 +36,7 @@ public:
 	void               write(const MeshView& mesh) const
 	{
 		app::OutputFile out(path_);
-		app::writePly(mesh, false, app::PlyVertexData(), out);
+		app::writePly(mesh, false, app::MeshAttributes(), out);
 		out.commit();
 	}
 

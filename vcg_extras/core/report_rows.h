@@ -20,7 +20,7 @@ struct CountRow {
 	const char*  many = "";
 
 	/// Whether a log or a summary names the count.
-	bool isTold() const { return count != 0 && *many != 0; }
+	bool        isTold() const { return count != 0 && *many != 0; }
 	const char* words() const { return count == 1 ? one : many; }
 };
 

@@ -8,7 +8,6 @@
 #include <vcg_extras/io/formats/glb_reader.h>
 #include <vcg_extras/io/formats/glb_writer.h>
 #include <vcg_extras/io/formats/obj_attributes.h>
-#include <vcg_extras/io/formats/ply_attribute_writer.h>
 #include <vcg_extras/io/formats/ply_attributes.h>
 #include <vcg_extras/io/formats/ply_reader.h>
 #include <vcg_extras/io/formats/ply_writer.h>
@@ -103,28 +102,6 @@ InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
 	return mesh;
 }
 
-namespace {
-
-void writePlyFile(const TriangleMesh& mesh, bool doublePrecision, const MeshAttributes& attributes,
-				  OutputFile& out)
-{
-	if (attributes.any())
-		writePlyWithAttributes(mesh, doublePrecision, attributes, out);
-	else
-		writePly(mesh, doublePrecision, out);
-}
-
-void writeObjFile(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
-				  OutputFile& out)
-{
-	if (attributes.any())
-		writeObjWithAttributes(mesh, doublePrecision, attributes, out, attributes.lost);
-	else
-		writeObj(mesh, doublePrecision, out);
-}
-
-} // namespace
-
 void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
 			   const std::string& path, const RunLimit& limit)
 {
@@ -136,10 +113,10 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 		attributes.lost.push_back("images and properties of materials");
 	switch (format) {
 	case MeshFormat::Ply:
-		writePlyFile(mesh, doublePrecision, attributes, out);
+		writePly(mesh.view(), doublePrecision, attributes, out);
 		break;
 	case MeshFormat::Obj:
-		writeObjFile(mesh, doublePrecision, attributes, out);
+		writeObj(mesh, doublePrecision, attributes, out, attributes.lost);
 		break;
 	case MeshFormat::Off:
 		writeOff(mesh, doublePrecision, out);

@@ -18,47 +18,27 @@ namespace gpr::app {
 
 namespace {
 
-/// The next word of a line, cut off its begin; empty at its end.
-std::string_view nextWord(std::string_view& line)
-{
-	constexpr const char* blanks = " \t\r\v\f";
-	line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-	const std::size_t      end  = std::min(line.find_first_of(blanks), line.size());
-	const std::string_view word = line.substr(0, end);
-	line.remove_prefix(end);
-	return word;
-}
-
-/// The rest of a line as one name, which may have blanks in it.
-std::string restOf(std::string_view line)
-{
-	constexpr const char* blanks = " \t\r\v\f";
-	line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-	line.remove_suffix(line.size() - std::min(line.find_last_not_of(blanks) + 1, line.size()));
-	return std::string(line);
-}
-
 /// Collects what the lines say; the mesh itself has been read and checked before.
 class ObjReading {
 public:
 	void readLine(std::string_view line)
 	{
-		line                           = line.substr(0, std::min(line.find('#'), line.size()));
-		const std::string_view keyword = nextWord(line);
+		Words                  words(withoutComment(line));
+		const std::string_view keyword = words.next();
 		if (keyword == "v") {
-			addVertex(line);
+			addVertex(words);
 		}
 		else if (keyword == "vt") {
-			addTexturePoint(line);
+			addTexturePoint(words);
 		}
 		else if (keyword == "f") {
-			addFace(line);
+			addFace(words);
 		}
 		else if (keyword == "usemtl") {
-			material_ = numberOf(restOf(line));
+			material_ = numberOf(std::string(words.rest()));
 		}
 		else if (keyword == "mtllib" && library_.empty()) {
-			library_ = restOf(line);
+			library_ = words.rest();
 		}
 		else if (keyword == "vn") {
 			hasNormals_ = true;
@@ -115,21 +95,20 @@ private:
 		return number;
 	}
 
-	void addVertex(std::string_view line)
+	void addVertex(Words& words)
 	{
 		++vertexNum_;
-		Words words(line);
 		for (int k = 0; k < 3; ++k)
 			words.next();
 		std::array<std::uint8_t, 3> colour{};
 		if (readObjColour(words, colour)) colour_.push_back(colour);
 	}
 
-	void addTexturePoint(std::string_view line)
+	void addTexturePoint(Words& words)
 	{
 		double     u = 0, v = 0;
-		const bool good = parseNumber(nextWord(line), u);
-		parseNumber(nextWord(line), v);
+		const bool good = parseNumber(words.next(), u);
+		parseNumber(words.next(), v);
 		if (!good) ++malformed_;
 		texturePoint_.push_back({float(u), float(v)});
 	}
@@ -143,10 +122,10 @@ private:
 		return index >= 0 && index < std::int64_t(num) ? index : -1;
 	}
 
-	void addFace(std::string_view line)
+	void addFace(Words& words)
 	{
 		corners_.clear();
-		for (std::string_view word = nextWord(line); !word.empty(); word = nextWord(line)) {
+		for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
 			const std::size_t slash = std::min(word.find('/'), word.size());
 			corners_.push_back(resolved(word.substr(0, slash), vertexNum_));
 			std::string_view rest = word.substr(std::min(slash + 1, word.size()));
@@ -179,11 +158,8 @@ private:
 void readObjAttributes(std::string_view file, InputMesh& mesh)
 {
 	ObjReading reading;
-	while (!file.empty()) {
-		const std::size_t end = std::min(file.find('\n'), file.size());
-		reading.readLine(file.substr(0, end));
-		file.remove_prefix(std::min(end + 1, file.size()));
-	}
+	while (!file.empty())
+		reading.readLine(takeLine(file));
 	reading.giveTo(mesh);
 }
 
@@ -194,13 +170,14 @@ namespace {
 class ObjWriting {
 public:
 	ObjWriting(const TriangleMesh& mesh, const MeshAttributes& a, OutputFile& out) :
-			mesh_(mesh), a_(a), out_(out)
+			mesh_(mesh), a_(a),
+			out_(out), rgb_{a.ofVertex("red"), a.ofVertex("green"), a.ofVertex("blue")}
 	{
 	}
 
 	void write(bool doublePrecision)
 	{
-		out_.text("# written by gpremesh\n");
+		if (a_.any()) out_.text("# written by gpremesh\n");
 		if (!a_.materialLibrary.empty()) out_.text("mtllib " + a_.materialLibrary + "\n");
 		for (std::size_t v = 0; v < mesh_.vertexNum(); ++v) {
 			out_.text("v");
@@ -216,6 +193,7 @@ private:
 	const TriangleMesh&       mesh_;
 	const MeshAttributes&     a_;
 	OutputFile&               out_;
+	const ValueColumn*        rgb_[3];
 	std::vector<std::int64_t> point_; ///< per corner: its vt, from 1
 
 	void number(double value)
@@ -228,9 +206,8 @@ private:
 
 	void writeColour(std::size_t v)
 	{
-		const ValueColumn* rgb[] = {a_.ofVertex("red"), a_.ofVertex("green"), a_.ofVertex("blue")};
-		if (!rgb[0] || !rgb[1] || !rgb[2]) return;
-		for (const ValueColumn* c : rgb)
+		if (!rgb_[0] || !rgb_[1] || !rgb_[2]) return;
+		for (const ValueColumn* c : rgb_)
 			number(c->type == PlyType::UInt8 ? c->values[v] / 255 : c->values[v]);
 	}
 
@@ -298,9 +275,8 @@ private:
 
 } // namespace
 
-void writeObjWithAttributes(const TriangleMesh& mesh, bool doublePrecision,
-							const MeshAttributes& attributes, OutputFile& out,
-							std::vector<std::string>& lost)
+void writeObj(const TriangleMesh& mesh, bool doublePrecision, const MeshAttributes& attributes,
+			  OutputFile& out, std::vector<std::string>& lost)
 {
 	for (const ValueColumn& column : attributes.ofVertices) {
 		const bool isWritten =

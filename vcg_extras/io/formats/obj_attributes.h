@@ -17,10 +17,10 @@ namespace gpr::app {
 void readObjAttributes(std::string_view file, InputMesh& mesh);
 
 /// Writes an OBJ file with texture coordinates, materials and colours, as far as there are any;
-/// names the rest. Corners of a vertex with the same coordinates share a vt.
-void writeObjWithAttributes(const TriangleMesh& mesh, bool doublePrecision,
-							const MeshAttributes& attributes, OutputFile& out,
-							std::vector<std::string>& lost);
+/// names the rest. Corners of a vertex with the same coordinates share a vt. Coordinates have the
+/// fewest digits that give back each double, or each float.
+void writeObj(const TriangleMesh& mesh, bool doublePrecision, const MeshAttributes& attributes,
+			  OutputFile& out, std::vector<std::string>& lost);
 
 } // namespace gpr::app
 

@@ -16,8 +16,6 @@ namespace gpr::app {
 
 namespace {
 
-constexpr std::int64_t selectedFlag = 0x20; ///< vcglib's bit, of vertices and faces alike
-
 /// The number of a scalar property, or -1.
 int findScalar(const PlyElement& e, const char* name)
 {
@@ -83,7 +81,7 @@ public:
 		if (selected_ >= 0 && record.scalars[std::size_t(selected_)] != 0) return true;
 		if (flags_ < 0) return false;
 		const double flags = record.scalars[std::size_t(flags_)];
-		return std::abs(flags) < 4294967296.0 && (std::int64_t(flags) & selectedFlag) != 0;
+		return std::abs(flags) < 4294967296.0 && (std::int64_t(flags) & selectedPlyFlag) != 0;
 	}
 
 private:

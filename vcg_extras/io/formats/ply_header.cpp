@@ -191,4 +191,30 @@ PlyHeader readPlyHeader(std::string_view file)
 	return header;
 }
 
+PlyElement elementWithPositions(PlyType coordinate, std::uint64_t count)
+{
+	return {"vertex", count, {{"x", coordinate}, {"y", coordinate}, {"z", coordinate}}};
+}
+
+PlyElement elementOfFaces(PlyType cornerNum, PlyType corner, std::uint64_t count)
+{
+	return {"face", count, {{"vertex_indices", corner, true, cornerNum}}};
+}
+
+std::string plyHeaderText(const PlyHeader& header, const std::string& comments)
+{
+	static const char* const formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+	std::string              text =
+		std::string("ply\nformat ") + formats[int(header.format)] + " 1.0\n" + comments;
+	for (const PlyElement& element : header.elements) {
+		text += "element " + element.name + " " + std::to_string(element.count) + "\n";
+		for (const PlyProperty& p : element.properties) {
+			text += "property ";
+			if (p.isList) text += "list " + std::string(plyTypeName(p.countType)) + " ";
+			text += std::string(plyTypeName(p.type)) + " " + p.name + "\n";
+		}
+	}
+	return text + "end_header\n";
+}
+
 } // namespace gpr::app

@@ -31,6 +31,33 @@ T wholeOfRange(double value)
 	return value == value ? T(std::clamp(value, least, most)) : T(0);
 }
 
+/// Gives a value to `put` as one of a type, see wholeOfRange.
+template <class Put>
+void putAs(PlyType type, double value, const Put& put)
+{
+	switch (type) {
+	case PlyType::Int8:
+		return put(wholeOfRange<std::int8_t>(value));
+	case PlyType::UInt8:
+		return put(wholeOfRange<std::uint8_t>(value));
+	case PlyType::Int16:
+		return put(wholeOfRange<std::int16_t>(value));
+	case PlyType::UInt16:
+		return put(wholeOfRange<std::uint16_t>(value));
+	case PlyType::Int32:
+		return put(wholeOfRange<std::int32_t>(value));
+	case PlyType::UInt32:
+		return put(wholeOfRange<std::uint32_t>(value));
+	case PlyType::Float32:
+		return put(float(value));
+	case PlyType::Float64:
+		return put(value);
+	}
+}
+
+/// vcglib's bit of a selected vertex or face in the property "flags".
+constexpr std::int64_t selectedPlyFlag = 0x20;
+
 struct PlyProperty {
 	std::string name;
 	PlyType     type      = PlyType::Float32; ///< of the value, or of a list's values
@@ -62,6 +89,13 @@ struct PlyHeader {
 /// Reads the header of a PLY file. Its length is bounded, so that a file without an end of header
 /// cannot keep it busy. Throws AppError (BadInput) on anything that the format does not know.
 PlyHeader readPlyHeader(std::string_view file);
+
+/// Vertices with x, y and z; faces with their corners.
+PlyElement elementWithPositions(PlyType coordinate, std::uint64_t count);
+PlyElement elementOfFaces(PlyType cornerNum, PlyType corner, std::uint64_t count);
+
+/// The text of a header; comments: whole lines that it has, too.
+std::string plyHeaderText(const PlyHeader& header, const std::string& comments);
 
 } // namespace gpr::app
 

@@ -10,74 +10,89 @@ namespace gpr::app {
 
 namespace {
 
-constexpr std::int32_t selectedFlag = 0x20; ///< vcglib's bit
-
-std::string header(const MeshView& mesh, bool doublePrecision, const PlyVertexData& data)
+void addColumns(const std::vector<ValueColumn>& columns, PlyElement& element)
 {
-	const std::string type = doublePrecision ? "double" : "float";
-	std::string       text =
-		"ply\nformat binary_little_endian 1.0\ncomment written by gpremesh\nelement vertex " +
-		std::to_string(mesh.vertexNum) + "\n";
-	for (const char* name : {" x\n", " y\n", " z\n"})
-		text += "property " + type + name;
-	if (data.selected != nullptr) text += "property int flags\n";
-	if (data.quality != nullptr) text += "property float quality\n";
-	if (data.rgb != nullptr) {
-		text += "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-				"property uchar alpha\n";
-	}
-	return text + "element face " + std::to_string(mesh.faceNum) +
-		   "\nproperty list uchar int vertex_indices\nend_header\n";
+	for (const ValueColumn& c : columns)
+		element.properties.push_back({c.name, c.type});
 }
 
-void putPosition(const Vec3d& p, bool doublePrecision, char*& at)
+std::string headerOf(const MeshView& mesh, PlyType coordinate, const MeshAttributes& a)
 {
-	for (const double c : {p.x, p.y, p.z}) {
-		if (doublePrecision) {
-			putLittleEndian<std::uint64_t>(c, at);
-		}
-		else {
-			putLittleEndian<std::uint32_t>(float(c), at);
-		}
-	}
+	PlyElement vertex = elementWithPositions(coordinate, mesh.vertexNum);
+	PlyElement face   = elementOfFaces(PlyType::UInt8, PlyType::Int32, mesh.faceNum);
+	addColumns(a.ofVertices, vertex);
+	addColumns(a.ofFaces, face);
+	if (a.hasTexture()) face.properties.push_back({"texcoord", PlyType::Float32, true});
+	if (!a.texture.image.empty()) face.properties.push_back({"texnumber", PlyType::Int32});
+	std::string comments = "comment written by gpremesh\n";
+	for (const std::string& image : a.images)
+		comments += "comment TextureFile " + image + "\n";
+	return plyHeaderText({PlyFormat::LittleEndian, {vertex, face}}, comments);
 }
 
-void putData(const PlyVertexData& data, std::size_t v, char*& at)
+/// The bytes of one record.
+class Record {
+public:
+	explicit Record(std::size_t most) : bytes_(most), at_(bytes_.data()) {}
+
+	template <class T>
+	void put(T value)
+	{
+		putLittleEndian(value, at_);
+	}
+	void put(PlyType type, double value)
+	{
+		putAs(type, value, [this](auto number) { put(number); });
+	}
+	void putRow(const std::vector<ValueColumn>& columns, std::size_t row)
+	{
+		for (const ValueColumn& c : columns)
+			put(c.type, c.values[row]);
+	}
+	void writeTo(OutputFile& out)
+	{
+		out.bytes(bytes_.data(), std::size_t(at_ - bytes_.data()));
+		at_ = bytes_.data();
+	}
+
+private:
+	std::vector<char> bytes_;
+	char*             at_;
+};
+
+void putFace(const MeshView& mesh, const MeshAttributes& a, std::size_t f, Record& record)
 {
-	if (data.selected != nullptr)
-		putLittleEndian<std::uint32_t>(data.selected[v] ? selectedFlag : 0, at);
-	if (data.quality != nullptr) putLittleEndian<std::uint32_t>(data.quality[v], at);
-	if (data.rgb == nullptr) return;
-	for (std::size_t k = 0; k < 3; ++k)
-		*at++ = char(data.rgb[3 * v + k]);
-	*at++ = char(255);
+	record.put(std::uint8_t(3));
+	for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
+		record.put(mesh.vertexOf(c));
+	record.putRow(a.ofFaces, f);
+	if (a.hasTexture()) {
+		record.put(std::uint8_t(6));
+		for (std::size_t i = 6 * f; i < 6 * f + 6; ++i)
+			record.put(a.texture.uv[i]);
+	}
+	if (!a.texture.image.empty()) record.put(a.texture.image[f]);
 }
 
 } // namespace
 
-void writePly(const MeshView& mesh, bool doublePrecision, const PlyVertexData& data,
-			  OutputFile& out)
+void writePly(const MeshView& mesh, bool doublePrecision, const MeshAttributes& a, OutputFile& out)
 {
-	out.text(header(mesh, doublePrecision, data));
+	constexpr std::size_t mostOfMesh = 64; // bytes of a record but for those of the columns
+	const PlyType         coordinate = doublePrecision ? PlyType::Float64 : PlyType::Float32;
+	out.text(headerOf(mesh, coordinate, a));
+	Record record(mostOfMesh + sizeof(double) * (a.ofVertices.size() + a.ofFaces.size()));
 	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
-		char  record[24 + 12];
-		char* at = record;
-		putPosition(mesh.position(v), doublePrecision, at);
-		putData(data, v, at);
-		out.bytes(record, std::size_t(at - record));
+		const Vec3d p = mesh.position(v);
+		for (const double c : {p.x, p.y, p.z})
+			record.put(coordinate, c);
+		record.putRow(a.ofVertices, v);
+		record.writeTo(out);
 	}
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
-		char  record[13] = {3};
-		char* at         = record + 1;
-		for (std::size_t k = 0; k < 3; ++k)
-			putLittleEndian<std::uint32_t>(mesh.vertexOf(3 * f + k), at);
-		out.bytes(record, sizeof record);
+		putFace(mesh, a, f, record);
+		record.writeTo(out);
 	}
-}
-
-void writePly(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out)
-{
-	writePly(mesh.view(), doublePrecision, PlyVertexData(), out);
 }
 
 } // namespace gpr::app

@@ -3,23 +3,17 @@
 #ifndef VCG_EXTRAS_IO_FORMATS_PLY_WRITER_H
 #define VCG_EXTRAS_IO_FORMATS_PLY_WRITER_H
 
+#include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/io/base/output_file.h>
-#include <vcg_extras/io/mesh/mesh_data.h>
+#include <vcg_extras/io/mesh/mesh_attributes.h>
 
 namespace gpr::app {
 
-/// What a PLY file holds of every vertex beside its position; what is null is left out.
-struct PlyVertexData {
-	const float*        quality  = nullptr; ///< one a vertex
-	const std::uint8_t* rgb      = nullptr; ///< three a vertex
-	const std::uint8_t* selected = nullptr; ///< one a vertex, 0 or 1
-};
-
-/// Writes a binary little endian PLY file with positions as double or float, and triangles. Names
-/// are MeshLab's; a selected vertex has the bit that says so in "flags".
-void writePly(const MeshView& mesh, bool doublePrecision, const PlyVertexData& data,
+/// Writes a binary little endian PLY file with positions as double or float, triangles, and every
+/// attribute in the name and type that it has; texture coordinates of corners as MeshLab has them,
+/// in a list 'texcoord' of each face.
+void writePly(const MeshView& mesh, bool doublePrecision, const MeshAttributes& attributes,
 			  OutputFile& out);
-void writePly(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out);
 
 } // namespace gpr::app
 

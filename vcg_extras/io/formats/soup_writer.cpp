@@ -12,15 +12,6 @@ namespace gpr::app {
 
 namespace {
 
-void writeCorners(const TriangleMesh& mesh, std::size_t face, int firstIndex, OutputFile& out)
-{
-	for (std::size_t c = 3 * face; c < 3 * face + 3; ++c) {
-		out.text(" ");
-		out.integer(mesh.triangles[c] + firstIndex);
-	}
-	out.text("\n");
-}
-
 /// Of the corners as the file has them. 0 where the triangle has no area.
 Vec3d unitNormal(const std::array<Vec3d, 3>& corner)
 {
@@ -32,23 +23,10 @@ Vec3d unitNormal(const std::array<Vec3d, 3>& corner)
 void putFloats(const Vec3d& v, char*& at)
 {
 	for (const double c : {v.x, v.y, v.z})
-		putLittleEndian<std::uint32_t>(float(c), at);
+		putLittleEndian(float(c), at);
 }
 
 } // namespace
-
-void writeObj(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out)
-{
-	for (const Vec3d& p : mesh.positions) {
-		out.text("v");
-		out.position(p, doublePrecision);
-		out.text("\n");
-	}
-	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
-		out.text("f");
-		writeCorners(mesh, f, 1, out);
-	}
-}
 
 void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out)
 {
@@ -60,7 +38,11 @@ void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out)
 	}
 	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
 		out.text("3");
-		writeCorners(mesh, f, 0, out);
+		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
+			out.text(" ");
+			out.integer(mesh.triangles[c]);
+		}
+		out.text("\n");
 	}
 }
 
@@ -72,7 +54,7 @@ void writeStl(const TriangleMesh& mesh, OutputFile& out)
 	out.text(header);
 	char  count[4];
 	char* end = count;
-	putLittleEndian<std::uint32_t>(std::uint32_t(mesh.faceNum()), end);
+	putLittleEndian(std::uint32_t(mesh.faceNum()), end);
 	out.bytes(count, sizeof count);
 	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
 		std::array<Vec3d, 3> corner;

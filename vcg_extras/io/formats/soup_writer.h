@@ -6,12 +6,11 @@
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/mesh/mesh_data.h>
 
-// Positions and triangles alone, as OBJ, OFF and STL files.
+// Positions and triangles alone, as OFF and STL files.
 
 namespace gpr::app {
 
 /// Coordinates with the fewest digits that give back each double, or each float.
-void writeObj(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out);
 void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out);
 
 /// Binary. The format holds floats only.

@@ -90,6 +90,14 @@ bool Words::isAtEnd()
 	return at_ == end_;
 }
 
+std::string_view Words::rest()
+{
+	skipBlanks();
+	while (end_ > at_ && isBlank(end_[-1]))
+		--end_;
+	return {at_, std::size_t(end_ - at_)};
+}
+
 void Words::skipLine()
 {
 	at_ = std::find(at_, end_, '\n');

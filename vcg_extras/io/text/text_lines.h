@@ -74,6 +74,8 @@ public:
 	/// missing or no number.
 	bool nextCoordinate(double& value);
 	bool isAtEnd();
+	/// All words that are left as one name, which may have blanks in it.
+	std::string_view rest();
 	/// Goes on at the next line break, where the words are those of several lines.
 	void skipLine();
 

@@ -62,25 +62,30 @@ FeatureResult detectWithProgress(const InputMesh& mesh, const CommandLine& line,
 	return result;
 }
 
+/// Selection, strength and colour of the vertices, in MeshLab's names.
+MeshAttributes attributesOf(const FeatureResult& found)
+{
+	MeshAttributes attributes;
+	attributes.ofVertices = {{"flags", PlyType::Int32, {}}, {"quality", PlyType::Float32, {}},
+							 {"red", PlyType::UInt8, {}},   {"green", PlyType::UInt8, {}},
+							 {"blue", PlyType::UInt8, {}},  {"alpha", PlyType::UInt8, {}}};
+	for (std::size_t v = 0; v < found.vertexStrength.size(); ++v) {
+		const float        strength = found.vertexStrength[v];
+		const Colour       c        = colourOf(strength, found.vertexFeature[v]);
+		const std::int64_t flags    = found.vertexFeature[v] != 0 ? selectedPlyFlag : 0;
+		const double       values[] = {double(flags),   strength,       double(c.red),
+									   double(c.green), double(c.blue), 255};
+		for (std::size_t i = 0; i < attributes.ofVertices.size(); ++i)
+			attributes.ofVertices[i].values.push_back(values[i]);
+	}
+	return attributes;
+}
+
 void writeFeatures(const InputMesh& mesh, const FeatureResult& found, const std::string& path,
 				   const RunLimit& limit)
 {
-	const std::size_t         vertexNum = found.vertexStrength.size();
-	std::vector<std::uint8_t> rgb(3 * vertexNum), selected(vertexNum);
-	for (std::size_t v = 0; v < vertexNum; ++v) {
-		const Colour c = colourOf(found.vertexStrength[v], found.vertexFeature[v]);
-		rgb[3 * v]     = c.red;
-		rgb[3 * v + 1] = c.green;
-		rgb[3 * v + 2] = c.blue;
-		selected[v]    = found.vertexFeature[v] != 0;
-	}
-	PlyVertexData data;
-	data.quality  = found.vertexStrength.data();
-	data.rgb      = rgb.data();
-	data.selected = selected.data();
-
 	OutputFile out(path, limit);
-	writePly(mesh.view(), mesh.doublePrecision, data, out);
+	writePly(mesh.view(), mesh.doublePrecision, attributesOf(found), out);
 	out.commit();
 }
 

@@ -62,16 +62,6 @@ void findCoordinates(PlyRecordLayout& layout)
 	}
 }
 
-void addElement(const PlyElement& element, std::uint64_t count, std::string& text)
-{
-	text += "element " + element.name + " " + std::to_string(count) + "\n";
-	for (const PlyProperty& p : element.properties) {
-		text += "property ";
-		if (p.isList) text += "list " + std::string(plyTypeName(p.countType)) + " ";
-		text += std::string(plyTypeName(p.type)) + " " + p.name + "\n";
-	}
-}
-
 template <class T>
 void append(T value, std::string& out)
 {
@@ -138,24 +128,7 @@ PlyRecordLayout readRecordLayout(const std::string& path)
 
 void appendValue(PlyType type, double value, std::string& out)
 {
-	switch (type) {
-	case PlyType::Int8:
-		return append(wholeOfRange<std::int8_t>(value), out);
-	case PlyType::UInt8:
-		return append(wholeOfRange<std::uint8_t>(value), out);
-	case PlyType::Int16:
-		return append(wholeOfRange<std::int16_t>(value), out);
-	case PlyType::UInt16:
-		return append(wholeOfRange<std::uint16_t>(value), out);
-	case PlyType::Int32:
-		return append(wholeOfRange<std::int32_t>(value), out);
-	case PlyType::UInt32:
-		return append(wholeOfRange<std::uint32_t>(value), out);
-	case PlyType::Float32:
-		return append(float(value), out);
-	case PlyType::Float64:
-		return append(value, out);
-	}
+	putAs(type, value, [&](auto number) { append(number, out); });
 }
 
 Vec3d positionIn(const char* vertexRecord, const PlyRecordLayout& layout)
@@ -167,19 +140,19 @@ Vec3d positionIn(const char* vertexRecord, const PlyRecordLayout& layout)
 	return {c[0], c[1], c[2]};
 }
 
-std::string headerBegin()
+PlyHeader ownHeader(std::vector<PlyElement> elements)
 {
-	return std::string("ply\nformat ") +
-		   (hostIsLittleEndian() ? "binary_little_endian" : "binary_big_endian") + " 1.0\n";
+	return {hostIsLittleEndian() ? PlyFormat::LittleEndian : PlyFormat::BigEndian,
+			std::move(elements)};
 }
 
 std::string headerText(const PlyRecordLayout& layout, std::uint64_t vertexNum,
 					   std::uint64_t faceNum)
 {
-	std::string text = headerBegin() + layout.comments;
-	addElement(layout.vertices(), vertexNum, text);
-	addElement(layout.faces(), faceNum, text);
-	return text + "end_header\n";
+	PlyHeader header         = ownHeader({layout.vertices(), layout.faces()});
+	header.elements[0].count = vertexNum;
+	header.elements[1].count = faceNum;
+	return plyHeaderText(header, layout.comments);
 }
 
 void appendFace(const FaceRecord& face, const PlyRecordLayout& layout, std::string& out)

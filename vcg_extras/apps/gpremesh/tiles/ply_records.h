@@ -50,8 +50,8 @@ void appendValue(PlyType type, double value, std::string& out);
 /// Of a record that PlyRecordReader gives.
 Vec3d positionIn(const char* vertexRecord, const PlyRecordLayout& layout);
 
-/// The first lines of the header of a binary file in the machine's byte order.
-std::string headerBegin();
+/// Of a binary file in the machine's byte order.
+PlyHeader ownHeader(std::vector<PlyElement> elements);
 
 /// The lines of a header for these elements, in the file's names and types; counts as given.
 std::string headerText(const PlyRecordLayout& layout, std::uint64_t vertexNum,

@@ -156,10 +156,9 @@ private:
 
 	std::string header() const
 	{
-		return headerBegin() + "element vertex " + std::to_string(isFirst_.size()) +
-			   "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-			   std::to_string(facetNum_) + "\nproperty list uchar " + plyTypeName(indexType()) +
-			   " vertex_indices\nend_header\n";
+		return plyHeaderText(ownHeader({elementWithPositions(PlyType::Float32, isFirst_.size()),
+										elementOfFaces(PlyType::UInt8, indexType(), facetNum_)}),
+							 "");
 	}
 
 	PlyType indexType() const
