@@ -5,10 +5,6 @@
 
 #include "stopwatch.h"
 
-#include <condition_variable>
-#include <mutex>
-#include <thread>
-
 namespace gpr::app {
 
 /// When a run of the program has to end early: at a signal, or when its time is up.
@@ -29,26 +25,6 @@ public:
 private:
 	Stopwatch clock_;
 	double    seconds_ = 0;
-};
-
-/// While it lives, a thread of its own asks twenty times a second whether the run has to end; if
-/// so it ends the process with the reason and its exit code. For work that cannot ask in between,
-/// such as the readers of other libraries, and that has nothing to clear away.
-class EndAtOnce {
-public:
-	explicit EndAtOnce(const RunLimit& limit);
-	~EndAtOnce();
-	EndAtOnce(const EndAtOnce&)            = delete;
-	EndAtOnce& operator=(const EndAtOnce&) = delete;
-
-private:
-	const RunLimit          limit_;
-	std::mutex              mutex_;
-	std::condition_variable wake_;
-	bool                    isOver_ = false;
-	std::thread             thread_;
-
-	void watch();
 };
 
 } // namespace gpr::app

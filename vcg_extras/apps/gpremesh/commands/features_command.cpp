@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "features_command.h"
 
+#include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
 #include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
 #include <vcg_extras/io/base/output_file.h>

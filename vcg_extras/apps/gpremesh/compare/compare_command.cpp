@@ -7,6 +7,7 @@
 #include "compare_page.h"
 #include "compare_table.h"
 
+#include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
 #include <vcg_extras/apps/gpremesh/viewer/compare_viewer.h>
 #include <vcg_extras/io/base/exit_code.h>
