@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_report.h"
 
+#include <vcg_extras/core/report_rows.h>
+
 #include <QString>
 #include <QStringList>
 #include <algorithm>
@@ -120,27 +122,11 @@ QString qualityLine(const gpr::QualityFigures& q, const char* when = "Quality")
 }
 
 /// "Cleaned: 3 duplicate faces, ..."; empty where there was nothing to clean.
-QString cleanedLine(const gpr::CleanCounts& c)
+QString cleanedLine(const gpr::CleanCounts& cleaned)
 {
-	const std::pair<std::int64_t, const char*> rows[] = {
-		{c.nonFiniteVertices, "vertices without finite coordinates dropped"},
-		{c.unreferencedVertices, "unreferenced vertices dropped"},
-		{c.weldedVertices, "vertices welded"},
-		{c.contractedEdges, "edges without length contracted"},
-		{c.sewnEdges, "edges of seams sewn"},
-		{c.sharedBorderEdges, "border edges at the place of others left cut"},
-		{c.repeatedIndexFaces, "faces with a vertex twice dropped"},
-		{c.zeroAreaFaces, "faces without area dropped"},
-		{c.duplicateFaces, "duplicate faces dropped"},
-		{c.reorientedFaces, "faces turned round"},
-		{c.nonManifoldEdges, "non-manifold edges cut"},
-		{c.nonManifoldVertices, "non-manifold vertices split"},
-		{c.nonOrientableCuts, "edges cut to orient the surface"},
-		{c.droppedComponents, "small components dropped"},
-	};
 	QStringList parts;
-	for (const auto& [amount, what] : rows) {
-		if (amount != 0) parts << count(amount) + ' ' + QString::fromUtf8(what);
+	for (const gpr::CountRow& row : gpr::describe(cleaned)) {
+		if (row.isTold()) parts << count(row.count) + ' ' + QString::fromUtf8(row.words());
 	}
 	return parts.isEmpty() ? QString() : "Cleaned: " + parts.join(", ");
 }

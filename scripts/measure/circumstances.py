@@ -8,7 +8,7 @@ import re
 import subprocess
 from pathlib import Path
 
-SOURCES = ("CMakeLists.txt", "vcg_extras/core", "vcg_extras/complex", "vcg_extras/apps", "vcg_extras/bench")
+SOURCES = ("CMakeLists.txt", *(f"vcg_extras/{folder}" for folder in ("core", "complex", "io", "apps", "bench")))
 LEAST_LOAD_TO_TELL = 0.5  # of the last minute; an idle machine stays below it
 
 

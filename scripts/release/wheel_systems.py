@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-HEADERS = ("CLI", "nlohmann", "CGAL", "boost")  # libraries that are headers only
+HEADERS = ("CLI", "nlohmann")  # libraries that are headers only
 GLIBC = "2.28"  # of Debian 10, RHEL 8 and Ubuntu 18.10
 STABLE_ABI = "0x030c0000"  # what is declared in Python's headers for the stable ABI of 3.12
 
@@ -57,11 +57,10 @@ class ZigSystem:
         install_zig(tools, folder)
         for name in ("c++", "ar", "ranlib", "rc"):
             # nanobind uses the header of C's input and output, which only other C++ libraries bring along.
-            target = f' -target {self.target} -I "{folder}/first" -include stdio.h' if name == "c++" else ""
+            target = f' -target {self.target} -include stdio.h' if name == "c++" else ""
             write_script(folder / name, f'exec "{zig_of(folder)}" -m ziglang {name}{target} "$@"')
         headers = collect_headers(folder / "include")
-        write_empty_header(folder / "first/sys")
-        defines = {f"GPR_{name}_INCLUDE_DIR": headers for name in ("CLI11", "JSON", "CGAL", "BOOST")}
+        defines = {f"GPR_{name}_INCLUDE_DIR": headers for name in ("CLI11", "JSON")}
         defines["CMAKE_TOOLCHAIN_FILE"] = self.write_toolchain(folder)
         defines["GPR_PYTHON_SUFFIX"] = self.suffix(version)
         if self.is_windows:
@@ -88,8 +87,8 @@ set(CMAKE_CXX_COMPILER {folder}/c++)
 set(CMAKE_AR {folder}/ar CACHE FILEPATH "")
 set(CMAKE_RANLIB {folder}/ranlib CACHE FILEPATH "")
 set(CMAKE_RC_COMPILER {folder}/rc CACHE FILEPATH "")
-# zig checks for undefined behaviour unless told otherwise. Its libc++ has no std::unary_function in C++17.
-set(CMAKE_CXX_FLAGS_INIT "-fno-sanitize=undefined -DBOOST_NO_CXX98_FUNCTION_BASE")
+# zig checks for undefined behaviour unless told otherwise.
+set(CMAKE_CXX_FLAGS_INIT "-fno-sanitize=undefined")
 set(CMAKE_EXE_LINKER_FLAGS_INIT -s)
 set(CMAKE_MODULE_LINKER_FLAGS_INIT -s)
 """, encoding="utf-8")
@@ -120,12 +119,6 @@ def collect_headers(folder):
         if not (folder / name).exists():
             (folder / name).symlink_to(f"/usr/include/{name}")
     return folder
-
-
-def write_empty_header(folder):
-    """CGAL includes this header of glibc 2.32 where it finds it, and zig has it for every glibc: as an error."""
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "single_threaded.h").write_text("enum { __libc_single_threaded = 0 };\n", encoding="utf-8")
 
 
 def windows_python(tools, folder):

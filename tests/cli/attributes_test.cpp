@@ -3,9 +3,9 @@
 // Attributes from a file over a remeshing into another file.
 #include "mesh_files.h"
 
-#include <vcg_extras/apps/gpremesh/attribute_carry.h>
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/mesh/attribute_carry.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <cmath>
 #include <filesystem>

@@ -3,11 +3,11 @@
 // Binary glTF files: read, refused, written, read again.
 #include "mesh_files.h"
 
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/glb_container.h>
-#include <vcg_extras/apps/gpremesh/glb_reader.h>
-#include <vcg_extras/apps/gpremesh/glb_writer.h>
-#include <vcg_extras/apps/gpremesh/gltf_materials.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/formats/glb_container.h>
+#include <vcg_extras/io/formats/glb_reader.h>
+#include <vcg_extras/io/formats/glb_writer.h>
+#include <vcg_extras/io/formats/gltf_materials.h>
 
 #include <algorithm>
 #include <cmath>

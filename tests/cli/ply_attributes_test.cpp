@@ -3,10 +3,10 @@
 // Vertex quality and selection out of PLY files, as MeshLab saves them.
 #include "mesh_files.h"
 
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/apps/gpremesh/ply_attributes.h>
-#include <vcg_extras/apps/gpremesh/ply_reader.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/formats/ply_attributes.h>
+#include <vcg_extras/io/formats/ply_reader.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <cstdint>
 #include <cstdio>

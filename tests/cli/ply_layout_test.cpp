@@ -3,8 +3,8 @@
 // The PLY reader on files of every layout: properties of any type in any order.
 #include "mesh_files.h"
 
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/ply_reader.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/formats/ply_reader.h>
 
 #include <cstdint>
 #include <gtest/gtest.h>

@@ -3,11 +3,11 @@
 // The readers of OBJ, OFF and STL, on what real programs write.
 #include "mesh_files.h"
 
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/number_text.h>
-#include <vcg_extras/apps/gpremesh/ply_reader.h>
-#include <vcg_extras/apps/gpremesh/soup_io.h>
-#include <vcg_extras/apps/gpremesh/text_lines.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/formats/ply_reader.h>
+#include <vcg_extras/io/formats/soup_reader.h>
+#include <vcg_extras/io/text/number_text.h>
+#include <vcg_extras/io/text/text_lines.h>
 
 #include <cctype>
 #include <cmath>
@@ -216,6 +216,37 @@ TEST(StlReader, SeveralSolidsAndAMissingEnd)
 	EXPECT_EQ(readStl(two).faceNum(), 4u);
 	const std::string open = two.substr(0, two.rfind("endsolid"));
 	EXPECT_EQ(readStl(open).notes.size(), 1u);
+	std::string firstOpen = two;
+	firstOpen.replace(two.find("endsolid"), 8, "");
+	EXPECT_EQ(readStl(firstOpen).faceNum(), 4u);
+	EXPECT_EQ(readStl(firstOpen).notes.size(), 1u);
+}
+
+TEST(StlReader, LinesEndWhereTheyLike)
+{
+	const InputMesh whole = readStl(asciiStl(sphere(5)));
+	for (const std::string end : {"\r\n", "\n\n\t", " \n"}) {
+		std::string text;
+		for (const char c : asciiStl(sphere(5)))
+			text += c == '\n' ? end : std::string(1, c);
+		EXPECT_EQ(readStl(text).floats, whole.floats);
+		EXPECT_EQ(readStl(text).triangles, whole.triangles);
+		EXPECT_TRUE(readStl(text).notes.empty());
+	}
+	const std::string broken = "solid\nfacet\nouter\nloop\nvertex\n0\n0\n0\nvertex 1\n0 0\n"
+							   "vertex\n0 1 0 endloop endfacet endsolid";
+	EXPECT_EQ(readStl(broken).faceNum(), 1u);
+}
+
+TEST(StlReader, DamagedFacetsAreRefused)
+{
+	for (const std::string word : {"facet", "vertex", "endfacet"}) {
+		std::string       text = asciiStl(grid(1));
+		const std::size_t at   = text.find(word);
+		ASSERT_NE(at, text.npos);
+		text.replace(at, word.size(), "x");
+		EXPECT_THROW(readStl(text), gpr::app::AppError) << word;
+	}
 }
 
 TEST(StlReader, NamesLikeKeywords)

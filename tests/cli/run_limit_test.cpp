@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Writing that has to end early.
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/apps/gpremesh/output_file.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <filesystem>
 #include <fstream>

@@ -3,11 +3,6 @@
 // What runs in tiles are made from: cells, records of PLY files, borders that fit together.
 #include "mesh_files.h"
 
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/output_file.h>
-#include <vcg_extras/apps/gpremesh/platform.h>
-#include <vcg_extras/apps/gpremesh/ply_source.h>
-#include <vcg_extras/apps/gpremesh/text_pieces.h>
 #include <vcg_extras/apps/gpremesh/tiles/border_split.h>
 #include <vcg_extras/apps/gpremesh/tiles/cell_tree.h>
 #include <vcg_extras/apps/gpremesh/tiles/conversion.h>
@@ -15,6 +10,11 @@
 #include <vcg_extras/apps/gpremesh/tiles/ranked_set.h>
 #include <vcg_extras/apps/gpremesh/tiles/run_folder.h>
 #include <vcg_extras/apps/gpremesh/tiles/spill_files.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/formats/ply_source.h>
+#include <vcg_extras/io/text/text_pieces.h>
 
 #include <algorithm>
 #include <cmath>

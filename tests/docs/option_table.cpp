@@ -9,11 +9,11 @@
 // there are taken; vcg_extras/docs/models.md says where they come from.
 #include <tests/support/model_files.h>
 #include <tests/support/oracles.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/core/surface/distance_histogram.h>
 #include <vcg_extras/core/surface/surface_distance.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 
 #include "reader_check.h"
 
-#include <vcg_extras/apps/gpremesh/glb_reader.h>
-#include <vcg_extras/apps/gpremesh/ply_reader.h>
-#include <vcg_extras/apps/gpremesh/soup_io.h>
+#include <vcg_extras/io/formats/glb_reader.h>
+#include <vcg_extras/io/formats/ply_reader.h>
+#include <vcg_extras/io/formats/soup_reader.h>
 
 #include <cstdio>
 #include <cstdlib>

@@ -11,9 +11,9 @@
 #include "reader_check.h"
 
 #include <tests/support/random_source.h>
-#include <vcg_extras/apps/gpremesh/glb_reader.h>
-#include <vcg_extras/apps/gpremesh/ply_reader.h>
-#include <vcg_extras/apps/gpremesh/soup_io.h>
+#include <vcg_extras/io/formats/glb_reader.h>
+#include <vcg_extras/io/formats/ply_reader.h>
+#include <vcg_extras/io/formats/soup_reader.h>
 
 #include <algorithm>
 #include <chrono>

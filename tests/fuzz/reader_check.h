@@ -3,8 +3,8 @@
 #ifndef GPR_TESTS_FUZZ_READER_CHECK_H
 #define GPR_TESTS_FUZZ_READER_CHECK_H
 
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/mesh_data.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/mesh/mesh_data.h>
 
 #include <string>
 #include <string_view>

@@ -10,7 +10,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <cstdlib>
 #include <fstream>

@@ -7,7 +7,7 @@
 #include "distance_accuracy.h"
 #include "distance_cases.h"
 
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <cstdio>
 #include <cstdlib>

@@ -4,8 +4,8 @@
 // gpr_cancel_latency MESH [PERCENT [PRESET [THREADS]]]: how long the engine goes without asking
 // whether to go on, and how long it takes to end when told to, for each phrase that it shows.
 
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
 #include <vcg_extras/core/remesh.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <algorithm>
 #include <chrono>

@@ -7,13 +7,13 @@
 #include <tests/support/model_files.h>
 #include <tests/support/random_source.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/apps/gpremesh/attribute_carry.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
 #include <vcg_extras/core/carry_over.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/core/surface/barycentric_point.h>
 #include <vcg_extras/core/surface/nearest_on_mesh.h>
 #include <vcg_extras/core/surface/surface_point.h>
+#include <vcg_extras/io/mesh/attribute_carry.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <algorithm>
 #include <array>

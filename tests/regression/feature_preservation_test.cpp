@@ -8,8 +8,8 @@
 #include <tests/support/mesh_audit.h>
 #include <tests/support/model_files.h>
 #include <tests/support/oracles.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
 #include <vcg_extras/core/remesh.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -5,9 +5,9 @@
 // project: where the environment variable GPR_MODELS_DIR is unset the tests are skipped.
 
 #include <tests/support/model_files.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/core/surface/surface_distance.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <gtest/gtest.h>
 #include <ostream>

@@ -12,10 +12,10 @@
 #include <tests/support/oracles.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/remesh.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <algorithm>
 #include <cmath>

@@ -5,9 +5,9 @@
 #include "baseline_cgal.h"
 #include "baseline_meshoptimizer.h"
 
-#include <vcg_extras/apps/gpremesh/baseline_remeshers.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/apps/gpremesh/run_limit.h>
+#include <vcg_extras/apps/gpremesh/compare/baseline_remeshers.h>
+#include <vcg_extras/io/base/run_limit.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <cstdio>
 #include <cstdlib>

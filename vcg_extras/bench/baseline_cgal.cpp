@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "baseline_cgal.h"
 
-#include <vcg_extras/apps/gpremesh/platform.h>
-#include <vcg_extras/apps/gpremesh/stopwatch.h>
+#include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/base/stopwatch.h>
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/detect_features.h>

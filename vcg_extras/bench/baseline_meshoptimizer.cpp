@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "baseline_meshoptimizer.h"
 
-#include <vcg_extras/apps/gpremesh/platform.h>
-#include <vcg_extras/apps/gpremesh/stopwatch.h>
+#include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/base/stopwatch.h>
 
 #include <limits>
 #include <meshoptimizer.h>

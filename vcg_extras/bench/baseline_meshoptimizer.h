@@ -3,8 +3,8 @@
 #ifndef VCG_EXTRAS_BENCH_BASELINE_MESHOPTIMIZER_H
 #define VCG_EXTRAS_BENCH_BASELINE_MESHOPTIMIZER_H
 
-#include <vcg_extras/apps/gpremesh/baseline_remeshers.h>
-#include <vcg_extras/apps/gpremesh/mesh_data.h>
+#include <vcg_extras/apps/gpremesh/compare/baseline_remeshers.h>
+#include <vcg_extras/io/mesh/mesh_data.h>
 
 #include <cstdint>
 

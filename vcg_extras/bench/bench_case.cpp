@@ -4,7 +4,7 @@
 
 #include "built_in_meshes.h"
 
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <cstdlib>
 #include <exception>

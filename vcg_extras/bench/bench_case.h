@@ -5,8 +5,8 @@
 
 #include "staged_run.h"
 
-#include <vcg_extras/apps/gpremesh/mesh_data.h>
-#include <vcg_extras/apps/gpremesh/stopwatch.h>
+#include <vcg_extras/io/base/stopwatch.h>
+#include <vcg_extras/io/mesh/mesh_data.h>
 
 #include <benchmark/benchmark.h>
 #include <functional>

@@ -4,8 +4,8 @@
 #include "built_in_meshes.h"
 #include "mesh_growth.h"
 
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/apps/gpremesh/run_limit.h>
+#include <vcg_extras/io/base/run_limit.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <cstdio>
 #include <cstdlib>

@@ -3,14 +3,14 @@
 // From the file to the surface.
 #include "bench_case.h"
 
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/apps/gpremesh/platform.h>
-#include <vcg_extras/apps/gpremesh/ply_writer.h>
 #include <vcg_extras/core/features/crease_lines.h>
 #include <vcg_extras/core/input/load.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/spatial_order.h>
+#include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/formats/ply_writer.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -36,7 +36,7 @@ public:
 	void               write(const MeshView& mesh) const
 	{
 		app::OutputFile out(path_);
-		app::writePly(mesh, false, app::PlyVertexData(), out);
+		app::writePly(mesh, false, app::MeshAttributes(), out);
 		out.commit();
 	}
 

@@ -7,6 +7,7 @@
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/results.h>
 #include <vcg_extras/core/surface/certified_distance.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 #include <algorithm>
 

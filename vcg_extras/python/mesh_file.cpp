@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_file.h"
 
-#include <vcg_extras/apps/gpremesh/exit_code.h>
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <nanobind/stl/string.h>
 

@@ -5,7 +5,7 @@
 
 #include "arrays.h"
 
-#include <vcg_extras/apps/gpremesh/mesh_attributes.h>
+#include <vcg_extras/io/mesh/mesh_attributes.h>
 
 #include <nanobind/nanobind.h>
 #include <string>

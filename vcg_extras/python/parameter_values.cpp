@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameter_values.h"
 
-#include <vcg_extras/apps/gpremesh/range_text.h>
+#include <vcg_extras/io/report/range_text.h>
 
 #include <algorithm>
 #include <nanobind/stl/string.h>

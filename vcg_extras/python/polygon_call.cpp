@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "polygon_call.h"
 
-#include <vcg_extras/apps/gpremesh/polygon.h>
+#include <vcg_extras/io/mesh/polygon.h>
 
 namespace gpr::python {
 

@@ -6,14 +6,14 @@
 #include "parameter_values.h"
 #include "python_progress.h"
 
-#include <vcg_extras/apps/gpremesh/attribute_carry.h>
-#include <vcg_extras/apps/gpremesh/features_report.h>
-#include <vcg_extras/apps/gpremesh/platform.h>
-#include <vcg_extras/apps/gpremesh/precision.h>
-#include <vcg_extras/apps/gpremesh/report_json.h>
-#include <vcg_extras/apps/gpremesh/stopwatch.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/core/texture_transfer.h>
+#include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/base/stopwatch.h>
+#include <vcg_extras/io/mesh/attribute_carry.h>
+#include <vcg_extras/io/mesh/precision.h>
+#include <vcg_extras/io/report/features_report.h>
+#include <vcg_extras/io/report/report_json.h>
 
 #include <memory>
 #include <nanobind/stl/string.h>

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // gpremesh: geodesic Poisson-disk remeshing on the command line.
-#include "command_line.h"
-#include "compare_command.h"
-#include "exit_code.h"
-#include "features_command.h"
-#include "info_command.h"
-#include "platform.h"
-#include "remesh_command.h"
-#include "stopwatch.h"
-#include "tiles/tile_run.h"
+#include <vcg_extras/apps/gpremesh/commands/command_line.h>
+#include <vcg_extras/apps/gpremesh/commands/features_command.h>
+#include <vcg_extras/apps/gpremesh/commands/info_command.h>
+#include <vcg_extras/apps/gpremesh/commands/remesh_command.h>
+#include <vcg_extras/apps/gpremesh/compare/compare_command.h>
+#include <vcg_extras/apps/gpremesh/tiles/tile_run.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/base/stopwatch.h>
 
 #include <cstdio>
 #include <new>

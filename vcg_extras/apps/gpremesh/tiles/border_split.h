@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_BORDER_SPLIT_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_BORDER_SPLIT_H
 
-#include "../mesh_data.h"
+#include <vcg_extras/io/mesh/mesh_data.h>
 
 #include <cstddef>
 #include <cstdint>

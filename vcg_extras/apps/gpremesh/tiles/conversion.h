@@ -3,9 +3,8 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_CONVERSION_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_CONVERSION_H
 
-#include "../run_limit.h"
-
 #include <vcg_extras/core/progress.h>
+#include <vcg_extras/io/base/run_limit.h>
 
 #include <string>
 #include <vector>

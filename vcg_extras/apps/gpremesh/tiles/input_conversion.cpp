@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "input_conversion.h"
 
-#include "../exit_code.h"
-#include "../mesh_io.h"
-#include "../stl_facets.h"
-#include "../text_pieces.h"
 #include "conversion.h"
 #include "ply_records.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/formats/stl_facets.h>
+#include <vcg_extras/io/mesh_io.h>
+#include <vcg_extras/io/text/text_pieces.h>
 
 #include <filesystem>
 
@@ -21,7 +22,7 @@ std::uint64_t sizeOf(const std::string& path)
 {
 	std::error_code error;
 	const auto      bytes = fs::file_size(path, error);
-	if (error) throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
+	if (error) failInput("cannot read '" + path + "'");
 	return bytes;
 }
 
@@ -61,9 +62,9 @@ void requireSource(const std::string& path, const Json& record, const std::strin
 	const Json& source = record.at("source");
 	if (source.at("file") != absolutePath(path)) failOtherPlan(recordPath);
 	if (stampOf(path) == stampOf(source.at("stamp"))) return;
-	throw AppError(ExitCode::BadInput, "'" + path +
-										   "' has changed since it was converted. Remove the "
-										   "folder of the run or name another one.");
+	failInput("'" + path +
+			  "' has changed since it was converted. Remove the "
+			  "folder of the run or name another one.");
 }
 
 std::vector<std::string> convert(const Conversion& job)
@@ -155,9 +156,7 @@ std::vector<std::string> convertInputs(const std::vector<std::string>& inputs, d
 	for (std::size_t i = 0; i < inputs.size(); ++i) {
 		const TileInput kind = tileInputOf(inputs[i]);
 		if (kind == TileInput::NotAtAll)
-			throw AppError(ExitCode::BadInput,
-						   "'" + inputs[i] +
-							   "' cannot be read in tiles. Convert it to a PLY file.");
+			failInput("'" + inputs[i] + "' cannot be read in tiles. Convert it to a PLY file.");
 		if (kind == TileInput::Directly) continue;
 		makeFolder(folder.path());
 		files[i] = folder.input(i);

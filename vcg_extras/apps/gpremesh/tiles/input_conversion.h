@@ -3,10 +3,10 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_INPUT_CONVERSION_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_INPUT_CONVERSION_H
 
-#include "../run_limit.h"
 #include "run_folder.h"
 
 #include <vcg_extras/core/progress.h>
+#include <vcg_extras/io/base/run_limit.h>
 
 #include <string>
 #include <vector>

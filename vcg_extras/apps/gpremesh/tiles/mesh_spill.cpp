@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mesh_spill.h"
 
-#include "../exit_code.h"
-#include "../face_list.h"
-#include "../polygon.h"
-#include "../precision.h"
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/mesh/face_list.h>
+#include <vcg_extras/io/mesh/polygon.h>
+#include <vcg_extras/io/mesh/precision.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,16 +21,20 @@ constexpr std::uint64_t pollMask = 0xffff;
 
 constexpr std::size_t colourBytes = 3;
 
-std::string headerText(const std::string& coordinate, bool isColoured, const std::string& lists,
-					   std::uint64_t vertexNum, std::uint64_t faceNum)
+/// Types of what a file holds.
+struct Types {
+	PlyType coordinate, cornerNum, corner;
+};
+
+std::string headerText(const Types& types, bool isColoured, std::uint64_t vertexNum,
+					   std::uint64_t faceNum)
 {
-	std::string text = headerBegin() + "element vertex " + std::to_string(vertexNum) + "\n";
-	for (const char* name : {" x\n", " y\n", " z\n"})
-		text += "property " + coordinate + name;
-	for (const char* name : {"red\n", "green\n", "blue\n"})
-		text += isColoured ? std::string("property uchar ") + name : "";
-	return text + "element face " + std::to_string(faceNum) + "\nproperty list " + lists +
-		   " vertex_indices\nend_header\n";
+	PlyElement vertex = elementWithPositions(types.coordinate, vertexNum);
+	for (const char* name : {"red", "green", "blue"}) {
+		if (isColoured) vertex.properties.push_back({name, PlyType::UInt8});
+	}
+	return plyHeaderText(
+		ownHeader({vertex, elementOfFaces(types.cornerNum, types.corner, faceNum)}), "");
 }
 
 /// Sum and number of the edges of a face's triangles, as settlePrecision has them.
@@ -99,7 +103,8 @@ void MeshSpill::add(const MeshPieceBytes& piece)
 PlyRecordLayout MeshSpill::layoutAside() const
 {
 	PlyRecordLayout layout =
-		layoutOf(headerText("double", true, "uint uint", all_.vertexNum_, all_.faceNum_));
+		layoutOf(headerText({PlyType::Float64, PlyType::UInt32, PlyType::UInt32}, true,
+							all_.vertexNum_, all_.faceNum_));
 	layout.header.byteNum = 0;
 	return layout;
 }
@@ -137,10 +142,10 @@ bool MeshSpill::floatsWillDo() const
 std::string MeshSpill::header(bool asFloats) const
 {
 	constexpr std::uint64_t mostOfChar = 255, mostOfInt = std::numeric_limits<std::int32_t>::max();
-	std::string             lists = all_.mostCorners_ <= mostOfChar ? "uchar" : "uint";
-	lists += all_.vertexNum_ <= mostOfInt ? " int" : " uint";
-	return headerText(asFloats ? "float" : "double", isColoured(), lists, all_.vertexNum_,
-					  all_.faceNum_);
+	const Types             types = {asFloats ? PlyType::Float32 : PlyType::Float64,
+                         all_.mostCorners_ <= mostOfChar ? PlyType::UInt8 : PlyType::UInt32,
+						 all_.vertexNum_ <= mostOfInt ? PlyType::Int32 : PlyType::UInt32};
+	return headerText(types, isColoured(), all_.vertexNum_, all_.faceNum_);
 }
 
 void MeshSpill::writePly(const std::string& path)
@@ -148,8 +153,7 @@ void MeshSpill::writePly(const std::string& path)
 	vertices_.commit();
 	faces_.commit();
 	if (all_.faceNum_ == 0)
-		throw AppError(ExitCode::BadInput,
-					   "it has no faces (" + std::to_string(all_.vertexNum_) + " vertices)");
+		failInput("it has no faces (" + std::to_string(all_.vertexNum_) + " vertices)");
 	if (all_.largestIndex_ >= all_.vertexNum_) failNoSuchVertex(all_.vertexNum_);
 	const std::string     text   = header(floatsWillDo());
 	const PlyRecordLayout layout = layoutOf(text);

@@ -3,8 +3,9 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_MESH_SPILL_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_MESH_SPILL_H
 
-#include "../output_file.h"
 #include "ply_records.h"
+
+#include <vcg_extras/io/base/output_file.h>
 
 #include <array>
 #include <cstdint>

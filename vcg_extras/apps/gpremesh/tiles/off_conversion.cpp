@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../face_list.h"
-#include "../off_lines.h"
-#include "../text_pieces.h"
 #include "conversion.h"
 #include "mesh_spill.h"
+
+#include <vcg_extras/io/formats/off_lines.h>
+#include <vcg_extras/io/mesh/face_list.h>
+#include <vcg_extras/io/text/text_pieces.h>
 
 #include <filesystem>
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ply_records.h"
 
-#include "../exit_code.h"
-#include "../ply_layout.h"
-#include "../ply_source.h"
-#include "../text_pieces.h"
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/formats/ply_layout.h>
+#include <vcg_extras/io/formats/ply_source.h>
+#include <vcg_extras/io/text/text_pieces.h>
 
 #include <algorithm>
 #include <cstring>
@@ -18,12 +18,7 @@ namespace {
 
 [[noreturn]] void fail(const std::string& path, const std::string& why)
 {
-	throw AppError(ExitCode::BadInput, "'" + path + "' cannot be read in tiles: " + why);
-}
-
-[[noreturn]] void fail(const std::string& why)
-{
-	throw AppError(ExitCode::BadInput, why);
+	failInput("'" + path + "' cannot be read in tiles: " + why);
 }
 
 std::uint64_t fileBytesOf(const std::string& path)
@@ -38,7 +33,7 @@ std::size_t elementNamed(const PlyHeader& header, const char* name)
 	for (std::size_t i = 0; i < header.elements.size(); ++i) {
 		if (header.elements[i].name == name) return i;
 	}
-	fail("it has no element '" + std::string(name) + "'.");
+	failInput("it has no element '" + std::string(name) + "'.");
 }
 
 std::string textureComments(const std::string& header)
@@ -64,16 +59,6 @@ void findCoordinates(PlyRecordLayout& layout)
 			layout.coordinateType[k] = e.properties[i].type;
 		}
 		layout.vertexBytes += plyTypeSize(e.properties[i].type);
-	}
-}
-
-void addElement(const PlyElement& element, std::uint64_t count, std::string& text)
-{
-	text += "element " + element.name + " " + std::to_string(count) + "\n";
-	for (const PlyProperty& p : element.properties) {
-		text += "property ";
-		if (p.isList) text += "list " + std::string(plyTypeName(p.countType)) + " ";
-		text += std::string(plyTypeName(p.type)) + " " + p.name + "\n";
 	}
 }
 
@@ -113,8 +98,8 @@ PlyRecordLayout layoutOf(std::string_view header)
 	checkElements(layout.header);
 	layout.vertexElement = elementNamed(layout.header, "vertex");
 	layout.faceElement   = elementNamed(layout.header, "face");
-	if (layout.vertexElement > layout.faceElement) fail("its faces come before its vertices.");
-	if (layout.vertices().hasList()) fail("its vertices have lists.");
+	if (layout.vertexElement > layout.faceElement) failInput("its faces come before its vertices.");
+	if (layout.vertices().hasList()) failInput("its vertices have lists.");
 	findCoordinates(layout);
 	layout.indexList = std::size_t(findIndexList(layout.faces()));
 	layout.comments  = textureComments(std::string(header.substr(0, layout.header.byteNum)));
@@ -143,24 +128,7 @@ PlyRecordLayout readRecordLayout(const std::string& path)
 
 void appendValue(PlyType type, double value, std::string& out)
 {
-	switch (type) {
-	case PlyType::Int8:
-		return append(wholeOfRange<std::int8_t>(value), out);
-	case PlyType::UInt8:
-		return append(wholeOfRange<std::uint8_t>(value), out);
-	case PlyType::Int16:
-		return append(wholeOfRange<std::int16_t>(value), out);
-	case PlyType::UInt16:
-		return append(wholeOfRange<std::uint16_t>(value), out);
-	case PlyType::Int32:
-		return append(wholeOfRange<std::int32_t>(value), out);
-	case PlyType::UInt32:
-		return append(wholeOfRange<std::uint32_t>(value), out);
-	case PlyType::Float32:
-		return append(float(value), out);
-	case PlyType::Float64:
-		return append(value, out);
-	}
+	putAs(type, value, [&](auto number) { append(number, out); });
 }
 
 Vec3d positionIn(const char* vertexRecord, const PlyRecordLayout& layout)
@@ -172,19 +140,19 @@ Vec3d positionIn(const char* vertexRecord, const PlyRecordLayout& layout)
 	return {c[0], c[1], c[2]};
 }
 
-std::string headerBegin()
+PlyHeader ownHeader(std::vector<PlyElement> elements)
 {
-	return std::string("ply\nformat ") +
-		   (hostIsLittleEndian() ? "binary_little_endian" : "binary_big_endian") + " 1.0\n";
+	return {hostIsLittleEndian() ? PlyFormat::LittleEndian : PlyFormat::BigEndian,
+			std::move(elements)};
 }
 
 std::string headerText(const PlyRecordLayout& layout, std::uint64_t vertexNum,
 					   std::uint64_t faceNum)
 {
-	std::string text = headerBegin() + layout.comments;
-	addElement(layout.vertices(), vertexNum, text);
-	addElement(layout.faces(), faceNum, text);
-	return text + "end_header\n";
+	PlyHeader header         = ownHeader({layout.vertices(), layout.faces()});
+	header.elements[0].count = vertexNum;
+	header.elements[1].count = faceNum;
+	return plyHeaderText(header, layout.comments);
 }
 
 void appendFace(const FaceRecord& face, const PlyRecordLayout& layout, std::string& out)
@@ -203,7 +171,7 @@ PlyRecordReader::PlyRecordReader(const std::string& path, const PlyRecordLayout&
 		fileBytes_(fileBytesOf(path)), layout_(layout), file_(std::fopen(path.c_str(), "rb")),
 		buffer_(bufferBytes)
 {
-	if (file_ == nullptr) throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
+	if (file_ == nullptr) failInput("cannot read '" + path + "'");
 	std::setvbuf(file_, nullptr, _IONBF, 0); // there is a buffer here
 }
 

@@ -3,9 +3,8 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_PLY_RECORDS_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_PLY_RECORDS_H
 
-#include "../ply_header.h"
-
 #include <vcg_extras/core/vec.h>
+#include <vcg_extras/io/formats/ply_header.h>
 
 #include <cstdint>
 #include <cstdio>
@@ -51,8 +50,8 @@ void appendValue(PlyType type, double value, std::string& out);
 /// Of a record that PlyRecordReader gives.
 Vec3d positionIn(const char* vertexRecord, const PlyRecordLayout& layout);
 
-/// The first lines of the header of a binary file in the machine's byte order.
-std::string headerBegin();
+/// Of a binary file in the machine's byte order.
+PlyHeader ownHeader(std::vector<PlyElement> elements);
 
 /// The lines of a header for these elements, in the file's names and types; counts as given.
 std::string headerText(const PlyRecordLayout& layout, std::uint64_t vertexNum,

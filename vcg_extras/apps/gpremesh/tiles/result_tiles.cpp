@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "result_tiles.h"
 
-#include "../exit_code.h"
-#include "../json_parts.h"
-#include "../mesh_io.h"
-#include "../output_file.h"
-#include "../platform.h"
 #include "cell_tree.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/mesh_io.h>
+#include <vcg_extras/io/report/json_parts.h>
 
 #include <algorithm>
 #include <filesystem>

@@ -3,8 +3,8 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_RESULT_TILES_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_RESULT_TILES_H
 
-#include "../mesh_attributes.h"
-#include "../run_limit.h"
+#include <vcg_extras/io/base/run_limit.h>
+#include <vcg_extras/io/mesh/mesh_attributes.h>
 
 #include <string>
 

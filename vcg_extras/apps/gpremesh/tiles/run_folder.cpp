@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "run_folder.h"
 
-#include "../exit_code.h"
-#include "../output_file.h"
-#include "../platform.h"
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/base/platform.h>
 
 #include <algorithm>
 #include <cstring>
@@ -41,7 +41,7 @@ private:
 
 [[noreturn]] void failRead(const std::string& path)
 {
-	throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
+	failInput("cannot read '" + path + "'");
 }
 
 [[noreturn]] void failToMake(const std::string& path, const std::error_code& error)
@@ -123,9 +123,9 @@ FileStamp stampOf(const Json& json)
 void requireStamp(const std::string& path, const FileStamp& stamp)
 {
 	if (stampOf(path) == stamp) return;
-	throw AppError(ExitCode::BadInput, "'" + path +
-										   "' is not as it was written. Remove the folder of the "
-										   "run and begin anew.");
+	failInput("'" + path +
+			  "' is not as it was written. Remove the folder of the "
+			  "run and begin anew.");
 }
 
 void writeJson(const std::string& path, const Json& json)
@@ -150,9 +150,9 @@ std::optional<Json> readJson(const std::string& path)
 	catch (const Json::exception&) {
 		// as where the checksum is another one
 	}
-	throw AppError(ExitCode::BadInput, "'" + path +
-										   "' is damaged. Remove the folder of the run and begin "
-										   "anew.");
+	failInput("'" + path +
+			  "' is damaged. Remove the folder of the run and begin "
+			  "anew.");
 }
 
 void failOtherPlan(const std::string& path)

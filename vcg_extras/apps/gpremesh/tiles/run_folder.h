@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_RUN_FOLDER_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_RUN_FOLDER_H
 
-#include "../json_parts.h"
+#include <vcg_extras/io/report/json_parts.h>
 
 #include <cstdint>
 #include <optional>

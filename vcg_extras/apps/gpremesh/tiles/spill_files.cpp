@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spill_files.h"
 
-#include "../exit_code.h"
+#include <vcg_extras/io/base/exit_code.h>
 
 #include <cerrno>
 #include <cstdio>

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../exit_code.h"
-#include "../output_file.h"
-#include "../stl_facets.h"
 #include "conversion.h"
 #include "ply_records.h"
 #include "ranked_set.h"
 #include "spill_files.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/formats/stl_facets.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,7 @@ public:
 		block_.resize(num * stlFacetBytes);
 		file_.read(block_.data(), std::streamsize(block_.size()));
 		if (std::size_t(file_.gcount()) != block_.size())
-			throw AppError(ExitCode::BadInput, "the file cannot be read to its end");
+			failInput("the file cannot be read to its end");
 		left_ -= num;
 		return StlFacets({block_.data(), block_.size()});
 	}
@@ -155,10 +156,9 @@ private:
 
 	std::string header() const
 	{
-		return headerBegin() + "element vertex " + std::to_string(isFirst_.size()) +
-			   "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-			   std::to_string(facetNum_) + "\nproperty list uchar " + plyTypeName(indexType()) +
-			   " vertex_indices\nend_header\n";
+		return plyHeaderText(ownHeader({elementWithPositions(PlyType::Float32, isFirst_.size()),
+										elementOfFaces(PlyType::UInt8, indexType(), facetNum_)}),
+							 "");
 	}
 
 	PlyType indexType() const
@@ -209,7 +209,7 @@ std::vector<std::string> convertBinaryStl(const Conversion& job)
 	std::ifstream(job.source, std::ios::binary).read(begin.data(), std::streamsize(begin.size()));
 	requireAllFacets(begin, std::filesystem::file_size(job.source));
 	const std::uint64_t facetNum = (promisedStlBytes(begin) - stlFacetsAt) / stlFacetBytes;
-	if (facetNum == 0) throw AppError(ExitCode::BadInput, "it has no faces (0 vertices)");
+	if (facetNum == 0) failInput("it has no faces (0 vertices)");
 	StlConverter(job, facetNum).run();
 	return {};
 }

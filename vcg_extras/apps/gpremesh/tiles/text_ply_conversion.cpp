@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "../exit_code.h"
-#include "../face_list.h"
-#include "../output_file.h"
-#include "../ply_layout.h"
-#include "../ply_source.h"
-#include "../text_pieces.h"
 #include "conversion.h"
 #include "ply_records.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/formats/ply_layout.h>
+#include <vcg_extras/io/formats/ply_source.h>
+#include <vcg_extras/io/mesh/face_list.h>
+#include <vcg_extras/io/text/text_pieces.h>
 
 #include <limits>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_join.h"
 
-#include "../exit_code.h"
-#include "../output_file.h"
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
 
 #include <cstring>
 #include <fstream>
@@ -31,7 +31,7 @@ public:
 	{
 		for (int tile = 0; tile < plan.tileNum(); ++tile)
 			addPart(tile);
-		if (parts_.empty()) throw AppError(ExitCode::BadInput, "the inputs have no usable face.");
+		if (parts_.empty()) failInput("the inputs have no usable face.");
 	}
 
 	void run()
@@ -71,7 +71,7 @@ private:
 		requireStamp(folder_.partNames(tile), facts->names);
 		parts_.push_back({tile, *facts, readRecordLayout(folder_.part(tile)), 0});
 		if (!haveSameProperties(parts_.back().layout, parts_.front().layout))
-			throw AppError(ExitCode::BadInput, "the parts have different properties.");
+			failInput("the parts have different properties.");
 		faceNum_ += facts->faceNum;
 	}
 
@@ -87,9 +87,7 @@ private:
 		std::ifstream           file(folder_.partNames(part.tile), std::ios::binary);
 		file.read(reinterpret_cast<char*>(names.data()),
 				  std::streamsize(names.size() * sizeof(SharedName)));
-		if (!file)
-			throw AppError(ExitCode::BadInput,
-						   "cannot read '" + folder_.partNames(part.tile) + "'");
+		if (!file) failInput("cannot read '" + folder_.partNames(part.tile) + "'");
 		return names;
 	}
 

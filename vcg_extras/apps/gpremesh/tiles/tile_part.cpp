@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_part.h"
 
-#include "../attribute_carry.h"
-#include "../exit_code.h"
-#include "../mesh_io.h"
-#include "../output_file.h"
-#include "../remesh_outcome.h"
-
+#include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
 #include <vcg_extras/core/input/thin_border.h>
 #include <vcg_extras/core/remesh.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/mesh/attribute_carry.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +32,7 @@ constexpr double mostLeft = 0.7;
 std::vector<SharedName> readNames(const std::string& path)
 {
 	std::ifstream file(path, std::ios::binary | std::ios::ate);
-	if (!file) throw AppError(ExitCode::BadInput, "cannot read '" + path + "'");
+	if (!file) failInput("cannot read '" + path + "'");
 	const std::size_t           bytes = std::size_t(file.tellg());
 	std::vector<TileVertexName> onDisk(bytes / sizeof(TileVertexName));
 	file.seekg(0);

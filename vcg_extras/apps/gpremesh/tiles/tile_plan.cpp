@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_plan.h"
 
-#include "../exit_code.h"
-#include "../formatted_text.h"
-#include "../table_options.h"
+#include <vcg_extras/apps/gpremesh/commands/table_options.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/report/formatted_text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,8 +71,7 @@ void checkLayouts(const std::vector<std::string>&     paths,
 		if (sameProperties(layouts[i].vertices(), layouts[0].vertices()) &&
 			sameProperties(layouts[i].faces(), layouts[0].faces()))
 			continue;
-		throw AppError(ExitCode::BadInput,
-					   "'" + paths[i] + "' has other properties than '" + paths[0] + "'.");
+		failInput("'" + paths[i] + "' has other properties than '" + paths[0] + "'.");
 	}
 }
 
@@ -224,13 +223,12 @@ TilePlan makePlan(const TileRequest& request)
 	}
 	checkLayouts(plan.inputs, layouts);
 	const std::uint64_t all = plan.allVertices();
-	if (all > mostVertices)
-		throw AppError(ExitCode::BadInput, "the inputs have more than 4,294,967,294 vertices.");
+	if (all > mostVertices) failInput("the inputs have more than 4,294,967,294 vertices.");
 	requireMemoryFor(resultVertexNum(plan.options, double(all)), plan.memoryBytes);
 	const int wanted =
 		request.tileNum > 0 ? request.tileNum : tilesFor(double(plan.allFaces()), plan.memoryBytes);
 	std::vector<Vec3d> points = samplePositions(plan.inputs, layouts, all);
-	if (points.empty()) throw AppError(ExitCode::BadInput, "the inputs have no vertices.");
+	if (points.empty()) failInput("the inputs have no vertices.");
 	plan.cells = CellTree(points, wanted);
 	plan.name  = nameOf(jsonOf(plan));
 	return plan;

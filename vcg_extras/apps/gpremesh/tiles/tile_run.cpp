@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_run.h"
 
-#include "../exit_code.h"
-#include "../formatted_text.h"
-#include "../mesh_io.h"
-#include "../output_file.h"
-#include "../platform.h"
-#include "../progress_bar.h"
-#include "../remesh_command.h"
 #include "input_conversion.h"
 #include "tile_join.h"
 
+#include <vcg_extras/apps/gpremesh/commands/remesh_command.h>
+#include <vcg_extras/apps/gpremesh/report/progress_bar.h>
 #include <vcg_extras/core/base/pages.h>
 #include <vcg_extras/core/run_estimate.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/mesh_io.h>
+#include <vcg_extras/io/report/formatted_text.h>
 
 #include <cstdio>
 #include <filesystem>
@@ -242,10 +242,10 @@ bool needsTiles(const CommandLine& line)
 		double(line.tiles.memoryBytes))
 		return false;
 	if (tileInputOf(line.input) != TileInput::NotAtAll) return true;
-	throw AppError(ExitCode::BadInput, "'" + line.input +
-										   "' may need more memory than --memory allows, and files "
-										   "of its kind cannot be read in tiles. Convert it to a "
-										   "PLY file.");
+	failInput("'" + line.input +
+			  "' may need more memory than --memory allows, and files "
+			  "of its kind cannot be read in tiles. Convert it to a "
+			  "PLY file.");
 }
 
 void remeshInTiles(const CommandLine& line, const Stopwatch& programClock)

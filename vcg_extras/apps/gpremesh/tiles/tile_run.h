@@ -3,8 +3,8 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_RUN_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_RUN_H
 
-#include "../command_line.h"
-#include "../stopwatch.h"
+#include <vcg_extras/apps/gpremesh/commands/command_line.h>
+#include <vcg_extras/io/base/stopwatch.h>
 
 namespace gpr::app {
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_split.h"
 
-#include "../exit_code.h"
-#include "../output_file.h"
 #include "ranked_set.h"
 #include "spill_files.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
 
 #include <algorithm>
 #include <cmath>
@@ -171,8 +172,7 @@ private:
 			const PlyRecordLayout& layout = layouts.back();
 			if (layout.vertices().count != plan.vertexNum[i] ||
 				layout.faces().count != plan.faceNum[i])
-				throw AppError(ExitCode::BadInput,
-							   "'" + plan.inputs[i] + "' has changed since the plan was made.");
+				failInput("'" + plan.inputs[i] + "' has changed since the plan was made.");
 		}
 		return layouts;
 	}
@@ -231,9 +231,8 @@ private:
 	{
 		for (std::int64_t& v : face.corners) {
 			if (v < 0 || std::uint64_t(v) >= plan_.vertexNum[file])
-				throw AppError(ExitCode::BadInput, "'" + plan_.inputs[file] +
-													   "': a face names vertex " +
-													   std::to_string(v) + ", which is not there");
+				failInput("'" + plan_.inputs[file] + "': a face names vertex " + std::to_string(v) +
+						  ", which is not there");
 			v += std::int64_t(firstVertex);
 		}
 	}

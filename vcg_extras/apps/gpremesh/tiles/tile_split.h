@@ -3,10 +3,10 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_SPLIT_H
 #define VCG_EXTRAS_APPS_GPREMESH_TILES_TILE_SPLIT_H
 
-#include "../run_limit.h"
 #include "tile_plan.h"
 
 #include <vcg_extras/core/progress.h>
+#include <vcg_extras/io/base/run_limit.h>
 
 #include <cstdint>
 #include <string>

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_COMMANDS_COMMAND_LINE_H
+#define VCG_EXTRAS_APPS_GPREMESH_COMMANDS_COMMAND_LINE_H
+
+#include <vcg_extras/core/options.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace gpr::app {
+
+enum class Command {
+	None, ///< --help, --version or --manual-page: printed already
+	Remesh,
+	Info,
+	Compare,
+	Features,
+	Tile,
+};
+
+enum class TileStep { Plan, Split, Part, Join, Finish };
+
+/// Of runs in tiles.
+struct TileSettings {
+	TileStep                 step = TileStep::Plan;
+	std::string              folder;      ///< of the run; remesh: empty = OUT.tiles
+	std::vector<std::string> inputs;      ///< of 'tile plan'
+	std::string              optionsText; ///< what of the options a plan depends on
+	int                      unit        = 0;
+	int                      tileNum     = 0; ///< 0 = by the memory
+	std::uint64_t            memoryBytes = 0; ///< 0 = as much as it takes
+};
+
+/// What the user asked for, checked.
+struct CommandLine {
+	Command     command = Command::None;
+	std::string input;
+	std::string output;         ///< remesh, 'tile finish' and features only
+	std::string report;         ///< remesh and features only; empty = none
+	int         outTileNum = 0; ///< remesh and 'tile finish': OUT is a folder of tiles; 0 = a file
+	bool        quiet      = false;
+	bool        json       = false; ///< info and compare only
+	bool        isotropic  = false; ///< compare only
+	int         runNum     = 1;     ///< compare only
+	std::string htmlFolder;         ///< compare only; empty = no page
+	RemeshOptions options;          ///< all but info
+	std::string   optionsText;      ///< these as the user gave them: "--lambda 2 --fit off"
+	TileSettings  tiles;            ///< tile, and remesh with --memory
+
+	std::vector<std::string> notes; ///< sentences that the program adds to the report's
+	double shareDone = 0;           ///< remesh: of a longer work that it ends, as the bar shows it
+};
+
+/// Reads the arguments; the remeshing options are made from the engine's parameter table. Prints
+/// --help and --version itself. Throws AppError (Usage) with a sentence on any mistake.
+CommandLine parseCommandLine(int argc, char** argv);
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "features_command.h"
+
+#include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
+#include <vcg_extras/apps/gpremesh/report/progress_bar.h>
+#include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/formats/ply_writer.h>
+#include <vcg_extras/io/mesh_io.h>
+#include <vcg_extras/io/report/features_report.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace gpr::app {
+
+namespace {
+
+struct Colour {
+	std::uint8_t red, green, blue;
+};
+
+constexpr Colour lineColour{0, 0, 0};
+constexpr Colour cornerColour{255, 255, 255};
+constexpr Colour apexColour{0, 255, 0};
+/// Degrees that are as red as it gets.
+constexpr float reddest = 90;
+
+/// Blue for flat over light grey to red for a right angle; what is marked stands out from all.
+Colour colourOf(float strengthDeg, std::uint8_t feature)
+{
+	if (feature & FeatureConeApex) return apexColour;
+	if (feature & FeatureCorner) return cornerColour;
+	if (feature & OnFeatureLine) return lineColour;
+	const float share   = 2 * std::min(strengthDeg / reddest, 1.0f) - 1; // -1 blue, 0 grey, 1 red
+	const auto  channel = [](float away) { return std::uint8_t(220 * (1 - std::max(0.0f, away))); };
+	return {channel(-share), channel(std::abs(share)), channel(share)};
+}
+
+InputMesh readAll(const std::string& path, const RunLimit& limit)
+{
+	const EndAtOnce guard(limit);
+	return readMesh(path);
+}
+
+FeatureResult detectWithProgress(const InputMesh& mesh, const CommandLine& line,
+								 const RunLimit& limit)
+{
+	ProgressBar   bar(!line.quiet && errorIsTerminal());
+	RemeshOptions options    = line.options;
+	options.timeLimitSeconds = limit.secondsLeft();
+	FeatureResult result =
+		detectFeatures(mesh.view(), options, [&](double share, const char* phrase) {
+			bar.show(share, phrase);
+			return !stopRequested();
+		});
+	bar.clear();
+	if (stopRequested()) limit.check();
+	if (result.status != Status::Ok) throw AppError(exitCodeOf(result.status), result.message);
+	return result;
+}
+
+/// Selection, strength and colour of the vertices, in MeshLab's names.
+MeshAttributes attributesOf(const FeatureResult& found)
+{
+	MeshAttributes attributes;
+	attributes.ofVertices = {{"flags", PlyType::Int32, {}}, {"quality", PlyType::Float32, {}},
+							 {"red", PlyType::UInt8, {}},   {"green", PlyType::UInt8, {}},
+							 {"blue", PlyType::UInt8, {}},  {"alpha", PlyType::UInt8, {}}};
+	for (std::size_t v = 0; v < found.vertexStrength.size(); ++v) {
+		const float        strength = found.vertexStrength[v];
+		const Colour       c        = colourOf(strength, found.vertexFeature[v]);
+		const std::int64_t flags    = found.vertexFeature[v] != 0 ? selectedPlyFlag : 0;
+		const double       values[] = {double(flags),   strength,       double(c.red),
+									   double(c.green), double(c.blue), 255};
+		for (std::size_t i = 0; i < attributes.ofVertices.size(); ++i)
+			attributes.ofVertices[i].values.push_back(values[i]);
+	}
+	return attributes;
+}
+
+void writeFeatures(const InputMesh& mesh, const FeatureResult& found, const std::string& path,
+				   const RunLimit& limit)
+{
+	OutputFile out(path, limit);
+	writePly(mesh.view(), mesh.doublePrecision, attributesOf(found), out);
+	out.commit();
+}
+
+FeaturesRecord recordOf(const CommandLine& line, const InputMesh& mesh, FeatureResult& found)
+{
+	FeaturesRecord record;
+	record.inputPath       = line.input;
+	record.outputPath      = line.output;
+	record.doublePrecision = mesh.doublePrecision;
+	record.thresholds      = line.options.featureThresholds;
+	record.figures         = found.figures;
+	record.notes           = mesh.notes;
+	record.notes.insert(record.notes.end(), found.notes.begin(), found.notes.end());
+	record.report = std::move(found.report);
+	return record;
+}
+
+} // namespace
+
+void runFeatures(const CommandLine& line, const Stopwatch& programClock)
+{
+	checkWritable(line.output);
+	if (!line.report.empty()) checkWritable(line.report);
+	catchStopSignals();
+	const RunLimit  limit(programClock, line.options.timeLimitSeconds);
+	const InputMesh mesh  = readAll(line.input, limit);
+	FeatureResult   found = detectWithProgress(mesh, line, limit);
+	writeFeatures(mesh, found, line.output, limit);
+	const FeaturesRecord record = recordOf(line, mesh, found);
+	if (!line.report.empty()) {
+		OutputFile out(line.report);
+		out.text(featuresJson(record));
+		out.commit();
+	}
+	if (!line.quiet) std::fputs(featuresText(record).c_str(), stdout);
+}
+
+} // namespace gpr::app

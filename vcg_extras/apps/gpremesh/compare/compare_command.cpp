@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare_command.h"
+
+#include "compare_json.h"
+#include "compare_methods.h"
+#include "compare_page.h"
+#include "compare_table.h"
+
+#include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
+#include <vcg_extras/apps/gpremesh/report/progress_bar.h>
+#include <vcg_extras/apps/gpremesh/viewer/compare_viewer.h>
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/mesh_io.h>
+#include <vcg_extras/io/report/formatted_text.h>
+
+#include <cstdio>
+#include <filesystem>
+
+namespace gpr::app {
+
+namespace {
+
+std::string pagePath(const std::string& folder)
+{
+	return folder + "/index.html";
+}
+
+/// To be asked before long work.
+void checkFolder(const std::string& folder)
+{
+	std::error_code error;
+	std::filesystem::create_directories(folder, error);
+	if (!std::filesystem::is_directory(folder, error)) {
+		throw AppError(ExitCode::Failure, folder + " cannot be made a folder.");
+	}
+	checkWritable(pagePath(folder));
+}
+
+/// Shows the bar and hears whether the user has had enough.
+CompareProgress progressOn(ProgressBar& bar)
+{
+	return [&bar](double share, const std::string& phrase) {
+		if (stopRequested()) throw AppError(ExitCode::Stopped, "cancelled.");
+		bar.show(share, phrase.c_str());
+	};
+}
+
+std::vector<CaptionedPictures> takePictures(const InputMesh& input, const CompareRecord& record,
+											MeshPhotographer& photographer, ProgressBar& bar)
+{
+	std::vector<CaptionedPictures> list;
+	const auto                     take = [&](const std::string& name, const MeshView& mesh) {
+        bar.show(1, "taking pictures");
+        list.push_back({name + ", " + grouped(std::int64_t(mesh.faceNum)) + " faces",
+                        photographer.take(mesh)});
+	};
+	take("input", input.view());
+	for (const MethodRecord& m : record.methods)
+		if (m.failure.empty()) take(m.name, m.mesh.view());
+	return list;
+}
+
+void writePage(const std::string& folder, const InputMesh& input, CompareRecord& record,
+			   ProgressBar& bar)
+{
+	const std::string workFolder = folder + "/.gpremesh-" + std::to_string(processId());
+	const double      edgeLen    = record.methods.front().record.quality.meanEdgeLen;
+	MeshPhotographer  photographer(input.view(), edgeLen, workFolder);
+	const std::vector<CaptionedPictures> pictures = takePictures(input, record, photographer, bar);
+	if (!photographer.complaint().empty()) record.notes.push_back(photographer.complaint());
+	if (!hasViewer()) {
+		record.notes.push_back(
+			"The page has no views to turn: this program was built without three.js.");
+	}
+	bar.show(1, "measuring for the views");
+	const std::string viewer = hasViewer() ? viewerHtml(input.view(), record) : "";
+	OutputFile        page(pagePath(folder));
+	page.text(comparePage(record, pictures, viewer));
+	page.commit();
+}
+
+InputMesh readUnlessStopped(const CommandLine& line)
+{
+	const EndAtOnce guard{RunLimit()};
+	return readMesh(line.input, neededBy(line.options));
+}
+
+} // namespace
+
+void runCompare(const CommandLine& line)
+{
+	if (!line.htmlFolder.empty()) checkFolder(line.htmlFolder);
+	catchStopSignals();
+	const InputMesh input = readUnlessStopped(line);
+	ProgressBar     bar(errorIsTerminal());
+	CompareRecord   record =
+		compareMethods(input, {line.options, line.runNum, line.isotropic}, progressOn(bar));
+	record.inputPath   = line.input;
+	record.optionsText = line.optionsText;
+	if (!line.optionsText.empty())
+		record.notes.push_back("gpremesh was run with " + line.optionsText + ".");
+	if (!line.htmlFolder.empty()) writePage(line.htmlFolder, input, record, bar);
+	bar.clear();
+	const std::string text = line.json ? compareJson(record) : compareText(record);
+	std::fputs(text.c_str(), stdout);
+}
+
+} // namespace gpr::app

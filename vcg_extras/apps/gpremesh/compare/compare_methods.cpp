@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "compare_methods.h"
+
+#include "baseline_remeshers.h"
+
+#include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
+#include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/remesh.h>
+#include <vcg_extras/core/surface/certified_distance.h>
+#include <vcg_extras/io/base/platform.h>
+
+#include <algorithm>
+
+namespace gpr::app {
+
+namespace {
+
+/// What all methods need to know of each other.
+struct Comparison {
+	const InputMesh&     input;
+	const CompareWishes& wishes;
+	CompareRecord        record;
+	std::int64_t         faceNum = 0; ///< of the default path's result
+	double               edgeLen = 0; ///< mean, of the same
+};
+
+struct Method {
+	const char* key;
+	const char* name;
+	const char* column;
+	BaselineResult (*run)(Comparison&);
+};
+
+BaselineResult runEngine(const Comparison& c, const RemeshOptions& options, RemeshResult& result)
+{
+	const double processorBefore = processorSeconds();
+	result = remesh(c.input.view(), options, [](double, const char*) { return !stopRequested(); });
+	BaselineResult out;
+	out.seconds          = result.report.remeshSeconds;
+	out.processorSeconds = processorSeconds() - processorBefore;
+	if (result.status != Status::Ok) out.failure = sentenceOf(result);
+	out.mesh = std::move(result.mesh);
+	return out;
+}
+
+BaselineResult runDefault(Comparison& c)
+{
+	RemeshResult   result;
+	BaselineResult out = runEngine(c, c.wishes.options, result);
+	requireMesh(result);
+	c.faceNum             = std::int64_t(out.mesh.faceNum());
+	c.edgeLen             = result.report.quality.meanEdgeLen;
+	c.record.cleanedInput = result.report.cleanedInput;
+	c.record.threads      = result.report.threads;
+	return out;
+}
+
+BaselineResult runPaper(Comparison& c)
+{
+	RemeshOptions options = c.wishes.options;
+	applyPreset(Preset::Paper, options);
+	RemeshResult result;
+	return runEngine(c, options, result);
+}
+
+BaselineResult runQuadric(Comparison& c)
+{
+	return collapseQuadricEdges(c.input.view(), c.faceNum, stopRequested);
+}
+
+BaselineResult runIsotropic(Comparison& c)
+{
+	return remeshIsotropically(c.input.view(), c.edgeLen);
+}
+
+/// Whether every stage is that of the paper.
+bool isPaper(const RemeshOptions& o)
+{
+	RemeshOptions paper;
+	applyPreset(Preset::Paper, paper);
+	return o.placement == paper.placement && o.retriangulation == paper.retriangulation &&
+		   o.smoothing == paper.smoothing && o.equations == paper.equations;
+}
+
+std::vector<Method> chosenMethods(const CompareWishes& wishes)
+{
+	std::vector<Method> methods = {{"default", "gpremesh", "gpremesh", runDefault}};
+	if (!isPaper(wishes.options))
+		methods.push_back({"paper", "gpremesh, preset paper", "paper", runPaper});
+	methods.push_back({"quadricEdgeCollapse", "Quadric Edge Collapse", "QEC", runQuadric});
+	if (wishes.isotropic) {
+		methods.push_back({"isotropicRemeshing", "isotropic remeshing", "isotropic", runIsotropic});
+	}
+	return methods;
+}
+
+/// Runs a method once more and keeps the mesh of its first run.
+void runOnce(const Method& method, Comparison& comparison, MethodRecord& record)
+{
+	if (!record.failure.empty()) return;
+	BaselineResult out = method.run(comparison);
+	record.failure     = out.failure;
+	record.seconds.push_back(out.seconds);
+	record.processorSeconds.push_back(out.processorSeconds);
+	if (record.mesh.faceNum() == 0) record.mesh = std::move(out.mesh);
+}
+
+std::int64_t nonManifoldEdgeNum(const MeshView& mesh)
+{
+	std::vector<std::uint64_t> edges;
+	edges.reserve(3 * mesh.faceNum);
+	for (std::size_t i = 0; i < 3 * mesh.faceNum; ++i) {
+		const auto t = mesh.triangle(i / 3);
+		if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) continue;
+		const auto a = std::uint32_t(t[i % 3]), b = std::uint32_t(t[(i + 1) % 3]);
+		edges.push_back(std::uint64_t(std::min(a, b)) << 32 | std::max(a, b));
+	}
+	std::sort(edges.begin(), edges.end());
+	std::int64_t num = 0;
+	for (std::size_t i = 0; i + 2 < edges.size(); ++i) {
+		const bool first = i == 0 || edges[i - 1] != edges[i];
+		num += first && edges[i] == edges[i + 2];
+	}
+	return num;
+}
+
+MeshRecord recordOf(const MeshView& mesh, Workers& workers)
+{
+	return {measureMesh(mesh), measureQuality(mesh, workers), nonManifoldEdgeNum(mesh)};
+}
+
+bool sameTopology(const MeshFigures& a, const MeshFigures& b)
+{
+	return a.components == b.components && a.boundaryLoops == b.boundaryLoops &&
+		   a.eulerCharacteristic == b.eulerCharacteristic;
+}
+
+/// A method keeps the topology of the input as it is given or, where that is no manifold, as the
+/// engine cut it.
+bool keepsTopology(const MeshRecord& result, const CompareRecord& all)
+{
+	return result.nonManifoldEdges <= all.input.nonManifoldEdges &&
+		   (sameTopology(result.figures, all.input.figures) ||
+			sameTopology(result.figures, all.cleanedInput));
+}
+
+/// The proof may find points farther than those that were measured.
+void proveDistances(const MeasuredSurface& input, const MeasuredSurface& result,
+					const CompareRecord& all, MethodRecord& method, Workers& workers)
+{
+	const CertificateSettings settings = usualCertificate(all.input.figures.diagonal);
+	method.proven.toInput              = certifiedDistance(result, input, settings, workers);
+	method.proven.fromInput            = certifiedDistance(input, result, settings, workers);
+	method.toInput.max                 = std::max(method.toInput.max, method.proven.toInput.lower);
+	method.fromInput.max = std::max(method.fromInput.max, method.proven.fromInput.lower);
+}
+
+void measureMethod(const MeshView& input, const MeasuredSurface& target, const CompareRecord& all,
+				   MethodRecord& method, Workers& workers)
+{
+	if (!method.failure.empty()) return;
+	const MeshView        result    = method.mesh.view();
+	const std::int64_t    sampleNum = distanceSampleNum(result.faceNum);
+	const MeasuredSurface surface(result, target, workers);
+	method.record       = recordOf(result, workers);
+	method.topologyKept = keepsTopology(method.record, all);
+	method.toInput      = target.from(result, sampleNum, workers);
+	method.fromInput    = surface.from(input, sampleNum, workers);
+	proveDistances(target, surface, all, method, workers);
+}
+
+} // namespace
+
+double median(std::vector<double> values)
+{
+	if (values.empty()) return 0;
+	std::sort(values.begin(), values.end());
+	const std::size_t half = values.size() / 2;
+	return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+CompareRecord compareMethods(const InputMesh& input, const CompareWishes& wishes,
+							 const CompareProgress& progress)
+{
+	Comparison                comparison = {input, wishes, {}};
+	const std::vector<Method> methods    = chosenMethods(wishes);
+	CompareRecord&            record     = comparison.record;
+	const double              stepNum    = double(methods.size()) * (wishes.runNum + 1) + 1;
+	double                    done       = 0;
+	for (const Method& m : methods) {
+		record.methods.emplace_back();
+		record.methods.back().key    = m.key;
+		record.methods.back().name   = m.name;
+		record.methods.back().column = m.column;
+	}
+	for (int run = 0; run < wishes.runNum; ++run) {
+		for (std::size_t i = 0; i < methods.size(); ++i) {
+			progress(done++ / stepNum, methods[i].name);
+			runOnce(methods[i], comparison, record.methods[i]);
+		}
+	}
+	progress(done++ / stepNum, "measuring the input");
+	Workers workers(wishes.options.threads, nullptr);
+	record.inputDouble = input.doublePrecision;
+	record.options     = wishes.options;
+	record.runNum      = wishes.runNum;
+	record.notes       = input.notes;
+	record.input       = recordOf(input.view(), workers);
+	const MeasuredSurface target(input.view(), workers);
+	for (MethodRecord& m : record.methods) {
+		progress(done++ / stepNum, "measuring " + m.name);
+		measureMethod(input.view(), target, record, m, workers);
+	}
+	progress(1, "done");
+	return record;
+}
+
+} // namespace gpr::app

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_COMPARE_COMPARE_RECORD_H
+#define VCG_EXTRAS_APPS_GPREMESH_COMPARE_COMPARE_RECORD_H
+
+#include <vcg_extras/core/options.h>
+#include <vcg_extras/core/report.h>
+#include <vcg_extras/core/surface/surface_distance.h>
+
+#include <string>
+#include <vector>
+
+namespace gpr::app {
+
+/// What a mesh looks like, whoever made it.
+struct MeshRecord {
+	MeshFigures    figures;
+	QualityFigures quality;
+	std::int64_t   nonManifoldEdges = 0; ///< edges of more than two faces
+};
+
+/// One method of the comparison and what came of it.
+struct MethodRecord {
+	std::string         key;     ///< in JSON: "default", "paper", ...
+	std::string         name;    ///< for sentences: "Quadric Edge Collapse"
+	std::string         column;  ///< for the table's head: "QEC"
+	std::string         failure; ///< a sentence where there is no mesh; nothing below holds then
+	TriangleMesh        mesh;
+	std::vector<double> seconds;          ///< of each run, mesh in memory to mesh in memory
+	std::vector<double> processorSeconds; ///< of the same, all threads together
+	MeshRecord          record;
+	bool                topologyKept = false;
+	DistanceFigures     toInput;   ///< of the points of the result from the input
+	DistanceFigures     fromInput; ///< of the points of the input from the result
+	MutualBounds        proven;    ///< of the largest distances
+};
+
+/// 0 of none.
+double median(std::vector<double> values);
+
+/// All that the table, the JSON and the page are made from.
+struct CompareRecord {
+	std::string               inputPath;
+	bool                      inputDouble = false;
+	MeshRecord                input;
+	MeshFigures               cleanedInput; ///< as the engine takes it
+	RemeshOptions             options;
+	std::string               optionsText; ///< as the user gave them
+	int                       runNum  = 1;
+	int                       threads = 0; ///< those that the engine took
+	std::vector<MethodRecord> methods;
+	std::vector<std::string>  notes; ///< sentences worth reading although all went well
+
+	double percentOfDiagonal(double distance) const
+	{
+		return input.figures.diagonal > 0 ? 100 * distance / input.figures.diagonal : 0;
+	}
+};
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_PLATFORM_END_AT_ONCE_H
+#define VCG_EXTRAS_APPS_GPREMESH_PLATFORM_END_AT_ONCE_H
+
+#include <vcg_extras/io/base/run_limit.h>
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace gpr::app {
+
+/// While it lives, a thread of its own asks twenty times a second whether the run has to end; if
+/// so it ends the process with the reason and its exit code. For work that cannot ask in between,
+/// such as reading a file, and that has nothing to clear away.
+class EndAtOnce {
+public:
+	explicit EndAtOnce(const RunLimit& limit);
+	~EndAtOnce();
+	EndAtOnce(const EndAtOnce&)            = delete;
+	EndAtOnce& operator=(const EndAtOnce&) = delete;
+
+private:
+	const RunLimit          limit_;
+	std::mutex              mutex_;
+	std::condition_variable wake_;
+	bool                    isOver_ = false;
+	std::thread             thread_;
+
+	void watch();
+};
+
+} // namespace gpr::app
+
+#endif

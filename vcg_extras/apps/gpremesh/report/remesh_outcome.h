@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_REPORT_REMESH_OUTCOME_H
+#define VCG_EXTRAS_APPS_GPREMESH_REPORT_REMESH_OUTCOME_H
+
+#include <vcg_extras/core/remesh.h>
+#include <vcg_extras/io/base/exit_code.h>
+
+#include <string>
+
+namespace gpr::app {
+
+/// What a run of the engine that ended so makes the program's exit code.
+ExitCode exitCodeOf(Status status);
+
+/// The sentence for a run of the engine that gave no mesh.
+std::string sentenceOf(const RemeshResult& result);
+
+/// Throws AppError with the fitting exit code and sentence where a run gave no mesh.
+void requireMesh(const RemeshResult& result);
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_APPS_GPREMESH_REPORT_SUMMARY_H
+#define VCG_EXTRAS_APPS_GPREMESH_REPORT_SUMMARY_H
+
+#include <vcg_extras/io/report/report_json.h>
+
+namespace gpr::app {
+
+/// What a person wants to know after a run, some lines of text.
+std::string remeshSummary(const RunRecord& run);
+
+/// The figures of one mesh, some lines of text.
+std::string meshInfoText(const std::string& path, bool doublePrecision, const MeshFigures& figures,
+						 const QualityFigures& quality, const std::vector<std::string>& notes);
+
+} // namespace gpr::app
+
+#endif

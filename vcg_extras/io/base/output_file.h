@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_BASE_OUTPUT_FILE_H
+#define VCG_EXTRAS_IO_BASE_OUTPUT_FILE_H
+
+#include "run_limit.h"
+
+#include <vcg_extras/core/vec.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gpr::app {
+
+/// A file that appears whole or not at all: it is written under a temporary name beside the wanted
+/// one and renamed by commit(); without that the temporary is removed and an older file stays.
+/// A link is followed, the permissions of an older file are kept; a device or pipe is written to
+/// directly. Throws AppError (Failure) with a sentence when writing fails, AppError (Stopped) when
+/// the run has to end, which is asked at every megabyte.
+class OutputFile {
+public:
+	explicit OutputFile(const std::string& path, const RunLimit& limit = RunLimit());
+	~OutputFile();
+	OutputFile(const OutputFile&)            = delete;
+	OutputFile& operator=(const OutputFile&) = delete;
+
+	void bytes(const char* data, std::size_t num)
+	{
+		if (num > capacity - used_) flush();
+		if (num > capacity) {
+			writeThrough(data, num);
+			return;
+		}
+		for (std::size_t i = 0; i < num; ++i)
+			buffer_[used_ + i] = data[i];
+		used_ += num;
+	}
+	void text(std::string_view words) { bytes(words.data(), words.size()); }
+	void integer(std::int64_t value);
+	/// " x y z" with the fewest digits that give back the same double or float, in the C locale.
+	void position(const Vec3d& p, bool doublePrecision);
+
+	/// For who works long before there is a megabyte: throws when the run has to end.
+	void poll() const { limit_.check(); }
+	/// Puts the file in its place.
+	void commit();
+
+private:
+	static constexpr std::size_t capacity = 1 << 20;
+
+	std::string       wanted_;    ///< for sentences: as the user gave it
+	std::string       target_;    ///< where the file shall be, links followed
+	std::string       temporary_; ///< empty when writing directly
+	RunLimit          limit_;
+	std::FILE*        file_ = nullptr;
+	std::vector<char> buffer_;
+	std::size_t       used_ = 0;
+
+	void              flush();
+	void              writeThrough(const char* data, std::size_t num);
+	[[noreturn]] void fail() const;
+};
+
+/// Throws AppError (Failure) when no file could be written there: the folder is missing or not
+/// writable, or the path is a folder. Leaves no trace. To be asked before long work.
+void checkWritable(const std::string& path);
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_BASE_RUN_LIMIT_H
+#define VCG_EXTRAS_IO_BASE_RUN_LIMIT_H
+
+#include "stopwatch.h"
+
+namespace gpr::app {
+
+/// When a run of the program has to end early: at a signal, or when its time is up.
+class RunLimit {
+public:
+	/// No limit but signals.
+	RunLimit() = default;
+	/// seconds: since the clock's start; 0 = as long as it takes.
+	RunLimit(const Stopwatch& clock, double seconds) : clock_(clock), seconds_(seconds) {}
+
+	/// Why the run has to end, as a sentence; null while it may go on.
+	const char* reason() const;
+	/// Throws AppError (Stopped) with the reason, if there is one.
+	void check() const;
+	/// What is left for the engine, more than 0; 0 = as long as it takes.
+	double secondsLeft() const;
+
+private:
+	Stopwatch clock_;
+	double    seconds_ = 0;
+};
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glb_container.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+
+#include <algorithm>
+#include <cstring>
+
+namespace gpr::app {
+
+namespace {
+
+template <class T>
+T valueAt(const char* at)
+{
+	T value;
+	std::memcpy(&value, at, sizeof value);
+	return value;
+}
+
+/// The next chunk, cut off the file's begin; empty at its end.
+std::string_view takeChunk(std::string_view& file, std::uint32_t& kind)
+{
+	kind = 0;
+	if (file.size() < gltf::chunkHeaderBytes) {
+		file = {};
+		return {};
+	}
+	const auto length = valueAt<std::uint32_t>(file.data());
+	kind              = valueAt<std::uint32_t>(file.data() + 4);
+	file.remove_prefix(gltf::chunkHeaderBytes);
+	if (length > file.size()) failInput("the file is cut off");
+	const std::string_view chunk = file.substr(0, length);
+	file.remove_prefix(std::min<std::size_t>((length + 3) / 4 * 4, file.size()));
+	return chunk;
+}
+
+GltfJson parsed(std::string_view text)
+{
+	constexpr int mostDeep  = 100; // what works on parts of it calls itself for each level
+	bool          isTooDeep = false;
+	const auto    look      = [&](int depth, GltfJson::parse_event_t, GltfJson&) {
+        isTooDeep = isTooDeep || depth > mostDeep;
+        return !isTooDeep;
+	};
+	GltfJson json = GltfJson::parse(text, look, false);
+	if (isTooDeep || !json.is_object()) failInput("its JSON part is malformed");
+	return json;
+}
+
+int componentNumOf(const GltfJson& accessor)
+{
+	const auto type = accessor.find("type");
+	if (type == accessor.end() || !type->is_string()) failInput("an accessor has no type");
+	if (*type == "SCALAR") return 1;
+	if (*type == "VEC2") return 2;
+	if (*type == "VEC3") return 3;
+	if (*type == "VEC4") return 4;
+	failInput("an accessor is of another type than is wanted there");
+}
+
+std::size_t bytesOf(std::int64_t componentType)
+{
+	switch (componentType) {
+	case gltf::Int8:
+	case gltf::UInt8:
+		return 1;
+	case gltf::Int16:
+	case gltf::UInt16:
+		return 2;
+	case gltf::UInt32:
+	case gltf::Float:
+		return 4;
+	default:
+		failInput("an accessor has numbers of an unknown kind");
+	}
+}
+
+/// A whole number as a share of the largest one of its kind.
+double normalized(double value, std::int64_t componentType)
+{
+	switch (componentType) {
+	case gltf::Int8:
+		return std::max(value / 127, -1.0);
+	case gltf::UInt8:
+		return value / 255;
+	case gltf::Int16:
+		return std::max(value / 32767, -1.0);
+	case gltf::UInt16:
+		return value / 65535;
+	case gltf::UInt32:
+		return value / 4294967295.0;
+	default:
+		return value;
+	}
+}
+
+} // namespace
+
+GlbChunks glbChunksOf(std::string_view file)
+{
+	if (file.size() < gltf::headerBytes || valueAt<std::uint32_t>(file.data()) != gltf::magic)
+		failInput("it is no binary glTF file");
+	if (valueAt<std::uint32_t>(file.data() + 4) != gltf::version)
+		failInput("it is of another version of glTF than 2.0");
+	const auto length = valueAt<std::uint32_t>(file.data() + 8);
+	if (length > file.size() || length < gltf::headerBytes) failInput("the file is cut off");
+	file = file.substr(gltf::headerBytes, length - gltf::headerBytes);
+
+	std::uint32_t          kind = 0;
+	const std::string_view json = takeChunk(file, kind);
+	if (kind != gltf::jsonChunk) failInput("it has no JSON part");
+	GlbChunks              glb{parsed(json), {}};
+	const std::string_view second = takeChunk(file, kind);
+	if (kind == gltf::binaryChunk) glb.binary = second;
+	return glb;
+}
+
+const GltfJson& listOf(const GltfJson& object, const char* name)
+{
+	static const GltfJson none = GltfJson::array();
+	const auto            list = object.find(name);
+	if (list == object.end()) return none;
+	if (!list->is_array()) failInput(std::string("its '") + name + "' is no list");
+	return *list;
+}
+
+std::int64_t countOf(const GltfJson& object, const char* name, std::int64_t fallback)
+{
+	const auto value = object.find(name);
+	if (value == object.end()) return fallback;
+	if (!value->is_number_unsigned() || value->get<std::uint64_t>() > INT64_MAX)
+		failInput(std::string("its '") + name + "' is no whole number of at least 0");
+	return std::int64_t(value->get<std::uint64_t>());
+}
+
+const GltfJson& entryOf(const GltfJson& list, std::int64_t index, const char* what)
+{
+	if (index < 0 || index >= std::int64_t(list.size()) || !list[std::size_t(index)].is_object())
+		failInput(std::string("it names a ") + what + " that does not exist");
+	return list[std::size_t(index)];
+}
+
+std::string_view bufferViewOf(const GlbChunks& glb, std::int64_t index)
+{
+	const GltfJson& view = entryOf(listOf(glb.json, "bufferViews"), index, "buffer view");
+	const GltfJson& buffer =
+		entryOf(listOf(glb.json, "buffers"), countOf(view, "buffer", -1), "buffer");
+	if (countOf(view, "buffer", -1) != 0 || buffer.contains("uri"))
+		failInput("its data lie in another file, which is not read");
+	const auto offset = std::uint64_t(countOf(view, "byteOffset", 0));
+	const auto length = std::uint64_t(countOf(view, "byteLength", 0));
+	if (offset > glb.binary.size() || length > glb.binary.size() - offset)
+		failInput("a buffer view goes beyond the file's data");
+	return glb.binary.substr(std::size_t(offset), std::size_t(length));
+}
+
+GltfRows::GltfRows(const GlbChunks& glb, std::int64_t accessor, int wantedComponents)
+{
+	const GltfJson& entry = entryOf(listOf(glb.json, "accessors"), accessor, "accessor");
+	if (entry.contains("sparse") || !entry.contains("bufferView"))
+		failInput("it has sparse accessors, which are not read");
+	type_           = countOf(entry, "componentType", 0);
+	componentBytes_ = bytesOf(type_);
+	componentNum_   = componentNumOf(entry);
+	if (wantedComponents != 0 && componentNum_ != wantedComponents)
+		failInput("an accessor is of another type than is wanted there");
+	const auto normalizedEntry = entry.find("normalized");
+	isNormalized_ = normalizedEntry != entry.end() && *normalizedEntry == GltfJson(true);
+
+	const std::int64_t view  = countOf(entry, "bufferView", -1);
+	bytes_                   = bufferViewOf(glb, view);
+	const auto        offset = std::uint64_t(countOf(entry, "byteOffset", 0));
+	const auto        rows   = std::uint64_t(countOf(entry, "count", 0));
+	const std::size_t packed = componentBytes_ * std::size_t(componentNum_);
+	const auto stride = std::uint64_t(countOf(listOf(glb.json, "bufferViews")[std::size_t(view)],
+											  "byteStride", std::int64_t(packed)));
+	// Each row has at least a byte of its own, so that the products below stay small.
+	if (stride < packed || stride > 252 || offset > bytes_.size() || rows > bytes_.size())
+		failInput("an accessor goes beyond its buffer view");
+	bytes_.remove_prefix(std::size_t(offset));
+	if (rows > 0 && (rows - 1) * stride + packed > bytes_.size())
+		failInput("an accessor goes beyond its buffer view");
+	rowNum_ = std::size_t(rows);
+	stride_ = std::size_t(stride);
+}
+
+double GltfRows::number(std::size_t row, int component) const
+{
+	const char* const from  = at(row, component);
+	double            value = 0;
+	switch (type_) {
+	case gltf::Int8:
+		value = valueAt<std::int8_t>(from);
+		break;
+	case gltf::UInt8:
+		value = valueAt<std::uint8_t>(from);
+		break;
+	case gltf::Int16:
+		value = valueAt<std::int16_t>(from);
+		break;
+	case gltf::UInt16:
+		value = valueAt<std::uint16_t>(from);
+		break;
+	case gltf::UInt32:
+		value = valueAt<std::uint32_t>(from);
+		break;
+	default:
+		return double(valueAt<float>(from));
+	}
+	return isNormalized_ ? normalized(value, type_) : value;
+}
+
+std::int64_t GltfRows::index(std::size_t row) const
+{
+	switch (type_) {
+	case gltf::UInt8:
+		return valueAt<std::uint8_t>(at(row, 0));
+	case gltf::UInt16:
+		return valueAt<std::uint16_t>(at(row, 0));
+	case gltf::UInt32:
+		return valueAt<std::uint32_t>(at(row, 0));
+	default:
+		failInput("its indices are no whole numbers without sign");
+	}
+}
+
+} // namespace gpr::app

@@ -1,0 +1,337 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "glb_writer.h"
+
+#include "glb_container.h"
+#include "gltf_materials.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <tuple>
+
+namespace gpr::app {
+
+namespace {
+
+using Columns = std::vector<const ValueColumn*>;
+
+/// The columns with these names, or none where one is missing.
+Columns columnsOf(const MeshAttributes& a, const std::vector<const char*>& names)
+{
+	Columns columns;
+	for (const char* name : names) {
+		columns.push_back(a.ofVertex(name));
+		if (columns.back() == nullptr) return {};
+	}
+	return columns;
+}
+
+/// The vertices of the file: each of the mesh's, as often as it has texture coordinates.
+struct FileVertices {
+	std::vector<std::int32_t>         vertex; ///< of the mesh
+	std::vector<std::array<float, 2>> uv;     ///< empty without a texture
+	std::vector<std::uint32_t>        corner; ///< of the faces
+};
+
+FileVertices verticesWithoutTexture(const TriangleMesh& mesh)
+{
+	FileVertices out;
+	for (std::size_t v = 0; v < mesh.vertexNum(); ++v)
+		out.vertex.push_back(std::int32_t(v));
+	out.corner.assign(mesh.triangles.begin(), mesh.triangles.end());
+	return out;
+}
+
+FileVertices verticesWithTexture(const TriangleMesh& mesh, const std::vector<float>& uv)
+{
+	using Key = std::tuple<std::int32_t, float, float>;
+	std::map<Key, std::uint32_t> known;
+	FileVertices                 out;
+	for (std::size_t c = 0; c < mesh.triangles.size(); ++c) {
+		const Key  key(mesh.triangles[c], uv[2 * c], uv[2 * c + 1]);
+		const auto at = known.emplace(key, std::uint32_t(out.vertex.size()));
+		out.corner.push_back(at.first->second);
+		if (!at.second) continue;
+		out.vertex.push_back(mesh.triangles[c]);
+		out.uv.push_back({uv[2 * c], 1 - uv[2 * c + 1]}); // from the upper left corner
+	}
+	return out;
+}
+
+/// The JSON part and the binary part, while they grow.
+class GlbParts {
+public:
+	GltfJson    json;
+	std::string binary;
+
+	template <class T>
+	void put(T value)
+	{
+		const char* const raw = reinterpret_cast<const char*>(&value);
+		binary.append(raw, sizeof value);
+	}
+
+	/// What was put since `begin` becomes a buffer view; returns its number.
+	std::size_t endView(std::size_t begin)
+	{
+		json["bufferViews"].push_back(
+			{{"buffer", 0}, {"byteOffset", begin}, {"byteLength", binary.size() - begin}});
+		binary.append((4 - binary.size() % 4) % 4, '\0');
+		return json["bufferViews"].size() - 1;
+	}
+
+	/// The same as an accessor.
+	std::size_t endAccessor(std::size_t begin, const char* type, std::int64_t componentType,
+							std::size_t count)
+	{
+		const std::size_t view = endView(begin);
+		json["accessors"].push_back({{"bufferView", view},
+									 {"componentType", componentType},
+									 {"count", count},
+									 {"type", type}});
+		return json["accessors"].size() - 1;
+	}
+};
+
+class GlbWriting {
+public:
+	GlbWriting(const TriangleMesh& mesh, const MeshAttributes& a) : mesh_(mesh), a_(a)
+	{
+		parts_.json = {{"asset", {{"version", "2.0"}, {"generator", "gpremesh"}}},
+					   {"scene", 0},
+					   {"scenes", {{{"nodes", {0}}}}},
+					   {"nodes", {{{"mesh", 0}}}}};
+	}
+
+	void write(OutputFile& out)
+	{
+		const FileVertices vertices = a_.hasTexture() ? verticesWithTexture(mesh_, a_.texture.uv)
+													  : verticesWithoutTexture(mesh_);
+		putVertices(vertices);
+		putMaterials();
+		putFaces(vertices);
+		writeParts(out);
+	}
+
+private:
+	const TriangleMesh&   mesh_;
+	const MeshAttributes& a_;
+	GlbParts              parts_;
+	GltfJson              attributes_  = GltfJson::object();
+	std::size_t           materialNum_ = 0;
+
+	void putVertices(const FileVertices& vertices)
+	{
+		putPositions(vertices);
+		const Columns normal = columnsOf(a_, {"nx", "ny", "nz"});
+		if (!normal.empty()) putNormals(vertices, normal);
+		Columns colour = columnsOf(a_, {"red", "green", "blue", "alpha"});
+		if (colour.empty()) colour = columnsOf(a_, {"red", "green", "blue"});
+		if (!colour.empty()) putColours(vertices, colour);
+		if (!vertices.uv.empty()) putTexture(vertices);
+	}
+
+	void putPositions(const FileVertices& vertices)
+	{
+		const std::size_t    begin = parts_.binary.size();
+		std::array<float, 3> least{INFINITY, INFINITY, INFINITY},
+			most{-INFINITY, -INFINITY, -INFINITY};
+		for (const std::int32_t v : vertices.vertex) {
+			const Vec3d&               p     = mesh_.positions[std::size_t(v)];
+			const std::array<float, 3> place = {float(p.x), float(p.y), float(p.z)};
+			for (std::size_t k = 0; k < 3; ++k) {
+				least[k] = std::min(least[k], place[k]);
+				most[k]  = std::max(most[k], place[k]);
+				parts_.put(place[k]);
+			}
+		}
+		const std::size_t accessor =
+			parts_.endAccessor(begin, "VEC3", gltf::Float, vertices.vertex.size());
+		parts_.json["accessors"][accessor]["min"] = least;
+		parts_.json["accessors"][accessor]["max"] = most;
+		attributes_["POSITION"]                   = accessor;
+	}
+
+	/// glTF wants unit vectors; one that has no direction points upwards.
+	void putNormals(const FileVertices& vertices, const Columns& columns)
+	{
+		const std::size_t begin = parts_.binary.size();
+		for (const std::int32_t v : vertices.vertex) {
+			const auto   i = std::size_t(v);
+			Vec3d        n(columns[0]->values[i], columns[1]->values[i], columns[2]->values[i]);
+			const double len = length(n);
+			n                = len > 0 && std::isfinite(len) ? n * (1 / len) : Vec3d(0, 0, 1);
+			for (const double value : {n.x, n.y, n.z})
+				parts_.put(float(value));
+		}
+		attributes_["NORMAL"] =
+			parts_.endAccessor(begin, "VEC3", gltf::Float, vertices.vertex.size());
+	}
+
+	/// Four bytes a vertex, since rows must begin at multiples of four.
+	void putColours(const FileVertices& vertices, const Columns& columns)
+	{
+		const std::size_t begin = parts_.binary.size();
+		for (const std::int32_t v : vertices.vertex) {
+			for (std::size_t k = 0; k < 4; ++k) {
+				double value = 255;
+				if (k < columns.size()) {
+					const bool isByte = columns[k]->type == PlyType::UInt8;
+					value             = columns[k]->values[std::size_t(v)] * (isByte ? 1 : 255);
+				}
+				parts_.put(std::uint8_t(value > 0 ? std::min(value + 0.5, 255.0) : 0));
+			}
+		}
+		const std::size_t accessor =
+			parts_.endAccessor(begin, "VEC4", gltf::UInt8, vertices.vertex.size());
+		parts_.json["accessors"][accessor]["normalized"] = true;
+		attributes_["COLOR_0"]                           = accessor;
+	}
+
+	void putTexture(const FileVertices& vertices)
+	{
+		const std::size_t begin = parts_.binary.size();
+		for (const std::array<float, 2>& uv : vertices.uv) {
+			parts_.put(uv[0]);
+			parts_.put(uv[1]);
+		}
+		attributes_["TEXCOORD_0"] =
+			parts_.endAccessor(begin, "VEC2", gltf::Float, vertices.uv.size());
+	}
+
+	// ---- materials
+
+	void putMaterials()
+	{
+		if (a_.gltf != nullptr)
+			putGltfMaterials(*a_.gltf);
+		else if (!a_.materials.empty())
+			putNamedMaterials();
+		else if (a_.hasTexture())
+			putImages();
+		if (parts_.json.contains("materials")) materialNum_ = parts_.json["materials"].size();
+	}
+
+	void putGltfMaterials(const GltfMaterials& kept)
+	{
+		parts_.json.update(GltfJson::parse(kept.json));
+		for (std::size_t i = 0; i < kept.imageBytes.size(); ++i) {
+			GltfJson& image = parts_.json["images"][i];
+			if (!image.contains("bufferView")) continue;
+			const std::size_t begin = parts_.binary.size();
+			parts_.binary += kept.imageBytes[i];
+			image["bufferView"] = parts_.endView(begin);
+		}
+	}
+
+	void putNamedMaterials()
+	{
+		for (const std::string& name : a_.materials)
+			parts_.json["materials"].push_back(
+				{{"name", name}, {"pbrMetallicRoughness", {{"metallicFactor", 0}}}});
+	}
+
+	/// One material for each file of an image.
+	void putImages()
+	{
+		for (std::size_t i = 0; i < a_.images.size(); ++i) {
+			parts_.json["images"].push_back({{"uri", a_.images[i]}});
+			parts_.json["textures"].push_back({{"source", i}});
+			parts_.json["materials"].push_back(
+				{{"pbrMetallicRoughness",
+				  {{"baseColorTexture", {{"index", i}}}, {"metallicFactor", 0}}}});
+		}
+	}
+
+	// ---- faces
+
+	std::int64_t materialOf(std::size_t f) const
+	{
+		if (!a_.texture.image.empty()) return a_.texture.image[f];
+		for (const ValueColumn& column : a_.ofFaces) {
+			if (column.name == "material") return std::int64_t(column.values[f]);
+		}
+		return 0;
+	}
+
+	/// A primitive for each material.
+	void putFaces(const FileVertices& vertices)
+	{
+		std::map<std::int64_t, std::vector<std::size_t>> faces;
+		for (std::size_t f = 0; f < mesh_.faceNum(); ++f)
+			faces[materialOf(f)].push_back(f);
+		GltfJson primitives = GltfJson::array();
+		for (const auto& [material, ofMaterial] : faces) {
+			const std::size_t begin = parts_.binary.size();
+			for (const std::size_t f : ofMaterial) {
+				for (std::size_t c = 3 * f; c < 3 * f + 3; ++c)
+					parts_.put(vertices.corner[c]);
+			}
+			GltfJson primitive = {{"attributes", attributes_},
+								  {"indices", parts_.endAccessor(begin, "SCALAR", gltf::UInt32,
+																 3 * ofMaterial.size())}};
+			if (material >= 0 && std::size_t(material) < materialNum_)
+				primitive["material"] = material;
+			primitives.push_back(std::move(primitive));
+		}
+		parts_.json["meshes"].push_back({{"primitives", std::move(primitives)}});
+	}
+
+	// ---- the file
+
+	static void number(std::size_t value, OutputFile& out)
+	{
+		const auto word = std::uint32_t(value);
+		char       bytes[sizeof word];
+		std::memcpy(bytes, &word, sizeof word);
+		out.bytes(bytes, sizeof word);
+	}
+
+	void writeParts(OutputFile& out)
+	{
+		parts_.json["buffers"].push_back({{"byteLength", parts_.binary.size()}});
+		std::string text = parts_.json.dump(-1, ' ', false, GltfJson::error_handler_t::replace);
+		text.append((4 - text.size() % 4) % 4, ' ');
+		const std::size_t length =
+			gltf::headerBytes + 2 * gltf::chunkHeaderBytes + text.size() + parts_.binary.size();
+		if (length > UINT32_MAX)
+			throw AppError(ExitCode::Failure, "a binary glTF file holds at most 4 GB.");
+		number(gltf::magic, out);
+		number(gltf::version, out);
+		number(length, out);
+		number(text.size(), out);
+		number(gltf::jsonChunk, out);
+		out.text(text);
+		number(parts_.binary.size(), out);
+		number(gltf::binaryChunk, out);
+		out.bytes(parts_.binary.data(), parts_.binary.size());
+	}
+};
+
+bool isWritten(const ValueColumn& column)
+{
+	const auto is = [&](const char* name) { return column.name == name; };
+	return is("red") || is("green") || is("blue") || is("alpha") || is("nx") || is("ny") ||
+		   is("nz");
+}
+
+} // namespace
+
+void writeGlb(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
+			  std::vector<std::string>& lost)
+{
+	for (const ValueColumn& column : attributes.ofVertices) {
+		if (!isWritten(column)) lost.push_back("'" + column.name + "' of vertices");
+	}
+	for (const ValueColumn& column : attributes.ofFaces) {
+		if (column.name != "material") lost.push_back("'" + column.name + "' of faces");
+	}
+	GlbWriting(mesh, attributes).write(out);
+}
+
+} // namespace gpr::app

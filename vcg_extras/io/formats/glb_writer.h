@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_FORMATS_GLB_WRITER_H
+#define VCG_EXTRAS_IO_FORMATS_GLB_WRITER_H
+
+#include <vcg_extras/core/mesh_view.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/mesh/mesh_attributes.h>
+
+#include <string>
+#include <vector>
+
+namespace gpr::app {
+
+/// Writes a binary glTF 2.0 file of one mesh, with texture coordinates, colours and normals of the
+/// vertices, and materials, as far as there are any; names the rest. glTF has one texture
+/// coordinate for each vertex, so that vertices along seams are written more than once. The
+/// materials of a glTF file that was read are written as they were, with the images that it holds;
+/// images and materials of other files by their names. The format holds floats only. Throws
+/// AppError (Failure) for more than 4 GB.
+void writeGlb(const TriangleMesh& mesh, const MeshAttributes& attributes, OutputFile& out,
+			  std::vector<std::string>& lost);
+
+} // namespace gpr::app
+
+#endif

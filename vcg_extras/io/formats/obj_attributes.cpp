@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "obj_attributes.h"
+
+#include "obj_lines.h"
+
+#include <vcg_extras/io/text/number_text.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <numeric>
+#include <string>
+#include <tuple>
+
+namespace gpr::app {
+
+namespace {
+
+/// Collects what the lines say; the mesh itself has been read and checked before.
+class ObjReading {
+public:
+	void readLine(std::string_view line)
+	{
+		Words                  words(withoutComment(line));
+		const std::string_view keyword = words.next();
+		if (keyword == "v") {
+			addVertex(words);
+		}
+		else if (keyword == "vt") {
+			addTexturePoint(words);
+		}
+		else if (keyword == "f") {
+			addFace(words);
+		}
+		else if (keyword == "usemtl") {
+			material_ = numberOf(std::string(words.rest()));
+		}
+		else if (keyword == "mtllib" && library_.empty()) {
+			library_ = words.rest();
+		}
+		else if (keyword == "vn") {
+			hasNormals_ = true;
+		}
+	}
+
+	void giveTo(InputMesh& mesh)
+	{
+		order_.finish(mesh.view());
+		MeshAttributes& a = mesh.attributes;
+		if (hasNormals_) a.lost.push_back("normals");
+		if (order_.face().size() != mesh.faceNum() || vertexNum_ != mesh.vertexNum()) {
+			a.lost.push_back("the attributes of this OBJ file, which is read in another way");
+			return;
+		}
+		giveColours(a);
+		const bool isTextured = texturedCorners_ > 0 && malformed_ == 0;
+		if (isTextured) a.texture.uv = cornersOfTriangles(uv_, order_);
+		if (malformed_ > 0) a.lost.push_back("malformed texture coordinates");
+		if (materialNames_.empty()) return;
+		a.materials                      = materialNames_;
+		a.materialLibrary                = library_;
+		const std::vector<double> number = perTriangle(faceMaterial_, order_);
+		if (isTextured)
+			a.texture.image.assign(number.begin(), number.end());
+		else
+			a.ofFaces.push_back({"material", PlyType::Int32, number});
+	}
+
+private:
+	std::size_t                              vertexNum_ = 0;
+	std::vector<std::array<std::uint8_t, 3>> colour_; ///< as many as vertices, or useless
+	std::vector<std::array<float, 2>>        texturePoint_;
+	TriangleOrder                            order_;
+	std::vector<float>                       uv_; ///< two a corner of the file
+	std::vector<double>                      faceMaterial_;
+	std::map<std::string, int, std::less<>>  materialNumber_;
+	std::vector<std::string>                 materialNames_;
+	std::string                              library_;
+	int                                      material_        = 0;
+	std::int64_t                             texturedCorners_ = 0, malformed_ = 0;
+	bool                                     hasNormals_ = false;
+	std::vector<std::int64_t>                corners_;
+
+	int numberOf(const std::string& name)
+	{
+		const auto found = materialNumber_.find(name);
+		if (found != materialNumber_.end()) return found->second;
+		// Faces before the first usemtl have a material without a name.
+		if (materialNames_.empty() && !faceMaterial_.empty()) materialNames_.push_back("");
+		const int number = int(materialNames_.size());
+		materialNames_.push_back(name);
+		materialNumber_[name] = number;
+		return number;
+	}
+
+	void addVertex(Words& words)
+	{
+		++vertexNum_;
+		for (int k = 0; k < 3; ++k)
+			words.next();
+		std::array<std::uint8_t, 3> colour{};
+		if (readObjColour(words, colour)) colour_.push_back(colour);
+	}
+
+	void addTexturePoint(Words& words)
+	{
+		double     u = 0, v = 0;
+		const bool good = parseNumber(words.next(), u);
+		parseNumber(words.next(), v);
+		if (!good) ++malformed_;
+		texturePoint_.push_back({float(u), float(v)});
+	}
+
+	/// An index of the file, from the begin or from the end, as one from 0; -1 where it is none.
+	static std::int64_t resolved(std::string_view word, std::size_t num)
+	{
+		std::int64_t index = 0;
+		if (!parseInteger(word, index) || index == 0) return -1;
+		index = index > 0 ? index - 1 : index + std::int64_t(num);
+		return index >= 0 && index < std::int64_t(num) ? index : -1;
+	}
+
+	void addFace(Words& words)
+	{
+		corners_.clear();
+		for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+			const std::size_t slash = std::min(word.find('/'), word.size());
+			corners_.push_back(resolved(word.substr(0, slash), vertexNum_));
+			std::string_view rest = word.substr(std::min(slash + 1, word.size()));
+			rest                  = rest.substr(0, std::min(rest.find('/'), rest.size()));
+			const std::int64_t t  = rest.empty() ? -1 : resolved(rest, texturePoint_.size());
+			if (!rest.empty() && t < 0) ++malformed_;
+			texturedCorners_ += t >= 0;
+			for (std::size_t i = 0; i < 2; ++i)
+				uv_.push_back(t >= 0 ? texturePoint_[std::size_t(t)][i] : 0);
+		}
+		order_.add(corners_.data(), corners_.size());
+		faceMaterial_.push_back(material_);
+	}
+
+	void giveColours(MeshAttributes& a) const
+	{
+		if (colour_.empty() || colour_.size() != vertexNum_) return;
+		const char* names[] = {"red", "green", "blue"};
+		for (std::size_t k = 0; k < 3; ++k) {
+			ValueColumn column{names[k], PlyType::UInt8, {}};
+			for (const auto& c : colour_)
+				column.values.push_back(c[k]);
+			a.ofVertices.push_back(std::move(column));
+		}
+	}
+};
+
+} // namespace
+
+void readObjAttributes(std::string_view file, InputMesh& mesh)
+{
+	ObjReading reading;
+	while (!file.empty())
+		reading.readLine(takeLine(file));
+	reading.giveTo(mesh);
+}
+
+// ---- writing
+
+namespace {
+
+class ObjWriting {
+public:
+	ObjWriting(const TriangleMesh& mesh, const MeshAttributes& a, OutputFile& out) :
+			mesh_(mesh), a_(a),
+			out_(out), rgb_{a.ofVertex("red"), a.ofVertex("green"), a.ofVertex("blue")}
+	{
+	}
+
+	void write(bool doublePrecision)
+	{
+		if (a_.any()) out_.text("# written by gpremesh\n");
+		if (!a_.materialLibrary.empty()) out_.text("mtllib " + a_.materialLibrary + "\n");
+		for (std::size_t v = 0; v < mesh_.vertexNum(); ++v) {
+			out_.text("v");
+			out_.position(mesh_.positions[v], doublePrecision);
+			writeColour(v);
+			out_.text("\n");
+		}
+		if (a_.hasTexture()) numberTexturePoints();
+		writeFaces();
+	}
+
+private:
+	const TriangleMesh&       mesh_;
+	const MeshAttributes&     a_;
+	OutputFile&               out_;
+	const ValueColumn*        rgb_[3];
+	std::vector<std::int64_t> point_; ///< per corner: its vt, from 1
+
+	void number(double value)
+	{
+		char       text[40];
+		const auto end = std::to_chars(text, text + sizeof text, float(value));
+		out_.text(" ");
+		out_.text(std::string_view(text, std::size_t(end.ptr - text)));
+	}
+
+	void writeColour(std::size_t v)
+	{
+		if (!rgb_[0] || !rgb_[1] || !rgb_[2]) return;
+		for (const ValueColumn* c : rgb_)
+			number(c->type == PlyType::UInt8 ? c->values[v] / 255 : c->values[v]);
+	}
+
+	/// One vt for all corners of a vertex that have the same coordinates.
+	void numberTexturePoints()
+	{
+		using Key = std::tuple<std::int32_t, float, float>;
+		std::map<Key, std::int64_t> known;
+		point_.resize(mesh_.triangles.size());
+		for (std::size_t c = 0; c < point_.size(); ++c) {
+			const float u = a_.texture.uv[2 * c], v = a_.texture.uv[2 * c + 1];
+			const auto  at = known.emplace(Key(mesh_.triangles[c], u, v), known.size() + 1);
+			point_[c]      = at.first->second;
+			if (!at.second) continue;
+			out_.text("vt");
+			number(u);
+			number(v);
+			out_.text("\n");
+		}
+	}
+
+	std::size_t materialOf(std::size_t f) const
+	{
+		if (!a_.texture.image.empty()) return std::size_t(a_.texture.image[f]);
+		for (const ValueColumn& column : a_.ofFaces) {
+			if (column.name == "material") return std::size_t(column.values[f]);
+		}
+		return 0;
+	}
+
+	void writeFaces()
+	{
+		std::size_t material = a_.materials.size(); // none yet
+		for (std::size_t f : facesByMaterial()) {
+			if (!a_.materials.empty() && materialOf(f) != material) {
+				material = materialOf(f);
+				if (!a_.materials[material].empty())
+					out_.text("usemtl " + a_.materials[material] + "\n");
+			}
+			out_.text("f");
+			for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
+				out_.text(" ");
+				out_.integer(mesh_.triangles[c] + 1);
+				if (point_.empty()) continue;
+				out_.text("/");
+				out_.integer(point_[c]);
+			}
+			out_.text("\n");
+		}
+	}
+
+	/// So that each material is named once; otherwise in their order.
+	std::vector<std::size_t> facesByMaterial() const
+	{
+		std::vector<std::size_t> order(mesh_.faceNum());
+		std::iota(order.begin(), order.end(), std::size_t(0));
+		if (a_.materials.size() > 1) {
+			std::stable_sort(order.begin(), order.end(), [&](std::size_t f, std::size_t g) {
+				return materialOf(f) < materialOf(g);
+			});
+		}
+		return order;
+	}
+};
+
+} // namespace
+
+void writeObj(const TriangleMesh& mesh, bool doublePrecision, const MeshAttributes& attributes,
+			  OutputFile& out, std::vector<std::string>& lost)
+{
+	for (const ValueColumn& column : attributes.ofVertices) {
+		const bool isWritten =
+			column.name == "red" || column.name == "green" || column.name == "blue";
+		if (!isWritten) lost.push_back("'" + column.name + "' of vertices");
+	}
+	for (const ValueColumn& column : attributes.ofFaces) {
+		if (column.name != "material") lost.push_back("'" + column.name + "' of faces");
+	}
+	if (!attributes.images.empty()) lost.push_back("names of images");
+	ObjWriting(mesh, attributes, out).write(doublePrecision);
+}
+
+} // namespace gpr::app

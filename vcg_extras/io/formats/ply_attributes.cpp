@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ply_attributes.h"
+
+#include "ply_layout.h"
+#include "ply_source.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+
+namespace gpr::app {
+
+namespace {
+
+/// The number of a scalar property, or -1.
+int findScalar(const PlyElement& e, const char* name)
+{
+	const int i = e.find(name);
+	return i >= 0 && !e.properties[std::size_t(i)].isList ? i : -1;
+}
+
+/// One record of an element: its scalars by property, and the values of two lists.
+struct Record {
+	std::vector<double>       scalars;
+	std::vector<std::int64_t> corners;
+	std::vector<float>        texture;
+};
+
+/// Which lists of an element are kept; -1: none.
+struct KeptLists {
+	int corners = -1, texture = -1;
+};
+
+template <class Source, class Keep>
+void readList(const PlyProperty& p, Source& source, const Keep& keep)
+{
+	// Value by value: a count beyond the end of the file ends there, before memory does.
+	const std::int64_t num = source.whole(p.countType);
+	for (std::int64_t i = 0; i < num; ++i)
+		keep();
+}
+
+template <class Source>
+void readRecord(const PlyElement& e, const KeptLists& kept, Source& source, Record& record)
+{
+	record.scalars.resize(e.properties.size());
+	record.corners.clear();
+	record.texture.clear();
+	for (std::size_t i = 0; i < e.properties.size(); ++i) {
+		const PlyProperty& p = e.properties[i];
+		if (!p.isList) {
+			record.scalars[i] = source.real(p.type);
+		}
+		else if (int(i) == kept.corners) {
+			readList(p, source, [&] { record.corners.push_back(source.whole(p.type)); });
+		}
+		else if (int(i) == kept.texture) {
+			readList(p, source, [&] { record.texture.push_back(float(source.real(p.type))); });
+		}
+		else {
+			readList(p, source, [&] { source.real(p.type); });
+		}
+	}
+}
+
+/// Where an element's records say that they are selected.
+class SelectionColumns {
+public:
+	explicit SelectionColumns(const PlyElement& e) :
+			flags_(findScalar(e, "flags")), selected_(findScalar(e, "selected"))
+	{
+	}
+
+	bool exist() const { return flags_ >= 0 || selected_ >= 0; }
+	bool isSelected(const Record& record) const
+	{
+		if (selected_ >= 0 && record.scalars[std::size_t(selected_)] != 0) return true;
+		if (flags_ < 0) return false;
+		const double flags = record.scalars[std::size_t(flags_)];
+		return std::abs(flags) < 4294967296.0 && (std::int64_t(flags) & selectedPlyFlag) != 0;
+	}
+
+private:
+	int flags_, selected_;
+};
+
+void checkPresent(const PlyHeader& header, const WantedAttributes& wanted)
+{
+	bool quality = false, selection = false;
+	for (const PlyElement& e : header.elements) {
+		const bool isVertex = e.name == "vertex";
+		quality             = quality || (isVertex && findScalar(e, "quality") >= 0);
+		if (isVertex || e.name == "face") selection = selection || SelectionColumns(e).exist();
+	}
+	if (wanted.quality && !quality) failInput("its vertices have no property 'quality'");
+	if (wanted.selection && !selection) {
+		failInput("its vertices and faces have neither the property 'selected' nor 'flags'");
+	}
+	if (!wanted.faceSelection) return;
+	for (const PlyElement& e : header.elements) {
+		if (e.name == "face" && SelectionColumns(e).exist()) return;
+	}
+	failInput("its faces have neither the property 'selected' nor 'flags'");
+}
+
+bool isOneOf(const std::string& name, std::initializer_list<const char*> names)
+{
+	return std::any_of(names.begin(), names.end(), [&](const char* n) { return name == n; });
+}
+
+/// The properties of an element that are carried, and their columns.
+class CarriedColumns {
+public:
+	CarriedColumns(const PlyElement& e, bool carried)
+	{
+		for (std::size_t i = 0; carried && i < e.properties.size(); ++i) {
+			const PlyProperty& p     = e.properties[i];
+			const bool         isOwn = e.name == "vertex" ? isOneOf(p.name, {"x", "y", "z"})
+														  : isOneOf(p.name, {"texnumber"});
+			if (p.isList || isOwn || isOneOf(p.name, {"flags", "selected"})) continue;
+			property_.push_back(i);
+			columns.push_back({p.name, p.type, {}});
+		}
+	}
+
+	std::vector<ValueColumn> columns;
+
+	bool any() const { return !columns.empty(); }
+	void take(const Record& record)
+	{
+		for (std::size_t c = 0; c < columns.size(); ++c)
+			columns[c].values.push_back(record.scalars[property_[c]]);
+	}
+
+private:
+	std::vector<std::size_t> property_;
+};
+
+/// Where faces hold texture coordinates of their corners.
+struct TextureProperties {
+	explicit TextureProperties(const PlyElement& e) : image(findScalar(e, "texnumber"))
+	{
+		const int i = e.find("texcoord");
+		if (i >= 0 && e.properties[std::size_t(i)].isList) coordinates = i;
+	}
+	int coordinates = -1, image;
+};
+
+template <class Source>
+void readVertices(const PlyElement& e, const WantedAttributes& wanted, Source& source,
+				  InputMesh& mesh)
+{
+	const int              quality = wanted.quality ? findScalar(e, "quality") : -1;
+	const SelectionColumns selection(e);
+	CarriedColumns         carried(e, wanted.carried);
+	Record                 record;
+	for (std::uint64_t v = 0; v < e.count; ++v) {
+		readRecord(e, {}, source, record);
+		if (quality >= 0) mesh.quality.push_back(float(record.scalars[std::size_t(quality)]));
+		if (wanted.ofSelectedVertices() && selection.isSelected(record)) mesh.selected[v] = 1;
+		carried.take(record);
+	}
+	mesh.attributes.ofVertices = std::move(carried.columns);
+}
+
+/// What the file says of its faces, one after the other, until polygons are cut.
+class FaceReading {
+public:
+	FaceReading(const PlyElement& e, const WantedAttributes& wanted) :
+			wanted_(wanted), selection_(e), texture_(e), carried_(e, wanted.carried)
+	{
+		kept_.corners = findIndexList(e);
+		if (wanted.carried) kept_.texture = texture_.coordinates;
+	}
+
+	template <class Source>
+	void read(const PlyElement& e, Source& source, InputMesh& mesh)
+	{
+		const bool cornersToo = wanted_.selection && !mesh.view().anySelected();
+		Record     record;
+		for (std::uint64_t f = 0; f < e.count; ++f) {
+			readRecord(e, kept_, source, record);
+			order_.add(record.corners.data(), record.corners.size());
+			carried_.take(record);
+			if (kept_.texture >= 0) takeTexture(record);
+			if (wanted_.faceSelection) selected_.push_back(selection_.isSelected(record));
+			if (cornersToo && selection_.isSelected(record)) selectCorners(record, mesh);
+		}
+	}
+
+	void giveTo(InputMesh& mesh)
+	{
+		order_.finish(mesh.view());
+		if (order_.face().size() != mesh.faceNum()) { // triangle strips beside the faces
+			if (wanted_.faceSelection) failInput("its selection is not that of faces alone");
+			mesh.attributes.lost.push_back("attributes of faces beside triangle strips");
+			return;
+		}
+		for (ValueColumn& column : carried_.columns) {
+			column.values = perTriangle(column.values, order_);
+			mesh.attributes.ofFaces.push_back(std::move(column));
+		}
+		if (wanted_.faceSelection) {
+			for (const double s : perTriangle(selected_, order_))
+				mesh.selectedFaces.push_back(s != 0);
+		}
+		if (kept_.texture < 0) return;
+		mesh.attributes.texture.uv   = cornersOfTriangles(uv_, order_);
+		const std::vector<double> at = perTriangle(image_, order_);
+		if (texture_.image >= 0) mesh.attributes.texture.image.assign(at.begin(), at.end());
+	}
+
+private:
+	WantedAttributes    wanted_;
+	SelectionColumns    selection_;
+	TextureProperties   texture_;
+	CarriedColumns      carried_;
+	KeptLists           kept_;
+	TriangleOrder       order_;
+	std::vector<float>  uv_; ///< two a corner of the file
+	std::vector<double> image_, selected_;
+
+	void takeTexture(const Record& record)
+	{
+		std::vector<float> uv = record.texture;
+		uv.resize(2 * record.corners.size(), 0.0f);
+		uv_.insert(uv_.end(), uv.begin(), uv.end());
+		const int i = texture_.image;
+		image_.push_back(i >= 0 ? record.scalars[std::size_t(i)] : 0);
+	}
+
+	static void selectCorners(const Record& record, InputMesh& mesh)
+	{
+		for (const std::int64_t v : record.corners) {
+			if (v >= 0 && std::uint64_t(v) < mesh.vertexNum()) mesh.selected[std::size_t(v)] = 1;
+		}
+	}
+};
+
+bool wantsFaces(const PlyElement& e, const WantedAttributes& wanted)
+{
+	if (wanted.selection || wanted.faceSelection) return true;
+	return CarriedColumns(e, wanted.carried).any() ||
+		   (wanted.carried && TextureProperties(e).coordinates >= 0);
+}
+
+bool wantsElement(const PlyElement& e, const WantedAttributes& wanted)
+{
+	if (e.name == "vertex") {
+		const bool selection =
+			wanted.selection || (wanted.ifSelected && SelectionColumns(e).exist());
+		return wanted.quality || selection || CarriedColumns(e, wanted.carried).any();
+	}
+	return e.name == "face" && wantsFaces(e, wanted);
+}
+
+template <class Source>
+void skipElement(const PlyElement& e, Source& source)
+{
+	Record record;
+	for (std::uint64_t r = 0; !e.properties.empty() && r < e.count; ++r)
+		readRecord(e, {}, source, record);
+}
+
+/// Elements behind the last wanted one are not read.
+template <class Source>
+void readElements(const PlyHeader& header, const WantedAttributes& wanted, Source source,
+				  InputMesh& mesh)
+{
+	std::size_t num = usefulElementNum(header);
+	while (num > 0 && !wantsElement(header.elements[num - 1], wanted))
+		--num;
+	for (std::size_t i = 0; i < num; ++i) {
+		const PlyElement& e = header.elements[i];
+		if (!wantsElement(e, wanted)) {
+			skipElement(e, source);
+		}
+		else if (e.name == "vertex") {
+			readVertices(e, wanted, source, mesh);
+		}
+		else {
+			FaceReading faces(e, wanted);
+			faces.read(e, source, mesh);
+			faces.giveTo(mesh);
+		}
+	}
+}
+
+/// The lists that are not carried.
+void noteLostLists(const PlyHeader& header, MeshAttributes& attributes)
+{
+	for (const PlyElement& e : header.elements) {
+		if (e.name != "vertex" && e.name != "face") continue;
+		for (const PlyProperty& p : e.properties) {
+			const bool isKnown = isOneOf(p.name, {"vertex_indices", "vertex_index", "texcoord"});
+			if (p.isList && !(e.name == "face" && isKnown))
+				attributes.lost.push_back("the list '" + p.name + "'");
+		}
+	}
+}
+
+/// The files named by comments as MeshLab writes them.
+std::vector<std::string> findImages(std::string_view header)
+{
+	constexpr std::string_view keyword = "comment TextureFile ";
+	std::vector<std::string>   images;
+	for (std::size_t at = header.find(keyword); at != header.npos; at = header.find(keyword, at)) {
+		at += keyword.size();
+		const std::size_t end = std::min(header.find_first_of("\r\n", at), header.size());
+		images.emplace_back(header.substr(at, end - at));
+	}
+	return images;
+}
+
+} // namespace
+
+void readPlyAttributes(std::string_view file, const WantedAttributes& wanted, InputMesh& mesh)
+{
+	const PlyHeader header = readPlyHeader(file);
+	checkPresent(header, wanted);
+	if (wanted.quality) mesh.quality.reserve(mesh.vertexNum());
+	if (wanted.ofSelectedVertices()) mesh.selected.assign(mesh.vertexNum(), 0);
+	if (wanted.carried) {
+		noteLostLists(header, mesh.attributes);
+		mesh.attributes.images = findImages(file.substr(0, header.byteNum));
+	}
+	const std::string_view body = file.substr(header.byteNum);
+	if (header.format == PlyFormat::Ascii) {
+		readElements(header, wanted, TextSource(body, header.lineNum), mesh);
+	}
+	else {
+		readElements(header, wanted, BinarySource(body, header.format == PlyFormat::LittleEndian),
+					 mesh);
+	}
+}
+
+} // namespace gpr::app

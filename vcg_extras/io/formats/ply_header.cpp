@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ply_header.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/text/number_text.h>
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+namespace gpr::app {
+
+namespace {
+
+constexpr std::size_t longestHeader = 1 << 20; // bytes; real ones have a few hundred
+
+[[noreturn]] void fail(const std::string& sentence)
+{
+	failInput("bad PLY header: " + sentence);
+}
+
+std::vector<std::string> splitWords(std::string_view line)
+{
+	std::istringstream words{std::string(line)};
+	return {std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
+}
+
+/// Returns the lines of the header. How a line ends is decided by the first one: a binary file
+/// may go on with a byte that looks like half a line break.
+class HeaderLines {
+public:
+	explicit HeaderLines(std::string_view file) : text_(file.substr(0, longestHeader))
+	{
+		const std::size_t end = text_.find_first_of("\r\n");
+		if (end == text_.npos) return;
+		const bool pair = text_.substr(end, 2) == "\r\n";
+		lineBreak_      = pair ? "\r\n" : std::string(1, text_[end]);
+	}
+
+	std::string_view next()
+	{
+		const std::size_t end = text_.find(lineBreak_, at_);
+		if (end == text_.npos) fail("it does not come to an end");
+		const std::string_view line = text_.substr(at_, end - at_);
+		at_                         = end + lineBreak_.size();
+		++lineNum_;
+		return line;
+	}
+
+	std::size_t byteNum() const { return at_; }
+	std::size_t lineNum() const { return lineNum_; }
+
+private:
+	std::string_view text_;
+	std::string      lineBreak_ = "\n";
+	std::size_t      at_        = 0;
+	std::size_t      lineNum_   = 0;
+};
+
+PlyFormat formatOf(const std::vector<std::string>& words)
+{
+	if (words.size() < 2) fail("the format line is incomplete");
+	if (words[1] == "ascii") return PlyFormat::Ascii;
+	if (words[1] == "binary_little_endian") return PlyFormat::LittleEndian;
+	if (words[1] == "binary_big_endian") return PlyFormat::BigEndian;
+	fail("unknown format");
+}
+
+PlyType typeOf(const std::string& word)
+{
+	struct Name {
+		const char* oldName;
+		const char* newName;
+		PlyType     type;
+	};
+	static const Name names[] = {
+		{"char", "int8", PlyType::Int8},        {"uchar", "uint8", PlyType::UInt8},
+		{"short", "int16", PlyType::Int16},     {"ushort", "uint16", PlyType::UInt16},
+		{"int", "int32", PlyType::Int32},       {"uint", "uint32", PlyType::UInt32},
+		{"float", "float32", PlyType::Float32}, {"double", "float64", PlyType::Float64},
+	};
+	for (const Name& n : names) {
+		if (word == n.oldName || word == n.newName) return n.type;
+	}
+	fail("unknown type of a property");
+}
+
+PlyElement elementOf(const std::vector<std::string>& words)
+{
+	std::int64_t count = 0;
+	if (words.size() < 3 || !parseInteger(words[2], count) || count < 0) {
+		fail("an element without a valid count");
+	}
+	PlyElement element;
+	element.name  = words[1];
+	element.count = std::uint64_t(count);
+	return element;
+}
+
+PlyProperty propertyOf(const std::vector<std::string>& words)
+{
+	PlyProperty property;
+	property.isList = words.size() >= 2 && words[1] == "list";
+	if (words.size() < (property.isList ? 5u : 3u)) fail("an incomplete property");
+	if (property.isList) {
+		property.countType = typeOf(words[2]);
+		property.type      = typeOf(words[3]);
+		property.name      = words[4];
+		if (!isInteger(property.countType)) fail("the length of a list must be a whole number");
+	}
+	else {
+		property.type = typeOf(words[1]);
+		property.name = words[2];
+	}
+	return property;
+}
+
+} // namespace
+
+std::size_t plyTypeSize(PlyType type)
+{
+	static const std::size_t sizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+	return sizes[int(type)];
+}
+
+const char* plyTypeName(PlyType type)
+{
+	static const char* const names[] = {"char", "uchar", "short", "ushort",
+										"int",  "uint",  "float", "double"};
+	return names[int(type)];
+}
+
+bool isInteger(PlyType type)
+{
+	return type != PlyType::Float32 && type != PlyType::Float64;
+}
+
+bool PlyElement::hasList() const
+{
+	return std::any_of(properties.begin(), properties.end(),
+					   [](const PlyProperty& p) { return p.isList; });
+}
+
+int PlyElement::find(std::string_view propertyName) const
+{
+	for (std::size_t i = 0; i < properties.size(); ++i) {
+		if (properties[i].name == propertyName) return int(i);
+	}
+	return -1;
+}
+
+std::size_t PlyElement::smallestRecordBytes() const
+{
+	std::size_t bytes = 0;
+	for (const PlyProperty& p : properties)
+		bytes += plyTypeSize(p.isList ? p.countType : p.type);
+	return bytes;
+}
+
+PlyHeader readPlyHeader(std::string_view file)
+{
+	HeaderLines lines(file);
+	PlyHeader   header;
+	bool        formatKnown = false;
+	if (splitWords(lines.next()) != std::vector<std::string>{"ply"}) {
+		fail("the first line is not 'ply'");
+	}
+	while (true) {
+		const std::vector<std::string> words = splitWords(lines.next());
+		if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
+		if (words[0] == "end_header") break;
+		if (words[0] == "format") {
+			header.format = formatOf(words);
+			formatKnown   = true;
+		}
+		else if (words[0] == "element") {
+			header.elements.push_back(elementOf(words));
+		}
+		else if (words[0] == "property") {
+			if (header.elements.empty()) fail("a property before the first element");
+			header.elements.back().properties.push_back(propertyOf(words));
+		}
+		else {
+			fail("an unknown line");
+		}
+	}
+	if (!formatKnown) fail("there is no format line");
+	header.byteNum = lines.byteNum();
+	header.lineNum = lines.lineNum();
+	return header;
+}
+
+PlyElement elementWithPositions(PlyType coordinate, std::uint64_t count)
+{
+	return {"vertex", count, {{"x", coordinate}, {"y", coordinate}, {"z", coordinate}}};
+}
+
+PlyElement elementOfFaces(PlyType cornerNum, PlyType corner, std::uint64_t count)
+{
+	return {"face", count, {{"vertex_indices", corner, true, cornerNum}}};
+}
+
+std::string plyHeaderText(const PlyHeader& header, const std::string& comments)
+{
+	static const char* const formats[] = {"ascii", "binary_little_endian", "binary_big_endian"};
+	std::string              text =
+		std::string("ply\nformat ") + formats[int(header.format)] + " 1.0\n" + comments;
+	for (const PlyElement& element : header.elements) {
+		text += "element " + element.name + " " + std::to_string(element.count) + "\n";
+		for (const PlyProperty& p : element.properties) {
+			text += "property ";
+			if (p.isList) text += "list " + std::string(plyTypeName(p.countType)) + " ";
+			text += std::string(plyTypeName(p.type)) + " " + p.name + "\n";
+		}
+	}
+	return text + "end_header\n";
+}
+
+} // namespace gpr::app

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_FORMATS_PLY_HEADER_H
+#define VCG_EXTRAS_IO_FORMATS_PLY_HEADER_H
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gpr::app {
+
+enum class PlyType { Int8, UInt8, Int16, UInt16, Int32, UInt32, Float32, Float64 };
+
+/// Bytes that a value of this type takes in a binary file.
+std::size_t plyTypeSize(PlyType type);
+bool        isInteger(PlyType type);
+/// As headers have it: "uchar", "int", "float".
+const char* plyTypeName(PlyType type);
+
+/// A value as a whole number of a type: without the digits behind the point, at the end of the
+/// range where it lies beyond, 0 for NaN.
+template <class T>
+T wholeOfRange(double value)
+{
+	const double least = double(std::numeric_limits<T>::min());
+	const double most  = double(std::numeric_limits<T>::max());
+	return value == value ? T(std::clamp(value, least, most)) : T(0);
+}
+
+/// Gives a value to `put` as one of a type, see wholeOfRange.
+template <class Put>
+void putAs(PlyType type, double value, const Put& put)
+{
+	switch (type) {
+	case PlyType::Int8:
+		return put(wholeOfRange<std::int8_t>(value));
+	case PlyType::UInt8:
+		return put(wholeOfRange<std::uint8_t>(value));
+	case PlyType::Int16:
+		return put(wholeOfRange<std::int16_t>(value));
+	case PlyType::UInt16:
+		return put(wholeOfRange<std::uint16_t>(value));
+	case PlyType::Int32:
+		return put(wholeOfRange<std::int32_t>(value));
+	case PlyType::UInt32:
+		return put(wholeOfRange<std::uint32_t>(value));
+	case PlyType::Float32:
+		return put(float(value));
+	case PlyType::Float64:
+		return put(value);
+	}
+}
+
+/// vcglib's bit of a selected vertex or face in the property "flags".
+constexpr std::int64_t selectedPlyFlag = 0x20;
+
+struct PlyProperty {
+	std::string name;
+	PlyType     type      = PlyType::Float32; ///< of the value, or of a list's values
+	bool        isList    = false;
+	PlyType     countType = PlyType::UInt8; ///< lists only
+};
+
+struct PlyElement {
+	std::string              name;
+	std::uint64_t            count = 0;
+	std::vector<PlyProperty> properties;
+
+	bool hasList() const;
+	/// Index of the property with this name, or -1.
+	int find(std::string_view propertyName) const;
+	/// The least that one record takes in a binary file: every list empty.
+	std::size_t smallestRecordBytes() const;
+};
+
+enum class PlyFormat { Ascii, LittleEndian, BigEndian };
+
+struct PlyHeader {
+	PlyFormat               format = PlyFormat::Ascii;
+	std::vector<PlyElement> elements;
+	std::size_t             byteNum = 0; ///< of the header, its last line break included
+	std::size_t             lineNum = 0;
+};
+
+/// Reads the header of a PLY file. Its length is bounded, so that a file without an end of header
+/// cannot keep it busy. Throws AppError (BadInput) on anything that the format does not know.
+PlyHeader readPlyHeader(std::string_view file);
+
+/// Vertices with x, y and z; faces with their corners.
+PlyElement elementWithPositions(PlyType coordinate, std::uint64_t count);
+PlyElement elementOfFaces(PlyType cornerNum, PlyType corner, std::uint64_t count);
+
+/// The text of a header; comments: whole lines that it has, too.
+std::string plyHeaderText(const PlyHeader& header, const std::string& comments);
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_FORMATS_PLY_SOURCE_H
+#define VCG_EXTRAS_IO_FORMATS_PLY_SOURCE_H
+
+#include "ply_header.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/text/text_pieces.h>
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace gpr::app {
+
+inline bool hostIsLittleEndian()
+{
+	const std::uint16_t one = 1;
+	char                first;
+	std::memcpy(&first, &one, 1);
+	return first == 1;
+}
+
+template <class T>
+T loadAs(const char* at, bool swap)
+{
+	char bytes[sizeof(T)];
+	std::memcpy(bytes, at, sizeof(T));
+	if (swap) std::reverse(bytes, bytes + sizeof(T));
+	T value;
+	std::memcpy(&value, bytes, sizeof(T));
+	return value;
+}
+
+/// One value of a binary file as an S.
+template <class S>
+S loadValue(PlyType type, const char* at, bool swap)
+{
+	switch (type) {
+	case PlyType::Int8:
+		return S(loadAs<std::int8_t>(at, swap));
+	case PlyType::UInt8:
+		return S(loadAs<std::uint8_t>(at, swap));
+	case PlyType::Int16:
+		return S(loadAs<std::int16_t>(at, swap));
+	case PlyType::UInt16:
+		return S(loadAs<std::uint16_t>(at, swap));
+	case PlyType::Int32:
+		return S(loadAs<std::int32_t>(at, swap));
+	case PlyType::UInt32:
+		return S(loadAs<std::uint32_t>(at, swap));
+	case PlyType::Float32:
+		return S(loadAs<float>(at, swap));
+	case PlyType::Float64:
+		return S(loadAs<double>(at, swap));
+	}
+	return S(0);
+}
+
+/// The values of a binary file of either byte order, one after the other. It never reads beyond the
+/// end.
+class BinarySource {
+public:
+	BinarySource(std::string_view body, bool littleEndian) :
+			at_(body.data()), end_(body.data() + body.size()),
+			swap_(littleEndian != hostIsLittleEndian())
+	{
+	}
+
+	double real(PlyType type) { return loadValue<double>(type, take(plyTypeSize(type)), swap_); }
+	double coordinate(PlyType type) { return real(type); }
+	std::int64_t whole(PlyType type)
+	{
+		return loadValue<std::int64_t>(type, take(plyTypeSize(type)), swap_);
+	}
+	void skip(PlyType type) { take(plyTypeSize(type)); }
+	void skip(PlyType type, std::uint64_t num)
+	{
+		if (num > valuesLeft(type)) failCut();
+		take(std::size_t(num) * plyTypeSize(type));
+	}
+
+	std::uint64_t recordsLeft(const PlyElement& e) const
+	{
+		return bytesLeft() / e.smallestRecordBytes();
+	}
+	std::uint64_t valuesLeft(PlyType type) const { return bytesLeft() / plyTypeSize(type); }
+
+	[[noreturn]] void fail(const std::string& sentence) const { failInput(sentence); }
+
+	std::size_t bytesLeft() const { return std::size_t(end_ - at_); }
+	bool        swapped() const { return swap_; }
+	const char* peek() const { return at_; }
+	const char* take(std::size_t byteNum)
+	{
+		if (byteNum > bytesLeft()) failCut();
+		const char* const here = at_;
+		at_ += byteNum;
+		return here;
+	}
+
+private:
+	const char* at_;
+	const char* end_;
+	bool        swap_;
+
+	[[noreturn]] void failCut() const { fail("the file ends too early; it seems to be cut off"); }
+};
+
+/// The same for the words of an ASCII file. The types of its header say nothing about how its
+/// values are stored. What follows a '#' on a line is passed over.
+class TextSource {
+public:
+	/// lineNum: of the lines before the body.
+	TextSource(std::string_view body, std::size_t lineNum) :
+			body_(body), at_(body.data()), end_(body.data() + body.size()), lineNum_(lineNum)
+	{
+	}
+	/// Of a file that is read piece by piece. The pieces must outlive the source.
+	explicit TextSource(TextPieces& pieces) : TextSource(pieces.next(), pieces.linesBefore())
+	{
+		pieces_ = &pieces;
+	}
+
+	/// NaN for words such as nan(ind).
+	double real(PlyType type);
+	/// NaN for infinite ones, too.
+	double       coordinate(PlyType type);
+	std::int64_t whole(PlyType type);
+	void         skip(PlyType type) { real(type); }
+	void         skip(PlyType type, std::uint64_t num)
+	{
+		for (std::uint64_t i = 0; i < num; ++i)
+			real(type);
+	}
+
+	/// Each value takes a character and a blank, the very last one no blank.
+	std::uint64_t recordsLeft(const PlyElement& e) const
+	{
+		return (bytesLeft() + 1) / (2 * e.properties.size());
+	}
+	std::uint64_t valuesLeft(PlyType) const { return (bytesLeft() + 1) / 2; }
+
+	/// Names the line of the last word.
+	[[noreturn]] void fail(const std::string& sentence) const;
+
+private:
+	std::string_view body_;
+	const char*      at_;
+	const char*      end_;
+	const char*      word_ = nullptr; ///< where the last one begins
+	std::size_t      lineNum_;
+	TextPieces*      pieces_ = nullptr; ///< null: the body is all there is
+
+	std::uint64_t bytesLeft() const
+	{
+		return std::uint64_t(end_ - at_) + (pieces_ != nullptr ? pieces_->bytesLeft() : 0);
+	}
+	bool             takeNextPiece();
+	void             skipBlanks();
+	std::string_view takeWord();
+};
+
+} // namespace gpr::app
+
+#endif

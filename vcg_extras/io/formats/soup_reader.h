@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_FORMATS_SOUP_READER_H
+#define VCG_EXTRAS_IO_FORMATS_SOUP_READER_H
+
+#include <vcg_extras/io/mesh/mesh_data.h>
+
+#include <string_view>
+
+// OBJ, OFF and STL. The files lie in memory, and all but ASCII STL are read in pieces by all
+// threads. No index is out of range in what the readers return, and nothing is lost silently. They
+// throw AppError (BadInput) on anything malformed or cut off.
+
+namespace gpr::app {
+
+/// Positions and faces; all else is passed over. Indices count from the begin or from the end.
+/// holdsMore: whether there are colours, texture, normals or materials, see obj_attributes.h.
+InputMesh readObj(std::string_view file, bool& holdsMore);
+InputMesh readObj(std::string_view file);
+
+/// ASCII, one vertex and one face a line; what follows the coordinates and the corners on a line is
+/// passed over.
+InputMesh readOff(std::string_view file);
+
+/// ASCII or binary, whatever the first word claims; corners at exactly the same position become one
+/// vertex, in the order of their first use. ASCII: keywords in any case, names of any words,
+/// several solids; a note tells where one has no end.
+InputMesh readStl(std::string_view file);
+
+/// A binary STL file, which is at least that long.
+InputMesh readBinaryStl(std::string_view file);
+
+} // namespace gpr::app
+
+#endif

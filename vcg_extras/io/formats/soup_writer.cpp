@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "soup_writer.h"
+
+#include "little_endian.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace gpr::app {
+
+namespace {
+
+/// Of the corners as the file has them. 0 where the triangle has no area.
+Vec3d unitNormal(const std::array<Vec3d, 3>& corner)
+{
+	const Vec3d  normal = cross(corner[1] - corner[0], corner[2] - corner[0]);
+	const double size   = length(normal);
+	return size > 0 ? normal * (1 / size) : Vec3d();
+}
+
+void putFloats(const Vec3d& v, char*& at)
+{
+	for (const double c : {v.x, v.y, v.z})
+		putLittleEndian(float(c), at);
+}
+
+} // namespace
+
+void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out)
+{
+	out.text("OFF\n");
+	out.text(std::to_string(mesh.vertexNum()) + " " + std::to_string(mesh.faceNum()) + " 0\n");
+	for (const Vec3d& p : mesh.positions) {
+		out.position(p, doublePrecision);
+		out.text("\n");
+	}
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		out.text("3");
+		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
+			out.text(" ");
+			out.integer(mesh.triangles[c]);
+		}
+		out.text("\n");
+	}
+}
+
+void writeStl(const TriangleMesh& mesh, OutputFile& out)
+{
+	constexpr std::size_t headerBytes = 80, recordBytes = 50;
+	std::string           header("binary STL written by gpremesh");
+	header.resize(headerBytes);
+	out.text(header);
+	char  count[4];
+	char* end = count;
+	putLittleEndian(std::uint32_t(mesh.faceNum()), end);
+	out.bytes(count, sizeof count);
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		std::array<Vec3d, 3> corner;
+		for (std::size_t k = 0; k < 3; ++k)
+			corner[k] = Vec3d(Vec3f(mesh.positions[std::size_t(mesh.triangles[3 * f + k])]));
+		char  record[recordBytes] = {};
+		char* at                  = record;
+		putFloats(unitNormal(corner), at);
+		for (const Vec3d& p : corner)
+			putFloats(p, at);
+		out.bytes(record, recordBytes);
+	}
+}
+
+} // namespace gpr::app

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "soup_reader.h"
+#include "stl_facets.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/mesh/face_list.h>
+#include <vcg_extras/io/mesh/precision.h>
+#include <vcg_extras/io/text/text_lines.h>
+
+#include <functional>
+#include <string>
+#include <unordered_map>
+
+namespace gpr::app {
+
+namespace {
+
+using Position = std::array<double, 3>;
+
+constexpr std::size_t stlHeaderBytes = 80;
+
+bool beginsWithSolid(std::string_view file)
+{
+	return lowerCase(Words(file).next()) == "solid";
+}
+
+struct PositionHash {
+	std::size_t operator()(const Position& p) const
+	{
+		std::size_t sum = 0;
+		for (const double c : p)
+			sum = 31 * sum + std::hash<double>()(c); // alike for both zeros
+		return sum;
+	}
+};
+
+/// Reads a file word by word, wherever its lines end: only the name of a solid ends with the line.
+class AsciiStl {
+public:
+	explicit AsciiStl(std::string_view file) : words_(file) {}
+
+	InputMesh read()
+	{
+		mesh_.doublePrecision = true;
+		for (std::string word = nextWord(); !word.empty(); word = nextWord())
+			readRecord(word);
+		faces_.finish(mesh_);
+		if (endNum_ < solidNum_)
+			mesh_.notes.push_back("The STL file has no 'endsolid'; it may be cut off.");
+		settlePrecision(mesh_);
+		return std::move(mesh_);
+	}
+
+private:
+	Words                                                    words_;
+	InputMesh                                                mesh_;
+	FaceList                                                 faces_;
+	std::unordered_map<Position, std::int64_t, PositionHash> vertexAt_;
+	std::size_t                                              solidNum_ = 0, endNum_ = 0;
+
+	std::string nextWord() { return lowerCase(words_.next()); }
+
+	[[noreturn]] static void fail()
+	{
+		failInput("a facet is malformed or the file ends too early");
+	}
+
+	/// Words that belong into a facet but stand outside tell of a damaged "facet".
+	void readRecord(const std::string& word)
+	{
+		if (word == "vertex" || word == "endloop" || word == "endfacet") fail();
+		if (word == "facet") readFacet();
+		solidNum_ += word == "solid";
+		endNum_ += word == "endsolid";
+		if (word == "solid" || word == "endsolid") words_.skipLine();
+	}
+
+	void readFacet()
+	{
+		std::array<std::int64_t, 3> corners;
+		std::size_t                 cornerNum = 0;
+		for (std::string word = nextWord(); word != "endfacet"; word = nextWord()) {
+			if (word.empty() || (word == "vertex" && cornerNum == 3)) fail();
+			if (word == "vertex") corners[cornerNum++] = readVertex();
+		}
+		if (cornerNum < 3) fail();
+		faces_.add(corners.data(), cornerNum);
+	}
+
+	/// Corners at exactly the same position are one vertex; so are those that are no number at the
+	/// same coordinates.
+	std::int64_t readVertex()
+	{
+		Position position;
+		for (double& c : position) {
+			if (!words_.nextCoordinate(c)) fail();
+		}
+		Position key = position;
+		for (double& c : key)
+			c = std::isnan(c) ? std::numeric_limits<double>::infinity() : c;
+		const auto [place, isNew] = vertexAt_.try_emplace(key, std::int64_t(vertexAt_.size()));
+		if (isNew) mesh_.doubles.insert(mesh_.doubles.end(), position.begin(), position.end());
+		return place->second;
+	}
+};
+
+} // namespace
+
+std::uint64_t promisedStlBytes(std::string_view begin)
+{
+	std::uint64_t faceNum = 0;
+	for (std::size_t i = 4; i-- > 0;)
+		faceNum = faceNum << 8 | std::uint8_t(begin[stlHeaderBytes + i]);
+	return stlFacetsAt + stlFacetBytes * faceNum;
+}
+
+// The first word decides, but binary files may begin with "solid" too: so the size that the count
+// asks for goes first, and zero bytes tell as well.
+bool isBinaryStl(std::string_view begin, std::uint64_t fileBytes)
+{
+	if (begin.size() < stlFacetsAt) return false;
+	if (fileBytes == promisedStlBytes(begin)) return true;
+	return !beginsWithSolid(begin) || begin.substr(0, 1024).find('\0') != begin.npos;
+}
+
+void requireAllFacets(std::string_view begin, std::uint64_t fileBytes)
+{
+	if (promisedStlBytes(begin) <= fileBytes) return;
+	failInput("the file ends too early: its header promises " +
+			  std::to_string(promisedStlBytes(begin)) + " bytes");
+}
+
+InputMesh readStl(std::string_view file)
+{
+	if (isBinaryStl(file, file.size())) {
+		requireAllFacets(file, file.size());
+		return readBinaryStl(file);
+	}
+	if (!beginsWithSolid(file)) failInput("neither an ASCII nor a binary STL file");
+	return AsciiStl(file).read();
+}
+
+} // namespace gpr::app

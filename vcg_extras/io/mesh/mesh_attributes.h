@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_MESH_MESH_ATTRIBUTES_H
+#define VCG_EXTRAS_IO_MESH_MESH_ATTRIBUTES_H
+
+#include <vcg_extras/core/texture_transfer.h>
+#include <vcg_extras/io/formats/ply_header.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gpr::app {
+
+struct GltfMaterials;
+
+/// One value for every vertex, or for every face, by its name and type in a PLY file.
+struct ValueColumn {
+	std::string         name;
+	PlyType             type = PlyType::Float32;
+	std::vector<double> values;
+};
+
+/// What a file holds of a mesh beside positions and triangles.
+struct MeshAttributes {
+	std::vector<ValueColumn> ofVertices;
+	std::vector<ValueColumn> ofFaces;         ///< one value a triangle
+	CornerTexture            texture;         ///< of the triangles; uv is empty where there is none
+	std::vector<std::string> images;          ///< files of the texture's images, by their number
+	std::vector<std::string> materials;       ///< OBJ: names; the texture's images are materials
+	std::string              materialLibrary; ///< OBJ: the file that tells what they are
+	std::shared_ptr<const GltfMaterials> gltf; ///< binary glTF: what the materials are, or null
+	std::vector<std::string>             lost; ///< words for what the file has and this has not
+
+	bool hasTexture() const { return !texture.uv.empty(); }
+	bool any() const { return !ofVertices.empty() || !ofFaces.empty() || hasTexture(); }
+	/// Whether a result's faces need to know where they lie.
+	bool ofFacesToo() const { return !ofFaces.empty() || hasTexture(); }
+	/// The column of the vertices with this name, or null.
+	const ValueColumn* ofVertex(const std::string& name) const;
+};
+
+/// The texture coordinates that vertices have, as those of the corners of the triangles; empty
+/// where they have none.
+CornerTexture textureOfVertices(const MeshAttributes& attributes, const MeshView& mesh);
+/// Drops the columns of these coordinates.
+void dropTextureOfVertices(MeshAttributes& attributes);
+
+/// The triangles that FaceList makes of a file's faces: first those that are triangles, in their
+/// order, then the polygons, cut up.
+class TriangleOrder {
+public:
+	/// The corners of one face after the other.
+	void add(const std::int64_t* corners, std::size_t cornerNum);
+	/// Cuts the polygons; every index must be in range.
+	void finish(const MeshView& positions);
+
+	/// Per triangle: the number of the file's face.
+	const std::vector<std::int64_t>& face() const { return face_; }
+	/// Three a triangle: the corner's number, counted through all faces of the file.
+	const std::vector<std::int64_t>& corner() const { return corner_; }
+
+private:
+	struct Polygon {
+		std::int64_t              face, firstCorner;
+		std::vector<std::int64_t> vertices;
+	};
+	std::int64_t              faceNum_ = 0, cornerNum_ = 0;
+	std::vector<std::int64_t> face_, corner_;
+	std::vector<Polygon>      polygons_;
+};
+
+/// Reads the attributes of a mesh's faces that were read one a face of the file, or one a corner.
+std::vector<double> perTriangle(const std::vector<double>& perFace, const TriangleOrder& order);
+std::vector<float>  cornersOfTriangles(const std::vector<float>& uvPerCorner,
+									   const TriangleOrder&      order);
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_io.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/base/output_file.h>
+#include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/formats/glb_reader.h>
+#include <vcg_extras/io/formats/glb_writer.h>
+#include <vcg_extras/io/formats/obj_attributes.h>
+#include <vcg_extras/io/formats/ply_attributes.h>
+#include <vcg_extras/io/formats/ply_reader.h>
+#include <vcg_extras/io/formats/ply_writer.h>
+#include <vcg_extras/io/formats/soup_reader.h>
+#include <vcg_extras/io/formats/soup_writer.h>
+#include <vcg_extras/io/text/text_lines.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace gpr::app {
+
+namespace {
+
+InputMesh readFormat(MeshFormat format, std::string_view content, const WantedAttributes& wanted,
+					 bool& holdsMore)
+{
+	switch (format) {
+	case MeshFormat::Ply:
+		return wanted.mayStayInFile ? lookAtPly(content) : readPly(content);
+	case MeshFormat::Obj:
+		return readObj(content, holdsMore);
+	case MeshFormat::Off:
+		return readOff(content);
+	case MeshFormat::Stl:
+		return readStl(content);
+	case MeshFormat::Glb:
+		return readGlb(content, wanted);
+	}
+	return {};
+}
+
+InputMesh readContent(MeshFormat format, const std::string& path, const WantedAttributes& wanted)
+{
+	const auto content = std::make_shared<const FileContent>(path);
+	if (content->view().empty()) failInput("the file is empty");
+	bool      holdsMore = false;
+	InputMesh mesh      = readFormat(format, content->view(), wanted, holdsMore);
+	if (format == MeshFormat::Ply) readPlyAttributes(content->view(), wanted, mesh);
+	if (format == MeshFormat::Obj && wanted.carried && holdsMore)
+		readObjAttributes(content->view(), mesh);
+	if (mesh.isInFile()) mesh.file = content;
+	return mesh;
+}
+
+void checkCarried(MeshFormat format, const std::string& path, const WantedAttributes& wanted)
+{
+	if (format == MeshFormat::Ply || !wanted.anyRequired()) return;
+	throw AppError(ExitCode::Usage, "the " + std::string(wanted.quality ? "quality" : "selection") +
+										" is read from PLY files only, not from '" + path + "'.");
+}
+
+} // namespace
+
+WantedAttributes neededBy(const RemeshOptions& options)
+{
+	WantedAttributes wanted;
+	wanted.quality       = options.lambda > 0 && options.sizing == SizingSource::Quality;
+	wanted.selection     = options.featureRegion == FeatureRegion::Selection;
+	wanted.ifSelected    = mayUseSelectedVertices(options);
+	wanted.faceSelection = options.selectedOnly;
+	return wanted;
+}
+
+MeshFormat formatOfPath(const std::string& path)
+{
+	const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
+	if (extension == ".ply") return MeshFormat::Ply;
+	if (extension == ".obj") return MeshFormat::Obj;
+	if (extension == ".off") return MeshFormat::Off;
+	if (extension == ".stl") return MeshFormat::Stl;
+	if (extension == ".glb") return MeshFormat::Glb;
+	throw AppError(ExitCode::Usage,
+				   "'" + path + "' has none of the extensions .ply, .obj, .off, .stl and .glb.");
+}
+
+InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
+{
+	const MeshFormat format = formatOfPath(path);
+	checkCarried(format, path, wanted);
+	InputMesh mesh;
+	try {
+		mesh = readContent(format, path, wanted);
+	}
+	catch (const AppError& error) {
+		throw AppError(error.code, "cannot read '" + path + "': " + error.what() + ".");
+	}
+	if (mesh.faceNum() == 0) {
+		failInput("'" + path + "' has no faces (" + std::to_string(mesh.vertexNum()) +
+				  " vertices).");
+	}
+	return mesh;
+}
+
+void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
+			   const std::string& path, const RunLimit& limit)
+{
+	const MeshFormat format = formatOfPath(path);
+	OutputFile       out(path, limit);
+	if (attributes.any() && (format == MeshFormat::Off || format == MeshFormat::Stl))
+		attributes.lost.push_back("any attribute, which this format does not hold");
+	else if (attributes.gltf != nullptr && format != MeshFormat::Glb)
+		attributes.lost.push_back("images and properties of materials");
+	switch (format) {
+	case MeshFormat::Ply:
+		writePly(mesh.view(), doublePrecision, attributes, out);
+		break;
+	case MeshFormat::Obj:
+		writeObj(mesh, doublePrecision, attributes, out, attributes.lost);
+		break;
+	case MeshFormat::Off:
+		writeOff(mesh, doublePrecision, out);
+		break;
+	case MeshFormat::Stl:
+		writeStl(mesh, out);
+		break;
+	case MeshFormat::Glb:
+		writeGlb(mesh, attributes, out, attributes.lost);
+		break;
+	}
+	out.commit();
+}
+
+} // namespace gpr::app

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_MESH_IO_H
+#define VCG_EXTRAS_IO_MESH_IO_H
+
+#include <vcg_extras/core/options.h>
+#include <vcg_extras/io/base/run_limit.h>
+#include <vcg_extras/io/mesh/mesh_data.h>
+
+#include <string>
+
+namespace gpr::app {
+
+enum class MeshFormat { Ply, Obj, Off, Stl, Glb };
+
+/// The format that a file's extension stands for, upper or lower case.
+/// Throws AppError (Usage) where it stands for none.
+MeshFormat formatOfPath(const std::string& path);
+
+/// The attributes without which a run with these options cannot be.
+WantedAttributes neededBy(const RemeshOptions& options);
+
+/// Reads a mesh in the format that its extension stands for. Throws AppError (BadInput) with a
+/// sentence that names the file when it cannot be read, has no faces or lacks a wanted attribute,
+/// and (Usage) where its format has none.
+InputMesh readMesh(const std::string& path, const WantedAttributes& wanted = {});
+
+/// Writes a mesh in the format that the path's extension stands for; an older file is replaced
+/// only when all has gone well. Throws AppError (Failure) otherwise.
+/// Throws (Stopped), the older file left alone, when the run has to end.
+/// attributes.lost receives words for what the format does not hold.
+void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
+			   const std::string& path, const RunLimit& limit);
+
+} // namespace gpr::app
+
+#endif

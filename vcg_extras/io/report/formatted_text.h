@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_REPORT_FORMATTED_TEXT_H
+#define VCG_EXTRAS_IO_REPORT_FORMATTED_TEXT_H
+
+#include <cstdint>
+#include <string>
+
+namespace gpr::app {
+
+/// printf into a string of at most 511 characters; the program never leaves the C locale, so the
+/// decimal sign is a point.
+__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...);
+
+/// "1,234,567": large counts are read more easily in groups.
+std::string grouped(std::int64_t count);
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_REPORT_RANGE_TEXT_H
+#define VCG_EXTRAS_IO_REPORT_RANGE_TEXT_H
+
+#include <vcg_extras/core/parameters.h>
+
+#include <string>
+
+namespace gpr::app {
+
+/// A number as a person writes it: no trailing zeros.
+std::string plainText(double value);
+
+/// The range of a row of numbers in words, where a size that is given is above 0: " from 0 to
+/// 1000", " above 0, at most 10000".
+std::string rangeText(const Parameter& p);
+
+/// Whether a value lies in that range; false for NaN.
+bool isInRange(const Parameter& p, double value);
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report_json.h"
+
+#include "json_parts.h"
+
+#include <vcg_extras/core/parameters.h>
+#include <vcg_extras/core/report_rows.h>
+
+#include <string>
+#include <vector>
+
+namespace gpr::app {
+
+namespace {
+
+const char* modeName(TargetMode mode)
+{
+	switch (mode) {
+	case TargetMode::VertexNum:
+		return "vertices";
+	case TargetMode::Percent:
+		return "percent";
+	case TargetMode::EdgeLength:
+		return "edgeLength";
+	case TargetMode::MaxError:
+		return "maxError";
+	}
+	return "";
+}
+
+/// The name that the command line has for a value; options.h and the table list them in one order,
+/// the table with "preset" before them where the preset decides.
+template <class Value>
+const char* choiceName(const char* key, Value value)
+{
+	const std::vector<const char*>& names = findParameter(key)->choices;
+	const std::size_t               first = std::string(names.front()) == "preset" ? 1 : 0;
+	return names[first + std::size_t(value)];
+}
+
+Json stagesJson(const RemeshOptions& o)
+{
+	return {{"placement", choiceName("Placement", o.placement)},
+			{"retriangulation", choiceName("Retriangulation", o.retriangulation)},
+			{"smoothing", choiceName("Smoothing", o.smoothing)},
+			{"regularity", choiceName("Regularity", o.regularity)},
+			{"fit", choiceName("Fit", o.fit)},
+			{"equations", choiceName("Equations", o.equations)}};
+}
+
+Json featuresJson(const RemeshOptions& o)
+{
+	return {{"features", choiceName("Features", o.featureMode)},
+			{"featureAngle", o.featureAngleDeg},
+			{"featureRegion", choiceName("FeatureRegion", o.featureRegion)},
+			{"featureSampling", choiceName("FeatureSampling", o.featureSampling)},
+			{"featureDiskScale", o.featureDiskScale},
+			{"featureSupport", o.featureThresholds.support},
+			{"featureStrong", o.featureThresholds.strongDeg},
+			{"featureWeak", o.featureThresholds.weakDeg},
+			{"featureLength", o.featureThresholds.minLength}};
+}
+
+/// The options in force; of the sizes only the one that was used.
+Json optionsJson(const RemeshOptions& o)
+{
+	Json json = {{"target", modeName(o.targetMode)}};
+	switch (o.targetMode) {
+	case TargetMode::VertexNum:
+		json["vertices"] = o.targetVertexNum;
+		break;
+	case TargetMode::Percent:
+		json["percent"] = o.targetPercent;
+		break;
+	case TargetMode::EdgeLength:
+		json["edgeLength"] = o.targetEdgeLen;
+		break;
+	case TargetMode::MaxError:
+		json[o.maxErrorIsPercent ? "maxErrorPercent" : "maxError"] = o.targetMaxError;
+		break;
+	}
+	json.update(stagesJson(o));
+	json["relax"]               = o.relaxIterations;
+	json["flips"]               = o.flipIterations;
+	json["lambda"]              = o.lambda;
+	json["maxStretch"]          = o.largestStretch;
+	json["sizing"]              = choiceName("Sizing", o.sizing);
+	json["adapt"]               = o.adapt;
+	json["boundary"]            = choiceName("Boundary", o.boundary);
+	json["selectedOnly"]        = o.selectedOnly;
+	json["exactCount"]          = o.exactCount;
+	json["allowNearest"]        = o.allowNearest;
+	json["dropComponentsBelow"] = o.dropComponentsBelow;
+	json["sew"]                 = o.sew;
+	json["timeLimit"]           = o.timeLimitSeconds;
+	json["check"]               = o.check;
+	json["guard"]               = o.guard;
+	json.update(featuresJson(o));
+	json["seed"]    = o.seed;
+	json["threads"] = o.threads;
+	return json;
+}
+
+/// One key a stage of the engine, then the parts that make up the total.
+Json secondsJson(const std::vector<StageTime>& stages, const RunTimes& times)
+{
+	Json json = Json::object();
+	for (const StageTime& s : stages)
+		json[s.stage] = s.seconds;
+	json["read"]   = times.read;
+	json["remesh"] = times.remesh;
+	json["write"]  = times.write;
+	json["total"]  = times.total();
+	return json;
+}
+
+Json cleanedJson(const CleanCounts& cleaned)
+{
+	Json json;
+	for (const CountRow& row : describe(cleaned))
+		json[row.key] = row.count;
+	return json;
+}
+
+Json guardedJson(const AuditFigures& a, const MeshFigures& result)
+{
+	const GuardedFigures& g    = a.guarded;
+	Json                  json = {{"tested", g.isTested}};
+	if (!g.isTested) return json;
+	const double share =
+		result.vertices > 0 ? 100 * double(g.vertexNum) / double(result.vertices) : 0;
+	json["pairsFound"]      = g.foundPairNum;
+	json["pairsOfInput"]    = g.inputPairNum;
+	json["pairsLeft"]       = g.pairNum;
+	json["vertices"]        = g.vertexNum;
+	json["verticesPercent"] = share;
+	return json;
+}
+
+Json auditJson(const AuditFigures& a, const MeshFigures& result)
+{
+	return {{"passed", a.passed},
+			{"nonManifoldEdges", a.nonManifoldEdges},
+			{"nonManifoldVertices", a.nonManifoldVertices},
+			{"duplicateFaces", a.duplicateFaces},
+			{"zeroAreaFaces", a.zeroAreaFaces},
+			{"invertedFaces", a.invertedFaces},
+			{"flippedFaces", a.invertedFaces}, // the key of earlier versions
+			{"nonFinitePositions", a.nonFinitePositions},
+			{"componentsKept", a.componentsKept},
+			{"boundaryLoopsKept", a.boundaryLoopsKept},
+			{"eulerKept", a.eulerKept},
+			{"countExact", a.countExact},
+			{"guarded", guardedJson(a, result)}};
+}
+
+Json checkJson(const CheckFigures& c, double diagonal)
+{
+	return {{"selfIntersectingFaces", c.intersectingFaces},
+			{"inputSelfIntersectingFaces", c.inputIntersectingFaces},
+			{"crossingFaces", c.intersectingFaces}, // keys of earlier versions
+			{"inputCrossingFaces", c.inputIntersectingFaces},
+			{"vertexDistance", c.vertexDistance},
+			{"largestDistance", c.largestDistance},
+			{"p999Distance", c.distance.larger().p999},
+			{"toInput", distanceJson(c.distance.toInput, diagonal)},
+			{"fromInput", distanceJson(c.distance.fromInput, diagonal)}};
+}
+
+Json borderJson(const BorderFigures& b)
+{
+	return {{"cutFaces", b.cutFaceNum},
+			{"cutAreaPercent", 100 * b.cutArea / b.area},
+			{"length", b.length},
+			{"resultLength", b.resultLength},
+			{"lengthLostPercent", 100 * (1 - b.resultLength / b.length)}};
+}
+
+Json countsJson(const RemeshReport& r)
+{
+	return {{"targetVertices", r.targetVertexNum},
+			{"samples", r.sampleNum},
+			{"boundarySamples", r.boundarySampleNum},
+			{"featureEdges", r.featureEdgeNum},
+			{"featureConeApexes", r.featureConeApexNum},
+			{"featureTips", r.featureConeApexNum}, // the key of earlier versions
+			{"releasedLineVertices", r.releasedVertexNum},
+			{"featureRegionVertices", r.regionVertexNum},
+			{"keptVertices", r.keptVertexNum},
+			{"curvatureClamped", r.curvatureClampedNum},
+			{"leftoverVertices", r.leftoverVertexNum},
+			{"untouchedFaces", r.untouchedFaceNum},
+			{"splits", r.splitNum},
+			{"collapses", r.collapseNum},
+			{"flips", r.flipNum}};
+}
+
+Json errorJson(const RemeshReport& r)
+{
+	Json json = boundsJson(r.provenDistance, r.input.diagonal);
+	if (r.errorTrialNum == 0) return json;
+	json["goal"]    = r.errorGoal;
+	json["largest"] = r.provenDistance.hausdorff().upper; // the key of earlier versions
+	json["trials"]  = r.errorTrialNum;
+	return json;
+}
+
+} // namespace
+
+std::string remeshReportJson(const RunRecord& run)
+{
+	const RemeshReport& r = run.report;
+	Json                json;
+	json["program"]        = programJson();
+	json["input"]          = fileJson(run.inputPath, run.inputDouble, r.input);
+	json["cleanedInput"]   = figuresJson(r.cleanedInput);
+	json["result"]         = fileJson(run.outputPath, run.outputDouble, r.result);
+	json["options"]        = optionsJson(run.options);
+	json["seed"]           = r.seed;
+	json["adapt"]          = r.adapt;
+	json["threads"]        = r.threads;
+	json["diskRadius"]     = r.diskRadius;
+	json["radiusConstant"] = r.radiusConstant;
+	if (r.radiusConstantForTarget > 0) json["radiusConstantForTarget"] = r.radiusConstantForTarget;
+	json["counts"]  = countsJson(r);
+	json["seconds"] = secondsJson(r.stages, run.times);
+	json["quality"] = qualityJson(r.quality);
+	json["cleaned"] = cleanedJson(r.cleaned);
+	json["audit"]   = auditJson(r.audit, r.result);
+	if (r.check.done) json["check"] = checkJson(r.check, r.input.diagonal);
+	if (r.border.isSmooth) json["border"] = borderJson(r.border);
+	if (r.isDistanceProven) json["error"] = errorJson(r);
+	json["fitDistance"]     = r.largestFitDistance;
+	json["capsReached"]     = r.capsReached;
+	json["notes"]           = run.notes;
+	json["peakMemoryBytes"] = run.peakMemoryBytes;
+	return textOf(json);
+}
+
+std::string meshInfoJson(const std::string& path, bool doublePrecision, const MeshFigures& figures,
+						 const QualityFigures& quality, const std::vector<std::string>& notes)
+{
+	Json json;
+	json["program"] = programJson();
+	json["input"]   = fileJson(path, doublePrecision, figures);
+	json["quality"] = qualityJson(quality);
+	json["notes"]   = notes;
+	return textOf(json);
+}
+
+} // namespace gpr::app

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_REPORT_REPORT_JSON_H
+#define VCG_EXTRAS_IO_REPORT_REPORT_JSON_H
+
+#include <vcg_extras/core/remesh.h>
+#include <vcg_extras/io/base/stopwatch.h>
+
+#include <string>
+#include <vector>
+
+namespace gpr::app {
+
+/// All that the JSON report of a run is made from.
+struct RunRecord {
+	std::string              inputPath;
+	std::string              outputPath;
+	bool                     inputDouble  = false;
+	bool                     outputDouble = false;
+	RemeshOptions            options;
+	RemeshReport             report;
+	std::vector<std::string> notes;
+	RunTimes                 times;
+	std::int64_t             peakMemoryBytes = 0;
+};
+
+/// The report of a remeshing as JSON text. The keys are public: they change with a changelog line.
+std::string remeshReportJson(const RunRecord& run);
+
+/// The figures of one mesh as JSON text.
+std::string meshInfoJson(const std::string& path, bool doublePrecision, const MeshFigures& figures,
+						 const QualityFigures& quality, const std::vector<std::string>& notes);
+
+} // namespace gpr::app
+
+#endif
