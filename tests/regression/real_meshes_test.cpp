@@ -298,7 +298,7 @@ TEST_P(ThinModels, DoNotIntersectThemselves)
 	if (!model.isThere()) GTEST_SKIP() << model.missing;
 	const app::InputMesh input = app::readMesh(model.path);
 	RemeshOptions        options;
-	applyPreset(thin.preset, options);
+	options.preset          = thin.preset;
 	options.targetMode      = TargetMode::VertexNum;
 	options.targetVertexNum = thin.vertexNum;
 	options.adapt           = thin.adapt;
@@ -422,7 +422,7 @@ TEST_P(PaperPreset, IsAsRegularAsThePapersTableAndMissesTheTargetByATenth)
 	if (!model.isThere()) GTEST_SKIP() << model.missing;
 	const app::InputMesh input = app::readMesh(model.path);
 	RemeshOptions        options;
-	applyPreset(Preset::Paper, options);
+	options.preset       = Preset::Paper;
 	options.threads      = 2;
 	const RemeshResult r = remesh(input.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;

@@ -66,7 +66,7 @@ TEST(Target, IsRefusedWhereItIsNoWish)
 TEST(Target, IsRefusedForARegionThatDoesNotFit)
 {
 	RemeshOptions options; // of a percentage: a wish
-	options.featureSampling = FeatureSampling::Vertices;
+	options.preset = Preset::Paper;
 	EXPECT_EQ(statusOf([&] { targetWithRoom(options, 99, 100); }), Status::BadOptions);
 }
 

@@ -70,7 +70,7 @@ void conformal(benchmark::State& state, StagedRun& run, Workers& workers)
 {
 	const Surface&        surface  = run.prepared().surface;
 	const BoundaryCurves& boundary = run.sampled().curves;
-	const ConformalSteps  steps    = conformalSteps(2 * run.options().relaxIterations);
+	const ConformalSteps  steps    = conformalSteps(2 * relaxationSteps);
 	timeChange(state, run.improved().glided, [&](ResultMesh& result) {
 		relaxConformally(surface, boundary, steps, result, workers);
 	});

@@ -42,9 +42,9 @@ public:
 		return result;
 	}
 
-	ResultMesh conformal(ResultMesh result, int relaxIterations)
+	ResultMesh conformal(ResultMesh result)
 	{
-		relaxConformally(prepared_.surface, sampled_.curves, conformalSteps(2 * relaxIterations),
+		relaxConformally(prepared_.surface, sampled_.curves, conformalSteps(2 * relaxationSteps),
 						 result, workers_);
 		return result;
 	}
@@ -132,10 +132,10 @@ const ImprovedStates& StagedRun::improved()
 		states->flipped            = steps.flipped(copy(s.mesh));
 		states->counted            = steps.counted(copy(states->flipped));
 		states->glided             = steps.glided(copy(states->counted));
-		states->conformal = steps.conformal(copy(states->glided), options_.relaxIterations);
-		states->repaired  = steps.repaired(copy(states->conformal));
-		states->fitted    = steps.fitted(copy(states->repaired));
-		improved_         = std::move(states);
+		states->conformal          = steps.conformal(copy(states->glided));
+		states->repaired           = steps.repaired(copy(states->conformal));
+		states->fitted             = steps.fitted(copy(states->repaired));
+		improved_                  = std::move(states);
 	}
 	return *improved_;
 }

@@ -123,7 +123,7 @@ Result runPipeline(const Call& call, Pipeline pipeline, const Body& body)
             const RemeshOptions options = resolved(call.input, pipeline, call.options);
             Workers workers(options.threads, call.progress, options.timeLimitSeconds, call.stop);
             result.report.seed    = options.seed;
-            result.report.adapt   = options.adapt;
+            result.report.adapt   = *options.adapt;
             result.report.threads = workers.threadNum();
             if (pipeline != Pipeline::Detection) result.notes = optionsWithoutEffect(call.options);
             RunContext run{call.input,   options,

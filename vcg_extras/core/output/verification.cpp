@@ -32,7 +32,7 @@ void tellOperations(const ResultMesh& result, RemeshReport& report)
 void tellCountReached(RunContext& run, const Expected& expected, const ResultMesh& result)
 {
 	// Vertices that are kept do not go with the radius.
-	if (run.options.exactCount || expected.vertexNum == 0 || expected.keptNum > 0) return;
+	if (!isPaper(run.options) || expected.vertexNum == 0 || expected.keptNum > 0) return;
 	const double share                 = double(result.mesh.vertexNum) / double(expected.vertexNum);
 	run.report.radiusConstantForTarget = run.report.radiusConstant * std::sqrt(share);
 	char sentence[160];
@@ -118,7 +118,7 @@ void verifyResult(RunContext& run, const Surface& surface, const ResultMesh& res
 	tellOperations(result, run.report);
 	tellCountReached(run, expected, result);
 	tellKept(run, expected, result);
-	requirePromises(run, surface, result, run.options.exactCount ? expected.vertexNum : 0);
+	requirePromises(run, surface, result, isPaper(run.options) ? 0 : expected.vertexNum);
 	checkWhereAsked(run, surface, result);
 }
 

@@ -126,7 +126,7 @@ bool namesSources(const RemeshOptions& options, const Prepared& p)
 
 bool followsFeatureLines(const RemeshOptions& options)
 {
-	return options.retriangulation == Retriangulation::LabelCollapse;
+	return !isPaper(options);
 }
 
 bool hasFeatureLines(RunContext& run, Prepared& p)

@@ -42,7 +42,7 @@ constexpr double mostInPatches = 0.75;
 /// Whether the options ask for a result that is free of contacts.
 bool isGuarded(const RemeshOptions& options)
 {
-	return options.guard && options.equations == Equations::Calibrated;
+	return options.guard && !isPaper(options);
 }
 
 /// What a mesh is put together from: some components of the input, that are to be made coarser,
@@ -149,7 +149,7 @@ public:
 		settings.keepsBorder      = result_.keepsBorder;
 		settings.idealEdge        = double(result_.idealEdge);
 		settings.lengthWeight     = lengthWeight();
-		settings.mayLeaveVertices = mayLeaveSurface(run_.options);
+		settings.mayLeaveVertices = isFitted(run_.options);
 		decimateGuarded(settings, *guarded_, run_.workers);
 	}
 
@@ -159,8 +159,7 @@ public:
 	/// vertices that have to stay.
 	bool relax()
 	{
-		relaxGuarded(double(result_.idealEdge), mayLeaveSurface(run_.options), *guarded_,
-					 run_.workers);
+		relaxGuarded(double(result_.idealEdge), isFitted(run_.options), *guarded_, run_.workers);
 		return zeroAreaFaceNum(guarded_->mesh, run_.workers) == 0;
 	}
 
@@ -194,7 +193,7 @@ private:
 	std::unique_ptr<GuardedMesh> guarded_;
 
 	/// Where sizes follow the error distance counts more than length.
-	double lengthWeight() const { return 0.01 * portable::pow(0.03, run_.options.adapt); }
+	double lengthWeight() const { return 0.01 * portable::pow(0.03, *run_.options.adapt); }
 
 	/// Components of the result that touch one of the input, too, are made anew as well.
 	HalfEdgeMesh putTogether()
@@ -293,12 +292,11 @@ void replaceComponents(RunContext& run, const std::vector<int>& faces, bool inpu
 	replacement.decimate(inputHasContacts);
 	const std::int64_t reached = replacement.reached();
 	if (reached > asked && inputHasContacts) return; // nothing is promised
-	if (reached > asked && run.options.exactCount && !isTargetWish(run.options))
-		throw refusal(asked, reached);
+	if (reached > asked && !isTargetWish(run.options)) throw refusal(asked, reached);
 	// Where a face of the input has no area its neighbours touch: nothing is promised there either.
 	if (!replacement.relax()) return;
 	replacement.take();
-	if (run.options.exactCount && reached != asked) setTarget(run, reached, p);
+	if (reached != asked) setTarget(run, reached, p);
 	std::int64_t& madeNum = run.report.audit.guarded.vertexNum; // patches may be among these
 	madeNum = std::min(madeNum + replacement.madeNum(), std::int64_t(result.mesh.vertexNum));
 	tellReached(run, asked, reached);

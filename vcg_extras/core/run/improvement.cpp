@@ -53,19 +53,18 @@ struct Fitted {
 
 float minAngleDeg(const RemeshOptions& options)
 {
-	return poorAngleDeg + float(options.adapt) * (adaptedAngleDeg - poorAngleDeg);
+	return poorAngleDeg + float(*options.adapt) * (adaptedAngleDeg - poorAngleDeg);
 }
 
 int roundsOfFit(const RemeshOptions& options)
 {
-	if (options.fit == Fit::Quick) return quickFitRounds;
+	if (options.preset == Preset::FastFitted) return quickFitRounds;
 	return options.adapt > 0.5 ? adaptedFitRounds : fitRounds;
 }
 
 int worstRounds(const RemeshOptions& options, LargestDistance largest)
 {
-	if (largest == LargestDistance::Counts || options.adapt > 0) return manyWorstRounds;
-	return options.fit == Fit::Quick ? 0 : 1;
+	return largest == LargestDistance::Counts || options.adapt > 0 ? manyWorstRounds : 1;
 }
 
 FitSettings fitSettings(const RemeshOptions& options, LargestDistance largest)
@@ -74,15 +73,14 @@ FitSettings fitSettings(const RemeshOptions& options, LargestDistance largest)
 	settings.rounds      = roundsOfFit(options);
 	settings.minAngleDeg = minAngleDeg(options);
 	settings.worstRounds = worstRounds(options, largest);
-	settings.shapeWeight *= float(portable::pow(adaptedShapeWeight, options.adapt));
+	settings.shapeWeight *= float(portable::pow(adaptedShapeWeight, *options.adapt));
 	return settings;
 }
 
-/// The paper's post-processing: umbrella and flips in turn, or flips alone.
+/// The paper's post-processing: umbrella and flips in turn.
 void smoothAsWritten(RunContext& run, const Prepared& p, ResultMesh& result)
 {
-	if (run.options.smoothing != Smoothing::Umbrella2) return;
-	for (int step = 0; step < run.options.relaxIterations; ++step) {
+	for (int step = 0; step < run.options.umbrellaSteps; ++step) {
 		smoothByUmbrella2(p.surface, result, run.workers);
 		flipEdges(run, result);
 	}
@@ -91,7 +89,7 @@ void smoothAsWritten(RunContext& run, const Prepared& p, ResultMesh& result)
 void relaxPlainly(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 				  ResultMesh& result)
 {
-	for (int step = 0; step < run.options.relaxIterations; ++step) {
+	for (int step = 0; step < relaxationSteps; ++step) {
 		relaxOnce(p.surface, result, run.workers);
 		slideAlongCreases(p.surface, boundary, result);
 		flipEdges(run, result);
@@ -108,33 +106,22 @@ void makeRegular(RunContext& run, const Prepared& p, const BoundaryCurves& bound
 		slideAlongCreases(p.surface, boundary, result);
 		glideDislocations(result, run.workers);
 	}
-	ConformalSteps steps = conformalSteps(2 * run.options.relaxIterations);
-	steps.flipPasses     = run.options.flipIterations;
-	relaxConformally(p.surface, boundary, steps, result, run.workers);
+	relaxConformally(p.surface, boundary, conformalSteps(2 * relaxationSteps), result, run.workers);
 }
 
 void relax(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
 {
-	if (run.options.relaxIterations == 0) return;
-	if (run.options.regularity == Regularity::Full) return makeRegular(run, p, boundary, result);
+	if (run.options.preset == Preset::Default) return makeRegular(run, p, boundary, result);
 	relaxPlainly(run, p, boundary, result);
 	if (!raiseAnglesOnSurface(p.surface, boundary, poorAngleDeg, result, run.workers))
 		run.tellCap("changes for small angles");
-}
-
-/// What regularity asks for to the last; the paper's post-processing stays as it is written.
-bool repairsPoorFaces(const RemeshOptions& options)
-{
-	return options.smoothing == Smoothing::Barycentric && options.relaxIterations > 0 &&
-		   options.regularity == Regularity::Full;
 }
 
 /// Lines that the caller gave stay: textures and selections hang on them. Without a fit nothing
 /// would draw what is released to the sharp edge again.
 bool mayReleaseLines(const RunContext& run)
 {
-	return repairsPoorFaces(run.options) && run.options.fit != Fit::Off &&
-		   run.input.line == nullptr;
+	return run.options.preset == Preset::Default && run.input.line == nullptr;
 }
 
 bool areLinesCrowded(RunContext& run, const ResultMesh& result)
@@ -189,7 +176,7 @@ float maxGapAfter(const RunContext& run, float largestGap, const ResultMesh& res
 Fitted fit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 		   LargestDistance largest, ResultMesh& result)
 {
-	if (run.options.fit == Fit::Off) return {};
+	if (!isFitted(run.options)) return {};
 	run.clock.enter(Stage::Fit);
 	returnReleasedMemory(); // this stage sets the peak
 	const FitSettings settings = fitSettings(run.options, largest);
@@ -206,17 +193,16 @@ Fitted fit(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
 void repairFaces(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, Fitted fitted,
 				 ResultMesh& result)
 {
-	if (!repairsPoorFaces(run.options)) return;
+	if (run.options.preset != Preset::Default) return;
 	run.clock.enter(Stage::Angles);
 	returnReleasedMemory();
 	fitted.poor.angleDeg  = minAngleDeg(run.options);
-	fitted.poor.targetNum = run.options.exactCount ? p.targetNum : 0;
+	fitted.poor.targetNum = p.targetNum;
 	fitted.poor.maxGap    = maxGapAfter(run, fitted.poor.largestGap, result);
 	if (!repairPoorFaces(p.surface, boundary, fitted.poor, fitted.map, result, run.workers))
 		run.tellCap("changes for small angles");
 	// Vertices have come and gone.
-	if (run.options.fit != Fit::Off)
-		run.report.largestFitDistance = double(farthestFromSurface(result)) / p.surface.frame.scale;
+	run.report.largestFitDistance = double(farthestFromSurface(result)) / p.surface.frame.scale;
 }
 
 KnownContacts fitAndRepair(RunContext& run, const Prepared& p, const BoundaryCurves& boundary,
@@ -252,13 +238,14 @@ void releaseLinesAndFit(RunContext& run, const Prepared& p, const BoundaryCurves
 
 void flipEdges(RunContext& run, ResultMesh& result)
 {
-	flipToDelaunay(result, run.workers, run.options.flipIterations);
+	flipToDelaunay(result, run.workers,
+				   isPaper(run.options) ? run.options.flipPasses : untilDelaunay);
 }
 
 void improve(RunContext& run, const Prepared& p, const BoundaryCurves& boundary, ResultMesh& result)
 {
 	run.clock.enter(Stage::Relaxation);
-	if (run.options.smoothing != Smoothing::Barycentric)
+	if (isPaper(run.options))
 		smoothAsWritten(run, p, result);
 	else
 		relax(run, p, boundary, result);

@@ -20,7 +20,7 @@ namespace {
 
 Request requestOf(const RemeshOptions& options, const Prepared& p)
 {
-	return {options.exactCount, isTargetWish(options), std::int64_t(p.kept.size())};
+	return {!isPaper(options), isTargetWish(options), std::int64_t(p.kept.size())};
 }
 
 /// Everything before the count is the same for every count that topology alone is to reach, so that
@@ -50,7 +50,7 @@ Prepared prepareAgain(RunContext& run, const FeatureMarks& marks, const Attempt&
 
 void countBySamples(RunContext& run, const Prepared& p, Meshed& made)
 {
-	if (!run.options.exactCount) return;
+	if (isPaper(run.options)) return;
 	run.clock.enter(Stage::Count);
 	collapseShortEdges(p.surface, made.result, run.workers);
 	reachExactCount(p.surface, made.curves, p.targetNum, made.result, run.workers);
@@ -93,7 +93,7 @@ void tell(RunContext& run, const Verdict& verdict)
 void aimAtReached(RunContext& run, const Meshed& meshed, Prepared& p)
 {
 	const std::int64_t reached = meshed.result.mesh.vertexNum;
-	if (run.options.exactCount && reached != p.targetNum) setTarget(run, reached, p);
+	if (!isPaper(run.options) && reached != p.targetNum) setTarget(run, reached, p);
 }
 
 } // namespace

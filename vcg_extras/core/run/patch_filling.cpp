@@ -28,14 +28,14 @@ bool PatchFilling::fill(std::vector<char>& marked)
 	settings.keepsBorder      = result_.keepsBorder;
 	settings.idealEdge        = double(result_.idealEdge);
 	settings.lengthWeight     = patchLengthWeight;
-	settings.mayLeaveVertices = mayLeaveSurface(run_.options);
+	settings.mayLeaveVertices = isFitted(run_.options);
 	// What is enclosed by few cells of the border goes to them, so that a small patch may be left
 	// with fewer vertices than it had.
 	if (guarded.mesh.vertexNum < settings.targetNum ||
 		!decimateGuarded(settings, guarded, run_.workers))
 		return true;
 	freeAround();
-	relaxGuarded(settings.idealEdge, mayLeaveSurface(run_.options), guarded, run_.workers);
+	relaxGuarded(settings.idealEdge, isFitted(run_.options), guarded, run_.workers);
 	isSound_ = zeroAreaFaceNum(guarded.mesh, run_.workers) == 0;
 	return true;
 }

@@ -15,12 +15,6 @@
 
 namespace gpr {
 
-/// Whether vertices made by guarded collapses may lie off the input.
-inline bool mayLeaveSurface(const RemeshOptions& options)
-{
-	return options.fit != Fit::Off;
-}
-
 /// A result with patches made anew.
 struct Filled {
 	HalfEdgeMesh              mesh;

@@ -150,7 +150,7 @@ void findFeatureRegion(RunContext& run, const FeatureMarks& marks, Prepared& p)
 		callersVertices(run.input, p.isFeatureVertex, p.surface, run.workers);
 	run.report.regionVertexNum = std::int64_t(vertices.size());
 	p.kept.clear();
-	if (run.options.featureSampling == FeatureSampling::Vertices) p.kept = vertices;
+	if (keepsRegionVertices(run.options)) p.kept = vertices;
 	if (run.options.boundary == BoundaryMode::Keep)
 		p.kept = unionOf(p.kept, borderVertices(run, p.surface));
 }
@@ -165,8 +165,8 @@ Sizing findSizes(RunContext& run, const FeatureMarks& marks, Prepared& p)
 	if (hasLines) run.report.adapt = 0;
 	const FineSpots* spots = run.guide != nullptr ? &run.guide->spots : nullptr;
 	return makeSizing(
-		{run.input, run.options, uniform, evenEdge(p), hasLines, p.isFeatureVertex, p.kept, spots},
-		p.surface, run.workers);
+		{run.options, uniform, evenEdge(p), hasLines, p.isFeatureVertex, p.kept, spots}, p.surface,
+		run.workers);
 }
 
 /// Splits what is too long for small triangles. The sizes go with the vertices.

@@ -37,7 +37,7 @@ BoundaryMode borderMode(const RemeshOptions& options, const Prepared& p);
 /// Eq. (1).
 double diskRadius(double area, double vertexNum, double constant);
 
-/// c of eq. (1) for the equations and the placement chosen.
+/// c of eq. (1) for the preset chosen.
 double radiusConstant(const RemeshOptions& options);
 
 /// Edge length of the largest triangles.

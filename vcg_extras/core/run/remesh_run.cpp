@@ -37,8 +37,9 @@ Prepared prepareWithRoom(RunContext& run, const FeatureMarks& marks)
 
 void tellLinesNotFollowed(RunContext& run)
 {
-	if (run.options.featureMode == FeatureMode::Off || followsFeatureLines(run.options)) return;
-	run.notes.push_back("Feature lines are not followed where vertices are removed one by one.");
+	const FeatureMode mode = run.options.featureMode;
+	if (!isPaper(run.options) || mode == FeatureMode::Off || mode == FeatureMode::Auto) return;
+	run.notes.push_back("Feature lines are not followed with the preset paper.");
 }
 
 void measureError(RunContext& run, const Surface& surface, const ResultMesh& result)

@@ -36,8 +36,7 @@ OctreeBlocks cutForRadius(RunContext& run, const Prepared& p, float radius)
 /// most, small disks lie just there, and the splits that make up for them would fall elsewhere.
 bool mayMissCount(const RemeshOptions& options, const Prepared& p)
 {
-	const bool hasErrorSizes = options.equations == Equations::Calibrated && options.adapt >= 0.5 &&
-							   !p.surface.size.empty();
+	const bool hasErrorSizes = options.adapt >= 0.5 && !p.surface.size.empty();
 	return hasErrorSizes || p.surface.mesh.hasCreases() || !p.kept.empty();
 }
 
@@ -74,8 +73,7 @@ void sampleOnBorderEdges(RunContext& run, const Prepared& p, float radius,
 	o.region                  = &first;
 	BorderEdgeSampling placed = sampleBorderEdges(p.surface, sampled.curves, o, run.workers);
 	sampled.sampling          = std::move(placed.sampling);
-	if (run.options.retriangulation == Retriangulation::VertexRemoval)
-		sampled.fused = std::move(placed.fused);
+	sampled.fused             = std::move(placed.fused);
 }
 
 void sampleWithRadius(RunContext& run, const Prepared& p, float radius,
@@ -87,10 +85,9 @@ void sampleWithRadius(RunContext& run, const Prepared& p, float radius,
 		radius == p.curvesRadius ? p.curves : sampleCurves(p, radius, borderMode(options, p));
 	run.clock.enter(Stage::Sampling);
 	const Buffer<char>  noRegion;
-	const bool          beginsInRegion = options.featureSampling == FeatureSampling::Disks;
+	const bool          beginsInRegion = !keepsRegionVertices(options);
 	const Buffer<char>& first          = beginsInRegion ? p.isFeatureVertex : noRegion;
-	if (options.placement == Placement::BorderEdge)
-		return sampleOnBorderEdges(run, p, radius, first, sampled);
+	if (isPaper(options)) return sampleOnBorderEdges(run, p, radius, first, sampled);
 	sampled.sampling =
 		sampleFront(p.surface, sampled.curves, partition, radius, options.seed, run.workers, first);
 }
@@ -142,7 +139,7 @@ Meshed retriangulateSamples(RunContext& run, const Prepared& p, Sampled sampled)
 {
 	run.clock.enter(Stage::Retriangulation);
 	Meshed made;
-	if (run.options.retriangulation == Retriangulation::LabelCollapse) {
+	if (!isPaper(run.options)) {
 		made.result = removeVertices(p.surface, sampled.sampling, sampled.curves,
 									 run.report.cleanedInput, run.workers);
 	}

@@ -62,7 +62,7 @@ void requireRoomForKept(const RemeshOptions& options, std::int64_t vertexNum, st
 	if (keptNum <= vertexNum) return;
 	const bool        keepsBorder = options.boundary == BoundaryMode::Keep;
 	const std::string whatIsKept  = keepsBorder ? "border has " : "feature region has ";
-	const std::string otherWay    = keepsBorder ? "" : ", or have the region sampled by disks";
+	const std::string otherWay    = keepsBorder ? "" : ", or give a feature disk scale";
 	throw Failure(Status::BadOptions, "The " + whatIsKept + std::to_string(keptNum) +
 										  " vertices to be kept, more than the " +
 										  std::to_string(vertexNum) +
