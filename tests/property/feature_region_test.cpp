@@ -129,12 +129,15 @@ TEST_P(FeatureRegionWay, SharpEdgesAreNearerWithARegion)
 	}
 }
 
+const char* nameOf(Preset preset)
+{
+	const char* const names[] = {"default", "fast", "paper"};
+	return names[int(preset)];
+}
+
 INSTANTIATE_TEST_SUITE_P(Ways, FeatureRegionWay,
 						 ::testing::Values(Preset::Default, Preset::Fast, Preset::Paper),
-						 [](const auto& way) {
-							 const char* const names[] = {"default", "fast", "paper"};
-							 return names[int(way.param)];
-						 });
+						 [](const auto& way) { return nameOf(way.param); });
 
 class AnyRegion : public ::testing::TestWithParam<std::uint32_t> {};
 
