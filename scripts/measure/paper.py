@@ -188,8 +188,7 @@ def counts_text(rows):
     return f"""\
 ## The number of vertices that eq. (1) comes to
 
-The paper preset without umbrella steps. "Constant for target": what 0.844 would have to be (the count goes with 1/c²);
-with disk intersection it is that of the samples, before the count is made exact.
+The paper preset without exact count. "Constant for target": what 0.844 would have to be (the count goes with 1/c²).
 
 {table(titles, rows)}"""
 
@@ -198,8 +197,8 @@ def density_text(rows):
     return f"""\
 ## Eq. (5)
 
-Vertices off target with the density of eq. (4): radius by eq. (5) as printed, with signed H and its mean over the
-vertices, and samples of the preset fast, calibrated, with |H| and the area mean of the squared stretch. k is λ in units of the r of eq.
+Vertices off target with the density of eq. (4), without exact count: radius by eq. (5) as printed, with signed H and its
+mean over the vertices, and calibrated, with |H| and the area mean of the squared stretch. k is λ in units of the r of eq.
 (1), the same for both. "Clamped": vertices where 1 + λH fell below 0.1.
 
 {table(("model", "k", "as printed", "clamped", "calibrated"), rows)}"""
