@@ -155,8 +155,7 @@ TEST(PlyAttributes, CutFilesAreRefusedWithoutHarm)
 		for (std::size_t keep = 0; keep + 3 < file.size(); ++keep) {
 			const std::vector<char> exact(file.begin(), file.begin() + long(keep));
 			InputMesh               mesh = whole;
-			EXPECT_THROW(readPlyAttributes({exact.data(), keep}, {true}, mesh),
-						 gpr::app::AppError)
+			EXPECT_THROW(readPlyAttributes({exact.data(), keep}, {true}, mesh), gpr::app::AppError)
 				<< format << " " << keep;
 		}
 	}

@@ -5,6 +5,7 @@
 
 // A host for the plugin without window or OpenGL: MeshLab's own plugin manager and documents.
 
+#include "filter_rows.h"
 #include "host_api.h"
 #include "mesh_bridge.h"
 
