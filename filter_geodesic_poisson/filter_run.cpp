@@ -105,28 +105,34 @@ RunOutcome compare(const LayerJob& job, vcg::CallBackPos* progress)
 	return {true, lines, comparisonFigures(comparison)};
 }
 
+/// Of Quadric Edge Collapse as MeshLab has it, on one thread whatever our own number.
+constexpr double kCollapseMicrosecondsPerFace = 10;
+
 /// No MeshLab host can cancel a filter, so the log tells beforehand what it will take.
-std::string estimateLine(gpr::Tool tool, const LayerJob& job)
+std::string estimateLine(Filter filter, const LayerJob& job)
 {
 	gpr::RemeshOptions options = job.options();
-	if (tool == gpr::RetriangulateTool) {
+	if (filter == RetriangulateFilter) {
 		options.targetMode      = gpr::TargetMode::VertexNum;
 		options.targetVertexNum = job.sampleNum();
 	}
-	const gpr::RunEstimate estimate = gpr::estimateRun(job.copy().view(), options, tool);
+	const gpr::MeshView view     = job.copy().view();
+	gpr::RunEstimate    estimate = gpr::estimateRun(view, options, toolOf(filter));
+	if (filter == CompareFilter)
+		estimate.seconds += 1e-6 * kCollapseMicrosecondsPerFace * double(view.faceNum);
 	return "Expected: " + gpr::estimateText(estimate);
 }
 
-RunOutcome runTool(gpr::Tool tool, const LayerJob& job, vcg::CallBackPos* progress)
+RunOutcome runFilter(Filter filter, const LayerJob& job, vcg::CallBackPos* progress)
 {
-	switch (tool) {
-	case gpr::SamplingTool:
+	switch (filter) {
+	case SamplingFilter:
 		return sample(job, progress);
-	case gpr::RetriangulateTool:
+	case RetriangulateFilter:
 		return retriangulate(job, progress);
-	case gpr::FeatureTool:
+	case FeatureFilter:
 		return detectFeatures(job, progress);
-	case gpr::CompareTool:
+	case CompareFilter:
 		return compare(job, progress);
 	default:
 		return remesh(job, progress);
@@ -144,27 +150,29 @@ catch (...) {
 
 } // namespace
 
-int postConditionOf(gpr::Tool tool)
+int postConditionOf(Filter filter)
 {
-	switch (tool) {
-	case gpr::SamplingTool:
-	case gpr::CompareTool:
+	switch (filter) {
+	case SamplingFilter:
+	case CompareFilter:
 		return MeshModel::MM_NONE; // they only add layers
-	case gpr::FeatureTool:
+	case FeatureFilter:
 		return MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTFLAGSELECT;
 	default:
 		return MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE;
 	}
 }
 
-RunOutcome FilterRunner::run(gpr::Tool tool, MeshDocument& document, const RichParameterList& list,
+RunOutcome FilterRunner::run(Filter filter, MeshDocument& document, const RichParameterList& list,
 							 vcg::CallBackPos* progress, const LogLine& log) noexcept
 try {
 	if (_running) throw Refusal("A filter of this plugin is running already; wait for its end.");
 	const Flagged  running(_running);
-	const LayerJob job(document, tool, list);
-	log(estimateLine(tool, job));
-	return runTool(tool, job, progress);
+	const LayerJob job(document, filter, list);
+	for (const std::string& note : job.notes())
+		log(note);
+	log(estimateLine(filter, job));
+	return runFilter(filter, job, progress);
 }
 catch (const Refusal& refusal) {
 	return {false, refusal.sentences(), {}};

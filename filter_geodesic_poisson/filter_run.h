@@ -5,10 +5,9 @@
 
 // What all versions' adapters do when a filter is applied.
 
+#include "filter_rows.h"
 #include "meshlab_api.h"
 #include "run_figures.h"
-
-#include <vcg_extras/core/parameters.h>
 
 #include <functional>
 #include <string>
@@ -19,7 +18,7 @@ namespace gpr_filter {
 /// What of MeshModel's masks a layer must have for any of the filters.
 constexpr int kPreCondition = MeshModel::MM_FACENUMBER;
 /// What of MeshModel's masks a filter changes.
-int postConditionOf(gpr::Tool tool);
+int postConditionOf(Filter filter);
 
 /// How a run ended.
 struct RunOutcome {
@@ -35,11 +34,11 @@ using LogLine = std::function<void(const std::string&)>;
 /// Applies one filter after the other.
 class FilterRunner {
 public:
-	/// Applies a tool's filter to the document's current layer; before the work begins `log` is
+	/// Applies a filter to the document's current layer; before the work begins `log` is
 	/// told what it will take. Never throws. A call from within the progress callback of another is
 	/// refused: the host's progress bar handles events, so Apply can be pressed again while a
 	/// filter runs.
-	RunOutcome run(gpr::Tool tool, MeshDocument& document, const RichParameterList& list,
+	RunOutcome run(Filter filter, MeshDocument& document, const RichParameterList& list,
 				   vcg::CallBackPos* progress, const LogLine& log) noexcept;
 
 private:

@@ -76,16 +76,16 @@ const FilterText comparison = {
 
 } // namespace
 
-const FilterText& textOf(gpr::Tool tool)
+const FilterText& textOf(Filter filter)
 {
-	switch (tool) {
-	case gpr::SamplingTool:
+	switch (filter) {
+	case SamplingFilter:
 		return sampling;
-	case gpr::RetriangulateTool:
+	case RetriangulateFilter:
 		return retriangulation;
-	case gpr::FeatureTool:
+	case FeatureFilter:
 		return features;
-	case gpr::CompareTool:
+	case CompareFilter:
 		return comparison;
 	default:
 		return remeshing;

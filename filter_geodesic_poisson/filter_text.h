@@ -3,7 +3,7 @@
 #ifndef FILTER_GEODESIC_POISSON_FILTER_TEXT_H
 #define FILTER_GEODESIC_POISSON_FILTER_TEXT_H
 
-#include <vcg_extras/core/parameters.h>
+#include "filter_rows.h"
 
 namespace gpr_filter {
 
@@ -17,8 +17,7 @@ struct FilterText {
 	const char* info;
 };
 
-/// The text of the filter that stands for a tool.
-const FilterText& textOf(gpr::Tool tool);
+const FilterText& textOf(Filter filter);
 
 /// What all versions of MeshLab, and their .mlx scripts, call the type of a parameter.
 const char* scriptType(gpr::ParameterKind kind);

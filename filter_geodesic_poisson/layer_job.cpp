@@ -38,17 +38,13 @@ int likelySampleLayer(const MeshDocument& document)
 	return likely;
 }
 
-bool asksForQuality(const gpr::RemeshOptions& options)
+ReadParameters readValues(Filter filter, const RichParameterList& list,
+						  const MeshDocument& document)
 {
-	return options.lambda > 0 && options.sizing == gpr::SizingSource::Quality;
-}
-
-gpr::ParameterSet readValues(gpr::Tool tool, const RichParameterList& list,
-							 const MeshDocument& document)
-{
-	const ReadParameters read = readParameterList(gpr::parametersOf(tool), factsOf(document), list);
+	ReadParameters read =
+		readParameterList(rowsOf(filter), factsOf(document), list, proposedFor(document));
 	if (!read.complaints.empty()) throw Refusal(read.complaints);
-	return read.values;
+	return read;
 }
 
 /// "bunny.ply" gives "bunny": the layer list shows a label up to its first dot only.
@@ -129,16 +125,21 @@ gpr::MeshFacts factsOf(const MeshDocument& document)
 		facts.diagonal            = mesh.bbox.IsNull() ? 0.0 : double(mesh.bbox.Diag());
 		facts.hasSelectedVertices = anyVertexSelected(mesh);
 	}
-	const int samples = likelySampleLayer(document);
-	if (samples >= 0) facts.sampleLayer = samples;
 	return facts;
 }
 
-gpr::RemeshOptions optionsFor(const gpr::ParameterSet& values, gpr::Tool tool,
+GivenValues proposedFor(const MeshDocument& document)
+{
+	const int samples = likelySampleLayer(document);
+	if (samples < 0) return {};
+	return {{"SampleLayer", std::int64_t(samples)}};
+}
+
+gpr::RemeshOptions optionsFor(const gpr::ParameterSet& values, Filter filter,
 							  const MeshModel& layer)
 {
 	gpr::RemeshOptions options    = values.options();
-	const bool         makesFaces = tool == gpr::RemeshTool || tool == gpr::RetriangulateTool;
+	const bool         makesFaces = filter == RemeshFilter || filter == RetriangulateFilter;
 	options.surfacePointsOfFaces =
 		makesFaces && ((layer.dataMask() & kCarriedFaceMask) != 0 || !layer.cm.face_attr.empty());
 	return options;
@@ -147,15 +148,11 @@ gpr::RemeshOptions optionsFor(const gpr::ParameterSet& values, gpr::Tool tool,
 LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options)
 {
 	CopiedParts parts;
-	parts.quality       = layer.hasDataMask(MeshModel::MM_VERTQUALITY);
 	parts.selection     = gpr::mayUseSelectedVertices(options);
 	parts.facesCorners  = options.featureRegion == gpr::FeatureRegion::Selection;
 	parts.faceSelection = options.selectedOnly;
 	parts.edgeSelection = options.featureMode == gpr::FeatureMode::Given;
-	parts.texture = options.surfacePointsOfFaces && layer.hasDataMask(MeshModel::MM_WEDGTEXCOORD);
-	if (asksForQuality(options) && !parts.quality) {
-		throw Refusal("The density shall go with the vertex quality, but the layer has none.");
-	}
+	parts.texture  = options.surfacePointsOfFaces && layer.hasDataMask(MeshModel::MM_WEDGTEXCOORD);
 	LayerCopy copy = copyLayer(layer.cm, parts);
 	if (parts.facesCorners && !copy.view().anySelected()) {
 		throw Refusal("The feature region shall be the selection, but nothing is selected.");
@@ -169,21 +166,21 @@ LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options)
 	return copy;
 }
 
-LayerJob::LayerJob(MeshDocument& document, gpr::Tool tool, const RichParameterList& list) :
+LayerJob::LayerJob(MeshDocument& document, Filter filter, const RichParameterList& list) :
 		_document(document), _layerId(-1)
 {
 	const MeshModel* const current = document.mm();
 	if (current == nullptr) throw Refusal("There is no layer.");
 	_layerId         = current->id();
-	_values          = readValues(tool, list, document);
-	_options         = optionsFor(_values, tool, *current);
+	_read            = readValues(filter, list, document);
+	_options         = optionsFor(_read.values, filter, *current);
 	_anyFaceSelected = anyFaceSelected(current->cm);
 	_copy            = copyFor(*current, _options);
 }
 
 const MeshModel& LayerJob::sampleModel() const
 {
-	const std::int64_t     number = _values.sampleLayer();
+	const std::int64_t     number = _read.own<std::int64_t>("SampleLayer");
 	const MeshModel* const model  = _document.getMesh(int(number));
 	if (model == nullptr) refuseMissing(number, _document);
 	const std::string named = "Layer " + numberAndLabel(*model).toStdString();
@@ -254,7 +251,7 @@ std::vector<std::string> LayerJob::put(const gpr::RemeshResult& result, const ch
 	if (built.face.IsQualityEnabled()) carried |= MeshModel::MM_FACEQUALITY;
 	if (built.face.IsWedgeTexCoordEnabled()) carried |= MeshModel::MM_WEDGTEXCOORD;
 
-	MeshModel& target = _values.newLayer() ? addLayer(source, carried, suffix) : source;
+	MeshModel& target = _read.own<bool>("NewLayer") ? addLayer(source, carried, suffix) : source;
 	if (&target != &source && (carried & kTextureMask) != 0) copyTextures(source, target);
 	fill(target, built, carried);
 	user.Write(target.cm);
@@ -281,20 +278,21 @@ void LayerJob::putPoints(const gpr::SamplingResult& result, const char* suffix) 
 void LayerJob::addCompared(const MeshModel& source, const ComparedResult& result,
 						   const char* suffix, int place, double largestDeviation) const
 {
-	CMeshO built;
+	const auto by = ComparedBy(_read.own<std::int64_t>("ColorBy"));
+	CMeshO     built;
 	buildPlain(result.mesh, built);
 	int mask = 0;
-	if (_values.comparedBy() != gpr::ComparedBy::Nothing) {
+	if (by != ComparedBy::Nothing) {
 		mask = MeshModel::MM_FACEQUALITY | MeshModel::MM_FACECOLOR;
 		built.face.EnableQuality();
 		built.face.EnableColor();
 	}
-	if (_values.comparedBy() == gpr::ComparedBy::Quality) colourFaces(result.shape, 0, 1, built);
-	if (_values.comparedBy() == gpr::ComparedBy::Distance) {
+	if (by == ComparedBy::Quality) colourFaces(result.shape, 0, 1, built);
+	if (by == ComparedBy::Distance) {
 		colourFaces(result.deviation, largestDeviation, 0, built);
 	}
 	const Matrix44m beside =
-		_values.sideBySide() ? movedAside(source.cm, place) : Matrix44m(source.cm.Tr);
+		_read.own<bool>("SideBySide") ? movedAside(source.cm, place) : Matrix44m(source.cm.Tr);
 	MeshModel& added = addLayer(source, mask, suffix, place == 1);
 	fill(added, built, mask);
 	added.cm.Tr = beside;

@@ -7,8 +7,7 @@
 
 #include "comparison.h"
 #include "mesh_bridge.h"
-
-#include <vcg_extras/core/parameters.h>
+#include "parameter_bridge.h"
 
 #include <string>
 #include <vector>
@@ -18,12 +17,15 @@ namespace gpr_filter {
 /// What the dialog's defaults depend on; a document without a layer has facts, too.
 gpr::MeshFacts factsOf(const MeshDocument& document);
 
+/// What the dialog proposes beside these defaults: the layer of the samples.
+GivenValues proposedFor(const MeshDocument& document);
+
 /// The options that values ask for on a layer, with what its attributes need.
-gpr::RemeshOptions optionsFor(const gpr::ParameterSet& values, gpr::Tool tool,
+gpr::RemeshOptions optionsFor(const gpr::ParameterSet& values, Filter filter,
 							  const MeshModel& layer);
 
-/// What a run with these options reads of a layer. Throws Refusal where the layer lacks the quality
-/// or the selection that the options ask for.
+/// What a run with these options reads of a layer. Throws Refusal where the layer lacks the
+/// selection that the options ask for.
 LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options);
 
 /// One run of a filter on the current layer: what the user asked for, a copy of the mesh for the
@@ -31,11 +33,14 @@ LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options);
 class LayerJob {
 public:
 	/// Reads the parameters and copies the layer. Throws Refusal: no layer, values out of range, a
-	/// layer without the quality or selection that the values ask for.
-	LayerJob(MeshDocument& document, gpr::Tool tool, const RichParameterList& list);
+	/// layer without the selection that the values ask for.
+	LayerJob(MeshDocument& document, Filter filter, const RichParameterList& list);
 
 	const LayerCopy&          copy() const { return _copy; }
 	const gpr::RemeshOptions& options() const { return _options; }
+
+	/// Sentences about what the script asked for and is not done.
+	const std::vector<std::string>& notes() const { return _read.notes; }
 
 	/// The vertices of the layer that the parameter SampleLayer names, in the frame of ours.
 	/// Throws Refusal: no such layer, an empty one, our own, a transform that has no inverse.
@@ -72,7 +77,7 @@ public:
 private:
 	MeshDocument&      _document;
 	int                _layerId;
-	gpr::ParameterSet  _values;
+	ReadParameters     _read;
 	gpr::RemeshOptions _options;
 	LayerCopy          _copy;
 	bool               _anyFaceSelected = false;

@@ -20,8 +20,7 @@ bool sameBits(const std::vector<T>& a, const std::vector<T>& b)
 }
 
 /// Copies the vertices and returns the new index of each element of mesh.vert.
-std::vector<std::int32_t> copyVertices(const CMeshO& mesh, const CopiedParts& parts,
-									   LayerCopy& copy)
+std::vector<std::int32_t> copyVertices(const CMeshO& mesh, LayerCopy& copy)
 {
 	std::vector<std::int32_t> newIndex(mesh.vert.size(), -1);
 	copy.positions.reserve(std::size_t(mesh.vn));
@@ -31,7 +30,6 @@ std::vector<std::int32_t> copyVertices(const CMeshO& mesh, const CopiedParts& pa
 		newIndex[v]          = std::int32_t(copy.positions.size());
 		const Point3m& point = vertex.cP();
 		copy.positions.push_back({point[0], point[1], point[2]});
-		if (parts.quality) copy.qualities.push_back(float(vertex.cQ()));
 	}
 	return newIndex;
 }
@@ -140,7 +138,6 @@ void setSelected(Element& element, bool selected, int& count)
 gpr::MeshView LayerCopy::view() const
 {
 	gpr::MeshView view(positions, triangles);
-	view.quality      = qualities.empty() ? nullptr : qualities.data();
 	view.selected     = selected.empty() ? nullptr : selected.data();
 	view.selectedFace = selectedFaces.empty() ? nullptr : selectedFaces.data();
 	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
@@ -161,7 +158,7 @@ bool LayerCopy::anyFaceSelected() const
 LayerCopy copyLayer(const CMeshO& mesh, const CopiedParts& parts)
 {
 	LayerCopy                       copy;
-	const std::vector<std::int32_t> newIndex = copyVertices(mesh, parts, copy);
+	const std::vector<std::int32_t> newIndex = copyVertices(mesh, copy);
 	copy.triangles.reserve(3 * std::size_t(mesh.fn));
 	for (const CFaceO& face : mesh.face) {
 		if (face.IsD()) continue;

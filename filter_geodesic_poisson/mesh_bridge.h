@@ -18,7 +18,6 @@ namespace gpr_filter {
 
 /// What of a mesh is copied beside its vertices and faces.
 struct CopiedParts {
-	bool quality       = false; ///< of the vertices
 	bool selection     = false; ///< of the vertices
 	bool facesCorners  = false; ///< where no vertex is selected, those of the selected faces
 	bool faceSelection = false;
@@ -32,7 +31,6 @@ struct CopiedParts {
 struct LayerCopy {
 	std::vector<gpr::Vec3<Scalarm>> positions;
 	std::vector<std::int32_t>       triangles;     ///< 3 indices a face
-	std::vector<float>              qualities;     ///< one a vertex, or none
 	std::vector<std::uint8_t>       selected;      ///< one a vertex, or none; 1 = selected
 	std::vector<std::uint8_t>       selectedFaces; ///< one a face, or none; 1 = selected
 	std::vector<std::uint8_t> selectedEdges; ///< one a corner, or none; with the texture's seams

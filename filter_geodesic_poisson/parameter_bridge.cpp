@@ -3,6 +3,7 @@
 #include "parameter_bridge.h"
 
 #include "filter_text.h"
+#include "old_parameters.h"
 #include "parameter_api.h"
 
 #include <QString>
@@ -30,11 +31,18 @@ QStringList textsOf(const std::vector<const char*>& choices)
 	return texts;
 }
 
+/// As widgets and scripts have it.
+double scriptNumber(const ParameterValue& value)
+{
+	return std::holds_alternative<gpr::Automatic>(value) ? kAutomaticNumber
+														 : std::get<double>(value);
+}
+
 void addRow(const Parameter& row, const gpr::MeshFacts& facts, const ParameterValue& value,
 			bool advanced, RichParameterList& list)
 {
 	const QString key   = QString::fromUtf8(row.key);
-	const QString label = QString::fromUtf8(row.label);
+	const QString label = QString::fromStdString(dialogLabel(row));
 	const QString help  = QString::fromStdString(gpr::dialogHelp(row));
 	// The dialog divides by the range of a length: an empty layer gets one, too.
 	const Scalarm diagonal = facts.diagonal > 0 ? Scalarm(facts.diagonal) : 1;
@@ -43,7 +51,7 @@ void addRow(const Parameter& row, const gpr::MeshFacts& facts, const ParameterVa
 		addParameter<RichInt>(list, advanced, key, int(std::get<std::int64_t>(value)), label, help);
 		break;
 	case ParameterKind::Number:
-		addParameter<RichFloat>(list, advanced, key, Scalarm(std::get<double>(value)), label, help);
+		addParameter<RichFloat>(list, advanced, key, Scalarm(scriptNumber(value)), label, help);
 		break;
 	case ParameterKind::Length:
 		addParameter<LengthParameter>(list, advanced, key, Scalarm(std::get<double>(value)),
@@ -59,6 +67,12 @@ void addRow(const Parameter& row, const gpr::MeshFacts& facts, const ParameterVa
 	}
 }
 
+ParameterValue numberIn(const Parameter& row, double number)
+{
+	if (row.isAutomatic && number == kAutomaticNumber) return gpr::Automatic();
+	return number;
+}
+
 /// The row's value in a list that has it; nothing where it is of another type.
 /// Asked for the type first, because MeshLab asserts on the wrong one.
 std::optional<ParameterValue> find(const Parameter& row, const RichParameterList& list)
@@ -70,10 +84,15 @@ std::optional<ParameterValue> find(const Parameter& row, const RichParameterList
 		return ParameterValue(parameter.value().getBool());
 	case ParameterKind::Number:
 	case ParameterKind::Length:
-		return ParameterValue(typedNumber(parameter.value().getFloat()));
+		return numberIn(row, typedNumber(parameter.value().getFloat()));
 	default:
 		return ParameterValue(std::int64_t(parameter.value().getInt()));
 	}
+}
+
+bool isAutomatic(const ParameterValue& value)
+{
+	return std::holds_alternative<gpr::Automatic>(value);
 }
 
 double numberOf(const ParameterValue& value)
@@ -85,6 +104,7 @@ double numberOf(const ParameterValue& value)
 
 bool inRange(const Parameter& row, const ParameterValue& value)
 {
+	if (isAutomatic(value)) return true;
 	const double number = numberOf(value);
 	if (row.kind == ParameterKind::Choice) {
 		return number >= 0 && number < double(row.choices.size());
@@ -101,6 +121,28 @@ std::string outOfRange(const Parameter& row)
 		.toStdString();
 }
 
+ParameterValue valueOf(const Parameter& row, const gpr::MeshFacts& facts, const GivenValues& given)
+{
+	const auto found = given.find(row.key);
+	return found != given.end() ? found->second : row.defaultValue(facts);
+}
+
+void keep(const Parameter& row, const ParameterValue& value, ReadParameters& read)
+{
+	if (row.store == nullptr)
+		read.ofHost[row.key] = value;
+	else
+		read.values.set(row, value);
+}
+
+/// An adaptivity of 0.1 meant that none was chosen.
+bool isOldDefault(const Parameter& row, const ParameterValue& value, const RichParameterList& list)
+{
+	constexpr double oldDefault = 0.1;
+	return row.isAutomatic && !isAutomatic(value) && numberOf(value) == oldDefault &&
+		   isOldScript(list);
+}
+
 } // namespace
 
 std::size_t everydayRowNum(const std::vector<Parameter>& table)
@@ -115,21 +157,18 @@ void fillParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts
 					   RichParameterList& list, const GivenValues& given)
 {
 	const std::size_t shown = everydayRowNum(table);
-	for (std::size_t i = 0; i < table.size(); ++i) {
-		const auto           found = given.find(table[i].key);
-		const ParameterValue value =
-			found != given.end() ? found->second : table[i].defaultValue(facts);
-		addRow(table[i], facts, value, i >= shown, list);
-	}
+	for (std::size_t i = 0; i < table.size(); ++i)
+		addRow(table[i], facts, valueOf(table[i], facts, given), i >= shown, list);
 }
 
 ReadParameters readParameterList(const std::vector<Parameter>& table, const gpr::MeshFacts& facts,
-								 const RichParameterList& list)
+								 const RichParameterList& list, const GivenValues& proposed)
 {
 	ReadParameters read;
+	read.notes = notesOnOldParameters(list);
 	for (const Parameter& row : table) {
 		if (!list.hasParameter(QString::fromUtf8(row.key))) {
-			read.values.set(row, row.defaultValue(facts));
+			keep(row, valueOf(row, facts, proposed), read);
 			continue;
 		}
 		const std::optional<ParameterValue> value = find(row, list);
@@ -141,7 +180,7 @@ ReadParameters readParameterList(const std::vector<Parameter>& table, const gpr:
 			read.complaints.push_back(outOfRange(row));
 		}
 		else {
-			read.values.set(row, *value);
+			keep(row, isOldDefault(row, *value, list) ? row.defaultValue(facts) : *value, read);
 		}
 	}
 	// Only when every row was usable: the rest would be about values that nobody gave.

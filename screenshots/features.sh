@@ -29,13 +29,14 @@ picture_features() {
 
 # One row of preservation.png into $row: none, automatic, by disks, by vertices.
 preserved() { # model, number of vertices
-	local ways=("none" "" "lambda 2" "--lambda 2" "region by disks" "--feature-region detected"
-		"region by vertices" "--feature-region detected --feature-sampling vertices")
+	local ways=("none" "--preset fast" "lambda 2" "--preset fast --lambda 2"
+		"region by disks" "--preset fast --feature-region detected"
+		"region by vertices" "--preset paper --feature-region detected")
 	local i name=${1%%_*}
 	row=()
 	for ((i = 0; i < ${#ways[@]}; i += 2)); do
 		# Without what the default does for creases and for closeness.
-		remesh "$GPR_MODELS_DIR/$1.ply" "${name}_$i.ply" --vertices "$2" --features off --fit off ${ways[i + 1]}
+		remesh "$GPR_MODELS_DIR/$1.ply" "${name}_$i.ply" --vertices "$2" --features off ${ways[i + 1]}
 		shot "${camera[${name}_near]}" "${name}_$i.ply"
 		row+=("$name, ${ways[i]}" "${name}_$i")
 	done

@@ -48,13 +48,19 @@ cut_patch() {
 		}' "$bunny" >"$work/patch.ply"
 }
 
+# The mesh after each stage, all of one size: retriangulated, flipped, counted, conformal, fitted.
+stage_meshes() { # percent
+	"$build/bin/gpr_stage_meshes" "$bunny" "$1" "$work"
+}
+
 picture_stages() {
-	remesh "$bunny" sampled.ply --relax 0 --exact-count off
-	remesh "$bunny" counted.ply --relax 0
-	remesh "$bunny" relaxed.ply
+	stage_meshes 10
+	remesh "$bunny" relaxed.off
+	mv "$work/flipped.off" "$work/sampled.off"
 	local mesh
-	for mesh in bunny sampled counted relaxed; do
-		shot "$flank" $mesh.ply
+	shot "$flank" bunny.ply
+	for mesh in sampled counted relaxed; do
+		shot "$flank" $mesh.off
 	done
 	show stages 2 "input" bunny "sampled, retriangulated, flipped" sampled "exact count" counted \
 		"relaxed, fitted" relaxed
@@ -94,9 +100,8 @@ picture_density() {
 
 # The input's vertices coloured by the sample next to them; samples are dark.
 picture_retriangulation() {
-	local stages=(--percent 4 --relax 0 --exact-count off --fit off)
-	remesh "$bunny" contracted.off "${stages[@]}" --flips 0
-	remesh "$bunny" flipped.off "${stages[@]}"
+	stage_meshes 4
+	mv "$work/retriangulated.off" "$work/contracted.off"
 	remesh "$bunny" fine.off --percent 300
 	awk 'FNR == 2 { if (NR == FNR) ns = $1; else nv = $1; next }
 		NR == FNR { if (FNR > 2 && n < ns && NF > 0) { x[n] = $1; y[n] = $2; z[n++] = $3 }; next }
@@ -132,17 +137,17 @@ valences() { # off, colours
 }
 
 picture_regularity() {
-	remesh "$bunny" counted.off --relax 0 --fit off
-	remesh "$bunny" relaxed.off --regularity plain --fit off
-	remesh "$bunny" regular.off --fit off
+	stage_meshes 10
+	remesh "$bunny" relaxed.off --preset fast
+	mv "$work/conformal.off" "$work/regular.off"
 	local mesh
 	for mesh in counted relaxed regular; do
 		valences "$work/$mesh.off" "$work/$mesh.txt"
 		with_colours "$work/$mesh.off" "$work/$mesh.txt" "$work/$mesh.ply"
 		shot "$flank" $mesh.ply --edges "${coloured[@]}"
 	done
-	show regularity 3 "exact count" counted "relaxed, --regularity plain" relaxed \
-		"--regularity full" regular
+	show regularity 3 "exact count" counted "relaxed, --preset fast" relaxed \
+		"made regular, before the fit" regular
 }
 
 # Every face by its smallest angle: red up to 30 degrees, white for 60.
@@ -174,7 +179,7 @@ angles_as_colours() { # off, ply
 }
 
 picture_angles() {
-	remesh "$bunny" counted.off --relax 0 --fit off
+	stage_meshes 10
 	remesh "$bunny" fast.off --preset fast
 	remesh "$bunny" whole_way.off
 	local mesh
@@ -246,14 +251,14 @@ END
 }
 
 picture_fit() {
-	remesh "$bunny" unfitted.ply --percent 3 --fit off
+	remesh "$bunny" unfitted.ply --percent 3 --preset fast
 	remesh "$bunny" fitted.ply --percent 3
 	local mesh
 	for mesh in unfitted fitted; do
 		distances $mesh.ply "$work/far_$mesh.ply"
 		shot "$whole" far_$mesh.ply "${coloured[@]}"
 	done
-	show fit 2 "--fit off" far_unfitted "--fit on" far_fitted
+	show fit 2 "--preset fast" far_unfitted "default" far_fitted
 }
 
 # Stripes round the bunny, and what is left of them.

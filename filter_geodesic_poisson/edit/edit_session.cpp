@@ -141,14 +141,14 @@ MeshModel* EditSession::layer()
 gpr::RemeshOptions EditSession::wantedOptions(bool isDraft)
 {
 	// By way of MeshLab's own list, so that numbers are those that the filter would read.
-	const std::vector<gpr::Parameter>& table  = gpr::remeshParameters();
+	const std::vector<gpr::Parameter>& table  = rowsOf(RemeshFilter);
 	PanelValues                        values = panel_->values();
 	if (isDraft) values["Preset"] = std::int64_t(gpr::Preset::Fast);
 	RichParameterList list;
 	fillParameterList(table, facts_, list, values);
 	const ReadParameters read = readParameterList(table, facts_, list);
 	if (!read.complaints.empty()) throw Refusal(read.complaints);
-	return optionsFor(read.values, gpr::RemeshTool, *layer());
+	return optionsFor(read.values, RemeshFilter, *layer());
 }
 
 void EditSession::copyMarksFor(const gpr::RemeshOptions& options)
@@ -212,7 +212,7 @@ void EditSession::requestQuadric()
 void EditSession::rememberValues()
 {
 	for (const auto& [key, value] : panel_->values()) {
-		const bool isProposed = value == gpr::findParameter(key)->defaultValue(facts_);
+		const bool isProposed = value == remeshRow(key).defaultValue(facts_);
 		if (isProposed && key != "NewLayer")
 			memory_.values.erase(key);
 		else
@@ -318,10 +318,10 @@ void EditSession::putResult()
 {
 	const PanelValues values = panel_->values();
 	RichParameterList list;
-	fillParameterList(gpr::remeshParameters(), facts_, list, values);
+	fillParameterList(rowsOf(RemeshFilter), facts_, list, values);
 	if (document_.mm() == nullptr || document_.mm()->id() != layerId_)
 		throw Refusal("The layer that the tool was opened for is not the current layer any more.");
-	const LayerJob job(document_, gpr::RemeshTool, list);
+	const LayerJob job(document_, RemeshFilter, list);
 	const QString  file   = fileOf(*layer());
 	const auto     before = worker_->qualityOfLayer();
 	tell(remeshingLines(*shown_->result, before != nullptr ? *before : gpr::QualityFigures()));

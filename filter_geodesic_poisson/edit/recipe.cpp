@@ -30,6 +30,7 @@ QString scriptText(const ParameterValue& value)
 {
 	if (const auto* count = std::get_if<std::int64_t>(&value)) return QString::number(*count);
 	if (const auto* number = std::get_if<double>(&value)) return numberText(*number);
+	if (std::holds_alternative<gpr::Automatic>(value)) return numberText(kAutomaticNumber);
 	return std::get<bool>(value) ? "true" : "false";
 }
 
@@ -65,8 +66,8 @@ QString scriptFor(const Values& values, const gpr::MeshFacts& facts)
 	xml.writeDTD("<!DOCTYPE FilterScript>");
 	xml.writeStartElement("FilterScript");
 	xml.writeStartElement("filter");
-	xml.writeAttribute("name", textOf(gpr::RemeshTool).name);
-	for (const Parameter& row : gpr::remeshParameters())
+	xml.writeAttribute("name", textOf(RemeshFilter).name);
+	for (const Parameter& row : rowsOf(RemeshFilter))
 		writeParameter(row, valueOf(row, values, facts), facts, xml);
 	xml.writeEndElement();
 	xml.writeEndElement();
@@ -104,6 +105,7 @@ QString commandValue(const Parameter& row, const ParameterValue& value)
 	if (row.kind == ParameterKind::Choice)
 		return row.choices[std::size_t(std::get<std::int64_t>(value))];
 	if (row.kind == ParameterKind::Switch) return std::get<bool>(value) ? "on" : "off";
+	if (std::holds_alternative<gpr::Automatic>(value)) return gpr::automaticName;
 	return scriptText(value);
 }
 
@@ -113,7 +115,7 @@ QString commandFor(const Values& values, const gpr::MeshFacts& facts, const QStr
 	QStringList     words = {"gpremesh remesh", quoted(info.fileName()),
 							 quoted(info.completeBaseName() + "_remeshed.ply")};
 	for (const Parameter& row : gpr::remeshParameters()) {
-		if (*row.option == '\0' || !mustBeNamed(row, values, facts, gpr::MeshFacts())) continue;
+		if (!mustBeNamed(row, values, facts, gpr::MeshFacts())) continue;
 		words << row.option;
 		const bool isBare = row.kind == ParameterKind::Switch && *row.argument == '\0';
 		if (!isBare) words << commandValue(row, valueOf(row, values, facts));
@@ -132,12 +134,12 @@ QString pythonValue(const Parameter& row, const ParameterValue& value)
 QString pythonFor(const Values& values, const gpr::MeshFacts& facts)
 {
 	QStringList arguments;
-	for (const Parameter& row : gpr::remeshParameters()) {
+	for (const Parameter& row : rowsOf(RemeshFilter)) {
 		if (!mustBeNamed(row, values, facts, facts)) continue;
 		arguments << QString(row.key).toLower() + "=" +
 						 pythonValue(row, valueOf(row, values, facts));
 	}
-	return QString("meshes.%1(%2)").arg(textOf(gpr::RemeshTool).pythonName, arguments.join(", "));
+	return QString("meshes.%1(%2)").arg(textOf(RemeshFilter).pythonName, arguments.join(", "));
 }
 
 } // namespace

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "remesh_panel.h"
 
+#include "filter_rows.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -34,6 +36,7 @@ constexpr const char* kShownKeys[] = {
 constexpr const char* kOtherSizes[] = {"TargetPerc", "TargetLen"};
 
 constexpr int    kSliderSteps = 1000;
+constexpr double kUnitStep    = 0.05;
 constexpr double kFewest      = 50;
 
 /// The slider's end: twice the vertices of the layer.
@@ -154,7 +157,7 @@ void RemeshPanel::addParameters(QVBoxLayout& column)
 	auto* form = new QFormLayout(groupIn(column, "Remeshing"));
 	beTight(*form);
 	for (const char* key : kShownKeys) {
-		const gpr::Parameter& row = *gpr::findParameter(key);
+		const gpr::Parameter& row = remeshRow(key);
 		if (values_.count(key) == 0) values_[key] = row.defaultValue(facts_);
 		addRow(row, *form);
 	}
@@ -231,13 +234,23 @@ QWidget* RemeshPanel::numberField(const gpr::Parameter& row)
 	const double largest = largestNumber(row, facts_);
 	const bool   isUnit  = largest <= 1 && row.kind == gpr::ParameterKind::Number;
 	box->setDecimals(row.kind == gpr::ParameterKind::Length ? decimalsFor(largest) : 2);
-	box->setRange(row.minimum, largest);
-	box->setSingleStep(isUnit ? 0.05 : std::min(1.0, largest / 1000));
+	const double step = isUnit ? kUnitStep : std::min(1.0, largest / 1000);
+	box->setSingleStep(step);
 	box->setKeyboardTracking(false);
-	const std::string key = row.key;
+	// One step below the least number stands for none.
+	const double least = row.isAutomatic ? row.minimum - step : row.minimum;
+	box->setRange(least, largest);
+	if (row.isAutomatic) box->setSpecialValueText(gpr::automaticName);
+	const std::string key     = row.key;
+	const auto        valueAt = [minimum = row.minimum](double number) {
+        return number < minimum ? gpr::ParameterValue(gpr::Automatic()) : number;
+	};
 	connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-			[this, key](double number) { change(key, number); });
-	showValue_[key] = [this, box, key] { box->setValue(std::get<double>(values_[key])); };
+			[this, key, valueAt](double number) { change(key, valueAt(number)); });
+	showValue_[key] = [this, box, key, least] {
+		const auto* number = std::get_if<double>(&values_[key]);
+		box->setValue(number != nullptr ? *number : least);
+	};
 	return box;
 }
 
@@ -285,7 +298,7 @@ void RemeshPanel::change(const std::string& key, const gpr::ParameterValue& valu
 {
 	if (isShowing_) return;
 	values_[key] = value;
-	if (gpr::isSizeParameter(*gpr::findParameter(key))) keepOneSize(key);
+	if (gpr::isSizeParameter(remeshRow(key))) keepOneSize(key);
 	emit valuesChanged();
 }
 

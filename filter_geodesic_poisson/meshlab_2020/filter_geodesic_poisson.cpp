@@ -23,12 +23,12 @@ QString FilterGeodesicPoisson::pluginName() const
 
 QString FilterGeodesicPoisson::filterName(FilterIDType filter) const
 {
-	return QString::fromUtf8(gpr_filter::textOf(gpr::Tool(filter)).name);
+	return QString::fromUtf8(gpr_filter::textOf(gpr_filter::Filter(filter)).name);
 }
 
 QString FilterGeodesicPoisson::filterInfo(FilterIDType filter) const
 {
-	return QString::fromUtf8(gpr_filter::textOf(gpr::Tool(filter)).info);
+	return QString::fromUtf8(gpr_filter::textOf(gpr_filter::Filter(filter)).info);
 }
 
 MeshFilterInterface::FilterClass FilterGeodesicPoisson::getClass(QAction* action)
@@ -52,7 +52,7 @@ int FilterGeodesicPoisson::getPreConditions(QAction*) const
 
 int FilterGeodesicPoisson::postCondition(QAction* action) const
 {
-	return gpr_filter::postConditionOf(gpr::Tool(ID(action)));
+	return gpr_filter::postConditionOf(gpr_filter::Filter(ID(action)));
 }
 
 MeshFilterInterface::FILTER_ARITY FilterGeodesicPoisson::filterArity(QAction*) const
@@ -63,8 +63,9 @@ MeshFilterInterface::FILTER_ARITY FilterGeodesicPoisson::filterArity(QAction*) c
 void FilterGeodesicPoisson::initParameterSet(QAction* action, MeshDocument& document,
 											 RichParameterList& list)
 {
-	const std::vector<gpr::Parameter>& table = gpr::parametersOf(gpr::Tool(ID(action)));
-	gpr_filter::fillParameterList(table, gpr_filter::factsOf(document), list);
+	const std::vector<gpr::Parameter>& table = gpr_filter::rowsOf(gpr_filter::Filter(ID(action)));
+	gpr_filter::fillParameterList(table, gpr_filter::factsOf(document), list,
+								  gpr_filter::proposedFor(document));
 	// The host asks just before it shows the dialog; meshlabserver asks, too, and shows none.
 	gpr_filter::shortenDialogLater(filterName(ID(action)), int(gpr_filter::everydayRowNum(table)),
 								   this);
@@ -77,7 +78,7 @@ try {
 	// As std::string and by itself, a line is never taken for a printf format.
 	const gpr_filter::LogLine    tell = [this](const std::string& line) { Log(line); };
 	const gpr_filter::RunOutcome outcome =
-		_runner.run(gpr::Tool(ID(action)), document, list, progress, tell);
+		_runner.run(gpr_filter::Filter(ID(action)), document, list, progress, tell);
 	// The failure box shows errorMessage as HTML; meshlabserver shows the log only.
 	if (!outcome.done) errorMessage = gpr_filter::asHtml(outcome.lines, "<br>");
 	for (const std::string& line : outcome.lines) {

@@ -29,17 +29,17 @@ QString FilterGeodesicPoisson::vendor() const
 
 QString FilterGeodesicPoisson::filterName(ActionIDType filter) const
 {
-	return QString::fromUtf8(gpr_filter::textOf(gpr::Tool(filter)).name);
+	return QString::fromUtf8(gpr_filter::textOf(gpr_filter::Filter(filter)).name);
 }
 
 QString FilterGeodesicPoisson::pythonFilterName(ActionIDType filter) const
 {
-	return QString::fromUtf8(gpr_filter::textOf(gpr::Tool(filter)).pythonName);
+	return QString::fromUtf8(gpr_filter::textOf(gpr_filter::Filter(filter)).pythonName);
 }
 
 QString FilterGeodesicPoisson::filterInfo(ActionIDType filter) const
 {
-	return QString::fromUtf8(gpr_filter::textOf(gpr::Tool(filter)).info);
+	return QString::fromUtf8(gpr_filter::textOf(gpr_filter::Filter(filter)).info);
 }
 
 FilterPlugin::FilterClass FilterGeodesicPoisson::getClass(const QAction* action) const
@@ -63,7 +63,7 @@ int FilterGeodesicPoisson::getPreConditions(const QAction*) const
 
 int FilterGeodesicPoisson::postCondition(const QAction* action) const
 {
-	return gpr_filter::postConditionOf(gpr::Tool(ID(action)));
+	return gpr_filter::postConditionOf(gpr_filter::Filter(ID(action)));
 }
 
 FilterPlugin::FilterArity FilterGeodesicPoisson::filterArity(const QAction*) const
@@ -75,8 +75,9 @@ RichParameterList FilterGeodesicPoisson::initParameterList(const QAction*      a
 														   const MeshDocument& document)
 {
 	RichParameterList list;
-	gpr_filter::fillParameterList(gpr::parametersOf(gpr::Tool(ID(action))),
-								  gpr_filter::factsOf(document), list);
+	gpr_filter::fillParameterList(gpr_filter::rowsOf(gpr_filter::Filter(ID(action))),
+								  gpr_filter::factsOf(document), list,
+								  gpr_filter::proposedFor(document));
 	return list;
 }
 
@@ -89,7 +90,7 @@ std::map<std::string, QVariant> FilterGeodesicPoisson::applyFilter(const QAction
 	// As std::string and by itself, a line is never taken for a printf format.
 	const gpr_filter::LogLine    tell = [this](const std::string& line) { log(line); };
 	const gpr_filter::RunOutcome outcome =
-		_runner.run(gpr::Tool(ID(action)), document, list, progress, tell);
+		_runner.run(gpr_filter::Filter(ID(action)), document, list, progress, tell);
 	for (const std::string& line : outcome.lines) {
 		if (!line.empty()) tell(line);
 	}

@@ -17,11 +17,11 @@ class FilterGeodesicPoisson : public QObject, public FilterPlugin {
 public:
 	/// A filter for each tool of the engine, by the tool's number.
 	enum {
-		FP_GEODESIC_POISSON_REMESHING = gpr::RemeshTool,
-		FP_GEODESIC_POISSON_SAMPLING  = gpr::SamplingTool,
-		FP_RETRIANGULATION            = gpr::RetriangulateTool,
-		FP_FEATURE_DETECTION          = gpr::FeatureTool,
-		FP_COMPARISON                 = gpr::CompareTool,
+		FP_GEODESIC_POISSON_REMESHING = gpr_filter::RemeshFilter,
+		FP_GEODESIC_POISSON_SAMPLING  = gpr_filter::SamplingFilter,
+		FP_RETRIANGULATION            = gpr_filter::RetriangulateFilter,
+		FP_FEATURE_DETECTION          = gpr_filter::FeatureFilter,
+		FP_COMPARISON                 = gpr_filter::CompareFilter,
 	};
 
 	/// Runs before the host has checked version and scalar, so it does next to nothing.

@@ -49,10 +49,15 @@ class Measuring:
         return {**rows, "counts": [self._count_row(file, percent) for percent in PERCENTS_OF_COUNTS],
                 "density": self._density_rows(file)}
 
-    def _bare_run(self, file, *options):
-        """The report of a run without exact count, smoothing and fit."""
-        return self.programs.remesh(file, self.result, "--exact-count", "off", "--smoothing", "none", "--fit",
-                                    "off", *options, longest=LONGEST_SECONDS_WITHOUT_COUNT)
+    def _paper_run(self, file, *options):
+        """The report of a run with the paper's preset and without smoothing."""
+        return self.programs.remesh(file, self.result, "--preset", "paper", "--relax", 0, *options,
+                                    longest=LONGEST_SECONDS_WITHOUT_COUNT)
+
+    def _our_run(self, file, *options):
+        """The report of a run whose count tells what its samples alone came to."""
+        return self.programs.remesh(file, self.result, "--preset", "fast", *options,
+                                    longest=LONGEST_SECONDS_WITHOUT_COUNT)
 
     def _compared_rows(self, file):
         compared = output_as_json(self.programs.path("gpremesh"), "compare", file, "--percent", PERCENT,
@@ -68,27 +73,30 @@ class Measuring:
         return preset_row(file.stem, report)
 
     def _count_row(self, file, percent):
-        paper = self._bare_run(file, "--percent", percent, "--preset", "paper")
-        ours = self._bare_run(file, "--percent", percent)
+        paper = self._paper_run(file, "--percent", percent)
+        ours = self._our_run(file, "--percent", percent)
         wanted, reached = paper["counts"]["targetVertices"], paper["result"]["vertices"]
         return [file.stem, f"{percent:g} %", str(wanted), str(reached), off_target(reached / wanted),
-                f"{paper['radiusConstantForTarget']:.3f}", f"{ours['radiusConstantForTarget']:.3f}"]
+                f"{paper['radiusConstantForTarget']:.3f}",
+                f"{ours['radiusConstant'] * sampled_share(ours) ** 0.5:.3f}"]
 
     def _density_rows(self, file):
-        radius = self._bare_run(file, "--percent", PERCENT, "--preset", "paper")["diskRadius"]
+        radius = self._paper_run(file, "--percent", PERCENT)["diskRadius"]
         rows = []
         for weight in WEIGHTS:
-            paper = self._bare_run(file, "--percent", PERCENT, "--preset", "paper", "--lambda",
-                                   f"{weight * radius:.6g}")
-            ours = self._bare_run(file, "--percent", PERCENT, "--placement", "border-edge", "--lambda",
-                                  weight)
+            paper = self._paper_run(file, "--percent", PERCENT, "--lambda", f"{weight * radius:.6g}")
+            ours = self._our_run(file, "--percent", PERCENT, "--lambda", weight)
             rows.append([file.stem, f"{weight:g}", off_target(reached_share(paper)),
-                         str(paper["counts"]["curvatureClamped"]), off_target(reached_share(ours))])
+                         str(paper["counts"]["curvatureClamped"]), off_target(sampled_share(ours))])
         return rows
 
 
 def reached_share(report):
     return report["result"]["vertices"] / report["counts"]["targetVertices"]
+
+
+def sampled_share(report):
+    return report["counts"]["samples"] / report["counts"]["targetVertices"]
 
 
 def off_target(share):

@@ -25,9 +25,8 @@ TEST_F(CommandLine, HelpTellsExitCodesAndOptions)
 	EXPECT_NE(all.out.find("remesh"), std::string::npos);
 	const ProgramResult remeshing = run({"remesh", "--help"});
 	EXPECT_EQ(remeshing.exitCode, 0);
-	for (const char* option :
-		 {"--vertices", "--percent", "--edge-length", "--max-error", "--relax", "--seed",
-		  "--threads", "--exact-count", "--allow-nearest", "--report", "--quiet"}) {
+	for (const char* option : {"--vertices", "--percent", "--edge-length", "--max-error", "--relax",
+							   "--seed", "--threads", "--allow-nearest", "--report", "--quiet"}) {
 		EXPECT_NE(remeshing.out.find(option), std::string::npos) << option;
 	}
 }
@@ -72,7 +71,9 @@ TEST_F(CommandLine, ValuesOutOfRangeAreUsageErrors)
 	expectFailure(remesh({"--relax", "1001"}), 2, "--relax");
 	expectFailure(remesh({"--seed", "-1"}), 2, "--seed");
 	expectFailure(remesh({"--threads", "5000"}), 2, "--threads");
-	expectFailure(remesh({"--exact-count", "maybe"}), 2, "--exact-count");
+	expectFailure(remesh({"--sew", "maybe"}), 2, "--sew");
+	expectFailure(remesh({"--adapt", "2"}), 2, "--adapt takes auto or a number from 0 to 1");
+	expectFailure(remesh({"--adapt", "-1"}), 2, "--adapt");
 	EXPECT_FALSE(exists(path("out.ply")));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertex quality and selection out of PLY files, as MeshLab saves them.
+// Selections out of PLY files, as MeshLab saves them.
 #include "mesh_files.h"
 
 #include <vcg_extras/io/base/exit_code.h>
@@ -92,56 +92,43 @@ std::string asciiWith(const std::string& property, const std::string& values)
 
 } // namespace
 
-TEST(PlyAttributes, QualityOfEveryFormat)
-{
-	for (const char* format : formats) {
-		const InputMesh mesh = read(attributedPly(format), {true, false});
-		EXPECT_EQ(mesh.quality, (std::vector<float>{-1, -0.5f, 0, 0.5f})) << format;
-		EXPECT_EQ(mesh.view().quality, mesh.quality.data());
-		EXPECT_EQ(mesh.view().selected, nullptr);
-	}
-}
-
 TEST(PlyAttributes, SelectedVerticesOrElseCornersOfSelectedFaces)
 {
 	for (const char* format : formats) {
 		std::string file = attributedPly(format);
-		EXPECT_EQ(read(file, {false, true}).selected, (std::vector<std::uint8_t>{0, 1, 0, 0}));
+		EXPECT_EQ(read(file, {true}).selected, (std::vector<std::uint8_t>{0, 1, 0, 0}));
 		// Without the face's selection, by another name of its property.
 		file.replace(file.rfind("int flags"), 9, "int marks");
-		EXPECT_EQ(read(file, {false, true}).selected, (std::vector<std::uint8_t>{0, 1, 0, 0}));
+		EXPECT_EQ(read(file, {true}).selected, (std::vector<std::uint8_t>{0, 1, 0, 0}));
 		file.replace(file.find("int flags"), 9, "int marks");
 		file.replace(file.rfind("int marks"), 9, "int flags");
-		EXPECT_EQ(read(file, {false, true}).selected, (std::vector<std::uint8_t>{1, 0, 1, 1}));
+		EXPECT_EQ(read(file, {true}).selected, (std::vector<std::uint8_t>{1, 0, 1, 1}));
 	}
 }
 
 TEST(PlyAttributes, SelectedByItsOwnProperty)
 {
 	const std::string file = asciiWith("uchar selected", "0 0 0 0\n1 0 0 1\n0 1 0 200\n");
-	EXPECT_EQ(read(file, {false, true}).selected, (std::vector<std::uint8_t>{0, 1, 1}));
+	EXPECT_EQ(read(file, {true}).selected, (std::vector<std::uint8_t>{0, 1, 1}));
 }
 
 TEST(PlyAttributes, WhatIsMissingIsTold)
 {
 	const std::string file = asciiWith("float weight", "0 0 0 1\n1 0 0 1\n0 1 0 1\n");
-	for (const WantedAttributes wanted : {WantedAttributes{true, false}, {false, true}}) {
-		try {
-			read(file, wanted);
-			ADD_FAILURE() << "not refused";
-		}
-		catch (const gpr::app::AppError& error) {
-			EXPECT_EQ(error.code, gpr::app::ExitCode::BadInput);
-			EXPECT_NE(std::string(error.what()).find(wanted.quality ? "quality" : "selected"),
-					  std::string::npos);
-		}
+	try {
+		read(file, {true});
+		ADD_FAILURE() << "not refused";
+	}
+	catch (const gpr::app::AppError& error) {
+		EXPECT_EQ(error.code, gpr::app::ExitCode::BadInput);
+		EXPECT_NE(std::string(error.what()).find("selected"), std::string::npos);
 	}
 }
 
-TEST(PlyAttributes, AListIsNoQuality)
+TEST(PlyAttributes, AListIsNoSelection)
 {
-	const std::string file = asciiWith("list uchar float quality", "0 0 0 0\n1 0 0 0\n0 1 0 0\n");
-	EXPECT_THROW(read(file, {true, false}), gpr::app::AppError);
+	const std::string file = asciiWith("list uchar float selected", "0 0 0 0\n1 0 0 0\n0 1 0 0\n");
+	EXPECT_THROW(read(file, {true}), gpr::app::AppError);
 }
 
 TEST(PlyAttributes, OtherFormatsCarryNone)
@@ -150,7 +137,7 @@ TEST(PlyAttributes, OtherFormatsCarryNone)
 		std::filesystem::temp_directory_path() / ("gpr_" + std::to_string(getpid()) + ".off");
 	std::ofstream(path) << off(sphere(2));
 	try {
-		gpr::app::readMesh(path, {true, false});
+		gpr::app::readMesh(path, {true});
 		ADD_FAILURE() << "not refused";
 	}
 	catch (const gpr::app::AppError& error) {
@@ -168,8 +155,7 @@ TEST(PlyAttributes, CutFilesAreRefusedWithoutHarm)
 		for (std::size_t keep = 0; keep + 3 < file.size(); ++keep) {
 			const std::vector<char> exact(file.begin(), file.begin() + long(keep));
 			InputMesh               mesh = whole;
-			EXPECT_THROW(readPlyAttributes({exact.data(), keep}, {true, true}, mesh),
-						 gpr::app::AppError)
+			EXPECT_THROW(readPlyAttributes({exact.data(), keep}, {true}, mesh), gpr::app::AppError)
 				<< format << " " << keep;
 		}
 	}

@@ -407,20 +407,13 @@ TEST_F(Remesh, ReportKeepsTheKeysOfEarlierVersions)
 	EXPECT_EQ(r["counts"]["featureTips"], r["counts"]["featureConeApexes"]);
 }
 
-/// Names and values come back as they were given; what the preset chose is told, too.
+/// Names and values come back as they were given.
 TEST_F(Remesh, ReportTellsTheOptionsInForce)
 {
 	const std::string in = put("in.ply", binaryPly(sphere(30), true, false));
 	const std::vector<std::pair<std::string, std::string>> given = {
-		{"placement", "border-edge"},
-		{"retriangulation", "label-collapse"},
-		{"smoothing", "none"},
-		{"regularity", "plain"},
-		{"fit", "quick"},
-		{"equations", "calibrated"},
-		{"features", "lines"},
-		{"sizing", "curvature"}};
-	std::vector<std::string> line = {"remesh", in, path("out.ply"), "--preset", "paper"};
+		{"preset", "fast"}, {"features", "lines"}, {"boundary", "free"}};
+	std::vector<std::string> line = {"remesh", in, path("out.ply")};
 	for (const auto& [name, value] : given)
 		line.insert(line.end(), {"--" + name, value});
 	line.insert(line.end(), {"--lambda", "2", "--report", path("report.json")});
@@ -430,7 +423,19 @@ TEST_F(Remesh, ReportTellsTheOptionsInForce)
 	for (const auto& [name, value] : given)
 		EXPECT_EQ(options[name], value) << name;
 	EXPECT_EQ(options["lambda"], 2);
-	EXPECT_EQ(options["exactCount"], false) << "the paper's preset";
+	EXPECT_EQ(options["adapt"], "auto");
+	EXPECT_EQ(report()["adapt"], 0) << "what it came to";
+}
+
+/// A tenth that is given is the tenth; the default is another thing.
+TEST_F(Remesh, AdaptivityMayBeLeftToTheProgram)
+{
+	const std::string in = binaryPly(sphere(30), true, false);
+	remeshed("in.ply", in, {"--adapt", "auto", "--preset", "fast"});
+	EXPECT_EQ(report()["adapt"], 0);
+	remeshed("in.ply", in, {"--adapt", "0.1", "--preset", "fast"});
+	EXPECT_EQ(report()["adapt"], 0.1);
+	EXPECT_EQ(report()["options"]["adapt"], 0.1);
 }
 
 TEST_F(Remesh, SecondsAddUpToTheWallTime)
@@ -684,14 +689,15 @@ TEST_F(Remesh, InfoTellsWhatIsThere)
 	EXPECT_NE(text.out.find("121 vertices, 200 faces"), std::string::npos) << text.out;
 }
 
-/// A sphere as ASCII PLY with one more property of the vertices: 1 in the upper half, 0 below.
-static std::string sphereWith(const std::string& property)
+/// A sphere as ASCII PLY whose vertices in the upper half are selected.
+static std::string sphereHalfSelected()
 {
 	const TestMesh mesh = sphere(24);
 	std::string    text = "ply\nformat ascii 1.0\nelement vertex " +
 					   std::to_string(mesh.points.size()) +
-					   "\nproperty float x\nproperty float y\nproperty float z\nproperty float " +
-					   property + "\nelement face " + std::to_string(mesh.faces.size()) +
+					   "\nproperty float x\nproperty float y\nproperty float z\nproperty float "
+					   "selected\nelement face " +
+					   std::to_string(mesh.faces.size()) +
 					   "\nproperty list uchar int vertex_indices\nend_header\n";
 	for (const auto& p : mesh.points) {
 		text +=
@@ -712,32 +718,22 @@ static double upperOverLower(const TestMesh& mesh)
 	return double(upper) / double(mesh.points.size() - std::size_t(upper));
 }
 
-TEST_F(Remesh, VertexQualityMakesDenser)
-{
-	const std::string in = sphereWith("quality");
-	// Twice as dense along both directions.
-	EXPECT_NEAR(upperOverLower(remeshed(
-					"q.ply", in, {"--vertices", "4000", "--lambda", "1", "--sizing", "quality"})),
-				4, 1);
-	EXPECT_NEAR(upperOverLower(remeshed("q.ply", in, {})), 1, 0.1);
-}
-
 TEST_F(Remesh, SelectionMakesDenser)
 {
-	const std::string in = sphereWith("selected");
+	const std::string in = sphereHalfSelected();
 	EXPECT_GT(upperOverLower(
 				  remeshed("s.ply", in, {"--vertices", "4000", "--feature-region", "selection"})),
 			  2.5);
 }
 
-TEST_F(Remesh, QualityThatTheFileHasNot)
+TEST_F(Remesh, SelectionThatTheFileHasNot)
 {
-	const std::vector<std::string> wish = {"--lambda", "1", "--sizing", "quality"};
+	const std::vector<std::string> wish = {"--feature-region", "selection"};
 	for (const auto& [name, content, exitCode] :
 		 {std::tuple{"a.ply", asciiPly(sphere(8)), 3}, {"a.off", off(sphere(8)), 2}}) {
 		std::vector<std::string> words = {"remesh", put(name, content), path("out.ply")};
 		words.insert(words.end(), wish.begin(), wish.end());
-		expectFailure(run(words), exitCode, "quality");
+		expectFailure(run(words), exitCode, "select");
 	}
 }
 

@@ -94,52 +94,31 @@ RemeshResult remeshed(const Model& model, const Setting& setting)
 
 // ---- the tables
 
-void printRegularity(const std::vector<Model>& models)
+std::vector<Setting> presetSettings()
 {
-	std::printf(
-		"## Regularity\n\n10 %% of the vertices with `--fit off`, so that nothing but the "
-		"relaxation differs.\n\n| model | `--regularity` | vertices with six neighbours | "
-		"mean 2r/R | mean aspect ratio | smallest angle |\n|---|---|---:|---:|---:|---:|\n");
-	Setting plain{"plain", percentOptions(10)};
-	plain.options.fit        = Fit::Off;
-	plain.options.regularity = Regularity::Plain;
-	Setting full             = {"full", plain.options};
-	full.options.regularity  = Regularity::Full;
-	for (const Model& model : models) {
-		for (const Setting& setting : {plain, full}) {
-			const QualityFigures q = remeshed(model, setting).report.quality;
-			std::printf("| %s | %s | %.1f %% | %.4f | %.3f | %.1f° |\n", model.name.c_str(),
-						setting.name.c_str(), q.valence6Percent, q.radiusRatioMean,
-						q.aspectRatioMean, q.minAngleDeg);
-		}
-	}
-}
-
-std::vector<Setting> fitSettings()
-{
-	Setting off{"off", percentOptions(10)}, quick = off, on = off, adapted = off;
-	off.options.fit       = Fit::Off;
-	quick.name            = "quick";
-	quick.options.fit     = Fit::Quick;
-	on.name               = "on";
-	adapted.name          = "on, with `--adapt 1`";
+	Setting fast{"fast", percentOptions(10)}, usual = fast, adapted = fast;
+	fast.options.preset   = Preset::Fast;
+	usual.name            = "default";
+	adapted.name          = "default, with `--adapt 1`";
 	adapted.options.adapt = 1;
-	return {off, quick, on, adapted};
+	return {fast, usual, adapted};
 }
 
-void printFit(const std::vector<Model>& models)
+void printPresets(const std::vector<Model>& models)
 {
-	std::printf("\n## Fit\n\n10 %% of the vertices.\n\n| model | `--fit` | root mean square "
-				"distance | p99.9 | largest distance | mean 2r/R | mean aspect ratio | smallest "
-				"angle |\n|---|---|---:|---:|---:|---:|---:|---:|\n");
+	std::printf("## Preset and adaptivity\n\n10 %% of the vertices.\n\n| model | `--preset` | root "
+				"mean square distance | p99.9 | largest distance | vertices with six neighbours | "
+				"mean 2r/R | mean aspect ratio | smallest angle "
+				"|\n|---|---|---:|---:|---:|---:|---:|---:|---:|\n");
 	for (const Model& model : models) {
-		for (const Setting& setting : fitSettings()) {
+		for (const Setting& setting : presetSettings()) {
 			const RemeshResult    r = remeshed(model, setting);
 			const QualityFigures& q = r.report.quality;
 			const SurfaceDistance d = distanceBetween(model.mesh, r.mesh);
-			std::printf("| %s | %s | %.4f %% | %.3f %% | %.3f %% | %.4f | %.3f | %.1f° |\n",
-						model.name.c_str(), setting.name.c_str(), d.rms, d.p999, d.max,
-						q.radiusRatioMean, q.aspectRatioMean, q.minAngleDeg);
+			std::printf(
+				"| %s | %s | %.4f %% | %.3f %% | %.3f %% | %.1f %% | %.4f | %.3f | %.1f° |\n",
+				model.name.c_str(), setting.name.c_str(), d.rms, d.p999, d.max, q.valence6Percent,
+				q.radiusRatioMean, q.aspectRatioMean, q.minAngleDeg);
 		}
 	}
 }
@@ -173,21 +152,22 @@ void printLines(const Model& scan)
 	}
 }
 
-std::vector<Setting> preservationSettings(Fit fit)
+std::vector<Setting> preservationSettings(Preset preset)
 {
 	Setting none{"none", percentOptions(20)};
-	none.options.fit         = fit;
+	none.options.preset      = preset;
 	none.options.featureMode = FeatureMode::Off;
-	Setting lambda = none, disks = none, vertices = none;
-	lambda.name                      = "`--lambda 2`";
-	lambda.options.lambda            = 2;
-	disks.name                       = "`--feature-region detected`";
-	disks.options.featureRegion      = FeatureRegion::Detected;
-	disks.options.featureSampling    = FeatureSampling::Disks;
-	vertices.name                    = "the same with `--feature-sampling vertices`";
-	vertices.options.featureRegion   = FeatureRegion::Detected;
-	vertices.options.featureSampling = FeatureSampling::Vertices;
-	return {none, lambda, disks, vertices};
+	Setting lambda = none, disks = none, kept = none;
+	lambda.name                    = "`--lambda 2`";
+	lambda.options.lambda          = 2;
+	disks.name                     = "`--feature-region detected --feature-disk-scale 0.5`";
+	disks.options.featureRegion    = FeatureRegion::Detected;
+	disks.options.featureDiskScale = 0.5;
+	kept.name                      = "`--feature-region detected`: each vertex is kept";
+	kept.options.featureRegion     = FeatureRegion::Detected;
+	// The paper's density depends on the mesh's unit.
+	if (preset == Preset::Paper) return {none, disks, kept};
+	return {none, lambda, disks};
 }
 
 void printPreservation(const std::vector<Model>& models)
@@ -195,17 +175,19 @@ void printPreservation(const std::vector<Model>& models)
 	std::printf(
 		"\n## Preserving features\n\n20 %% of the vertices with `--features off`. Distances "
 		"are those of the input's edges sharper than %g°\nfrom the result's surface.\n\n| "
-		"model | `--fit` | options | root mean square distance | p99.9 | largest distance | mean "
+		"model | `--preset` | options | root mean square distance | p99.9 | largest distance | "
+		"mean "
 		"2r/R |\n|---|---|---|---:|---:|---:|---:|\n",
 		sharpDeg);
 	for (const Model& model : models) {
-		for (const Fit fit : {Fit::Off, Fit::Rounds}) {
-			for (const Setting& setting : preservationSettings(fit)) {
+		for (const auto& [preset, name] :
+			 {std::pair(Preset::Default, "default"), std::pair(Preset::Fast, "fast"),
+			  std::pair(Preset::Paper, "paper")}) {
+			for (const Setting& setting : preservationSettings(preset)) {
 				const RemeshResult    r = remeshed(model, setting);
 				const SurfaceDistance d = distanceOfSharpEdges(model.mesh, r.mesh);
 				std::printf("| %s | %s | %s | %.3f %% | %.2f %% | %.2f %% | %.4f |\n",
-							model.name.c_str(), fit == Fit::Off ? "off" : "on",
-							setting.name.c_str(), d.rms, d.p999, d.max,
+							model.name.c_str(), name, setting.name.c_str(), d.rms, d.p999, d.max,
 							r.report.quality.radiusRatioMean);
 			}
 		}
@@ -252,8 +234,7 @@ int main(int argc, char** argv)
 	std::vector<Model> all = scans;
 	all.insert(all.end(), parts.begin(), parts.end());
 	std::printf(intro, argc > 1 ? argv[1] : "unknown");
-	printRegularity(all);
-	printFit(all);
+	printPresets(all);
 	printLines(bunny);
 	printPreservation(parts);
 	return 0;

@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -24,12 +25,13 @@ using gpr::Parameter;
 using gpr::ParameterKind;
 using gpr::ParameterValue;
 
-using gpr::Tool;
+using gpr_filter::Filter;
 using gpr_filter::scriptType;
 using gpr_filter::textOf;
 
-constexpr Tool tools[] = {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool,
-						  gpr::FeatureTool, gpr::CompareTool};
+constexpr Filter filters[] = {gpr_filter::RemeshFilter, gpr_filter::SamplingFilter,
+							  gpr_filter::RetriangulateFilter, gpr_filter::FeatureFilter,
+							  gpr_filter::CompareFilter};
 
 const char* const intro =
 	"<!-- Made by build/bin/gpr_parameter_reference --write . from "
@@ -39,7 +41,8 @@ const char* const intro =
 	"The options of `gpremesh` and the parameters of MeshLab's filters are made from one table, "
 	"and "
 	"so\n"
-	"is this page: first what each filter has, then [what it means](#what-each-one-means).\n"
+	"is this page, with the few that only MeshLab has: first what each filter has, then [what it "
+	"means](#what-each-one-means).\n"
 	"A script for `meshlabserver` names every key of its filter, with its type; a complete one "
 	"belongs to\n"
 	"each filter. In it one edits `TargetVertexNum`. A dialog with more than twelve parameters\n"
@@ -88,7 +91,7 @@ std::string rangeText(const Parameter& p)
 			names += (names.empty() ? "" : ", ") + std::string(choice);
 		return names;
 	}
-	const std::string least = plain(p, p.minimum);
+	const std::string least = (p.isAutomatic ? "auto, " : "") + plain(p, p.minimum);
 	if (p.maximum >= 1e100) return "from " + least;
 	return least + " to " + plain(p, p.maximum);
 }
@@ -103,6 +106,7 @@ double numberOf(const ParameterValue& value)
 /// Defaults that go with the mesh are told as a share of what they go with.
 std::string defaultText(const Parameter& p)
 {
+	if (p.isAutomatic) return gpr::automaticName;
 	const MeshFacts unit{1000000, 1.0}, more{2000000, 1.0}, larger{1000000, 2.0};
 	const double    value = numberOf(p.defaultValue(unit));
 	if (numberOf(p.defaultValue(more)) != value)
@@ -124,19 +128,20 @@ std::string overviewRow(const Parameter& p, bool withOption)
 }
 
 /// Whether the program has a command for it.
-bool isCommand(Tool tool)
+bool isCommand(Filter filter)
 {
-	return tool == gpr::RemeshTool || tool == gpr::FeatureTool || tool == gpr::CompareTool;
+	return filter == gpr_filter::RemeshFilter || filter == gpr_filter::FeatureFilter ||
+		   filter == gpr_filter::CompareFilter;
 }
 
-std::string overview(Tool tool)
+std::string overview(Filter filter)
 {
-	const bool  withOption = isCommand(tool);
+	const bool  withOption = isCommand(filter);
 	std::string text       = withOption ? "| command line " : "";
 	text += "| filter key | type in a script | range | default |\n";
 	text += withOption ? "|---|---|---|---|---|\n" : "|---|---|---|---|\n";
 	bool expert = false;
-	for (const Parameter& p : gpr::parametersOf(tool)) {
+	for (const Parameter& p : gpr_filter::rowsOf(filter)) {
 		if (p.isExpert && !expert)
 			text += withOption ? "| | *for experts* | | | |\n" : "| *for experts* | | | |\n";
 		expert = p.isExpert;
@@ -145,26 +150,26 @@ std::string overview(Tool tool)
 	return text;
 }
 
-std::string scriptLink(Tool tool)
+std::string scriptLink(Filter filter)
 {
-	const std::string file = textOf(tool).pythonName + std::string(".mlx");
+	const std::string file = textOf(filter).pythonName + std::string(".mlx");
 	return "Script: [" + file + "](../../filter_geodesic_poisson/mlx/" + file + ")\n";
 }
 
-std::string chapter(Tool tool)
+std::string chapter(Filter filter)
 {
-	std::string text = std::string("\n## ") + textOf(tool).name + "\n\n";
-	if (tool == gpr::RemeshTool)
+	std::string text = std::string("\n## ") + textOf(filter).name + "\n\n";
+	if (filter == gpr_filter::RemeshFilter)
 		text +=
 			"`gpremesh remesh` takes one of `--vertices`, `--percent` and `--edge-length`, 10 % "
 			"of the\n"
 			"vertices where none is given, and writes to OUT, so that it needs no new layer.\n\n";
-	if (tool == gpr::CompareTool)
+	if (filter == gpr_filter::CompareFilter)
 		text += "`gpremesh compare` takes no time limit. With `--html` it writes a page.\n\n";
-	if (tool == gpr::FeatureTool)
+	if (filter == gpr_filter::FeatureFilter)
 		text +=
 			"`gpremesh features` writes the same quality and selection, and colours, to OUT.\n\n";
-	return text + overview(tool) + "\n" + scriptLink(tool);
+	return text + overview(filter) + "\n" + scriptLink(filter);
 }
 
 /// What is so in one host only, as a paragraph of its own.
@@ -173,13 +178,28 @@ std::string inHost(const char* host, const std::string& sentences)
 	return sentences.empty() ? sentences : std::string("\n*") + host + ":* " + sentences + "\n";
 }
 
+/// The rows of all filters, those of the engine first.
+std::vector<Parameter> allRows()
+{
+	std::vector<Parameter> rows = gpr::makeParameterTable();
+	std::set<std::string>  keys;
+	for (const Parameter& p : rows)
+		keys.insert(p.key);
+	for (Filter filter : filters) {
+		for (const Parameter& p : gpr_filter::rowsOf(filter))
+			if (keys.insert(p.key).second) rows.push_back(p);
+	}
+	return rows;
+}
+
 std::string explanations()
 {
 	std::string text = "\n## What each one means\n";
-	for (const Parameter& p : gpr::makeParameterTable()) {
+	for (const Parameter& p : allRows()) {
+		const char* const automatic = p.isAutomatic ? "-1 stands for auto." : "";
 		text += "\n<a id=\"" + std::string(p.key) + "\"></a>\n### " + p.label + "\n\n" +
 				code(p.key) + (*p.option != '\0' ? ", " + optionText(p) : std::string()) + "\n\n" +
-				p.help + "\n" + inHost("In MeshLab", p.dialogOnly) +
+				p.help + "\n" + inHost("In MeshLab", automatic + std::string(p.dialogOnly)) +
 				inHost("On the command line", p.commandOnly) + inHost("In Python", p.pythonOnly);
 	}
 	return text;
@@ -188,8 +208,8 @@ std::string explanations()
 std::string page()
 {
 	std::string text = intro;
-	for (Tool tool : tools)
-		text += chapter(tool);
+	for (Filter filter : filters)
+		text += chapter(filter);
 	return text + explanations();
 }
 
@@ -204,7 +224,7 @@ ParameterValue scriptValue(const Parameter& p)
 std::string valueText(const Parameter& p, const ParameterValue& value)
 {
 	if (p.kind == ParameterKind::Switch) return std::get<bool>(value) ? "true" : "false";
-	return plain(p, numberOf(value));
+	return plain(p, p.isAutomatic ? gpr_filter::kAutomaticNumber : numberOf(value));
 }
 
 /// What meshlabserver needs to know of a type beside its name.
@@ -219,11 +239,11 @@ std::string typeAttributes(const Parameter& p)
 	return text;
 }
 
-std::string script(Tool tool)
+std::string script(Filter filter)
 {
 	std::string text = "<!DOCTYPE FilterScript>\n<FilterScript>\n <filter name=\"";
-	text += textOf(tool).name + std::string("\">\n");
-	for (const Parameter& p : gpr::parametersOf(tool)) {
+	text += textOf(filter).name + std::string("\">\n");
+	for (const Parameter& p : gpr_filter::rowsOf(filter)) {
 		text += "  <Param name=\"" + std::string(p.key) + "\" type=\"" + scriptType(p.kind) +
 				"\" value=\"" + valueText(p, scriptValue(p)) + "\"" + typeAttributes(p) + "/>\n";
 	}
@@ -240,9 +260,9 @@ struct MadeFile {
 std::vector<MadeFile> madeFiles()
 {
 	std::vector<MadeFile> files = {{"vcg_extras/docs/parameters.md", page()}};
-	for (Tool tool : tools) {
-		const std::string name = textOf(tool).pythonName;
-		files.push_back({"filter_geodesic_poisson/mlx/" + name + ".mlx", script(tool)});
+	for (Filter filter : filters) {
+		const std::string name = textOf(filter).pythonName;
+		files.push_back({"filter_geodesic_poisson/mlx/" + name + ".mlx", script(filter)});
 	}
 	return files;
 }

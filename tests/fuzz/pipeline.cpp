@@ -67,20 +67,19 @@ void readSize(Bytes& bytes, RemeshOptions& o)
 
 void readOptions(Bytes& bytes, RemeshOptions& o)
 {
-	applyPreset(Preset(bytes.below(3)), o);
+	o.preset = Preset(bytes.below(3));
 	readSize(bytes, o);
-	const int bits    = bytes.next();
-	o.allowNearest    = bits & 1;
-	o.exactCount      = (bits & 2) ? true : o.exactCount;
-	o.lambda          = (bits & 4) ? 1 : 0;
-	o.adapt           = (bits & 8) ? 1 : 0;
-	o.featureMode     = (bits & 16) ? FeatureMode::Lines : o.featureMode;
-	o.sizing          = (bits & 32) ? SizingSource::Quality : SizingSource::Curvature;
-	o.featureSampling = (bits & 64) ? FeatureSampling::Vertices : FeatureSampling::Disks;
-	o.check           = bits & 128;
-	const int more    = bytes.next();
-	o.featureRegion   = FeatureRegion(more % 3);
-	o.relaxIterations = more / 3 % 7;
+	const int bits = bytes.next();
+	o.allowNearest = bits & 1;
+	o.lambda       = (bits & 4) ? 1 : 0;
+	if (bits & 2) o.adapt = (bits & 8) ? 1 : 0;
+	o.featureMode      = (bits & 16) ? FeatureMode::Lines : o.featureMode;
+	o.featureDiskScale = (bits & 32) ? 0.4 : 0;
+	o.guard            = !(bits & 64);
+	o.check            = bits & 128;
+	const int more     = bytes.next();
+	o.featureRegion    = FeatureRegion(more % 3);
+	o.umbrellaSteps    = more / 3 % 7;
 	if (more & 64) o.dropComponentsBelow = 3;
 	o.seed    = 1 + std::uint32_t(bytes.next());
 	o.threads = 1;
@@ -107,7 +106,7 @@ std::string complaintsAboutMesh(const RemeshResult& r, const RemeshOptions& o)
 	if (facts.components != input.components) text += " components";
 	if (facts.boundaryLoops != input.boundaryLoops) text += " boundary loops";
 	if (facts.euler() != input.eulerCharacteristic) text += " Euler";
-	const bool promised = o.exactCount && r.sampleOf.empty();
+	const bool promised = !isPaper(o) && r.sampleOf.empty();
 	if (promised && std::int64_t(r.mesh.vertexNum()) != r.report.targetVertexNum) text += " count";
 	return text;
 }
@@ -180,7 +179,6 @@ FuzzCase caseOf(const std::uint8_t* data, std::size_t size, CaseSize caseSize)
 	for (int v = 0; v < vertexNum; ++v) {
 		const double x = coordinate(bytes.next()), y = coordinate(bytes.next());
 		c.mesh.positions.push_back({x, y, coordinate(bytes.next())});
-		c.quality.push_back(float(v % 5));
 		c.selected.push_back(v % 4 == 0);
 	}
 	while (vertexNum > 0 && bytes.left() >= 3 && int(c.mesh.faceNum()) < most) {
@@ -196,7 +194,6 @@ FuzzCase caseOf(const std::uint8_t* data, std::size_t size, CaseSize caseSize)
 std::string complaintsAbout(const FuzzCase& c)
 {
 	MeshView view = c.mesh.view();
-	view.quality  = c.quality.data();
 	view.selected = c.selected.data();
 	switch (c.tool) {
 	case FuzzCase::Tool::Remesh:

@@ -17,7 +17,6 @@ struct FuzzCase {
 	enum class Tool { Remesh, Sample, Retriangulate, Detect };
 
 	TriangleMesh         mesh;
-	std::vector<float>   quality;
 	std::vector<uint8_t> selected;
 	RemeshOptions        options;
 	Tool                 tool = Tool::Remesh;

@@ -110,8 +110,8 @@ gpr::RemeshOptions optionsFrom(int argc, char** argv)
 {
 	gpr::RemeshOptions options;
 	if (argc > 2) options.targetPercent = std::atof(argv[2]);
-	if (argc > 3 && std::string(argv[3]) == "fast") applyPreset(gpr::Preset::Fast, options);
-	if (argc > 3 && std::string(argv[3]) == "paper") applyPreset(gpr::Preset::Paper, options);
+	if (argc > 3 && std::string(argv[3]) == "fast") options.preset = gpr::Preset::Fast;
+	if (argc > 3 && std::string(argv[3]) == "paper") options.preset = gpr::Preset::Paper;
 	if (argc > 4) options.threads = std::atoi(argv[4]);
 	return options;
 }

@@ -14,11 +14,11 @@ namespace {
 
 using namespace plugin_test;
 
-constexpr gpr::Tool tool = gpr::CompareTool;
+constexpr gpr_filter::Filter filter = gpr_filter::CompareFilter;
 
 RichParameterList withCount(Document& document, int vertexNum)
 {
-	RichParameterList list = defaults(document, tool);
+	RichParameterList list = defaults(document, filter);
 	list.setValue("TargetVertexNum", IntValue(vertexNum));
 	return list;
 }
@@ -33,10 +33,12 @@ void expectLikeBall(MeshModel& layer)
 {
 	Document   other;
 	MeshModel& ball   = addBall(other);
-	const auto wanted = gpr_filter::copyLayer(ball.cm, {true, true});
-	const auto got    = gpr_filter::copyLayer(layer.cm, {true, true});
+	const auto wanted = gpr_filter::copyLayer(ball.cm, {});
+	const auto got    = gpr_filter::copyLayer(layer.cm, {});
 	EXPECT_TRUE(got.sameGeometry(wanted));
-	EXPECT_EQ(got.qualities, wanted.qualities);
+	ASSERT_EQ(layer.cm.vert.size(), ball.cm.vert.size());
+	for (std::size_t v = 0; v < ball.cm.vert.size(); ++v)
+		ASSERT_EQ(layer.cm.vert[v].cQ(), ball.cm.vert[v].cQ());
 	EXPECT_EQ(layer.dataMask(), ball.dataMask());
 }
 
@@ -44,7 +46,7 @@ TEST(CompareFilter, BothResultsBecomeLayersOfTheSameCount)
 {
 	Document document;
 	addBall(document);
-	ASSERT_TRUE(apply(document, tool, withCount(document, 700))) << errorText().toStdString();
+	ASSERT_TRUE(apply(document, filter, withCount(document, 700))) << errorText().toStdString();
 	ASSERT_EQ(document.layerNum(), 3);
 	expectLikeBall(document.layer(0));
 	EXPECT_EQ(document.layer(0).cm.Tr, Matrix44m::Identity());
@@ -63,7 +65,7 @@ TEST(CompareFilter, RemeshedAsTheOtherFilterDoes)
 	Document compared, remeshed;
 	addBall(compared);
 	addBall(remeshed);
-	ASSERT_TRUE(apply(compared, tool, withCount(compared, 600)));
+	ASSERT_TRUE(apply(compared, filter, withCount(compared, 600)));
 	RichParameterList list = defaults(remeshed);
 	list.setValue("TargetVertexNum", IntValue(600));
 	ASSERT_TRUE(apply(remeshed, list));
@@ -75,7 +77,7 @@ TEST(CompareFilter, LayersLieBesideTheInputOnRequest)
 	Document   document;
 	MeshModel& ball = addBall(document);
 	ball.cm.Tr.SetTranslate(5, 6, 7);
-	ASSERT_TRUE(apply(document, tool, withCount(document, 300)));
+	ASSERT_TRUE(apply(document, filter, withCount(document, 300)));
 	for (int i = 1; i <= 2; ++i) {
 		const Point3m origin = document.layer(i).cm.Tr * Point3m(0, 0, 0);
 		EXPECT_NEAR(origin[0], 5 + i * 2.2, 1e-2); // a ball of width 2
@@ -85,7 +87,7 @@ TEST(CompareFilter, LayersLieBesideTheInputOnRequest)
 	Document          together;
 	RichParameterList list = (addBall(together), withCount(together, 300));
 	list.setValue("SideBySide", BoolValue(false));
-	ASSERT_TRUE(apply(together, tool, list));
+	ASSERT_TRUE(apply(together, filter, list));
 	EXPECT_EQ(together.layer(1).cm.Tr, Matrix44m::Identity());
 	EXPECT_EQ(together.layer(2).cm.Tr, Matrix44m::Identity());
 }
@@ -94,7 +96,7 @@ TEST(CompareFilter, ColouredByTheQualityOfTriangles)
 {
 	Document document;
 	addBall(document);
-	ASSERT_TRUE(apply(document, tool, withCount(document, 500)));
+	ASSERT_TRUE(apply(document, filter, withCount(document, 500)));
 	gpr::Workers workers(1, nullptr);
 	for (int i = 1; i <= 2; ++i) {
 		MeshModel& layer = document.layer(i);
@@ -115,7 +117,7 @@ TEST(CompareFilter, ColouredByDistanceOnOneScale)
 	Document          document;
 	RichParameterList list = (addBall(document), withCount(document, 500));
 	list.setValue("ColorBy", EnumValue(1));
-	ASSERT_TRUE(apply(document, tool, list));
+	ASSERT_TRUE(apply(document, filter, list));
 	Scalarm      largest = 0;
 	vcg::Color4b there;
 	for (int i = 1; i <= 2; ++i) {
@@ -135,7 +137,7 @@ TEST(CompareFilter, ColouredByNothingHasNoColour)
 	Document          document;
 	RichParameterList list = (addBall(document), withCount(document, 500));
 	list.setValue("ColorBy", EnumValue(2));
-	ASSERT_TRUE(apply(document, tool, list));
+	ASSERT_TRUE(apply(document, filter, list));
 	for (int i = 1; i <= 2; ++i) {
 		EXPECT_FALSE(document.layer(i).hasDataMask(MeshModel::MM_FACEQUALITY));
 		EXPECT_FALSE(document.layer(i).hasDataMask(MeshModel::MM_FACECOLOR));
@@ -146,7 +148,7 @@ TEST(CompareFilter, LogHasTheTable)
 {
 	Document document;
 	addBall(document);
-	ASSERT_TRUE(apply(document, tool, withCount(document, 700)));
+	ASSERT_TRUE(apply(document, filter, withCount(document, 700)));
 	const QString log = document.logText().replace(QChar(QChar::Nbsp), ' ').simplified();
 	EXPECT_TRUE(log.contains("faces 20480 1396 1396")) << log.toStdString();
 	EXPECT_TRUE(log.contains("vertices 10242 700 700"));
@@ -165,7 +167,7 @@ void expectRefusal(Document& document, const RichParameterList& list, const char
 				   vcg::CallBackPos* progress = nullptr)
 {
 	const Snapshot before(document);
-	EXPECT_FALSE(apply(document, tool, list, progress));
+	EXPECT_FALSE(apply(document, filter, list, progress));
 	EXPECT_TRUE(errorText().contains(words)) << errorText().toStdString();
 	EXPECT_TRUE(before == Snapshot(document));
 }
@@ -206,9 +208,9 @@ TEST(CompareFilter, DefaultCountsTheWholeLayer)
 	MeshModel& ball = addBall(document);
 	ball.cm.face[0].SetS();
 	ball.cm.sfn = 1;
-	EXPECT_EQ(defaults(document, tool).getInt("TargetVertexNum"), 1024);
-	EXPECT_EQ(defaults(document, gpr::SamplingTool).getInt("TargetVertexNum"), 1024);
-	EXPECT_EQ(defaults(document, gpr::RemeshTool).getInt("TargetVertexNum"), 1024);
+	EXPECT_EQ(defaults(document, filter).getInt("TargetVertexNum"), 1024);
+	EXPECT_EQ(defaults(document, gpr_filter::SamplingFilter).getInt("TargetVertexNum"), 1024);
+	EXPECT_EQ(defaults(document, gpr_filter::RemeshFilter).getInt("TargetVertexNum"), 1024);
 }
 
 } // namespace

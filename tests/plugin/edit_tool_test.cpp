@@ -50,7 +50,8 @@ RichParameterList listOf(const QString& script)
 		ADD_FAILURE() << "the script has " << read.size() << " filters";
 		return {};
 	}
-	EXPECT_EQ(read.at(0).filterName().toStdString(), gpr_filter::textOf(gpr::RemeshTool).name);
+	EXPECT_EQ(read.at(0).filterName().toStdString(),
+			  gpr_filter::textOf(gpr_filter::RemeshFilter).name);
 	return read.at(0).second;
 }
 
@@ -68,7 +69,8 @@ TEST(Recipe, TheScriptMakesTheMeshOfTheValues)
 	ASSERT_EQ(wanted.status, gpr::Status::Ok) << wanted.message;
 
 	const RichParameterList list = listOf(recipe.script);
-	EXPECT_EQ(list.size(), gpr::remeshParameters().size()) << "meshlabserver wants all of them";
+	EXPECT_EQ(list.size(), gpr_filter::rowsOf(gpr_filter::RemeshFilter).size())
+		<< "meshlabserver wants all of them";
 	ASSERT_TRUE(apply(document, list)) << errorText().toStdString();
 	const CMeshO& made = document.layer().cm;
 	ASSERT_EQ(std::size_t(made.vn), wanted.mesh.vertexNum());

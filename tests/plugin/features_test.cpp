@@ -14,7 +14,7 @@ namespace {
 
 using namespace plugin_test;
 
-constexpr gpr::Tool tool = gpr::FeatureTool;
+constexpr gpr_filter::Filter filter = gpr_filter::FeatureFilter;
 
 /// The sheet folded along x = 0.5 to a roof with a right angle.
 MeshModel& addRoof(Document& document)
@@ -40,7 +40,7 @@ gpr_filter::CopiedParts withSelection()
 
 bool detect(Document& document)
 {
-	return apply(document, tool, defaults(document, tool));
+	return apply(document, filter, defaults(document, filter));
 }
 
 /// Fails where another vertex than those of the ridge is selected.
@@ -87,9 +87,9 @@ TEST(FeatureFilter, IsTheEngines)
 	gpr::RemeshOptions          options;
 	options.featureThresholds.support = 3;
 	const gpr::FeatureResult wanted   = gpr::detectFeatures(copy.view(), options);
-	RichParameterList        list     = defaults(document, tool);
+	RichParameterList        list     = defaults(document, filter);
 	list.setValue("FeatureSupport", FloatValue(3));
-	ASSERT_TRUE(apply(document, tool, list));
+	ASSERT_TRUE(apply(document, filter, list));
 	for (std::size_t v = 0; v < ball.cm.vert.size(); ++v)
 		ASSERT_EQ(ball.cm.vert[v].cQ(), wanted.vertexStrength[v]) << v;
 	EXPECT_EQ(ball.cm.svn, 0);
@@ -144,7 +144,7 @@ TEST(FeatureFilter, RemeshingAfterwardsIsDenserAtTheFeatures)
 	MeshModel& roof      = addRoof(document);
 	const int  vertexNum = roof.cm.vn;
 	ASSERT_TRUE(detect(document));
-	const RichParameterList proposed = defaults(document, gpr::RemeshTool);
+	const RichParameterList proposed = defaults(document, gpr_filter::RemeshFilter);
 	EXPECT_EQ(proposed.getFloat("FeatureDiskScale"), Scalarm(0.5));
 	EXPECT_FALSE(proposed.getBool("Selected"));
 	RichParameterList list = proposed;
@@ -162,7 +162,7 @@ TEST(FeatureFilter, DiskScaleAloneIsTheDetectedRegion)
 	Document          one, two;
 	MeshModel&        alone = addRoof(one);
 	MeshModel&        named = addRoof(two);
-	RichParameterList list  = defaults(one, gpr::RemeshTool);
+	RichParameterList list  = defaults(one, gpr_filter::RemeshFilter);
 	EXPECT_EQ(list.getFloat("FeatureDiskScale"), Scalarm(0));
 	list.setValue("TargetVertexNum", IntValue(700));
 	list.setValue("FeatureDiskScale", FloatValue(Scalarm(0.4)));
@@ -182,8 +182,8 @@ TEST(FeatureFilter, ARegionThatIsSwitchedOffStaysOff)
 	Document   one, two;
 	MeshModel& plain = addRoof(one);
 	MeshModel& off   = addRoof(two);
-	ASSERT_TRUE(apply(one, defaults(one, gpr::RemeshTool)));
-	RichParameterList list = defaults(two, gpr::RemeshTool);
+	ASSERT_TRUE(apply(one, defaults(one, gpr_filter::RemeshFilter)));
+	RichParameterList list = defaults(two, gpr_filter::RemeshFilter);
 	list.setValue("FeatureDiskScale", FloatValue(Scalarm(0.5)));
 	list.setValue("FeatureRegion", EnumValue(0));
 	ASSERT_TRUE(apply(two, list));
@@ -199,10 +199,10 @@ TEST(FeatureFilter, CancelledOrRefusedChangesNothing)
 	roof.cm.vert[3].SetS();
 	const Snapshot before(document);
 	DuringRun      cancel([](int) { return false; });
-	EXPECT_FALSE(apply(document, tool, defaults(document, tool), cancel.callback()));
-	RichParameterList list = defaults(document, tool);
+	EXPECT_FALSE(apply(document, filter, defaults(document, filter), cancel.callback()));
+	RichParameterList list = defaults(document, filter);
 	list.setValue("FeatureWeak", FloatValue(60));
-	EXPECT_FALSE(apply(document, tool, list));
+	EXPECT_FALSE(apply(document, filter, list));
 	EXPECT_FALSE(errorText().isEmpty());
 	EXPECT_TRUE(before == Snapshot(document));
 	EXPECT_TRUE(roof.cm.vert[3].IsS());

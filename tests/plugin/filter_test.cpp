@@ -28,12 +28,13 @@ RichParameterList withCount(Document& document, int vertexNum)
 
 TEST(Filter, HostFindsAllAndTheirTexts)
 {
-	for (gpr::Tool tool : {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool,
-						   gpr::FeatureTool, gpr::CompareTool}) {
-		QAction* const action = actionOf(tool);
-		ASSERT_NE(action, nullptr) << tool;
+	for (gpr_filter::Filter filter :
+		 {gpr_filter::RemeshFilter, gpr_filter::SamplingFilter, gpr_filter::RetriangulateFilter,
+		  gpr_filter::FeatureFilter, gpr_filter::CompareFilter}) {
+		QAction* const action = actionOf(filter);
+		ASSERT_NE(action, nullptr) << filter;
 		EXPECT_EQ(action->parent(), dynamic_cast<QObject*>(&plugin()));
-		EXPECT_EQ(plugin().ID(action), int(tool));
+		EXPECT_EQ(plugin().ID(action), int(filter));
 		EXPECT_EQ(plugin().getPreConditions(action), MeshModel::MM_FACENUMBER);
 		const QString info = plugin().filterInfo(action);
 		EXPECT_TRUE(info.contains("Fast Edge-based geodesic Poisson Disk Remeshing"));
@@ -42,20 +43,20 @@ TEST(Filter, HostFindsAllAndTheirTexts)
 
 TEST(Filter, ClassAndPostCondition)
 {
-	QAction* const remeshing = actionOf(gpr::RemeshTool);
+	QAction* const remeshing = actionOf(gpr_filter::RemeshFilter);
 	EXPECT_EQ(plugin().getClass(remeshing), PluginInterface::Remeshing);
 	EXPECT_EQ(plugin().postCondition(remeshing), MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE);
-	QAction* const sampling = actionOf(gpr::SamplingTool);
+	QAction* const sampling = actionOf(gpr_filter::SamplingFilter);
 	EXPECT_EQ(plugin().getClass(sampling), PluginInterface::Sampling);
 	EXPECT_EQ(plugin().postCondition(sampling), MeshModel::MM_NONE);
-	QAction* const retriangulation = actionOf(gpr::RetriangulateTool);
+	QAction* const retriangulation = actionOf(gpr_filter::RetriangulateFilter);
 	EXPECT_EQ(plugin().getClass(retriangulation), PluginInterface::Remeshing);
 	EXPECT_EQ(plugin().postCondition(retriangulation), MeshModel::MM_GEOMETRY_AND_TOPOLOGY_CHANGE);
-	QAction* const comparison = actionOf(gpr::CompareTool);
+	QAction* const comparison = actionOf(gpr_filter::CompareFilter);
 	EXPECT_EQ(plugin().getClass(comparison),
 			  PluginInterface::Remeshing | PluginInterface::MeshCreation);
 	EXPECT_EQ(plugin().postCondition(comparison), MeshModel::MM_NONE);
-	QAction* const features = actionOf(gpr::FeatureTool);
+	QAction* const features = actionOf(gpr_filter::FeatureFilter);
 	EXPECT_EQ(plugin().getClass(features), PluginInterface::Selection | PluginInterface::Quality);
 	EXPECT_EQ(plugin().postCondition(features),
 			  MeshModel::MM_VERTQUALITY | MeshModel::MM_VERTFLAGSELECT);
@@ -435,8 +436,8 @@ TEST(Filter, MissingParametersTakeTheirDefaults)
 	list.addParam(RichInt("RelaxIter", 1));
 	ASSERT_TRUE(apply(document, list)) << document.logText().toStdString();
 	EXPECT_EQ(ball.cm.vn, std::lround(0.1 * before));
-	ASSERT_TRUE(apply(document, gpr::FeatureTool, RichParameterList()));
-	ASSERT_TRUE(apply(document, gpr::SamplingTool, RichParameterList()));
+	ASSERT_TRUE(apply(document, gpr_filter::FeatureFilter, RichParameterList()));
+	ASSERT_TRUE(apply(document, gpr_filter::SamplingFilter, RichParameterList()));
 	EXPECT_EQ(document.layerNum(), 2);
 }
 

@@ -35,9 +35,9 @@ PluginInterface& plugin()
 	return loadedPlugin();
 }
 
-QAction* actionOf(gpr::Tool tool)
+QAction* actionOf(gpr_filter::Filter filter)
 {
-	return loadedAction(gpr_filter::textOf(tool).name);
+	return loadedAction(gpr_filter::textOf(filter).name);
 }
 
 Document::Document()
@@ -90,15 +90,15 @@ MeshModel& addPoints(Document& document, const std::vector<gpr::Vec3d>& points)
 	return layer;
 }
 
-RichParameterList defaults(Document& document, gpr::Tool tool)
+RichParameterList defaults(Document& document, gpr_filter::Filter filter)
 {
-	return defaultsOf(actionOf(tool), *document);
+	return defaultsOf(actionOf(filter), *document);
 }
 
-bool apply(Document& document, gpr::Tool tool, const RichParameterList& list,
+bool apply(Document& document, gpr_filter::Filter filter, const RichParameterList& list,
 		   vcg::CallBackPos* progress)
 {
-	return applyAction(actionOf(tool), *document, list, progress, lastError);
+	return applyAction(actionOf(filter), *document, list, progress, lastError);
 }
 
 QString errorText()
@@ -108,7 +108,7 @@ QString errorText()
 
 bool apply(Document& document, const RichParameterList& list, vcg::CallBackPos* progress)
 {
-	return apply(document, gpr::RemeshTool, list, progress);
+	return apply(document, gpr_filter::RemeshFilter, list, progress);
 }
 
 void expectSoundMesh(CMeshO& mesh)
@@ -134,20 +134,20 @@ void expectSoundMesh(CMeshO& mesh)
 }
 
 Snapshot::Snapshot(Document& document) :
-		_copy(gpr_filter::copyLayer(document->mm()->cm, {true, true})),
-		_mask(document->mm()->dataMask()), _layers(document.layerNum()),
-		_currentId(document->mm()->id())
+		_copy(gpr_filter::copyLayer(document->mm()->cm, {true})), _mask(document->mm()->dataMask()),
+		_layers(document.layerNum()), _currentId(document->mm()->id())
 {
 	for (const CVertexO& v : document->mm()->cm.vert) {
 		_colours.push_back(v.cC());
+		_qualities.push_back(v.cQ());
 	}
 }
 
 bool Snapshot::operator==(const Snapshot& o) const
 {
-	return _copy.sameGeometry(o._copy) && _colours == o._colours &&
-		   _copy.qualities == o._copy.qualities && _copy.selected == o._copy.selected &&
-		   _mask == o._mask && _layers == o._layers && _currentId == o._currentId;
+	return _copy.sameGeometry(o._copy) && _colours == o._colours && _qualities == o._qualities &&
+		   _copy.selected == o._copy.selected && _mask == o._mask && _layers == o._layers &&
+		   _currentId == o._currentId;
 }
 
 DuringRun::DuringRun(std::function<bool(int)> action)

@@ -5,6 +5,7 @@
 
 // A host for the plugin without window or OpenGL: MeshLab's own plugin manager and documents.
 
+#include "filter_rows.h"
 #include "host_api.h"
 #include "mesh_bridge.h"
 
@@ -19,7 +20,7 @@ namespace plugin_test {
 /// The plugin as MeshLab's plugin manager loaded it.
 PluginInterface& plugin();
 /// The plugin's filter that stands for a tool.
-QAction* actionOf(gpr::Tool tool);
+QAction* actionOf(gpr_filter::Filter filter);
 
 /// A document with a log that goes to the plugin, as in the real hosts.
 class Document {
@@ -47,11 +48,12 @@ MeshModel& addSheet(Document& document);
 MeshModel& addPoints(Document& document, const std::vector<gpr::Vec3d>& points);
 
 /// A filter's parameters with their defaults for the current layer.
-RichParameterList defaults(Document& document, gpr::Tool tool = gpr::RemeshTool);
+RichParameterList defaults(Document&          document,
+						   gpr_filter::Filter filter = gpr_filter::RemeshFilter);
 
 /// Calls a filter.
 bool apply(Document& document, const RichParameterList& list, vcg::CallBackPos* progress = nullptr);
-bool apply(Document& document, gpr::Tool tool, const RichParameterList& list,
+bool apply(Document& document, gpr_filter::Filter filter, const RichParameterList& list,
 		   vcg::CallBackPos* progress = nullptr);
 
 /// What the last call told the user; empty when it did what it should.
@@ -69,6 +71,7 @@ public:
 private:
 	gpr_filter::LayerCopy     _copy;
 	std::vector<vcg::Color4b> _colours;
+	std::vector<Scalarm>      _qualities;
 	int                       _mask, _layers, _currentId;
 };
 

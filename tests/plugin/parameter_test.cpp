@@ -17,8 +17,9 @@ namespace {
 using namespace plugin_test;
 using gpr::TargetMode;
 
-constexpr gpr::Tool tools[] = {gpr::RemeshTool, gpr::SamplingTool, gpr::RetriangulateTool,
-							   gpr::FeatureTool, gpr::CompareTool};
+constexpr gpr_filter::Filter filters[] = {gpr_filter::RemeshFilter, gpr_filter::SamplingFilter,
+										  gpr_filter::RetriangulateFilter,
+										  gpr_filter::FeatureFilter, gpr_filter::CompareFilter};
 
 gpr::MeshFacts facts()
 {
@@ -28,28 +29,29 @@ gpr::MeshFacts facts()
 	return known;
 }
 
-RichParameterList tableList(gpr::Tool tool = gpr::RemeshTool)
+RichParameterList tableList(gpr_filter::Filter filter = gpr_filter::RemeshFilter)
 {
 	RichParameterList list;
-	gpr_filter::fillParameterList(gpr::parametersOf(tool), facts(), list);
+	gpr_filter::fillParameterList(gpr_filter::rowsOf(filter), facts(), list);
 	return list;
 }
 
-gpr_filter::ReadParameters read(const RichParameterList& list, gpr::Tool tool = gpr::RemeshTool)
+gpr_filter::ReadParameters read(const RichParameterList& list,
+								gpr_filter::Filter       filter = gpr_filter::RemeshFilter)
 {
-	return gpr_filter::readParameterList(gpr::parametersOf(tool), facts(), list);
+	return gpr_filter::readParameterList(gpr_filter::rowsOf(filter), facts(), list);
 }
 
-void expectDialogLikeTable(gpr::Tool tool)
+void expectDialogLikeTable(gpr_filter::Filter filter)
 {
 	Document document;
 	addBall(document);
-	const RichParameterList list = defaults(document, tool);
-	ASSERT_EQ(list.size(), gpr::parametersOf(tool).size());
+	const RichParameterList list = defaults(document, filter);
+	ASSERT_EQ(list.size(), gpr_filter::rowsOf(filter).size());
 	unsigned i = 0;
-	for (const gpr::Parameter& row : gpr::parametersOf(tool)) {
+	for (const gpr::Parameter& row : gpr_filter::rowsOf(filter)) {
 		EXPECT_EQ(list.at(i).name().toStdString(), row.key);
-		EXPECT_EQ(list.at(i).fieldDescription().toStdString(), row.label);
+		EXPECT_EQ(list.at(i).fieldDescription().toStdString(), gpr_filter::dialogLabel(row));
 		EXPECT_EQ(list.at(i).toolTip().toStdString(), gpr::dialogHelp(row));
 		++i;
 	}
@@ -57,8 +59,8 @@ void expectDialogLikeTable(gpr::Tool tool)
 
 TEST(Parameters, DialogHasEveryRowInOrder)
 {
-	for (gpr::Tool tool : tools) {
-		expectDialogLikeTable(tool);
+	for (gpr_filter::Filter filter : filters) {
+		expectDialogLikeTable(filter);
 	}
 }
 
@@ -69,10 +71,11 @@ TEST(Parameters, DialogProposesTheNewestLayerOfPoints)
 	const MeshModel& points = addPoints(document, {{0, 0, 0}});
 	addSheet(document);
 	addBall(document);
-	EXPECT_EQ(defaults(document, gpr::RetriangulateTool).getInt("SampleLayer"), points.id());
+	EXPECT_EQ(defaults(document, gpr_filter::RetriangulateFilter).getInt("SampleLayer"),
+			  points.id());
 	Document alone;
 	addBall(alone);
-	EXPECT_EQ(defaults(alone, gpr::RetriangulateTool).getInt("SampleLayer"), 1);
+	EXPECT_EQ(defaults(alone, gpr_filter::RetriangulateFilter).getInt("SampleLayer"), 1);
 }
 
 TEST(Parameters, DefaultsAreTheEngines)
@@ -83,12 +86,13 @@ TEST(Parameters, DefaultsAreTheEngines)
 	const gpr::RemeshOptions engine;
 	EXPECT_EQ(options.targetMode, TargetMode::VertexNum);
 	EXPECT_EQ(options.targetVertexNum, 100);
-	EXPECT_EQ(options.relaxIterations, engine.relaxIterations);
-	EXPECT_EQ(options.exactCount, engine.exactCount);
+	EXPECT_EQ(options.preset, engine.preset);
+	EXPECT_EQ(options.adapt, engine.adapt);
+	EXPECT_EQ(options.umbrellaSteps, engine.umbrellaSteps);
 	EXPECT_EQ(options.allowNearest, engine.allowNearest);
 	EXPECT_EQ(options.seed, engine.seed);
 	EXPECT_EQ(options.threads, engine.threads);
-	EXPECT_FALSE(got.values.newLayer());
+	EXPECT_FALSE(got.own<bool>("NewLayer"));
 }
 
 TEST(Parameters, ValuesComeThroughTheList)
@@ -96,7 +100,8 @@ TEST(Parameters, ValuesComeThroughTheList)
 	RichParameterList list = tableList();
 	list.setValue("TargetVertexNum", IntValue(321));
 	list.setValue("RelaxIter", IntValue(7));
-	list.setValue("ExactCount", EnumValue(2));
+	list.setValue("Preset", EnumValue(2));
+	list.setValue("Adapt", FloatValue(Scalarm(0.1)));
 	list.setValue("AllowNearest", BoolValue(true));
 	list.setValue("Seed", IntValue(2147483647));
 	list.setValue("Threads", IntValue(3));
@@ -105,12 +110,13 @@ TEST(Parameters, ValuesComeThroughTheList)
 	ASSERT_TRUE(got.complaints.empty()) << got.complaints.front();
 	const gpr::RemeshOptions options = got.values.options();
 	EXPECT_EQ(options.targetVertexNum, 321);
-	EXPECT_EQ(options.relaxIterations, 7);
-	EXPECT_FALSE(options.exactCount);
+	EXPECT_EQ(options.umbrellaSteps, 7);
+	EXPECT_EQ(options.preset, gpr::Preset::Paper);
+	EXPECT_EQ(options.adapt, 0.1);
 	EXPECT_TRUE(options.allowNearest);
 	EXPECT_EQ(options.seed, 2147483647u);
 	EXPECT_EQ(options.threads, 3);
-	EXPECT_TRUE(got.values.newLayer());
+	EXPECT_TRUE(got.own<bool>("NewLayer"));
 }
 
 TEST(Parameters, PercentAndLengthTakeTheCountsPlace)
@@ -148,17 +154,18 @@ TEST(Parameters, MissingIsTheDefault)
 	EXPECT_EQ(none.values.options().targetVertexNum, 100); // 10 % of what facts() has
 	RichParameterList list;
 	list.addParam(RichInt("RelaxIter", 3));
-	EXPECT_EQ(read(list).values.options().relaxIterations, 3);
+	EXPECT_EQ(read(list).values.options().umbrellaSteps, 3);
 	EXPECT_EQ(read(list).values.options().seed, 1u);
 }
 
 TEST(Parameters, WronglyTypedIsASentence)
 {
-	RichParameterList list;
-	for (const gpr::Parameter& row : gpr::remeshParameters()) {
+	RichParameterList                  list;
+	const std::vector<gpr::Parameter>& rows = gpr_filter::rowsOf(gpr_filter::RemeshFilter);
+	for (const gpr::Parameter& row : rows) {
 		list.addParam(RichString(row.key, "text"));
 	}
-	EXPECT_EQ(read(list).complaints.size(), gpr::remeshParameters().size());
+	EXPECT_EQ(read(list).complaints.size(), rows.size());
 }
 
 TEST(Parameters, TypedNumberIsTheDecimalOne)
@@ -170,24 +177,69 @@ TEST(Parameters, TypedNumberIsTheDecimalOne)
 	EXPECT_TRUE(std::isnan(gpr_filter::typedNumber(std::numeric_limits<float>::quiet_NaN())));
 }
 
-/// Opens the shipped script of a tool; its only filter is the tool's.
-RichParameterList shippedScript(gpr::Tool tool)
+/// A number that no user would give stands for it, in both directions.
+TEST(Parameters, TheAutomaticAdaptivityIsANumberOfItsOwn)
 {
-	const gpr_filter::FilterText& text = gpr_filter::textOf(tool);
-	FilterScript                  script;
-	EXPECT_TRUE(script.open(QString(GPR_SCRIPT_DIR "/") + text.pythonName + ".mlx"));
+	RichParameterList list = tableList();
+	EXPECT_EQ(list.getFloat("Adapt"), -1);
+	EXPECT_FALSE(read(list).values.options().adapt.has_value());
+	list.setValue("Adapt", FloatValue(Scalarm(-0.5)));
+	EXPECT_EQ(read(list).complaints.size(), 1u);
+}
+
+/// The only filter of a script.
+RichParameterList filterOf(const QString& path, const char* name)
+{
+	FilterScript script;
+	EXPECT_TRUE(script.open(path));
 	if (script.size() != 1) {
-		ADD_FAILURE() << text.pythonName << " has " << script.size() << " filters";
+		ADD_FAILURE() << path.toStdString() << " has " << script.size() << " filters";
 		return {};
 	}
-	EXPECT_EQ(script.at(0).filterName().toStdString(), text.name);
+	EXPECT_EQ(script.at(0).filterName().toStdString(), name);
 	return script.at(0).second;
 }
 
-void expectCompleteScript(gpr::Tool tool)
+/// A complete script of before, when each stage had a parameter.
+TEST(OldScripts, WithTheDefaultsMeanTheDefaults)
 {
-	const RichParameterList inScript = shippedScript(tool);
-	const RichParameterList inDialog = tableList(tool);
+	const char* const                name = gpr_filter::textOf(gpr_filter::RemeshFilter).name;
+	const gpr_filter::ReadParameters got  = read(filterOf(GPR_DATA_DIR "/old_defaults.mlx", name));
+	ASSERT_TRUE(got.complaints.empty()) << got.complaints.front();
+	EXPECT_TRUE(got.notes.empty()) << got.notes.front();
+	const gpr::RemeshOptions options = got.values.options(), engine;
+	EXPECT_EQ(options.preset, engine.preset);
+	EXPECT_FALSE(options.adapt.has_value()) << "0.1 meant none was chosen";
+	EXPECT_EQ(options.targetVertexNum, 10000);
+	EXPECT_TRUE(gpr::optionsWithoutEffect(options).empty());
+}
+
+TEST(OldScripts, TellWhatIsNotFollowed)
+{
+	const char* const name = gpr_filter::textOf(gpr_filter::RemeshFilter).name;
+	RichParameterList list = filterOf(GPR_DATA_DIR "/old_defaults.mlx", name);
+	list.setValue("Fit", EnumValue(3));
+	list.setValue("MaxStretch", FloatValue(Scalarm(6)));
+	list.setValue("Adapt", FloatValue(Scalarm(0.5)));
+	const gpr_filter::ReadParameters got = read(list);
+	ASSERT_TRUE(got.complaints.empty()) << got.complaints.front();
+	ASSERT_EQ(got.notes.size(), 2u);
+	EXPECT_NE(got.notes[0].find("Fit is gone"), std::string::npos) << got.notes[0];
+	EXPECT_NE(got.notes[1].find("MaxStretch is gone"), std::string::npos) << got.notes[1];
+	EXPECT_EQ(got.values.options().adapt, 0.5);
+}
+
+/// Opens the shipped script of a tool; its only filter is the tool's.
+RichParameterList shippedScript(gpr_filter::Filter filter)
+{
+	const gpr_filter::FilterText& text = gpr_filter::textOf(filter);
+	return filterOf(QString(GPR_SCRIPT_DIR "/") + text.pythonName + ".mlx", text.name);
+}
+
+void expectCompleteScript(gpr_filter::Filter filter)
+{
+	const RichParameterList inScript = shippedScript(filter);
+	const RichParameterList inDialog = tableList(filter);
 	ASSERT_EQ(inScript.size(), inDialog.size());
 	for (unsigned i = 0; i < inDialog.size(); ++i) {
 		const RichParameter& wanted = inDialog.at(i);
@@ -196,29 +248,29 @@ void expectCompleteScript(gpr::Tool tool)
 		EXPECT_EQ(given.stringType().toStdString(), wanted.stringType().toStdString())
 			<< wanted.name().toStdString();
 	}
-	EXPECT_TRUE(read(inScript, tool).complaints.empty());
+	EXPECT_TRUE(read(inScript, filter).complaints.empty());
 }
 
 // meshlabserver aborts on a script in which one parameter is missing.
 TEST(Parameters, ShippedScriptsAreComplete)
 {
-	for (gpr::Tool tool : tools) {
-		expectCompleteScript(tool);
+	for (gpr_filter::Filter filter : filters) {
+		expectCompleteScript(filter);
 	}
 }
 
 /// The number of vertices is what a user edits: nothing else in the script may override it.
 TEST(Parameters, ShippedScriptsAskForTheDefaults)
 {
-	for (gpr::Tool tool : tools) {
-		const gpr::RemeshOptions got = read(shippedScript(tool), tool).values.options();
+	for (gpr_filter::Filter filter : filters) {
+		const gpr::RemeshOptions got = read(shippedScript(filter), filter).values.options();
 		const gpr::RemeshOptions engine;
-		if (gpr::findParameter("TargetVertexNum", tool) != nullptr) {
+		if (gpr::findParameter("TargetVertexNum", gpr_filter::toolOf(filter)) != nullptr) {
 			EXPECT_EQ(got.targetMode, TargetMode::VertexNum);
 			EXPECT_EQ(got.targetVertexNum, 10000);
 		}
-		EXPECT_EQ(got.relaxIterations, engine.relaxIterations);
-		EXPECT_EQ(got.exactCount, engine.exactCount);
+		EXPECT_EQ(got.preset, engine.preset);
+		EXPECT_EQ(got.adapt, engine.adapt);
 		EXPECT_EQ(got.allowNearest, engine.allowNearest);
 		EXPECT_EQ(got.seed, engine.seed);
 		EXPECT_EQ(got.threads, engine.threads);

@@ -97,11 +97,11 @@ class FilterTest(PluginTest):
     def test_choices_by_name_and_lengths_in_percent(self):
         meshes = opened(made("make"))
         meshes.meshing_geodesic_poisson_disk_remeshing(
-            targetlen=pymeshlab.PercentageValue(3), preset="fast", lambda_=1.5, sizing="quality")
+            targetlen=pymeshlab.PercentageValue(3), preset="fast", lambda_=1.5, boundary="free")
         again = opened(made("make"))
         length = 0.03 * again.current_mesh().bounding_box().diagonal()
         again.meshing_geodesic_poisson_disk_remeshing(
-            targetlen=pymeshlab.PureValue(length), preset=1, lambda_=1.5, sizing=1)
+            targetlen=pymeshlab.PureValue(length), preset=1, lambda_=1.5, boundary=2)
         self.assert_same(meshes, again)
 
     def test_selected_faces_only(self):
@@ -159,13 +159,13 @@ class CommandLineTest(PluginTest):
     def test_same_coordinates_and_faces(self):
         torus = made("make")
         self.compare(torus, [])
-        self.compare(torus, ["--vertices", "777", "--seed", "42", "--relax", "2"],
-                     targetvertexnum=777, seed=42, relaxiter=2)
+        self.compare(torus, ["--vertices", "777", "--seed", "42"], targetvertexnum=777, seed=42)
         self.compare(torus, ["--percent", "12.3"], targetperc=12.3)
-        self.compare(torus, ["--edge-length", "0.07", "--exact-count", "off"],
-                     targetlen=pymeshlab.PureValue(0.07), exactcount="off")
-        self.compare(torus, ["--lambda", "1.5", "--sizing", "quality"], lambda_=1.5, sizing="quality")
-        self.compare(torus, ["--preset", "paper"], preset="paper")
+        self.compare(torus, ["--edge-length", "0.07"], targetlen=pymeshlab.PureValue(0.07))
+        self.compare(torus, ["--lambda", "1.5"], lambda_=1.5)
+        self.compare(torus, ["--adapt", "0.5"], adapt=0.5)
+        self.compare(torus, ["--adapt", "auto"], adapt=-1)
+        self.compare(torus, ["--preset", "paper", "--relax", "2"], preset="paper", relaxiter=2)
 
     @unittest.skipUnless(os.environ.get("GPR_MODELS_DIR"), "no GPR_MODELS_DIR")
     def test_same_on_scans(self):

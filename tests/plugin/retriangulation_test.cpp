@@ -16,7 +16,7 @@ namespace {
 
 using namespace plugin_test;
 
-constexpr gpr::Tool tool = gpr::RetriangulateTool;
+constexpr gpr_filter::Filter filter = gpr_filter::RetriangulateFilter;
 
 /// Every twentieth vertex of a layer.
 std::vector<gpr::Vec3d> someVertices(const MeshModel& layer)
@@ -36,7 +36,7 @@ void makeCurrent(Document& document, const MeshModel& layer)
 
 RichParameterList withSamples(Document& document, int layerNumber)
 {
-	RichParameterList list = defaults(document, tool);
+	RichParameterList list = defaults(document, filter);
 	list.setValue("SampleLayer", IntValue(layerNumber));
 	return list;
 }
@@ -67,7 +67,7 @@ TEST(RetriangulationFilter, VerticesAreTheSamples)
 	const gpr_filter::LayerCopy   before  = gpr_filter::copyLayer(ball.cm, {});
 	const MeshModel&              points  = addPoints(document, samples);
 	makeCurrent(document, ball);
-	ASSERT_TRUE(apply(document, tool, withSamples(document, points.id())))
+	ASSERT_TRUE(apply(document, filter, withSamples(document, points.id())))
 		<< document.logText().toStdString();
 	EXPECT_EQ(document.layerNum(), 2);
 	EXPECT_EQ(std::size_t(ball.cm.vn), samples.size());
@@ -89,7 +89,7 @@ TEST(RetriangulationFilter, SamplesOffTheSurfaceArePutOnIt)
 	points[5].z -= 0.125;
 	const MeshModel& layer = addPoints(document, points);
 	makeCurrent(document, sheet);
-	ASSERT_TRUE(apply(document, tool, withSamples(document, layer.id())))
+	ASSERT_TRUE(apply(document, filter, withSamples(document, layer.id())))
 		<< document.logText().toStdString();
 	for (const CVertexO& v : sheet.cm.vert) {
 		ASSERT_NEAR(v.cP()[2], 0, 1e-6);
@@ -116,7 +116,7 @@ TEST(RetriangulationFilter, TransformsAreHonoured)
 	makeCurrent(document, ball);
 	RichParameterList list = withSamples(document, points.id());
 	list.setValue("NewLayer", BoolValue(true));
-	ASSERT_TRUE(apply(document, tool, list)) << document.logText().toStdString();
+	ASSERT_TRUE(apply(document, filter, list)) << document.logText().toStdString();
 	MeshModel& added = document.layer(2);
 	EXPECT_EQ(document->mm(), &added);
 	EXPECT_EQ(added.label().toStdString(), "ball_retriangulated");
@@ -138,7 +138,7 @@ TEST(RetriangulationFilter, DeletedSamplesDoNotCount)
 	}
 	const int left = points.cm.vn;
 	makeCurrent(document, ball);
-	ASSERT_TRUE(apply(document, tool, withSamples(document, points.id())));
+	ASSERT_TRUE(apply(document, filter, withSamples(document, points.id())));
 	EXPECT_EQ(ball.cm.vn, left);
 }
 
@@ -148,7 +148,7 @@ TEST(RetriangulationFilter, ColourAndQualityAreTheSurfaces)
 	MeshModel&       ball   = addBall(document);
 	const MeshModel& points = addPoints(document, someVertices(ball));
 	makeCurrent(document, ball);
-	ASSERT_TRUE(apply(document, tool, withSamples(document, points.id())));
+	ASSERT_TRUE(apply(document, filter, withSamples(document, points.id())));
 	for (const CVertexO& v : ball.cm.vert) {
 		ASSERT_NEAR(v.cC()[0], 128 + 100 * v.cP()[0], 2);
 		ASSERT_NEAR(v.cQ(), v.cP()[2], 0.01);
@@ -158,7 +158,7 @@ TEST(RetriangulationFilter, ColourAndQualityAreTheSurfaces)
 void expectRefused(Document& document, const RichParameterList& list, const char* words)
 {
 	const Snapshot before(document);
-	EXPECT_FALSE(apply(document, tool, list));
+	EXPECT_FALSE(apply(document, filter, list));
 	EXPECT_TRUE(errorText().contains(words)) << errorText().toStdString();
 	EXPECT_TRUE(document.logText().contains(words));
 	EXPECT_TRUE(before == Snapshot(document));
@@ -190,10 +190,11 @@ TEST(RetriangulationFilter, TakesTheSamplingsPoints)
 {
 	Document   document;
 	MeshModel& ball = addBall(document);
-	ASSERT_TRUE(apply(document, gpr::SamplingTool, defaults(document, gpr::SamplingTool)));
+	ASSERT_TRUE(apply(document, gpr_filter::SamplingFilter,
+					  defaults(document, gpr_filter::SamplingFilter)));
 	const int sampleNum = document->mm()->cm.vn;
 	makeCurrent(document, ball);
-	ASSERT_TRUE(apply(document, tool, defaults(document, tool)));
+	ASSERT_TRUE(apply(document, filter, defaults(document, filter)));
 	EXPECT_EQ(ball.cm.vn, sampleNum);
 	expectSoundMesh(ball.cm);
 }

@@ -15,7 +15,7 @@ namespace {
 
 using namespace plugin_test;
 
-constexpr gpr::Tool tool = gpr::SamplingTool;
+constexpr gpr_filter::Filter filter = gpr_filter::SamplingFilter;
 
 /// The engine's samples of a layer.
 gpr::SamplingResult engineSamples(const MeshModel& layer, int vertexNum)
@@ -29,9 +29,9 @@ gpr::SamplingResult engineSamples(const MeshModel& layer, int vertexNum)
 
 bool sample(Document& document, int vertexNum)
 {
-	RichParameterList list = defaults(document, tool);
+	RichParameterList list = defaults(document, filter);
 	list.setValue("TargetVertexNum", IntValue(vertexNum));
-	return apply(document, tool, list);
+	return apply(document, filter, list);
 }
 
 TEST(SamplingFilter, PointsAreTheEngines)
@@ -54,13 +54,14 @@ TEST(SamplingFilter, PointsAreTheEngines)
 /// Where density varies, so do the disks; each point has its own.
 TEST(SamplingFilter, QualityIsEachPointsOwnRadius)
 {
-	Document          document;
-	MeshModel&        ball = addBall(document); // its quality is z, of which the size counts
-	RichParameterList list = defaults(document, tool);
+	Document   document;
+	MeshModel& ball = addBall(document); // its quality is z
+	for (CVertexO& v : ball.cm.vert)
+		if (v.cP()[2] > 0.7) v.SetS();
+	RichParameterList list = defaults(document, filter);
 	list.setValue("TargetVertexNum", IntValue(500));
-	list.setValue("Lambda", FloatValue(2));
-	list.setValue("Sizing", EnumValue(1));
-	ASSERT_TRUE(apply(document, tool, list)) << document.logText().toStdString();
+	list.setValue("FeatureDiskScale", FloatValue(Scalarm(0.4)));
+	ASSERT_TRUE(apply(document, filter, list)) << document.logText().toStdString();
 	double atPole = 0, atEquator = HUGE_VAL;
 	for (const CVertexO& v : document.layer(1).cm.vert) {
 		ASSERT_GT(v.cQ(), 0);
@@ -120,35 +121,24 @@ TEST(SamplingFilter, CancelledOrWithoutFacesChangesNothing)
 	Document document;
 	addBall(document);
 	const Snapshot          before(document);
-	const RichParameterList list = defaults(document, tool);
+	const RichParameterList list = defaults(document, filter);
 	DuringRun               cancel([](int) { return false; });
-	EXPECT_FALSE(apply(document, tool, list, cancel.callback()));
+	EXPECT_FALSE(apply(document, filter, list, cancel.callback()));
 	EXPECT_TRUE(before == Snapshot(document));
 	Document noFaces;
 	addPoints(noFaces, {{0, 0, 0}, {1, 0, 0}});
-	EXPECT_FALSE(apply(noFaces, tool, list));
+	EXPECT_FALSE(apply(noFaces, filter, list));
 	EXPECT_FALSE(errorText().isEmpty());
 	EXPECT_EQ(noFaces.layerNum(), 1);
-}
-
-TEST(SamplingFilter, DensityByAQualityThatIsMissing)
-{
-	Document document;
-	addSheet(document);
-	RichParameterList list = defaults(document, tool);
-	list.setValue("Lambda", FloatValue(1));
-	list.setValue("Sizing", EnumValue(1));
-	EXPECT_FALSE(apply(document, tool, list));
-	EXPECT_TRUE(errorText().contains("quality"));
 }
 
 TEST(SamplingFilter, FeatureRegionBySelectionWithoutOne)
 {
 	Document document;
 	addBall(document);
-	RichParameterList list = defaults(document, tool);
+	RichParameterList list = defaults(document, filter);
 	list.setValue("FeatureRegion", EnumValue(2));
-	EXPECT_FALSE(apply(document, tool, list));
+	EXPECT_FALSE(apply(document, filter, list));
 	EXPECT_TRUE(errorText().contains("selected"));
 }
 

@@ -168,7 +168,7 @@ TEST(CloseSurfacesWithBorders, KeepTheirBorderWhereTrianglesAreMadeAnew)
 	const TriangleMesh mesh = wavySheets();
 	for (const int count : {4200, 5000, 6600}) {
 		RemeshOptions options;
-		applyPreset(Preset::Fast, options);
+		options.preset          = Preset::Fast;
 		options.targetMode      = TargetMode::VertexNum;
 		options.targetVertexNum = count;
 		options.boundary        = BoundaryMode::Keep;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Whether the density of the result goes with curvature, quality or region as it was asked to.
+// Whether the density of the result goes with curvature or region as it was asked to.
 
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
@@ -87,13 +87,13 @@ TEST_P(DensityGoesWithCurvature, AsTheStretchSquared)
 	const TriangleMesh ring    = torus(250, 120, 1, tube);
 	RemeshOptions      options = withCount(4000);
 	options.lambda             = lambda;
-	options.largestStretch     = 100;
 	const RemeshResult result  = remesh(ring.view(), options);
 	ASSERT_EQ(result.status, Status::Ok) << result.message;
 	EXPECT_EQ(result.mesh.vertexNum(), 4000u);
 	const double r = evenRadius(result.report.input.area, 4000);
-	expectNear(measuredShares(result.mesh),
-			   expectedShares([&](double h) { return 1 + lambda * std::abs(h) * r; }), 0.1);
+	expectNear(
+		measuredShares(result.mesh),
+		expectedShares([&](double h) { return std::min(4.0, 1 + lambda * std::abs(h) * r); }), 0.1);
 	EXPECT_GT(result.report.quality.radiusRatioMean, 0.96);
 }
 
@@ -108,17 +108,23 @@ TEST(DensityGoesWithCurvature, AndTheTestWouldTell)
 	EXPECT_GT(std::abs(steep[partNum - 1] / even[partNum - 1] - 1), 0.2);
 }
 
+/// The paper's placement is a matter of luck: a mean over seeds says more.
 TEST(DensityAsPrinted, GoesWithTheStretchSquared)
 {
+	constexpr int      seedNum = 4;
 	const TriangleMesh ring    = torus(250, 120, 1, tube);
 	RemeshOptions      options = withCount(3000);
-	options.equations          = Equations::AsPrinted;
-	options.exactCount         = false;
+	options.preset             = Preset::Paper;
 	options.lambda             = 2;
-	const RemeshResult result  = remesh(ring.view(), options);
-	ASSERT_EQ(result.status, Status::Ok) << result.message;
-	expectNear(measuredShares(result.mesh), expectedShares([](double h) { return 1 + 2 * h; }),
-			   0.15);
+	Shares mean{};
+	for (options.seed = 1; options.seed <= seedNum; ++options.seed) {
+		const RemeshResult result = remesh(ring.view(), options);
+		ASSERT_EQ(result.status, Status::Ok) << result.message;
+		const Shares share = measuredShares(result.mesh);
+		for (int i = 0; i < partNum; ++i)
+			mean[i] += share[i] / seedNum;
+	}
+	expectNear(mean, expectedShares([](double h) { return 1 + 2 * h; }), 0.15);
 }
 
 /// Of the stretch 1 + λH on the torus: the least, the mean over the vertices, which lie evenly
@@ -152,8 +158,7 @@ TEST(DensityAsPrinted, SetsTheRadiusOfEquation5)
 	constexpr double   lambda  = 4;
 	const TriangleMesh ring    = torus(250, 120, 1, tube);
 	RemeshOptions      options = withCount(1500);
-	options.equations          = Equations::AsPrinted;
-	options.exactCount         = false;
+	options.preset             = Preset::Paper;
 	const RemeshResult even    = remesh(ring.view(), options);
 	options.lambda             = lambda;
 	const RemeshResult dense   = remesh(ring.view(), options);
@@ -174,7 +179,7 @@ TEST(DensityAsPrinted, KnowsNoAdaptivity)
 {
 	const TriangleMesh ring    = torus(100, 50, 1, tube);
 	RemeshOptions      options = withCount(500);
-	applyPreset(Preset::Paper, options);
+	options.preset             = Preset::Paper;
 	const RemeshResult without = remesh(ring.view(), options);
 	options.adapt              = 1;
 	const RemeshResult with    = remesh(ring.view(), options);
@@ -191,10 +196,10 @@ TEST(DensityAsPrinted, BeginsWhereThereIsNone)
 {
 	const TriangleMesh ball    = icosphere(5);
 	RemeshOptions      options = withCount(1000);
-	applyPreset(Preset::Paper, options);
-	const RemeshResult none   = remesh(ball.view(), options);
-	options.lambda            = 1e-12;
-	const RemeshResult little = remesh(ball.view(), options);
+	options.preset             = Preset::Paper;
+	const RemeshResult none    = remesh(ball.view(), options);
+	options.lambda             = 1e-12;
+	const RemeshResult little  = remesh(ball.view(), options);
 	ASSERT_EQ(little.status, Status::Ok) << little.message;
 	EXPECT_NEAR(double(little.report.sampleNum) / double(none.report.sampleNum), 1, 0.005);
 }
@@ -206,8 +211,8 @@ TEST(DensityAsPrinted, LandsNearTheTargetOnANoisySurface)
 	Random             random(5);
 	const TriangleMesh rough   = noisySphere(5, 0.01, random);
 	RemeshOptions      options = withCount(1000);
-	applyPreset(Preset::Paper, options);
-	const RemeshResult even = remesh(rough.view(), options);
+	options.preset             = Preset::Paper;
+	const RemeshResult even    = remesh(rough.view(), options);
 	ASSERT_EQ(even.status, Status::Ok) << even.message;
 	options.lambda            = even.report.diskRadius; // λH is about 0.12
 	const RemeshResult result = remesh(rough.view(), options);
@@ -272,7 +277,7 @@ TEST(DensityByError, IsEvenWhereThereAreFeatureLines)
 	RemeshOptions      even = withCount(600), adapted = even;
 	even.adapt    = 0;
 	adapted.adapt = 1;
-	even.fit = adapted.fit = Fit::Off;
+	even.preset = adapted.preset = Preset::Fast;
 	const RemeshResult a = remesh(mesh.view(), even), b = remesh(mesh.view(), adapted);
 	ASSERT_EQ(b.status, Status::Ok) << b.message;
 	EXPECT_GT(b.report.featureEdgeNum, 0);

@@ -62,7 +62,7 @@ TEST(Dust, NoTetrahedronIsInsideOut)
 	ASSERT_EQ(insideOutNum(mesh), 0);
 	for (const Preset preset : {Preset::Default, Preset::Fast}) {
 		RemeshOptions options;
-		applyPreset(preset, options);
+		options.preset          = preset;
 		options.targetMode      = TargetMode::VertexNum;
 		options.targetVertexNum = 4 * blobNum;
 		const RemeshResult r    = remesh(mesh.view(), options);

@@ -60,33 +60,14 @@ TEST_P(FeatureLines, AreInTheResultAndNoOthers)
 	}
 }
 
-/// The paper's placement begins with the samples of the lines, too.
-TEST_P(FeatureLines, AreKeptByThePapersPlacement)
-{
-	const TriangleMesh       mesh  = GetParam().make();
-	const std::vector<Vec3d> lines = sharpSegments(mesh, 40);
-	RemeshOptions            options;
-	options.targetMode      = TargetMode::VertexNum;
-	options.targetVertexNum = 700;
-	options.threads         = 2;
-	options.placement       = Placement::BorderEdge;
-	const RemeshResult r    = remesh(mesh.view(), options);
-	ASSERT_EQ(r.status, Status::Ok) << r.message;
-	EXPECT_EQ(r.mesh.vertexNum(), 700u);
-	EXPECT_GT(r.report.featureEdgeNum, 0);
-	EXPECT_TRUE(isSoundSurface(r.mesh));
-	EXPECT_TRUE(hasSameTopology(mesh, r.mesh));
-	EXPECT_LE(segmentDistance(lines, sharpSegments(r.mesh, 38)), GetParam().tolerance);
-}
-
 /// The paper's removal of vertices does not follow lines, and says so where they are asked for.
-TEST_P(FeatureLines, AreNotFollowedByThePapersRemoval)
+TEST_P(FeatureLines, AreNotFollowedByThePaper)
 {
 	const TriangleMesh mesh = GetParam().make();
 	RemeshOptions      options;
-	options.retriangulation = Retriangulation::VertexRemoval;
-	options.featureMode     = FeatureMode::Lines;
-	const RemeshResult r    = remesh(mesh.view(), options);
+	options.preset       = Preset::Paper;
+	options.featureMode  = FeatureMode::Lines;
+	const RemeshResult r = remesh(mesh.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	EXPECT_EQ(r.report.featureEdgeNum, 0);
 	ASSERT_FALSE(r.notes.empty());
@@ -149,16 +130,6 @@ TEST(FeatureLinesOfNoise, AreThereWhereTheUserWantsThem)
 	EXPECT_GT(r.report.featureEdgeNum, 0);
 	EXPECT_TRUE(isSoundSurface(r.mesh));
 	EXPECT_EQ(factsOf(r.mesh).euler(), 2);
-}
-
-TEST(ConeApex, IsAVertexOfTheResultOfThePapersPlacementToo)
-{
-	RemeshOptions options;
-	options.placement    = Placement::BorderEdge;
-	const RemeshResult r = remesh(cone(90, 40, 0.5, 0.7).view(), options);
-	ASSERT_EQ(r.status, Status::Ok) << r.message;
-	EXPECT_EQ(r.report.featureConeApexNum, 1);
-	EXPECT_LT(distanceToNearest(r.mesh.positions, {0, 0, 0}), 1e-6);
 }
 
 TEST(ConeApex, IsAVertexOfTheResult)

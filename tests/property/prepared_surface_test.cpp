@@ -94,8 +94,8 @@ std::vector<NamedRun> runs()
         return all.back().options;
 	};
 	add("default");
-	applyPreset(Preset::Fast, add("fast"));
-	applyPreset(Preset::Paper, add("paper"));
+	add("fast").preset                    = Preset::Fast;
+	add("paper").preset                   = Preset::Paper;
 	add("fewer").targetPercent            = 8;
 	add("finerThanInput").targetPercent   = 150; // edges are split before the mesh is connected
 	add("seed").seed                      = 7;
@@ -110,11 +110,11 @@ std::vector<NamedRun> runs()
 	region.featureDiskScale               = 0.6;
 	add("regionAgain")                    = region;
 	RemeshOptions& goal                   = add("maxError");
-	applyPreset(Preset::Fast, goal);
-	goal.targetMode        = TargetMode::MaxError;
-	goal.targetMaxError    = 2;
-	goal.maxErrorIsPercent = true;
-	goal.allowNearest      = true;
+	goal.preset                           = Preset::Fast;
+	goal.targetMode                       = TargetMode::MaxError;
+	goal.targetMaxError                   = 2;
+	goal.maxErrorIsPercent                = true;
+	goal.allowNearest                     = true;
 	add("defaultAgain");
 	return all;
 }

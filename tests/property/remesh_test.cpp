@@ -100,7 +100,7 @@ TEST_P(Remesh, KeepsEveryVertexOnTheSurfaceWhereItsSurfacePointSays)
 {
 	const TriangleMesh& mesh    = GetParam().mesh;
 	RemeshOptions       options = percentOptions(10);
-	options.fit                 = Fit::Off;
+	options.preset              = Preset::Fast;
 	const RemeshResult r        = remesh(mesh.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	ASSERT_EQ(r.surfacePoints.size(), r.mesh.vertexNum());
@@ -123,9 +123,9 @@ TEST_P(Remesh, FitsToTheInputAndSaysHowFarItWent)
 {
 	const TriangleMesh& mesh    = GetParam().mesh;
 	RemeshOptions       options = percentOptions(20);
-	options.fit                 = Fit::Off;
+	options.preset              = Preset::Fast;
 	const RemeshResult unfitted = remesh(mesh.view(), options);
-	options.fit                 = Fit::Rounds;
+	options.preset              = Preset::Default;
 	const RemeshResult r        = remesh(mesh.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	EXPECT_LE(farthestFromSurface(r, mesh), r.report.largestFitDistance + 2e-5);
@@ -188,24 +188,24 @@ TEST(RemeshOptionsMean, AnEdgeLengthIsTheResultsMean)
 	}
 }
 
-TEST(RemeshOptionsMean, WithoutExactCountTheNumberLandsNear)
+TEST(RemeshOptionsMean, WithThePaperTheNumberLandsNear)
 {
 	RemeshOptions options = percentOptions(20);
-	options.exactCount    = false;
+	options.preset        = Preset::Paper;
 	const RemeshResult r  = remesh(torus(90, 46).view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	EXPECT_NEAR(double(r.mesh.vertexNum()) / (0.2 * 90 * 46), 0.97, 0.08);
 	EXPECT_TRUE(isSoundSurface(r.mesh));
 }
 
-TEST(RemeshOptionsMean, RelaxationMakesTrianglesMoreRegular)
+TEST(RemeshOptionsMean, UmbrellaStepsMakeTrianglesMoreRegular)
 {
-	RemeshOptions options   = percentOptions(20);
-	options.fit             = Fit::Off;
-	options.relaxIterations = 0;
-	const double before     = remesh(torus(90, 46).view(), options).report.quality.radiusRatioMean;
-	options.relaxIterations = 5;
-	const double after      = remesh(torus(90, 46).view(), options).report.quality.radiusRatioMean;
+	RemeshOptions options = percentOptions(20);
+	options.preset        = Preset::Paper;
+	options.umbrellaSteps = 0;
+	const double before   = remesh(torus(90, 46).view(), options).report.quality.radiusRatioMean;
+	options.umbrellaSteps = 5;
+	const double after    = remesh(torus(90, 46).view(), options).report.quality.radiusRatioMean;
 	EXPECT_GT(after, before + 0.01);
 }
 
@@ -280,12 +280,12 @@ class RandomRemesh : public ::testing::TestWithParam<std::uint32_t> {};
 RemeshOptions randomOptions(Random& random, const TriangleMesh& mesh)
 {
 	RemeshOptions options;
-	options.seed            = 1 + std::uint32_t(random.below(1000));
-	options.threads         = 1 + random.below(4);
-	options.relaxIterations = random.below(8);
-	options.allowNearest    = random.chance(0.5);
-	options.exactCount      = random.chance(0.8);
-	options.targetPercent   = std::pow(10, random.between(0, 2.3));
+	options.seed          = 1 + std::uint32_t(random.below(1000));
+	options.threads       = 1 + random.below(4);
+	options.umbrellaSteps = random.below(8);
+	options.allowNearest  = random.chance(0.5);
+	if (random.chance(0.2)) options.preset = Preset::Paper;
+	options.targetPercent = std::pow(10, random.between(0, 2.3));
 	if (random.chance(0.3)) {
 		options.targetMode      = TargetMode::VertexNum;
 		options.targetVertexNum = 1 + random.below(int(mesh.vertexNum()));
@@ -308,7 +308,7 @@ void expectSoundOrRefused(const RemeshResult& r, const RemeshOptions& options)
 	EXPECT_EQ(factsOf(r.mesh).components, r.report.cleanedInput.components);
 	EXPECT_EQ(factsOf(r.mesh).boundaryLoops, r.report.cleanedInput.boundaryLoops);
 	EXPECT_EQ(factsOf(r.mesh).euler(), r.report.cleanedInput.eulerCharacteristic);
-	if (options.exactCount) {
+	if (!isPaper(options)) {
 		EXPECT_EQ(std::int64_t(r.mesh.vertexNum()), r.report.targetVertexNum);
 	}
 }
@@ -365,7 +365,7 @@ TEST_P(DamagedRemesh, NoResultIsWithheld)
 TEST_P(DamagedRemesh, NoResultIsWithheldWithThePapersMethods)
 {
 	RemeshOptions options;
-	applyPreset(Preset::Paper, options);
+	options.preset = Preset::Paper;
 	expectAResultOfDamaged(options, GetParam());
 }
 
@@ -555,7 +555,7 @@ TEST(Border, ItsVerticesLeaveItByNoMoreThanIsPromised)
 	const double moved = farthestOffBorder(tube, fitted.mesh);
 	EXPECT_LT(moved, 0.08 * edge);
 	EXPECT_GT(moved, 0.001 * edge) << "the fit takes them to where the chords are nearest";
-	options.fit                 = Fit::Off;
+	options.preset              = Preset::Fast;
 	const RemeshResult unfitted = remesh(tube.view(), options);
 	ASSERT_EQ(unfitted.status, Status::Ok) << unfitted.message;
 	EXPECT_LT(farthestOffBorder(tube, unfitted.mesh), 1e-6);

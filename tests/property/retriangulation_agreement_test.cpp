@@ -151,12 +151,11 @@ int total(const Reasons& reasons)
 	return sum;
 }
 
-RemeshResult retriangulated(const TriangleMesh& mesh, const std::vector<Vec3d>& points,
-							Retriangulation how)
+RemeshResult retriangulated(const TriangleMesh& mesh, const std::vector<Vec3d>& points, Preset how)
 {
 	RemeshOptions options;
-	options.threads         = 2;
-	options.retriangulation = how;
+	options.threads = 2;
+	options.preset  = how;
 	return retriangulate(mesh.view(), points, options);
 }
 
@@ -207,8 +206,8 @@ struct Pair {
 		options.targetPercent = percent;
 		options.seed          = seed;
 		sampling              = samplePoissonDisks(mesh.view(), options);
-		collapsed = retriangulated(mesh, sampling.points, Retriangulation::LabelCollapse);
-		removed   = retriangulated(mesh, sampling.points, Retriangulation::VertexRemoval);
+		collapsed             = retriangulated(mesh, sampling.points, Preset::Default);
+		removed               = retriangulated(mesh, sampling.points, Preset::Paper);
 	}
 };
 

@@ -92,8 +92,8 @@ TEST(Seams, WhateverIsSewnGivesASoundResult)
 		const TriangleMesh doubled =
 			random.chance(0.5) ? joined(left, insideOut(left)) : joined(left, left);
 		RemeshOptions options = countOptions(300 + random.below(500));
-		applyPreset(Preset(random.below(3)), options);
-		options.allowNearest = true;
+		options.preset        = Preset(random.below(3));
+		options.allowNearest  = true;
 		for (const TriangleMesh& mesh : {left, doubled}) {
 			const RemeshResult r = remesh(mesh.view(), options);
 			ASSERT_EQ(r.status, Status::Ok) << r.message;
@@ -162,7 +162,7 @@ TEST(Seams, SurfacePointsNameFacesOfTheMeshAsGiven)
 	const TriangleMesh whole   = torus(40, 24);
 	const TriangleMesh cut     = cutApart(whole, randomParts(whole, 30, random));
 	RemeshOptions      options = countOptions(500);
-	options.fit                = Fit::Off;
+	options.preset             = Preset::Fast;
 	const RemeshResult r       = remesh(cut.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	ASSERT_EQ(r.surfacePoints.size(), r.mesh.vertexNum());
@@ -188,7 +188,7 @@ TEST(Seams, BordersOfMoreThanTwoSheetsGetTheSameVertices)
 				SCOPED_TRACE(std::to_string(n) + " " + std::to_string(int(preset)) + " " +
 							 std::to_string(adapt));
 				RemeshOptions options = countOptions(700);
-				applyPreset(preset, options);
+				options.preset        = preset;
 				if (preset != Preset::Paper) options.adapt = adapt;
 				options.surfacePointsOfFaces = true;
 				const RemeshResult r         = remesh(book.view(), options);

@@ -94,10 +94,10 @@ TEST(SmoothBorder, RaggedBordersGetGoodTriangles)
 TEST(SmoothBorder, ItsVerticesStayWithinHalfAnEdgeOfTheBorder)
 {
 	const TriangleMesh mesh = raggedDisk(1, false);
-	for (Fit fit : {Fit::Rounds, Fit::Off}) {
+	for (Preset preset : {Preset::Default, Preset::Fast}) {
 		for (double share : {2.0, 4.0}) {
 			RemeshOptions options = smoothOptions(share);
-			options.fit           = fit;
+			options.preset        = preset;
 			const RemeshResult r  = remesh(mesh.view(), options);
 			ASSERT_EQ(r.status, Status::Ok) << r.message;
 			ASSERT_EQ(r.report.border.cutFaceNum, 0);
@@ -197,8 +197,8 @@ TEST(SmoothBorder, RandomSurfacesKeepTheirTopologyInEveryMode)
 		const TriangleMesh mesh    = randomSurface(random);
 		RemeshOptions      options = smoothOptions(25);
 		options.check              = false;
-		if (seed % 4 == 1) applyPreset(Preset::Paper, options);
-		if (seed % 4 == 2) applyPreset(Preset::Fast, options);
+		if (seed % 4 == 1) options.preset = Preset::Paper;
+		if (seed % 4 == 2) options.preset = Preset::Fast;
 		if (seed % 4 == 3) options.adapt = 1;
 		const RemeshResult r = remesh(mesh.view(), options);
 		ASSERT_EQ(r.status, Status::Ok) << r.message;

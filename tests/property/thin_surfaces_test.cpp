@@ -171,29 +171,6 @@ TEST(ThinSurfaces, WithFacesThatHaveNoAreaAreNotWithheld)
 	}
 }
 
-/// Between vertices that have to stay a face without area stays, too, where the input's triangles
-/// are kept. Then the result is left as it was.
-TEST(ThinSurfaces, WithSuchFacesBetweenKeptVerticesAreNotWithheld)
-{
-	for (const std::uint32_t seed : testSeeds(4)) {
-		SCOPED_TRACE("seed " + std::to_string(seed));
-		Random                    random(seed);
-		const TriangleMesh        tube = withFlatFaces(torus(80, 6, 1, 0.04), 1, random);
-		std::vector<std::uint8_t> selected(tube.vertexNum(), 0);
-		for (auto corner = tube.triangles.end() - 3; corner != tube.triangles.end(); ++corner)
-			selected[std::size_t(*corner)] = 1;
-		MeshView view           = tube.view();
-		view.selected           = selected.data();
-		RemeshOptions options   = optionsFor(120, true);
-		options.featureRegion   = FeatureRegion::Selection;
-		options.featureSampling = FeatureSampling::Vertices;
-		const RemeshResult r    = remesh(view, options);
-		ASSERT_EQ(r.status, Status::Ok) << r.message;
-		EXPECT_TRUE(isSoundSurface(r.mesh));
-		EXPECT_EQ(r.report.keptVertexNum, 3);
-	}
-}
-
 /// Two bulbs joined by a tube.
 TriangleMesh dumbbell(double tubeRadius, double bulbRadius, double length)
 {

@@ -136,11 +136,10 @@ def test_results_and_pairs_are_written(tmp_path):
     assert len(gpremesh.read(tmp_path / "quads.off").faces) == 2 * len(quads)
 
 
-def test_quality_and_region_of_the_mesh():
+def test_region_of_the_mesh():
     vertices, faces = torus()
-    mesh = gpremesh.FileMesh(vertices, faces, vertex_values={"quality": (vertices[:, 0] > 0).astype(float)})
-    even, graded = mesh.remesh(300), mesh.remesh(300, lambda_=2, sizing="quality")
-    assert (graded.vertices[:, 0] > 0).sum() > (even.vertices[:, 0] > 0).sum() + 20
+    mesh = gpremesh.FileMesh(vertices, faces)
+    even = mesh.remesh(300)
     mesh.region = vertices[:, 0] > 0
     near = mesh.remesh(300, feature_region="selection", feature_disk_scale=0.5)
     assert (near.vertices[:, 0] > 0).sum() > (even.vertices[:, 0] > 0).sum() + 20

@@ -35,16 +35,6 @@ def test_region_has_smaller_triangles():
     assert lengths[middle > 0.5].mean() < 0.7 * lengths[middle < -0.5].mean()
 
 
-def test_quality_takes_the_place_of_curvature():
-    vertices, faces = torus(120, 60)
-    quality = np.where(vertices[:, 1] > 0, 3.0, 0.0)
-    result = gpremesh.remesh(vertices, faces, vertex_count=800, quality=quality, lambda_=1)
-    assert result.report["options"]["sizing"] == "quality"
-    middle = result.vertices[result.faces].mean(axis=1)[:, 1]
-    lengths = edge_lengths(result.vertices, result.faces)
-    assert lengths[middle > 1].mean() < 0.7 * lengths[middle < -1].mean()
-
-
 def test_given_edges_become_edges_of_the_result():
     vertices, quads = sheet(32)
     across = np.flatnonzero(vertices[:, 0] == 16)

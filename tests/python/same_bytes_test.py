@@ -49,7 +49,7 @@ def test_sharp_edges_and_a_largest_error(tmp_path):
 def test_quads_and_many_options(tmp_path):
     vertices, quads = sheet()
     compare(tmp_path, vertices, quads.astype(np.int32), ["--percent", 30, "--boundary", "keep", "--lambda", 1.5,
-            "--exact-count", "off", "--check"], percent=30, boundary="keep", lambda_=1.5, exact_count=False, check=True)
+            "--sew", "off", "--check"], percent=30, boundary="keep", lambda_=1.5, sew=False, check=True)
 
 
 def test_the_default_size(tmp_path):

@@ -49,8 +49,8 @@ using Change = void (*)(RemeshOptions&);
 const std::map<std::string, Change>& changes()
 {
 	static const std::map<std::string, Change> all = {
-		{"fast", [](RemeshOptions& o) { applyPreset(Preset::Fast, o); }},
-		{"paper", [](RemeshOptions& o) { applyPreset(Preset::Paper, o); }},
+		{"fast", [](RemeshOptions& o) { o.preset = Preset::Fast; }},
+		{"paper", [](RemeshOptions& o) { o.preset = Preset::Paper; }},
 		{"even", [](RemeshOptions& o) { o.adapt = 0; }},
 		{"adapt1", [](RemeshOptions& o) { o.adapt = 1; }},
 		{"keep", [](RemeshOptions& o) { o.boundary = BoundaryMode::Keep; }},

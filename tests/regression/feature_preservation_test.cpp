@@ -65,19 +65,26 @@ TEST_P(FeaturePreservation, BringsTheResultNearerToSharpEdges)
 {
 	ASSERT_GT(features.size(), 700u);
 	options.adapt = 0; // sizes by the error bring it nearer as well
-	for (const Fit fit : {Fit::Off, Fit::Rounds}) {
-		options.fit           = fit;
+	for (const Preset preset : {Preset::Fast, Preset::Default}) {
+		options.preset        = preset;
 		options.featureRegion = FeatureRegion::None;
 		const double none     = distance();
 		options.lambda        = 2;
 		EXPECT_LE(distance(), GetParam().lambda * none);
-		options.lambda          = 0;
-		options.featureRegion   = FeatureRegion::Detected;
-		options.featureSampling = FeatureSampling::Disks;
+		options.lambda        = 0;
+		options.featureRegion = FeatureRegion::Detected;
 		EXPECT_LE(distance(), GetParam().disks * none);
-		options.featureSampling = FeatureSampling::Vertices;
-		EXPECT_LE(distance(), GetParam().vertices * none);
 	}
+}
+
+/// The paper's other way: each vertex of the region is kept.
+TEST_P(FeaturePreservation, KeepsSharpEdgesWithThePaper)
+{
+	options.preset        = Preset::Paper;
+	options.featureRegion = FeatureRegion::None;
+	const double none     = distance();
+	options.featureRegion = FeatureRegion::Detected;
+	EXPECT_LE(distance(), GetParam().vertices * none);
 }
 
 INSTANTIATE_TEST_SUITE_P(, FeaturePreservation,

@@ -81,7 +81,7 @@ void expectCount(const Band& band, const RemeshOptions& options, std::size_t inp
 	const double wanted = band.target.mode == TargetMode::VertexNum
 							  ? band.target.value
 							  : std::round(band.target.value / 100 * double(inputNum));
-	if (!options.exactCount) {
+	if (isPaper(options)) {
 		EXPECT_NEAR(double(num) / wanted, 0.9, 0.025);
 	}
 	else if (band.traits & Repaired) {

@@ -46,20 +46,20 @@ TEST(Validate, DefaultsAreInOrder)
 
 TEST(Validate, ComplainsOfEveryValueOutOfRangeInASentence)
 {
-	RemeshOptions relax, flips, threads, lambda, stretch, scale, weak, both;
-	flips.flipIterations           = -1;
+	RemeshOptions steps, flips, threads, lambda, adapt, scale, weak, both;
+	flips.flipPasses               = -1;
 	lambda.lambda                  = NAN;
-	stretch.largestStretch         = 0.5;
+	adapt.adapt                    = 1.5;
 	scale.featureDiskScale         = 0.01;
 	weak.featureThresholds.weakDeg = 50;
-	relax.relaxIterations          = 1001;
+	steps.umbrellaSteps            = 1001;
 	threads.threads                = -1;
-	both.relaxIterations           = -1;
+	both.umbrellaSteps             = -1;
 	both.threads                   = 2000;
 	for (const RemeshOptions& o :
 		 {withCount(0), withCount(-5), withCount(std::int64_t(1) << 31), withPercent(0),
 		  withPercent(-1), withPercent(10001), withPercent(NAN), withEdgeLen(0), withEdgeLen(-1),
-		  withEdgeLen(NAN), withEdgeLen(HUGE_VAL), relax, flips, threads, lambda, stretch, scale,
+		  withEdgeLen(NAN), withEdgeLen(HUGE_VAL), steps, flips, threads, lambda, adapt, scale,
 		  weak}) {
 		const std::vector<std::string> complaints = validate(o);
 		ASSERT_EQ(complaints.size(), 1u);
@@ -82,27 +82,32 @@ TEST(ParameterTable, KeysAndOptionsAreUniqueAndComplete)
 	std::set<std::string> keys, options;
 	for (const Parameter& p : remeshParameters()) {
 		EXPECT_TRUE(keys.insert(p.key).second) << p.key;
-		if (std::string(p.option) != "") {
-			EXPECT_TRUE(options.insert(p.option).second) << p.option;
-			EXPECT_EQ(std::string(p.option).substr(0, 2), "--");
-		}
+		EXPECT_TRUE(options.insert(p.option).second) << p.option;
+		EXPECT_EQ(std::string(p.option).substr(0, 2), "--");
 		EXPECT_EQ(findParameter(p.key), &p);
 		EXPECT_STRNE(p.label, "");
 		EXPECT_EQ(std::string(p.help).back(), '.') << p.key << ": full sentences";
 		EXPECT_LT(p.minimum, p.maximum);
 		EXPECT_EQ(p.kind == ParameterKind::Choice, !p.choices.empty());
 		ASSERT_NE(p.defaultValue, nullptr);
+		ASSERT_NE(p.store, nullptr);
 	}
 	for (const char* key : {"TargetVertexNum", "TargetPerc", "TargetLen", "RelaxIter", "Seed",
-							"Threads", "ExactCount", "AllowNearest", "NewLayer"})
+							"Threads", "AllowNearest"})
 		EXPECT_EQ(keys.count(key), 1u) << key << " is public";
 	EXPECT_EQ(findParameter("Nonsense"), nullptr);
+}
+
+/// What a user really states, and what the paper leaves to the user.
+TEST(ParameterTable, HasAtMostTwentySixRows)
+{
+	EXPECT_LE(makeParameterTable().size(), 26u);
 }
 
 /// How many, how, what is kept, where to: a newcomer needs no more.
 TEST(ParameterTable, AtMostTwelveParametersComeBeforeThoseForExperts)
 {
-	for (Tool tool : {RemeshTool, SamplingTool, CompareTool}) {
+	for (Tool tool : {RemeshTool, SamplingTool}) {
 		const std::vector<Parameter>& rows = parametersOf(tool);
 		std::size_t                   num  = 0;
 		while (num < rows.size() && !rows[num].isExpert)
@@ -116,17 +121,6 @@ TEST(ParameterTable, AtMostTwelveParametersComeBeforeThoseForExperts)
 	}
 }
 
-TEST(ParameterTable, WhereThereIsNoPresetNoChoiceIsLeftToIt)
-{
-	for (Tool tool : {RemeshTool, SamplingTool, RetriangulateTool, FeatureTool, CompareTool}) {
-		const bool hasPreset = findParameter("Preset", tool) != nullptr;
-		for (const Parameter& p : parametersOf(tool)) {
-			for (const char* choice : p.choices)
-				EXPECT_TRUE(hasPreset || std::string(choice) != "preset") << p.key;
-		}
-	}
-}
-
 TEST(ParameterTable, DialogsDoNotSpeakOfTheCommandLineNorItOfDialogs)
 {
 	const auto has = [](const std::string& text, const char* word) {
@@ -134,7 +128,6 @@ TEST(ParameterTable, DialogsDoNotSpeakOfTheCommandLineNorItOfDialogs)
 	};
 	for (const Parameter& p : makeParameterTable()) {
 		EXPECT_FALSE(has(dialogHelp(p), "command line")) << p.key;
-		if (std::string(p.option).empty()) continue;
 		EXPECT_FALSE(has(commandHelp(p), "dialog") || has(commandHelp(p), "layer")) << p.key;
 		EXPECT_EQ(dialogHelp(p).back(), '.') << p.key;
 		EXPECT_EQ(commandHelp(p).back(), '.') << p.key;
@@ -154,7 +147,8 @@ TEST(ParameterTable, DefaultsFitTheirKindAndRange)
 				break;
 			case ParameterKind::Number:
 			case ParameterKind::Length:
-				number = std::get<double>(v);
+				ASSERT_EQ(std::holds_alternative<Automatic>(v), p.isAutomatic) << p.key;
+				number = p.isAutomatic ? p.minimum : std::get<double>(v);
 				break;
 			case ParameterKind::Switch:
 				number = std::get<bool>(v);
@@ -181,12 +175,12 @@ TEST_F(ParameterSets, DefaultsGiveDefaultOptionsWithTheCountOfTheTable)
 	const RemeshOptions o = set_.options(), plain;
 	EXPECT_EQ(o.targetMode, TargetMode::VertexNum);
 	EXPECT_EQ(o.targetVertexNum, 100);
-	EXPECT_EQ(o.relaxIterations, plain.relaxIterations);
+	EXPECT_EQ(o.preset, plain.preset);
+	EXPECT_EQ(o.adapt, plain.adapt);
+	EXPECT_EQ(o.umbrellaSteps, plain.umbrellaSteps);
 	EXPECT_EQ(o.seed, plain.seed);
 	EXPECT_EQ(o.threads, plain.threads);
-	EXPECT_EQ(o.exactCount, plain.exactCount);
 	EXPECT_EQ(o.allowNearest, plain.allowNearest);
-	EXPECT_FALSE(set_.newLayer());
 	EXPECT_TRUE(set_.complaints().empty());
 }
 
@@ -229,23 +223,27 @@ TEST_F(ParameterSets, ValuesOutOfRangeAreTold)
 
 TEST_F(ParameterSets, EveryRowReachesItsOption)
 {
-	set("RelaxIter", std::int64_t(3));
+	set("Preset", std::int64_t(2));
+	set("Adapt", 0.1);
+	set("RelaxIter", std::int64_t(5));
+	set("FlipIter", std::int64_t(6));
 	set("Seed", std::int64_t(77));
 	set("Threads", std::int64_t(2));
-	set("ExactCount", std::int64_t(2));
 	set("AllowNearest", true);
 	set("DropComponentsBelow", std::int64_t(9));
 	set("TimeLimit", 60.0);
-	set("NewLayer", true);
 	const RemeshOptions o = set_.options();
-	EXPECT_EQ(o.relaxIterations, 3);
+	EXPECT_EQ(o.preset, Preset::Paper);
+	EXPECT_EQ(o.adapt, 0.1) << "a number that is given, and not what is usual";
+	EXPECT_EQ(o.umbrellaSteps, 5);
+	EXPECT_EQ(o.flipPasses, 6);
 	EXPECT_EQ(o.seed, 77u);
 	EXPECT_EQ(o.threads, 2);
-	EXPECT_FALSE(o.exactCount);
 	EXPECT_TRUE(o.allowNearest);
 	EXPECT_EQ(o.dropComponentsBelow, 9);
 	EXPECT_EQ(o.timeLimitSeconds, 60);
-	EXPECT_TRUE(set_.newLayer());
+	set("Adapt", Automatic());
+	EXPECT_FALSE(set_.options().adapt.has_value());
 }
 
 TEST_F(ParameterSets, ALargestErrorTakesThePlaceOfTheCountAndOfNoOtherSize)
@@ -259,20 +257,6 @@ TEST_F(ParameterSets, ALargestErrorTakesThePlaceOfTheCountAndOfNoOtherSize)
 	EXPECT_EQ(set_.complaints().size(), 1u);
 }
 
-TEST_F(ParameterSets, PresetChoosesTheStagesAndASingleChoiceWins)
-{
-	set("Smoothing", std::int64_t(1));
-	set("Preset", std::int64_t(2));
-	const RemeshOptions paper = set_.options();
-	EXPECT_EQ(paper.placement, Placement::BorderEdge);
-	EXPECT_EQ(paper.retriangulation, Retriangulation::VertexRemoval);
-	EXPECT_EQ(paper.smoothing, Smoothing::Barycentric);
-	EXPECT_EQ(paper.equations, Equations::AsPrinted);
-	EXPECT_FALSE(paper.exactCount);
-	set("ExactCount", std::int64_t(1));
-	EXPECT_TRUE(set_.options().exactCount);
-}
-
 TEST(StatusName, IsOneOfItsOwnForEveryStatus)
 {
 	std::set<std::string> names;
@@ -283,11 +267,10 @@ TEST(StatusName, IsOneOfItsOwnForEveryStatus)
 	EXPECT_EQ(names.count("unknown"), 0u);
 }
 
-TEST(FeatureRegionByItself, IsAskedForByADiskScaleOrByKeptVertices)
+TEST(FeatureRegionByItself, IsAskedForByADiskScale)
 {
-	RemeshOptions none, scale, kept, off;
+	RemeshOptions none, scale, off;
 	scale.featureDiskScale = 0.3;
-	kept.featureSampling   = FeatureSampling::Vertices;
 	off.featureDiskScale   = 0.3;
 	off.featureRegion      = FeatureRegion::None;
 	for (const bool anySelected : {false, true}) {
@@ -295,11 +278,10 @@ TEST(FeatureRegionByItself, IsAskedForByADiskScaleOrByKeptVertices)
 			resolveFeatureRegion(anySelected, o);
 			EXPECT_EQ(o.featureRegion, FeatureRegion::None);
 		}
-		for (RemeshOptions o : {scale, kept}) {
-			resolveFeatureRegion(anySelected, o);
-			EXPECT_EQ(o.featureRegion,
-					  anySelected ? FeatureRegion::Selection : FeatureRegion::Detected);
-		}
+		resolveFeatureRegion(anySelected, scale);
+		EXPECT_EQ(scale.featureRegion,
+				  anySelected ? FeatureRegion::Selection : FeatureRegion::Detected);
+		scale.featureRegion = FeatureRegion::Auto;
 	}
 }
 
@@ -310,25 +292,38 @@ TEST(FeatureRegionByItself, HasHalfTheRadiusWhereItIsNamedAndNoScaleGiven)
 	resolveFeatureRegion(true, o);
 	EXPECT_EQ(o.featureRegion, FeatureRegion::Detected);
 	EXPECT_EQ(o.featureDiskScale, 0.5);
+	EXPECT_FALSE(keepsRegionVertices(o));
 	o.featureDiskScale = 0.8;
 	resolveFeatureRegion(true, o);
 	EXPECT_EQ(o.featureDiskScale, 0.8);
 }
 
+/// The paper's two ways: every vertex of the region, or disks of the scale that is given.
+TEST(FeatureRegionByItself, IsKeptWithThePaperUnlessAScaleIsGiven)
+{
+	RemeshOptions o;
+	o.preset        = Preset::Paper;
+	o.featureRegion = FeatureRegion::Detected;
+	resolveFeatureRegion(false, o);
+	EXPECT_TRUE(keepsRegionVertices(o));
+	o.featureDiskScale = 0.8;
+	resolveFeatureRegion(false, o);
+	EXPECT_FALSE(keepsRegionVertices(o));
+}
+
 TEST(OptionsWithoutEffect, AreNamedInASentenceEach)
 {
 	EXPECT_TRUE(optionsWithoutEffect(RemeshOptions()).empty());
-	RemeshOptions adapt, sizing, scale, sampling, whole;
-	adapt.adapt              = 1;
-	adapt.equations          = Equations::AsPrinted;
-	sizing.sizing            = SizingSource::Quality;
-	scale.featureDiskScale   = 0.3;
-	scale.featureRegion      = FeatureRegion::None;
-	sampling.featureSampling = FeatureSampling::Vertices;
-	sampling.featureRegion   = FeatureRegion::None;
-	whole.featureRegion      = FeatureRegion::Detected;
-	whole.featureDiskScale   = 1;
-	for (const RemeshOptions& o : {adapt, sizing, scale, sampling, whole}) {
+	RemeshOptions adapt, steps, flips, scale, whole;
+	adapt.adapt            = 1;
+	adapt.preset           = Preset::Paper;
+	steps.umbrellaSteps    = 5;
+	flips.flipPasses       = 5;
+	scale.featureDiskScale = 0.3;
+	scale.featureRegion    = FeatureRegion::None;
+	whole.featureRegion    = FeatureRegion::Detected;
+	whole.featureDiskScale = 1;
+	for (const RemeshOptions& o : {adapt, steps, flips, scale, whole}) {
 		const std::vector<std::string> sentences = optionsWithoutEffect(o);
 		ASSERT_EQ(sentences.size(), 1u);
 		EXPECT_EQ(sentences[0].back(), '.');
@@ -337,24 +332,25 @@ TEST(OptionsWithoutEffect, AreNamedInASentenceEach)
 
 TEST(OptionsWithoutEffect, AreNotNamedWhereTheyHaveOne)
 {
-	RemeshOptions adapt, sizing, scale;
+	RemeshOptions adapt, steps, scale;
 	adapt.adapt            = 1;
-	sizing.sizing          = SizingSource::Quality;
-	sizing.lambda          = 1;
+	steps.preset           = Preset::Paper;
+	steps.umbrellaSteps    = 5;
+	steps.flipPasses       = 5;
 	scale.featureRegion    = FeatureRegion::Selection;
 	scale.featureDiskScale = 0.3;
-	for (const RemeshOptions& o : {adapt, sizing, scale})
+	for (const RemeshOptions& o : {adapt, steps, scale})
 		EXPECT_TRUE(optionsWithoutEffect(o).empty());
 }
 
-TEST(ResolveAdapt, TheUsualOneHoldsWhereAFitFollows)
+TEST(ResolveAdapt, ATenthWhereAFitFollows)
 {
 	RemeshOptions o;
-	EXPECT_EQ(resolveAdapt(o, true), usualAdapt);
-	o.fit = Fit::Quick;
-	EXPECT_EQ(resolveAdapt(o, true), usualAdapt);
+	EXPECT_EQ(resolveAdapt(o, true), 0.1);
 	EXPECT_EQ(resolveAdapt(o, false), 0) << "only samples";
-	o.fit = Fit::Off;
+	o.preset = Preset::FastFitted;
+	EXPECT_EQ(resolveAdapt(o, true), 0.1);
+	o.preset = Preset::Fast;
 	EXPECT_EQ(resolveAdapt(o, true), 0);
 	o        = RemeshOptions();
 	o.lambda = 1;
@@ -362,20 +358,23 @@ TEST(ResolveAdapt, TheUsualOneHoldsWhereAFitFollows)
 	o            = RemeshOptions();
 	o.targetMode = TargetMode::MaxError;
 	EXPECT_EQ(resolveAdapt(o, true), 1);
-	applyPreset(Preset::Fast, o);
+	o.preset = Preset::Fast;
 	EXPECT_EQ(resolveAdapt(o, true), 0);
 }
 
+/// A tenth that is given is no other number than the rest.
 TEST(ResolveAdapt, WhatWasGivenHolds)
 {
-	RemeshOptions o;
-	o.adapt      = 0.3;
-	o.targetMode = TargetMode::MaxError;
-	o.lambda     = 1;
-	o.fit        = Fit::Off;
-	EXPECT_EQ(resolveAdapt(o, false), 0.3);
-	o.equations = Equations::AsPrinted;
-	EXPECT_EQ(resolveAdapt(o, true), 0) << "the paper has no such thing";
+	for (const double given : {0.0, 0.1, 0.3}) {
+		RemeshOptions o;
+		o.adapt      = given;
+		o.targetMode = TargetMode::MaxError;
+		o.lambda     = 1;
+		o.preset     = Preset::Fast;
+		EXPECT_EQ(resolveAdapt(o, false), given);
+		o.preset = Preset::Paper;
+		EXPECT_EQ(resolveAdapt(o, true), 0) << "the paper has no such thing";
+	}
 }
 
 } // namespace

@@ -40,7 +40,7 @@ RemeshOptions wish(std::int64_t vertexNum)
 RemeshOptions inexact(std::int64_t vertexNum)
 {
 	RemeshOptions options = order(vertexNum);
-	options.exactCount    = false;
+	options.preset        = Preset::Paper;
 	return options;
 }
 
@@ -260,13 +260,13 @@ TEST(Plan, RefusesACountBelowTheKeptVertices)
 
 TEST(Plan, RefusesARegionThatDoesNotFitEvenWhereTheCountIsAWish)
 {
-	RemeshOptions options   = wish(99);
-	options.featureSampling = FeatureSampling::Vertices;
+	RemeshOptions options = wish(99);
+	options.preset        = Preset::Paper;
 	PlannedRun run(options);
 	run.keptNum = 100;
 	run.go();
 	ASSERT_TRUE(run.failure);
-	EXPECT_TRUE(run.says("have the region sampled by disks"));
+	EXPECT_TRUE(run.says("give a feature disk scale"));
 }
 
 // Lines and samples.
@@ -697,7 +697,8 @@ TEST(Plan, AlwaysComesToAnEnd)
 		const std::int64_t asked = 1 + random.below(80), kept = random.chance(0.2) ? asked / 2 : 0;
 		const bool         isWish  = random.chance(0.5);
 		RemeshOptions      options = isWish ? wish(asked) : order(asked);
-		options.exactCount         = random.chance(0.8);
+		const bool isExact         = random.chance(0.8);
+		options.preset             = isExact ? Preset::Default : Preset::Paper;
 		options.guard              = false;
 		const double hit = random.between(0, 1), flat = random.between(0, 1);
 		const bool   isSmooth = random.chance(0.5), isSewn = random.chance(0.5);
@@ -722,7 +723,7 @@ TEST(Plan, AlwaysComesToAnEnd)
 			EXPECT_FALSE(isWish) << "a wish is never refused";
 			EXPECT_TRUE(run.says(std::to_string(run.failure->smallestVertexNum)));
 		}
-		else if (options.exactCount && !isWish && kept > 0) {
+		else if (isExact && !isWish && kept > 0) {
 			EXPECT_EQ(last, asked);
 		}
 	}

@@ -44,9 +44,8 @@ TEST(RunEstimate, GrowsWithFacesVerticesAndEffort)
 	EXPECT_NEAR(large.seconds, 10 * one.seconds, 0.01 * large.seconds);
 
 	RemeshOptions fast = withPercent(10);
-	applyPreset(Preset::Fast, fast);
+	fast.preset        = Preset::Fast;
 	EXPECT_LT(estimateRun(mesh, fast).seconds, one.seconds);
-	EXPECT_GT(estimateRun(mesh, fast, CompareTool).seconds, 5);
 	fast.threads = 4;
 	EXPECT_LT(estimateRun(mesh, fast).seconds, 0.5 * estimateRun(mesh, withPercent(10)).seconds);
 }

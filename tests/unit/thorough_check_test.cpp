@@ -104,8 +104,8 @@ TEST(CheckOption, WithholdsWhatCrossesItself)
 	options.threads          = 2;
 	options.targetMode       = TargetMode::VertexNum;
 	options.targetVertexNum  = 60;
-	options.fit              = Fit::Off; // what follows it would take the faces apart
-	options.guard            = false;    // so would this
+	options.preset           = Preset::Fast; // a fit would take the faces apart
+	options.guard            = false;        // so would this
 	const RemeshResult plain = remesh(wavy.view(), options);
 	ASSERT_EQ(plain.status, Status::Ok) << plain.message;
 	options.check        = true;

@@ -213,9 +213,9 @@ TYPED_TEST(GeodesicPoissonRemeshingTest, AFailureTouchesNothing)
 
 	result = Remeshing::Do(m, ParamsOf<MeshType>(0));
 	EXPECT_EQ(result.status, gpr::Status::BadOptions);
-	auto params            = ParamsOf<MeshType>(500);
-	params.relaxIterations = -1;
-	result                 = Remeshing::Do(m, out, params);
+	auto params          = ParamsOf<MeshType>(500);
+	params.umbrellaSteps = -1;
+	result               = Remeshing::Do(m, out, params);
 	EXPECT_EQ(result.status, gpr::Status::BadOptions);
 
 	result = Remeshing::Do(m, ParamsOf<MeshType>(4)); // a torus needs at least seven

@@ -50,13 +50,11 @@ void MakeOptionMesh(MeshType& m)
 struct OptionInput {
 	std::vector<gpr::Vec3d>   positions;
 	std::vector<std::int32_t> triangles;
-	std::vector<float>        quality;
 	std::vector<std::uint8_t> selected, selectedFace, selectedEdge;
 
 	gpr::MeshView View(const gpr::RemeshOptions& options) const
 	{
 		gpr::MeshView view(positions, triangles);
-		view.quality      = quality.data();
 		view.selected     = selected.data();
 		view.selectedFace = selectedFace.data();
 		if (options.featureMode == gpr::FeatureMode::Given) view.line = selectedEdge.data();
@@ -73,7 +71,6 @@ OptionInput InputOf(const MeshType& m)
 		if (v.IsD()) continue;
 		indexOf[&v] = std::int32_t(input.positions.size());
 		input.positions.push_back({double(v.cP()[0]), double(v.cP()[1]), double(v.cP()[2])});
-		input.quality.push_back(float(v.cQ()));
 		input.selected.push_back(v.IsS() ? 1 : 0);
 	}
 	for (const auto& f : m.face) {

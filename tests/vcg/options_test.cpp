@@ -156,6 +156,8 @@ OptionValues ValuesBeside(const std::string& key)
 {
 	OptionValues values = CommonValues();
 	if (key == "Adapt") values["Features"] = std::int64_t(gpr::FeatureMode::Off);
+	if (key == "RelaxIter" || key == "FlipIter")
+		values["Preset"] = std::int64_t(gpr::Preset::Paper);
 	return values;
 }
 
@@ -181,7 +183,7 @@ std::vector<gpr::ParameterValue> OtherValues(const gpr::Parameter& row)
 		others.push_back(0.1);
 		break;
 	case gpr::ParameterKind::Number:
-		const double number = std::get<double>(usual);
+		const double number = row.isAutomatic ? 0 : std::get<double>(usual);
 		if (number > 0)
 			others = {0.25 * number, 0.8 * number, 0.5 * (number + row.maximum)};
 		else
@@ -196,10 +198,8 @@ template <class ParamsType>
 ParamsType ParamsOf(const OptionValues& values, gpr::TargetMode targetMode)
 {
 	ParamsType params;
-	// The preset is for what is not chosen by itself.
-	if (values.count("Preset")) gpr::findParameter("Preset")->store(values.at("Preset"), params);
 	for (const auto& [key, value] : values)
-		if (key != "Preset") gpr::findParameter(key)->store(value, params);
+		gpr::findParameter(key)->store(value, params);
 	params.targetMode = targetMode;
 	return params;
 }
@@ -232,17 +232,17 @@ bool ExpectFacadesBytes(const gpr::Parameter& row)
 /// mesh has no seams.
 bool LeavesMeshAlone(const std::string& key)
 {
-	static const std::set<std::string> keys = {"AllowNearest", "Check",   "Guard",
-											   "SewSeams",     "Threads", "TimeLimit"};
+	static const std::set<std::string> keys = {"AllowNearest", "Check", "SewSeams", "Threads",
+											   "TimeLimit"};
 	return keys.count(key) > 0;
 }
 
-/// The keys of the rows of a tool that stand for options of the engine.
+/// The keys of the rows of a tool.
 std::vector<std::string> KeysOf(gpr::Tool tool)
 {
 	std::vector<std::string> keys;
 	for (const gpr::Parameter& row : gpr::parametersOf(tool))
-		if (row.store != nullptr) keys.push_back(row.key);
+		keys.push_back(row.key);
 	return keys;
 }
 
@@ -332,18 +332,16 @@ TYPED_TEST(Params, WhatTheMeshHasNotIsRefused)
 	const auto before = SnapshotOf(bare);
 
 	typedef typename GeodesicPoissonRemeshing<Bare>::Params ParamsType;
-	ParamsType                                              region, quality, edges, faces;
+	ParamsType                                              region, edges, faces;
 	region.featureRegion = gpr::FeatureRegion::Selection;
-	quality.lambda       = 1;
-	quality.sizing       = gpr::SizingSource::Quality;
 	edges.featureMode    = gpr::FeatureMode::Given;
 	faces.selectedOnly   = true;
-	for (const ParamsType& params : {region, quality, edges, faces}) {
+	for (const ParamsType& params : {region, edges, faces}) {
 		const auto result = GeodesicPoissonRemeshing<Bare>::Do(bare, params);
 		EXPECT_EQ(result.status, gpr::Status::BadOptions);
 		EXPECT_FALSE(result.message.empty());
 	}
-	for (const ParamsType& params : {region, quality, edges})
+	for (const ParamsType& params : {region, edges})
 		EXPECT_EQ(GeodesicPoissonSampling<Bare>::Sample(bare, params, out).status,
 				  gpr::Status::BadOptions);
 	EXPECT_TRUE(SnapshotOf(bare) == before);
@@ -364,9 +362,6 @@ TEST(ParamsOfAnyMesh, SettersChooseTheTarget)
 	EXPECT_EQ(params.targetMaxError, 0.25);
 	params.SetTargetVertexNum(77);
 	EXPECT_EQ(params.targetMode, gpr::TargetMode::VertexNum);
-	EXPECT_EQ(params.targetVertexNum, 77);
-	params.SetPreset(gpr::Preset::Paper);
-	EXPECT_EQ(params.placement, gpr::Placement::BorderEdge);
 	EXPECT_EQ(params.targetVertexNum, 77);
 }
 

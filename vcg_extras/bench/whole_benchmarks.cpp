@@ -16,7 +16,7 @@ StageBenchmark wholeRun(Preset preset)
 	return [preset](benchmark::State& state, StagedRun& run, Workers& workers) {
 		RemeshOptions options = run.options();
 		options.threads       = workers.threadNum();
-		applyPreset(preset, options);
+		options.preset        = preset;
 		timeEach(state, [&] {
 			RemeshResult result = remesh(run.input(), options);
 			if (result.status != Status::Ok) throw std::runtime_error(result.message);

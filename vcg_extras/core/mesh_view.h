@@ -26,7 +26,6 @@ struct MeshView {
 	const void*         triangles           = nullptr; ///< std::int32_t
 	std::size_t         triangleStrideBytes = 3 * sizeof(std::int32_t);
 	std::size_t         faceNum             = 0;
-	const float*        quality  = nullptr; ///< per vertex, or null; for SizingSource::Quality
 	const std::uint8_t* selected = nullptr; ///< per vertex, or null; for FeatureRegion::Selection
 	/// Three a face, or null: not 0 where the edge from that corner to the next is a line, like a
 	/// seam of the texture, that edges of the result shall follow.

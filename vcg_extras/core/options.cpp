@@ -44,11 +44,8 @@ void checkDensity(const RemeshOptions& o, std::vector<std::string>& complaints)
 	if (!isWithin(o.lambda, 0, 1e6)) {
 		complaints.push_back("Lambda must be between 0 and 1000000.");
 	}
-	if (!isWithin(o.adapt, 0, 1)) {
+	if (o.adapt && !isWithin(*o.adapt, 0, 1)) {
 		complaints.push_back("The adaptivity must be between 0 and 1.");
-	}
-	if (!isWithin(o.largestStretch, 1, 100)) {
-		complaints.push_back("The largest stretch must be between 1 and 100.");
 	}
 }
 
@@ -77,23 +74,10 @@ void checkFeatures(const RemeshOptions& o, std::vector<std::string>& complaints)
 
 } // namespace
 
-void applyPreset(Preset preset, RemeshOptions& o)
-{
-	const bool paper  = preset == Preset::Paper;
-	o.placement       = paper ? Placement::BorderEdge : Placement::DiskIntersection;
-	o.retriangulation = paper ? Retriangulation::VertexRemoval : Retriangulation::LabelCollapse;
-	o.smoothing       = paper ? Smoothing::Umbrella2 : Smoothing::Barycentric;
-	o.fit             = preset == Preset::Default ? Fit::Rounds : Fit::Off;
-	o.regularity      = preset == Preset::Default ? Regularity::Full : Regularity::Plain;
-	o.equations       = paper ? Equations::AsPrinted : Equations::Calibrated;
-	o.exactCount      = !paper;
-	o.featureMode     = paper ? FeatureMode::Off : FeatureMode::Auto;
-}
-
 bool asksForFeatureRegion(const RemeshOptions& o)
 {
 	if (o.featureRegion != FeatureRegion::Auto) return o.featureRegion != FeatureRegion::None;
-	return o.featureDiskScale > 0 || o.featureSampling == FeatureSampling::Vertices;
+	return o.featureDiskScale > 0;
 }
 
 bool mayUseSelectedVertices(const RemeshOptions& o)
@@ -110,26 +94,27 @@ void resolveFeatureRegion(bool anySelected, RemeshOptions& o)
 	else if (o.featureRegion == FeatureRegion::Auto) {
 		o.featureRegion = anySelected ? FeatureRegion::Selection : FeatureRegion::Detected;
 	}
-	if (o.featureDiskScale == 0) o.featureDiskScale = usualScale;
+	if (o.featureDiskScale == 0 && !isPaper(o)) o.featureDiskScale = usualScale;
 }
 
-double resolveAdapt(const RemeshOptions& o, bool isFitted)
+double resolveAdapt(const RemeshOptions& o, bool makesMesh)
 {
-	if (o.equations == Equations::AsPrinted) return 0;
-	if (o.adapt != usualAdapt) return o.adapt;
-	const bool hasUse = isFitted && o.fit != Fit::Off && !(o.lambda > 0);
+	constexpr double usual = 0.1;
+	if (isPaper(o)) return 0;
+	if (o.adapt) return *o.adapt;
+	const bool hasUse = makesMesh && isFitted(o) && !(o.lambda > 0);
 	if (!hasUse) return 0;
-	return o.targetMode == TargetMode::MaxError ? 1 : usualAdapt;
+	return o.targetMode == TargetMode::MaxError ? 1 : usual;
 }
 
 std::vector<std::string> validate(const RemeshOptions& o)
 {
 	std::vector<std::string> complaints;
 	checkTarget(o, complaints);
-	if (o.relaxIterations < 0 || o.relaxIterations > 1000) {
-		complaints.push_back("The number of relaxation steps must be between 0 and 1000.");
+	if (o.umbrellaSteps < 0 || o.umbrellaSteps > 1000) {
+		complaints.push_back("The number of umbrella steps must be between 0 and 1000.");
 	}
-	if (o.flipIterations < 0 || o.flipIterations > 1000) {
+	if (o.flipPasses < 0 || o.flipPasses > 1000) {
 		complaints.push_back("The number of flip passes must be between 0 and 1000.");
 	}
 	checkDensity(o, complaints);
@@ -151,15 +136,15 @@ std::vector<std::string> optionsWithoutEffect(const RemeshOptions& o)
 	std::vector<std::string> sentences;
 	const RemeshOptions      defaults;
 	const bool               hasRegion = asksForFeatureRegion(o);
-	if (o.adapt > 0 && o.adapt != defaults.adapt && o.equations == Equations::AsPrinted)
-		sentences.push_back("The adaptivity has no effect with the paper's equations.");
-	if (o.sizing != defaults.sizing && !(o.lambda > 0))
-		sentences.push_back("The sizing by quality has no effect while lambda is 0.");
+	if (o.adapt > 0 && isPaper(o))
+		sentences.push_back("The adaptivity has no effect with the preset paper.");
+	if (o.umbrellaSteps != defaults.umbrellaSteps && !isPaper(o))
+		sentences.push_back("The umbrella steps have no effect without the preset paper.");
+	if (o.flipPasses != defaults.flipPasses && !isPaper(o))
+		sentences.push_back("The number of flip passes has no effect without the preset paper.");
 	if (o.featureDiskScale != defaults.featureDiskScale && !hasRegion)
 		sentences.push_back("The feature disk scale has no effect without a feature region.");
-	if (o.featureSampling != defaults.featureSampling && !hasRegion)
-		sentences.push_back("What the feature region becomes has no effect without such a region.");
-	if (hasRegion && o.featureSampling == FeatureSampling::Disks && o.featureDiskScale == 1)
+	if (hasRegion && o.featureDiskScale == 1)
 		sentences.push_back("A feature region has no effect while the feature disk scale is 1.");
 	return sentences;
 }

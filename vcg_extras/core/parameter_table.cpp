@@ -10,8 +10,7 @@ namespace gpr {
 namespace {
 
 constexpr double   largestCount = 2147483647.0;
-constexpr unsigned sampled      = RemeshTool | SamplingTool | CompareTool;
-constexpr unsigned meshed       = RemeshTool | CompareTool;
+constexpr unsigned sampled      = RemeshTool | SamplingTool;
 constexpr unsigned everywhere   = sampled | RetriangulateTool | FeatureTool;
 
 std::int64_t countOf(const ParameterValue& v)
@@ -69,6 +68,12 @@ struct Row {
 		p.defaultValue = value;
 		return *this;
 	}
+	Row& automatic()
+	{
+		p.isAutomatic  = true;
+		p.defaultValue = [](const MeshFacts&) { return ParameterValue(Automatic()); };
+		return *this;
+	}
 	Row& inDialog(const char* sentences)
 	{
 		p.dialogOnly = sentences;
@@ -114,6 +119,7 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 			 zero,
 			 nullptr,
 			 tools,
+			 false,
 			 false}};
 }
 
@@ -122,18 +128,6 @@ using Kind  = ParameterKind;
 using Value = ParameterValue;
 
 // ---- how many vertices
-
-void addSamples(Table& t)
-{
-	t.push_back(row(RetriangulateTool, "SampleLayer", "", "", Kind::Count,
-					"Number of the layer with the samples",
-					"The vertices of this layer become the vertices of the result. The current "
-					"layer is the surface. MeshLab shows the number of a layer before its name. "
-					"The proposed layer is the newest other layer of points.")
-					.range(0, largestCount)
-					.byDefault([](const MeshFacts& facts) { return Value(facts.sampleLayer); })
-					.p);
-}
 
 void addSize(Table& t)
 {
@@ -166,7 +160,7 @@ void addSize(Table& t)
 					.store([](const Value& v, RemeshOptions& o) { o.targetEdgeLen = numberOf(v); })
 					.p);
 	t.push_back(
-		row(meshed, "MaxError", "--max-error", "E", Kind::Length, "Largest error (0 = off)",
+		row(RemeshTool, "MaxError", "--max-error", "E", Kind::Length, "Largest error (0 = off)",
 			"Looks for the smallest number of vertices with which the result is nowhere farther "
 			"than this from the input, nor the input from the result. This is proven. It is given "
 			"in mesh units. At most five trials are made. The adaptivity is 1 unless another one "
@@ -186,13 +180,16 @@ void addPreset(Table& t)
 {
 	t.push_back(
 		row(sampled, "Preset", "--preset", "NAME", Kind::Choice, "Preset",
-			"Which methods are used. default: the most regular triangles, close to the input. "
-			"fast: a third of the time, without the fit and the steps for regularity. paper: each "
-			"stage as the paper describes it; the number of vertices is hit to a tenth only. A "
-			"method that is chosen for a single stage wins over the preset. A sampling is the "
-			"same with default and fast.")
+			"Which methods are used. default: the most regular triangles, close to the input: "
+			"the fit moves vertices a little off the surface, to where the triangles are closest "
+			"to it; those of borders and feature lines leave their curves by at most 8 % of an "
+			"edge. fast: a third of the time, without the fit, so that every vertex stays on the "
+			"surface, and without the steps for regularity. paper: each stage as the paper "
+			"describes it; the number of vertices is hit to a tenth only. A sampling is the same "
+			"with "
+			"default and fast.")
 			.choices({"default", "fast", "paper"})
-			.store([](const Value& v, RemeshOptions& o) { applyPreset(Preset(countOf(v)), o); })
+			.store([](const Value& v, RemeshOptions& o) { o.preset = Preset(countOf(v)); })
 			.p);
 }
 
@@ -203,20 +200,20 @@ void addDensity(Table& t)
 			"How much the sizes of the triangles follow the error. 0: all triangles have "
 			"one size. 0.1: a tenth of the vertices goes to ridges, rims and tips that are "
 			"finer than the triangles. 1: all sizes follow the error. Sizes stay even where "
-			"there are feature lines. 0.1 stands for 1 with a largest error, and for 0 with a "
-			"lambda above 0, without a fit, as in "
-			"the presets fast and paper, and where only samples are made. It has no effect with "
-			"the paper's equations.")
+			"there are feature lines. auto: 0.1; 1 with a largest error; 0 with a lambda above "
+			"0, in the preset fast, and where only samples are made. The preset paper has none.")
 			.range(0, 1)
-			.byDefault([](const MeshFacts&) { return Value(usualAdapt); })
-			.store([](const Value& v, RemeshOptions& o) { o.adapt = numberOf(v); })
+			.automatic()
+			.store([](const Value& v, RemeshOptions& o) {
+				if (const double* given = std::get_if<double>(&v)) o.adapt = *given;
+			})
 			.p);
 	t.push_back(
 		row(sampled, "Lambda", "--lambda", "W", Kind::Number, "Curvature weight (lambda)",
 			"How much denser curved places are sampled, eq. (4) of the paper. Distances are "
-			"stretched by 1 + lambda |H| r, where H is the mean curvature and r the radius of the "
-			"disks. 0: evenly. 1 to 5 are usual. With the paper's equations H is taken with its "
-			"sign, in 1/mesh unit.")
+			"stretched by 1 + lambda |H| r, at most 4, where H is the mean curvature and r the "
+			"radius of the disks. 0: evenly. 1 to 5 are usual. With the preset paper H is taken "
+			"with its sign, in 1/mesh unit, and there is no limit.")
 			.range(0, 1e6)
 			.store([](const Value& v, RemeshOptions& o) { o.lambda = numberOf(v); })
 			.p);
@@ -230,17 +227,16 @@ void addFeatureLines(Table& t)
 		row(sampled, "Features", "--features", "NAME", Kind::Choice, "Feature lines",
 			"Feature lines are sharp edges of the input that become edges of the result; corners "
 			"and cone apexes become vertices. auto: real creases, but not the noise of a scan; "
-			"none with the paper preset. lines: wherever the faces turn by the angle of feature "
-			"lines. off: none. selected: the selected edges and no others. Feature lines need the "
-			"retriangulation label-collapse.")
+			"none with the preset paper, which never follows any. lines: wherever the faces turn "
+			"by the angle of feature lines. off: none. selected: the selected edges and no "
+			"others.")
 			.onCommandLine(
 				"No file format holds selected edges, so that selected is for MeshLab and "
 				"Python only.")
 			.inPython("The selected edges are those of feature_edges.")
 			.choices({"auto", "lines", "off", "selected"})
-			.store([](const Value& v, RemeshOptions& o) {
-				if (countOf(v) > 0) o.featureMode = FeatureMode(countOf(v));
-			})
+			.store(
+				[](const Value& v, RemeshOptions& o) { o.featureMode = FeatureMode(countOf(v)); })
 			.p);
 }
 
@@ -252,7 +248,8 @@ void addFeatureDisks(Table& t)
 			"Makes the triangles of the feature region smaller: the radius of its disks over the "
 			"radius elsewhere, 0.05 to 1. The feature region is made of the selected vertices; "
 			"where no vertex is selected it is detected. 0: no feature region, unless one is "
-			"named; then its disks have half the radius.")
+			"named; then its disks have half the radius. With the preset paper 0 keeps each "
+			"vertex of a named region.")
 			.inDialog("0.5 is proposed where vertices are selected.")
 			.range(0, 1)
 			.byDefault(
@@ -292,36 +289,6 @@ void addSelected(Table& t)
 			.p);
 }
 
-// ---- where to
-
-void addLayer(Table& t)
-{
-	t.push_back(
-		row(RemeshTool | RetriangulateTool, "NewLayer", "", "", Kind::Switch,
-			"Put the result into a new layer",
-			"Off: the result takes the place of the layer's mesh, and MeshLab has no undo. On: "
-			"the result becomes a new layer with the transform of the old one, and the old layer "
-			"stays as it is.")
-			.p);
-}
-
-void addComparison(Table& t)
-{
-	t.push_back(row(CompareTool, "ColorBy", "", "", Kind::Choice, "Colour by",
-					"What the colours of the two results show, on one scale. quality: 2 inradius "
-					"/ circumradius of each face, from red (0) over green to blue (1, "
-					"equilateral). distance: how far each face is from the input, from blue (0) "
-					"to red (the largest distance of both). The quality of the faces is the same "
-					"figure.")
-					.choices({"quality", "distance", "nothing"})
-					.p);
-	t.push_back(row(CompareTool, "SideBySide", "", "", Kind::Switch, "Move the results apart",
-					"On: the transforms of the two layers put them beside the input, along x. "
-					"Off: they lie where the input is.")
-					.byDefault([](const MeshFacts&) { return Value(true); })
-					.p);
-}
-
 // ---- for experts: the feature region and its detection
 
 void addFeatureRegion(Table& t)
@@ -332,8 +299,7 @@ void addFeatureRegion(Table& t)
 			"there is none. detected: what the feature detection finds by the strength of the "
 			"edges. selection: the selected vertices, or the corners of the selected faces where "
 			"no vertex is selected. auto: the selected vertices, or what is detected where no "
-			"vertex is selected, if a feature disk scale is given or vertices are to be kept; else "
-			"none.")
+			"vertex is selected, if a feature disk scale is given; else none.")
 			.onCommandLine("A PLY file marks its selection by the property 'selected', or by "
 						   "'flags' as MeshLab writes them.")
 			.inPython("The selected vertices are those of region.")
@@ -343,15 +309,6 @@ void addFeatureRegion(Table& t)
 				o.featureRegion = FeatureRegion(countOf(v));
 			})
 			.p);
-	t.push_back(row(sampled, "FeatureSampling", "--feature-sampling", "NAME", Kind::Choice,
-					"Feature region becomes",
-					"How the feature region is kept. disks: it is sampled first, with smaller "
-					"disks. vertices: each of its vertices becomes a vertex of the result.")
-					.choices({"disks", "vertices"})
-					.store([](const Value& v, RemeshOptions& o) {
-						o.featureSampling = FeatureSampling(countOf(v));
-					})
-					.p);
 }
 
 void addFeatureThresholds(Table& t)
@@ -408,44 +365,11 @@ void addFeatureThresholds(Table& t)
 					.p);
 }
 
-// ---- for experts: the density
-
-void addDensityDetails(Table& t)
-{
-	t.push_back(
-		row(sampled, "Sizing", "--sizing", "NAME", Kind::Choice, "Density from",
-			"What the density follows where lambda is above 0. curvature: the mean curvature. "
-			"quality: the mesh's vertex quality, which takes the place of |H| r.")
-			.onCommandLine("The vertex quality is the property 'quality' of a PLY file.")
-			.inPython("The vertex quality is the argument quality.")
-			.choices({"curvature", "quality"})
-			.store([](const Value& v, RemeshOptions& o) { o.sizing = SizingSource(countOf(v)); })
-			.p);
-	t.push_back(
-		row(sampled, "MaxStretch", "--max-stretch", "S", Kind::Number, "Largest stretch",
-			"Where lambda is above 0 the smallest triangles are at most so many times smaller "
-			"than the largest ones; 1 to 100. The paper's equations do not use it.")
-			.range(1, 100)
-			.byDefault([](const MeshFacts&) { return Value(4.0); })
-			.store([](const Value& v, RemeshOptions& o) { o.largestStretch = numberOf(v); })
-			.p);
-}
-
 // ---- for experts: the number, the input, the run
 
 void addCount(Table& t)
 {
-	t.push_back(
-		row(RemeshTool, "ExactCount", "--exact-count", "on|off", Kind::Choice,
-			"Exact number of vertices",
-			"on (default, fast): edges are split and collapsed after the sampling until the "
-			"number of vertices is exact. off (paper): the number is hit to about a tenth.")
-			.choices({"preset", "on", "off"})
-			.store([](const Value& v, RemeshOptions& o) {
-				if (countOf(v) > 0) o.exactCount = countOf(v) == 1;
-			})
-			.p);
-	t.push_back(row(meshed, "AllowNearest", "--allow-nearest", "", Kind::Switch,
+	t.push_back(row(RemeshTool, "AllowNearest", "--allow-nearest", "", Kind::Switch,
 					"Take the nearest possible number",
 					"Where the topology needs more vertices than asked for, the nearest possible "
 					"number is taken. Otherwise the run is refused.")
@@ -499,17 +423,6 @@ void addRun(Table& t)
 			.range(0, 1e9)
 			.store([](const Value& v, RemeshOptions& o) { o.timeLimitSeconds = numberOf(v); })
 			.p);
-	t.push_back(
-		row(RemeshTool, "Guard", "--guard", "on|off", Kind::Choice, "No self-intersections",
-			"on: every result is tested for triangles that touch or intersect each other. Where "
-			"there are some and the input has none, the triangles around them are made anew, by "
-			"edge collapses of the input that are refused where triangles would touch. These "
-			"triangles are less regular. Where that is not enough, whole components are made anew "
-			"in this way. The run is refused where the collapses end above the number of vertices "
-			"asked for. off: nothing is tested. The preset paper is never tested.")
-			.choices({"on", "off"})
-			.store([](const Value& v, RemeshOptions& o) { o.guard = countOf(v) == 0; })
-			.p);
 	t.push_back(row(RemeshTool | RetriangulateTool, "Check", "--check", "", Kind::Switch,
 					"Check thoroughly",
 					"Looks for self-intersections and measures the distances from the input: root "
@@ -522,89 +435,25 @@ void addRun(Table& t)
 					.p);
 }
 
-// ---- for experts: the methods of single stages
+// ---- for experts: what the paper leaves to the user
 
-void addStages(Table& t)
+void addPaperSteps(Table& t)
 {
-	t.push_back(row(sampled, "Placement", "--placement", "NAME", Kind::Choice,
-					"Placement of samples",
-					"Where the next sample is put. disk-intersection (default, fast): where the "
-					"borders of two disks meet. border-edge (paper): on a random edge that the "
-					"border of the disks crosses.")
-					.choices({"preset", "disk-intersection", "border-edge"})
-					.store([](const Value& v, RemeshOptions& o) {
-						if (countOf(v) > 0) o.placement = Placement(countOf(v) - 1);
-					})
-					.p);
-	t.push_back(row(meshed | RetriangulateTool, "Retriangulation", "--retriangulation", "NAME",
-					Kind::Choice, "Retriangulation",
-					"How the samples become a mesh. label-collapse (default, fast): every vertex "
-					"is merged into the Voronoi cell of its sample. vertex-removal (paper): the "
-					"vertices are removed one by one, and a constrained Delaunay triangulation "
-					"closes each hole.")
-					.choices({"preset", "label-collapse", "vertex-removal"})
-					.store([](const Value& v, RemeshOptions& o) {
-						if (countOf(v) > 0) o.retriangulation = Retriangulation(countOf(v) - 1);
-					})
-					.p);
-	t.push_back(row(meshed, "Smoothing", "--smoothing", "NAME", Kind::Choice, "Smoothing",
-					"How vertices move on the surface after the retriangulation. barycentric "
-					"(default, fast): to the centre of their neighbours. umbrella2 (paper): by "
-					"the second-order umbrella operator. none: they do not.")
-					.choices({"preset", "barycentric", "umbrella2", "none"})
-					.store([](const Value& v, RemeshOptions& o) {
-						if (countOf(v) > 0) o.smoothing = Smoothing(countOf(v) - 1);
-					})
-					.p);
 	t.push_back(
-		row(meshed, "Regularity", "--regularity", "NAME", Kind::Choice, "Regularity",
-			"full (default): most vertices get six neighbours, and conformal steps make the "
-			"triangles equilateral. plain (fast, paper): relaxation and edge flips only. full "
-			"needs the barycentric smoothing.")
-			.choices({"preset", "full", "plain"})
-			.store([](const Value& v, RemeshOptions& o) {
-				if (countOf(v) > 0) o.regularity = Regularity(countOf(v) - 1);
-			})
-			.p);
-	t.push_back(
-		row(meshed, "RelaxIter", "--relax", "K", Kind::Count, "Relaxation steps",
-			"How often the smoothing moves the vertices, 0 to 1000. 3 make the triangles regular; "
-			"more change little.")
+		row(RemeshTool, "RelaxIter", "--relax", "K", Kind::Count, "Umbrella steps (paper)",
+			"With the preset paper: how often the second-order umbrella operator moves the "
+			"vertices, 0 to 1000. Edges are flipped after each step.")
 			.range(0, 1000)
 			.byDefault(count<3>)
-			.store([](const Value& v, RemeshOptions& o) { o.relaxIterations = int(countOf(v)); })
+			.store([](const Value& v, RemeshOptions& o) { o.umbrellaSteps = int(countOf(v)); })
 			.p);
 	t.push_back(
-		row(meshed, "Fit", "--fit", "on|quick|off", Kind::Choice, "Fit to the input",
-			"The fit moves vertices a little off the surface, to where the triangles are closest "
-			"to it. The error is halved or better, and the triangles stay regular. on (default); "
-			"quick: fewer rounds; off (fast, paper): every vertex stays on the surface. Vertices "
-			"of borders and feature lines leave their curves by at most 8 % of an edge.")
-			.choices({"preset", "on", "quick", "off"})
-			.store([](const Value& v, RemeshOptions& o) {
-				if (countOf(v) > 0) o.fit = Fit(countOf(v) - 1);
-			})
-			.p);
-	t.push_back(
-		row(meshed | RetriangulateTool, "FlipIter", "--flips", "K", Kind::Count,
-			"Passes of edge flips",
-			"After the retriangulation and during the smoothing edges are flipped in so many "
-			"passes at most, 0 to 1000. With 1000 they end when all edges are Delaunay.")
+		row(RemeshTool, "FlipIter", "--flips", "K", Kind::Count, "Passes of edge flips (paper)",
+			"With the preset paper: edges are flipped in so many passes at most, each time, 0 to "
+			"1000. With 1000 they end when all edges are Delaunay, as without that preset.")
 			.range(0, 1000)
 			.byDefault(count<1000>)
-			.store([](const Value& v, RemeshOptions& o) { o.flipIterations = int(countOf(v)); })
-			.p);
-	t.push_back(
-		row(sampled, "Equations", "--equations", "NAME", Kind::Choice,
-			"Equations of radius and density",
-			"Which form of the paper's equations (1), (4) and (5) is used. calibrated (default, "
-			"fast): a constant that hits the number of vertices, a density without units, and its "
-			"mean over the area. paper: as they are printed, with 0.844, the mean curvature in "
-			"1/mesh unit with its sign, and the mean over the vertices.")
-			.choices({"preset", "calibrated", "paper"})
-			.store([](const Value& v, RemeshOptions& o) {
-				if (countOf(v) > 0) o.equations = Equations(countOf(v) - 1);
-			})
+			.store([](const Value& v, RemeshOptions& o) { o.flipPasses = int(countOf(v)); })
 			.p);
 }
 
@@ -614,7 +463,6 @@ std::vector<Parameter> makeParameterTable()
 {
 	Table table;
 	// In the order in which a user decides.
-	addSamples(table);
 	addSize(table);
 	addPreset(table);
 	addDensity(table);
@@ -622,16 +470,13 @@ std::vector<Parameter> makeParameterTable()
 	addFeatureDisks(table);
 	addBoundary(table);
 	addSelected(table);
-	addLayer(table);
-	addComparison(table);
 	const std::size_t everydayNum = table.size();
 	addFeatureRegion(table);
 	addFeatureThresholds(table);
-	addDensityDetails(table);
 	addCount(table);
 	addCleaning(table);
 	addRun(table);
-	addStages(table);
+	addPaperSteps(table);
 	for (std::size_t i = everydayNum; i < table.size(); ++i)
 		table[i].isExpert = true;
 	return table;

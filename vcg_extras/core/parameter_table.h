@@ -21,30 +21,35 @@ enum class ParameterKind {
 	Choice, ///< one of `choices` (RichEnum); the value is its index
 };
 
-using ParameterValue = std::variant<std::int64_t, double, bool>; ///< Choice uses std::int64_t
+/// A number that is not given: the engine chooses it.
+struct Automatic {
+	bool operator==(Automatic) const { return true; }
+	bool operator!=(Automatic) const { return false; }
+};
+
+/// Its name where values are text.
+constexpr const char* automaticName = "auto";
+
+/// Of a Choice std::int64_t.
+using ParameterValue = std::variant<std::int64_t, double, bool, Automatic>;
 
 /// What defaults may depend on.
 struct MeshFacts {
 	std::int64_t vertexNum           = 0;
 	double       diagonal            = 0; ///< mesh units
 	bool         hasSelectedVertices = false;
-	std::int64_t sampleLayer         = 1; ///< number of the layer in which samples most likely are
 };
 
-/// What parameters are for: each is a filter in MeshLab, most are a command of gpremesh.
+/// What parameters are for: the functions of remesh.h.
 enum Tool : unsigned {
-	RemeshTool        = 1,  ///< the whole way
-	SamplingTool      = 2,  ///< the samples only
-	RetriangulateTool = 4,  ///< a mesh from given samples
-	FeatureTool       = 8,  ///< feature detection
-	CompareTool       = 16, ///< the whole way and Quadric Edge Collapse, beside each other
+	RemeshTool        = 1, ///< remesh: the whole way
+	SamplingTool      = 2, ///< samplePoissonDisks: the samples only
+	RetriangulateTool = 4, ///< retriangulate: a mesh from given samples
+	FeatureTool       = 8, ///< detectFeatures
 };
 
-/// What the results of a comparison are coloured by.
-enum class ComparedBy { Quality, Distance, Nothing };
-
-/// One row of the table from which the dialogs, .mlx scripts, the command line and the reference
-/// are made. Keys and option names are public: they change with a changelog line only.
+/// One row of the table from which the hosts make their dialogs, scripts, command lines and
+/// references. Keys and option names are public: they change with a changelog line only.
 struct Parameter {
 	const char*              key;      ///< in the filter and .mlx: "TargetVertexNum"
 	const char*              option;   ///< on the command line: "--vertices"; "" where it has none
@@ -59,10 +64,11 @@ struct Parameter {
 	double                   maximum;
 	std::vector<const char*> choices; ///< Choice only
 	ParameterValue (*defaultValue)(const MeshFacts&);
-	/// Puts a value into the options; null for rows that the host handles itself.
+	/// Puts a value into the options; null in rows of a host's own.
 	void (*store)(const ParameterValue&, RemeshOptions&);
-	unsigned tools;    ///< the Tool bits it is offered by
-	bool     isExpert; ///< a dialog with many parameters shows it only when asked to
+	unsigned tools;       ///< the Tool bits it is offered by
+	bool     isExpert;    ///< a dialog with many parameters shows it only when asked to
+	bool     isAutomatic; ///< a Number that is Automatic where it is not given
 };
 
 /// All parameters of all tools, in the order in which dialogs and --help show them.

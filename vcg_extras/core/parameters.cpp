@@ -6,20 +6,11 @@ namespace gpr {
 
 namespace {
 
-/// Where a tool has no preset the first choice of a stage is not left to one.
-void nameChoiceWithoutPreset(Parameter& p)
-{
-	if (!p.choices.empty() && std::string(p.choices.front()) == "preset")
-		p.choices.front() = "default";
-}
-
 std::vector<Parameter> rowsOf(Tool tool)
 {
 	std::vector<Parameter> rows;
 	for (Parameter& p : makeParameterTable()) {
-		if (!(p.tools & tool)) continue;
-		if (tool == RetriangulateTool) nameChoiceWithoutPreset(p);
-		rows.push_back(p);
+		if (p.tools & tool) rows.push_back(p);
 	}
 	return rows;
 }
@@ -32,7 +23,6 @@ const std::vector<Parameter>& parametersOf(Tool tool)
 	static const std::vector<Parameter> sampling      = rowsOf(SamplingTool);
 	static const std::vector<Parameter> retriangulate = rowsOf(RetriangulateTool);
 	static const std::vector<Parameter> features      = rowsOf(FeatureTool);
-	static const std::vector<Parameter> compare       = rowsOf(CompareTool);
 	switch (tool) {
 	case SamplingTool:
 		return sampling;
@@ -40,8 +30,6 @@ const std::vector<Parameter>& parametersOf(Tool tool)
 		return retriangulate;
 	case FeatureTool:
 		return features;
-	case CompareTool:
-		return compare;
 	default:
 		return remesh;
 	}
@@ -67,38 +55,6 @@ void ParameterSet::set(const Parameter& parameter, const ParameterValue& value)
 	given_.insert_or_assign(parameter.key, Given{&parameter, value});
 }
 
-std::int64_t ParameterSet::numberOf(const char* key) const
-{
-	const auto row = given_.find(key);
-	return row != given_.end() ? std::get<std::int64_t>(row->second.value) : 0;
-}
-
-bool ParameterSet::switchOf(const char* key) const
-{
-	const auto row = given_.find(key);
-	return row != given_.end() && std::get<bool>(row->second.value);
-}
-
-bool ParameterSet::newLayer() const
-{
-	return switchOf("NewLayer");
-}
-
-std::int64_t ParameterSet::sampleLayer() const
-{
-	return numberOf("SampleLayer");
-}
-
-ComparedBy ParameterSet::comparedBy() const
-{
-	return ComparedBy(numberOf("ColorBy"));
-}
-
-bool ParameterSet::sideBySide() const
-{
-	return switchOf("SideBySide");
-}
-
 /// The values as given; sizes that were not are 0.
 RemeshOptions ParameterSet::raw() const
 {
@@ -107,11 +63,8 @@ RemeshOptions ParameterSet::raw() const
 	o.targetPercent   = 0;
 	o.targetEdgeLen   = 0;
 	o.targetMaxError  = 0;
-	const auto preset = given_.find("Preset");
-	if (preset != given_.end()) preset->second.parameter->store(preset->second.value, o);
-	for (const auto& [key, row] : given_) {
-		if (key != "Preset" && row.parameter->store != nullptr) row.parameter->store(row.value, o);
-	}
+	for (const auto& [key, row] : given_)
+		row.parameter->store(row.value, o);
 	return o;
 }
 

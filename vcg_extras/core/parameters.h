@@ -28,7 +28,6 @@ const Parameter* findParameter(const std::string& key, Tool tool = RemeshTool);
 bool isSizeParameter(const Parameter& p);
 
 /// Collects the values of the rows and makes options of them.
-/// The preset is applied before everything else, so that a stage named by itself wins over it.
 /// TargetVertexNum, TargetPerc and TargetLen are three rows for one choice: a percentage or a
 /// length above 0 takes the place of the count; both above 0 is a mistake that complaints() tells.
 class ParameterSet {
@@ -36,13 +35,8 @@ public:
 	/// Stores one value, rows in any order; the variant must hold the type of the row's kind.
 	void set(const Parameter& parameter, const ParameterValue& value);
 
-	/// The options, with preset applied and targetMode chosen.
+	/// The options, with targetMode chosen.
 	RemeshOptions options() const;
-	/// Rows that the host handles itself.
-	bool         newLayer() const;
-	std::int64_t sampleLayer() const;
-	ComparedBy   comparedBy() const;
-	bool         sideBySide() const;
 	/// Sentences about values out of range or in conflict; empty when all is well.
 	std::vector<std::string> complaints() const;
 
@@ -54,9 +48,6 @@ private:
 	std::map<std::string, Given> given_; ///< by key
 
 	RemeshOptions raw() const;
-	/// Of a row that the host handles itself; 0 and off where it was not given.
-	std::int64_t numberOf(const char* key) const;
-	bool         switchOf(const char* key) const;
 };
 
 } // namespace gpr

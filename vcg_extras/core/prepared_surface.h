@@ -46,7 +46,7 @@ public:
 	RemeshResult remesh(const RemeshOptions& options, const ProgressCallback& progress = nullptr,
 						const StopRequest* stop = nullptr);
 
-	/// The same vertices and faces with another quality, selection or lines; the arrays may lie
+	/// The same vertices and faces with another selection or lines; the arrays may lie
 	/// elsewhere. What was prepared stays, but for that of selected faces.
 	void            setInput(const MeshView& sameMesh);
 	const MeshView& input() const;

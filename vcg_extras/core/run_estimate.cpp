@@ -26,8 +26,6 @@ constexpr Rate plainRate     = {0.6, 10}; // nothing is fitted
 constexpr Rate fittedRate    = {0.9, 25};
 constexpr Rate removalRate   = {1.2, 20}; // vertices are removed one by one
 constexpr Rate detectionRate = {2, 0};
-/// Quadric Edge Collapse as MeshLab has it, on one thread whatever our own number.
-constexpr double collapseMicrosecondsPerFace = 10;
 /// Runs that a search for the count of an error takes, in the mean.
 constexpr double trialsForError = 5;
 /// Faces after splitting long edges, at least, for a vertex of the result.
@@ -39,8 +37,8 @@ Rate rateOf(Tool tool, const RemeshOptions& o)
 {
 	if (tool == SamplingTool) return samplingRate;
 	if (tool == FeatureTool) return detectionRate;
-	if (o.retriangulation == Retriangulation::VertexRemoval) return removalRate;
-	return tool == RetriangulateTool || o.fit == Fit::Off ? plainRate : fittedRate;
+	if (isPaper(o)) return removalRate;
+	return tool == RetriangulateTool || !isFitted(o) ? plainRate : fittedRate;
 }
 
 double shareOfSelected(const MeshView& input, const RemeshOptions& o)
@@ -83,7 +81,6 @@ RunEstimate estimateRun(const MeshView& input, const RemeshOptions& options, Too
 	estimate.seconds = 1e-6 * microseconds / portable::pow(threadNumOf(options), threadPower);
 	if (options.targetMode == TargetMode::MaxError && tool == RemeshTool)
 		estimate.seconds *= trialsForError;
-	if (tool == CompareTool) estimate.seconds += 1e-6 * collapseMicrosecondsPerFace * faces;
 	const double split = std::max(faces, facesPerResultVertex * estimate.vertexNum);
 	estimate.bytes     = bytesNeeded(split, estimate.vertexNum);
 	return estimate;

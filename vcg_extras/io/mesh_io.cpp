@@ -56,8 +56,8 @@ InputMesh readContent(MeshFormat format, const std::string& path, const WantedAt
 void checkCarried(MeshFormat format, const std::string& path, const WantedAttributes& wanted)
 {
 	if (format == MeshFormat::Ply || !wanted.anyRequired()) return;
-	throw AppError(ExitCode::Usage, "the " + std::string(wanted.quality ? "quality" : "selection") +
-										" is read from PLY files only, not from '" + path + "'.");
+	throw AppError(ExitCode::Usage,
+				   "the selection is read from PLY files only, not from '" + path + "'.");
 }
 
 } // namespace
@@ -65,7 +65,6 @@ void checkCarried(MeshFormat format, const std::string& path, const WantedAttrib
 WantedAttributes neededBy(const RemeshOptions& options)
 {
 	WantedAttributes wanted;
-	wanted.quality       = options.lambda > 0 && options.sizing == SizingSource::Quality;
 	wanted.selection     = options.featureRegion == FeatureRegion::Selection;
 	wanted.ifSelected    = mayUseSelectedVertices(options);
 	wanted.faceSelection = options.selectedOnly;

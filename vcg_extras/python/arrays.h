@@ -28,7 +28,6 @@ using Triangles    = Input<std::int32_t, nb::shape<-1, 3>>;
 using Edges        = Input<std::int32_t, nb::shape<-1, 2>>;
 using Indices      = Input<std::int32_t, nb::ndim<1>>;
 using Marks        = Input<std::uint8_t, nb::ndim<1>>;
-using Numbers      = Input<float, nb::ndim<1>>;
 using CornerCoords = Input<float, nb::shape<-1, 3, 2>>;
 
 /// Without triangles. Throws TypeError for coordinates that are neither float nor double.

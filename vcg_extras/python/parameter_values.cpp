@@ -91,9 +91,10 @@ ParameterValue parseCount(const Parameter& p, const std::string& name, nb::handl
 
 ParameterValue parseNumber(const Parameter& p, const std::string& name, nb::handle value)
 {
+	if (p.isAutomatic && textOf(value) == automaticName) return Automatic();
 	const std::optional<double> number = numberOf(value);
 	if (!number || !app::isInRange(p, *number))
-		failValue(name, "a number" + app::rangeText(p), value);
+		failValue(name, app::numberKind(p) + app::rangeText(p), value);
 	return *number;
 }
 
@@ -104,17 +105,9 @@ ParameterValue parseSwitch(const std::string& name, nb::handle value)
 	return *isOn;
 }
 
-/// True and False stand for the choices on and off.
-std::optional<std::string> choiceOf(nb::handle value)
-{
-	const std::optional<bool> isOn = switchOf(value);
-	if (isOn) return std::string(*isOn ? "on" : "off");
-	return textOf(value);
-}
-
 ParameterValue parseChoice(const Parameter& p, const std::string& name, nb::handle value)
 {
-	const std::optional<std::string> given = choiceOf(value);
+	const std::optional<std::string> given = textOf(value);
 	std::string                      names;
 	for (std::size_t i = 0; i < p.choices.size(); ++i) {
 		if (given && *given == p.choices[i]) return std::int64_t(i);
@@ -181,10 +174,13 @@ const char* kindName(ParameterKind kind)
 nb::object defaultOf(const Parameter& p)
 {
 	if (isSizeParameter(p)) return nb::none();
+	if (p.isAutomatic) return nb::str(automaticName);
 	const ParameterValue value = p.defaultValue(MeshFacts());
 	if (p.kind == ParameterKind::Choice)
 		return nb::str(p.choices[std::size_t(std::get<std::int64_t>(value))]);
-	return std::visit([](auto v) { return nb::cast(v); }, value);
+	if (const auto* count = std::get_if<std::int64_t>(&value)) return nb::cast(*count);
+	if (const auto* number = std::get_if<double>(&value)) return nb::cast(*number);
+	return nb::cast(std::get<bool>(value));
 }
 
 nb::dict entryOf(const Parameter& p, Tool tool)

@@ -73,7 +73,6 @@ Mesh takeMesh(const Positions& positions, const Triangles& triangles, const Extr
 	mesh.view              = viewOf(positions, triangles);
 	mesh.view.selectedFace = dataOf(extras.selectedFaces, mesh.view.faceNum);
 	mesh.view.selected     = dataOf(extras.selectedVertices, mesh.view.vertexNum);
-	mesh.view.quality      = dataOf(extras.quality, mesh.view.vertexNum);
 	if (extras.edges) takeLines(*extras.edges, mesh);
 	if (extras.texture) takeTexture(extras, mesh);
 	if (!mesh.lines.empty()) mesh.view.line = mesh.lines.data();

@@ -17,7 +17,6 @@ namespace gpr::python {
 struct Extras {
 	std::optional<Marks>        selectedFaces;
 	std::optional<Marks>        selectedVertices;
-	std::optional<Numbers>      quality;
 	std::optional<Edges>        edges;
 	std::optional<CornerCoords> texture;
 	std::optional<Indices>      images;

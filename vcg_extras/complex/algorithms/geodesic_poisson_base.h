@@ -38,7 +38,6 @@ Some options read more of the mesh than positions and faces. Without it a call e
   selected faces. FeatureDetection::Select selects what was detected.
 - featureDiskScale above 0, and no featureRegion named: the selected vertices. Where none is
   selected the region is detected, and the call does not end.
-- sizing Quality with lambda above 0: the quality of the vertices.
 - featureMode Given: the selected edges of faces.
 - selectedOnly: the selected faces.
 
@@ -77,8 +76,6 @@ struct GeodesicPoissonParams : public gpr::RemeshOptions {
 		targetMaxError    = distance;
 		maxErrorIsPercent = false;
 	}
-	/// A named set of the stage choices; stages that are chosen afterwards win over it.
-	void SetPreset(gpr::Preset preset) { gpr::applyPreset(preset, *this); }
 };
 
 } // namespace tri

@@ -19,7 +19,7 @@ without two of them being nearer than a radius, measured along the surface.
 After "Fast Edge-based geodesic Poisson Disk Remeshing", section 3, steps 1 to 8. Differs from the
 paper: a new sample lies where the disks of two others meet, not on a random border edge, which
 packs closer; rims are sampled first; the mesh is not split, a sample is a point of a face.
-Params::placement and equations have the paper's way, too.
+gpr::Preset::Paper has the paper's way, too.
 
 Works on any tri::TriMesh with coordinates in float or double; a minimal mesh type needs only
 coordinates, flags and vertex references. For example:

@@ -29,17 +29,6 @@ namespace vcg {
 namespace tri {
 namespace gpr_detail {
 
-/// The quality of the vertices that are not deleted. The mesh must have it.
-template <class MeshType>
-std::vector<float> VertexQualities(const MeshType& m)
-{
-	std::vector<float> quality;
-	quality.reserve(m.vert.size());
-	for (const auto& v : m.vert)
-		if (!v.IsD()) quality.push_back(float(v.cQ()));
-	return quality;
-}
-
 /// Per element that is not deleted: 1 where it is selected.
 template <class ContainerType>
 std::vector<std::uint8_t> SelectionOf(const ContainerType& elements)
@@ -113,8 +102,6 @@ public:
 	void ReadUsedBy(const gpr::RemeshOptions& options, const std::uint8_t* seams = nullptr)
 	{
 		_lines = seams;
-		if (options.sizing == gpr::SizingSource::Quality && HasPerVertexQuality(_mesh))
-			_quality = VertexQualities(_mesh);
 		if (options.featureRegion == gpr::FeatureRegion::Selection)
 			_selected = SelectedVertices(_mesh, View());
 		else if (gpr::mayUseSelectedVertices(options))
@@ -129,7 +116,6 @@ public:
 	gpr::MeshView View() const
 	{
 		gpr::MeshView view(_position, _triangle);
-		view.quality      = DataOrNull(_quality);
 		view.selected     = DataOrNull(_selected);
 		view.selectedFace = DataOrNull(_selectedFace);
 		view.line         = _lines;
@@ -197,7 +183,6 @@ private:
 	std::vector<std::int32_t> _faceOf; ///< per face of the view: index in the mesh; or empty
 
 	// What options use, each empty where they do not.
-	std::vector<float>        _quality;
 	std::vector<std::uint8_t> _selected, _selectedFace, _selectedEdge;
 	const std::uint8_t*       _lines = nullptr;
 };

@@ -18,8 +18,8 @@ namespace tri {
 After "Fast Edge-based geodesic Poisson Disk Remeshing", section 3, last paragraph. Differs from the
 paper: the original vertices are removed by collapses into the sample that is nearest along the
 surface, which keeps the topology by construction, instead of one by one with a local
-parametrization (Params::retriangulation has that, too); Delaunay flips follow. The samples may come
-from anywhere: this sampling, another one, points picked by hand.
+parametrization (gpr::Preset::Paper has that, too); Delaunay flips follow. The samples may come from
+anywhere: this sampling, another one, points picked by hand.
 
 Works on any tri::TriMesh with coordinates in float or double.
 */
@@ -31,8 +31,8 @@ public:
 
 	typedef GeodesicPoissonResult Result;
 
-	/// How the vertices are removed (retriangulation), flipIterations, check and all other choices:
-	/// see GeodesicPoissonParams. The size, the placement and the smoothing have no purpose here.
+	/// How the vertices are removed (preset), check and all other choices: see
+	/// GeodesicPoissonParams. The size has no purpose here.
 	struct Params : public GeodesicPoissonParams {
 		typedef gpr::RemeshReport Stat;
 		using GeodesicPoissonParams::GeodesicPoissonParams;

@@ -22,7 +22,6 @@ void addVertex(const MeshView& input, std::int32_t v, SelectedPart& part)
 {
 	part.vertexOf.push_back(v);
 	part.positions.push_back(input.position(std::size_t(v)));
-	if (input.quality != nullptr) part.quality.push_back(input.quality[v]);
 	if (input.selected != nullptr) part.selected.push_back(input.selected[v]);
 }
 

@@ -17,14 +17,12 @@ struct SelectedPart {
 	std::vector<std::int32_t> vertexOf; ///< per vertex: the caller's
 	std::vector<std::int32_t> faceOf;   ///< per face: the caller's
 	std::vector<std::uint8_t> isInPart; ///< per face of the caller's
-	std::vector<float>        quality;
 	std::vector<std::uint8_t> selected;
 	std::vector<std::uint8_t> line;
 
 	MeshView view() const
 	{
 		MeshView v(positions, triangles);
-		v.quality  = quality.empty() ? nullptr : quality.data();
 		v.selected = selected.empty() ? nullptr : selected.data();
 		v.line     = line.empty() ? nullptr : line.data();
 		return v;

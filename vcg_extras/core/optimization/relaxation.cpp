@@ -156,7 +156,7 @@ public:
 				left >= calmSteps ? steps_.momentum : steps_.momentum * float(left) / calmSteps;
 			descent_.step([&](int v) { return next(v); });
 			if (left == 0 || step % stepsBetweenFlips == stepsBetweenFlips - 1)
-				flipToDelaunay(r_, workers_, steps_.flipPasses);
+				flipToDelaunay(r_, workers_);
 		}
 	}
 
@@ -249,10 +249,10 @@ void slideAlongCreases(const Surface& surface, const BoundaryCurves& curves, Res
 
 ConformalSteps conformalSteps(int stepNum)
 {
-	if (stepNum <= 7) return {stepNum, 0.7f, 1, untilDelaunay};
-	if (stepNum <= 15) return {stepNum, 0.8f, 0.7f, untilDelaunay};
-	if (stepNum <= 25) return {stepNum, 0.85f, 0.7f, untilDelaunay};
-	return {stepNum, 0.9f, 0.7f, untilDelaunay};
+	if (stepNum <= 7) return {stepNum, 0.7f, 1};
+	if (stepNum <= 15) return {stepNum, 0.8f, 0.7f};
+	if (stepNum <= 25) return {stepNum, 0.85f, 0.7f};
+	return {stepNum, 0.9f, 0.7f};
 }
 
 void relaxConformally(const Surface& surface, const BoundaryCurves& curves,

@@ -12,6 +12,9 @@
 
 namespace gpr {
 
+/// Relaxation steps that make triangles regular; more change little.
+constexpr int relaxationSteps = 3;
+
 /// Stage::Relaxation: vertices move on the surface, which they never leave, by the terms of
 /// terms.h. Only flat vertices walk (findFlatVertices). No move folds a face or makes a poor one
 /// poorer (see MoveGuard). Needs vertices that lie on the surface. Cost of a step: linear,
@@ -33,10 +36,9 @@ void smoothByUmbrella2(const Surface& surface, ResultMesh& result, Workers& work
 
 /// Steps of relaxConformally and their weights.
 struct ConformalSteps {
-	int   stepNum    = 10;
-	float momentum   = 0.8f;          ///< share of the last move that is made again, in [0, 1)
-	float rate       = 0.7f;          ///< of a Newton step with the Hessian's diagonal, in (0, 1]
-	int   flipPasses = untilDelaunay; ///< at most, each time that edges are flipped
+	int   stepNum  = 10;
+	float momentum = 0.8f; ///< share of the last move that is made again, in [0, 1)
+	float rate     = 0.7f; ///< of a Newton step with the Hessian's diagonal, in (0, 1]
 };
 
 /// Weights that suit a number of steps: the longer the way, the more momentum.

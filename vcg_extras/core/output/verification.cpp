@@ -24,7 +24,7 @@ namespace {
 double tellCountReached(RunContext& run, const Expected& expected, const ResultMesh& result)
 {
 	// Vertices that are kept do not go with the radius.
-	if (run.options.exactCount || expected.vertexNum == 0 || expected.keptNum > 0) return 0;
+	if (!isPaper(run.options) || expected.vertexNum == 0 || expected.keptNum > 0) return 0;
 	const double share    = double(result.mesh.vertexNum) / double(expected.vertexNum);
 	const double constant = radiusConstant(run.options);
 	const double better   = constant * std::sqrt(share);
@@ -57,7 +57,7 @@ std::int64_t tellKept(RunContext& run, const Expected& expected, const ResultMes
 void requirePromises(RunContext& run, const Surface& surface, const ResultMesh& result,
 					 const Expected& expected, Verification& found)
 {
-	const std::int64_t promisedNum = run.options.exactCount ? expected.vertexNum : 0;
+	const std::int64_t promisedNum = isPaper(run.options) ? 0 : expected.vertexNum;
 	found.audit = audit(surface, result, expected.input, found.figures, promisedNum, run.workers);
 	if (!found.audit.passed) throw Failure(Status::PromiseBroken, describeFailure(found.audit));
 	if (found.audit.invertedFaces == 0) return;

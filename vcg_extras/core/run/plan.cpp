@@ -171,7 +171,7 @@ bool Plan::isWish() const
 /// Whether the number of vertices may differ from what was asked for.
 bool Plan::mayDiffer() const
 {
-	return isWish() || !request_.options.exactCount;
+	return isWish() || isPaper(request_.options);
 }
 
 // ---- The surface and its samples.
@@ -231,7 +231,7 @@ std::string Plan::makeRoom()
 					  std::string("The ") + (keepsBorder ? "border has " : "feature region has ") +
 						  text(attempts_.keptNum) + " vertices to be kept, more than the " +
 						  text(attempts_.asked) + " of the result; ask for more vertices" +
-						  (keepsBorder ? "" : ", or have the region sampled by disks") + ".");
+						  (keepsBorder ? "" : ", or give a feature disk scale") + ".");
 	}
 	const std::int64_t raised = attempts_.keptNum + attempts_.keptNum / 2 + attempts_.asked;
 	const std::string  note   = "The border has " + text(attempts_.keptNum) +
@@ -305,7 +305,7 @@ std::string Plan::tryAgain(std::string note)
 
 std::string Plan::accept(std::int64_t vertexNum, std::string note)
 {
-	if (request_.options.exactCount) decisions_.vertexNum = vertexNum;
+	if (!isPaper(request_.options)) decisions_.vertexNum = vertexNum;
 	goOn();
 	return note;
 }
@@ -433,7 +433,7 @@ std::string Plan::judgeSmallest(const MeshFacts& facts)
 
 std::string Plan::judge(const MeshFacts& facts)
 {
-	const bool misses = request_.options.exactCount && facts.vertexNum != decisions_.vertexNum;
+	const bool misses = !isPaper(request_.options) && facts.vertexNum != decisions_.vertexNum;
 	if (mayReturn()) {
 		if (facts.hasFeatureLines && misses) {
 			return withoutFeatureLines(
@@ -469,7 +469,7 @@ std::string Plan::judge(const ContactFacts& facts)
 	}
 	goOn();
 	if (facts.vertexNum == facts.before) return "";
-	if (request_.options.exactCount) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
+	if (!isPaper(request_.options)) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
 	return "The result has " + text(facts.vertexNum) + " vertices instead of " +
 		   text(facts.before) +
 		   ". This is the smallest number that was reached without self-intersections.";

@@ -75,7 +75,7 @@ Told tellOf(RunContext& run, const Products& made, const Decisions& decisions)
 	RemeshReport& report = told.report;
 	report.seed          = run.options.seed;
 	report.threads       = run.workers.threadNum();
-	report.adapt         = made.sizes.adapt.value_or(run.options.adapt);
+	report.adapt         = made.sizes.adapt.value_or(*run.options.adapt);
 	report.stages        = run.clock.finish();
 	report.capsReached   = run.capsReached;
 	reportInput(run.input, made.surface, report);

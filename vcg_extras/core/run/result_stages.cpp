@@ -41,16 +41,15 @@ constexpr float maxReleasedGap = 0.3f;
 
 float minAngleDeg(const RemeshOptions& options)
 {
-	return poorAngleDeg + float(options.adapt) * (adaptedAngleDeg - poorAngleDeg);
+	return poorAngleDeg + float(*options.adapt) * (adaptedAngleDeg - poorAngleDeg);
 }
 
 // ---- Relaxation.
 
-/// The paper's post-processing: umbrella and flips in turn, or flips alone.
+/// The paper's post-processing: umbrella and flips in turn.
 void smoothAsWritten(RunContext& run, Products& made)
 {
-	if (run.options.smoothing != Smoothing::Umbrella2) return;
-	for (int step = 0; step < run.options.relaxIterations; ++step) {
+	for (int step = 0; step < run.options.umbrellaSteps; ++step) {
 		smoothByUmbrella2(made.surface, made.result, run.workers);
 		flipEdges(run, made.result);
 	}
@@ -58,7 +57,7 @@ void smoothAsWritten(RunContext& run, Products& made)
 
 void relaxPlainly(RunContext& run, Products& made)
 {
-	for (int step = 0; step < run.options.relaxIterations; ++step) {
+	for (int step = 0; step < relaxationSteps; ++step) {
 		relaxOnce(made.surface, made.result, run.workers);
 		slideAlongCreases(made.surface, made.curves, made.result);
 		flipEdges(run, made.result);
@@ -70,17 +69,15 @@ void relaxPlainly(RunContext& run, Products& made)
 void makeRegular(RunContext& run, Products& made)
 {
 	relaxAndGlide(run, made.surface, made.curves, made.result);
-	relaxConformally(made.surface, made.curves, conformalStepsFor(run.options), made.result,
+	relaxConformally(made.surface, made.curves, conformalSteps(2 * relaxationSteps), made.result,
 					 run.workers);
 }
 
 void relax(RunContext& run, Products& made)
 {
-	if (run.options.smoothing != Smoothing::Barycentric)
+	if (isPaper(run.options))
 		smoothAsWritten(run, made);
-	else if (run.options.relaxIterations == 0)
-		return;
-	else if (run.options.regularity == Regularity::Full)
+	else if (run.options.preset == Preset::Default)
 		makeRegular(run, made);
 	else
 		relaxPlainly(run, made);
@@ -88,19 +85,11 @@ void relax(RunContext& run, Products& made)
 
 // ---- Fit and angles.
 
-/// What regularity asks for to the last; the paper's post-processing stays as it is written.
-bool repairsPoorFaces(const RemeshOptions& options)
-{
-	return options.smoothing == Smoothing::Barycentric && options.relaxIterations > 0 &&
-		   options.regularity == Regularity::Full;
-}
-
 /// Lines that the caller gave stay: textures and selections hang on them. Without a fit nothing
 /// would draw what is released to the sharp edge again.
 bool mayReleaseLines(const RunContext& run)
 {
-	return repairsPoorFaces(run.options) && run.options.fit != Fit::Off &&
-		   run.input.line == nullptr;
+	return run.options.preset == Preset::Default && run.input.line == nullptr;
 }
 
 bool areLinesCrowded(RunContext& run, const ResultMesh& result)
@@ -116,7 +105,7 @@ struct Fitted {
 
 Fitted fit(RunContext& run, const Decisions& decisions, Products& made)
 {
-	if (run.options.fit == Fit::Off) return {};
+	if (!isFitted(run.options)) return {};
 	run.clock.enter(Stage::Fit);
 	returnReleasedMemory(); // this stage sets the peak
 	const FitSettings settings = fitSettings(run.options, decisions.purpose == Purpose::Trial);
@@ -139,38 +128,31 @@ void fitAndRepair(RunContext& run, const Decisions& decisions, Products& made)
 {
 	made.contacts = KnownContacts();
 	Fitted fitted = fit(run, decisions, made);
-	if (!repairsPoorFaces(run.options)) return;
+	if (run.options.preset != Preset::Default) return;
 	run.clock.enter(Stage::Angles);
 	returnReleasedMemory();
 	PoorFaces poor;
 	poor.angleDeg   = minAngleDeg(run.options);
-	poor.targetNum  = run.options.exactCount ? decisions.vertexNum : 0;
+	poor.targetNum  = decisions.vertexNum;
 	poor.largestGap = fitted.largestGap;
 	poor.maxGap     = maxGapAfter(made, fitted.largestGap);
 	if (!repairPoorFaces(made.surface, made.curves, poor, fitted.map, made.result, run.workers))
 		run.tellCap("changes for small angles");
 	// Vertices have come and gone.
-	if (run.options.fit != Fit::Off) made.fitDistance = farthestFromSurface(made.result);
+	made.fitDistance = farthestFromSurface(made.result);
 }
 
 } // namespace
 
 FitSettings fitSettings(const RemeshOptions& options, bool countsLargest)
 {
-	const bool  isQuick = options.fit == Fit::Quick;
+	const bool  isQuick = options.preset == Preset::FastFitted;
 	FitSettings settings;
 	settings.rounds = isQuick ? quickFitRounds : options.adapt > 0.5 ? adaptedFitRounds : fitRounds;
 	settings.minAngleDeg = minAngleDeg(options);
-	settings.worstRounds = countsLargest || options.adapt > 0 ? manyWorstRounds : isQuick ? 0 : 1;
-	settings.shapeWeight *= float(portable::pow(adaptedShapeWeight, options.adapt));
+	settings.worstRounds = countsLargest || options.adapt > 0 ? manyWorstRounds : 1;
+	settings.shapeWeight *= float(portable::pow(adaptedShapeWeight, *options.adapt));
 	return settings;
-}
-
-ConformalSteps conformalStepsFor(const RemeshOptions& options)
-{
-	ConformalSteps steps = conformalSteps(2 * options.relaxIterations);
-	steps.flipPasses     = options.flipIterations;
-	return steps;
 }
 
 /// Chains of flips shear triangles; a relaxation before each round gives them room.
@@ -220,11 +202,10 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 	made.beforeFit.reset();
 	made.hasMadeVertices      = false;
 	const std::int64_t before = made.result.mesh.vertexNum;
-	if (!run.options.guard || run.options.equations != Equations::Calibrated)
-		return {before, before};
+	if (!run.options.guard || isPaper(run.options)) return {before, before};
 	run.clock.enter(Stage::Contacts);
-	const MakingOfVertices making{made.surface, made.sizes.kept, run.options.fit != Fit::Off,
-								  run.options.adapt, decisions.mayEndAbove};
+	const MakingOfVertices making{made.surface, made.sizes.kept, isFitted(run.options),
+								  *run.options.adapt, decisions.mayEndAbove};
 	const ContactOutcome   outcome =
 		removeContacts(making, made.contacts, made.result, made.guarded, run.workers);
 	if (outcome.hasMade) made.fitDistance = farthestFromSurface(made.result);

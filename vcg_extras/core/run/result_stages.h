@@ -18,8 +18,6 @@ namespace gpr {
 /// for.
 FitSettings fitSettings(const RemeshOptions& options, bool countsLargest);
 
-/// The conformal steps that make triangles equilateral.
-ConformalSteps conformalStepsFor(const RemeshOptions& options);
 /// The first half of the regular way: relaxes, and lets dislocations glide together.
 void relaxAndGlide(RunContext& run, const Surface& surface, const BoundaryCurves& curves,
 				   ResultMesh& result);

@@ -24,8 +24,7 @@ namespace {
 /// most, small disks lie just there, and the splits that make up for them would fall elsewhere.
 bool mayMissCount(const RemeshOptions& options, const Products& made)
 {
-	const bool hasErrorSizes = options.equations == Equations::Calibrated && options.adapt >= 0.5 &&
-							   !made.surface.size.empty();
+	const bool hasErrorSizes = options.adapt >= 0.5 && !made.surface.size.empty();
 	return hasErrorSizes || made.surface.mesh.hasCreases() || !made.sizes.kept.empty();
 }
 
@@ -41,8 +40,7 @@ void sampleOnBorderEdges(RunContext& run, const Decisions& decisions, const Buff
 	BorderEdgeSampling placed =
 		sampleBorderEdges(made.surface, made.samples.curves, o, run.workers);
 	made.samples.sampling = std::move(placed.sampling);
-	if (run.options.retriangulation == Retriangulation::VertexRemoval)
-		made.samples.fused = std::move(placed.fused);
+	made.samples.fused    = std::move(placed.fused);
 }
 
 /// Where anything of the result will be named by the caller's faces, these are still needed.
@@ -89,9 +87,9 @@ SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& 
 						 : sampleCurves(run, decisions, samples.radius, made);
 	run.clock.enter(Stage::Sampling);
 	const Buffer<char>  noRegion;
-	const bool          beginsInRegion = options.featureSampling == FeatureSampling::Disks;
+	const bool          beginsInRegion = !keepsRegionVertices(options);
 	const Buffer<char>& first          = beginsInRegion ? made.sizes.isFeatureVertex : noRegion;
-	if (options.placement == Placement::BorderEdge)
+	if (isPaper(options))
 		sampleOnBorderEdges(run, decisions, first, made);
 	else
 		samples.sampling = sampleFront(made.surface, samples.curves, samples.partition,
@@ -124,7 +122,7 @@ NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& ma
 {
 	run.clock.enter(Stage::Retriangulation);
 	ResultMesh& result = made.result;
-	if (run.options.retriangulation == Retriangulation::LabelCollapse)
+	if (!isPaper(run.options))
 		result = removeVertices(made.surface, made.samples.sampling, made.samples.curves,
 								made.surface.figures, run.workers);
 	else
@@ -153,7 +151,7 @@ NoFacts reachCount(RunContext& run, const Decisions& decisions, Products& made)
 							 run.workers);
 		return {};
 	}
-	if (!run.options.exactCount) return {};
+	if (isPaper(run.options)) return {};
 	run.clock.enter(Stage::Count);
 	collapseShortEdges(made.surface, made.result, run.workers);
 	reachExactCount(made.surface, made.curves, decisions.vertexNum, made.result, run.workers);
@@ -162,7 +160,8 @@ NoFacts reachCount(RunContext& run, const Decisions& decisions, Products& made)
 
 void flipEdges(RunContext& run, ResultMesh& result)
 {
-	flipToDelaunay(result, run.workers, run.options.flipIterations);
+	flipToDelaunay(result, run.workers,
+				   isPaper(run.options) ? run.options.flipPasses : untilDelaunay);
 }
 
 } // namespace gpr

@@ -59,7 +59,7 @@ void findRegionOnSurface(RunContext& run, Products& made)
 		callersVertices(run.input, sizes.isFeatureVertex, surface, run.workers);
 	sizes.regionVertexNum = std::int64_t(vertices.size());
 	sizes.kept.clear();
-	if (run.options.featureSampling == FeatureSampling::Vertices) sizes.kept = vertices;
+	if (keepsRegionVertices(run.options)) sizes.kept = vertices;
 	if (run.options.boundary == BoundaryMode::Keep)
 		sizes.kept = unionOf(sizes.kept, borderVertices(run.input, surface, run.workers));
 }
@@ -149,7 +149,7 @@ Sizing findSizes(RunContext& run, const Decisions& decisions, const FineSpots& s
 	const float uniform =
 		float(diskRadius(made.surface.area, double(num), radiusConstant(options)));
 	made.sizes.adapt = hasLines ? 0 : options.adapt;
-	return makeSizing({run.input, options, uniform, evenEdge(made.surface.area, num), hasLines,
+	return makeSizing({options, uniform, evenEdge(made.surface.area, num), hasLines,
 					   made.sizes.isFeatureVertex, made.sizes.kept,
 					   decisions.purpose == Purpose::Trial ? &spots : nullptr},
 					  made.surface, run.workers);
@@ -189,7 +189,7 @@ void setSizes(RunContext& run, const Decisions& decisions, const FineSpots& spot
 
 bool followsFeatureLines(const RemeshOptions& options)
 {
-	return options.retriangulation == Retriangulation::LabelCollapse;
+	return !isPaper(options);
 }
 
 SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots,
@@ -218,10 +218,11 @@ LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)
 		return {};
 	}
 	run.clock.enter(Stage::FeatureLines);
-	made.lines.radius = 0;
-	if (!followsFeatureLines(run.options) && run.options.featureMode != FeatureMode::Off &&
-		decisions.purpose != Purpose::SamplesOnly)
-		run.tell("Feature lines are not followed where vertices are removed one by one.");
+	made.lines.radius         = 0;
+	const FeatureMode mode    = run.options.featureMode;
+	const bool        isAsked = mode != FeatureMode::Off && mode != FeatureMode::Auto;
+	if (isAsked && isPaper(run.options) && decisions.purpose != Purpose::SamplesOnly)
+		run.tell("Feature lines are not followed with the preset paper.");
 	const CreaseRules rules = creaseRules(run, decisions, made);
 	if (areAsKnown(rules, made.lines)) {
 		m.crease = std::move(made.lines.marks);

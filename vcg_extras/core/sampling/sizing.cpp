@@ -9,8 +9,6 @@
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/mesh/face_quality.h>
-#include <vcg_extras/core/results.h>
-#include <vcg_extras/core/surface/barycentric_point.h>
 #include <vcg_extras/core/surface/surface_point.h>
 
 #include <algorithm>
@@ -24,6 +22,8 @@ namespace {
 /// How much sizes may grow by distance, both in units of the largest radius: sizes that change
 /// faster cost angles.
 constexpr float gradingSlope = 0.15f;
+/// Where λ is above 0 the smallest triangles are at most so many times smaller than the largest.
+constexpr float largestStretch = 4;
 /// Least 1 + λH of the equations as printed.
 constexpr float minPrintedStretch = 0.1f;
 /// More ring passes than this would take longer than the remeshing.
@@ -105,50 +105,15 @@ Buffer<CurvatureSum> sumOverRings(const HalfEdgeMesh& m, Workers& workers, const
 	return ring;
 }
 
-/// The caller's quality at every vertex of the surface.
-Buffer<float> qualityAtVertices(const SizingRequest& request, const Surface& surface,
-								Workers& workers)
-{
-	const float* quality = request.input.quality;
-	if (quality == nullptr) {
-		throw Failure(Status::BadOptions,
-					  "The density is to come from the vertex quality, but the mesh has none.");
-	}
-	Buffer<float> value(surface.mesh.vertexNum);
-	workers.forEach(value.size(), [&](int v) {
-		value[v] = 0;
-		if (surface.mesh.outgoing[v] < 0) return;
-		const BarycentricPoint at =
-			barycentricPoint(request.input, surface, pointOfVertex(surface, v));
-		for (int k = 0; k < 3; ++k)
-			value[v] += at.weight[k] * quality[request.input.vertexOf(3 * at.face + k)];
-	});
-	for (float q : value) {
-		if (!std::isfinite(q)) {
-			throw Failure(Status::BadOptions,
-						  "The vertex quality holds values that are not finite.");
-		}
-	}
-	return value;
-}
-
-/// What λ is multiplied with: |H|·r or the quality where calibrated; signed H in 1/mesh unit, or
-/// the quality, as printed.
+/// What λ is multiplied with: |H|·r where calibrated; signed H in 1/mesh unit as printed.
 Buffer<float> strengthAtVertices(const SizingRequest& request, const Surface& surface,
 								 Workers& workers)
 {
-	const bool printed = request.options.equations == Equations::AsPrinted;
-	if (request.options.sizing == SizingSource::Quality) {
-		Buffer<float> quality = qualityAtVertices(request, surface, workers);
-		for (float& q : quality)
-			q = std::abs(q);
-		return quality;
-	}
 	const int     passes   = passesForRadius(surface, request.radius, workers);
 	Buffer<float> strength = meanCurvature(surface, passes, workers);
 	const float   scale    = float(surface.frame.scale);
 	for (float& h : strength)
-		h = printed ? h * scale : std::abs(h) * request.radius;
+		h = isPaper(request.options) ? h * scale : std::abs(h) * request.radius;
 	return strength;
 }
 
@@ -197,8 +162,7 @@ void shrinkFeatures(const SizingRequest& request, Buffer<float>& size)
 
 bool wantsSmallerDisks(const SizingRequest& request)
 {
-	return !request.isFeatureVertex.empty() &&
-		   request.options.featureSampling == FeatureSampling::Disks &&
+	return !request.isFeatureVertex.empty() && !keepsRegionVertices(request.options) &&
 		   request.options.featureDiskScale < 1;
 }
 
@@ -216,14 +180,12 @@ bool wantsErrorSizes(const SizingRequest& request)
 
 bool matchesBorder(const SizingRequest& request)
 {
-	return request.options.boundary == BoundaryMode::Keep &&
-		   request.options.equations == Equations::Calibrated;
+	return request.options.boundary == BoundaryMode::Keep && !isPaper(request.options);
 }
 
 bool hasFineSpots(const SizingRequest& request)
 {
-	return request.fineSpots != nullptr && !request.fineSpots->empty() &&
-		   request.options.equations == Equations::Calibrated;
+	return request.fineSpots != nullptr && !request.fineSpots->empty() && !isPaper(request.options);
 }
 
 bool wantsOtherSizes(const SizingRequest& request)
@@ -283,13 +245,12 @@ void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers
 /// Sizes that may differ from vertex to vertex as they like; `grade` has to follow.
 Buffer<float> ungradedSizes(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
-	const float   lambda   = float(request.options.lambda);
-	const float   smallest = float(1 / request.options.largestStretch);
+	const float   lambda = float(request.options.lambda);
 	Buffer<float> size(surface.mesh.vertexNum, 1.0f);
 	if (lambda > 0) {
 		const Buffer<float> strength = strengthAtVertices(request, surface, workers);
 		for (std::size_t v = 0; v < strength.size(); ++v)
-			size[v] = std::max(smallest, 1 / (1 + lambda * strength[v]));
+			size[v] = std::max(1 / largestStretch, 1 / (1 + lambda * strength[v]));
 	}
 	if (wantsSmallerDisks(request)) shrinkFeatures(request, size);
 	return size;
@@ -300,7 +261,7 @@ Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, W
 {
 	ErrorSizeRequest wanted;
 	wanted.even        = request.evenEdge;
-	wanted.largest     = request.evenEdge * largestSizeFor(request.options.adapt);
+	wanted.largest     = request.evenEdge * largestSizeFor(*request.options.adapt);
 	wanted.slope       = gradingSlope;
 	Buffer<float> edge = sizesByError(surface.mesh, wanted, workers).edge;
 	workers.forEach(edge.size(), [&](int v) { edge[v] /= request.evenEdge; });
@@ -407,9 +368,8 @@ Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& wor
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
 	if (!wantsErrorSizes(request) && !wantsOtherSizes(request)) return Sizing();
-	return request.options.equations == Equations::AsPrinted
-			   ? makePrinted(request, surface, workers)
-			   : makeCalibrated(request, surface, workers);
+	return isPaper(request.options) ? makePrinted(request, surface, workers)
+									: makeCalibrated(request, surface, workers);
 }
 
 } // namespace gpr

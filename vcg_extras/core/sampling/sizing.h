@@ -7,7 +7,6 @@
 
 #include <vcg_extras/core/input/split_long_edges.h>
 #include <vcg_extras/core/mesh/connect.h>
-#include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 #include <vcg_extras/core/surface/surface_point.h>
@@ -29,7 +28,6 @@ struct Sizing {
 
 /// What the sizing of a run is made from.
 struct SizingRequest {
-	const MeshView&         input;
 	const RemeshOptions&    options;
 	float                   radius;          ///< of eq. (1), working units
 	float                   evenEdge;        ///< of triangles that all have one size, working units
@@ -50,7 +48,6 @@ struct SizingRequest {
 /// a disk too (the paper does not say how it is found, and noise would drown it), and the radius
 /// times the vertex mean of 1 + λ·H, eq. (5), which overshoots the count wherever the curvature
 /// varies. With BoundaryMode::Keep sizes at the border go with the spacing of its own vertices.
-/// With SizingSource::Quality the absolute value of the mesh's quality stands for |H|·r, or for H.
 ///
 /// With `adapt` (calibrated only) sizes are multiplied by those of sizesByError, whose largest one
 /// is 1 + 0.3·adapt times that of even triangles. They stay even where there are feature lines:
@@ -58,8 +55,7 @@ struct SizingRequest {
 ///
 /// Where fine spots are given sizes are multiplied with their factors (calibrated only).
 ///
-/// Throws Failure{BadOptions} where the quality is asked for and missing or not finite. Cost:
-/// linear; for λ a pass over the mesh for every edge that r spans, squared.
+/// Cost: linear; for λ a pass over the mesh for every edge that r spans, squared.
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers);
 
 /// Area mean of 1/size², for sizes at the vertices; 1 where there is no area. The number of

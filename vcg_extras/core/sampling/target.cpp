@@ -14,10 +14,9 @@ namespace {
 
 /// c of eq. (1) as the paper has it, from Fu and Zhou's sampler.
 constexpr double printedRadiusConstant = 0.844;
-/// Those that land at 98 to 99 % of the target, which the exact count makes up: placement by disk
-/// intersection packs tighter than random border edges do.
+/// The one that lands at 98 to 99 % of the target, which the exact count makes up: placement by
+/// disk intersection packs tighter than random border edges do.
 constexpr double intersectionRadiusConstant = 0.962;
-constexpr double borderEdgeRadiusConstant   = 0.802;
 
 } // namespace
 
@@ -28,9 +27,7 @@ double diskRadius(double area, double vertexNum, double constant)
 
 double radiusConstant(const RemeshOptions& options)
 {
-	if (options.equations == Equations::AsPrinted) return printedRadiusConstant;
-	return options.placement == Placement::BorderEdge ? borderEdgeRadiusConstant
-													  : intersectionRadiusConstant;
+	return isPaper(options) ? printedRadiusConstant : intersectionRadiusConstant;
 }
 
 float evenEdge(double area, std::int64_t vertexNum)

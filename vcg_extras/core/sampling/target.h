@@ -19,7 +19,7 @@ constexpr double maxResultVertices = 2e8;
 /// Radius of the disks that so many samples on an area have, eq. (1).
 double diskRadius(double area, double vertexNum, double constant);
 
-/// c of eq. (1) for the equations and the placement chosen.
+/// c of eq. (1) for the preset chosen.
 double radiusConstant(const RemeshOptions& options);
 
 /// Edge length of so many vertices' equilateral triangles of one size.

@@ -90,13 +90,11 @@ private:
 
 void checkPresent(const PlyHeader& header, const WantedAttributes& wanted)
 {
-	bool quality = false, selection = false;
+	bool selection = false;
 	for (const PlyElement& e : header.elements) {
-		const bool isVertex = e.name == "vertex";
-		quality             = quality || (isVertex && findScalar(e, "quality") >= 0);
-		if (isVertex || e.name == "face") selection = selection || SelectionColumns(e).exist();
+		if (e.name == "vertex" || e.name == "face")
+			selection = selection || SelectionColumns(e).exist();
 	}
-	if (wanted.quality && !quality) failInput("its vertices have no property 'quality'");
 	if (wanted.selection && !selection) {
 		failInput("its vertices and faces have neither the property 'selected' nor 'flags'");
 	}
@@ -154,13 +152,11 @@ template <class Source>
 void readVertices(const PlyElement& e, const WantedAttributes& wanted, Source& source,
 				  InputMesh& mesh)
 {
-	const int              quality = wanted.quality ? findScalar(e, "quality") : -1;
 	const SelectionColumns selection(e);
 	CarriedColumns         carried(e, wanted.carried);
 	Record                 record;
 	for (std::uint64_t v = 0; v < e.count; ++v) {
 		readRecord(e, {}, source, record);
-		if (quality >= 0) mesh.quality.push_back(float(record.scalars[std::size_t(quality)]));
 		if (wanted.ofSelectedVertices() && selection.isSelected(record)) mesh.selected[v] = 1;
 		carried.take(record);
 	}
@@ -253,7 +249,7 @@ bool wantsElement(const PlyElement& e, const WantedAttributes& wanted)
 	if (e.name == "vertex") {
 		const bool selection =
 			wanted.selection || (wanted.ifSelected && SelectionColumns(e).exist());
-		return wanted.quality || selection || CarriedColumns(e, wanted.carried).any();
+		return selection || CarriedColumns(e, wanted.carried).any();
 	}
 	return e.name == "face" && wantsFaces(e, wanted);
 }
@@ -322,7 +318,6 @@ void readPlyAttributes(std::string_view file, const WantedAttributes& wanted, In
 {
 	const PlyHeader header = readPlyHeader(file);
 	checkPresent(header, wanted);
-	if (wanted.quality) mesh.quality.reserve(mesh.vertexNum());
 	if (wanted.ofSelectedVertices()) mesh.selected.assign(mesh.vertexNum(), 0);
 	if (wanted.carried) {
 		noteLostLists(header, mesh.attributes);

@@ -44,7 +44,6 @@ using CoordinateArray = std::vector<S, UninitializedAllocator<S>>;
 
 /// What of a file is wanted beside the mesh.
 struct WantedAttributes {
-	bool quality       = false; ///< of the vertices
 	bool selection     = false; ///< of vertices and the corners of faces
 	bool ifSelected    = false; ///< of vertices, where the file marks any
 	bool faceSelection = false; ///< of the faces
@@ -52,7 +51,7 @@ struct WantedAttributes {
 	bool mayStayInFile = false; ///< see InputMesh::inFile
 
 	/// Any that must be there.
-	bool anyRequired() const { return quality || selection || faceSelection; }
+	bool anyRequired() const { return selection || faceSelection; }
 	bool ofSelectedVertices() const { return selection || ifSelected; }
 };
 
@@ -68,7 +67,6 @@ struct InputMesh {
 	CoordinateArray<double>            doubles; ///< 3 a vertex; empty otherwise
 	IndexArray                         triangles;
 	bool                               doublePrecision = false;
-	std::vector<float>                 quality; ///< one a vertex; empty where not wanted
 	std::vector<std::uint8_t> selected;      ///< one a vertex, 1 = selected; empty where not wanted
 	std::vector<std::uint8_t> selectedFaces; ///< one a triangle, likewise
 	MeshAttributes            attributes;    ///< empty where not wanted
@@ -80,7 +78,6 @@ struct InputMesh {
 	MeshView    view() const
 	{
 		MeshView v     = isInFile() ? inFile : viewOfArrays();
-		v.quality      = quality.empty() ? nullptr : quality.data();
 		v.selected     = selected.empty() ? nullptr : selected.data();
 		v.selectedFace = selectedFaces.empty() ? nullptr : selectedFaces.data();
 		return v;

@@ -27,6 +27,11 @@ std::string plainText(double value)
 	return text.str();
 }
 
+std::string numberKind(const Parameter& p)
+{
+	return p.isAutomatic ? std::string(automaticName) + " or a number" : "a number";
+}
+
 std::string rangeText(const Parameter& p)
 {
 	const bool  open = isAboveMinimum(p);

@@ -29,24 +29,11 @@ const char* modeName(TargetMode mode)
 	return "";
 }
 
-/// The name that the command line has for a value; options.h and the table list them in one order,
-/// the table with "preset" before them where the preset decides.
+/// The name that the command line has for a value; options.h and the table list them in one order.
 template <class Value>
 const char* choiceName(const char* key, Value value)
 {
-	const std::vector<const char*>& names = findParameter(key)->choices;
-	const std::size_t               first = std::string(names.front()) == "preset" ? 1 : 0;
-	return names[first + std::size_t(value)];
-}
-
-Json stagesJson(const RemeshOptions& o)
-{
-	return {{"placement", choiceName("Placement", o.placement)},
-			{"retriangulation", choiceName("Retriangulation", o.retriangulation)},
-			{"smoothing", choiceName("Smoothing", o.smoothing)},
-			{"regularity", choiceName("Regularity", o.regularity)},
-			{"fit", choiceName("Fit", o.fit)},
-			{"equations", choiceName("Equations", o.equations)}};
+	return findParameter(key)->choices[std::size_t(value)];
 }
 
 Json featuresJson(const RemeshOptions& o)
@@ -54,7 +41,6 @@ Json featuresJson(const RemeshOptions& o)
 	return {{"features", choiceName("Features", o.featureMode)},
 			{"featureAngle", o.featureAngleDeg},
 			{"featureRegion", choiceName("FeatureRegion", o.featureRegion)},
-			{"featureSampling", choiceName("FeatureSampling", o.featureSampling)},
 			{"featureDiskScale", o.featureDiskScale},
 			{"featureSupport", o.featureThresholds.support},
 			{"featureStrong", o.featureThresholds.strongDeg},
@@ -80,22 +66,18 @@ Json optionsJson(const RemeshOptions& o)
 		json[o.maxErrorIsPercent ? "maxErrorPercent" : "maxError"] = o.targetMaxError;
 		break;
 	}
-	json.update(stagesJson(o));
-	json["relax"]               = o.relaxIterations;
-	json["flips"]               = o.flipIterations;
+	json["preset"]              = choiceName("Preset", o.preset);
+	json["relax"]               = o.umbrellaSteps;
+	json["flips"]               = o.flipPasses;
 	json["lambda"]              = o.lambda;
-	json["maxStretch"]          = o.largestStretch;
-	json["sizing"]              = choiceName("Sizing", o.sizing);
-	json["adapt"]               = o.adapt;
+	json["adapt"]               = o.adapt ? Json(*o.adapt) : Json("auto");
 	json["boundary"]            = choiceName("Boundary", o.boundary);
 	json["selectedOnly"]        = o.selectedOnly;
-	json["exactCount"]          = o.exactCount;
 	json["allowNearest"]        = o.allowNearest;
 	json["dropComponentsBelow"] = o.dropComponentsBelow;
 	json["sew"]                 = o.sew;
 	json["timeLimit"]           = o.timeLimitSeconds;
 	json["check"]               = o.check;
-	json["guard"]               = o.guard;
 	json.update(featuresJson(o));
 	json["seed"]    = o.seed;
 	json["threads"] = o.threads;

@@ -24,7 +24,6 @@ def remesh(
     *,
     selected: ArrayLike | None = None,
     region: ArrayLike | None = None,
-    quality: ArrayLike | None = None,
     feature_edges: ArrayLike | None = None,
     uv: ArrayLike | None = None,
     image: ArrayLike | None = None,
@@ -34,37 +33,26 @@ def remesh(
     edge_length: float | None = None,
     max_error: float | str | None = None,
     preset: Literal['default', 'fast', 'paper'] = 'default',
-    adapt: float = 0.1,
+    adapt: float | Literal['auto'] = 'auto',
     lambda_: float = 0.0,
     features: Literal['auto', 'lines', 'off', 'selected'] = 'auto',
     feature_disk_scale: float = 0.0,
     boundary: Literal['resample', 'keep', 'free', 'smooth'] = 'resample',
     feature_region: Literal['none', 'detected', 'selection', 'auto'] = 'auto',
-    feature_sampling: Literal['disks', 'vertices'] = 'disks',
     feature_angle: float = 40.0,
     feature_support: float = 2.0,
     feature_strong: float = 40.0,
     feature_weak: float = 20.0,
     feature_length: float = 3.0,
-    sizing: Literal['curvature', 'quality'] = 'curvature',
-    max_stretch: float = 4.0,
-    exact_count: Literal['preset', 'on', 'off'] | bool = 'preset',
     allow_nearest: bool = False,
     sew: bool = True,
     drop_components_below: int = 0,
     seed: int = 1,
     threads: int = 0,
     time_limit: float = 0.0,
-    guard: Literal['on', 'off'] | bool = 'on',
     check: bool = False,
-    placement: Literal['preset', 'disk-intersection', 'border-edge'] = 'preset',
-    retriangulation: Literal['preset', 'label-collapse', 'vertex-removal'] = 'preset',
-    smoothing: Literal['preset', 'barycentric', 'umbrella2', 'none'] = 'preset',
-    regularity: Literal['preset', 'full', 'plain'] = 'preset',
     relax: int = 3,
-    fit: Literal['preset', 'on', 'quick', 'off'] | bool = 'preset',
     flips: int = 1000,
-    equations: Literal['preset', 'calibrated', 'paper'] = 'preset',
 ) -> RemeshResult:
     """Remeshes a surface to nearly equilateral triangles with exactly as many vertices as asked for.
 
@@ -80,8 +68,6 @@ def remesh(
         Only the faces with True are remeshed. All others stay bit for bit as they are and come first.
     region : array_like (n,) of bool, optional
         The feature region: the vertices around which triangles are smaller (`feature_disk_scale`).
-    quality : array_like (n,), optional
-        What the density follows where `lambda_` is above 0, instead of the curvature.
     feature_edges : array_like (e, 2), optional
         Edges of the faces, as pairs of vertices, that edges of the result shall follow. With `features`
         not given they are the only ones; with features='auto' those that are found come beside them.
@@ -111,31 +97,34 @@ def remesh(
         too far from the input, more vertices come in. What cannot be reached is refused. As text
         with a percent sign, as "0.2%", it is a share of the diagonal.
     preset : {'default', 'fast', 'paper'}, default 'default'
-        Which methods are used. default: the most regular triangles, close to the input. fast: a
-        third of the time, without the fit and the steps for regularity. paper: each stage as the
-        paper describes it; the number of vertices is hit to a tenth only. A method that is chosen
-        for a single stage wins over the preset. A sampling is the same with default and fast.
-    adapt : float, default 0.1
+        Which methods are used. default: the most regular triangles, close to the input: the fit
+        moves vertices a little off the surface, to where the triangles are closest to it; those of
+        borders and feature lines leave their curves by at most 8 % of an edge. fast: a third of the
+        time, without the fit, so that every vertex stays on the surface, and without the steps for
+        regularity. paper: each stage as the paper describes it; the number of vertices is hit to a
+        tenth only. A sampling is the same with default and fast.
+    adapt : float or 'auto', default 'auto'
         How much the sizes of the triangles follow the error. 0: all triangles have one size. 0.1: a
         tenth of the vertices goes to ridges, rims and tips that are finer than the triangles. 1:
-        all sizes follow the error. Sizes stay even where there are feature lines. 0.1 stands for 1
-        with a largest error, and for 0 with a lambda above 0, without a fit, as in the presets fast
-        and paper, and where only samples are made. It has no effect with the paper's equations.
+        all sizes follow the error. Sizes stay even where there are feature lines. auto: 0.1; 1 with
+        a largest error; 0 with a lambda above 0, in the preset fast, and where only samples are
+        made. The preset paper has none.
     lambda_ : float, default 0.0
         How much denser curved places are sampled, eq. (4) of the paper. Distances are stretched by
-        1 + lambda |H| r, where H is the mean curvature and r the radius of the disks. 0: evenly. 1
-        to 5 are usual. With the paper's equations H is taken with its sign, in 1/mesh unit.
+        1 + lambda |H| r, at most 4, where H is the mean curvature and r the radius of the disks. 0:
+        evenly. 1 to 5 are usual. With the preset paper H is taken with its sign, in 1/mesh unit,
+        and there is no limit.
     features : {'auto', 'lines', 'off', 'selected'}, default 'auto'
         Feature lines are sharp edges of the input that become edges of the result; corners and cone
-        apexes become vertices. auto: real creases, but not the noise of a scan; none with the paper
-        preset. lines: wherever the faces turn by the angle of feature lines. off: none. selected:
-        the selected edges and no others. Feature lines need the retriangulation label-collapse. The
-        selected edges are those of feature_edges.
+        apexes become vertices. auto: real creases, but not the noise of a scan; none with the
+        preset paper, which never follows any. lines: wherever the faces turn by the angle of
+        feature lines. off: none. selected: the selected edges and no others. The selected edges are
+        those of feature_edges.
     feature_disk_scale : float, default 0.0
         Makes the triangles of the feature region smaller: the radius of its disks over the radius
         elsewhere, 0.05 to 1. The feature region is made of the selected vertices; where no vertex
         is selected it is detected. 0: no feature region, unless one is named; then its disks have
-        half the radius.
+        half the radius. With the preset paper 0 keeps each vertex of a named region.
     boundary : {'resample', 'keep', 'free', 'smooth'}, default 'resample'
         What becomes of the surface's open borders. resample: their curve and their corners stay,
         and vertices are placed on them anew. keep: each of their vertices stays where it is, and
@@ -149,11 +138,7 @@ def remesh(
         is none. detected: what the feature detection finds by the strength of the edges. selection:
         the selected vertices, or the corners of the selected faces where no vertex is selected.
         auto: the selected vertices, or what is detected where no vertex is selected, if a feature
-        disk scale is given or vertices are to be kept; else none. The selected vertices are those
-        of region.
-    feature_sampling : {'disks', 'vertices'}, default 'disks'
-        How the feature region is kept. disks: it is sampled first, with smaller disks. vertices:
-        each of its vertices becomes a vertex of the result.
+        disk scale is given; else none. The selected vertices are those of region.
     feature_angle : float, default 40.0
         A feature line begins where the normals of two faces differ by so many degrees, 5 to 175. It
         goes on from its ends down to half of that.
@@ -168,16 +153,6 @@ def remesh(
         strong angle.
     feature_length : float, default 3.0
         Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
-    sizing : {'curvature', 'quality'}, default 'curvature'
-        What the density follows where lambda is above 0. curvature: the mean curvature. quality:
-        the mesh's vertex quality, which takes the place of |H| r. The vertex quality is the
-        argument quality.
-    max_stretch : float, default 4.0
-        Where lambda is above 0 the smallest triangles are at most so many times smaller than the
-        largest ones; 1 to 100. The paper's equations do not use it.
-    exact_count : {'preset', 'on', 'off'}, default 'preset'
-        on (default, fast): edges are split and collapsed after the sampling until the number of
-        vertices is exact. off (paper): the number is hit to about a tenth.
     allow_nearest : bool, default False
         Where the topology needs more vertices than asked for, the nearest possible number is taken.
         Otherwise the run is refused.
@@ -197,50 +172,18 @@ def remesh(
     time_limit : float, default 0.0
         A run that takes longer is given up, and nothing is changed. 0 is no limit. The engine's
         time counts, without the conversion of arrays.
-    guard : {'on', 'off'}, default 'on'
-        on: every result is tested for triangles that touch or intersect each other. Where there are
-        some and the input has none, the triangles around them are made anew, by edge collapses of
-        the input that are refused where triangles would touch. These triangles are less regular.
-        Where that is not enough, whole components are made anew in this way. The run is refused
-        where the collapses end above the number of vertices asked for. off: nothing is tested. The
-        preset paper is never tested.
     check : bool, default False
         Looks for self-intersections and measures the distances from the input: root mean square,
         p99.9 (99.9 % of the surface is nearer) and the largest, with proven bounds, in both
         directions. This takes longer than the run itself. There is no result where faces intersect
         and none did in the input, or where a vertex is farther from the input than the fit moved
         it.
-    placement : {'preset', 'disk-intersection', 'border-edge'}, default 'preset'
-        Where the next sample is put. disk-intersection (default, fast): where the borders of two
-        disks meet. border-edge (paper): on a random edge that the border of the disks crosses.
-    retriangulation : {'preset', 'label-collapse', 'vertex-removal'}, default 'preset'
-        How the samples become a mesh. label-collapse (default, fast): every vertex is merged into
-        the Voronoi cell of its sample. vertex-removal (paper): the vertices are removed one by one,
-        and a constrained Delaunay triangulation closes each hole.
-    smoothing : {'preset', 'barycentric', 'umbrella2', 'none'}, default 'preset'
-        How vertices move on the surface after the retriangulation. barycentric (default, fast): to
-        the centre of their neighbours. umbrella2 (paper): by the second-order umbrella operator.
-        none: they do not.
-    regularity : {'preset', 'full', 'plain'}, default 'preset'
-        full (default): most vertices get six neighbours, and conformal steps make the triangles
-        equilateral. plain (fast, paper): relaxation and edge flips only. full needs the barycentric
-        smoothing.
     relax : int, default 3
-        How often the smoothing moves the vertices, 0 to 1000. 3 make the triangles regular; more
-        change little.
-    fit : {'preset', 'on', 'quick', 'off'}, default 'preset'
-        The fit moves vertices a little off the surface, to where the triangles are closest to it.
-        The error is halved or better, and the triangles stay regular. on (default); quick: fewer
-        rounds; off (fast, paper): every vertex stays on the surface. Vertices of borders and
-        feature lines leave their curves by at most 8 % of an edge.
+        With the preset paper: how often the second-order umbrella operator moves the vertices, 0 to
+        1000. Edges are flipped after each step.
     flips : int, default 1000
-        After the retriangulation and during the smoothing edges are flipped in so many passes at
-        most, 0 to 1000. With 1000 they end when all edges are Delaunay.
-    equations : {'preset', 'calibrated', 'paper'}, default 'preset'
-        Which form of the paper's equations (1), (4) and (5) is used. calibrated (default, fast): a
-        constant that hits the number of vertices, a density without units, and its mean over the
-        area. paper: as they are printed, with 0.844, the mean curvature in 1/mesh unit with its
-        sign, and the mean over the vertices.
+        With the preset paper: edges are flipped in so many passes at most, each time, 0 to 1000.
+        With 1000 they end when all edges are Delaunay, as without that preset.
 
     Returns
     -------
@@ -280,34 +223,28 @@ def sample(
     faces: ArrayLike | list[list[int]] | list[ArrayLike],
     *,
     region: ArrayLike | None = None,
-    quality: ArrayLike | None = None,
     feature_edges: ArrayLike | None = None,
     progress: Callable[[float, str], Any] | None = None,
     count: int | None = None,
     percent: float | None = None,
     edge_length: float | None = None,
     preset: Literal['default', 'fast', 'paper'] = 'default',
-    adapt: float = 0.1,
+    adapt: float | Literal['auto'] = 'auto',
     lambda_: float = 0.0,
     features: Literal['auto', 'lines', 'off', 'selected'] = 'auto',
     feature_disk_scale: float = 0.0,
     boundary: Literal['resample', 'keep', 'free', 'smooth'] = 'resample',
     feature_region: Literal['none', 'detected', 'selection', 'auto'] = 'auto',
-    feature_sampling: Literal['disks', 'vertices'] = 'disks',
     feature_angle: float = 40.0,
     feature_support: float = 2.0,
     feature_strong: float = 40.0,
     feature_weak: float = 20.0,
     feature_length: float = 3.0,
-    sizing: Literal['curvature', 'quality'] = 'curvature',
-    max_stretch: float = 4.0,
     sew: bool = True,
     drop_components_below: int = 0,
     seed: int = 1,
     threads: int = 0,
     time_limit: float = 0.0,
-    placement: Literal['preset', 'disk-intersection', 'border-edge'] = 'preset',
-    equations: Literal['preset', 'calibrated', 'paper'] = 'preset',
 ) -> Samples:
     """Spreads points evenly over a surface: a geodesic Poisson-disk sampling.
 
@@ -316,7 +253,7 @@ def sample(
 
     Parameters
     ----------
-    vertices, faces, region, quality, feature_edges, progress
+    vertices, faces, region, feature_edges, progress
         As those of `remesh`.
     count : int, optional
         How many vertices the result has. A remeshing has exactly so many, a sampling about a tenth
@@ -330,31 +267,34 @@ def sample(
         The wanted mean edge length of the result in mesh units. More vertices are taken where the
         topology needs them.
     preset : {'default', 'fast', 'paper'}, default 'default'
-        Which methods are used. default: the most regular triangles, close to the input. fast: a
-        third of the time, without the fit and the steps for regularity. paper: each stage as the
-        paper describes it; the number of vertices is hit to a tenth only. A method that is chosen
-        for a single stage wins over the preset. A sampling is the same with default and fast.
-    adapt : float, default 0.1
+        Which methods are used. default: the most regular triangles, close to the input: the fit
+        moves vertices a little off the surface, to where the triangles are closest to it; those of
+        borders and feature lines leave their curves by at most 8 % of an edge. fast: a third of the
+        time, without the fit, so that every vertex stays on the surface, and without the steps for
+        regularity. paper: each stage as the paper describes it; the number of vertices is hit to a
+        tenth only. A sampling is the same with default and fast.
+    adapt : float or 'auto', default 'auto'
         How much the sizes of the triangles follow the error. 0: all triangles have one size. 0.1: a
         tenth of the vertices goes to ridges, rims and tips that are finer than the triangles. 1:
-        all sizes follow the error. Sizes stay even where there are feature lines. 0.1 stands for 1
-        with a largest error, and for 0 with a lambda above 0, without a fit, as in the presets fast
-        and paper, and where only samples are made. It has no effect with the paper's equations.
+        all sizes follow the error. Sizes stay even where there are feature lines. auto: 0.1; 1 with
+        a largest error; 0 with a lambda above 0, in the preset fast, and where only samples are
+        made. The preset paper has none.
     lambda_ : float, default 0.0
         How much denser curved places are sampled, eq. (4) of the paper. Distances are stretched by
-        1 + lambda |H| r, where H is the mean curvature and r the radius of the disks. 0: evenly. 1
-        to 5 are usual. With the paper's equations H is taken with its sign, in 1/mesh unit.
+        1 + lambda |H| r, at most 4, where H is the mean curvature and r the radius of the disks. 0:
+        evenly. 1 to 5 are usual. With the preset paper H is taken with its sign, in 1/mesh unit,
+        and there is no limit.
     features : {'auto', 'lines', 'off', 'selected'}, default 'auto'
         Feature lines are sharp edges of the input that become edges of the result; corners and cone
-        apexes become vertices. auto: real creases, but not the noise of a scan; none with the paper
-        preset. lines: wherever the faces turn by the angle of feature lines. off: none. selected:
-        the selected edges and no others. Feature lines need the retriangulation label-collapse. The
-        selected edges are those of feature_edges.
+        apexes become vertices. auto: real creases, but not the noise of a scan; none with the
+        preset paper, which never follows any. lines: wherever the faces turn by the angle of
+        feature lines. off: none. selected: the selected edges and no others. The selected edges are
+        those of feature_edges.
     feature_disk_scale : float, default 0.0
         Makes the triangles of the feature region smaller: the radius of its disks over the radius
         elsewhere, 0.05 to 1. The feature region is made of the selected vertices; where no vertex
         is selected it is detected. 0: no feature region, unless one is named; then its disks have
-        half the radius.
+        half the radius. With the preset paper 0 keeps each vertex of a named region.
     boundary : {'resample', 'keep', 'free', 'smooth'}, default 'resample'
         What becomes of the surface's open borders. resample: their curve and their corners stay,
         and vertices are placed on them anew. keep: each of their vertices stays where it is, and
@@ -368,11 +308,7 @@ def sample(
         is none. detected: what the feature detection finds by the strength of the edges. selection:
         the selected vertices, or the corners of the selected faces where no vertex is selected.
         auto: the selected vertices, or what is detected where no vertex is selected, if a feature
-        disk scale is given or vertices are to be kept; else none. The selected vertices are those
-        of region.
-    feature_sampling : {'disks', 'vertices'}, default 'disks'
-        How the feature region is kept. disks: it is sampled first, with smaller disks. vertices:
-        each of its vertices becomes a vertex of the result.
+        disk scale is given; else none. The selected vertices are those of region.
     feature_angle : float, default 40.0
         A feature line begins where the normals of two faces differ by so many degrees, 5 to 175. It
         goes on from its ends down to half of that.
@@ -387,13 +323,6 @@ def sample(
         strong angle.
     feature_length : float, default 3.0
         Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
-    sizing : {'curvature', 'quality'}, default 'curvature'
-        What the density follows where lambda is above 0. curvature: the mean curvature. quality:
-        the mesh's vertex quality, which takes the place of |H| r. The vertex quality is the
-        argument quality.
-    max_stretch : float, default 4.0
-        Where lambda is above 0 the smallest triangles are at most so many times smaller than the
-        largest ones; 1 to 100. The paper's equations do not use it.
     sew : bool, default True
         Borders that lie on one another edge by edge, within a millionth of the bounding box, are
         joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
@@ -410,14 +339,6 @@ def sample(
     time_limit : float, default 0.0
         A run that takes longer is given up, and nothing is changed. 0 is no limit. The engine's
         time counts, without the conversion of arrays.
-    placement : {'preset', 'disk-intersection', 'border-edge'}, default 'preset'
-        Where the next sample is put. disk-intersection (default, fast): where the borders of two
-        disks meet. border-edge (paper): on a random edge that the border of the disks crosses.
-    equations : {'preset', 'calibrated', 'paper'}, default 'preset'
-        Which form of the paper's equations (1), (4) and (5) is used. calibrated (default, fast): a
-        constant that hits the number of vertices, a density without units, and its mean over the
-        area. paper: as they are printed, with 0.844, the mean curvature in 1/mesh unit with its
-        sign, and the mean over the vertices.
 
     Returns
     -------

@@ -38,23 +38,21 @@ def _imply(parameters, name, choice, argument, values):
         raise ValueError(f"{name}={choice!r} needs {argument}.")
 
 
-def extras(mesh, parameters, region, quality, feature_edges):
+def extras(mesh, parameters, region, feature_edges):
     vertex_num = len(mesh.vertices)
     made = _core.Extras()
     made.region = _arrays.mask("region", region, vertex_num, "vertices")
-    made.quality = _arrays.per_vertex("quality", quality, vertex_num)
     made.feature_edges = _arrays.edges("feature_edges", feature_edges, vertex_num)
     _imply(parameters, "feature_region", "selection", "region", region)
-    _imply(parameters, "sizing", "quality", "quality", quality)
     _imply(parameters, "features", "selected", "feature_edges", feature_edges)
     return made
 
 
-def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, quality, feature_edges, uv, image):
+def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, feature_edges, uv, image):
     """The run of `remesh` on a mesh that was taken over, and maybe prepared."""
     _check_progress(progress)
     parameters = _given(parameters)
-    given = extras(mesh, parameters, region, quality, feature_edges)
+    given = extras(mesh, parameters, region, feature_edges)
     given.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
     given.uv = mesh.corner_uv("uv", uv)
     given.images = mesh.images("image", image)
@@ -67,7 +65,7 @@ def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, quali
 
 
 @with_parameters("remesh")
-def remesh(vertices, faces, *, selected=None, region=None, quality=None, feature_edges=None, uv=None,
+def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, uv=None,
            image=None, progress=None, **parameters):
     """Remeshes a surface to nearly equilateral triangles with exactly as many vertices as asked for.
 
@@ -83,8 +81,6 @@ def remesh(vertices, faces, *, selected=None, region=None, quality=None, feature
         Only the faces with True are remeshed. All others stay bit for bit as they are and come first.
     region : array_like (n,) of bool, optional
         The feature region: the vertices around which triangles are smaller (`feature_disk_scale`).
-    quality : array_like (n,), optional
-        What the density follows where `lambda_` is above 0, instead of the curvature.
     feature_edges : array_like (e, 2), optional
         Edges of the faces, as pairs of vertices, that edges of the result shall follow. With `features`
         not given they are the only ones; with features='auto' those that are found come beside them.
@@ -131,11 +127,11 @@ def remesh(vertices, faces, *, selected=None, region=None, quality=None, feature
     300
     """
     return remesh_mesh(_arrays.Mesh(vertices, faces), None, progress, parameters, selected=selected,
-                       region=region, quality=quality, feature_edges=feature_edges, uv=uv, image=image)
+                       region=region, feature_edges=feature_edges, uv=uv, image=image)
 
 
 @with_parameters("sample")
-def sample(vertices, faces, *, region=None, quality=None, feature_edges=None, progress=None,
+def sample(vertices, faces, *, region=None, feature_edges=None, progress=None,
            **parameters):
     """Spreads points evenly over a surface: a geodesic Poisson-disk sampling.
 
@@ -144,7 +140,7 @@ def sample(vertices, faces, *, region=None, quality=None, feature_edges=None, pr
 
     Parameters
     ----------
-    vertices, faces, region, quality, feature_edges, progress
+    vertices, faces, region, feature_edges, progress
         As those of `remesh`.
     PARAMETERS
 
@@ -170,7 +166,7 @@ def sample(vertices, faces, *, region=None, quality=None, feature_edges=None, pr
     _check_progress(progress)
     parameters = _given(parameters)
     mesh = _arrays.Mesh(vertices, faces)
-    given = extras(mesh, parameters, region, quality, feature_edges)
+    given = extras(mesh, parameters, region, feature_edges)
     outcome = _core.sample(mesh.vertices, mesh.faces, given, parameters, progress)
     check(outcome)
     return Samples(

@@ -72,16 +72,6 @@ def mask(name, values, length, what):
     return _in_order(array, bool).view(np.uint8)
 
 
-def per_vertex(name, values, length):
-    """A real number for each vertex, as float32; None stays None."""
-    if values is None:
-        return None
-    array = _array(name, values)
-    if array.shape != (length,):
-        raise ValueError(f"{name} must have the shape ({length},), not {array.shape}.")
-    return _numbers(name, array, f"({length},)", np.float32)
-
-
 def edges(name, values, vertex_num):
     """Edges as pairs of vertices; None stays None."""
     if values is None:

@@ -59,7 +59,7 @@ class FileMesh:
     def __repr__(self):
         return f"<gpremesh.FileMesh: {len(self.vertices)} vertices, {len(self.faces)} faces>"
 
-    def remesh(self, vertex_count=None, *, selected=None, region=None, quality=None, feature_edges=None,
+    def remesh(self, vertex_count=None, *, selected=None, region=None, feature_edges=None,
                progress=None, **parameters):
         """Remeshes this mesh and carries everything over, by the rules of the command line.
 
@@ -67,9 +67,8 @@ class FileMesh:
         ----------
         vertex_count : int, optional
             How many vertices the result has.
-        selected, region, quality, feature_edges, progress, **parameters
-            As those of `gpremesh.remesh`. Where they are not given, the region is that of the file, and
-            with sizing='quality' the quality is `vertex_values["quality"]`.
+        selected, region, feature_edges, progress, **parameters
+            As those of `gpremesh.remesh`. Where it is not given, the region is that of the file.
 
         Returns
         -------
@@ -82,13 +81,11 @@ class FileMesh:
             As `gpremesh.remesh`.
         """
         parameters = _api.checked("remesh", dict(parameters, vertex_count=vertex_count), progress)
-        if quality is None and parameters.get("sizing") == "quality":
-            quality = self.vertex_values.get("quality")
         marked = None if self.region is None else np.asarray(self.region, bool)
         if region is None and parameters.get("feature_region") == "selection":
             region = marked
         mesh = _arrays.Mesh(self.vertices, self.faces)
-        extras = _api.extras(mesh, parameters, region, quality, feature_edges)
+        extras = _api.extras(mesh, parameters, region, feature_edges)
         extras.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
         if region is None:  # by default they count where there are any
             extras.region = _arrays.mask("region", marked, len(mesh.vertices), "vertices")

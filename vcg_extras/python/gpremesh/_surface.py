@@ -38,13 +38,13 @@ class Surface:
         self._one_run = threading.Lock()
 
     @with_parameters("remesh")
-    def remesh(self, *, selected=None, region=None, quality=None, feature_edges=None, uv=None, image=None,
+    def remesh(self, *, selected=None, region=None, feature_edges=None, uv=None, image=None,
                progress=None, **parameters):
         """Remeshes the surface: the same bytes as those of `gpremesh.remesh`, in less time.
 
         Parameters
         ----------
-        selected, region, quality, feature_edges, uv, image, progress
+        selected, region, feature_edges, uv, image, progress
             As those of `gpremesh.remesh`. They may be others in each run.
         PARAMETERS
 
@@ -60,4 +60,4 @@ class Surface:
         """
         with self._one_run:
             return remesh_mesh(self._mesh, self._prepared, progress, parameters, selected=selected,
-                               region=region, quality=quality, feature_edges=feature_edges, uv=uv, image=image)
+                               region=region, feature_edges=feature_edges, uv=uv, image=image)

@@ -16,16 +16,17 @@ def type_of(entry):
     """The type of a parameter, as an annotation."""
     if entry["kind"] != "choice":
         plain = _TYPES[entry["kind"]]
+        if entry["default"] == "auto":
+            return typing.Union[plain, typing.Literal["auto"]]
         return typing.Union[plain, str] if entry["name"] == "max_error" else plain
-    choices = typing.Literal[tuple(entry["choices"])]
-    return typing.Union[choices, bool] if {"on", "off"} <= set(entry["choices"]) else choices
+    return typing.Literal[tuple(entry["choices"])]
 
 
 def type_text(entry):
     """The type of a parameter, as NumPy's docstrings write it."""
     if entry["kind"] == "choice":
         return "{" + ", ".join(repr(choice) for choice in entry["choices"]) + "}"
-    return _TYPES[entry["kind"]].__name__
+    return _TYPES[entry["kind"]].__name__ + (" or 'auto'" if entry["default"] == "auto" else "")
 
 
 def documentation(tool):

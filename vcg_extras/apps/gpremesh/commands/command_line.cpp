@@ -149,10 +149,11 @@ bool isForStep(const Parameter& p)
 	return !isForPlan(p);
 }
 
-/// The other methods know no time limit.
+/// The other methods know no time limit and remesh the whole; all results are checked.
 bool isForCompare(const Parameter& p)
 {
-	return std::string(p.key) != "TimeLimit";
+	const std::string key = p.key;
+	return key != "TimeLimit" && key != "Selected" && key != "Check";
 }
 
 CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
@@ -163,7 +164,7 @@ CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"Edge Collapse and prints a table: time, distances from IN, triangle quality.");
 	compare->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
 		->required();
-	addTableOptions(*compare, CompareTool, given, isForCompare);
+	addTableOptions(*compare, RemeshTool, given, isForCompare);
 	compare->add_flag("--isotropic", line.isotropic, "MeshLab's Isotropic Explicit Remeshing too");
 	compare->add_option("--runs", line.runNum, "How often each method is run; the median counts")
 		->check(CLI::Range(1, 101))

@@ -46,7 +46,7 @@ struct CommandLine {
 	int         runNum     = 1;     ///< compare only
 	std::string htmlFolder;         ///< compare only; empty = no page
 	RemeshOptions options;          ///< all but info
-	std::string   optionsText;      ///< these as the user gave them: "--lambda 2 --fit off"
+	std::string   optionsText;      ///< these as the user gave them: "--lambda 2 --preset fast"
 	TileSettings  tiles;            ///< tile, and remesh with --memory
 
 	std::vector<std::string> notes; ///< sentences that the program adds to the report's

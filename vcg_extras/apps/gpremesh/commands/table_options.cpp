@@ -34,7 +34,8 @@ ParameterValue parseCount(const Parameter& p, const std::string& given)
 ParameterValue parseReal(const Parameter& p, const std::string& given)
 {
 	double value = 0;
-	if (!parseNumber(given, value) || !isInRange(p, value)) failRange(p, "a number", given);
+	if (p.isAutomatic && given == automaticName) return Automatic();
+	if (!parseNumber(given, value) || !isInRange(p, value)) failRange(p, numberKind(p), given);
 	return value;
 }
 
@@ -75,6 +76,7 @@ ParameterValue parseValue(const Parameter& p, const std::string& given)
 std::string defaultText(const Parameter& p)
 {
 	if (isSizeParameter(p)) return "";
+	if (p.isAutomatic) return automaticName;
 	const ParameterValue value = p.defaultValue(MeshFacts());
 	if (p.kind == ParameterKind::Switch) return std::get<bool>(value) ? "on" : "off";
 	if (p.kind == ParameterKind::Choice) {

@@ -59,7 +59,7 @@ BaselineResult runDefault(Comparison& c)
 BaselineResult runPaper(Comparison& c)
 {
 	RemeshOptions options = c.wishes.options;
-	applyPreset(Preset::Paper, options);
+	options.preset        = Preset::Paper;
 	RemeshResult result;
 	return runEngine(c, options, result);
 }
@@ -72,15 +72,6 @@ BaselineResult runQuadric(Comparison& c)
 BaselineResult runIsotropic(Comparison& c)
 {
 	return remeshIsotropically(c.input.view(), c.edgeLen);
-}
-
-/// Whether every stage is that of the paper.
-bool isPaper(const RemeshOptions& o)
-{
-	RemeshOptions paper;
-	applyPreset(Preset::Paper, paper);
-	return o.placement == paper.placement && o.retriangulation == paper.retriangulation &&
-		   o.smoothing == paper.smoothing && o.equations == paper.equations;
 }
 
 std::vector<Method> chosenMethods(const CompareWishes& wishes)

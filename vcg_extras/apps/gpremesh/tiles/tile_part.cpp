@@ -138,11 +138,10 @@ private:
 	RemeshOptions optionsFor(std::int64_t vertexNum) const
 	{
 		RemeshOptions options;
-		applyPreset(Preset::Fast, options);
+		options.preset           = Preset::FastFitted; // halves the distance from the input
 		options.targetMode       = TargetMode::VertexNum;
 		options.targetVertexNum  = std::max<std::int64_t>(4, vertexNum);
 		options.allowNearest     = true;
-		options.fit              = Fit::Quick; // halves what the result is farther from the input
 		options.adapt            = condensedAdapt;
 		options.boundary         = BoundaryMode::Keep;
 		options.seed             = plan_.options.seed;

@@ -44,9 +44,8 @@ void checkOptions(const RemeshOptions& options)
 	if (options.targetMode == TargetMode::MaxError)
 		failUsage("--max-error is proven against the whole input, which tiles do not hold. Give "
 				  "--vertices, --percent or --edge-length.");
-	if (options.selectedOnly || options.sizing == SizingSource::Quality ||
-		options.featureRegion == FeatureRegion::Selection)
-		failUsage("Selections and quality are not carried through tiles.");
+	if (options.selectedOnly || options.featureRegion == FeatureRegion::Selection)
+		failUsage("Selections are not carried through tiles.");
 	if (options.boundary == BoundaryMode::Keep)
 		failUsage("--boundary keep is not possible in tiles, whose results are made of a condensed "
 				  "mesh.");

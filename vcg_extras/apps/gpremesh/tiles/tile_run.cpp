@@ -141,7 +141,7 @@ std::string expectation(const TilePlan& plan, const RunFolder& folder)
 	const double     vertexNum = resultVertexNum(plan.options, double(plan.allVertices()));
 	const double     condensed = condensedDensity(vertexNum, plan.memoryBytes) * vertexNum;
 	RemeshOptions    quick     = plan.options;
-	applyPreset(Preset::Fast, quick);
+	quick.preset               = Preset::Fast;
 	RunEstimate estimate;
 	estimate.bytes   = plan.memoryBytes;
 	estimate.seconds = splitSecondsPerFace * faceNum + secondsOfRun(faceNum, condensed, quick) +
