@@ -393,8 +393,8 @@ MUTANTS = [
     # ---- output
     ("audit: second fans", "output/audit.cpp",
      "if (found.corners != m.halfEdgeNum()) ++found.badVertices;", ""),
-    ("areas after export", "output/export.cpp", "audit.passed        = audit.zeroAreaFaces == 0;",
-     "audit.passed        = true;"),
+    ("areas after export", "output/export.cpp", "audited.passed        = audited.zeroAreaFaces == 0;",
+     "audited.passed        = true;"),
     ("kept vertices that are others", "output/export.cpp",
      "if (length(place - out.mesh.positions[v]) > unit * farthestFromItself) continue;", "",
      "only a kept point on an edge that was halved fifteen times lies beside a vertex; the result is then "

@@ -63,8 +63,10 @@ TEST(Recipe, TheScriptMakesTheMeshOfTheValues)
 	const gpr_filter::LayerCopy copy   = gpr_filter::copyLayer(document.layer().cm, {});
 	const Recipe                recipe = gpr_filter::recipeFor(someValues(), facts, "a/ball.ply");
 	gpr::ParameterSet           set;
-	for (const auto& [key, value] : someValues())
-		set.set(*gpr::findParameter(key), value);
+	for (const auto& [key, value] : someValues()) {
+		if (const gpr::Parameter* parameter = gpr::findParameter(key)) // else MeshLab's own
+			set.set(*parameter, value);
+	}
 	const gpr::RemeshResult wanted = gpr::remesh(copy.view(), set.options());
 	ASSERT_EQ(wanted.status, gpr::Status::Ok) << wanted.message;
 

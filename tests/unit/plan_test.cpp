@@ -697,7 +697,7 @@ TEST(Plan, AlwaysComesToAnEnd)
 		const std::int64_t asked = 1 + random.below(80), kept = random.chance(0.2) ? asked / 2 : 0;
 		const bool         isWish  = random.chance(0.5);
 		RemeshOptions      options = isWish ? wish(asked) : order(asked);
-		const bool isExact         = random.chance(0.8);
+		const bool         isExact = random.chance(0.8);
 		options.preset             = isExact ? Preset::Default : Preset::Paper;
 		options.guard              = false;
 		const double hit = random.between(0, 1), flat = random.between(0, 1);

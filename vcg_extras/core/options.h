@@ -78,7 +78,7 @@ struct RemeshOptions {
 	bool         sew = true; ///< borders that lie at one place edge by edge are joined: sew_seams.h
 	double       timeLimitSeconds = 0; ///< the run ends then without a result; 0 = none
 	bool check = false; ///< self-intersections and distances are looked for: thorough_check.h
-	/// Self-intersections are looked for and taken out: run/guarded_result.h. Never with
+	/// Self-intersections are looked for and taken out: guard/contact_removal.h. Never with
 	/// Preset::Paper. Off for tests and measurements of what comes before: no host offers it.
 	bool guard        = true;
 	bool selectedOnly = false; ///< remesh the selected faces, leave the rest as it is

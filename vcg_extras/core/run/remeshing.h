@@ -6,7 +6,7 @@
 #include "input_stages.h"
 #include "plan.h"
 #include "products.h"
-#include "report.h"
+#include "reporting.h"
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/run_context.h>

@@ -15,8 +15,8 @@ GivenSamples takeOverSamples(const Surface& surface, const std::vector<Vec3d>& p
 							 Workers& workers)
 {
 	const NearestOnMesh tree(surface.mesh, workers);
-	const float    onSurface = 1e-5f;
-	GivenSamples   given;
+	const float         onSurface = 1e-5f;
+	GivenSamples        given;
 	for (const Vec3d& point : points) {
 		workers.poll();
 		const Vec3f        q = surface.frame.toWorking(point);

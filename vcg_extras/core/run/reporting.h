@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_RUN_REPORT_H
-#define VCG_EXTRAS_CORE_RUN_REPORT_H
+#ifndef VCG_EXTRAS_CORE_RUN_REPORTING_H
+#define VCG_EXTRAS_CORE_RUN_REPORTING_H
 
 #include "products.h"
 
