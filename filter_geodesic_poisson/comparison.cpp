@@ -116,30 +116,18 @@ MeasuredMesh measure(const gpr::MeshView& mesh, gpr::Workers& workers)
 	return {gpr::measureMesh(mesh), gpr::measureQuality(mesh, workers)};
 }
 
-/// The proof may find points farther than those that were measured.
-void proveDistance(const gpr::MeasuredSurface& input, const gpr::MeasuredSurface& surface,
-				   double diagonal, ComparedResult& result, gpr::Workers& workers)
-{
-	const gpr::CertificateSettings settings = gpr::usualCertificate(diagonal);
-	const gpr::MutualBounds both = {gpr::certifiedDistance(surface, input, settings, workers),
-									gpr::certifiedDistance(input, surface, settings, workers)};
-	result.proven                = both.hausdorff();
-	result.toInput.max           = std::max(result.toInput.max, both.toInput.lower);
-	result.fromInput.max         = std::max(result.fromInput.max, both.fromInput.lower);
-}
-
 void measureResult(const gpr::MeshView& input, const gpr::MeasuredSurface& target, double diagonal,
 				   ComparedResult& result, gpr::Workers& workers)
 {
-	const gpr::MeshView        mesh     = result.mesh.view();
-	const std::int64_t         pointNum = gpr::distanceSampleNum(mesh.faceNum);
-	const gpr::MeasuredSurface surface(mesh, target, workers);
-	result.measured  = measure(mesh, workers);
-	result.shape     = gpr::radiusRatios(mesh, workers);
-	result.deviation = target.ofFaces(mesh, workers);
-	result.toInput   = target.from(mesh, pointNum, workers);
-	result.fromInput = surface.from(input, pointNum, workers);
-	proveDistance(target, surface, diagonal, result, workers);
+	const gpr::MeshView mesh = result.mesh.view();
+	result.measured          = measure(mesh, workers);
+	result.shape             = gpr::radiusRatios(mesh, workers);
+	result.deviation         = target.ofFaces(mesh, workers);
+	const gpr::ComparedDistance distance =
+		gpr::compareSurfaces(input, target, mesh, diagonal, workers);
+	result.toInput   = distance.toInput;
+	result.fromInput = distance.fromInput;
+	result.proven    = distance.proven.hausdorff();
 }
 
 void measureAll(const gpr::MeshView& input, int threads, const Watch& watch, Comparison& comparison)

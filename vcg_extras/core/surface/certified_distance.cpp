@@ -541,4 +541,20 @@ MutualBounds certifiedDistances(const MeshView& input, const MeshView& result,
 	return {certifiedDistance(b, a, settings, workers), certifiedDistance(a, b, settings, workers)};
 }
 
+ComparedDistance compareSurfaces(const MeshView& input, const MeasuredSurface& inputSurface,
+								 const MeshView& result, double diagonal, Workers& workers)
+{
+	const MeasuredSurface     surface(result, inputSurface, workers);
+	const std::int64_t        pointNum = distanceSampleNum(result.faceNum);
+	const CertificateSettings settings = usualCertificate(diagonal);
+	ComparedDistance          found;
+	found.toInput          = inputSurface.from(result, pointNum, workers);
+	found.fromInput        = surface.from(input, pointNum, workers);
+	found.proven.toInput   = certifiedDistance(surface, inputSurface, settings, workers);
+	found.proven.fromInput = certifiedDistance(inputSurface, surface, settings, workers);
+	found.toInput.max      = std::max(found.toInput.max, found.proven.toInput.lower);
+	found.fromInput.max    = std::max(found.fromInput.max, found.proven.fromInput.lower);
+	return found;
+}
+
 } // namespace gpr

@@ -66,6 +66,19 @@ std::vector<FarPlace> placesBeyond(const MeasuredSurface& from, const MeasuredSu
 MutualBounds certifiedDistances(const MeshView& input, const MeshView& result,
 								const CertificateSettings& settings, Workers& workers);
 
+/// Distances of an input and a result from each other.
+struct ComparedDistance {
+	DistanceFigures toInput;   ///< of the points of the result from the input
+	DistanceFigures fromInput; ///< of the points of the input from the result
+	MutualBounds    proven;    ///< of the largest distances
+};
+
+/// Measures both ways, as many points as a comparison takes (distanceSampleNum), and proves the
+/// largest distances as reports tell them. What the proof finds farther off counts as measured.
+/// Cost: that of both, some seconds a million faces.
+ComparedDistance compareSurfaces(const MeshView& input, const MeasuredSurface& inputSurface,
+								 const MeshView& result, double diagonal, Workers& workers);
+
 } // namespace gpr
 
 #endif

@@ -34,9 +34,9 @@ Json methodJson(const CompareRecord& record, const MethodRecord& m)
 	json.update(figuresJson(m.record.figures));
 	json["nonManifoldEdges"] = m.record.nonManifoldEdges;
 	json["topologyKept"]     = m.topologyKept;
-	json["toInput"]          = distanceJson(record, m.toInput);
-	json["fromInput"]        = distanceJson(record, m.fromInput);
-	json["error"]            = boundsJson(m.proven, record.input.figures.diagonal);
+	json["toInput"]          = distanceJson(record, m.distance.toInput);
+	json["fromInput"]        = distanceJson(record, m.distance.fromInput);
+	json["error"]            = boundsJson(m.distance.proven, record.input.figures.diagonal);
 	json["quality"]          = qualityJson(m.record.quality);
 	return json;
 }

@@ -7,7 +7,6 @@
 #include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/remesh.h>
-#include <vcg_extras/core/surface/certified_distance.h>
 #include <vcg_extras/io/base/platform.h>
 
 #include <algorithm>
@@ -136,29 +135,14 @@ bool keepsTopology(const MeshRecord& result, const CompareRecord& all)
 			sameTopology(result.figures, all.cleanedInput));
 }
 
-/// The proof may find points farther than those that were measured.
-void proveDistances(const MeasuredSurface& input, const MeasuredSurface& result,
-					const CompareRecord& all, MethodRecord& method, Workers& workers)
-{
-	const CertificateSettings settings = usualCertificate(all.input.figures.diagonal);
-	method.proven.toInput              = certifiedDistance(result, input, settings, workers);
-	method.proven.fromInput            = certifiedDistance(input, result, settings, workers);
-	method.toInput.max                 = std::max(method.toInput.max, method.proven.toInput.lower);
-	method.fromInput.max = std::max(method.fromInput.max, method.proven.fromInput.lower);
-}
-
 void measureMethod(const MeshView& input, const MeasuredSurface& target, const CompareRecord& all,
 				   MethodRecord& method, Workers& workers)
 {
 	if (!method.failure.empty()) return;
-	const MeshView        result    = method.mesh.view();
-	const std::int64_t    sampleNum = distanceSampleNum(result.faceNum);
-	const MeasuredSurface surface(result, target, workers);
-	method.record       = recordOf(result, workers);
-	method.topologyKept = keepsTopology(method.record, all);
-	method.toInput      = target.from(result, sampleNum, workers);
-	method.fromInput    = surface.from(input, sampleNum, workers);
-	proveDistances(target, surface, all, method, workers);
+	const MeshView result = method.mesh.view();
+	method.record         = recordOf(result, workers);
+	method.topologyKept   = keepsTopology(method.record, all);
+	method.distance = compareSurfaces(input, target, result, all.input.figures.diagonal, workers);
 }
 
 } // namespace

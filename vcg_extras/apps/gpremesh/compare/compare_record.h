@@ -5,7 +5,7 @@
 
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/report.h>
-#include <vcg_extras/core/surface/surface_distance.h>
+#include <vcg_extras/core/surface/certified_distance.h>
 
 #include <string>
 #include <vector>
@@ -30,9 +30,7 @@ struct MethodRecord {
 	std::vector<double> processorSeconds; ///< of the same, all threads together
 	MeshRecord          record;
 	bool                topologyKept = false;
-	DistanceFigures     toInput;   ///< of the points of the result from the input
-	DistanceFigures     fromInput; ///< of the points of the input from the result
-	MutualBounds        proven;    ///< of the largest distances
+	ComparedDistance    distance; ///< of input and result from each other
 };
 
 /// 0 of none.

@@ -79,19 +79,22 @@ void addShapes(TableMaker& table)
 
 void addDistances(TableMaker& table)
 {
-	table.distance("E_RMS, result to input", [](const MethodRecord& m) { return m.toInput.rms; });
-	table.distance("E_RMS, input to result", [](const MethodRecord& m) { return m.fromInput.rms; });
-	table.distance("p99.9, result to input", [](const MethodRecord& m) { return m.toInput.p999; });
+	table.distance("E_RMS, result to input",
+				   [](const MethodRecord& m) { return m.distance.toInput.rms; });
+	table.distance("E_RMS, input to result",
+				   [](const MethodRecord& m) { return m.distance.fromInput.rms; });
+	table.distance("p99.9, result to input",
+				   [](const MethodRecord& m) { return m.distance.toInput.p999; });
 	table.distance("p99.9, input to result",
-				   [](const MethodRecord& m) { return m.fromInput.p999; });
+				   [](const MethodRecord& m) { return m.distance.fromInput.p999; });
 	table.distance("Hausdorff, result to input",
-				   [](const MethodRecord& m) { return m.toInput.max; });
+				   [](const MethodRecord& m) { return m.distance.toInput.max; });
 	table.percent("  % proven, at most",
-				  [](const MethodRecord& m) { return m.proven.toInput.upper; });
+				  [](const MethodRecord& m) { return m.distance.proven.toInput.upper; });
 	table.distance("Hausdorff, input to result",
-				   [](const MethodRecord& m) { return m.fromInput.max; });
+				   [](const MethodRecord& m) { return m.distance.fromInput.max; });
 	table.percent("  % proven, at most",
-				  [](const MethodRecord& m) { return m.proven.fromInput.upper; });
+				  [](const MethodRecord& m) { return m.distance.proven.fromInput.upper; });
 }
 
 std::string changed(const char* what, std::int64_t from, std::int64_t to)
@@ -116,7 +119,7 @@ std::string topologyChange(const CompareRecord& all, const MethodRecord& m)
 std::string sizesText(const CompareRecord& record)
 {
 	const MethodRecord& first = record.methods.front();
-	return "Distances: " + grouped(first.toInput.sampleNum) +
+	return "Distances: " + grouped(first.distance.toInput.sampleNum) +
 		   " points spread evenly over each surface, and all its vertices; E_RMS and p99.9 over "
 		   "the even points, Hausdorff over all and over those that the proof "
 		   "looked at; no point is farther than what is proven. 99.9 % of the points are nearer "
@@ -194,7 +197,7 @@ std::vector<std::string> explanations(const CompareRecord& record)
 			list.push_back(m.column + ": " + m.failure);
 		else if (!m.topologyKept)
 			list.push_back(topologyChange(record, m));
-		if (m.proven.hausdorff().isBudgetSpent) list.push_back(budgetText(m));
+		if (m.distance.proven.hausdorff().isBudgetSpent) list.push_back(budgetText(m));
 	}
 	list.insert(list.end(), record.notes.begin(), record.notes.end());
 	return list;

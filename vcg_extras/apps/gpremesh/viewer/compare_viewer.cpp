@@ -109,7 +109,8 @@ double endOfColours(const CompareRecord& record)
 {
 	double end = 0;
 	for (const MethodRecord& m : record.methods)
-		if (m.failure.empty()) end = std::max(end, record.percentOfDiagonal(m.toInput.p999));
+		if (m.failure.empty())
+			end = std::max(end, record.percentOfDiagonal(m.distance.toInput.p999));
 	return end;
 }
 
