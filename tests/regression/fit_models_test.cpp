@@ -28,14 +28,14 @@ std::ostream& operator<<(std::ostream& out, const FittedModel& model)
 }
 
 /// The larger of both ways.
-SurfaceDistance distanceWith(Preset preset, double percent, const MeshView& input)
+SurfaceDistance distanceWith(bool fit, double percent, const MeshView& input)
 {
 	constexpr std::int64_t pointNum = 200000;
 	RemeshOptions          options;
 	options.targetPercent = percent;
 	options.allowNearest  = true;
 	options.threads       = 2;
-	options.preset        = preset;
+	options.fit           = fit;
 	const RemeshResult r  = remesh(input, options);
 	EXPECT_EQ(r.status, Status::Ok) << r.message;
 	Workers        workers(2, nullptr);
@@ -60,8 +60,8 @@ TEST_P(FittedModels, AreNoFartherThanWithoutTheFit)
 	const ModelFile model = findModel(GetParam().file);
 	if (!model.isThere()) GTEST_SKIP() << model.missing;
 	const app::InputMesh  input  = app::readMesh(model.path);
-	const SurfaceDistance fitted = distanceWith(Preset::Default, GetParam().percent, input.view());
-	const SurfaceDistance plain  = distanceWith(Preset::Fast, GetParam().percent, input.view());
+	const SurfaceDistance fitted = distanceWith(true, GetParam().percent, input.view());
+	const SurfaceDistance plain  = distanceWith(false, GetParam().percent, input.view());
 	EXPECT_LE(fitted.rms, 1.02 * plain.rms);
 	EXPECT_LE(fitted.p999, 1.1 * plain.p999);
 }
@@ -82,12 +82,12 @@ struct ProvenDistance {
 	DistanceBounds largest;
 };
 
-ProvenDistance provenDistanceWith(Preset preset, double percent, const MeshView& input)
+ProvenDistance provenDistanceWith(bool fit, double percent, const MeshView& input)
 {
 	RemeshOptions options;
 	options.targetPercent = percent;
 	options.threads       = 2;
-	options.preset        = preset;
+	options.fit           = fit;
 	options.check         = true;
 	const RemeshResult r  = remesh(input, options);
 	EXPECT_EQ(r.status, Status::Ok) << r.message;
@@ -102,10 +102,9 @@ TEST_P(CrowdedModels, AreNoFartherAnywhereThanWithoutTheFit)
 {
 	const ModelFile model = findModel(GetParam().file);
 	if (!model.isThere()) GTEST_SKIP() << model.missing;
-	const app::InputMesh input = app::readMesh(model.path);
-	const ProvenDistance fitted =
-		provenDistanceWith(Preset::Default, GetParam().percent, input.view());
-	const ProvenDistance plain = provenDistanceWith(Preset::Fast, GetParam().percent, input.view());
+	const app::InputMesh input  = app::readMesh(model.path);
+	const ProvenDistance fitted = provenDistanceWith(true, GetParam().percent, input.view());
+	const ProvenDistance plain  = provenDistanceWith(false, GetParam().percent, input.view());
 	EXPECT_LE(fitted.rms, 1.02 * plain.rms);
 	EXPECT_LE(fitted.largest.lower, 1.02 * plain.largest.upper);
 }
@@ -127,7 +126,7 @@ TEST(NeedleModels, PassTheCheckOfVerticesOnTheSurface)
 	RemeshOptions        options;
 	options.targetPercent = 2;
 	options.threads       = 2;
-	options.preset        = Preset::Fast;
+	options.fit           = false;
 	options.check         = true;
 	const RemeshResult r  = remesh(input.view(), options);
 	ASSERT_EQ(r.status, Status::Ok) << r.message;

@@ -80,7 +80,9 @@ struct RemeshOptions {
 	bool check = false; ///< self-intersections and distances are looked for: thorough_check.h
 	/// Self-intersections are looked for and taken out: guard/contact_removal.h. Never with
 	/// Preset::Paper. Off for tests and measurements of what comes before: no host offers it.
-	bool guard        = true;
+	bool guard = true;
+	/// The fit of the presets that have one. Off for the same uses as `guard`.
+	bool fit          = true;
 	bool selectedOnly = false; ///< remesh the selected faces, leave the rest as it is
 	/// Export RemeshResult::surfacePoints; without them a big surface takes 4 B a face less.
 	bool surfacePointsOfVertices = true;
@@ -113,7 +115,8 @@ inline bool isPaper(const RemeshOptions& options)
 /// Whether vertices leave the surface for where the triangles lie closest to it (see fit.h).
 inline bool isFitted(const RemeshOptions& options)
 {
-	return options.preset == Preset::Default || options.preset == Preset::FastFitted;
+	return options.fit &&
+		   (options.preset == Preset::Default || options.preset == Preset::FastFitted);
 }
 
 /// Whether a feature region is asked for, by its name or by its disk scale.

@@ -12,6 +12,7 @@
 #include <vcg_extras/core/optimization/line_release.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
 #include <vcg_extras/core/output/export.h>
+#include <vcg_extras/core/surface/surface_distance.h>
 
 #include <algorithm>
 #include <string>
@@ -38,6 +39,10 @@ constexpr int manyWorstRounds = 4;
 /// Where lines were released, no point of a face gets farther than this from the surface while
 /// angles are raised, in ideal edges, or than the largest distance that the fit left.
 constexpr float maxReleasedGap = 0.3f;
+/// A mesh without these lines may be so much farther from the input than the one before the fit, or
+/// so far, in ideal edges: nobody sees that.
+constexpr double mostFarther = 1.02;
+constexpr double nearMean = 0.015, nearMost = 0.3;
 
 float minAngleDeg(const RemeshOptions& options)
 {
@@ -89,12 +94,42 @@ void relax(RunContext& run, Products& made)
 /// would draw what is released to the sharp edge again.
 bool mayReleaseLines(const RunContext& run)
 {
-	return run.options.preset == Preset::Default && run.input.line == nullptr;
+	return run.options.preset == Preset::Default && isFitted(run.options) &&
+		   run.input.line == nullptr;
 }
 
 bool areLinesCrowded(RunContext& run, const ResultMesh& result)
 {
 	return areLinesCrowded(minAngleDeg(run.options), result, run.workers);
+}
+
+/// How far the input and a mesh are from each other, in ideal edges.
+struct Distance {
+	double rms     = 0;
+	double largest = 0; ///< no point is farther: proven
+};
+
+Distance distanceFromInput(RunContext& run, const WorkingSurface& surface, const ResultMesh& result)
+{
+	const double           unit = 1 / double(result.idealEdge);
+	const ComparedSurfaces both(surface, result, run.workers);
+	const SampledDistance  sampled =
+		sampledDistance({surface.mesh, both.input}, {result.mesh, both.result}, run.workers);
+	const double diagonal = surface.figures.diagonal * surface.frame.scale;
+	return {sampled.mutual.larger().rms * unit,
+			boundsOf(diagonal, both, run.workers).hausdorff().upper * unit};
+}
+
+/// Whether a mesh whose lines were released is farther from the input than it was before the fit,
+/// on the mean or at most, and farther than is near enough.
+bool hasLostSurface(RunContext& run, const WorkingSurface& surface, const ResultMesh& released,
+					const ResultMesh& start)
+{
+	const Distance of = distanceFromInput(run, surface, released);
+	if (of.rms <= nearMean && of.largest <= nearMost) return false;
+	const Distance before = distanceFromInput(run, surface, start);
+	return of.rms > std::max(nearMean, mostFarther * before.rms) ||
+		   of.largest > std::max(nearMost, mostFarther * before.largest);
 }
 
 /// What the fit leaves for the repair of poor faces.
@@ -139,7 +174,7 @@ void fitAndRepair(RunContext& run, const Decisions& decisions, Products& made)
 	if (!repairPoorFaces(made.surface, made.curves, poor, fitted.map, made.result, run.workers))
 		run.tellCap("changes for small angles");
 	// Vertices have come and gone.
-	made.fitDistance = farthestFromSurface(made.result);
+	if (isFitted(run.options)) made.fitDistance = farthestFromSurface(made.result);
 }
 
 } // namespace
@@ -189,11 +224,22 @@ FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
 
 NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made)
 {
-	made.result      = std::move(*made.beforeFit);
-	made.releasedNum = releaseLines(minAngleDeg(run.options), made.result, run.workers);
+	const float   fitDistance = made.fitDistance;
+	KnownContacts contacts    = std::move(made.contacts);
+	ResultMesh    withLines   = std::move(made.result);
+	made.result               = copyResult(*made.beforeFit, run.workers);
+	made.releasedNum          = releaseLines(minAngleDeg(run.options), made.result, run.workers);
 	fitAndRepair(run, decisions, made);
-	run.tell("Feature lines are so close to each other that they would leave acute angles; " +
-			 std::to_string(made.releasedNum) + " vertices there need not stay on them.");
+	if (hasLostSurface(run, made.surface, made.result, *made.beforeFit)) {
+		made.releasedNum = 0;
+		made.fitDistance = fitDistance;
+		made.contacts    = std::move(contacts);
+		made.result      = std::move(withLines);
+	}
+	else {
+		run.tell("Feature lines are so close to each other that they would leave acute angles; " +
+				 std::to_string(made.releasedNum) + " vertices there need not stay on them.");
+	}
 	return {};
 }
 

@@ -31,7 +31,8 @@ MeshFacts relaxTriangles(RunContext& run, Products& made);
 FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Release: feature lines that are too close to each other for good angles are released, and
-/// the fit begins anew.
+/// the fit begins anew. Without some lines the surface may be lost; then the result stays as it
+/// was.
 NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Contacts: takes self-intersections out of the result where the options ask for that.
