@@ -22,7 +22,7 @@ ODD = [
     np.array([[0, 1], [5, 5]]), np.array(VERTICES, object), VERTICES.astype(complex), VERTICES[::-1],
     VERTICES.astype(np.float16), FACES[:, ::-1], FACES.astype(np.int8), FACES[:5], VERTICES * 1e200, VERTICES * 1e-200,
 ]
-ARRAYS = ["vertices", "faces", "selected", "region", "quality", "feature_edges", "uv", "image", "progress"]
+ARRAYS = ["vertices", "faces", "selected", "region", "feature_edges", "uv", "image", "progress"]
 
 
 def random_value(rng, name):
@@ -68,7 +68,7 @@ def test_bad_calls_of_the_compiled_part():
     refused = 0
     for _ in range(300):
         extras = _core.Extras()
-        name = rng.choice(["selected", "region", "quality", "feature_edges", "uv", "images"])
+        name = rng.choice(["selected", "region", "feature_edges", "uv", "images"])
         try:
             setattr(extras, name, rng.choice(ODD))
             _core.remesh(*(rng.choice([VERTICES, FACES] + ODD) for _ in range(2)), extras, {}, None)

@@ -47,7 +47,8 @@ class Wheels(unittest.TestCase):
     def test_requirements_are_those_of_the_project(self):
         found = load("make_wheels").wheel_systems.build_requirements(ROOT / "pyproject.toml")
         project = tomllib.loads((ROOT / "pyproject.toml").read_text())
-        self.assertEqual(found[:2], project["build-system"]["requires"])
+        wanted = project["build-system"]["requires"]
+        self.assertEqual(found[:len(wanted)], wanted)
 
 
 class Blender(unittest.TestCase):
