@@ -3,8 +3,9 @@
 // Writes the mesh between the stages of a run, for pictures of them.
 #include "staged_run.h"
 
-#include <vcg_extras/apps/gpremesh/mesh_io.h>
-#include <vcg_extras/apps/gpremesh/run_limit.h>
+#include <vcg_extras/core/retriangulation/vertex_removal.h>
+#include <vcg_extras/io/formats/ply_writer.h>
+#include <vcg_extras/io/mesh_io.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -17,7 +18,7 @@ using namespace gpr;
 const char* const usage =
 	"gpr_stage_meshes IN PERCENT DIR\n\n"
 	"Remeshes IN to PERCENT % of its vertices, all of one size, and writes the mesh after each\n"
-	"stage: DIR/retriangulated.off, flipped.off, counted.off, conformal.off and fitted.off.\n";
+	"stage: DIR/retriangulated.ply, flipped.ply, counted.ply, repaired.ply and fitted.ply.\n";
 
 TriangleMesh inCallersUnit(const ResultMesh& result, const Frame& frame)
 {
@@ -36,15 +37,19 @@ void writeStages(const std::string& in, double percent, const std::string& folde
 	options.targetPercent = percent;
 	options.adapt         = 0;
 	bench::StagedRun run(input.view(), options);
+	const Products&  made  = run.sampled();
 	const auto       write = [&](const char* name, const ResultMesh& result) {
-        app::MeshAttributes none;
-        app::writeMesh(inCallersUnit(result, run.prepared().surface.frame), false, none,
-							 folder + "/" + name + ".off", app::RunLimit());
+        app::OutputFile    out(folder + "/" + name + ".ply");
+        const TriangleMesh mesh = inCallersUnit(result, made.surface.frame);
+        app::writePly(mesh.view(), false, app::MeshAttributes(), out);
+        out.commit();
 	};
-	write("retriangulated", run.sampled().mesh);
+	Workers workers(0, nullptr);
+	write("retriangulated", removeVertices(made.surface, made.samples.sampling, made.samples.curves,
+										   made.surface.figures, workers));
 	write("flipped", run.improved().flipped);
 	write("counted", run.improved().counted);
-	write("conformal", run.improved().conformal);
+	write("repaired", run.improved().repaired);
 	write("fitted", run.improved().fitted);
 }
 
