@@ -17,6 +17,7 @@
 #include <vcg_extras/core/surface/barycentric_point.h>
 
 #include <algorithm>
+#include <new>
 #include <optional>
 #include <random>
 #include <string>
@@ -48,7 +49,16 @@ struct TellAtEnd {
 	Run&    run;
 	Result& out;
 
-	~TellAtEnd() { run.told().handOver(out); }
+	/// Where memory has run out, nothing is told: what ended the run must reach the caller.
+	~TellAtEnd()
+	{
+		try {
+			run.told().handOver(out);
+		}
+		catch (const std::bad_alloc&) {
+			out.notes.clear();
+		}
+	}
 };
 template <class Run, class Result>
 TellAtEnd(Run&, Result&) -> TellAtEnd<Run, Result>;
