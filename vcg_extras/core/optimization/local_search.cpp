@@ -201,7 +201,7 @@ LocalSearch::Before LocalSearch::lookAt(PatchEditor::Snapshot snapshot)
 	before.worst     = worstOf(before.faces());
 	for (int v : before.snapshot.backup.vertices())
 		before.meanEdge = std::max(before.meanEdge, editor_.meanEdge(v));
-	if (limitsGaps()) before.squaredGap = squaredGapOf(before.faces());
+	if (limitsGaps()) before.seeds = seedsOf(before.faces());
 	if (intersectsHere_) before.intersections = intersectionNum(before.faces());
 	work_ -= workOfPatchFace * std::int64_t(before.faces().size());
 	return before;
@@ -237,7 +237,7 @@ bool LocalSearch::keepsLimits(Before& before)
 	if (before.distance == nullptr)
 		before.distance = distanceOf(before.faces(), before.triangles, before.meanEdge);
 	if (!keepsDistance(before.distance.get(), faces)) return false;
-	if (limitsGaps() && squaredGapOf(faces) > before.squaredGap) return false;
+	if (limitsGaps() && !keepsGap(before, faces)) return false;
 	return !goal_->limits.intersections || intersectionNum(faces) <= before.intersections;
 }
 
@@ -261,19 +261,32 @@ bool LocalSearch::keepsDistance(const PatchDistance* distance, const std::vector
 	return distance->isKeptBy(trianglesOf(m_, faces));
 }
 
-/// The largest of the faces' gaps, squared, or the one allowed where none is larger.
-float LocalSearch::squaredGapOf(const std::vector<int>& faces)
+/// Gaps take long to measure, and nearly all trials end before: the gap of the patch as it was is
+/// only measured where that of the patch to come is larger than allowed.
+bool LocalSearch::keepsGap(const Before& before, const std::vector<int>& faces)
 {
-	const HalfEdgeMesh& surface = editor_.surface().mesh;
-	const Triangles     shape   = trianglesOf(m_, faces);
-	const auto below   = [&](int h) { return editor_.result().vertex[m_.origin[h]].point.face; };
-	float      largest = goal_->limits.maxGap * goal_->limits.maxGap;
-	for (std::size_t i = 0; i < faces.size(); ++i) {
-		const int                h    = 3 * faces[i];
-		const std::array<int, 3> seed = {below(h), below(h + 1), below(h + 2)};
-		largest                       = gapFromTriangle(surface, shape[i], seed, largest).squared;
-	}
-	work_ -= workOfGap * std::int64_t(faces.size());
+	const float allowed = goal_->limits.maxGap * goal_->limits.maxGap;
+	const float now     = squaredGapOf(trianglesOf(m_, faces), seedsOf(faces), allowed);
+	return now <= allowed || now <= squaredGapOf(before.triangles, before.seeds, allowed);
+}
+
+std::vector<std::array<int, 3>> LocalSearch::seedsOf(const std::vector<int>& faces) const
+{
+	const auto below = [&](int h) { return editor_.result().vertex[m_.origin[h]].point.face; };
+	std::vector<std::array<int, 3>> seeds;
+	for (int f : faces)
+		seeds.push_back({below(3 * f), below(3 * f + 1), below(3 * f + 2)});
+	return seeds;
+}
+
+/// The largest gap of the triangles, squared, or `allowed` where none is larger.
+float LocalSearch::squaredGapOf(const Triangles&                       triangles,
+								const std::vector<std::array<int, 3>>& seeds, float allowed)
+{
+	float largest = allowed;
+	for (std::size_t i = 0; i < triangles.size(); ++i)
+		largest = gapFromTriangle(editor_.surface().mesh, triangles[i], seeds[i], largest).squared;
+	work_ -= workOfGap * std::int64_t(triangles.size());
 	return largest;
 }
 

@@ -92,14 +92,14 @@ private:
 
 	/// A patch before a trial.
 	struct Before {
-		PatchEditor::Snapshot snapshot;
-		Triangles             triangles;
-		Worst                 worst;
-		float                 cost          = 0;
-		float                 meanEdge      = 0;
-		float                 squaredGap    = 0;     ///< where gaps are limited
-		int                   intersections = 0;     ///< pairs, where there are any near
-		bool                  keepsFaces    = false; ///< the trial leaves the faces their numbers
+		PatchEditor::Snapshot           snapshot;
+		Triangles                       triangles;
+		Worst                           worst;
+		float                           cost     = 0;
+		float                           meanEdge = 0;
+		std::vector<std::array<int, 3>> seeds; ///< where gaps are limited: faces of the surface
+		int                             intersections = 0; ///< pairs, where there are any near
+		bool keepsFaces = false; ///< the trial leaves the faces their numbers
 		/// Measured when it is first asked for.
 		std::unique_ptr<PatchDistance> distance;
 
@@ -144,9 +144,13 @@ private:
 	bool                           keepsLimits(Before& before);
 	std::unique_ptr<PatchDistance> distanceOf(const std::vector<int>& faces,
 											  const Triangles& triangles, float edge);
-	bool  keepsDistance(const PatchDistance* distance, const std::vector<int>& faces);
-	bool  limitsGaps() const { return goal_->limits.maxGap < HUGE_VALF; }
-	float squaredGapOf(const std::vector<int>& faces);
+	bool keepsDistance(const PatchDistance* distance, const std::vector<int>& faces);
+	bool limitsGaps() const { return goal_->limits.maxGap < HUGE_VALF; }
+	bool keepsGap(const Before& before, const std::vector<int>& faces);
+	/// Per face, those of the surface below its corners.
+	std::vector<std::array<int, 3>> seedsOf(const std::vector<int>& faces) const;
+	float squaredGapOf(const Triangles& triangles, const std::vector<std::array<int, 3>>& seeds,
+					   float allowed);
 	float costOf(const std::vector<int>& faces);
 	Worst worstOf(const std::vector<int>& faces);
 	bool  keepsWorst(const std::vector<int>& faces, const Worst& before);
