@@ -8,7 +8,7 @@ from pathlib import Path
 
 CORE = Path(__file__).resolve().parents[2] / "vcg_extras" / "core"
 # From the lowest to the highest. A room may include itself and the rooms before it.
-ROOMS = ["base", "mesh", "surface", "input", "features", "sampling", "retriangulation", "optimization", "guard", "output", "run"]
+ROOMS = ["base", "mesh", "surface", "input", "features", "edit", "sampling", "retriangulation", "optimization", "guard", "output", "run"]
 
 
 def modules_of(core):

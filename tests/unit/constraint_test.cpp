@@ -5,8 +5,8 @@
 
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
+#include <vcg_extras/core/edit/constraint.h>
 #include <vcg_extras/core/features/curve_slide.h>
-#include <vcg_extras/core/optimization/constraint.h>
 #include <vcg_extras/core/surface/walk.h>
 
 #include <cmath>

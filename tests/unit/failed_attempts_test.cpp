@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
-#include <vcg_extras/core/mesh/failed_attempts.h>
+#include <vcg_extras/core/edit/failed_attempts.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <gtest/gtest.h>

@@ -148,34 +148,7 @@ TEST(ReachExactCountKeeps, TheCornersOfASquare)
 			  4);
 }
 
-TEST(CollapseShortEdges, MergesWhatLiesTooClose)
-{
-	// Latitude and longitude: around the poles vertices crowd.
-	OnSurface    on(uvSphere(16, 64));
-	const int    before = on.m().vertexNum;
-	const double angle  = on.minAngleDeg();
-	collapseShortEdges(on.surface, on.result, on.workers);
-	EXPECT_LT(on.m().vertexNum, before);
-	EXPECT_GE(on.minAngleDeg(), angle);
-	on.expectSound();
-}
-
 /// Passes are the paper's number: none, some, and as many as it takes lead to the same end.
-/// An edge goes only where the worst angle of the faces that stay gets larger.
-TEST(CollapseShortEdges, LowersNoAngle)
-{
-	for (std::uint32_t seed : {1u, 2u, 3u}) {
-		Random    random(seed);
-		OnSurface on(jitteredGrid(20, 0.45, random));
-		on.result.idealEdge *= 1.3f;
-		const double angle = on.minAngleDeg();
-		collapseShortEdges(on.surface, on.result, on.workers);
-		EXPECT_GT(on.result.collapseNum, 5);
-		EXPECT_GE(on.minAngleDeg(), 0.9999 * angle);
-		on.expectSound();
-	}
-}
-
 TEST(FlipToDelaunay, StopsAfterSoManyPasses)
 {
 	const auto scrambled = [](OnSurface& on) {

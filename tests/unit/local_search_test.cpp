@@ -243,12 +243,9 @@ Goal drawnAlong(OnSurface& on, int v, const Vec3f& direction)
 		const float left = way - dot(m.position[v] - start, direction);
 		return hasIt(f) ? std::max(0.0f, left / way) : 0.0f;
 	};
-	goal.operations           = {Operation::Move};
-	goal.stepLengths          = {0.25f};
-	goal.settles              = false;
-	goal.limits.maxMove       = 100;
-	goal.limits.maxTurn       = -1;
-	goal.limits.intersections = false;
+	goal.operations  = {Operation::Move};
+	goal.stepLengths = {0.25f};
+	goal.settles     = false;
 	return goal;
 }
 
@@ -279,8 +276,8 @@ TriangleMesh arch()
 float leastAgreementAfterDrawing(float least)
 {
 	OnSurface on(arch());
-	Goal      goal                 = drawnAlong(on, vertexNear(on, {0, 2, 1}), {1, 0, 0});
-	goal.limits.minNormalAgreement = least;
+	Goal      goal        = drawnAlong(on, vertexNear(on, {0, 2, 1}), {1, 0, 0});
+	goal.limits.agreement = least;
 	search(on, goal);
 	return leastAgreement(on);
 }
@@ -302,10 +299,10 @@ int invertedAfterDrawing(float minNormalAgreement, int& before)
 	const Vec3f   over = on.surface.frame.toWorking(Vec3d(0.5 + 1.15 / 8, 0.5 + 0.5 / 8, 0));
 	SurfacePoint& at   = on.result.vertex[v].point;
 	EXPECT_EQ(walk(on.surface.mesh, at, over - at.position), WalkEnd::Arrived);
-	on.m().position[v]             = at.position;
-	before                         = invertedFaceNum(on.surface, on.result, on.workers);
-	Goal goal                      = drawnAlong(on, v, {0, 1, 0});
-	goal.limits.minNormalAgreement = minNormalAgreement;
+	on.m().position[v]    = at.position;
+	before                = invertedFaceNum(on.surface, on.result, on.workers);
+	Goal goal             = drawnAlong(on, v, {0, 1, 0});
+	goal.limits.agreement = minNormalAgreement;
 	search(on, goal);
 	return invertedFaceNum(on.surface, on.result, on.workers);
 }
@@ -327,11 +324,11 @@ TEST(LocalSearch, MovesNoFaceThroughAnother)
 		p = {p.x - 0.02, 2, p.y + 0.5};
 	const TriangleMesh both    = joined(arch(), leaf);
 	const auto         drawTop = [](OnSurface& on, bool intersections) {
-        const int   v             = vertexNear(on, {0, 2, 1});
-        const float start         = on.m().position[v].x;
-        Goal        goal          = drawnAlong(on, v, {1, 0, 0});
-        goal.stepLengths          = {0.05f};
-        goal.limits.intersections = intersections;
+        const int   v        = vertexNear(on, {0, 2, 1});
+        const float start    = on.m().position[v].x;
+        Goal        goal     = drawnAlong(on, v, {1, 0, 0});
+        goal.stepLengths     = {0.05f};
+        goal.limits.contacts = intersections;
         search(on, goal);
         return on.m().position[v].x - start;
 	};

@@ -6,7 +6,7 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <vcg_extras/core/base/triangle.h>
-#include <vcg_extras/core/optimization/move_guard.h>
+#include <vcg_extras/core/edit/move_guard.h>
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -39,8 +39,10 @@ struct Trial {
 	HalfEdgeMesh mesh;
 	MoveGuard    guard;
 
-	explicit Trial(const MoveLimits& limits, const Vec3f& start = {}) :
-			mesh(startingAt(start)), guard(limits, mesh, workers)
+	explicit Trial(const Acceptance& limits, const Vec3f& start = {},
+				   const Shortening& shortening = {}) :
+			mesh(startingAt(start)),
+			guard(limits, shortening, mesh, workers)
 	{
 		guard.start();
 	}
@@ -72,10 +74,12 @@ struct Trial {
 	}
 };
 
-/// Only the turn counts, whatever the other limits are by default.
-MoveLimits turnLimits()
+/// Only the turn counts.
+Acceptance turnLimits()
 {
-	return {};
+	Acceptance limits;
+	limits.turn = 0.5f;
+	return limits;
 }
 
 TEST(MoveGuard, AllowsNoTurnByMoreThanSixtyDegrees)
@@ -92,9 +96,9 @@ TEST(MoveGuard, AllowsNoTurnByMoreThanSixtyDegrees)
 /// The faces end tilted by 80°; they turn by 40° or by 2°.
 TEST(MoveGuard, AllowsNoFaceToAgreeLessWithTheSurfaceBelowItsBound)
 {
-	MoveLimits limits;
-	limits.minAgreement = 0.3f; // 72.5°
-	const auto ends     = [&](double from, double to, bool hasNormals) {
+	Acceptance limits = turnLimits();
+	limits.agreement  = 0.3f; // 72.5°
+	const auto ends   = [&](double from, double to, bool hasNormals) {
         Trial trial(limits, tilted(from));
         return trial.move(tilted(to), hasNormals ? trial.upwards() : Buffer<Vec3f>());
 	};
@@ -107,10 +111,10 @@ TEST(MoveGuard, AllowsNoFaceToAgreeLessWithTheSurfaceBelowItsBound)
 
 TEST(MoveGuard, LetsAPoorFaceGetNoPoorer)
 {
-	MoveLimits shape, angle;
-	shape.minShape = 0.6f; // of 30°-30°-120°
-	angle.minAngle = 32 * radians;
-	for (const MoveLimits& limits : {shape, angle}) {
+	Acceptance shape = turnLimits(), angle = turnLimits();
+	shape.shape = 0.6f; // of 30°-30°-120°
+	angle.angle = 32 * radians;
+	for (const Acceptance& limits : {shape, angle}) {
 		EXPECT_EQ(Trial(limits).move({0.1f, 0, 0}), Vec3f(0.1f, 0, 0)) << "no face is poor";
 		EXPECT_EQ(Trial(limits).move({0.8f, 0, 0}), Vec3f()) << "one becomes poor";
 		EXPECT_EQ(Trial(limits, {0.8f, 0, 0}).move({0.85f, 0, 0}), Vec3f(0.8f, 0, 0));
@@ -120,8 +124,8 @@ TEST(MoveGuard, LetsAPoorFaceGetNoPoorer)
 
 TEST(MoveGuard, TakesRoundingForNoFall)
 {
-	MoveLimits limits;
-	limits.minAngle  = 32 * radians;
+	Acceptance limits = turnLimits();
+	limits.angle      = 32 * radians;
 	const Vec3f from = {0.8f, 0, 0}, to = {0.80001f, 0, 0};
 	EXPECT_EQ(Trial(limits, from).move(to), from);
 	limits.falls = 0.999f;
@@ -130,21 +134,18 @@ TEST(MoveGuard, TakesRoundingForNoFall)
 
 TEST(MoveGuard, HalvesMovesBeforeItTakesThemBack)
 {
-	MoveLimits limits;
-	limits.halvings = 1;
-	EXPECT_EQ(Trial(limits).move(tilted(70)), tilted(70) * 0.5f);
+	Shortening shortening;
+	shortening.halvings = 1;
+	EXPECT_EQ(Trial(turnLimits(), {}, shortening).move(tilted(70)), tilted(70) * 0.5f);
 	// Half of this is still too far.
-	EXPECT_EQ(Trial(limits).move(tilted(85)), Vec3f());
-	limits.halvings = 3;
-	EXPECT_EQ(Trial(limits).move(tilted(85)), tilted(85) * 0.125f);
+	EXPECT_EQ(Trial(turnLimits(), {}, shortening).move(tilted(85)), Vec3f());
+	shortening.halvings = 3;
+	EXPECT_EQ(Trial(turnLimits(), {}, shortening).move(tilted(85)), tilted(85) * 0.125f);
 }
 
 TEST(MoveGuard, TakesAllBackWhereThereIsNoEnd)
 {
-	MoveLimits limits;
-	limits.halvings  = 9;
-	limits.maxRounds = 2;
-	Trial trial(limits);
+	Trial trial(turnLimits(), {}, Shortening{9, 2});
 	trial.mesh.position[0] = tilted(89);
 	trial.mesh.position[7] = {5.1f, 0, 0}; // harms nobody
 	trial.guard.takeOver();
@@ -168,8 +169,8 @@ TEST(MoveGuard, TakesMovesBackOnDemand)
 
 TEST(SpoilsRing, IsForASingleMoveWhatTheGuardIsForAll)
 {
-	MoveLimits limits;
-	limits.minAngle = 32 * radians;
+	Acceptance limits = turnLimits();
+	limits.angle      = 32 * radians;
 	Trial trial(limits);
 	for (const Vec3f& to : {tilted(50), tilted(65), Vec3f(0.1f, 0, 0), Vec3f(0.8f, 0, 0)}) {
 		const bool spoils = spoilsRing(limits, trial.mesh, 0, to);

@@ -6,8 +6,8 @@
 #include <tests/support/mesh_audit.h>
 #include <tests/support/mesh_builders.h>
 #include <tests/support/on_surface.h>
+#include <vcg_extras/core/edit/constraint.h>
 #include <vcg_extras/core/mesh/sectors.h>
-#include <vcg_extras/core/optimization/constraint.h>
 #include <vcg_extras/core/optimization/relaxation.h>
 
 #include <algorithm>

@@ -52,7 +52,6 @@ void exactCount(benchmark::State& state, StagedRun& run, Workers& workers)
 	const Products&       p        = run.sampled();
 	const BoundaryCurves& boundary = run.sampled().samples.curves;
 	timeChange(state, run.improved().flipped, [&](ResultMesh& result) {
-		collapseShortEdges(p.surface, result, workers);
 		reachExactCount(p.surface, boundary, run.decisions().vertexNum, result, workers);
 	});
 }

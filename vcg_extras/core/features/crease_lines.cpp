@@ -171,7 +171,7 @@ private:
 		const CreaseClearance clearance(surface_, isSplit(), sharp, workers_);
 		const auto            isClear = [&](int h) { return clearance.isClear(h); };
 		if (lengthsOf(sharp, isClear).areNoise()) return true;
-		const std::unordered_map<int, Extent> extentAt = extentOfComponents(sharp, nullptr);
+		const std::unordered_map<int, Extent> extentAt = extentOfComponents(sharp);
 		const float                           least    = clearLength * meanEdge();
 		const auto                            stands   = [&](int h) {
             return extentAt.at(m_.origin[h]).length >= least && isClear(h);
@@ -204,14 +204,11 @@ private:
 	/// What is linked to a vertex of a line.
 	struct Extent {
 		float length = -1;
-		float clear  = 0; ///< of it
 		int   endNum = 0; ///< free ends
 	};
 
-	/// For every vertex of the edges, all marked. What is clear is only measured if clearance is
-	/// given.
-	std::unordered_map<int, Extent> extentOfComponents(const std::vector<int>& edges,
-													   const CreaseClearance*  clearance) const
+	/// For every vertex of the edges, all marked.
+	std::unordered_map<int, Extent> extentOfComponents(const std::vector<int>& edges) const
 	{
 		std::unordered_map<int, Extent> extentAt;
 		std::vector<int>                component;
@@ -220,7 +217,7 @@ private:
 		for (int start : edges) {
 			if (extentAt[m_.origin[start]].length >= 0) continue;
 			component.clear();
-			const Extent all = extentFrom(m_.origin[start], clearance, extentAt, component);
+			const Extent all = extentFrom(m_.origin[start], extentAt, component);
 			for (int v : component)
 				extentAt[v] = all;
 		}
@@ -228,10 +225,10 @@ private:
 	}
 
 	/// Collects what is linked to v, and marks it as seen by a length.
-	Extent extentFrom(int v, const CreaseClearance* clearance,
-					  std::unordered_map<int, Extent>& seen, std::vector<int>& component) const
+	Extent extentFrom(int v, std::unordered_map<int, Extent>& seen,
+					  std::vector<int>& component) const
 	{
-		double           length = 0, clear = 0;
+		double           length = 0;
 		Extent           all;
 		std::vector<int> stack = {v};
 		seen[v].length         = 0;
@@ -244,7 +241,6 @@ private:
 				if (!m_.isCreaseEdge(h)) return;
 				const double half = 0.5 * double(edgeLength(m_, h)); // seen from both ends
 				length += half;
-				if (clearance != nullptr && clearance->isClear(h)) clear += half;
 				Extent& next = seen[m_.target(h)];
 				if (next.length >= 0) return;
 				next.length = 0;
@@ -252,7 +248,6 @@ private:
 			});
 		}
 		all.length = float(length);
-		all.clear  = float(clear);
 		return all;
 	}
 
@@ -308,8 +303,7 @@ private:
 
 	void dropShortOnes()
 	{
-		const CreaseClearance                 clearance(surface_, isSplit(), edges_, workers_);
-		const std::unordered_map<int, Extent> extentAt = extentOfComponents(edges_, &clearance);
+		const std::unordered_map<int, Extent> extentAt = extentOfComponents(edges_);
 		keepOnly([&](int h) { return isLongEnough(extentAt.at(m_.origin[h])); });
 		std::vector<int> spurs;
 		for (int h : edges_) {
@@ -338,8 +332,7 @@ private:
 	bool isLongEnough(const Extent& line) const
 	{
 		if (line.length >= rules_.minLength) return true;
-		return line.length >= rules_.minLoop && line.endNum == 0 &&
-			   line.clear >= clearShare * line.length;
+		return line.length >= rules_.minLoop && line.endNum == 0;
 	}
 
 	template <class Keep>

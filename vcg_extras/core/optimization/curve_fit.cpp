@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "curve_fit.h"
 
-#include "constraint.h"
-#include "move_guard.h"
-
+#include <vcg_extras/core/edit/constraint.h>
+#include <vcg_extras/core/edit/move_guard.h>
 #include <vcg_extras/core/features/curve_slide.h>
 
 #include <algorithm>
@@ -58,9 +57,9 @@ public:
 	CurveFitter(const Surface& surface, const BoundaryCurves& curves, float minAngle,
 				ResultMesh& result) :
 			surface_(surface),
-			curves_(curves), r_(result), m_(result.mesh)
+			curves_(curves), limits_(acceptanceOf(Driver::CurveFit, minAngle)), r_(result),
+			m_(result.mesh)
 	{
-		limits_.minAngle = minAngle;
 	}
 
 	void run()
@@ -83,7 +82,7 @@ public:
 private:
 	const Surface&        surface_;
 	const BoundaryCurves& curves_;
-	MoveLimits            limits_;
+	Acceptance            limits_;
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
 	std::vector<int>      vertices_;

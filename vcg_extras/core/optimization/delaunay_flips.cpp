@@ -13,9 +13,6 @@ namespace {
 /// Flips that one edge can set off; an unending exchange between two places ends here.
 constexpr int maxFlipsInARow = 200;
 
-/// New faces that meet below this cosine (60°) must not meet much sharper than the old ones.
-constexpr float creaseCosine = 0.5f;
-
 bool improvesAngles(const HalfEdgeMesh& m, int h)
 {
 	const int g = m.opposite[h];
@@ -33,10 +30,7 @@ bool improvesAngles(const HalfEdgeMesh& m, int h)
 
 	const Vec3f m1 = cross(a - c, d - c), m2 = cross(d - c, b - c);
 	const Vec3f normal = n1 + n2;
-	if (dot(m1, normal) <= 0 || dot(m2, normal) <= 0) return false;
-	const float oldCosine = dot(n1, n2) / (sin1 * sin2 + 1e-30f);
-	const float newCosine = dot(m1, m2) / (length(m1) * length(m2) + 1e-30f);
-	return newCosine >= creaseCosine || newCosine >= oldCosine - 0.1f;
+	return dot(m1, normal) > 0 && dot(m2, normal) > 0;
 }
 
 /// Flips h and whatever its flips unsettle.

@@ -3,8 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_OPTIMIZATION_DESCENT_H
 #define VCG_EXTRAS_CORE_OPTIMIZATION_DESCENT_H
 
-#include "move_guard.h"
-
+#include <vcg_extras/core/edit/move_guard.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
 #include <optional>
@@ -12,8 +11,8 @@
 namespace gpr {
 
 /// Steps that move all vertices at once (Jacobi) to where terms (terms.h) want them under their
-/// constraints (constraint.h), within limits (move_guard.h). Here are the steps on the surface; the
-/// fit steps through space (fit.cpp).
+/// constraints (edit/constraint.h), within limits (edit/acceptance.h). Here are the steps on the
+/// surface; the fit steps through space (fit.cpp).
 
 inline Vec3f shortened(const Vec3f& a, float longest)
 {
@@ -31,9 +30,9 @@ inline Vec3f moveWithMomentum(const Vec3f& last, float share, const Vec3f& step,
 /// Steps on the surface and its curves: a vertex lies where its record does.
 class SurfaceDescent {
 public:
-	SurfaceDescent(const MoveLimits& limits, ResultMesh& result, Workers& workers) :
-			guard_(limits, result.mesh, workers), r_(result), m_(result.mesh), workers_(workers),
-			next_(result.vertex.size()), moves_(result.vertex.size(), 0)
+	SurfaceDescent(const Acceptance& limits, ResultMesh& result, Workers& workers) :
+			guard_(limits, Shortening(), result.mesh, workers), r_(result), m_(result.mesh),
+			workers_(workers), next_(result.vertex.size()), moves_(result.vertex.size(), 0)
 	{
 	}
 

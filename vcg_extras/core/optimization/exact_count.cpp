@@ -3,6 +3,7 @@
 #include "exact_count.h"
 
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/edit/acceptance.h>
 #include <vcg_extras/core/features/edge_middle.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
@@ -87,6 +88,7 @@ private:
 	Buffer<float>         size_; ///< wanted at each vertex; empty: the same everywhere
 	std::vector<char>     used_; ///< vertices whose surroundings changed in this round
 	EditScratch           scratch_;
+	const Acceptance      limits_ = acceptanceOf(Driver::Count);
 
 	// ---- common to both
 
@@ -396,24 +398,7 @@ private:
 	bool shapesAllowCollapse(int a, int b, const Vec3f& p) const
 	{
 		if (care_ == Care::TopologyOnly) return true;
-		const float minCosine = care_ == Care::FlatGroundOnly ? 0.5f : 0.1f;
-		const float least     = care_ == Care::FlatGroundOnly ? minFlipAngle : 0.3f * minFlipAngle;
-		return ringAllows(a, b, p, minCosine, least) && ringAllows(b, a, p, minCosine, least);
-	}
-
-	bool ringAllows(int v, int other, const Vec3f& p, float minCosine, float least) const
-	{
-		bool sound = true;
-		forEachOutgoing(m_, v, [&](int h) {
-			const int i = m_.target(h), k = m_.apex(h);
-			if (!sound || i == other || k == other) return;
-			const Vec3f x = m_.position[i], y = m_.position[k];
-			const Vec3f before = cross(x - m_.position[v], y - m_.position[v]);
-			const Vec3f after  = cross(x - p, y - p);
-			sound              = dot(before, after) > minCosine * length(before) * length(after) &&
-					smallestAngle(p, x, y) >= least;
-		});
-		return sound;
+		return !spoilsRing(limits_, m_, a, p, b) && !spoilsRing(limits_, m_, b, p, a);
 	}
 
 	bool collapseAtBorder(int h)
@@ -434,23 +419,6 @@ private:
 		--liveNum_;
 	}
 };
-
-/// Smallest angle in v's ring with v at p, leaving out faces with `other`; negative if a face
-/// turns.
-float worstAngleAt(const HalfEdgeMesh& m, int v, const Vec3f& p, int other)
-{
-	float worst = 4;
-	forEachOutgoing(m, v, [&](int h) {
-		const int i = m.target(h), k = m.apex(h);
-		if (i == other || k == other) return;
-		const Vec3f x = m.position[i], y = m.position[k];
-		const Vec3f before = cross(x - m.position[v], y - m.position[v]);
-		const Vec3f after  = cross(x - p, y - p);
-		const bool  turns  = dot(before, after) < 0.3f * length(before) * length(after);
-		worst              = std::min(worst, turns ? -1.0f : smallestAngle(p, x, y));
-	});
-	return worst;
-}
 
 } // namespace
 
@@ -476,37 +444,6 @@ bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary
 	const bool     isReached = corrector.run(targetNum, {Care::TopologyOnly});
 	compactResult(result, workers);
 	return isReached;
-}
-
-void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& workers)
-{
-	constexpr float     tooShort = 0.6f; // of the ideal edge
-	HalfEdgeMesh&       m        = result.mesh;
-	const Buffer<float> size     = sizesOf(surface, result, workers);
-	const auto          isShort  = [&](int a, int b) {
-        const float local = size.empty() ? 1.0f : std::min(size[a], size[b]);
-        const float limit = tooShort * result.idealEdge * local;
-        return squaredLength(m.position[b] - m.position[a]) < limit * limit;
-	};
-	std::vector<CountChange> all =
-		workers.collectEach<CountChange>(m.halfEdgeNum(), [&](int h, auto& out) {
-			const int a = m.origin[h], b = m.target(h);
-			if (!isShort(a, b) || m.opposite[h] < 0 || !isFree(result, a)) return;
-			out.push_back({0, length(m.position[b] - m.position[a]), h, 0});
-		});
-	std::sort(all.begin(), all.end());
-	EditScratch scratch;
-	for (const CountChange& op : all) {
-		const int h = op.halfEdge;
-		if (isDeadFace(m, h / 3)) continue;
-		const int a = m.origin[h], b = m.target(h);
-		// Earlier collapses may have given this edge another end.
-		if (!isShort(a, b) || !isFree(result, a) || !canCollapse(m, h, scratch)) continue;
-		if (worstAngleAt(m, a, m.position[b], b) <= worstAngleAt(m, a, m.position[a], -1)) continue;
-		collapse(m, h);
-		++result.collapseNum;
-	}
-	compactResult(result, workers);
 }
 
 } // namespace gpr

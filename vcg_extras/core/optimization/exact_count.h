@@ -32,10 +32,6 @@ bool changeCount(const Surface& surface, const BoundaryCurves& boundary, std::in
 bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
 						  std::int64_t targetNum, ResultMesh& result, Workers& workers);
 
-/// Merges inner vertices nearer than 0.6 ideal edges to a neighbour into it where the worst angle
-/// of the ring grows by it. Clears narrow ribbons along borders before the count is corrected.
-void collapseShortEdges(const Surface& surface, ResultMesh& result, Workers& workers);
-
 } // namespace gpr
 
 #endif

@@ -13,9 +13,9 @@ namespace {
 
 // ---- inverted faces
 
-/// Below this agreement a face is bad, and below that it costs: a face that is about to turn over
-/// draws its neighbours along.
-constexpr float badAgreement = 0.05f, wantedAgreement = 0.3f;
+/// Below this agreement a face is bad, and below minAgreement it costs: a face that is about to
+/// turn over draws its neighbours along.
+constexpr float badAgreement = 0.05f;
 /// The same for the agreement beside a feature line, where a face may stand on either side of a
 /// sharp edge: 60° and 45°.
 constexpr float badCreaseAgreement = 0.5f, wantedCreaseAgreement = 0.7f;
@@ -33,7 +33,7 @@ float costOfOrientation(const PatchEditor& editor, int f)
 {
 	const HalfEdgeMesh& m = editor.mesh();
 	if (hasNoArea(m, f)) return costWithoutArea;
-	const float off    = shortfall(editor.agreement(f), wantedAgreement);
+	const float off    = shortfall(editor.agreement(f), minAgreement);
 	const float across = shortfall(editor.agreementAtCreases(f), wantedCreaseAgreement);
 	const int*  c      = &m.origin[3 * f];
 	const float shape  = triangleShape(m.position[c[0]], m.position[c[1]], m.position[c[2]]);
@@ -68,22 +68,10 @@ float excessOfAngle(const HalfEdgeMesh& m, int f, float largest)
 
 // ---- limits
 
-/// Of the goals that come after the fit, side by side with those that come before it.
-Limits limitsAfterFit(float guardedDistance)
+Acceptance guardedLimits(Driver driver, float angle, float guardedDistance)
 {
-	Limits limits;
-	limits.minNormalAgreement = 0.6f;
-	limits.maxDistance        = 0.05f;
-	limits.guardedDistance    = guardedDistance;
-	return limits;
-}
-
-Limits limitsBeforeFit()
-{
-	Limits limits;
-	limits.maxMove     = 0.6f;
-	limits.maxTurn     = -1;
-	limits.gentleFlips = limits.intersections = false;
+	Acceptance limits = acceptanceOf(driver, angle);
+	limits.guarded    = guardedDistance;
 	return limits;
 }
 
@@ -111,11 +99,10 @@ Goal invertedFaces(LocalSearch& search, bool mayCollapse)
 	goal.maxLeft     = 1;
 	goal.minGain     = 0.01f; // less is rounding
 	goal.stepLengths = longSteps;
-	goal.limits      = limitsBeforeFit();
+	goal.limits      = acceptanceOf(Driver::InvertedFaces);
 	if (mayCollapse)
 		goal.operations.insert(goal.operations.end(),
 							   {Operation::Collapse, Operation::CollapseBack});
-	goal.collapseCost    = 2 * goal.minGain;
 	goal.budget.attempts = std::numeric_limits<std::int64_t>::max(); // only work is limited
 	goal.settles         = false;                                    // shapes come later
 	return goal;
@@ -141,7 +128,7 @@ Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::
 	goal.takesFirst     = !changesCount(operations);
 	goal.maxLeft        = changesCount(operations) ? 0.8f : 0.995f;
 	goal.stepLengths    = shortSteps;
-	goal.limits         = limitsAfterFit(guardedDistance);
+	goal.limits         = guardedLimits(Driver::PoorFaces, angle, guardedDistance);
 	goal.budget.maxLeft = 0.95f; // the rest of the rounds would cost more than they bring
 	return goal;
 }
@@ -161,7 +148,7 @@ Goal largeAngles(LocalSearch& search, float angle, float guardedDistance)
 	goal.faceCost               = [&m, angle, largest](int f) {
         return lackOfAngle(m, f, angle) + excessOfAngle(m, f, largest);
 	};
-	goal.limits.minAngle = angle;
+	goal.limits = guardedLimits(Driver::LargeAngles, angle, guardedDistance);
 	return goal;
 }
 

@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_OPTIMIZATION_FACE_GOALS_H
 #define VCG_EXTRAS_CORE_OPTIMIZATION_FACE_GOALS_H
 
-#include "local_search.h"
+#include <vcg_extras/core/edit/local_search.h>
 
 #include <vector>
 
@@ -23,7 +23,7 @@ Goal invertedFaces(LocalSearch& search, bool mayCollapse);
 Goal facesWithoutArea(LocalSearch& search);
 
 /// Faces with an angle below `angle` (radians). Minimised is the sum over the faces of the squares
-/// of what the smallest angle lacks. guardedDistance: see Limits.
+/// of what the smallest angle lacks. guardedDistance: see Acceptance::guarded.
 Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::Kind>& operations,
 				 float guardedDistance = HUGE_VALF);
 
@@ -32,7 +32,7 @@ float asPoorAs(float smallestAngle);
 
 /// Faces with a largest angle above asPoorAs(angle). Minimised is the sum over the faces of the
 /// squares of what is too much, and of what smallest angles lack; no angle falls below `angle`
-/// (radians), and none below it falls further. guardedDistance: see Limits.
+/// (radians), and none below it falls further. guardedDistance: see Acceptance::guarded.
 Goal largeAngles(LocalSearch& search, float angle, float guardedDistance = HUGE_VALF);
 
 } // namespace gpr

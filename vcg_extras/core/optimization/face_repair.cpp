@@ -40,8 +40,6 @@ constexpr int maxCountRounds = 3;
 /// Faces that are tried in a round, and room for the vertices that come in.
 constexpr int attemptsByCount = 200, attemptsByPairs = 12;
 constexpr int roomForTrials = 4 * (attemptsByCount + 2 * attemptsByPairs);
-/// How well faces agree with the surface that angles are raised on without a map: 37°.
-constexpr float minAgreementOnSurface = 0.8f;
 /// What all searches together may measure (see LocalSearch), at some 20 ns each: most of a
 /// second, and a tenth of the run on large meshes. On parts full of needles nothing helps, and the
 /// search would last much longer than all the rest. With half of it the worst angle of 20 noisy
@@ -137,8 +135,8 @@ private:
 		if (!(wanted_.maxGap > 0)) return search.run(goal);
 		bool isDone = true;
 		for (float share : sharesOfMaxGap) {
-			goal.limits.maxGap = share * wanted_.maxGap;
-			isDone             = search.run(goal) && isDone;
+			goal.limits.gap = share * wanted_.maxGap;
+			isDone          = search.run(goal) && isDone;
 		}
 		return isDone;
 	}
@@ -150,7 +148,7 @@ private:
 		Assignment  assignment(surface_, map_, mapFaceNum_, mapFace_);
 		LocalSearch search(surface_, curves_, &assignment, work_, r_, workers_);
 		Goal        goal = largeAngles(search, angle_, guarded());
-		if (wanted_.maxGap > 0) goal.limits.maxGap = wanted_.maxGap;
+		if (wanted_.maxGap > 0) goal.limits.gap = wanted_.maxGap;
 		return search.run(goal);
 	}
 
@@ -194,7 +192,7 @@ private:
 		std::int64_t work = work_;
 		LocalSearch  search(surface_, curves_, &assignment, work, r_, workers_, roomForTrials);
 		Goal         angles = smallAngles(search, angle_, changingCount, guarded());
-		if (wanted_.maxGap > 0) angles.limits.maxGap = wanted_.maxGap;
+		if (wanted_.maxGap > 0) angles.limits.gap = wanted_.maxGap;
 		angles.budget.attempts = attemptsByCount;
 		if (fewForCount.holds(search.findBad(angles).size(), r_.mesh)) search.run(angles);
 		work_                  = work;
@@ -342,8 +340,7 @@ bool raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, 
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	Goal         goal = smallAngles(search, angle, keepingCount);
 	// Where faces lie as the surface does they are near it, and intersect no others.
-	goal.limits.minNormalAgreement = minAgreementOnSurface;
-	goal.limits.intersections      = false;
+	goal.limits = acceptanceOf(Driver::AnglesOnly);
 	return search.run(goal);
 }
 

@@ -33,7 +33,7 @@ struct PoorFaces {
 	float        angleDeg   = 32; ///< no face shall have a smaller angle
 	std::int64_t targetNum  = 0;  ///< vertices that the result must have; 0: any number
 	float        largestGap = 0;  ///< between input and result, working units; 0: not known
-	float        maxGap     = 0;  ///< see Limits, while angles are raised; 0: not limited
+	float        maxGap     = 0;  ///< see Acceptance::gap, while angles are raised; 0: not limited
 };
 
 /// After the fit: raises small angles, by moves and flips, then by splits and collapses, which

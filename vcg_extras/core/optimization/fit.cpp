@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fit.h"
 
-#include "constraint.h"
 #include "curve_fit.h"
 #include "descent.h"
 #include "terms.h"
 #include "worst_distances.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/edit/constraint.h>
 #include <vcg_extras/core/surface/closest_face_map.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 #include <vcg_extras/core/surface/walk.h>
@@ -39,14 +39,14 @@ constexpr float squaredEdgePerArea = 2.3094011f;
 /// Passes over the whole result at the end; each puts vertices back for good.
 constexpr int maxTakeBacks = 32;
 
-MoveLimits limitsOfFit(const FitSettings& settings)
+/// A thirtieth of a move is not worth more halvings. The rounds are only a bound: reaching it is
+/// told (FitOutcome::capped).
+constexpr Shortening shorteningOfFit = {5, 64};
+
+Acceptance limitsOfFit(const FitSettings& settings)
 {
-	MoveLimits limits;
-	limits.minAngle     = settings.minAngleDeg * radians;
-	limits.minAgreement = 0.3f;    // a face that looks 73° off the surface is about to turn over
-	limits.falls        = 0.9999f; // rounding is no fall
-	limits.halvings     = 5;       // what is left, a thirtieth of the move, is not worth more
-	limits.maxRounds    = 64;      // only a bound: reaching it is told (FitOutcome::capped)
+	Acceptance limits = acceptanceOf(Driver::Fit, settings.minAngleDeg * radians);
+	limits.falls      = 0.9999f; // rounding is no fall
 	return limits;
 }
 
@@ -57,7 +57,7 @@ public:
 			  ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			settings_(settings), isFree_(isFree), r_(result), m_(result.mesh), workers_(workers),
-			distance_(m_), guard_(limitsOfFit(settings), result.mesh, workers),
+			distance_(m_), guard_(limitsOfFit(settings), shorteningOfFit, result.mesh, workers),
 			shift_(m_.vertexNum), next_(m_.vertexNum), last_(m_.vertexNum), mass_(m_.vertexNum),
 			squaredEdge_(m_.vertexNum)
 	{
@@ -196,16 +196,16 @@ private:
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
 	Workers&              workers_;
-	MoveLimits            limits_;
+	Acceptance            limits_;
 	Buffer<char>          isFree_; ///< vertices that may leave the surface
 	KnownContacts         contacts_;
 
 	/// False if a round, or all together, had to be taken back.
 	bool fitSoundly(std::unique_ptr<ClosestFaceMap>& map)
 	{
-		MoveGuard whole(limits_, m_, workers_);
+		MoveGuard whole(limits_, shorteningOfFit, m_, workers_);
 		whole.start();
-		fitCurves(surface_, curves_, limits_.minAngle, r_);
+		fitCurves(surface_, curves_, limits_.angle, r_);
 		const bool allKept = fitInRounds(map);
 		whole.takeOver();
 		return takeBackOffenders(whole) && allKept;
@@ -231,9 +231,9 @@ private:
 	/// False if what intersects others then could not be told from what does not.
 	bool lowerWorst(FitOutcome& outcome)
 	{
-		MoveGuard moves(limits_, m_, workers_);
+		MoveGuard moves(limits_, shorteningOfFit, m_, workers_);
 		moves.start();
-		outcome.largestGap = lowerWorstDistances(surface_, *outcome.map, limits_.minAngle,
+		outcome.largestGap = lowerWorstDistances(surface_, *outcome.map, limits_.angle,
 												 settings_.worstRounds, r_, workers_);
 		moves.takeOver();
 		// Records of vertices that stayed must stay: at a sharp edge they might walk round it.

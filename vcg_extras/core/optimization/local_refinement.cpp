@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "local_refinement.h"
 
-#include "constraint.h"
 #include "face_goals.h"
-#include "local_search.h"
 #include "worst_distances.h"
 
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/edit/constraint.h>
+#include <vcg_extras/core/edit/local_search.h>
 #include <vcg_extras/core/mesh/face_boxes.h>
 #include <vcg_extras/core/mesh/face_contact.h>
 #include <vcg_extras/core/mesh/face_quality.h>
@@ -30,10 +30,6 @@ constexpr float besideEdge = 0.15f;
 /// On the way over the surface, a point of it is reached where what is left of the distance is
 /// less. A point of the result is as far from its nearest point of the surface as was found.
 constexpr float reachedShare = 0.2f, foundShare = 1.01f;
-/// A new vertex goes to the point only if no angle at it is smaller than this, or than in the
-/// middle of the edge: 5°. Thin spikes need such angles; they are raised afterwards where that
-/// harms not.
-constexpr float minAngleAtPoint = 5 * radians;
 /// The fit leaves vertices off the surface, so that triangles lie on both sides of it. Smaller
 /// triangles need less of that: 0.5 and 1 take twice the rounds.
 constexpr float heightKept = 0.7f;
@@ -117,8 +113,12 @@ public:
 private:
 	PatchEditor         editor_;
 	const HalfEdgeMesh& m_;
-	FaceBoxes           boxes_;   ///< as the faces were
-	std::vector<int>    changed_; ///< since then
+	/// A new vertex goes to the far point only if no angle at it is smaller than these allow, or
+	/// than in the middle of the edge. Thin spikes need small angles; they are raised afterwards
+	/// where that harms not.
+	const Acceptance limits_ = acceptanceOf(Driver::Refinement);
+	FaceBoxes        boxes_;   ///< as the faces were
+	std::vector<int> changed_; ///< since then
 
 	/// Where a new vertex goes. On the edge itself nothing can go wrong; later rounds move it.
 	enum class Place { AtPoint, OnSurface, OnEdge };
@@ -231,7 +231,7 @@ private:
 		there.position      = at.position;
 		there.record.normal = s.faceNormal(at.face);
 		editor_.put(v, there);
-		return smallestAngleAt(v) >= std::min(before, minAngleAtPoint);
+		return smallestAngleAt(v) >= std::min(before, limits_.angle);
 	}
 
 	/// Towards the surface.
@@ -266,7 +266,7 @@ int refineAt(const Surface& surface, const BoundaryCurves& curves,
 	LocalSearch          search(surface, curves, &assignment, work, result, workers);
 	Goal                 goal =
 		smallAngles(search, settings.minAngle, keepingCount, guardedShare * settings.maxGap);
-	goal.limits.maxGap = settings.maxGap;
+	goal.limits.gap = settings.maxGap;
 	search.run(goal);
 	lowerWorstDistances(surface, map, settings.minAngle, worstRounds, result, workers);
 	return result.mesh.vertexNum - before;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "relaxation.h"
 
-#include "constraint.h"
 #include "descent.h"
 #include "terms.h"
 
+#include <vcg_extras/core/edit/constraint.h>
 #include <vcg_extras/core/features/curve_slide.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/mesh/sectors.h>
@@ -17,16 +17,6 @@
 namespace gpr {
 
 namespace {
-
-/// A face of a shape below this, that of 30°-30°-120°, must not get poorer.
-constexpr float poorShape = 0.6f;
-
-MoveLimits limitsOfRelaxation()
-{
-	MoveLimits limits;
-	limits.minShape = poorShape;
-	return limits;
-}
 
 /// Weight of area per vertex; empty where the triangles are to be of one size. Lloyd's theory asks
 /// for the fourth power of 1/size for the density of the area; for barycentres of rings, whose
@@ -44,7 +34,7 @@ Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Wo
 template <class Way>
 void walkOnce(const Surface& surface, const Way& way, ResultMesh& result, Workers& workers)
 {
-	SurfaceDescent descent(limitsOfRelaxation(), result, workers);
+	SurfaceDescent descent(acceptanceOf(Driver::Relaxation), result, workers);
 	descent.step([&](int v) -> std::optional<ResultVertex> {
 		if (!mayWalk(constraintOf(result, v)) || !isFlat(result.mesh, v)) return {};
 		ResultVertex next = result.vertex[v];
@@ -69,7 +59,7 @@ void slideOnCrease(const Surface& surface, const BoundaryCurves& curves, int v, 
 	const float step =
 		std::clamp(wanted, -longestCreaseSlide * room.backward, longestCreaseSlide * room.forward);
 	const ResultVertex to = slid(surface, curves, r.vertex[v], step);
-	if (spoilsRing(limitsOfRelaxation(), r.mesh, v, to.point.position)) return;
+	if (spoilsRing(acceptanceOf(Driver::Relaxation), r.mesh, v, to.point.position)) return;
 	if (!slideKeepsToCurve(r, curves, v, room, step)) return;
 	r.vertex[v]        = to;
 	r.mesh.position[v] = to.point.position;
@@ -143,7 +133,7 @@ public:
 					 const ConformalSteps& steps, ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			curves_(curves), steps_(steps), r_(result), m_(result.mesh), workers_(workers),
-			descent_(limitsOfRelaxation(), result, workers), last_(result.vertex.size())
+			descent_(acceptanceOf(Driver::Relaxation), result, workers), last_(result.vertex.size())
 	{
 	}
 

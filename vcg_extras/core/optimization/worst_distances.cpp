@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "worst_distances.h"
 
-#include "constraint.h"
-#include "move_guard.h"
-
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/edit/constraint.h>
+#include <vcg_extras/core/edit/move_guard.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/local_nearest.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
@@ -35,22 +34,19 @@ constexpr float minGain = 0.96f;
 constexpr float wayShares[] = {0.25f, 0.5f, 1};
 /// A vertex moves at most this share of an edge at once.
 constexpr float longestMove = 0.3f;
-/// No face agrees less with the surface's normals after a move: 73°.
-constexpr float minAgreement = 0.3f;
 
 class WorstDistances {
 public:
 	WorstDistances(const Surface& surface, const ClosestFaceMap& map, float minAngle,
 				   ResultMesh& result, Workers& workers) :
 			surface_(surface),
-			s_(surface.mesh), near_(nearShare * meanEdgeByArea(result.mesh)), r_(result),
-			m_(result.mesh), workers_(workers), normal_(smoothNormals(surface, result, workers)),
+			s_(surface.mesh), near_(nearShare * meanEdgeByArea(result.mesh)),
+			limits_(acceptanceOf(Driver::WorstDistances, minAngle)), r_(result), m_(result.mesh),
+			workers_(workers), normal_(smoothNormals(surface, result, workers)),
 			point_(m_.vertexNum), gaps_(surface, map, m_, point_, near_)
 	{
 		for (int v = 0; v < m_.vertexNum; ++v)
 			point_[v] = r_.vertex[v].point;
-		limits_.minAngle     = minAngle;
-		limits_.minAgreement = minAgreement;
 	}
 
 	/// Returns the largest distance left.
@@ -76,7 +72,7 @@ private:
 	const Surface&       surface_;
 	const HalfEdgeMesh&  s_; ///< of the surface
 	float                near_;
-	MoveLimits           limits_; ///< of a move: what a face must not suffer
+	Acceptance           limits_; ///< of a move: what a face must not suffer
 	ResultMesh&          r_;
 	HalfEdgeMesh&        m_;
 	Workers&             workers_;
@@ -154,7 +150,6 @@ private:
 		return better;
 	}
 
-	/// All corners together, or else one of them.
 	bool moveCorners(int f)
 	{
 		const Gap gap = gaps_.gapAt(f);
@@ -280,7 +275,7 @@ private:
 		for (std::size_t i = 0; i < faces.size(); ++i) {
 			if (spoilsFace(limits_, before[i], cornersOf(faces[i]))) return false;
 			const float agrees = normalAgreement(m_, normal_, faces[i]);
-			if (agrees < std::min(limits_.minAgreement, agreedBefore[i])) return false;
+			if (spoilsAgreement(limits_, agreedBefore[i], agrees)) return false;
 		}
 		return true;
 	}

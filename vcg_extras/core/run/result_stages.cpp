@@ -106,7 +106,7 @@ bool areLinesCrowded(RunContext& run, const ResultMesh& result)
 /// How far the input and a mesh are from each other, in ideal edges.
 struct Distance {
 	double rms     = 0;
-	double largest = 0; ///< no point is farther: proven
+	double largest = 0; ///< of the samples
 };
 
 Distance distanceFromInput(RunContext& run, const WorkingSurface& surface, const ResultMesh& result)
@@ -115,9 +115,7 @@ Distance distanceFromInput(RunContext& run, const WorkingSurface& surface, const
 	const ComparedSurfaces both(surface, result, run.workers);
 	const SampledDistance  sampled =
 		sampledDistance({surface.mesh, both.input}, {result.mesh, both.result}, run.workers);
-	const double diagonal = surface.figures.diagonal * surface.frame.scale;
-	return {sampled.mutual.larger().rms * unit,
-			boundsOf(diagonal, both, run.workers).hausdorff().upper * unit};
+	return {sampled.mutual.larger().rms * unit, sampled.mutual.larger().max * unit};
 }
 
 /// Whether a mesh whose lines were released is farther from the input than it was before the fit,

@@ -153,7 +153,6 @@ NoFacts reachCount(RunContext& run, const Decisions& decisions, Products& made)
 	}
 	if (isPaper(run.options)) return {};
 	run.clock.enter(Stage::Count);
-	collapseShortEdges(made.surface, made.result, run.workers);
 	reachExactCount(made.surface, made.curves, decisions.vertexNum, made.result, run.workers);
 	return {};
 }

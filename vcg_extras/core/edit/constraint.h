@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_CONSTRAINT_H
-#define VCG_EXTRAS_CORE_OPTIMIZATION_CONSTRAINT_H
+#ifndef VCG_EXTRAS_CORE_EDIT_CONSTRAINT_H
+#define VCG_EXTRAS_CORE_EDIT_CONSTRAINT_H
 
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/surface/result_mesh.h>

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_MOVE_GUARD_H
-#define VCG_EXTRAS_CORE_OPTIMIZATION_MOVE_GUARD_H
+#ifndef VCG_EXTRAS_CORE_EDIT_MOVE_GUARD_H
+#define VCG_EXTRAS_CORE_EDIT_MOVE_GUARD_H
 
-#include <vcg_extras/core/base/triangle.h>
+#include "acceptance.h"
+
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 
@@ -11,22 +12,11 @@
 
 namespace gpr {
 
-/// What a move of its corners must not do to a face. What is below a bound before may stay there,
-/// but must not fall further.
-struct MoveLimits {
-	float turnCosine   = 0.5f; ///< no turn by more than 60°: the face would soon lie folded over
-	float minShape     = 0;    ///< see triangleShape
-	float minAngle     = 0;    ///< radians
-	float minAgreement = -1;   ///< with the surface's normals; looked at where these are given
-	float falls        = 1; ///< below this share of its value before, an angle or agreement falls
-	int   halvings     = 0; ///< of a move, before it is taken back whole
-	int   maxRounds    = 7; ///< of shortening moves: mostly one or two; then all are taken back
+/// How MoveGuard makes moves smaller that spoil a face.
+struct Shortening {
+	int halvings  = 0; ///< of a move, before it is taken back whole
+	int maxRounds = 7; ///< mostly one or two; then all moves are taken back
 };
-
-/// Whether the limits forbid the move, whatever the surface's normals.
-bool spoilsFace(const MoveLimits& limits, const Corners& before, const Corners& after);
-/// Whether they forbid v to move from its place to `to` while all others stay.
-bool spoilsRing(const MoveLimits& limits, const HalfEdgeMesh& mesh, int v, const Vec3f& to);
 
 /// Moves of many vertices at once, on trial. Those of faces that they spoil are shortened or taken
 /// back until no face is spoilt. Cost: a pass over the faces, and the few faces concerned.
@@ -35,7 +25,8 @@ bool spoilsRing(const MoveLimits& limits, const HalfEdgeMesh& mesh, int v, const
 /// or takeBack() come last.
 class MoveGuard {
 public:
-	MoveGuard(const MoveLimits& limits, HalfEdgeMesh& mesh, Workers& workers);
+	MoveGuard(const Acceptance& limits, const Shortening& shortening, HalfEdgeMesh& mesh,
+			  Workers& workers);
 
 	/// Makes the present places the start of new moves; all shifts are zero then.
 	void start();
@@ -54,7 +45,8 @@ public:
 	void takeAllBack();
 
 private:
-	MoveLimits    limits_;
+	Acceptance    limits_;
+	Shortening    shortening_;
 	HalfEdgeMesh& m_;
 	Workers&      workers_;
 	Buffer<Vec3f> from_;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_MESH_FAILED_ATTEMPTS_H
-#define VCG_EXTRAS_CORE_MESH_FAILED_ATTEMPTS_H
+#ifndef VCG_EXTRAS_CORE_EDIT_FAILED_ATTEMPTS_H
+#define VCG_EXTRAS_CORE_EDIT_FAILED_ATTEMPTS_H
 
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 

@@ -108,7 +108,7 @@ void LocalSearch::improveAt(int f)
 	for (int change = 0; change < maxChanges; ++change) {
 		if (isDeadFace(m_, f) || failed_.isKnown(m_, f)) return;
 		if (!goal_->isBad(f)) return;
-		if (goal_->limits.intersections) lookForIntersections(f);
+		if (goal_->limits.contacts) lookForIntersections(f);
 		--attempts_;
 		const bool isBetter = goal_->takesFirst ? takeEach(f) : takeBest(f);
 		if (!isBetter) {
@@ -149,8 +149,7 @@ std::vector<Operation> LocalSearch::bestSingle(int f)
 	for (const Operation& op : operationsAt(m_, f, goal_->operations)) {
 		const std::vector<int> patch = editor_.patchOf(op);
 		if (patch.empty()) continue;
-		float gain = attempt(op, lookAt(op, patch), bestGain);
-		if (op.isCollapse()) gain -= goal_->collapseCost;
+		const float gain = attempt(op, lookAt(op, patch), bestGain);
 		if (gain <= bestGain) continue;
 		bestGain = gain;
 		best     = {op};
@@ -238,16 +237,16 @@ bool LocalSearch::keepsLimits(Before& before)
 		before.distance = distanceOf(before.faces(), before.triangles, before.meanEdge);
 	if (!keepsDistance(before.distance.get(), faces)) return false;
 	if (limitsGaps() && !keepsGap(before, faces)) return false;
-	return !goal_->limits.intersections || intersectionNum(faces) <= before.intersections;
+	return !goal_->limits.contacts || intersectionNum(faces) <= before.intersections;
 }
 
 /// Null where distances are not limited.
 std::unique_ptr<PatchDistance> LocalSearch::distanceOf(const std::vector<int>& faces,
 													   const Triangles& triangles, float edge)
 {
-	const Limits& limits = goal_->limits;
-	if (!(limits.maxDistance < HUGE_VALF) || assignment_ == nullptr) return nullptr;
-	const PatchDistance::Settings  settings = {limits.maxDistance * edge, limits.guardedDistance};
+	const Acceptance& limits = goal_->limits;
+	if (!(limits.distance < HUGE_VALF) || assignment_ == nullptr) return nullptr;
+	const PatchDistance::Settings  settings = {limits.distance * edge, limits.guarded};
 	std::unique_ptr<PatchDistance> distance(
 		new PatchDistance(*assignment_, faces, triangles, settings));
 	work_ -= distance->work();
@@ -265,7 +264,7 @@ bool LocalSearch::keepsDistance(const PatchDistance* distance, const std::vector
 /// only measured where that of the patch to come is larger than allowed.
 bool LocalSearch::keepsGap(const Before& before, const std::vector<int>& faces)
 {
-	const float allowed = goal_->limits.maxGap * goal_->limits.maxGap;
+	const float allowed = goal_->limits.gap * goal_->limits.gap;
 	const float now     = squaredGapOf(trianglesOf(m_, faces), seedsOf(faces), allowed);
 	return now <= allowed || now <= squaredGapOf(before.triangles, before.seeds, allowed);
 }
@@ -303,15 +302,15 @@ float LocalSearch::costOf(const std::vector<int>& faces)
 
 LocalSearch::Worst LocalSearch::worstOf(const std::vector<int>& faces)
 {
-	const Limits& limits = goal_->limits;
-	Worst         worst;
+	const Acceptance& limits = goal_->limits;
+	Worst             worst;
 	for (int f : faces) {
-		if (limits.minNormalAgreement > -1) {
+		if (limits.agreement > -1) {
 			const float own = std::min(editor_.agreement(f), editor_.agreementAtCreases(f));
 			worst.agreement = std::min(worst.agreement, own);
 			worst.invertedNum += own < 0;
 		}
-		if (limits.minAngle > 0) worst.angle = std::min(worst.angle, smallestAngle(m_, f));
+		if (limits.angle > 0) worst.angle = std::min(worst.angle, smallestAngle(m_, f));
 	}
 	work_ -= 4 * std::int64_t(faces.size());
 	return worst;
@@ -319,11 +318,11 @@ LocalSearch::Worst LocalSearch::worstOf(const std::vector<int>& faces)
 
 bool LocalSearch::keepsWorst(const std::vector<int>& faces, const Worst& before)
 {
-	const Limits& limits = goal_->limits;
-	const Worst   now    = worstOf(faces);
+	const Acceptance& limits = goal_->limits;
+	const Worst       now    = worstOf(faces);
 	return now.invertedNum <= before.invertedNum &&
-		   now.agreement >= std::min(limits.minNormalAgreement, before.agreement) &&
-		   now.angle >= std::min(limits.minAngle, before.angle);
+		   now.agreement >= std::min(limits.agreement, before.agreement) &&
+		   now.angle >= std::min(limits.angle, before.angle);
 }
 
 int LocalSearch::intersectionNum(const std::vector<int>& faces)
@@ -447,7 +446,7 @@ bool LocalSearch::stepFrom(int v, float reach, float& cost)
 	StepLimits before; // looked at where a place is better: most steps find none
 	work_ -= workOfStep;
 	for (const PatchEditor::VertexState& next : editor_.statesAround(v, reach, goal_->mayCrowd)) {
-		if (!editor_.isNearStart(v, next, goal_->limits.maxMove, goal_->limits.maxTurn)) continue;
+		if (!editor_.isNearStart(v, next, goal_->limits.move, goal_->limits.normalTurn)) continue;
 		editor_.put(v, next);
 		const float now = costOf(faces);
 		if (!(now < settleShare * cost)) continue;

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_LOCAL_SEARCH_H
-#define VCG_EXTRAS_CORE_OPTIMIZATION_LOCAL_SEARCH_H
+#ifndef VCG_EXTRAS_CORE_EDIT_LOCAL_SEARCH_H
+#define VCG_EXTRAS_CORE_EDIT_LOCAL_SEARCH_H
 
+#include "acceptance.h"
+#include "failed_attempts.h"
+#include "patch_distance.h"
 #include "patch_editor.h"
 
 #include <vcg_extras/core/mesh/face_boxes.h>
-#include <vcg_extras/core/mesh/failed_attempts.h>
-#include <vcg_extras/core/surface/patch_distance.h>
 
 #include <cmath>
 #include <cstdint>
@@ -16,20 +17,6 @@
 #include <vector>
 
 namespace gpr {
-
-/// What no change may make worse. Each holds for all faces of a patch; what was beyond a limit
-/// before may stay as it was.
-struct Limits {
-	float minAngle           = 0;         ///< radians
-	float minNormalAgreement = -1;        ///< cosine
-	float maxDistance        = HUGE_VALF; ///< of the input's vertices from the faces, in mean edges
-	float maxGap             = HUGE_VALF; ///< of the faces from the surface, working units
-	float guardedDistance    = HUGE_VALF; ///< working units; vertices so far off get no farther
-	float maxMove            = 0.5f; ///< of a vertex from where the search found it, in mean edges
-	float maxTurn            = 0.5f; ///< cosine of the normals before and after a move
-	bool  gentleFlips        = true; ///< see PatchEditor::isGentleFlip
-	bool  intersections      = true; ///< no more pairs of faces that intersect
-};
 
 /// Where a search ends though faces are left.
 struct Budget {
@@ -44,15 +31,14 @@ struct Goal {
 	std::function<bool(int face)>  isBad; ///< called in parallel
 	std::function<float(int face)> faceCost;
 	float maxLeft = 0.995f, minGain = 0; ///< a change leaves at most this share, less this
-	float collapseCost = 0;              ///< a vertex less has to be worth so much
 	std::vector<Operation::Kind> operations;
 	std::vector<float>           stepLengths; ///< of moves, in mean edges
-	bool   settles    = true;  ///< what lies round a change settles by moves and flips
-	bool   takesFirst = false; ///< each operation that helps is kept, not only the best of all
-	bool   inPairs    = false; ///< two operations in a row
-	bool   mayCrowd   = false; ///< vertices of curves come as near to each other as they will
-	Limits limits;
-	Budget budget;
+	bool       settles    = true;  ///< what lies round a change settles by moves and flips
+	bool       takesFirst = false; ///< each operation that helps is kept, not only the best of all
+	bool       inPairs    = false; ///< two operations in a row
+	bool       mayCrowd   = false; ///< vertices of curves come as near to each other as they will
+	Acceptance limits;
+	Budget     budget;
 };
 
 /// Improves the result where it is worst, face by face: every operation at a bad face is tried,
@@ -145,7 +131,7 @@ private:
 	std::unique_ptr<PatchDistance> distanceOf(const std::vector<int>& faces,
 											  const Triangles& triangles, float edge);
 	bool keepsDistance(const PatchDistance* distance, const std::vector<int>& faces);
-	bool limitsGaps() const { return goal_->limits.maxGap < HUGE_VALF; }
+	bool limitsGaps() const { return goal_->limits.gap < HUGE_VALF; }
 	bool keepsGap(const Before& before, const std::vector<int>& faces);
 	/// Per face, those of the surface below its corners.
 	std::vector<std::array<int, 3>> seedsOf(const std::vector<int>& faces) const;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_SURFACE_PATCH_DISTANCE_H
-#define VCG_EXTRAS_CORE_SURFACE_PATCH_DISTANCE_H
+#ifndef VCG_EXTRAS_CORE_EDIT_PATCH_DISTANCE_H
+#define VCG_EXTRAS_CORE_EDIT_PATCH_DISTANCE_H
 
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/surface/closest_face_map.h>

@@ -8,52 +8,11 @@
 
 namespace gpr {
 
-namespace {
-
-/// A triangle whose smallest angle is α has a shape of √3 sin α / (2 - cos α) at most, where it is
-/// isosceles. So none of a better shape than this has an angle below that.
-constexpr float soundShape = 0.86f, soundAngle = 0.61f; // 35°
-
-/// Of a triangle with the given cross product; see triangleShape. No root.
-float squaredShape(const Vec3f& cross, const Corners& f)
-{
-	const float edges =
-		squaredLength(f.b - f.a) + squaredLength(f.c - f.b) + squaredLength(f.a - f.c) + 1e-30f;
-	return 12 * squaredLength(cross) / (edges * edges);
-}
-
-} // namespace
-
-bool spoilsFace(const MoveLimits& limits, const Corners& before, const Corners& after)
-{
-	const Vec3f now = after.cross(), then = before.cross();
-	const float turn = dot(now, then), cosine = limits.turnCosine;
-	if (turn <= 0 || turn * turn < cosine * cosine * squaredLength(now) * squaredLength(then))
-		return true;
-	// Nearly all faces are sound, and angles take long to compute.
-	const float shape = squaredShape(now, after);
-	if (shape >= soundShape * soundShape && limits.minAngle <= soundAngle) return false;
-	if (shape < limits.minShape * limits.minShape && shape < squaredShape(then, before))
-		return true;
-	if (limits.minAngle == 0) return false;
-	const float angle = smallestAngle(after.a, after.b, after.c);
-	return angle < limits.minAngle &&
-		   angle < limits.falls * smallestAngle(before.a, before.b, before.c);
-}
-
-bool spoilsRing(const MoveLimits& limits, const HalfEdgeMesh& m, int v, const Vec3f& to)
-{
-	const Vec3f from   = m.position[v];
-	bool        spoils = false;
-	forEachOutgoing(m, v, [&](int h) {
-		const Vec3f a = m.position[m.target(h)], b = m.position[m.apex(h)];
-		spoils = spoils || spoilsFace(limits, {from, a, b}, {to, a, b});
-	});
-	return spoils;
-}
-
-MoveGuard::MoveGuard(const MoveLimits& limits, HalfEdgeMesh& mesh, Workers& workers) :
-		limits_(limits), m_(mesh), workers_(workers), from_(mesh.vertexNum), shift_(mesh.vertexNum)
+MoveGuard::MoveGuard(const Acceptance& limits, const Shortening& shortening, HalfEdgeMesh& mesh,
+					 Workers& workers) :
+		limits_(limits),
+		shortening_(shortening), m_(mesh), workers_(workers), from_(mesh.vertexNum),
+		shift_(mesh.vertexNum)
 {
 }
 
@@ -102,19 +61,19 @@ bool MoveGuard::isSpoilt(int f, const Buffer<Vec3f>& normal) const
 		return true;
 	if (normal.empty()) return false;
 	const float now = normalAgreement(m_, normal, f);
-	if (now >= limits_.minAgreement) return false;
+	if (now >= limits_.agreement) return false;
 	const Vec3f wanted = normal[c[0]] + normal[c[1]] + normal[c[2]];
-	return now < limits_.falls * agreement(before.cross(), wanted);
+	return spoilsAgreement(limits_, agreement(before.cross(), wanted), now);
 }
 
 /// Shortens the moves of those of the faces that are spoilt, then of those round these, and so on.
 bool MoveGuard::settleAmong(std::vector<int> faces, const Buffer<Vec3f>& normal)
 {
-	for (int round = 0; round <= limits_.maxRounds; ++round) {
+	for (int round = 0; round <= shortening_.maxRounds; ++round) {
 		const auto isSound = [&](int f) { return !isSpoilt(f, normal); };
 		faces.erase(std::remove_if(faces.begin(), faces.end(), isSound), faces.end());
 		if (faces.empty()) return true;
-		faces = facesRound(m_, shorten(faces, round < limits_.halvings ? 0.5f : 0.0f));
+		faces = facesRound(m_, shorten(faces, round < shortening_.halvings ? 0.5f : 0.0f));
 	}
 	takeAllBack();
 	return false;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_PATCH_EDITOR_H
-#define VCG_EXTRAS_CORE_OPTIMIZATION_PATCH_EDITOR_H
+#ifndef VCG_EXTRAS_CORE_EDIT_PATCH_EDITOR_H
+#define VCG_EXTRAS_CORE_EDIT_PATCH_EDITOR_H
 
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/features/boundary_curves.h>

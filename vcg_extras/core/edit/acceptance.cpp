@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "acceptance.h"
+
+#include <vcg_extras/core/mesh/face_quality.h>
+
+#include <array>
+
+namespace gpr {
+
+namespace {
+
+constexpr float any = HUGE_VALF;
+/// The angle is given by the caller.
+constexpr float asked = -1;
+
+struct Row {
+	Driver driver;
+	float  turn, shape, angle, agreement, distance, move, normalTurn;
+	bool   gentleFlips, contacts;
+};
+
+/// All limits of the engine side by side.
+/// - turn .5: a face that turns by more than 60° would soon lie folded over. -2: any.
+/// - shape .6: that of 30°-30°-120°.
+/// - distance .05 of an edge: closer points of the input are near enough.
+/// - move .5: a vertex keeps to its own place among its neighbours.
+constexpr Row table[] = {
+	// driver            turn  shape  angle         agreement    distance move normalTurn gentle
+	// contacts
+	// clang-format off
+	{Driver::Relaxation,     0.5f, 0.6f, 0,            -1,           any,   any,  -2,   false, false},
+	{Driver::Fit,            0.5f, 0,    asked,        minAgreement, any,   any,  -2,   false, false},
+	{Driver::CurveFit,       0.5f, 0,    asked,        -1,           any,   any,  -2,   false, false},
+	{Driver::Count,          0.1f, 0,    0.3f * minFlipAngle, -1,           any,   any,  -2,   false, false},
+	{Driver::InvertedFaces,  -2,   0,    0,            -1,           any,   0.6f, -2,   false, false},
+	{Driver::AnglesOnly,     -2,   0,    0,            0.8f,         any,   0.5f, 0.5f, true,  false},
+	{Driver::PoorFaces,      -2,   0,    0,            0.6f        , 0.05f, 0.5f, 0.5f, true,  true},
+	{Driver::LargeAngles,    -2,   0,    asked,        0.6f        , 0.05f, 0.5f, 0.5f, true,  true},
+	{Driver::WorstDistances, 0.5f, 0,    asked,        minAgreement, any,   any,  -2,   false, false},
+	{Driver::Refinement,     -2,   0,    5 * radians,  0,            any,   any,  -2,   false, true},
+	{Driver::GuardedSlide,   0.7f, 0,    0,            0.2f,         0.1f,  any,  -2,   false, true},
+	{Driver::GuardedFlip,    0.7f, 0,    0,            0.2f,         0.1f,  any,  -2,   false, true},
+	// clang-format on
+};
+
+/// A triangle whose smallest angle is α has a shape of √3 sin α / (2 - cos α) at most, where it is
+/// isosceles. So none of a better shape than this has an angle below that.
+constexpr float soundShape = 0.86f, soundAngle = 0.61f; // 35°
+
+/// Of a triangle with the given cross product; see triangleShape. No root.
+float squaredShape(const Vec3f& cross, const Corners& f)
+{
+	const float edges =
+		squaredLength(f.b - f.a) + squaredLength(f.c - f.b) + squaredLength(f.a - f.c) + 1e-30f;
+	return 12 * squaredLength(cross) / (edges * edges);
+}
+
+} // namespace
+
+Acceptance acceptanceOf(Driver driver, float angle)
+{
+	const Row& row = table[std::size_t(driver)];
+	Acceptance limits;
+	limits.turn        = row.turn;
+	limits.shape       = row.shape;
+	limits.angle       = row.angle == asked ? angle : row.angle;
+	limits.agreement   = row.agreement;
+	limits.distance    = row.distance;
+	limits.move        = row.move;
+	limits.normalTurn  = row.normalTurn;
+	limits.gentleFlips = row.gentleFlips;
+	limits.contacts    = row.contacts;
+	return limits;
+}
+
+bool spoilsFace(const Acceptance& limits, const Corners& before, const Corners& after)
+{
+	const Vec3f now = after.cross(), then = before.cross();
+	const float turn = dot(now, then), cosine = limits.turn;
+	if (cosine > -1 &&
+		(turn <= 0 || turn * turn < cosine * cosine * squaredLength(now) * squaredLength(then)))
+		return true;
+	// Nearly all faces are sound, and angles take long to compute.
+	const float shape = squaredShape(now, after);
+	if (shape >= soundShape * soundShape && limits.angle <= soundAngle) return false;
+	if (shape < limits.shape * limits.shape && shape < squaredShape(then, before)) return true;
+	if (limits.angle == 0) return false;
+	const float angle = smallestAngle(after.a, after.b, after.c);
+	return angle < limits.angle &&
+		   angle < limits.falls * smallestAngle(before.a, before.b, before.c);
+}
+
+bool spoilsRing(const Acceptance& limits, const HalfEdgeMesh& m, int v, const Vec3f& to,
+				int without)
+{
+	const Vec3f from   = m.position[v];
+	bool        spoils = false;
+	forEachOutgoing(m, v, [&](int h) {
+		if (m.target(h) == without || m.apex(h) == without) return;
+		const Vec3f a = m.position[m.target(h)], b = m.position[m.apex(h)];
+		spoils = spoils || spoilsFace(limits, {from, a, b}, {to, a, b});
+	});
+	return spoils;
+}
+
+} // namespace gpr
