@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "patch_distance.h"
 
-#include <vcg_extras/core/mesh/face_plane.h>
+#include <vcg_extras/core/base/triangle.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,26 +13,20 @@ namespace gpr {
 namespace {
 
 /// Finds how far points lie from some triangles, those near each other in a row fast: the triangle
-/// that was nearest last time is tried first, and mostly is near enough. Triangles whose planes are
-/// too far off are left out, and the planes are made once for all points.
+/// that was nearest last time is tried first, and mostly is near enough.
 class NearestTriangle {
 public:
-	explicit NearestTriangle(const Triangles& triangles)
-	{
-		plane_.reserve(triangles.size());
-		for (const std::array<Vec3f, 3>& t : triangles)
-			plane_.emplace_back(Corners{t[0], t[1], t[2]});
-	}
+	explicit NearestTriangle(const Triangles& triangles) : triangle_(triangles) {}
 
-	/// From the nearest one, or from one that is near enough. Most points stand upright above a
-	/// triangle that is near enough: there the edges of the triangles do not matter.
+	/// From the nearest one, or from one that is near enough.
 	float squaredDistance(const Vec3f& p, float enough)
 	{
-		float nearest = plane_.empty() ? HUGE_VALF : squaredUpright(last_, p);
-		for (std::size_t i = 0; i < plane_.size() && nearest > enough; ++i)
-			take(i, squaredUpright(i, p), nearest);
-		for (std::size_t i = 0; i < plane_.size() && nearest > enough; ++i) {
-			if (plane_[i].squaredHeight(p) < nearest) take(i, squaredFrom(i, p), nearest);
+		float nearest = triangle_.empty() ? HUGE_VALF : squaredFrom(last_, p);
+		for (std::size_t i = 0; i < triangle_.size() && nearest > enough; ++i) {
+			const float squared = squaredFrom(i, p);
+			if (squared >= nearest) continue;
+			nearest = squared;
+			last_   = i;
 		}
 		return nearest;
 	}
@@ -41,28 +35,15 @@ public:
 	std::int64_t work() const { return work_; }
 
 private:
-	std::vector<FacePlane> plane_;
-	std::size_t            last_ = 0;
-	std::int64_t           work_ = 0;
-
-	void take(std::size_t i, float squared, float& nearest)
-	{
-		if (squared >= nearest) return;
-		nearest = squared;
-		last_   = i;
-	}
-
-	/// Infinite where the foot of p in the plane is not on the triangle.
-	float squaredUpright(std::size_t i, const Vec3f& p)
-	{
-		++work_;
-		return plane_[i].footOf(p).isInside() ? plane_[i].squaredHeight(p) : HUGE_VALF;
-	}
+	const Triangles& triangle_;
+	std::size_t      last_ = 0;
+	std::int64_t     work_ = 0;
 
 	float squaredFrom(std::size_t i, const Vec3f& p)
 	{
 		++work_;
-		return plane_[i].squaredDistance(p, plane_[i].nearestFoot(p));
+		const std::array<Vec3f, 3>& t = triangle_[i];
+		return squaredLength(nearestOnTriangle(p, t[0], t[1], t[2]) - p);
 	}
 };
 

@@ -33,11 +33,9 @@ struct Foot {
 class FacePlane {
 public:
 	FacePlane(const HalfEdgeMesh& m, int face) :
-			FacePlane(Corners{m.position[m.origin[3 * face]], m.position[m.origin[3 * face + 1]],
-							  m.position[m.origin[3 * face + 2]]})
-	{
-	}
-	explicit FacePlane(const Corners& corner) : corner_(corner), cross_(corner.cross())
+			corner_{m.position[m.origin[3 * face]], m.position[m.origin[3 * face + 1]],
+					m.position[m.origin[3 * face + 2]]},
+			cross_(corner_.cross())
 	{
 		const float squared = squaredLength(cross_);
 		inverse_            = squared > 0 ? 1 / squared : 0.0f;
