@@ -18,8 +18,8 @@ struct CreaseRules {
 	float       weakDeg   = 20; ///< and goes on, from its ends, down to this
 	float       minLength = 0;  ///< connected lines shorter than this in all are dropped
 	float       minSpur   = 0;  ///< so are pieces with a free end
-	/// Lines without an end that are clear of noise, like the rims of holes, stay from this length
-	/// on, be it below minLength.
+	/// Lines without an end, like the rims of holes, stay from this length on, be it below
+	/// minLength.
 	float minLoop = std::numeric_limits<float>::infinity();
 	float minGap  = 0; ///< Auto: so is the weaker of two lines nearer than this to each other
 	/// Auto: edges that are no noise if they are sharp, each by its smaller half-edge, ascending.

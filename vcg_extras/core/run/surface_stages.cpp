@@ -28,7 +28,7 @@ namespace {
 
 /// Connected feature lines shorter than this in all are dropped; in ideal edges.
 constexpr float minLineLength = 3;
-/// But for the rims of holes, and other clear loops, down to this.
+/// But for the rims of holes, and other loops, down to this.
 constexpr float minLoopLength = 1.5f;
 /// Of two feature lines nearer to each other than this the weaker is dropped; in ideal edges. The
 /// second where lines and borders take more than half of the vertices.
