@@ -78,7 +78,6 @@ enum class Reason {
 	GuardValence, ///< a-b is not Delaunay, but an end would be left with two faces
 	GuardDouble,  ///< or the other diagonal is an edge already
 	GuardFold,    ///< or turning it folds the surface
-	GuardCrease,  ///< or makes an edge above 60° much sharper
 	Follows,      ///< the other result does not have the same four corners: an edge near by
 				  ///< differs for a reason of its own
 	None,
@@ -89,7 +88,6 @@ const char* const reasonNames[] = {"co-circular within 1e-3",
 								   "guard: two faces left",
 								   "guard: edge there already",
 								   "guard: fold",
-								   "guard: crease sharpened",
 								   "follows from another",
 								   "no reason"};
 
@@ -104,10 +102,7 @@ Reason guardOf(const Joined& joined, const Joined::Ends& ends, const std::vector
 		return Reason::GuardValence;
 	const Vec3d n1 = cross(pa - pc, pb - pc), n2 = cross(pb - pd, pa - pd);
 	const Vec3d m1 = cross(pa - pc, pd - pc), m2 = cross(pd - pc, pb - pc);
-	if (dot(m1, n1 + n2) <= 0 || dot(m2, n1 + n2) <= 0) return Reason::GuardFold;
-	const double oldCosine = dot(n1, n2) / (length(n1) * length(n2));
-	const double newCosine = dot(m1, m2) / (length(m1) * length(m2));
-	return newCosine < 0.5 && newCosine < oldCosine - 0.1 ? Reason::GuardCrease : Reason::None;
+	return dot(m1, n1 + n2) <= 0 || dot(m2, n1 + n2) <= 0 ? Reason::GuardFold : Reason::None;
 }
 
 /// Angles opposite the diagonal a-b of four corners, less 180°: above 0 it is not Delaunay.

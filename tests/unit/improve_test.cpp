@@ -83,18 +83,6 @@ TEST(FlipToDelaunayKeeps, FacesFromTurningOver)
 	EXPECT_GT(flips, 500);
 }
 
-/// The Delaunay edge of some pairs of triangles lies in a much sharper fold: here 75° for 25°.
-TEST(FlipToDelaunayKeeps, AGentleFoldFromGettingSharp)
-{
-	Workers    workers(1, nullptr);
-	ResultMesh fold =
-		twoTriangles({{0.77, 0.94, 0.02}, {0.03, 0.2, 0.01}, {0.09, 0.17, 0}, {0, 0.22, 0}});
-	ASSERT_GT(dot(fold.mesh.faceNormal(0), fold.mesh.faceNormal(1)), 0.9);
-	ASSERT_EQ(flipToDelaunay(fold, workers), 0);
-	flip(fold.mesh, 0);
-	EXPECT_LT(dot(fold.mesh.faceNormal(0), fold.mesh.faceNormal(1)), 0.27);
-}
-
 /// The fold of a bent sheet is an edge of the surface: flipping over it would cut the corner off.
 TEST(FlipToDelaunayKeeps, ASharpFold)
 {

@@ -12,11 +12,11 @@ namespace gpr {
 constexpr int untilDelaunay = 1000;
 
 /// Flips edges whose opposite angles add up to more than 180°, until none is left. An edge stays
-/// where the flip would fold the surface, sharpen a crease, leave a vertex with two faces or double
-/// an edge; edges of the border and of feature lines always stay. With fewer than untilDelaunay
-/// passes (the paper's user-given number) each pass flips those edges once that ask for it at its
-/// start. Returns the number of flips.
-/// Cost: linear a pass; edges are tested in parallel, the few that flip are turned serially.
+/// where the flip would fold the surface, leave a vertex with two faces or double an edge; edges of
+/// the border and of feature lines always stay. With fewer than untilDelaunay passes (the paper's
+/// user-given number) each pass flips those edges once that ask for it at its start. Returns the
+/// number of flips. Cost: linear a pass; edges are tested in parallel, the few that flip are turned
+/// serially.
 std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers, int maxPasses = untilDelaunay);
 
 } // namespace gpr
