@@ -10,15 +10,7 @@ namespace {
 /// the result are handed over as they are.
 constexpr double roundingOfPositions = 1e-7;
 
-} // namespace
-
-ComparedSurfaces::ComparedSurfaces(const Surface& surface, const ResultMesh& made,
-								   Workers& workers) :
-		input(viewOf(surface.mesh), workers),
-		result(viewOf(made.mesh), input, workers)
-{
-}
-
+/// Proven bounds of the distances of both from each other; diagonal: of the input.
 MutualBounds boundsOf(double diagonal, const ComparedSurfaces& both, Workers& workers)
 {
 	CertificateSettings settings = usualCertificate(diagonal);
@@ -27,6 +19,15 @@ MutualBounds boundsOf(double diagonal, const ComparedSurfaces& both, Workers& wo
 	bounds.toInput   = certifiedDistance(both.result, both.input, settings, workers);
 	bounds.fromInput = certifiedDistance(both.input, both.result, settings, workers);
 	return bounds;
+}
+
+} // namespace
+
+ComparedSurfaces::ComparedSurfaces(const Surface& surface, const ResultMesh& made,
+								   Workers& workers) :
+		input(viewOf(surface.mesh), workers),
+		result(viewOf(made.mesh), input, workers)
+{
 }
 
 DistanceProof proveDistance(RunContext& run, const Surface& surface, double diagonal,

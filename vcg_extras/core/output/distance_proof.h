@@ -23,11 +23,8 @@ struct DistanceProof {
 	MutualBounds bounds; ///< mesh units
 };
 
-/// Bounds of the distances of both from each other, proven; working units. diagonal: of the input,
-/// working units. Cost: see certifiedDistance.
-MutualBounds boundsOf(double diagonal, const ComparedSurfaces& both, Workers& workers);
-
-/// Proves these bounds, and tells the user where their budget was spent. diagonal: mesh units.
+/// Proves bounds of the distances of both from each other, and tells the user where their budget
+/// was spent. diagonal: of the input, mesh units. Cost: see certifiedDistance.
 DistanceProof proveDistance(RunContext& run, const Surface& surface, double diagonal,
 							const ComparedSurfaces& both);
 

@@ -111,7 +111,6 @@ struct Distance {
 
 Distance distanceFromInput(RunContext& run, const WorkingSurface& surface, const ResultMesh& result)
 {
-	const double           unit = 1 / double(result.idealEdge);
 	const ComparedSurfaces both(surface, result, run.workers);
 	const SampledDistance  sampled =
 		sampledDistance({surface.mesh, both.input}, {result.mesh, both.result}, run.workers);
@@ -123,11 +122,11 @@ Distance distanceFromInput(RunContext& run, const WorkingSurface& surface, const
 bool hasLostSurface(RunContext& run, const WorkingSurface& surface, const ResultMesh& released,
 					const ResultMesh& start)
 {
-	const Distance of = distanceFromInput(run, surface, released);
-	if (of.rms <= nearMean && of.largest <= nearMost) return false;
-	const Distance before = distanceFromInput(run, surface, start);
+	const SurfaceDistance of = distanceFromInput(run, surface, released);
+	if (of.rms <= nearMean && of.max <= nearMost) return false;
+	const SurfaceDistance before = distanceFromInput(run, surface, start);
 	return of.rms > std::max(nearMean, mostFarther * before.rms) ||
-		   of.largest > std::max(nearMost, mostFarther * before.largest);
+		   of.max > std::max(nearMost, mostFarther * before.max);
 }
 
 /// What the fit leaves for the repair of poor faces.
