@@ -104,17 +104,13 @@ bool areLinesCrowded(RunContext& run, const ResultMesh& result)
 }
 
 /// How far the input and a mesh are from each other, in ideal edges.
-struct Distance {
-	double rms     = 0;
-	double largest = 0; ///< of the samples
-};
-
-Distance distanceFromInput(RunContext& run, const WorkingSurface& surface, const ResultMesh& result)
+SurfaceDistance distanceFromInput(RunContext& run, const WorkingSurface& surface,
+								  const ResultMesh& result)
 {
 	const ComparedSurfaces both(surface, result, run.workers);
-	const SampledDistance  sampled =
-		sampledDistance({surface.mesh, both.input}, {result.mesh, both.result}, run.workers);
-	return {sampled.mutual.larger().rms * unit, sampled.mutual.larger().max * unit};
+	return sampledDistance({surface.mesh, both.input}, {result.mesh, both.result}, run.workers)
+		.mutual.larger()
+		.times(1 / double(result.idealEdge));
 }
 
 /// Whether a mesh whose lines were released is farther from the input than it was before the fit,
