@@ -240,6 +240,24 @@ TEST(Buffer, MovesItsMemory)
 	EXPECT_EQ(c.begin(), c.end());
 }
 
+/// Tasks that do not end by themselves hear of a failure, or of a stop, in any thread.
+TEST(Workers, LongTasksEndWithTheirLoop)
+{
+	for (int threads : {1, 2, 3}) {
+		StopRequest stop{false};
+		Workers     workers(threads, nullptr, 0, &stop);
+		EXPECT_THROW(workers.forTasks(8,
+									  [&](std::size_t, int worker) {
+										  Workers inner(workers, worker);
+										  inner.forEach(1'000'000'000, [&](int i) {
+											  if (i == 100'000) stop = true;
+										  });
+									  }),
+					 CancelledError)
+			<< threads;
+	}
+}
+
 TEST(Buffer, OfNothingIsEmpty)
 {
 	Buffer<double> b(0);

@@ -66,6 +66,24 @@ struct Workers::Pool {
 	const StopRequest* stopRequest = nullptr;
 	Clock::time_point  deadline;
 
+	// Of a thread that does a task for others.
+	Workers* asked = nullptr; ///< in place of this one
+	int      asker = 0;       ///< the thread, in a loop of that
+
+	/// For other threads than the calling one: neither progress nor anything else is changed.
+	void pollAside() const
+	{
+		if (stop || (stopRequest != nullptr && *stopRequest)) throw CancelledError();
+		if (isLimited && Clock::now() > deadline) throw OutOfTimeError();
+	}
+
+	void fail()
+	{
+		std::lock_guard<std::mutex> lock(mutex);
+		if (!failure) failure = std::current_exception();
+		stop = true;
+	}
+
 	/// Takes tasks until none is left. Worker 0 is the calling thread and polls in between.
 	void work(int worker, Workers& owner)
 	{
@@ -79,9 +97,7 @@ struct Workers::Pool {
 			}
 		}
 		catch (...) {
-			std::lock_guard<std::mutex> lock(mutex);
-			if (!failure) failure = std::current_exception();
-			stop = true;
+			fail();
 		}
 	}
 
@@ -109,14 +125,23 @@ struct Workers::Pool {
 		wake.wait(lock, [&] { return quit || generation != seen; });
 	}
 
-	void waitForThreads()
+	void waitForThreads(Workers& owner)
 	{
 		for (int look = 0; look < looksBeforeSleep; ++look) {
 			if (busy == 0) return;
 			pause();
 		}
 		std::unique_lock<std::mutex> lock(mutex);
-		done.wait(lock, [&] { return busy == 0; });
+		while (!done.wait_for(lock, pollPeriod, [&] { return busy == 0; })) {
+			lock.unlock();
+			try {
+				if (!stop) owner.poll();
+			}
+			catch (...) {
+				fail();
+			}
+			lock.lock();
+		}
 	}
 };
 
@@ -133,6 +158,12 @@ Workers::Workers(int threads, ProgressCallback progress, double timeLimitSeconds
 	pool_->lastPoll -= pollPeriod;
 	for (int t = 1; t < n; ++t)
 		pool_->threads.emplace_back([this, t] { pool_->threadMain(t, *this); });
+}
+
+Workers::Workers(Workers& owner, int worker) : pool_(new Pool)
+{
+	pool_->asked = &owner;
+	pool_->asker = worker;
 }
 
 Workers::~Workers()
@@ -198,7 +229,7 @@ void Workers::runTasks(std::size_t taskNum, Task task, void* body)
 		p.wake.notify_all();
 	}
 	p.work(0, *this);
-	if (shared) p.waitForThreads();
+	if (shared) p.waitForThreads(*this);
 	if (p.failure) std::rethrow_exception(p.failure);
 }
 
@@ -213,6 +244,8 @@ void Workers::enterStage(const char* phrase, double from, double to)
 void Workers::poll(double share)
 {
 	Pool& p = *pool_;
+	if (p.asked != nullptr && p.asker > 0) return p.asked->pool_->pollAside();
+	if (p.asked != nullptr) return p.asked->poll();
 	if (p.stopRequest != nullptr && *p.stopRequest) throw CancelledError();
 	if (!p.progress && !p.isLimited) return;
 	const Clock::time_point now = Clock::now();

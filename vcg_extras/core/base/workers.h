@@ -28,6 +28,9 @@ public:
 	/// null; it is looked at much more often than progress is told.
 	Workers(int threads, ProgressCallback progress, double timeLimitSeconds = 0,
 			const StopRequest* stop = nullptr);
+	/// One thread alone, for a task that thread `worker` does in a loop of `owner`: poll() asks the
+	/// owner there, so that long tasks end early with the loop.
+	Workers(Workers& owner, int worker);
 	~Workers();
 	Workers(const Workers&)            = delete;
 	Workers& operator=(const Workers&) = delete;
@@ -144,8 +147,8 @@ public:
 	/// From here on the work done runs from `from` to `to` (shares of 1).
 	void enterStage(const char* phrase, double from, double to);
 	/// Tells progress if the last time is a while ago; throws CancelledError or OutOfTimeError.
-	/// Long serial loops call it now and then, from the calling thread only. share: of the stage's
-	/// own work.
+	/// Long serial loops call it now and then, from the calling thread only, or in tasks (see
+	/// above). share: of the stage's own work.
 	void poll(double share = 0);
 
 private:

@@ -6,18 +6,16 @@
 #include "guarded_relaxation.h"
 #include "input_contacts.h"
 #include "made_vertex.h"
+#include "patch_rounds.h"
 
 #include <vcg_extras/core/base/portable_math.h>
 #include <vcg_extras/core/mesh/components.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
-#include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -28,10 +26,8 @@ namespace {
 
 /// Contacts of the result nearer than this to one of the input's, in edges, are the input's own.
 constexpr float nearInputs = 1.5f;
-/// Patches that have grown so often and still do not fit are given up.
-constexpr int refillRounds = 4;
-/// Patches of a larger share of the faces are no better than whole components made anew.
-constexpr double mostInPatches = 0.75;
+/// With fewer vertices patches hardly ever fit.
+constexpr int leastForPatches = 100;
 
 /// What a mesh is put together from: some components of the input, that are to be made coarser,
 /// and the other ones of the result, which stay.
@@ -105,15 +101,9 @@ void append(const HalfEdgeMesh& from, const Components& components, const std::v
 	to.vertexNum = vertexNum;
 }
 
-/// The faces of some pairs, and the inverted ones: where something is made anew, they shall go,
-/// too.
-std::vector<int> poorFaces(const Surface& surface, const ResultMesh& result,
-						   const std::vector<FacePair>& pairs, Workers& workers)
+std::vector<int> facesOf(const std::vector<FacePair>& pairs)
 {
-	const Buffer<Vec3f> normals = smoothNormals(surface, result, workers);
-	std::vector<int>    faces   = workers.collectIf(std::size_t(result.mesh.faceNum), [&](int f) {
-        return normalAgreement(result.mesh, normals, f) < 0;
-    });
+	std::vector<int> faces;
 	for (const FacePair& pair : pairs)
 		faces.insert(faces.end(), {pair.first, pair.second});
 	return faces;
@@ -271,14 +261,17 @@ public:
 	/// Only what is near the pairs, then whole components.
 	ContactOutcome run(std::vector<FacePair> pairs)
 	{
-		refill(pairs);
-		pairs = pairsOf(result_.mesh);
+		if (result_.mesh.vertexNum >= leastForPatches) {
+			PatchOutcome patches = fillPatches(making_, ofInput_, pairs, result_, workers_);
+			figures_.vertexNum += patches.madeNum;
+			pairs = std::move(patches.pairs);
+		}
 		if (pairs.empty()) return {result_.mesh.vertexNum};
 		const Surface& surface = making_.surface;
 		const bool     inputHasContacts =
 			!findTouchingPairs(surface.mesh, workers_, Seams::Apart).empty();
-		return replaceComponents(making_, poorFaces(surface, result_, pairs, workers_),
-								 inputHasContacts, result_, figures_, workers_);
+		return replaceComponents(making_, facesOf(pairs), inputHasContacts, result_, figures_,
+								 workers_);
 	}
 
 private:
@@ -287,53 +280,6 @@ private:
 	ResultMesh&             result_;
 	GuardedFigures&         figures_;
 	Workers&                workers_;
-
-	/// Without the input's own.
-	std::vector<FacePair> pairsOf(const HalfEdgeMesh& m) const
-	{
-		return ofInput_.withoutInputs(m, findTouchingPairs(m, workers_));
-	}
-
-	static std::ptrdiff_t numOf(const std::vector<char>& marked)
-	{
-		return std::count(marked.begin(), marked.end(), char(1));
-	}
-
-	static bool areMost(const std::vector<char>& marked)
-	{
-		return double(numOf(marked)) > mostInPatches * double(marked.size());
-	}
-
-	/// The best of some rounds of patches, each larger than the one before.
-	void refill(const std::vector<FacePair>& pairs)
-	{
-		std::vector<char> marked(std::size_t(result_.mesh.faceNum), 0);
-		for (const FacePair& pair : pairs)
-			marked[std::size_t(pair.first)] = marked[std::size_t(pair.second)] = 1;
-		widenMarks(result_.mesh, PatchFilling::ringsAround, marked);
-		std::size_t           fewest = pairs.size();
-		std::optional<Filled> best;
-		for (int round = 0; round < refillRounds && fewest > 0; ++round) {
-			PatchFilling filling(making_, result_, workers_);
-			if (!filling.fill(marked) || areMost(marked)) break;
-			if (!filling.isSound()) {
-				widenMarks(result_.mesh, 1, marked);
-				continue;
-			}
-			const std::vector<FacePair> left      = pairsOf(filling.mesh());
-			const std::ptrdiff_t        markedNum = numOf(marked);
-			filling.markAround(left, marked);
-			if (left.size() < fewest) {
-				fewest = left.size();
-				best   = filling.take();
-			}
-			if (numOf(marked) == markedNum) break; // the next round would come to the same
-		}
-		if (!best) return;
-		result_.mesh   = std::move(best->mesh);
-		result_.vertex = std::move(best->vertex);
-		figures_.vertexNum += best->madeNum;
-	}
 };
 
 } // namespace

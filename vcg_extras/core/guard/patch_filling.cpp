@@ -20,9 +20,10 @@ constexpr double patchLengthWeight = 0.3;
 
 } // namespace
 
-bool PatchFilling::fill(std::vector<char>& marked)
+bool PatchFilling::fill(std::vector<char>& marked, const HasRoom& hasRoom)
 {
-	if (!refillPatches(making_.surface, result_, making_.kept, marked, workers_, refilled_))
+	if (!refillPatches(making_.surface, result_, making_.kept, marked, workers_, refilled_,
+					   hasRoom))
 		return false;
 	GuardedMesh&    guarded = *refilled_.guarded;
 	GuardedSettings settings;
@@ -61,12 +62,20 @@ void PatchFilling::markAround(const std::vector<FacePair>& pairs, std::vector<ch
 		marked[f] = char(marked[f] | here[f]);
 }
 
+bool PatchFilling::isChanged(int face) const
+{
+	const auto& isFixed = refilled_.guarded->isFixed;
+	const int*  corner  = &mesh().origin[3 * face];
+	return !isFixed[std::size_t(corner[0])] || !isFixed[std::size_t(corner[1])] ||
+		   !isFixed[std::size_t(corner[2])];
+}
+
 Filled PatchFilling::take()
 {
 	Filled filled;
 	for (int v = 0; v < mesh().vertexNum; ++v) {
 		filled.vertex.push_back(recordOf(v));
-		filled.madeNum += oldVertex(v) < 0;
+		filled.oldVertex.push_back(oldVertex(v));
 	}
 	filled.mesh = std::move(refilled_.guarded->mesh);
 	return filled;

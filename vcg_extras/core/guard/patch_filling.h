@@ -17,7 +17,7 @@ namespace gpr {
 /// The surface, and what is to hold for vertices that are made from it by guarded collapses.
 struct MakingOfVertices {
 	const Surface&          surface;
-	const std::vector<int>& kept;                    ///< vertices of the surface that stay
+	const std::vector<int>& kept; ///< vertices of the surface that stay; ascending
 	bool                    mayLeaveSurface = true;  ///< they may lie off the surface
 	double                  adapt           = 0;     ///< how much sizes follow the error
 	bool                    mayEndAbove     = false; ///< more vertices than before may be left
@@ -27,7 +27,7 @@ struct MakingOfVertices {
 struct Filled {
 	HalfEdgeMesh              mesh;
 	std::vector<ResultVertex> vertex;
-	std::int64_t              madeNum = 0; ///< vertices inside the patches
+	std::vector<int>          oldVertex; ///< per vertex: the result's, or -1 inside the patches
 };
 
 /// Patches of a result, made anew: the input's triangles take their place (refillPatches), and
@@ -44,14 +44,18 @@ public:
 	{
 	}
 
-	/// False where the input's triangles do not fit in. Marks more faces where that is needed.
-	/// Cost: that of refillPatches, and about 30 µs a collapse.
-	bool fill(std::vector<char>& marked);
+	/// False where the input's triangles do not fit in (see refillPatches). Marks more faces where
+	/// that is needed. Cost: that of refillPatches, and about 30 µs a collapse.
+	bool fill(std::vector<char>& marked, const HasRoom& hasRoom = {});
 
 	/// Whether the collapses came down to the result's number of vertices, and each face that they
 	/// left has an area.
 	bool                isSound() const { return isSound_; }
 	const HalfEdgeMesh& mesh() const { return refilled_.guarded->mesh; }
+	/// Vertices of the input that were looked at, each as often as that was.
+	double work() const { return refilled_.work; }
+	/// Whether a face of mesh() is not the result's, or may have been moved.
+	bool isChanged(int face) const;
 
 	/// Marks the faces of the result around pairs of faces of mesh().
 	void markAround(const std::vector<FacePair>& pairs, std::vector<char>& marked) const;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <queue>
+#include <unordered_map>
 #include <utility>
 
 namespace gpr {
@@ -32,7 +33,7 @@ public:
 	LocalCells(const Surface& surface, const ResultMesh& result, const std::vector<PatchRole>& role,
 			   float reach, std::size_t mostReached) :
 			m_(surface.mesh),
-			mostReached_(mostReached), label_(std::size_t(m_.vertexNum), none)
+			mostReached_(mostReached)
 	{
 		std::vector<float> most(role.size(), 0);
 		for (std::size_t v = 0; v < role.size(); ++v) {
@@ -47,7 +48,7 @@ public:
 		run(most);
 	}
 
-	const std::vector<int>& label() const { return label_; }
+	int                     labelOf(int v) const { return label_.at(v); }
 	const std::vector<int>& reached() const { return reached_; }
 
 private:
@@ -60,11 +61,12 @@ private:
 			return vertex != o.vertex ? vertex > o.vertex : label > o.label;
 		}
 	};
-	static constexpr int       none = -1, outside = -2;
-	const HalfEdgeMesh&        m_;
-	std::size_t                mostReached_;
-	std::vector<int>           label_, reached_;
-	std::priority_queue<Entry> front_;
+	static constexpr int         outside = -1;
+	const HalfEdgeMesh&          m_;
+	std::size_t                  mostReached_;
+	std::unordered_map<int, int> label_; ///< of vertices of the input that were come to
+	std::vector<int>             reached_;
+	std::priority_queue<Entry>   front_;
 
 	void push(float distance, int vertex, int label) { front_.push({distance, vertex, label}); }
 
@@ -73,14 +75,12 @@ private:
 		while (!front_.empty() && reached_.size() <= mostReached_) {
 			const Entry e = front_.top();
 			front_.pop();
-			int& label = label_[std::size_t(e.vertex)];
-			if (label != none) continue;
 			// What is nearest to a vertex beyond the patch is no other's, so that none leaks out.
-			label = e.distance > most[std::size_t(e.label)] ? outside : e.label;
-			if (label == outside) continue;
+			const int label = e.distance > most[std::size_t(e.label)] ? outside : e.label;
+			if (!label_.emplace(e.vertex, label).second || label == outside) continue;
 			reached_.push_back(e.vertex);
 			forEachNeighbour(m_, e.vertex, [&](int w) {
-				if (label_[std::size_t(w)] != none) return;
+				if (label_.count(w) != 0) return;
 				push(e.distance + length(m_.position[w] - m_.position[e.vertex]), w, e.label);
 			});
 		}
@@ -90,17 +90,13 @@ private:
 /// The faces of the input whose corners are all in cells.
 class Extraction {
 public:
-	Extraction(const HalfEdgeMesh& m, const LocalCells& cells) :
-			m_(m), ofVertex_(std::size_t(m.vertexNum), -1)
+	Extraction(const HalfEdgeMesh& m, const LocalCells& cells) : m_(m)
 	{
 		local_.inputVertex = cells.reached();
 		std::sort(local_.inputVertex.begin(), local_.inputVertex.end());
 		local_.ownNum = int(local_.inputVertex.size());
-		for (int i = 0; i < local_.ownNum; ++i) {
-			const int v               = local_.inputVertex[std::size_t(i)];
-			ofVertex_[std::size_t(v)] = i;
-			local_.label.push_back(cells.label()[std::size_t(v)]);
-		}
+		for (int v : local_.inputVertex)
+			local_.label.push_back(cells.labelOf(v));
 	}
 
 	PatchInput run()
@@ -126,8 +122,7 @@ public:
 private:
 	const HalfEdgeMesh& m_;
 	PatchInput          local_;
-	std::vector<int>    ofVertex_; ///< per vertex of the input: in the local mesh, or -1
-	std::vector<int>    face_;     ///< of the input, ascending
+	std::vector<int>    face_; ///< of the input, ascending
 
 	void collectFaces()
 	{
@@ -141,10 +136,10 @@ private:
 		}
 	}
 
-	int placeOf(int face) const
+	static int placeOf(int value, const std::vector<int>& ascending)
 	{
-		const auto at = std::lower_bound(face_.begin(), face_.end(), face);
-		return at != face_.end() && *at == face ? int(at - face_.begin()) : -1;
+		const auto at = std::lower_bound(ascending.begin(), ascending.end(), value);
+		return at != ascending.end() && *at == value ? int(at - ascending.begin()) : -1;
 	}
 
 	void copyHalfEdge(int h)
@@ -152,8 +147,8 @@ private:
 		HalfEdgeMesh& to          = local_.mesh;
 		const int     from        = 3 * face_[std::size_t(h / 3)] + h % 3;
 		const int     other       = m_.opposite[from];
-		const int     place       = other < 0 ? -1 : placeOf(other / 3);
-		to.origin[h]              = ofVertex_[std::size_t(m_.origin[from])];
+		const int     place       = other < 0 ? -1 : placeOf(other / 3, face_);
+		to.origin[h]              = placeOf(m_.origin[from], local_.inputVertex);
 		to.opposite[h]            = place < 0 ? -1 : 3 * place + other % 3;
 		to.crease[h]              = char(other < 0);
 		to.outgoing[to.origin[h]] = h;

@@ -103,6 +103,7 @@ public:
 
 	bool                    isTooMuch() const { return local_.isTooMuch; }
 	double                  share() const { return local_.share; }
+	int                     inputNum() const { return local_.mesh.vertexNum; }
 	const std::vector<int>& culprits() const { return culprits_; }
 
 	/// Whether vertices would go at a place that other borders share.
@@ -360,15 +361,13 @@ private:
 
 	void fix(const std::vector<int>& keptInput, GuardedMesh& g) const
 	{
-		std::vector<int> kept = keptInput;
-		std::sort(kept.begin(), kept.end());
 		for (std::size_t v = 0; v < resultVertex_.size(); ++v) {
 			if (resultVertex_[v] >= 0) g.isFixed[v] = 1;
 		}
 		for (int v = 0; v < local_.ownNum; ++v) {
 			const int name = nameOfLocal_[std::size_t(v)];
-			if (name >= 0 &&
-				std::binary_search(kept.begin(), kept.end(), local_.inputVertex[std::size_t(v)]))
+			if (name >= 0 && std::binary_search(keptInput.begin(), keptInput.end(),
+												local_.inputVertex[std::size_t(v)]))
 				g.isFixed[std::size_t(name)] = 1;
 		}
 	}
@@ -433,15 +432,17 @@ void widenMarks(const HalfEdgeMesh& m, int rings, std::vector<char>& marked)
 
 bool refillPatches(const Surface& surface, const ResultMesh& result,
 				   const std::vector<int>& keptInput, std::vector<char>& marked, Workers& workers,
-				   RefilledMesh& refilled)
+				   RefilledMesh& refilled, const HasRoom& hasRoom)
 {
 	float  reach = 1;
 	double work  = 0;
 	for (int round = 0; round < maxRounds; ++round) {
 		workers.poll();
+		if (hasRoom && !hasRoom(marked)) return false;
 		Refill refill(surface, result, marked, workers);
 		if (refill.isShared()) return false;
 		const bool fits = refill.run(reach);
+		refilled.work += refill.inputNum();
 		if (fits && haveSameTopology(refill.mesh(), result.mesh, workers)) {
 			refill.take(keptInput, !findTouchingPairs(refill.mesh(), workers).empty(), refilled);
 			return true;

@@ -8,6 +8,7 @@
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,7 +20,11 @@ struct RefilledMesh {
 	std::vector<int>             resultVertex; ///< per vertex: the result's; -1 inside patches
 	std::vector<int> inputVertex; ///< per vertex: the input's that it is or lies near; -1 outside
 	std::vector<int> label;       ///< per vertex: the result's in whose place, or at whose, it is
+	double           work = 0;    ///< vertices of the input that were looked at, in all rounds
 };
+
+/// Whether marks that have grown may grow on.
+using HasRoom = std::function<bool(const std::vector<char>& marked)>;
 
 /// Takes the marked faces out of a result and puts the input's triangles in their place, so that
 /// the mesh is whole again and of the same topology. Every vertex of the input near a patch belongs
@@ -32,11 +37,12 @@ struct RefilledMesh {
 /// marked too, and it begins again. Inside of patches the input is looked for farther away first.
 ///
 /// Returns false where the marks do not settle, or where a border that others share with it would
-/// have to change. keptInput: vertices of the input that are to be fixed. Serial. Cost: that of the
+/// have to change, or as soon as hasRoom says that the marks have grown too far. keptInput:
+/// vertices of the input that are to be fixed, ascending. Serial. Cost: that of the
 /// patches, times the rounds, and one pass over the result's and the input's vertices.
 bool refillPatches(const Surface& surface, const ResultMesh& result,
 				   const std::vector<int>& keptInput, std::vector<char>& marked, Workers& workers,
-				   RefilledMesh& refilled);
+				   RefilledMesh& refilled, const HasRoom& hasRoom = {});
 
 /// Marks the faces at the vertices of marked faces, so many times.
 void widenMarks(const HalfEdgeMesh& mesh, int rings, std::vector<char>& marked);

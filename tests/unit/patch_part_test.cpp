@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Parts of a result that are cut out and put back leave it as it was.
+
+#include <tests/support/mesh_builders.h>
+#include <tests/support/random_source.h>
+#include <tests/support/stages.h>
+#include <vcg_extras/core/guard/patch_part.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace gpr::test {
+
+namespace {
+
+struct Sheet {
+	Random     random{3};
+	Workers    workers{1, nullptr};
+	Surface    surface = surfaceOf(jitteredGrid(40, 0.2, random), workers);
+	ResultMesh result  = resultOf(surface, BoundaryCurves());
+	FaceBoxes  tree{result.mesh, workers};
+
+	PatchPart partRound(int face) const
+	{
+		return cutPart(result, tree, widened(result.mesh, {face}, 1));
+	}
+};
+
+std::vector<std::vector<Vec3f>> sortedFaces(const HalfEdgeMesh& m)
+{
+	const auto less = [](const Vec3f& a, const Vec3f& b) {
+		return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z;
+	};
+	std::vector<std::vector<Vec3f>> faces;
+	for (int f = 0; f < m.faceNum; ++f) {
+		std::vector<Vec3f> corners;
+		for (int h = 3 * f; h < 3 * f + 3; ++h)
+			corners.push_back(m.position[m.origin[h]]);
+		std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), less),
+					corners.end());
+		faces.push_back(corners);
+	}
+	std::sort(faces.begin(), faces.end(), [&](const auto& a, const auto& b) {
+		return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less);
+	});
+	return faces;
+}
+
+} // namespace
+
+TEST(PatchPart, LeavesTheWholeAsItWasWhenItIsPutBack)
+{
+	Sheet                   sheet;
+	std::vector<FilledPart> parts;
+	for (int face : {0, sheet.result.mesh.faceNum - 1}) {
+		FilledPart p;
+		p.part          = sheet.partRound(face);
+		p.replaced      = widened(sheet.result.mesh, {face}, 1 + ringsChanged);
+		p.filled.mesh   = copyMesh(p.part.result.mesh, sheet.workers);
+		p.filled.vertex = p.part.result.vertex;
+		p.filled.oldVertex.resize(p.part.vertex.size());
+		std::iota(p.filled.oldVertex.begin(), p.filled.oldVertex.end(), 0);
+		parts.push_back(std::move(p));
+	}
+	const auto       before    = sortedFaces(sheet.result.mesh);
+	const int        vertexNum = sheet.result.mesh.vertexNum;
+	std::vector<int> newIndex;
+	putBack(parts, sheet.result, newIndex);
+	const HalfEdgeMesh& m = sheet.result.mesh;
+	EXPECT_EQ(sortedFaces(m), before);
+	EXPECT_EQ(m.vertexNum, vertexNum);
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		if (m.opposite[h] < 0) continue;
+		EXPECT_EQ(m.opposite[m.opposite[h]], h);
+		EXPECT_EQ(m.target(m.opposite[h]), m.origin[h]);
+	}
+	for (int v = 0; v < vertexNum; ++v)
+		EXPECT_EQ(newIndex[std::size_t(v)], v);
+}
+
+TEST(PatchPart, HasRoomUnlessMarksComeNearItsRim)
+{
+	Sheet             sheet;
+	const int         face = sheet.result.mesh.faceNum / 2 + 40;
+	const PatchPart   part = sheet.partRound(face);
+	std::vector<char> marked(part.face.size(), 0);
+	for (std::size_t f = 0; f < marked.size(); ++f)
+		marked[f] = part.face[f] == face;
+	EXPECT_TRUE(part.hasRoomFor(marked));
+	EXPECT_EQ(part.inWhole(marked), std::vector<int>{face});
+	std::fill(marked.begin(), marked.end(), char(1));
+	EXPECT_FALSE(part.hasRoomFor(marked));
+}
+
+} // namespace gpr::test

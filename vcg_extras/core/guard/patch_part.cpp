@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_part.h"
+
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace gpr {
+
+namespace {
+
+/// Rings of faces round a patch that are cut out with it: those whose cells are looked at, and some
+/// for it to grow.
+constexpr int ringsOfPart = 8, ringsLooked = 5;
+/// What lies nearer to a patch than this, in edges, must not be touched by what is made there.
+constexpr float nearPatch = 0.5f;
+
+int placeOf(int value, const std::vector<int>& ascending)
+{
+	const auto at = std::lower_bound(ascending.begin(), ascending.end(), value);
+	return at != ascending.end() && *at == value ? int(at - ascending.begin()) : -1;
+}
+
+/// Faces of the whole that lie near some faces, without those of the part.
+std::vector<int> facesNear(const ResultMesh& whole, const FaceBoxes& tree,
+						   const std::vector<int>& faces, const std::vector<int>& ofPart)
+{
+	const float       distance = nearPatch * whole.idealEdge;
+	const Vec3f       margin(distance, distance, distance);
+	std::vector<int>  found;
+	for (int f : faces) {
+		const Box<float> box = boxOfFace(whole.mesh, f);
+		tree.forEachMeeting({box.low - margin, box.high + margin}, [&](int place) {
+			const int g = tree.face(place);
+			if (placeOf(g, ofPart) < 0) found.push_back(g);
+			return true;
+		});
+	}
+	std::sort(found.begin(), found.end());
+	found.erase(std::unique(found.begin(), found.end()), found.end());
+	return found;
+}
+
+/// Makes the mesh of a part from the names of its faces; the first partNum hang together.
+class PartMesh {
+public:
+	PartMesh(const ResultMesh& whole, int partNum, PatchPart& part) :
+			whole_(whole), own_(part.face.begin(), part.face.begin() + partNum), part_(part),
+			m_(part.result.mesh)
+	{
+	}
+
+	void run()
+	{
+		m_.faceNum = int(part_.face.size());
+		reserve(m_, m_.halfEdgeNum(), m_.faceNum);
+		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
+			m_.origin[h]   = -1;
+			m_.opposite[h] = oppositeOf(h);
+		}
+		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
+			if (m_.origin[h] < 0) addVertex(h);
+		}
+	}
+
+private:
+	const ResultMesh&      whole_;
+	const std::vector<int> own_;
+	PatchPart&             part_;
+	HalfEdgeMesh&          m_;
+
+	int inWhole(int h) const { return 3 * part_.face[std::size_t(h / 3)] + h % 3; }
+
+	int oppositeOf(int h) const
+	{
+		const int other = whole_.mesh.opposite[inWhole(h)];
+		if (h >= 3 * int(own_.size()) || other < 0) return -1;
+		const int place = placeOf(other / 3, own_);
+		return place < 0 ? -1 : 3 * place + other % 3;
+	}
+
+	/// One for all the faces round it that hang together.
+	void addVertex(int h)
+	{
+		const int v = m_.vertexNum++, old = whole_.mesh.origin[inWhole(h)];
+		int       first = h;
+		for (int g = m_.opposite[h]; g >= 0 && nextInFace(g) != h; g = m_.opposite[first])
+			first = nextInFace(g);
+		m_.outgoing[v] = first;
+		m_.position[v] = whole_.mesh.position[old];
+		forEachOutgoing(m_, v, [&](int g) { m_.origin[g] = v; });
+		part_.vertex.push_back(old);
+		part_.result.vertex.push_back(whole_.vertex[std::size_t(old)]);
+	}
+};
+
+} // namespace
+
+std::vector<int> widened(const HalfEdgeMesh& mesh, std::vector<int> faces, int rings)
+{
+	for (int ring = 0; ring < rings; ++ring)
+		faces = facesRound(mesh, verticesOf(mesh, faces));
+	return faces;
+}
+
+bool PatchPart::hasRoomFor(std::vector<char> marked) const
+{
+	widenMarks(result.mesh, ringsLooked, marked);
+	for (std::size_t f = 0; f < marked.size(); ++f) {
+		if (marked[f] && isRim[f]) return false;
+	}
+	return true;
+}
+
+std::vector<int> PatchPart::inWhole(const std::vector<char>& marked) const
+{
+	std::vector<int> faces;
+	for (std::size_t f = 0; f < marked.size(); ++f) {
+		if (marked[f]) faces.push_back(face[f]);
+	}
+	std::sort(faces.begin(), faces.end());
+	return faces;
+}
+
+PatchPart cutPart(const ResultMesh& whole, const FaceBoxes& tree, const std::vector<int>& faces)
+{
+	PatchPart              part;
+	const std::vector<int> inner = widened(whole.mesh, faces, ringsOfPart - 1);
+	part.face                    = widened(whole.mesh, inner, 1);
+	const int  partNum           = int(part.face.size());
+	const auto near =
+		facesNear(whole, tree, widened(whole.mesh, faces, ringsChanged), part.face);
+	part.face.insert(part.face.end(), near.begin(), near.end());
+	PartMesh(whole, partNum, part).run();
+	for (std::size_t f = 0; f < part.face.size(); ++f) {
+		const bool isInner = std::binary_search(inner.begin(), inner.end(), part.face[f]);
+		part.isRim.push_back(int(f) < partNum && !isInner);
+	}
+	part.result.keepsBorder     = whole.keepsBorder;
+	part.result.hasSmoothBorder = whole.hasSmoothBorder;
+	part.result.idealEdge       = whole.idealEdge;
+	return part;
+}
+
+namespace {
+
+/// Puts the whole together from the faces that stay and those of the patches.
+class Assembly {
+public:
+	Assembly(const std::vector<FilledPart>& parts, ResultMesh& whole, std::vector<int>& newIndex) :
+			parts_(parts), whole_(whole), newIndex_(newIndex),
+			newFace_(std::size_t(whole.mesh.faceNum), 0)
+	{
+	}
+
+	void run()
+	{
+		const HalfEdgeMesh& old = whole_.mesh;
+		nameVertices();
+		for (const FilledPart& part : parts_) {
+			for (int f : part.replaced)
+				newFace_[std::size_t(f)] = -1;
+		}
+		for (int& name : newFace_)
+			name = name < 0 ? -1 : m_.faceNum++;
+		for (const FilledPart& part : parts_)
+			nameFaces(part);
+		reserve(m_, m_.vertexNum, m_.faceNum);
+		for (int h = 0; h < old.halfEdgeNum(); ++h) {
+			const int to = renamed(h);
+			if (to < 0) continue;
+			m_.origin[to]   = newIndex_[std::size_t(old.origin[h])];
+			m_.opposite[to] = old.opposite[h] < 0 ? -1 : renamed(old.opposite[h]);
+		}
+		for (int v = 0; v < old.vertexNum; ++v) {
+			const int to = newIndex_[std::size_t(v)];
+			if (to < 0) continue;
+			m_.position[to]              = old.position[v];
+			vertex_[std::size_t(to)]     = whole_.vertex[std::size_t(v)];
+		}
+		for (std::size_t i = 0; i < parts_.size(); ++i)
+			add(parts_[i], vertexName_[i], faceName_[i]);
+		link();
+		whole_.mesh   = std::move(m_);
+		whole_.vertex = std::move(vertex_);
+	}
+
+private:
+	const std::vector<FilledPart>& parts_;
+	ResultMesh&                    whole_;
+	std::vector<int>&              newIndex_;
+	std::vector<int>               newFace_; ///< per face of the whole, or -1
+	std::vector<std::vector<int>>  vertexName_, faceName_; ///< per part: of filled vertices, faces
+	HalfEdgeMesh                   m_;
+	std::vector<ResultVertex>      vertex_;
+
+	int renamed(int h) const
+	{
+		const int f = newFace_[std::size_t(h / 3)];
+		return f < 0 ? -1 : 3 * f + h % 3;
+	}
+
+	/// Vertices of a patch that are in none of its filled faces have gone.
+	void nameVertices()
+	{
+		newIndex_.assign(std::size_t(whole_.mesh.vertexNum), 0);
+		for (const FilledPart& part : parts_) {
+			std::vector<char> isLeft(part.part.vertex.size(), 0);
+			for (int v : part.filled.oldVertex) {
+				if (v >= 0) isLeft[std::size_t(v)] = 1;
+			}
+			for (std::size_t v = 0; v < isLeft.size(); ++v) {
+				if (!isLeft[v]) newIndex_[std::size_t(part.part.vertex[v])] = -1;
+			}
+		}
+		for (int& name : newIndex_)
+			name = name < 0 ? -1 : m_.vertexNum++;
+		for (const FilledPart& part : parts_) {
+			vertexName_.emplace_back();
+			for (int v : part.filled.oldVertex) {
+				const int old = v < 0 ? -1 : part.part.vertex[std::size_t(v)];
+				vertexName_.back().push_back(old < 0 ? m_.vertexNum++
+													 : newIndex_[std::size_t(old)]);
+			}
+		}
+		vertex_.resize(std::size_t(m_.vertexNum));
+	}
+
+	/// The half-edge of the whole that half-edge h of a filled mesh still is, or -1.
+	static int oldHalfEdge(const FilledPart& p, int h)
+	{
+		const HalfEdgeMesh& m = p.filled.mesh;
+		const auto          old = [&](int v) { return p.filled.oldVertex[std::size_t(v)]; };
+		const int           a = old(m.origin[h]), b = old(m.target(h)), c = old(m.apex(h));
+		if (a < 0 || b < 0 || c < 0) return -1;
+		const int g = p.part.result.mesh.findHalfEdge(a, b);
+		if (g < 0 || p.part.result.mesh.apex(g) != c) return -1;
+		return 3 * p.part.face[std::size_t(g / 3)] + g % 3;
+	}
+
+	/// Faces that are the whole's own and stay there get no name here.
+	void nameFaces(const FilledPart& p)
+	{
+		faceName_.emplace_back();
+		for (int f = 0; f < p.filled.mesh.faceNum; ++f) {
+			const int  old     = oldHalfEdge(p, 3 * f);
+			const bool isLeft = old >= 0 && !std::binary_search(p.replaced.begin(),
+																p.replaced.end(), old / 3);
+			faceName_.back().push_back(isLeft ? -1 : m_.faceNum++);
+		}
+	}
+
+	void add(const FilledPart& p, const std::vector<int>& vertexName,
+			 const std::vector<int>& faceName)
+	{
+		const HalfEdgeMesh& from = p.filled.mesh;
+		for (int h = 0; h < from.halfEdgeNum(); ++h) {
+			const int f = faceName[std::size_t(h / 3)];
+			if (f < 0) continue;
+			const int to = 3 * f + h % 3, v = from.origin[h], name = vertexName[std::size_t(v)];
+			m_.origin[to]               = name;
+			m_.position[name]           = from.position[v];
+			vertex_[std::size_t(name)] = p.filled.vertex[std::size_t(v)];
+			const int g                 = from.opposite[h];
+			const int across            = g < 0 ? -1 : faceName[std::size_t(g / 3)];
+			m_.opposite[to] = g < 0 ? -1 : across < 0 ? renamed(oldHalfEdge(p, g)) : 3 * across + g % 3;
+			if (g >= 0 && across < 0) m_.opposite[m_.opposite[to]] = to;
+		}
+	}
+
+	void link()
+	{
+		for (int v = 0; v < m_.vertexNum; ++v)
+			m_.outgoing[v] = -1;
+		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
+			int& outgoing = m_.outgoing[m_.origin[h]];
+			if (outgoing < 0 || m_.opposite[h] < 0) outgoing = h;
+		}
+	}
+};
+
+} // namespace
+
+void putBack(const std::vector<FilledPart>& parts, ResultMesh& whole, std::vector<int>& newIndex)
+{
+	Assembly(parts, whole, newIndex).run();
+}
+
+} // namespace gpr

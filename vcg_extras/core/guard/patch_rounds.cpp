@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "patch_rounds.h"
+
+#include <vcg_extras/core/mesh/components.h>
+#include <vcg_extras/core/mesh/mesh_edit.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// Patches are made around the pairs that are left so many times.
+constexpr int roundNum = 4;
+/// A patch that still does not fit after so many tries is given up.
+constexpr int mostTries = 8;
+/// Vertices of the input that are looked at, as many times as it has faces.
+constexpr double mostWork = 20;
+
+/// A patch by the corners of its faces, which keep their names while others are filled.
+struct Patch {
+	std::vector<int> vertex; ///< ascending
+	int              tries = 0;
+};
+
+/// What became of a patch in its turn.
+struct Try {
+	FilledPart       filled;
+	std::vector<int> grown; ///< faces of the whole, ascending, for another try
+	double           work     = 0;
+	bool             isFilled = false;
+};
+
+class Rounds {
+public:
+	Rounds(const MakingOfVertices& making, const InputContacts& ofInput, ResultMesh& result,
+		   Workers& workers) :
+			making_(making),
+			ofInput_(ofInput), result_(result), workers_(workers),
+			isLost_(std::size_t(result.mesh.vertexNum), 0)
+	{
+	}
+
+	PatchOutcome run(std::vector<FacePair> pairs)
+	{
+		std::size_t before = pairs.size() + 1;
+		for (int round = 0; round < roundNum && !pairs.empty() && pairs.size() < before; ++round) {
+			before = pairs.size();
+			findPatches(pairs, PatchFilling::ringsAround + round);
+			fillAll();
+			pairs = ofInput_.withoutInputs(result_.mesh, findTouchingPairs(result_.mesh, workers_));
+		}
+		outcome_.pairs = std::move(pairs);
+		return std::move(outcome_);
+	}
+
+private:
+	const MakingOfVertices& making_;
+	const InputContacts&    ofInput_;
+	ResultMesh&             result_;
+	Workers&                workers_;
+	std::vector<char>       isLost_; ///< per vertex: in a patch that was given up
+	std::vector<Patch>      waiting_;
+	PatchOutcome            outcome_;
+	double                  work_ = 0;
+
+	void findPatches(const std::vector<FacePair>& pairs, int rings)
+	{
+		const HalfEdgeMesh& m = result_.mesh;
+		std::vector<char>   marked(std::size_t(m.faceNum), 0);
+		for (const FacePair& pair : pairs)
+			marked[std::size_t(pair.first)] = marked[std::size_t(pair.second)] = 1;
+		widenMarks(m, rings, marked);
+		for (int f = 0; f < m.faceNum; ++f) {
+			if (!marked[std::size_t(f)]) continue;
+			Patch patch;
+			patch.vertex = verticesOf(m, takeConnected(f, marked));
+			if (!isLost(patch)) waiting_.push_back(std::move(patch));
+		}
+		std::stable_sort(waiting_.begin(), waiting_.end(), [](const Patch& a, const Patch& b) {
+			return a.vertex.size() > b.vertex.size();
+		});
+	}
+
+	bool isLost(const Patch& patch) const
+	{
+		return std::any_of(patch.vertex.begin(), patch.vertex.end(),
+						   [&](int v) { return isLost_[std::size_t(v)] != 0; });
+	}
+
+	/// The marked faces that hang together with f; their marks go.
+	std::vector<int> takeConnected(int f, std::vector<char>& marked) const
+	{
+		std::vector<int> faces = {f};
+		marked[std::size_t(f)] = 0;
+		for (std::size_t i = 0; i < faces.size(); ++i) {
+			for (int k = 0; k < 3; ++k) {
+				forEachOutgoing(result_.mesh, result_.mesh.origin[3 * faces[i] + k], [&](int h) {
+					if (!marked[std::size_t(h / 3)]) return;
+					marked[std::size_t(h / 3)] = 0;
+					faces.push_back(h / 3);
+				});
+			}
+		}
+		return faces;
+	}
+
+	double mostWorkHere() const { return mostWork * double(making_.surface.mesh.faceNum); }
+
+	/// One turn after another, until no patch waits.
+	void fillAll()
+	{
+		while (!waiting_.empty()) {
+			workers_.poll();
+			if (work_ > mostWorkHere()) {
+				outcome_.isCapped = true;
+				waiting_.clear();
+				return;
+			}
+			fillSome();
+		}
+	}
+
+	/// The faces between the vertices of a patch.
+	std::vector<int> facesOf(const Patch& patch) const
+	{
+		std::vector<int> faces = facesRound(result_.mesh, patch.vertex);
+		const auto       isOutside = [&](int f) {
+			const int* corner = &result_.mesh.origin[3 * f];
+			return std::any_of(corner, corner + 3, [&](int v) {
+				return !std::binary_search(patch.vertex.begin(), patch.vertex.end(), v);
+			});
+		};
+		faces.erase(std::remove_if(faces.begin(), faces.end(), isOutside), faces.end());
+		return faces;
+	}
+
+	/// Marks the faces, unless some, or some next to them, are marked.
+	bool claim(const std::vector<int>& faces, std::vector<char>& isTaken) const
+	{
+		for (int f : widened(result_.mesh, faces, 1)) {
+			if (isTaken[std::size_t(f)]) return false;
+		}
+		for (int f : faces)
+			isTaken[std::size_t(f)] = 1;
+		return true;
+	}
+
+	/// Those of the patches that have not to wait for others of them.
+	void fillSome()
+	{
+		std::vector<Patch>            now, later;
+		std::vector<std::vector<int>> faces;
+		std::vector<char>             isTaken(std::size_t(result_.mesh.faceNum), 0);
+		const std::vector<int>        most = mostFaces();
+		for (Patch& patch : waiting_) {
+			std::vector<int> own = facesOf(patch);
+			if (own.empty()) continue;
+			const bool isMost = int(own.size()) > most[std::size_t(own.front())];
+			if ((patch.tries > 0 && isMost) || patch.tries >= mostTries) {
+				giveUp(patch);
+				continue;
+			}
+			if (!claim(widened(result_.mesh, own, ringsChanged), isTaken)) {
+				later.push_back(std::move(patch));
+				continue;
+			}
+			now.push_back(std::move(patch));
+			faces.push_back(std::move(own));
+		}
+		waiting_ = std::move(later);
+		const FaceBoxes  tree(result_.mesh, workers_);
+		std::vector<Try> tries(now.size());
+		workers_.forTasks(now.size(), [&](std::size_t i, int worker) {
+			Workers inner(workers_, worker);
+			fillOne(tree, faces[i], now[i].tries, inner, tries[i]);
+		});
+		take(now, tries);
+	}
+
+	void giveUp(const Patch& patch)
+	{
+		for (int v : patch.vertex)
+			isLost_[std::size_t(v)] = 1;
+	}
+
+	/// Per face: half the faces of its component.
+	std::vector<int> mostFaces() const
+	{
+		const Components components = findComponents(result_.mesh, workers_);
+		std::vector<int> num(std::size_t(components.num), 0), most;
+		for (int c : components.ofFace)
+			++num[std::size_t(c)];
+		for (int c : components.ofFace)
+			most.push_back(num[std::size_t(c)] / 2);
+		return most;
+	}
+
+	void fillOne(const FaceBoxes& tree, const std::vector<int>& faces, int triesBefore,
+				 Workers& inner, Try& out) const
+	{
+		PatchPart         part = cutPart(result_, tree, faces);
+		std::vector<char> marked;
+		for (int f : part.face)
+			marked.push_back(std::binary_search(faces.begin(), faces.end(), f));
+		PatchFilling filling(making_, part.result, inner);
+		const bool   fits = filling.fill(
+            marked, [&](const std::vector<char>& m) { return part.hasRoomFor(m); });
+		out.work     = filling.work() + double(part.face.size());
+		out.isFilled = fits && filling.isSound() && isBetter(part, filling, inner, marked);
+		out.grown    = part.inWhole(marked);
+		if (!out.isFilled) {
+			const bool hasGrown = out.grown.size() > faces.size();
+			out.grown = widened(result_.mesh, out.grown, triesBefore / 2 + (hasGrown ? 0 : 1));
+			return;
+		}
+		out.filled.replaced = widened(result_.mesh, out.grown, ringsChanged);
+		out.filled.filled   = filling.take();
+		out.filled.part     = std::move(part);
+	}
+
+	/// Whether fewer faces touch in the patch than before. Marks more faces where not.
+	bool isBetter(const PatchPart& part, const PatchFilling& filling, Workers& inner,
+				  std::vector<char>& marked) const
+	{
+		const std::vector<FacePair> left =
+			touchingIn(filling.mesh(), inner, [&](int f) { return filling.isChanged(f); });
+		if (left.empty()) return true;
+		const std::vector<FacePair> before = touchingIn(
+			part.result.mesh, inner, [&](int f) { return marked[std::size_t(f)] != 0; });
+		if (left.size() < before.size()) return true;
+		filling.markAround(left, marked);
+		return false;
+	}
+
+	template <class IsWanted>
+	std::vector<FacePair> touchingIn(const HalfEdgeMesh& m, Workers& inner,
+									 const IsWanted& isWanted) const
+	{
+		std::vector<FacePair> pairs = findTouchingPairs(m, inner);
+		pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
+								   [&](const FacePair& pair) {
+									   return !isWanted(pair.first) && !isWanted(pair.second);
+								   }),
+					pairs.end());
+		return ofInput_.withoutInputs(m, pairs);
+	}
+
+	/// Puts back what was filled; the others wait for another turn.
+	void take(std::vector<Patch>& patches, std::vector<Try>& tries)
+	{
+		std::vector<FilledPart> filled;
+		std::vector<char>       isTaken(std::size_t(result_.mesh.faceNum), 0);
+		for (std::size_t i = 0; i < tries.size(); ++i) {
+			work_ += tries[i].work;
+			if (tries[i].isFilled && claim(tries[i].filled.replaced, isTaken)) {
+				filled.push_back(std::move(tries[i].filled));
+				continue;
+			}
+			patches[i].vertex = verticesOf(result_.mesh, tries[i].grown);
+			if (!tries[i].isFilled) ++patches[i].tries;
+			waiting_.push_back(std::move(patches[i]));
+		}
+		if (filled.empty()) return;
+		std::vector<int> newIndex;
+		putBack(filled, result_, newIndex);
+		rename(newIndex);
+		for (const FilledPart& part : filled)
+			outcome_.madeNum += std::count(part.filled.oldVertex.begin(),
+										   part.filled.oldVertex.end(), -1);
+	}
+
+	void rename(const std::vector<int>& newIndex)
+	{
+		std::vector<char> isLost(std::size_t(result_.mesh.vertexNum), 0);
+		for (std::size_t v = 0; v < newIndex.size(); ++v) {
+			if (newIndex[v] >= 0) isLost[std::size_t(newIndex[v])] = isLost_[v];
+		}
+		isLost_ = std::move(isLost);
+		for (Patch& patch : waiting_) {
+			std::vector<int> renamed;
+			for (int v : patch.vertex) {
+				if (newIndex[std::size_t(v)] >= 0) renamed.push_back(newIndex[std::size_t(v)]);
+			}
+			patch.vertex = std::move(renamed);
+		}
+	}
+};
+
+} // namespace
+
+PatchOutcome fillPatches(const MakingOfVertices& making, const InputContacts& ofInput,
+						 const std::vector<FacePair>& pairs, ResultMesh& result, Workers& workers)
+{
+	return Rounds(making, ofInput, result, workers).run(pairs);
+}
+
+} // namespace gpr
