@@ -262,14 +262,6 @@ void addLongFaces(const IndexedMesh& mesh, const EdgeRule& rule, std::size_t beg
 	}
 }
 
-/// Arrays come from loading with some room to spare; copying a large one takes a while.
-template <class T>
-void makeRoom(Buffer<T>& values, std::size_t n, Workers& workers)
-{
-	workers.poll();
-	if (values.size() < n) values.resize(n);
-}
-
 /// The first new faces take the places of the long ones, the others follow at the end.
 void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const SplitFaces& split,
 			   Workers& workers)

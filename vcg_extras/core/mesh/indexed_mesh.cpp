@@ -67,6 +67,21 @@ Vec3f inward(const IndexedMesh& mesh, int h)
 	return normalized(tangential(mesh.position[mesh.triangle[prevInFace(h)]] - a, e));
 }
 
+Buffer<int> keepFaces(IndexedMesh& mesh, const std::vector<int>& kept, Workers& workers)
+{
+	Buffer<int> newFace(mesh.faceNum), triangle(3 * kept.size()), sourceFace(kept.size());
+	workers.forEach(mesh.faceNum, [&](int f) { newFace[f] = -1; });
+	workers.forEach(kept.size(), [&](int i) {
+		newFace[kept[i]] = i;
+		std::copy_n(&mesh.triangle[3 * kept[i]], 3, &triangle[3 * i]);
+		sourceFace[i] = mesh.sourceFace[kept[i]];
+	});
+	mesh.triangle.swap(triangle);
+	mesh.sourceFace.swap(sourceFace);
+	mesh.faceNum = int(kept.size());
+	return newFace;
+}
+
 std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName)
 {
 	int faces = 0;
