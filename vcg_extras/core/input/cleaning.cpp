@@ -23,7 +23,7 @@ namespace {
 void dropFaces(RunContext& run, const std::vector<int>& faces, std::int64_t& droppedNum,
 			   CleanCounts& counts, Surface& surface)
 {
-	IndexedMesh mesh = withoutFaces(surface, faces, droppedNum);
+	IndexedMesh mesh = withoutFaces(surface, faces, run.workers, droppedNum);
 	connectOrRepair(run, mesh, counts, surface);
 }
 

@@ -90,10 +90,10 @@ Vec3f inward(const IndexedMesh& mesh, int h);
 Buffer<int> keepFaces(IndexedMesh& mesh, const std::vector<int>& kept, Workers& workers);
 
 /// Renames the corners; faces that have a corner twice then are dropped, and their number returned.
-std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName);
+std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName, Workers& workers);
 
 /// Drops vertices in no face and renames the others, which keep their order.
-void dropUnusedVertices(IndexedMesh& mesh);
+void dropUnusedVertices(IndexedMesh& mesh, Workers& workers);
 
 } // namespace gpr
 
