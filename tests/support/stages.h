@@ -9,6 +9,7 @@
 #include <vcg_extras/core/mesh/half_edge_mesh.h>
 #include <vcg_extras/core/mesh/indexed_mesh.h>
 #include <vcg_extras/core/mesh_view.h>
+#include <vcg_extras/core/report.h>
 #include <vcg_extras/core/surface/result_mesh.h>
 #include <vcg_extras/core/surface/surface_distance.h>
 
@@ -21,6 +22,8 @@ IndexedMesh loaded(const TriangleMesh& mesh, Workers& workers);
 /// Loaded, ordered and connected; throws std::logic_error if the mesh is not manifold.
 Surface surfaceOf(const TriangleMesh& mesh, Workers& workers);
 Surface surfaceOf(IndexedMesh&& mesh, Workers& workers);
+/// Orders a mesh and repairs it as cleaning does. False if it is manifold and was left as it is.
+bool repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
 /// A half-edge mesh in the numbering of the mesh, opposites found by comparing all edges. The mesh
 /// must be manifold. There is room for as many more vertices and faces as asked.
 HalfEdgeMesh halfEdgesOf(const TriangleMesh& mesh, int spareVertices = 0, int spareFaces = 0);

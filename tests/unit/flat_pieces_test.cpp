@@ -113,7 +113,7 @@ TEST_F(FlatPieces, GoWithTheVerticesOnlyTheyHave)
 	}();
 	std::int64_t      dropped = 0;
 	const auto        flat    = findFlatPieces(surface, workers);
-	const IndexedMesh left    = withoutFaces(surface, flat, dropped);
+	const IndexedMesh left    = withoutFaces(surface, flat, workers, dropped);
 	EXPECT_EQ(left.vertexNum, 4);
 	EXPECT_EQ(left.faceNum, 2);
 	EXPECT_EQ(dropped, 1);

@@ -74,9 +74,8 @@ public:
 	std::function<SampleFacts(const Decisions&)>  samples;
 	std::function<MeshFacts(const Decisions&)>    mesh;
 	std::function<ContactFacts(const Decisions&)> contacts;
-	bool                                          mustSew      = false;
-	bool                                          areCrowded   = false;
-	double                                        areaOfSpikes = 0;
+	bool                                          mustSew    = false;
+	bool                                          areCrowded = false;
 
 	std::vector<Step>        steps; ///< in the order in which they were taken
 	std::vector<std::string> told;
@@ -128,8 +127,7 @@ private:
 		case Step::Input:
 			return tell(plan_.judge(InputFacts{1, 1}));
 		case Step::Surface:
-			return tell(plan_.judge(
-				SurfaceFacts{mustSew && d.sewing == Sewing::NotYet, {1 - areaOfSpikes, 1}}));
+			return tell(plan_.judge(SurfaceFacts{mustSew && d.sewing == Sewing::NotYet}));
 		case Step::Sizes:
 			return tell(plan_.judge(SizeFacts{keptNum}));
 		case Step::Lines:
@@ -211,17 +209,6 @@ TEST(Plan, SewsSeamsBeforeTheInputIsConnectedAgain)
 	EXPECT_EQ(run.numOf(Step::Input), 2);
 	EXPECT_EQ(run.decisions().sewing, Sewing::First);
 	EXPECT_TRUE(run.isTaken());
-}
-
-TEST(Plan, TakesTheCountFromTheAreaWithoutSpikes)
-{
-	RemeshOptions options;
-	options.targetMode    = TargetMode::EdgeLength;
-	options.targetEdgeLen = 0.1;
-	PlannedRun run(options);
-	run.areaOfSpikes = 0.5;
-	run.go();
-	EXPECT_EQ(run.decisions().vertexNum, 58) << "half of 115.5";
 }
 
 // Vertices to be kept.
@@ -606,7 +593,7 @@ public:
 				plan.judge(InputFacts{1, 1});
 				break;
 			case Step::Surface:
-				plan.judge(SurfaceFacts{false, {1, 1}});
+				plan.judge(SurfaceFacts{});
 				break;
 			case Step::Sizes:
 				plan.judge(SizeFacts{0});

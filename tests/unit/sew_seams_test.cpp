@@ -4,7 +4,6 @@
 #include <tests/support/mesh_builders.h>
 #include <tests/support/stages.h>
 #include <tests/support/transforms.h>
-#include <vcg_extras/core/input/repair_manifold.h>
 #include <vcg_extras/core/input/sew_seams.h>
 #include <vcg_extras/core/mesh/same_place.h>
 
@@ -185,7 +184,7 @@ TEST(SewSeams, PartsThatAreTheOtherWayRoundAreSewnWhereTurningThemHelps)
 	Sewn r(cut);
 	EXPECT_EQ(r.counts.sewnEdges, 6);
 	Workers workers(1, nullptr);
-	repairManifold(r.mesh, workers, r.counts);
+	repair(r.mesh, workers, r.counts);
 	EXPECT_TRUE(isSoundSurface(meshOf(r.mesh)));
 	EXPECT_TRUE(hasSameTopology(meshOf(r.mesh), grid(6, 6)));
 	EXPECT_EQ(r.counts.reorientedFaces, 36);
@@ -280,8 +279,8 @@ TEST(SewSeams, RandomPartsStayManifold)
 		Workers     workers(1, nullptr);
 		IndexedMesh unsewn = loaded(r.before, workers);
 		CleanCounts counts, before;
-		repairManifold(unsewn, workers, before);
-		repairManifold(r.mesh, workers, counts);
+		repair(unsewn, workers, before);
+		repair(r.mesh, workers, counts);
 		EXPECT_EQ(counts.nonManifoldEdges, 0);
 		EXPECT_LE(counts.nonManifoldVertices, before.nonManifoldVertices)
 			<< "parts touch themselves";

@@ -43,7 +43,7 @@ enum class BoundaryMode {
 	Resample, ///< its curve and its corners stay, other vertices are placed on it anew
 	Keep,     ///< its vertices stay where they are, and no others are put between them
 	Free,     ///< evenly spaced vertices on it, past its corners
-	Smooth,   ///< a smooth curve near it, past spikes and bays narrower than an edge
+	Smooth,   ///< a smooth curve near it, past teeth and bays smaller than an edge
 };
 
 /// Whether sharp edges of the input become edges of the result. They never do with Preset::Paper.

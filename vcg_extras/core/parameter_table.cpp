@@ -267,8 +267,8 @@ void addBoundary(Table& t)
 			"it is, and none is added; the triangles grow from the spacing there to the wanted "
 			"size. free: evenly spaced vertices, which cut corners off. smooth: for the ragged "
 			"borders of scans. The border becomes a smooth curve that stays within half an edge "
-			"of the scan's border. Spikes narrower than an edge are cut off, and corners are "
-			"rounded. The report tells the area and the length of the border that are lost.")
+			"of the scan's border, and corners are rounded. The report tells how much of the "
+			"border's length is lost.")
 			.choices({"resample", "keep", "free", "smooth"})
 			.store([](const Value& v, RemeshOptions& o) { o.boundary = BoundaryMode(countOf(v)); })
 			.p);

@@ -141,14 +141,12 @@ struct MutualBounds {
 	}
 };
 
-/// What became of the border (BoundaryMode::Smooth). Lengths and areas in mesh units.
+/// What became of the border (BoundaryMode::Smooth), mesh units.
 struct BorderFigures {
-	bool         isSmooth     = false; ///< asked for, and there is a border
-	std::int64_t cutFaceNum   = 0;     ///< the caller's faces that spikes lay in
-	double       cutArea      = 0;     ///< of the spikes that were cut off
-	double       area         = 0;     ///< of the surface before
-	double       length       = 0;     ///< of the border before
-	double       resultLength = 0;     ///< of the result's border
+	double length       = 0; ///< of the input's border
+	double resultLength = 0; ///< of the result's
+
+	bool isSmooth() const { return length > 0; } ///< asked for, and there is a border
 };
 
 /// What RemeshOptions::check found.
@@ -171,14 +169,14 @@ enum VertexFeature : std::uint8_t {
 
 /// Everything a run tells about itself.
 struct RemeshReport {
-	MeshFigures    input;        ///< as given
-	MeshFigures    cleanedInput; ///< after cleaning and cutting: what the result is held against
-	MeshFigures    result;
-	CleanCounts    cleaned;
-	QualityFigures quality;
-	AuditFigures   audit;
-	CheckFigures   check;
-	BorderFigures  border;
+	MeshFigures            input;        ///< as given
+	MeshFigures            cleanedInput; ///< after cleaning: what the result is held against
+	MeshFigures            result;
+	CleanCounts            cleaned;
+	QualityFigures         quality;
+	AuditFigures           audit;
+	CheckFigures           check;
+	BorderFigures          border;
 	std::vector<StageTime> stages;
 	double                 remeshSeconds = 0; ///< wall time from mesh in memory to result in memory
 

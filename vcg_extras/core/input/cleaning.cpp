@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cleaning.h"
 
-#include "border_spikes.h"
 #include "contract_edges.h"
 #include "flat_pieces.h"
 #include "repair_manifold.h"
@@ -24,7 +23,7 @@ namespace {
 void dropFaces(RunContext& run, const std::vector<int>& faces, std::int64_t& droppedNum,
 			   CleanCounts& counts, Surface& surface)
 {
-	IndexedMesh mesh = withoutFaces(surface, faces, droppedNum);
+	IndexedMesh mesh = withoutFaces(surface, faces, run.workers, droppedNum);
 	connectOrRepair(run, mesh, counts, surface);
 }
 
@@ -68,7 +67,7 @@ void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Su
 	run.clock.enter(Stage::Connect);
 	if (connect(mesh, faceStart, run.workers, surface)) return;
 	run.clock.enter(Stage::Repair);
-	repairManifold(mesh, run.workers, counts);
+	repairManifold(mesh, surface.mesh.opposite, run.workers, counts);
 	surface.grid = orderSpatially(mesh, run.workers, faceStart);
 	if (!connect(mesh, faceStart, run.workers, surface)) {
 		throw Failure(Status::InternalError, "The surface could not be made manifold.");
@@ -110,22 +109,6 @@ std::shared_ptr<CleanedInput> clean(RunContext& run, Sewing sewing, CleanCounts&
 	cleaned->mesh      = std::move(mesh);
 	cleaned->counts    = counts;
 	return cleaned;
-}
-
-void cutBorderSpikes(RunContext& run, float edge, Surface& surface, double& area,
-					 CleanCounts& counts, BorderFigures& border)
-{
-	const double unit             = 1 / surface.frame.scale;
-	border                        = BorderFigures();
-	border.length                 = unit * borderLength(surface.mesh);
-	border.isSmooth               = border.length > 0;
-	border.area                   = unit * unit * area;
-	const std::vector<int> spikes = findBorderSpikes(surface.mesh, edge);
-	if (spikes.empty()) return;
-	IndexedMesh mesh = withoutFaces(surface, spikes, border.cutFaceNum);
-	area             = measureFaces(mesh, run.workers).area;
-	border.cutArea   = border.area - unit * unit * area;
-	connectOrRepair(run, mesh, counts, surface);
 }
 
 } // namespace gpr

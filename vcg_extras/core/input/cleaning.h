@@ -46,11 +46,6 @@ void dropFlatPieces(RunContext& run, CleanCounts& counts, Surface& surface);
 bool connectCleaned(RunContext& run, Sewing sewing, IndexedMesh& mesh, CleanCounts& counts,
 					Surface& surface);
 
-/// With BoundaryMode::Smooth, cuts spikes off the surface that are narrower than an edge of the
-/// result. The area changes with it, working units squared.
-void cutBorderSpikes(RunContext& run, float edge, Surface& surface, double& area,
-					 CleanCounts& counts, BorderFigures& border);
-
 } // namespace gpr
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contract_edges.h"
 
+#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/union_find.h>
 
@@ -135,7 +136,8 @@ private:
 /// Contracts one cluster after the other; each sees what those before it have left.
 class Contraction {
 public:
-	Contraction(IndexedMesh& mesh, const std::vector<Edge>& edges, Workers& workers) : mesh_(mesh)
+	Contraction(IndexedMesh& mesh, const std::vector<Edge>& edges, Workers& workers) :
+			mesh_(mesh), poller_(workers)
 	{
 		findClusters(edges);
 		findFaces(workers);
@@ -162,6 +164,7 @@ public:
 
 private:
 	IndexedMesh&                    mesh_;
+	Poller                          poller_;
 	std::map<int, std::vector<int>> cluster_; ///< by the least vertex; ascending
 	std::map<int, int>              firstOf_; ///< per vertex of a cluster: its least one
 	std::map<int, std::vector<int>> facesAt_; ///< per cluster
@@ -170,6 +173,7 @@ private:
 	void findClusters(const std::vector<Edge>& edges)
 	{
 		for (const auto& [a, b] : edges) {
+			poller_.count();
 			firstOf_.emplace(a, a);
 			firstOf_.emplace(b, b);
 		}
@@ -195,6 +199,7 @@ private:
 			return isInCluster[corner[0]] || isInCluster[corner[1]] || isInCluster[corner[2]];
 		});
 		for (int f : faces) {
+			poller_.count();
 			std::set<int> at;
 			for (int k = 0; k < 3; ++k) {
 				const auto found = firstOf_.find(mesh_.triangle[3 * f + k]);
@@ -205,10 +210,11 @@ private:
 		}
 	}
 
-	bool isHarmless(int first, const std::vector<int>& cluster) const
+	bool isHarmless(int first, const std::vector<int>& cluster)
 	{
 		ClusterTopology topology(cluster);
 		for (int f : facesAt_.at(first)) {
+			poller_.count();
 			const int*               t = &mesh_.triangle[3 * f];
 			const std::array<int, 3> corner{nameOf(t[0]), nameOf(t[1]), nameOf(t[2])};
 			const bool               isGone =
@@ -231,11 +237,10 @@ void contractEdgesWithoutLength(IndexedMesh& mesh, Workers& workers, CleanCounts
 	if (num == 0) return;
 	counts.contractedEdges += num;
 	std::vector<int> newName(std::size_t(mesh.vertexNum));
-	std::iota(newName.begin(), newName.end(), 0);
-	for (int& v : newName)
-		v = contraction.nameOf(v);
-	counts.zeroAreaFaces += renameCorners(mesh, newName);
-	dropUnusedVertices(mesh);
+	workers.forEach(newName.size(),
+					[&](int v) { newName[std::size_t(v)] = contraction.nameOf(v); });
+	counts.zeroAreaFaces += renameCorners(mesh, newName, workers);
+	dropUnusedVertices(mesh, workers);
 }
 
 } // namespace gpr

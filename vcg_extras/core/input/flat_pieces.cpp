@@ -3,6 +3,8 @@
 #include "flat_pieces.h"
 
 #include <vcg_extras/core/base/box.h>
+#include <vcg_extras/core/base/poller.h>
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/triangle.h>
 
 #include <algorithm>
@@ -52,7 +54,7 @@ std::vector<int> findThin(const Surface& surface, Workers& workers)
             if (h % 3 == 0 && isThin(m, h / 3)) out.push_back(h / 3);
         });
     });
-	std::sort(thin.begin(), thin.end());
+	sortPolled(thin.begin(), thin.end(), workers);
 	return thin;
 }
 
@@ -80,8 +82,9 @@ struct Extent {
 
 class FlatFinder {
 public:
-	FlatFinder(const HalfEdgeMesh& mesh, std::vector<int> thin) :
-			m_(mesh), thin_(std::move(thin)), seen_(thin_.size(), 0), gone_(thin_.size(), 0)
+	FlatFinder(const HalfEdgeMesh& mesh, std::vector<int> thin, Workers& workers) :
+			m_(mesh), poller_(workers), thin_(std::move(thin)), seen_(thin_.size(), 0),
+			gone_(thin_.size(), 0)
 	{
 	}
 
@@ -100,6 +103,7 @@ public:
 
 private:
 	const HalfEdgeMesh& m_;
+	Poller              poller_;
 	std::vector<int>    thin_;  ///< ascending
 	std::vector<char>   seen_;  ///< per thin face
 	std::vector<char>   gone_;  ///< per thin face
@@ -123,6 +127,7 @@ private:
 		seen_[first] = 1;
 		faces_.assign(1, thin_[first]);
 		for (std::size_t i = 0; i < faces_.size(); ++i) {
+			poller_.count();
 			for (int h = 3 * faces_[i]; h < 3 * faces_[i] + 3; ++h)
 				isWhole = visitAcross(h) && isWhole;
 		}
@@ -168,6 +173,7 @@ private:
 		}
 		std::vector<int> waiting(thin_.rbegin(), thin_.rend());
 		while (!waiting.empty()) {
+			poller_.count();
 			const int f = waiting.back();
 			const int i = thinIndex(f);
 			waiting.pop_back();
@@ -254,7 +260,7 @@ bool isThin(const Vec3f& a, const Vec3f& b, const Vec3f& c, float factor)
 
 std::vector<int> findFlatPieces(const Surface& surface, Workers& workers)
 {
-	return FlatFinder(surface.mesh, findThin(surface, workers)).run();
+	return FlatFinder(surface.mesh, findThin(surface, workers), workers).run();
 }
 
 bool allFacesThin(const IndexedMesh& mesh, Workers& workers)
@@ -268,25 +274,19 @@ bool allFacesThin(const IndexedMesh& mesh, Workers& workers)
 	return !foundOther;
 }
 
-IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, std::int64_t& droppedNum)
+IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, Workers& workers,
+						 std::int64_t& droppedNum)
 {
 	IndexedMesh      mesh = disconnect(surface);
 	std::vector<int> dropped;
-	int              kept = 0;
-	auto             next = faces.begin();
-	for (int f = 0; f < mesh.faceNum; ++f) {
-		if (next != faces.end() && *next == f) {
-			dropped.push_back(mesh.sourceFace[f]);
-			++next;
-			continue;
-		}
-		std::copy_n(&mesh.triangle[3 * f], 3, &mesh.triangle[3 * kept]);
-		mesh.sourceFace[kept++] = mesh.sourceFace[f];
-	}
-	mesh.faceNum = kept;
-	dropUnusedVertices(mesh);
-	std::sort(dropped.begin(), dropped.end());
-	droppedNum += std::unique(dropped.begin(), dropped.end()) - dropped.begin();
+	for (int f : faces)
+		dropped.push_back(mesh.sourceFace[f]);
+	sortUnique(dropped);
+	droppedNum += std::int64_t(dropped.size());
+	const std::vector<int> kept = workers.collectIf(
+		mesh.faceNum, [&](int f) { return !std::binary_search(faces.begin(), faces.end(), f); });
+	keepFaces(mesh, kept, workers);
+	dropUnusedVertices(mesh, workers);
 	return mesh;
 }
 

@@ -26,7 +26,8 @@ std::vector<int> findFlatPieces(const Surface& surface, Workers& workers);
 /// The surface without `faces` (ascending) and the vertices only they have, as a mesh to be ordered
 /// and connected anew; the surface is empty then. droppedNum grows by the caller's faces that are
 /// concerned.
-IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, std::int64_t& droppedNum);
+IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, Workers& workers,
+						 std::int64_t& droppedNum);
 
 /// Whether all faces are that thin, so that the surface may be nothing but lines: splitting their
 /// edges would make endless faces of them. Cost: a parallel pass that ends at the first other face.

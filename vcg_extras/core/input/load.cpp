@@ -43,11 +43,9 @@ void checkIndices(const MeshView& input, Workers& workers)
 	}
 }
 
-/// A face that stays: three different vertices, all finite.
-bool isUsable(const std::array<std::int32_t, 3>& corner, const Buffer<char>& finite)
+bool repeatsIndex(const std::array<std::int32_t, 3>& corner)
 {
-	if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) return false;
-	return finite[corner[0]] && finite[corner[1]] && finite[corner[2]];
+	return corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
 }
 
 Buffer<char> findFinite(const MeshView& input, Workers& workers, std::int64_t& badNum)
@@ -73,30 +71,20 @@ void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& worke
 {
 	mesh.triangle.reset(withRoom(3 * input.faceNum));
 	mesh.sourceFace.reset(withRoom(input.faceNum));
-	const std::int64_t dropped =
+	mesh.faceNum = int(input.faceNum);
+	counts.repeatedIndexFaces +=
 		workers.sumEach<std::int64_t>(input.faceNum, [&](int f, std::int64_t& n) {
 			const auto corner = input.triangle(f);
 			std::copy(corner.begin(), corner.end(), &mesh.triangle[3 * f]);
 			mesh.sourceFace[f] = f;
-			n += !isUsable(corner, finite);
+			n += repeatsIndex(corner);
 		});
-	mesh.faceNum = int(input.faceNum);
-	if (dropped == 0) return;
-
-	int kept = 0;
-	for (std::size_t f = 0; f < input.faceNum; ++f) {
+	if (counts.repeatedIndexFaces == 0 && counts.nonFiniteVertices == 0) return;
+	const std::vector<int> usable = workers.collectIf(input.faceNum, [&](int f) {
 		const auto corner = input.triangle(f);
-		if (!isUsable(corner, finite)) {
-			const bool repeated =
-				corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
-			counts.repeatedIndexFaces += repeated;
-			continue;
-		}
-		for (int k = 0; k < 3; ++k)
-			mesh.triangle[3 * kept + k] = corner[k];
-		mesh.sourceFace[kept++] = int(f);
-	}
-	mesh.faceNum = kept;
+		return !repeatsIndex(corner) && finite[corner[0]] && finite[corner[1]] && finite[corner[2]];
+	});
+	keepFaces(mesh, usable, workers);
 }
 
 /// Which vertices a face uses.
@@ -153,15 +141,14 @@ void copyVertices(const MeshView& input, const UsedVertices& used, Workers& work
 		return;
 	}
 	counts.unreferencedVertices = unused;
-	Buffer<int> rename(input.vertexNum);
-	int         kept = 0;
-	for (std::size_t v = 0; v < input.vertexNum; ++v) {
-		if (!used[v]) continue;
-		rename[v]             = kept;
-		mesh.position[kept++] = mesh.frame.toWorking(input.position(v));
-	}
+	Buffer<int> numberUpTo(input.vertexNum); // of the used vertices up to each one
+	workers.forEach(input.vertexNum, [&](int v) { numberUpTo[v] = used[v]; });
+	workers.sumUp(numberUpTo.data(), input.vertexNum);
+	workers.forEach(input.vertexNum, [&](int v) {
+		if (used[v]) mesh.position[numberUpTo[v] - 1] = mesh.frame.toWorking(input.position(v));
+	});
 	workers.forEach(std::size_t(3) * mesh.faceNum,
-					[&](int i) { mesh.triangle[i] = rename[mesh.triangle[i]]; });
+					[&](int i) { mesh.triangle[i] = numberUpTo[mesh.triangle[i]] - 1; });
 }
 
 bool isSoup(const IndexedMesh& mesh)
@@ -205,10 +192,10 @@ std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance, Workers
 void weld(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 {
 	const std::vector<int> first = findFirstNear(mesh, samePlace, workers);
-	for (int v = 0; v < mesh.vertexNum; ++v)
-		counts.weldedVertices += first[v] != v;
-	counts.zeroAreaFaces += renameCorners(mesh, first);
-	dropUnusedVertices(mesh);
+	counts.weldedVertices += workers.sumEach<std::int64_t>(
+		first.size(), [&](int v, std::int64_t& n) { n += first[std::size_t(v)] != v; });
+	counts.zeroAreaFaces += renameCorners(mesh, first, workers);
+	dropUnusedVertices(mesh, workers);
 }
 
 } // namespace

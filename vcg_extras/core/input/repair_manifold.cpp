@@ -4,8 +4,9 @@
 
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/poller.h>
+#include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
-#include <vcg_extras/core/mesh/half_edge_mesh.h>
 
 #include <algorithm>
 #include <array>
@@ -16,99 +17,145 @@ namespace gpr {
 
 namespace {
 
-/// Keeps the faces with keep[f] set, in their order.
-void keepFaces(IndexedMesh& mesh, const std::vector<char>& keep)
-{
-	int kept = 0;
-	for (int f = 0; f < mesh.faceNum; ++f) {
-		if (!keep[f]) continue;
-		for (int k = 0; k < 3; ++k)
-			mesh.triangle[3 * kept + k] = mesh.triangle[3 * f + k];
-		mesh.sourceFace[kept++] = mesh.sourceFace[f];
+/// A mesh and what is known of it. Of the half-edges, link[h] is the one on the other side, or -1.
+struct Linked {
+	IndexedMesh& mesh;
+	Buffer<int>& link;
+	Workers&     workers;
+	CleanCounts& counts;
+
+	std::size_t halfEdgeNum() const { return std::size_t(3) * mesh.faceNum; }
+	EdgeSide    side(int h) const
+	{
+		return edgeSide(mesh.triangle[h], mesh.triangle[nextInFace(h)], h);
 	}
-	mesh.faceNum = kept;
+	bool runAlike(int g, int h) const { return mesh.triangle[g] == mesh.triangle[h]; }
+
+	void join(int g, int h)
+	{
+		link[g] = h;
+		link[h] = g;
+	}
+	/// What is beyond h, if anything, ends there.
+	void cut(int h)
+	{
+		if (link[h] >= 0) link[link[h]] = -1;
+		link[h] = -1;
+	}
+
+	/// The sides among these half-edges by their edges.
+	Buffer<EdgeSide> sorted(const std::vector<int>& halfEdges) const
+	{
+		return sortedByBuckets<EdgeSide>(
+			halfEdges.size(), std::size_t(mesh.vertexNum),
+			[&](std::size_t i) { return side(halfEdges[i]); },
+			[](const EdgeSide& s) { return s.low; }, workers);
+	}
+};
+
+// ---- duplicate faces
+
+/// Of two faces with the same corners, each edge is either that of these two only, which may be
+/// joined there, or has no joined sides.
+bool mayBeDuplicate(const Linked& m, int f)
+{
+	bool isAlone = true;
+	for (int h = 3 * f; h < 3 * f + 3; ++h) {
+		if (m.link[h] < 0) continue;
+		if (m.mesh.triangle[prevInFace(h)] == m.mesh.triangle[prevInFace(m.link[h])]) return true;
+		isAlone = false;
+	}
+	return isAlone;
 }
 
-void dropDuplicateFaces(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
+/// Those that are equal to one before them.
+std::vector<int> findDuplicateFaces(const Linked& m)
 {
-	using Corners        = std::array<int, 4>; // in order, and the face
-	const auto cornersOf = [&](std::size_t f) {
-		const int* t = &mesh.triangle[3 * f];
-		Corners    c = {t[0], t[1], t[2], int(f)};
+	using Corners = std::array<int, 4>; // in order, and the face
+	const std::vector<int> suspects =
+		m.workers.collectIf(m.mesh.faceNum, [&](int f) { return mayBeDuplicate(m, f); });
+	const auto cornersOf = [&](std::size_t i) {
+		const int* t = &m.mesh.triangle[3 * suspects[i]];
+		Corners    c = {t[0], t[1], t[2], suspects[i]};
 		std::sort(c.begin(), c.begin() + 3);
 		return c;
 	};
 	const Buffer<Corners> faces = sortedByBuckets<Corners>(
-		std::size_t(mesh.faceNum), std::size_t(mesh.vertexNum), cornersOf,
-		[](const Corners& c) { return c[0]; }, workers);
-	std::vector<char> keep(mesh.faceNum, 1);
-	for (std::size_t i = 1; i < faces.size(); ++i) {
-		if (std::equal(faces[i].begin(), faces[i].begin() + 3, faces[i - 1].begin())) {
-			keep[faces[i][3]] = 0;
-			++counts.duplicateFaces;
-		}
-	}
-	if (counts.duplicateFaces > 0) keepFaces(mesh, keep);
+		suspects.size(), std::size_t(m.mesh.vertexNum), cornersOf,
+		[](const Corners& c) { return c[0]; }, m.workers);
+	return m.workers.collectEach<int>(faces.size(), [&](std::size_t i, auto& out) {
+		if (i > 0 && std::equal(faces[i].begin(), faces[i].begin() + 3, faces[i - 1].begin()))
+			out.push_back(faces[i][3]);
+	});
 }
 
-Buffer<EdgeSide> sortedSides(const IndexedMesh& mesh, Workers& workers)
+void dropDuplicateFaces(Linked& m)
 {
-	const auto side = [&](std::size_t h) {
-		const int a = mesh.triangle[h], b = mesh.triangle[std::size_t(nextInFace(int(h)))];
-		return edgeSide(a, b, int(h));
-	};
-	return sortedByBuckets<EdgeSide>(
-		std::size_t(3) * mesh.faceNum, std::size_t(mesh.vertexNum), side,
-		[](const EdgeSide& s) { return s.low; }, workers);
+	const std::vector<int> duplicates = findDuplicateFaces(m);
+	if (duplicates.empty()) return;
+	m.counts.duplicateFaces += std::int64_t(duplicates.size());
+	Buffer<char> isDropped(m.mesh.faceNum, 0);
+	for (int f : duplicates) {
+		isDropped[f] = 1;
+		for (int h = 3 * f; h < 3 * f + 3; ++h)
+			m.cut(h);
+	}
+	const std::vector<int> kept =
+		m.workers.collectIf(m.mesh.faceNum, [&](int f) { return !isDropped[f]; });
+	const Buffer<int> newFace = keepFaces(m.mesh, kept, m.workers);
+	Buffer<int>       link(m.halfEdgeNum());
+	m.workers.forEach(link.size(), [&](int h) {
+		const int g = m.link[3 * kept[h / 3] + h % 3];
+		link[h]     = g < 0 ? -1 : 3 * newFace[g / 3] + g % 3;
+	});
+	m.link.swap(link);
 }
 
-/// Joins faces over edges: link[h] is the half-edge on the other side, or -1.
+// ---- edges
+
+/// Joins sides of edges that have more than two faces, or two that run along it the same way.
 class Linker {
 public:
-	Linker(const IndexedMesh& mesh, Workers& workers, CleanCounts& counts) :
-			mesh_(mesh), workers_(workers), counts_(counts),
-			link_(std::size_t(3) * mesh.faceNum, -1)
-	{
-	}
+	Linker(Linked& linked, std::vector<int>& faulty) : m_(linked), faulty_(faulty) {}
 
-	std::vector<int> run()
+	/// Notes the faces of edges that have more than two. Returns whether any faces that were joined
+	/// are not oriented alike.
+	bool run()
 	{
-		const Buffer<EdgeSide> sides = sortedSides(mesh_, workers_);
-		Poller                 poller(workers_);
+		const std::vector<int> open =
+			m_.workers.collectIf(m_.halfEdgeNum(), [&](int h) { return m_.link[h] < 0; });
+		const Buffer<EdgeSide> sides = m_.sorted(open);
+		Poller                 poller(m_.workers);
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 			poller.count();
-			if (end - begin == 2) {
-				join(sides[begin].halfEdge, sides[begin + 1].halfEdge);
-			}
-			else if (end - begin > 2) {
-				++counts_.nonManifoldEdges;
-				joinSmoothest(sides, begin, end);
-			}
+			if (end - begin > 2) joinSmoothest(sides, begin, end);
+			if (end - begin == 2) join(sides[begin].halfEdge, sides[begin + 1].halfEdge);
 		});
-		return std::move(link_);
+		return joinedReversed_;
 	}
 
 private:
-	const IndexedMesh& mesh_;
-	Workers&           workers_;
-	CleanCounts&       counts_;
-	std::vector<int>   link_;
+	Linked&           m_;
+	std::vector<int>& faulty_;
+	bool              joinedReversed_ = false;
 
 	void join(int g, int h)
 	{
-		link_[g] = h;
-		link_[h] = g;
+		m_.join(g, h);
+		joinedReversed_ |= m_.runAlike(g, h);
 	}
 
 	/// Small for faces that continue each other smoothly; faces oriented alike come first.
 	float bend(int g, int h) const
 	{
-		const bool sameDirection = mesh_.triangle[g] == mesh_.triangle[h];
-		return dot(inward(mesh_, g), inward(mesh_, h)) + (sameDirection ? 2.0f : 0.0f);
+		return dot(inward(m_.mesh, g), inward(m_.mesh, h)) + (m_.runAlike(g, h) ? 2.0f : 0.0f);
 	}
 
 	void joinSmoothest(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
 	{
+		++m_.counts.nonManifoldEdges;
+		for (std::size_t i = begin; i < end; ++i)
+			faulty_.push_back(sides[i].halfEdge / 3);
 		// Fans of many faces on one edge are rare, but the pairing is quadratic: bound it.
 		constexpr std::size_t most = 64;
 		const std::size_t     n    = std::min(end - begin, most);
@@ -118,7 +165,7 @@ private:
 			for (std::size_t i = begin; i < begin + n; ++i) {
 				for (std::size_t k = i + 1; k < begin + n; ++k) {
 					const int g = sides[i].halfEdge, h = sides[k].halfEdge;
-					if (link_[g] >= 0 || link_[h] >= 0) continue;
+					if (m_.link[g] >= 0 || m_.link[h] >= 0) continue;
 					const float b = bend(g, h);
 					if (b < best) {
 						best  = b;
@@ -133,22 +180,25 @@ private:
 	}
 };
 
+// ---- orientation
+
 /// Orients faces alike over the links, component by component; the side with more area keeps its
 /// orientation.
 class Orienter {
 public:
-	Orienter(IndexedMesh& mesh, std::vector<int>& link, Workers& workers, CleanCounts& counts) :
-			mesh_(mesh), link_(link), poller_(workers), counts_(counts),
-			turned_(mesh.faceNum, unseen)
+	Orienter(Linked& linked, std::vector<int>& faulty) :
+			m_(linked), faulty_(faulty), poller_(linked.workers),
+			turned_(linked.mesh.faceNum, unseen)
 	{
 	}
 
+	/// Notes the faces of edges that are cut.
 	void run()
 	{
-		for (int f = 0; f < mesh_.faceNum; ++f) {
+		for (int f = 0; f < m_.mesh.faceNum; ++f) {
 			if (turned_[f] == unseen) orientComponent(f);
 		}
-		for (int f = 0; f < mesh_.faceNum; ++f) {
+		for (int f = 0; f < m_.mesh.faceNum; ++f) {
 			poller_.count();
 			if (turned_[f]) turn(f);
 		}
@@ -157,10 +207,9 @@ public:
 private:
 	static constexpr char unseen = 2;
 
-	IndexedMesh&      mesh_;
-	std::vector<int>& link_;
+	Linked&           m_;
+	std::vector<int>& faulty_;
 	Poller            poller_;
-	CleanCounts&      counts_;
 	std::vector<char> turned_;
 
 	void orientComponent(int seed)
@@ -175,7 +224,7 @@ private:
 		}
 		double turnedArea = 0, keptArea = 0;
 		for (int f : faces)
-			(turned_[f] ? turnedArea : keptArea) += double(length(mesh_.faceCross(f)));
+			(turned_[f] ? turnedArea : keptArea) += double(length(m_.mesh.faceCross(f)));
 		if (turnedArea <= keptArea) return;
 		for (int f : faces)
 			turned_[f] = !turned_[f];
@@ -183,69 +232,71 @@ private:
 
 	void visitAcross(int h, std::vector<int>& faces)
 	{
-		const int g = link_[h];
+		const int g = m_.link[h];
 		if (g < 0) return;
-		const bool sameDirection = mesh_.triangle[g] == mesh_.triangle[h];
-		const char wanted        = char(turned_[h / 3] ^ char(sameDirection));
-		char&      neighbour     = turned_[g / 3];
+		const char wanted    = char(turned_[h / 3] ^ char(m_.runAlike(g, h)));
+		char&      neighbour = turned_[g / 3];
 		if (neighbour == unseen) {
 			neighbour = wanted;
 			faces.push_back(g / 3);
 		}
 		else if (neighbour != wanted) {
 			// The way round came back to the other side: a one-sided surface. Cut here.
-			link_[h] = link_[g] = -1;
-			++counts_.nonOrientableCuts;
+			m_.cut(h);
+			faulty_.insert(faulty_.end(), {g / 3, h / 3});
+			++m_.counts.nonOrientableCuts;
 		}
 	}
 
 	/// (a, b, c) becomes (a, c, b): half-edge 0 takes the place of 2 and the other way round.
 	void turn(int f)
 	{
-		++counts_.reorientedFaces;
-		std::swap(mesh_.triangle[3 * f + 1], mesh_.triangle[3 * f + 2]);
-		std::swap(link_[3 * f], link_[3 * f + 2]);
+		++m_.counts.reorientedFaces;
+		std::swap(m_.mesh.triangle[3 * f + 1], m_.mesh.triangle[3 * f + 2]);
+		std::swap(m_.link[3 * f], m_.link[3 * f + 2]);
 		for (int h = 3 * f; h < 3 * f + 3; h += 2) {
-			if (link_[h] >= 0) link_[link_[h]] = h;
+			if (m_.link[h] >= 0) m_.link[m_.link[h]] = h;
 		}
 	}
 };
 
-/// Gives every fan round a vertex a vertex of its own.
-void separateFans(IndexedMesh& mesh, const std::vector<int>& link, Workers& workers,
-				  CleanCounts& counts)
-{
-	Poller             poller(workers);
-	std::vector<char>  seen(std::size_t(3) * mesh.faceNum, 0);
-	std::vector<char>  taken(mesh.vertexNum, 0);
-	std::vector<Vec3f> added;
-	const auto         after  = [&](int h) { return link[prevInFace(h)]; };
-	const auto         before = [&](int h) { return link[h] < 0 ? -1 : nextInFace(link[h]); };
+// ---- vertices
 
-	for (int corner = 0; corner < 3 * mesh.faceNum; ++corner) {
+/// Gives every fan round a vertex a vertex of its own; the one with the first corner keeps it.
+void separateFans(Linked& m)
+{
+	const int              oldNum   = m.mesh.vertexNum;
+	Buffer<char>           isShared = findNotManifold(m.mesh, m.link, m.workers);
+	const std::vector<int> corners  = m.workers.collectIf(
+		 m.halfEdgeNum(), [&](int h) { return isShared[m.mesh.triangle[h]] != 0; });
+	Poller             poller(m.workers);
+	std::vector<Vec3f> added;
+	const auto         after  = [&](int h) { return m.link[prevInFace(h)]; };
+	const auto         before = [&](int h) { return m.link[h] < 0 ? -1 : nextInFace(m.link[h]); };
+
+	for (int corner : corners) {
 		poller.count();
-		if (seen[corner]) continue;
-		int first = corner;
+		const int v = m.mesh.triangle[corner];
+		if (v < 0 || v >= oldNum) continue; // of a fan that was seen
+		int first = corner, name = ~v;
 		while (before(first) >= 0 && before(first) != corner)
 			first = before(first);
-		int v = mesh.triangle[corner];
-		if (taken[v]) {
-			added.push_back(mesh.position[v]);
-			v = mesh.vertexNum + int(added.size()) - 1;
-			++counts.nonManifoldVertices;
+		if (!isShared[v]) {
+			name = oldNum + int(added.size());
+			added.push_back(m.mesh.position[v]);
 		}
-		else {
-			taken[v] = 1;
-		}
-		for (int h = first; h >= 0 && !seen[h]; h = after(h)) {
-			seen[h]          = 1;
-			mesh.triangle[h] = v;
-		}
+		isShared[v] = 0;
+		for (int h = first; h >= 0 && m.mesh.triangle[h] == v; h = after(h))
+			m.mesh.triangle[h] = name;
 	}
-	if (added.empty()) return;
-	mesh.position.resize(mesh.vertexNum + added.size());
-	std::copy(added.begin(), added.end(), mesh.position.begin() + mesh.vertexNum);
-	mesh.vertexNum += int(added.size());
+	for (int corner : corners) {
+		int& v = m.mesh.triangle[corner];
+		v      = std::max(v, ~v);
+	}
+	m.counts.nonManifoldVertices += std::int64_t(added.size());
+	makeRoom(m.mesh.position, oldNum + added.size(), m.workers);
+	std::copy(added.begin(), added.end(), m.mesh.position.begin() + oldNum);
+	m.mesh.vertexNum += int(added.size());
 }
 
 /// Two borders, or two joined pairs of faces, may still run between the same two vertices (a slit
@@ -253,20 +304,19 @@ void separateFans(IndexedMesh& mesh, const std::vector<int>& link, Workers& work
 /// from here on, so all but one of them get a vertex in the middle.
 class SlitOpener {
 public:
-	SlitOpener(IndexedMesh& mesh, const std::vector<int>& link, Workers& workers) :
-			mesh_(mesh), link_(link), workers_(workers), middle_(link.size(), -1)
-	{
-	}
+	explicit SlitOpener(Linked& linked) : m_(linked), mesh_(linked.mesh) {}
 
-	void run()
+	/// Opens those among the edges of these faces.
+	void run(const std::vector<int>& faces)
 	{
-		findSlits();
+		findSlits(faces);
 		if (slits_.empty()) return;
-		sortPolled(slits_.begin(), slits_.end(), workers_);
-		const int oldFaces = mesh_.faceNum;
-		mesh_.triangle.resize(3 * (std::size_t(oldFaces) + slits_.size()));
-		mesh_.sourceFace.resize(std::size_t(oldFaces) + slits_.size());
-		mesh_.position.resize(mesh_.vertexNum + slits_.size());
+		sortPolled(slits_.begin(), slits_.end(), m_.workers);
+		middle_.assign(slits_.size(), -1);
+		const std::size_t faceNum = mesh_.faceNum + slits_.size();
+		makeRoom(mesh_.triangle, 3 * faceNum, m_.workers);
+		makeRoom(mesh_.sourceFace, faceNum, m_.workers);
+		makeRoom(mesh_.position, mesh_.vertexNum + slits_.size(), m_.workers);
 		for (std::size_t i = 0; i < slits_.size();) {
 			std::size_t end = i + 1;
 			while (end < slits_.size() && slits_[end] / 3 == slits_[i] / 3)
@@ -277,26 +327,28 @@ public:
 	}
 
 private:
-	IndexedMesh&            mesh_;
-	const std::vector<int>& link_;
-	Workers&                workers_;
-	std::vector<int>        slits_;  ///< half-edges to get a vertex
-	std::vector<int>        middle_; ///< per half-edge: that vertex, the same on both joined sides
+	Linked&          m_;
+	IndexedMesh&     mesh_;
+	std::vector<int> slits_;  ///< half-edges to get a vertex, ascending
+	std::vector<int> middle_; ///< per slit: that vertex, the same on both joined sides
 
-	void findSlits()
+	void findSlits(const std::vector<int>& faces)
 	{
-		const Buffer<EdgeSide> sides = sortedSides(mesh_, workers_);
-		Poller                 poller(workers_);
+		std::vector<int> halfEdges;
+		for (int f : faces)
+			halfEdges.insert(halfEdges.end(), {3 * f, 3 * f + 1, 3 * f + 2});
+		const Buffer<EdgeSide> sides = m_.sorted(halfEdges);
+		Poller                 poller(m_.workers);
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 			poller.count();
 			// The first joined pair keeps the plain edge, or else the first border.
 			int keeper = sides[begin].halfEdge;
 			for (std::size_t i = end; i-- > begin;) {
-				if (link_[sides[i].halfEdge] >= 0) keeper = sides[i].halfEdge;
+				if (m_.link[sides[i].halfEdge] >= 0) keeper = sides[i].halfEdge;
 			}
 			for (std::size_t i = begin; i < end; ++i) {
 				const int h = sides[i].halfEdge;
-				if (h != keeper && link_[h] != keeper) slits_.push_back(h);
+				if (h != keeper && m_.link[h] != keeper) slits_.push_back(h);
 			}
 		});
 	}
@@ -324,27 +376,33 @@ private:
 		}
 	}
 
+	int& middleAt(int h)
+	{
+		return middle_[std::lower_bound(slits_.begin(), slits_.end(), h) - slits_.begin()];
+	}
+
 	int middleOf(int h)
 	{
-		const int other = link_[h];
-		if (other >= 0 && middle_[other] >= 0) return middle_[other];
+		const int other = m_.link[h];
+		if (other >= 0 && middleAt(other) >= 0) return middleAt(other);
 		const Vec3f a                   = mesh_.position[mesh_.triangle[h]];
 		const Vec3f b                   = mesh_.position[mesh_.triangle[nextInFace(h)]];
 		mesh_.position[mesh_.vertexNum] = (a + b) * 0.5f;
-		middle_[h]                      = mesh_.vertexNum;
-		return mesh_.vertexNum++;
+		return middleAt(h)              = mesh_.vertexNum++;
 	}
 };
 
 } // namespace
 
-void repairManifold(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
+void repairManifold(IndexedMesh& mesh, Buffer<int>& link, Workers& workers, CleanCounts& counts)
 {
-	dropDuplicateFaces(mesh, workers, counts);
-	std::vector<int> link = Linker(mesh, workers, counts).run();
-	Orienter(mesh, link, workers, counts).run();
-	separateFans(mesh, link, workers, counts);
-	SlitOpener(mesh, link, workers).run();
+	Linked           linked{mesh, link, workers, counts};
+	std::vector<int> faulty; // faces with an edge that is no longer shared as it was
+	dropDuplicateFaces(linked);
+	if (Linker(linked, faulty).run()) Orienter(linked, faulty).run();
+	separateFans(linked);
+	sortUnique(faulty);
+	SlitOpener(linked).run(faulty);
 }
 
 } // namespace gpr

@@ -13,9 +13,10 @@ namespace gpr {
 /// duplicate faces are dropped; where more than two faces share an edge the smoothest pair stays
 /// joined and the others get a border; faces are oriented alike, a one-sided surface being cut
 /// open; each fan of faces round a vertex gets a vertex of its own. Cut borders stay where they
-/// were. The slow way: only taken where connect() found something to repair. Cost: O(F log F),
-/// serial.
-void repairManifold(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
+/// were. link: the opposites of half-edges as connect() leaves them where it fails; used up. Cost:
+/// faults are found in linear passes, parallel; the rest as that of the faults, serial, but for
+/// faces that are not oriented alike: then all faces are visited in turn.
+void repairManifold(IndexedMesh& mesh, Buffer<int>& link, Workers& workers, CleanCounts& counts);
 
 } // namespace gpr
 

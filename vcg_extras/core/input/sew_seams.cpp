@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "sew_seams.h"
 
+#include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/base/union_find.h>
@@ -91,12 +92,14 @@ class BorderVertices {
 public:
 	BorderVertices(const IndexedMesh& mesh, const std::vector<int>& border, Workers& workers)
 	{
+		Poller poller(workers);
 		for (int h : border) {
+			poller.count();
 			vertex_.push_back(mesh.triangle[h]);
 			vertex_.push_back(mesh.triangle[nextInFace(h)]);
 		}
-		sortUnique(vertex_);
-		Poller         poller(workers);
+		sortPolled(vertex_.begin(), vertex_.end(), workers);
+		vertex_.erase(std::unique(vertex_.begin(), vertex_.end()), vertex_.end());
 		SamePlaceTable table(vertex_.size());
 		for (int v : vertex_) {
 			poller.count();
@@ -209,7 +212,9 @@ private:
 	void findSeams()
 	{
 		std::vector<EdgeSide> sides;
+		Poller                poller(workers_);
 		for (int h : border_) {
+			poller.count();
 			const int a = vertices_.placeOf(mesh_.triangle[h]);
 			const int b = vertices_.placeOf(mesh_.triangle[nextInFace(h)]);
 			if (a != b) sides.push_back(edgeSide(a, b, h));
@@ -268,12 +273,13 @@ private:
 
 	void joinNeighbours(TurnableSets& parts) const
 	{
-		std::vector<EdgeSide> sides;
-		sides.reserve(3 * std::size_t(mesh_.faceNum));
-		for (int h = 0; h < 3 * mesh_.faceNum; ++h)
-			sides.push_back(sideAt(mesh_, h));
-		sortPolled(sides.begin(), sides.end(), workers_);
+		const Buffer<EdgeSide> sides = sortedByBuckets<EdgeSide>(
+			3 * std::size_t(mesh_.faceNum), std::size_t(mesh_.vertexNum),
+			[&](std::size_t h) { return sideAt(mesh_, int(h)); },
+			[](const EdgeSide& s) { return s.low; }, workers_);
+		Poller poller(workers_);
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+			poller.count();
 			if (end - begin != 2) return;
 			const int g = sides[begin].halfEdge, h = sides[begin + 1].halfEdge;
 			parts.join(g / 3, h / 3, mesh_.triangle[g] == mesh_.triangle[h]);
@@ -291,7 +297,9 @@ private:
 	{
 		joined_.resize(std::size_t(vertices_.num()));
 		std::iota(joined_.begin(), joined_.end(), 0);
+		Poller poller(workers_);
 		for (const Seam& s : seams_) {
+			poller.count();
 			const int g = s.halfEdge[0], h = s.halfEdge[1];
 			const int otherStart = s.sameDirection ? h : nextInFace(h);
 			const int otherEnd   = s.sameDirection ? nextInFace(h) : h;
@@ -306,7 +314,7 @@ private:
 	Buffer<int> newNames() const
 	{
 		Buffer<int> name(mesh_.vertexNum);
-		std::iota(name.begin(), name.end(), 0);
+		workers_.forEach(name.size(), [&](int v) { name[v] = v; });
 		for (int i = 0; i < vertices_.num(); ++i)
 			name[vertices_.vertex(i)] = vertices_.vertex(joined_[std::size_t(i)]);
 		return name;
@@ -393,7 +401,7 @@ private:
 		const Buffer<int> name = newNames();
 		workers_.forEach(3 * std::size_t(mesh_.faceNum),
 						 [&](int i) { mesh_.triangle[i] = name[mesh_.triangle[i]]; });
-		dropUnusedVertices(mesh_);
+		dropUnusedVertices(mesh_, workers_);
 	}
 };
 
@@ -405,8 +413,11 @@ bool mayHaveSeams(const Surface& surface, Workers& workers)
 	const std::vector<int> border = workers.collectIf(
 		std::size_t(m.vertexNum), [&](int v) { return m.outgoing[v] >= 0 && m.isBorderVertex(v); });
 	SamePlaceTable table(border.size());
-	return std::any_of(border.begin(), border.end(),
-					   [&](int v) { return table.findOrPut(m.position[v], v) != v; });
+	Poller         poller(workers);
+	return std::any_of(border.begin(), border.end(), [&](int v) {
+		poller.count();
+		return table.findOrPut(m.position[v], v) != v;
+	});
 }
 
 void sewSeams(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "small_components.h"
 
+#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/mesh/components.h>
+
+#include <algorithm>
 
 namespace gpr {
 
@@ -11,17 +14,17 @@ SmallComponents findSmallComponents(const HalfEdgeMesh& mesh, std::int64_t minFa
 {
 	const Components          found = findComponents(mesh, workers);
 	std::vector<std::int64_t> faceNum(std::size_t(found.num), 0);
-	for (int component : found.ofFace)
+	Poller                    poller(workers);
+	for (int component : found.ofFace) {
+		poller.count();
 		++faceNum[std::size_t(component)];
-	const auto isSmall = [&](int component) {
-		return faceNum[std::size_t(component)] < minFaceNum;
-	};
-	SmallComponents small;
-	for (int component = 0; component < found.num; ++component)
-		small.num += isSmall(component);
-	for (int f = 0; f < mesh.faceNum; ++f) {
-		if (isSmall(found.ofFace[std::size_t(f)])) small.faces.push_back(f);
 	}
+	const auto      isSmall = [&](std::int64_t num) { return num < minFaceNum; };
+	SmallComponents small;
+	small.num   = std::count_if(faceNum.begin(), faceNum.end(), isSmall);
+	small.faces = workers.collectIf(std::size_t(mesh.faceNum), [&](int f) {
+		return isSmall(faceNum[std::size_t(found.ofFace[std::size_t(f)])]);
+	});
 	return small;
 }
 

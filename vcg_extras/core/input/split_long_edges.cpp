@@ -5,6 +5,7 @@
 #include "edge_table.h"
 
 #include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/results.h>
 
 #include <algorithm>
@@ -56,10 +57,10 @@ class Splitter {
 public:
 	/// position, size: of the mesh's vertexNum vertices, size may be empty; faceNum: its faces.
 	Splitter(const Buffer<Vec3f>& position, const Buffer<float>& size, int vertexNum, int faceNum,
-			 float maxLength, std::int64_t maxFaces) :
+			 float maxLength, std::int64_t maxFaces, Workers& workers) :
 			position_(position),
 			vertexNum_(vertexNum), rule_{maxLength * maxLength, size}, maxFaces_(maxFaces),
-			faceNum_(faceNum)
+			faceNum_(faceNum), poller_(workers)
 	{
 	}
 
@@ -76,17 +77,15 @@ public:
 							std::min(sizeOf(a), sizeOf(b)));
 	}
 
-	SplitFaces run(Workers& workers)
+	SplitFaces run()
 	{
 		while (!todo_.empty()) {
 			std::vector<Face> round;
 			round.swap(todo_);
 			if (!hasStrips_) midpoint_.clear();
 			midpoint_.reserve(midpoint_.size() + round.size());
-			for (const Face& face : round) {
-				workers.poll();
+			for (const Face& face : round)
 				split(face);
-			}
 		}
 		return std::move(split_);
 	}
@@ -97,6 +96,7 @@ private:
 	EdgeRule             rule_;
 	std::int64_t         maxFaces_;
 	std::int64_t         faceNum_; ///< of the mesh, without those that were added here
+	Poller               poller_;
 	std::vector<Face>    todo_;
 	SplitFaces           split_;
 	/// Of the edges split in this round; of all edges once strips split theirs ahead of the others.
@@ -116,6 +116,7 @@ private:
 
 	int midpointOf(int a, int b)
 	{
+		poller_.count();
 		const int next   = vertexNum_ + int(split_.position.size());
 		const int middle = midpoint_.findOrPut(a, b, next);
 		if (middle == next) {
@@ -127,6 +128,7 @@ private:
 
 	void put(int a, int b, int c, int source)
 	{
+		poller_.count();
 		const bool isDone = !isLong(a, b) && !isLong(b, c) && !isLong(c, a);
 		(isDone ? split_.faces : todo_).push_back({{a, b, c}, source});
 		if (faceNum_ + std::int64_t(split_.faces.size() + todo_.size()) > maxFaces_)
@@ -262,14 +264,6 @@ void addLongFaces(const IndexedMesh& mesh, const EdgeRule& rule, std::size_t beg
 	}
 }
 
-/// Arrays come from loading with some room to spare; copying a large one takes a while.
-template <class T>
-void makeRoom(Buffer<T>& values, std::size_t n, Workers& workers)
-{
-	workers.poll();
-	if (values.size() < n) values.resize(n);
-}
-
 /// The first new faces take the places of the long ones, the others follow at the end.
 void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const SplitFaces& split,
 			   Workers& workers)
@@ -278,14 +272,13 @@ void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const Split
 	const int                extra = int(faces.size() - longFaces.size());
 	makeRoom(mesh.triangle, 3 * (std::size_t(mesh.faceNum) + extra), workers);
 	makeRoom(mesh.sourceFace, std::size_t(mesh.faceNum) + extra, workers);
-	workers.poll();
-	for (std::size_t i = 0; i < faces.size(); ++i) {
+	workers.forEach(faces.size(), [&](std::size_t i) {
 		const int f =
 			i < longFaces.size() ? longFaces[i] : mesh.faceNum + int(i - longFaces.size());
 		for (int k = 0; k < 3; ++k)
 			mesh.triangle[3 * f + k] = faces[i].corner[k];
 		mesh.sourceFace[f] = faces[i].source;
-	}
+	});
 	mesh.faceNum += extra;
 
 	const std::vector<Vec3f>& added = split.position;
@@ -350,10 +343,11 @@ std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces
 							std::int64_t maxFaces, Workers& workers)
 {
 	if (longFaces.empty()) return 0;
-	Splitter splitter(mesh.position, mesh.size, mesh.vertexNum, mesh.faceNum, maxLength, maxFaces);
+	Splitter splitter(mesh.position, mesh.size, mesh.vertexNum, mesh.faceNum, maxLength, maxFaces,
+					  workers);
 	for (int f : longFaces)
 		splitter.addFace(&mesh.triangle[3 * f], mesh.sourceFace[f]);
-	const SplitFaces split = splitter.run(workers);
+	const SplitFaces split = splitter.run();
 	writeBack(mesh, longFaces, split, workers);
 	return std::int64_t(split.position.size());
 }
@@ -362,10 +356,11 @@ SplitFaces splitLongFaces(const Surface& surface, const std::vector<int>& longFa
 						  float maxLength, std::int64_t maxFaces, Workers& workers)
 {
 	const HalfEdgeMesh& m = surface.mesh;
-	Splitter splitter(m.position, surface.size, m.vertexNum, m.faceNum, maxLength, maxFaces);
+	Splitter splitter(m.position, surface.size, m.vertexNum, m.faceNum, maxLength, maxFaces,
+					  workers);
 	for (int f : longFaces)
 		splitter.addFace(&m.origin[3 * f], surface.sourceFace[f]);
-	return splitter.run(workers);
+	return splitter.run();
 }
 
 std::int64_t maxFacesFor(std::int64_t vertexNum, std::int64_t faceNum)

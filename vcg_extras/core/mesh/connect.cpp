@@ -314,49 +314,12 @@ bool fillNormals(const HalfEdgeMesh& m, Workers& workers, Buffer<PackedNormal>& 
 	return seen == std::int64_t(m.halfEdgeNum());
 }
 
-/// Vertices with more than one fan. An edge that is not shared by two faces in opposite directions
-/// was left without opposites, so that at its ends fans end that do not end there.
-Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposite, Workers& workers)
-{
-	// Where to begin turning: at the border's half-edge if there is one, else anywhere; where there
-	// are several fans it does not matter either.
-	const std::size_t halfEdgeNum = std::size_t(3) * mesh.faceNum;
-	Buffer<int>       outgoing(mesh.vertexNum, -1), fanNum(mesh.vertexNum, 0);
-	Buffer<int>       cornerNum(mesh.vertexNum, 0);
-	workers.forEach(halfEdgeNum, [&](int h) {
-		const int v = mesh.triangle[h];
-		__atomic_fetch_add(&cornerNum[v], 1, __ATOMIC_RELAXED);
-		__atomic_store_n(&outgoing[v], h, __ATOMIC_RELAXED);
-	});
-	workers.forEach(halfEdgeNum, [&](int h) {
-		if (opposite[h] >= 0) return;
-		const int v = mesh.triangle[h];
-		__atomic_fetch_add(&fanNum[v], 1, __ATOMIC_RELAXED);
-		__atomic_store_n(&outgoing[v], h, __ATOMIC_RELAXED);
-	});
-	Buffer<char> bad(mesh.vertexNum, 0);
-	workers.forEach(mesh.vertexNum, [&](int v) {
-		if (outgoing[v] < 0) return;
-		int seen = 0, h = outgoing[v];
-		do {
-			++seen;
-			h = opposite[prevInFace(h)];
-		} while (h >= 0 && h != outgoing[v]);
-		bad[v] = fanNum[v] > 1 || seen != cornerNum[v];
-	});
-	return bad;
-}
-
 } // namespace
 
-bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface,
-			 Buffer<char>* notManifold)
+bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface)
 {
 	HalfEdgeMesh& m = surface.mesh;
-	if (!HalfEdgePairing(mesh, faceStart, workers, m).run()) {
-		if (notManifold != nullptr) *notManifold = findNotManifold(mesh, m.opposite, workers);
-		return false;
-	}
+	if (!HalfEdgePairing(mesh, faceStart, workers, m).run()) return false;
 	m.vertexNum = mesh.vertexNum;
 	m.faceNum   = mesh.faceNum;
 	m.position.swap(mesh.position);
@@ -364,13 +327,36 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 	if (!fillNormals(m, workers, surface.normal)) {
 		m.position.swap(mesh.position);
 		m.origin.swap(mesh.triangle);
-		if (notManifold != nullptr) *notManifold = findNotManifold(mesh, m.opposite, workers);
 		return false;
 	}
 	surface.sourceFace.swap(mesh.sourceFace);
 	surface.size.swap(mesh.size);
 	surface.frame = mesh.frame;
 	return true;
+}
+
+Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposite, Workers& workers)
+{
+	// Where to begin turning: at the border's half-edge if there is one, else anywhere; where there
+	// are several fans it does not matter either.
+	const std::size_t halfEdgeNum = std::size_t(3) * mesh.faceNum;
+	Buffer<int>       outgoing(mesh.vertexNum, -1);
+	Buffer<char>      seen(halfEdgeNum), bad(mesh.vertexNum, 0);
+	workers.forEach(halfEdgeNum, [&](int h) {
+		seen[h] = 0;
+		__atomic_store_n(&outgoing[mesh.triangle[h]], h, __ATOMIC_RELAXED);
+	});
+	workers.forEach(halfEdgeNum, [&](int h) {
+		if (opposite[h] < 0) __atomic_store_n(&outgoing[mesh.triangle[h]], h, __ATOMIC_RELAXED);
+	});
+	workers.forEach(mesh.vertexNum, [&](int v) {
+		for (int h = outgoing[v]; h >= 0 && !seen[h]; h = opposite[prevInFace(h)])
+			seen[h] = 1;
+	});
+	workers.forEach(halfEdgeNum, [&](int h) {
+		if (!seen[h]) __atomic_store_n(&bad[mesh.triangle[h]], char(1), __ATOMIC_RELAXED);
+	});
+	return bad;
 }
 
 PackedNormal vertexNormal(const HalfEdgeMesh& m, int v)

@@ -43,11 +43,17 @@ constexpr float roughWidth = 2e-6f;
 
 /// Stage::Connect: half-edge table of an ordered mesh (see orderSpatially) by bucketing half-edges
 /// at their smaller end. Moves the arrays out of `mesh` when all is manifold and consistently
-/// oriented, and returns true; otherwise returns false and leaves `mesh` as it was, for
-/// repairManifold. notManifold, if given, then tells the vertices (1) that are to blame.
+/// oriented, and returns true; otherwise returns false and leaves `mesh` as it was. Then
+/// surface.mesh.opposite tells, for repairManifold, which half-edges are the two of an edge with
+/// faces in opposite directions; the others have -1. Cost: linear, parallel.
+bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface);
+
+/// Which vertices (1) have more than one fan, where some half-edges are joined. Where connect()
+/// failed, these are all that are to blame: an edge that is not shared by two faces in opposite
+/// directions was left without opposites, so that at its ends fans end that do not end there.
 /// Cost: linear, parallel.
-bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, Surface& surface,
-			 Buffer<char>* notManifold = nullptr);
+Buffer<char> findNotManifold(const IndexedMesh& mesh, const Buffer<int>& opposite,
+							 Workers& workers);
 
 /// What Surface::normal holds for a vertex.
 PackedNormal vertexNormal(const HalfEdgeMesh& mesh, int v);

@@ -67,37 +67,51 @@ Vec3f inward(const IndexedMesh& mesh, int h)
 	return normalized(tangential(mesh.position[mesh.triangle[prevInFace(h)]] - a, e));
 }
 
-std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName)
+Buffer<int> keepFaces(IndexedMesh& mesh, const std::vector<int>& kept, Workers& workers)
 {
-	int faces = 0;
-	for (int f = 0; f < mesh.faceNum; ++f) {
-		int corner[3];
-		for (int k = 0; k < 3; ++k)
-			corner[k] = newName[mesh.triangle[3 * f + k]];
-		if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
-		for (int k = 0; k < 3; ++k)
-			mesh.triangle[3 * faces + k] = corner[k];
-		mesh.sourceFace[faces++] = mesh.sourceFace[f];
-	}
-	const std::int64_t dropped = mesh.faceNum - faces;
-	mesh.faceNum               = faces;
+	Buffer<int> newFace(mesh.faceNum), triangle(3 * kept.size()), sourceFace(kept.size());
+	workers.forEach(mesh.faceNum, [&](int f) { newFace[f] = -1; });
+	workers.forEach(kept.size(), [&](int i) {
+		newFace[kept[i]] = i;
+		std::copy_n(&mesh.triangle[3 * kept[i]], 3, &triangle[3 * i]);
+		sourceFace[i] = mesh.sourceFace[kept[i]];
+	});
+	mesh.triangle.swap(triangle);
+	mesh.sourceFace.swap(sourceFace);
+	mesh.faceNum = int(kept.size());
+	return newFace;
+}
+
+std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName, Workers& workers)
+{
+	workers.forEach(std::size_t(3) * mesh.faceNum,
+					[&](int h) { mesh.triangle[h] = newName[mesh.triangle[h]]; });
+	const std::vector<int> kept    = workers.collectIf(mesh.faceNum, [&](int f) {
+        const int* corner = &mesh.triangle[3 * f];
+        return corner[0] != corner[1] && corner[1] != corner[2] && corner[2] != corner[0];
+    });
+	const std::int64_t     dropped = mesh.faceNum - std::int64_t(kept.size());
+	if (dropped > 0) keepFaces(mesh, kept, workers);
 	return dropped;
 }
 
-void dropUnusedVertices(IndexedMesh& mesh)
+void dropUnusedVertices(IndexedMesh& mesh, Workers& workers)
 {
-	std::vector<int> rename(mesh.vertexNum, -1);
-	for (int i = 0; i < 3 * mesh.faceNum; ++i)
-		rename[mesh.triangle[i]] = 0;
-	int kept = 0;
-	for (int v = 0; v < mesh.vertexNum; ++v) {
-		if (rename[v] < 0) continue;
-		rename[v]             = kept;
-		mesh.position[kept++] = mesh.position[v];
-	}
+	Buffer<int> numberUpTo(mesh.vertexNum, 0); // of the used vertices up to each one
+	workers.forEach(std::size_t(3) * mesh.faceNum, [&](int h) {
+		__atomic_store_n(&numberUpTo[mesh.triangle[h]], 1, __ATOMIC_RELAXED);
+	});
+	const int kept = workers.sumUp(numberUpTo.data(), mesh.vertexNum);
+	if (kept == mesh.vertexNum) return;
+	Buffer<Vec3f> position(kept);
+	workers.forEach(mesh.vertexNum, [&](int v) {
+		const int before = v == 0 ? 0 : numberUpTo[v - 1];
+		if (numberUpTo[v] > before) position[before] = mesh.position[v];
+	});
+	mesh.position.swap(position);
 	mesh.vertexNum = kept;
-	for (int i = 0; i < 3 * mesh.faceNum; ++i)
-		mesh.triangle[i] = rename[mesh.triangle[i]];
+	workers.forEach(std::size_t(3) * mesh.faceNum,
+					[&](int h) { mesh.triangle[h] = numberUpTo[mesh.triangle[h]] - 1; });
 }
 
 } // namespace gpr

@@ -8,6 +8,7 @@
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/vec.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <vector>
@@ -68,16 +69,31 @@ Buffer<T> copyOf(const Buffer<T>& from, Workers& workers)
 	return copyOf(from, from.size(), workers);
 }
 
+/// Makes it at least n values long; those it had are kept.
+template <class T>
+void makeRoom(Buffer<T>& values, std::size_t n, Workers& workers)
+{
+	if (values.size() >= n) return;
+	Buffer<T> longer(n);
+	workers.forRange(values.size(), [&](std::size_t begin, std::size_t end) {
+		std::copy(values.data() + begin, values.data() + end, longer.data() + begin);
+	});
+	values.swap(longer);
+}
+
 IndexedMesh copyOf(const IndexedMesh& from, Workers& workers);
 
 /// From the edge that begins at corner h into its face, perpendicular to the edge.
 Vec3f inward(const IndexedMesh& mesh, int h);
 
+/// Keeps these faces only, ascending, and returns per face its new number (-1 if it is dropped).
+Buffer<int> keepFaces(IndexedMesh& mesh, const std::vector<int>& kept, Workers& workers);
+
 /// Renames the corners; faces that have a corner twice then are dropped, and their number returned.
-std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName);
+std::int64_t renameCorners(IndexedMesh& mesh, const std::vector<int>& newName, Workers& workers);
 
 /// Drops vertices in no face and renames the others, which keep their order.
-void dropUnusedVertices(IndexedMesh& mesh);
+void dropUnusedVertices(IndexedMesh& mesh, Workers& workers);
 
 } // namespace gpr
 

@@ -100,37 +100,20 @@ void checkWhereAsked(RunContext& run, const Surface& surface, const ResultMesh& 
 	if (!failure.empty()) throw Failure(Status::PromiseBroken, failure);
 }
 
-/// What part of `before` is gone.
-double shareLost(double before, double after)
-{
-	return before > 0 ? std::max(0.0, 1 - after / before) : 0;
-}
-
-std::string sentenceWith(const char* format, double number)
-{
-	char sentence[160];
-	std::snprintf(sentence, sizeof sentence, format, number);
-	return sentence;
-}
-
 } // namespace
 
 void tellSmoothBorder(RunContext& run, const Frame& frame, const ResultMesh& result,
 					  BorderFigures& border)
 {
 	constexpr double leastShare = 5e-4; // what is below is not worth a word
-	if (!border.isSmooth) return;
+	if (!border.isSmooth()) return;
 	border.resultLength  = borderLength(result.mesh) / frame.scale;
-	const double shorter = shareLost(border.length, border.resultLength);
-	const double cut     = border.cutArea / border.area;
-	if (shorter < leastShare && cut < leastShare) return;
-	std::string note =
-		sentenceWith("The border is %.2g %% shorter than that of the input.", 100 * shorter);
-	if (cut >= leastShare)
-		note += sentenceWith(" Spikes narrower than an edge were cut off; they have %.2g %% of the "
-							 "area.",
-							 100 * cut);
-	run.tell(note);
+	const double shorter = 1 - border.resultLength / border.length;
+	if (shorter < leastShare) return;
+	char sentence[80];
+	std::snprintf(sentence, sizeof sentence,
+				  "The border is %.2g %% shorter than that of the input.", 100 * shorter);
+	run.tell(sentence);
 }
 
 void verifyResult(RunContext& run, const Surface& surface, const ResultMesh& result,

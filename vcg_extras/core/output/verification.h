@@ -33,7 +33,7 @@ struct Verification {
 };
 
 /// With BoundaryMode::Smooth, adds the length of the result's border to the figures, and tells the
-/// user how much shorter that is, and what was cut off.
+/// user how much shorter that is.
 void tellSmoothBorder(RunContext& run, const Frame& frame, const ResultMesh& result,
 					  BorderFigures& border);
 

@@ -421,16 +421,15 @@ private:
 				u >= 0 ? m_.position[u] : sampling_.samples[out.label[v]].point.position;
 		});
 		collectFaces(out, mesh);
-		Buffer<int>  faceStart;
-		Buffer<char> notManifold;
+		Buffer<int> faceStart;
 		orderFaces(mesh, workers_, faceStart);
 		Surface connected;
-		if (connect(mesh, faceStart, workers_, connected, &notManifold)) {
+		if (connect(mesh, faceStart, workers_, connected)) {
 			out.mesh = std::move(connected.mesh);
 			carryCreases(out);
 			return markWrongBorders(out);
 		}
-		markBad(out, notManifold);
+		markBad(out, findNotManifold(mesh, connected.mesh.opposite, workers_));
 		return false;
 	}
 

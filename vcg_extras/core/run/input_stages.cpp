@@ -7,12 +7,10 @@
 #include <vcg_extras/core/input/cleaning.h>
 #include <vcg_extras/core/input/memory_need.h>
 #include <vcg_extras/core/input/split_long_edges.h>
-#include <vcg_extras/core/input/stray_faces.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/results.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <utility>
 
 namespace gpr {
@@ -53,19 +51,6 @@ bool areSame(const FeatureThresholds& a, const FeatureThresholds& b)
 }
 
 // ---- Edges that are too long for the sampling.
-
-void tellStrayFaces(RunContext& run, const IndexedMesh& mesh, const std::vector<int>& longFaces)
-{
-	const StrayFaces stray = findStrayFaces(mesh, longFaces, run.workers);
-	if (stray.num == 0) return;
-	char sentence[240];
-	std::snprintf(sentence, sizeof sentence,
-				  "%lld of the faces reach so far out that without them the mesh would be %.0f "
-				  "times as small; they have %.2g %% of the area and take as much of the result. "
-				  "If they are stray, remove them first.",
-				  static_cast<long long>(stray.num), stray.sizeRatio, 100 * stray.areaShare);
-	run.tell(sentence);
-}
 
 void splitTooLong(RunContext& run, const LongFaces& tooLong, std::int64_t vertexNum,
 				  IndexedMesh& mesh, WorkingSurface& surface)
@@ -201,7 +186,6 @@ SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache
 	run.clock.enter(Stage::SplitLongEdges);
 	const LongFaces tooLong = findTooLong(made.input->mesh, made.input->extents,
 										  usualRadius(made, run.options, num), run.workers);
-	tellStrayFaces(run, made.input->mesh, tooLong.faces);
 	requireMemory(bytesNeeded(facesAfterSplitting(made.input->mesh, tooLong.faces, tooLong.longest),
 							  double(num)),
 				  availableMemoryBytes());
@@ -214,10 +198,10 @@ SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache
 		if (!tooLong.faces.empty()) splitTooLong(run, tooLong, num, mesh, surface);
 		isConnected = connectCleaned(run, sewing, mesh, surface.cleaned, surface);
 	}
+	surface.border = BorderFigures();
 	if (isConnected && run.options.boundary == BoundaryMode::Smooth)
-		cutBorderSpikes(run, idealEdge(made, num), surface, surface.area, surface.cleaned,
-						surface.border);
-	return {!isConnected, {surface.area, surface.frame.scale}};
+		surface.border.length = borderLength(surface.mesh) / surface.frame.scale;
+	return {!isConnected};
 }
 
 void fillCache(RunContext& run, InputCache& cache, Products& made)

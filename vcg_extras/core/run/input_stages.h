@@ -77,8 +77,8 @@ InputFacts makeInput(RunContext& run, const Decisions& decisions, InputCache* ca
 					 Products& made);
 
 /// Step Surface: splits edges that are too long for the sampling, orders the mesh in space,
-/// connects its faces, repairs it where it is not manifold, and cuts border spikes off where the
-/// border is to be smooth. Throws Failure where memory would not do.
+/// connects its faces, and repairs it where it is not manifold. Throws Failure where memory would
+/// not do.
 SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache* cache,
 						 Products& made);
 

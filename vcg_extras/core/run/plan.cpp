@@ -202,7 +202,6 @@ std::string Plan::judge(const SurfaceFacts& facts)
 		decisions_.sewing = Sewing::First;
 		return returnTo(Step::Input);
 	}
-	resolveCount(facts.input);
 	attempts_.preparedFor = decisions_.spacedFor();
 	goOn();
 	return "";

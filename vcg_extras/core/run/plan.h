@@ -86,8 +86,7 @@ struct InputFacts {
 	double scale = 1; ///< from mesh to working units
 };
 struct SurfaceFacts {
-	bool       mustSewFirst = false; ///< it has seams that are to be sewn: there is no surface
-	InputFacts input;                ///< spikes of the border may have been cut off
+	bool mustSewFirst = false; ///< it has seams that are to be sewn: there is no surface
 };
 struct SizeFacts {
 	std::int64_t keptNum = 0; ///< the caller's vertices that are to stay

@@ -23,7 +23,6 @@ void reportInput(const MeshView& input, const WorkingSurface& surface, RemeshRep
 	report.cleanedInput = surface.figures;
 	report.border       = surface.border;
 	report.input        = surface.figures;
-	report.input.area += surface.border.cutArea; // it was measured without
 	if (surface.figures.faces == 0) return;
 	report.input.vertices = std::int64_t(input.vertexNum);
 	report.input.faces    = std::int64_t(input.faceNum);

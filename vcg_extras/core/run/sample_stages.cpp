@@ -130,10 +130,10 @@ NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& ma
 										made.samples.curves, made.samples.partition, run.workers);
 	made.curves = std::move(made.samples.curves);
 	made.samples.release();
-	result.idealEdge   = idealEdge(made, decisions.spacedFor());
-	result.keepsBorder = run.options.boundary == BoundaryMode::Keep;
-	result.hasSmoothBorder =
-		borderMode(run.options, decisions) == BoundaryMode::Smooth && made.surface.border.isSmooth;
+	result.idealEdge       = idealEdge(made, decisions.spacedFor());
+	result.keepsBorder     = run.options.boundary == BoundaryMode::Keep;
+	result.hasSmoothBorder = borderMode(run.options, decisions) == BoundaryMode::Smooth &&
+							 made.surface.border.isSmooth();
 	run.clock.enter(Stage::Flips);
 	flipEdges(run, result);
 	if (decisions.purpose == Purpose::OfGivenSamples) return {};

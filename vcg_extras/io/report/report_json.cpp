@@ -152,9 +152,7 @@ Json checkJson(const CheckFigures& c, double diagonal)
 
 Json borderJson(const BorderFigures& b)
 {
-	return {{"cutFaces", b.cutFaceNum},
-			{"cutAreaPercent", 100 * b.cutArea / b.area},
-			{"length", b.length},
+	return {{"length", b.length},
 			{"resultLength", b.resultLength},
 			{"lengthLostPercent", 100 * (1 - b.resultLength / b.length)}};
 }
@@ -211,7 +209,7 @@ std::string remeshReportJson(const RunRecord& run)
 	json["cleaned"] = cleanedJson(r.cleaned);
 	json["audit"]   = auditJson(r.audit, r.result);
 	if (r.check.done) json["check"] = checkJson(r.check, r.input.diagonal);
-	if (r.border.isSmooth) json["border"] = borderJson(r.border);
+	if (r.border.isSmooth()) json["border"] = borderJson(r.border);
 	if (r.isDistanceProven) json["error"] = errorJson(r);
 	json["fitDistance"]     = r.largestFitDistance;
 	json["capsReached"]     = r.capsReached;

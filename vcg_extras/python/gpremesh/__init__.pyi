@@ -130,9 +130,8 @@ def remesh(
         and vertices are placed on them anew. keep: each of their vertices stays where it is, and
         none is added; the triangles grow from the spacing there to the wanted size. free: evenly
         spaced vertices, which cut corners off. smooth: for the ragged borders of scans. The border
-        becomes a smooth curve that stays within half an edge of the scan's border. Spikes narrower
-        than an edge are cut off, and corners are rounded. The report tells the area and the length
-        of the border that are lost.
+        becomes a smooth curve that stays within half an edge of the scan's border, and corners are
+        rounded. The report tells how much of the border's length is lost.
     feature_region : {'none', 'detected', 'selection', 'auto'}, default 'auto'
         The part of the surface where vertices are denser, section 3.1.1 of the paper. none: there
         is none. detected: what the feature detection finds by the strength of the edges. selection:
@@ -300,9 +299,8 @@ def sample(
         and vertices are placed on them anew. keep: each of their vertices stays where it is, and
         none is added; the triangles grow from the spacing there to the wanted size. free: evenly
         spaced vertices, which cut corners off. smooth: for the ragged borders of scans. The border
-        becomes a smooth curve that stays within half an edge of the scan's border. Spikes narrower
-        than an edge are cut off, and corners are rounded. The report tells the area and the length
-        of the border that are lost.
+        becomes a smooth curve that stays within half an edge of the scan's border, and corners are
+        rounded. The report tells how much of the border's length is lost.
     feature_region : {'none', 'detected', 'selection', 'auto'}, default 'auto'
         The part of the surface where vertices are denser, section 3.1.1 of the paper. none: there
         is none. detected: what the feature detection finds by the strength of the edges. selection:
