@@ -116,7 +116,7 @@ TEST(SmoothBorder, TheReportTellsWhatIsLost)
 	EXPECT_TRUE(b.isSmooth());
 	const double length = double(factsOf(mesh).borderEdges); // all are sides of squares
 	EXPECT_NEAR(b.length, length, 1e-3 * length);
-	EXPECT_LT(b.resultLength, 0.95 * b.length);
+	EXPECT_LT(b.resultLength, 0.85 * b.length);
 	ASSERT_FALSE(r.notes.empty());
 	EXPECT_NE(r.notes.back().find("The border is"), std::string::npos) << r.notes.back();
 

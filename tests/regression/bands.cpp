@@ -102,7 +102,7 @@ std::vector<Band> bands()
 		{"OpenBunnyTo10",     bunny, "open",       percent(10),       .981,  .937,  31.5, 89,   0,     0,    .041,   .19,  .33,  .1,    any,  Apart | NoLines},
 		{"OpenBunnyTo20Keep", bunny, "open keep",  percent(20),       .981,  .936,  31.5, 89.5, 0,     0,    .0275,  .131, .235, 0,     any,  Apart | NoLines},
 		{"OpenBunnyTo10Free", bunny, "open free",  percent(10),       .981,  .936,  31.5, 89,   0,     0,    .041,   .177, .33,  .1,    any,  Apart | NoLines},
-		{"OpenBunnyTo10Smooth", bunny, "open smooth", percent(10),    .984,  .94,   32,   89,   0,     0,    .041,   .174, .32,  .28,   any,  Apart | NoLines},
+		{"OpenBunnyTo10Smooth", bunny, "open smooth", percent(10),    .984,  .94,   32,   89,   0,     0,    .041,   .184, .52,  .28,   any,  Apart | NoLines},
 
 		{"IgeaTo5",           igea, "even",        vertices(13434),   .9915, .96,   31,   94,   0,     0,    .0162,  any,  any,  any,   any,  None},
 		{"IgeaTo5Adapted",    igea, "adapt1",      vertices(13434),   .98,   .935,  29.5, 90,   0,     0,    .0143,  any,  any,  any,   any,  None},

@@ -201,8 +201,8 @@ TEST(SmoothBorder, LeavesFewSmallAnglesOnARangeMap)
 		EXPECT_EQ(facts.components, 39); // those of the repaired scan
 		EXPECT_EQ(facts.boundaryLoops, 60);
 		EXPECT_EQ(facts.euler(), 18);
-		EXPECT_GE(r.report.quality.radiusRatioMean, 0.97);
-		EXPECT_LE(r.report.border.resultLength, 0.72 * r.report.border.length);
+		EXPECT_GE(r.report.quality.radiusRatioMean, 0.965);
+		EXPECT_LE(r.report.border.resultLength, 0.8 * r.report.border.length);
 		below30 += r.report.quality.below30Percent / 3;
 	}
 	EXPECT_LE(below30, 0.3); // 4.3 by default

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace gpr::test {
 
@@ -35,17 +36,15 @@ Surface surfaceOf(IndexedMesh&& indexed, Workers& workers)
 	return surface;
 }
 
-bool repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
+void repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 {
 	Buffer<int> faceStart;
 	Surface     surface;
 	orderSpatially(mesh, workers, faceStart);
-	const bool isManifold = connect(mesh, faceStart, workers, surface);
-	if (isManifold)
-		mesh = disconnect(surface);
-	else
-		repairManifold(mesh, surface.mesh.opposite, workers, counts);
-	return !isManifold;
+	const bool  isManifold = connect(mesh, faceStart, workers, surface);
+	Buffer<int> link       = std::move(surface.mesh.opposite);
+	if (isManifold) mesh = disconnect(surface);
+	repairManifold(mesh, link, workers, counts);
 }
 
 HalfEdgeMesh halfEdgesOf(const TriangleMesh& mesh, int spareVertices, int spareFaces)

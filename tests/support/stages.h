@@ -22,8 +22,8 @@ IndexedMesh loaded(const TriangleMesh& mesh, Workers& workers);
 /// Loaded, ordered and connected; throws std::logic_error if the mesh is not manifold.
 Surface surfaceOf(const TriangleMesh& mesh, Workers& workers);
 Surface surfaceOf(IndexedMesh&& mesh, Workers& workers);
-/// Orders a mesh and repairs it as cleaning does. False if it is manifold and was left as it is.
-bool repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
+/// Orders a mesh and repairs it, even where it is manifold.
+void repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
 /// A half-edge mesh in the numbering of the mesh, opposites found by comparing all edges. The mesh
 /// must be manifold. There is room for as many more vertices and faces as asked.
 HalfEdgeMesh halfEdgesOf(const TriangleMesh& mesh, int spareVertices = 0, int spareFaces = 0);
