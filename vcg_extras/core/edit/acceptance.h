@@ -34,18 +34,17 @@ struct Acceptance {
 
 /// What changes a mesh of triangles.
 enum class Driver {
-	Relaxation,     ///< moves of all vertices on the surface
-	Fit,            ///< moves of all vertices to the input
-	CurveFit,       ///< moves of vertices of curves to their curve
-	Count,          ///< collapses for the exact count
-	InvertedFaces,  ///< local search before the fit
-	AnglesOnly,     ///< local search where no fit follows
-	PoorFaces,      ///< local search after the fit
-	LargeAngles,    ///< the same for the largest angles
-	WorstDistances, ///< moves where input and result are farthest apart
-	Refinement,     ///< splits for an error that is asked for
-	GuardedSlide,   ///< slides in patches that the guard has made
-	GuardedFlip,    ///< flips there
+	Relaxation,        ///< moves of all vertices on the surface
+	Fit,               ///< moves of all vertices to the input
+	CurveFit,          ///< moves of vertices of curves to their curve
+	Count,             ///< collapses for the exact count
+	InvertedFaces,     ///< local search before the fit
+	AnglesOnly,        ///< local search where no fit follows
+	PoorFaces,         ///< local search after the fit
+	LargeAngles,       ///< the same for the largest angles
+	WorstDistances,    ///< moves where input and result are farthest apart
+	Refinement,        ///< splits for an error that is asked for
+	GuardedRelaxation, ///< flips and slides where the guard has made vertices
 };
 
 /// A face that agrees less with the surface than this, 73°, is about to turn over.

@@ -6,6 +6,7 @@
 #include "distance_guard.h"
 
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/edit/acceptance.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 #include <algorithm>
@@ -21,12 +22,6 @@ constexpr int roundNum = 12;
 constexpr int halvingNum = 3;
 /// Pull to the barycentre over that of the planes.
 constexpr double barycentreWeight = 0.1;
-/// Cosine between the normals of a face before and after, and between a face and the normals of
-/// what it stands for.
-constexpr float leastTurn = 0.7f, leastAgreement = 0.2f;
-/// Vertices do not get farther from the planes of what they stand for, and flipped edges not
-/// farther apart, in ideal edges, than this, or than they were.
-constexpr double farthest = 0.1;
 /// Cosine between two faces at which their edge is sharp.
 constexpr float sharpCosine = 0.766f;
 /// Shape of triangles that are all but lines.
@@ -48,8 +43,9 @@ float cosineOf(const Vec3f& a, const Vec3f& b)
 class Relaxation {
 public:
 	Relaxation(double idealEdge, GuardedMesh& guarded, Workers& workers) :
-			farthest_(farthest * idealEdge), g_(guarded), m_(guarded.mesh), workers_(workers),
-			guard_(m_, g_.hadContacts, workers), distances_(g_, farthest_, workers)
+			farthest_(double(limits_.distance) * idealEdge), g_(guarded), m_(guarded.mesh),
+			workers_(workers), guard_(m_, g_.hadContacts, workers),
+			distances_(g_, farthest_, workers)
 	{
 	}
 
@@ -67,6 +63,10 @@ public:
 	}
 
 private:
+	/// The agreement is that with the normals of what a face stands for. Vertices do not get
+	/// farther from the planes of what they stand for, and flipped edges not farther apart, than
+	/// the distance, or than they were.
+	const Acceptance           limits_ = acceptanceOf(Driver::GuardedRelaxation);
 	double                     farthest_; ///< working units
 	GuardedMesh&               g_;
 	HalfEdgeMesh&              m_;
@@ -127,11 +127,11 @@ private:
 		// The normal of what is all but a line says nothing.
 		const bool isNeedle = before < needleShape;
 		if (newBend < sharpCosine && newBend < bend && !isNeedle) return false;
-		if (bend < sharpCosine && newBend < leastTurn && !isNeedle) return false;
+		if (bend < sharpCosine && newBend < limits_.turn && !isNeedle) return false;
 		const Vec3f mean = o[0] + o[1];
-		return cosineOf(n[0], mean) > leastTurn && cosineOf(n[1], mean) > leastTurn &&
-			   g_.agrees(made_[0].vertex, n[0], leastAgreement) &&
-			   g_.agrees(made_[1].vertex, n[1], leastAgreement);
+		return cosineOf(n[0], mean) > limits_.turn && cosineOf(n[1], mean) > limits_.turn &&
+			   g_.agrees(made_[0].vertex, n[0], limits_.agreement) &&
+			   g_.agrees(made_[1].vertex, n[1], limits_.agreement);
 	}
 
 	/// How far the edge that two triangles share lies from that between their apexes: between the
@@ -216,9 +216,9 @@ private:
 			}
 			const Vec3f normal = t.cross();
 			if (isLine(t.at[0], t.at[1], t.at[2], normal)) return false;
-			if (cosineOf(normal, old) < leastTurn) return false;
-			if (!g_.agrees(t.vertex, normal, leastAgreement) &&
-				g_.agrees(t.vertex, old, leastAgreement))
+			if (cosineOf(normal, old) < limits_.turn) return false;
+			if (!g_.agrees(t.vertex, normal, limits_.agreement) &&
+				g_.agrees(t.vertex, old, limits_.agreement))
 				return false;
 			made_.push_back(t);
 		}

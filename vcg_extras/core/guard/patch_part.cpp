@@ -27,9 +27,9 @@ int placeOf(int value, const std::vector<int>& ascending)
 std::vector<int> facesNear(const ResultMesh& whole, const FaceBoxes& tree,
 						   const std::vector<int>& faces, const std::vector<int>& ofPart)
 {
-	const float       distance = nearPatch * whole.idealEdge;
-	const Vec3f       margin(distance, distance, distance);
-	std::vector<int>  found;
+	const float      distance = nearPatch * whole.idealEdge;
+	const Vec3f      margin(distance, distance, distance);
+	std::vector<int> found;
 	for (int f : faces) {
 		const Box<float> box = boxOfFace(whole.mesh, f);
 		tree.forEachMeeting({box.low - margin, box.high + margin}, [&](int place) {
@@ -130,8 +130,7 @@ PatchPart cutPart(const ResultMesh& whole, const FaceBoxes& tree, const std::vec
 	const std::vector<int> inner = widened(whole.mesh, faces, ringsOfPart - 1);
 	part.face                    = widened(whole.mesh, inner, 1);
 	const int  partNum           = int(part.face.size());
-	const auto near =
-		facesNear(whole, tree, widened(whole.mesh, faces, ringsChanged), part.face);
+	const auto near = facesNear(whole, tree, widened(whole.mesh, faces, ringsChanged), part.face);
 	part.face.insert(part.face.end(), near.begin(), near.end());
 	PartMesh(whole, partNum, part).run();
 	for (std::size_t f = 0; f < part.face.size(); ++f) {
@@ -177,8 +176,8 @@ public:
 		for (int v = 0; v < old.vertexNum; ++v) {
 			const int to = newIndex_[std::size_t(v)];
 			if (to < 0) continue;
-			m_.position[to]              = old.position[v];
-			vertex_[std::size_t(to)]     = whole_.vertex[std::size_t(v)];
+			m_.position[to]          = old.position[v];
+			vertex_[std::size_t(to)] = whole_.vertex[std::size_t(v)];
 		}
 		for (std::size_t i = 0; i < parts_.size(); ++i)
 			add(parts_[i], vertexName_[i], faceName_[i]);
@@ -191,7 +190,7 @@ private:
 	const std::vector<FilledPart>& parts_;
 	ResultMesh&                    whole_;
 	std::vector<int>&              newIndex_;
-	std::vector<int>               newFace_; ///< per face of the whole, or -1
+	std::vector<int>               newFace_;               ///< per face of the whole, or -1
 	std::vector<std::vector<int>>  vertexName_, faceName_; ///< per part: of filled vertices, faces
 	HalfEdgeMesh                   m_;
 	std::vector<ResultVertex>      vertex_;
@@ -231,7 +230,7 @@ private:
 	/// The half-edge of the whole that half-edge h of a filled mesh still is, or -1.
 	static int oldHalfEdge(const FilledPart& p, int h)
 	{
-		const HalfEdgeMesh& m = p.filled.mesh;
+		const HalfEdgeMesh& m   = p.filled.mesh;
 		const auto          old = [&](int v) { return p.filled.oldVertex[std::size_t(v)]; };
 		const int           a = old(m.origin[h]), b = old(m.target(h)), c = old(m.apex(h));
 		if (a < 0 || b < 0 || c < 0) return -1;
@@ -245,9 +244,9 @@ private:
 	{
 		faceName_.emplace_back();
 		for (int f = 0; f < p.filled.mesh.faceNum; ++f) {
-			const int  old     = oldHalfEdge(p, 3 * f);
-			const bool isLeft = old >= 0 && !std::binary_search(p.replaced.begin(),
-																p.replaced.end(), old / 3);
+			const int  old = oldHalfEdge(p, 3 * f);
+			const bool isLeft =
+				old >= 0 && !std::binary_search(p.replaced.begin(), p.replaced.end(), old / 3);
 			faceName_.back().push_back(isLeft ? -1 : m_.faceNum++);
 		}
 	}
@@ -260,12 +259,14 @@ private:
 			const int f = faceName[std::size_t(h / 3)];
 			if (f < 0) continue;
 			const int to = 3 * f + h % 3, v = from.origin[h], name = vertexName[std::size_t(v)];
-			m_.origin[to]               = name;
-			m_.position[name]           = from.position[v];
+			m_.origin[to]              = name;
+			m_.position[name]          = from.position[v];
 			vertex_[std::size_t(name)] = p.filled.vertex[std::size_t(v)];
-			const int g                 = from.opposite[h];
-			const int across            = g < 0 ? -1 : faceName[std::size_t(g / 3)];
-			m_.opposite[to] = g < 0 ? -1 : across < 0 ? renamed(oldHalfEdge(p, g)) : 3 * across + g % 3;
+			const int g                = from.opposite[h];
+			const int across           = g < 0 ? -1 : faceName[std::size_t(g / 3)];
+			m_.opposite[to]            = g < 0        ? -1
+										 : across < 0 ? renamed(oldHalfEdge(p, g))
+													  : 3 * across + g % 3;
 			if (g >= 0 && across < 0) m_.opposite[m_.opposite[to]] = to;
 		}
 	}

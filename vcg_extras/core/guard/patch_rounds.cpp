@@ -127,12 +127,12 @@ private:
 	/// The faces between the vertices of a patch.
 	std::vector<int> facesOf(const Patch& patch) const
 	{
-		std::vector<int> faces = facesRound(result_.mesh, patch.vertex);
+		std::vector<int> faces     = facesRound(result_.mesh, patch.vertex);
 		const auto       isOutside = [&](int f) {
-			const int* corner = &result_.mesh.origin[3 * f];
-			return std::any_of(corner, corner + 3, [&](int v) {
-				return !std::binary_search(patch.vertex.begin(), patch.vertex.end(), v);
-			});
+            const int* corner = &result_.mesh.origin[3 * f];
+            return std::any_of(corner, corner + 3, [&](int v) {
+                return !std::binary_search(patch.vertex.begin(), patch.vertex.end(), v);
+            });
 		};
 		faces.erase(std::remove_if(faces.begin(), faces.end(), isOutside), faces.end());
 		return faces;
@@ -207,8 +207,8 @@ private:
 		for (int f : part.face)
 			marked.push_back(std::binary_search(faces.begin(), faces.end(), f));
 		PatchFilling filling(making_, part.result, inner);
-		const bool   fits = filling.fill(
-            marked, [&](const std::vector<char>& m) { return part.hasRoomFor(m); });
+		const bool   fits =
+			filling.fill(marked, [&](const std::vector<char>& m) { return part.hasRoomFor(m); });
 		out.work     = filling.work() + double(part.face.size());
 		out.isFilled = fits && filling.isSound() && isBetter(part, filling, inner, marked);
 		out.grown    = part.inWhole(marked);
@@ -229,8 +229,8 @@ private:
 		const std::vector<FacePair> left =
 			touchingIn(filling.mesh(), inner, [&](int f) { return filling.isChanged(f); });
 		if (left.empty()) return true;
-		const std::vector<FacePair> before = touchingIn(
-			part.result.mesh, inner, [&](int f) { return marked[std::size_t(f)] != 0; });
+		const std::vector<FacePair> before =
+			touchingIn(part.result.mesh, inner, [&](int f) { return marked[std::size_t(f)] != 0; });
 		if (left.size() < before.size()) return true;
 		filling.markAround(left, marked);
 		return false;
@@ -269,8 +269,8 @@ private:
 		putBack(filled, result_, newIndex);
 		rename(newIndex);
 		for (const FilledPart& part : filled)
-			outcome_.madeNum += std::count(part.filled.oldVertex.begin(),
-										   part.filled.oldVertex.end(), -1);
+			outcome_.madeNum +=
+				std::count(part.filled.oldVertex.begin(), part.filled.oldVertex.end(), -1);
 	}
 
 	void rename(const std::vector<int>& newIndex)

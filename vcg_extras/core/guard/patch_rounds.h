@@ -13,9 +13,9 @@ namespace gpr {
 
 /// What was made in patches.
 struct PatchOutcome {
-	std::int64_t          madeNum  = 0;     ///< vertices
-	bool                  isCapped = false; ///< patches were left out, since the work would be too much
-	std::vector<FacePair> pairs;            ///< that are left, without the input's own
+	std::int64_t madeNum  = 0;     ///< vertices
+	bool         isCapped = false; ///< patches were left out, since the work would be too much
+	std::vector<FacePair> pairs;   ///< that are left, without the input's own
 };
 
 /// Makes patches of a result anew (PatchFilling) around pairs of faces that touch. Each is cut out
