@@ -22,7 +22,7 @@ constexpr int maxSearchedCounts = 8;
 /// Share of the vertices that lines and borders may take before the weaker of close lines go.
 constexpr double maxOnCurves = 0.5;
 /// Corrections of the radius: with vertices to be kept the rest of the count is a small number.
-constexpr int maxCorrections = 1, maxCorrectionsWithKept = 6;
+constexpr int maxCorrections = 2, maxCorrectionsWithKept = 6;
 /// Smaller triangles may touch others, and what is made anew there may be too far from the input.
 constexpr int maxRefinements = 3;
 
