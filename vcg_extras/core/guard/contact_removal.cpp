@@ -150,14 +150,10 @@ public:
 			const int anchor = guarded_->anchor[v], name = ofAnchor[std::size_t(anchor)];
 			vertex[v] = anchor >= inputNum_ ? result_.vertex[std::size_t(name)]
 											: madeVertex(making_.surface, name, *guarded_, int(v));
-			madeNum_ += anchor < inputNum_;
 		}
 		result_.mesh   = std::move(guarded_->mesh);
 		result_.vertex = std::move(vertex);
 	}
-
-	/// Vertices that take() has put in the place of others.
-	std::int64_t madeNum() const { return madeNum_; }
 
 private:
 	const MakingOfVertices& making_;
@@ -166,8 +162,7 @@ private:
 	Parts                   parts_;
 	std::vector<int>        ofInput_;  ///< per vertex of the input: of the mesh put together, or -1
 	std::vector<int>        ofResult_; ///< the same of the result
-	int          inputNum_ = 0;        ///< vertices of the mesh put together that are the input's
-	std::int64_t madeNum_  = 0;
+	int inputNum_ = 0;                 ///< vertices of the mesh put together that are the input's
 	std::unique_ptr<GuardedMesh> guarded_;
 
 	/// Where sizes follow the error distance counts more than length.
@@ -230,57 +225,40 @@ private:
 
 /// Makes components anew where that is possible.
 ContactOutcome replaceComponents(const MakingOfVertices& making, const std::vector<int>& faces,
-								 bool inputHasContacts, ResultMesh& result, GuardedFigures& figures,
-								 Workers& workers)
+								 bool inputHasContacts, ResultMesh& result, Workers& workers)
 {
 	const std::int64_t before = result.mesh.vertexNum;
 	Replacement replacement(making, result, chooseParts(making.surface, result, faces, workers),
 							workers);
 	replacement.decimate(inputHasContacts);
 	const std::int64_t reached = replacement.reached();
-	if (reached > before && inputHasContacts) return {before, false}; // nothing is promised
+	if (reached > before && inputHasContacts) return {before}; // nothing is promised
 	if (reached > before && !making.mayEndAbove) return {reached, true};
 	// Where a face of the input has no area its neighbours touch: nothing is promised there either.
-	if (!replacement.relax()) return {before, false};
+	if (!replacement.relax()) return {before};
 	replacement.take();
-	std::int64_t& madeNum = figures.vertexNum; // patches may be among these
-	madeNum = std::min(madeNum + replacement.madeNum(), std::int64_t(result.mesh.vertexNum));
-	return {reached, false};
+	return {reached};
 }
 
-/// What is done about the pairs of a result.
-class Repair {
-public:
-	Repair(const MakingOfVertices& making, const InputContacts& ofInput, ResultMesh& result,
-		   GuardedFigures& figures, Workers& workers) :
-			making_(making),
-			ofInput_(ofInput), result_(result), figures_(figures), workers_(workers)
-	{
+/// Makes anew what is near the pairs, then whole components.
+ContactOutcome makeAnew(const MakingOfVertices& making, const InputContacts& ofInput,
+						std::vector<FacePair> pairs, ResultMesh& result, Workers& workers)
+{
+	bool isCapped = false;
+	if (result.mesh.vertexNum >= leastForPatches) {
+		PatchOutcome patches = fillPatches(making, ofInput, pairs, result, workers);
+		pairs                = std::move(patches.pairs);
+		isCapped             = patches.isCapped;
 	}
-
-	/// Only what is near the pairs, then whole components.
-	ContactOutcome run(std::vector<FacePair> pairs)
-	{
-		if (result_.mesh.vertexNum >= leastForPatches) {
-			PatchOutcome patches = fillPatches(making_, ofInput_, pairs, result_, workers_);
-			figures_.vertexNum += patches.madeNum;
-			pairs = std::move(patches.pairs);
-		}
-		if (pairs.empty()) return {result_.mesh.vertexNum};
-		const Surface& surface = making_.surface;
-		const bool     inputHasContacts =
-			!findTouchingPairs(surface.mesh, workers_, Seams::Apart).empty();
-		return replaceComponents(making_, facesOf(pairs), inputHasContacts, result_, figures_,
-								 workers_);
+	ContactOutcome outcome{result.mesh.vertexNum};
+	if (!pairs.empty()) {
+		const bool inputHasContacts =
+			!findTouchingPairs(making.surface.mesh, workers, Seams::Apart).empty();
+		outcome = replaceComponents(making, facesOf(pairs), inputHasContacts, result, workers);
 	}
-
-private:
-	const MakingOfVertices& making_;
-	const InputContacts&    ofInput_;
-	ResultMesh&             result_;
-	GuardedFigures&         figures_;
-	Workers&                workers_;
-};
+	outcome.isCapped = isCapped;
+	return outcome;
+}
 
 } // namespace
 
@@ -297,8 +275,11 @@ ContactOutcome removeContacts(const MakingOfVertices& making, KnownContacts& con
 	figures.inputPairNum               = ofInput.pairNum();
 	const std::vector<FacePair> others = ofInput.withoutInputs(result.mesh, pairs);
 	if (others.empty()) return outcome;
-	outcome = Repair(making, ofInput, result, figures, workers).run(others);
-	if (outcome.isRefused || figures.vertexNum == 0) return outcome;
+	outcome = makeAnew(making, ofInput, others, result, workers);
+	if (outcome.isRefused) return outcome;
+	figures.vertexNum = std::count_if(result.vertex.begin(), result.vertex.end(),
+									  [](const ResultVertex& v) { return v.isMade; });
+	if (figures.vertexNum == 0) return outcome;
 	outcome.hasMade = true;
 	figures.pairNum = std::int64_t(contacts.find(result.mesh, workers).size());
 	return outcome;

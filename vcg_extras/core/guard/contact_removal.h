@@ -21,6 +21,7 @@ struct ContactOutcome {
 	/// Self-intersections are left: without them there would be more vertices than there may be.
 	bool isRefused = false;
 	bool hasMade   = false; ///< vertices were made here, in this call or in one before
+	bool isCapped  = false; ///< patches were left out, since the work would be too much
 };
 
 /// Looks for self-intersections of the finished result, exactly and touching included; what is

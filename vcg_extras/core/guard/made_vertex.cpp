@@ -12,6 +12,7 @@ ResultVertex madeVertex(const Surface& surface, int surfaceVertex, const Guarded
 	vertex.point    = nearestByDescent(surface.mesh, surfaceVertex, made.mesh.position[v]);
 	vertex.normal   = surface.mesh.faceNormal(vertex.point.face);
 	vertex.isPinned = made.isFixed[std::size_t(v)] != 0;
+	vertex.isMade   = true;
 	return vertex;
 }
 

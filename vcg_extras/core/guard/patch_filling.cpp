@@ -123,6 +123,7 @@ ResultVertex PatchFilling::recordOf(int v) const
 	const int    near  = making_.surface.mesh.origin[3 * before.point.face];
 	ResultVertex moved = madeVertex(making_.surface, near, *refilled_.guarded, v);
 	moved.sample       = before.sample;
+	moved.isMade       = before.isMade;
 	return moved;
 }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <utility>
 
 namespace gpr {
@@ -17,6 +18,8 @@ namespace {
 constexpr int roundNum = 4;
 /// A patch that still does not fit after so many tries is given up.
 constexpr int mostTries = 8;
+/// A larger share of a component is no better as a patch than the component made anew.
+constexpr double mostOfComponent = 0.75;
 /// Vertices of the input that are looked at, as many times as it has faces.
 constexpr double mostWork = 20;
 
@@ -25,6 +28,9 @@ struct Patch {
 	std::vector<int> vertex; ///< ascending
 	int              tries = 0;
 };
+
+/// Faces that touch, the first one ascending.
+using Partners = std::vector<std::pair<int, int>>;
 
 /// What became of a patch in its turn.
 struct Try {
@@ -74,10 +80,11 @@ private:
 		for (const FacePair& pair : pairs)
 			marked[std::size_t(pair.first)] = marked[std::size_t(pair.second)] = 1;
 		widenMarks(m, rings, marked);
+		const Partners partners = partnersIn(pairs);
 		for (int f = 0; f < m.faceNum; ++f) {
 			if (!marked[std::size_t(f)]) continue;
 			Patch patch;
-			patch.vertex = verticesOf(m, takeConnected(f, marked));
+			patch.vertex = verticesOf(m, takeConnected(f, partners, marked));
 			if (!isLost(patch)) waiting_.push_back(std::move(patch));
 		}
 		std::stable_sort(waiting_.begin(), waiting_.end(), [](const Patch& a, const Patch& b) {
@@ -91,19 +98,36 @@ private:
 						   [&](int v) { return isLost_[std::size_t(v)] != 0; });
 	}
 
-	/// The marked faces that hang together with f; their marks go.
-	std::vector<int> takeConnected(int f, std::vector<char>& marked) const
+	/// The pairs in both orders, ascending.
+	static Partners partnersIn(const std::vector<FacePair>& pairs)
 	{
-		std::vector<int> faces = {f};
-		marked[std::size_t(f)] = 0;
+		Partners partners;
+		for (const FacePair& pair : pairs) {
+			partners.push_back({pair.first, pair.second});
+			partners.push_back({pair.second, pair.first});
+		}
+		std::sort(partners.begin(), partners.end());
+		return partners;
+	}
+
+	/// The marked faces that hang together with f, by vertices or by pairs; their marks go. Walls
+	/// that touch are made anew together, so that one can follow the other.
+	std::vector<int> takeConnected(int f, const Partners& partners, std::vector<char>& marked) const
+	{
+		std::vector<int> faces;
+		const auto       take = [&](int g) {
+            if (!marked[std::size_t(g)]) return;
+            marked[std::size_t(g)] = 0;
+            faces.push_back(g);
+		};
+		take(f);
 		for (std::size_t i = 0; i < faces.size(); ++i) {
-			for (int k = 0; k < 3; ++k) {
-				forEachOutgoing(result_.mesh, result_.mesh.origin[3 * faces[i] + k], [&](int h) {
-					if (!marked[std::size_t(h / 3)]) return;
-					marked[std::size_t(h / 3)] = 0;
-					faces.push_back(h / 3);
-				});
-			}
+			const int face = faces[i];
+			for (int h = 3 * face; h < 3 * face + 3; ++h)
+				forEachOutgoing(result_.mesh, result_.mesh.origin[h], [&](int g) { take(g / 3); });
+			auto pair = std::lower_bound(partners.begin(), partners.end(), std::pair(face, 0));
+			for (; pair != partners.end() && pair->first == face; ++pair)
+				take(pair->second);
 		}
 		return faces;
 	}
@@ -155,12 +179,12 @@ private:
 		std::vector<Patch>            now, later;
 		std::vector<std::vector<int>> faces;
 		std::vector<char>             isTaken(std::size_t(result_.mesh.faceNum), 0);
-		const std::vector<int>        most = mostFaces();
+		const Components              components = findComponents(result_.mesh, workers_);
+		const std::vector<int>        most       = mostFaces(components);
 		for (Patch& patch : waiting_) {
 			std::vector<int> own = facesOf(patch);
 			if (own.empty()) continue;
-			const bool isMost = int(own.size()) > most[std::size_t(own.front())];
-			if ((patch.tries > 0 && isMost) || patch.tries >= mostTries) {
+			if ((patch.tries > 0 && areMost(own, components, most)) || patch.tries >= mostTries) {
 				giveUp(patch);
 				continue;
 			}
@@ -187,16 +211,27 @@ private:
 			isLost_[std::size_t(v)] = 1;
 	}
 
-	/// Per face: half the faces of its component.
-	std::vector<int> mostFaces() const
+	/// Per component: faces that a patch may have of it.
+	static std::vector<int> mostFaces(const Components& components)
 	{
-		const Components components = findComponents(result_.mesh, workers_);
-		std::vector<int> num(std::size_t(components.num), 0), most;
+		std::vector<int> num(std::size_t(components.num), 0);
 		for (int c : components.ofFace)
 			++num[std::size_t(c)];
-		for (int c : components.ofFace)
-			most.push_back(num[std::size_t(c)] / 2);
-		return most;
+		for (int& n : num)
+			n = int(mostOfComponent * n);
+		return num;
+	}
+
+	/// Whether faces of a patch are more than it may have of one of their components.
+	static bool areMost(const std::vector<int>& faces, const Components& components,
+						const std::vector<int>& most)
+	{
+		std::map<int, int> numOf;
+		for (int f : faces)
+			++numOf[components.ofFace[std::size_t(f)]];
+		return std::any_of(numOf.begin(), numOf.end(), [&](const std::pair<const int, int>& num) {
+			return num.second > most[std::size_t(num.first)];
+		});
 	}
 
 	void fillOne(const FaceBoxes& tree, const std::vector<int>& faces, int triesBefore,
@@ -268,9 +303,6 @@ private:
 		std::vector<int> newIndex;
 		putBack(filled, result_, newIndex);
 		rename(newIndex);
-		for (const FilledPart& part : filled)
-			outcome_.madeNum +=
-				std::count(part.filled.oldVertex.begin(), part.filled.oldVertex.end(), -1);
 	}
 
 	void rename(const std::vector<int>& newIndex)

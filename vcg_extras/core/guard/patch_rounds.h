@@ -6,16 +6,14 @@
 #include "input_contacts.h"
 #include "patch_part.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace gpr {
 
 /// What was made in patches.
 struct PatchOutcome {
-	std::int64_t madeNum  = 0;     ///< vertices
-	bool         isCapped = false; ///< patches were left out, since the work would be too much
-	std::vector<FacePair> pairs;   ///< that are left, without the input's own
+	bool isCapped = false;       ///< patches were left out, since the work would be too much
+	std::vector<FacePair> pairs; ///< that are left, without the input's own
 };
 
 /// Makes patches of a result anew (PatchFilling) around pairs of faces that touch. Each is cut out

@@ -249,6 +249,7 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 		removeContacts(making, made.contacts, made.result, made.guarded, run.workers);
 	if (outcome.hasMade) made.fitDistance = farthestFromSurface(made.result);
 	made.hasMadeVertices = outcome.hasMade;
+	if (outcome.isCapped) run.tellCap("patches made anew");
 	return {before, outcome.vertexNum, outcome.isRefused};
 }
 

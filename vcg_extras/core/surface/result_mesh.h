@@ -21,6 +21,7 @@ struct ResultVertex {
 	bool         isCorner = false; ///< of the curves, or a cone apex: never moves
 	bool isShared = false; ///< other borders have a vertex here: never moves, so that no gap opens
 	bool isPinned = false; ///< one of the caller's vertices that is to be kept: never goes either
+	bool isMade   = false; ///< by the guard
 	int  sample   = -1;    ///< the sample it was, in the sampling's order; -1 for later ones
 };
 
