@@ -149,7 +149,8 @@ std::vector<Operation> LocalSearch::bestSingle(int f)
 	for (const Operation& op : operationsAt(m_, f, goal_->operations)) {
 		const std::vector<int> patch = editor_.patchOf(op);
 		if (patch.empty()) continue;
-		const float gain = attempt(op, lookAt(op, patch), bestGain);
+		float gain = attempt(op, lookAt(op, patch), bestGain);
+		if (op.isCollapse()) gain -= goal_->collapseCost;
 		if (gain <= bestGain) continue;
 		bestGain = gain;
 		best     = {op};

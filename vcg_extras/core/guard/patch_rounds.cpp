@@ -184,7 +184,7 @@ private:
 		for (Patch& patch : waiting_) {
 			std::vector<int> own = facesOf(patch);
 			if (own.empty()) continue;
-			if ((patch.tries > 0 && areMost(own, components, most)) || patch.tries >= mostTries) {
+			if (areMost(own, components, most) || patch.tries >= mostTries) {
 				giveUp(patch);
 				continue;
 			}

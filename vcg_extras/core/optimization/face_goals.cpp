@@ -103,6 +103,7 @@ Goal invertedFaces(LocalSearch& search, bool mayCollapse)
 	if (mayCollapse)
 		goal.operations.insert(goal.operations.end(),
 							   {Operation::Collapse, Operation::CollapseBack});
+	goal.collapseCost    = 2 * goal.minGain;                         // or the tips of fingers go
 	goal.budget.attempts = std::numeric_limits<std::int64_t>::max(); // only work is limited
 	goal.settles         = false;                                    // shapes come later
 	return goal;
