@@ -161,9 +161,7 @@ TEST(MoveGuard, TakesMovesBackOnDemand)
 	trial.mesh.position[7] = {5.1f, 0, 0};
 	trial.guard.takeOver();
 	EXPECT_TRUE(trial.guard.hasMoved(0));
-	trial.guard.takeBack({0}, 0.5f, {});
-	EXPECT_EQ(trial.mesh.position[0], Vec3f(0.05f, 0, 0));
-	trial.guard.takeBack({0}, 0, {});
+	trial.guard.takeBack({0}, {});
 	EXPECT_FALSE(trial.guard.hasMoved(0));
 	EXPECT_EQ(trial.mesh.position[0], Vec3f());
 	EXPECT_EQ(trial.mesh.position[7], Vec3f(5.1f, 0, 0));

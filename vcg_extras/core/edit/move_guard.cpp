@@ -41,9 +41,9 @@ bool MoveGuard::settle(const Buffer<Vec3f>& normal)
 	return settleAmong(workers_.collectIf(m_.faceNum, isSpoiltFace), normal);
 }
 
-void MoveGuard::takeBack(const std::vector<int>& faces, float share, const Buffer<Vec3f>& normal)
+void MoveGuard::takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& normal)
 {
-	settleAmong(facesRound(m_, shorten(faces, share)), normal);
+	settleAmong(facesRound(m_, shorten(faces, 0)), normal);
 }
 
 void MoveGuard::takeAllBack()

@@ -40,8 +40,8 @@ public:
 	/// Shortens the moves of spoilt faces until there are none. normal: of the surface at the
 	/// vertices, or empty. False if there was no end to it, and all moves were taken back.
 	bool settle(const Buffer<Vec3f>& normal = {});
-	/// Leaves a share of the moves of these faces, and settles what this spoils.
-	void takeBack(const std::vector<int>& faces, float share, const Buffer<Vec3f>& normal);
+	/// Takes the moves of these faces back, and settles what this spoils.
+	void takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& normal);
 	void takeAllBack();
 
 private:

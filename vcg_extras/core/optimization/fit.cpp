@@ -36,9 +36,8 @@ constexpr float farthestMove = 0.3f;
 /// Squared edge of an equilateral triangle over its area.
 constexpr float squaredEdgePerArea = 2.3094011f;
 
-/// Passes over the whole result at the end. The first ones halve moves, since half of a move often
-/// does no harm and draws the triangles closer; later ones put vertices back for good.
-constexpr int maxTakeBacks = 32, halvedTakeBacks = 3;
+/// Passes over the whole result at the end; each puts vertices back for good.
+constexpr int maxTakeBacks = 32;
 
 /// A thirtieth of a move is not worth more halvings. The rounds are only a bound: reaching it is
 /// told (FitOutcome::capped).
@@ -248,8 +247,8 @@ private:
 		return takeBackOffenders(moves);
 	}
 
-	/// Shortens the moves of faces, or takes them back, that touch others or are inverted where the
-	/// records are now. False if there was no end to it and all moves were taken back.
+	/// Takes the moves of faces back that touch others or are inverted where the records are now.
+	/// False if there was no end to it and all moves were taken back.
 	bool takeBackOffenders(MoveGuard& moves)
 	{
 		for (int i = 0; i < maxTakeBacks; ++i) {
@@ -261,7 +260,7 @@ private:
 			const auto stands = [&](int f) { return !moves.hasMoved(f); };
 			faces.erase(std::remove_if(faces.begin(), faces.end(), stands), faces.end());
 			if (faces.empty()) return true;
-			moves.takeBack(faces, i < halvedTakeBacks ? 0.5f : 0, normal);
+			moves.takeBack(faces, normal);
 			followOnSurface();
 		}
 		moves.takeAllBack();
