@@ -243,7 +243,8 @@ TEST(DistanceTerm, HasTheDerivativesOfTheSquaredDistances)
 	Workers              workers(2, nullptr);
 	const ClosestFaceMap map(laid.surface, laid.result, workers);
 	const HalfEdgeMesh&  m = laid.result.mesh;
-	DistanceTerm         term(m);
+	const Rings          rings(m, workers);
+	DistanceTerm         term(m, rings);
 	term.assemble(laid.surface, map, workers);
 	const Vec3d unit(0.6, 0.64, 0.48);
 	for (int v : {0, 7, 20}) {

@@ -4,6 +4,7 @@
 
 #include "curve_fit.h"
 #include "descent.h"
+#include "rings.h"
 #include "terms.h"
 #include "worst_distances.h"
 
@@ -57,7 +58,8 @@ public:
 			  ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			settings_(settings), isFree_(isFree), r_(result), m_(result.mesh), workers_(workers),
-			distance_(m_), guard_(limitsOfFit(settings), shorteningOfFit, result.mesh, workers),
+			rings_(m_, workers), distance_(m_, rings_),
+			guard_(limitsOfFit(settings), shorteningOfFit, result.mesh, workers),
 			shift_(m_.vertexNum), next_(m_.vertexNum), last_(m_.vertexNum), mass_(m_.vertexNum),
 			squaredEdge_(m_.vertexNum)
 	{
@@ -70,8 +72,11 @@ public:
 		guard_.start();
 		workers_.forEach(m_.vertexNum, [&](int v) { begin(v); });
 		for (int step = 0; step < stepNum; ++step) {
-			workers_.forEach(m_.vertexNum,
-							 [&](int v) { next_[v] = isFree_[v] ? shiftAfterStep(v) : Vec3f(); });
+			rings_.forEach<ConformalFace>(
+				workers_, [&](int f) { return shapeOf(f); },
+				[&](int v, const Rings::Ring<ConformalFace>& ring) {
+					next_[v] = isFree_[v] ? shiftAfterStep(v, ring) : Vec3f();
+				});
 			shift_.swap(next_);
 		}
 		workers_.forEach(m_.vertexNum, [&](int v) { m_.position[v] += shift_[v]; });
@@ -86,6 +91,7 @@ private:
 	ResultMesh&         r_;
 	HalfEdgeMesh&       m_; ///< where the round began, until its end
 	Workers&            workers_;
+	Rings               rings_;
 	DistanceTerm        distance_;
 	MoveGuard           guard_;
 	Buffer<Vec3f>       shift_;       ///< before the step
@@ -116,36 +122,42 @@ private:
 		return settings_.shapeWeight * edge * edge / squaredEdgePerArea;
 	}
 
-	/// What a vertex' faces say about its shape.
-	struct RingShape {
-		ConformalPull pull;
-		Vec3f         normal;               ///< area-weighted
-		float         shortest = HUGE_VALF; ///< squared edge
+	ConformalFace shapeOf(int f) const
+	{
+		const int* c  = &m_.origin[3 * f];
+		const auto at = [&](int k) { return m_.position[c[k]] + shift_[c[k]]; };
+		return {at(0), at(1), at(2)};
+	}
 
-		/// The face whose other corners lie at a and b from the vertex.
-		void add(const Vec3f& a, const Vec3f& b)
+	/// What the faces of a vertex say about its shape.
+	struct RingShape {
+		Vec3f force;
+		float stiffness = 0;
+		Vec3f normal;               ///< area-weighted
+		float shortest = HUGE_VALF; ///< squared edge
+
+		void add(const ConformalFace& face, int corner)
 		{
-			const Vec3f n       = cross(a, b);
-			const float inverse = 1 / (length(n) + 1e-30f);
-			pull.add(a, b, n, inverse, inverse);
-			normal += n;
-			shortest = std::min(shortest, squaredLength(a));
+			force += face.force[corner];
+			stiffness += face.stiffness;
+			normal += face.normal;
+			shortest = std::min(shortest, face.squaredEdge[corner]);
 		}
 	};
 
 	/// The shift of v behind a step. Both terms of the energy are summed up in one turn round v:
 	/// reading the ring is what a step costs.
-	Vec3f shiftAfterStep(int v)
+	Vec3f shiftAfterStep(int v, const Rings::Ring<ConformalFace>& ring)
 	{
 		const float pull  = pullBack * mass_[v];
 		Vec3f       force = distance_.force(v) - distance_.own(v) * shift_[v] - shift_[v] * pull;
-		RingShape   ring;
-		const auto  at = [&](int w) { return m_.position[w] + shift_[w]; };
-		forEachFaceRound(m_, v, at, [&](int h, const Vec3f& a, const Vec3f& b) {
-			ring.add(a, b);
-			force = force - distance_.joint(h) * shift_[m_.target(h)];
-		});
-		return shiftAgainst(v, ring, force, pull);
+		RingShape   shape;
+		const int   first = rings_.begin(v);
+		for (int i = 0; i < ring.size; ++i) {
+			shape.add(ring.term(i), ring.corner(i));
+			force = force - distance_.joint(first + i) * shift_[ring.spoke[i].target];
+		}
+		return shiftAgainst(v, shape, force, pull);
 	}
 
 	/// For the forces found; only the tangential part of the shape's counts.
@@ -153,8 +165,8 @@ private:
 	{
 		const Vec3f normal = normalized(ring.normal);
 		const float weight = shapeWeight(v);
-		const float stiff  = ring.pull.stiffness * weight;
-		force += tangential(ring.pull.force, normal) * weight;
+		const float stiff  = ring.stiffness * weight;
+		force += tangential(ring.force, normal) * weight;
 
 		SymmetricMatrix matrix = distance_.own(v);
 		matrix.addDiagonal(pull + stiff);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "terms.h"
 
+#include <vcg_extras/core/mesh/face_plane.h>
 #include <vcg_extras/core/mesh/mesh_edit.h>
 
 namespace gpr {
@@ -71,48 +72,58 @@ Buffer<Vec3f> secondOrderUmbrella(const HalfEdgeMesh& m, Workers& workers)
 	return step;
 }
 
-DistanceTerm::DistanceTerm(const HalfEdgeMesh& mesh) :
-		m_(mesh), edge_(mesh.halfEdgeNum()), own_(mesh.vertexNum), force_(mesh.vertexNum)
+DistanceTerm::DistanceTerm(const HalfEdgeMesh& mesh, const Rings& rings) :
+		m_(mesh), rings_(rings), own_(mesh.vertexNum), joint_(rings.spokeNum()),
+		force_(mesh.vertexNum)
 {
-	// Edges are numbered in the order of their lower half-edges.
-	int num = 0;
-	for (int h = 0; h < m_.halfEdgeNum(); ++h) {
-		const int g = m_.opposite[h];
-		edge_[h]    = g >= 0 && g < h ? edge_[g] : num++;
-	}
-	joint_.reset(num);
 }
 
 void DistanceTerm::assemble(const Surface& surface, const ClosestFaceMap& map, Workers& workers)
 {
-	workers.forEach(joint_.size(), [&](int edge) { joint_[edge] = SymmetricMatrix(); });
-	workers.forEach(m_.vertexNum, [&](int v) { assembleVertex(surface, map, v); });
+	rings_.forEach<FaceTerm>(
+		workers, [&](int f) { return termOf(surface, map, f); },
+		[&](int v, const Rings::Ring<FaceTerm>& ring) { addUp(v, ring); });
 }
 
-/// An edge is summed up by its lower vertex, which sees both faces: nothing is written twice.
-void DistanceTerm::assembleVertex(const Surface& surface, const ClosestFaceMap& map, int v)
+/// Each vertex of the input once, for all three corners.
+DistanceTerm::FaceTerm DistanceTerm::termOf(const Surface& surface, const ClosestFaceMap& map,
+											int f) const
+{
+	FaceTerm        term;
+	const FacePlane plane(m_, f);
+	for (const int* i = map.begin(f); i != map.end(f); ++i) {
+		const Vec3f     p    = surface.mesh.position[*i];
+		const Vec3f     n    = surface.normal[*i].unpack();
+		const Foot      foot = plane.nearestFoot(p);
+		const float     off  = dot(n, p - plane.pointAt(foot));
+		SymmetricMatrix outer;
+		outer.addOuter(n, map.area(*i));
+		for (int k = 0; k < 3; ++k) {
+			const float share = foot.weight[k];
+			term.own[k].add(outer, share * share);
+			term.joint[k].add(outer, share * foot.weight[(k + 1) % 3]);
+			term.force[k] += n * (map.area(*i) * share * off);
+		}
+	}
+	return term;
+}
+
+/// The edge of a spoke is an edge of its own face and of the face before.
+void DistanceTerm::addUp(int v, const Rings::Ring<FaceTerm>& ring)
 {
 	SymmetricMatrix own;
 	Vec3f           force;
-	forEachOutgoing(m_, v, [&](int h) {
-		const int       next = m_.target(h), last = m_.apex(h);
-		const Vec3f     p = m_.position[v], q = m_.position[next], r = m_.position[last];
-		SymmetricMatrix withNext, withLast;
-		for (const int* i = map.begin(h / 3); i != map.end(h / 3); ++i) {
-			const PackedWeights w    = map.weights(i);
-			const float         b[3] = {w.first(), w.second(), w.third()};
-			const float         bp = b[h % 3], bq = b[nextInFace(h) % 3], br = b[prevInFace(h) % 3];
-			const Vec3f         n   = surface.normal[*i].unpack();
-			const float         off = dot(n, surface.mesh.position[*i] - p * bp - q * bq - r * br);
-			const float         share = map.area(*i) * bp;
-			force += n * (share * off);
-			own.addOuter(n, share * bp);
-			withNext.addOuter(n, share * bq);
-			withLast.addOuter(n, share * br);
-		}
-		if (v < next) joint_[edge_[h]] += withNext;
-		if (v < last) joint_[edge_[prevInFace(h)]] += withLast;
-	});
+	const int       first = rings_.begin(v);
+	for (int i = 0; i < ring.size; ++i) {
+		const FaceTerm& term = ring.term(i);
+		const int       k    = ring.corner(i);
+		own += term.own[k];
+		force += term.force[k];
+		joint_[first + i] = term.joint[k];
+		if (i == 0 && !ring.isClosed) continue;
+		const int before = i > 0 ? i - 1 : ring.size - 1;
+		joint_[first + i] += ring.term(before).joint[(ring.corner(before) + 2) % 3];
+	}
 	own_[v]   = own;
 	force_[v] = force;
 }

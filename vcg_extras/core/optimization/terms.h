@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_CORE_OPTIMIZATION_TERMS_H
 #define VCG_EXTRAS_CORE_OPTIMIZATION_TERMS_H
 
+#include "rings.h"
+
 #include <vcg_extras/core/base/symmetric_matrix.h>
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
@@ -51,29 +53,63 @@ struct ConformalPull {
 	}
 };
 
+/// The same at all three corners of a face. The energy, the normal and the lengths are found once.
+struct ConformalFace {
+	Vec3f force[3];
+	float stiffness;      ///< at each corner
+	Vec3f normal;         ///< of twice the area's length
+	float squaredEdge[3]; ///< from each corner to the next
+
+	ConformalFace(const Vec3f& a, const Vec3f& b, const Vec3f& c)
+	{
+		constexpr float k  = 0.28867513f;
+		const Vec3f     ab = b - a, bc = c - b, ca = a - c;
+		normal              = cross(ab, bc);
+		squaredEdge[0]      = squaredLength(ab);
+		squaredEdge[1]      = squaredLength(bc);
+		squaredEdge[2]      = squaredLength(ca);
+		const float inverse = 1 / (length(normal) + 1e-30f);
+		const float energy  = k * (squaredEdge[0] + squaredEdge[1] + squaredEdge[2]) * inverse;
+		const float along = 2 * k * inverse, across = energy * inverse * inverse;
+		force[0]  = (ab - ca) * along + cross(normal, bc) * across;
+		force[1]  = (bc - ab) * along + cross(normal, ca) * across;
+		force[2]  = (ca - bc) * along + cross(normal, ab) * across;
+		stiffness = 2 * along;
+	}
+};
+
 /// Distance: the squared distance of the input's vertices from their closest faces, as a function
-/// of the vertices' shifts: ½ Σ_ij s_i K_ij s_j - Σ_i f_i s_i. K_ij is kept for every vertex and
-/// edge.
+/// of the vertices' shifts: ½ Σ_ij s_i K_ij s_j - Σ_i f_i s_i. K_ij is kept for every vertex, and
+/// for every spoke beside it, so that a step reads it in a row.
 class DistanceTerm {
 public:
-	explicit DistanceTerm(const HalfEdgeMesh& mesh);
+	/// rings: of the mesh.
+	DistanceTerm(const HalfEdgeMesh& mesh, const Rings& rings);
 
 	/// For the present map and places. Cost: linear in the input, parallel.
 	void assemble(const Surface& surface, const ClosestFaceMap& map, Workers& workers);
 
 	const SymmetricMatrix& own(int v) const { return own_[v]; }
 	const Vec3f&           force(int v) const { return force_[v]; }
-	/// Of the edge that h is a half of.
-	const SymmetricMatrix& joint(int h) const { return joint_[edge_[h]]; }
+	/// Of the edge of a spoke.
+	const SymmetricMatrix& joint(int spoke) const { return joint_[spoke]; }
 
 private:
+	/// What the vertices of the input that belong to a face say of its corners, and of the edges
+	/// from each corner to the next.
+	struct FaceTerm {
+		SymmetricMatrix own[3], joint[3];
+		Vec3f           force[3];
+	};
+
 	const HalfEdgeMesh&     m_;
-	Buffer<int>             edge_; ///< per half-edge: number of its edge
+	const Rings&            rings_;
 	Buffer<SymmetricMatrix> own_;
-	Buffer<SymmetricMatrix> joint_; ///< per edge
+	Buffer<SymmetricMatrix> joint_; ///< per spoke
 	Buffer<Vec3f>           force_;
 
-	void assembleVertex(const Surface& surface, const ClosestFaceMap& map, int v);
+	FaceTerm termOf(const Surface& surface, const ClosestFaceMap& map, int f) const;
+	void     addUp(int v, const Rings::Ring<FaceTerm>& ring);
 };
 
 } // namespace gpr

@@ -332,32 +332,16 @@ ClosestFaceMap::ClosestFaceMap(const Surface& surface, const ResultMesh& result,
 	const Buffer<int> face   = findFaces(surface, result, workers);
 	const auto        faceOf = [&](std::size_t p) { return face[p]; };
 	sortIntoBuckets(face.size(), result.mesh.faceNum, faceOf, workers, start_, item_);
-	findWeights(result.mesh, workers);
 }
 
 void ClosestFaceMap::update(const ResultMesh& result, Workers& workers)
 {
-	weights_.release();
 	takeIn(takeLeavers(result.mesh, workers), workers);
-	findWeights(result.mesh, workers);
 }
 
 void ClosestFaceMap::keepListsOnly()
 {
-	weights_.release();
 	area_.release();
-}
-
-void ClosestFaceMap::findWeights(const HalfEdgeMesh& result, Workers& workers)
-{
-	weights_.reset(item_.size());
-	workers.forEach(result.faceNum, [&](int f) {
-		const FacePlane plane(result, f);
-		for (int i = start_[f]; i < start_[f + 1]; ++i) {
-			const Foot foot = plane.nearestFoot(surface_.mesh.position[item_[i]]);
-			weights_[i]     = PackedWeights(foot.weight[1], foot.weight[2]);
-		}
-	});
 }
 
 namespace {

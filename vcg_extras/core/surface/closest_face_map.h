@@ -14,26 +14,6 @@
 
 namespace gpr {
 
-/// Weights of a triangle's corners at a point in it, in 32 bits: true to 1/65535.
-class PackedWeights {
-public:
-	PackedWeights() = default;
-	PackedWeights(float second, float third) : second_(pack(second)), third_(pack(third)) {}
-
-	float second() const { return float(second_) * (1 / 65535.0f); }
-	float third() const { return float(third_) * (1 / 65535.0f); }
-	float first() const { return 1 - second() - third(); }
-
-private:
-	std::uint16_t second_, third_;
-
-	/// w is at least 0, so that adding a half rounds rightly; lround would be a call.
-	static std::uint16_t pack(float w)
-	{
-		return std::uint16_t(w * 65535.0f + 0.5f); // NOLINT(bugprone-incorrect-roundings)
-	}
-};
-
 /// A number of at least 0 in 16 bits: a float without its sign and its last 15 bits, true to 0.2 %.
 class PackedMeasure {
 public:
@@ -59,7 +39,7 @@ private:
 
 /// What each triangle of the result stands for: every vertex of the input belongs to the triangle
 /// nearest to it, found by walking over the triangles from its former one, so that a sheet that
-/// only looks near is never taken. 10 B per vertex of the input, and 4 more while it is made.
+/// only looks near is never taken. 10 B per vertex of the input.
 class ClosestFaceMap {
 public:
 	/// Finds the map, starting from a flood over the input from the result's surface points.
@@ -75,9 +55,6 @@ public:
 	/// depend on the threads. Those that no surface point reaches belong to none.
 	const int* begin(int f) const { return item_.data() + start_[f]; }
 	const int* end(int f) const { return item_.data() + start_[f + 1]; }
-
-	/// Where on its face the point nearest to a vertex lies. item: in one of the lists.
-	const PackedWeights& weights(const int* item) const { return weights_[item - item_.data()]; }
 
 	/// The input's area round p: a third of its faces', working units squared.
 	float area(int p) const { return area_[p].value(); }
@@ -95,10 +72,8 @@ private:
 	Buffer<PackedMeasure> area_;
 	Buffer<int>           start_; ///< per face of the result: where its vertices begin in item_
 	Buffer<int>           item_;
-	Buffer<PackedWeights> weights_; ///< as long as item_
 
 	void                measureAreas(Workers& workers);
-	void                findWeights(const HalfEdgeMesh& result, Workers& workers);
 	std::vector<Leaver> takeLeavers(const HalfEdgeMesh& result, Workers& workers);
 	void                takeIn(const std::vector<Leaver>& leavers, Workers& workers);
 };

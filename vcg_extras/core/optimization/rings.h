@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_OPTIMIZATION_RINGS_H
+#define VCG_EXTRAS_CORE_OPTIMIZATION_RINGS_H
+
+#include <vcg_extras/core/base/workers.h>
+#include <vcg_extras/core/mesh/half_edge_mesh.h>
+
+#include <vector>
+
+namespace gpr {
+
+/// The rings of faces round all vertices of a mesh, in a row, for passes over a mesh whose faces
+/// stay the same. A pass computes what each face says once and not once for each corner: vertices
+/// are taken in pieces of fixed size, and the terms of the faces at a piece are kept only while
+/// the piece is worked on, in the cache. Faces between two pieces are computed for both.
+class Rings {
+public:
+	/// A half-edge that leaves the vertex.
+	struct Spoke {
+		int target; ///< vertex at its end
+		int corner; ///< 3 · place of its face among the faces of the piece + corner of the vertex
+	};
+
+	/// The spokes of a vertex, in the order of forEachOutgoing, with the terms of their faces.
+	template <class Term>
+	struct Ring {
+		const Spoke* spoke;
+		int          size;
+		bool         isClosed; ///< the face before the first one is the last one
+		const Term*  terms;
+
+		const Term& term(int i) const { return terms[spoke[i].corner / 3]; }
+		int         corner(int i) const { return spoke[i].corner % 3; }
+	};
+
+	/// Cost: a pass over the mesh; 8 B per half-edge and about 3 B per vertex and face.
+	Rings(const HalfEdgeMesh& mesh, Workers& workers);
+
+	/// Index of the first spoke of v among all.
+	int begin(int v) const { return start_[v]; }
+	int spokeNum() const { return int(spoke_.size()); }
+
+	/// Calls visit(v, ring) for all vertices, in parallel, with the terms that termOf(face) gives.
+	template <class Term, class TermOf, class Visit>
+	void forEach(Workers& workers, const TermOf& termOf, const Visit& visit) const
+	{
+		std::vector<std::vector<Term>> terms(std::size_t(workers.threadNum()));
+		workers.forTasks(pieceNum(), [&](std::size_t piece, int worker) {
+			std::vector<Term>& of = terms[std::size_t(worker)];
+			of.clear();
+			for (int i = faceStart_[piece]; i < faceStart_[piece + 1]; ++i)
+				of.push_back(termOf(face_[std::size_t(i)]));
+			for (int v = beginOf(piece); v < beginOf(piece + 1); ++v) {
+				const int size = start_[v + 1] - start_[v];
+				visit(v, Ring<Term>{spoke_.data() + start_[v], size, !m_.isBorderVertex(v),
+									of.data()});
+			}
+		});
+	}
+
+private:
+	const HalfEdgeMesh& m_;
+	Buffer<int>         start_;     ///< per vertex: of its spokes
+	Buffer<Spoke>       spoke_;
+	std::vector<int>    faceStart_; ///< per piece: in face_
+	std::vector<int>    face_;      ///< of the pieces, one after the other
+
+	std::size_t pieceNum() const { return faceStart_.size() - 1; }
+	int         beginOf(std::size_t piece) const;
+};
+
+} // namespace gpr
+
+#endif
