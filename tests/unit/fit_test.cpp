@@ -245,7 +245,7 @@ TEST(DistanceTerm, HasTheDerivativesOfTheSquaredDistances)
 	const HalfEdgeMesh&  m = laid.result.mesh;
 	const Rings          rings(m, workers);
 	DistanceTerm         term(m, rings);
-	term.assemble(laid.surface, map, workers);
+	term.assemble(laid.surface, map, false, workers);
 	const Vec3d unit(0.6, 0.64, 0.48);
 	for (int v : {0, 7, 20}) {
 		const auto energy = [&](double shift) {

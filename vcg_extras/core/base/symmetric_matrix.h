@@ -25,16 +25,6 @@ struct SymmetricMatrixOf {
 		zz += o.zz;
 		return *this;
 	}
-	/// Adds w times another one.
-	void add(const SymmetricMatrixOf& o, Scalar w)
-	{
-		xx += o.xx * w;
-		xy += o.xy * w;
-		xz += o.xz * w;
-		yy += o.yy * w;
-		yz += o.yz * w;
-		zz += o.zz * w;
-	}
 	/// Adds w·n·nᵀ.
 	void addOuter(const Vec3<Scalar>& n, Scalar w)
 	{

@@ -65,10 +65,10 @@ public:
 	{
 	}
 
-	/// False if all moves had to be taken back.
-	bool run(const ClosestFaceMap& map)
+	/// isLast: no other round follows. False if all moves had to be taken back.
+	bool run(const ClosestFaceMap& map, bool isLast)
 	{
-		distance_.assemble(surface_, map, workers_);
+		distance_.assemble(surface_, map, !isLast, workers_);
 		guard_.start();
 		workers_.forEach(m_.vertexNum, [&](int v) { begin(v); });
 		for (int step = 0; step < stepNum; ++step) {
@@ -131,15 +131,13 @@ private:
 
 	/// What the faces of a vertex say about its shape.
 	struct RingShape {
-		Vec3f force;
-		float stiffness = 0;
-		Vec3f normal;               ///< area-weighted
-		float shortest = HUGE_VALF; ///< squared edge
+		Float4 force;                ///< and the stiffness
+		Float4 normal;               ///< area-weighted
+		float  shortest = HUGE_VALF; ///< squared edge
 
 		void add(const ConformalFace& face, int corner)
 		{
 			force += face.force[corner];
-			stiffness += face.stiffness;
 			normal += face.normal;
 			shortest = std::min(shortest, face.squaredEdge[corner]);
 		}
@@ -163,10 +161,10 @@ private:
 	/// For the forces found; only the tangential part of the shape's counts.
 	Vec3f shiftAgainst(int v, const RingShape& ring, Vec3f force, float pull)
 	{
-		const Vec3f normal = normalized(ring.normal);
+		const Vec3f normal = normalized(Vec3f(ring.normal[0], ring.normal[1], ring.normal[2]));
 		const float weight = shapeWeight(v);
-		const float stiff  = ring.stiffness * weight;
-		force += tangential(ring.force, normal) * weight;
+		const float stiff  = ring.force[3] * weight;
+		force += tangential({ring.force[0], ring.force[1], ring.force[2]}, normal) * weight;
 
 		SymmetricMatrix matrix = distance_.own(v);
 		matrix.addDiagonal(pull + stiff);
@@ -232,7 +230,7 @@ private:
 		bool allKept = true;
 		for (int round = 0; round < settings_.rounds; ++round) {
 			if (round > 0) map->update(r_, workers_);
-			allKept = rounds.run(*map) && allKept;
+			allKept = rounds.run(*map, round + 1 == settings_.rounds) && allKept;
 			followOnSurface();
 		}
 		// Before the search for intersecting faces needs memory.

@@ -59,13 +59,13 @@ Rings::Rings(const HalfEdgeMesh& mesh, Workers& workers) :
 	workers.sumUp(start_.data(), start_.size());
 	spoke_.reset(std::size_t(start_[m_.vertexNum]));
 	std::vector<std::vector<int>> faces(pieceNum());
-	std::vector<FacesOfPiece> of(std::size_t(workers.threadNum()), FacesOfPiece(m_.faceNum));
+	std::vector<FacesOfPiece>     of(std::size_t(workers.threadNum()), FacesOfPiece(m_.faceNum));
 	workers.forTasks(pieceNum(), [&](std::size_t piece, int worker) {
 		FacesOfPiece& here = of[std::size_t(worker)];
 		for (int v = beginOf(piece); v < beginOf(piece + 1); ++v) {
 			int i = start_[v];
 			forEachOutgoing(m_, v, [&](int h) {
-				spoke_[i++] = {m_.target(h), 3 * here.placeOf(h / 3) + h % 3};
+				spoke_[i++] = {m_.target(h), 4 * here.placeOf(h / 3) + h % 3};
 			});
 		}
 		faces[piece] = here.take();

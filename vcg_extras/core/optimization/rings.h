@@ -19,7 +19,7 @@ public:
 	/// A half-edge that leaves the vertex.
 	struct Spoke {
 		int target; ///< vertex at its end
-		int corner; ///< 3 · place of its face among the faces of the piece + corner of the vertex
+		int corner; ///< 4 · place of its face among the faces of the piece + corner of the vertex
 	};
 
 	/// The spokes of a vertex, in the order of forEachOutgoing, with the terms of their faces.
@@ -30,8 +30,8 @@ public:
 		bool         isClosed; ///< the face before the first one is the last one
 		const Term*  terms;
 
-		const Term& term(int i) const { return terms[spoke[i].corner / 3]; }
-		int         corner(int i) const { return spoke[i].corner % 3; }
+		const Term& term(int i) const { return terms[spoke[i].corner >> 2]; }
+		int         corner(int i) const { return spoke[i].corner & 3; }
 	};
 
 	/// Cost: a pass over the mesh; 8 B per half-edge and about 3 B per vertex and face.
@@ -61,7 +61,7 @@ public:
 
 private:
 	const HalfEdgeMesh& m_;
-	Buffer<int>         start_;     ///< per vertex: of its spokes
+	Buffer<int>         start_; ///< per vertex: of its spokes
 	Buffer<Spoke>       spoke_;
 	std::vector<int>    faceStart_; ///< per piece: in face_
 	std::vector<int>    face_;      ///< of the pieces, one after the other

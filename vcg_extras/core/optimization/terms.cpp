@@ -78,31 +78,58 @@ DistanceTerm::DistanceTerm(const HalfEdgeMesh& mesh, const Rings& rings) :
 {
 }
 
-void DistanceTerm::assemble(const Surface& surface, const ClosestFaceMap& map, Workers& workers)
+void DistanceTerm::assemble(const Surface& surface, const ClosestFaceMap& map, bool isRough,
+							Workers& workers)
 {
 	rings_.forEach<FaceTerm>(
-		workers, [&](int f) { return termOf(surface, map, f); },
+		workers, [&](int f) { return termOf(surface, map, isRough, f); },
 		[&](int v, const Rings::Ring<FaceTerm>& ring) { addUp(v, ring); });
 }
 
+namespace {
+
+/// Of so many vertices of a face, or more, every second one is enough for a rough assembly.
+constexpr int manyVertices = 4;
+
+SymmetricMatrix matrixOf(const Float4 (&part)[2])
+{
+	SymmetricMatrix m;
+	m.xx = part[0][0];
+	m.xy = part[0][1];
+	m.xz = part[0][2];
+	m.yy = part[0][3];
+	m.yz = part[1][0];
+	m.zz = part[1][1];
+	return m;
+}
+
+} // namespace
+
 /// Each vertex of the input once, for all three corners.
 DistanceTerm::FaceTerm DistanceTerm::termOf(const Surface& surface, const ClosestFaceMap& map,
-											int f) const
+											bool isRough, int f) const
 {
 	FaceTerm        term;
 	const FacePlane plane(m_, f);
-	for (const int* i = map.begin(f); i != map.end(f); ++i) {
-		const Vec3f     p    = surface.mesh.position[*i];
-		const Vec3f     n    = surface.normal[*i].unpack();
-		const Foot      foot = plane.nearestFoot(p);
-		const float     off  = dot(n, p - plane.pointAt(foot));
-		SymmetricMatrix outer;
-		outer.addOuter(n, map.area(*i));
+	const int       num    = int(map.end(f) - map.begin(f));
+	const int       stride = isRough && num >= manyVertices ? 2 : 1;
+	for (const int* i = map.begin(f); i < map.end(f); i += stride) {
+		const Vec3f  p        = surface.mesh.position[*i];
+		const Vec3f  n        = surface.normal[*i].unpack();
+		const Foot   foot     = plane.nearestFoot(p);
+		const float  off      = dot(n, p - plane.pointAt(foot));
+		const float  area     = map.area(*i) * float(stride);
+		const Float4 outer[2] = {{n.x * n.x, n.x * n.y, n.x * n.z, n.y * n.y},
+								 {n.y * n.z, n.z * n.z, 0, 0}};
+		const Float4 pull(n.x * off, n.y * off, n.z * off, 0);
 		for (int k = 0; k < 3; ++k) {
-			const float share = foot.weight[k];
-			term.own[k].add(outer, share * share);
-			term.joint[k].add(outer, share * foot.weight[(k + 1) % 3]);
-			term.force[k] += n * (map.area(*i) * share * off);
+			const float share = area * foot.weight[k];
+			const float own = share * foot.weight[k], joint = share * foot.weight[(k + 1) % 3];
+			term.own[k][0] += outer[0] * own;
+			term.own[k][1] += outer[1] * own;
+			term.joint[k][0] += outer[0] * joint;
+			term.joint[k][1] += outer[1] * joint;
+			term.force[k] += pull * share;
 		}
 	}
 	return term;
@@ -111,21 +138,25 @@ DistanceTerm::FaceTerm DistanceTerm::termOf(const Surface& surface, const Closes
 /// The edge of a spoke is an edge of its own face and of the face before.
 void DistanceTerm::addUp(int v, const Rings::Ring<FaceTerm>& ring)
 {
-	SymmetricMatrix own;
-	Vec3f           force;
-	const int       first = rings_.begin(v);
+	Float4    own[2], force;
+	const int first = rings_.begin(v);
 	for (int i = 0; i < ring.size; ++i) {
-		const FaceTerm& term = ring.term(i);
-		const int       k    = ring.corner(i);
-		own += term.own[k];
+		const FaceTerm& term     = ring.term(i);
+		const int       k        = ring.corner(i);
+		Float4          joint[2] = {term.joint[k][0], term.joint[k][1]};
+		own[0] += term.own[k][0];
+		own[1] += term.own[k][1];
 		force += term.force[k];
-		joint_[first + i] = term.joint[k];
-		if (i == 0 && !ring.isClosed) continue;
-		const int before = i > 0 ? i - 1 : ring.size - 1;
-		joint_[first + i] += ring.term(before).joint[(ring.corner(before) + 2) % 3];
+		if (i > 0 || ring.isClosed) {
+			const int     before = i > 0 ? i - 1 : ring.size - 1;
+			const Float4* other  = ring.term(before).joint[(ring.corner(before) + 2) % 3];
+			joint[0] += other[0];
+			joint[1] += other[1];
+		}
+		joint_[first + i] = matrixOf(joint);
 	}
-	own_[v]   = own;
-	force_[v] = force;
+	own_[v]   = matrixOf(own);
+	force_[v] = {force[0], force[1], force[2]};
 }
 
 } // namespace gpr

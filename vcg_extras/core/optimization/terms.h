@@ -5,6 +5,7 @@
 
 #include "rings.h"
 
+#include <vcg_extras/core/base/float4.h>
 #include <vcg_extras/core/base/symmetric_matrix.h>
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh/connect.h>
@@ -55,26 +56,28 @@ struct ConformalPull {
 
 /// The same at all three corners of a face. The energy, the normal and the lengths are found once.
 struct ConformalFace {
-	Vec3f force[3];
-	float stiffness;      ///< at each corner
-	Vec3f normal;         ///< of twice the area's length
-	float squaredEdge[3]; ///< from each corner to the next
+	Float4 force[3];            ///< per corner; the fourth lane is the stiffness there
+	Float4 normal;              ///< of twice the area's length
+	float  squaredEdge[3] = {}; ///< from each corner to the next
 
 	ConformalFace(const Vec3f& a, const Vec3f& b, const Vec3f& c)
 	{
 		constexpr float k  = 0.28867513f;
-		const Vec3f     ab = b - a, bc = c - b, ca = a - c;
-		normal              = cross(ab, bc);
+		const Vec3f     ab = b - a, bc = c - b, ca = a - c, n = cross(ab, bc);
 		squaredEdge[0]      = squaredLength(ab);
 		squaredEdge[1]      = squaredLength(bc);
 		squaredEdge[2]      = squaredLength(ca);
-		const float inverse = 1 / (length(normal) + 1e-30f);
+		const float inverse = 1 / (length(n) + 1e-30f);
 		const float energy  = k * (squaredEdge[0] + squaredEdge[1] + squaredEdge[2]) * inverse;
 		const float along = 2 * k * inverse, across = energy * inverse * inverse;
-		force[0]  = (ab - ca) * along + cross(normal, bc) * across;
-		force[1]  = (bc - ab) * along + cross(normal, ca) * across;
-		force[2]  = (ca - bc) * along + cross(normal, ab) * across;
-		stiffness = 2 * along;
+		const auto  at = [&](const Vec3f& sum, const Vec3f& opposite) {
+            const Vec3f pull = sum * along + cross(n, opposite) * across;
+            return Float4(pull.x, pull.y, pull.z, 2 * along);
+		};
+		force[0] = at(ab - ca, bc);
+		force[1] = at(bc - ab, ca);
+		force[2] = at(ca - bc, ab);
+		normal   = {n.x, n.y, n.z, 0};
 	}
 };
 
@@ -87,7 +90,9 @@ public:
 	DistanceTerm(const HalfEdgeMesh& mesh, const Rings& rings);
 
 	/// For the present map and places. Cost: linear in the input, parallel.
-	void assemble(const Surface& surface, const ClosestFaceMap& map, Workers& workers);
+	/// isRough: from every second vertex of the input, for moves that others will follow.
+	void assemble(const Surface& surface, const ClosestFaceMap& map, bool isRough,
+				  Workers& workers);
 
 	const SymmetricMatrix& own(int v) const { return own_[v]; }
 	const Vec3f&           force(int v) const { return force_[v]; }
@@ -98,8 +103,8 @@ private:
 	/// What the vertices of the input that belong to a face say of its corners, and of the edges
 	/// from each corner to the next.
 	struct FaceTerm {
-		SymmetricMatrix own[3], joint[3];
-		Vec3f           force[3];
+		Float4 own[3][2], joint[3][2]; ///< matrices: xx xy xz yy, yz zz
+		Float4 force[3];
 	};
 
 	const HalfEdgeMesh&     m_;
@@ -108,7 +113,7 @@ private:
 	Buffer<SymmetricMatrix> joint_; ///< per spoke
 	Buffer<Vec3f>           force_;
 
-	FaceTerm termOf(const Surface& surface, const ClosestFaceMap& map, int f) const;
+	FaceTerm termOf(const Surface& surface, const ClosestFaceMap& map, bool isRough, int f) const;
 	void     addUp(int v, const Rings::Ring<FaceTerm>& ring);
 };
 

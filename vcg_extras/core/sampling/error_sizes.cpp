@@ -16,7 +16,7 @@ namespace gpr {
 namespace {
 
 /// Radii of disks, from the smallest size to the largest one in geometric steps.
-constexpr int radiusNum = 9;
+constexpr int radiusNum = 5;
 /// Radius of the disk that has to be flat, over the edge: twice as large ones take longer and lead
 /// to no smaller distances.
 constexpr float radiusOfEdge = 0.5f;
@@ -26,8 +26,8 @@ constexpr float smallestShare = 0.25f;
 constexpr float disksPerSquare = 5;
 /// So many disks in a row are left out together where the surface hardly turns.
 constexpr std::size_t centresTogether = 8;
-/// Disks from which ε is guessed.
-constexpr std::size_t guessingDiskNum = 8000;
+/// Disks from which ε is guessed, before all bent ones correct it; vertices that tell the noise.
+constexpr std::size_t guessingDiskNum = 1500, noiseVertexNum = 8000;
 /// ε is at least so many times the noise: a disk of noise has about four deviations from end to
 /// end.
 constexpr float noiseFactor = 2.5f;
@@ -42,7 +42,7 @@ Radii radiiFor(const ErrorSizeRequest& request)
 {
 	Radii       radii;
 	const float ratio = request.largest / (smallestShare * request.even);
-	const float step  = std::sqrt(std::sqrt(std::sqrt(ratio))); // the eighth root: nine radii
+	const float step  = std::sqrt(std::sqrt(ratio)); // the fourth root: five radii
 	float       edge  = smallestShare * request.even;
 	for (float& radius : radii) {
 		radius = radiusOfEdge * edge;
@@ -417,13 +417,12 @@ public:
 	{
 		// Grading adds small triangles, for which ε has to be larger: mostly by 1.35. Where there
 		// is little to grade it may be smaller, as the disks lie at the sharpest places.
-		constexpr float leastRaise = 0.8f, fewRaise = 1.1f, usualRaise = 1.35f, mostRaise = 2;
-		const std::vector<Flatness> some  = measureSome();
-		const float                 flat  = epsilonFor(some, wanted_);
-		const float                 noise = noiseFactor * noiseLevel();
-		const float                 least = std::max(noise, leastRaise * flat);
-		const float                 most  = std::max(noise, mostRaise * flat);
-		const float                 few   = std::max(noise, fewRaise * flat);
+		constexpr float leastRaise = 0.8f, fewRaise = 1, usualRaise = 1.35f, mostRaise = 2.2f;
+		const float     flat  = guessedEpsilon();
+		const float     noise = noiseFactor * noiseLevel();
+		const float     least = std::max(noise, leastRaise * flat);
+		const float     most  = std::max(noise, mostRaise * flat);
+		const float     few   = std::max(noise, fewRaise * flat);
 		gatherBent(few, most);
 
 		ErrorSizes sizes;
@@ -433,12 +432,14 @@ public:
 		});
 		sizes.epsilon = std::max(noise, usualRaise * flat);
 		makeSizes(sizes.epsilon, sizes.edge);
-		const float corrected = std::clamp(correctedEpsilon(some, sizes), least, most);
-		if (isFarFrom(sizes.epsilon, corrected)) {
-			if (corrected < few) gatherBent(least, most);
-			sizes.epsilon = corrected;
-			makeSizes(sizes.epsilon, sizes.edge);
+		float corrected = std::clamp(correctedEpsilon(sizes), least, most);
+		if (!isFarFrom(sizes.epsilon, corrected)) return sizes;
+		if (corrected < few) {
+			gatherBent(least, most);
+			corrected = std::clamp(correctedEpsilon(sizes), least, most);
 		}
+		sizes.epsilon = corrected;
+		makeSizes(sizes.epsilon, sizes.edge);
 		return sizes;
 	}
 
@@ -493,7 +494,7 @@ private:
 	float noiseLevel()
 	{
 		constexpr float    ofMedian = 1 / 0.6745f; // a deviation over the median amount
-		const int          step     = std::max(1, mesh_.vertexNum / int(guessingDiskNum));
+		const int          step     = std::max(1, mesh_.vertexNum / int(noiseVertexNum));
 		std::vector<float> roughness =
 			workers_.collectEach<float>(std::size_t(mesh_.vertexNum / step), [&](int i, auto& out) {
 				const int v = i * step;
@@ -505,35 +506,40 @@ private:
 		return ofMedian * *middle;
 	}
 
-	std::vector<Flatness> measureSome()
+	/// From some of the disks.
+	float guessedEpsilon()
 	{
-		const std::size_t step = std::max<std::size_t>(1, centre_.size() / guessingDiskNum);
-		return workers_.collect<Flatness>(centre_.size() / step,
-										  [&](std::size_t begin, std::size_t end, auto& out) {
-											  FlatnessGauge gauge(mesh_, ring_, radii_);
-											  for (std::size_t i = begin; i < end; ++i) {
-												  gauge.ofLargest(centre_[i * step].vertex, 0);
-												  out.push_back(gauge.ofAll(request_.even));
-											  }
-										  });
+		const std::size_t       step = std::max<std::size_t>(1, centre_.size() / guessingDiskNum);
+		const std::size_t       num  = centre_.size() / step;
+		const std::vector<Bent> some =
+			workers_.collect<Bent>(num, [&](std::size_t begin, std::size_t end, auto& out) {
+				FlatnessGauge gauge(mesh_, ring_, radii_);
+				for (std::size_t i = begin; i < end; ++i) {
+					const int v = centre_[i * step].vertex;
+					gauge.ofLargest(v, 0);
+					out.push_back({v, gauge.ofAll(request_.even)});
+				}
+			});
+		return epsilonFor(some, num, wanted_);
 	}
 
-	/// The triangles that there are more than if all had the largest size, over the wanted number;
-	/// from some disks, each of which stands for as much area, without grading.
-	double smallTriangles(const std::vector<Flatness>& disks, float epsilon) const
+	/// The triangles that there are more than if all had the largest size, over the wanted number,
+	/// without grading; from disks each of which stands for as much area. What is not bent among
+	/// diskNum disks adds none.
+	double smallTriangles(const std::vector<Bent>& bent, std::size_t diskNum, float epsilon) const
 	{
 		double more = 0;
-		for (const Flatness& flatness : disks)
-			more += trianglesAt(edgeFor(flatness, radii_, epsilon)) - ofLargest_;
-		return disks.empty() ? 0 : more / double(disks.size());
+		for (const Bent& b : bent)
+			more += trianglesAt(edgeFor(b.flatness, radii_, epsilon)) - ofLargest_;
+		return diskNum > 0 ? more / double(diskNum) : 0;
 	}
 	/// The ε that makes so many of them.
-	float epsilonFor(const std::vector<Flatness>& disks, double wanted) const
+	float epsilonFor(const std::vector<Bent>& bent, std::size_t diskNum, double wanted) const
 	{
 		float low = 0, high = request_.even;
 		for (int halving = 0; halving < 20; ++halving) {
-			const float middle                                    = 0.5f * (low + high);
-			(smallTriangles(disks, middle) > wanted ? low : high) = middle;
+			const float middle                                            = 0.5f * (low + high);
+			(smallTriangles(bent, diskNum, middle) > wanted ? low : high) = middle;
 		}
 		return high;
 	}
@@ -569,15 +575,16 @@ private:
 	}
 
 	/// Grading adds small triangles. As many times fewer are asked for where it is left out.
-	float correctedEpsilon(const std::vector<Flatness>& some, const ErrorSizes& sizes)
+	float correctedEpsilon(const ErrorSizes& sizes)
 	{
 		const double more     = workers_.sumEach<double>(lowered_.size(), [&](int i, double& sum) {
             const int v = lowered_[i];
             sum += double(ring_[v].ownArea()) * (trianglesAt(sizes.edge[v]) - ofLargest_);
         });
-		const double ungraded = smallTriangles(some, sizes.epsilon);
+		const double ungraded = smallTriangles(bent_, centre_.size(), sizes.epsilon);
 		const double got      = more / area();
-		return got > 0 ? epsilonFor(some, wanted_ * ungraded / got) : sizes.epsilon;
+		return got > 0 ? epsilonFor(bent_, centre_.size(), wanted_ * ungraded / got)
+					   : sizes.epsilon;
 	}
 };
 

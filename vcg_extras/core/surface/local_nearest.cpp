@@ -3,6 +3,7 @@
 #include "local_nearest.h"
 
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/mesh/face_plane.h>
 
 #include <cmath>
 
@@ -13,7 +14,7 @@ namespace {
 class Descent {
 public:
 	Descent(const HalfEdgeMesh& mesh, const Vec3f& p, const Vec3f& facing) :
-			m_(mesh), p_(p), facing_(facing)
+			m_(mesh), p_(p), facing_(facing), isAnyWay_(facing == Vec3f())
 	{
 	}
 
@@ -36,7 +37,7 @@ public:
 	{
 		const float before = squared_;
 		forEachOutgoing(m_, v, [&](int h) {
-			if (!(dot(m_.faceCross(h / 3), facing_) < 0)) tryFace(h / 3);
+			if (isAnyWay_ || !(dot(m_.faceCross(h / 3), facing_) < 0)) tryFace(h / 3);
 		});
 		return squared_ < before;
 	}
@@ -51,12 +52,36 @@ public:
 		return isNearer;
 	}
 
+	/// Whether the point lies inside of its face. What is next to the face is no nearer then.
+	bool isInside() const { return FacePlane(m_, at_.face).footOf(p_).isInside(); }
+
 private:
 	const HalfEdgeMesh& m_;
 	Vec3f               p_, facing_;
+	bool                isAnyWay_; ///< faces of either side count
 	SurfacePoint        at_;
 	float               squared_ = HUGE_VALF;
 };
+
+/// From a corner of a face down to a vertex that has no nearer neighbour.
+int nearestVertex(const HalfEdgeMesh& m, int face, const Vec3f& p)
+{
+	int        nearest   = m.origin[3 * face];
+	float      squared   = HUGE_VALF;
+	const auto tryVertex = [&](int v) {
+		const float of = squaredLength(m.position[v] - p);
+		if (of >= squared) return;
+		squared = of;
+		nearest = v;
+	};
+	for (int h = 3 * face; h < 3 * face + 3; ++h)
+		tryVertex(m.origin[h]);
+	for (int from = -1; from != nearest;) {
+		from = nearest;
+		forEachNeighbour(m, from, tryVertex);
+	}
+	return nearest;
+}
 
 } // namespace
 
@@ -65,8 +90,11 @@ Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& 
 	constexpr int maxHops = 64;
 	Descent       descent(m, p, Vec3f());
 	descent.tryFace(face);
-	for (int i = 0; i < maxHops && descent.squared() > enough && descent.hop();)
-		++i;
+	// Over vertices first: a look at one takes a tenth of that at a face.
+	if (descent.squared() > enough) descent.tryRound(nearestVertex(m, face, p));
+	for (int i = 0; i < maxHops && descent.squared() > enough; ++i) {
+		if (descent.isInside() || !descent.hop()) break;
+	}
 	face = descent.at().face;
 	return descent.at().position;
 }

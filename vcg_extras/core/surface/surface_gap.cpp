@@ -4,6 +4,8 @@
 
 #include "local_nearest.h"
 
+#include <vcg_extras/core/mesh/face_plane.h>
+
 namespace gpr {
 
 namespace {
@@ -61,9 +63,12 @@ SurfaceGaps::SurfaceGaps(const Surface& surface, const ClosestFaceMap& map,
 /// The vertices of the input that are closest to f, from where the result comes nearest to them.
 void SurfaceGaps::lookFromSurface(int f, Gap& gap) const
 {
+	const FacePlane plane(m_, f);
 	for (const int* i = map_.begin(f); i != map_.end(f); ++i) {
 		int         face = f;
 		const Vec3f p    = s_.position[*i];
+		// Most vertices lie over the face, and near it.
+		if (plane.squaredHeight(p) <= gap.squared && plane.footOf(p).isInside()) continue;
 		widen(nearestOnTheWay(m_, p, gap.squared, face), p, gap);
 	}
 }

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_CORE_BASE_FLOAT4_H
+#define VCG_EXTRAS_CORE_BASE_FLOAT4_H
+
+namespace gpr {
+
+/// Four floats that are added and multiplied together, by one instruction each where the compiler
+/// knows vectors (GCC and Clang). Each lane is computed as a single float is (IEEE), so that the
+/// results have the same bits with and without. GPR_SCALAR_LANES builds without.
+class Float4 {
+public:
+	Float4() : Float4(0, 0, 0, 0) {}
+	Float4(float a, float b, float c, float d) : lane_{a, b, c, d} {}
+
+	float operator[](int i) const { return lane_[i]; }
+
+#if defined(__GNUC__) && !defined(GPR_SCALAR_LANES)
+	friend Float4 operator*(const Float4& a, const Float4& b) { return Float4(a.lane_ * b.lane_); }
+	friend Float4 operator*(const Float4& a, float b) { return Float4(a.lane_ * b); }
+	Float4&       operator+=(const Float4& b)
+	{
+		lane_ += b.lane_;
+		return *this;
+	}
+
+private:
+	using Lanes = float __attribute__((vector_size(16)));
+	explicit Float4(Lanes lanes) : lane_(lanes) {}
+	Lanes lane_;
+#else
+	friend Float4 operator*(const Float4& a, const Float4& b)
+	{
+		return {a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]};
+	}
+	friend Float4 operator*(const Float4& a, float b) { return a * Float4(b, b, b, b); }
+	Float4&       operator+=(const Float4& b)
+	{
+		for (int i = 0; i < 4; ++i)
+			lane_[i] += b.lane_[i];
+		return *this;
+	}
+
+private:
+	float lane_[4];
+#endif
+};
+
+} // namespace gpr
+
+#endif
