@@ -169,7 +169,7 @@ TEST(RepairPoorFaces, DoesNotDependOnThreads)
 /// On these few triangles per bump are left at 12° to 20° that no single change repairs.
 TEST(RepairPoorFaces, TwoChangesInARowRepairWhatOneCannot)
 {
-	for (unsigned seed : {33u, 57u, 72u, 76u, 87u}) {
+	for (unsigned seed : {4u, 6u, 12u, 23u, 97u}) {
 		Random             random(seed);
 		const TriangleMesh mesh = noisySphere(5, 0.05, random);
 		RemeshOptions      options;

@@ -54,7 +54,7 @@ TEST(Rings, HaveTheSpokesAndFacesOfATurnRoundEachVertex)
 /// What a face says at all its corners at once is what it says to each of them.
 TEST(ConformalFace, IsThePullAtEachCorner)
 {
-	const Vec3f corner[] = {{0, 0, 0}, {1, 0.2f, 0.1f}, {0.3f, 0.9f, -0.2f}};
+	const Vec3f         corner[] = {{0, 0, 0}, {1, 0.2f, 0.1f}, {0.3f, 0.9f, -0.2f}};
 	const ConformalFace face(corner[0], corner[1], corner[2]);
 	for (int k = 0; k < 3; ++k) {
 		const Vec3f   a = corner[(k + 1) % 3] - corner[k], b = corner[(k + 2) % 3] - corner[k];

@@ -16,9 +16,15 @@ public:
 	float operator[](int i) const { return lane_[i]; }
 
 #if defined(__GNUC__) && !defined(GPR_SCALAR_LANES)
-	friend Float4 operator*(const Float4& a, const Float4& b) { return Float4(a.lane_ * b.lane_); }
-	friend Float4 operator*(const Float4& a, float b) { return Float4(a.lane_ * b); }
-	Float4&       operator+=(const Float4& b)
+	friend Float4 operator*(const Float4& a, const Float4& b)
+	{
+		return Float4(a.lane_ * b.lane_);
+	}
+	friend Float4 operator*(const Float4& a, float b)
+	{
+		return Float4(a.lane_ * b);
+	}
+	Float4& operator+=(const Float4& b)
 	{
 		lane_ += b.lane_;
 		return *this;
@@ -33,8 +39,11 @@ private:
 	{
 		return {a[0] * b[0], a[1] * b[1], a[2] * b[2], a[3] * b[3]};
 	}
-	friend Float4 operator*(const Float4& a, float b) { return a * Float4(b, b, b, b); }
-	Float4&       operator+=(const Float4& b)
+	friend Float4 operator*(const Float4& a, float b)
+	{
+		return a * Float4(b, b, b, b);
+	}
+	Float4& operator+=(const Float4& b)
 	{
 		for (int i = 0; i < 4; ++i)
 			lane_[i] += b.lane_[i];

@@ -135,13 +135,13 @@ private:
 		return size_.empty() ? straight : straight / (0.5f * (size_[a] + size_[b]));
 	}
 
-	/// What find(h) gives for the half-edges, up to an energy.
+	/// What find(h, mostEnergy) gives for the half-edges, up to that energy.
 	template <class Find>
 	std::vector<CountChange> collectUpTo(int mostEnergy, const Find& find) const
 	{
 		return workers_.collectEach<CountChange>(m_.halfEdgeNum(), [&](int h, auto& out) {
 			if (isDeadFace(m_, h / 3)) return;
-			const std::optional<CountChange> op = find(h);
+			const std::optional<CountChange> op = find(h, mostEnergy);
 			if (op && op->energy <= mostEnergy) out.push_back(*op);
 		});
 	}
@@ -164,7 +164,7 @@ private:
 	{
 		beginRound();
 		const std::vector<CountChange> operations =
-			operationsOfRound(wanted, [&](int h) { return findSplit(h); });
+			operationsOfRound(wanted, [&](int h, int most) { return findSplit(h, most); });
 		reserve(m_, m_.vertexNum + int(wanted), m_.faceNum + 2 * int(wanted));
 		for (const CountChange& op : operations) {
 			if (wanted == 0) return;
@@ -180,24 +180,26 @@ private:
 			   r_.vertex[m_.origin[h]].curve >= 0 && r_.vertex[m_.target(h)].curve >= 0;
 	}
 
-	std::optional<CountChange> findSplit(int h) const
+	/// Valences tell first, since they rule nearly all edges out where little energy is allowed.
+	std::optional<CountChange> findSplit(int h, int mostEnergy) const
 	{
 		if (m_.isCreaseEdge(h)) return {};
-		const float rank = -relativeLength(h);
-		if (isSplittableBorder(h)) return CountChange{1000, rank, h, 0};
+		if (isSplittableBorder(h)) return CountChange{1000, -relativeLength(h), h, 0};
 		if (m_.opposite[h] <= h) return {};
-		const int   w = m_.origin[h], x = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
-		CountChange best{splitEnergy(h, 0), rank, h, 0};
-		if (care_ != Care::FlatGroundOnly) return best;
-		if (!allFlat(w, x, c, d)) return {};
-		for (int pattern : splitPatterns) {
-			if (!patternAllowed(h, pattern)) continue;
-			const int energy = splitEnergy(h, pattern);
-			if (energy < best.energy) {
+		const SplitEnergies energies = energiesOf(h);
+		CountChange         best{energies.of(0), 0, h, 0};
+		if (care_ == Care::FlatGroundOnly) {
+			for (int pattern : splitPatterns) {
+				const int energy = energies.of(pattern);
+				if (energy >= best.energy || !patternAllowed(h, pattern)) continue;
 				best.energy  = energy;
 				best.pattern = pattern;
 			}
 		}
+		if (best.energy > mostEnergy) return {};
+		const int c = m_.apex(h), d = m_.apex(m_.opposite[h]);
+		if (care_ == Care::FlatGroundOnly && !allFlat(m_.origin[h], m_.target(h), c, d)) return {};
+		best.rank = -relativeLength(h);
 		return best;
 	}
 
@@ -237,21 +239,40 @@ private:
 			   (lostX == 0 || valence_[m_.target(h)] - lostX >= 5);
 	}
 
-	int splitEnergy(int h, int pattern) const
+	/// The change of Σ(valence - 6)² by a split of one edge, of each vertex that takes part by
+	/// itself.
+	struct SplitEnergies {
+		int ends[2][3];   ///< w and x, with so many neighbours less
+		int apexes[2][2]; ///< c and d, with a neighbour more, and with as many as before
+		int beyond[4];    ///< the vertices beyond WC, XC, WD, XD, with a neighbour more
+
+		int of(int pattern) const
+		{
+			const int wc = pattern & 1, xc = pattern >> 1 & 1, wd = pattern >> 2 & 1,
+					  xd = pattern >> 3;
+			return squaredDefect(4 + wc + xc + wd + xd) + ends[0][wc + wd] + ends[1][xc + xd] +
+				   apexes[0][wc + xc] + apexes[1][wd + xd] + wc * beyond[0] + xc * beyond[1] +
+				   wd * beyond[2] + xd * beyond[3];
+		}
+	};
+
+	SplitEnergies energiesOf(int h) const
 	{
-		const int w = valence_[m_.origin[h]], x = valence_[m_.target(h)];
-		const int c = valence_[m_.apex(h)], d = valence_[m_.apex(m_.opposite[h])];
-		const int wc = !!(pattern & WC), xc = !!(pattern & XC);
-		const int wd = !!(pattern & WD), xd = !!(pattern & XD);
-		int       e = squaredDefect(4 + wc + xc + wd + xd);
-		e += squaredDefect(w - wc - wd) - squaredDefect(w);
-		e += squaredDefect(x - xc - xd) - squaredDefect(x);
-		e += squaredDefect(c + 1 - wc - xc) - squaredDefect(c);
-		e += squaredDefect(d + 1 - wd - xd) - squaredDefect(d);
-		for (int edge : {WC, XC, WD, XD}) {
-			if (!(pattern & edge)) continue;
-			const int y = valence_[beyond(h, edge)];
-			e += squaredDefect(y + 1) - squaredDefect(y);
+		const auto by = [](int valence, int more) {
+			return squaredDefect(valence + more) - squaredDefect(valence);
+		};
+		SplitEnergies e;
+		for (int k = 0; k < 2; ++k) {
+			const int side = k == 0 ? h : m_.opposite[h];
+			const int end = valence_[m_.origin[side]], apex = valence_[m_.apex(side)];
+			for (int less = 0; less < 3; ++less)
+				e.ends[k][less] = by(end, -less);
+			e.apexes[k][0] = by(apex, 1);
+			e.apexes[k][1] = 0;
+		}
+		for (int k = 0; k < 4; ++k) {
+			const int y = beyond(h, 1 << k);
+			e.beyond[k] = y < 0 ? 0 : by(valence_[y], 1); // no flip is allowed there
 		}
 		return e;
 	}
@@ -327,7 +348,7 @@ private:
 	{
 		beginRound();
 		for (const CountChange& op :
-			 operationsOfRound(wanted, [&](int h) { return findCollapse(h); })) {
+			 operationsOfRound(wanted, [&](int h, int) { return findCollapse(h); })) {
 			if (wanted == 0) return;
 			if (isDeadFace(m_, op.halfEdge / 3)) continue;
 			const bool done = m_.opposite[op.halfEdge] < 0 ? collapseAtBorder(op.halfEdge)
