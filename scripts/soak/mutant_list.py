@@ -101,7 +101,7 @@ MUTANTS = [
      "return before + shareInside(e, squaredRadius) * (beyond - before);", "return beyond;"),
     ("sizes by the error: noise", "sampling/error_sizes.cpp", "constexpr float noiseFactor = 2.5f;",
      "constexpr float noiseFactor = 0.1f;"),
-    ("sizes by the error: number", "sampling/error_sizes.cpp", "usualRaise = 1.35f, mostRaise = 2;",
+    ("sizes by the error: number", "sampling/error_sizes.cpp", "usualRaise = 1.35f, mostRaise = 2.2f;",
      "usualRaise = 3, mostRaise = 3;"),
     ("sizes at a kept border", "sampling/sizing.cpp",
      "matched[v]         = std::min(size[v], std::max(smallestSize, wanted));", ""),

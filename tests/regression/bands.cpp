@@ -90,19 +90,19 @@ std::vector<Band> bands()
 {
 	return {
 		// at least:                                           2r/R   aspect angle val6  at most: <30   inv   rms     p999  H     rim    creases
-		{"BunnyTo10",         bunny, "",           percent(10),       .983,  .937,  31.5, 89,   0,     0,    .0425,  .22,  .41,  any,   any,  Apart | NoLines},
-		{"BunnyTo10Even",     bunny, "even",       percent(10),       .985,  .942,  32,   90,   0,     0,    .0435,  .28,  .66,  any,   any,  Apart | NoLines},
+		{"BunnyTo10",         bunny, "",           percent(10),       .983,  .937,  31.5, 88.5,  0,     0,    .0425,  .22,  .41,  any,   any,  Apart | NoLines},
+		{"BunnyTo10Even",     bunny, "even",       percent(10),       .985,  .942,  32,   90,   0,     0,    .0435,  .28,  .75,  any,   any,  Apart | NoLines},
 		{"BunnyTo10Adapted",  bunny, "adapt1",     percent(10),       .972,  .915,  30,   86,   0,     0,    .0410,  .17,  .34,  any,   any,  Apart | NoLines},
 		{"BunnyTo10Fast",     bunny, "fast",       percent(10),       .981,  .937,  32,   86.5, 0,     0,    .109,   .86,  1.35, any,   any,  Apart | NoLines},
 		{"BunnyTo2",          bunny, "",           percent(2),        .962,  .9,    31.5, 79.5, 0,     0,    .18,    1.43, 2.3,  any,   any,  Apart | NoLines},
 		{"BunnyTo10Paper",    bunny, "paper",      percent(10),       .937,  .859,  23.5, 46,   .43,   0,    .104,   .68,  1.13, any,   any,  NoLines},
-		{"BunnyWithin02",     bunny, "",           error(.2, 3300),   .94,   .875,  18,   74,   .13,   0,    .049,   .17,  any,  any,   any,  Apart | NoLines},
+		{"BunnyWithin02",     bunny, "",           error(.2, 3600),   .94,   .875,  9,    74,   .13,   0,    .049,   .17,  any,  any,   any,  Apart | NoLines},
 		{"BunnyTo10Region",   bunny, "region",     percent(10),       .976,  .92,   32,   84,   0,     0,    .048,   .206, .35,  any,   any,  Apart | NoLines},
 		{"BunnyTo10Lines",    bunny, "lines",      percent(10),       .969,  .915,  31.5, 79,   0,     0,    .043,   .24,  .52,  any,   any,  Apart},
-		{"OpenBunnyTo10",     bunny, "open",       percent(10),       .981,  .937,  31.5, 89,   0,     0,    .041,   .19,  .33,  .1,    any,  Apart | NoLines},
-		{"OpenBunnyTo20Keep", bunny, "open keep",  percent(20),       .981,  .936,  31.5, 89.5, 0,     0,    .0275,  .131, .235, 0,     any,  Apart | NoLines},
-		{"OpenBunnyTo10Free", bunny, "open free",  percent(10),       .981,  .936,  31.5, 89,   0,     0,    .041,   .177, .33,  .1,    any,  Apart | NoLines},
-		{"OpenBunnyTo10Smooth", bunny, "open smooth", percent(10),    .984,  .94,   32,   89,   0,     0,    .041,   .184, .52,  .28,   any,  Apart | NoLines},
+		{"OpenBunnyTo10",     bunny, "open",       percent(10),       .981,  .937,  31.5, 88.5,  0,     0,    .041,   .19,  .45,  .1,    any,  Apart | NoLines},
+		{"OpenBunnyTo20Keep", bunny, "open keep",  percent(20),       .981,  .934,  31.5, 89.5, 0,     0,    .0275,  .131, .235, 0,     any,  Apart | NoLines},
+		{"OpenBunnyTo10Free", bunny, "open free",  percent(10),       .981,  .936,  31.5, 88.5,  0,     0,    .041,   .177, .33,  .1,    any,  Apart | NoLines},
+		{"OpenBunnyTo10Smooth", bunny, "open smooth", percent(10),    .984,  .94,   32,   89,   0,     0,    .041,   .184, .58,  .28,   any,  Apart | NoLines},
 
 		{"IgeaTo5",           igea, "even",        vertices(13434),   .9915, .96,   31,   94,   0,     0,    .0162,  any,  any,  any,   any,  None},
 		{"IgeaTo5Adapted",    igea, "adapt1",      vertices(13434),   .98,   .935,  29.5, 90,   0,     0,    .0143,  any,  any,  any,   any,  None},
@@ -114,8 +114,9 @@ std::vector<Band> bands()
 		{"IguanaTo10",        iguana, "even",      percent(10),       .977,  any,   9,    89,   .02,   any,  .023,   any,  any,  any,   any,  None},
 		// Its crowded lines are released; there a sharp edge may be rounded.
 		{"CastingTo50",       casting, "even",     percent(50),       .952,  any,   30,   79,   0,     any,  .105,   any,  any,  any,   .36,  None},
-		// One or two of the thousand triangles stay poor with every second seed.
-		{"CastingTo10",       casting, "even",     percent(10),       .88,   any,   15,   any,  .3,    any,  .3,     any,  any,  any,   any,  None},
+		// One or two of the thousand triangles stay poor with every second seed, and with some a patch
+		// is made anew for one contact.
+		{"CastingTo10",       casting, "even",     percent(10),       .88,   any,   15,   any,  2.5,   any,  .3,     any,  any,  any,   any,  None},
 		// Half of its vertices are on creases.
 		{"CheeseTo50",        cheese, "even",      percent(50),       .79,   any,   any,  any,  19,    any,  .27,    any,  any,  any,   any,  None},
 		{"RockerarmTo100",    rockerarm, "even",   percent(100),      .991,  any,   31,   93,   any,   any,  .0252,  any,  any,  any,   any,  None},
