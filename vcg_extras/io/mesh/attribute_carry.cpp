@@ -88,7 +88,7 @@ MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
 	MeshAttributes carried;
 	carried.lost = source.lost;
 	for (ValueColumn& column : source.ofVertices) {
-		ValueColumn to{column.name, column.type, {}};
+		ValueColumn to{column.name, column.type, {}, {}};
 		to.values.reserve(result.surfacePoints.size());
 		for (const BarycentricPoint& at : result.surfacePoints)
 			to.values.push_back(valueAt(column, mesh, at));
@@ -101,7 +101,7 @@ MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
 			if (column.name == "nx") carried.lost.push_back("normals of faces");
 			continue;
 		}
-		ValueColumn to{column.name, column.type, {}};
+		ValueColumn to{column.name, column.type, {}, column.names};
 		for (const BarycentricPoint& at : result.facePoints)
 			to.values.push_back(column.values[std::size_t(at.face)]);
 		carried.ofFaces.push_back(std::move(to));

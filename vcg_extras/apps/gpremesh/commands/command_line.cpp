@@ -116,6 +116,13 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 		->required();
 	addOutput(*remesh, line);
 	addTableOptions(*remesh, RemeshTool, given);
+	remesh
+		->add_option("--regions", line.regions,
+					 "The property of IN's faces that tells their regions, whose borders are kept\n"
+					 "as lines and whose labels the result gets. If not given: region, label,\n"
+					 "material, group, CellEntityIds and material_index, groups and materials of\n"
+					 "OBJ, solids of STL. off: none")
+		->type_name("NAME|off");
 	addOutcome(*remesh, line, "Write what was done, and how well, as JSON");
 	addMemory(*remesh, line);
 	remesh

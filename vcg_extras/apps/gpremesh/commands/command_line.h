@@ -44,6 +44,7 @@ struct CommandLine {
 	bool        json       = false; ///< info and compare only
 	bool        isotropic  = false; ///< compare only
 	int         runNum     = 1;     ///< compare only
+	std::string regions;            ///< remesh only: see regionsOf
 	std::string htmlFolder;         ///< compare only; empty = no page
 	RemeshOptions options;          ///< all but info
 	std::string   optionsText;      ///< these as the user gave them: "--lambda 2 --preset fast"

@@ -93,9 +93,10 @@ void writeReport(const std::string& path, const RunRecord& run)
 	out.commit();
 }
 
-WantedAttributes wantedBy(const RemeshOptions& options)
+WantedAttributes wantedBy(const CommandLine& line)
 {
-	WantedAttributes wanted = neededBy(options);
+	WantedAttributes wanted = neededBy(line.options);
+	wanted.regions          = line.regions;
 	wanted.carried          = true;
 	wanted.mayStayInFile    = true;
 	return wanted;
@@ -120,7 +121,7 @@ Source readSource(const CommandLine& line, const RunLimit& limit)
 	const EndAtOnce guard(limit);
 	const bool      isSewn = line.options.sew && !line.options.selectedOnly;
 	Source          source;
-	source.mesh    = readMesh(line.input, wantedBy(line.options));
+	source.mesh    = readMesh(line.input, wantedBy(line));
 	source.texture = takeTexture(source.mesh.attributes, source.mesh.view(), isSewn);
 	return source;
 }
