@@ -15,8 +15,8 @@ namespace gpr {
 
 namespace {
 
-/// A piece is at home between lines where it takes this share of the area there, or where this share
-/// of the piece lies. Less are middles that lie beyond the line.
+/// A piece is at home between lines where it takes this share of the area there, or where this
+/// share of the piece lies. Less are middles that lie beyond the line.
 constexpr double shareOfCell = 0.3, shareOfPiece = 0.6;
 /// Passes that even out borders without a line.
 constexpr int evenings = 8;
@@ -139,8 +139,7 @@ private:
 		std::array<int, 3>  round{none, none, none};
 		for (int k = 0; k < 3; ++k) {
 			const int h = 3 * f + k;
-			if (!m.isCurveEdge(h))
-				round[std::size_t(k)] = pieceOf_[std::size_t(m.opposite[h] / 3)];
+			if (!m.isCurveEdge(h)) round[std::size_t(k)] = pieceOf_[std::size_t(m.opposite[h] / 3)];
 		}
 		return round;
 	}
@@ -172,7 +171,7 @@ private:
 			if (homeOf_[std::size_t(cells_.ofFace[std::size_t(f)])].size() < 2) continue;
 			const std::array<int, 3> n   = piecesRound(f);
 			const int                two = n[0] == n[1] || n[0] == n[2] ? n[0] : n[1];
-			const bool isPair = two != none && std::count(n.begin(), n.end(), two) >= 2;
+			const bool isPair            = two != none && std::count(n.begin(), n.end(), two) >= 2;
 			if (!isPair || two == pieceOf_[std::size_t(f)] || isAlone(f, n)) continue;
 			pieceOf_[std::size_t(f)] = two;
 			hasChanged               = true;
@@ -197,7 +196,7 @@ private:
 		if (lookedAtFor_.empty()) lookedAtFor_.assign(std::size_t(m.faceNum), -1);
 		const int first = at.face;
 		reached_.assign(1, first);
-		const int mark      = ++lookedAt_;
+		const int mark                   = ++lookedAt_;
 		lookedAtFor_[std::size_t(first)] = mark;
 		for (std::size_t i = 0; i < reached_.size(); ++i) {
 			const int f = reached_[i];

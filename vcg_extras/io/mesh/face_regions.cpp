@@ -55,7 +55,8 @@ FaceRegions regionsNamed(const MeshAttributes& attributes, const std::string& na
 	for (const ValueColumn& column : attributes.ofFaces) {
 		if (column.name != name) continue;
 		if (!areLabels(column))
-			failInput("its faces' '" + name + "' are no whole numbers, so that they tell no regions");
+			failInput("its faces' '" + name +
+					  "' are no whole numbers, so that they tell no regions");
 		return regionsIn(column);
 	}
 	failInput("its faces have no property '" + name + "' that would tell regions");

@@ -39,8 +39,8 @@ private:
 
 /// The regions of a mesh: labels of its triangles, as gpr::MeshView has them.
 struct FaceRegions {
-	std::vector<std::int32_t> label; ///< one a triangle; empty: there are none
-	std::vector<std::string>  names; ///< by label, or empty
+	std::vector<std::int32_t> label;       ///< one a triangle; empty: there are none
+	std::vector<std::string>  names;       ///< by label, or empty
 	std::string               prefix = {}; ///< of names that are made of labels
 
 	std::string nameOf(std::int32_t labelOfOne) const;

@@ -50,7 +50,7 @@ struct WantedAttributes {
 	bool        faceSelection = false; ///< of the faces
 	bool        carried       = false; ///< whatever there is, to be carried over to a result
 	bool        mayStayInFile = false; ///< see InputMesh::inFile
-	std::string regions;               ///< of `carried`, which tells regions: see regionsOf
+	std::string regions       = {};    ///< of `carried`, which tells regions: see regionsOf
 
 	/// Any that must be there.
 	bool anyRequired() const { return selection || faceSelection; }
