@@ -146,7 +146,7 @@ TEST_F(RegionsInFiles, OneSolidIsNoRegionAndItsNameIsTold)
 {
 	const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
 							  "vertex 0 1 0\nendloop\nendfacet\n";
-	const InputMesh mesh = read(put("in.stl", "solid a b\n" + facet + "endsolid a b\n"));
+	const InputMesh   mesh  = read(put("in.stl", "solid a b\n" + facet + "endsolid a b\n"));
 	EXPECT_TRUE(mesh.regions.label.empty());
 	EXPECT_EQ(mesh.attributes.lost, std::vector<std::string>{"the name of the solid"});
 }
@@ -158,10 +158,10 @@ TEST_F(RegionsInFiles, SolidsWithoutANameAreApartAndThoseOfOneNameAreNot)
 		return "facet normal 0 0 1\nouter loop\nvertex 0 0 " + end + "vertex 1 0 " + end +
 			   "vertex 0 1 " + end + "endloop\nendfacet\n";
 	};
-	const InputMesh mesh = read(put("in.stl", "solid\n" + facet("0") + "endsolid\nsolid\n" +
-												  facet("1") + "endsolid\nsolid x\n" + facet("2") +
-												  "endsolid\nsolid x\n" + facet("3") +
-												  "endsolid x\n"));
+	const InputMesh mesh =
+		read(put("in.stl", "solid\n" + facet("0") + "endsolid\nsolid\n" + facet("1") +
+							   "endsolid\nsolid x\n" + facet("2") + "endsolid\nsolid x\n" +
+							   facet("3") + "endsolid x\n"));
 	EXPECT_EQ(mesh.regions.label, (std::vector<std::int32_t>{0, 1, 2, 2}));
 }
 
@@ -199,14 +199,14 @@ std::set<double> redsOf(const std::function<int(double)>& redAt, Transfer transf
 		text << p[0] << ' ' << p[1] << ' ' << p[2] << ' ' << redAt(p[0]) << " 7 8\n";
 	for (const auto& f : mesh.faces)
 		text << "3 " << f[0] << ' ' << f[1] << ' ' << f[2] << '\n';
-	InputMesh        input   = readPly(text.str());
+	InputMesh        input = readPly(text.str());
 	WantedAttributes wanted;
 	wanted.carried = true;
 	readPlyAttributes(text.str(), wanted, input);
 	RemeshOptions options;
-	options.targetMode        = TargetMode::VertexNum;
-	options.targetVertexNum   = 250;
-	const RemeshResult result = remesh(input.view(), options);
+	options.targetMode          = TargetMode::VertexNum;
+	options.targetVertexNum     = 250;
+	const RemeshResult   result = remesh(input.view(), options);
 	const MeshAttributes carried =
 		carryAttributes(input.attributes, input.view(), nullptr, result, transfer);
 	const std::vector<double>& reds = carried.ofVertices[0].values;

@@ -123,21 +123,20 @@ TEST(Regions, RandomVoronoiCellsStayConnectedAndKeepTheirAreas)
 	for (std::uint32_t seed : testSeeds(12)) {
 		SCOPED_TRACE("seed " + std::to_string(seed));
 		Random             random(seed);
-		const int          level = 4;
-		const TriangleMesh mesh  = random.below(2) == 0 ? icosphere(level) : torus(90, 40);
-		const Labels       label = voronoiLabels(mesh, 2 + random.below(10), random);
-		const RemeshResult result =
-			remeshRegions(mesh, label, std::int64_t(mesh.vertexNum() / 4));
+		const int          level  = 4;
+		const TriangleMesh mesh   = random.below(2) == 0 ? icosphere(level) : torus(90, 40);
+		const Labels       label  = voronoiLabels(mesh, 2 + random.below(10), random);
+		const RemeshResult result = remeshRegions(mesh, label, std::int64_t(mesh.vertexNum() / 4));
 		ASSERT_EQ(result.region.size(), result.mesh.faceNum());
 		EXPECT_TRUE(isSoundSurface(result.mesh));
 		EXPECT_TRUE(hasSameTopology(result.mesh, mesh));
 		if (!areFollowed(result)) continue;
 		++followed;
 		EXPECT_EQ(piecesOf(result.mesh, result.region), piecesOf(mesh, label));
-		const auto before = areasOf(mesh, label), after = areasOf(result.mesh, result.region);
-		const double whole = std::accumulate(
-			before.begin(), before.end(), 0.0,
-			[](double sum, const auto& one) { return sum + one.second; });
+		const auto   before = areasOf(mesh, label), after = areasOf(result.mesh, result.region);
+		const double whole =
+			std::accumulate(before.begin(), before.end(), 0.0,
+							[](double sum, const auto& one) { return sum + one.second; });
 		for (const auto& [region, area] : before)
 			EXPECT_NEAR(after.at(region), area, 0.005 * area + 0.002 * whole) << region;
 	}
@@ -177,12 +176,12 @@ TEST(Regions, ARegionOfOneFaceKeepsOne)
 TEST(Regions, WhereNoLineCanBeFollowedBordersAreStillEvenedOut)
 {
 	Random             random(2);
-	const TriangleMesh mesh  = icosphere(4);
-	const Labels       label = voronoiLabels(mesh, 3, random);
-	MeshView           view  = mesh.view();
-	view.region              = label.data();
-	RemeshOptions options    = countOptions(200);
-	options.preset           = Preset::Paper; // follows no lines
+	const TriangleMesh mesh   = icosphere(4);
+	const Labels       label  = voronoiLabels(mesh, 3, random);
+	MeshView           view   = mesh.view();
+	view.region               = label.data();
+	RemeshOptions options     = countOptions(200);
+	options.preset            = Preset::Paper; // follows no lines
 	const RemeshResult result = remesh(view, options);
 	ASSERT_EQ(result.status, Status::Ok) << result.message;
 	EXPECT_EQ(piecesOf(result.mesh, result.region).size(), 3u);
@@ -218,11 +217,11 @@ TEST(Regions, FacesBesideASelectionKeepTheirLabels)
 	std::vector<std::uint8_t> selected;
 	for (std::size_t f = 0; f < mesh.faceNum(); ++f)
 		selected.push_back(middleOf(mesh, f).x > 0);
-	MeshView view         = mesh.view();
-	view.region           = label.data();
-	view.selectedFace     = selected.data();
-	RemeshOptions options = countOptions(300);
-	options.selectedOnly  = true;
+	MeshView view                = mesh.view();
+	view.region                  = label.data();
+	view.selectedFace            = selected.data();
+	RemeshOptions options        = countOptions(300);
+	options.selectedOnly         = true;
 	options.surfacePointsOfFaces = true;
 	const RemeshResult result    = remesh(view, options);
 	ASSERT_EQ(result.status, Status::Ok) << result.message;

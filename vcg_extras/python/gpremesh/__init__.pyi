@@ -27,6 +27,7 @@ def remesh(
     feature_edges: ArrayLike | None = None,
     uv: ArrayLike | None = None,
     image: ArrayLike | None = None,
+    regions: ArrayLike | None = None,
     progress: Callable[[float, str], Any] | None = None,
     vertex_count: int | None = None,
     percent: float | None = None,
@@ -76,6 +77,9 @@ def remesh(
         the seams.
     image : array_like (f,) of int, optional
         With `uv`: the number of the image of each face.
+    regions : array_like (f,) of int, optional
+        Labels of the faces, as of materials or patches. Edges of the result follow the borders between
+        labels, and `regions` of the result has a label for each of its faces.
     progress : callable(fraction, stage), optional
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
         is cancelled where it returns False, and where it raises.
