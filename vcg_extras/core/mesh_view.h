@@ -37,6 +37,9 @@ struct MeshView {
 	const std::int32_t* region = nullptr;
 	/// By their labels, or null: what notes call the regions.
 	const std::vector<std::string>* regionNames = nullptr;
+	/// Per vertex, or null for all: not 0 where a vertex of the border is to be kept; for
+	/// BoundaryMode::Keep.
+	const std::uint8_t* keptBorder = nullptr;
 	/// Per face, or null: not 0 where it is selected; for RemeshOptions::selectedOnly.
 	const std::uint8_t* selectedFace = nullptr;
 
