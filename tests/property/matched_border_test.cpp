@@ -173,6 +173,20 @@ TEST(MatchedBorder, ALoopWithoutCornersHasNoBeginOfItsNumbers)
 	EXPECT_EQ(kept(mesh).size(), 17u);
 }
 
+TEST(MatchedBorder, PlacesThatAreNoneAndBordersWithoutEndDoNoHarm)
+{
+	Random       random(3);
+	TriangleMesh mesh     = tile(0, 20, 0, random);
+	mesh.positions[210].x = std::nan("");
+	mesh.positions[20].z  = HUGE_VAL;
+	EXPECT_EQ(matched(mesh.view(), 0.11, 1).report.cleaned.nonFiniteVertices, 2);
+	RemeshOptions options;
+	options.targetMode    = TargetMode::EdgeLength;
+	options.targetEdgeLen = 1e-12;
+	options.boundary      = BoundaryMode::Match;
+	EXPECT_EQ(remesh(mesh.view(), options).status, Status::OutOfMemory);
+}
+
 TEST(MatchedBorder, AClosedSurfaceIsRemeshedAsWithoutIt)
 {
 	const TriangleMesh mesh    = icosphere(4);

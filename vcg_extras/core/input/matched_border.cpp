@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -22,6 +23,8 @@ constexpr double cornerTurn = 1 - 0.6427876096865394, cornerWindow = 0.6;
 /// A sample so near to a vertex of the border, in edges, is that vertex.
 constexpr double nearVertex = 1e-4;
 constexpr int    none       = -1;
+/// Of one piece of a border.
+constexpr double mostSamples = 2e7;
 
 /// By which places have an order: not that of the mesh's numbers.
 bool isBefore(const Vec3d& a, const Vec3d& b)
@@ -88,19 +91,20 @@ private:
 
 	void numberPlaces()
 	{
-		std::vector<std::int32_t> order(input_.vertexNum);
-		std::iota(order.begin(), order.end(), 0);
 		const auto placed = [&](std::int32_t v) { return input_.position(std::size_t(v)); };
+		place_.resize(input_.vertexNum);
+		std::iota(place_.begin(), place_.end(), 0);
+		std::vector<std::int32_t> order;
+		std::copy_if(place_.begin(), place_.end(), std::back_inserter(order),
+					 [&](std::int32_t v) { return isFinite(placed(v)); });
 		std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
 			return isBefore(placed(a), placed(b));
 		});
-		place_.resize(order.size());
 		for (std::size_t i = 0; i < order.size(); ++i) {
-			const bool isSame = i > 0 && placed(order[i]) == placed(order[i - 1]);
-			place_[std::size_t(order[i])] =
-				isSame ? place_[std::size_t(order[i - 1])] : order[i];
+			const bool isSame             = i > 0 && placed(order[i]) == placed(order[i - 1]);
+			place_[std::size_t(order[i])] = isSame ? place_[std::size_t(order[i - 1])] : order[i];
 		}
-		isKeptPlace_.assign(order.size(), 0);
+		isKeptPlace_.assign(place_.size(), 0);
 	}
 
 	void findEdges()
@@ -112,13 +116,22 @@ private:
 		}
 		for (int c = 0; c < int(3 * input_.faceNum); ++c) {
 			const int a = placeOf(c), b = placeOf(nextCorner(c));
-			if (a != b) sides.push_back(edgeSide(a, b, c));
+			if (a != b && isUsable(c / 3)) sides.push_back(edgeSide(a, b, c));
 		}
 		std::sort(sides.begin(), sides.end());
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 			if (end - begin == 1) edge.push_back({sides[begin].halfEdge});
 		});
 		inside.resize(edge.size());
+	}
+
+	/// Other faces are left out of the run.
+	bool isUsable(int f) const
+	{
+		const auto t = input_.triangle(std::size_t(f));
+		return std::all_of(t.begin(), t.end(), [&](std::int32_t v) {
+			return isFinite(input_.position(std::size_t(v)));
+		});
 	}
 
 	/// Links edges where one ends and one begins.
@@ -170,8 +183,7 @@ private:
 			double way = 0;
 			int    k   = e;
 			while (way <= cornerWindow * edge_) {
-				const int next =
-					forward ? edge[std::size_t(k)].next : edge[std::size_t(k)].last;
+				const int next = forward ? edge[std::size_t(k)].next : edge[std::size_t(k)].last;
 				if (next == none || next == e) break;
 				way += length(at(next) - at(k));
 				k                  = next;
@@ -247,8 +259,10 @@ private:
 		double whole = 0;
 		for (std::size_t i = 1; i < point.size(); ++i)
 			whole += length(point[i] - point[i - 1]);
+		if (whole > mostSamples * edge_)
+			throw Failure(Status::OutOfMemory, "The border would have too many vertices.");
 		const int least = isClosed ? 3 : 1;
-		const int num   = std::max(least, int(std::min(1e9, std::round(whole / edge_))));
+		const int num   = std::max(least, int(std::round(whole / edge_)));
 		keep(piece.front());
 		keepEnd(piece.back());
 		double arc = 0;
