@@ -424,4 +424,8 @@ MUTANTS = [
     ("memory needed", "input/memory_need.cpp", "constexpr double bytesPerFace         = 90;",
      "constexpr double bytesPerFace         = 60;",
      "a figure fitted to measured runs, with which a run is refused; a test could only repeat it"),
+    ("region borders", "features/given_lines.cpp",
+     "if (input.region != nullptr && input.region[f] != input.region[g]) return true;", ""),
+    ("matched loop's begin", "input/matched_border.cpp",
+     "if (isBefore(at(k), at(first))) first = k;", ""),
 ]

@@ -404,7 +404,9 @@ TEST(ObjReader, TellsWhetherThereIsMoreThanTheMesh)
 	const std::string mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 	for (const auto& [text, expected] :
 		 std::vector<std::pair<std::string, bool>>{{mesh, false},
-												   {"o a\ns off\n" + mesh, false},
+												   {"s off\n" + mesh, false},
+												   {"o a\n" + mesh, true},
+												   {"g a\n" + mesh, true},
 												   {mesh + "vt 0 0\n", true},
 												   {mesh + "vn 0 0 1\n", true},
 												   {"usemtl a\n" + mesh, true},

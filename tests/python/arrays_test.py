@@ -191,3 +191,16 @@ def many_calls(vertices, faces, i):
 def resident_bytes():
     with open("/proc/self/statm", encoding="ascii") as file:
         return int(file.read().split()[1]) * 4096
+
+
+def test_regions_stay_connected_and_may_have_any_labels():
+    vertices, faces = torus()
+    labels = np.where(vertices[faces, 0].mean(axis=1) > 0, -3, 70000)
+    result = gpremesh.remesh(vertices, faces, vertex_count=300, regions=labels)
+    middle = result.vertices[result.faces, 0].mean(axis=1)
+    assert set(result.regions) == {-3, 70000}
+    assert np.array_equal(result.regions == -3, middle > 0)
+    assert np.array_equal(result.regions, labels[result.middle_face_index])
+    assert gpremesh.remesh(vertices, faces, vertex_count=300).regions is None
+    with pytest.raises(ValueError, match="regions"):
+        gpremesh.remesh(vertices, faces, regions=labels[1:])

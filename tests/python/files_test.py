@@ -180,3 +180,17 @@ def test_arrays_that_do_not_fit_are_named(tmp_path, name, value):
     with pytest.raises(ValueError, match=name):
         mesh.remesh(100)
     assert not (tmp_path / "mesh.ply").exists()
+
+
+def test_names_of_groups_go_from_file_to_file(tmp_path):
+    vertices, faces = torus()
+    text = "".join(f"v {x} {y} {z}\n" for x, y, z in vertices)
+    side = vertices[faces, 0].mean(axis=1) > 0
+    for name, which in (("in let", side), ("wall", ~side)):
+        text += f"g {name}\n" + "".join(f"f {a} {b} {c}\n" for a, b, c in faces[which] + 1)
+    (tmp_path / "in.obj").write_text(text)
+    made = gpremesh.read(tmp_path / "in.obj").remesh(300)
+    gpremesh.write(tmp_path / "out.obj", made)
+    written = (tmp_path / "out.obj").read_text()
+    assert "g in let\n" in written and "g wall\n" in written
+    assert len(set(made.result.regions)) == 2

@@ -93,7 +93,10 @@ struct Laid {
 		return -1;
 	}
 
-	void fit(float minAngle = 0.2f) { fitCurves(surface, curves, minAngle, result); }
+	void fit(float minAngle = 0.2f)
+	{
+		fitCurves(surface, curves, minAngle, CurveFit::MeanAndLargest, result);
+	}
 
 	std::vector<Vec3f> positions() const
 	{

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <string>
 #include <vector>
 
 namespace gpr {
@@ -30,6 +31,15 @@ struct MeshView {
 	/// Three a face, or null: not 0 where the edge from that corner to the next is a line, like a
 	/// seam of the texture, that edges of the result shall follow.
 	const std::uint8_t* line = nullptr;
+	/// Per face, or null: the label of the region that it belongs to. Edges of the result follow
+	/// the borders of regions as they follow lines, and its faces have labels too:
+	/// RemeshResult::region.
+	const std::int32_t* region = nullptr;
+	/// By their labels, or null: what notes call the regions.
+	const std::vector<std::string>* regionNames = nullptr;
+	/// Per vertex, or null for all: not 0 where a vertex of the border is to be kept; for
+	/// BoundaryMode::Keep.
+	const std::uint8_t* keptBorder = nullptr;
 	/// Per face, or null: not 0 where it is selected; for RemeshOptions::selectedOnly.
 	const std::uint8_t* selectedFace = nullptr;
 
@@ -65,6 +75,14 @@ struct MeshView {
 	}
 	/// That of corner c, of face c / 3.
 	std::int32_t vertexOf(std::size_t c) const { return triangle(c / 3)[c % 3]; }
+
+	/// Whether faces have different labels.
+	bool hasManyRegions() const
+	{
+		return region != nullptr &&
+			   std::any_of(region, region + faceNum,
+						   [this](std::int32_t label) { return label != region[0]; });
+	}
 
 	bool anySelected() const
 	{

@@ -44,6 +44,7 @@ enum class BoundaryMode {
 	Keep,     ///< its vertices stay where they are, and no others are put between them
 	Free,     ///< evenly spaced vertices on it, past its corners
 	Smooth,   ///< a smooth curve near it, past teeth and bays smaller than an edge
+	Match,    ///< as Resample, by the border and the edge length alone: see matched_border.h
 };
 
 /// Whether sharp edges of the input become edges of the result. They never do with Preset::Paper.

@@ -268,8 +268,10 @@ void addBoundary(Table& t)
 			"size. free: evenly spaced vertices, which cut corners off. smooth: for the ragged "
 			"borders of scans. The border becomes a smooth curve that stays within half an edge "
 			"of the scan's border, and corners are rounded. The report tells how much of the "
-			"border's length is lost.")
-			.choices({"resample", "keep", "free", "smooth"})
+			"border's length is lost. match: anew, by the border and the edge length alone, so "
+			"that meshes with a piece of their borders in common, remeshed one by one with the "
+			"same edge length, have the same vertices there, bit for bit.")
+			.choices({"resample", "keep", "free", "smooth", "match"})
 			.store([](const Value& v, RemeshOptions& o) { o.boundary = BoundaryMode(countOf(v)); })
 			.p);
 }

@@ -6,11 +6,15 @@
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/pages.h>
+#include <vcg_extras/core/input/matched_border.h>
 #include <vcg_extras/core/input/selected_part.h>
 #include <vcg_extras/core/output/part_joining.h>
 #include <vcg_extras/core/run/remeshing.h>
+#include <vcg_extras/core/sampling/target.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -108,13 +112,43 @@ void remeshSelected(const Call& call, RemeshResult& out)
 	onSelected(call, cutOutSelected(call.input), nullptr, remeshInput, out);
 }
 
+/// The edge length that a count stands for, where none is given.
+double edgeLengthOf(const Call& call)
+{
+	if (call.options.targetMode == TargetMode::EdgeLength) return call.options.targetEdgeLen;
+	const double area = extentOf(call.input).area;
+	const double num  = wantedVertexNum(std::int64_t(call.input.vertexNum), call.options, area, 1);
+	return std::sqrt(2 * area / (std::sqrt(3.0) * std::max(1.0, num)));
+}
+
+void remeshMatched(const Call& call, RemeshResult& out)
+{
+	const double edge = edgeLengthOf(call);
+	if (!(edge > 0)) return remeshInput(call, out); // which tells what is wrong
+	const MatchedBorder matched = matchBorder(call.input, edge);
+	RemeshOptions       inside  = call.options;
+	inside.boundary             = BoundaryMode::Keep;
+	if (inside.targetMode == TargetMode::Percent) // of the caller's vertices
+		inside.targetPercent *= double(call.input.vertexNum) / double(matched.positions.size());
+	MeshView view    = matched.view();
+	view.regionNames = call.input.regionNames;
+	remeshInput({view, inside, call.progress, call.stop, nullptr}, out);
+	nameCallers(call.input, matched, out);
+}
+
+MeshCall callFor(const RemeshOptions& options)
+{
+	if (options.selectedOnly) return remeshSelected;
+	return options.boundary == BoundaryMode::Match ? remeshMatched : remeshInput;
+}
+
 } // namespace
 
 RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 					const ProgressCallback& progress)
 {
 	const Call call{input, options, progress};
-	return guarded<RemeshResult>(options.selectedOnly ? remeshSelected : remeshInput, call);
+	return guarded<RemeshResult>(callFor(options), call);
 }
 
 struct PreparedSurface::Kept {
@@ -128,7 +162,8 @@ struct PreparedSurface::Kept {
 	{
 		const std::lock_guard<std::mutex> lock(oneRun);
 		const Call                        whole{input, options, progress, stop, &ofRuns};
-		if (!options.selectedOnly) return guarded<RemeshResult>(run, whole);
+		if (!options.selectedOnly)
+			return guarded<RemeshResult>(run == remeshInput ? callFor(options) : run, whole);
 		return guarded<RemeshResult>([&](RemeshResult& result) {
 			if (!selected) selected = KeptPart{cutOutSelected(input), {}};
 			onSelected(whole, selected->part, &selected->ofRuns, run, result);

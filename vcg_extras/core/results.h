@@ -35,6 +35,9 @@ struct RemeshResult {
 	std::vector<BarycentricPoint> surfacePoints;
 	/// Where options ask for it, per result face: where on the caller's mesh its middle lies.
 	std::vector<BarycentricPoint> facePoints;
+	/// Where the caller's mesh has regions, per result face: the label of the region it belongs to,
+	/// which is that of the caller's face with its point in facePoints.
+	std::vector<std::int32_t> region;
 	/// Per result vertex, where some had to stay: which of the caller's it is, bit for bit, or -1.
 	std::vector<std::int32_t> callersVertex;
 	/// Per result face, with selectedOnly: which of the caller's it is, or -1 for the new ones.

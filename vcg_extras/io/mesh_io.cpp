@@ -49,6 +49,7 @@ InputMesh readContent(MeshFormat format, const std::string& path, const WantedAt
 	if (format == MeshFormat::Ply) readPlyAttributes(content->view(), wanted, mesh);
 	if (format == MeshFormat::Obj && wanted.carried && holdsMore)
 		readObjAttributes(content->view(), mesh);
+	if (wanted.carried) mesh.regions = regionsOf(mesh.attributes, wanted.regions);
 	if (mesh.isInFile()) mesh.file = content;
 	return mesh;
 }
@@ -106,7 +107,7 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 {
 	const MeshFormat format = formatOfPath(path);
 	OutputFile       out(path, limit);
-	if (attributes.any() && (format == MeshFormat::Off || format == MeshFormat::Stl))
+	if (format == MeshFormat::Off && attributes.any())
 		attributes.lost.push_back("any attribute, which this format does not hold");
 	else if (attributes.gltf != nullptr && format != MeshFormat::Glb)
 		attributes.lost.push_back("images and properties of materials");
@@ -121,7 +122,7 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 		writeOff(mesh, doublePrecision, out);
 		break;
 	case MeshFormat::Stl:
-		writeStl(mesh, out);
+		writeStl(mesh, doublePrecision, attributes, out, attributes.lost);
 		break;
 	case MeshFormat::Glb:
 		writeGlb(mesh, attributes, out, attributes.lost);

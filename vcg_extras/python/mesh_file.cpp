@@ -126,6 +126,8 @@ void FileAttributes::addVertexValues(const std::string& name, const nb::ndarray<
 void FileAttributes::addFaceValues(const std::string& name, const nb::ndarray<nb::ro>& array)
 {
 	values.ofFaces.push_back(columnOf(name, array));
+	const auto known = names.find(name);
+	if (known != names.end()) values.ofFaces.back().names = known->second;
 }
 
 void FileAttributes::setTexture(const CornerCoords& uv, const std::optional<Indices>& image)
@@ -143,6 +145,10 @@ void FileAttributes::takeMaterials(const FileAttributes& other)
 	values.materials       = other.values.materials;
 	values.materialLibrary = other.values.materialLibrary;
 	values.gltf            = other.values.gltf;
+	names                  = other.names;
+	for (const app::ValueColumn& column : other.values.ofFaces) {
+		if (!column.names.empty()) names[column.name] = column.names;
+	}
 }
 
 nb::dict FileAttributes::vertexValues() const

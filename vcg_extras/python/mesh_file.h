@@ -7,6 +7,7 @@
 
 #include <vcg_extras/io/mesh/mesh_attributes.h>
 
+#include <map>
 #include <nanobind/nanobind.h>
 #include <string>
 
@@ -16,12 +17,15 @@ namespace gpr::python {
 /// and its writers take it, with a way from and to arrays.
 struct FileAttributes {
 	app::MeshAttributes values;
+	/// What values of faces are called, by the names of these: see ValueColumn::names.
+	std::map<std::string, std::vector<std::string>> names = {};
 
 	/// Whole numbers of up to 32 bits and real numbers, one a vertex or face.
 	void addVertexValues(const std::string& name, const nb::ndarray<nb::ro>& array);
 	void addFaceValues(const std::string& name, const nb::ndarray<nb::ro>& array);
 	void setTexture(const CornerCoords& uv, const std::optional<Indices>& image);
-	/// The names of images and materials, and what a binary glTF file says of them.
+	/// The names of images, materials and values of faces, and what a binary glTF file says of
+	/// them.
 	void takeMaterials(const FileAttributes& other);
 
 	/// Copies: arrays by their names; the texture is None where there is none.

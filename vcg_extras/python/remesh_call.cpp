@@ -28,6 +28,7 @@ struct Mesh {
 	MeshView                       view;
 	std::vector<std::uint8_t>      lines; ///< three a face, or empty
 	std::unique_ptr<TextureSource> texture;
+	app::FaceRegions               regions;            ///< of a file's attributes
 	PreparedSurface*               prepared = nullptr; ///< of these vertices and faces
 };
 
@@ -73,11 +74,21 @@ Mesh takeMesh(const Positions& positions, const Triangles& triangles, const Extr
 	mesh.view              = viewOf(positions, triangles);
 	mesh.view.selectedFace = dataOf(extras.selectedFaces, mesh.view.faceNum);
 	mesh.view.selected     = dataOf(extras.selectedVertices, mesh.view.vertexNum);
+	mesh.view.region       = dataOf(extras.regions, mesh.view.faceNum);
 	if (extras.edges) takeLines(*extras.edges, mesh);
 	if (extras.texture) takeTexture(extras, mesh);
 	if (!mesh.lines.empty()) mesh.view.line = mesh.lines.data();
 	mesh.prepared = extras.prepared.get();
 	return mesh;
+}
+
+/// Those of a file, where the caller gives none.
+void takeRegions(const app::MeshAttributes& attributes, Mesh& mesh)
+{
+	if (mesh.view.region != nullptr) return;
+	mesh.regions          = app::regionsOf(attributes);
+	mesh.view.region      = mesh.regions.label.empty() ? nullptr : mesh.regions.label.data();
+	mesh.view.regionNames = &mesh.regions.names;
 }
 
 RemeshResult remeshOf(const Mesh& mesh, const RemeshOptions& options,
@@ -140,6 +151,7 @@ void putMesh(RemeshResult&& result, nb::dict& out)
 	out["middle_face_index"] = facesOf(result.facePoints);
 	out["kept_vertex"]       = toNumpy(std::move(result.callersVertex));
 	out["kept_face"]         = toNumpy(std::move(result.callersFace));
+	out["regions"]           = toNumpy(std::move(result.region));
 }
 
 } // namespace
@@ -223,6 +235,7 @@ nb::dict remeshMeshOfFile(const Positions& positions, const Triangles& triangles
 		Mesh                         mesh   = takeMesh(positions, triangles, extras);
 		mesh.texture                        = app::takeTexture(source, mesh.view, isSewn);
 		takeSeams(mesh);
+		takeRegions(attributes.values, mesh);
 		remeshTimed(mesh, clock, watch, run, [&](const Mesh& taken) {
 			carried.values =
 				app::carryAttributes(source, taken.view, taken.texture.get(), run.result);

@@ -6,6 +6,8 @@
 #include <vcg_extras/core/surface/barycentric_point.h>
 #include <vcg_extras/core/surface/surface_point.h>
 
+#include <algorithm>
+
 namespace gpr {
 
 namespace {
@@ -72,7 +74,13 @@ std::vector<int> borderVertices(const MeshView& input, const Surface& surface, W
 	Buffer<char>        onBorder(m.vertexNum);
 	for (int v = 0; v < m.vertexNum; ++v)
 		onBorder[v] = m.outgoing[v] >= 0 && m.isBorderVertex(v);
-	return callersVertices(input, onBorder, surface, workers);
+	std::vector<int> vertices = callersVertices(input, onBorder, surface, workers);
+	if (input.keptBorder == nullptr) return vertices;
+	const auto isNotKept = [&](int v) {
+		return input.keptBorder[callersVertexAt(input, surface, v)] == 0;
+	};
+	vertices.erase(std::remove_if(vertices.begin(), vertices.end(), isNotKept), vertices.end());
+	return vertices;
 }
 
 std::vector<int> unionOf(const std::vector<int>& a, const std::vector<int>& b)

@@ -42,14 +42,22 @@ bool isGivenLine(const MeshView& input, const Surface& surface, int h)
 	if (other < 0) return false;
 	const int    f = surface.sourceFace[h / 3], g = surface.sourceFace[other / 3];
 	const double scale = surface.frame.scale;
-	return f != g && (isLineBetween(input, scale, f, g) || isLineBetween(input, scale, g, f));
+	if (f == g) return false;
+	if (input.region != nullptr && input.region[f] != input.region[g]) return true;
+	return input.line != nullptr &&
+		   (isLineBetween(input, scale, f, g) || isLineBetween(input, scale, g, f));
 }
 
 } // namespace
 
+bool hasGivenLines(const MeshView& input)
+{
+	return input.line != nullptr || input.hasManyRegions();
+}
+
 std::int64_t markGivenLines(const MeshView& input, Workers& workers, Surface& surface)
 {
-	if (input.line == nullptr) return 0;
+	if (!hasGivenLines(input)) return 0;
 	HalfEdgeMesh& m = surface.mesh;
 	Buffer<char>  crease(m.halfEdgeNum());
 	const auto    mark = [&](std::size_t begin, std::size_t end) {

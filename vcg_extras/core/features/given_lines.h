@@ -10,9 +10,13 @@
 
 namespace gpr {
 
-/// Adds the caller's lines (MeshView::line) to the feature lines of a surface that was made of the
-/// caller's mesh; edges of the border are none. Returns the number of edges added. Long edges that
-/// were split are found piece by piece. Needs: connected. Cost: linear, parallel.
+/// Whether the caller's mesh has lines of its own: MeshView::line, or borders between regions.
+bool hasGivenLines(const MeshView& input);
+
+/// Adds the caller's lines to the feature lines of a surface that was made of the caller's mesh:
+/// those of MeshView::line, and the edges between faces of different regions. Edges of the border
+/// are none. Returns the number of edges added. Long edges that were split are found piece by
+/// piece. Needs: connected. Cost: linear, parallel.
 std::int64_t markGivenLines(const MeshView& input, Workers& workers, Surface& surface);
 
 } // namespace gpr

@@ -39,6 +39,7 @@ SelectedPart cutOutSelected(const MeshView& input)
 	for (std::size_t f = 0; f < input.faceNum; ++f) {
 		if (!part.isInPart[f]) continue;
 		part.faceOf.push_back(std::int32_t(f));
+		if (input.region != nullptr) part.region.push_back(input.region[f]);
 		for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
 			std::int32_t& index = newIndex[std::size_t(input.vertexOf(c))];
 			if (index < 0) {

@@ -19,12 +19,14 @@ struct SelectedPart {
 	std::vector<std::uint8_t> isInPart; ///< per face of the caller's
 	std::vector<std::uint8_t> selected;
 	std::vector<std::uint8_t> line;
+	std::vector<std::int32_t> region;
 
 	MeshView view() const
 	{
 		MeshView v(positions, triangles);
 		v.selected = selected.empty() ? nullptr : selected.data();
 		v.line     = line.empty() ? nullptr : line.data();
+		v.region   = region.empty() ? nullptr : region.data();
 		return v;
 	}
 };

@@ -54,11 +54,11 @@ struct Span {
 
 class CurveFitter {
 public:
-	CurveFitter(const Surface& surface, const BoundaryCurves& curves, float minAngle,
+	CurveFitter(const Surface& surface, const BoundaryCurves& curves, float minAngle, CurveFit goal,
 				ResultMesh& result) :
 			surface_(surface),
-			curves_(curves), limits_(acceptanceOf(Driver::CurveFit, minAngle)), r_(result),
-			m_(result.mesh)
+			curves_(curves), limits_(acceptanceOf(Driver::CurveFit, minAngle)), goal_(goal),
+			r_(result), m_(result.mesh)
 	{
 	}
 
@@ -83,6 +83,7 @@ private:
 	const Surface&        surface_;
 	const BoundaryCurves& curves_;
 	Acceptance            limits_;
+	CurveFit              goal_;
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
 	std::vector<int>      vertices_;
@@ -93,7 +94,7 @@ private:
 		if (!findSpan(v)) return;
 		const Vec3f from = m_.position[v];
 		const Vec3f way  = wayToMinimum(from, start);
-		const float far  = farthest(from);
+		const float far  = goal_ == CurveFit::Mean ? HUGE_VALF : farthest(from);
 		const float off  = std::max(farthestOff * span_.edge, offCurve(from));
 		for (float share : moveShares) {
 			const Vec3f to     = from + way * share;
@@ -199,10 +200,10 @@ private:
 
 } // namespace
 
-void fitCurves(const Surface& surface, const BoundaryCurves& curves, float minAngle,
+void fitCurves(const Surface& surface, const BoundaryCurves& curves, float minAngle, CurveFit goal,
 			   ResultMesh& result)
 {
-	CurveFitter(surface, curves, minAngle, result).run();
+	CurveFitter(surface, curves, minAngle, goal, result).run();
 }
 
 } // namespace gpr

@@ -215,7 +215,7 @@ private:
 	{
 		MoveGuard whole(limits_, shorteningOfFit, m_, workers_);
 		whole.start();
-		fitCurves(surface_, curves_, limits_.angle, r_);
+		fitCurves(surface_, curves_, limits_.angle, settings_.curveFit, r_);
 		const bool allKept = fitInRounds(map);
 		whole.takeOver();
 		return takeBackOffenders(whole) && allKept;

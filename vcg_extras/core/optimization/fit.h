@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_CORE_OPTIMIZATION_FIT_H
 #define VCG_EXTRAS_CORE_OPTIMIZATION_FIT_H
 
+#include "curve_fit.h"
+
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>
@@ -15,10 +17,11 @@
 namespace gpr {
 
 struct FitSettings {
-	int   rounds      = 4;       ///< map found anew and vertices moved, so many times
-	float shapeWeight = 0.0105f; ///< of the triangles' shape against the distance
-	float minAngleDeg = 32;      ///< no angle falls below, and none below it falls further
-	int   worstRounds = 0;       ///< of lowering the largest distances: see worst_distances.h
+	int      rounds      = 4;       ///< map found anew and vertices moved, so many times
+	float    shapeWeight = 0.0105f; ///< of the triangles' shape against the distance
+	float    minAngleDeg = 32;      ///< no angle falls below, and none below it falls further
+	int      worstRounds = 0;       ///< of lowering the largest distances: see worst_distances.h
+	CurveFit curveFit    = CurveFit::MeanAndLargest; ///< of borders and feature lines
 };
 
 struct FitOutcome {

@@ -4,11 +4,16 @@
 
 #include "audit.h"
 #include "face_point.h"
+#include "region_labels.h"
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/carry_over.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/surface/barycentric_point.h>
+
+#include <algorithm>
+#include <locale>
+#include <sstream>
 
 namespace gpr {
 
@@ -65,6 +70,43 @@ void exportFacePoints(RunContext& run, const Surface& surface, const ResultMesh&
 	});
 }
 
+/// Such a note names no more of them.
+constexpr std::size_t mostNamed = 5;
+
+std::string nameOf(const MeshView& input, const RegionPiece& piece)
+{
+	const std::vector<std::string>* names = input.regionNames;
+	const std::size_t               i     = std::size_t(piece.label);
+	const bool hasName = names != nullptr && i < names->size() && !(*names)[i].empty();
+	return hasName ? "'" + (*names)[i] + "'" : std::to_string(piece.label);
+}
+
+std::string lostNote(const MeshView& input, const std::vector<RegionPiece>& lost)
+{
+	if (lost.empty()) return {};
+	std::ostringstream text;
+	text.imbue(std::locale::classic());
+	text << "Too small for a face of the result: " << lost.size()
+		 << (lost.size() == 1 ? " part of a region (" : " parts of regions (");
+	for (std::size_t i = 0; i < std::min(lost.size(), mostNamed); ++i)
+		text << (i > 0 ? ", " : "") << nameOf(input, lost[i]) << " of area " << lost[i].area;
+	text << (lost.size() > mostNamed ? ", ...)." : ").");
+	return text.str();
+}
+
+void exportRegions(RunContext& run, const Surface& surface, const ResultMesh& result,
+				   RemeshResult& out)
+{
+	const RegionLabels labels = labelFaces(run.input, surface, result, run.workers);
+	out.facePoints.resize(labels.middle.size());
+	out.region.resize(labels.middle.size());
+	run.workers.forEach(labels.middle.size(), [&](int f) {
+		out.facePoints[f] = barycentricPoint(run.input, surface, labels.middle[f]);
+		out.region[f]     = run.input.region[out.facePoints[f].face];
+	});
+	run.tell(lostNote(run.input, labels.lost));
+}
+
 void requireAreas(RunContext& run, const TriangleMesh& mesh, AuditFigures& audited)
 {
 	audited.zeroAreaFaces = zeroAreaFaceNum(mesh, run.workers);
@@ -82,7 +124,10 @@ QualityFigures exportResult(RunContext& run, const Surface& surface, const Resul
 	if (run.options.surfacePointsOfVertices || hasKept)
 		exportSurfacePoints(run, surface, result, out.surfacePoints);
 	if (hasKept) exportKept(run.input, result, 1 / surface.frame.scale, out);
-	if (run.options.surfacePointsOfFaces) exportFacePoints(run, surface, result, out.facePoints);
+	if (run.input.region != nullptr)
+		exportRegions(run, surface, result, out);
+	else if (run.options.surfacePointsOfFaces)
+		exportFacePoints(run, surface, result, out.facePoints);
 	requireAreas(run, out.mesh, audited);
 	return measureQuality(out.mesh.view(), run.workers);
 }

@@ -109,6 +109,7 @@ private:
 		constexpr float third = 1 / 3.0f;
 		out_.facePoints.push_back({std::int32_t(f), {third, third, third}});
 		out_.callersFace.push_back(std::int32_t(f));
+		if (input_.region != nullptr) out_.region.push_back(input_.region[f]);
 	}
 
 	BarycentricPoint ofCaller(BarycentricPoint at) const
@@ -125,6 +126,7 @@ private:
 		for (std::int32_t v : made_.mesh.triangles)
 			out_.mesh.triangles.push_back(index[std::size_t(v)]);
 		out_.callersFace.resize(out_.mesh.faceNum(), -1);
+		out_.region.insert(out_.region.end(), made_.region.begin(), made_.region.end());
 		for (const BarycentricPoint& at : made_.facePoints)
 			out_.facePoints.push_back(ofCaller(at));
 	}

@@ -6,6 +6,7 @@
 
 #include <vcg_extras/core/base/pages.h>
 #include <vcg_extras/core/base/portable_math.h>
+#include <vcg_extras/core/features/given_lines.h>
 #include <vcg_extras/core/guard/contact_removal.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/optimization/face_repair.h>
@@ -90,12 +91,12 @@ void relax(RunContext& run, Products& made)
 
 // ---- Fit and angles.
 
-/// Lines that the caller gave stay: textures and selections hang on them. Without a fit nothing
-/// would draw what is released to the sharp edge again.
+/// Lines that the caller gave stay: textures, selections and regions hang on them. Without a fit
+/// nothing would draw what is released to the sharp edge again.
 bool mayReleaseLines(const RunContext& run)
 {
 	return run.options.preset == Preset::Default && isFitted(run.options) &&
-		   run.input.line == nullptr;
+		   !hasGivenLines(run.input);
 }
 
 bool areLinesCrowded(RunContext& run, const ResultMesh& result)
@@ -136,7 +137,9 @@ Fitted fit(RunContext& run, const Decisions& decisions, Products& made)
 	if (!isFitted(run.options)) return {};
 	run.clock.enter(Stage::Fit);
 	returnReleasedMemory(); // this stage sets the peak
-	const FitSettings settings = fitSettings(run.options, decisions.purpose == Purpose::Trial);
+	FitSettings settings = fitSettings(run.options, decisions.purpose == Purpose::Trial);
+	// Regions shall keep their areas.
+	if (run.input.hasManyRegions()) settings.curveFit = CurveFit::Mean;
 	FitOutcome outcome = fitToInput(made.surface, made.curves, settings, made.result, run.workers);
 	if (outcome.capped) run.tellCap("moves of the fit");
 	made.fitDistance = outcome.farthest;

@@ -247,7 +247,7 @@ NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& 
 		throw Failure(Status::BadOptions,
 					  "The feature lines shall be the selected edges, but no edge is selected.");
 	}
-	if (run.input.line == nullptr || !followsFeatureLines(run.options)) return {};
+	if (!hasGivenLines(run.input) || !followsFeatureLines(run.options)) return {};
 	HalfEdgeMesh&      m      = made.surface.mesh;
 	Buffer<char>       before = copyOf(m.crease, run.workers);
 	const std::int64_t added  = markGivenLines(run.input, run.workers, made.surface);
@@ -259,8 +259,9 @@ NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& 
 		return {};
 	}
 	m.crease.swap(before);
-	run.tell("There are more given lines, like the seams of a texture, than so few vertices can "
-			 "follow; triangles lie across them.");
+	run.tell(
+		"There are more given lines, like the seams of a texture or the borders of regions, than "
+		"so few vertices can follow; triangles lie across them.");
 	return {};
 }
 

@@ -376,7 +376,7 @@ private:
 							PlyType type, double largest, MeshAttributes& a)
 	{
 		for (std::size_t k = 0; k < names.size(); ++k) {
-			ValueColumn column{names[k], type, {}};
+			ValueColumn column{names[k], type, {}, {}};
 			for (std::size_t i = k; i < values.numbers.size(); i += names.size()) {
 				const double value = largest * values.numbers[i];
 				column.values.push_back(
@@ -408,7 +408,7 @@ private:
 		if (a.hasTexture())
 			a.texture.image.assign(material_.begin(), material_.end());
 		else
-			a.ofFaces.push_back({"material", PlyType::Int32, material_});
+			a.ofFaces.push_back({"material", PlyType::Int32, material_, a.materials});
 		a.gltf = materialsOf();
 	}
 

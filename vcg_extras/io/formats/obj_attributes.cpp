@@ -35,7 +35,13 @@ public:
 			addFace(words);
 		}
 		else if (keyword == "usemtl") {
-			material_ = numberOf(std::string(words.rest()));
+			materials_.begin(std::string(words.rest()));
+		}
+		else if (keyword == "g") {
+			groups_.begin(std::string(words.rest()));
+		}
+		else if (keyword == "o") {
+			objects_.begin(std::string(words.rest()));
 		}
 		else if (keyword == "mtllib" && library_.empty()) {
 			library_ = words.rest();
@@ -58,14 +64,14 @@ public:
 		const bool isTextured = texturedCorners_ > 0 && malformed_ == 0;
 		if (isTextured) a.texture.uv = cornersOfTriangles(uv_, order_);
 		if (malformed_ > 0) a.lost.push_back("malformed texture coordinates");
-		if (materialNames_.empty()) return;
-		a.materials                      = materialNames_;
-		a.materialLibrary                = library_;
-		const std::vector<double> number = perTriangle(faceMaterial_, order_);
-		if (isTextured)
-			a.texture.image.assign(number.begin(), number.end());
-		else
-			a.ofFaces.push_back({"material", PlyType::Int32, number});
+		giveNames("object", objects_, a);
+		giveNames("group", groups_, a);
+		if (!materials_.any()) return;
+		a.materials       = materials_.names();
+		a.materialLibrary = library_;
+		if (!isTextured) return giveNames("material", materials_, a);
+		const std::vector<double> number = perTriangle(materials_.numbers(), order_);
+		a.texture.image.assign(number.begin(), number.end());
 	}
 
 private:
@@ -74,25 +80,17 @@ private:
 	std::vector<std::array<float, 2>>        texturePoint_;
 	TriangleOrder                            order_;
 	std::vector<float>                       uv_; ///< two a corner of the file
-	std::vector<double>                      faceMaterial_;
-	std::map<std::string, int, std::less<>>  materialNumber_;
-	std::vector<std::string>                 materialNames_;
+	NamesOfFaces                             materials_, groups_, objects_;
 	std::string                              library_;
-	int                                      material_        = 0;
 	std::int64_t                             texturedCorners_ = 0, malformed_ = 0;
 	bool                                     hasNormals_ = false;
 	std::vector<std::int64_t>                corners_;
 
-	int numberOf(const std::string& name)
+	void giveNames(const char* column, const NamesOfFaces& named, MeshAttributes& a) const
 	{
-		const auto found = materialNumber_.find(name);
-		if (found != materialNumber_.end()) return found->second;
-		// Faces before the first usemtl have a material without a name.
-		if (materialNames_.empty() && !faceMaterial_.empty()) materialNames_.push_back("");
-		const int number = int(materialNames_.size());
-		materialNames_.push_back(name);
-		materialNumber_[name] = number;
-		return number;
+		if (!named.any()) return;
+		a.ofFaces.push_back(
+			{column, PlyType::Int32, perTriangle(named.numbers(), order_), named.names()});
 	}
 
 	void addVertex(Words& words)
@@ -137,7 +135,8 @@ private:
 				uv_.push_back(t >= 0 ? texturePoint_[std::size_t(t)][i] : 0);
 		}
 		order_.add(corners_.data(), corners_.size());
-		faceMaterial_.push_back(material_);
+		for (NamesOfFaces* named : {&materials_, &groups_, &objects_})
+			named->addFace();
 	}
 
 	void giveColours(MeshAttributes& a) const
@@ -145,7 +144,7 @@ private:
 		if (colour_.empty() || colour_.size() != vertexNum_) return;
 		const char* names[] = {"red", "green", "blue"};
 		for (std::size_t k = 0; k < 3; ++k) {
-			ValueColumn column{names[k], PlyType::UInt8, {}};
+			ValueColumn column{names[k], PlyType::UInt8, {}, {}};
 			for (const auto& c : colour_)
 				column.values.push_back(c[k]);
 			a.ofVertices.push_back(std::move(column));
@@ -166,6 +165,18 @@ void readObjAttributes(std::string_view file, InputMesh& mesh)
 // ---- writing
 
 namespace {
+
+/// With which keywords columns of faces are written.
+constexpr std::pair<const char*, const char*> objNames[] = {
+	{"object", "o"}, {"solid", "o"},         {"group", "g"},         {"region", "g"},
+	{"label", "g"},  {"CellEntityIds", "g"}, {"material", "usemtl"}, {"material_index", "usemtl"}};
+
+bool isWritten(const ValueColumn& column)
+{
+	return areLabels(column) &&
+		   std::any_of(std::begin(objNames), std::end(objNames),
+					   [&](const auto& name) { return column.name == name.first; });
+}
 
 class ObjWriting {
 public:
@@ -229,24 +240,43 @@ private:
 		}
 	}
 
-	std::size_t materialOf(std::size_t f) const
+	/// The names of one kind that faces have.
+	struct Names {
+		const char*  keyword;
+		FaceRegions  of;
+		std::int32_t last = -1; ///< label that was written
+	};
+	std::vector<Names> names_;
+
+	/// By these faces are sorted: by objects, then groups, then materials.
+	void collectNames()
 	{
-		if (!a_.texture.image.empty()) return std::size_t(a_.texture.image[f]);
-		for (const ValueColumn& column : a_.ofFaces) {
-			if (column.name == "material") return std::size_t(column.values[f]);
+		for (const auto& [name, keyword] : objNames) {
+			for (const ValueColumn& column : a_.ofFaces) {
+				if (column.name == name && areLabels(column))
+					names_.push_back({keyword, regionsIn(column)});
+			}
 		}
-		return 0;
+		if (!a_.texture.image.empty() && !a_.materials.empty())
+			names_.push_back({"usemtl", {a_.texture.image, a_.materials}});
+	}
+
+	void writeNames(std::size_t f)
+	{
+		for (Names& names : names_) {
+			const std::int32_t label = names.of.label[f];
+			if (label == names.last) continue;
+			const std::string name = names.of.nameOf(label);
+			if (!name.empty() || names.last >= 0) out_.text(names.keyword + (" " + name) + "\n");
+			names.last = label;
+		}
 	}
 
 	void writeFaces()
 	{
-		std::size_t material = a_.materials.size(); // none yet
-		for (std::size_t f : facesByMaterial()) {
-			if (!a_.materials.empty() && materialOf(f) != material) {
-				material = materialOf(f);
-				if (!a_.materials[material].empty())
-					out_.text("usemtl " + a_.materials[material] + "\n");
-			}
+		collectNames();
+		for (std::size_t f : facesByName()) {
+			writeNames(f);
 			out_.text("f");
 			for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
 				out_.text(" ");
@@ -259,15 +289,15 @@ private:
 		}
 	}
 
-	/// So that each material is named once; otherwise in their order.
-	std::vector<std::size_t> facesByMaterial() const
+	/// So that each name is written once, or once in each object; otherwise in their order.
+	std::vector<std::size_t> facesByName() const
 	{
 		std::vector<std::size_t> order(mesh_.faceNum());
 		std::iota(order.begin(), order.end(), std::size_t(0));
-		if (a_.materials.size() > 1) {
-			std::stable_sort(order.begin(), order.end(), [&](std::size_t f, std::size_t g) {
-				return materialOf(f) < materialOf(g);
-			});
+		for (std::size_t i = names_.size(); i-- > 0;) {
+			const std::vector<std::int32_t>& label = names_[i].of.label;
+			std::stable_sort(order.begin(), order.end(),
+							 [&](std::size_t f, std::size_t g) { return label[f] < label[g]; });
 		}
 		return order;
 	}
@@ -284,7 +314,7 @@ void writeObj(const TriangleMesh& mesh, bool doublePrecision, const MeshAttribut
 		if (!isWritten) lost.push_back("'" + column.name + "' of vertices");
 	}
 	for (const ValueColumn& column : attributes.ofFaces) {
-		if (column.name != "material") lost.push_back("'" + column.name + "' of faces");
+		if (!isWritten(column)) lost.push_back("'" + column.name + "' of faces");
 	}
 	if (!attributes.images.empty()) lost.push_back("names of images");
 	ObjWriting(mesh, attributes, out).write(doublePrecision);

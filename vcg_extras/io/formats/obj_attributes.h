@@ -11,14 +11,15 @@
 namespace gpr::app {
 
 /// Reads what an OBJ file that lies in memory holds beside the mesh that readObj has made of it:
-/// texture coordinates, materials, and colours behind the coordinates of vertices. Normals and
-/// groups are passed over and named in `lost`. A second way through the file. Malformed texture
+/// texture coordinates, materials, groups, objects, and colours behind the coordinates of vertices.
+/// Normals are passed over and named in `lost`. A second way through the file. Malformed texture
 /// coordinates count as none.
 void readObjAttributes(std::string_view file, InputMesh& mesh);
 
-/// Writes an OBJ file with texture coordinates, materials and colours, as far as there are any;
-/// names the rest. Corners of a vertex with the same coordinates share a vt. Coordinates have the
-/// fewest digits that give back each double, or each float.
+/// Writes an OBJ file with texture coordinates, materials, groups, objects and colours, as far as
+/// there are any; names the rest. Labels without names become groups such as label_3. Corners of a
+/// vertex with the same coordinates share a vt. Coordinates have the fewest digits that give back
+/// each double, or each float.
 void writeObj(const TriangleMesh& mesh, bool doublePrecision, const MeshAttributes& attributes,
 			  OutputFile& out, std::vector<std::string>& lost);
 

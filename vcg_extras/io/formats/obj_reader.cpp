@@ -24,8 +24,8 @@ struct MeshPiece {
 	void addFace(const std::int64_t* corners, std::size_t num) { faces.add(corners, num); }
 	void addOther(std::string_view keyword)
 	{
-		holdsMore |=
-			keyword == "vt" || keyword == "vn" || keyword == "usemtl" || keyword == "mtllib";
+		holdsMore |= keyword == "vt" || keyword == "vn" || keyword == "usemtl" ||
+					 keyword == "mtllib" || keyword == "g" || keyword == "o";
 	}
 };
 

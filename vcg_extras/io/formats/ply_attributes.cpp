@@ -121,7 +121,7 @@ public:
 														  : isOneOf(p.name, {"texnumber"});
 			if (p.isList || isOwn || isOneOf(p.name, {"flags", "selected"})) continue;
 			property_.push_back(i);
-			columns.push_back({p.name, p.type, {}});
+			columns.push_back({p.name, p.type, {}, {}});
 		}
 	}
 
@@ -299,17 +299,28 @@ void noteLostLists(const PlyHeader& header, MeshAttributes& attributes)
 	}
 }
 
-/// The files named by comments as MeshLab writes them.
-std::vector<std::string> findImages(std::string_view header)
+/// What stands behind each line of the header that begins so.
+std::vector<std::string> findLines(std::string_view header, std::string_view keyword)
 {
-	constexpr std::string_view keyword = "comment TextureFile ";
-	std::vector<std::string>   images;
+	std::vector<std::string> lines;
 	for (std::size_t at = header.find(keyword); at != header.npos; at = header.find(keyword, at)) {
 		at += keyword.size();
 		const std::size_t end = std::min(header.find_first_of("\r\n", at), header.size());
-		images.emplace_back(header.substr(at, end - at));
+		lines.emplace_back(header.substr(at, end - at));
 	}
-	return images;
+	return lines;
+}
+
+/// The names that comments give to the values of faces, as this program writes them.
+void findNames(std::string_view header, std::vector<ValueColumn>& columns)
+{
+	for (ValueColumn& column : columns) {
+		for (std::size_t i = 0;; ++i) {
+			const std::vector<std::string> name = findLines(header, nameComment(column.name, i));
+			if (name.empty()) break;
+			column.names.push_back(name[0]);
+		}
+	}
 }
 
 } // namespace
@@ -321,7 +332,7 @@ void readPlyAttributes(std::string_view file, const WantedAttributes& wanted, In
 	if (wanted.ofSelectedVertices()) mesh.selected.assign(mesh.vertexNum(), 0);
 	if (wanted.carried) {
 		noteLostLists(header, mesh.attributes);
-		mesh.attributes.images = findImages(file.substr(0, header.byteNum));
+		mesh.attributes.images = findLines(file.substr(0, header.byteNum), "comment TextureFile ");
 	}
 	const std::string_view body = file.substr(header.byteNum);
 	if (header.format == PlyFormat::Ascii) {
@@ -331,6 +342,7 @@ void readPlyAttributes(std::string_view file, const WantedAttributes& wanted, In
 		readElements(header, wanted, BinarySource(body, header.format == PlyFormat::LittleEndian),
 					 mesh);
 	}
+	findNames(file.substr(0, header.byteNum), mesh.attributes.ofFaces);
 }
 
 } // namespace gpr::app

@@ -97,6 +97,9 @@ PlyElement elementOfFaces(PlyType cornerNum, PlyType corner, std::uint64_t count
 /// The text of a header; comments: whole lines that it has, too.
 std::string plyHeaderText(const PlyHeader& header, const std::string& comments);
 
+/// How a comment begins that gives a name to the value i of a property of faces.
+std::string nameComment(const std::string& property, std::size_t i);
+
 } // namespace gpr::app
 
 #endif

@@ -27,6 +27,10 @@ std::string headerOf(const MeshView& mesh, PlyType coordinate, const MeshAttribu
 	std::string comments = "comment written by gpremesh\n";
 	for (const std::string& image : a.images)
 		comments += "comment TextureFile " + image + "\n";
+	for (const ValueColumn& column : a.ofFaces) {
+		for (std::size_t i = 0; i < column.names.size(); ++i)
+			comments += nameComment(column.name, i) + column.names[i] + "\n";
+	}
 	return plyHeaderText({PlyFormat::LittleEndian, {vertex, face}}, comments);
 }
 

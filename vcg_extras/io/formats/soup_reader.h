@@ -14,7 +14,8 @@
 namespace gpr::app {
 
 /// Positions and faces; all else is passed over. Indices count from the begin or from the end.
-/// holdsMore: whether there are colours, texture, normals or materials, see obj_attributes.h.
+/// holdsMore: whether there are colours, texture, normals, materials or groups, see
+/// obj_attributes.h.
 InputMesh readObj(std::string_view file, bool& holdsMore);
 InputMesh readObj(std::string_view file);
 
@@ -24,7 +25,7 @@ InputMesh readOff(std::string_view file);
 
 /// ASCII or binary, whatever the first word claims; corners at exactly the same position become one
 /// vertex, in the order of their first use. ASCII: keywords in any case, names of any words,
-/// several solids; a note tells where one has no end.
+/// several solids, which are regions of faces; a note tells where one has no end.
 InputMesh readStl(std::string_view file);
 
 /// A binary STL file, which is at least that long.

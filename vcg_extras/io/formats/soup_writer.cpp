@@ -4,8 +4,10 @@
 
 #include "little_endian.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <string>
 
 namespace gpr::app {
@@ -46,7 +48,17 @@ void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out)
 	}
 }
 
-void writeStl(const TriangleMesh& mesh, OutputFile& out)
+namespace {
+
+std::array<Vec3d, 3> cornersOf(const TriangleMesh& mesh, std::size_t f)
+{
+	std::array<Vec3d, 3> corner;
+	for (std::size_t k = 0; k < 3; ++k)
+		corner[k] = Vec3d(Vec3f(mesh.positions[std::size_t(mesh.triangles[3 * f + k])]));
+	return corner;
+}
+
+void writeBinaryStl(const TriangleMesh& mesh, OutputFile& out)
 {
 	constexpr std::size_t headerBytes = 80, recordBytes = 50;
 	std::string           header("binary STL written by gpremesh");
@@ -57,9 +69,8 @@ void writeStl(const TriangleMesh& mesh, OutputFile& out)
 	putLittleEndian(std::uint32_t(mesh.faceNum()), end);
 	out.bytes(count, sizeof count);
 	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
-		std::array<Vec3d, 3> corner;
-		for (std::size_t k = 0; k < 3; ++k)
-			corner[k] = Vec3d(Vec3f(mesh.positions[std::size_t(mesh.triangles[3 * f + k])]));
+		const std::array<Vec3d, 3> corner = cornersOf(mesh, f);
+
 		char  record[recordBytes] = {};
 		char* at                  = record;
 		putFloats(unitNormal(corner), at);
@@ -67,6 +78,64 @@ void writeStl(const TriangleMesh& mesh, OutputFile& out)
 			putFloats(p, at);
 		out.bytes(record, recordBytes);
 	}
+}
+
+void writeFacet(const TriangleMesh& mesh, bool doublePrecision, std::size_t f, OutputFile& out)
+{
+	out.text("facet normal");
+	out.position(unitNormal(cornersOf(mesh, f)), false);
+	out.text("\nouter loop\n");
+	for (std::size_t c = 3 * f; c < 3 * f + 3; ++c) {
+		out.text("vertex");
+		out.position(mesh.positions[std::size_t(mesh.triangles[c])], doublePrecision);
+		out.text("\n");
+	}
+	out.text("endloop\nendfacet\n");
+}
+
+/// The faces of each region one after the other.
+void writeSolids(const TriangleMesh& mesh, bool doublePrecision, const FaceRegions& regions,
+				 OutputFile& out)
+{
+	std::map<std::int32_t, std::vector<std::size_t>> facesOf;
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f)
+		facesOf[regions.label[f]].push_back(f);
+	for (const auto& [label, faces] : facesOf) {
+		const std::string name = regions.nameOf(label);
+		out.text("solid " + name + "\n");
+		for (const std::size_t f : faces)
+			writeFacet(mesh, doublePrecision, f, out);
+		out.text("endsolid " + name + "\n");
+	}
+}
+
+bool holdsMoreThanRegions(const MeshAttributes& attributes)
+{
+	return !attributes.ofVertices.empty() || attributes.hasTexture() ||
+		   std::any_of(attributes.ofFaces.begin(), attributes.ofFaces.end(),
+					   [](const ValueColumn& column) { return !tellsRegions(column.name); });
+}
+
+bool areSeveral(const std::vector<std::int32_t>& labels)
+{
+	return std::any_of(labels.begin(), labels.end(),
+					   [&](std::int32_t label) { return label != labels[0]; });
+}
+
+} // namespace
+
+void writeStl(const TriangleMesh& mesh, bool doublePrecision, const MeshAttributes& attributes,
+			  OutputFile& out, std::vector<std::string>& lost)
+{
+	const FaceRegions regions = regionsOf(attributes);
+	if (areSeveral(regions.label)) {
+		if (holdsMoreThanRegions(attributes))
+			lost.push_back("attributes but for regions, which this format does not hold");
+		writeSolids(mesh, doublePrecision, regions, out);
+		return;
+	}
+	if (attributes.any()) lost.push_back("any attribute, which this format does not hold");
+	writeBinaryStl(mesh, out);
 }
 
 } // namespace gpr::app

@@ -6,15 +6,17 @@
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/mesh/mesh_data.h>
 
-// Positions and triangles alone, as OFF and STL files.
+// Positions and triangles, and in STL their regions, as OFF and STL files.
 
 namespace gpr::app {
 
 /// Coordinates with the fewest digits that give back each double, or each float.
 void writeOff(const TriangleMesh& mesh, bool doublePrecision, OutputFile& out);
 
-/// Binary. The format holds floats only.
-void writeStl(const TriangleMesh& mesh, OutputFile& out);
+/// Binary, which holds floats only; ASCII with a solid for each region where there are more than
+/// one. Names the attributes that STL does not hold.
+void writeStl(const TriangleMesh& mesh, bool doublePrecision, const MeshAttributes& attributes,
+			  OutputFile& out, std::vector<std::string>& lost);
 
 } // namespace gpr::app
 

@@ -46,6 +46,7 @@ public:
 		for (std::string word = nextWord(); !word.empty(); word = nextWord())
 			readRecord(word);
 		faces_.finish(mesh_);
+		giveSolids();
 		if (endNum_ < solidNum_)
 			mesh_.notes.push_back("The STL file has no 'endsolid'; it may be cut off.");
 		settlePrecision(mesh_);
@@ -58,6 +59,7 @@ private:
 	FaceList                                                 faces_;
 	std::unordered_map<Position, std::int64_t, PositionHash> vertexAt_;
 	std::size_t                                              solidNum_ = 0, endNum_ = 0;
+	NamesOfFaces                                             solids_;
 
 	std::string nextWord() { return lowerCase(words_.next()); }
 
@@ -73,7 +75,23 @@ private:
 		if (word == "facet") readFacet();
 		solidNum_ += word == "solid";
 		endNum_ += word == "endsolid";
-		if (word == "solid" || word == "endsolid") words_.skipLine();
+		if (word == "endsolid") words_.restOfLine();
+		if (word != "solid") return;
+		const std::string name(words_.restOfLine());
+		if (name.empty())
+			solids_.beginAnother(name);
+		else
+			solids_.begin(name);
+	}
+
+	/// A name alone is none of a region.
+	void giveSolids()
+	{
+		MeshAttributes& a = mesh_.attributes;
+		if (solids_.names().size() > 1)
+			a.ofFaces.push_back({"solid", PlyType::Int32, solids_.numbers(), solids_.names()});
+		else if (!solids_.names()[0].empty())
+			a.lost.push_back("the name of the solid");
 	}
 
 	void readFacet()
@@ -86,6 +104,7 @@ private:
 		}
 		if (cornerNum < 3) fail();
 		faces_.add(corners.data(), cornerNum);
+		solids_.addFace();
 	}
 
 	/// Corners at exactly the same position are one vertex; so are those that are no number at the

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace gpr::app {
@@ -26,13 +27,56 @@ bool isReal(PlyType type)
 	return type == PlyType::Float32 || type == PlyType::Float64;
 }
 
-double valueAt(const ValueColumn& column, const MeshView& mesh, const BarycentricPoint& at)
+/// The columns of one colour of the vertices.
+std::vector<const ValueColumn*> coloursOf(const std::vector<ValueColumn>& columns)
+{
+	std::vector<const ValueColumn*> colours;
+	for (const ValueColumn& column : columns) {
+		if (isColour(column) && !isReal(column.type)) colours.push_back(&column);
+	}
+	return colours;
+}
+
+/// Whether colours stand for labels: there are few, and most edges have one at both ends.
+bool arePalette(const std::vector<const ValueColumn*>& colours, const MeshView& mesh)
+{
+	constexpr std::size_t mostColours = 256;
+	constexpr double      leastEqual  = 0.75; // of the edges
+	if (colours.empty()) return false;
+	const auto colourOf = [&](std::int32_t v) {
+		std::vector<double> colour;
+		for (const ValueColumn* column : colours)
+			colour.push_back(column->values[std::size_t(v)]);
+		return colour;
+	};
+	std::set<std::vector<double>> all;
+	std::size_t                   equalNum = 0;
+	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
+		const auto                t = mesh.triangle(f);
+		const std::vector<double> a = colourOf(t[0]), b = colourOf(t[1]), c = colourOf(t[2]);
+		equalNum += std::size_t(a == b) + std::size_t(b == c) + std::size_t(c == a);
+		all.insert(a);
+		if (all.size() > mostColours) return false;
+	}
+	return all.size() > 1 && double(equalNum) >= leastEqual * 3 * double(mesh.faceNum);
+}
+
+/// Whether values of a column have no mean.
+bool isNearest(const ValueColumn& column, Transfer transfer, bool hasPalette)
+{
+	if (transfer == Transfer::Nearest) return true;
+	if (isReal(column.type)) return false;
+	return !isColour(column) || (hasPalette && transfer == Transfer::Auto);
+}
+
+double valueAt(const ValueColumn& column, bool isNearest, const MeshView& mesh,
+			   const BarycentricPoint& at)
 {
 	const auto ofCorner = [&](int k) {
 		const std::int32_t v = mesh.vertexOf(3 * std::size_t(at.face) + std::size_t(k));
 		return column.values[std::size_t(v)];
 	};
-	if (!isReal(column.type) && !isColour(column)) return ofCorner(nearestCorner(at));
+	if (isNearest) return ofCorner(nearestCorner(at));
 	const double mean = meanOfCorners(at, ofCorner);
 	return isReal(column.type) ? mean : std::floor(mean + 0.5);
 }
@@ -83,15 +127,18 @@ std::unique_ptr<TextureSource> takeTexture(MeshAttributes& attributes, const Mes
 }
 
 MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
-							   const TextureSource* texture, const RemeshResult& result)
+							   const TextureSource* texture, const RemeshResult& result,
+							   Transfer transfer)
 {
+	const bool     hasPalette = arePalette(coloursOf(source.ofVertices), mesh);
 	MeshAttributes carried;
 	carried.lost = source.lost;
 	for (ValueColumn& column : source.ofVertices) {
-		ValueColumn to{column.name, column.type, {}};
+		ValueColumn to{column.name, column.type, {}, {}};
 		to.values.reserve(result.surfacePoints.size());
+		const bool nearest = isNearest(column, transfer, hasPalette);
 		for (const BarycentricPoint& at : result.surfacePoints)
-			to.values.push_back(valueAt(column, mesh, at));
+			to.values.push_back(valueAt(column, nearest, mesh, at));
 		carried.ofVertices.push_back(std::move(to));
 		column.values = {};
 	}
@@ -101,7 +148,7 @@ MeshAttributes carryAttributes(MeshAttributes& source, const MeshView& mesh,
 			if (column.name == "nx") carried.lost.push_back("normals of faces");
 			continue;
 		}
-		ValueColumn to{column.name, column.type, {}};
+		ValueColumn to{column.name, column.type, {}, column.names};
 		for (const BarycentricPoint& at : result.facePoints)
 			to.values.push_back(column.values[std::size_t(at.face)]);
 		carried.ofFaces.push_back(std::move(to));

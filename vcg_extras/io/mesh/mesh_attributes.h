@@ -21,6 +21,8 @@ struct ValueColumn {
 	std::string         name;
 	PlyType             type = PlyType::Float32;
 	std::vector<double> values;
+	/// What the values 0, 1, ... are called, where they are numbers of names; else empty.
+	std::vector<std::string> names = {};
 };
 
 /// What a file holds of a mesh beside positions and triangles.

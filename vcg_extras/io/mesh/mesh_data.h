@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_IO_MESH_MESH_DATA_H
 #define VCG_EXTRAS_IO_MESH_MESH_DATA_H
 
+#include "face_regions.h"
 #include "mesh_attributes.h"
 
 #include <vcg_extras/core/mesh_view.h>
@@ -44,11 +45,12 @@ using CoordinateArray = std::vector<S, UninitializedAllocator<S>>;
 
 /// What of a file is wanted beside the mesh.
 struct WantedAttributes {
-	bool selection     = false; ///< of vertices and the corners of faces
-	bool ifSelected    = false; ///< of vertices, where the file marks any
-	bool faceSelection = false; ///< of the faces
-	bool carried       = false; ///< whatever there is, to be carried over to a result
-	bool mayStayInFile = false; ///< see InputMesh::inFile
+	bool        selection     = false; ///< of vertices and the corners of faces
+	bool        ifSelected    = false; ///< of vertices, where the file marks any
+	bool        faceSelection = false; ///< of the faces
+	bool        carried       = false; ///< whatever there is, to be carried over to a result
+	bool        mayStayInFile = false; ///< see InputMesh::inFile
+	std::string regions       = {};    ///< of `carried`, which tells regions: see regionsOf
 
 	/// Any that must be there.
 	bool anyRequired() const { return selection || faceSelection; }
@@ -70,6 +72,7 @@ struct InputMesh {
 	std::vector<std::uint8_t> selected;      ///< one a vertex, 1 = selected; empty where not wanted
 	std::vector<std::uint8_t> selectedFaces; ///< one a triangle, likewise
 	MeshAttributes            attributes;    ///< empty where not wanted
+	FaceRegions               regions;       ///< that the attributes tell
 	std::vector<std::string>  notes; ///< sentences about oddities that were no reason to refuse
 
 	bool        isInFile() const { return inFile.triangles != nullptr; }
@@ -80,6 +83,8 @@ struct InputMesh {
 		MeshView v     = isInFile() ? inFile : viewOfArrays();
 		v.selected     = selected.empty() ? nullptr : selected.data();
 		v.selectedFace = selectedFaces.empty() ? nullptr : selectedFaces.data();
+		v.region       = regions.label.empty() ? nullptr : regions.label.data();
+		v.regionNames  = &regions.names;
 		return v;
 	}
 

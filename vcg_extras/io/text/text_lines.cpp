@@ -98,9 +98,11 @@ std::string_view Words::rest()
 	return {at_, std::size_t(end_ - at_)};
 }
 
-void Words::skipLine()
+std::string_view Words::restOfLine()
 {
-	at_ = std::find(at_, end_, '\n');
+	const char* const begin = at_;
+	at_                     = std::find(at_, end_, '\n');
+	return Words({begin, std::size_t(at_ - begin)}).rest();
 }
 
 std::string_view Words::next()

@@ -76,8 +76,8 @@ public:
 	bool isAtEnd();
 	/// All words that are left as one name, which may have blanks in it.
 	std::string_view rest();
-	/// Goes on at the next line break, where the words are those of several lines.
-	void skipLine();
+	/// The same of this line, where the words are those of several lines; goes on at its end.
+	std::string_view restOfLine();
 
 private:
 	const char* at_;

@@ -27,6 +27,7 @@ def remesh(
     feature_edges: ArrayLike | None = None,
     uv: ArrayLike | None = None,
     image: ArrayLike | None = None,
+    regions: ArrayLike | None = None,
     progress: Callable[[float, str], Any] | None = None,
     vertex_count: int | None = None,
     percent: float | None = None,
@@ -37,7 +38,7 @@ def remesh(
     lambda_: float = 0.0,
     features: Literal['auto', 'lines', 'off', 'selected'] = 'auto',
     feature_disk_scale: float = 0.0,
-    boundary: Literal['resample', 'keep', 'free', 'smooth'] = 'resample',
+    boundary: Literal['resample', 'keep', 'free', 'smooth', 'match'] = 'resample',
     feature_region: Literal['none', 'detected', 'selection', 'auto'] = 'auto',
     feature_angle: float = 40.0,
     feature_support: float = 2.0,
@@ -76,6 +77,9 @@ def remesh(
         the seams.
     image : array_like (f,) of int, optional
         With `uv`: the number of the image of each face.
+    regions : array_like (f,) of int, optional
+        Labels of the faces, as of materials or patches. Edges of the result follow the borders between
+        labels, and `regions` of the result has a label for each of its faces.
     progress : callable(fraction, stage), optional
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
         is cancelled where it returns False, and where it raises.
@@ -125,13 +129,15 @@ def remesh(
         elsewhere, 0.05 to 1. The feature region is made of the selected vertices; where no vertex
         is selected it is detected. 0: no feature region, unless one is named; then its disks have
         half the radius. With the preset paper 0 keeps each vertex of a named region.
-    boundary : {'resample', 'keep', 'free', 'smooth'}, default 'resample'
+    boundary : {'resample', 'keep', 'free', 'smooth', 'match'}, default 'resample'
         What becomes of the surface's open borders. resample: their curve and their corners stay,
         and vertices are placed on them anew. keep: each of their vertices stays where it is, and
         none is added; the triangles grow from the spacing there to the wanted size. free: evenly
         spaced vertices, which cut corners off. smooth: for the ragged borders of scans. The border
         becomes a smooth curve that stays within half an edge of the scan's border, and corners are
-        rounded. The report tells how much of the border's length is lost.
+        rounded. The report tells how much of the border's length is lost. match: anew, by the
+        border and the edge length alone, so that meshes with a piece of their borders in common,
+        remeshed one by one with the same edge length, have the same vertices there, bit for bit.
     feature_region : {'none', 'detected', 'selection', 'auto'}, default 'auto'
         The part of the surface where vertices are denser, section 3.1.1 of the paper. none: there
         is none. detected: what the feature detection finds by the strength of the edges. selection:
@@ -232,7 +238,7 @@ def sample(
     lambda_: float = 0.0,
     features: Literal['auto', 'lines', 'off', 'selected'] = 'auto',
     feature_disk_scale: float = 0.0,
-    boundary: Literal['resample', 'keep', 'free', 'smooth'] = 'resample',
+    boundary: Literal['resample', 'keep', 'free', 'smooth', 'match'] = 'resample',
     feature_region: Literal['none', 'detected', 'selection', 'auto'] = 'auto',
     feature_angle: float = 40.0,
     feature_support: float = 2.0,
@@ -294,13 +300,15 @@ def sample(
         elsewhere, 0.05 to 1. The feature region is made of the selected vertices; where no vertex
         is selected it is detected. 0: no feature region, unless one is named; then its disks have
         half the radius. With the preset paper 0 keeps each vertex of a named region.
-    boundary : {'resample', 'keep', 'free', 'smooth'}, default 'resample'
+    boundary : {'resample', 'keep', 'free', 'smooth', 'match'}, default 'resample'
         What becomes of the surface's open borders. resample: their curve and their corners stay,
         and vertices are placed on them anew. keep: each of their vertices stays where it is, and
         none is added; the triangles grow from the spacing there to the wanted size. free: evenly
         spaced vertices, which cut corners off. smooth: for the ragged borders of scans. The border
         becomes a smooth curve that stays within half an edge of the scan's border, and corners are
-        rounded. The report tells how much of the border's length is lost.
+        rounded. The report tells how much of the border's length is lost. match: anew, by the
+        border and the edge length alone, so that meshes with a piece of their borders in common,
+        remeshed one by one with the same edge length, have the same vertices there, bit for bit.
     feature_region : {'none', 'detected', 'selection', 'auto'}, default 'auto'
         The part of the surface where vertices are denser, section 3.1.1 of the paper. none: there
         is none. detected: what the feature detection finds by the strength of the edges. selection:

@@ -185,11 +185,15 @@ class Mesh:
 
     def images(self, name, values):
         """The number of its image for each triangle; None stays None."""
+        return self.labels(name, values, 0)
+
+    def labels(self, name, values, least=-_MOST):
+        """A whole number for each triangle; None stays None."""
         if values is None:
             return None
         array = _array(name, values)
         if array.shape != (self.face_num,) or array.dtype.kind not in "iu":
             raise ValueError(f"{name} must be a whole number for each of the {self.face_num} faces.")
-        if array.size and not (0 <= array.min() and array.max() <= _MOST):
-            raise ValueError(f"{name} must be from 0 to {_MOST}.")
+        if array.size and not (least <= array.min() and array.max() <= _MOST):
+            raise ValueError(f"{name} must be from {least} to {_MOST}.")
         return _in_order(self.per_triangle(array), np.int32)

@@ -33,6 +33,8 @@ class RemeshResult:
         Texture coordinates of the corners of the faces, where `uv` was given.
     image : ndarray (m,) of int32, or None
         The number of the image of each face, where `image` was given.
+    regions : ndarray (m,) of int32, or None
+        The label of each face, where the input's faces have labels.
     report : dict
         What was done and how well, as the command line's `--report` has it. Times are in seconds,
         lengths in the input's unit, angles in degrees. The names of files are empty.
@@ -47,6 +49,7 @@ class RemeshResult:
     kept_face: "np.ndarray | None"
     uv: "np.ndarray | None"
     image: "np.ndarray | None"
+    regions: "np.ndarray | None"
     report: dict
 
     def __init__(self, mesh, outcome, report):
@@ -62,6 +65,7 @@ class RemeshResult:
         self.uv = outcome.get("uv")
         image = outcome.get("image")
         self.image = image if image is not None and image.size else None
+        self.regions = outcome["regions"] if outcome["regions"].size else None
         self.report = report
         self._triangle_index = outcome["face_index"]
         self._triangles = mesh.faces

@@ -39,12 +39,12 @@ class Surface:
 
     @with_parameters("remesh")
     def remesh(self, *, selected=None, region=None, feature_edges=None, uv=None, image=None,
-               progress=None, **parameters):
+               regions=None, progress=None, **parameters):
         """Remeshes the surface: the same bytes as those of `gpremesh.remesh`, in less time.
 
         Parameters
         ----------
-        selected, region, feature_edges, uv, image, progress
+        selected, region, feature_edges, uv, image, regions, progress
             As those of `gpremesh.remesh`. They may be others in each run.
         PARAMETERS
 
@@ -60,4 +60,5 @@ class Surface:
         """
         with self._one_run:
             return remesh_mesh(self._mesh, self._prepared, progress, parameters, selected=selected,
-                               region=region, feature_edges=feature_edges, uv=uv, image=image)
+                               region=region, feature_edges=feature_edges, uv=uv, image=image,
+                               regions=regions)

@@ -116,6 +116,23 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 		->required();
 	addOutput(*remesh, line);
 	addTableOptions(*remesh, RemeshTool, given);
+	remesh
+		->add_option("--regions", line.regions,
+					 "The property of IN's faces that tells their regions, whose borders are kept\n"
+					 "as lines and whose labels the result gets. If not given: region, label,\n"
+					 "material, group, CellEntityIds and material_index, groups and materials of\n"
+					 "OBJ, solids of STL. off: none")
+		->type_name("NAME|off");
+	remesh
+		->add_option("--transfer", line.transfer,
+					 "How values of vertices come to the result: mean over the corners round each\n"
+					 "place, or the nearest corner's. If not given: the mean, but the nearest of\n"
+					 "labels (whole numbers) and of colours that are a palette")
+		->transform(
+			CLI::CheckedTransformer(std::map<std::string, Transfer>{{"mean", Transfer::Mean},
+																	{"nearest", Transfer::Nearest}})
+				.description(""))
+		->type_name("mean|nearest");
 	addOutcome(*remesh, line, "Write what was done, and how well, as JSON");
 	addMemory(*remesh, line);
 	remesh

@@ -4,6 +4,7 @@
 #define VCG_EXTRAS_APPS_GPREMESH_COMMANDS_COMMAND_LINE_H
 
 #include <vcg_extras/core/options.h>
+#include <vcg_extras/io/mesh/attribute_carry.h>
 
 #include <cstdint>
 #include <string>
@@ -41,13 +42,15 @@ struct CommandLine {
 	std::string report;         ///< remesh and features only; empty = none
 	int         outTileNum = 0; ///< remesh and 'tile finish': OUT is a folder of tiles; 0 = a file
 	bool        quiet      = false;
-	bool        json       = false; ///< info and compare only
-	bool        isotropic  = false; ///< compare only
-	int         runNum     = 1;     ///< compare only
-	std::string htmlFolder;         ///< compare only; empty = no page
-	RemeshOptions options;          ///< all but info
-	std::string   optionsText;      ///< these as the user gave them: "--lambda 2 --preset fast"
-	TileSettings  tiles;            ///< tile, and remesh with --memory
+	bool        json       = false;        ///< info and compare only
+	bool        isotropic  = false;        ///< compare only
+	int         runNum     = 1;            ///< compare only
+	std::string regions;                   ///< remesh only: see regionsOf
+	Transfer    transfer = Transfer::Auto; ///< remesh only
+	std::string htmlFolder;                ///< compare only; empty = no page
+	RemeshOptions options;                 ///< all but info
+	std::string   optionsText; ///< these as the user gave them: "--lambda 2 --preset fast"
+	TileSettings  tiles;       ///< tile, and remesh with --memory
 
 	std::vector<std::string> notes; ///< sentences that the program adds to the report's
 	double shareDone = 0;           ///< remesh: of a longer work that it ends, as the bar shows it

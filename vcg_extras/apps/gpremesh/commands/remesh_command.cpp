@@ -93,9 +93,10 @@ void writeReport(const std::string& path, const RunRecord& run)
 	out.commit();
 }
 
-WantedAttributes wantedBy(const RemeshOptions& options)
+WantedAttributes wantedBy(const CommandLine& line)
 {
-	WantedAttributes wanted = neededBy(options);
+	WantedAttributes wanted = neededBy(line.options);
+	wanted.regions          = line.regions;
 	wanted.carried          = true;
 	wanted.mayStayInFile    = true;
 	return wanted;
@@ -120,16 +121,17 @@ Source readSource(const CommandLine& line, const RunLimit& limit)
 	const EndAtOnce guard(limit);
 	const bool      isSewn = line.options.sew && !line.options.selectedOnly;
 	Source          source;
-	source.mesh    = readMesh(line.input, wantedBy(line.options));
+	source.mesh    = readMesh(line.input, wantedBy(line));
 	source.texture = takeTexture(source.mesh.attributes, source.mesh.view(), isSewn);
 	return source;
 }
 
-MeshAttributes carriedAttributes(Source& source, const RemeshResult& result, const RunLimit& limit)
+MeshAttributes carriedAttributes(Source& source, const RemeshResult& result, Transfer transfer,
+								 const RunLimit& limit)
 {
 	const EndAtOnce guard(limit);
-	return carryAttributes(source.mesh.attributes, source.mesh.view(), source.texture.get(),
-						   result);
+	return carryAttributes(source.mesh.attributes, source.mesh.view(), source.texture.get(), result,
+						   transfer);
 }
 
 /// Everything between the mesh in memory and the mesh on the disk. The input is handed back before
@@ -155,7 +157,7 @@ RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit
 	run.notes.insert(run.notes.end(), line.notes.begin(), line.notes.end());
 	addPrecisionNote(writtenFormat(line), run);
 	run.report                = std::move(result.report);
-	MeshAttributes attributes = carriedAttributes(source, result, limit);
+	MeshAttributes attributes = carriedAttributes(source, result, line.transfer, limit);
 	writeResult(result.mesh, run.outputDouble, attributes, line, limit);
 	if (!attributes.lost.empty())
 		run.notes.push_back("Not carried over: " + listOf(attributes.lost) + ".");

@@ -112,7 +112,7 @@ std::vector<ValueColumn> chosen(const std::vector<ValueColumn>& columns,
 {
 	std::vector<ValueColumn> result;
 	for (const ValueColumn& column : columns) {
-		result.push_back({column.name, column.type, {}});
+		result.push_back({column.name, column.type, {}, column.names});
 		for (const std::size_t row : rows)
 			result.back().values.push_back(column.values[row]);
 	}

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Borders whose vertices depend on the border and the edge length alone.
+#include <tests/support/mesh_audit.h>
+#include <tests/support/mesh_builders.h>
+#include <tests/support/run_options.h>
+#include <vcg_extras/core/input/matched_border.h>
+#include <vcg_extras/core/remesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace gpr::test {
+
+namespace {
+
+using Place = std::array<double, 3>;
+
+double heightAt(double x, double y)
+{
+	return 0.1 * std::sin(5 * x + y) + 0.05 * std::cos(7 * y);
+}
+
+/// A tile of a terrain from x = first on, its faces turned and numbered by `random`.
+TriangleMesh tile(double first, int side, double shift, Random& random)
+{
+	TriangleMesh mesh;
+	for (int i = 0; i <= side; ++i) {
+		for (int j = 0; j <= side; ++j) {
+			const bool   isInside = i > 0 && i < side && j > 0 && j < side;
+			const double x        = first + (double(i) + (isInside ? shift : 0)) / side;
+			const double y        = double(j) / side;
+			mesh.positions.push_back({x, y, heightAt(x, y)});
+		}
+	}
+	std::vector<std::array<std::int32_t, 3>> faces;
+	for (int i = 0; i < side; ++i) {
+		for (int j = 0; j < side; ++j) {
+			const std::int32_t a = i * (side + 1) + j, b = a + side + 1;
+			faces.push_back({a, b, b + 1});
+			faces.push_back({a, b + 1, a + 1});
+		}
+	}
+	random.shuffle(faces);
+	for (const auto& f : faces)
+		mesh.triangles.insert(mesh.triangles.end(), f.begin(), f.end());
+	return mesh;
+}
+
+RemeshResult matched(const MeshView& mesh, double edgeLength, std::uint32_t seed)
+{
+	RemeshOptions options;
+	options.targetMode           = TargetMode::EdgeLength;
+	options.targetEdgeLen        = edgeLength;
+	options.boundary             = BoundaryMode::Match;
+	options.seed                 = seed;
+	options.threads              = 2;
+	options.surfacePointsOfFaces = true;
+	const RemeshResult result    = remesh(mesh, options);
+	EXPECT_EQ(result.status, Status::Ok) << result.message;
+	return result;
+}
+
+std::set<Place> placesAt(const TriangleMesh& mesh, double x)
+{
+	std::set<Place> places;
+	for (const Vec3d& p : mesh.positions) {
+		if (p.x == x) places.insert({p.x, p.y, p.z});
+	}
+	return places;
+}
+
+TEST(MatchedBorder, TilesGetTheSameVerticesInSeparateRuns)
+{
+	for (std::uint32_t seed : testSeeds(6)) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		Random             random(seed);
+		const double       edge = 0.05 + 0.1 * random.unit();
+		const TriangleMesh west = tile(0, 40, 0.2, random), east = tile(1, 40, -0.1, random);
+		const RemeshResult a = matched(west.view(), edge, seed),
+						   b = matched(east.view(), edge, seed + 1);
+		EXPECT_TRUE(isSoundSurface(a.mesh));
+		EXPECT_TRUE(hasSameTopology(a.mesh, west));
+		const std::set<Place> seam = placesAt(a.mesh, 1);
+		EXPECT_EQ(seam, placesAt(b.mesh, 1));
+		EXPECT_NEAR(double(seam.size()), 1.05 / edge, 0.1 / edge + 2);
+	}
+}
+
+TEST(MatchedBorder, PointsAreOnTheCallersFaces)
+{
+	Random             random(1);
+	const TriangleMesh mesh   = tile(0, 20, 0.1, random);
+	const RemeshResult result = matched(mesh.view(), 0.11, 1);
+	for (std::size_t v = 0; v < result.mesh.vertexNum(); ++v) {
+		const BarycentricPoint& at = result.surfacePoints[v];
+		Vec3d                   p;
+		for (int k = 0; k < 3; ++k)
+			p += mesh.positions[std::size_t(mesh.triangles[std::size_t(3 * at.face + k)])] *
+				 double(at.weight[k]);
+		EXPECT_NEAR(p.x, result.mesh.positions[v].x, 0.03);
+		EXPECT_NEAR(p.y, result.mesh.positions[v].y, 0.03);
+	}
+	for (const BarycentricPoint& at : result.facePoints)
+		EXPECT_LT(std::size_t(at.face), mesh.faceNum());
+}
+
+TEST(MatchedBorder, SplitFacesMakeTheSameSurfaceWithTheSameMarks)
+{
+	Random                    random(2);
+	const TriangleMesh        mesh = tile(0, 6, 0, random);
+	std::vector<std::uint8_t> line(3 * mesh.faceNum(), 1);
+	std::vector<std::int32_t> region(mesh.faceNum());
+	for (std::size_t f = 0; f < region.size(); ++f)
+		region[f] = std::int32_t(f);
+	MeshView view          = mesh.view();
+	view.line              = line.data();
+	view.region            = region.data();
+	const MatchedBorder to = matchBorder(view, 0.06); // several samples on each edge
+	const TriangleMesh  split{to.positions, to.triangles};
+	EXPECT_TRUE(isSoundSurface(split));
+	EXPECT_TRUE(hasSameTopology(split, mesh));
+	std::vector<double> area(mesh.faceNum(), 0);
+	std::int64_t        lineNum = 0;
+	for (std::size_t f = 0; f < split.faceNum(); ++f) {
+		const auto at = [&](std::size_t k) {
+			return split.positions[std::size_t(split.triangles[3 * f + k])];
+		};
+		area[std::size_t(to.faceOf[f])] += length(cross(at(1) - at(0), at(2) - at(0))) / 2;
+		EXPECT_EQ(to.region[f], to.faceOf[f]);
+		lineNum += to.line[3 * f] + to.line[3 * f + 1] + to.line[3 * f + 2];
+	}
+	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
+		const auto at = [&](std::size_t k) {
+			return mesh.positions[std::size_t(mesh.triangles[3 * f + k])];
+		};
+		EXPECT_NEAR(area[f], length(cross(at(1) - at(0), at(2) - at(0))) / 2, 1e-12);
+	}
+	const auto added = std::int64_t(split.vertexNum()) - std::int64_t(mesh.vertexNum());
+	EXPECT_GT(added, 40);
+	EXPECT_EQ(lineNum, std::int64_t(line.size()) + added); // no line along a cut
+}
+
+TEST(MatchedBorder, ALoopWithoutCornersHasNoBeginOfItsNumbers)
+{
+	TriangleMesh mesh;
+	const int    num = 90;
+	mesh.positions.push_back({0, 0, 0.3});
+	for (int i = 0; i < num; ++i) {
+		const double t = 2 * 3.14159265358979 * i / num;
+		mesh.positions.push_back({std::cos(t), std::sin(t), 0});
+		mesh.triangles.insert(mesh.triangles.end(), {0, i + 1, (i + 1) % num + 1});
+	}
+	TriangleMesh turned = mesh; // the other numbers, and the other direction
+	std::reverse(turned.positions.begin(), turned.positions.end());
+	for (std::int32_t& v : turned.triangles)
+		v = num - v;
+	for (std::size_t f = 0; f < turned.faceNum(); ++f)
+		std::swap(turned.triangles[3 * f], turned.triangles[3 * f + 1]);
+	const auto kept = [](const TriangleMesh& of) {
+		const MatchedBorder border = matchBorder(of.view(), 0.37);
+		std::set<Place>     places;
+		for (std::size_t v = 0; v < border.positions.size(); ++v) {
+			const Vec3d p = border.positions[v];
+			if (border.isKept[v]) places.insert({p.x, p.y, p.z});
+		}
+		return places;
+	};
+	EXPECT_EQ(kept(mesh), kept(turned));
+	EXPECT_EQ(kept(mesh).size(), 17u);
+}
+
+TEST(MatchedBorder, PlacesThatAreNoneAndBordersWithoutEndDoNoHarm)
+{
+	Random       random(3);
+	TriangleMesh mesh     = tile(0, 20, 0, random);
+	mesh.positions[210].x = std::nan("");
+	mesh.positions[20].z  = HUGE_VAL;
+	EXPECT_EQ(matched(mesh.view(), 0.11, 1).report.cleaned.nonFiniteVertices, 2);
+	RemeshOptions options;
+	options.targetMode    = TargetMode::EdgeLength;
+	options.targetEdgeLen = 1e-12;
+	options.boundary      = BoundaryMode::Match;
+	EXPECT_EQ(remesh(mesh.view(), options).status, Status::OutOfMemory);
+}
+
+TEST(MatchedBorder, AClosedSurfaceIsRemeshedAsWithoutIt)
+{
+	const TriangleMesh mesh    = icosphere(4);
+	RemeshOptions      options = countOptions(300);
+	const RemeshResult without = remesh(mesh.view(), options);
+	options.boundary           = BoundaryMode::Match;
+	EXPECT_EQ(remesh(mesh.view(), options).mesh.triangles, without.mesh.triangles);
+}
+
+} // namespace
+
+} // namespace gpr::test

@@ -1,0 +1,433 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "matched_border.h"
+
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/mesh/edge_sides.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// A turn over the window to both sides, in edges, that makes a corner: 50°, as 1 - its cosine.
+constexpr double cornerTurn = 1 - 0.6427876096865394, cornerWindow = 0.6;
+/// A sample so near to a vertex of the border, in edges, is that vertex.
+constexpr double nearVertex = 1e-4;
+constexpr int    none       = -1;
+/// Of one piece of a border.
+constexpr double mostSamples = 2e7;
+
+/// By which places have an order: not that of the mesh's numbers.
+bool isBefore(const Vec3d& a, const Vec3d& b)
+{
+	return std::make_tuple(a.x, a.y, a.z) < std::make_tuple(b.x, b.y, b.z);
+}
+
+/// An edge of the border: where it is in the mesh, and what follows it.
+struct BorderEdge {
+	int corner; ///< of the face, where it begins
+	int next = none, last = none;
+};
+
+/// A sample inside an edge of the border.
+struct Inside {
+	double share; ///< of the way from where the edge begins
+	Vec3d  place;
+};
+
+/// Finds the border's samples.
+class BorderSampling {
+public:
+	BorderSampling(const MeshView& input, double edgeLength) :
+			input_(input), edge_(edgeLength), isKept(input.vertexNum, 0)
+	{
+		numberPlaces();
+		findEdges();
+		link();
+		findStops();
+		for (int e = 0; e < int(edge.size()); ++e) {
+			if (isStop_[std::size_t(e)]) samplePiece(e);
+		}
+		for (std::size_t v = 0; v < isKept.size(); ++v)
+			isKept[v] = isKeptPlace_[std::size_t(place_[v])];
+	}
+
+private:
+	const MeshView&           input_;
+	const double              edge_;
+	std::vector<std::int32_t> place_; ///< per vertex: the first one at the same place
+	std::vector<char>         isStop_, isKeptPlace_;
+
+public:
+	std::vector<BorderEdge>          edge;
+	std::vector<std::vector<Inside>> inside; ///< per edge, by share
+	std::vector<std::uint8_t>        isKept; ///< per vertex of the caller's
+
+private:
+	static int nextCorner(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
+	int        placeOf(int corner) const
+	{
+		return place_[std::size_t(input_.vertexOf(std::size_t(corner)))];
+	}
+	/// Where an edge begins.
+	Vec3d at(int e) const
+	{
+		return input_.position(std::size_t(placeOf(edge[std::size_t(e)].corner)));
+	}
+	/// Where it ends.
+	Vec3d endOf(int e) const
+	{
+		return input_.position(std::size_t(placeOf(nextCorner(edge[std::size_t(e)].corner))));
+	}
+
+	void numberPlaces()
+	{
+		const auto placed = [&](std::int32_t v) { return input_.position(std::size_t(v)); };
+		place_.resize(input_.vertexNum);
+		std::iota(place_.begin(), place_.end(), 0);
+		std::vector<std::int32_t> order;
+		std::copy_if(place_.begin(), place_.end(), std::back_inserter(order),
+					 [&](std::int32_t v) { return isFinite(placed(v)); });
+		std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
+			return isBefore(placed(a), placed(b));
+		});
+		for (std::size_t i = 0; i < order.size(); ++i) {
+			const bool isSame             = i > 0 && placed(order[i]) == placed(order[i - 1]);
+			place_[std::size_t(order[i])] = isSame ? place_[std::size_t(order[i - 1])] : order[i];
+		}
+		isKeptPlace_.assign(place_.size(), 0);
+	}
+
+	void findEdges()
+	{
+		std::vector<EdgeSide> sides;
+		for (int c = 0; c < int(3 * input_.faceNum); ++c) {
+			if (std::uint32_t(input_.vertexOf(std::size_t(c))) >= input_.vertexNum)
+				throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
+		}
+		for (int c = 0; c < int(3 * input_.faceNum); ++c) {
+			const int a = placeOf(c), b = placeOf(nextCorner(c));
+			if (a != b && isUsable(c / 3)) sides.push_back(edgeSide(a, b, c));
+		}
+		std::sort(sides.begin(), sides.end());
+		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
+			if (end - begin == 1) edge.push_back({sides[begin].halfEdge});
+		});
+		inside.resize(edge.size());
+	}
+
+	/// Other faces are left out of the run.
+	bool isUsable(int f) const
+	{
+		const auto t = input_.triangle(std::size_t(f));
+		return std::all_of(t.begin(), t.end(), [&](std::int32_t v) {
+			return isFinite(input_.position(std::size_t(v)));
+		});
+	}
+
+	/// Links edges where one ends and one begins.
+	void link()
+	{
+		std::map<int, std::vector<int>> beginAt, endAt;
+		for (int e = 0; e < int(edge.size()); ++e) {
+			beginAt[placeOf(edge[std::size_t(e)].corner)].push_back(e);
+			endAt[placeOf(nextCorner(edge[std::size_t(e)].corner))].push_back(e);
+		}
+		for (const auto& [place, begin] : beginAt) {
+			const std::vector<int>& end = endAt[place];
+			if (begin.size() != 1 || end.size() != 1) continue;
+			edge[std::size_t(begin[0])].last = end[0];
+			edge[std::size_t(end[0])].next   = begin[0];
+		}
+	}
+
+	/// The place so far along the border from where edge e begins, or where it ends before.
+	Vec3d walked(int e, bool forward, double way) const
+	{
+		Vec3d     from  = at(e);
+		const int first = e;
+		if (!forward) e = edge[std::size_t(e)].last;
+		while (e != none) {
+			const Vec3d  to  = forward ? endOf(e) : at(e);
+			const double len = length(to - from);
+			if (len >= way) return from + (to - from) * (way / len);
+			way -= len;
+			from = to;
+			e    = forward ? edge[std::size_t(e)].next : edge[std::size_t(e)].last;
+			if (e == first) break;
+		}
+		return from;
+	}
+
+	/// Grows with the angle: 1 - its cosine.
+	double turnAt(int e) const
+	{
+		const Vec3d p = at(e), a = p - walked(e, false, cornerWindow * edge_),
+					b     = walked(e, true, cornerWindow * edge_) - p;
+		const double both = length(a) * length(b);
+		return both > 0 ? 1 - dot(a, b) / both : 0;
+	}
+
+	bool isLargestTurn(int e, const std::vector<double>& turn) const
+	{
+		for (const bool forward : {true, false}) {
+			double way = 0;
+			int    k   = e;
+			while (way <= cornerWindow * edge_) {
+				const int next = forward ? edge[std::size_t(k)].next : edge[std::size_t(k)].last;
+				if (next == none || next == e) break;
+				way += length(at(next) - at(k));
+				k                  = next;
+				const double other = turn[std::size_t(k)], own = turn[std::size_t(e)];
+				const bool   isOver = other > own || (other == own && isBefore(at(k), at(e)));
+				if (way <= cornerWindow * edge_ && isOver) return false;
+			}
+		}
+		return true;
+	}
+
+	void findStops()
+	{
+		std::vector<double> turn;
+		for (int e = 0; e < int(edge.size()); ++e)
+			turn.push_back(edge[std::size_t(e)].last == none ? 0 : turnAt(e));
+		for (int e = 0; e < int(edge.size()); ++e) {
+			const bool isNode   = edge[std::size_t(e)].last == none;
+			const bool isCorner = turn[std::size_t(e)] > cornerTurn && isLargestTurn(e, turn);
+			isStop_.push_back(isNode || isCorner);
+		}
+		addStopsOfLoops();
+	}
+
+	/// A loop without a stop begins at its first place in the order of places.
+	void addStopsOfLoops()
+	{
+		std::vector<char> isSeen(edge.size(), 0);
+		for (int e = 0; e < int(edge.size()); ++e) {
+			int  first   = e;
+			bool hasStop = false;
+			for (int k = e; k != none && !isSeen[std::size_t(k)]; k = edge[std::size_t(k)].next) {
+				isSeen[std::size_t(k)] = 1;
+				hasStop                = hasStop || isStop_[std::size_t(k)];
+				if (isBefore(at(k), at(first))) first = k;
+			}
+			if (!hasStop && isLoop(e)) isStop_[std::size_t(first)] = 1;
+		}
+	}
+
+	/// Whether a walk from edge e on comes back without a stop.
+	bool isLoop(int e) const
+	{
+		int k = e;
+		do {
+			if (isStop_[std::size_t(k)]) return false;
+			k = edge[std::size_t(k)].next;
+		} while (k != none && k != e);
+		return k == e;
+	}
+
+	/// The edges from e, a stop, to the next one.
+	std::vector<int> pieceFrom(int e) const
+	{
+		std::vector<int> piece;
+		do {
+			piece.push_back(e);
+			e = edge[std::size_t(e)].next;
+		} while (e != none && !isStop_[std::size_t(e)]);
+		return piece;
+	}
+
+	void samplePiece(int first)
+	{
+		const std::vector<int> piece = pieceFrom(first);
+		std::vector<Vec3d>     point{at(piece.front())};
+		for (const int e : piece)
+			point.push_back(endOf(e));
+		const bool isClosed = point.front() == point.back();
+		const bool turns    = isClosed ? isBefore(point[point.size() - 2], point[1])
+									   : isBefore(point.back(), point.front());
+		if (turns) std::reverse(point.begin(), point.end());
+		double whole = 0;
+		for (std::size_t i = 1; i < point.size(); ++i)
+			whole += length(point[i] - point[i - 1]);
+		if (whole > mostSamples * edge_)
+			throw Failure(Status::OutOfMemory, "The border would have too many vertices.");
+		const int least = isClosed ? 3 : 1;
+		const int num   = std::max(least, int(std::round(whole / edge_)));
+		keep(piece.front());
+		keepEnd(piece.back());
+		double arc = 0;
+		int    k   = 1;
+		for (std::size_t i = 1; i < point.size(); ++i) {
+			const double len = length(point[i] - point[i - 1]);
+			const int    e   = piece[turns ? piece.size() - i : i - 1];
+			for (; k < num && whole * k / num <= arc + len; ++k)
+				put(e, point[i - 1], point[i], (whole * k / num - arc) / len, len, turns);
+			arc += len;
+		}
+	}
+
+	void keep(int e) { isKeptPlace_[std::size_t(placeOf(edge[std::size_t(e)].corner))] = 1; }
+	void keepEnd(int e)
+	{
+		isKeptPlace_[std::size_t(placeOf(nextCorner(edge[std::size_t(e)].corner)))] = 1;
+	}
+
+	/// A sample on edge e, a share of the way from a to b; turns: from the edge's end to its begin.
+	void put(int e, const Vec3d& a, const Vec3d& b, double share, double len, bool turns)
+	{
+		if (share * len < nearVertex * edge_) return turns ? keepEnd(e) : keep(e);
+		if ((1 - share) * len < nearVertex * edge_) return turns ? keep(e) : keepEnd(e);
+		std::vector<Inside>& on   = inside[std::size_t(e)];
+		const Inside         made = {turns ? 1 - share : share, a + (b - a) * share};
+		on.insert(turns ? on.begin() : on.end(), made);
+	}
+};
+
+/// A corner of a part of a face, and what lies on the edge from it to the next one.
+struct PartCorner {
+	std::int32_t              vertex;
+	MatchedBorder::Corner     at;
+	std::uint8_t              line = 0;
+	std::vector<std::int32_t> vertices; ///< to be put in
+	std::vector<float>        shares;
+};
+
+using Part = std::array<PartCorner, 3>;
+
+/// Cuts faces at the samples of their border edges.
+class FaceSplitting {
+public:
+	FaceSplitting(const MeshView& input, MatchedBorder& out) : input_(input), out_(out) {}
+
+	void split(std::int32_t f, Part part)
+	{
+		std::vector<Part> open{std::move(part)};
+		while (!open.empty()) {
+			Part p = std::move(open.back());
+			open.pop_back();
+			for (int k = 0; k < 2 && p[0].vertices.empty(); ++k)
+				std::rotate(p.begin(), p.begin() + 1, p.end());
+			if (p[0].vertices.empty())
+				add(f, p);
+			else
+				cut(p, open);
+		}
+	}
+
+private:
+	const MeshView& input_;
+	MatchedBorder&  out_;
+
+	/// Parts the triangle from the first vertex on its first edge to the opposite corner.
+	static void cut(Part& p, std::vector<Part>& open)
+	{
+		PartCorner made{p[0].vertices.front(), p[0].at, p[0].line, {}, {}};
+		made.at.share = p[0].shares.front();
+		made.vertices.assign(p[0].vertices.begin() + 1, p[0].vertices.end());
+		made.shares.assign(p[0].shares.begin() + 1, p[0].shares.end());
+		p[0].vertices.clear();
+		p[0].shares.clear();
+		PartCorner across = p[2];
+		across.line       = 0;
+		across.vertices.clear();
+		across.shares.clear();
+		const PartCorner back{made.vertex, made.at, 0, {}, {}};
+		open.push_back({made, p[1], across});
+		open.push_back({p[0], back, p[2]});
+	}
+
+	void add(std::int32_t f, const Part& part)
+	{
+		out_.faceOf.push_back(f);
+		for (const PartCorner& corner : part) {
+			out_.triangles.push_back(corner.vertex);
+			out_.cornerAt.push_back(corner.at);
+			if (input_.line != nullptr) out_.line.push_back(corner.line);
+		}
+		if (input_.region != nullptr) out_.region.push_back(input_.region[f]);
+	}
+};
+
+BarycentricPoint ofCaller(const MatchedBorder& matched, const BarycentricPoint& at)
+{
+	BarycentricPoint out;
+	out.face      = matched.faceOf[std::size_t(at.face)];
+	out.weight[0] = 0;
+	for (std::size_t k = 0; k < 3; ++k) {
+		const MatchedBorder::Corner& c = matched.cornerAt[3 * std::size_t(at.face) + k];
+		out.weight[c.from] += at.weight[k] * (1 - c.share);
+		out.weight[(c.from + 1) % 3] += at.weight[k] * c.share;
+	}
+	return out;
+}
+
+} // namespace
+
+MeshView MatchedBorder::view() const
+{
+	MeshView v(positions, triangles);
+	v.keptBorder = isKept.data();
+	v.selected   = selected.empty() ? nullptr : selected.data();
+	v.line       = line.empty() ? nullptr : line.data();
+	v.region     = region.empty() ? nullptr : region.data();
+	return v;
+}
+
+MatchedBorder matchBorder(const MeshView& input, double edgeLength)
+{
+	const BorderSampling border(input, edgeLength);
+	MatchedBorder        out;
+	out.isKept = border.isKept;
+	for (std::size_t v = 0; v < input.vertexNum; ++v)
+		out.positions.push_back(input.position(v));
+	if (input.selected != nullptr)
+		out.selected.assign(input.selected, input.selected + input.vertexNum);
+	std::map<int, int> edgeAt; ///< by the corner where it begins
+	for (int e = 0; e < int(border.edge.size()); ++e) {
+		if (!border.inside[std::size_t(e)].empty()) edgeAt[border.edge[std::size_t(e)].corner] = e;
+	}
+	FaceSplitting faces(input, out);
+	for (std::size_t f = 0; f < input.faceNum; ++f) {
+		Part part;
+		for (std::size_t k = 0; k < 3; ++k) {
+			const std::size_t c = 3 * f + k;
+			part[k].vertex      = input.vertexOf(c);
+			part[k].at.from     = std::uint8_t(k);
+			if (input.line != nullptr) part[k].line = input.line[c];
+			const auto found = edgeAt.find(int(c));
+			if (found == edgeAt.end()) continue;
+			for (const Inside& sample : border.inside[std::size_t(found->second)]) {
+				part[k].vertices.push_back(std::int32_t(out.positions.size()));
+				part[k].shares.push_back(float(sample.share));
+				out.positions.push_back(sample.place);
+				out.isKept.push_back(1);
+				if (!out.selected.empty()) out.selected.push_back(0);
+			}
+		}
+		faces.split(std::int32_t(f), std::move(part));
+	}
+	return out;
+}
+
+void nameCallers(const MeshView& input, const MatchedBorder& matched, RemeshResult& result)
+{
+	for (BarycentricPoint& at : result.surfacePoints)
+		at = ofCaller(matched, at);
+	for (BarycentricPoint& at : result.facePoints)
+		at = ofCaller(matched, at);
+	for (std::int32_t& v : result.callersVertex) {
+		if (std::size_t(v) >= input.vertexNum) v = none;
+	}
+}
+
+} // namespace gpr

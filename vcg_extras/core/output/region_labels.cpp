@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "region_labels.h"
+
+#include "face_point.h"
+
+#include <vcg_extras/core/mesh/components.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+namespace gpr {
+
+namespace {
+
+/// A piece is at home between lines where it takes this share of the area there, or where this
+/// share of the piece lies. Less are middles that lie beyond the line.
+constexpr double shareOfCell = 0.3, shareOfPiece = 0.6;
+/// Passes that even out borders without a line.
+constexpr int evenings = 8;
+constexpr int none     = -1;
+
+/// Finds the pieces of the input's regions that the faces of a result belong to. The faces between
+/// lines of the result are a cell.
+class PieceOfFaces {
+public:
+	PieceOfFaces(const MeshView& input, const Surface& surface, const ResultMesh& result,
+				 Workers& workers) :
+			surface_(surface),
+			result_(result), workers_(workers),
+			pieces_(findComponents(surface.mesh, workers,
+								   [&](int h) {
+									   return labelOf(input, surface, h / 3) ==
+											  labelOf(input, surface, surface.mesh.opposite[h] / 3);
+								   })),
+			cells_(findComponents(result.mesh, workers,
+								  [&](int h) { return !result.mesh.isCreaseEdge(h); }))
+	{
+		sumUpPieces(input);
+		findMiddles();
+		findHomes();
+		settleCells();
+		fillGaps();
+		for (int k = 0; k < evenings && evenOut(); ++k)
+			workers.poll();
+	}
+
+	RegionLabels labels()
+	{
+		std::vector<char> isSeen(piece_.size(), 0);
+		for (std::size_t f = 0; f < pieceOf_.size(); ++f) {
+			isSeen[std::size_t(pieceOf_[f])] = 1;
+			moveIntoPiece(pieceOf_[f], middle_[f]);
+		}
+		RegionLabels out;
+		out.middle = std::move(middle_);
+		for (std::size_t p = 0; p < piece_.size(); ++p) {
+			if (!isSeen[p]) out.lost.push_back(piece_[p]);
+		}
+		std::stable_sort(
+			out.lost.begin(), out.lost.end(),
+			[](const RegionPiece& a, const RegionPiece& b) { return a.area > b.area; });
+		return out;
+	}
+
+private:
+	const Surface&                        surface_;
+	const ResultMesh&                     result_;
+	Workers&                              workers_;
+	const Components                      pieces_; ///< of the surface
+	const Components                      cells_;  ///< of the result
+	std::vector<RegionPiece>              piece_;
+	std::vector<SurfacePoint>             middle_;
+	std::vector<int>                      pieceOf_; ///< per face of the result, or none
+	std::map<std::pair<int, int>, double> areaOf_;  ///< by cell and piece, of middles
+	std::vector<std::vector<int>>         homeOf_;  ///< per cell: the pieces at home there
+	std::vector<int>                      reached_, lookedAtFor_; ///< of moveIntoPiece
+
+	static std::int32_t labelOf(const MeshView& input, const Surface& surface, int f)
+	{
+		return input.region[surface.sourceFace[f]];
+	}
+
+	void sumUpPieces(const MeshView& input)
+	{
+		const double unit = 1 / surface_.frame.scale;
+		piece_.resize(std::size_t(pieces_.num));
+		for (int f = 0; f < surface_.mesh.faceNum; ++f) {
+			RegionPiece& piece = piece_[std::size_t(pieces_.ofFace[std::size_t(f)])];
+			piece.label        = labelOf(input, surface_, f);
+			piece.area += 0.5 * double(length(surface_.mesh.faceCross(f))) * unit * unit;
+		}
+	}
+
+	void findMiddles()
+	{
+		const std::size_t num = std::size_t(result_.mesh.faceNum);
+		middle_.resize(num);
+		workers_.forEach(num, [&](int f) { middle_[f] = pointOfFace(surface_, result_, f); });
+		for (const SurfacePoint& at : middle_)
+			pieceOf_.push_back(pieces_.ofFace[std::size_t(at.face)]);
+	}
+
+	void findHomes()
+	{
+		std::vector<double> ofCell(std::size_t(cells_.num), 0), ofPiece(piece_.size(), 0);
+		for (std::size_t f = 0; f < pieceOf_.size(); ++f) {
+			const double area = double(length(result_.mesh.faceCross(int(f))));
+			areaOf_[{cells_.ofFace[f], pieceOf_[f]}] += area;
+			ofCell[std::size_t(cells_.ofFace[f])] += area;
+			ofPiece[std::size_t(pieceOf_[f])] += area;
+		}
+		homeOf_.resize(ofCell.size());
+		for (const auto& [where, area] : areaOf_) {
+			const auto [cell, piece] = where;
+			if (area >= shareOfCell * ofCell[std::size_t(cell)] ||
+				area >= shareOfPiece * ofPiece[std::size_t(piece)])
+				homeOf_[std::size_t(cell)].push_back(piece);
+		}
+	}
+
+	/// Faces of a cell with one piece get that; of others none where theirs is not at home.
+	void settleCells()
+	{
+		for (std::size_t f = 0; f < pieceOf_.size(); ++f) {
+			const std::vector<int>& home = homeOf_[std::size_t(cells_.ofFace[f])];
+			const bool isAtHome = std::find(home.begin(), home.end(), pieceOf_[f]) != home.end();
+			if (home.empty() || isAtHome) continue;
+			pieceOf_[f] = home.size() == 1 ? home[0] : none;
+		}
+	}
+
+	/// The pieces of the three neighbours that lie in the same cell; none where there is none.
+	std::array<int, 3> piecesRound(int f) const
+	{
+		const HalfEdgeMesh& m = result_.mesh;
+		std::array<int, 3>  round{none, none, none};
+		for (int k = 0; k < 3; ++k) {
+			const int h = 3 * f + k;
+			if (!m.isCurveEdge(h)) round[std::size_t(k)] = pieceOf_[std::size_t(m.opposite[h] / 3)];
+		}
+		return round;
+	}
+
+	/// Gives faces that have none the pieces of their neighbours.
+	void fillGaps()
+	{
+		std::vector<int> open;
+		for (std::size_t f = 0; f < pieceOf_.size(); ++f) {
+			if (pieceOf_[f] == none) open.push_back(int(f));
+		}
+		while (!open.empty()) {
+			std::vector<int> left;
+			for (int f : open) {
+				const std::array<int, 3> round = piecesRound(f);
+				int&                     own   = pieceOf_[std::size_t(f)];
+				own                            = *std::max_element(round.begin(), round.end());
+				if (own == none) left.push_back(f);
+			}
+			open.swap(left);
+		}
+	}
+
+	/// Faces with two neighbours of one other piece join it, where the border has no line.
+	bool evenOut()
+	{
+		bool hasChanged = false;
+		for (int f = 0; f < result_.mesh.faceNum; ++f) {
+			if (homeOf_[std::size_t(cells_.ofFace[std::size_t(f)])].size() < 2) continue;
+			const std::array<int, 3> n   = piecesRound(f);
+			const int                two = n[0] == n[1] || n[0] == n[2] ? n[0] : n[1];
+			const bool isPair            = two != none && std::count(n.begin(), n.end(), two) >= 2;
+			if (!isPair || two == pieceOf_[std::size_t(f)] || isAlone(f, n)) continue;
+			pieceOf_[std::size_t(f)] = two;
+			hasChanged               = true;
+		}
+		return hasChanged;
+	}
+
+	/// Whether no neighbour has the piece of a face, which may be its only face.
+	bool isAlone(int f, const std::array<int, 3>& round) const
+	{
+		const int own = pieceOf_[std::size_t(f)];
+		return std::count(round.begin(), round.end(), own) == 0 &&
+			   std::count(pieceOf_.begin(), pieceOf_.end(), own) == 1;
+	}
+
+	/// Moves a point that lies beyond the border to the middle of the nearest face, in steps over
+	/// edges, of its piece. There is one: the piece is at home here because middles lie in it.
+	void moveIntoPiece(int piece, SurfacePoint& at)
+	{
+		const HalfEdgeMesh& m = surface_.mesh;
+		if (pieces_.ofFace[std::size_t(at.face)] == piece) return;
+		if (lookedAtFor_.empty()) lookedAtFor_.assign(std::size_t(m.faceNum), -1);
+		const int first = at.face;
+		reached_.assign(1, first);
+		const int mark                   = ++lookedAt_;
+		lookedAtFor_[std::size_t(first)] = mark;
+		for (std::size_t i = 0; i < reached_.size(); ++i) {
+			const int f = reached_[i];
+			if (pieces_.ofFace[std::size_t(f)] == piece) {
+				at = {m.faceCentre(f), f};
+				return;
+			}
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				const int g = m.opposite[h] < 0 ? f : m.opposite[h] / 3;
+				if (lookedAtFor_[std::size_t(g)] == mark) continue;
+				lookedAtFor_[std::size_t(g)] = mark;
+				reached_.push_back(g);
+			}
+		}
+	}
+	int lookedAt_ = 0;
+};
+
+} // namespace
+
+RegionLabels labelFaces(const MeshView& input, const Surface& surface, const ResultMesh& result,
+						Workers& workers)
+{
+	return PieceOfFaces(input, surface, result, workers).labels();
+}
+
+} // namespace gpr
