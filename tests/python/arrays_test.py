@@ -147,6 +147,15 @@ def test_names_that_are_no_parameters():
         gpremesh.sample(*torus(), max_error=5)
 
 
+def test_a_number_of_faces():
+    assert len(gpremesh.remesh(*torus(), face_count=1024).faces) == 1024
+    with pytest.raises(gpremesh.Error, match="1024 and 1026"):
+        gpremesh.remesh(*torus(), face_count=1025)
+    assert len(gpremesh.remesh(*torus(), face_count=1025, allow_nearest=True).faces) == 1024
+    with pytest.raises(ValueError, match="face_count"):
+        gpremesh.remesh(*torus(), face_count=1024, vertex_count=100)
+
+
 def test_what_the_engine_refuses():
     with pytest.raises(gpremesh.Error) as refused:
         gpremesh.remesh(*torus(), vertex_count=4)

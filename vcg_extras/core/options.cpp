@@ -16,6 +16,11 @@ void checkTarget(const RemeshOptions& o, std::vector<std::string>& complaints)
 			complaints.push_back("The number of vertices must be between 1 and 2147483647.");
 		}
 		break;
+	case TargetMode::FaceNum:
+		if (o.targetFaceNum < 1 || o.targetFaceNum > 2147483647) {
+			complaints.push_back("The number of faces must be between 1 and 2147483647.");
+		}
+		break;
 	case TargetMode::Percent:
 		if (!(o.targetPercent > 0 && o.targetPercent <= 10000)) {
 			complaints.push_back("The percentage must be above 0 and at most 10000.");

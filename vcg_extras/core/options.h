@@ -14,6 +14,7 @@ namespace gpr {
 enum class TargetMode {
 	VertexNum,  ///< exactly targetVertexNum vertices; a count below what the topology needs is
 				///< refused
+	FaceNum,    ///< exactly targetFaceNum faces; refused where the topology does not allow it
 	Percent,    ///< targetPercent of the input's vertices; raised where the topology needs more
 	EdgeLength, ///< mean edge length targetEdgeLen; raised count where the topology needs more
 	MaxError,   ///< the least count found that is proven to be within targetMaxError of the input
@@ -66,6 +67,7 @@ struct FeatureThresholds {
 struct RemeshOptions {
 	TargetMode    targetMode        = TargetMode::Percent;
 	std::int64_t  targetVertexNum   = 0;     ///< vertices, >= 1; used with TargetMode::VertexNum
+	std::int64_t  targetFaceNum     = 0;     ///< faces, >= 1; used with TargetMode::FaceNum
 	double        targetPercent     = 10;    ///< percent of the input's vertices, > 0, <= 10000
 	double        targetEdgeLen     = 0;     ///< mesh units, > 0; used with TargetMode::EdgeLength
 	double        targetMaxError    = 0;     ///< mesh units, > 0; used with TargetMode::MaxError

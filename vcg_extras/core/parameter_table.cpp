@@ -137,11 +137,22 @@ void addSize(Table& t)
 			"a tenth more or less. A number below what the topology needs is refused, and the "
 			"message names the smallest possible number. Where only the selected faces are "
 			"remeshed this is the number of vertices of that part.")
-			.inDialog("It counts only while percentage, edge length and largest error are 0. The "
-					  "proposed number is 10 % of the layer's vertices.")
+			.inDialog(
+				"It counts only while faces, percentage, edge length and largest error are 0. The "
+				"proposed number is 10 % of the layer's vertices.")
 			.range(1, largestCount)
 			.byDefault(tenPercent)
 			.store([](const Value& v, RemeshOptions& o) { o.targetVertexNum = countOf(v); })
+			.p);
+	t.push_back(
+		row(RemeshTool, "TargetFaceNum", "--faces", "N", Kind::Count, "Number of faces (0 = off)",
+			"How many faces the result has, exactly. A closed surface has an even number, about "
+			"twice that of its vertices. A surface with a border has any number, unless all its "
+			"border vertices are kept. What the topology does not allow is refused, and the "
+			"message names the two nearest numbers that it does.")
+			.inDialog("Above 0 it takes the place of the number of vertices.")
+			.range(0, largestCount)
+			.store([](const Value& v, RemeshOptions& o) { o.targetFaceNum = countOf(v); })
 			.p);
 	t.push_back(row(sampled, "TargetPerc", "--percent", "P", Kind::Number,
 					"Percentage of vertices (0 = off)",
@@ -369,12 +380,13 @@ void addFeatureThresholds(Table& t)
 
 void addCount(Table& t)
 {
-	t.push_back(row(RemeshTool, "AllowNearest", "--allow-nearest", "", Kind::Switch,
-					"Take the nearest possible number",
-					"Where the topology needs more vertices than asked for, the nearest possible "
-					"number is taken. Otherwise the run is refused.")
-					.store([](const Value& v, RemeshOptions& o) { o.allowNearest = switchOf(v); })
-					.p);
+	t.push_back(
+		row(RemeshTool, "AllowNearest", "--allow-nearest", "", Kind::Switch,
+			"Take the nearest possible number",
+			"Where the topology does not allow the number of vertices or faces that is asked "
+			"for, the nearest possible number is taken. Otherwise the run is refused.")
+			.store([](const Value& v, RemeshOptions& o) { o.allowNearest = switchOf(v); })
+			.p);
 }
 
 void addCleaning(Table& t)

@@ -22,6 +22,7 @@ std::string nameOf(const Parameter& p, Tool tool)
 	name.erase(0, name.find_first_not_of('-'));
 	std::replace(name.begin(), name.end(), '-', '_');
 	if (name == "vertices") return tool == SamplingTool ? "count" : "vertex_count";
+	if (name == "faces") return "face_count";
 	if (name == "lambda") return "lambda_";
 	return name;
 }

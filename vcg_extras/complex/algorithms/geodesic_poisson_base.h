@@ -57,6 +57,12 @@ struct GeodesicPoissonParams : public gpr::RemeshOptions {
 		targetMode      = gpr::TargetMode::VertexNum;
 		targetVertexNum = num;
 	}
+	/// Exactly so many faces, >= 1; only the remeshing can aim at it.
+	void SetTargetFaceNum(std::int64_t num)
+	{
+		targetMode    = gpr::TargetMode::FaceNum;
+		targetFaceNum = num;
+	}
 	/// Percent of the input's vertices, > 0, <= 10000.
 	void SetTargetPerc(double perc)
 	{

@@ -199,7 +199,9 @@ SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots
 	run.clock.enter(Stage::InputFigures);
 	made.surface.figures = figuresOf(made.surface.mesh, 1 / made.surface.frame.scale, run.workers);
 	if (decisions.purpose != Purpose::OfGivenSamples) tellRegion(run, made.sizes);
-	return {std::int64_t(made.sizes.kept.size())};
+	const bool countsFaces = decisions.faceNum > 0;
+	return {std::int64_t(made.sizes.kept.size()), made.surface.figures.eulerCharacteristic,
+			countsFaces ? borderLength(made.surface.mesh) : 0};
 }
 
 ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const ErrorGoal& goal,

@@ -46,6 +46,8 @@ double wantedVertexNum(std::int64_t inputVertexNum, const RemeshOptions& o, doub
 	switch (o.targetMode) {
 	case TargetMode::VertexNum:
 		return double(o.targetVertexNum);
+	case TargetMode::FaceNum: // of a closed surface without handles
+		return 0.5 * double(o.targetFaceNum) + 2;
 	case TargetMode::Percent:
 		return o.targetPercent / 100 * double(inputVertexNum);
 	case TargetMode::EdgeLength:

@@ -19,6 +19,8 @@ const char* modeName(TargetMode mode)
 	switch (mode) {
 	case TargetMode::VertexNum:
 		return "vertices";
+	case TargetMode::FaceNum:
+		return "faces";
 	case TargetMode::Percent:
 		return "percent";
 	case TargetMode::EdgeLength:
@@ -55,6 +57,9 @@ Json optionsJson(const RemeshOptions& o)
 	switch (o.targetMode) {
 	case TargetMode::VertexNum:
 		json["vertices"] = o.targetVertexNum;
+		break;
+	case TargetMode::FaceNum:
+		json["faces"] = o.targetFaceNum;
 		break;
 	case TargetMode::Percent:
 		json["percent"] = o.targetPercent;

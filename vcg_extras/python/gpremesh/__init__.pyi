@@ -29,6 +29,7 @@ def remesh(
     image: ArrayLike | None = None,
     progress: Callable[[float, str], Any] | None = None,
     vertex_count: int | None = None,
+    face_count: int | None = None,
     percent: float | None = None,
     edge_length: float | None = None,
     max_error: float | str | None = None,
@@ -84,6 +85,11 @@ def remesh(
         more or less. A number below what the topology needs is refused, and the message names the
         smallest possible number. Where only the selected faces are remeshed this is the number of
         vertices of that part.
+    face_count : int, optional
+        How many faces the result has, exactly. A closed surface has an even number, about twice
+        that of its vertices. A surface with a border has any number, unless all its border vertices
+        are kept. What the topology does not allow is refused, and the message names the two nearest
+        numbers that it does.
     percent : float, optional
         The size of the result in percent of the input's vertices, at most 10000. More vertices are
         taken where the topology needs them.
@@ -153,8 +159,8 @@ def remesh(
     feature_length : float, default 3.0
         Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
     allow_nearest : bool, default False
-        Where the topology needs more vertices than asked for, the nearest possible number is taken.
-        Otherwise the run is refused.
+        Where the topology does not allow the number of vertices or faces that is asked for, the
+        nearest possible number is taken. Otherwise the run is refused.
     sew : bool, default True
         Borders that lie on one another edge by edge, within a millionth of the bounding box, are
         joined, as those of CAD parts and of games whose smooth patches have vertices of their own.

@@ -110,8 +110,8 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* remesh = app.add_subcommand(
 		"remesh", "Remeshes IN with about-equilateral triangles of equal size and writes OUT.\n"
-				  "The size is given by one of --vertices, --percent and --edge-length; 10 % of\n"
-				  "IN's vertices where none is given.");
+				  "The size is given by one of --vertices, --faces, --percent and --edge-length;\n"
+				  "10 % of IN's vertices where none is given.");
 	remesh->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
 		->required();
 	addOutput(*remesh, line);

@@ -161,6 +161,7 @@ double bytesUntiled(double faceNum, double vertexNum)
 double resultVertexNum(const RemeshOptions& options, double inputVertexNum)
 {
 	if (options.targetMode == TargetMode::VertexNum) return double(options.targetVertexNum);
+	if (options.targetMode == TargetMode::FaceNum) return 0.5 * double(options.targetFaceNum);
 	if (options.targetMode == TargetMode::Percent)
 		return std::round(options.targetPercent / 100 * inputVertexNum);
 	return 0;
