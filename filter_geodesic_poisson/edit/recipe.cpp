@@ -83,7 +83,7 @@ bool isSizeInForce(const Parameter& row, const Values& values, const gpr::MeshFa
 		return count != nullptr ? *count > 0 : std::get<double>(value) > 0;
 	};
 	const std::string key = row.key;
-	for (const char* other : {"MaxError", "TargetLen", "TargetPerc", "TargetFaceNum"}) {
+	for (const char* other : {"MaxError", "Detail", "TargetLen", "TargetPerc", "TargetFaceNum"}) {
 		if (isGiven(other)) return key == other;
 	}
 	return key == "TargetVertexNum";

@@ -106,6 +106,30 @@ TEST_P(FaceCount, TheNearestIsTakenWhereThatIsAllowed)
 INSTANTIATE_TEST_SUITE_P(, FaceCount, ::testing::ValuesIn(shapes()),
 						 [](const auto& shape) { return std::string(shape.param.name); });
 
+/// The number is told, and a finer detail has more. A surface that is bent everywhere alike has its
+/// error everywhere, and so more of it than others.
+TEST(CountOfADetail, IsForecastAndTold)
+{
+	const TriangleMesh mesh = icosphere(5);
+	std::int64_t       last = 0;
+	for (const Detail detail : {Detail::Coarse, Detail::Normal, Detail::Fine}) {
+		RemeshOptions options = countOptions(0);
+		options.targetMode    = TargetMode::Detail;
+		options.targetDetail  = detail;
+		options.check         = true;
+		const RemeshResult r  = remesh(mesh.view(), options);
+		ASSERT_EQ(r.status, Status::Ok) << r.message;
+		const double wanted = detailError(detail) * r.report.input.diagonal;
+		EXPECT_LT(r.report.check.distance.larger().p999, 2 * wanted);
+		EXPECT_GT(r.report.check.distance.larger().p999, 0.3 * wanted);
+		const std::int64_t num = std::int64_t(r.mesh.vertexNum());
+		EXPECT_GT(num, last);
+		last = num;
+		ASSERT_FALSE(r.notes.empty());
+		EXPECT_EQ(r.notes.front().find("About " + std::to_string(num) + " vertices"), 0u);
+	}
+}
+
 /// The border decides whether the number is odd.
 TEST(FaceCountOfABorderThatIsKept, HasTheParityOfTheBorder)
 {
@@ -123,10 +147,10 @@ TEST(FaceCountOfABorderThatIsKept, HasTheParityOfTheBorder)
 
 TEST(FaceCountOfAClosedSurface, IsTheMeshOfThatManyVertices)
 {
-	const TriangleMesh mesh   = icosphere(4);
-	const RemeshResult faces  = remesh(mesh.view(), faceOptions(1000));
-	RemeshOptions      counts = countOptions(502);
-	counts.sew                = false;
+	const TriangleMesh mesh     = icosphere(4);
+	const RemeshResult faces    = remesh(mesh.view(), faceOptions(1000));
+	RemeshOptions      counts   = countOptions(502);
+	counts.sew                  = false;
 	const RemeshResult vertices = remesh(mesh.view(), counts);
 	EXPECT_EQ(faces.mesh.triangles, vertices.mesh.triangles);
 	EXPECT_EQ(faces.mesh.positions, vertices.mesh.positions);

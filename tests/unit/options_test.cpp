@@ -271,6 +271,17 @@ TEST_F(ParameterSets, ANumberOfFacesTakesThePlaceOfThatOfVerticesAndOfNoOtherSiz
 	}
 }
 
+TEST_F(ParameterSets, ADetailTakesThePlaceOfTheCountAndOfNoOtherSize)
+{
+	set("TargetVertexNum", std::int64_t(500));
+	set("Detail", std::int64_t(2));
+	EXPECT_EQ(set_.options().targetMode, TargetMode::Detail);
+	EXPECT_EQ(set_.options().targetDetail, Detail::Normal);
+	EXPECT_TRUE(set_.complaints().empty());
+	set("TargetFaceNum", std::int64_t(500));
+	EXPECT_EQ(set_.complaints().size(), 1u);
+}
+
 TEST(StatusName, IsOneOfItsOwnForEveryStatus)
 {
 	std::set<std::string> names;

@@ -31,6 +31,9 @@ void checkTarget(const RemeshOptions& o, std::vector<std::string>& complaints)
 			complaints.push_back("The edge length must be a finite number above 0.");
 		}
 		break;
+	case TargetMode::Detail:
+		if (o.targetDetail == Detail::None) complaints.push_back("No detail is given.");
+		break;
 	case TargetMode::MaxError:
 		if (!(o.targetMaxError > 0 && std::isfinite(o.targetMaxError))) {
 			complaints.push_back("The largest error must be a finite number above 0.");
@@ -110,6 +113,18 @@ double resolveAdapt(const RemeshOptions& o, bool makesMesh)
 	const bool hasUse = makesMesh && isFitted(o) && !(o.lambda > 0);
 	if (!hasUse) return 0;
 	return o.targetMode == TargetMode::MaxError ? 1 : usual;
+}
+
+double detailError(Detail detail)
+{
+	switch (detail) {
+	case Detail::Coarse:
+		return 0.01;
+	case Detail::Normal:
+		return 0.003;
+	default:
+		return 0.001;
+	}
 }
 
 std::vector<std::string> validate(const RemeshOptions& o)

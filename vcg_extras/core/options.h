@@ -18,6 +18,16 @@ enum class TargetMode {
 	Percent,    ///< targetPercent of the input's vertices; raised where the topology needs more
 	EdgeLength, ///< mean edge length targetEdgeLen; raised count where the topology needs more
 	MaxError,   ///< the least count found that is proven to be within targetMaxError of the input
+	Detail,     ///< the count for which the error is forecast to be that of targetDetail
+};
+
+/// How much of a shape is kept, in words: with which count 99.9 % of the surface is forecast to be
+/// nearer than so much of the diagonal.
+enum class Detail {
+	None,
+	Coarse, ///< about 1 %
+	Normal, ///< about 0.3 %
+	Fine,   ///< about 0.1 %
 };
 
 /// Which methods the stages use.
@@ -72,6 +82,7 @@ struct RemeshOptions {
 	double        targetEdgeLen     = 0;     ///< mesh units, > 0; used with TargetMode::EdgeLength
 	double        targetMaxError    = 0;     ///< mesh units, > 0; used with TargetMode::MaxError
 	bool          maxErrorIsPercent = false; ///< targetMaxError is in percent of the diagonal
+	Detail        targetDetail      = Detail::None; ///< used with TargetMode::Detail
 	bool          allowNearest = false; ///< take the nearest reachable count instead of refusing
 	std::uint32_t seed         = 1;     ///< 0 = a fresh seed, told in the report
 	int           threads      = 0;     ///< 0 = one per core; never changes the result
@@ -143,6 +154,9 @@ void resolveFeatureRegion(bool anySelected, RemeshOptions& options);
 /// without it, and where only samples are wanted (`makesMesh` is false). Else it is 0.1; with
 /// TargetMode::MaxError 1: a distance is kept with fewest vertices where they are spent on it.
 double resolveAdapt(const RemeshOptions& options, bool makesMesh);
+
+/// The error that targetDetail stands for, over the diagonal.
+double detailError(Detail detail);
 
 /// Complaints about values out of range, one sentence each; empty when all is well.
 std::vector<std::string> validate(const RemeshOptions& options);

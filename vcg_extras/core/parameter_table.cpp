@@ -381,6 +381,17 @@ void addFeatureThresholds(Table& t)
 void addCount(Table& t)
 {
 	t.push_back(
+		row(RemeshTool, "Detail", "--detail", "NAME", Kind::Choice, "Detail",
+			"The number of vertices in words: so many that 99.9 % of the surface is forecast to be "
+			"nearer than 1 % of the diagonal (coarse), 0.3 % (normal) or 0.1 % (fine). The number "
+			"is "
+			"told. It is a forecast: largest error proves a distance, and takes several times as "
+			"long. off: the size is given otherwise.")
+			.inDialog("It takes the place of the number of vertices.")
+			.choices({"off", "coarse", "normal", "fine"})
+			.store([](const Value& v, RemeshOptions& o) { o.targetDetail = Detail(countOf(v)); })
+			.p);
+	t.push_back(
 		row(RemeshTool, "AllowNearest", "--allow-nearest", "", Kind::Switch,
 			"Take the nearest possible number",
 			"Where the topology does not allow the number of vertices or faces that is asked "

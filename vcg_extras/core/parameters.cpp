@@ -47,7 +47,7 @@ bool isSizeParameter(const Parameter& p)
 {
 	const std::string key = p.key;
 	return key == "TargetVertexNum" || key == "TargetFaceNum" || key == "TargetPerc" ||
-		   key == "TargetLen" || key == "MaxError";
+		   key == "TargetLen" || key == "MaxError" || key == "Detail";
 }
 
 void ParameterSet::set(const Parameter& parameter, const ParameterValue& value)
@@ -74,6 +74,9 @@ RemeshOptions ParameterSet::options() const
 	RemeshOptions o = raw();
 	if (o.targetMaxError != 0) {
 		o.targetMode = TargetMode::MaxError;
+	}
+	else if (o.targetDetail != Detail::None) {
+		o.targetMode = TargetMode::Detail;
 	}
 	else if (o.targetEdgeLen != 0) {
 		o.targetMode = TargetMode::EdgeLength;
@@ -106,6 +109,8 @@ std::vector<std::string> ParameterSet::complaints() const
 	}
 	const bool hasOther =
 		given.targetPercent != 0 || given.targetEdgeLen != 0 || given.targetMaxError != 0;
+	if (given.targetDetail != Detail::None && (hasOther || given.targetFaceNum != 0))
+		sentences.push_back("Give either a detail or another size, not both.");
 	if (given.targetFaceNum != 0 && hasOther) {
 		sentences.push_back("Give either a number of faces or another size, not both.");
 	}

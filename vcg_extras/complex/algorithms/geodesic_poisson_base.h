@@ -75,6 +75,12 @@ struct GeodesicPoissonParams : public gpr::RemeshOptions {
 		targetMode    = gpr::TargetMode::EdgeLength;
 		targetEdgeLen = len;
 	}
+	/// As many vertices as a detail is forecast to take; only the remeshing can aim at it.
+	void SetTargetDetail(gpr::Detail detail)
+	{
+		targetMode   = gpr::TargetMode::Detail;
+		targetDetail = detail;
+	}
 	/// Largest distance from the input in mesh units, > 0; only the remeshing can aim at it.
 	void SetTargetMaxError(double distance)
 	{

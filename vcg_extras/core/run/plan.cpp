@@ -63,6 +63,15 @@ std::string missedText(const ErrorTrial& best, double goal, double diagonal)
 		   lengthText(best.error, diagonal) + ".";
 }
 
+/// What is told of a count that follows from a detail.
+std::string forecastText(std::int64_t vertexNum, const Request& request)
+{
+	const double error = detailError(request.options.targetDetail) * request.diagonal;
+	return "About " + text(vertexNum) +
+		   " vertices are forecast to keep 99.9 % of the surface within " +
+		   lengthText(error, request.diagonal) + ".";
+}
+
 std::string metText(const ErrorTrial& best, int trialNum, double diagonal)
 {
 	return "With " + text(best.vertexNum) +
@@ -230,7 +239,9 @@ std::string Plan::judge(const InputFacts& facts)
 {
 	resolveCount(facts);
 	goOn();
-	return "";
+	const bool isForecast = request_.options.targetMode == TargetMode::Detail &&
+							decisions_.purpose == Purpose::Answer && attempts_.asked == 0;
+	return isForecast ? forecastText(decisions_.vertexNum, request_) : std::string();
 }
 
 std::string Plan::judge(const SurfaceFacts& facts)
@@ -291,6 +302,10 @@ std::string Plan::makeRoom(std::int64_t euler)
 
 std::string Plan::judge(const ForecastFacts& facts)
 {
+	if (request_.options.targetMode == TargetMode::Detail) {
+		beginRun(Purpose::Answer, facts.vertexNum);
+		return "";
+	}
 	ErrorGoal goal = *request_.goal;
 	goal.start     = facts.vertexNum;
 	search_.emplace(goal);

@@ -182,8 +182,9 @@ void Remeshing::exportSamples()
 
 void remeshInput(const Call& call, RemeshResult& out)
 {
-	Request request{call.options, std::int64_t(call.input.vertexNum)};
-	if (call.options.targetMode == TargetMode::MaxError) {
+	Request          request{call.options, std::int64_t(call.input.vertexNum)};
+	const TargetMode mode = call.options.targetMode;
+	if (mode == TargetMode::MaxError || mode == TargetMode::Detail) {
 		const MeshExtent extent = extentOf(call.input);
 		request.purpose         = Purpose::Forecast;
 		request.goal            = errorGoalOf(call.input, call.options, extent);
@@ -193,7 +194,7 @@ void remeshInput(const Call& call, RemeshResult& out)
 	const TellAtEnd teller{remeshing, out};
 	while (!remeshing.isDone())
 		remeshing.takeStep();
-	if (request.goal) remeshing.endTrials();
+	if (mode == TargetMode::MaxError) remeshing.endTrials();
 	out = remeshing.takeResult();
 }
 

@@ -27,6 +27,8 @@ const char* modeName(TargetMode mode)
 		return "edgeLength";
 	case TargetMode::MaxError:
 		return "maxError";
+	case TargetMode::Detail:
+		return "detail";
 	}
 	return "";
 }
@@ -69,6 +71,9 @@ Json optionsJson(const RemeshOptions& o)
 		break;
 	case TargetMode::MaxError:
 		json[o.maxErrorIsPercent ? "maxErrorPercent" : "maxError"] = o.targetMaxError;
+		break;
+	case TargetMode::Detail:
+		json["detail"] = choiceName("Detail", o.targetDetail);
 		break;
 	}
 	json["preset"]              = choiceName("Preset", o.preset);

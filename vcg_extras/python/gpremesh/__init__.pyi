@@ -45,6 +45,7 @@ def remesh(
     feature_strong: float = 40.0,
     feature_weak: float = 20.0,
     feature_length: float = 3.0,
+    detail: Literal['off', 'coarse', 'normal', 'fine'] | None = None,
     allow_nearest: bool = False,
     sew: bool = True,
     drop_components_below: int = 0,
@@ -158,6 +159,11 @@ def remesh(
         strong angle.
     feature_length : float, default 3.0
         Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
+    detail : {'off', 'coarse', 'normal', 'fine'}, optional
+        The number of vertices in words: so many that 99.9 % of the surface is forecast to be nearer
+        than 1 % of the diagonal (coarse), 0.3 % (normal) or 0.1 % (fine). The number is told. It is
+        a forecast: largest error proves a distance, and takes several times as long. off: the size
+        is given otherwise.
     allow_nearest : bool, default False
         Where the topology does not allow the number of vertices or faces that is asked for, the
         nearest possible number is taken. Otherwise the run is refused.

@@ -44,6 +44,9 @@ void checkOptions(const RemeshOptions& options)
 	if (options.targetMode == TargetMode::MaxError)
 		failUsage("--max-error is proven against the whole input, which tiles do not hold. Give "
 				  "--vertices, --percent or --edge-length.");
+	if (options.targetMode == TargetMode::Detail)
+		failUsage("--detail is forecast for the whole input, which tiles do not hold. Give "
+				  "--vertices, --percent or --edge-length.");
 	if (options.selectedOnly || options.featureRegion == FeatureRegion::Selection)
 		failUsage("Selections are not carried through tiles.");
 	if (options.boundary == BoundaryMode::Keep)
