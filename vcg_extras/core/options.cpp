@@ -31,6 +31,8 @@ void checkTarget(const RemeshOptions& o, std::vector<std::string>& complaints)
 			complaints.push_back("The edge length must be a finite number above 0.");
 		}
 		break;
+	case TargetMode::Sizes:
+		break;
 	case TargetMode::Detail:
 		if (o.targetDetail == Detail::None) complaints.push_back("No detail is given.");
 		break;
@@ -52,6 +54,12 @@ void checkDensity(const RemeshOptions& o, std::vector<std::string>& complaints)
 	if (!isWithin(o.lambda, 0, 1e6)) {
 		complaints.push_back("Lambda must be between 0 and 1000000.");
 	}
+	if (!isWithin(o.minEdge, 0, 1e300) || !isWithin(o.maxEdge, 0, 1e300))
+		complaints.push_back("The least and the largest edge must be finite numbers, 0 or above.");
+	if (o.maxEdge > 0 && o.minEdge > o.maxEdge)
+		complaints.push_back("The least edge must not be longer than the largest one.");
+	if (!isWithin(o.growth, 1.05, 2))
+		complaints.push_back("The growth must be between 1.05 and 2.");
 	if (o.adapt && !isWithin(*o.adapt, 0, 1)) {
 		complaints.push_back("The adaptivity must be between 0 and 1.");
 	}
@@ -110,7 +118,8 @@ double resolveAdapt(const RemeshOptions& o, bool makesMesh)
 	constexpr double usual = 0.1;
 	if (isPaper(o)) return 0;
 	if (o.adapt) return *o.adapt;
-	const bool hasUse = makesMesh && isFitted(o) && !(o.lambda > 0);
+	const bool hasOther = o.lambda > 0 || o.targetMode == TargetMode::Sizes;
+	const bool hasUse   = makesMesh && isFitted(o) && !hasOther;
 	if (!hasUse) return 0;
 	return o.targetMode == TargetMode::MaxError ? 1 : usual;
 }

@@ -18,6 +18,7 @@ enum class TargetMode {
 	Percent,    ///< targetPercent of the input's vertices; raised where the topology needs more
 	EdgeLength, ///< mean edge length targetEdgeLen; raised count where the topology needs more
 	MaxError,   ///< the least count found that is proven to be within targetMaxError of the input
+	Sizes,      ///< as many as sizes in mesh units take: MeshView::wantedEdge, or maxEdge
 	Detail,     ///< the count for which the error is forecast to be that of targetDetail
 };
 
@@ -107,6 +108,10 @@ struct RemeshOptions {
 
 	double lambda = 0; ///< weight of the density, >= 0; without unit but with Preset::Paper
 	std::optional<double> adapt; ///< sizes by the error, [0, 1]; 0 = evenly; see resolveAdapt
+
+	double minEdge = 0;    ///< no edge is wanted shorter than this, mesh units; 0 = any
+	double maxEdge = 0;    ///< nor longer than this; 0 = any
+	double growth  = 1.15; ///< of the wanted length from one edge to the next, [1.05, 2]
 
 	BoundaryMode boundary = BoundaryMode::Resample;
 

@@ -400,6 +400,32 @@ void addCount(Table& t)
 			.p);
 }
 
+void addUnits(Table& t)
+{
+	t.push_back(row(RemeshTool, "MinEdge", "--min-edge", "L", Kind::Length, "Least edge (0 = any)",
+					"No edge is wanted shorter than this, in mesh units.")
+					.range(0, 1e300)
+					.store([](const Value& v, RemeshOptions& o) { o.minEdge = numberOf(v); })
+					.p);
+	t.push_back(row(RemeshTool, "MaxEdge", "--max-edge", "L", Kind::Length,
+					"Largest edge (0 = any)",
+					"No edge is wanted longer than this, in mesh units. Where no size is given, "
+					"edges are so "
+					"long where nothing else makes them shorter, and the number of vertices "
+					"follows. Single "
+					"edges may be a fifth longer than what is wanted.")
+					.range(0, 1e300)
+					.store([](const Value& v, RemeshOptions& o) { o.maxEdge = numberOf(v); })
+					.p);
+	t.push_back(row(RemeshTool, "Growth", "--growth", "G", Kind::Number, "Growth of the edges",
+					"How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth "
+					"costs angles.")
+					.range(1.05, 2)
+					.byDefault([](const MeshFacts&) { return Value(1.15); })
+					.store([](const Value& v, RemeshOptions& o) { o.growth = numberOf(v); })
+					.p);
+}
+
 void addCleaning(Table& t)
 {
 	t.push_back(
@@ -497,6 +523,7 @@ std::vector<Parameter> makeParameterTable()
 	addFeatureRegion(table);
 	addFeatureThresholds(table);
 	addCount(table);
+	addUnits(table);
 	addCleaning(table);
 	addRun(table);
 	addPaperSteps(table);

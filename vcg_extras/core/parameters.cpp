@@ -90,6 +90,9 @@ RemeshOptions ParameterSet::options() const
 	else if (o.targetVertexNum != 0) {
 		o.targetMode = TargetMode::VertexNum;
 	}
+	else if (o.maxEdge > 0) {
+		o.targetMode = TargetMode::Sizes;
+	}
 	else {
 		o.targetMode    = TargetMode::Percent;
 		o.targetPercent = RemeshOptions().targetPercent;

@@ -105,6 +105,10 @@ void onSelected(const Call& call, const SelectedPart& part, InputCache* cache, M
 
 void remeshSelected(const Call& call, RemeshResult& out)
 {
+	if (call.input.wantedEdge != nullptr) {
+		throw Failure(Status::BadOptions,
+					  "Wanted edge lengths are for whole meshes, not for selected faces.");
+	}
 	onSelected(call, cutOutSelected(call.input), nullptr, remeshInput, out);
 }
 

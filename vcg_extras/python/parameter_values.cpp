@@ -212,6 +212,14 @@ nb::list parameterList(Tool tool)
 	return entries;
 }
 
+bool givesSize(Tool tool, const nb::dict& given)
+{
+	for (const Parameter& p : parametersOf(tool)) {
+		if (isSizeParameter(p) && given.contains(nameOf(p, tool).c_str())) return true;
+	}
+	return false;
+}
+
 RemeshOptions optionsOf(Tool tool, const nb::dict& given)
 {
 	ParameterSet set;

@@ -20,6 +20,7 @@ struct Extras {
 	std::optional<Edges>        edges;
 	std::optional<CornerCoords> texture;
 	std::optional<Indices>      images;
+	std::optional<Sizes>        wantedEdges; ///< of the vertices
 	/// What earlier runs on the same vertices and faces have made; or null.
 	std::shared_ptr<PreparedSurface> prepared;
 };

@@ -263,11 +263,15 @@ std::string Plan::judge(const SizeFacts& facts)
 	if (!isFirst) return "";
 	const std::int64_t before = decisions_.vertexNum;
 	if (decisions_.faceNum > 0) forecastVertices(facts);
+	if (facts.vertexNum > 0)
+		decisions_.vertexNum =
+			std::int64_t(std::clamp(std::round(facts.vertexNum), 4.0, maxResultVertices));
 	attempts_.asked = decisions_.vertexNum;
 	if (facts.keptNum > attempts_.asked && decisions_.purpose != Purpose::OfGivenSamples)
 		return makeRoom(facts.euler);
-	attempts_.isCountChosen = attempts_.isCountChosen || decisions_.faceNum > 0;
-	const bool isFar        = 10 * std::abs(decisions_.vertexNum - before) > before;
+	attempts_.isCountChosen =
+		attempts_.isCountChosen || decisions_.vertexNum != before || decisions_.faceNum > 0;
+	const bool isFar = 10 * std::abs(decisions_.vertexNum - before) > before;
 	return isFar && mayReturn() ? returnTo(Step::Input) : "";
 }
 

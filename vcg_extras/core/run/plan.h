@@ -98,6 +98,7 @@ struct SizeFacts {
 	std::int64_t keptNum      = 0; ///< the caller's vertices that are to stay
 	std::int64_t euler        = 0; ///< Euler characteristic of the surface
 	double       borderLength = 0; ///< working units
+	double       vertexNum    = 0; ///< that sizes in mesh units take; 0: the count is another's
 };
 struct ForecastFacts {
 	std::int64_t vertexNum = 0; ///< with which triangles would be as flat as the error asks for
@@ -164,6 +165,7 @@ struct Request {
 ///     fact                                         decision                     from
 ///     seams are to be sewn                         sewn first                   Input
 ///     vertices to be kept need more room           count raised, or refused     Input
+///     sizes in mesh units take other counts        that count                Input
 ///     faces are counted, and the surface is not    vertices for its topology
 ///       a sphere                                     and its border             Input
 ///     lines and borders take over half the count   of close lines the stronger  Lines

@@ -39,7 +39,14 @@ RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions o
 	requireValid(options);
 	resolveFeatureRegion(input.anySelected(), options);
 	if (options.seed == 0) options.seed = std::max(1u, std::uint32_t(std::random_device()()));
+	const bool hasSizes = input.wantedEdge != nullptr;
+	if (hasSizes && !options.adapt) options.adapt = 0;
 	options.adapt = resolveAdapt(options, pipeline == Pipeline::Remeshing);
+	if (options.targetMode == TargetMode::Sizes && !hasSizes && !(options.maxEdge > 0)) {
+		throw Failure(Status::BadOptions,
+					  "The size of the triangles is missing: give a number, a length, wanted edge "
+					  "lengths of the vertices, or the largest edge.");
+	}
 	return options;
 }
 

@@ -25,7 +25,8 @@ namespace {
 bool mayMissCount(const RemeshOptions& options, const Products& made)
 {
 	const bool hasErrorSizes = options.adapt >= 0.5 && !made.surface.size.empty();
-	return hasErrorSizes || made.surface.mesh.hasCreases() || !made.sizes.kept.empty();
+	return hasErrorSizes || made.sizes.vertexNum > 0 || made.surface.mesh.hasCreases() ||
+		   !made.sizes.kept.empty();
 }
 
 /// The paper's placement fuses its samples into a mesh, which the removal of vertices goes on with.

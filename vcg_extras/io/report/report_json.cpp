@@ -27,6 +27,8 @@ const char* modeName(TargetMode mode)
 		return "edgeLength";
 	case TargetMode::MaxError:
 		return "maxError";
+	case TargetMode::Sizes:
+		return "sizes";
 	case TargetMode::Detail:
 		return "detail";
 	}
@@ -72,6 +74,8 @@ Json optionsJson(const RemeshOptions& o)
 	case TargetMode::MaxError:
 		json[o.maxErrorIsPercent ? "maxErrorPercent" : "maxError"] = o.targetMaxError;
 		break;
+	case TargetMode::Sizes:
+		break;
 	case TargetMode::Detail:
 		json["detail"] = choiceName("Detail", o.targetDetail);
 		break;
@@ -81,6 +85,9 @@ Json optionsJson(const RemeshOptions& o)
 	json["flips"]               = o.flipPasses;
 	json["lambda"]              = o.lambda;
 	json["adapt"]               = o.adapt ? Json(*o.adapt) : Json("auto");
+	json["minEdge"]             = o.minEdge;
+	json["maxEdge"]             = o.maxEdge;
+	json["growth"]              = o.growth;
 	json["boundary"]            = choiceName("Boundary", o.boundary);
 	json["selectedOnly"]        = o.selectedOnly;
 	json["allowNearest"]        = o.allowNearest;

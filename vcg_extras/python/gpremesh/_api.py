@@ -48,12 +48,14 @@ def extras(mesh, parameters, region, feature_edges):
     return made
 
 
-def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, feature_edges, uv, image):
+def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, feature_edges, uv, image,
+                sizes=None):
     """The run of `remesh` on a mesh that was taken over, and maybe prepared."""
     _check_progress(progress)
     parameters = _given(parameters)
     given = extras(mesh, parameters, region, feature_edges)
     given.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
+    given.sizes = _arrays.lengths("sizes", sizes, len(mesh.vertices))
     given.uv = mesh.corner_uv("uv", uv)
     given.images = mesh.images("image", image)
     given.prepared = prepared
@@ -66,7 +68,7 @@ def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, featu
 
 @with_parameters("remesh")
 def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, uv=None,
-           image=None, progress=None, **parameters):
+           image=None, sizes=None, progress=None, **parameters):
     """Remeshes a surface to nearly equilateral triangles with exactly as many vertices as asked for.
 
     Parameters
@@ -89,6 +91,9 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
         the seams.
     image : array_like (f,) of int, optional
         With `uv`: the number of the image of each face.
+    sizes : array_like (n,), optional
+        The edge length wanted at each vertex, in the unit of the coordinates. With `sizes` alone the
+        number of vertices follows; with a number or another size they are scaled to it.
     progress : callable(fraction, stage), optional
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
         is cancelled where it returns False, and where it raises.
@@ -127,7 +132,7 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
     300
     """
     return remesh_mesh(_arrays.Mesh(vertices, faces), None, progress, parameters, selected=selected,
-                       region=region, feature_edges=feature_edges, uv=uv, image=image)
+                       region=region, feature_edges=feature_edges, uv=uv, image=image, sizes=sizes)
 
 
 @with_parameters("sample")

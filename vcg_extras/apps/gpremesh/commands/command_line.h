@@ -46,6 +46,7 @@ struct CommandLine {
 	int         runNum     = 1;     ///< compare only
 	std::string htmlFolder;         ///< compare only; empty = no page
 	RemeshOptions options;          ///< all but info
+	std::string   sizes;            ///< remesh: name of a vertex property; empty = none
 	std::string   optionsText;      ///< these as the user gave them: "--lambda 2 --preset fast"
 	TileSettings  tiles;            ///< tile, and remesh with --memory
 
