@@ -91,12 +91,12 @@ void relax(RunContext& run, Products& made)
 
 // ---- Fit and angles.
 
-/// Lines that the caller gave stay: textures and selections hang on them. Without a fit nothing
-/// would draw what is released to the sharp edge again.
+/// Lines that the caller gave, or all that turn by an angle, stay: textures and selections hang on
+/// them. Without a fit nothing would draw what is released to the sharp edge again.
 bool mayReleaseLines(const RunContext& run)
 {
 	return run.options.preset == Preset::Default && isFitted(run.options) &&
-		   run.input.line == nullptr;
+		   run.input.line == nullptr && run.options.featureMode != FeatureMode::Lines;
 }
 
 bool areLinesCrowded(RunContext& run, const ResultMesh& result)

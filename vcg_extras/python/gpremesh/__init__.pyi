@@ -27,6 +27,7 @@ def remesh(
     feature_edges: ArrayLike | None = None,
     uv: ArrayLike | None = None,
     image: ArrayLike | None = None,
+    sizes: ArrayLike | None = None,
     progress: Callable[[float, str], Any] | None = None,
     vertex_count: int | None = None,
     face_count: int | None = None,
@@ -47,6 +48,9 @@ def remesh(
     feature_length: float = 3.0,
     detail: Literal['off', 'coarse', 'normal', 'fine'] | None = None,
     allow_nearest: bool = False,
+    min_edge: float = 0.0,
+    max_edge: float = 0.0,
+    growth: float = 1.15,
     sew: bool = True,
     drop_components_below: int = 0,
     seed: int = 1,
@@ -78,6 +82,9 @@ def remesh(
         the seams.
     image : array_like (f,) of int, optional
         With `uv`: the number of the image of each face.
+    sizes : array_like (n,), optional
+        The edge length wanted at each vertex, in the unit of the coordinates. With `sizes` alone the
+        number of vertices follows; with a number or another size they are scaled to it.
     progress : callable(fraction, stage), optional
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
         is cancelled where it returns False, and where it raises.
@@ -167,6 +174,14 @@ def remesh(
     allow_nearest : bool, default False
         Where the topology does not allow the number of vertices or faces that is asked for, the
         nearest possible number is taken. Otherwise the run is refused.
+    min_edge : float, default 0.0
+        No edge is wanted shorter than this, in mesh units.
+    max_edge : float, default 0.0
+        No edge is wanted longer than this, in mesh units. Where no size is given, edges are so long
+        where nothing else makes them shorter, and the number of vertices follows. Single edges may
+        be a fifth longer than what is wanted.
+    growth : float, default 1.15
+        How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth costs angles.
     sew : bool, default True
         Borders that lie on one another edge by edge, within a millionth of the bounding box, are
         joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
