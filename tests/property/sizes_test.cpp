@@ -73,8 +73,8 @@ TEST(Sizes, AreMetByTheCountThatFollows)
 	EXPECT_TRUE(isSoundSurface(r.mesh));
 	const std::vector<double> ratios = overWanted(r.mesh, 0.03, 0.2);
 	EXPECT_NEAR(meanOf(ratios), 1, 0.02);
-	const auto near = std::count_if(ratios.begin(), ratios.end(),
-									[](double x) { return x > 0.8 && x < 1.25; });
+	const auto near =
+		std::count_if(ratios.begin(), ratios.end(), [](double x) { return x > 0.8 && x < 1.25; });
 	EXPECT_GT(double(near), 0.9 * double(ratios.size()));
 	EXPECT_GT(r.report.quality.minAngleDeg, 30);
 }
@@ -90,9 +90,8 @@ TEST(Sizes, AreScaledToACount)
 	EXPECT_EQ(r.mesh.vertexNum(), 2000u);
 	const std::vector<double> ratios = overWanted(r.mesh, 3, 20);
 	const double              mean   = meanOf(ratios);
-	const auto                near   = std::count_if(ratios.begin(), ratios.end(), [&](double x) {
-        return x > 0.8 * mean && x < 1.25 * mean;
-    });
+	const auto                near   = std::count_if(ratios.begin(), ratios.end(),
+													 [&](double x) { return x > 0.8 * mean && x < 1.25 * mean; });
 	EXPECT_GT(double(near), 0.9 * double(ratios.size()));
 }
 
@@ -153,7 +152,8 @@ TEST(ThinWalls, KeepTheirLines)
 		const auto isOnSheet = [&, slack = 0.02 * (top - bottom)](const Vec3d& p) {
 			return std::min(std::abs(p.z - bottom), std::abs(p.z - top)) < slack;
 		};
-		const auto apart = std::count_if(r.mesh.positions.begin(), r.mesh.positions.end(), isOnSheet);
+		const auto apart =
+			std::count_if(r.mesh.positions.begin(), r.mesh.positions.end(), isOnSheet);
 		EXPECT_GT(double(apart), 0.97 * double(r.mesh.vertexNum())) << num << " vertices";
 	}
 }

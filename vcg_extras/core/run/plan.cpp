@@ -282,7 +282,7 @@ std::string Plan::makeRoom(std::int64_t euler)
 	const bool keepsBorder = request_.options.boundary == BoundaryMode::Keep;
 	const bool mayRaise    = keepsBorder && isWish() && decisions_.purpose != Purpose::SamplesOnly;
 	if (keepsBorder && decisions_.faceNum > 0 && !mayRaise) {
-		const std::int64_t faceNum = attempts_.keptNum - 2 * euler;
+		const std::int64_t faceNum = 2 * (attempts_.keptNum - euler);
 		refuse("The border has " + text(attempts_.keptNum) +
 				   " vertices to be kept, which needs more than " + asked() + ".",
 			   attempts_.keptNum, std::max<std::int64_t>(1, faceNum));
@@ -724,11 +724,16 @@ Failure Plan::refusalAtLast() const
 	if (!hadNums_.empty()) {
 		const ExportFacts &first = hadNums_.front(), &last = hadNums_.back();
 		const bool         isSmall = refusal_->status == Status::CountTooSmall;
+		const bool         areTwo  = first.faceNum != last.faceNum;
+		const std::string  faces =
+			text(first.faceNum) + (areTwo ? " and " + text(last.faceNum) : "");
+		const std::string vertices =
+			text(first.vertexNum) + (areTwo ? " and " + text(last.vertexNum) : "");
 		return {refusal_->status,
 				"The surface cannot be meshed with " + refused_ + "; the " +
-					(isSmall ? "smallest" : "nearest") + " possible numbers that were found are " +
-					text(first.faceNum) + " and " + text(last.faceNum) + " (" +
-					text(first.vertexNum) + " and " + text(last.vertexNum) + " vertices).",
+					(isSmall ? "smallest" : "nearest") + " possible number" +
+					(areTwo ? "s that were found are " : " that was found is ") + faces + " (" +
+					vertices + " vertices).",
 				isSmall ? first.vertexNum : 0};
 	}
 	if (asksForFaces() || smallestNum_ == refusal_->smallestVertexNum) return *refusal_;
