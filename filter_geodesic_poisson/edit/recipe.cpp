@@ -77,12 +77,14 @@ QString scriptFor(const Values& values, const gpr::MeshFacts& facts)
 /// One of the rows for the size that is in force.
 bool isSizeInForce(const Parameter& row, const Values& values, const gpr::MeshFacts& facts)
 {
-	const auto numberOf = [&](const char* key) {
-		return std::get<double>(valueOf(*gpr::findParameter(key), values, facts));
+	const auto isGiven = [&](const char* key) {
+		const ParameterValue value = valueOf(*gpr::findParameter(key), values, facts);
+		const auto* const    count = std::get_if<std::int64_t>(&value);
+		return count != nullptr ? *count > 0 : std::get<double>(value) > 0;
 	};
 	const std::string key = row.key;
-	for (const char* other : {"MaxError", "TargetLen", "TargetPerc"}) {
-		if (numberOf(other) > 0) return key == other;
+	for (const char* other : {"MaxError", "Detail", "TargetLen", "TargetPerc", "TargetFaceNum"}) {
+		if (isGiven(other)) return key == other;
 	}
 	return key == "TargetVertexNum";
 }

@@ -311,6 +311,25 @@ TEST_F(Remesh, TooFewVerticesNamesTheSmallestCount)
 	EXPECT_EQ(nearest.exitCode, 0) << nearest.err;
 }
 
+TEST_F(Remesh, ExactlySoManyFaces)
+{
+	const TestMesh out =
+		remeshed("in.ply", binaryPly(sphere(24), true, false), {"--faces", "1024"});
+	EXPECT_EQ(out.faces.size(), 1024u);
+	EXPECT_EQ(report()["options"]["target"], "faces");
+	EXPECT_EQ(report()["options"]["faces"], 1024);
+	EXPECT_EQ(report()["counts"]["targetVertices"], 514);
+
+	const ProgramResult odd = run({"remesh", path("in.ply"), path("odd.ply"), "--faces", "1025"});
+	EXPECT_NE(odd.exitCode, 0);
+	EXPECT_NE(odd.err.find("1024 and 1026"), std::string::npos) << odd.err;
+	EXPECT_EQ(run({"remesh", path("in.ply"), path("odd.ply"), "--faces", "1025", "--allow-nearest"})
+				  .exitCode,
+			  0);
+	expectFailure(
+		run({"remesh", path("in.ply"), path("two.ply"), "--faces", "9", "--vertices", "9"}), 2);
+}
+
 TEST_F(Remesh, ReportHasThePromisedKeys)
 {
 	remeshed("in.ply", binaryPly(sphere(40), true, false),

@@ -116,10 +116,11 @@ TEST(MatchedBorder, SplitFacesMakeTheSameSurfaceWithTheSameMarks)
 	std::vector<std::int32_t> region(mesh.faceNum());
 	for (std::size_t f = 0; f < region.size(); ++f)
 		region[f] = std::int32_t(f);
-	MeshView view          = mesh.view();
-	view.line              = line.data();
-	view.region            = region.data();
-	const MatchedBorder to = matchBorder(view, 0.06); // several samples on each edge
+	MeshView view = mesh.view();
+	view.line     = line.data();
+	view.region   = region.data();
+	Workers             workers(1, nullptr);
+	const MatchedBorder to = matchBorder(view, 0.06, workers); // several samples on each edge
 	const TriangleMesh  split{to.positions, to.triangles};
 	EXPECT_TRUE(isSoundSurface(split));
 	EXPECT_TRUE(hasSameTopology(split, mesh));
@@ -161,7 +162,8 @@ TEST(MatchedBorder, ALoopWithoutCornersHasNoBeginOfItsNumbers)
 	for (std::size_t f = 0; f < turned.faceNum(); ++f)
 		std::swap(turned.triangles[3 * f], turned.triangles[3 * f + 1]);
 	const auto kept = [](const TriangleMesh& of) {
-		const MatchedBorder border = matchBorder(of.view(), 0.37);
+		Workers             workers(1, nullptr);
+		const MatchedBorder border = matchBorder(of.view(), 0.37, workers);
 		std::set<Place>     places;
 		for (std::size_t v = 0; v < border.positions.size(); ++v) {
 			const Vec3d p = border.positions[v];

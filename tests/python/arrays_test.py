@@ -147,6 +147,28 @@ def test_names_that_are_no_parameters():
         gpremesh.sample(*torus(), max_error=5)
 
 
+def test_a_number_of_faces():
+    assert len(gpremesh.remesh(*torus(), face_count=1024).faces) == 1024
+    with pytest.raises(gpremesh.Error, match="1024 and 1026"):
+        gpremesh.remesh(*torus(), face_count=1025)
+    assert len(gpremesh.remesh(*torus(), face_count=1025, allow_nearest=True).faces) == 1024
+    with pytest.raises(ValueError, match="face_count"):
+        gpremesh.remesh(*torus(), face_count=1024, vertex_count=100)
+
+
+def test_sizes_in_the_unit_of_the_coordinates():
+    vertices, faces = torus()
+    diagonal = np.linalg.norm(np.ptp(vertices, axis=0))
+    result = gpremesh.remesh(vertices, faces, sizes=np.full(len(vertices), diagonal / 40))
+    corners = result.vertices[result.faces]
+    assert abs(np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=-1).mean() * 40 / diagonal - 1) < 0.04
+    assert len(gpremesh.remesh(vertices, faces, sizes=np.ones(len(vertices)), vertex_count=500).vertices) == 500
+    with pytest.raises(ValueError, match="sizes"):
+        gpremesh.remesh(vertices, faces, sizes=np.ones(3))
+    with pytest.raises(gpremesh.Error, match="above 0"):
+        gpremesh.remesh(vertices, faces, sizes=np.zeros(len(vertices)))
+
+
 def test_what_the_engine_refuses():
     with pytest.raises(gpremesh.Error) as refused:
         gpremesh.remesh(*torus(), vertex_count=4)

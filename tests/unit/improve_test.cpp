@@ -103,7 +103,7 @@ TEST_P(ReachExactCount, HitsAnyNumberOnAnySurface)
 		OnSurface          on(mesh);
 		const TriangleMesh before = meshOf(on.m());
 		const int          target = int(before.vertexNum()) * GetParam() / 100;
-		EXPECT_TRUE(reachExactCount(on.surface, on.boundary, target, on.result, on.workers));
+		EXPECT_TRUE(reachExactCount(on.surface, on.boundary, {target}, on.result, on.workers));
 		EXPECT_EQ(on.m().vertexNum, target);
 		on.expectSound();
 		on.expectOnSurface();
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Percent, ReachExactCount,
 TEST(ReachExactCountTells, WhenTheTopologyDoesNotAllowIt)
 {
 	OnSurface on(icosphere(2));
-	EXPECT_FALSE(reachExactCount(on.surface, on.boundary, 3, on.result, on.workers));
+	EXPECT_FALSE(reachExactCount(on.surface, on.boundary, {3}, on.result, on.workers));
 	EXPECT_GE(on.m().vertexNum, 4);
 	EXPECT_LE(on.m().vertexNum, 6);
 	on.expectSound();
@@ -130,7 +130,7 @@ TEST(ReachExactCountKeeps, TheCornersOfASquare)
 		const Vec3d p = on.surface.frame.toCaller(v.point.position);
 		v.isCorner    = (p.x == 0 || p.x == 1) && (p.y == 0 || p.y == 1);
 	}
-	ASSERT_TRUE(reachExactCount(on.surface, on.boundary, 150, on.result, on.workers));
+	ASSERT_TRUE(reachExactCount(on.surface, on.boundary, {150}, on.result, on.workers));
 	EXPECT_EQ(std::count_if(on.result.vertex.begin(), on.result.vertex.end(),
 							[](const ResultVertex& v) { return v.isCorner; }),
 			  4);

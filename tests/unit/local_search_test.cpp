@@ -39,7 +39,7 @@ bool repair(OnSurface& on, Workers& workers, std::int64_t targetNum)
 {
 	const std::int64_t before = on.result.splitNum + on.result.collapseNum;
 	PoorFaces          wanted;
-	wanted.targetNum = targetNum;
+	wanted.target.vertexNum = targetNum;
 	std::unique_ptr<ClosestFaceMap> map;
 	repairPoorFaces(on.surface, on.boundary, wanted, map, on.result, workers);
 	return on.result.splitNum + on.result.collapseNum > before;

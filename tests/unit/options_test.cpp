@@ -99,9 +99,9 @@ TEST(ParameterTable, KeysAndOptionsAreUniqueAndComplete)
 }
 
 /// What a user really states, and what the paper leaves to the user.
-TEST(ParameterTable, HasAtMostTwentySixRows)
+TEST(ParameterTable, HasAtMostThirtyTwoRows)
 {
-	EXPECT_LE(makeParameterTable().size(), 26u);
+	EXPECT_LE(makeParameterTable().size(), 32u);
 }
 
 /// How many, how, what is kept, where to: a newcomer needs no more.
@@ -254,6 +254,31 @@ TEST_F(ParameterSets, ALargestErrorTakesThePlaceOfTheCountAndOfNoOtherSize)
 	EXPECT_EQ(set_.options().targetMaxError, 0.25);
 	EXPECT_TRUE(set_.complaints().empty());
 	set("TargetPerc", 10.0);
+	EXPECT_EQ(set_.complaints().size(), 1u);
+}
+
+TEST_F(ParameterSets, ANumberOfFacesTakesThePlaceOfThatOfVerticesAndOfNoOtherSize)
+{
+	set("TargetVertexNum", std::int64_t(500));
+	set("TargetFaceNum", std::int64_t(1024));
+	EXPECT_EQ(set_.options().targetMode, TargetMode::FaceNum);
+	EXPECT_EQ(set_.options().targetFaceNum, 1024);
+	EXPECT_TRUE(set_.complaints().empty());
+	for (const char* other : {"TargetPerc", "TargetLen", "MaxError"}) {
+		set(other, 10.0);
+		EXPECT_EQ(set_.complaints().size(), 1u) << other;
+		set(other, 0.0);
+	}
+}
+
+TEST_F(ParameterSets, ADetailTakesThePlaceOfTheCountAndOfNoOtherSize)
+{
+	set("TargetVertexNum", std::int64_t(500));
+	set("Detail", std::int64_t(2));
+	EXPECT_EQ(set_.options().targetMode, TargetMode::Detail);
+	EXPECT_EQ(set_.options().targetDetail, Detail::Normal);
+	EXPECT_TRUE(set_.complaints().empty());
+	set("TargetFaceNum", std::int64_t(500));
 	EXPECT_EQ(set_.complaints().size(), 1u);
 }
 

@@ -70,6 +70,7 @@ public:
 	}
 
 	std::int64_t                                  keptNum = 0;
+	std::int64_t                                  euler   = 2; ///< of a surface without border
 	std::function<LineFacts(const Decisions&)>    lines;
 	std::function<SampleFacts(const Decisions&)>  samples;
 	std::function<MeshFacts(const Decisions&)>    mesh;
@@ -109,6 +110,8 @@ private:
 	RemeshOptions options_;
 	Plan          plan_;
 
+	std::int64_t facesOf(std::int64_t vertexNum) const { return 2 * (vertexNum - euler); }
+
 	void take(Step step)
 	{
 		steps.push_back(step);
@@ -129,21 +132,27 @@ private:
 		case Step::Surface:
 			return tell(plan_.judge(SurfaceFacts{mustSew && d.sewing == Sewing::NotYet}));
 		case Step::Sizes:
-			return tell(plan_.judge(SizeFacts{keptNum}));
+			return tell(plan_.judge(SizeFacts{keptNum, euler, 0}));
 		case Step::Lines:
 			return tell(plan_.judge(lines ? lines(d) : LineFacts()));
 		case Step::Samples:
 			return tell(plan_.judge(samples ? samples(d) : SampleFacts()));
-		case Step::Relaxation:
+		case Step::Count:
+			return tell(plan_.judge(CountFacts{d.vertexNum, facesOf(d.vertexNum)}));
+		case Step::Relaxation: {
 			attempts.push_back(d);
-			return tell(plan_.judge(mesh ? mesh(d) : reached(d.vertexNum)));
+			MeshFacts facts = mesh ? mesh(d) : reached(d.vertexNum);
+			facts.faceNum   = facesOf(facts.vertexNum);
+			return tell(plan_.judge(facts));
+		}
 		case Step::Fit:
 			return tell(plan_.judge(FitFacts{areCrowded}));
 		case Step::Contacts:
-			return tell(
-				plan_.judge(contacts ? contacts(d) : ContactFacts{d.vertexNum, d.vertexNum}));
+			return tell(plan_.judge(
+				contacts ? contacts(d)
+						 : ContactFacts{d.vertexNum, d.vertexNum, false, facesOf(d.vertexNum)}));
 		case Step::Export:
-			return tell(plan_.judge(ExportFacts{d.vertexNum}));
+			return tell(plan_.judge(ExportFacts{d.vertexNum, facesOf(d.vertexNum)}));
 		default:
 			return tell(plan_.judge(NoFacts()));
 		}
@@ -209,6 +218,60 @@ TEST(Plan, SewsSeamsBeforeTheInputIsConnectedAgain)
 	EXPECT_EQ(run.numOf(Step::Input), 2);
 	EXPECT_EQ(run.decisions().sewing, Sewing::First);
 	EXPECT_TRUE(run.isTaken());
+}
+
+// Faces that are counted.
+
+RemeshOptions faces(std::int64_t faceNum)
+{
+	RemeshOptions options;
+	options.targetMode    = TargetMode::FaceNum;
+	options.targetFaceNum = faceNum;
+	return options;
+}
+
+TEST(Plan, MakesAsManyVerticesAsTheFacesNeed)
+{
+	for (const std::int64_t euler : {2, 0, -20}) {
+		PlannedRun run(faces(1000));
+		run.euler = euler;
+		run.go();
+		EXPECT_TRUE(run.isTaken());
+		EXPECT_EQ(run.decisions().vertexNum, 500 + euler);
+		EXPECT_EQ(run.decisions().faceNum, 1000);
+		EXPECT_TRUE(run.told.empty());
+		EXPECT_EQ(run.numOf(Step::Input), 1);
+	}
+	PlannedRun handles(faces(1000));
+	handles.euler = -200;
+	EXPECT_EQ(handles.go().numOf(Step::Input), 2) << "edges are split for other sizes";
+}
+
+TEST(Plan, NamesTheTwoEvenNumbersBesideAnOddOneOfAClosedSurface)
+{
+	const PlannedRun run = PlannedRun(faces(1001)).go();
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.failure->status, Status::BadOptions);
+	EXPECT_TRUE(
+		run.says("1001 faces; the nearest possible numbers that were found are 1000 and 1002"));
+
+	RemeshOptions nearest = faces(1001);
+	nearest.allowNearest  = true;
+	const PlannedRun even = PlannedRun(nearest).go();
+	EXPECT_TRUE(even.isTaken());
+	EXPECT_EQ(even.decisions().faceNum, 1000);
+	EXPECT_TRUE(even.says("1000 faces (502 vertices) instead of 1001 faces"));
+}
+
+TEST(Plan, NamesTwoNumbersOfFacesThatWereMadeWhereOneIsTooSmall)
+{
+	const PlannedRun run = runWith(faces(6), [](const Decisions& d) {
+		return reached(std::max<std::int64_t>(9, d.vertexNum));
+	});
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.failure->status, Status::CountTooSmall);
+	EXPECT_EQ(run.failure->smallestVertexNum, 9);
+	EXPECT_TRUE(run.says("numbers that were found are 14 and 16 (9 and 10 vertices)"));
 }
 
 // Vertices to be kept.

@@ -52,7 +52,7 @@ void exactCount(benchmark::State& state, StagedRun& run, Workers& workers)
 	const Products&       p        = run.sampled();
 	const BoundaryCurves& boundary = run.sampled().samples.curves;
 	timeChange(state, run.improved().flipped, [&](ResultMesh& result) {
-		reachExactCount(p.surface, boundary, run.decisions().vertexNum, result, workers);
+		reachExactCount(p.surface, boundary, run.decisions().countTarget(), result, workers);
 	});
 }
 

@@ -42,6 +42,8 @@ struct MeshView {
 	const std::uint8_t* keptBorder = nullptr;
 	/// Per face, or null: not 0 where it is selected; for RemeshOptions::selectedOnly.
 	const std::uint8_t* selectedFace = nullptr;
+	/// Per vertex, or null: the edge length wanted there, mesh units, above 0.
+	const float* wantedEdge = nullptr;
 
 	MeshView() = default;
 	template <class S>

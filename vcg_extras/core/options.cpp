@@ -16,6 +16,11 @@ void checkTarget(const RemeshOptions& o, std::vector<std::string>& complaints)
 			complaints.push_back("The number of vertices must be between 1 and 2147483647.");
 		}
 		break;
+	case TargetMode::FaceNum:
+		if (o.targetFaceNum < 1 || o.targetFaceNum > 2147483647) {
+			complaints.push_back("The number of faces must be between 1 and 2147483647.");
+		}
+		break;
 	case TargetMode::Percent:
 		if (!(o.targetPercent > 0 && o.targetPercent <= 10000)) {
 			complaints.push_back("The percentage must be above 0 and at most 10000.");
@@ -25,6 +30,11 @@ void checkTarget(const RemeshOptions& o, std::vector<std::string>& complaints)
 		if (!(o.targetEdgeLen > 0 && std::isfinite(o.targetEdgeLen))) {
 			complaints.push_back("The edge length must be a finite number above 0.");
 		}
+		break;
+	case TargetMode::Sizes:
+		break;
+	case TargetMode::Detail:
+		if (o.targetDetail == Detail::None) complaints.push_back("No detail is given.");
 		break;
 	case TargetMode::MaxError:
 		if (!(o.targetMaxError > 0 && std::isfinite(o.targetMaxError))) {
@@ -44,6 +54,12 @@ void checkDensity(const RemeshOptions& o, std::vector<std::string>& complaints)
 	if (!isWithin(o.lambda, 0, 1e6)) {
 		complaints.push_back("Lambda must be between 0 and 1000000.");
 	}
+	if (!isWithin(o.minEdge, 0, 1e300) || !isWithin(o.maxEdge, 0, 1e300))
+		complaints.push_back("The least and the largest edge must be finite numbers, 0 or above.");
+	if (o.maxEdge > 0 && o.minEdge > o.maxEdge)
+		complaints.push_back("The least edge must not be longer than the largest one.");
+	if (!isWithin(o.growth, 1.05, 2))
+		complaints.push_back("The growth must be between 1.05 and 2.");
 	if (o.adapt && !isWithin(*o.adapt, 0, 1)) {
 		complaints.push_back("The adaptivity must be between 0 and 1.");
 	}
@@ -102,9 +118,22 @@ double resolveAdapt(const RemeshOptions& o, bool makesMesh)
 	constexpr double usual = 0.1;
 	if (isPaper(o)) return 0;
 	if (o.adapt) return *o.adapt;
-	const bool hasUse = makesMesh && isFitted(o) && !(o.lambda > 0);
+	const bool hasOther = o.lambda > 0 || o.targetMode == TargetMode::Sizes;
+	const bool hasUse   = makesMesh && isFitted(o) && !hasOther;
 	if (!hasUse) return 0;
 	return o.targetMode == TargetMode::MaxError ? 1 : usual;
+}
+
+double detailError(Detail detail)
+{
+	switch (detail) {
+	case Detail::Coarse:
+		return 0.01;
+	case Detail::Normal:
+		return 0.003;
+	default:
+		return 0.001;
+	}
 }
 
 std::vector<std::string> validate(const RemeshOptions& o)

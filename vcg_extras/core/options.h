@@ -14,9 +14,21 @@ namespace gpr {
 enum class TargetMode {
 	VertexNum,  ///< exactly targetVertexNum vertices; a count below what the topology needs is
 				///< refused
+	FaceNum,    ///< exactly targetFaceNum faces; refused where the topology does not allow it
 	Percent,    ///< targetPercent of the input's vertices; raised where the topology needs more
 	EdgeLength, ///< mean edge length targetEdgeLen; raised count where the topology needs more
 	MaxError,   ///< the least count found that is proven to be within targetMaxError of the input
+	Sizes,      ///< as many as sizes in mesh units take: MeshView::wantedEdge, or maxEdge
+	Detail,     ///< the count for which the error is forecast to be that of targetDetail
+};
+
+/// How much of a shape is kept, in words: with which count 99.9 % of the surface is forecast to be
+/// nearer than so much of the diagonal.
+enum class Detail {
+	None,
+	Coarse, ///< about 1 %
+	Normal, ///< about 0.3 %
+	Fine,   ///< about 0.1 %
 };
 
 /// Which methods the stages use.
@@ -67,10 +79,12 @@ struct FeatureThresholds {
 struct RemeshOptions {
 	TargetMode    targetMode        = TargetMode::Percent;
 	std::int64_t  targetVertexNum   = 0;     ///< vertices, >= 1; used with TargetMode::VertexNum
+	std::int64_t  targetFaceNum     = 0;     ///< faces, >= 1; used with TargetMode::FaceNum
 	double        targetPercent     = 10;    ///< percent of the input's vertices, > 0, <= 10000
 	double        targetEdgeLen     = 0;     ///< mesh units, > 0; used with TargetMode::EdgeLength
 	double        targetMaxError    = 0;     ///< mesh units, > 0; used with TargetMode::MaxError
 	bool          maxErrorIsPercent = false; ///< targetMaxError is in percent of the diagonal
+	Detail        targetDetail      = Detail::None; ///< used with TargetMode::Detail
 	bool          allowNearest = false; ///< take the nearest reachable count instead of refusing
 	std::uint32_t seed         = 1;     ///< 0 = a fresh seed, told in the report
 	int           threads      = 0;     ///< 0 = one per core; never changes the result
@@ -95,6 +109,10 @@ struct RemeshOptions {
 
 	double lambda = 0; ///< weight of the density, >= 0; without unit but with Preset::Paper
 	std::optional<double> adapt; ///< sizes by the error, [0, 1]; 0 = evenly; see resolveAdapt
+
+	double minEdge = 0;    ///< no edge is wanted shorter than this, mesh units; 0 = any
+	double maxEdge = 0;    ///< nor longer than this; 0 = any
+	double growth  = 1.15; ///< of the wanted length from one edge to the next, [1.05, 2]
 
 	BoundaryMode boundary = BoundaryMode::Resample;
 
@@ -142,6 +160,9 @@ void resolveFeatureRegion(bool anySelected, RemeshOptions& options);
 /// without it, and where only samples are wanted (`makesMesh` is false). Else it is 0.1; with
 /// TargetMode::MaxError 1: a distance is kept with fewest vertices where they are spent on it.
 double resolveAdapt(const RemeshOptions& options, bool makesMesh);
+
+/// The error that targetDetail stands for, over the diagonal.
+double detailError(Detail detail);
 
 /// Complaints about values out of range, one sentence each; empty when all is well.
 std::vector<std::string> validate(const RemeshOptions& options);

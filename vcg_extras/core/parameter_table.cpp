@@ -137,11 +137,22 @@ void addSize(Table& t)
 			"a tenth more or less. A number below what the topology needs is refused, and the "
 			"message names the smallest possible number. Where only the selected faces are "
 			"remeshed this is the number of vertices of that part.")
-			.inDialog("It counts only while percentage, edge length and largest error are 0. The "
-					  "proposed number is 10 % of the layer's vertices.")
+			.inDialog(
+				"It counts only while faces, percentage, edge length and largest error are 0. The "
+				"proposed number is 10 % of the layer's vertices.")
 			.range(1, largestCount)
 			.byDefault(tenPercent)
 			.store([](const Value& v, RemeshOptions& o) { o.targetVertexNum = countOf(v); })
+			.p);
+	t.push_back(
+		row(RemeshTool, "TargetFaceNum", "--faces", "N", Kind::Count, "Number of faces (0 = off)",
+			"How many faces the result has, exactly. A closed surface has an even number, about "
+			"twice that of its vertices. A surface with a border has any number, unless all its "
+			"border vertices are kept. What the topology does not allow is refused, and the "
+			"message names the two nearest numbers that it does.")
+			.inDialog("Above 0 it takes the place of the number of vertices.")
+			.range(0, largestCount)
+			.store([](const Value& v, RemeshOptions& o) { o.targetFaceNum = countOf(v); })
 			.p);
 	t.push_back(row(sampled, "TargetPerc", "--percent", "P", Kind::Number,
 					"Percentage of vertices (0 = off)",
@@ -371,11 +382,49 @@ void addFeatureThresholds(Table& t)
 
 void addCount(Table& t)
 {
-	t.push_back(row(RemeshTool, "AllowNearest", "--allow-nearest", "", Kind::Switch,
-					"Take the nearest possible number",
-					"Where the topology needs more vertices than asked for, the nearest possible "
-					"number is taken. Otherwise the run is refused.")
-					.store([](const Value& v, RemeshOptions& o) { o.allowNearest = switchOf(v); })
+	t.push_back(
+		row(RemeshTool, "Detail", "--detail", "NAME", Kind::Choice, "Detail",
+			"The number of vertices in words: so many that 99.9 % of the surface is forecast to be "
+			"nearer than 1 % of the diagonal (coarse), 0.3 % (normal) or 0.1 % (fine). The number "
+			"is "
+			"told. It is a forecast: largest error proves a distance, and takes several times as "
+			"long. off: the size is given otherwise.")
+			.inDialog("It takes the place of the number of vertices.")
+			.choices({"off", "coarse", "normal", "fine"})
+			.store([](const Value& v, RemeshOptions& o) { o.targetDetail = Detail(countOf(v)); })
+			.p);
+	t.push_back(
+		row(RemeshTool, "AllowNearest", "--allow-nearest", "", Kind::Switch,
+			"Take the nearest possible number",
+			"Where the topology does not allow the number of vertices or faces that is asked "
+			"for, the nearest possible number is taken. Otherwise the run is refused.")
+			.store([](const Value& v, RemeshOptions& o) { o.allowNearest = switchOf(v); })
+			.p);
+}
+
+void addUnits(Table& t)
+{
+	t.push_back(row(RemeshTool, "MinEdge", "--min-edge", "L", Kind::Length, "Least edge (0 = any)",
+					"No edge is wanted shorter than this, in mesh units.")
+					.range(0, 1e300)
+					.store([](const Value& v, RemeshOptions& o) { o.minEdge = numberOf(v); })
+					.p);
+	t.push_back(row(RemeshTool, "MaxEdge", "--max-edge", "L", Kind::Length,
+					"Largest edge (0 = any)",
+					"No edge is wanted longer than this, in mesh units. Where no size is given, "
+					"edges are so "
+					"long where nothing else makes them shorter, and the number of vertices "
+					"follows. Single "
+					"edges may be a fifth longer than what is wanted.")
+					.range(0, 1e300)
+					.store([](const Value& v, RemeshOptions& o) { o.maxEdge = numberOf(v); })
+					.p);
+	t.push_back(row(RemeshTool, "Growth", "--growth", "G", Kind::Number, "Growth of the edges",
+					"How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth "
+					"costs angles.")
+					.range(1.05, 2)
+					.byDefault([](const MeshFacts&) { return Value(1.15); })
+					.store([](const Value& v, RemeshOptions& o) { o.growth = numberOf(v); })
 					.p);
 }
 
@@ -476,6 +525,7 @@ std::vector<Parameter> makeParameterTable()
 	addFeatureRegion(table);
 	addFeatureThresholds(table);
 	addCount(table);
+	addUnits(table);
 	addCleaning(table);
 	addRun(table);
 	addPaperSteps(table);

@@ -46,8 +46,8 @@ const Parameter* findParameter(const std::string& key, Tool tool)
 bool isSizeParameter(const Parameter& p)
 {
 	const std::string key = p.key;
-	return key == "TargetVertexNum" || key == "TargetPerc" || key == "TargetLen" ||
-		   key == "MaxError";
+	return key == "TargetVertexNum" || key == "TargetFaceNum" || key == "TargetPerc" ||
+		   key == "TargetLen" || key == "MaxError" || key == "Detail";
 }
 
 void ParameterSet::set(const Parameter& parameter, const ParameterValue& value)
@@ -60,6 +60,7 @@ RemeshOptions ParameterSet::raw() const
 {
 	RemeshOptions o;
 	o.targetVertexNum = 0;
+	o.targetFaceNum   = 0;
 	o.targetPercent   = 0;
 	o.targetEdgeLen   = 0;
 	o.targetMaxError  = 0;
@@ -74,14 +75,23 @@ RemeshOptions ParameterSet::options() const
 	if (o.targetMaxError != 0) {
 		o.targetMode = TargetMode::MaxError;
 	}
+	else if (o.targetDetail != Detail::None) {
+		o.targetMode = TargetMode::Detail;
+	}
 	else if (o.targetEdgeLen != 0) {
 		o.targetMode = TargetMode::EdgeLength;
 	}
 	else if (o.targetPercent != 0) {
 		o.targetMode = TargetMode::Percent;
 	}
+	else if (o.targetFaceNum != 0) {
+		o.targetMode = TargetMode::FaceNum;
+	}
 	else if (o.targetVertexNum != 0) {
 		o.targetMode = TargetMode::VertexNum;
+	}
+	else if (o.maxEdge > 0) {
+		o.targetMode = TargetMode::Sizes;
 	}
 	else {
 		o.targetMode    = TargetMode::Percent;
@@ -99,6 +109,13 @@ std::vector<std::string> ParameterSet::complaints() const
 	}
 	if (given.targetMaxError != 0 && (given.targetEdgeLen != 0 || given.targetPercent != 0)) {
 		sentences.push_back("Give either a size or a largest error, not both.");
+	}
+	const bool hasOther =
+		given.targetPercent != 0 || given.targetEdgeLen != 0 || given.targetMaxError != 0;
+	if (given.targetDetail != Detail::None && (hasOther || given.targetFaceNum != 0))
+		sentences.push_back("Give either a detail or another size, not both.");
+	if (given.targetFaceNum != 0 && hasOther) {
+		sentences.push_back("Give either a number of faces or another size, not both.");
 	}
 	return sentences;
 }

@@ -24,12 +24,12 @@ inline const std::vector<Parameter>& remeshParameters()
 /// The row of the tool with this key, or null.
 const Parameter* findParameter(const std::string& key, Tool tool = RemeshTool);
 
-/// Whether a row is one of the four that stand for one choice, the size of the result.
+/// Whether a row is one of those that stand for one choice, the size of the result.
 bool isSizeParameter(const Parameter& p);
 
 /// Collects the values of the rows and makes options of them.
-/// TargetVertexNum, TargetPerc and TargetLen are three rows for one choice: a percentage or a
-/// length above 0 takes the place of the count; both above 0 is a mistake that complaints() tells.
+/// TargetVertexNum and the rows below it stand for one choice: one above 0 takes the place of the
+/// number of vertices; two above 0 are a mistake that complaints() tells.
 class ParameterSet {
 public:
 	/// Stores one value, rows in any order; the variant must hold the type of the row's kind.

@@ -109,6 +109,10 @@ void onSelected(const Call& call, const SelectedPart& part, InputCache* cache, M
 
 void remeshSelected(const Call& call, RemeshResult& out)
 {
+	if (call.input.wantedEdge != nullptr) {
+		throw Failure(Status::BadOptions,
+					  "Wanted edge lengths are for whole meshes, not for selected faces.");
+	}
 	onSelected(call, cutOutSelected(call.input), nullptr, remeshInput, out);
 }
 
@@ -123,9 +127,15 @@ double edgeLengthOf(const Call& call)
 
 void remeshMatched(const Call& call, RemeshResult& out)
 {
+	if (call.input.wantedEdge != nullptr) {
+		throw Failure(
+			Status::BadOptions,
+			"Wanted edge lengths cannot be kept beside matched borders, which have one length.");
+	}
 	const double edge = edgeLengthOf(call);
 	if (!(edge > 0)) return remeshInput(call, out); // which tells what is wrong
-	const MatchedBorder matched = matchBorder(call.input, edge);
+	Workers             workers(1, call.progress, call.options.timeLimitSeconds, call.stop);
+	const MatchedBorder matched = matchBorder(call.input, edge, workers);
 	RemeshOptions       inside  = call.options;
 	inside.boundary             = BoundaryMode::Keep;
 	if (inside.targetMode == TargetMode::Percent) // of the caller's vertices

@@ -69,11 +69,12 @@ int threadNumOf(const RemeshOptions& o)
 
 RunEstimate estimateRun(const MeshView& input, const RemeshOptions& options, Tool tool) noexcept
 {
-	const double share     = shareOfSelected(input, options);
-	const double faces     = share * double(input.faceNum);
-	const bool   isByCount = options.targetMode == TargetMode::VertexNum;
-	const Rate   rate      = rateOf(tool, options);
-	RunEstimate  estimate;
+	const double share = shareOfSelected(input, options);
+	const double faces = share * double(input.faceNum);
+	const bool   isByCount =
+		options.targetMode == TargetMode::VertexNum || options.targetMode == TargetMode::FaceNum;
+	const Rate  rate = rateOf(tool, options);
+	RunEstimate estimate;
 	if (tool != FeatureTool)
 		estimate.vertexNum =
 			std::min(maxResultVertices, (isByCount ? 1 : share) * vertexNumOf(input, options));

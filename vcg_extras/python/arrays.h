@@ -27,6 +27,7 @@ using Positions    = nb::ndarray<nb::ro, nb::shape<-1, 3>, nb::c_contig, nb::dev
 using Triangles    = Input<std::int32_t, nb::shape<-1, 3>>;
 using Edges        = Input<std::int32_t, nb::shape<-1, 2>>;
 using Indices      = Input<std::int32_t, nb::ndim<1>>;
+using Sizes        = Input<float, nb::ndim<1>>;
 using Marks        = Input<std::uint8_t, nb::ndim<1>>;
 using CornerCoords = Input<float, nb::shape<-1, 3, 2>>;
 

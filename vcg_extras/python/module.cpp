@@ -38,6 +38,7 @@ NB_MODULE(_core, module)
 
 	nb::class_<Extras>(module, "Extras")
 		.def(nb::init<>())
+		.def_rw("sizes", &Extras::wantedEdges, nb::arg().none())
 		.def_rw("selected", &Extras::selectedFaces, nb::arg().none())
 		.def_rw("region", &Extras::selectedVertices, nb::arg().none())
 		.def_rw("feature_edges", &Extras::edges, nb::arg().none())

@@ -22,6 +22,7 @@ std::string nameOf(const Parameter& p, Tool tool)
 	name.erase(0, name.find_first_not_of('-'));
 	std::replace(name.begin(), name.end(), '-', '_');
 	if (name == "vertices") return tool == SamplingTool ? "count" : "vertex_count";
+	if (name == "faces") return "face_count";
 	if (name == "lambda") return "lambda_";
 	return name;
 }
@@ -209,6 +210,14 @@ nb::list parameterList(Tool tool)
 		if (isArgument(p)) entries.append(entryOf(p, tool));
 	}
 	return entries;
+}
+
+bool givesSize(Tool tool, const nb::dict& given)
+{
+	for (const Parameter& p : parametersOf(tool)) {
+		if (isSizeParameter(p) && given.contains(nameOf(p, tool).c_str())) return true;
+	}
+	return false;
 }
 
 RemeshOptions optionsOf(Tool tool, const nb::dict& given)

@@ -16,6 +16,9 @@ namespace gpr::python {
 /// name, kind, label, help, minimum, maximum, choices, default (None for a size).
 nanobind::list parameterList(Tool tool);
 
+/// Whether the number or the size of the triangles is among the parameters.
+bool givesSize(Tool tool, const nanobind::dict& given);
+
 /// The options that keyword arguments come to; those that are not given keep their defaults.
 /// Throws ValueError, which names the argument, for a value of another kind or out of range, for
 /// more than one size, and for a name that is no parameter of the tool.

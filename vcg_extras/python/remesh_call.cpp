@@ -75,6 +75,7 @@ Mesh takeMesh(const Positions& positions, const Triangles& triangles, const Extr
 	mesh.view.selectedFace = dataOf(extras.selectedFaces, mesh.view.faceNum);
 	mesh.view.selected     = dataOf(extras.selectedVertices, mesh.view.vertexNum);
 	mesh.view.region       = dataOf(extras.regions, mesh.view.faceNum);
+	mesh.view.wantedEdge   = dataOf(extras.wantedEdges, mesh.view.vertexNum);
 	if (extras.edges) takeLines(*extras.edges, mesh);
 	if (extras.texture) takeTexture(extras, mesh);
 	if (!mesh.lines.empty()) mesh.view.line = mesh.lines.data();
@@ -168,8 +169,10 @@ struct Run {
 Run runOf(const Extras& extras, const nb::dict& given)
 {
 	Run run;
-	run.options                      = optionsOf(RemeshTool, given);
-	run.options.selectedOnly         = extras.selectedFaces.has_value();
+	run.options              = optionsOf(RemeshTool, given);
+	run.options.selectedOnly = extras.selectedFaces.has_value();
+	if (extras.wantedEdges && !givesSize(RemeshTool, given))
+		run.options.targetMode = TargetMode::Sizes;
 	run.options.surfacePointsOfFaces = true;
 	return run;
 }

@@ -20,7 +20,8 @@ struct Extras {
 	std::optional<Edges>        edges;
 	std::optional<CornerCoords> texture;
 	std::optional<Indices>      images;
-	std::optional<Indices>      regions; ///< labels of faces
+	std::optional<Indices>      regions;     ///< labels of faces
+	std::optional<Sizes>        wantedEdges; ///< of the vertices
 	/// What earlier runs on the same vertices and faces have made; or null.
 	std::shared_ptr<PreparedSurface> prepared;
 };

@@ -57,6 +57,12 @@ struct GeodesicPoissonParams : public gpr::RemeshOptions {
 		targetMode      = gpr::TargetMode::VertexNum;
 		targetVertexNum = num;
 	}
+	/// Exactly so many faces, >= 1; only the remeshing can aim at it.
+	void SetTargetFaceNum(std::int64_t num)
+	{
+		targetMode    = gpr::TargetMode::FaceNum;
+		targetFaceNum = num;
+	}
 	/// Percent of the input's vertices, > 0, <= 10000.
 	void SetTargetPerc(double perc)
 	{
@@ -68,6 +74,12 @@ struct GeodesicPoissonParams : public gpr::RemeshOptions {
 	{
 		targetMode    = gpr::TargetMode::EdgeLength;
 		targetEdgeLen = len;
+	}
+	/// As many vertices as a detail is forecast to take; only the remeshing can aim at it.
+	void SetTargetDetail(gpr::Detail detail)
+	{
+		targetMode   = gpr::TargetMode::Detail;
+		targetDetail = detail;
 	}
 	/// Largest distance from the input in mesh units, > 0; only the remeshing can aim at it.
 	void SetTargetMaxError(double distance)

@@ -17,9 +17,11 @@ struct Failure {
 	Status       status;
 	std::string  message;               ///< a sentence for the user
 	std::int64_t smallestVertexNum = 0; ///< with CountTooSmall: what to ask for instead
+	std::int64_t smallestFaceNum   = 0; ///< the same where faces are counted; 0: not known
 
-	Failure(Status s, std::string m, std::int64_t smallest = 0) :
-			status(s), message(std::move(m)), smallestVertexNum(smallest)
+	Failure(Status s, std::string m, std::int64_t smallest = 0, std::int64_t smallestFaces = 0) :
+			status(s), message(std::move(m)), smallestVertexNum(smallest),
+			smallestFaceNum(smallestFaces)
 	{
 	}
 };

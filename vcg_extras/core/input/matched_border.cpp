@@ -26,6 +26,12 @@ constexpr int    none       = -1;
 /// Of one piece of a border.
 constexpr double mostSamples = 2e7;
 
+/// In long loops; i: its turns so far.
+void pollNowAndThen(std::size_t i, Workers& workers)
+{
+	if (i % 65536 == 0) workers.poll();
+}
+
 /// By which places have an order: not that of the mesh's numbers.
 bool isBefore(const Vec3d& a, const Vec3d& b)
 {
@@ -47,8 +53,8 @@ struct Inside {
 /// Finds the border's samples.
 class BorderSampling {
 public:
-	BorderSampling(const MeshView& input, double edgeLength) :
-			input_(input), edge_(edgeLength), isKept(input.vertexNum, 0)
+	BorderSampling(const MeshView& input, double edgeLength, Workers& workers) :
+			input_(input), edge_(edgeLength), workers_(workers), isKept(input.vertexNum, 0)
 	{
 		numberPlaces();
 		findEdges();
@@ -64,6 +70,7 @@ public:
 private:
 	const MeshView&           input_;
 	const double              edge_;
+	Workers&                  workers_;
 	std::vector<std::int32_t> place_; ///< per vertex: the first one at the same place
 	std::vector<char>         isStop_, isKeptPlace_;
 
@@ -115,6 +122,7 @@ private:
 				throw Failure(Status::UnusableInput, "A face names a vertex that does not exist.");
 		}
 		for (int c = 0; c < int(3 * input_.faceNum); ++c) {
+			pollNowAndThen(std::size_t(c), workers_);
 			const int a = placeOf(c), b = placeOf(nextCorner(c));
 			if (a != b && isUsable(c / 3)) sides.push_back(edgeSide(a, b, c));
 		}
@@ -213,6 +221,7 @@ private:
 	{
 		std::vector<char> isSeen(edge.size(), 0);
 		for (int e = 0; e < int(edge.size()); ++e) {
+			if (isSeen[std::size_t(e)]) continue;
 			int  first   = e;
 			bool hasStop = false;
 			for (int k = e; k != none && !isSeen[std::size_t(k)]; k = edge[std::size_t(k)].next) {
@@ -383,9 +392,9 @@ MeshView MatchedBorder::view() const
 	return v;
 }
 
-MatchedBorder matchBorder(const MeshView& input, double edgeLength)
+MatchedBorder matchBorder(const MeshView& input, double edgeLength, Workers& workers)
 {
-	const BorderSampling border(input, edgeLength);
+	const BorderSampling border(input, edgeLength, workers);
 	MatchedBorder        out;
 	out.isKept = border.isKept;
 	for (std::size_t v = 0; v < input.vertexNum; ++v)
@@ -398,6 +407,7 @@ MatchedBorder matchBorder(const MeshView& input, double edgeLength)
 	}
 	FaceSplitting faces(input, out);
 	for (std::size_t f = 0; f < input.faceNum; ++f) {
+		pollNowAndThen(f, workers);
 		Part part;
 		for (std::size_t k = 0; k < 3; ++k) {
 			const std::size_t c = 3 * f + k;

@@ -3,6 +3,7 @@
 #ifndef VCG_EXTRAS_CORE_INPUT_MATCHED_BORDER_H
 #define VCG_EXTRAS_CORE_INPUT_MATCHED_BORDER_H
 
+#include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/mesh_view.h>
 #include <vcg_extras/core/results.h>
 
@@ -35,8 +36,9 @@ struct MatchedBorder {
 /// edges meet; each piece is cut into equal lengths. All is computed in double and in a direction
 /// that the places of the piece's ends decide, so that meshes with a piece in common get the same
 /// samples there, bit for bit. Vertices at exactly the same place are taken for one. Throws Failure
-/// where a face names a vertex that does not exist. Cost: O(F log F), serial.
-MatchedBorder matchBorder(const MeshView& input, double edgeLength);
+/// where a face names a vertex that does not exist. workers: asked now and then whether to go on.
+/// Cost: O(F log F), serial.
+MatchedBorder matchBorder(const MeshView& input, double edgeLength, Workers& workers);
 
 /// Says where a result of that mesh lies on the caller's.
 void nameCallers(const MeshView& input, const MatchedBorder& matched, RemeshResult& result);

@@ -11,6 +11,7 @@
 #include <vcg_extras/core/mesh/valence_energy.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <initializer_list>
 #include <limits>
 #include <optional>
@@ -48,31 +49,41 @@ std::int64_t livingVertexNum(const HalfEdgeMesh& m)
 						 [](int h) { return h >= 0; });
 }
 
+std::int64_t livingFaceNum(const HalfEdgeMesh& m)
+{
+	std::int64_t num = 0;
+	for (int f = 0; f < m.faceNum; ++f)
+		num += !isDeadFace(m, f);
+	return num;
+}
+
 class CountCorrector {
 public:
-	CountCorrector(const Surface& surface, const BoundaryCurves& boundary, ResultMesh& result,
-				   Workers& workers) :
+	CountCorrector(const Surface& surface, const BoundaryCurves& boundary,
+				   const CountTarget& target, ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			boundary_(boundary), r_(result), m_(result.mesh), workers_(workers),
-			liveNum_(livingVertexNum(result.mesh))
+			byFaces_(target.faceNum > 0), wanted_(byFaces_ ? target.faceNum : target.vertexNum),
+			num_(byFaces_ ? livingFaceNum(result.mesh) : livingVertexNum(result.mesh))
 	{
 	}
 
-	bool run(std::int64_t targetNum, std::initializer_list<Care> cares)
+	bool run(std::initializer_list<Care> cares)
 	{
+		if (byFaces_ && (wanted_ - num_) % 2 != 0) changeBorderByOne();
 		for (Care care : cares) {
 			care_ = care;
-			while (liveNum_ != targetNum) {
+			while (num_ != wanted_) {
 				workers_.poll();
-				const std::int64_t before = liveNum_;
-				if (liveNum_ < targetNum)
-					splitRound(targetNum - liveNum_);
+				const std::int64_t before = num_;
+				if (num_ < wanted_)
+					splitRound();
 				else
-					collapseRound(liveNum_ - targetNum);
-				if (liveNum_ == before) break;
+					collapseRound();
+				if (num_ == before) break;
 			}
 		}
-		return liveNum_ == targetNum;
+		return num_ == wanted_;
 	}
 
 private:
@@ -81,7 +92,9 @@ private:
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
 	Workers&              workers_;
-	std::int64_t          liveNum_;
+	bool                  byFaces_; ///< faces are counted, not vertices
+	std::int64_t          wanted_;
+	std::int64_t          num_; ///< of the result now
 	Care                  care_ = Care::FlatGroundOnly;
 	Buffer<int>           valence_; ///< corrected
 	Buffer<char>          flat_;
@@ -91,6 +104,16 @@ private:
 	const Acceptance      limits_ = acceptanceOf(Driver::Count);
 
 	// ---- common to both
+
+	/// By how much a split or collapse of an edge changes the number.
+	std::int64_t stepOf(bool isAtBorder) const { return byFaces_ && !isAtBorder ? 2 : 1; }
+	/// How many vertices may still come or go; the last face is one of the border.
+	std::int64_t leftNum() const
+	{
+		const std::int64_t left = std::abs(wanted_ - num_);
+		return byFaces_ ? (left + 1) / 2 : left;
+	}
+	bool fits(bool isAtBorder) const { return std::abs(wanted_ - num_) >= stepOf(isAtBorder); }
 
 	void beginRound()
 	{
@@ -160,17 +183,19 @@ private:
 
 	// ---- splitting
 
-	void splitRound(std::int64_t wanted)
+	void splitRound()
 	{
 		beginRound();
 		const std::vector<CountChange> operations =
-			operationsOfRound(wanted, [&](int h, int most) { return findSplit(h, most); });
-		reserve(m_, m_.vertexNum + int(wanted), m_.faceNum + 2 * int(wanted));
+			operationsOfRound(leftNum(), [&](int h, int most) { return findSplit(h, most); });
+		const int left = int(std::abs(wanted_ - num_));
+		reserve(m_, m_.vertexNum + left, m_.faceNum + 2 * left);
 		for (const CountChange& op : operations) {
-			if (wanted == 0) return;
-			const bool done =
-				m_.opposite[op.halfEdge] < 0 ? splitAtBorder(op.halfEdge) : splitInside(op);
-			wanted -= done;
+			if (num_ == wanted_) return;
+			const bool isAtBorder = m_.opposite[op.halfEdge] < 0;
+			if (!fits(isAtBorder)) continue;
+			if (isAtBorder ? splitAtBorder(op.halfEdge) : splitInside(op))
+				num_ += stepOf(isAtBorder);
 		}
 	}
 
@@ -338,22 +363,22 @@ private:
 		m_.position[v] = vertex.point.position;
 		r_.vertex.push_back(vertex);
 		++r_.splitNum;
-		++liveNum_;
 		return v;
 	}
 
 	// ---- collapsing
 
-	void collapseRound(std::int64_t wanted)
+	void collapseRound()
 	{
 		beginRound();
 		for (const CountChange& op :
-			 operationsOfRound(wanted, [&](int h, int) { return findCollapse(h); })) {
-			if (wanted == 0) return;
+			 operationsOfRound(leftNum(), [&](int h, int) { return findCollapse(h); })) {
+			if (num_ == wanted_) return;
 			if (isDeadFace(m_, op.halfEdge / 3)) continue;
-			const bool done = m_.opposite[op.halfEdge] < 0 ? collapseAtBorder(op.halfEdge)
-														   : collapseInside(op.halfEdge);
-			wanted -= done;
+			const bool isAtBorder = m_.opposite[op.halfEdge] < 0;
+			if (!fits(isAtBorder)) continue;
+			if (isAtBorder ? collapseAtBorder(op.halfEdge) : collapseInside(op.halfEdge))
+				num_ -= stepOf(isAtBorder);
 		}
 	}
 
@@ -411,7 +436,7 @@ private:
 		collapse(m_, h);
 		r_.vertex[b]   = survivor;
 		m_.position[b] = survivor.point.position;
-		countCollapse();
+		++r_.collapseNum;
 		return true;
 	}
 
@@ -430,39 +455,72 @@ private:
 		markRing(v);
 		markRing(m_.target(h));
 		collapseAlongBorder(m_, v, true);
-		countCollapse();
+		++r_.collapseNum;
 		return true;
 	}
 
-	void countCollapse()
+	// ---- the border
+
+	/// Border edges in the order in which to split or collapse one.
+	std::vector<CountChange> borderEdges(bool toSplit) const
 	{
-		++r_.collapseNum;
-		--liveNum_;
+		std::vector<CountChange> all =
+			workers_.collectEach<CountChange>(m_.halfEdgeNum(), [&](int h, auto& out) {
+				if (isDeadFace(m_, h / 3) || m_.opposite[h] >= 0) return;
+				if (!(toSplit ? isSplittableBorder(h) : isCollapsibleBorder(h))) return;
+				out.push_back({0, toSplit ? -relativeLength(h) : relativeLength(h), h, 0});
+			});
+		std::sort(all.begin(), all.end());
+		return all;
+	}
+
+	bool isCollapsibleBorder(int h) const
+	{
+		const ResultVertex& v = r_.vertex[m_.origin[h]];
+		return !r_.keepsBorder && !v.isPinned && !v.isCorner && !v.isShared;
+	}
+
+	/// Nothing happens where no border edge allows it.
+	void changeBorderByOne()
+	{
+		care_ = Care::TopologyOnly;
+		beginRound();
+		reserve(m_, m_.vertexNum + 1, m_.faceNum + 1);
+		for (const CountChange& op : borderEdges(true)) {
+			if (!splitAtBorder(op.halfEdge)) continue;
+			++num_;
+			return;
+		}
+		for (const CountChange& op : borderEdges(false)) {
+			if (!collapseAtBorder(op.halfEdge)) continue;
+			--num_;
+			return;
+		}
 	}
 };
 
 } // namespace
 
-bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
-					 ResultMesh& result, Workers& workers)
+bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary,
+					 const CountTarget& target, ResultMesh& result, Workers& workers)
 {
-	const bool isReached = changeCount(surface, boundary, targetNum, result, workers);
+	const bool isReached = changeCount(surface, boundary, target, result, workers);
 	compactResult(result, workers);
 	return isReached;
 }
 
-bool changeCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
+bool changeCount(const Surface& surface, const BoundaryCurves& boundary, const CountTarget& target,
 				 ResultMesh& result, Workers& workers)
 {
-	return CountCorrector(surface, boundary, result, workers)
-		.run(targetNum, {Care::FlatGroundOnly, Care::SoundShapes, Care::TopologyOnly});
+	return CountCorrector(surface, boundary, target, result, workers)
+		.run({Care::FlatGroundOnly, Care::SoundShapes, Care::TopologyOnly});
 }
 
 bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
-						  std::int64_t targetNum, ResultMesh& result, Workers& workers)
+						  const CountTarget& target, ResultMesh& result, Workers& workers)
 {
-	CountCorrector corrector(surface, boundary, result, workers);
-	const bool     isReached = corrector.run(targetNum, {Care::TopologyOnly});
+	CountCorrector corrector(surface, boundary, target, result, workers);
+	const bool     isReached = corrector.run({Care::TopologyOnly});
 	compactResult(result, workers);
 	return isReached;
 }

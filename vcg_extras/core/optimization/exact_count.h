@@ -10,7 +10,18 @@
 
 namespace gpr {
 
-/// Stage::Count: splits or collapses edges of the result until it has exactly targetNum vertices.
+/// How many vertices a result is to have; or how many faces, where that is what was asked for.
+struct CountTarget {
+	std::int64_t vertexNum = 0;
+	std::int64_t faceNum   = 0; ///< where it is not 0 the number of vertices follows from it
+
+	bool isGiven() const { return vertexNum > 0 || faceNum > 0; }
+};
+
+/// Stage::Count: splits or collapses edges of the result until it has exactly as many vertices or
+/// faces as wanted. A vertex inside brings two faces, one of the border one: where the wanted
+/// number of faces is odd and the result's is even, or the other way round, a border edge is split
+/// first, the longest one, or one is collapsed where none may be split.
 ///
 /// Which ones is chosen by valence: of every edge the change of Σ(valence - 6)² is worked out, for
 /// splits together with up to two flips round the new vertex; lowest first, then the longest edge
@@ -19,18 +30,18 @@ namespace gpr {
 /// then any, then whatever the topology allows. Returns false where the topology allows no more
 /// collapses; the mesh is then as near as it gets. Cost: a pass over the edges per round, some
 /// rounds.
-bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
-					 ResultMesh& result, Workers& workers);
+bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary,
+					 const CountTarget& target, ResultMesh& result, Workers& workers);
 
 /// The same, leaving dead faces and vertices in the mesh: those that it had, and new ones.
-bool changeCount(const Surface& surface, const BoundaryCurves& boundary, std::int64_t targetNum,
+bool changeCount(const Surface& surface, const BoundaryCurves& boundary, const CountTarget& target,
 				 ResultMesh& result, Workers& workers);
 
 /// The same by topology alone, whatever the shapes: the last resort for tiny counts. Which edges
-/// are taken, and in which order, does not depend on targetNum, so that every count between the one
-/// it starts from and the one it ends at for targetNum = 1 can be reached.
+/// are taken, and in which order, does not depend on the target, so that every count between the
+/// one it starts from and the one it ends at for one vertex can be reached.
 bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
-						  std::int64_t targetNum, ResultMesh& result, Workers& workers);
+						  const CountTarget& target, ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

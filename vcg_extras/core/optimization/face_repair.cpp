@@ -174,8 +174,8 @@ private:
 	bool changeCount()
 	{
 		if (!changeByTrials()) return false;
-		const bool isReached = wanted_.targetNum == 0 ||
-							   gpr::changeCount(surface_, curves_, wanted_.targetNum, r_, workers_);
+		const bool isReached = !wanted_.target.isGiven() ||
+							   gpr::changeCount(surface_, curves_, wanted_.target, r_, workers_);
 		followCompaction();
 		compactResult(r_, workers_);
 		if (!isReached) return false;

@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_CORE_OPTIMIZATION_FACE_REPAIR_H
 #define VCG_EXTRAS_CORE_OPTIMIZATION_FACE_REPAIR_H
 
+#include "exact_count.h"
+
 #include <vcg_extras/core/base/workers.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/mesh/connect.h>
@@ -30,10 +32,10 @@ bool raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, 
 
 /// What is to be repaired after the fit.
 struct PoorFaces {
-	float        angleDeg   = 32; ///< no face shall have a smaller angle
-	std::int64_t targetNum  = 0;  ///< vertices that the result must have; 0: any number
-	float        largestGap = 0;  ///< between input and result, working units; 0: not known
-	float        maxGap     = 0;  ///< see Acceptance::gap, while angles are raised; 0: not limited
+	float       angleDeg = 32;  ///< no face shall have a smaller angle
+	CountTarget target;         ///< that the result must have; 0 vertices and faces: any number
+	float       largestGap = 0; ///< between input and result, working units; 0: not known
+	float       maxGap     = 0; ///< see Acceptance::gap, while angles are raised; 0: not limited
 };
 
 /// After the fit: raises small angles, by moves and flips, then by splits and collapses, which

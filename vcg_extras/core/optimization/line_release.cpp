@@ -46,6 +46,42 @@ std::vector<int> verticesNear(const HalfEdgeMesh& m, const std::vector<int>& fac
 	return vertices;
 }
 
+/// Of the sheets on the two sides of a wall the normals differ by more than this, as a cosine.
+constexpr float mostOfWall = -0.5f;
+/// A thicker wall, in ideal edges, is hardly thinner without its lines, and its angles are better.
+constexpr float thickestWall = 0.25f;
+
+/// Whether a feature line at a vertex has a side that faces away from a sheet.
+bool facesAway(const HalfEdgeMesh& m, const Vec3f& sheet, int v)
+{
+	bool isAway = false;
+	forEachOutgoing(m, v, [&](int g) {
+		if (!m.isCreaseEdge(g)) return;
+		for (const int side : {g, m.opposite[g]})
+			isAway = isAway || dot(sheet, m.faceNormal(side / 3)) < mostOfWall;
+	});
+	return isAway;
+}
+
+/// Whether two lines a face or two apart, one of them along h, are all that holds two sheets apart:
+/// the rim of a plate, a blunt trailing edge.
+bool holdsWall(const ResultMesh& result, int h)
+{
+	const HalfEdgeMesh& m      = result.mesh;
+	const Vec3f         sheet  = m.faceNormal(m.opposite[h] / 3);
+	const Vec3f         from   = m.position[m.origin[h]];
+	const Vec3f         along  = normalized(m.position[m.target(h)] - from);
+	const int           apex   = m.apex(h);
+	const auto          isOver = [&](int v) {
+        const float gap = length(cross(along, m.position[v] - from));
+        return gap < thickestWall * result.idealEdge && facesAway(m, sheet, v);
+	};
+	bool holds = isOver(apex);
+	if (!holds && !m.isCurveVertex(apex))
+		forEachNeighbour(m, apex, [&](int v) { holds = holds || isOver(v); });
+	return holds;
+}
+
 /// Takes the marks off the edges at these vertices. Returns the ends of the edges that had one.
 std::vector<int> takeMarksOff(const std::vector<int>& vertices, ResultMesh& result)
 {
@@ -56,6 +92,7 @@ std::vector<int> takeMarksOff(const std::vector<int>& vertices, ResultMesh& resu
 		forEachOutgoing(m, v, [&](int h) {
 			const int w = m.target(h);
 			if (!m.isCreaseEdge(h) || result.vertex[w].isPinned) return;
+			if (holdsWall(result, h) || holdsWall(result, m.opposite[h])) return;
 			m.crease[h] = m.crease[m.opposite[h]] = 0;
 			ends.insert(ends.end(), {v, w});
 		});

@@ -19,6 +19,16 @@ constexpr std::int64_t fewVertices = 64;
 /// Each is a quarter more than the one before, so that the last is about four times the first.
 constexpr int maxSearchedCounts = 8;
 
+/// Where faces are counted larger counts are tried, too, up to so many faces and so often.
+constexpr std::int64_t mostTriedFaces = 20000;
+constexpr int          maxTriedCounts = 16;
+
+/// The next count to try after one that failed, of the same parity.
+std::int64_t raised(std::int64_t faceNum)
+{
+	return faceNum + 2 * std::max<std::int64_t>(1, faceNum / 20);
+}
+
 /// Share of the vertices that lines and borders may take before the weaker of close lines go.
 constexpr double maxOnCurves = 0.5;
 /// Corrections of the radius: with vertices to be kept the rest of the count is a small number.
@@ -53,6 +63,15 @@ std::string missedText(const ErrorTrial& best, double goal, double diagonal)
 		   lengthText(best.error, diagonal) + ".";
 }
 
+/// What is told of a count that follows from a detail.
+std::string forecastText(std::int64_t vertexNum, const Request& request)
+{
+	const double error = detailError(request.options.targetDetail) * request.diagonal;
+	return "About " + text(vertexNum) +
+		   " vertices are forecast to keep 99.9 % of the surface within " +
+		   lengthText(error, request.diagonal) + ".";
+}
+
 std::string metText(const ErrorTrial& best, int trialNum, double diagonal)
 {
 	return "With " + text(best.vertexNum) +
@@ -71,7 +90,7 @@ bool isBetter(const ErrorTrial& a, const ErrorTrial& b, double largest)
 
 } // namespace
 
-Plan::Plan(const Request& request) : request_(request)
+Plan::Plan(const Request& request) : request_(request), wantedFaces_(request.options.targetFaceNum)
 {
 	if (request.goal) search_.emplace(*request.goal);
 	beginRun(request.purpose, request.goal ? request.goal->start : request.sampleNum);
@@ -163,9 +182,14 @@ void Plan::beginRun(Purpose purpose, std::int64_t vertexNum)
 /// Whether another count may be taken where the one asked for cannot be had.
 bool Plan::isWish() const
 {
-	const bool isByCount = request_.options.targetMode == TargetMode::VertexNum ||
+	const bool isByCount = request_.options.targetMode == TargetMode::VertexNum || asksForFaces() ||
 						   decisions_.purpose == Purpose::CountToBeHad;
 	return request_.options.allowNearest || !isByCount;
+}
+
+bool Plan::asksForFaces() const
+{
+	return request_.options.targetMode == TargetMode::FaceNum;
 }
 
 /// Whether the number of vertices may differ from what was asked for.
@@ -178,9 +202,31 @@ bool Plan::mayDiffer() const
 
 void Plan::resolveCount(const InputFacts& facts)
 {
+	attempts_.area = facts.area;
 	if (attempts_.isCountChosen) return;
+	RemeshOptions options = request_.options;
+	options.targetFaceNum = wantedFaces_;
 	decisions_.vertexNum =
-		resolveTarget(request_.callersVertexNum, request_.options, facts.area, facts.scale);
+		resolveTarget(request_.callersVertexNum, options, facts.area, facts.scale);
+	if (asksForFaces()) decisions_.faceNum = wantedFaces_;
+}
+
+/// F = 2 V - 2 χ - B, with B vertices on the border, whose edges are as long as all others.
+void Plan::forecastVertices(const SizeFacts& facts)
+{
+	constexpr int rounds = 4; // B goes with the edges, and these with V
+	const bool    isOdd  = decisions_.faceNum % 2 != 0;
+	if (facts.borderLength == 0 && isOdd)
+		decisions_.faceNum = std::max<std::int64_t>(2, decisions_.faceNum - 1);
+	double vertexNum = double(decisions_.vertexNum);
+	for (int round = 0; round < rounds; ++round) {
+		const double onBorder =
+			facts.borderLength / double(evenEdge(attempts_.area, std::int64_t(vertexNum)));
+		vertexNum = 0.5 * (double(decisions_.faceNum) + onBorder) + double(facts.euler);
+		vertexNum = std::max(1.0, std::round(vertexNum));
+	}
+	decisions_.vertexNum = std::int64_t(vertexNum);
+	if (isPaper(request_.options)) decisions_.faceNum = 0; // it hits no count
 }
 
 std::string Plan::judge(const NoFacts&)
@@ -193,7 +239,9 @@ std::string Plan::judge(const InputFacts& facts)
 {
 	resolveCount(facts);
 	goOn();
-	return "";
+	const bool isForecast = request_.options.targetMode == TargetMode::Detail &&
+							decisions_.purpose == Purpose::Answer && attempts_.asked == 0;
+	return isForecast ? forecastText(decisions_.vertexNum, request_) : std::string();
 }
 
 std::string Plan::judge(const SurfaceFacts& facts)
@@ -213,18 +261,32 @@ std::string Plan::judge(const SizeFacts& facts)
 	attempts_.keptNum  = facts.keptNum;
 	goOn();
 	if (!isFirst) return "";
+	const std::int64_t before = decisions_.vertexNum;
+	if (decisions_.faceNum > 0) forecastVertices(facts);
+	if (facts.vertexNum > 0)
+		decisions_.vertexNum =
+			std::int64_t(std::clamp(std::round(facts.vertexNum), 4.0, maxResultVertices));
 	attempts_.asked = decisions_.vertexNum;
-	return facts.keptNum > attempts_.asked && decisions_.purpose != Purpose::OfGivenSamples
-			   ? makeRoom()
-			   : "";
+	if (facts.keptNum > attempts_.asked && decisions_.purpose != Purpose::OfGivenSamples)
+		return makeRoom(facts.euler);
+	attempts_.isCountChosen =
+		attempts_.isCountChosen || decisions_.vertexNum != before || decisions_.faceNum > 0;
+	const bool isFar = 10 * std::abs(decisions_.vertexNum - before) > before;
+	return isFar && mayReturn() ? returnTo(Step::Input) : "";
 }
 
 /// Where the target is a wish, a border whose vertices are to be kept raises it to what these need
 /// with some others between them.
-std::string Plan::makeRoom()
+std::string Plan::makeRoom(std::int64_t euler)
 {
 	const bool keepsBorder = request_.options.boundary == BoundaryMode::Keep;
 	const bool mayRaise    = keepsBorder && isWish() && decisions_.purpose != Purpose::SamplesOnly;
+	if (keepsBorder && decisions_.faceNum > 0 && !mayRaise) {
+		const std::int64_t faceNum = 2 * (attempts_.keptNum - euler);
+		refuse("The border has " + text(attempts_.keptNum) +
+				   " vertices to be kept, which needs more than " + asked() + ".",
+			   attempts_.keptNum, std::max<std::int64_t>(1, faceNum));
+	}
 	if (!mayRaise || !mayReturn()) {
 		throw Failure(Status::BadOptions,
 					  std::string("The ") + (keepsBorder ? "border has " : "feature region has ") +
@@ -238,11 +300,16 @@ std::string Plan::makeRoom()
 							 " vertices were aimed at instead of " + text(attempts_.asked) + ".";
 	attempts_.isCountChosen = true;
 	decisions_.vertexNum = attempts_.asked = raised;
+	decisions_.faceNum                     = 0;
 	return returnTo(Step::Input, note);
 }
 
 std::string Plan::judge(const ForecastFacts& facts)
 {
+	if (request_.options.targetMode == TargetMode::Detail) {
+		beginRun(Purpose::Answer, facts.vertexNum);
+		return "";
+	}
 	ErrorGoal goal = *request_.goal;
 	goal.start     = facts.vertexNum;
 	search_.emplace(goal);
@@ -302,23 +369,62 @@ std::string Plan::tryAgain(std::string note)
 	return returnTo(fits ? Step::Lines : Step::Input, std::move(note));
 }
 
-std::string Plan::accept(std::int64_t vertexNum, std::string note)
+/// A closed surface has no odd number of faces: the one below was aimed at.
+std::string Plan::accept(const MeshFacts& facts, std::string note)
 {
-	if (!isPaper(request_.options)) decisions_.vertexNum = vertexNum;
+	const bool isOther =
+		decisions_.faceNum > 0 && facts.faceNum != wantedFaces_ && !attempts_.isRaised;
+	if (isOther && !isWish()) refuseParity(facts.faceNum);
+	if (isOther && note.empty()) {
+		note = "The result has " + counted(facts.vertexNum, facts.faceNum) + " instead of " +
+			   asked() + ", the nearest number that the surface allows.";
+	}
+	if (!isPaper(request_.options)) decisions_.vertexNum = facts.vertexNum;
+	if (decisions_.faceNum > 0) decisions_.faceNum = facts.faceNum;
 	goOn();
 	return note;
 }
 
-void Plan::refuse(const std::string& why, std::int64_t smallest) const
+/// What was asked for, in words.
+std::string Plan::asked() const
 {
-	throw Failure(Status::CountTooSmall, why, smallest);
+	return asksForFaces() ? text(wantedFaces_) + " faces" : text(attempts_.asked) + " vertices";
 }
 
-void Plan::refuseBelow(std::int64_t smallest) const
+/// Faces first where these were asked for.
+std::string Plan::counted(std::int64_t vertexNum, std::int64_t faceNum) const
 {
-	refuse("The surface cannot be meshed with " + text(attempts_.asked) +
-			   " vertices; the smallest possible number is " + text(smallest) + ".",
+	const std::string vertices = text(vertexNum) + " vertices";
+	return asksForFaces() && faceNum > 0 ? text(faceNum) + " faces (" + vertices + ")" : vertices;
+}
+
+void Plan::refuse(const std::string& why, std::int64_t smallest, std::int64_t faceNum) const
+{
+	throw Failure(Status::CountTooSmall, why, smallest, faceNum);
+}
+
+void Plan::refuseBelow(std::int64_t smallest, std::int64_t faceNum) const
+{
+	if (asksForFaces() && faceNum > 0) {
+		refuse("The surface cannot be meshed with " + asked() +
+				   "; the smallest possible numbers are " + text(faceNum) + " and " +
+				   text(faceNum + 2) + " (" + text(smallest) + " and " + text(smallest + 1) +
+				   " vertices).",
+			   smallest, faceNum);
+	}
+	refuse("The surface cannot be meshed with " + asked() + "; the smallest possible number is " +
+			   text(smallest) + ".",
 		   smallest);
+}
+
+/// Each vertex inside brings two faces, and there is none that may come to the border or leave it.
+void Plan::refuseParity(std::int64_t lower) const
+{
+	throw Failure(Status::BadOptions,
+				  "The surface cannot be meshed with " + asked() +
+					  "; the nearest possible numbers are " + text(lower) + " and " +
+					  text(lower + 2) + ".",
+				  0, lower);
 }
 
 std::string Plan::withoutFeatureLines(const std::string& fault)
@@ -346,17 +452,20 @@ std::string Plan::withOpenSeams()
 }
 
 /// Vertices to be kept leave no other way to the count.
-std::string Plan::nearestWithKept(std::int64_t reached)
+std::string Plan::nearestWithKept(const MeshFacts& reached)
 {
+	const std::string  counts = counted(reached.vertexNum, reached.faceNum);
+	const std::int64_t off    = reached.faceNum - decisions_.faceNum;
+	if (decisions_.faceNum > 0) decisions_.faceNum = reached.faceNum;
+	attempts_.isRaised = isWish();
 	if (isWish()) {
-		return accept(reached, "The result has " + text(reached) + " vertices instead of " +
-								   text(attempts_.asked) +
+		return accept(reached, "The result has " + counts + " instead of " + asked() +
 								   ", with those to be kept the nearest that could be reached.");
 	}
-	refuse("The surface cannot be meshed with " + text(attempts_.asked) +
-			   " vertices that include the " + text(attempts_.keptNum) + " to be kept, but with " +
-			   text(reached) + ".",
-		   reached);
+	if (decisions_.faceNum > 0 && std::abs(off) == 1) refuseParity(reached.faceNum);
+	refuse("The surface cannot be meshed with " + asked() + " that include the " +
+			   text(attempts_.keptNum) + " to be kept, but with " + counts + ".",
+		   reached.vertexNum, reached.faceNum);
 }
 
 std::string Plan::byTopology()
@@ -365,13 +474,15 @@ std::string Plan::byTopology()
 	return tryAgain("");
 }
 
-std::string Plan::raiseTo(std::int64_t smallest)
+std::string Plan::raiseTo(const MeshFacts& smallest)
 {
-	const std::string note = "The result has " + text(smallest) + " vertices instead of " +
-							 text(attempts_.asked) + ", the smallest number that could be reached.";
+	const std::string note = "The result has " + counted(smallest.vertexNum, smallest.faceNum) +
+							 " instead of " + asked() +
+							 ", the smallest number that could be reached.";
 	attempts_.isRaised   = true;
 	decisions_.way       = Way::WithoutFeatureLines;
-	decisions_.vertexNum = attempts_.asked = smallest;
+	decisions_.vertexNum = attempts_.asked = smallest.vertexNum;
+	if (decisions_.faceNum > 0) decisions_.faceNum = smallest.faceNum;
 	attempts_.searchedFrom = attempts_.searchedNum = 0;
 	return tryAgain(note);
 }
@@ -379,22 +490,30 @@ std::string Plan::raiseTo(std::int64_t smallest)
 std::string Plan::search(std::int64_t vertexNum)
 {
 	++attempts_.searchedNum;
-	decisions_.way       = Way::WithoutFeatureLines;
+	decisions_.way = Way::WithoutFeatureLines;
+	if (vertexNum != attempts_.searchedFrom) decisions_.faceNum = 0;
 	decisions_.vertexNum = vertexNum;
 	return tryAgain("");
 }
 
-std::string Plan::endSearchAt(std::int64_t found)
+std::string Plan::beginSearch(const MeshFacts& from)
 {
-	if (found == attempts_.asked) return accept(found, "");
+	attempts_.searchedFrom = from.vertexNum;
+	if (decisions_.faceNum > 0) decisions_.faceNum = from.faceNum;
+	return search(from.vertexNum);
+}
+
+std::string Plan::endSearchAt(const MeshFacts& found)
+{
+	if (found.vertexNum == attempts_.asked) return accept(found, "");
+	const std::string counts = counted(found.vertexNum, found.faceNum);
 	if (mayDiffer()) {
-		return accept(found, "The result has " + text(found) + " vertices instead of " +
-								 text(attempts_.asked) +
+		return accept(found, "The result has " + counts + " instead of " + asked() +
 								 ", with which some triangles would have no area.");
 	}
-	refuse("With " + text(attempts_.asked) + " vertices some triangles would have no area; with " +
-			   text(found) + " none has.",
-		   found);
+	refuse("With " + asked() + " some triangles would have no area; with " +
+			   (asksForFaces() ? counts : text(found.vertexNum)) + " none has.",
+		   found.vertexNum, found.faceNum);
 }
 
 /// After the last count the first one is taken after all, unless even that is not what was asked
@@ -403,7 +522,7 @@ std::string Plan::goOnSearching()
 {
 	const bool isOver   = attempts_.searchedNum == maxSearchedCounts;
 	const bool isAnswer = mayDiffer() || attempts_.searchedFrom == attempts_.asked;
-	if (isOver && !isAnswer) refuseBelow(attempts_.searchedFrom);
+	if (isOver && !isAnswer) refuseBelow(attempts_.searchedFrom, 0);
 	const std::int64_t last = decisions_.vertexNum;
 	return search(isOver ? attempts_.searchedFrom : last + std::max<std::int64_t>(1, last / 4));
 }
@@ -411,40 +530,53 @@ std::string Plan::goOnSearching()
 std::string Plan::judgeAreas(const MeshFacts& facts)
 {
 	if (attempts_.searchedNum == 0) {
-		if (!needsSearch(facts) || !mayReturn()) return accept(facts.vertexNum, "");
-		attempts_.searchedFrom = facts.vertexNum;
-		return search(facts.vertexNum);
+		if (!needsSearch(facts) || !mayReturn()) return accept(facts, "");
+		return beginSearch(facts);
 	}
-	if (attempts_.searchedNum > maxSearchedCounts) return accept(facts.vertexNum, "");
-	if (!facts.hasZeroAreas) return endSearchAt(facts.vertexNum);
-	return mayReturn() ? goOnSearching() : accept(facts.vertexNum, "");
+	if (attempts_.searchedNum > maxSearchedCounts) return accept(facts, "");
+	if (!facts.hasZeroAreas) return endSearchAt(facts);
+	return mayReturn() ? goOnSearching() : accept(facts, "");
 }
 
 /// Topology has the last word on the count: the one that it comes to is the smallest.
 std::string Plan::judgeSmallest(const MeshFacts& facts)
 {
 	if (attempts_.isRaised || attempts_.searchedNum > 0) return judgeAreas(facts);
-	if (isWish() && mayReturn()) return raiseTo(facts.vertexNum);
-	if (!needsSearch(facts) || !mayReturn()) refuseBelow(facts.vertexNum);
-	attempts_.searchedFrom = facts.vertexNum;
-	return search(facts.vertexNum);
+	if (isWish() && mayReturn()) return raiseTo(facts);
+	const bool isByParity = decisions_.faceNum > 0 && facts.faceNum < decisions_.faceNum;
+	if (isByParity) refuseParity(facts.faceNum);
+	if (!needsSearch(facts) || !mayReturn()) refuseBelow(facts.vertexNum, facts.faceNum);
+	return beginSearch(facts);
+}
+
+/// Where faces are counted the vertices are known only now.
+std::string Plan::judge(const CountFacts& facts)
+{
+	goOn();
+	if (decisions_.faceNum == 0) return "";
+	const bool isReached = facts.faceNum == decisions_.faceNum;
+	attempts_.asked      = isReached ? facts.vertexNum : 0;
+	if (isReached) decisions_.vertexNum = facts.vertexNum;
+	return "";
 }
 
 std::string Plan::judge(const MeshFacts& facts)
 {
-	const bool misses = !isPaper(request_.options) && facts.vertexNum != decisions_.vertexNum;
+	const bool isReached = decisions_.faceNum > 0 ? facts.faceNum == decisions_.faceNum
+												  : facts.vertexNum == decisions_.vertexNum;
+	const bool misses    = !isPaper(request_.options) && !isReached;
 	if (mayReturn()) {
 		if (facts.hasFeatureLines && misses) {
-			return withoutFeatureLines(
-				"The number of vertices could not be reached with feature lines");
+			return withoutFeatureLines(std::string("The number of ") +
+									   (asksForFaces() ? "faces" : "vertices") +
+									   " could not be reached with feature lines");
 		}
 		if (facts.hasFeatureLines && facts.hasZeroAreas)
 			return withoutFeatureLines("With feature lines some triangles would have no area");
 		if (facts.hasSmoothBorder && facts.hasZeroAreas) return withRaggedBorder();
 		if (facts.isSewn && facts.hasZeroAreas) return withOpenSeams();
 	}
-	if (attempts_.keptNum > 0)
-		return misses ? nearestWithKept(facts.vertexNum) : accept(facts.vertexNum, "");
+	if (attempts_.keptNum > 0) return misses ? nearestWithKept(facts) : accept(facts, "");
 	if (!misses) return judgeAreas(facts);
 	if (decisions_.way != Way::ByTopology && mayReturn()) return byTopology();
 	return judgeSmallest(facts);
@@ -459,6 +591,14 @@ std::string Plan::judge(const FitFacts& facts)
 
 std::string Plan::judge(const ContactFacts& facts)
 {
+	if (facts.isRefused && asksForFaces()) {
+		const std::int64_t least = facts.faceNum + 2 * (facts.vertexNum - facts.before);
+		refuse("With " + asked() +
+				   " the surface would intersect itself. The smallest numbers that are reached "
+				   "without self-intersections are about " +
+				   text(least) + " and " + text(least + 2) + ".",
+			   facts.vertexNum, least);
+	}
 	if (facts.isRefused) {
 		refuse("With " + text(facts.before) +
 				   " vertices the surface would intersect itself. The smallest number of vertices "
@@ -467,10 +607,19 @@ std::string Plan::judge(const ContactFacts& facts)
 			   facts.vertexNum);
 	}
 	goOn();
-	if (facts.vertexNum == facts.before) return "";
+	const bool isMissed = decisions_.faceNum > 0 && facts.faceNum != decisions_.faceNum;
+	if (isMissed && !isWish()) {
+		refuse("With " + asked() + " the surface would intersect itself; it does not with " +
+				   counted(facts.vertexNum, facts.faceNum) + ".",
+			   facts.vertexNum, facts.faceNum);
+	}
+	// Small angles may have brought vertices to the border, and taken as many faces inside.
+	if (decisions_.faceNum > 0) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
+	if (facts.vertexNum == facts.before && !isMissed) return "";
 	if (!isPaper(request_.options)) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
-	return "The result has " + text(facts.vertexNum) + " vertices instead of " +
-		   text(facts.before) +
+	if (isMissed) decisions_.faceNum = facts.faceNum;
+	return "The result has " + counted(facts.vertexNum, facts.faceNum) + " instead of " +
+		   (asksForFaces() ? asked() : text(facts.before)) +
 		   ". This is the smallest number that was reached without self-intersections.";
 }
 
@@ -496,7 +645,12 @@ std::string Plan::judge(const ExportFacts& facts)
 {
 	goOn();
 	isBest_ = true;
-	if (decisions_.purpose == Purpose::CountToBeHad) throw refusalAtLast();
+	if (decisions_.purpose == Purpose::CountToBeHad) {
+		if (!asksForFaces()) throw refusalAtLast();
+		hadNums_.push_back(facts);
+		if (hadNums_.size() == 2) throw refusalAtLast();
+		return tryToHaveFaces(facts.faceNum + 2);
+	}
 	if (decisions_.purpose != Purpose::Trial) return "";
 	trial_.vertexNum = facts.vertexNum;
 	trial_.addedNum  = decisions_.addedNum;
@@ -525,32 +679,67 @@ std::string Plan::outcomeForError() const
 /// shall be one that can be had.
 void Plan::judge(const Failure& failure)
 {
-	const bool isSmall = failure.status == Status::CountTooSmall && request_.options.guard;
-	if (decisions_.purpose == Purpose::Answer && isSmall) {
-		refusal_     = failure;
-		refusedNum_  = decisions_.wholeNum();
-		smallestNum_ = failure.smallestVertexNum;
+	const bool namesCount = failure.status == Status::CountTooSmall || failure.smallestFaceNum > 0;
+	const bool isSmall    = namesCount && request_.options.guard;
+	const bool isFirst    = decisions_.purpose == Purpose::Answer && isSmall;
+	if (!isFirst && decisions_.purpose != Purpose::CountToBeHad) throw failure;
+	if (isFirst) {
+		refusal_ = failure;
+		refused_ = asksForFaces() ? asked() : text(decisions_.wholeNum()) + " vertices";
 	}
-	else if (decisions_.purpose != Purpose::CountToBeHad) {
-		throw failure;
+	else if (!isSmall || hadNums_.size() == 2 ||
+			 (!asksForFaces() && failure.smallestVertexNum <= smallestNum_)) {
+		throw refusalAtLast();
 	}
-	else {
-		const bool isHigher = isSmall && failure.smallestVertexNum > smallestNum_;
-		if (!isHigher) throw refusalAtLast();
-		smallestNum_ = failure.smallestVertexNum;
-	}
-	if (smallestNum_ <= 0 || smallestNum_ > fewVertices || !mayReturn()) throw refusalAtLast();
+	smallestNum_ = failure.smallestVertexNum;
+	if (asksForFaces())
+		tryToHaveFaces(isFirst ? failure.smallestFaceNum
+							   : std::max(failure.smallestFaceNum, raised(wantedFaces_)));
+	else
+		tryToHave(smallestNum_);
+}
+
+std::string Plan::tryToHave(std::int64_t vertexNum)
+{
+	if (vertexNum <= 0 || vertexNum > fewVertices || !mayReturn()) throw refusalAtLast();
 	++returnNum_;
-	beginRun(Purpose::CountToBeHad, smallestNum_);
+	beginRun(Purpose::CountToBeHad, vertexNum);
+	return "";
+}
+
+std::string Plan::tryToHaveFaces(std::int64_t faceNum)
+{
+	const bool mayTry = faceNum > 0 && faceNum <= mostTriedFaces && triedNum_ < maxTriedCounts;
+	if (!mayTry || !mayReturn()) throw refusalAtLast();
+	isBest_      = false;
+	wantedFaces_ = faceNum;
+	++triedNum_;
+	++returnNum_;
+	beginRun(Purpose::CountToBeHad, 0);
+	return "";
 }
 
 Failure Plan::refusalAtLast() const
 {
-	if (smallestNum_ == refusal_->smallestVertexNum) return *refusal_;
+	if (!hadNums_.empty()) {
+		const ExportFacts &first = hadNums_.front(), &last = hadNums_.back();
+		const bool         isSmall = refusal_->status == Status::CountTooSmall;
+		const bool         areTwo  = first.faceNum != last.faceNum;
+		const std::string  faces =
+			text(first.faceNum) + (areTwo ? " and " + text(last.faceNum) : "");
+		const std::string vertices =
+			text(first.vertexNum) + (areTwo ? " and " + text(last.vertexNum) : "");
+		return {refusal_->status,
+				"The surface cannot be meshed with " + refused_ + "; the " +
+					(isSmall ? "smallest" : "nearest") + " possible number" +
+					(areTwo ? "s that were found are " : " that was found is ") + faces + " (" +
+					vertices + " vertices).",
+				isSmall ? first.vertexNum : 0};
+	}
+	if (asksForFaces() || smallestNum_ == refusal_->smallestVertexNum) return *refusal_;
 	return {refusal_->status,
-			"The surface cannot be meshed with " + text(refusedNum_) +
-				" vertices; the smallest possible number without self-intersections that was found "
-				"is " +
+			"The surface cannot be meshed with " + refused_ +
+				"; the smallest possible number without self-intersections that was found is " +
 				text(smallestNum_) + ".",
 			smallestNum_};
 }

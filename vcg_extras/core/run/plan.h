@@ -6,12 +6,14 @@
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/base/stage_clock.h>
 #include <vcg_extras/core/input/cleaning.h>
+#include <vcg_extras/core/optimization/exact_count.h>
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/core/sampling/count_search.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace gpr {
 
@@ -60,10 +62,12 @@ enum class Purpose {
 /// What was chosen for the mesh under way. Beside the caller's options nothing else steers the
 /// steps.
 struct Decisions {
-	Purpose      purpose           = Purpose::Answer;
-	Sewing       sewing            = Sewing::NotYet;
-	Way          way               = Way::WithFeatureLines;
-	std::int64_t vertexNum         = 0;     ///< of the mesh; 0: it waits for the area
+	Purpose      purpose   = Purpose::Answer;
+	Sewing       sewing    = Sewing::NotYet;
+	Way          way       = Way::WithFeatureLines;
+	std::int64_t vertexNum = 0; ///< of the mesh; 0: it waits for the area
+	/// Of the mesh, where faces are counted; vertexNum is a forecast then until it has them.
+	std::int64_t faceNum           = 0;
 	int          lineLimit         = 0;     ///< each step higher fewer feature lines are followed
 	bool         keepsRaggedBorder = false; ///< BoundaryMode::Smooth was given up
 	bool         mayEndAbove       = false; ///< the mesh may get more vertices than vertexNum
@@ -73,6 +77,8 @@ struct Decisions {
 
 	/// All vertices that the result is to have.
 	std::int64_t wholeNum() const { return vertexNum + addedNum; }
+	/// What the mesh is to reach.
+	CountTarget countTarget() const { return {vertexNum, faceNum}; }
 	/// The count that edges are split, sizes are found and samples are placed for. It is the same
 	/// for every count that topology alone is to reach, so that the smallest one is.
 	std::int64_t spacedFor() const { return way == Way::ByTopology ? 1 : vertexNum; }
@@ -89,7 +95,10 @@ struct SurfaceFacts {
 	bool mustSewFirst = false; ///< it has seams that are to be sewn: there is no surface
 };
 struct SizeFacts {
-	std::int64_t keptNum = 0; ///< the caller's vertices that are to stay
+	std::int64_t keptNum      = 0; ///< the caller's vertices that are to stay
+	std::int64_t euler        = 0; ///< Euler characteristic of the surface
+	double       borderLength = 0; ///< working units
+	double       vertexNum    = 0; ///< that sizes in mesh units take; 0: the count is another's
 };
 struct ForecastFacts {
 	std::int64_t vertexNum = 0; ///< with which triangles would be as flat as the error asks for
@@ -104,12 +113,17 @@ struct SampleFacts {
 	float        radius     = 0; ///< of the largest disks, working units
 	float        usual      = 0; ///< the radius that goes with the count
 };
+struct CountFacts {
+	std::int64_t vertexNum = 0;
+	std::int64_t faceNum   = 0;
+};
 struct MeshFacts {
 	std::int64_t vertexNum       = 0;
 	bool         hasFeatureLines = false;
 	bool         hasZeroAreas    = false; ///< triangles whose area is nothing but rounding
 	bool         hasSmoothBorder = false;
 	bool         isSewn          = false; ///< along seams
+	std::int64_t faceNum         = 0;
 };
 struct FitFacts {
 	bool areLinesCrowded = false; ///< too close to each other for good angles
@@ -118,6 +132,7 @@ struct ContactFacts {
 	std::int64_t before    = 0;     ///< vertices of the mesh that was looked at
 	std::int64_t vertexNum = 0;     ///< of the mesh now, or of the least one without contacts
 	bool         isRefused = false; ///< contacts are left, since that count may not be taken
+	std::int64_t faceNum   = 0;     ///< of the mesh now
 };
 struct RefinementFacts {
 	int addedNum = 0; ///< vertices that came in at single places
@@ -129,6 +144,7 @@ struct ErrorFacts {
 };
 struct ExportFacts {
 	std::int64_t vertexNum = 0;
+	std::int64_t faceNum   = 0;
 };
 
 /// What is asked of a run.
@@ -149,6 +165,9 @@ struct Request {
 ///     fact                                         decision                     from
 ///     seams are to be sewn                         sewn first                   Input
 ///     vertices to be kept need more room           count raised, or refused     Input
+///     sizes in mesh units take other counts        that count                Input
+///     faces are counted, and the surface is not    vertices for its topology
+///       a sphere                                     and its border             Input
 ///     lines and borders take over half the count   of close lines the stronger  Lines
 ///     they take more than all of it                longer lines only            Lines
 ///     the samples miss the count by much           radius corrected             Samples
@@ -166,6 +185,9 @@ struct Request {
 ///     error beyond the goal, or far within it      another count, 5 trials      Region
 ///     refused at up to 64 vertices                 is the count that is named
 ///                                                  to be had?                   Region
+///
+/// Where faces are counted all rules compare these, and an odd number of a closed surface is
+/// refused once the number below it was reached, so that what the refusal names can be had.
 ///
 /// Rules 5 and 6: samples of the right spacing, if they lead to a count, make better triangles than
 /// topology alone, so that a raised count is meshed anew. Rule 7: with very few vertices some
@@ -196,6 +218,7 @@ public:
 	std::string judge(const ForecastFacts& facts);
 	std::string judge(const LineFacts& facts);
 	std::string judge(const SampleFacts& facts);
+	std::string judge(const CountFacts& facts);
 	std::string judge(const MeshFacts& facts);
 	std::string judge(const FitFacts& facts);
 	std::string judge(const ContactFacts& facts);
@@ -229,8 +252,9 @@ private:
 		bool         isCountChosen = false; ///< here; else it follows from the options and the area
 		std::int64_t keptNum       = -1; ///< the caller's vertices that are to stay; -1: not known
 		std::int64_t preparedFor   = 0;  ///< spacedFor() of the surface at hand
-		std::int64_t asked         = 0;  ///< count that sentences compare with
+		std::int64_t asked         = 0; ///< vertices that the result is compared with; 0: not known
 		bool         isRaised      = false; ///< to the smallest count that topology came to
+		double       area          = 0;     ///< working units squared
 		std::int64_t searchedFrom  = 0;     ///< count that the search of rule 7 began with
 		int searchedNum   = 0; ///< counts of that search, the one at hand included; 0: no search
 		int correctionNum = 0; ///< of the radius
@@ -245,36 +269,50 @@ private:
 
 	// The count that was refused, and what is known of a smaller one that can be had.
 	std::optional<Failure> refusal_;
-	std::int64_t           refusedNum_ = 0, smallestNum_ = 0;
+	std::int64_t           smallestNum_ = 0;
+	std::int64_t           wantedFaces_ = 0; ///< of the run under way, where faces are counted
+	std::string            refused_;         ///< "7 vertices"
+	int                    triedNum_ = 0;    ///< counts that were tried for the refusal
+	std::vector<ExportFacts>
+		hadNums_; ///< of these, where faces are counted: the two that are named
 
 	bool        has(Step step) const;
 	void        goOn();
 	bool        isWish() const;
 	bool        mayDiffer() const;
+	bool        asksForFaces() const;
 	bool        mayReturn() const { return returnNum_ < mostReturns; }
 	std::string returnTo(Step from, std::string note = "");
 	std::string returnIf(bool isNeeded, Step from);
 	void        beginRun(Purpose purpose, std::int64_t vertexNum);
 	std::string tryAgain(std::string note);
-	std::string accept(std::int64_t vertexNum, std::string note);
+	std::string accept(const MeshFacts& facts, std::string note);
+	std::string asked() const;
+	std::string counted(std::int64_t vertexNum, std::int64_t faceNum) const;
 
 	void              resolveCount(const InputFacts& facts);
-	std::string       makeRoom();
+	void              forecastVertices(const SizeFacts& facts);
+	std::string       makeRoom(std::int64_t euler);
 	float             correctedRadius(const SampleFacts& facts) const;
 	std::string       withoutFeatureLines(const std::string& fault);
 	std::string       withRaggedBorder();
 	std::string       withOpenSeams();
-	std::string       nearestWithKept(std::int64_t reached);
+	std::string       nearestWithKept(const MeshFacts& reached);
 	std::string       byTopology();
-	std::string       raiseTo(std::int64_t smallest);
+	std::string       raiseTo(const MeshFacts& smallest);
 	std::string       judgeAreas(const MeshFacts& facts);
 	std::string       judgeSmallest(const MeshFacts& facts);
 	std::string       search(std::int64_t vertexNum);
+	std::string       beginSearch(const MeshFacts& from);
 	std::string       goOnSearching();
-	std::string       endSearchAt(std::int64_t found);
+	std::string       endSearchAt(const MeshFacts& found);
+	std::string       tryToHave(std::int64_t vertexNum);
+	std::string       tryToHaveFaces(std::int64_t faceNum);
 	Failure           refusalAtLast() const;
-	[[noreturn]] void refuse(const std::string& why, std::int64_t smallest) const;
-	[[noreturn]] void refuseBelow(std::int64_t smallest) const;
+	[[noreturn]] void refuse(const std::string& why, std::int64_t smallest,
+							 std::int64_t faceNum = 0) const;
+	[[noreturn]] void refuseBelow(std::int64_t smallest, std::int64_t faceNum) const;
+	[[noreturn]] void refuseParity(std::int64_t lower) const;
 };
 
 } // namespace gpr

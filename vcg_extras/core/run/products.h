@@ -47,6 +47,7 @@ struct Sizes {
 	Buffer<char>          isFeatureVertex;     ///< of the region to be preserved; empty: none
 	std::vector<int>      kept;                ///< the caller's vertices that stay
 	std::int64_t          regionVertexNum = 0; ///< of the caller's, in the region
+	double                vertexNum       = 0; ///< with TargetMode::Sizes: that they take
 	std::int64_t          clampedNum      = 0; ///< see Sizing
 };
 

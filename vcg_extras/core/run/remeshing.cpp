@@ -39,7 +39,14 @@ RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions o
 	requireValid(options);
 	resolveFeatureRegion(input.anySelected(), options);
 	if (options.seed == 0) options.seed = std::max(1u, std::uint32_t(std::random_device()()));
+	const bool hasSizes = input.wantedEdge != nullptr;
+	if (hasSizes && !options.adapt) options.adapt = 0;
 	options.adapt = resolveAdapt(options, pipeline == Pipeline::Remeshing);
+	if (options.targetMode == TargetMode::Sizes && !hasSizes && !(options.maxEdge > 0)) {
+		throw Failure(Status::BadOptions,
+					  "The size of the triangles is missing: give a number, a length, wanted edge "
+					  "lengths of the vertices, or the largest edge.");
+	}
 	return options;
 }
 
@@ -182,8 +189,9 @@ void Remeshing::exportSamples()
 
 void remeshInput(const Call& call, RemeshResult& out)
 {
-	Request request{call.options, std::int64_t(call.input.vertexNum)};
-	if (call.options.targetMode == TargetMode::MaxError) {
+	Request          request{call.options, std::int64_t(call.input.vertexNum)};
+	const TargetMode mode = call.options.targetMode;
+	if (mode == TargetMode::MaxError || mode == TargetMode::Detail) {
 		const MeshExtent extent = extentOf(call.input);
 		request.purpose         = Purpose::Forecast;
 		request.goal            = errorGoalOf(call.input, call.options, extent);
@@ -193,7 +201,7 @@ void remeshInput(const Call& call, RemeshResult& out)
 	const TellAtEnd teller{remeshing, out};
 	while (!remeshing.isDone())
 		remeshing.takeStep();
-	if (request.goal) remeshing.endTrials();
+	if (mode == TargetMode::MaxError) remeshing.endTrials();
 	out = remeshing.takeResult();
 }
 

@@ -9,6 +9,7 @@
 #include <vcg_extras/core/features/given_lines.h>
 #include <vcg_extras/core/guard/contact_removal.h>
 #include <vcg_extras/core/mesh/measure.h>
+#include <vcg_extras/core/optimization/exact_count.h>
 #include <vcg_extras/core/optimization/face_repair.h>
 #include <vcg_extras/core/optimization/line_release.h>
 #include <vcg_extras/core/optimization/valence_glide.h>
@@ -91,12 +92,12 @@ void relax(RunContext& run, Products& made)
 
 // ---- Fit and angles.
 
-/// Lines that the caller gave stay: textures, selections and regions hang on them. Without a fit
-/// nothing would draw what is released to the sharp edge again.
+/// Lines that the caller gave, or all that turn by an angle, stay: textures, selections and regions
+/// hang on them. Without a fit nothing would draw what is released to the sharp edge again.
 bool mayReleaseLines(const RunContext& run)
 {
 	return run.options.preset == Preset::Default && isFitted(run.options) &&
-		   !hasGivenLines(run.input);
+		   !hasGivenLines(run.input) && run.options.featureMode != FeatureMode::Lines;
 }
 
 bool areLinesCrowded(RunContext& run, const ResultMesh& result)
@@ -164,7 +165,7 @@ void fitAndRepair(RunContext& run, const Decisions& decisions, Products& made)
 	returnReleasedMemory();
 	PoorFaces poor;
 	poor.angleDeg   = minAngleDeg(run.options);
-	poor.targetNum  = decisions.vertexNum;
+	poor.target     = decisions.countTarget();
 	poor.largestGap = fitted.largestGap;
 	poor.maxGap     = maxGapAfter(made, fitted.largestGap);
 	if (!repairPoorFaces(made.surface, made.curves, poor, fitted.map, made.result, run.workers))
@@ -204,9 +205,12 @@ MeshFacts relaxTriangles(RunContext& run, Products& made)
 	relax(run, made);
 	if (!repairInvertedFaces(made.surface, made.curves, false, made.result, run.workers))
 		run.tellCap("changes for inverted faces");
-	return {made.result.mesh.vertexNum, made.lines.edgeNum > 0,
-			lineFaceNum(made.result.mesh, run.workers) > 0, made.result.hasSmoothBorder,
-			made.surface.isSewn()};
+	return {made.result.mesh.vertexNum,
+			made.lines.edgeNum > 0,
+			lineFaceNum(made.result.mesh, run.workers) > 0,
+			made.result.hasSmoothBorder,
+			made.surface.isSewn(),
+			made.result.mesh.faceNum};
 }
 
 FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made)
@@ -239,21 +243,42 @@ NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products
 	return {};
 }
 
+namespace {
+
+/// Vertices that are made anew are as many as those before, but where some of the border are among
+/// them there may be other faces. These are made up for elsewhere.
+constexpr int countRounds = 3;
+
+bool missesFaces(const Decisions& decisions, const Products& made, const ContactOutcome& outcome)
+{
+	return outcome.hasMade && !outcome.isRefused && decisions.faceNum > 0 &&
+		   made.result.mesh.faceNum != decisions.faceNum;
+}
+
+} // namespace
+
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made)
 {
 	made.beforeFit.reset();
 	made.hasMadeVertices      = false;
 	const std::int64_t before = made.result.mesh.vertexNum;
-	if (!run.options.guard || isPaper(run.options)) return {before, before};
+	if (!run.options.guard || isPaper(run.options))
+		return {before, before, false, made.result.mesh.faceNum};
 	run.clock.enter(Stage::Contacts);
 	const MakingOfVertices making{made.surface, made.sizes.kept, isFitted(run.options),
 								  *run.options.adapt, decisions.mayEndAbove};
-	const ContactOutcome   outcome =
+	ContactOutcome         outcome =
 		removeContacts(making, made.contacts, made.result, made.guarded, run.workers);
+	for (int round = 0; round < countRounds && missesFaces(decisions, made, outcome); ++round) {
+		reachExactCount(made.surface, made.curves, decisions.countTarget(), made.result,
+						run.workers);
+		made.contacts = KnownContacts();
+		outcome = removeContacts(making, made.contacts, made.result, made.guarded, run.workers);
+	}
 	if (outcome.hasMade) made.fitDistance = farthestFromSurface(made.result);
 	made.hasMadeVertices = outcome.hasMade;
 	if (outcome.isCapped) run.tellCap("patches made anew");
-	return {before, outcome.vertexNum, outcome.isRefused};
+	return {before, outcome.vertexNum, outcome.isRefused, made.result.mesh.faceNum};
 }
 
 void tellMade(RunContext& run, const Products& made)
@@ -282,7 +307,7 @@ ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out)
 {
 	made.quality = exportResult(run, made.surface, made.result, made.verified.keptNum > 0,
 								made.verified.audit, out);
-	return {made.result.mesh.vertexNum};
+	return {made.result.mesh.vertexNum, made.result.mesh.faceNum};
 }
 
 } // namespace gpr

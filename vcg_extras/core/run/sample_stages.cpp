@@ -25,7 +25,8 @@ namespace {
 bool mayMissCount(const RemeshOptions& options, const Products& made)
 {
 	const bool hasErrorSizes = options.adapt >= 0.5 && !made.surface.size.empty();
-	return hasErrorSizes || made.surface.mesh.hasCreases() || !made.sizes.kept.empty();
+	return hasErrorSizes || made.sizes.vertexNum > 0 || made.surface.mesh.hasCreases() ||
+		   !made.sizes.kept.empty();
 }
 
 /// The paper's placement fuses its samples into a mesh, which the removal of vertices goes on with.
@@ -142,19 +143,19 @@ NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& ma
 	return {};
 }
 
-NoFacts reachCount(RunContext& run, const Decisions& decisions, Products& made)
+CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& made)
 {
+	const CountTarget target = decisions.countTarget();
 	if (decisions.way == Way::ByTopology) {
 		made.result.idealEdge = idealEdge(made, decisions.vertexNum);
 		run.clock.enter(Stage::Count);
-		reachCountByTopology(made.surface, made.curves, decisions.vertexNum, made.result,
-							 run.workers);
-		return {};
+		reachCountByTopology(made.surface, made.curves, target, made.result, run.workers);
 	}
-	if (isPaper(run.options)) return {};
-	run.clock.enter(Stage::Count);
-	reachExactCount(made.surface, made.curves, decisions.vertexNum, made.result, run.workers);
-	return {};
+	else if (!isPaper(run.options)) {
+		run.clock.enter(Stage::Count);
+		reachExactCount(made.surface, made.curves, target, made.result, run.workers);
+	}
+	return {made.result.mesh.vertexNum, made.result.mesh.faceNum};
 }
 
 void flipEdges(RunContext& run, ResultMesh& result)

@@ -30,7 +30,7 @@ NoFacts takeGivenSamples(RunContext& run, const Decisions& decisions,
 NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Count: splits and collapses edges until the mesh has the wanted count.
-NoFacts reachCount(RunContext& run, const Decisions& decisions, Products& made);
+CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Edge flips, in so many passes at most as the options say.
 void flipEdges(RunContext& run, ResultMesh& result);

@@ -15,6 +15,7 @@
 #include <vcg_extras/core/sampling/error_sizes.h>
 #include <vcg_extras/core/sampling/sizing.h>
 #include <vcg_extras/core/sampling/target.h>
+#include <vcg_extras/core/surface/barycentric_point.h>
 
 #include <algorithm>
 #include <cmath>
@@ -137,6 +138,40 @@ double shareOf(const BoundaryCurves& curves, const Decisions& decisions)
 
 // ---- Sizes.
 
+void requireWantedEdges(const MeshView& input)
+{
+	for (std::size_t c = 0; c < 3 * input.faceNum; ++c) {
+		const std::int32_t v = input.vertexOf(c);
+		if (v < 0 || std::size_t(v) >= input.vertexNum) continue;
+		if (!(input.wantedEdge[v] > 0) || !std::isfinite(input.wantedEdge[v])) {
+			throw Failure(Status::BadOptions,
+						  "The wanted edge lengths must be finite numbers above 0.");
+		}
+	}
+}
+
+/// What the caller wants at the vertices of the surface, working units; empty: nothing.
+Buffer<float> wantedEdges(RunContext& run, const Surface& surface)
+{
+	Buffer<float> wanted;
+	if (run.input.wantedEdge == nullptr) return wanted;
+	requireWantedEdges(run.input);
+	const HalfEdgeMesh& m     = surface.mesh;
+	const float         scale = float(surface.frame.scale);
+	wanted.reset(std::size_t(m.vertexNum));
+	run.workers.forEach(wanted.size(), [&](int v) {
+		const SurfacePoint     at{m.position[v], m.outgoing[v] / 3};
+		const BarycentricPoint point = barycentricPoint(run.input, surface, at);
+		float                  sum   = 0;
+		for (int k = 0; k < 3; ++k) {
+			const std::size_t corner = 3 * std::size_t(point.face) + std::size_t(k);
+			sum += point.weight[k] * run.input.wantedEdge[run.input.vertexOf(corner)];
+		}
+		wanted[v] = sum * scale;
+	});
+	return wanted;
+}
+
 Sizing findSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots,
 				 Products& made)
 {
@@ -148,10 +183,11 @@ Sizing findSizes(RunContext& run, const Decisions& decisions, const FineSpots& s
 	const bool  hasLines = options.adapt > 0 && hasFeatureLines(run, decisions, made);
 	const float uniform =
 		float(diskRadius(made.surface.area, double(num), radiusConstant(options)));
-	made.sizes.adapt = hasLines ? 0 : options.adapt;
+	made.sizes.adapt           = hasLines ? 0 : options.adapt;
+	const Buffer<float> wanted = wantedEdges(run, made.surface);
 	return makeSizing({options, uniform, evenEdge(made.surface.area, num), hasLines,
 					   made.sizes.isFeatureVertex, made.sizes.kept,
-					   decisions.purpose == Purpose::Trial ? &spots : nullptr},
+					   decisions.purpose == Purpose::Trial ? &spots : nullptr, &wanted},
 					  made.surface, run.workers);
 }
 
@@ -180,6 +216,7 @@ void setSizes(RunContext& run, const Decisions& decisions, const FineSpots& spot
 	made.surface.size       = std::move(sizing.size);
 	made.sizes.radiusFactor = sizing.radiusFactor;
 	made.sizes.clampedNum   = sizing.clampedNum;
+	made.sizes.vertexNum    = sizing.vertexNum;
 	if (made.surface.sharesBorders()) equalizeSizes(made.surface);
 	const float radius = usualRadius(made, run.options, decisions.spacedFor());
 	splitForSizes(run, sizing.longestEdge * radius, decisions.spacedFor(), made);
@@ -199,7 +236,9 @@ SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots
 	run.clock.enter(Stage::InputFigures);
 	made.surface.figures = figuresOf(made.surface.mesh, 1 / made.surface.frame.scale, run.workers);
 	if (decisions.purpose != Purpose::OfGivenSamples) tellRegion(run, made.sizes);
-	return {std::int64_t(made.sizes.kept.size())};
+	const bool countsFaces = decisions.faceNum > 0;
+	return {std::int64_t(made.sizes.kept.size()), made.surface.figures.eulerCharacteristic,
+			countsFaces ? borderLength(made.surface.mesh) : 0, made.sizes.vertexNum};
 }
 
 ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const ErrorGoal& goal,

@@ -4,6 +4,7 @@
 
 #include "error_sizes.h"
 #include "size_grading.h"
+#include "target.h"
 
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/features/boundary_curves.h>
@@ -21,7 +22,10 @@ namespace {
 
 /// How much sizes may grow by distance, both in units of the largest radius: sizes that change
 /// faster cost angles.
-constexpr float gradingSlope = 0.15f;
+float gradingSlope(const SizingRequest& request)
+{
+	return float(request.options.growth - 1);
+}
 /// Where λ is above 0 the smallest triangles are at most so many times smaller than the largest.
 constexpr float largestStretch = 4;
 /// Least 1 + λH of the equations as printed.
@@ -118,10 +122,11 @@ Buffer<float> strengthAtVertices(const SizingRequest& request, const Surface& su
 }
 
 /// Lowers sizes until none grows faster than the slope along any edge.
-void grade(const Surface& surface, float radius, Workers& workers, Buffer<float>& size)
+void grade(const SizingRequest& request, const Surface& surface, float radius, Workers& workers,
+		   Buffer<float>& size)
 {
 	const HalfEdgeMesh& m                       = surface.mesh;
-	const float         perUnit                 = gradingSlope / radius;
+	const float         perUnit                 = gradingSlope(request) / radius;
 	const auto          isTooSmallForANeighbour = [&](std::size_t v) {
         bool isIt = false;
         forEachNeighbour(m, int(v), [&](int w) {
@@ -188,11 +193,24 @@ bool hasFineSpots(const SizingRequest& request)
 	return request.fineSpots != nullptr && !request.fineSpots->empty() && !isPaper(request.options);
 }
 
+bool hasWantedEdges(const SizingRequest& request)
+{
+	return request.wantedEdge != nullptr && !request.wantedEdge->empty() &&
+		   !isPaper(request.options);
+}
+
+/// Whether the caller has sizes in mesh units.
+bool hasUnits(const SizingRequest& request)
+{
+	const RemeshOptions& o = request.options;
+	return !isPaper(o) && (hasWantedEdges(request) || o.minEdge > 0 || o.maxEdge > 0);
+}
+
 bool wantsOtherSizes(const SizingRequest& request)
 {
 	const bool atBorder = matchesBorder(request) && !request.kept.empty();
 	return request.options.lambda > 0 || wantsSmallerDisks(request) || atBorder ||
-		   hasFineSpots(request);
+		   hasFineSpots(request) || hasUnits(request);
 }
 
 /// Mean length of the two border edges at every border vertex; 0 inside. Edges that were split are
@@ -237,7 +255,7 @@ void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers
 			const float wanted = atBorder[v] / (borderSpacing * radius);
 			matched[v]         = std::min(size[v], std::max(smallestSize, wanted));
 		}
-		grade(surface, radius, workers, matched);
+		grade(request, surface, radius, workers, matched);
 	}
 	size.swap(matched);
 }
@@ -253,7 +271,44 @@ Buffer<float> ungradedSizes(const SizingRequest& request, const Surface& surface
 			size[v] = std::max(1 / largestStretch, 1 / (1 + lambda * strength[v]));
 	}
 	if (wantsSmallerDisks(request)) shrinkFeatures(request, size);
+	if (hasWantedEdges(request)) {
+		for (std::size_t v = 0; v < size.size(); ++v)
+			size[v] *= (*request.wantedEdge)[v] / request.evenEdge;
+	}
 	return size;
+}
+
+bool followsSizes(const SizingRequest& request)
+{
+	return request.options.targetMode == TargetMode::Sizes && !isPaper(request.options);
+}
+
+/// The edge, in working units, of size 1.
+float unitEdge(const SizingRequest& request, const Surface& surface, const Buffer<float>& size,
+			   Workers& workers)
+{
+	if (followsSizes(request)) return request.evenEdge;
+	return request.evenEdge * float(std::sqrt(meanSquaredStretch(surface.mesh, size, workers)));
+}
+
+/// Keeps sizes between the least and the largest edge. Where the count is given the others grow or
+/// shrink for it: found in a few passes.
+void limitEdges(const SizingRequest& request, const Surface& surface, Workers& workers,
+				Buffer<float>& size)
+{
+	const RemeshOptions& o = request.options;
+	if (!(o.minEdge > 0) && !(o.maxEdge > 0)) return;
+	constexpr int passes = 4;
+	const float   scale  = float(surface.frame.scale);
+	if (followsSizes(request) && !hasWantedEdges(request))
+		workers.forEach(size.size(),
+						[&](int v) { size[v] *= float(o.maxEdge) * scale / request.evenEdge; });
+	for (int pass = 0; pass < passes; ++pass) {
+		const float unit  = unitEdge(request, surface, size, workers);
+		const float least = float(o.minEdge) * scale / unit;
+		const float most  = o.maxEdge > 0 ? float(o.maxEdge) * scale / unit : HUGE_VALF;
+		workers.forEach(size.size(), [&](int v) { size[v] = std::clamp(size[v], least, most); });
+	}
 }
 
 /// Edges of triangles by the error over that of even ones, graded.
@@ -262,7 +317,7 @@ Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, W
 	ErrorSizeRequest wanted;
 	wanted.even        = request.evenEdge;
 	wanted.largest     = request.evenEdge * largestSizeFor(*request.options.adapt);
-	wanted.slope       = gradingSlope;
+	wanted.slope       = gradingSlope(request);
 	Buffer<float> edge = sizesByError(surface.mesh, wanted, workers).edge;
 	workers.forEach(edge.size(), [&](int v) { edge[v] /= request.evenEdge; });
 	return edge;
@@ -287,13 +342,21 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 			multiply(errorSizes(request, surface, workers), workers, sizing.size);
 		if (hasFineSpots(request))
 			multiply(factorsOf(*request.fineSpots, surface, workers), workers, sizing.size);
+		limitEdges(request, surface, workers, sizing.size);
 		// How steep a ramp is depends on the radius, and that on the sizes: the sizes before
 		// grading give it well enough.
 		const double before = meanSquaredStretch(surface.mesh, sizing.size, workers);
 		if (matchesBorder(request))
 			gradeToBorder(request, surface, workers, sizing.size);
 		else
-			grade(surface, request.radius * float(std::sqrt(before)), workers, sizing.size);
+			grade(request, surface,
+				  request.radius * (followsSizes(request) ? 1 : float(std::sqrt(before))), workers,
+				  sizing.size);
+	}
+	if (followsSizes(request)) {
+		const double area = surfaceArea(surface.mesh, workers);
+		sizing.vertexNum  = vertexNumForEdgeLength(area, request.evenEdge) *
+						   meanSquaredStretch(surface.mesh, sizing.size, workers);
 	}
 	const float largest = normalise(workers, sizing.size);
 	if (!(largest > 0)) throw Failure(Status::InternalError, "The density has no largest size.");

@@ -23,6 +23,7 @@ struct Sizing {
 	Buffer<float> size;                              ///< empty: the same everywhere
 	double        radiusFactor = 1;                  ///< largest disk radius over that of eq. (1)
 	float         longestEdge  = longestEdgeInRadii; ///< of the surface, in local disk radii
+	double        vertexNum    = 0; ///< with TargetMode::Sizes: that the sizes take
 	std::int64_t  clampedNum   = 0; ///< equations as printed: vertices where 1 + λH fell below 0.1
 };
 
@@ -35,6 +36,8 @@ struct SizingRequest {
 	const Buffer<char>&     isFeatureVertex; ///< per vertex of the surface; empty: none
 	const std::vector<int>& kept;            ///< the caller's vertices that stay, ascending
 	const FineSpots*        fineSpots = nullptr; ///< where triangles are to be smaller; or null
+	/// Edges that the caller wants at the vertices of the surface, working units; empty: none.
+	const Buffer<float>* wantedEdge = nullptr;
 };
 
 /// Stage::Sizing: the density of the samples (paper §3.1.2), and the smaller disks of a feature
@@ -52,6 +55,10 @@ struct SizingRequest {
 /// With `adapt` (calibrated only) sizes are multiplied by those of sizesByError, whose largest one
 /// is 1 + 0.3·adapt times that of even triangles. They stay even where there are feature lines:
 /// flat faces between sharp edges need no small triangles, and the lines have their own samples.
+///
+/// Edges that the caller wants are multiplied with all this (calibrated only), and what comes out
+/// is kept between minEdge and maxEdge. With TargetMode::Sizes they are lengths, and the count
+/// follows; with any other target they are scaled to it.
 ///
 /// Where fine spots are given sizes are multiplied with their factors (calibrated only).
 ///

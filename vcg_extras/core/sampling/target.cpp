@@ -46,10 +46,18 @@ double wantedVertexNum(std::int64_t inputVertexNum, const RemeshOptions& o, doub
 	switch (o.targetMode) {
 	case TargetMode::VertexNum:
 		return double(o.targetVertexNum);
+	case TargetMode::FaceNum: // of a closed surface without handles
+		return 0.5 * double(o.targetFaceNum) + 2;
 	case TargetMode::Percent:
 		return o.targetPercent / 100 * double(inputVertexNum);
 	case TargetMode::EdgeLength:
 		return vertexNumForEdgeLength(area, o.targetEdgeLen * scale);
+	case TargetMode::Sizes: // until they are known
+		return o.maxEdge > 0 ? vertexNumForEdgeLength(area, o.maxEdge * scale)
+							 : 0.1 * double(inputVertexNum);
+	case TargetMode::Detail: // as below, of a surface as wide as a cube of that diagonal
+		return vertexNumForEdgeLength(area, edgePerError * detailError(o.targetDetail) *
+												std::sqrt(0.5 * area));
 	case TargetMode::MaxError: // a sampling alone has no error to look at
 		return vertexNumForEdgeLength(area, edgePerError * o.targetMaxError * scale);
 	}

@@ -19,12 +19,18 @@ const char* modeName(TargetMode mode)
 	switch (mode) {
 	case TargetMode::VertexNum:
 		return "vertices";
+	case TargetMode::FaceNum:
+		return "faces";
 	case TargetMode::Percent:
 		return "percent";
 	case TargetMode::EdgeLength:
 		return "edgeLength";
 	case TargetMode::MaxError:
 		return "maxError";
+	case TargetMode::Sizes:
+		return "sizes";
+	case TargetMode::Detail:
+		return "detail";
 	}
 	return "";
 }
@@ -56,6 +62,9 @@ Json optionsJson(const RemeshOptions& o)
 	case TargetMode::VertexNum:
 		json["vertices"] = o.targetVertexNum;
 		break;
+	case TargetMode::FaceNum:
+		json["faces"] = o.targetFaceNum;
+		break;
 	case TargetMode::Percent:
 		json["percent"] = o.targetPercent;
 		break;
@@ -65,12 +74,20 @@ Json optionsJson(const RemeshOptions& o)
 	case TargetMode::MaxError:
 		json[o.maxErrorIsPercent ? "maxErrorPercent" : "maxError"] = o.targetMaxError;
 		break;
+	case TargetMode::Sizes:
+		break;
+	case TargetMode::Detail:
+		json["detail"] = choiceName("Detail", o.targetDetail);
+		break;
 	}
 	json["preset"]              = choiceName("Preset", o.preset);
 	json["relax"]               = o.umbrellaSteps;
 	json["flips"]               = o.flipPasses;
 	json["lambda"]              = o.lambda;
 	json["adapt"]               = o.adapt ? Json(*o.adapt) : Json("auto");
+	json["minEdge"]             = o.minEdge;
+	json["maxEdge"]             = o.maxEdge;
+	json["growth"]              = o.growth;
 	json["boundary"]            = choiceName("Boundary", o.boundary);
 	json["selectedOnly"]        = o.selectedOnly;
 	json["allowNearest"]        = o.allowNearest;

@@ -45,11 +45,14 @@ class OBJECT_OT_gpremesh(bpy.types.Operator):
         name="Size", default="PERCENT", description="How the size of the triangles is given",
         items=[("PERCENT", "Percent of the vertices", "Of those that the mesh has now"),
                ("COUNT", "Vertices", "A number of vertices"),
+               ("FACES", "Triangles", "A number of triangles, even for a closed surface"),
                ("LENGTH", "Edge length", "The mean length of the edges, in units of the scene")])
     percent: FloatProperty(name="Percent", default=10, min=0.01, max=1000, subtype="PERCENTAGE",
                            description="Vertices of the result, in percent of those of the mesh")
     vertex_count: IntProperty(name="Vertices", default=5000, min=4, soft_max=1000000,
                               description="Vertices of the result")
+    face_count: IntProperty(name="Triangles", default=10000, min=4, soft_max=2000000,
+                            description="Triangles of the result")
     edge_length: FloatProperty(name="Edge Length", default=0.1, min=1e-6, subtype="DISTANCE",
                                description="Mean length of the edges of the result")
     adapt: FloatProperty(name="Adapt", default=0.1, min=0, max=1,
@@ -82,12 +85,14 @@ class OBJECT_OT_gpremesh(bpy.types.Operator):
         layout = self.layout
         layout.use_property_split = True
         layout.prop(self, "size")
-        layout.prop(self, {"PERCENT": "percent", "COUNT": "vertex_count", "LENGTH": "edge_length"}[self.size])
+        layout.prop(self, {"PERCENT": "percent", "COUNT": "vertex_count", "FACES": "face_count",
+                           "LENGTH": "edge_length"}[self.size])
         for name in ("adapt", "preset", "features", "boundary", "seed", "as_copy"):
             layout.prop(self, name)
 
     def parameters(self):
         size = {"PERCENT": ("percent", self.percent), "COUNT": ("vertex_count", self.vertex_count),
+                "FACES": ("face_count", self.face_count),
                 "LENGTH": ("edge_length", self.edge_length)}[self.size]
         parameters = {size[0]: size[1], "preset": self.preset, "features": self.features,
                       "boundary": self.boundary, "seed": self.seed}

@@ -28,8 +28,10 @@ def remesh(
     uv: ArrayLike | None = None,
     image: ArrayLike | None = None,
     regions: ArrayLike | None = None,
+    sizes: ArrayLike | None = None,
     progress: Callable[[float, str], Any] | None = None,
     vertex_count: int | None = None,
+    face_count: int | None = None,
     percent: float | None = None,
     edge_length: float | None = None,
     max_error: float | str | None = None,
@@ -45,7 +47,11 @@ def remesh(
     feature_strong: float = 40.0,
     feature_weak: float = 20.0,
     feature_length: float = 3.0,
+    detail: Literal['off', 'coarse', 'normal', 'fine'] | None = None,
     allow_nearest: bool = False,
+    min_edge: float = 0.0,
+    max_edge: float = 0.0,
+    growth: float = 1.15,
     sew: bool = True,
     drop_components_below: int = 0,
     seed: int = 1,
@@ -80,6 +86,9 @@ def remesh(
     regions : array_like (f,) of int, optional
         Labels of the faces, as of materials or patches. Edges of the result follow the borders between
         labels, and `regions` of the result has a label for each of its faces.
+    sizes : array_like (n,), optional
+        The edge length wanted at each vertex, in the unit of the coordinates. With `sizes` alone the
+        number of vertices follows; with a number or another size they are scaled to it.
     progress : callable(fraction, stage), optional
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
         is cancelled where it returns False, and where it raises.
@@ -88,6 +97,11 @@ def remesh(
         more or less. A number below what the topology needs is refused, and the message names the
         smallest possible number. Where only the selected faces are remeshed this is the number of
         vertices of that part.
+    face_count : int, optional
+        How many faces the result has, exactly. A closed surface has an even number, about twice
+        that of its vertices. A surface with a border has any number, unless all its border vertices
+        are kept. What the topology does not allow is refused, and the message names the two nearest
+        numbers that it does.
     percent : float, optional
         The size of the result in percent of the input's vertices, at most 10000. More vertices are
         taken where the topology needs them.
@@ -158,9 +172,22 @@ def remesh(
         strong angle.
     feature_length : float, default 3.0
         Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
+    detail : {'off', 'coarse', 'normal', 'fine'}, optional
+        The number of vertices in words: so many that 99.9 % of the surface is forecast to be nearer
+        than 1 % of the diagonal (coarse), 0.3 % (normal) or 0.1 % (fine). The number is told. It is
+        a forecast: largest error proves a distance, and takes several times as long. off: the size
+        is given otherwise.
     allow_nearest : bool, default False
-        Where the topology needs more vertices than asked for, the nearest possible number is taken.
-        Otherwise the run is refused.
+        Where the topology does not allow the number of vertices or faces that is asked for, the
+        nearest possible number is taken. Otherwise the run is refused.
+    min_edge : float, default 0.0
+        No edge is wanted shorter than this, in mesh units.
+    max_edge : float, default 0.0
+        No edge is wanted longer than this, in mesh units. Where no size is given, edges are so long
+        where nothing else makes them shorter, and the number of vertices follows. Single edges may
+        be a fifth longer than what is wanted.
+    growth : float, default 1.15
+        How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth costs angles.
     sew : bool, default True
         Borders that lie on one another edge by edge, within a millionth of the bounding box, are
         joined, as those of CAD parts and of games whose smooth patches have vertices of their own.

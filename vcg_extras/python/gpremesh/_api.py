@@ -49,12 +49,13 @@ def extras(mesh, parameters, region, feature_edges):
 
 
 def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, feature_edges, uv, image,
-                regions=None):
+                regions=None, sizes=None):
     """The run of `remesh` on a mesh that was taken over, and maybe prepared."""
     _check_progress(progress)
     parameters = _given(parameters)
     given = extras(mesh, parameters, region, feature_edges)
     given.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
+    given.sizes = _arrays.lengths("sizes", sizes, len(mesh.vertices))
     given.uv = mesh.corner_uv("uv", uv)
     given.images = mesh.images("image", image)
     given.regions = mesh.labels("regions", regions)
@@ -68,7 +69,7 @@ def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, featu
 
 @with_parameters("remesh")
 def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, uv=None,
-           image=None, regions=None, progress=None, **parameters):
+           image=None, regions=None, sizes=None, progress=None, **parameters):
     """Remeshes a surface to nearly equilateral triangles with exactly as many vertices as asked for.
 
     Parameters
@@ -94,6 +95,9 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
     regions : array_like (f,) of int, optional
         Labels of the faces, as of materials or patches. Edges of the result follow the borders between
         labels, and `regions` of the result has a label for each of its faces.
+    sizes : array_like (n,), optional
+        The edge length wanted at each vertex, in the unit of the coordinates. With `sizes` alone the
+        number of vertices follows; with a number or another size they are scaled to it.
     progress : callable(fraction, stage), optional
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
         is cancelled where it returns False, and where it raises.
@@ -133,7 +137,7 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
     """
     return remesh_mesh(_arrays.Mesh(vertices, faces), None, progress, parameters, selected=selected,
                        region=region, feature_edges=feature_edges, uv=uv, image=image,
-                       regions=regions)
+                       regions=regions, sizes=sizes)
 
 
 @with_parameters("sample")

@@ -72,6 +72,17 @@ def mask(name, values, length, what):
     return _in_order(array, bool).view(np.uint8)
 
 
+def lengths(name, values, length):
+    """A length above 0 for each vertex, as float32; None stays None."""
+    if values is None:
+        return None
+    array = _array(name, values)
+    if array.shape != (length,) or array.dtype.kind not in "fiu":
+        raise ValueError(f"{name} must be numbers, one for each of the {length} vertices; "
+                         f"it has the shape {array.shape} and holds {array.dtype}.")
+    return _in_order(array, np.float32)
+
+
 def edges(name, values, vertex_num):
     """Edges as pairs of vertices; None stays None."""
     if values is None:

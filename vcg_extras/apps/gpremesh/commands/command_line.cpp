@@ -9,6 +9,7 @@
 #include <vcg_extras/io/mesh_io.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -110,8 +111,8 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* remesh = app.add_subcommand(
 		"remesh", "Remeshes IN with about-equilateral triangles of equal size and writes OUT.\n"
-				  "The size is given by one of --vertices, --percent and --edge-length; 10 % of\n"
-				  "IN's vertices where none is given.");
+				  "The size is given by one of --vertices, --faces, --percent and --edge-length;\n"
+				  "10 % of IN's vertices where none is given.");
 	remesh->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
 		->required();
 	addOutput(*remesh, line);
@@ -133,6 +134,12 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 																	{"nearest", Transfer::Nearest}})
 				.description(""))
 		->type_name("mean|nearest");
+	remesh
+		->add_option("--sizes", line.sizes,
+					 "Vertex property of IN that holds the edge lengths wanted there, in mesh\n"
+					 "units. With them alone the number of vertices follows; with a number of\n"
+					 "vertices or another size they are scaled to it")
+		->type_name("NAME");
 	addOutcome(*remesh, line, "Write what was done, and how well, as JSON");
 	addMemory(*remesh, line);
 	remesh
@@ -296,7 +303,13 @@ CommandLine parseCommandLine(int argc, char** argv)
 	if (compare->parsed()) line.command = Command::Compare;
 	if (features->parsed()) line.command = Command::Features;
 	if (tile->parsed()) line.command = Command::Tile;
-	line.options           = optionsOf(given);
+	line.options = optionsOf(given);
+	if (!line.sizes.empty()) {
+		const bool isSized = std::any_of(given.begin(), given.end(),
+										 [](const auto& g) { return isSizeParameter(*g.first); });
+		if (!isSized) line.options.targetMode = TargetMode::Sizes;
+		if (line.tiles.memoryBytes > 0) failUsage("--sizes is not possible in tiles.");
+	}
 	line.optionsText       = textOf(given);
 	line.tiles.optionsText = textOf(given, isForPlan);
 	if (line.outTileNum > 0) line.output = withoutSlashAtEnd(line.output);

@@ -49,6 +49,7 @@ struct CommandLine {
 	Transfer    transfer = Transfer::Auto; ///< remesh only
 	std::string htmlFolder;                ///< compare only; empty = no page
 	RemeshOptions options;                 ///< all but info
+	std::string   sizes;                   ///< remesh: name of a vertex property; empty = none
 	std::string   optionsText; ///< these as the user gave them: "--lambda 2 --preset fast"
 	TileSettings  tiles;       ///< tile, and remesh with --memory
 

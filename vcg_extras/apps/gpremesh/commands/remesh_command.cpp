@@ -30,6 +30,18 @@ void tellEstimate(const MeshView& mesh, const RemeshOptions& options, ProgressBa
 	if (estimate.seconds >= shortTime) bar.tell("expected " + estimateText(estimate));
 }
 
+/// The column of a mesh that holds the edge lengths wanted at its vertices; empty where none is
+/// asked for.
+std::vector<float> wantedSizes(const MeshAttributes& attributes, const std::string& name)
+{
+	if (name.empty()) return {};
+	const ValueColumn* const column = attributes.ofVertex(name);
+	if (column == nullptr)
+		throw AppError(ExitCode::BadInput,
+					   "its vertices have no property '" + name + "' for --sizes.");
+	return std::vector<float>(column->values.begin(), column->values.end());
+}
+
 RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* texture,
 								const CommandLine& line, const RunLimit& limit)
 {
@@ -40,6 +52,8 @@ RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* text
 	options.surfacePointsOfVertices = mesh.attributes.any() || texture != nullptr;
 	options.surfacePointsOfFaces    = texture != nullptr || mesh.attributes.ofFacesToo();
 	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
+	const std::vector<float> sizes = wantedSizes(mesh.attributes, line.sizes);
+	if (!sizes.empty()) view.wantedEdge = sizes.data();
 	if (line.shareDone == 0) tellEstimate(view, options, bar);
 	const char*  phraseBefore = nullptr;
 	RemeshResult result       = remesh(view, options, [&](double share, const char* phrase) {
@@ -98,7 +112,7 @@ WantedAttributes wantedBy(const CommandLine& line)
 	WantedAttributes wanted = neededBy(line.options);
 	wanted.regions          = line.regions;
 	wanted.carried          = true;
-	wanted.mayStayInFile    = true;
+	wanted.mayStayInFile    = line.sizes.empty();
 	return wanted;
 }
 

@@ -153,7 +153,8 @@ RemeshOptions optionsOf(const GivenOptions& given)
 		set.set(*row, parseValue(*row, word));
 	}
 	if (sizeNum > 1) {
-		failUsage("give only one of --vertices, --percent, --edge-length and --max-error.");
+		failUsage("give only one of --vertices, --faces, --percent, --edge-length, --max-error "
+				  "and --detail.");
 	}
 	const std::vector<std::string> complaints = set.complaints();
 	if (!complaints.empty()) failUsage(complaints.front());

@@ -44,6 +44,9 @@ void checkOptions(const RemeshOptions& options)
 	if (options.targetMode == TargetMode::MaxError)
 		failUsage("--max-error is proven against the whole input, which tiles do not hold. Give "
 				  "--vertices, --percent or --edge-length.");
+	if (options.targetMode == TargetMode::Detail)
+		failUsage("--detail is forecast for the whole input, which tiles do not hold. Give "
+				  "--vertices, --percent or --edge-length.");
 	if (options.selectedOnly || options.featureRegion == FeatureRegion::Selection)
 		failUsage("Selections are not carried through tiles.");
 	if (options.boundary == BoundaryMode::Keep)
@@ -161,6 +164,7 @@ double bytesUntiled(double faceNum, double vertexNum)
 double resultVertexNum(const RemeshOptions& options, double inputVertexNum)
 {
 	if (options.targetMode == TargetMode::VertexNum) return double(options.targetVertexNum);
+	if (options.targetMode == TargetMode::FaceNum) return 0.5 * double(options.targetFaceNum);
 	if (options.targetMode == TargetMode::Percent)
 		return std::round(options.targetPercent / 100 * inputVertexNum);
 	return 0;
