@@ -239,7 +239,8 @@ TEST_F(TileRun, CoordinatesFarFromTheOriginLoseNothing)
 	const Json facts = info(path("out.ply"));
 	EXPECT_EQ(facts["input"]["vertices"], 1500);
 	EXPECT_EQ(facts["input"]["eulerCharacteristic"], 0);
-	EXPECT_NEAR(facts["input"]["area"], expected["input"]["area"], 1e-3);
+	// As much as between two seeds.
+	EXPECT_NEAR(facts["input"]["area"], expected["input"]["area"], 4e-3);
 	EXPECT_GT(facts["quality"]["angles"]["min"], 30);
 	for (const auto& p : mesh.points)
 		EXPECT_NEAR(std::hypot(std::hypot(p[0] - 600000, p[1] - 5100000) - 1, p[2] - 300), 0.4,

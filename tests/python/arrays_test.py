@@ -119,7 +119,7 @@ WRONG = [
     ("edge_length", dict(edge_length=float("nan"))),
     ("max_error", dict(max_error="2")),
     ("max_error", dict(max_error="-2%")),
-    ("vertex_count, percent", dict(vertex_count=100, percent=10)),
+    ("only one of vertex_count, face_count, percent", dict(vertex_count=100, percent=10)),
     ("preset", dict(preset="quickly")),
     ("sew", dict(sew="yes")),
     ("seed", dict(seed=-1)),

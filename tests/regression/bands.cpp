@@ -98,7 +98,8 @@ std::vector<Band> bands()
 		{"BunnyTo10Paper",    bunny, "paper",      percent(10),       .937,  .859,  23.5, 46,   .43,   0,    .104,   .68,  1.13, any,   any,  NoLines},
 		{"BunnyWithin02",     bunny, "",           error(.2, 3600),   .94,   .875,  9,    74,   .13,   0,    .049,   .17,  any,  any,   any,  Apart | NoLines},
 		{"BunnyTo10Region",   bunny, "region",     percent(10),       .976,  .92,   32,   84,   0,     0,    .048,   .206, .35,  any,   any,  Apart | NoLines},
-		{"BunnyTo10Lines",    bunny, "lines",      percent(10),       .969,  .915,  31.5, 79,   0,     0,    .043,   .24,  .52,  any,   any,  Apart},
+		// Lines that were asked for are not released, however noisy they are.
+		{"BunnyTo10Lines",    bunny, "lines",      percent(10),       .942,  .886,  any,  78,   3.2,   any,  .046,   .29,  .52,  any,   any,  None},
 		{"OpenBunnyTo10",     bunny, "open",       percent(10),       .981,  .937,  31.5, 88.5,  0,     0,    .041,   .19,  .45,  .1,    any,  Apart | NoLines},
 		{"OpenBunnyTo20Keep", bunny, "open keep",  percent(20),       .981,  .934,  31.5, 89.5, 0,     0,    .0275,  .131, .235, 0,     any,  Apart | NoLines},
 		{"OpenBunnyTo10Free", bunny, "open free",  percent(10),       .981,  .936,  31.5, 88.5,  0,     0,    .041,   .177, .33,  .1,    any,  Apart | NoLines},
