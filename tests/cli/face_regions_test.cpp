@@ -142,6 +142,15 @@ TEST_F(RegionsInFiles, NamesGoThroughPlyAndStlAndBack)
 	expectHalves(remeshed(path("out.stl"), path("again.obj")), "in let", "wall");
 }
 
+TEST_F(RegionsInFiles, NamesThatNoHeaderHoldsAreTold)
+{
+	const std::string left = "g " + std::string(300'000, 'a') + "\n";
+	const std::string in = put("in.obj", halvesObj(left, "g " + std::string(300'000, 'b') + "\n"));
+	EXPECT_EQ(areasOf(remeshed(in, path("out.ply"))).size(), 2u);
+	EXPECT_EQ(lost, std::vector<std::string>(
+						{"the names of regions, which are too many for the header"}));
+}
+
 TEST_F(RegionsInFiles, OneSolidIsNoRegionAndItsNameIsTold)
 {
 	const std::string facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"

@@ -189,6 +189,24 @@ TEST(MatchedBorder, PlacesThatAreNoneAndBordersWithoutEndDoNoHarm)
 	EXPECT_EQ(remesh(mesh.view(), options).status, Status::OutOfMemory);
 }
 
+TEST(MatchedBorder, AnErrorInPercentIsThatInMeshUnits)
+{
+	Random             random(3);
+	const TriangleMesh mesh = tile(0, 20, 0, random);
+	RemeshOptions      percent;
+	percent.targetMode        = TargetMode::MaxError;
+	percent.boundary          = BoundaryMode::Match;
+	percent.targetMaxError    = 3;
+	percent.maxErrorIsPercent = true;
+	RemeshOptions units       = percent;
+	units.maxErrorIsPercent   = false;
+	const RemeshResult a      = remesh(mesh.view(), percent);
+	ASSERT_EQ(a.status, Status::Ok) << a.message;
+	EXPECT_EQ(a.report.input.faces, std::int64_t(mesh.triangles.size() / 3)) << "the caller's";
+	units.targetMaxError = 0.03 * a.report.input.diagonal;
+	EXPECT_EQ(remesh(mesh.view(), units).mesh.vertexNum(), a.mesh.vertexNum());
+}
+
 TEST(MatchedBorder, AClosedSurfaceIsRemeshedAsWithoutIt)
 {
 	const TriangleMesh mesh    = icosphere(4);

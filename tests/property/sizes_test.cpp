@@ -136,6 +136,35 @@ TEST(Sizes, ThatCannotBeMeantAreRefused)
 	EXPECT_EQ(remesh(mesh.view(), crossed).status, Status::BadOptions);
 }
 
+/// As if they were not there, or as far as the count goes.
+TEST(Sizes, EdgesBeyondAllThatAMeshCanHaveEnd)
+{
+	const TriangleMesh mesh = icosphere(4);
+	for (const double length : {1e-13, 1e10, 5e38, 1e300}) {
+		RemeshOptions least = countOptions(300), most = countOptions(300), alone = sizeOptions();
+		least.minEdge = most.maxEdge = alone.maxEdge = length;
+		for (const RemeshOptions& options : {least, most}) {
+			const RemeshResult r = remesh(mesh.view(), options);
+			ASSERT_EQ(r.status, Status::Ok) << length << r.message;
+			EXPECT_EQ(r.mesh.vertexNum(), 300u);
+			EXPECT_GT(r.report.quality.minAngleDeg, 25);
+		}
+		if (length < 1) continue; // more vertices than there may be
+		EXPECT_NE(remesh(mesh.view(), alone).status, Status::InternalError);
+	}
+}
+
+TEST(Sizes, AreNotForThePaper)
+{
+	const TriangleMesh       mesh = icosphere(3);
+	const std::vector<float> lengths(mesh.vertexNum(), 0.1f);
+	MeshView                 view = mesh.view();
+	view.wantedEdge               = lengths.data();
+	RemeshOptions options         = sizeOptions();
+	options.preset                = Preset::Paper;
+	EXPECT_EQ(remesh(view, options).status, Status::BadOptions);
+}
+
 /// The two lines of a rim are all that holds the sheets of a plate apart.
 TEST(ThinWalls, KeepTheirLines)
 {

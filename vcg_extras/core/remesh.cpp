@@ -101,6 +101,10 @@ using MeshCall = void (*)(const Call& call, RemeshResult& out);
 void onSelected(const Call& call, const SelectedPart& part, InputCache* cache, MeshCall run,
 				RemeshResult& out)
 {
+	if (call.input.wantedEdge != nullptr) {
+		throw Failure(Status::BadOptions,
+					  "Wanted edge lengths are for whole meshes, not for selected faces.");
+	}
 	const RemeshOptions inside = optionsInside(call.options);
 	const MeshView      view   = part.view();
 	run({view, inside, call.progress, call.stop, cache}, out);
@@ -109,10 +113,6 @@ void onSelected(const Call& call, const SelectedPart& part, InputCache* cache, M
 
 void remeshSelected(const Call& call, RemeshResult& out)
 {
-	if (call.input.wantedEdge != nullptr) {
-		throw Failure(Status::BadOptions,
-					  "Wanted edge lengths are for whole meshes, not for selected faces.");
-	}
 	onSelected(call, cutOutSelected(call.input), nullptr, remeshInput, out);
 }
 
@@ -120,9 +120,19 @@ void remeshSelected(const Call& call, RemeshResult& out)
 double edgeLengthOf(const Call& call)
 {
 	if (call.options.targetMode == TargetMode::EdgeLength) return call.options.targetEdgeLen;
-	const double area = extentOf(call.input).area;
-	const double num  = wantedVertexNum(std::int64_t(call.input.vertexNum), call.options, area, 1);
-	return std::sqrt(2 * area / (std::sqrt(3.0) * std::max(1.0, num)));
+	const MeshExtent extent = extentOf(call.input);
+	switch (call.options.targetMode) {
+	case TargetMode::MaxError:
+		return edgePerError * call.options.targetMaxError *
+			   (call.options.maxErrorIsPercent ? extent.diagonal / 100 : 1);
+	case TargetMode::Detail:
+		return edgePerError * detailError(call.options.targetDetail) * extent.diagonal;
+	default:
+		break;
+	}
+	const auto   vertexNum = std::int64_t(call.input.vertexNum);
+	const double num       = wantedVertexNum(vertexNum, call.options, extent.area, 1);
+	return std::sqrt(2 * extent.area / (std::sqrt(3.0) * std::max(1.0, num)));
 }
 
 void remeshMatched(const Call& call, RemeshResult& out)
@@ -144,6 +154,8 @@ void remeshMatched(const Call& call, RemeshResult& out)
 	view.regionNames = call.input.regionNames;
 	remeshInput({view, inside, call.progress, call.stop, nullptr}, out);
 	nameCallers(call.input, matched, out);
+	out.report.input.vertices = std::int64_t(call.input.vertexNum); // not of the split mesh
+	out.report.input.faces    = std::int64_t(call.input.faceNum);
 }
 
 MeshCall callFor(const RemeshOptions& options)

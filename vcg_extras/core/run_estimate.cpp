@@ -52,8 +52,9 @@ double shareOfSelected(const MeshView& input, const RemeshOptions& o)
 double vertexNumOf(const MeshView& input, const RemeshOptions& o)
 {
 	const bool isByError = o.targetMode == TargetMode::MaxError;
-	if (!isByError && o.targetMode != TargetMode::EdgeLength)
-		return wantedVertexNum(std::int64_t(input.vertexNum), o, 0, 1);
+	const bool isCount   = o.targetMode == TargetMode::VertexNum ||
+						 o.targetMode == TargetMode::FaceNum || o.targetMode == TargetMode::Percent;
+	if (isCount) return wantedVertexNum(std::int64_t(input.vertexNum), o, 0, 1);
 	const MeshExtent extent = extentOf(input);
 	const double     unit   = isByError && o.maxErrorIsPercent ? extent.diagonal / 100 : 1;
 	const double     n      = wantedVertexNum(std::int64_t(input.vertexNum), o, extent.area, unit);

@@ -102,6 +102,25 @@ InputMesh readMesh(const std::string& path, const WantedAttributes& wanted)
 	return mesh;
 }
 
+namespace {
+
+/// Readers take a PLY header of a megabyte at most.
+void dropNamesBeyondHeader(MeshAttributes& attributes)
+{
+	constexpr std::size_t mostBytes = 1 << 19, bytesPerLine = 64;
+	std::size_t           bytes = 0;
+	for (const ValueColumn& column : attributes.ofFaces) {
+		for (const std::string& name : column.names)
+			bytes += name.size() + column.name.size() + bytesPerLine;
+	}
+	if (bytes <= mostBytes) return;
+	for (ValueColumn& column : attributes.ofFaces)
+		column.names.clear();
+	attributes.lost.push_back("the names of regions, which are too many for the header");
+}
+
+} // namespace
+
 void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
 			   const std::string& path, const RunLimit& limit)
 {
@@ -113,6 +132,7 @@ void writeMesh(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& a
 		attributes.lost.push_back("images and properties of materials");
 	switch (format) {
 	case MeshFormat::Ply:
+		dropNamesBeyondHeader(attributes);
 		writePly(mesh.view(), doublePrecision, attributes, out);
 		break;
 	case MeshFormat::Obj:

@@ -206,9 +206,12 @@ private:
 	void findStops()
 	{
 		std::vector<double> turn;
-		for (int e = 0; e < int(edge.size()); ++e)
-			turn.push_back(edge[std::size_t(e)].last == none ? 0 : turnAt(e));
 		for (int e = 0; e < int(edge.size()); ++e) {
+			pollNowAndThen(64 * std::size_t(e), workers_);
+			turn.push_back(edge[std::size_t(e)].last == none ? 0 : turnAt(e));
+		}
+		for (int e = 0; e < int(edge.size()); ++e) {
+			pollNowAndThen(64 * std::size_t(e), workers_);
 			const bool isNode   = edge[std::size_t(e)].last == none;
 			const bool isCorner = turn[std::size_t(e)] > cornerTurn && isLargestTurn(e, turn);
 			isStop_.push_back(isNode || isCorner);

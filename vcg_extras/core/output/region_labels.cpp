@@ -43,6 +43,7 @@ public:
 		findHomes();
 		settleCells();
 		fillGaps();
+		countFaces();
 		for (int k = 0; k < evenings && evenOut(); ++k)
 			workers.poll();
 	}
@@ -73,10 +74,11 @@ private:
 	const Components                      cells_;  ///< of the result
 	std::vector<RegionPiece>              piece_;
 	std::vector<SurfacePoint>             middle_;
-	std::vector<int>                      pieceOf_; ///< per face of the result, or none
-	std::map<std::pair<int, int>, double> areaOf_;  ///< by cell and piece, of middles
-	std::vector<std::vector<int>>         homeOf_;  ///< per cell: the pieces at home there
-	std::vector<int>                      reached_, lookedAtFor_; ///< of moveIntoPiece
+	std::vector<int>                      pieceOf_;   ///< per face of the result, or none
+	std::vector<int>                      faceNumOf_; ///< per piece, of the result's faces
+	std::map<std::pair<int, int>, double> areaOf_;    ///< by cell and piece, of middles
+	std::vector<std::vector<int>> homeOf_; ///< per cell: the pieces at home there, ascending
+	std::vector<int>              reached_, lookedAtFor_; ///< of moveIntoPiece
 
 	static std::int32_t labelOf(const MeshView& input, const Surface& surface, int f)
 	{
@@ -126,7 +128,7 @@ private:
 	{
 		for (std::size_t f = 0; f < pieceOf_.size(); ++f) {
 			const std::vector<int>& home = homeOf_[std::size_t(cells_.ofFace[f])];
-			const bool isAtHome = std::find(home.begin(), home.end(), pieceOf_[f]) != home.end();
+			const bool isAtHome = std::binary_search(home.begin(), home.end(), pieceOf_[f]);
 			if (home.empty() || isAtHome) continue;
 			pieceOf_[f] = home.size() == 1 ? home[0] : none;
 		}
@@ -163,6 +165,13 @@ private:
 		}
 	}
 
+	void countFaces()
+	{
+		faceNumOf_.assign(piece_.size(), 0);
+		for (int piece : pieceOf_)
+			++faceNumOf_[std::size_t(piece)];
+	}
+
 	/// Faces with two neighbours of one other piece join it, where the border has no line.
 	bool evenOut()
 	{
@@ -173,6 +182,8 @@ private:
 			const int                two = n[0] == n[1] || n[0] == n[2] ? n[0] : n[1];
 			const bool isPair            = two != none && std::count(n.begin(), n.end(), two) >= 2;
 			if (!isPair || two == pieceOf_[std::size_t(f)] || isAlone(f, n)) continue;
+			--faceNumOf_[std::size_t(pieceOf_[std::size_t(f)])];
+			++faceNumOf_[std::size_t(two)];
 			pieceOf_[std::size_t(f)] = two;
 			hasChanged               = true;
 		}
@@ -184,7 +195,7 @@ private:
 	{
 		const int own = pieceOf_[std::size_t(f)];
 		return std::count(round.begin(), round.end(), own) == 0 &&
-			   std::count(pieceOf_.begin(), pieceOf_.end(), own) == 1;
+			   faceNumOf_[std::size_t(own)] == 1;
 	}
 
 	/// Moves a point that lies beyond the border to the middle of the nearest face, in steps over

@@ -189,6 +189,9 @@ void Remeshing::exportSamples()
 
 void remeshInput(const Call& call, RemeshResult& out)
 {
+	if (call.input.wantedEdge != nullptr && isPaper(call.options))
+		throw Failure(Status::BadOptions,
+					  "Wanted edge lengths are not possible with the preset paper.");
 	Request          request{call.options, std::int64_t(call.input.vertexNum)};
 	const TargetMode mode = call.options.targetMode;
 	if (mode == TargetMode::MaxError || mode == TargetMode::Detail) {

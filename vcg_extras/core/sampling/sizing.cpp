@@ -291,6 +291,13 @@ float unitEdge(const SizingRequest& request, const Surface& surface, const Buffe
 	return request.evenEdge * float(std::sqrt(meanSquaredStretch(surface.mesh, size, workers)));
 }
 
+/// A length in mesh units as a size. What is far beyond all that a mesh can have would overflow.
+float sizeFor(double length, double unit)
+{
+	constexpr double smallest = 1e-4, largest = 1e4;
+	return float(std::clamp(length / unit, smallest, largest));
+}
+
 /// Keeps sizes between the least and the largest edge. Where the count is given the others grow or
 /// shrink for it: found in a few passes.
 void limitEdges(const SizingRequest& request, const Surface& surface, Workers& workers,
@@ -299,14 +306,15 @@ void limitEdges(const SizingRequest& request, const Surface& surface, Workers& w
 	const RemeshOptions& o = request.options;
 	if (!(o.minEdge > 0) && !(o.maxEdge > 0)) return;
 	constexpr int passes = 4;
-	const float   scale  = float(surface.frame.scale);
-	if (followsSizes(request) && !hasWantedEdges(request))
-		workers.forEach(size.size(),
-						[&](int v) { size[v] *= float(o.maxEdge) * scale / request.evenEdge; });
+	const double  scale  = surface.frame.scale;
+	if (followsSizes(request) && !hasWantedEdges(request)) {
+		const float factor = sizeFor(o.maxEdge * scale, double(request.evenEdge));
+		workers.forEach(size.size(), [&](int v) { size[v] *= factor; });
+	}
 	for (int pass = 0; pass < passes; ++pass) {
-		const float unit  = unitEdge(request, surface, size, workers);
-		const float least = float(o.minEdge) * scale / unit;
-		const float most  = o.maxEdge > 0 ? float(o.maxEdge) * scale / unit : HUGE_VALF;
+		const double unit  = double(unitEdge(request, surface, size, workers));
+		const float  least = sizeFor(o.minEdge * scale, unit);
+		const float  most  = o.maxEdge > 0 ? sizeFor(o.maxEdge * scale, unit) : HUGE_VALF;
 		workers.forEach(size.size(), [&](int v) { size[v] = std::clamp(size[v], least, most); });
 	}
 }

@@ -299,26 +299,28 @@ void noteLostLists(const PlyHeader& header, MeshAttributes& attributes)
 	}
 }
 
-/// What stands behind each line of the header that begins so.
+/// What stands behind the keyword in each line of the header that begins with it.
 std::vector<std::string> findLines(std::string_view header, std::string_view keyword)
 {
 	std::vector<std::string> lines;
 	for (std::size_t at = header.find(keyword); at != header.npos; at = header.find(keyword, at)) {
+		const bool isBegin = at == 0 || header[at - 1] == '\n' || header[at - 1] == '\r';
 		at += keyword.size();
 		const std::size_t end = std::min(header.find_first_of("\r\n", at), header.size());
-		lines.emplace_back(header.substr(at, end - at));
+		if (isBegin) lines.emplace_back(header.substr(at, end - at));
 	}
 	return lines;
 }
 
-/// The names that comments give to the values of faces, as this program writes them.
+/// The names that comments give to the values of faces, as this program writes them: in order,
+/// "0 inlet", "1 wall".
 void findNames(std::string_view header, std::vector<ValueColumn>& columns)
 {
 	for (ValueColumn& column : columns) {
-		for (std::size_t i = 0;; ++i) {
-			const std::vector<std::string> name = findLines(header, nameComment(column.name, i));
-			if (name.empty()) break;
-			column.names.push_back(name[0]);
+		for (const std::string& line : findLines(header, nameComment(column.name))) {
+			const std::string number = std::to_string(column.names.size()) + " ";
+			if (line.compare(0, number.size(), number) != 0) break;
+			column.names.push_back(line.substr(number.size()));
 		}
 	}
 }

@@ -217,9 +217,9 @@ std::string plyHeaderText(const PlyHeader& header, const std::string& comments)
 	return text + "end_header\n";
 }
 
-std::string nameComment(const std::string& property, std::size_t i)
+std::string nameComment(const std::string& property)
 {
-	return "comment name of " + property + " " + std::to_string(i) + " ";
+	return "comment name of " + property + " ";
 }
 
 } // namespace gpr::app

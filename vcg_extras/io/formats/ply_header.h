@@ -98,7 +98,7 @@ PlyElement elementOfFaces(PlyType cornerNum, PlyType corner, std::uint64_t count
 std::string plyHeaderText(const PlyHeader& header, const std::string& comments);
 
 /// How a comment begins that gives a name to the value i of a property of faces.
-std::string nameComment(const std::string& property, std::size_t i);
+std::string nameComment(const std::string& property);
 
 } // namespace gpr::app
 

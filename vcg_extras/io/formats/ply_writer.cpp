@@ -29,7 +29,7 @@ std::string headerOf(const MeshView& mesh, PlyType coordinate, const MeshAttribu
 		comments += "comment TextureFile " + image + "\n";
 	for (const ValueColumn& column : a.ofFaces) {
 		for (std::size_t i = 0; i < column.names.size(); ++i)
-			comments += nameComment(column.name, i) + column.names[i] + "\n";
+			comments += nameComment(column.name) + std::to_string(i) + " " + column.names[i] + "\n";
 	}
 	return plyHeaderText({PlyFormat::LittleEndian, {vertex, face}}, comments);
 }

@@ -305,8 +305,9 @@ CommandLine parseCommandLine(int argc, char** argv)
 	if (tile->parsed()) line.command = Command::Tile;
 	line.options = optionsOf(given);
 	if (!line.sizes.empty()) {
-		const bool isSized = std::any_of(given.begin(), given.end(),
-										 [](const auto& g) { return isSizeParameter(*g.first); });
+		const bool isSized = std::any_of(given.begin(), given.end(), [](const auto& g) {
+			return isSizeParameter(*g.first) && g.second != "off";
+		});
 		if (!isSized) line.options.targetMode = TargetMode::Sizes;
 		if (line.tiles.memoryBytes > 0) failUsage("--sizes is not possible in tiles.");
 	}

@@ -149,7 +149,7 @@ RemeshOptions optionsOf(const GivenOptions& given)
 	for (const auto& [row, givenWord] : given) {
 		std::string word = givenWord;
 		percent          = takePercent(*row, word) || percent;
-		sizeNum += isSizeParameter(*row) ? 1 : 0;
+		sizeNum += isSizeParameter(*row) && word != "off" ? 1 : 0; // no detail is no size
 		set.set(*row, parseValue(*row, word));
 	}
 	if (sizeNum > 1) {

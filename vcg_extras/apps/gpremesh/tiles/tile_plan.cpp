@@ -47,6 +47,9 @@ void checkOptions(const RemeshOptions& options)
 	if (options.targetMode == TargetMode::Detail)
 		failUsage("--detail is forecast for the whole input, which tiles do not hold. Give "
 				  "--vertices, --percent or --edge-length.");
+	if (options.targetMode == TargetMode::Sizes)
+		failUsage("--max-edge alone is not possible in tiles. Give --vertices, --percent or "
+				  "--edge-length.");
 	if (options.selectedOnly || options.featureRegion == FeatureRegion::Selection)
 		failUsage("Selections are not carried through tiles.");
 	if (options.boundary == BoundaryMode::Keep)
