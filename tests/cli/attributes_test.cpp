@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Attributes from a file over a remeshing into another file.
+#include "file_folder.h"
 #include "mesh_files.h"
 
 #include <vcg_extras/io/base/exit_code.h>
@@ -14,7 +15,6 @@
 #include <map>
 #include <memory>
 #include <sstream>
-#include <unistd.h>
 
 namespace gpr_test {
 
@@ -23,28 +23,9 @@ namespace {
 using namespace gpr;
 using namespace gpr::app;
 
-class Attributes : public ::testing::Test {
+class Attributes : public FileFolder {
 protected:
-	Attributes() :
-			folder_(std::filesystem::temp_directory_path() /
-					("gpremesh_attributes_" + std::to_string(getpid())))
-	{
-		std::filesystem::create_directories(folder_);
-	}
-	~Attributes() override { std::filesystem::remove_all(folder_); }
-
-	std::string put(const std::string& name, const std::string& content) const
-	{
-		std::ofstream(folder_ / name, std::ios::binary) << content;
-		return (folder_ / name).string();
-	}
-	std::string        path(const std::string& name) const { return (folder_ / name).string(); }
-	static std::string contentOf(const std::string& file)
-	{
-		std::stringstream text;
-		text << std::ifstream(file, std::ios::binary).rdbuf();
-		return text.str();
-	}
+	Attributes() : FileFolder("attributes") {}
 
 	static InputMesh read(const std::string& file)
 	{
@@ -76,9 +57,6 @@ protected:
 	}
 
 	std::vector<std::string> lost;
-
-private:
-	std::filesystem::path folder_;
 };
 
 /// A flat square with what MeshLab saves and more, two charts that do not fit at x = 0.5.

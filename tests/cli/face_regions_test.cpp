@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Regions in files: groups, materials, solids and labels, in and out.
+#include "file_folder.h"
 #include "mesh_files.h"
 
 #include <vcg_extras/io/base/exit_code.h>
@@ -17,7 +18,6 @@
 #include <map>
 #include <set>
 #include <sstream>
-#include <unistd.h>
 
 namespace gpr_test {
 
@@ -26,28 +26,9 @@ namespace {
 using namespace gpr;
 using namespace gpr::app;
 
-class RegionsInFiles : public ::testing::Test {
+class RegionsInFiles : public FileFolder {
 protected:
-	RegionsInFiles() :
-			folder_(std::filesystem::temp_directory_path() /
-					("gpremesh_regions_" + std::to_string(getpid())))
-	{
-		std::filesystem::create_directories(folder_);
-	}
-	~RegionsInFiles() override { std::filesystem::remove_all(folder_); }
-
-	std::string put(const std::string& name, const std::string& content) const
-	{
-		std::ofstream(folder_ / name, std::ios::binary) << content;
-		return (folder_ / name).string();
-	}
-	std::string        path(const std::string& name) const { return (folder_ / name).string(); }
-	static std::string contentOf(const std::string& file)
-	{
-		std::stringstream text;
-		text << std::ifstream(file, std::ios::binary).rdbuf();
-		return text.str();
-	}
+	RegionsInFiles() : FileFolder("regions") {}
 
 	static InputMesh read(const std::string& file, const std::string& regions = {})
 	{
@@ -73,9 +54,6 @@ protected:
 	}
 
 	std::vector<std::string> lost;
-
-private:
-	std::filesystem::path folder_;
 };
 
 /// Area by the name of the region.

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -116,23 +115,16 @@ void remeshSelected(const Call& call, RemeshResult& out)
 	onSelected(call, cutOutSelected(call.input), nullptr, remeshInput, out);
 }
 
-/// The edge length that a count stands for, where none is given.
+/// The edge length that the wanted size of the result stands for, mesh units.
 double edgeLengthOf(const Call& call)
 {
-	if (call.options.targetMode == TargetMode::EdgeLength) return call.options.targetEdgeLen;
+	const RemeshOptions& o = call.options;
+	if (o.targetMode == TargetMode::EdgeLength) return o.targetEdgeLen;
 	const MeshExtent extent = extentOf(call.input);
-	switch (call.options.targetMode) {
-	case TargetMode::MaxError:
-		return edgePerError * call.options.targetMaxError *
-			   (call.options.maxErrorIsPercent ? extent.diagonal / 100 : 1);
-	case TargetMode::Detail:
-		return edgePerError * detailError(call.options.targetDetail) * extent.diagonal;
-	default:
-		break;
-	}
-	const auto   vertexNum = std::int64_t(call.input.vertexNum);
-	const double num       = wantedVertexNum(vertexNum, call.options, extent.area, 1);
-	return std::sqrt(2 * extent.area / (std::sqrt(3.0) * std::max(1.0, num)));
+	if (o.targetMode == TargetMode::MaxError || o.targetMode == TargetMode::Detail)
+		return edgePerError * largestError(o, extent.diagonal);
+	const double num = wantedVertexNum(std::int64_t(call.input.vertexNum), o, extent.area, 1);
+	return diskRadius(extent.area, std::max(1.0, num), 1);
 }
 
 void remeshMatched(const Call& call, RemeshResult& out)

@@ -29,9 +29,9 @@ struct ContactOutcome {
 /// made anew by guarded collapses of the input (patch_filling.h), with as many vertices. Where
 /// pairs are left all the same, the components that have them are made anew in this way. Where the
 /// collapses end above the count that is taken if making.mayEndAbove. Else the result is refused
-/// or, where the input intersects itself, stays as it was. `figures` add to those of calls before.
-/// Cost: a pass over the result's faces where it has none; else that of the collapses, and a pass
-/// over the input's faces.
+/// or, where the input intersects itself, stays as it was. `figures` count what earlier calls made,
+/// too. Cost: a pass over the result's faces where it has none; else that of the collapses, and a
+/// pass over the input's faces.
 ContactOutcome removeContacts(const MakingOfVertices& making, KnownContacts& contacts,
 							  ResultMesh& result, GuardedFigures& figures, Workers& workers);
 

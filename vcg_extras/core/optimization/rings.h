@@ -34,7 +34,7 @@ public:
 		int         corner(int i) const { return spoke[i].corner & 3; }
 	};
 
-	/// Cost: a pass over the mesh; 8 B per half-edge and about 3 B per vertex and face.
+	/// Cost: a pass over the mesh; 8 B per half-edge, 4 B per vertex and about 5 B per face.
 	Rings(const HalfEdgeMesh& mesh, Workers& workers);
 
 	/// Index of the first spoke of v among all.

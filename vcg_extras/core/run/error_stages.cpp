@@ -91,11 +91,8 @@ ErrorFacts findPlacesBeyond(RunContext& run, double goal, const ComparedSurfaces
 ErrorGoal errorGoalOf(const MeshView& input, const RemeshOptions& options, const MeshExtent& extent)
 {
 	ErrorGoal goal;
-	goal.largest = options.targetMaxError * (options.maxErrorIsPercent ? extent.diagonal / 100 : 1);
-	// Where most vertices are spread evenly few triangles are as bad as the worst.
-	if (options.targetMode == TargetMode::Detail)
-		goal.largest = detailError(options.targetDetail) * extent.diagonal;
-	goal.most = std::min<std::int64_t>(200000000, 10000 + 10 * std::int64_t(input.vertexNum));
+	goal.largest = largestError(options, extent.diagonal);
+	goal.most    = std::min<std::int64_t>(200000000, 10000 + 10 * std::int64_t(input.vertexNum));
 	const double edge = edgePerError * goal.largest;
 	const double n    = edge > 0 ? vertexNumForEdgeLength(extent.area, edge) : 1;
 	goal.start        = std::int64_t(std::min(double(goal.most), std::max(4.0, n)));

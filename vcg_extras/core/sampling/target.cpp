@@ -35,6 +35,12 @@ float evenEdge(double area, std::int64_t vertexNum)
 	return float(diskRadius(area, double(vertexNum), 1));
 }
 
+double largestError(const RemeshOptions& o, double diagonal)
+{
+	if (o.targetMode == TargetMode::Detail) return detailError(o.targetDetail) * diagonal;
+	return o.targetMaxError * (o.maxErrorIsPercent ? diagonal / 100 : 1);
+}
+
 double vertexNumForEdgeLength(double area, double edgeLength)
 {
 	return 2 * area / (std::sqrt(3.0) * edgeLength * edgeLength);

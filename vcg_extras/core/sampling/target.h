@@ -25,6 +25,9 @@ double radiusConstant(const RemeshOptions& options);
 /// Edge length of so many vertices' equilateral triangles of one size.
 float evenEdge(double area, std::int64_t vertexNum);
 
+/// The largest error asked for, in the units of the diagonal, with TargetMode::MaxError or Detail.
+double largestError(const RemeshOptions& options, double diagonal);
+
 /// Vertices of about-equilateral triangles of this edge length that cover the area.
 double vertexNumForEdgeLength(double area, double edgeLength);
 

@@ -306,7 +306,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 	line.options = optionsOf(given);
 	if (!line.sizes.empty()) {
 		const bool isSized = std::any_of(given.begin(), given.end(), [](const auto& g) {
-			return isSizeParameter(*g.first) && g.second != "off";
+			return choosesSize(*g.first, g.second);
 		});
 		if (!isSized) line.options.targetMode = TargetMode::Sizes;
 		if (line.tiles.memoryBytes > 0) failUsage("--sizes is not possible in tiles.");

@@ -141,6 +141,11 @@ bool takePercent(const Parameter& p, std::string& word)
 
 } // namespace
 
+bool choosesSize(const Parameter& row, const std::string& word)
+{
+	return isSizeParameter(row) && word != "off";
+}
+
 RemeshOptions optionsOf(const GivenOptions& given)
 {
 	ParameterSet set;
@@ -149,7 +154,7 @@ RemeshOptions optionsOf(const GivenOptions& given)
 	for (const auto& [row, givenWord] : given) {
 		std::string word = givenWord;
 		percent          = takePercent(*row, word) || percent;
-		sizeNum += isSizeParameter(*row) && word != "off" ? 1 : 0; // no detail is no size
+		sizeNum += choosesSize(*row, word) ? 1 : 0;
 		set.set(*row, parseValue(*row, word));
 	}
 	if (sizeNum > 1) {

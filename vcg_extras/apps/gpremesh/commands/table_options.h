@@ -19,6 +19,9 @@ using GivenOptions = std::map<const Parameter*, std::string>;
 void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
 					 bool (*isWanted)(const Parameter&) = nullptr);
 
+/// Whether an option chooses the size of the result; "off" chooses none.
+bool choosesSize(const Parameter& row, const std::string& word);
+
 /// The engine's options from what was given; all others keep their defaults. Throws AppError
 /// (Usage) for values of the wrong kind or out of range, and for more than one size.
 RemeshOptions optionsOf(const GivenOptions& given);
