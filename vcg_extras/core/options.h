@@ -23,7 +23,7 @@ enum class TargetMode {
 };
 
 /// How much of a shape is kept, in words: with which count 99.9 % of the surface is forecast to be
-/// nearer than so much of the diagonal.
+/// nearer than this share of the diagonal.
 enum class Detail {
 	None,
 	Coarse, ///< about 1 %

@@ -135,7 +135,7 @@ void remeshMatched(const Call& call, RemeshResult& out)
 			"Wanted edge lengths cannot be kept beside matched borders, which have one length.");
 	}
 	const double edge = edgeLengthOf(call);
-	if (!(edge > 0)) return remeshInput(call, out); // which tells what is wrong
+	if (!(edge > 0)) return remeshInput(call, out); // which refuses the options
 	Workers             workers(1, call.progress, call.options.timeLimitSeconds, call.stop);
 	const MatchedBorder matched = matchBorder(call.input, edge, workers);
 	RemeshOptions       inside  = call.options;

@@ -31,7 +31,7 @@ struct Goal {
 	std::function<bool(int face)>  isBad; ///< called in parallel
 	std::function<float(int face)> faceCost;
 	float maxLeft = 0.995f, minGain = 0; ///< a change leaves at most this share, less this
-	float collapseCost = 0;              ///< a vertex less has to be worth so much
+	float collapseCost = 0; ///< a collapse must gain this much more than other operations
 	std::vector<Operation::Kind> operations;
 	std::vector<float>           stepLengths; ///< of moves, in mean edges
 	bool       settles    = true;  ///< what lies round a change settles by moves and flips

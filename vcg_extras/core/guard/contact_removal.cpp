@@ -240,7 +240,7 @@ ContactOutcome replaceComponents(const MakingOfVertices& making, const std::vect
 	return {reached};
 }
 
-/// Makes anew what is near the pairs, then whole components.
+/// Remakes patches around the pairs of touching faces, then whole components.
 ContactOutcome makeAnew(const MakingOfVertices& making, const InputContacts& ofInput,
 						std::vector<FacePair> pairs, ResultMesh& result, Workers& workers)
 {

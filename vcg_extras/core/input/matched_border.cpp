@@ -32,7 +32,7 @@ void pollNowAndThen(std::size_t i, Workers& workers)
 	if (i % 65536 == 0) workers.poll();
 }
 
-/// By which places have an order: not that of the mesh's numbers.
+/// The order of places in space, which does not depend on the numbers of vertices.
 bool isBefore(const Vec3d& a, const Vec3d& b)
 {
 	return std::make_tuple(a.x, a.y, a.z) < std::make_tuple(b.x, b.y, b.z);

@@ -267,7 +267,7 @@ private:
 	/// The change of Σ(valence - 6)² by a split of one edge, of each vertex that takes part by
 	/// itself.
 	struct SplitEnergies {
-		int ends[2][3];   ///< w and x, with so many neighbours less
+		int ends[2][3];   ///< w and x after the loss of 0, 1 or 2 neighbours
 		int apexes[2][2]; ///< c and d, with a neighbour more, and with as many as before
 		int beyond[4];    ///< the vertices beyond WC, XC, WD, XD, with a neighbour more
 

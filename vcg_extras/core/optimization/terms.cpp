@@ -88,7 +88,7 @@ void DistanceTerm::assemble(const Surface& surface, const ClosestFaceMap& map, b
 
 namespace {
 
-/// Of so many vertices of a face, or more, every second one is enough for a rough assembly.
+/// A face with at least this many input vertices uses every second one in a rough assembly.
 constexpr int manyVertices = 4;
 
 SymmetricMatrix matrixOf(const Float4 (&part)[2])

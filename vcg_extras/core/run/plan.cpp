@@ -19,7 +19,7 @@ constexpr std::int64_t fewVertices = 64;
 /// Each is a quarter more than the one before, so that the last is about four times the first.
 constexpr int maxSearchedCounts = 8;
 
-/// Where faces are counted larger counts are tried, too, up to so many faces and so often.
+/// With a number of faces, larger numbers are tried, too: at most this many faces and attempts.
 constexpr std::int64_t mostTriedFaces = 20000;
 constexpr int          maxTriedCounts = 16;
 
@@ -63,7 +63,7 @@ std::string missedText(const ErrorTrial& best, double goal, double diagonal)
 		   lengthText(best.error, diagonal) + ".";
 }
 
-/// What is told of a count that follows from a detail.
+/// The note about the number of vertices that follows from a detail.
 std::string forecastText(std::int64_t vertexNum, const Request& request)
 {
 	const double error = detailError(request.options.targetDetail) * request.diagonal;

@@ -291,7 +291,7 @@ float unitEdge(const SizingRequest& request, const Surface& surface, const Buffe
 	return request.evenEdge * float(std::sqrt(meanSquaredStretch(surface.mesh, size, workers)));
 }
 
-/// A length in mesh units as a size. What is far beyond all that a mesh can have would overflow.
+/// A length in mesh units as a size, within a range that no mesh leaves and no float overflows.
 float sizeFor(double length, double unit)
 {
 	constexpr double smallest = 1e-4, largest = 1e4;

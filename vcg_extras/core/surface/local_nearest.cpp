@@ -52,7 +52,7 @@ public:
 		return isNearer;
 	}
 
-	/// Whether the point lies inside of its face. What is next to the face is no nearer then.
+	/// Whether the point lies inside of its face. The neighbours of the face are no nearer then.
 	bool isInside() const { return FacePlane(m_, at_.face).footOf(p_).isInside(); }
 
 private:
