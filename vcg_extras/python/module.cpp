@@ -45,6 +45,7 @@ NB_MODULE(_core, module)
 		.def_rw("uv", &Extras::texture, nb::arg().none())
 		.def_rw("images", &Extras::images, nb::arg().none())
 		.def_rw("regions", &Extras::regions, nb::arg().none())
+		.def_rw("period", &Extras::period)
 		.def_rw("prepared", &Extras::prepared, nb::arg().none());
 
 	nb::class_<FileAttributes>(module, "FileAttributes")

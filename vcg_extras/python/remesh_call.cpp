@@ -173,6 +173,8 @@ Run runOf(const Extras& extras, const nb::dict& given)
 	run.options.selectedOnly = extras.selectedFaces.has_value();
 	if (extras.wantedEdges && !givesSize(RemeshTool, given))
 		run.options.targetMode = TargetMode::Sizes;
+	if (!extras.period.empty())
+		run.options.period = {extras.period[0], extras.period[1], extras.period[2]};
 	run.options.surfacePointsOfFaces = true;
 	return run;
 }

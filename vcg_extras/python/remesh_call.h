@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <nanobind/nanobind.h>
+#include <vector>
 
 namespace gpr::python {
 
@@ -22,6 +23,7 @@ struct Extras {
 	std::optional<Indices>      images;
 	std::optional<Indices>      regions;     ///< labels of faces
 	std::optional<Sizes>        wantedEdges; ///< of the vertices
+	std::vector<double>         period;      ///< three lengths of a periodic cell, or none
 	/// What earlier runs on the same vertices and faces have made; or null.
 	std::shared_ptr<PreparedSurface> prepared;
 };

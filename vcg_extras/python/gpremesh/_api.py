@@ -49,7 +49,7 @@ def extras(mesh, parameters, region, feature_edges):
 
 
 def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, feature_edges, uv, image,
-                regions=None, sizes=None):
+                regions=None, sizes=None, periodic=None):
     """The run of `remesh` on a mesh that was taken over, and maybe prepared."""
     _check_progress(progress)
     parameters = _given(parameters)
@@ -59,6 +59,7 @@ def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, featu
     given.uv = mesh.corner_uv("uv", uv)
     given.images = mesh.images("image", image)
     given.regions = mesh.labels("regions", regions)
+    given.period = _arrays.period("periodic", periodic)
     given.prepared = prepared
     if image is not None and uv is None:
         raise ValueError("image needs uv.")
@@ -69,7 +70,7 @@ def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, featu
 
 @with_parameters("remesh")
 def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, uv=None,
-           image=None, regions=None, sizes=None, progress=None, **parameters):
+           image=None, regions=None, sizes=None, periodic=None, progress=None, **parameters):
     """Remeshes a surface to nearly equilateral triangles with exactly as many vertices as asked for.
 
     Parameters
@@ -98,6 +99,10 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
     sizes : array_like (n,), optional
         The edge length wanted at each vertex, in the unit of the coordinates. With `sizes` alone the
         number of vertices follows; with a number or another size they are scaled to it.
+    periodic : (x, y, z), optional
+        The lengths of a periodic cell, 0 along an axis without a period. Vertices at opposite borders
+        match after adding the length; `boundary` is 'match' then. Refused where the borders are no
+        translates of one another.
     progress : callable(fraction, stage), optional
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
         is cancelled where it returns False, and where it raises.
@@ -137,7 +142,7 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
     """
     return remesh_mesh(_arrays.Mesh(vertices, faces), None, progress, parameters, selected=selected,
                        region=region, feature_edges=feature_edges, uv=uv, image=image,
-                       regions=regions, sizes=sizes)
+                       regions=regions, sizes=sizes, periodic=periodic)
 
 
 @with_parameters("sample")

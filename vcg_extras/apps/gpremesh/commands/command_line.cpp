@@ -140,6 +140,14 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 					 "units. With them alone the number of vertices follows; with a number of\n"
 					 "vertices or another size they are scaled to it")
 		->type_name("NAME");
+	remesh
+		->add_option("--periodic", line.period,
+					 "IN is a periodic cell with these lengths, 0 along an axis without a period:\n"
+					 "vertices at opposite borders match after adding the length. Implies\n"
+					 "--boundary match. Refused where the borders are no translates")
+		->delimiter(',')
+		->expected(3)
+		->type_name("X,Y,Z");
 	addOutcome(*remesh, line, "Write what was done, and how well, as JSON");
 	addMemory(*remesh, line);
 	remesh
@@ -270,6 +278,14 @@ void addManualPage(CLI::App& app)
 	app.add_flag_callback("--manual-page", print)->group("");
 }
 
+void takePeriod(CommandLine& line)
+{
+	if (line.period.empty()) return;
+	if (line.tiles.memoryBytes > 0) failUsage("--periodic is not possible in tiles.");
+	line.options.period = {line.period[0], line.period[1], line.period[2]};
+	if (!isPeriodic(line.options)) failUsage("--periodic needs a length above 0.");
+}
+
 } // namespace
 
 CommandLine parseCommandLine(int argc, char** argv)
@@ -311,6 +327,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 		if (!isSized) line.options.targetMode = TargetMode::Sizes;
 		if (line.tiles.memoryBytes > 0) failUsage("--sizes is not possible in tiles.");
 	}
+	takePeriod(line);
 	line.optionsText       = textOf(given);
 	line.tiles.optionsText = textOf(given, isForPlan);
 	if (line.outTileNum > 0) line.output = withoutSlashAtEnd(line.output);

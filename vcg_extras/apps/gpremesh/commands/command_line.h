@@ -48,10 +48,11 @@ struct CommandLine {
 	std::string regions;                   ///< remesh only: see regionsOf
 	Transfer    transfer = Transfer::Auto; ///< remesh only
 	std::string htmlFolder;                ///< compare only; empty = no page
-	RemeshOptions options;                 ///< all but info
-	std::string   sizes;                   ///< remesh: name of a vertex property; empty = none
-	std::string   optionsText; ///< these as the user gave them: "--lambda 2 --preset fast"
-	TileSettings  tiles;       ///< tile, and remesh with --memory
+	RemeshOptions       options;           ///< all but info
+	std::vector<double> period;            ///< remesh: lengths of a periodic cell; empty = none
+	std::string         sizes;             ///< remesh: name of a vertex property; empty = none
+	std::string         optionsText; ///< these as the user gave them: "--lambda 2 --preset fast"
+	TileSettings        tiles;       ///< tile, and remesh with --memory
 
 	std::vector<std::string> notes; ///< sentences that the program adds to the report's
 	double shareDone = 0;           ///< remesh: of a longer work that it ends, as the bar shows it
