@@ -112,8 +112,8 @@ RemeshResult JoinedPieces::ofPiece(const RemeshResult& whole, std::size_t k) con
 {
 	RemeshResult              part;
 	std::vector<std::int32_t> newNumber(whole.mesh.vertexNum(), none);
-	part.status = whole.status;
-	part.report = whole.report;
+	part.status     = whole.status;
+	part.report     = whole.report;
 	const auto take = [&](std::int32_t v) {
 		std::int32_t& number = newNumber[std::size_t(v)];
 		if (number != none) return number;
@@ -122,8 +122,8 @@ RemeshResult JoinedPieces::ofPiece(const RemeshResult& whole, std::size_t k) con
 		if (!whole.surfacePoints.empty())
 			part.surfacePoints.push_back(whole.surfacePoints[std::size_t(v)]);
 		if (!whole.callersVertex.empty()) {
-			const std::int32_t own = whole.callersVertex[std::size_t(v)] - firstVertex_[k];
-			const bool isOwn = own >= 0 && std::size_t(own) < piece_[k].vertexNum;
+			const std::int32_t own   = whole.callersVertex[std::size_t(v)] - firstVertex_[k];
+			const bool         isOwn = own >= 0 && std::size_t(own) < piece_[k].vertexNum;
 			part.callersVertex.push_back(isOwn ? own : none);
 		}
 		return number;

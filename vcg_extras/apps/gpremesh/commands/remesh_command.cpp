@@ -205,6 +205,9 @@ void writeSource(Source& source, const RemeshResult& result, const CommandLine& 
 	run.outputDouble          = run.outputDouble || isDouble;
 	MeshAttributes attributes = carriedAttributes(source, result, line.transfer, limit);
 	writeResult(result.mesh, isDouble, attributes, path, line, limit);
+	if (!line.pieces.empty())
+		run.files.push_back(
+			{path, std::int64_t(result.mesh.vertexNum()), std::int64_t(result.mesh.faceNum())});
 	if (!attributes.lost.empty())
 		run.notes.push_back(
 			noteOf(source, line, "Not carried over: " + listOf(attributes.lost) + "."));
