@@ -49,6 +49,7 @@ struct Sizes {
 	std::int64_t          regionVertexNum = 0; ///< of the caller's, in the region
 	double                vertexNum       = 0; ///< with TargetMode::Sizes: that they take
 	std::int64_t          clampedNum      = 0; ///< see Sizing
+	bool                  followLines     = false; ///< see SizeFacts
 };
 
 /// The feature lines that are marked on the surface, and the samples on them and on the border.
