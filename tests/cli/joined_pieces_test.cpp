@@ -90,8 +90,8 @@ TEST_F(FourQuarters, HaveTheSameVerticesOnTheirSeams)
 	const JoinedPieces joined(view);
 	const RemeshResult whole = remeshed(joined);
 	ASSERT_EQ(whole.status, Status::Ok) << whole.message;
-	std::set<Place>  all;
-	std::size_t      seamNum = 0;
+	std::set<Place> all;
+	std::size_t     seamNum = 0;
 	for (std::size_t k = 0; k < 4; ++k) {
 		const RemeshResult    part   = joined.ofPiece(whole, k);
 		const std::set<Place> places = placesOf(part.mesh);
@@ -126,8 +126,8 @@ TEST_F(FourQuarters, HavePointsAndLabelsOfTheirOwn)
 			ASSERT_LT(std::size_t(at.face), mesh[k].faceNum());
 			Vec3d p;
 			for (int c = 0; c < 3; ++c)
-				p += view[k].position(std::size_t(
-						 view[k].triangle(std::size_t(at.face))[std::size_t(c)])) *
+				p += view[k].position(
+						 std::size_t(view[k].triangle(std::size_t(at.face))[std::size_t(c)])) *
 					 double(at.weight[c]);
 			EXPECT_LT(length(p - part.mesh.positions[v]), 0.02);
 		}

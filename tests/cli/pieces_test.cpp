@@ -48,13 +48,13 @@ protected:
 
 TEST_F(Pieces, FilesHaveTheSameVerticesOnTheirSeam)
 {
-	const std::string west = put("west.ply", binaryPly(square(0), true, false));
-	const std::string east = put("east.ply", binaryPly(square(1), true, false));
+	const std::string   west   = put("west.ply", binaryPly(square(0), true, false));
+	const std::string   east   = put("east.ply", binaryPly(square(1), true, false));
 	const ProgramResult result = run({"remesh", west, east, "--out-dir", path("made"), "--vertices",
 									  "300", "--report", path("report.json")});
 	ASSERT_EQ(result.exitCode, 0) << result.err;
 	const Points a = pointsOf("made/west.ply"), b = pointsOf("made/east.ply");
-	std::size_t seamNum = 0;
+	std::size_t  seamNum = 0;
 	for (const auto& p : a) {
 		seamNum += b.count(p);
 		EXPECT_EQ(b.count(p) == 1, p[0] == 1);
@@ -82,7 +82,7 @@ TEST_F(Pieces, WhatCannotBeMeantIsRefusedBeforeAnyWork)
 
 TEST_F(Pieces, APeriodicCellHasMatchingBorders)
 {
-	const std::string cell = put("cell.ply", binaryPly(square(0), true, false));
+	const std::string   cell = put("cell.ply", binaryPly(square(0), true, false));
 	const ProgramResult result =
 		run({"remesh", cell, path("out.ply"), "--edge-length", "0.09", "--periodic", "1,1,0"});
 	ASSERT_EQ(result.exitCode, 0) << result.err;

@@ -22,6 +22,18 @@ IndexedMesh loaded(const TriangleMesh& mesh, Workers& workers)
 	return loadInput(mesh.view(), workers, counts);
 }
 
+Buffer<char> edgesThatTurn(const Surface& surface, double degrees)
+{
+	const HalfEdgeMesh& m = surface.mesh;
+	Buffer<char>        turns(std::size_t(m.halfEdgeNum()), char(0));
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		if (m.isBorderEdge(h)) continue;
+		const float cosine = dot(m.faceNormal(h / 3), m.faceNormal(m.opposite[h] / 3));
+		turns[h]           = cosine < float(std::cos(degrees * pi / 180));
+	}
+	return turns;
+}
+
 Surface surfaceOf(const TriangleMesh& mesh, Workers& workers)
 {
 	return surfaceOf(loaded(mesh, workers), workers);

@@ -22,6 +22,8 @@ IndexedMesh loaded(const TriangleMesh& mesh, Workers& workers);
 /// Loaded, ordered and connected; throws std::logic_error if the mesh is not manifold.
 Surface surfaceOf(const TriangleMesh& mesh, Workers& workers);
 Surface surfaceOf(IndexedMesh&& mesh, Workers& workers);
+/// Per half-edge: whether the faces at its edge turn by more than that.
+Buffer<char> edgesThatTurn(const Surface& surface, double degrees);
 /// Orders a mesh and repairs it, even where it is manifold.
 void repair(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
 /// A half-edge mesh in the numbering of the mesh, opposites found by comparing all edges. The mesh

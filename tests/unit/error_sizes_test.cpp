@@ -23,14 +23,15 @@ protected:
 	Workers workers{2, nullptr};
 
 	/// Edges over `even`, which is given in the mesh's unit.
-	Buffer<float> sizes(const Surface& surface, double even, int threads = 2)
+	Buffer<float> sizes(const Surface& surface, double even, int threads = 2,
+						const Buffer<char>& lines = {})
 	{
 		Workers          own(threads, nullptr);
 		ErrorSizeRequest request;
 		request.even     = float(even * surface.frame.scale);
 		request.largest  = largest * request.even;
 		request.slope    = slope;
-		ErrorSizes found = sizesByError(surface.mesh, request, own);
+		ErrorSizes found = sizesByError(surface.mesh, lines, request, own);
 		epsilon          = found.epsilon / request.even;
 		for (float& edge : found.edge)
 			edge /= request.even;
@@ -42,6 +43,33 @@ protected:
 Vec3d placeOf(const Surface& surface, int v)
 {
 	return surface.frame.toCaller(surface.mesh.position[v]);
+}
+
+/// A sheet, flat up to x = 0.5, where it breaks off and goes on as an arch.
+TriangleMesh sheetWithArch(int n)
+{
+	TriangleMesh mesh = grid(n, n);
+	for (Vec3d& p : mesh.positions)
+		p.z = p.x > 0.5 ? 0.3 * std::sin(2 * pi * (p.x - 0.5)) : 0;
+	return mesh;
+}
+
+TEST_F(ErrorSizesTest, AreThoseOfEachSideOfAFeatureLine)
+{
+	const Surface       surface = surfaceOf(sheetWithArch(80), workers);
+	const Buffer<float> across  = sizes(surface, 0.05);
+	const Buffer<char>  lines   = edgesThatTurn(surface, 30);
+	const Buffer<float> beside  = sizes(surface, 0.05, 2, lines);
+	const Buffer<float> again   = sizes(surface, 0.05, 1, lines);
+	float               least   = largest;
+	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
+		EXPECT_EQ(beside[v], again[v]);
+		const double x = placeOf(surface, v).x;
+		if (std::abs(x - 0.5) < 1e-6) EXPECT_GT(beside[v], 1.4f * across[v]);
+		if (x > 0.7 && x < 0.8) least = std::min(least, beside[v]);
+		if (x < 0.45) EXPECT_GT(beside[v], 0.95f * largest);
+	}
+	EXPECT_LT(least, 0.95f * largest);
 }
 
 TEST_F(ErrorSizesTest, AreTheLargestOnAPlane)

@@ -20,13 +20,11 @@ class SizingTest : public ::testing::Test {
 protected:
 	Workers       workers{2, nullptr};
 	RemeshOptions options;
-	Buffer<char>  isFeature;
-	bool          hasFeatureLines = false;
+	Buffer<char>  isFeature, lines;
 
 	Sizing sizing(const Surface& surface, float radius)
 	{
-		return makeSizing({options, radius, radius, hasFeatureLines, isFeature, {}}, surface,
-						  workers);
+		return makeSizing({options, radius, radius, lines, isFeature, {}}, surface, workers);
 	}
 };
 
@@ -135,8 +133,10 @@ TEST_F(SizingTest, SizesByTheErrorAreSmallAtABendUnlessItIsAFeatureLine)
 	EXPECT_LT(s.radiusFactor, 1.31);
 	options.adapt = 0.1;
 	EXPECT_LT(sizing(bent, 0.06f).radiusFactor, s.radiusFactor - 0.1);
-	hasFeatureLines = true;
-	EXPECT_TRUE(sizing(bent, 0.06f).size.empty());
+	lines                    = edgesThatTurn(bent, 30);
+	const Sizing besideLines = sizing(bent, 0.06f);
+	for (float size : besideLines.size)
+		EXPECT_EQ(size, 1.0f);
 }
 
 /// A border whose vertices stay is finer than the rest is to be: disks there go with its spacing.
@@ -152,7 +152,7 @@ TEST_F(SizingTest, DisksAtAKeptBorderGoWithItsSpacing)
 	const float r = 0.01f, spacing = float(flat.frame.scale) / 80;
 	for (double adapt : {0.0, 1.0}) {
 		options.adapt  = adapt;
-		const Sizing s = makeSizing({options, r, r, false, isFeature, kept}, flat, workers);
+		const Sizing s = makeSizing({options, r, r, lines, isFeature, kept}, flat, workers);
 		for (int v : kept)
 			EXPECT_NEAR(borderSpacing * s.size[v] * r * float(s.radiusFactor) / spacing, 1, 0.05f);
 	}

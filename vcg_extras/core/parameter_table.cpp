@@ -211,8 +211,9 @@ void addDensity(Table& t)
 			"How much the sizes of the triangles follow the error. 0: all triangles have "
 			"one size. 0.1: a tenth of the vertices goes to ridges, rims and tips that are "
 			"finer than the triangles. 1: all sizes follow the error. Sizes stay even where "
-			"there are feature lines. auto: 0.1; 1 with a largest error; 0 with a lambda above "
-			"0, in the preset fast, and where only samples are made. The preset paper has none.")
+			"feature lines take a third of the vertices. auto: 0.1; 1 with a largest error; 0 "
+			"with a lambda above 0, in the preset fast, and where only samples are made. The "
+			"preset paper has none.")
 			.range(0, 1)
 			.automatic()
 			.store([](const Value& v, RemeshOptions& o) {

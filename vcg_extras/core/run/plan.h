@@ -95,10 +95,10 @@ struct SurfaceFacts {
 	bool mustSewFirst = false; ///< it has seams that are to be sewn: there is no surface
 };
 struct SizeFacts {
-	std::int64_t keptNum      = 0; ///< the caller's vertices that are to stay
-	std::int64_t euler        = 0; ///< Euler characteristic of the surface
-	double       borderLength = 0; ///< working units
-	double       vertexNum    = 0; ///< that sizes in mesh units take; 0: the count is another's
+	std::int64_t keptNum      = 0;     ///< the caller's vertices that are to stay
+	std::int64_t euler        = 0;     ///< Euler characteristic of the surface
+	double       borderLength = 0;     ///< working units
+	double       vertexNum    = 0;     ///< that sizes in mesh units take; 0: the count is another's
 	bool         followLines  = false; ///< sizes are by the error on either side of feature lines
 };
 struct ForecastFacts {

@@ -93,7 +93,7 @@ CreaseRules creaseRules(RunContext& run, const Decisions& decisions, const Produ
 	// Lines that sizes follow are looked for by the edge that they were found by.
 	const float edge = made.sizes.followLines ? evenEdge(made.surface.area, decisions.spacedFor())
 											  : idealEdge(made, decisions.spacedFor());
-	CreaseRules          rules;
+	CreaseRules rules;
 	rules.mode            = followsFeatureLines(options) ? options.featureMode : FeatureMode::Off;
 	rules.strongDeg       = float(options.featureAngleDeg);
 	rules.weakDeg         = 0.5f * rules.strongDeg;
@@ -203,11 +203,12 @@ Sizing findSizes(RunContext& run, const Decisions& decisions, const FineSpots& s
 	if (hasLines && !mayFollow) options.adapt = 0;
 	made.sizes.followLines = mayFollow;
 	made.sizes.adapt       = options.adapt;
-	const Buffer<char> none;
+	const Buffer<char>  none;
 	const Buffer<float> wanted = wantedEdges(run, made.surface);
-	return makeSizing({options, uniform, evenEdge(made.surface.area, num), mayFollow ? made.lines.marks : none,
-					   made.sizes.isFeatureVertex, made.sizes.kept,
-					   decisions.purpose == Purpose::Trial ? &spots : nullptr, &wanted},
+	return makeSizing({options, uniform, evenEdge(made.surface.area, num),
+					   mayFollow ? made.lines.marks : none, made.sizes.isFeatureVertex,
+					   made.sizes.kept, decisions.purpose == Purpose::Trial ? &spots : nullptr,
+					   &wanted},
 					  made.surface, run.workers);
 }
 
@@ -263,10 +264,13 @@ SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots
 }
 
 ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const ErrorGoal& goal,
-							const Products& made)
+							Products& made)
 {
-	return {countForFlatness(made.surface, made.surface.area, decisions.vertexNum, goal.largest,
-							 goal.most, run.workers)};
+	const bool         hasLines = hasFeatureLines(run, decisions, made);
+	const Buffer<char> lines    = hasLines ? std::move(made.lines.marks) : Buffer<char>();
+	made.lines                  = Lines();
+	return {countForFlatness(made.surface, lines, made.surface.area, decisions.vertexNum,
+							 goal.largest, goal.most, run.workers)};
 }
 
 LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)

@@ -24,7 +24,7 @@ SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots
 /// Step Forecast: the count with which triangles would be as flat as an error asks for, but for few
 /// of them.
 ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const ErrorGoal& goal,
-							const Products& made);
+							Products& made);
 
 /// Step Lines: marks the feature lines that the surface has by itself. From here on the surface
 /// does not change any more. With each higher line limit fewer are marked: first the weaker one of

@@ -5,6 +5,9 @@
 #include "size_grading.h"
 #include "target.h"
 
+#include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/mesh/cut_mesh.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -588,29 +591,50 @@ private:
 	}
 };
 
-} // namespace
-
-ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const ErrorSizeRequest& request, Workers& workers)
+/// The sizes of a mesh from those of the mesh that was cut: at a line the smaller of its sides.
+ErrorSizes joined(const CutMesh& cut, const ErrorSizes& sizes, const HalfEdgeMesh& mesh,
+				  float slope, Workers& workers)
 {
-	return SizeSearch(mesh, request, workers).run();
+	ErrorSizes all;
+	all.epsilon = sizes.epsilon;
+	all.edge.reset(std::size_t(mesh.vertexNum));
+	std::copy(sizes.edge.begin(), sizes.edge.begin() + mesh.vertexNum, all.edge.begin());
+	std::vector<int> onLine = cut.copyOf;
+	for (std::size_t i = 0; i < onLine.size(); ++i) {
+		float& edge = all.edge[onLine[i]];
+		edge        = std::min(edge, sizes.edge[std::size_t(mesh.vertexNum) + i]);
+	}
+	sortUnique(onLine);
+	gradeSizes(mesh, slope, workers, onLine, all.edge);
+	return all;
 }
 
-std::int64_t countForFlatness(const Surface& surface, double area, std::int64_t first, double error,
-							  std::int64_t most, Workers& workers)
+} // namespace
+
+ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const Buffer<char>& lines,
+						const ErrorSizeRequest& request, Workers& workers)
 {
-	// The same as in the trials: the largest size over the even one, and how fast sizes grow.
-	constexpr float largestByError = 1.3f, slopeOfSizes = 0.15f;
+	if (lines.empty()) return SizeSearch(mesh, request, workers).run();
+	const CutMesh cut = cutAlong(mesh, lines);
+	return joined(cut, SizeSearch(cut.mesh, request, workers).run(), mesh, request.slope, workers);
+}
+
+std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines, double area,
+							  std::int64_t first, double error, std::int64_t most, Workers& workers)
+{
 	// How flat the disks of triangles are to be, over the largest error. The places that are beyond
 	// the goal then are few enough to be made finer one by one.
 	constexpr double flatnessShare = 0.75;
 	constexpr int    steps         = 3;
 	const double     wanted        = flatnessShare * error * surface.frame.scale;
 	double           num           = double(first);
+	CutMesh          cut;
+	if (!lines.empty()) cut = cutAlong(surface.mesh, lines);
+	const HalfEdgeMesh& mesh = lines.empty() ? surface.mesh : cut.mesh;
 	for (int i = 0; i < steps; ++i) {
-		const float even = evenEdge(area, first) * float(std::sqrt(double(first) / num));
-		const float flat =
-			sizesByError(surface.mesh, {even, largestByError * even, slopeOfSizes}, workers)
-				.epsilon;
+		const float            even = evenEdge(area, first) * float(std::sqrt(double(first) / num));
+		const ErrorSizeRequest request{even, largestWithinError * even, slopeWithinError};
+		const float            flat = SizeSearch(mesh, request, workers).run().epsilon;
 		num *= std::clamp(double(flat) / wanted, 0.1, 10.0);
 		num = std::clamp(num, 4.0, double(most));
 	}

@@ -32,17 +32,25 @@ struct ErrorSizes {
 /// that the number of triangles is that of the edge `even` everywhere: the area mean of (even / h)²
 /// is 1. It is not below the noise of the surface: there are fewer triangles then.
 ///
+/// On either side of a feature line a disk sees that side alone; lines are per half-edge, at both
+/// halves of an edge, or empty.
+///
 /// Needs a connected surface in spatial order; edges may be of any length. The same bits for any
 /// number of threads. Cost: linear. Five disks for each square of an even edge, but where the
 /// surface hardly turns, and a closer look where they are not flat.
-ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const ErrorSizeRequest& request,
-						Workers& workers);
+ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const Buffer<char>& lines,
+						const ErrorSizeRequest& request, Workers& workers);
+
+/// Where a largest error is asked for: the edge where the surface is flat, over that of even
+/// triangles, and how fast sizes grow at least.
+constexpr float largestWithinError = 2, slopeWithinError = 0.2f;
 
 /// The count with which triangles would be as flat as a largest error asks for, but for few of
-/// them. area: of the surface, working units squared; first: a guess; error: mesh units; most: no
-/// larger count is returned. Cost: three times that of sizesByError.
-std::int64_t countForFlatness(const Surface& surface, double area, std::int64_t first, double error,
-							  std::int64_t most, Workers& workers);
+/// them. lines: as above. area: of the surface, working units squared; first: a guess; error: mesh
+/// units; most: no larger count is returned. Cost: three times that of sizesByError.
+std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines, double area,
+							  std::int64_t first, double error, std::int64_t most,
+							  Workers& workers);
 
 } // namespace gpr
 

@@ -7,10 +7,8 @@
 #include "target.h"
 
 #include <vcg_extras/core/base/failure.h>
-#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/input/split_long_edges.h>
-#include <vcg_extras/core/mesh/cut_mesh.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/surface_point.h>
 
@@ -26,7 +24,9 @@ namespace {
 /// faster cost angles.
 float gradingSlope(const SizingRequest& request)
 {
-	return float(request.options.growth - 1);
+	const float slope = float(request.options.growth - 1);
+	return request.options.targetMode == TargetMode::MaxError ? std::max(slope, slopeWithinError)
+															  : slope;
 }
 /// Where λ is above 0 the smallest triangles are at most so many times smaller than the largest.
 constexpr float largestStretch = 4;
@@ -175,9 +175,10 @@ bool wantsSmallerDisks(const SizingRequest& request)
 
 /// The size where the surface is flat, over that of even triangles: the larger, the more vertices
 /// are left for where it is not.
-float largestSizeFor(double adapt)
+float largestSizeFor(const RemeshOptions& options)
 {
-	return 1 + 0.3f * float(adapt);
+	if (options.targetMode == TargetMode::MaxError) return largestWithinError;
+	return 1 + 0.3f * float(*options.adapt);
 }
 
 bool wantsErrorSizes(const SizingRequest& request)
@@ -321,34 +322,14 @@ void limitEdges(const SizingRequest& request, const Surface& surface, Workers& w
 	}
 }
 
-/// Edges of triangles by the error, on either side of feature lines by that side alone.
-Buffer<float> edgesByError(const HalfEdgeMesh& mesh, const Buffer<char>& lines,
-						   const ErrorSizeRequest& wanted, Workers& workers)
-{
-	if (lines.empty()) return sizesByError(mesh, wanted, workers).edge;
-	const CutMesh       cut = cutAlong(mesh, lines);
-	const Buffer<float> all = sizesByError(cut.mesh, wanted, workers).edge;
-	Buffer<float>       edge(mesh.vertexNum);
-	std::copy(all.begin(), all.begin() + mesh.vertexNum, edge.begin());
-	std::vector<int> small;
-	for (std::size_t i = 0; i < cut.copyOf.size(); ++i) {
-		float& least = edge[cut.copyOf[i]];
-		least        = std::min(least, all[std::size_t(mesh.vertexNum) + i]);
-		small.push_back(cut.copyOf[i]);
-	}
-	sortUnique(small);
-	gradeSizes(mesh, wanted.slope, workers, small, edge);
-	return edge;
-}
-
 /// Edges of triangles by the error over that of even ones, graded.
 Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
 	ErrorSizeRequest wanted;
 	wanted.even        = request.evenEdge;
-	wanted.largest     = request.evenEdge * largestSizeFor(*request.options.adapt);
+	wanted.largest     = request.evenEdge * largestSizeFor(request.options);
 	wanted.slope       = gradingSlope(request);
-	Buffer<float> edge = edgesByError(surface.mesh, request.lines, wanted, workers);
+	Buffer<float> edge = sizesByError(surface.mesh, request.lines, wanted, workers).edge;
 	workers.forEach(edge.size(), [&](int v) { edge[v] /= request.evenEdge; });
 	return edge;
 }
