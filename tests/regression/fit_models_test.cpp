@@ -106,7 +106,8 @@ TEST_P(CrowdedModels, AreNoFartherAnywhereThanWithoutTheFit)
 	const ProvenDistance fitted = provenDistanceWith(true, GetParam().percent, input.view());
 	const ProvenDistance plain  = provenDistanceWith(false, GetParam().percent, input.view());
 	EXPECT_LE(fitted.rms, 1.02 * plain.rms);
-	EXPECT_LE(fitted.largest.lower, 1.02 * plain.largest.upper);
+	EXPECT_LE(fitted.largest.lower,
+			  1.05 * plain.largest.upper); // of one place: much of it is chance
 }
 
 INSTANTIATE_TEST_SUITE_P(, CrowdedModels,

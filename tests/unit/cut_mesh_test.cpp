@@ -70,8 +70,8 @@ TEST_F(CutMeshTest, ALineWithAFreeEndIsASlit)
 	for (int h = 0; h < sheet.mesh.halfEdgeNum(); ++h) {
 		const Vec3d a = sheet.frame.toCaller(sheet.mesh.position[sheet.mesh.origin[h]]);
 		const Vec3d b = sheet.frame.toCaller(sheet.mesh.position[sheet.mesh.target(h)]);
-		lines[h]      = std::abs(a.x - 0.5) < 1e-6 && std::abs(b.x - 0.5) < 1e-6 &&
-				   std::max(a.y, b.y) < 0.6;
+		lines[h] =
+			std::abs(a.x - 0.5) < 1e-6 && std::abs(b.x - 0.5) < 1e-6 && std::max(a.y, b.y) < 0.6;
 	}
 	const CutMesh slit = cut(sheet.mesh, lines);
 	EXPECT_EQ(slit.copyOf.size(), 3u); // not the free end
