@@ -59,6 +59,15 @@ enum class BoundaryMode {
 	Match,    ///< as Resample, by the border and the edge length alone: see matched_border.h
 };
 
+/// Whether the result is its own mirror image: see run/symmetry.h.
+enum class Symmetry {
+	Off,
+	X,   ///< across the plane through the middle of the box, perpendicular to the x-axis
+	Y,   ///< to the y-axis
+	Z,   ///< to the z-axis
+	Auto ///< across that of these planes, or of those of the principal axes, that suits best
+};
+
 /// Whether sharp edges of the input become edges of the result. They never do with Preset::Paper.
 enum class FeatureMode {
 	Auto,  ///< where they are real creases, not a scan's noise; see crease_lines.h
@@ -115,6 +124,8 @@ struct RemeshOptions {
 	double growth  = 1.15; ///< of the wanted length from one edge to the next, [1.05, 2]
 
 	BoundaryMode boundary = BoundaryMode::Resample;
+
+	Symmetry symmetry = Symmetry::Off;
 
 	FeatureMode featureMode     = FeatureMode::Auto;
 	double      featureAngleDeg = 40; ///< feature lines: between the normals of two faces, [5, 175]

@@ -10,6 +10,7 @@
 #include <vcg_extras/core/input/selected_part.h>
 #include <vcg_extras/core/output/part_joining.h>
 #include <vcg_extras/core/run/remeshing.h>
+#include <vcg_extras/core/run/symmetry.h>
 #include <vcg_extras/core/sampling/target.h>
 
 #include <algorithm>
@@ -152,6 +153,7 @@ void remeshMatched(const Call& call, RemeshResult& out)
 
 MeshCall callFor(const RemeshOptions& options)
 {
+	if (options.symmetry != Symmetry::Off) return remeshSymmetric;
 	if (options.selectedOnly) return remeshSelected;
 	return options.boundary == BoundaryMode::Match ? remeshMatched : remeshInput;
 }
@@ -176,7 +178,7 @@ struct PreparedSurface::Kept {
 	{
 		const std::lock_guard<std::mutex> lock(oneRun);
 		const Call                        whole{input, options, progress, stop, &ofRuns};
-		if (!options.selectedOnly)
+		if (!options.selectedOnly || options.symmetry != Symmetry::Off)
 			return guarded<RemeshResult>(run == remeshInput ? callFor(options) : run, whole);
 		return guarded<RemeshResult>([&](RemeshResult& result) {
 			if (!selected) selected = KeptPart{cutOutSelected(input), {}};

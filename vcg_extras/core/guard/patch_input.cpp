@@ -104,6 +104,7 @@ public:
 		collectFaces();
 		HalfEdgeMesh& to = local_.mesh;
 		reserve(to, local_.ownNum, int(face_.size()));
+		to.mirrorAxis = m_.mirrorAxis;
 		to.vertexNum = local_.ownNum;
 		to.faceNum   = int(face_.size());
 		to.crease    = Buffer<char>(std::size_t(to.halfEdgeNum()), 0);

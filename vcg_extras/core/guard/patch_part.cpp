@@ -54,6 +54,7 @@ public:
 
 	void run()
 	{
+		m_.mirrorAxis = whole_.mesh.mirrorAxis;
 		m_.faceNum = int(part_.face.size());
 		reserve(m_, m_.halfEdgeNum(), m_.faceNum);
 		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
@@ -157,6 +158,7 @@ public:
 	void run()
 	{
 		const HalfEdgeMesh& old = whole_.mesh;
+		m_.mirrorAxis = old.mirrorAxis;
 		nameVertices();
 		for (const FilledPart& part : parts_) {
 			for (int f : part.replaced)

@@ -277,6 +277,7 @@ private:
 	void placeVertices()
 	{
 		mesh_.vertexNum = int(resultVertex_.size());
+		mesh_.mirrorAxis = result_.mesh.mirrorAxis;
 		mesh_.faceNum   = int(triangle_.size());
 		reserve(mesh_, mesh_.vertexNum, mesh_.faceNum);
 		for (int v = 0; v < mesh_.vertexNum; ++v) {

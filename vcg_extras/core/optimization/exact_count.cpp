@@ -70,6 +70,7 @@ public:
 
 	bool run(std::initializer_list<Care> cares)
 	{
+		if (m_.mirrorAxis >= 0) splitOwnImages();
 		if (byFaces_ && (wanted_ - num_) % 2 != 0) changeBorderByOne();
 		for (Care care : cares) {
 			care_ = care;
@@ -366,6 +367,24 @@ private:
 		return v;
 	}
 
+	/// Inner edges between two vertices of the mirror plane, which the samples' neighbourhood left:
+	/// see mesh_edit.h.
+	void splitOwnImages()
+	{
+		const std::vector<int> edges =
+			workers_.collectIf(std::size_t(m_.halfEdgeNum()), [&](int h) {
+				return !isDeadFace(m_, h / 3) && m_.opposite[h] > h &&
+					   m_.isOnMirror(m_.origin[h]) && m_.isOnMirror(m_.target(h));
+			});
+		reserve(m_, m_.vertexNum + int(edges.size()), m_.faceNum + 2 * int(edges.size()));
+		for (int h : edges) {
+			ResultVertex middle;
+			if (!findMiddle(surface_, r_, m_.origin[h], m_.target(h), middle)) continue;
+			splitEdge(m_, h, append(middle));
+			num_ += stepOf(false);
+		}
+	}
+
 	// ---- collapsing
 
 	void collapseRound()
@@ -468,7 +487,9 @@ private:
 			workers_.collectEach<CountChange>(m_.halfEdgeNum(), [&](int h, auto& out) {
 				if (isDeadFace(m_, h / 3) || m_.opposite[h] >= 0) return;
 				if (!(toSplit ? isSplittableBorder(h) : isCollapsibleBorder(h))) return;
-				out.push_back({0, toSplit ? -relativeLength(h) : relativeLength(h), h, 0});
+				// Of half a symmetric mesh only those of the plane change the whole's parity.
+				const bool isOpen = !(m_.isOnMirror(m_.origin[h]) && m_.isOnMirror(m_.target(h)));
+				out.push_back({isOpen, toSplit ? -relativeLength(h) : relativeLength(h), h, 0});
 			});
 		std::sort(all.begin(), all.end());
 		return all;
