@@ -105,9 +105,9 @@ public:
 		HalfEdgeMesh& to = local_.mesh;
 		reserve(to, local_.ownNum, int(face_.size()));
 		to.mirrorAxis = m_.mirrorAxis;
-		to.vertexNum = local_.ownNum;
-		to.faceNum   = int(face_.size());
-		to.crease    = Buffer<char>(std::size_t(to.halfEdgeNum()), 0);
+		to.vertexNum  = local_.ownNum;
+		to.faceNum    = int(face_.size());
+		to.crease     = Buffer<char>(std::size_t(to.halfEdgeNum()), 0);
 		for (int v = 0; v < to.vertexNum; ++v) {
 			to.position[v] = m_.position[local_.inputVertex[std::size_t(v)]];
 			to.outgoing[v] = -1;

@@ -83,9 +83,8 @@ Moments momentsOf(const Surface& surface, const Vec3d& middle, Workers& workers)
 		Vec3d corner[3];
 		for (int k = 0; k < 3; ++k)
 			corner[k] = placeOf(surface, surface.mesh.origin[3 * f + k]) - middle;
-		const Vec3d  all = corner[0] + corner[1] + corner[2];
-		const double area =
-			0.5 * length(cross(corner[1] - corner[0], corner[2] - corner[0]));
+		const Vec3d  all  = corner[0] + corner[1] + corner[2];
+		const double area = 0.5 * length(cross(corner[1] - corner[0], corner[2] - corner[0]));
 		sum.area += area;
 		sum.first += all * (area / 3);
 		for (const Vec3d& p : {corner[0], corner[1], corner[2], all})
@@ -100,7 +99,7 @@ void rotate(Matrix& a, std::array<Vec3d, 3>& axes, std::size_t p, std::size_t q)
 {
 	if (a[p][q] == 0) return;
 	const double theta = (a[q][q] - a[p][p]) / (2 * a[p][q]);
-	const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+	const double t     = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
 	const double c = 1 / std::sqrt(t * t + 1), s = t * c;
 	for (std::size_t k = 0; k < 3; ++k) {
 		const double kp = a[k][p], kq = a[k][q];
@@ -240,8 +239,7 @@ private:
 		const double near = onPlane * boxOf(surface_).diagonal();
 		for (int v = 0; v < m_.vertexNum; ++v) {
 			place_.push_back(plane_.toPlane(placeOf(surface_, v)));
-			if (std::abs(height(v)) <= near)
-				setCoordinate(place_.back(), plane_.heightAxis(), 0.0);
+			if (std::abs(height(v)) <= near) setCoordinate(place_.back(), plane_.heightAxis(), 0.0);
 		}
 	}
 
@@ -256,7 +254,8 @@ private:
 			const int          a = m_.origin[h], b = m_.target(h);
 			const std::uint8_t line = m_.isCreaseEdge(h);
 			// An edge along the plane becomes border.
-			if (height(a) >= 0) rest_.push_back({nameOfVertex(a), height(b) < 0 ? edgeMark(a, line) : line});
+			if (height(a) >= 0)
+				rest_.push_back({nameOfVertex(a), height(b) < 0 ? edgeMark(a, line) : line});
 			if (height(a) * height(b) < 0)
 				rest_.push_back({nameOnEdge(f, a, b), height(b) > 0 ? line : std::uint8_t(0)});
 		}
@@ -290,10 +289,10 @@ private:
 		const auto [entry, isNew] = onEdge_.try_emplace({a, b}, none);
 		if (!isNew) return entry->second;
 		const double share = height(a) / (height(a) - height(b));
-		Vec3d        place = place_[std::size_t(a)] +
-					  (place_[std::size_t(b)] - place_[std::size_t(a)]) * share;
+		Vec3d        place =
+			place_[std::size_t(a)] + (place_[std::size_t(b)] - place_[std::size_t(a)]) * share;
 		setCoordinate(place, plane_.heightAxis(), 0.0);
-		const Vec3f at = m_.position[a] + (m_.position[b] - m_.position[a]) * float(share);
+		const Vec3f at       = m_.position[a] + (m_.position[b] - m_.position[a]) * float(share);
 		return entry->second = add(place, {at, f});
 	}
 
@@ -305,7 +304,8 @@ private:
 			return length(out_.positions[std::size_t(rest_[a].vertex)] -
 						  out_.positions[std::size_t(rest_[b].vertex)]);
 		};
-		if (between(1, 3) < between(0, 2)) std::rotate(rest_.begin(), rest_.begin() + 1, rest_.end());
+		if (between(1, 3) < between(0, 2))
+			std::rotate(rest_.begin(), rest_.begin() + 1, rest_.end());
 		const CutCorner first = {rest_[0].vertex, 0}, third = {rest_[2].vertex, 0};
 		addFace(f, rest_[0], rest_[1], third);
 		addFace(f, first, rest_[2], rest_[3]);

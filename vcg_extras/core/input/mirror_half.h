@@ -40,8 +40,8 @@ struct MirrorPlane {
 /// A plane and how far a surface is from its mirror image.
 struct FoundPlane {
 	MirrorPlane plane;
-	double      mismatch = 0; ///< of the vertex whose image is farthest from the surface, mesh units
-	Vec3d       farthest;     ///< that vertex
+	double mismatch = 0; ///< of the vertex whose image is farthest from the surface, mesh units
+	Vec3d  farthest;     ///< that vertex
 };
 
 /// Finds the plane of a symmetry: across the axis, through the middle of the box; or, with

@@ -342,8 +342,8 @@ int countTouchingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
 		if (!isDeadFace(m, faces[i])) boxes[i] = boxOfFace(m, faces[i]);
 		all += boxes[i];
 	}
-	int num = int(std::count_if(faces.begin(), faces.end(),
-								[&](int f) { return reachesMirrorImage(m, f); }));
+	int num = int(
+		std::count_if(faces.begin(), faces.end(), [&](int f) { return reachesMirrorImage(m, f); }));
 	for (int g : others) {
 		if (isDeadFace(m, g)) continue;
 		const Box<float> box = boxOfFace(m, g);

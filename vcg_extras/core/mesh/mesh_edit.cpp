@@ -167,9 +167,8 @@ bool mirrorAllowsCollapse(const HalfEdgeMesh& m, int h, const std::vector<int>& 
 	if (!m.isOnMirror(b)) return true;
 	const bool areBothOnMirror = m.isOnMirror(c) && m.isOnMirror(d);
 	if (areBothOnMirror && ring.size() == 3) return false;
-	return std::all_of(ring.begin(), ring.end(), [&](int w) {
-		return w == b || w == c || w == d || !m.isOnMirror(w);
-	});
+	return std::all_of(ring.begin(), ring.end(),
+					   [&](int w) { return w == b || w == c || w == d || !m.isOnMirror(w); });
 }
 
 /// Whether v may be merged into b, its neighbour on the border: vertices of the mirror plane stay
@@ -180,11 +179,9 @@ bool mirrorAllowsCollapseAlongBorder(const HalfEdgeMesh& m, int v, int b, bool f
 {
 	if (m.mirrorAxis < 0) return true;
 	const int behindV = borderNeighbour(m, v, !forward), behindB = borderNeighbour(m, b, forward);
-	if (m.isOnMirror(v))
-		return m.isOnMirror(b) && (m.isOnMirror(behindV) || m.isOnMirror(behindB));
-	return !m.isOnMirror(b) ||
-		   std::none_of(scratch.ringA.begin(), scratch.ringA.end(),
-						[&](int w) { return w != b && m.isOnMirror(w); });
+	if (m.isOnMirror(v)) return m.isOnMirror(b) && (m.isOnMirror(behindV) || m.isOnMirror(behindB));
+	return !m.isOnMirror(b) || std::none_of(scratch.ringA.begin(), scratch.ringA.end(),
+											[&](int w) { return w != b && m.isOnMirror(w); });
 }
 
 /// The part of the test that asks for topology alone; origin[h] is an inner vertex.
@@ -562,7 +559,7 @@ void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
 	HalfEdgeMesh to;
 	to.mirrorAxis = m.mirrorAxis;
 	to.vertexNum  = numberLiving(
-		m.vertexNum, [&](int v) { return m.outgoing[v] >= 0; }, workers, newIndex);
+		 m.vertexNum, [&](int v) { return m.outgoing[v] >= 0; }, workers, newIndex);
 	to.faceNum = numberLiving(
 		m.faceNum, [&](int f) { return !isDeadFace(m, f); }, workers, newFace);
 	if (to.vertexNum == m.vertexNum && to.faceNum == m.faceNum && !hasRoom(m)) return;
@@ -590,13 +587,13 @@ void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
 HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers)
 {
 	HalfEdgeMesh to;
-	to.vertexNum = from.vertexNum;
+	to.vertexNum  = from.vertexNum;
 	to.faceNum    = from.faceNum;
 	to.mirrorAxis = from.mirrorAxis;
-	to.position  = copyOf(from.position, std::size_t(from.vertexNum), workers);
-	to.outgoing  = copyOf(from.outgoing, std::size_t(from.vertexNum), workers);
-	to.origin    = copyOf(from.origin, std::size_t(from.halfEdgeNum()), workers);
-	to.opposite  = copyOf(from.opposite, std::size_t(from.halfEdgeNum()), workers);
+	to.position   = copyOf(from.position, std::size_t(from.vertexNum), workers);
+	to.outgoing   = copyOf(from.outgoing, std::size_t(from.vertexNum), workers);
+	to.origin     = copyOf(from.origin, std::size_t(from.halfEdgeNum()), workers);
+	to.opposite   = copyOf(from.opposite, std::size_t(from.halfEdgeNum()), workers);
 	if (from.hasCreases())
 		to.crease = copyOf(from.crease, std::size_t(from.halfEdgeNum()), workers);
 	return to;

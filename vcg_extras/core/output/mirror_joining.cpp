@@ -69,7 +69,7 @@ private:
 		}
 		for (int f = 0; f < halfFaceNum(); ++f) {
 			for (int k = 0; k < 3; ++k) {
-				const int v = half_.triangles[std::size_t(3 * f + k)];
+				const int v          = half_.triangles[std::size_t(3 * f + k)];
 				m_.origin[3 * f + k] = v;
 				m_.origin[3 * (f + halfFaceNum()) + (3 - k) % 3] = imageOf_[std::size_t(v)];
 			}
@@ -142,7 +142,7 @@ void placeOnSurface(const Surface& surface, const MirrorHalf& half, const Mirror
 		if (coordinate(made.mesh.positions[v], plane.heightAxis()) != 0) imageOf.push_back(v);
 	}
 	workers.forEach(halfNum, [&](int v) {
-		const BarycentricPoint& at = made.surfacePoints[std::size_t(v)];
+		const BarycentricPoint& at   = made.surfacePoints[std::size_t(v)];
 		vertex[std::size_t(v)].point = {surface.frame.toWorking(plane.toCaller(workingOf(at))),
 										half.faceOf[std::size_t(at.face)]};
 	});

@@ -107,23 +107,23 @@ void Told::addHalf(RemeshReport half)
 	}
 	half.capsReached.insert(half.capsReached.end(), report.capsReached.begin(),
 							report.capsReached.end());
-	half.stages             = std::move(report.stages);
-	half.input              = report.input;
-	half.cleanedInput       = report.cleanedInput;
-	half.cleaned            = report.cleaned;
-	half.result             = report.result;
-	half.quality            = report.quality;
-	half.check              = report.check;
-	half.targetVertexNum    = report.result.vertices;
-	half.largestFitDistance = report.largestFitDistance;
-	half.isDistanceProven   = report.isDistanceProven;
-	half.provenDistance     = report.provenDistance;
-	const GuardedFigures made        = half.audit.guarded;
-	half.audit                       = report.audit;
-	half.audit.guarded.isTested      = made.isTested;
-	half.audit.guarded.foundPairNum  = made.foundPairNum + report.audit.guarded.pairNum;
-	half.audit.guarded.vertexNum     = 2 * made.vertexNum;
-	report                           = std::move(half);
+	half.stages                     = std::move(report.stages);
+	half.input                      = report.input;
+	half.cleanedInput               = report.cleanedInput;
+	half.cleaned                    = report.cleaned;
+	half.result                     = report.result;
+	half.quality                    = report.quality;
+	half.check                      = report.check;
+	half.targetVertexNum            = report.result.vertices;
+	half.largestFitDistance         = report.largestFitDistance;
+	half.isDistanceProven           = report.isDistanceProven;
+	half.provenDistance             = report.provenDistance;
+	const GuardedFigures made       = half.audit.guarded;
+	half.audit                      = report.audit;
+	half.audit.guarded.isTested     = made.isTested;
+	half.audit.guarded.foundPairNum = made.foundPairNum + report.audit.guarded.pairNum;
+	half.audit.guarded.vertexNum    = 2 * made.vertexNum;
+	report                          = std::move(half);
 }
 
 void Told::addTrials(double goal, int trialNum, double seconds, const std::string& outcome)

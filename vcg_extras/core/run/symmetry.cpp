@@ -90,10 +90,10 @@ private:
 	MeshView                view_;
 	RemeshResult            ofRun_; ///< of the half, the last one
 	// Of the half.
-	std::int64_t euler_      = 0; ///< Euler characteristic
-	std::int64_t arcNum_     = 0; ///< pieces of border on the plane that are no loops
-	double       openLength_ = 0; ///< of the border that is not on the plane, mesh units
-	std::int64_t openEdges_  = 0; ///< on that in the result, about
+	std::int64_t euler_      = 0;     ///< Euler characteristic
+	std::int64_t arcNum_     = 0;     ///< pieces of border on the plane that are no loops
+	double       openLength_ = 0;     ///< of the border that is not on the plane, mesh units
+	std::int64_t openEdges_  = 0;     ///< on that in the result, about
 	bool         isWish_     = false; ///< the count is
 
 	const RemeshOptions& options() const { return call_.options; }
@@ -104,7 +104,7 @@ private:
 	void findPlane()
 	{
 		const double allowed = mostMismatch * diagonal();
-		found_ = findMirrorPlane(surface_, options().symmetry, allowed, run_.workers);
+		found_               = findMirrorPlane(surface_, options().symmetry, allowed, run_.workers);
 		if (found_.mismatch <= allowed) return;
 		const Vec3d& p = found_.farthest;
 		throw Failure(Status::BadOptions,
@@ -151,7 +151,8 @@ private:
 	{
 		std::set<std::pair<std::int32_t, std::int32_t>> edges;
 		for (std::size_t c = 0; c < mesh.triangles.size(); ++c) {
-			const std::int32_t a = mesh.triangles[c], b = mesh.triangles[c % 3 == 2 ? c - 2 : c + 1];
+			const std::int32_t a = mesh.triangles[c],
+							   b = mesh.triangles[c % 3 == 2 ? c - 2 : c + 1];
 			if (edges.erase({b, a}) == 0) edges.insert({a, b});
 		}
 		HalfBorder border;
@@ -202,7 +203,7 @@ private:
 		o.dropComponentsBelow     = 0;
 		o.surfacePointsOfVertices = true;
 		o.surfacePointsOfFaces    = false;
-		const double spent = std::chrono::duration<double>(Clock::now() - start_).count();
+		const double spent        = std::chrono::duration<double>(Clock::now() - start_).count();
 		if (o.timeLimitSeconds > 0) o.timeLimitSeconds = std::max(1e-3, o.timeLimitSeconds - spent);
 		return o;
 	}
@@ -286,9 +287,9 @@ private:
 	[[noreturn]] static void refuse(const std::string& asked, const std::string& what,
 									std::int64_t lower, std::int64_t upper, std::int64_t smallest)
 	{
-		const std::string numbers = lower == upper ? " is " + std::to_string(lower)
-												   : "s are " + std::to_string(lower) + " and " +
-														 std::to_string(upper);
+		const std::string numbers =
+			lower == upper ? " is " + std::to_string(lower)
+						   : "s are " + std::to_string(lower) + " and " + std::to_string(upper);
 		throw Failure(smallest > 0 ? Status::CountTooSmall : Status::BadOptions,
 					  "No symmetric mesh of this surface with " + asked +
 						  " was found; the nearest number" + numbers + " " + what + ".",
@@ -367,8 +368,8 @@ private:
 		requireNoContacts(joined.result.mesh);
 		check(joined.result);
 		AuditFigures& audited = made_.verified.audit;
-		made_.quality = exportResult(run_, surface_, joined.result, false, audited, out);
-		out.mesh.positions = std::move(joined.positions);
+		made_.quality         = exportResult(run_, surface_, joined.result, false, audited, out);
+		out.mesh.positions    = std::move(joined.positions);
 		tell(joined);
 		made_.result      = std::move(joined.result);
 		made_.fitDistance = farthestFromSurface(made_.result);
@@ -395,8 +396,9 @@ private:
 			const ComparedSurfaces both(surface_, result, run_.workers);
 			made_.verified.proof = proveDistance(run_, surface_, diagonal(), both);
 			if (made_.verified.proof.bounds.hausdorff().upper > largestError(options(), diagonal()))
-				throw Failure(Status::PromiseBroken,
-							  "The mirrored half is farther from the input than the largest error.");
+				throw Failure(
+					Status::PromiseBroken,
+					"The mirrored half is farther from the input than the largest error.");
 		}
 		const Expected expected{surface_.figures, result.mesh.vertexNum, 0,
 								farthestFromSurface(result)};
@@ -422,10 +424,10 @@ void remeshSymmetric(const Call& call, RemeshResult& out)
 	RemeshOptions ofWhole    = call.options;
 	ofWhole.featureRegion    = FeatureRegion::None; // it is looked for on the half
 	ofWhole.featureDiskScale = 0;
-	PlainRun         plain({call.input, ofWhole, call.progress, call.stop, call.cache},
-						   Pipeline::Remeshing);
-	SymmetricRun     symmetric(call, plain.setup.run, plain.made);
-	const TellAtEnd  teller{symmetric, out};
+	PlainRun        plain({call.input, ofWhole, call.progress, call.stop, call.cache},
+						  Pipeline::Remeshing);
+	SymmetricRun    symmetric(call, plain.setup.run, plain.made);
+	const TellAtEnd teller{symmetric, out};
 	{
 		InputCache own;
 		fillCache(plain.setup.run, call.cache != nullptr ? *call.cache : own, plain.made);

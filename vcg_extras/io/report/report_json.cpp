@@ -89,6 +89,7 @@ Json optionsJson(const RemeshOptions& o)
 	json["maxEdge"]             = o.maxEdge;
 	json["growth"]              = o.growth;
 	json["boundary"]            = choiceName("Boundary", o.boundary);
+	json["symmetry"]            = choiceName("Symmetry", o.symmetry);
 	json["selectedOnly"]        = o.selectedOnly;
 	json["allowNearest"]        = o.allowNearest;
 	json["dropComponentsBelow"] = o.dropComponentsBelow;
@@ -205,7 +206,9 @@ Json errorJson(const RemeshReport& r)
 
 } // namespace
 
-std::string remeshReportJson(const RunRecord& run)
+namespace {
+
+Json remeshJson(const RunRecord& run)
 {
 	const RemeshReport& r = run.report;
 	Json                json;
@@ -232,6 +235,23 @@ std::string remeshReportJson(const RunRecord& run)
 	json["capsReached"]     = r.capsReached;
 	json["notes"]           = run.notes;
 	json["peakMemoryBytes"] = run.peakMemoryBytes;
+	return json;
+}
+
+} // namespace
+
+std::string remeshReportJson(const RunRecord& run)
+{
+	return textOf(remeshJson(run));
+}
+
+std::string levelsReportJson(const std::vector<RunRecord>& levels)
+{
+	Json json;
+	json["program"] = programJson();
+	json["levels"]  = Json::array();
+	for (const RunRecord& run : levels)
+		json["levels"].push_back(remeshJson(run));
 	return textOf(json);
 }
 

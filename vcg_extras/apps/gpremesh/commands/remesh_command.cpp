@@ -7,6 +7,7 @@
 #include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
 #include <vcg_extras/apps/gpremesh/report/summary.h>
 #include <vcg_extras/apps/gpremesh/tiles/result_tiles.h>
+#include <vcg_extras/core/prepared_surface.h>
 #include <vcg_extras/core/run_estimate.h>
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
@@ -42,8 +43,10 @@ std::vector<float> wantedSizes(const MeshAttributes& attributes, const std::stri
 	return std::vector<float>(column->values.begin(), column->values.end());
 }
 
+/// prepared: of this mesh, where more than one result is made of it; else null.
 RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* texture,
-								const CommandLine& line, const RunLimit& limit)
+								const CommandLine& line, const RunLimit& limit,
+								PreparedSurface* prepared)
 {
 	ProgressBar   bar(!line.quiet && errorIsTerminal());
 	MeshView      view              = mesh.view();
@@ -55,15 +58,18 @@ RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* text
 	const std::vector<float> sizes = wantedSizes(mesh.attributes, line.sizes);
 	if (!sizes.empty()) view.wantedEdge = sizes.data();
 	if (line.shareDone == 0) tellEstimate(view, options, bar);
-	const char*  phraseBefore = nullptr;
-	RemeshResult result       = remesh(view, options, [&](double share, const char* phrase) {
+	const char*            phraseBefore = nullptr;
+	const ProgressCallback progress     = [&](double share, const char* phrase) {
         // What the engine has copied is no longer looked at, mostly.
         const bool isNext = phraseBefore != nullptr && phrase != phraseBefore;
         if (isNext && mesh.isInFile()) mesh.file->giveBackPages();
         phraseBefore = phrase;
         bar.show(line.shareDone + (1 - line.shareDone) * share, phrase);
         return !stopRequested();
-    });
+	};
+	if (prepared != nullptr) prepared->setInput(view);
+	RemeshResult result =
+		prepared != nullptr ? prepared->remesh(options, progress) : remesh(view, options, progress);
 	bar.clear();
 	if (stopRequested()) limit.check();
 	requireMesh(result);
@@ -100,10 +106,10 @@ void addPrecisionNote(MeshFormat format, RunRecord& run)
 	run.notes.push_back(name + " holds floats only; the coordinates were rounded to float.");
 }
 
-void writeReport(const std::string& path, const RunRecord& run)
+void writeText(const std::string& path, const std::string& text)
 {
 	OutputFile out(path);
-	out.text(remeshReportJson(run));
+	out.text(text);
 	out.commit();
 }
 
@@ -148,17 +154,16 @@ MeshAttributes carriedAttributes(Source& source, const RemeshResult& result, Tra
 						   transfer);
 }
 
-/// Everything between the mesh in memory and the mesh on the disk. The input is handed back before
-/// the clock is read, so that no time is left out of the report.
+/// Everything between the mesh in memory and the mesh on the disk, all times but those of writing
+/// included. begun: when the work on this result began.
 RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit,
-				  const Stopwatch& programClock)
+				  const Stopwatch& programClock, double begun, PreparedSurface* prepared = nullptr)
 {
 	RunRecord run;
-	run.times.read      = programClock.seconds();
+	run.times.read      = programClock.seconds() - begun;
 	InputMesh&   input  = source.mesh;
-	RemeshResult result = remeshWithProgress(input, source.texture.get(), line, limit);
-	const double done   = programClock.seconds();
-	run.times.remesh    = done - run.times.read;
+	RemeshResult result = remeshWithProgress(input, source.texture.get(), line, limit, prepared);
+	run.times.remesh    = programClock.seconds() - begun - run.times.read;
 
 	run.inputPath    = line.input;
 	run.outputPath   = line.output;
@@ -175,14 +180,60 @@ RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit
 	writeResult(result.mesh, run.outputDouble, attributes, line, limit);
 	if (!attributes.lost.empty())
 		run.notes.push_back("Not carried over: " + listOf(attributes.lost) + ".");
-
-	source          = Source();
-	result          = RemeshResult();
-	run.times.write = programClock.seconds() - done;
 	return run;
 }
 
+/// The rest of the time that a result took.
+void endTimes(double begun, const Stopwatch& programClock, RunRecord& run)
+{
+	run.times.write     = programClock.seconds() - begun - run.times.read - run.times.remesh;
+	run.peakMemoryBytes = peakMemoryBytes();
+}
+
+/// The line for one level: its size, its file, and a proof of how far it is from the input.
+CommandLine lineOfLevel(const CommandLine& line, std::size_t level)
+{
+	CommandLine    one  = line;
+	const double   size = line.levels.sizes[level];
+	RemeshOptions& o    = one.options;
+	o.targetMode        = line.levels.mode;
+	o.check             = true;
+	if (o.targetMode == TargetMode::VertexNum) o.targetVertexNum = std::int64_t(size);
+	if (o.targetMode == TargetMode::FaceNum) o.targetFaceNum = std::int64_t(size);
+	if (o.targetMode == TargetMode::Percent) o.targetPercent = size;
+	one.output = pathOfLevel(line.output, level + 1);
+	return one;
+}
+
 } // namespace
+
+std::string pathOfLevel(const std::string& pattern, std::size_t level)
+{
+	const std::string place = levelPlace;
+	std::string       path  = pattern;
+	path.replace(path.find(place), place.size(), std::to_string(level));
+	return path;
+}
+
+void runLevels(const CommandLine& line, const Stopwatch& programClock)
+{
+	for (std::size_t i = 0; i < line.levels.sizes.size(); ++i)
+		checkOutput(lineOfLevel(line, i));
+	catchStopSignals();
+	const RunLimit         limit(programClock, line.options.timeLimitSeconds);
+	Source                 source = readSource(line, limit);
+	PreparedSurface        prepared(source.mesh.view());
+	std::vector<RunRecord> levels;
+	double                 begun = 0;
+	for (std::size_t i = 0; i < line.levels.sizes.size(); ++i) {
+		const CommandLine one = lineOfLevel(line, i);
+		levels.push_back(process(source, one, limit, programClock, begun, &prepared));
+		endTimes(begun, programClock, levels.back());
+		begun = programClock.seconds();
+		if (!line.quiet) std::fputs(remeshSummary(levels.back()).c_str(), stdout);
+	}
+	if (!line.report.empty()) writeText(line.report, levelsReportJson(levels));
+}
 
 void checkOutput(const CommandLine& line)
 {
@@ -199,9 +250,10 @@ void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 	catchStopSignals();
 	const RunLimit limit(programClock, line.options.timeLimitSeconds);
 	Source         source = readSource(line, limit);
-	RunRecord      run    = process(source, line, limit, programClock);
-	run.peakMemoryBytes   = peakMemoryBytes();
-	if (!line.report.empty()) writeReport(line.report, run);
+	RunRecord      run    = process(source, line, limit, programClock, 0);
+	source                = Source(); // handed back before the clock is read
+	endTimes(0, programClock, run);
+	if (!line.report.empty()) writeText(line.report, remeshReportJson(run));
 	if (!line.quiet) std::fputs(remeshSummary(run).c_str(), stdout);
 }
 
