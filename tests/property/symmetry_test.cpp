@@ -87,8 +87,8 @@ void expectSymmetric(const TriangleMesh& mesh, int axis, double at)
 	for (std::size_t f = 0; f < mesh.faceNum(); ++f) {
 		const std::int32_t* c = &mesh.triangles[3 * f];
 		faces.insert(turned({c[0], c[1], c[2]}));
-		mirrored.insert(turned({images[std::size_t(c[0])], images[std::size_t(c[2])],
-								images[std::size_t(c[1])]}));
+		mirrored.insert(turned(
+			{images[std::size_t(c[0])], images[std::size_t(c[2])], images[std::size_t(c[1])]}));
 		const auto height = [&](int k) {
 			return coordinate(mesh.positions[std::size_t(c[k])], axis) - at;
 		};
@@ -131,11 +131,11 @@ TEST(Symmetry, FeatureLinesBordersAndRegionsAreCarried)
 		const Vec3d p = middleOf(mesh, f);
 		region.push_back(std::abs(p.x) > 0.75 ? (p.x > 0 ? 3 : 4) : 5);
 	}
-	MeshView view                 = mesh.view();
-	view.region                   = region.data();
-	RemeshOptions options         = symmetric(Symmetry::X, 400);
-	options.surfacePointsOfFaces  = true;
-	const RemeshResult result     = remesh(view, options);
+	MeshView view                = mesh.view();
+	view.region                  = region.data();
+	RemeshOptions options        = symmetric(Symmetry::X, 400);
+	options.surfacePointsOfFaces = true;
+	const RemeshResult result    = remesh(view, options);
 	ASSERT_EQ(result.status, Status::Ok) << result.message;
 	expectSymmetric(result.mesh, 0, 0);
 	double area = 0;
@@ -143,8 +143,8 @@ TEST(Symmetry, FeatureLinesBordersAndRegionsAreCarried)
 		const Vec3d p = middleOf(result.mesh, f);
 		EXPECT_EQ(result.region[f], std::abs(p.x) > 0.75 ? (p.x > 0 ? 3 : 4) : 5);
 		EXPECT_GE(result.facePoints[f].face, 0);
-		const std::int32_t* c = &result.mesh.triangles[3 * f];
-		const auto at = [&](int k) { return result.mesh.positions[std::size_t(c[k])]; };
+		const std::int32_t* c  = &result.mesh.triangles[3 * f];
+		const auto          at = [&](int k) { return result.mesh.positions[std::size_t(c[k])]; };
 		area += 0.5 * length(cross(at(1) - at(0), at(2) - at(0)));
 	}
 	EXPECT_NEAR(area, 22, 0.01); // edges of the box are kept
@@ -176,7 +176,7 @@ TEST(Symmetry, OpenSurfacesGetTheirCounts)
 	faces.targetMode    = TargetMode::FaceNum;
 	faces.targetFaceNum = 300;
 	EXPECT_EQ(int(remeshed(mesh, faces).mesh.faceNum()), 300);
-	faces.targetFaceNum = 301;
+	faces.targetFaceNum        = 301;
 	const RemeshResult refused = remesh(mesh.view(), faces);
 	EXPECT_EQ(refused.status, Status::BadOptions);
 	EXPECT_NE(refused.message.find("300 and 302"), std::string::npos) << refused.message;

@@ -83,7 +83,7 @@ def levels(vertices, faces, *, percent=None, vertex_count=None, face_count=None,
     -------
     list of RemeshResult
         One for each size, in their order: the same as those of `gpremesh.remesh`. The proven error of a
-        level is `report["error"]["proven"]`.
+        level is `report["error"]["hausdorff"]["upper"]`.
 
     Raises
     ------
