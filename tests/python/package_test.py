@@ -62,8 +62,9 @@ def test_examples_in_the_code(holder):
     assert runner.failures == 0 and runner.tries > 5
 
 
-def test_examples_in_the_document():
-    results = doctest.testfile(str(ROOT / "vcg_extras/docs/python.md"), module_relative=False)
+@pytest.mark.parametrize("name", ["python.md", "series.md"])
+def test_examples_in_the_documents(name):
+    results = doctest.testfile(str(ROOT / "vcg_extras/docs" / name), module_relative=False)
     assert results.failed == 0 and results.attempted > 5
 
 

@@ -75,3 +75,42 @@ def test_threads_wait_for_each_other():
         thread.join()
     for count in counts:
         assert_same(made[count], gpremesh.remesh(*mesh, vertex_count=count))
+
+
+def test_levels_are_those_of_single_runs():
+    mesh = torus()
+    told = []
+    made = gpremesh.levels(*mesh, vertex_count=[300, 200], progress=lambda share, stage: told.append(share))
+    for level, count in zip(made, (300, 200)):
+        assert_same(level, gpremesh.remesh(*mesh, vertex_count=count, check=True))
+    assert made[0].report["error"]["hausdorff"]["upper"] < made[1].report["error"]["hausdorff"]["upper"]
+    assert told == sorted(told) and told[-1] <= 1
+
+
+@pytest.mark.parametrize("sizes", [{}, {"percent": []}, {"percent": [5], "face_count": [200]}])
+def test_levels_need_sizes_of_one_kind(sizes):
+    with pytest.raises(ValueError, match="levels needs one of"):
+        gpremesh.levels(*torus(), **sizes)
+
+
+def test_a_symmetric_result():
+    vertices, faces = torus()
+    result = gpremesh.remesh(vertices, faces, vertex_count=251, symmetry="x")
+    assert len(result.vertices) == 251
+    rows = {row.tobytes() for row in result.vertices + 0.0}
+    assert all(row.tobytes() in rows for row in result.vertices * [-1, 1, 1] + 0.0)
+    surface = gpremesh.Surface(vertices, faces)
+    assert_same(surface.remesh(vertex_count=251, symmetry="x"), result)
+    with pytest.raises(gpremesh.Error, match="not symmetric"):
+        gpremesh.remesh(vertices + 0.2 * vertices[:, 1:2] ** 2 * [1, 0, 0] + vertices[:, 1:2] * [0.1, 0, 0], faces,
+                        vertex_count=200, symmetry="x")
+
+
+def test_detail_off_is_no_size():
+    vertices, faces = torus()
+    parameters = dict(percent=20)
+    assert_same(gpremesh.remesh(vertices, faces, detail="off", **parameters),
+                gpremesh.remesh(vertices, faces, **parameters))
+    sizes = np.full(len(vertices), 0.3)
+    assert_same(gpremesh.remesh(vertices, faces, detail="off", sizes=sizes),
+                gpremesh.remesh(vertices, faces, sizes=sizes))

@@ -44,6 +44,9 @@ struct MeshView {
 	const std::uint8_t* selectedFace = nullptr;
 	/// Per vertex, or null: the edge length wanted there, mesh units, above 0.
 	const float* wantedEdge = nullptr;
+	/// Of half a symmetric mesh whose mirror image will be joined to it: the axis on whose plane at
+	/// 0 its border lies; all else lies above 0 there. -1: it is no half.
+	int mirrorAxis = -1;
 
 	MeshView() = default;
 	template <class S>

@@ -168,6 +168,10 @@ std::vector<std::string> validate(const RemeshOptions& o)
 	if (!isWithin(o.timeLimitSeconds, 0, 1e9)) {
 		complaints.push_back("The time limit must be between 0 and 1000000000 seconds.");
 	}
+	if (o.symmetry != Symmetry::Off && (o.selectedOnly || isPaper(o))) {
+		complaints.push_back("A symmetric result is not possible with the preset paper, nor of "
+							 "selected faces.");
+	}
 	if (o.threads < 0 || o.threads > 1024) {
 		complaints.push_back("The number of threads must be between 0 and 1024.");
 	}

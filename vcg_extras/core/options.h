@@ -61,6 +61,15 @@ enum class BoundaryMode {
 	Match,    ///< as Resample, by the border and the edge length alone: see matched_border.h
 };
 
+/// Whether the result is its own mirror image: see run/symmetry.h.
+enum class Symmetry {
+	Off,
+	X,   ///< across the plane through the middle of the box, perpendicular to the x-axis
+	Y,   ///< to the y-axis
+	Z,   ///< to the z-axis
+	Auto ///< across that of these planes, or of those of the principal axes, that suits best
+};
+
 /// Whether sharp edges of the input become edges of the result. They never do with Preset::Paper.
 enum class FeatureMode {
 	Auto,  ///< where they are real creases, not a scan's noise; see crease_lines.h
@@ -120,6 +129,8 @@ struct RemeshOptions {
 	/// Lengths of a periodic cell, mesh units, 0 along an axis without a period: the border's
 	/// vertices at opposite ends of the cell match; BoundaryMode::Match is in force then.
 	Vec3d period;
+
+	Symmetry symmetry = Symmetry::Off;
 
 	FeatureMode featureMode     = FeatureMode::Auto;
 	double      featureAngleDeg = 40; ///< feature lines: between the normals of two faces, [5, 175]

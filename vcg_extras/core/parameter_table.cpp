@@ -429,6 +429,21 @@ void addUnits(Table& t)
 					.p);
 }
 
+void addSymmetry(Table& t)
+{
+	t.push_back(
+		row(RemeshTool, "Symmetry", "--symmetry", "NAME", Kind::Choice, "Symmetry",
+			"The result is its own mirror image: each vertex has one on the other side of a plane, "
+			"with the same coordinates bit for bit but for the one across the plane, and edges run "
+			"along the plane. x, y, z: the plane through the middle of the bounding box "
+			"perpendicular to that axis. auto: of these planes, or those of the principal axes, "
+			"the one that suits best. The input must be symmetric to .1 % of the diagonal, and "
+			"is refused otherwise. Half of it is remeshed and mirrored.")
+			.choices({"off", "x", "y", "z", "auto"})
+			.store([](const Value& v, RemeshOptions& o) { o.symmetry = Symmetry(countOf(v)); })
+			.p);
+}
+
 void addCleaning(Table& t)
 {
 	t.push_back(
@@ -527,6 +542,7 @@ std::vector<Parameter> makeParameterTable()
 	addFeatureThresholds(table);
 	addCount(table);
 	addUnits(table);
+	addSymmetry(table);
 	addCleaning(table);
 	addRun(table);
 	addPaperSteps(table);

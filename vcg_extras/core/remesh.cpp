@@ -10,6 +10,7 @@
 #include <vcg_extras/core/input/selected_part.h>
 #include <vcg_extras/core/output/part_joining.h>
 #include <vcg_extras/core/run/remeshing.h>
+#include <vcg_extras/core/run/symmetry.h>
 #include <vcg_extras/core/sampling/target.h>
 
 #include <algorithm>
@@ -154,6 +155,7 @@ void remeshMatched(const Call& call, RemeshResult& out)
 
 MeshCall callFor(const RemeshOptions& options)
 {
+	if (options.symmetry != Symmetry::Off) return remeshSymmetric;
 	if (options.selectedOnly) return remeshSelected;
 	const bool isMatched = options.boundary == BoundaryMode::Match || isPeriodic(options);
 	return isMatched ? remeshMatched : remeshInput;
@@ -179,7 +181,7 @@ struct PreparedSurface::Kept {
 	{
 		const std::lock_guard<std::mutex> lock(oneRun);
 		const Call                        whole{input, options, progress, stop, &ofRuns};
-		if (!options.selectedOnly)
+		if (!options.selectedOnly || options.symmetry != Symmetry::Off)
 			return guarded<RemeshResult>(run == remeshInput ? callFor(options) : run, whole);
 		return guarded<RemeshResult>([&](RemeshResult& result) {
 			if (!selected) selected = KeptPart{cutOutSelected(input), {}};

@@ -32,6 +32,19 @@ struct Vec3 {
 	}
 };
 
+/// x, y or z, by its number from 0 on.
+template <class S>
+inline S coordinate(const Vec3<S>& v, int axis)
+{
+	return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
+}
+
+template <class S>
+inline void setCoordinate(Vec3<S>& v, int axis, S value)
+{
+	(axis == 0 ? v.x : axis == 1 ? v.y : v.z) = value;
+}
+
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
 

@@ -212,10 +212,21 @@ nb::list parameterList(Tool tool)
 	return entries;
 }
 
+namespace {
+
+/// Whether a value chooses the size of the result; "off" chooses none.
+bool choosesSize(const Parameter& p, nb::handle value)
+{
+	return isSizeParameter(p) && textOf(value) != "off";
+}
+
+} // namespace
+
 bool givesSize(Tool tool, const nb::dict& given)
 {
-	for (const Parameter& p : parametersOf(tool)) {
-		if (isSizeParameter(p) && given.contains(nameOf(p, tool).c_str())) return true;
+	for (const auto& [key, value] : given) {
+		const Parameter* const row = findArgument(tool, nb::cast<std::string>(nb::str(key)));
+		if (row != nullptr && choosesSize(*row, value)) return true;
 	}
 	return false;
 }
@@ -231,7 +242,7 @@ RemeshOptions optionsOf(Tool tool, const nb::dict& given)
 		if (row == nullptr) throw nb::value_error(("There is no parameter " + name + ".").c_str());
 		const std::optional<nb::object> percent = percentOf(*row, value);
 		isPercent                               = isPercent || percent.has_value();
-		sizeNum += isSizeParameter(*row) ? 1 : 0;
+		sizeNum += choosesSize(*row, value) ? 1 : 0;
 		set.set(*row, parseValue(*row, name, percent ? nb::handle(*percent) : nb::handle(value)));
 	}
 	if (sizeNum > 1) throw nb::value_error(("Give only one of " + sizeNames(tool) + ".").c_str());

@@ -39,6 +39,9 @@ void run(int argc, char** argv, const Stopwatch& programClock)
 		else
 			runRemesh(line, programClock);
 		break;
+	case Command::Levels:
+		runLevels(line, programClock);
+		break;
 	case Command::Tile:
 		runTileStep(line, programClock);
 		break;

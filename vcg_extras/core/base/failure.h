@@ -18,6 +18,7 @@ struct Failure {
 	std::string  message;               ///< a sentence for the user
 	std::int64_t smallestVertexNum = 0; ///< with CountTooSmall: what to ask for instead
 	std::int64_t smallestFaceNum   = 0; ///< the same where faces are counted; 0: not known
+	std::int64_t nextFaceNum       = 0; ///< another number that the message names; 0: none
 
 	Failure(Status s, std::string m, std::int64_t smallest = 0, std::int64_t smallestFaces = 0) :
 			status(s), message(std::move(m)), smallestVertexNum(smallest),

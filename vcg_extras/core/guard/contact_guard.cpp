@@ -52,10 +52,21 @@ bool ContactGuard::allows(const std::vector<NamedTriangle>& made, const std::vec
 		boxOfMade_.push_back(boxOf(t));
 		all += boxOfMade_.back();
 	}
+	if (comesToMirrorImage(made, gone)) return false;
 	return boxes_->forEachMeeting(all, [&](int place) {
 		const int f = boxes_->face(place);
 		return isDeadFace(m_, f) || goneIn_[std::size_t(f)] == call_ || isApartFrom(f, made, gone);
 	}) && areApart(made, gone);
+}
+
+/// Whether one of the triangles comes to the mirror image where none of the faces did.
+bool ContactGuard::comesToMirrorImage(const std::vector<NamedTriangle>& made,
+									  const std::vector<int>&           gone) const
+{
+	const auto comes   = [&](const NamedTriangle& t) { return reachesMirrorImage(m_, t); };
+	const auto reached = [&](int f) { return reachesMirrorImage(m_, f); };
+	return std::any_of(made.begin(), made.end(), comes) &&
+		   !(hadContacts_ && std::any_of(gone.begin(), gone.end(), reached));
 }
 
 bool ContactGuard::isApartFrom(int face, const std::vector<NamedTriangle>& made,

@@ -40,6 +40,8 @@ private:
 	std::vector<Box<float>>    boxOfMade_;
 
 	void build();
+	bool comesToMirrorImage(const std::vector<NamedTriangle>& made,
+							const std::vector<int>&           gone) const;
 	bool areApart(const std::vector<NamedTriangle>& made, const std::vector<int>& gone) const;
 	bool isApartFrom(int face, const std::vector<NamedTriangle>& made,
 					 const std::vector<int>& gone) const;

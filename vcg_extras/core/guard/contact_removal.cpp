@@ -173,6 +173,7 @@ private:
 	{
 		while (true) {
 			HalfEdgeMesh m;
+			m.mirrorAxis = result_.mesh.mirrorAxis;
 			append(making_.surface.mesh, parts_.ofInput, parts_.isTaken, m, ofInput_);
 			inputNum_            = m.vertexNum;
 			const int inputFaces = m.faceNum;

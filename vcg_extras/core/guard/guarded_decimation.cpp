@@ -287,10 +287,11 @@ private:
 			places.add(q, to);
 			return places;
 		}
-		const Vec3d from(m_.position[merge.from]), middle = (from + to) * 0.5;
+		const auto  kept = [&](const Vec3d& p) { return m_.keptOnMirror(merge.to, p); };
+		const Vec3d from = kept(Vec3d(m_.position[merge.from])), middle = (from + to) * 0.5;
 		Quadric     drawn = q;
 		drawn.addPoint(middle, middleWeight * q.trace());
-		const Vec3d lowest = drawn.lowest(middle);
+		const Vec3d lowest = kept(drawn.lowest(middle));
 		if (settings_.mayLeaveVertices &&
 			squaredLength(lowest - middle) <= squaredLength(to - from))
 			places.add(q, lowest);

@@ -149,7 +149,7 @@ private:
 	{
 		gone_.clear();
 		forEachOutgoing(m_, v, [&](int h) { gone_.push_back(h / 3); });
-		const Vec3d from(m_.position[v]), to = goalOf(v);
+		const Vec3d from(m_.position[v]), to = m_.keptOnMirror(v, goalOf(v));
 		const float before = energy(gone_);
 		double      share  = 1;
 		for (int i = 0; i <= halvingNum; ++i, share /= 2) {

@@ -104,9 +104,10 @@ public:
 		collectFaces();
 		HalfEdgeMesh& to = local_.mesh;
 		reserve(to, local_.ownNum, int(face_.size()));
-		to.vertexNum = local_.ownNum;
-		to.faceNum   = int(face_.size());
-		to.crease    = Buffer<char>(std::size_t(to.halfEdgeNum()), 0);
+		to.mirrorAxis = m_.mirrorAxis;
+		to.vertexNum  = local_.ownNum;
+		to.faceNum    = int(face_.size());
+		to.crease     = Buffer<char>(std::size_t(to.halfEdgeNum()), 0);
 		for (int v = 0; v < to.vertexNum; ++v) {
 			to.position[v] = m_.position[local_.inputVertex[std::size_t(v)]];
 			to.outgoing[v] = -1;

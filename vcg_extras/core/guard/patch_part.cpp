@@ -54,7 +54,8 @@ public:
 
 	void run()
 	{
-		m_.faceNum = int(part_.face.size());
+		m_.mirrorAxis = whole_.mesh.mirrorAxis;
+		m_.faceNum    = int(part_.face.size());
 		reserve(m_, m_.halfEdgeNum(), m_.faceNum);
 		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
 			m_.origin[h]   = -1;
@@ -157,6 +158,7 @@ public:
 	void run()
 	{
 		const HalfEdgeMesh& old = whole_.mesh;
+		m_.mirrorAxis           = old.mirrorAxis;
 		nameVertices();
 		for (const FilledPart& part : parts_) {
 			for (int f : part.replaced)

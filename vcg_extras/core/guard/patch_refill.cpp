@@ -276,8 +276,9 @@ private:
 
 	void placeVertices()
 	{
-		mesh_.vertexNum = int(resultVertex_.size());
-		mesh_.faceNum   = int(triangle_.size());
+		mesh_.vertexNum  = int(resultVertex_.size());
+		mesh_.mirrorAxis = result_.mesh.mirrorAxis;
+		mesh_.faceNum    = int(triangle_.size());
 		reserve(mesh_, mesh_.vertexNum, mesh_.faceNum);
 		for (int v = 0; v < mesh_.vertexNum; ++v) {
 			const int w       = resultVertex_[std::size_t(v)];
@@ -313,8 +314,9 @@ private:
 	{
 		const int h = begin->half;
 		if (end - begin == 1) return mayBeBorder(begin->low) && mayBeBorder(begin->high);
-		const int g = begin[1].half;
-		if (end - begin > 2 || mesh_.origin[h] == mesh_.origin[g]) return false;
+		const int  g          = begin[1].half;
+		const bool isOwnImage = mesh_.isOnMirror(begin->low) && mesh_.isOnMirror(begin->high);
+		if (end - begin > 2 || mesh_.origin[h] == mesh_.origin[g] || isOwnImage) return false;
 		mesh_.opposite[h] = g;
 		mesh_.opposite[g] = h;
 		return true;

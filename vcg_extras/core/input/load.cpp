@@ -214,6 +214,7 @@ IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& coun
 	}
 	const UsedVertices used(mesh, input.vertexNum, workers);
 	mesh.frame = requireFrame(boxOfUsed(input, used, workers));
+	if (input.mirrorAxis >= 0) setCoordinate(mesh.frame.origin, input.mirrorAxis, 0.0);
 	copyVertices(input, used, workers, mesh, counts);
 	counts.unreferencedVertices -= counts.nonFiniteVertices;
 	if (isSoup(mesh)) weld(mesh, workers, counts);

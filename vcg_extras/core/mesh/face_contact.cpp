@@ -240,7 +240,32 @@ bool doFacesTouch(const HalfEdgeMesh& m, int f, int g, Seams seams)
 	return touch(s, t);
 }
 
+/// Of the faces that are wanted (see findAmong), those that reach the mirror image.
+std::vector<int> facesAtMirror(const HalfEdgeMesh& m, const std::vector<char>& wanted,
+							   Workers& workers)
+{
+	if (m.mirrorAxis < 0) return {};
+	return workers.collectIf(std::size_t(m.faceNum), [&](int f) {
+		return (wanted.empty() || wanted[std::size_t(f)] != 0) && reachesMirrorImage(m, f);
+	});
+}
+
 } // namespace
+
+bool reachesMirrorImage(const HalfEdgeMesh& m, const NamedTriangle& t)
+{
+	if (m.mirrorAxis < 0) return false;
+	for (int k = 0; k < 3; ++k) {
+		const float height = coordinate(t.at[k], m.mirrorAxis);
+		if (height < 0 || (height == 0 && !m.isBorderVertex(t.vertex[k]))) return true;
+	}
+	return false;
+}
+
+bool reachesMirrorImage(const HalfEdgeMesh& m, int face)
+{
+	return !isDeadFace(m, face) && reachesMirrorImage(m, triangleOf(m, face));
+}
 
 NamedTriangle triangleOf(const HalfEdgeMesh& m, int f)
 {
@@ -277,6 +302,8 @@ std::vector<FacePair> findAmong(const HalfEdgeMesh& m, const std::vector<char>& 
 		if (!stars.areInOne(f, g) && doFacesTouch(m, f, g, seams)) out.push_back(std::minmax(f, g));
 	};
 	std::vector<FacePair> found = FacePairs(boxes, wanted).collect<FacePair>(workers, compare);
+	for (int f : facesAtMirror(m, wanted, workers))
+		found.emplace_back(f, f);
 	std::sort(found.begin(), found.end());
 	return found;
 }
@@ -315,7 +342,8 @@ int countTouchingPairs(const HalfEdgeMesh& m, const std::vector<int>& faces,
 		if (!isDeadFace(m, faces[i])) boxes[i] = boxOfFace(m, faces[i]);
 		all += boxes[i];
 	}
-	int num = 0;
+	int num = int(
+		std::count_if(faces.begin(), faces.end(), [&](int f) { return reachesMirrorImage(m, f); }));
 	for (int g : others) {
 		if (isDeadFace(m, g)) continue;
 		const Box<float> box = boxOfFace(m, g);

@@ -29,7 +29,15 @@ NamedTriangle triangleOf(const HalfEdgeMesh& mesh, int face);
 /// touch.
 bool touch(const NamedTriangle& s, const NamedTriangle& t);
 
-/// Two faces that touch, the smaller first.
+/// Whether a triangle of half a symmetric mesh has points beyond the mirror plane, or on it where
+/// the border is not: it may touch the mirror image. Its corners are named by the mesh, and may lie
+/// elsewhere.
+bool reachesMirrorImage(const HalfEdgeMesh& mesh, const NamedTriangle& t);
+/// The same of a face; false where it is dead.
+bool reachesMirrorImage(const HalfEdgeMesh& mesh, int face);
+
+/// Two faces that touch, the smaller first; a face that reaches the mirror image is paired with
+/// itself.
 using FacePair = std::pair<int, int>;
 
 /// Border vertices at one place: where a surface was cut, its two sides meet. Joined: they count as

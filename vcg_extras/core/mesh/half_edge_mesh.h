@@ -39,6 +39,9 @@ struct HalfEdgeMesh {
 	Buffer<int>   outgoing;
 	/// Per half-edge: 1 on feature lines, at both halves of an edge. Empty where there are none.
 	Buffer<char> crease;
+	/// Where the mesh is half of a symmetric one: the axis on whose plane at 0 its border meets its
+	/// mirror image; the other vertices have coordinates above 0 there. -1: it is no half.
+	int mirrorAxis = -1;
 
 	int halfEdgeNum() const { return 3 * faceNum; }
 	int target(int h) const { return origin[nextInFace(h)]; }
@@ -56,6 +59,20 @@ struct HalfEdgeMesh {
 	bool isCreaseVertex(int v) const { return hasCreases() && creaseNum(v) > 0; }
 	/// Vertices that move along a curve only, if at all.
 	bool isCurveVertex(int v) const { return isBorderVertex(v) || isCreaseVertex(v); }
+
+	/// Whether a vertex is its own mirror image.
+	bool isOnMirror(int v) const
+	{
+		return mirrorAxis >= 0 && coordinate(position[v], mirrorAxis) == 0;
+	}
+
+	/// A place for v: on the mirror plane where v lies on it.
+	template <class S>
+	Vec3<S> keptOnMirror(int v, Vec3<S> place) const
+	{
+		if (isOnMirror(v)) setCoordinate(place, mirrorAxis, S(0));
+		return place;
+	}
 
 	/// Area times two times the unit normal.
 	Vec3f faceCross(int f) const

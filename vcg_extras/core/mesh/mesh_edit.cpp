@@ -97,6 +97,13 @@ bool isTriangulation(const HolePatch& patch, int placeNum, EditScratch& scratch)
 	return true;
 }
 
+/// Whether an edge of the mirror image would join the same two vertices as an inner edge of the
+/// mesh.
+bool isOwnImage(const HalfEdgeMesh& m, int a, int b)
+{
+	return m.isOnMirror(a) && m.isOnMirror(b);
+}
+
 bool hasNewEdgesOnly(const HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch)
 {
 	for (int x = 0; x < int(patch.corner.size()); ++x) {
@@ -105,6 +112,8 @@ bool hasNewEdgesOnly(const HalfEdgeMesh& m, const VertexStar& star, const HolePa
 		if (!isDiagonal && !isClosing) continue;
 		const int a = star.ring[patch.corner[x]], b = star.ring[patch.corner[nextInFace(x)]];
 		if (m.areNeighbours(a, b)) return false;
+		const bool runsAlongMirror = isClosing && m.isOnMirror(star.vertex);
+		if (!runsAlongMirror && isOwnImage(m, a, b)) return false;
 	}
 	return true;
 }
@@ -150,6 +159,31 @@ void renameOrigin(HalfEdgeMesh& m, int from, int to)
 
 namespace {
 
+/// Whether no edge of target(h) becomes its own mirror image when origin[h], an inner vertex with
+/// this ring, is merged into it. The ends of its border edges are joined to it already.
+bool mirrorAllowsCollapse(const HalfEdgeMesh& m, int h, const std::vector<int>& ring)
+{
+	const int b = m.target(h), c = m.apex(h), d = m.apex(m.opposite[h]);
+	if (!m.isOnMirror(b)) return true;
+	const bool areBothOnMirror = m.isOnMirror(c) && m.isOnMirror(d);
+	if (areBothOnMirror && ring.size() == 3) return false;
+	return std::all_of(ring.begin(), ring.end(),
+					   [&](int w) { return w == b || w == c || w == d || !m.isOnMirror(w); });
+}
+
+/// Whether v may be merged into b, its neighbour on the border: vertices of the mirror plane stay
+/// there, a piece of border on it keeps an edge, and no inner edge becomes its own mirror image.
+/// scratch.ringA: the neighbours of v.
+bool mirrorAllowsCollapseAlongBorder(const HalfEdgeMesh& m, int v, int b, bool forward,
+									 const EditScratch& scratch)
+{
+	if (m.mirrorAxis < 0) return true;
+	const int behindV = borderNeighbour(m, v, !forward), behindB = borderNeighbour(m, b, forward);
+	if (m.isOnMirror(v)) return m.isOnMirror(b) && (m.isOnMirror(behindV) || m.isOnMirror(behindB));
+	return !m.isOnMirror(b) || std::none_of(scratch.ringA.begin(), scratch.ringA.end(),
+											[&](int w) { return w != b && m.isOnMirror(w); });
+}
+
 /// The part of the test that asks for topology alone; origin[h] is an inner vertex.
 bool linkAllowsCollapse(const HalfEdgeMesh& m, int h, EditScratch& scratch)
 {
@@ -159,6 +193,7 @@ bool linkAllowsCollapse(const HalfEdgeMesh& m, int h, EditScratch& scratch)
 	if (c == d) return false;
 	collectNeighbours(m, a, scratch.ringA);
 	if (commonNeighbourNum(m, scratch.ringA, b) != 2) return false;
+	if (!mirrorAllowsCollapse(m, h, scratch.ringA)) return false;
 	return canLoseFace(m, c) && canLoseFace(m, d);
 }
 
@@ -219,7 +254,7 @@ bool canCollapseAlongBorder(const HalfEdgeMesh& m, int v, bool forward, EditScra
 	collectNeighbours(m, v, scratch.ringA);
 	// The third vertex of a loop shares two neighbours with the next one, and stays.
 	if (commonNeighbourNum(m, scratch.ringA, b) != 1) return false;
-	return canLoseFace(m, c);
+	return mirrorAllowsCollapseAlongBorder(m, v, b, forward, scratch) && canLoseFace(m, c);
 }
 
 ///  forward:  v --h-> b (border), face (v, b, c)      backward:  b --h-> v (border), face (b, v, c)
@@ -252,7 +287,7 @@ bool canFlip(const HalfEdgeMesh& m, int h)
 	if (g < 0 || m.isCreaseEdge(h)) return false;
 	const int c = m.apex(h), d = m.apex(g);
 	return c != d && canLoseFace(m, m.origin[h]) && canLoseFace(m, m.target(h)) &&
-		   !m.areNeighbours(c, d);
+		   !m.areNeighbours(c, d) && !isOwnImage(m, c, d);
 }
 
 void flip(HalfEdgeMesh& m, int h)
@@ -522,8 +557,9 @@ void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
 {
 	Buffer<int>  newFace;
 	HalfEdgeMesh to;
-	to.vertexNum = numberLiving(
-		m.vertexNum, [&](int v) { return m.outgoing[v] >= 0; }, workers, newIndex);
+	to.mirrorAxis = m.mirrorAxis;
+	to.vertexNum  = numberLiving(
+		 m.vertexNum, [&](int v) { return m.outgoing[v] >= 0; }, workers, newIndex);
 	to.faceNum = numberLiving(
 		m.faceNum, [&](int f) { return !isDeadFace(m, f); }, workers, newFace);
 	if (to.vertexNum == m.vertexNum && to.faceNum == m.faceNum && !hasRoom(m)) return;
@@ -551,12 +587,13 @@ void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
 HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers)
 {
 	HalfEdgeMesh to;
-	to.vertexNum = from.vertexNum;
-	to.faceNum   = from.faceNum;
-	to.position  = copyOf(from.position, std::size_t(from.vertexNum), workers);
-	to.outgoing  = copyOf(from.outgoing, std::size_t(from.vertexNum), workers);
-	to.origin    = copyOf(from.origin, std::size_t(from.halfEdgeNum()), workers);
-	to.opposite  = copyOf(from.opposite, std::size_t(from.halfEdgeNum()), workers);
+	to.vertexNum  = from.vertexNum;
+	to.faceNum    = from.faceNum;
+	to.mirrorAxis = from.mirrorAxis;
+	to.position   = copyOf(from.position, std::size_t(from.vertexNum), workers);
+	to.outgoing   = copyOf(from.outgoing, std::size_t(from.vertexNum), workers);
+	to.origin     = copyOf(from.origin, std::size_t(from.halfEdgeNum()), workers);
+	to.opposite   = copyOf(from.opposite, std::size_t(from.halfEdgeNum()), workers);
 	if (from.hasCreases())
 		to.crease = copyOf(from.crease, std::size_t(from.halfEdgeNum()), workers);
 	return to;

@@ -15,6 +15,8 @@ namespace gpr {
 /// mesh an oriented 2-manifold of the same topology; positions and shapes are the caller's matter.
 /// Feature lines (HalfEdgeMesh::crease) are kept too: their edges are never flipped, their vertices
 /// are only merged by canCollapseAlongCrease, and both halves of an edge stay marked alike.
+/// Where the mesh is half of a symmetric one no inner edge may join two vertices of the mirror
+/// plane: its mirror image would be a second edge between them.
 /// A dead face has origin[3f] = -1, a dead vertex outgoing[v] = -1.
 
 inline bool isDeadFace(const HalfEdgeMesh& m, int f)

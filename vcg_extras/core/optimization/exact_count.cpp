@@ -9,6 +9,7 @@
 #include <vcg_extras/core/mesh/mesh_edit.h>
 #include <vcg_extras/core/mesh/sectors.h>
 #include <vcg_extras/core/mesh/valence_energy.h>
+#include <vcg_extras/core/surface/local_nearest.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -70,6 +71,7 @@ public:
 
 	bool run(std::initializer_list<Care> cares)
 	{
+		if (m_.mirrorAxis >= 0) splitOwnImages();
 		if (byFaces_ && (wanted_ - num_) % 2 != 0) changeBorderByOne();
 		for (Care care : cares) {
 			care_ = care;
@@ -366,6 +368,42 @@ private:
 		return v;
 	}
 
+	/// Where the surface bends over, as round a thin tube along the plane, no walk along the edge
+	/// leads to its middle, but the way down from a point above that does.
+	bool findMiddleAboveMirror(int a, int b, ResultVertex& middle) const
+	{
+		const auto height = [&] { return coordinate(middle.point.position, m_.mirrorAxis); };
+		if (findMiddle(surface_, r_, a, b, middle) && height() > 0) return true;
+		const Vec3f pa = m_.position[a], pb = m_.position[b];
+		Vec3f       above = (pa + pb) * 0.5f;
+		setCoordinate(above, m_.mirrorAxis, 0.5f * length(pb - pa));
+		middle        = ResultVertex();
+		middle.point  = nearestByDescent(surface_.mesh,
+										 surface_.mesh.origin[3 * r_.vertex[a].point.face], above);
+		middle.normal = surface_.mesh.faceNormal(middle.point.face);
+		return height() > 0;
+	}
+
+	/// Inner edges between two vertices of the mirror plane, which the samples' neighbourhood left:
+	/// see mesh_edit.h.
+	void splitOwnImages()
+	{
+		const auto isOwnImage = [&](int h) {
+			return !isDeadFace(m_, h / 3) && m_.opposite[h] >= 0 && m_.isOnMirror(m_.origin[h]) &&
+				   m_.isOnMirror(m_.target(h));
+		};
+		const int mostNum =
+			int(workers_.collectIf(std::size_t(m_.halfEdgeNum()), isOwnImage).size());
+		reserve(m_, m_.vertexNum + mostNum, m_.faceNum + 2 * mostNum);
+		for (int h = 0; h < m_.halfEdgeNum(); ++h) { // a split moves others to half-edges behind it
+			ResultVertex middle;
+			if (!isOwnImage(h)) continue;
+			if (!findMiddleAboveMirror(m_.origin[h], m_.target(h), middle)) continue;
+			splitEdge(m_, h, append(middle));
+			num_ += stepOf(false);
+		}
+	}
+
 	// ---- collapsing
 
 	void collapseRound()
@@ -468,7 +506,9 @@ private:
 			workers_.collectEach<CountChange>(m_.halfEdgeNum(), [&](int h, auto& out) {
 				if (isDeadFace(m_, h / 3) || m_.opposite[h] >= 0) return;
 				if (!(toSplit ? isSplittableBorder(h) : isCollapsibleBorder(h))) return;
-				out.push_back({0, toSplit ? -relativeLength(h) : relativeLength(h), h, 0});
+				// Of half a symmetric mesh only those of the plane change the whole's parity.
+				const bool isOpen = !(m_.isOnMirror(m_.origin[h]) && m_.isOnMirror(m_.target(h)));
+				out.push_back({isOpen, toSplit ? -relativeLength(h) : relativeLength(h), h, 0});
 			});
 		std::sort(all.begin(), all.end());
 		return all;

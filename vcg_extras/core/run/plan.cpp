@@ -422,11 +422,13 @@ void Plan::refuseBelow(std::int64_t smallest, std::int64_t faceNum) const
 /// Each vertex inside brings two faces, and there is none that may come to the border or leave it.
 void Plan::refuseParity(std::int64_t lower) const
 {
-	throw Failure(Status::BadOptions,
-				  "The surface cannot be meshed with " + asked() +
-					  "; the nearest possible numbers are " + text(lower) + " and " +
-					  text(lower + 2) + ".",
-				  0, lower);
+	Failure failure(Status::BadOptions,
+					"The surface cannot be meshed with " + asked() +
+						"; the nearest possible numbers are " + text(lower) + " and " +
+						text(lower + 2) + ".",
+					0, lower);
+	failure.nextFaceNum = lower + 2;
+	throw failure;
 }
 
 std::string Plan::withoutFeatureLines(const std::string& fault)
@@ -731,12 +733,14 @@ Failure Plan::refusalAtLast() const
 			text(first.faceNum) + (areTwo ? " and " + text(last.faceNum) : "");
 		const std::string vertices =
 			text(first.vertexNum) + (areTwo ? " and " + text(last.vertexNum) : "");
-		return {refusal_->status,
-				"The surface cannot be meshed with " + refused_ + "; the " +
-					(isSmall ? "smallest" : "nearest") + " possible number" +
-					(areTwo ? "s that were found are " : " that was found is ") + faces + " (" +
-					vertices + " vertices).",
-				isSmall ? first.vertexNum : 0};
+		Failure failure(refusal_->status,
+						"The surface cannot be meshed with " + refused_ + "; the " +
+							(isSmall ? "smallest" : "nearest") + " possible number" +
+							(areTwo ? "s that were found are " : " that was found is ") + faces +
+							" (" + vertices + " vertices).",
+						isSmall ? first.vertexNum : 0, first.faceNum);
+		failure.nextFaceNum = last.faceNum;
+		return failure;
 	}
 	if (asksForFaces() || smallestNum_ == refusal_->smallestVertexNum) return *refusal_;
 	return {refusal_->status,

@@ -50,26 +50,6 @@ RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions o
 	return options;
 }
 
-/// Hands over what a run tells at the end of a scope, whether there is a result or not.
-template <class Run, class Result>
-struct TellAtEnd {
-	Run&    run;
-	Result& out;
-
-	/// Where memory has run out, nothing is told: what ended the run must reach the caller.
-	~TellAtEnd()
-	{
-		try {
-			run.told().handOver(out);
-		}
-		catch (const std::bad_alloc&) {
-			out.notes.clear();
-		}
-	}
-};
-template <class Run, class Result>
-TellAtEnd(Run&, Result&) -> TellAtEnd<Run, Result>;
-
 } // namespace
 
 Setup::Setup(const Call& call, Pipeline pipeline) :
@@ -187,11 +167,10 @@ void Remeshing::exportSamples()
 	samples->diskRadius = radius;
 }
 
-void remeshInput(const Call& call, RemeshResult& out)
+namespace {
+
+Request requestOf(const Call& call)
 {
-	if (call.input.wantedEdge != nullptr && isPaper(call.options))
-		throw Failure(Status::BadOptions,
-					  "Wanted edge lengths are not possible with the preset paper.");
 	Request          request{call.options, std::int64_t(call.input.vertexNum)};
 	const TargetMode mode = call.options.targetMode;
 	if (mode == TargetMode::MaxError || mode == TargetMode::Detail) {
@@ -200,11 +179,29 @@ void remeshInput(const Call& call, RemeshResult& out)
 		request.goal            = errorGoalOf(call.input, call.options, extent);
 		request.diagonal        = extent.diagonal;
 	}
-	Remeshing       remeshing(call, Pipeline::Remeshing, request);
+	return request;
+}
+
+} // namespace
+
+std::int64_t forecastVertexNum(const Call& call)
+{
+	Remeshing remeshing(call, Pipeline::Remeshing, requestOf(call));
+	while (remeshing.decisions().purpose == Purpose::Forecast)
+		remeshing.takeStep();
+	return remeshing.decisions().vertexNum;
+}
+
+void remeshInput(const Call& call, RemeshResult& out)
+{
+	if (call.input.wantedEdge != nullptr && isPaper(call.options))
+		throw Failure(Status::BadOptions,
+					  "Wanted edge lengths are not possible with the preset paper.");
+	Remeshing       remeshing(call, Pipeline::Remeshing, requestOf(call));
 	const TellAtEnd teller{remeshing, out};
 	while (!remeshing.isDone())
 		remeshing.takeStep();
-	if (mode == TargetMode::MaxError) remeshing.endTrials();
+	if (call.options.targetMode == TargetMode::MaxError) remeshing.endTrials();
 	out = remeshing.takeResult();
 }
 
@@ -229,19 +226,6 @@ void meshGivenSamples(const Call& call, const std::vector<Vec3d>& points, Remesh
 		remeshing.takeStep();
 	out = remeshing.takeResult();
 }
-
-namespace {
-
-/// A pipeline without a plan: its context and what it makes.
-struct PlainRun {
-	Setup    setup;
-	Products made;
-
-	PlainRun(const Call& call, Pipeline pipeline) : setup(call, pipeline) {}
-	Told told() { return tellOf(setup.run, made, Decisions()); }
-};
-
-} // namespace
 
 void detectOnly(const Call& call, FeatureResult& out)
 {

@@ -18,6 +18,7 @@
 #include <vcg_extras/core/results.h>
 #include <vcg_extras/core/sampling/fine_spots.h>
 
+#include <new>
 #include <optional>
 #include <string>
 #include <utility>
@@ -42,6 +43,35 @@ struct Setup {
 
 	Setup(const Call& call, Pipeline pipeline);
 };
+
+/// A pipeline without a plan: its context and what it makes.
+struct PlainRun {
+	Setup    setup;
+	Products made;
+
+	PlainRun(const Call& call, Pipeline pipeline) : setup(call, pipeline) {}
+	Told told() { return tellOf(setup.run, made, Decisions()); }
+};
+
+/// Hands over what a run tells at the end of a scope, whether there is a result or not.
+template <class Run, class Result>
+struct TellAtEnd {
+	Run&    run;
+	Result& out;
+
+	/// Where memory has run out, nothing is told: what ended the run must reach the caller.
+	~TellAtEnd()
+	{
+		try {
+			run.told().handOver(out);
+		}
+		catch (const std::bad_alloc&) {
+			out.notes.clear();
+		}
+	}
+};
+template <class Run, class Result>
+TellAtEnd(Run&, Result&) -> TellAtEnd<Run, Result>;
 
 /// One run through the steps of a plan, with the products that they make.
 class Remeshing {
@@ -94,6 +124,8 @@ private:
 
 /// The whole way from the input to the result.
 void remeshInput(const Call& call, RemeshResult& out);
+/// With TargetMode::Detail: the number of vertices that its error is forecast to take.
+std::int64_t forecastVertexNum(const Call& call);
 /// As far as the samples.
 void sampleInput(const Call& call, SamplingResult& out);
 /// From given points to a mesh of them.

@@ -4,6 +4,9 @@
 
 #include <vcg_extras/core/sampling/target.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace gpr {
 
 namespace {
@@ -90,6 +93,37 @@ double Told::stageSeconds() const
 	for (const StageTime& s : report.stages)
 		sum += s.seconds;
 	return sum;
+}
+
+void Told::addHalf(RemeshReport half)
+{
+	for (const StageTime& s : half.stages) {
+		const auto same = std::find_if(report.stages.begin(), report.stages.end(),
+									   [&](const StageTime& t) { return t.stage == s.stage; });
+		if (same == report.stages.end())
+			report.stages.push_back(s);
+		else
+			same->seconds += s.seconds;
+	}
+	half.capsReached.insert(half.capsReached.end(), report.capsReached.begin(),
+							report.capsReached.end());
+	half.stages                     = std::move(report.stages);
+	half.input                      = report.input;
+	half.cleanedInput               = report.cleanedInput;
+	half.cleaned                    = report.cleaned;
+	half.result                     = report.result;
+	half.quality                    = report.quality;
+	half.check                      = report.check;
+	half.targetVertexNum            = report.result.vertices;
+	half.largestFitDistance         = report.largestFitDistance;
+	half.isDistanceProven           = report.isDistanceProven;
+	half.provenDistance             = report.provenDistance;
+	const GuardedFigures made       = half.audit.guarded;
+	half.audit                      = report.audit;
+	half.audit.guarded.isTested     = made.isTested;
+	half.audit.guarded.foundPairNum = made.foundPairNum + report.audit.guarded.pairNum;
+	half.audit.guarded.vertexNum    = 2 * made.vertexNum;
+	report                          = std::move(half);
 }
 
 void Told::addTrials(double goal, int trialNum, double seconds, const std::string& outcome)

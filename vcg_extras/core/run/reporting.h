@@ -22,6 +22,8 @@ struct Told {
 	double stageSeconds() const;
 	/// Tells of the trials for an error, which took so many seconds in all.
 	void addTrials(double goal, int trialNum, double seconds, const std::string& outcome);
+	/// With what the run on half of a symmetric surface told: all but what the whole has, too.
+	void addHalf(RemeshReport half);
 	template <class Result>
 	void handOver(Result& out)
 	{

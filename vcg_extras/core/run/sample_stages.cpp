@@ -122,14 +122,16 @@ NoFacts takeGivenSamples(RunContext& run, const Decisions& decisions,
 NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& made)
 {
 	run.clock.enter(Stage::Retriangulation);
-	ResultMesh& result = made.result;
+	ResultMesh& result           = made.result;
+	made.surface.mesh.mirrorAxis = run.input.mirrorAxis;
 	if (!isPaper(run.options))
 		result = removeVertices(made.surface, made.samples.sampling, made.samples.curves,
 								made.surface.figures, run.workers);
 	else
 		result = removeOriginalVertices(fusedMesh(run, made), made.surface, made.samples.sampling,
 										made.samples.curves, made.samples.partition, run.workers);
-	made.curves = std::move(made.samples.curves);
+	result.mesh.mirrorAxis = run.input.mirrorAxis;
+	made.curves            = std::move(made.samples.curves);
 	made.samples.release();
 	result.idealEdge       = idealEdge(made, decisions.spacedFor());
 	result.keepsBorder     = run.options.boundary == BoundaryMode::Keep;

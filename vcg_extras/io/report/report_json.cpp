@@ -90,6 +90,7 @@ Json optionsJson(const RemeshOptions& o)
 	json["growth"]   = o.growth;
 	json["boundary"] = choiceName("Boundary", o.boundary);
 	if (isPeriodic(o)) json["period"] = {o.period.x, o.period.y, o.period.z};
+	json["symmetry"]            = choiceName("Symmetry", o.symmetry);
 	json["selectedOnly"]        = o.selectedOnly;
 	json["allowNearest"]        = o.allowNearest;
 	json["dropComponentsBelow"] = o.dropComponentsBelow;
@@ -206,7 +207,9 @@ Json errorJson(const RemeshReport& r)
 
 } // namespace
 
-std::string remeshReportJson(const RunRecord& run)
+namespace {
+
+Json remeshJson(const RunRecord& run)
 {
 	const RemeshReport& r = run.report;
 	Json                json;
@@ -236,6 +239,23 @@ std::string remeshReportJson(const RunRecord& run)
 	json["capsReached"]     = r.capsReached;
 	json["notes"]           = run.notes;
 	json["peakMemoryBytes"] = run.peakMemoryBytes;
+	return json;
+}
+
+} // namespace
+
+std::string remeshReportJson(const RunRecord& run)
+{
+	return textOf(remeshJson(run));
+}
+
+std::string levelsReportJson(const std::vector<RunRecord>& levels)
+{
+	Json json;
+	json["program"] = programJson();
+	json["levels"]  = Json::array();
+	for (const RunRecord& run : levels)
+		json["levels"].push_back(remeshJson(run));
 	return textOf(json);
 }
 

@@ -34,6 +34,9 @@ struct RunRecord {
 /// The report of a remeshing as JSON text. The keys are public: they change with a changelog line.
 std::string remeshReportJson(const RunRecord& run);
 
+/// The same of several results of one input: "levels" holds a report each.
+std::string levelsReportJson(const std::vector<RunRecord>& levels);
+
 /// The figures of one mesh as JSON text.
 std::string meshInfoJson(const std::string& path, bool doublePrecision, const MeshFigures& figures,
 						 const QualityFigures& quality, const std::vector<std::string>& notes);

@@ -29,11 +29,11 @@ from ._core import version as __version__
 from ._errors import Error
 from ._files import FileMesh, read, write
 from ._results import Distance, Features, OneWayDistance, RemeshResult, Samples
-from ._surface import Surface
+from ._surface import Surface, levels
 
 __all__ = [
     "Distance", "Error", "Features", "FileMesh", "OneWayDistance", "RemeshResult", "Samples", "Surface",
-    "distance", "features", "read", "remesh", "remesh_together", "sample", "write",
+    "distance", "features", "levels", "read", "remesh", "remesh_together", "sample", "write",
 ]
 
 for _name in __all__:  # where they are found, for their texts

@@ -53,6 +53,7 @@ def remesh(
     min_edge: float = 0.0,
     max_edge: float = 0.0,
     growth: float = 1.15,
+    symmetry: Literal['off', 'x', 'y', 'z', 'auto'] = 'off',
     sew: bool = True,
     drop_components_below: int = 0,
     seed: int = 1,
@@ -193,6 +194,13 @@ def remesh(
         be a fifth longer than what is wanted.
     growth : float, default 1.15
         How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth costs angles.
+    symmetry : {'off', 'x', 'y', 'z', 'auto'}, default 'off'
+        The result is its own mirror image: each vertex has one on the other side of a plane, with
+        the same coordinates bit for bit but for the one across the plane, and edges run along the
+        plane. x, y, z: the plane through the middle of the bounding box perpendicular to that axis.
+        auto: of these planes, or those of the principal axes, the one that suits best. The input
+        must be symmetric to .1 % of the diagonal, and is refused otherwise. Half of it is remeshed
+        and mirrored.
     sew : bool, default True
         Borders that lie on one another edge by edge, within a millionth of the bounding box, are
         joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
@@ -734,4 +742,50 @@ def write(
         For another extension, and for arrays that do not fit together.
     OSError
         Where the file cannot be written.
+    """
+
+def levels(
+    vertices: ArrayLike,
+    faces: ArrayLike | list[list[int]] | list[ArrayLike],
+    *,
+    percent: ArrayLike | None = None,
+    vertex_count: ArrayLike | None = None,
+    face_count: ArrayLike | None = None,
+    progress: Callable[[float, str], Any] | None = None,
+    **parameters: Any,
+) -> list[RemeshResult]:
+    """Remeshes a surface to several sizes, as levels of detail. It is prepared once.
+
+    Parameters
+    ----------
+    vertices, faces
+        As those of `gpremesh.remesh`.
+    percent, vertex_count, face_count : sequence of numbers
+        The sizes, in one of these ways.
+    progress : callable(fraction, stage), optional
+        As that of `gpremesh.remesh`, over all levels.
+    **parameters
+        The other arguments of `gpremesh.Surface.remesh`, for all levels. `check` is True unless it is
+        given: it proves how far each level is from the input at most.
+
+    Returns
+    -------
+    list of RemeshResult
+        One for each size, in their order: the same as those of `gpremesh.remesh`. The proven error of a
+        level is `report["error"]["hausdorff"]["upper"]`.
+
+    Raises
+    ------
+    ValueError, TypeError, gpremesh.Error, KeyboardInterrupt
+        As `gpremesh.remesh`.
+
+    Examples
+    --------
+    >>> import numpy as np, gpremesh
+    >>> grid = np.stack(np.meshgrid(np.arange(50.), np.arange(50.)), axis=-1).reshape(-1, 2)
+    >>> vertices = np.column_stack([grid, np.sin(grid[:, 0] / 8)])
+    >>> corner = np.arange(49 * 50).reshape(49, 50)[:, :49].reshape(-1, 1)
+    >>> made = gpremesh.levels(vertices, corner + [0, 1, 51, 50], percent=[20, 10, 5])
+    >>> [len(level.vertices) for level in made]
+    [500, 250, 125]
     """

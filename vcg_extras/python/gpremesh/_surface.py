@@ -62,3 +62,57 @@ class Surface:
             return remesh_mesh(self._mesh, self._prepared, progress, parameters, selected=selected,
                                region=region, feature_edges=feature_edges, uv=uv, image=image,
                                regions=regions)
+
+
+def levels(vertices, faces, *, percent=None, vertex_count=None, face_count=None, progress=None, **parameters):
+    """Remeshes a surface to several sizes, as levels of detail. It is prepared once.
+
+    Parameters
+    ----------
+    vertices, faces
+        As those of `gpremesh.remesh`.
+    percent, vertex_count, face_count : sequence of numbers
+        The sizes, in one of these ways.
+    progress : callable(fraction, stage), optional
+        As that of `gpremesh.remesh`, over all levels.
+    **parameters
+        The other arguments of `gpremesh.Surface.remesh`, for all levels. `check` is True unless it is
+        given: it proves how far each level is from the input at most.
+
+    Returns
+    -------
+    list of RemeshResult
+        One for each size, in their order: the same as those of `gpremesh.remesh`. The proven error of a
+        level is `report["error"]["hausdorff"]["upper"]`.
+
+    Raises
+    ------
+    ValueError, TypeError, gpremesh.Error, KeyboardInterrupt
+        As `gpremesh.remesh`.
+
+    Examples
+    --------
+    >>> import numpy as np, gpremesh
+    >>> grid = np.stack(np.meshgrid(np.arange(50.), np.arange(50.)), axis=-1).reshape(-1, 2)
+    >>> vertices = np.column_stack([grid, np.sin(grid[:, 0] / 8)])
+    >>> corner = np.arange(49 * 50).reshape(49, 50)[:, :49].reshape(-1, 1)
+    >>> made = gpremesh.levels(vertices, corner + [0, 1, 51, 50], percent=[20, 10, 5])
+    >>> [len(level.vertices) for level in made]
+    [500, 250, 125]
+    """
+    given = {"percent": percent, "vertex_count": vertex_count, "face_count": face_count}
+    given = {name: list(sizes) for name, sizes in given.items() if sizes is not None}
+    if len(given) != 1 or not all(given.values()):
+        raise ValueError("levels needs one of percent, vertex_count and face_count, with a size for each level.")
+    (name, sizes), = given.items()
+    parameters.setdefault("check", True)
+    surface = Surface(vertices, faces)
+    return [surface.remesh(**{name: size}, progress=_part(progress, i, len(sizes)), **parameters)
+            for i, size in enumerate(sizes)]
+
+
+def _part(progress, i, num):
+    """Of a progress over `num` runs, that of run i."""
+    if not callable(progress):
+        return progress
+    return lambda fraction, stage: progress((i + fraction) / num, stage)

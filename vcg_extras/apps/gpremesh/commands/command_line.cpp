@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <set>
@@ -72,11 +73,29 @@ void checkPieces(const CommandLine& line)
 	checkReport(line);
 }
 
+/// OUT must have a place for the number of the level, and sizes must be what they stand for.
+void checkLevels(const CommandLine& line)
+{
+	const LevelSizes& levels = line.levels;
+	if (levels.sizes.empty()) failUsage("levels needs one of --percent, --vertices and --faces.");
+	if (line.output.find(levelPlace) == std::string::npos)
+		failUsage("OUT must have {level} in its name, such as small_{level}.ply.");
+	const double most = levels.mode == TargetMode::Percent ? 10000 : 2147483647.0;
+	for (const double size : levels.sizes) {
+		const bool isWhole = levels.mode == TargetMode::Percent || size == std::floor(size);
+		if (!isWhole || size > most)
+			failUsage("the sizes of levels are percentages up to 10000, or whole numbers.");
+	}
+	formatOfPath(line.output);
+	checkReport(line);
+}
+
 void checkPaths(const CommandLine& line)
 {
 	if (line.command == Command::Tile) return;
 	if (!line.pieces.empty()) return checkPieces(line);
 	formatOfPath(line.input);
+	if (line.command == Command::Levels) return checkLevels(line);
 	if (line.command != Command::Remesh && line.command != Command::Features) return;
 	if (line.outTileNum > 0) return checkReport(line);
 	const MeshFormat written = formatOfPath(line.output);
@@ -212,6 +231,52 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given, Files
 	addTilesOut(*remesh, line);
 	remesh->footer(exitCodeHelp);
 	return remesh;
+}
+
+bool isForLevels(const Parameter& p)
+{
+	return !isSizeParameter(p) && std::string(p.key) != "Check";
+}
+
+void addLevelSizes(CLI::App& levels, const char* option, const char* help, TargetMode mode,
+				   CommandLine& line)
+{
+	const auto keep = [&line, mode](const std::vector<double>& sizes) {
+		if (!line.levels.sizes.empty())
+			failUsage("give only one of --percent, --vertices and --faces.");
+		line.levels = {mode, sizes};
+	};
+	levels.add_option_function<std::vector<double>>(option, keep, help)
+		->delimiter(',')
+		->check(CLI::PositiveNumber)
+		->type_name("N,N,...");
+}
+
+/// Several sizes of one mesh.
+CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
+{
+	CLI::App* levels = app.add_subcommand(
+		"levels",
+		"Remeshes IN to several sizes, such as levels of detail, and writes a file each.\n"
+		"IN is read and prepared once. Each level tells how far it is from IN at most,\n"
+		"which is proven.");
+	levels->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		->required();
+	levels
+		->add_option("OUT", line.output,
+					 "Files to write, with {level} for the number of the level from 1 on, such as\n"
+					 "small_{level}.ply")
+		->required();
+	addLevelSizes(*levels, "--percent", "Sizes in percent of IN's vertices, such as 50,25,10,5",
+				  TargetMode::Percent, line);
+	addLevelSizes(*levels, "--vertices", "Sizes as numbers of vertices", TargetMode::VertexNum,
+				  line);
+	addLevelSizes(*levels, "--faces", "Sizes as numbers of faces", TargetMode::FaceNum, line);
+	addTableOptions(*levels, RemeshTool, given, isForLevels);
+	addOutcome(*levels, line,
+			   "Write what was done, and how well, as JSON: 'levels' has a report each");
+	levels->footer(exitCodeHelp);
+	return levels;
 }
 
 CLI::App* addInfo(CLI::App& app, CommandLine& line)
@@ -362,6 +427,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 	CLI::App* const compare  = addCompare(app, line, given);
 	CLI::App* const features = addFeatures(app, line, given);
 	CLI::App* const tile     = addTile(app, line, given);
+	CLI::App* const levels   = addLevels(app, line, given);
 	addManualPage(app);
 	try {
 		app.parse(argc, argv);
@@ -381,6 +447,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 	if (compare->parsed()) line.command = Command::Compare;
 	if (features->parsed()) line.command = Command::Features;
 	if (tile->parsed()) line.command = Command::Tile;
+	if (levels->parsed()) line.command = Command::Levels;
 	line.options = optionsOf(given);
 	if (!line.sizes.empty()) {
 		const bool isSized = std::any_of(given.begin(), given.end(), [](const auto& g) {
@@ -390,6 +457,9 @@ CommandLine parseCommandLine(int argc, char** argv)
 		if (line.tiles.memoryBytes > 0) failUsage("--sizes is not possible in tiles.");
 	}
 	takePeriod(line);
+	const bool isTiled = line.tiles.memoryBytes > 0 || line.command == Command::Tile;
+	if (isTiled && line.options.symmetry != Symmetry::Off)
+		failUsage("--symmetry is not possible in tiles.");
 	line.optionsText       = textOf(given);
 	line.tiles.optionsText = textOf(given, isForPlan);
 	if (line.outTileNum > 0) line.output = withoutSlashAtEnd(line.output);

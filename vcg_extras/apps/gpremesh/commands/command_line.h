@@ -19,6 +19,16 @@ enum class Command {
 	Compare,
 	Features,
 	Tile,
+	Levels,
+};
+
+/// What stands in OUT of levels for the number of a level.
+constexpr const char* levelPlace = "{level}";
+
+/// Sizes of levels, all given in one way: as percent, vertices or faces.
+struct LevelSizes {
+	TargetMode          mode = TargetMode::Percent;
+	std::vector<double> sizes;
 };
 
 enum class TileStep { Plan, Split, Part, Join, Finish };
@@ -54,6 +64,7 @@ struct CommandLine {
 	std::vector<double> period;            ///< remesh: lengths of a periodic cell; empty = none
 	std::string         sizes;             ///< remesh: name of a vertex property; empty = none
 	std::string         optionsText; ///< these as the user gave them: "--lambda 2 --preset fast"
+	LevelSizes          levels;      ///< levels only
 	TileSettings        tiles;       ///< tile, and remesh with --memory
 
 	std::vector<std::string> notes; ///< sentences that the program adds to the report's

@@ -7,6 +7,7 @@
 #include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
 #include <vcg_extras/apps/gpremesh/report/summary.h>
 #include <vcg_extras/apps/gpremesh/tiles/result_tiles.h>
+#include <vcg_extras/core/prepared_surface.h>
 #include <vcg_extras/core/run_estimate.h>
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
@@ -79,16 +80,18 @@ void askForPoints(const Sources& sources, RemeshOptions& options)
 							 [](const Source& s) { return s.needsPointsOfFaces(); });
 }
 
+/// prepared: of this mesh, where more than one result is made of it; else null.
 RemeshResult remeshWithProgress(const Sources& sources, const MeshView& view,
-								const CommandLine& line, const RunLimit& limit)
+								const CommandLine& line, const RunLimit& limit,
+								PreparedSurface* prepared)
 {
 	ProgressBar   bar(!line.quiet && errorIsTerminal());
 	RemeshOptions options    = line.options;
 	options.timeLimitSeconds = limit.secondsLeft();
 	askForPoints(sources, options);
 	if (line.shareDone == 0) tellEstimate(view, options, bar);
-	const char*  phraseBefore = nullptr;
-	RemeshResult result       = remesh(view, options, [&](double share, const char* phrase) {
+	const char*            phraseBefore = nullptr;
+	const ProgressCallback progress     = [&](double share, const char* phrase) {
         // What the engine has copied is no longer looked at, mostly.
         const bool isNext = phraseBefore != nullptr && phrase != phraseBefore;
         for (const Source& source : sources) {
@@ -97,7 +100,10 @@ RemeshResult remeshWithProgress(const Sources& sources, const MeshView& view,
         phraseBefore = phrase;
         bar.show(line.shareDone + (1 - line.shareDone) * share, phrase);
         return !stopRequested();
-    });
+	};
+	if (prepared != nullptr) prepared->setInput(view);
+	RemeshResult result =
+		prepared != nullptr ? prepared->remesh(options, progress) : remesh(view, options, progress);
 	bar.clear();
 	if (stopRequested()) limit.check();
 	requireMesh(result);
@@ -135,10 +141,10 @@ void dropDoubles(MeshFormat format, bool& isDouble, std::vector<std::string>& no
 	notes.push_back(name + " holds floats only; the coordinates were rounded to float.");
 }
 
-void writeReport(const std::string& path, const RunRecord& run)
+void writeText(const std::string& path, const std::string& text)
 {
 	OutputFile out(path);
-	out.text(remeshReportJson(run));
+	out.text(text);
 	out.commit();
 }
 
@@ -180,12 +186,15 @@ Sources readSources(const CommandLine& line, const RunLimit& limit)
 	return sources;
 }
 
-MeshAttributes carriedAttributes(Source& source, const RemeshResult& result, Transfer transfer,
-								 const RunLimit& limit)
+MeshAttributes carriedAttributes(Source& source, const RemeshResult& result,
+								 const CommandLine& line, const RunLimit& limit)
 {
 	const EndAtOnce guard(limit);
-	return carryAttributes(source.mesh.attributes, source.mesh.view(), source.texture.get(), result,
-						   transfer);
+	const bool      areNeededAgain = !line.levels.sizes.empty();
+	MeshAttributes  copy; // values are used up
+	if (areNeededAgain) copy = source.mesh.attributes;
+	return carryAttributes(areNeededAgain ? copy : source.mesh.attributes, source.mesh.view(),
+						   source.texture.get(), result, line.transfer);
 }
 
 /// A note about one of several files names the file.
@@ -203,7 +212,7 @@ void writeSource(Source& source, const RemeshResult& result, const CommandLine& 
 	dropDoubles(line.outTileNum > 0 ? MeshFormat::Ply : formatOfPath(path), isDouble, run.notes);
 	run.inputDouble           = run.inputDouble || source.mesh.doublePrecision;
 	run.outputDouble          = run.outputDouble || isDouble;
-	MeshAttributes attributes = carriedAttributes(source, result, line.transfer, limit);
+	MeshAttributes attributes = carriedAttributes(source, result, line, limit);
 	writeResult(result.mesh, isDouble, attributes, path, line, limit);
 	if (!line.pieces.empty())
 		run.files.push_back(
@@ -229,22 +238,21 @@ std::vector<RemeshResult> piecesOf(const JoinedPieces& joined, const RemeshResul
 	return pieces;
 }
 
-/// Everything between the meshes in memory and the meshes on the disk. The input is handed back
-/// before the clock is read, so that no time is left out of the report.
+/// Everything between the meshes in memory and the meshes on the disk, all times but those of
+/// writing included. begun: when the work on this result began. prepared: as above.
 RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& limit,
-				  const Stopwatch& programClock)
+				  const Stopwatch& programClock, double begun, PreparedSurface* prepared = nullptr)
 {
 	RunRecord run;
-	run.times.read = programClock.seconds();
+	run.times.read = programClock.seconds() - begun;
 	std::vector<MeshView> views;
 	for (const Source& source : sources)
 		views.push_back(source.view());
 	std::optional<JoinedPieces> joined;
 	if (sources.size() > 1) joined.emplace(views);
 	const MeshView view   = joined ? joined->view() : views.front();
-	RemeshResult   result = remeshWithProgress(sources, view, line, limit);
-	const double   done   = programClock.seconds();
-	run.times.remesh      = done - run.times.read;
+	RemeshResult   result = remeshWithProgress(sources, view, line, limit, prepared);
+	run.times.remesh      = programClock.seconds() - begun - run.times.read;
 
 	run.inputPath  = line.pieces.empty() ? line.input : listOf(line.pieces);
 	run.outputPath = line.output;
@@ -261,16 +269,60 @@ RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& lim
 	if (joined) pieces = piecesOf(*joined, result, sources);
 	for (std::size_t k = 0; k < sources.size(); ++k)
 		writeSource(sources[k], joined ? pieces[k] : result, line, limit, run);
-
-	joined.reset();
-	pieces.clear();
-	sources.clear();
-	result          = RemeshResult();
-	run.times.write = programClock.seconds() - done;
 	return run;
 }
 
+/// The rest of the time that a result took.
+void endTimes(double begun, const Stopwatch& programClock, RunRecord& run)
+{
+	run.times.write     = programClock.seconds() - begun - run.times.read - run.times.remesh;
+	run.peakMemoryBytes = peakMemoryBytes();
+}
+
+/// The line for one level: its size, its file, and a proof of how far it is from the input.
+CommandLine lineOfLevel(const CommandLine& line, std::size_t level)
+{
+	CommandLine    one  = line;
+	const double   size = line.levels.sizes[level];
+	RemeshOptions& o    = one.options;
+	o.targetMode        = line.levels.mode;
+	o.check             = true;
+	if (o.targetMode == TargetMode::VertexNum) o.targetVertexNum = std::int64_t(size);
+	if (o.targetMode == TargetMode::FaceNum) o.targetFaceNum = std::int64_t(size);
+	if (o.targetMode == TargetMode::Percent) o.targetPercent = size;
+	one.output = pathOfLevel(line.output, level + 1);
+	return one;
+}
+
 } // namespace
+
+std::string pathOfLevel(const std::string& pattern, std::size_t level)
+{
+	const std::string place = levelPlace;
+	std::string       path  = pattern;
+	path.replace(path.find(place), place.size(), std::to_string(level));
+	return path;
+}
+
+void runLevels(const CommandLine& line, const Stopwatch& programClock)
+{
+	for (std::size_t i = 0; i < line.levels.sizes.size(); ++i)
+		checkOutput(lineOfLevel(line, i));
+	catchStopSignals();
+	const RunLimit         limit(programClock, line.options.timeLimitSeconds);
+	Sources                sources = readSources(line, limit);
+	PreparedSurface        prepared(sources.front().view());
+	std::vector<RunRecord> levels;
+	double                 begun = 0;
+	for (std::size_t i = 0; i < line.levels.sizes.size(); ++i) {
+		const CommandLine one = lineOfLevel(line, i);
+		levels.push_back(process(sources, one, limit, programClock, begun, &prepared));
+		endTimes(begun, programClock, levels.back());
+		begun = programClock.seconds();
+		if (!line.quiet) std::fputs(remeshSummary(levels.back()).c_str(), stdout);
+	}
+	if (!line.report.empty()) writeText(line.report, levelsReportJson(levels));
+}
 
 void checkOutput(const CommandLine& line)
 {
@@ -291,9 +343,10 @@ void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 	catchStopSignals();
 	const RunLimit limit(programClock, line.options.timeLimitSeconds);
 	Sources        sources = readSources(line, limit);
-	RunRecord      run     = process(sources, line, limit, programClock);
-	run.peakMemoryBytes    = peakMemoryBytes();
-	if (!line.report.empty()) writeReport(line.report, run);
+	RunRecord      run     = process(sources, line, limit, programClock, 0);
+	sources.clear(); // handed back before the clock is read
+	endTimes(0, programClock, run);
+	if (!line.report.empty()) writeText(line.report, remeshReportJson(run));
 	if (!line.quiet) std::fputs(remeshSummary(run).c_str(), stdout);
 }
 

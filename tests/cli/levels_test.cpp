@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// gpremesh levels, and symmetric results, as a user makes them.
+#include "mesh_files.h"
+#include "program_runner.h"
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace gpr_test {
+
+using Json = nlohmann::json;
+
+class Levels : public CliTest {
+protected:
+	TestMesh written(const std::string& name)
+	{
+		std::string type;
+		return parseWrittenPly(content(path(name)), type);
+	}
+};
+
+TEST_F(Levels, EachLevelIsThatOfASingleRunAndTellsItsError)
+{
+	const std::string   in   = put("in.ply", binaryPly(sphere(40), true, false));
+	const ProgramResult made = run({"levels", in, path("out_{level}.ply"), "--vertices",
+									"300,200,100", "--report", path("report.json"), "--seed", "3"});
+	ASSERT_EQ(made.exitCode, 0) << made.err;
+	const Json levels = Json::parse(content(path("report.json")))["levels"];
+	ASSERT_EQ(levels.size(), 3u);
+	double before = 0;
+	for (int i = 0; i < 3; ++i) {
+		const std::string name = "out_" + std::to_string(i + 1) + ".ply";
+		const int         num  = 300 - 100 * i;
+		EXPECT_EQ(levels[i]["result"]["vertices"], num);
+		EXPECT_EQ(levels[i]["result"]["file"], path(name));
+		const double error = levels[i]["error"]["hausdorff"]["upper"];
+		EXPECT_GT(error, before);
+		before = error;
+		ASSERT_EQ(run({"remesh", in, path("single.ply"), "--vertices", std::to_string(num),
+					   "--seed", "3"})
+					  .exitCode,
+				  0);
+		EXPECT_EQ(content(path(name)), content(path("single.ply")));
+	}
+}
+
+TEST_F(Levels, EachLevelHasTheValuesOfTheInput)
+{
+	const TestMesh ball = sphere(20);
+	std::string    text = "ply\nformat ascii 1.0\nelement vertex " +
+					   std::to_string(ball.points.size()) +
+					   "\nproperty float x\nproperty float y\nproperty float z\n"
+					   "property float heat\nelement face " +
+					   std::to_string(ball.faces.size()) +
+					   "\nproperty list uchar int vertex_indices\nend_header\n";
+	for (const auto& p : ball.points)
+		text +=
+			std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + " 7\n";
+	for (const auto& f : ball.faces)
+		text += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " +
+				std::to_string(f[2]) + "\n";
+	const std::string in = put("heat.ply", text);
+	ASSERT_EQ(run({"levels", in, path("hot_{level}.ply"), "--vertices", "80,60"}).exitCode, 0);
+	for (const char* name : {"hot_1.ply", "hot_2.ply"}) {
+		// Every level gives heat to the next reader.
+		const ProgramResult again =
+			run({"remesh", path(name), path("again.ply"), "--sizes", "heat", "--vertices", "50"});
+		EXPECT_EQ(again.exitCode, 0) << again.err;
+	}
+}
+
+TEST_F(Levels, MistakesAreUsage)
+{
+	const std::string in  = put("in.ply", binaryPly(sphere(20), true, false));
+	const std::string out = path("out_{level}.ply");
+	for (const std::vector<std::string>& words :
+		 std::vector<std::vector<std::string>>{{path("out.ply"), "--percent", "10"},
+											   {out},
+											   {out, "--percent", "10,0"},
+											   {out, "--percent", "20000"},
+											   {out, "--vertices", "100.5"},
+											   {out, "--vertices", "100", "--faces", "300"}}) {
+		std::vector<std::string> all = {"levels", in};
+		all.insert(all.end(), words.begin(), words.end());
+		EXPECT_EQ(run(all).exitCode, 2) << words.back();
+	}
+}
+
+TEST_F(Levels, SymmetricFilesHaveEachVertexTwice)
+{
+	const std::string in = put("in.ply", binaryPly(sphere(40), true, false));
+	ASSERT_EQ(run({"remesh", in, path("out.ply"), "--vertices", "301", "--symmetry", "z",
+				   "--report", path("report.json")})
+				  .exitCode,
+			  0);
+	const TestMesh mesh = written("out.ply");
+	EXPECT_EQ(mesh.points.size(), 301u);
+	EXPECT_EQ(Json::parse(content(path("report.json")))["options"]["symmetry"], "z");
+	std::set<std::array<double, 3>> places;
+	double                          low = 1e9, high = -1e9;
+	for (const auto& p : mesh.points) {
+		places.insert({p[0], p[1], p[2]});
+		low  = std::min(low, double(p[2]));
+		high = std::max(high, double(p[2]));
+	}
+	for (const auto& p : mesh.points)
+		EXPECT_EQ(places.count({p[0], p[1], low + high - p[2]}), 1u);
+}
+
+TEST_F(Levels, SymmetryIsRefusedWithTheLargestMismatch)
+{
+	TestMesh mesh = sphere(30);
+	for (auto& p : mesh.points)
+		p[0] += 0.3f * p[1] * p[1];
+	const ProgramResult refused = run({"remesh", put("in.ply", binaryPly(mesh, true, false)),
+									   path("out.ply"), "--symmetry", "x"});
+	EXPECT_EQ(refused.exitCode, 2);
+	EXPECT_NE(refused.err.find("% of the diagonal"), std::string::npos) << refused.err;
+	EXPECT_EQ(run({"remesh", path("in.ply"), path("out.ply"), "--symmetry", "x", "--memory", "1G"})
+				  .exitCode,
+			  2);
+}
+
+} // namespace gpr_test
