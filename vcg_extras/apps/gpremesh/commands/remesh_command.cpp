@@ -223,10 +223,12 @@ void runLevels(const CommandLine& line, const Stopwatch& programClock)
 	const RunLimit         limit(programClock, line.options.timeLimitSeconds);
 	Source                 source = readSource(line, limit);
 	PreparedSurface        prepared(source.mesh.view());
+	const MeshAttributes   attributes = source.mesh.attributes; // each level empties them
 	std::vector<RunRecord> levels;
 	double                 begun = 0;
 	for (std::size_t i = 0; i < line.levels.sizes.size(); ++i) {
-		const CommandLine one = lineOfLevel(line, i);
+		const CommandLine one  = lineOfLevel(line, i);
+		source.mesh.attributes = attributes;
 		levels.push_back(process(source, one, limit, programClock, begun, &prepared));
 		endTimes(begun, programClock, levels.back());
 		begun = programClock.seconds();
