@@ -357,7 +357,12 @@ protected:
 			done += removeByFan(m, m.origin[h], random.below(100), scratch);
 			break;
 		case 5:
-			count(true, [&] { splitFace(m, h / 3, addVertex(h)); });
+			count(true, [&] {
+				const Vec3f centre = m.faceCentre(h / 3);
+				const int   v      = addVertex(h);
+				if (m.mirrorAxis >= 0) m.position[v] = centre; // an inner vertex is not on it
+				splitFace(m, h / 3, v);
+			});
 			break;
 		default:
 			if (m.opposite[h] < 0) count(true, [&] { splitBorderEdge(m, h, addVertex(h)); });
