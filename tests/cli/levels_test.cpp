@@ -47,29 +47,26 @@ TEST_F(Levels, EachLevelIsThatOfASingleRunAndTellsItsError)
 	}
 }
 
-TEST_F(Levels, EachLevelHasTheValuesOfTheInput)
+/// What one level has used up of the input is there for the next.
+TEST_F(Levels, ValuesOfVerticesComeToEachLevel)
 {
-	const TestMesh ball = sphere(20);
-	std::string    text = "ply\nformat ascii 1.0\nelement vertex " +
-					   std::to_string(ball.points.size()) +
-					   "\nproperty float x\nproperty float y\nproperty float z\n"
-					   "property float heat\nelement face " +
-					   std::to_string(ball.faces.size()) +
+	const TestMesh mesh = sphere(30);
+	std::string    file = "ply\nformat ascii 1.0\nelement vertex " +
+					   std::to_string(mesh.points.size()) +
+					   "\nproperty float x\nproperty float y\nproperty float z\nproperty float "
+					   "quality\nelement face " +
+					   std::to_string(mesh.faces.size()) +
 					   "\nproperty list uchar int vertex_indices\nend_header\n";
-	for (const auto& p : ball.points)
-		text +=
-			std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) + " 7\n";
-	for (const auto& f : ball.faces)
-		text += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " +
+	for (const auto& p : mesh.points)
+		file += std::to_string(p[0]) + " " + std::to_string(p[1]) + " " + std::to_string(p[2]) +
+				" " + std::to_string(p[0] + 5) + "\n";
+	for (const auto& f : mesh.faces)
+		file += "3 " + std::to_string(f[0]) + " " + std::to_string(f[1]) + " " +
 				std::to_string(f[2]) + "\n";
-	const std::string in = put("heat.ply", text);
-	ASSERT_EQ(run({"levels", in, path("hot_{level}.ply"), "--vertices", "80,60"}).exitCode, 0);
-	for (const char* name : {"hot_1.ply", "hot_2.ply"}) {
-		// Every level gives heat to the next reader.
-		const ProgramResult again =
-			run({"remesh", path(name), path("again.ply"), "--sizes", "heat", "--vertices", "50"});
-		EXPECT_EQ(again.exitCode, 0) << again.err;
-	}
+	const std::string in = put("in.ply", file);
+	ASSERT_EQ(run({"levels", in, path("out_{level}.ply"), "--vertices", "200,150"}).exitCode, 0);
+	ASSERT_EQ(run({"remesh", in, path("single.ply"), "--vertices", "150"}).exitCode, 0);
+	EXPECT_EQ(content(path("out_2.ply")), content(path("single.ply")));
 }
 
 TEST_F(Levels, MistakesAreUsage)

@@ -254,4 +254,27 @@ TEST(KnownContacts, AreThoseOfASearchFromNothing)
 	EXPECT_GT(touching, 100);
 }
 
+/// A face of half a symmetric mesh may lie on the mirror plane with its border only.
+TEST(KnownContacts, FacesThatReachTheMirrorImageArePairedWithThemselves)
+{
+	Workers      workers(2, nullptr);
+	HalfEdgeMesh mesh = halfEdgesOf(grid(4, 4));
+	mesh.mirrorAxis   = 0;
+	KnownContacts known;
+	EXPECT_TRUE(known.find(mesh, workers).empty());
+	const int inner = 12; // the middle of the grid
+	ASSERT_FALSE(mesh.isBorderVertex(inner));
+	for (const float x : {0.0f, -0.1f}) {
+		mesh.position[inner] = {x, 0.5f, 0.5f};
+		int touching         = 0;
+		for (const FacePair& pair : known.find(mesh, workers))
+			touching += pair.first == pair.second;
+		EXPECT_EQ(touching, mesh.valence(inner));
+		EXPECT_EQ(known.find(mesh, workers), findTouchingPairs(mesh, workers));
+	}
+	mesh.mirrorAxis = -1;
+	for (const FacePair& pair : findTouchingPairs(mesh, workers))
+		EXPECT_NE(pair.first, pair.second);
+}
+
 } // namespace gpr::test

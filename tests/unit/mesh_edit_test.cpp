@@ -357,7 +357,12 @@ protected:
 			done += removeByFan(m, m.origin[h], random.below(100), scratch);
 			break;
 		case 5:
-			count(true, [&] { splitFace(m, h / 3, addVertex(h)); });
+			count(true, [&] {
+				const Vec3f centre = m.faceCentre(h / 3);
+				const int   v      = addVertex(h);
+				if (m.mirrorAxis >= 0) m.position[v] = centre; // an inner vertex is not on it
+				splitFace(m, h / 3, v);
+			});
 			break;
 		default:
 			if (m.opposite[h] < 0) count(true, [&] { splitBorderEdge(m, h, addVertex(h)); });
@@ -448,6 +453,44 @@ TEST_P(RandomEdits, KeepFeatureLines)
 		if (i % checkEvery == 0) expectLinesOfACube();
 	}
 	EXPECT_GT(done, 300);
+}
+
+/// A mesh and its mirror image across x = 0, joined there.
+TriangleMesh withImage(const TriangleMesh& half)
+{
+	TriangleMesh              both = half;
+	std::vector<std::int32_t> image;
+	for (std::size_t v = 0; v < half.vertexNum(); ++v) {
+		const Vec3d p = half.positions[v];
+		image.push_back(p.x == 0 ? std::int32_t(v) : std::int32_t(both.vertexNum()));
+		if (p.x != 0) both.positions.push_back({-p.x, p.y, p.z});
+	}
+	for (std::size_t f = 0; f < half.faceNum(); ++f) {
+		for (std::size_t k : {0, 2, 1})
+			both.triangles.push_back(image[std::size_t(half.triangles[3 * f + k])]);
+	}
+	return both;
+}
+
+/// Whatever is flipped, split and merged in half of a symmetric mesh, it fits to its image.
+TEST_P(RandomEdits, KeepHalvesThatFitToTheirImages)
+{
+	SCOPED_TRACE("seed " + std::to_string(GetParam()));
+	constexpr int edits = 1500, checkEvery = 25;
+	for (const TriangleMesh& mesh : {grid(9, 9), withHoles(grid(12, 9), 2, random)}) {
+		const TriangleMesh whole = withImage(mesh);
+		m                        = halfEdgesOf(mesh, edits, 2 * edits);
+		m.mirrorAxis             = 0;
+		for (int i = 1; i <= edits; ++i) {
+			editOnce();
+			if (i % checkEvery != 0) continue;
+			const TriangleMesh both  = withImage(meshOf(m));
+			const SurfaceFacts facts = factsOf(both);
+			ASSERT_TRUE(facts.isManifold()) << facts.complaints() << "after " << done << " edits";
+			ASSERT_TRUE(hasSameTopology(both, whole)) << "after " << done << " edits";
+		}
+	}
+	EXPECT_GT(done, 600);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RandomEdits, ::testing::ValuesIn(testSeeds(12)));

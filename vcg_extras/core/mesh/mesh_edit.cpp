@@ -425,11 +425,25 @@ void collectStar(const HalfEdgeMesh& m, int v, VertexStar& star)
 	} while (h >= 0 && h != first);
 }
 
+namespace {
+
+/// Whether a piece of border on the mirror plane keeps an edge without the star's vertex.
+bool mirrorAllowsRemoval(const HalfEdgeMesh& m, const VertexStar& star)
+{
+	if (star.isClosed || !m.isOnMirror(star.vertex)) return true;
+	const int  next = star.ring.front(), last = star.ring.back();
+	const bool isNext = m.isOnMirror(next), isLast = m.isOnMirror(last);
+	if (isNext == isLast) return true;
+	return m.isOnMirror(isNext ? borderNeighbour(m, next, true) : borderNeighbour(m, last, false));
+}
+
+} // namespace
+
 bool canRemoveVertex(const HalfEdgeMesh& m, const VertexStar& star, const HolePatch& patch,
 					 EditScratch& scratch)
 {
 	const int n = star.placeNum();
-	if (m.isCreaseVertex(star.vertex)) return false;
+	if (m.isCreaseVertex(star.vertex) || !mirrorAllowsRemoval(m, star)) return false;
 	if (n < 3) {
 		return !star.isClosed && patch.corner.empty() &&
 			   !m.isCurveEdge(nextInFace(star.spoke[0])) && canLoseFace(m, star.ring[0]) &&

@@ -190,11 +190,8 @@ MeshAttributes carriedAttributes(Source& source, const RemeshResult& result,
 								 const CommandLine& line, const RunLimit& limit)
 {
 	const EndAtOnce guard(limit);
-	const bool      areNeededAgain = !line.levels.sizes.empty();
-	MeshAttributes  copy; // values are used up
-	if (areNeededAgain) copy = source.mesh.attributes;
-	return carryAttributes(areNeededAgain ? copy : source.mesh.attributes, source.mesh.view(),
-						   source.texture.get(), result, line.transfer);
+	return carryAttributes(source.mesh.attributes, source.mesh.view(), source.texture.get(), result,
+						   line.transfer);
 }
 
 /// A note about one of several files names the file.
@@ -312,10 +309,12 @@ void runLevels(const CommandLine& line, const Stopwatch& programClock)
 	const RunLimit         limit(programClock, line.options.timeLimitSeconds);
 	Sources                sources = readSources(line, limit);
 	PreparedSurface        prepared(sources.front().view());
+	const MeshAttributes   attributes = sources.front().mesh.attributes; // each level empties them
 	std::vector<RunRecord> levels;
 	double                 begun = 0;
 	for (std::size_t i = 0; i < line.levels.sizes.size(); ++i) {
-		const CommandLine one = lineOfLevel(line, i);
+		const CommandLine one           = lineOfLevel(line, i);
+		sources.front().mesh.attributes = attributes;
 		levels.push_back(process(sources, one, limit, programClock, begun, &prepared));
 		endTimes(begun, programClock, levels.back());
 		begun = programClock.seconds();
