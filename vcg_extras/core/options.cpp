@@ -169,6 +169,8 @@ std::vector<std::string> optionsWithoutEffect(const RemeshOptions& o)
 		sentences.push_back("The adaptivity has no effect with the preset paper.");
 	if ((o.minEdge > 0 || o.maxEdge > 0) && isPaper(o))
 		sentences.push_back("The least and the largest edge have no effect with the preset paper.");
+	if (o.junctions == JunctionMode::Keep && isPaper(o))
+		sentences.push_back("Junctions are not kept with the preset paper.");
 	if (o.umbrellaSteps != defaults.umbrellaSteps && !isPaper(o))
 		sentences.push_back("The umbrella steps have no effect without the preset paper.");
 	if (o.flipPasses != defaults.flipPasses && !isPaper(o))

@@ -59,6 +59,12 @@ enum class BoundaryMode {
 	Match,    ///< as Resample, by the border and the edge length alone: see matched_border.h
 };
 
+/// What becomes of junctions: edges with more than two faces, and places where sheets touch.
+enum class JunctionMode {
+	Cut,  ///< but for the smoothest pair of faces: the result is manifold
+	Keep, ///< each is sampled once for all its sheets, which are joined again: see junctions.h
+};
+
 /// Whether sharp edges of the input become edges of the result. They never do with Preset::Paper.
 enum class FeatureMode {
 	Auto,  ///< where they are real creases, not a scan's noise; see crease_lines.h
@@ -114,7 +120,8 @@ struct RemeshOptions {
 	double maxEdge = 0;    ///< nor longer than this; 0 = any
 	double growth  = 1.15; ///< of the wanted length from one edge to the next, [1.05, 2]
 
-	BoundaryMode boundary = BoundaryMode::Resample;
+	BoundaryMode boundary  = BoundaryMode::Resample;
+	JunctionMode junctions = JunctionMode::Cut; ///< never kept with Preset::Paper
 
 	FeatureMode featureMode     = FeatureMode::Auto;
 	double      featureAngleDeg = 40; ///< feature lines: between the normals of two faces, [5, 175]
@@ -129,6 +136,11 @@ struct RemeshOptions {
 inline bool isPaper(const RemeshOptions& options)
 {
 	return options.preset == Preset::Paper;
+}
+
+inline bool keepsJunctions(const RemeshOptions& options)
+{
+	return options.junctions == JunctionMode::Keep && !isPaper(options);
 }
 
 /// Whether vertices leave the surface for where the triangles lie closest to it (see fit.h).

@@ -89,6 +89,7 @@ struct AuditFigures {
 	bool           componentsKept      = false;
 	bool           boundaryLoopsKept   = false;
 	bool           eulerKept           = false;
+	bool           junctionsKept       = false; ///< or there are none to keep
 	bool           countExact          = false;
 	GuardedFigures guarded;
 };

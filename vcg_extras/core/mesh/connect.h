@@ -20,6 +20,7 @@ struct Surface {
 	Buffer<PackedNormal> normal;     ///< per vertex, area-weighted (zero where undefined); its
 									 ///< marks: see pointedSpread, roughDeg and roughWidth
 	Buffer<float> size;              ///< per vertex: see sizing.h; empty: the same everywhere
+	std::vector<Vec3f> meetings;     ///< see IndexedMesh
 	Frame         frame;
 	MortonGrid    grid;
 };

@@ -39,6 +39,8 @@ struct HalfEdgeMesh {
 	Buffer<int>   outgoing;
 	/// Per half-edge: 1 on feature lines, at both halves of an edge. Empty where there are none.
 	Buffer<char> crease;
+	/// Vertices at one place are one vertex, of several sheets: faces there do not touch.
+	bool meetsAtPlaces = false;
 
 	int halfEdgeNum() const { return 3 * faceNum; }
 	int target(int h) const { return origin[nextInFace(h)]; }

@@ -10,6 +10,7 @@
 #include <vcg_extras/core/carry_over.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/surface/barycentric_point.h>
+#include <vcg_extras/core/surface/junctions.h>
 
 #include <algorithm>
 #include <locale>
@@ -107,6 +108,30 @@ void exportRegions(RunContext& run, const Surface& surface, const ResultMesh& re
 	run.tell(lostNote(run.input, labels.lost));
 }
 
+/// Makes one vertex of all that lie at a place where sheets meet. One of the caller's, where there
+/// is one, has the exact coordinates.
+void joinSheets(const std::vector<int>& first, RemeshResult& out)
+{
+	std::vector<std::int32_t> newIndex(first.size());
+	const bool hasPoints = !out.surfacePoints.empty(), hasCallers = !out.callersVertex.empty();
+	std::size_t num = 0;
+	const auto put  = [&](std::size_t from, std::size_t to) {
+        out.mesh.positions[to] = out.mesh.positions[from];
+        if (hasPoints) out.surfacePoints[to] = out.surfacePoints[from];
+        if (hasCallers) out.callersVertex[to] = out.callersVertex[from];
+	};
+	for (std::size_t v = 0; v < first.size(); ++v) {
+		const bool isFirst = first[v] == int(v);
+		newIndex[v] = isFirst ? std::int32_t(num++) : newIndex[std::size_t(first[v])];
+		if (isFirst || (hasCallers && out.callersVertex[v] >= 0)) put(v, std::size_t(newIndex[v]));
+	}
+	out.mesh.positions.resize(num);
+	if (hasPoints) out.surfacePoints.resize(num);
+	if (hasCallers) out.callersVertex.resize(num);
+	for (std::int32_t& v : out.mesh.triangles)
+		v = newIndex[std::size_t(v)];
+}
+
 void requireAreas(RunContext& run, const TriangleMesh& mesh, AuditFigures& audited)
 {
 	audited.zeroAreaFaces = zeroAreaFaceNum(mesh, run.workers);
@@ -128,6 +153,8 @@ QualityFigures exportResult(RunContext& run, const Surface& surface, const Resul
 		exportRegions(run, surface, result, out);
 	else if (run.options.surfacePointsOfFaces)
 		exportFacePoints(run, surface, result, out.facePoints);
+	if (result.mesh.meetsAtPlaces)
+		joinSheets(Junctions(result.mesh, surface.meetings, run.workers).first(), out);
 	requireAreas(run, out.mesh, audited);
 	return measureQuality(out.mesh.view(), run.workers);
 }

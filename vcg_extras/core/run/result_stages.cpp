@@ -205,7 +205,7 @@ MeshFacts relaxTriangles(RunContext& run, Products& made)
 	relax(run, made);
 	if (!repairInvertedFaces(made.surface, made.curves, false, made.result, run.workers))
 		run.tellCap("changes for inverted faces");
-	return {made.result.mesh.vertexNum,
+	return {made.result.vertexNum(),
 			made.lines.edgeNum > 0,
 			lineFaceNum(made.result.mesh, run.workers) > 0,
 			made.result.hasSmoothBorder,
@@ -261,7 +261,8 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 {
 	made.beforeFit.reset();
 	made.hasMadeVertices      = false;
-	const std::int64_t before = made.result.mesh.vertexNum;
+	const std::int64_t before = made.result.vertexNum();
+	separateSheets(run, decisions, made);
 	if (!run.options.guard || isPaper(run.options))
 		return {before, before, false, made.result.mesh.faceNum};
 	run.clock.enter(Stage::Contacts);
@@ -278,7 +279,7 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 	if (outcome.hasMade) made.fitDistance = farthestFromSurface(made.result);
 	made.hasMadeVertices = outcome.hasMade;
 	if (outcome.isCapped) run.tellCap("patches made anew");
-	return {before, outcome.vertexNum, outcome.isRefused, made.result.mesh.faceNum};
+	return {before, outcome.vertexNum - made.result.copyNum, outcome.isRefused, made.result.mesh.faceNum};
 }
 
 void tellMade(RunContext& run, const Products& made)
@@ -288,7 +289,7 @@ void tellMade(RunContext& run, const Products& made)
 		"Triangles would intersect each other where the surface is thinner than they are wide, so "
 		"that " +
 		std::to_string(made.guarded.vertexNum) + " of the " +
-		std::to_string(made.result.mesh.vertexNum) +
+		std::to_string(made.result.vertexNum()) +
 		" vertices were made by guarded edge collapses of the input. The triangles there are less "
 		"regular.");
 }
@@ -307,7 +308,7 @@ ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out)
 {
 	made.quality = exportResult(run, made.surface, made.result, made.verified.keptNum > 0,
 								made.verified.audit, out);
-	return {made.result.mesh.vertexNum, made.result.mesh.faceNum};
+	return {made.result.vertexNum(), made.result.mesh.faceNum};
 }
 
 } // namespace gpr
