@@ -39,8 +39,9 @@ int splitFalseEdges(const Surface& surface, ResultMesh& result, Workers& workers
 	for (const auto& [a, b] : edges) {
 		const int h = m.findHalfEdge(a, b);
 		result.vertex.push_back(middleOf(surface, result, h));
+		result.vertex.back().isCorner = true; // else it would be the first to be merged again
 		m.position[m.vertexNum] = result.vertex.back().point.position;
-		splitEdge(m, h, m.vertexNum);
+		splitEdge(m, h, m.vertexNum++);
 		++result.splitNum;
 	}
 	return num;

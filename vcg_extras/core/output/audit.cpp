@@ -118,6 +118,7 @@ bool areJunctionsKept(const Surface& surface, const ResultMesh& r, Workers& work
 {
 	const Junctions before(surface.mesh, surface.meetings, workers);
 	const Junctions after(r.mesh, surface.meetings, workers);
+	fprintf(stderr,"DBG points %zu %zu lines %zu %zu copy %d %d false %zu twin %d same %d\n",before.points().size(),after.points().size(),before.lines().size(),after.lines().size(),after.copyNum(),r.copyNum,after.falseEdges(workers).size(),after.hasTwinFaces(workers),after.isSameAs(before));
 	return after.isSameAs(before) && after.copyNum() == r.copyNum &&
 		   after.falseEdges(workers).empty() && !after.hasTwinFaces(workers);
 }

@@ -307,6 +307,7 @@ NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made)
 ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out)
 {
 	made.quality = exportResult(run, made.surface, made.result, made.verified.keptNum > 0,
+								made.surface.cleaned.reorientedFaces > 0,
 								made.verified.audit, out);
 	return {made.result.vertexNum(), made.result.mesh.faceNum};
 }

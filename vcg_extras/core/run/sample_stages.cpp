@@ -53,7 +53,8 @@ void sampleOnBorderEdges(RunContext& run, const Decisions& decisions, const Buff
 void releaseSources(const RemeshOptions& options, Products& made)
 {
 	const bool areNeeded =
-		options.surfacePointsOfVertices || options.surfacePointsOfFaces || !made.sizes.kept.empty();
+		options.surfacePointsOfVertices || options.surfacePointsOfFaces || !made.sizes.kept.empty() ||
+						   made.surface.mesh.meetsAtPlaces;
 	if (!areNeeded) made.surface.sourceFace.release();
 }
 
