@@ -441,7 +441,8 @@ void addCleaning(Table& t)
 			.p);
 	t.push_back(
 		row(RemeshTool, "Junctions", "--junctions", "NAME", Kind::Choice, "Junctions",
-			"What becomes of edges with more than two faces, and of places where sheets only touch. "
+			"What becomes of edges with more than two faces, and of places where sheets only "
+			"touch. "
 			"cut: the smoothest two of the faces stay joined, the others get a border. keep: the "
 			"edges are sampled once for all sheets, which share their vertices, as walls between "
 			"grains, strata or rooms do.")

@@ -40,6 +40,10 @@ private:
 	std::vector<Box<float>>    boxOfMade_;
 
 	void build();
+	bool doTouch(const NamedTriangle& s, const NamedTriangle& t) const
+	{
+		return touch(s, t, m_.meetsAtPlaces);
+	}
 	bool areApart(const std::vector<NamedTriangle>& made, const std::vector<int>& gone) const;
 	bool isApartFrom(int face, const std::vector<NamedTriangle>& made,
 					 const std::vector<int>& gone) const;

@@ -251,7 +251,6 @@ ContactOutcome makeAnew(const MakingOfVertices& making, const InputContacts& ofI
 		isCapped             = patches.isCapped;
 	}
 	ContactOutcome outcome{result.mesh.vertexNum};
-	if (result.mesh.meetsAtPlaces) for (auto& pr : pairs) { fprintf(stderr,"DBG pair:"); for (int f : {pr.first, pr.second}) for (int h=3*f;h<3*f+3;++h) { int v=result.mesh.origin[h]; fprintf(stderr," %d%s%s(%g %g %g)", v, result.vertex[v].isShared?"s":"", result.vertex[v].isPinned?"p":"",result.mesh.position[v].x,result.mesh.position[v].y,result.mesh.position[v].z);} fprintf(stderr,"\n"); }
 	// Whole sheets could not be made anew and stay joined to others.
 	outcome.isRefused = !pairs.empty() && result.mesh.meetsAtPlaces;
 	if (!pairs.empty() && !result.mesh.meetsAtPlaces) {

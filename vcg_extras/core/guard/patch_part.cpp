@@ -54,7 +54,7 @@ public:
 
 	void run()
 	{
-		m_.faceNum = int(part_.face.size());
+		m_.faceNum       = int(part_.face.size());
 		m_.meetsAtPlaces = whole_.mesh.meetsAtPlaces;
 		reserve(m_, m_.halfEdgeNum(), m_.faceNum);
 		for (int h = 0; h < m_.halfEdgeNum(); ++h) {

@@ -5,6 +5,7 @@
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/base/union_find.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
 #include <vcg_extras/core/mesh/same_place.h>
@@ -12,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 #include <vector>
@@ -137,13 +139,34 @@ public:
 				joinSmoothest(sides, begin, end);
 			if (end - begin == 2) join(sides[begin].halfEdge, sides[begin + 1].halfEdge);
 		});
+		m_.counts.longestJunction = std::max(m_.counts.longestJunction, longestJunction());
 		return joinedReversed_;
 	}
 
 private:
-	Linked&           m_;
-	std::vector<int>& faulty_;
-	bool              joinedReversed_ = false;
+	Linked&                          m_;
+	std::vector<int>&                faulty_;
+	bool                             joinedReversed_ = false;
+	std::vector<std::pair<int, int>> cutEnds_; ///< of edges with more than two faces
+
+	/// The largest length of those that hang together.
+	double longestJunction() const
+	{
+		std::map<int, int>    parent;
+		std::map<int, double> extent;
+		for (const auto& [a, b] : cutEnds_) {
+			parent.insert({a, a});
+			parent.insert({b, b});
+			joinSets(parent, a, b);
+		}
+		double most = 0;
+		for (const auto& [a, b] : cutEnds_) {
+			double& sum = extent[rootOf(parent, a)];
+			sum += double(length(m_.mesh.position[b] - m_.mesh.position[a]));
+			most = std::max(most, sum);
+		}
+		return most;
+	}
 
 	void join(int g, int h)
 	{
@@ -160,6 +183,7 @@ private:
 	void noteFaulty(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
 	{
 		++m_.counts.nonManifoldEdges;
+		cutEnds_.push_back({sides[begin].low, sides[begin].high});
 		for (std::size_t i = begin; i < end; ++i)
 			faulty_.push_back(sides[i].halfEdge / 3);
 	}

@@ -555,10 +555,10 @@ HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers)
 	to.vertexNum     = from.vertexNum;
 	to.faceNum       = from.faceNum;
 	to.meetsAtPlaces = from.meetsAtPlaces;
-	to.position  = copyOf(from.position, std::size_t(from.vertexNum), workers);
-	to.outgoing  = copyOf(from.outgoing, std::size_t(from.vertexNum), workers);
-	to.origin    = copyOf(from.origin, std::size_t(from.halfEdgeNum()), workers);
-	to.opposite  = copyOf(from.opposite, std::size_t(from.halfEdgeNum()), workers);
+	to.position      = copyOf(from.position, std::size_t(from.vertexNum), workers);
+	to.outgoing      = copyOf(from.outgoing, std::size_t(from.vertexNum), workers);
+	to.origin        = copyOf(from.origin, std::size_t(from.halfEdgeNum()), workers);
+	to.opposite      = copyOf(from.opposite, std::size_t(from.halfEdgeNum()), workers);
 	if (from.hasCreases())
 		to.crease = copyOf(from.crease, std::size_t(from.halfEdgeNum()), workers);
 	return to;

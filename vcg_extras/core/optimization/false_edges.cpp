@@ -22,7 +22,7 @@ ResultVertex middleOf(const Surface& surface, const ResultMesh& result, int h)
 	const ResultVertex& end = result.vertex[std::size_t(a)];
 	middle                  = ResultVertex();
 	middle.normal           = end.normal;
-	middle.point            = {(result.mesh.position[a] + result.mesh.position[b]) * 0.5f, end.point.face};
+	middle.point = {(result.mesh.position[a] + result.mesh.position[b]) * 0.5f, end.point.face};
 	return middle;
 }
 
@@ -40,7 +40,7 @@ int splitFalseEdges(const Surface& surface, ResultMesh& result, Workers& workers
 		const int h = m.findHalfEdge(a, b);
 		result.vertex.push_back(middleOf(surface, result, h));
 		result.vertex.back().isCorner = true; // else it would be the first to be merged again
-		m.position[m.vertexNum] = result.vertex.back().point.position;
+		m.position[m.vertexNum]       = result.vertex.back().point.position;
 		splitEdge(m, h, m.vertexNum++);
 		++result.splitNum;
 	}

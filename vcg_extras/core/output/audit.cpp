@@ -118,7 +118,6 @@ bool areJunctionsKept(const Surface& surface, const ResultMesh& r, Workers& work
 {
 	const Junctions before(surface.mesh, surface.meetings, workers);
 	const Junctions after(r.mesh, surface.meetings, workers);
-	fprintf(stderr,"DBG points %zu %zu lines %zu %zu copy %d %d false %zu twin %d same %d\n",before.points().size(),after.points().size(),before.lines().size(),after.lines().size(),after.copyNum(),r.copyNum,after.falseEdges(workers).size(),after.hasTwinFaces(workers),after.isSameAs(before));
 	return after.isSameAs(before) && after.copyNum() == r.copyNum &&
 		   after.falseEdges(workers).empty() && !after.hasTwinFaces(workers);
 }
@@ -163,7 +162,8 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	a.junctionsKept       = !m.meetsAtPlaces || areJunctionsKept(surface, r, workers);
 	a.passed              = found.badEdges == 0 && found.badVertices == 0 && found.zeroArea == 0 &&
 			   found.notFinite == 0 && a.duplicateFaces == 0 && a.componentsKept &&
-			   a.boundaryLoopsKept && a.eulerKept && a.junctionsKept && (targetNum == 0 || a.countExact);
+			   a.boundaryLoopsKept && a.eulerKept && a.junctionsKept &&
+			   (targetNum == 0 || a.countExact);
 	return a;
 }
 

@@ -143,16 +143,16 @@ void turnAsInput(RunContext& run, const Surface& surface, const ResultMesh& resu
 void joinSheets(const std::vector<int>& first, RemeshResult& out)
 {
 	std::vector<std::int32_t> newIndex(first.size());
-	const bool hasPoints = !out.surfacePoints.empty(), hasCallers = !out.callersVertex.empty();
+	const bool  hasPoints = !out.surfacePoints.empty(), hasCallers = !out.callersVertex.empty();
 	std::size_t num = 0;
-	const auto put  = [&](std::size_t from, std::size_t to) {
+	const auto  put = [&](std::size_t from, std::size_t to) {
         out.mesh.positions[to] = out.mesh.positions[from];
         if (hasPoints) out.surfacePoints[to] = out.surfacePoints[from];
         if (hasCallers) out.callersVertex[to] = out.callersVertex[from];
 	};
 	for (std::size_t v = 0; v < first.size(); ++v) {
 		const bool isFirst = first[v] == int(v);
-		newIndex[v] = isFirst ? std::int32_t(num++) : newIndex[std::size_t(first[v])];
+		newIndex[v]        = isFirst ? std::int32_t(num++) : newIndex[std::size_t(first[v])];
 		if (isFirst || (hasCallers && out.callersVertex[v] >= 0)) put(v, std::size_t(newIndex[v]));
 	}
 	out.mesh.positions.resize(num);
@@ -172,8 +172,7 @@ void requireAreas(RunContext& run, const TriangleMesh& mesh, AuditFigures& audit
 } // namespace
 
 QualityFigures exportResult(RunContext& run, const Surface& surface, const ResultMesh& result,
-							bool hasKept, bool turnsFaces, AuditFigures& audited,
-							RemeshResult& out)
+							bool hasKept, bool turnsFaces, AuditFigures& audited, RemeshResult& out)
 {
 	run.clock.enter(Stage::Export);
 	exportMesh(run, surface, result.mesh, out.mesh);

@@ -279,7 +279,8 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 	if (outcome.hasMade) made.fitDistance = farthestFromSurface(made.result);
 	made.hasMadeVertices = outcome.hasMade;
 	if (outcome.isCapped) run.tellCap("patches made anew");
-	return {before, outcome.vertexNum - made.result.copyNum, outcome.isRefused, made.result.mesh.faceNum};
+	return {before, outcome.vertexNum - made.result.copyNum, outcome.isRefused,
+			made.result.mesh.faceNum};
 }
 
 void tellMade(RunContext& run, const Products& made)
@@ -294,10 +295,28 @@ void tellMade(RunContext& run, const Products& made)
 		"regular.");
 }
 
+namespace {
+
+/// Single edges with more than two faces are faults of a scan; curves of them longer than some
+/// edges are meant.
+void tellCutJunctions(RunContext& run, const Products& made)
+{
+	constexpr double leastEdges = 3;
+	const double     extent     = made.surface.cleaned.longestJunction;
+	if (made.surface.mesh.meetsAtPlaces || extent < leastEdges * double(made.result.idealEdge))
+		return;
+	run.tell(
+		"Curves along which more than two faces meet were cut, and what met there is apart now. "
+		"--junctions keep would mesh them once for all sheets, which stay joined.");
+}
+
+} // namespace
+
 NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made)
 {
 	const bool isOfOurs = decisions.purpose != Purpose::OfGivenSamples;
 	if (isOfOurs) tellSmoothBorder(run, made.surface.frame, made.result, made.surface.border);
+	tellCutJunctions(run, made);
 	const Expected expected{made.surface.figures, isOfOurs ? decisions.wholeNum() : 0,
 							std::int64_t(made.sizes.kept.size()), made.fitDistance};
 	verifyResult(run, made.surface, made.result, expected, made.verified);
@@ -307,8 +326,7 @@ NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made)
 ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out)
 {
 	made.quality = exportResult(run, made.surface, made.result, made.verified.keptNum > 0,
-								made.surface.cleaned.reorientedFaces > 0,
-								made.verified.audit, out);
+								made.surface.cleaned.reorientedFaces > 0, made.verified.audit, out);
 	return {made.result.vertexNum(), made.result.mesh.faceNum};
 }
 

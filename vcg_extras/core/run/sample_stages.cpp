@@ -30,8 +30,8 @@ namespace {
 bool mayMissCount(const RemeshOptions& options, const Products& made)
 {
 	const bool hasErrorSizes = options.adapt >= 0.5 && !made.surface.size.empty();
-	return hasErrorSizes || made.surface.mesh.meetsAtPlaces || made.sizes.vertexNum > 0 || made.surface.mesh.hasCreases() ||
-		   !made.sizes.kept.empty();
+	return hasErrorSizes || made.surface.mesh.meetsAtPlaces || made.sizes.vertexNum > 0 ||
+		   made.surface.mesh.hasCreases() || !made.sizes.kept.empty();
 }
 
 /// The paper's placement fuses its samples into a mesh, which the removal of vertices goes on with.
@@ -52,9 +52,8 @@ void sampleOnBorderEdges(RunContext& run, const Decisions& decisions, const Buff
 /// Where anything of the result will be named by the caller's faces, these are still needed.
 void releaseSources(const RemeshOptions& options, Products& made)
 {
-	const bool areNeeded =
-		options.surfacePointsOfVertices || options.surfacePointsOfFaces || !made.sizes.kept.empty() ||
-						   made.surface.mesh.meetsAtPlaces;
+	const bool areNeeded = options.surfacePointsOfVertices || options.surfacePointsOfFaces ||
+						   !made.sizes.kept.empty() || made.surface.mesh.meetsAtPlaces;
 	if (!areNeeded) made.surface.sourceFace.release();
 }
 
@@ -115,8 +114,8 @@ SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& 
 									   samples.radius, options.seed, run.workers, first);
 	if (samples.sampling.capped) run.tellCap("samples of a block");
 	const std::int64_t copyNum = copiesAmong(samples.sampling, made.surface);
-	samples.num        = std::int64_t(samples.sampling.samples.size()) - copyNum;
-	samples.onCurveNum = samples.sampling.boundarySampleNum - copyNum;
+	samples.num                = std::int64_t(samples.sampling.samples.size()) - copyNum;
+	samples.onCurveNum         = samples.sampling.boundarySampleNum - copyNum;
 	return {mayMissCount(options, made), samples.num, samples.onCurveNum, samples.radius, usual};
 }
 

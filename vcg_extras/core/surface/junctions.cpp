@@ -42,9 +42,8 @@ void Junctions::findPlaces(const std::vector<Vec3f>& meetings, Workers& workers)
 	std::vector<int> vertices = workers.collectIf(std::size_t(m_.vertexNum), [&](int v) {
 		return m_.outgoing[v] >= 0 && (m_.isBorderVertex(v) || isMeeting(v));
 	});
-	std::stable_sort(vertices.begin(), vertices.end(), [&](int v, int w) {
-		return isBefore(m_.position[v], m_.position[w]);
-	});
+	std::stable_sort(vertices.begin(), vertices.end(),
+					 [&](int v, int w) { return isBefore(m_.position[v], m_.position[w]); });
 	first_.resize(std::size_t(m_.vertexNum));
 	std::iota(first_.begin(), first_.end(), 0);
 	for (std::size_t i = 0; i < vertices.size();) {
@@ -99,8 +98,8 @@ void Junctions::dropChanceMeetings()
 
 bool Junctions::isJunctionEdge(int v, int w) const
 {
-	const auto found = borderNum_.find(
-		std::minmax({first_[std::size_t(v)], first_[std::size_t(w)]}));
+	const auto found =
+		borderNum_.find(std::minmax({first_[std::size_t(v)], first_[std::size_t(w)]}));
 	return found != borderNum_.end() && found->second > 1;
 }
 
@@ -193,10 +192,10 @@ bool Junctions::hasTwinFaces(Workers& workers) const
 		std::sort(corner.begin(), corner.end());
 		return corner;
 	};
-	std::vector<std::array<int, 3>> faces = workers.collectEach<std::array<int, 3>>(
-		std::size_t(m_.faceNum), [&](int f, auto& out) {
-			const std::array<int, 3> corner = cornersOf(f);
-			const auto isOfPlace = [&](int v) { return places_.count(v) > 0; };
+	std::vector<std::array<int, 3>> faces =
+		workers.collectEach<std::array<int, 3>>(std::size_t(m_.faceNum), [&](int f, auto& out) {
+			const std::array<int, 3> corner    = cornersOf(f);
+			const auto               isOfPlace = [&](int v) { return places_.count(v) > 0; };
 			if (std::all_of(corner.begin(), corner.end(), isOfPlace)) out.push_back(corner);
 		});
 	std::sort(faces.begin(), faces.end());
@@ -206,16 +205,15 @@ bool Junctions::hasTwinFaces(Workers& workers) const
 std::vector<int> Junctions::falseEdges(Workers& workers) const
 {
 	const auto isOfPlace = [&](int v) { return places_.count(first_[std::size_t(v)]) > 0; };
-	const std::vector<int> chords =
-		workers.collectIf(std::size_t(m_.halfEdgeNum()), [&](int h) {
-			return !isDeadFace(m_, h / 3) && h < m_.opposite[h] && isOfPlace(m_.origin[h]) &&
-				   isOfPlace(m_.target(h));
-		});
-	std::map<Ends, bool> seen;
-	std::vector<int>     found;
+	const std::vector<int> chords = workers.collectIf(std::size_t(m_.halfEdgeNum()), [&](int h) {
+		return !isDeadFace(m_, h / 3) && h < m_.opposite[h] && isOfPlace(m_.origin[h]) &&
+			   isOfPlace(m_.target(h));
+	});
+	std::map<Ends, bool>   seen;
+	std::vector<int>       found;
 	for (int h : chords) {
-		const Ends ends = std::minmax(
-			{first_[std::size_t(m_.origin[h])], first_[std::size_t(m_.target(h))]});
+		const Ends ends =
+			std::minmax({first_[std::size_t(m_.origin[h])], first_[std::size_t(m_.target(h))]});
 		const bool isSeen = std::exchange(seen[ends], true);
 		if (isSeen || borderNum_.count(ends) > 0) found.push_back(h);
 	}

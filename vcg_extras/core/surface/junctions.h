@@ -65,7 +65,7 @@ private:
 
 	const HalfEdgeMesh&  m_;
 	std::vector<int>     first_;
-	std::map<int, Place> places_;   ///< by the first vertex
+	std::map<int, Place> places_;    ///< by the first vertex
 	std::map<Ends, int>  borderNum_; ///< of borders between two places with copies
 	std::vector<Vec3f>   points_;
 	std::vector<Line>    lines_;
