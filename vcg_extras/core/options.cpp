@@ -172,6 +172,11 @@ std::vector<std::string> validate(const RemeshOptions& o)
 		complaints.push_back("A symmetric result is not possible with the preset paper, nor of "
 							 "selected faces.");
 	}
+	const bool isMatched = o.boundary == BoundaryMode::Match || isPeriodic(o);
+	if (o.symmetry != Symmetry::Off && (isMatched || keepsJunctions(o))) {
+		complaints.push_back("A symmetric result is not possible with matched borders, a periodic "
+							 "cell or junctions that are kept.");
+	}
 	if (o.threads < 0 || o.threads > 1024) {
 		complaints.push_back("The number of threads must be between 0 and 1024.");
 	}
@@ -187,6 +192,8 @@ std::vector<std::string> optionsWithoutEffect(const RemeshOptions& o)
 		sentences.push_back("The adaptivity has no effect with the preset paper.");
 	if ((o.minEdge > 0 || o.maxEdge > 0) && isPaper(o))
 		sentences.push_back("The least and the largest edge have no effect with the preset paper.");
+	if (o.junctions == JunctionMode::Keep && isPaper(o))
+		sentences.push_back("Junctions are not kept with the preset paper.");
 	if (o.umbrellaSteps != defaults.umbrellaSteps && !isPaper(o))
 		sentences.push_back("The umbrella steps have no effect without the preset paper.");
 	if (o.flipPasses != defaults.flipPasses && !isPaper(o))

@@ -70,6 +70,12 @@ enum class Symmetry {
 	Auto ///< across that of these planes, or of those of the principal axes, that suits best
 };
 
+/// What becomes of junctions: edges with more than two faces, and places where sheets touch.
+enum class JunctionMode {
+	Cut,  ///< but for the smoothest pair of faces: the result is manifold
+	Keep, ///< each is sampled once for all its sheets, which are joined again: see junctions.h
+};
+
 /// Whether sharp edges of the input become edges of the result. They never do with Preset::Paper.
 enum class FeatureMode {
 	Auto,  ///< where they are real creases, not a scan's noise; see crease_lines.h
@@ -130,7 +136,8 @@ struct RemeshOptions {
 	/// vertices at opposite ends of the cell match; BoundaryMode::Match is in force then.
 	Vec3d period;
 
-	Symmetry symmetry = Symmetry::Off;
+	Symmetry     symmetry  = Symmetry::Off;
+	JunctionMode junctions = JunctionMode::Cut; ///< never kept with Preset::Paper
 
 	FeatureMode featureMode     = FeatureMode::Auto;
 	double      featureAngleDeg = 40; ///< feature lines: between the normals of two faces, [5, 175]
@@ -150,6 +157,11 @@ inline bool isPaper(const RemeshOptions& options)
 inline bool isPeriodic(const RemeshOptions& options)
 {
 	return !(options.period == Vec3d());
+}
+
+inline bool keepsJunctions(const RemeshOptions& options)
+{
+	return options.junctions == JunctionMode::Keep && !isPaper(options);
 }
 
 /// Whether vertices leave the surface for where the triangles lie closest to it (see fit.h).

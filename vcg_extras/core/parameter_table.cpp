@@ -456,6 +456,16 @@ void addCleaning(Table& t)
 			.store([](const Value& v, RemeshOptions& o) { o.sew = switchOf(v); })
 			.p);
 	t.push_back(
+		row(RemeshTool, "Junctions", "--junctions", "NAME", Kind::Choice, "Junctions",
+			"What becomes of edges with more than two faces, and of places where sheets only "
+			"touch. "
+			"cut: the smoothest two of the faces stay joined, the others get a border. keep: the "
+			"edges are sampled once for all sheets, which share their vertices, as walls between "
+			"grains, strata or rooms do.")
+			.choices({"cut", "keep"})
+			.store([](const Value& v, RemeshOptions& o) { o.junctions = JunctionMode(countOf(v)); })
+			.p);
+	t.push_back(
 		row(sampled, "DropComponentsBelow", "--drop-components-below", "N", Kind::Count,
 			"Drop components with fewer faces (0 = none)",
 			"Components with fewer faces are left out, for instance the dust of a scan. Each of "

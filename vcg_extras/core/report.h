@@ -38,6 +38,9 @@ struct CleanCounts {
 	std::int64_t droppedComponents    = 0; ///< with fewer faces than RemeshOptions asks for
 	std::int64_t droppedFaces         = 0; ///< of those components
 	std::int64_t longEdgesSplit       = 0; ///< edges longer than 0.8 r, split for the sampling only
+	/// Of edges with more than two faces: the largest length of those that hang together, in the
+	/// engine's units.
+	double longestJunction = 0;
 
 	/// Anything that changes what the input was (splitting edges does not).
 	bool changedInput() const
@@ -89,6 +92,7 @@ struct AuditFigures {
 	bool           componentsKept      = false;
 	bool           boundaryLoopsKept   = false;
 	bool           eulerKept           = false;
+	bool           junctionsKept       = false; ///< or there are none to keep
 	bool           countExact          = false;
 	GuardedFigures guarded;
 };

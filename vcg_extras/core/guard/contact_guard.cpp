@@ -74,7 +74,8 @@ bool ContactGuard::isApartFrom(int face, const std::vector<NamedTriangle>& made,
 {
 	const Box<float> box = boxOfFace(m_, face);
 	for (std::size_t i = 0; i < made.size(); ++i) {
-		if (!boxOfMade_[i].meets(box) || !touch(made[i], triangleOf(m_, face))) continue;
+		if (!boxOfMade_[i].meets(box)) continue;
+		if (!doTouch(made[i], triangleOf(m_, face))) continue;
 		return hadContacts_ && touchedBefore(face, gone);
 	}
 	return true;
@@ -85,7 +86,7 @@ bool ContactGuard::areApart(const std::vector<NamedTriangle>& made,
 {
 	for (std::size_t i = 0; i < made.size(); ++i) {
 		for (std::size_t k = i + 1; k < made.size(); ++k) {
-			if (touch(made[i], made[k])) return hadContacts_ && touchedEachOther(gone);
+			if (doTouch(made[i], made[k])) return hadContacts_ && touchedEachOther(gone);
 		}
 	}
 	return true;
@@ -95,14 +96,14 @@ bool ContactGuard::touchedBefore(int face, const std::vector<int>& gone) const
 {
 	const NamedTriangle t = triangleOf(m_, face);
 	return std::any_of(gone.begin(), gone.end(),
-					   [&](int f) { return touch(triangleOf(m_, f), t); });
+					   [&](int f) { return doTouch(triangleOf(m_, f), t); });
 }
 
 bool ContactGuard::touchedEachOther(const std::vector<int>& gone) const
 {
 	for (std::size_t i = 0; i < gone.size(); ++i) {
 		for (std::size_t k = i + 1; k < gone.size(); ++k) {
-			if (touch(triangleOf(m_, gone[i]), triangleOf(m_, gone[k]))) return true;
+			if (doTouch(triangleOf(m_, gone[i]), triangleOf(m_, gone[k]))) return true;
 		}
 	}
 	return false;

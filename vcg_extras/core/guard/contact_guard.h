@@ -42,6 +42,10 @@ private:
 	void build();
 	bool comesToMirrorImage(const std::vector<NamedTriangle>& made,
 							const std::vector<int>&           gone) const;
+	bool doTouch(const NamedTriangle& s, const NamedTriangle& t) const
+	{
+		return touch(s, t, m_.meetsAtPlaces);
+	}
 	bool areApart(const std::vector<NamedTriangle>& made, const std::vector<int>& gone) const;
 	bool isApartFrom(int face, const std::vector<NamedTriangle>& made,
 					 const std::vector<int>& gone) const;

@@ -252,7 +252,9 @@ ContactOutcome makeAnew(const MakingOfVertices& making, const InputContacts& ofI
 		isCapped             = patches.isCapped;
 	}
 	ContactOutcome outcome{result.mesh.vertexNum};
-	if (!pairs.empty()) {
+	// Whole sheets could not be made anew and stay joined to others.
+	outcome.isRefused = !pairs.empty() && result.mesh.meetsAtPlaces;
+	if (!pairs.empty() && !result.mesh.meetsAtPlaces) {
 		const bool inputHasContacts =
 			!findTouchingPairs(making.surface.mesh, workers, Seams::Apart).empty();
 		outcome = replaceComponents(making, facesOf(pairs), inputHasContacts, result, workers);

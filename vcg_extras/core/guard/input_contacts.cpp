@@ -38,8 +38,9 @@ HalfEdgeMesh facesAlone(const HalfEdgeMesh& from, const std::vector<int>& faces)
 	std::vector<int> corner = verticesOf(from, faces);
 	const int        num    = int(corner.size());
 	reserve(to, num, int(faces.size()));
-	to.vertexNum = num;
-	to.faceNum   = int(faces.size());
+	to.vertexNum     = num;
+	to.faceNum       = int(faces.size());
+	to.meetsAtPlaces = from.meetsAtPlaces;
 	for (int v = 0; v < num; ++v) {
 		to.position[v] = from.position[corner[std::size_t(v)]];
 		to.outgoing[v] = -1;

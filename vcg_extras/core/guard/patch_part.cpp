@@ -54,8 +54,9 @@ public:
 
 	void run()
 	{
-		m_.mirrorAxis = whole_.mesh.mirrorAxis;
-		m_.faceNum    = int(part_.face.size());
+		m_.mirrorAxis    = whole_.mesh.mirrorAxis;
+		m_.faceNum       = int(part_.face.size());
+		m_.meetsAtPlaces = whole_.mesh.meetsAtPlaces;
 		reserve(m_, m_.halfEdgeNum(), m_.faceNum);
 		for (int h = 0; h < m_.halfEdgeNum(); ++h) {
 			m_.origin[h]   = -1;

@@ -280,6 +280,7 @@ private:
 		mesh_.mirrorAxis = result_.mesh.mirrorAxis;
 		mesh_.faceNum    = int(triangle_.size());
 		reserve(mesh_, mesh_.vertexNum, mesh_.faceNum);
+		mesh_.meetsAtPlaces = result_.mesh.meetsAtPlaces;
 		for (int v = 0; v < mesh_.vertexNum; ++v) {
 			const int w       = resultVertex_[std::size_t(v)];
 			mesh_.outgoing[v] = -1;

@@ -56,7 +56,9 @@ IndexedMesh withoutUselessPieces(RunContext& run, IndexedMesh mesh, CleanCounts&
 Sewing sewingFor(const RemeshOptions& options, Sewing wanted)
 {
 	if (!options.sew || wanted == Sewing::Never) return Sewing::Never;
-	return options.dropComponentsBelow > 1 ? Sewing::First : wanted;
+	// Sheets that are cut apart must not be taken for seams.
+	const bool isFirst = options.dropComponentsBelow > 1 || keepsJunctions(options);
+	return isFirst ? Sewing::First : wanted;
 }
 
 void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Surface& surface)
@@ -67,7 +69,9 @@ void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Su
 	run.clock.enter(Stage::Connect);
 	if (connect(mesh, faceStart, run.workers, surface)) return;
 	run.clock.enter(Stage::Repair);
-	repairManifold(mesh, surface.mesh.opposite, run.workers, counts);
+	const JunctionMode junctions =
+		keepsJunctions(run.options) ? JunctionMode::Keep : JunctionMode::Cut;
+	repairManifold(mesh, surface.mesh.opposite, junctions, run.workers, counts);
 	surface.grid = orderSpatially(mesh, run.workers, faceStart);
 	if (!connect(mesh, faceStart, run.workers, surface)) {
 		throw Failure(Status::InternalError, "The surface could not be made manifold.");
@@ -76,6 +80,8 @@ void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Su
 
 void dropFlatPieces(RunContext& run, CleanCounts& counts, Surface& surface)
 {
+	// What lies along the border of a sheet is shared with others.
+	if (!surface.meetings.empty()) return;
 	const std::vector<int> flat = findFlatPieces(surface, run.workers);
 	if (flat.empty()) return;
 	if (int(flat.size()) == surface.mesh.faceNum)

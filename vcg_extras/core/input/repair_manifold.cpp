@@ -5,12 +5,17 @@
 #include <vcg_extras/core/base/counting_sort.h>
 #include <vcg_extras/core/base/poller.h>
 #include <vcg_extras/core/base/sort_unique.h>
+#include <vcg_extras/core/base/union_find.h>
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
+#include <vcg_extras/core/mesh/same_place.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 namespace gpr {
@@ -23,6 +28,7 @@ struct Linked {
 	Buffer<int>& link;
 	Workers&     workers;
 	CleanCounts& counts;
+	JunctionMode junctions;
 
 	std::size_t halfEdgeNum() const { return std::size_t(3) * mesh.faceNum; }
 	EdgeSide    side(int h) const
@@ -128,16 +134,39 @@ public:
 		Poller                 poller(m_.workers);
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 			poller.count();
-			if (end - begin > 2) joinSmoothest(sides, begin, end);
+			if (end - begin > 2) noteFaulty(sides, begin, end);
+			if (end - begin > 2 && m_.junctions == JunctionMode::Cut)
+				joinSmoothest(sides, begin, end);
 			if (end - begin == 2) join(sides[begin].halfEdge, sides[begin + 1].halfEdge);
 		});
+		m_.counts.longestJunction = std::max(m_.counts.longestJunction, longestJunction());
 		return joinedReversed_;
 	}
 
 private:
-	Linked&           m_;
-	std::vector<int>& faulty_;
-	bool              joinedReversed_ = false;
+	Linked&                          m_;
+	std::vector<int>&                faulty_;
+	bool                             joinedReversed_ = false;
+	std::vector<std::pair<int, int>> cutEnds_; ///< of edges with more than two faces
+
+	/// The largest length of those that hang together.
+	double longestJunction() const
+	{
+		std::map<int, int>    parent;
+		std::map<int, double> extent;
+		for (const auto& [a, b] : cutEnds_) {
+			parent.insert({a, a});
+			parent.insert({b, b});
+			joinSets(parent, a, b);
+		}
+		double most = 0;
+		for (const auto& [a, b] : cutEnds_) {
+			double& sum = extent[rootOf(parent, a)];
+			sum += double(length(m_.mesh.position[b] - m_.mesh.position[a]));
+			most = std::max(most, sum);
+		}
+		return most;
+	}
 
 	void join(int g, int h)
 	{
@@ -151,11 +180,16 @@ private:
 		return dot(inward(m_.mesh, g), inward(m_.mesh, h)) + (m_.runAlike(g, h) ? 2.0f : 0.0f);
 	}
 
-	void joinSmoothest(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
+	void noteFaulty(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
 	{
 		++m_.counts.nonManifoldEdges;
+		cutEnds_.push_back({sides[begin].low, sides[begin].high});
 		for (std::size_t i = begin; i < end; ++i)
 			faulty_.push_back(sides[i].halfEdge / 3);
+	}
+
+	void joinSmoothest(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
+	{
 		// Fans of many faces on one edge are rare, but the pairing is quadratic: bound it.
 		constexpr std::size_t most = 64;
 		const std::size_t     n    = std::min(end - begin, most);
@@ -262,6 +296,13 @@ private:
 
 // ---- vertices
 
+std::vector<Vec3f> distinctPlaces(std::vector<Vec3f> places)
+{
+	std::sort(places.begin(), places.end(), isBefore);
+	places.erase(std::unique(places.begin(), places.end()), places.end());
+	return places;
+}
+
 /// Gives every fan round a vertex a vertex of its own; the one with the first corner keeps it.
 void separateFans(Linked& m)
 {
@@ -294,6 +335,7 @@ void separateFans(Linked& m)
 		v      = std::max(v, ~v);
 	}
 	m.counts.nonManifoldVertices += std::int64_t(added.size());
+	if (m.junctions == JunctionMode::Keep) m.mesh.meetings = distinctPlaces(added);
 	makeRoom(m.mesh.position, oldNum + added.size(), m.workers);
 	std::copy(added.begin(), added.end(), m.mesh.position.begin() + oldNum);
 	m.mesh.vertexNum += int(added.size());
@@ -310,6 +352,7 @@ public:
 	void run(const std::vector<int>& faces)
 	{
 		findSlits(faces);
+		if (m_.junctions == JunctionMode::Keep) addBordersBeside(faces);
 		if (slits_.empty()) return;
 		sortPolled(slits_.begin(), slits_.end(), m_.workers);
 		middle_.assign(slits_.size(), -1);
@@ -353,6 +396,33 @@ private:
 		});
 	}
 
+	using Place = std::array<float, 6>;
+
+	Place placeOf(int h) const
+	{
+		Vec3f a = mesh_.position[mesh_.triangle[h]];
+		Vec3f b = mesh_.position[mesh_.triangle[nextInFace(h)]];
+		if (isBefore(b, a)) std::swap(a, b);
+		return {a.x, a.y, a.z, b.x, b.y, b.z};
+	}
+
+	/// All borders at the place of a slit, its keeper too, so that they have the same vertices.
+	void addBordersBeside(const std::vector<int>& faces)
+	{
+		std::set<Place> places;
+		for (int h : slits_)
+			places.insert(placeOf(h));
+		if (places.empty()) return;
+		Poller poller(m_.workers);
+		for (int f : faces) {
+			poller.count();
+			for (int h = 3 * f; h < 3 * f + 3; ++h) {
+				if (m_.link[h] < 0 && places.count(placeOf(h)) > 0) slits_.push_back(h);
+			}
+		}
+		sortUnique(slits_);
+	}
+
 	/// Fans the face out from a corner, with the new vertices put into its outline.
 	void splitFace(int f, std::size_t begin, std::size_t end)
 	{
@@ -394,9 +464,10 @@ private:
 
 } // namespace
 
-void repairManifold(IndexedMesh& mesh, Buffer<int>& link, Workers& workers, CleanCounts& counts)
+void repairManifold(IndexedMesh& mesh, Buffer<int>& link, JunctionMode junctions, Workers& workers,
+					CleanCounts& counts)
 {
-	Linked           linked{mesh, link, workers, counts};
+	Linked           linked{mesh, link, workers, counts, junctions};
 	std::vector<int> faulty; // faces with an edge that is no longer shared as it was
 	dropDuplicateFaces(linked);
 	if (Linker(linked, faulty).run()) Orienter(linked, faulty).run();

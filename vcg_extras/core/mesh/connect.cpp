@@ -331,6 +331,7 @@ bool connect(IndexedMesh& mesh, const Buffer<int>& faceStart, Workers& workers, 
 	}
 	surface.sourceFace.swap(mesh.sourceFace);
 	surface.size.swap(mesh.size);
+	surface.meetings.swap(mesh.meetings);
 	surface.frame = mesh.frame;
 	return true;
 }
@@ -374,6 +375,7 @@ IndexedMesh disconnect(Surface& surface)
 	mesh.triangle   = std::move(surface.mesh.origin);
 	mesh.sourceFace = std::move(surface.sourceFace);
 	mesh.size       = std::move(surface.size);
+	mesh.meetings   = std::move(surface.meetings);
 	surface         = Surface();
 	surface.frame   = mesh.frame;
 	return mesh;
@@ -386,6 +388,7 @@ Surface copyOf(const Surface& from, Workers& workers)
 	to.sourceFace = copyOf(from.sourceFace, workers);
 	to.normal     = copyOf(from.normal, workers);
 	to.size       = copyOf(from.size, workers);
+	to.meetings   = from.meetings;
 	to.frame      = from.frame;
 	to.grid       = from.grid;
 	return to;

@@ -19,9 +19,10 @@ struct Surface {
 	Buffer<int>          sourceFace; ///< per face: the caller's face it is part of
 	Buffer<PackedNormal> normal;     ///< per vertex, area-weighted (zero where undefined); its
 									 ///< marks: see pointedSpread, roughDeg and roughWidth
-	Buffer<float> size;              ///< per vertex: see sizing.h; empty: the same everywhere
-	Frame         frame;
-	MortonGrid    grid;
+	Buffer<float>      size;         ///< per vertex: see sizing.h; empty: the same everywhere
+	std::vector<Vec3f> meetings;     ///< see IndexedMesh
+	Frame              frame;
+	MortonGrid         grid;
 };
 
 /// How far the normals of the faces round a vertex spread: the length of the sum of their cross

@@ -196,15 +196,18 @@ struct Shared {
 	int sumS = 0, sumT = 0;
 };
 
-Shared sharedBy(const NamedTriangle& s, const NamedTriangle& t)
+Shared sharedBy(const NamedTriangle& s, const NamedTriangle& t, bool meetsAtPlaces)
 {
+	const auto isOne = [&](int k, int l) {
+		return s.vertex[k] == t.vertex[l] || (meetsAtPlaces && s.at[k] == t.at[l]);
+	};
 	// Border vertices at one place are named alike, so that a triangle may have a name twice: each
 	// corner is counted once.
 	Shared shared;
 	bool   isTaken[3] = {false, false, false};
 	for (int k = 0; k < 3; ++k) {
 		for (int l = 0; l < 3; ++l) {
-			if (isTaken[l] || s.vertex[k] != t.vertex[l]) continue;
+			if (isTaken[l] || !isOne(k, l)) continue;
 			isTaken[l] = true;
 			++shared.num;
 			shared.inS = k;
@@ -232,7 +235,7 @@ int nameOf(const HalfEdgeMesh& m, int f, int k, const NamedTriangle& other)
 bool doFacesTouch(const HalfEdgeMesh& m, int f, int g, Seams seams)
 {
 	NamedTriangle s = triangleOf(m, f), t = triangleOf(m, g);
-	if (seams == Seams::Apart) return touch(s, t);
+	if (seams == Seams::Apart || m.meetsAtPlaces) return touch(s, t, m.meetsAtPlaces);
 	for (int k = 0; k < 3; ++k)
 		s.vertex[k] = nameOf(m, f, k, t);
 	for (int k = 0; k < 3; ++k)
@@ -277,9 +280,9 @@ NamedTriangle triangleOf(const HalfEdgeMesh& m, int f)
 	return t;
 }
 
-bool touch(const NamedTriangle& s, const NamedTriangle& t)
+bool touch(const NamedTriangle& s, const NamedTriangle& t, bool meetsAtPlaces)
 {
-	const Shared shared = sharedBy(s, t);
+	const Shared shared = sharedBy(s, t, meetsAtPlaces);
 	if (shared.num == 0) return doApartOnesTouch(cornersFrom(s, 0), cornersFrom(t, 0));
 	if (shared.num == 1)
 		return doCornerNeighboursTouch(cornersFrom(s, shared.inS), cornersFrom(t, shared.inT));

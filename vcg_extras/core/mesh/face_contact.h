@@ -26,8 +26,8 @@ NamedTriangle triangleOf(const HalfEdgeMesh& mesh, int face);
 
 /// Whether two triangles have a point in common beyond the corners, or the edge, that they share by
 /// name. Touching counts. Exact: see base/orientation.h. Two triangles that share all corners
-/// touch.
-bool touch(const NamedTriangle& s, const NamedTriangle& t);
+/// touch. meetsAtPlaces: corners at one place are shared, whatever their names.
+bool touch(const NamedTriangle& s, const NamedTriangle& t, bool meetsAtPlaces = false);
 
 /// Whether a triangle of half a symmetric mesh has points beyond the mirror plane, or on it where
 /// the border is not: it may touch the mirror image. Its corners are named by the mesh, and may lie

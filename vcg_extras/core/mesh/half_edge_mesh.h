@@ -42,6 +42,8 @@ struct HalfEdgeMesh {
 	/// Where the mesh is half of a symmetric one: the axis on whose plane at 0 its border meets its
 	/// mirror image; the other vertices have coordinates above 0 there. -1: it is no half.
 	int mirrorAxis = -1;
+	/// Vertices at one place are one vertex, of several sheets: faces there do not touch.
+	bool meetsAtPlaces = false;
 
 	int halfEdgeNum() const { return 3 * faceNum; }
 	int target(int h) const { return origin[nextInFace(h)]; }

@@ -42,6 +42,8 @@ struct IndexedMesh {
 	Buffer<int>   triangle;   ///< 3 a face
 	Buffer<int>   sourceFace; ///< per face: the caller's face it is part of
 	Buffer<float> size;       ///< per vertex: see sizing.h; empty: the same everywhere
+	/// Where vertices of several sheets lie that were one, ascending: see junctions.h.
+	std::vector<Vec3f> meetings;
 
 	Vec3f faceCross(int f) const
 	{

@@ -577,6 +577,7 @@ void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
 	to.faceNum = numberLiving(
 		m.faceNum, [&](int f) { return !isDeadFace(m, f); }, workers, newFace);
 	if (to.vertexNum == m.vertexNum && to.faceNum == m.faceNum && !hasRoom(m)) return;
+	to.meetsAtPlaces = m.meetsAtPlaces;
 	reserveExactly(to, m.hasCreases());
 	const auto renamed = [&](int h) { return h < 0 ? -1 : 3 * newFace[h / 3] + h % 3; };
 	workers.forEach(m.vertexNum, [&](int v) {
@@ -601,13 +602,14 @@ void compact(HalfEdgeMesh& m, Workers& workers, Buffer<int>& newIndex)
 HalfEdgeMesh copyMesh(const HalfEdgeMesh& from, Workers& workers)
 {
 	HalfEdgeMesh to;
-	to.vertexNum  = from.vertexNum;
-	to.faceNum    = from.faceNum;
-	to.mirrorAxis = from.mirrorAxis;
-	to.position   = copyOf(from.position, std::size_t(from.vertexNum), workers);
-	to.outgoing   = copyOf(from.outgoing, std::size_t(from.vertexNum), workers);
-	to.origin     = copyOf(from.origin, std::size_t(from.halfEdgeNum()), workers);
-	to.opposite   = copyOf(from.opposite, std::size_t(from.halfEdgeNum()), workers);
+	to.vertexNum     = from.vertexNum;
+	to.faceNum       = from.faceNum;
+	to.mirrorAxis    = from.mirrorAxis;
+	to.meetsAtPlaces = from.meetsAtPlaces;
+	to.position      = copyOf(from.position, std::size_t(from.vertexNum), workers);
+	to.outgoing      = copyOf(from.outgoing, std::size_t(from.vertexNum), workers);
+	to.origin        = copyOf(from.origin, std::size_t(from.halfEdgeNum()), workers);
+	to.opposite      = copyOf(from.opposite, std::size_t(from.halfEdgeNum()), workers);
 	if (from.hasCreases())
 		to.crease = copyOf(from.crease, std::size_t(from.halfEdgeNum()), workers);
 	return to;

@@ -16,6 +16,13 @@ namespace gpr {
 /// keeping, and above the noise of coordinates that went through text or float.
 constexpr float samePlace = 1e-6f;
 
+/// An order of places, by x, y, z.
+inline bool isBefore(const Vec3f& a, const Vec3f& b)
+{
+	if (a.x != b.x) return a.x < b.x;
+	return a.y != b.y ? a.y < b.y : a.z < b.z;
+}
+
 /// Finds points at the same place: a hash table of cells, each with a chain of points.
 class SamePlaceTable {
 public:

@@ -64,7 +64,8 @@ public:
 				   const CountTarget& target, ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			boundary_(boundary), r_(result), m_(result.mesh), workers_(workers),
-			byFaces_(target.faceNum > 0), wanted_(byFaces_ ? target.faceNum : target.vertexNum),
+			byFaces_(target.faceNum > 0),
+			wanted_(byFaces_ ? target.faceNum : target.vertexNum + result.copyNum),
 			num_(byFaces_ ? livingFaceNum(result.mesh) : livingVertexNum(result.mesh))
 	{
 	}

@@ -5,6 +5,7 @@
 #include "face_point.h"
 
 #include <vcg_extras/core/base/triangle.h>
+#include <vcg_extras/core/surface/junctions.h>
 #include <vcg_extras/core/surface/normal_agreement.h>
 
 #include <algorithm>
@@ -111,6 +112,16 @@ std::int64_t invertedAmongSuspects(const Surface& surface, const ResultMesh& r,
 						 [&](int f) { return isInverted(surface, r, f); });
 }
 
+/// The same points at the same places, the same lines between them with as many sheets, and no
+/// edge or face that would become one with another.
+bool areJunctionsKept(const Surface& surface, const ResultMesh& r, Workers& workers)
+{
+	const Junctions before(surface.mesh, surface.meetings, workers);
+	const Junctions after(r.mesh, surface.meetings, workers);
+	return after.isSameAs(before) && after.copyNum() == r.copyNum &&
+		   after.falseEdges(workers).empty() && !after.hasTwinFaces(workers);
+}
+
 } // namespace
 
 AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigures& input,
@@ -147,10 +158,12 @@ AuditFigures audit(const Surface& surface, const ResultMesh& r, const MeshFigure
 	a.componentsKept      = input.components == output.components;
 	a.boundaryLoopsKept   = input.boundaryLoops == output.boundaryLoops;
 	a.eulerKept           = input.eulerCharacteristic == output.eulerCharacteristic;
-	a.countExact          = targetNum == output.vertices;
+	a.countExact          = targetNum == output.vertices - r.copyNum;
+	a.junctionsKept       = !m.meetsAtPlaces || areJunctionsKept(surface, r, workers);
 	a.passed              = found.badEdges == 0 && found.badVertices == 0 && found.zeroArea == 0 &&
 			   found.notFinite == 0 && a.duplicateFaces == 0 && a.componentsKept &&
-			   a.boundaryLoopsKept && a.eulerKept && (targetNum == 0 || a.countExact);
+			   a.boundaryLoopsKept && a.eulerKept && a.junctionsKept &&
+			   (targetNum == 0 || a.countExact);
 	return a;
 }
 
@@ -179,6 +192,7 @@ std::string describeFailure(const AuditFigures& a)
 	add(!a.componentsKept, "another number of components");
 	add(!a.boundaryLoopsKept, "another number of boundary loops");
 	add(!a.eulerKept, "another Euler characteristic");
+	add(!a.junctionsKept, "other junctions");
 	if (what.empty()) what = "another number of vertices than promised";
 	return "The result was withheld because it has " + what + ".";
 }

@@ -14,7 +14,8 @@ namespace gpr {
 /// Last stage: checks what is promised before the result is exported. Every edge has one or two
 /// faces that run along it in opposite directions, every vertex one fan, no two faces the same
 /// corners; no face without area; no coordinate that is not finite; components, boundary loops and
-/// Euler characteristic as in `input`, the count as in targetNum (0: not promised). Inverted
+/// Euler characteristic as in `input`, the count as in targetNum (0: not promised). Where sheets
+/// meet all this is said of the sheets but the count, and the junctions are the same. Inverted
 /// faces (isInverted in face_point.h) are counted, but do not fail the audit: where a surface is
 /// thinner than the triangles are wide, no set of that many triangles looks right everywhere. Cost:
 /// linear, parallel; O(F log F) more where a fault was found.

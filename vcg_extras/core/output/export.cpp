@@ -10,6 +10,7 @@
 #include <vcg_extras/core/carry_over.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/surface/barycentric_point.h>
+#include <vcg_extras/core/surface/junctions.h>
 
 #include <algorithm>
 #include <locale>
@@ -107,6 +108,60 @@ void exportRegions(RunContext& run, const Surface& surface, const ResultMesh& re
 	run.tell(lostNote(run.input, labels.lost));
 }
 
+/// Per face of the caller's: whether cleaning turned it over.
+std::vector<char> turnedFaces(RunContext& run, const Surface& surface)
+{
+	std::vector<char> isTurned(run.input.faceNum, 0);
+	for (int f = 0; f < surface.mesh.faceNum; ++f) {
+		const std::size_t source = std::size_t(surface.sourceFace[f]);
+		const auto        corner = run.input.triangle(source);
+		const Vec3d       a      = run.input.position(std::size_t(corner[0]));
+		const Vec3d       b      = run.input.position(std::size_t(corner[1]));
+		const Vec3d       c      = run.input.position(std::size_t(corner[2]));
+		if (dot(cross(b - a, c - a), Vec3d(surface.mesh.faceCross(f))) < 0) isTurned[source] = 1;
+	}
+	return isTurned;
+}
+
+/// Sheets are worked on with all their faces running alike. Each face of the result runs as the one
+/// of the caller's that stands for it.
+void turnAsInput(RunContext& run, const Surface& surface, const ResultMesh& result,
+				 RemeshResult& out)
+{
+	std::vector<BarycentricPoint> own;
+	if (out.facePoints.empty()) exportFacePoints(run, surface, result, own);
+	const std::vector<BarycentricPoint>& at       = own.empty() ? out.facePoints : own;
+	const std::vector<char>              isTurned = turnedFaces(run, surface);
+	for (std::size_t f = 0; f < at.size(); ++f) {
+		if (isTurned[std::size_t(at[f].face)])
+			std::swap(out.mesh.triangles[3 * f + 1], out.mesh.triangles[3 * f + 2]);
+	}
+}
+
+/// Makes one vertex of all that lie at a place where sheets meet. One of the caller's, where there
+/// is one, has the exact coordinates.
+void joinSheets(const std::vector<int>& first, RemeshResult& out)
+{
+	std::vector<std::int32_t> newIndex(first.size());
+	const bool  hasPoints = !out.surfacePoints.empty(), hasCallers = !out.callersVertex.empty();
+	std::size_t num = 0;
+	const auto  put = [&](std::size_t from, std::size_t to) {
+        out.mesh.positions[to] = out.mesh.positions[from];
+        if (hasPoints) out.surfacePoints[to] = out.surfacePoints[from];
+        if (hasCallers) out.callersVertex[to] = out.callersVertex[from];
+	};
+	for (std::size_t v = 0; v < first.size(); ++v) {
+		const bool isFirst = first[v] == int(v);
+		newIndex[v]        = isFirst ? std::int32_t(num++) : newIndex[std::size_t(first[v])];
+		if (isFirst || (hasCallers && out.callersVertex[v] >= 0)) put(v, std::size_t(newIndex[v]));
+	}
+	out.mesh.positions.resize(num);
+	if (hasPoints) out.surfacePoints.resize(num);
+	if (hasCallers) out.callersVertex.resize(num);
+	for (std::int32_t& v : out.mesh.triangles)
+		v = newIndex[std::size_t(v)];
+}
+
 void requireAreas(RunContext& run, const TriangleMesh& mesh, AuditFigures& audited)
 {
 	audited.zeroAreaFaces = zeroAreaFaceNum(mesh, run.workers);
@@ -117,7 +172,7 @@ void requireAreas(RunContext& run, const TriangleMesh& mesh, AuditFigures& audit
 } // namespace
 
 QualityFigures exportResult(RunContext& run, const Surface& surface, const ResultMesh& result,
-							bool hasKept, AuditFigures& audited, RemeshResult& out)
+							bool hasKept, bool turnsFaces, AuditFigures& audited, RemeshResult& out)
 {
 	run.clock.enter(Stage::Export);
 	exportMesh(run, surface, result.mesh, out.mesh);
@@ -128,6 +183,9 @@ QualityFigures exportResult(RunContext& run, const Surface& surface, const Resul
 		exportRegions(run, surface, result, out);
 	else if (run.options.surfacePointsOfFaces)
 		exportFacePoints(run, surface, result, out.facePoints);
+	if (result.mesh.meetsAtPlaces && turnsFaces) turnAsInput(run, surface, result, out);
+	if (result.mesh.meetsAtPlaces)
+		joinSheets(Junctions(result.mesh, surface.meetings, run.workers).first(), out);
 	requireAreas(run, out.mesh, audited);
 	return measureQuality(out.mesh.view(), run.workers);
 }

@@ -13,11 +13,13 @@
 namespace gpr {
 
 /// Last stage: writes the mesh, and what the options ask for beside it, in the caller's frame and
-/// numbering. hasKept: vertices of the caller's stayed, and get the caller's own bits back. Returns
-/// the shape of the triangles. Throws Failure where rounding to that frame leaves a face without
-/// area; `audited` then tells how many.
+/// numbering. hasKept: vertices of the caller's stayed, and get the caller's own bits back.
+/// turnsFaces: cleaning turned faces over, and where sheets meet their orientation comes back.
+/// Returns the shape of the triangles. Throws Failure where rounding to that frame leaves a face
+/// without area; `audited` then tells how many.
 QualityFigures exportResult(RunContext& run, const Surface& surface, const ResultMesh& result,
-							bool hasKept, AuditFigures& audited, RemeshResult& out);
+							bool hasKept, bool turnsFaces, AuditFigures& audited,
+							RemeshResult& out);
 
 /// Tells which vertex of the result is which of the caller's samples. A sample that lay on the
 /// surface, up to rounding, keeps its very coordinates.

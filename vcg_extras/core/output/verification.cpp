@@ -125,6 +125,7 @@ void verifyResult(RunContext& run, const Surface& surface, const ResultMesh& res
 	found.keptNum           = tellKept(run, expected, result);
 	requirePromises(run, surface, result, expected, found);
 	checkWhereAsked(run, surface, result, expected, found);
+	found.figures.vertices = result.vertexNum();
 }
 
 } // namespace gpr

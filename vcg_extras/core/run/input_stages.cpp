@@ -110,10 +110,14 @@ std::optional<DetectedRegion>& InputCache::region(const RemeshOptions& options)
 
 void InputCache::fitTo(const RemeshOptions& options)
 {
-	if (sew_ == options.sew && dropComponentsBelow_ == options.dropComponentsBelow) return;
+	const bool keeps = keepsJunctions(options);
+	if (sew_ == options.sew && dropComponentsBelow_ == options.dropComponentsBelow &&
+		keepsJunctions_ == keeps)
+		return;
 	*this                = InputCache();
 	sew_                 = options.sew;
 	dropComponentsBelow_ = options.dropComponentsBelow;
+	keepsJunctions_      = keeps;
 }
 
 FeatureEdges detectOnInput(RunContext& run, WorkingSurface& surface)
@@ -198,7 +202,8 @@ SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache
 		if (!tooLong.faces.empty()) splitTooLong(run, tooLong, num, mesh, surface);
 		isConnected = connectCleaned(run, sewing, mesh, surface.cleaned, surface);
 	}
-	surface.border = BorderFigures();
+	surface.mesh.meetsAtPlaces = keepsJunctions(run.options);
+	surface.border             = BorderFigures();
 	if (isConnected && run.options.boundary == BoundaryMode::Smooth)
 		surface.border.length = borderLength(surface.mesh) / surface.frame.scale;
 	return {!isConnected};

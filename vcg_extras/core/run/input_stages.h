@@ -50,6 +50,7 @@ private:
 	/// What of the options decides how the input is cleaned.
 	bool                          sew_                 = true;
 	std::int64_t                  dropComponentsBelow_ = 0;
+	bool                          keepsJunctions_      = false;
 	std::array<OfSewing, 3>       of_; ///< by Sewing
 	std::optional<DetectedRegion> region_;
 

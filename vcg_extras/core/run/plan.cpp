@@ -595,6 +595,13 @@ std::string Plan::judge(const FitFacts& facts)
 
 std::string Plan::judge(const ContactFacts& facts)
 {
+	if (facts.isRefused && facts.vertexNum <= facts.before) {
+		refuse("With " + asked() +
+				   " sheets that meet in junctions would intersect each other; more triangles, or "
+				   "smaller ones there, are needed.",
+			   facts.before + std::max<std::int64_t>(1, facts.before / 4),
+			   asksForFaces() ? raised(facts.faceNum) : 0);
+	}
 	if (facts.isRefused && asksForFaces()) {
 		const std::int64_t least = facts.faceNum + 2 * (facts.vertexNum - facts.before);
 		refuse("With " + asked() +

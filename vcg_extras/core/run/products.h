@@ -37,7 +37,7 @@ struct WorkingSurface : Surface {
 
 	bool isSewn() const { return cleaned.sewnEdges > 0; }
 	/// Some borders lie at one place: see shared_borders.h.
-	bool sharesBorders() const { return cleaned.sharedBorderEdges > 0; }
+	bool sharesBorders() const { return cleaned.sharedBorderEdges > 0 || mesh.meetsAtPlaces; }
 };
 
 /// How large the triangles are to be where; the sizes themselves are the surface's.

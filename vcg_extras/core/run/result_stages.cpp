@@ -205,7 +205,7 @@ MeshFacts relaxTriangles(RunContext& run, Products& made)
 	relax(run, made);
 	if (!repairInvertedFaces(made.surface, made.curves, false, made.result, run.workers))
 		run.tellCap("changes for inverted faces");
-	return {made.result.mesh.vertexNum,
+	return {made.result.vertexNum(),
 			made.lines.edgeNum > 0,
 			lineFaceNum(made.result.mesh, run.workers) > 0,
 			made.result.hasSmoothBorder,
@@ -261,7 +261,8 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 {
 	made.beforeFit.reset();
 	made.hasMadeVertices      = false;
-	const std::int64_t before = made.result.mesh.vertexNum;
+	const std::int64_t before = made.result.vertexNum();
+	separateSheets(run, decisions, made);
 	if (!run.options.guard || isPaper(run.options))
 		return {before, before, false, made.result.mesh.faceNum};
 	run.clock.enter(Stage::Contacts);
@@ -278,7 +279,8 @@ ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Product
 	if (outcome.hasMade) made.fitDistance = farthestFromSurface(made.result);
 	made.hasMadeVertices = outcome.hasMade;
 	if (outcome.isCapped) run.tellCap("patches made anew");
-	return {before, outcome.vertexNum, outcome.isRefused, made.result.mesh.faceNum};
+	return {before, outcome.vertexNum - made.result.copyNum, outcome.isRefused,
+			made.result.mesh.faceNum};
 }
 
 void tellMade(RunContext& run, const Products& made)
@@ -288,15 +290,33 @@ void tellMade(RunContext& run, const Products& made)
 		"Triangles would intersect each other where the surface is thinner than they are wide, so "
 		"that " +
 		std::to_string(made.guarded.vertexNum) + " of the " +
-		std::to_string(made.result.mesh.vertexNum) +
+		std::to_string(made.result.vertexNum()) +
 		" vertices were made by guarded edge collapses of the input. The triangles there are less "
 		"regular.");
 }
+
+namespace {
+
+/// Single edges with more than two faces are faults of a scan; curves of them longer than some
+/// edges are meant.
+void tellCutJunctions(RunContext& run, const Products& made)
+{
+	constexpr double leastEdges = 3;
+	const double     extent     = made.surface.cleaned.longestJunction;
+	if (made.surface.mesh.meetsAtPlaces || extent < leastEdges * double(made.result.idealEdge))
+		return;
+	run.tell(
+		"Curves along which more than two faces meet were cut, and what met there is apart now. "
+		"--junctions keep would mesh them once for all sheets, which stay joined.");
+}
+
+} // namespace
 
 NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made)
 {
 	const bool isOfOurs = decisions.purpose != Purpose::OfGivenSamples;
 	if (isOfOurs) tellSmoothBorder(run, made.surface.frame, made.result, made.surface.border);
+	tellCutJunctions(run, made);
 	const Expected expected{made.surface.figures, isOfOurs ? decisions.wholeNum() : 0,
 							std::int64_t(made.sizes.kept.size()), made.fitDistance};
 	verifyResult(run, made.surface, made.result, expected, made.verified);
@@ -306,8 +326,8 @@ NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made)
 ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out)
 {
 	made.quality = exportResult(run, made.surface, made.result, made.verified.keptNum > 0,
-								made.verified.audit, out);
-	return {made.result.mesh.vertexNum, made.result.mesh.faceNum};
+								made.surface.cleaned.reorientedFaces > 0, made.verified.audit, out);
+	return {made.result.vertexNum(), made.result.mesh.faceNum};
 }
 
 } // namespace gpr

@@ -4,16 +4,21 @@
 
 #include "surface_stages.h"
 
+#include <vcg_extras/core/mesh/same_place.h>
 #include <vcg_extras/core/optimization/delaunay_flips.h>
 #include <vcg_extras/core/optimization/exact_count.h>
 #include <vcg_extras/core/optimization/face_repair.h>
+#include <vcg_extras/core/optimization/false_edges.h>
 #include <vcg_extras/core/retriangulation/hole_retriangulation.h>
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
 #include <vcg_extras/core/sampling/border_edge_sampling.h>
 #include <vcg_extras/core/sampling/fuse_samples.h>
 #include <vcg_extras/core/sampling/given_samples.h>
+#include <vcg_extras/core/surface/junctions.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace gpr {
 
@@ -25,8 +30,8 @@ namespace {
 bool mayMissCount(const RemeshOptions& options, const Products& made)
 {
 	const bool hasErrorSizes = options.adapt >= 0.5 && !made.surface.size.empty();
-	return hasErrorSizes || made.sizes.vertexNum > 0 || made.surface.mesh.hasCreases() ||
-		   !made.sizes.kept.empty();
+	return hasErrorSizes || made.surface.mesh.meetsAtPlaces || made.sizes.vertexNum > 0 ||
+		   made.surface.mesh.hasCreases() || !made.sizes.kept.empty();
 }
 
 /// The paper's placement fuses its samples into a mesh, which the removal of vertices goes on with.
@@ -47,9 +52,21 @@ void sampleOnBorderEdges(RunContext& run, const Decisions& decisions, const Buff
 /// Where anything of the result will be named by the caller's faces, these are still needed.
 void releaseSources(const RemeshOptions& options, Products& made)
 {
-	const bool areNeeded =
-		options.surfacePointsOfVertices || options.surfacePointsOfFaces || !made.sizes.kept.empty();
+	const bool areNeeded = options.surfacePointsOfVertices || options.surfacePointsOfFaces ||
+						   !made.sizes.kept.empty() || made.surface.mesh.meetsAtPlaces;
 	if (!areNeeded) made.surface.sourceFace.release();
+}
+
+/// How many samples are copies of others, where sheets meet: all of these lie on curves, but for
+/// those of vertices where sheets only touch.
+std::int64_t copiesAmong(const Sampling& sampling, const Surface& surface)
+{
+	if (!surface.mesh.meetsAtPlaces) return 0;
+	std::vector<Vec3f> places;
+	for (const Sample& s : sampling.samples)
+		places.push_back(s.point.position);
+	std::sort(places.begin(), places.end(), isBefore);
+	return places.end() - std::unique(places.begin(), places.end());
 }
 
 /// The mesh that the border-edge placement fused its samples into, or one made now.
@@ -96,8 +113,9 @@ SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& 
 		samples.sampling = sampleFront(made.surface, samples.curves, samples.partition,
 									   samples.radius, options.seed, run.workers, first);
 	if (samples.sampling.capped) run.tellCap("samples of a block");
-	samples.num        = std::int64_t(samples.sampling.samples.size());
-	samples.onCurveNum = samples.sampling.boundarySampleNum;
+	const std::int64_t copyNum = copiesAmong(samples.sampling, made.surface);
+	samples.num                = std::int64_t(samples.sampling.samples.size()) - copyNum;
+	samples.onCurveNum         = samples.sampling.boundarySampleNum - copyNum;
 	return {mayMissCount(options, made), samples.num, samples.onCurveNum, samples.radius, usual};
 }
 
@@ -137,6 +155,10 @@ NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& ma
 	result.keepsBorder     = run.options.boundary == BoundaryMode::Keep;
 	result.hasSmoothBorder = borderMode(run.options, decisions) == BoundaryMode::Smooth &&
 							 made.surface.border.isSmooth();
+	if (made.surface.mesh.meetsAtPlaces) {
+		result.mesh.meetsAtPlaces = true;
+		result.copyNum = Junctions(result.mesh, made.surface.meetings, run.workers).copyNum();
+	}
 	run.clock.enter(Stage::Flips);
 	flipEdges(run, result);
 	if (decisions.purpose == Purpose::OfGivenSamples) return {};
@@ -157,7 +179,19 @@ CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& mad
 		run.clock.enter(Stage::Count);
 		reachExactCount(made.surface, made.curves, target, made.result, run.workers);
 	}
-	return {made.result.mesh.vertexNum, made.result.mesh.faceNum};
+	separateSheets(run, decisions, made);
+	return {made.result.vertexNum(), made.result.mesh.faceNum};
+}
+
+void separateSheets(RunContext& run, const Decisions& decisions, Products& made)
+{
+	constexpr int rounds = 8; // the vertices that come in are made up for, which may go wrong again
+	if (!made.surface.mesh.meetsAtPlaces) return;
+	for (int round = 0; round < rounds; ++round) {
+		if (splitFalseEdges(made.surface, made.result, run.workers) == 0) return;
+		reachExactCount(made.surface, made.curves, decisions.countTarget(), made.result,
+						run.workers);
+	}
 }
 
 void flipEdges(RunContext& run, ResultMesh& result)

@@ -32,6 +32,10 @@ NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& ma
 /// Step Count: splits and collapses edges until the mesh has the wanted count.
 CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& made);
 
+/// Where sheets meet: splits edges that would become one with those of other sheets, and makes up
+/// for the count.
+void separateSheets(RunContext& run, const Decisions& decisions, Products& made);
+
 /// Edge flips, in so many passes at most as the options say.
 void flipEdges(RunContext& run, ResultMesh& result);
 

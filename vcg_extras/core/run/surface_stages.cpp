@@ -16,6 +16,7 @@
 #include <vcg_extras/core/sampling/sizing.h>
 #include <vcg_extras/core/sampling/target.h>
 #include <vcg_extras/core/surface/barycentric_point.h>
+#include <vcg_extras/core/surface/junctions.h>
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +64,10 @@ void findRegionOnSurface(RunContext& run, Products& made)
 	if (keepsRegionVertices(run.options)) sizes.kept = vertices;
 	if (run.options.boundary == BoundaryMode::Keep)
 		sizes.kept = unionOf(sizes.kept, borderVertices(run.input, surface, run.workers));
+	if (!surface.meetings.empty()) {
+		const Junctions junctions(surface.mesh, surface.meetings, run.workers);
+		sizes.kept = unionOf(sizes.kept, junctions.touchingVertices());
+	}
 }
 
 /// The region may have been chosen by what is selected: the user shall see which it is.

@@ -42,6 +42,7 @@ ResultMesh copyResult(const ResultMesh& result, Workers& workers)
 	copy.keepsBorder     = result.keepsBorder;
 	copy.hasSmoothBorder = result.hasSmoothBorder;
 	copy.idealEdge       = result.idealEdge;
+	copy.copyNum         = result.copyNum;
 	copy.flipNum         = result.flipNum;
 	copy.splitNum        = result.splitNum;
 	copy.collapseNum     = result.collapseNum;

@@ -34,12 +34,16 @@ struct ResultMesh {
 	bool                      keepsBorder = false; ///< no border edge may be split
 	bool  hasSmoothBorder = false; ///< its vertices need not lie on the input's border
 	float idealEdge       = 0;     ///< edge of the lattice of equilateral triangles, L0
+	int   copyNum         = 0;     ///< vertices that go when sheets are joined: see junctions.h
 
 	std::int64_t flipNum       = 0;
 	std::int64_t splitNum      = 0;
 	std::int64_t collapseNum   = 0;
 	std::int64_t byCollapseNum = 0; ///< input vertices that went though their hole was not closed
 	std::int64_t leftoverNum   = 0; ///< input vertices that removal had to keep
+
+	/// Of the result with its sheets joined.
+	std::int64_t vertexNum() const { return mesh.vertexNum - copyNum; }
 };
 
 /// Whether v may move over the surface and be merged: neither on a curve nor a cone apex.

@@ -152,6 +152,7 @@ Json auditJson(const AuditFigures& a, const MeshFigures& result)
 			{"componentsKept", a.componentsKept},
 			{"boundaryLoopsKept", a.boundaryLoopsKept},
 			{"eulerKept", a.eulerKept},
+			{"junctionsKept", a.junctionsKept},
 			{"countExact", a.countExact},
 			{"guarded", guardedJson(a, result)}};
 }

@@ -55,6 +55,7 @@ def remesh(
     growth: float = 1.15,
     symmetry: Literal['off', 'x', 'y', 'z', 'auto'] = 'off',
     sew: bool = True,
+    junctions: Literal['cut', 'keep'] = 'cut',
     drop_components_below: int = 0,
     seed: int = 1,
     threads: int = 0,
@@ -411,6 +412,11 @@ def remesh_together(
         joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
         Where they meet sharply, feature lines run along them. Edges at which more than two borders
         meet stay cut. off: the pieces are remeshed one by one.
+    junctions : {'cut', 'keep'}, default 'cut'
+        What becomes of edges with more than two faces, and of places where sheets only touch. cut:
+        the smoothest two of the faces stay joined, the others get a border. keep: the edges are
+        sampled once for all sheets, which share their vertices, as walls between grains, strata or
+        rooms do.
     drop_components_below : int, default 0
         Components with fewer faces are left out, for instance the dust of a scan. Each of them
         would take four vertices. 0 keeps all.

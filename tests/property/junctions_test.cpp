@@ -1,0 +1,321 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sheets that meet in junctions: they keep them, and share their vertices. All is worked out from
+// the list of triangles alone.
+#include <tests/support/mesh_builders.h>
+#include <tests/support/random_source.h>
+#include <vcg_extras/core/remesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+
+namespace gpr::test {
+
+namespace {
+
+using Edge = std::pair<int, int>;
+
+struct Complex {
+	TriangleMesh              mesh;
+	std::vector<std::int32_t> region;
+};
+
+/// What a list of triangles says of its junctions.
+struct JunctionFacts {
+	int    sheets = 0, points = 0, lines = 0, openEdges = 0;
+	double length = 0; ///< of the edges with more than two faces
+
+	bool operator==(const JunctionFacts& o) const
+	{
+		return sheets == o.sheets && points == o.points && lines == o.lines;
+	}
+};
+
+std::ostream& operator<<(std::ostream& out, const JunctionFacts& f)
+{
+	return out << f.sheets << " sheets, " << f.points << " points, " << f.lines << " lines";
+}
+
+std::map<Edge, std::vector<int>> facesOfEdges(const TriangleMesh& mesh)
+{
+	std::map<Edge, std::vector<int>> faces;
+	for (std::size_t c = 0; c < mesh.triangles.size(); ++c)
+		faces[std::minmax(mesh.triangles[c], mesh.triangles[c % 3 == 2 ? c - 2 : c + 1])].push_back(
+			int(c / 3));
+	return faces;
+}
+
+int root(std::vector<int>& parent, int i)
+{
+	while (parent[std::size_t(i)] != i)
+		i = parent[std::size_t(i)] = parent[std::size_t(parent[std::size_t(i)])];
+	return i;
+}
+
+int setNum(std::vector<int>& parent, const std::set<int>& of)
+{
+	std::set<int> roots;
+	for (int i : of)
+		roots.insert(root(parent, i));
+	return int(roots.size());
+}
+
+/// Lines are counted as those between points: half the edges that end there, and loops.
+JunctionFacts factsOfJunctions(const TriangleMesh& mesh)
+{
+	JunctionFacts                   facts;
+	std::vector<int>                sheet(mesh.faceNum()), chain(mesh.vertexNum());
+	std::map<int, std::vector<int>> next;
+	std::iota(sheet.begin(), sheet.end(), 0);
+	std::iota(chain.begin(), chain.end(), 0);
+	for (const auto& [edge, faces] : facesOfEdges(mesh)) {
+		facts.openEdges += faces.size() == 1;
+		if (faces.size() == 2) sheet[std::size_t(root(sheet, faces[0]))] = root(sheet, faces[1]);
+		if (faces.size() < 3) continue;
+		next[edge.first].push_back(edge.second);
+		next[edge.second].push_back(edge.first);
+		chain[std::size_t(root(chain, edge.first))] = root(chain, edge.second);
+		facts.length += length(mesh.positions[std::size_t(edge.first)] -
+							   mesh.positions[std::size_t(edge.second)]);
+	}
+	std::set<int> all, withPoint;
+	int           endNum = 0;
+	for (std::size_t f = 0; f < sheet.size(); ++f)
+		all.insert(int(f));
+	facts.sheets = setNum(sheet, all);
+	std::set<int> onLines;
+	for (const auto& [v, others] : next) {
+		onLines.insert(v);
+		if (others.size() == 2) continue;
+		++facts.points;
+		endNum += int(others.size());
+		withPoint.insert(v);
+	}
+	facts.lines = endNum / 2 + setNum(chain, onLines) - setNum(chain, withPoint);
+	return facts;
+}
+
+/// Edges of the faces round a label that are not matched by one that runs the other way.
+int openEdgesOf(const TriangleMesh& mesh, const std::vector<std::int32_t>& region, int label)
+{
+	std::map<Edge, int> balance;
+	for (std::size_t f = 0; f < region.size(); ++f) {
+		const int low = region[f] / 100, high = region[f] % 100;
+		if (low != label && high != label) continue;
+		for (std::size_t k = 0; k < 3; ++k) {
+			const int a = mesh.triangles[3 * f + k], b = mesh.triangles[3 * f + (k + 1) % 3];
+			const int sign = (a < b) == (low == label) ? 1 : -1;
+			balance[std::minmax(a, b)] += sign;
+		}
+	}
+	return int(
+		std::count_if(balance.begin(), balance.end(), [](const auto& b) { return b.second != 0; }));
+}
+
+/// Walls between blocks of voxels with different labels, 0 outside; each runs from the lower label
+/// to the higher one, and has the region 100 lower + higher.
+class Walls {
+public:
+	template <class LabelAt>
+	Walls(int size, const LabelAt& labelAt)
+	{
+		for (int axis = 0; axis < 3; ++axis) {
+			for (int i = 0; i < (size + 1) * size * size; ++i) {
+				std::array<int, 3> cell{};
+				cell[std::size_t(axis)]           = i / (size * size);
+				cell[std::size_t((axis + 1) % 3)] = i / size % size;
+				cell[std::size_t((axis + 2) % 3)] = i % size;
+				std::array<int, 3> before         = cell;
+				--before[std::size_t(axis)];
+				const int a = before[std::size_t(axis)] < 0 ? 0 : labelAt(before);
+				const int b = cell[std::size_t(axis)] == size ? 0 : labelAt(cell);
+				if (a != b) addWall(axis, cell, a, b);
+			}
+		}
+	}
+	Complex take() { return std::move(out_); }
+
+private:
+	Complex                           out_;
+	std::map<std::array<int, 3>, int> number_;
+
+	int vertexAt(const std::array<int, 3>& at)
+	{
+		const auto [known, isNew] = number_.insert({at, int(number_.size())});
+		if (isNew) out_.mesh.positions.push_back({double(at[0]), double(at[1]), double(at[2])});
+		return known->second;
+	}
+
+	void addWall(int axis, const std::array<int, 3>& cell, int a, int b)
+	{
+		std::array<int, 4> corner{};
+		for (int k = 0; k < 4; ++k) {
+			std::array<int, 3> at = cell;
+			at[std::size_t((axis + 1) % 3)] += k == 1 || k == 2;
+			at[std::size_t((axis + 2) % 3)] += k >= 2;
+			corner[std::size_t(k)] = vertexAt(at);
+		}
+		if (a > b) std::swap(corner[1], corner[3]);
+		for (const auto& t : {std::array<int, 3>{0, 1, 2}, std::array<int, 3>{0, 2, 3}}) {
+			for (int k : t)
+				out_.mesh.triangles.push_back(corner[std::size_t(k)]);
+			out_.region.push_back(100 * std::min(a, b) + std::max(a, b));
+		}
+	}
+};
+
+/// Blocks of size³ voxels, cut by planes at random: cells as large as these are worth keeping.
+Complex randomCells(int size, Random& random)
+{
+	struct Seed {
+		double at[3];
+	};
+	std::vector<Seed> seeds(3);
+	for (Seed& s : seeds) {
+		for (double& x : s.at)
+			x = random.between(0.15, 0.85) * size;
+	}
+	return Walls(size,
+				 [&](const std::array<int, 3>& cell) {
+					 int    nearest = 0;
+					 double least   = HUGE_VAL;
+					 for (std::size_t i = 0; i < seeds.size(); ++i) {
+						 double sum = 0;
+						 for (std::size_t k = 0; k < 3; ++k)
+							 sum += std::pow(cell[k] + 0.5 - seeds[i].at[k], 2);
+						 if (sum >= least) continue;
+						 least   = sum;
+						 nearest = int(i) + 1;
+					 }
+					 return nearest;
+				 })
+		.take();
+}
+
+/// Two cubes with an edge in common, or a corner where isCorner.
+Complex touchingCubes(int size, bool isCorner)
+{
+	return Walls(2 * size,
+				 [&](const std::array<int, 3>& cell) {
+					 const bool x = cell[0] >= size, y = cell[1] >= size, z = cell[2] >= size;
+					 if (x != y) return 0;
+					 if (isCorner) return y == z ? 1 + x : 0;
+					 return z ? 0 : 1 + x;
+				 })
+		.take();
+}
+
+RemeshResult remeshed(const Complex& complex, std::int64_t vertexNum, int threads = 2,
+					  JunctionMode junctions = JunctionMode::Keep)
+{
+	RemeshOptions o;
+	o.targetMode      = TargetMode::VertexNum;
+	o.targetVertexNum = vertexNum;
+	o.threads         = threads;
+	o.junctions       = junctions;
+	o.check           = true;
+	MeshView view     = complex.mesh.view();
+	view.region       = complex.region.data();
+	return remesh(view, o);
+}
+
+void expectKept(const Complex& complex, const RemeshResult& result, std::int64_t vertexNum)
+{
+	ASSERT_EQ(result.status, Status::Ok) << result.message;
+	EXPECT_EQ(std::int64_t(result.mesh.vertexNum()), vertexNum);
+	EXPECT_TRUE(result.report.audit.junctionsKept);
+	EXPECT_EQ(result.report.check.intersectingFaces, 0);
+	const JunctionFacts before = factsOfJunctions(complex.mesh),
+						after  = factsOfJunctions(result.mesh);
+	EXPECT_EQ(before, after);
+	EXPECT_EQ(after.openEdges, before.openEdges);
+	EXPECT_NEAR(after.length, before.length, 0.1 * before.length); // stairs
+	for (int label = 0; label <= 3; ++label)
+		EXPECT_EQ(openEdgesOf(result.mesh, result.region, label), 0) << "label " << label;
+}
+
+TEST(Junctions, CubesThatShareAnEdge)
+{
+	const Complex      cubes  = touchingCubes(6, false);
+	const RemeshResult result = remeshed(cubes, 200);
+	expectKept(cubes, result, 200);
+	const JunctionFacts facts = factsOfJunctions(result.mesh);
+	EXPECT_EQ(facts.lines, 1);
+	EXPECT_NEAR(facts.length, 6, 1e-6);
+}
+
+TEST(Junctions, CubesThatShareACorner)
+{
+	const Complex      cubes  = touchingCubes(5, true);
+	const RemeshResult result = remeshed(cubes, 150);
+	expectKept(cubes, result, 150);
+	const auto isMiddle = [](const Vec3d& p) { return p == Vec3d(5, 5, 5); };
+	EXPECT_EQ(std::count_if(result.mesh.positions.begin(), result.mesh.positions.end(), isMiddle),
+			  1);
+}
+
+TEST(Junctions, ASlitOfOneEdge)
+{
+	// A fin of one face stands on an edge inside of a sheet.
+	Complex complex;
+	complex.mesh      = bentSheet(12, 0.3);
+	const auto  edges = facesOfEdges(complex.mesh);
+	const auto  inner = std::find_if(edges.begin(), edges.end(), [&](const auto& e) {
+        return e.first.first > int(complex.mesh.vertexNum() / 2) && e.second.size() == 2;
+    });
+	const Vec3d above(0, 0, 0.5);
+	const Vec3d middle = (complex.mesh.positions[std::size_t(inner->first.first)] +
+						  complex.mesh.positions[std::size_t(inner->first.second)]) *
+						 0.5;
+	complex.mesh.positions.push_back(middle + above);
+	for (int v : {inner->first.first, inner->first.second, int(complex.mesh.vertexNum()) - 1})
+		complex.mesh.triangles.push_back(v);
+	complex.region.assign(complex.mesh.faceNum(), 1);
+	const RemeshResult result = remeshed(complex, 120);
+	ASSERT_EQ(result.status, Status::Ok) << result.message;
+	EXPECT_EQ(factsOfJunctions(result.mesh), factsOfJunctions(complex.mesh));
+}
+
+TEST(Junctions, RandomCellsStayClosed)
+{
+	for (std::uint32_t seed : testSeeds(6)) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		Random             random(seed);
+		const Complex      cells = randomCells(9, random);
+		const std::int64_t num   = std::int64_t(cells.mesh.vertexNum());
+		expectKept(cells, remeshed(cells, num), num);
+	}
+}
+
+TEST(Junctions, AreTheSameForAnyThreads)
+{
+	Random             random(3);
+	const Complex      cells = randomCells(8, random);
+	const RemeshResult one = remeshed(cells, 500, 1), two = remeshed(cells, 500, 2);
+	ASSERT_EQ(one.status, Status::Ok) << one.message;
+	EXPECT_EQ(one.mesh.positions, two.mesh.positions);
+	EXPECT_EQ(one.mesh.triangles, two.mesh.triangles);
+	EXPECT_EQ(one.region, two.region);
+}
+
+TEST(Junctions, ANoteTellsWhatKeepingWouldDo)
+{
+	const auto speaks = [](const RemeshResult& result) {
+		return std::any_of(result.notes.begin(), result.notes.end(), [](const std::string& note) {
+			return note.find("--junctions keep") != std::string::npos;
+		});
+	};
+	const Complex cubes = touchingCubes(6, false);
+	EXPECT_TRUE(speaks(remeshed(cubes, 200, 2, JunctionMode::Cut)));
+	EXPECT_FALSE(speaks(remeshed(cubes, 200)));
+}
+
+} // namespace
+
+} // namespace gpr::test

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "junctions.h"
+
+#include <vcg_extras/core/mesh/mesh_edit.h>
+#include <vcg_extras/core/mesh/same_place.h>
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace gpr {
+
+bool Junctions::Line::operator<(const Line& o) const
+{
+	return std::tie(from, to, sheetNum) < std::tie(o.from, o.to, o.sheetNum);
+}
+
+bool Junctions::Line::operator==(const Line& o) const
+{
+	return from == o.from && to == o.to && sheetNum == o.sheetNum;
+}
+
+Junctions::Junctions(const HalfEdgeMesh& mesh, const std::vector<Vec3f>& meetings,
+					 Workers& workers) :
+		m_(mesh)
+{
+	findPlaces(meetings, workers);
+	findEdges();
+	dropChanceMeetings();
+	findTouching();
+	findLines();
+}
+
+void Junctions::findPlaces(const std::vector<Vec3f>& meetings, Workers& workers)
+{
+	const auto isMeeting = [&](int v) {
+		return std::binary_search(meetings.begin(), meetings.end(), m_.position[v], isBefore);
+	};
+	std::vector<int> vertices = workers.collectIf(std::size_t(m_.vertexNum), [&](int v) {
+		return m_.outgoing[v] >= 0 && (m_.isBorderVertex(v) || isMeeting(v));
+	});
+	std::stable_sort(vertices.begin(), vertices.end(),
+					 [&](int v, int w) { return isBefore(m_.position[v], m_.position[w]); });
+	first_.resize(std::size_t(m_.vertexNum));
+	std::iota(first_.begin(), first_.end(), 0);
+	for (std::size_t i = 0; i < vertices.size();) {
+		const int   v   = vertices[i];
+		std::size_t end = i + 1;
+		while (end < vertices.size() && m_.position[vertices[end]] == m_.position[v])
+			++end;
+		if (end - i > 1) {
+			Place& place = places_[v];
+			place.vertices.assign(vertices.begin() + std::ptrdiff_t(i),
+								  vertices.begin() + std::ptrdiff_t(end));
+			place.isMeeting = isMeeting(v);
+			for (int w : place.vertices)
+				first_[std::size_t(w)] = v;
+		}
+		i = end;
+	}
+}
+
+void Junctions::findEdges()
+{
+	for (const auto& [first, place] : places_) {
+		for (int v : place.vertices) {
+			if (!m_.isBorderVertex(v)) continue;
+			const int w = first_[std::size_t(m_.target(m_.outgoing[v]))];
+			if (places_.count(w) > 0) ++borderNum_[std::minmax(first, w)];
+		}
+	}
+	for (const auto& [ends, num] : borderNum_) {
+		if (num < 2) continue;
+		++edgeNum_;
+		places_[ends.first].next.push_back(ends.second);
+		places_[ends.second].next.push_back(ends.first);
+	}
+}
+
+/// Vertices of borders that only happen to lie at one place are no copies.
+void Junctions::dropChanceMeetings()
+{
+	for (auto it = places_.begin(); it != places_.end();) {
+		const Place& place = it->second;
+		if (place.isMeeting || !place.next.empty()) {
+			copyNum_ += int(place.vertices.size()) - 1;
+			++it;
+			continue;
+		}
+		for (int v : place.vertices)
+			first_[std::size_t(v)] = v;
+		it = places_.erase(it);
+	}
+}
+
+bool Junctions::isJunctionEdge(int v, int w) const
+{
+	const auto found =
+		borderNum_.find(std::minmax({first_[std::size_t(v)], first_[std::size_t(w)]}));
+	return found != borderNum_.end() && found->second > 1;
+}
+
+void Junctions::findTouching()
+{
+	const auto isOnJunction = [&](int v) {
+		if (!m_.isBorderVertex(v)) return false;
+		return isJunctionEdge(v, m_.target(m_.outgoing[v])) ||
+			   isJunctionEdge(m_.origin[m_.incomingBorder(v)], v);
+	};
+	for (auto& [first, place] : places_) {
+		const auto& all  = place.vertices;
+		place.isTouching = place.isMeeting && !std::all_of(all.begin(), all.end(), isOnJunction);
+	}
+}
+
+bool Junctions::isPoint(const Place& place) const
+{
+	if (place.isTouching || place.next.size() != 2) return true;
+	const int first = first_[std::size_t(place.vertices[0])];
+	return sheetNum(first, place.next[0]) != sheetNum(first, place.next[1]);
+}
+
+Junctions::Line Junctions::followLine(int from, int to, std::map<Ends, bool>& seen,
+									  const std::map<int, int>& pointOf) const
+{
+	const int start = from;
+	Line      line;
+	line.sheetNum = sheetNum(from, to);
+	while (true) {
+		seen[std::minmax(from, to)] = true;
+		if (pointOf.count(to) > 0 || to == start) break;
+		const std::vector<int>& next = places_.at(to).next;
+		const int               on   = next[0] == from ? next[1] : next[0];
+		from                         = to;
+		to                           = on;
+	}
+	if (pointOf.count(start) > 0)
+		std::tie(line.from, line.to) = std::minmax(pointOf.at(start), pointOf.at(to));
+	return line;
+}
+
+void Junctions::findLines()
+{
+	std::vector<int> pointVertices;
+	for (const auto& [first, place] : places_) {
+		if (isPoint(place)) pointVertices.push_back(first);
+	}
+	std::sort(pointVertices.begin(), pointVertices.end(),
+			  [&](int v, int w) { return isBefore(m_.position[v], m_.position[w]); });
+	std::map<int, int> pointOf;
+	for (int v : pointVertices) {
+		pointOf[v] = int(points_.size());
+		points_.push_back(m_.position[v]);
+	}
+	std::map<Ends, bool> seen;
+	const auto           follow = [&](int v) {
+        for (int w : places_.at(v).next) {
+            if (!seen[std::minmax(v, w)]) lines_.push_back(followLine(v, w, seen, pointOf));
+        }
+	};
+	for (int v : pointVertices)
+		follow(v);
+	for (const auto& [first, place] : places_)
+		follow(first);
+	std::sort(lines_.begin(), lines_.end());
+}
+
+bool Junctions::isSameAs(const Junctions& other) const
+{
+	return points_ == other.points_ && lines_ == other.lines_;
+}
+
+std::vector<int> Junctions::touchingVertices() const
+{
+	std::vector<int> all;
+	for (const auto& [first, place] : places_) {
+		if (place.isTouching) all.insert(all.end(), place.vertices.begin(), place.vertices.end());
+	}
+	std::sort(all.begin(), all.end());
+	return all;
+}
+
+bool Junctions::hasTwinFaces(Workers& workers) const
+{
+	const auto cornersOf = [&](int f) {
+		std::array<int, 3> corner{};
+		for (int k = 0; k < 3; ++k)
+			corner[std::size_t(k)] = first_[std::size_t(m_.origin[3 * f + k])];
+		std::sort(corner.begin(), corner.end());
+		return corner;
+	};
+	std::vector<std::array<int, 3>> faces =
+		workers.collectEach<std::array<int, 3>>(std::size_t(m_.faceNum), [&](int f, auto& out) {
+			const std::array<int, 3> corner    = cornersOf(f);
+			const auto               isOfPlace = [&](int v) { return places_.count(v) > 0; };
+			if (std::all_of(corner.begin(), corner.end(), isOfPlace)) out.push_back(corner);
+		});
+	std::sort(faces.begin(), faces.end());
+	return std::adjacent_find(faces.begin(), faces.end()) != faces.end();
+}
+
+std::vector<int> Junctions::falseEdges(Workers& workers) const
+{
+	const auto isOfPlace = [&](int v) { return places_.count(first_[std::size_t(v)]) > 0; };
+	const std::vector<int> chords = workers.collectIf(std::size_t(m_.halfEdgeNum()), [&](int h) {
+		return !isDeadFace(m_, h / 3) && h < m_.opposite[h] && isOfPlace(m_.origin[h]) &&
+			   isOfPlace(m_.target(h));
+	});
+	std::map<Ends, bool>   seen;
+	std::vector<int>       found;
+	for (int h : chords) {
+		const Ends ends =
+			std::minmax({first_[std::size_t(m_.origin[h])], first_[std::size_t(m_.target(h))]});
+		const bool isSeen = std::exchange(seen[ends], true);
+		if (isSeen || borderNum_.count(ends) > 0) found.push_back(h);
+	}
+	return found;
+}
+
+} // namespace gpr
