@@ -4,19 +4,17 @@
 
 #include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
-#include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
 #include <vcg_extras/apps/gpremesh/report/summary.h>
 #include <vcg_extras/apps/gpremesh/tiles/result_tiles.h>
 #include <vcg_extras/core/run_estimate.h>
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
-#include <vcg_extras/io/mesh/attribute_carry.h>
-#include <vcg_extras/io/mesh/precision.h>
+#include <vcg_extras/io/mesh/mesh_source.h>
 #include <vcg_extras/io/mesh_io.h>
+#include <vcg_extras/io/report/remesh_outcome.h>
 
 #include <cstdio>
-#include <memory>
 
 namespace gpr::app {
 
@@ -42,16 +40,14 @@ std::vector<float> wantedSizes(const MeshAttributes& attributes, const std::stri
 	return std::vector<float>(column->values.begin(), column->values.end());
 }
 
-RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* texture,
-								const CommandLine& line, const RunLimit& limit)
+RemeshResult remeshWithProgress(const MeshSource& source, const CommandLine& line,
+								const RunLimit& limit)
 {
-	ProgressBar   bar(!line.quiet && errorIsTerminal());
-	MeshView      view              = mesh.view();
-	RemeshOptions options           = line.options;
-	options.timeLimitSeconds        = limit.secondsLeft();
-	options.surfacePointsOfVertices = mesh.attributes.any() || texture != nullptr;
-	options.surfacePointsOfFaces    = texture != nullptr || mesh.attributes.ofFacesToo();
-	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
+	ProgressBar      bar(!line.quiet && errorIsTerminal());
+	const InputMesh& mesh          = source.mesh;
+	MeshView         view          = source.view();
+	RemeshOptions    options       = source.withPlaces(line.options);
+	options.timeLimitSeconds       = limit.secondsLeft();
 	const std::vector<float> sizes = wantedSizes(mesh.attributes, line.sizes);
 	if (!sizes.empty()) view.wantedEdge = sizes.data();
 	if (line.shareDone == 0) tellEstimate(view, options, bar);
@@ -68,13 +64,6 @@ RemeshResult remeshWithProgress(const InputMesh& mesh, const TextureSource* text
 	if (stopRequested()) limit.check();
 	requireMesh(result);
 	return result;
-}
-
-/// Double for a double input, or where a float would not resolve a thousandth of the mean edge.
-bool needsDoubleOutput(const InputMesh& input, const RemeshResult& result)
-{
-	return input.doublePrecision ||
-		   !floatResolves(largestCoordinate(result.mesh.view()), result.report.quality.meanEdgeLen);
 }
 
 /// Of OUT, which may be a folder of tiles.
@@ -124,23 +113,13 @@ std::string listOf(const std::vector<std::string>& words)
 	return list;
 }
 
-/// The input, and what goes with it.
-struct Source {
-	InputMesh                      mesh;
-	std::unique_ptr<TextureSource> texture;
-};
-
-Source readSource(const CommandLine& line, const RunLimit& limit)
+MeshSource readSource(const CommandLine& line, const RunLimit& limit)
 {
 	const EndAtOnce guard(limit);
-	const bool      isSewn = line.options.sew && !line.options.selectedOnly;
-	Source          source;
-	source.mesh    = readMesh(line.input, wantedBy(line));
-	source.texture = takeTexture(source.mesh.attributes, source.mesh.view(), isSewn);
-	return source;
+	return MeshSource(readMesh(line.input, wantedBy(line)), line.options);
 }
 
-MeshAttributes carriedAttributes(Source& source, const RemeshResult& result, Transfer transfer,
+MeshAttributes carriedAttributes(MeshSource& source, const RemeshResult& result, Transfer transfer,
 								 const RunLimit& limit)
 {
 	const EndAtOnce guard(limit);
@@ -150,13 +129,13 @@ MeshAttributes carriedAttributes(Source& source, const RemeshResult& result, Tra
 
 /// Everything between the mesh in memory and the mesh on the disk. The input is handed back before
 /// the clock is read, so that no time is left out of the report.
-RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit,
+RunRecord process(MeshSource& source, const CommandLine& line, const RunLimit& limit,
 				  const Stopwatch& programClock)
 {
 	RunRecord run;
 	run.times.read      = programClock.seconds();
 	InputMesh&   input  = source.mesh;
-	RemeshResult result = remeshWithProgress(input, source.texture.get(), line, limit);
+	RemeshResult result = remeshWithProgress(source, line, limit);
 	const double done   = programClock.seconds();
 	run.times.remesh    = done - run.times.read;
 
@@ -176,7 +155,7 @@ RunRecord process(Source& source, const CommandLine& line, const RunLimit& limit
 	if (!attributes.lost.empty())
 		run.notes.push_back("Not carried over: " + listOf(attributes.lost) + ".");
 
-	source          = Source();
+	source          = MeshSource();
 	result          = RemeshResult();
 	run.times.write = programClock.seconds() - done;
 	return run;
@@ -198,7 +177,7 @@ void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 	checkOutput(line);
 	catchStopSignals();
 	const RunLimit limit(programClock, line.options.timeLimitSeconds);
-	Source         source = readSource(line, limit);
+	MeshSource     source = readSource(line, limit);
 	RunRecord      run    = process(source, line, limit, programClock);
 	run.peakMemoryBytes   = peakMemoryBytes();
 	if (!line.report.empty()) writeReport(line.report, run);
