@@ -19,7 +19,7 @@ let compiled = null;
 // Once for all workers.
 function compile() {
 	compiled ??= (async () => {
-		const url = new URL("./gpremesh.wasm", import.meta.url);
+		const url = new URL("./worker/gpremesh.wasm", import.meta.url);
 		if (!isNode) {
 			const response = await fetch(url);
 			if (!response.ok) throw new GpremeshError("gpremesh.wasm cannot be loaded.", 1);
@@ -32,7 +32,7 @@ function compile() {
 }
 
 async function startWorker(listen, fail) {
-	const url = new URL(isNode ? "./worker.cjs" : "./worker.js", import.meta.url);
+	const url = new URL("./worker/worker.js", import.meta.url);
 	if (isNode) {
 		const { Worker } = await import("node:worker_threads");
 		const worker = new Worker(url);

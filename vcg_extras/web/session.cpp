@@ -108,8 +108,10 @@ Json Session::shownInput()
 {
 	const MeshView view = source_.mesh.view();
 	Workers        workers(1, nullptr);
-	Json json       = app::MeshJson(view, diagonal_, workers, pack_).ofMesh("input", "input", view);
-	json["quality"] = {{"values", json["quality"]}, {"figures", app::qualityJson(measureQuality(view))}};
+	Json json = app::MeshJson(view, diagonal_, workers, pack_).ofMesh("input", "input", view);
+	json["figures"] = {{"vertices", view.vertexNum},
+					   {"faces", view.faceNum},
+					   {"quality", app::qualityJson(measureQuality(view, workers))}};
 	return json;
 }
 

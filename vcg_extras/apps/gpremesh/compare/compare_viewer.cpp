@@ -32,12 +32,15 @@ std::string dataJson(const MeshView& input, const CompareRecord& record)
 	const MeshJson meshes(input, record.input.figures.diagonal, workers, packed);
 	Json           json = {{"endOfDistances", endOfColours(record)},
 						   {"mostShown", mostFacesShown},
+						   {"panels", Json::array({"input"})},
 						   {"meshes", Json::array()}};
 	json["meshes"].push_back(meshes.ofMesh("input", "input", input));
 	const MeasuredSurface target(input, workers);
-	for (const MethodRecord& m : record.methods)
-		if (m.failure.empty())
-			json["meshes"].push_back(meshes.ofResult(m.key, m.name, m.mesh.view(), target));
+	for (const MethodRecord& m : record.methods) {
+		if (!m.failure.empty()) continue;
+		json["meshes"].push_back(meshes.ofResult(m.key, m.name, m.mesh.view(), target));
+		if (m.key == "default" || m.key == "quadricEdgeCollapse") json["panels"].push_back(m.key);
+	}
 	return json.dump();
 }
 
@@ -53,7 +56,9 @@ std::string viewerHtml(const MeshView& input, const CompareRecord& record)
 	return "<style>" + viewerStyle() + "</style>\n" + viewerMarkup() +
 		   "<script type=\"application/json\" id=\"viewer-data\">" + dataJson(input, record) +
 		   "</script>\n<!--\n" + threeLicence() + "-->\n<script>" + threeScript() +
-		   "</script>\n<script>\n" + viewerScript() + "</script>\n";
+		   "</script>\n<script>\n" + viewerScript() +
+		   "makeViewer(document.getElementById(\"viewer\"), "
+		   "JSON.parse(document.getElementById(\"viewer-data\").textContent));\n</script>\n";
 }
 
 } // namespace gpr::app
