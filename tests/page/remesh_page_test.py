@@ -55,7 +55,7 @@ class Page(unittest.TestCase):
     def setUpClass(cls):
         cls.folder = tempfile.TemporaryDirectory()
         cls.addClassCleanup(cls.folder.cleanup)
-        cls.server = Server(FOLDER + "/page")
+        cls.server = Server(FOLDER)
         cls.addClassCleanup(cls.server.shutdown)
         cls.browser = Browser(cls.folder.name + "/profile")
         cls.addClassCleanup(cls.browser.close)
@@ -63,7 +63,7 @@ class Page(unittest.TestCase):
         torus_obj(cls.mesh, 80, 40)
 
     def setUp(self):
-        self.browser.open(f"http://127.0.0.1:{self.server.server_port}/index.html", *WINDOWS[0])
+        self.browser.open(f"http://127.0.0.1:{self.server.server_port}/page/index.html", *WINDOWS[0])
         self.wait("example")
 
     def tearDown(self):
@@ -139,7 +139,7 @@ class Page(unittest.TestCase):
     def test_a_dozen_random_moves(self):
         chance = random.Random(1)
         self.browser.run("document.querySelectorAll('#examples button')[1].click()")
-        self.wait("Draft")
+        self.wait("faces")
         for _ in range(12):
             self.set("#slider", chance.randint(300, 900), "input")
             if chance.random() < 0.3:
@@ -173,7 +173,6 @@ class Page(unittest.TestCase):
 
     def test_a_run_can_be_cancelled(self):
         self.browser.run("document.querySelectorAll('#examples button')[0].click()")
-        self.wait("Draft")
         end = time.monotonic() + 60
         while self.browser.run("const b = document.getElementById('cancel'); if (b.hidden) return false; b.click(); return true") is False:
             self.assertLess(time.monotonic(), end)
@@ -181,9 +180,22 @@ class Page(unittest.TestCase):
         self.set("#slider", 500, "input")
         self.result()
 
+    def test_the_package_in_a_browser(self):
+        self.browser.run("""
+            const vertices = new Float32Array(300), faces = [];
+            for (let i = 0; i < 100; ++i) vertices.set([i % 10, Math.floor(i / 10), Math.sin(i % 10)], 3 * i);
+            for (let i = 0; i < 89; ++i) if (i % 10 < 9) faces.push(i, i + 1, i + 11, i, i + 11, i + 10);
+            window.made = null;
+            import("/package/index.js").then(({ remesh }) => remesh({ vertices, faces: new Int32Array(faces) }, { vertices: 60 }))
+                .then(({ vertices: made }) => { window.made = made.length; }, (error) => { window.made = error.message; });""")
+        end = time.monotonic() + 30
+        while self.browser.run("return window.made") is None:
+            self.assertLess(time.monotonic(), end)
+        self.assertEqual(self.browser.run("return window.made"), 180)
+
     def test_windows_of_three_sizes(self):
         for width, height in WINDOWS:
-            self.browser.open(f"http://127.0.0.1:{self.server.server_port}/index.html", width, height)
+            self.browser.open(f"http://127.0.0.1:{self.server.server_port}/page/index.html", width, height)
             self.wait("example")
             self.browser.run("document.querySelectorAll('#examples button')[1].click()")
             self.result()

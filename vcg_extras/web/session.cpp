@@ -23,7 +23,7 @@ namespace {
 using app::AppError;
 using app::ExitCode;
 
-constexpr const char* resultKey = "result";
+constexpr const char* resultKey  = "result";
 constexpr const char* quadricKey = "quadricEdgeCollapse";
 
 RemeshOptions optionsOf(const std::string& text)
@@ -59,8 +59,7 @@ Json packed(Pack pack, const std::vector<Value>& values)
 
 } // namespace
 
-Session::Session(ProgressCallback progress, Pack pack) :
-		progress_(std::move(progress)), pack_(pack)
+Session::Session(ProgressCallback progress, Pack pack) : progress_(std::move(progress)), pack_(pack)
 {
 }
 
@@ -108,7 +107,7 @@ Json Session::shownInput()
 {
 	const MeshView view = source_.mesh.view();
 	Workers        workers(1, nullptr);
-	Json json = app::MeshJson(view, diagonal_, workers, pack_).ofMesh("input", "input", view);
+	Json json       = app::MeshJson(view, diagonal_, workers, pack_).ofMesh("input", "input", view);
 	json["figures"] = {{"vertices", view.vertexNum},
 					   {"faces", view.faceNum},
 					   {"quality", app::qualityJson(measureQuality(view, workers))}};
@@ -136,7 +135,8 @@ Json Session::estimate(const std::string& text)
 Json Session::remesh(const std::string& text)
 {
 	const RemeshOptions options = optionsOf(text);
-	if (!path_.empty() && (!sameWishes(wanted_, wantedBy(options)) || isSewn_ != app::isSewn(options)))
+	if (!path_.empty() &&
+		(!sameWishes(wanted_, wantedBy(options)) || isSewn_ != app::isSewn(options)))
 		readAs(options);
 	refuseWhatIsTooLarge(options);
 	made_.erase(resultKey);

@@ -6,8 +6,8 @@
 #include <charconv>
 #include <type_traits>
 
-// std::from_chars and std::to_chars, also where the library has them for whole numbers only: libc++,
-// and so emscripten.
+// std::from_chars and std::to_chars, also where the library has them for whole numbers only:
+// libc++, and so emscripten.
 
 namespace gpr::app {
 
@@ -21,17 +21,22 @@ char* writeReal(char* at, double value);
 char* writeReal(char* at, float value);
 
 template <class Number, class = void>
-struct LibraryReads : std::false_type {};
+struct LibraryReads : std::false_type {
+};
 template <class Number>
-struct LibraryReads<Number, std::void_t<decltype(std::from_chars(
-								nullptr, nullptr, std::declval<Number&>()))>> : std::true_type {};
+struct LibraryReads<
+	Number, std::void_t<decltype(std::from_chars(nullptr, nullptr, std::declval<Number&>()))>>
+		: std::true_type {
+};
 
 template <class Number, class = void>
-struct LibraryWrites : std::false_type {};
+struct LibraryWrites : std::false_type {
+};
 template <class Number>
 struct LibraryWrites<
 	Number, std::void_t<decltype(std::to_chars(nullptr, nullptr, std::declval<Number>()).ptr)>>
-		: std::true_type {};
+		: std::true_type {
+};
 
 /// As std::from_chars.
 template <class Number>
