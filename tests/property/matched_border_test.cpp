@@ -120,7 +120,7 @@ TEST(MatchedBorder, SplitFacesMakeTheSameSurfaceWithTheSameMarks)
 	view.line     = line.data();
 	view.region   = region.data();
 	Workers             workers(1, nullptr);
-	const MatchedBorder to = matchBorder(view, 0.06, workers); // several samples on each edge
+	const MatchedBorder to = matchBorder(view, 0.06, {}, workers); // several samples on each edge
 	const TriangleMesh  split{to.positions, to.triangles};
 	EXPECT_TRUE(isSoundSurface(split));
 	EXPECT_TRUE(hasSameTopology(split, mesh));
@@ -163,7 +163,7 @@ TEST(MatchedBorder, ALoopWithoutCornersHasNoBeginOfItsNumbers)
 		std::swap(turned.triangles[3 * f], turned.triangles[3 * f + 1]);
 	const auto kept = [](const TriangleMesh& of) {
 		Workers             workers(1, nullptr);
-		const MatchedBorder border = matchBorder(of.view(), 0.37, workers);
+		const MatchedBorder border = matchBorder(of.view(), 0.37, {}, workers);
 		std::set<Place>     places;
 		for (std::size_t v = 0; v < border.positions.size(); ++v) {
 			const Vec3d p = border.positions[v];
@@ -187,6 +187,83 @@ TEST(MatchedBorder, PlacesThatAreNoneAndBordersWithoutEndDoNoHarm)
 	options.targetEdgeLen = 1e-12;
 	options.boundary      = BoundaryMode::Match;
 	EXPECT_EQ(remesh(mesh.view(), options).status, Status::OutOfMemory);
+}
+
+/// A sheet over the unit square, periodic along both axes, its vertices off by `noise`; shiftEnd
+/// moves the end along x.
+TriangleMesh periodicSheet(int side, double noise, double shiftEnd, Random& random)
+{
+	TriangleMesh mesh = tile(0, side, 0.3, random);
+	for (Vec3d& p : mesh.positions) {
+		p.z = 0.1 * std::sin(2 * pi * p.x) + 0.07 * std::cos(2 * pi * p.y + 1);
+		if (p.x == 1) p.y += shiftEnd * p.y * (1 - p.y);
+		p = p + Vec3d(random.unit() - 0.5, random.unit() - 0.5, random.unit() - 0.5) * noise;
+	}
+	return mesh;
+}
+
+RemeshOptions periodicOptions(double edge)
+{
+	RemeshOptions options;
+	options.targetMode    = TargetMode::EdgeLength;
+	options.targetEdgeLen = edge;
+	options.period        = {1, 1, 0};
+	options.threads       = 2;
+	return options;
+}
+
+TEST(PeriodicBorder, VerticesAtTheEndsMatchBitForBit)
+{
+	for (std::uint32_t seed : testSeeds(6)) {
+		SCOPED_TRACE("seed " + std::to_string(seed));
+		Random             random(seed);
+		const TriangleMesh mesh   = periodicSheet(40, 1e-5, 0, random);
+		const double       edge   = 0.04 + 0.06 * random.unit();
+		const RemeshResult result = remesh(mesh.view(), periodicOptions(edge));
+		ASSERT_EQ(result.status, Status::Ok) << result.message;
+		EXPECT_TRUE(isSoundSurface(result.mesh));
+		EXPECT_TRUE(hasSameTopology(result.mesh, mesh));
+		std::set<Place> places, ends;
+		for (const Vec3d& p : result.mesh.positions) {
+			places.insert({p.x, p.y, p.z});
+			if (p.x > 0.9999) ends.insert({p.x - 1, p.y, p.z});
+			if (p.y > 0.9999) ends.insert({p.x, p.y - 1, p.z});
+		}
+		EXPECT_NEAR(double(ends.size()), 2.1 / edge, 0.3 / edge + 2);
+		for (const Place& at : ends) {
+			const bool isThere = std::any_of(places.begin(), places.end(), [&](const Place& p) {
+				return (p[0] == at[0] || p[0] + 1 == at[0] + 1) &&
+					   (p[1] == at[1] || p[1] + 1 == at[1] + 1) && p[2] == at[2];
+			});
+			EXPECT_TRUE(isThere) << at[0] << " " << at[1] << " " << at[2];
+		}
+	}
+}
+
+TEST(PeriodicBorder, EndsThatDifferAreRefusedWithTheLargestMismatch)
+{
+	Random             random(1);
+	const TriangleMesh mesh   = periodicSheet(20, 0, 0.1, random);
+	const RemeshResult result = remesh(mesh.view(), periodicOptions(0.1));
+	EXPECT_EQ(result.status, Status::UnusableInput);
+	EXPECT_NE(result.message.find("not periodic along X"), std::string::npos) << result.message;
+	EXPECT_NE(result.message.find("off by 0.025"), std::string::npos) << result.message;
+	EXPECT_TRUE(result.mesh.positions.empty());
+}
+
+TEST(PeriodicBorder, WithoutABorderOrWithAnotherPeriodItIsRefused)
+{
+	Random        random(1);
+	RemeshOptions options = periodicOptions(0.1);
+	EXPECT_EQ(remesh(icosphere(3).view(), options).status, Status::UnusableInput);
+	options.period = {0, 1.5, 0};
+	EXPECT_EQ(remesh(periodicSheet(20, 0, 0, random).view(), options).status,
+			  Status::UnusableInput);
+	options.period = {-1, 1, 0};
+	EXPECT_EQ(remesh(periodicSheet(20, 0, 0, random).view(), options).status, Status::BadOptions);
+	options          = periodicOptions(0.1);
+	options.boundary = BoundaryMode::Free;
+	EXPECT_EQ(remesh(periodicSheet(20, 0, 0, random).view(), options).status, Status::BadOptions);
 }
 
 TEST(MatchedBorder, AnErrorInPercentIsThatInMeshUnits)

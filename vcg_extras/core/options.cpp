@@ -88,6 +88,19 @@ void checkFeatures(const RemeshOptions& o, std::vector<std::string>& complaints)
 	}
 }
 
+void checkPeriod(const RemeshOptions& o, std::vector<std::string>& complaints)
+{
+	for (const double length : {o.period.x, o.period.y, o.period.z}) {
+		if (isWithin(length, 0, 1e300)) continue;
+		complaints.push_back("The lengths of a periodic cell must be finite numbers, 0 or above.");
+		return;
+	}
+	const bool isOther = o.boundary != BoundaryMode::Resample && o.boundary != BoundaryMode::Match;
+	if (isPeriodic(o) && (isOther || o.selectedOnly)) {
+		complaints.push_back("A periodic cell needs a border that matches, and the whole surface.");
+	}
+}
+
 } // namespace
 
 bool asksForFeatureRegion(const RemeshOptions& o)
@@ -148,6 +161,7 @@ std::vector<std::string> validate(const RemeshOptions& o)
 	}
 	checkDensity(o, complaints);
 	checkFeatures(o, complaints);
+	checkPeriod(o, complaints);
 	if (o.dropComponentsBelow < 0) {
 		complaints.push_back("The least number of faces of a component must not be negative.");
 	}

@@ -3,6 +3,8 @@
 #ifndef VCG_EXTRAS_CORE_OPTIONS_H
 #define VCG_EXTRAS_CORE_OPTIONS_H
 
+#include "vec.h"
+
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -115,6 +117,9 @@ struct RemeshOptions {
 	double growth  = 1.15; ///< of the wanted length from one edge to the next, [1.05, 2]
 
 	BoundaryMode boundary = BoundaryMode::Resample;
+	/// Lengths of a periodic cell, mesh units, 0 along an axis without a period: the border's
+	/// vertices at opposite ends of the cell match; BoundaryMode::Match is in force then.
+	Vec3d period;
 
 	FeatureMode featureMode     = FeatureMode::Auto;
 	double      featureAngleDeg = 40; ///< feature lines: between the normals of two faces, [5, 175]
@@ -129,6 +134,11 @@ struct RemeshOptions {
 inline bool isPaper(const RemeshOptions& options)
 {
 	return options.preset == Preset::Paper;
+}
+
+inline bool isPeriodic(const RemeshOptions& options)
+{
+	return !(options.period == Vec3d());
 }
 
 /// Whether vertices leave the surface for where the triangles lie closest to it (see fit.h).

@@ -135,11 +135,13 @@ void remeshMatched(const Call& call, RemeshResult& out)
 			"Wanted edge lengths cannot be kept beside matched borders, which have one length.");
 	}
 	const double edge = edgeLengthOf(call);
-	if (!(edge > 0)) return remeshInput(call, out); // which refuses the options
+	if (!(edge > 0) || !validate(call.options).empty())
+		return remeshInput(call, out); // which refuses the options
 	Workers             workers(1, call.progress, call.options.timeLimitSeconds, call.stop);
-	const MatchedBorder matched = matchBorder(call.input, edge, workers);
+	const MatchedBorder matched = matchBorder(call.input, edge, call.options.period, workers);
 	RemeshOptions       inside  = call.options;
 	inside.boundary             = BoundaryMode::Keep;
+	inside.period               = {};
 	if (inside.targetMode == TargetMode::Percent) // of the caller's vertices
 		inside.targetPercent *= double(call.input.vertexNum) / double(matched.positions.size());
 	MeshView view    = matched.view();
@@ -153,7 +155,8 @@ void remeshMatched(const Call& call, RemeshResult& out)
 MeshCall callFor(const RemeshOptions& options)
 {
 	if (options.selectedOnly) return remeshSelected;
-	return options.boundary == BoundaryMode::Match ? remeshMatched : remeshInput;
+	const bool isMatched = options.boundary == BoundaryMode::Match || isPeriodic(options);
+	return isMatched ? remeshMatched : remeshInput;
 }
 
 } // namespace

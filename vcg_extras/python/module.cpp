@@ -45,6 +45,7 @@ NB_MODULE(_core, module)
 		.def_rw("uv", &Extras::texture, nb::arg().none())
 		.def_rw("images", &Extras::images, nb::arg().none())
 		.def_rw("regions", &Extras::regions, nb::arg().none())
+		.def_rw("period", &Extras::period)
 		.def_rw("prepared", &Extras::prepared, nb::arg().none());
 
 	nb::class_<FileAttributes>(module, "FileAttributes")
@@ -62,6 +63,8 @@ NB_MODULE(_core, module)
 		"parameters", [](const std::string& tool) { return parameterList(toolOf(tool)); },
 		"tool"_a);
 	module.def("remesh", &remeshArrays, "vertices"_a, "faces"_a, "extras"_a, "parameters"_a,
+			   "progress"_a.none());
+	module.def("remesh_pieces", &remeshPieces, "vertices"_a, "faces"_a, "extras"_a, "parameters"_a,
 			   "progress"_a.none());
 	module.def("remesh_mesh_of_file", &remeshMeshOfFile, "vertices"_a, "faces"_a, "extras"_a,
 			   "attributes"_a, "parameters"_a, "progress"_a.none());

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "matched_border.h"
 
+#include "periodic_border.h"
+
 #include <vcg_extras/core/base/failure.h>
 #include <vcg_extras/core/mesh/edge_sides.h>
 
@@ -40,8 +42,9 @@ bool isBefore(const Vec3d& a, const Vec3d& b)
 
 /// An edge of the border: where it is in the mesh, and what follows it.
 struct BorderEdge {
-	int corner; ///< of the face, where it begins
-	int next = none, last = none;
+	int                   corner; ///< of the face, where it begins
+	int                   next = none, last = none;
+	PeriodicBorder::Shift shift = {}; ///< periods from where its samples are computed
 };
 
 /// A sample inside an edge of the border.
@@ -53,11 +56,14 @@ struct Inside {
 /// Finds the border's samples.
 class BorderSampling {
 public:
-	BorderSampling(const MeshView& input, double edgeLength, Workers& workers) :
-			input_(input), edge_(edgeLength), workers_(workers), isKept(input.vertexNum, 0)
+	BorderSampling(const MeshView& input, double edgeLength, const Vec3d& period,
+				   Workers& workers) :
+			input_(input),
+			edge_(edgeLength), workers_(workers), isKept(input.vertexNum, 0)
 	{
 		numberPlaces();
 		findEdges();
+		findTranslates(period);
 		link();
 		findStops();
 		for (int e = 0; e < int(edge.size()); ++e) {
@@ -73,11 +79,18 @@ private:
 	Workers&                  workers_;
 	std::vector<std::int32_t> place_; ///< per vertex: the first one at the same place
 	std::vector<char>         isStop_, isKeptPlace_;
+	PeriodicBorder            periodic_;
 
 public:
 	std::vector<BorderEdge>          edge;
 	std::vector<std::vector<Inside>> inside; ///< per edge, by share
 	std::vector<std::uint8_t>        isKept; ///< per vertex of the caller's
+
+	/// Where a vertex of the caller's lies, or, if it is a translate, should.
+	Vec3d placed(std::size_t v) const
+	{
+		return periodic_.any() ? translated(place_[v], {}) : input_.position(v);
+	}
 
 private:
 	static int nextCorner(int c) { return c % 3 == 2 ? c - 2 : c + 1; }
@@ -85,30 +98,36 @@ private:
 	{
 		return place_[std::size_t(input_.vertexOf(std::size_t(corner)))];
 	}
-	/// Where an edge begins.
-	Vec3d at(int e) const
-	{
-		return input_.position(std::size_t(placeOf(edge[std::size_t(e)].corner)));
-	}
+	int beginOf(int e) const { return placeOf(edge[std::size_t(e)].corner); }
+	int endPlace(int e) const { return placeOf(nextCorner(edge[std::size_t(e)].corner)); }
+	/// Where an edge begins, or the edge that it is the translate of.
+	Vec3d at(int e) const { return translated(beginOf(e), edge[std::size_t(e)].shift); }
 	/// Where it ends.
-	Vec3d endOf(int e) const
+	Vec3d endOf(int e) const { return translated(endPlace(e), edge[std::size_t(e)].shift); }
+
+	/// The root of a place, moved by the periods to the place, less those of `back`. Translates are
+	/// computed from the same numbers so.
+	Vec3d translated(int place, const PeriodicBorder::Shift& back) const
 	{
-		return input_.position(std::size_t(placeOf(nextCorner(edge[std::size_t(e)].corner))));
+		PeriodicBorder::Shift shift = periodic_.shiftOf(place);
+		for (std::size_t axis = 0; axis < 3; ++axis)
+			shift[axis] = std::int8_t(shift[axis] - back[axis]);
+		return input_.position(std::size_t(periodic_.rootOf(place))) + periodic_.times(shift);
 	}
 
 	void numberPlaces()
 	{
-		const auto placed = [&](std::int32_t v) { return input_.position(std::size_t(v)); };
+		const auto positionOf = [&](std::int32_t v) { return input_.position(std::size_t(v)); };
 		place_.resize(input_.vertexNum);
 		std::iota(place_.begin(), place_.end(), 0);
 		std::vector<std::int32_t> order;
 		std::copy_if(place_.begin(), place_.end(), std::back_inserter(order),
-					 [&](std::int32_t v) { return isFinite(placed(v)); });
+					 [&](std::int32_t v) { return isFinite(positionOf(v)); });
 		std::stable_sort(order.begin(), order.end(), [&](std::int32_t a, std::int32_t b) {
-			return isBefore(placed(a), placed(b));
+			return isBefore(positionOf(a), positionOf(b));
 		});
 		for (std::size_t i = 0; i < order.size(); ++i) {
-			const bool isSame             = i > 0 && placed(order[i]) == placed(order[i - 1]);
+			const bool isSame = i > 0 && positionOf(order[i]) == positionOf(order[i - 1]);
 			place_[std::size_t(order[i])] = isSame ? place_[std::size_t(order[i - 1])] : order[i];
 		}
 		isKeptPlace_.assign(place_.size(), 0);
@@ -142,20 +161,52 @@ private:
 		});
 	}
 
-	/// Links edges where one ends and one begins.
+	void findTranslates(const Vec3d& period)
+	{
+		if (period == Vec3d()) return;
+		std::vector<Vec3d>                position;
+		std::vector<PeriodicBorder::Edge> ends;
+		for (std::size_t v = 0; v < input_.vertexNum; ++v)
+			position.push_back(input_.position(v));
+		for (int e = 0; e < int(edge.size()); ++e)
+			ends.emplace_back(beginOf(e), endPlace(e));
+		periodic_ = PeriodicBorder(position, ends, period);
+		for (std::size_t e = 0; e < edge.size(); ++e)
+			edge[e].shift = periodic_.shiftOf(ends[e]);
+	}
+
+	/// Edges that begin and end at a place.
+	struct Meeting {
+		std::vector<int> begin, end;
+	};
+
+	/// Links edges where one ends and one begins. All translates of a place are linked alike.
 	void link()
 	{
-		std::map<int, std::vector<int>> beginAt, endAt;
+		std::map<int, Meeting> meetingAt;
 		for (int e = 0; e < int(edge.size()); ++e) {
-			beginAt[placeOf(edge[std::size_t(e)].corner)].push_back(e);
-			endAt[placeOf(nextCorner(edge[std::size_t(e)].corner))].push_back(e);
+			meetingAt[beginOf(e)].begin.push_back(e);
+			meetingAt[endPlace(e)].end.push_back(e);
 		}
-		for (const auto& [place, begin] : beginAt) {
-			const std::vector<int>& end = endAt[place];
-			if (begin.size() != 1 || end.size() != 1) continue;
-			edge[std::size_t(begin[0])].last = end[0];
-			edge[std::size_t(end[0])].next   = begin[0];
+		for (const auto& [place, meeting] : meetingAt) {
+			const std::vector<int> others = periodic_.neighboursOf(place);
+			const bool             isNode = isNodeAt(meeting) ||
+								std::any_of(others.begin(), others.end(),
+											[&](int other) { return isNodeAt(meetingAt[other]); });
+			if (isNode) continue;
+			edge[std::size_t(meeting.begin[0])].last = meeting.end[0];
+			edge[std::size_t(meeting.end[0])].next   = meeting.begin[0];
 		}
+	}
+
+	/// Whether other than two edges meet, or an edge has translates that the other one has not.
+	bool isNodeAt(const Meeting& meeting) const
+	{
+		if (meeting.begin.size() != 1 || meeting.end.size() != 1) return true;
+		const int a = meeting.end[0], b = meeting.begin[0];
+		return edge[std::size_t(a)].shift != edge[std::size_t(b)].shift ||
+			   periodic_.axesOnward({beginOf(a), endPlace(a)}) !=
+				   periodic_.axesOnward({beginOf(b), endPlace(b)});
 	}
 
 	/// The place so far along the border from where edge e begins, or where it ends before.
@@ -288,11 +339,8 @@ private:
 		}
 	}
 
-	void keep(int e) { isKeptPlace_[std::size_t(placeOf(edge[std::size_t(e)].corner))] = 1; }
-	void keepEnd(int e)
-	{
-		isKeptPlace_[std::size_t(placeOf(nextCorner(edge[std::size_t(e)].corner)))] = 1;
-	}
+	void keep(int e) { isKeptPlace_[std::size_t(beginOf(e))] = 1; }
+	void keepEnd(int e) { isKeptPlace_[std::size_t(endPlace(e))] = 1; }
 
 	/// A sample on edge e, a share of the way from a to b; turns: from the edge's end to its begin.
 	void put(int e, const Vec3d& a, const Vec3d& b, double share, double len, bool turns)
@@ -300,8 +348,17 @@ private:
 		if (share * len < nearVertex * edge_) return turns ? keepEnd(e) : keep(e);
 		if ((1 - share) * len < nearVertex * edge_) return turns ? keep(e) : keepEnd(e);
 		std::vector<Inside>& on   = inside[std::size_t(e)];
-		const Inside         made = {turns ? 1 - share : share, a + (b - a) * share};
+		const Inside         made = {turns ? 1 - share : share, moved(a + (b - a) * share, e)};
 		on.insert(turns ? on.begin() : on.end(), made);
+	}
+
+	/// To edge e, from where its samples are computed.
+	Vec3d moved(Vec3d place, int e) const
+	{
+		if (!periodic_.any()) return place;
+		// A result is written in floats as its input was: a period more must be one there, too.
+		if (!input_.doublePrecision) place = Vec3d(Vec3f(place));
+		return place + periodic_.times(edge[std::size_t(e)].shift);
 	}
 };
 
@@ -395,13 +452,14 @@ MeshView MatchedBorder::view() const
 	return v;
 }
 
-MatchedBorder matchBorder(const MeshView& input, double edgeLength, Workers& workers)
+MatchedBorder matchBorder(const MeshView& input, double edgeLength, const Vec3d& period,
+						  Workers& workers)
 {
-	const BorderSampling border(input, edgeLength, workers);
+	const BorderSampling border(input, edgeLength, period, workers);
 	MatchedBorder        out;
 	out.isKept = border.isKept;
 	for (std::size_t v = 0; v < input.vertexNum; ++v)
-		out.positions.push_back(input.position(v));
+		out.positions.push_back(border.placed(v));
 	if (input.selected != nullptr)
 		out.selected.assign(input.selected, input.selected + input.vertexNum);
 	std::map<int, int> edgeAt; ///< by the corner where it begins

@@ -36,9 +36,12 @@ struct MatchedBorder {
 /// edges meet; each piece is cut into equal lengths. All is computed in double and in a direction
 /// that the places of the piece's ends decide, so that meshes with a piece in common get the same
 /// samples there, bit for bit. Vertices at exactly the same place are taken for one. Throws Failure
-/// where a face names a vertex that does not exist. workers: asked now and then whether to go on.
-/// Cost: O(F log F), serial.
-MatchedBorder matchBorder(const MeshView& input, double edgeLength, Workers& workers);
+/// where a face names a vertex that does not exist. period: lengths of a periodic cell, mesh units,
+/// 0 along an axis without one; vertices and samples of the border's end then lie one period from
+/// those of its begin, bit for bit, and Failure is thrown where the two ends differ (see
+/// PeriodicBorder). workers: asked now and then whether to go on. Cost: O(F log F), serial.
+MatchedBorder matchBorder(const MeshView& input, double edgeLength, const Vec3d& period,
+						  Workers& workers);
 
 /// Says where a result of that mesh lies on the caller's.
 void nameCallers(const MeshView& input, const MatchedBorder& matched, RemeshResult& result);

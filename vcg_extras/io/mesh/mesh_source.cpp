@@ -28,8 +28,8 @@ MeshView MeshSource::view() const
 RemeshOptions MeshSource::withPlaces(const RemeshOptions& options) const
 {
 	RemeshOptions all           = options;
-	all.surfacePointsOfVertices = mesh.attributes.any() || texture != nullptr;
-	all.surfacePointsOfFaces    = texture != nullptr || mesh.attributes.ofFacesToo();
+	all.surfacePointsOfVertices = needsPoints();
+	all.surfacePointsOfFaces    = needsPointsOfFaces();
 	return all;
 }
 

@@ -24,6 +24,9 @@ struct MeshSource {
 
 	/// What the engine looks at: seams of the texture are lines.
 	MeshView view() const;
+	/// Whether carrying attributes over takes places of the result's faces, and any places at all.
+	bool needsPointsOfFaces() const { return texture != nullptr || mesh.attributes.ofFacesToo(); }
+	bool needsPoints() const { return needsPointsOfFaces() || mesh.attributes.any(); }
 	/// The options, with the places on the surface by which attributes are carried over.
 	RemeshOptions withPlaces(const RemeshOptions& options) const;
 };

@@ -80,15 +80,16 @@ Json optionsJson(const RemeshOptions& o)
 		json["detail"] = choiceName("Detail", o.targetDetail);
 		break;
 	}
-	json["preset"]              = choiceName("Preset", o.preset);
-	json["relax"]               = o.umbrellaSteps;
-	json["flips"]               = o.flipPasses;
-	json["lambda"]              = o.lambda;
-	json["adapt"]               = o.adapt ? Json(*o.adapt) : Json("auto");
-	json["minEdge"]             = o.minEdge;
-	json["maxEdge"]             = o.maxEdge;
-	json["growth"]              = o.growth;
-	json["boundary"]            = choiceName("Boundary", o.boundary);
+	json["preset"]   = choiceName("Preset", o.preset);
+	json["relax"]    = o.umbrellaSteps;
+	json["flips"]    = o.flipPasses;
+	json["lambda"]   = o.lambda;
+	json["adapt"]    = o.adapt ? Json(*o.adapt) : Json("auto");
+	json["minEdge"]  = o.minEdge;
+	json["maxEdge"]  = o.maxEdge;
+	json["growth"]   = o.growth;
+	json["boundary"] = choiceName("Boundary", o.boundary);
+	if (isPeriodic(o)) json["period"] = {o.period.x, o.period.y, o.period.z};
 	json["selectedOnly"]        = o.selectedOnly;
 	json["allowNearest"]        = o.allowNearest;
 	json["dropComponentsBelow"] = o.dropComponentsBelow;
@@ -209,10 +210,13 @@ std::string remeshReportJson(const RunRecord& run)
 {
 	const RemeshReport& r = run.report;
 	Json                json;
-	json["program"]        = programJson();
-	json["input"]          = fileJson(run.inputPath, run.inputDouble, r.input);
-	json["cleanedInput"]   = figuresJson(r.cleanedInput);
-	json["result"]         = fileJson(run.outputPath, run.outputDouble, r.result);
+	json["program"]      = programJson();
+	json["input"]        = fileJson(run.inputPath, run.inputDouble, r.input);
+	json["cleanedInput"] = figuresJson(r.cleanedInput);
+	json["result"]       = fileJson(run.outputPath, run.outputDouble, r.result);
+	for (const MadeFile& file : run.files)
+		json["files"].push_back(
+			{{"path", file.path}, {"vertices", file.vertices}, {"faces", file.faces}});
 	json["options"]        = optionsJson(run.options);
 	json["seed"]           = r.seed;
 	json["adapt"]          = r.adapt;

@@ -83,6 +83,16 @@ def lengths(name, values, length):
     return _in_order(array, np.float32)
 
 
+def period(name, values):
+    """The three lengths of a periodic cell, as a list; None becomes an empty list."""
+    if values is None:
+        return []
+    array = _array(name, values)
+    if array.shape != (3,) or array.dtype.kind not in "fiu" or not (array > 0).any():
+        raise ValueError(f"{name} must be three lengths, one of them above 0 at least.")
+    return [float(length) for length in array]
+
+
 def edges(name, values, vertex_num):
     """Edges as pairs of vertices; None stays None."""
     if values is None:

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 namespace gpr::app {
 
@@ -54,9 +55,27 @@ void checkReport(const CommandLine& line)
 	}
 }
 
+void checkPieces(const CommandLine& line)
+{
+	std::set<std::string> names;
+	for (const std::string& piece : line.pieces) {
+		formatOfPath(piece);
+		if (!names.insert(pathOfPiece(line, piece)).second)
+			failUsage("Two of the files have the same name; DIR has place for one of them.");
+	}
+	if (line.options.selectedOnly) failUsage("--selected is for one file only.");
+	if (!line.options.sew)
+		failUsage(
+			"Several files are joined where their borders coincide; --sew off is not forthem.");
+	if (line.outTileNum > 0 || line.tiles.memoryBytes > 0)
+		failUsage("Tiles are made of one file only.");
+	checkReport(line);
+}
+
 void checkPaths(const CommandLine& line)
 {
 	if (line.command == Command::Tile) return;
+	if (!line.pieces.empty()) return checkPieces(line);
 	formatOfPath(line.input);
 	if (line.command != Command::Remesh && line.command != Command::Features) return;
 	if (line.outTileNum > 0) return checkReport(line);
@@ -107,15 +126,49 @@ void addMemory(CLI::App& command, CommandLine& line)
 		->type_name("SIZE");
 }
 
-CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
+/// What follows IN and OUT.
+struct Files {
+	std::vector<std::string> more;
+	std::string              folder;
+};
+
+/// IN and OUT, or with --out-dir any number of IN.
+void addFiles(CLI::App& remesh, CommandLine& line, Files& files)
+{
+	remesh.add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")->required();
+	remesh.add_option("OUT", line.output,
+					  "Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN. With --out-dir\n"
+					  "another IN, as all that follow");
+	remesh.add_option("MORE", files.more, "With --out-dir: more IN");
+	remesh
+		.add_option("--out-dir", files.folder,
+					"Remesh all IN together and write each into the folder DIR, under its name.\n"
+					"Where borders of the files coincide, they do so in the result, too. A number\n"
+					"of vertices or faces is that of all of them together")
+		->type_name("DIR");
+}
+
+/// Sorts what addFiles has read.
+void takeFiles(const Files& files, CommandLine& line)
+{
+	if (files.folder.empty()) {
+		if (line.output.empty()) failUsage("OUT is required.");
+		if (!files.more.empty()) failUsage("More than two files need --out-dir.");
+		return;
+	}
+	line.pieces = {line.input};
+	if (!line.output.empty()) line.pieces.push_back(line.output);
+	line.pieces.insert(line.pieces.end(), files.more.begin(), files.more.end());
+	line.output = withoutSlashAtEnd(files.folder);
+}
+
+CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given, Files& files)
 {
 	CLI::App* remesh = app.add_subcommand(
 		"remesh", "Remeshes IN with about-equilateral triangles of equal size and writes OUT.\n"
 				  "The size is given by one of --vertices, --faces, --percent and --edge-length;\n"
 				  "10 % of IN's vertices where none is given.");
-	remesh->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
-		->required();
-	addOutput(*remesh, line);
+	addFiles(*remesh, line, files);
 	addTableOptions(*remesh, RemeshTool, given);
 	remesh
 		->add_option("--regions", line.regions,
@@ -140,6 +193,14 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given)
 					 "units. With them alone the number of vertices follows; with a number of\n"
 					 "vertices or another size they are scaled to it")
 		->type_name("NAME");
+	remesh
+		->add_option("--periodic", line.period,
+					 "IN is a periodic cell with these lengths, 0 along an axis without a period:\n"
+					 "vertices at opposite borders match after adding the length. Implies\n"
+					 "--boundary match. Refused where the borders are no translates")
+		->delimiter(',')
+		->expected(3)
+		->type_name("X,Y,Z");
 	addOutcome(*remesh, line, "Write what was done, and how well, as JSON");
 	addMemory(*remesh, line);
 	remesh
@@ -270,11 +331,25 @@ void addManualPage(CLI::App& app)
 	app.add_flag_callback("--manual-page", print)->group("");
 }
 
+void takePeriod(CommandLine& line)
+{
+	if (line.period.empty()) return;
+	if (line.tiles.memoryBytes > 0) failUsage("--periodic is not possible in tiles.");
+	line.options.period = {line.period[0], line.period[1], line.period[2]};
+	if (!isPeriodic(line.options)) failUsage("--periodic needs a length above 0.");
+}
+
 } // namespace
+
+std::string pathOfPiece(const CommandLine& line, const std::string& piece)
+{
+	return (std::filesystem::path(line.output) / std::filesystem::path(piece).filename()).string();
+}
 
 CommandLine parseCommandLine(int argc, char** argv)
 {
 	CommandLine  line;
+	Files        files;
 	GivenOptions given; // by one command only: there is no second
 	CLI::App     app("Remeshes triangle meshes by geodesic Poisson-disk sampling.", "gpremesh");
 	app.set_version_flag("--version", std::string("gpremesh ") + GPR_VERSION);
@@ -282,7 +357,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 	app.allow_windows_style_options(false); // a path may begin with '/' everywhere
 	app.footer("'gpremesh COMMAND --help' tells the options of a command.\n\n" +
 			   std::string(exitCodeHelp));
-	CLI::App* const remesh   = addRemesh(app, line, given);
+	CLI::App* const remesh   = addRemesh(app, line, given, files);
 	CLI::App* const info     = addInfo(app, line);
 	CLI::App* const compare  = addCompare(app, line, given);
 	CLI::App* const features = addFeatures(app, line, given);
@@ -298,7 +373,10 @@ CommandLine parseCommandLine(int argc, char** argv)
 	catch (const CLI::ParseError& error) {
 		failUsage(sentence(error.what()) + " See gpremesh --help.");
 	}
-	if (remesh->parsed()) line.command = Command::Remesh;
+	if (remesh->parsed()) {
+		line.command = Command::Remesh;
+		takeFiles(files, line);
+	}
 	if (info->parsed()) line.command = Command::Info;
 	if (compare->parsed()) line.command = Command::Compare;
 	if (features->parsed()) line.command = Command::Features;
@@ -311,6 +389,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 		if (!isSized) line.options.targetMode = TargetMode::Sizes;
 		if (line.tiles.memoryBytes > 0) failUsage("--sizes is not possible in tiles.");
 	}
+	takePeriod(line);
 	line.optionsText       = textOf(given);
 	line.tiles.optionsText = textOf(given, isForPlan);
 	if (line.outTileNum > 0) line.output = withoutSlashAtEnd(line.output);

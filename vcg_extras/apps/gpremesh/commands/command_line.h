@@ -38,8 +38,10 @@ struct TileSettings {
 struct CommandLine {
 	Command     command = Command::None;
 	std::string input;
-	std::string output;         ///< remesh, 'tile finish' and features only
-	std::string report;         ///< remesh and features only; empty = none
+	/// remesh with several files: all of them, to be written into the folder `output`; else empty
+	std::vector<std::string> pieces;
+	std::string              output; ///< remesh, 'tile finish' and features only
+	std::string              report; ///< remesh and features only; empty = none
 	int         outTileNum = 0; ///< remesh and 'tile finish': OUT is a folder of tiles; 0 = a file
 	bool        quiet      = false;
 	bool        json       = false;        ///< info and compare only
@@ -48,14 +50,18 @@ struct CommandLine {
 	std::string regions;                   ///< remesh only: see regionsOf
 	Transfer    transfer = Transfer::Auto; ///< remesh only
 	std::string htmlFolder;                ///< compare only; empty = no page
-	RemeshOptions options;                 ///< all but info
-	std::string   sizes;                   ///< remesh: name of a vertex property; empty = none
-	std::string   optionsText; ///< these as the user gave them: "--lambda 2 --preset fast"
-	TileSettings  tiles;       ///< tile, and remesh with --memory
+	RemeshOptions       options;           ///< all but info
+	std::vector<double> period;            ///< remesh: lengths of a periodic cell; empty = none
+	std::string         sizes;             ///< remesh: name of a vertex property; empty = none
+	std::string         optionsText; ///< these as the user gave them: "--lambda 2 --preset fast"
+	TileSettings        tiles;       ///< tile, and remesh with --memory
 
 	std::vector<std::string> notes; ///< sentences that the program adds to the report's
 	double shareDone = 0;           ///< remesh: of a longer work that it ends, as the bar shows it
 };
+
+/// Where the result of one of several files is written.
+std::string pathOfPiece(const CommandLine& line, const std::string& piece);
 
 /// Reads the arguments; the remeshing options are made from the engine's parameter table. Prints
 /// --help and --version itself. Throws AppError (Usage) with a sentence on any mistake.

@@ -1,0 +1,267 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "periodic_border.h"
+
+#include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/base/sort_unique.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numeric>
+#include <set>
+#include <string>
+
+namespace gpr {
+
+namespace {
+
+constexpr int none = -1;
+/// Of the period: coordinates with five digits pass.
+constexpr double tolerance = 1e-4;
+
+/// Finds vertices near a place: those of the cells of a grid that its neighbourhood meets.
+class VertexGrid {
+public:
+	VertexGrid(const std::vector<Vec3d>& position, const std::vector<int>& vertices, double reach) :
+			position_(position), reach_(reach)
+	{
+		for (const int v : vertices)
+			in_[cellOf(position[std::size_t(v)])].push_back(v);
+	}
+
+	/// The nearest one within the reach, or none; of equally near ones the one with the smallest
+	/// number.
+	int nearest(const Vec3d& to) const
+	{
+		int    best = none;
+		double far  = reach_;
+		for (int k = 0; k < 8; ++k) {
+			const Vec3d corner = {k & 1 ? reach_ : -reach_, k & 2 ? reach_ : -reach_,
+								  k & 4 ? reach_ : -reach_};
+			const auto found = in_.find(cellOf(to + corner));
+			if (found == in_.end()) continue;
+			for (const int v : found->second) {
+				const double d = length(position_[std::size_t(v)] - to);
+				if (d > far || (d == far && v >= best && best != none)) continue;
+				best = v;
+				far  = d;
+			}
+		}
+		return best;
+	}
+
+private:
+	using Cell = std::array<double, 3>;
+	const std::vector<Vec3d>&        position_;
+	double                           reach_;
+	std::map<Cell, std::vector<int>> in_;
+
+	/// Cells are as wide as the neighbourhood.
+	Cell cellOf(const Vec3d& p) const
+	{
+		const double wide = 2 * reach_;
+		return {std::floor(p.x / wide), std::floor(p.y / wide), std::floor(p.z / wide)};
+	}
+};
+
+double coordinate(const Vec3d& p, int axis)
+{
+	return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
+
+Vec3d alongAxis(int axis, double by)
+{
+	return {axis == 0 ? by : 0, axis == 1 ? by : 0, axis == 2 ? by : 0};
+}
+
+PeriodicBorder::Edge ordered(int a, int b)
+{
+	return std::minmax({a, b});
+}
+
+/// A vertex that should have a translate, and where.
+struct Miss {
+	int   vertex = none, axis = 0;
+	Vec3d wanted;
+};
+
+/// Measures some of the misses and refuses the border with the largest.
+class Refusal {
+public:
+	Refusal(const std::vector<Vec3d>& position, const std::vector<int>& vertices) :
+			position_(position), vertices_(vertices)
+	{
+	}
+
+	[[noreturn]] void refuse(const std::vector<Miss>& misses) const
+	{
+		constexpr std::size_t mostMeasured = 500; // each against the whole border
+		const std::size_t     step         = misses.size() / mostMeasured + 1;
+		Miss                  worst;
+		double                mismatch = -1;
+		for (std::size_t i = 0; i < misses.size(); i += step) {
+			const double d = distanceToNearest(misses[i].wanted);
+			if (d <= mismatch) continue;
+			mismatch = d;
+			worst    = misses[i];
+		}
+		const Vec3d at = position_[std::size_t(worst.vertex)];
+		char        text[240];
+		std::snprintf(text, sizeof text,
+					  "The border is not periodic along %c: one period from (%.6g, %.6g, %.6g) "
+					  "the nearest vertex of the border is off by %.3g.",
+					  "XYZ"[worst.axis], at.x, at.y, at.z, mismatch);
+		throw Failure(Status::UnusableInput, text);
+	}
+
+private:
+	const std::vector<Vec3d>& position_;
+	const std::vector<int>&   vertices_;
+
+	double distanceToNearest(const Vec3d& to) const
+	{
+		double least = HUGE_VAL;
+		for (const int v : vertices_)
+			least = std::min(least, length(position_[std::size_t(v)] - to));
+		return least;
+	}
+};
+
+} // namespace
+
+PeriodicBorder::PeriodicBorder(const std::vector<Vec3d>& position, const std::vector<Edge>& edges,
+							   const Vec3d& period) :
+		period_(period)
+{
+	if (period == Vec3d()) return;
+	std::vector<int> vertices;
+	for (const Edge& e : edges)
+		vertices.insert(vertices.end(), {e.first, e.second});
+	sortUnique(vertices);
+	if (vertices.empty())
+		throw Failure(Status::UnusableInput, "The surface has no border that could be periodic.");
+	root_.resize(position.size());
+	std::iota(root_.begin(), root_.end(), 0);
+	shift_.assign(position.size(), Shift{});
+	for (int axis = 0; axis < 3; ++axis)
+		pair(axis, position, vertices);
+	findRoots();
+	check(position, vertices, edges);
+}
+
+void PeriodicBorder::pair(int axis, const std::vector<Vec3d>& position,
+						  const std::vector<int>& vertices)
+{
+	std::vector<int>& before = before_[std::size_t(axis)];
+	std::vector<int>& after  = after_[std::size_t(axis)];
+	before.assign(position.size(), none);
+	after.assign(position.size(), none);
+	const double by = coordinate(period_, axis);
+	if (by == 0) return;
+	const VertexGrid grid(position, vertices, tolerance * by);
+	for (const int v : vertices) {
+		const int found = grid.nearest(position[std::size_t(v)] + alongAxis(axis, by));
+		if (found == none || before[std::size_t(found)] != none) continue;
+		before[std::size_t(found)] = v;
+		after[std::size_t(v)]      = found;
+	}
+}
+
+void PeriodicBorder::findRoots()
+{
+	for (int v = 0; v < int(root_.size()); ++v) {
+		int& root = root_[std::size_t(v)];
+		for (int axis = 0; axis < 3; ++axis) {
+			const int before = before_[std::size_t(axis)][std::size_t(root)];
+			if (before == none) continue;
+			root = before;
+			++shift_[std::size_t(v)][std::size_t(axis)];
+			axis = -1; // all axes once more
+		}
+	}
+}
+
+PeriodicBorder::Shift PeriodicBorder::shiftOf(const Edge& edge) const
+{
+	Shift shift = shiftOf(edge.first), other = shiftOf(edge.second);
+	for (std::size_t axis = 0; axis < 3; ++axis)
+		shift[axis] = std::min(shift[axis], other[axis]);
+	return shift;
+}
+
+unsigned PeriodicBorder::axesOnward(const Edge& edge) const
+{
+	unsigned axes = 0;
+	for (std::size_t axis = 0; any() && axis < 3; ++axis) {
+		const std::vector<int>& after = after_[axis];
+		if (after[std::size_t(edge.first)] != none && after[std::size_t(edge.second)] != none)
+			axes |= 1u << axis;
+	}
+	return axes;
+}
+
+std::vector<int> PeriodicBorder::neighboursOf(int v) const
+{
+	std::vector<int> all;
+	for (std::size_t axis = 0; any() && axis < 3; ++axis) {
+		for (const int other : {before_[axis][std::size_t(v)], after_[axis][std::size_t(v)]}) {
+			if (other != none) all.push_back(other);
+		}
+	}
+	return all;
+}
+
+Vec3d PeriodicBorder::times(const Shift& shift) const
+{
+	return {shift[0] * period_.x, shift[1] * period_.y, shift[2] * period_.z};
+}
+
+std::vector<PeriodicBorder::Edge> PeriodicBorder::alone(const std::vector<Edge>& edges) const
+{
+	std::set<Edge> known;
+	for (const Edge& e : edges)
+		known.insert(ordered(e.first, e.second));
+	const auto isAlone = [&](const Edge& e) {
+		for (const auto& by : {before_, after_}) {
+			for (const std::vector<int>& other : by) {
+				const int a = other[std::size_t(e.first)], b = other[std::size_t(e.second)];
+				if (a != none && b != none && known.count(ordered(a, b)) != 0) return false;
+			}
+		}
+		return true;
+	};
+	std::vector<Edge> found;
+	std::copy_if(edges.begin(), edges.end(), std::back_inserter(found), isAlone);
+	return found;
+}
+
+void PeriodicBorder::check(const std::vector<Vec3d>& position, const std::vector<int>& vertices,
+						   const std::vector<Edge>& edges) const
+{
+	const std::vector<Edge> unmatched = alone(edges);
+	std::vector<Miss>       misses;
+	for (int axis = 0; axis < 3; ++axis) {
+		const double by = coordinate(period_, axis);
+		if (by == 0) continue;
+		const auto at      = [&](int v) { return coordinate(position[std::size_t(v)], axis); };
+		const auto isBelow = [&](int a, int b) { return at(a) < at(b); };
+		const auto ends    = std::minmax_element(vertices.begin(), vertices.end(), isBelow);
+		const auto lieAt   = [&](const Edge& e, int end) {
+            return std::abs(at(e.first) - at(end)) <= tolerance * by &&
+                   std::abs(at(e.second) - at(end)) <= tolerance * by;
+		};
+		for (const Edge& e : unmatched) {
+			const double sign = lieAt(e, *ends.first) ? 1 : lieAt(e, *ends.second) ? -1 : 0;
+			if (sign == 0) continue;
+			for (const int v : {e.first, e.second})
+				misses.push_back({v, axis, position[std::size_t(v)] + alongAxis(axis, sign * by)});
+		}
+	}
+	if (!misses.empty()) Refusal(position, vertices).refuse(misses);
+	if (unmatched.size() == edges.size())
+		throw Failure(Status::UnusableInput, "No two edges of the border lie one period apart.");
+}
+
+} // namespace gpr
