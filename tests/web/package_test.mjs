@@ -70,6 +70,7 @@ test("an aborted run ends, and the next one goes", async () => {
 
 test("what is wrong is told in a sentence", async () => {
 	await assert.rejects(remesh(mesh, { vertices: 3 }), (error) => error instanceof GpremeshError && error.code === 4);
+	await assert.rejects(remesh(mesh, { vertices: 60e6 }), { message: /takes about .* GB of memory/ });
 	await assert.rejects(remesh(mesh, { adapt: 7 }), { message: /--adapt takes .*not '7'/, code: 2 });
 	await assert.rejects(remesh(mesh, { vertexes: 7 }), TypeError);
 	await assert.rejects(remesh({ vertices: [0, 0, 0], faces: mesh.faces }), TypeError);

@@ -83,7 +83,16 @@ export class Engine {
 		this.#fail(new GpremeshError("The engine was stopped.", 5));
 	}
 
-	#hear({ id, answer, share, phrase }) {
+	/** Whether there is a thread, with what it was given. */
+	get isRunning() {
+		return this.#worker !== null;
+	}
+
+	#hear({ id, answer, share, phrase, fatal }) {
+		if (fatal !== undefined) {
+			this.#fail(new GpremeshError(`the engine failed, mostly for want of memory (${fatal}).`, 1));
+			return;
+		}
 		const waiting = this.#waiting.get(id);
 		if (waiting === undefined) return;
 		if (answer === undefined) {

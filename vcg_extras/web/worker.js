@@ -40,7 +40,7 @@ function load(compiled) {
 // Typed arrays of a request lie in the memory of the module while it is answered.
 function lend(module, values) {
 	const at = module._malloc(values.byteLength) >>> 0;
-	if (at === 0) throw new RangeError("the browser has no more memory for this.");
+	if (at === 0) throw new RangeError("no memory for the mesh");
 	module.HEAPU8.set(new Uint8Array(values.buffer, values.byteOffset, values.byteLength), at);
 	return { at, length: values.byteLength };
 }
@@ -96,6 +96,7 @@ async function reply(message) {
 
 globalThis.onmessage = ({ data }) => {
 	reply(data).catch((error) => {
-		postMessage({ id: data.id, answer: { error: String(error.message || error), code: 1 } });
+		// Not a failure that the engine tells: the module cannot be used any more.
+		postMessage({ fatal: String(error.message || error) });
 	});
 };

@@ -191,6 +191,7 @@ async function draft() {
 	draftWanted = null;
 	isDrafting = true;
 	try {
+		if (!drafts.isRunning) await drafts.call("open", { name: mesh.name, bytes: mesh.bytes.slice() });
 		await drafts.call("remesh", { options: text + " --preset fast" });
 		const shown = await drafts.call("shown", { key: "result", name: "gpremesh, draft" });
 		if (finished < of && of <= change) {
@@ -239,6 +240,7 @@ async function finish(of) {
 	stop();
 	const mine = running = new AbortController();
 	try {
+		if (!results.isRunning) reopen();
 		await reopened;
 		await makeResult(optionsText(wishes()), of);
 	} catch (error) {
@@ -258,6 +260,10 @@ function stop() {
 	running.abort();
 	running = null;
 	showProgress(null);
+	reopen();
+}
+
+function reopen() {
 	reopened = results.call("open", { name: mesh.name, bytes: mesh.bytes.slice() });
 	reopened.catch(() => {}); // who waits for it tells
 }
@@ -280,6 +286,7 @@ function changed() {
 
 async function open(name, bytes) {
 	stop();
+	draftWanted = null;
 	const of = ++change;
 	tell(`${name} is opened.`);
 	try {
@@ -295,8 +302,7 @@ async function open(name, bytes) {
 		showFigures("input", name, input.figures);
 		showNotes(facts.notes);
 		$("format").value = /\.(ply|obj|stl|off|glb)$/i.exec(name)[1].toLowerCase();
-		if (mesh.hasDrafts) await drafts.call("open", { name, bytes: bytes.slice() });
-		if (of !== change) return;
+		drafts.end(); // the next draft opens this mesh
 		chooseSize();
 		changed();
 	} catch (error) {
