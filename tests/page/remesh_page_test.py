@@ -4,11 +4,13 @@
 """The page that remeshes what one drops on it, in Chromium: made by scripts/release/make_page.
 
     remesh_page_test.py GPREMESH FOLDER      FOLDER has page/index.html
+    GPR_PAGE_PICTURES=OTHER ...               pictures of the windows go to the folder OTHER
 """
 
 import base64
 import functools
 import http.server
+import os
 import random
 import subprocess
 import sys
@@ -215,8 +217,8 @@ def reason_to_skip():
 
 if __name__ == "__main__":
     GPREMESH, FOLDER = sys.argv[1:3]
-    PICTURES_TO = sys.argv[3] if len(sys.argv) > 3 and not sys.argv[3].startswith("-") else ""
-    del sys.argv[1:4 if PICTURES_TO else 3]
+    PICTURES_TO = os.environ.get("GPR_PAGE_PICTURES", "")
+    del sys.argv[1:3]
     if reason_to_skip():
         print("SKIPPED:", reason_to_skip())
         sys.exit(77)

@@ -22,7 +22,7 @@ let change = 0;        // counts the changes of what is wanted
 let waiting = null;    // the timer of the default
 let running = null;    // AbortController of what the results' engine does
 let draftWanted = null, isDrafting = false;
-let finished = 0;      // the change whose default is shown
+let finished = 0;      // the change of which no draft is shown any more
 
 // ---- words ----
 
@@ -366,6 +366,8 @@ function listen() {
 	$("wishes").addEventListener("submit", (event) => event.preventDefault());
 	$("cancel").addEventListener("click", () => {
 		stop();
+		draftWanted = null;
+		finished = change; // nor is a draft shown
 		tell("Cancelled.");
 	});
 	$("download").addEventListener("click", save);
