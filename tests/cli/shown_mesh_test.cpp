@@ -3,8 +3,8 @@
 // Meshes as the page of a comparison has them.
 #include "mesh_files.h"
 
-#include <vcg_extras/apps/gpremesh/viewer/base64.h>
-#include <vcg_extras/apps/gpremesh/viewer/shown_mesh.h>
+#include <vcg_extras/viewer/base64.h>
+#include <vcg_extras/viewer/shown_mesh.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

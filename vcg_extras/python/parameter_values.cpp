@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "parameter_values.h"
 
+#include <vcg_extras/io/options/given_options.h>
 #include <vcg_extras/io/report/range_text.h>
 
 #include <algorithm>
@@ -15,18 +16,6 @@ namespace gpr::python {
 
 namespace {
 
-/// The option's name with underscores; other names where Python has a use of its own for it.
-std::string nameOf(const Parameter& p, Tool tool)
-{
-	std::string name = p.option;
-	name.erase(0, name.find_first_not_of('-'));
-	std::replace(name.begin(), name.end(), '-', '_');
-	if (name == "vertices") return tool == SamplingTool ? "count" : "vertex_count";
-	if (name == "faces") return "face_count";
-	if (name == "lambda") return "lambda_";
-	return name;
-}
-
 /// The switch for the selected faces is the array that selects them.
 bool isArgument(const Parameter& p)
 {
@@ -36,7 +25,7 @@ bool isArgument(const Parameter& p)
 const Parameter* findArgument(Tool tool, const std::string& name)
 {
 	for (const Parameter& p : parametersOf(tool)) {
-		if (isArgument(p) && nameOf(p, tool) == name) return &p;
+		if (isArgument(p) && app::pythonName(p, tool) == name) return &p;
 	}
 	return nullptr;
 }
@@ -150,7 +139,7 @@ std::string sizeNames(Tool tool)
 {
 	std::string names;
 	for (const Parameter& p : parametersOf(tool)) {
-		if (isSizeParameter(p)) names += (names.empty() ? "" : ", ") + nameOf(p, tool);
+		if (isSizeParameter(p)) names += (names.empty() ? "" : ", ") + app::pythonName(p, tool);
 	}
 	return names;
 }
@@ -190,7 +179,7 @@ nb::dict entryOf(const Parameter& p, Tool tool)
 	for (const char* choice : p.choices)
 		choices.append(choice);
 	nb::dict entry;
-	entry["name"]    = nameOf(p, tool);
+	entry["name"]    = app::pythonName(p, tool);
 	entry["kind"]    = kindName(p.kind);
 	entry["label"]   = p.label;
 	entry["help"]    = pythonHelp(p);

@@ -11,6 +11,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <unordered_map>
 
 namespace gpr {
 

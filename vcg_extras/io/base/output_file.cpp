@@ -5,8 +5,9 @@
 #include "exit_code.h"
 #include "platform.h"
 
+#include <vcg_extras/io/text/char_conversion.h>
+
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <filesystem>
 
@@ -82,7 +83,7 @@ void OutputFile::flush()
 void OutputFile::integer(std::int64_t value)
 {
 	char       digits[24];
-	const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+	const auto end = toChars(digits, digits + sizeof digits, value);
 	bytes(digits, std::size_t(end - digits));
 }
 
@@ -93,7 +94,7 @@ void OutputFile::position(const Vec3d& p, bool doublePrecision)
 	for (const double c : {p.x, p.y, p.z}) {
 		*at++          = ' ';
 		char* const to = line + sizeof line;
-		at = doublePrecision ? std::to_chars(at, to, c).ptr : std::to_chars(at, to, float(c)).ptr;
+		at             = doublePrecision ? toChars(at, to, c) : toChars(at, to, float(c));
 	}
 	bytes(line, std::size_t(at - line));
 }

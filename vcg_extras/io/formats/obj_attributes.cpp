@@ -4,11 +4,11 @@
 
 #include "obj_lines.h"
 
+#include <vcg_extras/io/text/char_conversion.h>
 #include <vcg_extras/io/text/number_text.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <map>
 #include <numeric>
 #include <string>
@@ -210,9 +210,9 @@ private:
 	void number(double value)
 	{
 		char       text[40];
-		const auto end = std::to_chars(text, text + sizeof text, float(value));
+		const auto end = toChars(text, text + sizeof text, float(value));
 		out_.text(" ");
-		out_.text(std::string_view(text, std::size_t(end.ptr - text)));
+		out_.text(std::string_view(text, std::size_t(end - text)));
 	}
 
 	void writeColour(std::size_t v)

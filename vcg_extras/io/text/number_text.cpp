@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "number_text.h"
 
-#include <charconv>
+#include "char_conversion.h"
+
 #include <limits>
 
 namespace gpr::app {
@@ -21,7 +22,7 @@ bool parseNumber(std::string_view word, double& value)
 {
 	const std::string_view digits = withoutPlus(word);
 	const char* const      end    = digits.data() + digits.size();
-	const auto             parsed = std::from_chars(digits.data(), end, value);
+	const auto             parsed = fromChars(digits.data(), end, value);
 	if (parsed.ptr != end) return false;
 	if (parsed.ec == std::errc::result_out_of_range) {
 		const bool tiny = digits.find("e-") != digits.npos || digits.find("E-") != digits.npos;
@@ -35,7 +36,7 @@ bool parseInteger(std::string_view word, std::int64_t& value)
 {
 	const std::string_view digits = withoutPlus(word);
 	const char* const      end    = digits.data() + digits.size();
-	const auto             parsed = std::from_chars(digits.data(), end, value);
+	const auto             parsed = fromChars(digits.data(), end, value);
 	return parsed.ptr == end && parsed.ec == std::errc();
 }
 

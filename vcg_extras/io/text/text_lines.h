@@ -3,9 +3,10 @@
 #ifndef VCG_EXTRAS_IO_TEXT_TEXT_LINES_H
 #define VCG_EXTRAS_IO_TEXT_TEXT_LINES_H
 
+#include "char_conversion.h"
+
 #include <vcg_extras/core/base/workers.h>
 
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -32,7 +33,7 @@ std::string lowerCase(std::string_view text);
 template <class Number>
 bool takePlainNumber(const char*& at, const char* end, Number& value)
 {
-	const auto parsed = std::from_chars(at, end, value);
+	const auto parsed = fromChars(at, end, value);
 	const bool isWord = parsed.ptr == end || isBlank(*parsed.ptr);
 	if (parsed.ec != std::errc() || !isWord) return false;
 	at = parsed.ptr;

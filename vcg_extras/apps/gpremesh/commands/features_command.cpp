@@ -4,12 +4,12 @@
 
 #include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
-#include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/formats/ply_writer.h>
 #include <vcg_extras/io/mesh_io.h>
 #include <vcg_extras/io/report/features_report.h>
+#include <vcg_extras/io/report/remesh_outcome.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,6 @@
 
 #include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
-#include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
 #include <vcg_extras/apps/gpremesh/report/summary.h>
 #include <vcg_extras/apps/gpremesh/tiles/result_tiles.h>
 #include <vcg_extras/core/prepared_surface.h>
@@ -12,15 +11,14 @@
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>
-#include <vcg_extras/io/mesh/attribute_carry.h>
 #include <vcg_extras/io/mesh/joined_pieces.h>
-#include <vcg_extras/io/mesh/precision.h>
+#include <vcg_extras/io/mesh/mesh_source.h>
 #include <vcg_extras/io/mesh_io.h>
+#include <vcg_extras/io/report/remesh_outcome.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,22 +47,32 @@ std::vector<float> wantedSizes(const MeshAttributes& attributes, const std::stri
 	return std::vector<float>(column->values.begin(), column->values.end());
 }
 
-/// One file of the input, and what goes with it.
-struct Source {
-	std::string                    path;
-	InputMesh                      mesh;
-	std::unique_ptr<TextureSource> texture;
-	std::vector<float>             sizes; ///< wanted at the vertices; empty: none
+WantedAttributes wantedBy(const CommandLine& line)
+{
+	WantedAttributes wanted = neededBy(line.options);
+	wanted.regions          = line.regions;
+	wanted.carried          = true;
+	wanted.mayStayInFile    = line.sizes.empty();
+	return wanted;
+}
+
+/// One file of the input.
+struct Source : MeshSource {
+	std::string        path;
+	std::vector<float> sizes; ///< wanted at the vertices; empty: none
+
+	Source(const std::string& file, const CommandLine& line) :
+			MeshSource(readMesh(file, wantedBy(line)), line.options), path(file),
+			sizes(wantedSizes(mesh.attributes, line.sizes))
+	{
+	}
 
 	MeshView view() const
 	{
-		MeshView v = mesh.view();
-		if (texture != nullptr && texture->hasSeams()) v.line = texture->seams().data();
+		MeshView v = MeshSource::view();
 		if (!sizes.empty()) v.wantedEdge = sizes.data();
 		return v;
 	}
-	bool needsPointsOfFaces() const { return texture != nullptr || mesh.attributes.ofFacesToo(); }
-	bool needsPoints() const { return needsPointsOfFaces() || mesh.attributes.any(); }
 };
 
 using Sources = std::vector<Source>;
@@ -110,13 +118,6 @@ RemeshResult remeshWithProgress(const Sources& sources, const MeshView& view,
 	return result;
 }
 
-/// Double for a double input, or where a float would not resolve a thousandth of the mean edge.
-bool needsDoubleOutput(const InputMesh& input, const RemeshResult& result)
-{
-	return input.doublePrecision ||
-		   !floatResolves(largestCoordinate(result.mesh.view()), result.report.quality.meanEdgeLen);
-}
-
 /// Where the result of a source is written.
 std::string targetOf(const Source& source, const CommandLine& line)
 {
@@ -148,15 +149,6 @@ void writeText(const std::string& path, const std::string& text)
 	out.commit();
 }
 
-WantedAttributes wantedBy(const CommandLine& line)
-{
-	WantedAttributes wanted = neededBy(line.options);
-	wanted.regions          = line.regions;
-	wanted.carried          = true;
-	wanted.mayStayInFile    = line.sizes.empty();
-	return wanted;
-}
-
 std::string listOf(const std::vector<std::string>& words)
 {
 	std::string list;
@@ -168,13 +160,7 @@ std::string listOf(const std::vector<std::string>& words)
 Source readSource(const std::string& path, const CommandLine& line, const RunLimit& limit)
 {
 	const EndAtOnce guard(limit);
-	const bool      isSewn = line.options.sew && !line.options.selectedOnly;
-	Source          source;
-	source.path    = path;
-	source.mesh    = readMesh(path, wantedBy(line));
-	source.texture = takeTexture(source.mesh.attributes, source.mesh.view(), isSewn);
-	source.sizes   = wantedSizes(source.mesh.attributes, line.sizes);
-	return source;
+	return Source(path, line);
 }
 
 Sources readSources(const CommandLine& line, const RunLimit& limit)

@@ -2,89 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "table_options.h"
 
-#include <vcg_extras/io/base/exit_code.h>
-#include <vcg_extras/io/report/range_text.h>
-#include <vcg_extras/io/text/number_text.h>
-
-#include <algorithm>
 #include <sstream>
 
 namespace gpr::app {
 
 namespace {
-
-[[noreturn]] void failUsage(const std::string& sentence)
-{
-	throw AppError(ExitCode::Usage, sentence);
-}
-
-[[noreturn]] void failRange(const Parameter& p, const std::string& kind, const std::string& given)
-{
-	failUsage(std::string(p.option) + " takes " + kind + rangeText(p) + ", not '" + given + "'.");
-}
-
-ParameterValue parseCount(const Parameter& p, const std::string& given)
-{
-	std::int64_t value = 0;
-	if (!parseInteger(given, value) || !isInRange(p, double(value)))
-		failRange(p, "a whole number", given);
-	return value;
-}
-
-ParameterValue parseReal(const Parameter& p, const std::string& given)
-{
-	double value = 0;
-	if (p.isAutomatic && given == automaticName) return Automatic();
-	if (!parseNumber(given, value) || !isInRange(p, value)) failRange(p, numberKind(p), given);
-	return value;
-}
-
-ParameterValue parseSwitch(const Parameter& p, const std::string& given)
-{
-	if (given == "on" || given == "true") return true;
-	if (given == "off" || given == "false") return false;
-	failUsage(std::string(p.option) + " takes on or off, not '" + given + "'.");
-}
-
-ParameterValue parseChoice(const Parameter& p, const std::string& given)
-{
-	std::string names;
-	for (std::size_t i = 0; i < p.choices.size(); ++i) {
-		if (given == p.choices[i]) return std::int64_t(i);
-		names += (i > 0 ? ", " : "") + std::string(p.choices[i]);
-	}
-	failUsage(std::string(p.option) + " takes one of " + names + ", not '" + given + "'.");
-}
-
-ParameterValue parseValue(const Parameter& p, const std::string& given)
-{
-	switch (p.kind) {
-	case ParameterKind::Count:
-		return parseCount(p, given);
-	case ParameterKind::Number:
-	case ParameterKind::Length:
-		return parseReal(p, given);
-	case ParameterKind::Switch:
-		return parseSwitch(p, given);
-	case ParameterKind::Choice:
-		return parseChoice(p, given);
-	}
-	return false;
-}
-
-/// The default as the user would write it; empty for the size, whose default is a share.
-std::string defaultText(const Parameter& p)
-{
-	if (isSizeParameter(p)) return "";
-	if (p.isAutomatic) return automaticName;
-	const ParameterValue value = p.defaultValue(MeshFacts());
-	if (p.kind == ParameterKind::Switch) return std::get<bool>(value) ? "on" : "off";
-	if (p.kind == ParameterKind::Choice) {
-		return p.choices[std::size_t(std::get<std::int64_t>(value))];
-	}
-	return plainText(p.kind == ParameterKind::Count ? double(std::get<std::int64_t>(value))
-													: std::get<double>(value));
-}
 
 /// Breaks a text into lines that fit beside the names of the options on 100 columns.
 std::string wrapped(const std::string& text)
@@ -127,74 +49,6 @@ void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
 		command.add_option_function<std::string>(p.option, keep, helpText(p))
 			->type_name(p.argument);
 	}
-}
-
-namespace {
-
-/// Takes the sign of percent off a largest error; false where there is none.
-bool takePercent(const Parameter& p, std::string& word)
-{
-	if (std::string(p.key) != "MaxError" || word.empty() || word.back() != '%') return false;
-	word.pop_back();
-	return true;
-}
-
-} // namespace
-
-bool choosesSize(const Parameter& row, const std::string& word)
-{
-	return isSizeParameter(row) && word != "off";
-}
-
-RemeshOptions optionsOf(const GivenOptions& given)
-{
-	ParameterSet set;
-	int          sizeNum = 0;
-	bool         percent = false;
-	for (const auto& [row, givenWord] : given) {
-		std::string word = givenWord;
-		percent          = takePercent(*row, word) || percent;
-		sizeNum += choosesSize(*row, word) ? 1 : 0;
-		set.set(*row, parseValue(*row, word));
-	}
-	if (sizeNum > 1) {
-		failUsage("give only one of --vertices, --faces, --percent, --edge-length, --max-error "
-				  "and --detail.");
-	}
-	const std::vector<std::string> complaints = set.complaints();
-	if (!complaints.empty()) failUsage(complaints.front());
-	RemeshOptions options     = set.options();
-	options.maxErrorIsPercent = percent;
-	return options;
-}
-
-RemeshOptions optionsOfText(const std::string& text)
-{
-	GivenOptions       given;
-	std::istringstream words(text);
-	for (std::string option; words >> option;) {
-		const std::vector<Parameter>& rows = parametersOf(RemeshTool);
-		const auto                    row  = std::find_if(rows.begin(), rows.end(),
-														  [&](const Parameter& p) { return option == p.option; });
-		if (row == rows.end()) failUsage("there is no option " + option + ".");
-		std::string word = "on";
-		if (!std::string(row->argument).empty()) words >> word;
-		given[&*row] = word;
-	}
-	return optionsOf(given);
-}
-
-std::string textOf(const GivenOptions& given, bool (*isWanted)(const Parameter&))
-{
-	std::map<std::string, std::string> words; // by option: the rows' addresses have no order
-	for (const auto& [row, word] : given) {
-		if (isWanted != nullptr && !isWanted(*row)) continue;
-		words[row->option] = std::string(row->argument).empty() ? "" : " " + word;
-	}
-	std::string text;
-	for (const auto& [option, word] : words)
-		text += (text.empty() ? "" : " ") + option + word;
-	return text;
 }
 
 } // namespace gpr::app

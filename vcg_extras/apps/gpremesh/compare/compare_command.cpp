@@ -6,10 +6,10 @@
 #include "compare_methods.h"
 #include "compare_page.h"
 #include "compare_table.h"
+#include "compare_viewer.h"
 
 #include <vcg_extras/apps/gpremesh/platform/end_at_once.h>
 #include <vcg_extras/apps/gpremesh/report/progress_bar.h>
-#include <vcg_extras/apps/gpremesh/viewer/compare_viewer.h>
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/base/platform.h>

@@ -4,10 +4,10 @@
 
 #include "baseline_remeshers.h"
 
-#include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
 #include <vcg_extras/core/mesh/measure.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/io/base/platform.h>
+#include <vcg_extras/io/report/remesh_outcome.h>
 
 #include <algorithm>
 

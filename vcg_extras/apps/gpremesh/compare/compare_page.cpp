@@ -4,8 +4,8 @@
 
 #include "compare_table.h"
 
-#include <vcg_extras/apps/gpremesh/viewer/base64.h>
 #include <vcg_extras/io/report/formatted_text.h>
+#include <vcg_extras/viewer/base64.h>
 
 #include <filesystem>
 

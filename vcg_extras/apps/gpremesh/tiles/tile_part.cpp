@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_part.h"
 
-#include <vcg_extras/apps/gpremesh/report/remesh_outcome.h>
 #include <vcg_extras/core/input/thin_border.h>
 #include <vcg_extras/core/remesh.h>
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/base/output_file.h>
 #include <vcg_extras/io/mesh/attribute_carry.h>
 #include <vcg_extras/io/mesh_io.h>
+#include <vcg_extras/io/report/remesh_outcome.h>
 
 #include <algorithm>
 #include <cmath>

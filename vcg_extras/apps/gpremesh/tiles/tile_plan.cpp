@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tile_plan.h"
 
-#include <vcg_extras/apps/gpremesh/commands/table_options.h>
 #include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/options/given_options.h>
 #include <vcg_extras/io/report/formatted_text.h>
 
 #include <algorithm>

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The viewer of the page that `gpremesh compare --html` writes: several meshes under one camera.
-// The page has the meshes as JSON in #viewer-data, and the elements of viewer.html. The frame of all
-// meshes is that of the input: its middle is the origin, the diagonal of its box is 1.
+// Several meshes under one camera: for the page that `gpremesh compare --html` writes, and for the page that
+// remeshes. The root has the elements of viewer.html. The frame of all meshes is that of the input: its middle is
+// the origin, the diagonal of its box is 1. Meshes are as mesh_json.h makes them, with arrays as buffers or in base64.
 "use strict";
-(function () {
+/* exported makeViewer */
+function makeViewer(root, page) {
 
 const viewAngleDeg = 30;
 const slope = Math.tan(viewAngleDeg * Math.PI / 360);
@@ -16,15 +17,14 @@ const spotWidth = 10;         // what is seen around a spot, in lengths of its t
 const ramp = [[.93, .95, .97], [.99, .83, .62], [.96, .56, .35], [.80, .20, .14], [.42, 0, .05]];
 const plain = [.80, .86, .95];
 
-const root = document.getElementById("viewer");
 const find = (selector) => root.querySelector(selector);
 const tools = find(".tools").elements;
-const page = JSON.parse(document.getElementById("viewer-data").textContent);
-const meshes = page.meshes;
+const meshes = [];
 
 const grouped = (number) => String(number).replace(/\B(?=(\d{3})+$)/g, ",");
 
 function bytesOf(text) {
+	if (typeof text !== "string") return text;
 	const characters = atob(text);
 	const bytes = new Uint8Array(characters.length);
 	for (let i = 0; i < bytes.length; ++i) bytes[i] = characters.charCodeAt(i);
@@ -38,18 +38,22 @@ const measures = {
 		from: "2r/R: 1, equilateral", to: "0, no area",
 	},
 	distance: {
-		values: (mesh) => mesh.distance, good: 0, bad: page.endOfDistances || 1e-9,
-		from: "0", to: "\u2265 " + page.endOfDistances.toPrecision(2) + " % of the diagonal",
+		values: (mesh) => mesh.isMeasured ? mesh.distance : [], good: 0,
+		get bad() { return page.endOfDistances || 1e-9; },
+		from: "0", get to() { return "\u2265 " + page.endOfDistances.toPrecision(2) + " % of the diagonal"; },
 	},
 };
 
-for (const mesh of meshes) {
+function takeMesh(given) {
+	const mesh = { ...given };
 	mesh.positions = new Float32Array(bytesOf(mesh.positions));
 	mesh.triangles = new Uint32Array(bytesOf(mesh.triangles));
 	mesh.quality = new Float32Array(bytesOf(mesh.quality));
 	// The input lies on itself.
+	mesh.isMeasured = mesh.distance !== undefined || mesh.key === "input";
 	mesh.distance = mesh.distance ? new Float32Array(bytesOf(mesh.distance)) : new Float32Array(mesh.shown);
 	mesh.isDecimated = mesh.shown < mesh.faces && mesh.faces > page.mostShown;
+	return mesh;
 }
 
 // ---- drawing ----
@@ -151,18 +155,29 @@ function drawAll() {
 
 function drawPanel(panel) {
 	const size = Math.round(panel.canvas.clientWidth);
+	if (size === 0) return; // not shown
 	const ratio = Math.min(window.devicePixelRatio || 1, 2);
 	if (panel.size !== size * ratio) {
 		panel.size = size * ratio;
 		panel.renderer.setPixelRatio(ratio);
 		panel.renderer.setSize(size, size, false);
 	}
-	panel.renderer.render(panel.scene, camera);
+	const isWiped = tools.wipe.checked && panel === panels[0] && panels.length > 1;
+	const share = isWiped ? tools.line.value / 100 : 1;
+	drawPart(panel.renderer, panel.scene, size, 0, share);
+	if (isWiped) drawPart(panel.renderer, panels[1].scene, size, share, 1);
 	panel.mark.hidden = spot === null;
 	if (spot === null) return;
 	const at = spot.clone().project(camera);
 	panel.mark.style.left = 50 * (1 + at.x) + "%";
 	panel.mark.style.top = 50 * (1 - at.y) + "%";
+}
+
+// The part of a view between two shares of its width.
+function drawPart(renderer, scene, size, from, to) {
+	renderer.setScissorTest(true);
+	renderer.setScissor(from * size, 0, (to - from) * size, size);
+	renderer.render(scene, camera);
 }
 
 // ---- the camera ----
@@ -284,15 +299,21 @@ function element(name, className, parent, text) {
 	return made;
 }
 
-function makePanel(key) {
-	const box = element("div", "panel", find(".panels"));
-	const panel = { chooser: element("select", "", box), scene: new THREE.Scene() };
-	panel.chooser.setAttribute("aria-label", "mesh of this view");
+function listMeshes(panel) {
+	panel.chooser.textContent = "";
 	for (const mesh of meshes) {
 		const option = element("option", "", panel.chooser, mesh.name);
 		option.value = mesh.key;
 	}
-	panel.chooser.value = key;
+	panel.chooser.value = panel.key;
+}
+
+function makePanel(key) {
+	const box = element("div", "panel", find(".panels"));
+	const panel = { box, chooser: element("select", "", box), scene: new THREE.Scene() };
+	panel.chooser.setAttribute("aria-label", "mesh of this view");
+	panel.key = key;
+	listMeshes(panel);
 	panel.count = element("div", "count", box);
 	const frame = element("div", "frame", box);
 	panel.canvas = element("canvas", "", frame);
@@ -303,7 +324,11 @@ function makePanel(key) {
 	// The drawing is kept, so that the browser can save it as a picture.
 	panel.renderer = new THREE.WebGLRenderer({ canvas: panel.canvas, antialias: true, preserveDrawingBuffer: true });
 	panel.renderer.setClearColor(0xffffff);
-	panel.chooser.addEventListener("change", () => { fillPanel(panel); showValues(); });
+	panel.chooser.addEventListener("change", () => {
+		panel.key = panel.chooser.value;
+		fillPanel(panel);
+		showValues();
+	});
 	listenToPointers(panel.canvas);
 	listenToKeys(panel.canvas);
 	panels.push(panel);
@@ -318,14 +343,17 @@ function spotButton(panel, label, place) {
 }
 
 function fillPanel(panel) {
-	const mesh = panel.mesh = meshes.find((m) => m.key === panel.chooser.value);
 	for (const old of panel.scene.children) old.geometry.dispose();
 	panel.scene.children.length = 0;
+	const mesh = panel.mesh = meshes.find((m) => m.key === panel.key);
+	panel.box.hidden = mesh === undefined;
+	if (mesh === undefined) return;
 	const drawn = new THREE.Mesh(geometryOf(mesh), material);
 	drawn.frustumCulled = false;
 	panel.scene.add(drawn);
 	panel.count.textContent = grouped(mesh.faces) + " triangles" +
-		(mesh.isDecimated ? ", drawn with " + grouped(mesh.shown) : "");
+		(mesh.isDecimated ? ", drawn with " + grouped(mesh.shown) : "") +
+		(mesh.isMeasured ? "" : ", distances not measured yet");
 	panel.canvas.setAttribute("aria-label", mesh.name);
 	panel.spots.textContent = "";
 	if (mesh.worst) spotButton(panel, "worst triangle: 2r/R " + mesh.worst.value.toFixed(3), mesh.worst);
@@ -351,13 +379,13 @@ function colourAt(share) {
 }
 
 function drawHistogram(panel, measure) {
-	const shares = sharesOf(panel.mesh, measure), highest = Math.max(...shares, 1e-9);
+	const shares = panel.mesh === undefined ? [] : sharesOf(panel.mesh, measure), highest = Math.max(...shares, 1e-9);
 	const bars = shares.map((share, i) => {
 		const height = 60 * share / highest, colour = colourAt((i + .5) / barNum);
 		return `<rect x="${i}" y="${60 - height}" width=".9" height="${height}" fill="${colour}"
 			stroke="#777" stroke-width=".5" vector-effect="non-scaling-stroke"/>`;
 	});
-	const svg = `<svg viewBox="0 0 ${barNum} 60" preserveAspectRatio="none" role="img"
+	const svg = panel.mesh === undefined ? "" : `<svg viewBox="0 0 ${barNum} 60" preserveAspectRatio="none" role="img"
 		aria-label="histogram from ${measure.from} to ${measure.to}">${bars.join("")}</svg>`;
 	panel.histogram.innerHTML = svg;
 }
@@ -377,22 +405,50 @@ function showValues() {
 		for (const panel of panels) drawHistogram(panel, measure);
 	}
 	for (const panel of panels) panel.histogram.hidden = !measure;
+	find(".decimated").hidden = !meshes.some((mesh) => mesh.isDecimated);
+	find(".panels").classList.toggle("wiped", tools.wipe.checked && panels.length > 1);
+	tools.line.hidden = !tools.wipe.checked;
+	find(".panels").style.setProperty("--line", tools.line.value + "%");
 	wantDraw();
 }
 
+// A mesh that is new, or takes the place of the one with its key.
+function put(given) {
+	const mesh = takeMesh(given), at = meshes.findIndex((m) => m.key === mesh.key);
+	if (at < 0) meshes.push(mesh);
+	else meshes[at] = mesh;
+	for (const panel of panels) {
+		listMeshes(panel);
+		if (panel.key === mesh.key) fillPanel(panel);
+	}
+	showValues();
+}
+
+// None but the input is left.
+function begin(input) {
+	meshes.length = 0;
+	for (const panel of panels) fillPanel(panel);
+	put(input);
+	showWhole();
+}
+
+function setEndOfDistances(percent) {
+	page.endOfDistances = percent;
+	showValues();
+}
+
 function start() {
-	const wanted = ["input", "default", "quadricEdgeCollapse"].filter((key) => meshes.some((m) => m.key === key));
+	meshes.push(...page.meshes.map(takeMesh));
 	find(".legend .ramp").style.background =
 		"linear-gradient(to right," + ramp.map((_, i) => colourAt(i / (ramp.length - 1))).join(",") + ")";
-	wanted.forEach(makePanel);
+	page.panels.forEach(makePanel);
 	find(".most").textContent = grouped(page.mostShown);
-	find(".decimated").hidden = !meshes.some((mesh) => mesh.isDecimated);
-	tools.colour.addEventListener("change", showValues);
-	tools.edges.addEventListener("change", showValues);
+	for (const tool of [tools.colour, tools.edges, tools.wipe]) tool.addEventListener("change", showValues);
+	tools.line.addEventListener("input", showValues);
 	tools.reset.addEventListener("click", showWhole);
 	new ResizeObserver(wantDraw).observe(find(".panels"));
 	showValues();
-	showWhole();
+	if (meshes.length > 0) showWhole();
 }
 
 function complain(error) {
@@ -403,8 +459,10 @@ function complain(error) {
 
 try {
 	start();
+	return { put, begin, setEndOfDistances };
 } catch (error) {
 	complain(error); // no WebGL, as a rule
+	return { put() {}, begin() {}, setEndOfDistances() {} };
 }
 
-})();
+}

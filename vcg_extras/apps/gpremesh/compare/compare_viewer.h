@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_APPS_GPREMESH_VIEWER_COMPARE_VIEWER_H
-#define VCG_EXTRAS_APPS_GPREMESH_VIEWER_COMPARE_VIEWER_H
+#ifndef VCG_EXTRAS_APPS_GPREMESH_COMPARE_COMPARE_VIEWER_H
+#define VCG_EXTRAS_APPS_GPREMESH_COMPARE_COMPARE_VIEWER_H
 
 #include <vcg_extras/apps/gpremesh/compare/compare_record.h>
 

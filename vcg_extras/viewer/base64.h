@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_APPS_GPREMESH_VIEWER_BASE64_H
-#define VCG_EXTRAS_APPS_GPREMESH_VIEWER_BASE64_H
+#ifndef VCG_EXTRAS_VIEWER_BASE64_H
+#define VCG_EXTRAS_VIEWER_BASE64_H
 
 #include <string>
 #include <string_view>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#ifndef VCG_EXTRAS_APPS_GPREMESH_VIEWER_SHOWN_MESH_H
-#define VCG_EXTRAS_APPS_GPREMESH_VIEWER_SHOWN_MESH_H
+#ifndef VCG_EXTRAS_VIEWER_SHOWN_MESH_H
+#define VCG_EXTRAS_VIEWER_SHOWN_MESH_H
 
 #include <vcg_extras/core/mesh_view.h>
 

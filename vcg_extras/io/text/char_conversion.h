@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_TEXT_CHAR_CONVERSION_H
+#define VCG_EXTRAS_IO_TEXT_CHAR_CONVERSION_H
+
+#include <charconv>
+#include <type_traits>
+
+// std::from_chars and std::to_chars, also where the library has them for whole numbers only:
+// libc++, and so emscripten.
+
+namespace gpr::app {
+
+/// What std::from_chars does with a real number, by strtod.
+std::from_chars_result readReal(const char* at, const char* end, double& value);
+std::from_chars_result readReal(const char* at, const char* end, float& value);
+
+/// What std::to_chars writes of a finite number, by printf: the fewest digits that give back every
+/// bit. 40 characters are enough for what is not written with an exponent.
+char* writeReal(char* at, double value);
+char* writeReal(char* at, float value);
+
+template <class Number, class = void>
+struct LibraryReads : std::false_type {
+};
+template <class Number>
+struct LibraryReads<
+	Number, std::void_t<decltype(std::from_chars(nullptr, nullptr, std::declval<Number&>()))>>
+		: std::true_type {
+};
+
+template <class Number, class = void>
+struct LibraryWrites : std::false_type {
+};
+template <class Number>
+struct LibraryWrites<
+	Number, std::void_t<decltype(std::to_chars(nullptr, nullptr, std::declval<Number>()).ptr)>>
+		: std::true_type {
+};
+
+/// As std::from_chars.
+template <class Number>
+std::from_chars_result fromChars(const char* at, const char* end, Number& value)
+{
+	if constexpr (LibraryReads<Number>::value)
+		return std::from_chars(at, end, value);
+	else
+		return readReal(at, end, value);
+}
+
+/// As std::to_chars, which has room enough; returns the end.
+template <class Number>
+char* toChars(char* at, char* end, Number value)
+{
+	if constexpr (LibraryWrites<Number>::value)
+		return std::to_chars(at, end, value).ptr;
+	else
+		return writeReal(at, value);
+}
+
+} // namespace gpr::app
+
+#endif

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The engine in a worker, as promises. The page and the npm package are made from this.
+
+const isNode = typeof process === "object" && Boolean(process.versions && process.versions.node);
+
+/** A failure that the engine tells: its sentence, and the exit code that the program would have. */
+export class GpremeshError extends Error {
+	constructor(sentence, code) {
+		super(sentence);
+		this.name = "GpremeshError";
+		this.code = code;
+	}
+}
+
+let compiled = null;
+
+// Once for all workers.
+function compile() {
+	compiled ??= (async () => {
+		const url = new URL("./worker/gpremesh.wasm", import.meta.url);
+		if (!isNode) {
+			const response = await fetch(url);
+			if (!response.ok) throw new GpremeshError("gpremesh.wasm cannot be loaded.", 1);
+			return WebAssembly.compile(await response.arrayBuffer());
+		}
+		const { readFile } = await import("node:fs/promises");
+		return WebAssembly.compile(await readFile(url));
+	})();
+	return compiled;
+}
+
+async function startWorker(listen, fail) {
+	const url = new URL("./worker/worker.js", import.meta.url);
+	if (isNode) {
+		const { Worker } = await import("node:worker_threads");
+		const worker = new Worker(url);
+		worker.on("message", listen);
+		worker.on("error", fail);
+		worker.unref();
+		return { post: (message, moved) => { worker.ref(); worker.postMessage(message, moved); }, rest: () => worker.unref(), end: () => worker.terminate() };
+	}
+	const worker = new Worker(url);
+	worker.onmessage = ({ data }) => listen(data);
+	worker.onerror = (event) => fail(new Error(event.message || "The worker cannot be started."));
+	return { post: (message, moved) => worker.postMessage(message, moved), rest() {}, end: () => worker.terminate() };
+}
+
+/** One thread with one mesh. A call that is aborted ends the thread; the next call starts another one,
+ * which has no mesh. */
+export class Engine {
+	#worker = null;
+	#waiting = new Map();
+	#lastId = 0;
+
+	/** Calls are answered one after the other.
+	 * @param call one of those in calls.cpp, @param request its arguments */
+	async call(call, request = {}, { onProgress, signal, move = [] } = {}) {
+		signal?.throwIfAborted();
+		const module = await compile();
+		const isNew = this.#worker === null;
+		this.#worker ??= startWorker((message) => this.#hear(message), (error) => this.#fail(error));
+		const mine = this.#worker;
+		const worker = await mine;
+		signal?.throwIfAborted();
+		if (mine !== this.#worker) throw new GpremeshError("The engine was stopped.", 5);
+		const id = ++this.#lastId;
+		const answered = new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject, onProgress }));
+		const stop = () => this.#fail(signal.reason);
+		signal?.addEventListener("abort", stop);
+		worker.post({ ...request, id, call, ...(isNew ? { compiled: module } : {}) }, move);
+		try {
+			return await answered;
+		} finally {
+			signal?.removeEventListener("abort", stop);
+			if (this.#waiting.size === 0) worker.rest();
+		}
+	}
+
+	/** Ends the thread. */
+	end() {
+		this.#fail(new GpremeshError("The engine was stopped.", 5));
+	}
+
+	/** Whether there is a thread, with what it was given. */
+	get isRunning() {
+		return this.#worker !== null;
+	}
+
+	#hear({ id, answer, share, phrase, fatal }) {
+		if (fatal !== undefined) {
+			this.#fail(new GpremeshError(`the engine failed, mostly for want of memory (${fatal}).`, 1));
+			return;
+		}
+		const waiting = this.#waiting.get(id);
+		if (waiting === undefined) return;
+		if (answer === undefined) {
+			waiting.onProgress?.(share, phrase);
+			return;
+		}
+		this.#waiting.delete(id);
+		if (answer.error === undefined) waiting.resolve(answer);
+		else waiting.reject(new GpremeshError(answer.error, answer.code));
+	}
+
+	#fail(error) {
+		this.#worker?.then((worker) => worker.end());
+		this.#worker = null;
+		for (const { reject } of this.#waiting.values()) reject(error);
+		this.#waiting.clear();
+	}
+}

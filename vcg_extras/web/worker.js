@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// The engine in a thread of its own, in a browser or in node. Takes messages {id, call, ...} and answers
+// {id, answer} or {id, error, code}; in between it tells {id, share, phrase}. engine.js is the other end.
+/* global makeGpremesh */
+
+const isNode = typeof importScripts !== "function";
+if (isNode) {
+	const { parentPort } = require("node:worker_threads");
+	// What the module's loader knows of a browser.
+	globalThis.self = { location: { href: __filename } };
+	globalThis.importScripts = () => {};
+	globalThis.postMessage = (message, transferred) => parentPort.postMessage(message, transferred);
+	parentPort.on("message", (message) => globalThis.onmessage({ data: message }));
+	globalThis.makeGpremesh = require("./gpremesh.js");
+} else {
+	importScripts("gpremesh.js");
+}
+
+let current = null; // the number of the message that is answered
+let loaded = null;
+
+function load(compiled) {
+	return makeGpremesh({
+		instantiateWasm(imports, receive) {
+			WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance));
+			return {};
+		},
+		onProgress(share, phrase) {
+			postMessage({ id: current, share, phrase });
+		},
+		print() {},
+		printErr(text) {
+			console.warn(text);
+		},
+	});
+}
+
+// Typed arrays of a request lie in the memory of the module while it is answered.
+function lend(module, values) {
+	const at = module._malloc(values.byteLength) >>> 0;
+	if (at === 0) throw new RangeError("no memory for the mesh");
+	module.HEAPU8.set(new Uint8Array(values.buffer, values.byteOffset, values.byteLength), at);
+	return { at, length: values.byteLength };
+}
+
+// What an answer refers to, as buffers of its own.
+function takeOut(module, value, transferred) {
+	if (value === null || typeof value !== "object") return value;
+	if (typeof value.at === "number" && typeof value.length === "number" && Object.keys(value).length === 2) {
+		const bytes = module.HEAPU8.slice(value.at, value.at + value.length).buffer;
+		transferred.push(bytes);
+		return bytes;
+	}
+	for (const key of Object.keys(value)) value[key] = takeOut(module, value[key], transferred);
+	return value;
+}
+
+// Files lie in a file system in memory, under a name that cannot be a path.
+const pathOf = (name) => "/" + name.replace(/\//g, "_");
+
+function answer(module, request) {
+	const lent = [];
+	for (const [key, value] of Object.entries(request)) {
+		if (!ArrayBuffer.isView(value) || key === "bytes") continue;
+		request[key] = lend(module, value);
+		lent.push(request[key].at);
+	}
+	if (request.name && request.call === "open") {
+		request.path = pathOf(request.name);
+		module.FS.writeFile(request.path, request.bytes, { canOwn: true });
+		delete request.bytes;
+	}
+	if (request.call === "save") request.path = pathOf(request.name);
+	try {
+		return JSON.parse(module.ccall("gprCall", "string", ["string"], [JSON.stringify(request)]));
+	} finally {
+		for (const at of lent) module._free(at);
+	}
+}
+
+async function reply(message) {
+	if (message.compiled) loaded = load(message.compiled);
+	const module = await loaded;
+	current = message.id;
+	const transferred = [];
+	const answered = takeOut(module, answer(module, message), transferred);
+	if (message.call === "save" && answered.error === undefined) {
+		answered.bytes = module.FS.readFile(message.path);
+		transferred.push(answered.bytes.buffer);
+		module.FS.unlink(message.path);
+	}
+	postMessage({ id: message.id, answer: answered }, transferred);
+}
+
+globalThis.onmessage = ({ data }) => {
+	reply(data).catch((error) => {
+		// Not a failure that the engine tells: the module cannot be used any more.
+		postMessage({ fatal: String(error.message || error) });
+	});
+};
