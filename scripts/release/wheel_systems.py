@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-HEADERS = ("CLI", "nlohmann")  # libraries that are headers only
+HEADERS = ("nlohmann",)  # libraries that are headers only
 GLIBC = "2.28"  # of Debian 10, RHEL 8 and Ubuntu 18.10
 STABLE_ABI = "0x030c0000"  # what is declared in Python's headers for the stable ABI of 3.12
 
@@ -60,7 +60,7 @@ class ZigSystem:
             target = f' -target {self.target} -include stdio.h' if name == "c++" else ""
             write_script(folder / name, f'exec "{zig_of(folder)}" -m ziglang {name}{target} "$@"')
         headers = collect_headers(folder / "include")
-        defines = {f"GPR_{name}_INCLUDE_DIR": headers for name in ("CLI11", "JSON")}
+        defines = {"GPR_JSON_INCLUDE_DIR": headers}
         defines["CMAKE_TOOLCHAIN_FILE"] = self.write_toolchain(folder)
         defines["GPR_PYTHON_SUFFIX"] = self.suffix(version)
         if self.is_windows:

@@ -40,7 +40,7 @@ public:
 		for (int k = 0; k < 8; ++k) {
 			const Vec3d corner = {k & 1 ? reach_ : -reach_, k & 2 ? reach_ : -reach_,
 								  k & 4 ? reach_ : -reach_};
-			const auto  found  = in_.find(cellOf(to + corner));
+			const auto found = in_.find(cellOf(to + corner));
 			if (found == in_.end()) continue;
 			for (const int v : found->second) {
 				const double d = length(position_[std::size_t(v)] - to);
@@ -256,8 +256,7 @@ void PeriodicBorder::check(const std::vector<Vec3d>& position, const std::vector
 			const double sign = lieAt(e, *ends.first) ? 1 : lieAt(e, *ends.second) ? -1 : 0;
 			if (sign == 0) continue;
 			for (const int v : {e.first, e.second})
-				misses.push_back(
-					{v, axis, position[std::size_t(v)] + alongAxis(axis, sign * by)});
+				misses.push_back({v, axis, position[std::size_t(v)] + alongAxis(axis, sign * by)});
 		}
 	}
 	if (!misses.empty()) Refusal(position, vertices).refuse(misses);

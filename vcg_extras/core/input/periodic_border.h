@@ -55,8 +55,8 @@ private:
 	void findRoots();
 	/// Edges without a translate.
 	std::vector<Edge> alone(const std::vector<Edge>& edges) const;
-	void check(const std::vector<Vec3d>& position, const std::vector<int>& vertices,
-			   const std::vector<Edge>& edges) const;
+	void              check(const std::vector<Vec3d>& position, const std::vector<int>& vertices,
+							const std::vector<Edge>& edges) const;
 };
 
 } // namespace gpr

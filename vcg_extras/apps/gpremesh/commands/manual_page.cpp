@@ -27,6 +27,9 @@ const char* const description =
 	"there before is there still. The same input, options and seed give the same bytes, with any\n"
 	"number of threads, on every system.\n";
 
+const char* const helpEntry = ".TP\n\\fB\\-h, \\-\\-help\\fR\n"
+							  "Print this help and exit\n";
+
 const char* const examples =
 	".SH EXAMPLES\n"
 	".EX\n"
@@ -68,54 +71,34 @@ std::string upperCase(std::string text)
 	return text;
 }
 
-/// Not those for the project's own use.
-bool isShown(const CLI::Option& option)
+/// Positionals by their names, options by theirs and that of their value.
+std::string entry(const Argument& argument)
 {
-	return !option.get_group().empty();
+	std::string line = "\\fB" + escaped(argument.name) + "\\fR";
+	if (!argument.valueName.empty()) line += " \\fI" + escaped(argument.valueName) + "\\fR";
+	return ".TP\n" + line + "\n" + flowing(argument.help);
 }
 
-std::vector<const CLI::Option*> optionsOf(const CLI::App& command, bool positional)
-{
-	return command.get_options([positional](const CLI::Option* option) {
-		return isShown(*option) && option->get_positional() == positional;
-	});
-}
-
-/// Positionals by their names, options by all of theirs and their argument's.
-std::string entry(const CLI::Option& option)
-{
-	std::string names;
-	for (const std::string& name : option.get_snames())
-		names += (names.empty() ? "\\-" : ", \\-") + name;
-	for (const std::string& name : option.get_lnames())
-		names += (names.empty() ? "\\-\\-" : ", \\-\\-") + escaped(name);
-	const bool  positional = option.get_positional();
-	std::string line       = "\\fB" + (positional ? option.get_name(true) : names) + "\\fR";
-	if (!positional && !option.get_type_name().empty())
-		line += " \\fI" + escaped(option.get_type_name()) + "\\fR";
-	return ".TP\n" + line + "\n" + flowing(option.get_description());
-}
-
-std::string entries(const CLI::App& command, bool positional)
+std::string entries(const std::vector<Argument>& arguments)
 {
 	std::string text;
-	for (const CLI::Option* option : optionsOf(command, positional))
-		text += entry(*option);
+	for (const Argument& argument : arguments)
+		if (!argument.isHidden) text += entry(argument);
 	return text;
 }
 
-std::string usage(const CLI::App& command)
+std::string usage(const CommandSpec& command)
 {
-	std::string line = "\\fBgpremesh " + command.get_name() + "\\fR [\\fIoptions\\fR]";
-	for (const CLI::Option* option : optionsOf(command, true))
-		line += " \\fI" + option->get_name(true) + "\\fR";
+	std::string line = "\\fBgpremesh " + command.name + "\\fR [\\fIoptions\\fR]";
+	for (const Argument& argument : command.positionals)
+		line += " \\fI" + argument.name + "\\fR";
 	return line + "\n.br\n";
 }
 
-std::string chapter(const CLI::App& command)
+std::string chapter(const CommandSpec& command)
 {
-	return ".SH \"" + upperCase(command.get_name()) + "\"\n" + flowing(command.get_description()) +
-		   entries(command, true) + entries(command, false);
+	return ".SH \"" + upperCase(command.name) + "\"\n" + flowing(command.help) +
+		   entries(command.positionals) + helpEntry + entries(command.options);
 }
 
 /// The exit codes, as the last lines of --help have them: a number and words, maybe on two lines.
@@ -138,18 +121,17 @@ std::string exitStatus(const std::string& footer)
 
 } // namespace
 
-std::string manualPage(const CLI::App& program)
+std::string manualPage(const CommandSpec& program)
 {
-	const auto  commands = program.get_subcommands([](const CLI::App*) { return true; });
 	std::string synopsis = ".SH SYNOPSIS\n", chapters;
-	for (const CLI::App* command : commands) {
-		synopsis += usage(*command);
-		chapters += chapter(*command);
+	for (const CommandSpec& command : program.commands) {
+		synopsis += usage(command);
+		chapters += chapter(command);
 	}
 	synopsis += "\\fBgpremesh \\-\\-help\\fR | \\fB\\-\\-version\\fR\n";
 	return std::string(".\\\" -*- coding: utf-8 -*-\n.TH GPREMESH 1 \"\" \"gpremesh ") +
 		   GPR_VERSION + "\" \"User Commands\"\n" + nameAndWhat + synopsis + description +
-		   chapters + exitStatus(commands.front()->get_footer()) + examples;
+		   chapters + exitStatus(program.commands.front().footer) + examples;
 }
 
 } // namespace gpr::app

@@ -3,14 +3,15 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_COMMANDS_MANUAL_PAGE_H
 #define VCG_EXTRAS_APPS_GPREMESH_COMMANDS_MANUAL_PAGE_H
 
-#include <CLI/App.hpp>
+#include "argument_parser.h"
+
 #include <string>
 
 namespace gpr::app {
 
 /// The program's manual page, gpremesh(1), in the language of man(7). Made from the commands and
 /// options as the parser has them, so that it tells what --help tells.
-std::string manualPage(const CLI::App& program);
+std::string manualPage(const CommandSpec& program);
 
 } // namespace gpr::app
 
