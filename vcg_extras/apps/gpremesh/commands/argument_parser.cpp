@@ -35,8 +35,10 @@ const Argument* findNamed(const std::vector<Argument>& options, std::string_view
 std::string helpEntry(const std::string& name, const std::string& help)
 {
 	std::string text = "  " + name;
-	if (text.size() >= helpColumn) text += '\n' + std::string(helpColumn, ' ');
-	else text.resize(helpColumn, ' ');
+	if (text.size() >= helpColumn)
+		text += '\n' + std::string(helpColumn, ' ');
+	else
+		text.resize(helpColumn, ' ');
 	for (const char c : help) {
 		text += c;
 		if (c == '\n') text.append(helpColumn, ' ');
@@ -125,8 +127,8 @@ private:
 		if (wasFound(*option)) fail(option->name + " is given twice.");
 		if (sign == std::string::npos && at_ + 1 == words_.size())
 			fail(option->name + " needs a value, " + option->valueName + ".");
-		found_.emplace_back(option, sign == std::string::npos ? words_[++at_]
-															  : word.substr(sign + 1));
+		found_.emplace_back(option,
+							sign == std::string::npos ? words_[++at_] : word.substr(sign + 1));
 	}
 
 	void takePlainWord(const std::string& word)
@@ -169,12 +171,12 @@ private:
 		});
 	}
 
-	const std::vector<std::string>&                      words_;
-	const CommandSpec*                                   program_;
-	const CommandSpec*                                   command_; ///< the one that the words now belong to
-	std::string                                          path_;    ///< "gpremesh tile plan"
-	std::size_t                                          at_    = 0;
-	std::size_t                                          place_ = 0; ///< of the next positional argument
+	const std::vector<std::string>& words_;
+	const CommandSpec*              program_;
+	const CommandSpec*              command_; ///< the one that the words now belong to
+	std::string                     path_;    ///< "gpremesh tile plan"
+	std::size_t                     at_    = 0;
+	std::size_t                     place_ = 0; ///< of the next positional argument
 	std::vector<std::pair<const Argument*, std::string>> found_;
 	std::vector<const CommandSpec*>                      chain_; ///< the commands that were named
 	std::string                                          unexpected_;
@@ -186,8 +188,8 @@ std::uint64_t bytesOfUnit(std::string unit)
 	for (char& c : unit)
 		c = char(std::tolower((unsigned char) c));
 	if (unit.empty() || unit == "b") return 1;
-	const std::size_t power = std::string_view("kmgtpe").find(unit[0]);
-	const std::string rest  = unit.substr(1);
+	const std::size_t power    = std::string_view("kmgtpe").find(unit[0]);
+	const std::string rest     = unit.substr(1);
 	const bool        isBinary = rest == "i" || rest == "ib";
 	if (power == std::string_view::npos || !(isBinary || rest.empty() || rest == "b")) return 0;
 	std::uint64_t bytes = 1;
@@ -224,7 +226,7 @@ CommandSpec& CommandSpec::addCommand(const std::string& itsName, const std::stri
 Argument& CommandSpec::addOption(const std::string& itsName, const std::string& valueName,
 								 const std::string& itsHelp, ValueTaker take)
 {
-	return options.emplace_back(Argument {itsName, valueName, itsHelp, std::move(take)});
+	return options.emplace_back(Argument{itsName, valueName, itsHelp, std::move(take)});
 }
 
 void CommandSpec::addFlag(const std::string& itsName, const std::string& itsHelp,
@@ -236,7 +238,7 @@ void CommandSpec::addFlag(const std::string& itsName, const std::string& itsHelp
 Argument& CommandSpec::addPositional(const std::string& itsName, const std::string& itsHelp,
 									 ValueTaker take)
 {
-	Argument argument {itsName, "", itsHelp, std::move(take)};
+	Argument argument{itsName, "", itsHelp, std::move(take)};
 	argument.isRequired = true;
 	return positionals.emplace_back(std::move(argument));
 }
@@ -287,8 +289,8 @@ ValueTaker keepBytes(const std::string& option, std::uint64_t& target)
 		double            number = 0;
 		const bool        isRead = parseNumber(value.substr(0, end), number) && factor > 0;
 		if (!isRead || number * factor > mostBytes) {
-			failUsage(option + " takes a number of bytes such as 8G, 500MB or 8GiB, not '" +
-					  value + "'.");
+			failUsage(option + " takes a number of bytes such as 8G, 500MB or 8GiB, not '" + value +
+					  "'.");
 		}
 		target = std::uint64_t(number * factor);
 	};

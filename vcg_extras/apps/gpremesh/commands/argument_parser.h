@@ -25,8 +25,8 @@ struct Argument {
 	bool        isHidden   = false; ///< from help and manual page
 };
 
-/// A command with its arguments and the commands below it. A reference to an argument is good until the next
-/// argument is added.
+/// A command with its arguments and the commands below it. A reference to an argument is good until
+/// the next argument is added.
 class CommandSpec {
 public:
 	CommandSpec(std::string name, std::string help);
@@ -34,8 +34,8 @@ public:
 	CommandSpec& addCommand(const std::string& name, const std::string& help);
 	Argument&    addOption(const std::string& name, const std::string& valueName,
 						   const std::string& help, ValueTaker take);
-	void         addFlag(const std::string& name, const std::string& help, std::function<void()> found);
-	Argument&    addPositional(const std::string& name, const std::string& help, ValueTaker take);
+	void addFlag(const std::string& name, const std::string& help, std::function<void()> found);
+	Argument& addPositional(const std::string& name, const std::string& help, ValueTaker take);
 
 	std::string            name;
 	std::string            help;   ///< lines
@@ -46,9 +46,10 @@ public:
 	std::list<CommandSpec> commands; ///< one of them must be named where there are any
 };
 
-/// Reads the words after the program's name. Options may stand anywhere after their command, as "--seed 7" or
-/// "--seed=7"; after "--" all words are positional. Returns the text of --help where that is asked for, else
-/// an empty text after every value was taken. Throws AppError (Usage).
+/// Reads the words after the program's name. Options may stand anywhere after their command, as
+/// "--seed 7" or
+/// "--seed=7"; after "--" all words are positional. Returns the text of --help where that is asked
+/// for, else an empty text after every value was taken. Throws AppError (Usage).
 std::string parseArguments(const CommandSpec& program, const std::vector<std::string>& words);
 
 /// Keeps a value as it is.
