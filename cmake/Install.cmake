@@ -43,13 +43,14 @@ foreach(_scalar float double)
             COMPONENT meshlab2025)
   endif()
 endforeach()
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/filter_geodesic_poisson/mlx
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/gpremesh COMPONENT meshlab)
-
-# What the texts of the filters name.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/vcg_extras/docs/
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gpremesh-meshlab COMPONENT meshlab
-        FILES_MATCHING PATTERN "CHANGELOG.md" EXCLUDE PATTERN "*.md")
+# The scripts, and the documents that the texts of the filters name.
+if(TARGET filter_geodesic_poisson)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/filter_geodesic_poisson/mlx
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/gpremesh COMPONENT meshlab)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/vcg_extras/docs/
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gpremesh-meshlab COMPONENT meshlab
+          FILES_MATCHING PATTERN "CHANGELOG.md" EXCLUDE PATTERN "*.md")
+endif()
 
 # ---- development
 
