@@ -64,6 +64,8 @@ NB_MODULE(_core, module)
 		"tool"_a);
 	module.def("remesh", &remeshArrays, "vertices"_a, "faces"_a, "extras"_a, "parameters"_a,
 			   "progress"_a.none());
+	module.def("remesh_pieces", &remeshPieces, "vertices"_a, "faces"_a, "extras"_a, "parameters"_a,
+			   "progress"_a.none());
 	module.def("remesh_mesh_of_file", &remeshMeshOfFile, "vertices"_a, "faces"_a, "extras"_a,
 			   "attributes"_a, "parameters"_a, "progress"_a.none());
 	module.def("read_mesh", &readMeshFile, "path"_a);

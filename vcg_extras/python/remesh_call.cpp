@@ -11,6 +11,7 @@
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/base/stopwatch.h>
 #include <vcg_extras/io/mesh/attribute_carry.h>
+#include <vcg_extras/io/mesh/joined_pieces.h>
 #include <vcg_extras/io/mesh/precision.h>
 #include <vcg_extras/io/report/features_report.h>
 #include <vcg_extras/io/report/report_json.h>
@@ -222,6 +223,47 @@ nb::dict remeshArrays(const Positions& positions, const Triangles& triangles, co
 	watch.rethrow();
 	nb::dict out = outcomeOf(std::move(run));
 	if (!texture.uv.empty()) putTexture(std::move(texture), out);
+	return out;
+}
+
+std::vector<nb::dict> remeshPieces(const std::vector<Positions>& positions,
+								   const std::vector<Triangles>& triangles,
+								   const std::vector<Extras>& extras, const nb::dict& given,
+								   nb::object progress)
+{
+	const app::Stopwatch       clock;
+	Run                        run = runOf(extras.front(), given);
+	PythonProgress             watch(std::move(progress));
+	std::vector<Mesh>          meshes;
+	std::vector<RemeshResult>  parts;
+	std::vector<CornerTexture> textures;
+	{
+		const nb::gil_scoped_release noLock;
+		std::vector<MeshView>        views;
+		for (std::size_t k = 0; k < positions.size(); ++k) {
+			meshes.push_back(takeMesh(positions[k], triangles[k], extras[k]));
+			views.push_back(meshes.back().view);
+		}
+		const app::JoinedPieces joined(views);
+		Mesh                    whole;
+		whole.view = joined.view();
+		remeshTimed(whole, clock, watch, run, [&](const Mesh&) {
+			for (std::size_t k = 0; k < meshes.size(); ++k) {
+				const TextureSource* const texture = meshes[k].texture.get();
+				parts.push_back(joined.ofPiece(run.result, k));
+				textures.push_back(texture == nullptr ? CornerTexture()
+													  : texture->carriedTo(parts.back()));
+			}
+		});
+	}
+	watch.rethrow();
+	if (parts.empty()) return {outcomeOf(std::move(run))};
+	std::vector<nb::dict> out;
+	for (std::size_t k = 0; k < parts.size(); ++k) {
+		run.result = std::move(parts[k]);
+		out.push_back(outcomeOf(std::move(run)));
+		if (!textures[k].uv.empty()) putTexture(std::move(textures[k]), out.back());
+	}
 	return out;
 }
 

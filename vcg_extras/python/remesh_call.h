@@ -38,6 +38,12 @@ nb::dict remeshMeshOfFile(const Positions& positions, const Triangles& triangles
 /// message and smallest_count, then what the tool makes. `given` has the parameters of the table.
 nb::dict remeshArrays(const Positions& positions, const Triangles& triangles, const Extras& extras,
 					  const nb::dict& given, nb::object progress);
+/// Several meshes that are remeshed together: see app::JoinedPieces. A dictionary for each, or one
+/// with the reason where there is no result.
+std::vector<nb::dict> remeshPieces(const std::vector<Positions>& positions,
+								   const std::vector<Triangles>& triangles,
+								   const std::vector<Extras>& extras, const nb::dict& given,
+								   nb::object progress);
 nb::dict sampleArrays(const Positions& positions, const Triangles& triangles, const Extras& extras,
 					  const nb::dict& given, nb::object progress);
 nb::dict detectInArrays(const Positions& positions, const Triangles& triangles,

@@ -257,8 +257,9 @@ std::string Plan::judge(const SurfaceFacts& facts)
 
 std::string Plan::judge(const SizeFacts& facts)
 {
-	const bool isFirst = attempts_.keptNum < 0;
-	attempts_.keptNum  = facts.keptNum;
+	const bool isFirst    = attempts_.keptNum < 0;
+	attempts_.keptNum     = facts.keptNum;
+	attempts_.followLines = facts.followLines;
 	goOn();
 	if (!isFirst) return "";
 	const std::int64_t before = decisions_.vertexNum;
@@ -321,7 +322,7 @@ std::string Plan::judge(const LineFacts& facts)
 {
 	const bool areTooMany = decisions_.lineLimit == 0 ? facts.share > maxOnCurves : facts.share > 1;
 	decisions_.lineLimit += areTooMany;
-	return returnIf(areTooMany, Step::Lines);
+	return returnIf(areTooMany, attempts_.followLines ? Step::Input : Step::Lines);
 }
 
 /// Feature lines leave gaps between them and the front, all the more the nearer they are to each
@@ -365,7 +366,8 @@ std::string Plan::tryAgain(std::string note)
 	attempts_.isCountChosen = true;
 	attempts_.correctionNum = 0;
 	decisions_.radius.reset();
-	const bool fits = decisions_.spacedFor() == attempts_.preparedFor;
+	const bool dropsLines = attempts_.followLines && decisions_.way != Way::WithFeatureLines;
+	const bool fits       = decisions_.spacedFor() == attempts_.preparedFor && !dropsLines;
 	return returnTo(fits ? Step::Lines : Step::Input, std::move(note));
 }
 

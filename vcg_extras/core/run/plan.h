@@ -95,10 +95,11 @@ struct SurfaceFacts {
 	bool mustSewFirst = false; ///< it has seams that are to be sewn: there is no surface
 };
 struct SizeFacts {
-	std::int64_t keptNum      = 0; ///< the caller's vertices that are to stay
-	std::int64_t euler        = 0; ///< Euler characteristic of the surface
-	double       borderLength = 0; ///< working units
-	double       vertexNum    = 0; ///< that sizes in mesh units take; 0: the count is another's
+	std::int64_t keptNum      = 0;     ///< the caller's vertices that are to stay
+	std::int64_t euler        = 0;     ///< Euler characteristic of the surface
+	double       borderLength = 0;     ///< working units
+	double       vertexNum    = 0;     ///< that sizes in mesh units take; 0: the count is another's
+	bool         followLines  = false; ///< sizes are by the error on either side of feature lines
 };
 struct ForecastFacts {
 	std::int64_t vertexNum = 0; ///< with which triangles would be as flat as the error asks for
@@ -252,6 +253,7 @@ private:
 		bool         isCountChosen = false; ///< here; else it follows from the options and the area
 		std::int64_t keptNum       = -1; ///< the caller's vertices that are to stay; -1: not known
 		std::int64_t preparedFor   = 0;  ///< spacedFor() of the surface at hand
+		bool         followLines   = false; ///< the sizes at hand do: see SizeFacts
 		std::int64_t asked         = 0; ///< vertices that the result is compared with; 0: not known
 		bool         isRaised      = false; ///< to the smallest count that topology came to
 		double       area          = 0;     ///< working units squared

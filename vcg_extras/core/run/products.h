@@ -44,11 +44,12 @@ struct WorkingSurface : Surface {
 struct Sizes {
 	double radiusFactor = 1;     ///< largest disk radius over that of eq. (1): see Sizing
 	std::optional<double> adapt; ///< in force, once it is known: 0 where sizes stayed even
-	Buffer<char>          isFeatureVertex;     ///< of the region to be preserved; empty: none
-	std::vector<int>      kept;                ///< the caller's vertices that stay
-	std::int64_t          regionVertexNum = 0; ///< of the caller's, in the region
-	double                vertexNum       = 0; ///< with TargetMode::Sizes: that they take
-	std::int64_t          clampedNum      = 0; ///< see Sizing
+	Buffer<char>          isFeatureVertex;         ///< of the region to be preserved; empty: none
+	std::vector<int>      kept;                    ///< the caller's vertices that stay
+	std::int64_t          regionVertexNum = 0;     ///< of the caller's, in the region
+	double                vertexNum       = 0;     ///< with TargetMode::Sizes: that they take
+	std::int64_t          clampedNum      = 0;     ///< see Sizing
+	bool                  followLines     = false; ///< see SizeFacts
 };
 
 /// The feature lines that are marked on the surface, and the samples on them and on the border.

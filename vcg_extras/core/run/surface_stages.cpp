@@ -90,8 +90,10 @@ std::vector<int> tellingSeams(RunContext& run, const WorkingSurface& surface)
 CreaseRules creaseRules(RunContext& run, const Decisions& decisions, const Products& made)
 {
 	const RemeshOptions& options = run.options;
-	const float          edge    = idealEdge(made, decisions.spacedFor());
-	CreaseRules          rules;
+	// Lines that sizes follow are looked for by the edge that they were found by.
+	const float edge = made.sizes.followLines ? evenEdge(made.surface.area, decisions.spacedFor())
+											  : idealEdge(made, decisions.spacedFor());
+	CreaseRules rules;
 	rules.mode            = followsFeatureLines(options) ? options.featureMode : FeatureMode::Off;
 	rules.strongDeg       = float(options.featureAngleDeg);
 	rules.weakDeg         = 0.5f * rules.strongDeg;
@@ -116,6 +118,19 @@ bool areAsKnown(const CreaseRules& rules, const Lines& known)
 	return known.found.edgeNum == 0
 			   ? rules.minLength >= known.rules.minLength
 			   : rules.minLength == known.rules.minLength && rules.minGap == known.rules.minGap;
+}
+
+/// Whether feature lines leave place for triangles of other sizes between them.
+bool leavePlace(const Buffer<char>& marks, const Decisions& decisions, const Products& made)
+{
+	constexpr double    mostOnLines = 0.35; // of the vertices
+	const HalfEdgeMesh& m           = made.surface.mesh;
+	const std::int64_t  num         = decisions.spacedFor();
+	double              along       = 0; // each edge twice
+	for (int h = 0; h < m.halfEdgeNum(); ++h) {
+		if (marks[h]) along += double(length(m.position[m.target(h)] - m.position[m.origin[h]]));
+	}
+	return along / 2 < mostOnLines * double(num) * double(evenEdge(made.surface.area, num));
 }
 
 /// Looks for lines before the sizes are known, and keeps what is found for the step Lines.
@@ -183,11 +198,17 @@ Sizing findSizes(RunContext& run, const Decisions& decisions, const FineSpots& s
 	const bool  hasLines = options.adapt > 0 && hasFeatureLines(run, decisions, made);
 	const float uniform =
 		float(diskRadius(made.surface.area, double(num), radiusConstant(options)));
-	made.sizes.adapt           = hasLines ? 0 : options.adapt;
+	const bool mayFollow = hasLines && decisions.way == Way::WithFeatureLines &&
+						   leavePlace(made.lines.marks, decisions, made);
+	if (hasLines && !mayFollow) options.adapt = 0;
+	made.sizes.followLines = mayFollow;
+	made.sizes.adapt       = options.adapt;
+	const Buffer<char>  none;
 	const Buffer<float> wanted = wantedEdges(run, made.surface);
-	return makeSizing({options, uniform, evenEdge(made.surface.area, num), hasLines,
-					   made.sizes.isFeatureVertex, made.sizes.kept,
-					   decisions.purpose == Purpose::Trial ? &spots : nullptr, &wanted},
+	return makeSizing({options, uniform, evenEdge(made.surface.area, num),
+					   mayFollow ? made.lines.marks : none, made.sizes.isFeatureVertex,
+					   made.sizes.kept, decisions.purpose == Purpose::Trial ? &spots : nullptr,
+					   &wanted},
 					  made.surface, run.workers);
 }
 
@@ -238,7 +259,8 @@ SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots
 	if (decisions.purpose != Purpose::OfGivenSamples) tellRegion(run, made.sizes);
 	const bool countsFaces = decisions.faceNum > 0;
 	return {std::int64_t(made.sizes.kept.size()), made.surface.figures.eulerCharacteristic,
-			countsFaces ? borderLength(made.surface.mesh) : 0, made.sizes.vertexNum};
+			countsFaces ? borderLength(made.surface.mesh) : 0, made.sizes.vertexNum,
+			made.sizes.followLines};
 }
 
 ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const ErrorGoal& goal,

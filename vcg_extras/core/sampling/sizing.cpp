@@ -7,8 +7,10 @@
 #include "target.h"
 
 #include <vcg_extras/core/base/failure.h>
+#include <vcg_extras/core/base/sort_unique.h>
 #include <vcg_extras/core/features/boundary_curves.h>
 #include <vcg_extras/core/input/split_long_edges.h>
+#include <vcg_extras/core/mesh/cut_mesh.h>
 #include <vcg_extras/core/mesh/face_quality.h>
 #include <vcg_extras/core/surface/surface_point.h>
 
@@ -180,7 +182,7 @@ float largestSizeFor(double adapt)
 
 bool wantsErrorSizes(const SizingRequest& request)
 {
-	return request.options.adapt > 0 && !request.hasFeatureLines;
+	return request.options.adapt > 0;
 }
 
 bool matchesBorder(const SizingRequest& request)
@@ -319,6 +321,26 @@ void limitEdges(const SizingRequest& request, const Surface& surface, Workers& w
 	}
 }
 
+/// Edges of triangles by the error, on either side of feature lines by that side alone.
+Buffer<float> edgesByError(const HalfEdgeMesh& mesh, const Buffer<char>& lines,
+						   const ErrorSizeRequest& wanted, Workers& workers)
+{
+	if (lines.empty()) return sizesByError(mesh, wanted, workers).edge;
+	const CutMesh       cut = cutAlong(mesh, lines);
+	const Buffer<float> all = sizesByError(cut.mesh, wanted, workers).edge;
+	Buffer<float>       edge(mesh.vertexNum);
+	std::copy(all.begin(), all.begin() + mesh.vertexNum, edge.begin());
+	std::vector<int> small;
+	for (std::size_t i = 0; i < cut.copyOf.size(); ++i) {
+		float& least = edge[cut.copyOf[i]];
+		least        = std::min(least, all[std::size_t(mesh.vertexNum) + i]);
+		small.push_back(cut.copyOf[i]);
+	}
+	sortUnique(small);
+	gradeSizes(mesh, wanted.slope, workers, small, edge);
+	return edge;
+}
+
 /// Edges of triangles by the error over that of even ones, graded.
 Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
@@ -326,7 +348,7 @@ Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, W
 	wanted.even        = request.evenEdge;
 	wanted.largest     = request.evenEdge * largestSizeFor(*request.options.adapt);
 	wanted.slope       = gradingSlope(request);
-	Buffer<float> edge = sizesByError(surface.mesh, wanted, workers).edge;
+	Buffer<float> edge = edgesByError(surface.mesh, request.lines, wanted, workers);
 	workers.forEach(edge.size(), [&](int v) { edge[v] /= request.evenEdge; });
 	return edge;
 }

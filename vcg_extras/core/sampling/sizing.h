@@ -32,7 +32,7 @@ struct SizingRequest {
 	const RemeshOptions&    options;
 	float                   radius;          ///< of eq. (1), working units
 	float                   evenEdge;        ///< of triangles that all have one size, working units
-	bool                    hasFeatureLines; ///< sizes are not by the error then
+	const Buffer<char>&     lines;           ///< feature lines, per half-edge; empty: none
 	const Buffer<char>&     isFeatureVertex; ///< per vertex of the surface; empty: none
 	const std::vector<int>& kept;            ///< the caller's vertices that stay, ascending
 	const FineSpots*        fineSpots = nullptr; ///< where triangles are to be smaller; or null

@@ -210,10 +210,13 @@ std::string remeshReportJson(const RunRecord& run)
 {
 	const RemeshReport& r = run.report;
 	Json                json;
-	json["program"]        = programJson();
-	json["input"]          = fileJson(run.inputPath, run.inputDouble, r.input);
-	json["cleanedInput"]   = figuresJson(r.cleanedInput);
-	json["result"]         = fileJson(run.outputPath, run.outputDouble, r.result);
+	json["program"]      = programJson();
+	json["input"]        = fileJson(run.inputPath, run.inputDouble, r.input);
+	json["cleanedInput"] = figuresJson(r.cleanedInput);
+	json["result"]       = fileJson(run.outputPath, run.outputDouble, r.result);
+	for (const MadeFile& file : run.files)
+		json["files"].push_back(
+			{{"path", file.path}, {"vertices", file.vertices}, {"faces", file.faces}});
 	json["options"]        = optionsJson(run.options);
 	json["seed"]           = r.seed;
 	json["adapt"]          = r.adapt;

@@ -11,9 +11,16 @@
 
 namespace gpr::app {
 
+/// One of several files that a run made.
+struct MadeFile {
+	std::string  path;
+	std::int64_t vertices = 0, faces = 0;
+};
+
 /// All that the JSON report of a run is made from.
 struct RunRecord {
 	std::string              inputPath;
+	std::vector<MadeFile>    files; ///< of several inputs; else empty
 	std::string              outputPath;
 	bool                     inputDouble  = false;
 	bool                     outputDouble = false;

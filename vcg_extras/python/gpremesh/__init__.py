@@ -24,7 +24,7 @@ True
 
 import importlib
 
-from ._api import distance, features, remesh, sample
+from ._api import distance, features, remesh, remesh_together, sample
 from ._core import version as __version__
 from ._errors import Error
 from ._files import FileMesh, read, write
@@ -33,7 +33,7 @@ from ._surface import Surface
 
 __all__ = [
     "Distance", "Error", "Features", "FileMesh", "OneWayDistance", "RemeshResult", "Samples", "Surface",
-    "distance", "features", "read", "remesh", "sample", "write",
+    "distance", "features", "read", "remesh", "remesh_together", "sample", "write",
 ]
 
 for _name in __all__:  # where they are found, for their texts

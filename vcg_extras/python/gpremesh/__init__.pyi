@@ -29,6 +29,7 @@ def remesh(
     image: ArrayLike | None = None,
     regions: ArrayLike | None = None,
     sizes: ArrayLike | None = None,
+    periodic: tuple[float, float, float] | None = None,
     progress: Callable[[float, str], Any] | None = None,
     vertex_count: int | None = None,
     face_count: int | None = None,
@@ -89,6 +90,10 @@ def remesh(
     sizes : array_like (n,), optional
         The edge length wanted at each vertex, in the unit of the coordinates. With `sizes` alone the
         number of vertices follows; with a number or another size they are scaled to it.
+    periodic : (x, y, z), optional
+        The lengths of a periodic cell, 0 along an axis without a period. Vertices at opposite borders
+        match after adding the length; `boundary` is 'match' then. Refused where the borders are no
+        translates of one another.
     progress : callable(fraction, stage), optional
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
         is cancelled where it returns False, and where it raises.
@@ -248,6 +253,203 @@ def remesh(
     >>> result = gpremesh.remesh(vertices, corner + [0, 1, 51, 50], vertex_count=300)
     >>> len(result.vertices)
     300
+    """
+
+def remesh_together(
+    pieces: list[tuple[ArrayLike, ArrayLike] | dict[str, Any]],
+    *,
+    progress: Callable[[float, str], Any] | None = None,
+    vertex_count: int | None = None,
+    face_count: int | None = None,
+    percent: float | None = None,
+    edge_length: float | None = None,
+    max_error: float | str | None = None,
+    preset: Literal['default', 'fast', 'paper'] = 'default',
+    adapt: float | Literal['auto'] = 'auto',
+    lambda_: float = 0.0,
+    features: Literal['auto', 'lines', 'off', 'selected'] = 'auto',
+    feature_disk_scale: float = 0.0,
+    boundary: Literal['resample', 'keep', 'free', 'smooth', 'match'] = 'resample',
+    feature_region: Literal['none', 'detected', 'selection', 'auto'] = 'auto',
+    feature_angle: float = 40.0,
+    feature_support: float = 2.0,
+    feature_strong: float = 40.0,
+    feature_weak: float = 20.0,
+    feature_length: float = 3.0,
+    detail: Literal['off', 'coarse', 'normal', 'fine'] | None = None,
+    allow_nearest: bool = False,
+    min_edge: float = 0.0,
+    max_edge: float = 0.0,
+    growth: float = 1.15,
+    sew: bool = True,
+    drop_components_below: int = 0,
+    seed: int = 1,
+    threads: int = 0,
+    time_limit: float = 0.0,
+    check: bool = False,
+    relax: int = 3,
+    flips: int = 1000,
+) -> list[RemeshResult]:
+    """Remeshes several meshes as one surface and returns them one by one, without a crack between them.
+
+    Where borders of the meshes coincide, vertex by vertex, the results have the same vertices there, bit
+    for bit.
+
+    Parameters
+    ----------
+    pieces : list of (vertices, faces), or of dict
+        The meshes. A dict has the arguments of `remesh` that belong to a mesh: vertices, faces, region,
+        feature_edges, uv, image, regions, sizes.
+    progress
+        As that of `remesh`.
+    vertex_count : int, optional
+        How many vertices the result has. A remeshing has exactly so many, a sampling about a tenth
+        more or less. A number below what the topology needs is refused, and the message names the
+        smallest possible number. Where only the selected faces are remeshed this is the number of
+        vertices of that part.
+    face_count : int, optional
+        How many faces the result has, exactly. A closed surface has an even number, about twice
+        that of its vertices. A surface with a border has any number, unless all its border vertices
+        are kept. What the topology does not allow is refused, and the message names the two nearest
+        numbers that it does.
+    percent : float, optional
+        The size of the result in percent of the input's vertices, at most 10000. More vertices are
+        taken where the topology needs them.
+    edge_length : float, optional
+        The wanted mean edge length of the result in mesh units. More vertices are taken where the
+        topology needs them.
+    max_error : float, optional
+        Looks for the smallest number of vertices with which the result is nowhere farther than this
+        from the input, nor the input from the result. This is proven. It is given in mesh units. At
+        most five trials are made. The adaptivity is 1 unless another one is given. Where a trial is
+        too far from the input, more vertices come in. What cannot be reached is refused. As text
+        with a percent sign, as "0.2%", it is a share of the diagonal.
+    preset : {'default', 'fast', 'paper'}, default 'default'
+        Which methods are used. default: the most regular triangles, close to the input: the fit
+        moves vertices a little off the surface, to where the triangles are closest to it; those of
+        borders and feature lines leave their curves by at most 8 % of an edge. fast: a third of the
+        time, without the fit, so that every vertex stays on the surface, and without the steps for
+        regularity. paper: each stage as the paper describes it; the number of vertices is hit to a
+        tenth only. A sampling is the same with default and fast.
+    adapt : float or 'auto', default 'auto'
+        How much the sizes of the triangles follow the error. 0: all triangles have one size. 0.1: a
+        tenth of the vertices goes to ridges, rims and tips that are finer than the triangles. 1:
+        all sizes follow the error. Sizes stay even where there are feature lines. auto: 0.1; 1 with
+        a largest error; 0 with a lambda above 0, in the preset fast, and where only samples are
+        made. The preset paper has none.
+    lambda_ : float, default 0.0
+        How much denser curved places are sampled, eq. (4) of the paper. Distances are stretched by
+        1 + lambda |H| r, at most 4, where H is the mean curvature and r the radius of the disks. 0:
+        evenly. 1 to 5 are usual. With the preset paper H is taken with its sign, in 1/mesh unit,
+        and there is no limit.
+    features : {'auto', 'lines', 'off', 'selected'}, default 'auto'
+        Feature lines are sharp edges of the input that become edges of the result; corners and cone
+        apexes become vertices. auto: real creases, but not the noise of a scan; none with the
+        preset paper, which never follows any. lines: wherever the faces turn by the angle of
+        feature lines. off: none. selected: the selected edges and no others. The selected edges are
+        those of feature_edges.
+    feature_disk_scale : float, default 0.0
+        Makes the triangles of the feature region smaller: the radius of its disks over the radius
+        elsewhere, 0.05 to 1. The feature region is made of the selected vertices; where no vertex
+        is selected it is detected. 0: no feature region, unless one is named; then its disks have
+        half the radius. With the preset paper 0 keeps each vertex of a named region.
+    boundary : {'resample', 'keep', 'free', 'smooth', 'match'}, default 'resample'
+        What becomes of the surface's open borders. resample: their curve and their corners stay,
+        and vertices are placed on them anew. keep: each of their vertices stays where it is, and
+        none is added; the triangles grow from the spacing there to the wanted size. free: evenly
+        spaced vertices, which cut corners off. smooth: for the ragged borders of scans. The border
+        becomes a smooth curve that stays within half an edge of the scan's border, and corners are
+        rounded. The report tells how much of the border's length is lost. match: anew, by the
+        border and the edge length alone, so that meshes with a piece of their borders in common,
+        remeshed one by one with the same edge length, have the same vertices there, bit for bit.
+    feature_region : {'none', 'detected', 'selection', 'auto'}, default 'auto'
+        The part of the surface where vertices are denser, section 3.1.1 of the paper. none: there
+        is none. detected: what the feature detection finds by the strength of the edges. selection:
+        the selected vertices, or the corners of the selected faces where no vertex is selected.
+        auto: the selected vertices, or what is detected where no vertex is selected, if a feature
+        disk scale is given; else none. The selected vertices are those of region.
+    feature_angle : float, default 40.0
+        A feature line begins where the normals of two faces differ by so many degrees, 5 to 175. It
+        goes on from its ends down to half of that.
+    feature_support : float, default 2.0
+        The strength of an edge is the angle between the mean normals of its two sides. The support
+        is the radius within which normals are averaged, in mean edges of the input; above 0, at
+        most 100. A larger one overlooks more noise.
+    feature_strong : float, default 40.0
+        A detected feature begins where the strength has so many degrees; above 0, at most 180.
+    feature_weak : float, default 20.0
+        A detected feature goes on as long as the strength has so many degrees; above 0, at most the
+        strong angle.
+    feature_length : float, default 3.0
+        Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
+    detail : {'off', 'coarse', 'normal', 'fine'}, optional
+        The number of vertices in words: so many that 99.9 % of the surface is forecast to be nearer
+        than 1 % of the diagonal (coarse), 0.3 % (normal) or 0.1 % (fine). The number is told. It is
+        a forecast: largest error proves a distance, and takes several times as long. off: the size
+        is given otherwise.
+    allow_nearest : bool, default False
+        Where the topology does not allow the number of vertices or faces that is asked for, the
+        nearest possible number is taken. Otherwise the run is refused.
+    min_edge : float, default 0.0
+        No edge is wanted shorter than this, in mesh units.
+    max_edge : float, default 0.0
+        No edge is wanted longer than this, in mesh units. Where no size is given, edges are so long
+        where nothing else makes them shorter, and the number of vertices follows. Single edges may
+        be a fifth longer than what is wanted.
+    growth : float, default 1.15
+        How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth costs angles.
+    sew : bool, default True
+        Borders that lie on one another edge by edge, within a millionth of the bounding box, are
+        joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
+        Where they meet sharply, feature lines run along them. Edges at which more than two borders
+        meet stay cut. off: the pieces are remeshed one by one.
+    drop_components_below : int, default 0
+        Components with fewer faces are left out, for instance the dust of a scan. Each of them
+        would take four vertices. 0 keeps all.
+    seed : int, default 1
+        The same seed gives the same mesh, byte for byte, with any number of threads. 0 takes a new
+        seed and tells it.
+    threads : int, default 0
+        How many threads work, at most 1024. 0 takes one for each core. The result is the same.
+    time_limit : float, default 0.0
+        A run that takes longer is given up, and nothing is changed. 0 is no limit. The engine's
+        time counts, without the conversion of arrays.
+    check : bool, default False
+        Looks for self-intersections and measures the distances from the input: root mean square,
+        p99.9 (99.9 % of the surface is nearer) and the largest, with proven bounds, in both
+        directions. This takes longer than the run itself. There is no result where faces intersect
+        and none did in the input, or where a vertex is farther from the input than the fit moved
+        it.
+    relax : int, default 3
+        With the preset paper: how often the second-order umbrella operator moves the vertices, 0 to
+        1000. Edges are flipped after each step.
+    flips : int, default 1000
+        With the preset paper: edges are flipped in so many passes at most, each time, 0 to 1000.
+        With 1000 they end when all edges are Delaunay, as without that preset.
+
+    Returns
+    -------
+    list of RemeshResult
+        One for each of the meshes. Each has the report of all of them together. A number of vertices or
+        faces is that of all of them together, where vertices on common borders are counted once.
+
+    Raises
+    ------
+    ValueError, gpremesh.Error, KeyboardInterrupt
+        As `remesh`.
+
+    Examples
+    --------
+    >>> import numpy as np, gpremesh
+    >>> grid = np.stack(np.meshgrid(np.arange(30.), np.arange(30.)), axis=-1).reshape(-1, 2)
+    >>> west = np.column_stack([grid, np.sin(grid[:, 0] / 8)])
+    >>> east = np.column_stack([58 - grid[:, 0], grid[:, 1], west[:, 2]])
+    >>> corner = np.arange(29 * 30).reshape(29, 30)[:, :29].reshape(-1, 1)
+    >>> a, b = gpremesh.remesh_together(
+    ...     [(west, corner + [0, 1, 31, 30]), (east, corner + [0, 30, 31, 1])], vertex_count=400)
+    >>> seam = {tuple(p) for p in a.vertices} & {tuple(p) for p in b.vertices}
+    >>> len(a.vertices) + len(b.vertices) - len(seam)
+    400
     """
 
 def sample(

@@ -48,11 +48,11 @@ def extras(mesh, parameters, region, feature_edges):
     return made
 
 
-def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, feature_edges, uv, image,
-                regions=None, sizes=None, periodic=None):
-    """The run of `remesh` on a mesh that was taken over, and maybe prepared."""
-    _check_progress(progress)
-    parameters = _given(parameters)
+def _all_extras(mesh, parameters, *, selected=None, region=None, feature_edges=None, uv=None,
+                image=None, regions=None, sizes=None, periodic=None):
+    """What the arguments of `remesh` beside the mesh and the parameters say."""
+    if image is not None and uv is None:
+        raise ValueError("image needs uv.")
     given = extras(mesh, parameters, region, feature_edges)
     given.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
     given.sizes = _arrays.lengths("sizes", sizes, len(mesh.vertices))
@@ -60,9 +60,15 @@ def remesh_mesh(mesh, prepared, progress, parameters, *, selected, region, featu
     given.images = mesh.images("image", image)
     given.regions = mesh.labels("regions", regions)
     given.period = _arrays.period("periodic", periodic)
+    return given
+
+
+def remesh_mesh(mesh, prepared, progress, parameters, **beside):
+    """The run of `remesh` on a mesh that was taken over, and maybe prepared."""
+    _check_progress(progress)
+    parameters = _given(parameters)
+    given = _all_extras(mesh, parameters, **beside)
     given.prepared = prepared
-    if image is not None and uv is None:
-        raise ValueError("image needs uv.")
     outcome = _core.remesh(mesh.vertices, mesh.faces, given, parameters, progress)
     check(outcome)
     return RemeshResult(mesh, outcome, json.loads(outcome["report"]))
@@ -143,6 +149,70 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
     return remesh_mesh(_arrays.Mesh(vertices, faces), None, progress, parameters, selected=selected,
                        region=region, feature_edges=feature_edges, uv=uv, image=image,
                        regions=regions, sizes=sizes, periodic=periodic)
+
+
+@with_parameters("remesh")
+def remesh_together(pieces, *, progress=None, **parameters):
+    """Remeshes several meshes as one surface and returns them one by one, without a crack between them.
+
+    Where borders of the meshes coincide, vertex by vertex, the results have the same vertices there, bit
+    for bit.
+
+    Parameters
+    ----------
+    pieces : list of (vertices, faces), or of dict
+        The meshes. A dict has the arguments of `remesh` that belong to a mesh: vertices, faces, region,
+        feature_edges, uv, image, regions, sizes.
+    progress
+        As that of `remesh`.
+    PARAMETERS
+
+    Returns
+    -------
+    list of RemeshResult
+        One for each of the meshes. Each has the report of all of them together. A number of vertices or
+        faces is that of all of them together, where vertices on common borders are counted once.
+
+    Raises
+    ------
+    ValueError, gpremesh.Error, KeyboardInterrupt
+        As `remesh`.
+
+    Examples
+    --------
+    >>> import numpy as np, gpremesh
+    >>> grid = np.stack(np.meshgrid(np.arange(30.), np.arange(30.)), axis=-1).reshape(-1, 2)
+    >>> west = np.column_stack([grid, np.sin(grid[:, 0] / 8)])
+    >>> east = np.column_stack([58 - grid[:, 0], grid[:, 1], west[:, 2]])
+    >>> corner = np.arange(29 * 30).reshape(29, 30)[:, :29].reshape(-1, 1)
+    >>> a, b = gpremesh.remesh_together(
+    ...     [(west, corner + [0, 1, 31, 30]), (east, corner + [0, 30, 31, 1])], vertex_count=400)
+    >>> seam = {tuple(p) for p in a.vertices} & {tuple(p) for p in b.vertices}
+    >>> len(a.vertices) + len(b.vertices) - len(seam)
+    400
+    """
+    _check_progress(progress)
+    parameters = _given(parameters)
+    pieces = [dict(zip(("vertices", "faces"), p, strict=True)) if not isinstance(p, dict) else dict(p)
+              for p in pieces]
+    if not pieces:
+        raise ValueError("pieces must have one mesh at least.")
+    unknown = {name for piece in pieces for name in piece} - {
+        "vertices", "faces", "region", "feature_edges", "uv", "image", "regions", "sizes"}
+    if unknown:
+        raise ValueError(f"pieces have no {' and no '.join(sorted(unknown))}.")
+    if parameters.get("sew_seams") is False:
+        raise ValueError("sew_seams=False is not for several meshes, which are joined where borders coincide.")
+    if len({piece.get("sizes") is None for piece in pieces}) > 1:
+        raise ValueError("sizes must be given for all meshes, or for none.")
+    meshes = [_arrays.Mesh(piece.pop("vertices"), piece.pop("faces")) for piece in pieces]
+    given = [_all_extras(mesh, parameters, **piece) for mesh, piece in zip(meshes, pieces)]
+    outcomes = _core.remesh_pieces([mesh.vertices for mesh in meshes], [mesh.faces for mesh in meshes],
+                                   given, parameters, progress)
+    for outcome in outcomes:
+        check(outcome)
+    return [RemeshResult(mesh, outcome, json.loads(outcome["report"]))
+            for mesh, outcome in zip(meshes, outcomes)]
 
 
 @with_parameters("sample")

@@ -13,6 +13,7 @@
 #include <climits>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 namespace gpr::app {
 
@@ -55,9 +56,27 @@ void checkReport(const CommandLine& line)
 	}
 }
 
+void checkPieces(const CommandLine& line)
+{
+	std::set<std::string> names;
+	for (const std::string& piece : line.pieces) {
+		formatOfPath(piece);
+		if (!names.insert(pathOfPiece(line, piece)).second)
+			failUsage("Two of the files have the same name; DIR has place for one of them.");
+	}
+	if (line.options.selectedOnly) failUsage("--selected is for one file only.");
+	if (!line.options.sew)
+		failUsage(
+			"Several files are joined where their borders coincide; --sew off is not for them.");
+	if (line.outTileNum > 0 || line.tiles.memoryBytes > 0)
+		failUsage("Tiles are made of one file only.");
+	checkReport(line);
+}
+
 void checkPaths(const CommandLine& line)
 {
 	if (line.command == Command::Tile) return;
+	if (!line.pieces.empty()) return checkPieces(line);
 	formatOfPath(line.input);
 	if (line.command != Command::Remesh && line.command != Command::Features) return;
 	if (line.outTileNum > 0) return checkReport(line);
@@ -141,15 +160,56 @@ void addDataOptions(CommandSpec& remesh, CommandLine& line)
 					 keepNumbers("--periodic", line.period, 3));
 }
 
-void addRemesh(CommandSpec& program, CommandLine& line, GivenOptions& given)
+/// What follows IN and OUT.
+struct Files {
+	std::vector<std::string> more;
+	std::string              folder;
+};
+
+/// IN and OUT, or with --out-dir any number of IN.
+void addFiles(CommandSpec& remesh, CommandLine& line, Files& files)
+{
+	addInput(remesh, line);
+	remesh
+		.addPositional("OUT",
+					   "Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN. With --out-dir\n"
+					   "another IN, as all that follow",
+					   keepText(line.output))
+		.isRequired = false;
+	Argument& more =
+		remesh.addPositional("MORE", "With --out-dir: more IN", keepEachText(files.more));
+	more.isRequired = false;
+	more.takesMany  = true;
+	remesh.addOption(
+		"--out-dir", "DIR",
+		"Remesh all IN together and write each into the folder DIR, under its name.\n"
+		"Where borders of the files coincide, they do so in the result, too. A number\n"
+		"of vertices or faces is that of all of them together",
+		keepText(files.folder));
+}
+
+/// Sorts what addFiles has read.
+void takeFiles(const Files& files, CommandLine& line)
+{
+	if (files.folder.empty()) {
+		if (line.output.empty()) failUsage("OUT is required.");
+		if (!files.more.empty()) failUsage("More than two files need --out-dir.");
+		return;
+	}
+	line.pieces = {line.input};
+	if (!line.output.empty()) line.pieces.push_back(line.output);
+	line.pieces.insert(line.pieces.end(), files.more.begin(), files.more.end());
+	line.output = withoutSlashAtEnd(files.folder);
+}
+
+void addRemesh(CommandSpec& program, CommandLine& line, GivenOptions& given, Files& files)
 {
 	CommandSpec& remesh = program.addCommand(
 		"remesh", "Remeshes IN with about-equilateral triangles of equal size and writes OUT.\n"
 				  "The size is given by one of --vertices, --faces, --percent and --edge-length;\n"
 				  "10 % of IN's vertices where none is given.");
 	remesh.chosen = [&line] { line.command = Command::Remesh; };
-	addInput(remesh, line);
-	addOutput(remesh, line);
+	addFiles(remesh, line, files);
 	addTableOptions(remesh, RemeshTool, given);
 	addDataOptions(remesh, line);
 	addOutcome(remesh, line, "Write what was done, and how well, as JSON");
@@ -292,16 +352,22 @@ void takePeriod(CommandLine& line)
 
 } // namespace
 
+std::string pathOfPiece(const CommandLine& line, const std::string& piece)
+{
+	return (std::filesystem::path(line.output) / std::filesystem::path(piece).filename()).string();
+}
+
 CommandLine parseCommandLine(int argc, char** argv)
 {
 	CommandLine  line;
+	Files        files;
 	GivenOptions given; // by one command only: there is no second
 	std::string  answer;
 	CommandSpec  program("gpremesh", "Remeshes triangle meshes by geodesic Poisson-disk sampling.");
 	program.footer =
 		"'gpremesh COMMAND --help' tells the options of a command.\n\n" + std::string(exitCodeHelp);
 	addAnswers(program, answer);
-	addRemesh(program, line, given);
+	addRemesh(program, line, given, files);
 	addInfo(program, line);
 	addCompare(program, line, given);
 	addFeatures(program, line, given);
@@ -312,6 +378,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 		line.command = Command::None;
 		return line;
 	}
+	if (line.command == Command::Remesh) takeFiles(files, line);
 	line.options = optionsOf(given);
 	if (!line.sizes.empty()) {
 		const bool isSized = std::any_of(given.begin(), given.end(), [](const auto& g) {

@@ -38,8 +38,10 @@ struct TileSettings {
 struct CommandLine {
 	Command     command = Command::None;
 	std::string input;
-	std::string output;         ///< remesh, 'tile finish' and features only
-	std::string report;         ///< remesh and features only; empty = none
+	/// remesh with several files: all of them, to be written into the folder `output`; else empty
+	std::vector<std::string> pieces;
+	std::string              output; ///< remesh, 'tile finish' and features only
+	std::string              report; ///< remesh and features only; empty = none
 	int         outTileNum = 0; ///< remesh and 'tile finish': OUT is a folder of tiles; 0 = a file
 	bool        quiet      = false;
 	bool        json       = false;        ///< info and compare only
@@ -57,6 +59,9 @@ struct CommandLine {
 	std::vector<std::string> notes; ///< sentences that the program adds to the report's
 	double shareDone = 0;           ///< remesh: of a longer work that it ends, as the bar shows it
 };
+
+/// Where the result of one of several files is written.
+std::string pathOfPiece(const CommandLine& line, const std::string& piece);
 
 /// Reads the arguments; the remeshing options are made from the engine's parameter table. Prints
 /// --help and --version itself. Throws AppError (Usage) with a sentence on any mistake.

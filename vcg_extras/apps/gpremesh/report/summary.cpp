@@ -85,6 +85,9 @@ std::string remeshSummary(const RunRecord& run)
 	std::string text = "read     " + run.inputPath + ": " + countsText(run.report.input) + "\n";
 	if (!cleaned.empty()) text += "cleaned  " + cleaned + "\n";
 	text += "wrote    " + run.outputPath + ": " + countsText(run.report.result) + "\n";
+	for (const MadeFile& file : run.files)
+		text += "         " + file.path + ": " + counted(file.vertices, "vertex", "vertices") +
+				", " + counted(file.faces, "face", "faces") + "\n";
 	if (run.report.untouchedFaceNum > 0)
 		text += "         all of the selected part; " +
 				counted(run.report.untouchedFaceNum, "face was", "faces were") + " left alone\n";

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#ifndef VCG_EXTRAS_IO_MESH_JOINED_PIECES_H
+#define VCG_EXTRAS_IO_MESH_JOINED_PIECES_H
+
+#include <vcg_extras/core/remesh.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gpr::app {
+
+/// Several meshes as one, for a run on all of them together. Each is a region of the one mesh, or
+/// several where it has regions itself, so that edges of the result follow the borders between
+/// pieces; a result is cut there into results of the pieces again, whose borders coincide.
+class JoinedPieces {
+public:
+	/// The pieces must outlive this. Cost: a copy of all of them.
+	explicit JoinedPieces(std::vector<MeshView> pieces);
+
+	MeshView view() const;
+
+	/// The part of a result, with its points of vertices and faces, that belongs to piece k: mesh,
+	/// points and labels as if that piece had been remeshed alone, its faces turned as the piece's.
+	/// The report is the one of the whole. Points of vertices that lie on another piece are moved
+	/// to the nearest place of this one. Cost: O(F log F) for F faces of the piece.
+	RemeshResult ofPiece(const RemeshResult& whole, std::size_t k) const;
+
+private:
+	/// A region of a piece, by its label in the one mesh.
+	struct Part {
+		std::size_t  piece;
+		std::int32_t label; ///< the piece's own
+	};
+
+	std::vector<MeshView>     piece_;
+	std::vector<std::int32_t> firstFace_, firstVertex_; ///< per piece, and an end
+	std::vector<Vec3d>        positions_;
+	std::vector<std::int32_t> triangles_, region_;
+	std::vector<Part>         part_;
+	std::vector<std::string>  names_; ///< of parts
+	std::vector<std::uint8_t> line_, selected_;
+	std::vector<float>        wantedEdge_;
+
+	void add(std::size_t k);
+	void addRegions(std::size_t k);
+	bool hasFace(std::size_t k, std::int32_t face) const;
+	void movePoints(const TriangleMesh& mesh, std::size_t k,
+					std::vector<BarycentricPoint>& points) const;
+	void turnAsPiece(std::size_t k, RemeshResult& part) const;
+};
+
+} // namespace gpr::app
+
+#endif
