@@ -5,6 +5,7 @@
 #   program      gpremesh, its manual page
 #   meshlab      the plugins for MeshLab 2020.09, filters and edit tool, and the scripts
 #   meshlab2025  those for MeshLab 2025.07 and PyMeshLab, of which no Debian package is made
+# packaging/debian makes packages of the others.
 #   development  the engine, the templates for vcglib, and what find_package(gpremesh) reads
 #
 #   GPR_PLUGIN_DIR   folder for the plugins for MeshLab 2020.09, below the prefix or absolute; where
