@@ -7,7 +7,8 @@
 
 set(_extras "")
 if(TARGET external-gpremesh)
-  set(_extras ${GPREMESH_DIR}/vcg_extras)
+  get_target_property(_engine external-gpremesh INTERFACE_INCLUDE_DIRECTORIES)
+  set(_extras ${_engine}/vcg_extras)
 endif()
 foreach(_dir ${CMAKE_CURRENT_SOURCE_DIR}/vcg_extras ${CMAKE_CURRENT_SOURCE_DIR}/../vcg_extras)
   if(NOT _extras AND EXISTS ${_dir}/core/CMakeLists.txt)
