@@ -21,6 +21,19 @@ def build_requirements(project):
     return re.findall(r'"([^"]+)"', found.group(1)) + ["cmake>=3.26", "ninja"]
 
 
+# zig's linker does not read nanobind's list of Python's symbols, and all that is undefined is looked up without it. It crashes
+# at bundles; Python loads a library as well.
+FOR_MACOS = """for word; do
+	shift
+	case $word in
+	-Wl,@*) ;;
+	-bundle) set -- "$@" -dynamiclib ;;
+	*) set -- "$@" "$word" ;;
+	esac
+done
+"""
+
+
 class Here:
     """This machine's own compiler."""
 
@@ -62,7 +75,7 @@ class ZigSystem:
         for name in ("c++", "ar", "ranlib", "rc"):
             # nanobind uses the header of C's input and output, which only other C++ libraries bring along.
             target = f' -target {self.target} -include stdio.h' if name == "c++" else ""
-            write_script(folder / name, f'exec "{zig_of(folder)}" -m ziglang {name}{target} "$@"')
+            write_script(folder / name, f'{FOR_MACOS if self.kind == "Darwin" else ""}exec "{zig_of(folder)}" -m ziglang {name}{target} "$@"')
         headers = collect_headers(folder / "include")
         defines = {"GPR_JSON_INCLUDE_DIR": headers}
         defines["CMAKE_TOOLCHAIN_FILE"] = self.write_toolchain(folder)
@@ -85,6 +98,12 @@ class ZigSystem:
             return ".cpython-%d%d-darwin.so" % version
         return ".cpython-%d%d-%s-linux-%s.so" % (*version, self.machine, "musl" if self.is_musl else "gnu")
 
+    def link_flags(self, is_module):
+        """Without debugging symbols; where zig strips for macOS all of them, the table of indirect ones is wrong after it."""
+        if self.kind != "Darwin":
+            return "-s"
+        return "-Wl,-undefined,dynamic_lookup" if is_module else ""
+
     def write_toolchain(self, folder):
         path = folder / "toolchain.cmake"
         path.write_text(f"""set(CMAKE_SYSTEM_NAME {self.kind})
@@ -95,8 +114,8 @@ set(CMAKE_RANLIB {folder}/ranlib CACHE FILEPATH "")
 set(CMAKE_RC_COMPILER {folder}/rc CACHE FILEPATH "")
 # zig checks for undefined behaviour unless told otherwise.
 set(CMAKE_CXX_FLAGS_INIT "-fno-sanitize=undefined")
-set(CMAKE_EXE_LINKER_FLAGS_INIT -s)
-set(CMAKE_MODULE_LINKER_FLAGS_INIT "-s{" -Wl,-undefined,dynamic_lookup" if self.kind == "Darwin" else ""}")
+set(CMAKE_EXE_LINKER_FLAGS_INIT "{self.link_flags(is_module=False)}")
+set(CMAKE_MODULE_LINKER_FLAGS_INIT "{self.link_flags(is_module=True)}")
 """, encoding="utf-8")
         return path
 
