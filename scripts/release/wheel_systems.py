@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-HEADERS = ("nlohmann",)  # libraries that are headers only
+HEADERS = ("CLI", "nlohmann")  # libraries that are headers only
 GLIBC = "2.28"  # of Debian 10, RHEL 8 and Ubuntu 18.10
 MUSL_TAG = "musllinux_1_2"  # what zig brings is compatible with musl 1.2
 MACOS = {"x86_64": "10.15", "arm64": "11.0"}  # the first with std::filesystem, the first on this processor
@@ -77,7 +77,7 @@ class ZigSystem:
             target = f' -target {self.target} -include stdio.h' if name == "c++" else ""
             write_script(folder / name, f'{FOR_MACOS if self.kind == "Darwin" else ""}exec "{zig_of(folder)}" -m ziglang {name}{target} "$@"')
         headers = collect_headers(folder / "include")
-        defines = {"GPR_JSON_INCLUDE_DIR": headers}
+        defines = {f"GPR_{name}_INCLUDE_DIR": headers for name in ("CLI11", "JSON")}
         defines["CMAKE_TOOLCHAIN_FILE"] = self.write_toolchain(folder)
         defines["GPR_PYTHON_SUFFIX"] = self.suffix(version)
         if self.kind == "Windows":

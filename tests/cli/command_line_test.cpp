@@ -77,43 +77,6 @@ TEST_F(CommandLine, ValuesOutOfRangeAreUsageErrors)
 	EXPECT_FALSE(exists(path("out.ply")));
 }
 
-TEST_F(CommandLine, WordsComeInAnyOrderAndOptionsInTwoForms)
-{
-	const std::string in = put("in.ply", asciiPly(sphere(8)));
-	EXPECT_EQ(run({"remesh", "--vertices=8", in, "--seed", "7", path("a.ply")}).exitCode, 0);
-	EXPECT_EQ(run({"remesh", in, "--quiet", "--quiet", "--seed=7", "--vertices", "8", "--",
-				   path("b.ply")})
-				  .exitCode,
-			  0);
-	EXPECT_EQ(content(path("a.ply")), content(path("b.ply")));
-	EXPECT_EQ(run({"info", "--frobnicate", "--help"}).exitCode, 0);
-	EXPECT_NE(run({"tile", "plan", "-h"}).out.find("Usage: gpremesh tile plan [OPTIONS] DIR IN..."),
-			  std::string::npos);
-}
-
-TEST_F(CommandLine, EveryMistakeHasASentence)
-{
-	const std::string in = put("in.ply", asciiPly(sphere(8)));
-	expectFailure(run({}), 2, "A command is required. See gpremesh --help.");
-	expectFailure(run({"frobnicate"}), 2, "'frobnicate' was not expected.");
-	expectFailure(run({"tile"}), 2, "A command is required. See gpremesh tile --help.");
-	expectFailure(run({"tile", "part", in}), 2,
-				  "--unit is required. See gpremesh tile part --help.");
-	expectFailure(run({"remesh", in}), 2, "OUT is required.");
-	expectFailure(remesh({"--seed", "1", "--seed=2"}), 2, "--seed is given twice.");
-	expectFailure(remesh({"--seed"}), 2, "--seed needs a value, S.");
-	expectFailure(remesh({"--quiet=on"}), 2, "--quiet takes no value.");
-	expectFailure(remesh({"--tiles-out", "0"}), 2,
-				  "--tiles-out takes a whole number from 1 to 10000, not '0'.");
-	expectFailure(remesh({"--transfer", "best"}), 2,
-				  "--transfer takes one of mean, nearest, not 'best'.");
-	expectFailure(remesh({"--periodic", "1,2"}), 2, "--periodic takes 3 numbers");
-	expectFailure(remesh({"--periodic", "1,2,x"}), 2, "--periodic takes 3 numbers");
-	expectFailure(remesh({"--memory", "8X"}), 2, "--memory takes a number of bytes");
-	expectFailure(remesh({"--memory", "-1"}), 2, "--memory takes a number of bytes");
-	expectFailure(remesh({"--memory", "99999999999G"}), 2, "--memory takes a number of bytes");
-}
-
 TEST_F(CommandLine, OnlyOneSize)
 {
 	expectFailure(remesh({"--vertices", "50", "--percent", "10"}), 2, "only one");

@@ -15,6 +15,8 @@ def program():
 
 def main():
     words = [program(), *sys.argv[1:]]
+    if not os.path.exists(words[0]):
+        sys.exit("gpremesh: this package was built without the program, because CLI11 (libcli11-dev on Debian) was missing.")
     if os.name == "nt":  # where exec would not wait
         sys.exit(subprocess.call(words))
     os.execv(words[0], words)

@@ -2,15 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "command_line.h"
 
-#include "argument_parser.h"
 #include "manual_page.h"
 #include "table_options.h"
 
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/mesh_io.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <climits>
 #include <cstdio>
 #include <filesystem>
 #include <set>
@@ -67,7 +66,7 @@ void checkPieces(const CommandLine& line)
 	if (line.options.selectedOnly) failUsage("--selected is for one file only.");
 	if (!line.options.sew)
 		failUsage(
-			"Several files are joined where their borders coincide; --sew off is not for them.");
+			"Several files are joined where their borders coincide; --sew off is not forthem.");
 	if (line.outTileNum > 0 || line.tiles.memoryBytes > 0)
 		failUsage("Tiles are made of one file only.");
 	checkReport(line);
@@ -87,77 +86,44 @@ void checkPaths(const CommandLine& line)
 	checkReport(line);
 }
 
-std::function<void()> keepTrue(bool& flag)
+/// The parser's complaint with a full stop.
+std::string sentence(std::string complaint)
 {
-	return [&flag] { flag = true; };
+	if (!complaint.empty() && complaint.back() != '.') complaint += '.';
+	return complaint;
 }
 
-void addInput(CommandSpec& command, CommandLine& line)
+void addOutcome(CLI::App& command, CommandLine& line, const char* reportHelp)
 {
-	command.addPositional("IN", "Mesh to read: .ply, .obj, .off, .stl or .glb",
-						  keepText(line.input));
+	command.add_option("--report", line.report, reportHelp)->type_name("FILE.json");
+	command.add_flag("--quiet", line.quiet, "No progress and no summary; errors are told still");
 }
 
-void addOutput(CommandSpec& command, CommandLine& line)
+void addOutput(CLI::App& command, CommandLine& line)
 {
-	command.addPositional("OUT", "Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN",
-						  keepText(line.output));
+	command
+		.add_option("OUT", line.output, "Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN")
+		->required();
 }
 
-void addOutcome(CommandSpec& command, CommandLine& line, const char* reportHelp)
+void addTilesOut(CLI::App& command, CommandLine& line)
 {
-	command.addOption("--report", "FILE.json", reportHelp, keepText(line.report));
-	command.addFlag("--quiet", "No progress and no summary; errors are told still",
-					keepTrue(line.quiet));
+	command
+		.add_option("--tiles-out", line.outTileNum,
+					"Write OUT as a folder of T binary PLY files whose borders coincide, and of\n"
+					"tiles.json, which tells the box of each")
+		->check(CLI::Range(1, 10000))
+		->type_name("T");
 }
 
-void addTilesOut(CommandSpec& command, CommandLine& line)
+void addMemory(CLI::App& command, CommandLine& line)
 {
-	command.addOption("--tiles-out", "T",
-					  "Write OUT as a folder of T binary PLY files whose borders coincide, and of\n"
-					  "tiles.json, which tells the box of each. T is from 1 to 10000",
-					  keepWhole("--tiles-out", line.outTileNum, 1, 10000));
-}
-
-void addMemory(CommandSpec& command, CommandLine& line)
-{
-	command.addOption("--memory", "SIZE",
-					  "Memory to use at most, about, such as 8G. A larger mesh is read in tiles,\n"
-					  "each condensed by itself; the result is made of all of them together",
-					  keepBytes("--memory", line.tiles.memoryBytes));
-}
-
-Transfer transferOf(const std::string& word)
-{
-	if (word == "mean") return Transfer::Mean;
-	if (word == "nearest") return Transfer::Nearest;
-	failUsage("--transfer takes one of mean, nearest, not '" + word + "'.");
-}
-
-/// What of the file's data the result follows or gets.
-void addDataOptions(CommandSpec& remesh, CommandLine& line)
-{
-	remesh.addOption("--regions", "NAME|off",
-					 "The property of IN's faces that tells their regions, whose borders are kept\n"
-					 "as lines and whose labels the result gets. If not given: region, label,\n"
-					 "material, group, CellEntityIds and material_index, groups and materials of\n"
-					 "OBJ, solids of STL. off: none",
-					 keepText(line.regions));
-	remesh.addOption("--transfer", "mean|nearest",
-					 "How values of vertices come to the result: mean over the corners round each\n"
-					 "place, or the nearest corner's. If not given: the mean, but the nearest of\n"
-					 "labels (whole numbers) and of colours that are a palette",
-					 [&line](const std::string& word) { line.transfer = transferOf(word); });
-	remesh.addOption("--sizes", "NAME",
-					 "Vertex property of IN that holds the edge lengths wanted there, in mesh\n"
-					 "units. With them alone the number of vertices follows; with a number of\n"
-					 "vertices or another size they are scaled to it",
-					 keepText(line.sizes));
-	remesh.addOption("--periodic", "X,Y,Z",
-					 "IN is a periodic cell with these lengths, 0 along an axis without a period:\n"
-					 "vertices at opposite borders match after adding the length. Implies\n"
-					 "--boundary match. Refused where the borders are no translates",
-					 keepNumbers("--periodic", line.period, 3));
+	command
+		.add_option("--memory", line.tiles.memoryBytes,
+					"Memory to use at most, about, such as 8G. A larger mesh is read in tiles,\n"
+					"each condensed by itself; the result is made of all of them together")
+		->transform(CLI::AsSizeValue(true))
+		->type_name("SIZE");
 }
 
 /// What follows IN and OUT.
@@ -167,25 +133,19 @@ struct Files {
 };
 
 /// IN and OUT, or with --out-dir any number of IN.
-void addFiles(CommandSpec& remesh, CommandLine& line, Files& files)
+void addFiles(CLI::App& remesh, CommandLine& line, Files& files)
 {
-	addInput(remesh, line);
+	remesh.add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")->required();
+	remesh.add_option("OUT", line.output,
+					  "Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN. With --out-dir\n"
+					  "another IN, as all that follow");
+	remesh.add_option("MORE", files.more, "With --out-dir: more IN");
 	remesh
-		.addPositional("OUT",
-					   "Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN. With --out-dir\n"
-					   "another IN, as all that follow",
-					   keepText(line.output))
-		.isRequired = false;
-	Argument& more =
-		remesh.addPositional("MORE", "With --out-dir: more IN", keepEachText(files.more));
-	more.isRequired = false;
-	more.takesMany  = true;
-	remesh.addOption(
-		"--out-dir", "DIR",
-		"Remesh all IN together and write each into the folder DIR, under its name.\n"
-		"Where borders of the files coincide, they do so in the result, too. A number\n"
-		"of vertices or faces is that of all of them together",
-		keepText(files.folder));
+		.add_option("--out-dir", files.folder,
+					"Remesh all IN together and write each into the folder DIR, under its name.\n"
+					"Where borders of the files coincide, they do so in the result, too. A number\n"
+					"of vertices or faces is that of all of them together")
+		->type_name("DIR");
 }
 
 /// Sorts what addFiles has read.
@@ -202,34 +162,65 @@ void takeFiles(const Files& files, CommandLine& line)
 	line.output = withoutSlashAtEnd(files.folder);
 }
 
-void addRemesh(CommandSpec& program, CommandLine& line, GivenOptions& given, Files& files)
+CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given, Files& files)
 {
-	CommandSpec& remesh = program.addCommand(
+	CLI::App* remesh = app.add_subcommand(
 		"remesh", "Remeshes IN with about-equilateral triangles of equal size and writes OUT.\n"
 				  "The size is given by one of --vertices, --faces, --percent and --edge-length;\n"
 				  "10 % of IN's vertices where none is given.");
-	remesh.chosen = [&line] { line.command = Command::Remesh; };
-	addFiles(remesh, line, files);
-	addTableOptions(remesh, RemeshTool, given);
-	addDataOptions(remesh, line);
-	addOutcome(remesh, line, "Write what was done, and how well, as JSON");
-	addMemory(remesh, line);
-	remesh.addOption(
-		"--scratch", "DIR",
-		"With --memory: the folder for what is put aside, OUT.tiles by default. It is\n"
-		"kept where the run ends early, which then goes on there when run again",
-		keepText(line.tiles.folder));
-	addTilesOut(remesh, line);
-	remesh.footer = exitCodeHelp;
+	addFiles(*remesh, line, files);
+	addTableOptions(*remesh, RemeshTool, given);
+	remesh
+		->add_option("--regions", line.regions,
+					 "The property of IN's faces that tells their regions, whose borders are kept\n"
+					 "as lines and whose labels the result gets. If not given: region, label,\n"
+					 "material, group, CellEntityIds and material_index, groups and materials of\n"
+					 "OBJ, solids of STL. off: none")
+		->type_name("NAME|off");
+	remesh
+		->add_option("--transfer", line.transfer,
+					 "How values of vertices come to the result: mean over the corners round each\n"
+					 "place, or the nearest corner's. If not given: the mean, but the nearest of\n"
+					 "labels (whole numbers) and of colours that are a palette")
+		->transform(
+			CLI::CheckedTransformer(std::map<std::string, Transfer>{{"mean", Transfer::Mean},
+																	{"nearest", Transfer::Nearest}})
+				.description(""))
+		->type_name("mean|nearest");
+	remesh
+		->add_option("--sizes", line.sizes,
+					 "Vertex property of IN that holds the edge lengths wanted there, in mesh\n"
+					 "units. With them alone the number of vertices follows; with a number of\n"
+					 "vertices or another size they are scaled to it")
+		->type_name("NAME");
+	remesh
+		->add_option("--periodic", line.period,
+					 "IN is a periodic cell with these lengths, 0 along an axis without a period:\n"
+					 "vertices at opposite borders match after adding the length. Implies\n"
+					 "--boundary match. Refused where the borders are no translates")
+		->delimiter(',')
+		->expected(3)
+		->type_name("X,Y,Z");
+	addOutcome(*remesh, line, "Write what was done, and how well, as JSON");
+	addMemory(*remesh, line);
+	remesh
+		->add_option(
+			"--scratch", line.tiles.folder,
+			"With --memory: the folder for what is put aside, OUT.tiles by default. It is\n"
+			"kept where the run ends early, which then goes on there when run again")
+		->type_name("DIR");
+	addTilesOut(*remesh, line);
+	remesh->footer(exitCodeHelp);
+	return remesh;
 }
 
-void addInfo(CommandSpec& program, CommandLine& line)
+CLI::App* addInfo(CLI::App& app, CommandLine& line)
 {
-	CommandSpec& info = program.addCommand("info", "Prints counts, topology and quality of IN.");
-	info.chosen       = [&line] { line.command = Command::Info; };
-	addInput(info, line);
-	info.addFlag("--json", "Print JSON", keepTrue(line.json));
-	info.footer = exitCodeHelp;
+	CLI::App* info = app.add_subcommand("info", "Prints counts, topology and quality of IN.");
+	info->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")->required();
+	info->add_flag("--json", line.json, "Print JSON");
+	info->footer(exitCodeHelp);
+	return info;
 }
 
 /// A plan does not depend on what each run of a step has.
@@ -250,96 +241,94 @@ bool isForCompare(const Parameter& p)
 	return key != "TimeLimit" && key != "Selected" && key != "Check";
 }
 
-void addCompare(CommandSpec& program, CommandLine& line, GivenOptions& given)
+CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
-	CommandSpec& compare = program.addCommand(
+	CLI::App* compare = app.add_subcommand(
 		"compare",
 		"Remeshes IN with these options, by the paper's preset and by MeshLab's Quadric\n"
 		"Edge Collapse and prints a table: time, distances from IN, triangle quality.");
-	compare.chosen = [&line] { line.command = Command::Compare; };
-	addInput(compare, line);
-	addTableOptions(compare, RemeshTool, given, isForCompare);
-	compare.addFlag("--isotropic", "MeshLab's Isotropic Explicit Remeshing too",
-					keepTrue(line.isotropic));
-	compare.addOption("--runs", "K", "How often each method is run, 1 to 101; the median counts",
-					  keepWhole("--runs", line.runNum, 1, 101));
-	compare.addFlag("--json", "Print JSON", keepTrue(line.json));
-	compare.addOption("--html", "DIR",
-					  "Write the page DIR/index.html with views to turn and pictures",
-					  keepText(line.htmlFolder));
-	compare.footer = exitCodeHelp;
+	compare->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		->required();
+	addTableOptions(*compare, RemeshTool, given, isForCompare);
+	compare->add_flag("--isotropic", line.isotropic, "MeshLab's Isotropic Explicit Remeshing too");
+	compare->add_option("--runs", line.runNum, "How often each method is run; the median counts")
+		->check(CLI::Range(1, 101))
+		->type_name("K");
+	compare->add_flag("--json", line.json, "Print JSON");
+	compare
+		->add_option("--html", line.htmlFolder,
+					 "Write the page DIR/index.html with views to turn and pictures")
+		->type_name("DIR");
+	compare->footer(exitCodeHelp);
+	return compare;
 }
 
-void addFeatures(CommandSpec& program, CommandLine& line, GivenOptions& given)
+CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
-	CommandSpec& features = program.addCommand(
+	CLI::App* features = app.add_subcommand(
 		"features",
 		"Finds creases and cone apexes of IN and writes OUT: the same mesh with the strength of\n"
 		"its vertices, in degrees, as quality and colour, features selected.");
-	features.chosen = [&line] { line.command = Command::Features; };
-	addInput(features, line);
-	features.addPositional("OUT", "Mesh to write, may be IN: .ply", keepText(line.output));
-	addTableOptions(features, FeatureTool, given);
-	addOutcome(features, line, "Write thresholds and counts as JSON");
-	features.footer = exitCodeHelp;
+	features->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		->required();
+	features->add_option("OUT", line.output, "Mesh to write, may be IN: .ply")->required();
+	addTableOptions(*features, FeatureTool, given);
+	addOutcome(*features, line, "Write thresholds and counts as JSON");
+	features->footer(exitCodeHelp);
+	return features;
 }
 
-CommandSpec& addTileStep(CommandSpec& tile, CommandLine& line, TileStep step, const char* name,
-						 const char* help)
+CLI::App* addTileStep(CLI::App& tile, CommandLine& line, TileStep step, const char* name,
+					  const char* help)
 {
-	CommandSpec& command = tile.addCommand(name, help);
-	command.addPositional("DIR", "The folder of the run", keepText(line.tiles.folder));
-	command.chosen = [&line, step] { line.tiles.step = step; };
+	CLI::App* const command = tile.add_subcommand(name, help);
+	command->add_option("DIR", line.tiles.folder, "The folder of the run")->required();
+	command->callback([&line, step] { line.tiles.step = step; });
 	return command;
 }
 
-void addTilePlan(CommandSpec& tile, CommandLine& line, GivenOptions& given)
-{
-	CommandSpec& plan = addTileStep(tile, line, TileStep::Plan, "plan",
-									"Decides how IN is cut. Reads a sample of a binary PLY\n"
-									"file; of others such a file is made first.");
-	plan.addPositional("IN", "PLY, OBJ, OFF or binary STL files, pieces of one surface",
-					   keepEachText(line.tiles.inputs))
-		.takesMany = true;
-	addTableOptions(plan, RemeshTool, given, isForPlan);
-	addMemory(plan, line);
-	plan.addOption("--tiles", "T", "How many, 1 to 10000; by the memory if not given",
-				   keepWhole("--tiles", line.tiles.tileNum, 1, 10000));
-}
-
 /// The steps of a run in tiles, for several machines that share a folder.
-void addTile(CommandSpec& program, CommandLine& line, GivenOptions& given)
+CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
-	CommandSpec& tile = program.addCommand(
+	CLI::App* const tile = app.add_subcommand(
 		"tile",
 		"The steps of a run in tiles, for many machines that share the folder DIR: plan,\n"
 		"split, part for every tile, join, finish. A step that was done is not done again.");
-	tile.chosen = [&line] { line.command = Command::Tile; };
-	addTilePlan(tile, line, given);
-	addTileStep(tile, line, TileStep::Split, "split", "Reads IN once and cuts it into tiles.");
-	CommandSpec& part = addTileStep(tile, line, TileStep::Part, "part", "Condenses one tile.");
-	part.addOption("--unit", "U", "Number of the tile, from 0",
-				   keepWhole("--unit", line.tiles.unit, 0, INT_MAX))
-		.isRequired = true;
-	addTableOptions(part, RemeshTool, given, isForStep);
-	addTileStep(tile, line, TileStep::Join, "join", "Puts the condensed tiles together.");
-	CommandSpec& finish =
-		addTileStep(tile, line, TileStep::Finish, "finish", "Remeshes what was joined.");
-	addOutput(finish, line);
-	addTableOptions(finish, RemeshTool, given, isForStep);
-	addOutcome(finish, line, "Write what was done, and how well, as JSON");
-	addTilesOut(finish, line);
-	tile.footer = exitCodeHelp;
+	tile->require_subcommand(1);
+	CLI::App* const plan = addTileStep(*tile, line, TileStep::Plan, "plan",
+									   "Decides how IN is cut. Reads a sample of a binary "
+									   "PLY\nfile; of others such a file is made first.");
+	plan->add_option("IN", line.tiles.inputs,
+					 "PLY, OBJ, OFF or binary STL files, pieces of one surface")
+		->required();
+	addTableOptions(*plan, RemeshTool, given, isForPlan);
+	addMemory(*plan, line);
+	plan->add_option("--tiles", line.tiles.tileNum, "How many; by the memory if not given")
+		->check(CLI::Range(1, 10000))
+		->type_name("T");
+	addTileStep(*tile, line, TileStep::Split, "split", "Reads IN once and cuts it into tiles.");
+	CLI::App* const part = addTileStep(*tile, line, TileStep::Part, "part", "Condenses one tile.");
+	part->add_option("--unit", line.tiles.unit, "Number of the tile, from 0")->required();
+	addTableOptions(*part, RemeshTool, given, isForStep);
+	addTileStep(*tile, line, TileStep::Join, "join", "Puts the condensed tiles together.");
+	CLI::App* const finish =
+		addTileStep(*tile, line, TileStep::Finish, "finish", "Remeshes what was joined.");
+	addOutput(*finish, line);
+	addTableOptions(*finish, RemeshTool, given, isForStep);
+	addOutcome(*finish, line, "Write what was done, and how well, as JSON");
+	addTilesOut(*finish, line);
+	tile->footer(exitCodeHelp);
+	return tile;
 }
 
-/// What the program tells of itself; the build installs the manual page, which --help does not
-/// show.
-void addAnswers(CommandSpec& program, std::string& answer)
+/// For the build, which installs the page; --help does not show it.
+void addManualPage(CLI::App& app)
 {
-	program.addFlag("--version", "Print the version and exit",
-					[&answer] { answer = "gpremesh " GPR_VERSION "\n"; });
-	program.addFlag("--manual-page", "", [&program, &answer] { answer = manualPage(program); });
-	program.options.back().isHidden = true;
+	const auto print = [&app] {
+		std::fputs(manualPage(app).c_str(), stdout);
+		throw CLI::Success();
+	};
+	app.add_flag_callback("--manual-page", print)->group("");
 }
 
 void takePeriod(CommandLine& line)
@@ -362,23 +351,36 @@ CommandLine parseCommandLine(int argc, char** argv)
 	CommandLine  line;
 	Files        files;
 	GivenOptions given; // by one command only: there is no second
-	std::string  answer;
-	CommandSpec  program("gpremesh", "Remeshes triangle meshes by geodesic Poisson-disk sampling.");
-	program.footer =
-		"'gpremesh COMMAND --help' tells the options of a command.\n\n" + std::string(exitCodeHelp);
-	addAnswers(program, answer);
-	addRemesh(program, line, given, files);
-	addInfo(program, line);
-	addCompare(program, line, given);
-	addFeatures(program, line, given);
-	addTile(program, line, given);
-	const std::string help = parseArguments(program, {argv + 1, argv + argc});
-	if (!help.empty() || !answer.empty()) {
-		std::fputs((help.empty() ? answer : help).c_str(), stdout);
-		line.command = Command::None;
+	CLI::App     app("Remeshes triangle meshes by geodesic Poisson-disk sampling.", "gpremesh");
+	app.set_version_flag("--version", std::string("gpremesh ") + GPR_VERSION);
+	app.require_subcommand(1);
+	app.allow_windows_style_options(false); // a path may begin with '/' everywhere
+	app.footer("'gpremesh COMMAND --help' tells the options of a command.\n\n" +
+			   std::string(exitCodeHelp));
+	CLI::App* const remesh   = addRemesh(app, line, given, files);
+	CLI::App* const info     = addInfo(app, line);
+	CLI::App* const compare  = addCompare(app, line, given);
+	CLI::App* const features = addFeatures(app, line, given);
+	CLI::App* const tile     = addTile(app, line, given);
+	addManualPage(app);
+	try {
+		app.parse(argc, argv);
+	}
+	catch (const CLI::Success& wish) { // --help, --version and --manual-page
+		app.exit(wish);
 		return line;
 	}
-	if (line.command == Command::Remesh) takeFiles(files, line);
+	catch (const CLI::ParseError& error) {
+		failUsage(sentence(error.what()) + " See gpremesh --help.");
+	}
+	if (remesh->parsed()) {
+		line.command = Command::Remesh;
+		takeFiles(files, line);
+	}
+	if (info->parsed()) line.command = Command::Info;
+	if (compare->parsed()) line.command = Command::Compare;
+	if (features->parsed()) line.command = Command::Features;
+	if (tile->parsed()) line.command = Command::Tile;
 	line.options = optionsOf(given);
 	if (!line.sizes.empty()) {
 		const bool isSized = std::any_of(given.begin(), given.end(), [](const auto& g) {

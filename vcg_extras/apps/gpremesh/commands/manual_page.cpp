@@ -27,9 +27,6 @@ const char* const description =
 	"there before is there still. The same input, options and seed give the same bytes, with any\n"
 	"number of threads, on every system.\n";
 
-const char* const helpEntry = ".TP\n\\fB\\-h, \\-\\-help\\fR\n"
-							  "Print this help and exit\n";
-
 const char* const examples =
 	".SH EXAMPLES\n"
 	".EX\n"
@@ -71,34 +68,54 @@ std::string upperCase(std::string text)
 	return text;
 }
 
-/// Positionals by their names, options by theirs and that of their value.
-std::string entry(const Argument& argument)
+/// Not those for the project's own use.
+bool isShown(const CLI::Option& option)
 {
-	std::string line = "\\fB" + escaped(argument.name) + "\\fR";
-	if (!argument.valueName.empty()) line += " \\fI" + escaped(argument.valueName) + "\\fR";
-	return ".TP\n" + line + "\n" + flowing(argument.help);
+	return !option.get_group().empty();
 }
 
-std::string entries(const std::vector<Argument>& arguments)
+std::vector<const CLI::Option*> optionsOf(const CLI::App& command, bool positional)
+{
+	return command.get_options([positional](const CLI::Option* option) {
+		return isShown(*option) && option->get_positional() == positional;
+	});
+}
+
+/// Positionals by their names, options by all of theirs and their argument's.
+std::string entry(const CLI::Option& option)
+{
+	std::string names;
+	for (const std::string& name : option.get_snames())
+		names += (names.empty() ? "\\-" : ", \\-") + name;
+	for (const std::string& name : option.get_lnames())
+		names += (names.empty() ? "\\-\\-" : ", \\-\\-") + escaped(name);
+	const bool  positional = option.get_positional();
+	std::string line       = "\\fB" + (positional ? option.get_name(true) : names) + "\\fR";
+	if (!positional && !option.get_type_name().empty())
+		line += " \\fI" + escaped(option.get_type_name()) + "\\fR";
+	return ".TP\n" + line + "\n" + flowing(option.get_description());
+}
+
+std::string entries(const CLI::App& command, bool positional)
 {
 	std::string text;
-	for (const Argument& argument : arguments)
-		if (!argument.isHidden) text += entry(argument);
+	for (const CLI::Option* option : optionsOf(command, positional))
+		text += entry(*option);
 	return text;
 }
 
-std::string usage(const CommandSpec& command)
+std::string usage(const CLI::App& command)
 {
-	std::string line = "\\fBgpremesh " + command.name + "\\fR [\\fIoptions\\fR]";
-	for (const Argument& argument : command.positionals)
-		line += " \\fI" + argument.name + "\\fR";
+	std::string line = "\\fBgpremesh " + command.get_name() + "\\fR [\\fIoptions\\fR]";
+	for (const CLI::Option* option : optionsOf(command, true))
+		line += " \\fI" + option->get_name(true) + "\\fR";
 	return line + "\n.br\n";
 }
 
-std::string chapter(const CommandSpec& command)
+std::string chapter(const CLI::App& command)
 {
-	return ".SH \"" + upperCase(command.name) + "\"\n" + flowing(command.help) +
-		   entries(command.positionals) + helpEntry + entries(command.options);
+	return ".SH \"" + upperCase(command.get_name()) + "\"\n" + flowing(command.get_description()) +
+		   entries(command, true) + entries(command, false);
 }
 
 /// The exit codes, as the last lines of --help have them: a number and words, maybe on two lines.
@@ -121,17 +138,18 @@ std::string exitStatus(const std::string& footer)
 
 } // namespace
 
-std::string manualPage(const CommandSpec& program)
+std::string manualPage(const CLI::App& program)
 {
+	const auto  commands = program.get_subcommands([](const CLI::App*) { return true; });
 	std::string synopsis = ".SH SYNOPSIS\n", chapters;
-	for (const CommandSpec& command : program.commands) {
-		synopsis += usage(command);
-		chapters += chapter(command);
+	for (const CLI::App* command : commands) {
+		synopsis += usage(*command);
+		chapters += chapter(*command);
 	}
 	synopsis += "\\fBgpremesh \\-\\-help\\fR | \\fB\\-\\-version\\fR\n";
 	return std::string(".\\\" -*- coding: utf-8 -*-\n.TH GPREMESH 1 \"\" \"gpremesh ") +
 		   GPR_VERSION + "\" \"User Commands\"\n" + nameAndWhat + synopsis + description +
-		   chapters + exitStatus(program.commands.front().footer) + examples;
+		   chapters + exitStatus(commands.front()->get_footer()) + examples;
 }
 
 } // namespace gpr::app

@@ -3,15 +3,14 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_COMMANDS_MANUAL_PAGE_H
 #define VCG_EXTRAS_APPS_GPREMESH_COMMANDS_MANUAL_PAGE_H
 
-#include "argument_parser.h"
-
+#include <CLI/App.hpp>
 #include <string>
 
 namespace gpr::app {
 
 /// The program's manual page, gpremesh(1), in the language of man(7). Made from the commands and
 /// options as the parser has them, so that it tells what --help tells.
-std::string manualPage(const CommandSpec& program);
+std::string manualPage(const CLI::App& program);
 
 } // namespace gpr::app
 

@@ -112,14 +112,20 @@ std::string helpText(const Parameter& p)
 
 } // namespace
 
-void addTableOptions(CommandSpec& command, Tool tool, GivenOptions& given,
+void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
 					 bool (*isWanted)(const Parameter&))
 {
 	for (const Parameter& p : parametersOf(tool)) {
 		if (std::string(p.option).empty() || (isWanted != nullptr && !isWanted(p))) continue;
-		const Parameter* const row  = &p;
-		const auto             keep = [row, &given](const std::string& word) { given[row] = word; };
-		command.addOption(p.option, p.argument, helpText(p), keep);
+		const Parameter* const row = &p;
+		if (std::string(p.argument).empty()) {
+			command.add_flag_callback(
+				p.option, [row, &given] { given[row] = "on"; }, helpText(p));
+			continue;
+		}
+		const auto keep = [row, &given](const std::string& word) { given[row] = word; };
+		command.add_option_function<std::string>(p.option, keep, helpText(p))
+			->type_name(p.argument);
 	}
 }
 

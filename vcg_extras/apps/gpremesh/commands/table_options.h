@@ -3,10 +3,9 @@
 #ifndef VCG_EXTRAS_APPS_GPREMESH_COMMANDS_TABLE_OPTIONS_H
 #define VCG_EXTRAS_APPS_GPREMESH_COMMANDS_TABLE_OPTIONS_H
 
-#include "argument_parser.h"
-
 #include <vcg_extras/core/parameters.h>
 
+#include <CLI/App.hpp>
 #include <map>
 #include <string>
 
@@ -17,7 +16,7 @@ using GivenOptions = std::map<const Parameter*, std::string>;
 
 /// Adds an option to the command for every row of the tool that has a name on the command line and
 /// is wanted; parsing fills given, which must stay where it is until then.
-void addTableOptions(CommandSpec& command, Tool tool, GivenOptions& given,
+void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
 					 bool (*isWanted)(const Parameter&) = nullptr);
 
 /// Whether an option chooses the size of the result; "off" chooses none.
