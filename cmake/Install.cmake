@@ -5,6 +5,7 @@
 #   program      gpremesh, its manual page
 #   meshlab      the plugins for MeshLab 2020.09, filters and edit tool, and the scripts
 #   meshlab2025  those for MeshLab 2025.07 and PyMeshLab, of which no Debian package is made
+# packaging/debian makes packages of the others.
 #   development  the engine, the templates for vcglib, and what find_package(gpremesh) reads
 #
 #   GPR_PLUGIN_DIR   folder for the plugins for MeshLab 2020.09, below the prefix or absolute; where
@@ -43,13 +44,14 @@ foreach(_scalar float double)
             COMPONENT meshlab2025)
   endif()
 endforeach()
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/filter_geodesic_poisson/mlx
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/gpremesh COMPONENT meshlab)
-
-# What the texts of the filters name.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/vcg_extras/docs/
-        DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gpremesh-meshlab COMPONENT meshlab
-        FILES_MATCHING PATTERN "CHANGELOG.md" EXCLUDE PATTERN "*.md")
+# The scripts, and the documents that the texts of the filters name.
+if(TARGET filter_geodesic_poisson)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/filter_geodesic_poisson/mlx
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/gpremesh COMPONENT meshlab)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/vcg_extras/docs/
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/gpremesh-meshlab COMPONENT meshlab
+          FILES_MATCHING PATTERN "CHANGELOG.md" EXCLUDE PATTERN "*.md")
+endif()
 
 # ---- development
 

@@ -3,8 +3,9 @@
 #include "filter_text.h"
 
 #define GPR_PAPER "<b>\"Fast Edge-based geodesic Poisson Disk Remeshing\"</b>"
-#define GPR_FU_AND_ZHOU                                                                   \
-	"Yan Fu, Bingfeng Zhou: \"Direct sampling on surfaces for high quality remeshing\", " \
+#define GPR_FU_AND_ZHOU                                                                \
+	"<i>Yan Fu, Bingfeng Zhou:</i> <b>\"Direct sampling on surfaces for high quality " \
+	"remeshing\"</b>, "                                                                \
 	"ACM Symposium on Solid and Physical Modeling, 2008"
 
 namespace gpr_filter {

@@ -1,10 +1,15 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# The plugins as two of MeshLab's own, from 2025.07 on: this folder lies in src/meshlabplugins, with
-# vcg_extras beside or within it, and MESHLAB_PLUGINS names meshlabplugins/filter_geodesic_poisson.
+# The plugins as two of MeshLab's own, from 2025.07 on: this folder lies in src/meshlabplugins, and MESHLAB_PLUGINS
+# names meshlabplugins/filter_geodesic_poisson. The engine is one of MeshLab's externals (packaging/meshlab), or
+# vcg_extras lies beside or within this folder.
 
 set(_extras "")
+if(TARGET external-gpremesh)
+  get_target_property(_engine external-gpremesh INTERFACE_INCLUDE_DIRECTORIES)
+  set(_extras ${_engine}/vcg_extras)
+endif()
 foreach(_dir ${CMAKE_CURRENT_SOURCE_DIR}/vcg_extras ${CMAKE_CURRENT_SOURCE_DIR}/../vcg_extras)
   if(NOT _extras AND EXISTS ${_dir}/core/CMakeLists.txt)
     set(_extras ${_dir})

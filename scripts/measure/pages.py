@@ -12,6 +12,8 @@ DOCS = Path("vcg_extras/docs")
 README = Path("README.md")
 BEGIN_IN_README = "<!-- measured: begin (made by scripts/measure/run quality) -->\n"
 END_IN_README = "<!-- measured: end -->\n"
+BEGIN_OF_PACKAGES = "<!-- compared: begin (made by scripts/measure/python_packages) -->\n"
+END_OF_PACKAGES = "<!-- compared: end -->\n"
 
 
 def add_out_option(parser):
@@ -63,6 +65,19 @@ def write_into_readme(folder, inner):
     target = folder / README.name if folder else README
     target.write_text(between_marks(README.read_text(), seal(inner) + inner))
     say(f"written to {target}")
+
+
+PACKAGE_COLUMNS = ["method", "seconds", "vertices", "root mean square, %", "largest at most, %", "mean 2r/R", "smallest angle"]
+
+
+def package_rows(page_text):
+    """What README has of measurements_python.md: the first model, the columns of PACKAGE_COLUMNS, and the closing line."""
+    title, section = page_text.split("\n## ", 2)[1].split("\n", 1)
+    lines = [[cell.strip() for cell in line.strip("|").split("|")] for line in section.splitlines() if line.startswith("|")]
+    kept = [lines[0].index(name) for name in PACKAGE_COLUMNS]
+    rows = [[row[at] for at in kept] for row in lines[2:]]
+    faces = section.split(";")[0].strip()
+    return table([f"{title}: {faces}, a tenth of its vertices", *PACKAGE_COLUMNS[1:]], rows) + "\n" + page_text.splitlines()[-1] + "\n"
 
 
 def keep_record(path, figures):

@@ -10,6 +10,8 @@ from pathlib import Path
 
 HEADERS = ("CLI", "nlohmann")  # libraries that are headers only
 GLIBC = "2.28"  # of Debian 10, RHEL 8 and Ubuntu 18.10
+MUSL_TAG = "musllinux_1_2"  # what zig brings is compatible with musl 1.2
+MACOS = {"x86_64": "10.15", "arm64": "11.0"}  # the first with std::filesystem, the first on this processor
 STABLE_ABI = "0x030c0000"  # what is declared in Python's headers for the stable ABI of 3.12
 
 
@@ -19,12 +21,26 @@ def build_requirements(project):
     return re.findall(r'"([^"]+)"', found.group(1)) + ["cmake>=3.26", "ninja"]
 
 
+# zig's linker does not read nanobind's list of Python's symbols, and all that is undefined is looked up without it. It crashes
+# at bundles; Python loads a library as well.
+FOR_MACOS = """for word; do
+	shift
+	case $word in
+	-Wl,@*) ;;
+	-bundle) set -- "$@" -dynamiclib ;;
+	*) set -- "$@" "$word" ;;
+	esac
+done
+"""
+
+
 class Here:
     """This machine's own compiler."""
 
     name = "here"
     machine = os.uname().machine
-    is_windows = False
+    is_musl = False
+    kind = "Linux"
     is_this_machine = True
 
     def has(self, version):
@@ -38,18 +54,19 @@ class Here:
 
 
 class ZigSystem:
-    """A system that zig's clang compiles for."""
+    """A system that zig's clang compiles for. Its kind is CMake's name for it."""
 
-    def __init__(self, name, target):
+    def __init__(self, name, target, kind="Linux"):
         self.name = name
         self.target = target
+        self.kind = kind
         self.machine = name.split("-")[1]
-        self.is_windows = "windows" in target
+        self.is_musl = "musl" in target
         self.is_this_machine = name == "linux-" + os.uname().machine
 
     def has(self, version):
         """Whether there is a wheel for this Python. Windows's libraries of 3.10 and 3.11 are not to be had here."""
-        return version >= (3, 12) or not self.is_windows
+        return version >= (3, 12) or self.kind != "Windows"
 
     def settings(self, tools, folder, version):
         """Settings of scikit-build-core; what they name lies in the folder."""
@@ -58,12 +75,12 @@ class ZigSystem:
         for name in ("c++", "ar", "ranlib", "rc"):
             # nanobind uses the header of C's input and output, which only other C++ libraries bring along.
             target = f' -target {self.target} -include stdio.h' if name == "c++" else ""
-            write_script(folder / name, f'exec "{zig_of(folder)}" -m ziglang {name}{target} "$@"')
+            write_script(folder / name, f'{FOR_MACOS if self.kind == "Darwin" else ""}exec "{zig_of(folder)}" -m ziglang {name}{target} "$@"')
         headers = collect_headers(folder / "include")
         defines = {f"GPR_{name}_INCLUDE_DIR": headers for name in ("CLI11", "JSON")}
         defines["CMAKE_TOOLCHAIN_FILE"] = self.write_toolchain(folder)
         defines["GPR_PYTHON_SUFFIX"] = self.suffix(version)
-        if self.is_windows:
+        if self.kind == "Windows":
             defines.update(windows_python(tools, folder))
         return ["install.strip=false"] + [f"cmake.define.{name}={value}" for name, value in defines.items()]
 
@@ -73,15 +90,23 @@ class ZigSystem:
 
     def suffix(self, version):
         """How the name of a module ends that Python finds."""
-        if self.is_windows:
+        if self.kind == "Windows":
             return ".pyd"
         if version >= (3, 12):
             return ".abi3.so"
-        return ".cpython-%d%d-%s-linux-gnu.so" % (*version, self.machine)
+        if self.kind == "Darwin":
+            return ".cpython-%d%d-darwin.so" % version
+        return ".cpython-%d%d-%s-linux-%s.so" % (*version, self.machine, "musl" if self.is_musl else "gnu")
+
+    def link_flags(self, is_module):
+        """Without debugging symbols; where zig strips for macOS all of them, the table of indirect ones is wrong after it."""
+        if self.kind != "Darwin":
+            return "-s"
+        return "-Wl,-undefined,dynamic_lookup" if is_module else ""
 
     def write_toolchain(self, folder):
         path = folder / "toolchain.cmake"
-        path.write_text(f"""set(CMAKE_SYSTEM_NAME {"Windows" if self.is_windows else "Linux"})
+        path.write_text(f"""set(CMAKE_SYSTEM_NAME {self.kind})
 set(CMAKE_SYSTEM_PROCESSOR {self.machine})
 set(CMAKE_CXX_COMPILER {folder}/c++)
 set(CMAKE_AR {folder}/ar CACHE FILEPATH "")
@@ -89,8 +114,8 @@ set(CMAKE_RANLIB {folder}/ranlib CACHE FILEPATH "")
 set(CMAKE_RC_COMPILER {folder}/rc CACHE FILEPATH "")
 # zig checks for undefined behaviour unless told otherwise.
 set(CMAKE_CXX_FLAGS_INIT "-fno-sanitize=undefined")
-set(CMAKE_EXE_LINKER_FLAGS_INIT -s)
-set(CMAKE_MODULE_LINKER_FLAGS_INIT -s)
+set(CMAKE_EXE_LINKER_FLAGS_INIT "{self.link_flags(is_module=False)}")
+set(CMAKE_MODULE_LINKER_FLAGS_INIT "{self.link_flags(is_module=True)}")
 """, encoding="utf-8")
         return path
 
@@ -158,7 +183,11 @@ def write_import_library(folder, include, library):
 SYSTEMS = [
     ZigSystem("linux-x86_64", f"x86_64-linux-gnu.{GLIBC}"),
     ZigSystem("linux-aarch64", f"aarch64-linux-gnu.{GLIBC}"),
-    ZigSystem("windows-x86_64", "x86_64-windows-gnu"),
+    ZigSystem("musl-x86_64", "x86_64-linux-musl"),
+    ZigSystem("musl-aarch64", "aarch64-linux-musl"),
+    ZigSystem("macos-x86_64", f"x86_64-macos.{MACOS['x86_64']}", "Darwin"),
+    ZigSystem("macos-arm64", f"aarch64-macos.{MACOS['arm64']}", "Darwin"),
+    ZigSystem("windows-x86_64", "x86_64-windows-gnu", "Windows"),
     Here(),
 ]
 

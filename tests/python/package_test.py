@@ -68,6 +68,18 @@ def test_examples_in_the_documents(name):
     assert results.failed == 0 and results.attempted > 5
 
 
+def test_examples_on_the_first_screen(tmp_path, monkeypatch):
+    bunny = Path("/usr/share/glmark2/models/bunny.obj")
+    if not bunny.exists():
+        pytest.skip("glmark2-data is not installed")
+    monkeypatch.chdir(tmp_path)
+    gpremesh.write("scan.ply", gpremesh.read(bunny))
+    results = doctest.testfile(str(ROOT / "README.md"), module_relative=False)
+    assert results.failed == 0 and results.attempted == 5
+    words = command_line("remesh", "scan.ply", "by_program.ply", "--faces", "7000", "--quiet")
+    assert words.stdout == "" and Path("by_program.ply").read_bytes() == Path("small.ply").read_bytes()
+
+
 def test_version_is_that_of_the_program():
     assert command_line("--version").stdout.split() == ["gpremesh", gpremesh.__version__]
 

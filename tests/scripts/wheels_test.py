@@ -34,6 +34,10 @@ class Wheels(unittest.TestCase):
         self.assertEqual(arm.suffix((3, 12)), ".abi3.so")
         self.assertEqual(windows.suffix((3, 12)), ".pyd")
         self.assertTrue(windows.has((3, 12)) and not windows.has((3, 11)) and linux.has((3, 10)))
+        musl, mac = systems.by_names("musl-aarch64,macos-arm64")
+        self.assertEqual(musl.suffix((3, 11)), ".cpython-311-aarch64-linux-musl.so")
+        self.assertEqual(mac.suffix((3, 10)), ".cpython-310-darwin.so")
+        self.assertEqual(mac.suffix((3, 13)), ".abi3.so")
         with self.assertRaises(SystemExit):
             systems.by_names("linux-x86_64,amiga")
 

@@ -9,6 +9,9 @@
 #include <mutex>
 #include <numeric>
 #include <thread>
+#if defined(__x86_64__) || defined(_M_X64)
+#include <emmintrin.h>
+#endif
 
 namespace gpr {
 
@@ -25,8 +28,8 @@ constexpr int looksBeforeSleep = 1000;
 /// Tells the processor that this is a waiting loop.
 void pause()
 {
-#if defined(__x86_64__) || defined(__i386__)
-	__builtin_ia32_pause();
+#if defined(__x86_64__) || defined(_M_X64)
+	_mm_pause();
 #endif
 }
 

@@ -21,6 +21,9 @@
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
+#ifdef __APPLE__
+#include <crt_externs.h>
+#endif
 
 namespace gpr::app {
 
@@ -69,6 +72,23 @@ std::vector<char> readAll(int descriptor)
 	}
 }
 
+/// POSIX has environ without a header, and a module of macOS has a function in its place.
+char** environment()
+{
+#ifdef __APPLE__
+	return *::_NSGetEnviron();
+#else
+	return environ;
+#endif
+}
+
+/// Reads the pages of a mapping at once, where the system can.
+#ifdef MAP_POPULATE
+constexpr int mapAtOnce = MAP_POPULATE;
+#else
+constexpr int mapAtOnce = 0;
+#endif
+
 /// Starts a program in a process group of its own, so that all it starts can be ended with it.
 bool startProgram(const std::vector<std::string>& words, pid_t& process)
 {
@@ -86,8 +106,8 @@ bool startProgram(const std::vector<std::string>& words, pid_t& process)
 	::posix_spawnattr_init(&attributes);
 	::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
 	::posix_spawnattr_setpgroup(&attributes, 0);
-	const int error =
-		::posix_spawnp(&process, arguments[0], &actions, &attributes, arguments.data(), environ);
+	const int error = ::posix_spawnp(&process, arguments[0], &actions, &attributes,
+									 arguments.data(), environment());
 	::posix_spawnattr_destroy(&attributes);
 	::posix_spawn_file_actions_destroy(&actions);
 	return error == 0;
@@ -103,7 +123,7 @@ FileContent::FileContent(const std::string& path)
 	if (S_ISDIR(status.st_mode)) failInput("it is a folder");
 	if (S_ISREG(status.st_mode) && status.st_size > 0) {
 		void* const at = ::mmap(nullptr, std::size_t(status.st_size), PROT_READ,
-								MAP_PRIVATE | MAP_POPULATE, file.number, 0);
+								MAP_PRIVATE | mapAtOnce, file.number, 0);
 		if (at != MAP_FAILED) {
 			mapping_ = at;
 			data_    = static_cast<const char*>(at);
@@ -140,8 +160,13 @@ std::int64_t peakMemoryBytes()
 		std::int64_t kilobytes = 0;
 		if (word == "VmHWM:" && status >> kilobytes) return kilobytes * 1024;
 	}
+#ifdef __APPLE__
+	constexpr std::int64_t unit = 1;
+#else
+	constexpr std::int64_t unit = 1024;
+#endif
 	struct rusage usage;
-	return ::getrusage(RUSAGE_SELF, &usage) == 0 ? std::int64_t(usage.ru_maxrss) * 1024 : 0;
+	return ::getrusage(RUSAGE_SELF, &usage) == 0 ? std::int64_t(usage.ru_maxrss) * unit : 0;
 }
 
 double processorSeconds()

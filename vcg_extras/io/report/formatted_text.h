@@ -10,7 +10,11 @@ namespace gpr::app {
 
 /// printf into a string of at most 511 characters; the program never leaves the C locale, so the
 /// decimal sign is a point.
-__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...);
+#ifdef __GNUC__
+__attribute__((format(printf, 1, 2))) // the compiler checks the arguments
+#endif
+std::string
+formatted(const char* format, ...);
 
 /// "1,234,567": large counts are read more easily in groups.
 std::string grouped(std::int64_t count);
