@@ -64,10 +64,11 @@ TEST_F(ErrorSizesTest, AreThoseOfEachSideOfAFeatureLine)
 	float               least   = largest;
 	for (int v = 0; v < surface.mesh.vertexNum; ++v) {
 		EXPECT_EQ(beside[v], again[v]);
-		const double x = placeOf(surface, v).x;
-		if (std::abs(x - 0.5) < 1e-6) EXPECT_GT(beside[v], 1.4f * across[v]);
+		const double x        = placeOf(surface, v).x;
+		const bool   isOnLine = std::abs(x - 0.5) < 1e-6;
+		EXPECT_TRUE(!isOnLine || beside[v] > 1.4f * across[v]);
 		if (x > 0.7 && x < 0.8) least = std::min(least, beside[v]);
-		if (x < 0.45) EXPECT_GT(beside[v], 0.95f * largest);
+		EXPECT_TRUE(x >= 0.45 || beside[v] > 0.95f * largest);
 	}
 	EXPECT_LT(least, 0.95f * largest);
 }

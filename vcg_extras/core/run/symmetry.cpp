@@ -368,8 +368,8 @@ private:
 		requireNoContacts(joined.result.mesh);
 		check(joined.result);
 		AuditFigures& audited = made_.verified.audit;
-		made_.quality         = exportResult(run_, surface_, joined.result, false, audited, out);
-		out.mesh.positions    = std::move(joined.positions);
+		made_.quality = exportResult(run_, surface_, joined.result, false, false, audited, out);
+		out.mesh.positions = std::move(joined.positions);
 		tell(joined);
 		made_.result      = std::move(joined.result);
 		made_.fitDistance = farthestFromSurface(made_.result);

@@ -131,9 +131,9 @@ def remesh(
     adapt : float or 'auto', default 'auto'
         How much the sizes of the triangles follow the error. 0: all triangles have one size. 0.1: a
         tenth of the vertices goes to ridges, rims and tips that are finer than the triangles. 1:
-        all sizes follow the error. Sizes stay even where there are feature lines. auto: 0.1; 1 with
-        a largest error; 0 with a lambda above 0, in the preset fast, and where only samples are
-        made. The preset paper has none.
+        all sizes follow the error. Sizes stay even where feature lines take a third of the
+        vertices. auto: 0.1; 1 with a largest error; 0 with a lambda above 0, in the preset fast,
+        and where only samples are made. The preset paper has none.
     lambda_ : float, default 0.0
         How much denser curved places are sampled, eq. (4) of the paper. Distances are stretched by
         1 + lambda |H| r, at most 4, where H is the mean curvature and r the radius of the disks. 0:
@@ -207,6 +207,11 @@ def remesh(
         joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
         Where they meet sharply, feature lines run along them. Edges at which more than two borders
         meet stay cut. off: the pieces are remeshed one by one.
+    junctions : {'cut', 'keep'}, default 'cut'
+        What becomes of edges with more than two faces, and of places where sheets only touch. cut:
+        the smoothest two of the faces stay joined, the others get a border. keep: the edges are
+        sampled once for all sheets, which share their vertices, as walls between grains, strata or
+        rooms do.
     drop_components_below : int, default 0
         Components with fewer faces are left out, for instance the dust of a scan. Each of them
         would take four vertices. 0 keeps all.
@@ -290,7 +295,9 @@ def remesh_together(
     min_edge: float = 0.0,
     max_edge: float = 0.0,
     growth: float = 1.15,
+    symmetry: Literal['off', 'x', 'y', 'z', 'auto'] = 'off',
     sew: bool = True,
+    junctions: Literal['cut', 'keep'] = 'cut',
     drop_components_below: int = 0,
     seed: int = 1,
     threads: int = 0,
@@ -343,9 +350,9 @@ def remesh_together(
     adapt : float or 'auto', default 'auto'
         How much the sizes of the triangles follow the error. 0: all triangles have one size. 0.1: a
         tenth of the vertices goes to ridges, rims and tips that are finer than the triangles. 1:
-        all sizes follow the error. Sizes stay even where there are feature lines. auto: 0.1; 1 with
-        a largest error; 0 with a lambda above 0, in the preset fast, and where only samples are
-        made. The preset paper has none.
+        all sizes follow the error. Sizes stay even where feature lines take a third of the
+        vertices. auto: 0.1; 1 with a largest error; 0 with a lambda above 0, in the preset fast,
+        and where only samples are made. The preset paper has none.
     lambda_ : float, default 0.0
         How much denser curved places are sampled, eq. (4) of the paper. Distances are stretched by
         1 + lambda |H| r, at most 4, where H is the mean curvature and r the radius of the disks. 0:
@@ -407,6 +414,13 @@ def remesh_together(
         be a fifth longer than what is wanted.
     growth : float, default 1.15
         How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth costs angles.
+    symmetry : {'off', 'x', 'y', 'z', 'auto'}, default 'off'
+        The result is its own mirror image: each vertex has one on the other side of a plane, with
+        the same coordinates bit for bit but for the one across the plane, and edges run along the
+        plane. x, y, z: the plane through the middle of the bounding box perpendicular to that axis.
+        auto: of these planes, or those of the principal axes, the one that suits best. The input
+        must be symmetric to .1 % of the diagonal, and is refused otherwise. Half of it is remeshed
+        and mirrored.
     sew : bool, default True
         Borders that lie on one another edge by edge, within a millionth of the bounding box, are
         joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
@@ -524,9 +538,9 @@ def sample(
     adapt : float or 'auto', default 'auto'
         How much the sizes of the triangles follow the error. 0: all triangles have one size. 0.1: a
         tenth of the vertices goes to ridges, rims and tips that are finer than the triangles. 1:
-        all sizes follow the error. Sizes stay even where there are feature lines. auto: 0.1; 1 with
-        a largest error; 0 with a lambda above 0, in the preset fast, and where only samples are
-        made. The preset paper has none.
+        all sizes follow the error. Sizes stay even where feature lines take a third of the
+        vertices. auto: 0.1; 1 with a largest error; 0 with a lambda above 0, in the preset fast,
+        and where only samples are made. The preset paper has none.
     lambda_ : float, default 0.0
         How much denser curved places are sampled, eq. (4) of the paper. Distances are stretched by
         1 + lambda |H| r, at most 4, where H is the mean curvature and r the radius of the disks. 0:
