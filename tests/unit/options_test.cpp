@@ -99,9 +99,9 @@ TEST(ParameterTable, KeysAndOptionsAreUniqueAndComplete)
 }
 
 /// What a user really states, and what the paper leaves to the user.
-TEST(ParameterTable, HasAtMostThirtyTwoRows)
+TEST(ParameterTable, HasAtMostThirtyFourRows)
 {
-	EXPECT_LE(makeParameterTable().size(), 32u);
+	EXPECT_LE(makeParameterTable().size(), 34u);
 }
 
 /// How many, how, what is kept, where to: a newcomer needs no more.

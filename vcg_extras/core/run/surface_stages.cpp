@@ -274,8 +274,10 @@ ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const E
 	const bool         hasLines = hasFeatureLines(run, decisions, made);
 	const Buffer<char> lines    = hasLines ? std::move(made.lines.marks) : Buffer<char>();
 	made.lines                  = Lines();
-	return {countForFlatness(made.surface, lines, made.surface.area, decisions.vertexNum,
-							 goal.largest, goal.most, run.workers)};
+	const bool isWithinError    = run.options.targetMode == TargetMode::MaxError;
+	return {countForFlatness(made.surface, lines, isWithinError ? rangeWithinError : rangeOfCount,
+							 made.surface.area, decisions.vertexNum, goal.largest, goal.most,
+							 run.workers)};
 }
 
 LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made)

@@ -619,8 +619,9 @@ ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const Buffer<char>& lines,
 	return joined(cut, SizeSearch(cut.mesh, request, workers).run(), mesh, request.slope, workers);
 }
 
-std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines, double area,
-							  std::int64_t first, double error, std::int64_t most, Workers& workers)
+std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
+							  const ErrorSizeRange& range, double area, std::int64_t first,
+							  double error, std::int64_t most, Workers& workers)
 {
 	// How flat the disks of triangles are to be, over the largest error. The places that are beyond
 	// the goal then are few enough to be made finer one by one.
@@ -633,7 +634,7 @@ std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
 	const HalfEdgeMesh& mesh = lines.empty() ? surface.mesh : cut.mesh;
 	for (int i = 0; i < steps; ++i) {
 		const float            even = evenEdge(area, first) * float(std::sqrt(double(first) / num));
-		const ErrorSizeRequest request{even, largestWithinError * even, slopeWithinError};
+		const ErrorSizeRequest request{even, range.largest * even, range.slope};
 		const float            flat = SizeSearch(mesh, request, workers).run().epsilon;
 		num *= std::clamp(double(flat) / wanted, 0.1, 10.0);
 		num = std::clamp(num, 4.0, double(most));

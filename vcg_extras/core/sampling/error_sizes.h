@@ -41,16 +41,21 @@ struct ErrorSizes {
 ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const Buffer<char>& lines,
 						const ErrorSizeRequest& request, Workers& workers);
 
-/// Where a largest error is asked for: the edge where the surface is flat, over that of even
-/// triangles, and how fast sizes grow at least.
-constexpr float largestWithinError = 2, slopeWithinError = 0.2f;
+/// How far sizes by the error may differ.
+struct ErrorSizeRange {
+	float largest; ///< the edge where the surface is flat, over that of even triangles
+	float slope;   ///< see ErrorSizeRequest
+};
+/// Where a largest error is asked for, and where all sizes of a given count follow the error.
+constexpr ErrorSizeRange rangeWithinError = {2, 0.2f}, rangeOfCount = {1.3f, 0.15f};
 
 /// The count with which triangles would be as flat as a largest error asks for, but for few of
-/// them. lines: as above. area: of the surface, working units squared; first: a guess; error: mesh
-/// units; most: no larger count is returned. Cost: three times that of sizesByError.
-std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines, double area,
-							  std::int64_t first, double error, std::int64_t most,
-							  Workers& workers);
+/// them. range: of the sizes that triangles will have; lines: as above. area: of the surface,
+/// working units squared; first: a guess; error: mesh units; most: no larger count is returned.
+/// Cost: three times that of sizesByError.
+std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
+							  const ErrorSizeRange& range, double area, std::int64_t first,
+							  double error, std::int64_t most, Workers& workers);
 
 } // namespace gpr
 

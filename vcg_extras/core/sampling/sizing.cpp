@@ -25,8 +25,9 @@ namespace {
 float gradingSlope(const SizingRequest& request)
 {
 	const float slope = float(request.options.growth - 1);
-	return request.options.targetMode == TargetMode::MaxError ? std::max(slope, slopeWithinError)
-															  : slope;
+	return request.options.targetMode == TargetMode::MaxError
+			   ? std::max(slope, rangeWithinError.slope)
+			   : slope;
 }
 /// Where λ is above 0 the smallest triangles are at most so many times smaller than the largest.
 constexpr float largestStretch = 4;
@@ -177,7 +178,7 @@ bool wantsSmallerDisks(const SizingRequest& request)
 /// are left for where it is not.
 float largestSizeFor(const RemeshOptions& options)
 {
-	if (options.targetMode == TargetMode::MaxError) return largestWithinError;
+	if (options.targetMode == TargetMode::MaxError) return rangeWithinError.largest;
 	return 1 + 0.3f * float(*options.adapt);
 }
 

@@ -53,8 +53,8 @@ struct SizingRequest {
 /// varies. With BoundaryMode::Keep sizes at the border go with the spacing of its own vertices.
 ///
 /// With `adapt` (calibrated only) sizes are multiplied by those of sizesByError, whose largest one
-/// is 1 + 0.3·adapt times that of even triangles, and with TargetMode::MaxError largestWithinError
-/// times. On either side of a feature line they are those of that side.
+/// is 1 + 0.3·adapt times that of even triangles, and with TargetMode::MaxError those of
+/// rangeWithinError. On either side of a feature line they are those of that side.
 ///
 /// Edges that the caller wants are multiplied with all this (calibrated only), and what comes out
 /// is kept between minEdge and maxEdge. With TargetMode::Sizes they are lengths, and the count
