@@ -109,6 +109,20 @@ TEST_F(FourQuarters, HaveTheSameVerticesOnTheirSeams)
 	EXPECT_GT(seamNum, 70u); // each twice, the middle four times
 }
 
+TEST_F(FourQuarters, MayHaveAVertexThatIsNoPlace)
+{
+	mesh[1].positions.insert(mesh[1].positions.begin(), Vec3d(NAN, NAN, NAN));
+	for (std::int32_t& v : mesh[1].triangles)
+		++v;
+	view[1] = mesh[1].view();
+	const JoinedPieces joined(view);
+	const RemeshResult whole = remeshed(joined);
+	ASSERT_EQ(whole.status, Status::Ok) << whole.message;
+	const RemeshResult part = joined.ofPiece(whole, 1);
+	for (const BarycentricPoint& at : part.surfacePoints)
+		EXPECT_LT(std::size_t(at.face), mesh[1].faceNum());
+}
+
 TEST_F(FourQuarters, HavePointsAndLabelsOfTheirOwn)
 {
 	std::vector<std::int32_t> label(mesh[1].faceNum());

@@ -114,7 +114,7 @@ TEST_F(Levels, SymmetryIsRefusedWithTheLargestMismatch)
 		p[0] += 0.3f * p[1] * p[1];
 	const ProgramResult refused = run({"remesh", put("in.ply", binaryPly(mesh, true, false)),
 									   path("out.ply"), "--symmetry", "x"});
-	EXPECT_EQ(refused.exitCode, 2);
+	EXPECT_EQ(refused.exitCode, 3);
 	EXPECT_NE(refused.err.find("% of the diagonal"), std::string::npos) << refused.err;
 	EXPECT_EQ(run({"remesh", path("in.ply"), path("out.ply"), "--symmetry", "x", "--memory", "1G"})
 				  .exitCode,

@@ -77,6 +77,10 @@ TEST_F(Pieces, WhatCannotBeMeantIsRefusedBeforeAnyWork)
 	EXPECT_EQ(run({"remesh", west, same, "--out-dir", path("made")}).exitCode, 2);
 	EXPECT_EQ(run({"remesh", west, "--out-dir", path("made"), "--sew", "off"}).exitCode, 2);
 	EXPECT_EQ(run({"remesh", west, "--out-dir", path("made"), "--tiles-out", "2"}).exitCode, 2);
+	const std::string east = put("east.ply", binaryPly(square(1), true, false));
+	for (const std::string& report : {east, path("made/east.ply")})
+		EXPECT_EQ(
+			run({"remesh", west, east, "--out-dir", path("made"), "--report", report}).exitCode, 2);
 	EXPECT_FALSE(std::filesystem::exists(path("made")));
 }
 
@@ -98,6 +102,8 @@ TEST_F(Pieces, APeriodicCellHasMatchingBorders)
 		run({"remesh", cell, path("no.ply"), "--edge-length", "0.09", "--periodic", "1,0.9,0"});
 	EXPECT_EQ(wrong.exitCode, 3) << wrong.err;
 	EXPECT_NE(wrong.err.find("not periodic along Y"), std::string::npos) << wrong.err;
+	EXPECT_EQ(
+		run({"remesh", "--periodic", "1,1,0", cell, path("o.ply"), "--percent", "20"}).exitCode, 0);
 	EXPECT_EQ(run({"remesh", cell, path("no.ply"), "--periodic", "0,0,0"}).exitCode, 2);
 	EXPECT_EQ(run({"remesh", cell, path("no.ply"), "--periodic", "1,1"}).exitCode, 2);
 }

@@ -259,6 +259,11 @@ TEST(PeriodicBorder, WithoutABorderOrWithAnotherPeriodItIsRefused)
 	options.period = {0, 1.5, 0};
 	EXPECT_EQ(remesh(periodicSheet(20, 0, 0, random).view(), options).status,
 			  Status::UnusableInput);
+	for (const double tiny : {1e-20, 1e-300, 0.1}) { // of the last one there are ten in a row
+		options.period = {0, tiny, 0};
+		EXPECT_EQ(remesh(periodicSheet(20, 0, 0, random).view(), options).status,
+				  Status::UnusableInput);
+	}
 	options.period = {-1, 1, 0};
 	EXPECT_EQ(remesh(periodicSheet(20, 0, 0, random).view(), options).status, Status::BadOptions);
 	options          = periodicOptions(0.1);

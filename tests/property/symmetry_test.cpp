@@ -178,7 +178,7 @@ TEST(Symmetry, OpenSurfacesGetTheirCounts)
 	EXPECT_EQ(int(remeshed(mesh, faces).mesh.faceNum()), 300);
 	faces.targetFaceNum        = 301;
 	const RemeshResult refused = remesh(mesh.view(), faces);
-	EXPECT_EQ(refused.status, Status::BadOptions);
+	EXPECT_EQ(refused.status, Status::UnusableInput);
 	EXPECT_NE(refused.message.find("300 and 302"), std::string::npos) << refused.message;
 }
 

@@ -46,11 +46,21 @@ def test_labels_and_texture_are_those_of_each_mesh():
     [],
     [(1, 2, 3)],
     [dict(vertices=sheet()[0], faces=sheet()[1], colour=1)],
+    [dict(vertices=sheet()[0])],
     [dict(vertices=sheet()[0], faces=sheet()[1], sizes=np.ones(961)), sheet()],
 ])
 def test_what_cannot_be_meant_is_refused(pieces):
     with pytest.raises(ValueError):
         gpremesh.remesh_together(pieces)
+
+
+def test_the_order_of_meshes_with_marks_does_not_matter():
+    (vertices, faces), second = halves()
+    marked = dict(vertices=vertices, faces=faces, region=vertices[:, 1] < 10)
+    for pieces in ([marked, second], [second, marked]):
+        assert len(gpremesh.remesh_together(pieces, vertex_count=500)) == 2
+    with pytest.raises(ValueError, match="sew=False"):
+        gpremesh.remesh_together(halves(), sew=False)
 
 
 def test_a_periodic_cell_has_matching_borders():

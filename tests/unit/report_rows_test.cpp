@@ -21,7 +21,7 @@ TEST(ReportRows, EveryCountOfTheCleaningHasOneRow)
 	for (std::size_t i = 0; i < num; ++i)
 		values[i] = std::int64_t(i + 2);
 	CleanCounts counts;
-	std::memcpy(&counts, values, sizeof values);
+	std::memcpy(static_cast<void*>(&counts), values, sizeof values);
 	const std::vector<CountRow> rows = describe(counts);
 	ASSERT_EQ(rows.size(), num);
 	std::set<std::string> keys, words;

@@ -135,9 +135,10 @@ Json Session::estimate(const std::string& text)
 Json Session::remesh(const std::string& text)
 {
 	const RemeshOptions options = optionsOf(text);
-	if (!path_.empty() &&
-		(!sameWishes(wanted_, wantedBy(options)) || isSewn_ != app::isSewn(options)))
-		readAs(options);
+	if (surface_ == nullptr && path_.empty())
+		throw AppError(ExitCode::Usage, "there is no mesh yet.");
+	const bool isOther = !sameWishes(wanted_, wantedBy(options)) || isSewn_ != app::isSewn(options);
+	if (surface_ == nullptr || (!path_.empty() && isOther)) readAs(options);
 	refuseWhatIsTooLarge(options);
 	made_.erase(resultKey);
 	result_ = surface_->remesh(source_.withPlaces(options), progress_);

@@ -163,7 +163,10 @@ void PeriodicBorder::pair(int axis, const std::vector<Vec3d>& position,
 	const VertexGrid grid(position, vertices, tolerance * by);
 	for (const int v : vertices) {
 		const int found = grid.nearest(position[std::size_t(v)] + alongAxis(axis, by));
-		if (found == none || before[std::size_t(found)] != none) continue;
+		// A period below the rounding of coordinates leads nowhere.
+		const bool isBeyond = found != none && coordinate(position[std::size_t(found)], axis) >
+												   coordinate(position[std::size_t(v)], axis);
+		if (!isBeyond || before[std::size_t(found)] != none) continue;
 		before[std::size_t(found)] = v;
 		after[std::size_t(v)]      = found;
 	}
@@ -177,7 +180,11 @@ void PeriodicBorder::findRoots()
 			const int before = before_[std::size_t(axis)][std::size_t(root)];
 			if (before == none) continue;
 			root = before;
-			++shift_[std::size_t(v)][std::size_t(axis)];
+			if (++shift_[std::size_t(v)][std::size_t(axis)] > 1) {
+				throw Failure(Status::UnusableInput,
+							  "The period is shorter than the cell: of some vertices of the border "
+							  "more than two lie one period from each other in a row.");
+			}
 			axis = -1; // all axes once more
 		}
 	}

@@ -107,7 +107,7 @@ private:
 		found_               = findMirrorPlane(surface_, options().symmetry, allowed, run_.workers);
 		if (found_.mismatch <= allowed) return;
 		const Vec3d& p = found_.farthest;
-		throw Failure(Status::BadOptions,
+		throw Failure(Status::UnusableInput,
 					  "The mesh is not symmetric across " + nameOf(found_.plane) +
 						  ": the mirror image of the vertex at (" + number(p.x) + ", " +
 						  number(p.y) + ", " + number(p.z) + ") is " +
@@ -409,6 +409,14 @@ private:
 	{
 		for (const std::string& note : ofRun_.notes)
 			run_.tell("Of the half that was remeshed: " + note);
+		const MeshView& in       = call_.input;
+		const bool      hasMarks = in.wantedEdge != nullptr || in.selected != nullptr ||
+							  in.line != nullptr || in.hasManyRegions();
+		if (hasMarks) {
+			run_.tell(
+				"Wanted edges, selected vertices, given lines and borders of regions are followed "
+				"as they lie on the remeshed half; those of the other half are not looked at.");
+		}
 		run_.tell("The result is symmetric across " + nameOf(found_.plane) + ": twice " +
 				  std::to_string(ofRun_.mesh.vertexNum()) + " vertices less " +
 				  std::to_string(joined.onPlaneNum) +

@@ -149,7 +149,7 @@ void JoinedPieces::movePoints(const TriangleMesh& mesh, std::size_t k,
 	if (points.empty()) return;
 	Workers            workers(1, nullptr);
 	const MeshView&    piece = piece_[k];
-	const Vec3d        origin(piece.position(0));
+	const Vec3d        origin(mesh.positions[0]); // finite, as all of a result
 	const TriangleTree tree(piece, origin, workers);
 	for (std::size_t v = 0; v < points.size(); ++v) {
 		if (hasFace(k, points[v].face)) {

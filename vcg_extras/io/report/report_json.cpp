@@ -90,6 +90,7 @@ Json optionsJson(const RemeshOptions& o)
 	json["growth"]   = o.growth;
 	json["boundary"] = choiceName("Boundary", o.boundary);
 	if (isPeriodic(o)) json["period"] = {o.period.x, o.period.y, o.period.z};
+	json["junctions"]           = choiceName("Junctions", o.junctions);
 	json["symmetry"]            = choiceName("Symmetry", o.symmetry);
 	json["selectedOnly"]        = o.selectedOnly;
 	json["allowNearest"]        = o.allowNearest;

@@ -201,12 +201,16 @@ def remesh_together(pieces, *, progress=None, **parameters):
         "vertices", "faces", "region", "feature_edges", "uv", "image", "regions", "sizes"}
     if unknown:
         raise ValueError(f"pieces have no {' and no '.join(sorted(unknown))}.")
-    if parameters.get("sew_seams") is False:
-        raise ValueError("sew_seams=False is not for several meshes, which are joined where borders coincide.")
+    if parameters.get("sew") is False:
+        raise ValueError("sew=False is not for several meshes, which are joined where borders coincide.")
     if len({piece.get("sizes") is None for piece in pieces}) > 1:
         raise ValueError("sizes must be given for all meshes, or for none.")
+    if any(piece.get(name) is None for piece in pieces for name in ("vertices", "faces")):
+        raise ValueError("each of the pieces needs vertices and faces.")
     meshes = [_arrays.Mesh(piece.pop("vertices"), piece.pop("faces")) for piece in pieces]
-    given = [_all_extras(mesh, parameters, **piece) for mesh, piece in zip(meshes, pieces)]
+    choices = [dict(parameters) for _ in pieces]  # each mesh implies its own; those of any are for all
+    given = [_all_extras(mesh, own, **piece) for mesh, own, piece in zip(meshes, choices, pieces)]
+    parameters = {name: value for own in choices for name, value in own.items()}
     outcomes = _core.remesh_pieces([mesh.vertices for mesh in meshes], [mesh.faces for mesh in meshes],
                                    given, parameters, progress)
     for outcome in outcomes:

@@ -307,6 +307,10 @@ async function open(name, bytes) {
 		changed();
 	} catch (error) {
 		tellFailure(error);
+		if (mesh !== null && of === change) { // the mesh that is still shown is opened again
+			reopen();
+			$("download").disabled = true;
+		}
 	}
 }
 

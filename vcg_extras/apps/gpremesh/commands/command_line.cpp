@@ -3,10 +3,12 @@
 #include "command_line.h"
 
 #include "manual_page.h"
+#include "remesh_command.h"
 #include "table_options.h"
 
 #include <vcg_extras/io/base/exit_code.h>
 #include <vcg_extras/io/mesh_io.h>
+#include <vcg_extras/io/text/number_text.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -14,6 +16,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <set>
+#include <sstream>
 
 namespace gpr::app {
 
@@ -51,8 +54,14 @@ std::string withoutSlashAtEnd(const std::string& path)
 void checkReport(const CommandLine& line)
 {
 	if (line.report.empty()) return;
-	if (sameFile(line.report, line.output) || sameFile(line.report, line.input)) {
-		failUsage("--report must name another file than IN and OUT.");
+	std::vector<std::string> files = {line.input, line.output};
+	for (const std::string& piece : line.pieces)
+		files.insert(files.end(), {piece, pathOfPiece(line, piece)});
+	for (std::size_t i = 0; i < line.levels.sizes.size(); ++i)
+		files.push_back(pathOfLevel(line.output, i + 1));
+	for (const std::string& file : files) {
+		if (sameFile(line.report, file))
+			failUsage("--report must name another file than IN and OUT.");
 	}
 }
 
@@ -67,7 +76,7 @@ void checkPieces(const CommandLine& line)
 	if (line.options.selectedOnly) failUsage("--selected is for one file only.");
 	if (!line.options.sew)
 		failUsage(
-			"Several files are joined where their borders coincide; --sew off is not forthem.");
+			"Several files are joined where their borders coincide; --sew off is not for them.");
 	if (line.outTileNum > 0 || line.tiles.memoryBytes > 0)
 		failUsage("Tiles are made of one file only.");
 	checkReport(line);
@@ -219,6 +228,7 @@ CLI::App* addRemesh(CLI::App& app, CommandLine& line, GivenOptions& given, Files
 					 "--boundary match. Refused where the borders are no translates")
 		->delimiter(',')
 		->expected(3)
+		->allow_extra_args(false)
 		->type_name("X,Y,Z");
 	addOutcome(*remesh, line, "Write what was done, and how well, as JSON");
 	addMemory(*remesh, line);
@@ -241,15 +251,20 @@ bool isForLevels(const Parameter& p)
 void addLevelSizes(CLI::App& levels, const char* option, const char* help, TargetMode mode,
 				   CommandLine& line)
 {
-	const auto keep = [&line, mode](const std::vector<double>& sizes) {
+	const auto keep = [&line, mode, option](const std::string& text) {
 		if (!line.levels.sizes.empty())
 			failUsage("give only one of --percent, --vertices and --faces.");
-		line.levels = {mode, sizes};
+		line.levels.mode = mode;
+		std::istringstream parts(text);
+		for (std::string part; std::getline(parts, part, ',');) {
+			double size = 0;
+			if (!parseNumber(part, size) || !(size > 0))
+				failUsage(std::string(option) +
+						  " takes numbers above 0 with commas between, not '" + text + "'.");
+			line.levels.sizes.push_back(size);
+		}
 	};
-	levels.add_option_function<std::vector<double>>(option, keep, help)
-		->delimiter(',')
-		->check(CLI::PositiveNumber)
-		->type_name("N,N,...");
+	levels.add_option_function<std::string>(option, keep, help)->type_name("N,N,...");
 }
 
 /// Several sizes of one mesh.
