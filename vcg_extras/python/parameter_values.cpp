@@ -144,23 +144,6 @@ std::string sizeNames(Tool tool)
 	return names;
 }
 
-const char* kindName(ParameterKind kind)
-{
-	switch (kind) {
-	case ParameterKind::Count:
-		return "count";
-	case ParameterKind::Number:
-		return "number";
-	case ParameterKind::Length:
-		return "length";
-	case ParameterKind::Switch:
-		return "switch";
-	case ParameterKind::Choice:
-		break;
-	}
-	return "choice";
-}
-
 nb::object defaultOf(const Parameter& p)
 {
 	if (isSizeParameter(p)) return nb::none();
@@ -180,7 +163,7 @@ nb::dict entryOf(const Parameter& p, Tool tool)
 		choices.append(choice);
 	nb::dict entry;
 	entry["name"]    = app::pythonName(p, tool);
-	entry["kind"]    = kindName(p.kind);
+	entry["kind"]    = app::kindName(p.kind);
 	entry["label"]   = p.label;
 	entry["help"]    = pythonHelp(p);
 	entry["minimum"] = p.minimum;

@@ -52,30 +52,13 @@ Session& session()
 	return one;
 }
 
-const char* kindName(ParameterKind kind)
-{
-	switch (kind) {
-	case ParameterKind::Count:
-		return "count";
-	case ParameterKind::Number:
-		return "number";
-	case ParameterKind::Length:
-		return "length";
-	case ParameterKind::Switch:
-		return "switch";
-	case ParameterKind::Choice:
-		return "choice";
-	}
-	return "";
-}
-
 Json rowJson(const Parameter& p)
 {
 	return {{"key", p.key},
 			{"option", p.option},
 			{"argument", p.argument},
 			{"python", app::pythonName(p, RemeshTool)},
-			{"kind", kindName(p.kind)},
+			{"kind", app::kindName(p.kind)},
 			{"label", p.label},
 			{"help", commandHelp(p)},
 			{"minimum", p.minimum},

@@ -21,7 +21,8 @@ constexpr int none = -1;
 /// Of the period: coordinates with five digits pass.
 constexpr double tolerance = 1e-4;
 
-/// Finds vertices near a place: those of the cells of a grid that its neighbourhood meets.
+/// Finds vertices near a place. The cells of the grid that the neighbourhood of the place meets
+/// hold them.
 class VertexGrid {
 public:
 	VertexGrid(const std::vector<Vec3d>& position, const std::vector<int>& vertices, double reach) :
@@ -66,14 +67,11 @@ private:
 	}
 };
 
-double coordinate(const Vec3d& p, int axis)
-{
-	return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
-}
-
 Vec3d alongAxis(int axis, double by)
 {
-	return {axis == 0 ? by : 0, axis == 1 ? by : 0, axis == 2 ? by : 0};
+	Vec3d v;
+	setCoordinate(v, axis, by);
+	return v;
 }
 
 PeriodicBorder::Edge ordered(int a, int b)

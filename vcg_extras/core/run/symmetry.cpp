@@ -413,9 +413,8 @@ private:
 		const bool      hasMarks = in.wantedEdge != nullptr || in.selected != nullptr ||
 							  in.line != nullptr || in.hasManyRegions();
 		if (hasMarks) {
-			run_.tell(
-				"Wanted edges, selected vertices, given lines and borders of regions are followed "
-				"as they lie on the remeshed half; those of the other half are not looked at.");
+			run_.tell("Wanted edges, selected vertices, given lines and borders of regions are "
+					  "followed on the remeshed half. The other half of them is not looked at.");
 		}
 		run_.tell("The result is symmetric across " + nameOf(found_.plane) + ": twice " +
 				  std::to_string(ofRun_.mesh.vertexNum()) + " vertices less " +

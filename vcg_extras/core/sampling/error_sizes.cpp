@@ -591,7 +591,8 @@ private:
 	}
 };
 
-/// The sizes of a mesh from those of the mesh that was cut: at a line the smaller of its sides.
+/// Makes the sizes of a mesh from the sizes of the cut mesh: a vertex of a line gets the smaller
+/// size of its sides.
 ErrorSizes joined(const CutMesh& cut, const ErrorSizes& sizes, const HalfEdgeMesh& mesh,
 				  float slope, Workers& workers)
 {

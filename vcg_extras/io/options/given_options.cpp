@@ -106,6 +106,23 @@ std::string pythonName(const Parameter& p, Tool tool)
 	return name;
 }
 
+const char* kindName(ParameterKind kind)
+{
+	switch (kind) {
+	case ParameterKind::Count:
+		return "count";
+	case ParameterKind::Number:
+		return "number";
+	case ParameterKind::Length:
+		return "length";
+	case ParameterKind::Switch:
+		return "switch";
+	case ParameterKind::Choice:
+		break;
+	}
+	return "choice";
+}
+
 bool choosesSize(const Parameter& row, const std::string& word)
 {
 	return isSizeParameter(row) && word != "off";

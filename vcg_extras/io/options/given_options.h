@@ -20,6 +20,9 @@ std::string defaultText(const Parameter& p);
 /// of its own for it.
 std::string pythonName(const Parameter& p, Tool tool);
 
+/// The kind of a parameter in a word, for hosts that read the table.
+const char* kindName(ParameterKind kind);
+
 /// Whether an option chooses the size of the result; "off" chooses none.
 bool choosesSize(const Parameter& row, const std::string& word);
 
