@@ -25,7 +25,7 @@ class SmallEngine(unittest.TestCase):
 
     def write(self, name, text):
         file = self.core / name
-        file.parent.mkdir(exist_ok=True)
+        file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(text + "\n")
 
     def check(self, *arguments):
