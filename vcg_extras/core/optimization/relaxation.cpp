@@ -20,8 +20,7 @@ namespace {
 
 /// Weight of area per vertex; empty where the triangles are to be of one size. Lloyd's theory asks
 /// for the fourth power of 1/size for the density of the area; for barycentres of rings, whose
-/// faces are small already where they are to be small, the third power keeps the grading
-/// (docs/algorithm.md).
+/// faces are small already where they are to be small, the third power keeps the grading.
 Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
 	Buffer<float> density = sizesOf(surface, result, workers);
