@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command line: `gpremesh` and `python -m gpremesh` run the program that the package brings."""
+"""The command line: `gpremesh` and `python -m gpremesh` run the program that the package brings. Where it was
+built without the program, `gpremesh remesh` is done by the package itself."""
 
 import os
 import subprocess
@@ -16,7 +17,9 @@ def program():
 def main():
     words = [program(), *sys.argv[1:]]
     if not os.path.exists(words[0]):
-        sys.exit("gpremesh: this package was built without the program, because CLI11 (libcli11-dev on Debian) was missing.")
+        from ._command import run
+
+        sys.exit(run(words[1:]))
     if os.name == "nt":  # where exec would not wait
         sys.exit(subprocess.call(words))
     os.execv(words[0], words)

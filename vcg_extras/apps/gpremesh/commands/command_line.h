@@ -5,6 +5,7 @@
 
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/io/mesh/attribute_carry.h>
+#include <vcg_extras/io/options/given_options.h>
 
 #include <cstdint>
 #include <string>
@@ -74,9 +75,15 @@ struct CommandLine {
 /// Where the result of one of several files is written.
 std::string pathOfPiece(const CommandLine& line, const std::string& piece);
 
-/// Reads the arguments; the remeshing options are made from the engine's parameter table. Prints
-/// --help and --version itself. Throws AppError (Usage) with a sentence on any mistake.
-CommandLine parseCommandLine(int argc, char** argv);
+/// "tiles/" is "tiles".
+std::string withoutSlashAtEnd(const std::string& path);
+
+/// Whether the plan of a run in tiles depends on an option; each step has the others for itself.
+bool isForPlan(const Parameter& p);
+
+/// Takes the options of the table into the line and checks how all of it fits together. Throws
+/// AppError (Usage) with a sentence on any mistake.
+void complete(const GivenOptions& given, CommandLine& line);
 
 } // namespace gpr::app
 
