@@ -18,9 +18,9 @@ namespace gpr {
 
 namespace {
 
-/// Weight of area per vertex; empty where the triangles are to be of one size. Lloyd's theory asks
-/// for the fourth power of 1/size for the density of the area; for barycentres of rings, whose
-/// faces are small already where they are to be small, the third power keeps the grading.
+/// Weight of area per vertex; empty for triangles of equal size. Lloyd's theory needs a density of
+/// 1/size to the fourth power. For barycentres of rings, whose faces already have graded sizes, the
+/// third power keeps the grading.
 Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
 	Buffer<float> density = sizesOf(surface, result, workers);
@@ -29,7 +29,7 @@ Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Wo
 	return density;
 }
 
-/// One step over the surface: every flat vertex goes the tangential part of way(v).
+/// A step over the surface: every flat vertex moves by the tangential part of way(v).
 template <class Way>
 void walkOnce(const Surface& surface, const Way& way, ResultMesh& result, Workers& workers)
 {
@@ -46,8 +46,8 @@ void walkOnce(const Surface& surface, const Way& way, ResultMesh& result, Worker
 
 // ---- creases
 
-/// Of the way to the next vertex on the line: neighbours that slide as far towards each other keep
-/// a distance.
+/// Share of the way to the next vertex on the line: two neighbours that slide towards each other
+/// keep a distance.
 constexpr float longestCreaseSlide = 0.3f;
 
 void slideOnCrease(const Surface& surface, const BoundaryCurves& curves, int v, ResultMesh& r)
@@ -66,23 +66,23 @@ void slideOnCrease(const Surface& surface, const BoundaryCurves& curves, int v, 
 
 // ---- conformal
 
-/// Flips after every step give the same regularity and a mean distance 5 % larger, after every
-/// sixth one less regularity (means of six models).
+/// Flips after every step give the same regularity and a 5 % larger mean distance; flips after
+/// every sixth step give less regularity (means of six models).
 constexpr int stepsBetweenFlips = 3;
-/// The momentum fades over the last steps, which then damp what it left of short waves.
+/// The momentum fades over the last steps, which then damp short waves.
 constexpr int calmSteps = 2;
 
-/// Rings with a face above this energy move by guarded steps.
+/// Above this energy of a face, the vertices of the ring move by guarded steps.
 constexpr float poorEnergy = 1.35f;
-/// Twice a face's area counts as at least this, in squared local edges.
+/// Lower limit of twice the area of a face, in squared local edges.
 constexpr float minCross = 0.02f;
 
 // Longest moves, in local edges.
 constexpr float longestDescent = 0.15f, longestMove = 0.3f, longestSlide = 0.1f;
 
-/// Vertices that slide keep this distance from their neighbours on the curve, in local edges.
+/// Sliding vertices keep this distance from neighbours on the curve, in local edges.
 constexpr float minSpacing = 0.6f;
-/// A slide may lower the worst angle of the ring down to this.
+/// A slide may lower the worst angle of the ring to this angle.
 constexpr float minSlideAngle = 34 * radians;
 
 float meanSquaredEdge(const HalfEdgeMesh& m, int v)
@@ -96,15 +96,15 @@ float meanSquaredEdge(const HalfEdgeMesh& m, int v)
 	return n > 0 ? sum / float(n) : 0.0f;
 }
 
-/// What the ring of a vertex wants.
+/// The pull of the ring of a vertex.
 struct RingPull {
-	Vec3f newton; ///< the step to where the force vanishes; at a vertex of a curve not tangential
+	Vec3f newton; ///< step to the place without force; not tangential on curves
 	float worstEnergy = 0;
-	float edge        = 0; ///< local edge length: root mean square of the ring's
+	float edge        = 0; ///< local edge length: root mean square over the ring
 };
 
-/// normal: the surface's at v. A face whose normal points against it counts as one without area;
-/// but the faces at a curve may look anywhere.
+/// normal: of the surface at v. A face with the opposite normal counts as degenerate; faces at a
+/// curve may have any normal.
 RingPull pullOf(const HalfEdgeMesh& m, int v, bool onCurve, const Vec3f& normal)
 {
 	const float squared = meanSquaredEdge(m, v);
@@ -159,7 +159,7 @@ private:
 	SurfaceDescent        descent_;
 	Buffer<Vec3f>         last_; ///< the last move of each vertex that walks
 	Buffer<char>          flat_;
-	float                 share_ = 0; ///< of the last move that is made again in this step
+	float                 share_ = 0; ///< of the last move, repeated in this step
 
 	std::optional<ResultVertex> next(int v)
 	{

@@ -12,10 +12,10 @@ namespace gpr {
 
 namespace {
 
-/// Valences that a flip must not leave.
+/// Limits of the valences after a flip.
 constexpr int minValence = 4, maxValence = 8;
-/// Width of the cells that threads share, in ideal edges: a chain of six flips seldom gets out of
-/// what a cell reaches.
+/// Width of the cells that threads share, in ideal edges: a chain of six flips seldom leaves the
+/// reach of a cell.
 constexpr float cellWidth = 14;
 /// Vertices of more faces than this are no dislocations.
 constexpr int maxNeighbours = 16;
@@ -30,7 +30,7 @@ public:
 	{
 	}
 
-	/// Looks for a chain that begins at v.
+	/// Searches a chain from v.
 	bool glide(int v, int depth)
 	{
 		for (int flips = 1; flips <= depth; ++flips) {
@@ -42,7 +42,7 @@ public:
 	std::int64_t flipNum() const { return flipNum_; }
 
 private:
-	/// Where a chain stands: the change of the energy so far, flips left, and the edge made last,
+	/// State of a chain: the change of the energy so far, the flips left, and the last new edge,
 	/// which must not be flipped back.
 	struct State {
 		int energy;
@@ -71,7 +71,7 @@ private:
 		forEachNeighbour(m_, v, [&](int w) {
 			if (n < maxNeighbours) neighbour[n++] = w;
 		});
-		// Flips tried and undone may have renamed half-edges, so edges go by their ends.
+		// Undone flips may have renamed half-edges, so edges are found by their ends.
 		for (int i = 0; i < n; ++i) {
 			if (state.isLast(v, neighbour[i])) continue;
 			if (flipAndGoOn(m_.findHalfEdge(v, neighbour[i]), state)) return true;

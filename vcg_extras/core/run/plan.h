@@ -20,25 +20,25 @@ namespace gpr {
 /// The steps of a run, in the order of a run. Beside each step stand the stages of the step
 /// (base/stages.h).
 enum class Step {
-	Region,       ///< Detection
-	Input,        ///< Load, Sew
-	Surface,      ///< SplitLongEdges, Order, Connect, Repair
-	Sizes,        ///< Sizing, SplitLongEdges, InputFigures
+	Region,       ///< `Detection`
+	Input,        ///< `Load`, `Sew`
+	Surface,      ///< `SplitLongEdges`, `Order`, `Connect`, `Repair`
+	Sizes,        ///< `Sizing`, `SplitLongEdges`, `InputFigures`
 	Forecast,     ///< vertex count for a largest error or a detail
-	Lines,        ///< FeatureLines
-	GivenLines,   ///< FeatureLines
-	Samples,      ///< Boundary, Sampling
-	GivenSamples, ///< GivenSamples
-	Triangles,    ///< Retriangulation, Flips
-	Count,        ///< Count
-	Relaxation,   ///< Relaxation
-	Fit,          ///< Fit, Angles
-	Release,      ///< Fit, Angles, after crowded feature lines were released
-	Contacts,     ///< Contacts
-	Refinement,   ///< Fit, only for a largest error
-	Error,        ///< Error
-	Check,        ///< Audit, Check
-	Export,       ///< Export
+	Lines,        ///< `FeatureLines`
+	GivenLines,   ///< `FeatureLines`
+	Samples,      ///< `Boundary`, `Sampling`
+	GivenSamples, ///< `GivenSamples`
+	Triangles,    ///< `Retriangulation`, `Flips`
+	Count,        ///< `Count`
+	Relaxation,   ///< `Relaxation`
+	Fit,          ///< `Fit`, `Angles`
+	Release,      ///< `Fit`, `Angles`, after crowded feature lines were released
+	Contacts,     ///< `Contacts`
+	Refinement,   ///< `Fit`, only for a largest error
+	Error,        ///< `Error`
+	Check,        ///< `Audit`, `Check`
+	Export,       ///< `Export`
 	Done
 };
 
