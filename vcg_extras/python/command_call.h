@@ -10,17 +10,17 @@
 #include <string>
 #include <vector>
 
-// `gpremesh remesh` behind a parser of Python's, where the program itself was not built.
+// `gpremesh remesh` with a Python parser, for packages built without the program.
 
 namespace gpr::python {
 
-/// A dictionary: description, in, out, and options, a list of dictionaries with option, argument
-/// (empty: a switch) and help.
+/// The texts of the command, as a dictionary: description, in, out, and options, a list of
+/// dictionaries with option, argument (empty: a switch) and help.
 nanobind::dict remeshCommandTexts();
 
-/// Runs `gpremesh remesh` and returns its exit code. files: the words that are no options; options:
-/// their words by the names that the texts have. Writes to standard output and standard
-/// error as the program does, and takes signals for itself.
+/// Runs `gpremesh remesh` and returns the exit code. files: the arguments that are no options;
+/// options: the values of options, by the names in the texts. Writes to standard output and
+/// standard error like the program, and handles signals itself.
 int runRemeshWords(const std::vector<std::string>&           files,
 				   const std::map<std::string, std::string>& options);
 

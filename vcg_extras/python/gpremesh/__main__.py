@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command line: `gpremesh` and `python -m gpremesh` run the program that the package brings. Where it was
-built without the program, `gpremesh remesh` is done by the package itself."""
+"""The command line: `gpremesh` and `python -m gpremesh` run the program in the package. A package built without the
+program does `gpremesh remesh` itself."""
 
 import os
 import subprocess
@@ -20,7 +20,7 @@ def main():
         from ._command import run
 
         sys.exit(run(words[1:]))
-    if os.name == "nt":  # where exec would not wait
+    if os.name == "nt":  # exec would not wait
         sys.exit(subprocess.call(words))
     os.execv(words[0], words)
 

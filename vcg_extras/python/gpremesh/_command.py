@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`gpremesh remesh` where the package was built without the program: a parser of words over the engine's table.
-All the rest, messages and exit codes included, is the program's own code."""
+"""`gpremesh remesh` for a package built without the program: a parser of arguments from the table of the engine. The
+code of the program does the rest, with the same messages and exit codes."""
 
 import argparse
 import sys
@@ -22,7 +22,7 @@ class _Parser(argparse.ArgumentParser):
 
 
 class _Keep(argparse.Action):
-    """Keeps the words by the names of the options; none may be given twice."""
+    """Stores arguments by the names of the options; no option may be given twice."""
 
     def __call__(self, parser, namespace, word, option_string=None):
         given = namespace.given
@@ -49,7 +49,7 @@ def _parser(texts):
 
 
 def _joined(words, texts):
-    """An option takes the word behind it, even one that begins with a hyphen."""
+    """Joins each option with the next word, even if the word begins with a hyphen."""
     takers = {name for row in texts["options"] if row["argument"] for name in row["option"].split(",")}
     words, joined = iter(words), []
     for word in words:
@@ -81,7 +81,7 @@ def _without_program():
 
 
 def run(words):
-    """Does what the words say and returns the exit code."""
+    """Runs a command line and returns the exit code."""
     words = _core.with_command(words)
     if words and words[0] in ("-h", "--help"):
         print(_overview())
