@@ -29,7 +29,7 @@ gpr::Tool toolOf(const std::string& name)
 
 } // namespace
 
-/// What the package is made of; only its own Python part calls this.
+/// The compiled part of the package; only the Python part of the package calls this module.
 NB_MODULE(_core, module)
 {
 	module.attr("version") = GPR_VERSION;
