@@ -44,8 +44,9 @@ struct PoorFaces {
 /// count is kept only if the lack of angles shrinks, the smallest angle does not fall, the number
 /// of inverted faces does not grow, and the count is reached. Needs a mesh without dead faces;
 /// `map` belongs to the faces of the mesh, and is made here if needed and null. Returns false if
-/// the budget ended a search. Cost: bounded by the budget, about a third of a second, and a tenth
-/// of the run on large meshes; the worst faces come first.
+/// the budget ended a search, or if too many faces are poor for a search. Cost: bounded by the
+/// budget, about a third of a second, and a tenth of the run on large meshes; the worst faces come
+/// first.
 bool repairPoorFaces(const Surface& surface, const BoundaryCurves& curves, const PoorFaces& wanted,
 					 std::unique_ptr<ClosestFaceMap>& map, ResultMesh& result, Workers& workers);
 
