@@ -46,9 +46,10 @@ ConformalSteps conformalSteps(int stepNum);
 
 /// Moves vertices so that the triangles become equilateral: descent with momentum on the sum over
 /// the faces of the conformal energy. It knows no size, so a graded mesh stays graded. All vertices
-/// move at once (Jacobi); those of curves slide along them, corners and cone apexes stay. Where a
-/// ring has a poor triangle, only moves that do not lower its worst angle are made. Every third
-/// step, and at the end, edges are flipped to Delaunay. A step costs what one of relaxOnce does.
+/// move at once (Jacobi); corners and cone apexes stay. Where a ring has a poor triangle, only
+/// moves that do not lower its worst angle are made. Three steps go through space; then the
+/// vertices walk to these places, those of curves slide along them, and edges are flipped to
+/// Delaunay.
 void relaxConformally(const Surface& surface, const BoundaryCurves& curves,
 					  const ConformalSteps& steps, ResultMesh& result, Workers& workers);
 
