@@ -45,9 +45,9 @@ ConformalSteps conformalSteps(int stepNum);
 
 /// Makes triangles equilateral: descent with momentum on the sum of the conformal energy over the
 /// faces. The energy does not depend on sizes, so a graded mesh stays graded. All vertices move at
-/// once (Jacobi); vertices of curves slide along their curves, corners and cone apexes stay. In a
-/// ring with a poor triangle, a move must not lower the worst angle. Every third step, and at the
-/// end, edges are flipped to Delaunay. Cost: per step the same as relaxOnce.
+/// once (Jacobi); corners and cone apexes stay. In a ring with a poor triangle, a move must not
+/// lower the worst angle. Three steps go through space; then the vertices walk to the new places,
+/// vertices of curves slide along their curves, and edges are flipped to Delaunay.
 void relaxConformally(const Surface& surface, const BoundaryCurves& curves,
 					  const ConformalSteps& steps, ResultMesh& result, Workers& workers);
 

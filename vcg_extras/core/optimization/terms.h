@@ -11,6 +11,8 @@
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/surface/closest_face_map.h>
 
+#include <algorithm>
+
 namespace gpr {
 
 /// The four terms that move vertices. A term gives the wanted move of a vertex while all other
@@ -30,50 +32,37 @@ Vec3f wayToBarycentre(const HalfEdgeMesh& mesh, int v, const Buffer<float>& dens
 /// inside outwards.
 Buffer<Vec3f> secondOrderUmbrella(const HalfEdgeMesh& mesh, Workers& workers);
 
-/// Conformal: the pull of the faces at a vertex p, by the energy of Hormann and Greiner, MIPS
-/// (2000), E = (|a|² + |b|² + |b - a|²) / (4√3·area) for the face (p, p + a, p + b), 1 if
-/// equilateral.
-struct ConformalPull {
-	Vec3f force;         ///< minus the gradient over p
-	float stiffness = 0; ///< the Hessian's diagonal
-
-	/// Adds a face and returns the energy of the face. inverse: 1 over twice the area. The normal
-	/// may be the normal of the surface; for a normal that is no unit vector, unit is 1 over the
-	/// length of the normal. Inline: each step of a descent calls add() for every corner of every
-	/// face.
-	///
-	///     gradient = -2k (a + b) / 2A - E / 2A · n × (b - a),  Hessian ≈ 4k / 2A,  k = 1 / (2√3)
-	float add(const Vec3f& a, const Vec3f& b, const Vec3f& normal, float unit, float inverse)
-	{
-		constexpr float k      = 0.28867513f;
-		const Vec3f     across = b - a;
-		const float     edges  = squaredLength(a) + squaredLength(b) + squaredLength(across);
-		const float     energy = k * edges * inverse;
-		force += (a + b) * (2 * k * inverse);
-		force += cross(normal, across) * (energy * inverse * unit);
-		stiffness += 4 * k * inverse;
-		return energy;
-	}
-};
-
-/// The same at all three corners of a face. Energy, normal and lengths are computed once.
+/// Conformal: what a face says to its corners, by the energy of Hormann and Greiner, MIPS (2000),
+/// E = (sum of the squared edges) / (4√3·area), 1 if the face is equilateral. For the corner p of
+/// the face (p, p + a, p + b) with the unit normal n:
+///
+///     force = 2k (a + b) / 2A + E / 2A · n × (b - a),  stiffness = 4k / 2A,  k = 1 / (2√3)
+///
+/// The force is minus the gradient over p, the stiffness the diagonal of the Hessian without small
+/// terms. Energy, normal and lengths are computed once for all three corners.
 struct ConformalFace {
-	Float4 force[3];            ///< per corner; the fourth lane is the stiffness
-	Float4 normal;              ///< of twice the area's length
+	Float4 force[3];            ///< per corner; the fourth lane is the stiffness there
+	Float4 normal;              ///< its length is twice the area
 	float  squaredEdge[3] = {}; ///< from each corner to the next
+	float  energy         = 0;
 
-	ConformalFace(const Vec3f& a, const Vec3f& b, const Vec3f& c)
+	/// leastArea: 2A counts as at least this share of the mean squared edge, so that a face without
+	/// area has a finite force.
+	ConformalFace(const Vec3f& a, const Vec3f& b, const Vec3f& c, float leastArea = 0)
 	{
 		constexpr float k  = 0.28867513f;
 		const Vec3f     ab = b - a, bc = c - b, ca = a - c, n = cross(ab, bc);
 		squaredEdge[0]      = squaredLength(ab);
 		squaredEdge[1]      = squaredLength(bc);
 		squaredEdge[2]      = squaredLength(ca);
-		const float inverse = 1 / (length(n) + 1e-30f);
-		const float energy  = k * (squaredEdge[0] + squaredEdge[1] + squaredEdge[2]) * inverse;
-		const float along = 2 * k * inverse, across = energy * inverse * inverse;
-		const auto  at = [&](const Vec3f& sum, const Vec3f& opposite) {
-            const Vec3f pull = sum * along + cross(n, opposite) * across;
+		const float sum     = squaredEdge[0] + squaredEdge[1] + squaredEdge[2];
+		const float twice   = length(n) + 1e-30f;
+		const float unit    = 1 / twice;
+		const float inverse = leastArea > 0 ? 1 / std::max(twice, leastArea * sum / 3) : unit;
+		energy              = k * sum * inverse;
+		const float along = 2 * k * inverse, across = energy * inverse * unit;
+		const auto  at = [&](const Vec3f& sides, const Vec3f& opposite) {
+            const Vec3f pull = sides * along + cross(n, opposite) * across;
             return Float4(pull.x, pull.y, pull.z, 2 * along);
 		};
 		force[0] = at(ab - ca, bc);

@@ -83,9 +83,11 @@ private:
 	{
 		if (h < 0 || m_.opposite[h] < 0) return false;
 		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
+		// Valences rule most flips out, and are looked at first.
+		if (!valencesAllow(a, b, c, d)) return false;
 		if (!isOurs(a) || !isOurs(b) || !isOurs(c) || !isOurs(d)) return false;
 		const int energy = state.energy + flipEnergy(m_, valence_, h);
-		if (energy > 0 || !mayFlip(h, a, b, c, d)) return false;
+		if (energy > 0 || !flipKeepsShape(m_, h) || !canFlip(m_, h)) return false;
 		turn(h);
 		if (energy < 0) return true;
 		if (state.flipsLeft > 1) {
@@ -99,12 +101,11 @@ private:
 		return false;
 	}
 
-	bool mayFlip(int h, int a, int b, int c, int d) const
+	bool valencesAllow(int a, int b, int c, int d) const
 	{
 		if (valence_[c] > 5 && valence_[d] > 5) return false;
 		if (valence_[a] <= minValence || valence_[b] <= minValence) return false;
-		if (valence_[c] >= maxValence || valence_[d] >= maxValence) return false;
-		return flipKeepsShape(m_, h) && canFlip(m_, h);
+		return valence_[c] < maxValence && valence_[d] < maxValence;
 	}
 
 	void turn(int h)
