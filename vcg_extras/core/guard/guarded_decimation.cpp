@@ -206,7 +206,7 @@ private:
 		const Places places = placesOf(merge);
 		c.cost = float(places.at[0].first + settings_.lengthWeight * squared * squared);
 		if (merge.endsFlat)
-			c.cost = -1 / (1 + c.cost); // before all other edges, the cheapest
+			c.cost = -1 / (1 + c.cost); // before all edges, the cheapest first
 										// first
 		if (hasToGo(merge)) c.cost = -1;
 		c.a      = std::min(v, w);

@@ -30,9 +30,9 @@ using StopQuestion = std::function<bool()>;
 BaselineResult collapseQuadricEdges(const MeshView& mesh, std::int64_t faceNum,
 									const StopQuestion& shallStop);
 
-/// MeshLab's "Remeshing: Isotropic Explicit Remeshing" with target length edgeLen, mesh units:
-/// three rounds of splits, collapses, flips, smoothing and reprojection; crease angle 30°, no
-/// operation further than 1 % of the diagonal from the surface. One thread; cannot be stopped.
+/// MeshLab's "Remeshing: Isotropic Explicit Remeshing" with edge length edgeLen, mesh units: three
+/// rounds of splits, collapses, flips, smoothing and reprojection; crease angle 30°, no operation
+/// further than 1 % of the diagonal from the surface. One thread; cannot be stopped.
 BaselineResult remeshIsotropically(const MeshView& mesh, double edgeLen);
 
 } // namespace gpr::app

@@ -12,8 +12,8 @@
 namespace gpr::app {
 
 /// Watches the run limit in a thread of its own, twenty times a second: at the limit the thread
-/// ends the process with the reason and its exit code. For work that cannot check the limit, such
-/// as reading a file, and that has nothing to clear away.
+/// ends the process with the reason and its exit code. For work without checks of the limit, such
+/// as reading a file, and with nothing to clear away.
 class EndAtOnce {
 public:
 	explicit EndAtOnce(const RunLimit& limit);
