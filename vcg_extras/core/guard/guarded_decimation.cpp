@@ -205,9 +205,7 @@ private:
 		if (squared > settings_.longestEdge * settings_.longestEdge) return false;
 		const Places places = placesOf(merge);
 		c.cost = float(places.at[0].first + settings_.lengthWeight * squared * squared);
-		if (merge.endsFlat)
-			c.cost = -1 / (1 + c.cost); // before all edges, the cheapest first
-										// first
+		if (merge.endsFlat) c.cost = -1 / (1 + c.cost); // before all edges, the cheapest first
 		if (hasToGo(merge)) c.cost = -1;
 		c.a      = std::min(v, w);
 		c.b      = std::max(v, w);
