@@ -51,7 +51,7 @@ public:
 	/// A point of the surface.
 	struct SamplePoint {
 		CoordType   position;       ///< mesh units
-		FacePointer face = nullptr; ///< the face of the sampled mesh below the point
+		FacePointer face = nullptr; ///< the point's face of the sampled mesh
 		CoordType   barycentric;    ///< weights of the face's corners; position is their mean
 	};
 

@@ -123,7 +123,7 @@ private:
 	std::unique_ptr<ContactGuard> guard_;
 	std::int64_t          livingNum_, guardedNum_; ///< vertices now, and when the guard was made
 	std::int64_t          firstNum_  = 0;
-	std::int64_t          borderNum_ = 0; ///< vertices to remove from a border with kept vertices
+	std::int64_t          borderNum_ = 0;     ///< vertices to remove from a kept border
 	bool                  isForced_  = false; ///< remove only these vertices, even with contacts
 	bool                  hasFlat_;           ///< the first mesh had degenerate faces
 	std::vector<unsigned> stamp_;             ///< per vertex: number of its changes

@@ -21,7 +21,7 @@ struct RefilledMesh {
 											   ///< patches
 	std::vector<int> inputVertex; ///< per vertex: vertex of the working surface, the same or near;
 								  ///< -1 outside
-	std::vector<int> label;       ///< per vertex: vertex of the result, the same or replaced
+	std::vector<int> label;       ///< per vertex: vertex of the result, the same or near
 	double           work = 0;    ///< looks at vertices of the working surface, in all rounds
 };
 

@@ -9,7 +9,7 @@
 
 namespace gpr {
 
-/// /// The place of a point of the working surface on the input mesh: a face of the input and the
+/// The place of a point of the working surface on the input mesh: a face of the input and the
 /// weights of its corners.
 BarycentricPoint barycentricPoint(const MeshView& input, const Surface& surface,
 								  const SurfacePoint& point);

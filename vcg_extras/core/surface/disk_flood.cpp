@@ -15,7 +15,7 @@ constexpr float flatCosine = 0.8f;
 /// A settled vertex is visited again if a way shorter by this share turns up.
 constexpr float worthAnotherVisit = 1e-3f;
 /// Most repeated visits of vertices in a flood: among needles a way could get shorter bit by bit,
-/// nearly without end. On scans some per cent of the floods make a few dozen repeated visits.
+/// nearly without end. On scans a flood revisits some per cent of its few dozen vertices.
 constexpr int maxVisitsAgain = 48;
 
 } // namespace

@@ -14,7 +14,7 @@ namespace gpr {
 
 /// The place of a vertex of the result on the working surface, and its rights to move.
 struct ResultVertex {
-	SurfacePoint point;            ///< on, or near, the vertex (see ResultMesh)
+	SurfacePoint point;            ///< at or below the vertex (see ResultMesh)
 	Vec3f        normal;           ///< of the face of point
 	int          curve    = -1;    ///< border or feature line of the vertex, or -1
 	float        arc      = 0;     ///< arc length on the curve
