@@ -97,7 +97,7 @@ private:
 	void addPoints(const Edge& edge)
 	{
 		const double pieces = std::ceil(lengthOf(edge.first, edge.second) / maxLength_);
-		if (!(pieces < mostPieces)) return; // the length is not a number
+		if (!(pieces < mostPieces)) return; // not a number, or too many pieces
 		Points           points{int(pieces), std::int32_t(mesh_.vertexNum())};
 		const SharedName a = names_[std::size_t(edge.first)], b = names_[std::size_t(edge.second)];
 		const bool       isShared = a.isShared() && b.isShared();
