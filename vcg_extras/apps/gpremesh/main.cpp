@@ -46,8 +46,8 @@ void run(int argc, char** argv, const Stopwatch& programClock)
 
 int main(int argc, char** argv)
 {
-	// Loading the program and its libraries took time before this line; no clock says how much of
-	// it, but the processor time used so far is most of it.
+	// Loading the program and its libraries took time before this line. No clock has measured this
+	// time, but the processor time so far is most of the load time.
 	const Stopwatch programClock(processorSeconds());
 	return exitCodeOfRun([&] { run(argc, argv, programClock); });
 }

@@ -59,7 +59,7 @@ void checkPieces(const CommandLine& line)
 	checkReport(line);
 }
 
-/// OUT must have a place for the number of the level, and sizes must be what they stand for.
+/// OUT must have a place for the number of the level, and sizes must be valid for their mode.
 void checkLevels(const CommandLine& line)
 {
 	const LevelSizes& levels = line.levels;

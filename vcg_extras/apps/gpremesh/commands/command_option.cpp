@@ -14,7 +14,7 @@ namespace gpr::app {
 
 namespace {
 
-/// Breaks a text into lines that fit beside the names of the options on 100 columns.
+/// Breaks a text into lines beside the names of the options, for 100 columns.
 std::string wrapped(const std::string& text)
 {
 	constexpr std::size_t width = 68;
@@ -38,7 +38,7 @@ std::string helpText(const Parameter& p)
 	return wrapped(commandHelp(p) + (value.empty() ? "" : " Default: " + value + "."));
 }
 
-/// How many bytes a unit stands for; 0 where it is none. K is a thousand, Ki is 1024.
+/// Bytes of a unit; 0 for an unknown unit. K is a thousand, Ki is 1024.
 std::uint64_t bytesOfUnit(std::string unit)
 {
 	for (char& c : unit)

@@ -16,15 +16,15 @@ struct CommandOption {
 	std::string option;   ///< "--report"; with a short form "-o,--output"
 	std::string argument; ///< placeholder in --help: "FILE.json"; empty: a switch
 	std::string help;     ///< lines of at most 80 columns
-	/// Takes the word that was given, or "on" of a switch. Throws AppError (Usage).
+	/// Takes the given word, or "on" for a switch. Throws AppError (Usage).
 	std::function<void(const std::string&)> take;
 };
 
-/// The options from the engine's parameter table. `given` receives the words.
+/// The options of the engine's parameter table. `given` receives the words.
 std::vector<CommandOption> tableOptions(Tool tool, GivenOptions& given,
 										bool (*isWanted)(const Parameter&) = nullptr);
 
-// Options of more than one command, which fill the line.
+// Options of several commands; each fills the line.
 CommandOption reportOption(CommandLine& line, const char* help);
 CommandOption quietOption(CommandLine& line);
 CommandOption memoryOption(CommandLine& line);

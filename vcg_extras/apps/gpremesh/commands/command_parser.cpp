@@ -71,7 +71,7 @@ void addOutput(CLI::App& command, CommandLine& line)
 		->required();
 }
 
-/// The words that are no options.
+/// The file names of a command.
 struct Files {
 	std::string              in, out;
 	std::vector<std::string> more;
@@ -162,7 +162,7 @@ bool isForStep(const Parameter& p)
 	return !isForPlan(p);
 }
 
-/// The other methods know no time limit and remesh the whole; all results are checked.
+/// The other methods have no time limit and remesh the whole mesh; all results are checked.
 bool isForCompare(const Parameter& p)
 {
 	const std::string key = p.key;
@@ -215,7 +215,7 @@ CLI::App* addTileStep(CLI::App& tile, CommandLine& line, TileStep step, const ch
 	return command;
 }
 
-/// The steps of a run in tiles, for several machines that share a folder.
+/// The steps of a run in tiles, for several machines with a common folder.
 CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
 {
 	CLI::App* const tile = app.add_subcommand(
@@ -249,7 +249,7 @@ CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
 	return tile;
 }
 
-/// For the build, which installs the page; --help does not show it.
+/// An option for the build, which installs the page; --help does not show this option.
 void addManualPage(CLI::App& app)
 {
 	const auto print = [&app] {
@@ -266,7 +266,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 	CommandLine  line;
 	RemeshWords  remeshWords;
 	Files        files;
-	GivenOptions given; // by one command only: there is no second
+	GivenOptions given; // of the given command only: there is no second command
 	CLI::App     app("Remeshes triangle meshes by geodesic Poisson-disk sampling.", "gpremesh");
 	app.set_version_flag("--version", std::string("gpremesh ") + GPR_VERSION);
 	app.require_subcommand(1);
@@ -283,7 +283,7 @@ CommandLine parseCommandLine(int argc, char** argv)
 	addManualPage(app);
 	try {
 		std::vector<std::string> words = withCommand({argv + std::min(argc, 1), argv + argc});
-		std::reverse(words.begin(), words.end()); // as this parser wants them
+		std::reverse(words.begin(), words.end()); // in the parser's order
 		app.parse(std::move(words));
 	}
 	catch (const CLI::Success& wish) { // --help, --version and --manual-page

@@ -14,7 +14,7 @@ namespace gpr::app {
 
 namespace {
 
-/// Shows a failure as one sentence and returns its exit code.
+/// Prints a failure as a sentence and returns its exit code.
 int tell(ExitCode code, std::string sentence)
 {
 	if (sentence.empty() || sentence.back() != '.') sentence += '.';
@@ -38,7 +38,7 @@ int exitCodeOfRun(const std::function<void()>& work)
 	catch (const std::exception& error) {
 		return tell(ExitCode::Failure, error.what());
 	}
-	// What was printed must have arrived: a full disk behind a redirection is a failure.
+	// All printed text must have arrived: a full disk behind a redirection is a failure.
 	if (std::fflush(stdout) != 0) return tell(ExitCode::Failure, "cannot write to standard output");
 	return int(ExitCode::Done);
 }

@@ -11,11 +11,11 @@
 
 namespace gpr::app {
 
-/// Does the work of a program. Failures are told as one sentence on standard error. Returns the
-/// exit code; full disks behind standard output are failures.
+/// Runs the work of a program. Prints a failure as a sentence on standard error. Returns the exit
+/// code; a full disk behind standard output is a failure.
 int exitCodeOfRun(const std::function<void()>& work);
 
-/// gpremesh remesh, in tiles where the memory asks for them. Throws AppError.
+/// gpremesh remesh, in tiles if the memory is too small for the whole. Throws AppError.
 void runRemeshCommand(const CommandLine& line, const Stopwatch& programClock);
 
 } // namespace gpr::app

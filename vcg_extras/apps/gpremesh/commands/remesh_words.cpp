@@ -146,7 +146,7 @@ void RemeshWords::takeFiles(const std::vector<std::string>& files)
 	files_ = files;
 }
 
-/// IN and OUT, or with --out-dir any number of IN.
+/// Assigns IN and OUT, or with --out-dir any number of IN.
 void RemeshWords::sortFiles(CommandLine& line) const
 {
 	if (files_.empty()) failUsage("IN is required. See gpremesh --help.");

@@ -7,8 +7,8 @@
 
 namespace gpr::app {
 
-/// The words of `gpremesh remesh`: what a parser may take, and what the words come to. The program
-/// and the Python package have parsers of their own, and this in common.
+/// The words of `gpremesh remesh`: the options and files for a parser, and the resulting command
+/// line. The program and the Python package have parsers of their own and share this class.
 class RemeshWords {
 public:
 	RemeshWords()                              = default;
@@ -17,9 +17,9 @@ public:
 
 	/// All options, in the order in which --help shows them.
 	std::vector<CommandOption> options();
-	/// The words that are no options, in order: IN, OUT, and more.
+	/// Takes the words that are no options, in order: IN, OUT, and more.
 	void takeFiles(const std::vector<std::string>& files);
-	/// What the words ask for. Throws AppError (Usage) with a sentence on any mistake.
+	/// The command line of the words. Throws AppError (Usage) with a sentence on any mistake.
 	CommandLine line() const;
 
 private:
@@ -35,17 +35,17 @@ private:
 	void          sortFiles(CommandLine& line) const;
 };
 
-/// What `gpremesh remesh` does.
+/// The description of `gpremesh remesh`.
 extern const char* const remeshDescription;
-/// What the words are that are no options.
+/// The help texts of IN and OUT.
 extern const char* const inHelp;
 extern const char* const outHelp;
 
 /// The commands of the program.
 extern const std::vector<std::string> commandNames;
 
-/// The words with the command `remesh` in front where they begin with the name of a mesh:
-/// `gpremesh scan.ply -o small.ply`.
+/// Adds the command `remesh` in front if the first word is the name of a mesh: `gpremesh scan.ply
+/// -o small.ply`.
 std::vector<std::string> withCommand(std::vector<std::string> words);
 
 } // namespace gpr::app
