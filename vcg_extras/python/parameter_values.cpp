@@ -167,6 +167,9 @@ nb::dict entryOf(const Parameter& p, Tool tool)
 	entry["kind"]    = app::kindName(p.kind);
 	entry["label"]   = p.label;
 	entry["help"]    = pythonHelp(p);
+	entry["about"]   = p.help;
+	entry["expert"]  = p.isExpert;
+	entry["is_size"] = isSizeParameter(p);
 	entry["minimum"] = p.minimum;
 	entry["maximum"] = p.maximum;
 	entry["choices"] = choices;
