@@ -27,11 +27,22 @@ enum Filter : unsigned {
 /// What the results of a comparison are coloured by.
 enum class ComparedBy { Quality, Distance, Nothing };
 
+/// Where labels of faces come from.
+enum class RegionSource { Nothing, Texture, Colour, Quality };
+
+/// What the quality of the vertices says of sizes.
+enum class QualitySizes {
+	Nothing,
+	Exact, ///< it is the edge length wanted there
+	Scaled ///< it is so up to a factor that the wanted number sets
+};
+
 /// The engine's function that a filter runs.
 gpr::Tool toolOf(Filter filter);
 
 /// The parameters of a filter, in the order in which its dialog shows them. Those that the engine
-/// does not know have no `store`: SampleLayer, NewLayer, ColorBy and SideBySide.
+/// does not know have no `store`: SampleLayer, NewLayer, Regions, QualitySizes, PeriodX, PeriodY,
+/// PeriodZ, ColorBy and SideBySide.
 const std::vector<gpr::Parameter>& rowsOf(Filter filter);
 
 /// The row of the remeshing with this key, which must exist.

@@ -135,17 +135,21 @@ GivenValues proposedFor(const MeshDocument& document)
 	return {{"SampleLayer", std::int64_t(samples)}};
 }
 
-gpr::RemeshOptions optionsFor(const gpr::ParameterSet& values, Filter filter,
-							  const MeshModel& layer)
+gpr::RemeshOptions optionsFor(const ReadParameters& read, Filter filter, const MeshModel& layer)
 {
-	gpr::RemeshOptions options    = values.options();
-	const bool         makesFaces = filter == RemeshFilter || filter == RetriangulateFilter;
+	gpr::RemeshOptions options = read.values.options();
+	options.period             = {read.own<double>("PeriodX"), read.own<double>("PeriodY"),
+								  read.own<double>("PeriodZ")};
+	if (QualitySizes(read.own<std::int64_t>("QualitySizes")) == QualitySizes::Exact)
+		options.targetMode = gpr::TargetMode::Sizes;
+	const bool makesFaces = filter == RemeshFilter || filter == RetriangulateFilter;
 	options.surfacePointsOfFaces =
 		makesFaces && ((layer.dataMask() & kCarriedFaceMask) != 0 || !layer.cm.face_attr.empty());
 	return options;
 }
 
-LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options)
+LayerCopy copyFor(const MeshModel& layer, const ReadParameters& read,
+				  const gpr::RemeshOptions& options)
 {
 	CopiedParts parts;
 	parts.selection     = gpr::mayUseSelectedVertices(options);
@@ -154,6 +158,9 @@ LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options)
 	parts.edgeSelection = options.featureMode == gpr::FeatureMode::Given;
 	parts.texture  = options.surfacePointsOfFaces && layer.hasDataMask(MeshModel::MM_WEDGTEXCOORD);
 	LayerCopy copy = copyLayer(layer.cm, parts);
+	copy.regions   = regionsOf(layer, RegionSource(read.own<std::int64_t>("Regions")));
+	if (QualitySizes(read.own<std::int64_t>("QualitySizes")) != QualitySizes::Nothing)
+		copy.sizes = wantedSizesOf(layer);
 	if (parts.facesCorners && !copy.view().anySelected()) {
 		throw Refusal("The feature region shall be the selection, but nothing is selected.");
 	}
@@ -173,9 +180,9 @@ LayerJob::LayerJob(MeshDocument& document, Filter filter, const RichParameterLis
 	if (current == nullptr) throw Refusal("There is no layer.");
 	_layerId         = current->id();
 	_read            = readValues(filter, list, document);
-	_options         = optionsFor(_read.values, filter, *current);
+	_options         = optionsFor(_read, filter, *current);
 	_anyFaceSelected = anyFaceSelected(current->cm);
-	_copy            = copyFor(*current, _options);
+	_copy            = copyFor(*current, _read, _options);
 }
 
 const MeshModel& LayerJob::sampleModel() const

@@ -20,13 +20,13 @@ gpr::MeshFacts factsOf(const MeshDocument& document);
 /// What the dialog proposes beside these defaults: the layer of the samples.
 GivenValues proposedFor(const MeshDocument& document);
 
-/// The options that values ask for on a layer, with what its attributes need.
-gpr::RemeshOptions optionsFor(const gpr::ParameterSet& values, Filter filter,
-							  const MeshModel& layer);
+/// The options that parameters ask for on a layer, with what its attributes need.
+gpr::RemeshOptions optionsFor(const ReadParameters& read, Filter filter, const MeshModel& layer);
 
 /// What a run with these options reads of a layer. Throws Refusal where the layer lacks the
-/// selection that the options ask for.
-LayerCopy copyFor(const MeshModel& layer, const gpr::RemeshOptions& options);
+/// selection or the attribute that the parameters ask for.
+LayerCopy copyFor(const MeshModel& layer, const ReadParameters& read,
+				  const gpr::RemeshOptions& options);
 
 /// One run of a filter on the current layer: what the user asked for, a copy of the mesh for the
 /// engine, and the way back into the document.

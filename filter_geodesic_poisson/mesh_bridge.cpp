@@ -142,6 +142,9 @@ gpr::MeshView LayerCopy::view() const
 	view.selectedFace = selectedFaces.empty() ? nullptr : selectedFaces.data();
 	if (texture != nullptr && texture->hasSeams()) view.line = texture->seams().data();
 	if (!selectedEdges.empty()) view.line = selectedEdges.data();
+	if (!regions.label.empty()) view.region = regions.label.data();
+	if (!regions.names.empty()) view.regionNames = &regions.names;
+	if (!sizes.empty()) view.wantedEdge = sizes.data();
 	return view;
 }
 

@@ -5,6 +5,7 @@
 
 // Between MeshLab's mesh and the engine's flat arrays.
 
+#include "layer_marks.h"
 #include "meshlab_api.h"
 
 #include <vcg_extras/complex/algorithms/attribute_transfer.h>
@@ -36,6 +37,9 @@ struct LayerCopy {
 	std::vector<std::uint8_t> selectedEdges; ///< one a corner, or none; with the texture's seams
 
 	std::shared_ptr<const gpr::TextureSource> texture; ///< of the wedges, or null
+
+	LayerRegions       regions; ///< of the faces
+	std::vector<float> sizes;   ///< wanted edge lengths, one a vertex, or none
 
 	gpr::MeshView view() const;
 	/// Bit by bit, so that a NaN equals itself.

@@ -31,7 +31,7 @@ namespace {
 /// The rows of the table that the panel shows, in this order.
 constexpr const char* kShownKeys[] = {
 	"TargetVertexNum", "TargetPerc",    "TargetLen",        "Preset",   "Adapt",   "Lambda",
-	"Features",        "FeatureRegion", "FeatureDiskScale", "Boundary", "NewLayer"};
+	"Features",        "FeatureRegion", "FeatureDiskScale", "Boundary", "Regions", "NewLayer"};
 /// The three ways to give the size: one above 0 takes the place of the count.
 constexpr const char* kOtherSizes[] = {"TargetPerc", "TargetLen"};
 
