@@ -594,6 +594,48 @@ TEST(Plan, RefusesACountThatHasContacts)
 	EXPECT_EQ(run.numOf(Step::Region), 1) << "among many vertices the count named is not tried";
 }
 
+namespace {
+
+/// Sheets that meet in junctions intersect below a count.
+PlannedRun runWithSheets(const RemeshOptions& options, std::int64_t least)
+{
+	PlannedRun run(options);
+	run.contacts = [least](const Decisions& d) {
+		return ContactFacts{d.vertexNum, d.vertexNum, d.vertexNum < least, 2 * (d.vertexNum - 2)};
+	};
+	run.go();
+	return run;
+}
+
+} // namespace
+
+TEST(Plan, TakesMoreVerticesForSheetsThatWouldIntersect)
+{
+	const PlannedRun run = runWithSheets(wish(500), 700);
+	EXPECT_TRUE(run.isTaken());
+	EXPECT_EQ(countsOf(run), (std::vector<std::int64_t>{500, 625, 781}));
+	EXPECT_TRUE(run.says("With 500 vertices sheets that meet in junctions would intersect"));
+	EXPECT_EQ(run.told.size(), 1u);
+}
+
+TEST(Plan, EndsWithMoreVerticesForSheetsThatIntersectAlways)
+{
+	const PlannedRun run = runWithSheets(wish(500), 1000000);
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.attempts.size(), 13u);
+}
+
+TEST(Plan, RefusesACountAtWhichSheetsIntersect)
+{
+	const PlannedRun byVertices = runWithSheets(order(500), 700);
+	ASSERT_TRUE(byVertices.failure);
+	EXPECT_TRUE(byVertices.says("or about 625 vertices, are needed"));
+	const PlannedRun byFaces = runWithSheets(faces(50000), 1000000);
+	ASSERT_TRUE(byFaces.failure);
+	EXPECT_TRUE(byFaces.says("With 50000 faces sheets"));
+	EXPECT_TRUE(byFaces.says("faces ("));
+}
+
 // Several meshes for one result.
 
 TEST(Plan, NamesACountThatCanBeHad)

@@ -19,6 +19,15 @@ constexpr std::int64_t fewVertices = 64;
 /// Each searched count is a quarter larger than the count before; the last is about four times the
 /// first.
 constexpr int maxSearchedCounts = 8;
+/// The same for counts at which sheets that meet in junctions do not intersect: the last is about
+/// fifteen times the first.
+constexpr int maxRaisedCounts = 12;
+
+/// The next count to try where sheets would intersect.
+std::int64_t quarterMore(std::int64_t vertexNum)
+{
+	return vertexNum + std::max<std::int64_t>(1, vertexNum / 4);
+}
 
 /// With a target of faces, larger numbers are tested, too: up to this number of faces, and with at
 /// most this number of attempts.
@@ -532,8 +541,7 @@ std::string Plan::goOnSearching()
 	const bool isOver   = attempts_.searchedNum == maxSearchedCounts;
 	const bool isAnswer = mayDiffer() || attempts_.searchedFrom == attempts_.asked;
 	if (isOver && !isAnswer) refuseBelow(attempts_.searchedFrom, 0);
-	const std::int64_t last = decisions_.vertexNum;
-	return search(isOver ? attempts_.searchedFrom : last + std::max<std::int64_t>(1, last / 4));
+	return search(isOver ? attempts_.searchedFrom : quarterMore(decisions_.vertexNum));
 }
 
 std::string Plan::judgeAreas(const MeshFacts& facts)
@@ -598,15 +606,34 @@ std::string Plan::judge(const FitFacts& facts)
 	return returnIf(facts.areLinesCrowded, Step::Release);
 }
 
+/// Sheets intersect beside a junction. If the target is a wish, the next mesh has a quarter more
+/// vertices; else the run refuses.
+std::string Plan::separateByMore(const ContactFacts& facts)
+{
+	const std::int64_t next = quarterMore(facts.before);
+	const std::int64_t faceNum =
+		decisions_.faceNum > 0 ? facts.faceNum + 2 * (next - facts.before) : 0;
+	if (!isWish() || attempts_.separatedNum == maxRaisedCounts || !mayReturn()) {
+		refuse("With " + asked() +
+				   " sheets that meet in junctions would intersect each other; smaller triangles "
+				   "there, or about " +
+				   counted(next, faceNum) + ", are needed.",
+			   next, faceNum);
+	}
+	const std::string note = "With " + asked() +
+							 " sheets that meet in junctions would intersect each other, so that "
+							 "there are more.";
+	decisions_.vertexNum = attempts_.asked = next;
+	decisions_.faceNum                     = faceNum;
+	decisions_.addedNum                    = 0;
+	attempts_.isRaised                     = true;
+	attempts_.refinementNum                = 0;
+	return tryAgain(attempts_.separatedNum++ == 0 ? note : "");
+}
+
 std::string Plan::judge(const ContactFacts& facts)
 {
-	if (facts.isRefused && facts.vertexNum <= facts.before) {
-		refuse("With " + asked() +
-				   " sheets that meet in junctions would intersect each other; more triangles, or "
-				   "smaller ones there, are needed.",
-			   facts.before + std::max<std::int64_t>(1, facts.before / 4),
-			   asksForFaces() ? raised(facts.faceNum) : 0);
-	}
+	if (facts.isRefused && facts.vertexNum <= facts.before) return separateByMore(facts);
 	if (facts.isRefused && asksForFaces()) {
 		const std::int64_t least = facts.faceNum + 2 * (facts.vertexNum - facts.before);
 		refuse("With " + asked() +
@@ -701,7 +728,7 @@ void Plan::judge(const Failure& failure)
 	if (!isFirst && decisions_.purpose != Purpose::CountToBeHad) throw failure;
 	if (isFirst) {
 		refusal_ = failure;
-		refused_ = asksForFaces() ? asked() : text(decisions_.wholeNum()) + " vertices";
+		refused_ = asked();
 	}
 	else if (!isSmall || hadNums_.size() == 2 ||
 			 (!asksForFaces() && failure.smallestVertexNum <= smallestNum_)) {
