@@ -261,14 +261,35 @@ std::string levelsReportJson(const std::vector<RunRecord>& levels)
 	return textOf(json);
 }
 
-std::string meshInfoJson(const std::string& path, bool doublePrecision, const MeshFigures& figures,
-						 const QualityFigures& quality, const std::vector<std::string>& notes)
+namespace {
+
+Json regionsJson(const std::vector<MeshParts::Region>& regions)
+{
+	Json list = Json::array();
+	for (const MeshParts::Region& region : regions) {
+		Json json;
+		json["label"]  = region.label;
+		json["name"]   = region.name;
+		json["faces"]  = region.faces;
+		json["pieces"] = region.pieces;
+		json["area"]   = region.area;
+		list.push_back(std::move(json));
+	}
+	return list;
+}
+
+} // namespace
+
+std::string meshInfoJson(const MeshInfo& info)
 {
 	Json json;
-	json["program"] = programJson();
-	json["input"]   = fileJson(path, doublePrecision, figures);
-	json["quality"] = qualityJson(quality);
-	json["notes"]   = notes;
+	json["program"]             = programJson();
+	json["input"]               = fileJson(info.path, info.doublePrecision, info.figures);
+	json["quality"]             = qualityJson(info.quality);
+	json["regions"]             = regionsJson(info.parts.regions);
+	json["junctions"]["edges"]  = info.parts.junctionEdges;
+	json["junctions"]["length"] = info.parts.junctionLength;
+	json["notes"]               = info.notes;
 	return textOf(json);
 }
 

@@ -254,6 +254,31 @@ RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& lim
 	return run;
 }
 
+/// Makes a folder and its missing parents, and removes them again while they are empty: a run that
+/// fails leaves no folder.
+class OutputFolder {
+public:
+	explicit OutputFolder(const std::string& path)
+	{
+		namespace fs = std::filesystem;
+		std::error_code error;
+		for (fs::path at = path; !at.empty() && !fs::exists(at, error); at = at.parent_path())
+			made_.push_back(at);
+		if (!made_.empty()) fs::create_directories(path, error); // checkOutput() tells a failure
+	}
+	~OutputFolder()
+	{
+		std::error_code error;
+		for (const std::filesystem::path& made : made_)
+			std::filesystem::remove(made, error);
+	}
+	OutputFolder(const OutputFolder&)            = delete;
+	OutputFolder& operator=(const OutputFolder&) = delete;
+
+private:
+	std::vector<std::filesystem::path> made_; ///< innermost first
+};
+
 /// Sets the rest of the time of a result.
 void endTimes(double begun, const Stopwatch& programClock, RunRecord& run)
 {
@@ -322,7 +347,7 @@ void checkOutput(const CommandLine& line)
 
 void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 {
-	if (!line.pieces.empty()) std::filesystem::create_directories(line.output);
+	const OutputFolder folder(line.pieces.empty() ? "" : line.output);
 	checkOutput(line);
 	catchStopSignals();
 	const RunLimit limit(programClock, line.options.timeLimitSeconds);

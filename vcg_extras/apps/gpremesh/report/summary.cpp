@@ -5,6 +5,8 @@
 #include <vcg_extras/core/report_rows.h>
 #include <vcg_extras/io/report/formatted_text.h>
 
+#include <algorithm>
+
 namespace gpr::app {
 
 namespace {
@@ -100,17 +102,51 @@ std::string remeshSummary(const RunRecord& run)
 	return text + notesText(run.notes);
 }
 
-std::string meshInfoText(const std::string& path, bool doublePrecision, const MeshFigures& figures,
-						 const QualityFigures& quality, const std::vector<std::string>& notes)
+namespace {
+
+/// The regions with their areas; of many, the first ones.
+std::string regionsText(const std::vector<MeshParts::Region>& regions)
 {
-	std::string text = path + ": " + countsText(figures) + "\n";
+	constexpr std::size_t most = 20;
+	if (regions.empty()) return "";
+	std::int64_t pieceNum = 0;
+	for (const MeshParts::Region& region : regions)
+		pieceNum += region.pieces;
+	std::string text = "regions   " + counted(std::int64_t(regions.size()), "region", "regions") +
+					   " in " + counted(pieceNum, "piece", "pieces") + "\n";
+	for (std::size_t i = 0; i < std::min(most, regions.size()); ++i) {
+		const MeshParts::Region& r = regions[i];
+		text += "          " + (r.name.empty() ? "(without a name)" : r.name) + ": " +
+				counted(r.faces, "face", "faces") + formatted(", area %.6g", r.area) +
+				(r.pieces > 1 ? ", " + grouped(r.pieces) + " pieces" : "") + "\n";
+	}
+	if (regions.size() > most)
+		text += "          and " + grouped(std::int64_t(regions.size() - most)) +
+				" more, which --json names\n";
+	return text;
+}
+
+std::string junctionsText(const MeshParts& parts)
+{
+	if (parts.junctionEdges == 0) return "";
+	return "junctions " + counted(parts.junctionEdges, "edge", "edges") +
+		   formatted(" with more than two faces, %.6g long\n", parts.junctionLength);
+}
+
+} // namespace
+
+std::string meshInfoText(const MeshInfo& info)
+{
+	const MeshFigures& figures = info.figures;
+	std::string        text    = info.path + ": " + countsText(figures) + "\n";
 	text +=
 		formatted("topology  Euler characteristic %lld\n", (long long) figures.eulerCharacteristic);
 	text += formatted("size      area %.9g, diagonal %.9g, mean edge %.9g, coordinates %s\n",
-					  figures.area, figures.diagonal, quality.meanEdgeLen,
-					  doublePrecision ? "double" : "float");
-	text += "quality   " + qualityText(quality) + "\n";
-	return text + notesText(notes);
+					  figures.area, figures.diagonal, info.quality.meanEdgeLen,
+					  info.doublePrecision ? "double" : "float");
+	text += "quality   " + qualityText(info.quality) + "\n";
+	text += regionsText(info.parts.regions) + junctionsText(info.parts);
+	return text + notesText(info.notes);
 }
 
 } // namespace gpr::app
