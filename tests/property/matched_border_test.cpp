@@ -116,9 +116,13 @@ TEST(MatchedBorder, SplitFacesMakeTheSameSurfaceWithTheSameMarks)
 	std::vector<std::int32_t> region(mesh.faceNum());
 	for (std::size_t f = 0; f < region.size(); ++f)
 		region[f] = std::int32_t(f);
+	std::vector<std::uint8_t> selected; // the half with small x
+	for (const Vec3d& p : mesh.positions)
+		selected.push_back(p.x <= 0.5);
 	MeshView view = mesh.view();
 	view.line     = line.data();
 	view.region   = region.data();
+	view.selected = selected.data();
 	Workers             workers(1, nullptr);
 	const MatchedBorder to = matchBorder(view, 0.06, {}, workers); // several samples on each edge
 	const TriangleMesh  split{to.positions, to.triangles};
@@ -143,6 +147,8 @@ TEST(MatchedBorder, SplitFacesMakeTheSameSurfaceWithTheSameMarks)
 	const auto added = std::int64_t(split.vertexNum()) - std::int64_t(mesh.vertexNum());
 	EXPECT_GT(added, 40);
 	EXPECT_EQ(lineNum, std::int64_t(line.size()) + added); // no line along a cut
+	for (std::size_t v = 0; v < split.vertexNum(); ++v)
+		EXPECT_EQ(to.selected[v] != 0, split.positions[v].x <= 0.5) << split.positions[v].x;
 }
 
 TEST(MatchedBorder, ALoopWithoutCornersHasNoBeginOfItsNumbers)

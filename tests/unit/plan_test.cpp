@@ -623,6 +623,17 @@ TEST(Plan, EndsWithMoreVerticesForSheetsThatIntersectAlways)
 	const PlannedRun run = runWithSheets(wish(500), 1000000);
 	ASSERT_TRUE(run.failure);
 	EXPECT_EQ(run.attempts.size(), 13u);
+	EXPECT_LE(run.attempts.back().vertexNum, 16 * 500);
+}
+
+/// Sheets at one place are kept apart by more and more vertices, which do not help.
+TEST(Plan, RaisesNoCountThatGrewByItself)
+{
+	PlannedRun run(wish(5));
+	run.contacts = [](const Decisions&) { return ContactFacts{3000, 3000, true, 5996}; };
+	run.go();
+	ASSERT_TRUE(run.failure);
+	EXPECT_EQ(run.attempts.size(), 1u);
 }
 
 TEST(Plan, RefusesACountAtWhichSheetsIntersect)

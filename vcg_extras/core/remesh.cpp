@@ -24,6 +24,13 @@ namespace gpr {
 
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point start)
+{
+	return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
 /// Of the exception being handled, if it is a std::exception or one of ours.
 Failure failureAtHand()
 {
@@ -74,13 +81,12 @@ Result failed(const Failure& failure, Result&& soFar)
 template <class Result, class Body, class... Arguments>
 Result guarded(const Body& body, const Arguments&... arguments)
 {
-	using Clock      = std::chrono::steady_clock;
 	const auto start = Clock::now();
 	Result     result;
 	try {
 		body(arguments..., result);
 		result.status               = Status::Ok;
-		result.report.remeshSeconds = std::chrono::duration<double>(Clock::now() - start).count();
+		result.report.remeshSeconds = secondsSince(start);
 	}
 	catch (...) {
 		result = failed(failureAtHand(), std::move(result));
@@ -138,11 +144,14 @@ void remeshMatched(const Call& call, RemeshResult& out)
 	const double edge = edgeLengthOf(call);
 	if (!(edge > 0) || !validate(call.options).empty())
 		return remeshInput(call, out); // which refuses the options
+	const auto          start = Clock::now();
 	Workers             workers(1, call.progress, call.options.timeLimitSeconds, call.stop);
 	const MatchedBorder matched = matchBorder(call.input, edge, call.options.period, workers);
 	RemeshOptions       inside  = call.options;
 	inside.boundary             = BoundaryMode::Keep;
 	inside.period               = {};
+	if (inside.timeLimitSeconds > 0)
+		inside.timeLimitSeconds = std::max(1e-3, inside.timeLimitSeconds - secondsSince(start));
 	if (inside.targetMode == TargetMode::Percent) // of the caller's vertices
 		inside.targetPercent *= double(call.input.vertexNum) / double(matched.positions.size());
 	MeshView view    = matched.view();
