@@ -19,9 +19,9 @@ constexpr std::int64_t fewVertices = 64;
 /// Each searched count is a quarter larger than the count before; the last is about four times the
 /// first.
 constexpr int maxSearchedCounts = 8;
-/// The same for counts at which sheets that meet in junctions do not intersect: the last is about
-/// fifteen times the first.
-constexpr int maxRaisedCounts = 12;
+/// Where sheets that meet in junctions intersect, the count is raised up to this many times the
+/// first count.
+constexpr std::int64_t mostForSheets = 16;
 
 /// The next count to try where sheets would intersect.
 std::int64_t quarterMore(std::int64_t vertexNum)
@@ -613,7 +613,9 @@ std::string Plan::separateByMore(const ContactFacts& facts)
 	const std::int64_t next = quarterMore(facts.before);
 	const std::int64_t faceNum =
 		decisions_.faceNum > 0 ? facts.faceNum + 2 * (next - facts.before) : 0;
-	if (!isWish() || attempts_.separatedNum == maxRaisedCounts || !mayReturn()) {
+	const bool         isFirst = attempts_.separatedFrom == 0;
+	const std::int64_t first   = isFirst ? attempts_.asked : attempts_.separatedFrom;
+	if (!isWish() || next > mostForSheets * first || !mayReturn()) {
 		refuse("With " + asked() +
 				   " sheets that meet in junctions would intersect each other; smaller triangles "
 				   "there, or about " +
@@ -628,7 +630,8 @@ std::string Plan::separateByMore(const ContactFacts& facts)
 	decisions_.addedNum                    = 0;
 	attempts_.isRaised                     = true;
 	attempts_.refinementNum                = 0;
-	return tryAgain(attempts_.separatedNum++ == 0 ? note : "");
+	attempts_.separatedFrom                = first;
+	return tryAgain(isFirst ? note : "");
 }
 
 std::string Plan::judge(const ContactFacts& facts)

@@ -184,8 +184,8 @@ struct Request {
 ///     7 at few vertices a degenerate face          the next count, eight times  Input
 ///     crowded lines after the fit                  lines released               Release
 ///     no contacts, but above the count             larger count, or refused     -
-///     sheets intersect beside a junction           a quarter more, 12 times,
-///                                                    or refused                 Lines
+///     sheets intersect beside a junction           a quarter more, up to 16
+///                                                    times, or refused          Lines
 ///     error above the bound at single places       vertices there, 3 times      Contacts
 ///     error above the bound, or far below it       another count, 5 trials      Region
 ///     refused at up to 64 vertices                 test of the count in the
@@ -265,7 +265,7 @@ private:
 		int          searchedNum   = 0;     ///< counts of the search so far; 0: no search
 		int          correctionNum = 0;     ///< of the radius
 		int          refinementNum = 0;
-		int          separatedNum  = 0; ///< counts raised for sheets that would intersect
+		std::int64_t separatedFrom = 0; ///< count at which sheets would intersect; 0: not so
 	};
 	Attempts attempts_;
 
