@@ -124,7 +124,10 @@ std::string complaintsAboutSheets(const RemeshResult& r)
 	if (facts.unusedVertices + facts.notFinite > 0) text += " vertices";
 	if (facts.zeroAreaFaces > 0) text += " without area";
 	if (!r.report.audit.junctionsKept) text += " junctions";
-	if (std::int64_t(r.mesh.vertexNum()) != r.report.targetVertexNum) text += " count";
+	if (std::int64_t(r.mesh.vertexNum()) != r.report.targetVertexNum) {
+		text += " " + std::to_string(r.mesh.vertexNum()) + " vertices in place of " +
+				std::to_string(r.report.targetVertexNum);
+	}
 	return text;
 }
 

@@ -360,10 +360,23 @@ private:
 		material_.resize(triangles_.size() / 3, double(number));
 	}
 
+	/// What the scene has and the mesh has not.
+	void nameLost(MeshAttributes& a) const
+	{
+		if (hasLost_) a.lost.push_back("skins and further sets of attributes");
+		if (listOf(glb_.json, "meshes").size() > 1) a.lost.push_back("names of nodes and meshes");
+		for (const char* name : {"cameras", "animations"}) {
+			if (!listOf(glb_.json, name).empty()) a.lost.push_back(name);
+		}
+		const GltfJson& used = listOf(glb_.json, "extensionsUsed");
+		if (std::find(used.begin(), used.end(), "KHR_lights_punctual") != used.end())
+			a.lost.push_back("lights");
+	}
+
 	void giveAttributes(InputMesh& mesh)
 	{
 		MeshAttributes& a = mesh.attributes;
-		if (hasLost_) a.lost.push_back("skins and further sets of attributes");
+		nameLost(a);
 		if (normals_.isThere && !normals_.isMissingSomewhere)
 			giveColumns(normals_, {"nx", "ny", "nz"}, PlyType::Float32, 1, a);
 		if (colours_.isThere)
