@@ -115,7 +115,7 @@ std::string complaintsAboutMesh(const RemeshResult& r, const RemeshOptions& o)
 }
 
 /// Sheets that meet in junctions are no manifold.
-std::string complaintsAboutSheets(const RemeshResult& r)
+std::string complaintsAboutSheets(const RemeshResult& r, const RemeshOptions& o)
 {
 	const SurfaceFacts facts = factsOf(r.mesh);
 	std::string        text;
@@ -124,7 +124,8 @@ std::string complaintsAboutSheets(const RemeshResult& r)
 	if (facts.unusedVertices + facts.notFinite > 0) text += " vertices";
 	if (facts.zeroAreaFaces > 0) text += " without area";
 	if (!r.report.audit.junctionsKept) text += " junctions";
-	if (std::int64_t(r.mesh.vertexNum()) != r.report.targetVertexNum) {
+	const bool isOrder = !o.allowNearest; // a wish may get others, where sheets lie on each other
+	if (isOrder && std::int64_t(r.mesh.vertexNum()) != r.report.targetVertexNum) {
 		text += " " + std::to_string(r.mesh.vertexNum()) + " vertices in place of " +
 				std::to_string(r.report.targetVertexNum);
 	}
@@ -165,7 +166,7 @@ std::string runRemesh(const MeshView& view, const RemeshOptions& o)
 	const RemeshResult r = remesh(view, o);
 	if (r.status != Status::Ok) return complaintsAboutStatus(r.status, r.message);
 	const bool        meets = o.junctions == JunctionMode::Keep && !isPaper(o);
-	const std::string text  = meets ? complaintsAboutSheets(r) : complaintsAboutMesh(r, o);
+	const std::string text  = meets ? complaintsAboutSheets(r, o) : complaintsAboutMesh(r, o);
 	return text + complaintsAboutRegions(view, r) + complaintsAboutPeriod(r, o);
 }
 
