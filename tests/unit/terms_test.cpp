@@ -100,39 +100,49 @@ double conformalEnergy(const Vec3d& p, const Vec3d& a, const Vec3d& b)
 	return edges / (2 * std::sqrt(3.0) * length(cross(a - p, b - p)));
 }
 
-TEST(ConformalPull, IsTheDownhillGradientOfTheEnergy)
+TEST(ConformalFace, PullsEachCornerDownhill)
 {
 	Random     random(7);
 	const auto point = [&] {
 		return Vec3d(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
 	};
 	for (int i = 0; i < 50; ++i) {
-		const Vec3d p = point(), a = point(), b = point();
-		const Vec3f n       = Vec3f(cross(a - p, b - p));
-		const float inverse = 1 / length(n);
-		if (inverse > 10) continue; // nearly a line: differences say little
-		ConformalPull pull;
-		const float   energy = pull.add(Vec3f(a - p), Vec3f(b - p), n, inverse, inverse);
-		EXPECT_NEAR(double(energy) / conformalEnergy(p, a, b), 1, 1e-4);
-		const double step   = 1e-5;
-		const auto   change = [&](const Vec3d& by) {
-            return (conformalEnergy(p + by, a, b) - conformalEnergy(p - by, a, b)) / (2 * step);
-		};
-		const Vec3d gradient(change({step, 0, 0}), change({0, step, 0}), change({0, 0, step}));
-		EXPECT_LT(length(Vec3d(pull.force) + gradient), 1e-3 * (1 + length(gradient))) << i;
+		const Vec3d corner[] = {point(), point(), point()};
+		if (length(cross(corner[1] - corner[0], corner[2] - corner[0])) < 0.1)
+			continue; // nearly a line: differences say little
+		const ConformalFace face{Vec3f(corner[0]), Vec3f(corner[1]), Vec3f(corner[2])};
+		for (int k = 0; k < 3; ++k) {
+			const Vec3d p = corner[k], a = corner[(k + 1) % 3], b = corner[(k + 2) % 3];
+			EXPECT_NEAR(double(face.energy) / conformalEnergy(p, a, b), 1, 1e-4);
+			EXPECT_NEAR(double(face.squaredEdge[k]), squaredLength(a - p), 1e-5);
+			const double step   = 1e-5;
+			const auto   change = [&](const Vec3d& by) {
+                return (conformalEnergy(p + by, a, b) - conformalEnergy(p - by, a, b)) / (2 * step);
+			};
+			const Vec3d gradient(change({step, 0, 0}), change({0, step, 0}), change({0, 0, step}));
+			const Vec3d force(face.force[k][0], face.force[k][1], face.force[k][2]);
+			EXPECT_LT(length(force + gradient), 1e-3 * (1 + length(gradient))) << i;
+		}
 	}
 }
 
-TEST(ConformalPull, OfAnEquilateralTriangleHasTheEnergyOneAndIsTheSameByEitherNormal)
+TEST(ConformalFace, OfAnEquilateralTriangleHasTheEnergyOneAndNoForce)
 {
-	const Vec3f   a(1, 0, 0), b(0.5f, std::sqrt(0.75f), 0);
-	const Vec3f   n       = cross(a, b);
-	const float   inverse = 1 / length(n);
-	ConformalPull byCross, byUnit;
-	EXPECT_NEAR(byCross.add(a, b, n, inverse, inverse), 1, 1e-6);
-	byUnit.add(a, b, n * inverse, 1, inverse);
-	EXPECT_LT(length(byCross.force - byUnit.force), 1e-6f);
-	EXPECT_LT(length(byCross.force), 1e-6f);
+	const ConformalFace face({0, 0, 0}, {1, 0, 0}, {0.5f, std::sqrt(0.75f), 0});
+	EXPECT_NEAR(face.energy, 1, 1e-6);
+	for (const Float4& force : face.force) {
+		EXPECT_LT(length(Vec3f(force[0], force[1], force[2])), 1e-6f);
+		EXPECT_NEAR(force[3], 4 / (2 * std::sqrt(3.0) * std::sqrt(0.75)), 1e-5);
+	}
+}
+
+TEST(ConformalFace, OfALineHasAForceWithoutNumbersThatAreNone)
+{
+	const ConformalFace face({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, 0.02f);
+	for (const Float4& force : face.force) {
+		for (int lane = 0; lane < 4; ++lane)
+			EXPECT_LT(std::abs(force[lane]), 1e4f);
+	}
 }
 
 } // namespace

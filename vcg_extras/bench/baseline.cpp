@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// gpr_bench_baseline: runs another simplifier on a file, as a program, so that all of it can be
-// measured from outside. Prints its own seconds and what is left as JSON.
+// gpr_bench_baseline: runs another simplifier on a file, as a program, for measurements from
+// outside. Prints its own seconds and the figures of the result as JSON.
 #include "baseline_cgal.h"
 #include "baseline_meshoptimizer.h"
 

@@ -25,9 +25,9 @@ using Point    = CGAL::Exact_predicates_inexact_constructions_kernel::Point_3;
 using Mesh     = CGAL::Surface_mesh<Point>;
 
 constexpr int    mostRuns       = 8;
-constexpr double nearEnough     = 0.01; // of the count
+constexpr double nearEnough     = 0.01; // share of the count
 constexpr int    iterationNum   = 5;
-constexpr double sharpAngleDeg  = 60;                 // that of CGAL's own examples
+constexpr double sharpAngleDeg  = 60;                 // as in CGAL's own examples
 constexpr double areaOfUnitFace = 0.4330127018922193; // equilateral, edges of length 1
 
 bool meshOf(const MeshView& view, Mesh& mesh)
@@ -69,7 +69,7 @@ Mesh remeshed(Mesh mesh, double edgeLength)
 	return mesh;
 }
 
-/// The result of the run whose count is nearest.
+/// The result of the run with the nearest count.
 app::BaselineResult nearestResult(const Mesh& input, double area, std::int64_t faceNum)
 {
 	app::BaselineResult best;

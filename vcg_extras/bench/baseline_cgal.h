@@ -11,11 +11,11 @@
 namespace gpr::bench {
 
 /// CGAL's Polygon_mesh_processing::isotropic_remeshing (after Botsch and Kobbelt 2004) to about
-/// faceNum faces. It takes an edge length, not a count. So it is run up to eight times from the
-/// input, each time with a length that is corrected by the faces that came out, until the count is
-/// within 1 %; the nearest result is returned, with the seconds of its run alone. Five iterations a
-/// run; edges of 60 degrees and more are kept as lines. Needs a manifold mesh; fails with a
-/// sentence where it is none, or where the program was built without CGAL. One thread.
+/// faceNum faces. CGAL takes an edge length, not a count: up to eight runs from the input, each
+/// with a length corrected by the count of the run before, until the count is within 1 %. Returns
+/// the nearest result, with the seconds of its run alone. Five iterations per run; edges of 60
+/// degrees and more are kept as lines. Fails with a sentence if the mesh is not manifold, or the
+/// program was built without CGAL. One thread.
 app::BaselineResult remeshByCgal(const app::InputMesh& mesh, std::int64_t faceNum);
 
 } // namespace gpr::bench

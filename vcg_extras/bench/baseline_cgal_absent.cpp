@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands in for CGAL where the program is built without it.
+// Replaces CGAL in a program built without CGAL.
 #include "baseline_cgal.h"
 
 namespace gpr::bench {

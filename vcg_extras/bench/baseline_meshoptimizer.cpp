@@ -26,7 +26,7 @@ std::vector<float> floatPositions(const MeshView& mesh)
 	return positions;
 }
 
-/// The triangles with the vertices that they use.
+/// The triangles with their vertices only.
 TriangleMesh compacted(const Indices& triangles, const std::vector<float>& positions)
 {
 	TriangleMesh              mesh;

@@ -10,10 +10,10 @@
 
 namespace gpr::bench {
 
-/// meshopt_simplify (Arseny Kapoulkine's meshoptimizer) down to faceNum faces, whatever the error:
-/// from indices and positions in memory to indices in memory; seconds leave out the copy of the
-/// vertices that are left. It keeps its own idea of the topology and may stop before faceNum. One
-/// thread. Fails with a sentence where the program was built without it.
+/// meshopt_simplify (Arseny Kapoulkine's meshoptimizer) down to faceNum faces, for any error: from
+/// indices and positions in memory to indices in memory; seconds leave out the copy of the
+/// remaining vertices. meshopt_simplify keeps its own idea of the topology and may stop before
+/// faceNum. One thread. Fails with a sentence if the program was built without meshoptimizer.
 app::BaselineResult simplifyByMeshoptimizer(const app::InputMesh& mesh, std::int64_t faceNum);
 
 } // namespace gpr::bench

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands in for meshoptimizer where the program is built without it.
+// Replaces meshoptimizer in a program built without meshoptimizer.
 #include "baseline_meshoptimizer.h"
 
 namespace gpr::bench {

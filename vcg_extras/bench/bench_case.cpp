@@ -46,7 +46,7 @@ BenchMesh builtInMesh(const BuiltIn& wanted)
 			}};
 }
 
-/// The mesh and the run that were used last: benchmarks on the same mesh follow each other.
+/// The last mesh and run: benchmarks on the same mesh follow each other.
 class LastRun {
 public:
 	StagedRun& runOn(const BenchCase& on)

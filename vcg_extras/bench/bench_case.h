@@ -15,31 +15,31 @@
 
 namespace gpr::bench {
 
-/// A mesh to measure with, made or read when it is first needed.
+/// A mesh for measurements, made or read at its first use.
 struct BenchMesh {
 	std::string                     name;
 	std::function<app::InputMesh()> make;
 };
 
-/// Those made in code, then the files that GPR_BENCH_MESHES names, with colons between them.
+/// The meshes made in code, then the files of GPR_BENCH_MESHES, separated by colons.
 std::vector<BenchMesh> benchMeshes();
 
-/// What a benchmark runs on.
+/// The subject of a benchmark.
 struct BenchCase {
 	BenchMesh mesh;
-	bool      graded  = false; ///< sizes by the error instead of even ones
+	bool      graded  = false; ///< sizes by the error, not even sizes
 	int       threads = 1;
 };
 
-/// Measures one stage: what it begins with is in the run, the threads it may use in the workers.
+/// Measures a stage: the run has the stage's input, the workers have its threads.
 using StageBenchmark = std::function<void(benchmark::State&, StagedRun&, Workers&)>;
 
-/// Registers a benchmark by the name STAGE/MESH/DENSITY/threads:N. It tells milliseconds of wall
-/// time and faces of the input a second.
+/// Registers a benchmark by the name STAGE/MESH/DENSITY/threads:N. Reports milliseconds of wall
+/// time and input faces per second.
 void addBenchmark(const std::string& stage, const BenchCase& on, const StageBenchmark& stageBody);
 
-/// Times work(subject) for a fresh subject = make() in each round; making it, and taking it and the
-/// outcome apart, is not timed.
+/// Times work(subject) for a fresh subject = make() in each round; making the subject, and freeing
+/// subject and outcome, is not timed.
 template <class Make, class Work>
 void timeEach(benchmark::State& state, const Make& make, const Work& work)
 {
@@ -52,7 +52,7 @@ void timeEach(benchmark::State& state, const Make& make, const Work& work)
 	}
 }
 
-/// The same for what needs nothing fresh.
+/// Times work() without a fresh subject.
 template <class Work>
 void timeEach(benchmark::State& state, const Work& work)
 {
@@ -64,8 +64,8 @@ void timeEach(benchmark::State& state, const Work& work)
 
 void addInputBenchmarks(const BenchCase& on);       ///< reading, writing, up to the surface
 void addSamplingBenchmarks(const BenchCase& on);    ///< from the surface to the first mesh
-void addImprovementBenchmarks(const BenchCase& on); ///< from there to the audit
-void addWholeBenchmarks(const BenchCase& on);       ///< all of it, by presets
+void addImprovementBenchmarks(const BenchCase& on); ///< from the first mesh to the audit
+void addWholeBenchmarks(const BenchCase& on);       ///< whole runs, by presets
 
 } // namespace gpr::bench
 

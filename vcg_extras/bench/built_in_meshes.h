@@ -10,17 +10,17 @@
 
 namespace gpr::bench {
 
-// Meshes made in code, of about faceNum faces, with what decides how long a run takes: a scan's
-// roughness, a border, creases.
+// Meshes made in code, of about faceNum faces, with features that decide the time of a run: a
+// scan's roughness, a border, creases.
 
 /// A closed surface, rough on every scale.
 TriangleMesh roughStone(std::int64_t faceNum);
-/// An open one: rough land over a square.
+/// An open surface: rough land over a square.
 TriangleMesh roughLand(std::int64_t faceNum);
-/// A box with flat sides and sharp edges, unevenly meshed.
+/// A box with flat sides and crease edges, unevenly meshed.
 TriangleMesh sharpBox(std::int64_t faceNum);
 
-/// The one of that name: stone, land or box. False where there is none.
+/// Makes the mesh of a name: stone, land or box. False for an unknown name.
 bool makeBuiltIn(const std::string& name, std::int64_t faceNum, TriangleMesh& mesh);
 
 } // namespace gpr::bench

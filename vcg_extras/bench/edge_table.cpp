@@ -22,7 +22,7 @@ int largerEnd(const Corners& triangles, int side)
 	return std::max(triangles[side], endOfSide(triangles, side));
 }
 
-/// Brings sides of the same edge together; all of them have the same smaller end.
+/// Groups sides of the same edge; all sides have the same smaller end.
 void groupByEdge(const Corners& triangles, int* begin, int* end)
 {
 	std::stable_sort(begin, end, [&](int a, int b) {

@@ -16,15 +16,15 @@ namespace gpr::bench {
 struct EdgeTable {
 	int         edgeNum = 0;
 	Buffer<int> edgeOfSide; ///< per side
-	Buffer<int> firstSide;  ///< per edge: the first of its sides
-	Buffer<int> sideNum;    ///< per edge: how many faces it has
+	Buffer<int> firstSide;  ///< per edge: its first side
+	Buffer<int> sideNum;    ///< per edge: number of its faces
 };
 
 /// Numbers the edges by their smaller ends. Cost: linear for vertices of few faces.
 EdgeTable findEdges(const std::vector<std::int32_t>& triangles, std::size_t vertexNum,
 					Workers& workers);
 
-/// The vertex where a side ends.
+/// The vertex at the end of a side.
 inline std::int32_t endOfSide(const std::vector<std::int32_t>& triangles, int side)
 {
 	return triangles[side % 3 == 2 ? side - 2 : side + 1];

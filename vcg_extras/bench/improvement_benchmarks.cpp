@@ -17,7 +17,7 @@ namespace gpr::bench {
 
 namespace {
 
-/// Times a change of the result on a copy each, which is made outside the time.
+/// Times a change of the result, each time on a fresh copy made outside of the time.
 template <class Change>
 void timeChange(benchmark::State& state, const ResultMesh& before, const Change& change)
 {

@@ -19,7 +19,7 @@ namespace gpr::bench {
 
 namespace {
 
-/// A PLY file that is gone at the end.
+/// A temporary PLY file, removed at the end.
 class ScratchFile {
 public:
 	ScratchFile() :

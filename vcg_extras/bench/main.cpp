@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// gpremesh_bench: every stage alone, and the whole.
+// gpremesh_bench: measures every stage alone, and whole runs.
 #include "bench_case.h"
 
 namespace {

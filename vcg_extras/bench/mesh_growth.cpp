@@ -12,8 +12,8 @@ namespace gpr::bench {
 
 namespace {
 
-/// All edges are split while so many times the faces are missing. The rest takes two passes over
-/// the longest edges, which leaves no trace of the regular pattern.
+/// All edges are split while the wanted number of faces exceeds the present number by this factor.
+/// The rest takes two passes over the longest edges, without traces of the regular pattern.
 constexpr double regularFactor = 16;
 constexpr double onePassFactor = 4;
 
@@ -37,7 +37,7 @@ public:
 	{
 	}
 
-	/// One pass: splits the longest edges until there are faceNum faces, or all.
+	/// One pass: splits the longest edges, or all edges, until there are faceNum faces.
 	void growOnce(std::int64_t faceNum, int pass, double jitter)
 	{
 		jitter_ = jitter;
@@ -55,7 +55,7 @@ private:
 	double             jitter_ = 0;
 	EdgeTable          edges_;
 	std::vector<Vec3f> normal_;
-	std::vector<int>   vertexOfEdge_; ///< -1: is not split
+	std::vector<int>   vertexOfEdge_; ///< -1: not split
 
 	std::pair<int, int> endsOf(int edge) const
 	{
@@ -84,7 +84,7 @@ private:
 			normal_[v] = Vec3f(normalized(sum[v]));
 	}
 
-	/// Gives the edges that are to be split a vertex each, in the order of the edges.
+	/// Gives each edge to split a new vertex, in the order of the edges.
 	void chooseEdges(std::int64_t faceNum)
 	{
 		constexpr int      chosen  = -2;
@@ -102,7 +102,7 @@ private:
 			if (vertex == chosen) vertex = next++;
 	}
 
-	/// Those that make at most so many more faces when they are split; ties by number.
+	/// The longest edges whose splits make at most moreFaces faces; ties by number.
 	std::vector<int> longestEdges(std::int64_t moreFaces) const
 	{
 		std::vector<std::pair<float, int>> order(edges_.edgeNum);
@@ -147,7 +147,7 @@ private:
 	}
 
 	//        c2
-	//      /    \       c: corners; m: new vertices of the sides, -1 where a side is whole
+	//        /    \       c: corners; m: new vertices of the sides, -1 for a whole side
 	//    m2      m1
 	//    /        \     .
 	//  c0 -- m0 -- c1

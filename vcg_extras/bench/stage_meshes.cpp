@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Writes the mesh between the stages of a run, for pictures of them.
+// Writes the mesh between the stages of a run, for pictures of the stages.
 #include "staged_run.h"
 
 #include <vcg_extras/core/retriangulation/vertex_removal.h>

@@ -9,17 +9,17 @@
 
 namespace gpr::bench {
 
-/// The result before and between the stages that improve it, in their order.
+/// The results before and between the stages of improvement, in their order.
 struct ImprovedStates {
 	ResultMesh flipped;  ///< to Delaunay, inverted faces repaired
 	ResultMesh counted;  ///< with the exact count
-	ResultMesh glided;   ///< relaxed, dislocations glided
+	ResultMesh glided;   ///< relaxed, dislocations moved
 	ResultMesh repaired; ///< triangles made equilateral, inverted faces repaired
-	ResultMesh fitted;   ///< to the input
+	ResultMesh fitted;   ///< fitted to the input
 };
 
-/// One run of the engine that can be stopped before any step: what each of them begins with. Made
-/// by the steps of the engine itself as far as it is asked for, by all threads, and kept.
+/// A run of the engine that can be stopped before any step, for the input of the step. Made by the
+/// engine's own steps on demand, by all threads, and kept.
 class StagedRun {
 public:
 	StagedRun(const MeshView& input, const RemeshOptions& options);
@@ -28,7 +28,7 @@ public:
 	const RemeshOptions& options() const { return options_; }
 	/// A run's context with other threads.
 	RunContext contextFor(Workers& workers) const;
-	/// A run that has gone through the steps before this one.
+	/// A run after all steps before this step.
 	std::unique_ptr<Remeshing> runUntil(Step step, int threads = 0) const;
 
 	/// With the surface, its feature lines and samples.

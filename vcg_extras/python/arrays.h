@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-// NumPy's arrays, in without a copy and out without one. The Python part has checked and converted
-// them; what is checked here keeps a wrong call from reading beyond an array.
+// NumPy arrays, in and out without a copy. The Python part has checked and converted the arrays;
+// the checks here keep a wrong call from reading beyond an array.
 
 namespace gpr::python {
 
@@ -22,7 +22,7 @@ namespace nb = nanobind;
 template <class T, class Shape>
 using Input = nb::ndarray<const T, Shape, nb::c_contig, nb::device::cpu>;
 
-/// Coordinates are float or double.
+/// Coordinates, float or double.
 using Positions    = nb::ndarray<nb::ro, nb::shape<-1, 3>, nb::c_contig, nb::device::cpu>;
 using Triangles    = Input<std::int32_t, nb::shape<-1, 3>>;
 using Edges        = Input<std::int32_t, nb::shape<-1, 2>>;
@@ -31,7 +31,8 @@ using Sizes        = Input<float, nb::ndim<1>>;
 using Marks        = Input<std::uint8_t, nb::ndim<1>>;
 using CornerCoords = Input<float, nb::shape<-1, 3, 2>>;
 
-/// Without triangles. Throws TypeError for coordinates that are neither float nor double.
+/// The coordinates as a view without triangles. Throws TypeError for coordinates that are neither
+/// float nor double.
 inline MeshView viewOf(const Positions& positions)
 {
 	MeshView view;
@@ -52,7 +53,7 @@ inline MeshView viewOf(const Positions& positions, const Triangles& triangles)
 	return view;
 }
 
-/// The data of an array that must have so many rows, or null where there is none.
+/// The data of an array, which must have `length` rows; null if there is no array.
 template <class Array>
 auto dataOf(const std::optional<Array>& array, std::size_t length) -> decltype(array->data())
 {
@@ -61,7 +62,7 @@ auto dataOf(const std::optional<Array>& array, std::size_t length) -> decltype(a
 	return array->data();
 }
 
-/// An array that takes over the vector's memory.
+/// Makes an array that owns the memory of the vector.
 template <class T, class Element>
 nb::object toNumpy(std::vector<Element>&& values, std::initializer_list<std::size_t> shape)
 {
@@ -96,7 +97,7 @@ inline nb::object facesOf(const std::vector<BarycentricPoint>& points)
 	return toNumpy(std::move(faces));
 }
 
-/// Their barycentric weights, three a point.
+/// The barycentric weights of points on a surface, three per point.
 inline nb::object weightsOf(const std::vector<BarycentricPoint>& points)
 {
 	std::vector<float> weights;

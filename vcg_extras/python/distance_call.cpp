@@ -26,7 +26,7 @@ struct BothWays {
 	OneWay aToB, bToA;
 };
 
-/// Throws CancelledError.
+/// Measures both directions. Throws CancelledError.
 void measure(const MeshView& a, const MeshView& b, std::int64_t sampleNum, Workers& workers,
 			 BothWays& out)
 {
@@ -37,7 +37,7 @@ void measure(const MeshView& a, const MeshView& b, std::int64_t sampleNum, Worke
 	out.status = Status::Ok;
 }
 
-/// The proof may find points farther than those that were measured.
+/// The figures of a direction. The proof may find farther points than the samples.
 nb::dict figuresOf(const OneWay& way)
 {
 	nb::dict figures;

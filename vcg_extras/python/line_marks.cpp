@@ -9,7 +9,7 @@ namespace gpr::python {
 
 namespace {
 
-/// An edge by its vertices in ascending order, and which of the given ones it is.
+/// An edge as its vertices in ascending order, with the number of the given edge.
 struct GivenEdge {
 	std::pair<std::int32_t, std::int32_t> vertices;
 	std::int64_t                          number = 0;

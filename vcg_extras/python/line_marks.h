@@ -10,9 +10,8 @@
 
 namespace gpr::python {
 
-/// Marks edges that are given by their two vertices, as MeshView::line wants them: three marks a
-/// face. Returns the number of the first edge that no face has, or -1. Edges come in pairs of
-/// indices. Cost: O((E + F) log E).
+/// Marks edges, given as pairs of vertices, in the form of MeshView::line: three marks per face.
+/// Returns the number of the first edge without a face, or -1. Cost: O((E + F) log E).
 std::int64_t markEdges(const MeshView& mesh, const std::int32_t* edges, std::size_t edgeNum,
 					   std::vector<std::uint8_t>& marks);
 

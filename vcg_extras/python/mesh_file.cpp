@@ -14,7 +14,7 @@ namespace {
 using app::PlyType;
 using app::ValueColumn;
 
-/// Calls visit(a value of the type) for the type.
+/// Calls visit() with a value of the type.
 template <class Visit>
 void withType(PlyType type, const Visit& visit)
 {

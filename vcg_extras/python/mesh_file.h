@@ -13,35 +13,34 @@
 
 namespace gpr::python {
 
-/// What a file holds of a mesh beside coordinates and triangles: as the program's readers give it
-/// and its writers take it, with a way from and to arrays.
+/// The values of a mesh file beside coordinates and triangles, in the form of the program's readers
+/// and writers, with conversion from and to arrays.
 struct FileAttributes {
 	app::MeshAttributes values;
-	/// What values of faces are called, by the names of these: see ValueColumn::names.
+	/// Names of the values of faces, by the name of the column: see ValueColumn::names.
 	std::map<std::string, std::vector<std::string>> names = {};
 
-	/// Whole numbers of up to 32 bits and real numbers, one a vertex or face.
+	/// Whole numbers of up to 32 bits or real numbers, one per vertex or face.
 	void addVertexValues(const std::string& name, const nb::ndarray<nb::ro>& array);
 	void addFaceValues(const std::string& name, const nb::ndarray<nb::ro>& array);
 	void setTexture(const CornerCoords& uv, const std::optional<Indices>& image);
-	/// The names of images, materials and values of faces, and what a binary glTF file says of
-	/// them.
+	/// Takes the names of images, materials and values of faces, and the glTF data of a binary glTF
+	/// file.
 	void takeMaterials(const FileAttributes& other);
 
-	/// Copies: arrays by their names; the texture is None where there is none.
+	/// Copies: arrays by name; the texture is None if there is no texture.
 	nb::dict   vertexValues() const;
 	nb::dict   faceValues() const;
 	nb::object uv() const;
 	nb::object image() const;
 };
 
-/// Reads a mesh in the format of its extension, with all attributes: a dictionary of arrays and
-/// FileAttributes, or of what is wrong with the file. Throws ValueError for an extension that
-/// stands for no format.
+/// Reads a mesh with all attributes, in the format of the extension: a dictionary of arrays and
+/// FileAttributes, or the fault of the file. Throws ValueError for an unknown extension.
 nb::dict readMeshFile(const std::string& path);
 
-/// Writes a mesh likewise. Returns words for what the format does not hold. Throws ValueError for
-/// an unknown extension, OSError where the file cannot be written.
+/// Writes a mesh in the format of the extension. Returns words for values that the format cannot
+/// hold. Throws ValueError for an unknown extension, OSError if the file cannot be written.
 std::vector<std::string> writeMeshFile(const std::string& path, const Positions& positions,
 									   const Triangles&      triangles,
 									   const FileAttributes& attributes);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "command_call.h"
 #include "distance_call.h"
 #include "mesh_file.h"
 #include "parameter_values.h"
@@ -7,6 +8,7 @@
 #include "remesh_call.h"
 
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/map.h>
 #include <nanobind/stl/shared_ptr.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
@@ -27,7 +29,7 @@ gpr::Tool toolOf(const std::string& name)
 
 } // namespace
 
-/// What the package is made of; only its own Python part calls this.
+/// The compiled part of the package; only the Python part of the package calls this module.
 NB_MODULE(_core, module)
 {
 	module.attr("version") = GPR_VERSION;
@@ -76,5 +78,9 @@ NB_MODULE(_core, module)
 			   "progress"_a.none());
 	module.def("distance", &measureDistance, "vertices_a"_a, "faces_a"_a, "vertices_b"_a,
 			   "faces_b"_a, "samples"_a, "threads"_a, "progress"_a.none());
+	module.def("command_names", [] { return gpr::app::commandNames; });
+	module.def("remesh_command_texts", &remeshCommandTexts);
+	module.def("with_command", &gpr::app::withCommand, "words"_a);
+	module.def("run_remesh_command", &runRemeshWords, "files"_a, "options"_a);
 	module.def("cut_polygons", &cutPolygons, "vertices"_a, "corners"_a, "sizes"_a);
 }

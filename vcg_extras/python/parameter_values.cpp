@@ -16,7 +16,8 @@ namespace gpr::python {
 
 namespace {
 
-/// The switch for the selected faces is the array that selects them.
+/// Whether a row is an argument. The switch for selected faces is none: the array of the faces
+/// replaces the switch.
 bool isArgument(const Parameter& p)
 {
 	return *p.option != '\0' && std::string(p.key) != "Selected";
@@ -36,7 +37,7 @@ const Parameter* findArgument(Tool tool, const std::string& name)
 	throw nb::value_error((name + " takes " + wanted + ", not " + given + ".").c_str());
 }
 
-/// NumPy's switches count as well.
+/// A Python or NumPy bool; none for other values.
 std::optional<bool> switchOf(nb::handle value)
 {
 	const std::string type = nb::cast<std::string>(nb::str(value.type().attr("__name__")));
@@ -122,7 +123,7 @@ ParameterValue parseValue(const Parameter& p, const std::string& name, nb::handl
 	return parseChoice(p, name, value);
 }
 
-/// The number of a largest error in percent, given as "0.2%".
+/// The number of an error bound in percent, given as "0.2%".
 std::optional<nb::object> percentOf(const Parameter& p, nb::handle value)
 {
 	std::optional<std::string> text = textOf(value);
@@ -131,7 +132,7 @@ std::optional<nb::object> percentOf(const Parameter& p, nb::handle value)
 	text->pop_back();
 	nb::object number = nb::steal(PyFloat_FromString(nb::str(text->c_str()).ptr()));
 	if (!number) PyErr_Clear();
-	if (!number) return std::nullopt; // and so it is refused as text
+	if (!number) return std::nullopt; // text is refused later
 	return number;
 }
 

@@ -12,16 +12,16 @@
 
 namespace gpr::python {
 
-/// The rows of a tool that are keyword arguments, one dictionary each, in the order of the table:
+/// The rows of a tool that are keyword arguments, a dictionary each, in the order of the table:
 /// name, kind, label, help, minimum, maximum, choices, default (None for a size).
 nanobind::list parameterList(Tool tool);
 
-/// Whether the number or the size of the triangles is among the parameters.
+/// Whether the parameters give a number or a size of the triangles.
 bool givesSize(Tool tool, const nanobind::dict& given);
 
-/// The options that keyword arguments come to; those that are not given keep their defaults.
-/// Throws ValueError, which names the argument, for a value of another kind or out of range, for
-/// more than one size, and for a name that is no parameter of the tool.
+/// The options for keyword arguments; missing arguments keep their defaults. Throws ValueError with
+/// the name of the argument for a value of another kind or out of range, for more than one size,
+/// and for an unknown name.
 RemeshOptions optionsOf(Tool tool, const nanobind::dict& given);
 
 } // namespace gpr::python

@@ -9,10 +9,10 @@
 
 namespace gpr::python {
 
-/// Cuts polygons into triangles as the readers of the command line do: triangles first, as they
-/// are, then what larger polygons come to. Returns the triangles' corners, three a triangle, as
-/// numbers into `corners`. `sizes` has the number of corners of each polygon, at least 3. The
-/// indices must be in range.
+/// Cuts polygons into triangles like the readers of the command line: first the triangles,
+/// unchanged, then the parts of larger polygons. Returns the corners of the triangles, three per
+/// triangle, as numbers into `corners`. `sizes` has the number of corners of each polygon, at least
+/// 3. The indices must be in range.
 nb::object cutPolygons(const Positions& positions, const Indices& corners, const Indices& sizes);
 
 } // namespace gpr::python

@@ -10,15 +10,15 @@
 
 namespace gpr::python {
 
-/// Lets Python have a word while the engine runs without the interpreter's lock: signals such as
-/// that of Ctrl+C, and the caller's progress function, which may return False to cancel. What they
-/// raise ends the run and is raised again by rethrow.
+/// Calls Python while the engine runs without the interpreter's lock: handles signals like Ctrl+C,
+/// and calls the caller's progress function, which may return False to cancel. An exception from
+/// either ends the run; rethrow raises the exception again.
 class PythonProgress {
 public:
-	/// None calls nothing; signals are looked at all the same.
+	/// function: None is not called; signals are still handled.
 	explicit PythonProgress(nanobind::object function) : function_(std::move(function)) {}
 
-	/// For the engine. This object must outlive the run.
+	/// The callback for the engine. This object must outlive the run.
 	ProgressCallback callback()
 	{
 		return [this](double share, const char* phrase) { return goesOn(share, phrase); };

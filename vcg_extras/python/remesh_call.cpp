@@ -24,7 +24,7 @@ namespace gpr::python {
 
 namespace {
 
-/// The caller's mesh with all that goes with it; refers to the caller's arrays.
+/// The mesh of the caller with all data; refers to the arrays of the caller.
 struct Mesh {
 	MeshView                       view;
 	std::vector<std::uint8_t>      lines; ///< three a face, or empty
@@ -47,7 +47,7 @@ void takeLines(const Edges& edges, Mesh& mesh)
 	if (missing >= 0) failEdge(edges.data(), missing);
 }
 
-/// The seams of a texture are lines as those that are given.
+/// Adds the seams of the texture to the given lines.
 void takeSeams(Mesh& mesh)
 {
 	if (mesh.texture == nullptr || !mesh.texture->hasSeams()) return;
@@ -68,7 +68,7 @@ void takeTexture(const Extras& extras, Mesh& mesh)
 	takeSeams(mesh);
 }
 
-/// Does not touch Python's objects but for the arrays' data.
+/// Collects a mesh from arrays. Touches Python objects only for the data of arrays.
 Mesh takeMesh(const Positions& positions, const Triangles& triangles, const Extras& extras)
 {
 	Mesh mesh;
@@ -84,7 +84,7 @@ Mesh takeMesh(const Positions& positions, const Triangles& triangles, const Extr
 	return mesh;
 }
 
-/// Those of a file, where the caller gives none.
+/// Takes the regions of a file if the caller gives no regions.
 void takeRegions(const app::MeshAttributes& attributes, Mesh& mesh)
 {
 	if (mesh.view.region != nullptr) return;
@@ -110,15 +110,15 @@ nb::dict outcome(Status status, const std::string& message, std::int64_t smalles
 	return out;
 }
 
-/// Whether floats do not resolve a thousandth of the mean edge; the command line writes doubles
-/// then.
+/// Whether floats are too coarse for a thousandth of the mean edge; the command line then writes
+/// doubles.
 bool isCoarse(const RemeshResult& result)
 {
 	const double largest = app::largestCoordinate(result.mesh.view());
 	return !app::floatResolves(largest, result.report.quality.meanEdgeLen);
 }
 
-/// What the command line's report says of a run, in the same words.
+/// The record of a run, with the same words as the report of the command line.
 app::RunRecord recordOf(const Mesh& mesh, const RemeshOptions& options, const RemeshResult& result)
 {
 	app::RunRecord run;
@@ -160,7 +160,7 @@ void putMesh(RemeshResult&& result, nb::dict& out)
 
 namespace {
 
-/// A run of the whole way and what is told of it.
+/// A whole run and its record.
 struct Run {
 	RemeshOptions  options;
 	app::RunRecord record;
@@ -180,7 +180,7 @@ Run runOf(const Extras& extras, const nb::dict& given)
 	return run;
 }
 
-/// carry(mesh) takes what is carried over to the result, if there is one.
+/// Remeshes and takes the times. carry(mesh) transfers data to the result, if there is a result.
 template <class Carry>
 void remeshTimed(const Mesh& mesh, const app::Stopwatch& clock, PythonProgress& watch, Run& run,
 				 const Carry& carry)

@@ -14,7 +14,7 @@
 
 namespace gpr::python {
 
-/// What goes with a mesh beside its coordinates and triangles.
+/// The data of a mesh beside coordinates and triangles.
 struct Extras {
 	std::optional<Marks>        selectedFaces;
 	std::optional<Marks>        selectedVertices;
@@ -24,22 +24,23 @@ struct Extras {
 	std::optional<Indices>      regions;     ///< labels of faces
 	std::optional<Sizes>        wantedEdges; ///< of the vertices
 	std::vector<double>         period;      ///< three lengths of a periodic cell, or none
-	/// What earlier runs on the same vertices and faces have made; or null.
+	/// The products of earlier runs on the same vertices and faces; or null.
 	std::shared_ptr<PreparedSurface> prepared;
 };
 
-/// The attributes of a file instead of a texture: they are carried over to the result, by the rules
-/// of the program. The dictionary has them as `attributes`.
+/// Remeshes a mesh with the attributes of a file in place of a texture. The attributes are
+/// transferred to the result by the rules of the program, as `attributes` of the dictionary.
 nb::dict remeshMeshOfFile(const Positions& positions, const Triangles& triangles,
 						  const Extras& extras, const FileAttributes& attributes,
 						  const nb::dict& given, nb::object progress);
 
-/// Each runs a tool of the engine without the interpreter's lock and returns a dictionary: status,
-/// message and smallest_count, then what the tool makes. `given` has the parameters of the table.
+/// These functions run a tool of the engine without the interpreter's lock. They return a
+/// dictionary: status, message and smallest_count, then the products of the tool. `given` has the
+/// parameters of the table.
 nb::dict remeshArrays(const Positions& positions, const Triangles& triangles, const Extras& extras,
 					  const nb::dict& given, nb::object progress);
-/// Several meshes that are remeshed together: see app::JoinedPieces. A dictionary for each, or one
-/// with the reason where there is no result.
+/// Remeshes several meshes together: see app::JoinedPieces. Returns a dictionary for each mesh, or
+/// a single dictionary with the reason if there is no result.
 std::vector<nb::dict> remeshPieces(const std::vector<Positions>& positions,
 								   const std::vector<Triangles>& triangles,
 								   const std::vector<Extras>& extras, const nb::dict& given,

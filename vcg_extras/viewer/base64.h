@@ -9,7 +9,7 @@
 
 namespace gpr::app {
 
-/// RFC 4648.
+/// Base64 of bytes, by RFC 4648.
 std::string base64(std::string_view bytes);
 
 /// The bytes of the values as they lie in memory.

@@ -89,7 +89,7 @@ Json MeshJson::jsonOf(const std::string& key, const std::string& name, const Mes
 	return json;
 }
 
-/// Where the triangle of the worst shape lies.
+/// The place of the triangle of the worst shape.
 Json MeshJson::worstJson(const MeshView& mesh, const std::vector<float>& ratios) const
 {
 	const auto face = std::size_t(std::min_element(ratios.begin(), ratios.end()) - ratios.begin());

@@ -15,20 +15,20 @@ namespace gpr::app {
 
 constexpr std::size_t mostFacesShown = 300000; ///< of each mesh: some 8 MB of a page
 
-/// Meshes as viewer.js takes them, all in the frame of the input.
+/// Meshes in the format of viewer.js, all in the frame of the input.
 class MeshJson {
 public:
-	/// How the bytes of an array come into the JSON.
+	/// The conversion of an array's bytes to JSON.
 	using Pack = Json (*)(std::string_view bytes);
 
-	/// The diagonal, in mesh units, is what distances are in percent of. The workers must outlive
-	/// this.
+	/// diagonal: mesh units; distances are in percent of the diagonal. The workers must outlive
+	/// this object.
 	MeshJson(const MeshView& input, double diagonal, Workers& workers, Pack pack);
 
 	/// A mesh with the shape of its triangles. Cost: linear.
 	Json ofMesh(const std::string& key, const std::string& name, const MeshView& mesh) const;
 	/// The same with the distances of its triangles from the input. Cost: seven searches for each
-	/// triangle that is shown, parallel.
+	/// shown triangle, parallel.
 	Json ofResult(const std::string& key, const std::string& name, const MeshView& mesh,
 				  const MeasuredSurface& input) const;
 

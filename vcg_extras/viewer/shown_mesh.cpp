@@ -17,14 +17,14 @@ bool isFinite(const Vec3d& p)
 	return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-/// For each vertex the number of the one that is drawn for it.
+/// For each vertex the number of the drawn vertex.
 struct Clusters {
 	std::vector<std::uint32_t> ofVertex;
 	std::vector<Vec3d>         sum; ///< of the positions, local
 	std::vector<std::uint32_t> num; ///< of the vertices
 };
 
-/// Every vertex by itself.
+/// Every vertex is a cluster by itself.
 Clusters singleVertices(const MeshView& mesh, const ShownFrame& frame)
 {
 	Clusters clusters;
@@ -36,7 +36,7 @@ Clusters singleVertices(const MeshView& mesh, const ShownFrame& frame)
 	return clusters;
 }
 
-/// A number for each cell of a grid of cubes; cellNum of them are as long as the diagonal.
+/// A number for each cell of a grid of cubes; cellNum cubes are as long as the diagonal.
 std::uint64_t cellOf(const Vec3d& p, double cellNum)
 {
 	const auto part = [&](double x) { return std::uint64_t(std::floor((x + 1) * cellNum)); };
@@ -50,7 +50,7 @@ Clusters clustersOfGrid(const MeshView& mesh, const ShownFrame& frame, double ce
 	clusters.ofVertex.resize(mesh.vertexNum, 0);
 	for (std::size_t v = 0; v < mesh.vertexNum; ++v) {
 		const Vec3d p = frame.local(mesh.position(v));
-		// Vertices that no face uses may be anywhere.
+		// Unused vertices may be anywhere.
 		if (!isFinite(p) || length(p) >= 1) continue;
 		const auto [at, isNew] = clusterOf.try_emplace(cellOf(p, cellNum), clusters.num.size());
 		if (isNew) {
@@ -64,7 +64,7 @@ Clusters clustersOfGrid(const MeshView& mesh, const ShownFrame& frame, double ce
 	return clusters;
 }
 
-/// Faces whose corners are drawn as three vertices.
+/// Faces drawn with three different vertices.
 std::vector<std::uint32_t> remainingFaces(const MeshView& mesh, const Clusters& clusters)
 {
 	std::vector<std::uint32_t> faces;
@@ -112,7 +112,7 @@ ShownMesh shownMesh(const MeshView& mesh, const ShownFrame& frame, std::size_t m
 {
 	Clusters                   clusters = singleVertices(mesh, frame);
 	std::vector<std::uint32_t> faces    = remainingFaces(mesh, clusters);
-	// A cell that a smooth surface goes through has about two faces.
+	// A cell on a smooth surface has about two faces.
 	double cellNum = std::min(std::sqrt(double(mostFaces)), 1e6);
 	while (faces.size() > mostFaces) {
 		clusters = clustersOfGrid(mesh, frame, cellNum);

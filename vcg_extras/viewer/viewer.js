@@ -1,19 +1,19 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Several meshes under one camera: for the page that `gpremesh compare --html` writes, and for the page that
-// remeshes. The root has the elements of viewer.html. The frame of all meshes is that of the input: its middle is
-// the origin, the diagonal of its box is 1. Meshes are as mesh_json.h makes them, with arrays as buffers or in base64.
+// Several meshes under one camera: for the page written by `gpremesh compare --html`, and for the page that remeshes.
+// The root has the elements of viewer.html. All meshes have the frame of the input: its middle is the origin, the
+// diagonal of its box is 1. Meshes have the format of mesh_json.h, with arrays as buffers or in base64.
 "use strict";
 /* exported makeViewer */
 function makeViewer(root, page) {
 
 const viewAngleDeg = 30;
 const slope = Math.tan(viewAngleDeg * Math.PI / 360);
-const farthest = 20;          // of the camera from what it looks at, in diagonals
+const farthest = 20;          // of the camera from its target, in diagonals
 const barNum = 40;            // of a histogram
-const spotWidth = 10;         // what is seen around a spot, in lengths of its triangle
-// From good to bad; each colour is darker than the one before, so that the order is seen in grey, too.
+const spotWidth = 10;         // width of the view round a spot, in lengths of its triangle
+// From good to bad; each colour is darker than the colour before, so that the order is visible in grey, too.
 const ramp = [[.93, .95, .97], [.99, .83, .62], [.96, .56, .35], [.80, .20, .14], [.42, 0, .05]];
 const plain = [.80, .86, .95];
 
@@ -31,7 +31,7 @@ function bytesOf(text) {
 	return bytes.buffer;
 }
 
-// What is coloured and counted: a value for each triangle, and where the colours begin and end.
+// The measures for colours and histograms: a value for each triangle, and the ends of the colours.
 const measures = {
 	quality: {
 		values: (mesh) => mesh.quality, good: 1, bad: 0,
@@ -49,7 +49,7 @@ function takeMesh(given) {
 	mesh.positions = new Float32Array(bytesOf(mesh.positions));
 	mesh.triangles = new Uint32Array(bytesOf(mesh.triangles));
 	mesh.quality = new Float32Array(bytesOf(mesh.quality));
-	// The input lies on itself.
+	// The input has distance 0 from itself.
 	mesh.isMeasured = mesh.distance !== undefined || mesh.key === "input";
 	mesh.distance = mesh.distance ? new Float32Array(bytesOf(mesh.distance)) : new Float32Array(mesh.shown);
 	mesh.isDecimated = mesh.shown < mesh.faces && mesh.faces > page.mostShown;
@@ -73,8 +73,8 @@ void main() {
 	gl_Position = projectionMatrix * view;
 }`;
 
-// Light comes from behind the camera and from above. Edges of triangles of few pixels are faint: they would
-// cover the surface.
+// Light comes from behind the camera and from above. Edges of small triangles are faint: opaque edges would cover the
+// surface.
 const fragmentShader = `
 uniform vec3 ramp[${ramp.length}];
 uniform vec3 plain;
@@ -101,7 +101,7 @@ void main() {
 	gl_FragColor = vec4(colour, 1.0);
 }`;
 
-// Three vertices of its own for each triangle: they have the triangle's values, and tell where its edges are.
+// Three vertices for each triangle: the vertices have the triangle's values, and tell the places of its edges.
 function geometryOf(mesh) {
 	const num = mesh.triangles.length;
 	const positions = new Float32Array(3 * num), corners = new Uint8Array(3 * num);
@@ -130,7 +130,7 @@ const material = new THREE.ShaderMaterial({
 		coloured: { value: true }, edges: { value: true },
 	},
 });
-let spot = null;              // the place that is marked in all views
+let spot = null;              // the place marked in all views
 let isDrawWanted = false;
 const panels = [];
 
@@ -188,7 +188,7 @@ const axes = () => {
 	return { right, up, back };
 };
 
-// So that all of the first mesh is seen, by the same rule as in the still pictures.
+// Shows the whole first mesh, by the same rule as in the still pictures.
 function showWhole() {
 	const back = new THREE.Vector3(.35, .25, 1).normalize();
 	const right = new THREE.Vector3(0, 1, 0).cross(back).normalize();
@@ -197,7 +197,7 @@ function showWhole() {
 	let away = 0;
 	for (let i = 0; i < positions.length; i += 3) {
 		p.set(positions[i], positions[i + 1], positions[i + 2]);
-		if (p.length() > 1) continue; // no face uses it
+		if (p.length() > 1) continue; // unused by faces
 		away = Math.max(away, p.dot(back) + Math.max(Math.abs(p.dot(right)), Math.abs(p.dot(up))) / slope);
 	}
 	spot = null;
@@ -216,7 +216,7 @@ function turn(across, down) {
 	wantDraw();
 }
 
-// By shares of the height of the view.
+// Moves the view by shares of its height.
 function move(across, down) {
 	const { right, up } = axes();
 	const height = 2 * slope * camera.position.distanceTo(target);
@@ -235,7 +235,7 @@ function comeNearer(factor) {
 
 const isPlace = (place) => place && place.at.every((x) => Number.isFinite(x));
 
-// Looks at a place from outside, near enough to see its triangle.
+// Looks at a place from outside, near enough to show its triangle.
 function lookAt(place) {
 	const normal = new THREE.Vector3(...place.normal);
 	const back = normal.length() > .5 ? normal : camera.position.clone().sub(target).normalize();
@@ -321,7 +321,7 @@ function makePanel(key) {
 	panel.mark = element("div", "mark", frame);
 	panel.histogram = element("div", "histogram", box);
 	panel.spots = element("div", "spots", box);
-	// The drawing is kept, so that the browser can save it as a picture.
+	// The drawing is kept, so that the browser can save the drawing as a picture.
 	panel.renderer = new THREE.WebGLRenderer({ canvas: panel.canvas, antialias: true, preserveDrawingBuffer: true });
 	panel.renderer.setClearColor(0xffffff);
 	panel.chooser.addEventListener("change", () => {
@@ -412,7 +412,7 @@ function showValues() {
 	wantDraw();
 }
 
-// A mesh that is new, or takes the place of the one with its key.
+// Adds a mesh, or replaces the mesh with the same key.
 function put(given) {
 	const mesh = takeMesh(given), at = meshes.findIndex((m) => m.key === mesh.key);
 	if (at < 0) meshes.push(mesh);
@@ -424,7 +424,7 @@ function put(given) {
 	showValues();
 }
 
-// None but the input is left.
+// Removes all meshes but the input.
 function begin(input) {
 	meshes.length = 0;
 	for (const panel of panels) fillPanel(panel);

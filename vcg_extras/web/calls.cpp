@@ -25,14 +25,14 @@ namespace {
 using app::AppError;
 using app::ExitCode;
 
-/// What the last answer refers to.
+/// The arrays of the last answer.
 std::vector<std::string>& kept()
 {
 	static std::vector<std::string> arrays;
 	return arrays;
 }
 
-/// The caller copies the bytes from the memory of the module.
+/// Keeps bytes for the caller, who copies the bytes from the memory of the module.
 Json pack(std::string_view bytes)
 {
 	kept().emplace_back(bytes);
@@ -77,7 +77,7 @@ Json table(const Json&)
 	return {{"version", GPR_VERSION}, {"parameters", rows}};
 }
 
-/// An array of the caller's, in the memory of the module.
+/// Copies an array of the caller from the memory of the module.
 template <class Value, class Array>
 void takeArray(const Json& where, Array& values)
 {

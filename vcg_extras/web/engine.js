@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The engine in a worker, as promises. The page and the npm package are made from this.
+// The engine in a worker, as promises. Page and npm package use this module.
 
 const isNode = typeof process === "object" && Boolean(process.versions && process.versions.node);
 
-/** A failure that the engine tells: its sentence, and the exit code that the program would have. */
+/** A failure of the engine, with its sentence and the exit code of the program for the same failure. */
 export class GpremeshError extends Error {
 	constructor(sentence, code) {
 		super(sentence);
@@ -16,7 +16,7 @@ export class GpremeshError extends Error {
 
 let compiled = null;
 
-// Once for all workers.
+// Compiles the module once for all workers.
 function compile() {
 	compiled ??= (async () => {
 		const url = new URL("./worker/gpremesh.wasm", import.meta.url);
@@ -47,15 +47,14 @@ async function startWorker(listen, fail) {
 	return { post: (message, moved) => worker.postMessage(message, moved), rest() {}, end: () => worker.terminate() };
 }
 
-/** One thread with one mesh. A call that is aborted ends the thread; the next call starts another one,
- * which has no mesh. */
+/** A thread with a mesh. An aborted call ends the thread; the next call starts a new thread without a mesh. */
 export class Engine {
 	#worker = null;
 	#waiting = new Map();
 	#lastId = 0;
 
-	/** Calls are answered one after the other.
-	 * @param call one of those in calls.cpp, @param request its arguments */
+	/** Calls the engine. Calls are answered in sequence.
+	 * @param call name of a call in calls.cpp, @param request the arguments of the call */
 	async call(call, request = {}, { onProgress, signal, move = [] } = {}) {
 		signal?.throwIfAborted();
 		const module = await compile();
@@ -83,7 +82,7 @@ export class Engine {
 		this.#fail(new GpremeshError("The engine was stopped.", 5));
 	}
 
-	/** Whether there is a thread, with what it was given. */
+	/** Whether there is a thread, with its mesh. */
 	get isRunning() {
 		return this.#worker !== null;
 	}

@@ -79,7 +79,8 @@ Json Session::take(app::InputMesh mesh)
 	return begin();
 }
 
-/// Other options may need more of the file, or its texture in another way.
+/// Reads the file for these options, which may need more attributes of the file or another form of
+/// the texture.
 void Session::readAs(const RemeshOptions& options)
 {
 	const app::WantedAttributes wanted = wantedBy(options);
@@ -215,7 +216,7 @@ Json Session::proven(const std::string& key)
 Json Session::save(const std::string& path) const
 {
 	const TriangleMesh& mesh   = made(resultKey);
-	app::MeshAttributes source = source_.mesh.attributes; // it is emptied on the way
+	app::MeshAttributes source = source_.mesh.attributes; // carryAttributes empties the source
 	app::MeshAttributes carried =
 		app::carryAttributes(source, source_.mesh.view(), source_.texture.get(), result_);
 	app::writeMesh(mesh, app::needsDoubleOutput(source_.mesh, result_), carried, path,

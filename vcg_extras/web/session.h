@@ -17,7 +17,7 @@ namespace gpr::web {
 
 using app::Json;
 
-/// How bytes come to the caller beside the JSON.
+/// Passes bytes to the caller beside the JSON.
 using Pack = Json (*)(std::string_view bytes);
 
 /// One mesh, and what is made of it. One thread. Failures are AppError.
@@ -25,43 +25,43 @@ class Session {
 public:
 	Session(ProgressCallback progress, Pack pack);
 
-	/// Takes a file, by the program's own readers. What was open is closed.
+	/// Opens a file with the readers of the program. Closes the mesh that was open.
 	Json open(const std::string& path);
-	/// Takes arrays.
+	/// Opens a mesh of arrays.
 	Json take(app::InputMesh mesh);
-	/// The input as the viewer takes it.
+	/// The input, for the viewer.
 	Json shownInput();
 
-	/// What a run will take. The options are those of the command line.
+	/// Estimates time and memory of a run. The options are options of the command line.
 	Json estimate(const std::string& options);
-	/// Remeshes; what comes back is the report. Refuses before the work what needs more memory than
-	/// a page can have.
+	/// Remeshes and returns the report. Refuses a run that needs more memory than a page can have,
+	/// before the work.
 	Json remesh(const std::string& options);
-	/// Quadric Edge Collapse.
+	/// Simplifies the input by Quadric Edge Collapse.
 	Json collapse(std::int64_t faceNum);
 
-	/// A result as the viewer takes it: "result" or "quadricEdgeCollapse".
+	/// A result for the viewer: "result" or "quadricEdgeCollapse".
 	Json shown(const std::string& key, const std::string& name) const;
-	/// The same with its distances from the input, and its figures.
+	/// The same with figures and distances from the input.
 	Json measured(const std::string& key, const std::string& name);
-	/// Bounds of its largest distance from the input.
+	/// Proven bounds of the largest distance of a result from the input.
 	Json proven(const std::string& key);
 
-	/// The last result, and what it carries over from its file, written as the program would.
+	/// Writes the last result with the values of the input file, like the program.
 	Json save(const std::string& path) const;
-	/// The last result as arrays, in the input's precision.
+	/// The last result as arrays, in the precision of the input.
 	Json arrays() const;
 
 private:
 	ProgressCallback                    progress_;
 	Pack                                pack_;
-	std::string                         path_; ///< empty where arrays were taken
+	std::string                         path_; ///< empty for a mesh of arrays
 	app::WantedAttributes               wanted_;
 	bool                                isSewn_ = true;
 	app::MeshSource                     source_;
 	std::unique_ptr<PreparedSurface>    surface_;
-	std::unique_ptr<MeasuredSurface>    measured_; ///< the input; made when it is needed
-	RemeshResult                        result_;   ///< its mesh is made_["result"]
+	std::unique_ptr<MeasuredSurface>    measured_; ///< the input; null until needed
+	RemeshResult                        result_;   ///< without the mesh, which is made_["result"]
 	std::map<std::string, TriangleMesh> made_;
 	double                              diagonal_ = 0;
 

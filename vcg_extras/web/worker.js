@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The engine in a thread of its own, in a browser or in node. Takes messages {id, call, ...} and answers
-// {id, answer} or {id, error, code}; in between it tells {id, share, phrase}. engine.js is the other end.
+// {id, answer} or {id, error, code}; before the answer it sends {id, share, phrase}. engine.js is the other end.
 /* global makeGpremesh */
 
 const isNode = typeof importScripts !== "function";
 if (isNode) {
 	const { parentPort } = require("node:worker_threads");
-	// What the module's loader knows of a browser.
+	// The parts of a browser that the loader of the module uses.
 	globalThis.self = { location: { href: __filename } };
 	globalThis.importScripts = () => {};
 	globalThis.postMessage = (message, transferred) => parentPort.postMessage(message, transferred);
@@ -18,7 +18,7 @@ if (isNode) {
 	importScripts("gpremesh.js");
 }
 
-let current = null; // the number of the message that is answered
+let current = null; // the number of the present message
 let loaded = null;
 
 function load(compiled) {
@@ -37,7 +37,7 @@ function load(compiled) {
 	});
 }
 
-// Typed arrays of a request lie in the memory of the module while it is answered.
+// Copies a typed array of a request to the memory of the module, until the answer.
 function lend(module, values) {
 	const at = module._malloc(values.byteLength) >>> 0;
 	if (at === 0) throw new RangeError("no memory for the mesh");
@@ -45,7 +45,7 @@ function lend(module, values) {
 	return { at, length: values.byteLength };
 }
 
-// What an answer refers to, as buffers of its own.
+// Replaces the references of an answer by buffers.
 function takeOut(module, value, transferred) {
 	if (value === null || typeof value !== "object") return value;
 	if (typeof value.at === "number" && typeof value.length === "number" && Object.keys(value).length === 2) {
@@ -96,7 +96,7 @@ async function reply(message) {
 
 globalThis.onmessage = ({ data }) => {
 	reply(data).catch((error) => {
-		// Not a failure that the engine tells: the module cannot be used any more.
+		// No failure of the engine, but of the module, which is unusable from here on.
 		postMessage({ fatal: String(error.message || error) });
 	});
 };

@@ -18,7 +18,7 @@ namespace vcg {
 namespace tri {
 namespace gpr_detail {
 
-/// The wedge texture of a mesh, for a flat view of it. The view must outlive the result.
+/// The wedge texture of a mesh, for a flat view of the mesh. The view must outlive the result.
 template <class MeshType, class FaceOfType>
 gpr::TextureSource WedgeTextureOf(const gpr::MeshView& view, const FaceOfType& faceOf)
 {
@@ -37,13 +37,13 @@ gpr::TextureSource WedgeTextureOf(const gpr::MeshView& view, const FaceOfType& f
 	return gpr::TextureSource(view, std::move(texture));
 }
 
-/** \brief Attributes of a mesh read at surface points on its faces.
+/** \brief Attributes of a mesh, read at surface points on its faces.
 
-Of vertices: colour, quality, radius and texture coordinates, means over the corners of the face.
-Of faces, where the surface points of a result's faces are there: colour and quality of the face
-that the middle of the new face lies on; wedge texture coordinates from one side of the seams (see
-TextureSource). Read first and written later, so that the mesh read and the mesh written may be the
-same. An attribute is carried where both meshes have it, optional (ocf) components only where
+Vertex attributes: colour, quality, radius and texture coordinates, as means over the corners of the
+face. Face attributes, if the result has surface points of its faces: colour and quality of the
+input face below the middle of the new face; wedge texture coordinates from one side of the seams
+(see TextureSource). All attributes are read first and written later: both meshes may be the same.
+An attribute is carried over if both meshes have the attribute; optional (ocf) components only if
 enabled. Cost: linear in the surface points.
 */
 template <class MeshType>
@@ -58,8 +58,8 @@ public:
 	typedef typename VertexType::TexCoordType   TexCoordType;
 	typedef std::vector<gpr::BarycentricPoint>  PointVector;
 
-	/// Reads of vertices what `to` has room for; faceOf(i) is the face of `from` that surface
-	/// points mean by the number i.
+	/// Reads the vertex attributes that `to` has. faceOf(i): face of `from` with number i in
+	/// surface points.
 	template <class FaceOfType>
 	void ReadVertices(const MeshType& from, const MeshType& to, const PointVector& surfacePoints,
 					  const FaceOfType& faceOf)
@@ -86,7 +86,7 @@ public:
 			Read(surfacePoints, faceOf, _texCoord, TexCoordAt);
 	}
 
-	/// Reads of faces what `to` has room for. texture: that of `from`, or null.
+	/// Reads the face attributes that `to` has. texture: texture of `from`, or null.
 	template <class FaceOfType>
 	void ReadFaces(const MeshType& from, const MeshType& to, const gpr::RemeshResult& run,
 				   const gpr::TextureSource* texture, const FaceOfType& faceOf)
@@ -166,7 +166,7 @@ private:
 	gpr::CornerTexture           _wedge; ///< empty: not carried
 };
 
-/// A sentence that names what could not be carried over; empty where nothing was lost.
+/// A sentence that names the lost attributes; empty if nothing was lost.
 inline std::string SentenceOfLost(const std::vector<std::string>& names)
 {
 	std::string list;
@@ -175,7 +175,7 @@ inline std::string SentenceOfLost(const std::vector<std::string>& names)
 	return list.empty() ? list : "Not carried over to the result: " + list + ".";
 }
 
-/// The texture of `in` where `out` has room for it, or null.
+/// The texture of `in` if `out` has wedge texture coordinates, else null.
 template <class MeshType>
 std::unique_ptr<gpr::TextureSource> TextureFor(const MeshType& in, const MeshType& out,
 											   const FlatMesh<MeshType>& flat)
@@ -196,8 +196,8 @@ bool NeedsFacePoints(const MeshType& in, const MeshType& out)
 
 /** \brief Runs an engine function on `in` and writes its mesh with carried attributes to `out`.
 
-`out` may be `in`: it is written only when everything has been read, and only when the run is Ok.
-engine: takes a view of `in` and the options, with the surface points that the attributes need. */
+`out` may be `in`: all is read before the first write, and a run that is not Ok writes nothing.
+engine: takes a view of `in` and the options, with the surface points needed by the attributes. */
 template <class MeshType, class EngineFunctionType>
 GeodesicPoissonResult WriteResultOf(const MeshType& in, MeshType& out, gpr::RemeshOptions options,
 									gpr::RemeshReport* stat, EngineFunctionType engine)

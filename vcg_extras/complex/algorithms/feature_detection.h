@@ -15,10 +15,11 @@ namespace tri {
 
 /** \brief Creases and cone apexes of a surface, by a uniformly supported second-order difference.
 
-"Fast Edge-based geodesic Poisson Disk Remeshing", section 3.1, finds features so, after Wang 2006,
-"with user determined threshold values"; the formula is this project's, see docs/features.md. The
-strength of an edge is the angle between the mean normals of the half-disks on its two sides, whose
-one size for the whole mesh makes it independent of the mesh's density and deaf to noise.
+"Fast Edge-based geodesic Poisson Disk Remeshing", section 3.1, finds features in this way, after
+Wang 2006, "with user determined threshold values"; the formula is this project's, see
+docs/features.md. The strength of an edge is the angle between the mean normals of the half-disks on
+its two sides. All half-disks of a mesh have the same size, so the strength depends neither on the
+density of the mesh nor on noise.
 
 Works on any tri::TriMesh with coordinates in float or double; a minimal mesh type needs only
 coordinates, flags and vertex references. For example:
@@ -38,7 +39,7 @@ public:
 	typedef GeodesicPoissonResult Result;
 
 	/// featureThresholds, threads and timeLimitSeconds count; see GeodesicPoissonParams. The four
-	/// members are the thresholds under shorter names.
+	/// members are shorter names of the thresholds.
 	struct Params : public GeodesicPoissonParams {
 		typedef gpr::FeatureFigures Stat;
 
@@ -49,7 +50,7 @@ public:
 
 		Params() = default;
 		Params(const gpr::RemeshOptions& options) : GeodesicPoissonParams(options) {}
-		// A copy's members name its own thresholds.
+		// The members of a copy refer to the copy's own thresholds.
 		Params(const Params& from) : GeodesicPoissonParams(from) {}
 		Params& operator=(const Params& from)
 		{
@@ -59,17 +60,18 @@ public:
 	};
 	typedef typename Params::Stat Stat;
 
-	/// An edge that is part of a feature line.
+	/// An edge of a feature line.
 	struct FeatureEdge {
-		VertexPointer v[2];     ///< its ends
+		VertexPointer v[2];     ///< the ends
 		ScalarType    strength; ///< degrees
 	};
 
-	/// What was found. Vectors go with the containers of the mesh; deleted elements have 0.
+	/// The features of a mesh. Each vector has the size of the mesh's container; deleted elements
+	/// have 0.
 	struct Features {
 		std::vector<ScalarType>   vertexStrength; ///< degrees in [0, 180]
 		std::vector<std::uint8_t> vertexFeature;  ///< gpr::VertexFeature bits, 0 = no feature
-		std::vector<std::uint8_t> faceMark;       ///< 1 where a vertex of the face is marked
+		std::vector<std::uint8_t> faceMark;       ///< 1 if a vertex of the face is marked
 		std::vector<FeatureEdge>  edges;
 	};
 
@@ -77,18 +79,18 @@ public:
 
 	Source: paper section 3.1.
 
-	Needs: per-vertex and per-face flags; deleted elements are left out, what is not 2-manifold is
-	cut for the detection only.
+	Needs: per-vertex and per-face flags; deleted elements are left out, parts that are not
+	2-manifold are cut for the detection only.
 
 	\param m        the surface, any number of components, open or closed; not modified
-	\param features receives what was found in place of its former content
+	\param features receives the features in place of its former content
 	\param params   thresholds and threads
 	\param stat     null, or receives the counts, and the support in mesh units
 	\param cb       null, or progress in percent; returning false cancels
 
-	\return Ok; or why not, and then features is as it was
+	\return Ok; or the reason of the failure, with features unchanged
 
-	\throw MissingComponentException where m has no flags
+	\throw MissingComponentException if m has no flags
 
 	Cost: about 2 s per million faces and core; threads never change the result. */
 	static Result Detect(MeshType& m, Features& features, const Params& params = Params(),
@@ -110,7 +112,7 @@ public:
 
 	/** \brief Puts the strengths, in degrees, into the vertices' quality.
 
-	\throw MissingComponentException where m has none */
+	\throw MissingComponentException if m has no quality */
 	static void WriteQuality(const Features& features, MeshType& m)
 	{
 		assert(features.vertexStrength.size() == m.vert.size());
@@ -120,7 +122,7 @@ public:
 				m.vert[v].Q() = typename VertexType::QualityType(features.vertexStrength[v]);
 	}
 
-	/// \brief Selects the vertices and faces that are marked, and no others.
+	/// \brief Selects the marked vertices and faces, and deselects all other elements.
 	static void Select(const Features& features, MeshType& m)
 	{
 		assert(features.vertexFeature.size() == m.vert.size());
@@ -142,7 +144,8 @@ private:
 			element.ClearS();
 	}
 
-	/// The indices in a container of the elements that are not deleted: the engine's numbering.
+	/// The indices of the elements of a container, without deleted elements: the engine's
+	/// numbering.
 	template <class ContainerType>
 	static std::vector<std::size_t> IndicesOf(const ContainerType& elements)
 	{

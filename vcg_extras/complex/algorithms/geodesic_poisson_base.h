@@ -12,32 +12,33 @@
 namespace vcg {
 namespace tri {
 
-/** \brief How a call ended: what all geodesic Poisson-disk algorithms return.
+/** \brief The outcome of a call, returned by all geodesic Poisson-disk algorithms.
 
-Everything but gpr::Status::Ok means that no mesh of the caller was touched, and message says why in
-one sentence for the user.
+Any status but gpr::Status::Ok means: the call changed no mesh, and message gives the reason in a
+sentence for the user.
 */
 struct GeodesicPoissonResult {
 	gpr::Status              status = gpr::Status::InternalError;
 	std::string              message;   ///< empty when Ok
-	std::vector<std::string> notes;     ///< sentences worth showing even when all went well
+	std::vector<std::string> notes;     ///< sentences to show even after success
 	std::int64_t smallestVertexNum = 0; ///< with CountTooSmall: the count to ask for instead
 
 	bool IsOk() const { return status == gpr::Status::Ok; }
 };
 
-/** \brief Everything that a caller can choose: the engine's own options, with setters for the size.
+/** \brief All choices of a call: the engine's own options, with setters for the size.
 
-What each option means, its range and its default: gpr::RemeshOptions in core/options.h. A value out
-of range ends a call with BadOptions. All algorithms take all options and hand them to the engine,
-which leaves alone those that a stage does not need. Two are set by the algorithms, by the
-attributes that the meshes have: surfacePointsOfVertices and surfacePointsOfFaces.
+Meaning, range and default of each option: gpr::RemeshOptions in core/options.h. A value out of
+range ends a call with BadOptions. All algorithms take all options; an option without a meaning for
+an algorithm has no effect. The algorithms themselves set two options by the attributes of the
+meshes: surfacePointsOfVertices and surfacePointsOfFaces.
 
-Some options read more of the mesh than positions and faces. Without it a call ends with BadOptions:
-- featureRegion Selection: the selected vertices; where none is selected, the corners of the
-  selected faces. FeatureDetection::Select selects what was detected.
-- featureDiskScale above 0, and no featureRegion named: the selected vertices. Where none is
-  selected the region is detected, and the call does not end.
+Some options read more of the mesh than positions and faces. A call without such data ends with
+BadOptions:
+- featureRegion Selection: the selected vertices; without selected vertices, the corners of the
+  selected faces. FeatureDetection::Select selects the detected features.
+- featureDiskScale above 0 without featureRegion: the selected vertices. Without selected vertices
+  the region is detected, and the call does not end.
 - featureMode Given: the selected edges of faces.
 - selectedOnly: the selected faces.
 
@@ -48,16 +49,16 @@ gpr::findParameter("FeatureDiskScale")->store(0.3, params);
 */
 struct GeodesicPoissonParams : public gpr::RemeshOptions {
 	GeodesicPoissonParams() = default;
-	/// Options made elsewhere: by gpr::ParameterSet, or for another algorithm.
+	/// Options from elsewhere: from gpr::ParameterSet, or of another algorithm.
 	GeodesicPoissonParams(const gpr::RemeshOptions& options) : gpr::RemeshOptions(options) {}
 
-	/// Exactly so many vertices, >= 1.
+	/// Exact number of vertices, >= 1.
 	void SetTargetVertexNum(std::int64_t num)
 	{
 		targetMode      = gpr::TargetMode::VertexNum;
 		targetVertexNum = num;
 	}
-	/// Exactly so many faces, >= 1; only the remeshing can aim at it.
+	/// Exact number of faces, >= 1; only for the remeshing.
 	void SetTargetFaceNum(std::int64_t num)
 	{
 		targetMode    = gpr::TargetMode::FaceNum;
@@ -75,13 +76,13 @@ struct GeodesicPoissonParams : public gpr::RemeshOptions {
 		targetMode    = gpr::TargetMode::EdgeLength;
 		targetEdgeLen = len;
 	}
-	/// As many vertices as a detail is forecast to take; only the remeshing can aim at it.
+	/// The number of vertices forecast for a detail; only for the remeshing.
 	void SetTargetDetail(gpr::Detail detail)
 	{
 		targetMode   = gpr::TargetMode::Detail;
 		targetDetail = detail;
 	}
-	/// Largest distance from the input in mesh units, > 0; only the remeshing can aim at it.
+	/// Largest distance from the input in mesh units, > 0; only for the remeshing.
 	void SetTargetMaxError(double distance)
 	{
 		targetMode        = gpr::TargetMode::MaxError;

@@ -14,9 +14,9 @@ namespace tri {
 vertices, keeping its topology.
 
 After "Fast Edge-based geodesic Poisson Disk Remeshing", section 3: geodesic Poisson-disk samples
-become the vertices, the original vertices are removed, flips and relaxation follow. Differs from
-the paper: see GeodesicPoissonSampling and Retriangulation; the vertex count is met exactly by
-splits and collapses of the result; relaxation moves vertices along the input surface.
+become the vertices, the input vertices are removed, flips and relaxation follow. Differs from the
+paper: see GeodesicPoissonSampling and Retriangulation; splits and collapses of the result meet the
+vertex count exactly; relaxation moves vertices along the input surface.
 
 Works on any tri::TriMesh with coordinates in float or double; a minimal mesh type needs only
 coordinates, flags and vertex references. For example:
@@ -35,7 +35,7 @@ public:
 
 	typedef GeodesicPoissonResult Result;
 
-	/// How many vertices, and all other choices: see GeodesicPoissonParams.
+	/// The number of vertices and all other choices: see GeodesicPoissonParams.
 	struct Params : public GeodesicPoissonParams {
 		typedef gpr::RemeshReport Stat;
 		using GeodesicPoissonParams::GeodesicPoissonParams;
@@ -46,25 +46,26 @@ public:
 
 	Source: paper section 3; the radius by equation (1).
 
-	Needs: per-vertex and per-face flags; deleted elements are left out, what is not 2-manifold is
-	repaired or cut and counted in stat->cleaned.
+	Needs: per-vertex and per-face flags; deleted elements are left out, parts that are not
+	2-manifold are repaired or cut and counted in stat->cleaned.
 
 	\param in      the surface, any number of components, open or closed; not modified
 	\param out     receives the mesh in place of its former content; may be in.
-	Carried over where both meshes have them: colour, quality, radius and texture coordinates of
-	vertices, colour and quality of faces, texture coordinates of wedges, whose seams edges of the
-	result follow where they can. Named attributes of numbers, points, colours and strings are
-	carried over too, and made where out lacks them; a note names those of other types. Normals,
-	bounding box, face-face and vertex-face adjacency are true where out has them; what else out
-	has comes out with fresh values, edges are dropped. Optional (ocf) components count where they
-	are enabled.
-	\param params  the wanted size and how to reach it, see Params
-	\param stat    null, or receives what the run tells about itself, on failure too
+	Attributes that both meshes have are carried over: colour, quality, radius and texture
+	coordinates of vertices, colour and quality of faces, texture coordinates of wedges. Edges of
+	the result follow the seams of wedge textures if possible. Named attributes of numbers, points,
+	colours and strings are carried over too, and added to out if missing; a note names attributes
+	of other types. Normals, bounding box, face-face and vertex-face adjacency are computed anew if
+	out has such data; all other components of out get fresh values, edges are dropped. Optional
+	(ocf) components count if enabled.
+	\param params  the wanted size and how to reach this size, see Params
+	\param stat    null, or receives the report of the run, on failure too
 	\param cb      null, or progress in percent; returning false cancels
 
-	\return Ok; or why not, and then out is as it was. CountTooSmall names the smallest count
+	\return Ok; or the reason of the failure, with out unchanged. CountTooSmall names the smallest
+	count
 
-	\throw MissingComponentException where in has no flags
+	\throw MissingComponentException if in has no flags
 
 	Cost: linear in the faces of in; threads never change the result. Time and memory:
 	docs/measurements_speed.md. */
@@ -78,7 +79,7 @@ public:
 			});
 	}
 
-	/** \brief Remeshes a surface in place: Do(m, m, ...). Unless Ok comes back m is as it was. */
+	/** \brief Remeshes a surface in place: Do(m, m, ...). Unless Ok is returned, m is unchanged. */
 	static Result Do(MeshType& m, const Params& params = Params(), Stat* stat = nullptr,
 					 vcg::CallBackPos* cb = nullptr)
 	{

@@ -13,12 +13,12 @@
 namespace vcg {
 namespace tri {
 
-/** \brief Geodesic Poisson-disk sampling of a surface: points about as dense as they can lie
-without two of them being nearer than a radius, measured along the surface.
+/** \brief Geodesic Poisson-disk sampling of a surface: points about as dense as possible with a
+distance of at least a radius between any two points, measured along the surface.
 
 After "Fast Edge-based geodesic Poisson Disk Remeshing", section 3, steps 1 to 8. Differs from the
-paper: a new sample lies where the disks of two others meet, not on a random border edge, which
-packs closer; rims are sampled first; the mesh is not split, a sample is a point of a face.
+paper: a new sample lies at the meeting of two other disks, not on a random border edge, which packs
+closer; rims are sampled first; the mesh is not split, a sample is a point of a face.
 gpr::Preset::Paper has the paper's way, too.
 
 Works on any tri::TriMesh with coordinates in float or double; a minimal mesh type needs only
@@ -40,8 +40,8 @@ public:
 
 	typedef GeodesicPoissonResult Result;
 
-	/// How many points (by number, percent of the vertices or mean distance), where they are
-	/// denser, and all other choices: see GeodesicPoissonParams.
+	/// The number of points (as a number, a percentage of the vertices or a mean distance), denser
+	/// regions, and all other choices: see GeodesicPoissonParams.
 	struct Params : public GeodesicPoissonParams {
 		typedef gpr::RemeshReport Stat;
 		using GeodesicPoissonParams::GeodesicPoissonParams;
@@ -51,26 +51,26 @@ public:
 	/// A point of the surface.
 	struct SamplePoint {
 		CoordType   position;       ///< mesh units
-		FacePointer face = nullptr; ///< the face of the sampled mesh that it lies on
+		FacePointer face = nullptr; ///< the point's face of the sampled mesh
 		CoordType   barycentric;    ///< weights of the face's corners; position is their mean
 	};
 
-	/** \brief Samples a surface, as points with the face they lie on.
+	/** \brief Samples a surface, as points with their faces.
 
 	Source: paper section 3, steps 1 to 8; the radius by equation (1).
 
-	Needs: per-vertex and per-face flags; deleted elements are left out, what is not 2-manifold is
-	cut for the sampling only and counted in stat->cleaned.
+	Needs: per-vertex and per-face flags; deleted elements are left out, parts that are not
+	2-manifold are cut for the sampling only and counted in stat->cleaned.
 
 	\param m       the surface, any number of components, open or closed; not modified
-	\param params  how many points, see Params; their number comes out within some percent
+	\param params  the number of points, see Params; the result has this number within some percent
 	\param samples receives the points in place of its former content, in a reproducible order
-	\param stat    null, or receives what the run tells about itself; diskRadius is the radius r
+	\param stat    null, or receives the report of the run; diskRadius is the radius r
 	\param cb      null, or progress in percent; returning false cancels
 
-	\return Ok; or why not, and then samples is as it was
+	\return Ok; or the reason of the failure, with samples unchanged
 
-	\throw MissingComponentException where m has no flags
+	\throw MissingComponentException if m has no flags
 
 	Cost: about 0.1 s per million faces and core; threads never change the result. */
 	static Result Sample(MeshType& m, const Params& params, std::vector<SamplePoint>& samples,
@@ -90,12 +90,13 @@ public:
 
 	/** \brief Samples a surface, as the vertices of a mesh without faces.
 
-	As above. Of what points has room for, quality becomes the disk radius, the normal that of the
-	face the point lies on, and colour, radius and texture coordinates are carried over from m.
+	As above. As far as points has these components: quality becomes the disk radius, the normal is
+	the normal of the point's face, and colour, radius and texture coordinates are carried over from
+	m.
 
-	\param points  receives one vertex per sample in place of its former content; not m itself
+	\param points  receives a vertex per sample in place of its former content; not m itself
 
-	\return Ok; or why not, and then points is as it was */
+	\return Ok; or the reason of the failure, with points unchanged */
 	static Result Sample(const MeshType& m, const Params& params, MeshType& points,
 						 Stat* stat = nullptr, vcg::CallBackPos* cb = nullptr)
 	{

@@ -3,12 +3,12 @@
 #ifndef VCG_EXTRAS_MESH_CONVERSION_H
 #define VCG_EXTRAS_MESH_CONVERSION_H
 
-// Internal: between a vcg mesh and the flat arrays of the engine. Nothing here decides anything
-// about geometry; repair of bad input is the engine's, so that all its hosts give the same bytes.
+// Internal: conversion between a vcg mesh and the flat arrays of the engine, without any decision
+// about geometry. The engine repairs bad input, so that all hosts give the same bytes.
 
 #include <vcg_extras/complex/algorithms/geodesic_poisson_base.h>
 
-// vcglib's headers need complex.h before them.
+// vcglib's headers need complex.h first.
 // clang-format off
 #include <vcg/complex/complex.h>
 #include <vcg/complex/algorithms/update/bounding.h>
@@ -29,7 +29,7 @@ namespace vcg {
 namespace tri {
 namespace gpr_detail {
 
-/// Per element that is not deleted: 1 where it is selected.
+/// Per element, without deleted elements: 1 if selected.
 template <class ContainerType>
 std::vector<std::uint8_t> SelectionOf(const ContainerType& elements)
 {
@@ -40,8 +40,8 @@ std::vector<std::uint8_t> SelectionOf(const ContainerType& elements)
 	return selected;
 }
 
-/// Per vertex of the view, which is one of m: 1 where it is selected or, where no vertex is, where
-/// it is a corner of a selected face.
+/// Per vertex of a view of m: 1 if selected. Without selected vertices: 1 for the corners of
+/// selected faces.
 template <class MeshType>
 std::vector<std::uint8_t> SelectedVertices(const MeshType& m, const gpr::MeshView& view)
 {
@@ -54,8 +54,8 @@ std::vector<std::uint8_t> SelectedVertices(const MeshType& m, const gpr::MeshVie
 	return selected;
 }
 
-/// The selected edges as the engine takes lines, one byte a corner of the faces that are not
-/// deleted; empty where none is selected. Other lines, as many or null, are added to them.
+/// The selected edges as lines of the engine: a byte per corner of the faces, without deleted
+/// faces; empty if no edge is selected. others: further lines to add, of the same size, or null.
 template <class MeshType>
 std::vector<std::uint8_t> SelectedEdges(const MeshType& m, const std::uint8_t* others)
 {
@@ -72,11 +72,11 @@ std::vector<std::uint8_t> SelectedEdges(const MeshType& m, const std::uint8_t* o
 	return line;
 }
 
-/** \brief A vcg mesh as the engine reads it. The mesh must outlive it, unchanged.
+/** \brief The engine's view of a vcg mesh. The mesh must outlive the view, unchanged.
 
-Deleted elements are left out. Where no vertex is deleted the positions are viewed in place;
-otherwise they are copied without gaps, so that the engine does not count the gaps as vertices.
-A corner that is null, deleted or outside of the mesh becomes index -1, which the engine refuses.
+Deleted elements are left out. Without deleted vertices the positions are viewed in place; otherwise
+the positions are copied without gaps, so that the engine does not count the gaps as vertices. A
+corner that is null, deleted or outside of the mesh becomes index -1, which the engine refuses.
 Cost: one pass over the mesh, 12 B per face (and 12 or 24 B per vertex when copied).
 */
 template <class MeshType>
@@ -96,9 +96,9 @@ public:
 		CollectFaces();
 	}
 
-	/// Reads what the options use beside positions and faces; View() has it from then on.
-	/// seams: lines to be followed in any case, three a face of the view, or null; they must
-	/// outlive the views.
+	/// Reads the data that the options need beside positions and faces; later views have these
+	/// data. seams: lines to follow in any case, three per face of the view, or null; must outlive
+	/// the views.
 	void ReadUsedBy(const gpr::RemeshOptions& options, const std::uint8_t* seams = nullptr)
 	{
 		_lines = seams;
@@ -177,17 +177,18 @@ private:
 	}
 
 	const MeshType&                    _mesh;
-	std::vector<gpr::Vec3<ScalarType>> _position; ///< filled only where vertices are deleted
+	std::vector<gpr::Vec3<ScalarType>> _position; ///< filled only with deleted vertices
 	std::vector<std::int32_t>          _triangle;
 	std::vector<std::int32_t>          _indexOf; ///< per mesh vertex: index in the view; or empty
 	std::vector<std::int32_t> _faceOf; ///< per face of the view: index in the mesh; or empty
 
-	// What options use, each empty where they do not.
+	// Data for the options; empty if not needed.
 	std::vector<std::uint8_t> _selected, _selectedFace, _selectedEdge;
 	const std::uint8_t*       _lines = nullptr;
 };
 
-/// What every algorithm needs of a mesh; throws vcglib's exceptions where it is missing.
+/// Requires the components that every algorithm needs; throws vcglib's exceptions if any is
+/// missing.
 template <class MeshType>
 void RequireReadableTriangles(const MeshType& m)
 {
@@ -205,7 +206,7 @@ inline gpr::ProgressCallback ProgressOf(vcg::CallBackPos* cb)
 	};
 }
 
-/// What the caller hears of an engine's result, whichever struct it came in.
+/// The outcome for the user of any of the engine's results.
 template <class EngineResultType>
 GeodesicPoissonResult ResultOf(const EngineResultType& r)
 {
@@ -231,7 +232,7 @@ CoordType ToCoord(const gpr::Vec3d& p)
 	return CoordType(ScalarType(p.x), ScalarType(p.y), ScalarType(p.z));
 }
 
-/// Makes room for vertNum vertices and faceNum faces; where memory runs out m is as it was.
+/// Makes room for vertNum vertices and faceNum faces; if memory runs out m is unchanged.
 template <class MeshType>
 void GrowContainers(MeshType& m, std::size_t vertNum, std::size_t faceNum)
 {
@@ -250,15 +251,15 @@ void GrowContainers(MeshType& m, std::size_t vertNum, std::size_t faceNum)
 	}
 }
 
-/// Replaces all elements of m by fresh ones. Optional (ocf) components stay enabled and user
+/// Replaces all elements of m by fresh elements. Optional (ocf) components stay enabled and user
 /// attributes stay attached, both with fresh values; the mesh's colour stays.
 template <class MeshType>
 void ReplaceElements(MeshType& m, std::size_t vertNum, std::size_t faceNum)
 {
 	GrowContainers(m, vertNum, faceNum);
 	const Color4b meshColor = m.C();
-	// Clear() alone would leave the old values in optional components and attributes; capacity
-	// survives all of this, so nothing from here on allocates.
+	// Clear() alone would leave old values in optional components and attributes. Capacity survives
+	// all of this, so no allocation follows.
 	m.vert.resize(0);
 	m.face.resize(0);
 	ResizeAttribute(m.vert_attr, 0, m);
@@ -270,13 +271,13 @@ void ReplaceElements(MeshType& m, std::size_t vertNum, std::size_t faceNum)
 	Allocator<MeshType>::AddFaces(m, faceNum);
 }
 
-/// Normals, bounding box and adjacency, as far as m has them, made true again by vcglib.
+/// Computes normals, bounding box and adjacency of m anew by vcglib, as far as m has such data.
 template <class MeshType>
 void RefreshDerived(MeshType& m)
 {
 	typedef typename MeshType::CoordType CoordType;
 	UpdateBounding<MeshType>::Box(m);
-	// vcglib's normals compile only where they are of the type of the coordinates.
+	// vcglib's normals compile only if normals and coordinates have the same type.
 	if constexpr (std::is_same<typename MeshType::FaceType::NormalType, CoordType>::value)
 		if (HasPerFaceNormal(m)) UpdateNormal<MeshType>::PerFaceNormalized(m);
 	if constexpr (std::is_same<typename MeshType::VertexType::NormalType, CoordType>::value)
@@ -285,7 +286,7 @@ void RefreshDerived(MeshType& m)
 	if (HasVFAdjacency(m)) UpdateTopology<MeshType>::VertexFace(m);
 }
 
-/// Replaces what m holds by the engine's mesh; derived data is left to RefreshDerived.
+/// Replaces the content of m by the engine's mesh, without derived data: see RefreshDerived.
 template <class MeshType>
 void WriteMesh(const gpr::TriangleMesh& from, MeshType& m)
 {

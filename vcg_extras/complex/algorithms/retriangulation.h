@@ -13,13 +13,13 @@
 namespace vcg {
 namespace tri {
 
-/** \brief A mesh of the same topology whose vertices are given samples of the surface.
+/** \brief A mesh of the same topology with given samples of the surface as vertices.
 
 After "Fast Edge-based geodesic Poisson Disk Remeshing", section 3, last paragraph. Differs from the
-paper: the original vertices are removed by collapses into the sample that is nearest along the
-surface, which keeps the topology by construction, instead of one by one with a local
-parametrization (gpr::Preset::Paper has that, too); Delaunay flips follow. The samples may come from
-anywhere: this sampling, another one, points picked by hand.
+paper: the input vertices are removed by collapses into the nearest sample along the surface, which
+keeps the topology by construction, instead of one by one with a local parametrization
+(gpr::Preset::Paper has the paper's way, too); Delaunay flips follow. The samples may come from
+anywhere: this sampling, another sampling, points picked by hand.
 
 Works on any tri::TriMesh with coordinates in float or double.
 */
@@ -31,8 +31,8 @@ public:
 
 	typedef GeodesicPoissonResult Result;
 
-	/// How the vertices are removed (preset), check and all other choices: see
-	/// GeodesicPoissonParams. The size has no purpose here.
+	/// The removal of the vertices (preset), check and all other choices: see
+	/// GeodesicPoissonParams. The size has no meaning here.
 	struct Params : public GeodesicPoissonParams {
 		typedef gpr::RemeshReport Stat;
 		using GeodesicPoissonParams::GeodesicPoissonParams;
@@ -43,22 +43,22 @@ public:
 
 	Source: paper section 3, last paragraph.
 
-	Needs: per-vertex and per-face flags; deleted elements are left out, what is not 2-manifold is
-	repaired or cut and counted in stat->cleaned.
+	Needs: per-vertex and per-face flags; deleted elements are left out, parts that are not
+	2-manifold are repaired or cut and counted in stat->cleaned.
 
 	\param in      the surface; not modified
-	\param samples positions in mesh units, on the surface or near it; those off it are first put on
-	its nearest point, see stat->samplesMoved and stat->largestSampleMove
+	\param samples positions in mesh units, on the surface or near; a sample off the surface first
+	moves to the nearest point, see stat->samplesMoved and stat->largestSampleMove
 	\param out     receives the mesh in place of its former content; may be in. Attributes and
-	derived data as with GeodesicPoissonRemeshing::Do. Where the topology needs more vertices than
-	there are samples, vertices of the input stay: stat->leftoverVertexNum
-	\param params  how the vertices are removed, see Params
-	\param stat    null, or receives what the run tells about itself, on failure too
+	derived data as with GeodesicPoissonRemeshing::Do. If the topology needs more vertices than
+	samples, vertices of the input stay: stat->leftoverVertexNum
+	\param params  the removal of the vertices, see Params
+	\param stat    null, or receives the report of the run, on failure too
 	\param cb      null, or progress in percent; returning false cancels
 
-	\return Ok; or why not, and then out is as it was
+	\return Ok; or the reason of the failure, with out unchanged
 
-	\throw MissingComponentException where in has no flags
+	\throw MissingComponentException if in has no flags
 
 	Cost: about 0.3 s per million faces and core. */
 	static Result Do(const MeshType& in, const std::vector<CoordType>& samples, MeshType& out,
@@ -72,9 +72,9 @@ public:
 		return Run(in, points, out, params, stat, cb);
 	}
 
-	/** \brief As above, the samples being the vertices of a mesh, deleted ones left out.
+	/** \brief As above, with the vertices of a mesh as samples, without deleted vertices.
 
-	The faces and attributes of that mesh do not count. */
+	The faces and attributes of `samples` do not count. */
 	static Result Do(const MeshType& in, const MeshType& samples, MeshType& out,
 					 const Params& params = Params(), Stat* stat = nullptr,
 					 vcg::CallBackPos* cb = nullptr)

@@ -3,12 +3,12 @@
 #ifndef VCG_EXTRAS_USER_ATTRIBUTES_H
 #define VCG_EXTRAS_USER_ATTRIBUTES_H
 
-// Internal: carries vcglib's named per-vertex and per-face attributes from a mesh to points
-// anchored on its faces.
+// Internal: carries vcglib's named per-vertex and per-face attributes from a mesh to points on its
+// faces.
 
 #include <vcg_extras/core/carry_over.h>
 
-// vcglib's headers need complex.h before them.
+// vcglib's headers need complex.h first.
 // clang-format off
 #include <vcg/complex/complex.h>
 #include <vcg/space/color4.h>
@@ -29,8 +29,8 @@ namespace vcg {
 namespace tri {
 namespace gpr_detail {
 
-/// Numbers and vectors of them have a mean: `componentNum` components of type ComponentType.
-/// Whatever else there is (0 components) comes from the nearest corner.
+/// Numbers and vectors of numbers have a mean: `componentNum` components of type ComponentType. All
+/// other types have 0 components; their values come from the nearest corner.
 template <class T>
 struct MeanOf {
 	static const int componentNum = 0;
@@ -73,8 +73,8 @@ auto& ComponentOf(T& value, int k)
 		return value[k];
 }
 
-/// The mean of a value over the corners of a face, or the nearest corner's where it has none;
-/// valueOf(k) returns a reference to the value at corner k.
+/// The mean of a value over the corners of a face; for types without a mean the nearest corner's
+/// value. valueOf(k) returns a reference to the value at corner k.
 template <class T, class ValueOfType>
 T ValueAt(const gpr::BarycentricPoint& at, const ValueOfType& valueOf)
 {
@@ -91,18 +91,17 @@ T ValueAt(const gpr::BarycentricPoint& at, const ValueOfType& valueOf)
 	}
 }
 
-/// As a struct, so that a vector of bool is a vector of bools.
+/// A struct, so that a vector of bool is a vector of bools.
 template <class T>
 struct Kept {
 	T value;
 };
 
 // The compiler needs memory for each function that depends on both the type of the mesh and the
-// type of the values, and there are over twenty types of values. So what reads, keeps and copies
-// values depends on their type alone, and what finds or adds an attribute depends on the mesh
-// alone.
+// type of the values, of over twenty types. So reading, keeping and copying values depends on their
+// type alone, and finding or adding an attribute depends on the mesh alone.
 
-/// The values of one named attribute at the elements of a mesh still to be written.
+/// The values of a named attribute for the elements of a future mesh.
 class UserValues {
 public:
 	UserValues(const std::string& name, std::type_index type) : _name(name), _type(type) {}
@@ -110,7 +109,7 @@ public:
 	const std::string& Name() const { return _name; }
 	std::type_index    Type() const { return _type; }
 	virtual int        SizeOfValue() const = 0;
-	/// To the first elements of data, which is of the same type.
+	/// Copies the values to the first elements of data, of the same type.
 	virtual void CopyTo(SimpleTempDataBase& data) const = 0;
 
 private:
@@ -123,7 +122,8 @@ class UserValuesOf : public UserValues {
 public:
 	explicit UserValuesOf(const std::string& name) : UserValues(name, typeid(T)) {}
 
-	/// Of vertices, at surface points; corners: those of each surface point's face.
+	/// Reads values of vertices at surface points. corners: the corners of each surface point's
+	/// face.
 	void ReadCorners(const SimpleTempDataBase&                 data,
 					 const std::vector<gpr::BarycentricPoint>& surfacePoints,
 					 const std::vector<std::size_t>&           corners)
@@ -154,7 +154,7 @@ private:
 	std::vector<Kept<T>> _values;
 };
 
-/// The values for the elements of a container, and how it keeps such values.
+/// The values for the elements of a container, and a function for new data of such values.
 template <class ContainerType>
 struct UserColumn {
 	std::unique_ptr<UserValues> values;
@@ -169,8 +169,8 @@ SimpleTempDataBase* NewUserData(ContainerType& elements)
 
 /** \brief Gives the first elements of a mesh the values of a column.
 
-An attribute that the mesh lacks, or has with another type or layout, is made as vcglib's allocator
-makes it. attributes: those of the elements; attributeNum: the mesh's number of the last one made.
+An attribute that the mesh lacks, or has with another type or layout, is made in the way of vcglib's
+allocator. attributes: of the elements; attributeNum: the mesh's number of its last attribute.
 */
 template <class ContainerType>
 void WriteColumn(const UserColumn<ContainerType>& column, ContainerType& elements,
@@ -208,16 +208,16 @@ typedef TypeList<float, double, Point2f, Point2d, Point3f, Point3d, Point4f, Poi
 
 /** \brief The named attributes of a mesh, read at surface points on its faces.
 
-Attributes of vertices: means of numbers, points and colours over the corners of the surface point's
-face; of other types (UserTypes) the nearest corner's value. Attributes of faces: that of the face
-that the middle of the result's face lies on. `Lost()` names those of types that are not known here.
-Read first and written later, so that the mesh read and the mesh written may be the same. */
+Vertex attributes: means of numbers, points and colours over the corners of the surface point's
+face; for other types (UserTypes) the nearest corner's value. Face attributes: the value of the
+input face below the middle of the result's face. `Lost()` names attributes of unknown types. All
+attributes are read first and written later: both meshes may be the same. */
 template <class MeshType>
 class CarriedUserAttributes {
 public:
 	typedef std::vector<gpr::BarycentricPoint> PointVector;
 
-	/// faceOf(i) is the face of `from` that surface points mean by the number i.
+	/// faceOf(i): face of `from` with number i in surface points.
 	template <class FaceOfType>
 	void ReadVertices(const MeshType& from, const PointVector& surfacePoints,
 					  const FaceOfType& faceOf)
@@ -273,7 +273,7 @@ private:
 		return false;
 	}
 
-	/// False where the attribute is of none of the types.
+	/// False if the attribute has none of the types.
 	template <class... Ts>
 	bool ReadVertexAttribute(const PointerToAttribute& a, const PointVector& surfacePoints,
 							 const std::vector<std::size_t>& corners, TypeList<Ts...>)
@@ -307,7 +307,7 @@ private:
 		return true;
 	}
 
-	/// Nameless attributes are somebody's scratch space; padded ones have another layout.
+	/// Nameless attributes are somebody's scratch space; padded attributes have another layout.
 	template <class T>
 	static bool IsOf(const PointerToAttribute& a)
 	{

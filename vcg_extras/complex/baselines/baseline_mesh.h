@@ -3,7 +3,7 @@
 #ifndef VCG_EXTRAS_COMPLEX_BASELINES_BASELINE_MESH_H
 #define VCG_EXTRAS_COMPLEX_BASELINES_BASELINE_MESH_H
 
-// Between flat arrays and a mesh of vcglib in float, as MeshLab keeps it.
+// Conversion between flat arrays and a mesh of vcglib in float, as in MeshLab.
 
 #include <vcg_extras/core/surface/even_points.h>
 
@@ -13,7 +13,7 @@
 
 namespace gpr::baselines {
 
-/// Fills an empty mesh with the usable faces of a view and the vertices that these name.
+/// Fills an empty mesh with the usable faces of a view and the vertices of these faces.
 template <class Mesh>
 void fillBaselineMesh(const MeshView& from, Mesh& to)
 {
@@ -40,7 +40,7 @@ void fillBaselineMesh(const MeshView& from, Mesh& to)
 		to.face[i / 3].V(int(i % 3)) = &to.vert[number[corners[i]]];
 }
 
-/// The mesh as arrays; it must be compact.
+/// A compact mesh as arrays.
 template <class Mesh>
 TriangleMesh arraysOfBaselineMesh(const Mesh& from)
 {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quadric Edge Collapse as MeshLab runs it. Source of the parameters and of the order of the steps:
+// Quadric Edge Collapse as in MeshLab. Source of the parameters and of the order of the steps:
 // MeshLab 2020.09, filter_meshing (FP_QUADRIC_SIMPLIFICATION and QuadricSimplification).
 #include "quadric_collapse.h"
 
@@ -8,7 +8,7 @@
 
 #include <new>
 
-// vcglib's headers need complex.h before them.
+// vcglib's headers need complex.h first.
 // clang-format off
 #include <vcg/container/simple_temporary_data.h>
 #include <vcg/complex/algorithms/clean.h>
@@ -35,7 +35,7 @@ class CollapseMesh
 
 using Quadrics = vcg::SimpleTempData<CollapseMesh::VertContainer, vcg::math::Quadric<double>>;
 
-/// Where vcglib finds the quadric of a vertex: it wants a class of static functions.
+/// Finds the quadric of a vertex for vcglib, which wants a class of static functions.
 class QuadricHelper {
 public:
 	static void                        Init() {}
@@ -77,7 +77,7 @@ vcg::tri::TriEdgeCollapseQuadricParameter dialogDefaults()
 	return p;
 }
 
-/// False: was stopped.
+/// False if stopped.
 bool collapse(CollapseMesh& mesh, std::int64_t faceNum, const std::function<bool()>& shallStop)
 {
 	vcg::math::Quadric<double> zero;

@@ -11,26 +11,26 @@
 
 namespace gpr::baselines {
 
-/// MeshLab's "Simplification: Quadric Edge Collapse Decimation" (Garland, Heckbert 1997) with what
-/// its dialog proposes, to compare with: quality threshold 0.3, optimal placement, clean-up at the
-/// end; boundary, normals and topology are not preserved. vcglib's own code, in float as MeshLab
-/// has it. Sources that include vcglib's headers are kept apart from those that call this.
-/// Not re-entrant: vcglib keeps state in static variables.
+/// MeshLab's "Simplification: Quadric Edge Collapse Decimation" (Garland, Heckbert 1997) with the
+/// defaults of its dialog, for comparisons: quality threshold 0.3, optimal placement, clean-up at
+/// the end; border, normals and topology are not preserved. vcglib's own code, in float as in
+/// MeshLab. Sources with vcglib's headers are kept apart from the callers of this class. Not
+/// re-entrant: vcglib keeps state in static variables.
 class QuadricCollapse {
 public:
-	/// Copies the mesh. Corners that are not finite, and faces without area in the index sense, are
-	/// dropped, as MeshLab does on opening a file.
+	/// Copies the mesh. Drops corners that are not finite, and faces with a repeated vertex, as
+	/// MeshLab does on opening a file.
 	explicit QuadricCollapse(const MeshView& mesh);
 	~QuadricCollapse();
 	QuadricCollapse(const QuadricCollapse&)            = delete;
 	QuadricCollapse& operator=(const QuadricCollapse&) = delete;
 
-	/// Collapses edges until there are faceNum faces or no edge can go; asks about ten times a
-	/// second whether to stop, and returns false where it was. To be called once. Cost: O(F log F),
-	/// one thread.
+	/// Collapses edges until there are faceNum faces or no collapse is possible. Calls shallStop
+	/// about ten times a second; returns false if stopped. To be called once. Cost: O(F log F), one
+	/// thread.
 	bool run(std::int64_t faceNum, const std::function<bool()>& shallStop);
 
-	/// The mesh as it is after run(); it may have no face.
+	/// The mesh after run(); may have no face.
 	TriangleMesh mesh() const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds the creases of a dodecahedron, keeps the faces that touch one and saves them.
+// Finds the creases of a dodecahedron and saves the faces at creases.
 #include "example_mesh.h"
 
 #include <vcg_extras/complex/algorithms/feature_detection.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Remeshes a torus to exactly 500 vertices and saves it.
+// Remeshes a torus to exactly 500 vertices and saves the result.
 #include "example_mesh.h"
 
 #include <vcg_extras/complex/algorithms/geodesic_poisson_remeshing.h>

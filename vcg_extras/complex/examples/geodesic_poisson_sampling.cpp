@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Spreads about 500 points evenly over a torus and saves them as a point cloud.
+// Spreads about 500 points evenly over a torus and saves the points as a point cloud.
 #include "example_mesh.h"
 
 #include <vcg_extras/complex/algorithms/geodesic_poisson_sampling.h>

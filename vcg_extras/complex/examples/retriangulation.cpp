@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Takes every tenth vertex of a torus as a sample and saves the mesh that has them as vertices.
+// Takes every tenth vertex of a torus as a sample and saves the mesh with these vertices.
 #include "example_mesh.h"
 
 #include <vcg_extras/complex/algorithms/retriangulation.h>

@@ -11,7 +11,7 @@ namespace gpr {
 namespace {
 
 constexpr float any = HUGE_VALF;
-/// The angle is given by the caller.
+/// The caller gives the angle.
 constexpr float asked = -1;
 
 struct Row {
@@ -21,14 +21,13 @@ struct Row {
 };
 
 /// All limits of the engine side by side.
-/// - turn .5: a face that turns by more than 60° would soon lie folded over. -2: any.
-/// - shape .6: that of 30°-30°-120°.
+/// - turn .5: a face that turns by more than 60° would soon become a fold. -2: any.
+/// - shape .6: the shape of 30°-30°-120°.
 /// - distance .05 of an edge: closer points of the input are near enough.
-/// - move .5: a vertex keeps to its own place among its neighbours.
+/// - move .5: a vertex stays close to its place among its neighbours.
 constexpr Row table[] = {
-	// driver            turn  shape  angle         agreement    distance move normalTurn gentle
-	// contacts
 	// clang-format off
+	// driver                turn  shape angle         agreement     distance move normalTurn gentle contacts
 	{Driver::Relaxation,     0.5f, 0.6f, 0,            -1,           any,   any,  -2,   false, false},
 	{Driver::Fit,            0.5f, 0,    asked,        minAgreement, any,   any,  -2,   false, false},
 	{Driver::CurveFit,       0.5f, 0,    asked,        -1,           any,   any,  -2,   false, false},
@@ -43,11 +42,11 @@ constexpr Row table[] = {
 	// clang-format on
 };
 
-/// A triangle whose smallest angle is α has a shape of √3 sin α / (2 - cos α) at most, where it is
-/// isosceles. So none of a better shape than this has an angle below that.
+/// A triangle with smallest angle α has at most the shape √3 sin α / (2 - cos α), if isosceles. So
+/// a triangle with at least this shape has no angle below soundAngle.
 constexpr float soundShape = 0.86f, soundAngle = 0.61f; // 35°
 
-/// Of a triangle with the given cross product; see triangleShape. No root.
+/// Squared shape of a triangle with the given cross product; see triangleShape. No root.
 float squaredShape(const Vec3f& cross, const Corners& f)
 {
 	const float edges =

@@ -10,59 +10,58 @@
 
 namespace gpr {
 
-/// What a change must leave of the mesh. Each figure keeps its limit, or is no worse than it was
-/// before the change. A figure whose limit stands at its default is not measured.
+/// The limits on a change of the mesh. Each figure keeps its limit, or is no worse than before the
+/// change. A figure with its limit at the default is not measured.
 struct Acceptance {
 	// Each face by itself.
 	float turn  = -2; ///< cosine of the face's normals before and after, 0 or more; below -1: any
 	float shape = 0;  ///< see triangleShape
-	float angle = 0;  ///< radians, the smallest of the face
-	float agreement = -1; ///< cosine of the face's normal and the surface's
-	float falls     = 1;  ///< below this share of its value before a figure is worse: rounding
+	float angle = 0;  ///< smallest angle of the face, radians
+	float agreement = -1; ///< normal agreement of the face
+	float falls     = 1;  ///< a figure below this share of its value before is worse: rounding
 
 	// The faces of a patch together.
-	float distance = HUGE_VALF; ///< of the assigned points of the input, in mean edges
-	float guarded  = HUGE_VALF; ///< points so far off get no farther on the mean; working units
+	float distance = HUGE_VALF; ///< of the assigned points, in mean edges
+	float guarded  = HUGE_VALF; ///< points this far off get no farther on the mean; working units
 	float gap      = HUGE_VALF; ///< of the faces from the surface, working units
-	bool  contacts = false;     ///< no more pairs of faces touch than before
+	bool  contacts = false;     ///< no more contacts than before
 
 	// Vertices and edges.
-	float move        = HUGE_VALF; ///< of a vertex from where the search found it, in mean edges
-	float normalTurn  = -2; ///< cosine of the surface's normals at a vertex before and after a move
+	float move        = HUGE_VALF; ///< of a vertex from its place before the search, in mean edges
+	float normalTurn  = -2; ///< cosine of the surface normals at a vertex before and after a move
 	bool  gentleFlips = false; ///< see PatchEditor::isGentleFlip
 };
 
-/// What changes a mesh of triangles.
+/// The algorithms that change a result mesh.
 enum class Driver {
 	Relaxation,        ///< moves of all vertices on the surface
 	Fit,               ///< moves of all vertices to the input
 	CurveFit,          ///< moves of vertices of curves to their curve
 	Count,             ///< collapses for the exact count
 	InvertedFaces,     ///< local search before the fit
-	AnglesOnly,        ///< local search where no fit follows
+	AnglesOnly,        ///< local search without a fit after it
 	PoorFaces,         ///< local search after the fit
-	LargeAngles,       ///< the same for the largest angles
-	WorstDistances,    ///< moves where input and result are farthest apart
-	Refinement,        ///< splits for an error that is asked for
-	GuardedRelaxation, ///< flips and slides where the guard has made vertices
+	LargeAngles,       ///< local search after the fit, for the largest angles
+	WorstDistances,    ///< moves at the largest distances of input and result
+	Refinement,        ///< splits for a given error bound
+	GuardedRelaxation, ///< flips and slides at vertices made by the guard
 };
 
-/// A face that agrees less with the surface than this, 73°, is about to turn over.
+/// A face with a normal agreement below this, 73°, is about to become inverted.
 constexpr float minAgreement = 0.3f;
 
-/// The limits of a driver. angle: what takes the place of the table's angle where that says
-/// `asked`; radians.
+/// The limits of a driver. angle: the limit in place of the entry `asked` of the table; radians.
 Acceptance acceptanceOf(Driver driver, float angle = 0);
 
-/// Whether a change of a face's corners is forbidden by its turn, shape or angle.
+/// Whether turn, shape or angle forbid a change of a face's corners.
 bool spoilsFace(const Acceptance& limits, const Corners& before, const Corners& after);
 
-/// Whether v may not move from its place to `to` while all other vertices stay. Faces with the
-/// vertex `without`, which the move is to take out, do not count.
+/// Whether the limits forbid a move of v to `to` while all other vertices stay. Faces with the
+/// vertex `without` do not count: the move is made to remove this vertex.
 bool spoilsRing(const Acceptance& limits, const HalfEdgeMesh& mesh, int v, const Vec3f& to,
 				int without = -1);
 
-/// Whether the agreement of a face with the surface falls too low.
+/// Whether the normal agreement of a face falls too low.
 inline bool spoilsAgreement(const Acceptance& limits, float before, float after)
 {
 	return after < limits.agreement && after < limits.falls * before;

@@ -8,15 +8,15 @@
 
 namespace gpr {
 
-/// What a vertex of the result may do.
+/// The freedom of a vertex of the result.
 enum class Constraint {
 	Fixed,   ///< stays: corners of curves, cone apexes, pinned vertices of curves
 	Curve,   ///< slides along its border or feature line, as far as slideRoom allows
-	Surface, ///< walks over the surface, and stays on it: samples of a line that the mesh has lost
-	Free,    ///< walks over the surface; the fit may take it off
+	Surface, ///< walks over the surface and stays on it: samples of a line lost by the mesh
+	Free,    ///< walks over the surface; the fit may take the vertex off the surface
 };
 
-/// Whether it walks over the surface.
+/// Whether the vertex walks over the surface.
 inline bool mayWalk(Constraint c)
 {
 	return c == Constraint::Surface || c == Constraint::Free;

@@ -8,8 +8,8 @@ namespace gpr {
 
 namespace {
 
-/// A search changes the corners of a face and those beyond its edges, and looks at the faces round
-/// these.
+/// A search changes the corners of a face and the vertices beyond its edges, and looks at the faces
+/// round these vertices.
 constexpr int ringNum = 3;
 
 } // namespace

@@ -11,28 +11,28 @@
 
 namespace gpr {
 
-/// Remembers the faces at which nothing could be improved, so that they are not tried again before
-/// something near them has changed. Faces are known by their vertices: a flip that is undone may
-/// exchange the numbers of two faces.
+/// Remembers faces at which no change helped. A search tries such a face again only after a change
+/// near the face. A face is identified by its vertices: an undone flip may exchange the numbers of
+/// two faces.
 class FailedAttempts {
 public:
-	/// Of a mesh that will never have more vertices.
+	/// maxVertices: the mesh will never have more vertices.
 	explicit FailedAttempts(int maxVertices) : changedAt_(maxVertices, 0) {}
 
-	/// These vertices moved, came in, or have other faces now. Cost: three rings of faces round
-	/// them.
+	/// Records that the vertices moved, are new, or have other faces now. Cost: three rings of
+	/// faces round the vertices.
 	void noteChange(const HalfEdgeMesh& mesh, std::vector<int> vertices);
-	/// Nothing helped at f.
+	/// Records that no change helped at f.
 	void noteFailure(const HalfEdgeMesh& mesh, int f) { failedAt_[keyOf(mesh, f)] = now_; }
-	/// Whether nothing helped at f, and nothing within three rings of it has changed since. Asked
-	/// far more often than something changes, so it looks at the three corners only.
+	/// Whether no change helped at f, and since then nothing within three rings of f has changed.
+	/// Looks at the three corners only, as questions are far more frequent than changes.
 	bool isKnown(const HalfEdgeMesh& mesh, int f) const;
 
 private:
 	using Key = std::array<int, 3>; ///< vertices, ascending
 
 	int                now_ = 0;
-	std::vector<int>   changedAt_; ///< per vertex: the last change near it
+	std::vector<int>   changedAt_; ///< per vertex: the last change near the vertex
 	std::map<Key, int> failedAt_;
 
 	static Key keyOf(const HalfEdgeMesh& mesh, int f);

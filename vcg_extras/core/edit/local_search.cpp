@@ -14,18 +14,18 @@ namespace gpr {
 
 namespace {
 
-/// Changes at one face before the next one has its turn.
+/// The most changes at a face before the next face has its turn.
 constexpr int maxChanges = 6;
-/// Passes of flips and moves after a change; a third one finds next to nothing.
+/// Passes of flips and moves after a change; a third pass finds next to nothing.
 constexpr int settlePasses = 2;
-/// Rings round a face that two operations in a row may change: as many as one with what settles
-/// round it, twice.
+/// Rings round a face that two operations in a row may change: twice the reach of an operation with
+/// its settling.
 constexpr int pairRings = 3;
-/// What settles must lower the cost to this share: less is not worth a step.
+/// A settling step must lower the cost to this share: less gain is not worth a step.
 constexpr float settleShare = 0.995f;
-/// What it takes to collect, remember and restore a face of a patch, to find the places that a step
-/// may lead to, to look at a pair of faces for an intersection, and to measure the gap of a face,
-/// in units of the work that is counted: measured, so that a unit takes 8 to 40 ns on all models.
+/// Work of four actions: collecting, remembering and restoring a face of a patch; finding the
+/// places of a step; testing a pair of faces for an intersection; measuring the gap of a face. By
+/// measurement, a unit of work takes 8 to 40 ns on all models.
 constexpr std::int64_t workOfPatchFace = 10, workOfStep = 50, workOfPair = 3, workOfGap = 15;
 /// Moves of a vertex with one step length.
 constexpr int maxMoves = 4;
@@ -60,7 +60,7 @@ bool LocalSearch::run(const Goal& goal)
 			if (isExhausted()) return false;
 		}
 		if (touched_.empty()) break;
-		// Only faces that were bad, or that changed, can be bad now.
+		// Only faces bad before, or changed, can be bad now.
 		std::vector<int>       candidates;
 		const std::vector<int> changed = facesRound(m_, touched_);
 		std::sort(bad.begin(), bad.end());
@@ -119,7 +119,7 @@ void LocalSearch::improveAt(int f)
 	}
 }
 
-/// Keeps each operation that helps, one after the other.
+/// Keeps each helpful operation in turn.
 bool LocalSearch::takeEach(int f)
 {
 	bool isBetter = false;
@@ -158,8 +158,8 @@ std::vector<Operation> LocalSearch::bestSingle(int f)
 	return best;
 }
 
-/// What no change alone improves two can: the second one at the face that is the worst after the
-/// first.
+/// Finds the best pair of operations: two in a row may help if no single operation does. The second
+/// is at the worst face after the first.
 std::vector<Operation> LocalSearch::bestPair(int f)
 {
 	std::vector<Operation> best;
@@ -207,8 +207,8 @@ LocalSearch::Before LocalSearch::lookAt(PatchEditor::Snapshot snapshot)
 	return before;
 }
 
-/// By how much an operation lowers the cost; 0 where it is refused or gains no more than is known.
-/// All is as before afterwards.
+/// The fall of cost by an operation; 0 if the operation is refused or gains no more than `known`.
+/// The mesh is as before afterwards.
 float LocalSearch::attempt(const Operation& op, Before before, float known)
 {
 	float gain = make(op) ? gainOver(before) : 0;
@@ -241,7 +241,7 @@ bool LocalSearch::keepsLimits(Before& before)
 	return !goal_->limits.contacts || intersectionNum(faces) <= before.intersections;
 }
 
-/// Null where distances are not limited.
+/// Null if distances are not limited.
 std::unique_ptr<PatchDistance> LocalSearch::distanceOf(const std::vector<int>& faces,
 													   const Triangles& triangles, float edge)
 {
@@ -261,8 +261,8 @@ bool LocalSearch::keepsDistance(const PatchDistance* distance, const std::vector
 	return distance->isKeptBy(trianglesOf(m_, faces));
 }
 
-/// Gaps take long to measure, and nearly all trials end before: the gap of the patch as it was is
-/// only measured where that of the patch to come is larger than allowed.
+/// Whether the patch keeps its gap to the surface. Gaps take long to measure, and nearly all trials
+/// end earlier. So the gap before the trial is only measured if the new gap is larger than allowed.
 bool LocalSearch::keepsGap(const Before& before, const std::vector<int>& faces)
 {
 	const float allowed = goal_->limits.gap * goal_->limits.gap;
@@ -279,7 +279,7 @@ std::vector<std::array<int, 3>> LocalSearch::seedsOf(const std::vector<int>& fac
 	return seeds;
 }
 
-/// The largest gap of the triangles, squared, or `allowed` where none is larger.
+/// The largest squared gap of the triangles, or `allowed` if no gap is larger.
 float LocalSearch::squaredGapOf(const Triangles&                       triangles,
 								const std::vector<std::array<int, 3>>& seeds, float allowed)
 {
@@ -290,7 +290,7 @@ float LocalSearch::squaredGapOf(const Triangles&                       triangles
 	return largest;
 }
 
-// ---- what is measured
+// ---- measures
 
 float LocalSearch::costOf(const std::vector<int>& faces)
 {
@@ -357,7 +357,7 @@ void LocalSearch::findNear(int f)
 	sortUnique(near_);
 }
 
-/// The corners of f and the vertices within so many rings of them.
+/// The corners of f and the vertices within ringNum rings round the corners.
 std::vector<int> LocalSearch::ringsRound(int f, int ringNum)
 {
 	std::vector<int> vertices = verticesOf(m_, {f});
@@ -367,7 +367,7 @@ std::vector<int> LocalSearch::ringsRound(int f, int ringNum)
 	return vertices;
 }
 
-// ---- what is changed
+// ---- changes
 
 bool LocalSearch::make(const Operation& op)
 {
@@ -437,14 +437,14 @@ bool LocalSearch::moveToBest(int v)
 	return better;
 }
 
-/// Moves v by one step to where its faces cost least; false if no place is better.
+/// Moves v by a step to the place with the least cost of its faces; false if no place is better.
 bool LocalSearch::stepFrom(int v, float reach, float& cost)
 {
 	const std::vector<int>         faces = facesRound(m_, {v});
 	const PatchEditor::VertexState start = editor_.stateOf(v);
 	PatchEditor::VertexState       best  = start;
 	bool                           found = false;
-	StepLimits before; // looked at where a place is better: most steps find none
+	StepLimits before; // measured at the first better place: most steps find none
 	work_ -= workOfStep;
 	for (const PatchEditor::VertexState& next : editor_.statesAround(v, reach, goal_->mayCrowd)) {
 		if (!editor_.isNearStart(v, next, goal_->limits.move, goal_->limits.normalTurn)) continue;
@@ -468,7 +468,7 @@ bool LocalSearch::stepFrom(int v, float reach, float& cost)
 	return found;
 }
 
-// ---- what stays
+// ---- kept operations
 
 std::vector<int> LocalSearch::patchOf(const std::vector<Operation>& ops)
 {

@@ -18,39 +18,39 @@
 
 namespace gpr {
 
-/// Where a search ends though faces are left.
+/// The limits at which a search ends although bad faces are left.
 struct Budget {
-	int          rounds     = 8; ///< over all bad faces
-	float        maxLeft    = 1; ///< another one follows where at most this share of them is left
-	std::int64_t attempts   = 2000; ///< faces that are tried
-	bool         limitsWork = true; ///< whether it ends where the work of all searches is done
+	int          rounds     = 8;    ///< passes over all bad faces
+	float        maxLeft    = 1;    ///< another round needs at most this share of bad faces left
+	std::int64_t attempts   = 2000; ///< faces to try
+	bool         limitsWork = true; ///< whether the work of all searches is limited
 };
 
-/// What a search is for.
+/// The goal of a search.
 struct Goal {
 	std::function<bool(int face)>  isBad; ///< called in parallel
 	std::function<float(int face)> faceCost;
-	float maxLeft = 0.995f, minGain = 0; ///< a change leaves at most this share, less this
+	float maxLeft = 0.995f, minGain = 0; ///< a change leaves at most this share of cost, less this
 	float collapseCost = 0; ///< a collapse must gain this much more than other operations
 	std::vector<Operation::Kind> operations;
 	std::vector<float>           stepLengths; ///< of moves, in mean edges
-	bool       settles    = true;  ///< what lies round a change settles by moves and flips
-	bool       takesFirst = false; ///< each operation that helps is kept, not only the best of all
+	bool       settles    = true;  ///< the mesh round a change settles by moves and flips
+	bool       takesFirst = false; ///< every helpful operation is kept, not only the best
 	bool       inPairs    = false; ///< two operations in a row
-	bool       mayCrowd   = false; ///< vertices of curves come as near to each other as they will
+	bool       mayCrowd   = false; ///< vertices of curves may crowd
 	Acceptance limits;
 	Budget     budget;
 };
 
-/// Improves the result where it is worst, face by face: every operation at a bad face is tried,
-/// what lies round it settles by moves and flips, and the trial that lowers the cost most within
-/// the limits is kept; all others are undone. Faces at which nothing helps are left alone until
-/// something near them changes. Serial, so that the outcome does not depend on threads.
+/// Improves the worst faces of the result in turn. Every operation at a bad face is tried, and the
+/// mesh round it settles by moves and flips. The trial with the largest fall of cost within the
+/// limits is kept; all other trials are undone. A face without a helpful operation is left alone
+/// until the mesh near the face changes. Serial, so that the outcome does not depend on threads.
 class LocalSearch {
 public:
-	/// assignment: may be null where no goal limits distances. work: what all runs, also of further
-	/// searches, may measure together, in faces, points and pairs of triangles; it is counted down.
-	/// Room for so many more vertices is made.
+	/// assignment: may be null if no goal limits distances. work: the work left for all runs, also
+	/// of further searches, in faces, points and pairs of triangles; counts down. Reserves memory
+	/// for spareVertexNum vertices.
 	LocalSearch(const Surface& surface, const BoundaryCurves& curves, Assignment* assignment,
 				std::int64_t& work, ResultMesh& result, Workers& workers, int spareVertexNum = 0);
 
@@ -63,14 +63,14 @@ public:
 	int                 changeNum() const { return changeNum_; }
 
 private:
-	/// The worst of a patch' faces; measured only where it is limited.
+	/// The worst figures of the faces of a patch; only limited figures are measured.
 	struct Worst {
 		float agreement   = 1;
 		int   invertedNum = 0;
 		float angle       = HUGE_VALF;
 	};
 
-	/// What a step of a vertex must not make worse.
+	/// The figures that a step of a vertex must not make worse.
 	struct StepLimits {
 		bool                           isKnown = false;
 		Worst                          worst;
@@ -84,10 +84,10 @@ private:
 		Worst                           worst;
 		float                           cost     = 0;
 		float                           meanEdge = 0;
-		std::vector<std::array<int, 3>> seeds; ///< where gaps are limited: faces of the surface
-		int                             intersections = 0; ///< pairs, where there are any near
-		bool keepsFaces = false; ///< the trial leaves the faces their numbers
-		/// Measured when it is first asked for.
+		std::vector<std::array<int, 3>> seeds; ///< if gaps are limited: faces of the surface
+		int  intersections = 0;                ///< pairs, if there are any near the patch
+		bool keepsFaces    = false;            ///< the trial keeps the numbers of faces
+		/// Measured on first use.
 		std::unique_ptr<PatchDistance> distance;
 
 		explicit Before(PatchEditor::Snapshot s) : snapshot(std::move(s)) {}
@@ -101,12 +101,12 @@ private:
 	std::int64_t&              work_; ///< left
 	const Goal*                goal_ = nullptr;
 	FailedAttempts             failed_{0};
-	std::vector<int>           touched_;      ///< vertices that changed in this round
-	std::unique_ptr<FaceBoxes> boxes_;        ///< made when intersections are first asked for
-	std::vector<int>           changedFaces_; ///< since then
-	std::vector<char>          isChanged_;    ///< per face
-	std::vector<int>           near_;         ///< faces that those at hand may intersect
-	bool                       intersectsHere_ = false; ///< some of the faces round the one at hand
+	std::vector<int>           touched_;                ///< vertices that changed in this round
+	std::unique_ptr<FaceBoxes> boxes_;                  ///< made on first use
+	std::vector<int>           changedFaces_;           ///< since boxes_ was made
+	std::vector<char>          isChanged_;              ///< per face
+	std::vector<int>           near_;                   ///< faces within reach of the patch
+	bool                       intersectsHere_ = false; ///< near the face at hand
 	int                        changeNum_      = 0;
 	std::int64_t               attempts_       = 0; ///< left
 	int                        spare_;
@@ -134,7 +134,7 @@ private:
 	bool keepsDistance(const PatchDistance* distance, const std::vector<int>& faces);
 	bool limitsGaps() const { return goal_->limits.gap < HUGE_VALF; }
 	bool keepsGap(const Before& before, const std::vector<int>& faces);
-	/// Per face, those of the surface below its corners.
+	/// Per face: the surface faces below its corners.
 	std::vector<std::array<int, 3>> seedsOf(const std::vector<int>& faces) const;
 	float squaredGapOf(const Triangles& triangles, const std::vector<std::array<int, 3>>& seeds,
 					   float allowed);
@@ -148,7 +148,7 @@ private:
 	bool moveToBest(int v);
 	bool stepFrom(int v, float reach, float& cost);
 
-	/// Pairs of intersecting faces of which one is among these (ascending), and the other near.
+	/// The number of intersecting pairs with a face of `faces` (ascending) and a face of near_.
 	int              intersectionNum(const std::vector<int>& faces);
 	void             findNear(int f);
 	void             lookForIntersections(int f);

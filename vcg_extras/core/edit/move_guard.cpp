@@ -66,7 +66,7 @@ bool MoveGuard::isSpoilt(int f, const Buffer<Vec3f>& normal) const
 	return spoilsAgreement(limits_, agreement(before.cross(), wanted), now);
 }
 
-/// Shortens the moves of those of the faces that are spoilt, then of those round these, and so on.
+/// Shortens the moves of spoilt faces among the given, then of spoilt faces round these, and so on.
 bool MoveGuard::settleAmong(std::vector<int> faces, const Buffer<Vec3f>& normal)
 {
 	for (int round = 0; round <= shortening_.maxRounds; ++round) {
@@ -79,7 +79,7 @@ bool MoveGuard::settleAmong(std::vector<int> faces, const Buffer<Vec3f>& normal)
 	return false;
 }
 
-/// Shortens the moves of the faces' corners; returns these.
+/// Shortens the moves of the corners of the faces; returns the corners.
 std::vector<int> MoveGuard::shorten(const std::vector<int>& faces, float share)
 {
 	std::vector<int> vertices = verticesOf(m_, faces);

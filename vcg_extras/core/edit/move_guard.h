@@ -12,35 +12,35 @@
 
 namespace gpr {
 
-/// How MoveGuard makes moves smaller that spoil a face.
+/// The rules by which MoveGuard shortens moves that spoil a face.
 struct Shortening {
-	int halvings  = 0; ///< of a move, before it is taken back whole
-	int maxRounds = 7; ///< mostly one or two; then all moves are taken back
+	int halvings  = 0; ///< of a move, before the whole move is taken back
+	int maxRounds = 7; ///< usually one or two are enough; after the last, all moves are taken back
 };
 
-/// Moves of many vertices at once, on trial. Those of faces that they spoil are shortened or taken
-/// back until no face is spoilt. Cost: a pass over the faces, and the few faces concerned.
+/// Tries moves of many vertices at once. Moves that spoil a face are shortened or taken back until
+/// no face is spoilt. Cost: a pass over the faces, and a few passes over spoilt faces.
 ///
-/// start() comes first. Who makes the moves then sets mesh.position, and calls takeOver(). settle()
-/// or takeBack() come last.
+/// The user calls start(), sets mesh.position, and calls takeOver(); settle() or takeBack() come
+/// last.
 class MoveGuard {
 public:
 	MoveGuard(const Acceptance& limits, const Shortening& shortening, HalfEdgeMesh& mesh,
 			  Workers& workers);
 
-	/// Makes the present places the start of new moves; all shifts are zero then.
+	/// Makes the present positions the start of new moves; all shifts are zero then.
 	void start();
-	/// Moves from the start to the present places.
+	/// Sets the shifts to the way from the start to the present positions.
 	void takeOver();
 
 	const Vec3f& shift(int v) const { return shift_[v]; }
 	/// Whether a corner of the face moves.
 	bool hasMoved(int f) const;
 
-	/// Shortens the moves of spoilt faces until there are none. normal: of the surface at the
-	/// vertices, or empty. False if there was no end to it, and all moves were taken back.
+	/// Shortens the moves of spoilt faces until no face is spoilt. normal: surface normals at the
+	/// vertices, or empty. False if the rounds ended first and all moves were taken back.
 	bool settle(const Buffer<Vec3f>& normal = {});
-	/// Takes the moves of these faces back, and settles what this spoils.
+	/// Takes back the moves of the corners of these faces, and settles faces spoilt by this.
 	void takeBack(const std::vector<int>& faces, const Buffer<Vec3f>& normal);
 	void takeAllBack();
 

@@ -12,13 +12,13 @@ namespace gpr {
 
 namespace {
 
-/// Finds how far points lie from some triangles, those near each other in a row fast: the triangle
-/// that was nearest last time is tried first, and mostly is near enough.
+/// Measures distances of points from triangles. Points close to each other in a row are fast: the
+/// last nearest triangle is tried first, and is usually near enough.
 class NearestTriangle {
 public:
 	explicit NearestTriangle(const Triangles& triangles) : triangle_(triangles) {}
 
-	/// From the nearest one, or from one that is near enough.
+	/// Squared distance from the nearest triangle, or from a triangle that is near enough.
 	float squaredDistance(const Vec3f& p, float enough)
 	{
 		float nearest = triangle_.empty() ? HUGE_VALF : squaredFrom(last_, p);
@@ -31,7 +31,7 @@ public:
 		return nearest;
 	}
 
-	/// Distances from single triangles.
+	/// The number of distances from single triangles.
 	std::int64_t work() const { return work_; }
 
 private:
@@ -104,8 +104,8 @@ PatchDistance::PatchDistance(const Assignment& assignment, std::vector<int> face
 	work_ = near.work();
 }
 
-/// Which triangle a vertex is near to does not matter where it is not the farthest one, nor
-/// guarded. That is nearly all of them, and what makes this fast.
+/// A squared distance below which the exact value does not matter: the vertex is neither the
+/// farthest nor guarded. This holds for nearly all vertices, and makes the measurement fast.
 float PatchDistance::surelyNear() const
 {
 	return std::max(squaredEnough_, std::min(farthest_, squaredGuarded_));

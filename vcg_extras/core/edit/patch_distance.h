@@ -14,21 +14,21 @@
 
 namespace gpr {
 
-/// Which vertices of the input belong to which face of the result, while the faces change: by a map
-/// of the faces as they were, and what was handed from face to face since.
+/// Assigns vertices of the working surface to faces of the result while the faces change: a map
+/// from closest faces, and the later transfers from face to face.
 class Assignment {
 public:
-	/// mapFace: per face, the face of the map that it was, -1 where there was none; empty: its own
-	/// number.
+	/// mapFace: per face, its number in the map, -1: none; empty: the same number.
 	Assignment(const Surface& surface, const ClosestFaceMap& map, int mapFaceNum,
 			   std::vector<int> mapFace = {});
 
-	/// What belongs to a face that is no more belongs to the nearest one of these from here on.
+	/// Hands the vertices of the removed face `from`, once at `triangle`, to the nearest face of
+	/// `faces`.
 	void transfer(int from, const std::array<Vec3f, 3>& triangle, const HalfEdgeMesh& mesh,
 				  const std::vector<int>& faces);
 
-	/// Calls visit(place) for the vertices that belong to a face, until it returns false. Of many
-	/// vertices some hundred, evenly taken, stand for all.
+	/// Calls visit(place) for the vertices assigned to a face, until visit returns false. Of a
+	/// large number of vertices, an evenly taken part of about a hundred is visited.
 	template <class Visit>
 	bool forEach(int f, const Visit& visit) const
 	{
@@ -43,7 +43,7 @@ public:
 	}
 
 private:
-	static constexpr int maxOfFace = 64; ///< vertices that are looked at
+	static constexpr int maxOfFace = 64; ///< most vertices of a map face to visit, about
 
 	const Surface&                  surface_;
 	const ClosestFaceMap&           map_;
@@ -69,43 +69,45 @@ private:
 	}
 };
 
-/// Faces as they are at one moment.
+/// Positions of faces at a moment.
 using Triangles = std::vector<std::array<Vec3f, 3>>;
 Triangles trianglesOf(const HalfEdgeMesh& mesh, const std::vector<int>& faces);
 
-/// How far the vertices of the input that belong to a patch lie from its triangles.
+/// The distances of the vertices assigned to a patch from the triangles of the patch.
 class PatchDistance {
 public:
 	struct Settings {
-		float enough;              ///< smaller distances are as good as none
+		float enough;              ///< distance that counts as zero
 		float guarded = HUGE_VALF; ///< see isKeptBy
 	};
 
-	/// Of the vertices that belong to `faces` from the nearest of the triangles, which may be
-	/// others than these. Cost: the product of both, mostly far less, since the triangle that was
-	/// nearest last time is tried first.
+	/// Measures the distances of the vertices assigned to `faces` from `triangles`, which need not
+	/// be the triangles of `faces`. Cost: the product of both, usually far less, since the last
+	/// nearest triangle is tried first.
 	PatchDistance(const Assignment& assignment, std::vector<int> faces, const Triangles& triangles,
 				  const Settings& settings);
 
-	/// Whether other triangles may take the place of these. No vertex may come to lie farther away
-	/// than `enough`, or than the farthest before. Of the vertices beyond `guarded` the sum of the
-	/// fourth powers may not grow: a tip must not be cut off because one beside it is. Cost:
-	/// as above, up to the first vertex that tells.
+	/// Whether other triangles may replace the measured triangles. No vertex may lie farther away
+	/// than `enough`, or than the farthest vertex before. The sum of fourth powers of the distances
+	/// beyond `guarded` may not grow: a tip must not be cut off because of a farther tip beside it.
+	/// Cost: as for the constructor, up to the first vertex that decides.
 	bool isKeptBy(const Triangles& triangles) const;
 
-	/// Distances from single triangles that measuring took; a comparison takes about as many.
+	/// The number of distances from single triangles in the measurement; a comparison takes about
+	/// as many.
 	std::int64_t work() const { return work_; }
 
 private:
 	const Assignment& assignment_;
 	std::vector<int>  faces_;
 	float             squaredEnough_, squaredGuarded_;
-	float             farthest_; ///< squared, or what is near enough
+	float             farthest_; ///< squared; at least squaredEnough_
 	double            fourthPowers_ = 0;
 	std::int64_t      work_         = 0;
 
 	float surelyNear() const;
-	/// What a vertex adds to the sum of fourth powers; all that are not guarded count alike.
+	/// The share of a vertex in the sum of fourth powers; all vertices that are not guarded count
+	/// alike.
 	double guardedPower(float squared) const;
 };
 

@@ -18,17 +18,17 @@ namespace gpr {
 
 namespace {
 
-/// A vertex of a curve slides at most this share of the way to the next one at once, so that it
-/// cannot get there by a few slides.
+/// A vertex slides at most this share of the way to the next vertex of its curve in a step, so that
+/// a few slides cannot reach the neighbour.
 constexpr float longestSlide = 0.5f;
-/// The diagonals of a gentle flip lie at most this share of an edge apart: so far moves the
-/// surface.
+/// The diagonals of a gentle flip are at most this share of an edge apart: this gap is the move of
+/// the surface.
 constexpr float largestDiagonalGap = 0.5f;
-/// Faces that a step may cross; longer ways, among needles, are not worth their time.
+/// The most faces a step may cross; longer ways, among needles, are not worth their time.
 constexpr int maxFacesOfStep = 256;
 
-/// Whether an inner vertex is left with four faces at least. Three faces round one have an angle of
-/// 30° at the most.
+/// Whether v, less a face, keeps at least four faces, or is on the border. Of three faces round a
+/// vertex, some angle is at most 30°.
 bool maySpareFace(const HalfEdgeMesh& m, int v)
 {
 	return m.isBorderVertex(v) || m.valence(v) > 4;
@@ -160,7 +160,7 @@ bool PatchEditor::isGentleFlip(int h) const
 {
 	const std::array<int, 4> corner = cornersAt(h);
 	if (!maySpareFace(m_, corner[0]) || !maySpareFace(m_, corner[1])) return false;
-	// Edges between kept vertices are most likely why these are kept.
+	// Edges between kept vertices are most likely the reason to keep the vertices.
 	if (r_.vertex[corner[0]].isPinned && r_.vertex[corner[1]].isPinned) return false;
 	const Vec3f a = m_.position[corner[0]], b = m_.position[corner[1]];
 	const Vec3f c = m_.position[corner[2]], d = m_.position[corner[3]];
@@ -184,7 +184,7 @@ void PatchEditor::addStar(int v, std::vector<int>& patch) const
 	forEachNeighbour(m_, v, [&](int w) { patch.push_back(w); });
 }
 
-/// The corners of h's face, and those beyond its other edges.
+/// Adds the corners of h's face, and the corners beyond its other edges.
 void PatchEditor::addHalfOfEdge(int h, std::vector<int>& patch) const
 {
 	for (int corner = 3 * (h / 3); corner < 3 * (h / 3) + 3; ++corner)

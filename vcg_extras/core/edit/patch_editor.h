@@ -14,11 +14,11 @@
 
 namespace gpr {
 
-/// A change of the result that a search tries.
+/// A change of the result for a search to try.
 struct Operation {
 	enum Kind {
 		None,
-		Move,         ///< origin[halfEdge] moves to where its faces cost least
+		Move,         ///< origin[halfEdge] moves to the place with the least cost of its faces
 		Flip,         ///< halfEdge is flipped
 		Split,        ///< a vertex is put in the middle of halfEdge
 		Attach,       ///< a split, and the apex of halfEdge is merged into the new vertex
@@ -32,28 +32,28 @@ struct Operation {
 	bool isSplit() const { return kind == Split || kind == Attach; }
 };
 
-/// The operations of these kinds at the edges and corners of a face and, for moves, at the corners
+/// The operations of the given kinds at the edges and corners of a face; moves also at the corners
 /// beyond its edges.
 std::vector<Operation> operationsAt(const HalfEdgeMesh& mesh, int face,
 									const std::vector<Operation::Kind>& kinds);
 
-/// Changes single patches of the result in a way that can be undone. Vertices move on the surface,
-/// those of curves along these, and keep their height above it; corners of curves, cone apexes
-/// and pinned vertices never move.
+/// Changes single patches of the result, and can undo the change. Vertices move on the surface, or
+/// along their curve, and keep their height above the surface. Corners of curves, cone apexes and
+/// pinned vertices never move.
 class PatchEditor {
 public:
-	/// Room is made for so many more vertices.
+	/// Reserves memory for spareVertexNum vertices.
 	PatchEditor(const Surface& surface, const BoundaryCurves& curves, ResultMesh& result,
 				Workers& workers, int spareVertexNum);
 
-	/// A vertex with all that moves along with it.
+	/// A vertex with all its data that changes in a move.
 	struct VertexState {
 		Vec3f        position;
 		Vec3f        normal; ///< of the surface there
 		ResultVertex record;
 	};
 
-	/// A patch as it was.
+	/// A patch before a change.
 	struct Snapshot {
 		PatchBackup              backup;
 		std::vector<VertexState> states; ///< of the backup's vertices
@@ -64,8 +64,7 @@ public:
 	const BoundaryCurves& curves() const { return curves_; }
 	const ResultMesh&     result() const { return r_; }
 	const HalfEdgeMesh&   mesh() const { return m_; }
-	/// Cosine of the angle between a face's normal and the surface's at its corners, and between it
-	/// and the surface's beside its feature lines: 1 where it has none.
+	/// Normal agreement of face f at its corners, and at its feature lines: 1 if f has none.
 	float agreement(int f) const;
 	float agreementAtCreases(int f) const;
 
@@ -74,41 +73,40 @@ public:
 	float       meanEdge(int v) const;
 	/// mayCrowd: corners of the border may slide, too.
 	bool mayMove(int v, bool mayCrowd = false) const;
-	/// Where v gets by a step of this length: along its curve, or in eight directions over the
-	/// surface. mayCrowd: along the curve it may come as near to a neighbour, and leave the curve
-	/// as far, as there is room.
+	/// The states of v after a step of length `reach`: along its curve, or in eight directions over
+	/// the surface. mayCrowd: along the curve, the only limit is the room to the neighbours.
 	std::vector<VertexState> statesAround(int v, float reach, bool mayCrowd = false) const;
-	/// The same height of v above its surface point, raised or lowered by `by`.
+	/// v at its place, raised by `by`.
 	VertexState raised(int v, float by) const;
-	/// Whether v at a state is within `share` mean edges of where it was at first, and the
-	/// surface's normal there has at least this cosine with the one it had at first.
+	/// Whether v at a state is within `share` mean edges of its first place, and the surface normal
+	/// at the state has at least the cosine minCosine with the first normal.
 	bool isNearStart(int v, const VertexState& state, float share, float minCosine) const;
 
 	/// Whether the flip of h leaves every vertex enough faces for good angles and moves the surface
-	/// little.
+	/// only a little.
 	bool isGentleFlip(int h) const;
 	bool mayFlip(int h) const { return m_.opposite[h] >= 0 && canFlip(m_, h); }
 	/// The ends of the inner edge h and the apexes of its two faces.
 	std::array<int, 4> cornersAt(int h) const;
 
-	/// The vertices whose faces an operation may change, with what settles round it.
+	/// The vertices whose faces an operation and the settling round it may change.
 	std::vector<int> patchOf(const Operation& op) const;
-	/// Makes a flip, split or collapse. False where the topology or a curve forbids it; the patch
-	/// may be half changed then and must be undone.
+	/// Makes a flip, split or collapse. False if the topology or a curve forbids the operation; the
+	/// patch may be half changed then and must be undone.
 	bool make(const Operation& op);
 	void flip(int h);
 	void flipBack(int h);
 
 	Snapshot remember(const std::vector<int>& patch) const;
-	/// Before the flip of h and nothing else: far fewer faces where one of its corners has many.
+	/// The state before a bare flip of h: far fewer faces if a corner has many.
 	Snapshot rememberFlip(int h) const;
 	void     undo(const Snapshot& before);
-	/// The vertices of a patch that are left, and those that came in since.
+	/// The vertices left of a patch, and the vertices added since.
 	std::vector<int> patchNow(const Snapshot& before) const;
 
-	/// Counts an operation that stays.
+	/// Counts a kept operation in the figures of the result.
 	void countDone(const Operation& op);
-	/// Feature lines can hold all edges of a face without area. They end here then.
+	/// Ends feature lines at a degenerate face whose edges may all lie on feature lines.
 	void forgetLinesAt(int f);
 
 private:

@@ -20,13 +20,13 @@ namespace gpr {
 
 namespace {
 
-/// A turn within a window that makes a corner of a curve. Less is a bend that chords of the wanted
-/// length can follow: they leave an arc of 50° by about a tenth of their length.
+/// A turn within a window that makes a corner of a curve. A smaller turn is a bend that chords of
+/// the wanted length can follow: they leave an arc of 50° by about a tenth of their length.
 constexpr float cornerTurn = 50 * radians;
 /// A turn at one point that makes it a corner of a feature line.
 constexpr float kinkTurn = 25 * radians;
 
-/// The border half-edge that follows h: turn about its head until the border is met again.
+/// The border half-edge after h: turns about the head of h until it meets the border again.
 int nextOnBorder(const HalfEdgeMesh& m, int h)
 {
 	int x = nextInFace(h);
@@ -68,14 +68,14 @@ std::vector<Curve> traceBorder(const HalfEdgeMesh& m)
 	return curves;
 }
 
-/// Where feature lines end, fork, cross or meet the border.
+/// Whether feature lines end, fork, cross or meet the border at v.
 bool isNode(const HalfEdgeMesh& m, int v)
 {
 	const int n = m.creaseNum(v);
 	return n > 0 && (n != 2 || m.isBorderVertex(v));
 }
 
-/// The feature line's half-edge after h, whose target is no node.
+/// The next half-edge of the feature line after h, whose target is no node.
 int nextOnCrease(const HalfEdgeMesh& m, int h)
 {
 	int next = -1;
@@ -85,9 +85,9 @@ int nextOnCrease(const HalfEdgeMesh& m, int h)
 	return next;
 }
 
-/// Both halves of every edge of a feature line, ascending, and which of them were passed. There are
-/// few of them: a pass over the marks, which memchr makes at the speed of memory, finds them, and
-/// no ring of the many other vertices is read.
+/// Both halves of every edge of a feature line, ascending, with a mark for edges passed. Edges of
+/// lines are few: one memchr pass over the marks, at the speed of memory, finds them without
+/// reading the rings of other vertices.
 class CreaseEdges {
 public:
 	explicit CreaseEdges(const HalfEdgeMesh& m)
@@ -118,7 +118,7 @@ private:
 	}
 };
 
-/// From half-edge `first` to the next node, or once round.
+/// Traces a chain from half-edge `first` to the next node, or once round.
 Curve traceChain(const HalfEdgeMesh& m, int first, CreaseEdges& edges)
 {
 	Curve c;
@@ -159,8 +159,8 @@ std::vector<Curve> traceCreases(const HalfEdgeMesh& m)
 	return curves;
 }
 
-/// Angle between the chords to the points `window` before and behind. Vertex angles themselves say
-/// nothing on the zigzag rims of range maps.
+/// Angle between the chords to the points `window` before and behind, per point. The angle at the
+/// vertex itself says nothing on the zigzag rims of range maps.
 std::vector<float> turnsOver(const Curve& c, float window)
 {
 	std::vector<float> turn(c.pointNum());
@@ -172,7 +172,7 @@ std::vector<float> turnsOver(const Curve& c, float window)
 	return turn;
 }
 
-/// Calls visit(k) for the points within `window` of point i along the curve, but i; ends when it
+/// Calls visit(k) for the other points within `window` of point i along the curve, until visit
 /// returns false.
 template <class Visit>
 bool forEachWithin(const Curve& c, int i, float window, const Visit& visit)
@@ -193,20 +193,21 @@ bool forEachWithin(const Curve& c, int i, float window, const Visit& visit)
 	return true;
 }
 
-/// Whether no point within `window` along the curve turns more (ties: the first one wins).
+/// Whether no point within `window` along the curve turns more than point i (ties: the first point
+/// wins).
 bool isLargestTurn(const Curve& c, const std::vector<float>& turn, int i, float window)
 {
 	return forEachWithin(
 		c, i, window, [&](int k) { return !(turn[k] > turn[i] || (turn[k] == turn[i] && k < i)); });
 }
 
-/// Whether every other point within `window` turns by less than half of what point i does.
+/// Whether every other point within `window` turns by less than half of the turn at point i.
 bool standsOut(const Curve& c, const std::vector<float>& turn, int i, float window)
 {
 	return forEachWithin(c, i, window, [&](int k) { return turn[k] < 0.5f * turn[i]; });
 }
 
-/// Points of the curve where it turns by more than cornerTurn, its ends left out.
+/// Marks the points at which the curve turns by more than cornerTurn, its ends left out.
 std::vector<char> findTurns(const Curve& c, const std::vector<float>& turn, float window)
 {
 	std::vector<char> turns(c.pointNum(), 0);
@@ -229,8 +230,9 @@ std::vector<float> turnsAtPoints(const Curve& c)
 	return turn;
 }
 
-/// Corners of a feature line: points whose turn stands out by far from those round it, which on a
-/// tessellated arc it never does, and turns by cornerTurn away from these.
+/// Marks the corners of a feature line: points whose own turn stands out from the points round,
+/// which never happens on a tessellated arc, and points away from these with a turn above
+/// cornerTurn.
 std::vector<char> findCreaseCorners(const Curve& c, float window)
 {
 	const std::vector<float> turn = turnsAtPoints(c);
@@ -245,14 +247,14 @@ std::vector<char> findCreaseCorners(const Curve& c, float window)
 	return corners;
 }
 
-/// A sample of the list, and where it lies on the curve at hand.
+/// A sample with its arc on the curve at hand.
 struct Mark {
 	float arc;
 	int   sample;
 	bool  operator<(const Mark& o) const { return arc != o.arc ? arc < o.arc : sample < o.sample; }
 };
 
-/// Samples one curve after the other; remembers the nodes they share.
+/// Samples the curves in turn; remembers the samples of shared nodes.
 class CurveSampler {
 public:
 	CurveSampler(const HalfEdgeMesh& mesh, float diskRadius, float spacing,
@@ -266,7 +268,7 @@ public:
 			isKept_[v] = 1;
 	}
 
-	/// Before any curve is sampled, and after borders have become smooth.
+	/// Finds borders at the same place. Called before any curve is sampled and after smoothBorders.
 	void shareBorders()
 	{
 		shared_ = std::make_unique<SharedBorders>(m_, out_.curves);
@@ -275,8 +277,8 @@ public:
 		}
 	}
 
-	/// Before any curve is sampled. Vertices where feature lines end, and those to be kept, stay.
-	/// before: the borders at one place, which stay there; or null.
+	/// Smooths the border loops, before any curve is sampled. Ends of feature lines and kept
+	/// vertices stay in place, and so do shared borders, listed in `before` (or null).
 	void smoothBorders(const SharedBorders* before)
 	{
 		for (Curve& c : out_.curves) {
@@ -305,7 +307,8 @@ public:
 		finish(c);
 	}
 
-	/// minSteps: pieces the chain must have, so that it does not fall together with another.
+	/// minSteps: the least number of parts of the chain, so that it does not coincide with another
+	/// chain.
 	void sampleOpen(int index, int minSteps)
 	{
 		const Curve&            c      = begin(index);
@@ -329,7 +332,7 @@ public:
 		finish(c);
 	}
 
-	/// A vertex on no curve.
+	/// Adds vertex v, on no curve, as a sample.
 	void addPoint(int v)
 	{
 		CurveSample sample;
@@ -355,20 +358,20 @@ private:
 
 	bool isKept(int v) const { return !isKept_.empty() && isKept_[v]; }
 	bool isStop(int v) const { return isNode(m_, v) || isKept(v); }
-	/// For three samples.
+	/// Whether the curve is too short for three samples.
 	bool isTooShort(const Curve& c) const
 	{
 		return c.pointNum() <= 3 || c.length < 1.8f * wanted_.chord * c.smallestSize();
 	}
 	bool isOfBorder(const Curve& c) const { return c.isClosed && m_.isBorderEdge(outgoingOf(c)); }
-	/// The half-edge from the first to the second point of a loop of the border.
+	/// The half-edge from the first to the second point of a border loop.
 	int            outgoingOf(const Curve& c) const { return m_.outgoing[c.vertex[0]]; }
 	std::ptrdiff_t keptOn(const Curve& c) const
 	{
 		return std::count_if(c.vertex.begin(), c.vertex.end(), [&](int v) { return isKept(v); });
 	}
 
-	/// How far round a point its turn is looked at.
+	/// The arc length on either side of a point over which turns are measured.
 	float windowOf(const Curve& c) const
 	{
 		return std::min(diskRadius_ * c.smallestSize(), c.length / 6);
@@ -393,7 +396,7 @@ private:
 		out_.samples.push_back(sample);
 	}
 
-	/// Those of a loop, which are all its own, by arc.
+	/// Sorts the samples of a loop by arc; a loop shares none with other curves.
 	void sortSamples()
 	{
 		std::stable_sort(out_.samples.begin() + std::ptrdiff_t(firstSample_), out_.samples.end(),
@@ -416,7 +419,7 @@ private:
 		return sample;
 	}
 
-	/// The vertices to be kept and no others.
+	/// Makes samples of the kept vertices only.
 	void keepAll(const Curve& c)
 	{
 		for (int i = 0; i < c.pointNum(); ++i) {
@@ -424,7 +427,7 @@ private:
 		}
 	}
 
-	/// Three of the loop's own vertices, as even as possible; nodes before others.
+	/// Makes samples of three vertices of the loop, as evenly spaced as possible; nodes come first.
 	void keepThree(const Curve& c)
 	{
 		std::vector<char> taken(c.pointNum(), 0);
@@ -448,8 +451,8 @@ private:
 		}
 	}
 
-	/// Corners and the nodes of feature lines that end here; without any, the sharpest turn is
-	/// where the loop begins.
+	/// Arcs of the corners and of the nodes on the loop. If there are none, the sharpest turn is
+	/// the start of the loop.
 	std::vector<float> stopsOfLoop(const Curve& c, bool& hasCorners) const
 	{
 		const float              window = windowOf(c);
@@ -476,7 +479,7 @@ private:
 		bool                     hasCorners = false;
 		const std::vector<float> corners    = stopsOfLoop(c, hasCorners);
 		const int                n          = int(corners.size());
-		// However few the corners, three samples must come out.
+		// Even with few corners, three samples must come out.
 		const int minSteps = n == 1 ? 3 : n == 2 ? 2 : 1;
 		for (int i = 0; i < n; ++i) {
 			const float from = corners[i];
@@ -487,10 +490,10 @@ private:
 		}
 	}
 
-	// ---- borders at the place of others
+	// ---- shared borders
 
-	/// The corners of the curve, and what else it needs for three samples, are stops of all curves
-	/// that run there.
+	/// Makes the corners of the curve stops of all curves at the same place, and adds stops until
+	/// three samples are certain.
 	void addSharedStops(int index)
 	{
 		const Curve&             c          = out_.curves[index];
@@ -518,8 +521,8 @@ private:
 		return best;
 	}
 
-	/// Points where the loop must have a sample: those of all its curves, and its own corners where
-	/// it is alone.
+	/// Points at which the loop must have a sample: the shared stops, and its own corners off
+	/// shared segments.
 	std::vector<int> sharedStops(const Curve& c) const
 	{
 		bool                     hasCorners = false;
@@ -557,7 +560,7 @@ private:
 			put(c, s, false);
 	}
 
-	/// For all curves that run along the points from `from` to `to`.
+	/// Samples the points from `from` to `to` for all curves that share this stretch.
 	void sampleShared(const Curve& c, int from, int to)
 	{
 		for (float s : spaceOut(c, c.arcOf(from), c.arcOf(to), wanted_, 1)) {
@@ -574,7 +577,8 @@ private:
 			shared_->markSampled(index_, i);
 	}
 
-	/// The samples that another curve, or this one on its way there, was given.
+	/// Takes over the samples made on this stretch before, by another curve or by this curve on its
+	/// way there.
 	void takeShared(const Curve& c, int from, int to)
 	{
 		for (int i = from; i < to; ++i) {
@@ -596,7 +600,7 @@ private:
 		return c.isClosed ? std::min(d, c.length - d) : d;
 	}
 
-	/// Nearest of the marks, sorted by arc, to arc s.
+	/// Index of the mark nearest to arc s; the marks are sorted by arc.
 	int nearestMark(const Curve& c, float s) const
 	{
 		const auto above = std::lower_bound(marks_.begin(), marks_.end(), Mark{s, 0});
@@ -612,7 +616,8 @@ private:
 		return sampleOfNode_.count(sample.vertex) != 0;
 	}
 
-	/// Gives every point of the curve its sample, and every sample the nearest of its points.
+	/// Assigns to every point of the curve its nearest sample, and to every sample the nearest of
+	/// its points.
 	void finish(const Curve& c)
 	{
 		std::sort(marks_.begin(), marks_.end());
@@ -656,7 +661,8 @@ ChainEnds countChainEnds(const std::vector<Curve>& curves)
 	return number;
 }
 
-/// A chain back to its own node needs three edges, chains that share both nodes two each.
+/// The least number of edges on a chain: three if it returns to its own node, two if another chain
+/// has the same two nodes.
 int minPieces(const Curve& c, const ChainEnds& chainEnds)
 {
 	if (c.vertex.front() == c.vertex.back()) return 3;

@@ -13,23 +13,24 @@
 
 namespace gpr {
 
-/// Spacing of border samples in r: the mean edge length of the result.
+/// Distance of neighbouring border samples in disk radii: the mean edge length of the result.
 constexpr float borderSpacing = 1.04f;
 
-/// A sample on a curve: fixed in number, free to slide along its curve unless a corner. Where
-/// curves meet they share one; a cone apex, or a vertex to be kept inside, has no curve.
+/// A sample on a curve. Its curve fixes the number of samples; a sample that is no corner may slide
+/// along the curve. Curves that meet at a vertex share the sample there. A cone apex has no curve,
+/// and no curve has a kept vertex inside the surface.
 struct CurveSample {
 	SurfacePoint point;
 	int          curve    = -1;
 	float        arc      = 0;
 	bool         isCorner = false;
-	bool         isShared = false; ///< other borders have one at the same place
-	bool         isPinned = false; ///< kept as it is, whatever the count or the shape of triangles
-	int vertex = -1; ///< the input vertex that stands for it in the removal; -1 if none is left
+	bool         isShared = false; ///< other borders have a sample at the same place
+	bool isPinned = false; ///< a vertex to keep, whatever the count or the shape of triangles
+	int  vertex   = -1;    ///< its vertex of the working surface in the removal; -1 if none is left
 };
 
-/// The border loops and feature lines of the input, their samples, and which sample each of their
-/// vertices belongs to.
+/// The border loops and feature lines of the working surface, their samples, and the sample of each
+/// vertex on a curve.
 struct BoundaryCurves {
 	std::vector<Curve>       curves; ///< loops of the border first
 	std::vector<CurveSample> samples;
@@ -37,20 +38,22 @@ struct BoundaryCurves {
 	std::vector<std::vector<int>> sampleOfPoint;
 };
 
-/// The loops of the border, then the feature lines (mesh.crease), cut into chains between nodes.
+/// The border loops, then the feature lines (mesh.crease), cut into chains between nodes.
 std::vector<Curve> traceCurves(const HalfEdgeMesh& mesh);
 
-/// Stage::Boundary: samples border and feature lines (surface.mesh.crease) before anything else, so
-/// that they keep their shape and triangles are as regular there as inside. Feature lines are cut
-/// into chains between nodes, the vertices where other than two of their edges meet or the border
-/// is met; nodes and the given cone apexes are samples that never move. Vertices to be kept are
-/// samples too: those on a curve cut it into pieces as corners do. Loops and chains are cut further
-/// at corners (a turn of 50° that persists over r), each piece is sampled by chords of `spacing`
-/// (see spaceOut). Loops too short for three samples keep three of their own vertices. What is said
-/// here of loops holds for BoundaryMode::Resample; with Keep their samples are those of the
-/// vertices to be kept that lie on them, with Free they have no corners. Where sharesBorders,
-/// borders that lie at the same place get samples at the same numbers (see shared_borders.h), but
-/// with Keep, where they do so anyway. Cost: linear in the curves.
+/// Stage::Boundary: samples the border and the feature lines (surface.mesh.crease) before the
+/// inside, so that both keep their shape and the triangles there are regular.
+///
+/// Feature lines are cut into chains between nodes. A node is a vertex at which a feature line
+/// ends, forks or meets the border. Nodes and cone apexes are samples that never move. The vertices
+/// in `kept` are samples too, and cut a curve as corners do. Loops and chains are also cut at
+/// corners (a turn of 50° that persists over r). Each part gets samples by chords of length
+/// `spacing` (see spaceOut). A loop too short for three samples keeps three of its own vertices.
+///
+/// This holds for border loops with BoundaryMode::Resample. With Keep the samples of a border loop
+/// are its kept vertices; with Free and Smooth it has no corners. If sharesBorders is set, borders
+/// at the same place get their samples once (see shared_borders.h). With Keep they share their
+/// samples anyway. Cost: linear in the curves.
 BoundaryCurves sampleBoundary(const Surface& surface, float diskRadius, float spacing,
 							  const std::vector<int>& coneApexes    = {},
 							  const std::vector<int>& kept          = {},

@@ -18,21 +18,22 @@ namespace gpr {
 
 namespace {
 
-/// A stretch that is too near reaches on up to so many times the gap.
+/// A stretch too close to another line goes on up to this many gaps.
 constexpr float leaveRatio = 1.6f;
-/// Lines diverge from where they meet if they are this share of the way from there apart.
+/// Lines diverge from their meeting point if their distance is at least this share of the way from
+/// there.
 constexpr float minSlope = 0.1f;
-/// Beside a border so many times the gap is too near: it shows where the dropped line was.
+/// Beside a border this many gaps are too close: the border shows the trace of a dropped line.
 constexpr float borderRatio = 2;
-/// Of the normals on both sides of a thin sheet.
+/// The cosine between the normals on both sides of a thin sheet is below this.
 constexpr float maxSheetCosine = -0.5f;
-/// Faces that a way crosses at most.
+/// The largest number of faces on a way across.
 constexpr int maxCrossings = 500;
 
-/// From the middle of a segment straight across the surface to another.
+/// A way from the middle of a segment straight across the surface to another segment.
 struct Crossing {
 	int   from, to; ///< segments
-	float distance; ///< over borderRatio if one is of a border
+	float distance; ///< divided by borderRatio beside a border
 
 	bool operator<(const Crossing& other) const
 	{
@@ -72,10 +73,10 @@ private:
 	std::vector<int>    first_;    ///< per curve: its first segment; one more at the end
 	std::vector<int>    halfEdge_; ///< per segment
 	std::vector<int>    curve_;    ///< per segment
-	/// Half-edges of segments, both halves, with these, ascending.
+	/// Pairs of half-edge and segment, for both halves of each edge, ascending.
 	std::vector<std::pair<int, int>> segmentOf_;
-	std::set<std::pair<int, int>>    nodes_;    ///< vertices where feature lines end, with curves
-	std::vector<Crossing>            crossing_; ///< both ways, ascending
+	std::set<std::pair<int, int>>    nodes_;    ///< pairs of vertex and curve with an end there
+	std::vector<Crossing>            crossing_; ///< in both directions, ascending
 	std::vector<char>                isKept_;   ///< per segment
 
 	using Candidate = std::pair<float, int>; ///< strength and minus the curve
@@ -153,7 +154,7 @@ private:
 		std::stable_sort(crossing_.begin(), crossing_.end());
 	}
 
-	/// To the first line that the way meets within reach.
+	/// Adds the crossing from h to the first line within reach.
 	void cross(int h, int segment, std::vector<Crossing>& out) const
 	{
 		const float reach = leaveRatio * borderRatio * gapAt(segment);
@@ -168,8 +169,8 @@ private:
 		});
 	}
 
-	/// Whether the faces beyond two lines look away from each other: only the lines hold the two
-	/// sides of so thin a sheet apart.
+	/// Whether a thin sheet lies between two lines: the faces beyond the lines look away from each
+	/// other, and only the lines hold the two sides of the sheet apart.
 	bool isSheetBetween(int h, int exit) const
 	{
 		const int f = m_.opposite[h], g = m_.opposite[exit];
@@ -192,8 +193,8 @@ private:
 		return sum;
 	}
 
-	/// Borders first, then always the strongest line that goes on from a kept one, or of all where
-	/// none does: so round a thin plate the same side is kept.
+	/// Decides borders first, then always the strongest line that continues a kept line, or the
+	/// strongest of all if none does. So the same side is kept all round a thin plate.
 	void decideAll()
 	{
 		std::vector<Candidate> all;
@@ -232,7 +233,7 @@ private:
 		}
 	}
 
-	// ---- what is too near
+	// ---- lines too close to others
 
 	void decide(int c)
 	{
@@ -246,7 +247,7 @@ private:
 			leaveOut(s, s + 1);
 	}
 
-	/// Takes s along with its neighbour if the line beside has not left yet.
+	/// Drops s with its neighbour if the line beside has not moved away yet.
 	void leaveOut(int s, int neighbour)
 	{
 		if (isKept_[s] && !isKept_[neighbour] && distanceFromKept(s) <= leaveRatio * gapAt(s))
@@ -263,7 +264,7 @@ private:
 		return nearest;
 	}
 
-	/// Whether the lines of both ends leave a point that they share.
+	/// Whether the lines at both ends of the crossing diverge from a common point.
 	bool diverge(const Crossing& x) const
 	{
 		const int c = curve_[x.from], d = curve_[x.to];

@@ -10,18 +10,17 @@
 
 namespace gpr {
 
-/// Edges of feature lines (surface.mesh.crease) that run beside a border or a stronger feature
-/// line, nearer to it over the surface than `gap` (working units, times the size there): triangles
-/// as long as that would have to fill the strip between the two. Named by their smaller half-edges,
-/// ascending.
+/// Finds edges of feature lines (surface.mesh.crease) that run too close to a border or to a
+/// stronger feature line. Too close is nearer over the surface than `gap` (working units, times the
+/// local size), as triangles of this size would have to fill the strip between the lines. Returns
+/// the smaller half-edge of each edge, ascending.
 ///
-/// Straight ways across the surface, square to the lines, tell how near they are. Borders stay; of
-/// two chains the stronger one does, by length times the angle of the faces, or the one that goes
-/// on from a chain that stays. Beside a border twice the gap is too near. Both
-/// outlines of a thin sheet stay, which only they hold apart. Lines that meet at more
-/// than a small angle are not near each other where they meet. A stretch that is too near reaches
-/// on as long as the other line does not leave. Needs: connected. Cost: the faces crossed, some for
-/// each edge of a line.
+/// Distances are measured straight across the surface, square to the lines. A border always stays.
+/// Of two chains, a chain that continues a kept chain stays, else the stronger chain, by the sum of
+/// edge length times dihedral angle. Beside a border twice the gap is too close. Both outlines of a
+/// thin sheet stay: only the two lines hold its sides apart. Lines that meet at more than a small
+/// angle are not close at their meeting point. A stretch that is too close goes on until the
+/// distance is 1.6 gaps. Needs: connected. Cost: the faces crossed, a few for each edge of a line.
 std::vector<int> findCloseLines(const Surface& surface, float gap, Workers& workers);
 
 } // namespace gpr

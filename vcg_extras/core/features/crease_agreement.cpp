@@ -8,8 +8,8 @@ namespace gpr {
 
 namespace {
 
-/// The input's normal beside the curve at arc s, on the left of the direction in which arcs grow,
-/// or on the right.
+/// Normal of the working surface beside the curve at arc s, on the left of the direction of growing
+/// arcs, or on the right.
 Vec3f normalBeside(const HalfEdgeMesh& input, const Curve& c, float s, bool left)
 {
 	const int segment = c.segmentAt(s);
@@ -22,8 +22,8 @@ Vec3f normalBeside(const HalfEdgeMesh& input, const Curve& c, float s, bool left
 	return {};
 }
 
-/// The input's normal on the side of h, looked up by one of its ends, v; zero where v never moves
-/// along its line.
+/// Normal of the working surface on the side of h, looked up at v, an end of h; zero if v never
+/// moves along its line.
 Vec3f normalBesideEdge(const Surface& surface, const BoundaryCurves& curves, const ResultMesh& r,
 					   int h, int v)
 {

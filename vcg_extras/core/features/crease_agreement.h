@@ -9,9 +9,9 @@
 
 namespace gpr {
 
-/// Cosine of the angle between the face of half-edge h, which lies on a feature line, and the
-/// input's face on that side of the line, halfway between the ends of h. 1 where h lies on no
-/// feature line, or between two vertices that never move along one.
+/// Normal agreement of the face of half-edge h on a feature line: the cosine of the angle to the
+/// face of the working surface on the same side of the line, halfway between the ends of h. 1 if h
+/// is on no feature line, or if neither end can slide along a line.
 float creaseAgreement(const Surface& surface, const BoundaryCurves& curves,
 					  const ResultMesh& result, int h);
 

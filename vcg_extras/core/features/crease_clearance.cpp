@@ -10,12 +10,12 @@ namespace gpr {
 
 namespace {
 
-/// A sharp edge is clear of noise if the edges beside it are so many times flatter.
+/// A crease edge is clear of noise if its angle is at least this many times the angles beside it.
 constexpr float clearRatio = 3;
-/// In place of an angle, of faces that have no edges but creases.
+/// The angle beside a face that has only creases.
 constexpr float none = -1;
 
-/// An edge beside a crease, of one of the caller's faces.
+/// An edge beside a crease, on an input face.
 struct Beside {
 	int   face;
 	float angle;
@@ -67,7 +67,7 @@ void CreaseClearance::findSteepest(const std::vector<int>& edges, Workers& worke
 		steepest_[b.face] = std::max(steepest_[b.face], b.angle);
 }
 
-/// Whether h is part of an edge, and no crease, of one of the caller's faces that are asked for.
+/// Whether h is part of an edge of an asked input face, and no crease.
 bool CreaseClearance::isBeside(int h, const std::vector<bool>& isAsked) const
 {
 	const std::size_t face = std::size_t(surface_.sourceFace[h / 3]);
@@ -76,7 +76,7 @@ bool CreaseClearance::isBeside(int h, const std::vector<bool>& isAsked) const
 	return g < 0 || surface_.sourceFace[g / 3] != int(face);
 }
 
-/// Of the edges beside h on its own side.
+/// The largest angle at the edges beside h, on the side of h.
 float CreaseClearance::steepestBeside(int h) const
 {
 	if (!steepest_.empty()) return steepest_[surface_.sourceFace[h / 3]];

@@ -10,32 +10,32 @@
 
 namespace gpr {
 
-/// Angle between the normals of the two faces of h, radians; 0 at a border and beside faces without
-/// area.
+/// Angle between the normals of the two faces of h, radians; 0 at a border and beside degenerate
+/// faces.
 float dihedralAngle(const HalfEdgeMesh& mesh, int h);
 
-/// Tells the edges of a crease, which stand out from what is beside them, from those of noise,
-/// which have others nearly as sharp beside them.
+/// Tells real crease edges from noise. A real crease is much sharper than the edges beside it; an
+/// edge of noise has neighbours nearly as sharp.
 ///
-/// Where long edges have been split, the edges beside one are those of the caller's two faces that
-/// meet there: the new ones inside of these are flat, and any noise would stand out from them.
+/// If long edges were split, the edges beside a crease edge are the edges of its two input faces:
+/// new edges inside an input face are flat, and any noise would look clear beside flat edges.
 class CreaseClearance {
 public:
-	/// For the edges that are creases now. `edges`: one half-edge of each, or more than these; only
-	/// their clearance is known. isSplit: whether faces are only parts of the caller's. Cost:
-	/// nothing unless isSplit, else a parallel pass over the faces.
+	/// Prepares isClear for the edges in `edges`, all marked as creases in the mesh; more
+	/// half-edges do no harm. isSplit: whether faces are parts of input faces. Cost: nothing unless
+	/// isSplit, else a parallel pass over the faces.
 	CreaseClearance(const Surface& surface, bool isSplit, const std::vector<int>& edges,
 					Workers& workers);
 
-	/// Whether h is three times as sharp as all edges beside it that are no creases, and there is
-	/// one: a crease beside it, as at the corner of a cube, says nothing.
+	/// Whether h is at least three times as sharp as every edge beside it, creases left out. False
+	/// if all edges beside h are creases, as at the corner of a cube.
 	bool isClear(int h) const;
 
 private:
 	const Surface&      surface_;
 	const HalfEdgeMesh& m_;
-	/// Per face of the caller that is asked for: the largest angle at its edges that are no
-	/// creases. Empty if nothing was split.
+	/// Per input face beside the given edges: the largest angle at its edges, creases left out.
+	/// Empty if nothing was split.
 	std::vector<float> steepest_;
 
 	void  findSteepest(const std::vector<int>& edges, Workers& workers);

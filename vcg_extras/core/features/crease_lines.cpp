@@ -17,13 +17,14 @@ namespace gpr {
 
 namespace {
 
-/// Fewer mean edges than this in a row are noise whatever they look like.
+/// A connected set of lines shorter than this, in mean edges, is noise.
 constexpr float clearLength = 4;
-/// Share of the sharp length that must be clear: CAD models have 0.77 and more, scans up to 0.47.
+/// Least share of the sharp length that is clear of noise: CAD models have 0.77 and more, scans up
+/// to 0.47.
 constexpr float clearShare = 0.7f;
-/// A line goes on straight ahead within this.
+/// Least cosine between a line and the edge that continues it.
 constexpr float goOnCosine = 0.5f;
-/// The angle defects round a cone apex are at most this share of its own.
+/// The angle defects of neighbours of a cone apex are at most this share of its own defect.
 constexpr float apexContrast = 0.2f;
 
 float edgeLength(const HalfEdgeMesh& m, int h)
@@ -31,7 +32,7 @@ float edgeLength(const HalfEdgeMesh& m, int h)
 	return length(m.position[m.target(h)] - m.position[m.origin[h]]);
 }
 
-/// The lines under way: a set of edges, each named by its smaller half-edge, as a graph.
+/// The lines under way: a graph of edges, each named by its smaller half-edge.
 class CreaseGraph {
 public:
 	CreaseGraph(Surface& surface, const CreaseRules& rules, Workers& workers) :
@@ -56,7 +57,7 @@ public:
 			dropShortOnes();
 		}
 		found.coneApexes =
-			findConeApexes(); // corners of lines that are dropped for others are none
+			findConeApexes(); // before close lines go: their corners are no cone apexes
 		if (rules_.mode == FeatureMode::Auto && rules_.minGap > 0) dropCloseOnes();
 		found.edgeNum = std::int64_t(edges_.size());
 		if (edges_.empty()) m_.crease.release();
@@ -68,12 +69,12 @@ private:
 	HalfEdgeMesh&      m_;
 	const CreaseRules& rules_;
 	Workers&           workers_;
-	std::vector<int>   edges_; ///< marked ones
+	std::vector<int>   edges_; ///< the marked edges
 
-	// ---- sharp edges
+	// ---- crease edges
 
-	/// Ascending. Where no edge sought is flatter than those that make vertices rough, only these
-	/// are looked at; a degree is left for rounding.
+	/// The edges sharper than strongDeg, ascending. If every edge sought makes its vertices rough,
+	/// only rough vertices are visited; a degree is left for rounding.
 	std::vector<int> findSharpEdges() const
 	{
 		const float      cosine = float(portable::cos(double(rules_.strongDeg * radians)));
@@ -85,7 +86,7 @@ private:
 		return sharp;
 	}
 
-	/// Each edge once, by its smaller half-edge.
+	/// Adds the edges found at v, each once, by its smaller half-edge.
 	void addSharpEdges(int v, float cosine, std::vector<int>& out) const
 	{
 		forEachOutgoing(m_, v, [&](int h) {
@@ -101,10 +102,10 @@ private:
 		return isSharper(own, other, cosine);
 	}
 
-	/// Whether faces with these cross products meet below this cosine.
+	/// Whether faces with these cross products meet at an angle whose cosine is at most `cosine`.
 	static bool isSharper(const Vec3f& a, const Vec3f& b, float cosine)
 	{
-		// In double, or the fourth powers of short edges would vanish.
+		// In double: as floats, the fourth powers of short edges would vanish.
 		const double scale = double(squaredLength(a)) * double(squaredLength(b));
 		const double d     = double(dot(a, b));
 		if (!(scale > 0)) return false;
@@ -150,7 +151,7 @@ private:
 
 	// ---- noise
 
-	/// Length of edges, and what of it is clear of noise.
+	/// Total length of edges, and the length clear of noise.
 	struct Lengths {
 		double all = 0, clear = 0;
 
@@ -163,8 +164,8 @@ private:
 		bool areNoise() const { return clear < clearShare * all; }
 	};
 
-	/// What hangs together with what is only asked where the edges by themselves do not tell: of a
-	/// scan they do, and it has many.
+	/// Whether the edges found look like noise. Components are built only if the single edges do
+	/// not show noise: a scan has many crease edges, and there the single edges show noise.
 	bool looksLikeNoise(const std::vector<int>& sharp) const
 	{
 		if (sharp.empty()) return false;
@@ -190,7 +191,8 @@ private:
 
 	bool isSplit() const { return rules_.callersMeanEdge > 0; }
 
-	/// Of the caller's mesh: of about a million half-edges, or all where there are fewer.
+	/// Mean edge of the input, measured on about a million half-edges, or on all if there are
+	/// fewer.
 	float meanEdge() const
 	{
 		if (isSplit()) return rules_.callersMeanEdge;
@@ -201,13 +203,13 @@ private:
 		return float(sum / double(num));
 	}
 
-	/// What is linked to a vertex of a line.
+	/// The connected lines at a vertex.
 	struct Extent {
 		float length = -1;
 		int   endNum = 0; ///< free ends
 	};
 
-	/// For every vertex of the edges, all marked.
+	/// The extent for every vertex of the edges, which are all marked.
 	std::unordered_map<int, Extent> extentOfComponents(const std::vector<int>& edges) const
 	{
 		std::unordered_map<int, Extent> extentAt;
@@ -224,7 +226,8 @@ private:
 		return extentAt;
 	}
 
-	/// Collects what is linked to v, and marks it as seen by a length.
+	/// Collects the vertices linked to v, and gives each a length of 0 as the mark of a seen
+	/// vertex.
 	Extent extentFrom(int v, std::unordered_map<int, Extent>& seen,
 					  std::vector<int>& component) const
 	{
@@ -253,7 +256,7 @@ private:
 
 	// ---- growing
 
-	/// Lines fade: from each free end on along the weaker edges that continue them.
+	/// Lines fade out: continues each free end along weaker edges.
 	void growFromEnds(const std::vector<int>& sharp)
 	{
 		std::vector<int> ends;
@@ -279,7 +282,8 @@ private:
 		}
 	}
 
-	/// The sharpest edge that goes on from the end v of a line within 60° of its direction.
+	/// The sharpest edge that continues the line at its end v, within 60° of its direction; -1 if
+	/// none.
 	int bestContinuation(int v) const
 	{
 		Vec3f ahead;
@@ -299,7 +303,7 @@ private:
 		return best;
 	}
 
-	// ---- short ones
+	// ---- short lines
 
 	void dropShortOnes()
 	{
@@ -323,7 +327,7 @@ private:
 		dropShortOnes();
 	}
 
-	/// The edges named, ascending.
+	/// Drops the given edges, ascending.
 	void drop(const std::vector<int>& edges)
 	{
 		keepOnly([&](int h) { return !std::binary_search(edges.begin(), edges.end(), h); });
@@ -350,8 +354,8 @@ private:
 
 	bool isFreeEnd(int v) const { return !m_.isBorderVertex(v) && m_.creaseNum(v) == 1; }
 
-	/// The chain that begins with e, if it is too short and ends at a fork: dropped, the fork is a
-	/// plain vertex of the line.
+	/// Collects the chain from e if it is shorter than minSpur and ends at a fork. Without the
+	/// chain, the fork is a plain vertex of the line.
 	void collectSpur(int e, std::vector<int>& spurs) const
 	{
 		std::vector<int> chain;
@@ -366,7 +370,7 @@ private:
 		spurs.insert(spurs.end(), chain.begin(), chain.end());
 	}
 
-	/// The edge after h in a chain; -1 at its end or at a fork.
+	/// The half-edge after h in a chain; -1 at its end or at a fork.
 	int onlyNext(int h) const
 	{
 		const int v    = m_.target(h);
@@ -381,7 +385,7 @@ private:
 
 	// ---- cone apexes
 
-	/// 2π less the angles at v: 0 on flat ground.
+	/// The angle defect, 2π less the angles at v: 0 on flat ground.
 	float defect(int v) const
 	{
 		float sum = float(2 * pi);
@@ -398,8 +402,8 @@ private:
 		return workers_.collectIf(m_.vertexNum, [&](int v) { return isConeApex(v); });
 	}
 
-	/// Cheap test that the apex of any cone with such a defect passes: the normals round it spread,
-	/// to n·axis = 1 - defect / 2π.
+	/// Cheap test passed by the apex of every cone with such a defect: the normals round it spread,
+	/// with n·axis = 1 - defect / 2π.
 	bool isPointed(int v) const
 	{
 		const float spread = spreadAtApex(rules_.strongDeg);

@@ -12,7 +12,7 @@ namespace gpr {
 
 namespace {
 
-/// Arc length of the curve from a vertex to a neighbour, or 0 if that is not on the curve.
+/// Arc length of the curve from a vertex to a neighbour; 0 if the neighbour is on another curve.
 float arcBetween(const Curve& c, const ResultVertex& from, const ResultVertex& to)
 {
 	return from.curve == to.curve ? c.wrap(to.arc - from.arc) : 0.0f;
@@ -25,8 +25,8 @@ SlideRoom roomAtBorder(const ResultMesh& r, const Curve& c, int v)
 			last, next};
 }
 
-/// Arc at which neighbour w of v lies on v's open curve: its own, or the end it stands at. Where
-/// both ends are the same node, the nearer one is meant.
+/// Arc of neighbour w of v on the open curve of v: the own arc of w, or the end of the curve at w.
+/// If both ends are the same node, the nearer end counts.
 float arcOfNeighbour(const Curve& c, const ResultVertex& v, const ResultVertex& w)
 {
 	if (!w.isCorner && w.curve == v.curve) return w.arc;
@@ -61,17 +61,17 @@ SlideRoom roomOnCrease(const ResultMesh& r, const Curve& c, int v)
 
 /// Arcs between neighbours on a curve, in wanted edges.
 constexpr float minSpacing = 0.7f, maxSpacing = 1.3f;
-/// How far a curve may leave its chords, in ideal edges; see CurveSpacing.
+/// The largest distance of a curve from its chords, in ideal edges; see CurveSpacing.
 constexpr float tolerance = 0.08f;
 
-/// How far v's curve leaves the chords from its last neighbour by way of a vertex at each arc to
-/// the next one.
+/// Largest distance of the curve of v from a polygon: from the last neighbour through vertices at
+/// the given arcs to the next neighbour.
 float deviationBy(const BoundaryCurves& curves, const ResultVertex& v, const SlideRoom& room,
 				  std::initializer_list<float> arcs)
 {
 	const Curve& c    = curves.curves[v.curve];
 	float        from = v.arc - room.backward, worst = 0;
-	// On a closed curve the stretch may begin before its first point.
+	// On a closed curve the stretch may begin before the first point.
 	const float lap = from < 0 ? c.length : 0.0f;
 	for (float to : arcs) {
 		worst = std::max(worst, deviation(c, from + lap, to + lap));
@@ -80,8 +80,8 @@ float deviationBy(const BoundaryCurves& curves, const ResultVertex& v, const Sli
 	return std::max(worst, deviation(c, from + lap, v.arc + room.forward + lap));
 }
 
-/// How far it may leave the chords that take the place of those now: as far as spacing may, or as
-/// it leaves them now.
+/// The largest allowed distance of the curve from new chords: the tolerance of spacing, or the
+/// distance from the chords of now.
 float allowedDeviation(const ResultMesh& result, const BoundaryCurves& curves,
 					   const ResultVertex& v, const SlideRoom& room)
 {

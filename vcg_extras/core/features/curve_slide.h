@@ -10,8 +10,8 @@
 
 namespace gpr {
 
-/// How far a vertex of a curve may slide along it: arc lengths to its two neighbours on the curve.
-/// Zero where it must stay or where a neighbour is on no curve of the same.
+/// How far a vertex may slide along its curve: arc lengths to its two neighbours on the curve. Zero
+/// if the vertex must stay or the neighbour is on another curve.
 struct SlideRoom {
 	float backward = 0;
 	float forward  = 0;
@@ -22,30 +22,31 @@ struct SlideRoom {
 	bool isOpen() const { return backward > 0 && forward > 0; }
 };
 
-/// The room of v, a vertex of a curve. None for a vertex where feature lines meet.
+/// The room of v, a vertex of a curve. None for a vertex at which feature lines meet.
 SlideRoom slideRoom(const ResultMesh& result, const BoundaryCurves& curves, int v);
 
-/// Unit direction in which the arc of a vertex with room to slide grows: of the chord over a
-/// quarter of the way to its neighbours.
+/// Unit direction in which the arc grows at a vertex with room to slide: the direction of the chord
+/// over a quarter of the room on either side.
 Vec3f slideDirection(const BoundaryCurves& curves, const ResultVertex& vertex,
 					 const SlideRoom& room);
 
-/// Whether after a slide of v by `step` the two chords at it leave the curve no further than
-/// spacing may (CurveSpacing), or than they do now.
+/// Whether a slide of v by `step` keeps the two chords at v close to the curve: within the
+/// tolerance of spacing (see CurveSpacing), or no further from the curve than now.
 bool slideKeepsToCurve(const ResultMesh& result, const BoundaryCurves& curves, int v,
 					   const SlideRoom& room, float step);
 
-/// Whether the one edge between its neighbours on the curve would stay as close to the curve as the
-/// two edges of v do, or as is aimed at; false for vertices that must stay.
+/// Whether v may go from its curve: the edge between its neighbours on the curve is as close to the
+/// curve as the two edges at v, or within the tolerance of spacing. False for vertices that must
+/// stay.
 bool mayLeaveCurve(const ResultMesh& result, const BoundaryCurves& curves, int v);
 
-/// Whether after a slide of v by `step` its neighbours on the curve lie between 0.7 and 1.3 wanted
-/// edges away along it, or at least within what they do now: slide after slide must not crowd
-/// vertices here and leave long edges there.
+/// Whether a slide of v by `step` leaves its neighbours on the curve between 0.7 and 1.3 wanted
+/// edges away along the curve, or within the range of the two arcs now. So repeated slides cannot
+/// crowd vertices at one place and leave long edges at another.
 bool slideKeepsSpacing(const ResultMesh& result, const BoundaryCurves& curves, int v,
 					   const SlideRoom& room, float step);
 
-/// The record of a vertex, moved by `step` along its curve.
+/// The record of a vertex after a slide by `step` along its curve.
 ResultVertex slid(const Surface& surface, const BoundaryCurves& curves, const ResultVertex& vertex,
 				  float step);
 

@@ -10,10 +10,11 @@ namespace gpr {
 
 namespace {
 
-/// How far from the edge's own middle a point may lie, of the edge.
+/// The largest distance of the point from the straight middle of the edge, over the length of the
+/// edge.
 constexpr float farthestOff = 0.25f;
 
-/// The nearest to an edge's own middle of the points that are offered.
+/// Keeps, of all points offered, the point nearest to the straight middle of an edge.
 class NearestToMiddle {
 public:
 	NearestToMiddle(const HalfEdgeMesh& m, int a, int b, ResultVertex& middle) :
@@ -39,7 +40,8 @@ private:
 	bool          found_ = false;
 };
 
-/// A point of the surface halfway from a to b, by walking from a, in the face at hand.
+/// Sets `middle` to a point of the surface halfway from a to b, by a walk that starts at `from`.
+/// False if the walk stops early or ends much nearer to one end than half the edge.
 bool walkHalfway(const Surface& surface, const HalfEdgeMesh& m, int a, int b,
 				 const SurfacePoint& from, ResultVertex& middle)
 {
@@ -55,7 +57,7 @@ bool walkHalfway(const Surface& surface, const HalfEdgeMesh& m, int a, int b,
 		   length(middle.point.position - m.position[b]) > 0.5f * reach;
 }
 
-/// The right face to begin in is the one whose walk stays nearest to the straight line.
+/// Tries a walk from every face at a and keeps the walk that ends nearest to the straight middle.
 bool findMiddleFromCrease(const Surface& surface, const ResultMesh& result, int a, int b,
 						  ResultVertex& middle)
 {

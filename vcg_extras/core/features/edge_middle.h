@@ -9,13 +9,14 @@
 
 namespace gpr {
 
-/// Sets `middle` to a point of the surface halfway between the vertices a and b, by walking from
-/// the one of them that lies on no feature line. False where no walk ends well between them.
+/// Sets `middle` to a point of the surface halfway between the vertices a and b. The walk starts at
+/// a vertex on no feature line; if both lie on feature lines, every face at a is tried. False if no
+/// walk ends near the middle.
 bool findMiddle(const Surface& surface, const ResultMesh& result, int a, int b,
 				ResultVertex& middle);
 
-/// The same for neighbours on a curve: a point of that halfway between them. False where neither of
-/// them may slide along it.
+/// Sets `middle` to a point halfway between the neighbours a and b on a curve, along the curve.
+/// False if neither may slide along the curve.
 bool findMiddleOnCurve(const Surface& surface, const BoundaryCurves& curves,
 					   const ResultMesh& result, int a, int b, ResultVertex& middle);
 

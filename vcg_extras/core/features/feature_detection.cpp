@@ -16,22 +16,23 @@ namespace gpr {
 
 namespace {
 
-/// Of the square root of the area: a size that does not change when the surface is turned, as that
-/// of its box would.
+/// The largest support over the square root of the area. Unlike the size of the bounding box, the
+/// area does not change when the surface is turned.
 constexpr float largestSupport = 0.05f;
-/// Where the surface bends as much on both sides of an edge as at it, it is round there.
+/// A side counts as round if an edge there has at least this share of the strength of the edge at
+/// hand.
 constexpr float plateauShare = 0.7f;
 constexpr int   maxCrossings = 256;
-/// Share of an edge's strength that its own two faces must make up for it to be a crease of the
-/// mesh, not of the shape the mesh goes round.
+/// The dihedral angle must be at least this share of the strength for a crease of the mesh. Below,
+/// the mesh only goes round a bend of the shape.
 constexpr float creaseShare = 0.5f;
-/// A line turns at a corner by this at least, seen from a support away on either side.
+/// A line turns by at least this at a corner, seen from a support away on either side.
 constexpr float cornerTurnDeg = 50;
 constexpr float cornerShare   = 0.7f;
-/// A gap is bridged along edges that turn by 60° at most.
+/// A gap is bridged along edges that turn by at most 60°.
 constexpr float bridgeCosine = 0.5f;
 
-/// Of the sides of all faces.
+/// Mean length of the sides of all faces.
 float meanSideLength(const Buffer<Vec3f>& position, const Buffer<int>& corner, int faceNum,
 					 Workers& workers)
 {
@@ -43,7 +44,7 @@ float meanSideLength(const Buffer<Vec3f>& position, const Buffer<int>& corner, i
 	return faceNum > 0 ? float(sum / (3.0 * faceNum)) : 0;
 }
 
-/// One detection; its parts in the order in which they run.
+/// A detection. Its parts are written in the order in which they run.
 class Detection {
 public:
 	Detection(const Surface& surface, const FeatureThresholds& thresholds, Workers& workers,
@@ -96,8 +97,8 @@ private:
 		});
 	}
 
-	/// What candidates compete by. The strength of a crease is also felt beside it, up to a support
-	/// away; that it lies in this very edge is what the dihedral angle tells.
+	/// Candidates compete by sharpness. The strength of a crease is also felt beside it, up to a
+	/// support away; the dihedral angle tells whether the crease lies in this very edge.
 	void measureSharpness()
 	{
 		sharpness_.reset(m_.halfEdgeNum());
@@ -131,10 +132,10 @@ private:
 			degree_[v] = std::uint8_t(std::clamp(degree_[v] + by, 0, 255));
 	}
 
-	/// A crease of the mesh that is no smaller than the weak angle and the sharpest across. Where
-	/// it is strong by its own two faces, only their edges compete, so that two creases may lie
-	/// closer than a support; otherwise all within half a support, so that a crease that the mesh
-	/// rounds off over several edges becomes one line, and there must be a flatter side.
+	/// Whether h is a crease of the mesh, sharper than weakDeg and the sharpest across. If the
+	/// dihedral angle is above strongDeg, only edges of the same two faces compete, so that two
+	/// creases may lie closer than a support. Otherwise all edges within half a support compete, so
+	/// that a crease rounded off over several edges becomes one line, and a side must be flatter.
 	bool isCandidate(int h) const
 	{
 		if (sharpness_[h] < float(thresholds_.weakDeg) || !isCrease(h)) return false;
@@ -151,7 +152,7 @@ private:
 		return std::min(h, m_.opposite[h]) < std::min(than, m_.opposite[than]);
 	}
 
-	/// Against the two other edges of its face, as far as they run beside it rather than away.
+	/// Whether h is the sharpest edge of its face, among edges that run beside h rather than away.
 	bool isSharpestBeside(int h) const
 	{
 		for (int other : {nextInFace(h), prevInFace(h)}) {
@@ -162,13 +163,14 @@ private:
 		return true;
 	}
 
-	/// Edges within 60° of each other run side by side; others meet at an angle and do not compete.
+	/// Edges within 60° of each other run side by side; edges that meet at a larger angle do not
+	/// compete.
 	static constexpr float besideCosine = 0.5f;
 
-	/// What a look across an edge sees on one side.
+	/// The findings of a look across an edge, on one side.
 	struct Beyond {
 		bool isSharper = false; ///< an edge within half a support is sharper
-		bool isRound   = false; ///< beyond that there is one about as strong: the surface is round
+		bool isRound   = false; ///< an edge further away is about as strong: the surface is round
 	};
 
 	Beyond lookBeyond(int start, int h) const
@@ -190,7 +192,7 @@ private:
 
 	// ---- linking
 
-	/// Calls visit(h) for every marked edge at v, as a half-edge that leaves v or enters it.
+	/// Calls visit(h) for the outgoing half-edge of every marked edge at v.
 	template <class Visit>
 	void forEachMarkedAt(int v, const Visit& visit) const
 	{
@@ -218,8 +220,8 @@ private:
 		marked_.erase(std::remove_if(marked_.begin(), marked_.end(), isGone), marked_.end());
 	}
 
-	/// Where a line ends, goes on along the strongest edges ahead; what reaches another line within
-	/// a support is marked.
+	/// Continues each line from its end along the strongest edges ahead, and marks the path if it
+	/// reaches another line within a support.
 	void bridgeGaps()
 	{
 		const std::size_t num = marked_.size();
@@ -234,7 +236,7 @@ private:
 		}
 	}
 
-	/// The way from the end of half-edge `last` to another marked edge.
+	/// Finds the path from the end of half-edge `last` to another marked edge.
 	bool findBridge(int last, std::vector<int>& path) const
 	{
 		path.clear();
@@ -250,7 +252,7 @@ private:
 		}
 	}
 
-	/// The strongest edge ahead, -1 if none is weak at least.
+	/// The sharpest edge ahead; -1 if no edge ahead is as strong as weakDeg.
 	int bestStep(int last) const
 	{
 		const Vec3f direction = normalized(along(last));
@@ -266,7 +268,7 @@ private:
 		return step;
 	}
 
-	/// Drops branches shorter than a support that end blindly.
+	/// Drops branches with a free end that are shorter than a support.
 	void pruneSpurs()
 	{
 		std::vector<int> path;
@@ -283,8 +285,7 @@ private:
 		dropUnmarked();
 	}
 
-	/// Whether the line that begins with half-edge `first` at a blind end meets a branching within
-	/// a support.
+	/// Whether the line from half-edge `first`, at a free end, meets a fork within a support.
 	bool isSpur(int first, std::vector<int>& path) const
 	{
 		path.clear();
@@ -298,7 +299,7 @@ private:
 		return false;
 	}
 
-	/// The line's next half-edge, -1 where it ends or branches.
+	/// The next half-edge of the line; -1 at its end or at a fork.
 	int nextOnLine(int h) const
 	{
 		if (degree_[m_.target(h)] != 2) return -1;
@@ -311,7 +312,8 @@ private:
 
 	// ---- lines
 
-	/// Hysteresis: connected candidates stay where one of them is strong and all together are long.
+	/// Hysteresis: connected candidates stay if at least one is strong and their total length is
+	/// enough.
 	void keepStrongLines()
 	{
 		std::vector<int>     line, front;
@@ -330,7 +332,7 @@ private:
 		out_.edgeNum = std::int64_t(marked_.size());
 	}
 
-	/// One half of each marked edge that is connected to v.
+	/// Collects one half-edge of each marked edge connected to v.
 	void collectLine(int v, Buffer<std::uint8_t>& seen, std::vector<int>& front,
 					 std::vector<int>& line) const
 	{
@@ -390,8 +392,8 @@ private:
 		return pair;
 	}
 
-	/// By how much a line turns at v, degrees; 0 where it only goes round, so that the turn seen
-	/// from half a support away is much less than that seen from a support.
+	/// The turn of a line at v, degrees. 0 on a round bend: there the turn seen from half a support
+	/// away is much less than the turn seen from a support.
 	float turnAt(int v) const
 	{
 		const std::array<int, 2> pair   = markedPairAt(v);
@@ -412,7 +414,8 @@ private:
 		return end - m_.position[m_.origin[first]];
 	}
 
-	/// Calls visit(vertex) along a line up to the first vertex `reach` away, or while it is true.
+	/// Calls visit(vertex) along a line up to the first vertex `reach` away, or until visit returns
+	/// false.
 	template <class Visit>
 	void followLine(int first, float reach, const Visit& visit) const
 	{
@@ -440,7 +443,7 @@ private:
 
 	// ---- cone apexes
 
-	/// a cone apex has no crease: what tells it is that its faces do not close a full turn.
+	/// A cone apex has no crease: its faces do not close a full turn.
 	void markConeApexes()
 	{
 		Buffer<float> defect(m_.vertexNum, 0);
@@ -457,7 +460,7 @@ private:
 		}
 	}
 
-	/// Vertices nearer than that to v, v included, along edges; bounded.
+	/// Calls visit for the vertices nearer to v than `reach`, v included, along edges; bounded.
 	template <class Visit>
 	void forEachNear(int v, float reach, const Visit& visit) const
 	{
@@ -473,7 +476,8 @@ private:
 		}
 	}
 
-	/// Sum of the angle defects within half a support, degrees: bumps of noise cancel out in it.
+	/// Sum of the angle defects within half a support, degrees. Bumps of noise cancel out in the
+	/// sum.
 	float defectAbout(int v) const
 	{
 		float sum = 0;

@@ -11,7 +11,7 @@
 
 namespace gpr {
 
-/// Features of a surface, in its numbering.
+/// Features of a surface, in the numbering of the surface.
 struct FeatureEdges {
 	Buffer<float>        edgeStrength;  ///< per half-edge, degrees; both halves alike, 0 at borders
 	Buffer<std::uint8_t> isFeatureEdge; ///< per half-edge, 0 or 1; both halves alike
@@ -20,36 +20,37 @@ struct FeatureEdges {
 
 	float        support      = 0;     ///< radius of the half-disks, working units
 	float        minLength    = 0;     ///< of a line, working units
-	bool         supportCut   = false; ///< the support asked for was above the largest one
-	std::int64_t edgeNum      = 0;     ///< feature edges
-	std::int64_t lineNum      = 0;     ///< connected sets of feature edges
+	bool         supportCut   = false; ///< the requested support was above the largest support
+	std::int64_t edgeNum      = 0;     ///< edges of feature lines
+	std::int64_t lineNum      = 0;     ///< connected sets of such edges
 	std::int64_t cornerNum    = 0;
 	std::int64_t coneApexNum  = 0;
-	std::int64_t cappedRayNum = 0; ///< rays that ended by their bound instead of at the support
+	std::int64_t cappedRayNum = 0; ///< rays cut off before they reached the support
 };
 
-/// Mean length of the faces' sides, working units.
+/// Mean length of the sides of all faces, working units.
 float meanEdgeLength(const HalfEdgeMesh& mesh, Workers& workers);
 float meanEdgeLength(const IndexedMesh& mesh, Workers& workers);
 
-/// Finds creases and cone apexes by a uniformly supported second-order difference (paper §3.1 names
-/// it after Wang 2006 and leaves the thresholds to the user; its formula could not be found in
-/// readable form, this one is the project's, docs/features.md).
+/// Finds creases and cone apexes by a uniformly supported second-order difference. Paper §3.1 names
+/// the method after Wang 2006 and leaves the thresholds to the user. The formula of Wang could not
+/// be found in readable form; the formula here is the project's (docs/features.md).
 ///
 /// The strength of an edge is the angle between the mean normals of its two half-disks (see
-/// feature_strength.h), that of a vertex the largest of its edges'. A crease is felt up to a
-/// support away, so lines are made of what is sharp: the mean of strength and dihedral angle, where
-/// the latter makes up half of the strength at least and the surface is not as round on both sides.
-/// Edges sharp by weakDeg and sharper than those across are candidates; gaps shorter than a support
-/// are bridged, spurs shorter than that dropped. A line stays that has an edge sharp by strongDeg
-/// and is minLength supports long. A cone apex is a vertex on no line about which the angle defects
-/// within half a support add up to strongDeg.
+/// feature_strength.h). The strength of a vertex is the largest strength of its edges. Strength is
+/// also felt beside a crease, up to a support away. So lines are made by sharpness, the mean of
+/// strength and dihedral angle. The dihedral angle must be at least half of the strength, and the
+/// surface must not be as round on both sides. Candidates are edges sharper than weakDeg and than
+/// the edges across. Gaps shorter than a support are bridged, shorter spurs are dropped. A line
+/// stays if one of its edges is sharper than strongDeg and its length is minLength supports. A cone
+/// apex is a vertex far from lines, with angle defects within half a support that add up to
+/// strongDeg.
 ///
-/// meanEdge: working units, the length that thresholds.support counts in; that of the caller's mesh
-/// even where the surface has been refined since. The support is at most 5 % of the square root of
-/// the area, so that the half-disks of a box of twelve triangles do not wrap round it.
-/// Cost: linear, parallel but for the linking; about 2 s per million faces and core with the
-/// default support, growing with it.
+/// meanEdge: the unit of thresholds.support, in working units: the mean edge of the input, even
+/// after the surface has been refined. The support is at most 5 % of the square root of the area,
+/// so that the half-disks of a box of twelve triangles do not wrap round it. Cost: linear, parallel
+/// but for the linking; about 2 s per million faces and core with the default support, growing with
+/// the support.
 FeatureEdges findFeatures(const Surface& surface, const FeatureThresholds& thresholds,
 						  float meanEdge, Workers& workers);
 

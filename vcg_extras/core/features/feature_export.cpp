@@ -11,9 +11,9 @@ namespace {
 
 using Corners = std::array<std::int32_t, 3>;
 
-/// Which of the caller's vertices the corners of a working face are. Ordering turned the face,
-/// repairing may have turned it over, welding may have moved its corners a little: of the six ways
-/// to lay it on the caller's face the one that moves its corners least.
+/// The input vertices at the corners of a working face. Ordering may have turned the face, repair
+/// may have inverted it, welding may have moved its corners a little. So the best of the six ways
+/// to lay the face on its input face counts: the corners move least.
 Corners callersCorners(const MeshView& input, const Surface& s, int f)
 {
 	static constexpr int ways[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
@@ -60,7 +60,7 @@ void exportFeatures(const MeshView& input, const Surface& surface, const Feature
 	for (int f = 0; f < surface.mesh.faceNum; ++f)
 		exportFace(surface, features, f, callersCorners(input, surface, f), out);
 
-	// A vertex in no usable face, or an index out of range, never gets here as marked.
+	// A vertex in no usable face, or an index out of range, is never marked here.
 	out.faceMark.assign(input.faceNum, 0);
 	for (int f = 0; f < surface.mesh.faceNum; ++f) {
 		const std::int32_t source = surface.sourceFace[f];

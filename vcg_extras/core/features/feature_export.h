@@ -9,10 +9,9 @@
 
 namespace gpr {
 
-/// Puts what was found on the working surface into the numbering of the caller's mesh. Where
-/// cleaning made several vertices of one of the caller's, or one of several, strengths are the
-/// largest of all and marks are joined. The surface must have whole faces of the caller's, not
-/// split ones. Cost: linear, serial.
+/// Converts the features of the working surface to the numbering of the input mesh. If repair
+/// joined or doubled vertices, the largest strength counts and marks are joined. The surface must
+/// have whole input faces, not split faces. Cost: linear, serial.
 void exportFeatures(const MeshView& input, const Surface& surface, const FeatureEdges& features,
 					FeatureResult& out);
 

@@ -12,12 +12,12 @@ namespace gpr {
 
 namespace {
 
-/// Rounding puts less on the corner opposite to the edge that was split.
+/// Rounding gives less weight to the corner opposite to a split edge.
 constexpr float weightThatCounts = 1e-4f;
 
-/// Which of the caller's vertices a vertex of the surface is, by its place: rounding moves no
-/// vertex far, but where triangles are small it puts much weight on the corners beside it. -1 for a
-/// vertex that was made by a split.
+/// The input vertex at the place of vertex v; -1 if v was made by a split. Decided by place, not by
+/// weights: rounding moves no vertex far, but on small triangles it puts much weight on the wrong
+/// corners.
 std::int32_t callersVertexAt(const MeshView& input, const Surface& surface, int v)
 {
 	const int    face    = surface.sourceFace[pointOfVertex(surface, v).face];

@@ -11,25 +11,27 @@ namespace gpr {
 
 namespace {
 
-/// A support is some edges long, so that a ray crosses ten faces or so. Among needles it could
+/// A support is a few edges long, so that a ray crosses about ten faces. Among needles a ray could
 /// cross any number.
 constexpr int maxCrossings = 256;
 
-/// Six rays in the middle of sectors of 30°. An even number: a ray at right angles would run
-/// straight into the apex of every symmetric triangle, where rounding decides which way it goes.
+/// Six rays in the middle of sectors of 30°. The number is even: a ray at right angles would run
+/// straight into the apex of every symmetric triangle, and rounding would decide on which side it
+/// passes.
 constexpr RayDirection rays[] = {{0.96592583f, 0.25881905f},  {0.70710678f, 0.70710678f},
 								 {0.25881905f, 0.96592583f},  {-0.25881905f, 0.96592583f},
 								 {-0.70710678f, 0.70710678f}, {-0.96592583f, 0.25881905f}};
 
 constexpr int rayNum = int(sizeof(rays) / sizeof(rays[0]));
 
-/// The rays of a half-disk, followed together as long as they cross the same faces: that halves
-/// the work.
+/// The rays of a half-disk. Rays are followed together as long as they cross the same faces, which
+/// halves the work.
 class RayFan {
 public:
 	RayFan(const HalfEdgeMesh& mesh, float support) : m_(mesh), support_(support) {}
 
-	/// Of the half-disk on the side of half-edge h; not normalised, zero where it has no area.
+	/// The mean normal of the half-disk on the side of half-edge h; not normalised, zero if the
+	/// half-disk has no area.
 	Vec3f meanNormal(int h)
 	{
 		sum_ = Vec3f();
@@ -54,7 +56,7 @@ private:
 	const HalfEdgeMesh& m_;
 	float               support_;
 	Vec3f               sum_;
-	float               distance_[rayNum]; ///< how far each ray has come
+	float               distance_[rayNum]; ///< length of each ray so far
 	Bundle              pending_[rayNum];  ///< bundles only part, so there are never more than rays
 	int                 pendingNum_ = 0;
 	std::int64_t        cappedNum_  = 0;
@@ -79,7 +81,8 @@ private:
 		}
 	}
 
-	/// Takes rays to the edge p -> q or the end of the support. Returns what the pieces weigh.
+	/// Extends rays to the edge p -> q or to the end of the support. Returns the weight of the new
+	/// stretches.
 	float advance(PlanePoint p, PlanePoint q, int first, int end)
 	{
 		float weight = 0;
@@ -92,7 +95,7 @@ private:
 		return weight;
 	}
 
-	/// Keeps for later the rays from `first` on, which leave the face over c -> a.
+	/// Keeps the rays from `first` on for later; they leave the face over c -> a.
 	void branch(const Bundle& b, int first)
 	{
 		Bundle& other = pending_[pendingNum_];
@@ -101,8 +104,9 @@ private:
 		if (dropArrived(other) && other.face.crossCA(m_)) ++pendingNum_;
 	}
 
-	/// Only rays at the two ends of a bundle can have arrived when others have not: the way to a
-	/// straight edge is longest there. False if none is left.
+	/// Drops rays that have reached the support. Only rays at the two ends of a bundle can have
+	/// arrived before the rest: the way to a straight edge is longest there. False if no ray is
+	/// left.
 	bool dropArrived(Bundle& b) const
 	{
 		while (b.first < b.end && distance_[b.first] >= support_)

@@ -10,31 +10,31 @@
 
 namespace gpr {
 
-/// Second-order differences of the edges of a surface, degrees, per half-edge and the same for both
-/// halves; 0 at borders.
+/// Second-order differences of the edges of a surface, degrees, per half-edge; both halves of an
+/// edge are alike, 0 at borders.
 struct EdgeDifferences {
-	/// Uniformly supported: the angle between the mean normals of the edge's two half-disks.
+	/// Uniformly supported: the angle between the mean normals of the two half-disks of the edge.
 	Buffer<float> supported;
-	/// Unsupported: the angle between the normals of its two faces.
+	/// Unsupported: the angle between the normals of the two faces of the edge.
 	Buffer<float> dihedral;
 	std::int64_t  cappedRayNum = 0;
 };
 
-/// The half-disk of an edge is what of one side of it lies within `support` (working units) of its
-/// midpoint, along the surface:
+/// Measures the differences of all edges. The half-disk of an edge is the part of the surface on
+/// one side of the edge within `support` (working units) of its midpoint, along the surface:
 ///
 ///            . - - .
-///         .  \  |  /  .         Its area-weighted mean normal is summed up along straight
-///        . \  \ | /  / .        geodesics, each standing for a sector: a piece of one from
-///        .-- \ \|/ / --.        distance p to q weighs (q² - p²)/2. So the cost goes with the
-///       ------- e -------       support over the local edge length, not with its square.
+///         .  \  |  /  .         The area-weighted mean normal is summed up along straight
+///        . \  \ | /  / .        geodesics, each of which covers a sector: a stretch of a ray
+///        .-- \ \|/ / --.        from distance p to q weighs (q² - p²)/2. So the cost grows with
+///       ------- e -------       support over local edge length, not with the square of the ratio.
 ///
-/// All half-disks have one metric size: where the mesh is finer or coarser makes no difference.
-/// Rays that cross more than 256 faces end there and are counted. Cost: about 50 faces an edge with
-/// a support of two edges; linear, parallel.
+/// All half-disks have one metric size, however fine the mesh is. A ray that crosses 256 faces ends
+/// there and is counted. Cost: about 50 faces an edge with a support of two edges; linear,
+/// parallel.
 EdgeDifferences edgeDifferences(const HalfEdgeMesh& mesh, float support, Workers& workers);
 
-/// Angle between two vectors in degrees; 0 where one is zero.
+/// Angle between two vectors in degrees; 0 if a vector is zero.
 float angleDegBetween(const Vec3f& a, const Vec3f& b);
 
 } // namespace gpr

@@ -8,9 +8,9 @@ namespace gpr {
 
 namespace {
 
-/// Whether a corner of the caller's face g lies where vertex v does. Positions, not numbers: the
-/// vertices of a triangle soup, or along a seam, are joined by the engine only. Both may be as far
-/// as samePlace from the one that they were joined with. scale: from mesh to working units.
+/// Whether a corner of input face g lies at the place of vertex v. Positions are compared, not
+/// numbers: the engine alone joins vertices of a triangle soup or along a seam. Both positions may
+/// lie up to samePlace from the joined vertex. scale: from mesh to working units.
 bool hasCornerAt(const MeshView& input, double scale, int g, int v)
 {
 	constexpr double farthest = 2 * double(samePlace);
@@ -23,7 +23,7 @@ bool hasCornerAt(const MeshView& input, double scale, int g, int v)
 	return false;
 }
 
-/// Whether the caller's faces f and g meet in an edge that f has as a line.
+/// Whether the input faces f and g meet in an edge marked as a line in f.
 bool isLineBetween(const MeshView& input, double scale, int f, int g)
 {
 	for (int k = 0; k < 3; ++k) {

@@ -10,13 +10,13 @@
 
 namespace gpr {
 
-/// Whether the caller's mesh has lines of its own: MeshView::line, or borders between regions.
+/// Whether the input mesh has lines: MeshView::line, or faces of different regions.
 bool hasGivenLines(const MeshView& input);
 
-/// Adds the caller's lines to the feature lines of a surface that was made of the caller's mesh:
-/// those of MeshView::line, and the edges between faces of different regions. Edges of the border
-/// are none. Returns the number of edges added. Long edges that were split are found piece by
-/// piece. Needs: connected. Cost: linear, parallel.
+/// Adds the lines of the input mesh to the feature lines of the surface: the edges in
+/// MeshView::line, and the edges between faces of different regions. Border edges are left out. All
+/// parts of a split edge are found. Returns the number of edges added. Needs: connected. Cost:
+/// linear, parallel.
 std::int64_t markGivenLines(const MeshView& input, Workers& workers, Surface& surface);
 
 } // namespace gpr

@@ -8,7 +8,7 @@ namespace gpr {
 
 namespace {
 
-/// How many of the corners of face f are corners of face g.
+/// The number of common vertices of the input faces f and g.
 int commonCorners(const MeshView& input, int f, int g)
 {
 	const auto a = input.triangle(std::size_t(f)), b = input.triangle(std::size_t(g));

@@ -10,10 +10,10 @@
 
 namespace gpr {
 
-/// The edges of a surface along which the caller's mesh was sewn: their two faces come from faces
-/// of the caller's that have fewer than two vertices in common. Each by its smaller half-edge,
-/// ascending. Needs: connected, sourceFace, and that the mesh was not welded as a triangle soup.
-/// Cost: linear, parallel.
+/// Finds the edges of a surface along which the input mesh was sewn: the input faces on both sides
+/// have fewer than two common vertices. Returns the smaller half-edge of each edge, ascending.
+/// Needs: connected, sourceFace, and an input that was not welded as a triangle soup. Cost: linear,
+/// parallel.
 std::vector<int> findSeamEdges(const MeshView& input, const Surface& surface, Workers& workers);
 
 } // namespace gpr

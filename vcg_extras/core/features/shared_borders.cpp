@@ -45,11 +45,12 @@ void SharedBorders::numberPlaces(const HalfEdgeMesh& mesh, const std::vector<Cur
 	isStop_.assign(number.size(), 0);
 }
 
-/// A shared stretch begins, ends or forks where other curves run along the next segment than along
-/// the last one, where a curve turns back, and where shared segments lead to other than two places.
+/// Makes stops of the ends and forks of shared stretches. A point is a stop if a different set of
+/// curves runs along the next segment than along the last, if a curve turns back there, or if
+/// shared segments lead from its place to one place or to more than two.
 void SharedBorders::findStops()
 {
-	std::map<int, std::set<int>> next; ///< per place: those at the other ends of shared segments
+	std::map<int, std::set<int>> next; ///< per place: other ends of shared segments
 	for (const auto& [ends, line] : line_) {
 		if (line.curves.size() < 2) continue;
 		next[ends.first].insert(ends.second);

@@ -12,13 +12,13 @@
 
 namespace gpr {
 
-/// Borders that lie at the same place and stay cut, as where three sheets meet (see sew_seams.h).
-/// They are sampled once, and all get these samples, so that no gap opens between the sheets.
-/// A segment of a curve is the one from point i to the next.
+/// Borders that lie at the same place but stay cut, as when three sheets meet (see sew_seams.h).
+/// Such borders are sampled once, and all get the same samples, so that no gap opens between the
+/// sheets. Segment i of a curve goes from point i to the next point.
 class SharedBorders {
 public:
-	/// Looks for equal positions along the closed curves at the border; the ends of edges at one
-	/// place have them since the mesh was sewn. Cost: O(B log B) for B points of the border.
+	/// Finds equal positions along the closed curves at the border. Sewing has given equal
+	/// positions to edges at the same place. Cost: O(B log B) for B points of the border.
 	SharedBorders(const HalfEdgeMesh& mesh, const std::vector<Curve>& curves);
 
 	/// Whether any segment of the curve is shared.
@@ -34,7 +34,7 @@ public:
 	/// Whether the segment has got its samples from one of its curves.
 	bool isSampled(int curve, int segment) const;
 	void markSampled(int curve, int segment);
-	/// share: of the way along the segment, in the direction of the curve.
+	/// share: part of the way along the segment, in the direction of the curve.
 	void addSample(int curve, int segment, float share, const Vec3f& position);
 	/// Calls visit(share, position).
 	template <class Visit>
@@ -52,12 +52,12 @@ private:
 		Vec3f position;
 	};
 	struct Line {
-		std::vector<int>    curves; ///< that run along it, ascending
+		std::vector<int>    curves; ///< the curves along the line, ascending
 		std::vector<Sample> samples;
 		bool                isSampled = false;
 	};
 	std::vector<std::vector<int>>       place_;  ///< per curve and point; empty: not of the border
-	std::map<std::pair<int, int>, Line> line_;   ///< by the numbers of its ends
+	std::map<std::pair<int, int>, Line> line_;   ///< by the places of both ends
 	std::vector<char>                   isStop_; ///< per place
 
 	void        numberPlaces(const HalfEdgeMesh& mesh, const std::vector<Curve>& curves);
@@ -68,8 +68,8 @@ private:
 	Line&       lineOf(int curve, int segment);
 };
 
-/// Gives the vertices of borders that lie at one place the least of their sizes, so that the edges
-/// there are split alike.
+/// Gives all border vertices at the same place the smallest of their sizes, so that the edges there
+/// are split alike.
 void equalizeSizes(Surface& surface);
 
 } // namespace gpr

@@ -12,12 +12,13 @@ namespace gpr {
 
 namespace {
 
-/// The mean is taken over so many wanted edges to either side, and at most this share of the loop:
+/// Reach of the mean to either side, in wanted edges, and at most this share of the loop, so that
 /// small holes keep their size.
 constexpr float reachInEdges = 1.8f, largestShare = 0.25f;
 /// Steps of the mean within its reach.
 constexpr int stepsInReach = 12;
-/// The smooth curve leaves the input's by so many edges at most; the fit has the rest of the slack.
+/// The largest distance of the smooth curve from the input's, in edges; the fit has the rest of the
+/// slack.
 constexpr float farthestOff = 0.35f;
 
 float reachAt(const Curve& c, float edge, float s)
@@ -48,7 +49,8 @@ struct EvenLoop {
 		return point[wrapped(i)] * (1 - share) + point[wrapped(i + 1)] * share;
 	}
 
-	/// The mean round point i by a bell of this half width. No function of libm has a part in it.
+	/// The mean round point i, weighted by a bell of half width `reach`. No function of libm is
+	/// used.
 	Vec3f mean(int i, float reach) const
 	{
 		const int far = int(reach / step);
@@ -73,8 +75,8 @@ void takeMeans(const Curve& c, float edge, EvenLoop& loop)
 	loop.point.swap(means);
 }
 
-/// Twice the mean, less the mean of the mean: a wide bend keeps its place, which a mean alone would
-/// draw inwards.
+/// Twice the mean, less the mean of the mean. A plain mean would draw a wide bend inwards; this
+/// keeps it in place.
 EvenLoop smoothed(const Curve& c, float edge)
 {
 	const float smallest = edge * c.smallestSize();
@@ -87,7 +89,8 @@ EvenLoop smoothed(const Curve& c, float edge)
 	return once;
 }
 
-/// The point nearest to p of the curve's segments within `reach` of point `begin` along it.
+/// The point nearest to p on the segments of the curve within `reach` of point `begin`, along the
+/// curve.
 Vec3f nearestOnLoop(const Curve& c, int begin, float reach, const Vec3f& p)
 {
 	const int  n = c.pointNum();
@@ -112,8 +115,8 @@ Vec3f nearestOnLoop(const Curve& c, int begin, float reach, const Vec3f& p)
 	return nearest;
 }
 
-/// Where point i of the curve goes if all is to be as smooth as `loop`: there, or on the way there
-/// from the curve as far as it may.
+/// The new place of point i of the curve: its place on `loop`, or, if this is too far, the farthest
+/// allowed point on the way there from the curve.
 Vec3f placeNearCurve(const Curve& c, float edge, const EvenLoop& loop, int i)
 {
 	const float most = farthestOff * edge * c.sizeAt(c.arc[i]);
@@ -124,7 +127,7 @@ Vec3f placeNearCurve(const Curve& c, float edge, const EvenLoop& loop, int i)
 	return off <= most ? goal : foot + (goal - foot) * (most / off);
 }
 
-/// Per point of the loop, the arc length to the nearest fixed point.
+/// Per point of the loop: the arc length to the nearest fixed point.
 std::vector<float> waysToFixed(const Curve& c, const std::vector<char>& isFixed)
 {
 	const int          n = c.pointNum();
@@ -132,7 +135,7 @@ std::vector<float> waysToFixed(const Curve& c, const std::vector<char>& isFixed)
 	for (int i = 0; i < n; ++i) {
 		if (isFixed[i]) way[i] = 0;
 	}
-	// Twice round, as a fixed point may stand on either side of the first one.
+	// Twice round, as the nearest fixed point may lie beyond the first point of the loop.
 	for (int k = 1; k < 2 * n; ++k) {
 		const int   i = k % n, last = (k - 1) % n;
 		const float extent = (i > 0 ? c.arc[i] : c.length) - c.arc[last];

@@ -9,15 +9,15 @@
 
 namespace gpr {
 
-/// How far the vertices of a smooth border may lie from the border that they stand for, in wanted
+/// The largest distance of a vertex on a smooth border from the border of the input, in wanted
 /// edges (BoundaryMode::Smooth).
 constexpr float borderSlack = 0.5f;
 
-/// Takes what is shorter than about two wanted edges out of a closed curve: every point goes to a
-/// mean of the curve round it, but no farther from the curve than seven tenths of the slack. Arc
-/// lengths are those of the smooth curve then. Points marked as fixed stay, and within an edge of
-/// them the curve comes back to what it was. edge: wanted where the size is 1. Cost: linear in the
-/// curve's points and in its length over the smallest edge.
+/// Smooths away details of a closed curve shorter than about two wanted edges. Every point moves to
+/// a mean of the curve round it, but at most seven tenths of borderSlack off the curve. Arc lengths
+/// are measured anew on the smooth curve. Fixed points stay, and within an edge of a fixed point
+/// the curve returns to its old course. edge: the wanted edge at size 1. Cost: linear in the points
+/// of the curve and in its length over the smallest edge.
 void smoothLoop(float edge, const std::vector<char>& isFixed, Curve& loop);
 
 } // namespace gpr

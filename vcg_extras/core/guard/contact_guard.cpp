@@ -59,7 +59,7 @@ bool ContactGuard::allows(const std::vector<NamedTriangle>& made, const std::vec
 	}) && areApart(made, gone);
 }
 
-/// Whether one of the triangles comes to the mirror image where none of the faces did.
+/// Whether a new triangle reaches the mirror image, unless a face to replace already did.
 bool ContactGuard::comesToMirrorImage(const std::vector<NamedTriangle>& made,
 									  const std::vector<int>&           gone) const
 {

@@ -12,21 +12,20 @@
 
 namespace gpr {
 
-/// Says before a mesh is changed whether faces would touch that did not. A mesh whose every change
-/// it allowed has no pair of touching faces but those that it had at first. Exact: see
-/// mesh/face_contact.h. Holds a tree of boxes of the mesh's faces, which grows with them, and is
-/// built anew when half of the faces have gone. 45 B a face.
+/// Predicts whether a change of a mesh would make new contacts. If every change is allowed here,
+/// the mesh has no contacts beyond its first contacts. Exact: see mesh/face_contact.h. Holds a tree
+/// of boxes of the mesh's faces; the boxes grow with changes. 45 B per face.
 class ContactGuard {
 public:
-	/// hadContacts: some faces of the mesh touch already. The mesh must stay where it is.
+	/// hadContacts: the mesh already has contacts. The mesh must stay in memory.
 	ContactGuard(const HalfEdgeMesh& mesh, bool hadContacts, Workers& workers);
 
-	/// Whether the triangles `made` may take the places of the living faces `gone`: they touch no
-	/// other face, nor each other, or only what one of `gone` touched. Cost: O(log F) and some
-	/// hundred nanoseconds a face nearby.
+	/// Whether the triangles `made` may replace the living faces `gone`: the triangles make no
+	/// contact with other faces or each other, except with faces that a face of `gone` touched.
+	/// Cost: O(log F) and some hundred nanoseconds per nearby face.
 	bool allows(const std::vector<NamedTriangle>& made, const std::vector<int>& gone);
 
-	/// To be called after each change with the faces that lie elsewhere now.
+	/// Updates the tree after a change. changed: the faces that moved.
 	void follow(const std::vector<int>& changed);
 
 private:
@@ -34,8 +33,8 @@ private:
 	bool                       hadContacts_;
 	Workers&                   workers_;
 	std::unique_ptr<FaceBoxes> boxes_;
-	std::vector<int>           placeOf_; ///< per face: in the tree, or -1
-	std::vector<unsigned>      goneIn_;  ///< per face: the call in which it was to go
+	std::vector<int>           placeOf_; ///< per face: place in the tree, or -1
+	std::vector<unsigned>      goneIn_;  ///< per face: the last call with the face in `gone`
 	unsigned                   call_ = 0;
 	std::vector<Box<float>>    boxOfMade_;
 

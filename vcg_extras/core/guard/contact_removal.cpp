@@ -24,20 +24,22 @@ namespace gpr {
 
 namespace {
 
-/// Contacts of the result nearer than this to one of the input's, in edges, are the input's own.
+/// A contact of the result nearer than this to a contact of the input, in edges, comes from the
+/// input.
 constexpr float nearInputs = 1.5f;
 /// With fewer vertices patches hardly ever fit.
 constexpr int leastForPatches = 100;
 
-/// What a mesh is put together from: some components of the input, that are to be made coarser,
-/// and the other ones of the result, which stay.
+/// The parts of the mesh for decimation: components of the input, to be coarsened, and the
+/// remaining components of the result.
 struct Parts {
 	Components        ofInput, ofResult;
 	std::vector<char> isTaken; ///< per component of the input
 	std::vector<char> isLeft;  ///< per component of the result
 };
 
-/// Takes the components that have one of these faces of the result. Each lies on one of the input.
+/// Takes the components of the given faces of the result. Each component of the result lies on a
+/// component of the input.
 void takeComponents(const ResultMesh& result, const std::vector<int>& faces, Parts& parts)
 {
 	const auto inputOf = [&](int f) {
@@ -64,8 +66,8 @@ Parts chooseParts(const Surface& surface, const ResultMesh& result, const std::v
 	return parts;
 }
 
-/// The faces of some components behind those that are there; newIndex gets the names of their
-/// vertices, -1 of the others.
+/// Appends the faces of the wanted components. newIndex: new names of vertices; -1 for vertices of
+/// other components.
 void append(const HalfEdgeMesh& from, const Components& components, const std::vector<char>& wanted,
 			HalfEdgeMesh& to, std::vector<int>& newIndex)
 {
@@ -117,7 +119,7 @@ public:
 	{
 	}
 
-	/// Collapses until the count is the result's, or none is possible any more.
+	/// Collapses edges until the number of vertices is the result's, or no collapse is possible.
 	void decimate(bool inputHasContacts)
 	{
 		guarded_ = std::make_unique<GuardedMesh>(putTogether(), inputHasContacts);
@@ -133,15 +135,15 @@ public:
 
 	std::int64_t reached() const { return guarded_->mesh.vertexNum; }
 
-	/// Makes what was decimated more regular. False where faces without area are left, as between
-	/// vertices that have to stay.
+	/// Makes the decimated mesh more regular. False if degenerate faces are left, as between fixed
+	/// vertices.
 	bool relax()
 	{
 		relaxGuarded(double(result_.idealEdge), making_.mayLeaveSurface, *guarded_, workers_);
 		return zeroAreaFaceNum(guarded_->mesh, workers_) == 0;
 	}
 
-	/// Puts what was decimated in the place of the result.
+	/// Replaces the result by the decimated mesh.
 	void take()
 	{
 		const std::vector<int>    ofAnchor = invertedNames();
@@ -160,15 +162,18 @@ private:
 	ResultMesh&             result_;
 	Workers&                workers_;
 	Parts                   parts_;
-	std::vector<int>        ofInput_;  ///< per vertex of the input: of the mesh put together, or -1
-	std::vector<int>        ofResult_; ///< the same of the result
-	int inputNum_ = 0;                 ///< vertices of the mesh put together that are the input's
+	std::vector<int>        ofInput_; ///< per vertex of the input: vertex of the combined mesh, or
+									  ///< -1
+	std::vector<int> ofResult_;       ///< per vertex of the result: vertex of the combined mesh,
+									  ///< or -1
+	int                          inputNum_ = 0; ///< vertices of the combined mesh from the input
 	std::unique_ptr<GuardedMesh> guarded_;
 
-	/// Where sizes follow the error distance counts more than length.
+	/// With sizes by the error, distance counts more than length.
 	double lengthWeight() const { return 0.01 * portable::pow(0.03, making_.adapt); }
 
-	/// Components of the result that touch one of the input, too, are made anew as well.
+	/// Combines the parts. Components of the result in contact with taken components of the input
+	/// are taken as well.
 	HalfEdgeMesh putTogether()
 	{
 		while (true) {
@@ -185,7 +190,7 @@ private:
 		}
 	}
 
-	/// False where there is none to take.
+	/// Takes the components in contact. False if there are no such components.
 	bool takeTouching(const std::vector<FacePair>& pairs, int inputFaces)
 	{
 		std::vector<int> left;
@@ -211,7 +216,7 @@ private:
 		}
 	}
 
-	/// Per vertex of the mesh put together: which it is of the input, or of the result.
+	/// Per vertex of the combined mesh: its vertex of the input or of the result.
 	std::vector<int> invertedNames() const
 	{
 		std::vector<int> name(guarded_->anchorNum);
@@ -224,7 +229,7 @@ private:
 	}
 };
 
-/// Makes components anew where that is possible.
+/// Makes components anew if possible.
 ContactOutcome replaceComponents(const MakingOfVertices& making, const std::vector<int>& faces,
 								 bool inputHasContacts, ResultMesh& result, Workers& workers)
 {
@@ -233,15 +238,15 @@ ContactOutcome replaceComponents(const MakingOfVertices& making, const std::vect
 							workers);
 	replacement.decimate(inputHasContacts);
 	const std::int64_t reached = replacement.reached();
-	if (reached > before && inputHasContacts) return {before}; // nothing is promised
+	if (reached > before && inputHasContacts) return {before}; // no promise for such an input
 	if (reached > before && !making.mayEndAbove) return {reached, true};
-	// Where a face of the input has no area its neighbours touch: nothing is promised there either.
+	// Degenerate faces of the input have contacts of their neighbours: no promise there either.
 	if (!replacement.relax()) return {before};
 	replacement.take();
 	return {reached};
 }
 
-/// Remakes patches around the pairs of touching faces, then whole components.
+/// Remakes patches around the contacts, then whole components.
 ContactOutcome makeAnew(const MakingOfVertices& making, const InputContacts& ofInput,
 						std::vector<FacePair> pairs, ResultMesh& result, Workers& workers)
 {
@@ -252,7 +257,7 @@ ContactOutcome makeAnew(const MakingOfVertices& making, const InputContacts& ofI
 		isCapped             = patches.isCapped;
 	}
 	ContactOutcome outcome{result.mesh.vertexNum};
-	// Whole sheets could not be made anew and stay joined to others.
+	// Whole sheets made anew would lose their junctions with other sheets.
 	outcome.isRefused = !pairs.empty() && result.mesh.meetsAtPlaces;
 	if (!pairs.empty() && !result.mesh.meetsAtPlaces) {
 		const bool inputHasContacts =

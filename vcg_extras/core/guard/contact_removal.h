@@ -14,24 +14,25 @@
 
 namespace gpr {
 
-/// What became of the self-intersections of a result.
+/// The outcome of removing self-intersections from a result.
 struct ContactOutcome {
-	/// Vertices of the result now; where it is refused, of the least mesh that has none.
+	/// Vertices of the result now. If refused: as reached by the collapses of whole components, if
+	/// any.
 	std::int64_t vertexNum = 0;
-	/// Self-intersections are left: without them there would be more vertices than there may be.
+	/// Self-intersections are left: removing these would take more vertices than allowed.
 	bool isRefused = false;
-	bool hasMade   = false; ///< vertices were made here, in this call or in one before
+	bool hasMade   = false; ///< vertices were made by the guard, in this call or an earlier call
 	bool isCapped  = false; ///< patches were left out, since the work would be too much
 };
 
-/// Looks for self-intersections of the finished result, exactly and touching included; what is
-/// known of them is not looked for again. Where the input has none nearby, patches around them are
-/// made anew by guarded collapses of the input (patch_filling.h), with as many vertices. Where
-/// pairs are left all the same, the components that have them are made anew in this way. Where the
-/// collapses end above the count that is taken if making.mayEndAbove. Else the result is refused
-/// or, where the input intersects itself, stays as it was. `figures` count what earlier calls made,
-/// too. Cost: a pass over the result's faces where it has none; else that of the collapses, and a
-/// pass over the input's faces.
+/// Finds self-intersections of the finished result, exactly, touching faces included; known
+/// contacts are not searched again. Away from self-intersections of the input, patches around the
+/// contacts are made anew by guarded collapses of the input (patch_filling.h), with as many
+/// vertices as before. If contacts are left, whole components with contacts are made anew in the
+/// same way. If the collapses end above the number of vertices, the new components are taken if
+/// making.mayEndAbove. Else the result is refused or, if the input intersects itself, stays
+/// unchanged. figures: count over all calls. Cost: a pass over the result's faces if there are no
+/// contacts; else the collapses, and a pass over the input's faces.
 ContactOutcome removeContacts(const MakingOfVertices& making, KnownContacts& contacts,
 							  ResultMesh& result, GuardedFigures& figures, Workers& workers);
 

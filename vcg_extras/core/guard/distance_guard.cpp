@@ -12,7 +12,7 @@ namespace gpr {
 
 namespace {
 
-/// Points of a vertex that are looked at.
+/// Most points to check per vertex.
 constexpr int mostOfVertex = 64;
 
 bool mayMoveThere(const GuardedMesh& g, int v)

@@ -12,32 +12,32 @@
 
 namespace gpr {
 
-/// Says before a mesh is changed whether it would leave points of the surface that it stands for
-/// farther off. Quadrics do not tell that: they are weighted by area, and the rim of a thin sheet
-/// has next to none. Each point belongs to the face that is nearest to it on the mesh itself, from
-/// the vertex on that stands for it. 8 B a face and 24 B a point.
+/// Predicts whether a change of a mesh would move it away from the points assigned to its vertices.
+/// Quadrics do not show this: quadrics are weighted by area, and the rim of a thin sheet has next
+/// to no area. Each point belongs to the nearest face of the mesh, found from the point's vertex. 4
+/// B per face and 24 B per point.
 class DistanceGuard {
 public:
-	/// Up to `enough` points may get farther off. Only those of vertices that may move, or have a
-	/// neighbour that may, are looked at; of many at a vertex, some evenly taken. The mesh must
-	/// stay where it is.
+	/// enough: distance up to which points may get farther off. Checks only points of vertices that
+	/// may move or have a neighbour that may move; at a vertex with many points an even selection.
+	/// The mesh must stay in memory.
 	DistanceGuard(const GuardedMesh& guarded, double enough, Workers& workers);
 
-	/// Whether the triangles `made` may take the places of the faces `gone`: no point of these
-	/// comes to lie farther off than is enough, or than the farthest of them does now. Cost: some
-	/// 20 ns for each pair of a point and a triangle.
+	/// Whether the triangles `made` may replace the faces `gone`: no point of `gone` gets farther
+	/// off than `enough`, or than the farthest point of `gone` is now. Cost: some 20 ns per pair of
+	/// a point and a triangle.
 	bool allows(const std::vector<NamedTriangle>& made, const std::vector<int>& gone) const;
 
-	/// To be called after each change with the faces that lie elsewhere now.
+	/// Updates the points after a change. changed: the faces that moved.
 	void follow(const std::vector<int>& changed);
 
 private:
-	/// A point of the surface, and the face that it belongs to.
+	/// A point of the surface, and its face.
 	struct Point {
 		Vec3f at;
 		int   face;
-		float squared; ///< distance from that
-		int   next;    ///< of the same face, or -1
+		float squared; ///< distance from the face
+		int   next;    ///< next point of the face, or -1
 	};
 
 	const HalfEdgeMesh& m_;

@@ -18,15 +18,15 @@ namespace gpr {
 
 namespace {
 
-/// What a collapse may do to faces.
+/// Limits on the faces that a collapse makes.
 struct Bounds {
-	float shape;     ///< triangleShape, or as it was
+	float shape;     ///< triangleShape, or as before
 	float turn;      ///< cosine between the normals before and after
-	float agreement; ///< cosine between a face and the normals of what it stands for
-	float distance;  ///< root mean square from the planes of what a vertex stands for, in edges
+	float agreement; ///< cosine between a face and the normals assigned to its vertices
+	float distance;  ///< root mean square distance from the planes assigned to a vertex, in edges
 };
 
-/// From strict to loose; the next are taken where these leave nothing.
+/// From strict to loose; each next row applies when the row before allows no more collapses.
 constexpr std::array<Bounds, 8> boundsOfRounds = {{{0.35f, 0.5f, 0.2f, 0.02f},
 												   {0.2f, 0.5f, 0.2f, 0.05f},
 												   {0.05f, 0.1f, 0.2f, 0.05f},
@@ -36,25 +36,26 @@ constexpr std::array<Bounds, 8> boundsOfRounds = {{{0.35f, 0.5f, 0.2f, 0.02f},
 												   {0.03f, 0.1f, 0.05f, 0.4f},
 												   {0.01f, 0.02f, 0, HUGE_VALF}}};
 
-/// So few vertices hardly ever make a shape that looks like the surface: there only topology and
-/// contacts count at last.
+/// So few vertices hardly ever make a shape close to the surface: at last only topology and
+/// contacts count.
 constexpr std::int64_t mostOfAnyShape = 64;
 constexpr Bounds       anyShape       = {0, -2, -2, HUGE_VALF};
 
-/// Normals that cancel out to less than this share say nothing: those round a thin rim.
+/// Normals that cancel out to less than this share say nothing: normals round a thin rim.
 constexpr float leastSpread = 0.25f;
-/// The middle of an edge draws where the planes leave a choice.
+/// Weight of the middle of an edge, for planes that leave a choice.
 constexpr double middleWeight = 1e-3;
-/// A pass that collapses fewer than one in so many edges is the last with its bounds.
+/// A pass is the last with its bounds if it collapses less than a share 1/leastShare of the
+/// vertices.
 constexpr std::int64_t leastShare = 30;
 
-/// An edge that may be collapsed: what that costs, and the state of its ends then.
+/// An edge that may be collapsed: the cost, and the state of its ends at that time.
 struct Candidate {
 	float    cost;
 	int      a, b;
 	unsigned stampA, stampB;
 
-	/// The queue has the largest first.
+	/// The queue has the largest element first.
 	bool operator<(const Candidate& o) const
 	{
 		if (cost != o.cost) return cost > o.cost;
@@ -62,15 +63,15 @@ struct Candidate {
 	}
 };
 
-/// How an edge is collapsed: from goes, to stays.
+/// The ends of a collapse: `from` goes, `to` stays.
 struct Merge {
 	int  from = -1, to = -1;
 	bool isAlongBorder = false;
-	bool mayMove       = false; ///< to may come to lie elsewhere
-	bool endsFlat      = false; ///< a face without area goes by it
+	bool mayMove       = false; ///< `to` may move
+	bool endsFlat      = false; ///< the collapse removes a degenerate face
 };
 
-/// The places that a merged vertex may come to, the best first.
+/// The possible places of a merged vertex, the best first.
 struct Places {
 	std::array<std::pair<double, Vec3f>, 4> at;
 	int                                     num = 0;
@@ -120,22 +121,22 @@ private:
 	HalfEdgeMesh&                 m_;
 	Workers&                      workers_;
 	std::unique_ptr<ContactGuard> guard_;
-	std::int64_t livingNum_, guardedNum_; ///< vertices now, and when the guard was made
-	std::int64_t firstNum_  = 0;
-	std::int64_t borderNum_ = 0;           ///< vertices in edges of a border that is kept
-	bool         isForced_  = false;       ///< only these are removed, also where faces touch then
-	bool         hasFlat_;                 ///< some faces had no area at first
-	std::vector<unsigned>          stamp_; ///< per vertex: how often it has changed
+	std::int64_t          livingNum_, guardedNum_; ///< vertices now, and when the guard was made
+	std::int64_t          firstNum_  = 0;
+	std::int64_t          borderNum_ = 0;     ///< vertices to remove from a kept border
+	bool                  isForced_  = false; ///< remove only these vertices, even with contacts
+	bool                  hasFlat_;           ///< the first mesh had degenerate faces
+	std::vector<unsigned> stamp_;             ///< per vertex: number of its changes
 	std::priority_queue<Candidate> queue_;
 	Bounds                         bounds_{};
 	EditScratch                    scratch_;
 	std::vector<int>               gone_, changed_;
-	float                          leastShape_ = 0; ///< of the faces to be made
+	float                          leastShape_ = 0; ///< least shape of the new faces
 	std::vector<NamedTriangle>     made_;
 
 	// ---- the queue
 
-	/// One pass over all edges; the number of collapses.
+	/// One pass over all edges. Returns the number of collapses.
 	std::int64_t collapseAll()
 	{
 		const std::int64_t before = livingNum_;
@@ -153,7 +154,7 @@ private:
 		return before - livingNum_;
 	}
 
-	/// Each vertex that has to go from the border counts as gone, since it is removed at last.
+	/// Each vertex to remove from the border counts as removed: its turn comes at last.
 	bool mayGoOn() const { return livingNum_ > settings_.targetNum + (isForced_ ? 0 : borderNum_); }
 
 	std::int64_t numberToGo() const
@@ -164,7 +165,7 @@ private:
 		return num;
 	}
 
-	/// A border that is kept counts for more than faces that touch.
+	/// A kept border counts more than contacts.
 	void removeFromBorder()
 	{
 		isForced_ = true;
@@ -204,7 +205,7 @@ private:
 		if (squared > settings_.longestEdge * settings_.longestEdge) return false;
 		const Places places = placesOf(merge);
 		c.cost = float(places.at[0].first + settings_.lengthWeight * squared * squared);
-		if (merge.endsFlat) c.cost = -1 / (1 + c.cost); // before all others, the cheapest first
+		if (merge.endsFlat) c.cost = -1 / (1 + c.cost); // before all edges, the cheapest first
 		if (hasToGo(merge)) c.cost = -1;
 		c.a      = std::min(v, w);
 		c.b      = std::max(v, w);
@@ -217,7 +218,7 @@ private:
 
 	bool isFixed(int v) const { return g_.isFixed[std::size_t(v)] != 0; }
 
-	/// A result must not have faces without area, so that those of the input go first.
+	/// A result must not have degenerate faces, so degenerate faces of the input go first.
 	bool hasAnyFlat() const
 	{
 		for (int f = 0; f < m_.faceNum; ++f) {
@@ -268,7 +269,7 @@ private:
 		return borderNeighbour(m_, v, true) == w || borderNeighbour(m_, v, false) == w;
 	}
 
-	/// A vertex in an edge of the border that is kept.
+	/// Whether the merge removes a vertex from a kept border.
 	bool hasToGo(const Merge& merge) const { return settings_.keepsBorder && merge.isAlongBorder; }
 
 	const Bounds& boundsOf(const Merge& merge) const
@@ -333,7 +334,7 @@ private:
 		return borderNeighbour(m_, merge.from, true) == merge.to;
 	}
 
-	/// By the quadrics, which are weighted by area.
+	/// Whether a place is too far by the quadrics, which are weighted by area.
 	bool isTooFar(const Merge& merge, double squaredByArea) const
 	{
 		const double most = double(boundsOf(merge).distance) * settings_.idealEdge;
@@ -341,7 +342,7 @@ private:
 		return squaredByArea > most * most * double(area);
 	}
 
-	/// All faces at the two vertices.
+	/// Collects all faces at the two vertices.
 	void collectFaces(const Merge& merge)
 	{
 		gone_.clear();
@@ -356,7 +357,7 @@ private:
 		}
 	}
 
-	/// Whether every face that stays is sound with the merged vertex at `place`.
+	/// Makes the remaining faces with the merged vertex at `place`. False if a face is not sound.
 	bool makeTriangles(const Merge& merge, const Vec3f& place)
 	{
 		made_.clear();
@@ -434,7 +435,7 @@ private:
 	}
 };
 
-/// nameOf tells a vertex' number in g, or -1 where it is not to be told.
+/// nameOf(v): number of vertex v in g, or -1 to skip v.
 template <class NameOf>
 void addFace(const HalfEdgeMesh& m, int f, const NameOf& nameOf, GuardedMesh& g)
 {
@@ -453,7 +454,7 @@ void addFace(const HalfEdgeMesh& m, int f, const NameOf& nameOf, GuardedMesh& g)
 	}
 }
 
-/// A plane upright on the face holds the border where it is.
+/// Adds a plane through the border edge, perpendicular to the face: it holds the border in place.
 template <class NameOf>
 void addBorder(const HalfEdgeMesh& m, int h, const NameOf& nameOf, GuardedMesh& g)
 {

@@ -16,17 +16,17 @@ namespace gpr {
 
 namespace {
 
-/// Rounds of flips and slides; more gain little.
+/// Rounds of flips and slides; more rounds gain little.
 constexpr int roundNum = 12;
-/// A slide is shortened so many times before it is given up.
+/// Most halvings of a slide before giving up.
 constexpr int halvingNum = 3;
-/// Pull to the barycentre over that of the planes.
+/// Weight of the barycentre relative to the planes.
 constexpr double barycentreWeight = 0.1;
-/// Cosine between two faces at which their edge is sharp.
+/// Cosine between two faces of a crease edge.
 constexpr float sharpCosine = 0.766f;
-/// Shape of triangles that are all but lines.
+/// Shape of needles.
 constexpr float needleShape = 0.01f;
-/// A change must make shapes so much better, that none is made and taken back for ever.
+/// Least gain of a change in shape, so that no change is made and undone for ever.
 constexpr float leastGain = 1.001f;
 
 float shapeOf(const NamedTriangle& t)
@@ -63,9 +63,8 @@ public:
 	}
 
 private:
-	/// The agreement is that with the normals of what a face stands for. Vertices do not get
-	/// farther from the planes of what they stand for, and flipped edges not farther apart, than
-	/// the distance, or than they were.
+	/// agreement: with the assigned normals. distance: most distance of a vertex from its assigned
+	/// planes, unless the distance was larger before, and of a flipped edge from the old edge.
 	const Acceptance           limits_ = acceptanceOf(Driver::GuardedRelaxation);
 	double                     farthest_; ///< working units
 	GuardedMesh&               g_;
@@ -91,7 +90,7 @@ private:
 		return {{a, b, c}, {m_.position[a], m_.position[b], m_.position[c]}};
 	}
 
-	/// Whether the triangles of made_ may take the places of gone_.
+	/// Whether the triangles of made_ may replace gone_.
 	bool isAllowed() { return distances_.allows(made_, gone_) && guard_.allows(made_, gone_); }
 
 	void follow()
@@ -124,7 +123,7 @@ private:
 		const Vec3f n[2] = {made_[0].cross(), made_[1].cross()};
 		if (gapBetween(old[0], old[1]) > farthest_) return false;
 		const float bend = cosineOf(o[0], o[1]), newBend = cosineOf(n[0], n[1]);
-		// The normal of what is all but a line says nothing.
+		// The normal of a needle says nothing.
 		const bool isNeedle = before < needleShape;
 		if (newBend < sharpCosine && newBend < bend && !isNeedle) return false;
 		if (bend < sharpCosine && newBend < limits_.turn && !isNeedle) return false;
@@ -134,8 +133,8 @@ private:
 			   g_.agrees(made_[1].vertex, n[1], limits_.agreement);
 	}
 
-	/// How far the edge that two triangles share lies from that between their apexes: between the
-	/// lines through them.
+	/// Distance between the lines through the common edge of two triangles and through their
+	/// apexes.
 	static double gapBetween(const NamedTriangle& s, const NamedTriangle& t)
 	{
 		const Vec3d a(s.at[0]), b(s.at[1]), c(s.at[2]), d(t.at[2]);
@@ -164,7 +163,7 @@ private:
 		}
 	}
 
-	/// By the quadrics, which are weighted by area.
+	/// Whether a place is farther off by the quadrics, which are weighted by area.
 	bool isFarther(int v, const Vec3d& place) const
 	{
 		const Quadric& q     = g_.quadric[std::size_t(v)];
@@ -188,7 +187,7 @@ private:
 		return q.lowest(Vec3d(m_.position[v]));
 	}
 
-	/// The conformal energy, summed over the faces: smallest where all are equilateral.
+	/// The conformal energy, summed over the faces: least for equilateral faces.
 	float energy(const std::vector<int>& faces) const
 	{
 		float sum = 0;

@@ -7,15 +7,15 @@
 
 namespace gpr {
 
-/// Makes the triangles of a decimated mesh more regular: edges are flipped where the worse of two
-/// faces gets a better shape, vertices are drawn to the barycentre of their faces while their
-/// quadrics hold them on the surface. No change turns a face, or turns one against the normals of
-/// what it stands for, or makes faces touch that did not (ContactGuard). Edges between faces that
-/// meet at more than 40° are sharp and are flipped only where they become less so. Neither takes
-/// the triangles farther from the surface than 10 % of the ideal edge (working units), or than they
-/// were: by the quadrics, and by the points that the vertices stand for (DistanceGuard). Vertices
-/// of borders and fixed ones stay, faces between fixed ones too. Without mayMove edges are flipped
-/// only. Needs a mesh without dead faces. Serial but for the trees. Cost: about 200 µs a vertex.
+/// Makes the triangles of a decimated mesh more regular. Flips an edge if the worse of both faces
+/// gets a better shape; moves vertices towards the barycentre of their faces, held to the surface
+/// by their quadrics. No change turns a face too far, by itself or against the assigned normals, or
+/// makes new contacts (ContactGuard). Edges between faces at more than 40° are creases, flipped
+/// only if they become less sharp. No change moves triangles farther from the surface than 10 % of
+/// idealEdge (working units), or than before: by the quadrics, and by the assigned points
+/// (DistanceGuard). Border vertices, fixed vertices and faces between fixed vertices stay. Without
+/// mayMove only edges are flipped. Needs a mesh without dead faces. Serial but for the trees. Cost:
+/// about 200 µs per vertex.
 void relaxGuarded(double idealEdge, bool mayMove, GuardedMesh& guarded, Workers& workers);
 
 } // namespace gpr

@@ -11,7 +11,7 @@ namespace gpr {
 
 namespace {
 
-/// Some boxes as faces, so that they get a tree: each has two of its corners.
+/// Some boxes as faces, for a tree: each face has two corners of its box.
 HalfEdgeMesh diagonalsOf(const std::vector<Box<float>>& boxes)
 {
 	HalfEdgeMesh m;
@@ -31,7 +31,7 @@ HalfEdgeMesh diagonalsOf(const std::vector<Box<float>>& boxes)
 	return m;
 }
 
-/// Some faces with the vertices of all. Nothing is said of what lies round a vertex.
+/// Some faces with their vertices, without adjacency.
 HalfEdgeMesh facesAlone(const HalfEdgeMesh& from, const std::vector<int>& faces)
 {
 	HalfEdgeMesh     to;
@@ -68,7 +68,7 @@ InputContacts::InputContacts(const HalfEdgeMesh& input, const HalfEdgeMesh& resu
 		return !tree.forEachMeeting(boxOfFace(input, f), [](int) { return false; });
 	});
 	const HalfEdgeMesh     near      = facesAlone(input, nearFaces);
-	// Where the input was cut, sides with other vertices than the input's touch at once.
+	// At cuts of the input, the two sides have different vertices here and touch at once.
 	const std::vector<FacePair> found = findTouchingPairs(near, workers, Seams::Apart);
 	pairNum_                          = std::int64_t(found.size());
 	if (found.empty()) return;

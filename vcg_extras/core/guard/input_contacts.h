@@ -15,25 +15,26 @@
 
 namespace gpr {
 
-/// Where the input intersects itself near pairs of a result, so that these are its own.
+/// Contacts of the input near contacts of a result: such contacts of the result come from the
+/// input.
 class InputContacts {
 public:
-	/// Looks at the input's faces that lie nearer than `distance` to the box of a pair. Cost: a
-	/// pass over the input's faces, and the test of those.
+	/// Tests the input's faces nearer than `distance` to the box of a pair. Cost: a pass over the
+	/// input's faces, and the test of the near faces.
 	InputContacts(const HalfEdgeMesh& input, const HalfEdgeMesh& result,
 				  const std::vector<FacePair>& pairs, float distance, Workers& workers);
 
-	/// Pairs found in the input.
+	/// Contacts found in the input.
 	std::int64_t pairNum() const { return pairNum_; }
 
-	/// The pairs of the result that do not lie near pairs of the input.
+	/// The pairs of the result that are not near contacts of the input.
 	std::vector<FacePair> withoutInputs(const HalfEdgeMesh&          result,
 										const std::vector<FacePair>& pairs) const;
 
 private:
 	float                      distance_;
 	std::int64_t               pairNum_ = 0;
-	std::unique_ptr<FaceBoxes> touching_; ///< the input's faces that touch others; null: none
+	std::unique_ptr<FaceBoxes> touching_; ///< faces of the input with contacts; null: none
 
 	Box<float> surroundings(const HalfEdgeMesh& result, const FacePair& pair) const;
 };

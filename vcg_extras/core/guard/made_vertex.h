@@ -10,9 +10,9 @@
 
 namespace gpr {
 
-/// What a result tells of vertex v of a mesh that guarded collapses have made: the point of the
-/// surface next to it, downhill from a vertex of the surface (nearestByDescent), and whether it
-/// stays. Cost: that of nearestByDescent.
+/// The record of vertex v of a mesh made by guarded collapses: the nearest point of the surface,
+/// found downhill from vertex surfaceVertex (nearestByDescent), and whether v is fixed. Cost: as
+/// nearestByDescent.
 ResultVertex madeVertex(const Surface& surface, int surfaceVertex, const GuardedMesh& made, int v);
 
 } // namespace gpr

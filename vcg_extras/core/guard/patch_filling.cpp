@@ -13,9 +13,9 @@ namespace gpr {
 
 namespace {
 
-/// Rings of vertices around patches that move with them.
+/// Rings of vertices round patches that may move too.
 constexpr int ringsRelaxed = 2;
-/// Of an edge's length in patches, against the distance from the input.
+/// Weight of an edge's length in patches, against the distance from the input.
 constexpr double patchLengthWeight = 0.3;
 
 } // namespace
@@ -32,8 +32,8 @@ bool PatchFilling::fill(std::vector<char>& marked, const HasRoom& hasRoom)
 	settings.idealEdge        = double(result_.idealEdge);
 	settings.lengthWeight     = patchLengthWeight;
 	settings.mayLeaveVertices = making_.mayLeaveSurface;
-	// What is enclosed by few cells of the border goes to them, so that a small patch may be left
-	// with fewer vertices than it had.
+	// A patch enclosed by few border cells goes to these cells, so a small patch may end with fewer
+	// vertices than before.
 	if (guarded.mesh.vertexNum < settings.targetNum ||
 		!decimateGuarded(settings, guarded, workers_))
 		return true;
@@ -81,13 +81,13 @@ Filled PatchFilling::take()
 	return filled;
 }
 
-/// The result's vertex that v is, or -1 inside patches.
+/// Number of vertex v in the result, or -1 inside patches.
 int PatchFilling::oldVertex(int v) const
 {
 	return refilled_.resultVertex[std::size_t(refilled_.guarded->anchor[std::size_t(v)])];
 }
 
-/// Vertices next to patches may move with them, so that shapes change little by little.
+/// Frees vertices next to patches, so that shapes change gradually.
 void PatchFilling::freeAround()
 {
 	GuardedMesh& g = *refilled_.guarded;

@@ -14,12 +14,12 @@
 
 namespace gpr {
 
-/// The surface, and what is to hold for vertices that are made from it by guarded collapses.
+/// The surface, and the rules for vertices made from the surface by guarded collapses.
 struct MakingOfVertices {
 	const Surface&          surface;
 	const std::vector<int>& kept; ///< vertices of the surface that stay; ascending
-	bool                    mayLeaveSurface = true;  ///< they may lie off the surface
-	double                  adapt           = 0;     ///< how much sizes follow the error
+	bool                    mayLeaveSurface = true;  ///< made vertices may lie off the surface
+	double                  adapt           = 0;     ///< weight of the error on sizes
 	bool                    mayEndAbove     = false; ///< more vertices than before may be left
 };
 
@@ -27,16 +27,17 @@ struct MakingOfVertices {
 struct Filled {
 	HalfEdgeMesh              mesh;
 	std::vector<ResultVertex> vertex;
-	std::vector<int>          oldVertex; ///< per vertex: the result's, or -1 inside the patches
+	std::vector<int>          oldVertex; ///< per vertex: vertex of the result, or -1 inside the
+										 ///< patches
 };
 
-/// Patches of a result, made anew: the input's triangles take their place (refillPatches), and
-/// their edges are collapsed under a guard until the result has as many vertices as before
-/// (guarded_decimation.h). Then flips and slides make the triangles in and around the
-/// patches more regular. The result must stay where it is.
+/// Makes patches of a result anew. The triangles of the working surface replace a patch
+/// (refillPatches), and guarded collapses reduce them to the result's number of vertices
+/// (guarded_decimation.h). Then flips and slides make the triangles in and round the patches more
+/// regular. The result must stay in memory.
 class PatchFilling {
 public:
-	/// Rings of faces that patches have around faces that touch others.
+	/// Rings of faces of a patch round faces with contacts.
 	static constexpr int ringsAround = 2;
 
 	PatchFilling(const MakingOfVertices& making, const ResultMesh& result, Workers& workers) :
@@ -44,23 +45,22 @@ public:
 	{
 	}
 
-	/// False where the input's triangles do not fit in (see refillPatches). Marks more faces where
-	/// that is needed. Cost: that of refillPatches, and about 30 µs a collapse.
+	/// False if the triangles of the working surface do not fit in (see refillPatches). Marks more
+	/// faces if needed. Cost: as refillPatches, and about 30 µs per collapse.
 	bool fill(std::vector<char>& marked, const HasRoom& hasRoom = {});
 
-	/// Whether the collapses came down to the result's number of vertices, and each face that they
-	/// left has an area.
+	/// Whether the collapses reached the result's number of vertices and left no degenerate face.
 	bool                isSound() const { return isSound_; }
 	const HalfEdgeMesh& mesh() const { return refilled_.guarded->mesh; }
-	/// Vertices of the input that were looked at, each as often as that was.
+	/// Number of looks at vertices of the working surface.
 	double work() const { return refilled_.work; }
-	/// Whether a face of mesh() is not the result's, or may have been moved.
+	/// Whether a face of mesh() differs from the result's faces, or may have moved.
 	bool isChanged(int face) const;
 
 	/// Marks the faces of the result around pairs of faces of mesh().
 	void markAround(const std::vector<FacePair>& pairs, std::vector<char>& marked) const;
 
-	/// Hands the mesh out, which then is no longer here.
+	/// Returns the mesh; mesh() is empty afterwards.
 	Filled take();
 
 private:

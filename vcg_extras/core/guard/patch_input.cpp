@@ -16,18 +16,19 @@ namespace gpr {
 
 namespace {
 
-/// Where the input has more vertices than these, and so many per vertex of the result, it is too
-/// much to be worked on again and again.
+/// Most vertices of the input near patches: mostVertices, plus mostPerVertex for each vertex of the
+/// result there. More vertices are too much for repeated work.
 constexpr std::size_t mostVertices = 200'000, mostPerVertex = 500;
-/// Edges of the input are not longer than these shares of the result's longest edge there: at the
-/// border of a patch, where they have to follow the result's triangles, and inside.
+/// Longest edges of the input near patches, as shares of the result's longest edge there: at the
+/// border of a patch, for edges that follow the result's triangles, and inside.
 constexpr float longestAtBorder = 0.3f, longestInside = 0.6f;
-/// Beyond a patch the input is looked at for so many edges of the result.
+/// Search distance beyond a patch, in edges of the result.
 constexpr float reachBeyond = 1.5f;
-/// Inside the input may be farther from vertices of the result, but not by more than this.
+/// Factor on the search distance inside: there the input may be farther from vertices of the
+/// result.
 constexpr float reachInside = 2;
 
-/// Cells of the result's vertices near patches, on the input, by edges.
+/// Cells of the result's vertices near patches, on the input, by paths over edges.
 class LocalCells {
 public:
 	LocalCells(const Surface& surface, const ResultMesh& result, const std::vector<PatchRole>& role,
@@ -64,7 +65,7 @@ private:
 	static constexpr int         outside = -1;
 	const HalfEdgeMesh&          m_;
 	std::size_t                  mostReached_;
-	std::unordered_map<int, int> label_; ///< of vertices of the input that were come to
+	std::unordered_map<int, int> label_; ///< of reached vertices of the input
 	std::vector<int>             reached_;
 	std::priority_queue<Entry>   front_;
 
@@ -75,7 +76,8 @@ private:
 		while (!front_.empty() && reached_.size() <= mostReached_) {
 			const Entry e = front_.top();
 			front_.pop();
-			// What is nearest to a vertex beyond the patch is no other's, so that none leaks out.
+			// A vertex too far from its nearest vertex of the result belongs to no cell, so that no
+			// other cell leaks out past it.
 			const int label = e.distance > most[std::size_t(e.label)] ? outside : e.label;
 			if (!label_.emplace(e.vertex, label).second || label == outside) continue;
 			reached_.push_back(e.vertex);
@@ -87,7 +89,7 @@ private:
 	}
 };
 
-/// The faces of the input whose corners are all in cells.
+/// The faces of the input with all corners in cells.
 class Extraction {
 public:
 	Extraction(const HalfEdgeMesh& m, const LocalCells& cells) : m_(m)
@@ -131,7 +133,7 @@ private:
 		for (int v : local_.inputVertex)
 			forEachOutgoing(m_, v, [&](int h) { met.push_back(h / 3); });
 		std::sort(met.begin(), met.end());
-		// A face is there once for each corner that was reached.
+		// A face appears once for each reached corner.
 		for (std::size_t i = 0; i + 2 < met.size(); ++i) {
 			if (met[i] == met[i + 2]) face_.push_back(met[i]);
 		}
@@ -156,7 +158,7 @@ private:
 	}
 };
 
-/// Splits edges that are longer than a share of the result's edges there.
+/// Splits edges longer than a share of the result's edges near by.
 class PatchSubdivision {
 public:
 	PatchSubdivision(const HalfEdgeMesh& result, const std::vector<PatchRole>& role,
@@ -169,7 +171,7 @@ public:
 							 longestEdgeAt(result, label));
 	}
 
-	/// Ends early with more vertices than `most`.
+	/// Stops above `most` vertices.
 	void run(std::size_t most)
 	{
 		while (std::size_t(m_.vertexNum) <= most && splitLongest() > 0) {}
@@ -188,7 +190,7 @@ private:
 		return squared > most * most;
 	}
 
-	/// One pass: the long edges, those first that are longest at its beginning.
+	/// One pass over the long edges, the longest first.
 	int splitLongest()
 	{
 		std::vector<std::pair<float, int>> edges;
@@ -197,7 +199,7 @@ private:
 			if (m_.opposite[h] < h && isLong(h, squared)) edges.emplace_back(-squared, h);
 		}
 		std::sort(edges.begin(), edges.end());
-		// An edge gives two faces and a vertex at most.
+		// Splitting an edge adds at most two faces and a vertex.
 		reserve(m_, m_.vertexNum + int(edges.size()), m_.faceNum + 2 * int(edges.size()));
 		for (const auto& edge : edges) {
 			if (isLong(edge.second, squared)) split(edge.second);
@@ -223,8 +225,8 @@ private:
 	}
 };
 
-/// The corner with the largest weight at the point of the result nearest to p, from vertex `near`
-/// on.
+/// The corner with the largest weight at the point of the result nearest to p, in a search from
+/// vertex `near`.
 int labelAt(const HalfEdgeMesh& result, int near, const Vec3f& p, const Vec3f& normal)
 {
 	const SurfacePoint at = nearestByDescent(result, near, p, normal);
@@ -246,7 +248,8 @@ void findLabels(const HalfEdgeMesh& result, const std::vector<PatchRole>& role, 
 		int& label = local.label[std::size_t(v)];
 		if (isDeep(result, role, label)) return;
 		const int better = labelAt(result, label, m.position[v], normal[std::size_t(v)]);
-		// A way that begins beyond the border and ends inside it has come to another sheet.
+		// A search that begins beyond the border of a patch and ends inside has come to another
+		// sheet.
 		const bool hasLeft = role[std::size_t(label)] == PatchRole::Near &&
 							 role[std::size_t(better)] == PatchRole::Inside;
 		if (!hasLeft) label = better;

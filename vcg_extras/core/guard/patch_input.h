@@ -12,28 +12,28 @@
 
 namespace gpr {
 
-/// The input near patches of a result, as a mesh of its own with short edges.
+/// The working surface near patches of a result, as a mesh of its own with short edges.
 struct PatchInput {
-	HalfEdgeMesh     mesh;          ///< the input's border edges are marked as creases
-	std::vector<int> inputVertex;   ///< per vertex: of the input, the same or one near
-	std::vector<int> label;         ///< per vertex: of the result, near it
-	int              ownNum    = 0; ///< vertices that are the input's; those after them split edges
-	double           share     = 0; ///< vertices, of as many as may be worked on
-	bool             isTooMuch = false; ///< there are so many that it was given up
+	HalfEdgeMesh     mesh;          ///< border edges of the working surface are marked as creases
+	std::vector<int> inputVertex;   ///< per vertex: vertex of the working surface, the same or near
+	std::vector<int> label;         ///< per vertex: a near vertex of the result
+	int              ownNum    = 0; ///< vertices of the working surface; the rest split edges
+	double           share     = 0; ///< number of vertices over the most allowed
+	bool             isTooMuch = false; ///< more vertices than allowed: unfinished
 };
 
-/// The longest edge at a vertex.
+/// Length of the longest edge at a vertex.
 float longestEdgeAt(const HalfEdgeMesh& mesh, int v);
 
-/// Whether a vertex of the result lies inside a patch and all its neighbours do.
+/// Whether a vertex of the result and all its neighbours lie inside a patch.
 bool isDeep(const HalfEdgeMesh& result, const std::vector<PatchRole>& role, int v);
 
-/// The faces of the input whose corners are nearest, along the input's edges, to vertices of the
-/// result that are not Far. Edges are split until they can follow the result's triangles on the
-/// border of the patches. Each vertex is labelled by the vertex of the result that has the largest
-/// weight at the nearest point of the result's triangles; deep inside patches by the nearest vertex
-/// alone. reach: inside patches the input is looked for so many times two edges of the result away.
-/// Cost: a pass over the vertices of input and result, and about 5 µs per vertex there.
+/// The faces of the working surface with all corners nearest, along edges, to vertices of the
+/// result that are not Far. Edges are split until the edges can follow the result's triangles at
+/// the border of the patches. The label of a vertex is the vertex of the result with the largest
+/// weight at the nearest point of the result; deep inside patches the nearest vertex along edges.
+/// reach: factor on the search distance at patches. Cost: a pass over the vertices of the working
+/// surface and the result, and about 5 µs per collected vertex.
 PatchInput collectPatchInput(const Surface& surface, const ResultMesh& result,
 							 const std::vector<PatchRole>& role, float reach, Workers& workers);
 

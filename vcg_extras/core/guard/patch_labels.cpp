@@ -11,7 +11,7 @@ namespace gpr {
 
 namespace {
 
-/// More passes hardly change anything.
+/// More passes change next to nothing.
 constexpr int maxPasses = 12;
 
 class Cleaning {
@@ -33,9 +33,9 @@ public:
 	}
 
 private:
-	/// Vertices that hang together and have one label, or all lie inside.
+	/// Connected vertices with the same label, or connected vertices inside.
 	struct Piece {
-		int first = -1; ///< its first vertex
+		int first = -1; ///< first vertex
 		int size  = 0;
 	};
 	const HalfEdgeMesh&           m_;
@@ -79,8 +79,8 @@ private:
 		piece_.push_back(piece);
 	}
 
-	/// The vertices of pieces that are marked get another label that is next to them, where there
-	/// is one; `may` tells of two neighbours whether the first may get the label of the second.
+	/// Gives the vertices of the marked pieces another label next to the piece, if any. may(w):
+	/// whether a vertex may get the label of its neighbour w.
 	template <class May>
 	int giveAway(const std::vector<char>& isGiven, const May& may)
 	{
@@ -121,7 +121,7 @@ private:
 		return found;
 	}
 
-	/// All pieces of a border's cell but the largest.
+	/// Gives away all pieces of a border cell but the largest.
 	int joinPieces()
 	{
 		std::map<int, int> largest; // per label: a piece
@@ -140,7 +140,8 @@ private:
 		return isAny ? giveAway(isGiven, [](int) { return true; }) : 0;
 	}
 
-	/// Pieces inside that meet two cells at most, and nothing beyond the border, and are disks.
+	/// Gives away inner pieces that meet at most two cells, nothing beyond the border, and are
+	/// disks.
 	int joinEnclosed()
 	{
 		const std::vector<std::vector<int>> met   = cellsMet();
@@ -155,7 +156,7 @@ private:
 		return isAny ? giveAway(isGiven, [this](int w) { return isBorder(w); }) : 0;
 	}
 
-	/// Per piece inside: the labels round it, three at most.
+	/// Per inner piece: the labels round the piece, three at most.
 	std::vector<std::vector<int>> cellsMet() const
 	{
 		std::vector<std::vector<int>> met(piece_.size());
@@ -172,7 +173,8 @@ private:
 		return met;
 	}
 
-	/// Per piece inside: vertices less edges and faces with a corner in it. 1: an open disk.
+	/// Per inner piece: vertices minus edges plus faces with a corner in the piece. 1: an open
+	/// disk.
 	std::vector<int> eulerOfPieces() const
 	{
 		std::vector<int> euler(piece_.size(), 0);
@@ -180,7 +182,7 @@ private:
             for (int v : corners) {
                 if (pieceOf_[std::size_t(v)] < 0 || !isInside(v)) continue;
                 euler[std::size_t(pieceOf_[std::size_t(v)])] += sign;
-                return; // corners inside hang together
+                return; // inner corners belong to the same piece
             }
 		};
 		for (int v = 0; v < m_.vertexNum; ++v)
@@ -192,7 +194,7 @@ private:
 		return euler;
 	}
 
-	/// Vertices inside that meet a cell more than once.
+	/// Gives inner vertices that meet a cell more than once to this cell.
 	int joinNotches()
 	{
 		int changes = 0;
@@ -206,7 +208,7 @@ private:
 		return changes;
 	}
 
-	/// A border's label that comes up twice round v with others between, or -1.
+	/// A border label that appears twice round v with other labels between, or -1.
 	int metTwice(int v)
 	{
 		ring_.clear();

@@ -9,13 +9,14 @@
 
 namespace gpr {
 
-/// Where a vertex of the result lies that is the label of others.
+/// Position of a vertex of the result relative to the patches: far away, near, with marked and
+/// other faces, or with marked faces only.
 enum class PatchRole : char { Far, Near, Border, Inside };
 
-/// Makes the cells on the border of a patch fit to be drawn together. Pieces of such a cell that
-/// are apart from its largest one go to a neighbour, a vertex inside that meets one cell twice goes
-/// to that cell, and so does what lies inside but is enclosed by one or two cells.
-/// label: per vertex of the mesh; role: per label. Cost: some passes over the mesh, serial.
+/// Prepares the cells at the border of a patch for merging each cell into a vertex. A piece apart
+/// from the largest piece of its cell goes to a neighbour. Inner vertices that meet a cell twice,
+/// and inner pieces enclosed by one or two cells, go to such a cell. label: per vertex of the mesh;
+/// role: per label. Cost: some passes over the mesh, serial.
 void cleanLabels(const HalfEdgeMesh& mesh, const std::vector<PatchRole>& role,
 				 std::vector<int>& label);
 

@@ -11,10 +11,10 @@ namespace gpr {
 
 namespace {
 
-/// Rings of faces round a patch that are cut out with it: those whose cells are looked at, and some
-/// for it to grow.
+/// Rings of faces cut out round a patch, and how many of these rings the refill looks at; the rest
+/// is room to grow.
 constexpr int ringsOfPart = 8, ringsLooked = 5;
-/// What lies nearer to a patch than this, in edges, must not be touched by what is made there.
+/// New faces of a patch must not touch faces nearer to the patch than this, in edges.
 constexpr float nearPatch = 0.5f;
 
 int placeOf(int value, const std::vector<int>& ascending)
@@ -23,7 +23,7 @@ int placeOf(int value, const std::vector<int>& ascending)
 	return at != ascending.end() && *at == value ? int(at - ascending.begin()) : -1;
 }
 
-/// Faces of the whole that lie near some faces, without those of the part.
+/// Faces of the whole near some faces, without faces of the part.
 std::vector<int> facesNear(const ResultMesh& whole, const FaceBoxes& tree,
 						   const std::vector<int>& faces, const std::vector<int>& ofPart)
 {
@@ -43,7 +43,8 @@ std::vector<int> facesNear(const ResultMesh& whole, const FaceBoxes& tree,
 	return found;
 }
 
-/// Makes the mesh of a part from the names of its faces; the first partNum hang together.
+/// Makes the mesh of a part from the names of its faces; only the first partNum faces are
+/// connected.
 class PartMesh {
 public:
 	PartMesh(const ResultMesh& whole, int partNum, PatchPart& part) :
@@ -83,7 +84,7 @@ private:
 		return place < 0 ? -1 : 3 * place + other % 3;
 	}
 
-	/// One for all the faces round it that hang together.
+	/// Adds a vertex for a fan of connected faces.
 	void addVertex(int h)
 	{
 		const int v = m_.vertexNum++, old = whole_.mesh.origin[inWhole(h)];
@@ -147,7 +148,7 @@ PatchPart cutPart(const ResultMesh& whole, const FaceBoxes& tree, const std::vec
 
 namespace {
 
-/// Puts the whole together from the faces that stay and those of the patches.
+/// Assembles the whole from its remaining faces and the filled patches.
 class Assembly {
 public:
 	Assembly(const std::vector<FilledPart>& parts, ResultMesh& whole, std::vector<int>& newIndex) :
@@ -193,10 +194,12 @@ private:
 	const std::vector<FilledPart>& parts_;
 	ResultMesh&                    whole_;
 	std::vector<int>&              newIndex_;
-	std::vector<int>               newFace_;               ///< per face of the whole, or -1
-	std::vector<std::vector<int>>  vertexName_, faceName_; ///< per part: of filled vertices, faces
-	HalfEdgeMesh                   m_;
-	std::vector<ResultVertex>      vertex_;
+	std::vector<int>               newFace_;              ///< per face of the whole: new name, or
+														  ///< -1
+	std::vector<std::vector<int>> vertexName_, faceName_; ///< per part: new names of filled
+														  ///< vertices and faces
+	HalfEdgeMesh              m_;
+	std::vector<ResultVertex> vertex_;
 
 	int renamed(int h) const
 	{
@@ -204,7 +207,7 @@ private:
 		return f < 0 ? -1 : 3 * f + h % 3;
 	}
 
-	/// Vertices of a patch that are in none of its filled faces have gone.
+	/// Vertices of a patch that no filled face has are gone.
 	void nameVertices()
 	{
 		newIndex_.assign(std::size_t(whole_.mesh.vertexNum), 0);
@@ -230,7 +233,7 @@ private:
 		vertex_.resize(std::size_t(m_.vertexNum));
 	}
 
-	/// The half-edge of the whole that half-edge h of a filled mesh still is, or -1.
+	/// The half-edge of the whole with the same corners as half-edge h of a filled mesh, or -1.
 	static int oldHalfEdge(const FilledPart& p, int h)
 	{
 		const HalfEdgeMesh& m   = p.filled.mesh;
@@ -242,7 +245,7 @@ private:
 		return 3 * p.part.face[std::size_t(g / 3)] + g % 3;
 	}
 
-	/// Faces that are the whole's own and stay there get no name here.
+	/// Faces of the whole that remain get no name here.
 	void nameFaces(const FilledPart& p)
 	{
 		faceName_.emplace_back();

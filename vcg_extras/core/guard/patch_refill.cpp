@@ -17,20 +17,20 @@ namespace gpr {
 
 namespace {
 
-/// The rounds together look at no more than so many times what one may look at.
+/// Most work of all rounds together, as a multiple of the most work of a round.
 constexpr double mostWork = 2;
-/// Marks that have not settled after so many rounds do not settle.
+/// Marks that have not settled after this many rounds do not settle.
 constexpr int maxRounds = 24;
-/// The input is looked for so many times farther than at first before patches grow instead.
+/// Largest reach; then patches grow instead.
 constexpr float mostReach = 8;
-/// Rings of vertices of the result whose cells are looked at beyond a patch.
+/// Rings of vertices of the result beyond a patch with cells.
 constexpr int ringsBeyond = 4;
-/// What is drawn together lies no farther off than this, in edges of the result there.
+/// Largest distance of a vertex merged into a border vertex, in edges of the result there.
 constexpr float farthestDrawn = 1;
 
 using Role = PatchRole;
 
-/// Per vertex of the result.
+/// Roles of the vertices of the result.
 std::vector<Role> findRoles(const HalfEdgeMesh& m, const std::vector<char>& marked)
 {
 	std::vector<Role> role(std::size_t(m.vertexNum), Role::Far);
@@ -55,10 +55,10 @@ std::vector<Role> findRoles(const HalfEdgeMesh& m, const std::vector<char>& mark
 	return role;
 }
 
-/// A triangle of the mesh to be put together.
+/// A triangle of the combined mesh.
 using Triangle = std::array<int, 3>;
 
-/// Puts the rest of the result and the input's triangles together.
+/// Combines the rest of the result and the triangles of the working surface.
 class Refill {
 public:
 	Refill(const Surface& surface, const ResultMesh& result, const std::vector<char>& marked,
@@ -69,8 +69,8 @@ public:
 	{
 	}
 
-	/// reach: see collectPatchInput. False where it does not fit; culprits() then are vertices of
-	/// the result where it does not.
+	/// reach: see collectPatchInput. False if the triangles do not fit; culprits() are then
+	/// vertices of the result near the misfits.
 	bool run(float reach)
 	{
 		local_ = collectPatchInput(surface_, result_, role_, reach, workers_);
@@ -82,7 +82,7 @@ public:
 		return culprits_.empty() && link() && areFansWhole();
 	}
 
-	/// Cells on the border that are no disks are to blame where the topology is not the result's.
+	/// Blames border cells that are no disks for a topology that differs from the result's.
 	void blameCells()
 	{
 		const HalfEdgeMesh& m = local_.mesh;
@@ -106,7 +106,7 @@ public:
 	int                     inputNum() const { return local_.mesh.vertexNum; }
 	const std::vector<int>& culprits() const { return culprits_; }
 
-	/// Whether vertices would go at a place that other borders share.
+	/// Whether vertices would go at a place shared with other borders.
 	bool isShared() const
 	{
 		for (std::size_t v = 0; v < role_.size(); ++v) {
@@ -134,15 +134,17 @@ private:
 	Workers&                 workers_;
 	std::vector<Role>        role_;
 	PatchInput               local_;
-	std::vector<int>         nameOfResult_; ///< per vertex of the result: in the new mesh, or -1
-	std::vector<int>         nameOfLocal_;  ///< the same per vertex of the local input
-	std::vector<int>         resultVertex_, inputVertex_, labelOf_;
-	std::vector<Triangle>    triangle_;
-	std::vector<int>         culprits_;
-	HalfEdgeMesh             mesh_;
+	std::vector<int>         nameOfResult_; ///< per vertex of the result: vertex of the new mesh,
+											///< or -1
+	std::vector<int> nameOfLocal_;          ///< per vertex of the local input: vertex of the new
+											///< mesh, or -1
+	std::vector<int>      resultVertex_, inputVertex_, labelOf_;
+	std::vector<Triangle> triangle_;
+	std::vector<int>      culprits_;
+	HalfEdgeMesh          mesh_;
 
-	/// A thin tube that ends in a patch may be enclosed by one cell: drawn together, it would be
-	/// lost.
+	/// Blames cells that reach too far: a cell may enclose a thin tube that ends in a patch, and
+	/// merging the cell would remove the tube.
 	void blameWideCells()
 	{
 		std::vector<float> most(role_.size(), 0);
@@ -216,13 +218,13 @@ private:
 		if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0]) return;
 		if (inside + border == 3) {
 			if (inside == 0 && isLeft(t)) return;
-			// Collapses cannot mend a triangle whose corners all stay.
+			// Collapses cannot mend a triangle with three fixed corners.
 			if (inside == 0 && isLineOfResult(t)) blameAll(corner);
 			triangle_.push_back(t);
 			return;
 		}
 		if (inside == 0) return;
-		// The inside meets what lies beyond the border.
+		// The inside meets vertices beyond the border.
 		for (int k = 0; k < 3; ++k) {
 			const int label = local_.label[std::size_t(corner[k])];
 			if (roleOf(label) != Role::Inside && roleOf(label) != Role::Border)
@@ -236,7 +238,7 @@ private:
 			culprits_.push_back(local_.label[std::size_t(corner[k])]);
 	}
 
-	/// Whether three vertices that stay lie in a line.
+	/// Whether three fixed vertices lie on a line.
 	bool isLineOfResult(const Triangle& t) const
 	{
 		const auto at = [&](std::size_t k) {
@@ -245,7 +247,7 @@ private:
 		return isLine(at(0), at(1), at(2), cross(at(1) - at(0), at(2) - at(0)));
 	}
 
-	/// Whether the result has a face between these vertices that stays.
+	/// Whether the result has an unmarked face between these vertices.
 	bool isLeft(const Triangle& t) const
 	{
 		const int h = result_.mesh.findHalfEdge(resultVertex_[std::size_t(t[0])],
@@ -263,7 +265,7 @@ private:
 
 	void blame(int v) { culprits_.push_back(labelOf_[std::size_t(v)]); }
 
-	/// A half-edge by the ends of its edge.
+	/// A half-edge by the two ends of its edge.
 	struct Edge {
 		int  low, high, half;
 		bool operator<(const Edge& o) const
@@ -309,8 +311,8 @@ private:
 		return edges;
 	}
 
-	/// Joins the half-edges of one edge, from begin to end. False where they cannot be all there
-	/// are.
+	/// Joins the half-edges from begin to end, of the same edge. False if these cannot be all
+	/// half-edges of an edge of the result.
 	bool joinEdge(const Edge* begin, const Edge* end)
 	{
 		const int h = begin->half;
@@ -323,7 +325,7 @@ private:
 		return true;
 	}
 
-	/// False where an edge has more than two faces, or one inside.
+	/// False if an edge has more than two faces, or a single face inside of the surface.
 	bool link()
 	{
 		placeVertices();
@@ -343,7 +345,7 @@ private:
 		return isSound;
 	}
 
-	/// Whether one turn round a vertex sees all its faces.
+	/// Whether each vertex has a single fan of faces.
 	bool areFansWhole()
 	{
 		std::vector<int> faces(std::size_t(mesh_.vertexNum), 0);
@@ -358,8 +360,8 @@ private:
 		return isSound;
 	}
 
-	/// Vertices in and round patches stand for the input, not for the triangles of the first
-	/// filling or of the result.
+	/// Assigns the working surface to the vertices in and round patches, in place of the triangles
+	/// of the first filling or of the result.
 	void standForInput(GuardedMesh& g) const { g.standFor(local_.mesh, nameOfLocal_); }
 
 	void fix(const std::vector<int>& keptInput, GuardedMesh& g) const
@@ -376,8 +378,8 @@ private:
 	}
 };
 
-/// Marks the faces round some vertices, and so many rings more, or as many as it takes to mark
-/// another face. False where there is none.
+/// Marks the faces round some vertices and `rings` more rings of faces; further rings until another
+/// face is marked. False if there is no other face.
 bool markRound(const HalfEdgeMesh& m, const std::vector<int>& vertices, int rings,
 			   std::vector<char>& marked)
 {
@@ -398,7 +400,7 @@ bool markRound(const HalfEdgeMesh& m, const std::vector<int>& vertices, int ring
 	return false;
 }
 
-/// Those whose faces are not all marked.
+/// The vertices with an unmarked face.
 std::vector<int> notInside(const HalfEdgeMesh& m, std::vector<int> vertices,
 						   const std::vector<char>& marked)
 {
@@ -453,7 +455,7 @@ bool refillPatches(const Surface& surface, const ResultMesh& result,
 		work += refill.share();
 		if (refill.isTooMuch() || work > mostWork) return false;
 		if (fits) refill.blameCells();
-		// Inside of a patch the input may be farther from the result than it was looked for.
+		// Inside of a patch the input may be farther from the result than the search distance.
 		const std::vector<int> outer = notInside(result.mesh, refill.culprits(), marked);
 		if (outer.size() < refill.culprits().size() && reach < mostReach) {
 			reach *= 2;

@@ -14,25 +14,25 @@ namespace gpr {
 
 namespace {
 
-/// Patches are made around the pairs that are left so many times.
+/// Most rounds of patches round the remaining contacts.
 constexpr int roundNum = 4;
-/// A patch that still does not fit after so many tries is given up.
+/// Most tries of a patch.
 constexpr int mostTries = 8;
-/// A larger share of a component is no better as a patch than the component made anew.
+/// Largest share of a component in a patch: beyond, making the whole component anew is as good.
 constexpr double mostOfComponent = 0.75;
-/// Vertices of the input that are looked at, as many times as it has faces.
+/// Most looks at vertices of the working surface, over the number of its faces.
 constexpr double mostWork = 20;
 
-/// A patch by the corners of its faces, which keep their names while others are filled.
+/// A patch by the corners of its faces; corners keep their names while other patches are filled.
 struct Patch {
 	std::vector<int> vertex; ///< ascending
 	int              tries = 0;
 };
 
-/// Faces that touch, the first one ascending.
+/// Pairs of touching faces, in ascending order of the first face.
 using Partners = std::vector<std::pair<int, int>>;
 
-/// What became of a patch in its turn.
+/// The outcome of a turn of a patch.
 struct Try {
 	FilledPart       filled;
 	std::vector<int> grown; ///< faces of the whole, ascending, for another try
@@ -110,8 +110,8 @@ private:
 		return partners;
 	}
 
-	/// The marked faces that hang together with f, by vertices or by pairs; their marks go. Walls
-	/// that touch are made anew together, so that one can follow the other.
+	/// The marked faces connected to f by vertices or by contacts; removes their marks. Touching
+	/// walls are made anew together, so that each can follow the other.
 	std::vector<int> takeConnected(int f, const Partners& partners, std::vector<char>& marked) const
 	{
 		std::vector<int> faces;
@@ -134,7 +134,7 @@ private:
 
 	double mostWorkHere() const { return mostWork * double(making_.surface.mesh.faceNum); }
 
-	/// One turn after another, until no patch waits.
+	/// Makes turns until no patch waits.
 	void fillAll()
 	{
 		while (!waiting_.empty()) {
@@ -162,7 +162,7 @@ private:
 		return faces;
 	}
 
-	/// Marks the faces, unless some, or some next to them, are marked.
+	/// Marks the faces as taken, unless some face, or a face next to these, is taken already.
 	bool claim(const std::vector<int>& faces, std::vector<char>& isTaken) const
 	{
 		for (int f : widened(result_.mesh, faces, 1)) {
@@ -173,7 +173,7 @@ private:
 		return true;
 	}
 
-	/// Those of the patches that have not to wait for others of them.
+	/// Fills the patches that do not have to wait for other patches.
 	void fillSome()
 	{
 		std::vector<Patch>            now, later;
@@ -211,7 +211,7 @@ private:
 			isLost_[std::size_t(v)] = 1;
 	}
 
-	/// Per component: faces that a patch may have of it.
+	/// Per component: most faces in a patch.
 	static std::vector<int> mostFaces(const Components& components)
 	{
 		std::vector<int> num(std::size_t(components.num), 0);
@@ -222,7 +222,7 @@ private:
 		return num;
 	}
 
-	/// Whether faces of a patch are more than it may have of one of their components.
+	/// Whether a patch has too many faces of a component.
 	static bool areMost(const std::vector<int>& faces, const Components& components,
 						const std::vector<int>& most)
 	{
@@ -257,7 +257,7 @@ private:
 		out.filled.part     = std::move(part);
 	}
 
-	/// Whether fewer faces touch in the patch than before. Marks more faces where not.
+	/// Whether the patch has fewer contacts than before. Marks more faces if not.
 	bool isBetter(const PatchPart& part, const PatchFilling& filling, Workers& inner,
 				  std::vector<char>& marked) const
 	{
@@ -284,7 +284,7 @@ private:
 		return ofInput_.withoutInputs(m, pairs);
 	}
 
-	/// Puts back what was filled; the others wait for another turn.
+	/// Puts filled patches back; the rest wait for another turn.
 	void take(std::vector<Patch>& patches, std::vector<Try>& tries)
 	{
 		std::vector<FilledPart> filled;

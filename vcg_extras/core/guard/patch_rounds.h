@@ -10,19 +10,19 @@
 
 namespace gpr {
 
-/// What was made in patches.
+/// The outcome of making patches anew.
 struct PatchOutcome {
 	bool isCapped = false;       ///< patches were left out, since the work would be too much
-	std::vector<FacePair> pairs; ///< that are left, without the input's own
+	std::vector<FacePair> pairs; ///< remaining contacts, without contacts of the input
 };
 
-/// Makes patches of a result anew (PatchFilling) around pairs of faces that touch. Patches that
-/// a pair joins are one patch. Each is cut out and filled by itself; those that would change the
-/// same faces take turns, the others are filled in parallel. One that does not fit grows, until it
-/// is most of its component, which then is left to be made anew as a whole. Around pairs that are
-/// left larger patches are made. The work is bounded by the size of the input; the largest patches
-/// come first. Which patches are filled together depends on no number of threads. Cost: that of the
-/// patches, and for each turn a pass over the result.
+/// Makes patches of a result anew (PatchFilling) round contacts. A contact joins the patches of its
+/// two faces. Each patch is cut out and filled by itself; patches that would change the same faces
+/// take turns, all others are filled in parallel. A patch that does not fit grows; a patch of most
+/// of its component is left for making the component anew. Round remaining contacts larger patches
+/// are made. The size of the working surface bounds the work; the largest patches come first. The
+/// same patches are filled together for any number of threads. Cost: linear in the patches, and for
+/// each turn a pass over the result.
 PatchOutcome fillPatches(const MakingOfVertices& making, const InputContacts& ofInput,
 						 const std::vector<FacePair>& pairs, ResultMesh& result, Workers& workers);
 

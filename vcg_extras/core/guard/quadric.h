@@ -22,7 +22,7 @@ struct Quadric {
 		return *this;
 	}
 
-	/// The plane through p with unit normal n.
+	/// Adds the squared distance from the plane through p with unit normal n.
 	void addPlane(const Vec3d& p, const Vec3d& n, double weight)
 	{
 		const double d = dot(n, p);
@@ -41,14 +41,14 @@ struct Quadric {
 
 	double trace() const { return A.trace(); }
 
-	/// Never negative, though rounding may be.
+	/// Value at p; never negative in spite of rounding.
 	double at(const Vec3d& p) const
 	{
 		const double value = dot(p, A * p) - 2 * dot(b, p) + c;
 		return value > 0 ? value : 0;
 	}
 
-	/// Where it is smallest; `otherwise` where that is not one point.
+	/// The point of least value; `otherwise` if there are several such points.
 	Vec3d lowest(const Vec3d& otherwise) const
 	{
 		const double size = trace();

@@ -41,7 +41,7 @@ void dropSmallComponents(RunContext& run, CleanCounts& counts, Surface& surface)
 	dropFaces(run, small.faces, counts.droppedFaces, counts, surface);
 }
 
-/// A detour, as it takes a second ordering and connecting.
+/// Drops useless pieces of the mesh. A detour: takes a second ordering and connecting.
 IndexedMesh withoutUselessPieces(RunContext& run, IndexedMesh mesh, CleanCounts& counts)
 {
 	Surface surface;
@@ -56,7 +56,7 @@ IndexedMesh withoutUselessPieces(RunContext& run, IndexedMesh mesh, CleanCounts&
 Sewing sewingFor(const RemeshOptions& options, Sewing wanted)
 {
 	if (!options.sew || wanted == Sewing::Never) return Sewing::Never;
-	// Sheets that are cut apart must not be taken for seams.
+	// Sheets that are cut apart must not be sewn as seams.
 	const bool isFirst = options.dropComponentsBelow > 1 || keepsJunctions(options);
 	return isFirst ? Sewing::First : wanted;
 }
@@ -80,7 +80,7 @@ void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Su
 
 void dropFlatPieces(RunContext& run, CleanCounts& counts, Surface& surface)
 {
-	// What lies along the border of a sheet is shared with others.
+	// Pieces along the border of a sheet are shared with other sheets.
 	if (!surface.meetings.empty()) return;
 	const std::vector<int> flat = findFlatPieces(surface, run.workers);
 	if (flat.empty()) return;

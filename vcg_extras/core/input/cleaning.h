@@ -14,35 +14,35 @@
 
 namespace gpr {
 
-/// Whether seams are sewn before the mesh is connected.
+/// The time of sewing seams: before the mesh is connected, not yet, or never.
 enum class Sewing { First, NotYet, Never };
 
-/// What the options ask for. Components must be whole where small ones are dropped.
+/// The sewing for the options. Small components can only be counted in a sewn mesh.
 Sewing sewingFor(const RemeshOptions& options, Sewing wanted);
 
 /// The input without faults, before its edges are split.
 struct CleanedInput {
 	IndexedMesh mesh;
 	FaceExtents extents;
-	CleanCounts counts; ///< of what cleaning did
+	CleanCounts counts; ///< counts of the cleaning
 };
 
-// Each function below adds to the counts what it did, and throws Failure where nothing is left.
+// Each function below adds to the counts, and throws Failure if no face is left.
 
-/// The caller's mesh without faulty faces and without the components that the options drop.
+/// The input mesh without faulty faces and without the components that the options drop.
 std::shared_ptr<CleanedInput> clean(RunContext& run, Sewing sewing, CleanCounts& counts);
 
-/// Orders the mesh in space and connects its faces; repairs it where it is not manifold. The mesh
-/// is used up.
+/// Orders the mesh in space and connects its faces; repairs a mesh that is not manifold. Uses up
+/// the mesh.
 void connectOrRepair(RunContext& run, IndexedMesh& mesh, CleanCounts& counts, Surface& surface);
 
-/// Pieces without area, left by repair or there from the start, could only be meshed by triangles
-/// without area. Pieces that hold others together stay.
+/// Drops thin pieces (findFlatPieces), left by repair or there from the start: a result could mesh
+/// such pieces by degenerate faces only. Pieces between other pieces stay.
 void dropFlatPieces(RunContext& run, CleanCounts& counts, Surface& surface);
 
-/// Orders and connects a mesh, which is used up, and drops pieces without area. False where its
-/// seams must be sewn first: most meshes have none, which is soon seen where the border is known.
-/// To look for them before would take a tenth of a quick run.
+/// Orders and connects a mesh, and drops thin pieces; uses up the mesh. False if seams must be sewn
+/// first. Most meshes have no seams, which a known border shows quickly; a search before connecting
+/// would take a tenth of a quick run.
 bool connectCleaned(RunContext& run, Sewing sewing, IndexedMesh& mesh, CleanCounts& counts,
 					Surface& surface);
 

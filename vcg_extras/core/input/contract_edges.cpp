@@ -39,15 +39,15 @@ std::vector<Edge> findEdgesWithoutLength(const IndexedMesh& mesh, Workers& worke
 	return edges;
 }
 
-/// What a cluster of vertices and the faces at it look like when all become one vertex. Nothing of
-/// the topology changes if what is contracted is itself without holes, and everything beside it is
+/// The topology of a cluster of vertices and its faces, for contracting the cluster to a vertex.
+/// The topology stays the same if the cluster has no holes and each vertex beside the cluster is
 /// joined to it in one piece: the link condition (Dey, Edelsbrunner, Guha and Nekhayev 1999) for
-/// many vertices at once. The outside of a border counts as one more vertex beside it.
+/// many vertices at once. The outside of a border counts as another vertex beside the cluster.
 class ClusterTopology {
 public:
 	explicit ClusterTopology(const std::vector<int>& cluster) : cluster_(cluster) {}
 
-	/// A face with a corner in the cluster.
+	/// Adds a face with a corner in the cluster.
 	void addFace(const std::array<int, 3>& corner)
 	{
 		std::vector<int> in, out;
@@ -63,11 +63,11 @@ public:
 			addSide(corner[k], corner[(k + 1) % 3]);
 	}
 
-	/// A hole of three edges, one of which is in the cluster, has no area. It counts as a face from
-	/// here on, which goes with that edge, so that the other two become one.
+	/// A hole of three edges, with an edge in the cluster, has no area. From here on the hole
+	/// counts as a face: contracting the edge joins the other two edges.
 	void fillSlits()
 	{
-		std::map<int, std::vector<int>> openTo; // per vertex beside it: over edges of the border
+		std::map<int, std::vector<int>> openTo; // per vertex beside the cluster: over border edges
 		for (const auto& [edge, faceNum] : faceNum_) {
 			const auto [a, b] = edge;
 			if (faceNum != 1 || isInside(a) == isInside(b)) continue;
@@ -81,9 +81,10 @@ public:
 	bool staysTheSame() const
 	{
 		if (hasTwins_) return false;
-		std::map<int, std::set<int>> reaches; // per vertex beside it: those in the cluster
-		std::set<int>                border;
-		int                          innerEdgeNum = 0, innerBorderEdgeNum = 0;
+		std::map<int, std::set<int>> reaches; // per vertex beside the cluster: neighbours in the
+											  // cluster
+		std::set<int> border;
+		int           innerEdgeNum = 0, innerBorderEdgeNum = 0;
 		for (const auto& [edge, faceNum] : faceNum_) {
 			const auto [a, b] = edge;
 			if (faceNum > 2) return false;
@@ -107,11 +108,13 @@ public:
 private:
 	const std::vector<int>& cluster_; ///< ascending
 	int                     innerFaceNum_ = 0;
-	std::map<int, int>      facesTo_;  ///< per vertex beside it: faces with an edge of the cluster
-	std::map<Edge, int>     apexOf_;   ///< per edge of the cluster: beside it, of a face there
-	std::map<Edge, int>     faceNum_;  ///< per edge with an end in the cluster
-	std::set<Edge>          opposite_; ///< edges over which faces look at the cluster
-	bool                    hasTwins_ = false; ///< two faces would have the same vertices
+	std::map<int, int>      facesTo_; ///< per vertex beside the cluster: faces with an edge of the
+									  ///< cluster
+	std::map<Edge, int> apexOf_;      ///< per edge of the cluster: the third corner of a face
+	std::map<Edge, int> faceNum_;     ///< per edge with an end in the cluster
+	std::set<Edge>      opposite_;    ///< edges opposite to the cluster, of faces with a corner in
+									  ///< the cluster
+	bool hasTwins_ = false;           ///< two faces would have the same vertices
 
 	bool isInside(int v) const { return std::binary_search(cluster_.begin(), cluster_.end(), v); }
 	void addOpposite(const Edge& edge) { hasTwins_ |= !opposite_.insert(edge).second; }
@@ -133,7 +136,8 @@ private:
 	}
 };
 
-/// Contracts one cluster after the other; each sees what those before it have left.
+/// Contracts the clusters in turn; each cluster is judged in the mesh with all earlier
+/// contractions.
 class Contraction {
 public:
 	Contraction(IndexedMesh& mesh, const std::vector<Edge>& edges, Workers& workers) :
@@ -143,7 +147,7 @@ public:
 		findFaces(workers);
 	}
 
-	/// Returns how many vertices were joined to others.
+	/// Returns the number of vertices joined to other vertices.
 	std::int64_t run()
 	{
 		std::int64_t num = 0;
@@ -166,7 +170,7 @@ private:
 	IndexedMesh&                    mesh_;
 	Poller                          poller_;
 	std::map<int, std::vector<int>> cluster_; ///< by the least vertex; ascending
-	std::map<int, int>              firstOf_; ///< per vertex of a cluster: its least one
+	std::map<int, int>              firstOf_; ///< per vertex of a cluster: the least vertex
 	std::map<int, std::vector<int>> facesAt_; ///< per cluster
 	std::unordered_map<int, int>    newName_;
 

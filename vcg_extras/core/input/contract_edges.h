@@ -9,13 +9,13 @@
 
 namespace gpr {
 
-/// Contracts edges without length: vertices at the very same place that edges join become one, and
-/// the faces between them are dropped. CAD programs write such faces, as strips without width: each
-/// side of a strip would get samples of its own, and the triangles between them no area. What is
-/// contracted must not change the topology, nor make an edge or a vertex that is not manifold; else
-/// it stays. Holes of three edges, one of them without length, are the exception: they have no area
-/// and are closed. Vertices and faces keep their order. Cost: a parallel pass over the faces; for
-/// what has to be contracted, O(n log n) in the faces there.
+/// Contracts edges without length: vertices at the very same place, joined by edges, become a
+/// single vertex; the faces between are dropped. CAD programs write such faces as strips without
+/// width: each side of a strip would get samples of its own, and the triangles between would be
+/// degenerate. A cluster of such vertices stays if contracting would change the topology, or make
+/// an edge or a vertex that is not manifold. The exception: holes of three edges, with an edge
+/// without length, have no area and are closed. Vertices and faces keep their order. Cost: a
+/// parallel pass over the faces; for contractions O(n log n) in the n faces concerned.
 void contractEdgesWithoutLength(IndexedMesh& mesh, Workers& workers, CleanCounts& counts);
 
 } // namespace gpr

@@ -10,8 +10,8 @@
 
 namespace gpr {
 
-/// A number per edge, found by its two ends. A table without chains: most of the time of splitting
-/// went into the memory of a std::unordered_map's nodes.
+/// A number per edge, found by the two ends of the edge. A table without chains: most of the time
+/// of splitting went into the memory of a std::unordered_map's nodes.
 class EdgeTable {
 public:
 	void clear()
@@ -33,7 +33,7 @@ public:
 		}
 	}
 
-	/// The number of the edge a-b, which is `next` if it had none yet.
+	/// The number of the edge a-b; a new edge gets the number `next`.
 	int findOrPut(int a, int b, int next)
 	{
 		const std::uint64_t low = std::min(a, b), high = std::max(a, b);
@@ -57,8 +57,8 @@ private:
 	std::vector<Entry> entry_ = std::vector<Entry>(1024); ///< a power of two, at most half full
 	std::size_t        num_   = 0;
 
-	/// Where the edge is, or is to be put: beside those of the same and the next smaller ends,
-	/// which are asked for soon before and after; where there are too many, anywhere.
+	/// The entry of the edge, or a free entry: beside the edges with the same and the next smaller
+	/// ends, which are asked for soon before and after. If nearby entries are full, anywhere.
 	Entry& placeOf(std::uint64_t edge)
 	{
 		// A vertex has three edges to others on the mean; a line of the cache holds four entries.

@@ -15,7 +15,7 @@ namespace gpr {
 
 namespace {
 
-/// In working units, the box being about 1: above the rounding of coordinates, as for the weld.
+/// Working units, with a box of about 1: above the rounding of coordinates, as for the weld.
 constexpr float minWidth = 1e-6f;
 /// Height over length.
 constexpr float minSlope = 1e-3f;
@@ -42,8 +42,8 @@ bool isThin(const IndexedMesh& m, int f)
 	return isThin(m.position[v[0]], m.position[v[1]], m.position[v[2]]);
 }
 
-/// Ascending. All corners of a thin face are rough, with a margin for rounding; it is looked at
-/// from its first.
+/// Thin faces, ascending. All corners of a thin face are rough, with a margin for rounding; the
+/// first corner finds the face.
 std::vector<int> findThin(const Surface& surface, Workers& workers)
 {
 	static_assert(roughWidth >= 1.5f * minWidth);
@@ -75,8 +75,8 @@ struct Extent {
 		box += other.box;
 	}
 
-	/// Whether the faces, each thin, are so together too: not a small piece of many small faces,
-	/// and not many needles side by side.
+	/// Whether the faces are thin together too: no small piece of many small faces, and no row of
+	/// many needles.
 	bool isLine() const { return !(area > double(minWidth) * double(box.diagonal())); }
 };
 
@@ -108,10 +108,11 @@ private:
 	std::vector<char>   seen_;  ///< per thin face
 	std::vector<char>   gone_;  ///< per thin face
 	std::vector<int>    faces_; ///< joined thin faces
-	std::vector<int> pieceOf_; ///< per thin face: another of the same piece taken off; its own head
-	std::vector<Extent> extent_; ///< per thin face: of the piece that it is the head of
+	std::vector<int> pieceOf_; ///< per thin face: another face of the same dropped piece; the head:
+							   ///< itself
+	std::vector<Extent> extent_; ///< per thin face: of the piece with this head
 
-	/// Where the face is among the thin ones, or -1.
+	/// Index of the face among the thin faces, or -1.
 	int thinIndex(int f) const
 	{
 		const auto found = std::lower_bound(thin_.begin(), thin_.end(), f);
@@ -120,7 +121,7 @@ private:
 
 	// ---- whole components
 
-	/// Joins the thin faces round thin_[first]; whether they are a whole component.
+	/// Collects the thin faces joined to thin_[first]. Returns whether these are a whole component.
 	bool collectThin(std::size_t first)
 	{
 		bool isWhole = true;
@@ -162,9 +163,9 @@ private:
 
 	// ---- at borders
 
-	/// Takes faces off until none is left that may go; each may make way for its neighbours. What
-	/// is taken off in one place has to be a line as a whole, or a surface of needles would go row
-	/// by row.
+	/// Takes faces off until no face may go; each face may make way for its neighbours. The faces
+	/// taken off in one place must be a line together: else a surface of needles would go row by
+	/// row.
 	void peelBorders()
 	{
 		for (std::size_t i = 0; i < thin_.size(); ++i) {
@@ -186,7 +187,7 @@ private:
 		}
 	}
 
-	/// Joins a thin face with what is gone beside it, if all that is a line.
+	/// Joins a thin face with the dropped pieces at its edges, if all together are a line.
 	bool joinsALine(int i)
 	{
 		const int f   = thin_[i];
@@ -222,7 +223,7 @@ private:
 
 	bool isBorder(int h) const { return m_.opposite[h] < 0 || isGone(m_.opposite[h] / 3); }
 
-	/// Whether the topology and, but for rounding, the surface and its border stay.
+	/// Whether the topology stays and, but for rounding, the surface and its border.
 	bool mayGo(int f) const
 	{
 		int borderNum = 0, border = -1;
@@ -252,7 +253,7 @@ bool isThin(const Vec3f& a, const Vec3f& b, const Vec3f& c, float factor)
 	const float width = factor * minWidth;
 	const float squared =
 		std::max({squaredLength(b - a), squaredLength(c - b), squaredLength(a - c)});
-	// Nearly all faces are told without a root: far wider than minWidth.
+	// Most faces are judged without a root: faces far wider than minWidth.
 	if (squaredLength(n) > 4 * width * width * squared) return false;
 	const float longest = std::sqrt(squared);
 	return !(length(n) > longest * std::min(width, factor * minSlope * longest));

@@ -12,25 +12,25 @@
 
 namespace gpr {
 
-/// Whether a triangle in working units is thinner than a millionth of the box and a thousandth of
-/// its length, or than `factor` times that.
+/// Whether a triangle in working units is thin: narrower than a millionth of the box and a
+/// thousandth of its length, each times `factor`.
 bool isThin(const Vec3f& a, const Vec3f& b, const Vec3f& c, float factor = 1);
 
-/// Faces, in ascending order, that a surface is no poorer without, and that no triangles with an
-/// area could take the place of. All are thin, and so is what is joined of them. They make up whole
-/// components that are lines; or hang on a border by one edge; or lie along a border with their
-/// longest edge. Without the components every other one keeps its topology. Cost: a parallel pass
-/// over the vertices; O(t log t) for t thin faces.
+/// Thin faces to drop, ascending: the surface loses nothing, and no triangles with an area could
+/// replace these faces. The faces of each piece are thin together too. A piece is a whole
+/// component, or grows from the border: by faces with two border edges, and by faces with their
+/// longest edge at the border and an inner third corner. All other components keep their topology.
+/// Cost: a parallel pass over the vertices; O(t log t) for t thin faces.
 std::vector<int> findFlatPieces(const Surface& surface, Workers& workers);
 
-/// The surface without `faces` (ascending) and the vertices only they have, as a mesh to be ordered
-/// and connected anew; the surface is empty then. droppedNum grows by the caller's faces that are
-/// concerned.
+/// The surface without `faces` (ascending) and without vertices of these faces alone, as a mesh to
+/// order and connect anew. Afterwards the surface is empty. droppedNum grows by the number of
+/// dropped faces of the input mesh.
 IndexedMesh withoutFaces(Surface& surface, const std::vector<int>& faces, Workers& workers,
 						 std::int64_t& droppedNum);
 
-/// Whether all faces are that thin, so that the surface may be nothing but lines: splitting their
-/// edges would make endless faces of them. Cost: a parallel pass that ends at the first other face.
+/// Whether all faces are thin: the surface may then consist of lines, and splitting long edges
+/// would make endless faces. Cost: a parallel pass, ended by the first face that is not thin.
 bool allFacesThin(const IndexedMesh& mesh, Workers& workers);
 
 } // namespace gpr

@@ -19,7 +19,7 @@ namespace {
 
 void refuseHugeInput(const MeshView& input)
 {
-	// Half-edges are numbered with 32 bits; a factor of two is left for splitting.
+	// Half-edges have numbers of 32 bits; a factor of two is left for splitting.
 	constexpr std::size_t maxFaces = std::size_t(1) << 29;
 	if (input.faceNum > maxFaces || input.vertexNum > maxFaces) {
 		throw Failure(Status::UnusableInput,
@@ -59,14 +59,14 @@ Buffer<char> findFinite(const MeshView& input, Workers& workers, std::int64_t& b
 	return finite;
 }
 
-/// With room for the few faces and vertices that splitting long edges adds to most scans; memory
-/// that is not touched costs nothing.
+/// Room for the few faces and vertices added to most scans by splitting long edges. Untouched
+/// memory costs nothing.
 std::size_t withRoom(std::size_t n)
 {
 	return n + n / 32;
 }
 
-/// Copies the usable faces in their order; sourceFace tells where each came from.
+/// Copies the usable faces in their order; sourceFace is the face of the input.
 void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& workers,
 			   IndexedMesh& mesh, CleanCounts& counts)
 {
@@ -88,7 +88,7 @@ void copyFaces(const MeshView& input, const Buffer<char>& finite, Workers& worke
 	keepFaces(mesh, usable, workers);
 }
 
-/// Which vertices a face uses.
+/// The vertices used by faces.
 class UsedVertices {
 public:
 	UsedVertices(const IndexedMesh& mesh, std::size_t vertexNum, Workers& workers) :
@@ -128,7 +128,7 @@ Frame requireFrame(const Box<double>& box)
 												: "The surface has no area.");
 }
 
-/// Puts the used vertices in a row and renames them in the faces.
+/// Numbers the used vertices consecutively and renames the corners of faces.
 void copyVertices(const MeshView& input, const UsedVertices& used, Workers& workers,
 				  IndexedMesh& mesh, CleanCounts& counts)
 {
@@ -142,7 +142,7 @@ void copyVertices(const MeshView& input, const UsedVertices& used, Workers& work
 		return;
 	}
 	counts.unreferencedVertices = unused;
-	Buffer<int> numberUpTo(input.vertexNum); // of the used vertices up to each one
+	Buffer<int> numberUpTo(input.vertexNum); // of the used vertices up to and including each vertex
 	workers.forEach(input.vertexNum, [&](int v) { numberUpTo[v] = used[v]; });
 	workers.sumUp(numberUpTo.data(), input.vertexNum);
 	workers.forEach(input.vertexNum, [&](int v) {
@@ -154,12 +154,12 @@ void copyVertices(const MeshView& input, const UsedVertices& used, Workers& work
 
 bool isSoup(const IndexedMesh& mesh)
 {
-	// Every vertex is used, so 3 F vertices means that no face shares one.
+	// Every vertex is used: with 3 F vertices no two faces share a vertex.
 	return mesh.faceNum > 1 && mesh.vertexNum == 3 * mesh.faceNum;
 }
 
-/// Of every vertex the first one within the tolerance, by way of a hash grid whose cells are as
-/// wide as the tolerance.
+/// For every vertex the first vertex within the tolerance, by a hash grid with cells as wide as the
+/// tolerance.
 std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance, Workers& workers)
 {
 	Poller     poller(workers);
@@ -189,7 +189,7 @@ std::vector<int> findFirstNear(const IndexedMesh& mesh, float tolerance, Workers
 	return first;
 }
 
-/// Makes vertices at (nearly) equal positions one; faces that lose a corner by it are dropped.
+/// Joins vertices at (nearly) equal positions; drops faces that lose a corner.
 void weld(IndexedMesh& mesh, Workers& workers, CleanCounts& counts)
 {
 	const std::vector<int> first = findFirstNear(mesh, samePlace, workers);

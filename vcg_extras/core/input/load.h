@@ -11,19 +11,19 @@
 
 namespace gpr {
 
-/// Stage::Load: a working copy of the caller's mesh, with what no surface can have left out:
-/// vertices that are not finite (and their faces), vertices in no face, faces with a vertex twice.
-/// A triangle soup (no vertex shared at all) is welded where positions agree to a millionth of the
-/// box. Throws Failure{UnusableInput} for indices out of range, no face left or no area. Cost:
+/// Stage::Load: a copy of the input mesh in working units, without vertices that are not finite
+/// (and their faces), vertices of no face, and faces with a repeated vertex. In a triangle soup (no
+/// two faces share a vertex) vertices with the same position, to a millionth of the box, are
+/// welded. Throws Failure{UnusableInput} for indices out of range, no face left or no area. Cost:
 /// linear, parallel.
 IndexedMesh loadInput(const MeshView& input, Workers& workers, CleanCounts& counts);
 
-/// What is asked of all faces, from one pass over them.
+/// Figures over all faces, from a single pass.
 struct FaceExtents {
 	double        area = 0;       ///< sum, working units squared, in double
-	Buffer<float> longestSquared; ///< edge of each facesTogether faces, working units squared
+	Buffer<float> longestSquared; ///< longest edge per facesTogether faces, working units squared
 
-	/// So few that most are without a long edge where long edges are rare.
+	/// Small, so that with rare long edges most groups of faces have no long edge.
 	static constexpr std::size_t facesTogether = 64;
 };
 

@@ -20,36 +20,37 @@ namespace gpr {
 
 namespace {
 
-/// A turn over the window to both sides, in edges, that makes a corner: 50°, as 1 - its cosine.
+/// Least turn of a corner: 50°, as 1 - its cosine. The turn is measured over a window in both
+/// directions, in edges.
 constexpr double cornerTurn = 1 - 0.6427876096865394, cornerWindow = 0.6;
-/// A sample so near to a vertex of the border, in edges, is that vertex.
+/// A sample this near to a vertex of the border, in edges, is the vertex.
 constexpr double nearVertex = 1e-4;
 constexpr int    none       = -1;
-/// Of one piece of a border.
+/// Most samples of a piece of a border.
 constexpr double mostSamples = 2e7;
 
-/// In long loops; i: its turns so far.
+/// For long loops; i: repetitions so far.
 void pollNowAndThen(std::size_t i, Workers& workers)
 {
 	if (i % 65536 == 0) workers.poll();
 }
 
-/// The order of places in space, which does not depend on the numbers of vertices.
+/// The order of places in space, independent of the numbers of vertices.
 bool isBefore(const Vec3d& a, const Vec3d& b)
 {
 	return std::make_tuple(a.x, a.y, a.z) < std::make_tuple(b.x, b.y, b.z);
 }
 
-/// An edge of the border: where it is in the mesh, and what follows it.
+/// An edge of the border: its corner of the mesh and its neighbours along the border.
 struct BorderEdge {
-	int                   corner; ///< of the face, where it begins
+	int                   corner; ///< corner of the face at the edge's begin
 	int                   next = none, last = none;
-	PeriodicBorder::Shift shift = {}; ///< periods from where its samples are computed
+	PeriodicBorder::Shift shift = {}; ///< periods from the edge with the computed samples
 };
 
 /// A sample inside an edge of the border.
 struct Inside {
-	double share; ///< of the way from where the edge begins
+	double share; ///< of the way from the edge's begin
 	Vec3d  place;
 };
 
@@ -77,16 +78,16 @@ private:
 	const MeshView&           input_;
 	const double              edge_;
 	Workers&                  workers_;
-	std::vector<std::int32_t> place_; ///< per vertex: the first one at the same place
+	std::vector<std::int32_t> place_; ///< per vertex: the first vertex at the same place
 	std::vector<char>         isStop_, isKeptPlace_;
 	PeriodicBorder            periodic_;
 
 public:
 	std::vector<BorderEdge>          edge;
 	std::vector<std::vector<Inside>> inside; ///< per edge, by share
-	std::vector<std::uint8_t>        isKept; ///< per vertex of the caller's
+	std::vector<std::uint8_t>        isKept; ///< per vertex of the input mesh
 
-	/// Where a vertex of the caller's lies, or, if it is a translate, should.
+	/// Position of a vertex of the input mesh; a translate gets its exact position.
 	Vec3d placed(std::size_t v) const
 	{
 		return periodic_.any() ? translated(place_[v], {}) : input_.position(v);
@@ -100,13 +101,13 @@ private:
 	}
 	int beginOf(int e) const { return placeOf(edge[std::size_t(e)].corner); }
 	int endPlace(int e) const { return placeOf(nextCorner(edge[std::size_t(e)].corner)); }
-	/// Where an edge begins, or the edge that it is the translate of.
+	/// Begin of an edge; for a translate, begin of the edge with the computed samples.
 	Vec3d at(int e) const { return translated(beginOf(e), edge[std::size_t(e)].shift); }
-	/// Where it ends.
+	/// End of an edge, as at().
 	Vec3d endOf(int e) const { return translated(endPlace(e), edge[std::size_t(e)].shift); }
 
-	/// The root of a place, moved by the periods to the place, less those of `back`. Translates are
-	/// computed from the same numbers so.
+	/// The root of a place, moved by the periods of the place minus `back`. So all translates are
+	/// computed from the same numbers.
 	Vec3d translated(int place, const PeriodicBorder::Shift& back) const
 	{
 		PeriodicBorder::Shift shift = periodic_.shiftOf(place);
@@ -152,7 +153,7 @@ private:
 		inside.resize(edge.size());
 	}
 
-	/// Other faces are left out of the run.
+	/// Faces that are not usable are left out of the run.
 	bool isUsable(int f) const
 	{
 		const auto t = input_.triangle(std::size_t(f));
@@ -175,12 +176,13 @@ private:
 			edge[e].shift = periodic_.shiftOf(ends[e]);
 	}
 
-	/// Edges that begin and end at a place.
+	/// The edges that begin and the edges that end at a place.
 	struct Meeting {
 		std::vector<int> begin, end;
 	};
 
-	/// Links edges where one ends and one begins. All translates of a place are linked alike.
+	/// Links edges at places with two edges, an end and a begin. All translates of a place are
+	/// linked alike.
 	void link()
 	{
 		std::map<int, Meeting> meetingAt;
@@ -199,7 +201,7 @@ private:
 		}
 	}
 
-	/// Whether other than two edges meet, or an edge has translates that the other one has not.
+	/// Whether other than two edges meet, or the two edges have different translates.
 	bool isNodeAt(const Meeting& meeting) const
 	{
 		if (meeting.begin.size() != 1 || meeting.end.size() != 1) return true;
@@ -209,7 +211,8 @@ private:
 				   periodic_.axesOnward({beginOf(b), endPlace(b)});
 	}
 
-	/// The place so far along the border from where edge e begins, or where it ends before.
+	/// The place at the length `way` along the border from the begin of edge e, forward or
+	/// backward.
 	Vec3d walked(int e, bool forward, double way) const
 	{
 		Vec3d     from  = at(e);
@@ -227,7 +230,7 @@ private:
 		return from;
 	}
 
-	/// Grows with the angle: 1 - its cosine.
+	/// The turn at the begin of e, as 1 - the cosine of the angle.
 	double turnAt(int e) const
 	{
 		const Vec3d p = at(e), a = p - walked(e, false, cornerWindow * edge_),
@@ -287,7 +290,7 @@ private:
 		}
 	}
 
-	/// Whether a walk from edge e on comes back without a stop.
+	/// Whether a walk from edge e comes back to e without a stop.
 	bool isLoop(int e) const
 	{
 		int k = e;
@@ -298,7 +301,7 @@ private:
 		return k == e;
 	}
 
-	/// The edges from e, a stop, to the next one.
+	/// The edges from e, a stop, to the next stop.
 	std::vector<int> pieceFrom(int e) const
 	{
 		std::vector<int> piece;
@@ -342,7 +345,7 @@ private:
 	void keep(int e) { isKeptPlace_[std::size_t(beginOf(e))] = 1; }
 	void keepEnd(int e) { isKeptPlace_[std::size_t(endPlace(e))] = 1; }
 
-	/// A sample on edge e, a share of the way from a to b; turns: from the edge's end to its begin.
+	/// Puts a sample on edge e, at a share of the way from a to b. turns: a is the end of the edge.
 	void put(int e, const Vec3d& a, const Vec3d& b, double share, double len, bool turns)
 	{
 		if (share * len < nearVertex * edge_) return turns ? keepEnd(e) : keep(e);
@@ -352,22 +355,23 @@ private:
 		on.insert(turns ? on.begin() : on.end(), made);
 	}
 
-	/// To edge e, from where its samples are computed.
+	/// Moves a sample to edge e from the edge with the computed samples.
 	Vec3d moved(Vec3d place, int e) const
 	{
 		if (!periodic_.any()) return place;
-		// A result is written in floats as its input was: a period more must be one there, too.
+		// The writer of a result rounds to floats, like the writer of the input: the shift by a
+		// period must hold in floats too.
 		if (!input_.doublePrecision) place = Vec3d(Vec3f(place));
 		return place + periodic_.times(edge[std::size_t(e)].shift);
 	}
 };
 
-/// A corner of a part of a face, and what lies on the edge from it to the next one.
+/// A corner of a part of a face, and the samples on the edge to the next corner.
 struct PartCorner {
 	std::int32_t              vertex;
 	MatchedBorder::Corner     at;
 	std::uint8_t              line = 0;
-	std::vector<std::int32_t> vertices; ///< to be put in
+	std::vector<std::int32_t> vertices; ///< vertices to insert
 	std::vector<float>        shares;
 };
 
@@ -397,7 +401,7 @@ private:
 	const MeshView& input_;
 	MatchedBorder&  out_;
 
-	/// Parts the triangle from the first vertex on its first edge to the opposite corner.
+	/// Cuts the triangle from the first vertex on its first edge to the opposite corner.
 	static void cut(Part& p, std::vector<Part>& open)
 	{
 		PartCorner made{p[0].vertices.front(), p[0].at, p[0].line, {}, {}};
@@ -462,7 +466,7 @@ MatchedBorder matchBorder(const MeshView& input, double edgeLength, const Vec3d&
 		out.positions.push_back(border.placed(v));
 	if (input.selected != nullptr)
 		out.selected.assign(input.selected, input.selected + input.vertexNum);
-	std::map<int, int> edgeAt; ///< by the corner where it begins
+	std::map<int, int> edgeAt; ///< by the corner at the edge's begin
 	for (int e = 0; e < int(border.edge.size()); ++e) {
 		if (!border.inside[std::size_t(e)].empty()) edgeAt[border.edge[std::size_t(e)].corner] = e;
 	}

@@ -12,38 +12,40 @@
 
 namespace gpr {
 
-/// A mesh whose border has vertices where those of a result shall be, with the way back.
+/// A mesh with border vertices at the future places of the result's border vertices, and the way
+/// back to the input mesh.
 struct MatchedBorder {
-	/// Where a corner lies on the caller's face: on the edge from corner `from` to the next one.
+	/// Place of a corner on a face of the input: on the edge from corner `from` to the next corner.
 	struct Corner {
 		std::uint8_t from  = 0;
 		float        share = 0; ///< of the way
 	};
 
-	std::vector<Vec3d>        positions; ///< the caller's vertices first
+	std::vector<Vec3d>        positions; ///< the vertices of the input mesh first
 	std::vector<std::int32_t> triangles;
-	std::vector<std::int32_t> faceOf;   ///< per face: the caller's that it is a part of
+	std::vector<std::int32_t> faceOf;   ///< per face: the whole face of the input mesh
 	std::vector<Corner>       cornerAt; ///< three a face
-	std::vector<std::uint8_t> isKept;   ///< per vertex: of the border, and to be one of the result
+	std::vector<std::uint8_t> isKept;   ///< per vertex: border vertex of the future result
 	std::vector<std::uint8_t> selected, line;
 	std::vector<std::int32_t> region;
 
 	MeshView view() const;
 };
 
-/// Splits the faces at the border where its samples for an edge length (mesh units) lie. Borders
-/// are cut at their corners, which turn by 50° over .6 edges, and where other than two of their
-/// edges meet; each piece is cut into equal lengths. All is computed in double and in a direction
-/// that the places of the piece's ends decide, so that meshes with a piece in common get the same
-/// samples there, bit for bit. Vertices at exactly the same place are taken for one. Throws Failure
-/// where a face names a vertex that does not exist. period: lengths of a periodic cell, mesh units,
-/// 0 along an axis without one; vertices and samples of the border's end then lie one period from
-/// those of its begin, bit for bit, and Failure is thrown where the two ends differ (see
-/// PeriodicBorder). workers: asked now and then whether to go on. Cost: O(F log F), serial.
+/// Splits the faces at the border at the samples of the border for an edge length (mesh units).
+/// Borders are cut into pieces at corners, which turn by 50° over .6 edges, and at places with
+/// other than two border edges; each piece gets samples at equal lengths. All is computed in double
+/// and in a direction given by the places of the piece's ends: meshes with a common piece get the
+/// same samples there, bit for bit. Vertices at exactly the same place count as equal. period:
+/// lengths of a periodic cell, mesh units, 0 along an axis without a period. Vertices and samples
+/// at the border's far end then lie one period from their partners at the near end, bit for bit.
+/// Throws Failure for a vertex number out of range, and if the two ends differ (see
+/// PeriodicBorder). Polls workers now and then. Cost: O(F log F), serial.
 MatchedBorder matchBorder(const MeshView& input, double edgeLength, const Vec3d& period,
 						  Workers& workers);
 
-/// Says where a result of that mesh lies on the caller's.
+/// Renames faces and vertices of a result of the matched mesh to faces and vertices of the input
+/// mesh.
 void nameCallers(const MeshView& input, const MatchedBorder& matched, RemeshResult& result);
 
 } // namespace gpr

@@ -15,7 +15,7 @@ namespace gpr {
 
 namespace {
 
-/// How often an edge and its parts are halved until none is longer than maxLength.
+/// Number of times to halve an edge and its parts until no part is longer than maxLength.
 int halvingsOfEdge(float length, float maxLength)
 {
 	constexpr int most = 300; // more than between any two floats
@@ -25,7 +25,7 @@ int halvingsOfEdge(float length, float maxLength)
 	return num;
 }
 
-/// Its edges by length, and how far the third corner is from the longest.
+/// The edges of a face by length, and the distance of the third corner from the longest edge.
 struct FaceShape {
 	float edge[3];
 	float height;
@@ -54,8 +54,9 @@ struct FaceShape {
 	}
 };
 
-/// As the splitting goes: all three edges are halved as long as the shortest is too long, a needle
-/// becomes a strip, of any other face with a short edge three come, time and again.
+/// Estimates the parts of a face as splitLongEdges makes them: all edges are halved while the
+/// shortest edge is too long; a needle becomes a strip; any other face with a short edge becomes
+/// three faces, again and again.
 double partsOfFace(FaceShape shape, float maxLength)
 {
 	double parts = 1;
@@ -84,8 +85,8 @@ double facesAfterSplitting(const IndexedMesh& mesh, const std::vector<int>& long
 
 double bytesNeeded(double faceNum, double resultVertexNum)
 {
-	// Fitted to the peak memory of runs with 3·10⁵ to 1.3·10⁷ faces after the splitting and 10⁴ to
-	// 1.3·10⁶ vertices in the result, which they meet within a sixth.
+	// Fitted to the peak memory of runs with 3·10⁵ to 1.3·10⁷ faces after splitting and 10⁴ to
+	// 1.3·10⁶ vertices in the result; all within a sixth.
 	constexpr double bytesPerFace         = 90;
 	constexpr double bytesPerResultVertex = 250;
 	return bytesPerFace * faceNum + bytesPerResultVertex * resultVertexNum;

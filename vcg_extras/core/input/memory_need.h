@@ -10,17 +10,17 @@
 
 namespace gpr {
 
-/// About how many faces splitLongEdges leaves, within a factor of two, of a mesh whose faces with a
-/// longer edge than maxLength are these (see findLongFaces). Cost: theirs alone.
+/// Estimate, within a factor of two, of the number of faces after splitLongEdges. longFaces: the
+/// faces with an edge longer than maxLength (see findLongFaces). Cost: a look at these faces.
 double facesAfterSplitting(const IndexedMesh& mesh, const std::vector<int>& longFaces,
 						   float maxLength);
 
-/// About how many bytes the engine holds at most for a mesh of so many faces, after splitting, and
-/// a result of so many vertices; without the caller's mesh.
+/// Estimate of the engine's peak memory in bytes, for faceNum faces after splitting and
+/// resultVertexNum vertices in the result; without the input mesh.
 double bytesNeeded(double faceNum, double resultVertexNum);
 
-/// Throws Failure{OutOfMemory} with both figures where more is needed than is available; available
-/// 0: unknown, nothing is refused.
+/// Throws Failure{OutOfMemory} with both figures if needed exceeds available; available 0: unknown,
+/// no refusal.
 void requireMemory(double needed, std::int64_t available);
 
 } // namespace gpr

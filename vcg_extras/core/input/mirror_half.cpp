@@ -19,10 +19,10 @@ namespace gpr {
 namespace {
 
 constexpr int none = -1;
-/// A vertex so near to the plane lies on it; a plane so near to the origin goes through it. Of the
-/// diagonal.
+/// Share of the diagonal: a vertex this near to the plane lies on the plane; a plane this near to
+/// the origin goes through the origin.
 constexpr double onPlane = 1e-6;
-/// Vertices that candidates for a plane are compared by.
+/// Most vertices for the comparison of candidate planes.
 constexpr int mostCompared = 20000;
 
 Vec3d placeOf(const Surface& surface, int v)
@@ -38,7 +38,7 @@ Box<double> boxOf(const Surface& surface)
 	return box;
 }
 
-/// Floats up to `most` hold all multiples of it.
+/// Floats up to `most` hold all multiples of the returned step.
 double floatStep(double most)
 {
 	constexpr int digits   = 24;
@@ -54,7 +54,7 @@ MirrorPlane planeAcross(const Box<double>& box, int axis)
 	plane.axis         = axis;
 	const double exact = 0.5 * (low + high);
 	if (std::abs(exact) <= onPlane * box.diagonal()) return plane;
-	// Half a step more than the box has room for what the fit adds.
+	// A sixteenth more than the box, as room for the moves of the fit.
 	plane.step = floatStep(1.0625 * std::max(std::abs(low), std::abs(high)));
 	plane.at   = plane.step * std::round(exact / plane.step);
 	return plane;
@@ -76,7 +76,7 @@ struct Moments {
 	}
 };
 
-/// Those of the faces as surfaces, so that it does not matter how they are triangulated.
+/// Moments of the surface of the faces: the triangulation does not matter.
 Moments momentsOf(const Surface& surface, const Vec3d& middle, Workers& workers)
 {
 	return workers.sumEach<Moments>(std::size_t(surface.mesh.faceNum), [&](int f, Moments& sum) {
@@ -94,7 +94,7 @@ Moments momentsOf(const Surface& surface, const Vec3d& middle, Workers& workers)
 
 using Matrix = std::array<std::array<double, 3>, 3>;
 
-/// Turns the matrix so that its entry (p, q) vanishes, and the axes with it (Jacobi).
+/// Rotates the axes and the matrix so that its entry (p, q) vanishes (Jacobi).
 void rotate(Matrix& a, std::array<Vec3d, 3>& axes, std::size_t p, std::size_t q)
 {
 	if (a[p][q] == 0) return;
@@ -118,7 +118,7 @@ void rotate(Matrix& a, std::array<Vec3d, 3>& axes, std::size_t p, std::size_t q)
 
 std::array<Vec3d, 3> principalAxes(const SymmetricMatrixOf<double>& m)
 {
-	constexpr int        sweeps = 30; // five do
+	constexpr int        sweeps = 30; // five are enough
 	Matrix               a      = {{{m.xx, m.xy, m.xz}, {m.xy, m.yy, m.yz}, {m.xz, m.yz, m.zz}}};
 	std::array<Vec3d, 3> axes   = {Vec3d(1, 0, 0), Vec3d(0, 1, 0), Vec3d(0, 0, 1)};
 	for (int sweep = 0; sweep < sweeps; ++sweep) {
@@ -129,7 +129,7 @@ std::array<Vec3d, 3> principalAxes(const SymmetricMatrixOf<double>& m)
 	return axes;
 }
 
-/// The planes through the centroid across the principal axes.
+/// The planes through the centroid, perpendicular to the principal axes.
 std::vector<MirrorPlane> principalPlanes(const Surface& surface, const Vec3d& middle,
 										 Workers& workers)
 {
@@ -147,7 +147,7 @@ std::vector<MirrorPlane> principalPlanes(const Surface& surface, const Vec3d& mi
 	return planes;
 }
 
-// ---- How symmetric a surface is.
+// ---- Mismatch of a surface and its mirror image.
 
 /// Compares a surface with its mirror images.
 class Comparison {
@@ -157,7 +157,7 @@ public:
 	{
 	}
 
-	/// By every stride-th vertex.
+	/// The mismatch at every stride-th vertex.
 	FoundPlane with(const MirrorPlane& plane, int stride) const
 	{
 		const int           num = (surface_.mesh.vertexNum + stride - 1) / stride;
@@ -196,7 +196,7 @@ private:
 
 // ---- Cutting.
 
-/// A corner of what is left of a face.
+/// A corner of the kept part of a face.
 struct CutCorner {
 	std::int32_t vertex;
 	std::uint8_t line; ///< of the edge from here to the next corner
@@ -222,13 +222,14 @@ public:
 	}
 
 private:
-	const Surface&                     surface_;
-	const HalfEdgeMesh&                m_;
-	const MirrorPlane&                 plane_;
-	Workers&                           workers_;
-	std::vector<Vec3d>                 place_;  ///< per vertex of the surface, plane's coordinates
-	std::vector<std::int32_t>          nameOf_; ///< per vertex of the surface: the half's
-	std::map<std::pair<int, int>, int> onEdge_; ///< by its ends: the half's vertex
+	const Surface&      surface_;
+	const HalfEdgeMesh& m_;
+	const MirrorPlane&  plane_;
+	Workers&            workers_;
+	std::vector<Vec3d>  place_;                 ///< per vertex of the surface, in the plane's
+												///< coordinates
+	std::vector<std::int32_t>          nameOf_; ///< per vertex of the surface: vertex of the half
+	std::map<std::pair<int, int>, int> onEdge_; ///< by the ends of an edge: vertex of the half
 	std::vector<CutCorner>             rest_;
 	MirrorHalf                         out_;
 
@@ -262,8 +263,8 @@ private:
 		addFaces(f);
 	}
 
-	/// Of the edge from a downwards: the part above the plane is as the whole; from a vertex of the
-	/// plane on there is none.
+	/// Line mark of the part above the plane of an edge that leads down from a. An edge that leads
+	/// down from the plane has no part above.
 	std::uint8_t edgeMark(int a, std::uint8_t line) const
 	{
 		return height(a) > 0 ? line : std::uint8_t(0);
@@ -296,7 +297,7 @@ private:
 		return entry->second = add(place, {at, f});
 	}
 
-	/// A triangle, or a quadrilateral that its shorter diagonal cuts.
+	/// Adds a triangle, or two triangles of a quadrilateral, cut along its shorter diagonal.
 	void addFaces(int f)
 	{
 		if (rest_.size() == 3) return addFace(f, rest_[0], rest_[1], rest_[2]);
@@ -321,7 +322,7 @@ private:
 	}
 };
 
-/// Hands the caller's values of vertices and faces over.
+/// Carries the input's values of vertices and faces over.
 void carryOver(const MeshView& input, const Surface& surface, MirrorHalf& half)
 {
 	for (const SurfacePoint& point : half.point) {

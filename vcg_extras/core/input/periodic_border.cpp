@@ -18,11 +18,10 @@ namespace gpr {
 namespace {
 
 constexpr int none = -1;
-/// Of the period: coordinates with five digits pass.
+/// Share of the period: coordinates with five digits are exact enough.
 constexpr double tolerance = 1e-4;
 
-/// Finds vertices near a place. The cells of the grid that the neighbourhood of the place meets
-/// hold them.
+/// Finds vertices near a place, in the cells of a grid that meet the neighbourhood of the place.
 class VertexGrid {
 public:
 	VertexGrid(const std::vector<Vec3d>& position, const std::vector<int>& vertices, double reach) :
@@ -32,8 +31,8 @@ public:
 			in_[cellOf(position[std::size_t(v)])].push_back(v);
 	}
 
-	/// The nearest one within the reach, or none; of equally near ones the one with the smallest
-	/// number.
+	/// The nearest vertex within the reach, or none; of equally near vertices the vertex with the
+	/// smallest number.
 	int nearest(const Vec3d& to) const
 	{
 		int    best = none;
@@ -79,7 +78,7 @@ PeriodicBorder::Edge ordered(int a, int b)
 	return std::minmax({a, b});
 }
 
-/// A vertex that should have a translate, and where.
+/// A vertex without a translate, and the missing place.
 struct Miss {
 	int   vertex = none, axis = 0;
 	Vec3d wanted;
@@ -161,7 +160,7 @@ void PeriodicBorder::pair(int axis, const std::vector<Vec3d>& position,
 	const VertexGrid grid(position, vertices, tolerance * by);
 	for (const int v : vertices) {
 		const int found = grid.nearest(position[std::size_t(v)] + alongAxis(axis, by));
-		// A period below the rounding of coordinates leads nowhere.
+		// A period below the rounding of coordinates leads to no other vertex.
 		const bool isBeyond = found != none && coordinate(position[std::size_t(found)], axis) >
 												   coordinate(position[std::size_t(v)], axis);
 		if (!isBeyond || before[std::size_t(found)] != none) continue;

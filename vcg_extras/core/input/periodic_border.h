@@ -12,10 +12,10 @@
 
 namespace gpr {
 
-/// Which vertices of a border are translates of which others by the periods of a cell.
+/// The vertices of a border that are translates of each other by the periods of a cell.
 class PeriodicBorder {
 public:
-	/// How many periods along each axis.
+	/// Number of periods along each axis.
 	using Shift = std::array<std::int8_t, 3>;
 	/// The two vertices of an edge of the border.
 	using Edge = std::pair<int, int>;
@@ -23,26 +23,27 @@ public:
 	/// Without a period: no vertex is a translate.
 	PeriodicBorder() = default;
 	/// position: of all vertices of the mesh; edges: of its border; period: lengths of the cell,
-	/// mesh units, 0 along an axis without one. Vertices are translates where they lie a period
-	/// apart within 1e-4 of the period. Throws Failure with the largest mismatch where an edge at
-	/// the end of the border along an axis with a period has no translate, and where no edge has
-	/// one. Cost: O(B log B) for B edges.
+	/// mesh units, 0 along an axis without a period. Vertices are translates if they lie a period
+	/// apart, within 1e-4 of the period. Throws Failure with the largest mismatch if an edge at an
+	/// end of the border, along an axis with a period, has no translate, and if no edge has a
+	/// translate. Cost: O(B log B) for B edges.
 	PeriodicBorder(const std::vector<Vec3d>& position, const std::vector<Edge>& edges,
 				   const Vec3d& period);
 
 	bool any() const { return !root_.empty(); }
-	/// The vertex that v is a translate of, which is a translate of none; v where there is none.
+	/// The root of v: the translate of v without a translate before it; v itself if v has no
+	/// translate before it.
 	int rootOf(int v) const { return any() ? root_[std::size_t(v)] : v; }
-	/// The periods from there to v.
+	/// The periods from the root to v.
 	Shift shiftOf(int v) const { return any() ? shift_[std::size_t(v)] : Shift{}; }
-	/// Those that both vertices of an edge are away from their roots.
+	/// The least periods of an edge's two vertices from their roots, along each axis.
 	Shift shiftOf(const Edge& edge) const;
 	/// The axes, as bits, along which an edge has a translate one period on.
 	unsigned axesOnward(const Edge& edge) const;
-	/// The translates of v, one period before and after it along each axis.
+	/// The translates of v, one period before and after v along each axis.
 	std::vector<int> neighboursOf(int v) const;
 
-	/// By that much a translate is away.
+	/// Offset of a translate by this shift.
 	Vec3d times(const Shift& shift) const;
 
 private:

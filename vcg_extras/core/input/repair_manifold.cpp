@@ -22,7 +22,7 @@ namespace gpr {
 
 namespace {
 
-/// A mesh and what is known of it. Of the half-edges, link[h] is the one on the other side, or -1.
+/// A mesh and its links: link[h] is the half-edge on the other side of h, or -1.
 struct Linked {
 	IndexedMesh& mesh;
 	Buffer<int>& link;
@@ -42,14 +42,14 @@ struct Linked {
 		link[g] = h;
 		link[h] = g;
 	}
-	/// What is beyond h, if anything, ends there.
+	/// Makes a border at h, and at the other side of h.
 	void cut(int h)
 	{
 		if (link[h] >= 0) link[link[h]] = -1;
 		link[h] = -1;
 	}
 
-	/// The sides among these half-edges by their edges.
+	/// The sides of these half-edges, sorted by edge.
 	Buffer<EdgeSide> sorted(const std::vector<int>& halfEdges) const
 	{
 		return sortedByBuckets<EdgeSide>(
@@ -61,8 +61,8 @@ struct Linked {
 
 // ---- duplicate faces
 
-/// Of two faces with the same corners, each edge is either that of these two only, which may be
-/// joined there, or has no joined sides.
+/// Whether f may have the same corners as another face. Each edge of two such faces either has no
+/// other faces and may link the two faces, or has no link.
 bool mayBeDuplicate(const Linked& m, int f)
 {
 	bool isAlone = true;
@@ -74,7 +74,7 @@ bool mayBeDuplicate(const Linked& m, int f)
 	return isAlone;
 }
 
-/// Those that are equal to one before them.
+/// All faces with the same corners as an earlier face.
 std::vector<int> findDuplicateFaces(const Linked& m)
 {
 	using Corners = std::array<int, 4>; // in order, and the face
@@ -119,13 +119,14 @@ void dropDuplicateFaces(Linked& m)
 
 // ---- edges
 
-/// Joins sides of edges that have more than two faces, or two that run along it the same way.
+/// Links the sides of edges with more than two faces, and of edges with two sides in the same
+/// direction.
 class Linker {
 public:
 	Linker(Linked& linked, std::vector<int>& faulty) : m_(linked), faulty_(faulty) {}
 
-	/// Notes the faces of edges that have more than two. Returns whether any faces that were joined
-	/// are not oriented alike.
+	/// Collects the faces of edges with more than two faces. Returns whether any linked faces have
+	/// opposite orientations.
 	bool run()
 	{
 		const std::vector<int> open =
@@ -149,7 +150,7 @@ private:
 	bool                             joinedReversed_ = false;
 	std::vector<std::pair<int, int>> cutEnds_; ///< of edges with more than two faces
 
-	/// The largest length of those that hang together.
+	/// The largest total length of such edges that are connected.
 	double longestJunction() const
 	{
 		std::map<int, int>    parent;
@@ -174,7 +175,8 @@ private:
 		joinedReversed_ |= m_.runAlike(g, h);
 	}
 
-	/// Small for faces that continue each other smoothly; faces oriented alike come first.
+	/// Small for faces that continue each other smoothly; at least 1 for faces with opposite
+	/// orientations.
 	float bend(int g, int h) const
 	{
 		return dot(inward(m_.mesh, g), inward(m_.mesh, h)) + (m_.runAlike(g, h) ? 2.0f : 0.0f);
@@ -190,7 +192,7 @@ private:
 
 	void joinSmoothest(const Buffer<EdgeSide>& sides, std::size_t begin, std::size_t end)
 	{
-		// Fans of many faces on one edge are rare, but the pairing is quadratic: bound it.
+		// Fans of many faces at one edge are rare, but the pairing is quadratic: hence a bound.
 		constexpr std::size_t most = 64;
 		const std::size_t     n    = std::min(end - begin, most);
 		for (;;) {
@@ -216,8 +218,8 @@ private:
 
 // ---- orientation
 
-/// Orients faces alike over the links, component by component; the side with more area keeps its
-/// orientation.
+/// Orients faces consistently over the links, component by component; the side with more area keeps
+/// its orientation.
 class Orienter {
 public:
 	Orienter(Linked& linked, std::vector<int>& faulty) :
@@ -226,7 +228,7 @@ public:
 	{
 	}
 
-	/// Notes the faces of edges that are cut.
+	/// Collects the faces of edges that are cut.
 	void run()
 	{
 		for (int f = 0; f < m_.mesh.faceNum; ++f) {
@@ -275,14 +277,14 @@ private:
 			faces.push_back(g / 3);
 		}
 		else if (neighbour != wanted) {
-			// The way round came back to the other side: a one-sided surface. Cut here.
+			// The way round came back with the opposite orientation: a one-sided surface. Cut here.
 			m_.cut(h);
 			faulty_.insert(faulty_.end(), {g / 3, h / 3});
 			++m_.counts.nonOrientableCuts;
 		}
 	}
 
-	/// (a, b, c) becomes (a, c, b): half-edge 0 takes the place of 2 and the other way round.
+	/// (a, b, c) becomes (a, c, b): half-edges 0 and 2 change places.
 	void turn(int f)
 	{
 		++m_.counts.reorientedFaces;
@@ -303,7 +305,8 @@ std::vector<Vec3f> distinctPlaces(std::vector<Vec3f> places)
 	return places;
 }
 
-/// Gives every fan round a vertex a vertex of its own; the one with the first corner keeps it.
+/// Gives every fan of faces at a vertex a vertex of its own; the fan with the first corner keeps
+/// the vertex.
 void separateFans(Linked& m)
 {
 	const int              oldNum   = m.mesh.vertexNum;
@@ -318,7 +321,7 @@ void separateFans(Linked& m)
 	for (int corner : corners) {
 		poller.count();
 		const int v = m.mesh.triangle[corner];
-		if (v < 0 || v >= oldNum) continue; // of a fan that was seen
+		if (v < 0 || v >= oldNum) continue; // of a finished fan
 		int first = corner, name = ~v;
 		while (before(first) >= 0 && before(first) != corner)
 			first = before(first);
@@ -341,14 +344,14 @@ void separateFans(Linked& m)
 	m.mesh.vertexNum += int(added.size());
 }
 
-/// Two borders, or two joined pairs of faces, may still run between the same two vertices (a slit
-/// of one edge; sheets that touch in an edge without ending there). Adjacency is told by vertices
-/// from here on, so all but one of them get a vertex in the middle.
+/// Splits edges between the same two vertices. Two borders, or two linked pairs of faces, may run
+/// between the same vertices (a slit of one edge; sheets with a common inner edge). The following
+/// stages identify edges by vertices, so all but one such edge get a vertex in the middle.
 class SlitOpener {
 public:
 	explicit SlitOpener(Linked& linked) : m_(linked), mesh_(linked.mesh) {}
 
-	/// Opens those among the edges of these faces.
+	/// Splits such edges of the given faces.
 	void run(const std::vector<int>& faces)
 	{
 		findSlits(faces);
@@ -372,8 +375,8 @@ public:
 private:
 	Linked&          m_;
 	IndexedMesh&     mesh_;
-	std::vector<int> slits_;  ///< half-edges to get a vertex, ascending
-	std::vector<int> middle_; ///< per slit: that vertex, the same on both joined sides
+	std::vector<int> slits_;  ///< half-edges to split, ascending
+	std::vector<int> middle_; ///< per slit: the new vertex, the same on both linked sides
 
 	void findSlits(const std::vector<int>& faces)
 	{
@@ -384,7 +387,7 @@ private:
 		Poller                 poller(m_.workers);
 		forEachEdge(sides, [&](std::size_t begin, std::size_t end) {
 			poller.count();
-			// The first joined pair keeps the plain edge, or else the first border.
+			// The first linked pair keeps the edge, else the first border.
 			int keeper = sides[begin].halfEdge;
 			for (std::size_t i = end; i-- > begin;) {
 				if (m_.link[sides[i].halfEdge] >= 0) keeper = sides[i].halfEdge;
@@ -406,7 +409,8 @@ private:
 		return {a.x, a.y, a.z, b.x, b.y, b.z};
 	}
 
-	/// All borders at the place of a slit, its keeper too, so that they have the same vertices.
+	/// Adds all borders at the place of a slit, also the border that kept its edge, so that all
+	/// have the same vertices.
 	void addBordersBeside(const std::vector<int>& faces)
 	{
 		std::set<Place> places;
@@ -423,7 +427,7 @@ private:
 		sortUnique(slits_);
 	}
 
-	/// Fans the face out from a corner, with the new vertices put into its outline.
+	/// Splits a face into a fan of triangles from a corner, with the new vertices in its outline.
 	void splitFace(int f, std::size_t begin, std::size_t end)
 	{
 		std::vector<int> outline;
@@ -434,7 +438,7 @@ private:
 				outline.push_back(middleOf(h));
 			}
 		}
-		// Start the fan at a new vertex, so that no triangle has three points of one edge.
+		// The fan starts at a new vertex, so that no triangle has three points on an edge.
 		const std::size_t start = 1 + std::size_t(slits_[begin] - 3 * f);
 		std::rotate(outline.begin(), outline.begin() + start, outline.end());
 		for (std::size_t k = 1; k + 1 < outline.size(); ++k) {
@@ -468,7 +472,7 @@ void repairManifold(IndexedMesh& mesh, Buffer<int>& link, JunctionMode junctions
 					CleanCounts& counts)
 {
 	Linked           linked{mesh, link, workers, counts, junctions};
-	std::vector<int> faulty; // faces with an edge that is no longer shared as it was
+	std::vector<int> faulty; // faces with a changed edge
 	dropDuplicateFaces(linked);
 	if (Linker(linked, faulty).run()) Orienter(linked, faulty).run();
 	separateFans(linked);

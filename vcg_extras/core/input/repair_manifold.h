@@ -10,14 +10,13 @@
 
 namespace gpr {
 
-/// Makes any set of triangles an oriented 2-manifold with border, without moving anything:
-/// duplicate faces are dropped; where more than two faces share an edge the smoothest pair stays
-/// joined and the others get a border, or all of them do with JunctionMode::Keep; faces are
-/// oriented alike, a one-sided surface being cut open; each fan of faces round a vertex gets a
-/// vertex of its own. Cut borders stay where they were. link: the opposites of half-edges as
-/// connect() leaves them where it fails; used up. Cost: faults are found in linear passes,
-/// parallel; the rest as that of the faults, serial, but for faces that are not oriented alike:
-/// then all faces are visited in turn.
+/// Makes any set of triangles an oriented 2-manifold with border, without moving anything. Drops
+/// duplicate faces. At an edge of more than two faces the smoothest pairs stay linked and the rest
+/// get a border; with JunctionMode::Keep all faces get a border. Orients faces consistently; cuts a
+/// one-sided surface open. Gives each fan of faces at a vertex a vertex of its own. Cut borders
+/// stay in place. link: the opposites of half-edges after a failed connect(); used up. Cost: linear
+/// parallel passes to find faults; serial work linear in the faults. Inconsistent orientation takes
+/// a serial pass over all faces.
 void repairManifold(IndexedMesh& mesh, Buffer<int>& link, JunctionMode junctions, Workers& workers,
 					CleanCounts& counts);
 

@@ -10,13 +10,13 @@
 
 namespace gpr {
 
-/// The selected faces as a mesh of its own, with the way back.
+/// The selected faces as a mesh of its own, and the way back to the input mesh.
 struct SelectedPart {
 	std::vector<Vec3d>        positions;
 	std::vector<std::int32_t> triangles;
-	std::vector<std::int32_t> vertexOf; ///< per vertex: the caller's
-	std::vector<std::int32_t> faceOf;   ///< per face: the caller's
-	std::vector<std::uint8_t> isInPart; ///< per face of the caller's
+	std::vector<std::int32_t> vertexOf; ///< per vertex: vertex of the input mesh
+	std::vector<std::int32_t> faceOf;   ///< per face: face of the input mesh
+	std::vector<std::uint8_t> isInPart; ///< per face of the input mesh
 	std::vector<std::uint8_t> selected;
 	std::vector<std::uint8_t> line;
 	std::vector<std::int32_t> region;
@@ -31,9 +31,9 @@ struct SelectedPart {
 	}
 };
 
-/// Copies the selected faces, with their vertices in the order in which the faces name them. Faces
-/// without area at the edge of the selection are left out (thin_border.h). Throws Failure where no
-/// face is selected, and where one names a vertex that does not exist. Cost: linear.
+/// Copies the selected faces, with their vertices in the order of the faces' corners. Leaves out
+/// thin faces at the edge of the selection (thin_border.h). Throws Failure if no face is selected,
+/// and for a vertex number out of range. Cost: linear.
 SelectedPart cutOutSelected(const MeshView& input);
 
 } // namespace gpr

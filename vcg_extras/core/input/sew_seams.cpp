@@ -41,8 +41,8 @@ struct Parity {
 	}
 };
 
-/// Whether every edge has an even number of faces. The numbers of the edges' sides cancel out then,
-/// whatever their order; that they do so by chance has a probability of 2^-64.
+/// Whether every edge has an even number of faces. Then the random numbers of the edges' sides
+/// cancel out in any order; the probability of a false answer is 2^-64.
 bool isClosed(const IndexedMesh& mesh, Workers& workers)
 {
 	const auto addParity = [&](int h, Parity& parity) {
@@ -52,8 +52,8 @@ bool isClosed(const IndexedMesh& mesh, Workers& workers)
 	return workers.sumEach<Parity>(3 * std::size_t(mesh.faceNum), addParity).bits == 0;
 }
 
-/// Per vertex the numbers of its neighbours, each as often as there are faces at the edge to it,
-/// cancelled out in pairs: not 0 at the ends of border edges.
+/// Per vertex the xor of the random numbers of its neighbours, each repeated for every face at the
+/// edge to the neighbour. Not 0 at the ends of border edges.
 Buffer<std::uint64_t> unpairedNeighbours(const IndexedMesh& mesh, Workers& workers)
 {
 	Buffer<std::uint64_t> unpaired(mesh.vertexNum, 0);
@@ -68,7 +68,7 @@ Buffer<std::uint64_t> unpairedNeighbours(const IndexedMesh& mesh, Workers& worke
 	return unpaired;
 }
 
-/// The half-edges whose edge has no other face.
+/// The half-edges at edges with a single face.
 std::vector<int> findBorder(const IndexedMesh& mesh, Workers& workers)
 {
 	const Buffer<std::uint64_t> unpaired = unpairedNeighbours(mesh, workers);
@@ -87,7 +87,7 @@ std::vector<int> findBorder(const IndexedMesh& mesh, Workers& workers)
 
 // ---- places
 
-/// The vertices of the border, with numbers in a row.
+/// The vertices of the border, numbered consecutively.
 class BorderVertices {
 public:
 	BorderVertices(const IndexedMesh& mesh, const std::vector<int>& border, Workers& workers)
@@ -110,12 +110,12 @@ public:
 
 	int  num() const { return int(vertex_.size()); }
 	int  vertex(int i) const { return vertex_[std::size_t(i)]; }
-	bool isAnyShared() const { return isAnyShared_; } ///< whether two lie at one place
+	bool isAnyShared() const { return isAnyShared_; } ///< whether two lie at the same place
 	int  indexOf(int v) const
 	{
 		return int(std::lower_bound(vertex_.begin(), vertex_.end(), v) - vertex_.begin());
 	}
-	/// The first vertex that lies where v does.
+	/// The first vertex at the place of v.
 	int placeOf(int v) const { return place_[std::size_t(indexOf(v))]; }
 
 private:
@@ -125,13 +125,13 @@ private:
 
 // ---- seams
 
-/// Two border edges at one place.
+/// Two border edges at the same place.
 struct Seam {
 	int  halfEdge[2];
 	bool sameDirection;
 };
 
-/// Numbers that are joined to sets, each told apart by whether it is turned over against the first.
+/// Disjoint sets of numbers; each number is turned over or not against the first number of its set.
 class TurnableSets {
 public:
 	explicit TurnableSets(std::size_t num) : parent_(num), turned_(num, 0)
@@ -139,7 +139,8 @@ public:
 		std::iota(parent_.begin(), parent_.end(), 0);
 	}
 
-	/// False where the two are joined already, and the other way round.
+	/// Joins a and b, turned over against each other or not. False if a and b are already joined
+	/// with the other value of `turned`.
 	bool join(int a, int b, bool turned)
 	{
 		const auto [rootA, turnedA] = find(a);
@@ -176,7 +177,7 @@ private:
 	}
 };
 
-/// Sews a mesh whose border is known.
+/// Sews a mesh with a known border.
 class Sewing {
 public:
 	Sewing(IndexedMesh& mesh, const std::vector<int>& border, Workers& workers,
@@ -205,9 +206,10 @@ private:
 	CleanCounts&            counts_;
 	BorderVertices          vertices_;
 	std::vector<Seam>       seams_;
-	std::vector<int>        coinciding_;        ///< vertices at the ends of edges at one place
-	std::int64_t            coincidingNum_ = 0; ///< of those edges
-	std::vector<int>        joined_; ///< per border vertex: the number of the one it becomes
+	std::vector<int>        coinciding_;        ///< vertices at the ends of edges at the same place
+	std::int64_t            coincidingNum_ = 0; ///< of such edges
+	std::vector<int>        joined_; ///< per border vertex: index of the border vertex after
+									 ///< joining
 
 	void findSeams()
 	{
@@ -249,19 +251,19 @@ private:
 
 	bool lieOnOneAnother(int g, int h) const
 	{
-		// A face without area has no direction, and lies on nothing.
+		// A degenerate face has no direction, and lies on no other face.
 		return dot(inward(mesh_, g), inward(mesh_, h)) > cosineOfLeast;
 	}
 
-	/// Where edges run in the same direction, whole parts of the mesh have to be turned over. A
-	/// seam that would need one part both ways is no seam.
+	/// Edges with the same direction need whole parts of the mesh turned over. Leaves out seams at
+	/// which the same part would have to be turned and not turned.
 	void leaveOutOneSided()
 	{
 		const auto isReverse = [](const Seam& s) { return s.sameDirection; };
 		if (std::none_of(seams_.begin(), seams_.end(), isReverse)) return;
 		TurnableSets parts(std::size_t(mesh_.faceNum));
 		joinNeighbours(parts);
-		// Those that need no turning come first.
+		// Seams without turning come first.
 		for (bool turning : {false, true}) {
 			const auto isOneSided = [&](const Seam& s) {
 				return s.sameDirection == turning &&
@@ -286,7 +288,7 @@ private:
 		});
 	}
 
-	// ---- what joining does to the edges
+	// ---- the effect of joining on edges
 
 	void joinVertices(int v, int w)
 	{
@@ -310,7 +312,7 @@ private:
 			joined_[std::size_t(i)] = rootOf(joined_, i);
 	}
 
-	/// Per vertex of the mesh what it becomes.
+	/// Per vertex of the mesh its vertex after joining.
 	Buffer<int> newNames() const
 	{
 		Buffer<int> name(mesh_.vertexNum);
@@ -320,7 +322,7 @@ private:
 		return name;
 	}
 
-	/// Per vertex of the mesh whether others become one with it, or it with another.
+	/// Per vertex of the mesh whether it is joined to another vertex.
 	Buffer<char> joinedOnes() const
 	{
 		Buffer<char> isJoined(mesh_.vertexNum, 0);
@@ -332,8 +334,8 @@ private:
 		return isJoined;
 	}
 
-	/// Two edges from far apart may get the same ends, and a face two corners at one vertex. Seams
-	/// there are left out. Returns whether there were any.
+	/// Joining may give edges far apart the same ends, and a face two equal corners. Leaves out the
+	/// seams at such places. Returns whether there were any.
 	bool leaveOutConflicts()
 	{
 		if (seams_.empty()) return false;
@@ -351,7 +353,7 @@ private:
 		return true;
 	}
 
-	/// The joined vertices, by their new names, at the ends of edges that would get too many faces.
+	/// The joined vertices, by new numbers, at the ends of edges that would get too many faces.
 	/// Ascending.
 	std::vector<int> findConflicts() const
 	{
@@ -382,13 +384,13 @@ private:
 		for (std::size_t i = begin; i < end; ++i) {
 			if (!sideAt(mesh_, sides[i].halfEdge).isOfSameEdge(before)) return true;
 		}
-		return false; // it had as many faces before
+		return false; // the edge had as many faces before
 	}
 
 	// ---- the outcome
 
-	/// Ends of edges at one place get the same numbers, sewn or not: what is made of them later,
-	/// like the middles of long edges, is then at one place, too.
+	/// Gives the ends of edges at the same place equal coordinates, sewn or not: points computed
+	/// from both edges later, such as their middles, then lie at the same place too.
 	void moveTogether()
 	{
 		sortUnique(coinciding_);

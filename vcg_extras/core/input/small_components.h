@@ -11,10 +11,10 @@
 
 namespace gpr {
 
-/// Components that are too small to be kept.
+/// Components with too few faces.
 struct SmallComponents {
 	std::int64_t     num = 0;
-	std::vector<int> faces; ///< of all of them, ascending
+	std::vector<int> faces; ///< of all such components, ascending
 };
 
 /// Components (faces linked over edges) with fewer than minFaceNum faces. Cost: linear, serial.

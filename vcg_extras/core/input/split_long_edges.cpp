@@ -17,12 +17,12 @@ namespace {
 
 using Face = SplitFaces::Face;
 
-/// Which edges of a mesh are too long.
+/// The rule for edges that are too long.
 struct EdgeRule {
 	float                maxSquared;
-	const Buffer<float>& size; ///< of each vertex, or empty
+	const Buffer<float>& size; ///< per vertex, or empty
 
-	/// minSize: the lesser one of the edge's ends; 1 where there are no sizes.
+	/// minSize: the smaller size of the edge's ends; 1 without sizes.
 	bool isLong(float squared, float minSize) const
 	{
 		return squared > maxSquared * minSize * minSize;
@@ -32,7 +32,7 @@ struct EdgeRule {
 		return isLong(squaredLength(position[a] - position[b]),
 					  size.empty() ? 1.0f : std::min(size[a], size[b]));
 	}
-	/// corner: the first of a face's three.
+	/// corner: the first of the three corners of a face.
 	bool isLongFace(const Buffer<Vec3f>& position, const int* corner) const
 	{
 		return isLong(position, corner[0], corner[1]) || isLong(position, corner[1], corner[2]) ||
@@ -51,11 +51,12 @@ struct EdgeRule {
 				  "remove the stray triangles.");
 }
 
-/// Splits the long faces round by round; both faces of a long edge are among them, so no others are
-/// needed.
+/// Splits the long faces round by round. Both faces of a long edge are long faces, so no other
+/// faces are needed.
 class Splitter {
 public:
-	/// position, size: of the mesh's vertexNum vertices, size may be empty; faceNum: its faces.
+	/// position, size: of the mesh's vertexNum vertices, size may be empty; faceNum: number of the
+	/// mesh's faces.
 	Splitter(const Buffer<Vec3f>& position, const Buffer<float>& size, int vertexNum, int faceNum,
 			 float maxLength, std::int64_t maxFaces, Workers& workers) :
 			position_(position),
@@ -64,7 +65,7 @@ public:
 	{
 	}
 
-	/// One of the mesh's faces, by its three corners.
+	/// Adds a face of the mesh, by its three corners.
 	void addFace(const int* t, int source)
 	{
 		todo_.push_back({{t[0], t[1], t[2]}, source});
@@ -95,11 +96,11 @@ private:
 	int                  vertexNum_;
 	EdgeRule             rule_;
 	std::int64_t         maxFaces_;
-	std::int64_t         faceNum_; ///< of the mesh, without those that were added here
+	std::int64_t         faceNum_; ///< of the mesh, without the faces added here
 	Poller               poller_;
 	std::vector<Face>    todo_;
 	SplitFaces           split_;
-	/// Of the edges split in this round; of all edges once strips split theirs ahead of the others.
+	/// Edges split in this round; with strips all split edges, as a strip splits its edges ahead.
 	EdgeTable midpoint_;
 	bool      hasStrips_ = false;
 
@@ -166,7 +167,7 @@ private:
 		}
 	}
 
-	/// a-b is the short edge; the corner c is cut off, the rest divided along its shorter diagonal.
+	/// a-b is the short edge. Cuts corner c off, and divides the rest along its shorter diagonal.
 	void splitTwo(const Face& face, const int middle[3])
 	{
 		const int k = middle[0] < 0 ? 0 : middle[1] < 0 ? 1 : 2;
@@ -192,8 +193,8 @@ private:
 		return int(std::max_element(squared, squared + 3) - squared);
 	}
 
-	/// Whether edge k, the longest, is far too long, and the third corner so near to it that there
-	/// is room for one row of faces between.
+	/// Whether edge k, the longest, is far too long, and the third corner so near that only one row
+	/// of faces fits between.
 	bool isNeedle(const Face& face, int k) const
 	{
 		const int   a = face.corner[k], b = face.corner[(k + 1) % 3], c = face.corner[(k + 2) % 3];
@@ -205,9 +206,9 @@ private:
 		return !rule_.isLong(4 * height, least);
 	}
 
-	/// A needle becomes a strip of faces between its longest edge a -> b and the other two, as many
-	/// as these have parts. Halving all edges round by round would halve the diagonals, too, and
-	/// make 3 faces of each where the strip makes 2.
+	/// Splits a needle into a strip of faces between its longest edge a -> b and the other two
+	/// edges, with a face per part of these edges. Halving all edges round by round would halve the
+	/// diagonals too, and make 3 faces per 2 faces of the strip.
 	void splitNeedle(const Face& face, int longest)
 	{
 		const int a = face.corner[longest], b = face.corner[(longest + 1) % 3],
@@ -235,7 +236,7 @@ private:
 		put(low[i], b, high[k], face.source);
 	}
 
-	/// Whether the diagonal to the next point of the low side is the shorter one.
+	/// Whether the diagonal to the next point of the low side is the shorter diagonal.
 	bool isLowNearer(const std::vector<int>& low, std::size_t i, const std::vector<int>& high,
 					 std::size_t k) const
 	{
@@ -243,7 +244,7 @@ private:
 			   squaredLength(position(low[i]) - position(high[k + 1]));
 	}
 
-	/// Appends all midpoints that halving a -> b as often as needed makes, in order.
+	/// Appends all midpoints of the repeated halving of a -> b, in order.
 	void addParts(int a, int b, std::vector<int>& points)
 	{
 		if (!isLong(a, b)) return;
@@ -255,7 +256,7 @@ private:
 	}
 };
 
-/// Those of faces [begin, end).
+/// Long faces among faces [begin, end).
 void addLongFaces(const IndexedMesh& mesh, const EdgeRule& rule, std::size_t begin, std::size_t end,
 				  std::vector<int>& out)
 {
@@ -264,7 +265,7 @@ void addLongFaces(const IndexedMesh& mesh, const EdgeRule& rule, std::size_t beg
 	}
 }
 
-/// The first new faces take the places of the long ones, the others follow at the end.
+/// The first new faces replace the long faces; the rest follow at the end.
 void writeBack(IndexedMesh& mesh, const std::vector<int>& longFaces, const SplitFaces& split,
 			   Workers& workers)
 {

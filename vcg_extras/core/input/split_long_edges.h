@@ -14,46 +14,46 @@
 
 namespace gpr {
 
-/// Longest edge of the mesh that the sampling works on, in r.
+/// Longest edge of the working surface, in disk radii.
 constexpr float longestEdgeInRadii = 0.8f;
-/// Where few edges are longer, up to this: single long edges in a dense scan do no harm, and
-/// splitting them all would make a tenth more of everything.
+/// The longest edge if few edges are longer than longestEdgeInRadii: single long edges in a dense
+/// scan do no harm, and splitting all of these would make a tenth more vertices and faces.
 constexpr float longestSingleEdge = 1.1f;
-/// How many times longer than allowed the longest edge of a needle is. Halving makes 81 faces of
-/// this one where a strip has 32; below that the two are alike.
+/// Least longest edge of a needle, as a multiple of the allowed length. Halving makes 81 faces of
+/// such a needle, a strip has 32; for shorter needles both are alike.
 constexpr float minNeedleLength = 16;
 
 /// Stage::SplitLongEdges: splits edges longer than maxLength at their midpoints, as often as
-/// needed, so that a disk always covers a few vertices. Where the mesh has sizes an edge may be
-/// maxLength times the lesser size of its ends; new vertices take the mean of the two. This removes
-/// both weaknesses that the paper admits (§4): stray huge triangles, and targets near the input's
-/// own vertex number. The surface stays where it is. A face so thin and long that only one row of
-/// faces has room in it becomes such a row at once. Only faces with a long edge are looked at
-/// again; their midpoints are found by hashing. Returns the number of edges split; throws
-/// Failure{OutOfMemory} where the result would have more than maxFaces faces.
+/// needed, so that a disk always covers a few vertices. In a mesh with sizes an edge may be
+/// maxLength times the smaller size of its ends; a new vertex takes the mean of both sizes. This
+/// removes both weaknesses admitted by the paper (§4): stray huge triangles, and targets near the
+/// input's own number of vertices. The surface stays in place. A face so thin and long that only
+/// one row of faces fits becomes a row of faces at once. Returns the number of split edges; throws
+/// Failure{OutOfMemory} if the mesh would get more than maxFaces faces. Cost: each round visits
+/// long faces only; midpoints are found by hashing.
 std::int64_t splitLongEdges(IndexedMesh& mesh, float maxLength, std::int64_t maxFaces,
 							Workers& workers);
 
 /// Faces with an edge that is too long, ascending. Cost: a parallel pass.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength, Workers& workers);
-/// The same for a mesh without sizes whose faces were measured. Cost: a parallel pass over the
-/// groups of faces that have such an edge.
+/// The same for a mesh without sizes and with known extents. Cost: a parallel pass over the groups
+/// of faces with such an edge.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, const FaceExtents& extents, float maxLength,
 							   Workers& workers);
-/// The same for a surface that is connected.
+/// The same for a connected surface.
 std::vector<int> findLongFaces(const Surface& surface, float maxLength, Workers& workers);
-/// Those among some faces. Cost: theirs alone.
+/// The long faces among given faces. Cost: a look at the given faces.
 std::vector<int> findLongFaces(const IndexedMesh& mesh, float maxLength,
 							   const std::vector<int>& among, Workers& workers);
-/// The same for long faces that are known already. Cost: theirs alone.
+/// splitLongEdges for known long faces. Cost: a look at the long faces.
 std::int64_t splitLongEdges(IndexedMesh& mesh, const std::vector<int>& longFaces, float maxLength,
 							std::int64_t maxFaces, Workers& workers);
 
-/// Where no more than this share of the faces is split, noise is still seen on those that are
-/// there.
+/// Largest share of split faces up to which noise is still visible on the other faces.
 constexpr double maxUnseen = 0.02;
 
-/// Faces that splitting long edges may lead to, for a result of so many vertices.
+/// Most faces after splitting long edges, for a mesh of faceNum faces and a result of vertexNum
+/// vertices.
 std::int64_t maxFacesFor(std::int64_t vertexNum, std::int64_t faceNum);
 
 /// Faces with edges that are too long for the sampling.
@@ -62,22 +62,24 @@ struct LongFaces {
 	float            longest = 0; ///< edges longer than this are split, working units
 };
 
-/// Those of a mesh, for disks of this radius.
+/// The faces of a mesh that are too long for disks of this radius.
 LongFaces findTooLong(const IndexedMesh& mesh, const FaceExtents& extents, float radius,
 					  Workers& workers);
 
-/// What long faces are split into.
+/// The faces and vertices made of split faces.
 struct SplitFaces {
 	struct Face {
-		int corner[3]; ///< from the mesh's number of vertices on: the new ones, in their order
-		int source;    ///< the caller's face it is part of
+		int corner[3]; ///< from the mesh's number of vertices on: new vertices, in their order
+		int source;    ///< face of the input mesh that contains this face
 	};
 	std::vector<Face>  faces;
-	std::vector<Vec3f> position; ///< of the new vertices, working coordinates; one for each split
-	std::vector<float> size;     ///< of the new vertices; empty where the mesh has no sizes
+	std::vector<Vec3f> position; ///< of the new vertices, working coordinates; a vertex for each
+								 ///< split edge
+	std::vector<float> size;     ///< of the new vertices; empty for a mesh without sizes
 };
 
-/// The same for the long faces of a surface, which stays as it is: refineSurface puts them in.
+/// splitLongEdges for the long faces of a surface. The surface does not change: refineSurface
+/// inserts the parts.
 SplitFaces splitLongFaces(const Surface& surface, const std::vector<int>& longFaces,
 						  float maxLength, std::int64_t maxFaces, Workers& workers);
 

@@ -19,9 +19,9 @@ namespace {
 
 using Face = SplitFaces::Face;
 
-/// Puts the parts of split faces in the place of these. Vertices and faces that are in order stay
-/// so among themselves, so that new ones are inserted and all arrays are copied once: to order and
-/// to connect all of a scan anew for a few splits takes five times as long.
+/// Inserts the parts of split faces in place of the faces. Ordered vertices and faces keep their
+/// order, so all arrays are copied once with the new items inserted: ordering and connecting a
+/// whole scan anew for a few splits takes five times as long.
 class PartInsertion {
 public:
 	PartInsertion(const std::vector<int>& longFaces, SplitFaces split, Surface& surface,
@@ -44,22 +44,22 @@ public:
 
 private:
 	const std::vector<int>& longFaces_; ///< ascending
-	SplitFaces              split_;     ///< the corners get their new names
+	SplitFaces              split_;     ///< corners get new names
 	Surface&                s_;
 	HalfEdgeMesh&           m_;
 	Workers&                workers_;
-	Buffer<int>      vertexName_; ///< the new names; of the new vertices, behind the old ones
-	Buffer<int>      faceName_;   ///< the same of faces; -1 of those that are split
-	std::vector<int> partName_;   ///< of the parts
+	Buffer<int>      vertexName_; ///< new names of vertices: first of the old, then of the new
+	Buffer<int>      faceName_;   ///< new names of faces; -1 for split faces
+	std::vector<int> partName_;   ///< new names of parts
 
 	// ---- names
 
-	/// What is inserted: before the old item of a number, and its own number.
+	/// An item to insert, and the old item behind it.
 	struct Insert {
 		int before, item;
 	};
 
-	/// The first number in [0, n) for which the test holds; it holds for all behind, too.
+	/// The first number in [0, n) that passes the test. All numbers behind must pass too.
 	template <class Test>
 	static int firstOf(int n, const Test& test)
 	{
@@ -74,14 +74,14 @@ private:
 		return low;
 	}
 
-	/// How many of the inserted items come before the old one.
+	/// Number of items inserted up to an old item.
 	static std::size_t insertedUpTo(const std::vector<Insert>& inserts, int old)
 	{
 		return std::size_t(firstOf(int(inserts.size()),
 								   [&](int i) { return inserts[std::size_t(i)].before > old; }));
 	}
 
-	/// A new vertex comes behind the old ones of its cell, as ordering anew would put it.
+	/// A new vertex comes after the old vertices of its cell, as in a new ordering.
 	std::vector<Insert> insertedVertices() const
 	{
 		struct InCell {
@@ -120,7 +120,7 @@ private:
 			vertexName_[m_.vertexNum + inserts[i].item] = inserts[i].before + int(i);
 	}
 
-	/// Gives a part's corners their names, and makes the smallest one the first.
+	/// Renames a part's corners, and makes the smallest corner the first.
 	void nameCorners(Face& part) const
 	{
 		for (int& v : part.corner)
@@ -128,8 +128,8 @@ private:
 		std::rotate(part.corner, std::min_element(part.corner, part.corner + 3), part.corner + 3);
 	}
 
-	/// The first parts take the numbers of the split faces, the others follow at the end: this is
-	/// their order where the smallest vertex is the same.
+	/// The first parts take the numbers of the split faces; the rest follow at the end. The number
+	/// decides the order of parts with the same smallest vertex.
 	int numberOf(int part) const
 	{
 		const int longNum = int(longFaces_.size());
@@ -183,7 +183,7 @@ private:
 				inserts[i].before + int(i) - int(longFacesBefore(inserts[i].before));
 	}
 
-	/// -1 where there is none, or where its face is split.
+	/// -1 if there is no half-edge, or its face is split.
 	int halfEdgeName(int h) const
 	{
 		const int name = h < 0 ? -1 : faceName_[h / 3];
@@ -192,7 +192,7 @@ private:
 
 	// ---- arrays
 
-	/// Each value goes to its new name; what the new vertices have, where that is known.
+	/// Moves each value to its new name, and appends the known values of new vertices.
 	template <class T>
 	void move(Buffer<T>& values, const std::vector<T>& added)
 	{
@@ -252,7 +252,7 @@ private:
 		return open;
 	}
 
-	// ---- what is new
+	// ---- new items
 
 	void joinParts(const std::vector<int>& open)
 	{
@@ -266,7 +266,7 @@ private:
 			join(h, edges);
 	}
 
-	/// The second half of an edge finds the first one.
+	/// The second half of an edge finds the first half.
 	void join(int h, EdgeTable& edges)
 	{
 		m_.opposite[h]  = -1;
@@ -295,8 +295,8 @@ private:
 		});
 	}
 
-	/// The half-edge that connect() takes, of those that leave a vertex as h does: the border's; or
-	/// the first one of a face whose first corner the vertex is; or the first.
+	/// The half-edge that connect() takes at the origin of h: the border half-edge; else the first
+	/// half-edge of a face with the origin as first corner; else the first half-edge.
 	int firstOutgoing(int h) const
 	{
 		int       first = h;

@@ -11,12 +11,11 @@
 
 namespace gpr {
 
-/// Splits the long faces of a surface that is connected, as splitLongEdges does: `longFaces` are
-/// all that findLongFaces finds. New vertices and faces are put where they belong in the order in
-/// space, which the sampling relies on; the grid of that order stays. Feature lines must not be
-/// marked yet. Returns the number of edges split; throws Failure{OutOfMemory} where the surface
-/// would have more than maxFaces faces. Cost: a parallel copy of the surface, and a serial pass
-/// over the parts.
+/// Splits the long faces of a connected surface as splitLongEdges does. longFaces: all faces found
+/// by findLongFaces. New vertices and faces take their places in the spatial order, which the
+/// sampling needs; the grid of the order stays. Feature lines must not be marked yet. Returns the
+/// number of split edges; throws Failure{OutOfMemory} if the surface would get more than maxFaces
+/// faces. Cost: a parallel copy of the surface, and a serial pass over the parts.
 std::int64_t refineSurface(const std::vector<int>& longFaces, float maxLength,
 						   std::int64_t maxFaces, Surface& surface, Workers& workers);
 

@@ -18,7 +18,7 @@ namespace {
 
 using Edge = std::pair<std::int32_t, std::int32_t>; ///< the smaller vertex first
 
-/// Widths are computed anew, in another frame, when the part is remeshed.
+/// Margin for computing widths again, in another frame, when the part is remeshed.
 constexpr float margin = 2;
 
 class ThinBorder {
@@ -30,7 +30,8 @@ public:
 		if (!thin_.empty()) findBorder();
 	}
 
-	/// From the border on, over all that touches.
+	/// All thin faces at the border, and all thin faces linked to the border by vertices of thin
+	/// faces.
 	std::vector<std::size_t> faces()
 	{
 		std::vector<std::size_t> found;
@@ -55,9 +56,9 @@ private:
 	const MeshView&                  input_;
 	const std::vector<std::uint8_t>& isInPart_;
 	std::vector<std::size_t>         thin_; ///< faces
-	/// Corners of thin faces, each with where the face is in thin_; sorted.
+	/// Corners of thin faces, each with the index of the face in thin_; sorted.
 	std::vector<std::pair<std::int32_t, std::size_t>> thinAt_;
-	std::vector<std::int32_t>                         border_; ///< corners that lie on it
+	std::vector<std::int32_t>                         border_; ///< corners on the border
 
 	Box<double> boxOfPart() const
 	{
@@ -101,7 +102,7 @@ private:
 		thin_.push_back(f);
 	}
 
-	/// Only edges with an end at a thin face are looked at, which are few.
+	/// Looks only at edges with an end at a thin face: few edges.
 	void findBorder()
 	{
 		std::vector<char> isCorner(input_.vertexNum, 0);

@@ -10,11 +10,10 @@
 
 namespace gpr {
 
-/// Takes the faces without area (isThin, with a margin) at the border of a part of a mesh out of
-/// the part, and those that touch them, and so on. The border of a part is to stay as it is: with
-/// such a face at it there would be triangles without area in any result. isInPart: per face. A
-/// part that would be empty stays as it is. Cost: a pass over the faces, and another one where some
-/// are thin.
+/// Takes thin faces (isThin, with a margin) at the border of a part of a mesh out of the part, and
+/// thin faces that touch such faces, and so on. The border of a part keeps its edges, so each such
+/// face would give a degenerate face in any result. isInPart: per face. A part of such faces only
+/// stays as it is. Cost: a pass over the faces, and another pass if some faces are thin.
 void takeOutThinBorder(const MeshView& input, std::vector<std::uint8_t>& isInPart);
 
 } // namespace gpr

@@ -14,20 +14,22 @@ namespace gpr {
 
 namespace {
 
-/// The mean distance has settled by then: 2 are 0.1 % worse, 8 no better (means of six models).
+/// The mean distance is stable after these rounds: 2 rounds are 0.1 % worse, 8 are no better (means
+/// of six models).
 constexpr int rounds = 4;
-/// Of the way to the minimum for a vertex whose neighbours stay. The whole way would leave every
-/// second one far out: it would move for its neighbours, and they then need not.
+/// Share of the way to the minimum with fixed neighbours. The whole way would leave every second
+/// vertex far out: a vertex would move for its neighbours, and the neighbours then need not move.
 constexpr float stepLength = 0.6f;
-/// Pull to where the vertex began, of the weight of its edges.
+/// Pull to the start of the vertex, as a share of the weight of its edges.
 constexpr float pullBack = 0.05f;
-/// A piece of the curve so far off, in wanted edges, weighs twice: the largest distance falls too.
+/// A piece of the curve at this distance, in wanted edges, weighs twice, so that the largest
+/// distance falls, too.
 constexpr float noticeable = 0.1f;
-/// Off the curve, in wanted edges.
+/// Largest distance of a vertex from the curve, in wanted edges.
 constexpr float farthestOff = 0.08f;
-/// The curve is looked at in pieces of this length at the most, in wanted edges.
+/// Longest pieces of the curve for sums along the curve, in wanted edges.
 constexpr float longestPiece = 0.1f;
-/// Shares of a move that are tried.
+/// Shares of a move, tried in order.
 constexpr float moveShares[] = {1, 0.5f, 0.25f};
 
 /// The point of a segment nearest to p, and its share of the way to b.
@@ -42,14 +44,14 @@ Foot footOn(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 	return {share, p - a - (b - a) * share};
 }
 
-/// The piece of a curve between a vertex' two neighbours on it, which the two edges between them
-/// stand for.
+/// The part of a curve between the two neighbours of a vertex on the curve. The two edges at the
+/// vertex answer for the part.
 struct Span {
 	Vec3f              first, last; ///< the neighbours
 	float              from = 0;    ///< arc at `first`
-	float              edge = 0;    ///< wanted there
+	float              edge = 0;    ///< wanted edge length
 	std::vector<Vec3f> point;       ///< of the curve, ends included
-	std::vector<float> arc;         ///< at each, from `from` on
+	std::vector<float> arc;         ///< at each point, counted from `from`
 };
 
 class CurveFitter {
@@ -105,7 +107,7 @@ private:
 		}
 	}
 
-	/// False where the curve does not bend: there is nothing to fit to.
+	/// False if the curve does not bend: then the vertex needs no fit.
 	bool findSpan(int v)
 	{
 		const SlideRoom room = slideRoom(r_, curves_, v);
@@ -141,7 +143,8 @@ private:
 		}
 	}
 
-	/// Of the pieces' squared distances from the two edges by x, with what the edges' feet are now.
+	/// The damped way of x to the minimum of the squared distances of the pieces from the two edges
+	/// by x, with the present feet on the edges.
 	Vec3f wayToMinimum(const Vec3f& x, const Vec3f& start) const
 	{
 		const float scale = 1 / (noticeable * span_.edge);
@@ -161,7 +164,7 @@ private:
 	/// The point of the span nearest to p.
 	struct Nearest {
 		float squaredOff = HUGE_VALF;
-		float arc        = 0; ///< from where the span begins
+		float arc        = 0; ///< from the begin of the span
 	};
 
 	Nearest nearestTo(const Vec3f& p) const
@@ -178,7 +181,8 @@ private:
 
 	float offCurve(const Vec3f& p) const { return std::sqrt(nearestTo(p).squaredOff); }
 
-	/// Largest squared distance between the curve and the edges by x: it is at a point of one.
+	/// Largest squared distance between the curve and the edges by x, which is always at a point of
+	/// the curve or at x.
 	float farthest(const Vec3f& x) const
 	{
 		float far = nearestTo(x).squaredOff;

@@ -9,20 +9,20 @@
 
 namespace gpr {
 
-/// What gets smaller. On an arc the mean is least where both sides keep their areas; the largest
-/// distance is least a quarter of the way before.
+/// The measure to minimise. On an arc the mean distance is smallest with equal areas on both sides;
+/// the largest distance is smallest after three quarters of the same move.
 enum class CurveFit { MeanAndLargest, Mean };
 
-/// First part of Stage::Fit: moves the vertices of borders and feature lines off their curves to
-/// where the polygon of the result's edges lies closest to the curve, in the mean of squares along
-/// it. Vertices on the curve leave all of it on one side where it bends: a chord's greatest
-/// distance is twice the least that is possible.
+/// First part of Stage::Fit: moves vertices of borders and feature lines off their curves, so that
+/// the polygon of result edges lies closest to the curve by the mean of squared distances along the
+/// curve. With vertices on a bent curve, the whole curve lies on one side of the polygon: the
+/// largest distance of a chord is then twice the smallest possible distance.
 ///
-/// One vertex after the other goes towards the minimum for it, four rounds of this. A move stands,
-/// whole, halved or quartered, if the largest distance between the curve and the two edges there
-/// does not grow (CurveFit::MeanAndLargest), if the vertex stays within 8 % of an edge from the
-/// curve, and if no face turns or gets a smaller angle than minAngle (radians, or than it had).
-/// Nodes, corners and pinned vertices stay.
+/// Each vertex in sequence moves towards its own minimum, in four rounds. A move stands, whole,
+/// halved or quartered, if the largest distance between the curve and the two edges there does not
+/// grow (CurveFit::MeanAndLargest), if the vertex stays within 8 % of an edge from the curve, and
+/// if no face turns or gets a smaller angle than minAngle (radians, or than the face had). Nodes,
+/// corners and pinned vertices stay.
 ///
 /// Changes mesh.position, and the records, which slide along the curve below the vertices. Cost:
 /// the points of the curves and the rings of their vertices; serial.

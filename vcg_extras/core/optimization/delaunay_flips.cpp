@@ -10,7 +10,7 @@ namespace gpr {
 
 namespace {
 
-/// Flips that one edge can set off; an unending exchange between two places ends here.
+/// The largest number of flips set off by an edge; ends an unending exchange between two places.
 constexpr int maxFlipsInARow = 200;
 
 bool improvesAngles(const HalfEdgeMesh& m, int h)
@@ -33,7 +33,7 @@ bool improvesAngles(const HalfEdgeMesh& m, int h)
 	return dot(m1, normal) > 0 && dot(m2, normal) > 0;
 }
 
-/// Flips h and whatever its flips unsettle.
+/// Flips h, and the edges that the flips make non-Delaunay.
 std::int64_t settleFrom(HalfEdgeMesh& m, int h, std::vector<int>& stack)
 {
 	std::int64_t flips = 0;
@@ -56,7 +56,7 @@ std::int64_t settleFrom(HalfEdgeMesh& m, int h, std::vector<int>& stack)
 	return flips;
 }
 
-/// Edges that are to be flipped, one half of each.
+/// The edges to flip, as the smaller half-edge of each.
 std::vector<int> findFlips(const HalfEdgeMesh& m, Workers& workers)
 {
 	return workers.collectEach<int>(m.halfEdgeNum(), [&](int h, auto& out) {

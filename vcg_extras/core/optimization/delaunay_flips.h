@@ -8,15 +8,14 @@
 
 namespace gpr {
 
-/// So many passes of flips stand for as many as it takes.
+/// The number of passes that means: flip until all edges are Delaunay.
 constexpr int untilDelaunay = 1000;
 
-/// Flips edges whose opposite angles add up to more than 180°, until none is left. An edge stays
-/// where the flip would fold the surface, leave a vertex with two faces or double an edge; edges of
-/// the border and of feature lines always stay. With fewer than untilDelaunay passes (the paper's
-/// user-given number) each pass flips those edges once that ask for it at its start. Returns the
-/// number of flips. Cost: linear a pass; edges are tested in parallel, the few that flip are turned
-/// serially.
+/// Flips edges with opposite angles of more than 180° in total, until no such edge is left. An edge
+/// stays if the flip would fold the surface, leave a vertex with two faces or double an edge; edges
+/// of borders and feature lines always stay. With fewer than untilDelaunay passes (the number given
+/// by the user in the paper), a pass flips only the edges found at the start of the pass. Returns
+/// the number of flips. Cost: linear per pass; tests in parallel, the few flips serially.
 std::int64_t flipToDelaunay(ResultMesh& result, Workers& workers, int maxPasses = untilDelaunay);
 
 } // namespace gpr

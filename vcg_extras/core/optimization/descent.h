@@ -10,8 +10,8 @@
 
 namespace gpr {
 
-/// Steps that move all vertices at once (Jacobi) to where terms (terms.h) want them under their
-/// constraints (edit/constraint.h), within limits (edit/acceptance.h). Here are the steps on the
+/// Steps that move all vertices at once (Jacobi) by terms (terms.h), under constraints
+/// (edit/constraint.h) and within limits (edit/acceptance.h). This file has the steps on the
 /// surface; the fit steps through space (fit.cpp).
 
 inline Vec3f shortened(const Vec3f& a, float longest)
@@ -20,14 +20,14 @@ inline Vec3f shortened(const Vec3f& a, float longest)
 	return l > longest ? a * (longest / l) : a;
 }
 
-/// The move by descent with momentum (heavy ball, Polyak 1964): this share of the last one again,
-/// and the step that the terms want.
+/// The move by descent with momentum (heavy ball, Polyak 1964): a share of the last move plus the
+/// step of the terms.
 inline Vec3f moveWithMomentum(const Vec3f& last, float share, const Vec3f& step, float longest)
 {
 	return shortened(last * share + step, longest);
 }
 
-/// Steps on the surface and its curves: a vertex lies where its record does.
+/// Steps on the surface and its curves: the position of a vertex is the place of its record.
 class SurfaceDescent {
 public:
 	SurfaceDescent(const Acceptance& limits, ResultMesh& result, Workers& workers) :
@@ -36,9 +36,9 @@ public:
 	{
 	}
 
-	/// next(v) is the record that v shall have, or none where v stays; all see the places before
-	/// the step. A template, as the terms that `next` is made of take most of the time: they are
-	/// inlined into the loop.
+	/// next(v) returns the new record of v, or none if v stays; all calls see the places before the
+	/// step. A template, so that the terms in `next`, which take most of the time, are inlined into
+	/// the loop.
 	template <class Next>
 	void step(const Next& next)
 	{

@@ -21,13 +21,13 @@ namespace gpr {
 
 namespace {
 
-/// What a split or collapse may do, from careful to whatever the topology allows.
+/// The care about shapes, from most careful to topology only.
 enum class Care { FlatGroundOnly, SoundShapes, TopologyOnly };
 
-/// Flips that go with a split: edges of the quadrilateral w-c-x-d round the new vertex, one bit
+/// The flips that accompany a split: edges of the quadrilateral w-c-x-d round the new vertex, a bit
 /// each.
 enum QuadEdge { WC = 1, XC = 2, WD = 4, XD = 8 };
-/// Never two flips at c or at d: they would lose two faces at once.
+/// Two flips at c, or two at d, are missing: c or d would lose two faces at once.
 constexpr int splitPatterns[] = {0, WC, XC, WD, XD, WC | WD, XC | XD, WC | XD, XC | WD};
 
 struct CountChange {
@@ -95,22 +95,22 @@ private:
 	ResultMesh&           r_;
 	HalfEdgeMesh&         m_;
 	Workers&              workers_;
-	bool                  byFaces_; ///< faces are counted, not vertices
+	bool                  byFaces_; ///< the target counts faces, not vertices
 	std::int64_t          wanted_;
 	std::int64_t          num_; ///< of the result now
 	Care                  care_ = Care::FlatGroundOnly;
 	Buffer<int>           valence_; ///< corrected
 	Buffer<char>          flat_;
-	Buffer<float>         size_; ///< wanted at each vertex; empty: the same everywhere
+	Buffer<float>         size_; ///< local size at each vertex; empty: equal sizes
 	std::vector<char>     used_; ///< vertices whose surroundings changed in this round
 	EditScratch           scratch_;
 	const Acceptance      limits_ = acceptanceOf(Driver::Count);
 
 	// ---- common to both
 
-	/// By how much a split or collapse of an edge changes the number.
+	/// The change of the number by a split or collapse of an edge.
 	std::int64_t stepOf(bool isAtBorder) const { return byFaces_ && !isAtBorder ? 2 : 1; }
-	/// How many vertices may still come or go; the last face is one of the border.
+	/// The number of vertices still to add or remove; a last odd face is a border face.
 	std::int64_t leftNum() const
 	{
 		const std::int64_t left = std::abs(wanted_ - num_);
@@ -126,11 +126,11 @@ private:
 		used_.assign(m_.vertexNum, 0);
 	}
 
-	/// Operations in the order in which to take them, the last ones not worth taking in this round
-	/// cut off: once the cheap ones are gone, fresh valences find cheaper ones.
+	/// The operations of a round, in order. Expensive operations at the end are cut off, because
+	/// fresh valences offer cheaper operations in the next round.
 	std::vector<CountChange> chosen(std::vector<CountChange>&& all, std::int64_t wanted) const
 	{
-		// By topology alone the order must not depend on how many are wanted.
+		// With topology only, the order must not depend on the wanted number.
 		const std::size_t most =
 			care_ == Care::TopologyOnly
 				? all.size()
@@ -153,7 +153,7 @@ private:
 		return flat_[a] && flat_[b] && flat_[c] && flat_[d];
 	}
 
-	/// Over the size that triangles are to have there.
+	/// The length of an edge over the local size.
 	float relativeLength(int h) const
 	{
 		const int   a = m_.origin[h], b = m_.target(h);
@@ -161,7 +161,7 @@ private:
 		return size_.empty() ? straight : straight / (0.5f * (size_[a] + size_[b]));
 	}
 
-	/// What find(h, mostEnergy) gives for the half-edges, up to that energy.
+	/// The operations that find(h, mostEnergy) returns for all half-edges, up to that energy.
 	template <class Find>
 	std::vector<CountChange> collectUpTo(int mostEnergy, const Find& find) const
 	{
@@ -172,8 +172,8 @@ private:
 		});
 	}
 
-	/// The operations of a round. On flat ground enough of them mostly cost nothing: then the
-	/// others, which are by far the most, would all be cut off, and are not collected.
+	/// The operations of a round. On flat ground there are mostly enough operations of energy 0;
+	/// then the many other operations, which would all be cut off, are not collected.
 	template <class Find>
 	std::vector<CountChange> operationsOfRound(std::int64_t wanted, const Find& find) const
 	{
@@ -208,7 +208,8 @@ private:
 			   r_.vertex[m_.origin[h]].curve >= 0 && r_.vertex[m_.target(h)].curve >= 0;
 	}
 
-	/// Valences tell first, since they rule nearly all edges out where little energy is allowed.
+	/// Finds the best split of an edge. Valences are tested first, because few edges pass if little
+	/// energy is allowed.
 	std::optional<CountChange> findSplit(int h, int mostEnergy) const
 	{
 		if (m_.isCreaseEdge(h)) return {};
@@ -231,7 +232,7 @@ private:
 		return best;
 	}
 
-	/// The half-edge of the quadrilateral's edge, before the split.
+	/// The half-edge of an edge of the quadrilateral, before the split.
 	int quadHalfEdge(int h, int quadEdge) const
 	{
 		const int g = m_.opposite[h];
@@ -247,7 +248,7 @@ private:
 		}
 	}
 
-	/// The vertex beyond that edge, or -1.
+	/// The vertex beyond an edge of the quadrilateral, or -1.
 	int beyond(int h, int quadEdge) const
 	{
 		const int out = m_.opposite[quadHalfEdge(h, quadEdge)];
@@ -267,12 +268,11 @@ private:
 			   (lostX == 0 || valence_[m_.target(h)] - lostX >= 5);
 	}
 
-	/// The change of Σ(valence - 6)² by a split of one edge, of each vertex that takes part by
-	/// itself.
+	/// The change of Σ(valence - 6)² by a split of an edge, separately for each vertex involved.
 	struct SplitEnergies {
 		int ends[2][3];   ///< w and x after the loss of 0, 1 or 2 neighbours
-		int apexes[2][2]; ///< c and d, with a neighbour more, and with as many as before
-		int beyond[4];    ///< the vertices beyond WC, XC, WD, XD, with a neighbour more
+		int apexes[2][2]; ///< c and d, with 1 or 0 neighbours more
+		int beyond[4];    ///< the vertices beyond WC, XC, WD, XD, with 1 neighbour more
 
 		int of(int pattern) const
 		{
@@ -369,8 +369,9 @@ private:
 		return v;
 	}
 
-	/// Where the surface bends over, as round a thin tube along the plane, no walk along the edge
-	/// leads to its middle, but the way down from a point above that does.
+	/// Finds the middle of an edge above the mirror plane. On a surface that bends over the edge,
+	/// like a thin tube along the plane, no walk along the edge finds the middle; a descent from a
+	/// point above does.
 	bool findMiddleAboveMirror(int a, int b, ResultVertex& middle) const
 	{
 		const auto height = [&] { return coordinate(middle.point.position, m_.mirrorAxis); };
@@ -385,8 +386,8 @@ private:
 		return height() > 0;
 	}
 
-	/// Inner edges between two vertices of the mirror plane, which the samples' neighbourhood left:
-	/// see mesh_edit.h.
+	/// Splits inner edges between two vertices on the mirror plane, left by the neighbourhood of
+	/// the samples: see mesh_edit.h.
 	void splitOwnImages()
 	{
 		const auto isOwnImage = [&](int h) {
@@ -396,7 +397,7 @@ private:
 		const int mostNum =
 			int(workers_.collectIf(std::size_t(m_.halfEdgeNum()), isOwnImage).size());
 		reserve(m_, m_.vertexNum + mostNum, m_.faceNum + 2 * mostNum);
-		for (int h = 0; h < m_.halfEdgeNum(); ++h) { // a split moves others to half-edges behind it
+		for (int h = 0; h < m_.halfEdgeNum(); ++h) { // a split moves edges to later half-edges
 			ResultVertex middle;
 			if (!isOwnImage(h)) continue;
 			if (!findMiddleAboveMirror(m_.origin[h], m_.target(h), middle)) continue;
@@ -479,7 +480,7 @@ private:
 		return true;
 	}
 
-	/// Whether the faces left of both rings are sound with a and b at p.
+	/// Whether the remaining faces of both rings are sound with a and b at p.
 	bool shapesAllowCollapse(int a, int b, const Vec3f& p) const
 	{
 		if (care_ == Care::TopologyOnly) return true;
@@ -500,14 +501,15 @@ private:
 
 	// ---- the border
 
-	/// Border edges in the order in which to split or collapse one.
+	/// The border edges in the order for a split or collapse.
 	std::vector<CountChange> borderEdges(bool toSplit) const
 	{
 		std::vector<CountChange> all =
 			workers_.collectEach<CountChange>(m_.halfEdgeNum(), [&](int h, auto& out) {
 				if (isDeadFace(m_, h / 3) || m_.opposite[h] >= 0) return;
 				if (!(toSplit ? isSplittableBorder(h) : isCollapsibleBorder(h))) return;
-				// Of half a symmetric mesh only those of the plane change the whole's parity.
+				// In half a symmetric mesh only border edges on the plane change the parity of the
+				// whole.
 				const bool isOpen = !(m_.isOnMirror(m_.origin[h]) && m_.isOnMirror(m_.target(h)));
 				out.push_back({isOpen, toSplit ? -relativeLength(h) : relativeLength(h), h, 0});
 			});
@@ -521,7 +523,7 @@ private:
 		return !r_.keepsBorder && !v.isPinned && !v.isCorner && !v.isShared;
 	}
 
-	/// Nothing happens where no border edge allows it.
+	/// Splits or collapses a border edge, if any border edge allows that.
 	void changeBorderByOne()
 	{
 		care_ = Care::TopologyOnly;

@@ -10,36 +10,36 @@
 
 namespace gpr {
 
-/// How many vertices a result is to have; or how many faces, where that is what was asked for.
+/// The wanted number of vertices, or of faces if faces are counted.
 struct CountTarget {
 	std::int64_t vertexNum = 0;
-	std::int64_t faceNum   = 0; ///< where it is not 0 the number of vertices follows from it
+	std::int64_t faceNum   = 0; ///< if not 0, vertexNum is ignored
 
 	bool isGiven() const { return vertexNum > 0 || faceNum > 0; }
 };
 
-/// Stage::Count: splits or collapses edges of the result until it has exactly as many vertices or
-/// faces as wanted. A vertex inside brings two faces, one of the border one: where the wanted
-/// number of faces is odd and the result's is even, or the other way round, a border edge is split
-/// first, the longest one, or one is collapsed where none may be split.
+/// Stage::Count: splits or collapses edges of the result until the result has exactly the wanted
+/// number of vertices or faces. An inner vertex adds two faces, a border vertex adds one face: if
+/// the wanted and the present number of faces differ in parity, first the longest border edge is
+/// split, or a border edge is collapsed if none may be split.
 ///
-/// Which ones is chosen by valence: of every edge the change of Σ(valence - 6)² is worked out, for
-/// splits together with up to two flips round the new vertex; lowest first, then the longest edge
-/// to split and the shortest to collapse. A change of 0 moves a dislocation instead of making one,
-/// so the triangles stay as regular as they were. Only edges on flat ground are taken at first,
-/// then any, then whatever the topology allows. Returns false where the topology allows no more
-/// collapses; the mesh is then as near as it gets. Cost: a pass over the edges per round, some
-/// rounds.
+/// Edges are chosen by valence: for each edge the change of Σ(valence - 6)² is computed, for splits
+/// with up to two flips round the new vertex; the lowest change goes first, then the longest edge
+/// to split and the shortest edge to collapse. A change of 0 moves a dislocation and makes no new
+/// dislocation, so that the triangles stay regular. First only edges on flat ground are taken, then
+/// any edge with sound shapes, then any edge that the topology allows. Returns false if the
+/// topology allows no more collapses; the mesh then has the nearest possible number. Cost: a pass
+/// over the edges per round, some rounds.
 bool reachExactCount(const Surface& surface, const BoundaryCurves& boundary,
 					 const CountTarget& target, ResultMesh& result, Workers& workers);
 
-/// The same, leaving dead faces and vertices in the mesh: those that it had, and new ones.
+/// The same, but the dead faces and vertices stay in the mesh.
 bool changeCount(const Surface& surface, const BoundaryCurves& boundary, const CountTarget& target,
 				 ResultMesh& result, Workers& workers);
 
-/// The same by topology alone, whatever the shapes: the last resort for tiny counts. Which edges
-/// are taken, and in which order, does not depend on the target, so that every count between the
-/// one it starts from and the one it ends at for one vertex can be reached.
+/// The same by topology only, regardless of shapes: the last resort for tiny counts. Choice and
+/// order of the edges do not depend on the target. So the function can reach every count between
+/// the count at the start and the count reached for a target of 1 vertex.
 bool reachCountByTopology(const Surface& surface, const BoundaryCurves& boundary,
 						  const CountTarget& target, ResultMesh& result, Workers& workers);
 

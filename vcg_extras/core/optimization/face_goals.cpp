@@ -13,15 +13,16 @@ namespace {
 
 // ---- inverted faces
 
-/// Below this agreement a face is bad, and below minAgreement it costs: a face that is about to
-/// turn over draws its neighbours along.
+/// A face with a smaller agreement is bad; a face below minAgreement costs, so that a face close to
+/// inversion pulls its neighbours along.
 constexpr float badAgreement = 0.05f;
-/// The same for the agreement beside a feature line, where a face may stand on either side of a
-/// sharp edge: 60° and 45°.
+/// The same for the agreement beside a feature line, with faces on either side of a crease edge:
+/// 60° and 45°.
 constexpr float badCreaseAgreement = 0.5f, wantedCreaseAgreement = 0.7f;
-/// Poor shapes cost a little, so that a face is not turned by making a needle of its neighbour.
+/// Poor shapes cost a little, so that no face is turned by a needle beside the face.
 constexpr float wantedShape = 0.35f, shapeWeight = 0.2f;
-/// Cost of a face without area: more than that of any two others, as no result may have one.
+/// Cost of a degenerate face: more than the cost of any two other faces, because no result may have
+/// a degenerate face.
 constexpr float costWithoutArea = 8;
 
 float shortfall(float value, float wanted)
@@ -48,17 +49,17 @@ bool isInverted(const PatchEditor& editor, int f)
 
 // ---- angles
 
-/// Angles are wanted this much larger than asked for, so that none ends just below.
+/// Factor on the wanted angles, so that no angle ends just below the limit.
 constexpr float angleMargin = 1.06f;
 
-/// Squared, so that the worst ones count most.
+/// The squared lack of the smallest angle; squares give the worst faces the most weight.
 float lackOfAngle(const HalfEdgeMesh& m, int f, float angle)
 {
 	const float lack = shortfall(smallestAngle(m, f) / (angleMargin * angle), 1);
 	return lack * lack;
 }
 
-/// Of the largest angle, on the scale of lackOfAngle: 1 at 180°.
+/// The squared excess of the largest angle, on the scale of lackOfAngle: 1 at 180°.
 float excessOfAngle(const HalfEdgeMesh& m, int f, float largest)
 {
 	const float rest = (float(pi) - obtuseAngle(m, f)) / (angleMargin * (float(pi) - largest));
@@ -97,13 +98,13 @@ Goal invertedFaces(LocalSearch& search, bool mayCollapse)
 	goal.faceCost    = [&editor](int f) { return costOfOrientation(editor, f); };
 	goal.operations  = keepingCount;
 	goal.maxLeft     = 1;
-	goal.minGain     = 0.01f; // less is rounding
+	goal.minGain     = 0.01f; // smaller gains are rounding errors
 	goal.stepLengths = longSteps;
 	goal.limits      = acceptanceOf(Driver::InvertedFaces);
 	if (mayCollapse)
 		goal.operations.insert(goal.operations.end(),
 							   {Operation::Collapse, Operation::CollapseBack});
-	goal.collapseCost    = 2 * goal.minGain;                         // or the tips of fingers go
+	goal.collapseCost    = 2 * goal.minGain;                         // keeps the tips of fingers
 	goal.budget.attempts = std::numeric_limits<std::int64_t>::max(); // only work is limited
 	goal.settles         = false;                                    // shapes come later
 	return goal;
@@ -130,7 +131,7 @@ Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::
 	goal.maxLeft        = changesCount(operations) ? 0.8f : 0.995f;
 	goal.stepLengths    = shortSteps;
 	goal.limits         = guardedLimits(Driver::PoorFaces, angle, guardedDistance);
-	goal.budget.maxLeft = 0.95f; // the rest of the rounds would cost more than they bring
+	goal.budget.maxLeft = 0.95f; // more rounds would cost more than the gain
 	return goal;
 }
 

@@ -9,30 +9,32 @@
 
 namespace gpr {
 
-// What local searches are for. The limits of all goals stand side by side in face_goals.cpp.
+// The goals of local searches. face_goals.cpp lists the limits of all goals side by side.
 
-/// Operations that leave the number of vertices as it is, and those that change it.
+/// Operations that keep the number of vertices, and operations that change the number.
 extern const std::vector<Operation::Kind> keepingCount, changingCount;
 
-/// Faces that are inverted, lie across a feature line or have no area. They are left by
-/// the retriangulation where the surface is thinner than the triangles are long: fingers, rims,
+/// Goal against faces that are inverted, lie across a feature line or are degenerate. The
+/// retriangulation leaves such faces on parts thinner than the triangles are long: fingers, rims,
 /// thin plates.
 Goal invertedFaces(LocalSearch& search, bool mayCollapse);
 
-/// Faces without area alone. No result may have one, so nothing bounds this search.
+/// Goal against degenerate faces only. No result may have a degenerate face, so that the search has
+/// no work limit.
 Goal facesWithoutArea(LocalSearch& search);
 
-/// Faces with an angle below `angle` (radians). Minimised is the sum over the faces of the squares
-/// of what the smallest angle lacks. guardedDistance: see Acceptance::guarded.
+/// Goal against faces with an angle below `angle` (radians). Minimises the sum over the faces of
+/// the squared lack of the smallest angle. guardedDistance: see Acceptance::guarded.
 Goal smallAngles(LocalSearch& search, float angle, const std::vector<Operation::Kind>& operations,
 				 float guardedDistance = HUGE_VALF);
 
-/// The largest angle (radians) that is as poor as a smallest one: 110° for 32°, 180° for 0.
+/// The largest angle (radians) that counts as poor as a smallest angle: 110° for 32°, 180° for 0.
 float asPoorAs(float smallestAngle);
 
-/// Faces with a largest angle above asPoorAs(angle). Minimised is the sum over the faces of the
-/// squares of what is too much, and of what smallest angles lack; no angle falls below `angle`
-/// (radians), and none below it falls further. guardedDistance: see Acceptance::guarded.
+/// Goal against faces with a largest angle above asPoorAs(angle). Minimises the sum over the faces
+/// of the squared excess of the largest angle and the squared lack of the smallest angle; no angle
+/// falls below `angle` (radians), and smaller angles do not fall further. guardedDistance: see
+/// Acceptance::guarded.
 Goal largeAngles(LocalSearch& search, float angle, float guardedDistance = HUGE_VALF);
 
 } // namespace gpr

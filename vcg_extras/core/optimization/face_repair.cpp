@@ -16,7 +16,7 @@ namespace gpr {
 
 namespace {
 
-/// So many faces, or this share of all.
+/// A number of faces, or a share of all faces.
 struct Few {
 	std::size_t num;
 	float       share;
@@ -27,33 +27,35 @@ struct Few {
 	}
 };
 
-/// Where more faces are poor, the triangles are too large for the surface. Single changes then cost
-/// much and help little: twice the time of the whole run on parts with many holes, at the same
-/// worst angle. Moves, which cost most, are left out where more than few faces are inverted.
+/// With more poor faces, the triangles are too large for the surface. Single changes then cost much
+/// and help little: twice the time of the whole run on parts with many holes, at the same worst
+/// angle. With more inverted faces, moves, which cost most, are left out.
 constexpr Few fewPoor = {100, 0.2f}, fewInverted = {500, 0.02f};
-/// Operations that change the count are tried at few faces, since each must be made good in another
-/// place; two in a row, which take some hundred trials, where at most so many are left.
+/// Operations that change the count are tried at few faces, because each must be compensated at
+/// another place. Pairs in a row, which take some hundred trials, are tried only with at most this
+/// many faces left.
 constexpr Few         fewForCount = {100, 0.001f};
 constexpr std::size_t maxForPairs = 8;
-/// Such rounds: after each the angles are raised again, which gives the next one new chances.
+/// Rounds of these operations: after each round the angles are raised again, which gives the next
+/// round new chances.
 constexpr int maxCountRounds = 3;
-/// Faces that are tried in a round, and room for the vertices that come in.
+/// Faces tried in a round, and room for the new vertices.
 constexpr int attemptsByCount = 200, attemptsByPairs = 12;
 constexpr int roomForTrials = 4 * (attemptsByCount + 2 * attemptsByPairs);
-/// What all searches together may measure (see LocalSearch), at some 20 ns each: most of a
-/// second, and a tenth of the run on large meshes. On parts full of needles nothing helps, and the
-/// search would last much longer than all the rest. With half of it the worst angle of 20 noisy
-/// spheres is 2° smaller on the mean.
+/// Budget of measurements of all searches (see LocalSearch), about 20 ns each: most of a second,
+/// and a tenth of the run on large meshes. On parts full of needles nothing helps, and the search
+/// would last much longer than the rest of the run. With half the budget the worst angle of 20
+/// noisy spheres is 2° smaller on the mean.
 constexpr std::int64_t minWork = 40000000, workPerFace = 20;
-/// Of what is left, before what changes the count has the rest.
+/// Share of the budget for angles; the rest is for changes of the count.
 constexpr double shareOfAngles = 0.67;
-/// Two operations in a row take some hundred trials a face.
+/// Budget of pairs of operations in a row, which take some hundred trials a face.
 constexpr std::int64_t workOfPairs = 25000000;
 
-/// What raises an angle and leaves the faces near the surface comes before what does not.
+/// Shares of maxGap, in order: changes that leave faces near the surface come first.
 constexpr float sharesOfMaxGap[] = {0.7f, 1};
 
-/// Inverted faces have more: no other search repairs what this one leaves.
+/// Factor on the budget for inverted faces, because no later search repairs these faces.
 constexpr std::int64_t shareOfOrientation = 2;
 
 std::int64_t workFor(int faceNum)
@@ -61,10 +63,10 @@ std::int64_t workFor(int faceNum)
 	return minWork + workPerFace * faceNum;
 }
 
-/// How poor a mesh is.
+/// The poorness of a mesh.
 struct Poorness {
 	double      lack        = 0; ///< Σ(1 - angle / limit)² over the faces below the limit
-	std::size_t poorNum     = 0; ///< these
+	std::size_t poorNum     = 0; ///< faces below the limit
 	float       minAngle    = 0;
 	int         invertedNum = 0;
 
@@ -107,19 +109,19 @@ private:
 	int                   mapFaceNum_;
 	std::vector<int>      mapFace_;                   ///< see Assignment
 	std::int64_t          work_;                      ///< left to all searches
-	std::int64_t          workOfPairs_ = workOfPairs; ///< left to those by two operations in a row
-	Poorness              now_; ///< how poor the result is before the next change of the count
+	std::int64_t          workOfPairs_ = workOfPairs; ///< left to pairs of operations
+	Poorness              now_; ///< of the result before the next change of the count
 	ResultMesh&           r_;
 	Workers&              workers_;
 
-	/// A vertex of the input that is nearly as far off as the farthest one, all over the mesh.
+	/// The distance at which an input vertex is guarded: close to the largest distance of the mesh.
 	float guarded() const
 	{
 		constexpr float share = 0.7f;
 		return wanted_.largestGap > 0 ? share * wanted_.largestGap : HUGE_VALF;
 	}
 
-	/// Leaves some of the work for the searches that follow.
+	/// Raises angles, with a share of the work left for later searches.
 	bool raiseAngles()
 	{
 		std::int64_t work = std::int64_t(shareOfAngles * double(work_));
@@ -141,7 +143,8 @@ private:
 		return isDone;
 	}
 
-	/// At the end: large angles are less poor than small ones, and must not take work from these.
+	/// Lowers large angles at the end, because large angles are less poor than small angles and
+	/// must not take their work.
 	bool lowerLargeAngles()
 	{
 		if (findObtuseFaces(r_.mesh, asPoorAs(angle_), workers_).empty()) return true;
@@ -152,7 +155,8 @@ private:
 		return search.run(goal);
 	}
 
-	/// All is as it was, and the answer is false, where it does not.
+	/// Changes the count at poor faces. Returns false and restores the result if this does not
+	/// help.
 	bool changeCountWhereItHelps()
 	{
 		if (work_ <= 0 || now_.poorNum == 0) return false;
@@ -170,7 +174,7 @@ private:
 		return false;
 	}
 
-	/// False where nothing changed or the wanted count cannot be reached any more.
+	/// False if nothing changed or the wanted count is out of reach.
 	bool changeCount()
 	{
 		if (!changeByTrials()) return false;
@@ -185,7 +189,8 @@ private:
 		return true;
 	}
 
-	/// Leaves dead faces in the mesh. False where nothing changed.
+	/// Tries operations that change the count. Leaves dead faces in the mesh. False if nothing
+	/// changed.
 	bool changeByTrials()
 	{
 		Assignment   assignment(surface_, map_, mapFaceNum_, mapFace_);
@@ -204,7 +209,7 @@ private:
 		return search.changeNum() > 0;
 	}
 
-	/// Names the faces of the map for the faces that compaction will leave.
+	/// Assigns the faces of the map to the faces that compaction will leave.
 	void followCompaction()
 	{
 		const HalfEdgeMesh& m = r_.mesh;
@@ -213,7 +218,7 @@ private:
 			if (isDeadFace(m, f)) continue;
 			const int then = mapFace_.empty() ? mapFaceNum_ : int(mapFace_.size());
 			if (f >= then)
-				mapFace.push_back(-1); // it came in since
+				mapFace.push_back(-1); // a new face
 			else
 				mapFace.push_back(mapFace_.empty() ? f : mapFace_[f]);
 		}
@@ -242,9 +247,9 @@ bool repairOrientation(LocalSearch& search, bool mayCollapse)
 	return search.run(goal);
 }
 
-/// Feature lines side by side on one straight line, as where a surface is folded flat, can hold all
-/// edges of a face without area, and vertices of curves keep their spacing there. A gap in a line
-/// and crowded vertices are better than such a face.
+/// Repairs degenerate faces. Feature lines side by side on the same straight line, like on a
+/// surface folded flat, may hold all edges of a degenerate face, and vertices of curves keep their
+/// spacing there. A gap in a line and crowded vertices are better than a degenerate face.
 void repairFacesWithoutArea(LocalSearch& search)
 {
 	Goal goal = facesWithoutArea(search);
@@ -277,7 +282,8 @@ bool isFirstOfTetrahedron(const HalfEdgeMesh& m, int f)
 	return m.valence(top) == 3;
 }
 
-/// By the normals of the surface, over the four faces at three edges of the first one and itself.
+/// Whether a tetrahedron looks inside, by the normals of the surface at the corners of its four
+/// faces.
 bool looksInside(const Surface& surface, const ResultMesh& r, int first)
 {
 	float sum = 0;
@@ -300,8 +306,8 @@ bool hasCreases(const HalfEdgeMesh& m, int first)
 	return has;
 }
 
-/// Small components become tetrahedra, and four samples on one may be joined so that all of it
-/// looks inside. With two of its vertices exchanged it looks outside.
+/// Turns tetrahedra that look inside. Small components become tetrahedra, and four joined samples
+/// may look inside as a whole; an exchange of two vertices turns the tetrahedron.
 void turnTetrahedra(const Surface& surface, ResultMesh& r, Workers& workers)
 {
 	HalfEdgeMesh&          m     = r.mesh;
@@ -339,7 +345,7 @@ bool raiseAnglesOnSurface(const Surface& surface, const BoundaryCurves& curves, 
 	std::int64_t work = workFor(result.mesh.faceNum);
 	LocalSearch  search(surface, curves, nullptr, work, result, workers);
 	Goal         goal = smallAngles(search, angle, keepingCount);
-	// Where faces lie as the surface does they are near it, and intersect no others.
+	// Faces with the normals of the surface are near the surface, and intersect no other faces.
 	goal.limits = acceptanceOf(Driver::AnglesOnly);
 	return search.run(goal);
 }

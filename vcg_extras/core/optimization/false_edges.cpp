@@ -13,7 +13,7 @@ namespace gpr {
 
 namespace {
 
-/// On the surface where a walk finds it, else on the edge, which lies near enough.
+/// The middle of an edge on the surface, or on the edge itself if no walk finds the middle.
 ResultVertex middleOf(const Surface& surface, const ResultMesh& result, int h)
 {
 	const int    a = result.mesh.origin[h], b = result.mesh.target(h);
@@ -31,7 +31,7 @@ ResultVertex middleOf(const Surface& surface, const ResultMesh& result, int h)
 int splitFalseEdges(const Surface& surface, ResultMesh& result, Workers& workers)
 {
 	HalfEdgeMesh&                    m = result.mesh;
-	std::vector<std::pair<int, int>> edges; // by their ends: a split gives half-edges other names
+	std::vector<std::pair<int, int>> edges; // by the ends, because splits renumber half-edges
 	for (int h : Junctions(m, surface.meetings, workers).falseEdges(workers))
 		edges.push_back({m.origin[h], m.target(h)});
 	const int num = int(edges.size());
@@ -39,7 +39,7 @@ int splitFalseEdges(const Surface& surface, ResultMesh& result, Workers& workers
 	for (const auto& [a, b] : edges) {
 		const int h = m.findHalfEdge(a, b);
 		result.vertex.push_back(middleOf(surface, result, h));
-		result.vertex.back().isCorner = true; // else it would be the first to be merged again
+		result.vertex.back().isCorner = true; // keeps the vertex from being merged again
 		m.position[m.vertexNum]       = result.vertex.back().point.position;
 		splitEdge(m, h, m.vertexNum++);
 		++result.splitNum;

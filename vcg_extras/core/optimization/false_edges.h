@@ -9,9 +9,9 @@
 
 namespace gpr {
 
-/// Splits the edges inside of sheets that would become one with an edge of another sheet when they
-/// are joined (see Junctions::falseEdges): such an edge would be a junction that the input has not.
-/// Returns how many there were. Cost: that of Junctions.
+/// Splits inner edges of sheets that would coincide with an edge of another sheet after joining
+/// (see Junctions::falseEdges); the joined edge would be a junction without counterpart in the
+/// input. Returns the number of split edges. Cost: the same as Junctions.
 int splitFalseEdges(const Surface& surface, ResultMesh& result, Workers& workers);
 
 } // namespace gpr

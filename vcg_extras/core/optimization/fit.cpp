@@ -22,36 +22,37 @@ namespace gpr {
 
 namespace {
 
-/// Jacobi steps of a round. More make triangles a little more regular and the distance a little
-/// larger, as less of a weight of the shape does.
+/// Jacobi steps of a round. More steps improve the regularity a little and enlarge the distance a
+/// little.
 constexpr int stepNum = 4;
-/// Length of a step over that of Newton's for the vertex alone, and share of the last one kept.
+/// Length of a step as a share of the Newton step of the vertex alone, and share of the last step
+/// to keep.
 constexpr float stepLength = 0.85f;
 constexpr float momentum   = 0.7f;
-/// μ: pull to where the round began.
+/// μ: pull to the start of the round.
 constexpr float pullBack = 0.02f;
-/// A step is at most this share of the vertex' shortest edge.
+/// A step is at most this share of the shortest edge at the vertex.
 constexpr float longestStep = 0.15f;
-/// A round moves a vertex at most this share of the mean edge round it.
+/// A round moves a vertex by at most this share of the mean edge at the vertex.
 constexpr float farthestMove = 0.3f;
 /// Squared edge of an equilateral triangle over its area.
 constexpr float squaredEdgePerArea = 2.3094011f;
 
-/// Passes over the whole result at the end; each puts vertices back for good.
+/// Most passes over the whole result at the end; each pass puts vertices back for good.
 constexpr int maxTakeBacks = 32;
 
-/// A thirtieth of a move is not worth more halvings. The rounds are only a bound: reaching it is
-/// told (FitOutcome::capped).
+/// 5 halvings, because a thirtieth of a move is not worth more; the 64 rounds are only a bound, and
+/// reaching the bound is told (FitOutcome::capped).
 constexpr Shortening shorteningOfFit = {5, 64};
 
 Acceptance limitsOfFit(const FitSettings& settings)
 {
 	Acceptance limits = acceptanceOf(Driver::Fit, settings.minAngleDeg * radians);
-	limits.falls      = 0.9999f; // rounding is no fall
+	limits.falls      = 0.9999f; // a rounding error is no fall
 	return limits;
 }
 
-/// Rounds of the descent: what a vertex wants by the distance, its shape and the pull back.
+/// Rounds of the descent by the distance, the shape of the triangles and the pull back.
 class FitRounds {
 public:
 	FitRounds(const Surface& surface, const FitSettings& settings, const Buffer<char>& isFree,
@@ -89,16 +90,16 @@ private:
 	const FitSettings&  settings_;
 	const Buffer<char>& isFree_;
 	ResultMesh&         r_;
-	HalfEdgeMesh&       m_; ///< where the round began, until its end
+	HalfEdgeMesh&       m_; ///< start of the round, until the end of the round
 	Workers&            workers_;
 	Rings               rings_;
 	DistanceTerm        distance_;
 	MoveGuard           guard_;
 	Buffer<Vec3f>       shift_;       ///< before the step
-	Buffer<Vec3f>       next_;        ///< and behind it
+	Buffer<Vec3f>       next_;        ///< after the step
 	Buffer<Vec3f>       last_;        ///< moves of the step before
 	Buffer<float>       mass_;        ///< Σ A_p b² of a vertex if the input were infinitely dense
-	Buffer<float>       squaredEdge_; ///< of an equilateral triangle as large as the ones round it
+	Buffer<float>       squaredEdge_; ///< of an equilateral triangle with the mean area of the ring
 
 	void begin(int v)
 	{
@@ -114,8 +115,8 @@ private:
 		squaredEdge_[v] = squaredEdgePerArea * area / float(faceNum);
 	}
 
-	/// Squared length × area, as the distance has it: the balance of the two does not depend on
-	/// size.
+	/// The weight of the shape in squared length × area, the unit of the distance term: the balance
+	/// of both terms does not depend on size.
 	float shapeWeight(int v) const
 	{
 		const float edge = squaredEdge_[v];
@@ -129,7 +130,7 @@ private:
 		return {at(0), at(1), at(2)};
 	}
 
-	/// What the faces of a vertex say about its shape.
+	/// The shape term of the ring of a vertex.
 	struct RingShape {
 		Float4 force;                ///< and the stiffness
 		Float4 normal;               ///< area-weighted
@@ -143,8 +144,8 @@ private:
 		}
 	};
 
-	/// The shift of v behind a step. Both terms of the energy are summed up in one turn round v:
-	/// reading the ring is what a step costs.
+	/// The shift of v after a step. Both terms are summed in a single pass round v, because reading
+	/// the ring dominates the cost of a step.
 	Vec3f shiftAfterStep(int v, const Rings::Ring<ConformalFace>& ring)
 	{
 		const float pull  = pullBack * mass_[v];
@@ -158,7 +159,7 @@ private:
 		return shiftAgainst(v, shape, force, pull);
 	}
 
-	/// For the forces found; only the tangential part of the shape's counts.
+	/// The shift for the given forces; the shape contributes its tangential part only.
 	Vec3f shiftAgainst(int v, const RingShape& ring, Vec3f force, float pull)
 	{
 		const Vec3f normal = normalized(Vec3f(ring.normal[0], ring.normal[1], ring.normal[2]));
@@ -210,7 +211,7 @@ private:
 	Buffer<char>          isFree_; ///< vertices that may leave the surface
 	KnownContacts         contacts_;
 
-	/// False if a round, or all together, had to be taken back.
+	/// False if the moves of a round, or of all rounds, were taken back.
 	bool fitSoundly(std::unique_ptr<ClosestFaceMap>& map)
 	{
 		MoveGuard whole(limits_, shorteningOfFit, m_, workers_);
@@ -233,12 +234,13 @@ private:
 			allKept = rounds.run(*map, round + 1 == settings_.rounds) && allKept;
 			followOnSurface();
 		}
-		// Before the search for intersecting faces needs memory.
+		// Frees memory for the search for intersecting faces.
 		map->keepListsOnly();
 		return allKept;
 	}
 
-	/// False if what intersects others then could not be told from what does not.
+	/// Lowers the largest distances. False if all moves were taken back, because contacts did not
+	/// end.
 	bool lowerWorst(FitOutcome& outcome)
 	{
 		MoveGuard moves(limits_, shorteningOfFit, m_, workers_);
@@ -246,7 +248,8 @@ private:
 		outcome.largestGap = lowerWorstDistances(surface_, *outcome.map, limits_.angle,
 												 settings_.worstRounds, r_, workers_);
 		moves.takeOver();
-		// Records of vertices that stayed must stay: at a sharp edge they might walk round it.
+		// Records of unmoved vertices must stay: at a crease edge a record might walk round the
+		// edge.
 		bool hasMoved = false;
 		for (int v = 0; v < m_.vertexNum; ++v) {
 			isFree_[v] = isFree_[v] && !(moves.shift(v) == Vec3f());
@@ -257,8 +260,8 @@ private:
 		return takeBackOffenders(moves);
 	}
 
-	/// Takes the moves of faces back that touch others or are inverted where the records are now.
-	/// False if there was no end to it and all moves were taken back.
+	/// Takes back the moves of faces that touch other faces or are inverted at the present records.
+	/// False if this did not end and all moves were taken back.
 	bool takeBackOffenders(MoveGuard& moves)
 	{
 		for (int i = 0; i < maxTakeBacks; ++i) {
@@ -287,7 +290,7 @@ private:
 		return faces;
 	}
 
-	/// Records go where the vertices went, on the surface.
+	/// Moves the records after the vertices, on the surface.
 	void followOnSurface()
 	{
 		workers_.forEach(m_.vertexNum, [&](int v) {

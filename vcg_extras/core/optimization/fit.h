@@ -17,38 +17,40 @@
 namespace gpr {
 
 struct FitSettings {
-	int      rounds      = 4;       ///< map found anew and vertices moved, so many times
-	float    shapeWeight = 0.0105f; ///< of the triangles' shape against the distance
-	float    minAngleDeg = 32;      ///< no angle falls below, and none below it falls further
-	int      worstRounds = 0;       ///< of lowering the largest distances: see worst_distances.h
+	int      rounds      = 4;       ///< times to update the map and move all vertices
+	float    shapeWeight = 0.0105f; ///< of the shape of triangles against the distance
+	float    minAngleDeg = 32;      ///< no angle falls below; smaller angles fall no further
+	int      worstRounds = 0;       ///< against the largest distances: see worst_distances.h
 	CurveFit curveFit    = CurveFit::MeanAndLargest; ///< of borders and feature lines
 };
 
 struct FitOutcome {
-	std::unique_ptr<ClosestFaceMap> map;      ///< of the last round; null where there was none
-	KnownContacts                   contacts; ///< of the mesh as it is left
+	std::unique_ptr<ClosestFaceMap> map;      ///< of the last round; null without rounds
+	KnownContacts                   contacts; ///< of the mesh at the end
 	float farthest   = 0; ///< largest distance of a vertex from its surface point, working units
 	float largestGap = 0; ///< between result and input after worstRounds, working units
-	bool  capped     = false; ///< a guard gave up: the moves of that round were taken back
+	bool  capped     = false; ///< a guard gave up and took back the moves of a round
 };
 
-/// Stage::Fit: moves the vertices off the surface to where the triangles lie closest to it, and
-/// keeps the triangles regular meanwhile. Minimised over the vertices' positions x is
+/// Stage::Fit: moves the vertices off the surface to the places with the smallest distance between
+/// triangles and surface, and keeps the triangles regular. Minimises over the positions x of the
+/// vertices
 ///
 ///     Σ_p A_p (n_p · (p - Σ_k b_k x_k))²  +  Σ_f s_f E_f  +  μ Σ_i M_i |x_i - x_i⁰|²
 ///
-/// p runs over the vertices of the input, with area A_p and normal n_p, whose nearest triangle has
-/// the corners x_k and the weights b_k there (see ClosestFaceMap): the squared distance between
-/// triangles and tangent planes of the input. E_f = (a² + b² + c²) / (4√3·area) is the conformal
-/// energy of a triangle, 1 if equilateral, of which only the tangential part moves a vertex: across
-/// the surface the first term alone decides. A small pull to where the vertex was keeps the system
-/// sound where no vertex of the input says anything.
+/// p runs over the vertices of the input, with area A_p and normal n_p; the nearest triangle has
+/// the corners x_k, with weights b_k at the foot of p (see ClosestFaceMap). The first term is the
+/// squared distance between triangles and tangent planes of the input. E_f = (a² + b² + c²) /
+/// (4√3·area) is the conformal energy of a triangle, 1 if equilateral; only its tangential part
+/// moves a vertex, so that the first term alone decides across the surface. A small pull to the
+/// start keeps the system sound for vertices without input vertices near.
 ///
-/// A round finds the map, sums the first term up in a matrix per vertex and edge, whose size does
-/// not depend on the input's, descends by Jacobi steps with momentum, shortens the moves of faces
-/// that turn, look away from the surface or get poor angles, and lets the surface points follow on
-/// the surface. At the end faces that touch others are put back to where they were before the first
-/// round. Vertices of borders and curves are fitted to these first (curve_fit.h) and stay there.
+/// A round updates the map, assembles the first term as a matrix per vertex and edge, whose size
+/// does not depend on the input, descends by Jacobi steps with momentum, shortens the moves of
+/// faces that turn, look away from the surface or get poor angles, and lets the surface points
+/// follow on the surface. At the end, faces that touch other faces return to their places before
+/// the first round. Vertices of borders and curves are fitted to their curves first (curve_fit.h)
+/// and stay there.
 ///
 /// Changes mesh.position and the surface points. Cost: linear in the input per round; parallel; the
 /// bits do not depend on the threads.

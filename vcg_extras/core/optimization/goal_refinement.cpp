@@ -15,15 +15,16 @@ namespace gpr {
 
 namespace {
 
-/// Of the goal: what no point was found to be beyond is proven to keep to the goal.
+/// Share of the goal as limit of the search: if no point is beyond the limit, the proof keeps the
+/// goal.
 constexpr double provable = 0.97;
-/// Where a round would have more new vertices, over those that are there, triangles are too large
-/// on the whole.
+/// The largest share of new vertices in a round. A larger share means that triangles are too large
+/// everywhere.
 constexpr double mostAdded = 0.08;
-/// Each round halves triangles that are still too large. Half a dozen are enough but at thin
-/// spikes.
+/// Each round halves triangles that are still too large. Six rounds suffice, except at thin spikes.
 constexpr int mostRounds = 12;
-/// Smaller angles are raised beside new vertices; at spikes that takes back what is gained.
+/// Smaller angles beside new vertices are raised, degrees. At spikes, larger angles would undo the
+/// gain.
 constexpr float angleAtFirst = 30, angleLater = 15;
 constexpr int   roundsForAngles = 4;
 
@@ -33,7 +34,7 @@ void append(const std::vector<FarPlace>& places, bool areOfSurface, std::vector<
 		points.push_back({Vec3f(p.position), float(p.distance), areOfSurface});
 }
 
-/// Looks for points where the surface and a result are farther from each other than a limit.
+/// Finds the points of surface and result with a distance above a limit.
 class FarPointSearch {
 public:
 	FarPointSearch(const Surface& surface, double limit, Workers& workers) :
@@ -41,7 +42,8 @@ public:
 	{
 	}
 
-	/// Near those that were there before, if they were few; everywhere where none are left there.
+	/// Searches near the points found before, if these were few, then everywhere if no point is
+	/// left there.
 	std::vector<FarPoint> next(const ResultMesh& result, const std::vector<FarPoint>& before) const
 	{
 		std::vector<FarPoint> points;
@@ -51,9 +53,9 @@ public:
 	}
 
 private:
-	/// With more of them it takes as long to tell whether a triangle is near some.
+	/// With more points, the test for near triangles takes as long as a full search.
 	static constexpr std::size_t fewPoints = 64;
-	/// What changes with a point is within this of it.
+	/// Changes at a point stay within this distance of the point.
 	static constexpr float reachInEdges = 4;
 
 	MeasuredSurface input_;
@@ -82,7 +84,7 @@ private:
 	}
 };
 
-/// Whether rounds still get anywhere: the number of points falls.
+/// Tells whether rounds still help: the number of points must fall.
 class FallingNumber {
 public:
 	bool goesOn(std::size_t pointNum)
@@ -100,7 +102,7 @@ private:
 	static constexpr int mostLostRounds = 2;
 
 	std::size_t fewest_ = std::numeric_limits<std::size_t>::max();
-	int         lost_   = 0; ///< rounds since it fell
+	int         lost_   = 0; ///< rounds since the last fall
 };
 
 } // namespace

@@ -10,10 +10,10 @@
 
 namespace gpr {
 
-/// Makes triangles smaller where a result and the surface are farther from each other than a goal,
-/// round by round, unless these places are so many that triangles are too large on the whole. goal:
-/// working units. Returns the number of vertices that came in. Cost: in each round that of
-/// placesBeyond, both ways, and of refineAt.
+/// Makes triangles smaller at the places with a distance between result and surface above `goal`,
+/// in rounds, unless the places are so many that all triangles are too large. goal: working units.
+/// Returns the number of new vertices. Cost: per round, placesBeyond in both directions, and
+/// refineAt.
 int refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
 				 ResultMesh& result, Workers& workers);
 

@@ -12,15 +12,15 @@ namespace gpr {
 
 namespace {
 
-/// Lines are crowded from this share of poor faces at them on. After all other repair it is 0.2 %
-/// on the fandisk, where single faces at corners and ends of lines are left, 3 to 5 % on other
+/// Lines are crowded above this share of poor faces at lines. After all other repair the share is
+/// 0.2 % on the fandisk, with single faces left at corners and ends of lines, 3 to 5 % on other
 /// parts, and 7 to 20 % on parts with walls as thin as an edge.
 constexpr double fewestPoor = 0.06;
-/// Beyond this share the triangles are too large for the part. The search after the fit has more
-/// poor faces then than it works on, and sharp edges would be lost for little.
+/// Above this share the triangles are too large for the part. The search after the fit then has
+/// more poor faces than the search works on, and crease edges would be lost for little gain.
 constexpr double mostPoor = 0.25;
-/// Rings round poor faces in which lines are released. With one, or none, the mean distance grows
-/// more: fewer vertices can give way.
+/// Rings round poor faces in which lines are released. With 1 or 0 rings the mean distance grows
+/// more, because fewer vertices can give way.
 constexpr int ringNum = 2;
 
 std::vector<int> facesAtLines(const HalfEdgeMesh& m, Workers& workers)
@@ -32,7 +32,7 @@ std::vector<int> facesAtLines(const HalfEdgeMesh& m, Workers& workers)
 	return workers.collectIf(m.faceNum, isAtLine);
 }
 
-/// Those among the faces at lines.
+/// The poor faces at lines.
 std::vector<int> poorAtLines(float angleDeg, const HalfEdgeMesh& m, Workers& workers)
 {
 	return poorOnes(m, angleDeg * radians, facesAtLines(m, workers));
@@ -46,9 +46,10 @@ std::vector<int> verticesNear(const HalfEdgeMesh& m, const std::vector<int>& fac
 	return vertices;
 }
 
-/// Of the sheets on the two sides of a wall the normals differ by more than this, as a cosine.
+/// The normals of the two sides of a wall have a smaller cosine than this.
 constexpr float mostOfWall = -0.5f;
-/// A thicker wall, in ideal edges, is hardly thinner without its lines, and its angles are better.
+/// Thickest wall that keeps its lines, in ideal edges. A thicker wall is hardly thinner without
+/// lines, and has better angles.
 constexpr float thickestWall = 0.25f;
 
 /// Whether a feature line at a vertex has a side that faces away from a sheet.
@@ -63,8 +64,8 @@ bool facesAway(const HalfEdgeMesh& m, const Vec3f& sheet, int v)
 	return isAway;
 }
 
-/// Whether two lines a face or two apart, one of them along h, are all that holds two sheets apart:
-/// the rim of a plate, a blunt trailing edge.
+/// Whether only two close lines hold two sheets apart: the rim of a plate, a blunt trailing edge. h
+/// lies on the first line; the second line is at most two faces away.
 bool holdsWall(const ResultMesh& result, int h)
 {
 	const HalfEdgeMesh& m      = result.mesh;
@@ -82,7 +83,7 @@ bool holdsWall(const ResultMesh& result, int h)
 	return holds;
 }
 
-/// Takes the marks off the edges at these vertices. Returns the ends of the edges that had one.
+/// Removes the marks of line edges at these vertices. Returns the ends of the edges.
 std::vector<int> takeMarksOff(const std::vector<int>& vertices, ResultMesh& result)
 {
 	HalfEdgeMesh&    m = result.mesh;

@@ -10,21 +10,21 @@
 
 namespace gpr {
 
-// Between relaxation and fit: where feature lines are crowded, those near poor faces become plain
-// edges, and their vertices may go anywhere. Strips between lines that are narrower than an edge
-// have acute angles as long as every vertex of a line stays on it. A face is poor where it has an
-// angle below angleDeg.
+// Between relaxation and fit: if feature lines are crowded, lines near poor faces become plain
+// edges, and their vertices may move freely. A strip between lines narrower than an edge has acute
+// angles as long as every vertex of a line stays on the line. A face is poor if an angle is below
+// angleDeg.
 
 /// Whether between 6 and 25 % of the faces at lines are poor. Cost: a pass over the edges round the
 /// vertices; parallel.
 bool areLinesCrowded(float angleDeg, const ResultMesh& result, Workers& workers);
 
-/// Takes the marks off the edges of lines within two rings of poor faces at lines. A vertex that is
-/// on no marked edge any more loses its curve and is no corner. Vertices of borders and pinned ones
-/// stay as they are, and so do edges that end in pinned ones. Returns how many vertices were
-/// released. The fit then draws them to the sharp edge from both sides; what raises angles after it
-/// needs a limit on how far faces get from the surface (PoorFaces::maxGap). Cost: as above, and
-/// serial near the poor faces.
+/// Removes the marks of line edges within two rings of poor faces at lines. A vertex without a
+/// marked edge loses its curve and is no corner. Border vertices, pinned vertices and edges to
+/// pinned vertices stay. Returns the number of released vertices. The fit then pulls the vertices
+/// to the crease edge of the input from both sides; a later search for angles needs a limit on the
+/// distance of faces from the surface (PoorFaces::maxGap). Cost: as above, and serial near the poor
+/// faces.
 std::int64_t releaseLines(float angleDeg, ResultMesh& result, Workers& workers);
 
 } // namespace gpr

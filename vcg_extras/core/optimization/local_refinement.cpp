@@ -25,27 +25,30 @@ namespace gpr {
 
 namespace {
 
-/// A point lies beside an edge where the weight of the corner beyond it is smaller.
+/// A point lies beside an edge if the barycentric weight of the opposite corner is smaller.
 constexpr float besideEdge = 0.15f;
-/// On the way over the surface, a point of it is reached where what is left of the distance is
-/// less. A point of the result is as far from its nearest point of the surface as was found.
+/// A walk has reached a far point of the surface if the rest is at most this share of the distance.
+/// For a far point of the result, the walk must end at most this factor of the distance from the
+/// point.
 constexpr float reachedShare = 0.2f, foundShare = 1.01f;
-/// The fit leaves vertices off the surface, so that triangles lie on both sides of it. Smaller
-/// triangles need less of that: 0.5 and 1 take twice the rounds.
+/// The share of the height over the surface that vertices keep. The fit leaves vertices off the
+/// surface, with triangles on both sides; smaller triangles need smaller heights. Shares of 0.5 and
+/// 1 take twice the rounds.
 constexpr float heightKept = 0.7f;
-/// Vertices of the input so far off, over what is allowed, get no farther while angles are raised.
+/// Share of the allowed distance. Vertices of the input beyond the share get no farther while
+/// angles are raised.
 constexpr float guardedShare = 0.7f;
-/// What the search for better angles may measure: see LocalSearch.
+/// Budget of the search for better angles: see LocalSearch.
 constexpr std::int64_t workOfAngles = 40000000;
-/// Of lowering the largest distances.
+/// Rounds against the largest distances.
 constexpr int worstRounds = 2;
 
-/// An edge by its ends, the smaller one first: half-edges get other numbers when others are split.
+/// An edge as its ends, the smaller one first, because splits renumber half-edges.
 using Edge = std::pair<int, int>;
 
 struct Split {
 	Edge     edge;
-	FarPoint point; ///< the farthest one that asks for it
+	FarPoint point; ///< the farthest point for the edge
 };
 
 int longestEdgeOf(const HalfEdgeMesh& m, int f)
@@ -73,7 +76,7 @@ int edgeToSplit(const HalfEdgeMesh& m, const SurfacePoint& at)
 	return longestEdgeOf(m, at.face);
 }
 
-/// Every edge once, in the order of their ends.
+/// The edges to split, each edge once, in the order of the ends.
 std::vector<Split> splitsFor(const HalfEdgeMesh& m, const std::vector<FarPoint>& points,
 							 Workers& workers)
 {
@@ -113,23 +116,24 @@ public:
 private:
 	PatchEditor         editor_;
 	const HalfEdgeMesh& m_;
-	/// A new vertex goes to the far point only if no angle at it is smaller than these allow, or
-	/// than in the middle of the edge. Thin spikes need small angles; they are raised afterwards
-	/// where that harms not.
+	/// A new vertex goes to the far point only if the angles at the vertex keep these limits, or do
+	/// not shrink against the middle of the edge. Thin spikes need small angles; the angles are
+	/// raised later if the distances allow.
 	const Acceptance limits_ = acceptanceOf(Driver::Refinement);
-	FaceBoxes        boxes_;   ///< as the faces were
-	std::vector<int> changed_; ///< since then
+	FaceBoxes        boxes_;   ///< of the faces at the start
+	std::vector<int> changed_; ///< faces changed since the start
 
-	/// Where a new vertex goes. On the edge itself nothing can go wrong; later rounds move it.
+	/// The place of a new vertex. A place on the edge is always sound; later rounds move the
+	/// vertex.
 	enum class Place { AtPoint, OnSurface, OnEdge };
 
-	/// What a split must not make worse.
+	/// The faults that a split must not add.
 	struct Faults {
 		int invertedNum = 0, pairNum = 0;
 	};
 
-	/// The other edges of an edge's faces. They are tried where curves let no vertex in, since
-	/// those on them would be too close to each other.
+	/// The other edges of the faces of an edge, tried next if the edge is a curve that admits no
+	/// vertex because the samples of the curve would be too close to each other.
 	std::vector<Edge> othersBeside(const Edge& edge) const
 	{
 		std::vector<Edge> others;
@@ -151,7 +155,8 @@ private:
 		return false;
 	}
 
-	/// False where faces would be inverted or intersect others; then all is as before.
+	/// Splits an edge. False if faces would be inverted or intersect other faces; then nothing
+	/// changes.
 	bool trySplit(const Edge& edge, Place place, const FarPoint& point)
 	{
 		const Operation op{Operation::Split, m_.findEdge(edge.first, edge.second)};
@@ -216,8 +221,8 @@ private:
 		editor_.put(v, state);
 	}
 
-	/// To the point of the surface that is the far point or nearest to it. False where that cannot
-	/// be reached or leaves angles that are too small.
+	/// Moves v to the far point of the surface, or to the surface point nearest to a far point of
+	/// the result. False if no walk reaches the point, or if angles would be too small.
 	bool moveTo(const FarPoint& point, int v)
 	{
 		if (!isFree(v)) return false;
@@ -234,7 +239,7 @@ private:
 		return smallestAngleAt(v) >= std::min(before, limits_.angle);
 	}
 
-	/// Towards the surface.
+	/// Moves v towards the surface.
 	void lower(int v)
 	{
 		if (!isFree(v)) return;

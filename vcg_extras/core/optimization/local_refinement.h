@@ -12,8 +12,8 @@
 
 namespace gpr {
 
-/// A point of the surface that is far from the result, or of the result that is far from the
-/// surface; working units.
+/// A point of the surface far from the result, or a point of the result far from the surface;
+/// working units.
 struct FarPoint {
 	Vec3f position;
 	float distance    = 0;
@@ -21,19 +21,19 @@ struct FarPoint {
 };
 
 struct LocalRefinement {
-	float minAngle = 0; ///< radians; angles beside new vertices are raised up to this
-	float maxGap   = 0; ///< so far may a face be from the surface after that, working units
-	int   mostNew  = 0; ///< vertices; where it would take more nothing is changed
+	float minAngle = 0; ///< radians; smaller angles beside new vertices are raised
+	float maxGap   = 0; ///< largest distance of a face from the surface after that, working units
+	int   mostNew  = 0; ///< vertices; if more are needed, nothing is changed
 };
 
-/// Makes triangles smaller at some points: splits an edge of the face of the result that is nearest
-/// to each. The edge is a feature or border edge if the point lies beside it, else the longest one
-/// of the face. The new vertex goes to the point of the surface that is far, or that is nearest to
-/// the point; where that would invert faces or let them intersect others, into the middle of the
-/// edge. Then small angles are raised by moves and flips, and the largest distances are lowered
-/// (worst_distances.h). All else stays as it is. Needs a result without dead faces. Returns the
-/// number of vertices that came in. Cost: a closest-face map, a tree over the faces, a search in it
-/// for each point, and the few poor faces.
+/// Makes triangles smaller at given points: for each point, splits an edge of the nearest face of
+/// the result. The edge is a feature or border edge if the point lies beside such an edge, else the
+/// longest edge of the face. The new vertex goes to the far point of the surface, or to the surface
+/// point nearest to a far point of the result; if faces would then be inverted or intersect other
+/// faces, the vertex goes to the middle of the edge. Then moves and flips raise small angles, and
+/// the largest distances are lowered (worst_distances.h). The rest of the mesh does not change.
+/// Needs a result without dead faces. Returns the number of new vertices. Cost: a closest-face map,
+/// a tree over the faces, a search in the tree for each point, and the few poor faces.
 int refineAt(const Surface& surface, const BoundaryCurves& curves,
 			 const std::vector<FarPoint>& points, const LocalRefinement& settings,
 			 ResultMesh& result, Workers& workers);

@@ -3,6 +3,7 @@
 #include "relaxation.h"
 
 #include "descent.h"
+#include "rings.h"
 #include "terms.h"
 
 #include <vcg_extras/core/edit/constraint.h>
@@ -18,10 +19,9 @@ namespace gpr {
 
 namespace {
 
-/// Weight of area per vertex; empty where the triangles are to be of one size. Lloyd's theory asks
-/// for the fourth power of 1/size for the density of the area; for barycentres of rings, whose
-/// faces are small already where they are to be small, the third power keeps the grading
-/// (docs/algorithm.md).
+/// Weight of area per vertex; empty for triangles of equal size. Lloyd's theory needs a density of
+/// 1/size to the fourth power. For barycentres of rings, whose faces already have graded sizes, the
+/// third power keeps the grading.
 Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
 	Buffer<float> density = sizesOf(surface, result, workers);
@@ -30,7 +30,7 @@ Buffer<float> findDensities(const Surface& surface, const ResultMesh& result, Wo
 	return density;
 }
 
-/// One step over the surface: every flat vertex goes the tangential part of way(v).
+/// A step over the surface: every flat vertex moves by the tangential part of way(v).
 template <class Way>
 void walkOnce(const Surface& surface, const Way& way, ResultMesh& result, Workers& workers)
 {
@@ -47,8 +47,8 @@ void walkOnce(const Surface& surface, const Way& way, ResultMesh& result, Worker
 
 // ---- creases
 
-/// Of the way to the next vertex on the line: neighbours that slide as far towards each other keep
-/// a distance.
+/// Share of the way to the next vertex on the line: two neighbours that slide towards each other
+/// keep a distance.
 constexpr float longestCreaseSlide = 0.3f;
 
 void slideOnCrease(const Surface& surface, const BoundaryCurves& curves, int v, ResultMesh& r)
@@ -67,65 +67,46 @@ void slideOnCrease(const Surface& surface, const BoundaryCurves& curves, int v, 
 
 // ---- conformal
 
-/// Flips after every step give the same regularity and a mean distance 5 % larger, after every
-/// sixth one less regularity (means of six models).
+/// Flips after every step give the same regularity and a 5 % larger mean distance; flips after
+/// every sixth step give less regularity (means of six models).
 constexpr int stepsBetweenFlips = 3;
-/// The momentum fades over the last steps, which then damp what it left of short waves.
+/// The momentum fades over the last steps, which then damp short waves.
 constexpr int calmSteps = 2;
 
-/// Rings with a face above this energy move by guarded steps.
+/// Above this energy of a face, the vertices of the ring move by guarded steps.
 constexpr float poorEnergy = 1.35f;
-/// Twice a face's area counts as at least this, in squared local edges.
-constexpr float minCross = 0.02f;
+/// See ConformalFace.
+constexpr float leastArea = 0.02f;
 
-// Longest moves, in local edges.
+// Longest moves: of a step in local edges, of a slide in mean distances on the curve.
 constexpr float longestDescent = 0.15f, longestMove = 0.3f, longestSlide = 0.1f;
 
-/// Vertices that slide keep this distance from their neighbours on the curve, in local edges.
+/// Sliding vertices keep this distance from neighbours on the curve, in mean distances.
 constexpr float minSpacing = 0.6f;
-/// A slide may lower the worst angle of the ring down to this.
+/// A slide may lower the worst angle of the ring to this angle.
 constexpr float minSlideAngle = 34 * radians;
 
-float meanSquaredEdge(const HalfEdgeMesh& m, int v)
-{
-	float sum = 0;
-	int   n   = 0;
-	forEachNeighbour(m, v, [&](int w) {
-		sum += squaredLength(m.position[w] - m.position[v]);
-		++n;
-	});
-	return n > 0 ? sum / float(n) : 0.0f;
-}
-
-/// What the ring of a vertex wants.
+/// The conformal terms of the faces round a vertex.
 struct RingPull {
-	Vec3f newton; ///< the step to where the force vanishes; at a vertex of a curve not tangential
-	float worstEnergy = 0;
-	float edge        = 0; ///< local edge length: root mean square of the ring's
-};
+	Float4 sum;             ///< of the forces, and of the stiffness
+	float  worstEnergy = 0; ///< of a face
+	float  squaredEdge = 0; ///< mean
 
-/// normal: the surface's at v. A face whose normal points against it counts as one without area;
-/// but the faces at a curve may look anywhere.
-RingPull pullOf(const HalfEdgeMesh& m, int v, bool onCurve, const Vec3f& normal)
-{
-	const float squared = meanSquaredEdge(m, v);
-	if (!(squared > 0)) return {};
-	RingPull      ring;
-	ConformalPull sum;
-	forEachFaceRound(m, v, [&](int, const Vec3f& a, const Vec3f& b) {
-		const Vec3f n         = cross(a, b);
-		const float twiceArea = onCurve || dot(n, normal) > 0 ? length(n) : 0.0f;
-		if (onCurve && !(twiceArea > 0)) return;
-		const float inverse = 1 / std::max(twiceArea, minCross * squared);
-		const float energy  = onCurve ? sum.add(a, b, n * (1 / twiceArea), 1, inverse)
-									  : sum.add(a, b, normal, 1, inverse);
-		ring.worstEnergy    = std::max(ring.worstEnergy, energy);
-	});
-	if (sum.stiffness > 0) ring.newton = sum.force * (1 / sum.stiffness);
-	if (!onCurve) ring.newton = tangential(ring.newton, normal);
-	ring.edge = std::sqrt(squared);
-	return ring;
-}
+	explicit RingPull(const Rings::Ring<ConformalFace>& ring)
+	{
+		for (int i = 0; i < ring.size; ++i) {
+			const ConformalFace& face   = ring.term(i);
+			const int            corner = ring.corner(i);
+			sum += face.force[corner];
+			worstEnergy = std::max(worstEnergy, face.energy);
+			squaredEdge += face.squaredEdge[corner];
+		}
+		squaredEdge /= float(ring.size);
+	}
+
+	/// The Newton step to the place without force.
+	Vec3f newton() const { return Vec3f(sum[0], sum[1], sum[2]) * (1 / sum[3]); }
+};
 
 class ConformalRelaxer {
 public:
@@ -133,56 +114,110 @@ public:
 					 const ConformalSteps& steps, ResultMesh& result, Workers& workers) :
 			surface_(surface),
 			curves_(curves), steps_(steps), r_(result), m_(result.mesh), workers_(workers),
-			descent_(acceptanceOf(Driver::Relaxation), result, workers), last_(result.vertex.size())
+			descent_(acceptanceOf(Driver::Relaxation), result, workers),
+			role_(result.vertex.size()), place_(result.vertex.size()), next_(result.vertex.size()),
+			last_(result.vertex.size())
 	{
+		workers.forEach(last_.size(), [&](int v) { last_[v] = Vec3f(); });
 	}
 
 	void run()
 	{
-		for (int step = 0; step < steps_.stepNum; ++step) {
-			if (step % stepsBetweenFlips == 0) flat_ = findFlatVertices(m_, workers_);
-			const int left = steps_.stepNum - 1 - step;
-			share_ =
-				left >= calmSteps ? steps_.momentum : steps_.momentum * float(left) / calmSteps;
-			descent_.step([&](int v) { return next(v); });
-			if (left == 0 || step % stepsBetweenFlips == stepsBetweenFlips - 1)
-				flipToDelaunay(r_, workers_);
+		for (int step = 0; step < steps_.stepNum; step += stepsBetweenFlips) {
+			stepInSpace(step, std::min(step + stepsBetweenFlips, steps_.stepNum));
+			descent_.step([&](int v) { return recordAfterSteps(v); });
+			workers_.forEach(last_.size(), [&](int v) {
+				if (!descent_.moved(v)) last_[v] = Vec3f();
+			});
+			flipToDelaunay(r_, workers_);
 		}
 	}
 
 private:
+	enum class Role : char { Stays, Walks, Slides };
+
 	const Surface&        surface_;
 	const BoundaryCurves& curves_;
 	const ConformalSteps& steps_;
 	ResultMesh&           r_;
-	const HalfEdgeMesh&   m_;
+	HalfEdgeMesh&         m_;
 	Workers&              workers_;
 	SurfaceDescent        descent_;
-	Buffer<Vec3f>         last_; ///< the last move of each vertex that walks
-	Buffer<char>          flat_;
-	float                 share_ = 0; ///< of the last move that is made again in this step
+	Buffer<Role>          role_;
+	Buffer<Vec3f>         place_; ///< of each vertex after the steps in space
+	Buffer<Vec3f>         next_;  ///< of each vertex after the present step
+	Buffer<Vec3f>         last_; ///< last move of a walking vertex; wanted move of a sliding vertex
+	float                 share_ = 0; ///< of the last move, repeated in this step
 
-	std::optional<ResultVertex> next(int v)
+	Role roleOf(int v, const Buffer<char>& flat) const
 	{
 		const Constraint constraint = constraintOf(r_, v);
-		const bool       onCurve    = constraint == Constraint::Curve;
-		if (!onCurve && !(mayWalk(constraint) && flat_[v])) return {};
-		const RingPull pull = pullOf(m_, v, onCurve, r_.vertex[v].normal);
-		const Vec3f    step = shortened(pull.newton * steps_.rate, longestDescent * pull.edge);
-		return onCurve ? slide(v, step, pull.edge) : walkOn(v, step, pull);
+		if (m_.outgoing[v] < 0) return Role::Stays;
+		if (constraint == Constraint::Curve) return Role::Slides;
+		return mayWalk(constraint) && flat[v] ? Role::Walks : Role::Stays;
 	}
 
-	std::optional<ResultVertex> walkOn(int v, const Vec3f& step, const RingPull& pull)
+	/// Makes the steps from `begin` to `end` through space; place_ gets the places, and the mesh
+	/// stays. One walk follows for all steps, since a walk costs more than a step. In a few steps,
+	/// vertices of flat rings leave the surface by a distance of second order only.
+	void stepInSpace(int begin, int end)
 	{
+		const Buffer<char> flat = findFlatVertices(m_, workers_);
+		workers_.forEach(role_.size(), [&](int v) { role_[v] = roleOf(v, flat); });
+		const Rings rings(m_, workers_);
+		place_ = copyOf(m_.position, workers_);
+		for (int step = begin; step < end; ++step) {
+			const int left = steps_.stepNum - 1 - step;
+			share_ =
+				left >= calmSteps ? steps_.momentum : steps_.momentum * float(left) / calmSteps;
+			rings.forEach<ConformalFace>(
+				workers_, [&](int f) { return shapeOf(f); },
+				[&](int v, const Rings::Ring<ConformalFace>& ring) {
+					next_[v] = placeAfterStep(v, ring);
+				});
+			m_.position.swap(next_);
+		}
+		m_.position.swap(place_);
+	}
+
+	ConformalFace shapeOf(int f) const
+	{
+		const int* c = &m_.origin[3 * f];
+		return {m_.position[c[0]], m_.position[c[1]], m_.position[c[2]], leastArea};
+	}
+
+	Vec3f placeAfterStep(int v, const Rings::Ring<ConformalFace>& ring)
+	{
+		const Vec3f here = m_.position[v];
+		if (role_[v] == Role::Stays) return here;
+		const RingPull pull(ring);
+		const float    edge = std::sqrt(pull.squaredEdge);
+		if (role_[v] == Role::Slides) {
+			last_[v] = shortened(pull.newton() * steps_.rate, longestDescent * edge);
+			return here;
+		}
+		const Vec3f& normal = r_.vertex[v].normal;
 		const bool   isPoor = pull.worstEnergy > poorEnergy;
-		const float  share  = isPoor ? 0 : share_;
-		ResultVertex next   = r_.vertex[v];
-		const Vec3f  last   = descent_.moved(v) ? tangential(last_[v], next.normal) : Vec3f();
-		const Vec3f  move   = moveWithMomentum(last, share, step, longestMove * pull.edge);
-		last_[v]            = move;
+		const Vec3f  step =
+			shortened(tangential(pull.newton(), normal) * steps_.rate, longestDescent * edge);
+		const Vec3f move =
+			moveWithMomentum(last_[v], isPoor ? 0 : share_, step, longestMove * edge);
+		if (isPoor && lowersWorstAngle(v, here + move)) {
+			last_[v] = Vec3f();
+			return here;
+		}
+		last_[v] = move;
+		return here + move;
+	}
+
+	std::optional<ResultVertex> recordAfterSteps(int v) const
+	{
+		if (role_[v] == Role::Stays) return {};
+		if (role_[v] == Role::Slides) return slide(v, last_[v]);
+		ResultVertex next = r_.vertex[v];
+		const Vec3f  move = tangential(place_[v] - m_.position[v], next.normal);
 		if (!(squaredLength(move) > 0)) return {};
-		const bool arrives = walkBy(surface_, move, next) == WalkEnd::Arrived;
-		if (isPoor && (!arrives || lowersWorstAngle(v, next.point.position))) return {};
+		walkBy(surface_, move, next);
 		return next;
 	}
 
@@ -191,11 +226,12 @@ private:
 		return smallestAngleAround(m_, v, p, 0) < smallestAngleAround(m_, v, m_.position[v], 0);
 	}
 
-	std::optional<ResultVertex> slide(int v, const Vec3f& step, float edge) const
+	std::optional<ResultVertex> slide(int v, const Vec3f& step) const
 	{
 		const ResultVertex& here = r_.vertex[v];
 		const SlideRoom     room = slideRoom(r_, curves_, v);
 		if (!room.isOpen()) return {};
+		const float edge    = (room.forward + room.backward) / 2;
 		const float longest = longestSlide * edge;
 		const float wanted  = dot(step, slideDirection(curves_, here, room));
 		const float arc     = std::clamp(wanted, -longest, longest);

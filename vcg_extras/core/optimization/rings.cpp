@@ -9,10 +9,10 @@ namespace gpr {
 
 namespace {
 
-/// Vertices of a piece: the terms of its faces, about 200 B each, fit into the cache of a core.
+/// Vertices of a piece: the terms of the faces, about 200 B each, fit into the cache of a core.
 constexpr int pieceSize = 1024;
 
-/// The faces at a piece, by the order in which they are met.
+/// The faces at a piece, in the order of the first visit.
 class FacesOfPiece {
 public:
 	explicit FacesOfPiece(int faceNum) : place_(std::size_t(faceNum), -1) {}

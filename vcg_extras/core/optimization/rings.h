@@ -10,16 +10,16 @@
 
 namespace gpr {
 
-/// The rings of faces round all vertices of a mesh, in a row, for passes over a mesh whose faces
-/// stay the same. A pass computes what each face says once and not once for each corner: vertices
-/// are taken in pieces of fixed size, and the terms of the faces at a piece are kept only while
-/// the piece is worked on, in the cache. Faces between two pieces are computed for both.
+/// The rings of faces round all vertices of a mesh, in a row, for passes over a mesh with fixed
+/// faces. A pass computes the term of a face once, not once for each corner: vertices are taken in
+/// pieces of fixed size, and the terms of the faces at a piece stay in the cache during the work on
+/// the piece. Faces between two pieces are computed for both.
 class Rings {
 public:
 	/// A half-edge that leaves the vertex.
 	struct Spoke {
-		int target; ///< vertex at its end
-		int corner; ///< 4 · place of its face among the faces of the piece + corner of the vertex
+		int target; ///< vertex at the end
+		int corner; ///< 4 · place of the face in the piece + corner of the vertex
 	};
 
 	/// The spokes of a vertex, in the order of forEachOutgoing, with the terms of their faces.
@@ -27,7 +27,7 @@ public:
 	struct Ring {
 		const Spoke* spoke;
 		int          size;
-		bool         isClosed; ///< the face before the first one is the last one
+		bool         isClosed; ///< the last face is the face before the first
 		const Term*  terms;
 
 		const Term& term(int i) const { return terms[spoke[i].corner >> 2]; }
@@ -41,7 +41,7 @@ public:
 	int begin(int v) const { return start_[v]; }
 	int spokeNum() const { return int(spoke_.size()); }
 
-	/// Calls visit(v, ring) for all vertices, in parallel, with the terms that termOf(face) gives.
+	/// Calls visit(v, ring) for all vertices, in parallel, with the terms returned by termOf(face).
 	template <class Term, class TermOf, class Visit>
 	void forEach(Workers& workers, const TermOf& termOf, const Visit& visit) const
 	{

@@ -105,7 +105,7 @@ SymmetricMatrix matrixOf(const Float4 (&part)[2])
 
 } // namespace
 
-/// Each vertex of the input once, for all three corners.
+/// Visits each input vertex once, for all three corners.
 DistanceTerm::FaceTerm DistanceTerm::termOf(const Surface& surface, const ClosestFaceMap& map,
 											bool isRough, int f) const
 {

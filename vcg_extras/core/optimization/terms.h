@@ -11,67 +11,58 @@
 #include <vcg_extras/core/mesh/connect.h>
 #include <vcg_extras/core/surface/closest_face_map.h>
 
+#include <algorithm>
+
 namespace gpr {
 
-/// What vertices are moved by: four terms, each of which says where a vertex is to go while all
-/// others stay. None of them knows of constraints or limits.
+/// The four terms that move vertices. A term gives the wanted move of a vertex while all other
+/// vertices stay. Terms know no constraints and no limits.
 
-/// Barycentric: from v to the barycentre of its ring, weighted by area, and by the density at the
-/// vertices if there is one.
+/// Barycentric: the way from v to the barycentre of its ring, weighted by area, and by the density
+/// at the vertices if given.
 Vec3f wayToBarycentre(const HalfEdgeMesh& mesh, int v, const Buffer<float>& density = {});
 
 /// Umbrella: U² / ν at every vertex, by the second-order umbrella operator of Kobbelt, Campagna,
-/// Vorsatz and Seidel (1998); the vertex is to go the other way,
+/// Vorsatz and Seidel (1998); the wanted move is the negative,
 ///
 ///   U(p) = mean of the neighbours - p,  U²(p) = mean of the neighbours' U - U(p),
 ///   p <- p - U²(p) / ν,                 ν = 1 + (mean of 1 over the neighbours' valences).
 ///
-/// At a border U is that of the border polygon, so that the border does not draw the inside to it.
+/// At a border, U is the umbrella of the border polygon, so that the border does not pull the
+/// inside outwards.
 Buffer<Vec3f> secondOrderUmbrella(const HalfEdgeMesh& mesh, Workers& workers);
 
-/// Conformal: what the faces at a vertex p want, by the energy of Hormann and Greiner, MIPS (2000),
-/// E = (|a|² + |b|² + |b - a|²) / (4√3·area) for the face (p, p + a, p + b), 1 if it is
-/// equilateral.
-struct ConformalPull {
-	Vec3f force;         ///< minus the gradient over p
-	float stiffness = 0; ///< the Hessian's diagonal
-
-	/// Adds a face and returns its energy. inverse: 1 over twice its area. The normal may be the
-	/// surface's; where it is no unit vector, unit is 1 over its length. Inline: each step of a
-	/// descent calls it for every corner of every face.
-	///
-	///     gradient = -2k (a + b) / 2A - E / 2A · n × (b - a),  Hessian ≈ 4k / 2A,  k = 1 / (2√3)
-	float add(const Vec3f& a, const Vec3f& b, const Vec3f& normal, float unit, float inverse)
-	{
-		constexpr float k      = 0.28867513f;
-		const Vec3f     across = b - a;
-		const float     edges  = squaredLength(a) + squaredLength(b) + squaredLength(across);
-		const float     energy = k * edges * inverse;
-		force += (a + b) * (2 * k * inverse);
-		force += cross(normal, across) * (energy * inverse * unit);
-		stiffness += 4 * k * inverse;
-		return energy;
-	}
-};
-
-/// The same at all three corners of a face. The energy, the normal and the lengths are found once.
+/// Conformal: what a face says to its corners, by the energy of Hormann and Greiner, MIPS (2000),
+/// E = (sum of the squared edges) / (4√3·area), 1 if the face is equilateral. For the corner p of
+/// the face (p, p + a, p + b) with the unit normal n:
+///
+///     force = 2k (a + b) / 2A + E / 2A · n × (b - a),  stiffness = 4k / 2A,  k = 1 / (2√3)
+///
+/// The force is minus the gradient over p, the stiffness the diagonal of the Hessian without small
+/// terms. Energy, normal and lengths are computed once for all three corners.
 struct ConformalFace {
 	Float4 force[3];            ///< per corner; the fourth lane is the stiffness there
-	Float4 normal;              ///< of twice the area's length
+	Float4 normal;              ///< its length is twice the area
 	float  squaredEdge[3] = {}; ///< from each corner to the next
+	float  energy         = 0;
 
-	ConformalFace(const Vec3f& a, const Vec3f& b, const Vec3f& c)
+	/// leastArea: 2A counts as at least this share of the mean squared edge, so that a face without
+	/// area has a finite force.
+	ConformalFace(const Vec3f& a, const Vec3f& b, const Vec3f& c, float leastArea = 0)
 	{
 		constexpr float k  = 0.28867513f;
 		const Vec3f     ab = b - a, bc = c - b, ca = a - c, n = cross(ab, bc);
 		squaredEdge[0]      = squaredLength(ab);
 		squaredEdge[1]      = squaredLength(bc);
 		squaredEdge[2]      = squaredLength(ca);
-		const float inverse = 1 / (length(n) + 1e-30f);
-		const float energy  = k * (squaredEdge[0] + squaredEdge[1] + squaredEdge[2]) * inverse;
-		const float along = 2 * k * inverse, across = energy * inverse * inverse;
-		const auto  at = [&](const Vec3f& sum, const Vec3f& opposite) {
-            const Vec3f pull = sum * along + cross(n, opposite) * across;
+		const float sum     = squaredEdge[0] + squaredEdge[1] + squaredEdge[2];
+		const float twice   = length(n) + 1e-30f;
+		const float unit    = 1 / twice;
+		const float inverse = leastArea > 0 ? 1 / std::max(twice, leastArea * sum / 3) : unit;
+		energy              = k * sum * inverse;
+		const float along = 2 * k * inverse, across = energy * inverse * unit;
+		const auto  at = [&](const Vec3f& sides, const Vec3f& opposite) {
+            const Vec3f pull = sides * along + cross(n, opposite) * across;
             return Float4(pull.x, pull.y, pull.z, 2 * along);
 		};
 		force[0] = at(ab - ca, bc);
@@ -81,26 +72,26 @@ struct ConformalFace {
 	}
 };
 
-/// Distance: the squared distance of the input's vertices from their closest faces, as a function
-/// of the vertices' shifts: ½ Σ_ij s_i K_ij s_j - Σ_i f_i s_i. K_ij is kept for every vertex, and
-/// for every spoke beside it, so that a step reads it in a row.
+/// Distance: the squared distance of the input vertices from their closest faces, as a function of
+/// the shifts of the vertices: ½ Σ_ij s_i K_ij s_j - Σ_i f_i s_i. K_ij is stored for every vertex
+/// and every spoke beside the vertex, so that a step reads K_ij in a row.
 class DistanceTerm {
 public:
 	/// rings: of the mesh.
 	DistanceTerm(const HalfEdgeMesh& mesh, const Rings& rings);
 
-	/// For the present map and places. Cost: linear in the input, parallel.
-	/// isRough: from every second vertex of the input, for moves that others will follow.
+	/// Assembles the term for the present map and places. Cost: linear in the input, parallel.
+	/// isRough: uses every second vertex of the input, for moves with later rounds.
 	void assemble(const Surface& surface, const ClosestFaceMap& map, bool isRough,
 				  Workers& workers);
 
 	const SymmetricMatrix& own(int v) const { return own_[v]; }
 	const Vec3f&           force(int v) const { return force_[v]; }
-	/// Of the edge of a spoke.
+	/// The matrix for the edge of a spoke.
 	const SymmetricMatrix& joint(int spoke) const { return joint_[spoke]; }
 
 private:
-	/// What the vertices of the input that belong to a face say of its corners, and of the edges
+	/// The contribution of the input vertices assigned to a face, to the corners and to the edges
 	/// from each corner to the next.
 	struct FaceTerm {
 		Float4 own[3][2], joint[3][2]; ///< matrices: xx xy xz yy, yz zz

@@ -12,10 +12,10 @@ namespace gpr {
 
 namespace {
 
-/// Valences that a flip must not leave.
+/// Limits of the valences after a flip.
 constexpr int minValence = 4, maxValence = 8;
-/// Width of the cells that threads share, in ideal edges: a chain of six flips seldom gets out of
-/// what a cell reaches.
+/// Width of the cells that threads share, in ideal edges: a chain of six flips seldom leaves the
+/// reach of a cell.
 constexpr float cellWidth = 14;
 /// Vertices of more faces than this are no dislocations.
 constexpr int maxNeighbours = 16;
@@ -30,7 +30,7 @@ public:
 	{
 	}
 
-	/// Looks for a chain that begins at v.
+	/// Searches a chain from v.
 	bool glide(int v, int depth)
 	{
 		for (int flips = 1; flips <= depth; ++flips) {
@@ -42,7 +42,7 @@ public:
 	std::int64_t flipNum() const { return flipNum_; }
 
 private:
-	/// Where a chain stands: the change of the energy so far, flips left, and the edge made last,
+	/// State of a chain: the change of the energy so far, the flips left, and the last new edge,
 	/// which must not be flipped back.
 	struct State {
 		int energy;
@@ -71,7 +71,7 @@ private:
 		forEachNeighbour(m_, v, [&](int w) {
 			if (n < maxNeighbours) neighbour[n++] = w;
 		});
-		// Flips tried and undone may have renamed half-edges, so edges go by their ends.
+		// Undone flips may have renamed half-edges, so edges are found by their ends.
 		for (int i = 0; i < n; ++i) {
 			if (state.isLast(v, neighbour[i])) continue;
 			if (flipAndGoOn(m_.findHalfEdge(v, neighbour[i]), state)) return true;
@@ -83,9 +83,11 @@ private:
 	{
 		if (h < 0 || m_.opposite[h] < 0) return false;
 		const int a = m_.origin[h], b = m_.target(h), c = m_.apex(h), d = m_.apex(m_.opposite[h]);
+		// Valences rule most flips out, and are looked at first.
+		if (!valencesAllow(a, b, c, d)) return false;
 		if (!isOurs(a) || !isOurs(b) || !isOurs(c) || !isOurs(d)) return false;
 		const int energy = state.energy + flipEnergy(m_, valence_, h);
-		if (energy > 0 || !mayFlip(h, a, b, c, d)) return false;
+		if (energy > 0 || !flipKeepsShape(m_, h) || !canFlip(m_, h)) return false;
 		turn(h);
 		if (energy < 0) return true;
 		if (state.flipsLeft > 1) {
@@ -99,12 +101,11 @@ private:
 		return false;
 	}
 
-	bool mayFlip(int h, int a, int b, int c, int d) const
+	bool valencesAllow(int a, int b, int c, int d) const
 	{
 		if (valence_[c] > 5 && valence_[d] > 5) return false;
 		if (valence_[a] <= minValence || valence_[b] <= minValence) return false;
-		if (valence_[c] >= maxValence || valence_[d] >= maxValence) return false;
-		return flipKeepsShape(m_, h) && canFlip(m_, h);
+		return valence_[c] < maxValence && valence_[d] < maxValence;
 	}
 
 	void turn(int h)

@@ -8,17 +8,18 @@
 
 namespace gpr {
 
-/// How far ahead glideDislocations looks, in flips.
+/// Longest chains that glideDislocations searches, in flips.
 constexpr int usualGlideDepth = 6;
 
-/// Pairs of a 5- and a 7-valent vertex are dislocations of the lattice. A flip moves one along its
-/// glide line at no change of Σ(valence - 6)²; where it meets another the energy falls. From every
-/// vertex of seven or more faces, chains of up to `depth` flips are searched, depth first and
-/// shortest first, whose energy never rises above the start; the first chain that ends below it is
-/// kept, all others are undone. No flip makes a face turn over, an angle below 17° or a dihedral
-/// beyond 37°, and all happen on flat ground. Vertices do not move: relaxation follows. Returns the
-/// number of chains kept. Cost: some hundred trial flips for each vertex of seven faces; parallel
-/// by cells of space (see ColouredGrid), whose borders chains do not cross far.
+/// Moves dislocations of the lattice, pairs of a 5- and a 7-valent vertex, together. A flip moves a
+/// dislocation along its glide line with no change of Σ(valence - 6)²; if two dislocations meet,
+/// the energy falls. From every vertex with seven or more faces, chains of up to `depth` flips are
+/// searched, depth first and shortest first, with energies never above the start; the first chain
+/// that ends below the start is kept, all other chains are undone. Flips happen on flat ground
+/// only, and no flip turns a face over or makes an angle below 17° or a dihedral beyond 37°.
+/// Vertices do not move: relaxation follows. Returns the number of kept chains. Cost: some hundred
+/// trial flips for each vertex of seven faces; parallel by cells of space (see ColouredGrid);
+/// chains reach only a little beyond a cell.
 std::int64_t glideDislocations(ResultMesh& result, Workers& workers, int depth = usualGlideDepth);
 
 } // namespace gpr

@@ -18,19 +18,19 @@ namespace gpr {
 
 namespace {
 
-/// Faces that are drawn closer in a round: those beyond this share of the largest distance, and so
-/// many at most.
+/// Faces moved in a round: faces beyond this share of the largest distance, and at most this many.
 constexpr float       worstShare = 0.75f;
 constexpr std::size_t maxFaces   = 300;
-/// Distances below this share of the mean edge are near enough.
+/// Smaller distances count as near, as a share of the mean edge.
 constexpr float nearShare = 0.1f;
 /// Moves at a face in a round.
 constexpr int maxMoves = 6;
-/// So much farther than what is near may a vertex get that was nearer.
+/// Largest distance of a vertex after a move, in near distances, unless the vertex was farther
+/// before.
 constexpr float farthestOff = 2;
-/// A move must lessen the distance to this share.
+/// The distance after a move must be at most this share.
 constexpr float minGain = 0.96f;
-/// Of the way that would close the gap if nothing else changed: as little as will do.
+/// Shares of the move that would close the gap; the smallest sufficient share is taken.
 constexpr float wayShares[] = {0.25f, 0.5f, 1};
 /// A vertex moves at most this share of an edge at once.
 constexpr float longestMove = 0.3f;
@@ -72,14 +72,14 @@ private:
 	const Surface&       surface_;
 	const HalfEdgeMesh&  s_; ///< of the surface
 	float                near_;
-	Acceptance           limits_; ///< of a move: what a face must not suffer
+	Acceptance           limits_; ///< of a move, for faces
 	ResultMesh&          r_;
 	HalfEdgeMesh&        m_;
 	Workers&             workers_;
 	Buffer<Vec3f>        normal_; ///< of the surface at the result's vertices
-	Buffer<SurfacePoint> point_;  ///< the nearest points of the surface, of vertices that moved
+	Buffer<SurfacePoint> point_;  ///< nearest surface points of the vertices
 	SurfaceGaps          gaps_;
-	Buffer<float>        gap_; ///< per face: the squared length, or what is near enough
+	Buffer<float>        gap_; ///< per face: squared distance, or the near distance squared
 
 	// ---- distances
 
@@ -91,7 +91,8 @@ private:
 		return (length(b - a) + length(c - b) + length(a - c)) / 3;
 	}
 
-	/// The surface ends elsewhere there, and no move inside would help.
+	/// Whether a face lies at a smooth border. The surface ends elsewhere there, and no move would
+	/// help.
 	bool isAtSmoothBorder(int f) const
 	{
 		const int* c = &m_.origin[3 * f];
@@ -101,7 +102,7 @@ private:
 
 	// ---- the worst faces
 
-	/// What distances a round lowers, squared.
+	/// The squared distance above which a round moves faces.
 	float squaredGoal() const
 	{
 		return std::max(worstShare * worstShare * largestKnown(), near_ * near_);
@@ -123,7 +124,7 @@ private:
 						   [&](int f) { return gaps_.isWithin(f, squared); });
 	}
 
-	/// Farthest first.
+	/// Faces beyond the squared distance `goal`, farthest first.
 	std::vector<int> facesBeyond(float goal) const
 	{
 		std::vector<int> faces;
@@ -167,7 +168,7 @@ private:
 		Vec3f shift;
 	};
 
-	/// The shortest moves that take the triangle along the whole way, of those that may move.
+	/// The shortest moves of the movable vertices that move the triangle along the whole gap.
 	std::vector<Move> movesAlong(int f, const Gap& gap, const std::vector<int>& vertices) const
 	{
 		const std::array<float, 3> weight =
@@ -234,7 +235,7 @@ private:
 		return false;
 	}
 
-	/// A vertex with what follows it.
+	/// The state of a vertex.
 	struct Place {
 		Vec3f        position, normal;
 		SurfacePoint point;
@@ -253,7 +254,8 @@ private:
 
 	static float squaredOff(const Place& p) { return squaredLength(p.position - p.point.position); }
 
-	/// A vertex must not be drawn off the surface to one that only seems to have no triangle near.
+	/// The largest squared distance of a vertex from the surface after a move. The limit protects a
+	/// vertex from input vertices that only seem to have no triangle near.
 	float allowedOff(int v) const
 	{
 		const float allowed = farthestOff * farthestOff * near_ * near_;

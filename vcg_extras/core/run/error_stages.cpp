@@ -17,18 +17,17 @@ namespace gpr {
 
 namespace {
 
-/// How much is done about the places that are too far.
+/// How strongly the next trial reacts to places beyond the error bound.
 struct Effort {
-	double reachInEdges; ///< triangles are made smaller so far round a place, in their own edges
-	/// Over the size that would do if the error went with the size, as on creases and rims: samples
-	/// fall elsewhere in every trial.
+	double reachInEdges; ///< radius of smaller triangles round a place, in ideal edges
+	/// Factor on the size that would suffice if the error were proportional to the size, as on
+	/// creases and rims. Below 1, because each trial places samples elsewhere.
 	double caution;
-	double nearGoal; ///< nearer to the goal than this, a place may be beyond it in the next trial
+	double nearGoal; ///< share of the bound; farther places get smaller triangles
 };
 
-/// There are many places after the first trial, and fewer after the second. Those after later ones
-/// shall be the last. Samples fall elsewhere in each trial, so that places near the goal get
-/// smaller triangles, too.
+/// The first trial leaves many far places, the second fewer; later trials shall leave none. Each
+/// trial places samples elsewhere, so that places close to the bound get smaller triangles, too.
 constexpr Effort first = {1.2, 0.75, 0.9}, second = {1.5, 0.6, 0.8}, later = {1.5, 0.5, 0.65};
 constexpr double leastOfTrial = 0.3, mostOfTrial = 0.8;
 
@@ -56,13 +55,14 @@ double areaOf(const std::vector<FarPlace>& places, double goal)
 	return area;
 }
 
-/// What smaller triangles at the spots multiply the number of triangles by.
+/// The factor by which smaller triangles at the spots raise the number of triangles.
 double growthBy(const FineSpots& spots, const Surface& surface, Workers& workers)
 {
 	return meanSquaredStretch(surface.mesh, factorsOf(spots, surface, workers), workers);
 }
 
-/// Finds where a result is farther from the surface than the goal, or nearly so.
+/// Finds the places at which the result is farther from the surface than `nearGoal` times the
+/// bound.
 ErrorFacts findPlacesBeyond(RunContext& run, double goal, const ComparedSurfaces& both,
 							FineSpots& spots, const Products& made)
 {

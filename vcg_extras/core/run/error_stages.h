@@ -11,19 +11,19 @@
 
 namespace gpr {
 
-// The steps of a trial for a largest error.
+// The steps of a trial for an error bound.
 
-/// The error that the options ask for, and the counts that may be tried for it.
+/// The error bound of the options, and the vertex counts allowed in trials.
 ErrorGoal errorGoalOf(const MeshView& input, const RemeshOptions& options,
 					  const MeshExtent& extent);
 
-/// Step Refinement: makes triangles smaller where the result does not keep to the goal,
-/// unless these places are so many that triangles are too large on the whole.
+/// Step Refinement: makes triangles smaller at places beyond the error bound, unless the places are
+/// so many that all triangles are too large. Returns the number of added vertices.
 RefinementFacts refineResult(RunContext& run, const ErrorGoal& goal, Products& made);
 
-/// Step Error: proves the largest distance. Where it is beyond the goal, the places are
-/// added to the spots where the next trial is to have smaller triangles. spots: of the trials
-/// before. Cost: a proof, and a search for each triangle that may be beyond the goal, parallel.
+/// Step Error: proves the largest distance. If the distance is above the bound, the far places are
+/// appended to `spots`, which the next trial gives smaller triangles. Cost: a proof, and a search
+/// for each triangle perhaps beyond the bound, in parallel.
 ErrorFacts measureError(RunContext& run, const ErrorGoal& goal, FineSpots& spots, Products& made);
 
 } // namespace gpr

@@ -17,7 +17,7 @@ namespace gpr {
 
 namespace {
 
-/// Of the time of a run with a tenth of the vertices, about.
+/// The time of the detection, as a share of the time of a run with a tenth of the vertices.
 constexpr double detectionShare = 0.5;
 
 // ---- The feature region.
@@ -64,7 +64,7 @@ void splitTooLong(RunContext& run, const LongFaces& tooLong, std::int64_t vertex
 
 // ---- The surface.
 
-/// The cleaned mesh, to be changed: the run's own, or a copy of the one that is kept.
+/// The cleaned mesh for changes: the mesh of the run, or a copy of a cached mesh.
 IndexedMesh takeMesh(RunContext& run, std::shared_ptr<CleanedInput>& input)
 {
 	IndexedMesh mesh =
@@ -73,7 +73,7 @@ IndexedMesh takeMesh(RunContext& run, std::shared_ptr<CleanedInput>& input)
 	return mesh;
 }
 
-/// The whole input, connected, from the cache. False where seams must be sewn first.
+/// Takes the whole connected input from the cache. False if seams must be sewn first.
 bool takeConnected(RunContext& run, Sewing sewing, InputCache::OfSewing& kept,
 				   WorkingSurface& surface)
 {

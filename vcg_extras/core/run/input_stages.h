@@ -16,24 +16,25 @@
 
 namespace gpr {
 
-// From the caller's mesh to a connected surface whose edges are short enough for the sampling.
+// From the input mesh to a connected surface with edges short enough for the sampling.
 
-/// The cleaned input, ordered and connected.
+/// The cleaned input, connected.
 struct ConnectedInput {
-	bool    mustSewFirst = false; ///< it has seams that are to be sewn; there is no surface then
+	bool    mustSewFirst = false; ///< the input has seams to be sewn, and there is no surface yet
 	Surface surface;
-	CleanCounts counts; ///< up to here
+	CleanCounts counts; ///< of all changes so far
 };
 
-/// The detected features of an input, and what detection told.
+/// The detected features of an input, with the notes and caps of the detection.
 struct DetectedRegion {
 	FeatureThresholds        thresholds;
 	FeatureMarks             marks;
 	std::vector<std::string> notes, caps;
 };
 
-/// What all runs on one input have in common, whatever their counts, sizes, presets and seeds. A
-/// run looks here first, and leaves here what it had to make. Nothing half-made is ever here.
+/// The products that all runs on one input share, whatever the counts, sizes, presets and seeds. A
+/// run takes products from the cache, and stores new products. The cache
+/// holds complete products only.
 class InputCache {
 public:
 	struct OfSewing {
@@ -41,13 +42,13 @@ public:
 		std::optional<ConnectedInput> connected;
 	};
 
-	/// What was made with these options; what was made with others is forgotten.
+	/// The products for these options. Products for other options are dropped.
 	OfSewing& of(const RemeshOptions& options, Sewing sewing);
-	/// The same of the feature region.
+	/// The feature region for these options.
 	std::optional<DetectedRegion>& region(const RemeshOptions& options);
 
 private:
-	/// What of the options decides how the input is cleaned.
+	/// The options for the cleaning of the input.
 	bool                          sew_                 = true;
 	std::int64_t                  dropComponentsBelow_ = 0;
 	bool                          keepsJunctions_      = false;
@@ -57,33 +58,33 @@ private:
 	void fitTo(const RemeshOptions& options);
 };
 
-// The cache of each function below is null where a run is the only one on its input. Then the input
-// belongs to the run alone and is handed over, so that the run needs no memory for it.
+// A null cache means that no other run uses the input. Then the run consumes the input, and needs
+// no memory for a copy.
 
-/// Finds the features on the caller's own mesh, before any edge is split. The mesh becomes
-/// `surface`.
+/// Finds features on the input mesh, before long edges are split. `surface` gets the connected
+/// mesh.
 FeatureEdges detectOnInput(RunContext& run, WorkingSurface& surface);
 
-/// Stage InputFigures: counts the working surface.
+/// Stage InputFigures: measures the working surface.
 void countInput(RunContext& run, WorkingSurface& surface);
 
-/// Step Region: finds the features for the feature region where the options ask for them, the same
-/// as detectFeatures.
+/// Step Region: finds features for the feature region, if the options ask for detection. The
+/// features are the same as of detectFeatures.
 NoFacts findRegion(RunContext& run, InputCache* cache, Products& made);
 
-/// Step Input: takes the caller's mesh over without faulty faces, with seams sewn where that is
-/// decided, and without the components that the options drop. They must go before the area is
-/// found, and with it the radius. Throws Failure where nothing with an area is left.
+/// Step Input: takes the input mesh without faulty faces and without the components that the
+/// options drop; sews seams if decided. The remaining faces give area and radius. Throws Failure if
+/// the remaining faces have no area.
 InputFacts makeInput(RunContext& run, const Decisions& decisions, InputCache* cache,
 					 Products& made);
 
 /// Step Surface: splits edges that are too long for the sampling, orders the mesh in space,
-/// connects its faces, and repairs it where it is not manifold. Throws Failure where memory would
-/// not do.
+/// connects the faces, and repairs places that are not manifold. Throws Failure if the memory does
+/// not suffice.
 SurfaceFacts makeSurface(RunContext& run, const Decisions& decisions, InputCache* cache,
 						 Products& made);
 
-/// Makes and keeps all that runs with these options have in common.
+/// Makes and keeps all products that runs with these options share.
 void fillCache(RunContext& run, InputCache& cache, Products& made);
 
 } // namespace gpr

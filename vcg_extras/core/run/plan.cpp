@@ -13,30 +13,34 @@ namespace gpr {
 
 namespace {
 
-/// Beyond so many vertices a few more do not change whether every triangle has an area. Counts up
-/// to this one are tried before they are named in a refusal.
+/// Above this number of vertices, a few more vertices do not change whether every triangle has an
+/// area. A refusal names counts up to this number only after a test of the count.
 constexpr std::int64_t fewVertices = 64;
-/// Each is a quarter more than the one before, so that the last is about four times the first.
+/// Each searched count is a quarter larger than the count before; the last is about four times the
+/// first.
 constexpr int maxSearchedCounts = 8;
 
-/// With a number of faces, larger numbers are tried, too: at most this many faces and attempts.
+/// With a target of faces, larger numbers are tested, too: up to this number of faces, and with at
+/// most this number of attempts.
 constexpr std::int64_t mostTriedFaces = 20000;
 constexpr int          maxTriedCounts = 16;
 
-/// The next count to try after one that failed, of the same parity.
+/// The next face count to try after a failure, with the same parity.
 std::int64_t raised(std::int64_t faceNum)
 {
 	return faceNum + 2 * std::max<std::int64_t>(1, faceNum / 20);
 }
 
-/// Share of the vertices that lines and borders may take before the weaker of close lines go.
+/// Share of the vertices on lines and borders, above which the weaker of close lines are dropped.
 constexpr double maxOnCurves = 0.5;
-/// Corrections of the radius: with vertices to be kept the rest of the count is a small number.
+/// Corrections of the radius. Vertices to be kept leave a small number of free samples, which needs
+/// more corrections.
 constexpr int maxCorrections = 2, maxCorrectionsWithKept = 6;
-/// Smaller triangles may touch others, and what is made anew there may be too far from the input.
+/// Smaller triangles may touch other triangles; the patches made anew there may again be too far
+/// from the input.
 constexpr int maxRefinements = 3;
 
-/// Whether a count with which every triangle has an area is looked for.
+/// Whether to search a count with areas for all triangles.
 bool needsSearch(const MeshFacts& facts)
 {
 	return facts.hasZeroAreas && facts.vertexNum <= fewVertices;
@@ -55,7 +59,7 @@ std::string lengthText(double length, double diagonal)
 	return words;
 }
 
-/// What no mesh for an error came to.
+/// The sentence about an error bound that no mesh met.
 std::string missedText(const ErrorTrial& best, double goal, double diagonal)
 {
 	return "An error of at most " + lengthText(goal, diagonal) + " was not reached: with " +
@@ -63,7 +67,7 @@ std::string missedText(const ErrorTrial& best, double goal, double diagonal)
 		   lengthText(best.error, diagonal) + ".";
 }
 
-/// The note about the number of vertices that follows from a detail.
+/// The note about the vertex count for a detail.
 std::string forecastText(std::int64_t vertexNum, const Request& request)
 {
 	const double error = detailError(request.options.targetDetail) * request.diagonal;
@@ -80,7 +84,7 @@ std::string metText(const ErrorTrial& best, int trialNum, double diagonal)
 		   (trialNum == 1 ? " trial." : " trials.");
 }
 
-/// Fewer vertices among those that meet the goal, else the smaller error.
+/// Two meshes within the bound: fewer vertices are better. Else the smaller error is better.
 bool isBetter(const ErrorTrial& a, const ErrorTrial& b, double largest)
 {
 	const bool meetsA = a.error <= largest, meetsB = b.error <= largest;
@@ -137,7 +141,7 @@ bool Plan::has(Step step) const
 	case Step::Check:        return becomesMesh;
 	case Step::Refinement:   return isTrial && mayStillRefine;
 	case Step::Error:        return isTrial;
-	case Step::Release:      return false; // only where lines turn out to be crowded
+	case Step::Release:      return false; // entered by judge(FitFacts) only
 	default:                 return isOfOwn && becomesMesh;
 	}
 	// clang-format on
@@ -179,7 +183,7 @@ void Plan::beginRun(Purpose purpose, std::int64_t vertexNum)
 	beginsRun_ = true;
 }
 
-/// Whether another count may be taken where the one asked for cannot be had.
+/// Whether the result may have another count if the wanted count is not possible.
 bool Plan::isWish() const
 {
 	const bool isByCount = request_.options.targetMode == TargetMode::VertexNum || asksForFaces() ||
@@ -192,7 +196,7 @@ bool Plan::asksForFaces() const
 	return request_.options.targetMode == TargetMode::FaceNum;
 }
 
-/// Whether the number of vertices may differ from what was asked for.
+/// Whether the result may have another number of vertices than the options ask for.
 bool Plan::mayDiffer() const
 {
 	return isWish() || isPaper(request_.options);
@@ -211,10 +215,10 @@ void Plan::resolveCount(const InputFacts& facts)
 	if (asksForFaces()) decisions_.faceNum = wantedFaces_;
 }
 
-/// F = 2 V - 2 χ - B, with B vertices on the border, whose edges are as long as all others.
+/// F = 2 V - 2 χ - B, with B vertices on the border. Border edges are as long as all other edges.
 void Plan::forecastVertices(const SizeFacts& facts)
 {
-	constexpr int rounds = 4; // B goes with the edges, and these with V
+	constexpr int rounds = 4; // B depends on the edge length, and the edge length on V
 	const bool    isOdd  = decisions_.faceNum % 2 != 0;
 	if (facts.borderLength == 0 && isOdd)
 		decisions_.faceNum = std::max<std::int64_t>(2, decisions_.faceNum - 1);
@@ -226,7 +230,7 @@ void Plan::forecastVertices(const SizeFacts& facts)
 		vertexNum = std::max(1.0, std::round(vertexNum));
 	}
 	decisions_.vertexNum = std::int64_t(vertexNum);
-	if (isPaper(request_.options)) decisions_.faceNum = 0; // it hits no count
+	if (isPaper(request_.options)) decisions_.faceNum = 0; // reaches no exact count
 }
 
 std::string Plan::judge(const NoFacts&)
@@ -276,8 +280,8 @@ std::string Plan::judge(const SizeFacts& facts)
 	return isFar && mayReturn() ? returnTo(Step::Input) : "";
 }
 
-/// Where the target is a wish, a border whose vertices are to be kept raises it to what these need
-/// with some others between them.
+/// If the target is a wish, raises the count for a border with vertices to be kept, so that
+/// vertices are left for the surface between them. Else refuses.
 std::string Plan::makeRoom(std::int64_t euler)
 {
 	const bool keepsBorder = request_.options.boundary == BoundaryMode::Keep;
@@ -325,13 +329,13 @@ std::string Plan::judge(const LineFacts& facts)
 	return returnIf(areTooMany, attempts_.followLines ? Step::Input : Step::Lines);
 }
 
-/// Feature lines leave gaps between them and the front, all the more the nearer they are to each
-/// other; so the radius is lowered by what the first go missed. Vertices to be kept are a fixed
-/// number of the samples, however near to each other: the others get what they leave.
+/// Gaps between feature lines and the front cost samples, the more the closer the lines are; the
+/// number of missing samples lowers the radius. Vertices to be kept are a fixed number of samples,
+/// however close to each other: only the other samples follow the radius.
 float Plan::correctedRadius(const SampleFacts& facts) const
 {
 	constexpr float aim = 0.985f; // of the wanted number
-	// A few samples too many are soon merged and not worth another sampling.
+	// A small surplus of samples is soon merged and not worth another sampling.
 	constexpr float fewest = 0.98f, most = 1.035f;
 	constexpr float maxFixed = 0.7f;
 	const float     kept     = float(attempts_.keptNum);
@@ -341,7 +345,7 @@ float Plan::correctedRadius(const SampleFacts& facts) const
 	if (!(wanted > 0) || (share >= fewest && share <= most)) return facts.radius;
 	if (float(facts.onCurveNum) - kept > maxFixed * (target - kept)) return facts.radius;
 	if (attempts_.keptNum == 0) return facts.radius * std::sqrt(share);
-	// Edges are cut for this radius; much smaller disks would own no vertices.
+	// Edges are split for this radius; much smaller disks would hold no vertices.
 	constexpr float minRadius = 0.8f, minShare = 0.25f, maxShare = 4;
 	return std::max(minRadius * facts.usual,
 					facts.radius * std::sqrt(std::clamp(share, minShare, maxShare)));
@@ -360,7 +364,7 @@ std::string Plan::judge(const SampleFacts& facts)
 
 // ---- The mesh and its count: the numbered rules of the table.
 
-/// The next attempt begins: with the surface at hand where that fits.
+/// Begins the next attempt, on the surface at hand if the surface fits.
 std::string Plan::tryAgain(std::string note)
 {
 	attempts_.isCountChosen = true;
@@ -371,7 +375,7 @@ std::string Plan::tryAgain(std::string note)
 	return returnTo(fits ? Step::Lines : Step::Input, std::move(note));
 }
 
-/// A closed surface has no odd number of faces: the one below was aimed at.
+/// Takes the mesh. A closed surface has no odd number of faces; the plan aimed at the number below.
 std::string Plan::accept(const MeshFacts& facts, std::string note)
 {
 	const bool isOther =
@@ -387,13 +391,12 @@ std::string Plan::accept(const MeshFacts& facts, std::string note)
 	return note;
 }
 
-/// What was asked for, in words.
 std::string Plan::asked() const
 {
 	return asksForFaces() ? text(wantedFaces_) + " faces" : text(attempts_.asked) + " vertices";
 }
 
-/// Faces first where these were asked for.
+/// The counts in words: faces first if the target counts faces.
 std::string Plan::counted(std::int64_t vertexNum, std::int64_t faceNum) const
 {
 	const std::string vertices = text(vertexNum) + " vertices";
@@ -419,7 +422,8 @@ void Plan::refuseBelow(std::int64_t smallest, std::int64_t faceNum) const
 		   smallest);
 }
 
-/// Each vertex inside brings two faces, and there is none that may come to the border or leave it.
+/// Refuses a face count with the wrong parity: each inner vertex adds two faces, and no vertex may
+/// enter or leave the border.
 void Plan::refuseParity(std::int64_t lower) const
 {
 	Failure failure(Status::BadOptions,
@@ -450,12 +454,13 @@ std::string Plan::withOpenSeams()
 {
 	decisions_.way        = Way::WithoutFeatureLines;
 	decisions_.sewing     = Sewing::Never;
-	attempts_.preparedFor = 0; // with seams sewn
+	attempts_.preparedFor = 0; // the surface at hand is sewn
 	return tryAgain("With seams sewn some triangles would have no area, so that seams are left "
 					"open.");
 }
 
-/// Vertices to be kept leave no other way to the count.
+/// Accepts or refuses the count reached with vertices to be kept. There is no other way to the
+/// count.
 std::string Plan::nearestWithKept(const MeshFacts& reached)
 {
 	const std::string  counts = counted(reached.vertexNum, reached.faceNum);
@@ -520,8 +525,8 @@ std::string Plan::endSearchAt(const MeshFacts& found)
 		   found.vertexNum, found.faceNum);
 }
 
-/// After the last count the first one is taken after all, unless even that is not what was asked
-/// for.
+/// After the last count the search returns to its first count. If the first count is not the wanted
+/// count, a target that is no wish is refused.
 std::string Plan::goOnSearching()
 {
 	const bool isOver   = attempts_.searchedNum == maxSearchedCounts;
@@ -542,7 +547,7 @@ std::string Plan::judgeAreas(const MeshFacts& facts)
 	return mayReturn() ? goOnSearching() : accept(facts, "");
 }
 
-/// Topology has the last word on the count: the one that it comes to is the smallest.
+/// The count reached by topology is the smallest possible count.
 std::string Plan::judgeSmallest(const MeshFacts& facts)
 {
 	if (attempts_.isRaised || attempts_.searchedNum > 0) return judgeAreas(facts);
@@ -553,7 +558,7 @@ std::string Plan::judgeSmallest(const MeshFacts& facts)
 	return beginSearch(facts);
 }
 
-/// Where faces are counted the vertices are known only now.
+/// With a target of faces, the vertex count is known only after the step Count.
 std::string Plan::judge(const CountFacts& facts)
 {
 	goOn();
@@ -624,7 +629,7 @@ std::string Plan::judge(const ContactFacts& facts)
 				   counted(facts.vertexNum, facts.faceNum) + ".",
 			   facts.vertexNum, facts.faceNum);
 	}
-	// Small angles may have brought vertices to the border, and taken as many faces inside.
+	// The repair of small angles may have moved vertices to the border, for as many faces inside.
 	if (decisions_.faceNum > 0) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
 	if (facts.vertexNum == facts.before && !isMissed) return "";
 	if (!isPaper(request_.options)) decisions_.vertexNum = facts.vertexNum - decisions_.addedNum;
@@ -686,8 +691,8 @@ std::string Plan::outcomeForError() const
 	return missed;
 }
 
-/// What topology allows may still not be free of self-intersections: the count that a refusal names
-/// shall be one that can be had.
+/// A refusal names a possible count. A count that topology allows may still need
+/// self-intersections, so that the plan first makes a mesh with the count.
 void Plan::judge(const Failure& failure)
 {
 	const bool namesCount = failure.status == Status::CountTooSmall || failure.smallestFaceNum > 0;

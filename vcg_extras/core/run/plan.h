@@ -17,74 +17,75 @@
 
 namespace gpr {
 
-/// The steps of a run in their order. The stages of base/stages.h that a step goes through stand
-/// beside it.
+/// The steps of a run, in the order of a run. Beside each step stand the stages of the step
+/// (base/stages.h).
 enum class Step {
-	Region,       ///< Detection
-	Input,        ///< Load, Sew
-	Surface,      ///< SplitLongEdges, Order, Connect, Repair
-	Sizes,        ///< Sizing, SplitLongEdges, InputFigures
-	Forecast,     ///< of the count for a largest error
-	Lines,        ///< FeatureLines
-	GivenLines,   ///< FeatureLines
-	Samples,      ///< Boundary, Sampling
-	GivenSamples, ///< GivenSamples
-	Triangles,    ///< Retriangulation, Flips
-	Count,        ///< Count
-	Relaxation,   ///< Relaxation
-	Fit,          ///< Fit, Angles
-	Release,      ///< Fit, Angles, without crowded feature lines
-	Contacts,     ///< Contacts
-	Refinement,   ///< Fit, for a largest error
-	Error,        ///< Error
-	Check,        ///< Audit, Check
-	Export,       ///< Export
+	Region,       ///< `Detection`
+	Input,        ///< `Load`, `Sew`
+	Surface,      ///< `SplitLongEdges`, `Order`, `Connect`, `Repair`
+	Sizes,        ///< `Sizing`, `SplitLongEdges`, `InputFigures`
+	Forecast,     ///< vertex count for a largest error or a detail
+	Lines,        ///< `FeatureLines`
+	GivenLines,   ///< `FeatureLines`
+	Samples,      ///< `Boundary`, `Sampling`
+	GivenSamples, ///< `GivenSamples`
+	Triangles,    ///< `Retriangulation`, `Flips`
+	Count,        ///< `Count`
+	Relaxation,   ///< `Relaxation`
+	Fit,          ///< `Fit`, `Angles`
+	Release,      ///< `Fit`, `Angles`, after crowded feature lines were released
+	Contacts,     ///< `Contacts`
+	Refinement,   ///< `Fit`, only for a largest error
+	Error,        ///< `Error`
+	Check,        ///< `Audit`, `Check`
+	Export,       ///< `Export`
 	Done
 };
 
-/// How a mesh gets its count.
+/// The way to the wanted count.
 enum class Way {
-	WithFeatureLines, ///< samples of the right spacing, on feature lines too; then the exact count
-	WithoutFeatureLines, ///< the same, but no feature line is followed
-	ByTopology           ///< from the fewest samples, splits and collapses whatever the shapes
+	WithFeatureLines, ///< samples with the right spacing, also on feature lines; then exact count
+	WithoutFeatureLines, ///< the same without feature lines
+	ByTopology ///< from the fewest samples, by splits and collapses that ignore the shape of faces
 };
 
-/// Why a mesh is made.
+/// The purpose of the mesh under way.
 enum class Purpose {
-	Answer,         ///< it is the result
-	Forecast,       ///< its sizes tell the count for a largest error
-	Trial,          ///< it may be the result if it keeps to the largest error
-	CountToBeHad,   ///< a refusal shall name a count that can be had
+	Answer,         ///< the mesh is the result
+	Forecast,       ///< the local sizes give the vertex count for a largest error or a detail
+	Trial,          ///< the mesh is the result if the mesh keeps the error bound
+	CountToBeHad,   ///< the mesh proves that the count named by a refusal is possible
 	SamplesOnly,    ///< no mesh is made
-	OfGivenSamples, ///< the samples are the caller's
+	OfGivenSamples, ///< the user gives the samples
 };
 
-/// What was chosen for the mesh under way. Beside the caller's options nothing else steers the
-/// steps.
+/// The decisions about the mesh under way. The steps depend on the options of the user and on these
+/// decisions only.
 struct Decisions {
 	Purpose      purpose   = Purpose::Answer;
 	Sewing       sewing    = Sewing::NotYet;
 	Way          way       = Way::WithFeatureLines;
-	std::int64_t vertexNum = 0; ///< of the mesh; 0: it waits for the area
-	/// Of the mesh, where faces are counted; vertexNum is a forecast then until it has them.
+	std::int64_t vertexNum = 0; ///< of the mesh; 0: follows from the area
+	/// Faces of the mesh; 0: vertices are counted. With a face count, vertexNum is a forecast until
+	/// the mesh has the faces.
 	std::int64_t faceNum           = 0;
-	int          lineLimit         = 0;     ///< each step higher fewer feature lines are followed
-	bool         keepsRaggedBorder = false; ///< BoundaryMode::Smooth was given up
+	int          lineLimit         = 0;     ///< a higher limit leaves fewer feature lines
+	bool         keepsRaggedBorder = false; ///< the run gave up BoundaryMode::Smooth
 	bool         mayEndAbove       = false; ///< the mesh may get more vertices than vertexNum
 	std::int64_t addedNum          = 0;     ///< vertices beyond vertexNum, at single places
-	/// Disk radius in working units where the one of the count misses the count by much.
+	/// Disk radius in working units; none: the radius that goes with the count.
 	std::optional<float> radius;
 
-	/// All vertices that the result is to have.
+	/// All vertices that the result shall have.
 	std::int64_t wholeNum() const { return vertexNum + addedNum; }
-	/// What the mesh is to reach.
+	/// The count that the mesh shall reach.
 	CountTarget countTarget() const { return {vertexNum, faceNum}; }
-	/// The count that edges are split, sizes are found and samples are placed for. It is the same
-	/// for every count that topology alone is to reach, so that the smallest one is.
+	/// The count for long edges, sizes and sample spacing. For Way::ByTopology the count is 1, so
+	/// that the mesh reaches the smallest possible count.
 	std::int64_t spacedFor() const { return way == Way::ByTopology ? 1 : vertexNum; }
 };
 
-// Facts that the steps come to.
+// The facts that the steps return.
 
 struct NoFacts {};
 struct InputFacts {
@@ -92,27 +93,27 @@ struct InputFacts {
 	double scale = 1; ///< from mesh to working units
 };
 struct SurfaceFacts {
-	bool mustSewFirst = false; ///< it has seams that are to be sewn: there is no surface
+	bool mustSewFirst = false; ///< the mesh has seams to be sewn, and there is no surface yet
 };
 struct SizeFacts {
-	std::int64_t keptNum      = 0;     ///< the caller's vertices that are to stay
+	std::int64_t keptNum      = 0;     ///< vertices of the input that must stay
 	std::int64_t euler        = 0;     ///< Euler characteristic of the surface
 	double       borderLength = 0;     ///< working units
-	double       vertexNum    = 0;     ///< that sizes in mesh units take; 0: the count is another's
-	bool         followLines  = false; ///< sizes are by the error on either side of feature lines
+	double       vertexNum    = 0;     ///< count for sizes in mesh units; 0: no such sizes
+	bool         followLines  = false; ///< sizes follow the error on both sides of feature lines
 };
 struct ForecastFacts {
-	std::int64_t vertexNum = 0; ///< with which triangles would be as flat as the error asks for
+	std::int64_t vertexNum = 0; ///< count with triangles as flat as the error bound needs
 };
 struct LineFacts {
-	double share = 0; ///< of the vertices, that borders and feature lines take; 0: no lines
+	double share = 0; ///< of the vertices, on borders and feature lines; 0: no lines
 };
 struct SampleFacts {
-	bool         mayMiss    = false; ///< the first go may miss the count by much
+	bool         mayMiss    = false; ///< the first sampling may miss the count by much
 	std::int64_t num        = 0;
-	std::int64_t onCurveNum = 0; ///< of these, on borders and feature lines
+	std::int64_t onCurveNum = 0; ///< samples on borders and feature lines
 	float        radius     = 0; ///< of the largest disks, working units
-	float        usual      = 0; ///< the radius that goes with the count
+	float        usual      = 0; ///< radius for the count, working units
 };
 struct CountFacts {
 	std::int64_t vertexNum = 0;
@@ -121,84 +122,85 @@ struct CountFacts {
 struct MeshFacts {
 	std::int64_t vertexNum       = 0;
 	bool         hasFeatureLines = false;
-	bool         hasZeroAreas    = false; ///< triangles whose area is nothing but rounding
+	bool         hasZeroAreas    = false; ///< some triangles have an area of rounding errors only
 	bool         hasSmoothBorder = false;
 	bool         isSewn          = false; ///< along seams
 	std::int64_t faceNum         = 0;
 };
 struct FitFacts {
-	bool areLinesCrowded = false; ///< too close to each other for good angles
+	bool areLinesCrowded = false; ///< feature lines are too close to each other for good angles
 };
 struct ContactFacts {
-	std::int64_t before    = 0;     ///< vertices of the mesh that was looked at
-	std::int64_t vertexNum = 0;     ///< of the mesh now, or of the least one without contacts
-	bool         isRefused = false; ///< contacts are left, since that count may not be taken
+	std::int64_t before    = 0;     ///< vertices before the step
+	std::int64_t vertexNum = 0;     ///< of the mesh now, or of the smallest one without contacts
+	bool         isRefused = false; ///< contacts are left, because vertexNum is not allowed
 	std::int64_t faceNum   = 0;     ///< of the mesh now
 };
 struct RefinementFacts {
-	int addedNum = 0; ///< vertices that came in at single places
+	int addedNum = 0; ///< vertices added at single places
 };
 struct ErrorFacts {
 	double error  = 0; ///< proven bound of the largest distance, mesh units
-	double share  = 0; ///< of the area of the input, that is farther off than the goal
-	double growth = 1; ///< of the count, if triangles get smaller there and stay elsewhere
+	double share  = 0; ///< of the area of the input, farther from the result than the error bound
+	double growth = 1; ///< factor of the count if only triangles at far places get smaller
 };
 struct ExportFacts {
 	std::int64_t vertexNum = 0;
 	std::int64_t faceNum   = 0;
 };
 
-/// What is asked of a run.
+/// The task of a run.
 struct Request {
 	const RemeshOptions&     options;
-	std::int64_t             callersVertexNum; ///< of the input as given
+	std::int64_t             callersVertexNum; ///< of the input mesh
 	Purpose                  purpose   = Purpose::Answer;
 	std::int64_t             sampleNum = 0;  ///< with Purpose::OfGivenSamples
-	std::optional<ErrorGoal> goal      = {}; ///< a largest error, with Purpose::Forecast
-	double                   diagonal  = 0;  ///< with a goal: of the input, mesh units
+	std::optional<ErrorGoal> goal      = {}; ///< error bound, with Purpose::Forecast
+	double                   diagonal  = 0;  ///< of the input, mesh units; only with a goal
 };
 
-/// Decides on the steps of a run: which one comes next, what is chosen for it, and which part of
-/// the run begins again. A plan makes nothing itself: facts go in by judge(), which returns a
-/// sentence for the user or an empty string, and throws the Failure of a refusal. A fact changes a
-/// decision, and the run goes on from the first step that this decision touches:
+/// Decides on the steps of a run: the next step, the decisions for the step, and the part of the
+/// run that begins again. A plan changes no mesh. judge() takes the facts of a step, and returns a
+/// sentence for the user or an empty string; a refusal throws Failure. If a fact changes a
+/// decision, the run goes on from the first step that depends on the decision:
 ///
 ///     fact                                         decision                     from
 ///     seams are to be sewn                         sewn first                   Input
 ///     vertices to be kept need more room           count raised, or refused     Input
-///     sizes in mesh units take other counts        that count                Input
+///     sizes in mesh units need another count       the other count              Input
 ///     faces are counted, and the surface is not    vertices for its topology
 ///       a sphere                                     and its border             Input
-///     lines and borders take over half the count   of close lines the stronger  Lines
-///     they take more than all of it                longer lines only            Lines
+///     lines and borders take over half the count   drop the weaker of close
+///                                                     lines                     Lines
+///     lines take more than the whole count         longer lines only            Lines
 ///     the samples miss the count by much           radius corrected             Samples
-///     1 lines, and the count missed or a face
-///       without area                               no lines                     Lines
-///     2 smooth border, and a face without area     ragged border                Lines
-///     3 sewn seams, and a face without area        seams left open              Input
+///     1 lines, and the count missed or a
+///       degenerate face                            no lines                     Lines
+///     2 smooth border, and a degenerate face       ragged border                Lines
+///     3 sewn seams, and a degenerate face          seams left open              Input
 ///     4 count missed with vertices to be kept      nearest count, or refused    -
 ///     5 count missed                               by topology alone            Input
 ///     6 missed by topology, too                    smallest count, or refused   Input
-///     7 at few vertices a face without area        the next count, eight times  Input
+///     7 at few vertices a degenerate face          the next count, eight times  Input
 ///     crowded lines after the fit                  lines released               Release
-///     contacts but above the count                 that count, or refused       -
-///     error beyond the goal at single places       vertices there, 3 times      Contacts
-///     error beyond the goal, or far within it      another count, 5 trials      Region
-///     refused at up to 64 vertices                 is the count that is named
-///                                                  to be had?                   Region
+///     no contacts, but above the count             larger count, or refused     -
+///     error above the bound at single places       vertices there, 3 times      Contacts
+///     error above the bound, or far below it       another count, 5 trials      Region
+///     refused at up to 64 vertices                 test of the count in the
+///                                                    refusal                    Region
 ///
-/// Where faces are counted all rules compare these, and an odd number of a closed surface is
-/// refused once the number below it was reached, so that what the refusal names can be had.
+/// With a target of faces all rules compare face counts. A closed surface has no odd number of
+/// faces: the plan aims at the number below, then refuses, so that the refusal names two possible
+/// numbers.
 ///
-/// Rules 5 and 6: samples of the right spacing, if they lead to a count, make better triangles than
-/// topology alone, so that a raised count is meshed anew. Rule 7: with very few vertices some
-/// triangles may have no way but along a slit or a fold, where they have no area. The next count
-/// that does better is taken where the target was a wish; else the count that was asked for is
-/// refused and the other one named. Where there is none the mesh is accepted, and the audit
-/// withholds it.
+/// Rules 5 and 6: samples with the right spacing make better triangles than topology alone, so that
+/// a raised count is meshed anew. Rule 7: with very few vertices some triangles may lie along a
+/// slit or a fold and have no area. If the target is a wish, the next count with areas everywhere
+/// is taken; else the run refuses the wanted count and names the next count. If no such count is
+/// found, the plan accepts the mesh, and the audit withholds the mesh.
 ///
-/// All that begins again is counted for the whole run: after mostReturns no rule returns any more,
-/// and the mesh at hand is taken or refused.
+/// All returns count for the whole run: after mostReturns no rule returns, and the plan takes or
+/// refuses the mesh at hand.
 class Plan {
 public:
 	static constexpr int mostReturns = 100;
@@ -207,9 +209,9 @@ public:
 
 	Step             next() const { return step_; }
 	const Decisions& decisions() const { return decisions_; }
-	/// Whether the next step begins with the input as given, for a mesh of its own.
+	/// Whether the next step begins a new mesh from the input.
 	bool beginsRun() const { return beginsRun_; }
-	/// Of all the work, what the run under way does.
+	/// The share of all work that belongs to the run under way.
 	WorkShare share() const;
 
 	std::string judge(const NoFacts& facts);
@@ -226,18 +228,18 @@ public:
 	std::string judge(const RefinementFacts& facts);
 	std::string judge(const ErrorFacts& facts);
 	std::string judge(const ExportFacts& facts);
-	/// A step failed. Throws the failure that the run ends with, unless a count that can be had is
-	/// looked for first.
+	/// Judges the failure of a step. Throws the failure that ends the run, unless the plan first
+	/// looks for a possible count.
 	void judge(const Failure& failure);
 
-	/// Whether what was exported last is the best so far.
+	/// Whether the last export is the best result so far.
 	bool isBest() const { return isBest_; }
-	/// With a goal: the goal itself.
+	/// The error bound. Needs a goal.
 	const ErrorGoal& goal() const { return *request_.goal; }
-	/// With a goal: meshes that were made for it.
+	/// The number of meshes made for the goal.
 	int trialNum() const { return trialNum_; }
-	/// With a goal: what the user reads of it at the end. Throws Failure where it was not met and
-	/// that is no wish.
+	/// The sentence about the goal at the end of the run. Throws Failure if no mesh met the goal,
+	/// unless the options allow the nearest mesh. Needs a goal.
 	std::string outcomeForError() const;
 
 private:
@@ -248,35 +250,35 @@ private:
 	bool                       beginsRun_ = true;
 	int                        returnNum_ = 0; ///< of the whole run
 
-	/// What the rules know of the attempts at one count.
+	/// The attempts at one count.
 	struct Attempts {
-		bool         isCountChosen = false; ///< here; else it follows from the options and the area
-		std::int64_t keptNum       = -1; ///< the caller's vertices that are to stay; -1: not known
-		std::int64_t preparedFor   = 0;  ///< spacedFor() of the surface at hand
-		bool         followLines   = false; ///< the sizes at hand do: see SizeFacts
-		std::int64_t asked         = 0; ///< vertices that the result is compared with; 0: not known
-		bool         isRaised      = false; ///< to the smallest count that topology came to
+		bool         isCountChosen = false; ///< by the plan, not by the options and the area
+		std::int64_t keptNum       = -1;    ///< vertices of the input that must stay; -1: not known
+		std::int64_t preparedFor   = 0;     ///< spacedFor() of the surface at hand
+		bool         followLines   = false; ///< see SizeFacts
+		std::int64_t asked         = 0;     ///< vertices to compare the result with; 0: not known
+		bool         isRaised      = false; ///< to the smallest count reached by topology
 		double       area          = 0;     ///< working units squared
-		std::int64_t searchedFrom  = 0;     ///< count that the search of rule 7 began with
-		int searchedNum   = 0; ///< counts of that search, the one at hand included; 0: no search
-		int correctionNum = 0; ///< of the radius
-		int refinementNum = 0;
+		std::int64_t searchedFrom  = 0;     ///< first count of the search of rule 7
+		int          searchedNum   = 0;     ///< counts of the search so far; 0: no search
+		int          correctionNum = 0;     ///< of the radius
+		int          refinementNum = 0;
 	};
 	Attempts attempts_;
 
-	// The trials for an error.
+	// The trials for an error bound.
 	ErrorTrial trial_, best_;
 	int        trialNum_ = 0;
 	bool       isBest_   = false;
 
-	// The count that was refused, and what is known of a smaller one that can be had.
+	// The refused count, and the smaller counts that are possible.
 	std::optional<Failure> refusal_;
 	std::int64_t           smallestNum_ = 0;
-	std::int64_t           wantedFaces_ = 0; ///< of the run under way, where faces are counted
+	std::int64_t           wantedFaces_ = 0; ///< of the run under way, with a target of faces
 	std::string            refused_;         ///< "7 vertices"
-	int                    triedNum_ = 0;    ///< counts that were tried for the refusal
+	int                    triedNum_ = 0;    ///< counts tried for the refusal
 	std::vector<ExportFacts>
-		hadNums_; ///< of these, where faces are counted: the two that are named
+		hadNums_; ///< possible counts with a target of faces: the refusal names two
 
 	bool        has(Step step) const;
 	void        goOn();

@@ -16,7 +16,7 @@ void Samples::release()
 
 void Products::dropFrom(Step step)
 {
-	if (step > Step::Relaxation) return; // the steps from Fit on go on with the mesh
+	if (step > Step::Relaxation) return; // the steps from Fit on change the mesh at hand
 	result = ResultMesh();
 	curves = BoundaryCurves();
 	if (step > Step::Lines) return;

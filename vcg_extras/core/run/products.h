@@ -24,97 +24,98 @@
 
 namespace gpr {
 
-/// Per vertex of the caller's: VertexFeature bits; empty: no vertex is marked.
+/// VertexFeature bits per vertex of the input; empty: no vertex is marked.
 using FeatureMarks = std::vector<std::uint8_t>;
 
-/// The surface that is remeshed. From the step Lines on it does not change any more.
+/// The working surface. From the step Lines on it does not change.
 struct WorkingSurface : Surface {
-	double      area            = 0; ///< working units squared
-	float       callersMeanEdge = 0; ///< before edges were split, working units; 0: hardly any were
-	CleanCounts cleaned;  ///< what cleaning and connecting did, and edges that were split
-	BorderFigures border; ///< with BoundaryMode::Smooth
+	double        area            = 0; ///< working units squared
+	float         callersMeanEdge = 0; ///< before long edges were split, working units; 0: few were
+	CleanCounts   cleaned;             ///< changes by cleaning, connecting and splits of long edges
+	BorderFigures border;              ///< with BoundaryMode::Smooth
 	MeshFigures   figures;
 
 	bool isSewn() const { return cleaned.sewnEdges > 0; }
-	/// Some borders lie at one place: see shared_borders.h.
+	/// Whether some borders lie at one place: see shared_borders.h.
 	bool sharesBorders() const { return cleaned.sharedBorderEdges > 0 || mesh.meetsAtPlaces; }
 };
 
-/// How large the triangles are to be where; the sizes themselves are the surface's.
+/// The facts about local sizes. The sizes themselves are in the working surface.
 struct Sizes {
-	double radiusFactor = 1;     ///< largest disk radius over that of eq. (1): see Sizing
-	std::optional<double> adapt; ///< in force, once it is known: 0 where sizes stayed even
-	Buffer<char>          isFeatureVertex;         ///< of the region to be preserved; empty: none
-	std::vector<int>      kept;                    ///< the caller's vertices that stay
-	std::int64_t          regionVertexNum = 0;     ///< of the caller's, in the region
-	double                vertexNum       = 0;     ///< with TargetMode::Sizes: that they take
+	double radiusFactor = 1;     ///< largest disk radius over the radius of eq. (1): see Sizing
+	std::optional<double> adapt; ///< adaptivity in force; 0: even sizes; none: not known yet
+	Buffer<char>          isFeatureVertex;         ///< of the feature region; empty: no region
+	std::vector<int>      kept;                    ///< vertices of the input that must stay
+	std::int64_t          regionVertexNum = 0;     ///< vertices of the input in the region
+	double                vertexNum       = 0;     ///< count for the sizes, with TargetMode::Sizes
 	std::int64_t          clampedNum      = 0;     ///< see Sizing
 	bool                  followLines     = false; ///< see SizeFacts
 };
 
-/// The feature lines that are marked on the surface, and the samples on them and on the border.
+/// The feature lines of the working surface, and the samples on feature lines and borders.
 struct Lines {
 	CreaseFindings found;
-	std::int64_t   edgeNum = 0; ///< with given ones
-	BoundaryCurves curves;      ///< with samples, where they are known already
-	float          radius = 0;  ///< for which they were sampled; 0: not yet
+	std::int64_t   edgeNum = 0; ///< with given lines
+	BoundaryCurves curves;      ///< with samples, if the radius is known
+	float          radius = 0;  ///< disk radius of the samples; 0: no samples yet
 
-	// From the step Sizes, which asks whether there are lines.
-	bool         areKnown = false; ///< the others below and `found` are those lines
-	CreaseRules  rules;            ///< by which they were found
+	// From the step Sizes, which looks for lines before sizes are known.
+	bool         areKnown = false; ///< `found`, `rules` and `marks` come from the step Sizes
+	CreaseRules  rules;            ///< used for the search
 	Buffer<char> marks;            ///< for surface.mesh.crease
 };
 
-/// Samples of the surface, and what the retriangulation takes over from the sampling.
+/// The samples of the working surface, and the parts of the sampling that the retriangulation uses.
 struct Samples {
 	OctreeBlocks   partition;
 	BoundaryCurves curves;
 	Sampling       sampling;
-	FusedMesh      fused;          ///< with the samples of the border-edge placement, else empty
+	FusedMesh      fused;          ///< only of the border-edge placement, else empty
 	float          radius     = 0; ///< of the largest disks, working units
-	std::int64_t   spacedFor  = 0; ///< count that they were placed for
+	std::int64_t   spacedFor  = 0; ///< count for the spacing
 	std::int64_t   num        = 0;
-	std::int64_t   onCurveNum = 0; ///< of these, on borders and feature lines
+	std::int64_t   onCurveNum = 0; ///< samples on borders and feature lines
 
-	// Of samples that the caller gave: see GivenSamples.
+	// Of samples given by the user: see GivenSamples.
 	std::vector<char> isMoved;
 	std::int64_t      movedNum = 0;
 	float             farthest = 0;
 
-	/// Frees all but the figures.
+	/// Frees everything except the figures.
 	void release();
 };
 
-/// What the steps have made so far, in their order. A later product refers to earlier ones.
+/// The products of the steps so far, in the order of the steps. A later product refers to earlier
+/// products.
 struct Products {
 	FeatureMarks                  regionMarks; ///< Region
-	std::shared_ptr<CleanedInput> input;       ///< Input; Surface uses it up where it is alone
-	WorkingSurface                surface;     ///< Surface
-	Sizes                         sizes;       ///< Sizes
-	Lines                         lines;       ///< Lines
-	Samples                       samples;     ///< Samples; Triangles uses them up
-	BoundaryCurves                curves;      ///< Triangles: those that vertices lie on
-	ResultMesh                    result;      ///< Triangles to Contacts
-	std::unique_ptr<ResultMesh>   beforeFit;   ///< Fit, where feature lines may be released
-	KnownContacts                 contacts;    ///< Fit
+	std::shared_ptr<CleanedInput> input;   ///< Input; Surface consumes it if nothing else holds it
+	WorkingSurface                surface; ///< Surface
+	Sizes                         sizes;   ///< Sizes
+	Lines                         lines;   ///< Lines
+	Samples                       samples; ///< Samples; Triangles consumes the samples
+	BoundaryCurves                curves;  ///< Triangles: the curves with vertices
+	ResultMesh                    result;  ///< Triangles to Contacts
+	std::unique_ptr<ResultMesh>   beforeFit; ///< Fit, if feature lines may be released
+	KnownContacts                 contacts;  ///< Fit
 
-	// What the later steps tell.
-	std::int64_t   releasedNum = 0; ///< vertices that left crowded lines
-	float          fitDistance = 0; ///< largest of a vertex from its surface point, working units
+	// Figures of the later steps.
+	std::int64_t   releasedNum = 0; ///< vertices released from crowded lines
+	float          fitDistance = 0; ///< largest, from a vertex to its surface point, working units
 	GuardedFigures guarded;         ///< Contacts
-	bool           hasMadeVertices = false; ///< Contacts, the last time
+	bool           hasMadeVertices = false; ///< the last step Contacts made vertices
 	Verification   verified;                ///< Error (its proof), Check
 	QualityFigures quality;                 ///< Export
 
-	/// Drops what a step and later ones have made, so that its memory is free.
+	/// Frees the products of a step and of all later steps.
 	void dropFrom(Step step);
 };
 
-/// Radius of the largest disks for a count, working units.
+/// The radius of the largest disks for a count, working units.
 float usualRadius(const Products& made, const RemeshOptions& options, std::int64_t vertexNum);
-/// Edge length of the largest triangles with a count, working units.
+/// The edge length of the largest triangles for a count, working units.
 float idealEdge(const Products& made, std::int64_t vertexNum);
-/// What becomes of the border.
+/// The treatment of the border in force.
 BoundaryMode borderMode(const RemeshOptions& options, const Decisions& decisions);
 
 } // namespace gpr

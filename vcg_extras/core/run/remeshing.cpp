@@ -33,7 +33,7 @@ void requireValid(const RemeshOptions& options)
 	if (!complaints.empty()) throw Failure(Status::BadOptions, complaints.front());
 }
 
-/// The options in force.
+/// The options of the user with all defaults resolved.
 RemeshOptions resolved(const MeshView& input, Pipeline pipeline, RemeshOptions options)
 {
 	requireValid(options);
@@ -128,7 +128,8 @@ void Remeshing::beginRun()
 	setup_.run.clock.restart(plan_.share());
 }
 
-/// A later run only looks for a count that can be had: what is told is of the one that failed.
+/// Report and notes come from the run that was refused first; later runs only search a possible
+/// count.
 void Remeshing::fail(const Failure& failure)
 {
 	if (plan_.decisions().purpose == Purpose::Answer)
@@ -241,7 +242,7 @@ void detectOnly(const Call& call, FeatureResult& out)
 
 void prepareInput(const Call& call, RemeshResult& out)
 {
-	// It does about a fifth of the stages of a run, and nothing after.
+	// Without detection, the cached stages take about a fifth of the work of a run.
 	const bool      detects = call.options.featureRegion == FeatureRegion::Detected;
 	PlainRun        plain(call, Pipeline::Remeshing);
 	const TellAtEnd teller{plain, out};

@@ -32,10 +32,10 @@ struct Call {
 	const RemeshOptions&    options;
 	const ProgressCallback& progress;
 	const StopRequest*      stop  = nullptr;
-	InputCache*             cache = nullptr; ///< null: of a single run
+	InputCache*             cache = nullptr; ///< null: no other run uses the input
 };
 
-/// What every pipeline has: options in force, threads, and what they tell.
+/// The common parts of all pipelines: options in force, threads and run context.
 struct Setup {
 	const RemeshOptions options;
 	Workers             workers;
@@ -44,7 +44,7 @@ struct Setup {
 	Setup(const Call& call, Pipeline pipeline);
 };
 
-/// A pipeline without a plan: its context and what it makes.
+/// A pipeline without a plan: the setup and the products.
 struct PlainRun {
 	Setup    setup;
 	Products made;
@@ -53,13 +53,13 @@ struct PlainRun {
 	Told told() { return tellOf(setup.run, made, Decisions()); }
 };
 
-/// Hands over what a run tells at the end of a scope, whether there is a result or not.
+/// Hands over report and notes of a run at the end of a scope, with or without a result.
 template <class Run, class Result>
 struct TellAtEnd {
 	Run&    run;
 	Result& out;
 
-	/// Where memory has run out, nothing is told: what ended the run must reach the caller.
+	/// Without memory for the report nothing is told, so that the first failure reaches the caller.
 	~TellAtEnd()
 	{
 		try {
@@ -73,20 +73,21 @@ struct TellAtEnd {
 template <class Run, class Result>
 TellAtEnd(Run&, Result&) -> TellAtEnd<Run, Result>;
 
-/// One run through the steps of a plan, with the products that they make.
+/// One run through the steps of a plan, with the products of the steps.
 class Remeshing {
 public:
 	Remeshing(const Call& call, Pipeline pipeline, const Request& request);
 
-	const std::vector<Vec3d>* given   = nullptr; ///< samples in the place of our own
-	SamplingResult*           samples = nullptr; ///< where samples go that are wanted alone
+	const std::vector<Vec3d>* given   = nullptr; ///< samples of the user; null: the run samples
+	SamplingResult*           samples = nullptr; ///< output, if only samples are wanted
 
 	Step next() const { return plan_.next(); }
 	bool isDone() const { return next() == Step::Done; }
-	/// Takes the next step. Where a fact makes the plan go back, what later steps made is dropped.
-	/// Throws Failure where the run ends without a result.
+	/// Takes the next step. If the plan goes back, the products of later steps are dropped. Throws
+	/// Failure if the run ends without a result.
 	void takeStep();
-	/// With a goal, at the end: tells what its trials came to. Throws Failure where none met it.
+	/// Tells the outcome of the trials for an error bound. Throws Failure if no trial met the
+	/// bound.
 	void endTrials();
 
 	const Products&  made() const { return made_; }
@@ -96,17 +97,17 @@ public:
 
 private:
 	Setup                    setup_;
-	std::vector<std::string> firstNotes_; ///< of the options
+	std::vector<std::string> firstNotes_; ///< about the options
 	InputCache*              cache_;
 	InputCache               ownCache_; ///< for the trials of one call
 	Request                  request_;
 	Plan                     plan_;
 	Products                 made_;
-	FineSpots                spots_; ///< where the trials so far were beyond the error
+	FineSpots                spots_; ///< places beyond the error bound in the trials so far
 	RemeshResult             best_;
 	Told                     bestTold_;
-	double                   trialSeconds_ = 0; ///< of the stages of all trials
-	std::optional<Told>      refused_;          ///< of the run whose count was refused
+	double                   trialSeconds_ = 0; ///< of all stages of all trials
+	std::optional<Told>      refused_;          ///< told by the run with the refused count
 
 	template <class Facts>
 	void judge(const Facts& facts)
@@ -119,20 +120,20 @@ private:
 	void exportSamples();
 };
 
-// The pipelines. Each runs through the steps of a Plan (plan.h), and throws Failure where there is
-// no result; the report and the notes of `out` tell how far it came.
+// The pipelines. Each pipeline takes the steps of a Plan (plan.h) and throws Failure if there is no
+// result. Report and notes of `out` are set in both cases.
 
-/// The whole way from the input to the result.
+/// Remeshes the input: all steps from input to result.
 void remeshInput(const Call& call, RemeshResult& out);
-/// With TargetMode::Detail: the number of vertices that its error is forecast to take.
+/// Forecasts the number of vertices for the detail of TargetMode::Detail.
 std::int64_t forecastVertexNum(const Call& call);
-/// As far as the samples.
+/// Places samples on the input, and makes no mesh.
 void sampleInput(const Call& call, SamplingResult& out);
-/// From given points to a mesh of them.
+/// Makes a mesh of given points.
 void meshGivenSamples(const Call& call, const std::vector<Vec3d>& points, RemeshResult& out);
-/// The features alone.
+/// Detects features only.
 void detectOnly(const Call& call, FeatureResult& out);
-/// Fills the cache of the call with what runs with these options have in common.
+/// Fills the cache of the call with the products that all runs with these options share.
 void prepareInput(const Call& call, RemeshResult& out);
 
 } // namespace gpr

@@ -11,7 +11,7 @@ namespace gpr {
 
 namespace {
 
-/// That of the samples, unless another count was aimed at later, mesh units.
+/// The radius of the samples, or the radius for a later count, mesh units.
 double reportedRadius(const RunContext& run, const Products& made, const Decisions& decisions)
 {
 	const bool  isOfSamples = made.samples.spacedFor == decisions.vertexNum;

@@ -14,15 +14,15 @@
 
 namespace gpr {
 
-/// Whatever a run has to tell, in its report and its notes.
+/// The report and the notes of a run.
 struct Told {
 	RemeshReport             report;
 	std::vector<std::string> notes;
 
 	double stageSeconds() const;
-	/// Tells of the trials for an error, which took so many seconds in all.
+	/// Adds the trials for an error bound. seconds: of all trials.
 	void addTrials(double goal, int trialNum, double seconds, const std::string& outcome);
-	/// With what the run on half of a symmetric surface told: all but what the whole has, too.
+	/// Merges the report of the run on half of a symmetric surface. Figures of the whole mesh stay.
 	void addHalf(RemeshReport half);
 	template <class Result>
 	void handOver(Result& out)
@@ -32,8 +32,8 @@ struct Told {
 	}
 };
 
-/// What a run has to tell of its products. Nothing else writes a report, and nothing reads one
-/// before the run is over (scripts/check/report_reads).
+/// The report and the notes about the products of a run. No other function writes a report, and
+/// nothing reads a report before the run ends (scripts/check/report_reads).
 Told tellOf(RunContext& run, const Products& made, const Decisions& decisions);
 
 } // namespace gpr

@@ -24,25 +24,26 @@ namespace gpr {
 
 namespace {
 
-/// Angles below this are raised at the end.
+/// Smaller angles are raised at the end, degrees.
 constexpr float poorAngleDeg = 32;
-/// Where all sizes follow the error closeness comes first: what is left of the weight of the
-/// triangles' shape in the fit, and the angles that the fit and the last pass hold.
+/// If all sizes follow the error, distance matters more than shape: factor on the shape weight of
+/// the fit, and the smallest angle that the fit and the repair keep, degrees.
 constexpr double adaptedShapeWeight = 0.5;
 constexpr float  adaptedAngleDeg    = 30;
-/// Rounds of the fit, and of the quick one; a fourth takes 1 to 3 % off the error where sizes are
-/// nearly the same everywhere, and as much again where they follow it.
+/// Rounds of the fit; quick: with the preset fast-fitted. A fourth round lowers the error by 1 to 3
+/// % with nearly equal sizes, and by twice as much with sizes that follow the error.
 constexpr int fitRounds        = 3;
 constexpr int adaptedFitRounds = 4;
 constexpr int quickFitRounds   = 2;
-/// Rounds of lowering the largest distances where they matter; one of them takes a fifth off.
+/// Rounds against the largest distances, if these matter. A round lowers the largest distance by a
+/// fifth.
 constexpr int manyWorstRounds = 4;
 
-/// Where lines were released, no point of a face gets farther than this from the surface while
-/// angles are raised, in ideal edges, or than the largest distance that the fit left.
+/// After a release of lines: the largest distance of a point of a face from the surface while
+/// angles are raised, in ideal edges. A smaller distance left by the fit is the limit instead.
 constexpr float maxReleasedGap = 0.3f;
-/// A mesh without these lines may be so much farther from the input than the one before the fit, or
-/// so far, in ideal edges: nobody sees that.
+/// Limits for a mesh with released lines: the distance from the input may grow by this factor over
+/// the mesh before the fit, and distances below the other two, in ideal edges, are invisible.
 constexpr double mostFarther = 1.02;
 constexpr double nearMean = 0.015, nearMost = 0.3;
 
@@ -53,7 +54,7 @@ float minAngleDeg(const RemeshOptions& options)
 
 // ---- Relaxation.
 
-/// The paper's post-processing: umbrella and flips in turn.
+/// The paper's post-processing: umbrella smoothing and flips in turn.
 void smoothAsWritten(RunContext& run, Products& made)
 {
 	for (int step = 0; step < run.options.umbrellaSteps; ++step) {
@@ -92,8 +93,8 @@ void relax(RunContext& run, Products& made)
 
 // ---- Fit and angles.
 
-/// Lines that the caller gave, or all that turn by an angle, stay: textures, selections and regions
-/// hang on them. Without a fit nothing would draw what is released to the sharp edge again.
+/// Given lines and lines of FeatureMode::Lines stay, because textures, selections and regions
+/// depend on the lines. Without a fit, released vertices would not return to the crease edge.
 bool mayReleaseLines(const RunContext& run)
 {
 	return run.options.preset == Preset::Default && isFitted(run.options) &&
@@ -105,7 +106,7 @@ bool areLinesCrowded(RunContext& run, const ResultMesh& result)
 	return areLinesCrowded(minAngleDeg(run.options), result, run.workers);
 }
 
-/// How far the input and a mesh are from each other, in ideal edges.
+/// The distance between the input and a mesh, in ideal edges.
 SurfaceDistance distanceFromInput(RunContext& run, const WorkingSurface& surface,
 								  const ResultMesh& result)
 {
@@ -115,8 +116,9 @@ SurfaceDistance distanceFromInput(RunContext& run, const WorkingSurface& surface
 		.times(1 / double(result.idealEdge));
 }
 
-/// Whether a mesh whose lines were released is farther from the input than it was before the fit,
-/// on the mean or at most, and farther than is near enough.
+/// Whether a mesh with released lines is too far from the input, by root mean square or at most:
+/// farther than nearMean or nearMost, and farther than the mesh before the fit by the factor
+/// mostFarther.
 bool hasLostSurface(RunContext& run, const WorkingSurface& surface, const ResultMesh& released,
 					const ResultMesh& start)
 {
@@ -127,9 +129,9 @@ bool hasLostSurface(RunContext& run, const WorkingSurface& surface, const Result
 		   of.max > std::max(nearMost, mostFarther * before.max);
 }
 
-/// What the fit leaves for the repair of poor faces.
+/// The products of the fit for the repair of poor faces.
 struct Fitted {
-	std::unique_ptr<ClosestFaceMap> map;            ///< of the last round, if there was one
+	std::unique_ptr<ClosestFaceMap> map;            ///< of the last round; null without a fit
 	float                           largestGap = 0; ///< see FitOutcome
 };
 
@@ -139,7 +141,7 @@ Fitted fit(RunContext& run, const Decisions& decisions, Products& made)
 	run.clock.enter(Stage::Fit);
 	returnReleasedMemory(); // this stage sets the peak
 	FitSettings settings = fitSettings(run.options, decisions.purpose == Purpose::Trial);
-	// Regions shall keep their areas.
+	// Curves between regions keep the areas of the regions.
 	if (run.input.hasManyRegions()) settings.curveFit = CurveFit::Mean;
 	FitOutcome outcome = fitToInput(made.surface, made.curves, settings, made.result, run.workers);
 	if (outcome.capped) run.tellCap("moves of the fit");
@@ -148,7 +150,7 @@ Fitted fit(RunContext& run, const Decisions& decisions, Products& made)
 	return {std::move(outcome.map), outcome.largestGap};
 }
 
-/// How far faces may get from the surface while angles are raised; 0: not limited.
+/// The largest distance of faces from the surface while angles are raised; 0: no limit.
 float maxGapAfter(const Products& made, float largestGap)
 {
 	if (made.releasedNum == 0) return 0;
@@ -170,7 +172,7 @@ void fitAndRepair(RunContext& run, const Decisions& decisions, Products& made)
 	poor.maxGap     = maxGapAfter(made, fitted.largestGap);
 	if (!repairPoorFaces(made.surface, made.curves, poor, fitted.map, made.result, run.workers))
 		run.tellCap("changes for small angles");
-	// Vertices have come and gone.
+	// The repair made and removed vertices.
 	if (isFitted(run.options)) made.fitDistance = farthestFromSurface(made.result);
 }
 
@@ -187,11 +189,11 @@ FitSettings fitSettings(const RemeshOptions& options, bool countsLargest)
 	return settings;
 }
 
-/// Chains of flips shear triangles; a relaxation before each round gives them room.
+/// Chains of flips shear triangles; a relaxation before each round gives room for the flips.
 void relaxAndGlide(RunContext& run, const Surface& surface, const BoundaryCurves& curves,
 				   ResultMesh& result)
 {
-	constexpr int rounds = 2; // one leaves a worse smallest angle, four gain nothing
+	constexpr int rounds = 2; // 1 leaves a worse smallest angle, 4 gain nothing
 	for (int round = 0; round < rounds; ++round) {
 		relaxOnce(surface, result, run.workers);
 		slideAlongCreases(surface, curves, result);
@@ -245,8 +247,8 @@ NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products
 
 namespace {
 
-/// Vertices that are made anew are as many as those before, but where some of the border are among
-/// them there may be other faces. These are made up for elsewhere.
+/// Made vertices keep the vertex count, but patches on the border may change the face count. Most
+/// rounds that restore the face count.
 constexpr int countRounds = 3;
 
 bool missesFaces(const Decisions& decisions, const Products& made, const ContactOutcome& outcome)
@@ -297,8 +299,8 @@ void tellMade(RunContext& run, const Products& made)
 
 namespace {
 
-/// Single edges with more than two faces are faults of a scan; curves of them longer than some
-/// edges are meant.
+/// Tells about cut junctions that are longer than some edges. Shorter junctions are faults of a
+/// scan.
 void tellCutJunctions(RunContext& run, const Products& made)
 {
 	constexpr double leastEdges = 3;

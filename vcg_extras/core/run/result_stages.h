@@ -12,40 +12,40 @@
 
 namespace gpr {
 
-// From a mesh with the right count to the result.
+// From a mesh with the wanted count to the result.
 
-/// The fit's settings for the options. countsLargest: the largest distance is what the user asked
-/// for.
+/// The settings of the fit for the options. countsLargest: the target is the largest distance.
 FitSettings fitSettings(const RemeshOptions& options, bool countsLargest);
 
-/// The first half of the regular way: relaxes, and lets dislocations glide together.
+/// The first half of the relaxation of the default preset: relaxes the mesh, and lets dislocations
+/// glide together.
 void relaxAndGlide(RunContext& run, const Surface& surface, const BoundaryCurves& curves,
 				   ResultMesh& result);
 
-/// Step Relaxation: makes the triangles regular on the surface, by the smoothing and the regularity
-/// that the options choose; last the inverted faces are repaired.
+/// Step Relaxation: makes the triangles regular on the surface, by the method of the preset, then
+/// repairs inverted faces.
 MeshFacts relaxTriangles(RunContext& run, Products& made);
 
-/// Step Fit: the last to move all vertices: the steps before walk on the surface, which this one
-/// leaves. Then the worst angles are raised, with or without a fit.
+/// Step Fit: fits the mesh to the input, if the options ask for a fit, then raises the smallest
+/// angles. The fit is the last step to move all vertices; vertices leave the surface in this step.
 FitFacts fitResult(RunContext& run, const Decisions& decisions, Products& made);
 
-/// Step Release: feature lines that are too close to each other for good angles are released, and
-/// the fit begins anew. Without some lines the surface may be lost; then the result stays as it
-/// was.
+/// Step Release: releases feature lines that are too close to each other for good angles, and fits
+/// the mesh from before the fit again. If the mesh is then too far from the surface, the result
+/// stays as before the step.
 NoFacts releaseLinesAndFit(RunContext& run, const Decisions& decisions, Products& made);
 
-/// Step Contacts: takes self-intersections out of the result where the options ask for that.
+/// Step Contacts: removes self-intersections from the result, if the options ask for that.
 ContactFacts removeContacts(RunContext& run, const Decisions& decisions, Products& made);
 
-/// Tells the user of vertices that the step Contacts has just made.
+/// Tells the user about vertices made by the last step Contacts.
 void tellMade(RunContext& run, const Products& made);
 
-/// Step Check: audits the result, thoroughly where the options ask for it. Throws Failure where a
-/// promise is broken.
+/// Step Check: audits the result, thoroughly if the options ask for that. Throws Failure if the
+/// result breaks a promise.
 NoFacts checkResult(RunContext& run, const Decisions& decisions, Products& made);
 
-/// Step Export: writes the mesh in the caller's frame.
+/// Step Export: writes the mesh in the frame of the input.
 ExportFacts exportMesh(RunContext& run, Products& made, RemeshResult& out);
 
 } // namespace gpr

@@ -24,9 +24,9 @@ namespace gpr {
 
 namespace {
 
-/// Whether it matters by how much the first go misses the count. Ridges and thin parts hold fewer
-/// disks than their area lets expect, on scans up to a tenth of all. Where sizes follow the error
-/// most, small disks lie just there, and the splits that make up for them would fall elsewhere.
+/// Whether the first sampling may miss the count by much. Ridges and thin parts hold fewer disks
+/// than the area lets expect, on scans up to a tenth of all disks. With sizes that follow the
+/// error, small disks are missing there, and later splits would fall elsewhere.
 bool mayMissCount(const RemeshOptions& options, const Products& made)
 {
 	const bool hasErrorSizes = options.adapt >= 0.5 && !made.surface.size.empty();
@@ -34,7 +34,8 @@ bool mayMissCount(const RemeshOptions& options, const Products& made)
 		   made.surface.mesh.hasCreases() || !made.sizes.kept.empty();
 }
 
-/// The paper's placement fuses its samples into a mesh, which the removal of vertices goes on with.
+/// Places samples by the method of the paper, which also fuses the samples into a mesh. The removal
+/// of vertices uses the mesh.
 void sampleOnBorderEdges(RunContext& run, const Decisions& decisions, const Buffer<char>& first,
 						 Products& made)
 {
@@ -49,7 +50,7 @@ void sampleOnBorderEdges(RunContext& run, const Decisions& decisions, const Buff
 	made.samples.fused    = std::move(placed.fused);
 }
 
-/// Where anything of the result will be named by the caller's faces, these are still needed.
+/// Frees the source faces, unless the result refers to faces of the input.
 void releaseSources(const RemeshOptions& options, Products& made)
 {
 	const bool areNeeded = options.surfacePointsOfVertices || options.surfacePointsOfFaces ||
@@ -57,8 +58,8 @@ void releaseSources(const RemeshOptions& options, Products& made)
 	if (!areNeeded) made.surface.sourceFace.release();
 }
 
-/// How many samples are copies of others, where sheets meet: all of these lie on curves, but for
-/// those of vertices where sheets only touch.
+/// The number of samples that are copies of other samples at junctions. All copies lie on curves,
+/// except at vertices at which sheets only touch.
 std::int64_t copiesAmong(const Sampling& sampling, const Surface& surface)
 {
 	if (!surface.mesh.meetsAtPlaces) return 0;
@@ -69,7 +70,7 @@ std::int64_t copiesAmong(const Sampling& sampling, const Surface& surface)
 	return places.end() - std::unique(places.begin(), places.end());
 }
 
-/// The mesh that the border-edge placement fused its samples into, or one made now.
+/// The mesh fused by the border-edge placement, or a mesh fused now.
 FusedMesh fusedMesh(RunContext& run, Products& made)
 {
 	if (!made.samples.fused.sampleVertex.empty()) return std::move(made.samples.fused);
@@ -81,8 +82,8 @@ FusedMesh fusedMesh(RunContext& run, Products& made)
 OctreeBlocks cutForSampling(RunContext& run, const Decisions& decisions, float radius,
 							const Surface& surface)
 {
-	// Least width of a block in r. Fewer, larger blocks mean fewer seams in the packing; few
-	// samples fill too few of them for all threads to have work.
+	// Least width of a block, in radii. Larger blocks leave fewer seams in the packing, but few
+	// samples would leave threads without a block.
 	constexpr float        blockWidth = 20, smallBlockWidth = 12;
 	constexpr std::int64_t fewSamples = 100000;
 	const float width = decisions.spacedFor() < fewSamples ? smallBlockWidth : blockWidth;
@@ -185,7 +186,7 @@ CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& mad
 
 void separateSheets(RunContext& run, const Decisions& decisions, Products& made)
 {
-	constexpr int rounds = 8; // the vertices that come in are made up for, which may go wrong again
+	constexpr int rounds = 8; // the collapses for added vertices may make false edges again
 	if (!made.surface.mesh.meetsAtPlaces) return;
 	for (int round = 0; round < rounds; ++round) {
 		if (splitFalseEdges(made.surface, made.result, run.workers) == 0) return;

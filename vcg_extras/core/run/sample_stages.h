@@ -11,32 +11,33 @@
 
 namespace gpr {
 
-// From the surface to a mesh with the right count.
+// From the surface to a mesh with the wanted count.
 
-/// Blocks of the surface that are sampled by themselves, for disks of a radius.
+/// Cuts the surface into blocks that are sampled independently, for disks of a radius.
 OctreeBlocks cutForSampling(RunContext& run, const Decisions& decisions, float radius,
 							const Surface& surface);
 
-/// Step Samples: places samples of about the wanted number, in the way that the options choose.
+/// Step Samples: places about the wanted number of samples, by the method of the preset.
 SampleFacts placeSamples(RunContext& run, const Decisions& decisions, Products& made);
 
-/// Step GivenSamples: takes the caller's points in the place of samples of our own. Throws Failure
-/// where one is not finite.
+/// Step GivenSamples: takes the points of the user as samples. Throws Failure if a point is not
+/// finite.
 NoFacts takeGivenSamples(RunContext& run, const Decisions& decisions,
 						 const std::vector<Vec3d>& points, Products& made);
 
-/// Step Triangles: from samples to a mesh of them, in the way that the options choose, and the
-/// first flips.
+/// Step Triangles: connects the samples to a mesh by the method of the preset, and flips edges a
+/// first time.
 NoFacts connectSamples(RunContext& run, const Decisions& decisions, Products& made);
 
 /// Step Count: splits and collapses edges until the mesh has the wanted count.
 CountFacts reachCount(RunContext& run, const Decisions& decisions, Products& made);
 
-/// Where sheets meet: splits edges that would become one with those of other sheets, and makes up
-/// for the count.
+/// Splits edges of one sheet that would coincide with edges of other sheets at a junction, then
+/// restores the count. Does nothing without junctions.
 void separateSheets(RunContext& run, const Decisions& decisions, Products& made);
 
-/// Edge flips, in so many passes at most as the options say.
+/// Flips edges. The preset paper limits the number of passes; other presets flip until all edges
+/// are Delaunay.
 void flipEdges(RunContext& run, ResultMesh& result);
 
 } // namespace gpr

@@ -28,19 +28,19 @@ namespace gpr {
 
 namespace {
 
-/// Connected feature lines shorter than this in all are dropped; in ideal edges.
+/// Shorter connected feature lines are dropped, total length in ideal edges.
 constexpr float minLineLength = 3;
-/// But for the rims of holes, and other loops, down to this.
+/// The same for loops, like the rims of holes.
 constexpr float minLoopLength = 1.5f;
-/// Of two feature lines nearer to each other than this the weaker is dropped; in ideal edges. The
-/// second where lines and borders take more than half of the vertices.
+/// Gap between two feature lines, in ideal edges, below which the weaker line is dropped. The
+/// second gap applies if lines and borders take more than half of the vertices.
 constexpr float minLineGap = 0.15f, minCrowdedGap = 0.3f;
-/// Share of the vertices that lines given by the caller may take, with borders and feature lines.
+/// The largest share of the vertices on borders, feature lines and given lines together.
 constexpr double maxOnGivenLines = 0.5;
 
 // ---- The feature region.
 
-/// Which of the caller's vertices make the region, null for none.
+/// Marks of the input vertices in the feature region; null: no region.
 const std::uint8_t* regionMarks(const RunContext& run, const FeatureMarks& detected)
 {
 	if (run.options.featureRegion == FeatureRegion::Selection) return run.input.selected;
@@ -70,7 +70,7 @@ void findRegionOnSurface(RunContext& run, Products& made)
 	}
 }
 
-/// The region may have been chosen by what is selected: the user shall see which it is.
+/// Names the region to the user, because marks of the input may have chosen the region.
 void tellRegion(RunContext& run, const Sizes& sizes)
 {
 	if (sizes.regionVertexNum == 0) return;
@@ -81,8 +81,8 @@ void tellRegion(RunContext& run, const Sizes& sizes)
 
 // ---- Feature lines.
 
-/// The seams that tell creases from noise: not where most edges were seams, as then the pieces were
-/// single faces, and say nothing.
+/// The seams that distinguish creases from noise. None if most edges were seams: the pieces were
+/// single faces then, and tell nothing about creases.
 std::vector<int> tellingSeams(RunContext& run, const WorkingSurface& surface)
 {
 	constexpr double   mostPerFace = 0.75; // every second edge
@@ -95,7 +95,8 @@ std::vector<int> tellingSeams(RunContext& run, const WorkingSurface& surface)
 CreaseRules creaseRules(RunContext& run, const Decisions& decisions, const Products& made)
 {
 	const RemeshOptions& options = run.options;
-	// Lines that sizes follow are looked for by the edge that they were found by.
+	// If sizes follow lines, the lines shall be the same as before the sizes: the rules use the
+	// same edge length.
 	const float edge = made.sizes.followLines ? evenEdge(made.surface.area, decisions.spacedFor())
 											  : idealEdge(made, decisions.spacedFor());
 	CreaseRules rules;
@@ -115,8 +116,8 @@ CreaseRules creaseRules(RunContext& run, const Decisions& decisions, const Produ
 	return rules;
 }
 
-/// Whether lines that were looked for before the sizes were known are those that are to be
-/// followed: longer edges, which larger sizes have, leave no more of them.
+/// Whether the lines found before the sizes are the lines to follow. The longer edges of larger
+/// sizes add no lines.
 bool areAsKnown(const CreaseRules& rules, const Lines& known)
 {
 	if (!known.areKnown) return false;
@@ -125,7 +126,7 @@ bool areAsKnown(const CreaseRules& rules, const Lines& known)
 			   : rules.minLength == known.rules.minLength && rules.minGap == known.rules.minGap;
 }
 
-/// Whether feature lines leave place for triangles of other sizes between them.
+/// Whether feature lines leave room for triangles of other sizes between the lines.
 bool leavePlace(const Buffer<char>& marks, const Decisions& decisions, const Products& made)
 {
 	constexpr double    mostOnLines = 0.35; // of the vertices
@@ -138,7 +139,7 @@ bool leavePlace(const Buffer<char>& marks, const Decisions& decisions, const Pro
 	return along / 2 < mostOnLines * double(num) * double(evenEdge(made.surface.area, num));
 }
 
-/// Looks for lines before the sizes are known, and keeps what is found for the step Lines.
+/// Finds lines before the sizes, and keeps the lines for the step Lines.
 bool hasFeatureLines(RunContext& run, const Decisions& decisions, Products& made)
 {
 	Lines lines;
@@ -150,7 +151,7 @@ bool hasFeatureLines(RunContext& run, const Decisions& decisions, Products& made
 	return made.lines.found.edgeNum > 0;
 }
 
-/// Of the wanted vertices, that borders and feature lines take.
+/// The share of the wanted vertices on borders and feature lines.
 double shareOf(const BoundaryCurves& curves, const Decisions& decisions)
 {
 	return double(curves.samples.size()) / double(decisions.spacedFor());
@@ -170,7 +171,7 @@ void requireWantedEdges(const MeshView& input)
 	}
 }
 
-/// What the caller wants at the vertices of the surface, working units; empty: nothing.
+/// The wanted edge lengths at the vertices of the surface, working units; empty: no wishes.
 Buffer<float> wantedEdges(RunContext& run, const Surface& surface)
 {
 	Buffer<float> wanted;
@@ -199,7 +200,7 @@ Sizing findSizes(RunContext& run, const Decisions& decisions, const FineSpots& s
 	findRegionOnSurface(run, made);
 	RemeshOptions      options = run.options;
 	const std::int64_t num     = decisions.spacedFor();
-	if (decisions.purpose == Purpose::Forecast) options.adapt = 0; // sizes are looked for here
+	if (decisions.purpose == Purpose::Forecast) options.adapt = 0; // a forecast finds the sizes
 	const bool  hasLines = options.adapt > 0 && hasFeatureLines(run, decisions, made);
 	const float uniform =
 		float(diskRadius(made.surface.area, double(num), radiusConstant(options)));
@@ -217,7 +218,7 @@ Sizing findSizes(RunContext& run, const Decisions& decisions, const FineSpots& s
 					  made.surface, run.workers);
 }
 
-/// Splits what is too long for small triangles. The sizes go with the vertices.
+/// Splits edges that are too long for small triangles. New vertices get sizes, too.
 void splitForSizes(RunContext& run, float longest, std::int64_t vertexNum, Products& made)
 {
 	WorkingSurface&        surface   = made.surface;
@@ -234,7 +235,7 @@ void splitForSizes(RunContext& run, float longest, std::int64_t vertexNum, Produ
 	findRegionOnSurface(run, made);
 }
 
-/// Gives the surface its sizes, and the largest disks the radius that goes with them.
+/// Gives the surface its sizes, and the largest disks the radius for the sizes.
 void setSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots, Products& made)
 {
 	Sizing sizing = findSizes(run, decisions, spots, made);

@@ -10,32 +10,33 @@
 
 namespace gpr {
 
-// What is found out about the working surface before it is sampled.
+// The steps that examine the working surface before the sampling.
 
-/// The paper's removal of vertices knows no curves but the border.
+/// Whether feature lines are followed: not with the preset paper, whose removal of vertices knows
+/// no curves except the border.
 bool followsFeatureLines(const RemeshOptions& options);
 
-/// Step Sizes: finds the feature region and how large triangles are to be where, and splits edges
-/// that are too long for small triangles. The sizes go with the vertices. spots: where an error
-/// asks for smaller triangles. Throws Failure where the selection is to be preserved and empty.
+/// Step Sizes: finds the feature region and the local sizes, and splits edges that are too long for
+/// small triangles. The sizes are attached to the vertices. spots: places where an error bound
+/// needs smaller triangles. Throws Failure if the selection is the feature region and is empty.
 SizeFacts makeSizes(RunContext& run, const Decisions& decisions, const FineSpots& spots,
 					Products& made);
 
-/// Step Forecast: the count with which triangles would be as flat as an error asks for, but for few
-/// of them.
+/// Step Forecast: forecasts the count with triangles as flat as the error bound needs, except for a
+/// few triangles.
 ForecastFacts forecastCount(RunContext& run, const Decisions& decisions, const ErrorGoal& goal,
 							Products& made);
 
-/// Step Lines: marks the feature lines that the surface has by itself. From here on the surface
-/// does not change any more. With each higher line limit fewer are marked: first the weaker one of
-/// two close lines is left out, then the shorter ones.
+/// Step Lines: marks the feature lines found on the surface. The surface does not change after this
+/// step. A higher line limit leaves fewer lines: first without the weaker of two close lines, then
+/// also without the shorter lines.
 LineFacts findLines(RunContext& run, const Decisions& decisions, Products& made);
 
-/// Step GivenLines: adds the caller's own lines where they leave enough vertices to the surface
-/// between them. Throws Failure where all lines are to be the caller's and there are none.
+/// Step GivenLines: adds the lines of the user, if the lines leave enough vertices for the surface
+/// between them. Throws Failure if the options allow given lines only and there are none.
 NoFacts followGivenLines(RunContext& run, const Decisions& decisions, Products& made);
 
-/// Samples of border and feature lines for disks of a radius, working units.
+/// Samples borders and feature lines for disks of a radius, working units.
 BoundaryCurves sampleCurves(const RunContext& run, const Decisions& decisions, float radius,
 							const Products& made);
 

@@ -20,13 +20,13 @@ namespace gpr {
 
 namespace {
 
-/// The largest mismatch of an input and its mirror image, of the diagonal.
+/// The largest mismatch of an input and its mirror image, as a share of the diagonal.
 constexpr double mostMismatch = 1e-3;
-/// Of the largest error asked for, what the half may take; the rest is for rounding.
+/// The share of the error bound for the half; the rest is for rounding.
 constexpr double shareOfError = 0.98;
-/// Shares of the work that are done before the half is remeshed, and after that.
+/// Shares of the work before and after the remeshing of the half.
 constexpr WorkShare ofHalf = {0.21, 0.98};
-/// Runs for one count: where the border is open, how many vertices it takes is not known before.
+/// Runs for one count: the number of vertices on an open border is known only after a run.
 constexpr int mostRuns = 8;
 
 std::string number(double x)
@@ -49,7 +49,7 @@ std::string nameOf(const MirrorPlane& plane)
 		   ") at " + number(plane.at);
 }
 
-/// Makes a symmetric result. What is looked up of the whole surface is in `run` and `surface`.
+/// Makes a symmetric result. `run` and `surface` belong to the whole surface.
 class SymmetricRun {
 public:
 	SymmetricRun(const Call& call, RunContext& run, Products& made) :
@@ -88,13 +88,13 @@ private:
 	FoundPlane              found_;
 	MirrorHalf              half_;
 	MeshView                view_;
-	RemeshResult            ofRun_; ///< of the half, the last one
+	RemeshResult            ofRun_; ///< last result of the half
 	// Of the half.
 	std::int64_t euler_      = 0;     ///< Euler characteristic
-	std::int64_t arcNum_     = 0;     ///< pieces of border on the plane that are no loops
-	double       openLength_ = 0;     ///< of the border that is not on the plane, mesh units
-	std::int64_t openEdges_  = 0;     ///< on that in the result, about
-	bool         isWish_     = false; ///< the count is
+	std::int64_t arcNum_     = 0;     ///< open chains of border on the plane
+	double       openLength_ = 0;     ///< of the border off the plane, mesh units
+	std::int64_t openEdges_  = 0;     ///< of the same border in the result, about
+	bool         isWish_     = false; ///< whether another count may be taken
 
 	const RemeshOptions& options() const { return call_.options; }
 	double               diagonal() const { return surface_.figures.diagonal; }
@@ -115,7 +115,7 @@ private:
 						  " from the surface; at most .1 % is allowed.");
 	}
 
-	/// The half and its image must be what the whole is.
+	/// Half and mirrored half together must have the topology of the whole.
 	void requireSameTopology() const
 	{
 		const TriangleMesh mesh{half_.positions, half_.triangles};
@@ -141,7 +141,7 @@ private:
 		return coordinate(positions[std::size_t(v)], found_.plane.heightAxis()) == 0;
 	}
 
-	/// Border of the half, on the plane and elsewhere.
+	/// The border of the half: edges on the plane and other edges.
 	struct HalfBorder {
 		std::int64_t onPlane = 0, open = 0; ///< edges
 		double       openLength = 0;        ///< mesh units
@@ -225,8 +225,8 @@ private:
 		return 2 * std::int64_t(ofRun_.mesh.vertexNum()) - planeVertexNum(ofRun_.mesh);
 	}
 
-	/// Of the whole, with so many faces of the half and so many edges of its open border:
-	/// F = 2 V - B - 2 χ, and on the plane are B - openEdges + arcs vertices.
+	/// The vertices of the whole for a number of faces of the half: F = 2 V - B - 2 χ, and B -
+	/// openEdges + arcs vertices lie on the plane.
 	std::int64_t verticesFor(std::int64_t faceNum) const
 	{
 		return faceNum + 2 * euler_ + openEdges_ - arcNum_;
@@ -273,7 +273,7 @@ private:
 		remeshHalf(o);
 	}
 
-	/// Remeshes the half to so many faces.
+	/// Remeshes the half to a number of faces.
 	void remeshToFaces(std::int64_t faceNum)
 	{
 		RemeshOptions o = optionsOfHalf();
@@ -283,7 +283,7 @@ private:
 		remeshHalf(o);
 	}
 
-	/// smallest: vertices, where fewer were asked for than the topology needs; else 0.
+	/// smallest: vertex count that the topology needs, if the user asked for fewer; else 0.
 	[[noreturn]] static void refuse(const std::string& asked, const std::string& what,
 									std::int64_t lower, std::int64_t upper, std::int64_t smallest)
 	{
@@ -301,7 +301,7 @@ private:
 		return failure.nextFaceNum > 0 ? failure.nextFaceNum : failure.smallestFaceNum + 2;
 	}
 
-	/// Vertices of the whole that a refusal for too few tells to ask for; 0 for other refusals.
+	/// The vertex count of the whole for the smallest count of a refusal; 0 for other refusals.
 	std::int64_t smallestOf(const Failure& failure) const
 	{
 		return failure.status == Status::CountTooSmall ? verticesFor(failure.smallestFaceNum) : 0;
@@ -375,7 +375,7 @@ private:
 		made_.fitDistance = farthestFromSurface(made_.result);
 	}
 
-	/// The halves have none each.
+	/// Neither half has contacts; the joined halves may have.
 	void requireNoContacts(const HalfEdgeMesh& mesh)
 	{
 		if (!run_.options.guard) return;
@@ -429,7 +429,7 @@ private:
 void remeshSymmetric(const Call& call, RemeshResult& out)
 {
 	RemeshOptions ofWhole    = call.options;
-	ofWhole.featureRegion    = FeatureRegion::None; // it is looked for on the half
+	ofWhole.featureRegion    = FeatureRegion::None; // found on the half
 	ofWhole.featureDiskScale = 0;
 	PlainRun        plain({call.input, ofWhole, call.progress, call.stop, call.cache},
 						  Pipeline::Remeshing);

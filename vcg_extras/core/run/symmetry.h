@@ -7,10 +7,10 @@
 
 namespace gpr {
 
-/// A symmetric mesh of a symmetric surface: the plane is found and the surface compared with its
-/// mirror image (input/mirror_half.h); the half above the plane is remeshed (remeshInput), joined
-/// to its image (output/mirror_joining.h), and checked as a whole. Throws Failure where the surface
-/// is not symmetric, or the count cannot be had.
+/// Makes a symmetric mesh of a symmetric surface: finds the plane and compares the surface with its
+/// mirror image (input/mirror_half.h), remeshes the half above the plane (remeshInput), joins the
+/// half with the mirrored half (output/mirror_joining.h), and checks the whole. Throws Failure if
+/// the surface is not symmetric or the count is not possible.
 void remeshSymmetric(const Call& call, RemeshResult& out);
 
 } // namespace gpr

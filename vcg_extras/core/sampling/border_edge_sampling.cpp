@@ -11,9 +11,9 @@ namespace gpr {
 
 namespace {
 
-/// A sample nearer to an end of its edge than this share of the edge is that end.
+/// A sample closer to an end of its edge than this share of the edge becomes the end.
 constexpr double sameAsEnd = 1e-3;
-/// How often a place that proves too near to a sample moves on before its edge's end is taken.
+/// The most moves of a place too near to a sample; then the end of its edge is taken.
 constexpr int maxMoves = 3;
 
 constexpr NearestField::Nearest unreached = {HUGE_VALF, -1};
@@ -37,18 +37,18 @@ private:
 	std::uint64_t state_;
 };
 
-/// An edge that fulfilled eq. (2) when it was put into the cache: by its ends, which splits of
-/// other edges do not change.
+/// An edge that fulfilled eq. (2) when it entered the cache. It is named by its ends, which splits
+/// of other edges do not change.
 struct BorderEdge {
 	int inner; ///< d_g <= r
 	int outer; ///< d_g > r
 };
 
-/// A place for a sample: on a half-edge, or a vertex.
+/// A place for a sample: on a half-edge, or at a vertex.
 struct Place {
-	Sample sample;      ///< its face is the fused mesh's
-	int    halfEdge;    ///< that it lies on
-	int    vertex = -1; ///< the end that it is, if it is one
+	Sample sample;      ///< its face is a face of the fused mesh
+	int    halfEdge;    ///< the half-edge below the sample
+	int    vertex = -1; ///< the vertex at the place; -1: none
 };
 
 class BorderEdgeSampler {
@@ -111,13 +111,13 @@ private:
 	DiskFlood                flood_;
 	std::vector<Sample>      samples_;
 	std::vector<BorderEdge>  cache_;         ///< the paper's C
-	std::vector<int>         crossed_;       ///< vertices that the last disk was the first to cover
+	std::vector<int>         crossed_;       ///< vertices first covered by the last disk
 	std::vector<int>         labels_;        ///< samples of the vertices near an edge
 	int                      expected_  = 0; ///< samples, about
 	int                      scanStart_ = 0;
 	int                      scanned_   = 0;    ///< vertices seen from scanStart_ on, all covered
-	std::vector<char>        seen_;             ///< by the search of a start's component
-	const Buffer<char>*      region_ = nullptr; ///< where samples may go now; null: everywhere
+	std::vector<char>        seen_;             ///< marks of the search for a component
+	const Buffer<char>*      region_ = nullptr; ///< region for samples now; null: everywhere
 	bool                     capped_ = false;
 
 	float distanceOf(int v) const { return field_.nearest[v].distance; }
@@ -164,9 +164,9 @@ private:
 		return !capped_;
 	}
 
-	// ---- where samples come from
+	// ---- sources of samples
 
-	/// Vertices made since are samples, or of the border.
+	/// Whether v may be part of a border edge now. New vertices are samples, or lie on the border.
 	bool isOpen(int v) const
 	{
 		return region_ == nullptr || v >= surface_.mesh.vertexNum || (*region_)[v] != 0;
@@ -191,7 +191,7 @@ private:
 		} while (start >= 0);
 	}
 
-	/// The samples of borders and feature lines, fused and flooded before all others.
+	/// Fuses and floods the samples of borders and feature lines, before all others.
 	void takeBorder()
 	{
 		const int before = m_.vertexNum;
@@ -223,8 +223,8 @@ private:
 		return true;
 	}
 
-	/// Step 2: a random start vertex, one for every component that the border's samples and earlier
-	/// starts do not reach; -1 when all is covered.
+	/// Step 2: a random start vertex in a component that no sample reaches yet; -1 when all is
+	/// covered.
 	int findStart()
 	{
 		const int n = surface_.mesh.vertexNum;
@@ -236,7 +236,7 @@ private:
 		return -1;
 	}
 
-	/// A random one of the uncovered vertices linked to v by others.
+	/// A random vertex among all uncovered vertices that are connected to v by uncovered vertices.
 	int randomUncoveredNear(int v)
 	{
 		seen_.resize(m_.vertexNum, 0);
@@ -256,7 +256,8 @@ private:
 
 	// ---- placing
 
-	/// Steps 5 to 7. A place that its own disk finds too near to a sample moves on along the edge.
+	/// Steps 5 to 7. If the disk of a place finds a sample too near, the place moves on along the
+	/// edge.
 	void placeOnEdge(const BorderEdge& e, int h)
 	{
 		double t = unionCrossing(e);
@@ -270,8 +271,8 @@ private:
 		placeAtVertex(e.outer);
 	}
 
-	/// The end of a border edge, or a start. Where its disk finds a sample too near after all, the
-	/// front overrated the way to it, across folds or among needles: it then belongs to that
+	/// Makes the end of a border edge, or a start, a sample. If its disk finds a sample too near,
+	/// the front had overrated the way to v, across folds or among needles: v then belongs to this
 	/// sample.
 	void placeAtVertex(int v)
 	{
@@ -297,7 +298,8 @@ private:
 		return {{{p, h / 3}, normalOf(h / 3), size}, h, isStart ? e.inner : -1};
 	}
 
-	/// Where the border of the union of disks crosses the edge: the farthest end of a disk on it.
+	/// The place at which the border of the union of disks crosses the edge: the farthest end of a
+	/// disk.
 	double unionCrossing(const BorderEdge& e)
 	{
 		double t = exitSeenFrom(e.inner, e);
@@ -317,9 +319,9 @@ private:
 		return std::find(labels_.begin(), labels_.end(), sample) != labels_.end();
 	}
 
-	/// Where the disk of v's sample ends on the edge, its distances to the ends taken from those
-	/// known: an end of its own has one; to another the straight distance is lengthened as that to
-	/// v is. Negative if it does not reach the edge.
+	/// The place at which the disk of v's sample ends on the edge, from known distances. An end in
+	/// the cell of this sample has its distance. For another end, the straight distance is
+	/// stretched by the ratio at v. Negative if the disk does not reach the edge.
 	double exitSeenFrom(int v, const BorderEdge& e) const
 	{
 		const int    s        = sampleOf(v);
@@ -329,7 +331,8 @@ private:
 		return borderCrossing(d1, std::max(d2, double(r_)), lengthOf(e), r_);
 	}
 
-	/// Never less than the end's distance to its own sample.
+	/// The distance of an end from the sample, never less than the distance of the end from its own
+	/// sample.
 	double distanceTo(int end, int sample, float ratio) const
 	{
 		if (sampleOf(end) == sample) return distanceOf(end);
@@ -337,7 +340,8 @@ private:
 		return std::max(near, ratio * length(m_.position[end] - placeOf(sample)));
 	}
 
-	/// The same for a sample met by a flood only: straight distances.
+	/// The place at which the disk of a sample met by a flood ends on the edge, from straight
+	/// distances.
 	double exitOf(int sample, const BorderEdge& e) const
 	{
 		const float  ratio = 0.5f * (stretchOf(e.inner) + stretchOf(e.outer));
@@ -352,8 +356,8 @@ private:
 		return double(straight * 0.5f * (stretchOf(e.inner) + stretchOf(e.outer)));
 	}
 
-	/// A sample met by the flood, nearer than the spacing and looking the same way, or -1. Through
-	/// space the other side of a thin sheet is near too.
+	/// A sample met by the flood that is nearer than the spacing and faces the same way, or -1.
+	/// Through space, the other side of a thin sheet is near too.
 	int findTooNear(const Sample& sample) const
 	{
 		constexpr float sameSideCosine = 0.8f; // 37°, as far as flat ground bends (sectors.h)
@@ -367,7 +371,7 @@ private:
 
 	// ---- the new sample
 
-	/// Steps 6 and 7, and step 3 for its disk, which is explored already.
+	/// Steps 6 and 7, and step 3 for the disk, which has been explored already.
 	void accept(const Place& place)
 	{
 		Sample    sample  = place.sample;
@@ -397,7 +401,7 @@ private:
 		if (isStretched()) stretch_[v] = 0.5f * (stretch_[a] + stretch_[b]);
 	}
 
-	/// By the neighbours that have been made before v.
+	/// Initialises v from the neighbours made before v.
 	void initFromNeighbours(int v)
 	{
 		Vec3f normal;
@@ -415,8 +419,8 @@ private:
 		if (isStretched()) stretch_[v] = stretch / float(std::max(num, 1));
 	}
 
-	/// Gives the disk explored last to the newest sample, which is vertex v, and puts the border
-	/// edges that arise into the cache (eq. (2)).
+	/// Gives the last explored disk to the newest sample, at vertex v, and puts new border edges
+	/// into the cache (eq. (2)).
 	void takeDisk(int v)
 	{
 		crossed_.assign(1, v);

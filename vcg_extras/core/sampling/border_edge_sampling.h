@@ -12,52 +12,50 @@
 
 namespace gpr {
 
-/// What the border-edge sampling goes by.
+/// Options of the border-edge sampling.
 struct BorderEdgeOptions {
 	float               radius     = 0;       ///< r, working units
-	std::uint32_t       seed       = 1;       ///< of the start vertices and the random choices
-	std::int64_t        maxSamples = 1 << 30; ///< then it ends, and Sampling::capped is set
+	std::uint32_t       seed       = 1;       ///< of start vertices and random choices
+	std::int64_t        maxSamples = 1 << 30; ///< more set Sampling::capped
 	const Buffer<char>* region = nullptr; ///< per vertex of the surface: sampled first; null: none
 };
 
-/// The samples, and the mesh they were fused into while they were placed.
+/// The samples, and the mesh into which they were fused while they were placed.
 struct BorderEdgeSampling {
 	Sampling
 		sampling; ///< surface points and distances in terms of the surface, which is not changed
 	FusedMesh fused;
 };
 
-/// Eq. (3): where the disk of radius r round a sample ends on an edge whose ends lie at distances
-/// d1 and d2 from it, by laying sample and edge into the plane. The larger of the two solutions, as
-/// a share of the edge from its first end; negative where the disk does not reach the edge or ends
-/// beyond it.
+/// Eq. (3): the place at which the disk of radius r round a sample ends on an edge. The ends of the
+/// edge lie at distances d1 and d2 from the sample; sample and edge are laid into the plane.
+/// Returns the larger of the two solutions, as a share of the edge from its first end; negative if
+/// the disk does not reach the edge or ends beyond it.
 double borderCrossing(double d1, double d2, double edge, double r);
 
-/// Stage::Sampling as the paper writes it (§3, steps 2–8; eq. (2), (3)): from a random start
-/// vertex, disk by disk, each new sample on a border edge drawn at random from the cache C, fused
-/// into the mesh by an edge split there and then.
+/// Stage::Sampling as printed in the paper (§3, steps 2–8; eq. (2), (3)). Starts at a random vertex
+/// and adds disk by disk: each new sample lies on a border edge drawn at random from the cache C,
+/// and an edge split fuses the sample into the mesh at once.
 ///
 /// Differs from the paper:
-/// - It says nothing of open borders: their samples (see sampleBoundary) come first and are fused
-///   before all others, so that the border keeps its shape.
-/// - Nor of several components: when C is empty, a random vertex of one not yet reached starts
-/// anew.
-/// - A point of the border edge that lies in the disk of a further sample near by moves on along
-/// the
-///   edge to where the border of the union of disks, not of the one disk, crosses it.
-/// - Within a thousandth of an edge of its end, that end becomes the sample, so that no needle
-///   arises.
+/// - The paper has no open borders. Here samples on the border (see sampleBoundary) come first and
+///   are fused before all others, so that the border keeps its shape.
+/// - The paper has one component. Here an empty C starts anew at a random vertex of a component not
+///   yet reached.
+/// - A point on a border edge may lie in the disk of another sample close by. Then the point moves
+///   along the edge to the border of the union of disks.
+/// - A place within a thousandth of the edge from its end becomes the end, so that no needle
+/// arises.
 ///
-/// A region is sampled first, as §3.1.1 has it: start vertices in it, and border edges with both
-/// ends in it, until none is left; then the rest.
+/// A region is sampled first, as in §3.1.1: start vertices inside, and border edges with both ends
+/// inside, until none is left; then the rest of the surface.
 ///
-/// Where the surface has sizes (see sizing.h), every way is longer by 1 over the mean size of the
-/// ends of its edges: eq. (4), with the largest disk for unit.
+/// If the surface has sizes (see sizing.h), every edge is longer by 1 over the mean size at its
+/// ends: eq. (4), with the largest disk as unit.
 ///
-/// Distances are propagated by unfolding triangles everywhere (see DiskFlood), not by chords where
-/// all is flat.
-/// Serial, so that it is the same for any number of threads. Cost: each vertex is visited about
-/// four times; memory of a second mesh.
+/// Distances are propagated by unfolding triangles everywhere (see DiskFlood), never by chords on
+/// flat ground. Serial, so that the result is the same for any number of threads. Cost: about four
+/// visits of each vertex; memory of a second mesh.
 BorderEdgeSampling sampleBorderEdges(const Surface& surface, const BoundaryCurves& boundary,
 									 const BorderEdgeOptions& options, Workers& workers);
 

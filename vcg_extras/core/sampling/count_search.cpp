@@ -11,20 +11,20 @@ namespace gpr {
 
 namespace {
 
-/// Share of the area that may be too far from the result if only the triangles at these places are
-/// to become smaller. Where more is too far, all triangles are too large.
+/// If at most this share of the area misses the bound, only the triangles there become smaller.
+/// Above, all triangles are too large.
 constexpr double shareForSpots = 0.01;
-/// Beyond what would do if the error went with 1 / count, in the last trial.
+/// Factor on the count of the last trial, over a count from error ∝ 1 / count.
 constexpr double lastCaution = 1.15;
-/// What the finer places themselves need.
+/// Growth of the count for the finer places alone.
 constexpr double leastGrowth = 1.03;
-/// Share of the vertices that shall come in at single places.
+/// Wanted share of vertices added at single places.
 constexpr double shareToAdd = 0.05;
-/// A count that would be lowered to no less than this is near enough to the smallest.
+/// A count is near enough to the smallest if the next count is not below this share.
 constexpr double nearEnough = 0.87;
-/// Counts of which one meets the goal and one does not are near enough at this quotient.
+/// The search ends between a count that meets and a count that misses the bound at this quotient.
 constexpr double nearCounts = 1.08;
-/// A count tried is at most so many times the last one, or its inverse.
+/// Largest change of the count from one trial to the next.
 constexpr double       largestGrowth = 4, largestShrink = 3;
 constexpr std::int64_t minCount = 4;
 
@@ -34,7 +34,7 @@ std::int64_t CountSearch::after(std::int64_t asked, const ErrorTrial& t)
 {
 	--left_;
 	const bool meets = t.error <= goal_.largest;
-	// Topology needs more than what was asked for: there is nothing below.
+	// Topology needs more vertices than the requested count: no smaller count is possible.
 	const bool   isLeast = t.evenNum() > asked || asked <= minCount;
 	std::int64_t next    = 0;
 	if (meets) {
@@ -55,7 +55,7 @@ std::int64_t CountSearch::clamped(double n) const
 	return std::int64_t(std::max(double(minCount), std::min(std::ceil(n), most)));
 }
 
-/// The exponent of the errors' distribution at the goal: the share that is beyond it is e^-x.
+/// The exponent of the distribution of errors at the bound: a share e^-x misses the bound.
 double CountSearch::exponentAtGoal(const ErrorTrial& t) const
 {
 	const double n = double(t.evenNum());
@@ -65,7 +65,7 @@ double CountSearch::exponentAtGoal(const ErrorTrial& t) const
 		   std::max(t.error, 1e-6 * goal_.largest);
 }
 
-/// After a count that met the goal; 0 where that is near enough to the smallest.
+/// The next count after a count that met the bound; 0 if the count is near enough to the smallest.
 std::int64_t CountSearch::fewerThan(const ErrorTrial& t) const
 {
 	const double n      = double(t.evenNum());
@@ -75,9 +75,9 @@ std::int64_t CountSearch::fewerThan(const ErrorTrial& t) const
 	return clamped(std::max({wanted, n / largestShrink, std::sqrt(n * double(missed_))}));
 }
 
-/// After a count that missed the goal: so many more that triangles elsewhere stay as they are.
-/// Where much of the area is beyond the goal, triangles are too large everywhere: the larger an
-/// error the fewer there are of it, about exponentially.
+/// The next count after a count that missed the bound. It grows so much that triangles elsewhere
+/// keep their size. If much of the area misses the bound, triangles are too large everywhere: the
+/// number of errors falls about exponentially with their size.
 std::int64_t CountSearch::moreThan(const ErrorTrial& t) const
 {
 	const double n = double(t.evenNum());
@@ -86,13 +86,13 @@ std::int64_t CountSearch::moreThan(const ErrorTrial& t) const
 	const double byArea  = portable::log(shareForSpots) / portable::log(share);
 	const double bySpots = std::max(std::max(1.0, byArea) * t.growth, leastGrowth);
 	if (met_.vertexNum > 0) return between(t, bySpots);
-	// The last trial shall meet it, though that may be with too many.
+	// The last trial must meet the bound, even with too many vertices.
 	const double byError = left_ == 1 ? lastCaution * t.error / goal_.largest * t.growth : 0;
 	return clamped(std::min(std::max(bySpots, byError), largestGrowth) * n);
 }
 
-/// What smaller triangles at the places beyond the goal ask for. Where that misses it, too, half
-/// way: the counts may be far from each other.
+/// The next count between two trials: the count for smaller triangles at the places that miss the
+/// bound. If the last trial missed too, half way: the two counts may be far apart.
 std::int64_t CountSearch::between(const ErrorTrial& t, double growth) const
 {
 	const double low = double(t.evenNum()), high = double(met_.evenNum());

@@ -18,25 +18,25 @@ namespace gpr {
 
 namespace {
 
-/// Radii of disks, from the smallest size to the largest one in geometric steps.
+/// The number of disk radii, from the smallest size to the largest in geometric steps.
 constexpr int radiusNum = 5;
-/// Radius of the disk that has to be flat, over the edge: twice as large ones take longer and lead
-/// to no smaller distances.
+/// Radius of the disk to be flat, over the edge: twice the radius takes longer and gives no smaller
+/// distances.
 constexpr float radiusOfEdge = 0.5f;
-/// Sizes are not below this share of the even one: smaller ones gain nothing.
+/// The smallest size, over the even size: smaller sizes gain nothing.
 constexpr float smallestShare = 0.25f;
-/// Disks for each square of an even edge. With three, some tips fall between them.
+/// Disks for each square of an even edge. With three, some tips fall between the disks.
 constexpr float disksPerSquare = 5;
-/// So many disks in a row are left out together where the surface hardly turns.
+/// The number of consecutive disks that are left out together on nearly flat ground.
 constexpr std::size_t centresTogether = 8;
-/// Disks from which ε is guessed, before all bent ones correct it; vertices that tell the noise.
+/// The number of disks for the first guess of ε, later corrected by all bent disks; the number of
+/// vertices for the noise.
 constexpr std::size_t guessingDiskNum = 1500, noiseVertexNum = 8000;
-/// ε is at least so many times the noise: a disk of noise has about four deviations from end to
-/// end.
+/// Least ε over the noise: a disk of noise has about four deviations from end to end.
 constexpr float noiseFactor = 2.5f;
-/// Normals that turn by the angle α from their mean make a disk rise by half of its radius times
-/// sin α where it is a ridge, and by a quarter where it is round. In practice 1.6 misses one to
-/// three bent disks of a hundred, none of them much bent, and spares three of four extents.
+/// If normals turn by the angle α from their mean, a disk rises by half of its radius times sin α
+/// on a ridge, and by a quarter on round ground. In practice 1.6 misses one to three bent disks of
+/// a hundred, only slightly bent, and saves three of four extents.
 constexpr float sinePerSlope = 1.6f;
 using Radii                  = std::array<float, radiusNum>;
 using Flatness               = std::array<float, radiusNum>; ///< at each radius, never falling
@@ -54,14 +54,14 @@ Radii radiiFor(const ErrorSizeRequest& request)
 	return radii;
 }
 
-/// The faces round a vertex.
+/// Sums over the faces round a vertex.
 struct Ring {
-	Vec3f normal;   ///< the sum of their normals, twice as long as their areas
-	float area = 0; ///< twice the sum of these
+	Vec3f normal;   ///< sum of face normals, each twice the face area long
+	float area = 0; ///< twice the sum of face areas
 
-	/// The part of the surface that is nearest to the vertex: a third of the faces.
+	/// The area nearest to the vertex: a third of its faces.
 	float ownArea() const { return area / 6; }
-	/// 1 where all is flat, less where the faces' normals differ.
+	/// 1 on flat ground, less if the normals of the faces differ.
 	float flatness() const { return area > 0 ? length(normal) / area : 1; }
 };
 
@@ -80,9 +80,9 @@ Buffer<Ring> ringsOf(const HalfEdgeMesh& m, Workers& workers)
 	return ring;
 }
 
-/// The part of the surface within a straight distance of a vertex that edges inside that ball join
-/// to it. So the other side of a thin sheet is in it only round a rim. Edges that leave the ball
-/// are cut there: a disk sees as much of long edges as of short ones.
+/// The part of the surface within a ball round a vertex and connected to the vertex by edges inside
+/// the ball. So a disk holds the other side of a thin sheet only round a rim. Edges that leave the
+/// ball are cut there: a disk sees as much of long edges as of short edges.
 class Disk {
 public:
 	struct Member {
@@ -111,8 +111,8 @@ public:
 			});
 		}
 	}
-	/// Adds the edges that stay inside to those that leave the ball: every edge once, from its
-	/// nearer end. Only the extent of smaller disks needs them.
+	/// Adds the edges inside the ball, each once, from its nearer end. Only the extent of smaller
+	/// disks needs inner edges.
 	void collectInnerEdges()
 	{
 		const Vec3f middle = mesh_.position[members_[0].vertex];
@@ -132,10 +132,10 @@ public:
 														  : a.vertex < b.vertex;
 		});
 	}
-	/// The centre is the first.
+	/// The vertices in the ball; the centre comes first.
 	const std::vector<Member>& members() const { return members_; }
 
-	/// Half of the extent, along a direction, of the whole disk.
+	/// Half of the extent of the whole disk along a direction.
 	float halfExtent(const Vec3f& direction) const
 	{
 		float least = 0, most = 0;
@@ -144,7 +144,8 @@ public:
 			least              = std::min(least, height);
 			most               = std::max(most, height);
 		}
-		// An edge that leaves has a member at its other end: most end between the heights so far.
+		// An edge that leaves has a member at its other end: most such edges end between the
+		// heights so far.
 		for (const Edge& e : edges_) {
 			if (e.squaredTo <= squaredRadius_) continue;
 			const float beyond = dot(e.to, direction);
@@ -155,7 +156,8 @@ public:
 		}
 		return 0.5f * (most - least);
 	}
-	/// The same of the edges within a radius, at most the one that was collected.
+	/// Half of the extent along a direction, of the edges within a radius up to the collected
+	/// radius.
 	float halfExtent(float radius, const Vec3f& direction) const
 	{
 		const float squared = radius * radius;
@@ -171,7 +173,8 @@ public:
 	}
 
 private:
-	/// From a member to a vertex farther from the centre; both seen from there.
+	/// An edge from a member to a vertex farther from the centre; both ends are relative to the
+	/// centre.
 	struct Edge {
 		Vec3f from, to;
 		float squaredFrom, squaredTo;
@@ -184,7 +187,7 @@ private:
 	std::vector<Edge>   edges_;
 	std::vector<int>    slot_; ///< a hash table of the members' vertices, a power of two
 
-	/// Where an edge that leaves the ball does so.
+	/// The share of an edge inside the ball.
 	static float shareInside(const Edge& e, float squaredRadius)
 	{
 		const Vec3f along   = e.to - e.from;
@@ -192,7 +195,7 @@ private:
 		const float root = half * half + squared * std::max(0.0f, squaredRadius - e.squaredFrom);
 		return std::clamp((std::sqrt(root) - half) / squared, 0.0f, 1.0f);
 	}
-	/// The height of that place; beyond: that of the edge's far end.
+	/// The height at which an edge leaves the ball. beyond: the height of its far end.
 	static float heightOfCut(const Edge& e, float squaredRadius, const Vec3f& direction,
 							 float beyond)
 	{
@@ -229,8 +232,8 @@ private:
 	}
 };
 
-/// Measures disks of one mesh: half of their extent along their mean normal. A plane fitted to the
-/// vertices would not do: round the rim of a thin sheet it is the sheet itself and sees nothing.
+/// Measures the flatness of disks of a mesh: half of their extent along their mean normal. A plane
+/// fitted to the vertices would fail: round the rim of a thin sheet the fit is the sheet itself.
 class FlatnessGauge {
 public:
 	FlatnessGauge(const HalfEdgeMesh& mesh, const Buffer<Ring>& ring, const Radii& radii) :
@@ -238,8 +241,7 @@ public:
 	{
 	}
 
-	/// Of the largest disk about a vertex; 0 where its normals show that it is flat to within
-	/// epsilon.
+	/// Flatness of the largest disk about a vertex; 0 if its normals prove flatness within epsilon.
 	float ofLargest(int v, float epsilon)
 	{
 		disk_.collect(v, radii_.back());
@@ -249,8 +251,8 @@ public:
 			sum += ring_[m.vertex].normal;
 		return disk_.halfExtent(normalized(sum));
 	}
-	/// Of all disks about the vertex that was last asked for. Disks beyond one that is less flat
-	/// than `enough` are not looked at and have its value.
+	/// Flatness of all disks about the vertex of the last ofLargest. A disk larger than a disk less
+	/// flat than `enough` is not measured and gets the value before.
 	Flatness ofAll(float enough)
 	{
 		disk_.collectInnerEdges();
@@ -276,7 +278,8 @@ private:
 	const Radii&        radii_;
 	Disk                disk_;
 
-	/// Whether the disk's normals turn from that of its centre by an angle of at most that sine.
+	/// Whether all normals of the disk turn from the normal of its centre by at most the angle with
+	/// this sine.
 	bool areNormalsClose(float sine) const
 	{
 		constexpr std::size_t            leastNum = 7; // fewer say nothing about long edges
@@ -293,7 +296,7 @@ private:
 	}
 };
 
-/// The largest edge whose disk is flat to within epsilon, linear between the radii.
+/// The largest edge whose disk is flat within epsilon, linear between the radii.
 float edgeFor(const Flatness& flatness, const Radii& radii, float epsilon)
 {
 	if (flatness[0] > epsilon) return radii[0] / radiusOfEdge;
@@ -305,8 +308,8 @@ float edgeFor(const Flatness& flatness, const Radii& radii, float epsilon)
 	return radii.back() / radiusOfEdge;
 }
 
-/// How far a vertex is off the place that its ring and the rings round it let expect, along its
-/// normal. What is smooth cancels out; noise does not.
+/// Distance of a vertex, along its normal, from the place predicted by its ring and the rings
+/// round. Smooth shape cancels out; noise remains.
 float roughnessAt(const HalfEdgeMesh& m, const Vec3f& direction, int v)
 {
 	const auto offsetOf = [&](int w) {
@@ -327,15 +330,15 @@ float roughnessAt(const HalfEdgeMesh& m, const Vec3f& direction, int v)
 	return num > 0 ? std::abs(offsetOf(v) - sum / float(num)) : 0.0f;
 }
 
-/// A vertex for the middle of a disk.
+/// A vertex as the centre of a disk.
 struct Centre {
 	int   vertex;
-	float squaredTurn; ///< squared sine of the angle by which normals near it turn from their mean
+	float squaredTurn; ///< squared sine of the turn of normals near the vertex from their mean
 };
 
-/// Chooses vertices that lie evenly on the surface: of every square the least flat one, so that
-/// ridges and tips are not missed. The vertices are in spatial order: those that are passed one
-/// after the other lie side by side.
+/// Chooses vertices evenly spread over the surface: of every square the least flat vertex, so that
+/// no ridge and no tip is missed. Vertices are in spatial order: consecutive vertices lie side by
+/// side.
 class CentreSpreader {
 public:
 	CentreSpreader(const Buffer<Ring>& ring, float square, std::vector<Centre>& out) :
@@ -368,7 +371,7 @@ private:
 	float                square_;
 	std::vector<Centre>& out_;
 	std::vector<int>     group_;        ///< vertices passed since the last group
-	std::size_t          firstNew_ = 0; ///< of the centres, that is not of an earlier group
+	std::size_t          firstNew_ = 0; ///< first centre of the group
 	float                passed_   = 0; ///< area of the square at hand
 	float                least_    = HUGE_VALF;
 	int                  sharpest_ = 0;
@@ -389,7 +392,7 @@ private:
 		firstNew_ = out_.size();
 	}
 
-	/// More than 1 where it is more than a right angle.
+	/// The squared sine of the largest turn from the mean in the group; 2 beyond a right angle.
 	float squaredTurn() const
 	{
 		Vec3f sum;
@@ -406,7 +409,7 @@ private:
 	}
 };
 
-/// The sizes of a surface, for one ε after the other.
+/// Computes the sizes of a surface for several ε in turn.
 class SizeSearch {
 public:
 	SizeSearch(const HalfEdgeMesh& mesh, const ErrorSizeRequest& request, Workers& workers) :
@@ -418,8 +421,8 @@ public:
 
 	ErrorSizes run()
 	{
-		// Grading adds small triangles, for which ε has to be larger: mostly by 1.35. Where there
-		// is little to grade it may be smaller, as the disks lie at the sharpest places.
+		// Grading adds small triangles, and ε has to grow for them: usually by 1.35. With little to
+		// grade ε may shrink, as the disks lie at the sharpest places.
 		constexpr float leastRaise = 0.8f, fewRaise = 1, usualRaise = 1.35f, mostRaise = 2.2f;
 		const float     flat  = guessedEpsilon();
 		const float     noise = noiseFactor * noiseLevel();
@@ -453,16 +456,16 @@ private:
 		Flatness flatness;
 	};
 
-	const HalfEdgeMesh&     mesh_;
-	const ErrorSizeRequest& request_;
-	Workers&                workers_;
-	const Radii             radii_;
-	const Buffer<Ring>      ring_;
-	const double ofLargest_;           ///< triangles if all had the largest size, over their number
-	const double wanted_;              ///< triangles that are left for small ones
-	const std::vector<Centre> centre_; ///< round which disks are looked at
+	const HalfEdgeMesh&       mesh_;
+	const ErrorSizeRequest&   request_;
+	Workers&                  workers_;
+	const Radii               radii_;
+	const Buffer<Ring>        ring_;
+	const double              ofLargest_; ///< share of triangles if all had the largest size
+	const double              wanted_;    ///< share of triangles left for small sizes
+	const std::vector<Centre> centre_;    ///< the centres of the disks
 	std::vector<Bent>         bent_;
-	std::vector<int>          lowered_; ///< vertices that have not the largest size
+	std::vector<int>          lowered_; ///< vertices below the largest size
 
 	std::vector<Centre> spreadCentres()
 	{
@@ -493,7 +496,7 @@ private:
 		return std::abs(other - epsilon) > far * epsilon;
 	}
 
-	/// The median deviation of the vertices from what is smooth.
+	/// The deviation of the vertices from a smooth surface, by its median.
 	float noiseLevel()
 	{
 		constexpr float    ofMedian = 1 / 0.6745f; // a deviation over the median amount
@@ -509,7 +512,7 @@ private:
 		return ofMedian * *middle;
 	}
 
-	/// From some of the disks.
+	/// A first guess of ε, from a part of the disks.
 	float guessedEpsilon()
 	{
 		const std::size_t       step = std::max<std::size_t>(1, centre_.size() / guessingDiskNum);
@@ -526,9 +529,9 @@ private:
 		return epsilonFor(some, num, wanted_);
 	}
 
-	/// The triangles that there are more than if all had the largest size, over the wanted number,
-	/// without grading; from disks each of which stands for as much area. What is not bent among
-	/// diskNum disks adds none.
+	/// The number of triangles above the number at the largest size, over the wanted number,
+	/// without grading. Every disk represents the same area; the diskNum disks that are not in
+	/// `bent` add nothing.
 	double smallTriangles(const std::vector<Bent>& bent, std::size_t diskNum, float epsilon) const
 	{
 		double more = 0;
@@ -536,7 +539,7 @@ private:
 			more += trianglesAt(edgeFor(b.flatness, radii_, epsilon)) - ofLargest_;
 		return diskNum > 0 ? more / double(diskNum) : 0;
 	}
-	/// The ε that makes so many of them.
+	/// The ε that gives the wanted number of small triangles.
 	float epsilonFor(const std::vector<Bent>& bent, std::size_t diskNum, double wanted) const
 	{
 		float low = 0, high = request_.even;
@@ -547,8 +550,8 @@ private:
 		return high;
 	}
 
-	/// Most of a surface is flat at the scale of its triangles: only the rest is looked at closely,
-	/// and kept. ε will be between least and most.
+	/// Measures all radii of the disks that are less flat than `least`, and keeps these in `bent_`.
+	/// Most of a surface is flat at the scale of its triangles. ε will be between least and most.
 	void gatherBent(float least, float most)
 	{
 		const float sine     = sinePerSlope * least / radii_.back();
@@ -564,7 +567,7 @@ private:
 		bent_ = workers_.collect<Bent>(centre_.size(), search);
 	}
 
-	/// Sizes for an ε, from the largest everywhere else.
+	/// Makes the sizes for an ε. Every other vertex has the largest size.
 	void makeSizes(float epsilon, Buffer<float>& edge)
 	{
 		for (int v : lowered_)
@@ -577,7 +580,8 @@ private:
 		gradeSizes(mesh_, request_.slope, workers_, lowered_, edge);
 	}
 
-	/// Grading adds small triangles. As many times fewer are asked for where it is left out.
+	/// The ε corrected for grading: as grading adds small triangles, the number without grading is
+	/// reduced by the same factor.
 	float correctedEpsilon(const ErrorSizes& sizes)
 	{
 		const double more     = workers_.sumEach<double>(lowered_.size(), [&](int i, double& sum) {
@@ -624,8 +628,8 @@ std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
 							  const ErrorSizeRange& range, double area, std::int64_t first,
 							  double error, std::int64_t most, Workers& workers)
 {
-	// How flat the disks of triangles are to be, over the largest error. The places that are beyond
-	// the goal then are few enough to be made finer one by one.
+	// Wanted flatness of disks over the error bound. The places that then miss the bound are few
+	// enough to be refined one by one.
 	constexpr double flatnessShare = 0.75;
 	constexpr int    steps         = 3;
 	const double     wanted        = flatnessShare * error * surface.frame.scale;

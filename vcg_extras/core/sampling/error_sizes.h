@@ -12,47 +12,48 @@
 
 namespace gpr {
 
-/// What sizes by the error are made for; all lengths in working units.
+/// The request for sizes by the error; all lengths in working units.
 struct ErrorSizeRequest {
-	float even;    ///< the edge of the triangles if all had one size
-	float largest; ///< the edge where the surface is flat; above `even`
-	float slope;   ///< by how much sizes may grow over the distance
+	float even;    ///< edge of equal triangles
+	float largest; ///< edge on flat ground; above `even`
+	float slope;   ///< largest growth of sizes over the distance
 };
 
-/// The edges of triangles that are as large as the error allows.
+/// Edges of triangles as large as the error allows.
 struct ErrorSizes {
 	Buffer<float> edge; ///< per vertex, working units
-	float epsilon = 0;  ///< how flat each triangle's disk is, working units; forecasts the error
+	float epsilon = 0;  ///< flatness of each triangle's disk, working units; forecasts the error
 };
 
-/// Sizes by the error at the scale of the triangles: the edge at a vertex is the largest h at which
-/// the disk of radius h/2 round it is flat to within ε. Flatness is half of the disk's extent along
-/// its mean normal. So rims, tips, thin sheets and limbs ask for small triangles, whatever their
-/// curvature, and all else has the edge `largest`; none is below a quarter of `even`. ε is such
-/// that the number of triangles is that of the edge `even` everywhere: the area mean of (even / h)²
-/// is 1. It is not below the noise of the surface: there are fewer triangles then.
+/// Computes sizes by the error at the scale of the triangles. The edge at a vertex is the largest h
+/// for which the disk of radius h/2 round the vertex is flat to within ε. The flatness of a disk is
+/// half of its extent along its mean normal. So rims, tips, thin sheets and limbs get small
+/// triangles, whatever their curvature, and the rest gets the edge `largest`; no edge is below a
+/// quarter of `even`. ε makes the number of triangles the same as with the edge `even` everywhere:
+/// the area mean of (even / h)² is 1. On a noisy surface ε is not below the noise, and there are
+/// fewer triangles.
 ///
-/// On either side of a feature line a disk sees that side alone; lines are per half-edge, at both
+/// Beside a feature line a disk sees only its own side. Lines are marks per half-edge, on both
 /// halves of an edge, or empty.
 ///
-/// Needs a connected surface in spatial order; edges may be of any length. The same bits for any
-/// number of threads. Cost: linear. Five disks for each square of an even edge, but where the
-/// surface hardly turns, and a closer look where they are not flat.
+/// Needs a connected surface in spatial order; edges may have any length. The same bits for any
+/// number of threads. Cost: linear; about five disks for each square of an even edge, fewer on
+/// nearly flat ground, and a closer look at disks that bend.
 ErrorSizes sizesByError(const HalfEdgeMesh& mesh, const Buffer<char>& lines,
 						const ErrorSizeRequest& request, Workers& workers);
 
-/// How far sizes by the error may differ.
+/// The range of sizes by the error.
 struct ErrorSizeRange {
-	float largest; ///< the edge where the surface is flat, over that of even triangles
+	float largest; ///< edge on flat ground over the edge of even triangles
 	float slope;   ///< see ErrorSizeRequest
 };
-/// Where a largest error is asked for, and where all sizes of a given count follow the error.
+/// The range for a given error bound, and the range for a given count.
 constexpr ErrorSizeRange rangeWithinError = {2, 0.2f}, rangeOfCount = {1.3f, 0.15f};
 
-/// The count with which triangles would be as flat as a largest error asks for, but for few of
-/// them. range: of the sizes that triangles will have; lines: as above. area: of the surface,
-/// working units squared; first: a guess; error: mesh units; most: no larger count is returned.
-/// Cost: three times that of sizesByError.
+/// The count at which nearly all triangles are as flat as the error bound demands. range: of the
+/// sizes of the triangles. lines: as in sizesByError. area: of the surface, working units squared.
+/// first: a guess. error: the error bound, mesh units. most: the largest count to return. Cost:
+/// three times the cost of sizesByError.
 std::int64_t countForFlatness(const Surface& surface, const Buffer<char>& lines,
 							  const ErrorSizeRange& range, double area, std::int64_t first,
 							  double error, std::int64_t most, Workers& workers);

@@ -11,7 +11,7 @@ namespace gpr {
 
 namespace {
 
-/// Cells of a grid with the spots that reach into them.
+/// A grid whose cells list the spots that reach into the cell.
 class SpotGrid {
 public:
 	SpotGrid(const std::vector<FineSpot>& spots, const Frame& frame)
@@ -43,7 +43,8 @@ private:
 	float                                                cell_ = 0;
 	std::unordered_map<std::uint64_t, std::vector<Spot>> spots_;
 
-	/// Working units are about the box, so that 21 bits are enough for cells that matter.
+	/// The bounding box measures about one working unit, so 21 bits are enough for all cells that
+	/// matter.
 	int cellOf(float x) const
 	{
 		return int(std::floor(std::min(1e6f, std::max(-1e6f, x / std::max(cell_, 1e-30f)))));

@@ -11,22 +11,22 @@
 
 namespace gpr {
 
-/// A place where triangles are to be smaller, because a result was too far from the input there.
+/// A place at which triangles must be smaller, because a result was too far from the input there.
 struct FineSpot {
-	Vec3d  position;   ///< in the caller's frame
-	double reach  = 0; ///< mesh units: so far around
-	double factor = 1; ///< of the size there, in (0, 1]
+	Vec3d  position;   ///< in the frame of the input mesh
+	double reach  = 0; ///< radius of the place, mesh units
+	double factor = 1; ///< multiplies the size there, in (0, 1]
 };
 
-/// Spots of several trials. Those of one trial say what its sizes lacked, so they are multiplied
-/// over the trials; of one trial's spots the smallest counts.
+/// Spots of several trials. The spots of a trial correct the sizes of that trial, so factors are
+/// multiplied over the trials. Among the spots of one trial the smallest factor counts.
 using FineSpots = std::vector<std::vector<FineSpot>>;
 
-/// The factor of the size at every vertex of a surface, not graded; 1 where there is no spot, and
-/// not below leastFactor. Cost: linear, parallel; some memory for each spot.
+/// The factor of the size at every vertex of a surface, not graded; 1 without a spot, and at least
+/// leastFactor. Cost: linear, parallel; some memory for each spot.
 Buffer<float> factorsOf(const FineSpots& spots, const Surface& surface, Workers& workers);
 
-/// The least factor of a size.
+/// The smallest factor of a size.
 constexpr float leastFactor = 0.2f;
 
 } // namespace gpr

@@ -8,16 +8,16 @@
 
 namespace gpr {
 
-/// What the sampling of a block remembers of each sample: which others were near when intersections
-/// were looked for round it, and which have been placed near it since. So an intersection whose
-/// turn comes can be told taken without looking at the surface.
+/// The memory of a block's sampling: for each sample, the samples near it when its intersections
+/// were searched, and the samples placed near it since. So an intersection can be rejected as taken
+/// without a look at the surface.
 ///
-/// Fans are numbered: first those of the samples that reached into the block before its sampling
-/// began, ascending, then those of the block's new samples in their order.
+/// Fans are numbered: first come the samples that reached into the block before its sampling began,
+/// ascending, then the new samples of the block in order.
 class FrontFans {
 public:
-	/// Begins anew. earlier: samples that reach into the block, ascending; firstNew: the number
-	/// that the first of its new samples will have.
+	/// Begins anew. earlier: samples that reach into the block, ascending. firstNew: the number of
+	/// the first new sample of the block.
 	void clear(std::vector<int> earlier, int firstNew)
 	{
 		earlier_  = std::move(earlier);
@@ -29,7 +29,8 @@ public:
 
 	const std::vector<int>& earlier() const { return earlier_; }
 
-	/// maxCrossings: faces that a walk to one of its intersections may cross.
+	/// Adds a fan with the samples in `near`. maxCrossings: the most faces of a walk to an
+	/// intersection of the fan.
 	void add(const std::vector<int>& near, int maxCrossings)
 	{
 		const int first = int(near_.size());
@@ -39,7 +40,7 @@ public:
 	int last() const { return int(fans_.size()) - 1; }
 	int maxCrossings(int fan) const { return fans_[fan].maxCrossings; }
 
-	/// Tells the fan of `sample`, if it has one, that another one was placed near it.
+	/// Adds `newcomer`, placed near `sample`, to the fan of `sample`, if there is such a fan.
 	void tellNewcomer(int sample, int newcomer)
 	{
 		const int fan = fanOf(sample);
@@ -48,14 +49,14 @@ public:
 		fans_[fan].newest = int(newcomers_.size()) - 1;
 	}
 
-	/// Whether isIt(sample) holds for one that was near when the fan was made.
+	/// Whether isIt(sample) holds for any sample near when the fan was made.
 	template <class IsIt>
 	bool anyNear(int fan, const IsIt& isIt) const
 	{
 		return std::any_of(near_.begin() + fans_[fan].firstNear, near_.begin() + fans_[fan].endNear,
 						   isIt);
 	}
-	/// Whether isIt(sample) holds for one placed near since; the newest is asked first.
+	/// Whether isIt(sample) holds for any sample placed near since then; the newest comes first.
 	template <class IsIt>
 	bool anyNewcomer(int fan, const IsIt& isIt) const
 	{

@@ -17,11 +17,11 @@ namespace gpr {
 
 namespace {
 
-/// Pairs farther apart than this, or nearer, make no useful intersection (of r).
+/// Pairs of samples beyond these distances, over r, have no useful intersection.
 constexpr float widestPair  = 1.98f;
 constexpr float closestPair = 0.3f;
 
-/// How much the distance of a pair from r counts against how closely a third disk fits.
+/// Weight of a pair's deviation from r against the fit of a third disk.
 constexpr float pairWeight = 1;
 
 /// A place for a sample, and the size of its disk over the largest one.
@@ -30,33 +30,33 @@ struct Place {
 	float        size = 1;
 };
 
-/// An intersection of the disks of two samples, in the plane of the first, and how well it fits:
-/// the closer a third disk touches it, and the nearer the distance of the first two to r, the
-/// smaller. Its place on the surface is looked for when its turn comes: more than half of all
-/// intersections are taken by then, and most of those are seen to be from the plane.
+/// An intersection of the disks of two samples, in the plane of the first, with its fit. The fit is
+/// smaller the closer a third disk touches the intersection, and the nearer the distance of the
+/// pair is to r. Its place on the surface is found only when its turn comes: more than half of all
+/// intersections are taken by then, and the plane shows this for most of the taken intersections.
 struct Candidate {
 	int   a, b;
-	int   fan;  ///< of a: what was near when it was found
+	int   fan;  ///< of a: the samples near when the intersection was found
 	float side; ///< 1 or -1
 	Vec3f guess;
 	float size; ///< assumed there
 	float fit;
 };
 
-/// Two samples next to each other, and the plane of the first.
+/// Two neighbouring samples, and the plane of the first.
 struct Pair {
 	int   a, b;
 	Vec3f u;        ///< unit vector from a towards b
-	Vec3f w;        ///< perpendicular to it
+	Vec3f w;        ///< perpendicular to u
 	float distance; ///< straight from a to b
 };
 
-/// Where the third corner of a triangle over a pair lies, seen from its first sample.
+/// The third corner of a triangle over a pair, seen from the first sample of the pair.
 struct Apex {
 	float size        = 1; ///< assumed there
 	float length      = 0; ///< distance from a
 	float otherLength = 0; ///< distance from b
-	float cosine      = 0; ///< of the angle between the ways to it and to b
+	float cosine      = 0; ///< of the angle at a between corner and b
 	float sine        = 0;
 };
 
@@ -85,7 +85,7 @@ struct SharedState {
 	std::vector<BlockRange> ranges;
 };
 
-/// Samples blocks, one after the other; each thread has one of its own.
+/// Samples blocks in turn; each thread has its own sampler.
 class BlockSampler {
 public:
 	explicit BlockSampler(SharedState& shared) :
@@ -100,10 +100,10 @@ public:
 	std::int64_t fillNum() const { return fillNum_; }
 	bool         capped() const { return capped_; }
 
-	/// Floods from a sample that is already placed (one of the border).
+	/// Floods from a sample on a curve, which has its place already.
 	void floodGiven(int s) { flood_.run(s, shared_.samples[s]); }
 
-	/// inRegion: only there, as far as the block reaches into it.
+	/// Samples a block. inRegion: only the part of the block in the region.
 	void run(const Block& block, int blockIndex, bool inRegion)
 	{
 		region_ = inRegion ? shared_.region.data() : nullptr;
@@ -135,7 +135,7 @@ private:
 	float                  r_;
 	float                  nearLimit_;
 	const Block*           block_  = nullptr;
-	const char*            region_ = nullptr; ///< where samples may go now; null: everywhere
+	const char*            region_ = nullptr; ///< region for samples now; null: everywhere
 	BlockRange*            range_  = nullptr;
 	std::vector<Candidate> heap_;
 	std::vector<int> borderEdges_; ///< half-edges out of the covered part: the paper's cache C
@@ -194,8 +194,8 @@ private:
 		scanStart_  = int(mix(shared_.seed * 2654435761u + std::uint32_t(blockIndex)) % n);
 	}
 
-	/// Samples of other blocks (and of the border) that reach into this one: their intersections
-	/// and border edges are where this block's front begins.
+	/// Takes up samples of other blocks and of the border that reach into this block: the front of
+	/// the block begins at their intersections and border edges.
 	void takeUpNeighbours()
 	{
 		std::vector<int> foreign;
@@ -211,12 +211,12 @@ private:
 		}
 	}
 
-	/// Intersections of samples in no particular order. About twenty disks reach into one on a
-	/// surface; where there are far more, as among a dust of tiny components whose borders are all
-	/// sampled, the border edges serve as well and do not cost the cube of their number.
+	/// Adds the intersections of earlier samples. On a surface about twenty disks reach into one
+	/// disk. Among a dust of tiny components with sampled borders there are far more; border edges
+	/// serve as well there, without the cube of the number as cost.
 	void addForeignIntersections()
 	{
-		// A disk meets some six others; ten times that is a dust of components.
+		// A disk meets about six disks; ten times six is a dust of components.
 		constexpr std::size_t   maxSamples = 4096, maxNear = 64;
 		const std::vector<int>& foreign    = fans_.earlier();
 		const bool              areTooMany = foreign.size() > maxSamples;
@@ -243,7 +243,8 @@ private:
 		});
 	}
 
-	/// The next place for a sample: best intersection, else border edge, else an uncovered vertex.
+	/// Finds the next place for a sample: the best intersection, else a border edge, else an
+	/// uncovered vertex.
 	bool findPlace(Place& place, bool& isUncovered)
 	{
 		isUncovered = false;
@@ -279,7 +280,7 @@ private:
 		return false;
 	}
 
-	/// Eq. (3): the point of a border edge (eq. (2)) where the disk of the sample of its inner end
+	/// Eq. (3): the point of a border edge (eq. (2)) at which the disk of the inner end's sample
 	/// ends.
 	bool placeOnBorderEdge(int h, Place& place) const
 	{
@@ -298,9 +299,9 @@ private:
 		return true;
 	}
 
-	/// Whether a sample that owns a vertex near the place is too close by now. The corners of its
-	/// face are enough where cells have many vertices: no sample was ever found farther out that
-	/// the flood would not have met. Among large faces two rings are looked at.
+	/// Whether a sample that owns a vertex near the place is too close by now. With many vertices a
+	/// cell, the corners of the face are enough: the flood has met every sample too close further
+	/// out. Among large faces two rings are checked.
 	bool isTaken(const Place& place) const
 	{
 		const Vec3f p    = place.point.position;
@@ -340,7 +341,8 @@ private:
 		return false;
 	}
 
-	/// A sample that would own no vertex could be inserted again and again.
+	/// Whether the place is nearer to some vertex than the sample of the vertex. A sample without
+	/// vertices could be inserted again and again.
 	bool improvesAVertex(const Place& place) const
 	{
 		for (int k = 0; k < 3; ++k) {
@@ -351,9 +353,9 @@ private:
 		return false;
 	}
 
-	/// A place is given up if its own disk comes to a sample that is too near after all. For a
-	/// vertex that no disk covered this says that the front overrated the way to it, across folds
-	/// or among needles: it then belongs to that sample.
+	/// Places a sample unless its disk meets a sample too near. If no disk covered the vertex, the
+	/// front had overrated the way to it, across folds or among needles: the vertex then belongs to
+	/// the sample met.
 	void tryToPlace(const Place& place, bool isUncovered)
 	{
 		const Sample sample{place.point, m_.faceNormal(place.point.face), place.size};
@@ -370,8 +372,8 @@ private:
 	}
 
 	/// A sample met by the flood and nearer than the spacing, or -1. For a vertex that must get a
-	/// sample only those that look the same way count: through space the other side of a thin sheet
-	/// is near too.
+	/// sample only samples that face the same way count: through space, the other side of a thin
+	/// sheet is near too.
 	int findTooNear(const Sample& sample, bool sameSideOnly) const
 	{
 		constexpr float sameSideCosine = 0.8f; // 37°, as far as flat ground bends (sectors.h)
@@ -393,11 +395,11 @@ private:
 		}
 	}
 
-	/// New intersections and border edges of a sample just placed.
+	/// Adds the intersections and border edges of a new sample to the front.
 	void extendFront(int s)
 	{
 		// A straight way through a disk of n vertices crosses about √n faces. Among needles it can
-		// cross thousands; such a place is better left to the border edges.
+		// cross thousands; then border edges serve better.
 		const std::vector<int>& met = flood_.metSamples();
 		fans_.add(met, 32 + 8 * int(std::sqrt(double(flood_.visited().size()))));
 		for (int t : met) {
@@ -405,7 +407,7 @@ private:
 			addIntersections(s, t);
 			fans_.tellNewcomer(t, s);
 		}
-		// Border edges are only looked for where the front has no intersections.
+		// Border edges are only needed when the front has no intersections.
 		if (heap_.empty()) {
 			for (int v : flood_.visited()) {
 				if (sampleOf(v) == s) addBorderEdges(v);
@@ -413,8 +415,8 @@ private:
 		}
 	}
 
-	/// The two points at the wanted distance from both samples, if the disks near s, whose fan is
-	/// the last one, leave them free.
+	/// Adds the two points at the wanted distance from both samples, if the samples near s leave
+	/// room. The fan of s is the last fan.
 	void addIntersections(int s, int t)
 	{
 		Pair pair;
@@ -426,7 +428,7 @@ private:
 
 	float wantedDistance(int s, int t) const { return r_ * (0.5f * (sizeOf(s) + sizeOf(t))); }
 
-	/// False if no intersection of the two is worth looking at.
+	/// False if the two samples have no useful intersection.
 	bool makePair(int s, int t, Pair& pair) const
 	{
 		const Sample& a       = shared_.samples[s];
@@ -443,28 +445,29 @@ private:
 	void addIntersection(const Pair& pair, float side, float misfit)
 	{
 		const Sample& a = shared_.samples[pair.a];
-		// As large as the mean of the two, until the place is known.
+		// The mean size of the pair serves until the place is known.
 		const Apex  apex = apexOf(pair, 0.5f * (a.size + sizeOf(pair.b)));
 		const Vec3f guess =
 			a.point.position + (pair.u * apex.cosine + pair.w * (side * apex.sine)) * apex.length;
 		float third = 0;
 		if (!isRoughlyFree(guess, apex.size, pair, third)) return;
-		// Pairs nearer than the ideal leave room for a whole triangle; far ones would start a
-		// square lattice, which is just as saturated but not what is wanted. Both are compared over
-		// the local size, or dense places would always come first.
+		// Pairs closer than the ideal leave room for a whole triangle. Distant pairs would start a
+		// square lattice, which is as saturated but not wanted. Both terms are divided by the local
+		// size, or dense places would always come first.
 		const float fit = (third + pairWeight * misfit) / apex.size + smallChance();
 		heap_.push_back({pair.a, pair.b, fans_.last(), side, guess, apex.size, fit});
 		std::push_heap(heap_.begin(), heap_.end(), fitsWorse);
 	}
 
-	/// Whether a sample placed since the intersection was found is near, seen in the plane.
+	/// Whether a sample placed since the intersection was found is near, in the plane.
 	bool isTakenByNewcomer(const Candidate& c) const
 	{
 		return fans_.anyNewcomer(c.fan,
 								 [&](int s) { return isNearer(c.guess, c.size, s, roughLimit()); });
 	}
 
-	/// The intersection's place on the surface; false if it is none of this block's or not free.
+	/// Finds the place of the intersection on the surface; false if it lies in another block or is
+	/// not free.
 	bool findIntersection(const Candidate& c, Place& place) const
 	{
 		Pair pair;
@@ -482,7 +485,7 @@ private:
 		return isMine(face) && isOpenFace(face) && isFree(place, pair, c.fan);
 	}
 
-	/// The triangle of a pair and a place of a given size next to it, by the law of cosines.
+	/// The triangle of a pair and a neighbouring place of given size, by the law of cosines.
 	Apex apexOf(const Pair& pair, float size) const
 	{
 		Apex apex;
@@ -497,19 +500,19 @@ private:
 		return apex;
 	}
 
-	/// A hundredth of r at most: lets the seed decide between places that fit alike, of which there
-	/// are many where the front begins at a straight border.
+	/// A random length up to a hundredth of r. The seed so decides between places with equal fit,
+	/// frequent when the front begins at a straight border.
 	float smallChance()
 	{
 		random_ = random_ * 1664525u + 1013904223u;
 		return 0.01f * r_ * float(random_ >> 8) * (1 / 16777216.0f);
 	}
 
-	/// Nearer in the plane means too near on the surface as well.
+	/// A sample nearer in the plane than this is too near on the surface as well.
 	float roughLimit() const { return nearLimit_ - 0.05f * r_; }
 
-	/// Cheap test in the tangent plane among the samples of the last fan; also finds the nearest
-	/// third sample, over its wanted distance.
+	/// Cheap test in the tangent plane among the samples of the last fan. Also finds the distance
+	/// to the nearest third sample, relative to the mean of the two sizes.
 	bool isRoughlyFree(const Vec3f& p, float size, const Pair& pair, float& third) const
 	{
 		const float limit   = roughLimit() * roughLimit();
@@ -534,8 +537,8 @@ private:
 			   !fans_.anyNewcomer(fan, isInTheWay);
 	}
 
-	/// Walks from a at the angle the plane suggests; if the surface's bend leaves the other sample
-	/// off by more than 1 %, once more at the angle of a secant step.
+	/// Walks from a at the angle from the plane. If a bend of the surface leaves the other sample
+	/// off by more than 1 %, walks again at the angle of a secant step.
 	bool walkToIntersection(const Pair& pair, float side, const Apex& apex, int maxCrossings,
 							SurfacePoint& place) const
 	{
@@ -548,8 +551,8 @@ private:
 		if (std::abs(error) <= 0.01f * apex.otherLength) return true;
 		const float lever = pair.distance * sine * (apex.length / apex.otherLength);
 		const float turn  = std::clamp(-error / (lever + 1e-20f), -0.3f, 0.3f);
-		// The angle turned by a small one, without trigonometric functions of libm, whose last bits
-		// differ between systems.
+		// Turns by a small angle without trigonometric functions of libm: their last bits differ
+		// between systems.
 		const float ct = 1 - 0.5f * turn * turn + turn * turn * turn * turn * (1 / 24.0f);
 		const float st = turn - turn * turn * turn * (1 / 6.0f);
 		const float c2 = cosine * ct - sine * st, s2 = sine * ct + cosine * st;
@@ -563,8 +566,8 @@ private:
 	}
 };
 
-/// Which samples own a vertex; one whose vertices were all taken by later ones says nothing any
-/// more.
+/// Marks samples that own a vertex. A sample whose vertices were all taken by later samples is of
+/// no use.
 Buffer<char> findOwners(const SharedState& shared, const Sampling& result, Workers& workers)
 {
 	Buffer<char> owns(shared.samples.size(), 0);
@@ -575,7 +578,7 @@ Buffer<char> findOwners(const SharedState& shared, const Sampling& result, Worke
 	return owns;
 }
 
-/// Puts the samples of all blocks in a row and renames them in the vertices' entries.
+/// Joins the samples of all blocks in one list and renames the samples in the vertices' entries.
 void compact(const SharedState& shared, Workers& workers, Sampling& result)
 {
 	const int          given = result.boundarySampleNum;
@@ -598,8 +601,8 @@ void compact(const SharedState& shared, Workers& workers, Sampling& result)
 	});
 }
 
-/// Calls body(sampler, block) for all blocks once, colour by colour. The number of floods goes from
-/// each colour to the next.
+/// Calls body(sampler, block) once for every block, colour by colour. Each colour continues the
+/// flood numbers of the colour before.
 template <class Body>
 void forBlocks(const OctreeBlocks& partition, Workers& workers, std::vector<BlockSampler>& samplers,
 			   const Body& body)
@@ -627,7 +630,7 @@ void sampleBlocks(const OctreeBlocks& partition, bool inRegion, Workers& workers
 	});
 }
 
-/// Floods from the samples of curves, each with those of its block.
+/// Floods from the samples of curves, each with the samples of its block.
 void floodGiven(const HalfEdgeMesh& m, const BoundaryCurves& boundary,
 				const OctreeBlocks& partition, Workers& workers,
 				std::vector<BlockSampler>& samplers)
@@ -650,8 +653,6 @@ void floodGiven(const HalfEdgeMesh& m, const BoundaryCurves& boundary,
 
 } // namespace
 
-/// Vertices of curves belong to the nearest sample along their curve, cone apexes to their own, at
-/// distance 0 of the interior's choice: no interior sample is stood for by such a vertex.
 void labelBorder(const BoundaryCurves& boundary, Sampling& result)
 {
 	for (std::size_t c = 0; c < boundary.curves.size(); ++c) {

@@ -10,14 +10,14 @@ namespace gpr {
 
 namespace {
 
-/// Weights of a face's corners below this count as none, shares of an edge near 0 and 1 likewise.
+/// Weights of a face's corners below this count as 0; so do shares of an edge this close to 0 or 1.
 constexpr double onEdge = 1e-3;
-/// Points nearer than this are one: a few steps of a float of magnitude one.
+/// Points nearer than this are the same: a few steps of a float of magnitude one.
 constexpr float samePlace = 4e-6f;
-/// Faces of one face of the surface that the search for a sample crosses at most.
+/// The most parts of a surface face that the search for a sample crosses.
 constexpr int maxFacesCrossedInFace = 1000;
 
-/// Fuses samples anywhere on the surface, one after the other.
+/// Fuses samples anywhere on the surface, in turn.
 class Fuser {
 public:
 	explicit Fuser(FusedMesh& fused) :
@@ -28,8 +28,8 @@ public:
 		}
 	}
 
-	/// A sample anywhere. mayBeBorder: whether it may become a vertex of the border; one that lies
-	/// there though it may not gets no vertex.
+	/// Fuses a sample. mayBeBorder: whether the sample may become a vertex of the border. If not, a
+	/// sample on the border gets no vertex.
 	void fuse(int sample, const SurfacePoint& at, bool mayBeBorder)
 	{
 		const Place place = locate(at);
@@ -59,8 +59,8 @@ private:
 	HalfEdgeMesh&     m_;
 	std::vector<char> taken_; ///< per vertex: is a sample
 
-	/// Makes v the sample's vertex. True too where v is another sample's at the same place, which
-	/// leaves this one without. False: v is taken.
+	/// Makes v the vertex of the sample and returns true. Also true if v has another sample at the
+	/// same place; then this sample gets no vertex. False: v is taken.
 	bool settleOn(int sample, int v, const Vec3f& p)
 	{
 		if (taken_[v]) return length(m_.position[v] - p) < samePlace;
@@ -75,8 +75,7 @@ private:
 		fused_.sampleVertex[sample] = v;
 	}
 
-	/// Walks within the surface point's face of the surface, cut up as it may be by now, to the
-	/// part that holds the point.
+	/// Walks over the parts of the surface face of the point to the part that holds the point.
 	Place locate(const SurfacePoint& at) const
 	{
 		Place place = weigh(at.face, at.position);
@@ -90,7 +89,8 @@ private:
 		return place;
 	}
 
-	/// Weights that add up to one; a face without area gives its nearest corner all of it.
+	/// Weights of the corners with sum 1; a degenerate face gives its nearest corner the whole
+	/// weight.
 	Place weigh(int face, const Vec3f& at) const
 	{
 		Place       place = {face, {0, 0, 0}};

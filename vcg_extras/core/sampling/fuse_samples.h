@@ -10,15 +10,15 @@
 
 namespace gpr {
 
-/// Makes samples of any placement vertices of the surface (paper §3, step 6): a sample becomes the
-/// vertex it lies on, splits the edge it lies on, or else its face in three. On means: within a
-/// thousandth of the face, which rounding could not tell apart; the vertex then takes the sample's
-/// place. Where `boundary` has samples, those and no others become vertices of the border. A sample
-/// that falls on an earlier one, or on the border though it is none of its samples, gets no vertex:
-/// sampleVertex is -1 there.
+/// Fuses samples of any placement into the surface (paper §3, step 6): each sample becomes the
+/// vertex at its place, or splits its edge in two or its face in three. A sample is at a vertex or
+/// an edge within a thousandth of the face, the limit of rounding; the vertex then moves to the
+/// sample. If `boundary` has samples, these and no others become vertices of the border. A sample
+/// that falls on an earlier sample, or on the border without belonging there, gets no vertex: its
+/// sampleVertex is -1.
 ///
-/// Differs from the paper, whose samples lie on edges and need edge splits only.
-/// Cost: a copy of the surface, and a few faces a sample.
+/// Differs from the paper: its samples lie on edges and need edge splits only. Cost: a copy of the
+/// surface, and a few faces a sample.
 FusedMesh fuseSamples(const Surface& surface, const Sampling& sampling,
 					  const BoundaryCurves& boundary, Workers& workers);
 

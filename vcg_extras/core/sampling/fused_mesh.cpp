@@ -11,10 +11,10 @@ namespace gpr {
 
 namespace {
 
-/// A border sample nearer to an end of its segment than this share of it is that end.
+/// A border sample closer to an end of its segment than this share of the segment becomes the end.
 constexpr float sameAsEnd = 1e-5f;
 
-/// Fuses the samples of one curve, in the order of their arcs.
+/// Fuses the samples of a curve, in the order of their arcs.
 class CurveFuser {
 public:
 	CurveFuser(const Curve& curve, std::unordered_set<int>& taken, FusedMesh& fused) :
@@ -52,7 +52,7 @@ private:
 	}
 };
 
-/// A vertex in no face yet, with room for the split that puts it in some.
+/// Adds a vertex in no face yet, and reserves memory for its split.
 int addVertex(FusedMesh& fused, const Vec3f& place)
 {
 	HalfEdgeMesh& m = fused.mesh;

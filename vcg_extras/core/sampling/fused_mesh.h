@@ -11,31 +11,32 @@
 
 namespace gpr {
 
-/// The mutual tessellation (paper §3, figure 1): the surface with every sample made a vertex of it
-/// by edge splits. The surface's own vertices keep their numbers, new ones follow; every face lies
-/// in one face of the surface, so that nothing has moved and topology is the surface's.
+/// The mutual tessellation (paper §3, figure 1): the surface with every sample as a vertex, made by
+/// edge splits. Vertices of the surface keep their numbers, new vertices follow. Every face lies in
+/// one face of the surface, so shape and topology stay the same.
 struct FusedMesh {
 	HalfEdgeMesh     mesh;
-	Buffer<int>      parentFace;   ///< of at least mesh.faceNum: the surface's face it lies in
+	Buffer<int>      parentFace;   ///< at least mesh.faceNum entries: the face of the surface
 	std::vector<int> sampleVertex; ///< per sample: its vertex, no two alike; -1: none
 };
 
-/// The surface itself: a tessellation with no sample fused yet. Cost: a copy, in parallel.
+/// Begins a fusion: the surface itself, with no sample yet. Cost: a copy, in parallel.
 FusedMesh beginFusion(const Surface& surface, Workers& workers);
 
-/// Makes room for so many more vertices and the faces that their splits need.
+/// Reserves memory for more vertices and for the faces of their splits.
 void makeRoom(FusedMesh& fused, int moreVertices);
 
-/// Splits the edge h, inner or border, at a place on it (paper §3, step 6): the new vertex, which
-/// is the mesh's last. What is left of h still begins at origin[h]. Makes room where there is none.
+/// Splits the edge h, inner or border, at `place` (paper §3, step 6). Returns the new vertex, the
+/// last of the mesh. The rest of h still begins at origin[h]. Reserves memory if needed.
 int splitAt(FusedMesh& fused, int h, const Vec3f& place);
 
-/// Splits face f in three at a place inside; as splitAt else.
+/// Splits face f in three at a place inside. Returns the new vertex, the last of the mesh. Reserves
+/// memory if needed.
 int splitFaceAt(FusedMesh& fused, int f, const Vec3f& place);
 
-/// Makes every border sample a vertex: the border vertex it lies on, or a new one on its border
-/// edge. Appends to sampleVertex, in the order of boundary.samples. Needs a mesh whose border edges
-/// are still those of the curves. Cost: linear in the border's samples.
+/// Makes every border sample a vertex: the border vertex at its place, or a new vertex on its
+/// border edge. Appends to sampleVertex, in the order of boundary.samples. Needs a mesh whose
+/// border edges are still the segments of the curves. Cost: linear in the samples of the border.
 void fuseBoundary(const BoundaryCurves& boundary, FusedMesh& fused);
 
 } // namespace gpr

@@ -13,16 +13,16 @@
 
 namespace gpr {
 
-/// Samples of any origin in the place of our own.
+/// Samples from the user in place of a sampling.
 struct GivenSamples {
 	Sampling          sampling;
-	std::vector<char> isMoved;      ///< per sample: it was off the surface
-	std::int64_t      movedNum = 0; ///< of these
-	float             farthest = 0; ///< from a sample as given to the surface, working units
+	std::vector<char> isMoved;      ///< per sample: was off the surface
+	std::int64_t      movedNum = 0; ///< number of moved samples
+	float farthest = 0; ///< largest distance of a given point from the surface, working units
 };
 
-/// Puts points, in the caller's frame, on the surface, each to the nearest place. Throws Failure
-/// where one is not finite. Cost: O(log F) a point, serial, and the building of a tree.
+/// Moves points, in the frame of the input mesh, to the nearest place of the surface. Throws
+/// Failure if a point is not finite. Cost: O(log F) a point, serial, and the building of a tree.
 GivenSamples takeOverSamples(const Surface& surface, const std::vector<Vec3d>& points,
 							 Workers& workers);
 

@@ -10,8 +10,8 @@ namespace gpr {
 
 namespace {
 
-/// How many samples a face can hold at most: disks of radius (1-ε) r/2 do not overlap, so a sample
-/// takes at least 0.78 r² of a flat surface; a needle has no area, but no more samples than length.
+/// The most samples on a face. Disks of radius (1-ε) r/2 do not overlap, so a sample takes at least
+/// 0.78 r² of flat ground; 0.5 r² is counted. A needle has almost no area: its length counts.
 double roomOf(const Surface& surface, int f, float radius)
 {
 	const HalfEdgeMesh& m      = surface.mesh;
@@ -34,10 +34,10 @@ double roomOf(const Surface& surface, int f, float radius)
 std::vector<BlockRange> makeRanges(const Surface& surface, const OctreeBlocks& partition,
 								   float radius, int firstSample, Workers& workers)
 {
-	constexpr int           spareRoom = 64; // blocks of few vertices may get as many samples
+	constexpr int           spareRoom = 64; // even a block of few vertices may need these
 	const HalfEdgeMesh&     m         = surface.mesh;
 	std::vector<BlockRange> ranges(partition.blocks.size());
-	// Faces lie in the order of their first corner, so a block's faces are one range as well.
+	// Faces are ordered by their first corner, so the faces of a block are consecutive.
 	workers.forTasks(ranges.size(), [&](std::size_t b, int) {
 		const auto firstFaceFrom = [&](int vertex) {
 			int low = 0, high = m.faceNum;

@@ -11,15 +11,15 @@
 
 namespace gpr {
 
-/// The numbers that the samples of a block may take while blocks are sampled side by side.
+/// The range of sample numbers of a block while blocks are sampled in parallel.
 struct BlockRange {
 	int firstSample = 0; ///< [firstSample, firstSample + room) belong to the block
 	int room        = 0;
 	int used        = 0;
 };
 
-/// A range for each block, the first from firstSample on, with room for as many samples as disks of
-/// radius r leave on its faces and some more. Cost: a parallel pass over the faces.
+/// Makes a range for each block, from firstSample on, with room for all samples that disks of
+/// radius r leave on the faces of the block, and a few more. Cost: a parallel pass over the faces.
 std::vector<BlockRange> makeRanges(const Surface& surface, const OctreeBlocks& partition,
 								   float radius, int firstSample, Workers& workers);
 

@@ -10,11 +10,11 @@ namespace gpr {
 
 namespace {
 
-/// Neighbours in space have near indices, so that a block of consecutive vertices is a patch of the
-/// surface that stays in the cache. It is also large enough for most paths to end inside.
+/// Neighbours in space have close indices, so a block of consecutive vertices is a patch of the
+/// surface that stays in the cache. A block is also large enough for most paths to end inside.
 constexpr std::size_t blockSize = 4096;
 
-/// A size that a vertex may have at most.
+/// An upper bound on the size of a vertex.
 struct Bound {
 	float size;
 	int   vertex;
@@ -27,20 +27,20 @@ struct Bound {
 
 using Bounds = std::vector<Bound>;
 
-/// The smallest of them comes first.
+/// A queue with the smallest bound first.
 using BoundQueue = std::priority_queue<Bound, Bounds, std::greater<Bound>>;
 
-/// Consecutive vertices, whose sizes only one thread at a time looks at.
+/// Consecutive vertices; only one thread at a time reads or writes their sizes.
 struct Block {
 	Bounds           arriving; ///< for vertices in it
 	Bounds           leaving;  ///< for vertices of other blocks
 	std::vector<int> lowered;  ///< its vertices that are lowered, each once
 };
 
-/// Lowers sizes at the vertices round some. The graded size of a vertex is the least over all paths
-/// to it of a path's first size and its rise, so it does not matter in which order they are
-/// followed. Inside a block this is Dijkstra's algorithm, which reads each vertex once; what leaves
-/// a block is handed over after all blocks are done, and the blocks that got something go on.
+/// Lowers sizes at the vertices round given vertices. The graded size of a vertex is the minimum
+/// over all paths to the vertex of first size plus rise, so the order of paths does not matter.
+/// Inside a block this is Dijkstra's algorithm, which reads each vertex once. Bounds that leave a
+/// block are handed over after all blocks are done; the blocks that received bounds go on.
 class Grader {
 public:
 	Grader(const HalfEdgeMesh& mesh, float slope, Workers& workers, Buffer<float>& size) :
@@ -99,7 +99,7 @@ private:
 		while (!queue.empty()) {
 			const Bound least = queue.top();
 			queue.pop();
-			// A smaller one has come first since it was queued.
+			// A smaller bound has come first.
 			if (least.size > size_[least.vertex]) continue;
 			lowerNeighbours(least, block, queue);
 		}
@@ -110,7 +110,7 @@ private:
 		const Vec3f place = m_.position[from.vertex];
 		forEachNeighbour(m_, from.vertex, [&](int w) {
 			const Bound bound = {from.size + slope_ * length(m_.position[w] - place), w};
-			// Another thread may be writing the sizes of another block.
+			// Another thread may write the sizes of another block.
 			if (&blockOf(w) != &block) {
 				if (bound.size < largest_) block.leaving.push_back(bound);
 			}

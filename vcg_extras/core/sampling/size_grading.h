@@ -11,11 +11,11 @@
 
 namespace gpr {
 
-/// Lowers sizes at the vertices until none grows along an edge by more than `slope` times the
-/// edge's length. `small` are the vertices whose neighbours may have to be lowered: all that are
-/// smaller than a neighbour. It then has these and all that were lowered, each once, in an order
-/// that does not depend on the threads. Cost: O(log n) for each of n vertices that are lowered, and
-/// a mark for each of the others; parallel.
+/// Lowers sizes at the vertices until no size grows along an edge by more than `slope` times the
+/// length of the edge. `small`: the vertices whose neighbours may be too large, at least all
+/// vertices smaller than a neighbour by more than that. On return `small` holds these vertices and
+/// all lowered vertices, each once, in an order independent of the threads. Cost: O(log n) for each
+/// of n lowered vertices, and a mark for each other vertex; parallel.
 void gradeSizes(const HalfEdgeMesh& mesh, float slope, Workers& workers, std::vector<int>& small,
 				Buffer<float>& size);
 

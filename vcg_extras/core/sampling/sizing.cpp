@@ -20,8 +20,8 @@ namespace gpr {
 
 namespace {
 
-/// How much sizes may grow by distance, both in units of the largest radius: sizes that change
-/// faster cost angles.
+/// Largest growth of sizes over distance, both in units of the largest radius. Faster growth makes
+/// small angles.
 float gradingSlope(const SizingRequest& request)
 {
 	const float slope = float(request.options.growth - 1);
@@ -29,15 +29,15 @@ float gradingSlope(const SizingRequest& request)
 			   ? std::max(slope, rangeWithinError.slope)
 			   : slope;
 }
-/// Where λ is above 0 the smallest triangles are at most so many times smaller than the largest.
+/// For λ above 0: the largest triangles are at most this many times larger than the smallest.
 constexpr float largestStretch = 4;
-/// Least 1 + λH of the equations as printed.
+/// Smallest 1 + λH of the equations as printed.
 constexpr float minPrintedStretch = 0.1f;
 /// More ring passes than this would take longer than the remeshing.
 constexpr int maxCurvaturePasses = 200;
 
-/// A curvature integrated over faces, and their area: both are averaged alike, so that the quotient
-/// is an area mean.
+/// A curvature integrated over faces, and the area of the faces. Both are averaged alike, so that
+/// the quotient is an area mean.
 struct CurvatureSum {
 	float curvature = 0;
 	float area      = 0;
@@ -54,8 +54,8 @@ Buffer<Vec3f> vertexNormals(const HalfEdgeMesh& m, Workers& workers)
 	return normal;
 }
 
-/// Mean curvature integrated over a face: half the sum over its corners of the normal there times
-/// the integral of its hat function's gradient, half the opposite edge turned inwards.
+/// Mean curvature integrated over a face. Each corner adds half of its normal times the integral of
+/// the gradient of its hat function, which is half the opposite edge turned inwards.
 float integratedCurvature(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int f)
 {
 	const Vec3f faceNormal = m.faceNormal(f);
@@ -67,7 +67,7 @@ float integratedCurvature(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, in
 	return 0.25f * sum;
 }
 
-/// Every vertex takes the mean of itself and its neighbours.
+/// Replaces every value by the mean of the vertex and its neighbours.
 void averageOverRings(const HalfEdgeMesh& m, Workers& workers, Buffer<CurvatureSum>& value)
 {
 	Buffer<CurvatureSum> mean(value.size());
@@ -84,8 +84,8 @@ void averageOverRings(const HalfEdgeMesh& m, Workers& workers, Buffer<CurvatureS
 	value.swap(mean);
 }
 
-/// Passes of ring averages that reach over a disk: the spread of n passes is that of a random walk
-/// of n steps an edge long, of which half the radius covers most of a disk.
+/// Number of ring averages that cover a disk: n passes spread like a random walk of n steps, each
+/// an edge long, and half the radius covers most of a disk.
 int passesForRadius(const Surface& surface, float radius, Workers& workers)
 {
 	const double area  = surfaceArea(surface.mesh, workers);
@@ -94,7 +94,7 @@ int passesForRadius(const Surface& surface, float radius, Workers& workers)
 	return std::clamp(int(std::lround(steps)), 0, maxCurvaturePasses);
 }
 
-/// What ofFace(f) gives, and the area, summed over the ring of every vertex.
+/// Sums ofFace(f) and the area of the faces over the ring of every vertex.
 template <class OfFace>
 Buffer<CurvatureSum> sumOverRings(const HalfEdgeMesh& m, Workers& workers, const OfFace& ofFace)
 {
@@ -112,7 +112,7 @@ Buffer<CurvatureSum> sumOverRings(const HalfEdgeMesh& m, Workers& workers, const
 	return ring;
 }
 
-/// What λ is multiplied with: |H|·r where calibrated; signed H in 1/mesh unit as printed.
+/// The factor of λ: |H|·r if calibrated; signed H in 1/mesh unit as printed.
 Buffer<float> strengthAtVertices(const SizingRequest& request, const Surface& surface,
 								 Workers& workers)
 {
@@ -124,7 +124,7 @@ Buffer<float> strengthAtVertices(const SizingRequest& request, const Surface& su
 	return strength;
 }
 
-/// Lowers sizes until none grows faster than the slope along any edge.
+/// Lowers sizes until no size grows faster than the slope along any edge.
 void grade(const SizingRequest& request, const Surface& surface, float radius, Workers& workers,
 		   Buffer<float>& size)
 {
@@ -151,7 +151,7 @@ struct Largest {
 	}
 };
 
-/// Sizes over the largest one, which may be above or below 1; returns it.
+/// Divides sizes by the largest size, which may be above or below 1. Returns the largest size.
 float normalise(Workers& workers, Buffer<float>& size)
 {
 	const Largest all =
@@ -174,8 +174,8 @@ bool wantsSmallerDisks(const SizingRequest& request)
 		   request.options.featureDiskScale < 1;
 }
 
-/// The size where the surface is flat, over that of even triangles: the larger, the more vertices
-/// are left for where it is not.
+/// Size on flat ground over the size of even triangles. The larger it is, the more vertices are
+/// left for bent places.
 float largestSizeFor(const RemeshOptions& options)
 {
 	if (options.targetMode == TargetMode::MaxError) return rangeWithinError.largest;
@@ -203,7 +203,7 @@ bool hasWantedEdges(const SizingRequest& request)
 		   !isPaper(request.options);
 }
 
-/// Whether the caller has sizes in mesh units.
+/// Whether the user gives sizes in mesh units.
 bool hasUnits(const SizingRequest& request)
 {
 	const RemeshOptions& o = request.options;
@@ -217,8 +217,8 @@ bool wantsOtherSizes(const SizingRequest& request)
 		   hasFineSpots(request) || hasUnits(request);
 }
 
-/// Mean length of the two border edges at every border vertex; 0 inside. Edges that were split are
-/// long ones: they count as the longest that are not.
+/// Mean length of the two border edges at every border vertex; 0 inside. Split edges were long:
+/// they count as the longest allowed length.
 Buffer<float> spacingAtBorder(const SizingRequest& request, const HalfEdgeMesh& m)
 {
 	std::vector<char> isKept(m.vertexNum, 0);
@@ -237,13 +237,12 @@ Buffer<float> spacingAtBorder(const SizingRequest& request, const HalfEdgeMesh& 
 	return spacing;
 }
 
-/// Lowers the sizes at a border whose vertices stay to what goes with their spacing, then grades.
-/// Which size that is depends on the radius, and that on all sizes: found in a few passes.
+/// Lowers the sizes at a border with kept vertices to match their spacing, then grades. The
+/// matching size depends on the radius, and the radius on all sizes, so a few passes are needed.
 void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers& workers,
 				   Buffer<float>& size)
 {
-	// The radius follows the sizes by less than their change, so that each pass takes most of it
-	// off.
+	// The radius changes by less than the sizes, so each pass removes most of the change.
 	constexpr int       passes       = 3;
 	constexpr float     smallestSize = 1 / 32.0f;
 	const HalfEdgeMesh& m            = surface.mesh;
@@ -264,7 +263,7 @@ void gradeToBorder(const SizingRequest& request, const Surface& surface, Workers
 	size.swap(matched);
 }
 
-/// Sizes that may differ from vertex to vertex as they like; `grade` has to follow.
+/// The sizes before grading: any difference between neighbours is allowed.
 Buffer<float> ungradedSizes(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
 	const float   lambda = float(request.options.lambda);
@@ -295,15 +294,15 @@ float unitEdge(const SizingRequest& request, const Surface& surface, const Buffe
 	return request.evenEdge * float(std::sqrt(meanSquaredStretch(surface.mesh, size, workers)));
 }
 
-/// A length in mesh units as a size, within a range that no mesh leaves and no float overflows.
+/// A length as a size, limited to a range that no mesh exceeds and no float overflows.
 float sizeFor(double length, double unit)
 {
 	constexpr double smallest = 1e-4, largest = 1e4;
 	return float(std::clamp(length / unit, smallest, largest));
 }
 
-/// Keeps sizes between the least and the largest edge. Where the count is given the others grow or
-/// shrink for it: found in a few passes.
+/// Keeps sizes between the smallest and the largest edge. With a given count the other sizes grow
+/// or shrink for it, in a few passes.
 void limitEdges(const SizingRequest& request, const Surface& surface, Workers& workers,
 				Buffer<float>& size)
 {
@@ -323,7 +322,7 @@ void limitEdges(const SizingRequest& request, const Surface& surface, Workers& w
 	}
 }
 
-/// Edges of triangles by the error over that of even ones, graded.
+/// Edges by the error over the even edge, graded.
 Buffer<float> errorSizes(const SizingRequest& request, const Surface& surface, Workers& workers)
 {
 	ErrorSizeRequest wanted;
@@ -355,8 +354,8 @@ Sizing makeCalibrated(const SizingRequest& request, const Surface& surface, Work
 		if (hasFineSpots(request))
 			multiply(factorsOf(*request.fineSpots, surface, workers), workers, sizing.size);
 		limitEdges(request, surface, workers, sizing.size);
-		// How steep a ramp is depends on the radius, and that on the sizes: the sizes before
-		// grading give it well enough.
+		// The slope depends on the radius, and the radius on the sizes. The sizes before grading
+		// give a radius that is good enough.
 		const double before = meanSquaredStretch(surface.mesh, sizing.size, workers);
 		if (matchesBorder(request))
 			gradeToBorder(request, surface, workers, sizing.size);
@@ -392,7 +391,7 @@ Sizing makePrinted(const SizingRequest& request, const Surface& surface, Workers
 			sizing.clampedNum += stretch < minPrintedStretch;
 			sizing.size[v] = 1 / std::max(stretch, minPrintedStretch);
 		}
-		// A surface that is hollow on the whole must not get a radius of nothing.
+		// A surface that is hollow as a whole must not get a radius of zero.
 		meanStretch = std::max(double(minPrintedStretch), 1 + sum / double(strength.size()));
 	}
 	if (wantsSmallerDisks(request)) shrinkFeatures(request, sizing.size);

@@ -17,62 +17,64 @@
 
 namespace gpr {
 
-/// How large the triangles are to be where: for every vertex of the surface the disk radius there
-/// over the largest one, in (0, 1].
+/// The local sizes: for every vertex of the surface its disk radius over the largest disk radius,
+/// in (0, 1].
 struct Sizing {
-	Buffer<float> size;                              ///< empty: the same everywhere
-	double        radiusFactor = 1;                  ///< largest disk radius over that of eq. (1)
-	float         longestEdge  = longestEdgeInRadii; ///< of the surface, in local disk radii
-	double        vertexNum    = 0; ///< with TargetMode::Sizes: that the sizes take
-	std::int64_t  clampedNum   = 0; ///< equations as printed: vertices where 1 + λH fell below 0.1
+	Buffer<float> size;                      ///< empty: the same everywhere
+	double        radiusFactor = 1;          ///< largest disk radius over the radius of eq. (1)
+	float  longestEdge = longestEdgeInRadii; ///< longest edge of the surface, in local disk radii
+	double vertexNum   = 0;                  ///< with TargetMode::Sizes: the count for the sizes
+	std::int64_t clampedNum = 0; ///< equations as printed: vertices with 1 + λH below 0.1
 };
 
-/// What the sizing of a run is made from.
+/// The inputs of the sizing of a run.
 struct SizingRequest {
 	const RemeshOptions&    options;
-	float                   radius;          ///< of eq. (1), working units
-	float                   evenEdge;        ///< of triangles that all have one size, working units
-	const Buffer<char>&     lines;           ///< feature lines, per half-edge; empty: none
-	const Buffer<char>&     isFeatureVertex; ///< per vertex of the surface; empty: none
-	const std::vector<int>& kept;            ///< the caller's vertices that stay, ascending
-	const FineSpots*        fineSpots = nullptr; ///< where triangles are to be smaller; or null
-	/// Edges that the caller wants at the vertices of the surface, working units; empty: none.
+	float                   radius;              ///< from eq. (1), working units
+	float                   evenEdge;            ///< edge of equal triangles, working units
+	const Buffer<char>&     lines;               ///< feature lines, per half-edge; empty: none
+	const Buffer<char>&     isFeatureVertex;     ///< per vertex of the surface; empty: none
+	const std::vector<int>& kept;                ///< input vertices to keep, ascending
+	const FineSpots*        fineSpots = nullptr; ///< places with smaller triangles; or null
+	/// Wanted edges at the vertices of the surface, from the user, working units; empty: none.
 	const Buffer<float>* wantedEdge = nullptr;
 };
 
-/// Stage::Sizing: the density of the samples (paper §3.1.2), and the smaller disks of a feature
-/// region (§3.1.1).
+/// Stage::Sizing: computes the density of the samples (paper §3.1.2) and the smaller disks of a
+/// feature region (§3.1.1).
 ///
-/// Calibrated: the stretch of distances, eq. (4), is s = min(1 + λ·|H|·r, largestStretch), without
-/// unit, H averaged over a disk of radius r; sizes 1/s may grow by gradingSlope of the distance
-/// only, so that angles stay good; since the number of samples goes with the area mean of s², the
-/// radius is multiplied by the root of it.
-/// As printed: s = max(1 + λ·H, 0.1) with the signed H of each vertex in 1/mesh unit, averaged over
-/// a disk too (the paper does not say how it is found, and noise would drown it), and the radius
-/// times the vertex mean of 1 + λ·H, eq. (5), which overshoots the count wherever the curvature
-/// varies. With BoundaryMode::Keep sizes at the border go with the spacing of its own vertices.
+/// Calibrated: distances are stretched, eq. (4), by s = min(1 + λ·|H|·r, largestStretch), without
+/// unit. H is averaged over a disk of radius r. Sizes 1/s may grow by at most gradingSlope of the
+/// distance, so that angles stay good. The number of samples goes with the area mean of s², so the
+/// radius is multiplied by the root of this mean.
 ///
-/// With `adapt` (calibrated only) sizes are multiplied by those of sizesByError, whose largest one
-/// is 1 + 0.3·adapt times that of even triangles, and with TargetMode::MaxError those of
-/// rangeWithinError. On either side of a feature line they are those of that side.
+/// As printed: s = max(1 + λ·H, 0.1) with the signed H of each vertex in 1/mesh unit. H is averaged
+/// over a disk here too: the paper does not define it, and noise would drown a local value. The
+/// radius is multiplied by the vertex mean of 1 + λ·H, eq. (5), which overshoots the count if the
+/// curvature varies.
 ///
-/// Edges that the caller wants are multiplied with all this (calibrated only), and what comes out
-/// is kept between minEdge and maxEdge. With TargetMode::Sizes they are lengths, and the count
-/// follows; with any other target they are scaled to it.
+/// With BoundaryMode::Keep sizes at the border follow the spacing of the border vertices.
 ///
-/// Where fine spots are given sizes are multiplied with their factors (calibrated only).
+/// `adapt` (calibrated only) multiplies sizes by the sizes of sizesByError. Their largest size is 1
+/// + 0.3·adapt times the size of even triangles; with TargetMode::MaxError rangeWithinError holds.
+/// Each side of a feature line has its own size.
 ///
-/// Cost: linear; for λ a pass over the mesh for every edge that r spans, squared.
+/// Wanted edges of the user (calibrated only) multiply all this, and the product is kept between
+/// minEdge and maxEdge. With TargetMode::Sizes wanted edges are lengths, and the count follows;
+/// with any other target they are scaled to the count. Fine spots (calibrated only) multiply sizes
+/// by their factors.
+///
+/// Cost: linear; for λ a pass over the mesh for every edge along r, squared.
 Sizing makeSizing(const SizingRequest& request, const Surface& surface, Workers& workers);
 
-/// Area mean of 1/size², for sizes at the vertices; 1 where there is no area. The number of
-/// triangles goes with it.
+/// Area mean of 1/size², for sizes at the vertices; 1 if the area is zero. The number of triangles
+/// is proportional to this mean.
 double meanSquaredStretch(const HalfEdgeMesh& mesh, const Buffer<float>& size, Workers& workers);
 
 /// Mean curvature H at every vertex in 1/working unit, positive where the surface bulges along its
-/// normals: the divergence of the vertex normals over each face (half of it is H), summed and
-/// divided by the area over the ring, then averaged over so many further rings. Needs no division
-/// by the area of a single face, so slivers do no harm.
+/// normals. The divergence of the vertex normals over each face (half of it is H) is summed and
+/// divided by the area over the ring, then averaged `ringPasses` times over rings. Nothing is
+/// divided by the area of a single face, so needles do no harm.
 Buffer<float> meanCurvature(const Surface& surface, int ringPasses, Workers& workers);
 
 } // namespace gpr

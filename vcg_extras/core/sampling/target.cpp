@@ -12,10 +12,10 @@ namespace gpr {
 
 namespace {
 
-/// c of eq. (1) as the paper has it, from Fu and Zhou's sampler.
+/// c of eq. (1) as printed in the paper, from the sampler of Fu and Zhou.
 constexpr double printedRadiusConstant = 0.844;
-/// The one that lands at 98 to 99 % of the target, which the exact count makes up: placement by
-/// disk intersection packs tighter than random border edges do.
+/// c of this sampling: the count lands at 98 to 99 % of the target, and the exact count adds the
+/// rest. Placement by disk intersection packs tighter than random border edges.
 constexpr double intersectionRadiusConstant = 0.962;
 
 } // namespace
@@ -58,13 +58,13 @@ double wantedVertexNum(std::int64_t inputVertexNum, const RemeshOptions& o, doub
 		return o.targetPercent / 100 * double(inputVertexNum);
 	case TargetMode::EdgeLength:
 		return vertexNumForEdgeLength(area, o.targetEdgeLen * scale);
-	case TargetMode::Sizes: // until they are known
+	case TargetMode::Sizes: // until the sizes are known
 		return o.maxEdge > 0 ? vertexNumForEdgeLength(area, o.maxEdge * scale)
 							 : 0.1 * double(inputVertexNum);
-	case TargetMode::Detail: // as below, of a surface as wide as a cube of that diagonal
+	case TargetMode::Detail: // as MaxError, with the diagonal of a cube of this area
 		return vertexNumForEdgeLength(area, edgePerError * detailError(o.targetDetail) *
 												std::sqrt(0.5 * area));
-	case TargetMode::MaxError: // a sampling alone has no error to look at
+	case TargetMode::MaxError: // a sampling alone measures no error
 		return vertexNumForEdgeLength(area, edgePerError * o.targetMaxError * scale);
 	}
 	return 0;

@@ -10,39 +10,40 @@
 
 namespace gpr {
 
-/// Edge length in largest errors that a search for the count of an error begins with: many
-/// triangles a trial cost more than a trial.
+/// The edge length, in error bounds, at which a search for the count begins: a trial with many
+/// triangles costs more than an additional trial.
 constexpr double edgePerError = 5;
-/// More vertices are refused.
+/// The most vertices of a result; more are refused.
 constexpr double maxResultVertices = 2e8;
 
-/// Radius of the disks that so many samples on an area have, eq. (1).
+/// Disk radius of vertexNum samples on an area, eq. (1).
 double diskRadius(double area, double vertexNum, double constant);
 
-/// c of eq. (1) for the preset chosen.
+/// The constant c of eq. (1) for the preset.
 double radiusConstant(const RemeshOptions& options);
 
-/// Edge length of so many vertices' equilateral triangles of one size.
+/// Edge length of vertexNum vertices in equilateral triangles of one size.
 float evenEdge(double area, std::int64_t vertexNum);
 
-/// The largest error asked for, in the units of the diagonal, with TargetMode::MaxError or Detail.
+/// The error bound of the options, in the units of the diagonal, with TargetMode::MaxError or
+/// Detail.
 double largestError(const RemeshOptions& options, double diagonal);
 
-/// Vertices of about-equilateral triangles of this edge length that cover the area.
+/// Number of vertices of equilateral triangles with this edge length on the area.
 double vertexNumForEdgeLength(double area, double edgeLength);
 
-/// The number of vertices that the options ask for, not rounded, whatever it is; area and scale as
-/// below.
+/// The wanted number of vertices, not rounded, for any target mode; area and scale as in
+/// resolveTarget.
 double wantedVertexNum(std::int64_t inputVertexNum, const RemeshOptions& options, double area,
 					   double scale);
 
-/// The number of vertices that the options ask for; area in working units squared, scale from mesh
-/// to working units. Throws Failure where it is more than a mesh may have.
+/// The wanted number of vertices; area in working units squared, scale from mesh to working units.
+/// Throws Failure if the number is more than a mesh may have.
 std::int64_t resolveTarget(std::int64_t inputVertexNum, const RemeshOptions& options, double area,
 						   double scale);
 
-/// Area and diagonal of a mesh as given, mesh units; faces with indices out of range or corners
-/// that are not finite are left out.
+/// Area and diagonal of a mesh, mesh units. Faces with indices out of range or with corners that
+/// are not finite are left out.
 struct MeshExtent {
 	double area     = 0;
 	double diagonal = 0;

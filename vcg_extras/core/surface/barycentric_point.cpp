@@ -8,10 +8,11 @@ namespace gpr {
 
 namespace {
 
-/// Of b and c, on the triangle's plane.
+/// Weights of corners b and c, for the foot of p on the triangle's plane. False for a degenerate
+/// face.
 bool weightsInPlane(const Vec3d& p, const Vec3d corner[3], double& wb, double& wc)
 {
-	// Squared sine of the angle between edges that rounding may make of none.
+	// Squared sine of an angle that rounding alone may make.
 	constexpr double rounding = 1e-24;
 	const Vec3d      b = corner[1] - corner[0], c = corner[2] - corner[0], n = cross(b, c);
 	const double     squared = squaredLength(n), longest = squaredLength(b) + squaredLength(c);
@@ -21,7 +22,7 @@ bool weightsInPlane(const Vec3d& p, const Vec3d corner[3], double& wb, double& w
 	return true;
 }
 
-/// Of the nearest point on the longest edge: a triangle without area is no more than that.
+/// Weights of the nearest point on the longest edge, for a degenerate face.
 void weightsOnEdge(const Vec3d& p, const Vec3d corner[3], double weight[3])
 {
 	int longest = 0;

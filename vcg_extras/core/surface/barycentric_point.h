@@ -9,7 +9,7 @@
 
 namespace gpr {
 
-/// Where a point of the engine's surface lies on the caller's mesh: the caller's face and the
+/// The place of a point of the working surface on the input mesh: a face of the input and the
 /// weights of its corners.
 BarycentricPoint barycentricPoint(const MeshView& input, const Surface& surface,
 								  const SurfacePoint& point);

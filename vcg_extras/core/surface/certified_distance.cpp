@@ -15,16 +15,16 @@ namespace gpr {
 
 namespace {
 
-/// Of the extent: far more than what rounding does to distances and bounds.
+/// Share of the extent: far more than the rounding of distances and bounds.
 constexpr double roundingShare = 2e-7;
-/// Of the extent: coordinates of points made by cutting are exact to this.
+/// Share of the extent: the error of coordinates of points made by cuts.
 constexpr double coordinateShare = 1e-14;
-/// Levels of groups of triangles above the leaves, and the number of groups that gives a first idea
-/// of the largest distance.
+/// Levels of groups of triangles above the leaves, and the least level of the groups for the first
+/// estimate of the largest distance.
 constexpr int groupLevels = 3, fewestGroupLevels = 12;
-/// Triangles that are looked at before the goal is set anew.
+/// Triangles between two updates of the goal.
 constexpr std::size_t batchSize = 1u << 17;
-/// Pieces that are cut at once at least; of more, the quarter with the largest bounds.
+/// Pieces cut at once: at least leastCuts; of many pieces, the quarter with the largest bounds.
 constexpr std::size_t leastCuts = 8192, cutShare = 4;
 
 Box<double> boxOf(const Triangle& t)
@@ -40,8 +40,8 @@ Vec3d centreOf(const Triangle& t)
 	return (t[0] + t[1] + t[2]) * (1.0 / 3);
 }
 
-/// Every point of the triangle is nearer than this to a triangle of the other surface: the distance
-/// from that is convex, so largest at a corner.
+/// Upper bound of the distance of any point of the piece from `other`: distance from a triangle is
+/// a convex function, so a corner of the piece has the largest value.
 double convexBound(const Triangle& piece, const Triangle& other)
 {
 	double squared = 0;
@@ -56,11 +56,12 @@ double longestEdge(const Triangle& t)
 		{squaredLength(t[1] - t[0]), squaredLength(t[2] - t[1]), squaredLength(t[0] - t[2])}));
 }
 
-/// What was found of a group, a triangle or a piece.
+/// Bounds of a group, a triangle or a piece.
 struct Finding {
 	double bound   = 0;  ///< no point is farther
-	double seen    = 0;  ///< some point is so far
-	int    nearest = -1; ///< triangle of the other surface nearest to its middle, or next to it
+	double seen    = 0;  ///< distance of a measured point
+	int    nearest = -1; ///< triangle of the other surface at, or next to, the nearest point of the
+						 ///< middle
 };
 
 /// A part of a triangle that may hold the largest distance.
@@ -68,9 +69,10 @@ struct Piece {
 	Triangle              corner;
 	std::array<double, 3> distance;  ///< of the corners
 	std::array<int, 3>    nearest;   ///< triangles of the other surface
-	int                   candidate; ///< another one that may bound it
-	int                   depth;
-	double                bound;
+	int                   candidate; ///< another triangle of the other surface that may bound the
+									 ///< piece
+	int    depth;
+	double bound;
 };
 
 bool isBoundSmaller(const Piece& a, const Piece& b)
@@ -78,10 +80,10 @@ bool isBoundSmaller(const Piece& a, const Piece& b)
 	return a.bound < b.bound;
 }
 
-/// Cuts of a triangle after which it counts as near, if no point was found that is far.
+/// Cuts of a triangle after which the triangle counts as near, if no far point was found.
 constexpr int maxCutsOfPlace = 200;
 
-/// Larger bounds first is the order of work; this finds the bound from which on work is done.
+/// The bound from which on pieces are cut now: pieces with larger bounds come first.
 double boundToCutFrom(const std::vector<Piece>& pieces)
 {
 	const std::size_t num = std::max(leastCuts, pieces.size() / cutShare);
@@ -119,7 +121,7 @@ public:
 		return bounds();
 	}
 
-	/// Places with a point farther than limit, in the regions.
+	/// Triangles with a point farther than limit, in the regions.
 	std::vector<FarPlace> beyond(double limit, std::vector<Box<double>> regions)
 	{
 		fixedGoal_ = limit;
@@ -140,11 +142,11 @@ private:
 	const CertificateSettings& settings_;
 	Workers&                   workers_;
 	double                     slack_;     ///< of both bounds, for rounding
-	double                     exact_ = 0; ///< coordinates are right to this
+	double                     exact_ = 0; ///< error of coordinates
 
 	double                   lower_     = 0; ///< largest distance found so far
-	double                   upper_     = 0; ///< of all that is done with
-	double                   fixedGoal_ = 0; ///< 0: it goes with the largest distance found
+	double                   upper_     = 0; ///< of all finished triangles and pieces
+	double                   fixedGoal_ = 0; ///< 0: the goal follows the largest distance found
 	std::vector<Box<double>> regions_;       ///< relative to the origin; empty: everywhere
 
 	struct Face {
@@ -154,7 +156,7 @@ private:
 	std::vector<Piece> pieces_;
 	std::int64_t       cutNum_ = 0;
 
-	/// What has a bound up to this is done with.
+	/// Triangles and pieces with a bound up to the goal are finished.
 	double goal() const
 	{
 		if (fixedGoal_ > 0) return fixedGoal_;
@@ -173,7 +175,7 @@ private:
 		return b;
 	}
 
-	/// Tells whether there is nothing more to do about it.
+	/// Whether a triangle or piece with this bound is finished.
 	bool isDone(double bound)
 	{
 		if (bound > goal()) return false;
@@ -188,7 +190,7 @@ private:
 						   [&](const Box<double>& region) { return region.meets(box); });
 	}
 
-	/// Nothing is far in a group outside of the regions.
+	/// A group outside of the regions counts as near.
 	Finding ofGroup(int level, int i) const
 	{
 		const Box<float>& own = from_.groupBox(level, i);
@@ -203,7 +205,8 @@ private:
 		return {distance + length(farthest), distance, near.triangle};
 	}
 
-	/// Of many neighbouring triangles at once; the triangles of the others are put on the list.
+	/// Bounds groups of neighbouring triangles; puts the triangles of unfinished groups on the
+	/// list.
 	void lookAtGroups()
 	{
 		const int            level = std::min(from_.levelNum() - 1,
@@ -222,7 +225,7 @@ private:
 		}
 	}
 
-	/// The bounds of a triangle by what is near its middle, the quick one first.
+	/// Bounds a triangle by the surface near its middle, the quick bound first.
 	Finding byMiddle(const Triangle& t, int hint, double goal) const
 	{
 		const TriangleTree::Nearest near = to_.nearest(centreOf(t), hint);
@@ -240,7 +243,7 @@ private:
 		return quick.bound <= goal ? quick : byMiddle(t, face.hint, goal);
 	}
 
-	/// Distance 0 where the bound of the triangle is below the limit.
+	/// Distance 0 if the bound of the triangle is below the limit.
 	FarPlace placeOf(const Face& face, double limit) const
 	{
 		const Finding found = ofFace(face, limit);
@@ -259,8 +262,7 @@ private:
 		return place;
 	}
 
-	/// Cuts a triangle of which seven points are within the limit until all of it is, or some point
-	/// is not.
+	/// Cuts a triangle with seven near points until all pieces are near or a point is far.
 	void lookCloser(const Face& face, const Finding& found, double limit, FarPlace& place) const
 	{
 		std::vector<Piece> open = {wholeFace({face.triangle, found.nearest}, found.bound)};
@@ -279,7 +281,7 @@ private:
 		}
 	}
 
-	/// Takes the place over at the corner of a piece that is farther.
+	/// Moves the place to a corner of the piece if the corner is farther.
 	static void takeFarther(const Piece& piece, FarPlace& place)
 	{
 		for (std::size_t k = 0; k < 3; ++k) {
@@ -341,7 +343,7 @@ private:
 		piece.nearest[k]                 = near.triangle;
 	}
 
-	/// By the triangles near the corners, and by the way to the corners.
+	/// Least of the bounds by the triangles near the corners and by the way to the corners.
 	double quickBound(const Piece& piece) const
 	{
 		double bound = convexBound(piece.corner, to_.triangle(piece.candidate));
@@ -384,7 +386,7 @@ private:
 		dropBelowGoal();
 	}
 
-	/// Sets the bound of a piece and returns the largest distance seen of it.
+	/// Sets the bound of a piece and returns the largest distance measured on the piece.
 	double bound(Piece& piece, double goal) const
 	{
 		double seen = std::max({piece.distance[0], piece.distance[1], piece.distance[2]});
@@ -396,7 +398,7 @@ private:
 		return std::max(seen, middle.seen);
 	}
 
-	/// Where and between which corners a piece is cut.
+	/// A cut of a piece at a point of the edge between corners p and q.
 	struct Cut {
 		std::size_t p, q;
 		double      share;    ///< of the way from p to q
@@ -437,7 +439,7 @@ private:
 		return {longest, (longest + 1) % 3, 0.5, piece.candidate, piece.candidate};
 	}
 
-	/// Of the triangles near the corners, that which alone bounds the piece best.
+	/// The triangle that bounds the piece best by itself, of the triangles near the corners.
 	int bestAlone(const Piece& piece) const
 	{
 		int    best  = piece.candidate;
@@ -450,15 +452,16 @@ private:
 		return best;
 	}
 
-	/// By how much a point is nearer to the second triangle than to the first.
+	/// How much nearer a point is to the second triangle than to the first.
 	double advantage(const Vec3d& p, int first, int second) const
 	{
 		return std::sqrt(squaredDistance(p, to_.triangle(first))) -
 			   std::sqrt(squaredDistance(p, to_.triangle(second)));
 	}
 
-	/// A cut between the corner that is far from the triangle that bounds best, and one that is
-	/// near it: where its own nearest triangle gets nearer. False where there is none.
+	/// A cut of an edge at equal distances from two triangles: the triangle `best`, which bounds
+	/// the piece best, and the nearest triangle of the corner farthest from `best`. False if no
+	/// edge at this corner has such a point.
 	bool findEqualDistance(const Piece& piece, Cut& c) const
 	{
 		const int   best = bestAlone(piece);
@@ -480,8 +483,8 @@ private:
 		return false;
 	}
 
-	/// The share of the way from p, nearer to the first triangle, to q, nearer to the second, at
-	/// which both are equally near.
+	/// The share of the way from p to q at which both triangles are equally near. p is nearer to
+	/// the first triangle, q to the second.
 	double shareOfEqual(const Vec3d& p, const Vec3d& q, int first, int second) const
 	{
 		constexpr int steps = 4;
@@ -512,7 +515,7 @@ DistanceBounds certifiedDistance(const MeasuredSurface& from, const MeasuredSurf
 								 const CertificateSettings& settings, Workers& workers)
 {
 	if (from.tree().size() == 0 || to.tree().size() == 0) return {};
-	const double rounding = 1e-15 * length(from.origin()); // of positions relative to it
+	const double rounding = 1e-15 * length(from.origin()); // of positions relative to the origin
 	return BranchAndBound(from.tree(), to.tree(), rounding, settings, workers).run();
 }
 

@@ -15,54 +15,57 @@
 
 namespace gpr {
 
-/// How near to each other the bounds shall come, and what that may cost.
+/// The wanted tightness of the bounds, and the largest cost.
 struct CertificateSettings {
 	double relative = 0.01; ///< upper is at most (1 + relative) lower + absolute
 	double absolute = 0;    ///< mesh units, at least some millionths of the extent
-	/// Coordinates may be wrong by so much, mesh units; the bounds hold all the same.
+	/// Largest error of the coordinates, mesh units; the bounds hold in spite of such errors.
 	double coordinateError = 0;
-	/// Pieces of triangles that may be looked at for each direction, beside the triangles.
+	/// Pieces of triangles to look at for each direction, beside the triangles, at most.
 	std::int64_t budget = 4000000;
 };
 
-/// Goal of the distance that reports tell: 1 % of it and 1e-5 of the diagonal.
+/// Settings for the distances of reports: 1 % of the distance and 1e-5 of the diagonal.
 CertificateSettings usualCertificate(double diagonal);
 
-/// Bounds of the largest distance of a point of one surface from another: the one-sided Hausdorff
-/// distance. All 0 where either has no face. Both need the same origin.
+/// Bounds of the one-sided Hausdorff distance: the largest distance of a point of surface `from`
+/// from surface `to`. All 0 if either has no face. Both surfaces need the same origin.
 ///
-/// Lower: the largest distance of a point that was looked at. Upper, by branch and bound (Guthe,
-/// Borodin, Klein 2005: Fast and accurate Hausdorff distance calculation between meshes; the bounds
-/// are others): triangles of the first surface are cut until a bound of each piece is below the
-/// goal. A piece has three bounds, of which the least counts. The distance from a single triangle
-/// of the other surface is a convex function, so it is largest at a corner of the piece. The second
-/// is coverBound. The third is what corners have, and the way to them. Pieces are cut where two
-/// triangles of the other surface are equally near, else in the middle of the longest edge.
+/// The lower bound is the largest distance measured at a point. The upper bound comes by branch and
+/// bound (Guthe, Borodin, Klein 2005: Fast and accurate Hausdorff distance calculation between
+/// meshes; the bounds differ from theirs): triangles of `from` are cut until a bound of each piece
+/// is below the goal. The least of three bounds counts:
+/// - The distance from a single triangle of `to` is a convex function, so a corner of the piece has
+///   the largest value.
+/// - coverBound.
+/// - The largest distance of a corner, plus the longest way to the nearest corner.
+/// A cut goes through a point with equal distances from two triangles of `to`, else through the
+/// middle of the longest edge.
 ///
-/// Both bounds have a slack of 2e-7 of the extent of the two surfaces, and coordinateError, which
-/// is far more than rounding can do. Where the budget is spent, the bounds are as good as they are
-/// then, and say so. The same bits for any number of threads. Cost: a search for each triangle that
-/// may be near the largest distance and for some of the others, parallel.
+/// Both bounds have a slack of 2e-7 of the extent of the two surfaces, plus coordinateError: far
+/// more than rounding can do. If the budget is spent, the bounds hold but are wider, and
+/// isBudgetSpent is set. The same bits for any number of threads. Cost: a search for each triangle
+/// that may be near the largest distance and for some more triangles, parallel.
 DistanceBounds certifiedDistance(const MeasuredSurface& from, const MeasuredSurface& to,
 								 const CertificateSettings& settings, Workers& workers);
 
 /// A triangle with a point that is farther from another surface than a limit.
 struct FarPlace {
-	Vec3d  position;     ///< of the farthest point that was looked at, in the frame of the mesh
-	double distance = 0; ///< its
+	Vec3d  position;     ///< of the farthest measured point, in the frame of the mesh
+	double distance = 0; ///< of this point
 	double area     = 0; ///< of the triangle
 };
 
-/// The triangles of a surface with points farther than the limit from another one, as far as seven
-/// points of each, or cutting it, show it. Of the others a bound is proven, but for a few that are
-/// near the limit. Only triangles whose boxes meet one of the regions are looked at, if there are
-/// any; these are few, and in the frame of the mesh. The same for any number of threads. Cost: as
-/// the first step of certifiedDistance.
+/// The triangles of `from` with points farther than the limit from `to`, as found by seven points
+/// of each triangle or by cuts. All other triangles are proven to be near, except a few close to
+/// the limit. regions: if any are given, only triangles whose boxes meet a region count; a few
+/// boxes, in the frame of the mesh. The same for any number of threads. Cost: as the first step of
+/// certifiedDistance.
 std::vector<FarPlace> placesBeyond(const MeasuredSurface& from, const MeasuredSurface& to,
 								   double limit, Workers& workers,
 								   const std::vector<Box<double>>& regions = {});
 
-/// Both ways between an input and a result.
+/// certifiedDistance in both directions between an input and a result.
 MutualBounds certifiedDistances(const MeshView& input, const MeshView& result,
 								const CertificateSettings& settings, Workers& workers);
 
@@ -73,9 +76,9 @@ struct ComparedDistance {
 	MutualBounds    proven;    ///< of the largest distances
 };
 
-/// Measures both ways, as many points as a comparison takes (distanceSampleNum), and proves the
-/// largest distances as reports tell them. What the proof finds farther off counts as measured.
-/// Cost: that of both, some seconds a million faces.
+/// Measures the distances in both directions with distanceSampleNum points, and proves bounds of
+/// the largest distances with usualCertificate. A larger distance found by the proof counts as
+/// measured. Cost: measuring and proving, some seconds per million faces.
 ComparedDistance compareSurfaces(const MeshView& input, const MeasuredSurface& inputSurface,
 								 const MeshView& result, double diagonal, Workers& workers);
 

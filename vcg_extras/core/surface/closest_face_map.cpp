@@ -14,23 +14,23 @@ namespace gpr {
 
 namespace {
 
-/// What looks the other way counts as farther by this factor on squared distances.
+/// Factor on the squared distance of a face with the opposite orientation.
 constexpr float wrongSide = 4;
-/// Triangles crossed at most on the way to the one over a vertex; then stars are searched.
+/// Most triangles crossed on the way to the triangle over a vertex; then stars are searched.
 constexpr int maxSteps = 8;
-/// A vertex that lies over a triangle belongs to it unless it is this share of twice its area away,
-/// squared: beyond a crease there may be a nearer one.
+/// A vertex over a triangle belongs to this triangle up to this squared height, as a share of twice
+/// the triangle's area: a higher vertex may have a nearer triangle beyond a crease.
 constexpr float overShare = 0.04f;
-/// Farther than this share of twice the triangle's area, squared, a vertex may have strayed: half
-/// an edge.
+/// A vertex at a larger squared distance, as a share of twice the triangle's area, may be a stray:
+/// half an edge.
 constexpr float strayShare = 0.3f;
-/// Stars searched at most.
+/// Most stars searched.
 constexpr int maxHops = 4;
-/// Vertices that are flooded together: pieces of fixed size, whatever the number of threads.
+/// Vertices that are flooded together: pieces of fixed size for any number of threads.
 constexpr int pieceSize = 16384;
 
-/// Breadth-first within pieces of consecutive vertices; from piece to piece by offers that are all
-/// made before any is taken. The outcome is the same for any number of threads.
+/// Breadth-first flood within pieces of consecutive vertices. From piece to piece go offers, all
+/// made before any is taken. The same labels for any number of threads.
 class PointFlood {
 public:
 	PointFlood(const Surface& surface, const ResultMesh& result, Workers& workers) :
@@ -142,14 +142,14 @@ private:
 	}
 };
 
-/// Whether a vertex that lies over a triangle belongs to it: whether it is near.
+/// Whether a vertex lies over a triangle, and near enough to belong to the triangle.
 bool isOver(const FacePlane& plane, const Vec3f& at, const Vec3f& normal)
 {
 	return plane.looksAlong(normal) && plane.footOf(at).isInside() &&
 		   plane.squaredHeight(at) <= overShare * length(plane.areaNormal());
 }
 
-/// Finds the triangle of the result that a vertex of the input belongs to.
+/// Finds the triangle of the result to which a vertex of the working surface belongs.
 class TriangleSearch {
 public:
 	TriangleSearch(const Surface& surface, const HalfEdgeMesh& result) :
@@ -160,12 +160,13 @@ public:
 	struct Found {
 		int   face;
 		Foot  foot;
-		float distance;       ///< squared; × wrongSide where the face looks the other way
-		bool  isOver = false; ///< it looks the same way, and the vertex lies over it and is near
+		float distance;       ///< squared; × wrongSide for a face with the opposite orientation
+		bool  isOver = false; ///< the face has the same orientation, and the vertex lies over the
+							  ///< face and near
 	};
 
-	/// Whether the face looks the other way than the vertex of the input, or lies so far from it
-	/// that it may stand for another part of the surface.
+	/// Whether the face has the opposite orientation, or lies so far from vertex p that the vertex
+	/// may belong to another part of the result.
 	bool isStray(int p, int face) const
 	{
 		const FacePlane plane(m_, face);
@@ -175,9 +176,10 @@ public:
 			   strayShare * length(plane.areaNormal());
 	}
 
-	/// Walks from a face towards the one that p lies over, as in point location in the plane. Where
-	/// that ends nowhere, as at creases and cone apexes, the stars on the way are searched; where
-	/// it ends far off, beyond a crease perhaps, those round the face that it began with, too.
+	/// Walks from a face towards the triangle over p, as point location in the plane does. Such a
+	/// walk may find no triangle, as at creases and cone apexes: then the stars at its end are
+	/// searched. The walk may also end far off, as beyond a crease: then the stars at the first
+	/// face are searched too.
 	Found locate(int p, int face) const
 	{
 		const Vec3f at     = surface_.mesh.position[p];
@@ -231,12 +233,12 @@ private:
 	}
 };
 
-/// The flood counts edges, not lengths: along needles it comes to the far side of a plate before
-/// the near one, and the walks from there do not find back. Strays are looked for again from the
-/// faces of their neighbours, ring by ring from those that have not strayed.
+/// Corrects strays of the flood, which counts edges, not lengths: along needles the flood may come
+/// to the far side of a plate first, and walks from there do not return. A stray is searched again
+/// from the faces of its neighbours, ring by ring, beginning beside vertices that are no strays.
 class StrayReturn {
 public:
-	/// face: per vertex of the input; -1 where there is none.
+	/// face: per vertex of the working surface; -1 for no face.
 	StrayReturn(const HalfEdgeMesh& input, const TriangleSearch& search, Buffer<int>& face,
 				Workers& workers) :
 			m_(input),
@@ -265,10 +267,10 @@ private:
 	Workers&              workers_;
 	std::vector<char>     isStray_;
 
-	/// Returns the strays beside those that came back.
+	/// Returns the strays beside the vertices corrected now.
 	std::vector<int> takeRing(const std::vector<int>& front)
 	{
-		// All see the faces before the round: the bits do not depend on the threads.
+		// All searches read the faces of the round before: the same bits for any number of threads.
 		const std::vector<Back> back =
 			workers_.collectEach<Back>(front.size(), [&](int i, auto& out) {
 				const int face = nearestByNeighbours(front[i]);
@@ -288,8 +290,8 @@ private:
 		return beside;
 	}
 
-	/// The nearest face that is found from those of the neighbours that have not strayed; its own
-	/// where there are none.
+	/// The nearest face found from the faces of neighbours that are no strays; without such
+	/// neighbours the present face.
 	int nearestByNeighbours(int p) const
 	{
 		TriangleSearch::Found best{face_[p], {{1, 0, 0}}, HUGE_VALF};
@@ -302,7 +304,7 @@ private:
 	}
 };
 
-/// The face that each vertex of the input belongs to; -1 where no surface point reaches it.
+/// The face of each vertex of the working surface; -1 for vertices reached by no surface point.
 Buffer<int> findFaces(const Surface& surface, const ResultMesh& result, Workers& workers)
 {
 	const HalfEdgeMesh&    m    = result.mesh;
@@ -346,13 +348,13 @@ void ClosestFaceMap::keepListsOnly()
 
 namespace {
 
-/// The place in a list of a vertex that has left it.
+/// The entry of a vertex that has left a list.
 constexpr int gone = -1;
 
 } // namespace
 
-/// Face by face, so that what finds the weights in a triangle is computed once for all its
-/// vertices. Nearly all of them still lie over it.
+/// Goes face by face: the terms of the barycentric weights are computed once for all vertices of a
+/// face. Nearly all of these vertices still lie over the face.
 std::vector<ClosestFaceMap::Leaver> ClosestFaceMap::takeLeavers(const HalfEdgeMesh& result,
 																Workers&            workers)
 {
@@ -371,7 +373,7 @@ std::vector<ClosestFaceMap::Leaver> ClosestFaceMap::takeLeavers(const HalfEdgeMe
 	return workers.collectEach<Leaver>(result.faceNum, [&](int f, auto& out) { takeFrom(f, out); });
 }
 
-/// The new list of a face: those that stayed, then those that came.
+/// The new list of a face: first the vertices that stayed, then the new vertices.
 void ClosestFaceMap::takeIn(const std::vector<Leaver>& leavers, Workers& workers)
 {
 	const std::size_t faceNum = start_.size() - 1;

@@ -37,40 +37,40 @@ private:
 	std::uint16_t upper_;
 };
 
-/// What each triangle of the result stands for: every vertex of the input belongs to the triangle
-/// nearest to it, found by walking over the triangles from its former one, so that a sheet that
-/// only looks near is never taken. 10 B per vertex of the input.
+/// The vertices of the working surface that belong to each face of the result. Each vertex belongs
+/// to its nearest face, as found by a walk over the faces from its face before the last update: so
+/// a nearby face of another sheet is never taken. 10 B per vertex of the working surface.
 class ClosestFaceMap {
 public:
-	/// Finds the map, starting from a flood over the input from the result's surface points.
-	/// Cost: linear in the input, parallel.
+	/// Finds the map by a flood over the working surface from the result's surface points. Cost:
+	/// linear in the working surface, parallel.
 	ClosestFaceMap(const Surface& surface, const ResultMesh& result, Workers& workers);
 
-	/// Brings the map up to date after vertices of the result moved. The faces must be the same.
-	/// Cost: a look at every vertex of the input, and a walk for the few that change their face;
-	/// parallel.
+	/// Updates the map after moves of the result's vertices. The faces must be the same. Cost: a
+	/// look at every vertex of the working surface, and a walk for the few vertices that change
+	/// their face; parallel.
 	void update(const ResultMesh& result, Workers& workers);
 
-	/// The vertices of the input that belong to face f of the result, in an order that does not
-	/// depend on the threads. Those that no surface point reaches belong to none.
+	/// The vertices that belong to face f of the result, in the same order for any number of
+	/// threads. Vertices reached by no surface point belong to no face.
 	const int* begin(int f) const { return item_.data() + start_[f]; }
 	const int* end(int f) const { return item_.data() + start_[f + 1]; }
 
-	/// The input's area round p: a third of its faces', working units squared.
+	/// A third of the area of the faces at vertex p of the working surface, working units squared.
 	float area(int p) const { return area_[p].value(); }
 
-	/// Gives back all but the lists of begin() and end(): 6 B per vertex of the input.
+	/// Frees all memory but the lists of begin() and end(): 6 B per vertex of the working surface.
 	void keepListsOnly();
 
 private:
-	/// A vertex of the input that is to change its face.
+	/// A vertex of the working surface that changes its face.
 	struct Leaver {
 		int vertex, toFace;
 	};
 
 	const Surface&        surface_;
 	Buffer<PackedMeasure> area_;
-	Buffer<int>           start_; ///< per face of the result: where its vertices begin in item_
+	Buffer<int>           start_; ///< per face of the result: the begin of its list in item_
 	Buffer<int>           item_;
 
 	void                measureAreas(Workers& workers);
@@ -78,8 +78,9 @@ private:
 	void                takeIn(const std::vector<Leaver>& leavers, Workers& workers);
 };
 
-/// A vertex of the result near each vertex of the input, by a breadth-first flood over the input
-/// from all surface points at once; -1 where none comes to. Cost: linear, parallel.
+/// For each vertex of the working surface, a vertex of the result near by: a breadth-first flood
+/// from all surface points at once. -1 for vertices that the flood does not reach. Cost: linear,
+/// parallel.
 Buffer<int> floodFromPoints(const Surface& surface, const ResultMesh& result, Workers& workers);
 
 } // namespace gpr

@@ -10,17 +10,17 @@ namespace gpr {
 
 namespace {
 
-/// Triangles that are followed at most; a larger piece had better be cut.
+/// Most triangles to follow; a larger piece is better cut.
 constexpr int maxTriangles = 192;
 
-/// The triangles met so far, in the order in which they were met.
+/// The reached triangles, in the order of the search.
 class Visited {
 public:
 	int  num() const { return num_; }
 	int  operator[](int i) const { return triangle_[i]; }
 	bool isFull() const { return num_ == maxTriangles; }
 
-	/// Nothing where it was met before. Not to be called when full.
+	/// Adds a triangle unless known. The list must not be full.
 	void add(int triangle)
 	{
 		std::uint32_t slot = std::uint32_t(triangle) * 2654435769u >> shift;
@@ -43,7 +43,7 @@ private:
 /// A point seen along the piece's normal: two coordinates in its plane, and the height above it.
 using Seen = Vec3d;
 
-/// 1 where p surely lies to the left of the line from a to b, -1 to the right; 0: unsure.
+/// 1 if p surely lies to the left of the line from a to b, -1 if to the right; 0: unsure.
 int sideOfLine(const Seen& a, const Seen& b, const Seen& p, double margin)
 {
 	const double abx = b.x - a.x, aby = b.y - a.y, apx = p.x - a.x, apy = p.y - a.y;
@@ -86,17 +86,17 @@ public:
 		return {dot(v, x_), dot(v, y_), dot(v, z_)};
 	}
 
-	/// A point in the middle, but not where regular meshes have vertices or edges.
+	/// A point in the middle, but away from the vertices and edges of regular meshes.
 	Seen middle() const { return corner_[0] * 0.31 + corner_[1] * 0.36 + corner_[2] * 0.33; }
 
-	/// How far inside of the line through an edge of the piece.
+	/// Distance of p to the inner side of the line through an edge of the piece.
 	double inside(const Seen& p, std::size_t edge) const
 	{
 		const Seen v = p - corner_[edge];
 		return v.x * inwards_[edge].x + v.y * inwards_[edge].y;
 	}
 
-	/// False only where a segment surely lies beside the piece.
+	/// False only if a segment surely lies beside the piece.
 	bool mayMeet(const Seen& p, const Seen& q) const
 	{
 		for (std::size_t k = 0; k < 3; ++k)
@@ -151,7 +151,7 @@ double largestHeightInside(const Window& window, const Seen (&t)[3])
 
 enum class Side { Inside, Outside, Unsure };
 
-/// Where a point lies, seen along the normal.
+/// Whether a point lies inside of a triangle, seen along the normal.
 Side sideOf(const Seen& p, const Seen (&t)[3], double margin)
 {
 	int left = 0, right = 0;

@@ -31,14 +31,15 @@ float distanceToSegment(const Vec3f& p, const Vec3f& a, const Vec3f& b)
 	return length(p - a - (b - a) * shareOnSegment(p, a, b));
 }
 
-/// Distance of arcs a and b, at p and q, through space, over the size wanted between them.
+/// Straight distance of arcs a and b, at p and q, over the wanted size between both.
 float relativeChord(const Curve& c, float a, const Vec3f& p, float b, const Vec3f& q)
 {
 	return length(q - p) / (0.5f * (c.sizeAt(a) + c.sizeAt(b)));
 }
 
-/// Goes from arc a to b by chords of length d: the first point where the distance from the last one
-/// reaches d. Returns the steps made, with the fraction left over; appends the arcs if asked.
+/// Goes from arc a to b by chords of length d: each step ends at the first point at distance d from
+/// the step's begin. Returns the steps made, with the fraction left over; appends the arcs if
+/// asked.
 float march(const Curve& c, float a, float b, float d, std::vector<float>* arcs)
 {
 	float from  = a;
@@ -68,7 +69,7 @@ float march(const Curve& c, float a, float b, float d, std::vector<float>* arcs)
 	}
 }
 
-/// Exactly `steps` chords of one length: bisection on that length.
+/// Exactly `steps` chords of the same length, found by bisection.
 std::vector<float> evenSpacing(const Curve& c, float a, float b, float d, int steps)
 {
 	std::vector<float> arcs;
@@ -84,7 +85,7 @@ std::vector<float> evenSpacing(const Curve& c, float a, float b, float d, int st
 	return arcs;
 }
 
-/// Over the size wanted there.
+/// deviation() over the wanted size there.
 float relativeDeviation(const Curve& c, float a, float b)
 {
 	return deviation(c, a, b) / (0.5f * (c.sizeAt(a) + c.sizeAt(b)));
@@ -100,7 +101,7 @@ float worstDeviation(const Curve& c, float a, float b, const std::vector<float>&
 	return std::max(worst, relativeDeviation(c, last, b));
 }
 
-/// A tenth of the wanted chord apart, from a to b, both included.
+/// Arcs a tenth of the wanted chord apart, from a to b, both included.
 std::vector<float> spreadArcs(const Curve& c, float a, float b, float d)
 {
 	std::vector<float> arcs;
@@ -118,11 +119,11 @@ std::vector<float> spreadArcs(const Curve& c, float a, float b, float d)
 	return arcs;
 }
 
-/// Arcs of the curve's own points and of evenly spread ones, from a to b, both included.
+/// Arcs of the curve's own points and evenly spread arcs, from a to b, both included.
 std::vector<float> candidateArcs(const Curve& c, float a, float b, float d)
 {
 	std::vector<float> arcs = spreadArcs(c, a, b, d);
-	// Points of the curve where it bends belong to the best polygon; dense ones add nothing.
+	// Points at bends of the curve belong to the best polygon; dense points add nothing.
 	float last = a;
 	for (int i = c.segmentAt(a) + 1; c.arcOf(i) < b; ++i) {
 		const float s = c.arcOf(i);
@@ -136,11 +137,11 @@ std::vector<float> candidateArcs(const Curve& c, float a, float b, float d)
 	return arcs;
 }
 
-/// Cheapest chain of chords from the first to the last candidate.
+/// The chain of chords of least cost from the first to the last candidate.
 std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const CurveSpacing& spacing)
 {
 	constexpr float shortest = 0.3f, longest = 1.5f; // of the wanted chord
-	// A curve left by a sixth more than allowed costs as much as a chord two thirds too short.
+	// An excess of a sixth costs as much as a chord two thirds too short.
 	constexpr double excessWeight = 16;
 	const float      d            = spacing.chord;
 
@@ -155,7 +156,8 @@ std::vector<float> cheapestSpacing(const Curve& c, float a, float b, const Curve
 	cost[0] = 0;
 	for (int i = 1; i < n; ++i) {
 		for (int k = i - 1; k >= 0; --k) {
-			// A chord is never longer than its arc; past this arc no ragged curve is worth a look.
+			// A chord is never longer than its arc; beyond this arc length no chord is worth a
+			// look.
 			const float size = std::max(c.sizeAt(arcs[i]), c.sizeAt(arcs[k]));
 			if (arcs[i] - arcs[k] > 3 * longest * d * size && before[i] >= 0) break;
 			const float chord = relativeChord(c, arcs[k], place[k], arcs[i], place[i]) / d;

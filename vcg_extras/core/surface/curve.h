@@ -11,8 +11,8 @@ namespace gpr {
 
 /// A polyline on the surface, by arc length: a loop of the border or a feature line.
 struct Curve {
-	std::vector<int>   vertex; ///< of the surface, in order
-	std::vector<Vec3f> point;  ///< their positions
+	std::vector<int>   vertex; ///< vertices of the surface, in order
+	std::vector<Vec3f> point;  ///< positions of the vertices
 	std::vector<int>   face;   ///< face at the segment from point i to the next
 	std::vector<float> arc;    ///< arc length at point i
 	std::vector<float> size;   ///< wanted size at point i over the largest; empty: 1 everywhere
@@ -27,28 +27,28 @@ struct Curve {
 	Vec3f at(float s) const;
 	float sizeAt(float s) const;
 	float smallestSize() const;
-	/// Arc length of point i, where i may run on past the end of a closed curve, once round.
+	/// Arc length of point i; i may run on past the end of a closed curve, once round.
 	float arcOf(int i) const { return arc[i % pointNum()] + (i >= pointNum() ? length : 0.0f); }
 };
 
-/// Where spacing by chords puts samples on a piece of a curve.
+/// Wanted spacing of samples on a piece of a curve, by chords.
 struct CurveSpacing {
-	float chord = 0; ///< wanted distance of neighbours, straight through space, where the size is 1
-	float tolerance =
-		0.08f; ///< of the chord: how far the curve may leave the polygon of the samples
+	float chord     = 0;     ///< wanted straight distance of neighbours for size 1
+	float tolerance = 0.08f; ///< largest distance of the curve from the polygon of the samples, as
+							 ///< a share of the chord
 };
 
-/// Arc lengths strictly between `from` and `to` (to may run past the curve's end) where samples
-/// lie: evenly by chords if the curve then stays within the tolerance of the polygon; otherwise at
-/// the places that cost least, by dynamic programming over candidates a tenth of the chord apart:
-/// the squared deviation of each chord from its wanted length, plus sixteen times the squared
-/// excess over the tolerance. At least minSteps steps are made. Cost: linear in length, ×
+/// Arc lengths of samples strictly between `from` and `to` (to may run past the curve's end). The
+/// samples lie evenly by chords if the curve then stays within the tolerance of the polygon.
+/// Otherwise dynamic programming over candidates a tenth of the chord apart finds the samples of
+/// least cost: the squared deviation of each chord from its wanted length, plus sixteen times the
+/// squared excess over the tolerance. At least minSteps steps are made. Cost: linear in length, ×
 /// candidates per chord².
 std::vector<float> spaceOut(const Curve& curve, float from, float to, const CurveSpacing& spacing,
 							int minSteps);
 
-/// Calls visit(point, arc) for the curve's points strictly between arcs a and b; these may run past
-/// the end of a closed curve, and so do the arcs then.
+/// Calls visit(point, arc) for the curve's points strictly between arcs a and b. Both arcs may run
+/// past the end of a closed curve; the visited arcs then do so too.
 template <class Visit>
 inline void forEachPointBetween(const Curve& c, float a, float b, const Visit& visit)
 {

@@ -9,13 +9,13 @@ namespace gpr {
 
 namespace {
 
-/// Cosine of about 37°: beyond it the chord says too little about the distance.
+/// Cosine of about 37°: beyond, the chord says too little about the distance.
 constexpr float flatCosine = 0.8f;
 
-/// A settled vertex is visited again where a way shorter by this share turns up.
+/// A settled vertex is visited again if a way shorter by this share turns up.
 constexpr float worthAnotherVisit = 1e-3f;
-/// Vertices that a flood may visit again: among needles a way could else get shorter bit by bit,
-/// without end to speak of. On scans it is some per cent of a few dozen.
+/// Most repeated visits of vertices in a flood: among needles a way could get shorter bit by bit,
+/// nearly without end. On scans a flood revisits some per cent of its few dozen vertices.
 constexpr int maxVisitsAgain = 48;
 
 } // namespace
@@ -44,7 +44,7 @@ float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float
 
 void DiskFlood::explore(const Sample& sample)
 {
-	scale_ = stretch_ == nullptr ? 1 / sample.size : 1.0f; // a stretch says it already
+	scale_ = stretch_ == nullptr ? 1 / sample.size : 1.0f; // a stretch contains the size
 	if (!useChords_ || !exploreFlat(sample)) exploreUnfolding(sample);
 }
 
@@ -60,8 +60,8 @@ void DiskFlood::meet(int vertex)
 {
 	const NearestField::Nearest& n = field_.nearest[vertex];
 	if (n.sample < 0 || n.distance > radius_) return;
-	// Neighbours mostly have the same one; of others there are a dozen at most, and a linear search
-	// beats every set.
+	// Neighbours mostly have the same sample. Other samples are a dozen at most, and a linear
+	// search is faster than any set.
 	if (!met_.empty() && met_.back() == n.sample) return;
 	if (std::find(met_.begin(), met_.end(), n.sample) == met_.end()) met_.push_back(n.sample);
 }
@@ -72,8 +72,8 @@ bool DiskFlood::exploreFlat(const Sample& sample)
 	const int stamp = 2 * ++flood_;
 	queue_.clear();
 	met_.clear();
-	// Where the arrays begin is read once: the compiler cannot know that what is written to them
-	// leaves that alone.
+	// The begins of the arrays are read once: the compiler cannot know that no write to the arrays
+	// changes their begins.
 	NearestField::Trial* const         trial    = field_.trial.data();
 	const NearestField::Nearest* const nearest  = field_.nearest.data();
 	const Vec3f* const                 position = m_.position.data();
@@ -120,14 +120,14 @@ void DiskFlood::exploreUnfolding(const Sample& sample)
 	}
 }
 
-/// From the sample straight to a corner of its face.
+/// The length from the sample straight to a corner of its face.
 float DiskFlood::wayFrom(const Sample& sample, int corner) const
 {
 	const float straight = length(m_.position[corner] - sample.point.position);
 	float       sum      = 3 * stretchAt(corner);
 	for (int k = 0; k < 3; ++k)
 		sum += stretchAt(m_.origin[3 * sample.point.face + k]);
-	return straight * (sum / 6); // in this order no stretch leaves the length as it is, to the bit
+	return straight * (sum / 6); // in this order a stretch of 1 keeps the length to the bit
 }
 
 void DiskFlood::tryDistance(int vertex, float distance)
@@ -156,7 +156,7 @@ void DiskFlood::settle(int v, float distance, const Sample& sample)
 	}
 	if (!(distance < field_.nearest[v].distance) || distance > radius_) return;
 
-	// Along the edges, and across every triangle one of whose other corners is settled too.
+	// Along the edges, and across every triangle with another settled corner.
 	ring_.clear();
 	forEachNeighbour(m_, v, [&](int w) {
 		ring_.push_back({w, length(m_.position[w] - m_.position[v]) * scale_});
@@ -168,7 +168,7 @@ void DiskFlood::settle(int v, float distance, const Sample& sample)
 		unfoldBetween(v, ring_[i], ring_[i + 1 < ring_.size() ? i + 1 : 0], sample);
 }
 
-/// Tries the ways over the triangle of v and two neighbours that follow each other.
+/// Tries the ways over the triangle of v and two consecutive neighbours.
 void DiskFlood::unfoldBetween(int v, const Spoke& a, const Spoke& b, const Sample& sample)
 {
 	const int  settled  = 2 * flood_ + 1;
@@ -180,9 +180,9 @@ void DiskFlood::unfoldBetween(int v, const Spoke& a, const Spoke& b, const Sampl
 	if (bSettled) unfoldOver(v, b, a, between, sample);
 }
 
-/// Tries the way to the third corner of a triangle over the edge between two settled ones, v and
-/// `known`. All edges of the triangle take its mean stretch: edges that are stretched each by its
-/// own ends need not make a triangle.
+/// Tries the way to the third corner of a triangle over the edge between two settled corners, v and
+/// `known`. All edges of the triangle take the mean stretch of the triangle: stretched by the means
+/// of their own ends, three edges need not make a triangle.
 void DiskFlood::unfoldOver(int v, const Spoke& known, const Spoke& wanted, float between,
 						   const Sample& sample)
 {
@@ -191,7 +191,7 @@ void DiskFlood::unfoldOver(int v, const Spoke& known, const Spoke& wanted, float
 		(stretchAt(v) + stretchAt(known.vertex) + stretchAt(wanted.vertex)) * (1 / 3.0f);
 	const float d = unfoldedDistance(d1, d2, s * known.length, s * wanted.length, s * between);
 	if (!(d < HUGE_VALF)) return;
-	// No way on the surface is shorter than the chord, as no stretch is below 1.
+	// No way on the surface is shorter than the chord, as every stretch is at least 1.
 	const float chord = length(m_.position[wanted.vertex] - sample.point.position) * scale_;
 	tryDistance(wanted.vertex, std::max(d, chord));
 }

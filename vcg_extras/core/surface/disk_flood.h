@@ -12,50 +12,50 @@
 
 namespace gpr {
 
-/// A sample of the surface: where it lies, the normal of its face, and how large its disk is.
+/// A sample of the surface: its place, the normal of its face, and the size of its disk.
 struct Sample {
 	SurfacePoint point;
 	Vec3f        normal;
 	float        size = 1; ///< radius of its disk over r, in (0, 1]
 };
 
-/// What the sampling knows about every vertex of the input. Distance and sample, trial distance and
-/// stamp lie side by side because they are read together.
+/// Distances of every vertex of the working surface to its nearest sample. Distance and sample lie
+/// side by side, and so do trial distance and stamp, because both are read together.
 struct NearestField {
 	struct Nearest {
-		float distance; ///< geodesic over the sample's size, to the nearest sample so far
-		int   sample;   ///< that sample; -1 while there is none
+		float distance; ///< along the surface, over the sample's size; to the nearest sample so far
+		int   sample;   ///< nearest sample so far; -1: none
 	};
 	struct Trial {
 		float distance;
-		int   stamp; ///< 2·flood: reached by that flood; 2·flood + 1: settled by it
+		int   stamp; ///< 2·flood: reached by this flood; 2·flood + 1: settled by this flood
 	};
 	Buffer<Nearest> nearest;
 	Buffer<Trial>   trial;
 };
 
-/// What floods run on. The mesh may grow between them. Under a density (paper §3.1.2, eq. (4))
-/// every way is longer by the mean stretch of the ends of its edges.
+/// The surface of a flood. The mesh may grow between floods. Under a density (paper §3.1.2, eq.
+/// (4)) every edge is longer by the mean stretch of its ends.
 struct FloodGround {
 	const HalfEdgeMesh&         mesh;
 	const Buffer<PackedNormal>& normal;            ///< per vertex
 	const Buffer<float>*        stretch = nullptr; ///< per vertex, >= 1; nullptr = 1 everywhere
-	bool useChords = true; ///< where all is flat and not stretched; false: unfolding everywhere
+	bool useChords = true; ///< chords on flat disks without a stretch; false: unfolding everywhere
 };
 
-/// Computes geodesic distances from a sample up to the disk radius r and takes every vertex that is
-/// nearer to it than to its present sample (paper §3, step 3).
+/// Computes geodesic distances from a sample up to the disk radius r, and assigns every vertex
+/// nearer to this sample than to its present sample (paper §3, step 3).
 ///
-/// Metric. Where all normals met are within 37° of the sample's, the distance is the chord,
-/// lengthened by (1 + (1 - n·n_s)/12), in a plain queue: no heap, and exact to third order on
-/// spheres. Otherwise the front is propagated by unfolding triangles (Kimmel & Sethian 1998;
-/// Novotni & Klein 2002), and vertices are visited again where a shorter way turns up: at obtuse
-/// angles the triangle that holds it may be settled late. Accuracy: docs/accuracy_of_distances.md.
-/// Since normals are looked at along the flood, a thin sheet's other side is never taken for near.
-/// Lengths are divided by the sample's size, so that every disk ends at r and a vertex belongs to
-/// the sample that it lies deepest in the disk of. The ring that did not improve keeps its trial
-/// distance, so that updates stay accurate where Voronoi cells meet. Under a stretch all is
-/// propagated by unfolding.
+/// Metric. If all normals of the disk are within 37° of the sample's normal n_s, the distance is
+/// the chord times (1 + (1 - n·n_s)/12), computed in a plain queue: no heap, and exact to third
+/// order on spheres. Otherwise the front is propagated by unfolding triangles (Kimmel & Sethian
+/// 1998; Novotni & Klein 2002). A settled vertex is visited again if a shorter way turns up: at
+/// obtuse angles the triangle of the shortest way may be settled late. Accuracy:
+/// docs/accuracy_of_distances.md. The check of normals keeps a flood from the other side of a thin
+/// sheet. Lengths are divided by the sample's size, so that every disk ends at r. A vertex belongs
+/// to the sample with the smallest distance over its size. The first vertices without an
+/// improvement keep their trial distances, so that updates stay accurate at the borders of Voronoi
+/// cells. With a stretch all distances are propagated by unfolding.
 class DiskFlood {
 public:
 	DiskFlood(const FloodGround& ground, NearestField& field, float radius) :
@@ -69,12 +69,12 @@ public:
 	{
 	}
 
-	/// Finds the disk of a sample that may still be given up: afterwards metSamples() are the
-	/// samples that own vertices within r that the flood came to, and visited() the vertices it
-	/// looked at. Nothing but trial distances is written.
+	/// Finds the disk of a sample that may still be dropped. Afterwards metSamples() are the
+	/// samples of reached vertices within r, and visited() the reached vertices. Writes trial
+	/// distances only.
 	void explore(const Sample& sample);
-	/// Takes the vertices of the disk explored last that are nearer to the sample, now called `id`,
-	/// than to their present one.
+	/// Assigns the vertices of the last explored disk to the sample, now called `id`, if nearer to
+	/// this sample than to their present sample.
 	void commit(int id);
 	void run(int id, const Sample& sample)
 	{
@@ -85,8 +85,8 @@ public:
 	const std::vector<int>& metSamples() const { return met_; }
 	const std::vector<int>& visited() const { return queue_; }
 
-	/// Floods of one thread are numbered; a later phase must begin above every number of an earlier
-	/// one.
+	/// Floods of a thread are numbered. In a later round of the sampling the numbers must begin
+	/// above all numbers of earlier rounds.
 	int  floodNumber() const { return flood_; }
 	void setFloodNumber(int n) { flood_ = n; }
 
@@ -95,7 +95,7 @@ private:
 		float distance;
 		int   vertex;
 	};
-	/// A neighbour of the vertex being settled, and how far off it is without a stretch.
+	/// A neighbour of the vertex being settled; its distance without a stretch.
 	struct Spoke {
 		int   vertex;
 		float length;
@@ -108,7 +108,7 @@ private:
 	NearestField&               field_;
 	float                       radius_;
 	int                         flood_           = 0;
-	int                         visitedAgainNum_ = 0; ///< by this flood
+	int                         visitedAgainNum_ = 0; ///< in this flood
 	float                       scale_ = 1; ///< of lengths: 1 over the size of the sample explored
 	std::vector<int>            met_;
 	std::vector<int>            queue_;
@@ -129,9 +129,9 @@ private:
 	HeapEntry popHeap();
 };
 
-/// Distance of the third corner of a triangle from a source whose distances to the other two are
-/// known, by unfolding: d1 at v, d2 at b, lengths of v-b, v-a and a-b given. Infinite where the
-/// straight line would leave the edge v-b.
+/// Distance of the third corner a of a triangle from a source, by unfolding: d1 is the distance at
+/// v, d2 the distance at b; the lengths of v-b, v-a and a-b are given. Infinite if the straight
+/// line would not cross the edge v-b.
 float unfoldedDistance(float d1, float d2, float lengthVB, float lengthVA, float lengthAB);
 
 } // namespace gpr

@@ -12,10 +12,10 @@ namespace {
 
 static_assert(std::numeric_limits<float>::is_iec559, "bins are made of the bits of a float");
 
-/// Bits of a float's fraction, of 23, that a bin leaves out.
+/// The bits of a float's fraction, of 23, left out of the bin's number.
 constexpr int droppedBits = 12;
 
-/// Floats that are not negative are in the order of their bits.
+/// The bits of a float. Floats of at least 0 are in the order of their bits.
 std::uint32_t bitsOf(float value)
 {
 	std::uint32_t bits;

@@ -16,15 +16,15 @@ class DistanceHistogram {
 public:
 	DistanceHistogram();
 
-	/// Counts a distance, in any unit. weight >= 0: 1 for points spread evenly, else the share of
-	/// the area that a point stands for; all weights together stay below 2^63. May be called by
-	/// several threads at once.
+	/// Counts a distance, in any unit. weight >= 0: 1 for evenly spread points, else the share of
+	/// the area that belongs to the point; all weights together stay below 2^63. Several threads
+	/// may call add at once.
 	void add(double distance, std::int64_t weight = 1);
 
-	/// The smallest distance that is not exceeded by 99.9 % of the weight. What is returned is the
-	/// upper end of its bin: at most 0.05 % too large, and never above `largest`, which is the
-	/// largest distance added. Exact where all are equal; 0 where nothing has weight. Distances
-	/// below 1e-38 count as 0. Cost: a pass over the bins, below a millisecond.
+	/// The smallest distance not exceeded by 99.9 % of the weight, as the upper end of its bin: at
+	/// most 0.05 % too large, and never above `largest`, the largest distance added. Exact if all
+	/// distances are equal; 0 without any weight. Distances below 1e-38 count as 0. Cost: a pass
+	/// over the bins, below a millisecond.
 	double p999(double largest) const;
 
 private:

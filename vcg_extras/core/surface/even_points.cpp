@@ -8,7 +8,7 @@ namespace gpr {
 
 namespace {
 
-/// Where the running area stands behind each face of a mesh.
+/// The running area behind each face of a mesh.
 std::vector<double> runningArea(const MeshView& mesh)
 {
 	std::vector<double> behind(mesh.faceNum);

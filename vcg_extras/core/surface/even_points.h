@@ -15,21 +15,21 @@ namespace gpr {
 /// Whether a face has three different corners that exist and are finite.
 bool isUsableFace(const MeshView& mesh, std::size_t face);
 
-/// Points spread evenly over the area of a surface, to measure it by (Cignoni, Rocchini, Scopigno
-/// 1998: Metro). They depend on the mesh only.
+/// Points spread evenly over the area of a surface, for measurements (Cignoni, Rocchini, Scopigno
+/// 1998: Metro). The points depend on the mesh only.
 class EvenPoints {
 public:
-	/// Faces that are not usable get none. The mesh must stay where it is. Cost: linear.
+	/// Faces that are not usable get no points. The mesh must stay in memory. Cost: linear.
 	EvenPoints(const MeshView& mesh, std::int64_t wantedNum);
 
-	/// As many as were wanted, or 0 where the surface has no area.
+	/// The wanted number, or 0 for a surface without area.
 	std::size_t num() const { return num_; }
 
 	/// Calls visit(point) for points begin to end, in order along the faces.
 	template <class Visit>
 	void forEach(std::size_t begin, std::size_t end, const Visit& visit) const
 	{
-		// Systematic sampling: point j lies where the running area passes (j + 1/2) / num of all.
+		// Systematic sampling: point j lies at the share (j + 1/2) / num of the running area.
 		auto face =
 			std::upper_bound(area_.begin(), area_.end() - 1, (double(begin) + 0.5) * spacing_);
 		for (std::size_t j = begin; j < end; ++j) {
@@ -41,7 +41,7 @@ public:
 
 private:
 	MeshView            mesh_;
-	std::vector<double> area_; ///< behind each face, running
+	std::vector<double> area_; ///< running sum behind each face
 	std::size_t         num_     = 0;
 	double              spacing_ = 0; ///< area from one point to the next
 

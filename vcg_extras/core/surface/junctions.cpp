@@ -80,7 +80,7 @@ void Junctions::findEdges()
 	}
 }
 
-/// Vertices of borders that only happen to lie at one place are no copies.
+/// Drops border vertices that lie at the same place by chance: these vertices are no copies.
 void Junctions::dropChanceMeetings()
 {
 	for (auto it = places_.begin(); it != places_.end();) {

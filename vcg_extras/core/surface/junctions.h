@@ -12,15 +12,16 @@
 
 namespace gpr {
 
-/// Junctions of a mesh whose sheets were cut apart: where several borders lie at one place, edge by
-/// edge with equal numbers, and at the `meetings`, where vertices of several sheets were one. The
-/// vertices there are copies of each other, and become one when the sheets are joined.
+/// Junctions of a mesh with its sheets cut apart: places at which several borders lie with equal
+/// positions, edge by edge, and the `meetings`, places at which vertices of several sheets were
+/// equal in the input. The vertices at such a place are copies of each other: joining the sheets
+/// turns all copies into the same vertex.
 ///
-///     points   where junction lines end, fork or change their sheets, and where sheets touch
-///     lines    from point to point, or loops; each with the number of sheets that meet there
+///     points   at the ends and forks of lines, at changes of sheets, at vertices shared by sheets
+///     lines    from point to point, or loops; each with the number of sheets at the line
 ///
-/// Two meshes have the same junctions where the points lie at the same places and the lines join
-/// them alike.
+/// Two meshes have the same junctions if the points have equal positions and lines with equal
+/// numbers of sheets join the same points.
 class Junctions {
 public:
 	struct Line {
@@ -31,8 +32,8 @@ public:
 		bool operator==(const Line& o) const;
 	};
 
-	/// meetings: places in ascending order, see IndexedMesh. Cost: a parallel pass over the mesh,
-	/// and O(B log B) for B vertices of the border, serial.
+	/// meetings: positions in ascending order, see IndexedMesh. Cost: a parallel pass over the
+	/// mesh, and O(B log B) for B border vertices, serial.
 	Junctions(const HalfEdgeMesh& mesh, const std::vector<Vec3f>& meetings, Workers& workers);
 
 	const std::vector<Vec3f>& points() const { return points_; } ///< ascending
@@ -40,17 +41,17 @@ public:
 	int                       edgeNum() const { return edgeNum_; }
 	bool                      isSameAs(const Junctions& other) const;
 
-	/// Per vertex the first one that becomes one with it: itself for most.
+	/// Per vertex its first copy: for most vertices the vertex itself.
 	const std::vector<int>& first() const { return first_; }
-	/// How many vertices go when the sheets are joined.
+	/// Number of vertices that go when the sheets are joined.
 	int copyNum() const { return copyNum_; }
-	/// The copies at meetings of which some do not lie on a junction's edges, ascending: nothing
-	/// but these vertices themselves holds the sheets together there.
+	/// All copies at meetings with a copy off the junction edges, ascending: there nothing but the
+	/// vertices holds the sheets together.
 	std::vector<int> touchingVertices() const;
-	/// Half-edges, one for each edge inside of a sheet, that would become one with an edge of
-	/// another when the sheets are joined.
+	/// Half-edges, one for each edge inside of a sheet that would coincide with another edge in the
+	/// joined mesh.
 	std::vector<int> falseEdges(Workers& workers) const;
-	/// Whether two faces would have the same vertices.
+	/// Whether two faces of the joined mesh would have the same vertices.
 	bool hasTwinFaces(Workers& workers) const;
 
 private:

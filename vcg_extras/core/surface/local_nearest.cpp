@@ -52,7 +52,7 @@ public:
 		return isNearer;
 	}
 
-	/// Whether the point lies inside of its face. The neighbours of the face are no nearer then.
+	/// Whether p lies over the inside of the nearest face. Then no neighbour of the face is nearer.
 	bool isInside() const { return FacePlane(m_, at_.face).footOf(p_).isInside(); }
 
 private:
@@ -63,7 +63,7 @@ private:
 	float               squared_ = HUGE_VALF;
 };
 
-/// From a corner of a face down to a vertex that has no nearer neighbour.
+/// Goes from a corner of a face to a vertex that has no nearer neighbour.
 int nearestVertex(const HalfEdgeMesh& m, int face, const Vec3f& p)
 {
 	int        nearest   = m.origin[3 * face];
@@ -90,7 +90,7 @@ Vec3f nearestOnTheWay(const HalfEdgeMesh& m, const Vec3f& p, float enough, int& 
 	constexpr int maxHops = 64;
 	Descent       descent(m, p, Vec3f());
 	descent.tryFace(face);
-	// Over vertices first: a look at one takes a tenth of that at a face.
+	// First by vertices: a look at a vertex costs a tenth of a look at a face.
 	if (descent.squared() > enough) descent.tryRound(nearestVertex(m, face, p));
 	for (int i = 0; i < maxHops && descent.squared() > enough; ++i) {
 		if (descent.isInside() || !descent.hop()) break;

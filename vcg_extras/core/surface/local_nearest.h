@@ -7,15 +7,16 @@
 
 namespace gpr {
 
-// The nearest point on the same sheet: from face to face over the vertices that they share, always
-// nearer to p, so that another sheet that is nearer is never taken. Cost: the faces on the way.
+// Searches for the nearest point of the same sheet. A search goes from face to face over shared
+// vertices, always nearer to p, so a nearer point of another sheet is never taken. Cost: the faces
+// on the way.
 
-/// From `face`, which is then the one that the point lies in. Ends at a point within the root of
-/// `enough`, and after 64 faces.
+/// Nearest point by a search from `face`; afterwards `face` is the face of the point. Ends at a
+/// squared distance of at most `enough`, and after 64 hops from face to face.
 Vec3f nearestOnTheWay(const HalfEdgeMesh& mesh, const Vec3f& p, float enough, int& face);
 
-/// From vertex `from`, which must be in a face. facing: only faces that look to the same side as
-/// this vector count; 0: all. The face is -1 where none does.
+/// Nearest point by a search from vertex `from`, which must be in a face. facing: only faces with
+/// normals on the side of this vector count; 0: all. The face is -1 if no face counts.
 SurfacePoint nearestByDescent(const HalfEdgeMesh& mesh, int from, const Vec3f& p,
 							  const Vec3f& facing = Vec3f());
 

@@ -13,11 +13,11 @@ namespace gpr {
 /// Nearest points of a mesh without dead faces, as points of its faces.
 class NearestOnMesh {
 public:
-	/// The mesh must stay as it is. Throws what workers throw. Cost: see TriangleTree.
+	/// The mesh must stay unchanged. Throws as Workers do. Cost: see TriangleTree.
 	NearestOnMesh(const HalfEdgeMesh& mesh, Workers& workers);
 
-	/// Of faces equally near, that of the lowest index. Face -1 where the mesh has none, and where
-	/// p is not finite. Cost: O(log F) on well-behaved meshes.
+	/// Nearest point. Of equally near faces the face of lowest index counts. Face -1 if the mesh
+	/// has no face or p is not finite. Cost: O(log F) on well-behaved meshes.
 	SurfacePoint nearest(const Vec3f& p) const;
 
 private:

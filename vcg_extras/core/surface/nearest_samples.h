@@ -11,8 +11,9 @@
 
 namespace gpr {
 
-/// Voronoi cells of given samples: floods from all of them, then from what is still uncovered.
-/// Used to retriangulate from samples of any origin, whatever their spacing.
+/// Voronoi cells of given samples of any spacing: the nearest sample of each vertex by lengths of
+/// paths over edges. Sample -1 for vertices reached by no sample. Cost: Dijkstra's algorithm from
+/// all samples at once, serial.
 Buffer<NearestField::Nearest> assignToSamples(const Surface&             surface,
 											  const std::vector<Sample>& samples, Workers& workers);
 

@@ -11,32 +11,32 @@
 
 namespace gpr {
 
-/// The input's normal round a surface point: mean of the vertex normals of its face. Steadier than
-/// the face's own normal on noisy scans.
+/// Smooth normal of the working surface at a point: the mean of the vertex normals of its face.
+/// Steadier than the face's own normal on noisy scans.
 Vec3f smoothNormal(const Surface& surface, const SurfacePoint& point);
 
 /// smoothNormal of every vertex of the result.
 Buffer<Vec3f> smoothNormals(const Surface& surface, const ResultMesh& result, Workers& workers);
 
-/// Cosine of the angle between a face of the result and the mean of its corners' smooth normals; -1
-/// for a face without area. Below 0 the face looks the wrong way.
+/// Normal agreement of a face: the cosine of the angle between its normal and the mean of its
+/// corners' smooth normals; -1 for a degenerate face, below 0 for an inverted face.
 float normalAgreement(const HalfEdgeMesh& mesh, const Buffer<Vec3f>& smoothNormal, int face);
-/// The same for a few faces, without the normals of all vertices.
+/// The same for a few faces, without the smooth normals of all vertices.
 float normalAgreement(const Surface& surface, const ResultMesh& result, int face);
 
-/// The surface's normals at the vertices (smoothNormals), but at vertices of the border that lie on
-/// a lip narrower than a triangle, which looks away from the surface beside it: the normal of that.
+/// The smooth normals of all vertices of the result, with withoutLip at the border: a lip at the
+/// border, narrower than a triangle, may look away from the surface beside the lip.
 Buffer<Vec3f> normalsWithoutLips(const Surface& surface, const ResultMesh& result,
 								 Workers& workers);
 
-/// The mean normal of the vertices inside beside a vertex of the border if its own looks away from
-/// it, else its own.
+/// The mean normal of the inner vertices beside border vertex v if `own` points against this mean,
+/// else `own`.
 Vec3f withoutLip(const HalfEdgeMesh& m, const Buffer<Vec3f>& normal, int v, const Vec3f& own);
 
-/// Number of inverted faces: those whose normals point against the surface's.
+/// Number of inverted faces: faces with a normal agreement below 0.
 int invertedFaceNum(const Surface& surface, const ResultMesh& result, Workers& workers);
 
-/// Cosine of the angle between two vectors; -1 where one is zero.
+/// Cosine of the angle between two vectors; -1 if either is zero.
 float agreement(const Vec3f& a, const Vec3f& b);
 
 } // namespace gpr

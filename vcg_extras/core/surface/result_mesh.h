@@ -12,48 +12,50 @@
 
 namespace gpr {
 
-/// What a vertex of the result knows of the input.
+/// The place of a vertex of the result on the working surface, and its rights to move.
 struct ResultVertex {
-	SurfacePoint point;  ///< where on the input's surface it lies, or nearly (see ResultMesh)
-	Vec3f        normal; ///< of that face
-	int          curve    = -1;    ///< border or feature line it belongs to, or -1
-	float        arc      = 0;     ///< where on the curve
-	bool         isCorner = false; ///< of the curves, or a cone apex: never moves
+	SurfacePoint point;            ///< at or below the vertex (see ResultMesh)
+	Vec3f        normal;           ///< of the face of point
+	int          curve    = -1;    ///< border or feature line of the vertex, or -1
+	float        arc      = 0;     ///< arc length on the curve
+	bool         isCorner = false; ///< corner of the curves, or cone apex: never moves
 	bool isShared = false; ///< other borders have a vertex here: never moves, so that no gap opens
-	bool isPinned = false; ///< one of the caller's vertices that is to be kept: never goes either
-	bool isMade   = false; ///< by the guard
-	int  sample   = -1;    ///< the sample it was, in the sampling's order; -1 for later ones
+	bool isPinned = false; ///< kept vertex of the input: never moves, never removed
+	bool isMade   = false; ///< made by the guard
+	int  sample   = -1;    ///< index of the vertex among the samples; -1: made later
 };
 
-/// The mesh under way from retriangulation to the end. Until the fit vertex[v].point.position is
-/// mesh.position[v]; the fit then takes vertices off the surface, and surface points stay on it
-/// below them.
+/// The result mesh under way, from retriangulation to the end. Before the fit,
+/// vertex[v].point.position is mesh.position[v]. The fit then moves vertices off the surface; the
+/// surface points stay on the surface, below the vertices.
 struct ResultMesh {
 	HalfEdgeMesh              mesh;
 	std::vector<ResultVertex> vertex;
 	bool                      keepsBorder = false; ///< no border edge may be split
-	bool  hasSmoothBorder = false; ///< its vertices need not lie on the input's border
-	float idealEdge       = 0;     ///< edge of the lattice of equilateral triangles, L0
-	int   copyNum         = 0;     ///< vertices that go when sheets are joined: see junctions.h
+	bool hasSmoothBorder = false; ///< border vertices need not lie on the border of the working
+								  ///< surface
+	float idealEdge = 0;          ///< edge of the lattice of equilateral triangles, L0
+	int   copyNum   = 0;          ///< vertices that go when sheets are joined: see junctions.h
 
 	std::int64_t flipNum       = 0;
 	std::int64_t splitNum      = 0;
 	std::int64_t collapseNum   = 0;
-	std::int64_t byCollapseNum = 0; ///< input vertices that went though their hole was not closed
-	std::int64_t leftoverNum   = 0; ///< input vertices that removal had to keep
+	std::int64_t byCollapseNum = 0; ///< input vertices removed by collapses, as their holes could
+									///< not be closed
+	std::int64_t leftoverNum = 0;   ///< input vertices that could not be removed
 
-	/// Of the result with its sheets joined.
+	/// Number of vertices after joining the sheets.
 	std::int64_t vertexNum() const { return mesh.vertexNum - copyNum; }
 };
 
-/// Whether v may move over the surface and be merged: neither on a curve nor a cone apex.
+/// Whether v may move over the surface and may be merged: v lies on no curve and is no cone apex.
 inline bool isFree(const ResultMesh& result, int v)
 {
 	return !result.vertex[v].isCorner && !result.mesh.isCurveVertex(v);
 }
 
-/// Whether the border edge h may get a vertex in its middle. Where borders lie at one place all of
-/// them would have to.
+/// Whether the border edge h may be split. With several borders at the same place, all of these
+/// would have to be split.
 inline bool maySplitBorder(const ResultMesh& result, int h)
 {
 	const HalfEdgeMesh& m = result.mesh;
@@ -62,22 +64,22 @@ inline bool maySplitBorder(const ResultMesh& result, int h)
 	return !result.keepsBorder && isAlone;
 }
 
-/// Size at a point of a surface whose sizes differ: interpolated over its face.
+/// Size at a point of a surface with local sizes, interpolated over its face.
 float interpolatedSize(const Surface& surface, const SurfacePoint& at);
 
-/// The wanted size at a point of the surface over the largest one.
+/// Local size at a point of the surface, as a share of the largest size.
 inline float sizeAt(const Surface& surface, const SurfacePoint& at)
 {
 	return surface.size.empty() ? 1.0f : interpolatedSize(surface, at);
 }
 
-/// The sizes wanted at the vertices of a result; empty where all are the same.
+/// Local sizes at the vertices of a result; empty if all sizes are equal.
 Buffer<float> sizesOf(const Surface& surface, const ResultMesh& result, Workers& workers);
 
-/// Results cannot be copied by accident. No room beyond the vertices and faces is copied.
+/// A copy, without spare memory. Results cannot be copied by accident.
 ResultMesh copyResult(const ResultMesh& result, Workers& workers);
 
-/// Drops dead faces and vertices (see mesh_edit.h) from mesh and vertex records.
+/// Drops dead faces and vertices (see mesh_edit.h) from the mesh and from the vertex records.
 void compactResult(ResultMesh& result, Workers& workers);
 
 /// The largest distance of a vertex from its surface point on the input. Cost: O(V).

@@ -42,7 +42,7 @@ std::vector<char> usedVertices(const MeshView& mesh)
 	return used;
 }
 
-/// Of a face: its corners, the middles of its edges, its own middle.
+/// Seven points of a face: its corners, the middles of its edges, its own middle.
 std::array<Vec3d, 7> sevenPoints(const MeshView& mesh, std::size_t face)
 {
 	const auto  t = mesh.triangle(face);
@@ -51,7 +51,7 @@ std::array<Vec3d, 7> sevenPoints(const MeshView& mesh, std::size_t face)
 	return {a, b, c, (a + b) * 0.5, (b + c) * 0.5, (c + a) * 0.5, (a + b + c) * (1.0 / 3)};
 }
 
-/// Where positions are taken from, so that no digit is lost to an offset.
+/// Origin for the positions, so that no digit is lost to an offset.
 Vec3d someCorner(const MeshView& mesh)
 {
 	for (std::size_t f = 0; f < mesh.faceNum; ++f) {
@@ -66,8 +66,8 @@ Vec3d someCorner(const MeshView& mesh)
 
 } // namespace
 
-/// One search after the other: the last answer bounds the next search, which is quick where the
-/// points follow each other on the surface.
+/// A sequence of searches. The last answer bounds the next search: quick for points that follow
+/// each other on the surface.
 class MeasuredSurface::Search {
 public:
 	explicit Search(const MeasuredSurface& to) : to_(to) {}
@@ -190,7 +190,7 @@ std::int64_t distanceSampleNum(std::size_t resultFaceNum)
 SampledDistance sampledDistance(const MeasuredMesh& input, const MeasuredMesh& result,
 								Workers& workers)
 {
-	// Of the most, 200 are beyond the p99.9.
+	// At the most points, 200 are beyond the p99.9.
 	const auto sampleNum =
 		std::clamp<std::int64_t>(10 * std::int64_t(result.mesh.faceNum), 20000, 200000);
 	const DistanceFigures there = input.surface.from(viewOf(result.mesh), sampleNum, workers);

@@ -19,9 +19,9 @@ namespace gpr {
 /// Distances of the points of one surface from another, mesh units.
 struct DistanceFigures : SurfaceDistance {
 	double       mean      = 0; ///< over the area
-	double       vertexMax = 0; ///< largest of a vertex
+	double       vertexMax = 0; ///< largest distance of a vertex
 	std::int64_t sampleNum = 0; ///< spread evenly over the area
-	std::int64_t vertexNum = 0; ///< vertices measured beside them; they count for max only
+	std::int64_t vertexNum = 0; ///< measured vertices beside the samples; count for max only
 };
 
 /// A point of a surface and its distance from another one, mesh units.
@@ -30,35 +30,36 @@ struct FarthestPoint {
 	double distance = 0;
 };
 
-/// A surface with the tree by which distances from it are measured and proven. Any set of
-/// triangles, manifold or not, whoever made it. Double precision, so that needles of CAD do not
-/// make figures wrong.
+/// A surface with a tree, for measuring and proving distances from this surface. Any set of
+/// triangles, manifold or not, of any origin. Double precision, so that needles of CAD do not make
+/// figures wrong.
 class MeasuredSurface {
 public:
-	/// Faces without three different, finite corners are left out. The mesh may go afterwards.
-	/// Throws what workers throw. Cost: see TriangleTree.
+	/// Leaves out faces without three different, finite corners. The mesh may be freed afterwards.
+	/// Throws as Workers do. Cost: see TriangleTree.
 	MeasuredSurface(const MeshView& mesh, Workers& workers);
-	/// With positions relative to the same origin as another one: proofs need that.
+	/// With positions relative to the origin of `other`: proofs need a common origin.
 	MeasuredSurface(const MeshView& mesh, const MeasuredSurface& other, Workers& workers);
 
 	const TriangleTree& tree() const { return *tree_; }
 	const Vec3d&        origin() const { return origin_; }
 
-	/// Distances of another surface from this one (Cignoni, Rocchini, Scopigno 1998: Metro): about
-	/// sampleNum points spread evenly over its area, and for the largest distance all vertices that
-	/// faces have, too. The points depend on the mesh only, the figures not on the number of
-	/// threads. The p99.9 is at most 0.05 % too large: see DistanceHistogram. All figures are 0
-	/// where either has no usable face, and those over the area where it has none. Cost:
-	/// O(sampleNum + V) searches of some microseconds, parallel.
+	/// Distances of another surface from this surface (Cignoni, Rocchini, Scopigno 1998: Metro), at
+	/// about sampleNum points spread evenly over the other surface. The largest distance also
+	/// counts all vertices of usable faces. The points depend on the mesh only; the figures do not
+	/// depend on the number of threads. The p99.9 is at most 0.05 % too large: see
+	/// DistanceHistogram. All figures are 0 if either surface has no usable face; figures over the
+	/// area are 0 if the other surface has no area. Cost: O(sampleNum + V) searches of some
+	/// microseconds, parallel.
 	DistanceFigures from(const MeshView& mesh, std::int64_t sampleNum, Workers& workers) const;
 
-	/// Root mean square of the distance of each face of another surface from this one, by seven
-	/// points (Stroud's rule of degree 3); 0 for faces that are not usable, and where this surface
-	/// has none. Cost: seven searches a face, parallel.
+	/// Root mean square of the distance of each face of another surface from this surface, by seven
+	/// points (Stroud's rule of degree 3). 0 for faces that are not usable, and if this surface has
+	/// no usable face. Cost: seven searches per face, parallel.
 	std::vector<float> ofFaces(const MeshView& mesh, Workers& workers) const;
 
-	/// For each of these faces of another surface that of the same seven points which is farthest
-	/// from this one. The faces must be usable. Distance 0 where this surface has no usable face.
+	/// For each given face of another surface, the farthest of the same seven points from this
+	/// surface. The faces must be usable. Distance 0 if this surface has no usable face.
 	std::vector<FarthestPoint> farthestPoints(const MeshView&                   mesh,
 											  const std::vector<std::uint32_t>& faces,
 											  Workers&                          workers) const;
@@ -70,25 +71,27 @@ private:
 	std::unique_ptr<TriangleTree> tree_;
 };
 
-/// Points for a comparison of two surfaces: ten for each face of the result, but neither so few
-/// that the figures depend on where they fall nor so many that measuring takes longer than meshing.
+/// Number of points for a comparison of two surfaces: ten per face of the result, at least 200000
+/// and at most 2000000. Fewer would make the figures depend on the places of the points; with more,
+/// measuring would take longer than meshing.
 std::int64_t distanceSampleNum(std::size_t resultFaceNum);
 
-/// Distances of input and result from each other, in their own unit.
+/// Distances of input and result from each other, in the unit of both meshes.
 struct SampledDistance {
 	MutualDistance mutual;
-	double         vertexDistance = 0; ///< largest of a vertex of the result from the input
+	double         vertexDistance = 0; ///< largest distance of a vertex of the result from the
+									   ///< input
 };
 
-/// A mesh without dead faces, and the same for measuring.
+/// A mesh without dead faces, and the same surface for measuring.
 struct MeasuredMesh {
 	const HalfEdgeMesh&    mesh;
 	const MeasuredSurface& surface;
 };
 
-/// As MeasuredSurface::from() both ways, by ten points for each face of the result, but at least
-/// 20000 and at most 200000: the p99.9 is known to some percent. The largest distance is a lower
-/// bound; certifiedDistance proves a better one.
+/// MeasuredSurface::from() in both directions, by ten points for each face of the result, but at
+/// least 20000 and at most 200000: the p99.9 is known to some percent. The largest distance is a
+/// lower bound; certifiedDistance proves a better bound.
 SampledDistance sampledDistance(const MeasuredMesh& input, const MeasuredMesh& result,
 								Workers& workers);
 

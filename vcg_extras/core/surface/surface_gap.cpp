@@ -10,7 +10,7 @@ namespace gpr {
 
 namespace {
 
-/// Points of the lattice along an edge, less one.
+/// Steps of the lattice along an edge.
 constexpr int latticeSteps = 4;
 
 void widen(const Vec3f& onTriangle, const Vec3f& onSurface, Gap& gap)
@@ -20,7 +20,8 @@ void widen(const Vec3f& onTriangle, const Vec3f& onSurface, Gap& gap)
 	if (squared > gap.squared) gap = {squared, way, onTriangle};
 }
 
-/// On the way from a face to the nearest one a rim may lie; then another way may not cross it.
+/// Nearest point from several first faces: a rim may stop the search from `face`, and a search from
+/// a corner may not meet the rim.
 Vec3f nearestFromCorners(const HalfEdgeMesh& m, const std::array<int, 3>& seed, const Vec3f& p,
 						 float enough, int& face)
 {
@@ -60,14 +61,14 @@ SurfaceGaps::SurfaceGaps(const Surface& surface, const ClosestFaceMap& map,
 {
 }
 
-/// The vertices of the input that are closest to f, from where the result comes nearest to them.
+/// Widens the gap by the vertices of the surface closest to f, each measured to the result near f.
 void SurfaceGaps::lookFromSurface(int f, Gap& gap) const
 {
 	const FacePlane plane(m_, f);
 	for (const int* i = map_.begin(f); i != map_.end(f); ++i) {
 		int         face = f;
 		const Vec3f p    = s_.position[*i];
-		// Most vertices lie over the face, and near it.
+		// Most vertices lie over the face and near.
 		if (plane.squaredHeight(p) <= gap.squared && plane.footOf(p).isInside()) continue;
 		widen(nearestOnTheWay(m_, p, gap.squared, face), p, gap);
 	}
@@ -113,7 +114,7 @@ Buffer<float> SurfaceGaps::measureAll(Workers& workers) const
 	return squared;
 }
 
-/// Whether a vertex of the result is farther off than what is near.
+/// Whether a vertex of the result is farther off than near.
 bool SurfaceGaps::isFarVertex(int v) const
 {
 	const Vec3f        p     = m_.position[v];

@@ -14,34 +14,35 @@
 
 namespace gpr {
 
-/// Where a triangle and the surface lie farthest apart.
+/// The largest distance between a triangle and the surface.
 struct Gap {
-	float squared; ///< length; at first what is near enough
+	float squared; ///< squared length; at first the length that counts as near enough
 	Vec3f way;     ///< from the triangle to the surface
-	Vec3f at;      ///< where on the triangle
+	Vec3f at;      ///< place on the triangle
 };
 
-/// How far a triangle lies from the surface: the largest of the distances of a lattice of points on
-/// it, or what is near where none is larger. seed: faces of the surface near its corners.
+/// Largest distance of a triangle from the surface, measured at a lattice of points of the
+/// triangle; squaredNear if no distance is larger. seed: faces of the surface near the corners of
+/// the triangle.
 Gap gapFromTriangle(const HalfEdgeMesh& surface, const std::array<Vec3f, 3>& triangle,
 					const std::array<int, 3>& seed, float squaredNear);
 
-/// Measures gaps between the faces of a result and the surface, from both sides: from the vertices
-/// of the input that are closest to a face, and from a lattice of points on the face. Gaps shorter
+/// Measures gaps between the faces of a result and the surface in both directions: from the closest
+/// vertices of the surface to each face, and from a lattice of points of the face. Gaps shorter
 /// than `near` are not measured.
 class SurfaceGaps {
 public:
-	/// point: per vertex of the result, a point of the surface near it; it may change later on.
+	/// point: per vertex of the result, a point of the surface near the vertex; may change later
+	/// on.
 	SurfaceGaps(const Surface& surface, const ClosestFaceMap& map, const HalfEdgeMesh& result,
 				const Buffer<SurfacePoint>& point, float near);
 
 	Gap gapAt(int f) const;
-	/// Whether the gap of f, squared, is at most `squared`, which is no less than near. What makes
-	/// it quicker than gapAt: no nearest point is looked for beyond one that is near enough.
+	/// Whether the squared gap of f is at most `squared`; `squared` is at least near². Quicker than
+	/// gapAt: each search ends at a point that is near enough.
 	bool isWithin(int f, float squared) const;
-	/// Per face the squared length of its gap. From the face itself it is looked at only where a
-	/// corner is farther off than what is near. Cost: a pass over the input's vertices, in
-	/// parallel.
+	/// Per face the squared length of its gap. Measures from the face only if a corner is farther
+	/// off than near. Cost: a pass over the surface's vertices, in parallel.
 	Buffer<float> measureAll(Workers& workers) const;
 
 private:

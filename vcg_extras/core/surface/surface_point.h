@@ -7,13 +7,13 @@
 
 namespace gpr {
 
-/// A point of the engine's surface.
+/// A point of the working surface.
 struct SurfacePoint {
 	Vec3f position;
 	int   face = -1;
 };
 
-/// Vertex v of the engine's surface, as a point of it; v must be in a face.
+/// Vertex v of the working surface as a point; v must be in a face.
 inline SurfacePoint pointOfVertex(const Surface& surface, int v)
 {
 	return {surface.mesh.position[v], surface.mesh.outgoing[v] / 3};

@@ -7,7 +7,7 @@
 
 namespace gpr {
 
-/// How a ray over the surface ended.
+/// The end of a ray over the surface.
 enum class RayEnd {
 	Arrived,
 	AtBorder, ///< or before an edge without length
@@ -33,11 +33,11 @@ inline float cross(PlanePoint a, PlanePoint b)
 	return a.x * b.y - a.y * b.x;
 }
 
-/// A face laid into the plane of a ray that begins at 0 there:
+/// A face laid into the plane of a ray, with the ray's begin at 0:
 ///
-///              c              The ray comes in over a -> b, the face lying to the left of it, and
-///            /   \.           leaves over c -> a if c is to the right of it, else over b -> c.
-///      out  /  .   \.
+///              c              The ray comes in over a -> b, with the face to the left of the edge,
+///            /   \.           and leaves over c -> a if c is to the right of the ray, else over
+///      out  /  .   \.         b -> c.
 ///          a --|--> b
 ///              0
 struct UnfoldedFace {
@@ -47,7 +47,7 @@ struct UnfoldedFace {
 	Vec3f      cross; ///< of the face: two areas times the unit normal
 	float      doubleArea;
 
-	/// The face of h, with the midpoint of h at 0 and h along the axis. c is yet unknown.
+	/// The face of h, with the midpoint of h at 0 and h along the axis. c is unknown so far.
 	UnfoldedFace(const HalfEdgeMesh& m, int h) :
 			halfEdge(h), a(m.position[m.origin[h]]), b(m.position[m.target(h)])
 	{
@@ -57,7 +57,7 @@ struct UnfoldedFace {
 	}
 	UnfoldedFace() = default;
 
-	/// False where a and b coincide.
+	/// False if a and b coincide.
 	bool unfoldApex(const HalfEdgeMesh& m)
 	{
 		const Vec3f ab      = b - a;
@@ -76,7 +76,7 @@ struct UnfoldedFace {
 
 	int exitOverBC() const { return nextInFace(halfEdge); }
 	int exitOverCA() const { return prevInFace(halfEdge); }
-	/// Makes this the neighbour over an edge, its apex yet unknown; false at a border.
+	/// Makes this the neighbour over an edge, with an unknown apex; false at a border.
 	bool crossBC(const HalfEdgeMesh& m)
 	{
 		a        = c;
@@ -93,8 +93,8 @@ struct UnfoldedFace {
 	}
 };
 
-/// Where a ray meets the edge p -> q, which it crosses from right to left; never before `from`,
-/// though rounding may say so.
+/// Place along the ray of its crossing with the edge p -> q, from right to left. At least `from`,
+/// in spite of rounding.
 inline float crossingOf(RayDirection ray, PlanePoint p, PlanePoint q, float from)
 {
 	const PlanePoint pq    = q - p;
@@ -104,8 +104,8 @@ inline float crossingOf(RayDirection ray, PlanePoint p, PlanePoint q, float from
 }
 
 /// Follows a straight geodesic from the midpoint of half-edge h into its face and on. Calls
-/// visit(exit, at) for each edge crossed within `reach`: the half-edge of the face that the ray
-/// leaves, and where along the ray that is. Cost: the faces crossed, at most maxCrossings.
+/// visit(exit, at) for each edge crossed within `reach`: exit is the half-edge of the face left by
+/// the ray, at the length along the ray. Cost: the faces crossed, at most maxCrossings.
 template <class Visit>
 RayEnd traceRay(const HalfEdgeMesh& m, int h, RayDirection ray, float reach, int maxCrossings,
 				const Visit& visit)

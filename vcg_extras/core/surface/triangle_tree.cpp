@@ -14,9 +14,9 @@ namespace gpr {
 
 namespace {
 
-/// Triangles that are looked at one by one: as many boxes above them would cost as much.
+/// Triangles of a leaf at most: more boxes would cost as much as a look at each triangle.
 constexpr int leafSize = 4;
-/// More than a tree of 2^31 triangles is deep.
+/// More than the depth of a tree of 2^31 triangles.
 constexpr int maxDepth = 32;
 
 double squaredDistanceToSegment(const Vec3d& p, const Vec3d& a, const Vec3d& b)
@@ -51,7 +51,7 @@ double squaredDistanceToBox(const Vec3d& p, const Box<float>& box)
 	return x * x + y * y + z * z;
 }
 
-/// A face while it is put in its place.
+/// A face during the ordering.
 struct Placed {
 	float        centre[3]; ///< times three
 	std::int32_t face;
@@ -66,7 +66,7 @@ Placed placed(const MeshView& mesh, int face, const Vec3d& origin)
 	return {{float(sum.x), float(sum.y), float(sum.z)}, face};
 }
 
-/// The axis along which the centres reach farthest.
+/// The axis with the largest extent of the centres.
 int longestAxis(const Placed* begin, const Placed* end)
 {
 	float size[3];
@@ -90,7 +90,7 @@ void splitAt(Placed* begin, Placed* middle, Placed* end)
 	});
 }
 
-/// Edges by their vertices, to find those that two triangles share.
+/// Edges by their vertices, to find edges shared by two triangles.
 class EdgePairs {
 public:
 	EdgePairs(const MeshView& mesh, const Buffer<int>& face, Workers& workers) :
@@ -116,7 +116,7 @@ public:
 	}
 
 private:
-	Buffer<int> vertex_; ///< at which each edge begins; three edges a triangle
+	Buffer<int> vertex_; ///< first vertex of each edge; three edges a triangle
 	Buffer<int> start_, edge_;
 	Workers&    workers_;
 
@@ -126,7 +126,7 @@ private:
 		return std::max(vertex_[std::size_t(edge)], other(std::size_t(edge)));
 	}
 
-	/// Of the edges whose smaller vertex is the same.
+	/// Pairs the edges with the same smaller vertex.
 	void pairUp(int* begin, int* end, Buffer<int>& neighbour) const
 	{
 		std::sort(begin, end, [this](int a, int b) {
@@ -164,7 +164,7 @@ double squaredDistance(const Vec3d& p, const Triangle& t)
 		outside[2]          = dot(cross(ca, q + ca), n);
 		if (outside[0] > 0 && outside[1] > 0 && outside[2] > 0) return height * height * nn;
 	}
-	// The nearest point lies on an edge that the foot is beyond.
+	// The nearest point lies on an edge with the foot beyond the edge.
 	double best = HUGE_VAL;
 	for (std::size_t k = 0; k < 3; ++k)
 		if (!(outside[k] > 0))

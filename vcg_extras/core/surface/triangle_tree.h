@@ -16,55 +16,54 @@ namespace gpr {
 /// The corners of a triangle in double precision.
 using Triangle = std::array<Vec3d, 3>;
 
-/// Squared distance of a point from a triangle. It is that of a point of the triangle, so it is too
-/// small by nothing but rounding, and too large by at most 1e-8 of the extent of both, even for
-/// needles and triangles without area.
+/// Squared distance of a point from a triangle. The distance belongs to a point of the triangle, so
+/// it is too small by nothing but rounding, and too large by at most 1e-8 of the extent of both,
+/// even for needles and degenerate triangles.
 double squaredDistance(const Vec3d& p, const Triangle& t);
 
 /// Bounding-box tree over the triangles of a mesh in double precision, with their neighbours, for
-/// nearest points; FaceBoxes are for pairs of faces that are near each other. Any set of triangles,
-/// manifold or not; those that are not usable are left out. Nearest distances are exact but for
-/// rounding, so proofs may rest on them.
+/// nearest points; FaceBoxes find pairs of near faces. Any set of triangles, manifold or not;
+/// unusable faces are left out. Nearest distances are exact but for rounding, so proofs may use the
+/// tree.
 class TriangleTree {
 public:
-	/// A triangle by its place in the tree, and how far it is.
+	/// A triangle, by its place in the tree, and its squared distance.
 	struct Nearest {
 		int    triangle = -1;
 		double squared  = HUGE_VAL;
 	};
 
-	/// Positions are kept relative to origin, so that no digit is lost to an offset. The mesh may
-	/// go afterwards. Throws what workers throw. Cost: O(F log F), parallel, 125 B a face; the same
+	/// Keeps positions relative to origin, so that no digit is lost to an offset. The mesh may be
+	/// freed afterwards. Throws as Workers do. Cost: O(F log F), parallel, 125 B per face; the same
 	/// tree for any number of threads.
 	TriangleTree(const MeshView& mesh, const Vec3d& origin, Workers& workers);
 
 	int             size() const { return int(triangle_.size()); }
 	const Triangle& triangle(int t) const { return triangle_[std::size_t(t)]; }
-	/// Of the whole, relative to origin.
+	/// Box of all triangles, relative to origin.
 	const Box<double>& box() const { return box_; }
 
-	/// Across the edge from corner k to the next: the triangle there, or -1 where there is none or
-	/// more than one.
+	/// The triangle across the edge from corner k to the next corner; -1 if there is no such
+	/// triangle, or more than one.
 	int neighbour(int t, int k) const { return neighbour_[3 * std::size_t(t) + std::size_t(k)]; }
 
-	/// The triangle nearest to p, given relative to origin; none where p is not finite. A hint is
-	/// some triangle that may be near; it makes the search quicker, and decides between triangles
-	/// that are equally near. Needs a tree that is not empty. Cost: O(log F) on well-behaved
-	/// meshes.
+	/// The triangle nearest to p; p is relative to origin. -1 if p is not finite. hint: a triangle
+	/// that may be near; makes the search quicker, and decides between equally near triangles.
+	/// Needs a tree that is not empty. Cost: O(log F) on well-behaved meshes.
 	Nearest nearest(const Vec3d& p, int hint = -1) const;
 
-	/// The face nearest to p, of those equally near the one of the lowest index; -1 where p is not
-	/// finite or there is no face. Cost: as nearest().
+	/// The face nearest to p; of equally near faces the face of lowest index. -1 if p is not finite
+	/// or there is no face. Cost: as nearest().
 	int nearestFace(const Vec3d& p) const;
 
-	/// Triangles come in spatial order, and in groups: 2^level of them, group i of level has the
-	/// triangles groupBegin(level, i) to groupBegin(level, i + 1).
+	/// Triangles come in spatial order and in groups: each level has 2^level groups. Group i of a
+	/// level has the triangles groupBegin(level, i) to groupBegin(level, i + 1).
 	int levelNum() const { return depth_ + 1; }
 	int groupBegin(int level, int i) const
 	{
 		return int((std::int64_t(i) * std::int64_t(size())) >> level);
 	}
-	/// Box of a group, rounded outwards; empty where the group is.
+	/// Box of a group, rounded outwards; empty for an empty group.
 	const Box<float>& groupBox(int level, int i) const
 	{
 		return node_[(std::size_t(1) << level) - 1 + std::size_t(i)];

@@ -11,27 +11,27 @@ namespace gpr {
 
 namespace {
 
-/// Crossings in a row without getting on, as happens among slivers that meet in one vertex.
+/// Crossings in a row without advance, as among needles at the same vertex.
 constexpr int maxIdleCrossings = 32;
 
-/// A point of the plane that the faces on the way are unfolded into: the walk runs along +x from 0.
+/// A point of the plane of the unfolded faces: the walk runs along +x from 0.
 struct Flat {
 	float x, y;
 };
 
-/// A corner in that plane and in space, where it is read once only.
+/// A corner in the plane and in space; the position in space is read once only.
 struct Corner {
 	Flat  flat;
 	Vec3f place;
 };
 
-/// The edge by which the way leaves a face, from its end on the right of the way (y <= 0) to that
-/// on the left (y > 0).
+/// The edge by which the walk leaves a face, from its end on the right of the walk (y <= 0) to its
+/// end on the left (y > 0).
 struct Exit {
 	int    halfEdge;
 	Corner right, left;
 
-	/// Where the way crosses it.
+	/// The place along the walk of its crossing with the edge.
 	float x() const
 	{
 		const Flat a = right.flat, b = left.flat;
@@ -46,9 +46,9 @@ struct Exit {
 	}
 };
 
-/// Of the face that the walk begins in. Seen from inside, counter-clockwise corners have one edge
-/// that goes from right to left; where rounding puts the start outside, the lowest corner counts as
-/// right and the highest as left.
+/// Exit of the first face of a walk. Seen from inside, one edge of the counter-clockwise corners
+/// goes from right to left. If rounding puts the start outside, the lowest corner counts as right
+/// and the highest as left.
 Exit exitOfFirstFace(const HalfEdgeMesh& m, const SurfacePoint& at, const Vec3f& u, const Vec3f& w)
 {
 	Corner corner[3];
@@ -71,8 +71,8 @@ Exit exitOfFirstFace(const HalfEdgeMesh& m, const SurfacePoint& at, const Vec3f&
 /// The face beyond an exit, laid into the plane.
 ///
 ///            left
-///           /  |                apex = right + edge·along + across·height,
-///   apex  <    | <-- the way    where across is the edge turned by a right angle, ahead;
+///           /  |                apex = right + edge·along + across·height;
+///   apex  <    | <-- the walk   across is the edge turned by a right angle, ahead;
 ///           \  |                along and height are shares of the edge's length.
 ///            right
 struct Unfolded {
@@ -111,9 +111,9 @@ struct Unfolded {
 	}
 };
 
-/// The corners of the face that a walk begins in, and how much its normal is to be trusted: the
-/// squared sine of the angle at its first corner is `squaredArea` over `edges`. Rounding turns the
-/// normal by some 1e-7 over the sine.
+/// The corners of the first face of a walk, and the trust in its normal: the squared sine of the
+/// angle at its first corner is `squaredArea` over `edges`. Rounding turns the normal by some 1e-7
+/// over the sine.
 struct StartFace {
 	Vec3f a, b, c;
 	Vec3f cross;       ///< two areas times the unit normal
@@ -128,7 +128,7 @@ struct StartFace {
 	}
 	bool hasArea() const { return squaredArea > 1e-10f * edges; }
 
-	/// Takes rounding away, which in the plane of a needle is much.
+	/// Removes the rounding of p, which is large in the plane of a needle.
 	Vec3f putBack(const Vec3f& p, const Vec3f& normal) const
 	{
 		constexpr float needle = 1e-6f; // an angle of a thousandth: rounding moves points as far
@@ -141,8 +141,8 @@ struct StartFace {
 
 namespace {
 
-/// A walk of the length `wanted` along the unit vector u in the face that it begins in, whose unit
-/// normal is given. No face's normal is needed on the way, and one root a face: see Unfolded.
+/// A walk of the length `wanted` along the unit vector u in the first face, with the given unit
+/// normal. The way needs no other normals, and one root per face: see Unfolded.
 WalkEnd walkAlong(const HalfEdgeMesh& m, SurfacePoint& at, const StartFace& start,
 				  const Vec3f& normal, const Vec3f& u, float wanted, int maxCrossings)
 {
@@ -161,7 +161,7 @@ WalkEnd walkAlong(const HalfEdgeMesh& m, SurfacePoint& at, const StartFace& star
 			at = {exit.place(), exit.halfEdge / 3};
 			return WalkEnd::AtBorder;
 		}
-		// `beyond` runs from the left end to the right one, the next edge from there to the apex.
+		// `beyond` runs from the left end to the right end, the next edge from there to the apex.
 		const Exit  next    = face.apex.flat.y > 0 ? Exit{nextInFace(beyond), exit.right, face.apex}
 												   : Exit{prevInFace(beyond), face.apex, exit.left};
 		const float reached = next.x();
@@ -192,8 +192,8 @@ WalkEnd walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step, int max
 	return walkAlong(m, at, start, normal, ahead * (1 / flat), wanted, maxCrossings);
 }
 
-/// Most of the roots and divisions of a walk would be spent on the first face. A record knows its
-/// normal, and keeps it where the face stays.
+/// Saves most of the roots and divisions of a walk, which a normal of the first face would take: a
+/// record knows its normal, and keeps the normal if the face stays.
 WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex)
 {
 	const HalfEdgeMesh& m      = surface.mesh;

@@ -11,27 +11,27 @@
 
 namespace gpr {
 
-/// How a walk ended.
+/// The end of a walk.
 enum class WalkEnd {
 	Arrived,
-	AtBorder, ///< stopped at the border, before a face without area or in one
-	Capped,   ///< more faces crossed than any sensible walk does
+	AtBorder, ///< stopped at the border, before or in a degenerate face
+	Capped,   ///< crossed more faces than any sensible walk
 };
 
-/// Faces a walk crosses at most where the caller knows no better bound.
+/// Most faces to cross in a walk if the caller knows no better bound.
 constexpr int maxFacesCrossed = 20000;
 
-/// Traces a straight geodesic: moves `at` by the vector `step`, turned into the plane of its face
-/// and kept at its length, unfolding across every edge on the way. The point stays on the surface,
-/// so nothing has to be projected and no other sheet can be met. Cost: the faces crossed.
+/// Traces a straight geodesic: moves `at` by the vector `step`, turned into the plane of the face
+/// and kept at its length, with unfolding across every edge on the way. The point stays on the
+/// surface: no projection, and no other sheet. Cost: the faces crossed.
 WalkEnd walk(const HalfEdgeMesh& m, SurfacePoint& at, const Vec3f& step,
 			 int maxCrossings = maxFacesCrossed);
 
-/// Moves the record of a vertex by a walk. The step must be tangential to the record's normal.
+/// Moves the record of a vertex by a walk. The step must be perpendicular to the record's normal.
 WalkEnd walkBy(const Surface& surface, const Vec3f& step, ResultVertex& vertex);
 
-/// The faces that a point lies in: its own, and where it lies on an edge or in a corner of that, up
-/// to rounding, all those that meet there. On a crease a walk goes wrong from all but one of them.
+/// The faces of a point: its own face, and up to rounding all faces at the point's edge or corner.
+/// On a crease, a walk may go wrong from any but one of these faces.
 std::vector<int> facesAt(const HalfEdgeMesh& m, const SurfacePoint& at);
 
 /// Eight unit vectors perpendicular to a unit normal, an eighth of a turn apart: the directions of

@@ -11,7 +11,7 @@ from . import mesh_data
 
 
 class Run(threading.Thread):
-    """A remeshing that goes on beside Blender. Of Blender it touches nothing."""
+    """A remeshing in a thread beside Blender, which uses nothing of Blender."""
 
     def __init__(self, taken, parameters):
         super().__init__()
@@ -26,7 +26,7 @@ class Run(threading.Thread):
     def run(self):
         try:
             self.result = self.taken.remesh(self._progress, **self.parameters)
-        except Exception as error:  # told by the operator, in Blender's own thread
+        except Exception as error:  # the operator reports the error in Blender's thread
             self.error = error
 
     def _progress(self, share, stage):
@@ -101,7 +101,7 @@ class OBJECT_OT_gpremesh(bpy.types.Operator):
         return parameters
 
     def begin(self, context):
-        """The run, not started yet; None and a message where the mesh cannot be taken."""
+        """The run, before its start; None and a message for an unusable mesh."""
         try:
             return Run(mesh_data.take(context.object), self.parameters())
         except ValueError as error:
@@ -134,7 +134,7 @@ class OBJECT_OT_gpremesh(bpy.types.Operator):
         return self.end(context, run)
 
     def invoke(self, context, event):
-        # In a window Blender goes on meanwhile, and Escape cancels.
+        # In a window Blender stays usable during the run, and Escape cancels.
         self._run = self.begin(context)
         if self._run is None:
             return {"CANCELLED"}
@@ -152,7 +152,7 @@ class OBJECT_OT_gpremesh(bpy.types.Operator):
             context.window_manager.progress_update(100 * run.share)
             context.workspace.status_text_set(f"Remeshing: {run.stage}, {round(100 * run.share)} % (Esc cancels)")
         if run.is_alive():
-            return {"RUNNING_MODAL"}  # other events wait, so that the object stays as it was taken
+            return {"RUNNING_MODAL"}  # other events wait, so that the object does not change
         self.stop_showing(context)
         return self.end(context, run)
 
@@ -162,7 +162,7 @@ class OBJECT_OT_gpremesh(bpy.types.Operator):
         context.workspace.status_text_set(None)
 
     def cancel(self, context):
-        """Blender ends while the run goes on."""
+        """Blender ends during the run."""
         self._run.is_cancelled = True
         self._run.join()
         self.stop_showing(context)

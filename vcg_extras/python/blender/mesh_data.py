@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes of Blender as arrays and back, with what belongs to them."""
+"""Meshes of Blender as arrays and back, with attributes."""
 
 import numpy as np
 
 import gpremesh
 
-# The numbers of a value, its name in foreach_get, and the dtype that it is read and carried over as.
+# For each type: numbers per value, name of a value in foreach_get, and dtype of the array.
 TYPES = {
     "FLOAT": (1, "value", np.float32),
     "INT": (1, "value", np.int32),
@@ -15,7 +15,7 @@ TYPES = {
     "FLOAT_VECTOR": (3, "vector", np.float32),
     "FLOAT2": (2, "vector", np.float32),
     "FLOAT_COLOR": (4, "color", np.float32),
-    "BYTE_COLOR": (4, "color", np.float32),  # foreach_get reads them as numbers from 0 to 1
+    "BYTE_COLOR": (4, "color", np.float32),  # foreach_get reads numbers from 0 to 1
 }
 # Made anew with the mesh, or the shape of what is no more.
 OWN = {"position", "material_index", "custom_normal", "sharp_edge"}
@@ -28,7 +28,7 @@ def numbers(collection, name, length, dtype):
 
 
 class Column:
-    """The values of one attribute, of vertices or of faces. Those of corners become the means of vertices."""
+    """The values of an attribute, of vertices or faces. Values of corners become means at vertices."""
 
     def __init__(self, attribute, of, values):
         self.name = attribute.name
@@ -47,7 +47,7 @@ class Column:
 
 
 class TakenMesh:
-    """A mesh as gpremesh takes it, and what is carried over to the result. Coordinates have the object's scale, so
+    """A mesh for gpremesh, and the values to transfer to the result. Coordinates have the scale of the object, so
     that triangles are regular in the scene."""
 
     def __init__(self, mesh, scale):
@@ -94,7 +94,7 @@ class TakenMesh:
         return np.stack(sums, axis=-1).reshape((-1,) + values.shape[1:]).astype(np.float32)
 
     def _take_groups(self, mesh):
-        """The weights of each vertex group that any vertex is in, by its number."""
+        """The weights of each vertex group with a vertex, by the number of the group."""
         weights = {}
         for vertex in mesh.vertices:
             for element in vertex.groups:
@@ -123,7 +123,7 @@ class TakenMesh:
         return gpremesh.remesh(self.vertices, self.faces, progress=progress, **extra, **parameters)
 
     def put(self, result, active):
-        """Makes the object's mesh that of the result, in its place. Its materials stay."""
+        """Replaces the mesh of the object by the result. Materials stay."""
         mesh = active.data
         names = [group.name for group in active.vertex_groups]
         groups = {number: result.transfer(weights, "vertex") for number, weights in self.groups.items()}
@@ -147,7 +147,7 @@ class TakenMesh:
 
 
 def _put_groups(active, names, groups):
-    """The names go with the old geometry where Blender keeps them there."""
+    """Adds groups and weights. In some versions of Blender the names of groups vanish with the old geometry."""
     for name in names[len(active.vertex_groups):]:
         active.vertex_groups.new(name=name)
     for number, weights in groups.items():
@@ -156,7 +156,7 @@ def _put_groups(active, names, groups):
 
 
 def take(active):
-    """The mesh of an object. A ValueError says why it cannot be taken."""
+    """The mesh of an object. Raises a ValueError with the reason for an unusable mesh."""
     mesh = active.data
     if mesh.shape_keys is not None:
         raise ValueError("The mesh has shape keys, which cannot be carried over; apply or remove them first.")
@@ -169,7 +169,7 @@ def take(active):
 
 
 def copy_beside(context, active):
-    """A copy of the object with a mesh of its own, beside it and active in its place."""
+    """Copies the object and its mesh. The copy lies beside the object and becomes active."""
     copied = active.copy()
     copied.data = active.data.copy()
     for collection in active.users_collection:

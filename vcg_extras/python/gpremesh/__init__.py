@@ -3,7 +3,7 @@
 """Geodesic Poisson-disk remeshing.
 
 Remeshes a dense triangle mesh, such as a scan, to nearly equilateral triangles with exactly as many
-vertices as you ask for. Sharp edges and borders are kept.
+vertices as you ask for. Crease edges and borders are kept.
 
 >>> import numpy as np, gpremesh
 >>> i, j = np.meshgrid(np.arange(200), np.arange(100), indexing="ij")  # a torus of quads
@@ -36,7 +36,7 @@ __all__ = [
     "distance", "features", "levels", "read", "remesh", "remesh_together", "sample", "write",
 ]
 
-for _name in __all__:  # where they are found, for their texts
+for _name in __all__:  # the public module, for help texts
     globals()[_name].__module__ = __name__
 del _name
 
@@ -44,7 +44,7 @@ _HOSTS = ("open3d", "pyvista", "trimesh")
 
 
 def __getattr__(name):
-    """The modules for other packages, which import those packages: only when they are used."""
+    """Imports the module for another package, and so the package, on first use."""
     if name in _HOSTS:
         return importlib.import_module("." + name, __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

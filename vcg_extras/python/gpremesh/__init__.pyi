@@ -64,41 +64,41 @@ def remesh(
     relax: int = 3,
     flips: int = 1000,
 ) -> RemeshResult:
-    """Remeshes a surface to nearly equilateral triangles with exactly as many vertices as asked for.
+    """Remeshes a surface to nearly equilateral triangles, with exactly the wanted number of vertices.
 
     Parameters
     ----------
     vertices : array_like (n, 3)
-        Coordinates in any unit. Arrays of float32 and float64 in C order are not copied; others are
+        Coordinates in any unit. Arrays of float32 and float64 in C order are not copied; other arrays are
         converted to float64.
     faces : array_like (f, 3), (f, k), or a list of polygons
         Triangles, polygons of k corners, or polygons of several sizes, as rows of `vertices`. Arrays of
-        int32 in C order are not copied; int64 and others are converted. Polygons are cut into triangles.
+        int32 in C order are not copied; other arrays are converted. Polygons are cut into triangles.
     selected : array_like (f,) of bool, optional
-        Only the faces with True are remeshed. All others stay bit for bit as they are and come first.
+        Only the faces with True are remeshed. All other faces stay, bit for bit, and come first.
     region : array_like (n,) of bool, optional
         The feature region: the vertices around which triangles are smaller (`feature_disk_scale`).
     feature_edges : array_like (e, 2), optional
-        Edges of the faces, as pairs of vertices, that edges of the result shall follow. With `features`
-        not given they are the only ones; with features='auto' those that are found come beside them.
+        Edges of the faces, as pairs of vertices. Edges of the result follow these edges. Without
+        `features` the result follows no other edges; features='auto' adds the edges that are found.
     uv : array_like (n, 2) or (f, 3, 2), optional
         Texture coordinates of the vertices, or of the corners of the faces. Edges of the result follow
         the seams.
     image : array_like (f,) of int, optional
         With `uv`: the number of the image of each face.
     regions : array_like (f,) of int, optional
-        Labels of the faces, as of materials or patches. Edges of the result follow the borders between
-        labels, and `regions` of the result has a label for each of its faces.
+        Labels of the faces, such as materials or patches. Edges of the result follow the borders between
+        labels, and `regions` of the result has a label for each new face.
     sizes : array_like (n,), optional
-        The edge length wanted at each vertex, in the unit of the coordinates. With `sizes` alone the
-        number of vertices follows; with a number or another size they are scaled to it.
+        The wanted edge length at each vertex, in the unit of the coordinates. `sizes` alone determines
+        the number of vertices; a given number or another size scales all lengths.
     periodic : (x, y, z), optional
         The lengths of a periodic cell, 0 along an axis without a period. Vertices at opposite borders
-        match after adding the length; `boundary` is 'match' then. Refused where the borders are no
-        translates of one another.
+        match after adding the length; `boundary` is 'match' then. Refused if the borders are not
+        translates of each other.
     progress : callable(fraction, stage), optional
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
-        is cancelled where it returns False, and where it raises.
+        is cancelled if the function returns False or raises.
     vertex_count : int, optional
         How many vertices the result has. A remeshing has exactly so many, a sampling about a tenth
         more or less. A number below what the topology needs is refused, and the message names the
@@ -239,24 +239,24 @@ def remesh(
     Returns
     -------
     RemeshResult
-        The mesh, where each of its vertices lies on the input, and a report.
+        The mesh, the place of each vertex on the input, and a report.
 
     Raises
     ------
     ValueError
-        For an argument that cannot be meant. The message names it.
+        For an unusable argument. The message names the argument.
     gpremesh.Error
-        Where the engine gives no result. `status` says why, and `smallest_count` how many vertices the
-        surface needs where fewer were asked for.
+        If the engine gives no result. `status` gives the reason; `smallest_count` is the number of
+        vertices that the surface needs, if fewer were asked for.
     KeyboardInterrupt
         After Ctrl+C, within 200 ms.
 
     Notes
     -----
-    10 % of the vertices are made where no size is given. The result depends on the input, the parameters
-    and the seed, not on the number of threads, and is that of the command line. Other Python threads go on
-    meanwhile; they must not write to the arrays. The time is linear in the size of the input, some
-    seconds per million faces.
+    Without a size, the result has 10 % of the vertices. The result depends on the input, the parameters
+    and the seed, not on the number of threads, and equals the result of the command line. Other Python
+    threads continue during the run and must not write to the arrays. The time is linear in the size of
+    the input, some seconds per million faces.
 
     Examples
     --------
@@ -306,18 +306,18 @@ def remesh_together(
     relax: int = 3,
     flips: int = 1000,
 ) -> list[RemeshResult]:
-    """Remeshes several meshes as one surface and returns them one by one, without a crack between them.
+    """Remeshes several meshes as a single surface and returns a result for each mesh, without cracks.
 
-    Where borders of the meshes coincide, vertex by vertex, the results have the same vertices there, bit
+    If borders of the meshes coincide, vertex by vertex, the results have the same vertices there, bit
     for bit.
 
     Parameters
     ----------
     pieces : list of (vertices, faces), or of dict
-        The meshes. A dict has the arguments of `remesh` that belong to a mesh: vertices, faces, region,
+        The meshes. A dict has the arguments of `remesh` for a mesh: vertices, faces, region,
         feature_edges, uv, image, regions, sizes.
     progress
-        As that of `remesh`.
+        As for `remesh`.
     vertex_count : int, optional
         How many vertices the result has. A remeshing has exactly so many, a sampling about a tenth
         more or less. A number below what the topology needs is refused, and the message names the
@@ -458,8 +458,8 @@ def remesh_together(
     Returns
     -------
     list of RemeshResult
-        One for each of the meshes. Each has the report of all of them together. A number of vertices or
-        faces is that of all of them together, where vertices on common borders are counted once.
+        A result for each mesh, all with the report of the whole surface. A number of vertices or faces is
+        the number of the whole surface; vertices on common borders count once.
 
     Raises
     ------
@@ -510,13 +510,13 @@ def sample(
 ) -> Samples:
     """Spreads points evenly over a surface: a geodesic Poisson-disk sampling.
 
-    Points are at least about a disk's radius apart, and each vertex of the input is within a radius of
-    one. The number of points is hit to about a tenth.
+    The distance of two points is at least about a disk radius, and each vertex of the input has a point
+    within a disk radius. The number of points is right to about a tenth.
 
     Parameters
     ----------
     vertices, faces, region, feature_edges, progress
-        As those of `remesh`.
+        As for `remesh`.
     count : int, optional
         How many vertices the result has. A remeshing has exactly so many, a sampling about a tenth
         more or less. A number below what the topology needs is refused, and the message names the
@@ -606,7 +606,7 @@ def sample(
     Returns
     -------
     Samples
-        Points, and where each lies on the input.
+        Points, and the place of each point on the input.
 
     Raises
     ------
@@ -641,7 +641,7 @@ def features(
     Parameters
     ----------
     vertices, faces, progress
-        As those of `remesh`.
+        As for `remesh`.
     feature_support : float, default 2.0
         The strength of an edge is the angle between the mean normals of its two sides. The support
         is the radius within which normals are averaged, in mean edges of the input; above 0, at
@@ -667,7 +667,7 @@ def features(
     Returns
     -------
     Features
-        The strength of each vertex, and the feature edges.
+        The strength of each vertex, and the crease edges.
 
     Raises
     ------
@@ -683,55 +683,55 @@ def distance(
     threads: int = 0,
     progress: Callable[[float, str], Any] | None = None,
 ) -> Distance:
-    """Measures the distances of two surfaces from each other, as `gpremesh compare` does.
+    """Measures the distances of two surfaces from each other, like `gpremesh compare`.
 
     Parameters
     ----------
-    a, b : pair (vertices, faces), or an object that has them as attributes
-        The two surfaces, in one unit. Usually `a` is the input and `b` the result. A RemeshResult and a
-        mesh of trimesh have the two attributes.
+    a, b : pair (vertices, faces), or an object with both as attributes
+        The two surfaces, in the same unit. Usually `a` is the input and `b` the result. A RemeshResult and
+        a mesh of trimesh have the two attributes.
     samples : int, default 0
-        How many points are spread over each surface, at most 100000000. 0 takes ten for each face of
-        `b`, at least 200000 and at most 2000000.
+        Number of points on each surface, at most 100000000. 0 takes ten points for each face of `b`, at
+        least 200000 and at most 2000000.
     threads : int, default 0
-        How many threads work. 0 takes one for each core. The result is the same.
+        Number of threads; 0: a thread for each core. The result does not depend on the threads.
     progress : callable(fraction, stage), optional
-        As that of `remesh`. The fraction stays 0.
+        As for `remesh`. The fraction stays 0.
 
     Returns
     -------
     Distance
-        In the unit of the coordinates. All figures are 0 where a surface has no face with an area.
+        In the unit of the coordinates. All figures are 0 if a surface has no face with an area.
 
     Raises
     ------
     ValueError, gpremesh.Error, KeyboardInterrupt
-        As `remesh`. While a search tree is built, cancelling waits for its end.
+        As `remesh`. During the construction of a search tree, cancelling waits for the end of the tree.
     """
 
 def read(
     path: str | os.PathLike[str],
 ) -> FileMesh:
-    """Reads a mesh with all that its file holds, by the reader of the command line.
+    """Reads a mesh with all values of its file, by the reader of the command line.
 
     Parameters
     ----------
     path : str or path-like
-        A file in one of the formats PLY, OBJ, OFF, STL and binary glTF, by its extension.
+        A file in the format PLY, OBJ, OFF, STL or binary glTF, by extension.
 
     Returns
     -------
     FileMesh
-        Polygons are cut into triangles. A scene of binary glTF becomes one mesh.
+        Polygons are cut into triangles. A scene of binary glTF becomes a single mesh.
 
     Raises
     ------
     ValueError
         For another extension.
     OSError
-        Where there is no such file, or it cannot be read.
+        If the file does not exist or is not readable.
     gpremesh.Error
-        Where the file is no mesh, with the status "unusable input". Compressed binary glTF and morph
+        If the file is no mesh, with the status "unusable input". Compressed binary glTF and morph
         targets are refused.
 
     Examples
@@ -750,18 +750,18 @@ def write(
     Parameters
     ----------
     path : str or path-like
-        A file to write or replace, in one of the formats PLY, OBJ, OFF, STL and binary glTF, by its
-        extension. An older file stays as it is where anything goes wrong.
-    mesh : FileMesh, RemeshResult, a pair (vertices, faces), or an object that has them as attributes
-        A FileMesh is written with everything that the format holds, a RemeshResult with its texture
-        coordinates. There is a warning that names what the format does not hold.
+        A file to write or replace, in the format PLY, OBJ, OFF, STL or binary glTF, by extension. After
+        a failure an older file is unchanged.
+    mesh : FileMesh, RemeshResult, a pair (vertices, faces), or an object with both as attributes
+        A FileMesh is written with all values that the format can hold, a RemeshResult with its texture
+        coordinates. A warning names the values that the format cannot hold.
 
     Raises
     ------
     ValueError
-        For another extension, and for arrays that do not fit together.
+        For another extension, and for arrays of different lengths.
     OSError
-        Where the file cannot be written.
+        If the file cannot be written.
     """
 
 def levels(
@@ -774,25 +774,25 @@ def levels(
     progress: Callable[[float, str], Any] | None = None,
     **parameters: Any,
 ) -> list[RemeshResult]:
-    """Remeshes a surface to several sizes, as levels of detail. It is prepared once.
+    """Remeshes a surface to several sizes, as levels of detail. The surface is prepared once.
 
     Parameters
     ----------
     vertices, faces
-        As those of `gpremesh.remesh`.
+        As for `gpremesh.remesh`.
     percent, vertex_count, face_count : sequence of numbers
-        The sizes, in one of these ways.
+        The sizes. Exactly one of these is given.
     progress : callable(fraction, stage), optional
-        As that of `gpremesh.remesh`, over all levels.
+        As for `gpremesh.remesh`, over all levels.
     **parameters
-        The other arguments of `gpremesh.Surface.remesh`, for all levels. `check` is True unless it is
-        given: it proves how far each level is from the input at most.
+        The other arguments of `gpremesh.Surface.remesh`, for all levels. `check` is True by default: the
+        run proves the largest distance of each level from the input.
 
     Returns
     -------
     list of RemeshResult
-        One for each size, in their order: the same as those of `gpremesh.remesh`. The proven error of a
-        level is `report["error"]["hausdorff"]["upper"]`.
+        A result for each size, in order, as from `gpremesh.remesh`. The proven error of a level is
+        `report["error"]["hausdorff"]["upper"]`.
 
     Raises
     ------

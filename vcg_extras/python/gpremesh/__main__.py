@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The command line: `gpremesh` and `python -m gpremesh` run the program that the package brings."""
+"""The command line: `gpremesh` and `python -m gpremesh` run the program in the package. A package built without the
+program does `gpremesh remesh` itself."""
 
 import os
 import subprocess
@@ -16,8 +17,10 @@ def program():
 def main():
     words = [program(), *sys.argv[1:]]
     if not os.path.exists(words[0]):
-        sys.exit("gpremesh: this package was built without the program, because CLI11 (libcli11-dev on Debian) was missing.")
-    if os.name == "nt":  # where exec would not wait
+        from ._command import run
+
+        sys.exit(run(words[1:]))
+    if os.name == "nt":  # exec would not wait
         sys.exit(subprocess.call(words))
     os.execv(words[0], words)
 

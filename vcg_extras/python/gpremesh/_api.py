@@ -16,12 +16,12 @@ def _check_progress(progress):
 
 
 def _given(parameters):
-    """None stands for what was not given."""
+    """The parameters without None, which means not given."""
     return {name: value for name, value in parameters.items() if value is not None}
 
 
 def checked(tool, parameters, progress):
-    """The parameters of a tool that were given; others are a TypeError."""
+    """The given parameters of a tool. Unknown parameters raise a TypeError."""
     _check_progress(progress)
     names = {entry["name"] for entry in _core.parameters(tool)}
     for name in parameters:
@@ -31,7 +31,7 @@ def checked(tool, parameters, progress):
 
 
 def _imply(parameters, name, choice, argument, values):
-    """An array that is given implies the choice that reads it; the choice needs the array."""
+    """A given array implies the choice that reads the array; the choice needs the array."""
     if values is not None:
         parameters.setdefault(name, choice)
     elif isinstance(parameters.get(name), str) and parameters[name] == choice:
@@ -50,7 +50,7 @@ def extras(mesh, parameters, region, feature_edges):
 
 def _all_extras(mesh, parameters, *, selected=None, region=None, feature_edges=None, uv=None,
                 image=None, regions=None, sizes=None, periodic=None):
-    """What the arguments of `remesh` beside the mesh and the parameters say."""
+    """The arguments of `remesh` beside the mesh and the parameters, as arrays for the engine."""
     if image is not None and uv is None:
         raise ValueError("image needs uv.")
     given = extras(mesh, parameters, region, feature_edges)
@@ -64,7 +64,7 @@ def _all_extras(mesh, parameters, *, selected=None, region=None, feature_edges=N
 
 
 def remesh_mesh(mesh, prepared, progress, parameters, **beside):
-    """The run of `remesh` on a mesh that was taken over, and maybe prepared."""
+    """Runs `remesh` on a checked mesh, with a prepared surface or None."""
     _check_progress(progress)
     parameters = _given(parameters)
     given = _all_extras(mesh, parameters, **beside)
@@ -77,64 +77,64 @@ def remesh_mesh(mesh, prepared, progress, parameters, **beside):
 @with_parameters("remesh")
 def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, uv=None,
            image=None, regions=None, sizes=None, periodic=None, progress=None, **parameters):
-    """Remeshes a surface to nearly equilateral triangles with exactly as many vertices as asked for.
+    """Remeshes a surface to nearly equilateral triangles, with exactly the wanted number of vertices.
 
     Parameters
     ----------
     vertices : array_like (n, 3)
-        Coordinates in any unit. Arrays of float32 and float64 in C order are not copied; others are
+        Coordinates in any unit. Arrays of float32 and float64 in C order are not copied; other arrays are
         converted to float64.
     faces : array_like (f, 3), (f, k), or a list of polygons
         Triangles, polygons of k corners, or polygons of several sizes, as rows of `vertices`. Arrays of
-        int32 in C order are not copied; int64 and others are converted. Polygons are cut into triangles.
+        int32 in C order are not copied; other arrays are converted. Polygons are cut into triangles.
     selected : array_like (f,) of bool, optional
-        Only the faces with True are remeshed. All others stay bit for bit as they are and come first.
+        Only the faces with True are remeshed. All other faces stay, bit for bit, and come first.
     region : array_like (n,) of bool, optional
         The feature region: the vertices around which triangles are smaller (`feature_disk_scale`).
     feature_edges : array_like (e, 2), optional
-        Edges of the faces, as pairs of vertices, that edges of the result shall follow. With `features`
-        not given they are the only ones; with features='auto' those that are found come beside them.
+        Edges of the faces, as pairs of vertices. Edges of the result follow these edges. Without
+        `features` the result follows no other edges; features='auto' adds the edges that are found.
     uv : array_like (n, 2) or (f, 3, 2), optional
         Texture coordinates of the vertices, or of the corners of the faces. Edges of the result follow
         the seams.
     image : array_like (f,) of int, optional
         With `uv`: the number of the image of each face.
     regions : array_like (f,) of int, optional
-        Labels of the faces, as of materials or patches. Edges of the result follow the borders between
-        labels, and `regions` of the result has a label for each of its faces.
+        Labels of the faces, such as materials or patches. Edges of the result follow the borders between
+        labels, and `regions` of the result has a label for each new face.
     sizes : array_like (n,), optional
-        The edge length wanted at each vertex, in the unit of the coordinates. With `sizes` alone the
-        number of vertices follows; with a number or another size they are scaled to it.
+        The wanted edge length at each vertex, in the unit of the coordinates. `sizes` alone determines
+        the number of vertices; a given number or another size scales all lengths.
     periodic : (x, y, z), optional
         The lengths of a periodic cell, 0 along an axis without a period. Vertices at opposite borders
-        match after adding the length; `boundary` is 'match' then. Refused where the borders are no
-        translates of one another.
+        match after adding the length; `boundary` is 'match' then. Refused if the borders are not
+        translates of each other.
     progress : callable(fraction, stage), optional
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
-        is cancelled where it returns False, and where it raises.
+        is cancelled if the function returns False or raises.
     PARAMETERS
 
     Returns
     -------
     RemeshResult
-        The mesh, where each of its vertices lies on the input, and a report.
+        The mesh, the place of each vertex on the input, and a report.
 
     Raises
     ------
     ValueError
-        For an argument that cannot be meant. The message names it.
+        For an unusable argument. The message names the argument.
     gpremesh.Error
-        Where the engine gives no result. `status` says why, and `smallest_count` how many vertices the
-        surface needs where fewer were asked for.
+        If the engine gives no result. `status` gives the reason; `smallest_count` is the number of
+        vertices that the surface needs, if fewer were asked for.
     KeyboardInterrupt
         After Ctrl+C, within 200 ms.
 
     Notes
     -----
-    10 % of the vertices are made where no size is given. The result depends on the input, the parameters
-    and the seed, not on the number of threads, and is that of the command line. Other Python threads go on
-    meanwhile; they must not write to the arrays. The time is linear in the size of the input, some
-    seconds per million faces.
+    Without a size, the result has 10 % of the vertices. The result depends on the input, the parameters
+    and the seed, not on the number of threads, and equals the result of the command line. Other Python
+    threads continue during the run and must not write to the arrays. The time is linear in the size of
+    the input, some seconds per million faces.
 
     Examples
     --------
@@ -153,25 +153,25 @@ def remesh(vertices, faces, *, selected=None, region=None, feature_edges=None, u
 
 @with_parameters("remesh")
 def remesh_together(pieces, *, progress=None, **parameters):
-    """Remeshes several meshes as one surface and returns them one by one, without a crack between them.
+    """Remeshes several meshes as a single surface and returns a result for each mesh, without cracks.
 
-    Where borders of the meshes coincide, vertex by vertex, the results have the same vertices there, bit
+    If borders of the meshes coincide, vertex by vertex, the results have the same vertices there, bit
     for bit.
 
     Parameters
     ----------
     pieces : list of (vertices, faces), or of dict
-        The meshes. A dict has the arguments of `remesh` that belong to a mesh: vertices, faces, region,
+        The meshes. A dict has the arguments of `remesh` for a mesh: vertices, faces, region,
         feature_edges, uv, image, regions, sizes.
     progress
-        As that of `remesh`.
+        As for `remesh`.
     PARAMETERS
 
     Returns
     -------
     list of RemeshResult
-        One for each of the meshes. Each has the report of all of them together. A number of vertices or
-        faces is that of all of them together, where vertices on common borders are counted once.
+        A result for each mesh, all with the report of the whole surface. A number of vertices or faces is
+        the number of the whole surface; vertices on common borders count once.
 
     Raises
     ------
@@ -208,7 +208,7 @@ def remesh_together(pieces, *, progress=None, **parameters):
     if any(piece.get(name) is None for piece in pieces for name in ("vertices", "faces")):
         raise ValueError("each of the pieces needs vertices and faces.")
     meshes = [_arrays.Mesh(piece.pop("vertices"), piece.pop("faces")) for piece in pieces]
-    choices = [dict(parameters) for _ in pieces]  # each mesh implies its own; those of any are for all
+    choices = [dict(parameters) for _ in pieces]  # a choice implied by any mesh holds for all
     given = [_all_extras(mesh, own, **piece) for mesh, own, piece in zip(meshes, choices, pieces)]
     parameters = {name: value for own in choices for name, value in own.items()}
     outcomes = _core.remesh_pieces([mesh.vertices for mesh in meshes], [mesh.faces for mesh in meshes],
@@ -224,19 +224,19 @@ def sample(vertices, faces, *, region=None, feature_edges=None, progress=None,
            **parameters):
     """Spreads points evenly over a surface: a geodesic Poisson-disk sampling.
 
-    Points are at least about a disk's radius apart, and each vertex of the input is within a radius of
-    one. The number of points is hit to about a tenth.
+    The distance of two points is at least about a disk radius, and each vertex of the input has a point
+    within a disk radius. The number of points is right to about a tenth.
 
     Parameters
     ----------
     vertices, faces, region, feature_edges, progress
-        As those of `remesh`.
+        As for `remesh`.
     PARAMETERS
 
     Returns
     -------
     Samples
-        Points, and where each lies on the input.
+        Points, and the place of each point on the input.
 
     Raises
     ------
@@ -276,13 +276,13 @@ def features(vertices, faces, *, progress=None, **parameters):
     Parameters
     ----------
     vertices, faces, progress
-        As those of `remesh`.
+        As for `remesh`.
     PARAMETERS
 
     Returns
     -------
     Features
-        The strength of each vertex, and the feature edges.
+        The strength of each vertex, and the crease edges.
 
     Raises
     ------
@@ -325,30 +325,30 @@ def _whole_number(name, value, least, most):
 
 
 def distance(a, b, *, samples=0, threads=0, progress=None):
-    """Measures the distances of two surfaces from each other, as `gpremesh compare` does.
+    """Measures the distances of two surfaces from each other, like `gpremesh compare`.
 
     Parameters
     ----------
-    a, b : pair (vertices, faces), or an object that has them as attributes
-        The two surfaces, in one unit. Usually `a` is the input and `b` the result. A RemeshResult and a
-        mesh of trimesh have the two attributes.
+    a, b : pair (vertices, faces), or an object with both as attributes
+        The two surfaces, in the same unit. Usually `a` is the input and `b` the result. A RemeshResult and
+        a mesh of trimesh have the two attributes.
     samples : int, default 0
-        How many points are spread over each surface, at most 100000000. 0 takes ten for each face of
-        `b`, at least 200000 and at most 2000000.
+        Number of points on each surface, at most 100000000. 0 takes ten points for each face of `b`, at
+        least 200000 and at most 2000000.
     threads : int, default 0
-        How many threads work. 0 takes one for each core. The result is the same.
+        Number of threads; 0: a thread for each core. The result does not depend on the threads.
     progress : callable(fraction, stage), optional
-        As that of `remesh`. The fraction stays 0.
+        As for `remesh`. The fraction stays 0.
 
     Returns
     -------
     Distance
-        In the unit of the coordinates. All figures are 0 where a surface has no face with an area.
+        In the unit of the coordinates. All figures are 0 if a surface has no face with an area.
 
     Raises
     ------
     ValueError, gpremesh.Error, KeyboardInterrupt
-        As `remesh`. While a search tree is built, cancelling waits for its end.
+        As `remesh`. During the construction of a search tree, cancelling waits for the end of the tree.
     """
     _check_progress(progress)
     samples = _whole_number("samples", samples, 0, 100_000_000)

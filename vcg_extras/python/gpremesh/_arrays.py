@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From what a caller gives to arrays that the engine reads where they are: float32 or float64
-coordinates and int32 indices in C order. Other kinds are converted. What cannot be meant is a
-ValueError that names the argument."""
+"""Checks arguments and makes arrays for the engine, without a copy if possible: float32 or float64 coordinates
+and int32 indices in C order. Other types are converted. An unusable argument raises a ValueError with the name of
+the argument."""
 
 import numpy as np
 
@@ -19,15 +19,15 @@ def _array(name, values):
 
 
 def _in_order(array, dtype):
-    """The same array where it is so already."""
+    """The array in C order with the dtype; the same array if nothing changes."""
     return np.require(array, dtype=dtype, requirements=("C_CONTIGUOUS", "ALIGNED"))
 
 
 def _numbers(name, values, shape, dtype):
-    """Finite real numbers; `shape` is text for the message, and what is checked beforehand."""
+    """Finite real numbers; `shape`, checked by the caller, is text for the message."""
     if values.dtype.kind not in "fiu":
         raise ValueError(f"{name} must be real numbers of shape {shape}, not {values.dtype}.")
-    # The smallest and the largest are finite only where all are; no array is made for this.
+    # Minimum and maximum are finite only if all values are; this test makes no array.
     if values.size and not (np.isfinite(values.min()) and np.isfinite(values.max())):
         raise ValueError(f"{name} has values that are not finite.")
     with np.errstate(over="ignore"):
@@ -62,7 +62,7 @@ def indices(name, values, limit):
 
 
 def mask(name, values, length, what):
-    """A bool for each of something, as bytes that the engine reads; None stays None."""
+    """A bool for each of the elements named by `what`, as bytes for the engine; None stays None."""
     if values is None:
         return None
     array = _array(name, values)
@@ -104,8 +104,7 @@ def edges(name, values, vertex_num):
 
 
 def _table(faces):
-    """Faces with one number of corners each, as an array; None where they are something else. None at
-    all are triangles."""
+    """Faces with equal numbers of corners, as an array; None for other faces. An empty list means triangles."""
     try:
         array = np.asarray(faces)
     except (TypeError, ValueError):
@@ -133,13 +132,13 @@ def _ragged(name, faces):
 
 
 class Mesh:
-    """A caller's mesh as the engine takes it.
+    """The mesh of a caller, as triangles for the engine.
 
     vertices, faces : float32 or float64 (n, 3), int32 (t, 3): triangles
-    index_dtype : that of the caller's faces
+    index_dtype : dtype of the caller's faces
     face_num : number of the caller's faces
-    corners : for each corner of a triangle, which corner of the caller's faces it is, or None: the same
-    face_of : for each triangle, which of the caller's faces it is a part of, or None: the same
+    corners : for each corner of a triangle, the corner of the caller's faces; None: the same corners
+    face_of : for each triangle, the face of the caller; None: the same faces
     """
 
     def __init__(self, vertices, faces, names=("vertices", "faces")):
@@ -205,7 +204,7 @@ class Mesh:
         return flat[self.corners]
 
     def images(self, name, values):
-        """The number of its image for each triangle; None stays None."""
+        """The number of the image for each triangle; None stays None."""
         return self.labels(name, values, 0)
 
     def labels(self, name, values, least=-_MOST):

@@ -3,15 +3,15 @@
 
 
 class Error(RuntimeError):
-    """The engine gave no result. The message says why in one sentence.
+    """The engine gave no result. The message gives the reason in a sentence.
 
     Attributes
     ----------
     status : str
-        One of "unusable input", "count too small", "promise broken", "out of memory", "cancelled",
-        "out of time", "bad options" and "internal error".
+        "unusable input", "count too small", "promise broken", "out of memory", "cancelled",
+        "out of time", "bad options" or "internal error".
     smallest_count : int or None
-        With "count too small": the smallest number of vertices that can be had.
+        With "count too small": the smallest possible number of vertices.
     """
 
     status: str
@@ -27,6 +27,6 @@ class Error(RuntimeError):
 
 
 def check(outcome):
-    """Raises what an outcome of the engine tells, unless it is a result."""
+    """Raises the failure of an outcome of the engine. Does nothing for a result."""
     if outcome["status"] != "ok":
         raise Error(outcome["message"], outcome["status"], outcome.get("smallest_count") or None)

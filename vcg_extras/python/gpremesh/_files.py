@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes with all that their files hold, by the readers and writers of the command line."""
+"""Meshes with all values of their files, by the readers and writers of the command line."""
 
 import json
 import os
@@ -14,33 +14,33 @@ from ._results import RemeshResult
 
 
 class FileMesh:
-    """A mesh with all that a file may hold of it.
+    """A mesh with all values that a file can hold.
 
     Parameters
     ----------
     vertices, faces : array_like
-        As those of `gpremesh.remesh`.
+        As for `gpremesh.remesh`.
     uv : array_like (n, 2) or (f, 3, 2), optional
-        Texture coordinates of the vertices, or of the corners of the faces. They count from the lower
-        left corner of the image.
+        Texture coordinates of the vertices, or of the corners of the faces, from the lower left corner
+        of the image.
     image : array_like (f,) of int, optional
         With `uv`: the number of the material of each face.
     vertex_values, face_values : dict of str to array_like, optional
-        One number for each vertex or face, by the names of PLY files: red, green, blue and alpha (uint8),
-        nx, ny and nz, quality, and any other.
+        A number for each vertex or face, by the names of PLY files: red, green, blue and alpha (uint8),
+        nx, ny and nz, quality, and any other name.
     materials : FileMesh, optional
-        A mesh whose materials and images this one has.
+        A mesh from which the new mesh gets materials and images.
 
     Attributes
     ----------
     vertices, faces, uv, image, vertex_values, face_values
-        As above. They may be changed.
+        As above. All may be changed.
     region : ndarray (n,) of uint8, or None
         The vertices that a PLY file marks as selected.
     notes : list of str
-        What is odd about the file.
+        Sentences about oddities of the file.
     result : RemeshResult or None
-        Where this mesh is the result of `remesh`: where each vertex lies on the input, and the report.
+        For a result of `remesh`: the place of each vertex on the input, and the report.
     """
 
     def __init__(self, vertices, faces, *, uv=None, image=None, vertex_values=None, face_values=None,
@@ -61,19 +61,19 @@ class FileMesh:
 
     def remesh(self, vertex_count=None, *, selected=None, region=None, feature_edges=None,
                progress=None, **parameters):
-        """Remeshes this mesh and carries everything over, by the rules of the command line.
+        """Remeshes the mesh and transfers all values, by the rules of the command line.
 
         Parameters
         ----------
         vertex_count : int, optional
-            How many vertices the result has.
+            Number of vertices of the result.
         selected, region, feature_edges, progress, **parameters
-            As those of `gpremesh.remesh`. Where it is not given, the region is that of the file.
+            As for `gpremesh.remesh`. The default of `region` is the region of the file.
 
         Returns
         -------
         FileMesh
-            Its `result` has the rest. This mesh is not changed.
+            The new mesh, with places and report as `result`. The old mesh is not changed.
 
         Raises
         ------
@@ -87,7 +87,7 @@ class FileMesh:
         mesh = _arrays.Mesh(self.vertices, self.faces)
         extras = _api.extras(mesh, parameters, region, feature_edges)
         extras.selected = mesh.per_triangle(_arrays.mask("selected", selected, mesh.face_num, "faces"))
-        if region is None:  # by default they count where there are any
+        if region is None:  # selected vertices of the file are the default
             extras.region = _arrays.mask("region", marked, len(mesh.vertices), "vertices")
         outcome = _core.remesh_mesh_of_file(mesh.vertices, mesh.faces, extras, self._attributes(mesh), parameters,
                                             progress)
@@ -95,7 +95,7 @@ class FileMesh:
         return self._of_result(mesh, outcome)
 
     def _of_result(self, mesh, outcome):
-        # As the command line does: floats that would not resolve the result become doubles.
+        # Like the command line: doubles replace floats that would not resolve the result.
         is_double = mesh.vertices.dtype == np.float64 or outcome["is_coarse"]
         vertices = outcome["vertices"].astype(np.float64 if is_double else np.float32, copy=False)
         result = RemeshResult(mesh, outcome, json.loads(outcome["report"]))
@@ -105,7 +105,7 @@ class FileMesh:
         return made
 
     def _attributes(self, mesh):
-        """Of the triangles of `mesh`, which are those of this one."""
+        """The attributes of the file mesh, for its triangles in `mesh`."""
         attributes = _core.FileAttributes()
         attributes.take_materials(self._materials)
         for name, values in self.vertex_values.items():
@@ -128,7 +128,7 @@ def _with_attributes(vertices, faces, attributes):
 
 
 def _column(name, values, length):
-    """Numbers of a type that PLY files have."""
+    """Numbers in a type of PLY files."""
     array = np.asarray(values)
     if array.shape != (length,):
         raise ValueError(f"{name} must have the shape ({length},), not {array.shape}.")
@@ -145,26 +145,26 @@ def _column(name, values, length):
 
 
 def read(path):
-    """Reads a mesh with all that its file holds, by the reader of the command line.
+    """Reads a mesh with all values of its file, by the reader of the command line.
 
     Parameters
     ----------
     path : str or path-like
-        A file in one of the formats PLY, OBJ, OFF, STL and binary glTF, by its extension.
+        A file in the format PLY, OBJ, OFF, STL or binary glTF, by extension.
 
     Returns
     -------
     FileMesh
-        Polygons are cut into triangles. A scene of binary glTF becomes one mesh.
+        Polygons are cut into triangles. A scene of binary glTF becomes a single mesh.
 
     Raises
     ------
     ValueError
         For another extension.
     OSError
-        Where there is no such file, or it cannot be read.
+        If the file does not exist or is not readable.
     gpremesh.Error
-        Where the file is no mesh, with the status "unusable input". Compressed binary glTF and morph
+        If the file is no mesh, with the status "unusable input". Compressed binary glTF and morph
         targets are refused.
 
     Examples
@@ -174,7 +174,7 @@ def read(path):
     >>> gpremesh.write("small.glb", mesh.remesh(5000))    # doctest: +SKIP
     """
     path = os.fspath(path)
-    with open(path, "rb"):  # what is wrong with the path is told by Python
+    with open(path, "rb"):  # Python raises errors about the path
         pass
     outcome = _core.read_mesh(path)
     check(outcome)
@@ -190,18 +190,18 @@ def write(path, mesh):
     Parameters
     ----------
     path : str or path-like
-        A file to write or replace, in one of the formats PLY, OBJ, OFF, STL and binary glTF, by its
-        extension. An older file stays as it is where anything goes wrong.
-    mesh : FileMesh, RemeshResult, a pair (vertices, faces), or an object that has them as attributes
-        A FileMesh is written with everything that the format holds, a RemeshResult with its texture
-        coordinates. There is a warning that names what the format does not hold.
+        A file to write or replace, in the format PLY, OBJ, OFF, STL or binary glTF, by extension. After
+        a failure an older file is unchanged.
+    mesh : FileMesh, RemeshResult, a pair (vertices, faces), or an object with both as attributes
+        A FileMesh is written with all values that the format can hold, a RemeshResult with its texture
+        coordinates. A warning names the values that the format cannot hold.
 
     Raises
     ------
     ValueError
-        For another extension, and for arrays that do not fit together.
+        For another extension, and for arrays of different lengths.
     OSError
-        Where the file cannot be written.
+        If the file cannot be written.
     """
     path = os.fspath(path)
     if not isinstance(mesh, FileMesh):

@@ -14,30 +14,30 @@ class RemeshResult:
     vertices : ndarray (n, 3)
         Coordinates, in the unit and the dtype of the input (float32 or float64).
     faces : ndarray (m, 3)
-        Triangles as rows of `vertices`, counter-clockwise as those of the input, in its dtype
-        (int32 or int64).
+        Triangles as rows of `vertices`, counter-clockwise like the input, in the dtype of the input
+        faces (int32 or int64).
     face_index : ndarray (n,)
-        The input's face that each vertex lies on, or that it was moved off by the fit.
+        The input face below each vertex. A fit moves vertices a little off the face.
     barycentric : ndarray (n, 3) of float32
-        The weights of the corners of that face; their sum is 1.
+        The weights of the three corners of the input face; the sum is 1.
     corner_index : ndarray (n, 3)
-        Those corners, as vertices of the input. Of a polygon, the corners of one of the triangles it
-        was cut into.
+        The three corners, as vertices of the input. For a polygon, the corners of the triangle below the
+        vertex, after the polygon was cut.
     middle_face_index : ndarray (m,)
-        The input's face that the middle of each face lies on.
+        The input face below the middle of each face.
     kept_vertex : ndarray (n,) or None
-        Which vertex of the input each one is, bit for bit, or -1; None where none had to stay.
+        The vertex of the input with the same place, bit for bit, or -1; None if no vertex had to stay.
     kept_face : ndarray (m,) or None
-        With `selected`: which face of the input each one is, or -1 for the new ones.
+        With `selected`: the same face of the input, or -1 for new faces.
     uv : ndarray (m, 3, 2) of float32, or None
-        Texture coordinates of the corners of the faces, where `uv` was given.
+        Texture coordinates of the corners of the faces, if `uv` was given.
     image : ndarray (m,) of int32, or None
-        The number of the image of each face, where `image` was given.
+        The number of the image of each face, if `image` was given.
     regions : ndarray (m,) of int32, or None
-        The label of each face, where the input's faces have labels.
+        The label of each face, if the input faces have labels.
     report : dict
-        What was done and how well, as the command line's `--report` has it. Times are in seconds,
-        lengths in the input's unit, angles in degrees. The names of files are empty.
+        Changes and quality, as in `--report` of the command line. Times are in seconds, lengths in the
+        unit of the input, angles in degrees. The names of files are empty.
     """
 
     vertices: np.ndarray
@@ -80,14 +80,14 @@ class RemeshResult:
         return self._triangles[self._triangle_index].astype(self._index_dtype, copy=False)
 
     def split_at_seams(self) -> "tuple[np.ndarray, np.ndarray, np.ndarray]":
-        """The mesh with as many copies of each vertex as it has texture coordinates, for formats and
-        packages whose texture coordinates belong to vertices.
+        """The mesh with a copy of each vertex for each of its texture coordinates, for formats and packages
+        with texture coordinates at vertices.
 
         Returns
         -------
         vertex_index : ndarray (k,)
-            For each new vertex, which row of `vertices` it is a copy of. Without seams there are no
-            copies, and the order stays.
+            For each new vertex, the row of `vertices` to copy. Without seams there are no copies, and the
+            order stays.
         faces : ndarray (m, 3)
             The faces by new vertices.
         uv : ndarray (k, 2) of float32
@@ -96,11 +96,11 @@ class RemeshResult:
         Raises
         ------
         ValueError
-            Where the result has no texture coordinates.
+            If the result has no texture coordinates.
         """
         if self.uv is None:
             raise ValueError("The result has no texture coordinates; give remesh the argument uv.")
-        uv = self.uv.reshape(-1, 2) + np.float32(0)  # -0 and 0 are one place
+        uv = self.uv.reshape(-1, 2) + np.float32(0)  # -0 and 0 are the same place
         corners = np.empty(len(uv), dtype=[("vertex", np.int64), ("u", np.float32), ("v", np.float32)])
         corners["vertex"], corners["u"], corners["v"] = self.faces.reshape(-1), uv[:, 0], uv[:, 1]
         own, faces = np.unique(corners, return_inverse=True)
@@ -109,27 +109,27 @@ class RemeshResult:
                 np.column_stack([own["u"], own["v"]]))
 
     def transfer(self, values, of: 'Literal["vertex", "face"]' = "vertex") -> np.ndarray:
-        """Carries values of the input over to the result, by the rule of the command line.
+        """Transfers values of the input to the result, by the rule of the command line.
 
         Parameters
         ----------
         values : array_like, (input's vertices, ...) or (input's faces, ...)
-            One value or one row for each vertex or face of the input, of any dtype.
+            A value or a row for each vertex or face of the input, of any dtype.
         of : {'vertex', 'face'}
-            What the values belong to.
+            Whether the values belong to vertices or to faces.
 
         Returns
         -------
         ndarray, (n, ...) or (m, ...), of the dtype of `values`
-            Of vertices, the mean over the corners of the face that each vertex lies on, for real
-            numbers and for uint8, which is rounded: colours. Other values, such as labels, are those
-            of the corner with the largest weight. Of faces, those of the face that the middle of each
-            face lies on.
+            For vertices, real numbers and uint8 (colours, rounded) become the weighted mean over the
+            corners of the input face below the vertex. Other values, such as labels, come from the corner
+            with the largest weight. For faces, values come from the input face below the middle of the
+            face.
 
         Raises
         ------
         ValueError
-            Where `values` has another number of rows than the input.
+            If `values` has another number of rows than the input.
         """
         if of not in ("vertex", "face"):
             raise ValueError(f"of takes 'vertex' or 'face', not {of!r}.")
@@ -147,7 +147,7 @@ class RemeshResult:
 
 
 def _mean_of_corners(values, corners, weights):
-    """Corners without weight are left out, so that a NaN there does no harm."""
+    """The weighted mean. Corners without weight are left out, so that a NaN there does no harm."""
     total = np.zeros((len(corners),) + values.shape[1:])
     for k in range(3):
         weight = weights[:, k].astype(np.float64).reshape((-1,) + (1,) * (values.ndim - 1))
@@ -165,19 +165,19 @@ class Samples:
     Attributes
     ----------
     points : ndarray (n, 3)
-        Their coordinates, in the unit and the dtype of the input.
+        Coordinates, in the unit and the dtype of the input.
     face_index : ndarray (n,)
-        The input's face that each lies on.
+        The input face of each point.
     barycentric : ndarray (n, 3) of float32
-        The weights of the corners of that face.
+        The weights of the corners of the input face.
     radius : ndarray (n,) of float64
-        The radius of the disk of each, in the input's unit.
+        The disk radius of each point, in the unit of the input.
     disk_radius : float
-        That of the largest disks.
+        The radius of the largest disks.
     seed : int
-        The seed that was taken.
+        The seed of the run.
     notes : list of str
-        Sentences worth reading although all went well.
+        Sentences about the run that are worth reading.
     """
 
     points: np.ndarray
@@ -196,17 +196,17 @@ class Features:
     Attributes
     ----------
     strength : ndarray (n,) of float32
-        How sharp the surface is at each vertex, degrees from 0 to 180.
+        The sharpness of the surface at each vertex, degrees from 0 to 180.
     vertex : ndarray (n,) of uint8
-        What each vertex is, as bits: 1 on a line, 2 a corner, 4 the apex of a cone.
+        The kind of each vertex, as bits: 1 on a line, 2 corner, 4 cone apex.
     face : ndarray (m,) of bool
         Whether a face has a marked vertex.
     edges : ndarray (e, 2)
-        The feature edges, as pairs of vertices: `feature_edges` of `remesh`.
+        The crease edges, as pairs of vertices: `feature_edges` of `remesh`.
     edge_strength : ndarray (e,) of float32
-        Their strength in degrees.
+        The strength of the edges in degrees.
     report : dict
-        The numbers, as the report of the command line's `gpremesh features` has them.
+        The figures, as in the report of `gpremesh features`.
     """
 
     strength: np.ndarray
@@ -226,11 +226,11 @@ class OneWayDistance:
     rms, mean : float
         Root mean square and mean over the area.
     p999 : float
-        99.9 % of the area is nearer than this.
+        99.9 % of the area is nearer than this distance.
     largest : float
-        The largest distance that was found.
+        The largest distance found.
     lower, upper : float
-        The largest distance lies between these. This is proven.
+        Proven bounds of the largest distance.
     """
 
     rms: float
@@ -248,10 +248,10 @@ class Distance:
     Attributes
     ----------
     a_to_b, b_to_a : OneWayDistance
-        Of the points of the first surface from the second, and the other way.
+        Distances of the first surface from the second, and of the second from the first.
     rms, mean, p999, largest, lower, upper : float
-        The larger one of both directions; `largest` is the Hausdorff distance, as far as it was
-        found, and lies between `lower` and `upper`.
+        The larger figure of both directions; `largest` is the Hausdorff distance, as far as found, and
+        lies between `lower` and `upper`.
     """
 
     a_to_b: OneWayDistance

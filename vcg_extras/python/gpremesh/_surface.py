@@ -8,18 +8,17 @@ from ._table import with_parameters
 
 
 class Surface:
-    """A surface for many runs: what all of them have in common is made once and kept.
+    """A surface for many runs: work that all runs share is done once.
 
     Parameters
     ----------
     vertices, faces
-        As those of `gpremesh.remesh`. Arrays that are not copied must not be written to while the
-        surface is used.
+        As for `gpremesh.remesh`. Arrays without a copy must not be written to while the surface is used.
 
     Notes
     -----
-    It is of use where many sizes, presets or seeds are tried. It keeps some 80 bytes for each triangle.
-    A run waits for one that another thread has under way.
+    A Surface saves time with many sizes, presets or seeds. It keeps about 80 bytes for each triangle.
+    A run waits for the run of another thread.
 
     Examples
     --------
@@ -40,18 +39,18 @@ class Surface:
     @with_parameters("remesh")
     def remesh(self, *, selected=None, region=None, feature_edges=None, uv=None, image=None,
                regions=None, progress=None, **parameters):
-        """Remeshes the surface: the same bytes as those of `gpremesh.remesh`, in less time.
+        """Remeshes the surface: the same bytes as from `gpremesh.remesh`, in less time.
 
         Parameters
         ----------
         selected, region, feature_edges, uv, image, regions, progress
-            As those of `gpremesh.remesh`. They may be others in each run.
+            As for `gpremesh.remesh`. Each run may have other values.
         PARAMETERS
 
         Returns
         -------
         RemeshResult
-            As that of `gpremesh.remesh`.
+            As from `gpremesh.remesh`.
 
         Raises
         ------
@@ -65,25 +64,25 @@ class Surface:
 
 
 def levels(vertices, faces, *, percent=None, vertex_count=None, face_count=None, progress=None, **parameters):
-    """Remeshes a surface to several sizes, as levels of detail. It is prepared once.
+    """Remeshes a surface to several sizes, as levels of detail. The surface is prepared once.
 
     Parameters
     ----------
     vertices, faces
-        As those of `gpremesh.remesh`.
+        As for `gpremesh.remesh`.
     percent, vertex_count, face_count : sequence of numbers
-        The sizes, in one of these ways.
+        The sizes. Exactly one of these is given.
     progress : callable(fraction, stage), optional
-        As that of `gpremesh.remesh`, over all levels.
+        As for `gpremesh.remesh`, over all levels.
     **parameters
-        The other arguments of `gpremesh.Surface.remesh`, for all levels. `check` is True unless it is
-        given: it proves how far each level is from the input at most.
+        The other arguments of `gpremesh.Surface.remesh`, for all levels. `check` is True by default: the
+        run proves the largest distance of each level from the input.
 
     Returns
     -------
     list of RemeshResult
-        One for each size, in their order: the same as those of `gpremesh.remesh`. The proven error of a
-        level is `report["error"]["hausdorff"]["upper"]`.
+        A result for each size, in order, as from `gpremesh.remesh`. The proven error of a level is
+        `report["error"]["hausdorff"]["upper"]`.
 
     Raises
     ------
@@ -112,7 +111,7 @@ def levels(vertices, faces, *, percent=None, vertex_count=None, face_count=None,
 
 
 def _part(progress, i, num):
-    """Of a progress over `num` runs, that of run i."""
+    """The progress function of run i, of `num` runs with a common progress."""
     if not callable(progress):
         return progress
     return lambda fraction, stage: progress((i + fraction) / num, stage)

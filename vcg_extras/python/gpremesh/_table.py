@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Signatures and docstrings, made from the engine's parameter table when the package is imported."""
+"""Signatures and docstrings, made from the parameter table of the engine when the package is imported."""
 
 import inspect
 import textwrap
@@ -23,14 +23,14 @@ def type_of(entry):
 
 
 def type_text(entry):
-    """The type of a parameter, as NumPy's docstrings write it."""
+    """The type of a parameter, in the style of NumPy's docstrings."""
     if entry["kind"] == "choice":
         return "{" + ", ".join(repr(choice) for choice in entry["choices"]) + "}"
     return _TYPES[entry["kind"]].__name__ + (" or 'auto'" if entry["default"] == "auto" else "")
 
 
 def documentation(tool):
-    """The parameters of a tool, as a section of a docstring has them."""
+    """The parameters of a tool, as a section of a docstring."""
     lines = []
     for entry in _core.parameters(tool):
         default = "optional" if entry["default"] is None else f"default {entry['default']!r}"
@@ -40,8 +40,8 @@ def documentation(tool):
 
 
 def with_parameters(tool):
-    """Decorates a function that takes a tool's parameters as `**parameters`: its signature and its
-    docstring, at the line PARAMETERS, name them one by one, and others are a TypeError."""
+    """Decorates a function with the parameters of a tool as `**parameters`: the signature and the docstring, at the
+    line PARAMETERS, name each parameter. Unknown parameters raise a TypeError."""
     names = [entry["name"] for entry in _core.parameters(tool)]
 
     def decorate(function):

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Remeshes a surface in tiles on many machines: `gpremesh-cluster`.
 
-The machines share a folder, or a place that has a URL of fsspec, such as S3. Each step of a run in tiles is one
-call of the program `gpremesh tile`, which does nothing where its step was done before. So a step may be lost,
-repeated or done twice at once: the result has the same bytes. Dask runs the steps, or Slurm by the script that
-`gpremesh-cluster slurm` writes.
+The machines share a folder, or a place with a URL of fsspec, such as S3. Each step of a run in tiles is a call of
+the program `gpremesh tile`, which does nothing if the step was done before. So a step may be lost, repeated or done
+twice at once: the result has the same bytes. Dask runs the steps, or Slurm with the script written by
+`gpremesh-cluster slurm`.
 
     gpremesh-cluster run huge.ply out.ply --folder DIR --percent 1 --memory 8G --local 2
     gpremesh-cluster run huge.ply out.ply --folder DIR --percent 1 --memory 8G --ssh host1,host2
@@ -36,18 +36,18 @@ from pathlib import Path
 
 from .__main__ import program
 
-RETRIES = 3  # of a step whose worker was lost, or that failed
+RETRIES = 3  # of a step that failed or lost its worker
 
-# A put is whole or not at all there; there are no folders, and a move is a copy.
+# In an object store a put is atomic, there are no folders, and a move is a copy.
 OBJECT_STORES = {"s3", "s3a", "gs", "gcs", "az", "abfs"}
 
 
 class StepFailed(RuntimeError):
-    """A step ended with an exit code, or its files are not to be had; the text is a sentence about it."""
+    """A step ended with an exit code, or without its files; the text is a sentence about the failure."""
 
 
 class Place(Enum):
-    """Stands in a call for a path that depends on where the step runs."""
+    """A placeholder in a call, for a path that depends on the machine of the step."""
 
     FOLDER = 1  # of the run
     INPUTS = 2
@@ -56,16 +56,16 @@ class Place(Enum):
 
 @dataclass(frozen=True)
 class Step:
-    """One step of a run in tiles.
+    """A step of a run in tiles.
 
     Parameters
     ----------
     calls : tuple of tuple of str or Place
-        What `gpremesh tile` is called with, one call after the other.
+        The arguments of `gpremesh tile`, for each call in order.
     record : str
-        The file in the folder of the run that says that the step is done; empty where there is none.
+        The file in the folder of the run that marks the step as done; empty if there is no such file.
     reads : tuple of str
-        Files in the folder of the run that the step reads beside its record. It writes others.
+        Files in the folder of the run that the step reads beside its record. The step writes other files.
     """
 
     calls: tuple
@@ -89,7 +89,7 @@ FINISH_CALL = ("finish", Place.FOLDER, Place.OUTPUT, "--quiet")
 
 
 def cut_step(options: tuple[str, ...]) -> Step:
-    """Plan and split in one: both read the input."""
+    """Plan and split in a single step, because both read the input."""
     return Step(((*PLAN_CALL, *options), SPLIT_CALL), "split.json", ("plan.json",))
 
 
@@ -113,7 +113,7 @@ def is_url(path: str) -> bool:
 
 
 def fetch_file(url: str, path: Path) -> bool:
-    """Copies a file from a URL. False where there is none. Raises StepFailed where it cannot be read."""
+    """Copies a file from a URL. False if there is no file. Raises StepFailed if the file cannot be read."""
     try:
         import fsspec
 
@@ -122,13 +122,13 @@ def fetch_file(url: str, path: Path) -> bool:
         if not place.exists(remote):
             return False
         place.get_file(remote, str(path))
-    except Exception as failure:  # each kind of place has errors of its own
+    except Exception as failure:  # each kind of place has its own errors
         raise StepFailed(f"cannot fetch {url}: {failure}") from failure
     return True
 
 
 def put_file(path: Path, url: str) -> None:
-    """Copies a file to a URL, whole or not at all. Raises StepFailed where it cannot be written."""
+    """Copies a file to a URL, whole or not at all. Raises StepFailed if the file cannot be written."""
     try:
         import fsspec
 
@@ -146,32 +146,32 @@ def put_file(path: Path, url: str) -> None:
 
 
 class SharedFiles:
-    """The files of a run whose folder, inputs and output all machines see: nothing is fetched or put."""
+    """The files of a run with folder, inputs and output visible to all machines: nothing is fetched or put."""
 
     def __init__(self, folder: str, inputs: list[str], output: str):
         self.paths = {Place.FOLDER: [folder], Place.INPUTS: inputs, Place.OUTPUT: [output]}
 
     @contextlib.contextmanager
     def at_hand(self, step: Step):
-        """Lists of paths for a step's calls, by their Place."""
+        """Lists of paths for the calls of a step, by Place."""
         yield self.paths
 
 
 class FetchedFiles:
-    """The files of a run whose folder, output or one of whose inputs has a URL.
+    """The files of a run with a URL as folder, output or input.
 
-    Each step has a folder of its own on the machine where it runs. What it reads is fetched there, and what it has
-    written is put; its record goes last.
+    Each step has its own folder on its machine. The files that the step reads are fetched to the folder, and the files
+    that the step has written are put back; the record goes last.
 
     Parameters
     ----------
     folder, output : str
-        URLs or paths. Inputs and output are used as they are where they are paths.
+        URLs or paths. Inputs and output with paths are used in place.
     inputs : list of str
-        Pieces of one surface.
+        Pieces of a surface.
     scratch : str
-        Where the folders are made. The plan names the paths of the inputs, so that the same paths are used by all
-        machines; what is read from a URL lies in a folder there, whose name follows from the URLs.
+        The place of the new folders. The plan names the paths of the inputs, so that all machines use the same paths:
+        inputs from URLs lie in a folder in `scratch`, with a name that follows from the URLs.
     """
 
     def __init__(self, folder: str, inputs: list[str], output: str, scratch: str):
@@ -184,7 +184,7 @@ class FetchedFiles:
 
     @contextlib.contextmanager
     def at_hand(self, step: Step):
-        """Lists of paths for a step's calls, by their Place. At the end what was written is put."""
+        """Lists of paths for the calls of a step, by Place. At the end the written files are put."""
         self.scratch.mkdir(parents=True, exist_ok=True)
         with contextlib.ExitStack() as stack:
             own = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="gpremesh-", dir=self.scratch)))
@@ -204,7 +204,7 @@ class FetchedFiles:
                 put_file(output, self.output)
 
     def _fetch(self, step: Step, folder: Path) -> None:
-        """A file that is missing is left to the program, which tells what was not done."""
+        """Fetches the files of a step. The program reports missing files, and so the step that was not done."""
         def fetch(name):
             return fetch_file(f"{self.folder}/{name}", folder / name)
 
@@ -238,17 +238,17 @@ def tile_call(command: list[str]) -> dict:
     Parameters
     ----------
     command : list of str
-        The program and all its words.
+        The program and all arguments.
 
     Returns
     -------
     dict
-        The line of JSON that the step prints; empty for the last step.
+        The line of JSON printed by the step; empty for the last step.
 
     Raises
     ------
     StepFailed
-        Where the program ends with another exit code than 0.
+        If the program ends with another exit code than 0.
     """
     done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode != 0:
@@ -266,9 +266,9 @@ class TileRun:
     plan_options : sequence of str
         Options of `gpremesh tile plan`.
     program_path : str or None
-        The program; that of the package on the machine where a step runs if not given.
+        The program; by default the program of the package on the machine of the step.
     part_threads : int
-        How many threads condense a tile; 0: one for each core of the machine.
+        Number of threads that condense a tile; 0: a thread for each core of the machine.
     """
 
     def __init__(self, files, plan_options, program_path: str | None = None, part_threads: int = 0):
@@ -278,12 +278,12 @@ class TileRun:
         self.part_options = ("--threads", str(part_threads)) if part_threads > 0 else ()
 
     def command(self, call, paths) -> list[str]:
-        """The program and its words, with paths in the places."""
+        """The program and its arguments, with paths in place of each Place."""
         words = (paths.get(word, [word]) for word in call)
         return [self.program_path or program(), "tile", *itertools.chain.from_iterable(words)]
 
     def do(self, step: Step) -> dict:
-        """Does a step on this machine and returns what its last call tells. Raises StepFailed."""
+        """Does a step on this machine and returns the JSON of the last call. Raises StepFailed."""
         told = {}
         with self.files.at_hand(step) as paths:
             for call in step.calls:
@@ -297,7 +297,7 @@ def run_with_dask(client, run: TileRun, tell=print) -> None:
     Parameters
     ----------
     client : distributed.Client
-        Its workers have this package. They see the files of the run, or can fetch them.
+        Its workers have this package, and see or can fetch the files of the run.
     run : TileRun
     tell : callable
         Gets a sentence after each step.
@@ -305,12 +305,12 @@ def run_with_dask(client, run: TileRun, tell=print) -> None:
     Raises
     ------
     StepFailed
-        Where a step fails in all its tries.
+        If a step fails in all tries.
     """
     from distributed import as_completed
 
     def submit(step):
-        key = f"{step.name}-{uuid.uuid4().hex}"  # Dask's dashboard shows what is before the dash
+        key = f"{step.name}-{uuid.uuid4().hex}"  # Dask's dashboard shows the part before the dash
         return client.submit(run.do, step, retries=RETRIES, key=key)
 
     tile_num = len(submit(cut_step(run.plan_options)).result()["tiles"])
@@ -326,8 +326,8 @@ def run_with_dask(client, run: TileRun, tell=print) -> None:
 
 
 def slurm_script(run: TileRun, tile_num: int, memory_bytes: float) -> str:
-    """A shell script that gives all steps behind the plan to Slurm: an array of jobs for the tiles, and what
-    depends on it."""
+    """A shell script that submits all steps after the plan to Slurm: an array of jobs for the tiles, and the
+    dependent jobs."""
     paths = run.files.paths
     log = f"{paths[Place.FOLDER][0]}/slurm-%x"
     options = ["--parsable", "--requeue", "--kill-on-invalid-dep=yes"]
@@ -391,11 +391,11 @@ def _arguments(words):
     workers.add_argument("--ssh", metavar="HOST,HOST",
                          help="a worker on each host, by ssh; the first host has the scheduler, too")
     workers.add_argument("--scheduler", help="address of a Dask scheduler, such as tcp://host:8786")
-    return parser.parse_known_args(words)  # what is left are options of gpremesh remesh
+    return parser.parse_known_args(words)  # the rest are options of gpremesh remesh
 
 
 def part_threads(options) -> int:
-    """How many threads condense a tile, 0 for one for each core."""
+    """Number of threads that condense a tile; 0: a thread for each core."""
     if options.threads is not None:
         return options.threads
     if options.local and options.local > 1:
@@ -404,7 +404,7 @@ def part_threads(options) -> int:
 
 
 def tile_run(options, remesh_options) -> TileRun:
-    """The run that a command line asks for."""
+    """The run for a command line."""
     def absolute(path):  # other machines have other current folders
         return path if is_url(path) else str(Path(path).absolute())
 
@@ -419,14 +419,14 @@ def tile_run(options, remesh_options) -> TileRun:
 
 
 def _cluster(options):
-    """Workers of our own, or none where a scheduler has some. An object of Dask that ends them."""
+    """A Dask object with new workers, which ends the workers; the address of the scheduler, if given."""
     from distributed import LocalCluster, SSHCluster
 
     if options.scheduler:
         return contextlib.nullcontext(options.scheduler)
     if not options.ssh:
         return LocalCluster(n_workers=options.local or 1, threads_per_worker=1)
-    import asyncssh  # noqa: F401, so that a sentence tells where it is missing
+    import asyncssh  # noqa: F401, so that a missing package gives a sentence
 
     hosts = options.ssh.split(",")
     return SSHCluster([hosts[0], *hosts], worker_options={"nthreads": 1})
@@ -434,7 +434,7 @@ def _cluster(options):
 
 @contextlib.contextmanager
 def _client(options):
-    """A Dask client with workers. Ends the program with a sentence where they are not to be had."""
+    """A Dask client with workers. Ends the program with a sentence if there are no workers."""
     with contextlib.ExitStack() as stack:
         try:
             from distributed import Client

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes of Open3D, those with tensors and those without. Importing this imports Open3D."""
+"""Meshes of Open3D, with tensors or without. Importing this imports Open3D."""
 
 import numpy as np
 import open3d
@@ -16,18 +16,18 @@ def remesh(mesh, vertex_count=None, **parameters):
     Parameters
     ----------
     mesh : open3d.geometry.TriangleMesh or open3d.t.geometry.TriangleMesh
-        It is not changed. One with tensors may lie on another device; it is brought to the processor's
-        memory for this.
+        The mesh is not changed. A mesh with tensors may lie on another device, and is copied to the memory
+        of the processor.
     vertex_count : int, optional
         How many vertices the result has.
     **parameters
-        As those of `gpremesh.remesh`, but for `uv` and `image`, which come from the mesh.
+        As for `gpremesh.remesh`, without `uv` and `image`, which come from the mesh.
 
     Returns
     -------
     As `mesh`
-        With its colours, texture coordinates, materials and, where it has tensors, all attributes of
-        vertices and triangles. Normals are computed anew where it has any.
+        The result, with colours, texture coordinates, materials and, for tensors, all attributes of
+        vertices and triangles. Normals are computed anew if `mesh` has normals.
 
     Raises
     ------

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 the gpremesh authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Meshes of PyVista: `mesh.gpremesh.remesh(5000)`. PyVista 0.48 and later find this by themselves.
+"""Meshes of PyVista: `mesh.gpremesh.remesh(5000)`. PyVista 0.48 and later find this module without an import.
 Importing this imports PyVista."""
 
 import numpy as np
@@ -10,7 +10,7 @@ from . import _api
 
 
 def _unit(normals):
-    """Means of unit vectors are shorter."""
+    """Scales vectors to length 1, because means of unit vectors are shorter."""
     length = np.linalg.norm(normals, axis=1, keepdims=True)
     return np.divide(normals, length, out=np.zeros_like(normals), where=length > 0)
 
@@ -28,7 +28,7 @@ class Accessor:
     Parameters
     ----------
     mesh : pyvista.PolyData
-        Its triangles and polygons are the surface; points and lines are left out.
+        The surface: triangles and polygons of the mesh, without points and lines.
     """
 
     def __init__(self, mesh):
@@ -43,13 +43,13 @@ class Accessor:
             How many points the result has. Along the seams of a texture there are copies beyond that,
             as PyVista has one texture coordinate for each point.
         **parameters
-            As those of `gpremesh.remesh`, but for `uv`, which is the active texture coordinates.
+            As for `gpremesh.remesh`, without `uv`, which is the active texture coordinates.
 
         Returns
         -------
         pyvista.PolyData
-            With the point, cell and field data of the mesh. Normals of points have the length 1 again;
-            those of cells are left out.
+            The result, with the point, cell and field data of the mesh. Normals of points have the length 1
+            again; normals of cells are left out.
 
         Raises
         ------
@@ -99,14 +99,14 @@ class Accessor:
         Parameters
         ----------
         count : int, optional
-            About how many points.
+            Approximate number of points.
         **parameters
-            As those of `gpremesh.sample`.
+            As for `gpremesh.sample`.
 
         Returns
         -------
         pyvista.PolyData
-            Points, with the radius of the disk of each as the point data "radius".
+            Points, with the disk radius as the point data "radius".
         """
         samples = _api.sample(np.asarray(self._mesh.points), _faces(self._mesh), count=count, **parameters)
         points = pyvista.PolyData(samples.points)
@@ -119,12 +119,12 @@ class Accessor:
         Parameters
         ----------
         **parameters
-            As those of `gpremesh.features`.
+            As for `gpremesh.features`.
 
         Returns
         -------
         pyvista.PolyData
-            The feature edges as lines, with the cell data "strength" in degrees.
+            The crease edges as lines, with the cell data "strength" in degrees.
         """
         points = np.asarray(self._mesh.points)
         found = _api.features(points, _faces(self._mesh), **parameters)

@@ -44,17 +44,17 @@ def remesh(mesh, vertex_count=None, **parameters):
     Parameters
     ----------
     mesh : trimesh.Trimesh
-        It is not changed.
+        The mesh is not changed.
     vertex_count : int, optional
         How many vertices the result has. Along the seams of a texture there are copies beyond that, as
         trimesh has one texture coordinate for each vertex.
     **parameters
-        As those of `gpremesh.remesh`, but for `uv`, which comes from the mesh.
+        As for `gpremesh.remesh`, without `uv`, which comes from the mesh.
 
     Returns
     -------
     trimesh.Trimesh
-        With the vertex or face colours, the texture, the attributes of vertices and faces, and the
+        The result, with the vertex or face colours, the texture, the attributes of vertices and faces, and the
         metadata of `mesh`.
 
     Raises

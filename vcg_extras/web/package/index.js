@@ -6,9 +6,9 @@ import { Engine } from "./engine.js";
 
 export { GpremeshError } from "./engine.js";
 
-const idle = []; // engines that wait for work
+const idle = []; // engines without work
 
-// One engine for the calls of `work`; one that was aborted has ended its thread and begins another one.
+// Runs `work` with an engine. An aborted engine has ended its thread, and starts a new thread for the next call.
 async function withEngine(work) {
 	const engine = idle.pop() ?? new Engine();
 	try {
@@ -26,7 +26,7 @@ export async function parameters() {
 	return table;
 }
 
-// { maxError: "0.1%", check: true } as "--max-error 0.1% --check".
+// Options as text: { maxError: "0.1%", check: true } becomes "--max-error 0.1% --check".
 async function textOf(options) {
 	const rows = await parameters(), words = [];
 	for (const [name, value] of Object.entries(options)) {

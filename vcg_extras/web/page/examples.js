@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Meshes made in code, as files that the program reads.
+// Example meshes, as files in memory.
 
-// A grid of m by n places, closed in the directions in which it wraps, as binary PLY.
+// A grid of m by n places, closed in the directions of `wraps`, as binary PLY.
 function gridPly(m, n, wraps, place) {
 	const rows = wraps[0] ? m : m - 1, columns = wraps[1] ? n : n - 1;
 	const head = new TextEncoder().encode("ply\nformat binary_little_endian 1.0\n" +
@@ -34,7 +34,7 @@ function gridPly(m, n, wraps, place) {
 	return bytes;
 }
 
-// A ring with bumps, like a scan of something that has grown.
+// A ring with bumps, like the scan of a plant.
 function ring(u, v) {
 	const a = 2 * Math.PI * u, b = 2 * Math.PI * v;
 	const bump = .12 * Math.sin(7 * a + 2 * b) * Math.sin(5 * b) + .05 * Math.sin(23 * a) * Math.cos(11 * b - 4 * a);
@@ -42,7 +42,7 @@ function ring(u, v) {
 	return [r * Math.cos(a), r * Math.sin(a), (1 + bump) * Math.sin(b)];
 }
 
-// A gear: the outline of a tooth wheel, its hole, and flat sides with sharp edges between them.
+// A gear: the outline of a tooth wheel, a hole, and flat sides with crease edges between the parts.
 function gear(u, v) {
 	const a = 2 * Math.PI * u, tooth = Math.max(-1, Math.min(1, 2.5 * Math.sin(16 * a)));
 	const outer = 3 + .35 * tooth, inner = 1.2, half = .5, side = 4 * v, share = side % 1;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The page. Two engines have the mesh: one makes drafts and is never stopped, the other one the results.
+// The page. Two engines have the mesh: the first makes drafts and is never stopped, the second makes the results.
 /* global makeViewer */
 import { Engine } from "./engine.js";
 import { examples } from "./examples.js";
@@ -17,12 +17,12 @@ const viewer = makeViewer($("viewer"), {
 	endOfDistances: 0, mostShown: 300000, meshes: [], panels: ["input", "result", "quadricEdgeCollapse"],
 });
 let table = [];
-let mesh = null;       // what is open: { name, bytes, facts }
-let change = 0;        // counts the changes of what is wanted
+let mesh = null;       // the open mesh: { name, bytes, facts }
+let change = 0;        // number of changes of the options or the mesh
 let waiting = null;    // the timer of the default
-let running = null;    // AbortController of what the results' engine does
+let running = null;    // AbortController of the present call of the results' engine
 let draftWanted = null, isDrafting = false;
-let finished = 0;      // the change of which no draft is shown any more
+let finished = 0;      // drafts up to this change are not shown any more
 
 // ---- words ----
 
@@ -45,7 +45,7 @@ function showProgress(share, phrase) {
 	tell(phrase);
 }
 
-// ---- what is wanted, as options of the command line ----
+// ---- the options of the page, as options of the command line ----
 
 const rowOf = (option) => table.find((row) => row.option === option);
 
@@ -90,7 +90,7 @@ function chooseSize() {
 const numberWidget = () => $("number").firstElementChild;
 const mostOf = (row) => row.option === "--faces" ? mesh.facts.faces : mesh.facts.vertices;
 
-// The slider goes from 10 to twice what the input has, each step by the same share.
+// The slider goes from 10 to twice the number of the input, in steps of equal ratio.
 const range = () => Math.log(2 * mostOf(rowOf($("size").value)) / 10);
 
 function setNumber(number) {
@@ -105,7 +105,7 @@ function wordOf(widget) {
 	return word === row.default ? "" : word;
 }
 
-// Pairs of an option and its word, as the program takes them.
+// Pairs of an option and its value, as text for the program.
 function wishes() {
 	const widgets = [numberWidget(), ...document.querySelectorAll("#more [data-option], #experts [data-option]")];
 	return widgets.map((widget) => [rowOf(widget.dataset.option), wordOf(widget)]).filter(([, word]) => word !== "");
@@ -183,7 +183,7 @@ function showNotes(notes) {
 	$("notes").replaceChildren(...notes.map((note) => Object.assign(document.createElement("li"), { textContent: note })));
 }
 
-// ---- drafts, as long as one moves ----
+// ---- drafts, during changes ----
 
 async function draft() {
 	if (isDrafting || draftWanted === null || !mesh.hasDrafts) return;
@@ -251,7 +251,7 @@ async function finish(of) {
 	showProgress(null);
 }
 
-// What was under way ends with its thread; another one opens the mesh again.
+// The call under way ends with its thread; a new thread opens the mesh again.
 let reopened = null;
 
 function stop() {
@@ -265,7 +265,7 @@ function stop() {
 
 function reopen() {
 	reopened = results.call("open", { name: mesh.name, bytes: mesh.bytes.slice() });
-	reopened.catch(() => {}); // who waits for it tells
+	reopened.catch(() => {}); // the waiting caller reports the failure
 }
 
 function changed() {
@@ -274,7 +274,7 @@ function changed() {
 	stop();
 	showCommands();
 	$("download").disabled = true;
-	// Searches for an error are many runs.
+	// A search for an error bound takes many runs.
 	if (!given.some(([row]) => row.option === "--max-error")) {
 		draftWanted = { text: optionsText(given), of };
 		draft();
@@ -307,7 +307,7 @@ async function open(name, bytes) {
 		changed();
 	} catch (error) {
 		tellFailure(error);
-		if (mesh !== null && of === change) { // the mesh that is still shown is opened again
+		if (mesh !== null && of === change) { // reopens the mesh on the page
 			reopen();
 			$("download").disabled = true;
 		}

@@ -5,6 +5,7 @@
 
 #include <vcg_extras/core/options.h>
 #include <vcg_extras/io/mesh/attribute_carry.h>
+#include <vcg_extras/io/options/given_options.h>
 
 #include <cstdint>
 #include <string>
@@ -22,10 +23,10 @@ enum class Command {
 	Levels,
 };
 
-/// What stands in OUT of levels for the number of a level.
+/// The place of a level's number in OUT of levels.
 constexpr const char* levelPlace = "{level}";
 
-/// Sizes of levels, all given in one way: as percent, vertices or faces.
+/// Sizes of levels, all of the same kind: percent, vertices or faces.
 struct LevelSizes {
 	TargetMode          mode = TargetMode::Percent;
 	std::vector<double> sizes;
@@ -33,22 +34,22 @@ struct LevelSizes {
 
 enum class TileStep { Plan, Split, Part, Join, Finish };
 
-/// Of runs in tiles.
+/// Settings of runs in tiles.
 struct TileSettings {
 	TileStep                 step = TileStep::Plan;
 	std::string              folder;      ///< of the run; remesh: empty = OUT.tiles
 	std::vector<std::string> inputs;      ///< of 'tile plan'
-	std::string              optionsText; ///< what of the options a plan depends on
+	std::string              optionsText; ///< the options that a plan depends on
 	int                      unit        = 0;
 	int                      tileNum     = 0; ///< 0 = by the memory
-	std::uint64_t            memoryBytes = 0; ///< 0 = as much as it takes
+	std::uint64_t            memoryBytes = 0; ///< 0 = unlimited
 };
 
-/// What the user asked for, checked.
+/// A checked command line.
 struct CommandLine {
 	Command     command = Command::None;
 	std::string input;
-	/// remesh with several files: all of them, to be written into the folder `output`; else empty
+	/// remesh with several files: all files, written into the folder `output`; else empty
 	std::vector<std::string> pieces;
 	std::string              output; ///< remesh, 'tile finish' and features only
 	std::string              report; ///< remesh and features only; empty = none
@@ -63,20 +64,27 @@ struct CommandLine {
 	RemeshOptions       options;           ///< all but info
 	std::vector<double> period;            ///< remesh: lengths of a periodic cell; empty = none
 	std::string         sizes;             ///< remesh: name of a vertex property; empty = none
-	std::string         optionsText; ///< these as the user gave them: "--lambda 2 --preset fast"
-	LevelSizes          levels;      ///< levels only
-	TileSettings        tiles;       ///< tile, and remesh with --memory
+	std::string         optionsText;       ///< options as given: "--lambda 2 --preset fast"
+	LevelSizes          levels;            ///< levels only
+	TileSettings        tiles;             ///< tile, and remesh with --memory
 
-	std::vector<std::string> notes; ///< sentences that the program adds to the report's
-	double shareDone = 0;           ///< remesh: of a longer work that it ends, as the bar shows it
+	std::vector<std::string> notes; ///< sentences that the program adds to the report
+	double shareDone = 0;           ///< remesh: share of the whole work done before, for the
+									///< progress bar
 };
 
-/// Where the result of one of several files is written.
+/// Path of the result of one of several files.
 std::string pathOfPiece(const CommandLine& line, const std::string& piece);
 
-/// Reads the arguments; the remeshing options are made from the engine's parameter table. Prints
-/// --help and --version itself. Throws AppError (Usage) with a sentence on any mistake.
-CommandLine parseCommandLine(int argc, char** argv);
+/// "tiles/" is "tiles".
+std::string withoutSlashAtEnd(const std::string& path);
+
+/// Whether the plan of a run in tiles depends on an option; each step takes all other options anew.
+bool isForPlan(const Parameter& p);
+
+/// Takes the options of the table into the line and checks the whole line. Throws AppError (Usage)
+/// with a sentence on any mistake.
+void complete(const GivenOptions& given, CommandLine& line);
 
 } // namespace gpr::app
 

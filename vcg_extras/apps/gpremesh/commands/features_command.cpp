@@ -26,10 +26,11 @@ struct Colour {
 constexpr Colour lineColour{0, 0, 0};
 constexpr Colour cornerColour{255, 255, 255};
 constexpr Colour apexColour{0, 255, 0};
-/// Degrees that are as red as it gets.
+/// Degrees at which the colour is fully red.
 constexpr float reddest = 90;
 
-/// Blue for flat over light grey to red for a right angle; what is marked stands out from all.
+/// Blue for a flat edge over light grey to red for a right angle; marked vertices have other
+/// colours.
 Colour colourOf(float strengthDeg, std::uint8_t feature)
 {
 	if (feature & FeatureConeApex) return apexColour;

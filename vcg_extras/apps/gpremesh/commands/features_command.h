@@ -9,9 +9,9 @@
 
 namespace gpr::app {
 
-/// gpremesh features: reads IN, finds its features and writes OUT, IN's mesh with the strengths as
-/// quality and colour and the features selected. Throws AppError; OUT and the report appear only
-/// when all has gone well. programClock: what the time limit is taken from.
+/// gpremesh features: reads IN, finds its features and writes OUT: IN's mesh with the strengths as
+/// quality and colour, and with selected features. Throws AppError; writes OUT and the report only
+/// after success. programClock: the clock of the time limit.
 void runFeatures(const CommandLine& line, const Stopwatch& programClock);
 
 } // namespace gpr::app

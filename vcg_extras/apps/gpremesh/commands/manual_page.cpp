@@ -41,7 +41,7 @@ const char* const examples =
 	".BR meshlab (1),\n"
 	".BR meshlabserver (1)\n";
 
-/// Text as the formatter takes it: signs of its language are escaped, hyphens can be copied.
+/// Text for the formatter: escapes the signs of its language, and makes hyphens copyable.
 std::string escaped(const std::string& text)
 {
 	std::string safe;
@@ -54,7 +54,7 @@ std::string escaped(const std::string& text)
 	return safe;
 }
 
-/// --help breaks its lines; here the formatter does.
+/// One line of text: the formatter breaks lines itself.
 std::string flowing(std::string text)
 {
 	std::replace(text.begin(), text.end(), '\n', ' ');
@@ -68,7 +68,7 @@ std::string upperCase(std::string text)
 	return text;
 }
 
-/// Not those for the project's own use.
+/// Whether an option is for users, not for the project's own use.
 bool isShown(const CLI::Option& option)
 {
 	return !option.get_group().empty();
@@ -81,7 +81,7 @@ std::vector<const CLI::Option*> optionsOf(const CLI::App& command, bool position
 	});
 }
 
-/// Positionals by their names, options by all of theirs and their argument's.
+/// An option's entry: the name of a positional, or all names of an option with the argument.
 std::string entry(const CLI::Option& option)
 {
 	std::string names;
@@ -118,7 +118,7 @@ std::string chapter(const CLI::App& command)
 		   entries(command, true) + entries(command, false);
 }
 
-/// The exit codes, as the last lines of --help have them: a number and words, maybe on two lines.
+/// The exit codes, from the last lines of --help: a number and words, maybe on two lines.
 std::string exitStatus(const std::string& footer)
 {
 	std::istringstream lines(footer);

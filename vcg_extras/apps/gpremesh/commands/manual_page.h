@@ -8,8 +8,8 @@
 
 namespace gpr::app {
 
-/// The program's manual page, gpremesh(1), in the language of man(7). Made from the commands and
-/// options as the parser has them, so that it tells what --help tells.
+/// The program's manual page, gpremesh(1), in the language of man(7), made from the parser's
+/// commands and options: the page has the content of --help.
 std::string manualPage(const CLI::App& program);
 
 } // namespace gpr::app

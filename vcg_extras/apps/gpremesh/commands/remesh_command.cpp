@@ -27,7 +27,7 @@ namespace gpr::app {
 
 namespace {
 
-/// Where one has to wait, so that who will not need not.
+/// Shows the expected time of long runs, so that the user can stop at once.
 void tellEstimate(const MeshView& mesh, const RemeshOptions& options, ProgressBar& bar)
 {
 	constexpr double  shortTime = 2; // s
@@ -35,8 +35,7 @@ void tellEstimate(const MeshView& mesh, const RemeshOptions& options, ProgressBa
 	if (estimate.seconds >= shortTime) bar.tell("expected " + estimateText(estimate));
 }
 
-/// The column of a mesh that holds the edge lengths wanted at its vertices; empty where none is
-/// asked for.
+/// The column of a mesh with the wanted edge lengths at its vertices; empty if no column was named.
 std::vector<float> wantedSizes(const MeshAttributes& attributes, const std::string& name)
 {
 	if (name.empty()) return {};
@@ -56,10 +55,10 @@ WantedAttributes wantedBy(const CommandLine& line)
 	return wanted;
 }
 
-/// One file of the input.
+/// A file of the input.
 struct Source : MeshSource {
 	std::string        path;
-	std::vector<float> sizes; ///< wanted at the vertices; empty: none
+	std::vector<float> sizes; ///< wanted sizes at the vertices; empty: none
 
 	Source(const std::string& file, const CommandLine& line) :
 			MeshSource(readMesh(file, wantedBy(line)), line.options), path(file),
@@ -77,7 +76,7 @@ struct Source : MeshSource {
 
 using Sources = std::vector<Source>;
 
-/// What the engine must say of the result, for what is carried over and for the cut into pieces.
+/// Asks the engine for the surface points needed by carried attributes and by the cut into pieces.
 void askForPoints(const Sources& sources, RemeshOptions& options)
 {
 	const bool isCut                = sources.size() > 1;
@@ -88,7 +87,7 @@ void askForPoints(const Sources& sources, RemeshOptions& options)
 							 [](const Source& s) { return s.needsPointsOfFaces(); });
 }
 
-/// prepared: of this mesh, where more than one result is made of it; else null.
+/// prepared: of this mesh, for several results of the same mesh; else null.
 RemeshResult remeshWithProgress(const Sources& sources, const MeshView& view,
 								const CommandLine& line, const RunLimit& limit,
 								PreparedSurface* prepared)
@@ -100,7 +99,7 @@ RemeshResult remeshWithProgress(const Sources& sources, const MeshView& view,
 	if (line.shareDone == 0) tellEstimate(view, options, bar);
 	const char*            phraseBefore = nullptr;
 	const ProgressCallback progress     = [&](double share, const char* phrase) {
-        // What the engine has copied is no longer looked at, mostly.
+        // Pages of data copied by the engine are rarely read again.
         const bool isNext = phraseBefore != nullptr && phrase != phraseBefore;
         for (const Source& source : sources) {
             if (isNext && source.mesh.isInFile()) source.mesh.file->giveBackPages();
@@ -118,7 +117,7 @@ RemeshResult remeshWithProgress(const Sources& sources, const MeshView& view,
 	return result;
 }
 
-/// Where the result of a source is written.
+/// Path of the result of a source.
 std::string targetOf(const Source& source, const CommandLine& line)
 {
 	return line.pieces.empty() ? line.output : pathOfPiece(line, source.path);
@@ -133,7 +132,7 @@ void writeResult(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes&
 		writeMesh(mesh, doublePrecision, attributes, path, limit);
 }
 
-/// Some formats hold no doubles.
+/// Notes the rounding to float for formats without doubles.
 void dropDoubles(MeshFormat format, bool& isDouble, std::vector<std::string>& notes)
 {
 	if ((format != MeshFormat::Stl && format != MeshFormat::Glb) || !isDouble) return;
@@ -180,13 +179,13 @@ MeshAttributes carriedAttributes(Source& source, const RemeshResult& result,
 						   line.transfer);
 }
 
-/// A note about one of several files names the file.
+/// Adds the name of the file to a note, for several files.
 std::string noteOf(const Source& source, const CommandLine& line, const std::string& sentence)
 {
 	return line.pieces.empty() ? sentence : source.path + ": " + sentence;
 }
 
-/// Writes what became of a source; the attributes of the source are used up.
+/// Writes the result of a source; uses up the attributes of the source.
 void writeSource(Source& source, const RemeshResult& result, const CommandLine& line,
 				 const RunLimit& limit, RunRecord& run)
 {
@@ -205,7 +204,7 @@ void writeSource(Source& source, const RemeshResult& result, const CommandLine& 
 			noteOf(source, line, "Not carried over: " + listOf(attributes.lost) + "."));
 }
 
-/// The results of all files; none may be without a face.
+/// The results of all files; each must have a face.
 std::vector<RemeshResult> piecesOf(const JoinedPieces& joined, const RemeshResult& whole,
 								   const Sources& sources)
 {
@@ -221,8 +220,8 @@ std::vector<RemeshResult> piecesOf(const JoinedPieces& joined, const RemeshResul
 	return pieces;
 }
 
-/// Everything between the meshes in memory and the meshes on the disk, all times but those of
-/// writing included. begun: when the work on this result began. prepared: as above.
+/// All work between the meshes in memory and the meshes on the disk; sets all times but the time of
+/// writing. begun: begin of the work on this result. prepared: as above.
 RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& limit,
 				  const Stopwatch& programClock, double begun, PreparedSurface* prepared = nullptr)
 {
@@ -255,14 +254,14 @@ RunRecord process(Sources& sources, const CommandLine& line, const RunLimit& lim
 	return run;
 }
 
-/// The rest of the time that a result took.
+/// Sets the rest of the time of a result.
 void endTimes(double begun, const Stopwatch& programClock, RunRecord& run)
 {
 	run.times.write     = programClock.seconds() - begun - run.times.read - run.times.remesh;
 	run.peakMemoryBytes = peakMemoryBytes();
 }
 
-/// The line for one level: its size, its file, and a proof of how far it is from the input.
+/// The command line of a level: its size, its file, and a proof of its distance from the input.
 CommandLine lineOfLevel(const CommandLine& line, std::size_t level)
 {
 	CommandLine    one  = line;
@@ -329,7 +328,7 @@ void runRemesh(const CommandLine& line, const Stopwatch& programClock)
 	const RunLimit limit(programClock, line.options.timeLimitSeconds);
 	Sources        sources = readSources(line, limit);
 	RunRecord      run     = process(sources, line, limit, programClock, 0);
-	sources.clear(); // handed back before the clock is read
+	sources.clear(); // freed before the clock is read
 	endTimes(0, programClock, run);
 	if (!line.report.empty()) writeText(line.report, remeshReportJson(run));
 	if (!line.quiet) std::fputs(remeshSummary(run).c_str(), stdout);

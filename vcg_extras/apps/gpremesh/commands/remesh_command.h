@@ -9,21 +9,19 @@
 
 namespace gpr::app {
 
-/// Throws AppError (Failure) where OUT or the report could not be written. To be asked before long
-/// work.
+/// Throws AppError (Failure) if OUT or the report cannot be written. For a call before long work.
 void checkOutput(const CommandLine& line);
 
-/// gpremesh remesh: reads IN, remeshes, writes OUT and the report, prints the summary.
-/// programClock runs since the program's start. Throws AppError; OUT and the report appear only
-/// when all has gone well.
+/// gpremesh remesh: reads IN, remeshes, writes OUT and the report, prints the summary. programClock
+/// runs since the program's start. Throws AppError; writes OUT and the report only after success.
 void runRemesh(const CommandLine& line, const Stopwatch& programClock);
 
-/// The name of a level's file: the number, from 1 on, stands in the place of levelPlace.
+/// The name of a level's file: the number, from 1 on, replaces levelPlace.
 std::string pathOfLevel(const std::string& pattern, std::size_t level);
 
-/// gpremesh levels: the same for several sizes of one input, which is read and prepared once. Each
-/// level has a file and a proof of its distance. A level that cannot be made ends the run; files of
-/// those before stay.
+/// gpremesh levels: runRemesh for several sizes of an input, which is read and prepared once. Each
+/// level has a file and a proof of its distance. A failed level ends the run; the files of earlier
+/// levels stay.
 void runLevels(const CommandLine& line, const Stopwatch& programClock);
 
 } // namespace gpr::app

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Quadric Edge Collapse as MeshLab runs it, timed.
+// Quadric Edge Collapse as in MeshLab, timed.
 #include "baseline_remeshers.h"
 
 #include <vcg_extras/complex/baselines/quadric_collapse.h>

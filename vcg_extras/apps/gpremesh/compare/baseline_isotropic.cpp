@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Isotropic explicit remeshing as MeshLab runs it. Source of the parameters and of the order of the
+// Isotropic explicit remeshing as in MeshLab. Source of the parameters and of the order of the
 // steps: MeshLab 2020.09, filter_meshing (FP_EXPLICIT_ISOTROPIC_REMESHING).
 #include "baseline_remeshers.h"
 
@@ -8,7 +8,7 @@
 #include <vcg_extras/io/base/platform.h>
 #include <vcg_extras/io/base/stopwatch.h>
 
-// vcglib's headers need complex.h before them.
+// vcglib's headers need complex.h first.
 // clang-format off
 #include <vcg/complex/append.h>
 #include <vcg/complex/algorithms/clean.h>
@@ -78,7 +78,7 @@ BaselineResult remeshIsotropically(const MeshView& mesh, double edgeLen)
 	try {
 		remeshBaseline(work, edgeLen);
 	}
-	catch (const std::runtime_error& error) { // vcglib's exceptions for meshes it cannot take
+	catch (const std::runtime_error& error) { // vcglib's exceptions for unsuitable meshes
 		result.failure = std::string("Isotropic remeshing failed: ") + error.what();
 		return result;
 	}

@@ -9,21 +9,20 @@
 #include <functional>
 #include <string>
 
-// What MeshLab offers for the same purpose, for the comparison only: vcglib's own code with the
-// parameters that MeshLab's dialogs propose. In a program built without vcglib every one fails with
-// a sentence.
+// MeshLab's remeshers, for the comparison only: vcglib's own code with the default parameters of
+// MeshLab's dialogs. In a program built without vcglib each fails with a sentence.
 
 namespace gpr::app {
 
-/// What a baseline made of a mesh, and how long that took.
+/// The result of a baseline, and its time.
 struct BaselineResult {
 	TriangleMesh mesh;
 	double       seconds          = 0; ///< from vcglib's mesh in memory to the result in memory
-	double       processorSeconds = 0; ///< of the same; the fairer figure on a busy machine
-	std::string  failure;              ///< a sentence where there is no mesh
+	double       processorSeconds = 0; ///< of the processor; the fairer figure on a busy machine
+	std::string  failure;              ///< a sentence if there is no mesh
 };
 
-/// Asked now and then; true ends the work.
+/// Called now and then; true ends the work.
 using StopQuestion = std::function<bool()>;
 
 /// MeshLab's "Simplification: Quadric Edge Collapse Decimation" down to faceNum faces; see
@@ -31,7 +30,7 @@ using StopQuestion = std::function<bool()>;
 BaselineResult collapseQuadricEdges(const MeshView& mesh, std::int64_t faceNum,
 									const StopQuestion& shallStop);
 
-/// MeshLab's "Remeshing: Isotropic Explicit Remeshing" with that target length, mesh units: three
+/// MeshLab's "Remeshing: Isotropic Explicit Remeshing" with edge length edgeLen, mesh units: three
 /// rounds of splits, collapses, flips, smoothing and reprojection; crease angle 30°, no operation
 /// further than 1 % of the diagonal from the surface. One thread; cannot be stopped.
 BaselineResult remeshIsotropically(const MeshView& mesh, double edgeLen);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the gpremesh authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stands in for MeshLab's remeshers where the program is built without vcglib.
+// Replaces MeshLab's remeshers in a program built without vcglib.
 #include "baseline_remeshers.h"
 
 namespace gpr::app {

@@ -28,7 +28,7 @@ std::string pagePath(const std::string& folder)
 	return folder + "/index.html";
 }
 
-/// To be asked before long work.
+/// Makes the folder of the page. For a call before long work.
 void checkFolder(const std::string& folder)
 {
 	std::error_code error;
@@ -39,7 +39,7 @@ void checkFolder(const std::string& folder)
 	checkWritable(pagePath(folder));
 }
 
-/// Shows the bar and hears whether the user has had enough.
+/// Shows the bar and throws if the user stops the run.
 CompareProgress progressOn(ProgressBar& bar)
 {
 	return [&bar](double share, const std::string& phrase) {

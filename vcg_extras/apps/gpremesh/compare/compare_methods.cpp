@@ -15,13 +15,13 @@ namespace gpr::app {
 
 namespace {
 
-/// What all methods need to know of each other.
+/// The data shared by all methods.
 struct Comparison {
 	const InputMesh&     input;
 	const CompareWishes& wishes;
 	CompareRecord        record;
 	std::int64_t         faceNum = 0; ///< of the default path's result
-	double               edgeLen = 0; ///< mean, of the same
+	double               edgeLen = 0; ///< mean edge of the same result
 };
 
 struct Method {
@@ -126,8 +126,8 @@ bool sameTopology(const MeshFigures& a, const MeshFigures& b)
 		   a.eulerCharacteristic == b.eulerCharacteristic;
 }
 
-/// A method keeps the topology of the input as it is given or, where that is no manifold, as the
-/// engine cut it.
+/// A method keeps the topology if the result has the topology of the input or, for an input that is
+/// not manifold, of the input as cut by the engine.
 bool keepsTopology(const MeshRecord& result, const CompareRecord& all)
 {
 	return result.nonManifoldEdges <= all.input.nonManifoldEdges &&

@@ -11,21 +11,22 @@
 
 namespace gpr::app {
 
-/// Which methods are compared, and how often each is run.
+/// The methods to compare, and the number of runs.
 struct CompareWishes {
-	RemeshOptions options; ///< of the engine; the paper preset is laid over them for a second run
-	int           runNum    = 1;     ///< rounds in which every method is run once
-	bool          isotropic = false; ///< vcglib's isotropic remeshing too
+	RemeshOptions options;  ///< of the engine; a second run takes the paper preset over these
+							///< options
+	int  runNum    = 1;     ///< rounds; each round runs every method once
+	bool isotropic = false; ///< vcglib's isotropic remeshing too
 };
 
-/// Is told what is being done, with the share of all work before it; throws to stop.
+/// Receives a phrase about the work, and the share of all work done before; throws to stop.
 using CompareProgress = std::function<void(double share, const std::string& phrase)>;
 
-/// Runs every method on the mesh, in alternation, and measures what they made: the paper's Table 1
-/// for any mesh. Quadric Edge Collapse gets the number of faces of the default path's result,
-/// isotropic remeshing its mean edge length. A method that fails is recorded with its reason; only
-/// the default path's failure throws AppError. Cost: the methods', and some seconds a million faces
-/// for each method's distances.
+/// Runs every method on the mesh, in alternation, and measures the results: the paper's Table 1 for
+/// any mesh. Quadric Edge Collapse gets the number of faces of the default path's result, isotropic
+/// remeshing its mean edge length. A failed method is recorded with the reason; only a failure of
+/// the default path throws AppError. Cost: all methods, and some seconds per million faces for the
+/// distances of each method.
 CompareRecord compareMethods(const InputMesh& input, const CompareWishes& wishes,
 							 const CompareProgress& progress);
 

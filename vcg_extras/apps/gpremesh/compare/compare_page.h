@@ -8,14 +8,14 @@
 
 namespace gpr::app {
 
-/// A picture with the words below it.
+/// Pictures with a caption.
 struct CaptionedPictures {
 	std::string  caption;
 	MeshPictures pictures;
 };
 
-/// The comparison as one HTML page that needs no other file: the pictures are part of it, and so is
-/// the viewer, a piece of HTML or empty.
+/// The comparison as an HTML page that needs no other file: contains the pictures and the viewer.
+/// viewer: a piece of HTML, or empty.
 std::string comparePage(const CompareRecord& record, const std::vector<CaptionedPictures>& pictures,
 						const std::string& viewer);
 

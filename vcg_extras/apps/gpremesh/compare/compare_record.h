@@ -12,42 +12,42 @@
 
 namespace gpr::app {
 
-/// What a mesh looks like, whoever made it.
+/// Figures and quality of a mesh of any origin.
 struct MeshRecord {
 	MeshFigures    figures;
 	QualityFigures quality;
 	std::int64_t   nonManifoldEdges = 0; ///< edges of more than two faces
 };
 
-/// One method of the comparison and what came of it.
+/// A method of the comparison and its outcome.
 struct MethodRecord {
 	std::string         key;     ///< in JSON: "default", "paper", ...
 	std::string         name;    ///< for sentences: "Quadric Edge Collapse"
 	std::string         column;  ///< for the table's head: "QEC"
-	std::string         failure; ///< a sentence where there is no mesh; nothing below holds then
+	std::string         failure; ///< a sentence if there is no mesh; nothing below holds then
 	TriangleMesh        mesh;
 	std::vector<double> seconds;          ///< of each run, mesh in memory to mesh in memory
-	std::vector<double> processorSeconds; ///< of the same, all threads together
+	std::vector<double> processorSeconds; ///< of each run, all threads together
 	MeshRecord          record;
 	bool                topologyKept = false;
 	ComparedDistance    distance; ///< of input and result from each other
 };
 
-/// 0 of none.
+/// 0 if there are no values.
 double median(std::vector<double> values);
 
-/// All that the table, the JSON and the page are made from.
+/// The data of the table, the JSON and the page.
 struct CompareRecord {
 	std::string               inputPath;
 	bool                      inputDouble = false;
 	MeshRecord                input;
-	MeshFigures               cleanedInput; ///< as the engine takes it
+	MeshFigures               cleanedInput; ///< as loaded by the engine
 	RemeshOptions             options;
-	std::string               optionsText; ///< as the user gave them
+	std::string               optionsText; ///< as given by the user
 	int                       runNum  = 1;
-	int                       threads = 0; ///< those that the engine took
+	int                       threads = 0; ///< threads of the engine
 	std::vector<MethodRecord> methods;
-	std::vector<std::string>  notes; ///< sentences worth reading although all went well
+	std::vector<std::string>  notes; ///< sentences to read even after success
 
 	double percentOfDiagonal(double distance) const
 	{

@@ -16,7 +16,7 @@ const char* const noFigure = "-";
 using OfMesh   = std::function<std::string(const MeshRecord&)>;
 using OfMethod = std::function<std::string(const MethodRecord&)>;
 
-/// Makes the rows: each figure once for the input, where it has it, and once for every method.
+/// Makes the rows: each figure for the input, if known, and for every method.
 class TableMaker {
 public:
 	explicit TableMaker(const CompareRecord& record) : record_(record)

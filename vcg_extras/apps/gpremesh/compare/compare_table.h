@@ -7,7 +7,7 @@
 
 namespace gpr::app {
 
-/// The comparison as words: one row a figure, one column a method, the input's before them.
+/// The comparison as words: a row per figure, a column for the input and for each method.
 struct FigureTable {
 	struct Row {
 		std::string              label;
@@ -19,8 +19,8 @@ struct FigureTable {
 
 FigureTable figureTable(const CompareRecord& record);
 
-/// What the reader of the table must know, one sentence or two each: the methods, how distances
-/// were measured, what failed or changed.
+/// Sentences for the reader of the table: the methods, the measurement of distances, failures and
+/// changes.
 std::vector<std::string> explanations(const CompareRecord& record);
 
 /// Table and explanations for a terminal of 110 columns.

@@ -16,7 +16,7 @@ Json packed(std::string_view bytes)
 	return base64(bytes);
 }
 
-/// The colours of distances end at the largest p99.9, in percent of the diagonal.
+/// Upper end of the colours of distances: the largest p99.9, in percent of the diagonal.
 double endOfColours(const CompareRecord& record)
 {
 	double end = 0;

@@ -7,13 +7,13 @@
 
 namespace gpr::app {
 
-/// Whether the program was built with three.js, which the viewer draws with.
+/// Whether the program was built with three.js, which draws in the viewer.
 bool hasViewer();
 
-/// The part of the page in which one turns the meshes: the viewer's program, three.js with its
-/// licence, and the meshes. Nothing is read from elsewhere. Needs hasViewer(). Cost: for each mesh
-/// seven searches of the nearest point a triangle that is shown, parallel; about 30 B of text a
-/// triangle.
+/// The part of the page with a view of the meshes that a user can turn: the viewer's program,
+/// three.js with its licence, and the meshes. Needs no other file. Needs hasViewer(). Cost: seven
+/// searches of a nearest point for each shown triangle of each mesh, parallel; about 30 B of text
+/// per triangle.
 std::string viewerHtml(const MeshView& input, const CompareRecord& record);
 
 } // namespace gpr::app

@@ -5,7 +5,7 @@
 
 #include <string>
 
-// The files of the folder viewer and three.js; CMake makes the functions from them.
+// The files of the folder viewer and three.js; CMake makes the functions from these files.
 
 namespace gpr::app {
 
@@ -13,7 +13,7 @@ std::string viewerScript();
 std::string viewerStyle();
 std::string viewerMarkup();
 std::string threeLicence();
-/// Empty where the program was built without it.
+/// Empty if the program was built without three.js.
 std::string threeScript();
 
 } // namespace gpr::app

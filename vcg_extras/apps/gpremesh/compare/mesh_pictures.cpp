@@ -39,7 +39,7 @@ struct Axes {
 		right = normalized(cross(Vec3d(0, 1, 0), back));
 		up    = cross(back, right);
 	}
-	/// How far from the view axis through the origin.
+	/// Distance from the view axis through the origin, along the picture's axes.
 	double aside(const Vec3d& p) const
 	{
 		return std::max(std::abs(dot(p, right)), std::abs(dot(p, up)));
@@ -102,7 +102,7 @@ void MeshPhotographer::placeCameras(const MeshView& subject, double edgeLen)
 	centre_ = (box.low + box.high) * 0.5;
 	scale_  = 1 / diagonal;
 
-	// All of it: far enough back for every corner. Close up: what is near and in the middle.
+	// The whole: far enough back for every corner. Close up: a near point in the middle.
 	double away = 0, best = -HUGE_VAL;
 	Vec3d  near;
 	forEachCorner(subject, [&](const Vec3d& p) {

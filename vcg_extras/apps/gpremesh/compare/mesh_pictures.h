@@ -9,26 +9,27 @@
 
 namespace gpr::app {
 
-/// Two pictures of a mesh as PNG files in memory; empty where there is none.
+/// Two pictures of a mesh as PNG files in memory; empty: no picture.
 struct MeshPictures {
 	std::string whole;
 	std::string closeUp;
-	bool        edgesOfWhole = true; ///< false where they are so short that they would cover it
+	bool        edgesOfWhole = true; ///< false for edges so short that the lines would cover the
+									 ///< whole
 };
 
 /// Takes pictures of meshes, all from the same two places, by Debian's f3d run as a program, under
-/// xvfb-run where that is installed. Meshes go through a folder of its own, removed at the end.
+/// xvfb-run if installed. Writes meshes into a folder of its own and removes the folder at the end.
 class MeshPhotographer {
 public:
-	/// The places are chosen for `subject`: one that sees all of it, and one that sees about 22
-	/// edges of length edgeLen (mesh units) across. workFolder must not exist yet.
+	/// Chooses two places for `subject`: one for a picture of the whole, and one for a picture of
+	/// about 22 edges of length edgeLen (mesh units) across. workFolder must not exist yet.
 	MeshPhotographer(const MeshView& subject, double edgeLen, const std::string& workFolder);
 	~MeshPhotographer();
 	MeshPhotographer(const MeshPhotographer&)            = delete;
 	MeshPhotographer& operator=(const MeshPhotographer&) = delete;
 
 	MeshPictures take(const MeshView& mesh);
-	/// Why there are no pictures, or fewer than asked for; empty when all went well.
+	/// The reason for missing pictures; empty after success.
 	const std::string& complaint() const { return complaint_; }
 
 private:

@@ -30,7 +30,7 @@ void EndAtOnce::watch()
 		const char* const sentence = limit_.reason();
 		if (sentence == nullptr) continue;
 		std::fprintf(stderr, "gpremesh: %s\n", sentence);
-		std::_Exit(int(ExitCode::Stopped)); // nothing is taken down that may be in use
+		std::_Exit(int(ExitCode::Stopped)); // frees nothing, as other threads may use everything
 	}
 }
 

@@ -11,9 +11,9 @@
 
 namespace gpr::app {
 
-/// While it lives, a thread of its own asks twenty times a second whether the run has to end; if
-/// so it ends the process with the reason and its exit code. For work that cannot ask in between,
-/// such as reading a file, and that has nothing to clear away.
+/// Watches the run limit in a thread of its own, twenty times a second: at the limit the thread
+/// ends the process with the reason and its exit code. For work without checks of the limit, such
+/// as reading a file, and with nothing to clear away.
 class EndAtOnce {
 public:
 	explicit EndAtOnce(const RunLimit& limit);

@@ -29,7 +29,7 @@ void ProgressBar::tell(const std::string& words)
 
 void ProgressBar::draw(const std::string& line)
 {
-	// "\033[K" wipes what a longer line has left behind.
+	// "\033[K" removes the rest of a longer line.
 	std::fprintf(stderr, "\r%s\033[K", line.c_str());
 	std::fflush(stderr);
 	drawn_ = line;

@@ -9,7 +9,7 @@
 
 namespace gpr::app {
 
-/// One line on standard error that tells how far the work is; taken away again at the end.
+/// A line on standard error with the progress of the work; removed at the end.
 class ProgressBar {
 public:
 	/// A bar that is not shown does nothing.
@@ -18,7 +18,7 @@ public:
 	ProgressBar(const ProgressBar&)            = delete;
 	ProgressBar& operator=(const ProgressBar&) = delete;
 
-	/// Shows a share in [0, 1] and what is being done; draws at most ten times a second.
+	/// Shows a share in [0, 1] and a phrase about the work; draws at most ten times a second.
 	void show(double share, const char* phrase);
 	/// Shows a line of words, and nothing else for a second and a half.
 	void tell(const std::string& words);

@@ -29,7 +29,7 @@ std::string qualityText(const QualityFigures& q)
 					 q.below30Percent);
 }
 
-/// What was repaired, or nothing where all was well.
+/// A list of the repairs; empty without repairs.
 std::string cleanedText(const CleanCounts& cleaned)
 {
 	std::string list;

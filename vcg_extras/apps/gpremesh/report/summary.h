@@ -7,10 +7,10 @@
 
 namespace gpr::app {
 
-/// What a person wants to know after a run, some lines of text.
+/// The summary of a run for the user, some lines of text.
 std::string remeshSummary(const RunRecord& run);
 
-/// The figures of one mesh, some lines of text.
+/// The figures of a mesh, some lines of text.
 std::string meshInfoText(const std::string& path, bool doublePrecision, const MeshFigures& figures,
 						 const QualityFigures& quality, const std::vector<std::string>& notes);
 

@@ -19,7 +19,8 @@ Edge edgeOf(std::int32_t a, std::int32_t b)
 	return {std::min(a, b), std::max(a, b)};
 }
 
-/// Both ends of every edge of every face, the smaller one first; of edges without length, too.
+/// Calls perEdge for both ends of every edge of every face, the smaller end first; also for edges
+/// without length.
 template <class Do>
 void forEdges(const MeshView& mesh, const Do& perEdge)
 {
@@ -53,7 +54,7 @@ private:
 	/// The vertices between the ends of an edge.
 	struct Points {
 		int          pieceNum = 1;
-		std::int32_t first    = 0; ///< of those between, from the smaller vertex on
+		std::int32_t first    = 0; ///< first vertex between, from the smaller end on
 	};
 
 	double                   maxLength_;
@@ -72,7 +73,7 @@ private:
 		return length(view.position(std::size_t(b)) - view.position(std::size_t(a)));
 	}
 
-	/// Makes their points. Returns the faces at them.
+	/// Makes the points of long border edges. Returns the faces at these edges.
 	std::vector<std::size_t> findLongBorderEdges()
 	{
 		std::vector<char> isEnd(mesh_.vertexNum(), 0);
@@ -86,16 +87,17 @@ private:
 			int endNum = 0;
 			for (std::size_t k = 0; k < 3; ++k)
 				endNum += isEnd[std::size_t(corner(f, k))];
-			if (endNum >= 2) faces.push_back(f); // of those without such an edge nothing is split
+			if (endNum >= 2) faces.push_back(f); // a face without such an edge is not split
 		}
 		return faces;
 	}
 
-	/// From the end with the lower name on, so that all tiles compute the same.
+	/// Makes the points of an edge from the end with the lower name, so that all tiles compute
+	/// equal points.
 	void addPoints(const Edge& edge)
 	{
 		const double pieces = std::ceil(lengthOf(edge.first, edge.second) / maxLength_);
-		if (!(pieces < mostPieces)) return; // a length that is no number
+		if (!(pieces < mostPieces)) return; // not a number, or too many pieces
 		Points           points{int(pieces), std::int32_t(mesh_.vertexNum())};
 		const SharedName a = names_[std::size_t(edge.first)], b = names_[std::size_t(edge.second)];
 		const bool       isShared = a.isShared() && b.isShared();
@@ -103,7 +105,7 @@ private:
 		const std::int32_t from   = isTurned ? edge.second : edge.first;
 		const std::int32_t to     = isTurned ? edge.first : edge.second;
 		for (int i = 1; i < points.pieceNum; ++i) {
-			const int k = isTurned ? points.pieceNum - i : i; // the k-th from 'from'
+			const int k = isTurned ? points.pieceNum - i : i; // the k-th point from `from`
 			addVertex(from, to, double(k) / points.pieceNum);
 			SharedName name;
 			if (isShared) name = {std::min(a.low, b.low), std::max(a.low, b.low), std::uint32_t(k)};
@@ -143,7 +145,8 @@ private:
 		}
 	}
 
-	/// The edge from corner k on. The face becomes the first piece; the others come at the end.
+	/// Splits the edge from corner k on. The first piece replaces the face; all other pieces come
+	/// at the end.
 	void splitFaceAt(std::size_t f, std::size_t k, const Points& points, bool isForward,
 					 std::vector<std::size_t>& toDo)
 	{
@@ -211,7 +214,7 @@ void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedN
 
 std::vector<Edge> borderEdges(const MeshView& mesh)
 {
-	// The larger ends, by the smaller ones.
+	// The larger ends of edges, grouped by smaller ends.
 	std::vector<std::size_t> start(mesh.vertexNum + 1, 0);
 	forEdges(mesh, [&](std::int32_t low, std::int32_t) { ++start[std::size_t(low)]; });
 	std::partial_sum(start.begin(), start.end(), start.begin());

@@ -13,8 +13,8 @@
 
 namespace gpr::app {
 
-/// By what tiles know a vertex that several of them have: its number in the input, or the two
-/// numbers of an edge and the how manieth between them it is.
+/// The name of a vertex shared by several tiles: its number in the input, or the two numbers of an
+/// edge and the position of the vertex between its ends.
 struct SharedName {
 	std::uint32_t low = none, high = none, part = 0;
 
@@ -36,17 +36,17 @@ struct SharedName {
 	};
 };
 
-/// Splits the edges of a tile's border that are longer than maxLength into equal pieces, so that
-/// triangles as small as those of the result fit beside them. All tiles split an edge that they
-/// share at the same points, bit for bit: these depend on its ends and maxLength alone. The surface
-/// stays the same. names: per vertex; gets those of the new ones. Cost: linear, and O(n log n) in
-/// the long edges of the border.
+/// Splits the border edges of a tile longer than maxLength into equal pieces, so that triangles as
+/// small as the result's fit beside the border. All tiles split a shared edge at the same points,
+/// bit for bit: the points depend on the ends of the edge and maxLength alone. The surface stays
+/// the same. names: per vertex; receives names of the new vertices. Cost: linear, and O(n log n) in
+/// the long border edges.
 void splitLongBorderEdges(double maxLength, InputMesh& mesh, std::vector<SharedName>& names);
 
-/// Two vertices of a mesh, the smaller one first.
+/// Two vertices of a mesh, the smaller number first.
 using Edge = std::pair<std::int32_t, std::int32_t>;
 
-/// The edges that one face has, ascending. Cost: linear.
+/// The edges with a single face, ascending. Cost: linear.
 std::vector<Edge> borderEdges(const MeshView& mesh);
 
 } // namespace gpr::app

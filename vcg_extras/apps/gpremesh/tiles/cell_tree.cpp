@@ -14,7 +14,7 @@ double coordinate(const Vec3d& p, int axis)
 	return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
 }
 
-/// Of the box of some points.
+/// The longest axis of the box of some points.
 int longestAxis(const std::vector<Vec3d>& points, std::size_t begin, std::size_t end)
 {
 	int    longest = 0;

@@ -21,14 +21,14 @@ public:
 	};
 
 	CellTree() = default;
-	/// points: a sample, whose order is changed; cellNum: at least 1. Cost: O(n log cellNum).
+	/// points: a sample, reordered; cellNum: at least 1. Cost: O(n log cellNum).
 	CellTree(std::vector<Vec3d>& points, int cellNum);
 	CellTree(std::vector<Node> nodes, int cellNum) : nodes_(std::move(nodes)), cellNum_(cellNum) {}
 
 	int                      cellNum() const { return cellNum_; }
 	const std::vector<Node>& nodes() const { return nodes_; }
 
-	/// In [0, cellNum). Equal points have equal cells. Cost: O(log cellNum).
+	/// The cell of a point, in [0, cellNum). Equal points have equal cells. Cost: O(log cellNum).
 	int cellOf(const Vec3d& p) const;
 
 private:

@@ -9,20 +9,21 @@
 #include <string>
 #include <vector>
 
-// Files of other formats as binary PLY files, read and written piece by piece, so that they may be
-// larger than the memory. A vertex or face means what it means to the readers of whole files.
+// Conversion of files of other formats to binary PLY files, read and written piece by piece: a file
+// may be larger than the memory. Vertices and faces have the same meaning as in the readers of
+// whole files.
 
 namespace gpr::app {
 
-/// One file that is converted.
+/// The conversion of a file.
 struct Conversion {
 	std::string             source, target;
-	std::string             scratch;         ///< a folder for what is put aside
-	double                  memoryBytes = 0; ///< at most, about
+	std::string             scratch;         ///< a folder for temporary files
+	double                  memoryBytes = 0; ///< at most, approximately
 	const RunLimit&         limit;
 	const ProgressCallback& progress;
 
-	/// Throws AppError (Stopped) where the run has to end.
+	/// Throws AppError (Stopped) if the run has to end.
 	void tell(double share) const
 	{
 		limit.check();
@@ -30,25 +31,25 @@ struct Conversion {
 	}
 };
 
-// Each writes the target whole or not at all, and returns sentences for the report. They throw
-// AppError: (BadInput) where the source is damaged, with the line where it is text, (Failure) where
-// the disk is full, (Stopped) when the run has to end.
+// Each function writes the target whole or not at all, and returns sentences for the report. Throws
+// AppError: (BadInput) for a damaged source, for text with the line; (Failure) for a full disk;
+// (Stopped) if the run has to end.
 
-/// Vertices, their colours where all have one, and faces. Polygons stay as they are. Texture
-/// coordinates, normals and materials are left out, with a note. Memory: 50 MB. Cost: one pass by
-/// all threads, and two over what is put aside.
+/// Converts vertices, colours if all vertices have a colour, and faces. Polygons stay polygons.
+/// Texture coordinates, normals and materials are left out, with a note. Memory: 50 MB. Cost: one
+/// pass by all threads, and two passes over temporary files.
 std::vector<std::string> convertObj(const Conversion& job);
 
-/// The same of an OFF file. Colours are left out, as the reader of whole files does.
+/// The same for an OFF file. Colours are left out, as by the reader of whole files.
 std::vector<std::string> convertOff(const Conversion& job);
 
-/// All properties of vertices and faces, in their order; coordinates as floats or doubles. Other
-/// elements are left out. Memory: 20 MB. Cost: one pass.
+/// Converts all properties of vertices and faces, in their order; coordinates as floats or doubles.
+/// Other elements are left out. Memory: 20 MB. Cost: one pass.
 std::vector<std::string> convertTextPly(const Conversion& job);
 
-/// Corners at the same position become one vertex, in the order of their first use. Memory: that
-/// of the job, and half a byte a face. Cost: two passes, and one and a half times as much put
-/// aside.
+/// Joins corners at the same position to a vertex, in the order of first use. Memory: as the job
+/// allows, and half a byte per face. Cost: two passes, and temporary files of one and a half times
+/// the size.
 std::vector<std::string> convertBinaryStl(const Conversion& job);
 
 } // namespace gpr::app

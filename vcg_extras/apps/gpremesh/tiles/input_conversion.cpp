@@ -37,9 +37,9 @@ std::string absolutePath(const std::string& path)
 	return fs::absolute(path).lexically_normal().string();
 }
 
-/// Of the disk: what is put aside, the PLY file, and what the split of that takes. Text has two to
-/// four characters for each byte of a binary file. Of a facet with 50 bytes there are 48 aside and
-/// 19 in the PLY file.
+/// Disk space for a conversion and the split: temporary files, the PLY file, and the split of the
+/// PLY file. Text has two to four characters for each byte of a binary file. A facet of 50 bytes
+/// takes 48 bytes of temporary files and 19 bytes of the PLY file.
 double diskBytesFor(const std::string& path)
 {
 	const double bytes = double(sizeOf(path));
@@ -83,7 +83,7 @@ std::vector<std::string> convert(const Conversion& job)
 	return convertTextPly(job);
 }
 
-/// Names the input in sentences about it.
+/// Converts, and names the input in sentences about the input.
 std::vector<std::string> convertNamed(const Conversion& job)
 {
 	try {
@@ -95,7 +95,7 @@ std::vector<std::string> convertNamed(const Conversion& job)
 	}
 }
 
-/// Does nothing where that was done.
+/// Converts an input, unless done before.
 void convertInput(const std::string& path, std::size_t i, double memoryBytes,
 				  const RunFolder& folder, const RunLimit& limit, const ProgressCallback& progress)
 {
@@ -104,7 +104,7 @@ void convertInput(const std::string& path, std::size_t i, double memoryBytes,
 		requireStamp(folder.input(i), stampOf(record->at("mesh")));
 		return;
 	}
-	const FileStamp     stamp = stampOf(path); // before it is read, so that a change is seen
+	const FileStamp     stamp = stampOf(path); // before reading, so that a later change is detected
 	const ScratchFolder scratch(folder);
 	const auto          notes =
 		convertNamed({path, folder.input(i), scratch.path(), memoryBytes, limit, progress});

@@ -13,38 +13,39 @@
 
 namespace gpr::app {
 
-/// How a run in tiles reads a file.
+/// The way in which a run in tiles reads a file.
 enum class TileInput {
 	Directly,  ///< a binary PLY file
-	Converted, ///< as a binary PLY file that is made of it
+	Converted, ///< by way of a binary PLY file
 	NotAtAll,
 };
 
-/// Decides by the extension and the first bytes. Throws AppError: (Usage) for an extension that
-/// stands for no format, (BadInput) where the file cannot be read.
+/// Decides by the extension and the first bytes. Throws AppError: (Usage) for an extension of no
+/// format, (BadInput) for a file that cannot be read.
 TileInput tileInputOf(const std::string& path);
 
 struct MeshSize {
 	double vertexNum = 0, faceNum = 0;
 };
 
-/// Of a file, about: a PLY file tells its numbers, of others the size counts.
+/// Approximate size of the mesh in a file: a PLY file has the numbers in its header, for other
+/// files the size of the file counts.
 MeshSize estimatedSize(const std::string& path);
 
-/// Makes binary PLY files of those inputs that need it, in the folder of the run, which is made.
-/// Returns the files that the plan shall name. What was converted is not converted again: its
-/// checksums are tested, and those of the inputs. Throws AppError: (BadInput) for an input that is
-/// damaged, has changed since, or is of a format that tiles do not read, (Usage) where the folder
-/// has the files of other inputs, (Failure) where the disk is too small, (Stopped) when the run has
-/// to end. Memory: memoryBytes, 256 MB where that is 0, about. Cost: see conversion.h.
+/// Makes binary PLY files of the inputs that need a conversion, in the folder of the run; makes the
+/// folder. Returns the files for the plan. An earlier conversion is used again after a test of its
+/// checksums and the checksums of the inputs. Throws AppError: (BadInput) for an input that is
+/// damaged, has changed since, or has a format that tiles do not read; (Usage) if the folder has
+/// files of other inputs; (Failure) for a too small disk; (Stopped) if the run has to end. Memory:
+/// about memoryBytes; 0: 256 MB. Cost: see conversion.h.
 std::vector<std::string> convertInputs(const std::vector<std::string>& inputs, double memoryBytes,
 									   const RunFolder& folder, const RunLimit& limit,
 									   const ProgressCallback& progress);
 
-/// Throws like convertInputs where the inputs are not those that were converted into the folder.
+/// Throws like convertInputs if the files in the folder were converted from other inputs.
 void requireSameInputs(const std::vector<std::string>& inputs, const RunFolder& folder);
 
-/// What a report has to tell of so many inputs.
+/// The notes on the inputs' conversions, for a report.
 std::vector<std::string> conversionNotes(std::size_t inputNum, const RunFolder& folder);
 
 } // namespace gpr::app

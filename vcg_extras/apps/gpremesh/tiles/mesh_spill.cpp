@@ -16,12 +16,12 @@ namespace gpr::app {
 
 namespace {
 
-/// Records between two questions whether to go on.
+/// Records between two checks of the run limit.
 constexpr std::uint64_t pollMask = 0xffff;
 
 constexpr std::size_t colourBytes = 3;
 
-/// Types of what a file holds.
+/// Types of the values of a file.
 struct Types {
 	PlyType coordinate, cornerNum, corner;
 };
@@ -37,7 +37,7 @@ std::string headerText(const Types& types, bool isColoured, std::uint64_t vertex
 		ownHeader({vertex, elementOfFaces(types.cornerNum, types.corner, faceNum)}), "");
 }
 
-/// Sum and number of the edges of a face's triangles, as settlePrecision has them.
+/// Adds the edges of a face's triangles to their sum and number, as settlePrecision counts edges.
 void addEdges(const std::vector<Vec3d>& corners, double& sum, std::uint64_t& num)
 {
 	std::vector<std::size_t> triangles;
@@ -99,7 +99,8 @@ void MeshSpill::add(const MeshPieceBytes& piece)
 	all_.largest_      = std::max(all_.largest_, piece.largest_);
 }
 
-/// Of the two files, which have no header. Each is read as one that lacks the other's records.
+/// The layout of the two files, which have no header: each file is read as a PLY file without the
+/// records of the other file.
 PlyRecordLayout MeshSpill::layoutAside() const
 {
 	PlyRecordLayout layout =

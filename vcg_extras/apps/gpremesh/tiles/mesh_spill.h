@@ -11,43 +11,43 @@
 #include <cstdint>
 #include <string>
 
-// A mesh of any size that is read from text, until it is known how it shall be written.
+// A mesh of any size, read from text, on the disk until the types for writing are known.
 
 namespace gpr::app {
 
-/// Vertices and faces of one piece of a file, as they lie on the disk.
+/// Vertices and faces of a piece of a file, in their format on the disk.
 class MeshPieceBytes {
 public:
 	using Colour = std::array<std::uint8_t, 3>;
 
 	void addVertex(const std::array<double, 3>& position, const Colour* colour = nullptr);
-	/// Faces with fewer than three corners are left out and counted.
+	/// Leaves out and counts faces with fewer than three corners.
 	void addFace(const std::int64_t* corners, std::size_t num);
 
 private:
 	friend class MeshSpill;
 	std::string   vertices_, faces_;
 	std::uint64_t vertexNum_ = 0, colourNum_ = 0, faceNum_ = 0, tooSmallNum_ = 0;
-	std::uint64_t largestIndex_ = 0; ///< one below 0 counts as huge
+	std::uint64_t largestIndex_ = 0; ///< a number below 0 counts as huge
 	std::uint64_t mostCorners_  = 0; ///< of a face
 	double        largest_      = 0; ///< finite coordinate, without its sign
 };
 
-/// Puts a mesh aside in two files and makes a binary PLY file of it. Polygons stay as they are.
+/// Collects a mesh in two files and makes a binary PLY file of the mesh. Polygons stay polygons.
 /// Memory: some megabytes.
 class MeshSpill {
 public:
-	/// folder: where the two files are.
+	/// folder: for the two files.
 	MeshSpill(const std::string& folder, const RunLimit& limit);
 
 	void          add(const MeshPieceBytes& piece);
 	std::uint64_t vertexNum() const { return all_.vertexNum_; }
 	std::uint64_t tooSmallFaceNum() const { return all_.tooSmallNum_; }
 
-	/// Writes all that was added; nothing can be added afterwards. Coordinates are floats where
-	/// these resolve a thousandth of the mean edge (see settlePrecision), which is that of a sample
-	/// of 10,000 faces. Colours are written where all vertices have one. Throws AppError
-	/// (BadInput) where a face names a vertex that is not there, or there is no face.
+	/// Writes the whole mesh; nothing can be added afterwards. Coordinates are floats if floats
+	/// resolve a thousandth of the mean edge (see settlePrecision); the mean edge is estimated from
+	/// a sample of 10,000 faces. Writes colours if all vertices have a colour. Throws AppError
+	/// (BadInput) for a vertex number out of range, and if there is no face.
 	void writePly(const std::string& path);
 
 private:

@@ -11,7 +11,7 @@ namespace gpr::app {
 
 namespace {
 
-/// What was left out, in words.
+/// The left-out data, in words.
 struct LostOfObj {
 	bool texture = false, normals = false, materials = false;
 
@@ -33,7 +33,7 @@ struct LostOfObj {
 	}
 };
 
-/// Takes what ObjPiece reads.
+/// Receives the vertices and faces of ObjPiece.
 struct ObjSink {
 	MeshPieceBytes mesh;
 	LostOfObj      lost;

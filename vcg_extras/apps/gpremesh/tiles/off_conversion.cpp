@@ -13,7 +13,7 @@ namespace gpr::app {
 
 namespace {
 
-/// Takes what OffPiece reads.
+/// Receives the vertices and faces of OffPiece.
 struct OffSink {
 	MeshPieceBytes mesh;
 

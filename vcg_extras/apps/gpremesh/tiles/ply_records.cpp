@@ -70,7 +70,7 @@ void append(T value, std::string& out)
 	out.append(bytes, sizeof(T));
 }
 
-/// Turns each of some values round, byte by byte.
+/// Reverses the bytes of each value.
 void swapBytes(char* at, std::size_t each, std::size_t num)
 {
 	for (std::size_t i = 0; i < num; ++i, at += each)
@@ -172,7 +172,7 @@ PlyRecordReader::PlyRecordReader(const std::string& path, const PlyRecordLayout&
 		buffer_(bufferBytes)
 {
 	if (file_ == nullptr) failInput("cannot read '" + path + "'");
-	std::setvbuf(file_, nullptr, _IONBF, 0); // there is a buffer here
+	std::setvbuf(file_, nullptr, _IONBF, 0); // buffered here
 }
 
 PlyRecordReader::~PlyRecordReader()

@@ -9,8 +9,8 @@
 
 namespace gpr::app {
 
-/// A set of whole numbers below a limit that tells how many of them lie before one. Memory: 5/32 of
-/// a byte for each number below the limit, whether it is in the set or not.
+/// A set of whole numbers below a limit with ranks: the number of elements below a given number.
+/// Memory: 5/32 of a byte for each number below the limit, in the set or not.
 class RankedSet {
 public:
 	explicit RankedSet(std::uint64_t limit) : words_(std::size_t(limit / wordBits + 1), 0) {}
@@ -18,7 +18,7 @@ public:
 	void insert(std::uint64_t i) { words_[wordOf(i)] |= bitOf(i); }
 	bool has(std::uint64_t i) const { return (words_[wordOf(i)] & bitOf(i)) != 0; }
 
-	/// From now on nothing is added.
+	/// Completes the set; no number may be added afterwards.
 	void finish()
 	{
 		for (std::size_t w = 0; w < words_.size(); ++w) {
@@ -28,7 +28,7 @@ public:
 	}
 
 	std::uint64_t size() const { return size_; }
-	/// How many numbers of the set are below i.
+	/// Number of elements below i.
 	std::uint64_t rank(std::uint64_t i) const
 	{
 		const std::size_t word = wordOf(i), block = word / blockWords;

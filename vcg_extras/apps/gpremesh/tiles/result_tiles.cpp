@@ -38,7 +38,7 @@ bool isTileName(const std::string& name)
 		   name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-/// Whether a folder may be replaced: one without any file that was not written here.
+/// Whether a folder may be replaced: all its files are files of tiles.
 bool holdsTilesOnly(const fs::path& folder)
 {
 	for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
@@ -48,7 +48,7 @@ bool holdsTilesOnly(const fs::path& folder)
 	return true;
 }
 
-/// A folder that appears whole or not at all, as OutputFile does it for a file.
+/// A folder that appears whole or not at all, like the file of OutputFile.
 class OutputFolder {
 public:
 	explicit OutputFolder(const std::string& path) : wanted_(path)
@@ -132,7 +132,7 @@ CornerTexture chosen(const CornerTexture& texture, const std::vector<std::size_t
 	return result;
 }
 
-/// Seen from a folder beside which the images are.
+/// Paths of images beside a folder, seen from inside of the folder.
 std::vector<std::string> seenFromInside(std::vector<std::string> images)
 {
 	for (std::string& image : images) {
@@ -146,7 +146,7 @@ struct Tile {
 	MeshAttributes attributes;
 };
 
-/// Cuts one tile after the other out of a mesh.
+/// Cuts tiles out of a mesh, one after the other.
 class TileCutter {
 public:
 	TileCutter(const TriangleMesh& mesh, const MeshAttributes& attributes) :

@@ -8,22 +8,21 @@
 
 #include <string>
 
-// A result as a folder of tiles, for viewers that load what they show.
+// A result as a folder of tiles, for viewers that load only visible tiles.
 
 namespace gpr::app {
 
-/// Throws AppError (Failure) when no such folder could be made: the folder around it is missing or
-/// not writable, or the path is something else than a folder of tiles. To be asked before long
-/// work.
+/// Throws AppError (Failure) if the folder cannot be made: the folder round it is missing or not
+/// writable, or the path is not a folder of tiles. For a call before long work.
 void checkWritableFolder(const std::string& folder);
 
-/// Writes a mesh as tile0.ply, tile1.ply, ... and tiles.json, which tells the counts and the box of
-/// each. Every face is in one tile, and the tiles have about as many faces each; one that gets none
-/// is left out. A vertex of several tiles has the same bytes in all of them, so that their borders
-/// coincide. Attributes are cut likewise; attributes.lost receives words for what PLY does not
-/// hold. The folder appears whole or not at all, and replaces an older folder of tiles. Throws
-/// AppError (Failure) when writing fails, (Stopped) when the run has to end.
-/// tileNum: at least 1. Memory: one tile, and 40 B a face. Cost: O(F log tileNum).
+/// Writes a mesh as tile0.ply, tile1.ply, ... and tiles.json, with the counts and the box of each
+/// tile. Every face is in one tile, and the tiles have about as many faces each; empty tiles are
+/// left out. A vertex of several tiles has the same bytes in all of these, so that their borders
+/// coincide. Attributes are cut likewise; attributes.lost receives words for attributes without a
+/// place in PLY. The folder appears whole or not at all, and replaces an older folder of tiles.
+/// Throws AppError (Failure) if writing fails, (Stopped) if the run has to end. tileNum: at least
+/// 1. Memory: a tile, and 40 B per face. Cost: O(F log tileNum).
 void writeTiles(const TriangleMesh& mesh, bool doublePrecision, MeshAttributes& attributes,
 				int tileNum, const std::string& folder, const RunLimit& limit);
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// In records, behind all else: the checksum of their text without it.
+/// Last key of a record: the checksum of the record's text without this key.
 constexpr const char* checksumKey = "checksum";
 
 class Checksum {
@@ -30,7 +30,7 @@ public:
 			std::uint64_t word = 0;
 			std::memcpy(&word, data + i, std::min<std::size_t>(8, num - i));
 			value_ = (value_ ^ word) * prime;
-			value_ ^= value_ >> 29; // else the upper bits of a word never reach the lower ones
+			value_ ^= value_ >> 29; // else the upper bits of a word never reach the lower bits
 		}
 	}
 	std::uint64_t value() const { return value_; }
@@ -148,7 +148,7 @@ std::optional<Json> readJson(const std::string& path)
 		if (checksumOf(textOf(json)) == written) return json;
 	}
 	catch (const Json::exception&) {
-		// as where the checksum is another one
+		// as for a wrong checksum
 	}
 	failInput("'" + path +
 			  "' is damaged. Remove the folder of the run and begin "

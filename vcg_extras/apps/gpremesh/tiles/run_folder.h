@@ -12,7 +12,7 @@
 
 namespace gpr::app {
 
-/// Where the files of a run in tiles are. All paths of the run are made here.
+/// The paths of all files of a run in tiles.
 class RunFolder {
 public:
 	explicit RunFolder(std::string path) : path_(std::move(path)) {}
@@ -20,12 +20,13 @@ public:
 	const std::string& path() const { return path_; }
 	std::string        plan() const { return path_ + "/plan.json"; }
 	std::string        splitRecord() const { return path_ + "/split.json"; }
-	/// An input that was converted, and what is known of that.
+	/// A converted input, and the record of its conversion.
 	std::string input(std::size_t i) const { return numbered("input", int(i), ".ply"); }
 	std::string inputRecord(std::size_t i) const { return numbered("input", int(i), ".json"); }
 	std::string scratch() const { return path_ + "/scratch"; }
 	std::string tile(int k) const { return numbered("tile", k, ".ply"); }
-	/// Per vertex of the tile: its number in the input, and whether other tiles have it too.
+	/// Per vertex of the tile: its number in the input, and whether other tiles have the vertex
+	/// too.
 	std::string tileNames(int k) const { return numbered("tile", k, ".names"); }
 	std::string part(int k) const { return numbered("part", k, ".ply"); }
 	/// Per vertex of the part: its SharedName.
@@ -43,17 +44,17 @@ private:
 	}
 };
 
-/// Makes the folder where it is not there. Throws AppError (Failure).
+/// Makes the folder unless it exists. Throws AppError (Failure).
 void makeFolder(const std::string& path);
 
-/// What the split takes of the disk, for each byte of the PLY files that it reads.
+/// Disk space for the split, over the bytes of its PLY files.
 constexpr double splitBytesPerInputByte = 2.5;
 
-/// Throws AppError (Failure) where fewer bytes than needed are free there.
+/// Throws AppError (Failure) if the disk of the folder has fewer free bytes than needed.
 void requireRoom(const std::string& folder, double bytesNeeded);
 
-/// A folder for what is put aside, of this process alone. It is removed at the end. Throws
-/// AppError (Failure) where it cannot be made.
+/// A folder for temporary files of this process alone; removed at the end. Throws AppError
+/// (Failure) if the folder cannot be made.
 class ScratchFolder {
 public:
 	explicit ScratchFolder(const RunFolder& folder);
@@ -67,7 +68,7 @@ private:
 	std::string path_;
 };
 
-/// By what a file is known again.
+/// The identity of a file's content.
 struct FileStamp {
 	std::uint64_t bytes    = 0;
 	std::uint64_t checksum = 0; ///< FNV-1a over words of eight bytes
@@ -77,22 +78,22 @@ struct FileStamp {
 
 /// The checksum of a text in memory.
 std::uint64_t checksumOf(std::string_view text);
-/// Throws AppError (BadInput) when the file cannot be read. Cost: one pass over the file.
+/// Throws AppError (BadInput) if the file cannot be read. Cost: one pass over the file.
 FileStamp stampOf(const std::string& path);
 Json      jsonOf(const FileStamp& stamp);
 FileStamp stampOf(const Json& json);
-/// Throws AppError (BadInput) with a sentence where the file is not what it was.
+/// Throws AppError (BadInput) with a sentence if the file has changed.
 void requireStamp(const std::string& path, const FileStamp& stamp);
 
 /// Writes a JSON text and its checksum, whole or not at all.
 void writeJson(const std::string& path, const Json& json);
-/// Null where there is no such file. Throws AppError (BadInput) where it is not as writeJson has
-/// written it.
+/// Null if there is no such file. Throws AppError (BadInput) if the content is not the content that
+/// writeJson wrote.
 std::optional<Json> readJson(const std::string& path);
-/// Throws AppError (Usage): a file of the folder is of another run.
+/// Throws AppError (Usage): a file of the folder belongs to another run.
 [[noreturn]] void failOtherPlan(const std::string& path);
-/// What a step has left, or null where it was not done. Throws AppError (Usage) where it was done
-/// for another plan.
+/// The record of a step, or null if the step was not done. Throws AppError (Usage) for a record of
+/// another plan.
 std::optional<Json> readRecord(const std::string& path, const std::string& planName);
 
 } // namespace gpr::app

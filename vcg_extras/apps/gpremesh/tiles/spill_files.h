@@ -11,11 +11,11 @@
 
 namespace gpr::app {
 
-/// One file of bytes for each tile, appended to by pieces. Only one is open at a time, so that any
-/// number of tiles will do. Throws AppError (Failure) where writing or reading fails.
+/// A file of bytes for each tile, appended to by pieces. Only one file is open at a time, so any
+/// number of tiles is possible. Throws AppError (Failure) if writing or reading fails.
 class SpillFiles {
 public:
-	/// flushBytes: of each file are held in memory before they are written.
+	/// flushBytes: bytes of each file in memory before writing.
 	SpillFiles(const std::string& folder, const std::string& name, int tileNum,
 			   std::size_t flushBytes = std::size_t(1) << 18);
 
@@ -33,7 +33,7 @@ public:
 		add(tile, bytes, sizeof(T));
 	}
 
-	/// All bytes of a tile's file. Nothing may be added to it afterwards.
+	/// All bytes of a tile's file. Nothing may be added to the file afterwards.
 	std::vector<char> take(int tile);
 	template <class T>
 	std::vector<T> takeValues(int tile)
@@ -43,7 +43,8 @@ public:
 		if (!values.empty()) std::memcpy(values.data(), bytes.data(), values.size() * sizeof(T));
 		return values;
 	}
-	/// The same one by one, in their order, for a file that may be larger than the memory.
+	/// Visits all values of a tile's file in their order, for a file that may be larger than the
+	/// memory.
 	template <class T, class Visit>
 	void takeEach(int tile, const Visit& visit)
 	{

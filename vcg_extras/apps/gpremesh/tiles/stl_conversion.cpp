@@ -19,14 +19,14 @@ namespace gpr::app {
 
 namespace {
 
-/// Facets that are read at once.
+/// Facets read at once.
 constexpr std::size_t blockFacets = 20000;
 
-/// Of a share of all corners that lies in memory at once: about so many bytes a corner where each
-/// is at a place of its own. Usually six are at one, which takes a sixth of that.
+/// Bytes of memory per corner of a share, if each corner has a place of its own. Usually six
+/// corners have the same place, which takes a sixth of the memory.
 constexpr double bytesPerCorner = 60;
 
-/// How all corners are shared out.
+/// The division of all corners into shares.
 struct Shares {
 	int           num         = 1;
 	std::uint64_t cornersEach = 0;
@@ -67,7 +67,7 @@ struct HashOfKey {
 	std::size_t operator()(const StlCornerKey& key) const { return std::size_t(key.hash()); }
 };
 
-/// Goes through the facets of a file.
+/// Reads the facets of a file in turn.
 class FacetFile {
 public:
 	FacetFile(const std::string& path, std::uint64_t facetNum) :
@@ -76,7 +76,7 @@ public:
 		file_.seekg(std::streamoff(stlFacetsAt));
 	}
 
-	/// No facets at the end.
+	/// The next facets; none at the end.
 	StlFacets next()
 	{
 		const std::size_t num = std::size_t(std::min<std::uint64_t>(left_, blockFacets));
@@ -126,7 +126,7 @@ private:
 	SpillFiles        corners_; ///< by place
 	SpillFiles        found_;   ///< by corner
 
-	/// All corners at one place come into one share, in their order.
+	/// Puts all corners of a place into the same share, in their order.
 	void shareOutPlaces()
 	{
 		FacetFile     file(job_.source, facetNum_);
@@ -182,7 +182,7 @@ private:
 		}
 	}
 
-	/// Of the corners of a share, which may begin and end within a face.
+	/// Writes the faces of the corners of a share; the share may begin and end within a face.
 	void writeFaces(int share, OutputFile& out)
 	{
 		job_.tell(0.75 + 0.25 * share / shares_.num);

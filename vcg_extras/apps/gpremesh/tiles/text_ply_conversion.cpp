@@ -16,11 +16,11 @@ namespace gpr::app {
 
 namespace {
 
-/// Records between two questions whether to go on.
+/// Records between two checks of the run limit.
 constexpr std::uint64_t pollMask = 0xffff;
 
-/// What a binary file needs to hold what the text may say: words are not bound to the types of the
-/// header, see TextSource.
+/// The layout of a binary file that can hold all values of the text: words of the text may exceed
+/// the types of the header, see TextSource.
 PlyRecordLayout binaryLayout(PlyRecordLayout layout)
 {
 	PlyElement&                vertices = layout.header.elements[layout.vertexElement];

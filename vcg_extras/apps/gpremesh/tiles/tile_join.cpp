@@ -18,7 +18,7 @@ constexpr std::uint64_t pollMask = 0xffff;
 
 bool haveSameProperties(const PlyRecordLayout& a, const PlyRecordLayout& b)
 {
-	// The counts differ; the rest of the header is the same where all properties are.
+	// The counts differ; equal properties make the rest of the headers equal.
 	return headerText(a, 0, 0) == headerText(b, 0, 0);
 }
 
@@ -48,7 +48,7 @@ private:
 		int             tile;
 		PartFacts       facts;
 		PlyRecordLayout layout;
-		std::uint64_t   first = 0; ///< number of its first vertex that no earlier part has
+		std::uint64_t   first = 0; ///< number of the first vertex that no earlier part has
 	};
 
 	const TilePlan&         plan_;
@@ -91,7 +91,7 @@ private:
 		return names;
 	}
 
-	/// Returns how many there are.
+	/// Numbers the vertices of all parts. Returns their number.
 	std::uint64_t numberVertices()
 	{
 		std::uint64_t num = 0;
@@ -104,8 +104,8 @@ private:
 		return num;
 	}
 
-	/// Per vertex of a part: its number in the joined mesh. own: whether it is written with the
-	/// part.
+	/// Per vertex of a part: its number in the joined mesh. own: whether the part writes the
+	/// vertex.
 	std::vector<std::uint32_t> numbersOf(const PartFile& part, std::vector<char>* own) const
 	{
 		std::vector<std::uint32_t> numbers;

@@ -7,11 +7,11 @@
 
 namespace gpr::app {
 
-/// Puts the parts together into one PLY file: part after part, a vertex that several have where the
-/// first of them has it. Does nothing where that was done. Throws AppError: (Usage) where a part
-/// was not made yet, (BadInput) where a file is damaged or the parts have different properties,
-/// (Failure) where the disk is full. Memory: some 50 B a shared vertex, and 4 B a vertex of the
-/// largest part. Cost: two passes over the parts.
+/// Joins the parts to a PLY file, part after part; a vertex of several parts takes its place in the
+/// first of these parts. Does nothing if done before. Throws AppError: (Usage) for a missing part,
+/// (BadInput) if a file is damaged or the parts have different properties, (Failure) for a full
+/// disk. Memory: some 50 B per shared vertex, and 4 B per vertex of the largest part. Cost: two
+/// passes over the parts.
 void joinParts(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
 			   const ProgressCallback& progress);
 

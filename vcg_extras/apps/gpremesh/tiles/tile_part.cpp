@@ -19,14 +19,14 @@ namespace gpr::app {
 
 namespace {
 
-/// Adaptivity of the condensed surface. By measurement, with a fit: where it is 0 the result is 3 %
+/// Adaptivity of the condensed surface. By measurement, with a fit: with 0 the result is 3 %
 /// farther from an input with ridges, by the root mean square; 0.5 takes more time and gains
 /// little.
 constexpr double condensedAdapt = 0.25;
-/// Longest edge of a tile's border over the mean edge of the condensed surface: where sizes follow
-/// the error most triangles are smaller than the mean.
+/// Longest edge of a tile's border over the mean edge of the condensed surface: with sizes that
+/// follow the error, most triangles are smaller than the mean.
 constexpr double borderEdgeShare = 0.7;
-/// A tile is taken as it is where condensing would leave more than this share of its vertices.
+/// A tile is taken unchanged if condensing would leave more than this share of its vertices.
 constexpr double mostLeft = 0.7;
 
 std::vector<SharedName> readNames(const std::string& path)
@@ -51,7 +51,7 @@ WantedAttributes carriedOnes()
 	return wanted;
 }
 
-/// A part on its way: its mesh and the names of its vertices.
+/// A part in the making: its mesh and the names of its vertices.
 struct Part {
 	TriangleMesh            mesh;
 	MeshAttributes          attributes;
@@ -98,7 +98,7 @@ private:
 	std::vector<Edge>              border_; ///< of the tile
 	std::unique_ptr<TextureSource> texture_;
 
-	/// Mean edge of the condensed surface. 0 where that has no area.
+	/// Mean edge of the condensed surface; 0 for a surface without area.
 	double condensedEdge() const
 	{
 		// Equilateral triangles have the area √3/4 L², and there are two for each vertex.
@@ -107,7 +107,7 @@ private:
 		return std::sqrt(2 * split_.area() / (std::sqrt(3.0) * condensed));
 	}
 
-	/// By the tile's area, and what its border takes beyond that.
+	/// Vertices for the tile's area, plus the additional vertices for its border.
 	double wantedVertexNum() const
 	{
 		const double edge = condensedEdge();
@@ -116,10 +116,10 @@ private:
 		return std::ceil(even + vertexNumForBorder(edge));
 	}
 
-	/// All vertices of the border stay, and the triangles grow slowly from there. Without these
-	/// vertices those inside would be too few. Along a border with edges h sizes are h + g·d at the
-	/// distance d, until they are L: over this strip the density 2/(√3 s²) adds up to
-	/// 2/(√3 g)·(1 - h/L)² for each edge more than with L everywhere.
+	/// Additional vertices for the border: all border vertices stay, and the triangles grow slowly
+	/// from there, which would leave too few vertices inside. Along a border with edges h sizes are
+	/// h + g·d at the distance d, up to L: over this strip the density 2/(√3 s²) adds up to 2/(√3
+	/// g)·(1 - h/L)² per edge more than with L everywhere.
 	double vertexNumForBorder(double edge) const
 	{
 		if (border_.empty() || !(edge > 0)) return 0;
@@ -152,7 +152,7 @@ private:
 		return options;
 	}
 
-	/// False, with a sentence, where the tile is better taken as it is.
+	/// Condenses the tile. False, with a sentence, if the tile is better taken unchanged.
 	bool condense(std::int64_t vertexNum, Part& part, std::string& note)
 	{
 		MeshView view = mesh_.view();
@@ -165,7 +165,7 @@ private:
 		options.selectedOnly = std::count(selected.begin(), selected.end(), 0) > 0;
 		if (condenseWith(view, options, part, note)) return true;
 		if (options.selectedOnly || !options.sew) return false;
-		options.sew = false; // borders of tiles may lie at one place where none is of the input
+		options.sew = false; // borders of tiles may coincide away from borders of the input
 		return condenseWith(view, options, part, note);
 	}
 
@@ -202,8 +202,8 @@ private:
 		part.mesh       = std::move(result.mesh);
 	}
 
-	/// False where a shared vertex or an edge between two has been lost: the tiles would no longer
-	/// fit together.
+	/// False if a shared vertex, or an edge between two shared vertices, was lost: the tiles would
+	/// no longer fit together.
 	bool takeNames(const RemeshResult& result, std::vector<SharedName>& names) const
 	{
 		names.assign(result.mesh.positions.size(), SharedName());
@@ -220,7 +220,7 @@ private:
 		return sharedEdges(border_, names_) == sharedEdges(borderEdges(result.mesh.view()), names);
 	}
 
-	/// By their names, in an order of their own.
+	/// Border edges between shared vertices, by names, sorted.
 	static std::vector<std::pair<SharedName, SharedName>>
 	sharedEdges(const std::vector<Edge>& border, const std::vector<SharedName>& names)
 	{
@@ -233,7 +233,7 @@ private:
 		return shared;
 	}
 
-	/// The tile as a result of itself, so that it has the same attributes as condensed ones.
+	/// Takes the tile as a result of itself, with the same attributes as condensed tiles.
 	void takeAsItIs(Part& part)
 	{
 		const MeshView view = mesh_.view();

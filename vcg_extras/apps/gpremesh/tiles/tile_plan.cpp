@@ -17,21 +17,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Bytes a face of a tile while it is condensed; at the end a face of the condensed surface, which
-/// has two for a vertex, and a vertex of the result: measured, see docs/scale.md.
+/// Bytes per face of a tile while condensing; at the end bytes per face of the condensed surface,
+/// with two faces per vertex, and per vertex of the result: measured, see docs/scale.md.
 constexpr double bytesPerTileFace      = 450;
 constexpr double bytesPerCondensedFace = 57, bytesPerResultVertex = 400;
 constexpr double bytesAtLeast = 3e7;
 
-/// Vertices of the condensed surface for one of the result. With fewer the result is farther from
-/// the input: see docs/scale.md.
+/// Vertices of the condensed surface per vertex of the result. With fewer vertices the result is
+/// farther from the input: see docs/scale.md.
 constexpr double usualDensity = 4, leastDensity = 2;
 
 constexpr std::uint64_t sampleNum = 100000;
 /// Numbers of vertices in PLY files have 32 bits.
 constexpr std::uint64_t mostVertices = 0xfffffffeu;
 constexpr int           mostTiles    = 10000;
-/// Where neither memory nor a number is given.
+/// Number of tiles if neither memory nor a number is given.
 constexpr int usualTileNum = 8;
 
 [[noreturn]] void failUsage(const std::string& sentence)
@@ -80,7 +80,7 @@ void checkLayouts(const std::vector<std::string>&     paths,
 	}
 }
 
-/// Every so many vertices, the same ones each time.
+/// Positions at regular intervals; always the same vertices.
 std::vector<Vec3d> samplePositions(const std::vector<std::string>&     paths,
 								   const std::vector<PlyRecordLayout>& layouts, std::uint64_t all)
 {
@@ -130,7 +130,7 @@ Json inputJson(const TilePlan& plan, std::size_t i)
 			{"faces", plan.faceNum[i]}};
 }
 
-/// Without its name.
+/// The plan as JSON, without its name.
 Json jsonOf(const TilePlan& plan)
 {
 	Json inputs = Json::array();

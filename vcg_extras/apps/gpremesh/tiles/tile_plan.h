@@ -15,17 +15,17 @@
 
 namespace gpr::app {
 
-/// What is asked for of a run in tiles.
+/// The request for a run in tiles.
 struct TileRequest {
 	std::vector<std::string> inputs;          ///< pieces of one surface
 	RemeshOptions            options;         ///< of the result
-	std::string              optionsText;     ///< these as the user gave them
-	double                   memoryBytes = 0; ///< at most, of each process; 0: not limited
+	std::string              optionsText;     ///< options as given by the user
+	double                   memoryBytes = 0; ///< at most, of each process; 0: unlimited
 	int                      tileNum     = 0; ///< 0: by the memory
 };
 
-/// All that the steps of a run in tiles need to know. It depends on the inputs and the options
-/// alone, never on who runs the steps: so the same plan gives the same bytes.
+/// The plan of a run in tiles, for all steps. The plan depends on the inputs and the options alone:
+/// the same plan gives the same bytes on any machine.
 struct TilePlan {
 	std::vector<std::string>   inputs;
 	std::vector<std::uint64_t> vertexNum; ///< per input
@@ -33,41 +33,43 @@ struct TilePlan {
 	std::string                optionsText;
 	RemeshOptions              options;
 	double                     memoryBytes = 0;
-	CellTree                   cells; ///< one a tile
-	std::string                name;  ///< a checksum of all this: steps of another plan differ
+	CellTree                   cells; ///< a cell per tile
+	std::string                name;  ///< a checksum of the plan: tells steps of different plans
+									  ///< apart
 
 	std::uint64_t allVertices() const;
 	std::uint64_t allFaces() const;
 	int           tileNum() const { return cells.cellNum(); }
 };
 
-/// Memory that a run takes without tiles, bytes, about.
+/// Approximate memory of a run without tiles, bytes.
 double bytesUntiled(double faceNum, double resultVertexNum);
 
-/// Vertices of the result where options name a count or a share; 0 where they name an edge length.
+/// Vertices of the result if options name a count or a share; 0 if options name an edge length.
 double resultVertexNum(const RemeshOptions& options, double inputVertexNum);
 
-/// Reads the headers and a sample of the vertices. The inputs are binary PLY files here. Throws
-/// AppError: (BadInput) for files that cannot be read in tiles, (Usage) for options that tiles do
-/// not serve, (PromiseBroken) where the memory is too small for the result. Cost: 100,000 reads.
+/// Makes a plan from the headers and a sample of the vertices. The inputs must be binary PLY files.
+/// Throws AppError: (BadInput) for files that cannot be read in tiles, (Usage) for options without
+/// support in tiles, (PromiseBroken) if the memory is too small for the result. Cost: 100,000
+/// reads.
 TilePlan makePlan(const TileRequest& request);
 
-/// Writes the plan into the folder, which is made. An equal plan that is there is left alone;
-/// throws AppError (Usage) for another one.
+/// Writes the plan into the folder, which is made. Keeps an equal plan in the folder; throws
+/// AppError (Usage) for a different plan.
 void writePlan(const TilePlan& plan, const RunFolder& folder);
-/// Throws AppError (Usage) where there is none, or an input has changed since.
+/// Throws AppError (Usage) if there is no plan, or an input has changed since.
 TilePlan readPlan(const RunFolder& folder);
 
-/// Vertices of the condensed surface for one of the result: four, and fewer where so many do not
-/// fit into the memory of the last step. That is not limited where memoryBytes is 0.
+/// Vertices of the condensed surface per vertex of the result: four, or fewer if the memory of the
+/// last step is too small for four. memoryBytes 0: unlimited.
 double condensedDensity(double resultVertexNum, double memoryBytes);
 
-/// What the files of the run take of the disk at most, bytes, about, without converted inputs.
+/// Approximate peak disk space of the run, bytes, without converted inputs.
 double diskBytesOf(const TilePlan& plan);
 
-/// Throws AppError (PromiseBroken) where the last step needs more memory than the plan allows.
+/// Throws AppError (PromiseBroken) if the last step needs more memory than the plan allows.
 void requireMemoryFor(double resultVertexNum, double memoryBytes);
-/// The same for a condensed surface that has more faces than it should, where tiles could not be
+/// The same for a condensed surface with more faces than planned, as some tiles could not be
 /// condensed.
 void requireMemoryForFaces(double condensedFaceNum, double memoryBytes);
 

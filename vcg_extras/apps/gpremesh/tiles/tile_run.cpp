@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the work of a run, so that the bar moves evenly.
+/// Shares of the work of a run, for even progress.
 constexpr double shareOfSplit = 0.15, shareOfParts = 0.6, shareOfJoin = 0.05;
 
 constexpr double shareUntilJoin = shareOfSplit + shareOfParts;
@@ -86,7 +86,7 @@ void finish(const CommandLine& line, const TilePlan& plan, const SplitFacts& fac
 	runRemesh(lastStepOf(line, plan, facts, folder), programClock);
 }
 
-/// A part of the whole progress.
+/// Progress of a part of the whole run.
 ProgressCallback partOf(ProgressBar& bar, double from, double to)
 {
 	return [&bar, from, to](double share, const char* phrase) {
@@ -95,7 +95,7 @@ ProgressCallback partOf(ProgressBar& bar, double from, double to)
 	};
 }
 
-/// The plan of the inputs, which are converted before where that is needed.
+/// The plan of the inputs; converts inputs if needed.
 TilePlan planFor(TileRequest request, const RunFolder& folder, const RunLimit& limit,
 				 const ProgressCallback& progress)
 {
@@ -105,7 +105,7 @@ TilePlan planFor(TileRequest request, const RunFolder& folder, const RunLimit& l
 	return plan;
 }
 
-/// Of inputs that were converted and split, and are no longer there.
+/// The plan of a finished split; the converted inputs are already removed.
 TilePlan planOfSplit(const TileRequest& request, const RunFolder& folder)
 {
 	TilePlan plan = readPlan(folder);
@@ -115,14 +115,14 @@ TilePlan planOfSplit(const TileRequest& request, const RunFolder& folder)
 	return plan;
 }
 
-/// Nothing but the split reads them.
+/// Removes the converted inputs: only the split reads these files.
 void removeConverted(const TilePlan& plan, const RunFolder& folder)
 {
 	for (std::size_t i = 0; i < plan.inputs.size(); ++i)
 		fs::remove(folder.input(i));
 }
 
-/// Seconds that an ordinary run takes, by the numbers alone.
+/// Seconds of an ordinary run, from the numbers alone.
 double secondsOfRun(double faceNum, double vertexNum, RemeshOptions options)
 {
 	MeshView sizes;
@@ -133,7 +133,7 @@ double secondsOfRun(double faceNum, double vertexNum, RemeshOptions options)
 	return estimateRun(sizes, options).seconds;
 }
 
-/// What is to be expected, where the options tell the size of the result.
+/// The expected time, if the options tell the size of the result.
 std::string expectation(const TilePlan& plan, const RunFolder& folder)
 {
 	constexpr double splitSecondsPerFace = 0.25e-6; // on one thread
@@ -152,7 +152,7 @@ std::string expectation(const TilePlan& plan, const RunFolder& folder)
 		   "'.\n";
 }
 
-/// Everything up to the condensed surface.
+/// Makes the condensed surface.
 void condense(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
 			  ProgressBar& bar)
 {

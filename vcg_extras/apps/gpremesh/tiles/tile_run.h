@@ -9,12 +9,13 @@
 namespace gpr::app {
 
 /// Whether a run of 'gpremesh remesh --memory' has to be done in tiles. Reads the header of the
-/// input. Throws AppError (BadInput) for an input that is too large and that tiles do not read.
+/// input. Throws AppError (BadInput) for an input that is too large and has a format that tiles do
+/// not read.
 bool needsTiles(const CommandLine& line);
 
-/// All steps of a run in tiles, one after the other, in the folder that the command line names or
-/// OUT.tiles; it goes on where an earlier run of the same command ended. The folder is removed at
-/// the end, and kept where the run fails. Throws AppError.
+/// Runs all steps of a run in tiles in turn, in the folder of the command line or in OUT.tiles;
+/// continues an earlier run of the same command. Removes the folder at the end, but keeps the
+/// folder after a failure. Throws AppError.
 void remeshInTiles(const CommandLine& line, const Stopwatch& programClock);
 
 /// One step: 'gpremesh tile'. Prints a line of JSON. Throws AppError.

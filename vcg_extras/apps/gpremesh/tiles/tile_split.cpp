@@ -20,12 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of the work, so that the bar moves evenly.
+/// Shares of the work, for even progress.
 constexpr double shareOfVertices = 0.25, shareOfFaces = 0.45;
-/// Records between two questions whether to go on.
+/// Records between two checks of the run limit.
 constexpr std::uint64_t pollMask = 0xffff;
 
-/// A vertex that a tile has lent to another one.
+/// A vertex of a tile, lent to another tile.
 struct Lent {
 	std::uint32_t tile, number;
 
@@ -39,7 +39,7 @@ struct Lent {
 	}
 };
 
-/// The faces of a tile as they lie on the disk: numbers of vertices, and the other properties.
+/// The faces of a tile on the disk: numbers of vertices, and the other properties.
 class FaceSpill {
 public:
 	static void put(const FaceRecord& face, std::string& out)
@@ -89,7 +89,7 @@ private:
 	}
 };
 
-/// The vertices that lie in one cell, or that were lent to it, ascending by number.
+/// The vertices of a cell, or the vertices lent to the cell, ascending by number.
 struct VertexPool {
 	/// vertexNum: of all inputs.
 	explicit VertexPool(std::uint64_t vertexNum) : numbers(vertexNum) {}
@@ -97,16 +97,17 @@ struct VertexPool {
 	std::vector<std::uint32_t> number;
 	std::vector<char>          records;
 	std::vector<char>          isUsed, isShared;
-	RankedSet                  numbers; ///< the same ones; three times as fast as a search in order
+	RankedSet                  numbers; ///< the same numbers; three times as fast as a binary
+										///< search
 
-	/// To be called once all numbers are there.
+	/// To be called with all numbers present.
 	void indexNumbers()
 	{
 		for (const std::uint32_t n : number)
 			numbers.insert(n);
 		numbers.finish();
 	}
-	/// -1 where there is none.
+	/// Index of a number, or -1.
 	std::int64_t find(std::uint32_t wanted) const
 	{
 		return numbers.has(wanted) ? std::int64_t(numbers.rank(wanted)) : -1;
@@ -136,14 +137,15 @@ public:
 			firstVertex.push_back(first);
 			first += plan_.vertexNum[i];
 		}
-		// The vertices of all files first: which tile a face belongs to needs no position then.
+		// The vertices of all files first: then finding a face's tile needs no position.
 		for (std::size_t i = 0; i < layouts_.size(); ++i)
 			readVertices(i, firstVertex[i]);
 		for (std::size_t i = 0; i < layouts_.size(); ++i)
 			readFaces(i, firstVertex[i]);
 		cell_ = std::vector<std::uint16_t>();
-		// A face lies in the lowest cell of its corners, so that tiles borrow vertices of higher
-		// cells only: when a tile's turn comes all of them are there.
+		// A face belongs to the lowest cell of its corners, so tiles borrow vertices of higher
+		// cells only: tiles are written from the highest to the lowest, each with all lent vertices
+		// present.
 		for (int tile = plan_.tileNum() - 1; tile >= 0; --tile)
 			putTogether(tile);
 		return std::move(facts_);
@@ -272,7 +274,7 @@ private:
 		return pool;
 	}
 
-	/// Each is on the disk as its number, whether it is shared, and its record.
+	/// On the disk each vertex is a number, a mark for shared vertices, and a record.
 	VertexPool borrowedVertices(int tile)
 	{
 		const std::vector<char>  bytes = spills_[Borrowed].take(tile);
@@ -310,8 +312,9 @@ private:
 		}
 	}
 
-	/// Gives the tile's vertices to the tiles that have faces at them. A vertex is shared where two
-	/// tiles have it; one that a single tile borrows is its own.
+	/// Lends the tile's vertices to the tiles with faces at these vertices. A vertex is shared if
+	/// two tiles use the vertex, and not shared if a single tile borrows the vertex unused by its
+	/// own.
 	void lend(int tile, VertexPool& own)
 	{
 		std::vector<Lent> lent = spills_[LentOnes].takeValues<Lent>(tile);
@@ -402,7 +405,7 @@ private:
 		facts.mesh = stampOf(folder_.tile(tile));
 	}
 
-	/// Of the triangle of a face's first corner and corner k with the one before it.
+	/// Area of the triangle of a face's corners 0, k - 1 and k.
 	static double areaOf(const std::vector<Vec3d>& place, const std::vector<std::int64_t>& corners,
 						 std::size_t k)
 	{

@@ -14,7 +14,7 @@
 
 namespace gpr::app {
 
-/// What the split has found, for the steps that follow.
+/// The figures of the split, for the next steps.
 struct SplitFacts {
 	struct Tile {
 		std::uint64_t vertexNum = 0, faceNum = 0, sharedNum = 0; ///< shared: with other tiles
@@ -26,23 +26,22 @@ struct SplitFacts {
 	double area() const;
 };
 
-/// A vertex of a tile: its number in all inputs, and whether other tiles have it too.
+/// A vertex of a tile: its number in all inputs, and whether other tiles have the vertex too.
 struct TileVertexName {
 	std::uint32_t number   = 0;
 	std::uint32_t isShared = 0;
 };
 
-/// Cuts the inputs into tiles: each vertex has the cell that it lies in, each face the lowest cell
-/// of its corners. Vertices and faces are read once, in the order of the files; then each tile is
-/// put together, by itself, into a PLY file with all that its vertices and faces have. Does nothing
-/// where that was done. Throws AppError: (BadInput) for a damaged input or one that has changed
-/// since the plan, (Failure) where the disk is full, (Stopped) when the run has to end. Memory: 2 B
-/// a vertex, and some 50 B a face of one tile. Cost: two passes over the input, and as much
-/// written.
+/// Cuts the inputs into tiles: each vertex belongs to its cell, each face to the lowest cell of its
+/// corners. Vertices and faces are read once, in the order of the files; then each tile becomes a
+/// PLY file with all properties of its vertices and faces. Does nothing if done before. Throws
+/// AppError: (BadInput) for an input that is damaged or has changed since the plan, (Failure) for a
+/// full disk, (Stopped) if the run has to end. Memory: 2 B per vertex, and some 50 B per face of a
+/// tile. Cost: two passes over the input, and as much written.
 SplitFacts split(const TilePlan& plan, const RunFolder& folder, const RunLimit& limit,
 				 const ProgressCallback& progress);
 
-/// Throws AppError (Usage) where the split was not done.
+/// Throws AppError (Usage) if the split was not done.
 SplitFacts readSplit(const TilePlan& plan, const RunFolder& folder);
 
 } // namespace gpr::app

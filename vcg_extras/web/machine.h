@@ -5,7 +5,7 @@
 
 namespace gpr::web {
 
-/// Of the memory that the browser can give, what is left, bytes.
+/// The memory that the browser can still give, bytes.
 double freeBytes();
 
 } // namespace gpr::web

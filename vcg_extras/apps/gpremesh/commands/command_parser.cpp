@@ -1,0 +1,309 @@
+// SPDX-FileCopyrightText: 2026 the gpremesh authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "command_parser.h"
+
+#include "command_option.h"
+#include "manual_page.h"
+#include "remesh_words.h"
+
+#include <vcg_extras/io/base/exit_code.h>
+#include <vcg_extras/io/text/number_text.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+
+namespace gpr::app {
+
+namespace {
+
+const char* const exitCodeHelp =
+	"Exit codes:\n"
+	"  0  done\n"
+	"  1  failed for a reason not listed here: no memory, OUT not writable, ...\n"
+	"  2  the command line is wrong\n"
+	"  3  IN cannot be read or holds no usable surface\n"
+	"  4  a promise could not be kept, such as a number of vertices below what\n"
+	"     the topology needs; nothing is written\n"
+	"  5  cancelled or out of time; nothing is written\n";
+
+[[noreturn]] void failUsage(const std::string& sentence)
+{
+	throw AppError(ExitCode::Usage, sentence);
+}
+
+/// The parser's complaint with a full stop.
+std::string sentence(std::string complaint)
+{
+	if (!complaint.empty() && complaint.back() != '.') complaint += '.';
+	return complaint;
+}
+
+void add(CLI::App& command, const CommandOption& option)
+{
+	if (option.argument.empty()) {
+		command.add_flag_callback(
+			option.option, [option] { option.take("on"); }, option.help);
+		return;
+	}
+	command.add_option_function<std::string>(option.option, option.take, option.help)
+		->type_name(option.argument);
+}
+
+void addTableOptions(CLI::App& command, Tool tool, GivenOptions& given,
+					 bool (*isWanted)(const Parameter&) = nullptr)
+{
+	for (const CommandOption& option : tableOptions(tool, given, isWanted))
+		add(command, option);
+}
+
+void addOutcome(CLI::App& command, CommandLine& line, const char* reportHelp)
+{
+	add(command, reportOption(line, reportHelp));
+	add(command, quietOption(line));
+}
+
+void addOutput(CLI::App& command, CommandLine& line)
+{
+	command
+		.add_option("OUT", line.output, "Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN")
+		->required();
+}
+
+/// The file names of a command.
+struct Files {
+	std::string              in, out;
+	std::vector<std::string> more;
+
+	std::vector<std::string> all() const
+	{
+		std::vector<std::string> files = {in};
+		if (!out.empty()) files.push_back(out);
+		files.insert(files.end(), more.begin(), more.end());
+		return files;
+	}
+};
+
+CLI::App* addRemesh(CLI::App& app, RemeshWords& words, Files& files)
+{
+	CLI::App* remesh = app.add_subcommand("remesh", remeshDescription);
+	remesh->add_option("IN", files.in, inHelp)->required();
+	remesh->add_option("OUT", files.out, outHelp);
+	remesh->add_option("MORE", files.more, "With --out-dir: more IN");
+	for (const CommandOption& option : words.options())
+		add(*remesh, option);
+	remesh->footer(exitCodeHelp);
+	return remesh;
+}
+
+bool isForLevels(const Parameter& p)
+{
+	return !isSizeParameter(p) && std::string(p.key) != "Check";
+}
+
+void addLevelSizes(CLI::App& levels, const char* option, const char* help, TargetMode mode,
+				   CommandLine& line)
+{
+	const auto keep = [&line, mode, option](const std::string& text) {
+		if (!line.levels.sizes.empty())
+			failUsage("give only one of --percent, --vertices and --faces.");
+		line.levels.mode = mode;
+		std::istringstream parts(text);
+		for (std::string part; std::getline(parts, part, ',');) {
+			double size = 0;
+			if (!parseNumber(part, size) || !(size > 0))
+				failUsage(std::string(option) +
+						  " takes numbers above 0 with commas between, not '" + text + "'.");
+			line.levels.sizes.push_back(size);
+		}
+	};
+	levels.add_option_function<std::string>(option, keep, help)->type_name("N,N,...");
+}
+
+/// Several sizes of one mesh.
+CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
+{
+	CLI::App* levels = app.add_subcommand(
+		"levels",
+		"Remeshes IN to several sizes, such as levels of detail, and writes a file each.\n"
+		"IN is read and prepared once. Each level tells how far it is from IN at most,\n"
+		"which is proven.");
+	levels->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		->required();
+	levels
+		->add_option("OUT", line.output,
+					 "Files to write, with {level} for the number of the level from 1 on, such as\n"
+					 "small_{level}.ply")
+		->required();
+	addLevelSizes(*levels, "--percent", "Sizes in percent of IN's vertices, such as 50,25,10,5",
+				  TargetMode::Percent, line);
+	addLevelSizes(*levels, "--vertices", "Sizes as numbers of vertices", TargetMode::VertexNum,
+				  line);
+	addLevelSizes(*levels, "--faces", "Sizes as numbers of faces", TargetMode::FaceNum, line);
+	addTableOptions(*levels, RemeshTool, given, isForLevels);
+	addOutcome(*levels, line,
+			   "Write what was done, and how well, as JSON: 'levels' has a report each");
+	levels->footer(exitCodeHelp);
+	return levels;
+}
+
+CLI::App* addInfo(CLI::App& app, CommandLine& line)
+{
+	CLI::App* info = app.add_subcommand("info", "Prints counts, topology and quality of IN.");
+	info->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")->required();
+	info->add_flag("--json", line.json, "Print JSON");
+	info->footer(exitCodeHelp);
+	return info;
+}
+
+bool isForStep(const Parameter& p)
+{
+	return !isForPlan(p);
+}
+
+/// The other methods have no time limit and remesh the whole mesh; all results are checked.
+bool isForCompare(const Parameter& p)
+{
+	const std::string key = p.key;
+	return key != "TimeLimit" && key != "Selected" && key != "Check";
+}
+
+CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
+{
+	CLI::App* compare = app.add_subcommand(
+		"compare",
+		"Remeshes IN with these options, by the paper's preset and by MeshLab's Quadric\n"
+		"Edge Collapse and prints a table: time, distances from IN, triangle quality.");
+	compare->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		->required();
+	addTableOptions(*compare, RemeshTool, given, isForCompare);
+	compare->add_flag("--isotropic", line.isotropic, "MeshLab's Isotropic Explicit Remeshing too");
+	compare->add_option("--runs", line.runNum, "How often each method is run; the median counts")
+		->check(CLI::Range(1, 101))
+		->type_name("K");
+	compare->add_flag("--json", line.json, "Print JSON");
+	compare
+		->add_option("--html", line.htmlFolder,
+					 "Write the page DIR/index.html with views to turn and pictures")
+		->type_name("DIR");
+	compare->footer(exitCodeHelp);
+	return compare;
+}
+
+CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
+{
+	CLI::App* features = app.add_subcommand(
+		"features",
+		"Finds creases and cone apexes of IN and writes OUT: the same mesh with the strength of\n"
+		"its vertices, in degrees, as quality and colour, features selected.");
+	features->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+		->required();
+	features->add_option("OUT", line.output, "Mesh to write, may be IN: .ply")->required();
+	addTableOptions(*features, FeatureTool, given);
+	addOutcome(*features, line, "Write thresholds and counts as JSON");
+	features->footer(exitCodeHelp);
+	return features;
+}
+
+CLI::App* addTileStep(CLI::App& tile, CommandLine& line, TileStep step, const char* name,
+					  const char* help)
+{
+	CLI::App* const command = tile.add_subcommand(name, help);
+	command->add_option("DIR", line.tiles.folder, "The folder of the run")->required();
+	command->callback([&line, step] { line.tiles.step = step; });
+	return command;
+}
+
+/// The steps of a run in tiles, for several machines with a common folder.
+CLI::App* addTile(CLI::App& app, CommandLine& line, GivenOptions& given)
+{
+	CLI::App* const tile = app.add_subcommand(
+		"tile",
+		"The steps of a run in tiles, for many machines that share the folder DIR: plan,\n"
+		"split, part for every tile, join, finish. A step that was done is not done again.");
+	tile->require_subcommand(1);
+	CLI::App* const plan = addTileStep(*tile, line, TileStep::Plan, "plan",
+									   "Decides how IN is cut. Reads a sample of a binary "
+									   "PLY\nfile; of others such a file is made first.");
+	plan->add_option("IN", line.tiles.inputs,
+					 "PLY, OBJ, OFF or binary STL files, pieces of one surface")
+		->required();
+	addTableOptions(*plan, RemeshTool, given, isForPlan);
+	add(*plan, memoryOption(line));
+	plan->add_option("--tiles", line.tiles.tileNum, "How many; by the memory if not given")
+		->check(CLI::Range(1, 10000))
+		->type_name("T");
+	addTileStep(*tile, line, TileStep::Split, "split", "Reads IN once and cuts it into tiles.");
+	CLI::App* const part = addTileStep(*tile, line, TileStep::Part, "part", "Condenses one tile.");
+	part->add_option("--unit", line.tiles.unit, "Number of the tile, from 0")->required();
+	addTableOptions(*part, RemeshTool, given, isForStep);
+	addTileStep(*tile, line, TileStep::Join, "join", "Puts the condensed tiles together.");
+	CLI::App* const finish =
+		addTileStep(*tile, line, TileStep::Finish, "finish", "Remeshes what was joined.");
+	addOutput(*finish, line);
+	addTableOptions(*finish, RemeshTool, given, isForStep);
+	addOutcome(*finish, line, "Write what was done, and how well, as JSON");
+	add(*finish, tilesOutOption(line));
+	tile->footer(exitCodeHelp);
+	return tile;
+}
+
+/// An option for the build, which installs the page; --help does not show this option.
+void addManualPage(CLI::App& app)
+{
+	const auto print = [&app] {
+		std::fputs(manualPage(app).c_str(), stdout);
+		throw CLI::Success();
+	};
+	app.add_flag_callback("--manual-page", print)->group("");
+}
+
+} // namespace
+
+CommandLine parseCommandLine(int argc, char** argv)
+{
+	CommandLine  line;
+	RemeshWords  remeshWords;
+	Files        files;
+	GivenOptions given; // of the given command only: there is no second command
+	CLI::App     app("Remeshes triangle meshes by geodesic Poisson-disk sampling.", "gpremesh");
+	app.set_version_flag("--version", std::string("gpremesh ") + GPR_VERSION);
+	app.require_subcommand(1);
+	app.allow_windows_style_options(false); // a path may begin with '/' everywhere
+	app.footer("'gpremesh COMMAND --help' tells the options of a command.\n"
+			   "'gpremesh IN -o OUT' is 'gpremesh remesh IN OUT'.\n\n" +
+			   std::string(exitCodeHelp));
+	CLI::App* const remesh   = addRemesh(app, remeshWords, files);
+	CLI::App* const info     = addInfo(app, line);
+	CLI::App* const compare  = addCompare(app, line, given);
+	CLI::App* const features = addFeatures(app, line, given);
+	CLI::App* const tile     = addTile(app, line, given);
+	CLI::App* const levels   = addLevels(app, line, given);
+	addManualPage(app);
+	try {
+		std::vector<std::string> words = withCommand({argv + std::min(argc, 1), argv + argc});
+		std::reverse(words.begin(), words.end()); // in the parser's order
+		app.parse(std::move(words));
+	}
+	catch (const CLI::Success& wish) { // --help, --version and --manual-page
+		app.exit(wish);
+		return line;
+	}
+	catch (const CLI::ParseError& error) {
+		failUsage(sentence(error.what()) + " See gpremesh --help.");
+	}
+	if (remesh->parsed()) {
+		remeshWords.takeFiles(files.all());
+		return remeshWords.line();
+	}
+	if (info->parsed()) line.command = Command::Info;
+	if (compare->parsed()) line.command = Command::Compare;
+	if (features->parsed()) line.command = Command::Features;
+	if (tile->parsed()) line.command = Command::Tile;
+	if (levels->parsed()) line.command = Command::Levels;
+	complete(given, line);
+	return line;
+}
+
+} // namespace gpr::app

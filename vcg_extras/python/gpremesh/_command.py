@@ -1,0 +1,102 @@
+# SPDX-FileCopyrightText: 2026 the gpremesh authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`gpremesh remesh` for a package built without the program: a parser of arguments from the table of the engine. The
+code of the program does the rest, with the same messages and exit codes."""
+
+import argparse
+import sys
+
+from . import _core
+
+_USAGE = 2  # exit code
+_EPILOG = "'gpremesh IN -o OUT' is 'gpremesh remesh IN OUT'."
+
+
+class _UsageError(Exception):
+    pass
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message):
+        raise _UsageError(message)
+
+
+class _Keep(argparse.Action):
+    """Stores arguments by the names of the options; no option may be given twice."""
+
+    def __call__(self, parser, namespace, word, option_string=None):
+        given = namespace.given
+        if word == "":
+            raise _UsageError(f"{_last(self.dest)}: 1 required {self.metavar} missing")
+        if self.dest in given and self.nargs != 0:
+            raise _UsageError(f"{_last(self.dest)}: At Most 1 required but received 2")
+        given[self.dest] = "on" if self.nargs == 0 else word
+
+
+def _last(option):
+    return option.split(",")[-1]
+
+
+def _parser(texts):
+    parser = _Parser("gpremesh remesh", description=texts["description"], epilog=_EPILOG, allow_abbrev=False,
+                     formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("files", nargs="*", metavar="IN [OUT]", help=f"IN: {texts['in']}\nOUT: {texts['out']}")
+    for row in texts["options"]:
+        takes = {"metavar": row["argument"]} if row["argument"] else {"nargs": 0}
+        parser.add_argument(*row["option"].split(","), dest=row["option"], action=_Keep, default=argparse.SUPPRESS,
+                            help=row["help"].replace("%", "%%"), **takes)
+    return parser
+
+
+def _joined(words, texts):
+    """Joins each option with the next word, even if the word begins with a hyphen."""
+    takers = {name for row in texts["options"] if row["argument"] for name in row["option"].split(",")}
+    words, joined = iter(words), []
+    for word in words:
+        if word == "--":
+            return joined + [word, *words]
+        behind = next(words, "") if word in takers else None
+        joined.append(word if behind is None else f"{word}={behind}" if word.startswith("--") else word + behind)
+    return joined
+
+
+def _remesh(words):
+    texts = _core.remesh_command_texts()
+    namespace = argparse.Namespace(given={})
+    found, others = _parser(texts).parse_known_intermixed_args(_joined(words, texts), namespace)
+    if others:
+        raise _UsageError(f"The following argument was not expected: {others[0]}")
+    return _core.run_remesh_command(found.files, found.given)
+
+
+def _overview():
+    return (f"Remeshes triangle meshes by geodesic Poisson-disk sampling.\nUsage: gpremesh remesh [OPTIONS] IN [OUT]\n\n"
+            f"{_EPILOG}\n'gpremesh remesh --help' tells the options. {_without_program()}")
+
+
+def _without_program():
+    others = ", ".join(name for name in _core.command_names() if name != "remesh")
+    return (f"The commands {others} are those of the program, and this package was built without it, "
+            "because CLI11 (libcli11-dev on Debian) was missing.")
+
+
+def run(words):
+    """Runs a command line and returns the exit code."""
+    words = _core.with_command(words)
+    if words and words[0] in ("-h", "--help"):
+        print(_overview())
+        return 0
+    if words and words[0] == "--version":
+        print("gpremesh", _core.version)
+        return 0
+    if not words or words[0] not in _core.command_names():
+        print("gpremesh: A subcommand is required. See gpremesh --help.", file=sys.stderr)
+        return _USAGE
+    if words[0] != "remesh":
+        print("gpremesh:", _without_program(), file=sys.stderr)
+        return 1
+    try:
+        return _remesh(words[1:])
+    except _UsageError as error:
+        print(f"gpremesh: {error}. See gpremesh --help.", file=sys.stderr)
+        return _USAGE
