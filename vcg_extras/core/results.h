@@ -71,7 +71,7 @@ struct FeatureFigures {
 	std::int64_t vertexNum   = 0; ///< marked vertices of the input
 	std::int64_t faceNum     = 0; ///< marked faces of the input
 	std::int64_t edgeNum     = 0;
-	std::int64_t lineNum     = 0; ///< connected sets of feature edges
+	std::int64_t lineNum     = 0; ///< connected sets of edges
 	std::int64_t cornerNum   = 0; ///< vertices at which a line ends, branches or turns
 	std::int64_t coneApexNum = 0; ///< cone apexes off the lines
 	double       support     = 0; ///< radius of the half-disks, mesh units
