@@ -172,7 +172,7 @@ RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 
 struct PreparedSurface::Kept {
 	MeshView                input;
-	std::mutex              oneRun; ///< runs leave here what they made, one after the other
+	std::mutex              oneRun; ///< held during a run: runs change the kept work in turn
 	InputCache              ofRuns;
 	std::optional<KeptPart> selected;
 

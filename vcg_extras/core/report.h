@@ -27,19 +27,17 @@ struct CleanCounts {
 	std::int64_t weldedVertices       = 0; ///< of a triangle soup: equal positions made one vertex
 	std::int64_t contractedEdges      = 0; ///< edges without length, made one vertex
 	std::int64_t sewnEdges            = 0; ///< pairs of border edges at one place, made one edge
-	std::int64_t sharedBorderEdges    = 0; ///< border edges at the place of other border edges,
-										   ///< left unsewn
-	std::int64_t repeatedIndexFaces = 0;   ///< a vertex twice in one face, dropped
-	std::int64_t zeroAreaFaces      = 0;   ///< without width, or in a component without area:
-										   ///< dropped
-	std::int64_t duplicateFaces      = 0;  ///< the same three vertices again, dropped
-	std::int64_t reorientedFaces     = 0;
-	std::int64_t nonManifoldEdges    = 0; ///< more than two faces: cut but for the smoothest pair
-	std::int64_t nonManifoldVertices = 0; ///< more than one fan: a copy for each further fan
-	std::int64_t nonOrientableCuts   = 0; ///< edges cut to make a one-sided surface orientable
-	std::int64_t droppedComponents   = 0; ///< with fewer faces than RemeshOptions asks for
-	std::int64_t droppedFaces        = 0; ///< faces of the dropped components
-	std::int64_t longEdgesSplit      = 0; ///< edges longer than 0.8 r, split for the sampling only
+	std::int64_t sharedBorderEdges    = 0; ///< at the place of another border edge, unsewn
+	std::int64_t repeatedIndexFaces   = 0; ///< a vertex twice in one face, dropped
+	std::int64_t zeroAreaFaces        = 0; ///< no width, or in a component without area; dropped
+	std::int64_t duplicateFaces       = 0; ///< the same three vertices again, dropped
+	std::int64_t reorientedFaces      = 0;
+	std::int64_t nonManifoldEdges     = 0; ///< more than two faces: cut but for the smoothest pair
+	std::int64_t nonManifoldVertices  = 0; ///< more than one fan: a copy for each further fan
+	std::int64_t nonOrientableCuts    = 0; ///< edges cut to make a one-sided surface orientable
+	std::int64_t droppedComponents    = 0; ///< with fewer faces than RemeshOptions asks for
+	std::int64_t droppedFaces         = 0; ///< faces of the dropped components
+	std::int64_t longEdgesSplit       = 0; ///< edges longer than 0.8 r, split for the sampling only
 	/// Junction edges: the largest length of a connected set, in working units.
 	double longestJunction = 0;
 
@@ -159,27 +157,24 @@ struct BorderFigures {
 struct CheckFigures {
 	bool         done                   = false;
 	std::int64_t intersectingFaces      = 0; ///< faces of the result with self-intersections
-	std::int64_t inputIntersectingFaces = 0; ///< likewise of the input; searched only if the result
-											 ///< has some
-	double vertexDistance = 0;               ///< largest distance of a vertex from the input, mesh
-											 ///< units
-	double largestDistance = 0;              ///< largest distance measured, mesh units
+	std::int64_t inputIntersectingFaces = 0; ///< of the input, if the result has some
+	double       vertexDistance         = 0; ///< largest from a vertex to the input, mesh units
+	double       largestDistance        = 0; ///< largest distance measured, mesh units
 	/// Distances of sampled points. The largest is at least the lower bound of provenDistance.
 	MutualDistance distance;
 };
 
 /// The role of a vertex in the features, as bits.
 enum VertexFeature : std::uint8_t {
-	OnFeatureLine   = 1, ///< end of a feature edge
+	OnFeatureLine   = 1, ///< end of an edge of a feature line
 	FeatureCorner   = 2, ///< vertex at which a line ends, branches or turns
 	FeatureConeApex = 4, ///< apex of a cone: a feature without lines
 };
 
 /// All figures of a run.
 struct RemeshReport {
-	MeshFigures input;        ///< before cleaning
-	MeshFigures cleanedInput; ///< after cleaning: the audit compares the result with
-							  ///< these figures
+	MeshFigures            input;        ///< before cleaning
+	MeshFigures            cleanedInput; ///< after cleaning; for comparison with the result
 	MeshFigures            result;
 	CleanCounts            cleaned;
 	QualityFigures         quality;
@@ -189,36 +184,34 @@ struct RemeshReport {
 	std::vector<StageTime> stages;
 	double                 remeshSeconds = 0; ///< wall time from mesh in memory to result in memory
 
-	std::uint32_t seed             = 0;
-	double        adapt            = 0; ///< adaptivity in force; 0 with even sizes
-	int           threads          = 0;
-	std::int64_t  targetVertexNum  = 0;   ///< the count that percent or edge length resolve to
-	double        diskRadius       = 0;   ///< r, mesh units
-	double        radiusConstant   = 0;   ///< c of eq. (1)
-	double radiusConstantForTarget = 0;   ///< without the exact count: the constant that meets the
-										  ///< target
-	std::int64_t curvatureClampedNum = 0; ///< vertices at which 1 + λH fell below 0.1
-	std::int64_t sampleNum           = 0; ///< samples placed by the front sampling
-	std::int64_t boundarySampleNum   = 0;
-	std::int64_t featureEdgeNum      = 0; ///< edges of the input on feature lines
-	std::int64_t featureConeApexNum  = 0; ///< cone apexes
-	std::int64_t releasedVertexNum   = 0; ///< vertices of the result that left crowded lines
-	std::int64_t regionVertexNum     = 0; ///< input vertices in the feature region
-	std::int64_t keptVertexNum       = 0; ///< vertices that had to stay, and stayed
-	std::int64_t untouchedFaceNum    = 0; ///< selectedOnly: faces outside the selection
-	std::int64_t leftoverVertexNum   = 0; ///< input vertices that could not be removed
-	std::int64_t splitNum            = 0; ///< splits for the exact count
-	std::int64_t collapseNum         = 0;
-	std::int64_t flipNum             = 0;
-	std::int64_t samplesMoved        = 0;  ///< retriangulate: samples off the surface
-	double       largestSampleMove   = 0;  ///< mesh units
-	double       largestFitDistance  = 0;  ///< between a vertex and its surface point, mesh
-										   ///< units
-	double       errorGoal        = 0;     ///< the error bound, mesh units; 0: none
-	bool         isDistanceProven = false; ///< with RemeshOptions::check, or an error bound
-	MutualBounds provenDistance;           ///< between cleaned input and result
-	int          errorTrialNum = 0;        ///< counts tried for the error bound
-	std::vector<std::string> capsReached;  ///< a phrase for each cap that was reached
+	std::uint32_t seed                    = 0;
+	double        adapt                   = 0; ///< adaptivity in force; 0 with even sizes
+	int           threads                 = 0;
+	std::int64_t  targetVertexNum         = 0; ///< the count that percent or edge length resolve to
+	double        diskRadius              = 0; ///< r, mesh units
+	double        radiusConstant          = 0; ///< c of eq. (1)
+	double        radiusConstantForTarget = 0; ///< without the exact count: c for the target
+	std::int64_t  curvatureClampedNum     = 0; ///< vertices at which 1 + λH fell below 0.1
+	std::int64_t  sampleNum               = 0; ///< samples placed by the front sampling
+	std::int64_t  boundarySampleNum       = 0;
+	std::int64_t  featureEdgeNum          = 0; ///< edges of the input on feature lines
+	std::int64_t  featureConeApexNum      = 0; ///< cone apexes
+	std::int64_t  releasedVertexNum       = 0; ///< vertices of the result that left crowded lines
+	std::int64_t  regionVertexNum         = 0; ///< input vertices in the feature region
+	std::int64_t  keptVertexNum           = 0; ///< vertices that had to stay, and stayed
+	std::int64_t  untouchedFaceNum        = 0; ///< selectedOnly: faces outside the selection
+	std::int64_t  leftoverVertexNum       = 0; ///< input vertices that could not be removed
+	std::int64_t  splitNum                = 0; ///< splits for the exact count
+	std::int64_t  collapseNum             = 0;
+	std::int64_t  flipNum                 = 0;
+	std::int64_t  samplesMoved            = 0;     ///< retriangulate: samples off the surface
+	double        largestSampleMove       = 0;     ///< mesh units
+	double        largestFitDistance      = 0;     ///< from surface point to vertex, mesh units
+	double        errorGoal               = 0;     ///< the error bound, mesh units; 0: none
+	bool          isDistanceProven        = false; ///< with RemeshOptions::check, or an error bound
+	MutualBounds  provenDistance;                  ///< between cleaned input and result
+	int           errorTrialNum = 0;               ///< counts tried for the error bound
+	std::vector<std::string> capsReached;          ///< a phrase for each cap that was reached
 };
 
 } // namespace gpr

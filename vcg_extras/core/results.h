@@ -62,7 +62,7 @@ struct SamplingResult {
 
 /// An edge of the input on a feature line.
 struct FeatureEdge {
-	std::int32_t vertex[2] = {-1, -1}; ///< the caller's
+	std::int32_t vertex[2] = {-1, -1}; ///< of the input
 	float        strength  = 0;        ///< degrees
 };
 

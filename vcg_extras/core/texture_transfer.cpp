@@ -176,8 +176,7 @@ public:
 private:
 	const TextureSource&      source_;
 	const RemeshResult&       result_;
-	std::vector<std::int32_t> lookedAtFor_; ///< per face of the input: the last face of the result
-											///< that visited the face
+	std::vector<std::int32_t> lookedAtFor_; ///< per input face: the last result face that came
 	std::vector<std::int32_t> found_;       ///< the faces of the input on this side, nearest first
 
 	bool isLookedAt(std::int32_t face, std::size_t f) const

@@ -40,8 +40,7 @@ private:
 	const MeshView            mesh_;
 	CornerTexture             texture_;
 	std::vector<std::uint8_t> seam_;
-	std::vector<std::int32_t> beyond_; ///< three a face: the face across an edge; -1 at a seam or
-									   ///< border
+	std::vector<std::int32_t> beyond_; ///< three a face: the face across; -1: seam or border
 	std::vector<std::int32_t> place_;  ///< per vertex, during connect(): see same_place.h
 	std::int64_t              seamNum_ = 0;
 

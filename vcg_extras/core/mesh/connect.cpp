@@ -39,8 +39,7 @@ struct SpokeFan {
 	End                leaving[few], coming[few];
 	int                leavingNum = 0, comingNum = 0;
 	int                pairNum = 0; ///< pairs found in the plain arrays
-	std::vector<Spoke> all;         ///< spokes beyond the plain arrays; after gatherAll() all
-									///< spokes
+	std::vector<Spoke> all;         ///< further spokes; after gatherAll() all spokes
 
 	void clear()
 	{

@@ -67,18 +67,16 @@ public:
 	}
 
 private:
-	const Surface&            surface_;
-	const ResultMesh&         result_;
-	Workers&                  workers_;
-	const Components          pieces_; ///< of the surface
-	const Components          cells_;  ///< of the result
-	std::vector<RegionPiece>  piece_;
-	std::vector<SurfacePoint> middle_;
-	std::vector<int>          pieceOf_;               ///< per face of the result; none: not yet
-													  ///< known
+	const Surface&                        surface_;
+	const ResultMesh&                     result_;
+	Workers&                              workers_;
+	const Components                      pieces_; ///< of the surface
+	const Components                      cells_;  ///< of the result
+	std::vector<RegionPiece>              piece_;
+	std::vector<SurfacePoint>             middle_;
+	std::vector<int>                      pieceOf_;   ///< per face of the result, or none
 	std::vector<int>                      faceNumOf_; ///< per piece: its faces of the result
-	std::map<std::pair<int, int>, double> areaOf_;    ///< by cell and piece: area of the faces with
-													  ///< their middle in the piece
+	std::map<std::pair<int, int>, double> areaOf_;    ///< by cell and piece: area of faces
 	std::vector<std::vector<int>> homeOf_; ///< per cell: the pieces at home in the cell, ascending
 	std::vector<int>              reached_, lookedAtFor_; ///< of moveIntoPiece
 

@@ -20,9 +20,8 @@ struct RegionPiece {
 
 /// The regions of a result's faces.
 struct RegionLabels {
-	std::vector<SurfacePoint> middle; ///< per face: a point of the surface below its middle, in its
-									  ///< region
-	std::vector<RegionPiece> lost;    ///< pieces without a face in the result, the largest first
+	std::vector<SurfacePoint> middle; ///< per face: a point of its region, below its middle
+	std::vector<RegionPiece>  lost;   ///< pieces without a face in the result, the largest first
 };
 
 /// Assigns each face of the result to a region of the input (needs MeshView::region). All faces

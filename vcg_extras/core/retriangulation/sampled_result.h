@@ -16,8 +16,7 @@ struct Retriangulated {
 	HalfEdgeMesh     mesh;          ///< with dead faces and vertices
 	std::vector<int> sampleVertex;  ///< per sample: its vertex; -1: none
 	std::vector<int> leftover;      ///< vertices that had to stay without a sample
-	std::vector<int> surfaceVertex; ///< per vertex: the vertex of the surface; empty: same
-									///< numbering
+	std::vector<int> surfaceVertex; ///< per vertex: its surface vertex; empty: same numbers
 };
 
 /// Makes a result of the remaining vertices. Moves each to its sample; leftover vertices stay in

@@ -19,9 +19,8 @@ namespace {
 /// The rules of a pass.
 struct PassRules {
 	bool  sameLabelOnly;
-	float minCosine; ///< of each new face's normal with the mean normal of the ring; -2 = any
-					 ///< normal
-	int tries;       ///< targets tried per vertex, best first
+	float minCosine; ///< of a new face's normal with the ring's mean normal; -2 = any
+	int   tries;     ///< targets tried per vertex, best first
 };
 
 constexpr PassRules passRules[] = {

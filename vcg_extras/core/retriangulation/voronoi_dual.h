@@ -16,8 +16,7 @@ namespace gpr {
 struct VoronoiDual {
 	HalfEdgeMesh     mesh;
 	std::vector<int> label;         ///< per vertex: the sample of its cell
-	std::vector<int> surfaceVertex; ///< per vertex: the vertex of the surface; -1: a contracted
-									///< cell
+	std::vector<int> surfaceVertex; ///< per vertex: its surface vertex; -1: a whole cell
 	std::vector<int> sampleVertex;  ///< per sample: its vertex; -1: none
 	std::vector<int> todo;          ///< vertices to be merged away
 	std::int64_t     openCellNum = 0;
