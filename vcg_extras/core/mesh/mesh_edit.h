@@ -51,8 +51,8 @@ int borderNeighbour(const HalfEdgeMesh& m, int v, bool forward);
 
 /// Whether the inner edge h, off the feature lines, may be flipped.
 bool canFlip(const HalfEdgeMesh& m, int h);
-/// Replaces edge a-b by d-c, with c = apex(h) and d = apex(opposite): h becomes a -> d in face (a,
-/// d, c).
+/// Replaces edge a-b by d-c, with c = apex(h) and d = apex(opposite). h becomes a -> d, in the face
+/// of a, d and c.
 void flip(HalfEdgeMesh& m, int h);
 
 /// Puts newVertex on the inner edge h. The two new faces get the next two numbers; the arrays must

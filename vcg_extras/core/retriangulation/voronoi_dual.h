@@ -27,12 +27,13 @@ struct VoronoiDual {
 /// of each cell one by one would give the same mesh; this takes a pass over the faces.
 ///
 /// The dual has the topology of the surface only if cells are disks and two cells meet in at most
-/// one piece. A cell is a disk if the Euler characteristic of its vertices, edges and faces is 1.
-/// It meets its neighbours well if its vertex has a single fan of at least three triangles, with no
-/// edge used twice in the same direction. Other cells, cells on feature lines, and cells next to
-/// such cells are left open for removeVertices, which keeps the topology by construction. All cells
-/// are left open if the mesh differs from `input` in components, border loops or Euler
-/// characteristic, or if more than half of the cells would be open.
+/// one piece. A cell is a disk if the Euler characteristic of its vertices, edges and faces is 1. A
+/// cell meets its neighbours well if its vertex has a single fan of at least three triangles, with
+/// no edge used twice in the same direction. Other cells and cells on feature lines are left open
+/// for removeVertices, which keeps the topology by construction; so are their neighbours that would
+/// touch an open vertex in two places. All cells are left open if the mesh differs from `input` in
+/// components, border loops or Euler characteristic, or if more than half of the cells would be
+/// open.
 /// Cost: some passes over the faces, parallel; ten times cheaper than collapses.
 VoronoiDual makeVoronoiDual(const Surface& surface, const Sampling& sampling,
 							const BoundaryCurves& boundary, const MeshFigures& input,
