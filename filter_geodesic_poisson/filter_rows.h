@@ -27,10 +27,10 @@ enum Filter : unsigned {
 /// What the results of a comparison are coloured by.
 enum class ComparedBy { Quality, Distance, Nothing };
 
-/// Where labels of faces come from.
+/// The source of the labels of faces.
 enum class RegionSource { Nothing, Texture, Colour, Quality };
 
-/// What the quality of the vertices says of sizes.
+/// The meaning of the quality of the vertices for sizes.
 enum class QualitySizes {
 	Nothing,
 	Exact, ///< it is the edge length wanted there

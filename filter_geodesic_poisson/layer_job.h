@@ -20,7 +20,7 @@ gpr::MeshFacts factsOf(const MeshDocument& document);
 /// What the dialog proposes beside these defaults: the layer of the samples.
 GivenValues proposedFor(const MeshDocument& document);
 
-/// The options that parameters ask for on a layer, with what its attributes need.
+/// The options for the parameters and the attributes of a layer.
 gpr::RemeshOptions optionsFor(const ReadParameters& read, Filter filter, const MeshModel& layer);
 
 /// What a run with these options reads of a layer. Throws Refusal where the layer lacks the

@@ -3,7 +3,7 @@
 #ifndef FILTER_GEODESIC_POISSON_LAYER_MARKS_H
 #define FILTER_GEODESIC_POISSON_LAYER_MARKS_H
 
-// What a layer's texture, colour and quality say to the engine where the user asks for it.
+// Regions and sizes from the texture, colour and quality of a layer.
 
 #include "filter_rows.h"
 #include "meshlab_api.h"
@@ -20,12 +20,12 @@ struct LayerRegions {
 	std::vector<std::string>  names; ///< by label, or empty
 };
 
-/// The regions that the faces of a layer tell. Throws Refusal where the layer lacks the attribute,
-/// or where a quality is no whole number.
+/// The regions that the faces of a layer tell. Throws Refusal if the layer lacks the attribute,
+/// or if a quality is no whole number.
 LayerRegions regionsOf(const MeshModel& layer, RegionSource source);
 
-/// The quality of the vertices as wanted edge lengths, mesh units. Throws Refusal where the layer
-/// has no quality, or where one is not above 0.
+/// The quality of the vertices as wanted edge lengths, mesh units. Throws Refusal if the layer
+/// has no quality, or if a quality is not above 0.
 std::vector<float> wantedSizesOf(const MeshModel& layer);
 
 } // namespace gpr_filter
