@@ -105,6 +105,7 @@ struct Products {
 	bool           hasMadeVertices = false; ///< Contacts, the last time
 	Verification   verified;                ///< Error (its proof), Check
 	QualityFigures quality;                 ///< Export
+	std::int64_t   regularNum = 0;          ///< Export: see RemeshReport::regularVertexNum
 
 	/// Drops what a step and later ones have made, so that its memory is free.
 	void dropFrom(Step step);

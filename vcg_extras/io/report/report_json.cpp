@@ -181,6 +181,7 @@ Json borderJson(const BorderFigures& b)
 Json countsJson(const RemeshReport& r)
 {
 	return {{"targetVertices", r.targetVertexNum},
+			{"regularVertices", r.regularVertexNum},
 			{"samples", r.sampleNum},
 			{"boundarySamples", r.boundarySampleNum},
 			{"featureEdges", r.featureEdgeNum},
