@@ -41,7 +41,8 @@ bool hasNote(const RemeshResult& result)
 
 double below30(const TriangleMesh& mesh, std::int64_t vertexNum)
 {
-	return remesh(MeshView(mesh.positions, mesh.triangles), countOptions(int(vertexNum))).report.quality.below30Percent;
+	return remesh(MeshView(mesh.positions, mesh.triangles), countOptions(int(vertexNum)))
+		.report.quality.below30Percent;
 }
 
 } // namespace
@@ -51,20 +52,24 @@ TEST(RegularCount, IsForecastWithinAFactor)
 	constexpr double mostIrregular = 5; // percent
 	for (const Part& part : narrowParts()) {
 		SCOPED_TRACE(part.name);
-		const RemeshResult few = remesh(MeshView(part.mesh.positions, part.mesh.triangles), countOptions(part.few));
+		const RemeshResult few =
+			remesh(MeshView(part.mesh.positions, part.mesh.triangles), countOptions(part.few));
 		ASSERT_GT(few.report.quality.below30Percent, 20);
 		const std::int64_t num = few.report.regularVertexNum;
 		ASSERT_GT(num, part.few);
 		EXPECT_TRUE(hasNote(few));
-		EXPECT_LE(below30(part.mesh, std::int64_t(part.factor * double(num))), mostIrregular) << num;
-		EXPECT_GT(below30(part.mesh, std::int64_t(double(num) / part.factor)), mostIrregular) << num;
+		EXPECT_LE(below30(part.mesh, std::int64_t(part.factor * double(num))), mostIrregular)
+			<< num;
+		EXPECT_GT(below30(part.mesh, std::int64_t(double(num) / part.factor)), mostIrregular)
+			<< num;
 	}
 }
 
 TEST(RegularCount, IsNotToldOfARegularResult)
 {
 	for (const TriangleMesh& mesh : {icosphere(4), cube(10)}) {
-		const RemeshResult result = remesh(MeshView(mesh.positions, mesh.triangles), countOptions(300));
+		const RemeshResult result =
+			remesh(MeshView(mesh.positions, mesh.triangles), countOptions(300));
 		EXPECT_EQ(result.report.regularVertexNum, 0);
 		EXPECT_FALSE(hasNote(result));
 	}

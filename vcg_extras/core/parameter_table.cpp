@@ -23,6 +23,14 @@ double numberOf(const ParameterValue& v)
 	return std::get<double>(v);
 }
 
+/// A length, and whether it is in percent of the diagonal.
+double lengthOf(const ParameterValue& v, bool& isPercent)
+{
+	const auto* percent = std::get_if<PercentOfDiagonal>(&v);
+	isPercent           = percent != nullptr;
+	return isPercent ? percent->value : numberOf(v);
+}
+
 bool switchOf(const ParameterValue& v)
 {
 	return std::get<bool>(v);
@@ -168,7 +176,9 @@ void addSize(Table& t)
 					"taken where the topology needs them.")
 					.inDialog("Above 0 it takes the place of the number of vertices.")
 					.range(0, 1e300)
-					.store([](const Value& v, RemeshOptions& o) { o.targetEdgeLen = numberOf(v); })
+					.store([](const Value& v, RemeshOptions& o) {
+						o.targetEdgeLen = lengthOf(v, o.edgeLenIsPercent);
+					})
 					.p);
 	t.push_back(
 		row(RemeshTool, "MaxError", "--max-error", "E", Kind::Length, "Largest error (0 = off)",
@@ -178,10 +188,10 @@ void addSize(Table& t)
 			"is given. Where a trial is too far from the input, more vertices come in. What "
 			"cannot be reached is refused.")
 			.inDialog("Above 0 it takes the place of the number of vertices.")
-			.onCommandLine("With a percent sign, as 0.2%, it is a share of the diagonal.")
-			.inPython("As text with a percent sign, as \"0.2%\", it is a share of the diagonal.")
 			.range(0, 1e300)
-			.store([](const Value& v, RemeshOptions& o) { o.targetMaxError = numberOf(v); })
+			.store([](const Value& v, RemeshOptions& o) {
+				o.targetMaxError = lengthOf(v, o.maxErrorIsPercent);
+			})
 			.p);
 }
 
@@ -408,7 +418,9 @@ void addUnits(Table& t)
 	t.push_back(row(RemeshTool, "MinEdge", "--min-edge", "L", Kind::Length, "Least edge (0 = any)",
 					"No edge is wanted shorter than this, in mesh units.")
 					.range(0, 1e300)
-					.store([](const Value& v, RemeshOptions& o) { o.minEdge = numberOf(v); })
+					.store([](const Value& v, RemeshOptions& o) {
+						o.minEdge = lengthOf(v, o.minEdgeIsPercent);
+					})
 					.p);
 	t.push_back(row(RemeshTool, "MaxEdge", "--max-edge", "L", Kind::Length,
 					"Largest edge (0 = any)",
@@ -418,7 +430,9 @@ void addUnits(Table& t)
 					"follows. Single "
 					"edges may be a fifth longer than what is wanted.")
 					.range(0, 1e300)
-					.store([](const Value& v, RemeshOptions& o) { o.maxEdge = numberOf(v); })
+					.store([](const Value& v, RemeshOptions& o) {
+						o.maxEdge = lengthOf(v, o.maxEdgeIsPercent);
+					})
 					.p);
 	t.push_back(row(RemeshTool, "Growth", "--growth", "G", Kind::Number, "Growth of the edges",
 					"How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth "
@@ -568,12 +582,15 @@ std::string dialogHelp(const Parameter& p)
 
 std::string commandHelp(const Parameter& p)
 {
-	return withMore(p.help, p.commandOnly);
+	const char* const ofLength = "With a percent sign, as 0.2%, it is a share of the diagonal.";
+	return withMore(p.help, p.kind == Kind::Length ? ofLength : p.commandOnly);
 }
 
 std::string pythonHelp(const Parameter& p)
 {
-	return withMore(p.help, p.pythonOnly);
+	const char* const ofLength =
+		"As text with a percent sign, as \"0.2%\", it is a share of the diagonal.";
+	return withMore(p.help, p.kind == Kind::Length ? ofLength : p.pythonOnly);
 }
 
 } // namespace gpr

@@ -72,8 +72,9 @@ struct GeodesicPoissonParams : public gpr::RemeshOptions {
 	/// Mean edge length in mesh units, > 0.
 	void SetTargetLen(double len)
 	{
-		targetMode    = gpr::TargetMode::EdgeLength;
-		targetEdgeLen = len;
+		targetMode       = gpr::TargetMode::EdgeLength;
+		targetEdgeLen    = len;
+		edgeLenIsPercent = false;
 	}
 	/// As many vertices as a detail is forecast to take; only the remeshing can aim at it.
 	void SetTargetDetail(gpr::Detail detail)

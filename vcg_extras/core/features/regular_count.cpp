@@ -93,7 +93,7 @@ float edgeForRegularity(const HalfEdgeMesh& mesh, double area, float edge, float
 	double low = 0, high = double(edge);
 	if (isRegular(high)) return edge;
 	for (int i = 0; i < halvings; ++i) {
-		const double middle               = 0.5 * (low + high);
+		const double middle              = 0.5 * (low + high);
 		(isRegular(middle) ? low : high) = middle;
 	}
 	return float(high);
