@@ -11,10 +11,14 @@
 
 namespace gpr::app {
 
-enum class MeshFormat { Ply, Obj, Off, Stl, Glb };
+enum class MeshFormat { Ply, Obj, Off, Stl, Glb, Gltf, ThreeMf };
+
+/// The extensions that this build reads and writes, as a sentence lists them.
+std::string formatNames();
 
 /// The format that a file's extension stands for, upper or lower case.
-/// Throws AppError (Usage) where it stands for none.
+/// Throws AppError (Usage) where it stands for none, or for a format whose library this build
+/// lacks.
 MeshFormat formatOfPath(const std::string& path);
 
 /// The attributes without which a run with these options cannot be.

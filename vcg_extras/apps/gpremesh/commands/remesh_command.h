@@ -21,6 +21,9 @@ void runRemesh(const CommandLine& line, const Stopwatch& programClock);
 /// The name of a level's file: the number, from 1 on, stands in the place of levelPlace.
 std::string pathOfLevel(const std::string& pattern, std::size_t level);
 
+/// Whether all levels come into one file: OUT has no place for a number.
+bool isOneFile(const CommandLine& line);
+
 /// gpremesh levels: the same for several sizes of one input, which is read and prepared once. Each
 /// level has a file and a proof of its distance. A level that cannot be made ends the run; files of
 /// those before stay.
