@@ -55,8 +55,8 @@ TEST_F(LibraryFormats, HoldTheMeshOfBinaryGltf)
 		const std::string   file = path(std::string("out") + format.extension);
 		const ProgramResult made = run({"remesh", in, file, "--vertices", "100"});
 		ASSERT_EQ(made.exitCode, 0) << made.err;
-		const auto [points, corners]   = read(file);
-		const auto [expected, theirs]  = read(path("out.glb"));
+		const auto [points, corners]  = read(file);
+		const auto [expected, theirs] = read(path("out.glb"));
 		EXPECT_EQ(corners, theirs) << format.extension;
 		ASSERT_EQ(points.size(), expected.size());
 		for (std::size_t i = 0; i < points.size(); ++i)
@@ -81,7 +81,8 @@ TEST_F(LibraryFormats, RefuseFilesThatAreNone)
 {
 	for (const Format& format : libraryFormats()) {
 		if (!format.isThere) continue;
-		for (const char* text : {"nonsense", "{", "{\"asset\": {\"version\": \"2.0\"}}", "PK\3\4"}) {
+		for (const char* text :
+			 {"nonsense", "{", "{\"asset\": {\"version\": \"2.0\"}}", "PK\3\4"}) {
 			const std::string   in   = put(std::string("in") + format.extension, text);
 			const ProgramResult made = run({"remesh", in, path("out.ply"), "--vertices", "100"});
 			EXPECT_EQ(made.exitCode, 3) << format.extension << text << made.err;

@@ -10,12 +10,18 @@
 
 namespace gpr {
 
+/// The result of refineToGoal.
+struct Refined {
+	int  addedNum  = 0;     ///< vertices that came in
+	bool keepsGoal = false; ///< no point is beyond the goal any more
+};
+
 /// Makes triangles smaller where a result and the surface are farther from each other than a goal,
 /// round by round, unless these places are so many that triangles are too large on the whole. goal:
-/// working units. Returns the number of vertices that came in. Cost: in each round that of
+/// working units. Cost: in each round that of
 /// placesBeyond, both ways, and of refineAt.
-int refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
-				 ResultMesh& result, Workers& workers);
+Refined refineToGoal(const Surface& surface, const BoundaryCurves& curves, double goal,
+					 ResultMesh& result, Workers& workers);
 
 } // namespace gpr
 

@@ -103,6 +103,7 @@ struct Products {
 	float          fitDistance = 0; ///< largest of a vertex from its surface point, working units
 	GuardedFigures guarded;         ///< Contacts
 	bool           hasMadeVertices = false; ///< Contacts, the last time
+	bool           keepsGoal       = false; ///< Refinement: no point was beyond the goal
 	Verification   verified;                ///< Error (its proof), Check
 	QualityFigures quality;                 ///< Export
 	std::int64_t   regularNum = 0;          ///< Export: see RemeshReport::regularVertexNum

@@ -12,7 +12,7 @@ namespace gpr::app {
 namespace {
 
 /// Keeps the bytes of an image as they are: nothing here needs its pixels.
-bool keepBytes(tinygltf::Image* image, int, std::string*, std::string*, int, int,
+bool keepBytes(tinygltf::Image*     image, int, std::string*, std::string*, int, int,
 			   const unsigned char* bytes, int size, void*)
 {
 	image->image.assign(bytes, bytes + size);

@@ -27,7 +27,7 @@ public:
 	Handle& operator=(const Handle&) = delete;
 
 	Instance* put() { return &handle_; }
-	operator Instance() const { return handle_; }
+			  operator Instance() const { return handle_; }
 
 private:
 	Instance handle_ = nullptr;
@@ -55,10 +55,8 @@ void addObject(Instance object, InputMesh& mesh)
 	requireRead(NMR::lib3mf_meshobject_gettrianglecount(object, &faceNum));
 	std::vector<NMR::MODELMESHVERTEX>   vertices(vertexNum);
 	std::vector<NMR::MODELMESHTRIANGLE> faces(faceNum);
-	requireRead(
-		NMR::lib3mf_meshobject_getvertices(object, vertices.data(), vertexNum, &vertexNum));
-	requireRead(
-		NMR::lib3mf_meshobject_gettriangleindices(object, faces.data(), faceNum, &faceNum));
+	requireRead(NMR::lib3mf_meshobject_getvertices(object, vertices.data(), vertexNum, &vertexNum));
+	requireRead(NMR::lib3mf_meshobject_gettriangleindices(object, faces.data(), faceNum, &faceNum));
 	const std::size_t first = mesh.floats.size() / 3;
 	for (const NMR::MODELMESHVERTEX& v : vertices)
 		mesh.floats.insert(mesh.floats.end(), v.m_fPosition, v.m_fPosition + 3);
@@ -138,9 +136,8 @@ void writeThreeMf(const TriangleMesh& mesh, OutputFile& out)
 	Handle model, object, item, writer;
 	requireWritten(NMR::lib3mf_createmodel(model.put()));
 	requireWritten(NMR::lib3mf_model_addmeshobject(model, object.put()));
-	requireWritten(NMR::lib3mf_meshobject_setgeometry(object, vertices.data(),
-													  DWORD(vertices.size()), faces.data(),
-													  DWORD(faces.size())));
+	requireWritten(NMR::lib3mf_meshobject_setgeometry(
+		object, vertices.data(), DWORD(vertices.size()), faces.data(), DWORD(faces.size())));
 	NMR::MODELTRANSFORM place = dividedBy(scale);
 	requireWritten(
 		NMR::lib3mf_model_addbuilditem(model, object, scale > 1 ? &place : nullptr, item.put()));

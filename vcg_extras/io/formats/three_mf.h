@@ -19,8 +19,8 @@ bool hasThreeMf();
 /// Coordinates are floats, in the unit of the file. Throws AppError (BadInput).
 InputMesh readThreeMf(std::string_view file);
 
-/// Writes one object that is built, with about seven digits. The format's unit stays millimetres. Throws
-/// AppError (Failure).
+/// Writes one object that is built, with about seven digits. The format's unit stays millimetres.
+/// Throws AppError (Failure).
 void writeThreeMf(const TriangleMesh& mesh, OutputFile& out);
 
 } // namespace gpr::app
