@@ -112,6 +112,7 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 		zero = [](const MeshFacts&) { return ParameterValue(false); };
 	if (kind == ParameterKind::Number || kind == ParameterKind::Length)
 		zero = [](const MeshFacts&) { return ParameterValue(0.0); };
+	const bool isLength = kind == ParameterKind::Length;
 	return {{key,
 			 option,
 			 argument,
@@ -119,8 +120,8 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 			 label,
 			 help,
 			 "",
-			 "",
-			 "",
+			 isLength ? "With a percent sign, as 0.2%, it is a share of the diagonal." : "",
+			 isLength ? "As text with a percent sign, as \"0.2%\", it is a share of the diagonal." : "",
 			 0,
 			 1,
 			 {},
@@ -582,15 +583,12 @@ std::string dialogHelp(const Parameter& p)
 
 std::string commandHelp(const Parameter& p)
 {
-	const char* const ofLength = "With a percent sign, as 0.2%, it is a share of the diagonal.";
-	return withMore(p.help, p.kind == Kind::Length ? ofLength : p.commandOnly);
+	return withMore(p.help, p.commandOnly);
 }
 
 std::string pythonHelp(const Parameter& p)
 {
-	const char* const ofLength =
-		"As text with a percent sign, as \"0.2%\", it is a share of the diagonal.";
-	return withMore(p.help, p.kind == Kind::Length ? ofLength : p.pythonOnly);
+	return withMore(p.help, p.pythonOnly);
 }
 
 } // namespace gpr
