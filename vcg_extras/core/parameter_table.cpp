@@ -113,23 +113,24 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 	if (kind == ParameterKind::Number || kind == ParameterKind::Length)
 		zero = [](const MeshFacts&) { return ParameterValue(0.0); };
 	const bool isLength = kind == ParameterKind::Length;
-	return {{key,
-			 option,
-			 argument,
-			 kind,
-			 label,
-			 help,
-			 "",
-			 isLength ? "With a percent sign, as 0.2%, it is a share of the diagonal." : "",
-			 isLength ? "As text with a percent sign, as \"0.2%\", it is a share of the diagonal." : "",
-			 0,
-			 1,
-			 {},
-			 zero,
-			 nullptr,
-			 tools,
-			 false,
-			 false}};
+	return {
+		{key,
+		 option,
+		 argument,
+		 kind,
+		 label,
+		 help,
+		 "",
+		 isLength ? "With a percent sign, as 0.2%, it is a share of the diagonal." : "",
+		 isLength ? "As text with a percent sign, as \"0.2%\", it is a share of the diagonal." : "",
+		 0,
+		 1,
+		 {},
+		 zero,
+		 nullptr,
+		 tools,
+		 false,
+		 false}};
 }
 
 using Table = std::vector<Parameter>;
