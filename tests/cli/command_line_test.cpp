@@ -68,6 +68,10 @@ TEST_F(CommandLine, ValuesOutOfRangeAreUsageErrors)
 	expectFailure(remesh({"--max-error", "0"}), 2, "--max-error");
 	expectFailure(remesh({"--max-error", "%"}), 2, "--max-error");
 	expectFailure(remesh({"--max-error", "-1%"}), 2, "--max-error");
+	expectFailure(remesh({"--max-edge", "%"}), 2, "--max-edge");
+	expectFailure(remesh({"--min-edge", "nan%"}), 2, "--min-edge");
+	expectFailure(remesh({"--lambda", "2%"}), 2, "--lambda");
+	expectFailure(remesh({"--min-edge", "3%", "--max-edge", "2%"}), 2, "longer");
 	expectFailure(remesh({"--relax", "1001"}), 2, "--relax");
 	expectFailure(remesh({"--seed", "-1"}), 2, "--seed");
 	expectFailure(remesh({"--threads", "5000"}), 2, "--threads");

@@ -490,6 +490,7 @@ TEST_F(TileRun, WhatCannotBeIsRefusedWithASentence)
 	const std::string in = put("torus.ply", binaryPly(torus(100), true, false));
 	expectFailure(run({"tile", "split", path("run")}), 2, "holds no plan");
 	expectFailure(run({"tile", "plan", path("run"), in, "--max-error", "0.1%"}), 2, "--max-error");
+	expectFailure(run({"tile", "plan", path("run"), in, "--edge-length", "1%"}), 2, "percent");
 	expectFailure(run({"tile", "plan", path("run"), in, "--boundary", "keep"}), 2,
 				  "--boundary keep");
 	expectFailure(run({"tile", "plan", path("run"), in, "--vertices", "900000", "--memory", "40M"}),

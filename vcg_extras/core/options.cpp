@@ -56,7 +56,8 @@ void checkDensity(const RemeshOptions& o, std::vector<std::string>& complaints)
 	}
 	if (!isWithin(o.minEdge, 0, 1e300) || !isWithin(o.maxEdge, 0, 1e300))
 		complaints.push_back("The least and the largest edge must be finite numbers, 0 or above.");
-	if (o.maxEdge > 0 && o.minEdge > o.maxEdge)
+	const bool haveSameUnit = o.minEdgeIsPercent == o.maxEdgeIsPercent;
+	if (haveSameUnit && o.maxEdge > 0 && o.minEdge > o.maxEdge)
 		complaints.push_back("The least edge must not be longer than the largest one.");
 	if (!isWithin(o.growth, 1.05, 2))
 		complaints.push_back("The growth must be between 1.05 and 2.");

@@ -23,6 +23,14 @@ double numberOf(const ParameterValue& v)
 	return std::get<double>(v);
 }
 
+/// A length, and whether it is in percent of the diagonal.
+double lengthOf(const ParameterValue& v, bool& isPercent)
+{
+	const auto* percent = std::get_if<PercentOfDiagonal>(&v);
+	isPercent           = percent != nullptr;
+	return isPercent ? percent->value : numberOf(v);
+}
+
 bool switchOf(const ParameterValue& v)
 {
 	return std::get<bool>(v);
@@ -104,23 +112,25 @@ Row row(unsigned tools, const char* key, const char* option, const char* argumen
 		zero = [](const MeshFacts&) { return ParameterValue(false); };
 	if (kind == ParameterKind::Number || kind == ParameterKind::Length)
 		zero = [](const MeshFacts&) { return ParameterValue(0.0); };
-	return {{key,
-			 option,
-			 argument,
-			 kind,
-			 label,
-			 help,
-			 "",
-			 "",
-			 "",
-			 0,
-			 1,
-			 {},
-			 zero,
-			 nullptr,
-			 tools,
-			 false,
-			 false}};
+	const bool isLength = kind == ParameterKind::Length;
+	return {
+		{key,
+		 option,
+		 argument,
+		 kind,
+		 label,
+		 help,
+		 "",
+		 isLength ? "With a percent sign, as 0.2%, it is a share of the diagonal." : "",
+		 isLength ? "As text with a percent sign, as \"0.2%\", it is a share of the diagonal." : "",
+		 0,
+		 1,
+		 {},
+		 zero,
+		 nullptr,
+		 tools,
+		 false,
+		 false}};
 }
 
 using Table = std::vector<Parameter>;
@@ -168,7 +178,9 @@ void addSize(Table& t)
 					"taken where the topology needs them.")
 					.inDialog("Above 0 it takes the place of the number of vertices.")
 					.range(0, 1e300)
-					.store([](const Value& v, RemeshOptions& o) { o.targetEdgeLen = numberOf(v); })
+					.store([](const Value& v, RemeshOptions& o) {
+						o.targetEdgeLen = lengthOf(v, o.edgeLenIsPercent);
+					})
 					.p);
 	t.push_back(
 		row(RemeshTool, "MaxError", "--max-error", "E", Kind::Length, "Largest error (0 = off)",
@@ -178,10 +190,10 @@ void addSize(Table& t)
 			"is given. Where a trial is too far from the input, more vertices come in. What "
 			"cannot be reached is refused.")
 			.inDialog("Above 0 it takes the place of the number of vertices.")
-			.onCommandLine("With a percent sign, as 0.2%, it is a share of the diagonal.")
-			.inPython("As text with a percent sign, as \"0.2%\", it is a share of the diagonal.")
 			.range(0, 1e300)
-			.store([](const Value& v, RemeshOptions& o) { o.targetMaxError = numberOf(v); })
+			.store([](const Value& v, RemeshOptions& o) {
+				o.targetMaxError = lengthOf(v, o.maxErrorIsPercent);
+			})
 			.p);
 }
 
@@ -408,7 +420,9 @@ void addUnits(Table& t)
 	t.push_back(row(RemeshTool, "MinEdge", "--min-edge", "L", Kind::Length, "Least edge (0 = any)",
 					"No edge is wanted shorter than this, in mesh units.")
 					.range(0, 1e300)
-					.store([](const Value& v, RemeshOptions& o) { o.minEdge = numberOf(v); })
+					.store([](const Value& v, RemeshOptions& o) {
+						o.minEdge = lengthOf(v, o.minEdgeIsPercent);
+					})
 					.p);
 	t.push_back(row(RemeshTool, "MaxEdge", "--max-edge", "L", Kind::Length,
 					"Largest edge (0 = any)",
@@ -418,7 +432,9 @@ void addUnits(Table& t)
 					"follows. Single "
 					"edges may be a fifth longer than what is wanted.")
 					.range(0, 1e300)
-					.store([](const Value& v, RemeshOptions& o) { o.maxEdge = numberOf(v); })
+					.store([](const Value& v, RemeshOptions& o) {
+						o.maxEdge = lengthOf(v, o.maxEdgeIsPercent);
+					})
 					.p);
 	t.push_back(row(RemeshTool, "Growth", "--growth", "G", Kind::Number, "Growth of the edges",
 					"How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth "

@@ -16,7 +16,7 @@ namespace gpr {
 enum class ParameterKind {
 	Count,  ///< whole number (RichInt)
 	Number, ///< real number (RichFloat)
-	Length, ///< mesh units, shown with percent of the diagonal (RichAbsPerc)
+	Length, ///< mesh units or PercentOfDiagonal (RichAbsPerc)
 	Switch, ///< on/off (RichBool)
 	Choice, ///< one of `choices` (RichEnum); the value is its index
 };
@@ -27,11 +27,18 @@ struct Automatic {
 	bool operator!=(Automatic) const { return false; }
 };
 
+/// A length in percent of the diagonal of the mesh.
+struct PercentOfDiagonal {
+	double value = 0;
+	bool   operator==(PercentOfDiagonal o) const { return value == o.value; }
+	bool   operator!=(PercentOfDiagonal o) const { return value != o.value; }
+};
+
 /// The name of Automatic in texts.
 constexpr const char* automaticName = "auto";
 
 /// A value; std::int64_t for a Choice.
-using ParameterValue = std::variant<std::int64_t, double, bool, Automatic>;
+using ParameterValue = std::variant<std::int64_t, double, bool, Automatic, PercentOfDiagonal>;
 
 /// The facts of the input from which defaults are computed.
 struct MeshFacts {

@@ -175,8 +175,8 @@ MeshCall callFor(const RemeshOptions& options)
 RemeshResult remesh(const MeshView& input, const RemeshOptions& options,
 					const ProgressCallback& progress)
 {
-	const Call call{input, options, progress};
-	return guarded<RemeshResult>(callFor(options), call);
+	const RemeshOptions inUnits = inMeshUnits(input, options);
+	return guarded<RemeshResult>(callFor(options), Call{input, inUnits, progress});
 }
 
 struct PreparedSurface::Kept {
@@ -189,7 +189,8 @@ struct PreparedSurface::Kept {
 					  const StopRequest* stop, MeshCall run)
 	{
 		const std::lock_guard<std::mutex> lock(oneRun);
-		const Call                        whole{input, options, progress, stop, &ofRuns};
+		const RemeshOptions               inUnits = inMeshUnits(input, options);
+		const Call                        whole{input, inUnits, progress, stop, &ofRuns};
 		if (!options.selectedOnly || options.symmetry != Symmetry::Off)
 			return guarded<RemeshResult>(run == remeshInput ? callFor(options) : run, whole);
 		return guarded<RemeshResult>([&](RemeshResult& result) {
@@ -235,7 +236,8 @@ const MeshView& PreparedSurface::input() const
 SamplingResult samplePoissonDisks(const MeshView& input, const RemeshOptions& options,
 								  const ProgressCallback& progress)
 {
-	return guarded<SamplingResult>(sampleInput, Call{input, options, progress});
+	const RemeshOptions inUnits = inMeshUnits(input, options);
+	return guarded<SamplingResult>(sampleInput, Call{input, inUnits, progress});
 }
 
 RemeshResult retriangulate(const MeshView& input, const std::vector<Vec3d>& samples,

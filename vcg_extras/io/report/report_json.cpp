@@ -69,7 +69,7 @@ Json optionsJson(const RemeshOptions& o)
 		json["percent"] = o.targetPercent;
 		break;
 	case TargetMode::EdgeLength:
-		json["edgeLength"] = o.targetEdgeLen;
+		json[o.edgeLenIsPercent ? "edgeLengthPercent" : "edgeLength"] = o.targetEdgeLen;
 		break;
 	case TargetMode::MaxError:
 		json[o.maxErrorIsPercent ? "maxErrorPercent" : "maxError"] = o.targetMaxError;
@@ -80,15 +80,15 @@ Json optionsJson(const RemeshOptions& o)
 		json["detail"] = choiceName("Detail", o.targetDetail);
 		break;
 	}
-	json["preset"]   = choiceName("Preset", o.preset);
-	json["relax"]    = o.umbrellaSteps;
-	json["flips"]    = o.flipPasses;
-	json["lambda"]   = o.lambda;
-	json["adapt"]    = o.adapt ? Json(*o.adapt) : Json("auto");
-	json["minEdge"]  = o.minEdge;
-	json["maxEdge"]  = o.maxEdge;
-	json["growth"]   = o.growth;
-	json["boundary"] = choiceName("Boundary", o.boundary);
+	json["preset"] = choiceName("Preset", o.preset);
+	json["relax"]  = o.umbrellaSteps;
+	json["flips"]  = o.flipPasses;
+	json["lambda"] = o.lambda;
+	json["adapt"]  = o.adapt ? Json(*o.adapt) : Json("auto");
+	json[o.minEdgeIsPercent ? "minEdgePercent" : "minEdge"] = o.minEdge;
+	json[o.maxEdgeIsPercent ? "maxEdgePercent" : "maxEdge"] = o.maxEdge;
+	json["growth"]                                          = o.growth;
+	json["boundary"]                                        = choiceName("Boundary", o.boundary);
 	if (isPeriodic(o)) json["period"] = {o.period.x, o.period.y, o.period.z};
 	json["junctions"]           = choiceName("Junctions", o.junctions);
 	json["symmetry"]            = choiceName("Symmetry", o.symmetry);
@@ -181,6 +181,7 @@ Json borderJson(const BorderFigures& b)
 Json countsJson(const RemeshReport& r)
 {
 	return {{"targetVertices", r.targetVertexNum},
+			{"regularVertices", r.regularVertexNum},
 			{"samples", r.sampleNum},
 			{"boundarySamples", r.boundarySampleNum},
 			{"featureEdges", r.featureEdgeNum},

@@ -34,7 +34,7 @@ def remesh(
     vertex_count: int | None = None,
     face_count: int | None = None,
     percent: float | None = None,
-    edge_length: float | None = None,
+    edge_length: float | str | None = None,
     max_error: float | str | None = None,
     preset: Literal['default', 'fast', 'paper'] = 'default',
     adapt: float | Literal['auto'] = 'auto',
@@ -50,8 +50,8 @@ def remesh(
     feature_length: float = 3.0,
     detail: Literal['off', 'coarse', 'normal', 'fine'] | None = None,
     allow_nearest: bool = False,
-    min_edge: float = 0.0,
-    max_edge: float = 0.0,
+    min_edge: float | str = 0.0,
+    max_edge: float | str = 0.0,
     growth: float = 1.15,
     symmetry: Literal['off', 'x', 'y', 'z', 'auto'] = 'off',
     sew: bool = True,
@@ -114,7 +114,7 @@ def remesh(
         taken where the topology needs them.
     edge_length : float, optional
         The wanted mean edge length of the result in mesh units. More vertices are taken where the
-        topology needs them.
+        topology needs them. As text with a percent sign, as "0.2%", it is a share of the diagonal.
     max_error : float, optional
         Looks for the smallest number of vertices with which the result is nowhere farther than this
         from the input, nor the input from the result. This is proven. It is given in mesh units. At
@@ -188,11 +188,13 @@ def remesh(
         Where the topology does not allow the number of vertices or faces that is asked for, the
         nearest possible number is taken. Otherwise the run is refused.
     min_edge : float, default 0.0
-        No edge is wanted shorter than this, in mesh units.
+        No edge is wanted shorter than this, in mesh units. As text with a percent sign, as "0.2%",
+        it is a share of the diagonal.
     max_edge : float, default 0.0
         No edge is wanted longer than this, in mesh units. Where no size is given, edges are so long
         where nothing else makes them shorter, and the number of vertices follows. Single edges may
-        be a fifth longer than what is wanted.
+        be a fifth longer than what is wanted. As text with a percent sign, as "0.2%", it is a share
+        of the diagonal.
     growth : float, default 1.15
         How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth costs angles.
     symmetry : {'off', 'x', 'y', 'z', 'auto'}, default 'off'
@@ -276,7 +278,7 @@ def remesh_together(
     vertex_count: int | None = None,
     face_count: int | None = None,
     percent: float | None = None,
-    edge_length: float | None = None,
+    edge_length: float | str | None = None,
     max_error: float | str | None = None,
     preset: Literal['default', 'fast', 'paper'] = 'default',
     adapt: float | Literal['auto'] = 'auto',
@@ -292,8 +294,8 @@ def remesh_together(
     feature_length: float = 3.0,
     detail: Literal['off', 'coarse', 'normal', 'fine'] | None = None,
     allow_nearest: bool = False,
-    min_edge: float = 0.0,
-    max_edge: float = 0.0,
+    min_edge: float | str = 0.0,
+    max_edge: float | str = 0.0,
     growth: float = 1.15,
     symmetry: Literal['off', 'x', 'y', 'z', 'auto'] = 'off',
     sew: bool = True,
@@ -333,7 +335,7 @@ def remesh_together(
         taken where the topology needs them.
     edge_length : float, optional
         The wanted mean edge length of the result in mesh units. More vertices are taken where the
-        topology needs them.
+        topology needs them. As text with a percent sign, as "0.2%", it is a share of the diagonal.
     max_error : float, optional
         Looks for the smallest number of vertices with which the result is nowhere farther than this
         from the input, nor the input from the result. This is proven. It is given in mesh units. At
@@ -407,11 +409,13 @@ def remesh_together(
         Where the topology does not allow the number of vertices or faces that is asked for, the
         nearest possible number is taken. Otherwise the run is refused.
     min_edge : float, default 0.0
-        No edge is wanted shorter than this, in mesh units.
+        No edge is wanted shorter than this, in mesh units. As text with a percent sign, as "0.2%",
+        it is a share of the diagonal.
     max_edge : float, default 0.0
         No edge is wanted longer than this, in mesh units. Where no size is given, edges are so long
         where nothing else makes them shorter, and the number of vertices follows. Single edges may
-        be a fifth longer than what is wanted.
+        be a fifth longer than what is wanted. As text with a percent sign, as "0.2%", it is a share
+        of the diagonal.
     growth : float, default 1.15
         How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth costs angles.
     symmetry : {'off', 'x', 'y', 'z', 'auto'}, default 'off'
@@ -489,7 +493,7 @@ def sample(
     progress: Callable[[float, str], Any] | None = None,
     count: int | None = None,
     percent: float | None = None,
-    edge_length: float | None = None,
+    edge_length: float | str | None = None,
     preset: Literal['default', 'fast', 'paper'] = 'default',
     adapt: float | Literal['auto'] = 'auto',
     lambda_: float = 0.0,
@@ -527,7 +531,7 @@ def sample(
         taken where the topology needs them.
     edge_length : float, optional
         The wanted mean edge length of the result in mesh units. More vertices are taken where the
-        topology needs them.
+        topology needs them. As text with a percent sign, as "0.2%", it is a share of the diagonal.
     preset : {'default', 'fast', 'paper'}, default 'default'
         Which methods are used. default: the most regular triangles, close to the input: the fit
         moves vertices a little off the surface, to where the triangles are closest to it; those of

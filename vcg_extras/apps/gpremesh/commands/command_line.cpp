@@ -64,8 +64,9 @@ void checkLevels(const CommandLine& line)
 {
 	const LevelSizes& levels = line.levels;
 	if (levels.sizes.empty()) failUsage("levels needs one of --percent, --vertices and --faces.");
-	if (line.output.find(levelPlace) == std::string::npos)
-		failUsage("OUT must have {level} in its name, such as small_{level}.ply.");
+	if (isOneFile(line) && formatOfPath(line.output) != MeshFormat::Glb)
+		failUsage("OUT must have {level} in its name, such as small_{level}.ply, or be a .glb "
+				  "file, which holds all levels.");
 	const double most = levels.mode == TargetMode::Percent ? 10000 : 2147483647.0;
 	for (const double size : levels.sizes) {
 		const bool isWhole = levels.mode == TargetMode::Percent || size == std::floor(size);

@@ -67,7 +67,8 @@ void addOutcome(CLI::App& command, CommandLine& line, const char* reportHelp)
 void addOutput(CLI::App& command, CommandLine& line)
 {
 	command
-		.add_option("OUT", line.output, "Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN")
+		.add_option("OUT", line.output,
+					"Mesh to write: .ply, .obj, .off, .stl, .glb, .gltf or .3mf; may be IN")
 		->required();
 }
 
@@ -129,12 +130,13 @@ CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"Remeshes IN to several sizes, such as levels of detail, and writes a file each.\n"
 		"IN is read and prepared once. Each level tells how far it is from IN at most,\n"
 		"which is proven.");
-	levels->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+	levels
+		->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
 		->required();
 	levels
 		->add_option("OUT", line.output,
 					 "Files to write, with {level} for the number of the level from 1 on, such as\n"
-					 "small_{level}.ply")
+					 "small_{level}.ply; or one .glb file for all, by the extension MSFT_lod")
 		->required();
 	addLevelSizes(*levels, "--percent", "Sizes in percent of IN's vertices, such as 50,25,10,5",
 				  TargetMode::Percent, line);
@@ -151,7 +153,8 @@ CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 CLI::App* addInfo(CLI::App& app, CommandLine& line)
 {
 	CLI::App* info = app.add_subcommand("info", "Prints counts, topology and quality of IN.");
-	info->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")->required();
+	info->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
+		->required();
 	info->add_flag("--json", line.json, "Print JSON");
 	info->footer(exitCodeHelp);
 	return info;
@@ -175,7 +178,8 @@ CLI::App* addCompare(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"compare",
 		"Remeshes IN with these options, by the paper's preset and by MeshLab's Quadric\n"
 		"Edge Collapse and prints a table: time, distances from IN, triangle quality.");
-	compare->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+	compare
+		->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
 		->required();
 	addTableOptions(*compare, RemeshTool, given, isForCompare);
 	compare->add_flag("--isotropic", line.isotropic, "MeshLab's Isotropic Explicit Remeshing too");
@@ -197,7 +201,8 @@ CLI::App* addFeatures(CLI::App& app, CommandLine& line, GivenOptions& given)
 		"features",
 		"Finds creases and cone apexes of IN and writes OUT: the same mesh with the strength of\n"
 		"its vertices, in degrees, as quality and colour, features selected.");
-	features->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl or .glb")
+	features
+		->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
 		->required();
 	features->add_option("OUT", line.output, "Mesh to write, may be IN: .ply")->required();
 	addTableOptions(*features, FeatureTool, given);

@@ -50,6 +50,9 @@ void checkOptions(const RemeshOptions& options)
 	if (options.targetMode == TargetMode::Sizes)
 		failUsage("--max-edge alone is not possible in tiles. Give --vertices, --percent or "
 				  "--edge-length.");
+	if (options.edgeLenIsPercent || options.minEdgeIsPercent || options.maxEdgeIsPercent)
+		failUsage("Lengths in percent are of the diagonal of the whole input, which tiles do not "
+				  "hold. Give them in mesh units.");
 	if (options.selectedOnly || options.featureRegion == FeatureRegion::Selection)
 		failUsage("Selections are not carried through tiles.");
 	if (options.boundary == BoundaryMode::Keep)
