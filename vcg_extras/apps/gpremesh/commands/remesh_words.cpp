@@ -55,18 +55,18 @@ const char* const remeshDescription =
 	"Remeshes IN with about-equilateral triangles of equal size and writes OUT.\n"
 	"The size is given by one of --vertices, --faces, --percent and --edge-length;\n"
 	"10 % of IN's vertices where none is given.";
-const char* const inHelp  = "Mesh to read: .ply, .obj, .off, .stl or .glb";
-const char* const outHelp = "Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN. With --out-dir\n"
-							"another IN, as all that follow";
+const char* const inHelp = "Mesh to read: .ply, .obj, .off, .stl or .glb";
+const char* const outHelp =
+	"Mesh to write: .ply, .obj, .off, .stl or .glb; may be IN. With --out-dir\n"
+	"another IN, as all that follow";
 
-const std::vector<std::string> commandNames = {"remesh",   "levels", "info",
+const std::vector<std::string> commandNames = {"remesh",   "levels",  "info",
 											   "features", "compare", "tile"};
 
 std::vector<std::string> withCommand(std::vector<std::string> words)
 {
-	const bool isCommand =
-		!words.empty() &&
-		std::find(commandNames.begin(), commandNames.end(), words.front()) != commandNames.end();
+	const bool isCommand = !words.empty() && std::find(commandNames.begin(), commandNames.end(),
+													   words.front()) != commandNames.end();
 	if (!words.empty() && !isCommand && words.front()[0] != '-' && isMesh(words.front()))
 		words.insert(words.begin(), "remesh");
 	return words;
@@ -79,11 +79,12 @@ CommandOption RemeshWords::outputOption()
 
 CommandOption RemeshWords::outDirOption()
 {
-	return textOption("--out-dir", "DIR",
-					  "Remesh all IN together and write each into the folder DIR, under its name.\n"
-					  "Where borders of the files coincide, they do so in the result, too. A number\n"
-					  "of vertices or faces is that of all of them together",
-					  folder_);
+	return textOption(
+		"--out-dir", "DIR",
+		"Remesh all IN together and write each into the folder DIR, under its name.\n"
+		"Where borders of the files coincide, they do so in the result, too. A number\n"
+		"of vertices or faces is that of all of them together",
+		folder_);
 }
 
 CommandOption RemeshWords::transferOption()
@@ -114,13 +115,13 @@ std::vector<CommandOption> RemeshWords::options()
 	std::vector<CommandOption> all = {outputOption(), outDirOption()};
 	for (CommandOption& row : tableOptions(RemeshTool, given_))
 		all.push_back(std::move(row));
-	all.push_back(textOption(
-		"--regions", "NAME|off",
-		"The property of IN's faces that tells their regions, whose borders are kept\n"
-		"as lines and whose labels the result gets. If not given: region, label,\n"
-		"material, group, CellEntityIds and material_index, groups and materials of\n"
-		"OBJ, solids of STL. off: none",
-		line_.regions));
+	all.push_back(
+		textOption("--regions", "NAME|off",
+				   "The property of IN's faces that tells their regions, whose borders are kept\n"
+				   "as lines and whose labels the result gets. If not given: region, label,\n"
+				   "material, group, CellEntityIds and material_index, groups and materials of\n"
+				   "OBJ, solids of STL. off: none",
+				   line_.regions));
 	all.push_back(transferOption());
 	all.push_back(
 		textOption("--sizes", "NAME",
