@@ -83,7 +83,7 @@ class Words(SmallEngine):
     def test_documents_are_checked_alone(self):
         self.write("vcg_extras/core/mesh/split.h", "// The boundary.")
         self.assert_accepted(self.core, "--documents")
-        self.write("README.md", "# A remesher of boundaries")
+        self.write("README.md", "# A remesher of a boundary")
         self.assert_breach("documents: 1.0 synonyms, at most 0", "--documents")
         self.write("README.md", "line\n" * 120)
         self.assert_breach("README.md has 121 lines, at most 120", "--documents")
