@@ -88,6 +88,16 @@ class Browser:
         """A PNG file of what the window shows."""
         Path(path).write_bytes(base64.b64decode(self._call("GET", self.session + "/screenshot")))
 
+    def heap(self):
+        """Bytes of the page's objects that something refers to. Those of workers are not among them."""
+        for method in ("HeapProfiler.enable", "HeapProfiler.collectGarbage", "Performance.enable"):
+            self._devtools(method)
+        metrics = {entry["name"]: entry["value"] for entry in self._devtools("Performance.getMetrics")["metrics"]}
+        return metrics["JSHeapUsedSize"]
+
+    def _devtools(self, method):
+        return self._call("POST", self.session + "/goog/cdp/execute", {"cmd": method, "params": {}})
+
     def messages(self):
         """What was written to the console since the last call, errors and warnings."""
         log = self._call("POST", self.session + "/se/log", {"type": "browser"})

@@ -4,6 +4,7 @@
 """The page that remeshes what one drops on it, in Chromium: made by scripts/release/make_page.
 
     remesh_page_test.py GPREMESH FOLDER      FOLDER has page/index.html
+    GPR_PAGE_MOVES=50 ...                     how often the slider is moved; 20 if it is not set, 11 at least
     GPR_PAGE_PICTURES=OTHER ...               pictures of the windows go to the folder OTHER
 """
 
@@ -12,6 +13,7 @@ import functools
 import http.server
 import os
 import random
+import re
 import subprocess
 import sys
 import tempfile
@@ -44,10 +46,15 @@ HTMLAnchorElement.prototype.click = async function () {
 
 
 class Server(http.server.ThreadingHTTPServer):
-    def __init__(self, folder):
+    def __init__(self, folder, headers=None):
         class Quiet(http.server.SimpleHTTPRequestHandler):
             def log_message(self, *_):
                 pass
+
+            def end_headers(self):
+                for name, value in (headers or {}).items():
+                    self.send_header(name, value)
+                super().end_headers()
         super().__init__(("127.0.0.1", 0), functools.partial(Quiet, directory=folder))
         threading.Thread(target=self.serve_forever, daemon=True).start()
 
@@ -138,21 +145,55 @@ class Page(unittest.TestCase):
         self.set("#viewer [name=wipe]", True)
         self.assertTrue(self.browser.run("return document.querySelector('#viewer .panels').classList.contains('wiped')"))
 
-    def test_a_dozen_random_moves(self):
+    def move(self, chance):
+        self.set("#slider", chance.randint(300, 900), "input")
+        if chance.random() < 0.3:
+            self.set("[data-option='--adapt']", str(round(chance.random(), 2)))
+        time.sleep(chance.random())
+
+    def memory(self):
+        """Megabytes: of the engines, by what the page tells once they rest, and of the page's own objects."""
+        self.result()
+        time.sleep(0.5)
+        told = self.browser.run("return document.getElementById('engine').textContent")
+        return int(re.search(r"(\d+) MB", told).group(1)), self.browser.heap() / 1e6
+
+    def test_random_moves_take_no_more_memory(self):
         chance = random.Random(1)
         self.browser.run("document.querySelectorAll('#examples button')[1].click()")
         self.wait("faces")
-        for _ in range(12):
-            self.set("#slider", chance.randint(300, 900), "input")
-            if chance.random() < 0.3:
-                self.set("[data-option='--adapt']", str(round(chance.random(), 2)))
-            time.sleep(chance.random())
-        self.result()
+        for _ in range(10):
+            self.move(chance)
+        before = self.memory()
+        for _ in range(MOVES - 10):
+            self.move(chance)
+        after = self.memory()
+        print(f"memory after 10 moves and after {MOVES}: engines {before[0]} and {after[0]} MB, page {before[1]:.1f} and {after[1]:.1f} MB")
+        self.assertLessEqual(after[0], 1.25 * before[0] + 16)  # the largest result so far counts
+        self.assertLessEqual(after[1], 1.25 * before[1] + 4)
         name, bytes_ = self.saved()
         words = self.command()
         self.browser.run("window.saved = null; document.getElementById('downloadInput').click()")
         time.sleep(0.5)
         (Path(self.folder.name) / words[2]).write_bytes(base64.b64decode(self.browser.run("return window.saved")[1]))
+        subprocess.run([GPREMESH, *words[1:], "--quiet"], check=True, cwd=self.folder.name)
+        self.assertEqual(bytes_, (Path(self.folder.name) / name).read_bytes())
+
+    def test_threads_where_the_server_allows_them(self):
+        """The same bytes, and the page says how many."""
+        isolated = Server(FOLDER, {"Cross-Origin-Opener-Policy": "same-origin", "Cross-Origin-Embedder-Policy": "require-corp"})
+        self.addCleanup(isolated.shutdown)
+        self.assertIn("One thread works", self.browser.run("return document.getElementById('engine').textContent"))
+        self.browser.open(f"http://127.0.0.1:{isolated.server_port}/page/index.html", *WINDOWS[0])
+        self.wait("example")
+        cores = self.browser.run("return Math.min(navigator.hardwareConcurrency, 16)")
+        told = "One thread works" if cores == 1 else f"{cores} threads work"
+        self.assertIn(told, self.browser.run("return document.getElementById('engine').textContent"))
+        self.drop(self.mesh)
+        self.result()
+        self.set("#number input", "900")
+        self.result()
+        words, (name, bytes_) = self.command(), self.saved()
         subprocess.run([GPREMESH, *words[1:], "--quiet"], check=True, cwd=self.folder.name)
         self.assertEqual(bytes_, (Path(self.folder.name) / name).read_bytes())
 
@@ -225,6 +266,7 @@ def reason_to_skip():
 
 if __name__ == "__main__":
     GPREMESH, FOLDER = sys.argv[1:3]
+    MOVES = max(11, int(os.environ.get("GPR_PAGE_MOVES", 20)))
     PICTURES_TO = os.environ.get("GPR_PAGE_PICTURES", "")
     del sys.argv[1:3]
     if reason_to_skip():

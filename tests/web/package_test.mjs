@@ -79,6 +79,19 @@ test("what is wrong is told in a sentence", async () => {
 	await assert.rejects(remeshFile("torus.obj", obj, "b.xyz"), GpremeshError);
 });
 
+test("files that were opened are given back", async () => {
+	const { Engine } = await import("./node_modules/gpremesh/engine.js");
+	const engine = new Engine();
+	const large = Buffer.concat([obj, Buffer.from("# nothing\n".repeat(1600000))]); // 16 MB
+	const open = (k) => engine.call("open", { name: `mesh${k}.obj`, bytes: new Uint8Array(large) });
+	for (let k = 0; k < 4; ++k) await open(k);
+	const before = process.memoryUsage().rss;
+	for (let k = 4; k < 24; ++k) await open(k);
+	const grown = (process.memoryUsage().rss - before) / 1e6;
+	engine.end();
+	assert.ok(grown < 160, `${grown} MB more after 20 files of 16 MB`);
+});
+
 test("options have names, ranges and texts", async () => {
 	const rows = await parameters();
 	assert.ok(rows.some((row) => row.option === "--adapt" && row.help.length > 20 && row.maximum === 1));

@@ -6,6 +6,7 @@
     package_test.py GPREMESH FOLDER      FOLDER has the package, made by scripts/release/make_page
 """
 
+import json
 import shutil
 import subprocess
 import sys
@@ -15,6 +16,18 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "page"))
 from viewer_test import torus_obj  # noqa: E402
+
+
+def types_fit(work):
+    """Whether TypeScript takes a program that uses the package."""
+    if not shutil.which("tsc"):
+        print("SKIPPED: tsc is missing (node-typescript); the types of the package are not checked")
+        return True
+    shutil.copy(Path(__file__).with_name("consumer.mts"), work)
+    settings = {"noEmit": True, "strict": True, "target": "es2022", "module": "nodenext", "moduleResolution": "nodenext",
+                "lib": ["es2022", "dom"], "types": []}
+    Path(work, "tsconfig.json").write_text(json.dumps({"compilerOptions": settings, "files": ["consumer.mts"]}))
+    return subprocess.run(["tsc", "--project", work]).returncode == 0
 
 
 def main(gpremesh, folder):
@@ -32,6 +45,8 @@ def main(gpremesh, folder):
         for name, options in (("plain", []), ("options", ["--vertices", "700", "--adapt", "1"])):
             subprocess.run([gpremesh, "remesh", f"{work}/torus.obj", f"{work}/{name}.ply", *options, "--quiet"], check=True)
         shutil.copy(Path(__file__).with_name("package_test.mjs"), work)
+        if not types_fit(work):
+            return 1
         return subprocess.run(["node", "--test", "package_test.mjs"], cwd=work).returncode
 
 

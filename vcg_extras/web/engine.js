@@ -14,12 +14,18 @@ export class GpremeshError extends Error {
 	}
 }
 
+const mostThreads = 16;
+
+/** How many threads an engine has. Threads share memory, which browsers allow to pages that are isolated from others: the server
+ * sends the headers Cross-Origin-Opener-Policy: same-origin and Cross-Origin-Embedder-Policy: require-corp. */
+export const threadNum = !isNode && globalThis.crossOriginIsolated ? Math.min(navigator.hardwareConcurrency, mostThreads) : 1;
+
 let compiled = null;
 
 // Compiles the module once for all workers.
 function compile() {
 	compiled ??= (async () => {
-		const url = new URL("./worker/gpremesh.wasm", import.meta.url);
+		const url = new URL(threadNum > 1 ? "./worker/gpremesh_threads.wasm" : "./worker/gpremesh.wasm", import.meta.url);
 		if (!isNode) {
 			const response = await fetch(url);
 			if (!response.ok) throw new GpremeshError("gpremesh.wasm cannot be loaded.", 1);
@@ -52,6 +58,8 @@ export class Engine {
 	#worker = null;
 	#waiting = new Map();
 	#lastId = 0;
+	/** What the thread had of memory with its last answer, bytes. */
+	memory = 0;
 
 	/** Calls the engine. Calls are answered in sequence.
 	 * @param call name of a call in calls.cpp, @param request the arguments of the call */
@@ -68,7 +76,7 @@ export class Engine {
 		const answered = new Promise((resolve, reject) => this.#waiting.set(id, { resolve, reject, onProgress }));
 		const stop = () => this.#fail(signal.reason);
 		signal?.addEventListener("abort", stop);
-		worker.post({ ...request, id, call, ...(isNew ? { compiled: module } : {}) }, move);
+		worker.post({ ...request, id, call, ...(isNew ? { compiled: module, threadNum } : {}) }, move);
 		try {
 			return await answered;
 		} finally {
@@ -87,7 +95,7 @@ export class Engine {
 		return this.#worker !== null;
 	}
 
-	#hear({ id, answer, share, phrase, fatal }) {
+	#hear({ id, answer, memory, share, phrase, fatal }) {
 		if (fatal !== undefined) {
 			this.#fail(new GpremeshError(`the engine failed, mostly for want of memory (${fatal}).`, 1));
 			return;
@@ -99,6 +107,7 @@ export class Engine {
 			return;
 		}
 		this.#waiting.delete(id);
+		this.memory = memory;
 		if (answer.error === undefined) waiting.resolve(answer);
 		else waiting.reject(new GpremeshError(answer.error, answer.code));
 	}
@@ -106,6 +115,7 @@ export class Engine {
 	#fail(error) {
 		this.#worker?.then((worker) => worker.end());
 		this.#worker = null;
+		this.memory = 0;
 		for (const { reject } of this.#waiting.values()) reject(error);
 		this.#waiting.clear();
 	}

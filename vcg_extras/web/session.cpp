@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "session.h"
 
-#include "memory.h"
+#include "machine.h"
 
 #include <vcg_extras/complex/baselines/quadric_collapse.h>
 #include <vcg_extras/core/mesh/measure.h>
@@ -29,7 +29,7 @@ constexpr const char* quadricKey = "quadricEdgeCollapse";
 RemeshOptions optionsOf(const std::string& text)
 {
 	RemeshOptions options = app::optionsOfText(text);
-	options.threads       = 1;
+	options.threads       = threadNum();
 	return options;
 }
 
@@ -85,6 +85,7 @@ void Session::readAs(const RemeshOptions& options)
 {
 	const app::WantedAttributes wanted = wantedBy(options);
 	surface_.reset();
+	measured_.reset();
 	source_  = app::MeshSource(app::readMesh(path_, wanted), options);
 	wanted_  = wanted;
 	isSewn_  = app::isSewn(options);
@@ -107,7 +108,7 @@ Json Session::begin()
 Json Session::shownInput()
 {
 	const MeshView view = source_.mesh.view();
-	Workers        workers(1, nullptr);
+	Workers        workers(threadNum(), nullptr);
 	Json json       = app::MeshJson(view, diagonal_, workers, pack_).ofMesh("input", "input", view);
 	json["figures"] = {{"vertices", view.vertexNum},
 					   {"faces", view.faceNum},
@@ -176,7 +177,7 @@ const TriangleMesh& Session::made(const std::string& key) const
 
 Json Session::shown(const std::string& key, const std::string& name) const
 {
-	Workers workers(1, nullptr);
+	Workers workers(threadNum(), nullptr);
 	return app::MeshJson(source_.mesh.view(), diagonal_, workers, pack_)
 		.ofMesh(key, name, made(key).view());
 }
@@ -191,7 +192,7 @@ const MeasuredSurface& Session::measuredInput(Workers& workers)
 Json Session::measured(const std::string& key, const std::string& name)
 {
 	const MeshView         input = source_.mesh.view(), mesh = made(key).view();
-	Workers                workers(1, nullptr);
+	Workers                workers(threadNum(), nullptr);
 	const MeasuredSurface& surface = measuredInput(workers);
 	const MeasuredSurface  ofMesh(mesh, surface, workers);
 	const std::int64_t     sampleNum = distanceSampleNum(mesh.faceNum);
@@ -207,7 +208,7 @@ Json Session::measured(const std::string& key, const std::string& name)
 
 Json Session::proven(const std::string& key)
 {
-	Workers workers(1, nullptr);
+	Workers workers(threadNum(), nullptr);
 	return app::boundsJson(certifiedDistances(source_.mesh.view(), made(key).view(),
 											  usualCertificate(diagonal_), workers),
 						   diagonal_);

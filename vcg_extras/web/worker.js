@@ -14,17 +14,25 @@ if (isNode) {
 	globalThis.postMessage = (message, transferred) => parentPort.postMessage(message, transferred);
 	parentPort.on("message", (message) => globalThis.onmessage({ data: message }));
 	globalThis.makeGpremesh = require("./gpremesh.js");
-} else {
-	importScripts("gpremesh.js");
 }
 
 let current = null; // the number of the present message
 let loaded = null;
+let shared = null; // the memory, where threads share it
 
-function load(compiled) {
+// The memory of the module: another thread may have made it larger.
+const heapOf = (module) => shared === null ? module.HEAPU8 : new Uint8Array(shared.buffer);
+
+function load(compiled, threadNum) {
+	const loader = threadNum > 1 ? "gpremesh_threads.js" : "gpremesh.js";
+	if (!isNode) importScripts(loader);
+	if (threadNum > 1) shared = new WebAssembly.Memory({ initial: 256, maximum: 65536, shared: true }); // as it was linked
 	return makeGpremesh({
+		...(shared === null ? {} : { wasmMemory: shared }),
+		threadNum,
+		mainScriptUrlOrBlob: loader, // what further threads load
 		instantiateWasm(imports, receive) {
-			WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance));
+			WebAssembly.instantiate(compiled, imports).then((instance) => receive(instance, compiled));
 			return {};
 		},
 		onProgress(share, phrase) {
@@ -41,7 +49,7 @@ function load(compiled) {
 function lend(module, values) {
 	const at = module._malloc(values.byteLength) >>> 0;
 	if (at === 0) throw new RangeError("no memory for the mesh");
-	module.HEAPU8.set(new Uint8Array(values.buffer, values.byteOffset, values.byteLength), at);
+	heapOf(module).set(new Uint8Array(values.buffer, values.byteOffset, values.byteLength), at);
 	return { at, length: values.byteLength };
 }
 
@@ -49,7 +57,7 @@ function lend(module, values) {
 function takeOut(module, value, transferred) {
 	if (value === null || typeof value !== "object") return value;
 	if (typeof value.at === "number" && typeof value.length === "number" && Object.keys(value).length === 2) {
-		const bytes = module.HEAPU8.slice(value.at, value.at + value.length).buffer;
+		const bytes = heapOf(module).slice(value.at, value.at + value.length).buffer;
 		transferred.push(bytes);
 		return bytes;
 	}
@@ -57,8 +65,16 @@ function takeOut(module, value, transferred) {
 	return value;
 }
 
-// Files lie in a file system in memory, under a name that cannot be a path.
+// Files lie in a file system in memory, under a name that cannot be a path. The one that is open stays: other options may need more
+// of it.
 const pathOf = (name) => "/" + name.replace(/\//g, "_");
+let openPath = null;
+
+function keepFile(module, path, bytes) {
+	if (openPath !== null && openPath !== path) module.FS.unlink(openPath);
+	module.FS.writeFile(path, bytes, { canOwn: true });
+	openPath = path;
+}
 
 function answer(module, request) {
 	const lent = [];
@@ -69,7 +85,7 @@ function answer(module, request) {
 	}
 	if (request.name && request.call === "open") {
 		request.path = pathOf(request.name);
-		module.FS.writeFile(request.path, request.bytes, { canOwn: true });
+		keepFile(module, request.path, request.bytes);
 		delete request.bytes;
 	}
 	if (request.call === "save") request.path = pathOf(request.name);
@@ -81,7 +97,7 @@ function answer(module, request) {
 }
 
 async function reply(message) {
-	if (message.compiled) loaded = load(message.compiled);
+	if (message.compiled) loaded = load(message.compiled, message.threadNum);
 	const module = await loaded;
 	current = message.id;
 	const transferred = [];
@@ -91,7 +107,7 @@ async function reply(message) {
 		transferred.push(answered.bytes.buffer);
 		module.FS.unlink(message.path);
 	}
-	postMessage({ id: message.id, answer: answered }, transferred);
+	postMessage({ id: message.id, answer: answered, memory: heapOf(module).length }, transferred);
 }
 
 globalThis.onmessage = ({ data }) => {

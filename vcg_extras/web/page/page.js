@@ -3,13 +3,13 @@
 //
 // The page. Two engines have the mesh: the first makes drafts and is never stopped, the second makes the results.
 /* global makeViewer */
-import { Engine } from "./engine.js";
+import { Engine, threadNum } from "./engine.js";
 import { examples } from "./examples.js";
 
 const restAfter = 500;            // ms after the last change, until the default begins
 const mostFacesOfDrafts = 3000000; // two engines need the memory twice
 const mostBytes = 1.5e9;          // of a file: it lies in memory beside the mesh
-const ownRows = ["--threads", "--time-limit", "--selected"]; // one thread; the page selects nothing
+const ownRows = ["--threads", "--time-limit", "--selected"]; // as many threads as may be; the page selects nothing
 
 const $ = (id) => document.getElementById(id);
 const drafts = new Engine(), results = new Engine();
@@ -36,6 +36,12 @@ function tell(words, isFailure = false) {
 
 function tellFailure(error) {
 	if (error.name !== "AbortError") tell(error.message.replace(/^./, (c) => c.toUpperCase()), true);
+}
+
+// Which engines work, and what they have of memory.
+function tellEngines() {
+	const megabytes = Math.round((drafts.memory + results.memory) / 1e6);
+	$("engine").textContent = `${threadNum > 1 ? threadNum + " threads work" : "One thread works"}, with ${megabytes} MB of memory.`;
 }
 
 function showProgress(share, phrase) {
@@ -202,6 +208,7 @@ async function draft() {
 		if (of === change) tellFailure(error);
 	}
 	isDrafting = false;
+	tellEngines();
 	draft();
 }
 
@@ -246,6 +253,7 @@ async function finish(of) {
 	} catch (error) {
 		tellFailure(error);
 	}
+	tellEngines();
 	if (running !== mine) return;
 	running = null;
 	showProgress(null);
@@ -383,6 +391,7 @@ try {
 	const { version, parameters } = await results.call("table");
 	table = parameters;
 	$("version").textContent = version;
+	tellEngines();
 	makeRows();
 	listen();
 	tell("Drop a mesh, choose one, or take an example.");
