@@ -35,7 +35,7 @@ function bytesOf(text) {
 const measures = {
 	quality: {
 		values: (mesh) => mesh.quality, good: 1, bad: 0,
-		from: "2r/R: 1, equilateral", to: "0, no area",
+		from: "2r/R: 1, equilateral", to: "0, degenerate",
 	},
 	distance: {
 		values: (mesh) => mesh.isMeasured ? mesh.distance : [], good: 0,
@@ -352,7 +352,7 @@ function fillPanel(panel) {
 	drawn.frustumCulled = false;
 	panel.scene.add(drawn);
 	panel.count.textContent = grouped(mesh.faces) + " triangles" +
-		(mesh.isDecimated ? ", drawn with " + grouped(mesh.shown) : "") +
+		(mesh.isDecimated ? ", drawn simplified with " + grouped(mesh.shown) : "") +
 		(mesh.isMeasured ? "" : ", distances not measured yet");
 	panel.canvas.setAttribute("aria-label", mesh.name);
 	panel.spots.textContent = "";
