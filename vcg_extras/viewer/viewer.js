@@ -352,7 +352,7 @@ function fillPanel(panel) {
 	drawn.frustumCulled = false;
 	panel.scene.add(drawn);
 	panel.count.textContent = grouped(mesh.faces) + " triangles" +
-		(mesh.isDecimated ? ", drawn simplified with " + grouped(mesh.shown) : "") +
+		(mesh.isDecimated ? ", drawn with " + grouped(mesh.shown) : "") +
 		(mesh.isMeasured ? "" : ", distances not measured yet");
 	panel.canvas.setAttribute("aria-label", mesh.name);
 	panel.spots.textContent = "";
