@@ -179,7 +179,7 @@ async function prove(key, name) {
 		const bounds = await results.call("proven", { key });
 		if (of !== change) return;
 		showFigures(key, name, { proven: bounds.hausdorff });
-		tell("Proven: no point of either surface is farther from the other surface.");
+		tell("No point of either surface is farther from the other surface. This is proven.");
 	} catch (error) {
 		tellFailure(error);
 	}
