@@ -57,9 +57,9 @@ Parameter sampleLayer()
 Parameter newLayer()
 {
 	Parameter row    = ownRow("NewLayer", ParameterKind::Switch, "Put the result into a new layer",
-							  "Off: the result takes the place of the layer's mesh, and MeshLab has "
-								 "no undo. On: the result becomes a new layer with the transform of the "
-								 "old one, and the old layer stays as it is.");
+							  "Off: the result replaces the mesh of the layer, and MeshLab has no "
+								 "undo. On: the result becomes a new layer with the transform of the "
+								 "old layer, which stays unchanged.");
 	row.defaultValue = state<false>;
 	return row;
 }
@@ -116,11 +116,11 @@ Rows expertRowsOf(Filter filter)
 Parameter colorBy()
 {
 	Parameter row = ownRow("ColorBy", ParameterKind::Choice, "Colour by",
-						   "What the colours of the two results show, on one scale. quality: 2 "
-						   "inradius / circumradius of each face, from red (0) over green to blue "
-						   "(1, equilateral). distance: how far each face is from the input, from "
-						   "blue (0) to red (the largest distance of both). The quality of the "
-						   "faces is the same figure.");
+						   "The meaning of the colours of both results, on a common scale. "
+						   "quality: 2 inradius / circumradius of each face, from red (0) over "
+						   "green to blue (1, equilateral). distance: the distance of each face "
+						   "from the input, from blue (0) to red (the largest distance of both). "
+						   "The quality of the faces is the same figure.");
 	row.choices   = {"quality", "distance", "nothing"};
 	row.maximum   = 2;
 	return row;
@@ -129,8 +129,8 @@ Parameter colorBy()
 Parameter sideBySide()
 {
 	Parameter row    = ownRow("SideBySide", ParameterKind::Switch, "Move the results apart",
-							  "On: the transforms of the two layers put them beside the input, along "
-								 "x. Off: they lie where the input is.");
+							  "On: the transforms of the two layers put the results beside the input, "
+								 "along x. Off: the results lie at the place of the input.");
 	row.defaultValue = state<true>;
 	return row;
 }

@@ -48,7 +48,7 @@ cut_patch() {
 		}' "$bunny" >"$work/patch.ply"
 }
 
-# The mesh after each stage, all of one size: retriangulated, flipped, counted, conformal, fitted.
+# The mesh after each stage, all triangles of one size: retriangulated, flipped, counted, repaired, fitted.
 stage_meshes() { # percent
 	"$build/bin/gpr_stage_meshes" "$bunny" "$1" "$work"
 }
@@ -122,7 +122,7 @@ picture_retriangulation() {
 	shot "$flank" cells.ply "${coloured[@]}"
 	shot "$flank" contracted.off
 	shot "$flank" flipped.off
-	show retriangulation 3 "samples and what is nearest to each" cells "contracted" contracted \
+	show retriangulation 3 "samples and their cells" cells "contracted" contracted \
 		"edges flipped" flipped
 }
 
@@ -139,7 +139,7 @@ valences() { # off, colours
 picture_regularity() {
 	stage_meshes 10
 	remesh "$bunny" relaxed.off --preset fast
-	mv "$work/conformal.off" "$work/regular.off"
+	mv "$work/repaired.off" "$work/regular.off"
 	local mesh
 	for mesh in counted relaxed regular; do
 		valences "$work/$mesh.off" "$work/$mesh.txt"

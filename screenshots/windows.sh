@@ -56,7 +56,7 @@ window_meshlab_search() {
 remesh_in_window() { # MeshLab, the edges' button, picture
 	open_bunny "$1" "$2"
 	xdotool mousemove 600 480 mousedown 2 sleep 0.3 mousemove 700 480 sleep 0.3 mousemove 870 480 sleep 0.3 mouseup 2
-	open_filter "$remeshing" "geodesic poisson"
+	open_filter "$remeshing" "remeshing geodesic poisson disk"
 	press_apply
 	wait_until log_has "Applied filter:* $remeshing"
 	photograph "$3"

@@ -323,7 +323,7 @@ void EditSession::putResult()
 	RichParameterList list;
 	fillParameterList(rowsOf(RemeshFilter), facts_, list, values);
 	if (document_.mm() == nullptr || document_.mm()->id() != layerId_)
-		throw Refusal("The layer that the tool was opened for is not the current layer any more.");
+		throw Refusal("The layer of the tool is no longer the current layer.");
 	const LayerJob job(document_, RemeshFilter, list);
 	const QString  file   = fileOf(*layer());
 	const auto     before = worker_->qualityOfLayer();

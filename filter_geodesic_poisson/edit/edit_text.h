@@ -8,7 +8,7 @@ namespace gpr_filter {
 /// The name of the tool in menu and toolbar.
 constexpr const char* kEditName = "Geodesic Poisson Remeshing";
 constexpr const char* kEditDescription =
-	"Remeshes the current layer while you move a slider. The layer stays as it is until Apply.";
+	"Remeshes the current layer while you move a slider. The layer stays unchanged until Apply.";
 constexpr const char* kEditIcon = ":/gpremesh/edit_icon.png";
 
 } // namespace gpr_filter

@@ -399,7 +399,7 @@ void RemeshPanel::addView(QVBoxLayout& column)
 	auto* drawn = new QHBoxLayout;
 	drawn->addWidget(viewSwitch("Faces", "Faces", &ViewChoices::faces));
 	drawn->addWidget(viewSwitch("Wireframe", "Wireframe", &ViewChoices::wireframe));
-	form->addRow("Drawn as", drawn);
+	form->addRow("Drawing", drawn);
 	form->addRow("Colours",
 				 viewBox("Colours", {"none", "quality of triangles", "distance from the input"},
 						 &ViewChoices::colour));
@@ -408,10 +408,10 @@ void RemeshPanel::addView(QVBoxLayout& column)
 	legend_->setText("<b>0</b>");
 	keepPlace(*legend_);
 	form->addRow(legend_);
-	wipe_ = viewSwitch("Wipe line: drag it in the view", "Wipe", &ViewChoices::isWiped);
+	wipe_ = viewSwitch("Dividing line (drag in the view)", "Wipe", &ViewChoices::isWiped);
 	form->addRow(wipe_);
-	form->addRow("Left of it", viewBox("OtherSide", {"original", "Quadric Edge Collapse"},
-									   &ViewChoices::otherSide));
+	form->addRow("Left of the line", viewBox("OtherSide", {"original", "Quadric Edge Collapse"},
+											 &ViewChoices::otherSide));
 	quadric_ = new QLabel;
 	quadric_->setObjectName("QuadricFigures");
 	keepPlace(*quadric_);
@@ -435,7 +435,7 @@ void RemeshPanel::showLegend()
 {
 	const bool isDistance = choices_.colour == PreviewColour::Distance;
 	legend_->setVisible(choices_.colour != PreviewColour::None);
-	const QString left = isDistance ? QString("0") : QString("0, no area");
+	const QString left = isDistance ? QString("0") : QString("0, degenerate");
 	const QString right =
 		isDistance ? QString::number(largestDistance_, 'g', 3) : QString("1, equilateral");
 	const QString stops = isDistance ? "stop:0 blue, stop:0.25 cyan, stop:0.5 lime, "
@@ -466,17 +466,18 @@ void RemeshPanel::addOutcome(QVBoxLayout& column)
 	auto* spots = new QHBoxLayout;
 	worst_      = new QPushButton("Worst triangle");
 	worst_->setObjectName("WorstTriangle");
-	worst_->setToolTip("Flies to the triangle of the lowest quality.");
+	worst_->setToolTip("Moves the camera to the triangle of the lowest quality.");
 	farthest_ = new QPushButton("Largest distance");
 	farthest_->setObjectName("LargestDistance");
-	farthest_->setToolTip("Flies to the triangle that is farthest from the input.");
+	farthest_->setToolTip(
+		"Moves the camera to the triangle with the largest distance from the input.");
 	spots->addWidget(worst_);
 	spots->addWidget(farthest_);
 	lines->addLayout(spots);
 	apply_ = new QPushButton("Apply");
 	apply_->setObjectName("Apply");
-	apply_->setToolTip("Puts the result into the document. The commands that give the same mesh "
-					   "are written to the log and the clipboard.");
+	apply_->setToolTip("Puts the result into the document. The log and the clipboard get the "
+					   "commands for the same mesh.");
 	lines->addWidget(apply_);
 	message_ = new QLabel;
 	message_->setObjectName("Message");

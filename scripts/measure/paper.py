@@ -143,8 +143,8 @@ def paper_page(data):
         return [row for mesh in data["meshes"] for row in mesh.get(which, [])]
 
     distances = rows("distances")  # none in records of earlier versions
-    return page("scripts/measure/run paper", "The paper's figures, measured",
-                "What each item of the paper is in the program: [paper.md](paper.md).",
+    return page("scripts/measure/run paper", "Figures of the paper",
+                "[paper.md](paper.md) compares the paper with this program, item by item.",
                 table1_text(rows("table1")), *([distances_text(distances)] if distances else []),
                 counts_text(rows("counts")), density_text(rows("density")),
                 _circumstances(data))
@@ -162,11 +162,11 @@ def table1_text(rows):
 vcglib's with MeshLab's parameters, on one thread, to the number of faces of the default's result.
 
 {table(titles, rows, 3)}
-E_RMS is given in both directions, because they can differ much: points of the result may all lie near the input while
-parts of the input are far from the result. The paper does not say which one it has.
+E_RMS is given in both directions, because the directions can differ much: all points of the result may lie near the input while
+parts of the input are far from the result. The paper names no direction.
 
-The paper has 0.824 to 0.835 for the aspect ratio of its own results, 1.5 times the time of Quadric Edge Collapse and
-4.7 to 4.9 times its E_RMS.
+The paper reports for its own results an aspect ratio of 0.824 to 0.835, 1.5 times the time of Quadric Edge Collapse, and 4.7 to 4.9
+times its E_RMS.
 """
 
 
@@ -176,8 +176,8 @@ def distances_text(rows):
     return f"""\
 ## p99.9 and the largest distance
 
-The same runs; all in percent of the diagonal. 99.9 % of the points are nearer than p99.9. It is the figure to judge a
-result by: the largest distance is that of one point, and varies much with the seed.
+The same runs; all in percent of the diagonal. 99.9 % of the points are nearer than p99.9. Judge a result by this
+figure: the largest distance depends on a single point, and varies much with the seed.
 
 {table(titles, rows, 2)}"""
 
@@ -186,9 +186,9 @@ def counts_text(rows):
     titles = ("model", "target", "wanted", "reached", "", "constant for target, border edges",
               "the same, disk intersection")
     return f"""\
-## The number of vertices that eq. (1) comes to
+## Number of vertices by eq. (1)
 
-The paper preset without exact count. "Constant for target": what 0.844 would have to be (the count goes with 1/c²).
+The paper preset without exact count. "Constant for target": the constant in place of 0.844 for the wanted number (the count goes with 1/c²).
 
 {table(titles, rows)}"""
 
@@ -199,7 +199,7 @@ def density_text(rows):
 
 Vertices off target with the density of eq. (4), without exact count: radius by eq. (5) as printed, with signed H and its
 mean over the vertices, and calibrated, with |H| and the area mean of the squared stretch. k is λ in units of the r of eq.
-(1), the same for both. "Clamped": vertices where 1 + λH fell below 0.1.
+(1), the same for both. "Clamped": vertices with 1 + λH below 0.1.
 
 {table(("model", "k", "as printed", "clamped", "calibrated"), rows)}"""
 

@@ -138,15 +138,26 @@ def how_measured(data):
 
 
 HOW_TO_READ = """\
-- **seconds**: from the mesh in memory to the result in memory. gpremesh: `seconds.remesh` of its report, with
-  cleaning, ordering and audit. Quadric Edge Collapse: the wall time of MeshLab's own `meshlabserver` less that of the
-  same command with the filter "Select None", since meshlabserver tells no times; it works on one thread. Its
-  parameters are those its dialog proposes, but for the number of faces, which is that of gpremesh's result.
-- **mean 2r/R**: 2 · inradius / circumradius; **mean aspect ratio**: 2√3 · inradius / longest edge, the paper's
-  measure. Means over the faces, 1 = equilateral. All figures of meshes are `gpremesh info`'s.
-- The approximation error is not measured here; [the paper's figures](measurements_paper.md), its Table 1 with errors,
-  are.
-- [Where the models come from](models.md).
+- **seconds**: from the mesh in memory to the result in memory. gpremesh: `seconds.remesh` of its report, with cleaning, ordering
+  and audit. Quadric Edge Collapse: the wall time of MeshLab's own `meshlabserver` on one thread, minus the wall time with the filter
+  "Select None", because meshlabserver prints no times. The parameters are the defaults of the dialog, with the number of
+  faces of gpremesh's result.
+- **mean 2r/R**: 2 · inradius / circumradius; **mean aspect ratio**: 2√3 · inradius / longest edge, the measure of the paper. Both are means
+  over the faces, and 1 for equilateral triangles. `gpremesh info` computes all figures of meshes.
+- [Sources of the models](models.md).
+
+## Other measurements
+
+| question | page |
+|---|---|
+| distance from the input, beside Quadric Edge Collapse and the paper | [Figures of the paper](measurements_paper.md) |
+| distance, time and shape beside other Python packages | [Python packages](measurements_python.md) |
+| presets, adaptivity, feature lines, feature regions | [Effect of options](measurements_options.md) |
+| time and memory up to millions of faces, threads | [Speed](measurements_speed.md) |
+| meshes that are larger than the memory | [Large meshes](measurements_tiles.md) |
+| tetrahedra and the Poisson problem on the results | [Simulation](measurements_simulation.md) |
+| geodesic distances of the sampling | [Accuracy of distances](accuracy_of_distances.md) |
+| faulty input, cancelling, other systems | [Robustness](robustness.md) |
 """
 
 

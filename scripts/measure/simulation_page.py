@@ -177,37 +177,36 @@ def others_better(data):
         better = [f"{labels[key]} on {count}" for key, count in counts.items() if count > ours]
         if better:
             lines.append(f"- {name}: {', '.join(better)}; gpremesh on {ours} of {len(data['meshes'])} models\n")
-    return "Another method is the best more often than gpremesh in these figures:\n\n" + ("".join(lines) or "- none\n")
+    return "In these figures another method is the best more often than gpremesh:\n\n" + ("".join(lines) or "- none\n")
 
 
 # ---- the page
 
 
 HOW_MEASURED = """\
-- The models are closed and connected, and TetGen finds no intersection in them. Vertices of the same place are one.
-- gpremesh makes {percent} % of a model's vertices, at least {least} and at most {most}. The others are asked for as many vertices or
-  faces, whichever they take. CGAL takes an edge length: the program tries up to eight lengths.
-- **CGAL**: `isotropic_remeshing`, five iterations, edges of 60° and more kept. **Quadric Edge Collapse**: PyMeshLab's,
-  as its dialog proposes. **pyacvd**: with the subdivision that it advises. **meshoptimizer**: `meshopt_simplify`
-  without a bound of the error, with and without `meshopt_SimplifyRegularize`. The package meshoptimizer of PyPI has
-  no such option. So it is the one that the package almeshopt brings.
-- **TetGen**: radius-edge ratio at most 1.414, dihedral angles of 10° wanted. "Surface kept" may not change the
-  surface (switch Y). Otherwise TetGen may split its edges and faces. **fTetWild**: the defaults of pytetwild, on one thread.
-- A step is **done** if there are tetrahedra after at most {longest} s of processor time, and their volume is
-  within 2 % of that inside of the surface.
-- **×**: the figure over that of gpremesh's default, geometric mean over the models where both have one.
+- The models are closed and connected, and TetGen finds no self-intersection in the models. Vertices at the same place are merged.
+- gpremesh makes {percent} % of a model's vertices, at least {least} and at most {most}. The other methods get the same number of
+  vertices or faces as their goal. CGAL takes an edge length: the program tries up to eight lengths.
+- **CGAL**: `isotropic_remeshing`, five iterations, edges of 60° and more kept. **Quadric Edge Collapse**: of PyMeshLab, with the values of
+  its dialog. **pyacvd**: with the recommended subdivision. **meshoptimizer**: `meshopt_simplify` of the package almeshopt, without an error
+  bound, with and without `meshopt_SimplifyRegularize`, which the package meshoptimizer of PyPI lacks.
+- **TetGen**: radius-edge ratio at most 1.414, dihedral angles of 10° wanted. "Surface kept" keeps the surface (switch Y). Otherwise TetGen may
+  split its edges and faces. **fTetWild**: the defaults of pytetwild, on one thread.
+- A step is **done** if there are tetrahedra after at most {longest} s of processor time, with a volume within 2 % of the volume
+  inside the surface.
+- **×**: the figure divided by the figure of gpremesh's default, geometric mean over the models with both figures.
 - **E_RMS**, **largest distance**: from 100,000 samples of the model to the result, by MeshLab's filter.
-- **condition number**: of the cotangent Laplacian, the largest eigenvalue over the smallest that is not 0.
-  **iterations**: of conjugate gradients, until the residual is 1e-8 of the right side, without a preconditioner and
-  with the diagonal as one; "no end" after 20,000. **edges of negative weight**: there the discrete maximum principle can fail.
+- **condition number**: of the cotangent Laplacian, the largest eigenvalue divided by the smallest nonzero eigenvalue. **iterations**: of
+  conjugate gradients, until the residual is 1e-8 of the right side, without a preconditioner and with Jacobi's; "no end" after 20,000.
+  **edges of negative weight**: at such edges the discrete maximum principle can fail.
 - **seconds**: processor time of the tool alone, one run.
-- [Where the models come from](models.md).
+- [Sources of the models](models.md).
 """
 
 INTRODUCTION = """\
-Closed models are remeshed with the same number of vertices by gpremesh and by others. The results are handed to two meshers of
-volumes, TetGen and fTetWild, and to a solver of the Poisson problem on the surface. TetGen has to keep or to split the
-triangles that it gets. fTetWild makes triangles of its own, within 0.1 % of the diagonal.
+gpremesh and other methods remesh closed models to the same number of vertices. The results go to two tetrahedral meshers,
+TetGen and fTetWild, and to a solver of the Poisson problem on the surface. TetGen must keep or split the given triangles. fTetWild makes
+its own triangles, within 0.1 % of the diagonal.
 """
 
 
@@ -236,7 +235,7 @@ def picture_part(data, picture):
     names = {TOOL_NAMES[tool]: [mesh["name"] for mesh in done_by_all(data, tool)] for tool in data["tools"]}
     models = [f"{tool}: {', '.join(found)}" for tool, found in names.items() if found]
     return (f"![Dihedral angles of the tetrahedra by method]({picture})\n\n"
-            f"Of the models that every method has done. {'. '.join(models)}.\n")
+            f"Only models that every method has done: {'. '.join(models)}.\n")
 
 
 def machine(data):
@@ -255,11 +254,11 @@ def text(data, picture):
     shown = [picture_part(data, picture)] if picture else []
     volumes = [f"## {TOOL_NAMES[tool]}\n\n{step_part(data, tool, volume_figures(tool))}" for tool in data["tools"]]
     return page(
-        "scripts/measure/run simulation", "Ready for simulation", INTRODUCTION, overview_of_surfaces(data),
+        "scripts/measure/run simulation", "Simulation", INTRODUCTION, overview_of_surfaces(data),
         overview_of_volumes(data), machine(data), others_better(data), *shown,
         HOW_MEASURED.format(percent=PERCENT, least=f"{LEAST_VERTICES:,}", most=f"{MOST_VERTICES:,}",
                             longest=data["longest"]),
-        "## On how many models each method is the best\n\nMethods that are equal as written here count alike; of "
+        "## Number of models with the best figure\n\nMethods with equal figures all count; of "
         f"{len(data['meshes'])} models.\n\n{best_table(data)}",
         f"## Surfaces\n\n{surface_part(data)}",
         f"## Poisson problem on the surface\n\n{step_part(data, 'surface', POISSON)}", *volumes)

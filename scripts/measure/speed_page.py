@@ -30,45 +30,41 @@ def speed_page(data, methods, picture_name):
     if any("memory" in mesh for mesh in data["meshes"]):
         parts.append("## Memory by stages\n\n" + _memory(data["meshes"]))
     if data.get("stages"):
-        parts.append("## Stages by themselves\n\n" + _single_stages(data["stages"]))
+        parts.append("## Single stages\n\n" + _single_stages(data["stages"]))
     return page("scripts/bench", "Speed", *parts, _circumstances(data))
 
 
 def _how_to_read():
     return """\
-10 % of the vertices, seed 1. All methods are run on a mesh one after the other, then again in the opposite order, and so on
-(rounds); figures are medians, smallest and largest in brackets. What is on the machine beside them disturbs all alike, so
-ratios are taken within a round: they say more than seconds, which belong to this machine.
+10 % of the vertices, seed 1. All methods run on a mesh one after the other, then in the opposite order, and so on (rounds). Figures are medians,
+smallest and largest in brackets. Other load disturbs all methods of a round alike, so ratios are taken within a round, and
+say more than seconds.
 
-- **seconds**: the algorithm, from the mesh in memory to the result in memory. gpremesh: `seconds.remesh` of its report, with
-  cleaning, ordering and audit. Quadric Edge Collapse: vcglib's, with the parameters that MeshLab's dialog proposes, without
-  assertions, from vcglib's mesh to vcglib's mesh. meshoptimizer: `meshopt_simplify` alone, at any error, from arrays to
-  arrays. All of them work on one thread, and get as many faces for their goal as gpremesh's default has; where they stop before
-  it, the column "faces" says so.
-- **meshoptimizer of PyPI**: the package almeshopt brings it, compiled for AVX2; **regularised**: with
-  `meshopt_SimplifyRegularize`. The package meshoptimizer of PyPI is older and has no such option. The arrays are made before
-  the clock starts; within it are the array for the result and a copy of what is left, which the package makes.
-- **whole program**: wall time from outside, from the start of the process to its end: reading a binary PLY, the algorithm,
-  writing one. The other simplifiers are given gpremesh's reader and writer, that of PyPI one of numpy, and it has Python to
-  start. **over seconds** is its ratio to the seconds.
-- **processor**: time of all threads, user and system, of the whole program. Near twice the wall time where two threads are
-  always busy.
-- **peak**: the largest resident memory of the program as the system tells it (`ru_maxrss`), pages of the mapped input file
-  included, which the system may take back at any time; **B/face** is that over the faces of the input. Of the other simplifiers
-  it includes the arrays that their own meshes were made from.
-- Before each run as much memory as it will need is taken, written to and given back: the hosts of virtual machines take away
-  what lies unused for some seconds, and to get it back takes longer than many a stage.
-- A ratio of 3 means: the other simplifier takes three times as long. Triangles are not alike: what each method makes of a mesh
-  is in [measurements.md](measurements.md) and [measurements_paper.md](measurements_paper.md).
+- **seconds**: the algorithm, from the mesh in memory to the result in memory. gpremesh: `seconds.remesh` of its report, with cleaning,
+  ordering and audit. Quadric Edge Collapse: of vcglib, with the values of MeshLab's dialog, without assertions, from vcglib's mesh to
+  vcglib's mesh. meshoptimizer: `meshopt_simplify` alone, at any error, from arrays to arrays. All three run on one thread, with the number
+  of faces of gpremesh's default as their goal; the column "faces" shows earlier ends.
+- **meshoptimizer of PyPI**: in the package almeshopt, compiled for AVX2; **regularised**: with `meshopt_SimplifyRegularize`, which the older
+  package meshoptimizer of PyPI lacks. The time includes the array for the result and a copy by the package, and no input arrays.
+- **whole program**: wall time from start to end of the process: reading a binary PLY, the algorithm, writing a binary PLY. The other simplifiers
+  use gpremesh's reader and writer; meshoptimizer of PyPI uses numpy, and also starts Python. **over seconds** is the ratio to the
+  seconds.
+- **processor**: time of all threads, user and system, of the whole program; nearly twice the wall time if two threads are always busy.
+- **peak**: the largest resident memory of the program (`ru_maxrss`), with the pages of the mapped input file, which the system may
+  reclaim; **B/face** is the peak divided by the faces of the input. For the other simplifiers the peak includes the arrays of the input.
+- Before each run the script allocates, writes and frees the memory of the run, because hosts of virtual machines reclaim unused memory after some
+  seconds, and take long to return pages.
+- A ratio of 3 means: the other simplifier takes three times as long. The triangles differ in quality:
+  [measurements.md](measurements.md), [measurements_paper.md](measurements_paper.md).
 """
 
 
 def _left_out(methods):
     limits = [f"{m.label} above {m.most_faces / 1e6:.0f} million faces" for m in methods.values()
               if m.most_faces != float("inf")]
-    text = f"- Left out, for the time it takes: {', '.join(limits)}.\n"
+    text = f"- Left out for lack of time: {', '.join(limits)}.\n"
     if not any(method.remesher for method in methods.values()):
-        text += "- meshoptimizer of PyPI was not to be had for this run: its rows are missing.\n"
+        text += "- meshoptimizer of PyPI was not available: its rows are missing.\n"
     return text
 
 
@@ -127,8 +123,8 @@ def _growth(meshes, methods, picture_name):
     grown = [mesh for mesh in meshes if mesh["grown"]]
     text = f"![Seconds by faces and by threads, memory by faces]({picture_name})\n\n" if picture_name else ""
     text += """\
-Fitted over the sizes of the first model. **seconds ~ faces^b**: 1 is linear. **from size to size**: seconds over those of the
-size before, and faces over faces. **peak = offset + B/face · faces**, by least squares with equal weight for each size.
+Fitted over the sizes of the first model. **seconds ~ faces^b**: 1 is linear. **from size to size**: ratio of the seconds to the size before,
+and ratio of the faces. **peak = offset + B/face · faces**, by least squares with equal weight for each size.
 
 """
     rows = [row for row in (_growth_row(grown, method) for method in methods.values()) if row]
@@ -158,9 +154,9 @@ def _steps(grown, key):
 
 def _threads(meshes):
     text = """\
-**parallel** is the share of the work that a second thread halves. By Amdahl's law no number of cores takes less time than
-the rest of the work; **at most with 8 cores** is how many times faster than one thread they are where they divide that share
-evenly. A share above 100 % is noise, and is taken as 100 % for that.
+**parallel** is the share of the work that a second thread halves. By Amdahl's law the rest of the work limits any number of
+cores; **at most with 8 cores** is the ratio to one thread if 8 cores divide the parallel share evenly. A share above 100 % is noise, and counts
+as 100 %.
 
 """
     rows = []
@@ -182,12 +178,11 @@ def _bandwidth_part(data):
     if "bandwidth" not in data:
         return []
     text = f"""\
-## Limit by the bandwidth of the memory
+## Limit by memory bandwidth
 
-The line in the picture: the time in which the arrays of a run are written once and read once. Assumed are as many bytes a
-face as `fast` holds at its peak, the program itself included, which counts with small meshes. The memory reads and writes
-{data['bandwidth'] / 1e9:.1f} GB/s together, measured by copies of a large array before the first run, all cores at once. What a run takes
-beyond that is arithmetic, waiting for single places of the memory, and passes that go over the arrays again.
+The line in the picture is the time to write and read the arrays of a run once. The arrays are the peak of `fast`, with the program itself,
+which counts for small meshes. Reading and writing together reach {data['bandwidth'] / 1e9:.1f} GB/s, measured by copies of a large array on all cores
+before the first run. The rest of a run is arithmetic, latency of single memory accesses, and further passes over the arrays.
 
 """
     rows = [_bandwidth_row(mesh, data["bandwidth"]) for mesh in data["meshes"]]
@@ -216,7 +211,7 @@ def _counters_part(data, methods):
               "whole program, s", "instructions a ns"]
     facts = [_fact_on_caches(counters), _fact_on_presets(mesh, counters), _fact_on_threads(mesh, counters),
              _fact_on_waiting(counters), _fact_on_size(data["meshes"], counters)]
-    return ["## What limits the runs\n\n" + _how_counted(data, mesh, counters) + table(titles, rows) + "\n"
+    return ["## Instructions and caches\n\n" + _how_counted(data, mesh, counters) + table(titles, rows) + "\n"
             + "".join(f"- {fact}\n" for fact in facts if fact)]
 
 
@@ -226,10 +221,9 @@ def _how_counted(data, mesh, counters):
     sizes = ", ".join(f"{name} {size / 1024:,.0f} KiB" for name, size in sorted(caches.items(), key=lambda c: c[1]))
     return f"""\
 Runs of each method on {_title(mesh)}, on one thread, by valgrind's cachegrind: most virtual machines have no
-counters in hardware. Figures are those a face of the input. The caches of data and the prediction of branches are simulated
-({sizes}); nothing is fetched ahead. The last cache may be
-shared with other machines. Counters and seconds are of the whole program: reading and writing of the files are within,
-nothing is subtracted. The seconds are those of the runs above, without valgrind, and ratios are those of their medians.
+hardware counters. Figures are per face of the input. Data caches and branch prediction are simulated ({sizes}), without prefetch. Other
+machines may share the last cache. Counters and seconds cover the whole program with reading and writing. The seconds are the medians
+of the runs above, without valgrind.
 Counted with commit {counters['commit']}, timed with {data['circumstances']['commit']};
 the results are {'the same, byte for byte' if same else 'NOT the same'}.
 
@@ -244,10 +238,10 @@ def _counters_row(mesh, method, counted):
 
 
 def _fact_on_caches(counters):
-    found = "Of the misses of the first cache, {:.0f} to {:.0f} % miss the last one, too: the others are hits there."
+    found = "Of the misses of the first cache, {:.0f} to {:.0f} % miss the last cache too."
     text = found.format(*share_of_first_misses(counters, "lastMisses"))
     if all("secondMisses" in counted for counted in counters["methods"].values()):
-        text += (" The second cache, that of the core, is missed by {:.0f} to {:.0f} % of them."
+        text += (" {:.0f} to {:.0f} % miss the second cache, which belongs to the core."
                  .format(*share_of_first_misses(counters, "secondMisses")))
     return text
 
@@ -265,15 +259,14 @@ def _times(mesh, counters, slower, faster):
 def _fact_on_presets(mesh, counters):
     times = _times(mesh, counters, "default-1", "fast-1")
     return times and (f"The default takes {times[0]:.1f} times the instructions of `fast`, and {times[2]:.1f} times its "
-                      "seconds. Where the two are alike, the time goes with the number of instructions.")
+                      "seconds. Equal ratios mean that the number of instructions decides the time.")
 
 
 def _fact_on_threads(mesh, counters):
     times = _times(mesh, counters, "default-1", "meshoptimizer")
-    return times and (f"The default takes {times[0]:.1f} times the instructions of meshoptimizer. It runs {times[1]:.1f} "
-                      f"times as many of them a nanosecond, so that it takes {times[2]:.1f} times the seconds. Two threads "
-                      f"halve that at best, to {times[2] / 2:.1f}: at these rates they are as fast on such a mesh only with "
-                      f"at most {2 * times[1]:.1f} times the instructions of meshoptimizer.")
+    return times and (f"The default takes {times[0]:.1f} times the instructions of meshoptimizer, and runs {times[1]:.1f} times the "
+                      f"instructions a nanosecond: {times[2]:.1f} times the seconds. Two threads reach {times[2] / 2:.1f} times at best, and "
+                      f"become as fast as meshoptimizer with at most {2 * times[1]:.1f} times its instructions.")
 
 
 def _fact_on_waiting(counters):
@@ -283,7 +276,7 @@ def _fact_on_waiting(counters):
     of_1000 = [1000 * counted[name] / counted["instructions"]
                for name in ("firstMisses", "mispredictions") for counted in (other, ours)]
     return ("In 1000 instructions meshoptimizer misses the first cache {:.1f} times, the default {:.1f} times; {:.1f} and "
-            "{:.1f} branches are mispredicted. How long each of them takes is not counted.".format(*of_1000))
+            "{:.1f} branches are mispredicted. The duration of each miss is not counted.".format(*of_1000))
 
 
 def _fact_on_size(meshes, counters):
@@ -297,7 +290,7 @@ def _fact_on_size(meshes, counters):
     factors = ", ".join(f"{growth_of_seconds_a_face(grown[0], grown[-1], key):.2f} with {names.get(key, key)}"
                         for key in keys)
     return (f"From {grown[0]['faces']:,} to {grown[-1]['faces']:,} faces the seconds a face, on one thread, grow by these "
-            f"factors: {factors}. The larger a mesh, the less of it is in the caches; misses are counted on the smallest.")
+            f"factors: {factors}. The caches hold a smaller part of a larger mesh; misses are counted on the smallest mesh.")
 
 
 # ---- stages
@@ -328,8 +321,8 @@ def _stage_seconds(mesh, key, name):
 
 def _memory(meshes):
     text = """\
-The most that was resident during each stage, in bytes a face of the input; one run each on all cores, seen every few
-milliseconds, so that short stages are missing. "read" counts the pages of the mapped file too.
+The largest resident memory during each stage, in bytes a face of the input; one run each on all cores, sampled every few
+milliseconds, so short stages are missing. "read" includes the pages of the mapped file.
 """
     for mesh in meshes:
         if "memory" not in mesh:
@@ -348,8 +341,8 @@ def _bytes(held, mesh):
 
 def _single_stages(stages):
     text = f"""\
-By [gpremesh_bench](../bench/README.md) on {stages['mesh']}; milliseconds, on 1 and 2 threads. Even triangles, and those of
-`--adapt 1`. Stages whose name begins with "paper" are those of the preset paper, "whole" runs from memory to memory.
+By [gpremesh_bench](../bench/README.md) on {stages['mesh']}; milliseconds, on 1 and 2 threads. Triangles of equal size, and
+graded triangles of `--adapt 1`. Names with "paper" belong to the preset paper; "whole" runs from memory to memory.
 
 """
     columns = ["uniform-1", "uniform-2", "graded-1", "graded-2"]

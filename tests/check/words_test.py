@@ -49,7 +49,7 @@ class Words(SmallEngine):
                 (self.core / file).unlink()
 
     def test_documents_are_checked(self):
-        for document in ("README.md", "vcg_extras/docs/algorithm.md"):
+        for document in ("README.md", "vcg_extras/docs/algorithm.md", "vcg_extras/docs/CHANGELOG.md", "packaging/deb/README.md"):
             with self.subTest(document):
                 self.write(document, "# Title\n\nThe samples of a boundary.")
                 self.assert_breach("documents: 1.0 synonyms, at most 0")
@@ -76,10 +76,17 @@ class Words(SmallEngine):
         self.assert_accepted(self.core)
         self.assertEqual(self.lines_of("vcg_extras"), [])
 
-    def test_pages_of_scripts_and_the_changelog_are_left_out(self):
+    def test_pages_of_scripts_are_checked(self):
         self.write("vcg_extras/docs/speed.md", "<!-- Made by scripts/bench; do not edit. -->\nThe boundary.")
-        self.write("vcg_extras/docs/CHANGELOG.md", "The boundary.")
-        self.assert_accepted(self.core)
+        self.assert_breach("documents: 1.0 synonyms, at most 0")
+
+    def test_documents_are_checked_alone(self):
+        self.write("vcg_extras/core/mesh/split.h", "// The boundary.")
+        self.assert_accepted(self.core, "--documents")
+        self.write("README.md", "# A remesher of a boundary")
+        self.assert_breach("documents: 1.0 synonyms, at most 0", "--documents")
+        self.write("README.md", "line\n" * 120)
+        self.assert_breach("README.md has 121 lines, at most 120", "--documents")
 
     def test_the_worst_file_comes_first(self):
         self.write("vcg_extras/core/mesh/bad.h", "// That of it.")

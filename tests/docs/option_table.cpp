@@ -174,7 +174,7 @@ void printPreservation(const std::vector<Model>& models)
 {
 	std::printf(
 		"\n## Preserving features\n\n20 %% of the vertices with `--features off`. Distances "
-		"are those of the input's edges sharper than %g°\nfrom the result's surface.\n\n| "
+		"from edges of the input sharper than %g° to the surface of the result.\n\n| "
 		"model | `--preset` | options | root mean square distance | p99.9 | largest distance | "
 		"mean "
 		"2r/R |\n|---|---|---|---:|---:|---:|---:|\n",
@@ -198,16 +198,16 @@ void printPreservation(const std::vector<Model>& models)
 
 const char* const intro =
 	"<!-- Made by build/bin/gpr_option_table (tests/docs); do not edit. -->\n"
-	"# What single options do\n"
+	"# Effect of options\n"
 	"\n"
-	"All other options are the defaults, seed 1. Distances are in percent of the diagonal of the "
-	"input's bounding box, both ways:\n"
-	"the larger of the two root mean squares, the larger of the two p99.9, and the largest of all. "
-	"They are found by sampling.\n"
-	"99.9 %% of the points are nearer than p99.9: the largest distance is that of one point, and "
-	"varies much with the seed.\n"
-	"2r/R and aspect ratio are 1 for an equilateral triangle. [Where the models come "
-	"from](models.md). Commit %s.\n\n";
+	"All other options have their defaults, seed 1. Distances are sampled and in percent of the "
+	"diagonal of the bounding box of the input: the larger of the\n"
+	"two root mean squares, the larger of the two p99.9, and the largest of all. 99.9 %% of the "
+	"points are nearer than p99.9; the largest\n"
+	"distance depends on a single point, and varies much with the seed. 2r/R and aspect ratio are "
+	"1 for an equilateral triangle.\n"
+	"[Sources of the models](models.md). Commit %s.\n"
+	"\n";
 
 /// Those that are there, of the models' folder.
 std::vector<Model> modelsOf(const std::vector<std::string>& names)

@@ -38,15 +38,13 @@ const char* const intro =
 	"vcg_extras/core/parameter_table.cpp; do not edit. -->\n"
 	"# Parameters\n"
 	"\n"
-	"The options of `gpremesh` and the parameters of MeshLab's filters are made from one table, "
-	"and "
-	"so\n"
-	"is this page, with the few that only MeshLab has: first what each filter has, then [what it "
-	"means](#what-each-one-means).\n"
-	"A script for `meshlabserver` names every key of its filter, with its type; a complete one "
-	"belongs to\n"
-	"each filter. In it one edits `TargetVertexNum`. A dialog with more than twelve parameters\n"
-	"shows the rows below the line *for experts* only when asked to.\n";
+	"The options of `gpremesh`, the parameters of MeshLab's filters and this page come from one\n"
+	"table; a few parameters exist in MeshLab only. The first part lists the parameters of each\n"
+	"filter, the second part [describes each parameter](#descriptions).\n"
+	"\n"
+	"A script for `meshlabserver` names every key of its filter with its type. Each filter has a\n"
+	"complete script: edit `TargetVertexNum`. Dialogs with more than twelve parameters hide the\n"
+	"rows below the line *for experts* behind an arrow.\n";
 
 std::string plain(double value)
 {
@@ -161,9 +159,9 @@ std::string chapter(Filter filter)
 	std::string text = std::string("\n## ") + textOf(filter).name + "\n\n";
 	if (filter == gpr_filter::RemeshFilter)
 		text +=
-			"`gpremesh remesh` takes one of `--vertices`, `--percent` and `--edge-length`, 10 % "
+			"`gpremesh remesh` takes `--vertices`, `--percent` or `--edge-length`, by default 10 % "
 			"of the\n"
-			"vertices where none is given, and writes to OUT, so that it needs no new layer.\n\n";
+			"vertices, and writes to OUT in place of a new layer.\n\n";
 	if (filter == gpr_filter::CompareFilter)
 		text += "`gpremesh compare` takes no time limit. With `--html` it writes a page.\n\n";
 	if (filter == gpr_filter::FeatureFilter)
@@ -194,9 +192,9 @@ std::vector<Parameter> allRows()
 
 std::string explanations()
 {
-	std::string text = "\n## What each one means\n";
+	std::string text = "\n## Descriptions\n";
 	for (const Parameter& p : allRows()) {
-		const char* const automatic = p.isAutomatic ? "-1 stands for auto." : "";
+		const char* const automatic = p.isAutomatic ? "-1 means auto." : "";
 		text += "\n<a id=\"" + std::string(p.key) + "\"></a>\n### " + p.label + "\n\n" +
 				code(p.key) + (*p.option != '\0' ? ", " + optionText(p) : std::string()) + "\n\n" +
 				p.help + "\n" + inHost("In MeshLab", automatic + std::string(p.dialogOnly)) +

@@ -4,7 +4,7 @@
 #include "staged_run.h"
 
 #include <vcg_extras/core/retriangulation/vertex_removal.h>
-#include <vcg_extras/io/formats/ply_writer.h>
+#include <vcg_extras/io/formats/soup_writer.h>
 #include <vcg_extras/io/mesh_io.h>
 
 #include <cstdio>
@@ -18,7 +18,7 @@ using namespace gpr;
 const char* const usage =
 	"gpr_stage_meshes IN PERCENT DIR\n\n"
 	"Remeshes IN to PERCENT % of its vertices, all of one size, and writes the mesh after each\n"
-	"stage: DIR/retriangulated.ply, flipped.ply, counted.ply, repaired.ply and fitted.ply.\n";
+	"stage: DIR/retriangulated.off, flipped.off, counted.off, repaired.off and fitted.off.\n";
 
 TriangleMesh inCallersUnit(const ResultMesh& result, const Frame& frame)
 {
@@ -39,9 +39,8 @@ void writeStages(const std::string& in, double percent, const std::string& folde
 	bench::StagedRun run(input.view(), options);
 	const Products&  made  = run.sampled();
 	const auto       write = [&](const char* name, const ResultMesh& result) {
-        app::OutputFile    out(folder + "/" + name + ".ply");
-        const TriangleMesh mesh = inCallersUnit(result, made.surface.frame);
-        app::writePly(mesh.view(), false, app::MeshAttributes(), out);
+        app::OutputFile out(folder + "/" + name + ".off");
+        app::writeOff(inCallersUnit(result, made.surface.frame), false, out);
         out.commit();
 	};
 	Workers workers(0, nullptr);

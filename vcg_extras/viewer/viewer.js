@@ -35,7 +35,7 @@ function bytesOf(text) {
 const measures = {
 	quality: {
 		values: (mesh) => mesh.quality, good: 1, bad: 0,
-		from: "2r/R: 1, equilateral", to: "0, no area",
+		from: "2r/R: 1, equilateral", to: "0, degenerate",
 	},
 	distance: {
 		values: (mesh) => mesh.isMeasured ? mesh.distance : [], good: 0,

@@ -34,7 +34,7 @@ def remesh(
     vertex_count: int | None = None,
     face_count: int | None = None,
     percent: float | None = None,
-    edge_length: float | str | None = None,
+    edge_length: float | None = None,
     max_error: float | str | None = None,
     preset: Literal['default', 'fast', 'paper'] = 'default',
     adapt: float | Literal['auto'] = 'auto',
@@ -50,8 +50,8 @@ def remesh(
     feature_length: float = 3.0,
     detail: Literal['off', 'coarse', 'normal', 'fine'] | None = None,
     allow_nearest: bool = False,
-    min_edge: float | str = 0.0,
-    max_edge: float | str = 0.0,
+    min_edge: float = 0.0,
+    max_edge: float = 0.0,
     growth: float = 1.15,
     symmetry: Literal['off', 'x', 'y', 'z', 'auto'] = 'off',
     sew: bool = True,
@@ -100,143 +100,143 @@ def remesh(
         Called about every 50 ms with the share of the work done, from 0 to 1, and a short text. The run
         is cancelled if the function returns False or raises.
     vertex_count : int, optional
-        How many vertices the result has. A remeshing has exactly so many, a sampling about a tenth
-        more or less. A number below what the topology needs is refused, and the message names the
-        smallest possible number. Where only the selected faces are remeshed this is the number of
-        vertices of that part.
+        The number of vertices of the result: exact for a remeshing, to a tenth for a sampling. If
+        the topology needs more vertices, the run is refused, and the message names the smallest
+        possible number. If only the selected faces are remeshed, the number counts the vertices of
+        this part.
     face_count : int, optional
-        How many faces the result has, exactly. A closed surface has an even number, about twice
-        that of its vertices. A surface with a border has any number, unless all its border vertices
-        are kept. What the topology does not allow is refused, and the message names the two nearest
-        numbers that it does.
+        The exact number of faces of the result. A closed surface has an even number, about twice
+        the number of vertices. A surface with a border can have any number, unless all border
+        vertices are kept. If the topology does not allow the number, the run is refused, and the
+        message names the two nearest possible numbers.
     percent : float, optional
-        The size of the result in percent of the input's vertices, at most 10000. More vertices are
-        taken where the topology needs them.
+        The number of vertices in percent of the input's vertices, at most 10000. If the topology
+        needs more vertices, the result has more.
     edge_length : float, optional
-        The wanted mean edge length of the result in mesh units. More vertices are taken where the
-        topology needs them. As text with a percent sign, as "0.2%", it is a share of the diagonal.
+        The wanted mean edge length of the result in mesh units. If the topology needs more
+        vertices, the result has more.
     max_error : float, optional
-        Looks for the smallest number of vertices with which the result is nowhere farther than this
-        from the input, nor the input from the result. This is proven. It is given in mesh units. At
-        most five trials are made. The adaptivity is 1 unless another one is given. Where a trial is
-        too far from the input, more vertices come in. What cannot be reached is refused. As text
-        with a percent sign, as "0.2%", it is a share of the diagonal.
+        Searches the smallest number of vertices with a proven largest distance between result and
+        input, in both directions, of at most this length in mesh units. The search makes at most
+        five trials. The adaptivity is 1 unless another value is given. If a trial is too far from
+        the input, vertices are added. An impossible error is refused. A text with a percent sign
+        ("0.2%") is a share of the diagonal.
     preset : {'default', 'fast', 'paper'}, default 'default'
-        Which methods are used. default: the most regular triangles, close to the input: the fit
-        moves vertices a little off the surface, to where the triangles are closest to it; those of
-        borders and feature lines leave their curves by at most 8 % of an edge. fast: a third of the
-        time, without the fit, so that every vertex stays on the surface, and without the steps for
-        regularity. paper: each stage as the paper describes it; the number of vertices is hit to a
-        tenth only. A sampling is the same with default and fast.
+        The methods of a run. default: the most regular triangles, close to the input. The fit moves
+        vertices a little off the surface to reduce the distance; vertices of borders and feature
+        lines leave their curves by at most 8 % of an edge. fast: a third of the time, without the
+        fit and the steps for regularity; every vertex stays on the surface. paper: each stage as in
+        the paper; the number of vertices is right to a tenth only. A sampling is the same with
+        default and fast.
     adapt : float or 'auto', default 'auto'
-        How much the sizes of the triangles follow the error. 0: all triangles have one size. 0.1: a
-        tenth of the vertices goes to ridges, rims and tips that are finer than the triangles. 1:
-        all sizes follow the error. Sizes stay even where feature lines take a third of the
-        vertices. auto: 0.1; 1 with a largest error; 0 with a lambda above 0, in the preset fast,
-        and where only samples are made. The preset paper has none.
+        Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
+        the vertices goes to ridges, rims and tips that are finer than the triangles. 1: all sizes
+        follow the error. If feature lines take a third of the vertices, the sizes stay even. auto:
+        0.1; 1 with a largest error; 0 with a lambda above 0, with the preset fast, and for a
+        sampling alone. The preset paper has no adaptivity.
     lambda_ : float, default 0.0
-        How much denser curved places are sampled, eq. (4) of the paper. Distances are stretched by
-        1 + lambda |H| r, at most 4, where H is the mean curvature and r the radius of the disks. 0:
-        evenly. 1 to 5 are usual. With the preset paper H is taken with its sign, in 1/mesh unit,
-        and there is no limit.
+        Additional density at curved places, eq. (4) of the paper. Distances are stretched by 1 +
+        lambda |H| r, at most 4; H is the mean curvature and r the radius of the disks. 0: even
+        density. Usual values are 1 to 5. The preset paper takes H with its sign, in 1/mesh unit,
+        without a limit.
     features : {'auto', 'lines', 'off', 'selected'}, default 'auto'
-        Feature lines are sharp edges of the input that become edges of the result; corners and cone
-        apexes become vertices. auto: real creases, but not the noise of a scan; none with the
-        preset paper, which never follows any. lines: wherever the faces turn by the angle of
-        feature lines. off: none. selected: the selected edges and no others. The selected edges are
-        those of feature_edges.
+        Feature lines are crease edges of the input that become edges of the result; corners and
+        cone apexes become vertices. auto: clear crease edges, but not the noise of a scan; none
+        with the preset paper, which never follows lines. lines: all edges above the angle of
+        feature lines. off: none. selected: only the selected edges. feature_edges lists the
+        selected edges.
     feature_disk_scale : float, default 0.0
-        Makes the triangles of the feature region smaller: the radius of its disks over the radius
-        elsewhere, 0.05 to 1. The feature region is made of the selected vertices; where no vertex
-        is selected it is detected. 0: no feature region, unless one is named; then its disks have
-        half the radius. With the preset paper 0 keeps each vertex of a named region.
+        Makes the triangles of the feature region smaller: the radius of the disks in the region,
+        divided by the radius elsewhere, 0.05 to 1. The selected vertices are the feature region; if
+        no vertex is selected, the region is detected. 0: no feature region, unless the option
+        feature region names one; then its disks have half the radius. With the preset paper 0 keeps
+        each vertex of a named region.
     boundary : {'resample', 'keep', 'free', 'smooth', 'match'}, default 'resample'
-        What becomes of the surface's open borders. resample: their curve and their corners stay,
-        and vertices are placed on them anew. keep: each of their vertices stays where it is, and
-        none is added; the triangles grow from the spacing there to the wanted size. free: evenly
-        spaced vertices, which cut corners off. smooth: for the ragged borders of scans. The border
-        becomes a smooth curve that stays within half an edge of the scan's border, and corners are
-        rounded. The report tells how much of the border's length is lost. match: anew, by the
-        border and the edge length alone, so that meshes with a piece of their borders in common,
-        remeshed one by one with the same edge length, have the same vertices there, bit for bit.
+        Treatment of the borders of the surface. resample: the curves and corners of the border
+        stay, with new vertices. keep: each border vertex stays, and no vertex is added; the
+        triangles grow from the spacing there to the wanted size. free: evenly spaced vertices,
+        which cut corners off. smooth: for the ragged borders of scans; the border becomes a smooth
+        curve within half an edge of the old border, corners are rounded, and the report tells the
+        lost length. match: the vertices depend on the border and the edge length only; meshes with
+        a common piece of border get the same vertices there, bit for bit, in separate runs with the
+        same edge length.
     feature_region : {'none', 'detected', 'selection', 'auto'}, default 'auto'
-        The part of the surface where vertices are denser, section 3.1.1 of the paper. none: there
-        is none. detected: what the feature detection finds by the strength of the edges. selection:
-        the selected vertices, or the corners of the selected faces where no vertex is selected.
-        auto: the selected vertices, or what is detected where no vertex is selected, if a feature
-        disk scale is given; else none. The selected vertices are those of region.
+        The part of the surface with denser vertices, section 3.1.1 of the paper. none: no region.
+        detected: the region of the feature detection, by the strength of the edges. selection: the
+        selected vertices; if no vertex is selected, the corners of the selected faces. auto: with a
+        feature disk scale, the selected vertices, or the detected region if no vertex is selected;
+        otherwise none. region marks the selected vertices.
     feature_angle : float, default 40.0
-        A feature line begins where the normals of two faces differ by so many degrees, 5 to 175. It
-        goes on from its ends down to half of that.
+        A feature line begins at edges whose faces differ by this angle in degrees, 5 to 175, and
+        continues from its ends down to half of the angle.
     feature_support : float, default 2.0
         The strength of an edge is the angle between the mean normals of its two sides. The support
-        is the radius within which normals are averaged, in mean edges of the input; above 0, at
-        most 100. A larger one overlooks more noise.
+        is the radius of the averages, in mean edges of the input; above 0, at most 100. A larger
+        support suppresses more noise.
     feature_strong : float, default 40.0
-        A detected feature begins where the strength has so many degrees; above 0, at most 180.
+        A detected feature begins at a strength of this angle in degrees; above 0, at most 180.
     feature_weak : float, default 20.0
-        A detected feature goes on as long as the strength has so many degrees; above 0, at most the
-        strong angle.
+        A detected feature continues down to a strength of this angle in degrees; above 0, at most
+        the strong angle.
     feature_length : float, default 3.0
-        Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
+        Detected features shorter than this number of supports are dropped as noise. 0 keeps all
+        features.
     detail : {'off', 'coarse', 'normal', 'fine'}, optional
-        The number of vertices in words: so many that 99.9 % of the surface is forecast to be nearer
-        than 1 % of the diagonal (coarse), 0.3 % (normal) or 0.1 % (fine). The number is told. It is
-        a forecast: largest error proves a distance, and takes several times as long. off: the size
-        is given otherwise.
+        The number of vertices in words: 99.9 % of the surface is expected to be nearer than 1 % of
+        the diagonal (coarse), 0.3 % (normal) or 0.1 % (fine). The program tells the number. This is
+        a forecast; the largest error proves a distance, and takes several times as long. off:
+        another option sets the size.
     allow_nearest : bool, default False
-        Where the topology does not allow the number of vertices or faces that is asked for, the
-        nearest possible number is taken. Otherwise the run is refused.
+        If the topology does not allow the wanted number of vertices or faces, the nearest possible
+        number is taken. Otherwise the run is refused.
     min_edge : float, default 0.0
-        No edge is wanted shorter than this, in mesh units. As text with a percent sign, as "0.2%",
-        it is a share of the diagonal.
+        The smallest local size, in mesh units.
     max_edge : float, default 0.0
-        No edge is wanted longer than this, in mesh units. Where no size is given, edges are so long
-        where nothing else makes them shorter, and the number of vertices follows. Single edges may
-        be a fifth longer than what is wanted. As text with a percent sign, as "0.2%", it is a share
-        of the diagonal.
+        The largest local size, in mesh units. Without a size of the result, this is the size of all
+        places that nothing else makes smaller, and decides the number of vertices. Single edges may
+        be a fifth longer than their local size.
     growth : float, default 1.15
-        How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth costs angles.
+        The largest ratio of the lengths of neighbouring edges, 1.05 to 2. Faster growth costs
+        angles.
     symmetry : {'off', 'x', 'y', 'z', 'auto'}, default 'off'
-        The result is its own mirror image: each vertex has one on the other side of a plane, with
-        the same coordinates bit for bit but for the one across the plane, and edges run along the
-        plane. x, y, z: the plane through the middle of the bounding box perpendicular to that axis.
-        auto: of these planes, or those of the principal axes, the one that suits best. The input
-        must be symmetric to .1 % of the diagonal, and is refused otherwise. Half of it is remeshed
-        and mirrored.
+        The result is its own mirror image: each vertex has an image across a plane with the same
+        coordinates bit for bit, except the mirrored coordinate, and edges run along the plane. x,
+        y, z: the plane through the middle of the bounding box, perpendicular to this axis. auto:
+        the best of these planes and of the planes of the principal axes. The input must be
+        symmetric to .1 % of the diagonal; otherwise the run is refused. Half of the input is
+        remeshed and mirrored.
     sew : bool, default True
-        Borders that lie on one another edge by edge, within a millionth of the bounding box, are
-        joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
-        Where they meet sharply, feature lines run along them. Edges at which more than two borders
-        meet stay cut. off: the pieces are remeshed one by one.
+        Joins borders that coincide edge by edge, within a millionth of the bounding box. CAD parts,
+        and games whose smooth patches have separate vertices, have such borders. Feature lines run
+        along sharp seams. Edges with more than two borders stay cut. off: the pieces stay separate.
     junctions : {'cut', 'keep'}, default 'cut'
-        What becomes of edges with more than two faces, and of places where sheets only touch. cut:
-        the smoothest two of the faces stay joined, the others get a border. keep: the edges are
-        sampled once for all sheets, which share their vertices, as walls between grains, strata or
-        rooms do.
+        Treatment of edges with more than two faces, and of places at which sheets only touch. cut:
+        the smoothest two of the faces stay joined, the other faces get a border. keep: the edges
+        are sampled once for all sheets, which share their vertices, such as walls between grains,
+        strata or rooms.
     drop_components_below : int, default 0
-        Components with fewer faces are left out, for instance the dust of a scan. Each of them
-        would take four vertices. 0 keeps all.
+        Components with fewer faces are left out, for instance the dust of a scan. Each such
+        component would take four vertices. 0 keeps all components.
     seed : int, default 1
         The same seed gives the same mesh, byte for byte, with any number of threads. 0 takes a new
-        seed and tells it.
+        seed; the report names the seed.
     threads : int, default 0
-        How many threads work, at most 1024. 0 takes one for each core. The result is the same.
+        The number of threads, at most 1024. 0 takes one for each core. The result is the same.
     time_limit : float, default 0.0
-        A run that takes longer is given up, and nothing is changed. 0 is no limit. The engine's
-        time counts, without the conversion of arrays.
+        A run that takes longer ends without a result and changes nothing. 0 is no limit. The limit
+        counts the time of the engine, without the conversion of arrays.
     check : bool, default False
-        Looks for self-intersections and measures the distances from the input: root mean square,
+        Searches self-intersections and measures the distances from the input: root mean square,
         p99.9 (99.9 % of the surface is nearer) and the largest, with proven bounds, in both
-        directions. This takes longer than the run itself. There is no result where faces intersect
-        and none did in the input, or where a vertex is farther from the input than the fit moved
-        it.
+        directions. This takes longer than the run itself. A result is withheld if faces intersect
+        at places without intersections of the input, or if a vertex is farther from the input than
+        the move of the fit.
     relax : int, default 3
-        With the preset paper: how often the second-order umbrella operator moves the vertices, 0 to
-        1000. Edges are flipped after each step.
+        With the preset paper: the number of moves of the vertices by the second-order umbrella
+        operator, 0 to 1000. Edges are flipped after each move.
     flips : int, default 1000
-        With the preset paper: edges are flipped in so many passes at most, each time, 0 to 1000.
-        With 1000 they end when all edges are Delaunay, as without that preset.
+        With the preset paper: the largest number of passes of edge flips, each time, 0 to 1000.
+        With 1000 the passes end when all edges are Delaunay, as without this preset.
 
     Returns
     -------
@@ -278,7 +278,7 @@ def remesh_together(
     vertex_count: int | None = None,
     face_count: int | None = None,
     percent: float | None = None,
-    edge_length: float | str | None = None,
+    edge_length: float | None = None,
     max_error: float | str | None = None,
     preset: Literal['default', 'fast', 'paper'] = 'default',
     adapt: float | Literal['auto'] = 'auto',
@@ -294,8 +294,8 @@ def remesh_together(
     feature_length: float = 3.0,
     detail: Literal['off', 'coarse', 'normal', 'fine'] | None = None,
     allow_nearest: bool = False,
-    min_edge: float | str = 0.0,
-    max_edge: float | str = 0.0,
+    min_edge: float = 0.0,
+    max_edge: float = 0.0,
     growth: float = 1.15,
     symmetry: Literal['off', 'x', 'y', 'z', 'auto'] = 'off',
     sew: bool = True,
@@ -321,143 +321,143 @@ def remesh_together(
     progress
         As for `remesh`.
     vertex_count : int, optional
-        How many vertices the result has. A remeshing has exactly so many, a sampling about a tenth
-        more or less. A number below what the topology needs is refused, and the message names the
-        smallest possible number. Where only the selected faces are remeshed this is the number of
-        vertices of that part.
+        The number of vertices of the result: exact for a remeshing, to a tenth for a sampling. If
+        the topology needs more vertices, the run is refused, and the message names the smallest
+        possible number. If only the selected faces are remeshed, the number counts the vertices of
+        this part.
     face_count : int, optional
-        How many faces the result has, exactly. A closed surface has an even number, about twice
-        that of its vertices. A surface with a border has any number, unless all its border vertices
-        are kept. What the topology does not allow is refused, and the message names the two nearest
-        numbers that it does.
+        The exact number of faces of the result. A closed surface has an even number, about twice
+        the number of vertices. A surface with a border can have any number, unless all border
+        vertices are kept. If the topology does not allow the number, the run is refused, and the
+        message names the two nearest possible numbers.
     percent : float, optional
-        The size of the result in percent of the input's vertices, at most 10000. More vertices are
-        taken where the topology needs them.
+        The number of vertices in percent of the input's vertices, at most 10000. If the topology
+        needs more vertices, the result has more.
     edge_length : float, optional
-        The wanted mean edge length of the result in mesh units. More vertices are taken where the
-        topology needs them. As text with a percent sign, as "0.2%", it is a share of the diagonal.
+        The wanted mean edge length of the result in mesh units. If the topology needs more
+        vertices, the result has more.
     max_error : float, optional
-        Looks for the smallest number of vertices with which the result is nowhere farther than this
-        from the input, nor the input from the result. This is proven. It is given in mesh units. At
-        most five trials are made. The adaptivity is 1 unless another one is given. Where a trial is
-        too far from the input, more vertices come in. What cannot be reached is refused. As text
-        with a percent sign, as "0.2%", it is a share of the diagonal.
+        Searches the smallest number of vertices with a proven largest distance between result and
+        input, in both directions, of at most this length in mesh units. The search makes at most
+        five trials. The adaptivity is 1 unless another value is given. If a trial is too far from
+        the input, vertices are added. An impossible error is refused. A text with a percent sign
+        ("0.2%") is a share of the diagonal.
     preset : {'default', 'fast', 'paper'}, default 'default'
-        Which methods are used. default: the most regular triangles, close to the input: the fit
-        moves vertices a little off the surface, to where the triangles are closest to it; those of
-        borders and feature lines leave their curves by at most 8 % of an edge. fast: a third of the
-        time, without the fit, so that every vertex stays on the surface, and without the steps for
-        regularity. paper: each stage as the paper describes it; the number of vertices is hit to a
-        tenth only. A sampling is the same with default and fast.
+        The methods of a run. default: the most regular triangles, close to the input. The fit moves
+        vertices a little off the surface to reduce the distance; vertices of borders and feature
+        lines leave their curves by at most 8 % of an edge. fast: a third of the time, without the
+        fit and the steps for regularity; every vertex stays on the surface. paper: each stage as in
+        the paper; the number of vertices is right to a tenth only. A sampling is the same with
+        default and fast.
     adapt : float or 'auto', default 'auto'
-        How much the sizes of the triangles follow the error. 0: all triangles have one size. 0.1: a
-        tenth of the vertices goes to ridges, rims and tips that are finer than the triangles. 1:
-        all sizes follow the error. Sizes stay even where feature lines take a third of the
-        vertices. auto: 0.1; 1 with a largest error; 0 with a lambda above 0, in the preset fast,
-        and where only samples are made. The preset paper has none.
+        Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
+        the vertices goes to ridges, rims and tips that are finer than the triangles. 1: all sizes
+        follow the error. If feature lines take a third of the vertices, the sizes stay even. auto:
+        0.1; 1 with a largest error; 0 with a lambda above 0, with the preset fast, and for a
+        sampling alone. The preset paper has no adaptivity.
     lambda_ : float, default 0.0
-        How much denser curved places are sampled, eq. (4) of the paper. Distances are stretched by
-        1 + lambda |H| r, at most 4, where H is the mean curvature and r the radius of the disks. 0:
-        evenly. 1 to 5 are usual. With the preset paper H is taken with its sign, in 1/mesh unit,
-        and there is no limit.
+        Additional density at curved places, eq. (4) of the paper. Distances are stretched by 1 +
+        lambda |H| r, at most 4; H is the mean curvature and r the radius of the disks. 0: even
+        density. Usual values are 1 to 5. The preset paper takes H with its sign, in 1/mesh unit,
+        without a limit.
     features : {'auto', 'lines', 'off', 'selected'}, default 'auto'
-        Feature lines are sharp edges of the input that become edges of the result; corners and cone
-        apexes become vertices. auto: real creases, but not the noise of a scan; none with the
-        preset paper, which never follows any. lines: wherever the faces turn by the angle of
-        feature lines. off: none. selected: the selected edges and no others. The selected edges are
-        those of feature_edges.
+        Feature lines are crease edges of the input that become edges of the result; corners and
+        cone apexes become vertices. auto: clear crease edges, but not the noise of a scan; none
+        with the preset paper, which never follows lines. lines: all edges above the angle of
+        feature lines. off: none. selected: only the selected edges. feature_edges lists the
+        selected edges.
     feature_disk_scale : float, default 0.0
-        Makes the triangles of the feature region smaller: the radius of its disks over the radius
-        elsewhere, 0.05 to 1. The feature region is made of the selected vertices; where no vertex
-        is selected it is detected. 0: no feature region, unless one is named; then its disks have
-        half the radius. With the preset paper 0 keeps each vertex of a named region.
+        Makes the triangles of the feature region smaller: the radius of the disks in the region,
+        divided by the radius elsewhere, 0.05 to 1. The selected vertices are the feature region; if
+        no vertex is selected, the region is detected. 0: no feature region, unless the option
+        feature region names one; then its disks have half the radius. With the preset paper 0 keeps
+        each vertex of a named region.
     boundary : {'resample', 'keep', 'free', 'smooth', 'match'}, default 'resample'
-        What becomes of the surface's open borders. resample: their curve and their corners stay,
-        and vertices are placed on them anew. keep: each of their vertices stays where it is, and
-        none is added; the triangles grow from the spacing there to the wanted size. free: evenly
-        spaced vertices, which cut corners off. smooth: for the ragged borders of scans. The border
-        becomes a smooth curve that stays within half an edge of the scan's border, and corners are
-        rounded. The report tells how much of the border's length is lost. match: anew, by the
-        border and the edge length alone, so that meshes with a piece of their borders in common,
-        remeshed one by one with the same edge length, have the same vertices there, bit for bit.
+        Treatment of the borders of the surface. resample: the curves and corners of the border
+        stay, with new vertices. keep: each border vertex stays, and no vertex is added; the
+        triangles grow from the spacing there to the wanted size. free: evenly spaced vertices,
+        which cut corners off. smooth: for the ragged borders of scans; the border becomes a smooth
+        curve within half an edge of the old border, corners are rounded, and the report tells the
+        lost length. match: the vertices depend on the border and the edge length only; meshes with
+        a common piece of border get the same vertices there, bit for bit, in separate runs with the
+        same edge length.
     feature_region : {'none', 'detected', 'selection', 'auto'}, default 'auto'
-        The part of the surface where vertices are denser, section 3.1.1 of the paper. none: there
-        is none. detected: what the feature detection finds by the strength of the edges. selection:
-        the selected vertices, or the corners of the selected faces where no vertex is selected.
-        auto: the selected vertices, or what is detected where no vertex is selected, if a feature
-        disk scale is given; else none. The selected vertices are those of region.
+        The part of the surface with denser vertices, section 3.1.1 of the paper. none: no region.
+        detected: the region of the feature detection, by the strength of the edges. selection: the
+        selected vertices; if no vertex is selected, the corners of the selected faces. auto: with a
+        feature disk scale, the selected vertices, or the detected region if no vertex is selected;
+        otherwise none. region marks the selected vertices.
     feature_angle : float, default 40.0
-        A feature line begins where the normals of two faces differ by so many degrees, 5 to 175. It
-        goes on from its ends down to half of that.
+        A feature line begins at edges whose faces differ by this angle in degrees, 5 to 175, and
+        continues from its ends down to half of the angle.
     feature_support : float, default 2.0
         The strength of an edge is the angle between the mean normals of its two sides. The support
-        is the radius within which normals are averaged, in mean edges of the input; above 0, at
-        most 100. A larger one overlooks more noise.
+        is the radius of the averages, in mean edges of the input; above 0, at most 100. A larger
+        support suppresses more noise.
     feature_strong : float, default 40.0
-        A detected feature begins where the strength has so many degrees; above 0, at most 180.
+        A detected feature begins at a strength of this angle in degrees; above 0, at most 180.
     feature_weak : float, default 20.0
-        A detected feature goes on as long as the strength has so many degrees; above 0, at most the
-        strong angle.
+        A detected feature continues down to a strength of this angle in degrees; above 0, at most
+        the strong angle.
     feature_length : float, default 3.0
-        Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
+        Detected features shorter than this number of supports are dropped as noise. 0 keeps all
+        features.
     detail : {'off', 'coarse', 'normal', 'fine'}, optional
-        The number of vertices in words: so many that 99.9 % of the surface is forecast to be nearer
-        than 1 % of the diagonal (coarse), 0.3 % (normal) or 0.1 % (fine). The number is told. It is
-        a forecast: largest error proves a distance, and takes several times as long. off: the size
-        is given otherwise.
+        The number of vertices in words: 99.9 % of the surface is expected to be nearer than 1 % of
+        the diagonal (coarse), 0.3 % (normal) or 0.1 % (fine). The program tells the number. This is
+        a forecast; the largest error proves a distance, and takes several times as long. off:
+        another option sets the size.
     allow_nearest : bool, default False
-        Where the topology does not allow the number of vertices or faces that is asked for, the
-        nearest possible number is taken. Otherwise the run is refused.
+        If the topology does not allow the wanted number of vertices or faces, the nearest possible
+        number is taken. Otherwise the run is refused.
     min_edge : float, default 0.0
-        No edge is wanted shorter than this, in mesh units. As text with a percent sign, as "0.2%",
-        it is a share of the diagonal.
+        The smallest local size, in mesh units.
     max_edge : float, default 0.0
-        No edge is wanted longer than this, in mesh units. Where no size is given, edges are so long
-        where nothing else makes them shorter, and the number of vertices follows. Single edges may
-        be a fifth longer than what is wanted. As text with a percent sign, as "0.2%", it is a share
-        of the diagonal.
+        The largest local size, in mesh units. Without a size of the result, this is the size of all
+        places that nothing else makes smaller, and decides the number of vertices. Single edges may
+        be a fifth longer than their local size.
     growth : float, default 1.15
-        How fast lengths may grow from one edge to the next, 1.05 to 2. Faster growth costs angles.
+        The largest ratio of the lengths of neighbouring edges, 1.05 to 2. Faster growth costs
+        angles.
     symmetry : {'off', 'x', 'y', 'z', 'auto'}, default 'off'
-        The result is its own mirror image: each vertex has one on the other side of a plane, with
-        the same coordinates bit for bit but for the one across the plane, and edges run along the
-        plane. x, y, z: the plane through the middle of the bounding box perpendicular to that axis.
-        auto: of these planes, or those of the principal axes, the one that suits best. The input
-        must be symmetric to .1 % of the diagonal, and is refused otherwise. Half of it is remeshed
-        and mirrored.
+        The result is its own mirror image: each vertex has an image across a plane with the same
+        coordinates bit for bit, except the mirrored coordinate, and edges run along the plane. x,
+        y, z: the plane through the middle of the bounding box, perpendicular to this axis. auto:
+        the best of these planes and of the planes of the principal axes. The input must be
+        symmetric to .1 % of the diagonal; otherwise the run is refused. Half of the input is
+        remeshed and mirrored.
     sew : bool, default True
-        Borders that lie on one another edge by edge, within a millionth of the bounding box, are
-        joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
-        Where they meet sharply, feature lines run along them. Edges at which more than two borders
-        meet stay cut. off: the pieces are remeshed one by one.
+        Joins borders that coincide edge by edge, within a millionth of the bounding box. CAD parts,
+        and games whose smooth patches have separate vertices, have such borders. Feature lines run
+        along sharp seams. Edges with more than two borders stay cut. off: the pieces stay separate.
     junctions : {'cut', 'keep'}, default 'cut'
-        What becomes of edges with more than two faces, and of places where sheets only touch. cut:
-        the smoothest two of the faces stay joined, the others get a border. keep: the edges are
-        sampled once for all sheets, which share their vertices, as walls between grains, strata or
-        rooms do.
+        Treatment of edges with more than two faces, and of places at which sheets only touch. cut:
+        the smoothest two of the faces stay joined, the other faces get a border. keep: the edges
+        are sampled once for all sheets, which share their vertices, such as walls between grains,
+        strata or rooms.
     drop_components_below : int, default 0
-        Components with fewer faces are left out, for instance the dust of a scan. Each of them
-        would take four vertices. 0 keeps all.
+        Components with fewer faces are left out, for instance the dust of a scan. Each such
+        component would take four vertices. 0 keeps all components.
     seed : int, default 1
         The same seed gives the same mesh, byte for byte, with any number of threads. 0 takes a new
-        seed and tells it.
+        seed; the report names the seed.
     threads : int, default 0
-        How many threads work, at most 1024. 0 takes one for each core. The result is the same.
+        The number of threads, at most 1024. 0 takes one for each core. The result is the same.
     time_limit : float, default 0.0
-        A run that takes longer is given up, and nothing is changed. 0 is no limit. The engine's
-        time counts, without the conversion of arrays.
+        A run that takes longer ends without a result and changes nothing. 0 is no limit. The limit
+        counts the time of the engine, without the conversion of arrays.
     check : bool, default False
-        Looks for self-intersections and measures the distances from the input: root mean square,
+        Searches self-intersections and measures the distances from the input: root mean square,
         p99.9 (99.9 % of the surface is nearer) and the largest, with proven bounds, in both
-        directions. This takes longer than the run itself. There is no result where faces intersect
-        and none did in the input, or where a vertex is farther from the input than the fit moved
-        it.
+        directions. This takes longer than the run itself. A result is withheld if faces intersect
+        at places without intersections of the input, or if a vertex is farther from the input than
+        the move of the fit.
     relax : int, default 3
-        With the preset paper: how often the second-order umbrella operator moves the vertices, 0 to
-        1000. Edges are flipped after each step.
+        With the preset paper: the number of moves of the vertices by the second-order umbrella
+        operator, 0 to 1000. Edges are flipped after each move.
     flips : int, default 1000
-        With the preset paper: edges are flipped in so many passes at most, each time, 0 to 1000.
-        With 1000 they end when all edges are Delaunay, as without that preset.
+        With the preset paper: the largest number of passes of edge flips, each time, 0 to 1000.
+        With 1000 the passes end when all edges are Delaunay, as without this preset.
 
     Returns
     -------
@@ -493,7 +493,7 @@ def sample(
     progress: Callable[[float, str], Any] | None = None,
     count: int | None = None,
     percent: float | None = None,
-    edge_length: float | str | None = None,
+    edge_length: float | None = None,
     preset: Literal['default', 'fast', 'paper'] = 'default',
     adapt: float | Literal['auto'] = 'auto',
     lambda_: float = 0.0,
@@ -522,90 +522,91 @@ def sample(
     vertices, faces, region, feature_edges, progress
         As for `remesh`.
     count : int, optional
-        How many vertices the result has. A remeshing has exactly so many, a sampling about a tenth
-        more or less. A number below what the topology needs is refused, and the message names the
-        smallest possible number. Where only the selected faces are remeshed this is the number of
-        vertices of that part.
+        The number of vertices of the result: exact for a remeshing, to a tenth for a sampling. If
+        the topology needs more vertices, the run is refused, and the message names the smallest
+        possible number. If only the selected faces are remeshed, the number counts the vertices of
+        this part.
     percent : float, optional
-        The size of the result in percent of the input's vertices, at most 10000. More vertices are
-        taken where the topology needs them.
+        The number of vertices in percent of the input's vertices, at most 10000. If the topology
+        needs more vertices, the result has more.
     edge_length : float, optional
-        The wanted mean edge length of the result in mesh units. More vertices are taken where the
-        topology needs them. As text with a percent sign, as "0.2%", it is a share of the diagonal.
+        The wanted mean edge length of the result in mesh units. If the topology needs more
+        vertices, the result has more.
     preset : {'default', 'fast', 'paper'}, default 'default'
-        Which methods are used. default: the most regular triangles, close to the input: the fit
-        moves vertices a little off the surface, to where the triangles are closest to it; those of
-        borders and feature lines leave their curves by at most 8 % of an edge. fast: a third of the
-        time, without the fit, so that every vertex stays on the surface, and without the steps for
-        regularity. paper: each stage as the paper describes it; the number of vertices is hit to a
-        tenth only. A sampling is the same with default and fast.
+        The methods of a run. default: the most regular triangles, close to the input. The fit moves
+        vertices a little off the surface to reduce the distance; vertices of borders and feature
+        lines leave their curves by at most 8 % of an edge. fast: a third of the time, without the
+        fit and the steps for regularity; every vertex stays on the surface. paper: each stage as in
+        the paper; the number of vertices is right to a tenth only. A sampling is the same with
+        default and fast.
     adapt : float or 'auto', default 'auto'
-        How much the sizes of the triangles follow the error. 0: all triangles have one size. 0.1: a
-        tenth of the vertices goes to ridges, rims and tips that are finer than the triangles. 1:
-        all sizes follow the error. Sizes stay even where feature lines take a third of the
-        vertices. auto: 0.1; 1 with a largest error; 0 with a lambda above 0, in the preset fast,
-        and where only samples are made. The preset paper has none.
+        Adaptivity of the local sizes to the error. 0: all triangles have one size. 0.1: a tenth of
+        the vertices goes to ridges, rims and tips that are finer than the triangles. 1: all sizes
+        follow the error. If feature lines take a third of the vertices, the sizes stay even. auto:
+        0.1; 1 with a largest error; 0 with a lambda above 0, with the preset fast, and for a
+        sampling alone. The preset paper has no adaptivity.
     lambda_ : float, default 0.0
-        How much denser curved places are sampled, eq. (4) of the paper. Distances are stretched by
-        1 + lambda |H| r, at most 4, where H is the mean curvature and r the radius of the disks. 0:
-        evenly. 1 to 5 are usual. With the preset paper H is taken with its sign, in 1/mesh unit,
-        and there is no limit.
+        Additional density at curved places, eq. (4) of the paper. Distances are stretched by 1 +
+        lambda |H| r, at most 4; H is the mean curvature and r the radius of the disks. 0: even
+        density. Usual values are 1 to 5. The preset paper takes H with its sign, in 1/mesh unit,
+        without a limit.
     features : {'auto', 'lines', 'off', 'selected'}, default 'auto'
-        Feature lines are sharp edges of the input that become edges of the result; corners and cone
-        apexes become vertices. auto: real creases, but not the noise of a scan; none with the
-        preset paper, which never follows any. lines: wherever the faces turn by the angle of
-        feature lines. off: none. selected: the selected edges and no others. The selected edges are
-        those of feature_edges.
+        Feature lines are crease edges of the input that become edges of the result; corners and
+        cone apexes become vertices. auto: clear crease edges, but not the noise of a scan; none
+        with the preset paper, which never follows lines. lines: all edges above the angle of
+        feature lines. off: none. selected: only the selected edges. feature_edges lists the
+        selected edges.
     feature_disk_scale : float, default 0.0
-        Makes the triangles of the feature region smaller: the radius of its disks over the radius
-        elsewhere, 0.05 to 1. The feature region is made of the selected vertices; where no vertex
-        is selected it is detected. 0: no feature region, unless one is named; then its disks have
-        half the radius. With the preset paper 0 keeps each vertex of a named region.
+        Makes the triangles of the feature region smaller: the radius of the disks in the region,
+        divided by the radius elsewhere, 0.05 to 1. The selected vertices are the feature region; if
+        no vertex is selected, the region is detected. 0: no feature region, unless the option
+        feature region names one; then its disks have half the radius. With the preset paper 0 keeps
+        each vertex of a named region.
     boundary : {'resample', 'keep', 'free', 'smooth', 'match'}, default 'resample'
-        What becomes of the surface's open borders. resample: their curve and their corners stay,
-        and vertices are placed on them anew. keep: each of their vertices stays where it is, and
-        none is added; the triangles grow from the spacing there to the wanted size. free: evenly
-        spaced vertices, which cut corners off. smooth: for the ragged borders of scans. The border
-        becomes a smooth curve that stays within half an edge of the scan's border, and corners are
-        rounded. The report tells how much of the border's length is lost. match: anew, by the
-        border and the edge length alone, so that meshes with a piece of their borders in common,
-        remeshed one by one with the same edge length, have the same vertices there, bit for bit.
+        Treatment of the borders of the surface. resample: the curves and corners of the border
+        stay, with new vertices. keep: each border vertex stays, and no vertex is added; the
+        triangles grow from the spacing there to the wanted size. free: evenly spaced vertices,
+        which cut corners off. smooth: for the ragged borders of scans; the border becomes a smooth
+        curve within half an edge of the old border, corners are rounded, and the report tells the
+        lost length. match: the vertices depend on the border and the edge length only; meshes with
+        a common piece of border get the same vertices there, bit for bit, in separate runs with the
+        same edge length.
     feature_region : {'none', 'detected', 'selection', 'auto'}, default 'auto'
-        The part of the surface where vertices are denser, section 3.1.1 of the paper. none: there
-        is none. detected: what the feature detection finds by the strength of the edges. selection:
-        the selected vertices, or the corners of the selected faces where no vertex is selected.
-        auto: the selected vertices, or what is detected where no vertex is selected, if a feature
-        disk scale is given; else none. The selected vertices are those of region.
+        The part of the surface with denser vertices, section 3.1.1 of the paper. none: no region.
+        detected: the region of the feature detection, by the strength of the edges. selection: the
+        selected vertices; if no vertex is selected, the corners of the selected faces. auto: with a
+        feature disk scale, the selected vertices, or the detected region if no vertex is selected;
+        otherwise none. region marks the selected vertices.
     feature_angle : float, default 40.0
-        A feature line begins where the normals of two faces differ by so many degrees, 5 to 175. It
-        goes on from its ends down to half of that.
+        A feature line begins at edges whose faces differ by this angle in degrees, 5 to 175, and
+        continues from its ends down to half of the angle.
     feature_support : float, default 2.0
         The strength of an edge is the angle between the mean normals of its two sides. The support
-        is the radius within which normals are averaged, in mean edges of the input; above 0, at
-        most 100. A larger one overlooks more noise.
+        is the radius of the averages, in mean edges of the input; above 0, at most 100. A larger
+        support suppresses more noise.
     feature_strong : float, default 40.0
-        A detected feature begins where the strength has so many degrees; above 0, at most 180.
+        A detected feature begins at a strength of this angle in degrees; above 0, at most 180.
     feature_weak : float, default 20.0
-        A detected feature goes on as long as the strength has so many degrees; above 0, at most the
-        strong angle.
+        A detected feature continues down to a strength of this angle in degrees; above 0, at most
+        the strong angle.
     feature_length : float, default 3.0
-        Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
+        Detected features shorter than this number of supports are dropped as noise. 0 keeps all
+        features.
     sew : bool, default True
-        Borders that lie on one another edge by edge, within a millionth of the bounding box, are
-        joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
-        Where they meet sharply, feature lines run along them. Edges at which more than two borders
-        meet stay cut. off: the pieces are remeshed one by one.
+        Joins borders that coincide edge by edge, within a millionth of the bounding box. CAD parts,
+        and games whose smooth patches have separate vertices, have such borders. Feature lines run
+        along sharp seams. Edges with more than two borders stay cut. off: the pieces stay separate.
     drop_components_below : int, default 0
-        Components with fewer faces are left out, for instance the dust of a scan. Each of them
-        would take four vertices. 0 keeps all.
+        Components with fewer faces are left out, for instance the dust of a scan. Each such
+        component would take four vertices. 0 keeps all components.
     seed : int, default 1
         The same seed gives the same mesh, byte for byte, with any number of threads. 0 takes a new
-        seed and tells it.
+        seed; the report names the seed.
     threads : int, default 0
-        How many threads work, at most 1024. 0 takes one for each core. The result is the same.
+        The number of threads, at most 1024. 0 takes one for each core. The result is the same.
     time_limit : float, default 0.0
-        A run that takes longer is given up, and nothing is changed. 0 is no limit. The engine's
-        time counts, without the conversion of arrays.
+        A run that takes longer ends without a result and changes nothing. 0 is no limit. The limit
+        counts the time of the engine, without the conversion of arrays.
 
     Returns
     -------
@@ -648,25 +649,25 @@ def features(
         As for `remesh`.
     feature_support : float, default 2.0
         The strength of an edge is the angle between the mean normals of its two sides. The support
-        is the radius within which normals are averaged, in mean edges of the input; above 0, at
-        most 100. A larger one overlooks more noise.
+        is the radius of the averages, in mean edges of the input; above 0, at most 100. A larger
+        support suppresses more noise.
     feature_strong : float, default 40.0
-        A detected feature begins where the strength has so many degrees; above 0, at most 180.
+        A detected feature begins at a strength of this angle in degrees; above 0, at most 180.
     feature_weak : float, default 20.0
-        A detected feature goes on as long as the strength has so many degrees; above 0, at most the
-        strong angle.
+        A detected feature continues down to a strength of this angle in degrees; above 0, at most
+        the strong angle.
     feature_length : float, default 3.0
-        Detected features that are shorter than so many supports are dropped as noise. 0 keeps all.
+        Detected features shorter than this number of supports are dropped as noise. 0 keeps all
+        features.
     sew : bool, default True
-        Borders that lie on one another edge by edge, within a millionth of the bounding box, are
-        joined, as those of CAD parts and of games whose smooth patches have vertices of their own.
-        Where they meet sharply, feature lines run along them. Edges at which more than two borders
-        meet stay cut. off: the pieces are remeshed one by one.
+        Joins borders that coincide edge by edge, within a millionth of the bounding box. CAD parts,
+        and games whose smooth patches have separate vertices, have such borders. Feature lines run
+        along sharp seams. Edges with more than two borders stay cut. off: the pieces stay separate.
     threads : int, default 0
-        How many threads work, at most 1024. 0 takes one for each core. The result is the same.
+        The number of threads, at most 1024. 0 takes one for each core. The result is the same.
     time_limit : float, default 0.0
-        A run that takes longer is given up, and nothing is changed. 0 is no limit. The engine's
-        time counts, without the conversion of arrays.
+        A run that takes longer ends without a result and changes nothing. 0 is no limit. The limit
+        counts the time of the engine, without the conversion of arrays.
 
     Returns
     -------

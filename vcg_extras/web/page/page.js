@@ -174,12 +174,12 @@ function largestCell(key, figures) {
 
 async function prove(key, name) {
 	const of = change;
-	tell("The largest distance is proven.");
+	tell("Computing a proven bound of the largest distance ...");
 	try {
 		const bounds = await results.call("proven", { key });
 		if (of !== change) return;
 		showFigures(key, name, { proven: bounds.hausdorff });
-		tell("No point of one surface is farther from the other one.");
+		tell("No point of either surface is farther from the other surface. This is proven.");
 	} catch (error) {
 		tellFailure(error);
 	}
@@ -296,7 +296,7 @@ async function open(name, bytes) {
 	stop();
 	draftWanted = null;
 	const of = ++change;
-	tell(`${name} is opened.`);
+	tell(`Opening ${name} ...`);
 	try {
 		reopened = null;
 		const facts = await results.call("open", { name, bytes: bytes.slice() });
@@ -323,8 +323,8 @@ async function open(name, bytes) {
 }
 
 async function openFile(file) {
-	if (!/\.(ply|obj|stl|off|glb)$/i.test(file.name)) return tell("PLY, OBJ, STL, OFF and GLB are read, no other format.", true);
-	if (file.size > mostBytes) return tell("The file is larger than 1.5 GB, which the browser cannot hold. The program can.", true);
+	if (!/\.(ply|obj|stl|off|glb)$/i.test(file.name)) return tell("The page reads PLY, OBJ, STL, OFF and GLB, and no other format.", true);
+	if (file.size > mostBytes) return tell("Files above 1.5 GB are too large for the browser. Use the program gpremesh for this file.", true);
 	return open(file.name, new Uint8Array(await file.arrayBuffer()));
 }
 
@@ -394,7 +394,7 @@ try {
 	tellEngines();
 	makeRows();
 	listen();
-	tell("Drop a mesh, choose one, or take an example.");
+	tell("Drop a mesh here, open a file, or try an example.");
 } catch (error) {
 	tellFailure(error);
 }

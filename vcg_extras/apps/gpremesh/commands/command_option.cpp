@@ -67,7 +67,8 @@ std::uint64_t parseBytes(const std::string& word)
 	if (!isRead || unit == 0 ||
 		std::uint64_t(number) > std::numeric_limits<std::uint64_t>::max() / unit) {
 		throw AppError(ExitCode::Usage,
-					   "--memory takes a whole number with a unit, such as 8G, not '" + word + "'.");
+					   "--memory takes a whole number with a unit, such as 8G, not '" + word +
+						   "'.");
 	}
 	return std::uint64_t(number) * unit;
 }
@@ -88,7 +89,8 @@ std::vector<CommandOption> tableOptions(Tool tool, GivenOptions& given,
 
 CommandOption reportOption(CommandLine& line, const char* help)
 {
-	return {"--report", "FILE.json", help, [&line](const std::string& word) { line.report = word; }};
+	return {"--report", "FILE.json", help,
+			[&line](const std::string& word) { line.report = word; }};
 }
 
 CommandOption quietOption(CommandLine& line)

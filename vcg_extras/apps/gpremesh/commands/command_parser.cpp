@@ -128,8 +128,8 @@ CLI::App* addLevels(CLI::App& app, CommandLine& line, GivenOptions& given)
 	CLI::App* levels = app.add_subcommand(
 		"levels",
 		"Remeshes IN to several sizes, such as levels of detail, and writes a file each.\n"
-		"IN is read and prepared once. Each level tells how far it is from IN at most,\n"
-		"which is proven.");
+		"IN is read and prepared once. Each level has a proven bound of its distance\n"
+		"from IN.");
 	levels
 		->add_option("IN", line.input, "Mesh to read: .ply, .obj, .off, .stl, .glb, .gltf or .3mf")
 		->required();

@@ -75,8 +75,8 @@ std::string picturesHtml(const std::vector<CaptionedPictures>& list)
 		closeUp += figureHtml(p.caption, p.pictures.closeUp);
 	}
 	if (whole.empty() && closeUp.empty()) return "";
-	return "<h2>The whole</h2>\n<div class=\"row\">\n" + whole +
-		   "</div>\n<h2>Close up</h2>\n<div class=\"row\">\n" + closeUp + "</div>\n";
+	return "<h2>Whole model</h2>\n<div class=\"row\">\n" + whole +
+		   "</div>\n<h2>Detail</h2>\n<div class=\"row\">\n" + closeUp + "</div>\n";
 }
 
 } // namespace
@@ -85,7 +85,7 @@ std::string comparePage(const CompareRecord& record, const std::vector<Captioned
 						const std::string& viewer)
 {
 	const std::string name  = std::filesystem::path(record.inputPath).filename().string();
-	const std::string title = escaped(name) + ", compared by gpremesh " + GPR_VERSION;
+	const std::string title = "Comparison for " + escaped(name) + " by gpremesh " + GPR_VERSION;
 	std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
 					   "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
 					   title + "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" +

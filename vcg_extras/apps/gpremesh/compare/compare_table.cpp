@@ -120,32 +120,31 @@ std::string sizesText(const CompareRecord& record)
 {
 	const MethodRecord& first = record.methods.front();
 	return "Distances: " + grouped(first.distance.toInput.sampleNum) +
-		   " points spread evenly over each surface, and all its vertices; E_RMS and p99.9 over "
-		   "the even points, Hausdorff over all and over those that the proof "
-		   "looked at; no point is farther than what is proven. 99.9 % of the points are nearer "
-		   "than "
-		   "p99.9. It is the distance to judge a result by: Hausdorff is that of one point, and "
-		   "varies much with the seed. Diagonal of the input: " +
+		   " evenly spread points of each surface, and all its vertices. E_RMS and p99.9 use the "
+		   "even points; Hausdorff uses all points, also of the proof. No point is farther than "
+		   "the proven bound. 99.9 % of the points are nearer than p99.9. Judge a result by "
+		   "p99.9: Hausdorff depends on a single point, and varies much with the seed. Diagonal "
+		   "of the input: " +
 		   formatted("%.6g.", record.input.figures.diagonal);
 }
 
 std::string budgetText(const MethodRecord& m)
 {
-	return m.column + ": the budget of the proof was spent; what is proven may be more than 1 % "
+	return m.column + ": the budget of the proof was spent; the proven bound may be more than 1 % "
 					  "above the largest distance.";
 }
 
 std::string methodsText(const CompareRecord& record)
 {
-	std::string text =
-		"gpremesh: the default path, on " + std::to_string(record.threads) +
-		(record.threads == 1 ? " thread" : " threads") +
-		"; paper: the same with the stages of the paper as written; QEC: MeshLab's Quadric Edge "
-		"Collapse (vcglib) with what its dialog proposes and gpremesh's number of faces, on one "
-		"thread";
+	std::string text = "gpremesh: the default preset, on " + std::to_string(record.threads) +
+					   (record.threads == 1 ? " thread" : " threads") +
+					   "; paper: the preset paper; QEC: MeshLab's Quadric Edge Collapse (vcglib) "
+					   "with the values of "
+					   "its dialog and gpremesh's number of faces, on one thread";
 	if (record.methods.size() > 3) {
-		text += "; isotropic: MeshLab's Isotropic Explicit Remeshing (vcglib) with what its dialog "
-				"proposes and gpremesh's mean edge length, on one thread";
+		text +=
+			"; isotropic: MeshLab's Isotropic Explicit Remeshing (vcglib) with the values of its "
+			"dialog and gpremesh's mean edge length, on one thread";
 	}
 	return text + ".";
 }
