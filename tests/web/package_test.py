@@ -23,10 +23,10 @@ def types_fit(work):
     if not shutil.which("tsc"):
         print("SKIPPED: tsc is missing (node-typescript); the types of the package are not checked")
         return True
-    shutil.copy(Path(__file__).with_name("consumer.ts"), work)
+    shutil.copy(Path(__file__).with_name("consumer.mts"), work)
     settings = {"noEmit": True, "strict": True, "target": "es2022", "module": "nodenext", "moduleResolution": "nodenext",
                 "lib": ["es2022", "dom"], "types": []}
-    Path(work, "tsconfig.json").write_text(json.dumps({"compilerOptions": settings, "files": ["consumer.ts"]}))
+    Path(work, "tsconfig.json").write_text(json.dumps({"compilerOptions": settings, "files": ["consumer.mts"]}))
     return subprocess.run(["tsc", "--project", work]).returncode == 0
 
 
