@@ -45,6 +45,10 @@ HTMLAnchorElement.prototype.click = async function () {
 };"""
 
 
+# With these headers, browsers let threads share memory.
+ISOLATED = {"Cross-Origin-Opener-Policy": "same-origin", "Cross-Origin-Embedder-Policy": "require-corp"}
+
+
 class Server(http.server.ThreadingHTTPServer):
     def __init__(self, folder, headers=None):
         class Quiet(http.server.SimpleHTTPRequestHandler):
@@ -181,7 +185,7 @@ class Page(unittest.TestCase):
 
     def test_threads_where_the_server_allows_them(self):
         """The same bytes, and the page says how many."""
-        isolated = Server(FOLDER, {"Cross-Origin-Opener-Policy": "same-origin", "Cross-Origin-Embedder-Policy": "require-corp"})
+        isolated = Server(FOLDER, ISOLATED)
         self.addCleanup(isolated.shutdown)
         self.assertIn("One thread works", self.browser.run("return document.getElementById('engine').textContent"))
         self.browser.open(f"http://127.0.0.1:{isolated.server_port}/page/index.html", *WINDOWS[0])
