@@ -36,6 +36,10 @@ const widget = document.querySelector(arguments[0]);
 if (widget.type === "checkbox") widget.checked = arguments[1]; else widget.value = arguments[1];
 widget.dispatchEvent(new Event(arguments[2] || "change", { bubbles: true }));"""
 
+AT_REST = """
+const words = document.getElementById("words").textContent;
+return !document.getElementById("download").disabled && words.includes("faces after") && !words.startsWith("Draft");"""
+
 # What the button saves goes into the page instead of the disk.
 CATCH = """
 window.saved = null;
@@ -99,8 +103,11 @@ class Page(unittest.TestCase):
         self.browser.run(SET, selector, value, event)
 
     def result(self):
-        """Waits for the default and what is measured of it."""
-        self.wait("faces after")
+        """Waits for the default of the last change and for its figures."""
+        end = time.monotonic() + 120
+        while not self.browser.run(AT_REST):
+            self.assertLess(time.monotonic(), end, f"no result is shown, but {self.words()!r}")
+            time.sleep(0.05)
 
     def saved(self):
         self.browser.run(CATCH)
@@ -269,7 +276,7 @@ def reason_to_skip():
 
 
 if __name__ == "__main__":
-    GPREMESH, FOLDER = sys.argv[1:3]
+    GPREMESH, FOLDER = map(os.path.abspath, sys.argv[1:3])
     MOVES = max(11, int(os.environ.get("GPR_PAGE_MOVES", 20)))
     PICTURES_TO = os.environ.get("GPR_PAGE_PICTURES", "")
     del sys.argv[1:3]
